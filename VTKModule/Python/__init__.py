@@ -1,0 +1,10 @@
+"""TetMarch: volume rendering of unstructured grids by marching rays from tetrahedron to tetrahedron."""
+
+# VTK's own modules first: they register the base classes that ours derive from, and the OpenGL factory.
+import vtkmodules.vtkCommonExecutionModel  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+import vtkmodules.vtkRenderingVolume  # noqa: F401
+
+from .vtkRenderingTetMarch import vtkTetMarchVolumeMapper
+
+__all__ = ["vtkTetMarchVolumeMapper"]

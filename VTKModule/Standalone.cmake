@@ -1,0 +1,72 @@
+# TetMarch as a project of its own: find VTK, build and wrap the module, the tools and the tests, install.
+include(GNUInstallDirs)
+include(CTest)
+include("${PROJECT_SOURCE_DIR}/VTKModule/CompileOptions.cmake")
+
+option(BUILD_SHARED_LIBS "Build shared libraries" ON)
+option(TETMARCH_WRAP_PYTHON "Build the Python package vtktetmarch" ON)
+option(TETMARCH_BUILD_TOOLS "Build the command-line tool tetmarch-render" ON)
+
+if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "The type of build" FORCE)
+endif ()
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+
+set(tetmarch_vtk_components
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
+  RenderingCore RenderingOpenGL2 RenderingVolume)
+if (TETMARCH_WRAP_PYTHON)
+  list(APPEND tetmarch_vtk_components Python WrappingPythonCore)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+endif ()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${tetmarch_vtk_components}
+  OPTIONAL_COMPONENTS
+    FiltersCore FiltersGeneral FiltersGeometry FiltersSources FiltersHybrid ImagingCore IOCGNSReader IOExodus
+    IOImage IOLegacy IOXML RenderingVolumeOpenGL2 TestingRendering)
+
+vtk_module_scan(
+  MODULE_FILES "${PROJECT_SOURCE_DIR}/vtk.module"
+  REQUEST_MODULES VTK::RenderingTetMarch
+  PROVIDES_MODULES tetmarch_modules
+  ENABLE_TESTS OFF)
+
+# vtk_module_build enters CMAKE_SOURCE_DIR/<folder of vtk.module>. With vtk.module in the top folder that is
+# this very project again, under the name of its folder, unless the source root is said to be one level up.
+set(tetmarch_real_source_dir "${CMAKE_SOURCE_DIR}")
+get_filename_component(CMAKE_SOURCE_DIR "${PROJECT_SOURCE_DIR}" DIRECTORY)
+vtk_module_build(
+  MODULES ${tetmarch_modules}
+  PACKAGE TetMarch
+  INSTALL_EXPORT TetMarch
+  LIBRARY_NAME_SUFFIX "${VTK_VERSION_MAJOR}.${VTK_VERSION_MINOR}"
+  VERSION "${PROJECT_VERSION}"
+  SOVERSION 1
+  HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/tetmarch"
+  CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/TetMarch")
+
+if (TETMARCH_WRAP_PYTHON)
+  set(tetmarch_python_dir "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
+  vtk_module_wrap_python(
+    MODULES ${tetmarch_modules}
+    PYTHON_PACKAGE vtktetmarch
+    MODULE_DESTINATION "${tetmarch_python_dir}"
+    INSTALL_EXPORT TetMarch
+    CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/TetMarch"
+    TARGET TetMarch::Python
+    BUILD_STATIC OFF)
+  configure_file(VTKModule/Python/__init__.py "${CMAKE_BINARY_DIR}/${tetmarch_python_dir}/vtktetmarch/__init__.py" COPYONLY)
+  install(FILES VTKModule/Python/__init__.py DESTINATION "${tetmarch_python_dir}/vtktetmarch")
+endif ()
+set(CMAKE_SOURCE_DIR "${tetmarch_real_source_dir}")
+
+include(VTKModule/Package.cmake)
+if (TETMARCH_BUILD_TOOLS)
+  add_subdirectory(Tools)
+endif ()
+if (BUILD_TESTING)
+  add_subdirectory(Testing)
+endif ()
