@@ -14,7 +14,10 @@ set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
-set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+# Debian's Python looks below lib/, not below the multi-architecture folder.
+set(tetmarch_python_dir "lib/python3/dist-packages")
+file(RELATIVE_PATH tetmarch_lib_from_python "/${tetmarch_python_dir}/vtktetmarch" "/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" "$ORIGIN/${tetmarch_lib_from_python}")
 
 set(tetmarch_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
@@ -49,7 +52,6 @@ vtk_module_build(
   CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/TetMarch")
 
 if (TETMARCH_WRAP_PYTHON)
-  set(tetmarch_python_dir "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
   vtk_module_wrap_python(
     MODULES ${tetmarch_modules}
     PYTHON_PACKAGE vtktetmarch
