@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTetMarchVolumeRepresentation
+ * @brief   ParaView's volume representation of unstructured grids, drawn by vtkTetMarchVolumeMapper
+ *
+ * Everything but the mapper is the superclass's. The grid reaches the mapper with its cells as they are:
+ * the superclass would cut them into tetrahedra, without care for neighbours.
+ */
+#ifndef vtkTetMarchVolumeRepresentation_h
+#define vtkTetMarchVolumeRepresentation_h
+
+#include "vtkTetMarchRepresentationModule.h" // For export macro
+#include "vtkUnstructuredGridVolumeRepresentation.h"
+
+class vtkTetMarchVolumeMapper;
+
+class VTKTETMARCHREPRESENTATION_EXPORT vtkTetMarchVolumeRepresentation
+  : public vtkUnstructuredGridVolumeRepresentation
+{
+public:
+  static vtkTetMarchVolumeRepresentation* New();
+  vtkTypeMacro(vtkTetMarchVolumeRepresentation, vtkUnstructuredGridVolumeRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * @sa vtkTetMarchVolumeMapper::SetOpacityLaw
+   */
+  void SetOpacityLaw(int law);
+
+protected:
+  vtkTetMarchVolumeRepresentation();
+  ~vtkTetMarchVolumeRepresentation() override;
+
+private:
+  vtkTetMarchVolumeRepresentation(const vtkTetMarchVolumeRepresentation&) = delete;
+  void operator=(const vtkTetMarchVolumeRepresentation&) = delete;
+
+  vtkNew<vtkTetMarchVolumeMapper> TetMarchMapper;
+};
+
+#endif

@@ -1,0 +1,121 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Load the plugin into pvpython, draw the golf ball, follow ParaView's own colour and opacity controls."""
+import argparse
+
+from paraview import simple
+
+CELLS = 271607
+ARRAY = "vorticity_mag"
+# The wake's vorticity lies between 0.2 and 6, the wall's far above.
+OPACITY = [0.2, 0.0, 0.5, 0.0, 6.0, 0.9, 0.5, 0.0]
+COLOURS = [0.2, 0.1, 0.2, 0.8, 2.0, 0.9, 0.9, 0.9, 6.0, 0.8, 0.1, 0.1]
+# Shares of the picture's pixels.
+SEEN = 0.3
+CHANGED = 0.2
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--plugin", required=True)
+    parser.add_argument("--data", required=True)
+    parser.add_argument("--picture", help="where to leave the picture")
+    parser.add_argument("--representation", default="Tet Marching")
+    return parser.parse_args()
+
+
+def open_view():
+    simple._DisableFirstRenderCameraReset()
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [400, 300]
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [0.0, 0.0, 0.0]
+    view.CameraPosition = [1.5, -4.5, 1.5]
+    view.CameraFocalPoint = [1.2, 0.0, 0.0]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    return view
+
+
+def show(source, view, representation):
+    display = simple.Show(source, view, "UnstructuredGridRepresentation")
+    simple.ColorBy(display, ("POINTS", ARRAY))
+    simple.GetColorTransferFunction(ARRAY).RGBPoints = COLOURS
+    simple.GetOpacityTransferFunction(ARRAY).Points = OPACITY
+    available = display.GetProperty("Representation").Available
+    assert representation in available, f"{representation} is not among {available}"
+    display.SetRepresentationType(representation)
+    display.ScalarOpacityUnitDistance = 0.3
+    return display
+
+
+def picture_of(view):
+    simple.Render(view)
+    image = view.SMProxy.CaptureWindow(1)
+    values = memoryview(image.GetPointData().GetScalars()).tobytes()
+    channels = image.GetPointData().GetScalars().GetNumberOfComponents()
+    return [values[i : i + 3] for i in range(0, len(values), channels)]
+
+
+def difference(first, second):
+    """Share of pixels that differ by more than 4 of 255 in some channel."""
+    assert len(first) == len(second)
+    differs = (any(abs(a - b) > 4 for a, b in zip(p, q)) for p, q in zip(first, second))
+    return sum(differs) / len(first)
+
+
+def check_mapper(display):
+    representation = display.GetClientSideObject().GetActiveRepresentation()
+    mapper = representation.GetActiveVolumeMapper().GetClassName()
+    assert mapper == "vtkTetMarchVolumeMapper", mapper
+
+
+def expect_change(what, before, after):
+    share = difference(before, after)
+    print(f"{what}: {100 * share:.1f} % of the pixels changed")
+    assert share > CHANGED, f"{what}: the picture stayed as it was"
+
+
+def main():
+    arguments = parse_arguments()
+    simple.LoadPlugin(arguments.plugin, remote=False, ns=globals())
+
+    source = simple.OpenDataFile(arguments.data)
+    source.UpdatePipeline()
+    cells = source.GetDataInformation().GetNumberOfCells()
+    assert cells == CELLS, f"{cells} cells were read instead of {CELLS}"
+
+    view = open_view()
+    display = show(source, view, arguments.representation)
+    check_mapper(display)
+    shown = picture_of(view)
+    if arguments.picture:
+        simple.SaveScreenshot(arguments.picture, view)
+
+    display.Visibility = 0
+    hidden = picture_of(view)
+    assert len(set(hidden)) == 1, "something else than the volume is in view"
+    share = difference(hidden, shown)
+    print(f"the volume covers {100 * share:.1f} % of the picture")
+    assert share > SEEN, "the volume is not to be seen"
+
+    display.Visibility = 1
+    assert difference(shown, picture_of(view)) == 0, "the same view gave another picture"
+
+    simple.GetOpacityTransferFunction(ARRAY).Points = [
+        0.3 * value if i % 4 == 1 else value for i, value in enumerate(OPACITY)
+    ]
+    thinner = picture_of(view)
+    expect_change("opacity function", shown, thinner)
+
+    simple.GetColorTransferFunction(ARRAY).RGBPoints = [
+        1.0 - value if i % 4 else value for i, value in enumerate(COLOURS)
+    ]
+    recoloured = picture_of(view)
+    expect_change("colour function", thinner, recoloured)
+
+    display.ScalarOpacityUnitDistance = 0.1
+    expect_change("unit distance", recoloured, picture_of(view))
+
+
+main()
