@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The same mesh told otherwise: renumbered, moved, stored otherwise
+ *
+ * The argument is never changed; arrays that stay the same are shared with it.
+ */
+#ifndef tetmarch_testing_GridTransforms_h
+#define tetmarch_testing_GridTransforms_h
+
+#include "GridBuilder.h"
+
+namespace tetmarch::testing
+{
+/// Points and cells in a random order, and the points within each cell too, so that about half of
+/// the tetrahedra have a negative volume. Tetrahedra only. Point and cell data go along.
+Grid shuffled(vtkUnstructuredGrid* grid, unsigned seed = 1);
+
+/// Every point p at offset + scale p (double); the scalars stay.
+Grid withOffsetAndScale(vtkUnstructuredGrid* grid, const Vec3& offset, double scale);
+
+/// Points in single precision.
+Grid withFloatPoints(vtkUnstructuredGrid* grid);
+
+/// Cell connectivity in 32-bit integers.
+Grid withCells32(vtkUnstructuredGrid* grid);
+
+/// The cells of both, first those of a, with their "f" and "c"; no points are merged. No polyhedra.
+Grid joined(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b);
+} // namespace tetmarch::testing
+
+#endif
