@@ -56,8 +56,7 @@ if (TETMARCH_WRAP_PYTHON)
     MODULES ${tetmarch_modules}
     PYTHON_PACKAGE vtktetmarch
     MODULE_DESTINATION "${tetmarch_python_dir}"
-    INSTALL_EXPORT TetMarch
-    CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/TetMarch"
+    INSTALL_HEADERS OFF
     TARGET TetMarch::Python
     BUILD_STATIC OFF)
   configure_file(VTKModule/Python/__init__.py "${CMAKE_BINARY_DIR}/${tetmarch_python_dir}/vtktetmarch/__init__.py" COPYONLY)
