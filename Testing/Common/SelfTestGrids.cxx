@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The generators of grids: volumes, matching faces, counts, and that nothing depends on the
 // platform.
+#include "GridSummary.h"
 #include "Grids.h"
 
 #include "vtkCell.h"
@@ -20,100 +21,6 @@
 namespace
 {
 using namespace tetmarch::testing;
-
-// VTK's own faces as polygons with their normals outwards, mid-edge nodes in their places.
-std::vector<Ids> facesOf(vtkCell* cell)
-{
-  std::vector<Ids> faces;
-  for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
-  {
-    vtkCell* face = cell->GetFace(f);
-    const auto id = [face](int i) { return face->GetPointId(i); };
-    const int edges = face->GetNumberOfEdges();
-    Ids polygon;
-    for (int i = 0; i < edges; ++i)
-    {
-      polygon.push_back(id(face->GetCellType() == VTK_PIXEL ? i ^ (i >> 1) : i));
-      if (face->GetNumberOfPoints() >= 2 * edges)
-      {
-        polygon.push_back(id(edges + i));
-      }
-    }
-    faces.push_back(polygon);
-  }
-  return faces;
-}
-
-// By the divergence theorem, each face a fan about the mean of its points: cells that share a face
-// agree on it.
-double volumeOf(vtkUnstructuredGrid* grid, const std::vector<Ids>& faces)
-{
-  double volume = 0.0;
-  for (const Ids& face : faces)
-  {
-    std::vector<Vec3> p(face.size());
-    Vec3 mean = { 0.0, 0.0, 0.0 };
-    for (std::size_t i = 0; i < face.size(); ++i)
-    {
-      grid->GetPoint(face[i], p[i].data());
-      for (int a = 0; a < 3; ++a)
-      {
-        mean[a] += p[i][a] / static_cast<double>(face.size());
-      }
-    }
-    for (std::size_t i = 0; i < face.size(); ++i)
-    {
-      const Vec3& a = p[i];
-      const Vec3& b = p[(i + 1) % face.size()];
-      volume +=
-        (a[0] * (b[1] * mean[2] - b[2] * mean[1]) + a[1] * (b[2] * mean[0] - b[0] * mean[2]) +
-          a[2] * (b[0] * mean[1] - b[1] * mean[0])) /
-        6.0;
-    }
-  }
-  return volume;
-}
-
-struct Summary
-{
-  double Volume = 0.0;
-  double LeastVolume = 1e300;
-  vtkIdType FacesInside = 0;
-  vtkIdType FacesOnBoundary = 0;
-  vtkIdType FacesOfMore = 0;
-  std::map<int, vtkIdType> Types;
-  std::vector<Ids> Boundary;
-};
-
-Summary summarise(vtkUnstructuredGrid* grid)
-{
-  Summary summary;
-  std::map<Ids, int> users;
-  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
-  {
-    ++summary.Types[grid->GetCellType(i)];
-    const std::vector<Ids> faces = facesOf(grid->GetCell(i));
-    const double volume = volumeOf(grid, faces);
-    summary.Volume += volume;
-    summary.LeastVolume = std::min(summary.LeastVolume, volume);
-    for (Ids face : faces)
-    {
-      std::sort(face.begin(), face.end());
-      ++users[face];
-    }
-  }
-  for (const auto& [face, count] : users)
-  {
-    ++(count == 2   ? summary.FacesInside
-       : count == 1 ? summary.FacesOnBoundary
-                    : summary.FacesOfMore);
-    if (count == 1)
-    {
-      summary.Boundary.push_back(face);
-    }
-  }
-  return summary;
-}
 
 bool onCube(vtkUnstructuredGrid* grid, const Ids& face)
 {
@@ -135,7 +42,7 @@ bool onCube(vtkUnstructuredGrid* grid, const Ids& face)
 // points.
 void expectFillsCube(vtkUnstructuredGrid* grid, std::map<int, vtkIdType> types)
 {
-  const Summary summary = summarise(grid);
+  const GridSummary summary = summarise(grid);
   EXPECT_NEAR(summary.Volume, 1.0, 1e-12);
   EXPECT_GT(summary.LeastVolume, 0.0);
   EXPECT_EQ(summary.FacesOfMore, 0);
@@ -158,7 +65,7 @@ TEST(Grids, FewTets)
   const auto expect =
     [](vtkUnstructuredGrid* grid, double volume, vtkIdType boundary, std::set<vtkIdType> shared)
   {
-    const Summary summary = summarise(grid);
+    const GridSummary summary = summarise(grid);
     EXPECT_DOUBLE_EQ(summary.Volume, volume);
     EXPECT_GT(summary.LeastVolume, 0.0);
     EXPECT_EQ(summary.FacesOnBoundary, boundary);
@@ -218,7 +125,7 @@ TEST(Grids, Honeycombs)
   {
     for (const bool hexagons : { true, false })
     {
-      const Summary summary =
+      const GridSummary summary =
         summarise(hexagons ? hexagonalPrismLattice(n) : pentagonalPrismLattice(n));
       EXPECT_NEAR(summary.Volume, honeycombVolume(n), 1e-12);
       EXPECT_NEAR(
@@ -236,7 +143,7 @@ TEST(Grids, Honeycombs)
 
 TEST(Grids, SplitFacePolyhedron)
 {
-  const Summary summary = summarise(splitFacePolyhedron());
+  const GridSummary summary = summarise(splitFacePolyhedron());
   EXPECT_NEAR(summary.Volume, 2.0, 1e-14);
   EXPECT_NEAR(summary.LeastVolume, 0.25, 1e-14);
   EXPECT_EQ(summary.FacesInside, 8);
@@ -312,7 +219,7 @@ TEST(Grids, NonConvex)
 {
   const auto expect = [](vtkUnstructuredGrid* grid, double volume)
   {
-    const Summary summary = summarise(grid);
+    const GridSummary summary = summarise(grid);
     EXPECT_NEAR(summary.Volume, volume, 1e-12);
     EXPECT_GT(summary.LeastVolume, 0.0);
     EXPECT_EQ(summary.FacesOfMore, 0);
@@ -332,7 +239,7 @@ TEST(Grids, NonConvex)
     expect(latticeWithTunnel(6), 1.0 - 24.0 / 216).FacesOnBoundary, 2 * (4 * 36 + 2 * 32 + 4 * 12));
   EXPECT_EQ(expect(lShape(6), 0.75).FacesOnBoundary, 2 * (2 * 27 + 4 * 36));
   EXPECT_EQ(expect(twoComponents(4), 1.125).FacesOnBoundary, 2 * (2 * 6 * 16));
-  const Summary shells = expect(nestedShells(12), summarise(nestedShells(12, 4, 0.0)).Volume);
+  const GridSummary shells = expect(nestedShells(12), summarise(nestedShells(12, 4, 0.0)).Volume);
   EXPECT_GT(shells.Volume, 0.3);
   EXPECT_LT(shells.Volume, 0.7);
 }
@@ -356,8 +263,8 @@ TEST(Grids, Transforms)
 {
   const Grid grid = jitteredLattice(6, 0.15, 1, noiseField());
   const Grid mixed = shuffled(grid, 7);
-  const Summary before = summarise(grid);
-  const Summary after = summarise(mixed);
+  const GridSummary before = summarise(grid);
+  const GridSummary after = summarise(mixed);
   EXPECT_EQ(after.FacesInside, before.FacesInside);
   EXPECT_EQ(after.FacesOnBoundary, before.FacesOnBoundary);
   EXPECT_LT(after.LeastVolume, 0.0);
