@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OffscreenWindow.h"
 
+#include "vtkAutoInit.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkVersionMacros.h"
@@ -11,6 +12,10 @@
 #else
 #include <cstdlib>
 #endif
+
+// Who makes such a window wants VTK's GL classes behind vtkRenderer, vtkPolyDataMapper and the
+// rest.
+VTK_MODULE_INIT(vtkRenderingOpenGL2);
 
 namespace tetmarch
 {

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandLine.h"
+
+#include "Failure.h"
+#include "Numbers.h"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+
+namespace
+{
+using tetmarch::CommandLine;
+using tetmarch::UsageError;
+using Setter = std::function<void(CommandLine&, const std::string& value)>;
+
+constexpr int MaximumSize = 16384; // the least that GL 4.5 promises for both viewport and texture
+
+/// The numbers of a list "1,2,3", of which there must be one of the given counts.
+std::vector<double> ParseList(const std::string& value, std::initializer_list<std::size_t> counts)
+{
+  const auto numbers = tetmarch::ParseNumbers(value, ',');
+  for (std::size_t count : counts)
+  {
+    if (numbers && numbers->size() == count)
+    {
+      return *numbers;
+    }
+  }
+  std::string expected;
+  for (std::size_t count : counts)
+  {
+    expected += (expected.empty() ? "" : " or ") + std::to_string(count);
+  }
+  throw UsageError("expected " + expected + " finite numbers separated by commas");
+}
+
+double ParsePositive(const std::string& value)
+{
+  const auto number = tetmarch::ParseNumber(value);
+  if (!number || !(*number > 0.0))
+  {
+    throw UsageError("expected a number above 0");
+  }
+  return *number;
+}
+
+int ParseCount(const std::string& value)
+{
+  const auto number = tetmarch::ParseInteger(value);
+  if (!number || *number < 0)
+  {
+    throw UsageError("expected a whole number, 0 or more");
+  }
+  return *number;
+}
+
+std::array<int, 2> ParseSize(const std::string& value)
+{
+  const auto x = value.find('x');
+  if (x != std::string::npos)
+  {
+    const auto width = tetmarch::ParseInteger(value.substr(0, x));
+    const auto height = tetmarch::ParseInteger(value.substr(x + 1));
+    if (width && height && *width >= 1 && *height >= 1 && *width <= MaximumSize &&
+        *height <= MaximumSize)
+    {
+      return { { *width, *height } };
+    }
+  }
+  throw UsageError("expected WIDTHxHEIGHT, each from 1 to " + std::to_string(MaximumSize));
+}
+
+std::array<double, 3> ParseColor(const std::string& value)
+{
+  const auto rgb = ParseList(value, { 3 });
+  for (double channel : rgb)
+  {
+    if (!(channel >= 0.0 && channel <= 1.0))
+    {
+      throw UsageError("expected three numbers from 0 to 1");
+    }
+  }
+  return { { rgb[0], rgb[1], rgb[2] } };
+}
+
+std::array<double, 2> ParseRange(const std::string& value)
+{
+  const auto range = ParseList(value, { 2 });
+  if (!(range[0] < range[1]))
+  {
+    throw UsageError("the first number must be below the second");
+  }
+  return { { range[0], range[1] } };
+}
+
+tetmarch::CameraOption ParseCamera(const std::string& value)
+{
+  const auto n = ParseList(value, { 9, 10 });
+  tetmarch::CameraOption camera;
+  camera.Position = { { n[0], n[1], n[2] } };
+  camera.FocalPoint = { { n[3], n[4], n[5] } };
+  camera.ViewUp = { { n[6], n[7], n[8] } };
+  const double direction[3] = { n[3] - n[0], n[4] - n[1], n[5] - n[2] };
+  const double cross[3] = { direction[1] * n[8] - direction[2] * n[7],
+    direction[2] * n[6] - direction[0] * n[8], direction[0] * n[7] - direction[1] * n[6] };
+  if (cross[0] == 0.0 && cross[1] == 0.0 && cross[2] == 0.0)
+  {
+    throw UsageError("position and focal point coincide, or the view-up vector is zero or parallel "
+                     "to the line of sight");
+  }
+  if (n.size() == 10)
+  {
+    if (!(n[9] > 0.0 && n[9] < 180.0))
+    {
+      throw UsageError("the view angle must be above 0 and below 180 degrees");
+    }
+    camera.ViewAngle = n[9];
+  }
+  return camera;
+}
+
+/// True for the first word, false for the second.
+bool ParseChoice(const std::string& value, const std::string& yes, const std::string& no)
+{
+  if (value != yes && value != no)
+  {
+    throw UsageError("expected " + yes + " or " + no);
+  }
+  return value == yes;
+}
+
+const std::map<std::string, Setter>& GetOptionsWithValue()
+{
+  static const std::map<std::string, Setter> options = {
+    { "--array", [](CommandLine& c, const std::string& v) { c.Array = v; } },
+    { "--association",
+      [](CommandLine& c, const std::string& v)
+      {
+        c.ArrayAssociation = ParseChoice(v, "points", "cells") ? tetmarch::Association::POINTS
+                                                               : tetmarch::Association::CELLS;
+      } },
+    { "--background", [](CommandLine& c, const std::string& v) { c.Background = ParseColor(v); } },
+    { "--camera", [](CommandLine& c, const std::string& v) { c.Camera = ParseCamera(v); } },
+    { "--frames", [](CommandLine& c, const std::string& v) { c.Frames = ParseCount(v); } },
+    { "--opacity-law", [](CommandLine& c, const std::string& v)
+      { c.StructuredOpacityLaw = ParseChoice(v, "structured", "unstructured"); } },
+    { "--output", [](CommandLine& c, const std::string& v) { c.Output = v; } },
+    { "--parallel-scale",
+      [](CommandLine& c, const std::string& v) { c.ParallelScale = ParsePositive(v); } },
+    { "--preset", [](CommandLine& c, const std::string& v) { c.Preset = v; } },
+    { "--range", [](CommandLine& c, const std::string& v) { c.Range = ParseRange(v); } },
+    { "--size", [](CommandLine& c, const std::string& v) { c.Size = ParseSize(v); } },
+    { "--stats", [](CommandLine& c, const std::string& v) { c.Stats = v; } },
+    { "--time-step", [](CommandLine& c, const std::string& v) { c.TimeStep = ParseCount(v); } },
+    { "--unit-distance",
+      [](CommandLine& c, const std::string& v) { c.UnitDistance = ParsePositive(v); } },
+  };
+  return options;
+}
+
+void SetOption(CommandLine& commandLine, const std::string& name, const std::string& value)
+{
+  try
+  {
+    if (value.empty())
+    {
+      throw UsageError("the value is empty");
+    }
+    GetOptionsWithValue().at(name)(commandLine, value);
+  }
+  catch (const UsageError& error)
+  {
+    throw UsageError("bad value '" + value + "' of " + name + ": " + error.what());
+  }
+}
+} // namespace
+
+namespace tetmarch
+{
+
+CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
+{
+  CommandLine commandLine;
+  std::vector<std::string> inputs;
+  bool framesGiven = false;
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+  {
+    const std::string& argument = arguments[i];
+    if (argument.size() < 2 || argument[0] != '-')
+    {
+      inputs.push_back(argument);
+      continue;
+    }
+    if (argument == "--")
+    {
+      inputs.insert(inputs.end(), arguments.begin() + i + 1, arguments.end());
+      break;
+    }
+    if (argument == "--help" || argument == "-h")
+    {
+      commandLine.Help = true;
+      return commandLine;
+    }
+    if (argument == "--version")
+    {
+      commandLine.Version = true;
+      return commandLine;
+    }
+    const auto equals = argument.find('=');
+    const std::string name = argument.substr(0, equals);
+    if (GetOptionsWithValue().count(name) == 0)
+    {
+      throw UsageError("unknown option '" + name + "'");
+    }
+    framesGiven = framesGiven || name == "--frames";
+    if (equals != std::string::npos)
+    {
+      SetOption(commandLine, name, argument.substr(equals + 1));
+    }
+    else if (i + 1 == arguments.size() || arguments[i + 1].compare(0, 2, "--") == 0)
+    {
+      throw UsageError("option " + name + " needs a value");
+    }
+    else
+    {
+      SetOption(commandLine, name, arguments[++i]);
+    }
+  }
+  if (inputs.size() != 1 || inputs[0].empty())
+  {
+    throw UsageError(inputs.size() > 1
+                       ? "more than one input: '" + inputs[0] + "' and '" + inputs[1] + "'"
+                       : "no input file is given");
+  }
+  commandLine.Input = inputs[0];
+  if (commandLine.Output.empty())
+  {
+    commandLine.Output = std::filesystem::path(commandLine.Input).stem().string() + ".png";
+  }
+  if (!framesGiven && !commandLine.Stats.empty())
+  {
+    commandLine.Frames = 5;
+  }
+  return commandLine;
+}
+
+} // namespace tetmarch

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the user asked tetmarch-render to do.
+ */
+#ifndef tetmarch_CommandLine_h
+#define tetmarch_CommandLine_h
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetmarch
+{
+
+enum class Association
+{
+  POINTS,
+  CELLS
+};
+
+struct CameraOption
+{
+  std::array<double, 3> Position;
+  std::array<double, 3> FocalPoint;
+  std::array<double, 3> ViewUp;
+  std::optional<double> ViewAngle;
+};
+
+struct CommandLine
+{
+  bool Help = false;
+  bool Version = false;
+
+  std::string Input;
+  std::string Output; // by default the base name of Input + .png
+  std::string Stats;  // empty: none
+  std::string Preset; // empty: the default transfer function
+  std::string Array;  // empty: chosen by SelectArray()
+  std::optional<Association> ArrayAssociation;
+  std::optional<int> TimeStep; // the last one by default
+  std::optional<std::array<double, 2>> Range;
+  std::optional<double> UnitDistance;
+  std::optional<CameraOption> Camera;
+  std::optional<double> ParallelScale;
+  std::array<double, 3> Background{ { 0.08, 0.09, 0.12 } };
+  std::array<int, 2> Size{ { 1024, 768 } };
+  bool StructuredOpacityLaw = false;
+  int Frames = 0; // re-renders to be timed; 5 by default if Stats is given
+};
+
+/**
+ * Throws UsageError. The arguments are those after the program's name.
+ */
+CommandLine ParseCommandLine(const std::vector<std::string>& arguments);
+
+/**
+ * What --help prints.
+ */
+std::string GetHelp();
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * One unstructured grid from whatever a file holds.
+ */
+#ifndef tetmarch_DatasetReader_h
+#define tetmarch_DatasetReader_h
+
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <optional>
+#include <string>
+
+namespace tetmarch
+{
+
+/**
+ * All blocks with 3D cells, merged where their points coincide, without ghost cells; images and
+ * structured grids as hexahedra. An array that some of the blocks lack is left out with a warning.
+ * Throws Failure that says what is wrong with the file.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
+  const std::string& path, std::optional<int> timeStep);
+
+/// Whether any cell is three-dimensional.
+bool HasSolidCells(vtkDataSet* data);
+
+} // namespace tetmarch
+
+#endif

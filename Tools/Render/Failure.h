@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The two ways in which tetmarch-render ends early; main() turns them into a message and an exit
+ * status.
+ */
+#ifndef tetmarch_Failure_h
+#define tetmarch_Failure_h
+
+#include <stdexcept>
+
+namespace tetmarch
+{
+
+/// The command line can't be understood: exit status 2.
+struct UsageError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// Something went wrong while doing what was asked: exit status 1.
+struct Failure : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+} // namespace tetmarch
+
+#endif

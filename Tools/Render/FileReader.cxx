@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FileReader.h"
+
+#include "Failure.h"
+
+#include "vtkGenericDataObjectReader.h"
+#include "vtkXMLGenericDataObjectReader.h"
+#if TETMARCH_HAVE_EXODUS
+#include "vtkExodusIIReader.h"
+#endif
+#if TETMARCH_HAVE_CGNS
+#include "vtkCGNSReader.h"
+#endif
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+
+namespace
+{
+std::string GetEnding(const std::string& path)
+{
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+template <typename Reader>
+vtkSmartPointer<Reader> MakeReaderOf(const std::string& path)
+{
+  auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeExodusReader(const std::string& path)
+{
+#if TETMARCH_HAVE_EXODUS
+  auto reader = MakeReaderOf<vtkExodusIIReader>(path);
+  reader->UpdateInformation();
+  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  reader->SetGenerateObjectIdCellArray(0);
+  return reader;
+#else
+  throw tetmarch::Failure(
+    "cannot read '" + path +
+    "': this tetmarch-render was built without VTK's Exodus reader (component IOExodus)");
+#endif
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeCGNSReader(const std::string& path)
+{
+#if TETMARCH_HAVE_CGNS
+  auto reader = MakeReaderOf<vtkCGNSReader>(path);
+  reader->UpdateInformation();
+  reader->EnableAllBases();
+  reader->EnableAllFamilies();
+  reader->EnableAllPointArrays();
+  reader->EnableAllCellArrays();
+  return reader;
+#else
+  throw tetmarch::Failure(
+    "cannot read '" + path +
+    "': this tetmarch-render was built without VTK's CGNS reader (component IOCGNSReader)");
+#endif
+}
+} // namespace
+
+namespace tetmarch
+{
+
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
+{
+  static const std::set<std::string> xml = { ".vtu", ".pvtu", ".vtm", ".vtmb", ".vtpd", ".vtpc",
+    ".vts", ".pvts", ".vtr", ".pvtr", ".vti", ".pvti" };
+  static const std::set<std::string> exodus = { ".ex2", ".ex2v2", ".exo", ".exoii", ".e", ".g" };
+  const std::string ending = GetEnding(path);
+  if (xml.count(ending))
+  {
+    return MakeReaderOf<vtkXMLGenericDataObjectReader>(path);
+  }
+  if (ending == ".vtk")
+  {
+    auto reader = MakeReaderOf<vtkGenericDataObjectReader>(path);
+    reader->ReadAllScalarsOn();
+    reader->ReadAllVectorsOn();
+    reader->ReadAllFieldsOn();
+    return reader;
+  }
+  if (exodus.count(ending))
+  {
+    return MakeExodusReader(path);
+  }
+  if (ending == ".cgns")
+  {
+    return MakeCGNSReader(path);
+  }
+  throw Failure(
+    "cannot read '" + path + "': no reader for the ending '" + ending +
+    "'; known are VTK's XML files (.vtu, .pvtu, .vtm, .vtpc, ...), legacy .vtk, Exodus (.ex2, .e, "
+    ".exo, .g) and CGNS (.cgns)");
+}
+
+} // namespace tetmarch

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandLine.h"
+
+std::string tetmarch::GetHelp()
+{
+  return R"(Usage: tetmarch-render INPUT [options]
+
+Renders one array of an unstructured grid as a volume into a PNG file, by marching each ray from cell to
+cell. INPUT is a file of VTK (.vtu, .pvtu, .vtm, .vtpc, .vtk, ...), Exodus (.ex2, .e, .exo, .g) or CGNS
+(.cgns). Blocks are merged where their points coincide; images and structured grids are taken as hexahedra.
+
+Data
+  --array NAME              the array to draw; of several components the first
+                            (default: the first floating-point array, points before cells)
+  --association WHERE       points or cells: where to look for the array (default: points, then cells)
+  --time-step K             the time step, counted from 0 (default: the last)
+
+Transfer function
+  --preset FILE             colour and opacity points from a JSON preset as ParaView exports it
+  --range LO,HI             spread the preset, or the default transfer function, over these values
+                            (default: the preset's own values; 2nd to 98th percentile of the data)
+  --unit-distance D         length over which an opacity of 1 gives an optical depth of 1
+                            (default: such that a ray across the mesh has an optical depth near 1)
+  --opacity-law LAW         unstructured: extinction = opacity / D, as VTK's unstructured mappers (default);
+                            structured: -ln(1 - opacity) / D, as VTK's GPU mapper for images
+
+View
+  --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ[,ANGLE]
+                            position, focal point, view up, view angle in degrees (default: oblique, all
+                            of the mesh in view, 30 degrees)
+  --parallel-scale S        parallel projection; S is half of the picture's height in world units
+  --background R,G,B        from 0 to 1 each (default: 0.08,0.09,0.12)
+  --size WxH                in pixels (default: 1024x768)
+
+Output
+  --output FILE.png         (default: INPUT's base name + .png in the current folder)
+  --stats FILE.json         figures of the mesh, seconds of each stage and of a frame, the GL in use
+  --frames N                render N more times for the frame time in the figures (default: 5 with --stats)
+
+  --help, --version
+
+Environment
+  TETMARCH_GL=egl|osmesa    which offscreen GL to use (default: egl if it works, else osmesa)
+
+Exit status: 0 done, 1 failure, 2 bad command line.
+)";
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Messages.h"
+
+#include "ProgressBar.h"
+
+#include "vtkLogger.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+#include <cstdio>
+#include <regex>
+
+namespace tetmarch
+{
+
+void PrintMessage(const std::string& kind, const std::string& text)
+{
+  ProgressBar::Clear();
+  std::fprintf(stderr, "tetmarch-render: %s: %s\n", kind.c_str(), text.c_str());
+}
+
+std::string CleanVTKMessage(const std::string& text)
+{
+  static const std::regex place("^[A-Za-z ]+: In [^\n]*, line [0-9]+\n");
+  static const std::regex address(" \\((0x)?[0-9a-fA-F]{6,}\\)");
+  std::string message = std::regex_replace(text, place, "");
+  message = std::regex_replace(message, address, "", std::regex_constants::format_first_only);
+  message.erase(message.find_last_not_of(" \n\r\t") + 1);
+  return message;
+}
+
+int Messages::NumberOfErrors = 0;
+
+vtkStandardNewMacro(Messages);
+
+void Messages::Install()
+{
+  vtkNew<Messages> messages;
+  vtkOutputWindow::SetInstance(messages);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+}
+
+void Messages::DisplayErrorText(const char* text)
+{
+  ++NumberOfErrors;
+  PrintMessage("error", CleanVTKMessage(text));
+}
+
+void Messages::DisplayWarningText(const char* text)
+{
+  PrintMessage("warning", CleanVTKMessage(text));
+}
+
+void Messages::DisplayGenericWarningText(const char* text) { this->DisplayWarningText(text); }
+
+void Messages::DisplayText(const char* text) { PrintMessage("note", CleanVTKMessage(text)); }
+
+void Messages::DisplayDebugText(const char* text) { this->DisplayText(text); }
+
+} // namespace tetmarch

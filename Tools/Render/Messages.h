@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * VTK's errors and warnings as lines on stderr.
+ */
+#ifndef tetmarch_Messages_h
+#define tetmarch_Messages_h
+
+#include "vtkOutputWindow.h"
+
+#include <string>
+
+namespace tetmarch
+{
+
+/**
+ * Print one message, "tetmarch-render: kind: text". Ends a progress bar's line first.
+ */
+void PrintMessage(const std::string& kind, const std::string& text);
+
+/**
+ * VTK's text without source line and addresses: "vtkFoo: what happened".
+ */
+std::string CleanVTKMessage(const std::string& text);
+
+/**
+ * Takes over from vtkOutputWindow and vtkLogger. Errors are counted.
+ */
+class Messages : public vtkOutputWindow
+{
+public:
+  static Messages* New();
+  vtkTypeMacro(Messages, vtkOutputWindow);
+
+  static void Install();
+  static int GetNumberOfErrors() { return NumberOfErrors; }
+
+  void DisplayErrorText(const char* text) override;
+  void DisplayWarningText(const char* text) override;
+  void DisplayGenericWarningText(const char* text) override;
+  void DisplayText(const char* text) override;
+  void DisplayDebugText(const char* text) override;
+
+private:
+  static int NumberOfErrors;
+};
+
+} // namespace tetmarch
+
+#endif

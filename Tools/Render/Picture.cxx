@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Picture.h"
+
+#include "DefaultCamera.h"
+#include "Failure.h"
+#include "Messages.h"
+#include "OffscreenWindow.h"
+#include "ProgressBar.h"
+
+#include "vtkCamera.h"
+#include "vtkPNGWriter.h"
+#include "vtkTimerLog.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <filesystem>
+
+namespace tetmarch
+{
+
+Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
+  const TransferFunctions& functions, double unitDistance, const CommandLine& commandLine)
+{
+  std::string error;
+  this->Window = MakeOffscreenWindow(commandLine.Size[0], commandLine.Size[1], &error);
+  if (!this->Window)
+  {
+    throw Failure("no offscreen OpenGL: " + error);
+  }
+
+  this->Mapper->SetInputData(grid);
+  this->Mapper->SetScalarMode(selection.Where == Association::POINTS
+                                ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
+                                : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
+  this->Mapper->SelectScalarArray(selection.Array->GetName());
+  this->Mapper->SetOpacityLaw(commandLine.StructuredOpacityLaw
+                                ? vtkTetMarchVolumeMapper::STRUCTURED
+                                : vtkTetMarchVolumeMapper::UNSTRUCTURED);
+
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(this->Mapper);
+  volume->GetProperty()->SetColor(functions.Color);
+  volume->GetProperty()->SetScalarOpacity(functions.Opacity);
+  volume->GetProperty()->SetScalarOpacityUnitDistance(unitDistance);
+  volume->GetProperty()->SetInterpolationTypeToLinear();
+  volume->GetProperty()->ShadeOff();
+
+  const auto& background = commandLine.Background;
+  this->Renderer->SetBackground(background[0], background[1], background[2]);
+  this->Renderer->AddVolume(volume);
+  this->Window->AddRenderer(this->Renderer);
+  this->PlaceCamera(commandLine);
+}
+
+void Picture::PlaceCamera(const CommandLine& commandLine)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  if (commandLine.Camera)
+  {
+    const CameraOption& option = *commandLine.Camera;
+    camera->SetPosition(option.Position.data());
+    camera->SetFocalPoint(option.FocalPoint.data());
+    camera->SetViewUp(option.ViewUp.data());
+    camera->SetViewAngle(option.ViewAngle.value_or(30.0));
+  }
+  else
+  {
+    const double aspect = static_cast<double>(commandLine.Size[0]) / commandLine.Size[1];
+    PlaceDefaultCamera(camera, this->Mapper->GetBounds(), aspect);
+  }
+  if (commandLine.ParallelScale)
+  {
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(*commandLine.ParallelScale);
+  }
+  this->Renderer->ResetCameraClippingRange();
+}
+
+double Picture::Render()
+{
+  const int errorsBefore = Messages::GetNumberOfErrors();
+  const double begin = vtkTimerLog::GetUniversalTime();
+  {
+    ProgressBar progress("rendering", this->Mapper);
+    this->Window->Render();
+    this->Window->WaitForCompletion();
+  }
+  const double seconds = vtkTimerLog::GetUniversalTime() - begin;
+  if (Messages::GetNumberOfErrors() > errorsBefore)
+  {
+    throw Failure("rendering failed");
+  }
+  return seconds;
+}
+
+void Picture::Write(const std::string& path)
+{
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(this->Window);
+  image->ShouldRerenderOff();
+  image->ReadFrontBufferOff();
+  image->SetInputBufferTypeToRGB();
+
+  const int errorsBefore = Messages::GetNumberOfErrors();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->Write();
+  if (Messages::GetNumberOfErrors() > errorsBefore || !std::filesystem::exists(path))
+  {
+    throw Failure("cannot write '" + path + "'");
+  }
+}
+
+} // namespace tetmarch

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The scene: one volume in one window.
+ */
+#ifndef tetmarch_Picture_h
+#define tetmarch_Picture_h
+
+#include "ArraySelection.h"
+#include "CommandLine.h"
+#include "TransferFunctions.h"
+
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTetMarchVolumeMapper.h"
+
+class vtkUnstructuredGrid;
+
+namespace tetmarch
+{
+
+class Picture
+{
+public:
+  /// Throws Failure if no GL can be had.
+  Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
+    const TransferFunctions& functions, double unitDistance, const CommandLine& commandLine);
+
+  /// Draws and waits until it is drawn; seconds. Throws Failure if VTK reported an error.
+  double Render();
+
+  /// Throws Failure if the file can't be written.
+  void Write(const std::string& path);
+
+  vtkRenderWindow* GetWindow() { return this->Window; }
+  vtkTetMarchVolumeMapper* GetMapper() { return this->Mapper; }
+
+private:
+  void PlaceCamera(const CommandLine& commandLine);
+
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkTetMarchVolumeMapper> Mapper;
+};
+
+} // namespace tetmarch
+
+#endif

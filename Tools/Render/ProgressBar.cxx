@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ProgressBar.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <unistd.h>
+
+namespace
+{
+bool Showing = false;
+}
+
+namespace tetmarch
+{
+
+std::string FormatProgress(const std::string& stage, double fraction)
+{
+  constexpr int width = 30;
+  const double clamped = fraction >= 0.0 ? std::min(fraction, 1.0) : 0.0;
+  const int filled = static_cast<int>(std::lround(clamped * width));
+  return stage + " [" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " +
+         std::to_string(static_cast<int>(std::lround(100.0 * clamped))) + " %";
+}
+
+ProgressBar::ProgressBar(std::string stage, vtkObject* source)
+  : Stage(std::move(stage))
+  , Source(source)
+{
+  if (!isatty(STDERR_FILENO))
+  {
+    return;
+  }
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(this);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* self, void* fraction)
+    {
+      if (fraction)
+      {
+        static_cast<ProgressBar*>(self)->Show(*static_cast<double*>(fraction));
+      }
+    });
+  this->Source->Register(nullptr);
+  this->Tag = source->AddObserver(vtkCommand::ProgressEvent, command);
+  this->Show(0.0);
+}
+
+ProgressBar::~ProgressBar()
+{
+  if (this->Tag != 0)
+  {
+    this->Source->RemoveObserver(this->Tag);
+    this->Source->UnRegister(nullptr);
+    Clear();
+  }
+}
+
+void ProgressBar::Show(double fraction) const
+{
+  std::fprintf(stderr, "\r%s\033[K", FormatProgress(this->Stage, fraction).c_str());
+  Showing = true;
+}
+
+void ProgressBar::Clear()
+{
+  if (Showing)
+  {
+    std::fprintf(stderr, "\r\033[K");
+    Showing = false;
+  }
+}
+
+} // namespace tetmarch

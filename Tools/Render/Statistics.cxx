@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Statistics.h"
+
+#include "Failure.h"
+#include "OffscreenWindow.h"
+
+#include "vtkCellTypes.h"
+#include "vtkTetMarchVolumeMapper.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVersion.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+namespace
+{
+std::map<std::string, vtkIdType> CountCells(vtkUnstructuredGrid* grid)
+{
+  std::map<std::string, vtkIdType> counts;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    ++counts[vtkCellTypes::GetClassNameFromTypeId(grid->GetCellType(cell))];
+  }
+  return counts;
+}
+} // namespace
+
+namespace tetmarch
+{
+
+double GetMedian(std::vector<double> values)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+std::string FormatStatistics(const CommandLine& commandLine, vtkUnstructuredGrid* grid,
+  const ArraySelection& selection, double unitDistance, vtkTetMarchVolumeMapper* mapper,
+  vtkRenderWindow* window, const Timing& timing)
+{
+  double range[2];
+  selection.Array->GetRange(range, 0);
+  const GLInformation gl = GetGLInformation(window);
+  nlohmann::ordered_json json;
+  json["input"] = commandLine.Input;
+  json["output"] = commandLine.Output;
+  json["size"] = commandLine.Size;
+  json["array"] = { { "name", selection.Array->GetName() },
+    { "association", selection.Where == Association::POINTS ? "points" : "cells" },
+    { "components", selection.Array->GetNumberOfComponents() },
+    { "range", { range[0], range[1] } } };
+  json["unit_distance"] = unitDistance;
+  json["cells"] = CountCells(grid);
+  json["points"] = grid->GetNumberOfPoints();
+  json["tetrahedra"] = mapper->GetNumberOfTetrahedra();
+  json["boundary_faces"] = mapper->GetNumberOfBoundaryFaces();
+  json["gpu_bytes"] = mapper->GetGPUMemoryBytes();
+  json["seconds"] = { { "read", timing.Read }, { "mesh", mapper->GetMeshSeconds() },
+    { "scalars", mapper->GetScalarsSeconds() }, { "tables", mapper->GetTablesSeconds() },
+    { "upload", mapper->GetUploadSeconds() }, { "first_frame", timing.FirstFrame } };
+  json["frames"] = { { "count", timing.Frames.size() },
+    { "median_seconds", GetMedian(timing.Frames) }, { "seconds", timing.Frames } };
+  json["gl"] = { { "backend", gl.Backend }, { "vendor", gl.Vendor }, { "renderer", gl.Renderer },
+    { "version", gl.Version } };
+  json["vtk_version"] = vtkVersion::GetVTKVersion();
+  json["tetmarch_version"] = TETMARCH_VERSION;
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void WriteText(const std::string& path, const std::string& text)
+{
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (!file)
+  {
+    throw Failure("cannot write '" + path + "'");
+  }
+}
+
+} // namespace tetmarch

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What --stats writes.
+ */
+#ifndef tetmarch_Statistics_h
+#define tetmarch_Statistics_h
+
+#include "ArraySelection.h"
+#include "CommandLine.h"
+#include "TransferFunctions.h"
+
+#include <string>
+#include <vector>
+
+class vtkRenderWindow;
+class vtkTetMarchVolumeMapper;
+class vtkUnstructuredGrid;
+
+namespace tetmarch
+{
+
+struct Timing
+{
+  double Read = 0.0;
+  double FirstFrame = 0.0; // includes the stages of the mapper
+  std::vector<double> Frames;
+};
+
+/// 0 of no values; the mean of the middle two of an even number.
+double GetMedian(std::vector<double> values);
+
+/**
+ * The JSON text.
+ */
+std::string FormatStatistics(const CommandLine& commandLine, vtkUnstructuredGrid* grid,
+  const ArraySelection& selection, double unitDistance, vtkTetMarchVolumeMapper* mapper,
+  vtkRenderWindow* window, const Timing& timing);
+
+/// Throws Failure if the file can't be written.
+void WriteText(const std::string& path, const std::string& text);
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Transfer functions in the JSON format in which ParaView exports its colour map presets: an array
+ * of objects, of which the first is taken (or the object alone), with Name, ColorSpace   RGB, HSV,
+ * Lab, CIELAB, Diverging, Lab/CIEDE2000 or Step; HSVWrap; UseLogScale RGBPoints          [x, r, g,
+ * b, ...], required Points             [x, opacity, midpoint, sharpness, ...]; without them opacity
+ * rises linearly from 0 to 1 over the colours NanColor           [r, g, b] Other fields are
+ * ignored. Presets of indexed colours are refused.
+ */
+#ifndef tetmarch_TransferFunctionPreset_h
+#define tetmarch_TransferFunctionPreset_h
+
+#include "TransferFunctions.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace tetmarch
+{
+
+/**
+ * If range is given, both functions are stretched so that the colour points span it. Throws Failure
+ * that names the field or the line at fault; name is what the message calls the text.
+ */
+TransferFunctions ParsePreset(const std::string& text, const std::string& name,
+  const std::optional<std::array<double, 2>>& range = std::nullopt);
+
+/// The same from a file.
+TransferFunctions ReadPreset(
+  const std::string& path, const std::optional<std::array<double, 2>>& range = std::nullopt);
+
+} // namespace tetmarch
+
+#endif

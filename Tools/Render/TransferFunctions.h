@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef tetmarch_TransferFunctions_h
+#define tetmarch_TransferFunctions_h
+
+#include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+
+namespace tetmarch
+{
+
+struct TransferFunctions
+{
+  vtkNew<vtkColorTransferFunction> Color;
+  vtkNew<vtkPiecewiseFunction> Opacity;
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ArraySelection.h"
+#include "CommandLine.h"
+#include "DatasetReader.h"
+#include "DefaultTransferFunction.h"
+#include "Failure.h"
+#include "Messages.h"
+#include "Picture.h"
+#include "Statistics.h"
+#include "TransferFunctionPreset.h"
+
+#include "vtkTimerLog.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVersion.h"
+
+#include <cstdio>
+
+namespace
+{
+using namespace tetmarch;
+
+void Run(const CommandLine& commandLine)
+{
+  Timing timing;
+  const double begin = vtkTimerLog::GetUniversalTime();
+  const auto grid = ReadUnstructuredGrid(commandLine.Input, commandLine.TimeStep);
+  timing.Read = vtkTimerLog::GetUniversalTime() - begin;
+
+  const ArraySelection selection =
+    SelectArray(grid, commandLine.Array, commandLine.ArrayAssociation);
+  const std::vector<Sample> samples = TakeSamples(grid, selection);
+  const TransferFunctions functions =
+    commandLine.Preset.empty()
+      ? MakeDefaultTransferFunctions(ComputeStatistics(samples, commandLine.Range))
+      : ReadPreset(commandLine.Preset, commandLine.Range);
+  const double unitDistance = commandLine.UnitDistance
+                                ? *commandLine.UnitDistance
+                                : ChooseUnitDistance(samples, functions.Opacity, grid->GetLength());
+
+  Picture picture(grid, selection, functions, unitDistance, commandLine);
+  timing.FirstFrame = picture.Render();
+  picture.Write(commandLine.Output);
+
+  for (int i = 0; i < commandLine.Frames; ++i)
+  {
+    timing.Frames.push_back(picture.Render());
+  }
+  if (!commandLine.Stats.empty())
+  {
+    WriteText(commandLine.Stats, FormatStatistics(commandLine, grid, selection, unitDistance,
+                                   picture.GetMapper(), picture.GetWindow(), timing));
+  }
+  else if (commandLine.Frames > 0)
+  {
+    std::printf("%.6f s a frame (median of %d)\n", GetMedian(timing.Frames), commandLine.Frames);
+  }
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  Messages::Install();
+  try
+  {
+    const CommandLine commandLine = ParseCommandLine({ argv + 1, argv + argc });
+    if (commandLine.Help)
+    {
+      std::fputs(GetHelp().c_str(), stdout);
+    }
+    else if (commandLine.Version)
+    {
+      std::printf("tetmarch-render %s (VTK %s)\n", TETMARCH_VERSION, vtkVersion::GetVTKVersion());
+    }
+    else
+    {
+      Run(commandLine);
+    }
+    return 0;
+  }
+  catch (const UsageError& error)
+  {
+    PrintMessage("error", std::string(error.what()) + " (--help shows the options)");
+    return 2;
+  }
+  catch (const std::exception& error)
+  {
+    PrintMessage("error", error.what());
+    return 1;
+  }
+}
