@@ -37,8 +37,9 @@ public:
   static constexpr double Infinity = RayChords::Infinity;
 
   /// Of the grid (VTK_TETRA only, or std::invalid_argument) it takes a copy of the points, the
-  /// cells and the first component of the active scalars; the transfer functions are evaluated as X
-  /// but their nodes are read here. Grid without such scalars: std::invalid_argument.
+  /// cells and the first component of the active scalars (without: std::invalid_argument). The
+  /// nodes of the transfer functions are read here, their values when asked: build a new scene
+  /// after an edit.
   OracleScene(
     vtkUnstructuredGrid* grid, const OpticalModel& model, ScalarsOf scalars = ScalarsOf::Points);
 
