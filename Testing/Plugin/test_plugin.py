@@ -115,7 +115,11 @@ def main():
     expect_change("colour function", thinner, recoloured)
 
     display.ScalarOpacityUnitDistance = 0.1
-    expect_change("unit distance", recoloured, picture_of(view))
+    denser = picture_of(view)
+    expect_change("unit distance", recoloured, denser)
+
+    display.TetMarchOpacityLaw = "Structured (opacity of a unit distance)"
+    expect_change("opacity law", denser, picture_of(view))
 
 
 main()
