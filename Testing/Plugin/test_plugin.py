@@ -118,7 +118,7 @@ def main():
     denser = picture_of(view)
     expect_change("unit distance", recoloured, denser)
 
-    display.TetMarchOpacityLaw = "Structured (opacity of a unit distance)"
+    display.TetMarchOpacityLaw = "Structured"
     expect_change("opacity law", denser, picture_of(view))
 
 
