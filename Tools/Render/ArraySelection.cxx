@@ -33,10 +33,17 @@ std::vector<ArraySelection> ListArrays(vtkUnstructuredGrid* grid, Association wh
   return selections;
 }
 
+/// 0 is best.
 int GetRank(const ArraySelection& selection)
 {
-  const bool floating =
-    selection.Array->GetDataType() == VTK_FLOAT || selection.Array->GetDataType() == VTK_DOUBLE;
+  double range[2];
+  selection.Array->GetRange(range, 0);
+  if (!(range[0] < range[1]))
+  {
+    return 3;
+  }
+  const int type = selection.Array->GetDataType();
+  const bool floating = type == VTK_FLOAT || type == VTK_DOUBLE;
   return !floating ? 2 : selection.Array->GetNumberOfComponents() > 1 ? 1 : 0;
 }
 
@@ -89,9 +96,9 @@ ArraySelection SelectArray(
     const std::string place = !where                          ? ""
                               : *where == Association::POINTS ? " on points"
                                                               : " on cells";
-    throw Failure((name.empty() ? "the grid has no array" + place
+    throw Failure((name.empty() ? "the grid has no array to draw" + place
                                 : "there is no array '" + name + "'" + place) +
-                  "; there are " + Describe(all));
+                  " (" + Describe(all) + ")");
   }
   return *best;
 }

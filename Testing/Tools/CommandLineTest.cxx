@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandLine.h"
+#include "Failure.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using tetmarch::CommandLine;
+using tetmarch::ParseCommandLine;
+
+std::string GetError(const std::vector<std::string>& arguments)
+{
+  try
+  {
+    ParseCommandLine(arguments);
+  }
+  catch (const tetmarch::UsageError& error)
+  {
+    return error.what();
+  }
+  return "accepted";
+}
+
+void ExpectBadValue(const std::string& option, const std::string& value, const std::string& reason)
+{
+  EXPECT_EQ(
+    GetError({ "a.vtu", option, value }), "bad value '" + value + "' of " + option + ": " + reason);
+}
+} // namespace
+
+TEST(CommandLine, RefusesWhatItDoesNotKnow)
+{
+  EXPECT_EQ(GetError({}), "no input file is given");
+  EXPECT_EQ(GetError({ "" }), "no input file is given");
+  EXPECT_EQ(GetError({ "a.vtu", "b.vtu" }), "more than one input: 'a.vtu' and 'b.vtu'");
+  EXPECT_EQ(GetError({ "a.vtu", "--bogus" }), "unknown option '--bogus'");
+  EXPECT_EQ(GetError({ "a.vtu", "--bogus=3" }), "unknown option '--bogus'");
+  EXPECT_EQ(GetError({ "a.vtu", "-x" }), "unknown option '-x'");
+  EXPECT_EQ(GetError({ "a.vtu", "--size" }), "option --size needs a value");
+  EXPECT_EQ(GetError({ "a.vtu", "--array", "--size", "3x3" }), "option --array needs a value");
+  EXPECT_EQ(GetError({ "a.vtu", "--array=" }), "bad value '' of --array: the value is empty");
+}
+
+TEST(CommandLine, RefusesBadSizes)
+{
+  for (const char* size :
+    { "10", "x", "10x", "0x10", "10x0", "-5x5", "1x16385", "10x10x10", "1e2x5", " 10x10", "3.5x2" })
+  {
+    ExpectBadValue("--size", size, "expected WIDTHxHEIGHT, each from 1 to 16384");
+  }
+}
+
+TEST(CommandLine, RefusesBadNumbers)
+{
+  for (const char* number : { "0", "-1", "nan", "inf", "1e999", "3m", "one", "1,2" })
+  {
+    ExpectBadValue("--unit-distance", number, "expected a number above 0");
+    ExpectBadValue("--parallel-scale", number, "expected a number above 0");
+  }
+  for (const char* number : { "-1", "1.5", "x", "99999999999" })
+  {
+    ExpectBadValue("--frames", number, "expected a whole number, 0 or more");
+    ExpectBadValue("--time-step", number, "expected a whole number, 0 or more");
+  }
+}
+
+TEST(CommandLine, RefusesBadLists)
+{
+  const std::string three = "expected 3 finite numbers separated by commas";
+  for (const char* list : { "1", "1,1", "1,1,1,1", "1,,1", "1,1,", ",1,1", "a,b,c", "nan,1,1" })
+  {
+    ExpectBadValue("--background", list, three);
+  }
+  ExpectBadValue("--background", "0,0,1.01", "expected three numbers from 0 to 1");
+  ExpectBadValue("--background", "-0.1,0,1", "expected three numbers from 0 to 1");
+  ExpectBadValue("--range", "1", "expected 2 finite numbers separated by commas");
+  ExpectBadValue("--range", "2,1", "the first number must be below the second");
+  ExpectBadValue("--range", "1,1", "the first number must be below the second");
+}
+
+TEST(CommandLine, RefusesBadCameras)
+{
+  ExpectBadValue("--camera", "1,2,3", "expected 9 or 10 finite numbers separated by commas");
+  ExpectBadValue(
+    "--camera", "0,0,5,0,0,0,0,1,0,180", "the view angle must be above 0 and below 180 degrees");
+  ExpectBadValue(
+    "--camera", "0,0,5,0,0,0,0,1,0,0", "the view angle must be above 0 and below 180 degrees");
+  const std::string degenerate = "position and focal point coincide, or the view-up vector is zero "
+                                 "or parallel to the line of sight";
+  ExpectBadValue("--camera", "0,0,5,0,0,5,0,1,0", degenerate);
+  ExpectBadValue("--camera", "0,0,5,0,0,0,0,0,0", degenerate);
+  ExpectBadValue("--camera", "0,0,5,0,0,0,0,0,2", degenerate);
+}
+
+TEST(CommandLine, RefusesBadChoices)
+{
+  ExpectBadValue("--opacity-law", "linear", "expected structured or unstructured");
+  ExpectBadValue("--association", "point", "expected points or cells");
+}
+
+TEST(CommandLine, Defaults)
+{
+  const CommandLine c = ParseCommandLine({ "some/folder/mesh.part.vtu" });
+  EXPECT_EQ(c.Input, "some/folder/mesh.part.vtu");
+  EXPECT_EQ(c.Output, "mesh.part.png");
+  EXPECT_EQ(c.Size, (std::array<int, 2>{ { 1024, 768 } }));
+  EXPECT_EQ(c.Frames, 0);
+  EXPECT_FALSE(c.StructuredOpacityLaw);
+  EXPECT_FALSE(c.TimeStep || c.Range || c.UnitDistance || c.Camera || c.ParallelScale);
+  EXPECT_FALSE(c.ArrayAssociation);
+  EXPECT_TRUE(c.Stats.empty() && c.Preset.empty() && c.Array.empty());
+}
+
+TEST(CommandLine, TakesEveryOption)
+{
+  const CommandLine c =
+    ParseCommandLine({ "--array", "T", "--output=o=1.png", "--size", "320x200", "--preset",
+      "p.json", "--unit-distance", "2.5", "--camera", "-1,2,3,4,5,6,0,0,1,45", "--parallel-scale",
+      "1e3", "--background", "0,0.5,1", "--opacity-law", "structured", "--association", "cells",
+      "--stats", "s.json", "--frames", "7", "--time-step", "3", "--range", "-1,1", "m.ex2" });
+  EXPECT_EQ(c.Input, "m.ex2");
+  EXPECT_EQ(c.Array, "T");
+  EXPECT_EQ(c.Output, "o=1.png");
+  EXPECT_EQ(c.Size, (std::array<int, 2>{ { 320, 200 } }));
+  EXPECT_EQ(c.Preset, "p.json");
+  EXPECT_EQ(c.UnitDistance, 2.5);
+  ASSERT_TRUE(c.Camera);
+  EXPECT_EQ(c.Camera->Position, (std::array<double, 3>{ { -1, 2, 3 } }));
+  EXPECT_EQ(c.Camera->FocalPoint, (std::array<double, 3>{ { 4, 5, 6 } }));
+  EXPECT_EQ(c.Camera->ViewUp, (std::array<double, 3>{ { 0, 0, 1 } }));
+  EXPECT_EQ(c.Camera->ViewAngle, 45.0);
+  EXPECT_EQ(c.ParallelScale, 1000.0);
+  EXPECT_EQ(c.Background, (std::array<double, 3>{ { 0, 0.5, 1 } }));
+  EXPECT_TRUE(c.StructuredOpacityLaw);
+  EXPECT_EQ(c.ArrayAssociation, tetmarch::Association::CELLS);
+  EXPECT_EQ(c.Stats, "s.json");
+  EXPECT_EQ(c.Frames, 7);
+  EXPECT_EQ(c.TimeStep, 3);
+  EXPECT_EQ(c.Range, (std::array<double, 2>{ { -1, 1 } }));
+}
+
+TEST(CommandLine, FiguresBringTimedFrames)
+{
+  EXPECT_EQ(ParseCommandLine({ "a.vtu", "--stats", "s.json" }).Frames, 5);
+  EXPECT_EQ(ParseCommandLine({ "a.vtu", "--stats", "s.json", "--frames", "0" }).Frames, 0);
+}
+
+TEST(CommandLine, NamesAfterTwoDashesAreFiles)
+{
+  EXPECT_EQ(ParseCommandLine({ "--", "--help" }).Input, "--help");
+}
+
+TEST(CommandLine, HelpNamesEveryOption)
+{
+  EXPECT_TRUE(ParseCommandLine({ "--help" }).Help);
+  EXPECT_TRUE(ParseCommandLine({ "--version" }).Version);
+  const std::string help = tetmarch::GetHelp();
+  for (const char* option : { "--array", "--association", "--background", "--camera", "--frames",
+         "--help", "--opacity-law", "--output", "--parallel-scale", "--preset", "--range", "--size",
+         "--stats", "--time-step", "--unit-distance", "--version" })
+  {
+    EXPECT_NE(help.find(std::string(option)), std::string::npos) << option;
+  }
+}

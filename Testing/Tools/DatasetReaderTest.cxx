@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DatasetReader.h"
+#include "Failure.h"
+#include "FileReader.h"
+#include "TestGrids.h"
+
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGridWriter.h"
+#include "vtkXMLImageDataWriter.h"
+#include "vtkXMLMultiBlockDataWriter.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace
+{
+class DatasetReader : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Folder =
+      std::filesystem::temp_directory_path() /
+      ("tetmarch-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::create_directories(this->Folder);
+  }
+  void TearDown() override { std::filesystem::remove_all(this->Folder); }
+
+  std::string GetPath(const char* name) const { return (this->Folder / name).string(); }
+
+  template <typename Writer>
+  std::string Write(const char* name, vtkDataObject* data) const
+  {
+    vtkNew<Writer> writer;
+    writer->SetFileName(this->GetPath(name).c_str());
+    writer->SetInputDataObject(data);
+    EXPECT_EQ(writer->Write(), 1);
+    return this->GetPath(name);
+  }
+
+  static std::string GetError(const std::string& path, std::optional<int> timeStep = std::nullopt)
+  {
+    try
+    {
+      tetmarch::ReadUnstructuredGrid(path, timeStep);
+    }
+    catch (const tetmarch::Failure& failure)
+    {
+      return failure.what();
+    }
+    return "accepted";
+  }
+
+  std::filesystem::path Folder;
+};
+} // namespace
+
+TEST_F(DatasetReader, RefusesWhatIsNoFile)
+{
+  const std::string missing = this->GetPath("none.vtu");
+  EXPECT_EQ(GetError(missing), "cannot read '" + missing + "': there is no such file");
+  EXPECT_EQ(
+    GetError(this->Folder.string()), "cannot read '" + this->Folder.string() + "': it is a folder");
+}
+
+TEST_F(DatasetReader, RefusesUnknownEndings)
+{
+  const std::string path = this->GetPath("mesh.msh");
+  std::ofstream(path) << "x";
+  EXPECT_EQ(GetError(path).find("cannot read '" + path + "': no reader for the ending '.msh'"), 0u);
+}
+
+TEST_F(DatasetReader, RefusesGridsWithoutSolidCells)
+{
+  auto grid = MakeVoxel(0.0);
+  const vtkIdType ids[3] = { 0, 1, 2 };
+  grid->Allocate(1);
+  grid->InsertNextCell(VTK_TRIANGLE, 3, ids);
+  const std::string path = this->Write<vtkXMLUnstructuredGridWriter>("surface.vtu", grid);
+  EXPECT_NE(GetError(path).find("has no 3D cells"), std::string::npos) << GetError(path);
+}
+
+TEST_F(DatasetReader, RefusesTimeStepsThatAreNotThere)
+{
+  const std::string path = this->Write<vtkXMLUnstructuredGridWriter>("grid.vtu", MakeVoxel(0.0));
+  EXPECT_EQ(GetError(path, 3), "time step 3 does not exist: the file has no time steps");
+}
+
+TEST_F(DatasetReader, ReadsXMLAndLegacy)
+{
+  auto voxel = MakeVoxel(0.0);
+  AddArray<vtkDoubleArray>(voxel->GetPointData(), "a", 8);
+  AddArray<vtkDoubleArray>(voxel->GetPointData(), "b", 8);
+  for (const std::string& path : { this->Write<vtkXMLUnstructuredGridWriter>("grid.vtu", voxel),
+         this->Write<vtkUnstructuredGridWriter>("grid.VTK", voxel) })
+  {
+    const auto grid = tetmarch::ReadUnstructuredGrid(path, std::nullopt);
+    EXPECT_EQ(grid->GetNumberOfCells(), 1) << path;
+    EXPECT_EQ(grid->GetNumberOfPoints(), 8) << path;
+    EXPECT_TRUE(grid->GetPointData()->HasArray("a")) << path;
+    EXPECT_TRUE(grid->GetPointData()->HasArray("b")) << path;
+  }
+}
+
+TEST_F(DatasetReader, MergesBlocksAtTheirCommonPoints)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (int i = 0; i < 3; ++i)
+  {
+    auto voxel = MakeVoxel(i);
+    AddArray<vtkDoubleArray>(voxel->GetPointData(), "everywhere", 8);
+    if (i == 1)
+    {
+      AddArray<vtkDoubleArray>(voxel->GetPointData(), "once", 8);
+    }
+    blocks->SetBlock(i, voxel);
+  }
+  const std::string path = this->Write<vtkXMLMultiBlockDataWriter>("blocks.vtm", blocks);
+  ::testing::internal::CaptureStderr();
+  const auto grid = tetmarch::ReadUnstructuredGrid(path, std::nullopt);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+    "tetmarch-render: warning: point array 'once' is left out: only 1 of 3 blocks have it\n");
+  EXPECT_EQ(grid->GetNumberOfCells(), 3);
+  EXPECT_EQ(grid->GetNumberOfPoints(), 16);
+  EXPECT_TRUE(grid->GetPointData()->HasArray("everywhere"));
+}
+
+TEST_F(DatasetReader, MergesPiecesOfParallelFiles)
+{
+  for (const int i : { 0, 1 })
+  {
+    auto voxel = MakeVoxel(i);
+    AddArray<vtkDoubleArray>(voxel->GetPointData(), "p", 8);
+    AddArray<vtkDoubleArray>(voxel->GetCellData(), "c", 1);
+    this->Write<vtkXMLUnstructuredGridWriter>(i == 0 ? "0.vtu" : "1.vtu", voxel);
+  }
+  std::ofstream(this->GetPath("all.pvtu"))
+    << R"(<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid GhostLevel="0">)"
+    << R"(<PPointData><PDataArray type="Float64" Name="p"/></PPointData>)"
+    << R"(<PCellData><PDataArray type="Float64" Name="c"/></PCellData>)"
+    << R"(<PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints>)"
+    << R"(<Piece Source="0.vtu"/><Piece Source="1.vtu"/></PUnstructuredGrid></VTKFile>)";
+  const auto grid = tetmarch::ReadUnstructuredGrid(this->GetPath("all.pvtu"), std::nullopt);
+  EXPECT_EQ(grid->GetNumberOfCells(), 2);
+  EXPECT_EQ(grid->GetNumberOfPoints(), 12);
+  EXPECT_TRUE(grid->GetPointData()->HasArray("p"));
+  EXPECT_TRUE(grid->GetCellData()->HasArray("c"));
+}
+
+TEST_F(DatasetReader, LeavesOutGhostCells)
+{
+  auto grid = MakeVoxel(0.0);
+  vtkIdType ids[8];
+  for (int i = 0; i < 8; ++i)
+  {
+    ids[i] = grid->GetPoints()->InsertNextPoint(1 + (i & 1), i >> 1 & 1, i >> 2 & 1);
+  }
+  grid->InsertNextCell(VTK_VOXEL, 8, ids);
+  grid->AllocateCellGhostArray();
+  grid->GetCellGhostArray()->SetValue(1, vtkDataSetAttributes::DUPLICATECELL);
+  const std::string path = this->Write<vtkXMLUnstructuredGridWriter>("ghosts.vtu", grid);
+  EXPECT_EQ(tetmarch::ReadUnstructuredGrid(path, std::nullopt)->GetNumberOfCells(), 1);
+}
+
+TEST_F(DatasetReader, TakesImagesAsCells)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 4, 5);
+  AddArray<vtkDoubleArray>(image->GetPointData(), "s", 60);
+  const std::string path = this->Write<vtkXMLImageDataWriter>("image.vti", image);
+  const auto grid = tetmarch::ReadUnstructuredGrid(path, std::nullopt);
+  EXPECT_EQ(grid->GetNumberOfCells(), 2 * 3 * 4);
+  EXPECT_EQ(grid->GetNumberOfPoints(), 60);
+  EXPECT_EQ(grid->GetCellType(0), VTK_VOXEL);
+}

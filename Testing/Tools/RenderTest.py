@@ -1,0 +1,207 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs tetmarch-render as a user would: RenderTest.py EXECUTABLE PROJECT_FOLDER."""
+import json
+import math
+import os
+import pathlib
+import pty
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import make_inputs
+from read_png import read_png
+
+EXECUTABLE = PROJECT = None
+
+
+class RenderTest(unittest.TestCase):
+    maxDiff = None
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        make_inputs.write_all(self.folder)
+
+    def run_tool(self, *arguments, **environment):
+        return subprocess.run([EXECUTABLE, *map(str, arguments)], cwd=self.folder, text=True, timeout=300,
+                              capture_output=True, env={**os.environ, **environment})
+
+    def expect_failure(self, status, message, *arguments, **environment):
+        with self.subTest(arguments=arguments):
+            result = self.run_tool(*arguments, **environment)
+            self.assertEqual(result.returncode, status, result.stderr)
+            self.assertEqual(result.stdout, "")
+            self.assertTrue(result.stderr.startswith("tetmarch-render: "), result.stderr)
+            self.assertIn(message, result.stderr)
+            self.assertNotIn("terminate called", result.stderr)
+
+    def render(self, *arguments):
+        """The pixels of out.png and the statistics."""
+        result = self.run_tool(*arguments, "--output", "out.png", "--stats", "out.json", "--frames", 3)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        return read_png(self.folder / "out.png"), json.loads((self.folder / "out.json").read_text())
+
+    def test_help_and_version(self):
+        result = self.run_tool("--help")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertTrue(result.stdout.startswith("Usage: tetmarch-render INPUT [options]"))
+        self.assertLessEqual(max(map(len, result.stdout.splitlines())), 110)
+        result = self.run_tool("--version")
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stdout, r"^tetmarch-render \d+\.\d+\.\d+ \(VTK \d+\.\d+\.\d+\)\n$")
+
+    def test_bad_command_lines(self):
+        self.expect_failure(2, "no input file is given (--help shows the options)")
+        self.expect_failure(2, "unknown option '--bogus'", "cube.vtu", "--bogus")
+        self.expect_failure(2, "more than one input", "cube.vtu", "cube.vtk")
+        self.expect_failure(2, "option --size needs a value", "cube.vtu", "--size")
+        for option, value in (("--size", "12"), ("--size", "0x9"), ("--background", "1,2,3"), ("--range", "2,1"),
+                              ("--unit-distance", "0"), ("--unit-distance", "nan"), ("--parallel-scale", "-1"),
+                              ("--camera", "1,2,3"), ("--camera", "0,0,1,0,0,0,0,0,1"), ("--frames", "-1"),
+                              ("--opacity-law", "none"), ("--association", "edges"), ("--time-step", "x")):
+            self.expect_failure(2, f"bad value '{value}' of {option}: ", "cube.vtu", option, value)
+        self.assertEqual(list(self.folder.glob("*.png")), [])
+
+    def test_inputs_that_cannot_be_drawn(self):
+        self.expect_failure(1, "cannot read 'none.vtu': there is no such file", "none.vtu")
+        self.expect_failure(1, ": it is a folder", self.folder)
+        self.expect_failure(1, "no reader for the ending '.txt'", "notes.txt")
+        for name in ("garbage.vtu", "truncated.vtu", "empty.vtu", "garbage.vtk", "truncated.vtk", "garbage.ex2",
+                     "garbage.cgns"):
+            self.expect_failure(1, f"cannot read '{name}': ", name)
+        self.expect_failure(1, "'surface.vtk' has no 3D cells", "surface.vtk")
+        self.expect_failure(1, "there is no array 'x' (on points: half, ramp; on cells: material)", "cube.vtu",
+                            "--array", "x")
+        self.expect_failure(1, "there is no array 'half' on cells", "cube.vtu", "--array", "half", "--association",
+                            "cells")
+        self.expect_failure(1, "the grid has no array to draw", "bare.vtk")
+        self.expect_failure(1, "time step 2 does not exist: the file has no time steps", "cube.vtu", "--time-step", 2)
+        self.assertEqual(list(self.folder.glob("*.png")), [])
+
+    def test_bad_presets(self):
+        self.expect_failure(1, "preset 'none.json' can't be read", "cube.vtu", "--preset", "none.json")
+        self.expect_failure(1, "parse error at line 3", "cube.vtu", "--preset", "malformed.json")
+        self.expect_failure(1, "the field RGBPoints is missing", "cube.vtu", "--preset", "colourless.json")
+
+    def test_outputs_that_cannot_be_written(self):
+        self.expect_failure(1, "cannot write 'no/such/folder.png'", "cube.vtu", "--output", "no/such/folder.png")
+        self.expect_failure(1, "cannot write 'no/such/folder.json'", "cube.vtu", "--stats", "no/such/folder.json")
+
+    def test_unknown_backend(self):
+        self.expect_failure(1, "TETMARCH_GL is 'glide'; it must be egl, osmesa or unset", "cube.vtu",
+                            TETMARCH_GL="glide")
+
+    def test_a_slab_has_its_known_colour(self):
+        # The cube is 1 deep, its opacity 0.7, the unit distance 0.5, the colour (1, 0.5, 0.25) on black.
+        view = ("--array", "half", "--preset", "constant.json", "--unit-distance", 0.5, "--background", "0,0,0",
+                "--camera", "0.5,0.5,5,0.5,0.5,0.5,0,1,0", "--parallel-scale", 0.4, "--size", "64x48")
+        for law, opacity in (("unstructured", 1 - math.exp(-0.7 / 0.5)), ("structured", 1 - 0.3 ** (1 / 0.5))):
+            for name in ("cube.vtu", "cube.vtk"):
+                with self.subTest(law=law, name=name):
+                    pixels, _ = self.render(name, *view, "--opacity-law", law)
+                    self.assertEqual((len(pixels[0]), len(pixels)), (64, 48))
+                    for x, y in ((32, 24), (10, 10), (50, 40)):
+                        for channel, colour in zip(pixels[y][x], (1, 0.5, 0.25)):
+                            self.assertAlmostEqual(channel, 255 * opacity * colour, delta=1.01)
+
+    def test_background_and_default_view(self):
+        pixels, _ = self.render("cube.vtu", "--size", "80x60", "--background", "0.2,0.4,0.6")
+        self.assertEqual(pixels[0][0], (51, 102, 153))
+        self.assertEqual(pixels[59][79], (51, 102, 153))
+        inside = [pixel for row in pixels for pixel in row if pixel != (51, 102, 153)]
+        self.assertGreater(len(inside), 80 * 60 // 10)
+
+    def test_statistics(self):
+        _, stats = self.render("cube.vtu", "--size", "80x60", "--array", "ramp")
+        self.assertEqual(stats["input"], "cube.vtu")
+        self.assertEqual(stats["size"], [80, 60])
+        self.assertEqual(stats["array"], {"name": "ramp", "association": "points", "components": 1,
+                                          "range": [0.0, 1.0]})
+        self.assertEqual(stats["cells"], {"vtkHexahedron": 1, "vtkTriangle": 1})
+        self.assertEqual(stats["points"], 8)
+        self.assertIn(stats["tetrahedra"], (5, 6))
+        self.assertEqual(stats["boundary_faces"], 12)
+        self.assertGreater(stats["gpu_bytes"], 0)
+        self.assertEqual(set(stats["seconds"]), {"read", "mesh", "scalars", "tables", "upload", "first_frame"})
+        self.assertGreater(stats["seconds"]["first_frame"], 0)
+        frames = stats["frames"]
+        self.assertEqual(frames["count"], 3)
+        self.assertEqual(frames["median_seconds"], sorted(frames["seconds"])[1])
+        self.assertEqual(set(stats["gl"]), {"backend", "vendor", "renderer", "version"})
+        backend = {"egl": ("EGL", "vtkEGLRenderWindow"), "osmesa": ("OSMesa", "vtkOSOpenGLRenderWindow")}
+        if os.environ.get("TETMARCH_GL") in backend:
+            self.assertIn(stats["gl"]["backend"], backend[os.environ["TETMARCH_GL"]])
+        self.assertRegex(stats["vtk_version"], r"^\d+\.\d+\.\d+")
+
+    def test_output_goes_to_the_current_folder_by_default(self):
+        (self.folder / "sub").mkdir()
+        (self.folder / "cube.vtu").rename(self.folder / "sub" / "cube.vtu")
+        result = self.run_tool("sub/cube.vtu", "--size", "32x32")
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        self.assertTrue((self.folder / "cube.png").exists())
+
+    def test_frame_time_is_printed_without_statistics(self):
+        result = self.run_tool("cube.vtu", "--size", "32x32", "--frames", 2)
+        self.assertRegex(result.stdout, r"^\d+\.\d+ s a frame \(median of 2\)\n$")
+
+    def test_progress_bar_on_a_terminal_only(self):
+        terminal, other_end = pty.openpty()
+        with subprocess.Popen([EXECUTABLE, "cube.vtu"], cwd=self.folder, stderr=other_end) as process:
+            os.close(other_end)
+            text = b""
+            try:
+                while chunk := os.read(terminal, 4096):
+                    text += chunk
+            except OSError:  # how Linux says that the other end was closed
+                pass
+        os.close(terminal)
+        self.assertEqual(process.returncode, 0)
+        self.assertIn(b"reading [", text)
+        self.assertTrue(text.endswith(b"\r\x1b[K"), text[-80:])
+
+    def test_cell_array(self):
+        _, stats = self.render("cube.vtu", "--array", "material", "--size", "32x32")
+        self.assertEqual(stats["array"]["association"], "cells")
+
+    def test_golf_ball(self):
+        path = PROJECT / "Data" / "golfball_small.vtu"
+        if not path.exists():
+            self.skipTest(f"{path} is missing")
+        pixels, stats = self.render(path, "--array", "nut", "--size", "128x96")
+        self.assertEqual(stats["cells"], {"vtkTetra": 271607})
+        self.assertEqual(stats["tetrahedra"], 271607)
+        self.assertEqual(stats["points"], 47439)
+        self.assertGreater(len({pixel for row in pixels for pixel in row}), 100)
+
+    def test_shared_data(self):
+        folder = PROJECT.parent / "shared" / "data" / "unstructured"
+        cases = (("disk_out_ref.ex2", "Temp", {"vtkHexahedron": 7472}, 8499),
+                 ("mug.e", "convected", {"vtkHexahedron": 2476}, 3774))
+        for name, array, cells, points in cases:
+            with self.subTest(name=name):
+                if not (folder / name).exists():
+                    self.skipTest(f"{folder / name} is not present")
+                _, stats = self.render(folder / name, "--size", "64x48")
+                self.assertEqual((stats["array"]["name"], stats["cells"], stats["points"]), (array, cells, points))
+
+    def test_time_steps(self):
+        path = PROJECT.parent / "shared" / "data" / "unstructured" / "mug.e"
+        if not path.exists():
+            self.skipTest(f"{path} is not present")
+        first, last = (self.render(path, "--size", "64x48", "--array", "convected", *step)[0]
+                       for step in (("--time-step", 1), ()))
+        self.assertEqual(self.render(path, "--size", "64x48", "--array", "convected", "--time-step", 20)[0], last)
+        self.assertNotEqual(first, last)
+        self.expect_failure(1, "time step 21 does not exist: the file has 21, counted from 0 to 20", path,
+                            "--time-step", 21)
+
+
+if __name__ == "__main__":
+    EXECUTABLE = sys.argv.pop(1)
+    PROJECT = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main(verbosity=2)

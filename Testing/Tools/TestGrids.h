@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TestGrids_h
+#define TestGrids_h
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+/// One unit voxel with its lowest corner at (x, 0, 0).
+inline vtkSmartPointer<vtkUnstructuredGrid> MakeVoxel(double x)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  vtkIdType ids[8];
+  for (int i = 0; i < 8; ++i)
+  {
+    ids[i] = points->InsertNextPoint(x + (i & 1), i >> 1 & 1, i >> 2 & 1);
+  }
+  grid->SetPoints(points);
+  grid->InsertNextCell(VTK_VOXEL, 8, ids);
+  return grid;
+}
+
+/// An array of the given type; tuple i is (i, i, ...) if it varies, else 0.
+template <typename Array>
+void AddArray(vtkDataSetAttributes* attributes, const char* name, vtkIdType tuples,
+  int components = 1, bool varies = true)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  for (vtkIdType i = 0; i < tuples * components; ++i)
+  {
+    array->SetValue(i, varies ? static_cast<typename Array::ValueType>(i / components) : 0);
+  }
+  attributes->AddArray(array);
+}
+
+#endif

@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Small input files for tetmarch-render, good and bad."""
+import json
+
+CORNERS = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
+
+
+def numbers(values):
+    return " ".join(map(str, values))
+
+
+def xml_array(name, data_type, values, components=1):
+    return (f'<DataArray type="{data_type}" Name="{name}" NumberOfComponents="{components}" format="ascii">'
+            f"{numbers(values)}</DataArray>")
+
+
+def cube_vtu():
+    """A unit hexahedron and a triangle, which is to be skipped."""
+    return f"""<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">
+<UnstructuredGrid><Piece NumberOfPoints="8" NumberOfCells="2">
+<PointData>{xml_array("half", "Float64", [0.5] * 8)}
+{xml_array("ramp", "Float64", [corner[0] for corner in CORNERS])}</PointData>
+<CellData>{xml_array("material", "Int32", [2, 7])}</CellData>
+<Points>{xml_array("Points", "Float32", [x for corner in CORNERS for x in corner], 3)}</Points>
+<Cells>{xml_array("connectivity", "Int64", [0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2])}
+{xml_array("offsets", "Int64", [8, 11])}
+{xml_array("types", "UInt8", [12, 5])}</Cells>
+</Piece></UnstructuredGrid></VTKFile>
+"""
+
+
+def legacy(cells, with_array=True):
+    text = "# vtk DataFile Version 3.0\ncube\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n"
+    text += "\n".join(map(numbers, CORNERS))
+    text += f"\nCELLS {len(cells)} {sum(len(ids) + 1 for _, ids in cells)}\n"
+    text += "\n".join(numbers([len(ids), *ids]) for _, ids in cells)
+    text += f"\nCELL_TYPES {len(cells)}\n" + "\n".join(str(cell_type) for cell_type, _ in cells) + "\n"
+    if with_array:
+        text += "POINT_DATA 8\nSCALARS half double 1\nLOOKUP_TABLE default\n" + numbers([0.5] * 8) + "\n"
+    return text
+
+
+def write_all(folder):
+    hexahedron = (12, range(8))
+    texts = {
+        "cube.vtu": cube_vtu(),
+        "truncated.vtu": cube_vtu()[:700],
+        "garbage.vtu": "this is no XML",
+        "empty.vtu": "",
+        "cube.vtk": legacy([hexahedron]),
+        "truncated.vtk": legacy([hexahedron])[:130],
+        "garbage.vtk": "this is no VTK file",
+        "bare.vtk": legacy([hexahedron], with_array=False),
+        "surface.vtk": legacy([(5, (0, 1, 2)), (9, (0, 1, 2, 3))]),
+        "garbage.ex2": "this is no Exodus file",
+        "garbage.cgns": "this is no CGNS file",
+        "notes.txt": "text",
+        "constant.json": json.dumps([{"Name": "constant", "ColorSpace": "RGB",
+                                      "RGBPoints": [0, 1, 0.5, 0.25, 1, 1, 0.5, 0.25],
+                                      "Points": [0, 0.7, 0.5, 0, 1, 0.7, 0.5, 0]}]),
+        "malformed.json": '[\n  {\n    "Name" "x"\n  }\n]\n',
+        "colourless.json": '[{"Name": "x", "Points": [0, 0, 0.5, 0]}]',
+    }
+    for name, text in texts.items():
+        (folder / name).write_text(text)
