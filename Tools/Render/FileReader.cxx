@@ -14,8 +14,12 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <initializer_list>
 #include <set>
 
 namespace
@@ -36,9 +40,30 @@ vtkSmartPointer<Reader> MakeReaderOf(const std::string& path)
   return reader;
 }
 
+/// The libraries below the Exodus and CGNS readers print by themselves, or end the process, when
+/// they are given another kind of file.
+[[maybe_unused]] void CheckBeginning(
+  const std::string& path, std::initializer_list<const char*> beginnings)
+{
+  std::array<char, 8> bytes{};
+  std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
+  for (const char* beginning : beginnings)
+  {
+    if (std::equal(beginning, beginning + std::strlen(beginning), bytes.begin()))
+    {
+      return;
+    }
+  }
+  throw tetmarch::Failure(
+    "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
+}
+
+[[maybe_unused]] constexpr const char* HDF5Beginning = "\x89HDF\r\n\x1a\n";
+
 vtkSmartPointer<vtkAlgorithm> MakeExodusReader(const std::string& path)
 {
 #if TETMARCH_HAVE_EXODUS
+  CheckBeginning(path, { "CDF", HDF5Beginning });
   auto reader = MakeReaderOf<vtkExodusIIReader>(path);
   reader->UpdateInformation();
   reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
@@ -55,6 +80,7 @@ vtkSmartPointer<vtkAlgorithm> MakeExodusReader(const std::string& path)
 vtkSmartPointer<vtkAlgorithm> MakeCGNSReader(const std::string& path)
 {
 #if TETMARCH_HAVE_CGNS
+  CheckBeginning(path, { "@(#)ADF", HDF5Beginning });
   auto reader = MakeReaderOf<vtkCGNSReader>(path);
   reader->UpdateInformation();
   reader->EnableAllBases();

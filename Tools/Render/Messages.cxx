@@ -9,6 +9,7 @@
 #include "vtkObjectFactory.h"
 
 #include <cstdio>
+#include <cstring>
 #include <regex>
 
 namespace tetmarch
@@ -44,6 +45,12 @@ void Messages::Install()
 void Messages::DisplayErrorText(const char* text)
 {
   ++NumberOfErrors;
+  // The executive repeats, with a dump of its request, that an algorithm failed. That one has said
+  // why.
+  if (std::strstr(text, "returned failure for request"))
+  {
+    return;
+  }
   PrintMessage("error", CleanVTKMessage(text));
 }
 
