@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DefaultTransferFunction.h"
+#include "TestGrids.h"
 
 #include <gtest/gtest.h>
 
@@ -161,4 +162,19 @@ TEST(UnitDistance, StaysWithinItsLimits)
   EXPECT_NEAR(tetmarch::ChooseUnitDistance(samples, clear, diagonal), 0.1, 1e-12);
   EXPECT_NEAR(tetmarch::ChooseUnitDistance({}, clear, diagonal), 10.0, 1e-12);
   EXPECT_EQ(tetmarch::ChooseUnitDistance(samples, clear, 0.0), 1.0);
+}
+
+TEST(Samples, MeanOfTheCellsPoints)
+{
+  auto grid = MakeVoxel(0.0);
+  AddArray<vtkDoubleArray>(grid->GetPointData(), "p", 8);
+  AddArray<vtkDoubleArray>(grid->GetCellData(), "c", 1);
+  auto samples = tetmarch::TakeSamples(grid, tetmarch::SelectArray(grid, "p", std::nullopt));
+  ASSERT_EQ(samples.size(), 1u);
+  EXPECT_DOUBLE_EQ(samples[0].Value, 3.5);
+  EXPECT_DOUBLE_EQ(samples[0].Volume, 1.0);
+
+  auto* values = vtkDoubleArray::SafeDownCast(grid->GetPointData()->GetArray("p"));
+  values->SetValue(3, std::nan(""));
+  EXPECT_TRUE(tetmarch::TakeSamples(grid, tetmarch::SelectArray(grid, "p", std::nullopt)).empty());
 }

@@ -119,13 +119,20 @@ std::vector<Sample> TakeSamples(vtkUnstructuredGrid* grid, const ArraySelection&
   samples.reserve(static_cast<std::size_t>(count / step + 1));
   for (vtkIdType cell = 0; cell < count; cell += step)
   {
-    grid->GetCellPoints(cell, points);
-    if (points->GetNumberOfIds() == 0)
+    double value = 0.0;
+    if (selection.Where == Association::CELLS)
     {
-      continue;
+      value = selection.Array->GetComponent(cell, 0);
     }
-    const vtkIdType tuple = selection.Where == Association::POINTS ? points->GetId(0) : cell;
-    const double value = selection.Array->GetComponent(tuple, 0);
+    else
+    {
+      grid->GetCellPoints(cell, points);
+      for (const vtkIdType point : *points)
+      {
+        value += selection.Array->GetComponent(point, 0);
+      }
+      value /= static_cast<double>(points->GetNumberOfIds());
+    }
     double bounds[6];
     grid->GetCellBounds(cell, bounds);
     const double volume =

@@ -33,7 +33,7 @@
 namespace tetmarch
 {
 
-/// The value of a cell, at one of its points if the array is on points, and the volume of its
+/// The value of a cell, the mean of its points if the array is on points, and the volume of its
 /// bounding box.
 struct Sample
 {
