@@ -2,38 +2,271 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchVolumeMapper.h"
 
+#include "GL/Pipeline.h"
+#include "Mesh/MeshReport.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderUtilities.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkTimerLog.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkUnstructuredGridBase.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
 
 class vtkTetMarchVolumeMapper::Internals
 {
+public:
+  tetmarch::Pipeline Pipeline;
+  vtkWeakPointer<vtkWindow> Window; // that holds our GL objects
+  std::string LastError;            // reported already
+  std::string LastReport;
 };
 
 vtkStandardNewMacro(vtkTetMarchVolumeMapper);
+
+//------------------------------------------------------------------------------
 vtkTetMarchVolumeMapper::vtkTetMarchVolumeMapper()
   : Internal(new Internals)
 {
 }
-vtkTetMarchVolumeMapper::~vtkTetMarchVolumeMapper() = default;
+
+//------------------------------------------------------------------------------
+vtkTetMarchVolumeMapper::~vtkTetMarchVolumeMapper()
+{
+  if (vtkWindow* window = this->Internal->Window)
+  {
+    this->ReleaseGraphicsResources(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
+  if (!window || !grid || grid->GetNumberOfCells() == 0 || renderer->GetSelector())
+  {
+    return;
+  }
+  vtkNew<vtkTimerLog> timer;
+  timer->StartTimer();
+
+  int cellScalars = 0;
+  vtkDataArray* scalars = this->FindScalars(grid, cellScalars);
+  tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
+  const auto progress = [this, window](double share) {
+    this->UpdateProgress(share);
+    return !window->CheckAbortStatus();
+  };
+
+  const bool drawn = scalars && pipeline.updateMesh(grid, progress) &&
+    pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
+    pipeline.updateTables(volume->GetProperty(),
+      this->OpacityLaw == STRUCTURED ? tetmarch::OpacityLaw::Structured
+                                     : tetmarch::OpacityLaw::Unstructured) &&
+    pipeline.updateView(renderer, volume) && this->UseWindow(window) && pipeline.upload(window) &&
+    pipeline.draw(window, renderer, this->CollectDiagnostics);
+  this->ReportProblems(scalars != nullptr);
+
+  if (drawn)
+  {
+    glFinish();
+  }
+  timer->StopTimer();
+  this->TimeToDraw = timer->GetElapsedTime();
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* vtkTetMarchVolumeMapper::FindScalars(vtkUnstructuredGrid* grid, int& cellFlag)
+{
+  vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
+    grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+  return cellFlag == 2 || (scalars && scalars->GetNumberOfComponents() < 1) ? nullptr : scalars;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTetMarchVolumeMapper::DescribeMissingScalars()
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
+  const auto list = [](vtkDataSetAttributes* data) {
+    std::string names;
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      const char* name = data->GetArrayName(i);
+      names += (i > 0 ? ", " : "") + std::string(name ? name : "(unnamed)");
+    }
+    return names.empty() ? std::string("none") : names;
+  };
+  std::string wanted = "active scalars";
+  if (this->ScalarMode == VTK_SCALAR_MODE_USE_FIELD_DATA)
+  {
+    return "Field data can't be volume rendered: set the scalar mode to point or cell data.";
+  }
+  if (this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ||
+    this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA)
+  {
+    wanted = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME
+      ? "array named \"" + std::string(this->ArrayName ? this->ArrayName : "") + "\""
+      : "array with the number " + std::to_string(this->ArrayId);
+    wanted +=
+      this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ? " in the point data" : " in the cell data";
+  }
+  return "The grid has no " + wanted + ", so nothing is drawn. Point arrays: " +
+    list(grid->GetPointData()) + "; cell arrays: " + list(grid->GetCellData()) +
+    ". Choose one with SelectScalarArray and SetScalarMode, or set active scalars.";
+}
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchVolumeMapper::UseWindow(vtkWindow* window)
+{
+  this->Internal->Window = window;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::ReportProblems(bool hasScalars)
+{
+  const tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
+  const std::string error = hasScalars ? pipeline.error() : this->DescribeMissingScalars();
+  if (error != this->Internal->LastError)
+  {
+    this->Internal->LastError = error;
+    if (!error.empty())
+    {
+      vtkErrorMacro(<< error);
+    }
+  }
+  const std::string report = tetmarch::describe(pipeline.mesh().Report);
+  if (report != this->Internal->LastReport)
+  {
+    this->Internal->LastReport = report;
+    if (!report.empty())
+    {
+      vtkWarningMacro(<< report);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (auto* renderWindow = vtkRenderWindow::SafeDownCast(this->Internal->Window))
+  {
+    if (renderWindow == window)
+    {
+      renderWindow->MakeCurrent();
+      this->Internal->Pipeline.release(window);
+      this->Internal->Window = nullptr;
+    }
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTetMarchVolumeMapper::GetNumberOfTetrahedra() const
+{
+  return this->Internal->Pipeline.mesh().numberOfTets();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTetMarchVolumeMapper::GetNumberOfBoundaryFaces() const
+{
+  return static_cast<vtkIdType>(this->Internal->Pipeline.mesh().BoundaryFaces.size());
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetGPUMemoryBytes() const
+{
+  return static_cast<vtkTypeInt64>(this->Internal->Pipeline.gpuBytes());
+}
+
+//------------------------------------------------------------------------------
+double vtkTetMarchVolumeMapper::GetMeshSeconds() const
+{
+  return this->Internal->Pipeline.MeshRecord.Seconds;
+}
+double vtkTetMarchVolumeMapper::GetScalarsSeconds() const
+{
+  return this->Internal->Pipeline.ScalarsRecord.Seconds;
+}
+double vtkTetMarchVolumeMapper::GetTablesSeconds() const
+{
+  return this->Internal->Pipeline.TablesRecord.Seconds;
+}
+double vtkTetMarchVolumeMapper::GetUploadSeconds() const
+{
+  return this->Internal->Pipeline.UploadRecord.Seconds;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetMeshBuilds() const
+{
+  return this->Internal->Pipeline.MeshRecord.Runs;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetScalarsBuilds() const
+{
+  return this->Internal->Pipeline.ScalarsRecord.Runs;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetTablesBuilds() const
+{
+  return this->Internal->Pipeline.TablesRecord.Runs;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetUploadedBytes() const
+{
+  return this->Internal->Pipeline.UploadedBytes;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfRays() const
+{
+  return this->Internal->Pipeline.counters().Rays;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfCrossedCells() const
+{
+  return this->Internal->Pipeline.counters().Cells;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfEvaluations() const
+{
+  return this->Internal->Pipeline.counters().Evaluations;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfRefusedEntries() const
+{
+  return this->Internal->Pipeline.counters().Refused;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfLostRays() const
+{
+  return this->Internal->Pipeline.counters().Lost;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfGuardHits() const
+{
+  return this->Internal->Pipeline.counters().Guarded;
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::GetDiagnosticPixels(vtkFloatArray* pixels) const
+{
+  const std::vector<float>& values = this->Internal->Pipeline.diagnosticPixels();
+  pixels->SetNumberOfComponents(4);
+  pixels->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / 4));
+  std::copy(values.begin(), values.end(), pixels->GetPointer(0));
+}
+
+//------------------------------------------------------------------------------
 void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "OpacityLaw: " << (this->OpacityLaw == STRUCTURED ? "Structured" : "Unstructured")
+     << "\n";
+  os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";
+  os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
+  os << indent << "NumberOfBoundaryFaces: " << this->GetNumberOfBoundaryFaces() << "\n";
+  os << indent << "GPUMemoryBytes: " << this->GetGPUMemoryBytes() << "\n";
 }
-void vtkTetMarchVolumeMapper::Render(vtkRenderer*, vtkVolume*) {}
-void vtkTetMarchVolumeMapper::ReleaseGraphicsResources(vtkWindow*) {}
-vtkIdType vtkTetMarchVolumeMapper::GetNumberOfTetrahedra() const { return 0; }
-vtkIdType vtkTetMarchVolumeMapper::GetNumberOfBoundaryFaces() const { return 0; }
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetGPUMemoryBytes() const { return 0; }
-double vtkTetMarchVolumeMapper::GetMeshSeconds() const { return 0; }
-double vtkTetMarchVolumeMapper::GetScalarsSeconds() const { return 0; }
-double vtkTetMarchVolumeMapper::GetTablesSeconds() const { return 0; }
-double vtkTetMarchVolumeMapper::GetUploadSeconds() const { return 0; }
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetMeshBuilds() const { return 0; }
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetScalarsBuilds() const { return 0; }
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetTablesBuilds() const { return 0; }
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetUploadedBytes() const { return 0; }
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfRays() const { return 0; }
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfCrossedCells() const { return 0; }
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfEvaluations() const { return 0; }
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfRefusedEntries() const { return 0; }
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfLostRays() const { return 0; }
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfGuardHits() const { return 0; }

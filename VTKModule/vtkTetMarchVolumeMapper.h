@@ -35,6 +35,11 @@
 #include "vtkUnstructuredGridVolumeMapper.h"
 
 #include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkDataArray;
+class vtkFloatArray;
+class vtkUnstructuredGrid;
 
 class VTKRENDERINGTETMARCH_EXPORT vtkTetMarchVolumeMapper : public vtkUnstructuredGridVolumeMapper
 {
@@ -126,6 +131,13 @@ public:
   vtkTypeInt64 GetNumberOfGuardHits() const;
   ///@}
 
+  /**
+   * The picture of the last frame with CollectDiagnostics on, before it was blended over the background:
+   * one tuple a pixel of the viewport, rows from the bottom, premultiplied r, g, b and opacity in 0..1, in
+   * float. Empty if there is none.
+   */
+  void GetDiagnosticPixels(vtkFloatArray* pixels) const;
+
 protected:
   vtkTetMarchVolumeMapper();
   ~vtkTetMarchVolumeMapper() override;
@@ -136,6 +148,11 @@ protected:
 private:
   vtkTetMarchVolumeMapper(const vtkTetMarchVolumeMapper&) = delete;
   void operator=(const vtkTetMarchVolumeMapper&) = delete;
+
+  vtkDataArray* FindScalars(vtkUnstructuredGrid* grid, int& cellFlag);
+  std::string DescribeMissingScalars();
+  bool UseWindow(vtkWindow* window);
+  void ReportProblems(bool hasScalars);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

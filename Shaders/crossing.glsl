@@ -1,0 +1,63 @@
+// The ray crosses a face, steps through the tetrahedron behind it, and crosses another.
+
+struct Crossing
+{
+  uvec3 id;    // vertices a, b, c, counter-clockwise around the ray as the viewer sees them
+  vec2 a;      // their projections
+  vec2 b;
+  vec2 c;
+  vec3 depth;  // their depths along the ray
+  vec3 scalar; // their scalars
+  vec3 weight; // cross(b, c), cross(c, a), cross(a, b): barycentric weights of the ray's point
+};
+
+// Depth and scalar of the point in which the ray crosses the face.
+vec2 crossingPoint(Crossing face)
+{
+  vec3 w = vec3(max(face.weight.x, real(0)), max(face.weight.y, real(0)), max(face.weight.z, real(0)));
+  real sum = w.x + w.y + w.z;
+  // A face seen exactly edge-on has no weights: take its middle.
+  w = sum > real(0) ? w : vec3(real(1), real(1), real(1));
+  real r = real(1) / (sum > real(0) ? sum : real(3));
+  vec3 z = face.depth;
+  vec3 s = face.scalar;
+  real depth = z.x + (w.y * (z.y - z.x) + w.z * (z.z - z.x)) * r;
+  real scalar = s.x + (w.y * (s.y - s.x) + w.z * (s.z - s.x)) * r;
+  return vec2(clamp(depth, min(z.x, min(z.y, z.z)), max(z.x, max(z.y, z.z))), scalar);
+}
+
+// Replace the crossing by that of the face through which the ray leaves the tetrahedron whose fourth
+// vertex is given. Returns the number of that face in the tetrahedron, that is, the rank by id of the
+// vertex it leaves out; -1 if there is none, which no four real points can bring about.
+int stepThrough(INOUT(Crossing) face, uint apexId, vec3 apex, real apexScalar)
+{
+  vec2 d = vec2(apex.x, apex.y);
+  real crossA = edgeCross(face.a, d);
+  real crossB = edgeCross(face.b, d);
+  real crossC = edgeCross(face.c, d);
+  bool leftA = turnsLeft(crossA, face.a, face.id.x, d, apexId);
+  bool leftB = turnsLeft(crossB, face.b, face.id.y, d, apexId);
+  bool leftC = turnsLeft(crossC, face.c, face.id.z, d, apexId);
+
+  // The ray leaves between the two neighbours where the turn changes from right to left.
+  bool dropA = leftC && !leftB;
+  bool dropB = leftA && !leftC;
+  bool dropC = leftB && !leftA;
+
+  uint dropped = dropA ? face.id.x : (dropB ? face.id.y : face.id.z);
+  int rank = (dropped > face.id.x ? 1 : 0) + (dropped > face.id.y ? 1 : 0) +
+    (dropped > face.id.z ? 1 : 0) + (dropped > apexId ? 1 : 0);
+
+  face.weight = vec3(dropA ? face.weight.x : (dropB ? -crossC : crossB),
+    dropB ? face.weight.y : (dropC ? -crossA : crossC),
+    dropC ? face.weight.z : (dropA ? -crossB : crossA));
+  face.id = uvec3(dropA ? apexId : face.id.x, dropB ? apexId : face.id.y, dropC ? apexId : face.id.z);
+  face.a = dropA ? d : face.a;
+  face.b = dropB ? d : face.b;
+  face.c = dropC ? d : face.c;
+  face.depth = vec3(
+    dropA ? apex.z : face.depth.x, dropB ? apex.z : face.depth.y, dropC ? apex.z : face.depth.z);
+  face.scalar = vec3(dropA ? apexScalar : face.scalar.x, dropB ? apexScalar : face.scalar.y,
+    dropC ? apexScalar : face.scalar.z);
+  return dropA || dropB || dropC ? rank : -1;
+}

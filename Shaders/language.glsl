@@ -1,0 +1,18 @@
+// The words in which the shared files are written, for GLSL; Reference/KernelBody.h has the same for C++.
+#if TETMARCH_HAS_FMA
+#extension GL_ARB_gpu_shader5 : require
+#else
+#define precise
+#endif
+
+#define real float
+#define OUT(T) out T
+#define INOUT(T) inout T
+#define CONSTANT const
+
+#define PROJECTION_SCALE 65536.0
+#define PROJECTION_FLUSH 9.094947e-13 // 2^-40
+#define NO_DEPTH 3.0e38
+#define TINY 1.0e-30
+#define UNDRAWN_SCALAR 1.0e30
+#define LINK_OUTSIDE 0x80000000u

@@ -1,0 +1,105 @@
+// The march: from where a ray enters the mesh, from tetrahedron to tetrahedron, to where it ends.
+
+struct March
+{
+  Radiance radiance;
+  real done;       // depth up to which the ray is integrated; nothing is integrated twice
+  bool finished;   // opaque, or past the last depth that is asked for
+  int cells;       // tetrahedra crossed
+#if TETMARCH_DIAGNOSTICS
+  int evaluations; // evaluations of the segment integral
+  int refused;     // entry faces that refused the ray
+  int lost;        // tetrahedra without an exit
+  int guarded;     // marches stopped by the step guard
+#endif
+};
+
+March beginMarch(real depthBegin)
+{
+  March march;
+  march.radiance.color = vec3(real(0), real(0), real(0));
+  march.radiance.transmittance = real(1);
+  march.done = depthBegin;
+  march.finished = false;
+  march.cells = 0;
+#if TETMARCH_DIAGNOSTICS
+  march.evaluations = 0;
+  march.refused = 0;
+  march.lost = 0;
+  march.guarded = 0;
+#endif
+  return march;
+}
+
+// Scalars that are not finite are stored as UNDRAWN_SCALAR; what they touch is passed through.
+bool isDrawn(real scalar) { return abs(scalar) < UNDRAWN_SCALAR * real(1e-10); }
+
+// Scalar at a depth between the points (depth, scalar) in which the ray enters and leaves a tetrahedron.
+real scalarAt(vec2 enter, vec2 leave, real depth)
+{
+  return enter.y + (leave.y - enter.y) * ((depth - enter.x) / (leave.x - enter.x));
+}
+
+// March from a boundary face to the boundary face through which the ray leaves the mesh. opticalLength is
+// the length, in scalar opacity unit distances, of a unit of depth.
+void marchToExit(Ray ray, Crossing face, uvec2 link, real opticalLength, real depthEnd, INOUT(March) march)
+{
+  vec2 enter = crossingPoint(face);
+#if TETMARCH_POINT_SCALARS
+  TablePoint at = tablePoint(enter.y * tableScale + tableOffset);
+  Segment segment = beginSegment(at.x, at.x, real(0));
+  segment.position = real(1);
+#endif
+  bool onward = true;  // there is a tetrahedron behind the face
+  bool pending = false; // the segment is not integrated to its end
+  while (onward || pending)
+  {
+    if (!pending)
+    {
+      uint tet = link.x;
+      vec4 apex = fetchVertex(link.y);
+      int exitFace = stepThrough(face, link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
+      vec2 leave = crossingPoint(face);
+      link = fetchLink(4u * tet + uint(max(exitFace, 0)));
+      march.cells = march.cells + 1;
+      onward = exitFace >= 0 && march.cells < mostCells && link.x < LINK_OUTSIDE;
+#if TETMARCH_DIAGNOSTICS
+      march.lost = march.lost + (exitFace < 0 ? 1 : 0);
+      march.guarded = march.guarded + (march.cells >= mostCells ? 1 : 0);
+#endif
+
+      // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
+      real begin = max(enter.x, march.done);
+      real end = min(leave.x, depthEnd);
+#if TETMARCH_POINT_SCALARS
+      bool drawn = end > begin && isDrawn(enter.y) && isDrawn(leave.y);
+      real scalarBegin = begin > enter.x ? scalarAt(enter, leave, begin) : enter.y;
+      real scalarEnd = end < leave.x ? scalarAt(enter, leave, end) : leave.y;
+      segment = beginSegment(scalarBegin * tableScale + tableOffset, scalarEnd * tableScale + tableOffset,
+        (end - begin) * opticalLength);
+      segment.position = drawn ? real(0) : real(1);
+#else
+      real scalar = fetchCellScalar(tet);
+      bool drawn = end > begin && isDrawn(scalar);
+      integrateConstant(
+        scalar * tableScale + tableOffset, drawn ? (end - begin) * opticalLength : real(0), march.radiance);
+#endif
+      march.done = max(march.done, end);
+      enter = leave;
+    }
+#if TETMARCH_POINT_SCALARS
+    if (!isDone(segment))
+    {
+      integratePiece(segment, at, march.radiance);
+#if TETMARCH_DIAGNOSTICS
+      march.evaluations = march.evaluations + 1;
+#endif
+    }
+    pending = !isDone(segment);
+#endif
+    march.finished = march.radiance.transmittance < leastTransmittance ||
+      (!pending && march.done >= depthEnd);
+    onward = onward && !march.finished;
+    pending = pending && !march.finished;
+  }
+}

@@ -1,0 +1,23 @@
+// The mesh in texture buffers; Mesh/TetMesh.h has the conventions.
+uniform samplerBuffer vertexBuffer;    // position, scalar
+uniform usamplerBuffer linkBuffer;     // tetrahedron and apex behind each half-face
+uniform usamplerBuffer boundaryBuffer; // three vertices counter-clockwise from outside, tetrahedron inside
+uniform int numberOfTets;
+uniform int mostCells;                 // a march of more tetrahedra has gone wrong
+
+#define tetCount uint(numberOfTets)
+
+vec4 fetchVertex(uint i) { return texelFetch(vertexBuffer, int(i)); }
+uvec2 fetchLink(uint halfFace) { return texelFetch(linkBuffer, int(halfFace)).xy; }
+uvec3 fetchBoundaryFace(uint face) { return texelFetch(boundaryBuffer, int(face)).xyz; }
+
+#if TETMARCH_BVH
+uniform samplerBuffer hierarchyBuffer; // two texels a node, see boundary.glsl
+uniform int bvhNodeCount;
+vec4 fetchBvhNode(int i) { return texelFetch(hierarchyBuffer, i); }
+#endif
+
+#if !TETMARCH_POINT_SCALARS
+uniform samplerBuffer cellScalarBuffer;
+float fetchCellScalar(uint tet) { return texelFetch(cellScalarBuffer, int(tet)).x; }
+#endif

@@ -1,0 +1,25 @@
+// What a ray has gathered, and how a piece of the volume adds to it (Max, "Optical models", 1995).
+
+struct Radiance
+{
+  vec3 color; // premultiplied
+  real transmittance;
+};
+
+// (1 - exp(-D)) / D without cancellation: the series below 1/8 is good to 4e-8.
+real meanTransmittance(real depth)
+{
+  real series = real(1) -
+    depth * (real(0.5) - depth * (real(1) / real(6) - depth * (real(1) / real(24) - depth / real(120))));
+  real closed = (real(1) - exp(-depth)) / max(depth, real(0.125));
+  return depth < real(0.125) ? series : closed;
+}
+
+void absorb(INOUT(Radiance) radiance, vec4 mean, real opticalLength)
+{
+  real depth = mean.w * opticalLength;
+  real share = meanTransmittance(depth);
+  real weight = radiance.transmittance * share * opticalLength;
+  radiance.color = radiance.color + vec3(mean.x, mean.y, mean.z) * weight;
+  radiance.transmittance = radiance.transmittance * max(real(1) - depth * share, real(0));
+}

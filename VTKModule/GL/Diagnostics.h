@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the diagnostic variant of the march counted in one frame.
+#ifndef TetMarchGLDiagnostics_h
+#define TetMarchGLDiagnostics_h
+
+#include "GL/FloatTarget.h"
+#include "GL/MarchPass.h"
+#include "Reference/MarchCounters.h"
+
+#include <vector>
+
+namespace tetmarch
+{
+
+class Diagnostics
+{
+public:
+  /** March once more, counting. Returns an empty string, or what is wrong. */
+  std::string collect(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs);
+  const MarchCounters& counters() const { return this->Counters; }
+  /** Premultiplied RGBA in float, rows from the bottom, of the last collect(). */
+  const std::vector<float>& pixels() const { return this->Pixels; }
+  void clear();
+  void release(vtkWindow* window) { this->Target.release(window); }
+
+private:
+  FloatTarget Target;
+  MarchCounters Counters;
+  std::vector<float> Pixels;
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/EntryPass.h"
+
+#include "GL/MeshTextures.h"
+#include "GL/StateScope.h"
+#include "GL/Uniforms.h"
+#include "Mesh/TetMesh.h"
+#include "Scene/View.h"
+
+#include "vtkOpenGLRenderUtilities.h"
+
+namespace tetmarch
+{
+
+std::string EntryPass::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, const View& view,
+  const TetMesh& mesh, MeshTextures& textures)
+{
+  StateScope state(window);
+  std::string error = this->Target.bind(window, viewport.Width, viewport.Height, 1, true);
+  if (!error.empty())
+  {
+    return error;
+  }
+  state->vtkglViewport(0, 0, viewport.Width, viewport.Height);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglEnable(GL_CULL_FACE);
+  state->vtkglCullFace(view.Mirrored ? GL_FRONT : GL_BACK);
+  state->vtkglClearColor(-1, 0, 0, 0);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+
+  vtkShaderProgram* program =
+    this->Draw.use(window, "entry.vert.glsl", "entry.frag.glsl", {}, error);
+  if (program)
+  {
+    textures.bindBoundary(program);
+    setUniform(program, "normalizedToClip", view.NormalizedToClip);
+    this->Draw.drawTriangles(static_cast<int>(mesh.BoundaryFaces.size()));
+    textures.unbind();
+  }
+  return error;
+}
+
+void EntryPass::release(vtkWindow* window)
+{
+  this->Draw.release();
+  this->Target.release(window);
+}
+
+} // namespace tetmarch

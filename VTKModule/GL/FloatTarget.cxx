@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/FloatTarget.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLRenderUtilities.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+
+namespace tetmarch
+{
+
+std::string FloatTarget::bind(
+  vtkOpenGLRenderWindow* window, int width, int height, int colors, bool depth)
+{
+  if (width != this->Width || height != this->Height || !this->Framebuffer)
+  {
+    this->release(window);
+    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    this->Framebuffer->SetContext(window);
+    this->Framebuffer->Bind();
+    for (int i = 0; i < colors; ++i)
+    {
+      vtkNew<vtkTextureObject> color;
+      color->SetContext(window);
+      color->SetMinificationFilter(vtkTextureObject::Nearest);
+      color->SetMagnificationFilter(vtkTextureObject::Nearest);
+      color->Allocate2D(width, height, 4, VTK_FLOAT);
+      this->Framebuffer->AddColorAttachment(i, color);
+      this->Colors.emplace_back(color);
+    }
+    if (depth)
+    {
+      this->Depth = vtkSmartPointer<vtkTextureObject>::New();
+      this->Depth->SetContext(window);
+      this->Depth->AllocateDepth(width, height, vtkTextureObject::Float32);
+      this->Framebuffer->AddDepthAttachment(this->Depth);
+    }
+    this->Width = width;
+    this->Height = height;
+    this->Bytes = static_cast<std::size_t>(width) * height * (16 * colors + (depth ? 4 : 0));
+  }
+  this->Framebuffer->Bind();
+  this->Framebuffer->ActivateDrawBuffers(colors);
+  if (!this->Framebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER))
+  {
+    this->release(window);
+    return "The GL can't draw into a float framebuffer of " + std::to_string(width) + " x " +
+      std::to_string(height) + " pixels with " + std::to_string(colors) + " colours.";
+  }
+  return {};
+}
+
+std::vector<float> FloatTarget::read(vtkOpenGLRenderWindow* window, int i) const
+{
+  std::vector<float> pixels(4 * static_cast<std::size_t>(this->Width) * this->Height);
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->ActivateReadBuffer(i);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, pixels.data());
+  state->PopFramebufferBindings();
+  return pixels;
+}
+
+void FloatTarget::release(vtkWindow* window)
+{
+  if (this->Framebuffer)
+  {
+    this->Framebuffer->ReleaseGraphicsResources(window);
+    this->Framebuffer = nullptr;
+  }
+  for (auto& color : this->Colors)
+  {
+    color->ReleaseGraphicsResources(window);
+  }
+  this->Colors.clear();
+  if (this->Depth)
+  {
+    this->Depth->ReleaseGraphicsResources(window);
+    this->Depth = nullptr;
+  }
+  this->Width = this->Height = 0;
+  this->Bytes = 0;
+}
+
+} // namespace tetmarch

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A framebuffer of our own with RGBA32F colour textures and, if wanted, a depth texture.
+#ifndef TetMarchGLFloatTarget_h
+#define TetMarchGLFloatTarget_h
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkWindow;
+
+namespace tetmarch
+{
+
+class FloatTarget
+{
+public:
+  /**
+   * Make it if it isn't there, give it the size, and bind it for drawing into all its colours. Framebuffer
+   * bindings are the caller's to restore (StateScope). Returns an empty string, or what is wrong.
+   */
+  std::string bind(vtkOpenGLRenderWindow* window, int width, int height, int colors, bool depth);
+  vtkTextureObject* color(int i) const { return this->Colors[i]; }
+  /** The pixels of colour i, rows from the bottom. */
+  std::vector<float> read(vtkOpenGLRenderWindow* window, int i) const;
+  void release(vtkWindow* window);
+  std::size_t bytes() const { return this->Bytes; }
+
+private:
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  std::vector<vtkSmartPointer<vtkTextureObject>> Colors;
+  vtkSmartPointer<vtkTextureObject> Depth;
+  int Width = 0;
+  int Height = 0;
+  std::size_t Bytes = 0;
+};
+
+} // namespace tetmarch
+
+#endif

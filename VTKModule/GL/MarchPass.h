@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Marches one ray a pixel and blends the result over the framebuffer.
+#ifndef TetMarchGLMarchPass_h
+#define TetMarchGLMarchPass_h
+
+#include "GL/ShaderDraw.h"
+#include "GL/Viewport.h"
+#include "Mesh/Scalars.h"
+#include "Optics/AccuracyLevel.h"
+#include "Scene/VariantKey.h"
+
+class vtkTextureObject;
+
+namespace tetmarch
+{
+
+class MeshTextures;
+class TableTextures;
+struct IntegralTable;
+struct View;
+
+/** What the march reads. */
+struct MarchInputs
+{
+  VariantKey Key;
+  Viewport Area;
+  const View* Camera = nullptr;
+  MeshTextures* Mesh = nullptr;
+  TableTextures* Tables = nullptr;
+  const IntegralTable* Table = nullptr;
+  ScalarRange Range;
+  AccuracyLevel Level = DefaultAccuracy;
+  vtkTextureObject* Entries = nullptr; // if the key has RasterEntry
+  vtkTextureObject* Depths = nullptr;  // if the key has OpaqueDepth
+};
+
+class MarchPass
+{
+public:
+  /** Premultiplied, over what the framebuffer that is bound holds. Returns an empty string, or what is wrong. */
+  std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs);
+  /** Into colours of a float framebuffer that is bound and has the size of the area; no blending. */
+  std::string drawDiagnostics(vtkOpenGLRenderWindow* window, MarchInputs inputs);
+  void release();
+
+private:
+  std::string drawVariant(
+    vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& target);
+
+  ShaderDraw Draw;
+};
+
+} // namespace tetmarch
+
+#endif

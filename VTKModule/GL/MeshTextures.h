@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The mesh and its scalars on the GPU.
+#ifndef TetMarchGLMeshTextures_h
+#define TetMarchGLMeshTextures_h
+
+#include "GL/TextureBuffer.h"
+#include "Scene/VariantKey.h"
+
+#include <string>
+#include <vector>
+
+namespace tetmarch
+{
+
+struct TetMesh;
+
+class MeshTextures
+{
+public:
+  /** Each returns an empty string, or what is wrong and what to do. */
+  std::string uploadLinks(vtkOpenGLRenderWindow* window, const TetMesh& mesh);
+  std::string uploadVertices(vtkOpenGLRenderWindow* window, const TetMesh& mesh);
+  /** Empty: point scalars are drawn, the buffer is freed. */
+  std::string uploadCellScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
+
+  /** Buffers and sizes that the march needs; the entry pass needs bindBoundary alone. */
+  void bind(vtkShaderProgram* program, const VariantKey& key);
+  void bindBoundary(vtkShaderProgram* program);
+  void unbind();
+  void release(vtkWindow* window);
+  std::size_t bytes() const;
+
+private:
+  TextureBuffer Links;
+  TextureBuffer Boundary;
+  TextureBuffer Hierarchy;
+  TextureBuffer Vertices;
+  TextureBuffer CellScalars;
+  int NumberOfTets = 0;
+  int NumberOfNodes = 0;
+};
+
+} // namespace tetmarch
+
+#endif

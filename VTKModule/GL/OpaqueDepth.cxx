@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/OpaqueDepth.h"
+
+#include "GL/StateScope.h"
+
+#include "vtkCollectionIterator.h"
+#include "vtkOpenGLRenderUtilities.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+
+namespace tetmarch
+{
+namespace
+{
+
+bool hasOpaqueProp(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (prop->GetVisibility() && prop->HasOpaqueGeometry())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+int attachmentParameter(unsigned int framebuffer, unsigned int attachment, unsigned int name)
+{
+  // Of the window's own framebuffer the attachments are called otherwise.
+  if (framebuffer == 0)
+  {
+    attachment = attachment == GL_DEPTH_ATTACHMENT ? GL_DEPTH : GL_STENCIL;
+  }
+  int type = GL_NONE;
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+  int value = 0;
+  if (type != GL_NONE)
+  {
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
+  }
+  return value;
+}
+
+} // namespace
+
+bool mayHaveOpaqueGeometry(vtkRenderer* renderer)
+{
+  if (hasOpaqueProp(renderer))
+  {
+    return true;
+  }
+  if (!renderer->GetPreserveDepthBuffer() && renderer->GetErase())
+  {
+    return false;
+  }
+  vtkRendererCollection* renderers = renderer->GetRenderWindow()->GetRenderers();
+  vtkCollectionSimpleIterator it;
+  renderers->InitTraversal(it);
+  while (vtkRenderer* other = renderers->GetNextRenderer(it))
+  {
+    if (other != renderer && other->GetDraw() && hasOpaqueProp(other))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+OpaqueDepth::Format OpaqueDepth::formatOf(unsigned int framebuffer)
+{
+  Format format;
+  format.DepthBits =
+    attachmentParameter(framebuffer, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+  format.StencilBits =
+    attachmentParameter(framebuffer, GL_STENCIL_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
+  format.Float = attachmentParameter(framebuffer, GL_DEPTH_ATTACHMENT,
+                   GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+  return format;
+}
+
+void OpaqueDepth::allocate(
+  vtkOpenGLRenderWindow* window, const Viewport& viewport, const Format& format)
+{
+  this->release(window);
+  this->Depth = vtkSmartPointer<vtkTextureObject>::New();
+  this->Depth->SetContext(window);
+  this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Depth->SetMagnificationFilter(vtkTextureObject::Nearest);
+  if (format.StencilBits > 0)
+  {
+    this->Depth->AllocateDepthStencil(viewport.Width, viewport.Height);
+  }
+  else
+  {
+    const int kind = format.Float ? vtkTextureObject::Float32
+                                  : (format.DepthBits == 32   ? vtkTextureObject::Fixed32
+                                        : format.DepthBits == 16 ? vtkTextureObject::Fixed16
+                                                                 : vtkTextureObject::Fixed24);
+    this->Depth->AllocateDepth(viewport.Width, viewport.Height, kind);
+  }
+  this->Color = vtkSmartPointer<vtkTextureObject>::New();
+  this->Color->SetContext(window);
+  this->Color->Allocate2D(viewport.Width, viewport.Height, 4, VTK_UNSIGNED_CHAR);
+  this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  this->Framebuffer->AddDepthAttachment(this->Depth);
+  this->Framebuffer->AddColorAttachment(0, this->Color);
+  this->Present = format;
+  this->Width = viewport.Width;
+  this->Height = viewport.Height;
+  this->Bytes = static_cast<std::size_t>(viewport.Width) * viewport.Height * 8;
+}
+
+std::string OpaqueDepth::capture(vtkOpenGLRenderWindow* window, const Viewport& viewport)
+{
+  StateScope state(window);
+  int source = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
+  const Format format = formatOf(static_cast<unsigned int>(source));
+  if (format.DepthBits == 0)
+  {
+    return "The framebuffer has no depths for opaque geometry.";
+  }
+  if (!this->Framebuffer || viewport.Width != this->Width || viewport.Height != this->Height ||
+    format != this->Present)
+  {
+    this->allocate(window, viewport, format);
+  }
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source));
+  this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(viewport.X, viewport.Y, viewport.X + viewport.Width,
+    viewport.Y + viewport.Height, 0, 0, viewport.Width, viewport.Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  if (glGetError() != GL_NO_ERROR)
+  {
+    return "The depths of opaque geometry (" + std::to_string(format.DepthBits) + " bits, stencil " +
+      std::to_string(format.StencilBits) + " bits) could not be copied.";
+  }
+  return {};
+}
+
+void OpaqueDepth::release(vtkWindow* window)
+{
+  if (this->Framebuffer)
+  {
+    this->Framebuffer->ReleaseGraphicsResources(window);
+    this->Color->ReleaseGraphicsResources(window);
+    this->Depth->ReleaseGraphicsResources(window);
+  }
+  this->Framebuffer = nullptr;
+  this->Color = nullptr;
+  this->Depth = nullptr;
+  this->Bytes = 0;
+}
+
+} // namespace tetmarch

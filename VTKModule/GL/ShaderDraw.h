@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A program and a draw call without vertex arrays.
+#ifndef TetMarchGLShaderDraw_h
+#define TetMarchGLShaderDraw_h
+
+#include "vtkNew.h"
+#include "vtkOpenGLVertexArrayObject.h"
+
+#include <string>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+
+namespace tetmarch
+{
+
+class ShaderDraw
+{
+public:
+  /** Compile, or find in the window's cache, and use. nullptr on failure: error then says which file. */
+  vtkShaderProgram* use(vtkOpenGLRenderWindow* window, const std::string& vertexFile,
+    const std::string& fragmentFile, const std::string& defines, std::string& error);
+  /** Draw so many triangles, with vertices that the vertex shader makes from their number. */
+  void drawTriangles(int count);
+  void release();
+
+private:
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/TableTextures.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+namespace tetmarch
+{
+
+std::string TableTextures::upload(vtkOpenGLRenderWindow* window, const IntegralTable& table)
+{
+  const std::size_t size = table.Values.size();
+  std::string error = this->Values.upload(window, TexelFormat::RGBA32F, table.Values.data(), size);
+  if (error.empty())
+  {
+    error = this->Integrals.upload(window, TexelFormat::RGBA32UI, table.Integrals.data(), size);
+  }
+  if (error.empty())
+  {
+    error =
+      this->SquareIntegrals.upload(window, TexelFormat::R32UI, table.SquareIntegrals.data(), size);
+  }
+  return error;
+}
+
+void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
+  const ScalarRange& range, const AccuracyLevel& level, const VariantKey& key)
+{
+  this->Values.bind(program, "tableValueBuffer");
+  program->SetUniformi("tableSize", table.size());
+  program->SetUniformf("tableScale", static_cast<float>(table.scale(range.width())));
+  program->SetUniformf("tableOffset", static_cast<float>(table.offset(range.Low)));
+  program->SetUniformf("leastTransmittance", static_cast<float>(level.LeastTransmittance));
+  if (key.PointScalars)
+  {
+    this->Integrals.bind(program, "tableIntegralBuffer");
+    this->SquareIntegrals.bind(program, "tableSquareBuffer");
+    std::array<float, 4> unit;
+    for (int k = 0; k < 4; ++k)
+    {
+      unit[k] = static_cast<float>(table.IntegralUnit[k]);
+    }
+    program->SetUniform4f("tableIntegralUnit", unit.data());
+    program->SetUniformf("tableSquareUnit", static_cast<float>(table.SquareUnit));
+    program->SetUniformf("integrationTolerance", static_cast<float>(level.IntegrationTolerance));
+  }
+}
+
+void TableTextures::unbind()
+{
+  this->Values.unbind();
+  this->Integrals.unbind();
+  this->SquareIntegrals.unbind();
+}
+
+void TableTextures::release(vtkWindow* window)
+{
+  this->Values.release(window);
+  this->Integrals.release(window);
+  this->SquareIntegrals.release(window);
+}
+
+std::size_t TableTextures::bytes() const
+{
+  return this->Values.bytes() + this->Integrals.bytes() + this->SquareIntegrals.bytes();
+}
+
+} // namespace tetmarch

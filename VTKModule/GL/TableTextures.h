@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The integral table on the GPU.
+#ifndef TetMarchGLTableTextures_h
+#define TetMarchGLTableTextures_h
+
+#include "GL/TextureBuffer.h"
+#include "Mesh/Scalars.h"
+#include "Optics/AccuracyLevel.h"
+#include "Optics/IntegralTable.h"
+#include "Scene/VariantKey.h"
+
+namespace tetmarch
+{
+
+class TableTextures
+{
+public:
+  /** Returns an empty string, or what is wrong. */
+  std::string upload(vtkOpenGLRenderWindow* window, const IntegralTable& table);
+  void bind(vtkShaderProgram* program, const IntegralTable& table, const ScalarRange& range,
+    const AccuracyLevel& level, const VariantKey& key);
+  void unbind();
+  void release(vtkWindow* window);
+  std::size_t bytes() const;
+
+private:
+  TextureBuffer Values;
+  TextureBuffer Integrals;
+  TextureBuffer SquareIntegrals;
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/TextureBuffer.h"
+
+#include "vtkOpenGLRenderUtilities.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+namespace tetmarch
+{
+namespace
+{
+
+struct FormatRow
+{
+  unsigned int InternalFormat;
+  unsigned int Format;
+  int Components;
+  int Type;
+};
+
+FormatRow rowOf(TexelFormat format)
+{
+  switch (format)
+  {
+    case TexelFormat::R32F:
+      return { GL_R32F, GL_RED, 1, VTK_FLOAT };
+    case TexelFormat::RGBA32F:
+      return { GL_RGBA32F, GL_RGBA, 4, VTK_FLOAT };
+    case TexelFormat::R32UI:
+      return { GL_R32UI, GL_RED_INTEGER, 1, VTK_UNSIGNED_INT };
+    case TexelFormat::RG32UI:
+      return { GL_RG32UI, GL_RG_INTEGER, 2, VTK_UNSIGNED_INT };
+    default:
+      return { GL_RGBA32UI, GL_RGBA_INTEGER, 4, VTK_UNSIGNED_INT };
+  }
+}
+
+// Forget errors that others left; a lost context reports one for ever.
+void clearErrors()
+{
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
+}
+
+} // namespace
+
+std::string TextureBuffer::upload(
+  vtkOpenGLRenderWindow* window, TexelFormat format, const void* data, std::size_t texels)
+{
+  const FormatRow row = rowOf(format);
+  const std::size_t words = texels * static_cast<std::size_t>(row.Components);
+  clearErrors();
+  // The texture refers to the storage of the buffer, which an upload may move: make it anew.
+  this->release(window);
+  const bool uploaded = this->Buffer->Upload(
+    static_cast<const std::uint32_t*>(data), words, vtkOpenGLBufferObject::TextureBuffer);
+  if (!uploaded || glGetError() != GL_NO_ERROR)
+  {
+    this->release(window);
+    return "The GPU has no room for a buffer of " + std::to_string(4 * words) + " bytes.";
+  }
+  this->Texture->SetContext(window);
+  this->Texture->SetInternalFormat(row.InternalFormat);
+  this->Texture->SetFormat(row.Format);
+  if (!this->Texture->CreateTextureBuffer(
+        static_cast<unsigned int>(texels), row.Components, row.Type, this->Buffer))
+  {
+    this->release(window);
+    return "A texture buffer of " + std::to_string(texels) + " texels could not be made.";
+  }
+  this->Bytes = 4 * words;
+  return {};
+}
+
+void TextureBuffer::bind(vtkShaderProgram* program, const char* sampler)
+{
+  this->Texture->Activate();
+  program->SetUniformi(sampler, this->Texture->GetTextureUnit());
+}
+
+void TextureBuffer::unbind() { this->Texture->Deactivate(); }
+
+void TextureBuffer::release(vtkWindow* window)
+{
+  this->Texture->ReleaseGraphicsResources(window);
+  this->Buffer->ReleaseGraphicsResources();
+  this->Bytes = 0;
+}
+
+std::size_t mostTexels()
+{
+  int most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  return static_cast<std::size_t>(most);
+}
+
+} // namespace tetmarch

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BoundaryHierarchy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace tetmarch
+{
+namespace
+{
+
+constexpr int MostFacesOfLeaf = 4;
+constexpr int Bins = 16;
+
+struct Box
+{
+  std::array<float, 3> Low, High;
+  Box()
+  {
+    this->Low.fill(std::numeric_limits<float>::max());
+    this->High.fill(std::numeric_limits<float>::lowest());
+  }
+  void add(const std::array<float, 3>& p)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Low[k] = std::min(this->Low[k], p[k]);
+      this->High[k] = std::max(this->High[k], p[k]);
+    }
+  }
+  void add(const Box& b)
+  {
+    this->add(b.Low);
+    this->add(b.High);
+  }
+  float halfArea() const
+  {
+    const float x = this->High[0] - this->Low[0];
+    const float y = this->High[1] - this->Low[1];
+    const float z = this->High[2] - this->Low[2];
+    return x < 0 ? 0 : x * y + y * z + z * x;
+  }
+};
+
+class Builder
+{
+public:
+  explicit Builder(TetMesh& mesh)
+    : Mesh(mesh)
+    , Boxes(mesh.BoundaryFaces.size())
+    , Order(mesh.BoundaryFaces.size())
+  {
+    std::iota(this->Order.begin(), this->Order.end(), Id(0));
+    for (std::size_t f = 0; f < this->Boxes.size(); ++f)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        const Vertex& v = mesh.Vertices[mesh.BoundaryFaces[f][i]];
+        this->Boxes[f].add({ { v.X, v.Y, v.Z } });
+      }
+    }
+  }
+
+  void build()
+  {
+    this->Mesh.Hierarchy.clear();
+    this->split(0, this->Order.size());
+    std::vector<std::array<Id, 4>> faces(this->Order.size());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      faces[i] = this->Mesh.BoundaryFaces[this->Order[i]];
+    }
+    this->Mesh.BoundaryFaces.swap(faces);
+  }
+
+private:
+  float center(Id face, int axis) const
+  {
+    return 0.5f * (this->Boxes[face].Low[axis] + this->Boxes[face].High[axis]);
+  }
+
+  // Write the node of a range of faces and its subtree. The depth is bounded: a cut that leaves more than
+  // 7/8 on one side is replaced by the median.
+  void split(std::size_t first, std::size_t last)
+  {
+    Box box, centers;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const Id f = this->Order[i];
+      box.add(this->Boxes[f]);
+      centers.add({ { this->center(f, 0), this->center(f, 1), this->center(f, 2) } });
+    }
+    const std::size_t node = this->Mesh.Hierarchy.size();
+    this->Mesh.Hierarchy.push_back(makeNode(box));
+    const std::size_t count = last - first;
+    if (count <= MostFacesOfLeaf)
+    {
+      this->Mesh.Hierarchy[node].FirstFace = static_cast<float>(first);
+      this->Mesh.Hierarchy[node].Next = static_cast<float>(count);
+      return;
+    }
+    int axis = 0;
+    for (int k = 1; k < 3; ++k)
+    {
+      axis = centers.High[k] - centers.Low[k] > centers.High[axis] - centers.Low[axis] ? k : axis;
+    }
+    std::size_t middle = this->cut(first, last, axis, centers.Low[axis], centers.High[axis]);
+    if (std::min(middle - first, last - middle) < count / 8 + 1)
+    {
+      middle = first + count / 2;
+      std::nth_element(this->Order.begin() + first, this->Order.begin() + middle,
+        this->Order.begin() + last, [this, axis](Id a, Id b) {
+          return std::make_pair(this->center(a, axis), a) < std::make_pair(this->center(b, axis), b);
+        });
+    }
+    this->split(first, middle);
+    this->split(middle, last);
+    this->Mesh.Hierarchy[node].Next = static_cast<float>(this->Mesh.Hierarchy.size());
+  }
+
+  // Partition at the bin border of least expected cost.
+  std::size_t cut(std::size_t first, std::size_t last, int axis, float low, float high)
+  {
+    const float scale = high > low ? static_cast<float>(Bins) / (high - low) : 0.0f;
+    const auto binOf = [&](Id f) {
+      return std::min(std::max(static_cast<int>((this->center(f, axis) - low) * scale), 0), Bins - 1);
+    };
+    std::array<Box, Bins> boxes;
+    std::array<int, Bins> counts{};
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const int bin = binOf(this->Order[i]);
+      boxes[bin].add(this->Boxes[this->Order[i]]);
+      ++counts[bin];
+    }
+    std::array<float, Bins> above{};
+    Box box;
+    int count = 0;
+    for (int b = Bins - 1; b > 0; --b)
+    {
+      box.add(boxes[b]);
+      count += counts[b];
+      above[b] = static_cast<float>(count) * box.halfArea();
+    }
+    box = Box();
+    count = 0;
+    int best = 1;
+    float least = std::numeric_limits<float>::max();
+    for (int b = 1; b < Bins; ++b)
+    {
+      box.add(boxes[b - 1]);
+      count += counts[b - 1];
+      const float cost = static_cast<float>(count) * box.halfArea() + above[b];
+      best = cost < least ? b : best;
+      least = std::min(least, cost);
+    }
+    const auto middle = std::partition(this->Order.begin() + first, this->Order.begin() + last,
+      [&](Id f) { return binOf(f) < best; });
+    return middle - this->Order.begin();
+  }
+
+  static HierarchyNode makeNode(const Box& box)
+  {
+    // The predicate projects vertices with a few 1e-7 of error, so boxes are a little larger than exact.
+    constexpr float Margin = 4e-6f;
+    HierarchyNode node;
+    for (int k = 0; k < 3; ++k)
+    {
+      node.Center[k] = 0.5f * (box.Low[k] + box.High[k]);
+      node.HalfSize[k] = 0.5f * (box.High[k] - box.Low[k]) + Margin;
+    }
+    node.Next = 0;
+    node.FirstFace = -1;
+    return node;
+  }
+
+  TetMesh& Mesh;
+  std::vector<Box> Boxes;
+  std::vector<Id> Order;
+};
+
+} // namespace
+
+void buildHierarchy(TetMesh& mesh)
+{
+  if (!mesh.BoundaryFaces.empty())
+  {
+    Builder(mesh).build();
+  }
+}
+
+} // namespace tetmarch

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// An unstructured grid of any 3D cells becomes tetrahedra.
+#ifndef TetMarchMeshDecomposition_h
+#define TetMarchMeshDecomposition_h
+
+#include "Progress.h"
+#include "TetMesh.h"
+
+#include <string>
+
+class vtkUnstructuredGrid;
+
+namespace tetmarch
+{
+
+/** Tetrahedra over points of the grid; ids from the number of points on are centres of cells. */
+struct Decomposition
+{
+  std::vector<std::array<Id, 4>> Tets; // points in the order of the cell, any orientation
+  std::vector<Id> Cells;               // one a tetrahedron
+  std::vector<Id> CenterCells;
+  std::vector<std::array<double, 3>> CenterPositions; // the mean of the cell's points
+  MeshReport Report;
+};
+
+/**
+ * Cut every 3D cell into tetrahedra, conformingly: a face with more than three corners is cut through its
+ * corner with the smallest point id, which the cell on the other side does likewise. The inside of a cell
+ * is cut from its own smallest point (pulling; Dompierre et al., "How to subdivide pyramids, prisms and
+ * hexahedra into tetrahedra", 1999), or, where that point doesn't see all faces (non-convex or strongly
+ * warped cells), from the mean of the cell's points, which becomes a vertex with the mean scalar.
+ *
+ * Returns an empty string, or what is wrong with the grid: which array, which cell, which value. True in
+ * `stopped` if progress asked to stop.
+ */
+std::string decompose(
+  vtkUnstructuredGrid* grid, const Progress& progress, Decomposition& result, bool& stopped);
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HalfFaceLinks.h"
+
+#include "Orientation.h"
+
+#include <algorithm>
+#include <mutex>
+#include <numeric>
+#include <utility>
+
+namespace tetmarch
+{
+namespace
+{
+
+constexpr Id Unlinked = 0xffffffffu;
+
+// A half-face by the vertices of its face that are not the smallest one.
+struct Owner
+{
+  std::uint64_t Key; // the middle vertex, then the largest
+  Id HalfFace;
+  bool operator<(const Owner& other) const
+  {
+    return std::make_pair(this->Key, this->HalfFace) < std::make_pair(other.Key, other.HalfFace);
+  }
+};
+
+std::uint64_t makeKey(Id middle, Id largest) { return std::uint64_t(middle) << 32 | largest; }
+
+// Tetrahedra are ordered by their smallest vertex: where those of each vertex begin.
+std::vector<Id> startsBySmallest(const TetMesh& mesh)
+{
+  std::vector<Id> starts(mesh.Vertices.size() + 1, 0);
+  for (const auto& tet : mesh.Tets)
+  {
+    ++starts[tet[0] + 1];
+  }
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  return starts;
+}
+
+// Tetrahedra by their second vertex, which is the smallest of their face 0.
+struct SecondVertexLists
+{
+  std::vector<Id> Starts;
+  std::vector<Id> Tets;
+};
+
+SecondVertexLists listBySecond(const TetMesh& mesh)
+{
+  SecondVertexLists lists;
+  lists.Starts.assign(mesh.Vertices.size() + 1, 0);
+  for (const auto& tet : mesh.Tets)
+  {
+    ++lists.Starts[tet[1] + 1];
+  }
+  std::partial_sum(lists.Starts.begin(), lists.Starts.end(), lists.Starts.begin());
+  lists.Tets.resize(mesh.Tets.size());
+  std::vector<Id> next(lists.Starts.begin(), lists.Starts.end() - 1);
+  for (Id t = 0; t < mesh.numberOfTets(); ++t)
+  {
+    lists.Tets[next[mesh.Tets[t][1]]++] = t;
+  }
+  return lists;
+}
+
+Id apexOf(const TetMesh& mesh, Id halfFace) { return mesh.Tets[halfFace / 4][halfFace % 4]; }
+
+// What was found while matching; each thread fills its own.
+struct Findings
+{
+  std::vector<Id> Duplicates;
+  std::vector<std::pair<Id, Id>> Boundary; // smallest vertex (for the order), half-face
+  vtkIdType NonManifoldFaces = 0;
+};
+
+class Matcher
+{
+public:
+  explicit Matcher(TetMesh& mesh)
+    : Mesh(mesh)
+    , Starts(startsBySmallest(mesh))
+    , Second(listBySecond(mesh))
+  {
+  }
+
+  bool match(const Progress& progress)
+  {
+    this->Mesh.Links.assign(4 * this->Mesh.Tets.size(), { Unlinked, Unlinked });
+    return parallelFor(static_cast<vtkIdType>(this->Mesh.Vertices.size()), progress,
+      [this](vtkIdType first, vtkIdType last) { this->matchRange(first, last); });
+  }
+
+  Findings Found;
+
+private:
+  void matchRange(vtkIdType first, vtkIdType last)
+  {
+    Findings found;
+    std::vector<Owner> owners;
+    for (vtkIdType v = first; v < last; ++v)
+    {
+      this->gather(static_cast<Id>(v), owners);
+      std::sort(owners.begin(), owners.end());
+      for (std::size_t i = 0; i < owners.size();)
+      {
+        std::size_t end = i + 1;
+        while (end < owners.size() && owners[end].Key == owners[i].Key)
+        {
+          ++end;
+        }
+        this->matchFace(static_cast<Id>(v), &owners[i], end - i, found);
+        i = end;
+      }
+    }
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Found.Duplicates.insert(
+      this->Found.Duplicates.end(), found.Duplicates.begin(), found.Duplicates.end());
+    this->Found.Boundary.insert(this->Found.Boundary.end(), found.Boundary.begin(), found.Boundary.end());
+    this->Found.NonManifoldFaces += found.NonManifoldFaces;
+  }
+
+  // The half-faces whose smallest vertex is v.
+  void gather(Id v, std::vector<Owner>& owners) const
+  {
+    owners.clear();
+    for (Id t = this->Starts[v]; t < this->Starts[v + 1]; ++t)
+    {
+      const auto& tet = this->Mesh.Tets[t];
+      owners.push_back({ makeKey(tet[2], tet[3]), 4 * t + 1 });
+      owners.push_back({ makeKey(tet[1], tet[3]), 4 * t + 2 });
+      owners.push_back({ makeKey(tet[1], tet[2]), 4 * t + 3 });
+    }
+    for (Id i = this->Second.Starts[v]; i < this->Second.Starts[v + 1]; ++i)
+    {
+      const auto& tet = this->Mesh.Tets[this->Second.Tets[i]];
+      owners.push_back({ makeKey(tet[2], tet[3]), 4 * this->Second.Tets[i] });
+    }
+  }
+
+  void matchFace(Id smallest, const Owner* owners, std::size_t count, Findings& found)
+  {
+    std::size_t partner = count == 2 ? 1 : 0;
+    if (count > 1 && this->findDuplicates(owners, count, found))
+    {
+      return; // matching starts anew without them
+    }
+    if (count > 2)
+    {
+      ++found.NonManifoldFaces;
+      const int side = inwardSide(this->Mesh, owners[0].HalfFace);
+      for (std::size_t i = count - 1; i > 0; --i)
+      {
+        partner = inwardSide(this->Mesh, owners[i].HalfFace) == -side ? i : partner;
+      }
+    }
+    if (partner != 0)
+    {
+      this->link(owners[0].HalfFace, owners[partner].HalfFace);
+      this->link(owners[partner].HalfFace, owners[0].HalfFace);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (partner == 0 || (i != 0 && i != partner))
+      {
+        found.Boundary.emplace_back(smallest, owners[i].HalfFace);
+      }
+    }
+  }
+
+  // Owners of one face with the same apex are the same tetrahedron.
+  bool findDuplicates(const Owner* owners, std::size_t count, Findings& found) const
+  {
+    bool any = false;
+    for (std::size_t i = 1; i < count; ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        if (apexOf(this->Mesh, owners[i].HalfFace) == apexOf(this->Mesh, owners[j].HalfFace))
+        {
+          found.Duplicates.push_back(owners[i].HalfFace / 4);
+          any = true;
+          break;
+        }
+      }
+    }
+    return any;
+  }
+
+  void link(Id from, Id to) { this->Mesh.Links[from] = { to / 4, apexOf(this->Mesh, to) }; }
+
+  TetMesh& Mesh;
+  std::vector<Id> Starts;
+  SecondVertexLists Second;
+  std::mutex Mutex;
+};
+
+void dropTets(std::vector<Id>& dropped, TetMesh& mesh)
+{
+  std::sort(dropped.begin(), dropped.end());
+  dropped.erase(std::unique(dropped.begin(), dropped.end()), dropped.end());
+  mesh.Report.DuplicateTetrahedra += static_cast<vtkIdType>(dropped.size());
+  std::size_t next = 0;
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.Tets.size(); ++t)
+  {
+    if (next < dropped.size() && dropped[next] == t)
+    {
+      ++next;
+      continue;
+    }
+    mesh.Tets[kept] = mesh.Tets[t];
+    mesh.TetCells[kept] = mesh.TetCells[t];
+    ++kept;
+  }
+  mesh.Tets.resize(kept);
+  mesh.TetCells.resize(kept);
+}
+
+} // namespace
+
+bool linkHalfFaces(const Progress& progress, TetMesh& mesh)
+{
+  Findings found;
+  for (;;)
+  {
+    Matcher matcher(mesh);
+    if (!matcher.match(progress))
+    {
+      return false;
+    }
+    found = std::move(matcher.Found);
+    if (found.Duplicates.empty())
+    {
+      break;
+    }
+    dropTets(found.Duplicates, mesh);
+  }
+  mesh.Report.NonManifoldFaces = found.NonManifoldFaces;
+
+  std::sort(found.Boundary.begin(), found.Boundary.end());
+  mesh.BoundaryFaces.clear();
+  mesh.BoundaryFaces.reserve(found.Boundary.size());
+  for (const auto& face : found.Boundary)
+  {
+    mesh.BoundaryFaces.push_back(outwardFace(mesh, face.second));
+  }
+  return true;
+}
+
+void linkBoundary(TetMesh& mesh)
+{
+  mesh.Links.resize(4 * mesh.Tets.size() + mesh.BoundaryFaces.size());
+  for (std::size_t b = 0; b < mesh.BoundaryFaces.size(); ++b)
+  {
+    const auto& face = mesh.BoundaryFaces[b];
+    const auto& tet = mesh.Tets[face[3]];
+    int i = 0;
+    while (tet[i] == face[0] || tet[i] == face[1] || tet[i] == face[2])
+    {
+      ++i;
+    }
+    mesh.Links[4 * std::size_t(face[3]) + i] = { LinkOutside + static_cast<Id>(b), 0 };
+    mesh.Links[4 * mesh.Tets.size() + b] = { face[3], tet[i] };
+  }
+}
+
+} // namespace tetmarch

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Long work reports how far it is, and can be asked to stop.
+#ifndef TetMarchMeshProgress_h
+#define TetMarchMeshProgress_h
+
+#include "vtkSMPTools.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace tetmarch
+{
+
+/** Called from the main thread with the share that is done, 0..1; false asks to stop. */
+using Progress = std::function<bool(double)>;
+
+/** Part of a longer work: the share runs from `begin` to `end`. */
+inline Progress subProgress(const Progress& whole, double begin, double end)
+{
+  return [=](double share) { return !whole || whole(begin + (end - begin) * share); };
+}
+
+/** f(first, last) in parallel over 0..count in portions, with progress between them; false if stopped. */
+template <typename Functor>
+bool parallelFor(vtkIdType count, const Progress& progress, Functor&& f)
+{
+  const vtkIdType portion = std::max<vtkIdType>(count / 8 + 1, 1 << 16);
+  for (vtkIdType first = 0; first < count; first += portion)
+  {
+    const vtkIdType last = std::min(first + portion, count);
+    vtkSMPTools::For(first, last, std::max<vtkIdType>((last - first) / 64, 1024), f);
+    if (progress && !progress(static_cast<double>(last) / static_cast<double>(count)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace tetmarch
+
+#endif

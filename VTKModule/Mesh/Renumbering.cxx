@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Renumbering.h"
+
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace tetmarch
+{
+namespace
+{
+
+using Position = std::array<double, 3>;
+
+// Every second and third bit left free: the 21 bits of one coordinate of a Morton code.
+std::uint64_t spread(std::uint64_t x)
+{
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffffULL;
+  x = (x | x << 16) & 0x1f0000ff0000ffULL;
+  x = (x | x << 8) & 0x100f00f00f00f00fULL;
+  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
+  x = (x | x << 2) & 0x1249249249249249ULL;
+  return x;
+}
+
+std::uint64_t mortonCode(const Vertex& v)
+{
+  const auto cell = [](float x) {
+    return static_cast<std::uint64_t>(std::min(std::max((x + 1.0f) * 0.5f, 0.0f), 1.0f) * 2097151.0f);
+  };
+  return spread(cell(v.X)) | spread(cell(v.Y)) << 1 | spread(cell(v.Z)) << 2;
+}
+
+// Order of the keys by radix sort, stable; 11 bits a pass.
+std::vector<Id> sortedOrder(const std::vector<std::uint64_t>& keys)
+{
+  std::vector<Id> order(keys.size());
+  std::vector<Id> next(keys.size());
+  std::iota(order.begin(), order.end(), Id(0));
+  for (int shift = 0; shift < 63; shift += 11)
+  {
+    std::vector<std::size_t> starts(2049, 0);
+    for (std::uint64_t key : keys)
+    {
+      ++starts[(key >> shift & 2047) + 1];
+    }
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    for (Id i : order)
+    {
+      next[starts[keys[i] >> shift & 2047]++] = i;
+    }
+    order.swap(next);
+  }
+  return order;
+}
+
+// Points that tetrahedra use, ascending, and the position of each in that list.
+struct UsedPoints
+{
+  std::vector<Id> Points;
+  std::vector<Id> Index;
+};
+
+UsedPoints findUsedPoints(const Decomposition& tets, std::size_t count)
+{
+  UsedPoints used;
+  used.Index.assign(count, 0);
+  for (const auto& tet : tets.Tets)
+  {
+    for (Id id : tet)
+    {
+      used.Index[id] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (used.Index[i])
+    {
+      used.Index[i] = static_cast<Id>(used.Points.size());
+      used.Points.push_back(static_cast<Id>(i));
+    }
+  }
+  return used;
+}
+
+std::string findFrame(const std::vector<Position>& positions, const std::vector<Id>& points, TetMesh& mesh)
+{
+  if (positions.empty())
+  {
+    return {};
+  }
+  Position low, high;
+  low.fill(std::numeric_limits<double>::max());
+  high.fill(std::numeric_limits<double>::lowest());
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (!std::isfinite(positions[i][k]))
+      {
+        return "Coordinate " + std::to_string(k) + " of point " + std::to_string(points[i]) +
+          " is not a finite number. Repair the grid's points.";
+      }
+      low[k] = std::min(low[k], positions[i][k]);
+      high[k] = std::max(high[k], positions[i][k]);
+    }
+  }
+  double square = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    mesh.Center[k] = 0.5 * low[k] + 0.5 * high[k];
+    const double half = 0.5 * high[k] - 0.5 * low[k];
+    square += half * half;
+  }
+  const double radius = std::sqrt(square);
+  if (!std::isfinite(radius) || (radius == 0 && high != low))
+  {
+    return "The extent of the grid is beyond the range of double precision. Scale its points.";
+  }
+  mesh.Radius = radius > 0 ? radius : 1;
+  for (int k = 0; k < 3; ++k)
+  {
+    mesh.HalfExtent[k] = (0.5 * high[k] - 0.5 * low[k]) / mesh.Radius;
+  }
+  return {};
+}
+
+// Tetrahedra with ascending vertices, ordered by the first; those with a repeated vertex are left out.
+bool orderTets(const Decomposition& from, const UsedPoints& used, const std::vector<Id>& rank,
+  const Progress& progress, TetMesh& mesh)
+{
+  std::vector<std::array<Id, 4>> tets(from.Tets.size());
+  const bool finished = parallelFor(
+    static_cast<vtkIdType>(tets.size()), progress, [&](vtkIdType first, vtkIdType last) {
+      for (vtkIdType t = first; t < last; ++t)
+      {
+        auto& tet = tets[t];
+        for (int i = 0; i < 4; ++i)
+        {
+          tet[i] = rank[used.Index[from.Tets[t][i]]];
+        }
+        std::sort(tet.begin(), tet.end());
+      }
+    });
+  if (!finished)
+  {
+    return false;
+  }
+  const auto isDegenerate = [](const std::array<Id, 4>& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[3];
+  };
+  std::vector<Id> starts(mesh.Vertices.size() + 1, 0);
+  for (const auto& tet : tets)
+  {
+    if (isDegenerate(tet))
+    {
+      ++mesh.Report.DegenerateTetrahedra;
+    }
+    else
+    {
+      ++starts[tet[0] + 1];
+    }
+  }
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  mesh.Tets.resize(starts.back());
+  mesh.TetCells.resize(starts.back());
+  for (std::size_t t = 0; t < tets.size(); ++t)
+  {
+    if (!isDegenerate(tets[t]))
+    {
+      const Id at = starts[tets[t][0]]++;
+      mesh.Tets[at] = tets[t];
+      mesh.TetCells[at] = from.Cells[t];
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+std::string renumber(
+  vtkPoints* points, Decomposition&& tets, const Progress& progress, TetMesh& mesh, bool& stopped)
+{
+  const std::size_t pointCount = points ? points->GetNumberOfPoints() : 0;
+  mesh.NumberOfPoints = static_cast<vtkIdType>(pointCount);
+  mesh.CenterCells = tets.CenterCells;
+  mesh.Report = tets.Report;
+
+  const UsedPoints used = findUsedPoints(tets, pointCount + tets.CenterCells.size());
+  const std::size_t vertexCount = used.Points.size();
+  std::vector<Position> positions(vertexCount);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(vertexCount), [&](vtkIdType first, vtkIdType last) {
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      const Id p = used.Points[i];
+      if (p < pointCount)
+      {
+        points->GetPoint(p, positions[i].data());
+      }
+      else
+      {
+        positions[i] = tets.CenterPositions[p - pointCount];
+      }
+    }
+  });
+  const std::string wrong = findFrame(positions, used.Points, mesh);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+
+  std::vector<Vertex> vertices(vertexCount);
+  std::vector<std::uint64_t> codes(vertexCount);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(vertexCount), [&](vtkIdType first, vtkIdType last) {
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      std::array<float, 3> p;
+      for (int k = 0; k < 3; ++k)
+      {
+        p[k] = static_cast<float>((positions[i][k] - mesh.Center[k]) / mesh.Radius);
+      }
+      vertices[i] = { p[0], p[1], p[2], 0.0f };
+      codes[i] = mortonCode(vertices[i]);
+    }
+  });
+  const std::vector<Id> order = sortedOrder(codes);
+  std::vector<Id> rank(vertexCount);
+  mesh.Vertices.resize(vertexCount);
+  mesh.VertexPoints.resize(vertexCount);
+  for (std::size_t i = 0; i < vertexCount; ++i)
+  {
+    rank[order[i]] = static_cast<Id>(i);
+    mesh.Vertices[i] = vertices[order[i]];
+    mesh.VertexPoints[i] = used.Points[order[i]];
+  }
+  stopped = !orderTets(tets, used, rank, progress, mesh);
+  return {};
+}
+
+} // namespace tetmarch

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A data array becomes the scalars of vertices or tetrahedra.
+#ifndef TetMarchMeshScalars_h
+#define TetMarchMeshScalars_h
+
+#include "TetMesh.h"
+
+class vtkDataArray;
+class vtkUnstructuredGrid;
+
+namespace tetmarch
+{
+
+/** The finite values that stored scalars 0 and 1 stand for; equal if there is one value or none. */
+struct ScalarRange
+{
+  double Low = 0;
+  double High = 0;
+  /** What a stored scalar of 1 lies above one of 0: never 0. */
+  double width() const { return this->High > this->Low ? this->High - this->Low : 1; }
+};
+
+/**
+ * Fill Vertex::Scalar of the mesh from the first component of a point array (one tuple a point of the grid
+ * that the mesh was built from). Values are brought to 0..1 in double precision before rounding to float;
+ * what is not finite becomes UndrawnScalar.
+ */
+ScalarRange setPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, TetMesh& mesh);
+
+/** One scalar a tetrahedron from the first component of a cell array, likewise. */
+ScalarRange makeCellScalars(vtkDataArray* array, const TetMesh& mesh, std::vector<float>& scalars);
+
+} // namespace tetmarch
+
+#endif

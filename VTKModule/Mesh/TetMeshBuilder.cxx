@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TetMeshBuilder.h"
+
+#include "BoundaryHierarchy.h"
+#include "Convexity.h"
+#include "Decomposition.h"
+#include "HalfFaceLinks.h"
+#include "Renumbering.h"
+
+#include "vtkUnstructuredGrid.h"
+
+namespace tetmarch
+{
+
+BuildStatus buildTetMesh(
+  vtkUnstructuredGrid* grid, const Progress& progress, TetMesh& mesh, std::string& error)
+{
+  mesh = {};
+  Decomposition tets;
+  bool stopped = false;
+  error = decompose(grid, subProgress(progress, 0, 0.2), tets, stopped);
+  if (error.empty() && !stopped)
+  {
+    error = renumber(
+      grid->GetPoints(), std::move(tets), subProgress(progress, 0.2, 0.5), mesh, stopped);
+  }
+  if (!error.empty())
+  {
+    return BuildStatus::Failed;
+  }
+  if (stopped || !linkHalfFaces(subProgress(progress, 0.5, 0.95), mesh))
+  {
+    return BuildStatus::Stopped;
+  }
+  if (mesh.BoundaryFaces.size() > MostHierarchyFaces)
+  {
+    error = "The mesh has " + std::to_string(mesh.BoundaryFaces.size()) + " boundary faces; at most " +
+      std::to_string(MostHierarchyFaces) +
+      " can be rendered. Are neighbouring cells joined by common points (vtkStaticCleanUnstructuredGrid)?";
+    return BuildStatus::Failed;
+  }
+  if (!isConvex(mesh))
+  {
+    buildHierarchy(mesh);
+  }
+  linkBoundary(mesh);
+  return progress && !progress(1.0) ? BuildStatus::Stopped : BuildStatus::Done;
+}
+
+void ensureHierarchy(TetMesh& mesh)
+{
+  if (mesh.Hierarchy.empty())
+  {
+    buildHierarchy(mesh);
+    linkBoundary(mesh);
+  }
+}
+
+} // namespace tetmarch

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole way from a grid to the mesh that is marched.
+#ifndef TetMarchMeshTetMeshBuilder_h
+#define TetMarchMeshTetMeshBuilder_h
+
+#include "Progress.h"
+#include "TetMesh.h"
+
+#include <string>
+
+class vtkUnstructuredGrid;
+
+namespace tetmarch
+{
+
+enum class BuildStatus { Done, Stopped, Failed };
+
+/**
+ * Decompose, renumber, link, find the boundary and, unless the mesh is convex, build its hierarchy. Scalars
+ * are left 0. On failure `error` says what is wrong and what to do; the mesh is then unspecified.
+ */
+BuildStatus buildTetMesh(
+  vtkUnstructuredGrid* grid, const Progress& progress, TetMesh& mesh, std::string& error);
+
+/** Build the hierarchy of a convex mesh as well, for entries where there is no rasteriser. */
+void ensureHierarchy(TetMesh& mesh);
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The transfer functions and their integrals, as the march looks them up (see Shaders/integral_table.glsl).
+#ifndef TetMarchOpticsIntegralTable_h
+#define TetMarchOpticsIntegralTable_h
+
+#include "TransferFunctions.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace tetmarch
+{
+
+struct IntegralTable
+{
+  std::vector<std::array<float, 4>> Values;            // r, g, b, extinction at each entry
+  std::vector<std::array<std::uint32_t, 4>> Integrals; // of C tau and tau up to each entry
+  std::vector<std::uint32_t> SquareIntegrals;          // of |C|^2 tau
+  std::array<double, 4> IntegralUnit{};                // what 1 in Integrals stands for, in bins
+  double SquareUnit = 0;
+  double Begin = 0; // scalars of the first and last sample, which are entries 2 and n - 3
+  double End = 1;
+
+  int size() const { return static_cast<int>(this->Values.size()); }
+
+  /** Position in the table, in entries, of a scalar s = 0..1 between low and low + width: scale s + offset. */
+  double scale(double width) const;
+  double offset(double low) const;
+};
+
+/** A table of four entries more than samples; the first and the last bin hold what lies below and above the samples. */
+IntegralTable makeIntegralTable(const SampledFunctions& functions);
+
+/** How many samples a table of so many entries takes. */
+constexpr int samplesOfTable(int entries) { return entries - 4; }
+
+} // namespace tetmarch
+
+#endif

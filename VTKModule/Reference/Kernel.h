@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The march of the shaders, compiled for the CPU: in float it is the arithmetic of the GPU, in double the
+// yardstick. Both are made of the very files that the GPU compiles.
+#ifndef TetMarchReferenceKernel_h
+#define TetMarchReferenceKernel_h
+
+#include "GlslLanguage.h"
+#include "Mesh/TetMesh.h"
+#include "Optics/IntegralTable.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace tetmarch
+{
+
+/** Bounds that keep products of projected coordinates in the range of normal numbers. */
+template <typename Real>
+struct NumberRange;
+template <>
+struct NumberRange<float>
+{
+  static float projectionScale() { return 65536.0f; }
+  static float projectionFlush() { return 9.094947e-13f; } // 2^-40
+};
+template <>
+struct NumberRange<double>
+{
+  static double projectionScale() { return 1.0; }
+  static double projectionFlush() { return 1e-120; }
+};
+
+using namespace glsl;
+
+#define TETMARCH_HAS_FMA 1
+#define TETMARCH_BVH 1
+#define TETMARCH_DIAGNOSTICS 1
+
+#define TETMARCH_POINT_SCALARS 1
+template <typename Real>
+struct PointKernel
+{
+#include "KernelBody.h"
+};
+#undef TETMARCH_POINT_SCALARS
+
+#define TETMARCH_POINT_SCALARS 0
+template <typename Real>
+struct CellKernel
+{
+#include "KernelBody.h"
+};
+#undef TETMARCH_POINT_SCALARS
+
+#undef TETMARCH_HAS_FMA
+#define TETMARCH_HAS_FMA 0
+#define TETMARCH_POINT_SCALARS 1
+/** With the predicate for GLSL 1.50 without fused multiply-add; meant for float. */
+template <typename Real>
+struct PortablePointKernel
+{
+#include "KernelBody.h"
+};
+#undef TETMARCH_POINT_SCALARS
+
+#undef TETMARCH_HAS_FMA
+#undef TETMARCH_BVH
+#undef TETMARCH_DIAGNOSTICS
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Included in a class template over Real: the shared files of Shaders/ as member functions, and what the GPU
+// has as uniforms and texture buffers as data members. No include guard: each variant includes it anew.
+
+using uint = std::uint32_t;
+using vec2 = glsl::Vec2<Real>;
+using vec3 = glsl::Vec3<Real>;
+using vec4 = glsl::Vec4<Real>;
+using uvec2 = glsl::Vec2<uint>;
+using uvec3 = glsl::Vec3<uint>;
+using uvec4 = glsl::Vec4<uint>;
+
+const TetMesh* Mesh = nullptr;
+const float* CellScalars = nullptr;
+const IntegralTable* Table = nullptr;
+
+uint tetCount = 0;
+int bvhNodeCount = 0;
+int mostCells = 0;
+int tableSize = 0;
+Real tableScale = 0;
+Real tableOffset = 0;
+vec4 tableIntegralUnit{ 0, 0, 0, 0 };
+Real tableSquareUnit = 0;
+Real integrationTolerance = 0;
+Real leastTransmittance = 0;
+
+vec4 fetchVertex(uint i) const
+{
+  const Vertex& v = Mesh->Vertices[i];
+  return vec4(Real(v.X), Real(v.Y), Real(v.Z), Real(v.Scalar));
+}
+uvec2 fetchLink(uint halfFace) const
+{
+  const Link& link = Mesh->Links[halfFace];
+  return uvec2(link.Tet, link.Apex);
+}
+uvec3 fetchBoundaryFace(uint face) const
+{
+  const auto& f = Mesh->BoundaryFaces[face];
+  return uvec3(f[0], f[1], f[2]);
+}
+vec4 fetchBvhNode(int i) const
+{
+  const HierarchyNode& n = Mesh->Hierarchy[i / 2];
+  const auto& v = i % 2 ? n.HalfSize : n.Center;
+  return vec4(Real(v[0]), Real(v[1]), Real(v[2]), Real(i % 2 ? n.FirstFace : n.Next));
+}
+Real fetchCellScalar(uint tet) const { return Real(CellScalars[tet]); }
+vec4 fetchTableValue(int i) const
+{
+  const auto& v = Table->Values[i];
+  return vec4(Real(v[0]), Real(v[1]), Real(v[2]), Real(v[3]));
+}
+uvec4 fetchTableIntegral(int i) const
+{
+  const auto& v = Table->Integrals[i];
+  return uvec4(v[0], v[1], v[2], v[3]);
+}
+uint fetchTableSquareIntegral(int i) const { return Table->SquareIntegrals[i]; }
+
+#define real Real
+#define OUT(T) T&
+#define INOUT(T) T&
+#define CONSTANT static constexpr
+#define precise
+#define PROJECTION_SCALE NumberRange<Real>::projectionScale()
+#define PROJECTION_FLUSH NumberRange<Real>::projectionFlush()
+#define NO_DEPTH Real(3e38)
+#define TINY Real(1e-30)
+#define UNDRAWN_SCALAR Real(UndrawnScalar)
+#define LINK_OUTSIDE LinkOutside
+
+#include "edge_sign.glsl"
+
+#include "ray.glsl"
+
+#include "crossing.glsl"
+
+#include "boundary.glsl"
+
+#include "integral_table.glsl"
+
+#include "radiance.glsl"
+
+#if TETMARCH_POINT_SCALARS
+#include "segment_adaptive.glsl"
+#else
+#include "segment_constant.glsl"
+#endif
+
+#include "march.glsl"
+
+#include "ray_cast.glsl"
+
+#undef real
+#undef OUT
+#undef INOUT
+#undef CONSTANT
+#undef precise
+#undef PROJECTION_SCALE
+#undef PROJECTION_FLUSH
+#undef NO_DEPTH
+#undef TINY
+#undef UNDRAWN_SCALAR
+#undef LINK_OUTSIDE

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReferenceImage.h"
+
+#include "Kernel.h"
+
+#include "vtkSMPTools.h"
+
+#include <limits>
+#include <mutex>
+
+namespace tetmarch
+{
+namespace
+{
+
+template <typename Kernel, typename Real>
+Kernel makeKernel(const ReferenceScene& scene, const AccuracyLevel& level)
+{
+  Kernel kernel;
+  kernel.Mesh = scene.Mesh;
+  kernel.CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
+  kernel.Table = scene.Table;
+  kernel.tetCount = scene.Mesh->numberOfTets();
+  kernel.bvhNodeCount = static_cast<int>(scene.Mesh->Hierarchy.size());
+  kernel.mostCells = std::numeric_limits<int>::max();
+  kernel.tableSize = scene.Table->size();
+  kernel.tableScale = Real(scene.Table->scale(scene.Range.width()));
+  kernel.tableOffset = Real(scene.Table->offset(scene.Range.Low));
+  const auto& unit = scene.Table->IntegralUnit;
+  kernel.tableIntegralUnit = { Real(unit[0]), Real(unit[1]), Real(unit[2]), Real(unit[3]) };
+  kernel.tableSquareUnit = Real(scene.Table->SquareUnit);
+  kernel.integrationTolerance = Real(level.IntegrationTolerance);
+  kernel.leastTransmittance = Real(level.LeastTransmittance);
+  return kernel;
+}
+
+template <typename Real>
+glsl::Vec3<Real> toVec(const std::array<double, 3>& v)
+{
+  return { Real(v[0]), Real(v[1]), Real(v[2]) };
+}
+
+// Length of a unit direction of the normalised frame, in scalar opacity unit distances.
+template <typename Real>
+Real opticalLength(const View& view, glsl::Vec3<Real> direction)
+{
+  Real square = 0;
+  for (int r = 0; r < 3; ++r)
+  {
+    const Real x = Real(view.LengthMatrix[3 * r]) * direction.x +
+      Real(view.LengthMatrix[3 * r + 1]) * direction.y + Real(view.LengthMatrix[3 * r + 2]) * direction.z;
+    square += x * x;
+  }
+  return std::sqrt(square);
+}
+
+template <typename Kernel, typename Real>
+class ImageMaker
+{
+public:
+  ImageMaker(const ReferenceScene& scene, const AccuracyLevel& level)
+    : Scene(scene)
+    , March(makeKernel<Kernel, Real>(scene, level))
+  {
+    this->Image.Pixels.assign(4 * std::size_t(scene.Width) * scene.Height, 0.0f);
+  }
+
+  ReferenceImage make()
+  {
+    vtkSMPTools::For(0, this->Scene.Height, 1, [this](vtkIdType first, vtkIdType last) {
+      Kernel kernel = this->March;
+      MarchCounters counters;
+      for (vtkIdType row = first; row < last; ++row)
+      {
+        for (int column = 0; column < this->Scene.Width; ++column)
+        {
+          this->castPixel(kernel, column, static_cast<int>(row), counters);
+        }
+      }
+      this->add(counters);
+    });
+    return std::move(this->Image);
+  }
+
+private:
+  void castPixel(Kernel& kernel, int column, int row, MarchCounters& counters)
+  {
+    const View& view = this->Scene.Camera;
+    const std::size_t pixel = std::size_t(row) * this->Scene.Width + column;
+    const double x = (column + 0.5) / this->Scene.Width * 2 - 1;
+    const double y = (row + 0.5) / this->Scene.Height * 2 - 1;
+    const double depth = this->Scene.WindowDepths ? double(this->Scene.WindowDepths[pixel]) : 1.0;
+    const auto nearest = toVec<double>(view.unproject(x, y, -1));
+    const auto farthest = toVec<double>(view.unproject(x, y, 2 * depth - 1));
+    const glsl::Vec3<double> eye{ view.Eye[0], view.Eye[1], view.Eye[2] };
+    const auto away = glsl::normalize(nearest * view.Eye[3] - eye);
+    // Of the points of the line the one nearest the centre rounds best.
+    const auto near0 = nearest - away * glsl::dot(nearest, away);
+    const auto ray = kernel.rayThrough({ Real(near0.x), Real(near0.y), Real(near0.z) },
+      { Real(away.x), Real(away.y), Real(away.z) });
+    const auto march = kernel.castRay(ray, -1, opticalLength<Real>(view, ray.direction),
+      Real(glsl::dot(nearest, away)), Real(glsl::dot(farthest, away)));
+
+    float* rgba = &this->Image.Pixels[4 * pixel];
+    rgba[0] = float(march.radiance.color.x);
+    rgba[1] = float(march.radiance.color.y);
+    rgba[2] = float(march.radiance.color.z);
+    rgba[3] = float(Real(1) - march.radiance.transmittance);
+    counters += { march.cells > 0 ? 1 : 0, march.cells, march.evaluations, march.refused, march.lost,
+      march.guarded };
+  }
+
+  void add(const MarchCounters& counters)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Image.Counters += counters;
+  }
+
+  const ReferenceScene& Scene;
+  const Kernel March;
+  ReferenceImage Image;
+  std::mutex Mutex;
+};
+
+} // namespace
+
+template <typename Real>
+ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel& level)
+{
+  if (scene.CellScalars)
+  {
+    return ImageMaker<CellKernel<Real>, Real>(scene, level).make();
+  }
+  return ImageMaker<PointKernel<Real>, Real>(scene, level).make();
+}
+
+template ReferenceImage renderReference<float>(const ReferenceScene&, const AccuracyLevel&);
+template ReferenceImage renderReference<double>(const ReferenceScene&, const AccuracyLevel&);
+
+} // namespace tetmarch

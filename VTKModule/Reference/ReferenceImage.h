@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole images on the CPU, by the march of the shaders.
+#ifndef TetMarchReferenceReferenceImage_h
+#define TetMarchReferenceReferenceImage_h
+
+#include "Mesh/Scalars.h"
+#include "Mesh/TetMesh.h"
+#include "Optics/AccuracyLevel.h"
+#include "Optics/IntegralTable.h"
+#include "Reference/MarchCounters.h"
+#include "Scene/View.h"
+
+#include <vector>
+
+namespace tetmarch
+{
+
+/** What a picture is made of. The mesh needs its hierarchy (ensureHierarchy). */
+struct ReferenceScene
+{
+  const TetMesh* Mesh = nullptr;
+  const std::vector<float>* CellScalars = nullptr; // one a tetrahedron, or nullptr: those of the vertices
+  ScalarRange Range;
+  const IntegralTable* Table = nullptr;
+  View Camera;
+  int Width = 0;  // of the viewport, in pixels
+  int Height = 0;
+  const float* WindowDepths = nullptr; // 0..1, one a pixel, of opaque geometry; nullptr: none
+};
+
+struct ReferenceImage
+{
+  std::vector<float> Pixels; // premultiplied r, g, b, alpha in 0..1; rows from the bottom
+  MarchCounters Counters;
+};
+
+/** In parallel; Real is float (the GPU's arithmetic) or double. */
+template <typename Real>
+ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel& level);
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "View.h"
+
+#include "Mesh/TetMesh.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+// The bounding box of the mesh in the normalised frame lies within -1..1; on which sides of a clip plane?
+void classify(const TetMesh& mesh, View& view)
+{
+  const auto& high = mesh.HalfExtent;
+  const auto& m = view.NormalizedToClip;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double p[4] = { corner & 1 ? high[0] : -high[0], corner & 2 ? high[1] : -high[1],
+      corner & 4 ? high[2] : -high[2], 1 };
+    double z = 0, w = 0;
+    for (int k = 0; k < 4; ++k)
+    {
+      z += m[8 + k] * p[k];
+      w += m[12 + k] * p[k];
+    }
+    view.CutsNearPlane = view.CutsNearPlane || z <= -w;
+    view.CutsFarPlane = view.CutsFarPlane || z >= w;
+  }
+}
+
+} // namespace
+
+std::array<double, 3> View::unproject(double x, double y, double z) const
+{
+  const double p[4] = { x, y, z, 1 };
+  std::array<double, 4> q{};
+  for (int r = 0; r < 4; ++r)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      q[r] += this->ClipToNormalized[4 * r + c] * p[c];
+    }
+  }
+  return { { q[0] / q[3], q[1] / q[3], q[2] / q[3] } };
+}
+
+bool makeView(vtkRenderer* renderer, vtkVolume* volume, const TetMesh& mesh, double unitDistance, View& view)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  vtkNew<vtkMatrix4x4> normalized; // normalised -> data
+  for (int k = 0; k < 3; ++k)
+  {
+    normalized->SetElement(k, k, mesh.Radius);
+    normalized->SetElement(k, 3, mesh.Center[k]);
+  }
+  vtkNew<vtkMatrix4x4> toWorld, toView, toClip, inverse, eyeInverse;
+  vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), normalized, toWorld);
+  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix(), toWorld, toView);
+  vtkMatrix4x4::Multiply4x4(
+    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1), toView, toClip);
+  vtkMatrix4x4::Invert(toClip, inverse);
+  vtkMatrix4x4::Invert(toView, eyeInverse);
+
+  view = {};
+  bool usable = true;
+  for (int r = 0; r < 4; ++r)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      view.NormalizedToClip[4 * r + c] = toClip->GetElement(r, c);
+      view.ClipToNormalized[4 * r + c] = inverse->GetElement(r, c);
+      usable = usable && std::isfinite(toClip->GetElement(r, c)) && std::isfinite(inverse->GetElement(r, c));
+    }
+  }
+  for (int r = 0; r < 3; ++r)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      view.LengthMatrix[3 * r + c] = toWorld->GetElement(r, c) / unitDistance;
+    }
+  }
+  // The eye is the origin of view coordinates, or, for parallel projection, infinitely far along +z.
+  const int column = camera->GetParallelProjection() ? 2 : 3;
+  for (int r = 0; r < 4; ++r)
+  {
+    view.Eye[r] = eyeInverse->GetElement(r, column);
+  }
+  view.Mirrored = toView->Determinant() < 0;
+  classify(mesh, view);
+  return usable && toView->Determinant() != 0 && toClip->Determinant() != 0;
+}
+
+} // namespace tetmarch
