@@ -96,6 +96,18 @@ class RenderTest(unittest.TestCase):
         self.expect_failure(1, "TETMARCH_GL is 'glide'; it must be egl, osmesa or unset", "cube.vtu",
                             TETMARCH_GL="glide")
 
+    def test_egl_device_by_number(self):
+        """A device that is not there is an error, or with TETMARCH_GL unset the reason to take OSMesa."""
+        environment = {"VTK_DEFAULT_EGL_DEVICE_INDEX": "99"}
+        version = self.run_tool("--version").stdout
+        if re.search(r"VTK 9\.[0-3]\.", version) is None:
+            self.skipTest("VTK chooses by itself from 9.4 on")
+        self.expect_failure(1, "no EGL display gives a context of GL 3.2 or later", "cube.vtu", TETMARCH_GL="egl",
+                            **environment)
+        result = self.run_tool("cube.vtu", "--stats", "s.json", "--size", "16x16", TETMARCH_GL="", **environment)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(json.loads((self.folder / "s.json").read_text())["gl"]["backend"], "OSMesa")
+
     def test_a_slab_has_its_known_colour(self):
         # The cube is 1 deep, its opacity 0.7, the unit distance 0.5, the colour (1, 0.5, 0.25) on black.
         view = ("--array", "half", "--preset", "constant.json", "--unit-distance", 0.5, "--background", "0,0,0",

@@ -26,11 +26,9 @@ bool FindExtension(const char* name, Function& function)
   return function != nullptr;
 }
 
-/// Devices that are a GPU before those that Mesa computes on the CPU.
 std::vector<EGLDeviceEXT> ListDevices()
 {
   PFNEGLQUERYDEVICESEXTPROC queryDevices = nullptr;
-  PFNEGLQUERYDEVICESTRINGEXTPROC queryDeviceString = nullptr;
   EGLint count = 0;
   if (!FindExtension("eglQueryDevicesEXT", queryDevices) || !queryDevices(0, nullptr, &count) ||
       count < 1)
@@ -40,26 +38,26 @@ std::vector<EGLDeviceEXT> ListDevices()
   std::vector<EGLDeviceEXT> devices(count);
   queryDevices(count, devices.data(), &count);
   devices.resize(count);
+  return devices;
+}
 
-  if (const char* index = std::getenv("VTK_DEFAULT_EGL_DEVICE_INDEX"))
-  {
-    const long i = std::strtol(index, nullptr, 10);
-    return i >= 0 && i < count ? std::vector<EGLDeviceEXT>{ devices[i] }
-                               : std::vector<EGLDeviceEXT>{};
-  }
+/// Software: devices that Mesa computes on the CPU.
+void PutSoftwareLast(std::vector<EGLDeviceEXT>& devices)
+{
+  PFNEGLQUERYDEVICESTRINGEXTPROC queryDeviceString = nullptr;
   if (FindExtension("eglQueryDeviceStringEXT", queryDeviceString))
   {
     std::stable_partition(devices.begin(), devices.end(),
       [queryDeviceString](EGLDeviceEXT device)
       { return !Contains(queryDeviceString(device, EGL_EXTENSIONS), "EGL_MESA_device_software"); });
   }
-  return devices;
 }
 
 /// Not initialized yet.
 std::vector<EGLDisplay> ListDisplays()
 {
   const auto& egl = tetmarch::EGLLibrary::Get();
+  const char* chosenDevice = std::getenv("VTK_DEFAULT_EGL_DEVICE_INDEX");
   const char* extensions = egl.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   PFNEGLGETPLATFORMDISPLAYEXTPROC getPlatformDisplay = nullptr;
   std::vector<EGLDisplay> displays;
@@ -67,10 +65,25 @@ std::vector<EGLDisplay> ListDisplays()
   {
     if (Contains(extensions, "EGL_EXT_platform_device"))
     {
-      for (EGLDeviceEXT device : ListDevices())
+      auto devices = ListDevices();
+      if (chosenDevice)
+      {
+        const auto index = std::strtoul(chosenDevice, nullptr, 10);
+        devices = index < devices.size() ? std::vector<EGLDeviceEXT>{ devices[index] }
+                                         : std::vector<EGLDeviceEXT>{};
+      }
+      else
+      {
+        PutSoftwareLast(devices);
+      }
+      for (EGLDeviceEXT device : devices)
       {
         displays.push_back(getPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
       }
+    }
+    if (chosenDevice)
+    {
+      return displays;
     }
     if (Contains(extensions, "EGL_MESA_platform_surfaceless"))
     {
