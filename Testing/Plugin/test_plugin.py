@@ -52,7 +52,6 @@ def show(source, view):
 
 
 def picture_of(view):
-    simple.Render(view)
     image = view.SMProxy.CaptureWindow(1)
     values = memoryview(image.GetPointData().GetScalars()).tobytes()
     channels = image.GetPointData().GetScalars().GetNumberOfComponents()
