@@ -31,7 +31,7 @@ std::unique_ptr<GLContext> MakeGLContext(std::string& error)
     {
       std::string osmesaError;
       context = MakeOSMesaContext(osmesaError);
-      error += "; " + osmesaError;
+      error = context ? "" : error + "; " + osmesaError;
       backend = context ? "osmesa" : "";
     }
   }
