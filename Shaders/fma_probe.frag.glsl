@@ -1,6 +1,7 @@
 // Whether fma rounds once: (1 + 2^-12)^2 - its rounded square is 2^-24, and 0 if the product is rounded.
-//VTK::Output::Dec
 #extension GL_ARB_gpu_shader5 : require
+
+//VTK::Output::Dec
 
 uniform float onePlus;
 

@@ -1,7 +1,8 @@
 // The picture: one ray a pixel.
+#include "language.glsl"
+
 //VTK::Output::Dec
 
-#include "language.glsl"
 #include "mesh_buffers.glsl"
 #include "table_buffers.glsl"
 #include "edge_sign.glsl"

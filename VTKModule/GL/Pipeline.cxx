@@ -9,6 +9,7 @@
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPoints.h"
 #include "vtkRenderer.h"
