@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The hierarchy holds every boundary face once, and finds every entry that a search over all finds.
+#include "Mesh/BoundaryHierarchy.h"
+#include "Reference/Kernel.h"
+
+#include "RandomRays.h"
+#include "UnitMeshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace tetmarch;
+using namespace tetmarch::testing;
+
+// Checks the subtree at a node and returns the node behind it.
+std::size_t checkSubtree(const TetMesh& mesh, std::size_t node, int depth, std::vector<int>& seen,
+  std::array<float, 3>& low, std::array<float, 3>& high)
+{
+  EXPECT_LT(depth, 80);
+  const HierarchyNode& n = mesh.Hierarchy[node];
+  low.fill(2.0f);
+  high.fill(-2.0f);
+  std::size_t next = node + 1;
+  if (n.FirstFace >= 0)
+  {
+    for (int i = 0; i < static_cast<int>(n.Next); ++i)
+    {
+      const auto f = static_cast<std::size_t>(n.FirstFace) + static_cast<std::size_t>(i);
+      ++seen.at(f);
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const Vertex& v = mesh.Vertices[mesh.BoundaryFaces[f][corner]];
+        const float p[3] = { v.X, v.Y, v.Z };
+        for (int k = 0; k < 3; ++k)
+        {
+          low[k] = std::min(low[k], p[k]);
+          high[k] = std::max(high[k], p[k]);
+        }
+      }
+    }
+  }
+  else
+  {
+    for (int child = 0; child < 2; ++child)
+    {
+      std::array<float, 3> childLow, childHigh;
+      next = checkSubtree(mesh, next, depth + 1, seen, childLow, childHigh);
+      for (int k = 0; k < 3; ++k)
+      {
+        low[k] = std::min(low[k], childLow[k]);
+        high[k] = std::max(high[k], childHigh[k]);
+      }
+    }
+    EXPECT_EQ(static_cast<float>(next), n.Next) << "the node after the subtree";
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    // With the margin for the rounding of projections (a few 1e-7).
+    EXPECT_LE(n.Center[k] - n.HalfSize[k], low[k] - 3e-6f);
+    EXPECT_GE(n.Center[k] + n.HalfSize[k], high[k] + 3e-6f);
+  }
+  return next;
+}
+
+TEST(BoundaryHierarchy, EveryFaceIsInOneLeafAndInItsBoxes)
+{
+  for (const NamedGrid& named : everyGrid())
+  {
+    SCOPED_TRACE(named.Name);
+    const TetMesh mesh = builtWithHierarchy(named.Make());
+    std::vector<int> seen(mesh.BoundaryFaces.size(), 0);
+    std::array<float, 3> low, high;
+    EXPECT_EQ(checkSubtree(mesh, 0, 0, seen, low, high), mesh.Hierarchy.size());
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
+    EXPECT_LE(mesh.Hierarchy.size(), 2 * mesh.BoundaryFaces.size());
+  }
+}
+
+TEST(BoundaryHierarchy, ManyFacesInOnePlace)
+{
+  // Boxes that no cut can part: copies of one tetrahedron that share no point.
+  Grid grid = singleTet();
+  for (int doubling = 0; doubling < 9; ++doubling)
+  {
+    grid = joined(grid, grid);
+  }
+  const TetMesh mesh = built(grid);
+  EXPECT_EQ(mesh.BoundaryFaces.size(), 4u * 512);
+  std::vector<int> seen(mesh.BoundaryFaces.size(), 0);
+  std::array<float, 3> low, high;
+  EXPECT_EQ(checkSubtree(mesh, 0, 0, seen, low, high), mesh.Hierarchy.size());
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
+}
+
+using Entries = std::vector<std::pair<double, int>>;
+
+template <typename Kernel>
+Entries entriesByHierarchy(Kernel& kernel, const typename Kernel::Ray& ray)
+{
+  Entries entries;
+  typename Kernel::Entry entry;
+  entry.depth = -3e38f;
+  entry.face = -1;
+  for (entry = kernel.nextEntry(ray, entry); entry.face >= 0 && entries.size() < 100;
+       entry = kernel.nextEntry(ray, entry))
+  {
+    entries.emplace_back(double(entry.depth), entry.face);
+  }
+  return entries;
+}
+
+template <typename Kernel>
+Entries entriesByBruteForce(Kernel& kernel, const typename Kernel::Ray& ray)
+{
+  Entries entries;
+  for (std::size_t b = 0; b < kernel.Mesh->BoundaryFaces.size(); ++b)
+  {
+    typename Kernel::Crossing face;
+    if (kernel.enters(ray, static_cast<Id>(b), face))
+    {
+      entries.emplace_back(double(kernel.crossingPoint(face).x), static_cast<int>(b));
+    }
+  }
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+template <typename Kernel, typename Real>
+void expectSameEntries(const TetMesh& mesh, int rays, std::size_t& mostEntries)
+{
+  Kernel kernel = kernelOf<Kernel, Real>(mesh, whiteTable());
+  RandomRays random(17);
+  for (int i = 0; i < rays; ++i)
+  {
+    const auto ray = random.next<Kernel, Real>(kernel, mesh);
+    const Entries expected = entriesByBruteForce(kernel, ray);
+    ASSERT_EQ(entriesByHierarchy(kernel, ray), expected) << i;
+    mostEntries = std::max(mostEntries, expected.size());
+  }
+}
+
+TEST(BoundaryHierarchy, FindsEveryEntryInOrder)
+{
+  // 36,000 rays in all.
+  const auto check = [](vtkUnstructuredGrid* grid, std::size_t leastReentries)
+  {
+    const TetMesh mesh = builtWithHierarchy(grid);
+    std::size_t most = 0;
+    expectSameEntries<PointKernel<float>, float>(mesh, 2000, most);
+    expectSameEntries<PointKernel<double>, double>(mesh, 2000, most);
+    expectSameEntries<PortablePointKernel<float>, float>(mesh, 2000, most);
+    EXPECT_GE(most, leastReentries);
+  };
+  check(nestedShells(8), 4);
+  check(latticeWithHole(6), 2);
+  check(twoComponents(4), 2);
+  check(jitteredLattice(4, 0.0), 1);
+  check(defectiveTets(), 1);
+  check(joined(jitteredLattice(2), jitteredLattice(2)), 2);
+}
+} // namespace

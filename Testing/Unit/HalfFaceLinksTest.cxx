@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Every half-face knows what lies behind it, and what lies behind knows it.
+#include "Mesh/HalfFaceLinks.h"
+#include "Mesh/Orientation.h"
+
+#include "GridSummary.h"
+#include "UnitMeshes.h"
+
+#include "vtkCellType.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace
+{
+using namespace tetmarch;
+using namespace tetmarch::testing;
+
+std::array<Id, 3> faceOf(const TetMesh& mesh, Id tet, int i)
+{
+  std::array<Id, 3> face;
+  int k = 0;
+  for (int j = 0; j < 4; ++j)
+  {
+    if (j != i)
+    {
+      face[k++] = mesh.Tets[tet][j];
+    }
+  }
+  return face;
+}
+
+int rankOf(const TetMesh& mesh, Id tet, Id vertex)
+{
+  const auto& ids = mesh.Tets[tet];
+  return static_cast<int>(std::find(ids.begin(), ids.end(), vertex) - ids.begin());
+}
+
+// All conventions of TetMesh.h.
+void expectConsistent(const TetMesh& mesh)
+{
+  const Id tets = mesh.numberOfTets();
+  ASSERT_EQ(mesh.Links.size(), 4 * mesh.Tets.size() + mesh.BoundaryFaces.size());
+  std::size_t outside = 0;
+  for (Id t = 0; t < tets; ++t)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const Link link = mesh.Links[4 * t + i];
+      if (link.Tet >= LinkOutside)
+      {
+        ++outside;
+        const Id b = link.Tet - LinkOutside;
+        ASSERT_LT(b, mesh.BoundaryFaces.size());
+        auto face = mesh.BoundaryFaces[b];
+        EXPECT_EQ(face[3], t);
+        std::sort(face.begin(), face.begin() + 3);
+        EXPECT_TRUE(std::equal(face.begin(), face.begin() + 3, faceOf(mesh, t, i).begin()));
+        const Link in = mesh.Links[4 * tets + b];
+        EXPECT_EQ(in.Tet, t);
+        EXPECT_EQ(in.Apex, mesh.Tets[t][i]);
+      }
+      else
+      {
+        ASSERT_LT(link.Tet, tets);
+        ASSERT_NE(link.Tet, t);
+        const int j = rankOf(mesh, link.Tet, link.Apex);
+        ASSERT_LT(j, 4);
+        EXPECT_EQ(faceOf(mesh, link.Tet, j), faceOf(mesh, t, i));
+        const Link back = mesh.Links[4 * link.Tet + j];
+        EXPECT_EQ(back.Tet, t);
+        EXPECT_EQ(back.Apex, mesh.Tets[t][i]);
+      }
+    }
+  }
+  EXPECT_EQ(outside, mesh.BoundaryFaces.size());
+}
+
+TEST(HalfFaceLinks, NeighboursPointBack)
+{
+  for (const NamedGrid& named : everyGrid())
+  {
+    SCOPED_TRACE(named.Name);
+    expectConsistent(built(named.Make()));
+    expectConsistent(builtWithHierarchy(named.Make()));
+  }
+}
+
+TEST(HalfFaceLinks, NoFaceInsideIsBoundary)
+{
+  const auto expectFaces = [](vtkUnstructuredGrid* grid)
+  {
+    const GridSummary summary = summarise(grid);
+    const TetMesh mesh = built(grid);
+    EXPECT_EQ(vtkIdType(mesh.BoundaryFaces.size()), summary.FacesOnBoundary);
+    EXPECT_EQ(mesh.Report.NonManifoldFaces, 0);
+    EXPECT_EQ(mesh.Report.DuplicateTetrahedra, 0);
+  };
+  expectFaces(jitteredLattice(6));
+  expectFaces(shuffled(jitteredLattice(6)));
+  expectFaces(latticeWithHole(6));
+  expectFaces(nestedShells(8));
+  expectFaces(twoComponents(4));
+  EXPECT_EQ(built(mixedCells(6, 1, 0.1)).BoundaryFaces.size(), 2u * 6 * 36);
+}
+
+// The same face from three tetrahedra, and the one with the lowest number chooses its partner.
+TEST(HalfFaceLinks, FacesOfThreeOwners)
+{
+  GridBuilder builder;
+  for (const Vec3& p : std::vector<Vec3>{
+         { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { 0.1, 0.1, 0.5 } })
+  {
+    builder.addPoint(p);
+  }
+  builder.addCell(VTK_TETRA, { 0, 1, 2, 3 });
+  builder.addCell(VTK_TETRA, { 0, 1, 2, 4 });
+  builder.addCell(VTK_TETRA, { 0, 1, 2, 5 });
+  const TetMesh mesh = built(builder.finish(linearField()));
+  expectConsistent(mesh);
+  EXPECT_EQ(mesh.Report.NonManifoldFaces, 1);
+  EXPECT_EQ(mesh.BoundaryFaces.size(), 10u);
+  EXPECT_EQ(mesh.Tets.size(), 3u);
+
+  std::vector<Id> joined;
+  for (Id t = 0; t < 3; ++t)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      if (mesh.Links[4 * t + i].Tet < LinkOutside)
+      {
+        joined.push_back(4 * t + i);
+      }
+    }
+  }
+  ASSERT_EQ(joined.size(), 2u);
+  EXPECT_EQ(inwardSide(mesh, joined[0]), -inwardSide(mesh, joined[1]));
+  // Tetrahedron 0 is the first owner; it is one of the two on its side or the only one on its own.
+  EXPECT_EQ(joined[0] / 4, 0u);
+}
+
+TEST(HalfFaceLinks, DefectsAreCountedAndMended)
+{
+  const TetMesh mesh = built(defectiveTets());
+  expectConsistent(mesh);
+  EXPECT_EQ(mesh.Report.DegenerateTetrahedra, 1);
+  EXPECT_EQ(mesh.Report.DuplicateTetrahedra, 1);
+  EXPECT_EQ(mesh.Report.NonManifoldFaces, 1);
+  EXPECT_EQ(mesh.Tets.size(), 3u);
+  // Of the two equal ones the first stays.
+  EXPECT_EQ(std::set<Id>(mesh.TetCells.begin(), mesh.TetCells.end()), (std::set<Id>{ 0, 3, 4 }));
+  EXPECT_NE(describe(mesh.Report), "");
+  EXPECT_EQ(describe(built(mixedDimensions(2)).Report), "");
+}
+
+TEST(HalfFaceLinks, ManyDuplicates)
+{
+  const Grid once = jitteredLattice(4);
+  const Grid twice = jitteredLattice(4);
+  for (int repeat = 0; repeat < 2; ++repeat)
+  {
+    for (vtkIdType i = 0; i < once->GetNumberOfCells(); ++i)
+    {
+      vtkIdType count;
+      const vtkIdType* ids;
+      once->GetCells()->GetCellAtId(i, count, ids);
+      const vtkIdType turned[4] = { ids[3], ids[1], ids[0], ids[2] };
+      twice->InsertNextCell(VTK_TETRA, 4, turned);
+    }
+  }
+  const TetMesh a = built(once);
+  const TetMesh b = built(twice);
+  expectConsistent(b);
+  EXPECT_EQ(b.Report.DuplicateTetrahedra, 2 * once->GetNumberOfCells());
+  EXPECT_EQ(b.Tets, a.Tets);
+  EXPECT_EQ(b.BoundaryFaces, a.BoundaryFaces);
+  EXPECT_EQ(b.Report.NonManifoldFaces, 0);
+}
+
+TEST(HalfFaceLinks, TheSameFromRunToRunAndForAnyNumberOfThreads)
+{
+  const Grid grid = shuffled(nestedShells(16));
+  const TetMesh first = built(grid);
+  for (const int threads : { 5, 2, 1 })
+  {
+    vtkSMPTools::Initialize(threads);
+    const TetMesh again = built(grid);
+    EXPECT_EQ(again.Tets, first.Tets);
+    EXPECT_EQ(again.BoundaryFaces, first.BoundaryFaces);
+    EXPECT_EQ(again.TetCells, first.TetCells);
+    EXPECT_EQ(again.VertexPoints, first.VertexPoints);
+    ASSERT_EQ(again.Links.size(), first.Links.size());
+    EXPECT_EQ(
+      std::memcmp(again.Links.data(), first.Links.data(), first.Links.size() * sizeof(Link)), 0);
+    ASSERT_EQ(again.Hierarchy.size(), first.Hierarchy.size());
+    EXPECT_EQ(std::memcmp(again.Hierarchy.data(), first.Hierarchy.data(),
+                first.Hierarchy.size() * sizeof(HierarchyNode)),
+      0);
+  }
+  vtkSMPTools::Initialize(0);
+}
+
+TEST(HalfFaceLinks, NothingToLink)
+{
+  const TetMesh mesh = built(triangleAndLineGrid());
+  EXPECT_TRUE(mesh.Tets.empty());
+  EXPECT_TRUE(mesh.Links.empty());
+  EXPECT_TRUE(mesh.BoundaryFaces.empty());
+  EXPECT_TRUE(built(emptyGrid()).Tets.empty());
+}
+} // namespace
