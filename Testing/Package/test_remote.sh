@@ -30,7 +30,7 @@ compile() {
   while read -r command; do
     bash -c "$command"
     printf '.'
-  done < <(ninja -t commands RenderingTetMarch | grep 'Remote/TetMarch/.*\(glsl\| -c \)')
+  done < <(ninja -t commands RenderingTetMarch | grep 'Remote/TetMarch/.*\( -P \| -c \)')
   printf '\n%d objects of TetMarch compiled\n' "$(find Remote/TetMarch -name '*.o' | wc -l)"
 }
 
