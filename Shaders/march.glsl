@@ -47,59 +47,50 @@ void marchToExit(Ray ray, Crossing face, uvec2 link, real opticalLength, real de
   vec2 enter = crossingPoint(face);
 #if TETMARCH_POINT_SCALARS
   TablePoint at = tablePoint(enter.y * tableScale + tableOffset);
-  Segment segment = beginSegment(at.x, at.x, real(0));
-  segment.position = real(1);
 #endif
-  bool onward = true;  // there is a tetrahedron behind the face
-  bool pending = false; // the segment is not integrated to its end
-  while (onward || pending)
+  bool onward = true;
+  while (onward)
   {
-    if (!pending)
-    {
-      uint tet = link.x;
-      vec4 apex = fetchVertex(link.y);
-      int exitFace = stepThrough(face, link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
-      vec2 leave = crossingPoint(face);
-      link = fetchLink(4u * tet + uint(max(exitFace, 0)));
-      march.cells = march.cells + 1;
-      onward = exitFace >= 0 && march.cells < mostCells && link.x < LINK_OUTSIDE;
-#if TETMARCH_DIAGNOSTICS
-      march.lost = march.lost + (exitFace < 0 ? 1 : 0);
-      march.guarded = march.guarded + (march.cells >= mostCells ? 1 : 0);
-#endif
+    uint tet = link.x;
+    vec4 apex = fetchVertex(link.y);
+    int exitFace = stepThrough(face, link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
+    vec2 leave = crossingPoint(face);
+    link = fetchLink(4u * tet + uint(max(exitFace, 0)));
+    march.cells = march.cells + 1;
 
-      // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
-      real begin = max(enter.x, march.done);
-      real end = min(leave.x, depthEnd);
+    // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
+    real begin = max(enter.x, march.done);
+    real end = min(leave.x, depthEnd);
 #if TETMARCH_POINT_SCALARS
-      bool drawn = end > begin && isDrawn(enter.y) && isDrawn(leave.y);
+    if (end > begin && isDrawn(enter.y) && isDrawn(leave.y))
+    {
       real scalarBegin = begin > enter.x ? scalarAt(enter, leave, begin) : enter.y;
       real scalarEnd = end < leave.x ? scalarAt(enter, leave, end) : leave.y;
-      segment = beginSegment(scalarBegin * tableScale + tableOffset, scalarEnd * tableScale + tableOffset,
-        (end - begin) * opticalLength);
-      segment.position = drawn ? real(0) : real(1);
-#else
-      real scalar = fetchCellScalar(tet);
-      bool drawn = end > begin && isDrawn(scalar);
-      integrateConstant(
-        scalar * tableScale + tableOffset, drawn ? (end - begin) * opticalLength : real(0), march.radiance);
+      int trials = integrateSegment(scalarBegin * tableScale + tableOffset,
+        scalarEnd * tableScale + tableOffset, (end - begin) * opticalLength, at, march.radiance);
+#if TETMARCH_DIAGNOSTICS
+      march.evaluations = march.evaluations + trials;
 #endif
-      march.done = max(march.done, end);
-      enter = leave;
     }
-#if TETMARCH_POINT_SCALARS
-    if (!isDone(segment))
+#else
+    real scalar = fetchCellScalar(tet);
+    if (end > begin && isDrawn(scalar))
     {
-      integratePiece(segment, at, march.radiance);
+      integrateConstant(scalar * tableScale + tableOffset, (end - begin) * opticalLength, march.radiance);
 #if TETMARCH_DIAGNOSTICS
       march.evaluations = march.evaluations + 1;
 #endif
     }
-    pending = !isDone(segment);
 #endif
-    march.finished = march.radiance.transmittance < leastTransmittance ||
-      (!pending && march.done >= depthEnd);
-    onward = onward && !march.finished;
-    pending = pending && !march.finished;
+    march.done = max(march.done, end);
+    march.finished =
+      march.radiance.transmittance < leastTransmittance || march.done >= depthEnd;
+    enter = leave;
+    onward =
+      exitFace >= 0 && link.x < LINK_OUTSIDE && march.cells < mostCells && !march.finished;
+#if TETMARCH_DIAGNOSTICS
+    march.lost = march.lost + (exitFace < 0 ? 1 : 0);
+    march.guarded = march.guarded + (march.cells >= mostCells ? 1 : 0);
+#endif
   }
 }

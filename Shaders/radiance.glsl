@@ -6,19 +6,19 @@ struct Radiance
   real transmittance;
 };
 
-// (1 - exp(-D)) / D without cancellation: the series below 1/8 is good to 4e-8.
-real meanTransmittance(real depth)
+// (1 - exp(-D)) / D without cancellation: the series below 1/8 is good to 4e-8. transmitted: exp(-D).
+real meanTransmittance(real depth, real transmitted)
 {
   real series = real(1) -
     depth * (real(0.5) - depth * (real(1) / real(6) - depth * (real(1) / real(24) - depth / real(120))));
-  real closed = (real(1) - exp(-depth)) / max(depth, real(0.125));
-  return depth < real(0.125) ? series : closed;
+  return depth < real(0.125) ? series : (real(1) - transmitted) / depth;
 }
 
-void absorb(INOUT(Radiance) radiance, vec4 mean, real opticalLength)
+// mean: of C tau and tau; length in scalar opacity unit distances; transmitted: exp(-length mean tau).
+void absorb(INOUT(Radiance) radiance, vec4 mean, real opticalLength, real transmitted)
 {
   real depth = mean.w * opticalLength;
-  real share = meanTransmittance(depth);
+  real share = meanTransmittance(depth, transmitted);
   real weight = radiance.transmittance * share * opticalLength;
   radiance.color = radiance.color + vec3(mean.x, mean.y, mean.z) * weight;
   radiance.transmittance = radiance.transmittance * max(real(1) - depth * share, real(0));
