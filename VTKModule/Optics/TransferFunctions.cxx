@@ -48,6 +48,16 @@ std::vector<std::array<double, 4>> evaluate(
       std::fill_n(&colors[3 * static_cast<std::size_t>(i)], 3, grays[i]);
     }
   }
+  else if (property->GetRGBTransferFunction()->GetScale() == VTK_CTF_LOG10)
+  {
+    // GetTable() would take steps of equal ratio.
+    for (int i = 0; i < count; ++i)
+    {
+      const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
+      property->GetRGBTransferFunction()->GetColor(
+        begin + share * (end - begin), &colors[3 * static_cast<std::size_t>(i)]);
+    }
+  }
   else
   {
     property->GetRGBTransferFunction()->GetTable(begin, end, count, colors.data());
@@ -57,7 +67,7 @@ std::vector<std::array<double, 4>> evaluate(
   {
     for (int k = 0; k < 3; ++k)
     {
-      samples[i][k] = std::min(std::max(colors[3 * static_cast<std::size_t>(i) + k], 0.0), 1.0);
+      samples[i][k] = std::min(std::max(0.0, colors[3 * static_cast<std::size_t>(i) + k]), 1.0); // NaN: 0
     }
     samples[i][3] = extinctionOf(opacities[i], law);
   }
@@ -80,10 +90,11 @@ SampledFunctions sampleFunctions(
   const Range nodes = nodeRange(property);
   functions.Begin = std::max(low, nodes[0]);
   functions.End = std::min(high, nodes[1]);
-  if (!(functions.Begin < functions.End))
+  // Nodes in no part of the data, or in so small a part that positions in the table would overflow in float.
+  if (!(functions.End - functions.Begin > 1e-30 * (high - low)))
   {
     functions.Begin = low;
-    functions.End = high > low ? high : low + 1;
+    functions.End = high > low ? high : low + std::max(1.0, std::abs(low));
   }
   functions.Samples = evaluate(property, law, functions.Begin, functions.End, count);
   functions.Before = low < functions.Begin ? evaluate(property, law, low, low, 1)[0] : functions.Samples.front();
