@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Arrays of every type become 0..1 and a range.
+#include "Mesh/Scalars.h"
+
+#include "UnitMeshes.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace
+{
+using namespace tetmarch;
+using namespace tetmarch::testing;
+
+vtkSmartPointer<vtkDataArray> arrayOf(
+  int type, const std::vector<double>& values, int components = 1)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  array->Fill(77.0);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    array->SetComponent(static_cast<vtkIdType>(i), 0, values[i]);
+  }
+  return array;
+}
+
+// The stored scalar of every point of a single tetrahedron.
+std::array<float, 4> storedOf(vtkDataArray* array, ScalarRange& range)
+{
+  const Grid grid = singleTet();
+  TetMesh mesh = built(grid);
+  range = setPointScalars(grid, array, mesh);
+  std::array<float, 4> stored{};
+  for (std::size_t v = 0; v < 4; ++v)
+  {
+    stored[mesh.VertexPoints[v]] = mesh.Vertices[v].Scalar;
+  }
+  return stored;
+}
+
+constexpr int Types[] = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+  VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
+  VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE };
+
+TEST(Scalars, AllTypesAndFirstComponent)
+{
+  for (const int type : Types)
+  {
+    for (const int components : { 1, 3 })
+    {
+      ScalarRange range;
+      const auto stored = storedOf(arrayOf(type, { 4, 20, 12, 16 }, components), range);
+      EXPECT_EQ(range.Low, 4.0) << type;
+      EXPECT_EQ(range.High, 20.0) << type;
+      EXPECT_EQ(stored, (std::array<float, 4>{ { 0.0f, 1.0f, 0.5f, 0.75f } })) << type;
+    }
+  }
+}
+
+TEST(Scalars, WhatIsNotFiniteIsNotDrawn)
+{
+  const double nan = std::nan("");
+  const double inf = std::numeric_limits<double>::infinity();
+  ScalarRange range;
+  EXPECT_EQ(storedOf(arrayOf(VTK_DOUBLE, { nan, 1, 3, -inf }), range),
+    (std::array<float, 4>{ { UndrawnScalar, 0.0f, 1.0f, UndrawnScalar } }));
+  EXPECT_EQ(range.Low, 1.0);
+  EXPECT_EQ(range.High, 3.0);
+  for (const float stored : storedOf(arrayOf(VTK_FLOAT, { nan, inf, -inf, nan }), range))
+  {
+    EXPECT_EQ(stored, UndrawnScalar);
+  }
+  EXPECT_TRUE(std::isfinite(range.Low) && std::isfinite(range.High));
+}
+
+TEST(Scalars, ConstantArrays)
+{
+  for (const double value : { 0.0, -5.0, 1e300, 1e-300 })
+  {
+    ScalarRange range;
+    const auto stored = storedOf(arrayOf(VTK_DOUBLE, { value, value, value, value }), range);
+    EXPECT_EQ(range.Low, value);
+    EXPECT_EQ(range.High, value);
+    EXPECT_EQ(range.width(), 1.0);
+    EXPECT_EQ(stored, (std::array<float, 4>{ { 0.0f, 0.0f, 0.0f, 0.0f } }));
+  }
+}
+
+TEST(Scalars, HugeAndTinyRanges)
+{
+  const double most = std::numeric_limits<double>::max();
+  for (const double size : { most, 1e300, 1e-300, std::numeric_limits<double>::denorm_min() })
+  {
+    ScalarRange range;
+    const auto stored = storedOf(arrayOf(VTK_DOUBLE, { -size, size, 0.0, size }), range);
+    EXPECT_TRUE(std::isfinite(range.width()) && range.width() > 0.0) << size;
+    EXPECT_EQ(stored, (std::array<float, 4>{ { 0.0f, 1.0f, 0.5f, 1.0f } })) << size;
+  }
+}
+
+TEST(Scalars, OneACellGoesToAllItsTetrahedra)
+{
+  const Grid grid = hexLattice(2);
+  const TetMesh mesh = built(grid);
+  std::vector<float> scalars;
+  const ScalarRange range =
+    makeCellScalars(arrayOf(VTK_INT, { 0, 1, 2, 3, 4, 5, 6, 7 }), mesh, scalars);
+  EXPECT_EQ(range.High, 7.0);
+  ASSERT_EQ(scalars.size(), mesh.Tets.size());
+  for (std::size_t t = 0; t < scalars.size(); ++t)
+  {
+    EXPECT_FLOAT_EQ(scalars[t] * 7.0f, static_cast<float>(mesh.TetCells[t]));
+  }
+}
+
+// Values of points that no tetrahedron uses don't widen the range.
+TEST(Scalars, UnusedPointsDontCount)
+{
+  const Grid grid = singleTet();
+  grid->GetPoints()->InsertNextPoint(9.0, 9.0, 9.0);
+  TetMesh mesh = built(grid);
+  const ScalarRange range = setPointScalars(grid, arrayOf(VTK_DOUBLE, { 1, 2, 3, 4, 1e9 }), mesh);
+  EXPECT_EQ(range.High, 4.0);
+}
+} // namespace
