@@ -105,8 +105,9 @@ Entries entriesByHierarchy(Kernel& kernel, const typename Kernel::Ray& ray)
   typename Kernel::Entry entry;
   entry.depth = -3e38f;
   entry.face = -1;
-  for (entry = kernel.nextEntry(ray, entry); entry.face >= 0 && entries.size() < 100;
-       entry = kernel.nextEntry(ray, entry))
+  for (entry = kernel.nextEntry(ray, entry, kernel.bvhNodeCount);
+       entry.face >= 0 && entries.size() < 100;
+       entry = kernel.nextEntry(ray, entry, kernel.bvhReentryNodeCount))
   {
     entries.emplace_back(double(entry.depth), entry.face);
   }
