@@ -46,7 +46,8 @@ void marchToExit(Ray ray, Crossing face, uvec2 link, real opticalLength, real de
 {
   vec2 enter = crossingPoint(face);
 #if TETMARCH_POINT_SCALARS
-  TablePoint at = tablePoint(enter.y * tableScale + tableOffset);
+  // Not of an undrawn scalar, whose crossing may even be NaN: integrateSegment() meets what stands here.
+  TablePoint at = tablePoint(isDrawn(enter.y) ? enter.y * tableScale + tableOffset : tableOffset);
 #endif
   bool onward = true;
   while (onward)
