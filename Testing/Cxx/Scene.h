@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief A window with one volume in it, and what came out
+ */
+#ifndef tetmarch_testing_Scene_h
+#define tetmarch_testing_Scene_h
+
+#include "vtkTetMarchVolumeMapper.h"
+
+#include "Grids.h"
+#include "Images.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <array>
+#include <vector>
+
+class vtkActor;
+
+namespace tetmarch::testing
+{
+constexpr int SceneSize = 160;
+
+/// A window through the backend that TETMARCH_GL names, without multisampling; throws if there is
+/// none.
+vtkSmartPointer<vtkRenderWindow> makeWindow(int width = SceneSize, int height = SceneSize);
+
+/// Colours and opacities with a kink in each function somewhere in [0, 1], visible all over.
+void setBumpyFunctions(vtkVolumeProperty* property);
+/// The same with opaque spikes a few thousandths wide, and nothing between them.
+void setSpikyFunctions(vtkVolumeProperty* property);
+/// Those of Data/golfball_wake.json, for the vorticity of the golf ball; with their unit distance.
+void setWakeFunctions(vtkVolumeProperty* property);
+/// One colour and one opacity whatever the scalar.
+void setPlainFunctions(
+  vtkVolumeProperty* property, const std::array<double, 3>& colour, double opacity);
+
+/// From a corner onto the unit cube; nothing in it is parallel to anything.
+void lookAtUnitCube(vtkCamera* camera);
+
+/// The diagnostic picture of the mapper's last frame, for a viewport of that size.
+Image floatPictureOf(vtkTetMarchVolumeMapper* mapper, int width, int height);
+/// What stands in the window's framebuffer, RGB with alpha as it is there.
+Image framePictureOf(vtkRenderWindow* window);
+/// The same within a rectangle of the picture.
+Image cropped(const Image& image, int x, int y, int width, int height);
+
+/// A flat actor of one colour without lighting, of the plane z = height over [0, 1]^2 enlarged by a
+/// margin on each side.
+vtkSmartPointer<vtkActor> makePlane(
+  double height, double margin, const std::array<double, 3>& colour);
+/// A ball about a centre, without lighting.
+vtkSmartPointer<vtkActor> makeBall(
+  const Vec3& centre, double radius, const std::array<double, 3>& colour);
+
+class Scene
+{
+public:
+  /// Diagnostics on, the bumpy functions, unit distance 0.25, seen by lookAtUnitCube().
+  explicit Scene(vtkUnstructuredGrid* grid, int width = SceneSize, int height = SceneSize);
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  vtkVolumeProperty* property() { return this->Volume->GetProperty(); }
+  vtkCamera* camera() { return this->Renderer->GetActiveCamera(); }
+  void drawCellScalars(const char* name = "c");
+
+  /// One frame; returns the diagnostic picture.
+  Image render();
+  Image frame() const { return framePictureOf(this->Window); }
+  /// Of the last frame, 0..1, row by row from the bottom.
+  std::vector<float> windowDepths();
+
+  Grid Data;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkTetMarchVolumeMapper> Mapper;
+};
+} // namespace tetmarch::testing
+
+#endif

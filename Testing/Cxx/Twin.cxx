@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Twin.h"
+
+#include "Mesh/TetMeshBuilder.h"
+#include "Optics/TransferFunctions.h"
+#include "Reference/ReferenceImage.h"
+
+#include <gtest/gtest.h>
+#include <iostream>
+#include <stdexcept>
+
+namespace tetmarch::testing
+{
+namespace
+{
+// The stages before the GL, for the scene as it stands.
+class TwinScene
+{
+public:
+  TwinScene(Scene& scene, vtkVolumeProperty* property, const std::vector<float>& depths)
+  {
+    std::string error;
+    if (buildTetMesh(scene.Data, {}, this->Mesh, error) != BuildStatus::Done)
+    {
+      throw std::runtime_error(error);
+    }
+    ensureHierarchy(this->Mesh);
+    int cellFlag = 0;
+    vtkDataArray* array = vtkAbstractMapper::GetScalars(scene.Data, scene.Mapper->GetScalarMode(),
+      scene.Mapper->GetArrayAccessMode(), scene.Mapper->GetArrayId(), scene.Mapper->GetArrayName(),
+      cellFlag);
+    ReferenceScene& made = this->Made;
+    made.Range = cellFlag == 1 ? makeCellScalars(array, this->Mesh, this->CellScalars)
+                               : setPointScalars(scene.Data, array, this->Mesh);
+    made.CellScalars = cellFlag == 1 ? &this->CellScalars : nullptr;
+    const bool structured = scene.Mapper->GetOpacityLaw() == vtkTetMarchVolumeMapper::STRUCTURED;
+    this->Table = makeIntegralTable(
+      sampleFunctions(property, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
+        made.Range.Low, made.Range.High, samplesOfTable(DefaultAccuracy.TableEntries)));
+    if (!makeView(scene.Renderer, scene.Volume, this->Mesh,
+          property->GetScalarOpacityUnitDistance(), made.Camera))
+    {
+      throw std::runtime_error("the scene has no view");
+    }
+    made.Mesh = &this->Mesh;
+    made.Table = &this->Table;
+    made.Width = scene.Renderer->GetSize()[0];
+    made.Height = scene.Renderer->GetSize()[1];
+    made.WindowDepths = depths.empty() ? nullptr : depths.data();
+  }
+
+  TwinPicture render(Precision precision) const
+  {
+    const ReferenceImage image = precision == Precision::Double
+                                   ? renderReference<double>(this->Made, DefaultAccuracy)
+                                   : renderReference<float>(this->Made, DefaultAccuracy);
+    return { Image::fromFloats(this->Made.Width, this->Made.Height, image.Pixels.data()),
+      image.Counters };
+  }
+
+private:
+  TetMesh Mesh;
+  std::vector<float> CellScalars;
+  IntegralTable Table;
+  ReferenceScene Made;
+};
+
+Difference compareInside(
+  const char* what, const Image& drawn, const Image& twin, const Mask& inside)
+{
+  const Difference difference = compare(drawn, twin, inside);
+  EXPECT_LE(difference.Max, 2.0 / 255.0) << what << ": " << difference.text();
+  EXPECT_LE(difference.Rms, 0.3 / 255.0) << what << ": " << difference.text();
+  std::cout << "[ MEASURED ] inside, " << what << ": " << difference.text() << '\n';
+  return difference;
+}
+
+void expectCounters(const vtkTetMarchVolumeMapper* mapper)
+{
+  EXPECT_EQ(mapper->GetNumberOfRefusedEntries(), 0);
+  EXPECT_EQ(mapper->GetNumberOfLostRays(), 0);
+  EXPECT_EQ(mapper->GetNumberOfGuardHits(), 0);
+  EXPECT_GT(mapper->GetNumberOfRays(), 100);
+  EXPECT_GE(mapper->GetNumberOfCrossedCells(), mapper->GetNumberOfRays());
+  EXPECT_GT(mapper->GetNumberOfEvaluations(), 100);
+}
+
+void expectAgreement(Scene& scene, const Image& drawn, const std::vector<float>& depths)
+{
+  expectCounters(scene.Mapper);
+  const TwinPicture twin = twinOf(scene, depths);
+  const Regions regions = regionsOf(scene, depths);
+  const Difference inside = compareInside("double", drawn, twin.Picture, regions.Inside);
+  EXPECT_GT(inside.Pixels, 400u);
+  compareInside("float", drawn, twinOf(scene, depths, Precision::Float).Picture, regions.Inside);
+
+  const Image nothing(drawn.Width, drawn.Height);
+  EXPECT_EQ(compare(drawn, nothing, regions.Outside, 0.0).Over, 0u) << "something outside";
+  const Difference rim = compare(drawn, twin.Picture, regions.Rim);
+  EXPECT_LE(50 * rim.Over, rim.Pixels) << "rim: " << rim.text();
+  std::cout << "[ MEASURED ] rim: " << rim.text() << "; rays " << scene.Mapper->GetNumberOfRays()
+            << " (twin " << twin.Counters.Rays << "), cells "
+            << scene.Mapper->GetNumberOfCrossedCells() << " (twin " << twin.Counters.Cells << ")\n";
+}
+} // namespace
+
+TwinPicture twinOf(Scene& scene, const std::vector<float>& depths, Precision precision)
+{
+  return TwinScene(scene, scene.property(), depths).render(precision);
+}
+
+Regions regionsOf(Scene& scene, const std::vector<float>& depths)
+{
+  // Thin fog shows every chord, and nothing ends early in it.
+  vtkNew<vtkVolumeProperty> fog;
+  setPlainFunctions(fog, { 1.0, 1.0, 1.0 }, 0.01);
+  fog->SetScalarOpacityUnitDistance(scene.Data->GetLength());
+  const Image seen = TwinScene(scene, fog, depths).render(Precision::Double).Picture;
+
+  Regions regions;
+  for (int y = 0; y < seen.Height; ++y)
+  {
+    for (int x = 0; x < seen.Width; ++x)
+    {
+      bool all = true;
+      bool any = false;
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, seen.Height - 1); ++v)
+      {
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, seen.Width - 1); ++u)
+        {
+          const bool covered = seen.pixel(u, v)[3] > 0.0f;
+          all = all && covered;
+          any = any || covered;
+        }
+      }
+      regions.Inside.push_back(all);
+      regions.Outside.push_back(!any);
+      regions.Rim.push_back(any && !all);
+    }
+  }
+  return regions;
+}
+
+void expectParity(Scene& scene, const std::vector<float>& depths)
+{
+  const Image drawn = scene.render();
+  expectAgreement(scene, drawn, depths);
+}
+
+void expectParityWithOpaque(Scene& scene)
+{
+  const Image drawn = scene.render();
+  expectAgreement(scene, drawn, scene.windowDepths());
+}
+} // namespace tetmarch::testing

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The picture that the CPU twin makes of a scene, and how far the GL's is from it
+ */
+#ifndef tetmarch_testing_Twin_h
+#define tetmarch_testing_Twin_h
+
+#include "Scene.h"
+
+#include "Reference/MarchCounters.h"
+
+namespace tetmarch::testing
+{
+enum class Precision
+{
+  Float,
+  Double
+};
+
+struct TwinPicture
+{
+  Image Picture;
+  MarchCounters Counters;
+};
+
+/// Of the scene as its last frame left it, with the same tables and the same accuracy level. Depths
+/// of opaque geometry: one a pixel, or empty.
+TwinPicture twinOf(
+  Scene& scene, const std::vector<float>& depths = {}, Precision precision = Precision::Double);
+
+/// The pixels of a picture, by whether they and their eight neighbours see the mesh: all of them,
+/// none, or some. Near the silhouette a rasterised entry may be lost or won, or moved by a
+/// hundredth of a pixel, which can be much of a short chord or of a boundary seen edge-on.
+struct Regions
+{
+  Mask Inside;
+  Mask Outside;
+  Mask Rim;
+};
+Regions regionsOf(Scene& scene, const std::vector<float>& depths = {});
+
+/// Renders the scene and compares with the twin in double and in float: inside the silhouette at
+/// most 2/255 in each pixel and 0.3/255 in RMS, nothing outside it, over 2/255 in at most every
+/// 50th pixel of the rim; no ray refused, lost or stopped. Prints the figures.
+void expectParity(Scene& scene, const std::vector<float>& depths = {});
+/// The same with the depths that the frame left in the window.
+void expectParityWithOpaque(Scene& scene);
+} // namespace tetmarch::testing
+
+#endif
