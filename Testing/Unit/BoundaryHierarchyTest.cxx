@@ -66,17 +66,30 @@ std::size_t checkSubtree(const TetMesh& mesh, std::size_t node, int depth, std::
   return next;
 }
 
+// Two trees, one of which may be empty: of the faces for re-entries, and of the others.
+void checkTrees(const TetMesh& mesh)
+{
+  std::vector<int> seen(mesh.BoundaryFaces.size(), 0);
+  std::array<float, 3> low, high;
+  bool partsAtReentry = mesh.ReentryNodes == 0;
+  int trees = 0;
+  for (std::size_t node = 0; node < mesh.Hierarchy.size(); ++trees)
+  {
+    node = checkSubtree(mesh, node, 0, seen, low, high);
+    partsAtReentry = partsAtReentry || node == mesh.ReentryNodes;
+  }
+  EXPECT_TRUE(partsAtReentry);
+  EXPECT_LE(trees, 2);
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
+  EXPECT_LE(mesh.Hierarchy.size(), 2 * mesh.BoundaryFaces.size());
+}
+
 TEST(BoundaryHierarchy, EveryFaceIsInOneLeafAndInItsBoxes)
 {
   for (const NamedGrid& named : everyGrid())
   {
     SCOPED_TRACE(named.Name);
-    const TetMesh mesh = builtWithHierarchy(named.Make());
-    std::vector<int> seen(mesh.BoundaryFaces.size(), 0);
-    std::array<float, 3> low, high;
-    EXPECT_EQ(checkSubtree(mesh, 0, 0, seen, low, high), mesh.Hierarchy.size());
-    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
-    EXPECT_LE(mesh.Hierarchy.size(), 2 * mesh.BoundaryFaces.size());
+    checkTrees(builtWithHierarchy(named.Make()));
   }
 }
 
@@ -90,24 +103,20 @@ TEST(BoundaryHierarchy, ManyFacesInOnePlace)
   }
   const TetMesh mesh = built(grid);
   EXPECT_EQ(mesh.BoundaryFaces.size(), 4u * 512);
-  std::vector<int> seen(mesh.BoundaryFaces.size(), 0);
-  std::array<float, 3> low, high;
-  EXPECT_EQ(checkSubtree(mesh, 0, 0, seen, low, high), mesh.Hierarchy.size());
-  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
+  checkTrees(mesh);
 }
 
 using Entries = std::vector<std::pair<double, int>>;
 
 template <typename Kernel>
-Entries entriesByHierarchy(Kernel& kernel, const typename Kernel::Ray& ray)
+Entries entriesByHierarchy(Kernel& kernel, const typename Kernel::Ray& ray, int nodes)
 {
   Entries entries;
   typename Kernel::Entry entry;
   entry.depth = -3e38f;
   entry.face = -1;
-  for (entry = kernel.nextEntry(ray, entry, kernel.bvhNodeCount);
-       entry.face >= 0 && entries.size() < 100;
-       entry = kernel.nextEntry(ray, entry, kernel.bvhReentryNodeCount))
+  for (entry = kernel.nextEntry(ray, entry, nodes); entry.face >= 0 && entries.size() < 100;
+       entry = kernel.nextEntry(ray, entry, nodes))
   {
     entries.emplace_back(double(entry.depth), entry.face);
   }
@@ -115,13 +124,13 @@ Entries entriesByHierarchy(Kernel& kernel, const typename Kernel::Ray& ray)
 }
 
 template <typename Kernel>
-Entries entriesByBruteForce(Kernel& kernel, const typename Kernel::Ray& ray)
+Entries entriesByBruteForce(Kernel& kernel, const typename Kernel::Ray& ray, Id faces)
 {
   Entries entries;
-  for (std::size_t b = 0; b < kernel.Mesh->BoundaryFaces.size(); ++b)
+  for (Id b = 0; b < faces; ++b)
   {
     typename Kernel::Crossing face;
-    if (kernel.enters(ray, static_cast<Id>(b), face))
+    if (kernel.enters(ray, b, face))
     {
       entries.emplace_back(double(kernel.crossingPoint(face).x), static_cast<int>(b));
     }
@@ -130,16 +139,33 @@ Entries entriesByBruteForce(Kernel& kernel, const typename Kernel::Ray& ray)
   return entries;
 }
 
+// Boundary faces in the leaves of the first nodes: they come in that order.
+Id facesOfNodes(const TetMesh& mesh, std::size_t nodes)
+{
+  Id faces = 0;
+  for (std::size_t n = 0; n < nodes; ++n)
+  {
+    faces += mesh.Hierarchy[n].FirstFace >= 0 ? static_cast<Id>(mesh.Hierarchy[n].Next) : 0;
+  }
+  return faces;
+}
+
 template <typename Kernel, typename Real>
 void expectSameEntries(const TetMesh& mesh, int rays, std::size_t& mostEntries)
 {
   Kernel kernel = kernelOf<Kernel, Real>(mesh, whiteTable());
+  const Id all = facesOfNodes(mesh, mesh.Hierarchy.size());
+  const Id reentries = facesOfNodes(mesh, mesh.ReentryNodes);
+  ASSERT_EQ(all, mesh.BoundaryFaces.size());
   RandomRays random(17);
   for (int i = 0; i < rays; ++i)
   {
     const auto ray = random.next<Kernel, Real>(kernel, mesh);
-    const Entries expected = entriesByBruteForce(kernel, ray);
-    ASSERT_EQ(entriesByHierarchy(kernel, ray), expected) << i;
+    const Entries expected = entriesByBruteForce(kernel, ray, all);
+    ASSERT_EQ(entriesByHierarchy(kernel, ray, kernel.bvhNodeCount), expected) << i;
+    ASSERT_EQ(entriesByHierarchy(kernel, ray, kernel.bvhReentryNodeCount),
+      entriesByBruteForce(kernel, ray, reentries))
+      << i;
     mostEntries = std::max(mostEntries, expected.size());
   }
 }

@@ -181,13 +181,17 @@ TEST(HalfFaceLinks, ManyDuplicates)
   EXPECT_EQ(b.Report.NonManifoldFaces, 0);
 }
 
-TEST(HalfFaceLinks, TheSameFromRunToRunAndForAnyNumberOfThreads)
+TEST(HalfFaceLinks, TheSameFromRunToRunAndHoweverManyThreads)
 {
   const Grid grid = shuffled(nestedShells(16));
   const TetMesh first = built(grid);
-  for (const int threads : { 5, 2, 1 })
+  const std::string before = vtkSMPTools::GetBackend();
+  for (const char* backend : { "Sequential", "STDThread", "TBB", "STDThread" })
   {
-    vtkSMPTools::Initialize(threads);
+    if (!vtkSMPTools::SetBackend(backend))
+    {
+      continue; // not in this VTK
+    }
     const TetMesh again = built(grid);
     EXPECT_EQ(again.Tets, first.Tets);
     EXPECT_EQ(again.BoundaryFaces, first.BoundaryFaces);
@@ -201,7 +205,7 @@ TEST(HalfFaceLinks, TheSameFromRunToRunAndForAnyNumberOfThreads)
                 first.Hierarchy.size() * sizeof(HierarchyNode)),
       0);
   }
-  vtkSMPTools::Initialize(0);
+  vtkSMPTools::SetBackend(before.c_str());
 }
 
 TEST(HalfFaceLinks, NothingToLink)

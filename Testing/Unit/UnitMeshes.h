@@ -58,7 +58,7 @@ Kernel kernelOf(
   kernel.Table = &table;
   kernel.tetCount = mesh.numberOfTets();
   kernel.bvhNodeCount = static_cast<int>(mesh.Hierarchy.size());
-  kernel.bvhReentryNodeCount = static_cast<int>(mesh.ReentryNodes);
+  kernel.bvhReentryNodeCount = static_cast<int>(mesh.Hierarchy.size());
   kernel.mostCells = static_cast<int>(mesh.Tets.size()) + 1;
   kernel.tableSize = table.size();
   kernel.tableScale = Real(table.scale(1.0));

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shot.h"
+
+#include "Reference/ReferenceImage.h"
+
+#include "vtkCellData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace tetmarch::testing
+{
+namespace
+{
+OpticalModel modelOf(const Shot& shot)
+{
+  OpticalModel model;
+  model.Colour = vtkSmartPointer<vtkColorTransferFunction>::New();
+  model.Colour->AddRGBPoint(0.0, 0.1, 0.2, 1.0);
+  model.Colour->AddRGBPoint(0.45, 0.1, 1.0, 0.3);
+  model.Colour->AddRGBPoint(0.55, 1.0, 0.9, 0.0);
+  model.Colour->AddRGBPoint(1.0, 1.0, 0.1, 0.1);
+  model.Opacity = vtkSmartPointer<vtkPiecewiseFunction>::New();
+  model.Opacity->AddPoint(0.0, 0.6);
+  model.Opacity->AddPoint(0.4, 0.1);
+  model.Opacity->AddPoint(0.5, 0.9);
+  model.Opacity->AddPoint(0.6, 0.0);
+  model.Opacity->AddPoint(1.0, 0.8);
+  model.UnitDistance = shot.UnitDistance;
+  return model;
+}
+
+// The same grid with its points in world coordinates.
+Grid inWorld(const Shot& shot)
+{
+  const Grid world = withOffsetAndScale(shot.Data, { 0.0, 0.0, 0.0 }, 1.0);
+  for (vtkIdType i = 0; i < world->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    world->GetPoint(i, p);
+    shot.Transform->TransformPoint(p, p);
+    world->GetPoints()->SetPoint(i, p);
+  }
+  return world;
+}
+} // namespace
+
+vtkStandardNewMacro(WindowlessRenderer);
+
+Shot::Shot()
+{
+  this->Camera->SetPosition(2.1, 1.4, 2.9);
+  this->Camera->SetFocalPoint(0.5, 0.45, 0.5);
+  this->Camera->SetViewUp(0.1, 1.0, 0.0);
+  this->Camera->SetClippingRange(0.1, 20.0);
+}
+
+Image byOracle(const Shot& shot)
+{
+  constexpr int Size = Shot::Size;
+  const OracleScene oracle(inWorld(shot), modelOf(shot), shot.Scalars);
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(shot.Camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0), inverse);
+  const auto unproject = [&](double x, double y, double z)
+  {
+    const double in[4] = { x, y, z, 1.0 };
+    double out[4];
+    inverse->MultiplyPoint(in, out);
+    return Vec3{ out[0] / out[3], out[1] / out[3], out[2] / out[3] };
+  };
+  Image image(Size, Size);
+  for (int y = 0; y < Size; ++y)
+  {
+    for (int x = 0; x < Size; ++x)
+    {
+      const double depth = shot.Depths.empty() ? 1.0 : double(shot.Depths[y * Size + x]);
+      const double sx = (x + 0.5) / Size * 2.0 - 1.0, sy = (y + 0.5) / Size * 2.0 - 1.0;
+      const Vec3 from = unproject(sx, sy, -1.0);
+      const Vec3 to = unproject(sx, sy, 2.0 * depth - 1.0);
+      const Vec3 d{ to[0] - from[0], to[1] - from[1], to[2] - from[2] };
+      const double far = std::hypot(d[0], d[1], d[2]);
+      const auto rgba = far > 0.0 ? oracle.integrate(from, d, 0.0, far) : std::array<double, 4>{};
+      for (int k = 0; k < 4; ++k)
+      {
+        image.pixel(x, y)[k] = static_cast<float>(rgba[k]);
+      }
+    }
+  }
+  return image;
+}
+
+template <typename Real>
+Image byTwin(const Shot& shot, const AccuracyLevel& level, MarchCounters& counters)
+{
+  constexpr int Size = Shot::Size;
+  TetMesh mesh = builtWithHierarchy(shot.Data);
+  std::vector<float> cellScalars;
+  ReferenceScene scene;
+  if (shot.Scalars == ScalarsOf::Points)
+  {
+    scene.Range = setPointScalars(shot.Data, shot.Data->GetPointData()->GetScalars(), mesh);
+  }
+  else
+  {
+    scene.Range = makeCellScalars(shot.Data->GetCellData()->GetScalars(), mesh, cellScalars);
+    scene.CellScalars = &cellScalars;
+  }
+  const OpticalModel model = modelOf(shot);
+  vtkNew<vtkVolumeProperty> property;
+  property->SetColor(model.Colour);
+  property->SetScalarOpacity(model.Opacity);
+  const IntegralTable table =
+    makeIntegralTable(sampleFunctions(property, tetmarch::OpacityLaw::Unstructured, scene.Range.Low,
+      scene.Range.High, samplesOfTable(level.TableEntries)));
+
+  vtkNew<WindowlessRenderer> renderer;
+  renderer->SetActiveCamera(shot.Camera);
+  vtkNew<vtkVolume> volume;
+  volume->SetUserTransform(shot.Transform);
+  EXPECT_TRUE(makeView(renderer, volume, mesh, shot.UnitDistance, scene.Camera));
+  scene.Mesh = &mesh;
+  scene.Table = &table;
+  scene.Width = Size;
+  scene.Height = Size;
+  scene.WindowDepths = shot.Depths.empty() ? nullptr : shot.Depths.data();
+  const ReferenceImage image = renderReference<Real>(scene, level);
+  counters = image.Counters;
+  return Image::fromFloats(Size, Size, image.Pixels.data());
+}
+
+template Image byTwin<float>(const Shot&, const AccuracyLevel&, MarchCounters&);
+template Image byTwin<double>(const Shot&, const AccuracyLevel&, MarchCounters&);
+} // namespace tetmarch::testing

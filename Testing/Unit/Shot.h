@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief A small picture, by the CPU twin and by the oracle
+ */
+#ifndef tetmarch_testing_Shot_h
+#define tetmarch_testing_Shot_h
+
+#include "Optics/AccuracyLevel.h"
+#include "Reference/MarchCounters.h"
+
+#include "Images.h"
+#include "Oracle.h"
+#include "UnitMeshes.h"
+
+#include "vtkCamera.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+#include "vtkTransform.h"
+
+namespace tetmarch::testing
+{
+/// Cameras and their matrices need no window.
+class WindowlessRenderer : public vtkRenderer
+{
+public:
+  static WindowlessRenderer* New();
+  void DeviceRender() override {}
+};
+
+/// What a picture is taken of, and how.
+struct Shot
+{
+  static constexpr int Size = 48;
+
+  Grid Data = jitteredLattice(6, 0.15, 1, sineField());
+  ScalarsOf Scalars = ScalarsOf::Points;
+  vtkNew<vtkTransform> Transform;
+  vtkNew<vtkCamera> Camera;
+  std::vector<float> Depths; ///< of opaque geometry, a pixel each; empty: none
+  double UnitDistance = 0.25;
+
+  Shot();
+};
+
+/// In world coordinates, with VTK's own camera matrix.
+Image byOracle(const Shot& shot);
+
+/// In the arithmetic of Real: float or double.
+template <typename Real>
+Image byTwin(const Shot& shot, const AccuracyLevel& level, MarchCounters& counters);
+} // namespace tetmarch::testing
+
+#endif
