@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Report.h"
+
+#include <cstdio>
+
+namespace tetmarch::bench
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+constexpr double Million = 1e6;
+const std::string Nothing = "";
+
+std::string format(const char* pattern, double value)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), pattern, value);
+  return text;
+}
+
+/// Three significant figures.
+std::string seconds(double value)
+{
+  return format(value < 0.1    ? "%.4f"
+                : value < 1.0  ? "%.3f"
+                : value < 10.0 ? "%.2f"
+                               : "%.1f",
+    value);
+}
+
+/// A number in some unit, or nothing if there is none.
+std::string cell(const Json& json, const char* key, const char* pattern, double unit = 1.0)
+{
+  return json.contains(key) ? format(pattern, json[key].get<double>() / unit) : Nothing;
+}
+
+std::string frames(const Json& mapper)
+{
+  const Json& frames = mapper["frames"];
+  if (frames.is_null())
+  {
+    return Nothing;
+  }
+  return seconds(frames["median_seconds"]) + " (" + seconds(frames["min_seconds"]) + "-" +
+         seconds(frames["max_seconds"]) + ")";
+}
+
+std::string row(const std::vector<std::string>& cells)
+{
+  std::string line = "|";
+  for (const std::string& text : cells)
+  {
+    line += " " + text + " |";
+  }
+  return line + "\n";
+}
+
+std::string mapperRow(const Json& dataset, const Json& mapper)
+{
+  const bool hasPeak = mapper.contains("peak_resident_bytes");
+  const double added = hasPeak ? mapper["peak_resident_bytes"].get<double>() -
+                                   mapper["dataset_resident_bytes"].get<double>()
+                               : 0.0;
+  const Json& first = mapper["first_frame"];
+  return row({ dataset["name"],
+    dataset["tetrahedra"].is_null() ? Nothing : dataset["tetrahedra"].dump(), mapper["name"],
+    frames(mapper), cell(mapper, "frame_ratio_to_tetmarch", "%.2f"),
+    first.is_null() ? Nothing : seconds(first["median_seconds"]),
+    mapper.contains("preprocessing_seconds") ? seconds(mapper["preprocessing_seconds"]) : Nothing,
+    cell(mapper, "preprocessing_tetrahedra_per_second", "%.2f", Million),
+    hasPeak ? format("%.0f", added / Million) : Nothing, cell(mapper, "gpu_bytes", "%.1f", Million),
+    cell(mapper, "uploaded_bytes_per_tetrahedron", "%.1f"),
+    mapper["failure"].is_null() ? Nothing : mapper["failure"].get<std::string>() });
+}
+
+std::string heading(const Json& report)
+{
+  std::string text = report["date"].get<std::string>() + ", TetMarch " +
+                     report["tetmarch_version"].get<std::string>();
+  const Json& environment = report["environment"];
+  if (!environment.is_null())
+  {
+    const Json& gl = environment["gl"];
+    text += ", VTK " + environment["vtk_version"].get<std::string>() + ", " +
+            gl["renderer"].get<std::string>() + " by " + gl["backend"].get<std::string>();
+  }
+  text += "; " + report["cpu"].get<std::string>() + ", " +
+          std::to_string(report["cpu_threads"].get<int>()) + " threads; window " +
+          std::to_string(report["size"][0].get<int>()) + " x " +
+          std::to_string(report["size"][1].get<int>()) + ", " +
+          std::to_string(report["rounds"].get<int>()) + " rounds of " +
+          std::to_string(report["frames"].get<int>()) + " frames.\n";
+  return text;
+}
+} // namespace
+
+std::string makeMarkdown(const Json& report)
+{
+  std::string text = heading(report) + "\n" +
+                     row({ "dataset", "tets", "mapper", "frame, s (range)", "times ours",
+                       "first frame, s", "preprocessing, s", "M tets/s", "memory added, MB",
+                       "GPU, MB", "uploaded bytes/tet", "remark" }) +
+                     "|---|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---|\n";
+  for (const Json& dataset : report["datasets"])
+  {
+    for (const Json& mapper : dataset["mappers"])
+    {
+      text += mapperRow(dataset, mapper);
+    }
+  }
+  return text;
+}
+} // namespace tetmarch::bench

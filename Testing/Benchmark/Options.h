@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The command line of tetmarch-bench
+ */
+#ifndef tetmarch_bench_Options_h
+#define tetmarch_bench_Options_h
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetmarch::bench
+{
+/// What one worker process measures.
+struct Pair
+{
+  std::string Dataset;
+  std::string Mapper;
+};
+
+struct Options
+{
+  bool Help = false;
+  std::array<int, 2> Size = { { 512, 512 } };
+  int Rounds = 2; // each with new processes
+  int Frames = 5; // per round and mapper, after the first
+  double LimitSeconds = 60.0;
+  std::vector<std::string> Datasets = { "lattice162k", "lattice1.3m", "lattice6m", "golfball" };
+  std::vector<std::string> Mappers = { "tetmarch", "projected", "bunyk" };
+  std::string DataFolder;
+  std::string JsonFile;
+  std::string MarkdownFile;
+  std::optional<Pair> Worker; // set in the processes that the benchmark starts
+};
+
+/// Throws UsageError. Names of datasets and mappers are checked.
+Options parseOptions(const std::vector<std::string>& arguments);
+
+std::string helpText();
+
+/// The command line of a worker, without the name of the program.
+std::vector<std::string> workerArguments(const Options& options, const Pair& pair);
+} // namespace tetmarch::bench
+
+#endif
