@@ -105,7 +105,8 @@ void makeQuick(Options& options)
   options.Size = { { 64, 64 } };
   options.Rounds = 1;
   options.Frames = 2;
-  options.Datasets = { "lattice:4", "lattice:6" };
+  // VTK 9.1's projected tetrahedra draw nothing of a grid with fewer than some 1000 cells.
+  options.Datasets = { "lattice:6", "lattice:8" };
 }
 } // namespace
 

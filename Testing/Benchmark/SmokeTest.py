@@ -35,7 +35,7 @@ class SmokeTest(unittest.TestCase):
 
     def test_figures_of_the_quick_run(self):
         report, table = self.report_of("--quick", "--rounds", "2")
-        self.assertEqual([dataset["tetrahedra"] for dataset in report["datasets"]], [6 * 4**3, 6 * 6**3])
+        self.assertEqual([dataset["tetrahedra"] for dataset in report["datasets"]], [6 * 6**3, 6 * 8**3])
         for key in ("vtk_version", "gl", "smp", "multithreader_threads"):
             self.assertTrue(report["environment"][key])
         for key in ("date", "cpu", "cpu_threads", "memory_bytes"):
@@ -50,8 +50,8 @@ class SmokeTest(unittest.TestCase):
 
     def check_mapper(self, mapper, tetrahedra):
         ours = mapper["name"] == "tetmarch"
-        if not ours and mapper["failure"]:
-            self.skipTest(f"VTK's own mapper failed: {mapper['failure']}")
+        if mapper["name"] == "bunyk" and "crashed" in (mapper["failure"] or ""):
+            self.skipTest(f"VTK's own ray caster is known to do this: {mapper['failure']}")
         self.assertIsNone(mapper["failure"])
         self.assert_times(mapper["frames"], 4)
         self.assert_times(mapper["first_frame"], 2)
