@@ -186,4 +186,11 @@ TEST(Convexity, ShallowDents)
   EXPECT_FALSE(isConvex(dented(2e-6)));
   EXPECT_TRUE(isConvex(dented(0.0)));
 }
+
+// Off until isConvex() looks for edges that both faces run through in the same direction: inverted
+// tetrahedra fold the flat boundary, and a ray meets it three times.
+TEST(Convexity, DISABLED_FoldedBoundariesAreNotConvex)
+{
+  EXPECT_FALSE(isConvex(built(jitteredLattice(4, 0.45))));
+}
 } // namespace
