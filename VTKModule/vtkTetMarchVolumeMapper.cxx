@@ -25,8 +25,7 @@ class vtkTetMarchVolumeMapper::Internals
 {
 public:
   tetmarch::Pipeline Pipeline;
-  vtkWeakPointer<vtkWindow> Window; // that holds our GL objects
-  std::string LastError;            // reported already
+  std::string LastError; // reported already
   std::string LastReport;
 };
 
@@ -41,10 +40,7 @@ vtkTetMarchVolumeMapper::vtkTetMarchVolumeMapper()
 //------------------------------------------------------------------------------
 vtkTetMarchVolumeMapper::~vtkTetMarchVolumeMapper()
 {
-  if (vtkWindow* window = this->Internal->Window)
-  {
-    this->ReleaseGraphicsResources(window);
-  }
+  this->vtkTetMarchVolumeMapper::ReleaseGraphicsResources(this->Internal->Pipeline.window());
 }
 
 //------------------------------------------------------------------------------
@@ -72,8 +68,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     pipeline.updateTables(volume->GetProperty(),
       this->OpacityLaw == STRUCTURED ? tetmarch::OpacityLaw::Structured
                                      : tetmarch::OpacityLaw::Unstructured) &&
-    pipeline.updateView(renderer, volume) && this->UseWindow(window) && pipeline.upload(window) &&
-    pipeline.draw(window, renderer, this->CollectDiagnostics);
+    pipeline.updateView(renderer, volume) && pipeline.upload(window) && pipeline.draw(window, renderer, this->CollectDiagnostics);
   this->ReportProblems(scalars != nullptr);
 
   if (drawn)
@@ -125,13 +120,6 @@ std::string vtkTetMarchVolumeMapper::DescribeMissingScalars()
 }
 
 //------------------------------------------------------------------------------
-bool vtkTetMarchVolumeMapper::UseWindow(vtkWindow* window)
-{
-  this->Internal->Window = window;
-  return true;
-}
-
-//------------------------------------------------------------------------------
 void vtkTetMarchVolumeMapper::ReportProblems(bool hasScalars)
 {
   const tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
@@ -158,14 +146,11 @@ void vtkTetMarchVolumeMapper::ReportProblems(bool hasScalars)
 //------------------------------------------------------------------------------
 void vtkTetMarchVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (auto* renderWindow = vtkRenderWindow::SafeDownCast(this->Internal->Window))
+  vtkOpenGLRenderWindow* holder = this->Internal->Pipeline.window();
+  if (holder && holder == window)
   {
-    if (renderWindow == window)
-    {
-      renderWindow->MakeCurrent();
-      this->Internal->Pipeline.release(window);
-      this->Internal->Window = nullptr;
-    }
+    holder->MakeCurrent();
+    this->Internal->Pipeline.release(holder);
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }

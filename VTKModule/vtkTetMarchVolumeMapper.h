@@ -151,7 +151,6 @@ private:
 
   vtkDataArray* FindScalars(vtkUnstructuredGrid* grid, int& cellFlag);
   std::string DescribeMissingScalars();
-  bool UseWindow(vtkWindow* window);
   void ReportProblems(bool hasScalars);
 
   class Internals;

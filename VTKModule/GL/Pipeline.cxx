@@ -182,6 +182,7 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
       window->MakeCurrent();
     }
     this->Window = window;
+    this->Watch.begin(window, [this](vtkWindow* ending) { this->release(ending); });
     this->HasFma = hasFusedMultiplyAdd(window);
   }
   if (this->LinksOnGpu && this->ScalarsOnGpu && this->TablesOnGpu)
@@ -277,6 +278,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, bool d
 
 void Pipeline::release(vtkWindow* window)
 {
+  this->Watch.end(window);
   this->MeshOnGpu.release(window);
   this->TableOnGpu.release(window);
   this->Entry.release(window);

@@ -4,6 +4,7 @@
 #ifndef TetMarchGLPipeline_h
 #define TetMarchGLPipeline_h
 
+#include "GL/ContextWatch.h"
 #include "GL/Diagnostics.h"
 #include "GL/EntryPass.h"
 #include "GL/MarchPass.h"
@@ -49,7 +50,10 @@ public:
   bool upload(vtkOpenGLRenderWindow* window);
   bool draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, bool diagnostics);
 
+  /** Free what is held on the GPU. The context of the window that held it is current. */
   void release(vtkWindow* window);
+  /** The window on whose GPU something may be held. */
+  vtkOpenGLRenderWindow* window() const { return this->Window; }
 
   const std::string& error() const { return this->Error; }
   const TetMesh& mesh() const { return this->Mesh; }
@@ -86,6 +90,7 @@ private:
   View Camera;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  ContextWatch Watch; // of that window
   bool HasFma = false;
   bool LinksOnGpu = false;
   bool ScalarsOnGpu = false;
