@@ -36,16 +36,16 @@ bool isBefore(real depth, int face, Entry other)
   return depth < other.depth || (depth == other.depth && face < other.face);
 }
 
-// The first entry after the given one, by a depth-first walk over the bounding volume hierarchy: nodes are
+// The first entry after the given one, among the faces of the first nodes, by a depth-first walk over the bounding volume hierarchy: nodes are
 // stored in that order, and each inner one knows the node to go on with if the ray misses it. Boxes are tested by the separating axes of a line and a box, without a division.
-Entry nextEntry(Ray ray, Entry after)
+Entry nextEntry(Ray ray, Entry after, int nodeCount)
 {
   Entry best;
   best.depth = NO_DEPTH;
   best.face = -1;
   vec3 size = vec3(abs(ray.direction.x), abs(ray.direction.y), abs(ray.direction.z));
   int node = 0;
-  while (node < bvhNodeCount)
+  while (node < nodeCount)
   {
     vec4 middle = fetchBvhNode(2 * node);     // centre; leaf: number of faces, else node after the subtree
     vec4 extent = fetchBvhNode(2 * node + 1); // half size; leaf: first face, else -1

@@ -14,6 +14,7 @@ uvec3 fetchBoundaryFace(uint face) { return texelFetch(boundaryBuffer, int(face)
 #if TETMARCH_BVH
 uniform samplerBuffer hierarchyBuffer; // two texels a node, see boundary.glsl
 uniform int bvhNodeCount;
+uniform int bvhReentryNodeCount; // the first ones: of faces through which a ray can come back in
 vec4 fetchBvhNode(int i) { return texelFetch(hierarchyBuffer, i); }
 #endif
 

@@ -10,7 +10,7 @@ March castRay(Ray ray, int firstFace, real opticalLength, real depthBegin, real 
   entry.face = firstFace;
   if (firstFace < 0)
   {
-    entry = nextEntry(ray, entry);
+    entry = nextEntry(ray, entry, bvhNodeCount);
   }
   while (entry.face >= 0 && entry.depth < depthEnd)
   {
@@ -30,7 +30,8 @@ March castRay(Ray ray, int firstFace, real opticalLength, real depthBegin, real 
     }
     else
     {
-      entry = nextEntry(ray, entry);
+      // A face that refused the ray leaves even the first entry to be found.
+      entry = nextEntry(ray, entry, entered ? bvhReentryNodeCount : bvhNodeCount);
     }
   }
 #else

@@ -16,8 +16,6 @@ real orderErrorFactor(real depth, real transmitted)
                             : min(sqrt(max(square, real(0))), real(1));
 }
 
-CONSTANT int MOST_TRIALS = 64;
-
 // From table position begin to end over a length in scalar opacity unit distances. `at` is the table at the
 // last end, which is mostly this begin; where it isn't, the first trial only reads the table there. Returns
 // the number of trials. The body stands at the end of one loop that mostly runs once: an `if` costs a
@@ -43,7 +41,7 @@ int integrateSegment(
 
     // A deviation of colours is at most sqrt(3) / 2, and g(D) at most D^2 / sqrt(12): no need to look closer.
     bool accepted = radiance.transmittance * depth * depth * real(0.25) <= integrationTolerance ||
-      trials >= MOST_TRIALS;
+      trials >= mostTrials;
     real shrink = real(1);
     if (!accepted)
     {

@@ -8,6 +8,7 @@ uniform float tableOffset;
 uniform vec4 tableIntegralUnit;
 uniform float tableSquareUnit;
 uniform float integrationTolerance;
+uniform int mostTrials; // pieces that a segment may be tried in
 uniform float leastTransmittance;
 
 vec4 fetchTableValue(int i) { return texelFetch(tableValueBuffer, i); }

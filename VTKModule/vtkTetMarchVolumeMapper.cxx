@@ -58,17 +58,19 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   int cellScalars = 0;
   vtkDataArray* scalars = this->FindScalars(grid, cellScalars);
   tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
-  const auto progress = [this, window](double share) {
+  const auto progress = [this, window](double share)
+  {
     this->UpdateProgress(share);
     return !window->CheckAbortStatus();
   };
 
   const bool drawn = scalars && pipeline.updateMesh(grid, progress) &&
-    pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
-    pipeline.updateTables(volume->GetProperty(),
-      this->OpacityLaw == STRUCTURED ? tetmarch::OpacityLaw::Structured
-                                     : tetmarch::OpacityLaw::Unstructured) &&
-    pipeline.updateView(renderer, volume) && pipeline.upload(window) && pipeline.draw(window, renderer, this->CollectDiagnostics);
+                     pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
+                     pipeline.updateTables(volume->GetProperty(),
+                       this->OpacityLaw == STRUCTURED ? tetmarch::OpacityLaw::Structured
+                                                      : tetmarch::OpacityLaw::Unstructured) &&
+                     pipeline.updateView(renderer, volume) && pipeline.upload(window) &&
+                     pipeline.draw(window, renderer, this->CollectDiagnostics);
   this->ReportProblems(scalars != nullptr);
 
   if (drawn)
@@ -91,7 +93,8 @@ vtkDataArray* vtkTetMarchVolumeMapper::FindScalars(vtkUnstructuredGrid* grid, in
 std::string vtkTetMarchVolumeMapper::DescribeMissingScalars()
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
-  const auto list = [](vtkDataSetAttributes* data) {
+  const auto list = [](vtkDataSetAttributes* data)
+  {
     std::string names;
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
@@ -106,17 +109,18 @@ std::string vtkTetMarchVolumeMapper::DescribeMissingScalars()
     return "Field data can't be volume rendered: set the scalar mode to point or cell data.";
   }
   if (this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ||
-    this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA)
+      this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA)
   {
     wanted = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME
-      ? "array named \"" + std::string(this->ArrayName ? this->ArrayName : "") + "\""
-      : "array with the number " + std::to_string(this->ArrayId);
-    wanted +=
-      this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ? " in the point data" : " in the cell data";
+               ? "array named \"" + std::string(this->ArrayName ? this->ArrayName : "") + "\""
+               : "array with the number " + std::to_string(this->ArrayId);
+    wanted += this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ? " in the point data"
+                                                                       : " in the cell data";
   }
-  return "The grid has no " + wanted + ", so nothing is drawn. Point arrays: " +
-    list(grid->GetPointData()) + "; cell arrays: " + list(grid->GetCellData()) +
-    ". Choose one with SelectScalarArray and SetScalarMode, or set active scalars.";
+  return "The grid has no " + wanted +
+         ", so nothing is drawn. Point arrays: " + list(grid->GetPointData()) +
+         "; cell arrays: " + list(grid->GetCellData()) +
+         ". Choose one with SelectScalarArray and SetScalarMode, or set active scalars.";
 }
 
 //------------------------------------------------------------------------------

@@ -4,27 +4,29 @@
  * @class   vtkTetMarchVolumeMapper
  * @brief   Volume rendering of unstructured grids by marching rays from tetrahedron to tetrahedron
  *
- * Put it where vtkProjectedTetrahedraMapper or vtkUnstructuredGridVolumeRayCastMapper stood. Each ray
- * enters the mesh through its rasterised boundary and steps from cell to cell by links between faces, in
- * a GLSL shader; nothing is sorted and nothing is resampled. Cells of every linear 3D type are taken
- * (tetrahedron, hexahedron, voxel, wedge, pyramid, pentagonal and hexagonal prism, polyhedron), the
- * quadratic ones by linear pieces; other cells are skipped with a warning that counts them.
+ * Put it where vtkProjectedTetrahedraMapper or vtkUnstructuredGridVolumeRayCastMapper stood. Each
+ * ray enters the mesh through its rasterised boundary and steps from cell to cell by links between
+ * faces, in a GLSL shader; nothing is sorted and nothing is resampled. Cells of every linear 3D
+ * type are taken (tetrahedron, hexahedron, voxel, wedge, pyramid, pentagonal and hexagonal prism,
+ * polyhedron), the quadratic ones by linear pieces; other cells are skipped with a warning that
+ * counts them.
  *
- * Inside a tetrahedron the scalar is linear. Extinction and colour come from the vtkVolumeProperty's
- * scalar opacity, scalar opacity unit distance and colour (or gray) transfer function of component 0;
- * the emission-absorption integral of each ray segment is taken from local integral tables and split
- * until a variance bound of its error holds (the error of a pixel is below 1/255 but in rare cases).
- * Nothing else of the property (shading, gradient opacity, interpolation type) is used yet.
+ * Inside a tetrahedron the scalar is linear. Extinction and colour come from the
+ * vtkVolumeProperty's scalar opacity, scalar opacity unit distance and colour (or gray) transfer
+ * function of component 0; the emission-absorption integral of each ray segment is taken from local
+ * integral tables and split until a variance bound of its error holds (the error of a pixel is
+ * below 1/255 but in rare cases). Nothing else of the property (shading, gradient opacity,
+ * interpolation type) is used yet.
  *
- * Point and cell scalars are taken, by ScalarMode and ArrayAccessMode as in every vtkAbstractMapper. Of
- * an array with several components the first is drawn. Cells that touch a scalar that is not finite are
- * passed through and not drawn.
+ * Point and cell scalars are taken, by ScalarMode and ArrayAccessMode as in every
+ * vtkAbstractMapper. Of an array with several components the first is drawn. Cells that touch a
+ * scalar that is not finite are passed through and not drawn.
  *
  * The stages (mesh, scalars, transfer-function tables, camera) are redone only when their own input
  * changed; the Get...Builds() counters tell.
  *
- * Errors (no GL 3.2 context, ids out of range, mesh larger than the GL can hold, ...) are reported once
- * through vtkErrorMacro and leave the frame without this volume.
+ * Errors (no GL 3.2 context, ids out of range, mesh larger than the GL can hold, ...) are reported
+ * once through vtkErrorMacro and leave the frame without this volume.
  *
  * @sa vtkProjectedTetrahedraMapper vtkUnstructuredGridVolumeRayCastMapper vtkVolumeProperty
  */
@@ -58,33 +60,40 @@ public:
    */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
+  // Groups begin with two slashes: after three, VTK 9.1 tells Python of their first method only.
+  //@{
   /**
    * How the extinction coefficient (per unit of world length) follows from the opacity alpha of the
    * transfer function and d = vtkVolumeProperty::GetScalarOpacityUnitDistance():
    * UNSTRUCTURED: alpha / d, as VTK's unstructured grid mappers do (the default);
-   * STRUCTURED: -ln(1 - alpha) / d, as vtkGPUVolumeRayCastMapper does, so that a slab of thickness d
-   * has opacity alpha; alpha above 1 - 2^-24 is taken as 1 - 2^-24.
+   * STRUCTURED: -ln(1 - alpha) / d, as vtkGPUVolumeRayCastMapper does, so that a slab of thickness
+   * d has opacity alpha; alpha above 1 - 2^-24 is taken as 1 - 2^-24.
    */
-  enum OpacityLawType { UNSTRUCTURED = 0, STRUCTURED = 1 };
+  enum OpacityLawType
+  {
+    UNSTRUCTURED = 0,
+    STRUCTURED = 1
+  };
   vtkSetClampMacro(OpacityLaw, int, UNSTRUCTURED, STRUCTURED);
   vtkGetMacro(OpacityLaw, int);
   void SetOpacityLawToUnstructured() { this->SetOpacityLaw(UNSTRUCTURED); }
   void SetOpacityLawToStructured() { this->SetOpacityLaw(STRUCTURED); }
+  //@}
 
-  ///@{
+  //@{
   /**
    * Figures of the mesh as it was prepared for the last frame; 0 before the first.
    */
   vtkIdType GetNumberOfTetrahedra() const;
   vtkIdType GetNumberOfBoundaryFaces() const;
-  ///@}
+  //@}
 
   /**
    * Bytes of the buffers and textures that this mapper holds on the GPU.
    */
   vtkTypeInt64 GetGPUMemoryBytes() const;
 
-  ///@{
+  //@{
   /**
    * Seconds that each stage took when it last ran: mesh (decomposition, links, boundary), scalars,
    * transfer-function tables, upload to the GPU.
@@ -93,35 +102,35 @@ public:
   double GetScalarsSeconds() const;
   double GetTablesSeconds() const;
   double GetUploadSeconds() const;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
-   * How often each stage ran since the mapper was created. A camera move raises none of them, an edit of
-   * the transfer functions only the tables, new scalars on the same mesh only the scalars.
+   * How often each stage ran since the mapper was created. A camera move raises none of them, an
+   * edit of the transfer functions only the tables, new scalars on the same mesh only the scalars.
    */
   vtkTypeInt64 GetMeshBuilds() const;
   vtkTypeInt64 GetScalarsBuilds() const;
   vtkTypeInt64 GetTablesBuilds() const;
   vtkTypeInt64 GetUploadedBytes() const;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
-   * When on, each frame is marched a second time by a diagnostic variant of the shader that counts, and
-   * the sums are read back. Costs more than a frame; off by default.
+   * When on, each frame is marched a second time by a diagnostic variant of the shader that counts,
+   * and the sums are read back. Costs more than a frame; off by default.
    */
   vtkSetMacro(CollectDiagnostics, bool);
   vtkGetMacro(CollectDiagnostics, bool);
   vtkBooleanMacro(CollectDiagnostics, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
-   * Sums over the pixels of the last frame with CollectDiagnostics on: rays that entered the mesh, cells
-   * crossed, evaluations of the segment integral, rays whose entry face refused them, rays that came to
-   * a face without exit (lost) and rays stopped by the step guard. The last three are 0 unless something
-   * is wrong.
+   * Sums over the pixels of the last frame with CollectDiagnostics on: rays that entered the mesh,
+   * cells crossed, evaluations of the segment integral, rays whose entry face refused them, rays
+   * that came to a face without exit (lost) and rays stopped by the step guard. The last three are
+   * 0 unless something is wrong.
    */
   vtkTypeInt64 GetNumberOfRays() const;
   vtkTypeInt64 GetNumberOfCrossedCells() const;
@@ -129,12 +138,12 @@ public:
   vtkTypeInt64 GetNumberOfRefusedEntries() const;
   vtkTypeInt64 GetNumberOfLostRays() const;
   vtkTypeInt64 GetNumberOfGuardHits() const;
-  ///@}
+  //@}
 
   /**
-   * The picture of the last frame with CollectDiagnostics on, before it was blended over the background:
-   * one tuple a pixel of the viewport, rows from the bottom, premultiplied r, g, b and opacity in 0..1, in
-   * float. Empty if there is none.
+   * The picture of the last frame with CollectDiagnostics on, before it was blended over the
+   * background: one tuple a pixel of the viewport, rows from the bottom, premultiplied r, g, b and
+   * opacity in 0..1, in float. Empty if there is none.
    */
   void GetDiagnosticPixels(vtkFloatArray* pixels) const;
 

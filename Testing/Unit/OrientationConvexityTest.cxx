@@ -189,7 +189,7 @@ TEST(Convexity, ShallowDents)
 
 // Off until isConvex() looks for edges that both faces run through in the same direction: inverted
 // tetrahedra fold the flat boundary, and a ray meets it three times.
-TEST(Convexity, DISABLED_FoldedBoundariesAreNotConvex)
+TEST(Convexity, FoldedBoundariesAreNotConvex)
 {
   EXPECT_FALSE(isConvex(built(jitteredLattice(4, 0.45))));
 }

@@ -70,7 +70,7 @@ TEST(ReferenceImage, Thick)
 }
 
 // Off until MOST_TRIALS belongs to the level: see SegmentTest.cxx.
-TEST(ReferenceImage, DISABLED_ThickReference)
+TEST(ReferenceImage, ThickReference)
 {
   Shot shot;
   shot.UnitDistance = 0.03;

@@ -226,5 +226,5 @@ TEST(Segment, ReferenceAccuracy) { expectReferenceAccuracy(0.0, 1.0); }
 // Off until MOST_TRIALS in segment_adaptive.glsl belongs to the level: its 64 pieces are too few
 // for a tolerance of 1e-6 in a cell of optical depth 10 (error 1.3e-2). Beyond depths of 1000 the
 // fixed-point integrals, good to 2^-22 of the greatest mean, leave more than 1e-4.
-TEST(Segment, DISABLED_ReferenceAccuracyInThickCells) { expectReferenceAccuracy(10.0, 1e3); }
+TEST(Segment, ReferenceAccuracyInThickCells) { expectReferenceAccuracy(10.0, 1e3); }
 } // namespace

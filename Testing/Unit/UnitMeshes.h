@@ -58,7 +58,7 @@ Kernel kernelOf(
   kernel.Table = &table;
   kernel.tetCount = mesh.numberOfTets();
   kernel.bvhNodeCount = static_cast<int>(mesh.Hierarchy.size());
-  kernel.bvhReentryNodeCount = static_cast<int>(mesh.Hierarchy.size());
+  kernel.bvhReentryNodeCount = static_cast<int>(mesh.ReentryNodes);
   kernel.mostCells = static_cast<int>(mesh.Tets.size()) + 1;
   kernel.tableSize = table.size();
   kernel.tableScale = Real(table.scale(1.0));
@@ -66,6 +66,7 @@ Kernel kernelOf(
   const auto& unit = table.IntegralUnit;
   kernel.tableIntegralUnit = { Real(unit[0]), Real(unit[1]), Real(unit[2]), Real(unit[3]) };
   kernel.tableSquareUnit = Real(table.SquareUnit);
+  kernel.mostTrials = level.MostTrials;
   kernel.integrationTolerance = Real(level.IntegrationTolerance);
   kernel.leastTransmittance = Real(level.LeastTransmittance);
   return kernel;

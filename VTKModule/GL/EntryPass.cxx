@@ -13,8 +13,8 @@
 namespace tetmarch
 {
 
-std::string EntryPass::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, const View& view,
-  const TetMesh& mesh, MeshTextures& textures)
+std::string EntryPass::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport,
+  const View& view, const TetMesh& mesh, MeshTextures& textures)
 {
   StateScope state(window);
   std::string error = this->Target.bind(window, viewport.Width, viewport.Height, 1, true);

@@ -46,7 +46,7 @@ std::string FloatTarget::bind(
   {
     this->release(window);
     return "The GL can't draw into a float framebuffer of " + std::to_string(width) + " x " +
-      std::to_string(height) + " pixels with " + std::to_string(colors) + " colours.";
+           std::to_string(height) + " pixels with " + std::to_string(colors) + " colours.";
   }
   return {};
 }

@@ -21,8 +21,9 @@ class FloatTarget
 {
 public:
   /**
-   * Make it if it isn't there, give it the size, and bind it for drawing into all its colours. Framebuffer
-   * bindings are the caller's to restore (StateScope). Returns an empty string, or what is wrong.
+   * Make it if it isn't there, give it the size, and bind it for drawing into all its colours.
+   * Framebuffer bindings are the caller's to restore (StateScope). Returns an empty string, or what
+   * is wrong.
    */
   std::string bind(vtkOpenGLRenderWindow* window, int width, int height, int colors, bool depth);
   vtkTextureObject* color(int i) const { return this->Colors[i]; }

@@ -10,8 +10,8 @@ namespace tetmarch
 {
 
 /**
- * True if shaders may say fma (GL_ARB_gpu_shader5) and a drawn pixel shows that it rounds once. Asks the GL, so
- * keep the answer as long as the context lives.
+ * True if shaders may say fma (GL_ARB_gpu_shader5) and a drawn pixel shows that it rounds once.
+ * Asks the GL, so keep the answer as long as the context lives.
  */
 bool hasFusedMultiplyAdd(vtkOpenGLRenderWindow* window);
 

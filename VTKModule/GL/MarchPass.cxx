@@ -54,8 +54,8 @@ std::string MarchPass::drawVariant(
   vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& target)
 {
   std::string error;
-  vtkShaderProgram* program = this->Draw.use(
-    window, "full_view.vert.glsl", "march.frag.glsl", inputs.Key.defines(), error);
+  vtkShaderProgram* program =
+    this->Draw.use(window, "full_view.vert.glsl", "march.frag.glsl", inputs.Key.defines(), error);
   if (!program)
   {
     return error;

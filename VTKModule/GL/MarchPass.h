@@ -38,9 +38,11 @@ struct MarchInputs
 class MarchPass
 {
 public:
-  /** Premultiplied, over what the framebuffer that is bound holds. Returns an empty string, or what is wrong. */
+  /** Premultiplied, over what the framebuffer that is bound holds. Returns an empty string, or what
+   * is wrong. */
   std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs);
-  /** Into colours of a float framebuffer that is bound and has the size of the area; no blending. */
+  /** Into colours of a float framebuffer that is bound and has the size of the area; no blending.
+   */
   std::string drawDiagnostics(vtkOpenGLRenderWindow* window, MarchInputs inputs);
   void release();
 

@@ -19,10 +19,11 @@ static_assert(sizeof(Vertex) == 16 && sizeof(Link) == 8 && sizeof(HierarchyNode)
 std::string checkSize(const char* what, std::size_t texels)
 {
   const std::size_t most = mostTexels();
-  return texels <= most ? std::string()
-                        : std::string("The mesh is too large for this GL: it needs ") +
-      std::to_string(texels) + " texels for its " + what + ", the GL takes " + std::to_string(most) +
-      " (GL_MAX_TEXTURE_BUFFER_SIZE). Extract or coarsen a part of the grid.";
+  return texels <= most
+           ? std::string()
+           : std::string("The mesh is too large for this GL: it needs ") + std::to_string(texels) +
+               " texels for its " + what + ", the GL takes " + std::to_string(most) +
+               " (GL_MAX_TEXTURE_BUFFER_SIZE). Extract or coarsen a part of the grid.";
 }
 
 } // namespace
@@ -51,6 +52,7 @@ std::string MeshTextures::uploadLinks(vtkOpenGLRenderWindow* window, const TetMe
   }
   this->NumberOfTets = static_cast<int>(mesh.numberOfTets());
   this->NumberOfNodes = static_cast<int>(mesh.Hierarchy.size());
+  this->NumberOfReentryNodes = static_cast<int>(mesh.ReentryNodes);
   return error;
 }
 
@@ -82,6 +84,7 @@ void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
   {
     this->Hierarchy.bind(program, "hierarchyBuffer");
     program->SetUniformi("bvhNodeCount", this->NumberOfNodes);
+    program->SetUniformi("bvhReentryNodeCount", this->NumberOfReentryNodes);
   }
   if (!key.PointScalars)
   {
@@ -116,7 +119,7 @@ void MeshTextures::release(vtkWindow* window)
 std::size_t MeshTextures::bytes() const
 {
   return this->Links.bytes() + this->Boundary.bytes() + this->Hierarchy.bytes() +
-    this->Vertices.bytes() + this->CellScalars.bytes();
+         this->Vertices.bytes() + this->CellScalars.bytes();
 }
 
 } // namespace tetmarch

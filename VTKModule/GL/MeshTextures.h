@@ -39,6 +39,7 @@ private:
   TextureBuffer CellScalars;
   int NumberOfTets = 0;
   int NumberOfNodes = 0;
+  int NumberOfReentryNodes = 0;
 };
 
 } // namespace tetmarch

@@ -102,9 +102,9 @@ void OpaqueDepth::allocate(
   else
   {
     const int kind = format.Float ? vtkTextureObject::Float32
-                                  : (format.DepthBits == 32   ? vtkTextureObject::Fixed32
-                                        : format.DepthBits == 16 ? vtkTextureObject::Fixed16
-                                                                 : vtkTextureObject::Fixed24);
+                                  : (format.DepthBits == 32    ? vtkTextureObject::Fixed32
+                                      : format.DepthBits == 16 ? vtkTextureObject::Fixed16
+                                                               : vtkTextureObject::Fixed24);
     this->Depth->AllocateDepth(viewport.Width, viewport.Height, kind);
   }
   this->Color = vtkSmartPointer<vtkTextureObject>::New();
@@ -132,7 +132,7 @@ std::string OpaqueDepth::capture(vtkOpenGLRenderWindow* window, const Viewport& 
     return "The framebuffer has no depths for opaque geometry.";
   }
   if (!this->Framebuffer || viewport.Width != this->Width || viewport.Height != this->Height ||
-    format != this->Present)
+      format != this->Present)
   {
     this->allocate(window, viewport, format);
   }
@@ -140,11 +140,12 @@ std::string OpaqueDepth::capture(vtkOpenGLRenderWindow* window, const Viewport& 
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
   state->vtkglDisable(GL_SCISSOR_TEST);
   glBlitFramebuffer(viewport.X, viewport.Y, viewport.X + viewport.Width,
-    viewport.Y + viewport.Height, 0, 0, viewport.Width, viewport.Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    viewport.Y + viewport.Height, 0, 0, viewport.Width, viewport.Height, GL_DEPTH_BUFFER_BIT,
+    GL_NEAREST);
   if (glGetError() != GL_NO_ERROR)
   {
-    return "The depths of opaque geometry (" + std::to_string(format.DepthBits) + " bits, stencil " +
-      std::to_string(format.StencilBits) + " bits) could not be copied.";
+    return "The depths of opaque geometry (" + std::to_string(format.DepthBits) +
+           " bits, stencil " + std::to_string(format.StencilBits) + " bits) could not be copied.";
   }
   return {};
 }

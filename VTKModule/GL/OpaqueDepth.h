@@ -20,8 +20,8 @@ namespace tetmarch
 {
 
 /**
- * Whether anything in the renderer, or in a layer below whose depths it keeps, may be opaque. If not, no ray
- * needs to look.
+ * Whether anything in the renderer, or in a layer below whose depths it keeps, may be opaque. If
+ * not, no ray needs to look.
  */
 bool mayHaveOpaqueGeometry(vtkRenderer* renderer);
 
@@ -29,8 +29,8 @@ class OpaqueDepth
 {
 public:
   /**
-   * Copy the depths of the viewport of the framebuffer that is drawn into, of whatever format and number of
-   * samples. Returns an empty string, or what is wrong.
+   * Copy the depths of the viewport of the framebuffer that is drawn into, of whatever format and
+   * number of samples. Returns an empty string, or what is wrong.
    */
   std::string capture(vtkOpenGLRenderWindow* window, const Viewport& viewport);
   /** Window depths in 0..1 in red; nearest filter. */
@@ -48,7 +48,7 @@ private:
     bool operator!=(const Format& other) const
     {
       return this->DepthBits != other.DepthBits || this->StencilBits != other.StencilBits ||
-        this->Float != other.Float;
+             this->Float != other.Float;
     }
   };
   static Format formatOf(unsigned int framebuffer);

@@ -107,8 +107,8 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   {
     const std::string name = array->GetName() ? array->GetName() : "";
     return this->fail("The scalar array \"" + name + "\" has " +
-      std::to_string(array->GetNumberOfTuples()) + " tuples, but the grid has " +
-      std::to_string(expected) + (cellScalars ? " cells." : " points."));
+                      std::to_string(array->GetNumberOfTuples()) + " tuples, but the grid has " +
+                      std::to_string(expected) + (cellScalars ? " cells." : " points."));
   }
   Fingerprint input;
   add(input, array);
@@ -130,9 +130,9 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law)
 {
   Fingerprint input;
   add(input, property->GetScalarOpacity());
-  add(input,
-    property->GetColorChannels() == 1 ? static_cast<vtkObject*>(property->GetGrayTransferFunction())
-                                      : property->GetRGBTransferFunction());
+  add(input, property->GetColorChannels() == 1
+               ? static_cast<vtkObject*>(property->GetGrayTransferFunction())
+               : property->GetRGBTransferFunction());
   input.push_back(static_cast<std::uintptr_t>(law));
   add(input, this->Range.Low);
   add(input, this->Range.High);
@@ -156,7 +156,7 @@ bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume)
   if (!(unit > 0))
   {
     return this->fail("The scalar opacity unit distance is " + std::to_string(unit) +
-      "; it must be above 0 (vtkVolumeProperty::SetScalarOpacityUnitDistance).");
+                      "; it must be above 0 (vtkVolumeProperty::SetScalarOpacityUnitDistance).");
   }
   if (!makeView(renderer, volume, this->Mesh, unit, this->Camera))
   {
@@ -244,7 +244,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, bool d
   VariantKey key;
   key.PointScalars = this->CellScalars.empty();
   key.RasterEntry = !this->Camera.CutsNearPlane;
-  key.Hierarchy = this->Mesh.hasHierarchy();
+  key.Hierarchy = this->Mesh.ReentryNodes > 0;
   key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
   key.HasFma = this->HasFma;
   inputs.Key = this->LastVariant = key.filtered();
@@ -292,7 +292,7 @@ void Pipeline::release(vtkWindow* window)
 std::size_t Pipeline::gpuBytes() const
 {
   return this->MeshOnGpu.bytes() + this->TableOnGpu.bytes() + this->Entry.bytes() +
-    this->Opaque.bytes();
+         this->Opaque.bytes();
 }
 
 } // namespace tetmarch

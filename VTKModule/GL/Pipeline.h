@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The stages of a frame with what each made last, so that each reruns only when its own input changed.
+// The stages of a frame with what each made last, so that each reruns only when its own input
+// changed.
 #ifndef TetMarchGLPipeline_h
 #define TetMarchGLPipeline_h
 
@@ -40,8 +41,8 @@ class Pipeline
 {
 public:
   /**
-   * The stages, in the order of a frame. Each returns whether the frame can go on; if not, error() says what
-   * is wrong, or is empty if there is nothing to draw or the user stopped it.
+   * The stages, in the order of a frame. Each returns whether the frame can go on; if not, error()
+   * says what is wrong, or is empty if there is nothing to draw or the user stopped it.
    */
   bool updateMesh(vtkUnstructuredGrid* grid, const Progress& progress);
   bool updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars);

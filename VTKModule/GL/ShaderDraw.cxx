@@ -21,8 +21,9 @@ vtkShaderProgram* ShaderDraw::use(vtkOpenGLRenderWindow* window, const std::stri
     window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
   if (!program)
   {
-    error = "The shader " + fragmentFile + " could not be built; the GL's message is above. In it, sources " +
-      "are numbered: " + sourceLegend() + ".";
+    error = "The shader " + fragmentFile +
+            " could not be built; the GL's message is above. In it, sources " +
+            "are numbered: " + sourceLegend() + ".";
   }
   return program;
 }

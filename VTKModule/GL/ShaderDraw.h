@@ -19,7 +19,8 @@ namespace tetmarch
 class ShaderDraw
 {
 public:
-  /** Compile, or find in the window's cache, and use. nullptr on failure: error then says which file. */
+  /** Compile, or find in the window's cache, and use. nullptr on failure: error then says which
+   * file. */
   vtkShaderProgram* use(vtkOpenGLRenderWindow* window, const std::string& vertexFile,
     const std::string& fragmentFile, const std::string& defines, std::string& error);
   /** Draw so many triangles, with vertices that the vertex shader makes from their number. */

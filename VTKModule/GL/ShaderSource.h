@@ -10,9 +10,9 @@ namespace tetmarch
 {
 
 /**
- * The text of a shader file for vtkOpenGLShaderCache: the version tag, the defines, the file with its
- * #include lines replaced by the files, each once, under #line directives whose source number is explained by
- * sourceLegend().
+ * The text of a shader file for vtkOpenGLShaderCache: the version tag, the defines, the file with
+ * its #include lines replaced by the files, each once, under #line directives whose source number
+ * is explained by sourceLegend().
  */
 std::string shaderSource(const std::string& file, const std::string& defines = {});
 

@@ -43,6 +43,7 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
     }
     program->SetUniform4f("tableIntegralUnit", unit.data());
     program->SetUniformf("tableSquareUnit", static_cast<float>(table.SquareUnit));
+    program->SetUniformi("mostTrials", level.MostTrials);
     program->SetUniformf("integrationTolerance", static_cast<float>(level.IntegrationTolerance));
   }
 }

@@ -18,7 +18,14 @@ class vtkWindow;
 namespace tetmarch
 {
 
-enum class TexelFormat { R32F, RGBA32F, R32UI, RG32UI, RGBA32UI };
+enum class TexelFormat
+{
+  R32F,
+  RGBA32F,
+  R32UI,
+  RG32UI,
+  RGBA32UI
+};
 
 class TextureBuffer
 {

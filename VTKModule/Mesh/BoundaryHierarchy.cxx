@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryHierarchy.h"
 
+#include "HullFaces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -64,16 +66,24 @@ public:
     }
   }
 
-  void build()
+  // One tree of the faces for which `first` is true, then one of the others; the nodes of the
+  // first.
+  std::size_t build(const std::vector<bool>& first)
   {
+    const auto middle = std::stable_partition(
+      this->Order.begin(), this->Order.end(), [&first](Id f) { return first[f]; });
+    const std::size_t count = middle - this->Order.begin();
     this->Mesh.Hierarchy.clear();
-    this->split(0, this->Order.size());
+    this->split(0, count);
+    const std::size_t nodes = this->Mesh.Hierarchy.size();
+    this->split(count, this->Order.size());
     std::vector<std::array<Id, 4>> faces(this->Order.size());
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
       faces[i] = this->Mesh.BoundaryFaces[this->Order[i]];
     }
     this->Mesh.BoundaryFaces.swap(faces);
+    return nodes;
   }
 
 private:
@@ -82,10 +92,14 @@ private:
     return 0.5f * (this->Boxes[face].Low[axis] + this->Boxes[face].High[axis]);
   }
 
-  // Write the node of a range of faces and its subtree. The depth is bounded: a cut that leaves more than
-  // 7/8 on one side is replaced by the median.
+  // Write the node of a range of faces and its subtree. The depth is bounded: a cut that leaves
+  // more than 7/8 on one side is replaced by the median.
   void split(std::size_t first, std::size_t last)
   {
+    if (first == last)
+    {
+      return;
+    }
     Box box, centers;
     for (std::size_t i = first; i < last; ++i)
     {
@@ -112,8 +126,10 @@ private:
     {
       middle = first + count / 2;
       std::nth_element(this->Order.begin() + first, this->Order.begin() + middle,
-        this->Order.begin() + last, [this, axis](Id a, Id b) {
-          return std::make_pair(this->center(a, axis), a) < std::make_pair(this->center(b, axis), b);
+        this->Order.begin() + last,
+        [this, axis](Id a, Id b) {
+          return std::make_pair(this->center(a, axis), a) <
+                 std::make_pair(this->center(b, axis), b);
         });
     }
     this->split(first, middle);
@@ -125,8 +141,10 @@ private:
   std::size_t cut(std::size_t first, std::size_t last, int axis, float low, float high)
   {
     const float scale = high > low ? static_cast<float>(Bins) / (high - low) : 0.0f;
-    const auto binOf = [&](Id f) {
-      return std::min(std::max(static_cast<int>((this->center(f, axis) - low) * scale), 0), Bins - 1);
+    const auto binOf = [&](Id f)
+    {
+      return std::min(
+        std::max(static_cast<int>((this->center(f, axis) - low) * scale), 0), Bins - 1);
     };
     std::array<Box, Bins> boxes;
     std::array<int, Bins> counts{};
@@ -164,13 +182,11 @@ private:
 
   static HierarchyNode makeNode(const Box& box)
   {
-    // The predicate projects vertices with a few 1e-7 of error, so boxes are a little larger than exact.
-    constexpr float Margin = 4e-6f;
     HierarchyNode node;
     for (int k = 0; k < 3; ++k)
     {
       node.Center[k] = 0.5f * (box.Low[k] + box.High[k]);
-      node.HalfSize[k] = 0.5f * (box.High[k] - box.Low[k]) + Margin;
+      node.HalfSize[k] = 0.5f * (box.High[k] - box.Low[k]) + HierarchyMargin;
     }
     node.Next = 0;
     node.FirstFace = -1;
@@ -186,10 +202,11 @@ private:
 
 void buildHierarchy(TetMesh& mesh)
 {
-  if (!mesh.BoundaryFaces.empty())
-  {
-    Builder(mesh).build();
-  }
+  // The question of the hull needs a tree to be answered, and decides what the final trees are.
+  Builder(mesh).build(std::vector<bool>(mesh.BoundaryFaces.size(), true));
+  std::vector<bool> reentry = findHullFaces(mesh);
+  reentry.flip();
+  mesh.ReentryNodes = Builder(mesh).build(reentry);
 }
 
 } // namespace tetmarch

@@ -12,9 +12,14 @@ namespace tetmarch
 /** Node and face numbers are exact in float up to here. */
 constexpr std::size_t MostHierarchyFaces = std::size_t(1) << 23;
 
+/** Boxes are larger by this than exact: the predicate projects vertices with a few 1e-7 of error.
+ */
+constexpr float HierarchyMargin = 4e-6f;
+
 /**
- * Build Hierarchy top-down with binned surface area heuristic (Wald 2007), and bring BoundaryFaces into the
- * order of its leaves. Links must be set again afterwards.
+ * Build Hierarchy top-down with binned surface area heuristic (Wald 2007), and bring BoundaryFaces
+ * into the order of its leaves. The first ReentryNodes nodes hold the faces through which a ray can
+ * come back in, the rest those on the convex hull of the mesh. Links must be set again afterwards.
  */
 void buildHierarchy(TetMesh& mesh);
 

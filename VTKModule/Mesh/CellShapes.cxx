@@ -39,7 +39,8 @@ std::vector<Polygon> prismFaces(int corners)
   return faces;
 }
 
-// The points in the middle of edges, numbered on from the corners in the order of VTK's documentation.
+// The points in the middle of edges, numbered on from the corners in the order of VTK's
+// documentation.
 const Edges TetEdges = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
 const Edges HexEdges = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 4, 5 }, { 5, 6 }, { 6, 7 },
   { 7, 4 }, { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } };
@@ -48,8 +49,8 @@ const Edges WedgeEdges = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 3, 4 }, { 4, 5 }, { 5
 const Edges PyramidEdges = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 0, 4 }, { 1, 4 }, { 2, 4 },
   { 3, 4 } };
 
-// Cut every face of a quadratic cell into its corner triangles and the polygon of its edge points, or, with
-// a point in its middle, into quads.
+// Cut every face of a quadratic cell into its corner triangles and the polygon of its edge points,
+// or, with a point in its middle, into quads.
 std::vector<Polygon> quadraticFaces(
   const std::vector<Polygon>& faces, const Edges& edges, int corners, int firstFacePoint = -1)
 {

@@ -21,9 +21,10 @@ constexpr int ApexSmallestId = -1; // the point with the smallest id in the piec
 constexpr int ApexMean = -2;       // a new point, the mean of the cell's points
 
 /**
- * The pieces of a cell type of fixed shape: voxel, hexahedron, wedge, pyramid, pentagonal and hexagonal
- * prism; quadratic tetrahedron, hexahedron, wedge, pyramid and triquadratic hexahedron, whose faces are
- * cut into linear ones through the points on their edges. nullptr for every other type.
+ * The pieces of a cell type of fixed shape: voxel, hexahedron, wedge, pyramid, pentagonal and
+ * hexagonal prism; quadratic tetrahedron, hexahedron, wedge, pyramid and triquadratic hexahedron,
+ * whose faces are cut into linear ones through the points on their edges. nullptr for every other
+ * type.
  */
 const std::vector<CellPiece>* cellPieces(int cellType);
 

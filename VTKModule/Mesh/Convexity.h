@@ -10,9 +10,9 @@ namespace tetmarch
 {
 
 /**
- * Whether the boundary is one closed surface, each edge of which has two faces and no edge of which is
- * concave by more than the rounding of positions to float (2^-22 mesh radii): then the mesh is convex, and
- * every ray meets it once.
+ * Whether the boundary is one closed surface, each edge of which has two faces and no edge of which
+ * is concave by more than the rounding of positions to float (2^-22 mesh radii): then the mesh is
+ * convex, and every ray meets it once.
  */
 bool isConvex(const TetMesh& mesh);
 

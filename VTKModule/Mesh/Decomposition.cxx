@@ -33,7 +33,7 @@ double volume(const Point& a, const Point& b, const Point& c, const Point& d)
   const Point v{ { c[0] - a[0], c[1] - a[1], c[2] - a[2] } };
   const Point w{ { d[0] - a[0], d[1] - a[1], d[2] - a[2] } };
   return (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] +
-    (u[0] * v[1] - u[1] * v[0]) * w[2];
+         (u[0] * v[1] - u[1] * v[0]) * w[2];
 }
 
 // Cuts the cells of one range; ranges are cut in parallel and joined in order.
@@ -80,8 +80,7 @@ private:
     {
       if (this->hasEnoughPoints(cell, type, 4))
       {
-        this->add(cell,
-          { { this->point(0), this->point(1), this->point(2), this->point(3) } });
+        this->add(cell, { { this->point(0), this->point(1), this->point(2), this->point(3) } });
       }
     }
     else if (type == VTK_POLYHEDRON)
@@ -119,8 +118,9 @@ private:
       if (id < 0 || id >= this->NumberOfPoints)
       {
         this->Error = "The connectivity of cell " + std::to_string(cell) + " names point " +
-          std::to_string(id) + ", but the grid has " + std::to_string(this->NumberOfPoints) +
-          " points. Repair the grid's cell array.";
+                      std::to_string(id) + ", but the grid has " +
+                      std::to_string(this->NumberOfPoints) +
+                      " points. Repair the grid's cell array.";
         return false;
       }
     }
@@ -135,8 +135,8 @@ private:
       return true;
     }
     this->Error = "Cell " + std::to_string(cell) + " of type " +
-      vtkCellTypes::GetClassNameFromTypeId(type) + " has " + std::to_string(found) +
-      " points instead of " + std::to_string(count) + ". Repair the grid's cell array.";
+                  vtkCellTypes::GetClassNameFromTypeId(type) + " has " + std::to_string(found) +
+                  " points instead of " + std::to_string(count) + ". Repair the grid's cell array.";
     return false;
   }
 
@@ -207,8 +207,9 @@ private:
         if (id < 0 || id >= this->NumberOfPoints)
         {
           this->Error = "The faces of polyhedron " + std::to_string(cell) + " name point " +
-            std::to_string(id) + ", but the grid has " + std::to_string(this->NumberOfPoints) +
-            " points. Repair the grid's face arrays.";
+                        std::to_string(id) + ", but the grid has " +
+                        std::to_string(this->NumberOfPoints) +
+                        " points. Repair the grid's face arrays.";
           return;
         }
         this->Face.push_back(static_cast<Id>(id));
@@ -233,7 +234,7 @@ private:
     vtkNew<vtkIdList> ids;
     vtkNew<vtkPoints> points;
     if (type == VTK_HIGHER_ORDER_TETRAHEDRON || !this->Cell->Triangulate(0, ids, points) ||
-      ids->GetNumberOfIds() % 4 != 0 || ids->GetNumberOfIds() == 0)
+        ids->GetNumberOfIds() % 4 != 0 || ids->GetNumberOfIds() == 0)
     {
       ++this->Result.Report.UnsupportedCells;
       return;
@@ -286,7 +287,8 @@ private:
     this->cone(cell, this->seesAllFaces(smallest) ? smallest : this->centerOf(cell));
   }
 
-  // Whether the point lies on the inner side of every triangle, as the mean of the cell's points does.
+  // Whether the point lies on the inner side of every triangle, as the mean of the cell's points
+  // does.
   bool seesAllFaces(Id apex)
   {
     this->findMean();
@@ -383,20 +385,21 @@ std::string checkSizes(vtkUnstructuredGrid* grid)
   if (!grid->GetPoints() || !grid->GetCells() || !grid->GetCellTypesArray())
   {
     return "The grid has " + std::to_string(cells) +
-      " cells but no points, no cell array or no cell types. Set them before rendering.";
+           " cells but no points, no cell array or no cell types. Set them before rendering.";
   }
   if (grid->GetCellTypesArray()->GetNumberOfTuples() != cells)
   {
     return "The grid has " + std::to_string(cells) + " cells but " +
-      std::to_string(grid->GetCellTypesArray()->GetNumberOfTuples()) + " cell types.";
+           std::to_string(grid->GetCellTypesArray()->GetNumberOfTuples()) + " cell types.";
   }
-  // Ids are 32 bits wide, one bit is the mark of the outside, and centres of cells come behind the points.
+  // Ids are 32 bits wide, one bit is the mark of the outside, and centres of cells come behind the
+  // points.
   const vtkIdType limit = vtkIdType(1) << 31;
   if (cells >= limit || grid->GetNumberOfPoints() >= limit)
   {
     return "The grid has " + std::to_string(cells) + " cells and " +
-      std::to_string(grid->GetNumberOfPoints()) + " points; at most " + std::to_string(limit) +
-      " of each can be rendered. Extract a part of it.";
+           std::to_string(grid->GetNumberOfPoints()) + " points; at most " + std::to_string(limit) +
+           " of each can be rendered. Extract a part of it.";
   }
   return {};
 }
@@ -428,19 +431,21 @@ std::string decompose(
     const vtkIdType end = std::min(begin + portion, ranges);
     std::vector<Decomposition> parts(end - begin);
     std::vector<std::string> errors(end - begin);
-    vtkSMPTools::For(begin, end, 1, [&](vtkIdType first, vtkIdType last) {
-      for (vtkIdType range = first; range < last; ++range)
+    vtkSMPTools::For(begin, end, 1,
+      [&](vtkIdType first, vtkIdType last)
       {
-        CellCutter cutter(grid);
-        const vtkIdType from = range * cells / ranges;
-        const vtkIdType to = (range + 1) * cells / ranges;
-        cutter.Result.Tets.reserve(to - from);
-        cutter.Result.Cells.reserve(to - from);
-        cutter.cut(from, to);
-        parts[range - begin] = std::move(cutter.Result);
-        errors[range - begin] = cutter.Error;
-      }
-    });
+        for (vtkIdType range = first; range < last; ++range)
+        {
+          CellCutter cutter(grid);
+          const vtkIdType from = range * cells / ranges;
+          const vtkIdType to = (range + 1) * cells / ranges;
+          cutter.Result.Tets.reserve(to - from);
+          cutter.Result.Cells.reserve(to - from);
+          cutter.cut(from, to);
+          parts[range - begin] = std::move(cutter.Result);
+          errors[range - begin] = cutter.Error;
+        }
+      });
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       if (!errors[i].empty())

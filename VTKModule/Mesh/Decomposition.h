@@ -25,14 +25,15 @@ struct Decomposition
 };
 
 /**
- * Cut every 3D cell into tetrahedra, conformingly: a face with more than three corners is cut through its
- * corner with the smallest point id, which the cell on the other side does likewise. The inside of a cell
- * is cut from its own smallest point (pulling; Dompierre et al., "How to subdivide pyramids, prisms and
- * hexahedra into tetrahedra", 1999), or, where that point doesn't see all faces (non-convex or strongly
- * warped cells), from the mean of the cell's points, which becomes a vertex with the mean scalar.
+ * Cut every 3D cell into tetrahedra, conformingly: a face with more than three corners is cut
+ * through its corner with the smallest point id, which the cell on the other side does likewise.
+ * The inside of a cell is cut from its own smallest point (pulling; Dompierre et al., "How to
+ * subdivide pyramids, prisms and hexahedra into tetrahedra", 1999), or, where that point doesn't
+ * see all faces (non-convex or strongly warped cells), from the mean of the cell's points, which
+ * becomes a vertex with the mean scalar.
  *
- * Returns an empty string, or what is wrong with the grid: which array, which cell, which value. True in
- * `stopped` if progress asked to stop.
+ * Returns an empty string, or what is wrong with the grid: which array, which cell, which value.
+ * True in `stopped` if progress asked to stop.
  */
 std::string decompose(
   vtkUnstructuredGrid* grid, const Progress& progress, Decomposition& result, bool& stopped);

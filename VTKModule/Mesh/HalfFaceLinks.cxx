@@ -118,7 +118,8 @@ private:
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Found.Duplicates.insert(
       this->Found.Duplicates.end(), found.Duplicates.begin(), found.Duplicates.end());
-    this->Found.Boundary.insert(this->Found.Boundary.end(), found.Boundary.begin(), found.Boundary.end());
+    this->Found.Boundary.insert(
+      this->Found.Boundary.end(), found.Boundary.begin(), found.Boundary.end());
     this->Found.NonManifoldFaces += found.NonManifoldFaces;
   }
 

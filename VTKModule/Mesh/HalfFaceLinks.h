@@ -11,9 +11,10 @@ namespace tetmarch
 {
 
 /**
- * Fill Links and BoundaryFaces of a mesh whose tetrahedra are there. Duplicate tetrahedra are dropped (the
- * first stays). Of a face with more than two owners the one with the lowest number is linked to the first
- * one on the other side; to the rest the face is boundary. False if progress asked to stop.
+ * Fill Links and BoundaryFaces of a mesh whose tetrahedra are there. Duplicate tetrahedra are
+ * dropped (the first stays). Of a face with more than two owners the one with the lowest number is
+ * linked to the first one on the other side; to the rest the face is boundary. False if progress
+ * asked to stop.
  */
 bool linkHalfFaces(const Progress& progress, TetMesh& mesh);
 

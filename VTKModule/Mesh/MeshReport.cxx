@@ -8,7 +8,8 @@ namespace tetmarch
 std::string describe(const MeshReport& report)
 {
   std::string text;
-  const auto say = [&text](vtkIdType count, const char* what) {
+  const auto say = [&text](vtkIdType count, const char* what)
+  {
     if (count > 0)
     {
       text += (text.empty() ? "" : " ") + std::to_string(count) + what;
@@ -17,9 +18,9 @@ std::string describe(const MeshReport& report)
   say(report.UnsupportedCells, " cells of types that can't be cut into tetrahedra were skipped.");
   say(report.DegenerateTetrahedra, " tetrahedra with a repeated point were dropped.");
   say(report.DuplicateTetrahedra, " tetrahedra that repeat another one were dropped.");
-  say(report.NonManifoldFaces,
-    " faces belong to more than two tetrahedra: two on opposite sides were joined, for the others the face is "
-    "boundary.");
+  say(report.NonManifoldFaces, " faces belong to more than two tetrahedra: two on opposite sides "
+                               "were joined, for the others the face is "
+                               "boundary.");
   return text;
 }
 

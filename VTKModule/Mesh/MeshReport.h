@@ -14,14 +14,15 @@ namespace tetmarch
 /** What was found and mended, for one report to the user. */
 struct MeshReport
 {
-  vtkIdType LowDimensionalCells = 0;   // vertices, lines, surfaces: skipped
-  vtkIdType UnsupportedCells = 0;      // 3D cells that can't be decomposed: skipped
-  vtkIdType DegenerateTetrahedra = 0;  // with a repeated point: dropped
-  vtkIdType DuplicateTetrahedra = 0;   // the same four points again: dropped
-  vtkIdType NonManifoldFaces = 0;      // more than two owners: all but two became boundary
+  vtkIdType LowDimensionalCells = 0;  // vertices, lines, surfaces: skipped
+  vtkIdType UnsupportedCells = 0;     // 3D cells that can't be decomposed: skipped
+  vtkIdType DegenerateTetrahedra = 0; // with a repeated point: dropped
+  vtkIdType DuplicateTetrahedra = 0;  // the same four points again: dropped
+  vtkIdType NonManifoldFaces = 0;     // more than two owners: all but two became boundary
 };
 
-/** A sentence for each count that is not 0. Surfaces and lines beside 3D cells are ordinary: not mentioned. */
+/** A sentence for each count that is not 0. Surfaces and lines beside 3D cells are ordinary: not
+ * mentioned. */
 std::string describe(const MeshReport& report);
 
 } // namespace tetmarch

@@ -11,8 +11,8 @@ namespace tetmarch
 namespace
 {
 
-// Sign of the volume of a tetrahedron, its vertices taken by ascending id. Differences and products of
-// floats are exact in double; what is within the rounding of the last sums counts as flat.
+// Sign of the volume of a tetrahedron, its vertices taken by ascending id. Differences and products
+// of floats are exact in double; what is within the rounding of the last sums counts as flat.
 int orientation(const TetMesh& mesh, Id tet)
 {
   std::array<std::array<double, 3>, 3> e;
@@ -39,8 +39,8 @@ int orientation(const TetMesh& mesh, Id tet)
 // Parity of moving vertex i behind the others, which keep their order.
 int parity(Id i) { return i % 2 == 1 ? 1 : -1; }
 
-// The orientation that a flat tetrahedron would have if it were blown up a little: neighbours see their
-// common face from opposite sides.
+// The orientation that a flat tetrahedron would have if it were blown up a little: neighbours see
+// their common face from opposite sides.
 int orientationByNeighbours(const TetMesh& mesh, Id start)
 {
   std::map<Id, int> relative{ { start, 1 } };

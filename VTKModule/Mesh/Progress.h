@@ -22,7 +22,8 @@ inline Progress subProgress(const Progress& whole, double begin, double end)
   return [=](double share) { return !whole || whole(begin + (end - begin) * share); };
 }
 
-/** f(first, last) in parallel over 0..count in portions, with progress between them; false if stopped. */
+/** f(first, last) in parallel over 0..count in portions, with progress between them; false if
+ * stopped. */
 template <typename Functor>
 bool parallelFor(vtkIdType count, const Progress& progress, Functor&& f)
 {

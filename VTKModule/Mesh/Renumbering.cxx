@@ -30,8 +30,10 @@ std::uint64_t spread(std::uint64_t x)
 
 std::uint64_t mortonCode(const Vertex& v)
 {
-  const auto cell = [](float x) {
-    return static_cast<std::uint64_t>(std::min(std::max((x + 1.0f) * 0.5f, 0.0f), 1.0f) * 2097151.0f);
+  const auto cell = [](float x)
+  {
+    return static_cast<std::uint64_t>(
+      std::min(std::max((x + 1.0f) * 0.5f, 0.0f), 1.0f) * 2097151.0f);
   };
   return spread(cell(v.X)) | spread(cell(v.Y)) << 1 | spread(cell(v.Z)) << 2;
 }
@@ -88,7 +90,8 @@ UsedPoints findUsedPoints(const Decomposition& tets, std::size_t count)
   return used;
 }
 
-std::string findFrame(const std::vector<Position>& positions, const std::vector<Id>& points, TetMesh& mesh)
+std::string findFrame(
+  const std::vector<Position>& positions, const std::vector<Id>& points, TetMesh& mesh)
 {
   if (positions.empty())
   {
@@ -104,7 +107,7 @@ std::string findFrame(const std::vector<Position>& positions, const std::vector<
       if (!std::isfinite(positions[i][k]))
       {
         return "Coordinate " + std::to_string(k) + " of point " + std::to_string(points[i]) +
-          " is not a finite number. Repair the grid's points.";
+               " is not a finite number. Repair the grid's points.";
       }
       low[k] = std::min(low[k], positions[i][k]);
       high[k] = std::max(high[k], positions[i][k]);
@@ -130,13 +133,15 @@ std::string findFrame(const std::vector<Position>& positions, const std::vector<
   return {};
 }
 
-// Tetrahedra with ascending vertices, ordered by the first; those with a repeated vertex are left out.
+// Tetrahedra with ascending vertices, ordered by the first; those with a repeated vertex are left
+// out.
 bool orderTets(const Decomposition& from, const UsedPoints& used, const std::vector<Id>& rank,
   const Progress& progress, TetMesh& mesh)
 {
   std::vector<std::array<Id, 4>> tets(from.Tets.size());
-  const bool finished = parallelFor(
-    static_cast<vtkIdType>(tets.size()), progress, [&](vtkIdType first, vtkIdType last) {
+  const bool finished = parallelFor(static_cast<vtkIdType>(tets.size()), progress,
+    [&](vtkIdType first, vtkIdType last)
+    {
       for (vtkIdType t = first; t < last; ++t)
       {
         auto& tet = tets[t];
@@ -151,9 +156,8 @@ bool orderTets(const Decomposition& from, const UsedPoints& used, const std::vec
   {
     return false;
   }
-  const auto isDegenerate = [](const std::array<Id, 4>& t) {
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[3];
-  };
+  const auto isDegenerate = [](const std::array<Id, 4>& t)
+  { return t[0] == t[1] || t[1] == t[2] || t[2] == t[3]; };
   std::vector<Id> starts(mesh.Vertices.size() + 1, 0);
   for (const auto& tet : tets)
   {
@@ -194,20 +198,22 @@ std::string renumber(
   const UsedPoints used = findUsedPoints(tets, pointCount + tets.CenterCells.size());
   const std::size_t vertexCount = used.Points.size();
   std::vector<Position> positions(vertexCount);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(vertexCount), [&](vtkIdType first, vtkIdType last) {
-    for (vtkIdType i = first; i < last; ++i)
+  vtkSMPTools::For(0, static_cast<vtkIdType>(vertexCount),
+    [&](vtkIdType first, vtkIdType last)
     {
-      const Id p = used.Points[i];
-      if (p < pointCount)
+      for (vtkIdType i = first; i < last; ++i)
       {
-        points->GetPoint(p, positions[i].data());
+        const Id p = used.Points[i];
+        if (p < pointCount)
+        {
+          points->GetPoint(p, positions[i].data());
+        }
+        else
+        {
+          positions[i] = tets.CenterPositions[p - pointCount];
+        }
       }
-      else
-      {
-        positions[i] = tets.CenterPositions[p - pointCount];
-      }
-    }
-  });
+    });
   const std::string wrong = findFrame(positions, used.Points, mesh);
   if (!wrong.empty())
   {
@@ -216,18 +222,20 @@ std::string renumber(
 
   std::vector<Vertex> vertices(vertexCount);
   std::vector<std::uint64_t> codes(vertexCount);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(vertexCount), [&](vtkIdType first, vtkIdType last) {
-    for (vtkIdType i = first; i < last; ++i)
+  vtkSMPTools::For(0, static_cast<vtkIdType>(vertexCount),
+    [&](vtkIdType first, vtkIdType last)
     {
-      std::array<float, 3> p;
-      for (int k = 0; k < 3; ++k)
+      for (vtkIdType i = first; i < last; ++i)
       {
-        p[k] = static_cast<float>((positions[i][k] - mesh.Center[k]) / mesh.Radius);
+        std::array<float, 3> p;
+        for (int k = 0; k < 3; ++k)
+        {
+          p[k] = static_cast<float>((positions[i][k] - mesh.Center[k]) / mesh.Radius);
+        }
+        vertices[i] = { p[0], p[1], p[2], 0.0f };
+        codes[i] = mortonCode(vertices[i]);
       }
-      vertices[i] = { p[0], p[1], p[2], 0.0f };
-      codes[i] = mortonCode(vertices[i]);
-    }
-  });
+    });
   const std::vector<Id> order = sortedOrder(codes);
   std::vector<Id> rank(vertexCount);
   mesh.Vertices.resize(vertexCount);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scalars.h"
 
+#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
-#include "vtkArrayDispatch.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
@@ -24,19 +24,23 @@ namespace
 struct FirstComponents
 {
   template <typename Array>
-  void operator()(Array* array, const std::vector<Id>& tuples, vtkIdType limit, std::vector<double>& values)
+  void operator()(
+    Array* array, const std::vector<Id>& tuples, vtkIdType limit, std::vector<double>& values)
   {
     const auto range = vtk::DataArrayTupleRange(array);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(tuples.size()), [&](vtkIdType first, vtkIdType last) {
-      for (vtkIdType i = first; i < last; ++i)
+    vtkSMPTools::For(0, static_cast<vtkIdType>(tuples.size()),
+      [&](vtkIdType first, vtkIdType last)
       {
-        values[i] = tuples[i] < limit ? static_cast<double>(range[tuples[i]][0]) : 0.0;
-      }
-    });
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          values[i] = tuples[i] < limit ? static_cast<double>(range[tuples[i]][0]) : 0.0;
+        }
+      });
   }
 };
 
-std::vector<double> firstComponents(vtkDataArray* array, const std::vector<Id>& tuples, vtkIdType limit)
+std::vector<double> firstComponents(
+  vtkDataArray* array, const std::vector<Id>& tuples, vtkIdType limit)
 {
   std::vector<double> values(tuples.size());
   FirstComponents worker;
@@ -63,7 +67,8 @@ ScalarRange finiteRange(const std::vector<double>& values)
   {
     return {};
   }
-  // Wider than double precision can tell: keep halves, which is what the difference of the ends needs.
+  // Wider than double precision can tell: keep halves, which is what the difference of the ends
+  // needs.
   const double limit = 0.25 * std::numeric_limits<double>::max();
   return { std::max(low, -limit), std::min(high, limit) };
 }

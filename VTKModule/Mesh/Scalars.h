@@ -22,9 +22,9 @@ struct ScalarRange
 };
 
 /**
- * Fill Vertex::Scalar of the mesh from the first component of a point array (one tuple a point of the grid
- * that the mesh was built from). Values are brought to 0..1 in double precision before rounding to float;
- * what is not finite becomes UndrawnScalar.
+ * Fill Vertex::Scalar of the mesh from the first component of a point array (one tuple a point of
+ * the grid that the mesh was built from). Values are brought to 0..1 in double precision before
+ * rounding to float; what is not finite becomes UndrawnScalar.
  */
 ScalarRange setPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, TetMesh& mesh);
 

@@ -3,7 +3,8 @@
 // The mesh as the march needs it. Conventions that everything else relies on:
 //  - the vertices of a tetrahedron are stored by ascending id; face i is opposite vertex i;
 //  - half-face 4 t + i is face i of tetrahedron t; its link says what lies behind it;
-//  - behind the tetrahedra's half-faces come those of the outside: half-face 4 T + b is boundary face b seen
+//  - behind the tetrahedra's half-faces come those of the outside: half-face 4 T + b is boundary
+//  face b seen
 //    from outside, and its link leads in;
 //  - boundary faces turn counter-clockwise seen from outside.
 #ifndef TetMarchMeshTetMesh_h
@@ -36,7 +37,8 @@ constexpr Id LinkOutside = 0x80000000u;
 /** Scalars that are not finite; what they touch is not drawn. Finite ones are stored as 0..1. */
 constexpr float UndrawnScalar = 1e30f;
 
-/** One texel on the GPU: position in the normalised frame (mesh centre 0, bounding radius 1), scalar. */
+/** One texel on the GPU: position in the normalised frame (mesh centre 0, bounding radius 1),
+ * scalar. */
 struct Vertex
 {
   float X, Y, Z, Scalar;
@@ -54,18 +56,19 @@ struct HierarchyNode
 struct TetMesh
 {
   std::vector<std::array<Id, 4>> Tets;
-  std::vector<Link> Links;                       // 4 a tetrahedron, then 1 a boundary face
-  std::vector<std::array<Id, 4>> BoundaryFaces;  // three vertices and the tetrahedron inside
-  std::vector<HierarchyNode> Hierarchy;          // empty if no ray needs it: the mesh is convex
+  std::vector<Link> Links;                      // 4 a tetrahedron, then 1 a boundary face
+  std::vector<std::array<Id, 4>> BoundaryFaces; // three vertices and the tetrahedron inside
+  std::vector<HierarchyNode> Hierarchy;         // empty if no ray needs it: the mesh is convex
+  std::size_t ReentryNodes = 0; // that many nodes are of faces that aren't on the hull
   std::vector<Vertex> Vertices;
-  std::vector<Id> TetCells;                      // the cell of the grid each tetrahedron comes from
-  std::vector<Id> VertexPoints;                  // the point of the grid each vertex is, or
-                                                 // NumberOfPoints + c: the mean of the points of cell
-                                                 // CenterCells[c]
+  std::vector<Id> TetCells;     // the cell of the grid each tetrahedron comes from
+  std::vector<Id> VertexPoints; // the point of the grid each vertex is, or
+                                // NumberOfPoints + c: the mean of the points of cell
+                                // CenterCells[c]
   std::vector<Id> CenterCells;
   vtkIdType NumberOfPoints = 0;
-  std::array<double, 3> Center{ { 0, 0, 0 } };   // of the bounding box, in the grid's coordinates
-  double Radius = 1;                             // half of the bounding box's diagonal
+  std::array<double, 3> Center{ { 0, 0, 0 } };     // of the bounding box, in the grid's coordinates
+  double Radius = 1;                               // half of the bounding box's diagonal
   std::array<double, 3> HalfExtent{ { 0, 0, 0 } }; // of the bounding box, in the normalised frame
   MeshReport Report;
 

@@ -22,8 +22,8 @@ BuildStatus buildTetMesh(
   error = decompose(grid, subProgress(progress, 0, 0.2), tets, stopped);
   if (error.empty() && !stopped)
   {
-    error = renumber(
-      grid->GetPoints(), std::move(tets), subProgress(progress, 0.2, 0.5), mesh, stopped);
+    error =
+      renumber(grid->GetPoints(), std::move(tets), subProgress(progress, 0.2, 0.5), mesh, stopped);
   }
   if (!error.empty())
   {
@@ -35,9 +35,10 @@ BuildStatus buildTetMesh(
   }
   if (mesh.BoundaryFaces.size() > MostHierarchyFaces)
   {
-    error = "The mesh has " + std::to_string(mesh.BoundaryFaces.size()) + " boundary faces; at most " +
-      std::to_string(MostHierarchyFaces) +
-      " can be rendered. Are neighbouring cells joined by common points (vtkStaticCleanUnstructuredGrid)?";
+    error = "The mesh has " + std::to_string(mesh.BoundaryFaces.size()) +
+            " boundary faces; at most " + std::to_string(MostHierarchyFaces) +
+            " can be rendered. Are neighbouring cells joined by common points "
+            "(vtkStaticCleanUnstructuredGrid)?";
     return BuildStatus::Failed;
   }
   if (!isConvex(mesh))

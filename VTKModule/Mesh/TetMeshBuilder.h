@@ -14,11 +14,17 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
-enum class BuildStatus { Done, Stopped, Failed };
+enum class BuildStatus
+{
+  Done,
+  Stopped,
+  Failed
+};
 
 /**
- * Decompose, renumber, link, find the boundary and, unless the mesh is convex, build its hierarchy. Scalars
- * are left 0. On failure `error` says what is wrong and what to do; the mesh is then unspecified.
+ * Decompose, renumber, link, find the boundary and, unless the mesh is convex, build its hierarchy.
+ * Scalars are left 0. On failure `error` says what is wrong and what to do; the mesh is then
+ * unspecified.
  */
 BuildStatus buildTetMesh(
   vtkUnstructuredGrid* grid, const Progress& progress, TetMesh& mesh, std::string& error);

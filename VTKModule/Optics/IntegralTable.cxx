@@ -77,9 +77,9 @@ IntegralTable makeIntegralTable(const SampledFunctions& functions)
     std::array<std::uint32_t, 5> fixed{};
     for (int k = 0; k < 5; ++k)
     {
-      fixed[k] = unit[k] > 0
-        ? static_cast<std::uint32_t>(std::min(std::floor(integrals[i][k] / unit[k] + 0.5), Most))
-        : 0;
+      fixed[k] = unit[k] > 0 ? static_cast<std::uint32_t>(
+                                 std::min(std::floor(integrals[i][k] / unit[k] + 0.5), Most))
+                             : 0;
     }
     for (int k = 0; k < 4; ++k)
     {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The transfer functions and their integrals, as the march looks them up (see Shaders/integral_table.glsl).
+// The transfer functions and their integrals, as the march looks them up (see
+// Shaders/integral_table.glsl).
 #ifndef TetMarchOpticsIntegralTable_h
 #define TetMarchOpticsIntegralTable_h
 
@@ -25,12 +26,14 @@ struct IntegralTable
 
   int size() const { return static_cast<int>(this->Values.size()); }
 
-  /** Position in the table, in entries, of a scalar s = 0..1 between low and low + width: scale s + offset. */
+  /** Position in the table, in entries, of a scalar s = 0..1 between low and low + width: scale s +
+   * offset. */
   double scale(double width) const;
   double offset(double low) const;
 };
 
-/** A table of four entries more than samples; the first and the last bin hold what lies below and above the samples. */
+/** A table of four entries more than samples; the first and the last bin hold what lies below and
+ * above the samples. */
 IntegralTable makeIntegralTable(const SampledFunctions& functions);
 
 /** How many samples a table of so many entries takes. */

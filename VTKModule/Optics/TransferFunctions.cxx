@@ -67,7 +67,8 @@ std::vector<std::array<double, 4>> evaluate(
   {
     for (int k = 0; k < 3; ++k)
     {
-      samples[i][k] = std::min(std::max(0.0, colors[3 * static_cast<std::size_t>(i) + k]), 1.0); // NaN: 0
+      samples[i][k] =
+        std::min(std::max(0.0, colors[3 * static_cast<std::size_t>(i) + k]), 1.0); // NaN: 0
     }
     samples[i][3] = extinctionOf(opacities[i], law);
   }
@@ -79,8 +80,9 @@ std::vector<std::array<double, 4>> evaluate(
 double extinctionOf(double opacity, OpacityLaw law)
 {
   const double alpha = std::min(std::max(opacity, 0.0), 1.0);
-  return law == OpacityLaw::Unstructured ? alpha
-                                         : -std::log1p(-std::min(alpha, 1.0 - std::ldexp(1.0, -24)));
+  return law == OpacityLaw::Unstructured
+           ? alpha
+           : -std::log1p(-std::min(alpha, 1.0 - std::ldexp(1.0, -24)));
 }
 
 SampledFunctions sampleFunctions(
@@ -90,15 +92,18 @@ SampledFunctions sampleFunctions(
   const Range nodes = nodeRange(property);
   functions.Begin = std::max(low, nodes[0]);
   functions.End = std::min(high, nodes[1]);
-  // Nodes in no part of the data, or in so small a part that positions in the table would overflow in float.
+  // Nodes in no part of the data, or in so small a part that positions in the table would overflow
+  // in float.
   if (!(functions.End - functions.Begin > 1e-30 * (high - low)))
   {
     functions.Begin = low;
     functions.End = high > low ? high : low + std::max(1.0, std::abs(low));
   }
   functions.Samples = evaluate(property, law, functions.Begin, functions.End, count);
-  functions.Before = low < functions.Begin ? evaluate(property, law, low, low, 1)[0] : functions.Samples.front();
-  functions.After = high > functions.End ? evaluate(property, law, high, high, 1)[0] : functions.Samples.back();
+  functions.Before =
+    low < functions.Begin ? evaluate(property, law, low, low, 1)[0] : functions.Samples.front();
+  functions.After =
+    high > functions.End ? evaluate(property, law, high, high, 1)[0] : functions.Samples.back();
   return functions;
 }
 

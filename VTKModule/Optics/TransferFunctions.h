@@ -13,17 +13,21 @@ namespace tetmarch
 {
 
 /**
- * How extinction (in 1 / scalar opacity unit distance) follows from the opacity alpha: Unstructured: alpha
- * (vtkProjectedTetrahedraMapper and its kin); Structured: -ln(1 - alpha) (vtkGPUVolumeRayCastMapper), with
- * alpha at most 1 - 2^-24.
+ * How extinction (in 1 / scalar opacity unit distance) follows from the opacity alpha:
+ * Unstructured: alpha (vtkProjectedTetrahedraMapper and its kin); Structured: -ln(1 - alpha)
+ * (vtkGPUVolumeRayCastMapper), with alpha at most 1 - 2^-24.
  */
-enum class OpacityLaw { Unstructured, Structured };
+enum class OpacityLaw
+{
+  Unstructured,
+  Structured
+};
 
 double extinctionOf(double opacity, OpacityLaw law);
 
 /**
- * Colour r, g, b in 0..1 and extinction at equal steps from scalar Begin to scalar End; what holds below and
- * above is in Before and After.
+ * Colour r, g, b in 0..1 and extinction at equal steps from scalar Begin to scalar End; what holds
+ * below and above is in Before and After.
  */
 struct SampledFunctions
 {
@@ -35,10 +39,11 @@ struct SampledFunctions
 };
 
 /**
- * Sample the functions of component 0, evaluated by VTK itself (every colour space, midpoint, sharpness,
- * clamping, scale). Only the part of low..high in which one of them has nodes is sampled: beyond its nodes a
- * function is constant, and the samples are spent where something happens. Structure of the colour
- * function: vtkColorTransferFunction, or for one colour channel a gray vtkPiecewiseFunction.
+ * Sample the functions of component 0, evaluated by VTK itself (every colour space, midpoint,
+ * sharpness, clamping, scale). Only the part of low..high in which one of them has nodes is
+ * sampled: beyond its nodes a function is constant, and the samples are spent where something
+ * happens. Structure of the colour function: vtkColorTransferFunction, or for one colour channel a
+ * gray vtkPiecewiseFunction.
  */
 SampledFunctions sampleFunctions(
   vtkVolumeProperty* property, OpacityLaw law, double low, double high, int count);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The march of the shaders, compiled for the CPU: in float it is the arithmetic of the GPU, in double the
-// yardstick. Both are made of the very files that the GPU compiles.
+// The march of the shaders, compiled for the CPU: in float it is the arithmetic of the GPU, in
+// double the yardstick. Both are made of the very files that the GPU compiles.
 #ifndef TetMarchReferenceKernel_h
 #define TetMarchReferenceKernel_h
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Included in a class template over Real: the shared files of Shaders/ as member functions, and what the GPU
-// has as uniforms and texture buffers as data members. No include guard: each variant includes it anew.
+// Included in a class template over Real: the shared files of Shaders/ as member functions, and
+// what the GPU has as uniforms and texture buffers as data members. No include guard: each variant
+// includes it anew.
 
 using uint = std::uint32_t;
 using vec2 = glsl::Vec2<Real>;
@@ -17,6 +18,7 @@ const IntegralTable* Table = nullptr;
 
 uint tetCount = 0;
 int bvhNodeCount = 0;
+int bvhReentryNodeCount = 0;
 int mostCells = 0;
 int tableSize = 0;
 Real tableScale = 0;
@@ -24,6 +26,7 @@ Real tableOffset = 0;
 vec4 tableIntegralUnit{ 0, 0, 0, 0 };
 Real tableSquareUnit = 0;
 Real integrationTolerance = 0;
+int mostTrials = 0;
 Real leastTransmittance = 0;
 
 vec4 fetchVertex(uint i) const

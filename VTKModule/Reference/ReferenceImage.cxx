@@ -23,6 +23,7 @@ Kernel makeKernel(const ReferenceScene& scene, const AccuracyLevel& level)
   kernel.Table = scene.Table;
   kernel.tetCount = scene.Mesh->numberOfTets();
   kernel.bvhNodeCount = static_cast<int>(scene.Mesh->Hierarchy.size());
+  kernel.bvhReentryNodeCount = static_cast<int>(scene.Mesh->ReentryNodes);
   kernel.mostCells = std::numeric_limits<int>::max();
   kernel.tableSize = scene.Table->size();
   kernel.tableScale = Real(scene.Table->scale(scene.Range.width()));
@@ -30,6 +31,7 @@ Kernel makeKernel(const ReferenceScene& scene, const AccuracyLevel& level)
   const auto& unit = scene.Table->IntegralUnit;
   kernel.tableIntegralUnit = { Real(unit[0]), Real(unit[1]), Real(unit[2]), Real(unit[3]) };
   kernel.tableSquareUnit = Real(scene.Table->SquareUnit);
+  kernel.mostTrials = level.MostTrials;
   kernel.integrationTolerance = Real(level.IntegrationTolerance);
   kernel.leastTransmittance = Real(level.LeastTransmittance);
   return kernel;
@@ -49,7 +51,8 @@ Real opticalLength(const View& view, glsl::Vec3<Real> direction)
   for (int r = 0; r < 3; ++r)
   {
     const Real x = Real(view.LengthMatrix[3 * r]) * direction.x +
-      Real(view.LengthMatrix[3 * r + 1]) * direction.y + Real(view.LengthMatrix[3 * r + 2]) * direction.z;
+                   Real(view.LengthMatrix[3 * r + 1]) * direction.y +
+                   Real(view.LengthMatrix[3 * r + 2]) * direction.z;
     square += x * x;
   }
   return std::sqrt(square);
@@ -68,18 +71,20 @@ public:
 
   ReferenceImage make()
   {
-    vtkSMPTools::For(0, this->Scene.Height, 1, [this](vtkIdType first, vtkIdType last) {
-      Kernel kernel = this->March;
-      MarchCounters counters;
-      for (vtkIdType row = first; row < last; ++row)
+    vtkSMPTools::For(0, this->Scene.Height, 1,
+      [this](vtkIdType first, vtkIdType last)
       {
-        for (int column = 0; column < this->Scene.Width; ++column)
+        Kernel kernel = this->March;
+        MarchCounters counters;
+        for (vtkIdType row = first; row < last; ++row)
         {
-          this->castPixel(kernel, column, static_cast<int>(row), counters);
+          for (int column = 0; column < this->Scene.Width; ++column)
+          {
+            this->castPixel(kernel, column, static_cast<int>(row), counters);
+          }
         }
-      }
-      this->add(counters);
-    });
+        this->add(counters);
+      });
     return std::move(this->Image);
   }
 
@@ -107,8 +112,8 @@ private:
     rgba[1] = float(march.radiance.color.y);
     rgba[2] = float(march.radiance.color.z);
     rgba[3] = float(Real(1) - march.radiance.transmittance);
-    counters += { march.cells > 0 ? 1 : 0, march.cells, march.evaluations, march.refused, march.lost,
-      march.guarded };
+    counters += { march.cells > 0 ? 1 : 0, march.cells, march.evaluations, march.refused,
+      march.lost, march.guarded };
   }
 
   void add(const MarchCounters& counters)

@@ -20,11 +20,12 @@ namespace tetmarch
 struct ReferenceScene
 {
   const TetMesh* Mesh = nullptr;
-  const std::vector<float>* CellScalars = nullptr; // one a tetrahedron, or nullptr: those of the vertices
+  const std::vector<float>* CellScalars =
+    nullptr; // one a tetrahedron, or nullptr: those of the vertices
   ScalarRange Range;
   const IntegralTable* Table = nullptr;
   View Camera;
-  int Width = 0;  // of the viewport, in pixels
+  int Width = 0; // of the viewport, in pixels
   int Height = 0;
   const float* WindowDepths = nullptr; // 0..1, one a pixel, of opaque geometry; nullptr: none
 };

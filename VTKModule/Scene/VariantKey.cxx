@@ -14,12 +14,11 @@ VariantKey VariantKey::filtered() const
 
 std::string VariantKey::defines() const
 {
-  const auto line = [](const char* name, bool value) {
-    return std::string("#define TETMARCH_") + name + (value ? " 1\n" : " 0\n");
-  };
+  const auto line = [](const char* name, bool value)
+  { return std::string("#define TETMARCH_") + name + (value ? " 1\n" : " 0\n"); };
   return line("POINT_SCALARS", this->PointScalars) + line("RASTER_ENTRY", this->RasterEntry) +
-    line("BVH", this->Hierarchy) + line("OPAQUE_DEPTH", this->OpaqueDepth) +
-    line("HAS_FMA", this->HasFma) + line("DIAGNOSTICS", this->Diagnostics);
+         line("BVH", this->Hierarchy) + line("OPAQUE_DEPTH", this->OpaqueDepth) +
+         line("HAS_FMA", this->HasFma) + line("DIAGNOSTICS", this->Diagnostics);
 }
 
 } // namespace tetmarch

@@ -10,18 +10,19 @@ namespace tetmarch
 {
 
 /**
- * One bit a feature of the march shader. Values that change without recompiling are uniforms, not bits.
- * Accuracy levels, shading, clipping, blend modes and view modes will be further members here, each with a
- * row in defines() and, where it can be irrelevant, a line in filtered().
+ * One bit a feature of the march shader. Values that change without recompiling are uniforms, not
+ * bits. Accuracy levels, shading, clipping, blend modes and view modes will be further members
+ * here, each with a row in defines() and, where it can be irrelevant, a line in filtered().
  */
 struct VariantKey
 {
-  bool PointScalars = true;  // else one scalar a cell
-  bool RasterEntry = true;   // entries from the rasterised boundary; else searched for in the hierarchy
-  bool Hierarchy = false;    // rays can enter more than once, or are not rasterised
-  bool OpaqueDepth = false;  // rays end at opaque geometry or the far plane
-  bool HasFma = true;        // the exact predicate by fused multiply-add; else the portable one
-  bool Diagnostics = false;  // counters in further colour attachments
+  bool PointScalars = true; // else one scalar a cell
+  bool RasterEntry =
+    true; // entries from the rasterised boundary; else searched for in the hierarchy
+  bool Hierarchy = false;   // rays can enter more than once, or are not rasterised
+  bool OpaqueDepth = false; // rays end at opaque geometry or the far plane
+  bool HasFma = true;       // the exact predicate by fused multiply-add; else the portable one
+  bool Diagnostics = false; // counters in further colour attachments
 
   bool operator==(const VariantKey& other) const { return this->defines() == other.defines(); }
 

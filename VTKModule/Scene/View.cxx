@@ -17,7 +17,8 @@ namespace tetmarch
 namespace
 {
 
-// The bounding box of the mesh in the normalised frame lies within -1..1; on which sides of a clip plane?
+// The bounding box of the mesh in the normalised frame lies within -1..1; on which sides of a clip
+// plane?
 void classify(const TetMesh& mesh, View& view)
 {
   const auto& high = mesh.HalfExtent;
@@ -53,7 +54,8 @@ std::array<double, 3> View::unproject(double x, double y, double z) const
   return { { q[0] / q[3], q[1] / q[3], q[2] / q[3] } };
 }
 
-bool makeView(vtkRenderer* renderer, vtkVolume* volume, const TetMesh& mesh, double unitDistance, View& view)
+bool makeView(
+  vtkRenderer* renderer, vtkVolume* volume, const TetMesh& mesh, double unitDistance, View& view)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> normalized; // normalised -> data
@@ -78,7 +80,8 @@ bool makeView(vtkRenderer* renderer, vtkVolume* volume, const TetMesh& mesh, dou
     {
       view.NormalizedToClip[4 * r + c] = toClip->GetElement(r, c);
       view.ClipToNormalized[4 * r + c] = inverse->GetElement(r, c);
-      usable = usable && std::isfinite(toClip->GetElement(r, c)) && std::isfinite(inverse->GetElement(r, c));
+      usable = usable && std::isfinite(toClip->GetElement(r, c)) &&
+               std::isfinite(inverse->GetElement(r, c));
     }
   }
   for (int r = 0; r < 3; ++r)
@@ -88,7 +91,8 @@ bool makeView(vtkRenderer* renderer, vtkVolume* volume, const TetMesh& mesh, dou
       view.LengthMatrix[3 * r + c] = toWorld->GetElement(r, c) / unitDistance;
     }
   }
-  // The eye is the origin of view coordinates, or, for parallel projection, infinitely far along +z.
+  // The eye is the origin of view coordinates, or, for parallel projection, infinitely far along
+  // +z.
   const int column = camera->GetParallelProjection() ? 2 : 3;
   for (int r = 0; r < 4; ++r)
   {

@@ -19,18 +19,20 @@ struct View
 {
   std::array<double, 16> NormalizedToClip{};
   std::array<double, 16> ClipToNormalized{};
-  std::array<double, 9> LengthMatrix{};  // normalised direction -> world, in scalar opacity unit distances
-  std::array<double, 4> Eye{};           // (eye, 1) or, for parallel projection, (direction towards it, 0)
-  bool Mirrored = false;                 // faces turn the other way on the screen
-  bool CutsNearPlane = false;            // part of the mesh lies before the near plane
-  bool CutsFarPlane = false;             // part of the mesh lies behind the far plane
+  std::array<double, 9>
+    LengthMatrix{};            // normalised direction -> world, in scalar opacity unit distances
+  std::array<double, 4> Eye{}; // (eye, 1) or, for parallel projection, (direction towards it, 0)
+  bool Mirrored = false;       // faces turn the other way on the screen
+  bool CutsNearPlane = false;  // part of the mesh lies before the near plane
+  bool CutsFarPlane = false;   // part of the mesh lies behind the far plane
 
   /** The point of clip coordinates (x, y, z), each in -1..1, in the normalised frame. */
   std::array<double, 3> unproject(double x, double y, double z) const;
 };
 
 /** False if the volume's matrix is singular or not finite: then there is nothing to be seen. */
-bool makeView(vtkRenderer* renderer, vtkVolume* volume, const TetMesh& mesh, double unitDistance, View& view);
+bool makeView(
+  vtkRenderer* renderer, vtkVolume* volume, const TetMesh& mesh, double unitDistance, View& view);
 
 } // namespace tetmarch
 

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The edges of the boundary, and which boundary faces hang together by them.
+#ifndef TetMarchMeshBoundaryEdges_h
+#define TetMarchMeshBoundaryEdges_h
+
+#include "TetMesh.h"
+
+#include <vector>
+
+namespace tetmarch
+{
+
+/** An edge of a boundary face. */
+struct BoundaryEdge
+{
+  std::uint64_t Key; // smaller vertex, then larger
+  Id Face;
+  Id Opposite;  // the face's third vertex
+  bool Forward; // the face goes along it from the smaller vertex to the larger
+};
+
+/** All edges of all boundary faces, those of one key side by side. */
+std::vector<BoundaryEdge> sortedBoundaryEdges(const TetMesh& mesh);
+
+/** What edges[i] and edges[i + 1] are to each other. */
+enum class EdgePair
+{
+  None,    // not the two sides of an edge with exactly two faces
+  Regular, // the faces go along it in opposite directions, as on every orientable surface
+  Folded   // they don't: a tetrahedron that was turned over lies on its neighbour
+};
+EdgePair pairOf(const std::vector<BoundaryEdge>& edges, std::size_t i);
+
+/** Disjoint sets of faces, to be joined (Galler and Fischer 1964). */
+class FaceSets
+{
+public:
+  explicit FaceSets(std::size_t faces);
+  void join(Id a, Id b);
+  Id rootOf(Id face);
+
+private:
+  std::vector<Id> Parent;
+};
+
+} // namespace tetmarch
+
+#endif

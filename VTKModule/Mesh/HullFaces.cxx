@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HullFaces.h"
+
+#include "BoundaryEdges.h"
+#include "BoundaryHierarchy.h"
+#include "FacePlane.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+// Nodes looked at for one face. Few are needed, but for large flat sides askew to the axes.
+constexpr int MostNodes = 256;
+
+// Whether no vertex of the boundary stands out over the plane.
+bool isSupporting(const TetMesh& mesh, const FacePlane& plane)
+{
+  const double rounding = std::ldexp(1.0, -21);
+  const std::size_t count = mesh.Hierarchy.size();
+  std::size_t node = 0;
+  for (int looked = 0; node < count; ++looked)
+  {
+    if (looked == MostNodes)
+    {
+      return false;
+    }
+    const HierarchyNode& n = mesh.Hierarchy[node];
+    const bool leaf = n.FirstFace >= 0;
+    double highest = -plane.Offset;
+    for (int k = 0; k < 3; ++k)
+    {
+      highest += plane.Normal[k] * double(n.Center[k]) +
+                 std::abs(plane.Normal[k]) * double(n.HalfSize[k] - HierarchyMargin);
+    }
+    if (highest <= rounding)
+    {
+      node = leaf ? node + 1 : static_cast<std::size_t>(n.Next);
+      continue;
+    }
+    if (leaf)
+    {
+      const Id first = static_cast<Id>(n.FirstFace);
+      for (Id f = first; f < first + static_cast<Id>(n.Next); ++f)
+      {
+        for (int i = 0; i < 3; ++i)
+        {
+          if (plane.heightOf(mesh.Vertices[mesh.BoundaryFaces[f][i]]) > rounding)
+          {
+            return false;
+          }
+        }
+      }
+    }
+    ++node;
+  }
+  return true;
+}
+
+enum Place : char
+{
+  Inside,
+  OnHull,
+  OnHullFacingIn
+};
+
+Place placeOf(const TetMesh& mesh, Id face)
+{
+  const FacePlane plane(mesh, face);
+  if (!plane.hasArea())
+  {
+    return Inside;
+  }
+  return isSupporting(mesh, plane)
+           ? OnHull
+           : (isSupporting(mesh, plane.reversed()) ? OnHullFacingIn : Inside);
+}
+
+// Whether the faces on the hull are one piece without a fold.
+bool coverOnce(const TetMesh& mesh, const std::vector<char>& places)
+{
+  const std::vector<BoundaryEdge> edges = sortedBoundaryEdges(mesh);
+  FaceSets sets(places.size());
+  for (std::size_t e = 0; e + 1 < edges.size(); ++e)
+  {
+    const EdgePair pair = pairOf(edges, e);
+    if (pair == EdgePair::Folded)
+    {
+      return false;
+    }
+    if (pair == EdgePair::Regular && places[edges[e].Face] == OnHull &&
+        places[edges[e + 1].Face] == OnHull)
+    {
+      sets.join(edges[e].Face, edges[e + 1].Face);
+    }
+  }
+  const auto first = std::find(places.begin(), places.end(), OnHull) - places.begin();
+  for (std::size_t f = first; f < places.size(); ++f)
+  {
+    if (places[f] == OnHull &&
+        sets.rootOf(static_cast<Id>(f)) != sets.rootOf(static_cast<Id>(first)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+std::vector<bool> findHullFaces(const TetMesh& mesh)
+{
+  const std::size_t count = mesh.BoundaryFaces.size();
+  std::vector<char> places(count);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType f = first; f < last; ++f)
+      {
+        places[f] = placeOf(mesh, static_cast<Id>(f));
+      }
+    });
+  std::vector<bool> hull(count, false);
+  const bool folded = std::find(places.begin(), places.end(), OnHullFacingIn) != places.end();
+  if (!folded && coverOnce(mesh, places))
+  {
+    std::transform(places.begin(), places.end(), hull.begin(), [](char p) { return p == OnHull; });
+  }
+  return hull;
+}
+
+} // namespace tetmarch
