@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The picture as it stands in the window: blended, in viewports, tiles and windows of any kind.
+#include "Scene.h"
+
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace
+{
+using namespace tetmarch::testing;
+
+// One blend in a framebuffer of bytes: what comes in, what it is multiplied with and the result may
+// each be rounded by half a byte (llvmpipe does so).
+constexpr double OneBlend = 1.5 / 255.0;
+
+Grid lattice() { return jitteredLattice(8, 0.15, 1, sineField()); }
+
+Image over(const Image& front, const Image& back)
+{
+  Image result(front.Width, front.Height);
+  for (std::size_t i = 0; i < result.Rgba.size(); ++i)
+  {
+    result.Rgba[i] = front.Rgba[i] + (1.0f - front.Rgba[i | 3]) * back.Rgba[i];
+  }
+  return result;
+}
+
+Image frameWithoutVolumes(Scene& scene)
+{
+  scene.Volume->VisibilityOff();
+  scene.Window->Render();
+  const Image frame = scene.frame();
+  scene.Volume->VisibilityOn();
+  return frame;
+}
+
+void expectSame(const Image& a, const Image& b, double bound, const std::string& what = {})
+{
+  const Difference difference = compare(a, b, {}, bound, Channels::Rgb);
+  EXPECT_LE(difference.Max, bound) << what << ' ' << difference.text();
+  std::cout << "[ MEASURED ] " << what << ' ' << difference.text() << '\n';
+}
+
+// The framebuffer holds what one of floats would, but for rounding.
+void expectBlended(Scene& scene)
+{
+  const Image back = frameWithoutVolumes(scene);
+  const Image picture = scene.render();
+  EXPECT_GT(compare(picture, Image(picture.Width, picture.Height)).Max, 0.3) << "nothing drawn";
+  expectSame(scene.frame(), over(picture, back), OneBlend);
+}
+
+TEST(Framebuffer, BlendedOverABackground)
+{
+  for (const int samples : { 0, 8 })
+  {
+    Scene scene(lattice());
+    scene.Window->SetMultiSamples(samples);
+    scene.Renderer->SetBackground(0.2, 0.4, 0.6);
+    expectBlended(scene);
+    scene.Renderer->GradientBackgroundOn();
+    scene.Renderer->SetBackground2(1.0, 0.9, 0.1);
+    expectBlended(scene);
+  }
+}
+
+TEST(Framebuffer, BlendedOverOpaqueGeometry)
+{
+  // Where samples of a pixel have several depths, one of them decides: no multisampling here.
+  Scene scene(lattice());
+  scene.Renderer->SetBackground(0.2, 0.4, 0.6);
+  scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 }));
+  expectBlended(scene);
+  scene.camera()->SetPosition(0.31, 0.42, 0.57);
+  scene.camera()->SetFocalPoint(1.0, 0.6, 0.4);
+  scene.camera()->SetClippingRange(0.01, 5.0);
+  expectBlended(scene);
+}
+
+// alpha = 1 - exp(-kappa L) where a plane cuts a constant field.
+TEST(Framebuffer, APlaneCutsWhereItIs)
+{
+  for (const int samples : { 0, 8 })
+  {
+    for (const double height : { 0.031, 0.37, 0.5, 0.9 })
+    {
+      Scene scene(jitteredLattice(6, 0.15, 1, constantField(0.5)));
+      scene.Window->SetMultiSamples(samples);
+      setPlainFunctions(scene.property(), { 1.0, 0.5, 0.25 }, 0.6);
+      scene.property()->SetScalarOpacityUnitDistance(0.4);
+      scene.camera()->ParallelProjectionOn();
+      scene.camera()->SetParallelScale(0.45);
+      scene.camera()->SetPosition(0.5, 0.5, 3.0);
+      scene.camera()->SetFocalPoint(0.5, 0.5, 0.5);
+      scene.camera()->SetViewUp(0.0, 1.0, 0.0);
+      scene.camera()->SetClippingRange(1.0, 4.0);
+      scene.Renderer->AddActor(makePlane(height, 0.2, { 1.0, 1.0, 1.0 }));
+      const double alpha = 1.0 - std::exp(-0.6 / 0.4 * (1.0 - height));
+      const Image picture = scene.render();
+      Image expected(SceneSize, SceneSize);
+      for (std::size_t i = 0; i < expected.Rgba.size(); i += 4)
+      {
+        const double rgba[4] = { alpha, 0.5 * alpha, 0.25 * alpha, alpha };
+        std::copy(rgba, rgba + 4, &expected.Rgba[i]);
+      }
+      const Difference difference = compare(picture, expected);
+      EXPECT_LE(difference.Max, 1e-5) << difference.text();
+    }
+  }
+}
+
+TEST(Framebuffer, GeometryBeforeHidesAndBehindDoesNot)
+{
+  Scene scene(lattice());
+  const Image alone = scene.render();
+  const auto behind = makePlane(-0.5, 3.0, { 1.0, 1.0, 1.0 });
+  scene.Renderer->AddActor(behind);
+  EXPECT_LE(compare(scene.render(), alone).Max, 1e-6);
+  scene.Renderer->RemoveActor(behind);
+  scene.Renderer->AddActor(makePlane(1.2, 3.0, { 1.0, 1.0, 1.0 }));
+  EXPECT_EQ(compare(scene.render(), Image(SceneSize, SceneSize)).Max, 0.0);
+  for (const float value : scene.frame().Rgba)
+  {
+    ASSERT_EQ(value, 1.0f);
+  }
+}
+
+TEST(Framebuffer, ViewportsAnywhere)
+{
+  constexpr int Side = 90;
+  for (const bool inside : { false, true })
+  {
+    Scene alone(lattice(), Side, Side);
+    alone.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.3, { 1.0, 0.8, 0.2 }));
+    alone.Renderer->SetBackground(0.2, 0.4, 0.6);
+    if (inside)
+    {
+      alone.camera()->SetPosition(0.05, 0.42, 0.57);
+      alone.camera()->SetFocalPoint(1.0, 0.5, 0.5);
+      alone.camera()->SetClippingRange(0.01, 5.0);
+    }
+    const Image picture = alone.render();
+    const Image frame = alone.frame();
+
+    const auto window = makeWindow(2 * Side, 2 * Side);
+    std::vector<vtkSmartPointer<vtkTetMarchVolumeMapper>> mappers;
+    for (int i = 0; i < 4; ++i)
+    {
+      vtkNew<vtkRenderer> renderer;
+      renderer->SetViewport(0.5 * (i % 2), 0.5 * (i / 2), 0.5 + 0.5 * (i % 2), 0.5 + 0.5 * (i / 2));
+      renderer->SetBackground(0.2, 0.4, 0.6);
+      renderer->SetActiveCamera(alone.camera());
+      renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.3, { 1.0, 0.8, 0.2 }));
+      vtkNew<vtkVolume> volume;
+      volume->SetProperty(alone.property());
+      mappers.push_back(vtkSmartPointer<vtkTetMarchVolumeMapper>::New());
+      mappers.back()->SetInputData(alone.Data);
+      mappers.back()->CollectDiagnosticsOn();
+      volume->SetMapper(mappers.back());
+      renderer->AddVolume(volume);
+      window->AddRenderer(renderer);
+    }
+    window->Render();
+    const Image all = framePictureOf(window);
+    for (int i = 0; i < 4; ++i)
+    {
+      expectSame(cropped(all, Side * (i % 2), Side * (i / 2), Side, Side), frame, 0.0, "frame");
+      EXPECT_LE(compare(floatPictureOf(mappers[i], Side, Side), picture).Max, 1e-5);
+    }
+  }
+}
+
+TEST(Framebuffer, OneMapperInTwoViewports)
+{
+  Scene scene(lattice(), 200, 100);
+  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkRenderer> right;
+  right->SetViewport(0.5, 0.0, 1.0, 1.0);
+  right->SetActiveCamera(scene.camera());
+  right->AddVolume(scene.Volume);
+  scene.Window->AddRenderer(right);
+  scene.Window->Render();
+  const Image frame = scene.frame();
+  expectSame(cropped(frame, 0, 0, 100, 100), cropped(frame, 100, 0, 100, 100), 0.0, "frame");
+  EXPECT_EQ(scene.Mapper->GetMeshBuilds(), 1);
+}
+
+TEST(Framebuffer, ResizedWindow)
+{
+  Scene scene(lattice());
+  scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.3, { 1.0, 0.8, 0.2 }));
+  scene.render();
+  const int sizes[][2] = { { 131, 77 }, { 64, 200 }, { 1, 1 }, { 160, 160 } };
+  for (const auto& size : sizes)
+  {
+    scene.Window->SetSize(size[0], size[1]);
+    const Image picture = scene.render();
+    Scene fresh(lattice(), size[0], size[1]);
+    fresh.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.3, { 1.0, 0.8, 0.2 }));
+    EXPECT_EQ(compare(picture, fresh.render()).Max, 0.0);
+    expectSame(scene.frame(), fresh.frame(), 0.0, "frame");
+  }
+}
+
+TEST(Framebuffer, TwoVolumesInOneRenderer)
+{
+  Scene scene(lattice());
+  scene.Renderer->SetBackground(0.2, 0.4, 0.6);
+  const Image back = frameWithoutVolumes(scene);
+  vtkNew<vtkTetMarchVolumeMapper> mapper;
+  mapper->SetInputData(latticeWithHole(6, 0.15, 2, radialField()));
+  mapper->CollectDiagnosticsOn();
+  vtkNew<vtkVolume> second;
+  second->SetMapper(mapper);
+  setBumpyFunctions(second->GetProperty());
+  second->GetProperty()->SetScalarOpacityUnitDistance(0.5);
+  second->SetPosition(0.5, 0.3, 1.1);
+  scene.Renderer->AddVolume(second);
+  const Image first = scene.render();
+  const Image front = floatPictureOf(mapper, SceneSize, SceneSize);
+  EXPECT_GT(front.pixel(SceneSize / 2, SceneSize / 2)[3], 0.1f);
+  EXPECT_GT(first.pixel(SceneSize / 2, SceneSize / 2)[3], 0.1f);
+  // Drawn in the order of their addition.
+  expectSame(scene.frame(), over(front, over(first, back)), 2.0 * OneBlend);
+}
+
+TEST(Framebuffer, PicturesInTiles)
+{
+  for (const bool inside : { false, true })
+  {
+    Scene scene(lattice(), 80, 60);
+    Scene large(lattice(), 160, 120);
+    for (Scene* each : { &scene, &large })
+    {
+      each->Renderer->AddActor(makePlane(0.4, 0.1, { 1.0, 0.8, 0.2 }));
+      if (inside)
+      {
+        each->camera()->SetPosition(0.05, 0.42, 0.57);
+        each->camera()->SetFocalPoint(1.0, 0.5, 0.5);
+        each->camera()->SetClippingRange(0.01, 5.0);
+      }
+    }
+    vtkNew<vtkWindowToImageFilter> filter;
+    filter->SetInput(scene.Window);
+    filter->SetScale(2);
+    filter->SetInputBufferTypeToRGBA();
+    filter->ReadFrontBufferOff();
+    filter->Update();
+    auto* bytes =
+      vtkUnsignedCharArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetScalars());
+    ASSERT_EQ(bytes->GetNumberOfTuples(), 160 * 120);
+    const Image tiled = Image::fromBytes(160, 120, bytes->GetPointer(0));
+    large.render();
+    // The edge of the plane may be rasterised otherwise.
+    const Difference difference = compare(tiled, large.frame(), {}, 1.001 / 255.0, Channels::Rgb);
+    EXPECT_LE(difference.Over, 5u) << difference.text();
+    std::cout << "[ MEASURED ] " << difference.text() << '\n';
+  }
+}
+} // namespace
