@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The wrapped class as a user of Python meets it: its help, constants, defaults and printed state."""
+import inspect
+import unittest
+
+import vtkmodules.all as vtk
+import vtktetmarch
+from vtktetmarch import vtkTetMarchVolumeMapper
+
+# What macros declare without a comment of their own, as in every class of VTK.
+FROM_MACROS = {"NewInstance", "SafeDownCast"}
+
+
+class ApiTest(unittest.TestCase):
+    def test_every_method_is_documented(self):
+        methods = {name: method for name, method in vars(vtkTetMarchVolumeMapper).items()
+                   if not name.startswith("__") and inspect.isroutine(method)}
+        self.assertIn("SetOpacityLaw", methods)
+        self.assertIn("GetUploadSeconds", methods)
+        for name in sorted(methods.keys() - FROM_MACROS):
+            with self.subTest(method=name):
+                # The signatures in Python and C++ come first, then an empty line.
+                _, _, comment = methods[name].__doc__.partition("\n\n")
+                self.assertGreater(len(comment.split()), 3)
+
+    def test_the_class_and_the_package_are_documented(self):
+        self.assertIn("marching rays", vtkTetMarchVolumeMapper.__doc__)
+        self.assertIn("marching rays", vtktetmarch.__doc__)
+        self.assertEqual(vtktetmarch.__all__, ["vtkTetMarchVolumeMapper"])
+
+    def test_base_classes(self):
+        mapper = vtkTetMarchVolumeMapper()
+        self.assertIsInstance(mapper, vtk.vtkUnstructuredGridVolumeMapper)
+        self.assertEqual(mapper.GetClassName(), "vtkTetMarchVolumeMapper")
+        self.assertIsInstance(mapper.NewInstance(), vtkTetMarchVolumeMapper)
+
+    def test_defaults(self):
+        mapper = vtkTetMarchVolumeMapper()
+        self.assertEqual(mapper.GetOpacityLaw(), vtkTetMarchVolumeMapper.UNSTRUCTURED)
+        self.assertFalse(mapper.GetCollectDiagnostics())
+        figures = [name for name in dir(mapper)
+                   if name.startswith("GetNumberOf") and "Generations" not in name or
+                   name.endswith(("Builds", "Seconds", "Bytes")) and name.startswith("Get")]
+        own = [name for name in figures if name in vars(vtkTetMarchVolumeMapper)]
+        self.assertGreater(len(own), 15)
+        for name in own:
+            self.assertEqual(getattr(mapper, name)(), 0, name)
+        pixels = vtk.vtkFloatArray()
+        mapper.GetDiagnosticPixels(pixels)
+        self.assertEqual(pixels.GetNumberOfTuples(), 0)
+
+    def test_the_opacity_law(self):
+        mapper = vtkTetMarchVolumeMapper()
+        self.assertEqual((mapper.UNSTRUCTURED, mapper.STRUCTURED), (0, 1))
+        before = mapper.GetMTime()
+        mapper.SetOpacityLawToStructured()
+        self.assertEqual(mapper.GetOpacityLaw(), mapper.STRUCTURED)
+        self.assertGreater(mapper.GetMTime(), before)
+        mapper.SetOpacityLawToUnstructured()
+        self.assertEqual(mapper.GetOpacityLaw(), mapper.UNSTRUCTURED)
+        for value, clamped in ((-1, mapper.UNSTRUCTURED), (2, mapper.STRUCTURED), (99, mapper.STRUCTURED)):
+            mapper.SetOpacityLaw(value)
+            self.assertEqual(mapper.GetOpacityLaw(), clamped)
+        with self.assertRaises(TypeError):
+            mapper.SetOpacityLaw("structured")
+
+    def test_the_diagnostics_switch(self):
+        mapper = vtkTetMarchVolumeMapper()
+        mapper.CollectDiagnosticsOn()
+        self.assertTrue(mapper.GetCollectDiagnostics())
+        mapper.CollectDiagnosticsOff()
+        self.assertFalse(mapper.GetCollectDiagnostics())
+
+    def test_printed_state(self):
+        mapper = vtkTetMarchVolumeMapper()
+        mapper.SetOpacityLawToStructured()
+        text = str(mapper)
+        for line in ("OpacityLaw: Structured", "CollectDiagnostics: Off", "NumberOfTetrahedra: 0"):
+            self.assertIn(line, text)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

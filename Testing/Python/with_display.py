@@ -1,0 +1,31 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs a command with a display: with_display.py COMMAND...
+
+Windows of VTK before 9.4 want one. If DISPLAY is unset, an X server of the command's own serves it.
+"""
+import os
+import subprocess
+import sys
+
+
+def run_with_own_server(command):
+    reader, writer = os.pipe()
+    # The server itself chooses a free display and writes its number.
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "1280x1024x24", "-noreset",
+                               "-nolisten", "tcp"], pass_fds=[writer], stderr=subprocess.DEVNULL)
+    os.close(writer)
+    try:
+        with os.fdopen(reader) as answer:
+            number = answer.readline().strip()
+        if not number:
+            sys.exit("Xvfb didn't start")
+        return subprocess.call(command, env={**os.environ, "DISPLAY": ":" + number})
+    finally:
+        server.terminate()
+        server.wait()
+
+
+if __name__ == "__main__":
+    arguments = sys.argv[1:]
+    sys.exit(subprocess.call(arguments) if os.environ.get("DISPLAY") else run_with_own_server(arguments))
