@@ -47,9 +47,16 @@ vtkTetMarchVolumeMapper::~vtkTetMarchVolumeMapper()
 void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
-  if (!window || !grid || grid->GetNumberOfCells() == 0 || renderer->GetSelector())
+  if (!window || !this->GetInput() || renderer->GetSelector())
   {
+    return;
+  }
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
+  if (!grid || grid->GetNumberOfCells() == 0)
+  {
+    this->ReportError(grid ? ""
+                           : std::string("The input is a ") + this->GetInput()->GetClassName() +
+          ", but only a vtkUnstructuredGrid can be drawn. vtkAppendFilter makes one of any data set.");
     return;
   }
   vtkNew<vtkTimerLog> timer;
@@ -71,7 +78,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
                                                       : tetmarch::OpacityLaw::Unstructured) &&
                      pipeline.updateView(renderer, volume) && pipeline.upload(window) &&
                      pipeline.draw(window, renderer, this->CollectDiagnostics);
-  this->ReportProblems(scalars != nullptr);
+  this->ReportError(scalars ? pipeline.error() : this->DescribeMissingScalars());
+  this->ReportMesh();
 
   if (drawn)
   {
@@ -124,10 +132,8 @@ std::string vtkTetMarchVolumeMapper::DescribeMissingScalars()
 }
 
 //------------------------------------------------------------------------------
-void vtkTetMarchVolumeMapper::ReportProblems(bool hasScalars)
+void vtkTetMarchVolumeMapper::ReportError(const std::string& error)
 {
-  const tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
-  const std::string error = hasScalars ? pipeline.error() : this->DescribeMissingScalars();
   if (error != this->Internal->LastError)
   {
     this->Internal->LastError = error;
@@ -136,7 +142,12 @@ void vtkTetMarchVolumeMapper::ReportProblems(bool hasScalars)
       vtkErrorMacro(<< error);
     }
   }
-  const std::string report = tetmarch::describe(pipeline.mesh().Report);
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::ReportMesh()
+{
+  const std::string report = tetmarch::describe(this->Internal->Pipeline.mesh().Report);
   if (report != this->Internal->LastReport)
   {
     this->Internal->LastReport = report;

@@ -160,7 +160,8 @@ private:
 
   vtkDataArray* FindScalars(vtkUnstructuredGrid* grid, int& cellFlag);
   std::string DescribeMissingScalars();
-  void ReportProblems(bool hasScalars);
+  void ReportError(const std::string& error);
+  void ReportMesh();
 
   class Internals;
   std::unique_ptr<Internals> Internal;

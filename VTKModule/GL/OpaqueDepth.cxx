@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/OpaqueDepth.h"
 
+#include "GL/ErrorQueue.h"
 #include "GL/StateScope.h"
 
 #include "vtkCollectionIterator.h"
-#include "vtkOpenGLRenderUtilities.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
@@ -139,6 +139,7 @@ std::string OpaqueDepth::capture(vtkOpenGLRenderWindow* window, const Viewport& 
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source));
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
   state->vtkglDisable(GL_SCISSOR_TEST);
+  clearErrors();
   glBlitFramebuffer(viewport.X, viewport.Y, viewport.X + viewport.Width,
     viewport.Y + viewport.Height, 0, 0, viewport.Width, viewport.Height, GL_DEPTH_BUFFER_BIT,
     GL_NEAREST);

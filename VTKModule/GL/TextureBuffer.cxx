@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/TextureBuffer.h"
 
-#include "vtkOpenGLRenderUtilities.h"
+#include "GL/ErrorQueue.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
@@ -33,14 +34,6 @@ FormatRow rowOf(TexelFormat format)
       return { GL_RG32UI, GL_RG_INTEGER, 2, VTK_UNSIGNED_INT };
     default:
       return { GL_RGBA32UI, GL_RGBA_INTEGER, 4, VTK_UNSIGNED_INT };
-  }
-}
-
-// Forget errors that others left; a lost context reports one for ever.
-void clearErrors()
-{
-  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
-  {
   }
 }
 
