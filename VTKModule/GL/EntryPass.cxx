@@ -6,6 +6,7 @@
 #include "GL/StateScope.h"
 #include "GL/Uniforms.h"
 #include "Mesh/TetMesh.h"
+#include "Scene/FittedDepths.h"
 #include "Scene/View.h"
 
 #include "vtkOpenGLRenderUtilities.h"
@@ -40,7 +41,7 @@ std::string EntryPass::draw(vtkOpenGLRenderWindow* window, const Viewport& viewp
   if (program)
   {
     textures.bindBoundary(program);
-    setUniform(program, "normalizedToClip", view.NormalizedToClip);
+    setUniform(program, "normalizedToClip", fittedDepths(view, mesh));
     this->Draw.drawTriangles(static_cast<int>(mesh.BoundaryFaces.size()));
     textures.unbind();
   }
