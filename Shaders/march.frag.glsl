@@ -28,6 +28,7 @@ uniform sampler2D entryTexture;
 #endif
 #if TETMARCH_OPAQUE_DEPTH
 uniform sampler2D opaqueDepthTexture;
+uniform bool cutsFarPlane;
 #endif
 #if TETMARCH_OPAQUE_DEPTH || !TETMARCH_RASTER_ENTRY
 uniform mat4 clipToNormalized;
@@ -69,8 +70,12 @@ void main()
   depthBegin = dot(point - ray.origin, ray.direction);
 #endif
 #if TETMARCH_OPAQUE_DEPTH
-  vec3 opaque = unproject(gl_FragCoord.xy, texelFetch(opaqueDepthTexture, pixel, 0).x);
-  depthEnd = dot(opaque - ray.origin, ray.direction);
+  // Of a far plane that is a million times as far as the near plane no digit is left.
+  float windowDepth = texelFetch(opaqueDepthTexture, pixel, 0).x;
+  if (windowDepth < 1.0 || cutsFarPlane)
+  {
+    depthEnd = dot(unproject(gl_FragCoord.xy, windowDepth) - ray.origin, ray.direction);
+  }
 #endif
 
   March march = castRay(ray, firstFace, length(lengthMatrix * ray.direction), depthBegin, depthEnd);

@@ -78,6 +78,7 @@ std::string MarchPass::drawVariant(
   if (inputs.Key.OpaqueDepth)
   {
     bindImage(program, "opaqueDepthTexture", inputs.Depths);
+    program->SetUniformi("cutsFarPlane", view.CutsFarPlane ? 1 : 0);
   }
 
   this->Draw.drawTriangles(1);

@@ -11,6 +11,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
+#include "vtkVolume.h"
 
 namespace tetmarch
 {
@@ -24,7 +25,8 @@ bool hasOpaqueProp(vtkRenderer* renderer)
   props->InitTraversal(it);
   while (vtkProp* prop = props->GetNextProp(it))
   {
-    if (prop->GetVisibility() && prop->HasOpaqueGeometry())
+    // Volumes don't say that they have none.
+    if (prop->GetVisibility() && !vtkVolume::SafeDownCast(prop) && prop->HasOpaqueGeometry())
     {
       return true;
     }
