@@ -167,6 +167,30 @@ TEST(ParityView, OpaqueGeometryInParallelProjection)
   expectParityWithOpaque(scene);
 }
 
+TEST(ParityView, NearPlaneVeryNear)
+{
+  // The depths of the rasteriser can't tell the front faces of the two components apart.
+  Scene scene(twoComponents(6, 0.15, 1, sineField()));
+  scene.camera()->SetPosition(4.5, 0.9, 1.3);
+  for (const bool parallel : { false, true })
+  {
+    scene.camera()->SetParallelProjection(parallel);
+    scene.camera()->SetClippingRange(0.5, 10.0);
+    const Image fitting = scene.render();
+    expectParity(scene);
+    scene.camera()->SetClippingRange(parallel ? -1e8 : 1e-6, parallel ? 1e8 : 1000.0);
+    // Without opaque geometry, and with some that hides nothing.
+    const auto ball = makeBall({ 0.5, -0.5, 0.5 }, 0.1, { 1.0, 1.0, 1.0 });
+    for (int i = 0; i < 2; ++i)
+    {
+      const Difference difference = compare(scene.render(), fitting);
+      EXPECT_LE(difference.Max, 2.0 / 255.0) << difference.text();
+      scene.Renderer->AddActor(ball);
+    }
+    scene.Renderer->RemoveActor(ball);
+  }
+}
+
 TEST(ParityView, NearPlaneAtAThousandthOfTheFar)
 {
   // As near as vtkRenderer::ResetCameraClippingRange() ever sets it.

@@ -3,6 +3,7 @@
 // Only the stages whose input changed are done again, and what they make then is right.
 #include "Twin.h"
 
+#include "vtkActor.h"
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 
@@ -246,6 +247,19 @@ TEST_F(Stages, AnotherDatasetAndBack)
   this->Shown.Mapper->SetInputData(first);
   this->expectRuns(1, 1, 1);
   EXPECT_EQ(compare(this->Before, firstPicture).Max, 0.0);
+}
+
+TEST_F(Stages, DepthsAreCopiedOnlyForOpaqueGeometry)
+{
+  const vtkTypeInt64 bytes = this->Shown.Mapper->GetGPUMemoryBytes();
+  const auto ball = makeBall({ 0.5, 0.5, 0.5 }, 0.2, { 1.0, 1.0, 1.0 });
+  ball->VisibilityOff();
+  this->Shown.Renderer->AddActor(ball);
+  this->Shown.render();
+  EXPECT_EQ(this->Shown.Mapper->GetGPUMemoryBytes(), bytes);
+  ball->VisibilityOn();
+  this->Shown.render();
+  EXPECT_GE(this->Shown.Mapper->GetGPUMemoryBytes(), bytes + 4 * 96 * 96);
 }
 
 TEST_F(Stages, DiagnosticsOnlyWhenOn)

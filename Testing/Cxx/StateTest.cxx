@@ -118,14 +118,17 @@ public:
     }
     window->GetState()->VerifyNoActiveTextures();
     ++this->Frames;
+    glGetIntegerv(GL_SAMPLES, &this->Samples);
   }
 
   int Frames = 0;
+  int Samples = 0; // of the framebuffer
 };
 vtkStandardNewMacro(WatchedMapper);
 
 void expectStateKept(Scene& scene)
 {
+  const bool multisampled = scene.Window->GetMultiSamples() > 1;
   for (const bool diagnostics : { true, false })
   {
     vtkNew<WatchedMapper> mapper;
@@ -135,6 +138,7 @@ void expectStateKept(Scene& scene)
     scene.Window->Render();
     scene.Window->Render();
     EXPECT_EQ(mapper->Frames, 2);
+    EXPECT_EQ(mapper->Samples > 1, multisampled);
     scene.Volume->SetMapper(scene.Mapper);
   }
 }
