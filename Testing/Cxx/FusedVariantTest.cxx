@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The variants of the shader for GPUs that fuse multiply and add, on whatever runs the tests.
+// Mesa's software renderer does not fuse, so it never gets them otherwise. Where no three points of
+// a mesh are in line with the eye, a product that is rounded twice does no harm.
+#include "Twin.h"
+
+#include "vtkOpenGLRenderUtilities.h"
+
+#include <gtest/gtest.h>
+#include <string>
+
+#if __has_include("vtk_glew.h")
+namespace
+{
+using namespace tetmarch::testing;
+
+// Has every shader compiled with TETMARCH_HAS_FMA 1 as long as it lives.
+class FusedShaders
+{
+public:
+  FusedShaders()
+  {
+    Compiled = 0;
+    Original = __glewShaderSource;
+    __glewShaderSource = &FusedShaders::replaced;
+  }
+  ~FusedShaders() { __glewShaderSource = Original; }
+  FusedShaders(const FusedShaders&) = delete;
+  FusedShaders& operator=(const FusedShaders&) = delete;
+
+  static inline int Compiled = 0;
+
+private:
+  static void GLAPIENTRY replaced(
+    GLuint shader, GLsizei count, const GLchar* const* texts, const GLint* lengths)
+  {
+    std::string text;
+    for (GLsizei i = 0; i < count; ++i)
+    {
+      text += lengths && lengths[i] >= 0 ? std::string(texts[i], lengths[i]) : texts[i];
+    }
+    const std::string define = "#define TETMARCH_HAS_FMA ";
+    const std::size_t at = text.find(define);
+    if (at != std::string::npos)
+    {
+      text[at + define.size()] = '1';
+      ++Compiled;
+    }
+    const char* whole = text.c_str();
+    Original(shader, 1, &whole, nullptr);
+  }
+
+  static inline PFNGLSHADERSOURCEPROC Original = nullptr;
+};
+
+void expectFusedParity(Scene& scene)
+{
+  scene.Window->MakeCurrent();
+  const FusedShaders fused;
+  expectParity(scene);
+  EXPECT_GT(FusedShaders::Compiled, 0);
+}
+
+TEST(FusedVariant, PointScalars)
+{
+  Scene scene(jitteredLattice(8, 0.15, 1, sineField()));
+  expectFusedParity(scene);
+}
+
+TEST(FusedVariant, CellScalarsOfANonConvexMesh)
+{
+  Scene scene(latticeWithHole(9, 0.15, 1, sineField()));
+  scene.drawCellScalars();
+  expectFusedParity(scene);
+}
+
+TEST(FusedVariant, SearchedEntries)
+{
+  Scene scene(nestedShells(10, 4, 0.15, 1, sineField()));
+  scene.camera()->SetClippingRange(2.8, 3.2);
+  expectFusedParity(scene);
+}
+} // namespace
+#endif
