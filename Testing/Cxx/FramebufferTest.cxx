@@ -4,7 +4,10 @@
 #include "Scene.h"
 
 #include "vtkImageData.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkPointData.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAAPass.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
@@ -87,11 +90,13 @@ TEST(Framebuffer, BlendedOverOpaqueGeometry)
 // alpha = 1 - exp(-kappa L) where a plane cuts a constant field.
 TEST(Framebuffer, APlaneCutsWhereItIs)
 {
-  for (const int samples : { 0, 8 })
+  for (const bool stencil : { false, true })
   {
     for (const double height : { 0.031, 0.37, 0.5, 0.9 })
     {
+      const int samples = height < 0.4 ? 8 : 0;
       Scene scene(jitteredLattice(6, 0.15, 1, constantField(0.5)));
+      scene.Window->SetStencilCapable(stencil);
       scene.Window->SetMultiSamples(samples);
       setPlainFunctions(scene.property(), { 1.0, 0.5, 0.25 }, 0.6);
       scene.property()->SetScalarOpacityUnitDistance(0.4);
@@ -229,6 +234,27 @@ TEST(Framebuffer, TwoVolumesInOneRenderer)
   EXPECT_GT(first.pixel(SceneSize / 2, SceneSize / 2)[3], 0.1f);
   // Drawn in the order of their addition.
   expectSame(scene.frame(), over(front, over(first, back)), 2.0 * OneBlend);
+}
+
+// This pass draws into a larger framebuffer of its own: sqrt(5) as wide and high as the window.
+TEST(Framebuffer, UnderARenderPass)
+{
+  constexpr int Wide = 178;
+  Scene scene(lattice(), 80, 80);
+  Scene large(lattice(), Wide, Wide);
+  for (Scene* each : { &scene, &large })
+  {
+    each->Renderer->AddActor(makePlane(0.4, 0.1, { 1.0, 0.8, 0.2 }));
+  }
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkSSAAPass> pass;
+  pass->SetDelegatePass(steps);
+  vtkOpenGLRenderer::SafeDownCast(scene.Renderer)->SetPass(pass);
+  scene.Window->Render();
+  const Image picture = floatPictureOf(scene.Mapper, Wide, Wide);
+  EXPECT_LE(compare(picture, large.render()).Max, 1e-5);
+  EXPECT_GT(compare(scene.frame(), Image(80, 80)).Max, 0.3);
+  pass->ReleaseGraphicsResources(scene.Window);
 }
 
 TEST(Framebuffer, PicturesInTiles)
