@@ -36,8 +36,9 @@ bool isBefore(real depth, int face, Entry other)
   return depth < other.depth || (depth == other.depth && face < other.face);
 }
 
-// The first entry after the given one, among the faces of the first nodes, by a depth-first walk over the bounding volume hierarchy: nodes are
-// stored in that order, and each inner one knows the node to go on with if the ray misses it. Boxes are tested by the separating axes of a line and a box, without a division.
+// The first entry after the given one, among the faces of the first nodeCount nodes, by a depth-first walk over
+// the bounding volume hierarchy: nodes are stored in that order, and each inner one knows the node to go on
+// with if the ray misses it. Boxes are tested by the separating axes of a line and a box, without a division.
 Entry nextEntry(Ray ray, Entry after, int nodeCount)
 {
   Entry best;

@@ -411,7 +411,7 @@ std::string decompose(
 {
   stopped = false;
   result = {};
-  const std::string sizes = checkSizes(grid);
+  std::string sizes = checkSizes(grid);
   const vtkIdType cells = grid->GetNumberOfCells();
   if (!sizes.empty() || cells == 0)
   {

@@ -214,7 +214,7 @@ std::string renumber(
         }
       }
     });
-  const std::string wrong = findFrame(positions, used.Points, mesh);
+  std::string wrong = findFrame(positions, used.Points, mesh);
   if (!wrong.empty())
   {
     return wrong;
