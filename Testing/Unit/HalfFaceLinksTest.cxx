@@ -4,10 +4,13 @@
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/Orientation.h"
 
+#include "Fields.h"
 #include "GridSummary.h"
 #include "UnitMeshes.h"
 
 #include "vtkCellType.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -215,5 +218,44 @@ TEST(HalfFaceLinks, NothingToLink)
   EXPECT_TRUE(mesh.Links.empty());
   EXPECT_TRUE(mesh.BoundaryFaces.empty());
   EXPECT_TRUE(built(emptyGrid()).Tets.empty());
+}
+
+// Two cubes side by side as polyhedra; the square between them is two quads that share the point m
+// near a diagonal of the square, so that both quads are cut along it and overlap in a triangle.
+Grid cubesWithOverlappingQuads(double y, double z)
+{
+  const auto grid = Grid::New();
+  vtkNew<vtkPoints> points;
+  for (const double x : { 1.0, 0.0, 2.0 }) // ids 0..3 lie between the cubes, 0 is on the diagonal
+  {
+    points->InsertNextPoint(x, 0, 0);
+    points->InsertNextPoint(x, 1, 0);
+    points->InsertNextPoint(x, 1, 1);
+    points->InsertNextPoint(x, 0, 1);
+  }
+  const vtkIdType m = points->InsertNextPoint(1, y, z);
+  grid->SetPoints(points);
+  for (const vtkIdType o : { 4, 8 })
+  {
+    const std::vector<vtkIdType> faces = { 4, 1, 2, m, 0, 4, 0, m, 2, 3, 4, o, o + 1, o + 2, o + 3,
+      4, 0, 1, o + 1, o, 4, 1, 2, o + 2, o + 1, 4, 2, 3, o + 3, o + 2, 4, 3, 0, o, o + 3 };
+    const std::vector<vtkIdType> ids = { 0, 1, 2, 3, m, o, o + 1, o + 2, o + 3 };
+    grid->InsertNextCell(
+      VTK_POLYHEDRON, static_cast<vtkIdType>(ids.size()), ids.data(), 7, faces.data());
+  }
+  attachFields(grid, linearField());
+  return grid;
+}
+
+TEST(HalfFaceLinks, OverlappingQuadsOfCellsCancel)
+{
+  for (const auto& m : { std::array<double, 2>{ 0.6, 0.5 }, { 0.5, 0.6 }, { 0.5, 0.5 } })
+  {
+    const TetMesh mesh = built(cubesWithOverlappingQuads(m[0], m[1]));
+    expectConsistent(mesh);
+    EXPECT_EQ(mesh.BoundaryFaces.size(), 20u); // ten squares
+    EXPECT_EQ(mesh.Report.NonManifoldFaces, 0);
+    EXPECT_EQ(mesh.Report.DuplicateTetrahedra, 0);
+  }
 }
 } // namespace

@@ -83,7 +83,16 @@ private:
         this->add(cell, { { this->point(0), this->point(1), this->point(2), this->point(3) } });
       }
     }
-    else if (type == VTK_POLYHEDRON)
+    else
+    {
+      this->Result.HasCutCells = true;
+      this->cutOther(cell, type);
+    }
+  }
+
+  void cutOther(vtkIdType cell, int type)
+  {
+    if (type == VTK_POLYHEDRON)
     {
       this->cutPolyhedron(cell);
     }
@@ -370,6 +379,7 @@ void join(Decomposition& result, Decomposition&& part, Id numberOfPoints)
   append(result.Cells, part.Cells);
   append(result.CenterCells, part.CenterCells);
   append(result.CenterPositions, part.CenterPositions);
+  result.HasCutCells = result.HasCutCells || part.HasCutCells;
   result.Report.LowDimensionalCells += part.Report.LowDimensionalCells;
   result.Report.UnsupportedCells += part.Report.UnsupportedCells;
   part = {};

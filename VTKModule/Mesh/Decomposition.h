@@ -21,6 +21,7 @@ struct Decomposition
   std::vector<Id> Cells;               // one a tetrahedron
   std::vector<Id> CenterCells;
   std::vector<std::array<double, 3>> CenterPositions; // the mean of the cell's points
+  bool HasCutCells = false;                           // some are of cells of other types
   MeshReport Report;
 };
 

@@ -5,6 +5,7 @@
 #include "Orientation.h"
 
 #include <algorithm>
+#include <iterator>
 #include <mutex>
 #include <numeric>
 #include <utility>
@@ -72,6 +73,7 @@ Id apexOf(const TetMesh& mesh, Id halfFace) { return mesh.Tets[halfFace / 4][hal
 struct Findings
 {
   std::vector<Id> Duplicates;
+  std::vector<Id> Cancelled;               // with their duplicates
   std::vector<std::pair<Id, Id>> Boundary; // smallest vertex (for the order), half-face
   vtkIdType NonManifoldFaces = 0;
 };
@@ -118,6 +120,8 @@ private:
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Found.Duplicates.insert(
       this->Found.Duplicates.end(), found.Duplicates.begin(), found.Duplicates.end());
+    this->Found.Cancelled.insert(
+      this->Found.Cancelled.end(), found.Cancelled.begin(), found.Cancelled.end());
     this->Found.Boundary.insert(
       this->Found.Boundary.end(), found.Boundary.begin(), found.Boundary.end());
     this->Found.NonManifoldFaces += found.NonManifoldFaces;
@@ -143,51 +147,96 @@ private:
 
   void matchFace(Id smallest, const Owner* owners, std::size_t count, Findings& found)
   {
-    std::size_t partner = count == 2 ? 1 : 0;
     if (count > 1 && this->findDuplicates(owners, count, found))
     {
       return; // matching starts anew without them
     }
-    if (count > 2)
+    if (count == 2)
     {
-      ++found.NonManifoldFaces;
-      const int side = inwardSide(this->Mesh, owners[0].HalfFace);
-      for (std::size_t i = count - 1; i > 0; --i)
-      {
-        partner = inwardSide(this->Mesh, owners[i].HalfFace) == -side ? i : partner;
-      }
+      this->join(owners[0].HalfFace, owners[1].HalfFace);
     }
-    if (partner != 0)
+    else if (count == 1)
     {
-      this->link(owners[0].HalfFace, owners[partner].HalfFace);
-      this->link(owners[partner].HalfFace, owners[0].HalfFace);
+      found.Boundary.emplace_back(smallest, owners[0].HalfFace);
     }
-    for (std::size_t i = 0; i < count; ++i)
+    else
     {
-      if (partner == 0 || (i != 0 && i != partner))
-      {
-        found.Boundary.emplace_back(smallest, owners[i].HalfFace);
-      }
+      this->matchManyOwners(smallest, owners, count, found);
     }
   }
 
-  // Owners of one face with the same apex are the same tetrahedron.
+  // Owners on opposite sides are joined in the order of their numbers; flat ones stand in where a
+  // side has fewer. To the rest the face is boundary.
+  void matchManyOwners(Id smallest, const Owner* owners, std::size_t count, Findings& found)
+  {
+    std::vector<Id> above, below, flat;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const int side = inwardSide(this->Mesh, owners[i].HalfFace);
+      (side > 0 ? above : (side < 0 ? below : flat)).push_back(owners[i].HalfFace);
+    }
+    for (Id halfFace : flat)
+    {
+      (above.size() < below.size() ? above : below).push_back(halfFace);
+    }
+    const std::size_t pairs = std::min(above.size(), below.size());
+    for (std::size_t i = 0; i < pairs; ++i)
+    {
+      this->join(above[i], below[i]);
+    }
+    const std::vector<Id>& rest = above.size() > pairs ? above : below;
+    std::size_t next = pairs;
+    for (; this->Mesh.HasCutCells && next + 1 < rest.size(); next += 2)
+    {
+      this->join(rest[next], rest[next + 1]);
+    }
+    for (; next < rest.size(); ++next)
+    {
+      found.Boundary.emplace_back(smallest, rest[next]);
+      found.NonManifoldFaces += next + 1 == rest.size() ? 1 : 0;
+    }
+  }
+
+  // Owners of one face with the same apex are the same tetrahedron: all but the first are dropped.
+  // But cutting makes some twice that aren't there at all, once outside of a cell that misses it
+  // and once inside of one that has it too much: where two faces of a cell overlap because a point
+  // lies on the diagonal of both, or where two cells share two faces side by side and it lies
+  // between them. Then both are dropped, and what lies on either side is joined; in the second case
+  // that shows by two further owners.
   bool findDuplicates(const Owner* owners, std::size_t count, Findings& found) const
   {
-    bool any = false;
+    std::vector<std::pair<Id, Id>> tets; // apex, tetrahedron
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      tets.emplace_back(apexOf(this->Mesh, owners[i].HalfFace), owners[i].HalfFace / 4);
+    }
+    std::sort(tets.begin(), tets.end());
+    std::size_t different = 1;
     for (std::size_t i = 1; i < count; ++i)
     {
-      for (std::size_t j = 0; j < i; ++j)
-      {
-        if (apexOf(this->Mesh, owners[i].HalfFace) == apexOf(this->Mesh, owners[j].HalfFace))
-        {
-          found.Duplicates.push_back(owners[i].HalfFace / 4);
-          any = true;
-          break;
-        }
-      }
+      different += tets[i].first != tets[i - 1].first ? 1 : 0;
     }
-    return any;
+    for (std::size_t i = 1; i < count && different < count; ++i)
+    {
+      if (tets[i].first != tets[i - 1].first)
+      {
+        continue;
+      }
+      const bool sameCell =
+        this->Mesh.TetCells[tets[i].second] == this->Mesh.TetCells[tets[i - 1].second];
+      if (sameCell || (this->Mesh.HasCutCells && different > 2))
+      {
+        found.Cancelled.insert(found.Cancelled.end(), { tets[i - 1].second, tets[i].second });
+      }
+      found.Duplicates.push_back(tets[i].second);
+    }
+    return different < count;
+  }
+
+  void join(Id a, Id b)
+  {
+    this->link(a, b);
+    this->link(b, a);
   }
 
   void link(Id from, Id to) { this->Mesh.Links[from] = { to / 4, apexOf(this->Mesh, to) }; }
@@ -198,11 +247,21 @@ private:
   std::mutex Mutex;
 };
 
-void dropTets(std::vector<Id>& dropped, TetMesh& mesh)
+void sortAndUnite(std::vector<Id>& tets)
 {
-  std::sort(dropped.begin(), dropped.end());
-  dropped.erase(std::unique(dropped.begin(), dropped.end()), dropped.end());
-  mesh.Report.DuplicateTetrahedra += static_cast<vtkIdType>(dropped.size());
+  std::sort(tets.begin(), tets.end());
+  tets.erase(std::unique(tets.begin(), tets.end()), tets.end());
+}
+
+void dropDuplicates(Findings& found, TetMesh& mesh)
+{
+  sortAndUnite(found.Duplicates);
+  sortAndUnite(found.Cancelled);
+  std::vector<Id> dropped;
+  std::set_union(found.Duplicates.begin(), found.Duplicates.end(), found.Cancelled.begin(),
+    found.Cancelled.end(), std::back_inserter(dropped));
+  mesh.Report.DuplicateTetrahedra +=
+    static_cast<vtkIdType>(dropped.size() - found.Cancelled.size());
   std::size_t next = 0;
   std::size_t kept = 0;
   for (std::size_t t = 0; t < mesh.Tets.size(); ++t)
@@ -237,7 +296,7 @@ bool linkHalfFaces(const Progress& progress, TetMesh& mesh)
     {
       break;
     }
-    dropTets(found.Duplicates, mesh);
+    dropDuplicates(found, mesh);
   }
   mesh.Report.NonManifoldFaces = found.NonManifoldFaces;
 

@@ -11,10 +11,11 @@ namespace tetmarch
 {
 
 /**
- * Fill Links and BoundaryFaces of a mesh whose tetrahedra are there. Duplicate tetrahedra are
- * dropped (the first stays). Of a face with more than two owners the one with the lowest number is
- * linked to the first one on the other side; to the rest the face is boundary. False if progress
- * asked to stop.
+ * Fill Links and BoundaryFaces of a mesh whose tetrahedra are there. Of duplicate tetrahedra the
+ * first stays; but where two cells that were cut both claim one from opposite sides, both go. Of a
+ * face with more than two owners those on opposite sides are linked in the order of their numbers;
+ * to the rest the face is boundary (in a mesh with cut cells only to one that is left over). False
+ * if progress asked to stop.
  */
 bool linkHalfFaces(const Progress& progress, TetMesh& mesh);
 

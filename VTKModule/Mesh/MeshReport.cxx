@@ -18,9 +18,8 @@ std::string describe(const MeshReport& report)
   say(report.UnsupportedCells, " cells of types that can't be cut into tetrahedra were skipped.");
   say(report.DegenerateTetrahedra, " tetrahedra with a repeated point were dropped.");
   say(report.DuplicateTetrahedra, " tetrahedra that repeat another one were dropped.");
-  say(report.NonManifoldFaces, " faces belong to more than two tetrahedra: two on opposite sides "
-                               "were joined, for the others the face is "
-                               "boundary.");
+  say(report.NonManifoldFaces,
+    " faces have more tetrahedra on one side than on the other; those left over end there.");
   return text;
 }
 

@@ -18,7 +18,7 @@ struct MeshReport
   vtkIdType UnsupportedCells = 0;     // 3D cells that can't be decomposed: skipped
   vtkIdType DegenerateTetrahedra = 0; // with a repeated point: dropped
   vtkIdType DuplicateTetrahedra = 0;  // the same four points again: dropped
-  vtkIdType NonManifoldFaces = 0;     // more than two owners: all but two became boundary
+  vtkIdType NonManifoldFaces = 0;     // owners without one on the other side: boundary to them
 };
 
 /** A sentence for each count that is not 0. Surfaces and lines beside 3D cells are ordinary: not

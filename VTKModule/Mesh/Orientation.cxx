@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Orientation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <map>
@@ -11,9 +12,17 @@ namespace tetmarch
 namespace
 {
 
-// Sign of the volume of a tetrahedron, its vertices taken by ascending id. Differences and products
-// of floats are exact in double; what is within the rounding of the last sums counts as flat.
-int orientation(const TetMesh& mesh, Id tet)
+// Six times the volume of a tetrahedron, its vertices taken by ascending id, and how far it may be
+// off: by the rounding of the last sums, since differences and products of floats are exact in
+// double, and by that of the positions before.
+struct Volume
+{
+  double Value;
+  double SumRounding;
+  double PositionRounding;
+};
+
+Volume volumeOf(const TetMesh& mesh, Id tet)
 {
   std::array<std::array<double, 3>, 3> e;
   const auto& ids = mesh.Tets[tet];
@@ -25,6 +34,7 @@ int orientation(const TetMesh& mesh, Id tet)
   }
   double sum = 0;
   double size = 0;
+  double longest = 0;
   for (int k = 0; k < 3; ++k)
   {
     const int l = (k + 1) % 3, m = (k + 2) % 3;
@@ -32,8 +42,20 @@ int orientation(const TetMesh& mesh, Id tet)
     const double right = e[0][m] * e[1][l];
     sum += (left - right) * e[2][k];
     size += (std::abs(left) + std::abs(right)) * std::abs(e[2][k]);
+    longest = std::max(longest, e[k][0] * e[k][0] + e[k][1] * e[k][1] + e[k][2] * e[k][2]);
   }
-  return std::abs(sum) <= 1e-15 * size ? 0 : (sum > 0 ? 1 : -1);
+  return { sum, 1e-15 * size, std::ldexp(longest, -22) };
+}
+
+int signOf(double value, double rounding)
+{
+  return std::abs(value) <= rounding ? 0 : (value > 0 ? 1 : -1);
+}
+
+int orientation(const TetMesh& mesh, Id tet)
+{
+  const Volume volume = volumeOf(mesh, tet);
+  return signOf(volume.Value, volume.SumRounding);
 }
 
 // Parity of moving vertex i behind the others, which keep their order.
@@ -78,7 +100,8 @@ int orientationByNeighbours(const TetMesh& mesh, Id start)
 
 int inwardSide(const TetMesh& mesh, Id halfFace)
 {
-  return orientation(mesh, halfFace / 4) * parity(halfFace % 4);
+  const Volume volume = volumeOf(mesh, halfFace / 4);
+  return signOf(volume.Value, volume.PositionRounding) * parity(halfFace % 4);
 }
 
 std::array<Id, 4> outwardFace(const TetMesh& mesh, Id halfFace)

@@ -11,7 +11,8 @@ namespace tetmarch
 
 /**
  * +1 if the tetrahedron of the half-face lies on the side towards which the normal of the face, its
- * vertices taken by ascending id, points; -1 on the other; 0 if the tetrahedron is flat.
+ * vertices taken by ascending id, points; -1 on the other; 0 if the tetrahedron is flat to within
+ * the rounding of positions.
  */
 int inwardSide(const TetMesh& mesh, Id halfFace);
 

@@ -194,6 +194,7 @@ std::string renumber(
   mesh.NumberOfPoints = static_cast<vtkIdType>(pointCount);
   mesh.CenterCells = tets.CenterCells;
   mesh.Report = tets.Report;
+  mesh.HasCutCells = tets.HasCutCells;
 
   const UsedPoints used = findUsedPoints(tets, pointCount + tets.CenterCells.size());
   const std::size_t vertexCount = used.Points.size();
