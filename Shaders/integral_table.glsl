@@ -17,7 +17,8 @@ struct TablePoint
   uvec4 integralEnd; // K, T at entry bin + 1
 };
 
-int tableBin(real x) { return int(clamp(floor(x), real(0), real(tableSize - 2))); }
+// The first bin for what is not a number.
+int tableBin(real x) { return int(max(real(0), min(floor(x), real(tableSize - 2)))); }
 
 vec4 tableValue(real x)
 {

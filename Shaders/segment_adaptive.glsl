@@ -30,7 +30,7 @@ int integrateSegment(
   bool pending = true;
   do
   {
-    bool whole = position + step >= real(1);
+    bool whole = !(position + step < real(1)); // also if it is NaN: the loop ends whatever the input
     real share = whole ? real(1) - position : step;
     real target = whole ? end : begin + (end - begin) * (position + step);
     TablePoint next = tablePoint(loaded ? target : begin);

@@ -187,7 +187,7 @@ TEST(Convexity, ShallowDents)
   EXPECT_TRUE(isConvex(dented(0.0)));
 }
 
-// Off until isConvex() looks for edges that both faces run through in the same direction: inverted
+// Edges that both faces run through in the same direction give it away: inverted
 // tetrahedra fold the flat boundary, and a ray meets it three times.
 TEST(Convexity, FoldedBoundariesAreNotConvex)
 {

@@ -69,7 +69,7 @@ TEST(ReferenceImage, Thick)
   expectDefault(shot);
 }
 
-// Off until MOST_TRIALS belongs to the level: see SegmentTest.cxx.
+// Needs many pieces a segment: see SegmentTest.cxx.
 TEST(ReferenceImage, ThickReference)
 {
   Shot shot;

@@ -223,8 +223,29 @@ void expectReferenceAccuracy(double from, double to)
 
 TEST(Segment, ReferenceAccuracy) { expectReferenceAccuracy(0.0, 1.0); }
 
-// Off until MOST_TRIALS in segment_adaptive.glsl belongs to the level: its 64 pieces are too few
-// for a tolerance of 1e-6 in a cell of optical depth 10 (error 1.3e-2). Beyond depths of 1000 the
-// fixed-point integrals, good to 2^-22 of the greatest mean, leave more than 1e-4.
+// Far more pieces than the 64 of the default level are needed for a tolerance of 1e-6 in a cell of
+// optical depth 10 (with 64 the error is 1.3e-2). Beyond depths of 1000 the fixed-point integrals,
+// good to 2^-22 of the greatest mean, leave more than 1e-4.
 TEST(Segment, ReferenceAccuracyInThickCells) { expectReferenceAccuracy(10.0, 1e3); }
+
+// Neither an infinite length nor a position that is not a number keeps a ray from ending.
+TEST(Segment, EndsWhateverTheInput)
+{
+  auto kernel = kernelOf<PointKernel<float>, float>(TetMesh(), whiteTable(), DefaultAccuracy);
+  const float inf = std::numeric_limits<float>::infinity();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const float begin : { 10.0f, nan })
+  {
+    for (const float end : { 20.0f, nan })
+    {
+      for (const float length : { 1.0f, inf, nan })
+      {
+        PointKernel<float>::Radiance radiance{ { 0.0f, 0.0f, 0.0f }, 1.0f };
+        auto at = kernel.tablePoint(10.0f);
+        EXPECT_LE(kernel.integrateSegment(begin, end, length, at, radiance),
+          2 * DefaultAccuracy.MostTrials);
+      }
+    }
+  }
+}
 } // namespace
