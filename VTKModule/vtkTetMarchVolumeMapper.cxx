@@ -56,7 +56,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     this->ReportError(grid ? ""
                            : std::string("The input is a ") + this->GetInput()->GetClassName() +
-          ", but only a vtkUnstructuredGrid can be drawn. vtkAppendFilter makes one of any data set.");
+                               ", but only a vtkUnstructuredGrid can be drawn. vtkAppendFilter "
+                               "makes one of any data set.");
     return;
   }
   vtkNew<vtkTimerLog> timer;

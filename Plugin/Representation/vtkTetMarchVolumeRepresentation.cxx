@@ -10,7 +10,7 @@ namespace
 {
 // As the default of the property SelectMapper in TetMarch.xml.
 constexpr const char* MapperName = "Tet marching";
-}
+} // namespace
 
 vtkStandardNewMacro(vtkTetMarchVolumeRepresentation);
 

@@ -4,8 +4,8 @@
  * @class   vtkTetMarchVolumeRepresentation
  * @brief   ParaView's volume representation of unstructured grids, drawn by vtkTetMarchVolumeMapper
  *
- * Everything but the mapper is the superclass's. The grid reaches the mapper with its cells as they are:
- * the superclass would cut them into tetrahedra, without care for neighbours.
+ * Everything but the mapper is the superclass's. The grid reaches the mapper with its cells as they
+ * are: the superclass would cut them into tetrahedra, without care for neighbours.
  */
 #ifndef vtkTetMarchVolumeRepresentation_h
 #define vtkTetMarchVolumeRepresentation_h

@@ -140,6 +140,17 @@ TEST(Parity, Thick)
   expectParity(scene);
 }
 
+// Optical depths beyond the range of float: opaque, and no NaN (compare() takes one for an infinite
+// difference).
+TEST(Parity, ThickerThanFloatsTell)
+{
+  Scene scene(jitteredLattice(4, 0.15, 1, constantField(0.5)));
+  scene.property()->SetScalarOpacityUnitDistance(1e-9);
+  const Image opaque = scene.render();
+  scene.property()->SetScalarOpacityUnitDistance(1e-200);
+  EXPECT_LE(compare(scene.render(), opaque).Max, 1.0 / 255.0);
+}
+
 TEST(Parity, Thin)
 {
   Scene scene(jitteredLattice(10, 0.15, 1, sineField()));

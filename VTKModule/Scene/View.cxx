@@ -10,6 +10,7 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tetmarch
@@ -88,7 +89,10 @@ bool makeView(
   {
     for (int c = 0; c < 3; ++c)
     {
-      view.LengthMatrix[3 * r + c] = toWorld->GetElement(r, c) / unitDistance;
+      // Beyond an optical depth of 1e15 everything is opaque, and squares of it leave the range of
+      // float.
+      const double length = toWorld->GetElement(r, c) / unitDistance;
+      view.LengthMatrix[3 * r + c] = std::min(std::max(length, -1e15), 1e15);
     }
   }
   // The eye is the origin of view coordinates, or, for parallel projection, infinitely far along
