@@ -247,7 +247,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, bool d
   key.Hierarchy = this->Mesh.ReentryNodes > 0;
   key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
   key.HasFma = this->HasFma;
-  inputs.Key = this->LastVariant = key.filtered();
+  inputs.Key = key.filtered();
   inputs.Camera = &this->Camera;
   inputs.Mesh = &this->MeshOnGpu;
   inputs.Tables = &this->TableOnGpu;

@@ -60,7 +60,6 @@ public:
   const TetMesh& mesh() const { return this->Mesh; }
   const MarchCounters& counters() const { return this->Counted.counters(); }
   const std::vector<float>& diagnosticPixels() const { return this->Counted.pixels(); }
-  const VariantKey& lastVariant() const { return this->LastVariant; }
   std::size_t gpuBytes() const;
 
   StageRecord MeshRecord;
@@ -102,7 +101,6 @@ private:
   OpaqueDepth Opaque;
   MarchPass March;
   Diagnostics Counted;
-  VariantKey LastVariant;
 };
 
 } // namespace tetmarch

@@ -30,13 +30,13 @@ struct Owner
 
 std::uint64_t makeKey(Id middle, Id largest) { return std::uint64_t(middle) << 32 | largest; }
 
-// Tetrahedra are ordered by their smallest vertex: where those of each vertex begin.
-std::vector<Id> startsBySmallest(const TetMesh& mesh)
+// Where the tetrahedra of each vertex begin when they are ordered by their vertex of that rank.
+std::vector<Id> startsByRank(const TetMesh& mesh, int rank)
 {
   std::vector<Id> starts(mesh.Vertices.size() + 1, 0);
   for (const auto& tet : mesh.Tets)
   {
-    ++starts[tet[0] + 1];
+    ++starts[tet[rank] + 1];
   }
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   return starts;
@@ -52,12 +52,7 @@ struct SecondVertexLists
 SecondVertexLists listBySecond(const TetMesh& mesh)
 {
   SecondVertexLists lists;
-  lists.Starts.assign(mesh.Vertices.size() + 1, 0);
-  for (const auto& tet : mesh.Tets)
-  {
-    ++lists.Starts[tet[1] + 1];
-  }
-  std::partial_sum(lists.Starts.begin(), lists.Starts.end(), lists.Starts.begin());
+  lists.Starts = startsByRank(mesh, 1);
   lists.Tets.resize(mesh.Tets.size());
   std::vector<Id> next(lists.Starts.begin(), lists.Starts.end() - 1);
   for (Id t = 0; t < mesh.numberOfTets(); ++t)
@@ -83,7 +78,7 @@ class Matcher
 public:
   explicit Matcher(TetMesh& mesh)
     : Mesh(mesh)
-    , Starts(startsBySmallest(mesh))
+    , Starts(startsByRank(mesh, 0)) // the order they have
     , Second(listBySecond(mesh))
   {
   }
@@ -205,6 +200,11 @@ private:
   // that shows by two further owners.
   bool findDuplicates(const Owner* owners, std::size_t count, Findings& found) const
   {
+    if (count == 2 &&
+        apexOf(this->Mesh, owners[0].HalfFace) != apexOf(this->Mesh, owners[1].HalfFace))
+    {
+      return false; // nearly every face: no list for these
+    }
     std::vector<std::pair<Id, Id>> tets; // apex, tetrahedron
     for (std::size_t i = 0; i < count; ++i)
     {
