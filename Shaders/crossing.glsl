@@ -16,7 +16,7 @@ vec2 crossingPoint(Crossing face)
 {
   vec3 w = vec3(max(face.weight.x, real(0)), max(face.weight.y, real(0)), max(face.weight.z, real(0)));
   real sum = w.x + w.y + w.z;
-  // A face seen exactly edge-on has no weights: take its middle.
+  // Never of a face that the ray crosses: ties of three corners in line with it don't turn all the same way.
   w = sum > real(0) ? w : vec3(real(1), real(1), real(1));
   real r = real(1) / (sum > real(0) ? sum : real(3));
   vec3 z = face.depth;

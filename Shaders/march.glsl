@@ -31,8 +31,9 @@ March beginMarch(real depthBegin)
   return march;
 }
 
-// Scalars that are not finite are stored as UNDRAWN_SCALAR; what they touch is passed through.
-bool isDrawn(real scalar) { return abs(scalar) < UNDRAWN_SCALAR * real(1e-10); }
+// Scalars that are not finite are stored as UNDRAWN_SCALAR; what they touch is passed through. All others lie in
+// 0..1, so that any share of one that isn't drawn shows.
+bool isDrawn(real scalar) { return abs(scalar) < real(2); }
 
 // Scalar at a depth between the points (depth, scalar) in which the ray enters and leaves a tetrahedron.
 real scalarAt(vec2 enter, vec2 leave, real depth)
@@ -83,9 +84,9 @@ void marchToExit(Ray ray, Crossing face, uvec2 link, real opticalLength, real de
 #endif
     }
 #endif
-    march.done = max(march.done, end);
-    march.finished =
-      march.radiance.transmittance < leastTransmittance || march.done >= depthEnd;
+    // Of a piece that was passed backwards nothing is done yet.
+    march.done = end > begin ? end : march.done;
+    march.finished = march.radiance.transmittance < leastTransmittance || max(begin, end) >= depthEnd;
     enter = leave;
     onward =
       exitFace >= 0 && link.x < LINK_OUTSIDE && march.cells < mostCells && !march.finished;

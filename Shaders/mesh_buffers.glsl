@@ -3,7 +3,7 @@ uniform samplerBuffer vertexBuffer;    // position, scalar
 uniform usamplerBuffer linkBuffer;     // tetrahedron and apex behind each half-face
 uniform usamplerBuffer boundaryBuffer; // three vertices counter-clockwise from outside, tetrahedron inside
 uniform int numberOfTets;
-uniform int mostCells;                 // a march of more tetrahedra has gone wrong
+uniform int mostCells;                 // a ray that crosses more of them has gone wrong
 
 #define tetCount uint(numberOfTets)
 

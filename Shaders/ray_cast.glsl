@@ -12,13 +12,12 @@ March castRay(Ray ray, int firstFace, real opticalLength, real depthBegin, real 
   {
     entry = nextEntry(ray, entry, bvhNodeCount);
   }
-  while (entry.face >= 0 && entry.depth < depthEnd)
+  while (entry.face >= 0 && entry.depth < depthEnd && march.cells < mostCells)
   {
     Crossing face;
     bool entered = enters(ray, uint(entry.face), face);
     if (entered)
     {
-      entry.depth = crossingPoint(face).x;
       marchToExit(ray, face, fetchLink(4u * tetCount + uint(entry.face)), opticalLength, depthEnd, march);
     }
 #if TETMARCH_DIAGNOSTICS
@@ -30,7 +29,8 @@ March castRay(Ray ray, int firstFace, real opticalLength, real depthBegin, real 
     }
     else
     {
-      // A face that refused the ray leaves even the first entry to be found.
+      // A face that refused the ray leaves even the first entry to be found. The rasteriser knows the depth of
+      // its entry no better than its depth buffer: behind such a one all others are looked for.
       entry = nextEntry(ray, entry, entered ? bvhReentryNodeCount : bvhNodeCount);
     }
   }

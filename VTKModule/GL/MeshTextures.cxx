@@ -78,8 +78,7 @@ void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
   this->bindBoundary(program);
   this->Links.bind(program, "linkBuffer");
   program->SetUniformi("numberOfTets", this->NumberOfTets);
-  // A ray passes a tetrahedron once, so more cells than there are means that something is wrong.
-  program->SetUniformi("mostCells", this->NumberOfTets + 1);
+  program->SetUniformi("mostCells", mostCellsOf(this->NumberOfTets));
   if (key.Hierarchy)
   {
     this->Hierarchy.bind(program, "hierarchyBuffer");

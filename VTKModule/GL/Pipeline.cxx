@@ -244,7 +244,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, bool d
   VariantKey key;
   key.PointScalars = this->CellScalars.empty();
   key.RasterEntry = !this->Camera.CutsNearPlane;
-  key.Hierarchy = this->Mesh.ReentryNodes > 0;
+  key.Hierarchy = this->Mesh.NeedsHierarchy;
   key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
   key.HasFma = this->HasFma;
   inputs.Key = key.filtered();

@@ -2,250 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HalfFaceLinks.h"
 
+#include "ConsistentOrientation.h"
+#include "FaceMatching.h"
 #include "Orientation.h"
 
 #include <algorithm>
 #include <iterator>
-#include <mutex>
-#include <numeric>
-#include <utility>
 
 namespace tetmarch
 {
 namespace
 {
-
-constexpr Id Unlinked = 0xffffffffu;
-
-// A half-face by the vertices of its face that are not the smallest one.
-struct Owner
-{
-  std::uint64_t Key; // the middle vertex, then the largest
-  Id HalfFace;
-  bool operator<(const Owner& other) const
-  {
-    return std::make_pair(this->Key, this->HalfFace) < std::make_pair(other.Key, other.HalfFace);
-  }
-};
-
-std::uint64_t makeKey(Id middle, Id largest) { return std::uint64_t(middle) << 32 | largest; }
-
-// Where the tetrahedra of each vertex begin when they are ordered by their vertex of that rank.
-std::vector<Id> startsByRank(const TetMesh& mesh, int rank)
-{
-  std::vector<Id> starts(mesh.Vertices.size() + 1, 0);
-  for (const auto& tet : mesh.Tets)
-  {
-    ++starts[tet[rank] + 1];
-  }
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  return starts;
-}
-
-// Tetrahedra by their second vertex, which is the smallest of their face 0.
-struct SecondVertexLists
-{
-  std::vector<Id> Starts;
-  std::vector<Id> Tets;
-};
-
-SecondVertexLists listBySecond(const TetMesh& mesh)
-{
-  SecondVertexLists lists;
-  lists.Starts = startsByRank(mesh, 1);
-  lists.Tets.resize(mesh.Tets.size());
-  std::vector<Id> next(lists.Starts.begin(), lists.Starts.end() - 1);
-  for (Id t = 0; t < mesh.numberOfTets(); ++t)
-  {
-    lists.Tets[next[mesh.Tets[t][1]]++] = t;
-  }
-  return lists;
-}
-
-Id apexOf(const TetMesh& mesh, Id halfFace) { return mesh.Tets[halfFace / 4][halfFace % 4]; }
-
-// What was found while matching; each thread fills its own.
-struct Findings
-{
-  std::vector<Id> Duplicates;
-  std::vector<Id> Cancelled;               // with their duplicates
-  std::vector<std::pair<Id, Id>> Boundary; // smallest vertex (for the order), half-face
-  vtkIdType NonManifoldFaces = 0;
-};
-
-class Matcher
-{
-public:
-  explicit Matcher(TetMesh& mesh)
-    : Mesh(mesh)
-    , Starts(startsByRank(mesh, 0)) // the order they have
-    , Second(listBySecond(mesh))
-  {
-  }
-
-  bool match(const Progress& progress)
-  {
-    this->Mesh.Links.assign(4 * this->Mesh.Tets.size(), { Unlinked, Unlinked });
-    return parallelFor(static_cast<vtkIdType>(this->Mesh.Vertices.size()), progress,
-      [this](vtkIdType first, vtkIdType last) { this->matchRange(first, last); });
-  }
-
-  Findings Found;
-
-private:
-  void matchRange(vtkIdType first, vtkIdType last)
-  {
-    Findings found;
-    std::vector<Owner> owners;
-    for (vtkIdType v = first; v < last; ++v)
-    {
-      this->gather(static_cast<Id>(v), owners);
-      std::sort(owners.begin(), owners.end());
-      for (std::size_t i = 0; i < owners.size();)
-      {
-        std::size_t end = i + 1;
-        while (end < owners.size() && owners[end].Key == owners[i].Key)
-        {
-          ++end;
-        }
-        this->matchFace(static_cast<Id>(v), &owners[i], end - i, found);
-        i = end;
-      }
-    }
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Found.Duplicates.insert(
-      this->Found.Duplicates.end(), found.Duplicates.begin(), found.Duplicates.end());
-    this->Found.Cancelled.insert(
-      this->Found.Cancelled.end(), found.Cancelled.begin(), found.Cancelled.end());
-    this->Found.Boundary.insert(
-      this->Found.Boundary.end(), found.Boundary.begin(), found.Boundary.end());
-    this->Found.NonManifoldFaces += found.NonManifoldFaces;
-  }
-
-  // The half-faces whose smallest vertex is v.
-  void gather(Id v, std::vector<Owner>& owners) const
-  {
-    owners.clear();
-    for (Id t = this->Starts[v]; t < this->Starts[v + 1]; ++t)
-    {
-      const auto& tet = this->Mesh.Tets[t];
-      owners.push_back({ makeKey(tet[2], tet[3]), 4 * t + 1 });
-      owners.push_back({ makeKey(tet[1], tet[3]), 4 * t + 2 });
-      owners.push_back({ makeKey(tet[1], tet[2]), 4 * t + 3 });
-    }
-    for (Id i = this->Second.Starts[v]; i < this->Second.Starts[v + 1]; ++i)
-    {
-      const auto& tet = this->Mesh.Tets[this->Second.Tets[i]];
-      owners.push_back({ makeKey(tet[2], tet[3]), 4 * this->Second.Tets[i] });
-    }
-  }
-
-  void matchFace(Id smallest, const Owner* owners, std::size_t count, Findings& found)
-  {
-    if (count > 1 && this->findDuplicates(owners, count, found))
-    {
-      return; // matching starts anew without them
-    }
-    if (count == 2)
-    {
-      this->join(owners[0].HalfFace, owners[1].HalfFace);
-    }
-    else if (count == 1)
-    {
-      found.Boundary.emplace_back(smallest, owners[0].HalfFace);
-    }
-    else
-    {
-      this->matchManyOwners(smallest, owners, count, found);
-    }
-  }
-
-  // Owners on opposite sides are joined in the order of their numbers; flat ones stand in where a
-  // side has fewer. To the rest the face is boundary.
-  void matchManyOwners(Id smallest, const Owner* owners, std::size_t count, Findings& found)
-  {
-    std::vector<Id> above, below, flat;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const int side = inwardSide(this->Mesh, owners[i].HalfFace);
-      (side > 0 ? above : (side < 0 ? below : flat)).push_back(owners[i].HalfFace);
-    }
-    for (Id halfFace : flat)
-    {
-      (above.size() < below.size() ? above : below).push_back(halfFace);
-    }
-    const std::size_t pairs = std::min(above.size(), below.size());
-    for (std::size_t i = 0; i < pairs; ++i)
-    {
-      this->join(above[i], below[i]);
-    }
-    const std::vector<Id>& rest = above.size() > pairs ? above : below;
-    std::size_t next = pairs;
-    for (; this->Mesh.HasCutCells && next + 1 < rest.size(); next += 2)
-    {
-      this->join(rest[next], rest[next + 1]);
-    }
-    for (; next < rest.size(); ++next)
-    {
-      found.Boundary.emplace_back(smallest, rest[next]);
-      found.NonManifoldFaces += next + 1 == rest.size() ? 1 : 0;
-    }
-  }
-
-  // Owners of one face with the same apex are the same tetrahedron: all but the first are dropped.
-  // But cutting makes some twice that aren't there at all, once outside of a cell that misses it
-  // and once inside of one that has it too much: where two faces of a cell overlap because a point
-  // lies on the diagonal of both, or where two cells share two faces side by side and it lies
-  // between them. Then both are dropped, and what lies on either side is joined; in the second case
-  // that shows by two further owners.
-  bool findDuplicates(const Owner* owners, std::size_t count, Findings& found) const
-  {
-    if (count == 2 &&
-        apexOf(this->Mesh, owners[0].HalfFace) != apexOf(this->Mesh, owners[1].HalfFace))
-    {
-      return false; // nearly every face: no list for these
-    }
-    std::vector<std::pair<Id, Id>> tets; // apex, tetrahedron
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      tets.emplace_back(apexOf(this->Mesh, owners[i].HalfFace), owners[i].HalfFace / 4);
-    }
-    std::sort(tets.begin(), tets.end());
-    std::size_t different = 1;
-    for (std::size_t i = 1; i < count; ++i)
-    {
-      different += tets[i].first != tets[i - 1].first ? 1 : 0;
-    }
-    for (std::size_t i = 1; i < count && different < count; ++i)
-    {
-      if (tets[i].first != tets[i - 1].first)
-      {
-        continue;
-      }
-      const bool sameCell =
-        this->Mesh.TetCells[tets[i].second] == this->Mesh.TetCells[tets[i - 1].second];
-      if (sameCell || (this->Mesh.HasCutCells && different > 2))
-      {
-        found.Cancelled.insert(found.Cancelled.end(), { tets[i - 1].second, tets[i].second });
-      }
-      found.Duplicates.push_back(tets[i].second);
-    }
-    return different < count;
-  }
-
-  void join(Id a, Id b)
-  {
-    this->link(a, b);
-    this->link(b, a);
-  }
-
-  void link(Id from, Id to) { this->Mesh.Links[from] = { to / 4, apexOf(this->Mesh, to) }; }
-
-  TetMesh& Mesh;
-  std::vector<Id> Starts;
-  SecondVertexLists Second;
-  std::mutex Mutex;
-};
 
 void sortAndUnite(std::vector<Id>& tets)
 {
@@ -253,7 +20,7 @@ void sortAndUnite(std::vector<Id>& tets)
   tets.erase(std::unique(tets.begin(), tets.end()), tets.end());
 }
 
-void dropDuplicates(Findings& found, TetMesh& mesh)
+void dropDuplicates(FaceMatching& found, TetMesh& mesh)
 {
   sortAndUnite(found.Duplicates);
   sortAndUnite(found.Cancelled);
@@ -279,19 +46,28 @@ void dropDuplicates(Findings& found, TetMesh& mesh)
   mesh.TetCells.resize(kept);
 }
 
+void unlinkFolds(FaceMatching& found, TetMesh& mesh)
+{
+  const std::vector<Id> folds = agreeOnSigns(mesh, found.Signs);
+  for (const Id halfFace : folds)
+  {
+    mesh.Links[halfFace] = { Unlinked, Unlinked };
+    found.Boundary.emplace_back(mesh.Tets[halfFace / 4][halfFace % 4 == 0 ? 1 : 0], halfFace);
+  }
+  mesh.Report.FoldedFaces = static_cast<vtkIdType>(folds.size() / 2);
+}
+
 } // namespace
 
 bool linkHalfFaces(const Progress& progress, TetMesh& mesh)
 {
-  Findings found;
+  FaceMatching found;
   for (;;)
   {
-    Matcher matcher(mesh);
-    if (!matcher.match(progress))
+    if (!matchFaces(progress, mesh, found))
     {
       return false;
     }
-    found = std::move(matcher.Found);
     if (found.Duplicates.empty())
     {
       break;
@@ -299,13 +75,17 @@ bool linkHalfFaces(const Progress& progress, TetMesh& mesh)
     dropDuplicates(found, mesh);
   }
   mesh.Report.NonManifoldFaces = found.NonManifoldFaces;
+  if (!found.Agree)
+  {
+    unlinkFolds(found, mesh);
+  }
 
   std::sort(found.Boundary.begin(), found.Boundary.end());
   mesh.BoundaryFaces.clear();
   mesh.BoundaryFaces.reserve(found.Boundary.size());
   for (const auto& face : found.Boundary)
   {
-    mesh.BoundaryFaces.push_back(outwardFace(mesh, face.second));
+    mesh.BoundaryFaces.push_back(outwardFace(mesh, face.second, found.Signs[face.second / 4]));
   }
   return true;
 }

@@ -14,8 +14,9 @@ namespace tetmarch
  * Fill Links and BoundaryFaces of a mesh whose tetrahedra are there. Of duplicate tetrahedra the
  * first stays; but where two cells that were cut both claim one from opposite sides, both go. Of a
  * face with more than two owners those on opposite sides are linked in the order of their numbers;
- * to the rest the face is boundary (in a mesh with cut cells only to one that is left over). False
- * if progress asked to stop.
+ * to the rest the face is boundary (in a mesh with cut cells only to one that is left over).
+ * To two owners on the same side it is boundary too (ConsistentOrientation.h). False if progress
+ * asked to stop.
  */
 bool linkHalfFaces(const Progress& progress, TetMesh& mesh);
 

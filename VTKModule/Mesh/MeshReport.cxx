@@ -20,6 +20,9 @@ std::string describe(const MeshReport& report)
   say(report.DuplicateTetrahedra, " tetrahedra that repeat another one were dropped.");
   say(report.NonManifoldFaces,
     " faces have more tetrahedra on one side than on the other; those left over end there.");
+  say(report.FoldedFaces,
+    " faces have both their tetrahedra on one side, since one is turned inside out; space that is "
+    "covered more than once is drawn once.");
   return text;
 }
 

@@ -19,6 +19,7 @@ struct MeshReport
   vtkIdType DegenerateTetrahedra = 0; // with a repeated point: dropped
   vtkIdType DuplicateTetrahedra = 0;  // the same four points again: dropped
   vtkIdType NonManifoldFaces = 0;     // owners without one on the other side: boundary to them
+  vtkIdType FoldedFaces = 0;          // with both tetrahedra on one side: boundary to both
 };
 
 /** A sentence for each count that is not 0. Surfaces and lines beside 3D cells are ordinary: not

@@ -10,17 +10,31 @@ namespace tetmarch
 {
 
 /**
- * +1 if the tetrahedron of the half-face lies on the side towards which the normal of the face, its
- * vertices taken by ascending id, points; -1 on the other; 0 if the tetrahedron is flat to within
- * the rounding of positions.
+ * Six times the volume of the tetrahedron, its vertices taken by ascending id: above 0 if vertex 3
+ * sees vertices 0, 1, 2 clockwise.
  */
-int inwardSide(const TetMesh& mesh, Id halfFace);
+double signedVolume(const TetMesh& mesh, Id tet);
+
+/** Its sign; 0 if the tetrahedron is flat to within the rounding of positions. */
+int volumeSign(const TetMesh& mesh, Id tet);
+
+/** The parity, +1 or -1, of moving vertex i of a tetrahedron behind the others. */
+inline int parity(Id i) { return i % 2 == 1 ? 1 : -1; }
 
 /**
- * The boundary face of a half-face, counter-clockwise seen from outside. A flat tetrahedron takes
- * its orientation from the nearest one that isn't, by way of links.
+ * +1 if the tetrahedron of the half-face lies on the side towards which the normal of the face, its
+ * vertices taken by ascending id, points; -1 on the other; 0 if it is flat.
  */
-std::array<Id, 4> outwardFace(const TetMesh& mesh, Id halfFace);
+inline int inwardSide(const TetMesh& mesh, Id halfFace)
+{
+  return volumeSign(mesh, halfFace / 4) * parity(halfFace % 4);
+}
+
+/**
+ * The boundary face of a half-face, counter-clockwise seen from outside, if its tetrahedron is
+ * turned as the sign (+1 or -1) of its signed volume says.
+ */
+std::array<Id, 4> outwardFace(const TetMesh& mesh, Id halfFace, int sign);
 
 } // namespace tetmarch
 

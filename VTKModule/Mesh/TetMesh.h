@@ -58,7 +58,8 @@ struct TetMesh
   std::vector<std::array<Id, 4>> Tets;
   std::vector<Link> Links;                      // 4 a tetrahedron, then 1 a boundary face
   std::vector<std::array<Id, 4>> BoundaryFaces; // three vertices and the tetrahedron inside
-  std::vector<HierarchyNode> Hierarchy;         // empty if no ray needs it: the mesh is convex
+  std::vector<HierarchyNode> Hierarchy;         // may be empty if no ray needs it
+  bool NeedsHierarchy = false;                  // rays may come in again, or be refused by a needle
   std::size_t ReentryNodes = 0; // that many nodes are of faces that aren't on the hull
   std::vector<Vertex> Vertices;
   std::vector<Id> TetCells;     // the cell of the grid each tetrahedron comes from
@@ -76,6 +77,12 @@ struct TetMesh
   Id numberOfTets() const { return static_cast<Id>(this->Tets.size()); }
   bool hasHierarchy() const { return !this->Hierarchy.empty(); }
 };
+
+/**
+ * A ray that crosses more cells than this has gone wrong: it passes each tetrahedron once, or twice
+ * where a search finds the rasterised entry again.
+ */
+inline int mostCellsOf(int tets) { return tets < (1 << 30) - 1 ? 2 * tets + 2 : 0x7fffffff; }
 
 } // namespace tetmarch
 

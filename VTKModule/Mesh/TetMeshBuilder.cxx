@@ -41,7 +41,8 @@ BuildStatus buildTetMesh(
             "(vtkStaticCleanUnstructuredGrid)?";
     return BuildStatus::Failed;
   }
-  if (!isConvex(mesh))
+  mesh.NeedsHierarchy = !isConvex(mesh);
+  if (mesh.NeedsHierarchy)
   {
     buildHierarchy(mesh);
   }

@@ -1,0 +1,353 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MarchCheck.h"
+
+#include "Mesh/TetMeshBuilder.h"
+#include "Optics/TransferFunctions.h"
+#include "Reference/Kernel.h"
+
+#include "ClosedForms.h"
+#include "MarchedLength.h"
+#include "Oracle.h"
+#include "RandomRays.h"
+#include "UnitMeshes.h"
+
+#include "vtkCellData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace tetmarch::testing
+{
+namespace
+{
+constexpr double Eps = 5.9604644775390625e-08; // 2^-24
+// Of double against brute force; a boundary seen at 1e-8 of a right angle magnifies 1e-16 to it.
+constexpr double DoubleSlack = 1e-7;
+
+// Every so many rays are compared with brute force, which costs as much as all the others.
+int bruteForceStride(const TetMesh& mesh)
+{
+  return std::clamp(static_cast<int>(mesh.Tets.size() / 64), 8, 4096);
+}
+
+Box grown(const Box& box, double by)
+{
+  Box result = box;
+  for (int k = 0; k < 3; ++k)
+  {
+    result.Low[k] -= by;
+    result.High[k] += by;
+    if (result.Low[k] > result.High[k])
+    {
+      result.Low[k] = result.High[k] = 0.5 * (box.Low[k] + box.High[k]);
+    }
+  }
+  return result;
+}
+
+// The least and the greatest of some lengths.
+struct Span
+{
+  double Least = std::numeric_limits<double>::infinity();
+  double Most = -std::numeric_limits<double>::infinity();
+
+  void include(double length)
+  {
+    this->Least = std::min(this->Least, length);
+    this->Most = std::max(this->Most, length);
+  }
+  bool holds(double length, double slack) const
+  {
+    return length >= this->Least - slack && length <= this->Most + slack;
+  }
+};
+
+// Every vertex somewhere within the given distance along each axis.
+TetMesh displaced(TetMesh mesh, double distance, unsigned seed)
+{
+  std::mt19937 random(seed);
+  for (Vertex& v : mesh.Vertices)
+  {
+    for (float* x : { &v.X, &v.Y, &v.Z })
+    {
+      *x = static_cast<float>(double(*x) + distance * (2.0 * uniform(random) - 1.0));
+    }
+  }
+  return mesh;
+}
+
+template <typename To, typename From>
+typename To::Ray converted(const From& ray)
+{
+  const auto vec = [](const auto& v) {
+    return glsl::Vec3<double>{ double(v.x), double(v.y), double(v.z) };
+  };
+  typename To::Ray result;
+  result.origin = vec(ray.origin);
+  result.right = vec(ray.right);
+  result.up = vec(ray.up);
+  result.direction = vec(ray.direction);
+  return result;
+}
+
+template <typename Ray>
+Ray movedAside(Ray ray, double right, double up)
+{
+  ray.origin = ray.origin + ray.right * right + ray.up * up;
+  return ray;
+}
+} // namespace
+
+std::int64_t RayTotals::failures() const
+{
+  return this->Lost + this->Guarded + this->Refused + this->NotFinite + this->Negative +
+         this->OutOfBound + this->NotTheAnswer;
+}
+
+RayTotals& RayTotals::operator+=(const RayTotals& other)
+{
+  this->Rays += other.Rays;
+  this->Met += other.Met;
+  this->Compared += other.Compared;
+  this->Lost += other.Lost;
+  this->Guarded += other.Guarded;
+  this->Refused += other.Refused;
+  this->NotFinite += other.NotFinite;
+  this->Negative += other.Negative;
+  this->OutOfBound += other.OutOfBound;
+  this->NotTheAnswer += other.NotTheAnswer;
+  this->WorstError = std::max(this->WorstError, other.WorstError);
+  this->WorstGeneric = std::max(this->WorstGeneric, other.WorstGeneric);
+  if (this->FirstFailure.empty())
+  {
+    this->FirstFailure = other.FirstFailure;
+  }
+  return *this;
+}
+
+MarchCheck::MarchCheck(const HardCase& hard)
+  : Case(hard)
+{
+  const Grid grid = hard.Make();
+  std::string error;
+  if (buildTetMesh(grid, {}, this->Mesh, error) != BuildStatus::Done)
+  {
+    throw std::runtime_error(hard.Name + ": " + error);
+  }
+  ensureHierarchy(this->Mesh);
+  if (this->Mesh.Tets.empty())
+  {
+    return;
+  }
+  if (hard.CellScalars)
+  {
+    this->Range = makeCellScalars(grid->GetCellData()->GetScalars(), this->Mesh, this->CellScalars);
+  }
+  else
+  {
+    this->Range = setPointScalars(grid, grid->GetPointData()->GetScalars(), this->Mesh);
+  }
+  vtkNew<vtkVolumeProperty> property;
+  (hard.SetOptics ? hard.SetOptics : setStandardOptics)(property, grid);
+  this->Table = makeIntegralTable(sampleFunctions(property, tetmarch::OpacityLaw::Unstructured,
+    this->Range.Low, this->Range.High, samplesOfTable(DefaultAccuracy.TableEntries)));
+  this->UnitDistance = property->GetScalarOpacityUnitDistance() / this->Mesh.Radius;
+  if (hard.Known == Answer::Box)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      this->NormalizedBox.Low[k] =
+        (hard.ExactBox.Low[k] - this->Mesh.Center[k]) / this->Mesh.Radius;
+      this->NormalizedBox.High[k] =
+        (hard.ExactBox.High[k] - this->Mesh.Center[k]) / this->Mesh.Radius;
+    }
+  }
+  else if (hard.Known == Answer::Union)
+  {
+    this->BruteForce = std::make_unique<OracleScene>(asGrid(this->Mesh), constantModel());
+  }
+  const unsigned copies = this->Mesh.Tets.size() < 20000 ? 12 : 3;
+  for (unsigned i = 0; i < copies; ++i)
+  {
+    this->Displaced.push_back(displaced(this->Mesh, 2.0 * Displacement, i + 1));
+  }
+}
+
+MarchCheck::~MarchCheck() = default;
+
+// The rays of one chunk in one arithmetic.
+template <typename Kernel>
+class MarchCheck::Chunk
+{
+public:
+  Chunk(const MarchCheck& check, unsigned seed)
+    : Check(check)
+    , Float(check.Mesh)
+    , Double(check.Mesh)
+    , Random(seed)
+    , Aside(seed + 1)
+    , Stride(bruteForceStride(check.Mesh))
+  {
+    for (const TetMesh& mesh : check.Displaced)
+    {
+      this->Displaced.emplace_back(mesh);
+    }
+  }
+
+  RayTotals run(int rays)
+  {
+    for (int i = 0; i < rays; ++i)
+    {
+      this->castOne(i);
+    }
+    return this->Totals;
+  }
+
+private:
+  using Exact = PointKernel<double>;
+
+  void castOne(int number)
+  {
+    const auto ray = this->Random.template next<Kernel, float>(this->Float.March, this->Check.Mesh);
+    const Marched marched = this->Float.march(ray);
+    const double slack = Eps * (marched.Cells + 16) * 2.0;
+
+    RayTotals& totals = this->Totals;
+    ++totals.Rays;
+    totals.Met += marched.Cells > 0;
+    this->count(totals.Lost, marched.Lost, "lost", number);
+    this->count(totals.Guarded, marched.Guarded, "guarded", number);
+    this->count(totals.Refused, marched.Refused, "refused", number);
+    this->count(totals.NotFinite, std::isfinite(marched.Length) ? 0 : 1, "not finite", number);
+    this->count(totals.Negative, marched.Length < 0.0, "negative", number);
+    const typename Exact::Ray exactRay = converted<Exact>(ray);
+    if (this->Check.Case.Known == Answer::Box)
+    {
+      this->compareWithBox(number, exactRay, marched.Length, slack);
+    }
+    if (this->Check.Case.Known != Answer::Box || number % 4 == 0)
+    {
+      this->compareWithDouble(number, exactRay, marched.Length, slack);
+    }
+  }
+
+  void compareWithDouble(int number, const typename Exact::Ray& ray, double length, double slack)
+  {
+    RayTotals& totals = this->Totals;
+    const double exact = this->Double.march(ray).Length;
+    const double error = std::abs(length - exact);
+    totals.WorstError = std::max(totals.WorstError, error);
+    if (this->Random.LastKind == RandomRays::Kind::Generic)
+    {
+      totals.WorstGeneric = std::max(totals.WorstGeneric, error);
+    }
+    int copy = 0;
+    const auto nearby = [&](const typename Exact::Ray& near)
+    { return this->Displaced[copy++ % this->Displaced.size()].march(near).Length; };
+    const bool within =
+      error <= slack || this->isSeenNearby(length, slack, ray, 2.0 * Displacement, nearby);
+    this->count(totals.OutOfBound, within ? 0 : 1, "out of bound", number, length, exact);
+
+    if (this->Check.BruteForce && number % this->Stride == this->Stride / 2)
+    {
+      const auto bruteForce = [&](const typename Exact::Ray& near)
+      {
+        const Vec3 d{ near.direction.x, near.direction.y, near.direction.z };
+        // Depths are by the direction as it is, which rounding makes a little more or less than 1.
+        return this->Check.BruteForce->pathLength(
+                 { near.origin.x, near.origin.y, near.origin.z }, d) *
+               scaleOf(near);
+      };
+      const double answer = bruteForce(ray);
+      ++totals.Compared;
+      const bool right = std::abs(exact - answer) <= DoubleSlack ||
+                         this->isSeenNearby(exact, DoubleSlack, ray, DoubleSlack, bruteForce);
+      this->count(totals.NotTheAnswer, right ? 0 : 1, "not brute force's", number, exact, answer);
+    }
+  }
+
+  void compareWithBox(int number, const typename Exact::Ray& ray, double length, double slack)
+  {
+    const Vec3 d{ ray.direction.x, ray.direction.y, ray.direction.z };
+    const Vec3 o{ ray.origin.x, ray.origin.y, ray.origin.z };
+    const auto chord = [&](double by)
+    {
+      const Box box = grown(this->Check.NormalizedBox, by);
+      return boxChord(o, d, box.Low, box.High) * scaleOf(ray);
+    };
+    Span span;
+    span.include(chord(2.0 * Displacement));
+    span.include(chord(-2.0 * Displacement));
+    ++this->Totals.Compared;
+    this->count(this->Totals.NotTheAnswer, span.holds(length, slack) ? 0 : 1, "not the box's",
+      number, length, chord(0.0));
+  }
+
+  // Lengths along the ray are depths times this.
+  static double scaleOf(const typename Exact::Ray& ray)
+  {
+    return std::hypot(ray.direction.x, ray.direction.y, ray.direction.z);
+  }
+
+  // Whether rays within a distance see shorter and longer ways.
+  template <typename LengthOf>
+  bool isSeenNearby(
+    double length, double slack, const typename Exact::Ray& ray, double within, LengthOf&& lengthOf)
+  {
+    Span span;
+    span.include(lengthOf(ray));
+    for (int i = 0; i < 400; ++i)
+    {
+      const double angle = 6.283185307179586 * uniform(this->Aside);
+      const double distance = within * std::sqrt(uniform(this->Aside));
+      span.include(
+        lengthOf(movedAside(ray, distance * std::cos(angle), distance * std::sin(angle))));
+      if (span.holds(length, slack))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void count(std::int64_t& counter, int by, const char* what, int number, double got = 0.0,
+    double wanted = 0.0)
+  {
+    counter += by;
+    if (by != 0 && this->Totals.FirstFailure.empty())
+    {
+      std::ostringstream text;
+      text.precision(9);
+      text << what << ": ray " << number << " of kind " << static_cast<int>(this->Random.LastKind)
+           << ", length " << got << " instead of " << wanted;
+      this->Totals.FirstFailure = text.str();
+    }
+  }
+
+  const MarchCheck& Check;
+  LengthMarcher<Kernel, float> Float;
+  LengthMarcher<Exact, double> Double;
+  std::vector<LengthMarcher<Exact, double>> Displaced;
+  RandomRays Random;
+  std::mt19937 Aside;
+  const int Stride;
+  RayTotals Totals;
+};
+
+RayTotals MarchCheck::run(unsigned chunk, int rays) const
+{
+  if (this->Mesh.Tets.empty())
+  {
+    return {};
+  }
+  const unsigned seed = 2654435761u * (chunk + 1);
+  return chunk % 2 == 0 ? Chunk<PointKernel<float>>(*this, seed).run(rays)
+                        : Chunk<PortablePointKernel<float>>(*this, seed).run(rays);
+}
+} // namespace tetmarch::testing
