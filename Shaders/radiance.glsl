@@ -20,6 +20,8 @@ void absorb(INOUT(Radiance) radiance, vec4 mean, real opticalLength, real transm
   real depth = mean.w * opticalLength;
   real share = meanTransmittance(depth, transmitted);
   real weight = radiance.transmittance * share * opticalLength;
-  radiance.color = radiance.color + vec3(mean.x, mean.y, mean.z) * weight;
+  // Colours are at most 1; rounding could make their mean a little more, and pixels with it.
+  radiance.color =
+    radiance.color + vec3(min(mean.x, mean.w), min(mean.y, mean.w), min(mean.z, mean.w)) * weight;
   radiance.transmittance = radiance.transmittance * max(real(1) - depth * share, real(0));
 }

@@ -169,7 +169,7 @@ void MakeTable(benchmark::State& state)
   property->SetScalarOpacity(opacity);
   for (auto _ : state)
   {
-    const SampledFunctions functions = sampleFunctions(
+    const SampledFunctions functions = sampleAreas(
       property, OpacityLaw::Unstructured, 0.0, 1.0, samplesOfTable(DefaultAccuracy.TableEntries));
     benchmark::DoNotOptimize(makeIntegralTable(functions).Values.data());
   }

@@ -11,7 +11,9 @@
 #ifndef tetmarch_testing_Grids_h
 #define tetmarch_testing_Grids_h
 
+#include "BrokenGrids.h"    // IWYU pragma: export
 #include "CellTypeGrids.h"  // IWYU pragma: export
+#include "CubesAsTets.h"    // IWYU pragma: export
 #include "Fields.h"         // IWYU pragma: export
 #include "GridTransforms.h" // IWYU pragma: export
 #include "LatticeGrids.h"   // IWYU pragma: export

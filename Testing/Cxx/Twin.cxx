@@ -36,7 +36,7 @@ public:
     made.CellScalars = cellFlag == 1 ? &this->CellScalars : nullptr;
     const bool structured = scene.Mapper->GetOpacityLaw() == vtkTetMarchVolumeMapper::STRUCTURED;
     this->Table = makeIntegralTable(
-      sampleFunctions(property, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
+      sampleAreas(property, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
         made.Range.Low, made.Range.High, samplesOfTable(DefaultAccuracy.TableEntries)));
     if (!makeView(scene.Renderer, scene.Volume, this->Mesh,
           property->GetScalarOpacityUnitDistance(), made.Camera))

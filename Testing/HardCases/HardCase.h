@@ -43,6 +43,9 @@ struct HardView
   bool KeepsClippingRange = false;
 };
 
+/// Of the pictures, in pixels each way; odd, so that one pixel's centre is the middle.
+constexpr int HardPictureSize = 65;
+
 struct HardCase
 {
   std::string Name;  ///< words and hyphens, unique, fit for a file's name: "needle-fan"
@@ -73,6 +76,10 @@ const HardCase* findHardCase(const std::string& name);
 /// Three views of the grid's bounding box: oblique in perspective, parallel along z, parallel along
 /// the diagonal (1, 1, 1).
 std::vector<HardView> standardViews();
+/// Those of the case, or the standard ones.
+std::vector<HardView> viewsOf(const HardCase& hard);
+/// The view of that name, or the first one.
+HardView viewOfSameName(const HardCase& hard, const HardView& view);
 /// A smooth colour map, an opacity with a bump, a ramp and a transparent gap over the range of "f"
 /// (of "c" for cells), so that a ray through the bounding box has an optical depth of about 3.
 void setStandardOptics(vtkVolumeProperty* property, vtkUnstructuredGrid* grid);

@@ -7,10 +7,11 @@
 #include "Reference/Kernel.h"
 
 #include "ClosedForms.h"
+#include "DisplacedMesh.h"
 #include "MarchedLength.h"
+#include "MarchedMesh.h"
 #include "Oracle.h"
 #include "RandomRays.h"
-#include "UnitMeshes.h"
 
 #include "vtkCellData.h"
 #include "vtkNew.h"
@@ -36,19 +37,20 @@ int bruteForceStride(const TetMesh& mesh)
   return std::clamp(static_cast<int>(mesh.Tets.size() / 64), 8, 4096);
 }
 
-Box grown(const Box& box, double by)
+// The chord of a box made greater on all sides, or smaller, so that nothing may be left of it.
+double chordOfGrown(const Box& box, double by, const Vec3& origin, const Vec3& direction)
 {
-  Box result = box;
+  Box grown = box;
   for (int k = 0; k < 3; ++k)
   {
-    result.Low[k] -= by;
-    result.High[k] += by;
-    if (result.Low[k] > result.High[k])
+    grown.Low[k] -= by;
+    grown.High[k] += by;
+    if (grown.Low[k] > grown.High[k])
     {
-      result.Low[k] = result.High[k] = 0.5 * (box.Low[k] + box.High[k]);
+      return 0.0;
     }
   }
-  return result;
+  return boxChord(origin, direction, grown.Low, grown.High);
 }
 
 // The least and the greatest of some lengths.
@@ -67,20 +69,6 @@ struct Span
     return length >= this->Least - slack && length <= this->Most + slack;
   }
 };
-
-// Every vertex somewhere within the given distance along each axis.
-TetMesh displaced(TetMesh mesh, double distance, unsigned seed)
-{
-  std::mt19937 random(seed);
-  for (Vertex& v : mesh.Vertices)
-  {
-    for (float* x : { &v.X, &v.Y, &v.Z })
-    {
-      *x = static_cast<float>(double(*x) + distance * (2.0 * uniform(random) - 1.0));
-    }
-  }
-  return mesh;
-}
 
 template <typename To, typename From>
 typename To::Ray converted(const From& ray)
@@ -155,7 +143,7 @@ MarchCheck::MarchCheck(const HardCase& hard)
   }
   vtkNew<vtkVolumeProperty> property;
   (hard.SetOptics ? hard.SetOptics : setStandardOptics)(property, grid);
-  this->Table = makeIntegralTable(sampleFunctions(property, tetmarch::OpacityLaw::Unstructured,
+  this->Table = makeIntegralTable(sampleAreas(property, tetmarch::OpacityLaw::Unstructured,
     this->Range.Low, this->Range.High, samplesOfTable(DefaultAccuracy.TableEntries)));
   this->UnitDistance = property->GetScalarOpacityUnitDistance() / this->Mesh.Radius;
   if (hard.Known == Answer::Box)
@@ -167,15 +155,17 @@ MarchCheck::MarchCheck(const HardCase& hard)
       this->NormalizedBox.High[k] =
         (hard.ExactBox.High[k] - this->Mesh.Center[k]) / this->Mesh.Radius;
     }
+    return;
   }
-  else if (hard.Known == Answer::Union)
-  {
-    this->BruteForce = std::make_unique<OracleScene>(asGrid(this->Mesh), constantModel());
-  }
-  const unsigned copies = this->Mesh.Tets.size() < 20000 ? 12 : 3;
+  const unsigned copies =
+    static_cast<unsigned>(std::clamp<std::size_t>(20000 / this->Mesh.Tets.size(), 3, 200));
   for (unsigned i = 0; i < copies; ++i)
   {
-    this->Displaced.push_back(displaced(this->Mesh, 2.0 * Displacement, i + 1));
+    this->Displaced.push_back(displacedMesh(this->Mesh, VertexDisplacement, i + 1));
+  }
+  if (hard.Known == Answer::Union)
+  {
+    this->BruteForce = std::make_unique<OracleScene>(asGrid(this->Mesh), constantModel());
   }
 }
 
@@ -183,10 +173,10 @@ MarchCheck::~MarchCheck() = default;
 
 // The rays of one chunk in one arithmetic.
 template <typename Kernel>
-class MarchCheck::Chunk
+class MarchCheck::Lengths
 {
 public:
-  Chunk(const MarchCheck& check, unsigned seed)
+  Lengths(const MarchCheck& check, unsigned seed)
     : Check(check)
     , Float(check.Mesh)
     , Double(check.Mesh)
@@ -231,7 +221,7 @@ private:
     {
       this->compareWithBox(number, exactRay, marched.Length, slack);
     }
-    if (this->Check.Case.Known != Answer::Box || number % 4 == 0)
+    else
     {
       this->compareWithDouble(number, exactRay, marched.Length, slack);
     }
@@ -239,20 +229,15 @@ private:
 
   void compareWithDouble(int number, const typename Exact::Ray& ray, double length, double slack)
   {
-    RayTotals& totals = this->Totals;
     const double exact = this->Double.march(ray).Length;
     const double error = std::abs(length - exact);
-    totals.WorstError = std::max(totals.WorstError, error);
-    if (this->Random.LastKind == RandomRays::Kind::Generic)
-    {
-      totals.WorstGeneric = std::max(totals.WorstGeneric, error);
-    }
+    this->remember(error);
     int copy = 0;
     const auto nearby = [&](const typename Exact::Ray& near)
     { return this->Displaced[copy++ % this->Displaced.size()].march(near).Length; };
     const bool within =
-      error <= slack || this->isSeenNearby(length, slack, ray, 2.0 * Displacement, nearby);
-    this->count(totals.OutOfBound, within ? 0 : 1, "out of bound", number, length, exact);
+      error <= slack || this->isSeenNearby(length, slack, ray, VertexDisplacement, nearby);
+    this->count(this->Totals.OutOfBound, within ? 0 : 1, "out of bound", number, length, exact);
 
     if (this->Check.BruteForce && number % this->Stride == this->Stride / 2)
     {
@@ -265,10 +250,11 @@ private:
                scaleOf(near);
       };
       const double answer = bruteForce(ray);
-      ++totals.Compared;
+      ++this->Totals.Compared;
       const bool right = std::abs(exact - answer) <= DoubleSlack ||
                          this->isSeenNearby(exact, DoubleSlack, ray, DoubleSlack, bruteForce);
-      this->count(totals.NotTheAnswer, right ? 0 : 1, "not brute force's", number, exact, answer);
+      this->count(
+        this->Totals.NotTheAnswer, right ? 0 : 1, "not brute force's", number, exact, answer);
     }
   }
 
@@ -277,16 +263,24 @@ private:
     const Vec3 d{ ray.direction.x, ray.direction.y, ray.direction.z };
     const Vec3 o{ ray.origin.x, ray.origin.y, ray.origin.z };
     const auto chord = [&](double by)
-    {
-      const Box box = grown(this->Check.NormalizedBox, by);
-      return boxChord(o, d, box.Low, box.High) * scaleOf(ray);
-    };
+    { return chordOfGrown(this->Check.NormalizedBox, by, o, d) * scaleOf(ray); };
     Span span;
-    span.include(chord(2.0 * Displacement));
-    span.include(chord(-2.0 * Displacement));
+    span.include(chord(VertexDisplacement));
+    span.include(chord(-VertexDisplacement));
     ++this->Totals.Compared;
+    this->remember(std::abs(length - chord(0.0)));
     this->count(this->Totals.NotTheAnswer, span.holds(length, slack) ? 0 : 1, "not the box's",
       number, length, chord(0.0));
+  }
+
+  void remember(double error)
+  {
+    RayTotals& totals = this->Totals;
+    totals.WorstError = std::max(totals.WorstError, error);
+    if (this->Random.LastKind == RandomRays::Kind::Generic)
+    {
+      totals.WorstGeneric = std::max(totals.WorstGeneric, error);
+    }
   }
 
   // Lengths along the ray are depths times this.
@@ -302,7 +296,7 @@ private:
   {
     Span span;
     span.include(lengthOf(ray));
-    for (int i = 0; i < 400; ++i)
+    for (int i = 0; i < 4000; ++i)
     {
       const double angle = 6.283185307179586 * uniform(this->Aside);
       const double distance = within * std::sqrt(uniform(this->Aside));
@@ -340,6 +334,56 @@ private:
   RayTotals Totals;
 };
 
+// Finite colours and transmittances, whatever the scalars and functions.
+template <typename Kernel>
+class MarchCheck::Colours
+{
+public:
+  Colours(const MarchCheck& check, unsigned seed)
+    : Check(check)
+    , March(kernelOf<Kernel, float>(check.Mesh, check.Table, DefaultAccuracy))
+    , Random(seed)
+  {
+    this->March.CellScalars = check.CellScalars.data();
+    this->March.tableScale = static_cast<float>(check.Table.scale(check.Range.width()));
+    this->March.tableOffset = static_cast<float>(check.Table.offset(check.Range.Low));
+  }
+
+  RayTotals run(int rays)
+  {
+    const auto perUnit = static_cast<float>(std::min(1.0 / this->Check.UnitDistance, 1e15));
+    RayTotals totals;
+    for (int i = 0; i < rays; ++i)
+    {
+      const auto ray = this->Random.template next<Kernel, float>(this->March, this->Check.Mesh);
+      const auto marched = this->March.castRay(ray, -1, perUnit, -3e38f, 3e38f);
+      const auto& c = marched.radiance.color;
+      const float t = marched.radiance.transmittance;
+      const auto inRange = [](float x) { return x >= -1e-6f && x <= 1.0f + 1e-5f; };
+      const bool sound = inRange(c.x) && inRange(c.y) && inRange(c.z) && inRange(t);
+      ++totals.Rays;
+      totals.Met += marched.cells > 0;
+      totals.Lost += marched.lost;
+      totals.Guarded += marched.guarded;
+      totals.Refused += marched.refused;
+      totals.NotFinite += sound ? 0 : 1;
+      if (!sound && totals.FirstFailure.empty())
+      {
+        std::ostringstream text;
+        text << "ray " << i << ": colour " << c.x << ' ' << c.y << ' ' << c.z << ", transmittance "
+             << t;
+        totals.FirstFailure = text.str();
+      }
+    }
+    return totals;
+  }
+
+private:
+  const MarchCheck& Check;
+  Kernel March;
+  RandomRays Random;
+};
+
 RayTotals MarchCheck::run(unsigned chunk, int rays) const
 {
   if (this->Mesh.Tets.empty())
@@ -347,7 +391,17 @@ RayTotals MarchCheck::run(unsigned chunk, int rays) const
     return {};
   }
   const unsigned seed = 2654435761u * (chunk + 1);
-  return chunk % 2 == 0 ? Chunk<PointKernel<float>>(*this, seed).run(rays)
-                        : Chunk<PortablePointKernel<float>>(*this, seed).run(rays);
+  const bool fused = chunk % 2 == 0;
+  if (!this->CellScalars.empty())
+  {
+    return Colours<CellKernel<float>>(*this, seed).run(rays);
+  }
+  if (this->Case.Group == "optics")
+  {
+    return fused ? Colours<PointKernel<float>>(*this, seed).run(rays)
+                 : Colours<PortablePointKernel<float>>(*this, seed).run(rays);
+  }
+  return fused ? Lengths<PointKernel<float>>(*this, seed).run(rays)
+               : Lengths<PortablePointKernel<float>>(*this, seed).run(rays);
 }
 } // namespace tetmarch::testing

@@ -4,20 +4,25 @@
  * @file
  * @brief Send rays through a hard case and hold each against what it must be
  *
- * Each ray is marched in float, as on the GPU, and in double, with the same bits of origin and
- * direction: every second chunk with the fused predicate, every second one with the portable one.
+ * Each ray is marched in float, as on the GPU: in every second chunk with the fused predicate, in
+ * every second one with the portable one.
  *
- * The bound. With positions of at most 1 in the normalised frame and a ray's origin of at most 1,
- * a projected coordinate is a difference (error 2^-24) times a unit vector, summed over three axes
- * (2^-22), and the portable form rounds it to 2^-23: together under 2^-21 = Displacement. Signs and
- * weights are exact for the projected bits. So what float marches is, up to the rounding of the
+ * The bound of its length. With positions of at most 1 in the normalised frame and a ray's origin
+ * of at most 1, a projected coordinate is a difference (error 2^-24) times a unit vector, summed
+ * over three axes (2^-22), and the portable form rounds it to 2^-23: together under 2^-21. Signs
+ * and weights are exact for the projected bits. So what float marches is, up to the rounding of the
  * sum, the exact answer for vertices displaced by that much, and the length must lie between the
- * least and the greatest length that a ray sees while vertices move within that distance. For a box
- * those are the chords of the box made smaller and greater. Elsewhere they are sampled in double:
- * the ray moved aside, in copies of the mesh with displaced vertices. The sum itself adds 2^-24 of
- * the length a cell.
+ * least and the greatest length that a ray sees while vertices move within that distance. The sum
+ * itself adds 2^-24 of the length a cell.
  *
- * Double in turn is held against brute force, which knows nothing of faces, links and order.
+ * Where the cells fill a box, these are the chords of the box made smaller and greater, for every
+ * ray. Elsewhere the same ray (the same bits of origin and direction) is marched in double; if that
+ * differs by more than the rounding of the sum, the bound is sampled in double: the ray moved
+ * aside, in copies of the mesh with displaced vertices. Double in turn is held against brute force,
+ * which knows nothing of faces, links and order.
+ *
+ * In cases about optics the transfer functions of the case are integrated instead, and colour and
+ * transmittance have to be finite and within 0..1; that they are right is for PictureCheck.h.
  */
 #ifndef tetmarch_testing_MarchCheck_h
 #define tetmarch_testing_MarchCheck_h
@@ -49,7 +54,7 @@ struct RayTotals
   std::int64_t Negative = 0;     ///< a length below 0
   std::int64_t OutOfBound = 0;   ///< float against double
   std::int64_t NotTheAnswer = 0; ///< float against the box, double against brute force
-  double WorstError = 0.0;       ///< of a length, in mesh radii, float against double
+  double WorstError = 0.0;       ///< of a length, in mesh radii, against the box or double
   double WorstGeneric = 0.0;     ///< the same for rays without any tie or grazing by construction
   std::string FirstFailure;      ///< the ray of it
 
@@ -61,8 +66,6 @@ struct RayTotals
 class MarchCheck
 {
 public:
-  static constexpr double Displacement = 4.76837158203125e-07; // 2^-21
-
   /// Throws std::runtime_error if the mesh can't be built.
   explicit MarchCheck(const HardCase& hard);
   ~MarchCheck();
@@ -74,7 +77,9 @@ public:
 
 private:
   template <typename Kernel>
-  class Chunk;
+  class Lengths;
+  template <typename Kernel>
+  class Colours;
 
   const HardCase& Case;
   TetMesh Mesh;

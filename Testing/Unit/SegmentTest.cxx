@@ -78,7 +78,7 @@ IntegralTable tableOfModel(const OpticalModel& model, const AccuracyLevel& level
   vtkNew<vtkVolumeProperty> property;
   property->SetColor(model.Colour);
   property->SetScalarOpacity(model.Opacity);
-  const SampledFunctions functions = sampleFunctions(
+  const SampledFunctions functions = sampleAreas(
     property, tetmarch::OpacityLaw::Unstructured, 0.0, 1.0, samplesOfTable(level.TableEntries));
   EXPECT_EQ(functions.Begin, 0.0);
   EXPECT_EQ(functions.End, 1.0);

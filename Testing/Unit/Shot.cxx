@@ -116,7 +116,7 @@ Image byTwin(const Shot& shot, const AccuracyLevel& level, MarchCounters& counte
   property->SetColor(model.Colour);
   property->SetScalarOpacity(model.Opacity);
   const IntegralTable table =
-    makeIntegralTable(sampleFunctions(property, tetmarch::OpacityLaw::Unstructured, scene.Range.Low,
+    makeIntegralTable(sampleAreas(property, tetmarch::OpacityLaw::Unstructured, scene.Range.Low,
       scene.Range.High, samplesOfTable(level.TableEntries)));
 
   vtkNew<WindowlessRenderer> renderer;

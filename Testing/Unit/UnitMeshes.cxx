@@ -2,58 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UnitMeshes.h"
 
-#include "Mesh/TetMeshBuilder.h"
-
-#include "vtkCellType.h"
-#include "vtkDoubleArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <cmath>
-#include <gtest/gtest.h>
 
 namespace tetmarch::testing
 {
-TetMesh built(vtkUnstructuredGrid* grid)
-{
-  TetMesh mesh;
-  std::string error;
-  const BuildStatus status = buildTetMesh(grid, {}, mesh, error);
-  EXPECT_EQ(static_cast<int>(status), static_cast<int>(BuildStatus::Done)) << error;
-  return mesh;
-}
-
-TetMesh builtWithHierarchy(vtkUnstructuredGrid* grid)
-{
-  TetMesh mesh = built(grid);
-  ensureHierarchy(mesh);
-  return mesh;
-}
-
-Grid asGrid(const TetMesh& mesh)
-{
-  auto grid = Grid::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> scalars;
-  scalars->SetName("f");
-  for (const Vertex& v : mesh.Vertices)
-  {
-    points->InsertNextPoint(double(v.X), double(v.Y), double(v.Z));
-    scalars->InsertNextValue(double(v.Scalar));
-  }
-  grid->SetPoints(points);
-  grid->Allocate(static_cast<vtkIdType>(mesh.Tets.size()));
-  for (const auto& tet : mesh.Tets)
-  {
-    const vtkIdType ids[4] = { tet[0], tet[1], tet[2], tet[3] };
-    grid->InsertNextCell(VTK_TETRA, 4, ids);
-  }
-  grid->GetPointData()->SetScalars(scalars);
-  return grid;
-}
-
 double sixVolumes(const TetMesh& mesh, const std::array<Id, 4>& vertices)
 {
   double e[3][3];
@@ -132,26 +86,4 @@ const std::vector<NamedGrid>& everyGrid()
   return grids;
 }
 
-IntegralTable tableOf(const std::function<std::array<double, 4>(double)>& f, int entries)
-{
-  SampledFunctions functions;
-  const int count = samplesOfTable(entries);
-  for (int i = 0; i < count; ++i)
-  {
-    functions.Samples.push_back(f(static_cast<double>(i) / (count - 1)));
-  }
-  functions.Before = functions.Samples.front();
-  functions.After = functions.Samples.back();
-  return makeIntegralTable(functions);
-}
-
-const IntegralTable& whiteTable()
-{
-  static const IntegralTable table = tableOf(
-    [](double) {
-      return std::array<double, 4>{ { 1.0, 1.0, 1.0, 1.0 } };
-    },
-    64);
-  return table;
-}
 } // namespace tetmarch::testing

@@ -2,33 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Meshes and kernels for the unit tests
+ * @brief Meshes for the unit tests, and what is known of them
  */
 #ifndef tetmarch_testing_UnitMeshes_h
 #define tetmarch_testing_UnitMeshes_h
 
-#include "Mesh/TetMesh.h"
-#include "Optics/AccuracyLevel.h"
-#include "Optics/IntegralTable.h"
-
 #include "Grids.h"
+#include "MarchedMesh.h"
 
 #include <functional>
-#include <limits>
-#include <string>
 #include <vector>
 
 namespace tetmarch::testing
 {
-/// The mesh of a grid; the test fails if it can't be built.
-TetMesh built(vtkUnstructuredGrid* grid);
-/// The same with a hierarchy, convex or not.
-TetMesh builtWithHierarchy(vtkUnstructuredGrid* grid);
-
-/// The mesh itself as a grid of tetrahedra in its normalised frame, with the active point scalars
-/// of its vertices.
-Grid asGrid(const TetMesh& mesh);
-
 /// Six times the signed volume of four of its vertices, in the normalised frame. Differences of
 /// floats are exact in double.
 double sixVolumes(const TetMesh& mesh, const std::array<Id, 4>& vertices);
@@ -43,34 +29,6 @@ struct NamedGrid
 /// One or more of every generator of Grids.h that gives a volume.
 const std::vector<NamedGrid>& everyGrid();
 
-/// Colour and extinction of f(0..1), sampled.
-IntegralTable tableOf(const std::function<std::array<double, 4>(double)>& f, int entries = 1024);
-/// White of extinction 1.
-const IntegralTable& whiteTable();
-
-/// A kernel that marches the mesh through a table of the scalars 0..1.
-template <typename Kernel, typename Real>
-Kernel kernelOf(
-  const TetMesh& mesh, const IntegralTable& table, const AccuracyLevel& level = ReferenceAccuracy)
-{
-  Kernel kernel;
-  kernel.Mesh = &mesh;
-  kernel.Table = &table;
-  kernel.tetCount = mesh.numberOfTets();
-  kernel.bvhNodeCount = static_cast<int>(mesh.Hierarchy.size());
-  kernel.bvhReentryNodeCount = static_cast<int>(mesh.ReentryNodes);
-  kernel.mostCells = mostCellsOf(static_cast<int>(mesh.Tets.size()));
-  kernel.tableSize = table.size();
-  kernel.tableScale = Real(table.scale(1.0));
-  kernel.tableOffset = Real(table.offset(0.0));
-  const auto& unit = table.IntegralUnit;
-  kernel.tableIntegralUnit = { Real(unit[0]), Real(unit[1]), Real(unit[2]), Real(unit[3]) };
-  kernel.tableSquareUnit = Real(table.SquareUnit);
-  kernel.mostTrials = level.MostTrials;
-  kernel.integrationTolerance = Real(level.IntegrationTolerance);
-  kernel.leastTransmittance = Real(level.LeastTransmittance);
-  return kernel;
-}
 } // namespace tetmarch::testing
 
 #endif

@@ -139,8 +139,8 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law)
   if (input != this->TablesInput)
   {
     Recorder recorder(this->TablesRecord);
-    const SampledFunctions functions = sampleFunctions(property, law, this->Range.Low,
-      this->Range.High, samplesOfTable(DefaultAccuracy.TableEntries));
+    const SampledFunctions functions = sampleAreas(property, law, this->Range.Low, this->Range.High,
+      samplesOfTable(DefaultAccuracy.TableEntries));
     this->Table = makeIntegralTable(functions);
     this->Visible = std::any_of(this->Table.Values.begin(), this->Table.Values.end(),
       [](const std::array<float, 4>& v) { return v[3] > 0; });

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IntegralTable.h"
 
+#include "BinAreas.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,27 +12,7 @@ namespace tetmarch
 namespace
 {
 
-using Sample = std::array<double, 4>;
 using Integral = std::array<double, 5>; // C tau, tau, |C|^2 tau
-
-// Exact integral over one bin in which colour and extinction are linear.
-Integral binIntegral(const Sample& p, const Sample& q)
-{
-  Integral sum{};
-  double squareP = 0, squareM = 0, squareQ = 0;
-  const double middle = 0.5 * (p[3] + q[3]);
-  for (int k = 0; k < 3; ++k)
-  {
-    sum[k] = (p[k] * (2 * p[3] + q[3]) + q[k] * (p[3] + 2 * q[3])) / 6;
-    const double m = 0.5 * (p[k] + q[k]);
-    squareP += p[k] * p[k];
-    squareM += m * m;
-    squareQ += q[k] * q[k];
-  }
-  sum[3] = middle;
-  sum[4] = (squareP * p[3] + 4 * squareM * middle + squareQ * q[3]) / 6;
-  return sum;
-}
 
 } // namespace
 
@@ -46,14 +28,14 @@ double IntegralTable::offset(double low) const
 
 IntegralTable makeIntegralTable(const SampledFunctions& functions)
 {
-  std::vector<Sample> entries(2, functions.Before);
+  std::vector<OpticalSample> entries(2, functions.Before);
   entries.insert(entries.end(), functions.Samples.begin(), functions.Samples.end());
   entries.insert(entries.end(), 2, functions.After);
 
   std::vector<Integral> integrals(entries.size(), Integral{});
   for (std::size_t i = 1; i < entries.size(); ++i)
   {
-    const Integral bin = binIntegral(entries[i - 1], entries[i]);
+    const Integral bin = linearIntegrals(entries[i - 1], entries[i]);
     for (int k = 0; k < 5; ++k)
     {
       integrals[i][k] = integrals[i - 1][k] + bin[k];

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TransferFunctions.h"
 
+#include "BinAreas.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
@@ -15,6 +17,9 @@ namespace
 {
 
 using Range = std::array<double, 2>;
+
+// The functions are looked at so many times for each sample that is kept.
+constexpr int FinePerBin = 16;
 
 Range nodeRange(vtkVolumeProperty* property)
 {
@@ -104,6 +109,15 @@ SampledFunctions sampleFunctions(
     low < functions.Begin ? evaluate(property, law, low, low, 1)[0] : functions.Samples.front();
   functions.After =
     high > functions.End ? evaluate(property, law, high, high, 1)[0] : functions.Samples.back();
+  return functions;
+}
+
+SampledFunctions sampleAreas(
+  vtkVolumeProperty* property, OpacityLaw law, double low, double high, int count)
+{
+  SampledFunctions functions =
+    sampleFunctions(property, law, low, high, (count - 1) * FinePerBin + 1);
+  functions.Samples = keepBinAreas(functions.Samples, FinePerBin);
   return functions;
 }
 

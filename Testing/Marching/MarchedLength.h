@@ -9,8 +9,8 @@
 
 #include "Reference/Kernel.h"
 
+#include "MarchedMesh.h"
 #include "Oracle.h"
-#include "UnitMeshes.h"
 
 #include <cmath>
 #include <limits>

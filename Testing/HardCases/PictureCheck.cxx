@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PictureCheck.h"
+
+#include "Mesh/TetMeshBuilder.h"
+#include "Optics/AccuracyLevel.h"
+#include "Optics/TransferFunctions.h"
+#include "Scene/View.h"
+
+#include "DisplacedMesh.h"
+
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace tetmarch::testing
+{
+namespace
+{
+constexpr double Tolerance = 1.0 / 255.0;
+// In entries of the default level's table: a step or a spike is spread over three bins.
+constexpr double TableResolution = 1.5;
+
+// In world coordinates.
+std::array<double, 6> boundsOf(vtkUnstructuredGrid* grid, vtkMatrix4x4* matrix)
+{
+  double b[6];
+  grid->GetBounds(b);
+  std::array<double, 6> world{ { 1e300, -1e300, 1e300, -1e300, 1e300, -1e300 } };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double in[4] = { b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2)], 1.0 };
+    double out[4];
+    matrix->MultiplyPoint(in, out);
+    for (int k = 0; k < 3; ++k)
+    {
+      world[2 * k] = std::min(world[2 * k], out[k]);
+      world[2 * k + 1] = std::max(world[2 * k + 1], out[k]);
+    }
+  }
+  return world;
+}
+
+IntegralTable tableFor(vtkVolumeProperty* property, const ScalarRange& range, int entries)
+{
+  return makeIntegralTable(sampleAreas(
+    property, OpacityLaw::Unstructured, range.Low, range.High, samplesOfTable(entries)));
+}
+} // namespace
+
+void setUpHardCase(const HardCase& hard, const HardView& view, vtkUnstructuredGrid* grid,
+  vtkRenderer* renderer, vtkVolume* volume)
+{
+  (hard.SetOptics ? hard.SetOptics : setStandardOptics)(volume->GetProperty(), grid);
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(hard.Matrix.data());
+  volume->SetUserMatrix(matrix);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  view.Set(camera, grid);
+  if (!view.KeepsClippingRange)
+  {
+    const auto bounds = boundsOf(grid, matrix);
+    renderer->ResetCameraClippingRange(bounds.data());
+  }
+}
+
+std::int64_t PictureResult::failures() const
+{
+  return this->Counters.Lost + this->Counters.Guarded + this->Counters.Refused + this->NotFinite +
+         this->OutOfBound;
+}
+
+PictureCheck::PictureCheck(const HardCase& hard, const HardView& view, int size)
+  : Case(hard)
+  , Size(size)
+  , Data(hard.Make())
+{
+  std::string error;
+  if (buildTetMesh(this->Data, {}, this->Mesh, error) != BuildStatus::Done)
+  {
+    throw std::runtime_error(hard.Name + ": " + error);
+  }
+  ensureHierarchy(this->Mesh);
+  this->Range =
+    hard.CellScalars
+      ? makeCellScalars(this->Data->GetCellData()->GetScalars(), this->Mesh, this->CellScalars)
+      : setPointScalars(this->Data, this->Data->GetPointData()->GetScalars(), this->Mesh);
+  setUpHardCase(hard, view, this->Data, this->Renderer, this->Volume);
+  vtkVolumeProperty* property = this->Volume->GetProperty();
+  this->DefaultTable = tableFor(property, this->Range, DefaultAccuracy.TableEntries);
+  this->ReferenceTable = tableFor(property, this->Range, ReferenceAccuracy.TableEntries);
+
+  const ReferenceImage image =
+    renderReference<double>(this->sceneOf(this->Mesh, this->ReferenceTable), ReferenceAccuracy);
+  this->Yardstick = Image::fromFloats(size, size, image.Pixels.data());
+}
+
+ReferenceScene PictureCheck::sceneOf(const TetMesh& mesh, const IntegralTable& table) const
+{
+  ReferenceScene scene;
+  scene.Mesh = &mesh;
+  scene.CellScalars = this->CellScalars.empty() ? nullptr : &this->CellScalars;
+  scene.Range = this->Range;
+  scene.Table = &table;
+  scene.Width = scene.Height = this->Size;
+  if (!makeView(this->Renderer.Get(), this->Volume.Get(), mesh,
+        this->Volume->GetProperty()->GetScalarOpacityUnitDistance(), scene.Camera))
+  {
+    throw std::runtime_error(this->Case.Name + " has no view");
+  }
+  return scene;
+}
+
+Image PictureCheck::twin(MarchCounters& counters) const
+{
+  const ReferenceImage image =
+    renderReference<float>(this->sceneOf(this->Mesh, this->DefaultTable), DefaultAccuracy);
+  counters = image.Counters;
+  return Image::fromFloats(this->Size, this->Size, image.Pixels.data());
+}
+
+// By the yardstick; aside are shares of a pixel.
+std::array<float, 4> PictureCheck::pixelOf(
+  const TetMesh& mesh, int x, int y, const std::array<double, 2>& aside, double entries) const
+{
+  ReferenceScene scene = this->sceneOf(mesh, this->ReferenceTable);
+  scene.Range.Low += entries * (this->DefaultTable.End - this->DefaultTable.Begin) /
+                     (samplesOfTable(DefaultAccuracy.TableEntries) - 1);
+  scene.Range.High = scene.Range.Low + this->Range.width();
+  scene.Width = scene.Height = 1;
+  const double centre[2] = { (2.0 * (x + aside[0]) + 1.0) / this->Size - 1.0,
+    (2.0 * (y + aside[1]) + 1.0) / this->Size - 1.0 };
+  auto& m = scene.Camera.ClipToNormalized;
+  for (int r = 0; r < 4; ++r)
+  {
+    m[4 * r + 3] += centre[0] * m[4 * r] + centre[1] * m[4 * r + 1];
+    m[4 * r] /= this->Size;
+    m[4 * r + 1] /= this->Size;
+  }
+  const ReferenceImage image = renderReference<double>(scene, ReferenceAccuracy);
+  return { { image.Pixels[0], image.Pixels[1], image.Pixels[2], image.Pixels[3] } };
+}
+
+bool PictureCheck::isWithinBounds(const Image& picture, int x, int y, DrawnBy drawnBy)
+{
+  if (this->Displaced.empty())
+  {
+    for (int i = 0; i < 64; ++i)
+    {
+      this->Displaced.push_back(
+        i < DisplacementsTogether
+          ? displacedTogether(this->Mesh, VertexDisplacement, i)
+          : displacedMesh(this->Mesh, VertexDisplacement, static_cast<unsigned>(i)));
+    }
+  }
+  const double reach = drawnBy == DrawnBy::GL ? 0.01 : 0.0;
+  const float* pixel = picture.pixel(x, y);
+  std::array<float, 4> least, most;
+  std::copy_n(this->Yardstick.pixel(x, y), 4, least.begin());
+  most = least;
+  std::mt19937 random(71);
+  const auto within1 = [&random] { return 2.0 * uniform(random) - 1.0; };
+  for (std::size_t i = 0; i < 10 * this->Displaced.size(); ++i)
+  {
+    // At first only the geometry.
+    const double entries = i < this->Displaced.size() ? 0.0 : TableResolution * within1();
+    const auto seen = this->pixelOf(this->Displaced[i % this->Displaced.size()], x, y,
+      { reach * within1(), reach * within1() }, entries);
+    bool within = true;
+    for (int k = 0; k < 4; ++k)
+    {
+      least[k] = std::min(least[k], seen[k]);
+      most[k] = std::max(most[k], seen[k]);
+      within = within && double(pixel[k]) >= double(least[k]) - Tolerance &&
+               double(pixel[k]) <= double(most[k]) + Tolerance;
+    }
+    if (within)
+    {
+      return true;
+    }
+  }
+  // A ray within the surface may see any part of what there is.
+  return least[3] == 0.0f && pixel[3] <= most[3];
+}
+
+PictureResult PictureCheck::compare(
+  const Image& picture, const MarchCounters& counters, DrawnBy drawnBy)
+{
+  PictureResult result;
+  result.Counters = counters;
+  std::vector<double> errors;
+  for (int y = 0; y < this->Size; ++y)
+  {
+    for (int x = 0; x < this->Size; ++x)
+    {
+      const float* pixel = picture.pixel(x, y);
+      const float* expected = this->Yardstick.pixel(x, y);
+      bool finite = true;
+      double worst = 0.0;
+      for (int k = 0; k < 4; ++k)
+      {
+        finite = finite && double(pixel[k]) >= -1e-6 && double(pixel[k]) <= 1.0 + 1e-5;
+        worst = std::max(worst, std::abs(double(pixel[k]) - double(expected[k])));
+      }
+      result.NotFinite += finite ? 0 : 1;
+      if (finite && worst > Tolerance)
+      {
+        result.OutOfBound += this->isWithinBounds(picture, x, y, drawnBy) ? 0 : 1;
+      }
+      result.WorstError = std::max(result.WorstError, worst);
+      if (expected[3] > 0.0f || pixel[3] > 0.0f)
+      {
+        errors.push_back(worst);
+      }
+    }
+  }
+  if (!errors.empty())
+  {
+    const auto rank = errors.begin() + static_cast<std::ptrdiff_t>(0.99 * double(errors.size()));
+    std::nth_element(errors.begin(), rank, errors.end());
+    result.TypicalError = *rank;
+  }
+  return result;
+}
+} // namespace tetmarch::testing

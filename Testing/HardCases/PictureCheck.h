@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Pictures of a hard case by the CPU twin, and what a picture may be
+ *
+ * The yardstick is the twin in double at the reference level. A pixel is right if each channel is
+ * within 1/255 of it, or of what the yardstick sees while vertices move by the rounding of float
+ * (2^-20 mesh radii, see MarchCheck.h), and of a picture by the GL, the ray by 1/100 of a pixel,
+ * which is what the rasteriser takes. That is sampled, pixel by pixel, where it matters: where a
+ * ray runs within the surface, or grazes it.
+ */
+#ifndef tetmarch_testing_PictureCheck_h
+#define tetmarch_testing_PictureCheck_h
+
+#include "HardCase.h"
+
+#include "Mesh/Scalars.h"
+#include "Mesh/TetMesh.h"
+#include "Optics/IntegralTable.h"
+#include "Reference/MarchCounters.h"
+#include "Reference/ReferenceImage.h"
+
+#include "Images.h"
+
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <string>
+#include <vector>
+
+namespace tetmarch::testing
+{
+/// Gives the volume its optics and matrix, and the camera its place; the clipping range is that of
+/// the volume's bounds. The volume may have any mapper, or none.
+void setUpHardCase(const HardCase& hard, const HardView& view, vtkUnstructuredGrid* grid,
+  vtkRenderer* renderer, vtkVolume* volume);
+
+/// How a picture compares with the yardstick.
+struct PictureResult
+{
+  MarchCounters Counters;
+  int NotFinite = 0;       ///< pixels with a value that is NaN, infinite, or outside of 0..1
+  int OutOfBound = 0;      ///< pixels that no mesh within the rounding shows
+  double WorstError = 0;   ///< of a channel, 0..1, against the undisplaced yardstick
+  double TypicalError = 0; ///< the 99th percentile of it over the pixels that show something
+  std::int64_t failures() const;
+};
+
+/// Whose picture is compared.
+enum class DrawnBy
+{
+  Twin,
+  GL
+};
+
+/// The pictures of one view.
+class PictureCheck
+{
+public:
+  /// Throws std::runtime_error if the mesh can't be built.
+  PictureCheck(const HardCase& hard, const HardView& view, int size);
+
+  /// By the twin in float, at the default level.
+  Image twin(MarchCounters& counters) const;
+  /// By the twin in double, at the reference level.
+  const Image& yardstick() const { return this->Yardstick; }
+  PictureResult compare(const Image& picture, const MarchCounters& counters, DrawnBy drawnBy);
+
+private:
+  ReferenceScene sceneOf(const TetMesh& mesh, const IntegralTable& table) const;
+  std::array<float, 4> pixelOf(
+    const TetMesh& mesh, int x, int y, const std::array<double, 2>& aside, double entries) const;
+  bool isWithinBounds(const Image& picture, int x, int y, DrawnBy drawnBy);
+
+  const HardCase& Case;
+  int Size;
+  Grid Data;
+  TetMesh Mesh;
+  std::vector<float> CellScalars;
+  ScalarRange Range;
+  IntegralTable DefaultTable, ReferenceTable;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkVolume> Volume;
+  Image Yardstick;
+  std::vector<TetMesh> Displaced; // made when first needed
+};
+} // namespace tetmarch::testing
+
+#endif

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BinAreas.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+// C tau and tau, which add up, of a sample.
+OpticalSample weighted(const OpticalSample& s)
+{
+  return { { s[0] * s[3], s[1] * s[3], s[2] * s[3], s[3] } };
+}
+
+// A sample to be corrected: what it is, and between which values the functions run in its two bins.
+struct Node
+{
+  OpticalSample Value;
+  OpticalSample Least;
+  OpticalSample Most;
+};
+
+std::vector<Node> nodesOf(const std::vector<OpticalSample>& fine, std::size_t perBin)
+{
+  std::vector<Node> nodes;
+  for (std::size_t at = 0; at < fine.size(); at += perBin)
+  {
+    const OpticalSample value = weighted(fine[at]);
+    Node node{ value, value, value };
+    const std::size_t end = std::min(at + perBin + 1, fine.size());
+    for (std::size_t i = at < perBin ? 0 : at - perBin; i < end; ++i)
+    {
+      const OpticalSample near = weighted(fine[i]);
+      for (int k = 0; k < 4; ++k)
+      {
+        node.Least[k] = std::min(node.Least[k], near[k]);
+        node.Most[k] = std::max(node.Most[k], near[k]);
+      }
+    }
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+// An amount is added to both ends, half each or as far as they may change: nothing gets greater or
+// less than what it stands for.
+void addToEnds(double amount, int k, Node& left, Node& right)
+{
+  const auto add = [k](double x, Node& node)
+  {
+    const double before = node.Value[k];
+    node.Value[k] = std::min(std::max(before + x, node.Least[k]), node.Most[k]);
+    return node.Value[k] - before;
+  };
+  const double added = add(0.5 * amount, left);
+  const double rest = amount - added;
+  add(rest - add(rest, right), left);
+}
+
+} // namespace
+
+std::array<double, 5> linearIntegrals(const OpticalSample& p, const OpticalSample& q)
+{
+  std::array<double, 5> sum{};
+  double squareP = 0, squareM = 0, squareQ = 0;
+  const double middle = 0.5 * (p[3] + q[3]);
+  for (int k = 0; k < 3; ++k)
+  {
+    sum[k] = (p[k] * (2 * p[3] + q[3]) + q[k] * (p[3] + 2 * q[3])) / 6;
+    const double m = 0.5 * (p[k] + q[k]);
+    squareP += p[k] * p[k];
+    squareM += m * m;
+    squareQ += q[k] * q[k];
+  }
+  sum[3] = middle;
+  sum[4] = (squareP * p[3] + 4 * squareM * middle + squareQ * q[3]) / 6;
+  return sum;
+}
+
+std::vector<OpticalSample> keepBinAreas(const std::vector<OpticalSample>& fine, int perBin)
+{
+  std::vector<Node> nodes = nodesOf(fine, perBin);
+  for (std::size_t bin = 0; bin + 1 < nodes.size(); ++bin)
+  {
+    const std::size_t begin = bin * perBin, end = begin + perBin;
+    std::array<double, 5> missing = linearIntegrals(fine[begin], fine[end]);
+    for (double& x : missing)
+    {
+      x = -x;
+    }
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const std::array<double, 5> piece = linearIntegrals(fine[i], fine[i + 1]);
+      for (int k = 0; k < 4; ++k)
+      {
+        missing[k] += piece[k] / perBin;
+      }
+    }
+    // Where the functions are linear, what is left is rounding, of which no colour can be told.
+    const bool linear = std::all_of(
+      missing.begin(), missing.begin() + 4, [](double x) { return std::abs(x) < 1e-12; });
+    for (int k = 0; k < 4 && !linear; ++k)
+    {
+      addToEnds(missing[k], k, nodes[bin], nodes[bin + 1]);
+    }
+  }
+  std::vector<OpticalSample> kept;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    OpticalSample s = nodes[i].Value;
+    for (int k = 0; k < 3; ++k)
+    {
+      s[k] = s[3] > 0 ? std::min(s[k] / s[3], 1.0) : fine[i * perBin][k];
+    }
+    kept.push_back(s);
+  }
+  return kept;
+}
+
+} // namespace tetmarch

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Samples of transfer functions that keep what lies between them.
+#ifndef TetMarchOpticsBinAreas_h
+#define TetMarchOpticsBinAreas_h
+
+#include <array>
+#include <vector>
+
+namespace tetmarch
+{
+
+/** Colour r, g, b in 0..1 and extinction. */
+using OpticalSample = std::array<double, 4>;
+
+/** Integrals over a piece of unit length on which colour C and extinction tau run linearly from p
+ * to q: C tau, tau, |C|^2 tau. Exact: a cubic, by Simpson's rule. */
+std::array<double, 5> linearIntegrals(const OpticalSample& p, const OpticalSample& q);
+
+/**
+ * Every perBin-th of the fine samples, corrected so that linear interpolation between them has the
+ * same integral of tau and, but for clamping to 0..1, of C tau as between the fine ones. Where
+ * these are linear over a bin nothing changes; a spike between two samples, which would be missed,
+ * raises them; a step keeps its place. What lies between fine samples is lost. fine.size() is a
+ * multiple of perBin plus 1.
+ */
+std::vector<OpticalSample> keepBinAreas(const std::vector<OpticalSample>& fine, int perBin);
+
+} // namespace tetmarch
+
+#endif
