@@ -82,6 +82,24 @@ public:
 
   //@{
   /**
+   * About how long a single draw call may take, in seconds; 0: no limit. A frame that takes longer,
+   * by what the last one of the same size took, is drawn in tiles. Between two of them
+   * vtkRenderWindow::CheckAbortStatus() is asked and progress is reported; a frame that is aborted
+   * ends there, and the next one is drawn anew. The picture is the same to the last bit, whatever
+   * the limit. Default: 0.25, a little more than the 0.2 between two checks of a window.
+   */
+  vtkSetClampMacro(MaxDrawTimeInSeconds, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaxDrawTimeInSeconds, double);
+  //@}
+
+  /**
+   * In how many draw calls the last frame was marched, up to where it ended if it was aborted; 0 if
+   * nothing was drawn.
+   */
+  int GetNumberOfDraws() const;
+
+  //@{
+  /**
    * Figures of the mesh as it was prepared for the last frame; 0 before the first.
    */
   vtkIdType GetNumberOfTetrahedra() const;
@@ -152,6 +170,7 @@ protected:
   ~vtkTetMarchVolumeMapper() override;
 
   int OpacityLaw = UNSTRUCTURED;
+  double MaxDrawTimeInSeconds = 0.25;
   bool CollectDiagnostics = false;
 
 private:

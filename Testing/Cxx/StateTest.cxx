@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The GL state is after a frame of the mapper as it was before, both in the GL and in VTK's
 // records.
+#include "Observer.h"
 #include "Scene.h"
 
 #include "vtkActor.h"
@@ -166,6 +167,30 @@ TEST(GLState, IsKeptWithSearchedEntriesAndCellScalars)
   expectStateKept(scene);
   scene.drawCellScalars();
   expectStateKept(scene);
+}
+
+TEST(GLState, IsKeptByTilesAndWhenTheyAreAborted)
+{
+  Scene scene(lattice());
+  scene.Renderer->SetViewport(0.2, 0.3, 0.7, 0.9);
+  scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 }));
+  for (const bool diagnostics : { true, false })
+  {
+    vtkNew<WatchedMapper> mapper;
+    mapper->SetInputData(scene.Data);
+    mapper->SetCollectDiagnostics(diagnostics);
+    mapper->SetMaxDrawTimeInSeconds(1e-9);
+    scene.Volume->SetMapper(mapper);
+    scene.Window->Render();
+    const int draws = mapper->GetNumberOfDraws();
+    EXPECT_GT(draws, 1);
+    const Observer observer(mapper, vtkCommand::ProgressEvent,
+      [&] { scene.Window->SetAbortRender(mapper->GetProgress() < 1.0); });
+    scene.Window->Render();
+    EXPECT_LT(mapper->GetNumberOfDraws(), draws);
+    EXPECT_EQ(mapper->Frames, 2);
+    scene.Volume->SetMapper(scene.Mapper);
+  }
 }
 
 TEST(GLState, IsKeptWhenNothingIsDrawn)

@@ -19,62 +19,23 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstring>
 
 namespace tetmarch
 {
-namespace
-{
-
-// Adds a run of a stage to its record when the scope ends.
-class Recorder
-{
-public:
-  explicit Recorder(StageRecord& record)
-    : Record(record)
-    , Begin(std::chrono::steady_clock::now())
-  {
-  }
-  ~Recorder()
-  {
-    this->Record.Seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Begin).count();
-    ++this->Record.Runs;
-  }
-  Recorder(const Recorder&) = delete;
-  Recorder& operator=(const Recorder&) = delete;
-
-private:
-  StageRecord& Record;
-  std::chrono::steady_clock::time_point Begin;
-};
-
-// Identity and time of change of an object, which may be null.
-void add(std::vector<std::uintptr_t>& fingerprint, vtkObject* object)
-{
-  fingerprint.push_back(reinterpret_cast<std::uintptr_t>(object));
-  fingerprint.push_back(object ? static_cast<std::uintptr_t>(object->GetMTime()) : 0);
-}
-
-void add(std::vector<std::uintptr_t>& fingerprint, double value)
-{
-  std::uintptr_t bits = 0;
-  std::memcpy(&bits, &value, sizeof(value));
-  fingerprint.push_back(bits);
-}
-
-} // namespace
-
 bool Pipeline::fail(const std::string& error)
 {
   this->Error = error;
   return false;
 }
 
-bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)
+void Pipeline::begin()
 {
   this->Error.clear();
+  this->Passes.clear();
+}
+
+bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)
+{
   Fingerprint input;
   add(input, grid->GetPoints());
   add(input, grid->GetCells());
@@ -86,9 +47,9 @@ bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)
   }
   this->MeshInput.clear();
   this->ScalarsInput.clear();
-  this->LinksOnGpu = this->ScalarsOnGpu = false;
+  this->OnGpu.expectMesh();
 
-  Recorder recorder(this->MeshRecord);
+  StageRecorder recorder(this->MeshRecord);
   std::string error;
   const BuildStatus status = buildTetMesh(grid, progress, this->Mesh, error);
   if (status != BuildStatus::Done)
@@ -117,12 +78,12 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   {
     return true;
   }
-  Recorder recorder(this->ScalarsRecord);
+  StageRecorder recorder(this->ScalarsRecord);
   this->CellScalars.clear();
   this->Range = cellScalars ? makeCellScalars(array, this->Mesh, this->CellScalars)
                             : setPointScalars(grid, array, this->Mesh);
   this->ScalarsInput = input;
-  this->ScalarsOnGpu = false;
+  this->OnGpu.expectScalars();
   return true;
 }
 
@@ -138,14 +99,14 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law)
   add(input, this->Range.High);
   if (input != this->TablesInput)
   {
-    Recorder recorder(this->TablesRecord);
+    StageRecorder recorder(this->TablesRecord);
     const SampledFunctions functions = sampleFunctions(property, law, this->Range.Low,
       this->Range.High, samplesOfTable(DefaultAccuracy.TableEntries));
     this->Table = makeIntegralTable(functions);
     this->Visible = std::any_of(this->Table.Values.begin(), this->Table.Values.end(),
       [](const std::array<float, 4>& v) { return v[3] > 0; });
     this->TablesInput = input;
-    this->TablesOnGpu = false;
+    this->OnGpu.expectTables();
   }
   return this->Visible;
 }
@@ -166,7 +127,7 @@ bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume)
   if (needsSearch && !this->Mesh.hasHierarchy())
   {
     ensureHierarchy(this->Mesh);
-    this->LinksOnGpu = false;
+    this->OnGpu.expectLinks();
   }
   return true;
 }
@@ -185,37 +146,13 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
     this->Watch.begin(window, [this](vtkWindow* ending) { this->release(ending); });
     this->HasFma = hasFusedMultiplyAdd(window);
   }
-  if (this->LinksOnGpu && this->ScalarsOnGpu && this->TablesOnGpu)
+  if (this->OnGpu.isCurrent())
   {
     return true;
   }
-  Recorder recorder(this->UploadRecord);
-  std::string error;
-  if (!this->LinksOnGpu)
-  {
-    error = this->MeshOnGpu.uploadLinks(window, this->Mesh);
-    this->LinksOnGpu = error.empty();
-    this->UploadedBytes += static_cast<std::int64_t>(
-      sizeof(Link) * this->Mesh.Links.size() + 16 * this->Mesh.BoundaryFaces.size() +
-      sizeof(HierarchyNode) * this->Mesh.Hierarchy.size());
-  }
-  if (error.empty() && !this->ScalarsOnGpu)
-  {
-    error = this->MeshOnGpu.uploadVertices(window, this->Mesh);
-    if (error.empty())
-    {
-      error = this->MeshOnGpu.uploadCellScalars(window, this->CellScalars);
-    }
-    this->ScalarsOnGpu = error.empty();
-    this->UploadedBytes += static_cast<std::int64_t>(
-      sizeof(Vertex) * this->Mesh.Vertices.size() + sizeof(float) * this->CellScalars.size());
-  }
-  if (error.empty() && !this->TablesOnGpu)
-  {
-    error = this->TableOnGpu.upload(window, this->Table);
-    this->TablesOnGpu = error.empty();
-    this->UploadedBytes += static_cast<std::int64_t>(this->TableOnGpu.bytes());
-  }
+  StageRecorder recorder(this->UploadRecord);
+  const std::string error = this->OnGpu.upload(window, this->Mesh, this->CellScalars, this->Table);
+  this->Passes.expectChange();
   if (!error.empty())
   {
     this->release(window);
@@ -232,9 +169,9 @@ Viewport Pipeline::currentViewport() const
   return { area[0], area[1], area[2], area[3] };
 }
 
-bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, bool diagnostics)
+bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
+  const DrawOptions& options, const Progress& progress)
 {
-  this->Counted.clear();
   MarchInputs inputs;
   inputs.Area = this->currentViewport();
   if (inputs.Area.Width <= 0 || inputs.Area.Height <= 0)
@@ -249,50 +186,26 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, bool d
   key.HasFma = this->HasFma;
   inputs.Key = key.filtered();
   inputs.Camera = &this->Camera;
-  inputs.Mesh = &this->MeshOnGpu;
-  inputs.Tables = &this->TableOnGpu;
+  inputs.Mesh = &this->OnGpu.mesh();
+  inputs.Tables = &this->OnGpu.tables();
   inputs.Table = &this->Table;
   inputs.Range = this->Range;
+  inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
 
-  std::string error;
-  if (inputs.Key.RasterEntry)
-  {
-    error = this->Entry.draw(window, inputs.Area, this->Camera, this->Mesh, this->MeshOnGpu);
-    inputs.Entries = error.empty() ? this->Entry.entries() : nullptr;
-  }
-  if (error.empty() && inputs.Key.OpaqueDepth)
-  {
-    error = this->Opaque.capture(window, inputs.Area);
-    inputs.Depths = this->Opaque.texture();
-  }
-  if (error.empty() && diagnostics)
-  {
-    error = this->Counted.collect(window, this->March, inputs);
-  }
-  if (error.empty())
-  {
-    error = this->March.draw(window, inputs);
-  }
-  return error.empty() || this->fail(error);
+  // Who is told of progress may release what is being drawn.
+  const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
+  bool stopped = false;
+  const std::string error =
+    this->Passes.draw(window, this->Mesh, inputs, options.Diagnostics, goOn, stopped);
+  return error.empty() ? !stopped : this->fail(error);
 }
 
 void Pipeline::release(vtkWindow* window)
 {
   this->Watch.end(window);
-  this->MeshOnGpu.release(window);
-  this->TableOnGpu.release(window);
-  this->Entry.release(window);
-  this->Opaque.release(window);
-  this->March.release();
-  this->Counted.release(window);
-  this->LinksOnGpu = this->ScalarsOnGpu = this->TablesOnGpu = false;
+  this->OnGpu.release(window);
+  this->Passes.release(window);
   this->Window = nullptr;
-}
-
-std::size_t Pipeline::gpuBytes() const
-{
-  return this->MeshOnGpu.bytes() + this->TableOnGpu.bytes() + this->Entry.bytes() +
-         this->Opaque.bytes();
 }
 
 } // namespace tetmarch
