@@ -52,7 +52,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return;
   }
   tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
-  pipeline.begin();
+  pipeline.begin(static_cast<std::uint64_t>(this->MaxMemoryInBytes));
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
   if (!grid || grid->GetNumberOfCells() == 0)
   {
@@ -199,7 +199,7 @@ vtkTypeInt64 vtkTetMarchVolumeMapper::GetGPUMemoryBytes() const
 //------------------------------------------------------------------------------
 double vtkTetMarchVolumeMapper::GetMeshSeconds() const
 {
-  return this->Internal->Pipeline.MeshRecord.Seconds;
+  return this->Internal->Pipeline.meshRecord().Seconds;
 }
 double vtkTetMarchVolumeMapper::GetScalarsSeconds() const
 {
@@ -217,7 +217,7 @@ double vtkTetMarchVolumeMapper::GetUploadSeconds() const
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetMeshBuilds() const
 {
-  return this->Internal->Pipeline.MeshRecord.Runs;
+  return this->Internal->Pipeline.meshRecord().Runs;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetScalarsBuilds() const
 {
@@ -280,6 +280,7 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityLaw: " << (this->OpacityLaw == STRUCTURED ? "Structured" : "Unstructured")
      << "\n";
   os << indent << "MaxDrawTimeInSeconds: " << this->MaxDrawTimeInSeconds << "\n";
+  os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
   os << indent << "NumberOfBoundaryFaces: " << this->GetNumberOfBoundaryFaces() << "\n";

@@ -26,7 +26,8 @@
  * changed; the Get...Builds() counters tell.
  *
  * Errors (no GL 3.2 context, ids out of range, mesh larger than the GL can hold, ...) are reported
- * once through vtkErrorMacro and leave the frame without this volume.
+ * once through vtkErrorMacro and leave the frame without this volume. A mesh that could not be
+ * prepared is not tried again before the grid or a limit changes.
  *
  * @sa vtkProjectedTetrahedraMapper vtkUnstructuredGridVolumeRayCastMapper vtkVolumeProperty
  */
@@ -90,6 +91,17 @@ public:
    */
   vtkSetClampMacro(MaxDrawTimeInSeconds, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaxDrawTimeInSeconds, double);
+  //@}
+
+  //@{
+  /**
+   * Most bytes that the mesh, its scalars and the tables may take on the GPU; textures of the size
+   * of the picture come on top (up to 28 bytes a pixel). 0, the default: no limit but the GL's. A
+   * larger mesh is refused with an error before anything of it is allocated there, and, if its
+   * cells alone tell, before it is prepared.
+   */
+  vtkSetClampMacro(MaxMemoryInBytes, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaxMemoryInBytes, vtkIdType);
   //@}
 
   /**
@@ -171,6 +183,7 @@ protected:
 
   int OpacityLaw = UNSTRUCTURED;
   double MaxDrawTimeInSeconds = 0.25;
+  vtkIdType MaxMemoryInBytes = 0;
   bool CollectDiagnostics = false;
 
 private:

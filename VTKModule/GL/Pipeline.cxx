@@ -3,17 +3,15 @@
 #include "GL/Pipeline.h"
 
 #include "GL/FmaProbe.h"
+#include "Scene/WithinMemory.h"
 
-#include "vtkCellArray.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPoints.h"
 #include "vtkRenderer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -22,43 +20,30 @@
 
 namespace tetmarch
 {
+
 bool Pipeline::fail(const std::string& error)
 {
   this->Error = error;
   return false;
 }
 
-void Pipeline::begin()
+void Pipeline::begin(std::uint64_t mostBytes)
 {
   this->Error.clear();
   this->Passes.clear();
+  this->Limits = { mostTexels(), mostBytes };
 }
 
 bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)
 {
-  Fingerprint input;
-  add(input, grid->GetPoints());
-  add(input, grid->GetCells());
-  add(input, grid->GetCellTypesArray());
-  add(input, grid->GetFaces());
-  if (input == this->MeshInput)
-  {
-    return !this->Mesh.Tets.empty();
-  }
-  this->MeshInput.clear();
-  this->ScalarsInput.clear();
-  this->OnGpu.expectMesh();
-
-  StageRecorder recorder(this->MeshRecord);
   std::string error;
-  const BuildStatus status = buildTetMesh(grid, progress, this->Mesh, error);
-  if (status != BuildStatus::Done)
+  if (!this->Meshed.isCurrent(grid))
   {
-    this->Mesh = {};
-    return this->fail(error);
+    this->ScalarsInput.clear();
+    this->OnGpu.expectMesh();
+    error = this->Meshed.make(grid, this->Limits, progress);
   }
-  this->MeshInput = input;
-  return !this->Mesh.Tets.empty();
+  return error.empty() ? !this->mesh().Tets.empty() : this->fail(error);
 }
 
 bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars)
@@ -79,11 +64,20 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
     return true;
   }
   StageRecorder recorder(this->ScalarsRecord);
-  this->CellScalars.clear();
-  this->Range = cellScalars ? makeCellScalars(array, this->Mesh, this->CellScalars)
-                            : setPointScalars(grid, array, this->Mesh);
-  this->ScalarsInput = input;
+  this->ScalarsInput.clear();
   this->OnGpu.expectScalars();
+  this->CellScalars.clear();
+  const std::string shortage = withinMemory("the scalars",
+    [&]
+    {
+      this->Range = cellScalars ? makeCellScalars(array, this->mesh(), this->CellScalars)
+                                : setPointScalars(grid, array, this->Meshed.mesh());
+    });
+  if (!shortage.empty())
+  {
+    return this->fail(shortage);
+  }
+  this->ScalarsInput = input;
   return true;
 }
 
@@ -100,13 +94,21 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law)
   if (input != this->TablesInput)
   {
     StageRecorder recorder(this->TablesRecord);
-    const SampledFunctions functions = sampleFunctions(property, law, this->Range.Low,
-      this->Range.High, samplesOfTable(DefaultAccuracy.TableEntries));
-    this->Table = makeIntegralTable(functions);
+    this->TablesInput.clear();
+    this->OnGpu.expectTables();
+    const std::string shortage = withinMemory("the tables of the transfer functions",
+      [&]
+      {
+        this->Table = makeIntegralTable(sampleFunctions(property, law, this->Range.Low,
+          this->Range.High, samplesOfTable(DefaultAccuracy.TableEntries)));
+      });
+    if (!shortage.empty())
+    {
+      return this->fail(shortage);
+    }
     this->Visible = std::any_of(this->Table.Values.begin(), this->Table.Values.end(),
       [](const std::array<float, 4>& v) { return v[3] > 0; });
     this->TablesInput = input;
-    this->OnGpu.expectTables();
   }
   return this->Visible;
 }
@@ -119,14 +121,18 @@ bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume)
     return this->fail("The scalar opacity unit distance is " + std::to_string(unit) +
                       "; it must be above 0 (vtkVolumeProperty::SetScalarOpacityUnitDistance).");
   }
-  if (!makeView(renderer, volume, this->Mesh, unit, this->Camera))
+  if (!makeView(renderer, volume, this->mesh(), unit, this->Camera))
   {
     return this->fail("The matrix of the volume or of the camera is singular or not finite.");
   }
   const bool needsSearch = this->Camera.CutsNearPlane;
-  if (needsSearch && !this->Mesh.hasHierarchy())
+  if (needsSearch && !this->mesh().hasHierarchy())
   {
-    ensureHierarchy(this->Mesh);
+    const std::string error = this->Meshed.addHierarchy();
+    if (!error.empty())
+    {
+      return this->fail(error);
+    }
     this->OnGpu.expectLinks();
   }
   return true;
@@ -146,12 +152,21 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
     this->Watch.begin(window, [this](vtkWindow* ending) { this->release(ending); });
     this->HasFma = hasFusedMultiplyAdd(window);
   }
+  const std::string excess =
+    describeExcess(bufferSizes(this->mesh(), this->CellScalars.size(), this->Table.Values.size()),
+      this->Limits, SizesAre::Exact);
+  if (!excess.empty())
+  {
+    this->release(window);
+    return this->fail(excess);
+  }
   if (this->OnGpu.isCurrent())
   {
     return true;
   }
   StageRecorder recorder(this->UploadRecord);
-  const std::string error = this->OnGpu.upload(window, this->Mesh, this->CellScalars, this->Table);
+  const std::string error =
+    this->OnGpu.upload(window, this->mesh(), this->CellScalars, this->Table);
   this->Passes.expectChange();
   if (!error.empty())
   {
@@ -181,7 +196,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   VariantKey key;
   key.PointScalars = this->CellScalars.empty();
   key.RasterEntry = !this->Camera.CutsNearPlane;
-  key.Hierarchy = this->Mesh.ReentryNodes > 0;
+  key.Hierarchy = this->mesh().ReentryNodes > 0;
   key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
   key.HasFma = this->HasFma;
   inputs.Key = key.filtered();
@@ -195,8 +210,16 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   // Who is told of progress may release what is being drawn.
   const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
   bool stopped = false;
-  const std::string error =
-    this->Passes.draw(window, this->Mesh, inputs, options.Diagnostics, goOn, stopped);
+  std::string error;
+  const std::string shortage = withinMemory("drawing",
+    [&] {
+      error = this->Passes.draw(window, this->mesh(), inputs, options.Diagnostics, goOn, stopped);
+    });
+  if (!shortage.empty())
+  {
+    this->Passes.clear();
+    error = shortage;
+  }
   return error.empty() ? !stopped : this->fail(error);
 }
 

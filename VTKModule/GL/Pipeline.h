@@ -8,9 +8,9 @@
 #include "GL/ContextWatch.h"
 #include "GL/FramePasses.h"
 #include "GL/GpuData.h"
-#include "Mesh/TetMeshBuilder.h"
 #include "Optics/TransferFunctions.h"
 #include "Scene/Fingerprint.h"
+#include "Scene/MeshStage.h"
 #include "Scene/StageRecord.h"
 #include "Scene/View.h"
 
@@ -38,8 +38,9 @@ struct DrawOptions
 class Pipeline
 {
 public:
-  /** Forget what the last frame drew and complained of. */
-  void begin();
+  /** Forget what the last frame drew and complained of. The window's context is current; 0 bytes
+   * are no limit. */
+  void begin(std::uint64_t mostBytes);
   /**
    * The stages, in the order of a frame. Each returns whether the frame can go on; if not, error()
    * says what is wrong, or is empty if there is nothing to draw or the user stopped it.
@@ -58,13 +59,13 @@ public:
   vtkOpenGLRenderWindow* window() const { return this->Window; }
 
   const std::string& error() const { return this->Error; }
-  const TetMesh& mesh() const { return this->Mesh; }
+  const TetMesh& mesh() const { return this->Meshed.mesh(); }
+  const StageRecord& meshRecord() const { return this->Meshed.record(); }
   const Diagnostics& counted() const { return this->Passes.counted(); }
   int numberOfDraws() const { return this->Passes.numberOfDraws(); }
   std::size_t gpuBytes() const { return this->OnGpu.bytes() + this->Passes.bytes(); }
   std::int64_t uploadedBytes() const { return this->OnGpu.uploadedBytes(); }
 
-  StageRecord MeshRecord;
   StageRecord ScalarsRecord;
   StageRecord TablesRecord;
   StageRecord UploadRecord;
@@ -74,9 +75,9 @@ private:
   Viewport currentViewport() const;
 
   std::string Error;
+  ResourceLimits Limits;
 
-  Fingerprint MeshInput;
-  TetMesh Mesh;
+  MeshStage Meshed;
 
   Fingerprint ScalarsInput;
   std::vector<float> CellScalars; // empty if point scalars are drawn
