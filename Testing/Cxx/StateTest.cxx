@@ -7,7 +7,6 @@
 #include "WatchedMapper.h"
 
 #include "vtkActor.h"
-#include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -15,7 +14,6 @@
 #include "vtkProperty.h"
 
 #include <gtest/gtest.h>
-#include <map>
 
 namespace
 {

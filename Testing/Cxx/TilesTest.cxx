@@ -6,6 +6,9 @@
 #include "Scene.h"
 
 #include "vtkFloatArray.h"
+#include "vtkOpenGLRenderUtilities.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 
 #include <algorithm>
 #include <chrono>
@@ -249,6 +252,25 @@ TEST_F(AbortedTiles, ObserversMayDrawElsewhere)
       this->Shown.Mapper, vtkCommand::ProgressEvent, [&] { other.Window->Render(); });
     this->Shown.Window->Render();
     EXPECT_EQ(this->Shown.Mapper->GetNumberOfDraws(), MostDraws);
+    EXPECT_EQ(this->Shown.frame().Rgba, this->Frame.Rgba);
+  }
+  this->expectWholeFrame();
+}
+
+TEST_F(AbortedTiles, ObserversMayLeaveAnotherState)
+{
+  vtkOpenGLState* state = vtkOpenGLRenderWindow::SafeDownCast(this->Shown.Window)->GetState();
+  {
+    const Observer observer(this->Shown.Window, vtkCommand::AbortCheckEvent,
+      [state]
+      {
+        state->vtkglViewport(3, 4, 50, 60);
+        state->vtkglColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
+        state->vtkglEnable(GL_SCISSOR_TEST);
+        state->vtkglScissor(7, 8, 20, 30);
+        state->vtkglBindFramebuffer(GL_FRAMEBUFFER, 0);
+      });
+    this->Shown.Window->Render();
     EXPECT_EQ(this->Shown.frame().Rgba, this->Frame.Rgba);
   }
   this->expectWholeFrame();

@@ -101,7 +101,7 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
     program->SetUniformi("cutsFarPlane", view.CutsFarPlane ? 1 : 0);
   }
 
-  // Not by the scissor box: llvmpipe applies it to samples, not to pixels.
+  // A scissor box would do, but llvmpipe gets its edges wrong when pixels have several samples.
   const bool whole = tile.Width >= target.Width && tile.Height >= target.Height;
   const std::array<float, 4> corners = whole ? CoveringTriangle : cornersOf(tile, target);
   program->SetUniform4f("tile", corners.data());

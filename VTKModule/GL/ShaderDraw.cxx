@@ -9,26 +9,26 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+
+#include <map>
+#include <vector>
 
 namespace tetmarch
 {
-
 namespace
 {
+
+using Shaders = std::map<vtkShader::Type, vtkShader*>;
 
 // What a cache keeps of a program that it could not build.
 class CacheAccess : public vtkOpenGLShaderCache
 {
 public:
-  static vtkShaderProgram* find(
-    vtkOpenGLShaderCache* cache, std::string vertex, std::string fragment)
+  static vtkShaderProgram* find(vtkOpenGLShaderCache* cache, const Shaders& shaders)
   {
-    std::string geometry;
-    const auto replace = &CacheAccess::ReplaceShaderValues;
-    (cache->*replace)(vertex, fragment, geometry);
-    vtkShaderProgram* (vtkOpenGLShaderCache::*get)(const char*, const char*, const char*) =
-      &CacheAccess::GetShaderProgram;
-    return (cache->*get)(vertex.c_str(), fragment.c_str(), geometry.c_str());
+    vtkShaderProgram* (vtkOpenGLShaderCache::*get)(Shaders) = &CacheAccess::GetShaderProgram;
+    return (cache->*get)(shaders);
   }
 };
 
@@ -56,13 +56,22 @@ std::string messageOf(vtkShaderProgram* program)
 vtkShaderProgram* ShaderDraw::use(vtkOpenGLRenderWindow* window, const std::string& vertexFile,
   const std::string& fragmentFile, const std::string& defines, std::string& error)
 {
-  const std::string vertex = shaderSource(vertexFile, defines);
-  const std::string fragment = shaderSource(fragmentFile, defines);
+  // Of all types that this VTK knows, most of them empty.
+  std::vector<vtkSmartPointer<vtkShader>> owned;
+  Shaders shaders;
+  for (int type = vtkShader::Vertex; type < vtkShader::Unknown; ++type)
+  {
+    owned.push_back(vtkSmartPointer<vtkShader>::New());
+    owned.back()->SetType(static_cast<vtkShader::Type>(type));
+    shaders[static_cast<vtkShader::Type>(type)] = owned.back();
+  }
+  shaders[vtkShader::Vertex]->SetSource(shaderSource(vertexFile, defines));
+  shaders[vtkShader::Fragment]->SetSource(shaderSource(fragmentFile, defines));
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  vtkShaderProgram* program = cache->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+  vtkShaderProgram* program = cache->ReadyShaderProgram(shaders);
   if (!program)
   {
-    vtkShaderProgram* failed = CacheAccess::find(cache, vertex, fragment);
+    vtkShaderProgram* failed = CacheAccess::find(cache, shaders);
     const std::string message = messageOf(failed);
     error = "The shader of " + vertexFile + " and " + fragmentFile + " could not be built" +
             (message.empty() ? ", and the GL does not say why."
