@@ -51,6 +51,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     return;
   }
+  tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
+  pipeline.begin(static_cast<std::uint64_t>(this->MaxMemoryInBytes));
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
   if (!grid || grid->GetNumberOfCells() == 0)
   {
@@ -65,12 +67,13 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 
   int cellScalars = 0;
   vtkDataArray* scalars = this->FindScalars(grid, cellScalars);
-  tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
   const auto progress = [this, window](double share)
   {
     this->UpdateProgress(share);
     return !window->CheckAbortStatus();
   };
+
+  const tetmarch::DrawOptions options{ this->CollectDiagnostics, this->MaxDrawTimeInSeconds };
 
   const bool drawn = scalars && pipeline.updateMesh(grid, progress) &&
                      pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
@@ -78,13 +81,17 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
                        this->OpacityLaw == STRUCTURED ? tetmarch::OpacityLaw::Structured
                                                       : tetmarch::OpacityLaw::Unstructured) &&
                      pipeline.updateView(renderer, volume) && pipeline.upload(window) &&
-                     pipeline.draw(window, renderer, this->CollectDiagnostics);
+                     pipeline.draw(window, renderer, options, progress);
   this->ReportError(scalars ? pipeline.error() : this->DescribeMissingScalars());
   this->ReportMesh();
 
   if (drawn)
   {
     glFinish();
+    if (pipeline.numberOfDraws() > 1)
+    {
+      this->UpdateProgress(1.0);
+    }
   }
   timer->StopTimer();
   this->TimeToDraw = timer->GetElapsedTime();
@@ -192,7 +199,7 @@ vtkTypeInt64 vtkTetMarchVolumeMapper::GetGPUMemoryBytes() const
 //------------------------------------------------------------------------------
 double vtkTetMarchVolumeMapper::GetMeshSeconds() const
 {
-  return this->Internal->Pipeline.MeshRecord.Seconds;
+  return this->Internal->Pipeline.meshRecord().Seconds;
 }
 double vtkTetMarchVolumeMapper::GetScalarsSeconds() const
 {
@@ -210,7 +217,7 @@ double vtkTetMarchVolumeMapper::GetUploadSeconds() const
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetMeshBuilds() const
 {
-  return this->Internal->Pipeline.MeshRecord.Runs;
+  return this->Internal->Pipeline.meshRecord().Runs;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetScalarsBuilds() const
 {
@@ -222,39 +229,45 @@ vtkTypeInt64 vtkTetMarchVolumeMapper::GetTablesBuilds() const
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetUploadedBytes() const
 {
-  return this->Internal->Pipeline.UploadedBytes;
+  return this->Internal->Pipeline.uploadedBytes();
+}
+
+//------------------------------------------------------------------------------
+int vtkTetMarchVolumeMapper::GetNumberOfDraws() const
+{
+  return this->Internal->Pipeline.numberOfDraws();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfRays() const
 {
-  return this->Internal->Pipeline.counters().Rays;
+  return this->Internal->Pipeline.counted().counters().Rays;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfCrossedCells() const
 {
-  return this->Internal->Pipeline.counters().Cells;
+  return this->Internal->Pipeline.counted().counters().Cells;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfEvaluations() const
 {
-  return this->Internal->Pipeline.counters().Evaluations;
+  return this->Internal->Pipeline.counted().counters().Evaluations;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfRefusedEntries() const
 {
-  return this->Internal->Pipeline.counters().Refused;
+  return this->Internal->Pipeline.counted().counters().Refused;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfLostRays() const
 {
-  return this->Internal->Pipeline.counters().Lost;
+  return this->Internal->Pipeline.counted().counters().Lost;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfGuardHits() const
 {
-  return this->Internal->Pipeline.counters().Guarded;
+  return this->Internal->Pipeline.counted().counters().Guarded;
 }
 
 //------------------------------------------------------------------------------
 void vtkTetMarchVolumeMapper::GetDiagnosticPixels(vtkFloatArray* pixels) const
 {
-  const std::vector<float>& values = this->Internal->Pipeline.diagnosticPixels();
+  const std::vector<float>& values = this->Internal->Pipeline.counted().pixels();
   pixels->SetNumberOfComponents(4);
   pixels->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / 4));
   std::copy(values.begin(), values.end(), pixels->GetPointer(0));
@@ -266,6 +279,8 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "OpacityLaw: " << (this->OpacityLaw == STRUCTURED ? "Structured" : "Unstructured")
      << "\n";
+  os << indent << "MaxDrawTimeInSeconds: " << this->MaxDrawTimeInSeconds << "\n";
+  os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
   os << indent << "NumberOfBoundaryFaces: " << this->GetNumberOfBoundaryFaces() << "\n";

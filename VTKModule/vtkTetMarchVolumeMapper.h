@@ -26,7 +26,8 @@
  * changed; the Get...Builds() counters tell.
  *
  * Errors (no GL 3.2 context, ids out of range, mesh larger than the GL can hold, ...) are reported
- * once through vtkErrorMacro and leave the frame without this volume.
+ * once through vtkErrorMacro and leave the frame without this volume. A mesh that could not be
+ * prepared is not tried again before the grid or a limit changes.
  *
  * @sa vtkProjectedTetrahedraMapper vtkUnstructuredGridVolumeRayCastMapper vtkVolumeProperty
  */
@@ -79,6 +80,36 @@ public:
   void SetOpacityLawToUnstructured() { this->SetOpacityLaw(UNSTRUCTURED); }
   void SetOpacityLawToStructured() { this->SetOpacityLaw(STRUCTURED); }
   //@}
+
+  //@{
+  /**
+   * About how long a single draw call may take, in seconds; 0: no limit. A frame that takes longer,
+   * by what the last one of the same size took, is drawn in tiles. Between two of them
+   * vtkRenderWindow::CheckAbortStatus() is asked and progress is reported; a frame that is aborted
+   * ends there, and the next one is drawn anew. The picture is the same to the last bit, whatever
+   * the limit; a tile costs about a millisecond on a software renderer. Default: 0.25, a little
+   * more than the 0.2 between two checks of a window.
+   */
+  vtkSetClampMacro(MaxDrawTimeInSeconds, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaxDrawTimeInSeconds, double);
+  //@}
+
+  //@{
+  /**
+   * Most bytes that the mesh, its scalars and the tables may take on the GPU; textures of the size
+   * of the picture come on top (up to 28 bytes a pixel). 0, the default: no limit but the GL's. A
+   * larger mesh is refused with an error before anything of it is allocated there, and, if its
+   * cells alone tell, before it is prepared.
+   */
+  vtkSetClampMacro(MaxMemoryInBytes, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaxMemoryInBytes, vtkIdType);
+  //@}
+
+  /**
+   * In how many draw calls the last frame was marched, up to where it ended if it was aborted; 0 if
+   * nothing was drawn.
+   */
+  int GetNumberOfDraws() const;
 
   //@{
   /**
@@ -152,6 +183,8 @@ protected:
   ~vtkTetMarchVolumeMapper() override;
 
   int OpacityLaw = UNSTRUCTURED;
+  double MaxDrawTimeInSeconds = 0.25;
+  vtkIdType MaxMemoryInBytes = 0;
   bool CollectDiagnostics = false;
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What can't be drawn is reported once, with what is wrong and what helps, and leaves no trace when
 // it is put right.
-#include "ErrorWatch.h"
+#include "ErrorScene.h"
 #include "OtherGrid.h"
 #include "Scene.h"
 
@@ -23,75 +23,12 @@ namespace
 {
 using namespace tetmarch::testing;
 
-constexpr int Side = 64;
 const double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-Grid lattice() { return jitteredLattice(4, 0.15, 1, sineField()); }
+Grid lattice() { return ErrorScene::soundGrid(); }
 
-class Errors : public testing::Test
+class Errors : public ErrorScene
 {
-protected:
-  Errors()
-  {
-    this->Shown.Renderer->SetBackground(0.2, 0.4, 0.6);
-    this->Sound = this->frame();
-    this->Shown.Volume->VisibilityOff();
-    this->Empty = this->frame();
-    this->Shown.Volume->VisibilityOn();
-    EXPECT_GT(compare(this->Sound, this->Empty).Max, 0.1);
-  }
-
-  Image frame()
-  {
-    this->Shown.Window->Render();
-    return this->Shown.frame();
-  }
-
-  void expectEmpty() { EXPECT_EQ(compare(this->frame(), this->Empty).Max, 0.0); }
-  void expectSound() { EXPECT_EQ(compare(this->frame(), this->Sound).Max, 0.0); }
-
-  // Nothing is drawn, and nothing to complain about.
-  void expectEmptyWithoutErrors()
-  {
-    const ErrorWatch watch(this->Shown.Mapper);
-    this->expectEmpty();
-    EXPECT_EQ(watch.Errors, std::vector<std::string>());
-  }
-
-  // The bad input gives one error that says these words, once until it has been put right.
-  void expectError(const std::function<void()>& spoil, const std::function<void()>& mend,
-    const std::vector<std::string>& words)
-  {
-    ErrorWatch watch(this->Shown.Mapper);
-    for (std::size_t round = 1; round <= 2; ++round)
-    {
-      spoil();
-      for (int i = 0; i < 3; ++i)
-      {
-        this->expectEmpty();
-        ASSERT_EQ(watch.Errors.size(), round);
-      }
-      for (const std::string& word : words)
-      {
-        EXPECT_NE(watch.Errors.back().find(word), std::string::npos)
-          << '"' << word << "\" is not in: " << watch.Errors.back();
-      }
-      mend();
-      this->expectSound();
-      EXPECT_EQ(watch.Errors.size(), round);
-    }
-  }
-
-  void show(vtkUnstructuredGridBase* grid) { this->Shown.Mapper->SetInputData(grid); }
-  void showSound() { this->show(this->Shown.Data); }
-  void expectErrorOf(vtkUnstructuredGridBase* grid, const std::vector<std::string>& words)
-  {
-    this->expectError([=] { this->show(grid); }, [this] { this->showSound(); }, words);
-  }
-
-  Scene Shown{ lattice(), Side, Side };
-  Image Sound;
-  Image Empty;
 };
 
 TEST_F(Errors, NoScalars)

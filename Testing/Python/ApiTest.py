@@ -39,9 +39,12 @@ class ApiTest(unittest.TestCase):
         mapper = vtkTetMarchVolumeMapper()
         self.assertEqual(mapper.GetOpacityLaw(), vtkTetMarchVolumeMapper.UNSTRUCTURED)
         self.assertFalse(mapper.GetCollectDiagnostics())
+        self.assertEqual(mapper.GetMaxDrawTimeInSeconds(), 0.25)
+        self.assertEqual(mapper.GetMaxMemoryInBytes(), 0)
         figures = [name for name in dir(mapper)
                    if name.startswith("GetNumberOf") and "Generations" not in name or
-                   name.endswith(("Builds", "Seconds", "Bytes")) and name.startswith("Get")]
+                   name.endswith(("Builds", "Seconds", "Bytes")) and name.startswith("Get") and
+                   not name.startswith("GetMax")]
         own = [name for name in figures if name in vars(vtkTetMarchVolumeMapper)]
         self.assertGreater(len(own), 15)
         for name in own:
@@ -72,11 +75,24 @@ class ApiTest(unittest.TestCase):
         mapper.CollectDiagnosticsOff()
         self.assertFalse(mapper.GetCollectDiagnostics())
 
+    def test_the_limits(self):
+        mapper = vtkTetMarchVolumeMapper()
+        for name, value in (("MaxDrawTimeInSeconds", 0.5), ("MaxMemoryInBytes", 3 << 33)):
+            set_limit = getattr(mapper, "Set" + name)
+            get_limit = getattr(mapper, "Get" + name)
+            before = mapper.GetMTime()
+            set_limit(value)
+            self.assertEqual(get_limit(), value)
+            self.assertGreater(mapper.GetMTime(), before)
+            set_limit(-1)
+            self.assertEqual(get_limit(), 0)
+
     def test_printed_state(self):
         mapper = vtkTetMarchVolumeMapper()
         mapper.SetOpacityLawToStructured()
         text = str(mapper)
-        for line in ("OpacityLaw: Structured", "CollectDiagnostics: Off", "NumberOfTetrahedra: 0"):
+        for line in ("OpacityLaw: Structured", "CollectDiagnostics: Off", "NumberOfTetrahedra: 0",
+                     "MaxDrawTimeInSeconds: 0.25", "MaxMemoryInBytes: 0"):
             self.assertIn(line, text)
 
 

@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <dlfcn.h>
+#include <utility>
 
 namespace
 {
@@ -15,7 +16,10 @@ tetmarch::GLFunctionLoader Loader = nullptr;
 namespace tetmarch
 {
 
-void SetGLFunctionLoader(GLFunctionLoader loader) { Loader = loader; }
+GLFunctionLoader SetGLFunctionLoader(GLFunctionLoader loader)
+{
+  return std::exchange(Loader, loader);
+}
 
 GLFunction FindGLFunction(const char* name)
 {
@@ -35,18 +39,18 @@ extern "C" __attribute__((visibility("default"))) tetmarch::GLFunction glXGetPro
   return tetmarch::FindGLFunction(reinterpret_cast<const char*>(name));
 }
 
-// A function is looked up at its first call after the backend was chosen.
+// A function is looked up at its first call after the loader was set.
 #define TETMARCH_FORWARD(result, name, parameters, arguments)                                      \
   extern "C" __attribute__((visibility("default"))) result name parameters                         \
   {                                                                                                \
     using Result = result;                                                                         \
     using Function = Result(*) parameters;                                                         \
-    static Function known = nullptr;                                                               \
-    Function call = known;                                                                         \
-    if (!call)                                                                                     \
+    static Function call = nullptr;                                                                \
+    static tetmarch::GLFunctionLoader finder = nullptr;                                            \
+    if (!call || !finder || finder != Loader)                                                      \
     {                                                                                              \
       call = reinterpret_cast<Function>(tetmarch::FindGLFunction(#name));                          \
-      known = Loader ? call : nullptr;                                                             \
+      finder = Loader;                                                                             \
     }                                                                                              \
     return call ? call arguments : Result();                                                       \
   }

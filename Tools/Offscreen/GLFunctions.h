@@ -19,9 +19,9 @@ using GLFunctionLoader = GLFunction (*)(const char* name);
 
 /**
  * Send every GL call of the process to the functions that loader finds. Until it is called they go
- * where they would go without this library.
+ * where they would go without this library. Returns the loader of before, or nullptr.
  */
-void SetGLFunctionLoader(GLFunctionLoader loader);
+GLFunctionLoader SetGLFunctionLoader(GLFunctionLoader loader);
 
 GLFunction FindGLFunction(const char* name);
 

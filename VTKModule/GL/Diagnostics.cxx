@@ -7,17 +7,17 @@
 namespace tetmarch
 {
 
-std::string Diagnostics::collect(
-  vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs)
+std::string Diagnostics::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
+  const MarchInputs& inputs, const Progress& progress, bool& stopped)
 {
   this->clear();
   StateScope state(window);
   std::string error = this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 3, false);
   if (error.empty())
   {
-    error = march.drawDiagnostics(window, inputs);
+    error = march.drawDiagnostics(window, inputs, this->Tiles, progress, stopped);
   }
-  if (!error.empty())
+  if (!error.empty() || stopped)
   {
     return error;
   }

@@ -16,16 +16,21 @@ namespace tetmarch
 class Diagnostics
 {
 public:
-  /** March once more, counting. Returns an empty string, or what is wrong. */
-  std::string collect(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs);
+  /** March once more, counting, and say in `stopped` if progress asked to stop; nothing is then
+   * kept. Returns an empty string, or what is wrong. */
+  std::string collect(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
+    const Progress& progress, bool& stopped);
   const MarchCounters& counters() const { return this->Counters; }
   /** Premultiplied RGBA in float, rows from the bottom, of the last collect(). */
   const std::vector<float>& pixels() const { return this->Pixels; }
   void clear();
+  /** The next collect() may take much longer than the last. */
+  void expectChange() { this->Tiles.expectChange(); }
   void release(vtkWindow* window) { this->Target.release(window); }
 
 private:
   FloatTarget Target;
+  TileSchedule Tiles;
   MarchCounters Counters;
   std::vector<float> Pixels;
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/FloatTarget.h"
 
+#include "GL/ErrorQueue.h"
+
 #include "vtkNew.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -9,6 +11,16 @@
 
 namespace tetmarch
 {
+namespace
+{
+
+std::string describe(int width, int height, int colors, bool depth)
+{
+  return std::to_string(colors) + " float texture(s) of " + std::to_string(width) + " x " +
+         std::to_string(height) + " pixels" + (depth ? " with depths" : "");
+}
+
+} // namespace
 
 std::string FloatTarget::bind(
   vtkOpenGLRenderWindow* window, int width, int height, int colors, bool depth)
@@ -16,6 +28,7 @@ std::string FloatTarget::bind(
   if (width != this->Width || height != this->Height || !this->Framebuffer)
   {
     this->release(window);
+    clearErrors();
     this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
     this->Framebuffer->SetContext(window);
     this->Framebuffer->Bind();
@@ -39,14 +52,20 @@ std::string FloatTarget::bind(
     this->Width = width;
     this->Height = height;
     this->Bytes = static_cast<std::size_t>(width) * height * (16 * colors + (depth ? 4 : 0));
+    if (glGetError() != GL_NO_ERROR)
+    {
+      this->release(window);
+      return "The GPU has no room for " + describe(width, height, colors, depth) +
+             ". Close what else uses it, or make the window smaller.";
+    }
   }
   this->Framebuffer->Bind();
   this->Framebuffer->ActivateDrawBuffers(colors);
   if (!this->Framebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER))
   {
     this->release(window);
-    return "The GL can't draw into a float framebuffer of " + std::to_string(width) + " x " +
-           std::to_string(height) + " pixels with " + std::to_string(colors) + " colours.";
+    return "The GL can't draw into " + describe(width, height, colors, depth) +
+           ": its framebuffer is incomplete.";
   }
   return {};
 }

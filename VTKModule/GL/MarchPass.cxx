@@ -22,40 +22,60 @@ void bindImage(vtkShaderProgram* program, const char* sampler, vtkTextureObject*
   program->SetUniformi(sampler, texture->GetTextureUnit());
 }
 
-} // namespace
+constexpr std::array<float, 4> CoveringTriangle{ { -1, -1, 3, 3 } };
 
-std::string MarchPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs)
+// In normalised device coordinates of the target.
+std::array<float, 4> cornersOf(const Viewport& tile, const Viewport& target)
 {
-  StateScope state(window);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglDisable(GL_CULL_FACE);
-  return this->drawVariant(window, inputs, inputs.Area);
+  const auto ndc = [](int pixel, int size) { return static_cast<float>(2.0 * pixel / size - 1.0); };
+  const int x = tile.X - target.X;
+  const int y = tile.Y - target.Y;
+  return { { ndc(x, target.Width), ndc(y, target.Height), ndc(x + tile.Width, target.Width),
+    ndc(y + tile.Height, target.Height) } };
 }
 
-std::string MarchPass::drawDiagnostics(vtkOpenGLRenderWindow* window, MarchInputs inputs)
+} // namespace
+
+std::string MarchPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+  TileSchedule& tiles, const Progress& progress, bool& stopped)
 {
+  return drawInTiles(window, inputs.Area, inputs.MostSecondsPerDraw, tiles, progress, stopped,
+    [&](const Viewport& tile)
+    {
+      StateScope state(window);
+      state->vtkglEnable(GL_BLEND);
+      state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      state->vtkglDisable(GL_DEPTH_TEST);
+      state->vtkglDepthMask(GL_FALSE);
+      state->vtkglDisable(GL_CULL_FACE);
+      return this->drawTile(window, inputs, inputs.Area, tile);
+    });
+}
+
+std::string MarchPass::drawDiagnostics(vtkOpenGLRenderWindow* window, MarchInputs inputs,
+  TileSchedule& tiles, const Progress& progress, bool& stopped)
+{
+  inputs.Key.Diagnostics = true;
+  const Viewport target{ 0, 0, inputs.Area.Width, inputs.Area.Height };
   StateScope state(window);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglViewport(0, 0, inputs.Area.Width, inputs.Area.Height);
+  state->vtkglViewport(0, 0, target.Width, target.Height);
   state->vtkglClearColor(0, 0, 0, 0);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  inputs.Key.Diagnostics = true;
-  return this->drawVariant(window, inputs, { 0, 0, inputs.Area.Width, inputs.Area.Height });
+  return drawInTiles(window, target, inputs.MostSecondsPerDraw, tiles, progress, stopped,
+    [&](const Viewport& tile) { return this->drawTile(window, inputs, target, tile); });
 }
 
-std::string MarchPass::drawVariant(
-  vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& target)
+std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+  const Viewport& target, const Viewport& tile)
 {
   std::string error;
   vtkShaderProgram* program =
-    this->Draw.use(window, "full_view.vert.glsl", "march.frag.glsl", inputs.Key.defines(), error);
+    this->Draw.use(window, "tile.vert.glsl", "march.frag.glsl", inputs.Key.defines(), error);
   if (!program)
   {
     return error;
@@ -81,7 +101,11 @@ std::string MarchPass::drawVariant(
     program->SetUniformi("cutsFarPlane", view.CutsFarPlane ? 1 : 0);
   }
 
-  this->Draw.drawTriangles(1);
+  // A scissor box would do, but llvmpipe gets its edges wrong when pixels have several samples.
+  const bool whole = tile.Width >= target.Width && tile.Height >= target.Height;
+  const std::array<float, 4> corners = whole ? CoveringTriangle : cornersOf(tile, target);
+  program->SetUniform4f("tile", corners.data());
+  this->Draw.drawTriangles(whole ? 1 : 2);
 
   inputs.Mesh->unbind();
   inputs.Tables->unbind();

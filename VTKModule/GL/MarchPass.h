@@ -5,6 +5,7 @@
 #define TetMarchGLMarchPass_h
 
 #include "GL/ShaderDraw.h"
+#include "GL/TiledDraw.h"
 #include "GL/Viewport.h"
 #include "Mesh/Scalars.h"
 #include "Optics/AccuracyLevel.h"
@@ -33,22 +34,27 @@ struct MarchInputs
   AccuracyLevel Level = DefaultAccuracy;
   vtkTextureObject* Entries = nullptr; // if the key has RasterEntry
   vtkTextureObject* Depths = nullptr;  // if the key has OpaqueDepth
+  double MostSecondsPerDraw = 0;       // 0: no limit
 };
 
 class MarchPass
 {
 public:
-  /** Premultiplied, over what the framebuffer that is bound holds. Returns an empty string, or what
-   * is wrong. */
-  std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs);
-  /** Into colours of a float framebuffer that is bound and has the size of the area; no blending.
+  /**
+   * Premultiplied, over what the framebuffer that is bound holds. Returns an empty string, or what
+   * is wrong; `stopped` becomes true if progress asked to stop between two tiles.
    */
-  std::string drawDiagnostics(vtkOpenGLRenderWindow* window, MarchInputs inputs);
+  std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, TileSchedule& tiles,
+    const Progress& progress, bool& stopped);
+  /** The same into colours of a float framebuffer that is bound and has the size of the area,
+   * without blending. */
+  std::string drawDiagnostics(vtkOpenGLRenderWindow* window, MarchInputs inputs,
+    TileSchedule& tiles, const Progress& progress, bool& stopped);
   void release();
 
 private:
-  std::string drawVariant(
-    vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& target);
+  std::string drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+    const Viewport& target, const Viewport& tile);
 
   ShaderDraw Draw;
 };

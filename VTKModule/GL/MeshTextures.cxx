@@ -15,30 +15,12 @@ namespace
 static_assert(sizeof(Vertex) == 16 && sizeof(Link) == 8 && sizeof(HierarchyNode) == 32,
   "arrays are uploaded as they are");
 
-// Before anything is allocated: does the GL take so many texels?
-std::string checkSize(const char* what, std::size_t texels)
-{
-  const std::size_t most = mostTexels();
-  return texels <= most
-           ? std::string()
-           : std::string("The mesh is too large for this GL: it needs ") + std::to_string(texels) +
-               " texels for its " + what + ", the GL takes " + std::to_string(most) +
-               " (GL_MAX_TEXTURE_BUFFER_SIZE). Extract or coarsen a part of the grid.";
-}
-
 } // namespace
 
 std::string MeshTextures::uploadLinks(vtkOpenGLRenderWindow* window, const TetMesh& mesh)
 {
-  std::string error = checkSize("links", mesh.Links.size());
-  if (error.empty())
-  {
-    error = checkSize("vertices", mesh.Vertices.size());
-  }
-  if (error.empty())
-  {
-    error = this->Links.upload(window, TexelFormat::RG32UI, mesh.Links.data(), mesh.Links.size());
-  }
+  std::string error =
+    this->Links.upload(window, TexelFormat::RG32UI, mesh.Links.data(), mesh.Links.size());
   if (error.empty())
   {
     error = this->Boundary.upload(

@@ -136,10 +136,23 @@ std::string OpaqueDepth::capture(vtkOpenGLRenderWindow* window, const Viewport& 
   if (!this->Framebuffer || viewport.Width != this->Width || viewport.Height != this->Height ||
       format != this->Present)
   {
+    clearErrors();
     this->allocate(window, viewport, format);
+    if (glGetError() != GL_NO_ERROR)
+    {
+      this->release(window);
+      return "The GPU has no room for the depths of opaque geometry, " +
+             std::to_string(viewport.Width) + " x " + std::to_string(viewport.Height) +
+             " pixels. Close what else uses it, or make the window smaller.";
+    }
   }
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source));
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  if (!this->Framebuffer->CheckFrameBufferStatus(GL_DRAW_FRAMEBUFFER))
+  {
+    this->release(window);
+    return "The depths of opaque geometry can't be copied: the framebuffer for them is incomplete.";
+  }
   state->vtkglDisable(GL_SCISSOR_TEST);
   clearErrors();
   glBlitFramebuffer(viewport.X, viewport.Y, viewport.X + viewport.Width,
@@ -147,6 +160,7 @@ std::string OpaqueDepth::capture(vtkOpenGLRenderWindow* window, const Viewport& 
     GL_NEAREST);
   if (glGetError() != GL_NO_ERROR)
   {
+    this->release(window);
     return "The depths of opaque geometry (" + std::to_string(format.DepthBits) +
            " bits, stencil " + std::to_string(format.StencilBits) + " bits) could not be copied.";
   }

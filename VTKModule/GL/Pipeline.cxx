@@ -3,68 +3,23 @@
 #include "GL/Pipeline.h"
 
 #include "GL/FmaProbe.h"
+#include "Scene/WithinMemory.h"
 
-#include "vtkCellArray.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPoints.h"
 #include "vtkRenderer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstring>
 
 namespace tetmarch
 {
-namespace
-{
-
-// Adds a run of a stage to its record when the scope ends.
-class Recorder
-{
-public:
-  explicit Recorder(StageRecord& record)
-    : Record(record)
-    , Begin(std::chrono::steady_clock::now())
-  {
-  }
-  ~Recorder()
-  {
-    this->Record.Seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Begin).count();
-    ++this->Record.Runs;
-  }
-  Recorder(const Recorder&) = delete;
-  Recorder& operator=(const Recorder&) = delete;
-
-private:
-  StageRecord& Record;
-  std::chrono::steady_clock::time_point Begin;
-};
-
-// Identity and time of change of an object, which may be null.
-void add(std::vector<std::uintptr_t>& fingerprint, vtkObject* object)
-{
-  fingerprint.push_back(reinterpret_cast<std::uintptr_t>(object));
-  fingerprint.push_back(object ? static_cast<std::uintptr_t>(object->GetMTime()) : 0);
-}
-
-void add(std::vector<std::uintptr_t>& fingerprint, double value)
-{
-  std::uintptr_t bits = 0;
-  std::memcpy(&bits, &value, sizeof(value));
-  fingerprint.push_back(bits);
-}
-
-} // namespace
 
 bool Pipeline::fail(const std::string& error)
 {
@@ -72,32 +27,23 @@ bool Pipeline::fail(const std::string& error)
   return false;
 }
 
-bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)
+void Pipeline::begin(std::uint64_t mostBytes)
 {
   this->Error.clear();
-  Fingerprint input;
-  add(input, grid->GetPoints());
-  add(input, grid->GetCells());
-  add(input, grid->GetCellTypesArray());
-  add(input, grid->GetFaces());
-  if (input == this->MeshInput)
-  {
-    return !this->Mesh.Tets.empty();
-  }
-  this->MeshInput.clear();
-  this->ScalarsInput.clear();
-  this->LinksOnGpu = this->ScalarsOnGpu = false;
+  this->Passes.clear();
+  this->Limits = { mostTexels(), mostBytes };
+}
 
-  Recorder recorder(this->MeshRecord);
+bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)
+{
   std::string error;
-  const BuildStatus status = buildTetMesh(grid, progress, this->Mesh, error);
-  if (status != BuildStatus::Done)
+  if (!this->Meshed.isCurrent(grid))
   {
-    this->Mesh = {};
-    return this->fail(error);
+    this->ScalarsInput.clear();
+    this->OnGpu.expectMesh();
+    error = this->Meshed.make(grid, this->Limits, progress);
   }
-  this->MeshInput = input;
-  return !this->Mesh.Tets.empty();
+  return error.empty() ? !this->mesh().Tets.empty() : this->fail(error);
 }
 
 bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars)
@@ -117,12 +63,21 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   {
     return true;
   }
-  Recorder recorder(this->ScalarsRecord);
+  StageRecorder recorder(this->ScalarsRecord);
+  this->ScalarsInput.clear();
+  this->OnGpu.expectScalars();
   this->CellScalars.clear();
-  this->Range = cellScalars ? makeCellScalars(array, this->Mesh, this->CellScalars)
-                            : setPointScalars(grid, array, this->Mesh);
+  const std::string shortage = withinMemory("the scalars",
+    [&]
+    {
+      this->Range = cellScalars ? makeCellScalars(array, this->mesh(), this->CellScalars)
+                                : setPointScalars(grid, array, this->Meshed.mesh());
+    });
+  if (!shortage.empty())
+  {
+    return this->fail(shortage);
+  }
   this->ScalarsInput = input;
-  this->ScalarsOnGpu = false;
   return true;
 }
 
@@ -138,14 +93,22 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law)
   add(input, this->Range.High);
   if (input != this->TablesInput)
   {
-    Recorder recorder(this->TablesRecord);
-    const SampledFunctions functions = sampleAreas(property, law, this->Range.Low, this->Range.High,
-      samplesOfTable(DefaultAccuracy.TableEntries));
-    this->Table = makeIntegralTable(functions);
+    StageRecorder recorder(this->TablesRecord);
+    this->TablesInput.clear();
+    this->OnGpu.expectTables();
+    const std::string shortage = withinMemory("the tables of the transfer functions",
+      [&]
+      {
+        this->Table = makeIntegralTable(sampleAreas(property, law, this->Range.Low,
+          this->Range.High, samplesOfTable(DefaultAccuracy.TableEntries)));
+      });
+    if (!shortage.empty())
+    {
+      return this->fail(shortage);
+    }
     this->Visible = std::any_of(this->Table.Values.begin(), this->Table.Values.end(),
       [](const std::array<float, 4>& v) { return v[3] > 0; });
     this->TablesInput = input;
-    this->TablesOnGpu = false;
   }
   return this->Visible;
 }
@@ -158,15 +121,19 @@ bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume)
     return this->fail("The scalar opacity unit distance is " + std::to_string(unit) +
                       "; it must be above 0 (vtkVolumeProperty::SetScalarOpacityUnitDistance).");
   }
-  if (!makeView(renderer, volume, this->Mesh, unit, this->Camera))
+  if (!makeView(renderer, volume, this->mesh(), unit, this->Camera))
   {
     return this->fail("The matrix of the volume or of the camera is singular or not finite.");
   }
   const bool needsSearch = this->Camera.CutsNearPlane;
-  if (needsSearch && !this->Mesh.hasHierarchy())
+  if (needsSearch && !this->mesh().hasHierarchy())
   {
-    ensureHierarchy(this->Mesh);
-    this->LinksOnGpu = false;
+    const std::string error = this->Meshed.addHierarchy();
+    if (!error.empty())
+    {
+      return this->fail(error);
+    }
+    this->OnGpu.expectLinks();
   }
   return true;
 }
@@ -185,37 +152,22 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
     this->Watch.begin(window, [this](vtkWindow* ending) { this->release(ending); });
     this->HasFma = hasFusedMultiplyAdd(window);
   }
-  if (this->LinksOnGpu && this->ScalarsOnGpu && this->TablesOnGpu)
+  const std::string excess =
+    describeExcess(bufferSizes(this->mesh(), this->CellScalars.size(), this->Table.Values.size()),
+      this->Limits, SizesAre::Exact);
+  if (!excess.empty())
+  {
+    this->release(window);
+    return this->fail(excess);
+  }
+  if (this->OnGpu.isCurrent())
   {
     return true;
   }
-  Recorder recorder(this->UploadRecord);
-  std::string error;
-  if (!this->LinksOnGpu)
-  {
-    error = this->MeshOnGpu.uploadLinks(window, this->Mesh);
-    this->LinksOnGpu = error.empty();
-    this->UploadedBytes += static_cast<std::int64_t>(
-      sizeof(Link) * this->Mesh.Links.size() + 16 * this->Mesh.BoundaryFaces.size() +
-      sizeof(HierarchyNode) * this->Mesh.Hierarchy.size());
-  }
-  if (error.empty() && !this->ScalarsOnGpu)
-  {
-    error = this->MeshOnGpu.uploadVertices(window, this->Mesh);
-    if (error.empty())
-    {
-      error = this->MeshOnGpu.uploadCellScalars(window, this->CellScalars);
-    }
-    this->ScalarsOnGpu = error.empty();
-    this->UploadedBytes += static_cast<std::int64_t>(
-      sizeof(Vertex) * this->Mesh.Vertices.size() + sizeof(float) * this->CellScalars.size());
-  }
-  if (error.empty() && !this->TablesOnGpu)
-  {
-    error = this->TableOnGpu.upload(window, this->Table);
-    this->TablesOnGpu = error.empty();
-    this->UploadedBytes += static_cast<std::int64_t>(this->TableOnGpu.bytes());
-  }
+  StageRecorder recorder(this->UploadRecord);
+  const std::string error =
+    this->OnGpu.upload(window, this->mesh(), this->CellScalars, this->Table);
+  this->Passes.expectChange();
   if (!error.empty())
   {
     this->release(window);
@@ -232,9 +184,9 @@ Viewport Pipeline::currentViewport() const
   return { area[0], area[1], area[2], area[3] };
 }
 
-bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, bool diagnostics)
+bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
+  const DrawOptions& options, const Progress& progress)
 {
-  this->Counted.clear();
   MarchInputs inputs;
   inputs.Area = this->currentViewport();
   if (inputs.Area.Width <= 0 || inputs.Area.Height <= 0)
@@ -244,55 +196,39 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, bool d
   VariantKey key;
   key.PointScalars = this->CellScalars.empty();
   key.RasterEntry = !this->Camera.CutsNearPlane;
-  key.Hierarchy = this->Mesh.NeedsHierarchy;
+  key.Hierarchy = this->mesh().NeedsHierarchy;
   key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
   key.HasFma = this->HasFma;
   inputs.Key = key.filtered();
   inputs.Camera = &this->Camera;
-  inputs.Mesh = &this->MeshOnGpu;
-  inputs.Tables = &this->TableOnGpu;
+  inputs.Mesh = &this->OnGpu.mesh();
+  inputs.Tables = &this->OnGpu.tables();
   inputs.Table = &this->Table;
   inputs.Range = this->Range;
+  inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
 
+  // Who is told of progress may release what is being drawn.
+  const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
+  bool stopped = false;
   std::string error;
-  if (inputs.Key.RasterEntry)
+  const std::string shortage = withinMemory("drawing",
+    [&] {
+      error = this->Passes.draw(window, this->mesh(), inputs, options.Diagnostics, goOn, stopped);
+    });
+  if (!shortage.empty())
   {
-    error = this->Entry.draw(window, inputs.Area, this->Camera, this->Mesh, this->MeshOnGpu);
-    inputs.Entries = error.empty() ? this->Entry.entries() : nullptr;
+    this->Passes.clear();
+    error = shortage;
   }
-  if (error.empty() && inputs.Key.OpaqueDepth)
-  {
-    error = this->Opaque.capture(window, inputs.Area);
-    inputs.Depths = this->Opaque.texture();
-  }
-  if (error.empty() && diagnostics)
-  {
-    error = this->Counted.collect(window, this->March, inputs);
-  }
-  if (error.empty())
-  {
-    error = this->March.draw(window, inputs);
-  }
-  return error.empty() || this->fail(error);
+  return error.empty() ? !stopped : this->fail(error);
 }
 
 void Pipeline::release(vtkWindow* window)
 {
   this->Watch.end(window);
-  this->MeshOnGpu.release(window);
-  this->TableOnGpu.release(window);
-  this->Entry.release(window);
-  this->Opaque.release(window);
-  this->March.release();
-  this->Counted.release(window);
-  this->LinksOnGpu = this->ScalarsOnGpu = this->TablesOnGpu = false;
+  this->OnGpu.release(window);
+  this->Passes.release(window);
   this->Window = nullptr;
-}
-
-std::size_t Pipeline::gpuBytes() const
-{
-  return this->MeshOnGpu.bytes() + this->TableOnGpu.bytes() + this->Entry.bytes() +
-         this->Opaque.bytes();
 }
 
 } // namespace tetmarch

@@ -6,14 +6,12 @@
 #define TetMarchGLPipeline_h
 
 #include "GL/ContextWatch.h"
-#include "GL/Diagnostics.h"
-#include "GL/EntryPass.h"
-#include "GL/MarchPass.h"
-#include "GL/MeshTextures.h"
-#include "GL/OpaqueDepth.h"
-#include "GL/TableTextures.h"
-#include "Mesh/TetMeshBuilder.h"
+#include "GL/FramePasses.h"
+#include "GL/GpuData.h"
 #include "Optics/TransferFunctions.h"
+#include "Scene/Fingerprint.h"
+#include "Scene/MeshStage.h"
+#include "Scene/StageRecord.h"
 #include "Scene/View.h"
 
 #include "vtkWeakPointer.h"
@@ -30,16 +28,19 @@ class vtkVolumeProperty;
 namespace tetmarch
 {
 
-/** How long a stage took when it last ran, and how often it ran. */
-struct StageRecord
+/** How a frame is drawn. */
+struct DrawOptions
 {
-  double Seconds = 0;
-  std::int64_t Runs = 0;
+  bool Diagnostics = false;
+  double MostSecondsPerDraw = 0; // 0: no limit
 };
 
 class Pipeline
 {
 public:
+  /** Forget what the last frame drew and complained of. The window's context is current; 0 bytes
+   * are no limit. */
+  void begin(std::uint64_t mostBytes);
   /**
    * The stages, in the order of a frame. Each returns whether the frame can go on; if not, error()
    * says what is wrong, or is empty if there is nothing to draw or the user stopped it.
@@ -49,7 +50,8 @@ public:
   bool updateTables(vtkVolumeProperty* property, OpacityLaw law);
   bool updateView(vtkRenderer* renderer, vtkVolume* volume);
   bool upload(vtkOpenGLRenderWindow* window);
-  bool draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, bool diagnostics);
+  bool draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
+    const Progress& progress);
 
   /** Free what is held on the GPU. The context of the window that held it is current. */
   void release(vtkWindow* window);
@@ -57,27 +59,25 @@ public:
   vtkOpenGLRenderWindow* window() const { return this->Window; }
 
   const std::string& error() const { return this->Error; }
-  const TetMesh& mesh() const { return this->Mesh; }
-  const MarchCounters& counters() const { return this->Counted.counters(); }
-  const std::vector<float>& diagnosticPixels() const { return this->Counted.pixels(); }
-  std::size_t gpuBytes() const;
+  const TetMesh& mesh() const { return this->Meshed.mesh(); }
+  const StageRecord& meshRecord() const { return this->Meshed.record(); }
+  const Diagnostics& counted() const { return this->Passes.counted(); }
+  int numberOfDraws() const { return this->Passes.numberOfDraws(); }
+  std::size_t gpuBytes() const { return this->OnGpu.bytes() + this->Passes.bytes(); }
+  std::int64_t uploadedBytes() const { return this->OnGpu.uploadedBytes(); }
 
-  StageRecord MeshRecord;
   StageRecord ScalarsRecord;
   StageRecord TablesRecord;
   StageRecord UploadRecord;
-  std::int64_t UploadedBytes = 0;
 
 private:
-  using Fingerprint = std::vector<std::uintptr_t>;
-
   bool fail(const std::string& error);
   Viewport currentViewport() const;
 
   std::string Error;
+  ResourceLimits Limits;
 
-  Fingerprint MeshInput;
-  TetMesh Mesh;
+  MeshStage Meshed;
 
   Fingerprint ScalarsInput;
   std::vector<float> CellScalars; // empty if point scalars are drawn
@@ -92,15 +92,8 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   ContextWatch Watch; // of that window
   bool HasFma = false;
-  bool LinksOnGpu = false;
-  bool ScalarsOnGpu = false;
-  bool TablesOnGpu = false;
-  MeshTextures MeshOnGpu;
-  TableTextures TableOnGpu;
-  EntryPass Entry;
-  OpaqueDepth Opaque;
-  MarchPass March;
-  Diagnostics Counted;
+  GpuData OnGpu;
+  FramePasses Passes;
 };
 
 } // namespace tetmarch

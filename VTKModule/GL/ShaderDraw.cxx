@@ -7,23 +7,78 @@
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkShader.h"
 #include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+
+#include <map>
+#include <vector>
 
 namespace tetmarch
 {
+namespace
+{
+
+using Shaders = std::map<vtkShader::Type, vtkShader*>;
+
+// What a cache keeps of a program that it could not build.
+class CacheAccess : public vtkOpenGLShaderCache
+{
+public:
+  static vtkShaderProgram* find(vtkOpenGLShaderCache* cache, const Shaders& shaders)
+  {
+    vtkShaderProgram* (vtkOpenGLShaderCache::*get)(Shaders) = &CacheAccess::GetShaderProgram;
+    return (cache->*get)(shaders);
+  }
+};
+
+// The first lines of the GL's message; it may go on for pages.
+std::string beginning(const std::string& log)
+{
+  constexpr std::size_t most = 500;
+  return log.size() <= most ? log : log.substr(0, log.find('\n', most)) + "\n...";
+}
+
+std::string messageOf(vtkShaderProgram* program)
+{
+  for (vtkShader* shader : { program->GetVertexShader(), program->GetFragmentShader() })
+  {
+    if (shader->GetHandle() == 0)
+    {
+      return shader->GetError();
+    }
+  }
+  return program->GetError();
+}
+
+} // namespace
 
 vtkShaderProgram* ShaderDraw::use(vtkOpenGLRenderWindow* window, const std::string& vertexFile,
   const std::string& fragmentFile, const std::string& defines, std::string& error)
 {
-  const std::string vertex = shaderSource(vertexFile, defines);
-  const std::string fragment = shaderSource(fragmentFile, defines);
-  vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+  // Of all types that this VTK knows, most of them empty.
+  std::vector<vtkSmartPointer<vtkShader>> owned;
+  Shaders shaders;
+  for (int type = vtkShader::Vertex; type < vtkShader::Unknown; ++type)
+  {
+    owned.push_back(vtkSmartPointer<vtkShader>::New());
+    owned.back()->SetType(static_cast<vtkShader::Type>(type));
+    shaders[static_cast<vtkShader::Type>(type)] = owned.back();
+  }
+  shaders[vtkShader::Vertex]->SetSource(shaderSource(vertexFile, defines));
+  shaders[vtkShader::Fragment]->SetSource(shaderSource(fragmentFile, defines));
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  vtkShaderProgram* program = cache->ReadyShaderProgram(shaders);
   if (!program)
   {
-    error = "The shader " + fragmentFile +
-            " could not be built; the GL's message is above. In it, sources " +
-            "are numbered: " + sourceLegend() + ".";
+    vtkShaderProgram* failed = CacheAccess::find(cache, shaders);
+    const std::string message = messageOf(failed);
+    error = "The shader of " + vertexFile + " and " + fragmentFile + " could not be built" +
+            (message.empty() ? ", and the GL does not say why."
+                             : ":\n" + beginning(withFileNames(message)));
+    // Else the half that did compile is taken for an error when it is tried again.
+    failed->GetVertexShader()->Cleanup();
+    failed->GetFragmentShader()->Cleanup();
   }
   return program;
 }

@@ -4,6 +4,8 @@
 
 #include "TetMarchShaderFiles.h"
 
+#include <iterator>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -11,6 +13,10 @@ namespace tetmarch
 {
 namespace
 {
+
+// Lines of all files are numbered on, a thousand a file. There are source numbers for that, but
+// Mesa says 0 of most errors.
+constexpr int NumbersPerFile = 1000;
 
 int numberOf(const std::string& file)
 {
@@ -34,7 +40,8 @@ void append(const std::string& file, std::set<std::string>& included, std::ostri
     return;
   }
   // In GLSL 1.50 the line behind a #line directive has the number after the one it names.
-  text << "#line 0 " << number << "\n";
+  const int firstLine = (number + 1) * NumbersPerFile;
+  text << "#line " << firstLine << "\n";
   std::istringstream lines(ShaderFiles[number].Text);
   std::string line;
   for (int at = 1; std::getline(lines, line); ++at)
@@ -43,7 +50,7 @@ void append(const std::string& file, std::set<std::string>& included, std::ostri
     if (line.compare(0, include.size(), include) == 0)
     {
       append(line.substr(include.size(), line.rfind('"') - include.size()), included, text);
-      text << "#line " << at << " " << number << "\n";
+      text << "#line " << firstLine + at << "\n";
     }
     else
     {
@@ -63,14 +70,28 @@ std::string shaderSource(const std::string& file, const std::string& defines)
   return text.str();
 }
 
-std::string sourceLegend()
+std::string withFileNames(const std::string& log)
 {
-  std::string legend;
-  for (const ShaderFile& file : ShaderFiles)
+  static const std::regex place("^((?:ERROR: |WARNING: )?)[0-9]+[:(]([0-9]{4,6})\\)?");
+  std::string named;
+  std::istringstream lines(log);
+  std::string line;
+  while (std::getline(lines, line))
   {
-    legend += (legend.empty() ? "" : ", ") + std::to_string(numberOf(file.Name)) + " " + file.Name;
+    std::smatch match;
+    if (std::regex_search(line, match, place))
+    {
+      const int number = std::stoi(match[2]);
+      const int file = number / NumbersPerFile - 1;
+      if (file < static_cast<int>(std::size(ShaderFiles)))
+      {
+        line = match[1].str() + ShaderFiles[file].Name + ":" +
+               std::to_string(number % NumbersPerFile) + match.suffix().str();
+      }
+    }
+    named += (named.empty() ? "" : "\n") + line;
   }
-  return legend;
+  return named;
 }
 
 } // namespace tetmarch

@@ -11,13 +11,16 @@ namespace tetmarch
 
 /**
  * The text of a shader file for vtkOpenGLShaderCache: the version tag, the defines, the file with
- * its #include lines replaced by the files, each once, under #line directives whose source number
- * is explained by sourceLegend().
+ * its #include lines replaced by the files, each once, under #line directives with numbers that
+ * withFileNames() knows.
  */
 std::string shaderSource(const std::string& file, const std::string& defines = {});
 
-/** "0 march.frag.glsl, 1 language.glsl, ...": for messages about compile errors. */
-std::string sourceLegend();
+/**
+ * A compiler's messages with "march.glsl:12" where they begin a line with "7:12", "7(12)" or
+ * "ERROR: 7:12", as those of various GLs do.
+ */
+std::string withFileNames(const std::string& log);
 
 } // namespace tetmarch
 

@@ -52,19 +52,31 @@ std::string TextureBuffer::upload(
   if (!uploaded || glGetError() != GL_NO_ERROR)
   {
     this->release(window);
-    return "The GPU has no room for a buffer of " + std::to_string(4 * words) + " bytes.";
+    return "The GPU has no room for a buffer of " + std::to_string(4 * words) +
+           " bytes. Close what else uses it, or extract or coarsen a part of the grid.";
   }
   this->Texture->SetContext(window);
   this->Texture->SetInternalFormat(row.InternalFormat);
   this->Texture->SetFormat(row.Format);
   if (!this->Texture->CreateTextureBuffer(
-        static_cast<unsigned int>(texels), row.Components, row.Type, this->Buffer))
+        static_cast<unsigned int>(texels), row.Components, row.Type, this->Buffer) ||
+      !this->isAttached() || glGetError() != GL_NO_ERROR)
   {
     this->release(window);
-    return "A texture buffer of " + std::to_string(texels) + " texels could not be made.";
+    return "The GL makes no texture of a buffer of " + std::to_string(texels) + " texels.";
   }
   this->Bytes = 4 * words;
   return {};
+}
+
+// VTK may have taken the error from the queue.
+bool TextureBuffer::isAttached()
+{
+  int handle = 0;
+  this->Texture->Activate();
+  glGetIntegerv(GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &handle);
+  this->Texture->Deactivate();
+  return handle == this->Buffer->GetHandle();
 }
 
 void TextureBuffer::bind(vtkShaderProgram* program, const char* sampler)

@@ -40,6 +40,8 @@ public:
   std::size_t bytes() const { return this->Bytes; }
 
 private:
+  bool isAttached();
+
   vtkNew<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkTextureObject> Texture;
   std::size_t Bytes = 0;

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ScarceMemory.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+namespace
+{
+constexpr std::size_t Plenty = std::numeric_limits<std::size_t>::max();
+constexpr int All = -1;
+
+std::atomic<std::size_t> Bytes{ Plenty };
+std::atomic<int> Countdown{ All };
+std::atomic<int> Failures{ 0 };
+
+bool fails(std::size_t bytes)
+{
+  if (bytes < Bytes)
+  {
+    return false;
+  }
+  if (Countdown != All && Countdown.fetch_sub(1) != 0)
+  {
+    return false;
+  }
+  if (Countdown != All)
+  {
+    Bytes = Plenty;
+  }
+  ++Failures;
+  return true;
+}
+} // namespace
+
+void* operator new(std::size_t bytes)
+{
+  void* memory = fails(bytes) ? nullptr : std::malloc(bytes > 0 ? bytes : 1);
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  return memory;
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace tetmarch::testing
+{
+ScarceMemory::ScarceMemory(std::size_t bytes)
+  : ScarceMemory(bytes, All)
+{
+}
+ScarceMemory::ScarceMemory(std::size_t bytes, int successes)
+{
+  Failures = 0;
+  Countdown = successes;
+  Bytes = bytes;
+}
+ScarceMemory::~ScarceMemory() { Bytes = Plenty; }
+int ScarceMemory::failures() { return Failures; }
+} // namespace tetmarch::testing

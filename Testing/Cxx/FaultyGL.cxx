@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FaultyGL.h"
+
+#include "GLFunctions.h"
+
+#include "vtkOpenGLRenderUtilities.h"
+
+#include <cstring>
+
+namespace tetmarch::testing
+{
+namespace
+{
+// What is to fail, and what did.
+struct
+{
+  bool Active = false;
+  Fault Kind = Fault::CompileStatus;
+  int Call = 0;
+  bool Happened = false;
+  GLenum Error = GL_NO_ERROR; // for the next glGetError()
+  int MostTexels = 0;
+  std::function<std::string(const std::string&)> Rewrite;
+} Plan;
+
+bool fails(Fault kind)
+{
+  if (!Plan.Active || Plan.Kind != kind || Plan.Call-- != 0)
+  {
+    return false;
+  }
+  Plan.Happened = true;
+  return true;
+}
+
+bool failsWith(Fault kind, GLenum error)
+{
+  const bool fault = fails(kind);
+  Plan.Error = fault ? error : Plan.Error;
+  return fault;
+}
+
+// GLEW's functions, as they are.
+PFNGLGETSHADERIVPROC GetShaderiv;
+PFNGLGETPROGRAMIVPROC GetProgramiv;
+PFNGLSHADERSOURCEPROC ShaderSource;
+PFNGLCHECKFRAMEBUFFERSTATUSPROC CheckFramebufferStatus;
+PFNGLBUFFERDATAPROC BufferData;
+PFNGLTEXBUFFERPROC TexBuffer;
+PFNGLBLITFRAMEBUFFERPROC BlitFramebuffer;
+
+void GLAPIENTRY getShaderiv(GLuint shader, GLenum name, GLint* value)
+{
+  GetShaderiv(shader, name, value);
+  if (name == GL_COMPILE_STATUS && fails(Fault::CompileStatus))
+  {
+    *value = 0;
+  }
+}
+void GLAPIENTRY getProgramiv(GLuint program, GLenum name, GLint* value)
+{
+  GetProgramiv(program, name, value);
+  if (name == GL_LINK_STATUS && fails(Fault::LinkStatus))
+  {
+    *value = 0;
+  }
+}
+void GLAPIENTRY shaderSource(
+  GLuint shader, GLsizei count, const GLchar* const* texts, const GLint* lengths)
+{
+  if (!Plan.Rewrite || count != 1 || lengths)
+  {
+    ShaderSource(shader, count, texts, lengths);
+    return;
+  }
+  const std::string text = Plan.Rewrite(texts[0]);
+  Plan.Happened = Plan.Happened || text != texts[0];
+  const GLchar* rewritten = text.c_str();
+  ShaderSource(shader, 1, &rewritten, nullptr);
+}
+GLenum GLAPIENTRY checkFramebufferStatus(GLenum target)
+{
+  return fails(Fault::FramebufferStatus) ? GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT
+                                         : CheckFramebufferStatus(target);
+}
+void GLAPIENTRY bufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage)
+{
+  if (!failsWith(Fault::BufferData, GL_OUT_OF_MEMORY))
+  {
+    BufferData(target, size, data, usage);
+  }
+}
+void GLAPIENTRY texBuffer(GLenum target, GLenum format, GLuint buffer)
+{
+  if (!failsWith(Fault::TexBuffer, GL_OUT_OF_MEMORY))
+  {
+    TexBuffer(target, format, buffer);
+  }
+}
+void GLAPIENTRY blitFramebuffer(GLint a, GLint b, GLint c, GLint d, GLint e, GLint f, GLint g,
+  GLint h, GLbitfield mask, GLenum filter)
+{
+  if (!failsWith(Fault::Blit, GL_INVALID_OPERATION))
+  {
+    BlitFramebuffer(a, b, c, d, e, f, g, h, mask, filter);
+  }
+}
+
+void exchangeGLEW()
+{
+  const auto exchange = [](auto& kept, auto& pointer, auto replacement)
+  {
+    if (pointer != replacement)
+    {
+      kept = pointer;
+      pointer = replacement;
+    }
+    else
+    {
+      pointer = kept;
+    }
+  };
+  exchange(GetShaderiv, __glewGetShaderiv, &getShaderiv);
+  exchange(GetProgramiv, __glewGetProgramiv, &getProgramiv);
+  exchange(ShaderSource, __glewShaderSource, &shaderSource);
+  exchange(CheckFramebufferStatus, __glewCheckFramebufferStatus, &checkFramebufferStatus);
+  exchange(BufferData, __glewBufferData, &bufferData);
+  exchange(TexBuffer, __glewTexBuffer, &texBuffer);
+  exchange(BlitFramebuffer, __glewBlitFramebuffer, &blitFramebuffer);
+}
+
+// The functions of GL 1.1.
+GLFunctionLoader Loader = nullptr;
+
+template <typename Function>
+Function original(const char* name)
+{
+  return reinterpret_cast<Function>(Loader(name));
+}
+
+GLenum getError()
+{
+  const GLenum error = original<GLenum (*)()>("glGetError")();
+  const GLenum planned = Plan.Error;
+  Plan.Error = GL_NO_ERROR;
+  return error != GL_NO_ERROR ? error : planned;
+}
+void getIntegerv(GLenum name, GLint* value)
+{
+  original<void (*)(GLenum, GLint*)>("glGetIntegerv")(name, value);
+  if (name == GL_MAX_TEXTURE_BUFFER_SIZE && Plan.MostTexels > 0)
+  {
+    *value = Plan.MostTexels;
+    Plan.Happened = true;
+  }
+}
+void texImage2D(GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height,
+  GLint border, GLenum format, GLenum type, const void* data)
+{
+  if (!failsWith(Fault::TexImage, GL_OUT_OF_MEMORY))
+  {
+    original<decltype(&texImage2D)>("glTexImage2D")(
+      target, level, internal, width, height, border, format, type, data);
+  }
+}
+
+GLFunction faultyFunction(const char* name)
+{
+  const auto is = [name](const char* other) { return std::strcmp(name, other) == 0; };
+  return is("glGetError")      ? reinterpret_cast<GLFunction>(&getError)
+         : is("glGetIntegerv") ? reinterpret_cast<GLFunction>(&getIntegerv)
+         : is("glTexImage2D")  ? reinterpret_cast<GLFunction>(&texImage2D)
+                               : Loader(name);
+}
+
+void begin()
+{
+  Plan.Happened = false;
+  Plan.Error = GL_NO_ERROR;
+  exchangeGLEW();
+  Loader = SetGLFunctionLoader(&faultyFunction);
+}
+} // namespace
+
+const char* nameOf(Fault fault)
+{
+  constexpr const char* names[] = { "compile status", "link status", "framebuffer status",
+    "buffer data", "texture buffer", "texture image", "blit" };
+  return names[static_cast<int>(fault)];
+}
+
+FaultyGL::FaultyGL(Fault fault, int call)
+{
+  Plan.Active = true;
+  Plan.Kind = fault;
+  Plan.Call = call;
+  begin();
+}
+
+FaultyGL::FaultyGL(const std::function<std::string(const std::string&)>& rewrite)
+{
+  Plan.Rewrite = rewrite;
+  begin();
+}
+
+FaultyGL::FaultyGL(int mostTexels)
+{
+  Plan.MostTexels = mostTexels;
+  begin();
+}
+
+FaultyGL::~FaultyGL()
+{
+  SetGLFunctionLoader(Loader);
+  exchangeGLEW();
+  Plan.Active = false;
+  Plan.MostTexels = 0;
+  Plan.Rewrite = nullptr;
+}
+
+bool FaultyGL::happened() const { return Plan.Happened; }
+} // namespace tetmarch::testing

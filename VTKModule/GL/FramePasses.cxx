@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/FramePasses.h"
+
+namespace tetmarch
+{
+
+std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
+  MarchInputs inputs, bool diagnostics, const Progress& progress, bool& stopped)
+{
+  this->clear();
+  if (!(inputs.Key == this->LastKey))
+  {
+    this->expectChange();
+    this->LastKey = inputs.Key;
+  }
+  std::string error;
+  if (inputs.Key.RasterEntry)
+  {
+    error = this->Entry.draw(window, inputs.Area, *inputs.Camera, mesh, *inputs.Mesh);
+    inputs.Entries = error.empty() ? this->Entry.entries() : nullptr;
+  }
+  if (error.empty() && inputs.Key.OpaqueDepth)
+  {
+    error = this->Opaque.capture(window, inputs.Area);
+    inputs.Depths = this->Opaque.texture();
+  }
+  if (error.empty() && diagnostics)
+  {
+    error = this->Counted.collect(window, this->March, inputs, progress, stopped);
+  }
+  if (error.empty() && !stopped)
+  {
+    error = this->March.draw(window, inputs, this->Tiles, progress, stopped);
+    this->Draws = this->Tiles.numberOfTiles();
+  }
+  return error;
+}
+
+void FramePasses::expectChange()
+{
+  this->Tiles.expectChange();
+  this->Counted.expectChange();
+}
+
+void FramePasses::clear()
+{
+  this->Counted.clear();
+  this->Draws = 0;
+}
+
+void FramePasses::release(vtkWindow* window)
+{
+  this->Entry.release(window);
+  this->Opaque.release(window);
+  this->March.release();
+  this->Counted.release(window);
+  this->expectChange();
+}
+
+} // namespace tetmarch

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is drawn in a frame, in order: entries, depths of opaque geometry, counters, picture.
+#ifndef TetMarchGLFramePasses_h
+#define TetMarchGLFramePasses_h
+
+#include "GL/Diagnostics.h"
+#include "GL/EntryPass.h"
+#include "GL/MarchPass.h"
+#include "GL/OpaqueDepth.h"
+
+namespace tetmarch
+{
+
+class FramePasses
+{
+public:
+  /**
+   * Returns an empty string, or what is wrong; `stopped` becomes true if progress asked to stop.
+   * Entries and depths of the inputs are added here.
+   */
+  std::string draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
+    bool diagnostics, const Progress& progress, bool& stopped);
+  /** The next frame may take much longer than the last. */
+  void expectChange();
+  /** No picture, no counters: what is asked for before the next draw(). */
+  void clear();
+  void release(vtkWindow* window);
+
+  /** Draw calls of the picture. */
+  int numberOfDraws() const { return this->Draws; }
+  const Diagnostics& counted() const { return this->Counted; }
+  std::size_t bytes() const { return this->Entry.bytes() + this->Opaque.bytes(); }
+
+private:
+  EntryPass Entry;
+  OpaqueDepth Opaque;
+  MarchPass March;
+  Diagnostics Counted;
+  TileSchedule Tiles;
+  VariantKey LastKey;
+  int Draws = 0;
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/GpuData.h"
+
+#include "Mesh/TetMesh.h"
+
+namespace tetmarch
+{
+
+std::string GpuData::upload(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
+  const std::vector<float>& cellScalars, const IntegralTable& table)
+{
+  std::string error;
+  if (!this->HasLinks)
+  {
+    error = this->Mesh.uploadLinks(window, mesh);
+    this->HasLinks = error.empty();
+    this->UploadedBytes +=
+      static_cast<std::int64_t>(sizeof(Link) * mesh.Links.size() + 16 * mesh.BoundaryFaces.size() +
+                                sizeof(HierarchyNode) * mesh.Hierarchy.size());
+  }
+  if (error.empty() && !this->HasScalars)
+  {
+    error = this->Mesh.uploadVertices(window, mesh);
+    if (error.empty())
+    {
+      error = this->Mesh.uploadCellScalars(window, cellScalars);
+    }
+    this->HasScalars = error.empty();
+    this->UploadedBytes += static_cast<std::int64_t>(
+      sizeof(Vertex) * mesh.Vertices.size() + sizeof(float) * cellScalars.size());
+  }
+  if (error.empty() && !this->HasTables)
+  {
+    error = this->Tables.upload(window, table);
+    this->HasTables = error.empty();
+    this->UploadedBytes += static_cast<std::int64_t>(this->Tables.bytes());
+  }
+  return error;
+}
+
+void GpuData::release(vtkWindow* window)
+{
+  this->Mesh.release(window);
+  this->Tables.release(window);
+  this->HasLinks = this->HasScalars = this->HasTables = false;
+}
+
+} // namespace tetmarch

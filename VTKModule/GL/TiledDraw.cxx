@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/TiledDraw.h"
+
+#include "GL/StateScope.h"
+
+#include "vtkOpenGLRenderUtilities.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace tetmarch
+{
+namespace
+{
+
+Viewport withinScissor(vtkOpenGLState* state, const Viewport& area)
+{
+  if (!state->GetEnumState(GL_SCISSOR_TEST))
+  {
+    return area;
+  }
+  std::array<int, 4> box{};
+  state->vtkglGetIntegerv(GL_SCISSOR_BOX, box.data());
+  const int x = std::max(area.X, box[0]);
+  const int y = std::max(area.Y, box[1]);
+  return { x, y, std::min(area.X + area.Width, box[0] + box[2]) - x,
+    std::min(area.Y + area.Height, box[1] + box[3]) - y };
+}
+
+// Observers may do as they like with the GL, and with other windows.
+bool askToGoOn(vtkOpenGLRenderWindow* window, const Progress& progress, double share)
+{
+  StateScope state(window);
+  const bool goOn = !progress || progress(share);
+  window->MakeCurrent();
+  return goOn;
+}
+
+} // namespace
+
+std::string drawInTiles(vtkOpenGLRenderWindow* window, const Viewport& area, double mostSeconds,
+  TileSchedule& schedule, const Progress& progress, bool& stopped,
+  const std::function<std::string(const Viewport& tile)>& draw)
+{
+  using Clock = std::chrono::steady_clock;
+  const bool measured = mostSeconds > 0;
+  const Viewport visible = withinScissor(window->GetState(), area);
+  schedule.begin(visible.Width, visible.Height, mostSeconds);
+  if (measured)
+  {
+    glFinish(); // what was drawn before is not measured
+  }
+  Tile tile;
+  while (schedule.next(tile))
+  {
+    const auto begin = Clock::now();
+    const std::string error =
+      draw({ visible.X + tile.X, visible.Y + tile.Y, tile.Width, tile.Height });
+    if (!error.empty())
+    {
+      return error;
+    }
+    if (measured)
+    {
+      glFinish();
+      schedule.drawn(std::chrono::duration<double>(Clock::now() - begin).count());
+    }
+    if (!schedule.finished() && !askToGoOn(window, progress, schedule.share()))
+    {
+      stopped = true;
+      return {};
+    }
+  }
+  return {};
+}
+
+} // namespace tetmarch

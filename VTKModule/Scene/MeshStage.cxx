@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshStage.h"
+
+#include "Mesh/HalfFaceLinks.h"
+#include "Mesh/LeastTetrahedra.h"
+#include "Mesh/TetMeshBuilder.h"
+#include "Scene/WithinMemory.h"
+
+#include "vtkCellArray.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace tetmarch
+{
+namespace
+{
+
+Fingerprint inputOf(vtkUnstructuredGrid* grid)
+{
+  Fingerprint input;
+  add(input, grid->GetPoints());
+  add(input, grid->GetCells());
+  add(input, grid->GetCellTypesArray());
+  add(input, grid->GetFaces());
+  return input;
+}
+
+// Who mends the values of an array may tell the grid alone.
+Fingerprint attemptOf(
+  vtkUnstructuredGrid* grid, const Fingerprint& input, const ResourceLimits& limits)
+{
+  Fingerprint attempt = input;
+  add(attempt, grid);
+  attempt.push_back(limits.TexelsPerBuffer);
+  attempt.push_back(limits.Bytes);
+  return attempt;
+}
+
+} // namespace
+
+bool MeshStage::isCurrent(vtkUnstructuredGrid* grid) const
+{
+  return !this->Input.empty() && this->Input == inputOf(grid);
+}
+
+std::string MeshStage::make(
+  vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress)
+{
+  const Fingerprint input = inputOf(grid);
+  const Fingerprint attempt = attemptOf(grid, input, limits);
+  if (attempt == this->FailedAttempt)
+  {
+    return this->Error;
+  }
+  this->Input.clear();
+  this->Mesh = {};
+  const std::uint64_t least = leastTetrahedra(grid, mostTetrahedra(limits));
+  std::string error = describeExcess(leastBufferSizes(least), limits, SizesAre::LowerBounds);
+  BuildStatus status = BuildStatus::Failed;
+  if (error.empty())
+  {
+    StageRecorder recorder(this->Record);
+    const std::string shortage = withinMemory(
+      "preparing the mesh", [&] { status = buildTetMesh(grid, progress, this->Mesh, error); });
+    if (!shortage.empty())
+    {
+      error = shortage + " It is tried again when the grid is Modified().";
+    }
+  }
+  this->FailedAttempt.clear();
+  if (status == BuildStatus::Done)
+  {
+    this->Input = input;
+    return {};
+  }
+  this->Mesh = {};
+  if (status == BuildStatus::Failed)
+  {
+    this->FailedAttempt = attempt;
+    this->Error = error;
+  }
+  return error;
+}
+
+std::string MeshStage::addHierarchy()
+{
+  std::vector<std::array<Id, 4>> faces;
+  const std::string shortage = withinMemory("the search tree that a camera in the mesh needs",
+    [&]
+    {
+      faces = this->Mesh.BoundaryFaces;
+      ensureHierarchy(this->Mesh);
+    });
+  if (!shortage.empty())
+  {
+    this->Mesh.Hierarchy = {};
+    this->Mesh.ReentryNodes = 0;
+    if (!faces.empty()) // they are put in the order of the tree while it grows
+    {
+      this->Mesh.BoundaryFaces.swap(faces);
+      linkBoundary(this->Mesh);
+    }
+  }
+  return shortage;
+}
+
+} // namespace tetmarch

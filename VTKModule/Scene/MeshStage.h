@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The mesh of a grid, made anew when the grid changed, and what came in the way.
+#ifndef TetMarchSceneMeshStage_h
+#define TetMarchSceneMeshStage_h
+
+#include "Mesh/Progress.h"
+#include "Mesh/TetMesh.h"
+#include "Scene/Fingerprint.h"
+#include "Scene/ResourceLimits.h"
+#include "Scene/StageRecord.h"
+
+#include <string>
+
+class vtkUnstructuredGrid;
+
+namespace tetmarch
+{
+
+class MeshStage
+{
+public:
+  bool isCurrent(vtkUnstructuredGrid* grid) const;
+  /**
+   * Returns an empty string, or what is wrong and what to do. The mesh is empty then, and also if
+   * progress asked to stop. What failed is not tried again as long as grid and limits stay.
+   */
+  std::string make(
+    vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress);
+  /** Add the hierarchy of a convex mesh. On failure, which the string tells, the mesh stays. */
+  std::string addHierarchy();
+
+  const TetMesh& mesh() const { return this->Mesh; }
+  /** For scalars, which are part of the vertices. */
+  TetMesh& mesh() { return this->Mesh; }
+  const StageRecord& record() const { return this->Record; }
+
+private:
+  TetMesh Mesh;
+  Fingerprint Input;
+  Fingerprint FailedAttempt;
+  std::string Error; // of that
+  StageRecord Record;
+};
+
+} // namespace tetmarch
+
+#endif
