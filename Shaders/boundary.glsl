@@ -36,47 +36,71 @@ bool isBefore(real depth, int face, Entry other)
   return depth < other.depth || (depth == other.depth && face < other.face);
 }
 
-// The first entry after the given one, among the faces of the first nodeCount nodes, by a depth-first walk over
-// the bounding volume hierarchy: nodes are stored in that order, and each inner one knows the node to go on
-// with if the ray misses it. Boxes are tested by the separating axes of a line and a box, without a division.
-Entry nextEntry(Ray ray, Entry after, int nodeCount)
+// The first entry after the given one, among the faces by which a ray can come back in, or among all. The
+// bounding volume hierarchy is walked near child first: what is found early cuts off what lies behind. Boxes
+// are tested by the separating axes of a line and a box, without a division.
+Entry nextEntry(Ray ray, Entry after, bool amongAll)
 {
   Entry best;
   best.depth = NO_DEPTH;
   best.face = -1;
-  vec3 size = vec3(abs(ray.direction.x), abs(ray.direction.y), abs(ray.direction.z));
+  vec3 d = ray.direction;
+  vec3 size = vec3(abs(d.x), abs(d.y), abs(d.z));
+  int stack[BVH_STACK];           // far children yet to be seen
+  stack[0] = bvhReentryNodeCount; // the tree of the other faces
+  int waiting = amongAll && bvhReentryNodeCount < bvhNodeCount ? 1 : 0;
   int node = 0;
-  while (node < nodeCount)
+  if (bvhReentryNodeCount == 0)
   {
-    vec4 middle = fetchBvhNode(2 * node);     // centre; leaf: number of faces, else node after the subtree
-    vec4 extent = fetchBvhNode(2 * node + 1); // half size; leaf: first face, else -1
-    vec3 m = vec3(middle.x, middle.y, middle.z) - ray.origin;
-    vec3 h = vec3(extent.x, extent.y, extent.z);
-    vec3 d = ray.direction;
-    real nearest = dot(m, d) - dot(h, size);
-    real farthest = dot(m, d) + dot(h, size);
-    bool hit = abs(d.y * m.z - d.z * m.y) <= h.y * size.z + h.z * size.y &&
-      abs(d.z * m.x - d.x * m.z) <= h.z * size.x + h.x * size.z &&
-      abs(d.x * m.y - d.y * m.x) <= h.x * size.y + h.y * size.x && farthest >= after.depth &&
-      nearest <= best.depth;
-    bool leaf = extent.w >= real(0);
-    if (hit && leaf)
+    node = waiting > 0 ? 0 : -1;
+    waiting = 0;
+  }
+  int face = 0; // of the leaf at hand, yet to be tested
+  int end = 0;
+  // One loop for nodes and faces: neighbouring rays, which run in lockstep, wait less for each other.
+  while (node >= 0 || face < end)
+  {
+    if (face < end)
     {
-      int first = int(extent.w);
-      int end = first + int(middle.w);
-      for (int i = first; i < end; ++i)
+      Crossing crossing;
+      bool entered = enters(ray, uint(face), crossing);
+      vec2 p = crossingPoint(crossing);
+      if (entered && !isBefore(p.x, face, after) && face != after.face && isBefore(p.x, face, best))
       {
-        Crossing face;
-        bool entered = enters(ray, uint(i), face);
-        vec2 p = crossingPoint(face);
-        if (entered && !isBefore(p.x, i, after) && i != after.face && isBefore(p.x, i, best))
-        {
-          best.depth = p.x;
-          best.face = i;
-        }
+        best.depth = p.x;
+        best.face = face;
+      }
+      face = face + 1;
+    }
+    if (face >= end && node >= 0)
+    {
+      vec4 middle = fetchBvhNode(2 * node);     // centre; leaf: number of faces, else second child
+      vec4 extent = fetchBvhNode(2 * node + 1); // half size; leaf: first face, else -1 - axis of the cut
+      vec3 m = vec3(middle.x, middle.y, middle.z) - ray.origin;
+      vec3 h = vec3(extent.x, extent.y, extent.z);
+      real nearest = dot(m, d) - dot(h, size);
+      real farthest = dot(m, d) + dot(h, size);
+      bool hit = abs(d.y * m.z - d.z * m.y) <= h.y * size.z + h.z * size.y &&
+        abs(d.z * m.x - d.x * m.z) <= h.z * size.x + h.x * size.z &&
+        abs(d.x * m.y - d.y * m.x) <= h.x * size.y + h.y * size.x && farthest >= after.depth &&
+        nearest <= best.depth;
+      bool leaf = extent.w >= real(0);
+      int second = int(middle.w);
+      face = hit && leaf ? int(extent.w) : face;
+      end = hit && leaf ? face + second : face;
+      real along = extent.w == real(-1) ? d.x : (extent.w == real(-2) ? d.y : d.z);
+      if (hit && !leaf)
+      {
+        stack[waiting] = along >= real(0) ? second : node + 1;
+        waiting = waiting + 1;
+        node = along >= real(0) ? node + 1 : second;
+      }
+      else
+      {
+        waiting = waiting - 1;
+        node = waiting >= 0 ? stack[max(waiting, 0)] : -1;
       }
     }
-    node = hit || leaf ? node + 1 : int(middle.w);
   }
   return best;
 }

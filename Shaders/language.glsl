@@ -16,3 +16,4 @@
 #define TINY 1.0e-30
 #define UNDRAWN_SCALAR 1.0e30
 #define LINK_OUTSIDE 0x80000000u
+#define BVH_STACK 48 // Mesh/BoundaryHierarchy.h bounds the depth

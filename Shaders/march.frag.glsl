@@ -40,6 +40,19 @@ vec3 unproject(vec2 pixel, float windowDepth)
 }
 #endif
 
+#if TETMARCH_RASTER_ENTRY
+// Barycentric coordinates none of which is less than the given one: what those below lack is taken from the
+// greatest.
+vec3 insideFace(vec3 share, float least)
+{
+  vec3 inside = max(share, vec3(least));
+  float excess = inside.x + inside.y + inside.z - 1.0;
+  inside -= excess * vec3(equal(inside, vec3(max(inside.x, max(inside.y, inside.z)))));
+  inside = max(inside, vec3(least));
+  return inside / (inside.x + inside.y + inside.z);
+}
+#endif
+
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy - viewport.xy);
@@ -47,26 +60,44 @@ void main()
   float depthEnd = NO_DEPTH;
 
 #if TETMARCH_RASTER_ENTRY
-  // The ray through the interpolated position, kept a little inside the face, is sure to hit it: rounding
-  // in the rasteriser moves rays, by less than 0.01 pixels, but doesn't lose them.
+  // The ray through the interpolated position keeps its digits however far away the eye is. In a few pixels of a
+  // hundred thousand, the rasteriser's rounding names a face beside the one that the ray enters.
   vec4 entry = texelFetch(entryTexture, pixel, 0);
   if (entry.x < 0.0)
   {
     discard;
   }
   int firstFace = int(entry.x);
-  vec3 share = max(entry.yzw, vec3(1e-4));
-  share /= share.x + share.y + share.z;
   uvec3 ids = fetchBoundaryFace(uint(firstFace));
-  vec3 point = share.x * fetchVertex(ids.x).xyz + share.y * fetchVertex(ids.y).xyz +
-    share.z * fetchVertex(ids.z).xyz;
+  vec3 a = fetchVertex(ids.x).xyz;
+  vec3 b = fetchVertex(ids.y).xyz;
+  vec3 c = fetchVertex(ids.z).xyz;
+  Ray ray;
+  vec3 share = entry.yzw;
+  float farOut = max(abs(share.x), max(abs(share.y), abs(share.z))); // of a face seen edge-on
+  share = farOut < 8.0 ? share : insideFace(share, 1e-4);
+#if TETMARCH_BVH
+  // A search then finds where it does.
+  vec3 point = share.x * a + share.y * b + share.z * c;
+  ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
+#else
+  // The ray is led a little into the face then; far, if the face is so small that rounding matters.
+  bool refused = false;
+  float least = 1e-4;
+  do
+  {
+    vec3 point = share.x * a + share.y * b + share.z * c;
+    ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
+    Crossing crossing;
+    refused = !enters(ray, uint(firstFace), crossing);
+    share = insideFace(entry.yzw, least);
+    least *= 32.0;
+  } while (refused && least < 1e5);
+#endif
 #else
   int firstFace = -1;
   vec3 point = unproject(gl_FragCoord.xy, 0.0);
-#endif
-
   Ray ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
-#if !TETMARCH_RASTER_ENTRY
   depthBegin = dot(point - ray.origin, ray.direction);
 #endif
 #if TETMARCH_OPAQUE_DEPTH

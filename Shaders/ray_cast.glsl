@@ -10,7 +10,7 @@ March castRay(Ray ray, int firstFace, real opticalLength, real depthBegin, real 
   entry.face = firstFace;
   if (firstFace < 0)
   {
-    entry = nextEntry(ray, entry, bvhNodeCount);
+    entry = nextEntry(ray, entry, true);
   }
   while (entry.face >= 0 && entry.depth < depthEnd && march.cells < mostCells)
   {
@@ -31,7 +31,7 @@ March castRay(Ray ray, int firstFace, real opticalLength, real depthBegin, real 
     {
       // A face that refused the ray leaves even the first entry to be found. The rasteriser knows the depth of
       // its entry no better than its depth buffer: behind such a one all others are looked for.
-      entry = nextEntry(ray, entry, entered ? bvhReentryNodeCount : bvhNodeCount);
+      entry = nextEntry(ray, entry, !entered);
     }
   }
 #else

@@ -159,9 +159,10 @@ public:
   //@{
   /**
    * Sums over the pixels of the last frame with CollectDiagnostics on: rays that entered the mesh,
-   * cells crossed, evaluations of the segment integral, rays whose entry face refused them, rays
-   * that came to a face without exit (lost) and rays stopped by the step guard. The last three are
-   * 0 unless something is wrong.
+   * cells crossed, evaluations of the segment integral, rays that enter another face than the
+   * rasteriser named, so that a search had to find it (a few in ten thousand), rays that came to a
+   * face without exit (lost) and rays stopped by the step guard. The last two are 0 unless
+   * something is wrong.
    */
   vtkTypeInt64 GetNumberOfRays() const;
   vtkTypeInt64 GetNumberOfCrossedCells() const;

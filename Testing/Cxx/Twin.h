@@ -43,7 +43,8 @@ Regions regionsOf(Scene& scene, const std::vector<float>& depths = {});
 
 /// Renders the scene and compares with the twin in double and in float: inside the silhouette at
 /// most 2/255 in each pixel and 0.3/255 in RMS, nothing outside it, over 2/255 in at most every
-/// 50th pixel of the rim; no ray refused, lost or stopped. Prints the figures.
+/// 50th pixel of the rim; no ray lost or stopped, and of the
+/// entries that the rasteriser named at most 20 refused. Prints the figures.
 void expectParity(Scene& scene, const std::vector<float>& depths = {});
 /// The same with the depths that the frame left in the window.
 void expectParityWithOpaque(Scene& scene);

@@ -41,6 +41,9 @@ struct HardView
   std::string Name;
   std::function<void(vtkCamera*, vtkUnstructuredGrid*)> Set;
   bool KeepsClippingRange = false;
+  /// Not for the GL of a machine without GPU: Mesa's llvmpipe ends a ray after 65535 rounds of its
+  /// loops in all.
+  bool TwinOnly = false;
 };
 
 /// Of the pictures, in pixels each way; odd, so that one pixel's centre is the middle.
@@ -70,6 +73,9 @@ struct HardCase
 
 /// Every case, group by group; names are unique.
 const std::vector<HardCase>& hardCases();
+std::vector<std::string> hardCaseNames();
+/// A name as gtest takes it: hyphens and dots become underscores.
+std::string identifierOf(const std::string& name);
 /// nullptr if there is none of that name.
 const HardCase* findHardCase(const std::string& name);
 

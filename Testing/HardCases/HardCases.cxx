@@ -14,6 +14,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace tetmarch::testing
 {
@@ -30,6 +31,25 @@ const std::vector<HardCase>& hardCases()
     return all;
   }();
   return cases;
+}
+
+std::vector<std::string> hardCaseNames()
+{
+  std::vector<std::string> names;
+  for (const HardCase& hard : hardCases())
+  {
+    names.push_back(hard.Name);
+  }
+  return names;
+}
+
+std::string identifierOf(const std::string& name)
+{
+  std::string identifier = name;
+  std::replace_if(
+    identifier.begin(), identifier.end(), [](unsigned char c) { return std::isalnum(c) == 0; },
+    '_');
+  return identifier;
 }
 
 const HardCase* findHardCase(const std::string& name)

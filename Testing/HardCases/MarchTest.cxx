@@ -5,7 +5,6 @@
 #include "PictureCheck.h"
 #include "StressRun.h"
 
-#include <cctype>
 #include <gtest/gtest.h>
 #include <iostream>
 
@@ -59,24 +58,6 @@ TEST_P(HardPicture, OfTheTwinIsRight)
   }
 }
 
-std::vector<std::string> names()
-{
-  std::vector<std::string> all;
-  for (const HardCase& hard : hardCases())
-  {
-    all.push_back(hard.Name);
-  }
-  return all;
-}
-
-INSTANTIATE_TEST_SUITE_P(Case, HardPicture, ::testing::ValuesIn(names()),
-  [](const ::testing::TestParamInfo<std::string>& tested)
-  {
-    std::string name = tested.param;
-    for (char& c : name)
-    {
-      c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-    }
-    return name;
-  });
+INSTANTIATE_TEST_SUITE_P(Case, HardPicture, ::testing::ValuesIn(hardCaseNames()),
+  [](const ::testing::TestParamInfo<std::string>& tested) { return identifierOf(tested.param); });
 } // namespace

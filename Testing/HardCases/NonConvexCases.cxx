@@ -60,7 +60,11 @@ void addNonConvexCases(HardCases& cases)
   cases.push_back(shapeCase("comb", "a comb of 1000 teeth, which a ray enters 1000 times",
     [] { return comb(1000, sineField()); }));
   cases.back().Views = standardViews();
-  cases.back().Views.push_back(parallelAlong("along-the-teeth", { 1.0, 0.0, 0.0 }, 0.05));
+  // One row of pixels runs between bar and teeth, where rays meet twice as many faces.
+  HardView along = parallelAlong("along-the-teeth-and-the-bar", { 1.0, 0.0, 0.0 }, 0.05);
+  along.TwinOnly = true;
+  cases.back().Views.push_back(along);
+  cases.back().Views.push_back(parallelAlong("along-the-teeth", { 1.0, 1e-3, 0.0 }, 0.05));
   cases.push_back(shapeCase(
     "swiss-cheese", "what a threshold leaves of noise: 100 thousand boundary faces", swissCheese));
   cases.push_back(

@@ -16,6 +16,8 @@ namespace
 
 constexpr int MostFacesOfLeaf = 4;
 constexpr int Bins = 16;
+static_assert(MostHierarchyFaces <= MostFacesOfLeaf << (MostHierarchyDepth / 2 - 1),
+  "medians reach leaves in half of the depth");
 
 struct Box
 {
@@ -74,9 +76,9 @@ public:
       this->Order.begin(), this->Order.end(), [&first](Id f) { return first[f]; });
     const std::size_t count = middle - this->Order.begin();
     this->Mesh.Hierarchy.clear();
-    this->split(0, count);
+    this->split(0, count, 1);
     const std::size_t nodes = this->Mesh.Hierarchy.size();
-    this->split(count, this->Order.size());
+    this->split(count, this->Order.size(), 1);
     std::vector<std::array<Id, 4>> faces(this->Order.size());
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
@@ -92,9 +94,10 @@ private:
     return 0.5f * (this->Boxes[face].Low[axis] + this->Boxes[face].High[axis]);
   }
 
-  // Write the node of a range of faces and its subtree. The depth is bounded: a cut that leaves
-  // more than 7/8 on one side is replaced by the median.
-  void split(std::size_t first, std::size_t last)
+  // Write the node of a range of faces and its subtree. A cut that leaves more than 7/8 on one side
+  // is replaced by the median, and from half of the greatest depth on each one is: 24 levels of
+  // halves are enough for every face that there may be.
+  void split(std::size_t first, std::size_t last, int depth)
   {
     if (first == last)
     {
@@ -113,7 +116,7 @@ private:
     if (count <= MostFacesOfLeaf)
     {
       this->Mesh.Hierarchy[node].FirstFace = static_cast<float>(first);
-      this->Mesh.Hierarchy[node].Next = static_cast<float>(count);
+      this->Mesh.Hierarchy[node].Second = static_cast<float>(count);
       return;
     }
     int axis = 0;
@@ -122,7 +125,7 @@ private:
       axis = centers.High[k] - centers.Low[k] > centers.High[axis] - centers.Low[axis] ? k : axis;
     }
     std::size_t middle = this->cut(first, last, axis, centers.Low[axis], centers.High[axis]);
-    if (std::min(middle - first, last - middle) < count / 8 + 1)
+    if (std::min(middle - first, last - middle) < count / 8 + 1 || depth > MostHierarchyDepth / 2)
     {
       middle = first + count / 2;
       std::nth_element(this->Order.begin() + first, this->Order.begin() + middle,
@@ -132,9 +135,10 @@ private:
                  std::make_pair(this->center(b, axis), b);
         });
     }
-    this->split(first, middle);
-    this->split(middle, last);
-    this->Mesh.Hierarchy[node].Next = static_cast<float>(this->Mesh.Hierarchy.size());
+    this->Mesh.Hierarchy[node].FirstFace = static_cast<float>(-1 - axis);
+    this->split(first, middle, depth + 1);
+    this->Mesh.Hierarchy[node].Second = static_cast<float>(this->Mesh.Hierarchy.size());
+    this->split(middle, last, depth + 1);
   }
 
   // Partition at the bin border of least expected cost.
@@ -188,7 +192,7 @@ private:
       node.Center[k] = 0.5f * (box.Low[k] + box.High[k]);
       node.HalfSize[k] = 0.5f * (box.High[k] - box.Low[k]) + HierarchyMargin;
     }
-    node.Next = 0;
+    node.Second = 0;
     node.FirstFace = -1;
     return node;
   }

@@ -12,6 +12,9 @@ namespace tetmarch
 /** Node and face numbers are exact in float up to here. */
 constexpr std::size_t MostHierarchyFaces = std::size_t(1) << 23;
 
+/** Nodes on the way from a root to a leaf, at most: a walk has to remember so many others. */
+constexpr int MostHierarchyDepth = 48;
+
 /** Boxes are larger by this than exact: the predicate projects vertices with a few 1e-7 of error.
  */
 constexpr float HierarchyMargin = 4e-6f;

@@ -56,7 +56,8 @@ bool isNeedle(const TetMesh& mesh, const std::array<Id, 4>& face)
       (p[1][l] - p[0][l]) * (p[2][m] - p[0][m]) - (p[1][m] - p[0][m]) * (p[2][l] - p[0][l]);
     area += component * component;
   }
-  return !(area > std::ldexp(longest, -36)); // height = area / longest edge
+  // height = area / longest edge, all squared
+  return !(area > std::ldexp(longest, -36) && area > std::ldexp(longest * longest, -12));
 }
 
 } // namespace

@@ -13,8 +13,8 @@ namespace tetmarch
  * Whether every ray meets the mesh once, and any of its boundary faces that the rasteriser names:
  * the boundary is one closed surface, each edge of which has two faces and no edge of which is
  * concave or a fold by more than the rounding of positions to float (2^-22 mesh radii), and no face
- * is a needle, less than 2^-18 mesh radii high, which rounding lets a ray miss. False is always
- * safe.
+ * is a needle, less than 2^-18 mesh radii high or 64 times as long as high, which rounding lets a
+ * ray miss. False is always safe.
  */
 bool isConvex(const TetMesh& mesh);
 

@@ -23,16 +23,16 @@ constexpr int MostNodes = 256;
 bool isSupporting(const TetMesh& mesh, const FacePlane& plane)
 {
   const double rounding = std::ldexp(1.0, -21);
-  const std::size_t count = mesh.Hierarchy.size();
-  std::size_t node = 0;
-  for (int looked = 0; node < count; ++looked)
+  std::array<Id, MostHierarchyDepth> stack{ { 0 } };
+  int waiting = mesh.Hierarchy.empty() ? 0 : 1;
+  for (int looked = 0; waiting > 0; ++looked)
   {
     if (looked == MostNodes)
     {
       return false;
     }
+    const Id node = stack[--waiting];
     const HierarchyNode& n = mesh.Hierarchy[node];
-    const bool leaf = n.FirstFace >= 0;
     double highest = -plane.Offset;
     for (int k = 0; k < 3; ++k)
     {
@@ -41,24 +41,25 @@ bool isSupporting(const TetMesh& mesh, const FacePlane& plane)
     }
     if (highest <= rounding)
     {
-      node = leaf ? node + 1 : static_cast<std::size_t>(n.Next);
       continue;
     }
-    if (leaf)
+    if (n.FirstFace < 0)
     {
-      const Id first = static_cast<Id>(n.FirstFace);
-      for (Id f = first; f < first + static_cast<Id>(n.Next); ++f)
+      stack[waiting++] = static_cast<Id>(n.Second);
+      stack[waiting++] = node + 1;
+      continue;
+    }
+    const Id first = static_cast<Id>(n.FirstFace);
+    for (Id f = first; f < first + static_cast<Id>(n.Second); ++f)
+    {
+      for (int i = 0; i < 3; ++i)
       {
-        for (int i = 0; i < 3; ++i)
+        if (plane.heightOf(mesh.Vertices[mesh.BoundaryFaces[f][i]]) > rounding)
         {
-          if (plane.heightOf(mesh.Vertices[mesh.BoundaryFaces[f][i]]) > rounding)
-          {
-            return false;
-          }
+          return false;
         }
       }
     }
-    ++node;
   }
   return true;
 }

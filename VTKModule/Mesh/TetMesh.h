@@ -48,9 +48,9 @@ struct Vertex
 struct HierarchyNode
 {
   std::array<float, 3> Center;
-  float Next; // inner node: the node after its subtree; leaf: its number of faces
+  float Second; // inner node: its second child, the first follows it; leaf: its number of faces
   std::array<float, 3> HalfSize;
-  float FirstFace; // inner node: -1
+  float FirstFace; // inner node: -1 - axis along which its children lie, the first below
 };
 
 struct TetMesh

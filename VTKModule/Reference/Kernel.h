@@ -6,6 +6,7 @@
 #define TetMarchReferenceKernel_h
 
 #include "GlslLanguage.h"
+#include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/IntegralTable.h"
 

@@ -48,7 +48,7 @@ vec4 fetchBvhNode(int i) const
 {
   const HierarchyNode& n = Mesh->Hierarchy[i / 2];
   const auto& v = i % 2 ? n.HalfSize : n.Center;
-  return vec4(Real(v[0]), Real(v[1]), Real(v[2]), Real(i % 2 ? n.FirstFace : n.Next));
+  return vec4(Real(v[0]), Real(v[1]), Real(v[2]), Real(i % 2 ? n.FirstFace : n.Second));
 }
 Real fetchCellScalar(uint tet) const { return Real(CellScalars[tet]); }
 vec4 fetchTableValue(int i) const
@@ -74,6 +74,7 @@ uint fetchTableSquareIntegral(int i) const { return Table->SquareIntegrals[i]; }
 #define TINY Real(1e-30)
 #define UNDRAWN_SCALAR Real(UndrawnScalar)
 #define LINK_OUTSIDE LinkOutside
+#define BVH_STACK MostHierarchyDepth
 
 #include "edge_sign.glsl"
 
@@ -108,3 +109,4 @@ uint fetchTableSquareIntegral(int i) const { return Table->SquareIntegrals[i]; }
 #undef TINY
 #undef UNDRAWN_SCALAR
 #undef LINK_OUTSIDE
+#undef BVH_STACK

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The hard cases as the GL draws them.
+#include "Drawing.h"
+#include "PictureCheck.h"
+
+#include "OffscreenWindow.h"
+
+#include "vtkRenderWindow.h"
+
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+namespace
+{
+using namespace tetmarch::testing;
+
+vtkRenderWindow* window()
+{
+  static const vtkSmartPointer<vtkRenderWindow> one = []
+  {
+    std::string error;
+    auto made = tetmarch::MakeOffscreenWindow(HardPictureSize, HardPictureSize, &error);
+    if (!made)
+    {
+      throw std::runtime_error(error);
+    }
+    return made;
+  }();
+  return one;
+}
+
+class HardDrawing : public ::testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(HardDrawing, ByTheGLIsRight)
+{
+  const HardCase& hard = *findHardCase(GetParam());
+  for (const HardView& view : viewsOf(hard))
+  {
+    if (view.TwinOnly)
+    {
+      continue;
+    }
+    const Drawn drawn = draw(hard, view, "tetmarch", window());
+    PictureCheck check(hard, view, HardPictureSize);
+    const PictureResult result = check.compare(drawn.Picture, drawn.Counters, DrawnBy::GL);
+    // What a rasterised entry refuses, the search finds: that is no failure here.
+    EXPECT_EQ(result.failures() - drawn.Counters.Refused, 0)
+      << view.Name << ": " << result.NotFinite << " not finite, " << result.OutOfBound
+      << " out of bound, " << drawn.Counters.Lost << " lost, " << drawn.Counters.Guarded
+      << " guarded, worst error " << result.WorstError;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Case, HardDrawing, ::testing::ValuesIn(hardCaseNames()),
+  [](const ::testing::TestParamInfo<std::string>& tested) { return identifierOf(tested.param); });
+} // namespace
