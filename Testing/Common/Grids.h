@@ -11,14 +11,17 @@
 #ifndef tetmarch_testing_Grids_h
 #define tetmarch_testing_Grids_h
 
-#include "BrokenGrids.h"    // IWYU pragma: export
-#include "CellTypeGrids.h"  // IWYU pragma: export
-#include "CubesAsTets.h"    // IWYU pragma: export
-#include "Fields.h"         // IWYU pragma: export
-#include "GridTransforms.h" // IWYU pragma: export
-#include "LatticeGrids.h"   // IWYU pragma: export
-#include "NonConvexGrids.h" // IWYU pragma: export
-#include "QuadraticGrids.h" // IWYU pragma: export
-#include "SmallGrids.h"     // IWYU pragma: export
+#include "CellTypeGrids.h"    // IWYU pragma: export
+#include "DefectGrids.h"      // IWYU pragma: export
+#include "Fields.h"           // IWYU pragma: export
+#include "GridTransforms.h"   // IWYU pragma: export
+#include "LatticeGrids.h"     // IWYU pragma: export
+#include "NonConvexGrids.h"   // IWYU pragma: export
+#include "NonManifoldGrids.h" // IWYU pragma: export
+#include "PointMap.h"         // IWYU pragma: export
+#include "QuadraticGrids.h"   // IWYU pragma: export
+#include "ReentrantGrids.h"   // IWYU pragma: export
+#include "SliverGrids.h"      // IWYU pragma: export
+#include "SmallGrids.h"       // IWYU pragma: export
 
 #endif

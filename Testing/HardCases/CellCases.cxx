@@ -1,259 +1,158 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Groups.h"
+// Cells that no mesh should have, and neighbours that don't fit.
+#include "CaseGroup.h"
+#include "CaseViews.h"
 
 #include "Grids.h"
-#include "Views.h"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tetmarch::testing
 {
 namespace
 {
-HardCase cellCase(
-  const std::string& name, const std::string& what, const std::function<Grid()>& make)
-{
-  HardCase hard;
-  hard.Name = name;
-  hard.Group = "cells";
-  hard.What = what;
-  hard.Make = make;
-  return hard;
-}
+const Box TwoCubes = { { 0, 0, 0 }, { 2, 1, 1 } };
 
-HardCase boxCase(const std::string& name, const std::string& what,
-  const std::function<Grid()>& make, const Box& box = { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } })
+void addSlivers(CaseGroup& group)
 {
-  HardCase hard = cellCase(name, what, make);
-  hard.Known = Answer::Box;
-  hard.ExactBox = box;
-  return hard;
-}
-
-Grid cube(int n = 4, double jitter = 0.15) { return jitteredLattice(n, jitter, 3, sineField()); }
-
-void addSlivers(HardCases& cases)
-{
-  for (int k = 3; k <= 8; ++k)
+  for (int exponent = 3; exponent <= 8; ++exponent)
   {
-    const double squash = std::pow(10.0, -k);
-    cases.push_back(boxCase("squashed-1e-" + std::to_string(k),
-      "a lattice squashed along z by 1e-" + std::to_string(k),
-      [=]
-      {
-        return movedPoints(cube(),
-          [=](const Vec3& p, vtkIdType) {
-            return Vec3{ p[0], p[1], squash * p[2] };
-          });
-      },
-      { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, squash } }));
-    cases.push_back(boxCase("sliver-layer-1e-" + std::to_string(k),
-      "a layer of cells in a sound lattice squashed by 1e-" + std::to_string(k),
-      [=]
-      {
-        return movedPoints(cube(4, 0.0),
-          [=](const Vec3& p, vtkIdType) {
-            return Vec3{ p[0], p[1], p[2] == 0.5 ? 0.25 + 0.25 * squash : p[2] };
-          });
-      }));
+    const std::string power = "1e-" + std::to_string(exponent);
+    const double squash = std::pow(10.0, -exponent);
+    fills(group.add("squashed-" + power,
+      "every second layer of a lattice is only " + power + " as high as wide",
+      [squash] { return squashedLayers(8, squash); }));
   }
-  cases.push_back(cellCase("needle-fan", "1000 tetrahedra round one edge",
-    [] { return needleFan(1000, 0.5, sineField()); }));
-  cases.back().Views = standardViews();
-  cases.back().Views.push_back(parallelAlong("down-the-edge", { 0.0, 0.0, 1.0 }, 1.0));
-  cases.back().Views.push_back(parallelAlong("onto-the-edge", { 1.0, 0.0, 0.0 }, 1.0));
-  cases.push_back(cellCase("needle-fan-thin", "1000 tetrahedra round one edge, within 1e-4 of it",
-    [] { return needleFan(1000, 1e-4, sineField()); }));
-}
 
-void addFlatCells(HardCases& cases)
-{
-  cases.push_back(boxCase("flat-layer-inside", "a layer of cells without volume inside",
-    []
-    {
-      return movedPoints(cube(4, 0.0),
-        [](const Vec3& p, vtkIdType) {
-          return Vec3{ p[0], p[1], p[2] == 0.5 ? 0.25 : p[2] };
-        });
-    }));
-  cases.push_back(
-    boxCase("flat-layer-on-boundary", "a layer of cells without volume on the boundary",
-      []
-      {
-        return movedPoints(cube(4, 0.0),
-          [](const Vec3& p, vtkIdType) {
-            return Vec3{ p[0], p[1], p[2] == 0.0 ? 0.25 : p[2] };
-          });
-      },
-      { { 0.0, 0.0, 0.25 }, { 1.0, 1.0, 1.0 } }));
-  cases.push_back(boxCase("all-flat", "every cell without volume: a sheet",
-    [] {
-      return movedPoints(cube(), [](const Vec3& p, vtkIdType) { return Vec3{ p[0], p[1], 0.5 }; });
+  HardCase& fan = group.add("needle-fan", "1000 tetrahedra round one edge, also seen along it",
+    [] { return needleFan(1000, 1.0, sineField(0.4)); });
+  fan.Views = standardViews();
+  // The edge is the ray of a pixel centre, next to the window's middle if that is none.
+  for (const int pixels : { 64, 65 })
+  {
+    fan.Views.push_back(viewOnPixels("end-on-" + std::to_string(pixels), pixels, { 0, 0, 0 },
+      { 1, 0, 0 }, { 0, 1, 0 }, 1.0 / 32.0));
+  }
+  HardView above = viewFrom(
+    "end-on-perspective",
+    [](vtkUnstructuredGrid*) {
+      return Vec3{ 0, 0, 3 };
     },
-    { { 0.0, 0.0, 0.5 }, { 1.0, 1.0, 0.5 } }));
-  cases.push_back(
-    cellCase("points-on-grid-lines", "points moved onto each other's planes and lines",
-      []
-      {
-        return movedPoints(jitteredLattice(5, 0.45, 3, sineField()),
-          [](const Vec3& p, vtkIdType) {
-            return Vec3{ 0.5 * std::round(2.0 * p[0]), p[1], 0.5 * std::round(2.0 * p[2]) };
-          });
-      }));
-  cases.push_back(boxCase("edges-of-length-0", "every third inner point on its neighbour along x",
+    { 0, 0, -1 }, { 0, 1, 0 }, 40.0);
+  above.Pixels = 65;
+  fan.Views.push_back(above);
+
+  fills(group.add("flat-inside", "lattice with 54 tetrahedra of exactly no volume inside",
+    [] { return flatTetsInside(8); }));
+  fills(group.add("flat-on-boundary", "lattice with 36 flat tetrahedra within its sides",
+    [] { return flatTetsOnBoundary(8); }));
+  fills(group.add("edges-without-length", "points inside a lattice that lie exactly on a neighbour",
+    [] { return edgesWithoutLength(8); }));
+  fills(group.add("repeated-points", "cells that name a point two, three and four times",
+    [] { return cellsWithRepeatedPoints(8); }));
+}
+
+void addTurnedCells(CaseGroup& group)
+{
+  fills(group.add("jittered-cube", "a sound mesh, with which others are compared", jitteredCube));
+  const auto sameMesh = [&group](const char* name, const char* what, std::function<Grid()> make)
+  { fills(group.add(name, what, std::move(make))).SamePictureAs = "jittered-cube"; };
+  sameMesh("reversed-all", "all tetrahedra in the order of negative volume",
+    [] { return withReversedCells(jitteredCube(), 1); });
+  sameMesh("reversed-every-second", "every second tetrahedron in the order of negative volume",
+    [] { return withReversedCells(jitteredCube(), 2); });
+  sameMesh("repeated-cells", "every third cell is there twice",
+    [] { return withRepeatedCells(jitteredCube(), 3); });
+  sameMesh("repeated-mesh", "all cells are there twice, with the same points",
+    [] { return withRepeatedCells(jitteredCube(), 1); });
+  sameMesh("two-equal-meshes", "the mesh twice in the same place, without common points",
+    [] { return joined(jitteredCube(), jitteredCube()); });
+  sameMesh("crack", "points not welded in half of a layer: a crack without width",
+    [] { return withCrack(jitteredCube(), 6); });
+
+  fills(group.add("tangled-inside",
+    "points inside moved beyond their neighbours: tetrahedra turned inside out overlap",
+    [] { return jitteredLattice(6, 0.9); }));
+  group.add("tangled", "the same with points of the boundary moved too",
     []
     {
-      const Grid grid = cube(4, 0.0);
-      return movedPoints(grid,
-        [](const Vec3& p, vtkIdType)
+      std::mt19937 generator(7);
+      const Grid grid = mapped(jitteredLattice(6, 0.0),
+        [&generator](Vec3 p, vtkIdType)
         {
-          const bool moves = p[0] == 0.5 && p[1] > 0.0 && p[1] < 1.0 && p[2] > 0.0 && p[2] < 1.0;
-          return Vec3{ moves ? 0.25 : p[0], p[1], p[2] };
+          for (double& x : p)
+          {
+            x += 0.9 / 6.0 * (2.0 * uniform(generator) - 1.0);
+          }
+          return p;
         });
-    }));
+      attachFields(grid, linearField());
+      return grid;
+    });
 }
 
-void addTurnedCells(HardCases& cases)
+// Two cubes side by side, the second from x = begin on, whose triangles don't match there.
+Grid cubesSideBySide(double begin)
 {
-  const auto reversed = [](int stride)
+  return joined(jitteredLattice(5), mapped(jitteredLattice(4, 0.15, 2),
+                                      [begin](const Vec3& p, vtkIdType) {
+                                        return Vec3{ begin + p[0], p[1], p[2] };
+                                      }));
+}
+
+void addSeams(CaseGroup& group)
+{
+  fills(group.add("cubes-side-by-side",
+          "two meshes that touch in a square, without common points or matching triangles",
+          [] { return cubesSideBySide(1.0); }),
+    TwoCubes);
+  const auto seam = [&group](const char* name, const char* what, double begin, bool isFloat)
   {
-    const Grid grid = cube();
-    std::vector<Ids> tets = tetsOf(grid);
-    for (std::size_t t = 0; t < tets.size(); t += static_cast<std::size_t>(stride))
-    {
-      std::swap(tets[t][0], tets[t][1]);
-    }
-    return withTets(grid, tets);
-  };
-  cases.push_back(boxCase("order-reversed-all",
-    "all cells with their points in the order of a negative volume", [=] { return reversed(1); }));
-  cases.push_back(
-    boxCase("order-reversed-half", "every second cell likewise", [=] { return reversed(2); }));
-  cases.push_back(cellCase("tangled-inside", "points moved so far that cells turn inside out",
-    [] { return jitteredLattice(4, 0.6, 1, sineField()); }));
-  cases.push_back(cellCase("tangled-everywhere", "points moved beyond several neighbours",
-    [] { return jitteredLattice(4, 1.5, 1, sineField()); }));
-  cases.push_back(cellCase("tangled-boundary", "points of one side pushed behind the next layers",
-    []
-    {
-      return movedPoints(jitteredLattice(4, 0.1, 1, sineField()),
-        [](const Vec3& p, vtkIdType i) {
-          return Vec3{ p[0] > 0.99 && i % 3 == 0 ? p[0] - 0.4 : p[0], p[1], p[2] };
-        });
-    }));
-}
-
-void addRepeatedThings(HardCases& cases)
-{
-  cases.push_back(boxCase("points-repeated", "cells that name a point twice, beside the sound ones",
-    []
-    {
-      const Grid grid = cube();
-      std::vector<Ids> tets = tetsOf(grid);
-      const std::size_t sound = tets.size();
-      for (std::size_t t = 0; t < sound; t += 3)
-      {
-        Ids broken = tets[t];
-        broken[t % 4] = broken[(t + 1) % 4];
-        tets.push_back(broken);
-      }
-      return withTets(grid, tets);
-    }));
-  cases.push_back(boxCase("cells-twice", "every cell twice, the second time in another order",
-    []
-    {
-      const Grid grid = cube();
-      std::vector<Ids> tets = tetsOf(grid);
-      const std::size_t sound = tets.size();
-      for (std::size_t t = 0; t < sound; ++t)
-      {
-        tets.push_back({ tets[t][2], tets[t][0], tets[t][3], tets[t][1] });
-      }
-      return withTets(grid, tets);
-    }));
-  cases.push_back(boxCase("mesh-twice", "the whole mesh twice, with points of its own each time",
-    [] { return joined(cube(), cube()); }));
-  cases.push_back(boxCase("soup", "no cell shares a point with another",
-    []
-    {
-      const Grid grid = cube();
-      GridBuilder builder;
-      for (const Ids& tet : tetsOf(grid))
-      {
-        Ids own;
-        for (const vtkIdType id : tet)
+    group
+      .add(name, what,
+        [=]
         {
-          Vec3 p;
-          grid->GetPoint(id, p.data());
-          own.push_back(builder.addPoint(p));
-        }
-        builder.addCell(10, own);
-      }
-      return builder.finish(sineField());
-    }));
-}
-
-void addGluedMeshes(HardCases& cases)
-{
-  const auto glued = [](double begin, int n)
-  {
-    return joined(cube(4, 0.0),
-      withOffsetAndScale(jitteredLattice(n, 0.0, 5, sineField()), { begin, 0.0, 0.0 }, 1.0));
+          const Grid grid = cubesSideBySide(begin);
+          return isFloat ? withFloatPoints(grid) : grid;
+        })
+      .SamePictureAs = "cubes-side-by-side";
   };
-  const Box two{ { 0.0, 0.0, 0.0 }, { 2.0, 1.0, 1.0 } };
-  cases.push_back(boxCase(
-    "glued-exactly", "two meshes side by side without common points", [=] { return glued(1.0, 4); },
-    two));
-  cases.push_back(boxCase(
-    "glued-with-gap", "the same with a gap of one unit in the last place",
-    [=] { return glued(std::nextafter(1.0, 2.0), 4); }, two));
-  cases.back().Known = Answer::Union; // a ray may pass through the gap
-  cases.push_back(boxCase(
-    "glued-with-gap-of-float", "the same with a gap of one unit in the last place of a float",
-    [=] { return glued(double(std::nextafter(1.0f, 2.0f)), 4); }, two));
-  cases.back().Known = Answer::Union; // a ray may pass through the gap
-  cases.push_back(boxCase(
-    "glued-with-overlap", "the same with an overlap of such a unit",
-    [=] { return glued(double(std::nextafter(1.0f, 0.0f)), 4); }, two));
-  cases.push_back(boxCase(
-    "hanging-nodes", "a coarse and a fine mesh meet in a face", [=] { return glued(1.0, 7); },
-    two));
+  seam("gap-of-one-ulp", "the same, one double apart", std::nextafter(1.0, 2.0), false);
+  seam(
+    "overlap-of-one-ulp", "the same, overlapping by one double", std::nextafter(1.0, 0.0), false);
+  seam("gap-of-one-float-ulp", "float points, one float apart", std::nextafter(1.0f, 2.0f), true);
+  seam("overlap-of-one-float-ulp", "float points, overlapping by one float",
+    std::nextafter(1.0f, 0.0f), true);
+
+  fills(group.add("hanging-nodes", "cubes beside cubes of half the size: faces that don't match",
+    [] { return hangingNodes(4); }));
+  group.add("hanging-nodes-bulging", "the same, with gaps and overlaps where they meet",
+    [] { return hangingNodes(4, 0.2); });
 }
 
-void addSharedFaces(HardCases& cases)
+void addNonManifold(CaseGroup& group)
 {
-  cases.push_back(cellCase("three-owners", "a face of three tetrahedra, two on one side",
-    [] { return tetsOnOneFace(2, 1); }));
-  cases.push_back(cellCase("many-owners", "a face of nine tetrahedra, five on one side",
-    [] { return tetsOnOneFace(5, 4); }));
-  cases.push_back(cellCase("one-sided-face", "a face of three tetrahedra on one side",
-    [] { return tetsOnOneFace(3, 0); }));
-  cases.push_back(cellCase("moebius-ring",
-    "a ring of cells that closes with left and right exchanged", [] { return moebiusRing(24); }));
-  cases.push_back(cellCase("moebius-ring-short", "the same of five prisms, so that much overlaps",
-    [] { return moebiusRing(5); }));
-  cases.push_back(cellCase(
-    "defects", "duplicate, flat, degenerate and surplus cells", [] { return defectiveTets(); }));
-  cases.push_back(cellCase("one-tet", "one tetrahedron", [] { return singleTet(); }));
-  cases.push_back(
-    cellCase("two-at-an-edge", "two that share an edge", [] { return twoTetsSharingEdge(); }));
-  cases.push_back(
-    cellCase("two-at-a-vertex", "two that share a vertex", [] { return twoTetsSharingVertex(); }));
-  cases.push_back(boxCase("warped-cells", "hexahedra, wedges, pyramids with bent faces",
-    [] { return mixedCells(4, 1, 0.2, sineField()); }));
-  cases.back().Known = Answer::Union; // the surface of the cube is bent as well
+  group.add("face-of-three", "three tetrahedra on one face", [] { return faceOfThreeTets(); });
+  group.add("faces-of-three", "a lattice with a third owner of a face in every cube",
+    [] { return latticeWithThirdOwners(5); });
+  group.add("moebius", "a ring of tetrahedra that closes turned over: not orientable",
+    [] { return moebiusRing(48, sineField(0.4)); });
+  group.add("one-tet", "a single tetrahedron", [] { return singleTet(); });
+  group.add(
+    "common-edge", "two tetrahedra that share an edge", [] { return twoTetsSharingEdge(); });
+  group.add(
+    "common-vertex", "two tetrahedra that share a vertex", [] { return twoTetsSharingVertex(); });
 }
 } // namespace
 
-void addCellCases(HardCases& cases)
+void addCellCases(std::vector<HardCase>& cases)
 {
-  addSlivers(cases);
-  addFlatCells(cases);
-  addTurnedCells(cases);
-  addRepeatedThings(cases);
-  addGluedMeshes(cases);
-  addSharedFaces(cases);
+  CaseGroup group(cases, "cells");
+  addSlivers(group);
+  addTurnedCells(group);
+  addSeams(group);
+  addNonManifold(group);
 }
 } // namespace tetmarch::testing

@@ -9,13 +9,15 @@
 #include "vtkRenderWindow.h"
 
 #include <gtest/gtest.h>
+#include <regex>
 #include <stdexcept>
 
 namespace
 {
 using namespace tetmarch::testing;
 
-vtkRenderWindow* window()
+// One for all, of the size that the view wants.
+vtkRenderWindow* window(const HardView& view)
 {
   static const vtkSmartPointer<vtkRenderWindow> one = []
   {
@@ -27,6 +29,8 @@ vtkRenderWindow* window()
     }
     return made;
   }();
+  const int pixels = sizeOf(view);
+  one->SetSize(pixels, pixels);
   return one;
 }
 
@@ -43,8 +47,8 @@ TEST_P(HardDrawing, ByTheGLIsRight)
     {
       continue;
     }
-    const Drawn drawn = draw(hard, view, "tetmarch", window());
-    PictureCheck check(hard, view, HardPictureSize);
+    const Drawn drawn = draw(hard, view, "tetmarch", window(view));
+    PictureCheck check(hard, view);
     const PictureResult result = check.compare(drawn.Picture, drawn.Counters, DrawnBy::GL);
     // What a rasterised entry refuses, the search finds: that is no failure here.
     EXPECT_EQ(result.failures() - drawn.Counters.Refused, 0)
@@ -55,5 +59,6 @@ TEST_P(HardDrawing, ByTheGLIsRight)
 }
 
 INSTANTIATE_TEST_SUITE_P(Case, HardDrawing, ::testing::ValuesIn(hardCaseNames()),
-  [](const ::testing::TestParamInfo<std::string>& tested) { return identifierOf(tested.param); });
+  [](const ::testing::TestParamInfo<std::string>& tested)
+  { return std::regex_replace(tested.param, std::regex("[^A-Za-z0-9]"), "_"); });
 } // namespace

@@ -41,13 +41,11 @@ struct HardView
   std::string Name;
   std::function<void(vtkCamera*, vtkUnstructuredGrid*)> Set;
   bool KeepsClippingRange = false;
+  int Pixels = 0; ///< the width and height of the one window it is meant for; 0: any
   /// Not for the GL of a machine without GPU: Mesa's llvmpipe ends a ray after 65535 rounds of its
-  /// loops in all.
+  /// loops in all, which a ray along a thousand teeth takes.
   bool TwinOnly = false;
 };
-
-/// Of the pictures, in pixels each way; odd, so that one pixel's centre is the middle.
-constexpr int HardPictureSize = 65;
 
 struct HardCase
 {
@@ -74,20 +72,20 @@ struct HardCase
 /// Every case, group by group; names are unique.
 const std::vector<HardCase>& hardCases();
 std::vector<std::string> hardCaseNames();
-/// A name as gtest takes it: hyphens and dots become underscores.
-std::string identifierOf(const std::string& name);
 /// nullptr if there is none of that name.
 const HardCase* findHardCase(const std::string& name);
+
+/// Those of the case, or the standard ones.
+std::vector<HardView> viewsOf(const HardCase& hard);
+/// In pixels each way, of a view that is meant for any window.
+constexpr int HardPictureSize = 65;
 
 /// Three views of the grid's bounding box: oblique in perspective, parallel along z, parallel along
 /// the diagonal (1, 1, 1).
 std::vector<HardView> standardViews();
-/// Those of the case, or the standard ones.
-std::vector<HardView> viewsOf(const HardCase& hard);
-/// The view of that name, or the first one.
-HardView viewOfSameName(const HardCase& hard, const HardView& view);
-/// A smooth colour map, an opacity with a bump, a ramp and a transparent gap over the range of "f"
-/// (of "c" for cells), so that a ray through the bounding box has an optical depth of about 3.
+/// A smooth colour map, an opacity with a bump, a ramp and a transparent gap over the finite range
+/// of "f", and a unit distance such that the diagonal of the grid's bounding box has an optical
+/// depth of about 3. (Cases of cell scalars bring their own SetOptics, over the range of "c".)
 void setStandardOptics(vtkVolumeProperty* property, vtkUnstructuredGrid* grid);
 } // namespace tetmarch::testing
 

@@ -16,10 +16,10 @@
  * itself adds 2^-24 of the length a cell.
  *
  * Where the cells fill a box, these are the chords of the box made smaller and greater, for every
- * ray. Elsewhere the same ray (the same bits of origin and direction) is marched in double; if that
- * differs by more than the rounding of the sum, the bound is sampled in double: the ray moved
- * aside, in copies of the mesh with displaced vertices. Double in turn is held against brute force,
- * which knows nothing of faces, links and order.
+ * ray. Elsewhere, and where surfaces meet inside of the box, the same ray (the same bits of origin
+ * and direction) is marched in double; if that differs by more than the rounding of the sum, the
+ * bound is sampled in double: the ray moved aside, in copies of the mesh with displaced vertices.
+ * Double in turn is held against brute force, which knows nothing of faces, links and order.
  *
  * In cases about optics the transfer functions of the case are integrated instead, and colour and
  * transmittance have to be finite and within 0..1; that they are right is for PictureCheck.h.

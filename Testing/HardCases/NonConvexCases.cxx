@@ -1,92 +1,102 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Groups.h"
+// Meshes that a ray leaves and enters again.
+#include "CaseGroup.h"
+#include "CaseViews.h"
+#include "SwissCheese.h"
 
 #include "Grids.h"
-#include "Views.h"
-
-#include "vtkDataObject.h"
-#include "vtkThreshold.h"
 
 namespace tetmarch::testing
 {
 namespace
 {
-HardCase shapeCase(
-  const std::string& name, const std::string& what, const std::function<Grid()>& make)
+void addShapes(CaseGroup& group)
 {
-  HardCase hard;
-  hard.Name = name;
-  hard.Group = "non-convex";
-  hard.What = what;
-  hard.Make = make;
-  return hard;
+  group.add("torus", "a smooth ring", [] { return torus(36, 3, sineField(0.4)); });
+  group.add("nested-shells", "a ball in shells, which touch in edges and vertices",
+    [] { return nestedShells(12); });
+  group.add("cavity", "a cube with a closed hole inside", [] { return latticeWithHole(6); });
+  group.add("l-shape", "a cube without a quarter", [] { return lShape(6); });
+  group.add("tunnel", "a cube bored through", [] { return latticeWithTunnel(6); });
+
+  HardCase& coil =
+    group.add("spiral", "a band of four turns", [] { return spiral(4.0, 160, sineField(0.5)); });
+  coil.Views = standardViews();
+  coil.Views.push_back(parallelView("across", { 1, 0, 0 }, { 0, 0, 1 }, 0.3));
 }
 
-Grid swissCheese()
+void addManyEntries(CaseGroup& group)
 {
-  const Grid whole = jitteredLattice(36, 0.15, 3, noiseField(5, 18));
-  vtkNew<vtkThreshold> threshold;
-  threshold->SetInputData(whole);
-  threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "c");
-  threshold->SetUpperThreshold(0.5);
-  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_UPPER);
-  threshold->Update();
-  Grid cheese = threshold->GetOutput();
-  return cheese;
+  HardCase& teeth = group.add("comb", "1000 teeth on one bar: a ray along them enters 1000 times",
+    [] { return comb(1000, sineField(0.7)); });
+  teeth.Views = standardViews();
+  // Half the diagonal of a bar of 2 x 1/8 x 1/4 is about 1, half of its end's height 1/8.
+  teeth.Views.push_back(parallelView("along-row", { 1, 0, 0 }, { 0, 0, 1 }, 0.13));
+  teeth.Views.push_back(parallelView("nearly-along-row", { 1, 0.01, -0.02 }, { 0, 0, 1 }, 0.13));
+  teeth.Views.push_back(viewFrom(
+    "in-front-of-row",
+    [](vtkUnstructuredGrid*) {
+      return Vec3{ -0.25, 0.0625, 0.1875 };
+    },
+    { 1, 0, 0 }, { 0, 0, 1 }, 30.0));
+
+  HardCase& stack = group.add(
+    "sheets", "40 sheets one cell thick with gaps of 1e-4", [] { return sheets(40, 4, 1e-4); });
+  stack.Views = standardViews();
+  stack.Views.push_back(parallelView("through-sheets", { 0.05, 0.03, -1 }, { 0, 1, 0 }, 0.9));
+  stack.Views.push_back(parallelView("along-sheets", { 1, 0, 0 }, { 0, 0, 1 }, 0.9));
+  stack.Views.push_back(parallelView("nearly-along-sheets", { 1, 0.3, 0.004 }, { 0, 0, 1 }, 0.9));
+
+  group.add("swiss-cheese", "what a threshold of noise leaves of a lattice: 1e5 boundary faces",
+    [] { return swissCheese(42, 28); });
 }
 
-Grid besideCube(const Vec3& offset)
+// A jittered cube and its image in the planes x = 1, y = 1 and z = 1, as many of them as said:
+// where the two meet, their points and triangles coincide.
+Grid withMirrorImage(int planes)
 {
-  const Grid cube = jitteredLattice(4, 0.0, 3, sineField());
-  return joined(cube, withOffsetAndScale(cube, offset, 1.0));
+  const Grid cube = jitteredLattice(4);
+  return joined(cube, mapped(cube,
+                        [planes](Vec3 p, vtkIdType)
+                        {
+                          for (int a = 0; a < planes; ++a)
+                          {
+                            p[a] = 2.0 - p[a];
+                          }
+                          return p;
+                        }));
+}
+
+void addComponents(CaseGroup& group)
+{
+  fills(group.add("touching-in-face", "two cubes that touch in a face whose points are there twice",
+          [] { return withMirrorImage(1); }),
+    { { 0, 0, 0 }, { 2, 1, 1 } });
+  group.add("touching-in-edge", "two cubes that touch in an edge whose points are there twice",
+    [] { return withMirrorImage(2); });
+  group.add("touching-in-vertex", "two cubes that touch in a vertex that is there twice",
+    [] { return withMirrorImage(3); });
+  group.add("overlapping", "two cubes that interpenetrate",
+    []
+    {
+      return joined(jitteredLattice(4),
+        withOffsetAndScale(jitteredLattice(5, 0.15, 2), { 0.5, 0.3, 0.2 }, 1.0));
+    });
+  group.add("one-in-another", "a small cube inside a large one",
+    []
+    {
+      return joined(jitteredLattice(4),
+        withOffsetAndScale(jitteredLattice(4, 0.15, 2), { 0.3, 0.35, 0.4 }, 0.3));
+    });
 }
 } // namespace
 
-void addNonConvexCases(HardCases& cases)
+void addNonConvexCases(std::vector<HardCase>& cases)
 {
-  cases.push_back(shapeCase(
-    "torus", "a ring of radius 1, round of radius 0.4", [] { return torus(24, sineField()); }));
-  cases.push_back(shapeCase("nested-shells", "a ball in shells with gaps between them",
-    [] { return nestedShells(10, 4, 0.15, 1, sineField()); }));
-  cases.push_back(shapeCase("cavity", "a cube with a closed hole",
-    [] { return latticeWithHole(6, 0.15, 1, sineField()); }));
-  cases.push_back(shapeCase(
-    "tunnel", "a cube with a tunnel", [] { return latticeWithTunnel(6, 0.15, 1, sineField()); }));
-  cases.push_back(shapeCase("l-shape", "an L", [] { return lShape(6, 0.15, 1, sineField()); }));
-  cases.push_back(shapeCase("spiral", "a square spiral", [] { return spiral(4, sineField()); }));
-  cases.push_back(shapeCase("sheets", "40 sheets one cell thick, 1e-5 apart",
-    [] { return sheets(40, 3, 1e-5, sineField()); }));
-  cases.push_back(shapeCase("comb", "a comb of 1000 teeth, which a ray enters 1000 times",
-    [] { return comb(1000, sineField()); }));
-  cases.back().Views = standardViews();
-  // One row of pixels runs between bar and teeth, where rays meet twice as many faces.
-  HardView along = parallelAlong("along-the-teeth-and-the-bar", { 1.0, 0.0, 0.0 }, 0.05);
-  along.TwinOnly = true;
-  cases.back().Views.push_back(along);
-  cases.back().Views.push_back(parallelAlong("along-the-teeth", { 1.0, 1e-3, 0.0 }, 0.05));
-  cases.push_back(shapeCase(
-    "swiss-cheese", "what a threshold leaves of noise: 100 thousand boundary faces", swissCheese));
-  cases.push_back(
-    shapeCase("touching-faces", "two cubes that touch in a face, without common points",
-      [] {
-        return besideCube({ 1.0, 0.0, 0.0 });
-      }));
-  cases.push_back(shapeCase("touching-edges", "two cubes that touch in an edge",
-    [] {
-      return besideCube({ 1.0, 1.0, 0.0 });
-    }));
-  cases.push_back(shapeCase("touching-vertices", "two cubes that touch in a vertex",
-    [] {
-      return besideCube({ 1.0, 1.0, 1.0 });
-    }));
-  cases.push_back(shapeCase("overlapping-cubes", "two cubes, half of each in the other",
-    [] {
-      return besideCube({ 0.5, 0.0, 0.0 });
-    }));
-  cases.push_back(shapeCase("overlapping-askew", "two cubes that overlap in a corner",
-    [] {
-      return besideCube({ 0.3, 0.4, 0.55 });
-    }));
+  CaseGroup group(cases, "non-convex");
+  addShapes(group);
+  addManyEntries(group);
+  addComponents(group);
 }
 } // namespace tetmarch::testing

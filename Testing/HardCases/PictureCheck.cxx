@@ -26,8 +26,9 @@ namespace tetmarch::testing
 namespace
 {
 constexpr double Tolerance = 1.0 / 255.0;
-// In entries of the default level's table: a step or a spike is spread over three bins.
-constexpr double TableResolution = 1.5;
+// In entries of the default level's table: what lies in one bin raises the ends of the bin, and by
+// them the bins beside it, up to two entries away.
+constexpr double TableResolution = 2.0;
 
 // In world coordinates.
 std::array<double, 6> boundsOf(vtkUnstructuredGrid* grid, vtkMatrix4x4* matrix)
@@ -56,6 +57,8 @@ IntegralTable tableFor(vtkVolumeProperty* property, const ScalarRange& range, in
 }
 } // namespace
 
+int sizeOf(const HardView& view) { return view.Pixels > 0 ? view.Pixels : HardPictureSize; }
+
 void setUpHardCase(const HardCase& hard, const HardView& view, vtkUnstructuredGrid* grid,
   vtkRenderer* renderer, vtkVolume* volume)
 {
@@ -78,9 +81,9 @@ std::int64_t PictureResult::failures() const
          this->OutOfBound;
 }
 
-PictureCheck::PictureCheck(const HardCase& hard, const HardView& view, int size)
+PictureCheck::PictureCheck(const HardCase& hard, const HardView& view)
   : Case(hard)
-  , Size(size)
+  , Size(sizeOf(view))
   , Data(hard.Make())
 {
   std::string error;
@@ -100,7 +103,7 @@ PictureCheck::PictureCheck(const HardCase& hard, const HardView& view, int size)
 
   const ReferenceImage image =
     renderReference<double>(this->sceneOf(this->Mesh, this->ReferenceTable), ReferenceAccuracy);
-  this->Yardstick = Image::fromFloats(size, size, image.Pixels.data());
+  this->Yardstick = Image::fromFloats(this->Size, this->Size, image.Pixels.data());
 }
 
 ReferenceScene PictureCheck::sceneOf(const TetMesh& mesh, const IntegralTable& table) const

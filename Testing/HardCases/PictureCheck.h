@@ -55,12 +55,15 @@ enum class DrawnBy
   GL
 };
 
+/// Of its pictures, in pixels each way.
+int sizeOf(const HardView& view);
+
 /// The pictures of one view.
 class PictureCheck
 {
 public:
   /// Throws std::runtime_error if the mesh can't be built.
-  PictureCheck(const HardCase& hard, const HardView& view, int size);
+  PictureCheck(const HardCase& hard, const HardView& view);
 
   /// By the twin in float, at the default level.
   Image twin(MarchCounters& counters) const;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Groups.h"
+// Rays that meet vertices, edges and faces by construction.
+#include "CaseGroup.h"
+#include "CaseViews.h"
 
 #include "Grids.h"
-#include "Views.h"
 
-#include "vtkCamera.h"
 #include "vtkMath.h"
 
 #include <cmath>
@@ -14,90 +14,195 @@ namespace tetmarch::testing
 {
 namespace
 {
-// An unjittered lattice of spacing 1/4: all its points are multiples of it.
-HardCase latticeCase(
-  const std::string& name, const std::string& what, const std::vector<HardView>& views)
+constexpr int LatticeSize = 8;
+constexpr double Spacing = 1.0 / LatticeSize;
+constexpr Vec3 Middle = { 0.5, 0.5, 0.5 };
+
+Vec3 normalised(const Vec3& v)
 {
-  HardCase hard;
-  hard.Name = name;
-  hard.Group = "rays";
-  hard.What = what;
-  hard.Make = [] { return jitteredLattice(4, 0.0, 1, sineField()); };
-  hard.Views = views;
-  hard.Known = Answer::Box;
-  hard.ExactBox = { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } };
-  return hard;
+  const double length = std::hypot(v[0], v[1], v[2]);
+  return { v[0] / length, v[1] / length, v[2] / length };
 }
 
-// Parallel, with pixel centres on a grid of the given spacing about the middle of the cube: of 65
-// pixels the 33rd has the focal point in its centre.
-HardView pixelGrid(const std::string& name, const Vec3& direction, const Vec3& up, double spacing)
+struct Direction
 {
-  return { name, [=](vtkCamera* camera, vtkUnstructuredGrid*)
-    {
-      camera->SetFocalPoint(0.5, 0.5, 0.5);
-      camera->SetPosition(
-        0.5 + 4.0 * direction[0], 0.5 + 4.0 * direction[1], 0.5 + 4.0 * direction[2]);
-      camera->SetViewUp(up[0], up[1], up[2]);
-      camera->ParallelProjectionOn();
-      camera->SetParallelScale(0.5 * HardPictureSize * spacing);
-    } };
+  const char* Name;
+  Vec3 Right;
+  Vec3 Up;
+  double PixelSpacing;
+};
+
+// Down the axes four pixels make an edge of the lattice: every fourth pixel centre of a row is a
+// vertex, those with i = j lie on the diagonals of faces. Down (1, 2, 2) all vertices lie on pixel
+// centres, since right and up have whole thirds as components. Down the other two diagonals the
+// vertices make no square pattern: only the columns lie in lattice planes (x - y constant), and the
+// middle row meets vertices.
+std::vector<Direction> latticeDirections()
+{
+  const double third = 1.0 / 3.0;
+  return { { "down-x", { 0, 1, 0 }, { 0, 0, 1 }, Spacing / 4.0 },
+    { "down-y", { 0, 0, 1 }, { 1, 0, 0 }, Spacing / 4.0 },
+    { "down-z", { 1, 0, 0 }, { 0, 1, 0 }, Spacing / 4.0 },
+    { "down-110", normalised({ -1, 1, 0 }), { 0, 0, 1 }, Spacing * third / std::sqrt(2.0) },
+    { "down-111", normalised({ -1, 1, 0 }), normalised({ -1, -1, 2 }),
+      Spacing * third / std::sqrt(2.0) },
+    { "down-122", { 2 * third, 1 * third, -2 * third }, { -2 * third, 2 * third, -1 * third },
+      Spacing * third } };
 }
 
-// Perspective, with the rays of pixel centres through a grid of that spacing on the top of the
-// cube.
-HardView pixelFan(const std::string& name, const Vec3& eye, double spacing)
+// The pixel centres of all views pass through the given point.
+std::vector<HardView> latticeViews(const Vec3& shiftInPixels)
 {
-  return { name, [=](vtkCamera* camera, vtkUnstructuredGrid*)
+  std::vector<HardView> views;
+  for (const Direction& direction : latticeDirections())
+  {
+    Vec3 through = Middle;
+    for (int a = 0; a < 3; ++a)
     {
-      camera->SetPosition(eye[0], eye[1], eye[2]);
-      camera->SetFocalPoint(eye[0], eye[1], 0.0);
-      camera->SetViewUp(0.0, 1.0, 0.0);
-      const double slope = 0.5 * HardPictureSize * spacing / (eye[2] - 1.0);
-      camera->SetViewAngle(2.0 * vtkMath::DegreesFromRadians(std::atan(slope)));
-    } };
+      through[a] += direction.PixelSpacing *
+                    (shiftInPixels[0] * direction.Right[a] + shiftInPixels[1] * direction.Up[a]);
+    }
+    for (const int pixels : { 64, 65 })
+    {
+      views.push_back(viewOnPixels(direction.Name + ("-" + std::to_string(pixels)), pixels, through,
+        direction.Right, direction.Up, direction.PixelSpacing));
+    }
+  }
+  return views;
+}
+
+// The first plane of the lattice is eight edges away, where pixels are a quarter of an edge apart.
+// In the j-th plane behind it pixel k meets a vertex wherever (8 + j) k / 32 is whole: every fourth
+// one of the first plane, every second one of the last.
+std::vector<HardView> fanViews()
+{
+  std::vector<HardView> views;
+  for (const auto& [name, direction, up] :
+    { std::tuple<const char*, Vec3, Vec3>{ "along-x", { 1, 0, 0 }, { 0, 0, 1 } },
+      { "against-y", { 0, -1, 0 }, { 1, 0, 0 } }, { "along-z", { 0, 0, 1 }, { 0, 1, 0 } } })
+  {
+    Vec3 eye = Middle;
+    for (int a = 0; a < 3; ++a)
+    {
+      eye[a] -= 1.5 * direction[a];
+    }
+    const double angle = 2.0 * vtkMath::DegreesFromRadians(std::atan(0.5 * 65 * Spacing / 4.0));
+    HardView view = viewFrom(
+      name, [eye](vtkUnstructuredGrid*) { return eye; }, direction, up, angle);
+    view.Pixels = 65;
+    views.push_back(view);
+  }
+  return views;
+}
+
+// Points of the lattice and halves and quarters between them: exact in unjittered lattices.
+Vec3 mean(vtkUnstructuredGrid* grid, const Ids& points)
+{
+  Vec3 sum = { 0.0, 0.0, 0.0 };
+  for (const vtkIdType point : points)
+  {
+    Vec3 p;
+    grid->GetPoint(point, p.data());
+    for (int a = 0; a < 3; ++a)
+    {
+      sum[a] += p[a] / static_cast<double>(points.size());
+    }
+  }
+  return sum;
+}
+
+// Eyes at a vertex, in the middle of an edge and within a face (twice its first corner, so that
+// quarters do), all of the cube (i, j, k).
+std::vector<HardView> eyeViews(const std::string& where, int i, int j, int k, const Vec3& direction)
+{
+  const auto corner = [=](int b)
+  {
+    return static_cast<vtkIdType>(
+      (i + (b & 1)) +
+      (LatticeSize + 1) * ((j + (b >> 1 & 1)) + (LatticeSize + 1) * (k + (b >> 2))));
+  };
+  std::vector<HardView> views;
+  for (const auto& [what, points] : { std::pair<const char*, Ids>{ "vertex", { corner(0) } },
+         { "edge", { corner(0), corner(2) } }, { "diagonal", { corner(0), corner(6) } },
+         { "face", { corner(0), corner(0), corner(2), corner(6) } } })
+  {
+    views.push_back(viewFrom(
+      where + "-" + what,
+      [points = points](vtkUnstructuredGrid* grid) { return mean(grid, points); }, direction,
+      { 0, 1, 0 }, 75.0));
+  }
+  return views;
+}
+
+// The cube (3, 4, 3) is well inside; face x = 0 of the cube (0, 4, 3) is on the boundary.
+std::vector<HardView> eyesInMesh()
+{
+  const Vec3 oblique = { 0.6, 0.3, 0.7 };
+  std::vector<HardView> views = eyeViews("inside", 3, 4, 3, oblique);
+  const auto append = [&views](const std::vector<HardView>& more)
+  { views.insert(views.end(), more.begin(), more.end()); };
+  append(eyeViews("boundary", 0, 4, 3, oblique));
+  append(eyeViews("corner", 0, 0, 0, oblique));
+  append(eyeViews("along-faces", 3, 4, 3, { 1, 0, 0 }));
+  append(eyeViews("out-of-boundary", 0, 4, 3, { -0.6, 0.3, 0.7 }));
+  return views;
+}
+
+// Columns of prisms along z: where the points of a layer lie in x and y is the same in all layers.
+Grid columnsAlongZ()
+{
+  const Grid lattice = jitteredLattice(LatticeSize, 0.0);
+  std::mt19937 generator(1);
+  std::vector<double> moves;
+  for (int i = 0; i < 2 * (LatticeSize + 1) * (LatticeSize + 1); ++i)
+  {
+    moves.push_back((static_cast<int>(generator() % 3) - 1) * Spacing / 8.0);
+  }
+  const Grid grid = mapped(lattice,
+    [&](Vec3 p, vtkIdType id)
+    {
+      const auto column = static_cast<std::size_t>(id) % (moves.size() / 2);
+      for (int a = 0; a < 2; ++a)
+      {
+        p[a] += p[a] > 0.0 && p[a] < 1.0 ? moves[2 * column + a] : 0.0;
+      }
+      return p;
+    });
+  attachFields(grid, linearField());
+  return grid;
 }
 } // namespace
 
-void addRayCases(HardCases& cases)
+void addRayCases(std::vector<HardCase>& cases)
 {
-  const double sixtyfourth = 1.0 / 64.0;
-  cases.push_back(latticeCase("lattice-along-axes",
-    "parallel rays along each axis, through every vertex, edge and face of a plain lattice",
-    { pixelGrid("x", { 1, 0, 0 }, { 0, 0, 1 }, sixtyfourth),
-      pixelGrid("y", { 0, 1, 0 }, { 0, 0, 1 }, sixtyfourth),
-      pixelGrid("z", { 0, 0, 1 }, { 0, 1, 0 }, sixtyfourth),
-      pixelGrid("minus-z", { 0, 0, -1 }, { 0, 1, 0 }, sixtyfourth) }));
-  cases.push_back(latticeCase("lattice-along-diagonals",
-    "parallel rays along diagonals of faces and of the cube, which are edges of cells",
-    { pixelGrid("xy", { 1, 1, 0 }, { 0, 0, 1 }, sixtyfourth),
-      pixelGrid("yz", { 0, 1, 1 }, { 1, 0, 0 }, sixtyfourth),
-      pixelGrid("x-minus-z", { 1, 0, -1 }, { 0, 1, 0 }, sixtyfourth),
-      pixelGrid("xyz", { 1, 1, 1 }, { 0, 0, 1 }, std::sqrt(2.0) / 64.0),
-      pixelGrid("xy-minus-z", { 1, 1, -1 }, { 0, 0, 1 }, std::sqrt(2.0) / 64.0) }));
-  cases.push_back(latticeCase("lattice-fan",
-    "rays from a point outside through the vertices of the surface, along planes of faces",
-    { pixelFan("over-vertex", { 0.5, 0.5, 3.0 }, sixtyfourth),
-      pixelFan("over-corner", { 0.0, 0.0, 2.0 }, sixtyfourth),
-      pixelFan("in-plane-of-side", { 1.0, 0.5, 2.5 }, sixtyfourth) }));
-  cases.push_back(latticeCase("eye-on-vertex", "the eye exactly on a vertex",
-    { eyeAt("inside", { 0.5, 0.5, 0.5 }, { 0.3, 0.2, -1.0 }),
-      eyeAt("inside-along-edge", { 0.5, 0.5, 0.5 }, { 1, 0, 0 }),
-      eyeAt("on-side", { 0.5, 0.5, 1.0 }, { 0.1, 0.2, -1.0 }),
-      eyeAt("on-corner", { 0, 0, 0 }, { 1, 1, 1 }) }));
-  cases.push_back(latticeCase("eye-on-edge", "the eye exactly on an edge",
-    { eyeAt("inside", { 0.5, 0.5, 0.625 }, { 0.3, 0.2, -1.0 }),
-      eyeAt("inside-along-it", { 0.5, 0.5, 0.625 }, { 0, 0, -1 }),
-      eyeAt("on-surface", { 0.625, 0.5, 1.0 }, { 0.1, 0.2, -1.0 }),
-      eyeAt("on-edge-of-cube", { 0.0, 0.0, 0.625 }, { 1, 1, 0 }) }));
-  cases.push_back(latticeCase("eye-in-face", "the eye exactly in the plane of a face",
-    { eyeAt("inside", { 0.5, 0.5625, 0.59375 }, { 0.3, 0.2, -1.0 }),
-      eyeAt("inside-along-it", { 0.5, 0.5625, 0.59375 }, { 0, 1, 0 }),
-      eyeAt("on-surface-inwards", { 0.5625, 0.59375, 1.0 }, { 0.1, 0.2, -1.0 }),
-      eyeAt("on-surface-along-it", { 0.5625, 0.59375, 1.0 }, { 1, 0, 0 }) }));
-  cases.push_back(latticeCase("rays-in-faces", "the eye outside, in the planes of inner faces",
-    { eyeAt("one-plane", { -1.0, 0.5, 0.59375 }, { 1, 0, 0 }),
-      eyeAt("two-planes", { -1.0, 0.5, 0.5 }, { 1, 0, 0 }),
-      eyeAt("plane-of-side", { -1.0, 0.5, 1.0 }, { 1, 0, 0 }) }));
+  CaseGroup group(cases, "rays");
+  const auto lattice = [] { return jitteredLattice(LatticeSize, 0.0); };
+
+  fills(group.add("pixels-on-vertices",
+          "plain lattice seen exactly down axes and diagonals; pixel centres are lattice points",
+          lattice))
+    .Views = latticeViews({ 0.0, 0.0, 0.0 });
+  fills(group.add("pixels-on-edges",
+          "the same with pixels half a pixel aside: rays in lattice planes that miss all vertices",
+          lattice))
+    .Views = latticeViews({ 0.0, 0.5, 0.0 });
+  fills(group.add("pixels-in-cells", "the same with pixels aside in both directions", lattice))
+    .Views = latticeViews({ 0.25, 0.5, 0.0 });
+  fills(group.add("fan-through-vertices",
+          "plain lattice in a perspective whose rays go through vertices", lattice))
+    .Views = fanViews();
+  fills(group.add("camera-in-lattice",
+          "the eye exactly on a vertex, on edges, in a face, inside and on the boundary", lattice))
+    .Views = eyesInMesh();
+  fills(group.add("camera-in-jittered-lattice",
+          "the eye on a vertex and, up to rounding, on edges and in faces of a jittered lattice",
+          [] { return jitteredLattice(LatticeSize); }))
+    .Views = eyesInMesh();
+  fills(group.add("rays-parallel-to-faces",
+          "columns of prisms along z, seen along z: a third of all faces edge-on", columnsAlongZ))
+    .Views = { viewOnPixels("down-z-64", 64, Middle, { 1, 0, 0 }, { 0, 1, 0 }, Spacing / 8.0),
+    viewOnPixels("down-z-65", 65, Middle, { 1, 0, 0 }, { 0, 1, 0 }, Spacing / 8.0),
+    parallelView("down-z", { 0, 0, -1 }, { 0.3, 1, 0 }, 0.8),
+    parallelView("in-plane", { 0, 1, -1 }, { 1, 0, 0 }, 0.9) };
 }
 } // namespace tetmarch::testing

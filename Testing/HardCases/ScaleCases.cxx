@@ -1,133 +1,201 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Groups.h"
+// Lengths far from 1: of the mesh, its place, the camera's distance, the volume's matrix.
+#include "CaseGroup.h"
+#include "CaseOptics.h"
+#include "CaseViews.h"
 
 #include "Grids.h"
-#include "Views.h"
 
-#include "vtkPoints.h"
+#include "vtkMath.h"
+#include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace tetmarch::testing
 {
 namespace
 {
-// Points are multiples of 2^-10, so that powers of two as scales, and offsets up to 2^40, keep them
-// exactly.
-Grid base()
+const Box UnitBox = { { 0, 0, 0 }, { 1, 1, 1 } };
+
+Box scaled(const Box& box, const Vec3& factors)
 {
-  const Grid grid = jitteredLattice(5, 0.15, 3, sineField());
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  Box result;
+  for (int a = 0; a < 3; ++a)
   {
-    double p[3];
-    grid->GetPoint(i, p);
-    for (double& x : p)
-    {
-      x = std::ldexp(std::round(std::ldexp(x, 10)), -10);
-    }
-    grid->GetPoints()->SetPoint(i, p);
+    result.Low[a] = factors[a] * box.Low[a];
+    result.High[a] = factors[a] * box.High[a];
   }
-  return grid;
+  return result;
 }
 
-HardCase cubeCase(
-  const std::string& name, const std::string& what, const Vec3& offset, double scale)
+Grid stretched(vtkUnstructuredGrid* grid, const Vec3& factors)
 {
-  HardCase hard;
-  hard.Name = name;
-  hard.Group = "scale";
-  hard.What = what;
-  hard.Make = [=] { return withOffsetAndScale(base(), offset, scale); };
-  hard.Known = Answer::Box;
-  hard.ExactBox = { offset, { offset[0] + scale, offset[1] + scale, offset[2] + scale } };
-  hard.SamePictureAs = name == "cube" ? "" : "cube";
-  return hard;
+  return mapped(grid,
+    [factors](const Vec3& p, vtkIdType) {
+      return Vec3{ factors[0] * p[0], factors[1] * p[1], factors[2] * p[2] };
+    });
 }
 
-HardCase stretched(const std::string& name, const std::string& what, const Vec3& stretch)
+// Each has the pictures of "jittered-cube": its optics and views follow its bounding box.
+void addScalesAndOffsets(CaseGroup& group)
 {
-  HardCase hard;
-  hard.Name = name;
-  hard.Group = "scale";
-  hard.What = what;
-  hard.Make = [=]
+  for (const auto& [name, scale] : { std::pair<const char*, double>{ "1e-12", 1e-12 },
+         { "1e-6", 1e-6 }, { "1e6", 1e6 }, { "1e12", 1e12 } })
   {
-    const Grid grid = withOffsetAndScale(base(), { 0.0, 0.0, 0.0 }, 1.0);
-    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      grid->GetPoint(i, p);
-      grid->GetPoints()->SetPoint(i, p[0] * stretch[0], p[1] * stretch[1], p[2] * stretch[2]);
-    }
-    return grid;
+    HardCase& hard = fills(group.add(std::string("scaled-") + name,
+                             std::string("coordinates and unit distance times ") + name,
+                             [scale = scale] {
+                               return withOffsetAndScale(jitteredCube(), { 0, 0, 0 }, scale);
+                             }),
+      scaled(UnitBox, { scale, scale, scale }));
+    hard.SamePictureAs = "jittered-cube";
+  }
+  for (const auto& [name, offset] :
+    { std::pair<const char*, double>{ "1e6", 1e6 }, { "1e9", 1e9 } })
+  {
+    // Multiples of 1/1024 below 2^30 are exact.
+    HardCase& hard =
+      fills(group.add(std::string("offset-") + name,
+              std::string("moved by ") + name + " times its size, in double",
+              [offset = offset] {
+                return withOffsetAndScale(jitteredCube(), { offset, -offset, offset }, 1.0);
+              }),
+        { { offset, -offset, offset }, { offset + 1, -offset + 1, offset + 1 } });
+    hard.SamePictureAs = "jittered-cube";
+  }
+  // Multiples of 1/1024 below 2^14 are exact in floats.
+  fills(group.add("offset-1e4-float", "moved by 1e4 times its size, points in float",
+          [] {
+            return withFloatPoints(withOffsetAndScale(jitteredCube(), { 1e4, -1e4, 1e4 }, 1.0));
+          }),
+    { { 1e4, -1e4, 1e4 }, { 10001, -9999, 10001 } })
+    .SamePictureAs = "jittered-cube";
+}
+
+// The same size of picture from every distance.
+void addCameras(CaseGroup& group)
+{
+  const Vec3 direction = { -0.55, -0.4, -0.75 };
+  const Vec3 up = { 0.1, 1.0, 0.0 };
+  fills(group.add("camera-parallel", "parallel, to compare with cameras far away", jitteredCube))
+    .Views = { parallelView("view", direction, up, 0.9) };
+  // A mesh of diagonal sqrt(3) fills 0.9 of the window: an angle of 2 atan(0.9 sqrt(3) / 2 / d).
+  for (const auto& [name, distance] :
+    { std::pair<const char*, double>{ "10", 10.0 }, { "1e3", 1e3 }, { "1e6", 1e6 } })
+  {
+    const double angle = 2.0 * std::atan(0.45 * std::sqrt(3.0) / distance);
+    HardCase& hard = fills(group.add(std::string("camera-at-") + name,
+      std::string("the camera ") + name + " mesh sizes away, the picture of the same size",
+      jitteredCube));
+    hard.Views = { perspectiveView("view", direction, up, vtkMath::DegreesFromRadians(angle)) };
+    hard.SamePictureAs = distance == 1e6 ? "camera-parallel" : "";
+  }
+  fills(group.add("view-angles", "view angles of 0.001 and of 150 degrees", jitteredCube)).Views = {
+    perspectiveView("0.001-degrees", direction, up, 0.001),
+    perspectiveView("150-degrees", direction, up, 150.0)
   };
-  hard.Known = Answer::Box;
-  hard.ExactBox = { { 0.0, 0.0, 0.0 }, stretch };
-  return hard;
 }
 
-HardCase transformed(
-  const std::string& name, const std::string& what, const std::array<double, 16>& matrix)
+std::array<double, 16> scaling(const Vec3& factors)
 {
-  HardCase hard = cubeCase(name, what, { 0.0, 0.0, 0.0 }, 1.0);
-  hard.Matrix = matrix;
-  hard.SamePictureAs.clear();
-  return hard;
+  return { factors[0], 0, 0, 0, 0, factors[1], 0, 0, 0, 0, factors[2], 0, 0, 0, 0, 1 };
 }
 
-HardCase seen(const std::string& name, const std::string& what, const HardView& view)
+// Along every axis and nearly so. A box of very unequal edges covers no pixel where all of it is in
+// the window, so each view is as high as the box in the less of the two directions across.
+std::vector<HardView> viewsOfThinBox(const Box& box)
 {
-  HardCase hard = cubeCase(name, what, { 0.0, 0.0, 0.0 }, 1.0);
-  hard.Views = { view };
-  hard.SamePictureAs.clear();
-  return hard;
+  const Bounds bounds = [box](vtkUnstructuredGrid*) { return box; };
+  Vec3 edges;
+  for (int a = 0; a < 3; ++a)
+  {
+    edges[a] = box.High[a] - box.Low[a];
+  }
+  const double diagonal = std::hypot(edges[0], edges[1], edges[2]);
+  std::vector<HardView> views;
+  for (int a = 0; a < 3; ++a)
+  {
+    const int b = (a + 1) % 3;
+    const int c = (a + 2) % 3;
+    const double height = std::min(edges[b], edges[c]);
+    Vec3 along = { 0, 0, 0 };
+    along[a] = -1;
+    Vec3 up = { 0, 0, 0 };
+    up[c] = 1;
+    // Aslant the ray still meets two sides within the window.
+    Vec3 nearlyAlong = along;
+    nearlyAlong[b] = 0.3 * std::min(1.0, edges[b] / edges[a]);
+    nearlyAlong[c] = -0.2 * std::min(1.0, edges[c] / edges[a]);
+    const std::string axis(1, "xyz"[a]);
+    views.push_back(parallelView("along-" + axis, along, up, 1.1 * height / diagonal, bounds));
+    views.push_back(
+      parallelView("nearly-along-" + axis, nearlyAlong, up, 1.1 * height / diagonal, bounds));
+  }
+  return views;
+}
+
+// An optical depth of about 3 along the geometric mean of the edges: longer rays see thick cells,
+// shorter ones thin cells.
+OpticsSetter opticsOfThinBox(const Box& box)
+{
+  double volume = 1.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    volume *= box.High[a] - box.Low[a];
+  }
+  return [volume](vtkVolumeProperty* property, vtkUnstructuredGrid* grid)
+  {
+    setStandardOptics(property, grid);
+    property->SetScalarOpacityUnitDistance(std::cbrt(volume) / 11.0);
+  };
+}
+
+void addAspects(CaseGroup& group)
+{
+  for (const auto& [name, factors] :
+    { std::pair<const char*, Vec3>{ "1e3", { 1e-3, 1, 1e3 } }, { "1e6", { 1e-6, 1, 1e6 } } })
+  {
+    HardCase& hard = fills(group.add(std::string("matrix-stretching-by-") + name,
+      std::string("the volume's matrix divides x and multiplies z by ") + name, jitteredCube));
+    hard.Matrix = scaling(factors);
+    hard.Views = viewsOfThinBox(scaled(UnitBox, factors));
+    hard.SetOptics = opticsOfThinBox(scaled(UnitBox, factors));
+  }
+
+  const Box mirrored = { { -1, 0, 0 }, { 0, 1, 1 } };
+  fills(group.add("mirrored-points", "x negated: all tetrahedra in the order of negative volume",
+          [] {
+            return stretched(jitteredCube(), { -1, 1, 1 });
+          }),
+    mirrored);
+  HardCase& mirror =
+    fills(group.add("mirrored-by-matrix", "the volume's matrix negates x", jitteredCube));
+  mirror.Matrix = scaling({ -1, 1, 1 });
+  mirror.Views = standardViewsOf([mirrored](vtkUnstructuredGrid*) { return mirrored; });
+  mirror.SamePictureAs = "mirrored-points";
+
+  for (const auto& [name, what, factors] : { std::tuple<const char*, const char*, Vec3>{
+                                               "plate", "a mesh of 1 x 1 x 0.001", { 1, 1, 1e-3 } },
+         { "rod", "a mesh of 0.001 x 0.001 x 1", { 1e-3, 1e-3, 1 } } })
+  {
+    const Box box = scaled(UnitBox, factors);
+    HardCase& hard = fills(
+      group.add(name, what, [factors = factors] { return stretched(jitteredCube(), factors); }),
+      box);
+    hard.Views = viewsOfThinBox(box);
+    hard.SetOptics = opticsOfThinBox(box);
+  }
 }
 } // namespace
 
-void addScaleCases(HardCases& cases)
+void addScaleCases(std::vector<HardCase>& cases)
 {
-  cases.push_back(cubeCase("cube", "a jittered cube, to compare with", { 0.0, 0.0, 0.0 }, 1.0));
-  cases.push_back(cubeCase("scale-1e-12", "coordinates times 1e-12", { 0.0, 0.0, 0.0 }, 1e-12));
-  cases.push_back(cubeCase("scale-1e-6", "coordinates times 1e-6", { 0.0, 0.0, 0.0 }, 1e-6));
-  cases.push_back(cubeCase("scale-1e6", "coordinates times 1e6", { 0.0, 0.0, 0.0 }, 1e6));
-  cases.push_back(cubeCase("scale-1e12", "coordinates times 1e12", { 0.0, 0.0, 0.0 }, 1e12));
-  cases.push_back(
-    cubeCase("offset-1e6", "a million mesh sizes from the origin", { 1e6, -2e6, 3e6 }, 1.0));
-  cases.push_back(
-    cubeCase("offset-1e9", "a billion mesh sizes from the origin", { 1e9, 1e9, -1e9 }, 1.0));
-  {
-    HardCase hard = cubeCase("float-points-offset-1e4",
-      "points in single precision ten thousand mesh sizes from the origin, which moves them by "
-      "1e-3",
-      { 16384.0, 0.0, 0.0 }, 1.0);
-    hard.Make = [] {
-      return withFloatPoints(withOffsetAndScale(base(), { 16384.0, 0.0, 0.0 }, 1.0));
-    };
-    hard.SamePictureAs.clear();
-    cases.push_back(hard);
-  }
-  const Vec3 oblique{ 0.9, -1.6, 1.1 };
-  cases.push_back(
-    seen("camera-10", "the eye 10 radii away", perspectiveFrom("10-radii", oblique, 10.0)));
-  cases.push_back(
-    seen("camera-1e3", "the eye 1000 radii away", perspectiveFrom("1e3-radii", oblique, 1e3)));
-  cases.push_back(
-    seen("camera-1e6", "the eye a million radii away", perspectiveFrom("1e6-radii", oblique, 1e6)));
-  cases.back().SamePictureAs = "camera-1e3";
-  cases.push_back(seen("angle-0.001", "a view angle of 0.001 degrees, zoomed far into the mesh",
-    perspectiveOfAngle("0.001-degrees", oblique, 10.0, 0.001)));
-  cases.push_back(seen("angle-150", "a view angle of 150 degrees, close by",
-    perspectiveOfAngle("150-degrees", oblique, 1.1, 150.0)));
-  cases.push_back(transformed("volume-scaled-1e3", "a volume scaled by 1e-3, 1 and 1e3",
-    { { 1e-3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1e3, 0, 0, 0, 0, 1 } }));
-  cases.push_back(transformed("volume-scaled-1e6", "a volume scaled by 1e-6, 1 and 1e6",
-    { { 1e-6, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1e6, 0, 0, 0, 0, 1 } }));
-  cases.push_back(transformed("volume-mirrored", "a volume mirrored in x",
-    { { -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } }));
-  cases.push_back(transformed("volume-sheared", "a volume sheared, turned and moved far away",
-    { { 0.8, -3.0, 0.1, 1e5, 0.6, 0.9, -0.4, 2e5, 0.2, 0.5, 1.7, -3e5, 0, 0, 0, 1 } }));
-  cases.push_back(stretched("rod-1-1000", "a rod of 1 x 1 x 1000", { 1.0, 1.0, 1000.0 }));
-  cases.push_back(stretched("plate-1000-1", "a plate of 1000 x 1000 x 1", { 1000.0, 1000.0, 1.0 }));
+  CaseGroup group(cases, "scale");
+  addScalesAndOffsets(group);
+  addCameras(group);
+  addAspects(group);
 }
 } // namespace tetmarch::testing
