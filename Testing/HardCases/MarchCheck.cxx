@@ -161,7 +161,7 @@ MarchCheck::MarchCheck(const HardCase& hard)
   {
     const std::size_t tets = this->Mesh.Tets.size();
     const int together = tets < 50000 ? DisplacementsTogether : 0;
-    const int copies = together + static_cast<int>(std::clamp<std::size_t>(20000 / tets, 4, 200));
+    const int copies = together + static_cast<int>(std::clamp<std::size_t>(20000 / tets, 16, 200));
     for (int i = 0; i < copies; ++i)
     {
       this->Displaced.push_back(
@@ -238,7 +238,8 @@ private:
     const double exact = this->Double.march(ray).Length;
     const double error = std::abs(length - exact);
     this->remember(error);
-    const bool within = error <= slack || this->isSeenInDisplaced(length, slack, ray);
+    const bool within = error <= slack || this->isSeenInDisplaced(length, slack, ray) ||
+                        error <= slack + this->surfaceRounding(ray);
     this->count(this->Totals.OutOfBound, within ? 0 : 1, "out of bound", number, length, exact);
 
     if (this->Check.BruteForce && number % this->Stride == this->Stride / 2)
@@ -254,7 +255,9 @@ private:
       const double answer = bruteForce(ray);
       ++this->Totals.Compared;
       const bool right = std::abs(exact - answer) <= DoubleSlack ||
-                         this->isSeenNearby(exact, DoubleSlack, ray, DoubleSlack, bruteForce);
+                         this->isSeenNearby(exact, DoubleSlack, ray, DoubleSlack, bruteForce) ||
+                         (this->Random.LastKind != RandomRays::Kind::Generic &&
+                           this->isRightBesideIt(ray, bruteForce));
       this->count(
         this->Totals.NotTheAnswer, right ? 0 : 1, "not brute force's", number, exact, answer);
     }
@@ -292,6 +295,61 @@ private:
   static double scaleOf(const typename Exact::Ray& ray)
   {
     return std::hypot(ray.direction.x, ray.direction.y, ray.direction.z);
+  }
+
+  // A ray made to run exactly in the seam of two surfaces without common points may pass between
+  // them. Those beside it may not.
+  template <typename LengthOf>
+  bool isRightBesideIt(const typename Exact::Ray& ray, LengthOf&& bruteForce)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      const double angle = 6.283185307179586 * uniform(this->Aside);
+      const auto near =
+        movedAside(ray, VertexDisplacement * std::cos(angle), VertexDisplacement * std::sin(angle));
+      const double length = this->Double.march(near).Length;
+      if (!(std::abs(length - bruteForce(near)) <= DoubleSlack))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // How far the rounding of positions moves all the surfaces that the ray crosses, to first order:
+  // each by its displacement over the sine of the angle at which it is met. Samples of displaced
+  // meshes don't find that where there are many, whose worst cases don't come together.
+  double surfaceRounding(const typename Exact::Ray& ray) const
+  {
+    const TetMesh& mesh = this->Check.Mesh;
+    double sum = 0.0;
+    for (const auto& face : mesh.BoundaryFaces)
+    {
+      glsl::Vec3<double> p[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        const Vertex& v = mesh.Vertices[face[i]];
+        const glsl::Vec3<double> to =
+          glsl::Vec3<double>{ double(v.X), double(v.Y), double(v.Z) } - ray.origin;
+        p[i] = { glsl::dot(to, ray.right), glsl::dot(to, ray.up), glsl::dot(to, ray.direction) };
+      }
+      int left = 0, right = 0;
+      for (int i = 0; i < 3; ++i)
+      {
+        const auto& a = p[i];
+        const auto& b = p[(i + 1) % 3];
+        const double turn = a.x * b.y - a.y * b.x;
+        left += turn >= 0.0 ? 1 : 0;
+        right += turn <= 0.0 ? 1 : 0;
+      }
+      if (left == 3 || right == 3)
+      {
+        const auto normal = glsl::cross(p[1] - p[0], p[2] - p[0]);
+        const double length = std::sqrt(glsl::dot(normal, normal));
+        sum += VertexDisplacement * length / std::max(std::abs(normal.z), 1e-300);
+      }
+    }
+    return sum;
   }
 
   bool isSeenInDisplaced(double length, double slack, const typename Exact::Ray& ray)
