@@ -51,6 +51,28 @@ vec3 insideFace(vec3 share, float least)
   inside = max(inside, vec3(least));
   return inside / (inside.x + inside.y + inside.z);
 }
+
+#if TETMARCH_BVH
+uniform mat4 fittedToNormalized; // from clip coordinates whose depths span the mesh
+
+// A point of the pixel's ray within the depths of the mesh, where it loses no digits.
+vec3 pixelPoint()
+{
+  vec2 xy = (gl_FragCoord.xy - viewport.xy) / viewport.zw * 2.0 - 1.0;
+  vec4 p = fittedToNormalized * vec4(xy, 0.0, 1.0);
+  return p.xyz / p.w;
+}
+
+bool isBesideEntry(ivec2 pixel)
+{
+  ivec2 last = ivec2(viewport.zw) - 1;
+  float most = max(max(texelFetch(entryTexture, max(pixel - ivec2(1, 0), ivec2(0)), 0).x,
+                     texelFetch(entryTexture, min(pixel + ivec2(1, 0), last), 0).x),
+    max(texelFetch(entryTexture, max(pixel - ivec2(0, 1), ivec2(0)), 0).x,
+      texelFetch(entryTexture, min(pixel + ivec2(0, 1), last), 0).x));
+  return most >= 0.0;
+}
+#endif
 #endif
 
 void main()
@@ -63,34 +85,43 @@ void main()
   // The ray through the interpolated position keeps its digits however far away the eye is. In a few pixels of a
   // hundred thousand, the rasteriser's rounding names a face beside the one that the ray enters.
   vec4 entry = texelFetch(entryTexture, pixel, 0);
-  if (entry.x < 0.0)
+  int firstFace = int(entry.x);
+#if TETMARCH_BVH
+  // A search then finds where it does; also where the rasteriser lost a needle and left a hole, and where it
+  // extrapolates beyond one that it sees edge-on.
+  if (firstFace < 0 && !isBesideEntry(pixel))
   {
     discard;
   }
-  int firstFace = int(entry.x);
-  uvec3 ids = fetchBoundaryFace(uint(firstFace));
+#else
+  if (firstFace < 0)
+  {
+    discard;
+  }
+#endif
+  uvec3 ids = fetchBoundaryFace(uint(max(firstFace, 0)));
   vec3 a = fetchVertex(ids.x).xyz;
   vec3 b = fetchVertex(ids.y).xyz;
   vec3 c = fetchVertex(ids.z).xyz;
   Ray ray;
-  vec3 share = entry.yzw;
-  float farOut = max(abs(share.x), max(abs(share.y), abs(share.z))); // of a face seen edge-on
-  share = farOut < 8.0 ? share : insideFace(share, 1e-4);
 #if TETMARCH_BVH
-  // A search then finds where it does.
-  vec3 point = share.x * a + share.y * b + share.z * c;
+  vec3 share = entry.yzw;
+  bool known = firstFace >= 0 && max(abs(share.x), max(abs(share.y), abs(share.z))) < 8.0;
+  vec3 point = known ? share.x * a + share.y * b + share.z * c : pixelPoint();
   ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
 #else
-  // The ray is led a little into the face then; far, if the face is so small that rounding matters.
+  // The ray is led a little into the face, lest it run through a vertex: there it could leave the mesh at once,
+  // between faces that ties bend outwards, and come in again. Farther, if the face is so small that it is
+  // refused for rounding.
   bool refused = false;
   float least = 1e-4;
   do
   {
+    vec3 share = insideFace(entry.yzw, least);
     vec3 point = share.x * a + share.y * b + share.z * c;
     ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
     Crossing crossing;
     refused = !enters(ray, uint(firstFace), crossing);
-    share = insideFace(entry.yzw, least);
     least *= 32.0;
   } while (refused && least < 1e5);
 #endif

@@ -10,25 +10,18 @@
 namespace
 {
 constexpr std::size_t Plenty = std::numeric_limits<std::size_t>::max();
-constexpr int All = -1;
+constexpr int Never = -1;
 
 std::atomic<std::size_t> Bytes{ Plenty };
-std::atomic<int> Countdown{ All };
+std::atomic<bool> Once{ false };
+std::atomic<int> Successes{ 0 }; // before the one that fails; Never: no more
 std::atomic<int> Failures{ 0 };
 
 bool fails(std::size_t bytes)
 {
-  if (bytes < Bytes)
+  if (bytes < Bytes || (Once && (Successes == Never || Successes.fetch_sub(1) != 0)))
   {
     return false;
-  }
-  if (Countdown != All && Countdown.fetch_sub(1) != 0)
-  {
-    return false;
-  }
-  if (Countdown != All)
-  {
-    Bytes = Plenty;
   }
   ++Failures;
   return true;
@@ -50,13 +43,16 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 namespace tetmarch::testing
 {
 ScarceMemory::ScarceMemory(std::size_t bytes)
-  : ScarceMemory(bytes, All)
 {
+  Failures = 0;
+  Once = false;
+  Bytes = bytes;
 }
 ScarceMemory::ScarceMemory(std::size_t bytes, int successes)
 {
   Failures = 0;
-  Countdown = successes;
+  Successes = successes;
+  Once = true;
   Bytes = bytes;
 }
 ScarceMemory::~ScarceMemory() { Bytes = Plenty; }

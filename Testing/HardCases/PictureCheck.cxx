@@ -27,7 +27,7 @@ namespace
 {
 constexpr double Tolerance = 1.0 / 255.0;
 // In entries of the default level's table: what lies in one bin raises the ends of the bin, and by
-// them the bins beside it, up to two entries away.
+// them the bins beside it, up to two entries away; elsewhere in the table by another amount.
 constexpr double TableResolution = 2.0;
 
 // In world coordinates.
@@ -130,14 +130,16 @@ Image PictureCheck::twin(MarchCounters& counters) const
   return Image::fromFloats(this->Size, this->Size, image.Pixels.data());
 }
 
-// By the yardstick; aside are shares of a pixel.
-std::array<float, 4> PictureCheck::pixelOf(
-  const TetMesh& mesh, int x, int y, const std::array<double, 2>& aside, double entries) const
+// By the yardstick; aside are shares of a pixel, entries how far the functions are moved at both
+// ends of the range.
+std::array<float, 4> PictureCheck::pixelOf(const TetMesh& mesh, int x, int y,
+  const std::array<double, 2>& aside, const std::array<double, 2>& entries) const
 {
   ReferenceScene scene = this->sceneOf(mesh, this->ReferenceTable);
-  scene.Range.Low += entries * (this->DefaultTable.End - this->DefaultTable.Begin) /
-                     (samplesOfTable(DefaultAccuracy.TableEntries) - 1);
-  scene.Range.High = scene.Range.Low + this->Range.width();
+  const double entry = (this->DefaultTable.End - this->DefaultTable.Begin) /
+                       (samplesOfTable(DefaultAccuracy.TableEntries) - 1);
+  scene.Range.Low += entries[0] * entry;
+  scene.Range.High += entries[1] * entry;
   scene.Width = scene.Height = 1;
   const double centre[2] = { (2.0 * (x + aside[0]) + 1.0) / this->Size - 1.0,
     (2.0 * (y + aside[1]) + 1.0) / this->Size - 1.0 };
@@ -174,9 +176,10 @@ bool PictureCheck::isWithinBounds(const Image& picture, int x, int y, DrawnBy dr
   for (std::size_t i = 0; i < 10 * this->Displaced.size(); ++i)
   {
     // At first only the geometry.
-    const double entries = i < this->Displaced.size() ? 0.0 : TableResolution * within1();
+    const double resolution = i < this->Displaced.size() ? 0.0 : TableResolution;
     const auto seen = this->pixelOf(this->Displaced[i % this->Displaced.size()], x, y,
-      { reach * within1(), reach * within1() }, entries);
+      { { reach * within1(), reach * within1() } },
+      { { resolution * within1(), resolution * within1() } });
     bool within = true;
     for (int k = 0; k < 4; ++k)
     {

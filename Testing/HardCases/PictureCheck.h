@@ -73,8 +73,8 @@ public:
 
 private:
   ReferenceScene sceneOf(const TetMesh& mesh, const IntegralTable& table) const;
-  std::array<float, 4> pixelOf(
-    const TetMesh& mesh, int x, int y, const std::array<double, 2>& aside, double entries) const;
+  std::array<float, 4> pixelOf(const TetMesh& mesh, int x, int y,
+    const std::array<double, 2>& aside, const std::array<double, 2>& entries) const;
   bool isWithinBounds(const Image& picture, int x, int y, DrawnBy drawnBy);
 
   const HardCase& Case;

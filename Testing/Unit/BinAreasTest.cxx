@@ -118,6 +118,29 @@ TEST(BinAreas, SpikesAndStepsKeepTheirAreas)
   RecordProperty("share", std::to_string(errorKept / errorOfPoints));
 }
 
+// Also where extinction begins within a bin, of which little is left to tell a colour from.
+TEST(BinAreas, ColoursAreOfThoseSeenThere)
+{
+  for (int i = 0; i < 64; ++i)
+  {
+    const double x0 = 7.0 + i / 32.0;
+    const auto gap = [x0](double x)
+    {
+      const double inGap = std::min(x - x0 + 0.5, x0 + 0.5 - x);
+      return OpticalSample{ { 0.03 * x, 1.0 - 0.04 * x, 0.5, std::max(0.0, -0.1 * inGap) } };
+    };
+    const auto fine = sampled(gap, 20, 16);
+    const auto kept = keepBinAreas(fine, 16);
+    for (std::size_t bin = 0; bin < kept.size(); ++bin)
+    {
+      const double x = static_cast<double>(bin);
+      EXPECT_NEAR(kept[bin][0], 0.03 * x, 0.031) << i;
+      EXPECT_NEAR(kept[bin][1], 1.0 - 0.04 * x, 0.041) << i;
+      EXPECT_NEAR(kept[bin][2], 0.5, 1e-12) << i;
+    }
+  }
+}
+
 // A dip to 0 between two samples, as narrow as a fine one: nothing gets below 0.
 TEST(BinAreas, DipsStayAboveZero)
 {

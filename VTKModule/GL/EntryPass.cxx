@@ -13,6 +13,33 @@
 
 namespace tetmarch
 {
+namespace
+{
+
+// Depths outside of 0..1 are taken for 0 and 1 while this lives. VTK keeps no record of this state.
+class DepthClamp
+{
+public:
+  DepthClamp()
+    : WasOn(glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE)
+  {
+    glEnable(GL_DEPTH_CLAMP);
+  }
+  ~DepthClamp()
+  {
+    if (!this->WasOn)
+    {
+      glDisable(GL_DEPTH_CLAMP);
+    }
+  }
+  DepthClamp(const DepthClamp&) = delete;
+  DepthClamp& operator=(const DepthClamp&) = delete;
+
+private:
+  bool WasOn;
+};
+
+} // namespace
 
 std::string EntryPass::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport,
   const View& view, const TetMesh& mesh, MeshTextures& textures)
@@ -28,7 +55,7 @@ std::string EntryPass::draw(vtkOpenGLRenderWindow* window, const Viewport& viewp
   state->vtkglDisable(GL_BLEND);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);
-  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglEnable(GL_CULL_FACE);
   state->vtkglCullFace(view.Mirrored ? GL_FRONT : GL_BACK);
@@ -36,6 +63,9 @@ std::string EntryPass::draw(vtkOpenGLRenderWindow* window, const Viewport& viewp
   state->vtkglClearDepth(1.0);
   state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
+  // The depth of a needle may run out of 0..1 where its rounded image holds a pixel that it
+  // doesn't.
+  const DepthClamp clamp;
   vtkShaderProgram* program =
     this->Draw.use(window, "entry.vert.glsl", "entry.frag.glsl", {}, error);
   if (program)

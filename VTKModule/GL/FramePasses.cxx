@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/FramePasses.h"
 
+#include "Scene/FittedDepths.h"
+
 namespace tetmarch
 {
 
@@ -19,6 +21,7 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
   {
     error = this->Entry.draw(window, inputs.Area, *inputs.Camera, mesh, *inputs.Mesh);
     inputs.Entries = error.empty() ? this->Entry.entries() : nullptr;
+    inputs.FittedToNormalized = fittedToNormalized(*inputs.Camera, mesh);
   }
   if (error.empty() && inputs.Key.OpaqueDepth)
   {

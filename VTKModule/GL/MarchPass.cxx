@@ -94,6 +94,10 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   if (inputs.Key.RasterEntry)
   {
     bindImage(program, "entryTexture", inputs.Entries);
+    if (inputs.Key.Hierarchy)
+    {
+      setUniform(program, "fittedToNormalized", inputs.FittedToNormalized);
+    }
   }
   if (inputs.Key.OpaqueDepth)
   {

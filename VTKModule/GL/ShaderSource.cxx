@@ -4,10 +4,12 @@
 
 #include "TetMarchShaderFiles.h"
 
+#include <algorithm>
 #include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 namespace tetmarch
 {
@@ -32,7 +34,8 @@ int numberOf(const std::string& file)
   return -1;
 }
 
-void append(const std::string& file, std::set<std::string>& included, std::ostringstream& text)
+// Not by way of streams: where memory is scarce these lose text, and say nothing.
+void append(const std::string& file, std::set<std::string>& included, std::string& text)
 {
   const int number = numberOf(file);
   if (number < 0 || !included.insert(file).second)
@@ -40,21 +43,26 @@ void append(const std::string& file, std::set<std::string>& included, std::ostri
     return;
   }
   // In GLSL 1.50 the line behind a #line directive has the number after the one it names.
-  const int firstLine = (number + 1) * NumbersPerFile;
-  text << "#line " << firstLine << "\n";
-  std::istringstream lines(ShaderFiles[number].Text);
-  std::string line;
-  for (int at = 1; std::getline(lines, line); ++at)
+  int line = (number + 1) * NumbersPerFile;
+  const auto appendNumber = [&text, &line] { text += "#line " + std::to_string(line) + "\n"; };
+  appendNumber();
+  const std::string_view include = "#include \"";
+  std::string_view rest = ShaderFiles[number].Text;
+  while (!rest.empty())
   {
-    const std::string include = "#include \"";
-    if (line.compare(0, include.size(), include) == 0)
+    ++line;
+    const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
+    const std::string_view words = rest.substr(0, end);
+    rest.remove_prefix(end);
+    if (words.substr(0, include.size()) == include)
     {
-      append(line.substr(include.size(), line.rfind('"') - include.size()), included, text);
-      text << "#line " << firstLine + at << "\n";
+      const std::string_view name = words.substr(include.size());
+      append(std::string(name.substr(0, name.find('"'))), included, text);
+      appendNumber();
     }
     else
     {
-      text << line << "\n";
+      text += words;
     }
   }
 }
@@ -63,11 +71,10 @@ void append(const std::string& file, std::set<std::string>& included, std::ostri
 
 std::string shaderSource(const std::string& file, const std::string& defines)
 {
-  std::ostringstream text;
-  text << "//VTK::System::Dec\n" << defines;
+  std::string text = "//VTK::System::Dec\n" + defines;
   std::set<std::string> included;
   append(file, included, text);
-  return text.str();
+  return text;
 }
 
 std::string withFileNames(const std::string& log)

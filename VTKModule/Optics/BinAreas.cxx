@@ -16,12 +16,32 @@ OpticalSample weighted(const OpticalSample& s)
   return { { s[0] * s[3], s[1] * s[3], s[2] * s[3], s[3] } };
 }
 
+// The least and the greatest of each component.
+struct Span
+{
+  OpticalSample Least{ { 1e300, 1e300, 1e300, 1e300 } };
+  OpticalSample Most{ { -1e300, -1e300, -1e300, -1e300 } };
+
+  void add(const OpticalSample& s)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      this->Least[k] = std::min(this->Least[k], s[k]);
+      this->Most[k] = std::max(this->Most[k], s[k]);
+    }
+  }
+  double clamped(double x, int k) const
+  {
+    return std::min(std::max(x, this->Least[k]), this->Most[k]);
+  }
+};
+
 // A sample to be corrected: what it is, and between which values the functions run in its two bins.
 struct Node
 {
   OpticalSample Value;
-  OpticalSample Least;
-  OpticalSample Most;
+  Span Weighted;
+  Span Seen; // colours where there is extinction
 };
 
 std::vector<Node> nodesOf(const std::vector<OpticalSample>& fine, std::size_t perBin)
@@ -29,16 +49,14 @@ std::vector<Node> nodesOf(const std::vector<OpticalSample>& fine, std::size_t pe
   std::vector<Node> nodes;
   for (std::size_t at = 0; at < fine.size(); at += perBin)
   {
-    const OpticalSample value = weighted(fine[at]);
-    Node node{ value, value, value };
+    Node node{ weighted(fine[at]), {}, {} };
     const std::size_t end = std::min(at + perBin + 1, fine.size());
     for (std::size_t i = at < perBin ? 0 : at - perBin; i < end; ++i)
     {
-      const OpticalSample near = weighted(fine[i]);
-      for (int k = 0; k < 4; ++k)
+      node.Weighted.add(weighted(fine[i]));
+      if (fine[i][3] > 0)
       {
-        node.Least[k] = std::min(node.Least[k], near[k]);
-        node.Most[k] = std::max(node.Most[k], near[k]);
+        node.Seen.add(fine[i]);
       }
     }
     nodes.push_back(node);
@@ -53,7 +71,7 @@ void addToEnds(double amount, int k, Node& left, Node& right)
   const auto add = [k](double x, Node& node)
   {
     const double before = node.Value[k];
-    node.Value[k] = std::min(std::max(before + x, node.Least[k]), node.Most[k]);
+    node.Value[k] = node.Weighted.clamped(before + x, k);
     return node.Value[k] - before;
   };
   const double added = add(0.5 * amount, left);
@@ -114,7 +132,7 @@ std::vector<OpticalSample> keepBinAreas(const std::vector<OpticalSample>& fine, 
     OpticalSample s = nodes[i].Value;
     for (int k = 0; k < 3; ++k)
     {
-      s[k] = s[3] > 0 ? std::min(s[k] / s[3], 1.0) : fine[i * perBin][k];
+      s[k] = s[3] > 0 ? nodes[i].Seen.clamped(s[k] / s[3], k) : fine[i * perBin][k];
     }
     kept.push_back(s);
   }

@@ -19,7 +19,8 @@ std::array<double, 5> linearIntegrals(const OpticalSample& p, const OpticalSampl
 
 /**
  * Every perBin-th of the fine samples, corrected so that linear interpolation between them has the
- * same integral of tau and, but for clamping to 0..1, of C tau as between the fine ones. Where
+ * same integral of tau and, as far as colours among those nearby allow, of C tau as between the
+ * fine ones. Where
  * these are linear over a bin nothing changes; a spike between two samples, which would be missed,
  * raises them; a step keeps its place. What lies between fine samples is lost. fine.size() is a
  * multiple of perBin plus 1.

@@ -19,6 +19,9 @@ struct View;
  */
 std::array<double, 16> fittedDepths(const View& view, const TetMesh& mesh);
 
+/** Its inverse: well-conditioned in float however far away the eye is. */
+std::array<double, 16> fittedToNormalized(const View& view, const TetMesh& mesh);
+
 } // namespace tetmarch
 
 #endif
