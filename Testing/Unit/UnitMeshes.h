@@ -59,7 +59,7 @@ Kernel kernelOf(
   kernel.tetCount = mesh.numberOfTets();
   kernel.bvhNodeCount = static_cast<int>(mesh.Hierarchy.size());
   kernel.bvhReentryNodeCount = static_cast<int>(mesh.ReentryNodes);
-  kernel.mostCells = static_cast<int>(mesh.Tets.size()) + 1;
+  kernel.mostCells = 2 * static_cast<int>(mesh.Tets.size()) + 1; // as MeshTextures::bind()
   kernel.tableSize = table.size();
   kernel.tableScale = Real(table.scale(1.0));
   kernel.tableOffset = Real(table.offset(0.0));

@@ -78,8 +78,9 @@ void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
   this->bindBoundary(program);
   this->Links.bind(program, "linkBuffer");
   program->SetUniformi("numberOfTets", this->NumberOfTets);
-  // A ray passes a tetrahedron once, so more cells than there are means that something is wrong.
-  program->SetUniformi("mostCells", this->NumberOfTets + 1);
+  // A ray passes a tetrahedron once, or twice where the mesh is folded onto itself: once from each
+  // end of its way. More means that something is wrong.
+  program->SetUniformi("mostCells", 2 * this->NumberOfTets + 1);
   if (key.Hierarchy)
   {
     this->Hierarchy.bind(program, "hierarchyBuffer");
