@@ -10,6 +10,7 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace
@@ -53,6 +54,44 @@ TEST(DecompositionErrors, TypesWithoutATableGoByVTK)
   EXPECT_EQ(mesh.Tets.size(), 2u);
   EXPECT_EQ(mesh.Report.DuplicateTetrahedra, 1);
   EXPECT_EQ(mesh.Report.UnsupportedCells, 0);
+}
+
+// Of the points that it names, wherever they are among those of the grid.
+TEST(DecompositionErrors, ConvexPointSetsAreOfTheirOwnPoints)
+{
+  GridBuilder builder;
+  for (const Vec3& p : std::vector<Vec3>{ { 9, 9, 9 }, { 8, 9, 9 }, { 0, 0, 1 }, { 1, 0, 0 },
+         { 0, 1, 0 }, { 9, 8, 9 }, { 0, 0, 0 } })
+  {
+    builder.addPoint(p);
+  }
+  builder.addCell(VTK_CONVEX_POINT_SET, { 6, 3, 4, 2 });
+  const TetMesh mesh = built(builder.finish(linearField()));
+  ASSERT_EQ(mesh.Tets.size(), 1u);
+  EXPECT_NEAR(totalVolume(mesh), 1.0 / 6.0, 1e-6);
+}
+
+// The middle of such a mesh isn't a number, and the frame must be as large as the larger half.
+TEST(DecompositionErrors, MeshesAFewRoundingsWideStayInTheirFrame)
+{
+  const double eps = std::ldexp(1.0, -52);
+  for (const int width : { 1, 2, 3 })
+  {
+    const Grid grid = singleTet();
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      double p[3];
+      grid->GetPoint(i, p);
+      grid->GetPoints()->SetPoint(
+        i, 1 + width * eps * p[0], 1 + width * eps * p[1], 1 + width * eps * p[2]);
+    }
+    const TetMesh mesh = built(grid);
+    for (const Vertex& v : mesh.Vertices)
+    {
+      EXPECT_LE(std::hypot(double(v.X), double(v.Y), double(v.Z)), 1.0 + 1e-6) << width;
+      EXPECT_LE(std::abs(double(v.X)), mesh.HalfExtent[0] + 1e-6) << width;
+    }
+  }
 }
 
 TEST(DecompositionErrors, StopsWhenAsked)

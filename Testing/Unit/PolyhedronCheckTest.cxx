@@ -6,6 +6,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace

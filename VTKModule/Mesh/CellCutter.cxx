@@ -3,7 +3,9 @@
 #include "CellCutter.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellType.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +15,10 @@ namespace tetmarch
 {
 namespace
 {
+
+// vtkConvexPointSet::Triangulate returns numbers of the cell's points, not of the grid's as other
+// cells do.
+constexpr bool ConvexPointSetsCountLocally = VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0);
 
 // Six times the signed volume.
 double volume(const std::array<double, 3>& a, const std::array<double, 3>& b,
@@ -63,7 +69,7 @@ void CellCutter::cut(vtkIdType cell, int type)
   }
   else
   {
-    this->cutByVTK(cell);
+    this->cutByVTK(cell, type);
   }
 }
 
@@ -131,18 +137,20 @@ void CellCutter::cutPolyhedron(vtkIdType cell)
 }
 
 // Without new points.
-void CellCutter::cutByVTK(vtkIdType cell)
+void CellCutter::cutByVTK(vtkIdType cell, int type)
 {
   this->Grid->GetCell(cell, this->Cell);
   this->Cell->Triangulate(0, this->CutIds, this->CutPoints);
   const vtkIdType count = this->CutIds->GetNumberOfIds();
   this->Result.Report.UnsupportedCells += count < 4 ? 1 : 0;
+  const bool local = type == VTK_CONVEX_POINT_SET && ConvexPointSetsCountLocally;
   for (vtkIdType i = 0; i + 3 < count; i += 4)
   {
     std::array<Id, 4> tet;
     for (int j = 0; j < 4; ++j)
     {
-      tet[j] = static_cast<Id>(this->CutIds->GetId(i + j));
+      const vtkIdType id = this->CutIds->GetId(i + j);
+      tet[j] = local ? this->point(id) : static_cast<Id>(id);
     }
     this->add(cell, tet);
   }

@@ -37,7 +37,7 @@ private:
 
   void cutPieces(vtkIdType cell, const std::vector<CellPiece>& pieces);
   void cutPolyhedron(vtkIdType cell);
-  void cutByVTK(vtkIdType cell);
+  void cutByVTK(vtkIdType cell, int type);
 
   /** The face as triangles through its corner with the smallest id. */
   void fan();

@@ -243,6 +243,7 @@ std::string checkPoints(vtkUnstructuredGrid* grid)
   {
     return {};
   }
+  const PolyhedronFaces faces(grid);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
@@ -252,6 +253,10 @@ std::string checkPoints(vtkUnstructuredGrid* grid)
       continue;
     }
     grid->GetCells()->GetCellAtId(cell, ids);
+    if (cut == CellCut::Polyhedron)
+    {
+      faces.addPoints(cell, ids);
+    }
     const vtkIdType* wrong =
       std::find_if(ids->begin(), ids->end(), [&sound](vtkIdType id) { return !sound[id]; });
     if (wrong != ids->end())

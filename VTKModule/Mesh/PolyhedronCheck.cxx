@@ -3,6 +3,7 @@
 #include "PolyhedronCheck.h"
 
 #include "vtkCellType.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -99,6 +100,18 @@ std::string PolyhedronFaces::errorOfSharing(const unsigned char* types, vtkIdTyp
     }
   }
   return {};
+}
+
+void PolyhedronFaces::addPoints(vtkIdType cell, vtkIdList* points) const
+{
+  const vtkIdType* at = this->Faces->GetPointer(this->Locations->GetValue(cell));
+  for (vtkIdType faces = *at++; faces > 0; --faces)
+  {
+    for (vtkIdType corners = *at++; corners > 0; --corners)
+    {
+      points->InsertNextId(*at++);
+    }
+  }
 }
 
 } // namespace tetmarch

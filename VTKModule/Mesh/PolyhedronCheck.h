@@ -8,6 +8,7 @@
 
 #include <string>
 
+class vtkIdList;
 class vtkIdTypeArray;
 class vtkUnstructuredGrid;
 
@@ -30,6 +31,9 @@ struct PolyhedronFaces
   /** Of sound polyhedra, by their cell types: whether they name more values than there are. A few
    * faces that a million polyhedra share would become more tetrahedra than memory holds. */
   std::string errorOfSharing(const unsigned char* types, vtkIdType cells) const;
+
+  /** Append the points that the faces of a sound polyhedron name, some more than once. */
+  void addPoints(vtkIdType cell, vtkIdList* points) const;
 };
 
 } // namespace tetmarch
