@@ -2,6 +2,7 @@
 include(GNUInstallDirs)
 include(CTest)
 include("${PROJECT_SOURCE_DIR}/VTKModule/CompileOptions.cmake")
+include("${PROJECT_SOURCE_DIR}/VTKModule/Instrumentation.cmake")
 
 option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(TETMARCH_WRAP_PYTHON "Build the Python package vtktetmarch" ON)

@@ -6,6 +6,7 @@
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/Convexity.h"
 #include "Mesh/Decomposition.h"
+#include "Mesh/GridCheck.h"
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/Renumbering.h"
 #include "Mesh/Scalars.h"
@@ -77,6 +78,17 @@ void countTets(benchmark::State& state)
   state.SetItemsProcessed(state.iterations() * gridOf(state)->GetNumberOfCells());
 }
 
+void CheckGrid(benchmark::State& state)
+{
+  const auto grid = gridOf(state);
+  for (auto _ : state)
+  {
+    check(checkGrid(grid));
+  }
+  countTets(state);
+}
+
+/// With the check of the grid.
 void Decompose(benchmark::State& state)
 {
   const auto grid = gridOf(state);
@@ -178,6 +190,7 @@ void MakeTable(benchmark::State& state)
 #define TETMARCH_STAGE_BENCHMARK(stage)                                                            \
   BENCHMARK(stage)->Arg(8)->Arg(30)->Arg(60)->Unit(benchmark::kMillisecond)->UseRealTime()
 
+TETMARCH_STAGE_BENCHMARK(CheckGrid);
 TETMARCH_STAGE_BENCHMARK(Decompose);
 TETMARCH_STAGE_BENCHMARK(Renumber);
 TETMARCH_STAGE_BENCHMARK(LinkHalfFaces);

@@ -134,40 +134,38 @@ TEST(MeshStage, WhicheverAllocationFails)
       grid->Modified();
     }
     vtkObject::GlobalWarningDisplayOn();
-    EXPECT_GT(failures, 20);
+    EXPECT_GT(failures, 10);
     EXPECT_TRUE(stage.isCurrent(grid));
     EXPECT_TRUE(stage.mesh() == sound.mesh());
     std::cout << "[ MEASURED ] " << failures << " allocations failed one by one\n";
   }
 }
 
+// Or doesn't matter: std::stable_partition does without.
 TEST(MeshStage, WhicheverAllocationOfTheHierarchyFails)
 {
   const Grid grid = jitteredLattice(5);
-  MeshStage stage;
-  ASSERT_EQ(stage.make(grid, {}, NoProgress), "");
-  ASSERT_FALSE(stage.mesh().hasHierarchy());
-  const TetMesh before = stage.mesh();
+  const TetMesh complete = builtWithHierarchy(grid);
   int failures = 0;
-  for (int i = 0; i < 100000; ++i)
+  bool failed = true;
+  for (int i = 0; failed; ++i)
   {
+    MeshStage stage;
+    ASSERT_EQ(stage.make(grid, {}, NoProgress), "");
+    ASSERT_FALSE(stage.mesh().hasHierarchy());
+    const TetMesh before = stage.mesh();
     std::string error;
-    bool failed = false;
     {
       const ScarceMemory scarce(512, i);
       error = stage.addHierarchy();
       failed = ScarceMemory::failures() > 0;
     }
-    if (!failed)
-    {
-      break;
-    }
-    ++failures;
-    EXPECT_NE(error.find("search tree"), std::string::npos) << error;
-    ASSERT_TRUE(stage.mesh() == before) << "after allocation " << i;
+    failures += error.empty() ? 0 : 1;
+    ASSERT_TRUE(error.empty() || error.find("search tree") != std::string::npos) << error;
+    ASSERT_TRUE(stage.mesh() == (error.empty() ? complete : before)) << "after allocation " << i;
+    ASSERT_TRUE(failed || error.empty());
   }
   EXPECT_GT(failures, 3);
-  EXPECT_TRUE(stage.mesh() == builtWithHierarchy(grid));
 }
 
 TEST(WithinMemory, LengthsPastAnyMemory)

@@ -166,22 +166,19 @@ TEST(Renumbering, PointsOfNoTetrahedronAreLeftOut)
   EXPECT_DOUBLE_EQ(mesh.Radius, std::sqrt(0.75));
 }
 
-TEST(Renumbering, CoordinatesThatAreNotFiniteAreNamed)
+TEST(Renumbering, ExtentsFromTinyToHuge)
 {
-  for (const double bad : { std::nan(""), HUGE_VAL, -HUGE_VAL })
+  for (const double scale : { 1e-99, 1e-30, 1e30, 1e99 })
   {
-    const Grid grid = jitteredLattice(2);
-    double p[3];
-    grid->GetPoint(17, p);
-    grid->GetPoints()->SetPoint(17, p[0], bad, p[2]);
-    std::string error;
-    renumbered(grid, error);
-    EXPECT_NE(error.find("point 17"), std::string::npos) << error;
-    EXPECT_NE(error.find("Coordinate 1"), std::string::npos) << error;
+    const TetMesh mesh = built(withOffsetAndScale(singleTet(), {}, scale));
+    EXPECT_NEAR(mesh.Radius / scale, std::sqrt(0.75), 1e-12);
   }
-  std::string error;
-  renumbered(withOffsetAndScale(singleTet(), {}, 1e300), error);
-  EXPECT_NE(error, "") << "a radius beyond double precision";
+  for (const double scale : { 1e-101, 1e-160, 1e-200, 1e-308 })
+  {
+    std::string error;
+    renumbered(withOffsetAndScale(singleTet(), {}, scale), error);
+    EXPECT_NE(error.find("less than 1e-100"), std::string::npos) << scale << error;
+  }
 }
 
 TEST(Renumbering, AllPointsInOnePlace)

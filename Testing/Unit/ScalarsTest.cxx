@@ -121,6 +121,57 @@ TEST(Scalars, OneACellGoesToAllItsTetrahedra)
   }
 }
 
+TEST(Scalars, HugeValuesOfOneSign)
+{
+  const double most = std::numeric_limits<double>::max();
+  for (const double sign : { 1.0, -1.0 })
+  {
+    ScalarRange range;
+    storedOf(
+      arrayOf(VTK_DOUBLE, { sign * most, sign * 0.9 * most, sign * most, sign * most }), range);
+    EXPECT_LE(range.Low, range.High) << sign;
+    EXPECT_TRUE(std::isfinite(range.Low) && std::isfinite(range.High)) << sign;
+  }
+}
+
+TEST(Scalars, ArraysThatDontFitAreToldByName)
+{
+  const auto array = arrayOf(VTK_FLOAT, { 1, 2, 3 });
+  array->SetName("pressure");
+  EXPECT_EQ(checkScalars(array, 3, "points"), "");
+  for (const vtkIdType count : { 2, 4 })
+  {
+    const std::string error = checkScalars(array, count, "cells");
+    for (const std::string& word :
+      { std::string("\"pressure\""), std::string("3 tuples"), std::to_string(count) + " cells" })
+    {
+      EXPECT_NE(error.find(word), std::string::npos) << word << " in: " << error;
+    }
+  }
+}
+
+// Whoever calls without checking: what isn't there isn't drawn.
+TEST(Scalars, TuplesThatAreNotThereAreNotDrawn)
+{
+  ScalarRange range;
+  EXPECT_EQ(storedOf(arrayOf(VTK_DOUBLE, { 1, 3 }), range),
+    (std::array<float, 4>{ { 0.0f, 1.0f, UndrawnScalar, UndrawnScalar } }));
+  const Grid grid = quadraticHexLattice(2, 0.1);
+  TetMesh mesh = built(grid);
+  ASSERT_FALSE(mesh.CenterCells.empty());
+  setPointScalars(grid, arrayOf(VTK_DOUBLE, { 1, 3 }), mesh);
+  for (std::size_t v = 0; v < mesh.Vertices.size(); ++v)
+  {
+    EXPECT_EQ(mesh.Vertices[v].Scalar == UndrawnScalar, mesh.VertexPoints[v] >= 2) << v;
+  }
+  std::vector<float> scalars;
+  makeCellScalars(arrayOf(VTK_INT, { 5 }), mesh, scalars);
+  for (std::size_t t = 0; t < scalars.size(); ++t)
+  {
+    EXPECT_EQ(scalars[t] == UndrawnScalar, mesh.TetCells[t] != 0) << t;
+  }
+}
+
 // Values of points that no tetrahedron uses don't widen the range.
 TEST(Scalars, UnusedPointsDontCount)
 {

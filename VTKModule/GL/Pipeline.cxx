@@ -48,13 +48,12 @@ bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)
 
 bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars)
 {
-  const vtkIdType expected = cellScalars ? grid->GetNumberOfCells() : grid->GetNumberOfPoints();
-  if (array->GetNumberOfTuples() != expected)
+  const std::string wrong = cellScalars
+                              ? checkScalars(array, grid->GetNumberOfCells(), "cells")
+                              : checkScalars(array, grid->GetNumberOfPoints(), "points");
+  if (!wrong.empty())
   {
-    const std::string name = array->GetName() ? array->GetName() : "";
-    return this->fail("The scalar array \"" + name + "\" has " +
-                      std::to_string(array->GetNumberOfTuples()) + " tuples, but the grid has " +
-                      std::to_string(expected) + (cellScalars ? " cells." : " points."));
+    return this->fail(wrong);
   }
   Fingerprint input;
   add(input, array);

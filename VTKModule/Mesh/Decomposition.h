@@ -33,7 +33,7 @@ struct Decomposition
  * see all faces (non-convex or strongly warped cells), from the mean of the cell's points, which
  * becomes a vertex with the mean scalar.
  *
- * Returns an empty string, or what is wrong with the grid: which array, which cell, which value.
+ * Returns an empty string, or what is wrong with the grid (GridCheck.h).
  * True in `stopped` if progress asked to stop.
  */
 std::string decompose(

@@ -16,6 +16,9 @@ namespace
 
 using Position = std::array<double, 3>;
 
+// The volume of a tetrahedron of such edges is a normal number.
+constexpr double LeastRadius = 1e-100;
+
 // Every second and third bit left free: the 21 bits of one coordinate of a Morton code.
 std::uint64_t spread(std::uint64_t x)
 {
@@ -90,8 +93,7 @@ UsedPoints findUsedPoints(const Decomposition& tets, std::size_t count)
   return used;
 }
 
-std::string findFrame(
-  const std::vector<Position>& positions, const std::vector<Id>& points, TetMesh& mesh)
+std::string findFrame(const std::vector<Position>& positions, TetMesh& mesh)
 {
   if (positions.empty())
   {
@@ -100,35 +102,31 @@ std::string findFrame(
   Position low, high;
   low.fill(std::numeric_limits<double>::max());
   high.fill(std::numeric_limits<double>::lowest());
-  for (std::size_t i = 0; i < positions.size(); ++i)
+  for (const Position& position : positions)
   {
     for (int k = 0; k < 3; ++k)
     {
-      if (!std::isfinite(positions[i][k]))
-      {
-        return "Coordinate " + std::to_string(k) + " of point " + std::to_string(points[i]) +
-               " is not a finite number. Repair the grid's points.";
-      }
-      low[k] = std::min(low[k], positions[i][k]);
-      high[k] = std::max(high[k], positions[i][k]);
+      low[k] = std::min(low[k], position[k]);
+      high[k] = std::max(high[k], position[k]);
     }
   }
-  double square = 0;
+  Position half;
   for (int k = 0; k < 3; ++k)
   {
     mesh.Center[k] = 0.5 * low[k] + 0.5 * high[k];
-    const double half = 0.5 * high[k] - 0.5 * low[k];
-    square += half * half;
+    // From the centre as it is rounded: in a mesh a few roundings wide that is not the middle.
+    half[k] = std::max(high[k] - mesh.Center[k], mesh.Center[k] - low[k]);
   }
-  const double radius = std::sqrt(square);
-  if (!std::isfinite(radius) || (radius == 0 && high != low))
+  const double radius = std::hypot(half[0], half[1], half[2]);
+  if (radius > 0 && radius < LeastRadius)
   {
-    return "The extent of the grid is beyond the range of double precision. Scale its points.";
+    return "The points of the grid lie within less than 1e-100 of each other, which is too little "
+           "for volumes in double precision. Scale them.";
   }
   mesh.Radius = radius > 0 ? radius : 1;
   for (int k = 0; k < 3; ++k)
   {
-    mesh.HalfExtent[k] = (0.5 * high[k] - 0.5 * low[k]) / mesh.Radius;
+    mesh.HalfExtent[k] = half[k] / mesh.Radius;
   }
   return {};
 }
@@ -215,7 +213,7 @@ std::string renumber(
         }
       }
     });
-  std::string wrong = findFrame(positions, used.Points, mesh);
+  std::string wrong = findFrame(positions, mesh);
   if (!wrong.empty())
   {
     return wrong;

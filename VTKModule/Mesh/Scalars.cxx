@@ -20,33 +20,34 @@ namespace tetmarch
 namespace
 {
 
+constexpr double NotThere = std::numeric_limits<double>::quiet_NaN();
+
 // The first component of the tuples that are asked for, as doubles.
 struct FirstComponents
 {
   template <typename Array>
-  void operator()(
-    Array* array, const std::vector<Id>& tuples, vtkIdType limit, std::vector<double>& values)
+  void operator()(Array* array, const std::vector<Id>& tuples, std::vector<double>& values)
   {
+    const vtkIdType limit = array->GetNumberOfTuples();
     const auto range = vtk::DataArrayTupleRange(array);
     vtkSMPTools::For(0, static_cast<vtkIdType>(tuples.size()),
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType i = first; i < last; ++i)
         {
-          values[i] = tuples[i] < limit ? static_cast<double>(range[tuples[i]][0]) : 0.0;
+          values[i] = tuples[i] < limit ? static_cast<double>(range[tuples[i]][0]) : NotThere;
         }
       });
   }
 };
 
-std::vector<double> firstComponents(
-  vtkDataArray* array, const std::vector<Id>& tuples, vtkIdType limit)
+std::vector<double> firstComponents(vtkDataArray* array, const std::vector<Id>& tuples)
 {
-  std::vector<double> values(tuples.size());
+  std::vector<double> values(tuples.size(), NotThere);
   FirstComponents worker;
-  if (!vtkArrayDispatch::Dispatch::Execute(array, worker, tuples, limit, values))
+  if (!vtkArrayDispatch::Dispatch::Execute(array, worker, tuples, values))
   {
-    worker(array, tuples, limit, values);
+    worker(array, tuples, values);
   }
   return values;
 }
@@ -70,7 +71,8 @@ ScalarRange finiteRange(const std::vector<double>& values)
   // Wider than double precision can tell: keep halves, which is what the difference of the ends
   // needs.
   const double limit = 0.25 * std::numeric_limits<double>::max();
-  return { std::max(low, -limit), std::min(high, limit) };
+  const auto clamped = [limit](double x) { return std::min(std::max(x, -limit), limit); };
+  return { clamped(low), clamped(high) };
 }
 
 float normalised(double value, const ScalarRange& range)
@@ -87,19 +89,31 @@ float normalised(double value, const ScalarRange& range)
 double meanOfCell(vtkUnstructuredGrid* grid, Id cell, vtkDataArray* array, vtkIdList* points)
 {
   grid->GetCells()->GetCellAtId(cell, points);
-  double sum = 0;
-  for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+  const auto count = static_cast<double>(points->GetNumberOfIds());
+  double mean = 0;
+  for (vtkIdType point : *points)
   {
-    sum += array->GetComponent(points->GetId(i), 0);
+    mean += point < array->GetNumberOfTuples() ? array->GetComponent(point, 0) / count : NotThere;
   }
-  return sum / static_cast<double>(std::max<vtkIdType>(points->GetNumberOfIds(), 1));
+  return mean;
 }
 
 } // namespace
 
+std::string checkScalars(vtkDataArray* array, vtkIdType count, const char* what)
+{
+  if (array->GetNumberOfTuples() == count)
+  {
+    return {};
+  }
+  return std::string("The scalar array \"") + (array->GetName() ? array->GetName() : "") +
+         "\" has " + std::to_string(array->GetNumberOfTuples()) + " tuples, but the grid has " +
+         std::to_string(count) + " " + what + ".";
+}
+
 ScalarRange setPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, TetMesh& mesh)
 {
-  std::vector<double> values = firstComponents(array, mesh.VertexPoints, mesh.NumberOfPoints);
+  std::vector<double> values = firstComponents(array, mesh.VertexPoints);
   if (!mesh.CenterCells.empty())
   {
     vtkNew<vtkIdList> points;
@@ -122,8 +136,7 @@ ScalarRange setPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, TetM
 
 ScalarRange makeCellScalars(vtkDataArray* array, const TetMesh& mesh, std::vector<float>& scalars)
 {
-  const std::vector<double> values =
-    firstComponents(array, mesh.TetCells, std::numeric_limits<vtkIdType>::max());
+  const std::vector<double> values = firstComponents(array, mesh.TetCells);
   const ScalarRange range = finiteRange(values);
   scalars.resize(values.size());
   for (std::size_t i = 0; i < values.size(); ++i)

@@ -6,6 +6,8 @@
 
 #include "TetMesh.h"
 
+#include <string>
+
 class vtkDataArray;
 class vtkUnstructuredGrid;
 
@@ -21,10 +23,14 @@ struct ScalarRange
   double width() const { return this->High > this->Low ? this->High - this->Low : 1; }
 };
 
+/** Empty if the array has one tuple for each of `count` points or cells (`what`); or what is wrong.
+ */
+std::string checkScalars(vtkDataArray* array, vtkIdType count, const char* what);
+
 /**
  * Fill Vertex::Scalar of the mesh from the first component of a point array (one tuple a point of
  * the grid that the mesh was built from). Values are brought to 0..1 in double precision before
- * rounding to float; what is not finite becomes UndrawnScalar.
+ * rounding to float; what is not finite or not there becomes UndrawnScalar.
  */
 ScalarRange setPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, TetMesh& mesh);
 

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Exercise.h"
+
+#include "Mesh/LeastTetrahedra.h"
+#include "Mesh/Scalars.h"
+#include "Mesh/TetMeshBuilder.h"
+#include "Optics/IntegralTable.h"
+#include "Optics/TransferFunctions.h"
+#include "Reference/Kernel.h"
+#include "Reference/ReferenceImage.h"
+
+#include "MarchedLength.h"
+#include "MarchedMesh.h"
+#include "RandomRays.h"
+
+#include "vtkDataArray.h"
+#include "vtkObject.h"
+#include "vtkVolumeProperty.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace tetmarch::testing
+{
+namespace
+{
+constexpr int RaysOfEachKernel = 24;
+constexpr int PixelsOfASide = 6;
+
+void require(bool holds, const char* what)
+{
+  if (!holds)
+  {
+    std::fprintf(stderr, "This doesn't hold: %s\n", what);
+    std::abort();
+  }
+}
+
+void checkLinks(const TetMesh& mesh)
+{
+  const Id tets = mesh.numberOfTets();
+  require(mesh.Links.size() == 4 * mesh.Tets.size() + mesh.BoundaryFaces.size(),
+    "each half-face has a link");
+  for (Id halfFace = 0; halfFace < 4 * tets; ++halfFace)
+  {
+    const Link& link = mesh.Links[halfFace];
+    if (link.Tet >= LinkOutside)
+    {
+      const Id face = link.Tet - LinkOutside;
+      require(face < mesh.BoundaryFaces.size() && mesh.BoundaryFaces[face][3] == halfFace / 4,
+        "a link to the outside leads to the tetrahedron's boundary face");
+      continue;
+    }
+    require(link.Tet < tets && link.Tet != halfFace / 4, "a link leads to another tetrahedron");
+    bool back = false;
+    for (Id i = 0; i < 4; ++i)
+    {
+      back = back || (mesh.Tets[link.Tet][i] == link.Apex &&
+                       mesh.Links[4 * link.Tet + i].Tet == halfFace / 4);
+    }
+    require(back, "what lies behind a face has the link back");
+  }
+  for (const Vertex& v : mesh.Vertices)
+  {
+    require(std::abs(v.X) <= 1.0f && std::abs(v.Y) <= 1.0f && std::abs(v.Z) <= 1.0f,
+      "vertices lie in the normalised frame");
+  }
+}
+
+template <typename Kernel, typename Real>
+void marchRays(const TetMesh& mesh, Kernel kernel, unsigned seed)
+{
+  LengthMarcher<Kernel, Real> lengths(mesh);
+  RandomRays random(seed);
+  for (int i = 0; i < RaysOfEachKernel; ++i)
+  {
+    const auto ray = random.next<Kernel, Real>(kernel, mesh);
+    const auto march = kernel.castRay(ray, -1, Real(1 << (i % 20)), Real(-3e38f), Real(3e38f));
+    require(march.lost == 0, "no ray is lost");
+    require(march.refused == 0, "no entry is refused");
+    require(march.guarded == 0, "no ray goes round in circles");
+    const Real t = march.radiance.transmittance;
+    const auto& c = march.radiance.color;
+    const Real most = Real(1.0 + 1e-5);
+    require(t >= 0 && t <= most, "transmittances are in 0..1");
+    require(c.x >= 0 && c.x <= most && c.y >= 0 && c.y <= most && c.z >= 0 && c.z <= most,
+      "colours are in 0..1");
+    const double length = lengths.march(ray).Length;
+    require(length >= 0 && length <= 2 + 1e-5, "no ray crosses more than the mesh is wide");
+  }
+}
+
+template <typename Kernel, typename Real>
+Kernel kernelFor(const TetMesh& mesh, const IntegralTable& table, const ScalarRange& range)
+{
+  auto kernel = kernelOf<Kernel, Real>(mesh, table, DefaultAccuracy);
+  kernel.tableScale = Real(table.scale(range.width()));
+  kernel.tableOffset = Real(table.offset(range.Low));
+  return kernel;
+}
+
+// From the front, in parallel projection.
+void drawPicture(const TetMesh& mesh, const IntegralTable& table, const ScalarRange& range,
+  const std::vector<float>* cellScalars)
+{
+  ReferenceScene scene;
+  scene.Mesh = &mesh;
+  scene.Table = &table;
+  scene.Range = range;
+  scene.CellScalars = cellScalars;
+  scene.Width = scene.Height = PixelsOfASide;
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.Camera.NormalizedToClip[5 * i] = 1;
+    scene.Camera.ClipToNormalized[5 * i] = 1;
+  }
+  scene.Camera.LengthMatrix = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+  scene.Camera.Eye = { 0, 0, 1, 0 };
+  const ReferenceImage image = renderReference<float>(scene, DefaultAccuracy);
+  require(image.Counters.Lost + image.Counters.Refused + image.Counters.Guarded == 0,
+    "no pixel's ray is lost, refused or guarded");
+  for (const float value : image.Pixels)
+  {
+    require(value >= 0 && value <= 1 + 1e-5f, "pixels are in 0..1");
+  }
+}
+} // namespace
+
+std::string exercise(const Bytes& bytes)
+{
+  vtkObject::GlobalWarningDisplayOff();
+  const FuzzInput input = decode(bytes);
+  const std::uint64_t least = leastTetrahedra(input.Cells, 0);
+  TetMesh mesh;
+  std::string error;
+  const BuildStatus status = buildTetMesh(input.Cells, {}, mesh, error);
+  require(status != BuildStatus::Stopped, "a build that nobody stopped isn't stopped");
+  require((status == BuildStatus::Failed) == !error.empty(), "failures come with an error");
+  if (error.empty())
+  {
+    require(least <= mesh.Tets.size() + static_cast<std::size_t>(mesh.Report.DuplicateTetrahedra),
+      "there are no less tetrahedra than the cells tell");
+    checkLinks(mesh);
+    ensureHierarchy(mesh);
+    checkLinks(mesh);
+    error = checkScalars(input.Scalars,
+      input.OfCells ? input.Cells->GetNumberOfCells() : input.Cells->GetNumberOfPoints(),
+      input.OfCells ? "cells" : "points");
+  }
+  if (!error.empty() || mesh.Tets.empty())
+  {
+    return error.empty() ? "Nothing to draw." : error;
+  }
+  std::vector<float> cellScalars;
+  const ScalarRange range = input.OfCells ? makeCellScalars(input.Scalars, mesh, cellScalars)
+                                          : setPointScalars(input.Cells, input.Scalars, mesh);
+  const IntegralTable table = makeIntegralTable(sampleAreas(input.Property, input.Law, range.Low,
+    range.High, samplesOfTable(DefaultAccuracy.TableEntries)));
+  drawPicture(mesh, table, range, input.OfCells ? &cellScalars : nullptr);
+  if (input.OfCells)
+  {
+    return {};
+  }
+  marchRays<PointKernel<float>, float>(
+    mesh, kernelFor<PointKernel<float>, float>(mesh, table, range), input.Seed);
+  marchRays<PortablePointKernel<float>, float>(
+    mesh, kernelFor<PortablePointKernel<float>, float>(mesh, table, range), input.Seed);
+  marchRays<PointKernel<double>, double>(
+    mesh, kernelFor<PointKernel<double>, double>(mesh, table, range), input.Seed);
+  return {};
+}
+} // namespace tetmarch::testing

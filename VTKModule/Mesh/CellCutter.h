@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One cell becomes tetrahedra.
+#ifndef TetMarchMeshCellCutter_h
+#define TetMarchMeshCellCutter_h
+
+#include "CellKind.h"
+#include "CellShapes.h"
+#include "Decomposition.h"
+
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
+class vtkCellArray;
+
+namespace tetmarch
+{
+
+/**
+ * Cuts cells of a grid that checkGrid() has found sound, as decompose() says, and adds what comes
+ * of them to Result. The centres are numbered on from the grid's points, in the order of their
+ * cells. One for each thread.
+ */
+class CellCutter
+{
+public:
+  explicit CellCutter(vtkUnstructuredGrid* grid);
+
+  Decomposition Result;
+
+  void cut(vtkIdType cell, int type);
+
+private:
+  using Point = std::array<double, 3>;
+
+  void cutPieces(vtkIdType cell, const std::vector<CellPiece>& pieces);
+  void cutPolyhedron(vtkIdType cell);
+  void cutByVTK(vtkIdType cell, int type);
+
+  /** The face as triangles through its corner with the smallest id. */
+  void fan();
+  void cone(vtkIdType cell, Id apex);
+  void coneFromBestPoint(vtkIdType cell);
+  void add(vtkIdType cell, const std::array<Id, 4>& tet);
+
+  /** Whether the point lies on the inner side of every triangle, as the mean of the cell's points
+   * does. */
+  bool seesAllFaces(Id apex);
+  void findMean();
+  Id centerOf(vtkIdType cell);
+
+  Id point(vtkIdType i) const { return static_cast<Id>(this->PointIds->GetId(i)); }
+  Point position(Id id) const;
+
+  vtkUnstructuredGrid* Grid;
+  vtkCellArray* CellArray;
+  vtkPoints* Points;
+  vtkIdType NumberOfPoints;
+  const std::array<CellKind, 256>& Kinds = cellKinds();
+  vtkNew<vtkIdList> PointIds;
+  vtkNew<vtkIdList> FaceStream;
+  vtkNew<vtkGenericCell> Cell;
+  vtkNew<vtkIdList> CutIds;
+  vtkNew<vtkPoints> CutPoints;
+  std::vector<Id> Face;
+  std::vector<std::array<Id, 3>> Triangles;
+  Point Mean{ { 0, 0, 0 } };
+  vtkIdType CenterOfCell = -1; // of those of this cutter
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GridCheck.h"
+
+#include "CellKind.h"
+#include "HigherOrderCheck.h"
+#include "PolyhedronCheck.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCellArray.h"
+#include "vtkCellTypes.h"
+#include "vtkDataArrayRange.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <sstream>
+
+namespace tetmarch
+{
+namespace
+{
+
+std::string text(vtkIdType value) { return std::to_string(value); }
+
+std::string shortest(double value)
+{
+  std::ostringstream stream;
+  stream << value;
+  return stream.str();
+}
+
+// The error of the lowest i in 0..count that errorOf(i) doesn't return empty, in parallel.
+template <typename ErrorOf>
+std::string firstError(vtkIdType count, const ErrorOf& errorOf)
+{
+  vtkIdType lowest = count;
+  std::string error;
+  std::mutex mutex;
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        std::string found = errorOf(i);
+        if (!found.empty())
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          if (i < lowest)
+          {
+            lowest = i;
+            error = std::move(found);
+          }
+          return;
+        }
+      }
+    });
+  return error;
+}
+
+std::string checkSizes(vtkUnstructuredGrid* grid)
+{
+  const vtkIdType cells = grid->GetNumberOfCells();
+  vtkPoints* points = grid->GetPoints();
+  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  if (cells < 0)
+  {
+    return "The offsets of the cell array are empty; they must have one value more than there are "
+           "cells, the first of them 0.";
+  }
+  if (!points || !types)
+  {
+    return "The grid has " + text(cells) +
+           " cells but no points or no cell types. Set them before "
+           "rendering.";
+  }
+  if (types->GetNumberOfComponents() != 1 || types->GetNumberOfTuples() != cells)
+  {
+    return "The grid has " + text(cells) + " cells but " + text(types->GetNumberOfTuples()) +
+           " cell types of " + text(types->GetNumberOfComponents()) +
+           " components; it must have one value a cell.";
+  }
+  if (points->GetData()->GetNumberOfComponents() != 3)
+  {
+    return "The points have " + text(points->GetData()->GetNumberOfComponents()) +
+           " components instead of 3.";
+  }
+  return checkCounts(cells, points->GetNumberOfPoints());
+}
+
+// The cells of one grid, with its cell array as ranges of values.
+template <typename Offsets, typename Connectivity>
+class CellChecker
+{
+public:
+  CellChecker(vtkUnstructuredGrid* grid, const Offsets& offsets, const Connectivity& connectivity)
+    : Begins(offsets)
+    , Ids(connectivity)
+    , Types(grid->GetCellTypesArray()->GetPointer(0))
+    , NumberOfPoints(grid->GetNumberOfPoints())
+    , Faces(grid)
+    , HigherOrder(grid)
+  {
+  }
+
+  std::string errorOf(vtkIdType cell) const
+  {
+    const vtkIdType begin = this->Begins[cell];
+    const vtkIdType end = this->Begins[cell + 1];
+    if (begin < 0 || end < begin || end > this->Ids.size() || (cell == 0 && begin != 0))
+    {
+      return "The offsets of the cell array let cell " + text(cell) + " begin at " + text(begin) +
+             " and end at " + text(end) +
+             "; they must begin with 0, not descend, and not go beyond the " +
+             text(this->Ids.size()) + " values of the connectivity.";
+    }
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const vtkIdType id = this->Ids[i];
+      if (id < 0 || id >= this->NumberOfPoints)
+      {
+        return "The connectivity of cell " + text(cell) + " names point " + text(id) +
+               ", but the grid has " + text(this->NumberOfPoints) +
+               " points. Repair the grid's cell array.";
+      }
+    }
+    const int type = this->Types[cell];
+    const CellKind& kind = this->Kinds[type];
+    if (kind.Cut == CellCut::Tetrahedron && end - begin == 4)
+    {
+      return {};
+    }
+    return this->errorOfKind(cell, type, kind, end - begin);
+  }
+
+private:
+  std::string errorOfKind(vtkIdType cell, int type, const CellKind& kind, vtkIdType points) const
+  {
+    if (kind.Cut == CellCut::Unknown)
+    {
+      return "The cell types say " + text(type) + " of cell " + text(cell) +
+             ", which is no type of VTK. Repair the grid's cell types.";
+    }
+    if (points < kind.LeastPoints || points > kind.MostPoints)
+    {
+      return "The offsets of the cell array give cell " + text(cell) + ", a " +
+             vtkCellTypes::GetClassNameFromTypeId(type) + ", " + text(points) +
+             " points; it must have " + (kind.LeastPoints == kind.MostPoints ? "" : "at least ") +
+             text(kind.LeastPoints) + ". Repair the grid's cell array.";
+    }
+    switch (kind.Cut)
+    {
+      case CellCut::Polyhedron:
+        return this->Faces.errorOf(cell);
+      case CellCut::ByVTK:
+        return this->HigherOrder.errorOf(cell, type, points);
+      default:
+        return {};
+    }
+  }
+
+  const Offsets& Begins;
+  const Connectivity& Ids;
+  const unsigned char* Types;
+  vtkIdType NumberOfPoints;
+  PolyhedronFaces Faces;
+  HigherOrderArrays HigherOrder;
+  const std::array<CellKind, 256>& Kinds = cellKinds();
+};
+
+struct CheckCells
+{
+  template <typename OffsetArray, typename ConnectivityArray>
+  void operator()(OffsetArray* offsets, ConnectivityArray* connectivity, vtkUnstructuredGrid* grid)
+  {
+    const auto begins = vtk::DataArrayValueRange<1>(offsets);
+    const auto ids = vtk::DataArrayValueRange<1>(connectivity);
+    const CellChecker<decltype(begins), decltype(ids)> checker(grid, begins, ids);
+    this->Error = firstError(
+      grid->GetNumberOfCells(), [&checker](vtkIdType cell) { return checker.errorOf(cell); });
+  }
+  std::string Error;
+};
+
+std::string checkCells(vtkUnstructuredGrid* grid)
+{
+  using Storage = vtkTypeList::Create<vtkTypeInt32Array, vtkTypeInt64Array>;
+  vtkDataArray* offsets = grid->GetCells()->GetOffsetsArray();
+  vtkDataArray* connectivity = grid->GetCells()->GetConnectivityArray();
+  CheckCells check;
+  if (!vtkArrayDispatch::Dispatch2ByArrayWithSameValueType<Storage, Storage>::Execute(
+        offsets, connectivity, check, grid))
+  {
+    check(offsets, connectivity, grid);
+  }
+  if (!check.Error.empty())
+  {
+    return check.Error;
+  }
+  return PolyhedronFaces(grid).errorOfSharing(
+    grid->GetCellTypesArray()->GetPointer(0), grid->GetNumberOfCells());
+}
+
+bool isSound(double coordinate) { return std::abs(coordinate) <= MostCoordinate; }
+
+bool isSound(vtkPoints* points, vtkIdType point)
+{
+  double p[3];
+  points->GetPoint(point, p);
+  return isSound(p[0]) && isSound(p[1]) && isSound(p[2]);
+}
+
+std::string describePoint(vtkPoints* points, vtkIdType point, vtkIdType cell)
+{
+  double p[3];
+  points->GetPoint(point, p);
+  const int wrong = isSound(p[0]) ? (isSound(p[1]) ? 2 : 1) : 0;
+  return "Coordinate " + text(wrong) + " of point " + text(point) + ", which cell " + text(cell) +
+         " has, is " + shortest(p[wrong]) +
+         (std::isfinite(p[wrong]) ? ", which is larger than 1e100" : ", not a finite number") +
+         ". Repair the grid's points.";
+}
+
+// Points that no 3D cell has may be anything.
+std::string checkPoints(vtkUnstructuredGrid* grid)
+{
+  vtkPoints* points = grid->GetPoints();
+  const vtkIdType count = points->GetNumberOfPoints();
+  std::vector<char> sound(count, 1);
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        sound[i] = isSound(points, i);
+      }
+    });
+  if (std::find(sound.begin(), sound.end(), 0) == sound.end())
+  {
+    return {};
+  }
+  const PolyhedronFaces faces(grid);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const CellCut cut = cellKinds()[grid->GetCellTypesArray()->GetValue(cell)].Cut;
+    if (cut == CellCut::Empty || cut == CellCut::LowDimensional || cut == CellCut::Unsupported)
+    {
+      continue;
+    }
+    grid->GetCells()->GetCellAtId(cell, ids);
+    if (cut == CellCut::Polyhedron)
+    {
+      faces.addPoints(cell, ids);
+    }
+    const vtkIdType* wrong =
+      std::find_if(ids->begin(), ids->end(), [&sound](vtkIdType id) { return !sound[id]; });
+    if (wrong != ids->end())
+    {
+      return describePoint(points, *wrong, cell);
+    }
+  }
+  return {};
+}
+
+} // namespace
+
+std::string checkCounts(vtkIdType cells, vtkIdType points)
+{
+  if (cells < MostPointsOrCells && points < MostPointsOrCells)
+  {
+    return {};
+  }
+  return "The grid has " + text(cells) + " cells and " + text(points) + " points; less than " +
+         text(MostPointsOrCells) + " of each can be rendered. Extract a part of it.";
+}
+
+std::string checkGrid(vtkUnstructuredGrid* grid)
+{
+  std::string error;
+  if (grid->GetNumberOfCells() != 0)
+  {
+    error = checkSizes(grid);
+    error = error.empty() ? checkCells(grid) : error;
+    error = error.empty() ? checkPoints(grid) : error;
+  }
+  return error;
+}
+
+} // namespace tetmarch

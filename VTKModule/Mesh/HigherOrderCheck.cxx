@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HigherOrderCheck.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace tetmarch
+{
+namespace
+{
+
+using CellDegrees = std::array<double, 3>;
+
+// Far above what VTK interpolates; keeps products exact.
+constexpr double MostDegree = 1000;
+
+bool isTetrahedron(int type)
+{
+  return type == VTK_LAGRANGE_TETRAHEDRON || type == VTK_BEZIER_TETRAHEDRON;
+}
+bool isWedge(int type) { return type == VTK_LAGRANGE_WEDGE || type == VTK_BEZIER_WEDGE; }
+bool isHexahedron(int type)
+{
+  return type == VTK_LAGRANGE_HEXAHEDRON || type == VTK_BEZIER_HEXAHEDRON;
+}
+bool isBezier(int type) { return type >= VTK_BEZIER_CURVE && type <= VTK_BEZIER_PYRAMID; }
+
+double pointsOf(int type, const CellDegrees& n)
+{
+  if (isTetrahedron(type))
+  {
+    return (n[0] + 1) * (n[0] + 2) * (n[0] + 3) / 6;
+  }
+  return isWedge(type) ? (n[0] + 1) * (n[0] + 2) / 2 * (n[2] + 1)
+                       : (n[0] + 1) * (n[1] + 1) * (n[2] + 1);
+}
+
+// Cells with points in the middle of their faces or of themselves, beyond those of their order.
+bool isSpecial(int type, vtkIdType points)
+{
+  return (isTetrahedron(type) && points == 15) || (isWedge(type) && points == 21);
+}
+
+bool fitsOneDegree(int type, vtkIdType points)
+{
+  double n = 1;
+  while (n < MostDegree && pointsOf(type, { n, n, n }) < static_cast<double>(points))
+  {
+    ++n;
+  }
+  return pointsOf(type, { n, n, n }) == static_cast<double>(points);
+}
+
+bool fit(int type, const CellDegrees& n, vtkIdType points)
+{
+  const bool whole = std::all_of(
+    n.begin(), n.end(), [](double d) { return d >= 1 && d <= MostDegree && d == std::floor(d); });
+  if (!whole || (isWedge(type) && n[0] != n[1]))
+  {
+    return false;
+  }
+  if (isSpecial(type, points))
+  {
+    return n == CellDegrees{ { 2, 2, 2 } };
+  }
+  return pointsOf(type, n) == static_cast<double>(points);
+}
+
+std::string nameOf(vtkDataArray* array)
+{
+  return std::string("\"") + (array->GetName() ? array->GetName() : "") + "\"";
+}
+
+} // namespace
+
+HigherOrderArrays::HigherOrderArrays(vtkUnstructuredGrid* grid)
+  : Degrees(grid->GetCellData()->GetHigherOrderDegrees())
+  , Weights(grid->GetPointData()->GetRationalWeights())
+  , NumberOfPoints(grid->GetNumberOfPoints())
+{
+}
+
+std::string HigherOrderArrays::errorOf(vtkIdType cell, int type, vtkIdType points) const
+{
+  if (!isTetrahedron(type) && !isWedge(type) && !isHexahedron(type))
+  {
+    return {};
+  }
+  const std::string which = "cell " + std::to_string(cell) + ", a " +
+                            vtkCellTypes::GetClassNameFromTypeId(type) + " of " +
+                            std::to_string(points) + " points";
+  if (isBezier(type) && this->Weights &&
+      (this->Weights->GetNumberOfComponents() != 1 ||
+        this->Weights->GetNumberOfTuples() < this->NumberOfPoints))
+  {
+    return "The rational weights " + nameOf(this->Weights) + " have " +
+           std::to_string(this->Weights->GetNumberOfTuples()) + " tuples of " +
+           std::to_string(this->Weights->GetNumberOfComponents()) + " components, but " + which +
+           ", wants one value for each of the grid's " + std::to_string(this->NumberOfPoints) +
+           " points.";
+  }
+  if (isTetrahedron(type) || !this->Degrees)
+  {
+    return isSpecial(type, points) || fitsOneDegree(type, points)
+             ? ""
+             : "The offsets give " + which + ", which is the number of no degree" +
+                 (isTetrahedron(type) ? "." : "; set the higher order degrees of the cell data.");
+  }
+  if (this->Degrees->GetNumberOfComponents() != 3 || cell >= this->Degrees->GetNumberOfTuples())
+  {
+    return "The higher order degrees " + nameOf(this->Degrees) + " have " +
+           std::to_string(this->Degrees->GetNumberOfTuples()) + " tuples of " +
+           std::to_string(this->Degrees->GetNumberOfComponents()) + " components, but " + which +
+           ", wants three degrees.";
+  }
+  CellDegrees degrees;
+  this->Degrees->GetTuple(cell, degrees.data());
+  if (!fit(type, degrees, points))
+  {
+    std::ostringstream values;
+    values << degrees[0] << ", " << degrees[1] << ", " << degrees[2];
+    return "The higher order degrees " + nameOf(this->Degrees) + " are " + values.str() + " for " +
+           which + ", which don't go together.";
+  }
+  return {};
+}
+
+} // namespace tetmarch

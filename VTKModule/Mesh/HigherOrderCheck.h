@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether VTK can cut its Lagrange and Bezier cells of any order.
+#ifndef TetMarchMeshHigherOrderCheck_h
+#define TetMarchMeshHigherOrderCheck_h
+
+#include "vtkType.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkUnstructuredGrid;
+
+namespace tetmarch
+{
+
+/** The arrays that such cells have, as attributes of the grid's cells and points; either may be
+ * null. */
+struct HigherOrderArrays
+{
+  vtkDataArray* Degrees; // three a cell: of hexahedra and wedges along each axis
+  vtkDataArray* Weights; // one a point: of Bezier cells
+  vtkIdType NumberOfPoints;
+
+  explicit HigherOrderArrays(vtkUnstructuredGrid* grid);
+
+  /** Empty for cells of other types and for those whose number of points fits their order; or what
+   * is wrong. */
+  std::string errorOf(vtkIdType cell, int type, vtkIdType points) const;
+};
+
+} // namespace tetmarch
+
+#endif
