@@ -30,12 +30,23 @@ uniform sampler2D entryTexture;
 uniform sampler2D opaqueDepthTexture;
 uniform bool cutsFarPlane;
 #endif
-#if TETMARCH_OPAQUE_DEPTH || !TETMARCH_RASTER_ENTRY
+#if TETMARCH_OPAQUE_DEPTH
 uniform mat4 clipToNormalized;
 
 vec3 unproject(vec2 pixel, float windowDepth)
 {
   vec4 p = clipToNormalized * vec4(vec3((pixel - viewport.xy) / viewport.zw, windowDepth) * 2.0 - 1.0, 1.0);
+  return p.xyz / p.w;
+}
+#endif
+
+#if TETMARCH_BVH
+uniform mat4 beginToNormalized; // clip coordinates of depth -1 to where the pixel's ray begins
+
+vec3 rayBegin()
+{
+  vec2 xy = (gl_FragCoord.xy - viewport.xy) / viewport.zw * 2.0 - 1.0;
+  vec4 p = beginToNormalized * vec4(xy, -1.0, 1.0);
   return p.xyz / p.w;
 }
 #endif
@@ -53,16 +64,6 @@ vec3 insideFace(vec3 share, float least)
 }
 
 #if TETMARCH_BVH
-uniform mat4 fittedToNormalized; // from clip coordinates whose depths span the mesh
-
-// A point of the pixel's ray within the depths of the mesh, where it loses no digits.
-vec3 pixelPoint()
-{
-  vec2 xy = (gl_FragCoord.xy - viewport.xy) / viewport.zw * 2.0 - 1.0;
-  vec4 p = fittedToNormalized * vec4(xy, 0.0, 1.0);
-  return p.xyz / p.w;
-}
-
 bool isBesideEntry(ivec2 pixel)
 {
   ivec2 last = ivec2(viewport.zw) - 1;
@@ -107,7 +108,7 @@ void main()
 #if TETMARCH_BVH
   vec3 share = entry.yzw;
   bool known = firstFace >= 0 && max(abs(share.x), max(abs(share.y), abs(share.z))) < 8.0;
-  vec3 point = known ? share.x * a + share.y * b + share.z * c : pixelPoint();
+  vec3 point = known ? share.x * a + share.y * b + share.z * c : rayBegin();
   ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
 #else
   // The ray is led a little into the face, lest it run through a vertex: there it could leave the mesh at once,
@@ -127,7 +128,7 @@ void main()
 #endif
 #else
   int firstFace = -1;
-  vec3 point = unproject(gl_FragCoord.xy, 0.0);
+  vec3 point = rayBegin();
   Ray ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
   depthBegin = dot(point - ray.origin, ray.direction);
 #endif

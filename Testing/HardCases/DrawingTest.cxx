@@ -49,7 +49,7 @@ TEST_P(HardDrawing, ByTheGLIsRight)
     }
     const Drawn drawn = draw(hard, view, "tetmarch", window(view));
     PictureCheck check(hard, view);
-    const PictureResult result = check.compare(drawn.Picture, drawn.Counters, DrawnBy::GL);
+    const PictureResult result = check.compare(drawn.Picture, drawn.Counters, boundsOfGL());
     // What a rasterised entry refuses, the search finds: that is no failure here.
     EXPECT_EQ(result.failures() - drawn.Counters.Refused, 0)
       << view.Name << ": " << result.NotFinite << " not finite, " << result.OutOfBound

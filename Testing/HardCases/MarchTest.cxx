@@ -59,7 +59,7 @@ TEST_P(HardPicture, OfTheTwinIsRight)
     PictureCheck check(hard, view);
     tetmarch::MarchCounters counters;
     const Image picture = check.twin(counters);
-    const PictureResult result = check.compare(picture, counters, DrawnBy::Twin);
+    const PictureResult result = check.compare(picture, counters, boundsOfTwin());
     EXPECT_EQ(result.failures(), 0)
       << view.Name << ": " << result.NotFinite << " not finite, " << result.OutOfBound
       << " out of bound, " << counters.Lost << " lost, " << counters.Guarded << " guarded, "

@@ -25,7 +25,6 @@ namespace tetmarch::testing
 {
 namespace
 {
-constexpr double Tolerance = 1.0 / 255.0;
 // In entries of the default level's table: what lies in one bin raises the ends of the bin, and by
 // them the bins beside it, up to two entries away; elsewhere in the table by another amount.
 constexpr double TableResolution = 2.0;
@@ -56,6 +55,25 @@ IntegralTable tableFor(vtkVolumeProperty* property, const ScalarRange& range, in
     property, OpacityLaw::Unstructured, range.Low, range.High, samplesOfTable(entries)));
 }
 } // namespace
+
+PictureBounds boundsOfTwin() { return {}; }
+
+PictureBounds boundsOfGL()
+{
+  PictureBounds bounds;
+  bounds.Reach = 0.01;
+  return bounds;
+}
+
+PictureBounds boundsOfOthers()
+{
+  PictureBounds bounds;
+  bounds.Channels = 3;
+  bounds.Tolerance = 16.0 / 255.0;
+  bounds.Reach = 0.5;
+  bounds.Samples = 128;
+  return bounds;
+}
 
 int sizeOf(const HardView& view) { return view.Pixels > 0 ? view.Pixels : HardPictureSize; }
 
@@ -154,7 +172,7 @@ std::array<float, 4> PictureCheck::pixelOf(const TetMesh& mesh, int x, int y,
   return { { image.Pixels[0], image.Pixels[1], image.Pixels[2], image.Pixels[3] } };
 }
 
-bool PictureCheck::isWithinBounds(const Image& picture, int x, int y, DrawnBy drawnBy)
+bool PictureCheck::isWithinBounds(const Image& picture, int x, int y, const PictureBounds& bounds)
 {
   if (this->Displaced.empty())
   {
@@ -166,27 +184,27 @@ bool PictureCheck::isWithinBounds(const Image& picture, int x, int y, DrawnBy dr
           : displacedMesh(this->Mesh, VertexDisplacement, static_cast<unsigned>(i)));
     }
   }
-  const double reach = drawnBy == DrawnBy::GL ? 0.01 : 0.0;
   const float* pixel = picture.pixel(x, y);
   std::array<float, 4> least, most;
   std::copy_n(this->Yardstick.pixel(x, y), 4, least.begin());
   most = least;
   std::mt19937 random(71);
   const auto within1 = [&random] { return 2.0 * uniform(random) - 1.0; };
-  for (std::size_t i = 0; i < 10 * this->Displaced.size(); ++i)
+  for (int i = 0; i < bounds.Samples; ++i)
   {
     // At first only the geometry.
-    const double resolution = i < this->Displaced.size() ? 0.0 : TableResolution;
-    const auto seen = this->pixelOf(this->Displaced[i % this->Displaced.size()], x, y,
-      { { reach * within1(), reach * within1() } },
+    const int meshes = static_cast<int>(this->Displaced.size());
+    const double resolution = i < meshes ? 0.0 : TableResolution;
+    const auto seen = this->pixelOf(this->Displaced[i % meshes], x, y,
+      { { bounds.Reach * within1(), bounds.Reach * within1() } },
       { { resolution * within1(), resolution * within1() } });
     bool within = true;
-    for (int k = 0; k < 4; ++k)
+    for (int k = 0; k < bounds.Channels; ++k)
     {
       least[k] = std::min(least[k], seen[k]);
       most[k] = std::max(most[k], seen[k]);
-      within = within && double(pixel[k]) >= double(least[k]) - Tolerance &&
-               double(pixel[k]) <= double(most[k]) + Tolerance;
+      within = within && double(pixel[k]) >= double(least[k]) - bounds.Tolerance &&
+               double(pixel[k]) <= double(most[k]) + bounds.Tolerance;
     }
     if (within)
     {
@@ -194,11 +212,11 @@ bool PictureCheck::isWithinBounds(const Image& picture, int x, int y, DrawnBy dr
     }
   }
   // A ray within the surface may see any part of what there is.
-  return least[3] == 0.0f && pixel[3] <= most[3];
+  return bounds.Channels == 4 && least[3] == 0.0f && pixel[3] <= most[3];
 }
 
 PictureResult PictureCheck::compare(
-  const Image& picture, const MarchCounters& counters, DrawnBy drawnBy)
+  const Image& picture, const MarchCounters& counters, const PictureBounds& bounds)
 {
   PictureResult result;
   result.Counters = counters;
@@ -211,15 +229,15 @@ PictureResult PictureCheck::compare(
       const float* expected = this->Yardstick.pixel(x, y);
       bool finite = true;
       double worst = 0.0;
-      for (int k = 0; k < 4; ++k)
+      for (int k = 0; k < bounds.Channels; ++k)
       {
         finite = finite && double(pixel[k]) >= -1e-6 && double(pixel[k]) <= 1.0 + 1e-5;
         worst = std::max(worst, std::abs(double(pixel[k]) - double(expected[k])));
       }
       result.NotFinite += finite ? 0 : 1;
-      if (finite && worst > Tolerance)
+      if (finite && worst > bounds.Tolerance)
       {
-        result.OutOfBound += this->isWithinBounds(picture, x, y, drawnBy) ? 0 : 1;
+        result.OutOfBound += this->isWithinBounds(picture, x, y, bounds) ? 0 : 1;
       }
       result.WorstError = std::max(result.WorstError, worst);
       if (expected[3] > 0.0f || pixel[3] > 0.0f)

@@ -48,12 +48,19 @@ struct PictureResult
   std::int64_t failures() const;
 };
 
-/// Whose picture is compared.
-enum class DrawnBy
+/// How strict a picture is looked at.
+struct PictureBounds
 {
-  Twin,
-  GL
+  int Channels = 4; ///< 3: without alpha
+  double Tolerance = 1.0 / 255.0;
+  double Reach = 0.0; ///< how far from its pixel's centre a ray may run, in pixels
+  int Samples = 640;  ///< of what may be seen, for a pixel
 };
+/// Ours by the CPU; ours by the GL, whose rasteriser rounds; by another mapper, of which little is
+/// asked: 16/255, half a pixel.
+PictureBounds boundsOfTwin();
+PictureBounds boundsOfGL();
+PictureBounds boundsOfOthers();
 
 /// Of its pictures, in pixels each way.
 int sizeOf(const HardView& view);
@@ -69,13 +76,14 @@ public:
   Image twin(MarchCounters& counters) const;
   /// By the twin in double, at the reference level.
   const Image& yardstick() const { return this->Yardstick; }
-  PictureResult compare(const Image& picture, const MarchCounters& counters, DrawnBy drawnBy);
+  PictureResult compare(
+    const Image& picture, const MarchCounters& counters, const PictureBounds& bounds);
 
 private:
   ReferenceScene sceneOf(const TetMesh& mesh, const IntegralTable& table) const;
   std::array<float, 4> pixelOf(const TetMesh& mesh, int x, int y,
     const std::array<double, 2>& aside, const std::array<double, 2>& entries) const;
-  bool isWithinBounds(const Image& picture, int x, int y, DrawnBy drawnBy);
+  bool isWithinBounds(const Image& picture, int x, int y, const PictureBounds& bounds);
 
   const HardCase& Case;
   int Size;

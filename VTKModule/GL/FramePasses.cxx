@@ -21,7 +21,10 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
   {
     error = this->Entry.draw(window, inputs.Area, *inputs.Camera, mesh, *inputs.Mesh);
     inputs.Entries = error.empty() ? this->Entry.entries() : nullptr;
-    inputs.FittedToNormalized = fittedToNormalized(*inputs.Camera, mesh);
+  }
+  if (inputs.Key.Hierarchy)
+  {
+    inputs.BeginToNormalized = beginToNormalized(*inputs.Camera, mesh);
   }
   if (error.empty() && inputs.Key.OpaqueDepth)
   {

@@ -87,20 +87,17 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   program->SetUniform4f("viewport", area.data());
   setUniform(program, "eye", view.Eye);
   setUniform(program, "lengthMatrix", view.LengthMatrix);
-  if (inputs.Key.OpaqueDepth || !inputs.Key.RasterEntry)
+  if (inputs.Key.Hierarchy)
   {
-    setUniform(program, "clipToNormalized", view.ClipToNormalized);
+    setUniform(program, "beginToNormalized", inputs.BeginToNormalized);
   }
   if (inputs.Key.RasterEntry)
   {
     bindImage(program, "entryTexture", inputs.Entries);
-    if (inputs.Key.Hierarchy)
-    {
-      setUniform(program, "fittedToNormalized", inputs.FittedToNormalized);
-    }
   }
   if (inputs.Key.OpaqueDepth)
   {
+    setUniform(program, "clipToNormalized", view.ClipToNormalized);
     bindImage(program, "opaqueDepthTexture", inputs.Depths);
     program->SetUniformi("cutsFarPlane", view.CutsFarPlane ? 1 : 0);
   }

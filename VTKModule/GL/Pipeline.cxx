@@ -48,9 +48,8 @@ bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)
 
 bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars)
 {
-  const std::string wrong = cellScalars
-                              ? checkScalars(array, grid->GetNumberOfCells(), "cells")
-                              : checkScalars(array, grid->GetNumberOfPoints(), "points");
+  const std::string wrong = cellScalars ? checkScalars(array, grid->GetNumberOfCells(), "cells")
+                                        : checkScalars(array, grid->GetNumberOfPoints(), "points");
   if (!wrong.empty())
   {
     return this->fail(wrong);
@@ -124,7 +123,7 @@ bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume)
   {
     return this->fail("The matrix of the volume or of the camera is singular or not finite.");
   }
-  const bool needsSearch = this->Camera.CutsNearPlane;
+  const bool needsSearch = !this->Camera.rastersEntries();
   if (needsSearch && !this->mesh().hasHierarchy())
   {
     const std::string error = this->Meshed.addHierarchy();
@@ -194,7 +193,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   }
   VariantKey key;
   key.PointScalars = this->CellScalars.empty();
-  key.RasterEntry = !this->Camera.CutsNearPlane;
+  key.RasterEntry = this->Camera.rastersEntries();
   key.Hierarchy = this->mesh().NeedsHierarchy;
   key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
   key.HasFma = this->HasFma;

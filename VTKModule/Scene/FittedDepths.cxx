@@ -56,8 +56,12 @@ std::array<double, 16> fittedDepths(const View& view, const TetMesh& mesh)
   return matrix;
 }
 
-std::array<double, 16> fittedToNormalized(const View& view, const TetMesh& mesh)
+std::array<double, 16> beginToNormalized(const View& view, const TetMesh& mesh)
 {
+  if (view.CutsNearPlane)
+  {
+    return view.ClipToNormalized;
+  }
   const std::array<double, 16> matrix = fittedDepths(view, mesh);
   std::array<double, 16> inverse;
   vtkMatrix4x4::Invert(matrix.data(), inverse.data());

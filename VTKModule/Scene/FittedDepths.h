@@ -19,8 +19,11 @@ struct View;
  */
 std::array<double, 16> fittedDepths(const View& view, const TetMesh& mesh);
 
-/** Its inverse: well-conditioned in float however far away the eye is. */
-std::array<double, 16> fittedToNormalized(const View& view, const TetMesh& mesh);
+/**
+ * From clip coordinates (x, y, -1) to where the ray of (x, y) begins: before the mesh, so that it
+ * keeps its digits however far away the eye is, or on the near plane where that cuts the mesh.
+ */
+std::array<double, 16> beginToNormalized(const View& view, const TetMesh& mesh);
 
 } // namespace tetmarch
 

@@ -18,8 +18,10 @@ namespace tetmarch
 namespace
 {
 
-// The bounding box of the mesh in the normalised frame lies within -1..1; on which sides of a clip
-// plane?
+// 24 bits of a float: 1/16 of a pixel where a picture is 2000 pixels wide.
+constexpr double MostSpread = 1024;
+
+// Where in clip coordinates lies the bounding box of the mesh?
 void classify(const TetMesh& mesh, View& view)
 {
   const auto& high = mesh.HalfExtent;
@@ -28,18 +30,24 @@ void classify(const TetMesh& mesh, View& view)
   {
     const double p[4] = { corner & 1 ? high[0] : -high[0], corner & 2 ? high[1] : -high[1],
       corner & 4 ? high[2] : -high[2], 1 };
-    double z = 0, w = 0;
-    for (int k = 0; k < 4; ++k)
+    std::array<double, 4> clip{};
+    for (int r = 0; r < 4; ++r)
     {
-      z += m[8 + k] * p[k];
-      w += m[12 + k] * p[k];
+      for (int k = 0; k < 4; ++k)
+      {
+        clip[r] += m[4 * r + k] * p[k];
+      }
     }
+    const auto [x, y, z, w] = clip;
     view.CutsNearPlane = view.CutsNearPlane || z <= -w;
     view.CutsFarPlane = view.CutsFarPlane || z >= w;
+    view.Spread = std::max({ view.Spread, std::abs(x / w), std::abs(y / w) });
   }
 }
 
 } // namespace
+
+bool View::rastersEntries() const { return !this->CutsNearPlane && this->Spread <= MostSpread; }
 
 std::array<double, 3> View::unproject(double x, double y, double z) const
 {

@@ -25,6 +25,12 @@ struct View
   bool Mirrored = false;       // faces turn the other way on the screen
   bool CutsNearPlane = false;  // part of the mesh lies before the near plane
   bool CutsFarPlane = false;   // part of the mesh lies behind the far plane
+  double Spread = 0; // of the mesh on the picture: 1 reaches its border, 2 as far beyond; before
+                     // the near plane no number
+
+  /** Whether the rasteriser can tell where rays enter the mesh: all of it lies before the eye, and
+   * not so far beyond the picture's border that its float coordinates blur the picture. */
+  bool rastersEntries() const;
 
   /** The point of clip coordinates (x, y, z), each in -1..1, in the normalised frame. */
   std::array<double, 3> unproject(double x, double y, double z) const;
