@@ -239,7 +239,7 @@ private:
     const double error = std::abs(length - exact);
     this->remember(error);
     const bool within = error <= slack || this->isSeenInDisplaced(length, slack, ray) ||
-                        error <= slack + this->surfaceRounding(ray);
+                        this->isSeenInDisplaced(length, slack + this->surfaceRounding(ray), ray);
     this->count(this->Totals.OutOfBound, within ? 0 : 1, "out of bound", number, length, exact);
 
     if (this->Check.BruteForce && number % this->Stride == this->Stride / 2)
@@ -318,7 +318,8 @@ private:
 
   // How far the rounding of positions moves all the surfaces that the ray crosses, to first order:
   // each by its displacement over the sine of the angle at which it is met. Samples of displaced
-  // meshes don't find that where there are many, whose worst cases don't come together.
+  // meshes tell on which side of an edge the ray may run, but not that where there are many
+  // surfaces, whose worst cases don't come together.
   double surfaceRounding(const typename Exact::Ray& ray) const
   {
     const TetMesh& mesh = this->Check.Mesh;
