@@ -25,6 +25,8 @@ uniform mat3 lengthMatrix; // direction -> world, in scalar opacity unit distanc
 
 #if TETMARCH_RASTER_ENTRY
 uniform sampler2D entryTexture;
+#else
+uniform bool cutsNearPlane; // there rays begin
 #endif
 #if TETMARCH_OPAQUE_DEPTH
 uniform sampler2D opaqueDepthTexture;
@@ -41,12 +43,12 @@ vec3 unproject(vec2 pixel, float windowDepth)
 #endif
 
 #if TETMARCH_BVH
-uniform mat4 beginToNormalized; // clip coordinates of depth -1 to where the pixel's ray begins
+uniform mat4 rayPoints; // Scene/RayPoints.h
 
-vec3 rayBegin()
+vec3 rayPoint()
 {
   vec2 xy = (gl_FragCoord.xy - viewport.xy) / viewport.zw * 2.0 - 1.0;
-  vec4 p = beginToNormalized * vec4(xy, -1.0, 1.0);
+  vec4 p = rayPoints * vec4(xy, 0.0, 1.0);
   return p.xyz / p.w;
 }
 #endif
@@ -108,7 +110,7 @@ void main()
 #if TETMARCH_BVH
   vec3 share = entry.yzw;
   bool known = firstFace >= 0 && max(abs(share.x), max(abs(share.y), abs(share.z))) < 8.0;
-  vec3 point = known ? share.x * a + share.y * b + share.z * c : rayBegin();
+  vec3 point = known ? share.x * a + share.y * b + share.z * c : rayPoint();
   ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
 #else
   // The ray is led a little into the face, lest it run through a vertex: there it could leave the mesh at once,
@@ -128,9 +130,12 @@ void main()
 #endif
 #else
   int firstFace = -1;
-  vec3 point = rayBegin();
+  vec3 point = rayPoint();
   Ray ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
-  depthBegin = dot(point - ray.origin, ray.direction);
+  if (cutsNearPlane)
+  {
+    depthBegin = dot(point - ray.origin, ray.direction);
+  }
 #endif
 #if TETMARCH_OPAQUE_DEPTH
   // Of a far plane that is a million times as far as the near plane no digit is left.

@@ -128,6 +128,12 @@ TEST(MeshStage, WhicheverAllocationFails)
         break;
       }
       ++failures;
+      if (error.empty()) // std::stable_partition does without
+      {
+        EXPECT_TRUE(stage.mesh() == sound.mesh());
+        stage = {};
+        continue;
+      }
       EXPECT_NE(error.find("too little memory for preparing the mesh"), std::string::npos) << error;
       EXPECT_FALSE(stage.isCurrent(grid));
       EXPECT_TRUE(stage.mesh().Tets.empty());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/FramePasses.h"
 
-#include "Scene/FittedDepths.h"
+#include "Scene/RayPoints.h"
 
 namespace tetmarch
 {
@@ -24,7 +24,7 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
   }
   if (inputs.Key.Hierarchy)
   {
-    inputs.BeginToNormalized = beginToNormalized(*inputs.Camera, mesh);
+    inputs.RayPoints = rayPoints(*inputs.Camera, mesh);
   }
   if (error.empty() && inputs.Key.OpaqueDepth)
   {

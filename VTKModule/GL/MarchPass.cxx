@@ -89,11 +89,15 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   setUniform(program, "lengthMatrix", view.LengthMatrix);
   if (inputs.Key.Hierarchy)
   {
-    setUniform(program, "beginToNormalized", inputs.BeginToNormalized);
+    setUniform(program, "rayPoints", inputs.RayPoints);
   }
   if (inputs.Key.RasterEntry)
   {
     bindImage(program, "entryTexture", inputs.Entries);
+  }
+  else
+  {
+    program->SetUniformi("cutsNearPlane", view.CutsNearPlane ? 1 : 0);
   }
   if (inputs.Key.OpaqueDepth)
   {

@@ -32,10 +32,10 @@ struct MarchInputs
   const IntegralTable* Table = nullptr;
   ScalarRange Range;
   AccuracyLevel Level = DefaultAccuracy;
-  std::array<double, 16> BeginToNormalized{}; // if the key has Hierarchy
-  vtkTextureObject* Entries = nullptr;        // if the key has RasterEntry
-  vtkTextureObject* Depths = nullptr;         // if the key has OpaqueDepth
-  double MostSecondsPerDraw = 0;              // 0: no limit
+  std::array<double, 16> RayPoints{};  // if the key has Hierarchy
+  vtkTextureObject* Entries = nullptr; // if the key has RasterEntry
+  vtkTextureObject* Depths = nullptr;  // if the key has OpaqueDepth
+  double MostSecondsPerDraw = 0;       // 0: no limit
 };
 
 class MarchPass

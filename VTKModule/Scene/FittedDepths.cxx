@@ -5,8 +5,6 @@
 #include "Mesh/TetMesh.h"
 #include "Scene/View.h"
 
-#include "vtkMatrix4x4.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -54,18 +52,6 @@ std::array<double, 16> fittedDepths(const View& view, const TetMesh& mesh)
   }
   z[3] -= 2 * far * near / (far - near);
   return matrix;
-}
-
-std::array<double, 16> beginToNormalized(const View& view, const TetMesh& mesh)
-{
-  if (view.CutsNearPlane)
-  {
-    return view.ClipToNormalized;
-  }
-  const std::array<double, 16> matrix = fittedDepths(view, mesh);
-  std::array<double, 16> inverse;
-  vtkMatrix4x4::Invert(matrix.data(), inverse.data());
-  return inverse;
 }
 
 } // namespace tetmarch

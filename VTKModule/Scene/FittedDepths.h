@@ -19,12 +19,6 @@ struct View;
  */
 std::array<double, 16> fittedDepths(const View& view, const TetMesh& mesh);
 
-/**
- * From clip coordinates (x, y, -1) to where the ray of (x, y) begins: before the mesh, so that it
- * keeps its digits however far away the eye is, or on the near plane where that cuts the mesh.
- */
-std::array<double, 16> beginToNormalized(const View& view, const TetMesh& mesh);
-
 } // namespace tetmarch
 
 #endif
