@@ -90,6 +90,23 @@ OpticsSetter standardOpticsOfCells()
   { setOpticsOver(finiteRange(grid->GetCellData()->GetArray("c")), property, grid); };
 }
 
+OpticsSetter withRamps(const OpticsSetter& setter)
+{
+  return [setter](vtkVolumeProperty* property, vtkUnstructuredGrid* grid)
+  {
+    (setter ? setter : setStandardOptics)(property, grid);
+    const Range range = finiteRange(grid->GetPointData()->GetArray("f"));
+    vtkNew<vtkColorTransferFunction> colour;
+    colour->AddRGBPoint(range.Low, 0.1, 0.3, 1.0);
+    colour->AddRGBPoint(range.High, 1.0, 0.7, 0.1);
+    property->SetColor(colour);
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(range.Low, 0.1);
+    opacity->AddPoint(range.High, 0.6);
+    property->SetScalarOpacity(opacity);
+  };
+}
+
 void setStandardOptics(vtkVolumeProperty* property, vtkUnstructuredGrid* grid)
 {
   setOpticsOver(finiteRange(grid->GetPointData()->GetArray("f")), property, grid);

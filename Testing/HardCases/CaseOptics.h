@@ -35,6 +35,9 @@ void setDepthOfDiagonal(vtkVolumeProperty* property, vtkUnstructuredGrid* grid, 
 OpticsSetter standardOpticsOver(const Range& range);
 /// The same over the finite range of "c".
 OpticsSetter standardOpticsOfCells();
+/// Functions that every mapper integrates well, one ramp each of colour and opacity over the finite
+/// range of "f", in place of those that the setter sets; its unit distance stays.
+OpticsSetter withRamps(const OpticsSetter& setter);
 } // namespace tetmarch::testing
 
 #endif

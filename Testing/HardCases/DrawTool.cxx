@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One hard case drawn by one mapper, in a process of its own, which the mapper may bring down.
+#include "CaseOptics.h"
 #include "Drawing.h"
 #include "PictureCheck.h"
 
@@ -25,7 +26,8 @@ const char Usage[] = R"(usage: tetmarch-draw-hard-case CASE MAPPER FILE.png [VIE
 
 Writes the picture of a case (tetmarch-hard-cases list) and prints as JSON how it compares with
 that of the CPU in double precision. MAPPER is tetmarch, projected, bunyk or zsweep, or yardstick
-for the picture of the CPU itself; VIEW the name of a view of the case, if not its first.
+for the picture of the CPU itself; VIEW the name of a view of the case, if not its first. But for
+cases about optics, colours and opacities are plain ramps.
 )";
 
 const HardView& findView(const std::vector<HardView>& views, const std::string& name)
@@ -53,14 +55,19 @@ Drawn drawnBy(const std::string& mapper, const HardCase& hard, const HardView& v
 void run(const std::string& name, const std::string& mapper, const std::string& file,
   const std::string& viewName)
 {
-  const HardCase* hard = findHardCase(name);
-  if (!hard)
+  const HardCase* found = findHardCase(name);
+  if (!found)
   {
     throw std::invalid_argument("there is no case named " + name);
   }
-  const std::vector<HardView> views = viewsOf(*hard);
+  HardCase hard = *found;
+  if (hard.Group != "optics")
+  {
+    hard.SetOptics = withRamps(hard.SetOptics);
+  }
+  const std::vector<HardView> views = viewsOf(hard);
   const HardView& view = findView(views, viewName);
-  PictureCheck check(*hard, view);
+  PictureCheck check(hard, view);
   Drawn drawn;
   const auto begin = std::chrono::steady_clock::now();
   if (mapper == "yardstick")
@@ -69,7 +76,7 @@ void run(const std::string& name, const std::string& mapper, const std::string& 
   }
   else
   {
-    drawn = drawnBy(mapper, *hard, view);
+    drawn = drawnBy(mapper, hard, view);
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (!writePng(drawn.Picture, file))
@@ -77,7 +84,7 @@ void run(const std::string& name, const std::string& mapper, const std::string& 
     throw std::runtime_error(file + " can't be written");
   }
   const PictureResult result = check.compare(drawn.Picture, drawn.Counters, boundsOfOthers());
-  std::cout << nlohmann::json{ { "case", hard->Name }, { "view", view.Name }, { "mapper", mapper },
+  std::cout << nlohmann::json{ { "case", hard.Name }, { "view", view.Name }, { "mapper", mapper },
     { "seconds", seconds.count() }, { "pixels", drawn.Picture.Width * drawn.Picture.Height },
     { "wrong", result.OutOfBound + result.NotFinite }, { "worst", result.WorstError },
     { "messages", drawn.Messages } }

@@ -16,8 +16,8 @@ int leastTetrahedraOfType(int cellType);
 
 /**
  * A sum over the cell types. If that is above `enough`, the cells are looked at one by one and
- * those left out that name a point twice, of which less may come; a cell that repeats another one
- * counts. Any grid may be given, also one whose arrays don't fit together.
+ * those left out that name a point twice, of which less may come. What two cells in the same place
+ * have in common counts for both. Any grid may be given, also one whose arrays don't fit together.
  */
 std::uint64_t leastTetrahedra(vtkUnstructuredGrid* grid, std::uint64_t enough);
 
