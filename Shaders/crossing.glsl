@@ -26,6 +26,18 @@ vec2 crossingPoint(Crossing face)
   return vec2(clamp(depth, min(z.x, min(z.y, z.z)), max(z.x, max(z.y, z.z))), scalar);
 }
 
+// Whether the viewer sees the same side of the face while its corners move by as much as rounding moves them.
+bool isTurnedForSure(Crossing face)
+{
+  vec2 ab = vec2(face.b.x - face.a.x, face.b.y - face.a.y);
+  vec2 bc = vec2(face.c.x - face.b.x, face.c.y - face.b.y);
+  vec2 ca = vec2(face.a.x - face.c.x, face.a.y - face.c.y);
+  real longest = max(max(max(abs(ab.x), abs(ab.y)), max(abs(bc.x), abs(bc.y))), max(abs(ca.x), abs(ca.y)));
+  real area = face.weight.x + face.weight.y + face.weight.z; // twice
+  // The edges together are at most 3 sqrt(2) times the longest component.
+  return area > real(5) * projectionBlur() * max(longest, projectionBlur());
+}
+
 // Replace the crossing by that of the face through which the ray leaves the tetrahedron whose fourth
 // vertex is given. Returns the number of that face in the tetrahedron, that is, the rank by id of the
 // vertex it leaves out; -1 if there is none, which no four real points can bring about.

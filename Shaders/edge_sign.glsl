@@ -18,6 +18,16 @@ vec2 snapToPredicate(vec2 p)
 #endif
 }
 
+// 2^-20 mesh radii as projected: what rounding moves a vertex by at most.
+real projectionBlur()
+{
+#if TETMARCH_HAS_FMA
+  return PROJECTION_SCALE * real(9.5367431640625e-7);
+#else
+  return real(4);
+#endif
+}
+
 // p.x q.y - q.x p.y, with the sign of the exact value: 0 only for an exact tie.
 real edgeCross(vec2 p, vec2 q)
 {

@@ -41,9 +41,11 @@ real scalarAt(vec2 enter, vec2 leave, real depth)
   return enter.y + (leave.y - enter.y) * ((depth - enter.x) / (leave.x - enter.x));
 }
 
-// March from a boundary face to the boundary face through which the ray leaves the mesh. opticalLength is
-// the length, in scalar opacity unit distances, of a unit of depth.
-void marchToExit(Ray ray, Crossing face, uvec2 link, real opticalLength, real depthEnd, INOUT(March) march)
+// March from a boundary face to the boundary face through which the ray leaves the mesh, whose crossing and link
+// take the place of the first one's. opticalLength is the length, in scalar opacity unit distances, of a unit of
+// depth.
+void marchToExit(
+  Ray ray, INOUT(Crossing) face, INOUT(uvec2) link, real opticalLength, real depthEnd, INOUT(March) march)
 {
   vec2 enter = crossingPoint(face);
 #if TETMARCH_POINT_SCALARS

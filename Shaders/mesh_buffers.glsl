@@ -15,6 +15,7 @@ uvec3 fetchBoundaryFace(uint face) { return texelFetch(boundaryBuffer, int(face)
 uniform samplerBuffer hierarchyBuffer; // two texels a node, see boundary.glsl
 uniform int bvhNodeCount;
 uniform int bvhReentryNodeCount; // the first ones: of faces through which a ray can come back in
+uniform int reentryFaceCount;    // so many faces, likewise the first ones
 vec4 fetchBvhNode(int i) { return texelFetch(hierarchyBuffer, i); }
 #endif
 

@@ -17,6 +17,7 @@ if (TETMARCH_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif ()
 if (TETMARCH_COVERAGE)
-  add_compile_options(-O0 --coverage)
+  # Threads count together.
+  add_compile_options(-O0 --coverage -fprofile-update=atomic)
   add_link_options(--coverage)
 endif ()

@@ -29,7 +29,7 @@ namespace
 {
 constexpr double Eps = 5.9604644775390625e-08; // 2^-24
 // Of double against brute force; a boundary seen at 1e-8 of a right angle magnifies 1e-16 to it.
-constexpr double DoubleSlack = 1e-7;
+constexpr double DoubleSlack = 1e-8;
 
 // Every so many rays are compared with brute force, which costs as much as all the others.
 int bruteForceStride(const TetMesh& mesh)
@@ -82,6 +82,23 @@ typename To::Ray converted(const From& ray)
   result.up = vec(ray.up);
   result.direction = vec(ray.direction);
   return result;
+}
+
+// The march takes the points that lie neither to the right nor up of the ray, and how far they are
+// along its direction. Each of the three is a vector of floats, which are as orthonormal as floats
+// are.
+struct Line
+{
+  Vec3 Direction; // of unit length
+  double DepthPerLength;
+};
+template <typename Ray>
+Line lineOf(const Ray& ray)
+{
+  const auto across = glsl::cross(ray.right, ray.up);
+  const double along = glsl::dot(across, ray.direction);
+  const double length = std::copysign(std::sqrt(glsl::dot(across, across)), along);
+  return { { across.x / length, across.y / length, across.z / length }, along / length };
 }
 
 template <typename Ray>
@@ -246,11 +263,10 @@ private:
     {
       const auto bruteForce = [&](const typename Exact::Ray& near)
       {
-        const Vec3 d{ near.direction.x, near.direction.y, near.direction.z };
-        // Depths are by the direction as it is, which rounding makes a little more or less than 1.
+        const Line line = lineOf(near);
         return this->Check.BruteForce->pathLength(
-                 { near.origin.x, near.origin.y, near.origin.z }, d) *
-               scaleOf(near);
+                 { near.origin.x, near.origin.y, near.origin.z }, line.Direction) *
+               line.DepthPerLength;
       };
       const double answer = bruteForce(ray);
       ++this->Totals.Compared;
@@ -265,10 +281,11 @@ private:
 
   void compareWithBox(int number, const typename Exact::Ray& ray, double length, double slack)
   {
-    const Vec3 d{ ray.direction.x, ray.direction.y, ray.direction.z };
+    const Line line = lineOf(ray);
     const Vec3 o{ ray.origin.x, ray.origin.y, ray.origin.z };
-    const auto chord = [&](double by)
-    { return chordOfGrown(this->Check.NormalizedBox, by, o, d) * scaleOf(ray); };
+    const auto chord = [&](double by) {
+      return chordOfGrown(this->Check.NormalizedBox, by, o, line.Direction) * line.DepthPerLength;
+    };
     Span span;
     span.include(chord(VertexDisplacement));
     span.include(chord(-VertexDisplacement));
@@ -289,12 +306,6 @@ private:
     {
       totals.WorstGeneric = std::max(totals.WorstGeneric, error);
     }
-  }
-
-  // Lengths along the ray are depths times this.
-  static double scaleOf(const typename Exact::Ray& ray)
-  {
-    return std::hypot(ray.direction.x, ray.direction.y, ray.direction.z);
   }
 
   // A ray made to run exactly in the seam of two surfaces without common points may pass between

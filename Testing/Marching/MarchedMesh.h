@@ -43,6 +43,7 @@ Kernel kernelOf(
   kernel.tetCount = mesh.numberOfTets();
   kernel.bvhNodeCount = static_cast<int>(mesh.Hierarchy.size());
   kernel.bvhReentryNodeCount = static_cast<int>(mesh.ReentryNodes);
+  kernel.reentryFaceCount = static_cast<int>(mesh.ReentryFaces);
   kernel.mostCells = mostCellsOf(static_cast<int>(mesh.Tets.size()));
   kernel.tableSize = table.size();
   kernel.tableScale = Real(table.scale(1.0));

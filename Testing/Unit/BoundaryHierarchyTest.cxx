@@ -161,6 +161,7 @@ void expectSameEntries(const TetMesh& mesh, int rays, std::size_t& mostEntries)
   const Id all = facesOfNodes(mesh, mesh.Hierarchy.size());
   const Id reentries = facesOfNodes(mesh, mesh.ReentryNodes);
   ASSERT_EQ(all, mesh.BoundaryFaces.size());
+  ASSERT_EQ(reentries, mesh.ReentryFaces);
   RandomRays random(17);
   for (int i = 0; i < rays; ++i)
   {

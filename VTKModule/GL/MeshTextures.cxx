@@ -35,6 +35,7 @@ std::string MeshTextures::uploadLinks(vtkOpenGLRenderWindow* window, const TetMe
   this->NumberOfTets = static_cast<int>(mesh.numberOfTets());
   this->NumberOfNodes = static_cast<int>(mesh.Hierarchy.size());
   this->NumberOfReentryNodes = static_cast<int>(mesh.ReentryNodes);
+  this->NumberOfReentryFaces = static_cast<int>(mesh.ReentryFaces);
   return error;
 }
 
@@ -66,6 +67,7 @@ void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
     this->Hierarchy.bind(program, "hierarchyBuffer");
     program->SetUniformi("bvhNodeCount", this->NumberOfNodes);
     program->SetUniformi("bvhReentryNodeCount", this->NumberOfReentryNodes);
+    program->SetUniformi("reentryFaceCount", this->NumberOfReentryFaces);
   }
   if (!key.PointScalars)
   {

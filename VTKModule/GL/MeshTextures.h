@@ -40,6 +40,7 @@ private:
   int NumberOfTets = 0;
   int NumberOfNodes = 0;
   int NumberOfReentryNodes = 0;
+  int NumberOfReentryFaces = 0;
 };
 
 } // namespace tetmarch

@@ -211,6 +211,7 @@ void buildHierarchy(TetMesh& mesh)
   std::vector<bool> reentry = findHullFaces(mesh);
   reentry.flip();
   mesh.ReentryNodes = Builder(mesh).build(reentry);
+  mesh.ReentryFaces = std::count(reentry.begin(), reentry.end(), true);
 }
 
 } // namespace tetmarch

@@ -21,8 +21,9 @@ constexpr float HierarchyMargin = 4e-6f;
 
 /**
  * Build Hierarchy top-down with binned surface area heuristic (Wald 2007), and bring BoundaryFaces
- * into the order of its leaves. The first ReentryNodes nodes hold the faces through which a ray can
- * come back in, the rest those on the convex hull of the mesh. Links must be set again afterwards.
+ * into the order of its leaves. The first ReentryNodes nodes hold the ReentryFaces faces through
+ * which a ray can come back in, the rest those on the convex hull of the mesh. Links must be set
+ * again afterwards.
  */
 void buildHierarchy(TetMesh& mesh);
 

@@ -60,7 +60,8 @@ struct TetMesh
   std::vector<std::array<Id, 4>> BoundaryFaces; // three vertices and the tetrahedron inside
   std::vector<HierarchyNode> Hierarchy;         // may be empty if no ray needs it
   bool NeedsHierarchy = false;                  // rays may come in again, or be refused by a needle
-  std::size_t ReentryNodes = 0; // that many nodes are of faces that aren't on the hull
+  std::size_t ReentryNodes = 0; // that many nodes are of faces that aren't on the hull,
+  std::size_t ReentryFaces = 0; // that many of them
   std::vector<Vertex> Vertices;
   std::vector<Id> TetCells;     // the cell of the grid each tetrahedron comes from
   std::vector<Id> VertexPoints; // the point of the grid each vertex is, or

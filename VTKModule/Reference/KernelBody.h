@@ -19,6 +19,7 @@ const IntegralTable* Table = nullptr;
 uint tetCount = 0;
 int bvhNodeCount = 0;
 int bvhReentryNodeCount = 0;
+int reentryFaceCount = 0;
 int mostCells = 0;
 int tableSize = 0;
 Real tableScale = 0;

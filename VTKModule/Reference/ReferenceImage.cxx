@@ -24,6 +24,7 @@ Kernel makeKernel(const ReferenceScene& scene, const AccuracyLevel& level)
   kernel.tetCount = scene.Mesh->numberOfTets();
   kernel.bvhNodeCount = static_cast<int>(scene.Mesh->Hierarchy.size());
   kernel.bvhReentryNodeCount = static_cast<int>(scene.Mesh->ReentryNodes);
+  kernel.reentryFaceCount = static_cast<int>(scene.Mesh->ReentryFaces);
   kernel.mostCells = std::numeric_limits<int>::max();
   kernel.tableSize = scene.Table->size();
   kernel.tableScale = Real(scene.Table->scale(scene.Range.width()));

@@ -97,6 +97,7 @@ std::string MeshStage::addHierarchy()
   {
     this->Mesh.Hierarchy = {};
     this->Mesh.ReentryNodes = 0;
+    this->Mesh.ReentryFaces = 0;
     if (!faces.empty()) // they are put in the order of the tree while it grows
     {
       this->Mesh.BoundaryFaces.swap(faces);
