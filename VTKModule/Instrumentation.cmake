@@ -18,6 +18,6 @@ if (TETMARCH_FUZZ)
 endif ()
 if (TETMARCH_COVERAGE)
   # Threads count together.
-  add_compile_options(-O0 --coverage -fprofile-update=atomic)
+  add_compile_options(-Og --coverage -fprofile-update=atomic)
   add_link_options(--coverage)
 endif ()
