@@ -39,13 +39,12 @@ real edgeCross(vec2 p, vec2 q)
   precise real c = d + e;
   return c;
 #else
-  // Rounding is monotone, so different rounded products are ordered as the exact ones. If they are equal,
-  // the exact ones differ by less than 2^31 and the wrapped integer difference is exact.
-  real left = p.x * q.y;
-  real right = q.x * p.y;
-  real c = left - right;
-  int exact = int(uint(int(p.x)) * uint(int(q.y)) - uint(int(q.x)) * uint(int(p.y)));
-  return abs(c) > real(33554432.0) ? c : real(exact);
+  // The wrapped integer difference is the exact one but for a multiple of 2^32, which that of the rounded products
+  // tells: of coordinates below 2^24 it is off by less than 2^26. The value is within 1 ulp.
+  int wrapped = int(uint(int(p.x)) * uint(int(q.y)) - uint(int(q.x)) * uint(int(p.y)));
+  real rounded = p.x * q.y - q.x * p.y;
+  real turns = floor((rounded - real(wrapped)) * real(2.3283064365386962890625e-10) + real(0.5));
+  return real(wrapped) + turns * real(4294967296.0);
 #endif
 }
 

@@ -134,26 +134,40 @@ TEST(EdgeSign, IsExactInThePortableForm)
   expectExactSigns<PortablePointKernel<float>, float>(24, 1.0f, 100000);
 }
 
-// Not only the sign: as a barycentric weight the value is good to 1.5 ulp (Jeannerod et al. 2013).
-TEST(EdgeSign, ValueIsGoodToOneAndAHalfUlp)
+// Not only the sign: as a barycentric weight the value is good to some ulp, even of points nearly
+// in line with the ray.
+template <typename Kernel>
+void expectValueWithin(double ulps, float scale)
 {
-  PointKernel<float> kernel;
+  Kernel kernel;
   std::mt19937 random(5);
-  const auto number = [&]
-  { return std::ldexp(static_cast<float>(random() >> 8), -24) * (random() % 2 ? 1.0f : -1.0f); };
+  const auto whole = [&]
+  { return static_cast<float>(random() >> 8) * (random() % 2 ? 1.0f : -1.0f); };
   for (int i = 0; i < 1000000; ++i)
   {
-    const glsl::Vec2<float> p{ number(), number() };
-    glsl::Vec2<float> q{ number(), number() };
+    const glsl::Vec2<float> p{ whole() * scale, whole() * scale };
+    glsl::Vec2<float> q{ whole() * scale, whole() * scale };
     if (i % 2)
     {
-      q = { std::nextafter(p.x * 0.5f, q.x), p.y * 0.5f };
+      q = { (std::floor(p.x / scale * 0.5f) + 1.0f) * scale,
+        std::floor(p.y / scale * 0.5f) * scale };
     }
     const double exact = double(p.x) * double(q.y) - double(q.x) * double(p.y);
     const double error = std::abs(double(kernel.edgeCross(p, q)) - exact);
     // exact itself is rounded to double, which is 2^-29 of a float's ulp.
-    ASSERT_LE(error, 1.5 * std::ldexp(std::abs(exact), -23) * (1.0 + 1e-6));
+    ASSERT_LE(error, ulps * std::ldexp(std::abs(exact), -23) * (1.0 + 1e-6));
   }
+}
+
+// Jeannerod, Louvet and Muller 2013.
+TEST(EdgeSign, ValueIsGoodToOneAndAHalfUlp)
+{
+  expectValueWithin<PointKernel<float>>(1.5, std::ldexp(1.0f, -24));
+}
+
+TEST(EdgeSign, ValueIsGoodToOneUlpInThePortableForm)
+{
+  expectValueWithin<PortablePointKernel<float>>(1.0, 1.0f);
 }
 
 // After the snap no term of the product leaves the range of normal numbers: flushing denormals, as
