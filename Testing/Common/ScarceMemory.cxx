@@ -28,9 +28,13 @@ bool fails(std::size_t bytes)
 }
 } // namespace
 
+void* operator new(std::size_t bytes, const std::nothrow_t& /*unused*/) noexcept
+{
+  return fails(bytes) ? nullptr : std::malloc(bytes > 0 ? bytes : 1);
+}
 void* operator new(std::size_t bytes)
 {
-  void* memory = fails(bytes) ? nullptr : std::malloc(bytes > 0 ? bytes : 1);
+  void* memory = operator new(bytes, std::nothrow);
   if (!memory)
   {
     throw std::bad_alloc();

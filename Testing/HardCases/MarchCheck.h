@@ -9,11 +9,11 @@
  *
  * The bound of its length. With positions of at most 1 in the normalised frame and a ray's origin
  * of at most 1, a projected coordinate is a difference (error 2^-24) times a unit vector, summed
- * over three axes (2^-22), and the portable form rounds it to 2^-23: together under 2^-21. Signs
- * are exact for the projected bits, weights to an ulp or two. So what float marches is, up to the rounding of the
- * sum, the exact answer for vertices displaced by that much, and the length must lie between the
- * least and the greatest length that a ray sees while vertices move within that distance. The sum
- * itself adds 2^-24 of the length a cell.
+ * over three axes (2^-22), and the portable form rounds it to 2^-23: together under 2^-21. For the
+ * projected bits signs are exact, and weights to an ulp or two. So what float marches is, up to the
+ * rounding of the sum, the exact answer for vertices displaced by that much, and the length must
+ * lie between the least and the greatest length that a ray sees while vertices move within that
+ * distance. The sum itself adds 2^-24 of the length a cell.
  *
  * Where the cells fill a box, these are the chords of the box made smaller and greater, for every
  * ray. Elsewhere, and where surfaces meet inside of the box, the same ray (the same bits of origin
