@@ -26,19 +26,30 @@ const char Usage[] = R"(usage: tetmarch-draw-hard-case CASE MAPPER FILE.png [VIE
 
 Writes the picture of a case (tetmarch-hard-cases list) and prints as JSON how it compares with
 that of the CPU in double precision. MAPPER is tetmarch, projected, bunyk or zsweep, or yardstick
-for the picture of the CPU itself; VIEW the name of a view of the case, if not its first. But for
-cases about optics, colours and opacities are plain ramps.
+for the picture of the CPU itself; VIEW the name of a view of the case, if not the first in which
+there is something to see. But for cases about optics, colours and opacities are plain ramps.
 )";
 
-const HardView& findView(const std::vector<HardView>& views, const std::string& name)
+bool showsAnything(const Image& picture)
+{
+  return std::any_of(
+    picture.Rgba.begin(), picture.Rgba.end(), [](float x) { return x > 16.0f / 255.0f; });
+}
+
+// The view of that name; without a name the first in which there is something to see, if any.
+const HardView& findView(
+  const HardCase& hard, const std::vector<HardView>& views, const std::string& name)
 {
   const auto found = std::find_if(views.begin(), views.end(),
-    [&name](const HardView& view) { return name.empty() || view.Name == name; });
-  if (found == views.end())
+    [&](const HardView& view)
+    {
+      return name.empty() ? showsAnything(PictureCheck(hard, view).yardstick()) : view.Name == name;
+    });
+  if (found == views.end() && !name.empty())
   {
     throw std::invalid_argument("the case has no view named " + name);
   }
-  return *found;
+  return found == views.end() ? views.front() : *found;
 }
 
 Drawn drawnBy(const std::string& mapper, const HardCase& hard, const HardView& view)
@@ -66,7 +77,7 @@ void run(const std::string& name, const std::string& mapper, const std::string& 
     hard.SetOptics = withRamps(hard.SetOptics);
   }
   const std::vector<HardView> views = viewsOf(hard);
-  const HardView& view = findView(views, viewName);
+  const HardView& view = findView(hard, views, viewName);
   PictureCheck check(hard, view);
   Drawn drawn;
   const auto begin = std::chrono::steady_clock::now();

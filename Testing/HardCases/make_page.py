@@ -20,6 +20,12 @@ HERE = pathlib.Path(__file__).resolve().parent
 PICTURES = HERE / "Pictures"
 OTHERS = ["projected", "bunyk", "zsweep"]
 MAPPERS = ["yardstick", "tetmarch"] + OTHERS
+NAMES = {
+    "tetmarch": "TetMarch",
+    "projected": "projected tetrahedra",
+    "bunyk": "Bunyk ray caster",
+    "zsweep": "Z-sweep",
+}
 PATIENCE = 60  # seconds for one picture
 GAP = 3  # pixels between the pictures of a row
 
@@ -89,7 +95,7 @@ def summary(results):
         wrong = [d for d in drawings if d.get("wrong", 0) > 0]
         silent = sum(not d["messages"] for d in wrong)
         right = len(drawings) - failed - len(wrong)
-        lines.append(f"| {mapper} | {right} | {len(wrong)} | {silent} | {failed} |")
+        lines.append(f"| {NAMES[mapper]} | {right} | {len(wrong)} | {silent} | {failed} |")
     return "\n".join(lines)
 
 
@@ -125,8 +131,9 @@ def main():
 
     page = (HERE / "Page.md").read_text()
     head = (
-        "| double precision, TetMarch, projected, Bunyk, Z-sweep | case | rays | failures | worst length error "
-        "| TetMarch | projected tetrahedra | Bunyk | Z-sweep |\n|---|---|---:|---:|---:|---|---|---|---|\n"
+        "| double precision, TetMarch, projected, Bunyk, Z-sweep | case | rays | failures | worst length error | "
+        + " | ".join(NAMES.values())
+        + " |\n|---|---|---:|---:|---:|---|---|---|---|\n"
     )
     for group in dict.fromkeys(c[0] for c in cases):
         rows = [row(c[1], c[2], results[c[1]], rays[c[1]]) for c in cases if c[0] == group]
