@@ -1,5 +1,6 @@
 // Colour C and extinction tau as functions of the scalar, linear between the n entries of a table, and
-// their integrals T(x) = integral of tau, K(x) = integral of C tau, Q(x) = integral of |C|^2 tau.
+// their integrals T(x) = integral of tau, K(x) = integral of C tau. V(x) is the total variation of C up to x, of
+// the channel that changes most in each bin.
 //
 // x counts entries. The first and the last bin are constant, so that the formulas hold for any x beyond
 // the table as well. Integrals up to an entry are 32-bit fixed-point numbers: their differences are exact,
@@ -13,6 +14,9 @@ struct TablePoint
   vec4 value;       // C, tau at x
   vec4 binBegin;    // C, tau at entry bin
   vec4 binEnd;      // C, tau at entry bin + 1
+#if TETMARCH_ERROR_BOUND
+  real variation;   // V at x
+#endif
   uvec4 integral;   // K, T at entry bin
   uvec4 integralEnd; // K, T at entry bin + 1
 };
@@ -36,9 +40,14 @@ TablePoint tablePoint(real x)
   p.bin = tableBin(x);
   p.binBegin = fetchTableValue(p.bin);
   p.binEnd = fetchTableValue(p.bin + 1);
-  p.value = p.binBegin + (p.binEnd - p.binBegin) * clamp(x - real(p.bin), real(0), real(1));
+  vec4 rise = p.binEnd - p.binBegin;
+  real share = clamp(x - real(p.bin), real(0), real(1));
+  p.value = p.binBegin + rise * share;
   p.integral = fetchTableIntegral(p.bin);
   p.integralEnd = fetchTableIntegral(p.bin + 1);
+#if TETMARCH_ERROR_BOUND
+  p.variation = fetchTableVariation(p.bin) + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * share;
+#endif
   return p;
 }
 
@@ -49,16 +58,6 @@ vec4 linearMean(vec4 p, vec4 q)
   real wp = (real(2) * p.w + q.w) * sixth;
   real wq = (p.w + real(2) * q.w) * sixth;
   return vec4(p.x * wp + q.x * wq, p.y * wp + q.y * wq, p.z * wp + q.z * wq, real(0.5) * (p.w + q.w));
-}
-
-// Mean of |C|^2 tau there: Simpson's rule is exact for a cubic.
-real linearSquareMean(vec4 p, vec4 q)
-{
-  vec4 m = (p + q) * real(0.5);
-  real fp = (p.x * p.x + p.y * p.y + p.z * p.z) * p.w;
-  real fm = (m.x * m.x + m.y * m.y + m.z * m.z) * m.w;
-  real fq = (q.x * q.x + q.y * q.y + q.z * q.z) * q.w;
-  return (fp + real(4) * fm + fq) * (real(1) / real(6));
 }
 
 // Means of C tau and tau over the scalars between two points of the table.
@@ -75,23 +74,5 @@ vec4 meanBetween(TablePoint p, TablePoint q)
   vec4 sum = right * (real(lowBin + 1) - low) + between * tableIntegralUnit + left * (high - real(highBin));
   vec4 apart = sum * (real(1) / max(high - low, TINY));
   vec4 together = linearMean(p.value, q.value);
-  return p.bin == q.bin ? together : apart;
-}
-
-// Mean of |C|^2 tau likewise.
-real squareMeanBetween(TablePoint p, TablePoint q)
-{
-  bool ascending = p.bin <= q.bin;
-  real low = ascending ? p.x : q.x;
-  real high = ascending ? q.x : p.x;
-  int lowBin = ascending ? p.bin : q.bin;
-  int highBin = ascending ? q.bin : p.bin;
-  real right = linearSquareMean(ascending ? p.value : q.value, ascending ? p.binEnd : q.binEnd);
-  real left = linearSquareMean(ascending ? q.binBegin : p.binBegin, ascending ? q.value : p.value);
-  real between =
-    real(fetchTableSquareIntegral(highBin) - fetchTableSquareIntegral(min(lowBin + 1, highBin)));
-  real sum = right * (real(lowBin + 1) - low) + between * tableSquareUnit + left * (high - real(highBin));
-  real apart = sum / max(high - low, TINY);
-  real together = linearSquareMean(p.value, q.value);
   return p.bin == q.bin ? together : apart;
 }

@@ -12,7 +12,10 @@
 #include "integral_table.glsl"
 #include "radiance.glsl"
 #if TETMARCH_POINT_SCALARS
-#include "segment_adaptive.glsl"
+#if TETMARCH_ERROR_BOUND
+#include "order_error.glsl"
+#endif
+#include "segment_linear.glsl"
 #else
 #include "segment_constant.glsl"
 #endif
@@ -150,7 +153,7 @@ void main()
 
   gl_FragData[0] = vec4(march.radiance.color, 1.0 - march.radiance.transmittance);
 #if TETMARCH_DIAGNOSTICS
-  gl_FragData[1] = vec4(float(march.cells), float(march.evaluations), 0.0, 0.0);
+  gl_FragData[1] = vec4(float(march.cells), float(march.evaluations), errorBound(march.radiance), 0.0);
   gl_FragData[2] = vec4(float(march.refused), float(march.lost), float(march.guarded), 0.0);
 #endif
 }

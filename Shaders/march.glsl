@@ -17,8 +17,7 @@ struct March
 March beginMarch(real depthBegin)
 {
   March march;
-  march.radiance.color = vec3(real(0), real(0), real(0));
-  march.radiance.transmittance = real(1);
+  march.radiance = noRadiance();
   march.done = depthBegin;
   march.finished = false;
   march.cells = 0;
@@ -88,7 +87,7 @@ void marchToExit(
 #endif
     // Of a piece that was passed backwards nothing is done yet.
     march.done = end > begin ? end : march.done;
-    march.finished = march.radiance.transmittance < leastTransmittance || max(begin, end) >= depthEnd;
+    march.finished = isOpaque(march.radiance) || max(begin, end) >= depthEnd;
     enter = leave;
     onward =
       exitFace >= 0 && link.x < LINK_OUTSIDE && march.cells < mostCells && !march.finished;

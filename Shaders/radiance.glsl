@@ -4,24 +4,86 @@ struct Radiance
 {
   vec3 color; // premultiplied
   real transmittance;
+#if TETMARCH_ERROR_BOUND
+  real error; // no channel of color is off by more, but for rounding and what the tables lack
+#endif
 };
 
-// (1 - exp(-D)) / D without cancellation: the series below 1/8 is good to 4e-8. transmitted: exp(-D).
-real meanTransmittance(real depth, real transmitted)
+Radiance noRadiance()
 {
-  real series = real(1) -
-    depth * (real(0.5) - depth * (real(1) / real(6) - depth * (real(1) / real(24) - depth / real(120))));
-  return depth < real(0.125) ? series : (real(1) - transmitted) / depth;
+  Radiance radiance;
+  radiance.color = vec3(real(0), real(0), real(0));
+  radiance.transmittance = real(1);
+#if TETMARCH_ERROR_BOUND
+  radiance.error = real(0);
+#endif
+  return radiance;
 }
 
-// mean: of C tau and tau; length in scalar opacity unit distances; transmitted: exp(-length mean tau).
-void absorb(INOUT(Radiance) radiance, vec4 mean, real opticalLength, real transmitted)
+#if TETMARCH_ADAPTIVE
+// A quarter of a pixel's tolerance may be used up at once, half as the ray is absorbed; the rest is for what lies
+// behind its end.
+CONSTANT real TOLERANCE_AT_ONCE = real(0.25);
+CONSTANT real TOLERANCE_BY_ABSORPTION = real(0.5);
+
+// How far the next piece may be off that absorbs so much of the light of the pixel.
+real errorBudget(Radiance radiance, real absorbed)
 {
+  real earned = TOLERANCE_AT_ONCE + TOLERANCE_BY_ABSORPTION * (real(1) - radiance.transmittance + absorbed);
+  // Rounding may have spent a little more than was there.
+  return max(errorTolerance * earned - radiance.error, errorTolerance * TOLERANCE_BY_ABSORPTION * absorbed);
+}
+#endif
+
+// Whether what lies behind can't change a channel by more than the tolerance leaves.
+bool isOpaque(Radiance radiance)
+{
+#if TETMARCH_ADAPTIVE
+  return radiance.transmittance + radiance.error < errorTolerance;
+#else
+  return radiance.transmittance < errorTolerance;
+#endif
+}
+
+// What any channel of the pixel may be off by, when the ray ends here.
+real errorBound(Radiance radiance)
+{
+  real behind = isOpaque(radiance) ? radiance.transmittance : real(0);
+#if TETMARCH_ERROR_BOUND
+  return radiance.error + behind;
+#else
+  return behind;
+#endif
+}
+
+// What a piece does to the light that comes into it.
+struct Absorption
+{
+  real opticalLength; // in scalar opacity unit distances
+  real depth;         // optical depth
+  real evenly;        // (1 - exp(-depth)) / depth
+  real absorbed;      // 1 - exp(-depth)
+};
+
+// mean: of C tau and tau. The series below 1/8, good to 4e-8, has no cancellation.
+Absorption absorption(vec4 mean, real opticalLength)
+{
+  Absorption piece;
+  piece.opticalLength = opticalLength;
   real depth = mean.w * opticalLength;
-  real share = meanTransmittance(depth, transmitted);
-  real weight = radiance.transmittance * share * opticalLength;
+  real series = real(1) -
+    depth * (real(0.5) - depth * (real(1) / real(6) - depth * (real(1) / real(24) - depth / real(120))));
+  piece.depth = depth;
+  piece.evenly = depth < real(0.125) ? series : (real(1) - exp(-depth)) / depth;
+  piece.absorbed = depth * piece.evenly;
+  return piece;
+}
+
+void absorb(INOUT(Radiance) radiance, vec4 mean, Absorption piece)
+{
+  real weight = radiance.transmittance * piece.evenly * piece.opticalLength;
   // Colours are at most 1; rounding could make their mean a little more, and pixels with it.
   radiance.color =
     radiance.color + vec3(min(mean.x, mean.w), min(mean.y, mean.w), min(mean.z, mean.w)) * weight;
-  radiance.transmittance = radiance.transmittance * max(real(1) - depth * share, real(0));
+  radiance.transmittance = radiance.transmittance * max(real(1) - piece.absorbed, real(0));
 }

@@ -3,5 +3,5 @@ void integrateConstant(real tablePosition, real opticalLength, INOUT(Radiance) r
 {
   vec4 value = tableValue(tablePosition);
   vec4 mean = vec4(value.x * value.w, value.y * value.w, value.z * value.w, value.w);
-  absorb(radiance, mean, opticalLength, exp(-mean.w * opticalLength));
+  absorb(radiance, mean, absorption(mean, opticalLength));
 }

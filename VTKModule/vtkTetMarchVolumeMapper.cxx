@@ -13,6 +13,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
+#include "vtkTetMarchFrameStatistics.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridBase.h"
@@ -20,6 +21,16 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
+
+namespace
+{
+tetmarch::OpacityLaw lawOf(int opacityLaw)
+{
+  return opacityLaw == vtkTetMarchVolumeMapper::STRUCTURED ? tetmarch::OpacityLaw::Structured
+                                                           : tetmarch::OpacityLaw::Unstructured;
+}
+} // namespace
 
 class vtkTetMarchVolumeMapper::Internals
 {
@@ -27,6 +38,7 @@ public:
   tetmarch::Pipeline Pipeline;
   std::string LastError; // reported already
   std::string LastReport;
+  vtkNew<vtkTetMarchFrameStatistics> Statistics;
 };
 
 vtkStandardNewMacro(vtkTetMarchVolumeMapper);
@@ -53,6 +65,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
   pipeline.begin(static_cast<std::uint64_t>(this->MaxMemoryInBytes));
+  this->Internal->Statistics->Clear();
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
   if (!grid || grid->GetNumberOfCells() == 0)
   {
@@ -73,13 +86,14 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return !window->CheckAbortStatus();
   };
 
-  const tetmarch::DrawOptions options{ this->CollectDiagnostics, this->MaxDrawTimeInSeconds };
+  const tetmarch::AccuracyLevel level =
+    tetmarch::levelOf(static_cast<tetmarch::Accuracy>(this->AccuracyLevel), this->ErrorTolerance);
+  const tetmarch::DrawOptions options{ level, this->CollectDiagnostics,
+    this->MaxDrawTimeInSeconds };
 
   const bool drawn = scalars && pipeline.updateMesh(grid, progress) &&
                      pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
-                     pipeline.updateTables(volume->GetProperty(),
-                       this->OpacityLaw == STRUCTURED ? tetmarch::OpacityLaw::Structured
-                                                      : tetmarch::OpacityLaw::Unstructured) &&
+                     pipeline.updateTables(volume->GetProperty(), lawOf(this->OpacityLaw), level) &&
                      pipeline.updateView(renderer, volume) && pipeline.upload(window) &&
                      pipeline.draw(window, renderer, options, progress);
   this->ReportError(scalars ? pipeline.error() : this->DescribeMissingScalars());
@@ -95,6 +109,90 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   timer->StopTimer();
   this->TimeToDraw = timer->GetElapsedTime();
+  if (drawn)
+  {
+    this->TakeStatistics(this->TimeToDraw - pipeline.counted().seconds());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::TakeStatistics(double seconds)
+{
+  vtkTetMarchFrameStatistics* statistics = this->Internal->Statistics;
+  const std::vector<float>& measures = this->Internal->Pipeline.counted().measures();
+  vtkNew<vtkFloatArray> values;
+  values->SetNumberOfValues(static_cast<vtkIdType>(measures.size() / 4));
+  const auto take = [&](int quantity, int component)
+  {
+    for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
+    {
+      const bool met = measures[4 * i] > 0;
+      values->SetValue(i, met ? measures[4 * i + component] : -1.0f);
+    }
+    statistics->SetValues(quantity, values);
+  };
+  take(vtkTetMarchFrameStatistics::CELLS, 0);
+  take(vtkTetMarchFrameStatistics::LOOKUPS, 1);
+  take(vtkTetMarchFrameStatistics::ERROR_BOUND, 2);
+  statistics->SetSeconds(seconds);
+  statistics->SetGPUMemoryBytes(this->GetGPUMemoryBytes());
+}
+
+//------------------------------------------------------------------------------
+vtkTetMarchFrameStatistics* vtkTetMarchVolumeMapper::GetLastFrameStatistics()
+{
+  return this->Internal->Statistics;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchVolumeMapper::RenderReference(vtkVolume* volume, vtkFloatArray* pixels)
+{
+  tetmarch::ReferenceImage image;
+  tetmarch::Viewport area;
+  if (vtkOpenGLRenderWindow* window = this->Internal->Pipeline.window())
+  {
+    window->MakeCurrent();
+  }
+  if (!volume || !this->Internal->Pipeline.renderReference(
+                   volume->GetProperty(), lawOf(this->OpacityLaw), image, area))
+  {
+    vtkErrorMacro("No reference picture: " << (volume ? this->Internal->Pipeline.error()
+                                                      : std::string("no volume was given.")));
+    return false;
+  }
+  pixels->SetNumberOfComponents(4);
+  pixels->SetNumberOfTuples(static_cast<vtkIdType>(image.Pixels.size() / 4));
+  std::copy(image.Pixels.begin(), image.Pixels.end(), pixels->GetPointer(0));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchVolumeMapper::CompareWithReference(vtkVolume* volume)
+{
+  const tetmarch::Diagnostics& counted = this->Internal->Pipeline.counted();
+  if (counted.measures().empty())
+  {
+    vtkErrorMacro("There is no frame to compare: switch CollectDiagnostics on and render first.");
+    return false;
+  }
+  vtkNew<vtkFloatArray> reference;
+  if (!this->RenderReference(volume, reference))
+  {
+    return false;
+  }
+  vtkNew<vtkFloatArray> errors;
+  errors->SetNumberOfValues(reference->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < errors->GetNumberOfValues(); ++i)
+  {
+    float most = 0.0f;
+    for (vtkIdType k = 4 * i; k < 4 * i + 4; ++k)
+    {
+      most = std::max(most, std::abs(counted.pixels()[k] - reference->GetValue(k)));
+    }
+    errors->SetValue(i, counted.measures()[4 * i] > 0 ? most : -1.0f);
+  }
+  this->Internal->Statistics->SetValues(vtkTetMarchFrameStatistics::TRUE_ERROR, errors);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -176,6 +274,13 @@ void vtkTetMarchVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
     this->Internal->Pipeline.release(holder);
   }
   this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTetMarchVolumeMapper::GetAccuracyLevelAsString() const
+{
+  constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference" };
+  return names[this->AccuracyLevel];
 }
 
 //------------------------------------------------------------------------------
@@ -279,6 +384,8 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "OpacityLaw: " << (this->OpacityLaw == STRUCTURED ? "Structured" : "Unstructured")
      << "\n";
+  os << indent << "AccuracyLevel: " << this->GetAccuracyLevelAsString() << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "MaxDrawTimeInSeconds: " << this->MaxDrawTimeInSeconds << "\n";
   os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";

@@ -14,9 +14,8 @@
  * Inside a tetrahedron the scalar is linear. Extinction and colour come from the
  * vtkVolumeProperty's scalar opacity, scalar opacity unit distance and colour (or gray) transfer
  * function of component 0; the emission-absorption integral of each ray segment is taken from local
- * integral tables and split until a variance bound of its error holds (the error of a pixel is
- * below 1/255 but in rare cases). Nothing else of the property (shading, gradient opacity,
- * interpolation type) is used yet.
+ * integral tables and split until the pixel keeps its error tolerance. Nothing else of the property
+ * (shading, gradient opacity, interpolation type) is used yet.
  *
  * Point and cell scalars are taken, by ScalarMode and ArrayAccessMode as in every
  * vtkAbstractMapper. Of an array with several components the first is drawn. Cells that touch a
@@ -42,6 +41,7 @@
 
 class vtkDataArray;
 class vtkFloatArray;
+class vtkTetMarchFrameStatistics;
 class vtkUnstructuredGrid;
 
 class VTKRENDERINGTETMARCH_EXPORT vtkTetMarchVolumeMapper : public vtkUnstructuredGridVolumeMapper
@@ -79,6 +79,51 @@ public:
   vtkGetMacro(OpacityLaw, int);
   void SetOpacityLawToUnstructured() { this->SetOpacityLaw(UNSTRUCTURED); }
   void SetOpacityLawToStructured() { this->SetOpacityLaw(STRUCTURED); }
+  //@}
+
+  //@{
+  /**
+   * How exactly the emission-absorption integral is taken along each ray. Optical depth is exact at
+   * each level, however narrow a peak of the opacity function is: it comes from integrals of the
+   * transfer functions (Engel, Kraus and Ertl 2001, "High-quality pre-integrated volume
+   * rendering"). What is lost is the order of colours within a piece of a ray: a piece of optical
+   * depth D in which the colour varies by V in all is off by V (1 - phi + phi ln(phi)) at most,
+   * where phi = (1 - exp(-D)) / D; for thin pieces V D^2 / 8.
+   *
+   * FAST: a tetrahedron is one piece, and a ray ends at a transmittance of 1/512. Nothing is
+   * promised; wrong where colours change in cells that are thick to the eye.
+   * DEFAULT: pieces are split until a pixel keeps ErrorTolerance, the end of its ray included.
+   * ACCURATE: the same with a tolerance of 1/4096 or ErrorTolerance if that is less, and tables of
+   * 4096 entries.
+   * REFERENCE: the same with 1e-5, about what float can tell.
+   *
+   * The tolerance is of the picture in float, before the window rounds it (to 1/510 at most in 8
+   * bits) and but for what transfer functions vary within an entry of their tables (1024 if not
+   * said otherwise).
+   */
+  enum AccuracyLevelType
+  {
+    FAST = 0,
+    DEFAULT = 1,
+    ACCURATE = 2,
+    REFERENCE = 3
+  };
+  vtkSetClampMacro(AccuracyLevel, int, FAST, REFERENCE);
+  vtkGetMacro(AccuracyLevel, int);
+  void SetAccuracyLevelToFast() { this->SetAccuracyLevel(FAST); }
+  void SetAccuracyLevelToDefault() { this->SetAccuracyLevel(DEFAULT); }
+  void SetAccuracyLevelToAccurate() { this->SetAccuracyLevel(ACCURATE); }
+  void SetAccuracyLevelToReference() { this->SetAccuracyLevel(REFERENCE); }
+  const char* GetAccuracyLevelAsString() const;
+  //@}
+
+  //@{
+  /**
+   * How much each channel (r, g, b, opacity; 0..1) of a pixel may be off by, 1e-6..1. Another value
+   * compiles no shader. Default: 1/255.
+   */
+  vtkSetClampMacro(ErrorTolerance, double, 1e-6, 1.0);
+  vtkGetMacro(ErrorTolerance, double);
   //@}
 
   //@{
@@ -173,6 +218,25 @@ public:
   //@}
 
   /**
+   * What the pixels of the last frame cost and by how much they may be off, if CollectDiagnostics
+   * was on; empty otherwise. The object stays the same from frame to frame.
+   */
+  vtkTetMarchFrameStatistics* GetLastFrameStatistics();
+
+  //@{
+  /**
+   * The picture of the last frame by the CPU in double precision, with a tolerance of 1e-6 and
+   * tables of up to 65536 entries: the yardstick of all our figures of accuracy. As
+   * GetDiagnosticPixels(); `volume` is the one that was drawn. Takes seconds to minutes.
+   * CompareWithReference() makes it, too, and adds vtkTetMarchFrameStatistics::TRUE_ERROR to the
+   * last frame's statistics; that wants CollectDiagnostics on. Both return false, with an error, if
+   * there is no such frame.
+   */
+  bool RenderReference(vtkVolume* volume, vtkFloatArray* pixels);
+  bool CompareWithReference(vtkVolume* volume);
+  //@}
+
+  /**
    * The picture of the last frame with CollectDiagnostics on, before it was blended over the
    * background: one tuple a pixel of the viewport, rows from the bottom, premultiplied r, g, b and
    * opacity in 0..1, in float. Empty if there is none.
@@ -184,6 +248,8 @@ protected:
   ~vtkTetMarchVolumeMapper() override;
 
   int OpacityLaw = UNSTRUCTURED;
+  int AccuracyLevel = DEFAULT;
+  double ErrorTolerance = 1.0 / 255.0;
   double MaxDrawTimeInSeconds = 0.25;
   vtkIdType MaxMemoryInBytes = 0;
   bool CollectDiagnostics = false;
@@ -196,6 +262,7 @@ private:
   std::string DescribeMissingScalars();
   void ReportError(const std::string& error);
   void ReportMesh();
+  void TakeStatistics(double seconds);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

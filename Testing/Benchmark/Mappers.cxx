@@ -24,11 +24,21 @@ MapperPointer makeBunyk()
   return mapper;
 }
 
+template <int Level>
+MapperPointer makeOurs()
+{
+  auto mapper = vtk::TakeSmartPointer(vtkTetMarchVolumeMapper::New());
+  mapper->SetAccuracyLevel(Level);
+  return mapper;
+}
+
 const std::map<std::string, MapperPointer (*)()>& makersByName()
 {
   static const std::map<std::string, MapperPointer (*)()> makers = {
-    { "tetmarch",
-      []() -> MapperPointer { return vtk::TakeSmartPointer(vtkTetMarchVolumeMapper::New()); } },
+    { "tetmarch", makeOurs<vtkTetMarchVolumeMapper::DEFAULT> },
+    { "tetmarch-fast", makeOurs<vtkTetMarchVolumeMapper::FAST> },
+    { "tetmarch-accurate", makeOurs<vtkTetMarchVolumeMapper::ACCURATE> },
+    { "tetmarch-reference", makeOurs<vtkTetMarchVolumeMapper::REFERENCE> },
     { "projected",
       []() -> MapperPointer
       { return vtk::TakeSmartPointer(vtkProjectedTetrahedraMapper::New()); } },

@@ -165,7 +165,8 @@ prints a table in Markdown and, if asked, writes every figure as JSON.
 
   --datasets A,B,...        of lattice162k, lattice1.3m, lattice6m, golfball, lattice:N (6 N^3 tetrahedra)
                             (default: the first four)
-  --mappers A,B,...         of tetmarch, projected, bunyk (default: all)
+  --mappers A,B,...         of tetmarch, tetmarch-fast, tetmarch-accurate, tetmarch-reference, projected,
+                            bunyk (default: tetmarch, projected, bunyk)
   --size WxH                of the window (default: 512x512)
   --rounds N                how often each mapper starts in a new process (default: 2)
   --frames N                frames of a mapper in a round, after the first (default: 5)

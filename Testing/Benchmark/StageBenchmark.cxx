@@ -12,7 +12,7 @@
 #include "Mesh/Scalars.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "Optics/AccuracyLevel.h"
-#include "Optics/IntegralTable.h"
+#include "Optics/FittingTable.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
@@ -181,9 +181,9 @@ void MakeTable(benchmark::State& state)
   property->SetScalarOpacity(opacity);
   for (auto _ : state)
   {
-    const SampledFunctions functions = sampleAreas(
-      property, OpacityLaw::Unstructured, 0.0, 1.0, samplesOfTable(DefaultAccuracy.TableEntries));
-    benchmark::DoNotOptimize(makeIntegralTable(functions).Values.data());
+    const IntegralTable table =
+      fittingTable(property, OpacityLaw::Unstructured, 0.0, 1.0, DefaultAccuracy);
+    benchmark::DoNotOptimize(table.Values.data());
   }
 }
 

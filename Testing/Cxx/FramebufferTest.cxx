@@ -176,8 +176,12 @@ TEST(Framebuffer, ViewportsAnywhere)
     const Image all = framePictureOf(window);
     for (int i = 0; i < 4; ++i)
     {
-      expectSame(cropped(all, Side * (i % 2), Side * (i / 2), Side, Side), frame, 0.0, "frame");
       EXPECT_LE(compare(floatPictureOf(mappers[i], Side, Side), picture).Max, 1e-5);
+      // So little may round to another byte, but hardly ever does.
+      const Difference bytes = compare(
+        cropped(all, Side * (i % 2), Side * (i / 2), Side, Side), frame, {}, 0.0, Channels::Rgb);
+      EXPECT_LE(bytes.Max, 1.001 / 255.0) << bytes.text();
+      EXPECT_LE(bytes.Over, 3u) << bytes.text();
     }
   }
 }

@@ -127,7 +127,7 @@ TEST_F(Stages, OpacityEditsRebuildTables)
   this->Shown.property()->GetScalarOpacity()->AddPoint(0.8, 0.0);
   this->expectRuns(0, 0, 1);
   EXPECT_GT(this->Changed, 0.05);
-  EXPECT_LT(this->Done.Bytes, 64 * 1024);
+  EXPECT_LT(this->Done.Bytes, 1024 * 1024);
 }
 
 TEST_F(Stages, ColourEditsRebuildTables)

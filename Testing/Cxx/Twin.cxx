@@ -3,7 +3,7 @@
 #include "Twin.h"
 
 #include "Mesh/TetMeshBuilder.h"
-#include "Optics/TransferFunctions.h"
+#include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
 
 #include <gtest/gtest.h>
@@ -30,14 +30,16 @@ public:
     vtkDataArray* array = vtkAbstractMapper::GetScalars(scene.Data, scene.Mapper->GetScalarMode(),
       scene.Mapper->GetArrayAccessMode(), scene.Mapper->GetArrayId(), scene.Mapper->GetArrayName(),
       cellFlag);
+    this->Level = levelOf(
+      static_cast<Accuracy>(scene.Mapper->GetAccuracyLevel()), scene.Mapper->GetErrorTolerance());
     ReferenceScene& made = this->Made;
     made.Range = cellFlag == 1 ? makeCellScalars(array, this->Mesh, this->CellScalars)
                                : setPointScalars(scene.Data, array, this->Mesh);
     made.CellScalars = cellFlag == 1 ? &this->CellScalars : nullptr;
     const bool structured = scene.Mapper->GetOpacityLaw() == vtkTetMarchVolumeMapper::STRUCTURED;
-    this->Table = makeIntegralTable(
-      sampleAreas(property, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
-        made.Range.Low, made.Range.High, samplesOfTable(DefaultAccuracy.TableEntries)));
+    this->Table =
+      fittingTable(property, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
+        made.Range.Low, made.Range.High, this->Level);
     if (!makeView(scene.Renderer, scene.Volume, this->Mesh,
           property->GetScalarOpacityUnitDistance(), made.Camera))
     {
@@ -53,8 +55,8 @@ public:
   TwinPicture render(Precision precision) const
   {
     const ReferenceImage image = precision == Precision::Double
-                                   ? renderReference<double>(this->Made, DefaultAccuracy)
-                                   : renderReference<float>(this->Made, DefaultAccuracy);
+                                   ? renderReference<double>(this->Made, this->Level)
+                                   : renderReference<float>(this->Made, this->Level);
     return { Image::fromFloats(this->Made.Width, this->Made.Height, image.Pixels.data()),
       image.Counters };
   }
@@ -63,6 +65,7 @@ private:
   TetMesh Mesh;
   std::vector<float> CellScalars;
   IntegralTable Table;
+  AccuracyLevel Level = DefaultAccuracy;
   ReferenceScene Made;
 };
 

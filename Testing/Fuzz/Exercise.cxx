@@ -5,8 +5,7 @@
 #include "Mesh/LeastTetrahedra.h"
 #include "Mesh/Scalars.h"
 #include "Mesh/TetMeshBuilder.h"
-#include "Optics/IntegralTable.h"
-#include "Optics/TransferFunctions.h"
+#include "Optics/FittingTable.h"
 #include "Reference/Kernel.h"
 #include "Reference/ReferenceImage.h"
 
@@ -153,8 +152,8 @@ std::string exercise(const Bytes& bytes)
   std::vector<float> cellScalars;
   const ScalarRange range = input.OfCells ? makeCellScalars(input.Scalars, mesh, cellScalars)
                                           : setPointScalars(input.Cells, input.Scalars, mesh);
-  const IntegralTable table = makeIntegralTable(sampleAreas(input.Property, input.Law, range.Low,
-    range.High, samplesOfTable(DefaultAccuracy.TableEntries)));
+  const IntegralTable table =
+    fittingTable(input.Property, input.Law, range.Low, range.High, DefaultAccuracy);
   drawPicture(mesh, table, range, input.OfCells ? &cellScalars : nullptr);
   if (input.OfCells)
   {

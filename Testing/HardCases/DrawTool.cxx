@@ -41,8 +41,7 @@ const HardView& findView(
   const HardCase& hard, const std::vector<HardView>& views, const std::string& name)
 {
   const auto found = std::find_if(views.begin(), views.end(),
-    [&](const HardView& view)
-    {
+    [&](const HardView& view) {
       return name.empty() ? showsAnything(PictureCheck(hard, view).yardstick()) : view.Name == name;
     });
   if (found == views.end() && !name.empty())

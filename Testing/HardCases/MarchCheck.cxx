@@ -3,7 +3,7 @@
 #include "MarchCheck.h"
 
 #include "Mesh/TetMeshBuilder.h"
-#include "Optics/TransferFunctions.h"
+#include "Optics/FittingTable.h"
 #include "Reference/Kernel.h"
 
 #include "ClosedForms.h"
@@ -160,8 +160,8 @@ MarchCheck::MarchCheck(const HardCase& hard)
   }
   vtkNew<vtkVolumeProperty> property;
   (hard.SetOptics ? hard.SetOptics : setStandardOptics)(property, grid);
-  this->Table = makeIntegralTable(sampleAreas(property, tetmarch::OpacityLaw::Unstructured,
-    this->Range.Low, this->Range.High, samplesOfTable(DefaultAccuracy.TableEntries)));
+  this->Table = fittingTable(property, tetmarch::OpacityLaw::Unstructured, this->Range.Low,
+    this->Range.High, DefaultAccuracy);
   this->UnitDistance = property->GetScalarOpacityUnitDistance() / this->Mesh.Radius;
   if (hard.Known == Answer::Box)
   {

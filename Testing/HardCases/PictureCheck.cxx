@@ -3,8 +3,7 @@
 #include "PictureCheck.h"
 
 #include "Mesh/TetMeshBuilder.h"
-#include "Optics/AccuracyLevel.h"
-#include "Optics/TransferFunctions.h"
+#include "Optics/FittingTable.h"
 #include "Scene/View.h"
 
 #include "DisplacedMesh.h"
@@ -47,12 +46,6 @@ std::array<double, 6> boundsOf(vtkUnstructuredGrid* grid, vtkMatrix4x4* matrix)
     }
   }
   return world;
-}
-
-IntegralTable tableFor(vtkVolumeProperty* property, const ScalarRange& range, int entries)
-{
-  return makeIntegralTable(sampleAreas(
-    property, OpacityLaw::Unstructured, range.Low, range.High, samplesOfTable(entries)));
 }
 } // namespace
 
@@ -116,8 +109,13 @@ PictureCheck::PictureCheck(const HardCase& hard, const HardView& view)
       : setPointScalars(this->Data, this->Data->GetPointData()->GetScalars(), this->Mesh);
   setUpHardCase(hard, view, this->Data, this->Renderer, this->Volume);
   vtkVolumeProperty* property = this->Volume->GetProperty();
-  this->DefaultTable = tableFor(property, this->Range, DefaultAccuracy.TableEntries);
-  this->ReferenceTable = tableFor(property, this->Range, ReferenceAccuracy.TableEntries);
+  const auto table = [&](const AccuracyLevel& level)
+  {
+    return fittingTable(
+      property, OpacityLaw::Unstructured, this->Range.Low, this->Range.High, level);
+  };
+  this->DefaultTable = table(DefaultAccuracy);
+  this->ReferenceTable = table(ReferenceAccuracy);
 
   const ReferenceImage image =
     renderReference<double>(this->sceneOf(this->Mesh, this->ReferenceTable), ReferenceAccuracy);
@@ -154,8 +152,8 @@ std::array<float, 4> PictureCheck::pixelOf(const TetMesh& mesh, int x, int y,
   const std::array<double, 2>& aside, const std::array<double, 2>& entries) const
 {
   ReferenceScene scene = this->sceneOf(mesh, this->ReferenceTable);
-  const double entry = (this->DefaultTable.End - this->DefaultTable.Begin) /
-                       (samplesOfTable(DefaultAccuracy.TableEntries) - 1);
+  const double entry =
+    (this->DefaultTable.End - this->DefaultTable.Begin) / (this->DefaultTable.size() - 5);
   scene.Range.Low += entries[0] * entry;
   scene.Range.High += entries[1] * entry;
   scene.Width = scene.Height = 1;

@@ -35,7 +35,6 @@ public:
   explicit LengthMarcher(const TetMesh& mesh, const IntegralTable& table = whiteTable())
     : March(kernelOf<Kernel, Real>(mesh, table))
   {
-    this->March.leastTransmittance = Real(0);
   }
 
   Marched march(

@@ -35,7 +35,7 @@ const IntegralTable& whiteTable();
 /// A kernel that marches the mesh through a table of the scalars 0..1.
 template <typename Kernel, typename Real>
 Kernel kernelOf(
-  const TetMesh& mesh, const IntegralTable& table, const AccuracyLevel& level = ReferenceAccuracy)
+  const TetMesh& mesh, const IntegralTable& table, const AccuracyLevel& level = YardstickAccuracy)
 {
   Kernel kernel;
   kernel.Mesh = &mesh;
@@ -50,10 +50,8 @@ Kernel kernelOf(
   kernel.tableOffset = Real(table.offset(0.0));
   const auto& unit = table.IntegralUnit;
   kernel.tableIntegralUnit = { Real(unit[0]), Real(unit[1]), Real(unit[2]), Real(unit[3]) };
-  kernel.tableSquareUnit = Real(table.SquareUnit);
   kernel.mostTrials = level.MostTrials;
-  kernel.integrationTolerance = Real(level.IntegrationTolerance);
-  kernel.leastTransmittance = Real(level.LeastTransmittance);
+  kernel.errorTolerance = Real(level.ErrorTolerance);
   return kernel;
 }
 } // namespace tetmarch::testing

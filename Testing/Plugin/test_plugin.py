@@ -131,7 +131,14 @@ def main():
     expect_change("unit distance", recoloured, denser)
 
     display.TetMarchOpacityLaw = "Structured"
-    expect_change("opacity law", denser, picture_of(view))
+    structured = picture_of(view)
+    expect_change("opacity law", denser, structured)
+
+    display.TetMarchErrorTolerance = 1.0
+    careless = picture_of(view)
+    expect_change("error tolerance", structured, careless)
+    display.TetMarchAccuracyLevel = "Reference"
+    expect_change("accuracy level", careless, picture_of(view))
 
 
 main()

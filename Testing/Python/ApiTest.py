@@ -6,7 +6,7 @@ import unittest
 
 import vtkmodules.all as vtk
 import vtktetmarch
-from vtktetmarch import vtkTetMarchVolumeMapper
+from vtktetmarch import vtkTetMarchFrameStatistics, vtkTetMarchVolumeMapper
 
 # What macros declare without a comment of their own, as in every class of VTK.
 FROM_MACROS = {"NewInstance", "SafeDownCast"}
@@ -14,10 +14,12 @@ FROM_MACROS = {"NewInstance", "SafeDownCast"}
 
 class ApiTest(unittest.TestCase):
     def test_every_method_is_documented(self):
-        methods = {name: method for name, method in vars(vtkTetMarchVolumeMapper).items()
+        methods = {name: method for cls in (vtkTetMarchVolumeMapper, vtkTetMarchFrameStatistics)
+                   for name, method in vars(cls).items()
                    if not name.startswith("__") and inspect.isroutine(method)}
         self.assertIn("SetOpacityLaw", methods)
         self.assertIn("GetUploadSeconds", methods)
+        self.assertIn("GetPercentile", methods)
         for name in sorted(methods.keys() - FROM_MACROS):
             with self.subTest(method=name):
                 # The signatures in Python and C++ come first, then an empty line.
@@ -27,7 +29,7 @@ class ApiTest(unittest.TestCase):
     def test_the_class_and_the_package_are_documented(self):
         self.assertIn("marching rays", vtkTetMarchVolumeMapper.__doc__)
         self.assertIn("marching rays", vtktetmarch.__doc__)
-        self.assertEqual(vtktetmarch.__all__, ["vtkTetMarchVolumeMapper"])
+        self.assertEqual(vtktetmarch.__all__, ["vtkTetMarchFrameStatistics", "vtkTetMarchVolumeMapper"])
 
     def test_base_classes(self):
         mapper = vtkTetMarchVolumeMapper()
@@ -41,6 +43,9 @@ class ApiTest(unittest.TestCase):
         self.assertFalse(mapper.GetCollectDiagnostics())
         self.assertEqual(mapper.GetMaxDrawTimeInSeconds(), 0.25)
         self.assertEqual(mapper.GetMaxMemoryInBytes(), 0)
+        self.assertEqual(mapper.GetAccuracyLevel(), vtkTetMarchVolumeMapper.DEFAULT)
+        self.assertEqual(mapper.GetErrorTolerance(), 1 / 255)
+        self.assertEqual(mapper.GetLastFrameStatistics().GetNumberOfPixels(0), 0)
         figures = [name for name in dir(mapper)
                    if name.startswith("GetNumberOf") and "Generations" not in name or
                    name.endswith(("Builds", "Seconds", "Bytes")) and name.startswith("Get") and

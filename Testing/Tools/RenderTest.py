@@ -58,6 +58,7 @@ class RenderTest(unittest.TestCase):
     def test_bad_command_lines(self):
         self.expect_failure(2, "no input file is given (--help shows the options)")
         self.expect_failure(2, "unknown option '--bogus'", "cube.vtu", "--bogus")
+        self.expect_failure(2, "--compare adds to the figures of --stats", "cube.vtu", "--compare")
         self.expect_failure(2, "more than one input", "cube.vtu", "cube.vtk")
         self.expect_failure(2, "option --size needs a value", "cube.vtu", "--size")
         for option, value in (("--size", "12"), ("--size", "0x9"), ("--background", "1,2,3"), ("--range", "2,1"),
@@ -129,7 +130,15 @@ class RenderTest(unittest.TestCase):
         self.assertGreater(len(inside), 80 * 60 // 10)
 
     def test_statistics(self):
-        _, stats = self.render("cube.vtu", "--size", "80x60", "--array", "ramp")
+        _, stats = self.render("cube.vtu", "--size", "80x60", "--array", "ramp", "--accuracy", "reference",
+                               "--compare")
+        self.assertEqual(stats["accuracy"], {"level": "Reference", "tolerance": 1 / 255})
+        pixels = stats["pixels"]
+        self.assertGreater(pixels["cells"]["count"], 100)
+        self.assertLessEqual(pixels["cells"]["mean"], pixels["lookups"]["mean"])
+        # Entries are led into their face by up to 1e-4 of it, here of a whole side.
+        self.assertLess(pixels["error"]["rms"], 3e-4)
+        self.assertLess(pixels["error_bound"]["max"], 1.01e-5)
         self.assertEqual(stats["input"], "cube.vtu")
         self.assertEqual(stats["size"], [80, 60])
         self.assertEqual(stats["array"], {"name": "ramp", "association": "points", "components": 1,

@@ -50,12 +50,12 @@ TEST(Analytic, ConstantField)
     {
       const double opacity = slabOpacity(kappa * thickness, 1.0);
       const auto exact = alongX<PointKernel<double>, double>(
-        table, ReferenceAccuracy, thickness, jitteredLattice(5, 0.15, 1, constantField(0.5)));
+        table, YardstickAccuracy, thickness, jitteredLattice(5, 0.15, 1, constantField(0.5)));
       // kappa is stored as a float, and the series in meanTransmittance is good to 4e-8.
       EXPECT_NEAR(1.0 - exact.radiance.transmittance, opacity, 2e-7);
       EXPECT_NEAR(exact.radiance.color.z, 0.8 * opacity, 2e-7);
       const auto single = alongX<PointKernel<float>, float>(
-        table, ReferenceAccuracy, thickness, jitteredLattice(5, 0.15, 1, constantField(0.5)));
+        table, YardstickAccuracy, thickness, jitteredLattice(5, 0.15, 1, constantField(0.5)));
       const double bound = (2 * single.cells + 32) * std::ldexp(1.0, -24);
       EXPECT_NEAR(1.0 - double(single.radiance.transmittance), opacity, bound);
       EXPECT_NEAR(double(single.radiance.color.y), 0.4 * opacity, bound);
@@ -94,7 +94,7 @@ TEST(Analytic, LinearColour)
   for (const double thickness : Thicknesses)
   {
     const auto march = alongX<PointKernel<double>, double>(
-      table, ReferenceAccuracy, thickness, jitteredLattice(5, 0.15, 1, AlongX));
+      table, YardstickAccuracy, thickness, jitteredLattice(5, 0.15, 1, AlongX));
     // Each evaluation errs by 1e-6 at most.
     const double bound = 1e-6 * march.evaluations + 4e-7;
     EXPECT_NEAR(march.radiance.color.x, slabColour(0.9, 0.1, 0.5 * thickness, 1.0), bound);
@@ -122,7 +122,7 @@ TEST(Analytic, NotANumberIsNothing)
   {
     values->SetComponent(i, 0, half->GetPoint(i)[0] < 0.49 ? std::nan("") : 1.0);
   }
-  const auto rest = alongX<PointKernel<double>, double>(whiteTable(), ReferenceAccuracy, 1.0, half);
+  const auto rest = alongX<PointKernel<double>, double>(whiteTable(), YardstickAccuracy, 1.0, half);
   EXPECT_NEAR(1.0 - rest.radiance.transmittance, slabOpacity(1.0, 0.5), 2e-7);
 }
 
@@ -148,9 +148,9 @@ TEST(Analytic, TransmittanceNeverGrows)
       {
         const auto march = kernel.castRay(ray, -1, thickness, -1e30f, end);
         const float now = march.radiance.transmittance;
-        // Pieces end elsewhere when the ray does: a few roundings. Below the level's least
-        // transmittance a ray ends, and it may end later if its last piece was cut short.
-        ASSERT_LE(now, std::max(before * (1.0f + 1e-5f), 1e-3f));
+        // Pieces end elsewhere when the ray does: a few roundings. Below the level's
+        // tolerance a ray ends, and it may end later if its last piece was cut short.
+        ASSERT_LE(now, std::max(before * (1.0f + 1e-5f), kernel.errorTolerance));
         ASSERT_GE(now, 0.0f);
         ASSERT_TRUE(march.radiance.color.x >= 0.0f && march.radiance.color.x <= 1.0f + 1e-6f);
         before = now;
@@ -193,7 +193,7 @@ TEST(Analytic, CellScalars)
   }
   auto kernel = kernelOf<CellKernel<double>, double>(mesh, table, DefaultAccuracy);
   kernel.CellScalars = scalars.data();
-  kernel.leastTransmittance = 0.0;
+  kernel.errorTolerance = 0.0;
   const double thickness = 2.0;
   const auto march = kernel.castRay(kernel.rayThrough({ 0.0, 0.013, 0.021 }, { 1.0, 0.0, 0.0 }), -1,
     thickness * mesh.Radius, -1e30, 1e30);

@@ -43,25 +43,24 @@ Value valueAt(const IntegralTable& table, double x)
   return value;
 }
 
-// Means of C tau, tau, |C|^2 tau: Simpson's rule, exact for the cubics between entries.
-std::array<double, 5> meansBetween(const IntegralTable& table, double x0, double x1)
+// Means of C tau and tau: Simpson's rule, exact for the parabolas between entries.
+Value meansBetween(const IntegralTable& table, double x0, double x1)
 {
   const double low = std::min(x0, x1);
   const double high = std::max(x0, x1);
   const auto integrand = [&](double x)
   {
     const Value v = valueAt(table, x);
-    return std::array<double, 5>{ { v[0] * v[3], v[1] * v[3], v[2] * v[3], v[3],
-      (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * v[3] } };
+    return Value{ { v[0] * v[3], v[1] * v[3], v[2] * v[3], v[3] } };
   };
-  std::array<double, 5> sum{};
+  Value sum{};
   for (double a = low; a < high;)
   {
     // Beyond the table one interval will do.
     const double next = a < 0.0 ? 0.0 : (a >= table.size() - 1 ? high : std::floor(a) + 1.0);
     const double b = std::min(next, high);
     const auto p = integrand(a), m = integrand(0.5 * (a + b)), q = integrand(b);
-    for (int k = 0; k < 5; ++k)
+    for (int k = 0; k < 4; ++k)
     {
       sum[k] += (b - a) / (high - low) * (p[k] + 4.0 * m[k] + q[k]) / 6.0;
     }
@@ -84,11 +83,9 @@ double worstError(const IntegralTable& table, double widest)
     const double width = widest * std::pow(10.0, -10.0 * uniform(random));
     const Real x1 = Real(double(x0) + (i % 2 ? width : -width));
     const auto mean = kernel.meanBetween(kernel.tablePoint(x0), kernel.tablePoint(x1));
-    const auto square = kernel.squareMeanBetween(kernel.tablePoint(x0), kernel.tablePoint(x1));
     const auto expected = meansBetween(table, double(x0), double(x1));
-    const double found[5] = { double(mean.x), double(mean.y), double(mean.z), double(mean.w),
-      double(square) };
-    for (int k = 0; k < 5; ++k)
+    const double found[4] = { double(mean.x), double(mean.y), double(mean.z), double(mean.w) };
+    for (int k = 0; k < 4; ++k)
     {
       worst = std::max(worst, std::abs(found[k] - expected[k]));
     }
@@ -104,18 +101,18 @@ TEST(IntegralTable, MeansOfIntervalsOfEveryWidth)
     {
       const IntegralTable table = tableOf(f, entries);
       EXPECT_EQ(table.size(), entries);
-      // Both ends of a difference are rounded to half a unit; |C|^2 tau has the greatest one. The
-      // interval between two bins is at least one bin wide, or the difference is of one entry: 0.
-      double unit = table.SquareUnit;
+      // Both ends of a difference are rounded to half a unit. The interval between two bins is at
+      // least one bin wide, or the difference is of one entry: 0.
+      double unit = 0.0;
       for (const double u : table.IntegralUnit)
       {
         unit = std::max(unit, u);
       }
       // The table's values are floats, its integrals come from the samples: 2^-25 of each factor.
-      // Float: a dozen operations on numbers up to 3 (|C|^2), 2^-24 each.
-      EXPECT_LT(worstError<double>(table, entries), unit + 4 * 3 * std::ldexp(1.0, -25));
-      EXPECT_LT(worstError<float>(table, entries), unit + 12 * 3 * std::ldexp(1.0, -24));
-      EXPECT_LT(worstError<float>(table, 1.0), unit + 12 * 3 * std::ldexp(1.0, -24));
+      // Float: a dozen operations on numbers up to 1, 2^-24 each.
+      EXPECT_LT(worstError<double>(table, entries), unit + 4 * std::ldexp(1.0, -25));
+      EXPECT_LT(worstError<float>(table, entries), unit + 12 * std::ldexp(1.0, -24));
+      EXPECT_LT(worstError<float>(table, 1.0), unit + 12 * std::ldexp(1.0, -24));
     }
   }
 }
@@ -133,6 +130,56 @@ TEST(IntegralTable, SpikesBetweenTheEndsAreNeverMissed)
   EXPECT_GT(expected[3], 1e-3);
   EXPECT_NEAR(double(mean.w), expected[3], 1e-6 * expected[3] + table.IntegralUnit[3] / 800);
   EXPECT_NEAR(double(mean.y), expected[1], 1e-6 * expected[1] + table.IntegralUnit[1] / 800);
+}
+
+// The variation between two positions is at least that of any channel, and at most that of all.
+TEST(IntegralTable, VariationBoundsEveryChannel)
+{
+  const IntegralTable table = tableOf(smooth);
+  auto kernel = kernelOf<PointKernel<double>, double>(TetMesh(), table);
+  std::mt19937 random(43);
+  for (int i = 0; i < 200; ++i)
+  {
+    const double x0 = -20.0 + (table.size() + 40) * uniform(random);
+    const double x1 = x0 + 100.0 * (uniform(random) - 0.5);
+    Value change{};
+    constexpr int Steps = 4000;
+    for (int k = 0; k < 3; ++k)
+    {
+      double before = valueAt(table, x0)[k];
+      for (int j = 1; j <= Steps; ++j)
+      {
+        const double value = valueAt(table, x0 + (x1 - x0) * j / Steps)[k];
+        change[k] += std::abs(value - before);
+        before = value;
+      }
+    }
+    const double found =
+      std::abs(kernel.tablePoint(x1).variation - kernel.tablePoint(x0).variation);
+    const double slack = 1e-5; // of the variations, which are floats
+    EXPECT_GE(found, std::max({ change[0], change[1], change[2] }) - slack);
+    EXPECT_LE(found, change[0] + change[1] + change[2] + slack);
+  }
+}
+
+// Two spikes of different colours with nothing to be seen between them: neither sees the other's.
+TEST(IntegralTable, ColoursWithoutExtinctionDontVary)
+{
+  const IntegralTable table = tableOf(
+    [](double f)
+    {
+      const double tau = std::abs(f - 0.25) < 0.01 || std::abs(f - 0.75) < 0.01 ? 1.0 : 0.0;
+      const double red = f < 0.5 ? 0.1 : 0.9;
+      // Half of the bin beside a spike is seen.
+      const bool near = std::abs(f - 0.25) < 0.02 || std::abs(f - 0.75) < 0.02;
+      return Value{ { near ? red : f, 0.5, near ? 1.0 - red : 0.5, tau } };
+    });
+  auto kernel = kernelOf<PointKernel<float>, float>(TetMesh(), table);
+  const auto variation = [&](double f)
+  { return kernel.tablePoint(static_cast<float>(f * table.size())).variation; };
+  EXPECT_EQ(variation(0.0), variation(0.4));
+  EXPECT_EQ(variation(0.6), variation(1.0));
+  EXPECT_NEAR(double(variation(1.0) - variation(0.0)), 0.8, 1e-6);
 }
 
 TEST(IntegralTable, OfNothing)

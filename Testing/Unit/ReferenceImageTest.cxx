@@ -30,7 +30,7 @@ void expectImage(const Image& oracle, const Shot& shot, const AccuracyLevel& lev
   EXPECT_EQ(counters.Refused + counters.Lost + counters.Guarded, 0);
   const std::string name = std::is_same<Real, float>::value ? "float" : "double";
   ::testing::Test::RecordProperty(
-    name + std::to_string(level.TableEntries), std::to_string(difference.Max * 255.0));
+    name + std::to_string(level.LeastTableEntries), std::to_string(difference.Max * 255.0));
 }
 
 // What the levels promise: 1/255, and 1e-4 for comparisons.
@@ -43,7 +43,7 @@ void expectDefault(const Shot& shot)
 
 void expectReference(const Shot& shot)
 {
-  expectImage<double>(byOracle(shot), shot, ReferenceAccuracy, 1e-4);
+  expectImage<double>(byOracle(shot), shot, YardstickAccuracy, 1e-4);
 }
 
 void expectShot(const Shot& shot)

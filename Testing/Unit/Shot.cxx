@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shot.h"
 
+#include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
 
 #include "vtkCellData.h"
@@ -18,7 +19,7 @@ namespace tetmarch::testing
 {
 namespace
 {
-OpticalModel modelOf(const Shot& shot)
+OpticalModel bumpyModel()
 {
   OpticalModel model;
   model.Colour = vtkSmartPointer<vtkColorTransferFunction>::New();
@@ -32,6 +33,12 @@ OpticalModel modelOf(const Shot& shot)
   model.Opacity->AddPoint(0.5, 0.9);
   model.Opacity->AddPoint(0.6, 0.0);
   model.Opacity->AddPoint(1.0, 0.8);
+  return model;
+}
+
+OpticalModel modelOf(const Shot& shot)
+{
+  OpticalModel model = shot.Optics;
   model.UnitDistance = shot.UnitDistance;
   return model;
 }
@@ -54,6 +61,7 @@ Grid inWorld(const Shot& shot)
 vtkStandardNewMacro(WindowlessRenderer);
 
 Shot::Shot()
+  : Optics(bumpyModel())
 {
   this->Camera->SetPosition(2.1, 1.4, 2.9);
   this->Camera->SetFocalPoint(0.5, 0.45, 0.5);
@@ -96,7 +104,7 @@ Image byOracle(const Shot& shot)
 }
 
 template <typename Real>
-Image byTwin(const Shot& shot, const AccuracyLevel& level, MarchCounters& counters)
+ReferenceImage byMarch(const Shot& shot, const AccuracyLevel& level)
 {
   constexpr int Size = Shot::Size;
   TetMesh mesh = builtWithHierarchy(shot.Data);
@@ -115,9 +123,8 @@ Image byTwin(const Shot& shot, const AccuracyLevel& level, MarchCounters& counte
   vtkNew<vtkVolumeProperty> property;
   property->SetColor(model.Colour);
   property->SetScalarOpacity(model.Opacity);
-  const IntegralTable table =
-    makeIntegralTable(sampleAreas(property, tetmarch::OpacityLaw::Unstructured, scene.Range.Low,
-      scene.Range.High, samplesOfTable(level.TableEntries)));
+  const IntegralTable table = fittingTable(
+    property, tetmarch::OpacityLaw::Unstructured, scene.Range.Low, scene.Range.High, level);
 
   vtkNew<WindowlessRenderer> renderer;
   renderer->SetActiveCamera(shot.Camera);
@@ -129,10 +136,19 @@ Image byTwin(const Shot& shot, const AccuracyLevel& level, MarchCounters& counte
   scene.Width = Size;
   scene.Height = Size;
   scene.WindowDepths = shot.Depths.empty() ? nullptr : shot.Depths.data();
-  const ReferenceImage image = renderReference<Real>(scene, level);
-  counters = image.Counters;
-  return Image::fromFloats(Size, Size, image.Pixels.data());
+  return renderReference<Real>(scene, level);
 }
+
+template <typename Real>
+Image byTwin(const Shot& shot, const AccuracyLevel& level, MarchCounters& counters)
+{
+  const ReferenceImage image = byMarch<Real>(shot, level);
+  counters = image.Counters;
+  return Image::fromFloats(Shot::Size, Shot::Size, image.Pixels.data());
+}
+
+template ReferenceImage byMarch<float>(const Shot&, const AccuracyLevel&);
+template ReferenceImage byMarch<double>(const Shot&, const AccuracyLevel&);
 
 template Image byTwin<float>(const Shot&, const AccuracyLevel&, MarchCounters&);
 template Image byTwin<double>(const Shot&, const AccuracyLevel&, MarchCounters&);

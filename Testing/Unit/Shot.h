@@ -8,7 +8,7 @@
 #define tetmarch_testing_Shot_h
 
 #include "Optics/AccuracyLevel.h"
-#include "Reference/MarchCounters.h"
+#include "Reference/ReferenceImage.h"
 
 #include "Images.h"
 #include "Oracle.h"
@@ -38,6 +38,7 @@ struct Shot
   ScalarsOf Scalars = ScalarsOf::Points;
   vtkNew<vtkTransform> Transform;
   vtkNew<vtkCamera> Camera;
+  OpticalModel Optics;       ///< UnitDistance apart
   std::vector<float> Depths; ///< of opaque geometry, a pixel each; empty: none
   double UnitDistance = 0.25;
 
@@ -48,6 +49,8 @@ struct Shot
 Image byOracle(const Shot& shot);
 
 /// In the arithmetic of Real: float or double.
+template <typename Real>
+ReferenceImage byMarch(const Shot& shot, const AccuracyLevel& level);
 template <typename Real>
 Image byTwin(const Shot& shot, const AccuracyLevel& level, MarchCounters& counters);
 } // namespace tetmarch::testing

@@ -85,7 +85,8 @@ protected:
         {
           const auto expected = this->byVTK(s, law);
           const double found[4] = { value.x, value.y, value.z, value.w };
-          for (int k = 0; k < 4; ++k)
+          // A colour without extinction is not seen.
+          for (int k = expected[3] > 0.0 ? 0 : 3; k < 4; ++k)
           {
             ASSERT_NEAR(found[k], expected[k], tolerance) << s << " " << k;
           }

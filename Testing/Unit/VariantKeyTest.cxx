@@ -12,7 +12,8 @@ namespace
 using tetmarch::VariantKey;
 
 constexpr bool VariantKey::*Bits[] = { &VariantKey::PointScalars, &VariantKey::RasterEntry,
-  &VariantKey::Hierarchy, &VariantKey::OpaqueDepth, &VariantKey::HasFma, &VariantKey::Diagnostics };
+  &VariantKey::Hierarchy, &VariantKey::OpaqueDepth, &VariantKey::HasFma, &VariantKey::Adaptive,
+  &VariantKey::Diagnostics };
 constexpr int Count = static_cast<int>(std::size(Bits));
 
 VariantKey keyOf(int number)
@@ -44,8 +45,9 @@ TEST(VariantKey, DefinesNameEveryBit)
   for (int a = 0; a < 1 << Count; ++a)
   {
     const std::string text = keyOf(a).defines();
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), Count);
-    EXPECT_EQ(std::count(text.begin(), text.end(), '#'), Count);
+    EXPECT_EQ(
+      std::count(text.begin(), text.end(), '\n'), Count + 1); // and the error bound, which follows
+    EXPECT_EQ(std::count(text.begin(), text.end(), '#'), Count + 1);
   }
   EXPECT_NE(VariantKey().defines().find("#define TETMARCH_POINT_SCALARS 1\n"), std::string::npos);
 }
@@ -59,8 +61,12 @@ TEST(VariantKey, FilterSettlesAtOnceAndKeepsWhatIsAskedFor)
     EXPECT_TRUE(filtered == filtered.filtered());
     // Without the rasteriser entries are searched for in the hierarchy.
     EXPECT_EQ(filtered.Hierarchy, key.Hierarchy || !key.RasterEntry);
+    // Nothing has to be split where scalars are constant.
+    EXPECT_EQ(filtered.Adaptive, key.Adaptive && key.PointScalars);
+    EXPECT_EQ(filtered.hasErrorBound(), key.PointScalars && (key.Adaptive || key.Diagnostics));
     VariantKey rest = filtered;
     rest.Hierarchy = key.Hierarchy;
+    rest.Adaptive = key.Adaptive;
     EXPECT_TRUE(rest == key);
   }
 }

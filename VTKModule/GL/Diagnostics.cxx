@@ -11,6 +11,7 @@ std::string Diagnostics::collect(vtkOpenGLRenderWindow* window, MarchPass& march
   const MarchInputs& inputs, const Progress& progress, bool& stopped)
 {
   this->clear();
+  const StageRecorder recorder(this->Record);
   StateScope state(window);
   std::string error = this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 3, false);
   if (error.empty())
@@ -22,7 +23,8 @@ std::string Diagnostics::collect(vtkOpenGLRenderWindow* window, MarchPass& march
     return error;
   }
   this->Pixels = this->Target.read(window, 0);
-  const std::vector<float> work = this->Target.read(window, 1);
+  this->Measures = this->Target.read(window, 1);
+  const std::vector<float>& work = this->Measures;
   const std::vector<float> trouble = this->Target.read(window, 2);
   for (std::size_t i = 0; i < work.size(); i += 4)
   {
@@ -36,6 +38,8 @@ std::string Diagnostics::collect(vtkOpenGLRenderWindow* window, MarchPass& march
 void Diagnostics::clear()
 {
   this->Counters = {};
+  this->Record = {};
+  this->Measures.clear();
   this->Pixels.clear();
 }
 

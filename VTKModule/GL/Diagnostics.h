@@ -7,6 +7,7 @@
 #include "GL/FloatTarget.h"
 #include "GL/MarchPass.h"
 #include "Reference/MarchCounters.h"
+#include "Scene/StageRecord.h"
 
 #include <vector>
 
@@ -21,8 +22,12 @@ public:
   std::string collect(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
     const Progress& progress, bool& stopped);
   const MarchCounters& counters() const { return this->Counters; }
+  /** Of each pixel: tetrahedra crossed (0: the ray met nothing), evaluations, error bound, 0. */
+  const std::vector<float>& measures() const { return this->Measures; }
   /** Premultiplied RGBA in float, rows from the bottom, of the last collect(). */
   const std::vector<float>& pixels() const { return this->Pixels; }
+  /** What collect() took. */
+  double seconds() const { return this->Record.Seconds; }
   void clear();
   /** The next collect() may take much longer than the last. */
   void expectChange() { this->Tiles.expectChange(); }
@@ -32,6 +37,8 @@ private:
   FloatTarget Target;
   TileSchedule Tiles;
   MarchCounters Counters;
+  StageRecord Record;
+  std::vector<float> Measures;
   std::vector<float> Pixels;
 };
 

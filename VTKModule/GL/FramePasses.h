@@ -30,6 +30,11 @@ public:
   /** Draw calls of the picture. */
   int numberOfDraws() const { return this->Draws; }
   const Diagnostics& counted() const { return this->Counted; }
+  /** Of opaque geometry, one a pixel, if the last frame looked at them; else empty. */
+  std::vector<float> opaqueDepths(vtkOpenGLRenderWindow* window) const
+  {
+    return this->LastKey.OpaqueDepth ? this->Opaque.read(window) : std::vector<float>();
+  }
   std::size_t bytes() const { return this->Entry.bytes() + this->Opaque.bytes(); }
 
 private:

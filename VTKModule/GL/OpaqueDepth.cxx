@@ -167,6 +167,16 @@ std::string OpaqueDepth::capture(vtkOpenGLRenderWindow* window, const Viewport& 
   return {};
 }
 
+std::vector<float> OpaqueDepth::read(vtkOpenGLRenderWindow* window) const
+{
+  std::vector<float> depths(static_cast<std::size_t>(this->Width) * this->Height);
+  StateScope state(window);
+  this->Framebuffer->Bind(GL_READ_FRAMEBUFFER);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, this->Width, this->Height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  return depths;
+}
+
 void OpaqueDepth::release(vtkWindow* window)
 {
   if (this->Framebuffer)

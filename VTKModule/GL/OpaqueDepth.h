@@ -11,6 +11,7 @@
 #include "vtkTextureObject.h"
 
 #include <string>
+#include <vector>
 
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
@@ -35,6 +36,8 @@ public:
   std::string capture(vtkOpenGLRenderWindow* window, const Viewport& viewport);
   /** Window depths in 0..1 in red; nearest filter. */
   vtkTextureObject* texture() const { return this->Depth; }
+  /** One a pixel, rows from the bottom. */
+  std::vector<float> read(vtkOpenGLRenderWindow* window) const;
   void release(vtkWindow* window);
   std::size_t bytes() const { return this->Bytes; }
 

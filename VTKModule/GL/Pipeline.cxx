@@ -31,6 +31,7 @@ void Pipeline::begin(std::uint64_t mostBytes)
 {
   this->Error.clear();
   this->Passes.clear();
+  this->Area = {};
   this->Limits = { mostTexels(), mostBytes };
 }
 
@@ -79,7 +80,7 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   return true;
 }
 
-bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law)
+bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level)
 {
   Fingerprint input;
   add(input, property->GetScalarOpacity());
@@ -89,17 +90,16 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law)
   input.push_back(static_cast<std::uintptr_t>(law));
   add(input, this->Range.Low);
   add(input, this->Range.High);
+  input.push_back(static_cast<std::uintptr_t>(level.LeastTableEntries));
+  input.push_back(static_cast<std::uintptr_t>(level.MostTableEntries));
+  add(input, level.ErrorTolerance);
   if (input != this->TablesInput)
   {
     StageRecorder recorder(this->TablesRecord);
     this->TablesInput.clear();
     this->OnGpu.expectTables();
     const std::string shortage = withinMemory("the tables of the transfer functions",
-      [&]
-      {
-        this->Table = makeIntegralTable(sampleAreas(property, law, this->Range.Low,
-          this->Range.High, samplesOfTable(DefaultAccuracy.TableEntries)));
-      });
+      [&] { this->Table = fittingTable(property, law, this->Range.Low, this->Range.High, level); });
     if (!shortage.empty())
     {
       return this->fail(shortage);
@@ -197,12 +197,14 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   key.Hierarchy = this->mesh().NeedsHierarchy;
   key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
   key.HasFma = this->HasFma;
+  key.Adaptive = options.Level.Adaptive;
   inputs.Key = key.filtered();
   inputs.Camera = &this->Camera;
   inputs.Mesh = &this->OnGpu.mesh();
   inputs.Tables = &this->OnGpu.tables();
   inputs.Table = &this->Table;
   inputs.Range = this->Range;
+  inputs.Level = options.Level;
   inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
 
   // Who is told of progress may release what is being drawn.
@@ -218,7 +220,48 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
     this->Passes.clear();
     error = shortage;
   }
+  if (error.empty() && !stopped)
+  {
+    this->Area = inputs.Area;
+  }
   return error.empty() ? !stopped : this->fail(error);
+}
+
+bool Pipeline::renderReference(
+  vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image, Viewport& area)
+{
+  area = this->Area;
+  if (!this->Window || area.Width <= 0 || area.Height <= 0)
+  {
+    return this->fail("There is no frame to compare with: render the window first.");
+  }
+  if (!this->mesh().hasHierarchy())
+  {
+    const std::string error = this->Meshed.addHierarchy();
+    if (!error.empty())
+    {
+      return this->fail(error);
+    }
+    this->OnGpu.expectLinks();
+  }
+  const std::string shortage = withinMemory("the reference picture",
+    [&]
+    {
+      const std::vector<float> depths = this->Passes.opaqueDepths(this->Window);
+      const IntegralTable table =
+        fittingTable(property, law, this->Range.Low, this->Range.High, YardstickAccuracy);
+      ReferenceScene scene;
+      scene.Mesh = &this->mesh();
+      scene.CellScalars = this->CellScalars.empty() ? nullptr : &this->CellScalars;
+      scene.Range = this->Range;
+      scene.Table = &table;
+      scene.Camera = this->Camera;
+      scene.Width = area.Width;
+      scene.Height = area.Height;
+      scene.WindowDepths = depths.empty() ? nullptr : depths.data();
+      image = tetmarch::renderReference<double>(scene, YardstickAccuracy);
+    });
+  return shortage.empty() || this->fail(shortage);
 }
 
 void Pipeline::release(vtkWindow* window)

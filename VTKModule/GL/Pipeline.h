@@ -8,7 +8,8 @@
 #include "GL/ContextWatch.h"
 #include "GL/FramePasses.h"
 #include "GL/GpuData.h"
-#include "Optics/TransferFunctions.h"
+#include "Optics/FittingTable.h"
+#include "Reference/ReferenceImage.h"
 #include "Scene/Fingerprint.h"
 #include "Scene/MeshStage.h"
 #include "Scene/StageRecord.h"
@@ -31,6 +32,7 @@ namespace tetmarch
 /** How a frame is drawn. */
 struct DrawOptions
 {
+  AccuracyLevel Level = DefaultAccuracy;
   bool Diagnostics = false;
   double MostSecondsPerDraw = 0; // 0: no limit
 };
@@ -47,11 +49,18 @@ public:
    */
   bool updateMesh(vtkUnstructuredGrid* grid, const Progress& progress);
   bool updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars);
-  bool updateTables(vtkVolumeProperty* property, OpacityLaw law);
+  bool updateTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level);
   bool updateView(vtkRenderer* renderer, vtkVolume* volume);
   bool upload(vtkOpenGLRenderWindow* window);
   bool draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
     const Progress& progress);
+
+  /**
+   * The picture of the last frame in double precision, by the CPU; its size comes with it. False if
+   * there was no frame, or if the memory for it is lacking (error()).
+   */
+  bool renderReference(
+    vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image, Viewport& area);
 
   /** Free what is held on the GPU. The context of the window that held it is current. */
   void release(vtkWindow* window);
@@ -88,6 +97,7 @@ private:
   bool Visible = false; // something has extinction
 
   View Camera;
+  Viewport Area; // of the last frame; empty: there was none
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   ContextWatch Watch; // of that window

@@ -18,8 +18,7 @@ std::string TableTextures::upload(vtkOpenGLRenderWindow* window, const IntegralT
   }
   if (error.empty())
   {
-    error =
-      this->SquareIntegrals.upload(window, TexelFormat::R32UI, table.SquareIntegrals.data(), size);
+    error = this->Variations.upload(window, TexelFormat::R32F, table.Variations.data(), size);
   }
   return error;
 }
@@ -31,20 +30,24 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
   program->SetUniformi("tableSize", table.size());
   program->SetUniformf("tableScale", static_cast<float>(table.scale(range.width())));
   program->SetUniformf("tableOffset", static_cast<float>(table.offset(range.Low)));
-  program->SetUniformf("leastTransmittance", static_cast<float>(level.LeastTransmittance));
+  program->SetUniformf("errorTolerance", static_cast<float>(level.ErrorTolerance));
   if (key.PointScalars)
   {
     this->Integrals.bind(program, "tableIntegralBuffer");
-    this->SquareIntegrals.bind(program, "tableSquareBuffer");
     std::array<float, 4> unit;
     for (int k = 0; k < 4; ++k)
     {
       unit[k] = static_cast<float>(table.IntegralUnit[k]);
     }
     program->SetUniform4f("tableIntegralUnit", unit.data());
-    program->SetUniformf("tableSquareUnit", static_cast<float>(table.SquareUnit));
+  }
+  if (key.hasErrorBound())
+  {
+    this->Variations.bind(program, "tableVariationBuffer");
+  }
+  if (key.Adaptive)
+  {
     program->SetUniformi("mostTrials", level.MostTrials);
-    program->SetUniformf("integrationTolerance", static_cast<float>(level.IntegrationTolerance));
   }
 }
 
@@ -52,19 +55,19 @@ void TableTextures::unbind()
 {
   this->Values.unbind();
   this->Integrals.unbind();
-  this->SquareIntegrals.unbind();
+  this->Variations.unbind();
 }
 
 void TableTextures::release(vtkWindow* window)
 {
   this->Values.release(window);
   this->Integrals.release(window);
-  this->SquareIntegrals.release(window);
+  this->Variations.release(window);
 }
 
 std::size_t TableTextures::bytes() const
 {
-  return this->Values.bytes() + this->Integrals.bytes() + this->SquareIntegrals.bytes();
+  return this->Values.bytes() + this->Integrals.bytes() + this->Variations.bytes();
 }
 
 } // namespace tetmarch

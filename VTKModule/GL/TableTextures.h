@@ -27,7 +27,7 @@ public:
 private:
   TextureBuffer Values;
   TextureBuffer Integrals;
-  TextureBuffer SquareIntegrals;
+  TextureBuffer Variations;
 };
 
 } // namespace tetmarch

@@ -40,6 +40,8 @@ struct Span
 struct Node
 {
   OpticalSample Value;
+  bool IsFixed =
+    false; // the first and the last: values that many points of the data may have exactly
   Span Weighted;
   Span Seen; // colours where there is extinction
 };
@@ -49,7 +51,7 @@ std::vector<Node> nodesOf(const std::vector<OpticalSample>& fine, std::size_t pe
   std::vector<Node> nodes;
   for (std::size_t at = 0; at < fine.size(); at += perBin)
   {
-    Node node{ weighted(fine[at]), {}, {} };
+    Node node{ weighted(fine[at]), at == 0 || at + 1 == fine.size(), {}, {} };
     const std::size_t end = std::min(at + perBin + 1, fine.size());
     for (std::size_t i = at < perBin ? 0 : at - perBin; i < end; ++i)
     {
@@ -71,7 +73,7 @@ void addToEnds(double amount, int k, Node& left, Node& right)
   const auto add = [k](double x, Node& node)
   {
     const double before = node.Value[k];
-    node.Value[k] = node.Weighted.clamped(before + x, k);
+    node.Value[k] = node.IsFixed ? before : node.Weighted.clamped(before + x, k);
     return node.Value[k] - before;
   };
   const double added = add(0.5 * amount, left);
@@ -81,21 +83,14 @@ void addToEnds(double amount, int k, Node& left, Node& right)
 
 } // namespace
 
-std::array<double, 5> linearIntegrals(const OpticalSample& p, const OpticalSample& q)
+std::array<double, 4> linearIntegrals(const OpticalSample& p, const OpticalSample& q)
 {
-  std::array<double, 5> sum{};
-  double squareP = 0, squareM = 0, squareQ = 0;
-  const double middle = 0.5 * (p[3] + q[3]);
+  std::array<double, 4> sum{};
   for (int k = 0; k < 3; ++k)
   {
     sum[k] = (p[k] * (2 * p[3] + q[3]) + q[k] * (p[3] + 2 * q[3])) / 6;
-    const double m = 0.5 * (p[k] + q[k]);
-    squareP += p[k] * p[k];
-    squareM += m * m;
-    squareQ += q[k] * q[k];
   }
-  sum[3] = middle;
-  sum[4] = (squareP * p[3] + 4 * squareM * middle + squareQ * q[3]) / 6;
+  sum[3] = 0.5 * (p[3] + q[3]);
   return sum;
 }
 
@@ -105,22 +100,22 @@ std::vector<OpticalSample> keepBinAreas(const std::vector<OpticalSample>& fine, 
   for (std::size_t bin = 0; bin + 1 < nodes.size(); ++bin)
   {
     const std::size_t begin = bin * perBin, end = begin + perBin;
-    std::array<double, 5> missing = linearIntegrals(fine[begin], fine[end]);
+    std::array<double, 4> missing = linearIntegrals(fine[begin], fine[end]);
     for (double& x : missing)
     {
       x = -x;
     }
     for (std::size_t i = begin; i < end; ++i)
     {
-      const std::array<double, 5> piece = linearIntegrals(fine[i], fine[i + 1]);
+      const std::array<double, 4> piece = linearIntegrals(fine[i], fine[i + 1]);
       for (int k = 0; k < 4; ++k)
       {
         missing[k] += piece[k] / perBin;
       }
     }
     // Where the functions are linear, what is left is rounding, of which no colour can be told.
-    const bool linear = std::all_of(
-      missing.begin(), missing.begin() + 4, [](double x) { return std::abs(x) < 1e-12; });
+    const bool linear =
+      std::all_of(missing.begin(), missing.end(), [](double x) { return std::abs(x) < 1e-12; });
     for (int k = 0; k < 4 && !linear; ++k)
     {
       addToEnds(missing[k], k, nodes[bin], nodes[bin + 1]);

@@ -13,16 +13,17 @@ namespace tetmarch
 /** Colour r, g, b in 0..1 and extinction. */
 using OpticalSample = std::array<double, 4>;
 
-/** Integrals over a piece of unit length on which colour C and extinction tau run linearly from p
- * to q: C tau, tau, |C|^2 tau. Exact: a cubic, by Simpson's rule. */
-std::array<double, 5> linearIntegrals(const OpticalSample& p, const OpticalSample& q);
+/** Integrals of C tau and tau over a piece of unit length on which colour C and extinction tau run
+ * linearly from p to q. */
+std::array<double, 4> linearIntegrals(const OpticalSample& p, const OpticalSample& q);
 
 /**
  * Every perBin-th of the fine samples, corrected so that linear interpolation between them has the
  * same integral of tau and, as far as colours among those nearby allow, of C tau as between the
  * fine ones. Where
  * these are linear over a bin nothing changes; a spike between two samples, which would be missed,
- * raises them; a step keeps its place. What lies between fine samples is lost. fine.size() is a
+ * raises them; a step keeps its place. The first and the last sample stay as they are: many points
+ * of the data may have exactly that value. What lies between fine samples is lost. fine.size() is a
  * multiple of perBin plus 1.
  */
 std::vector<OpticalSample> keepBinAreas(const std::vector<OpticalSample>& fine, int perBin);

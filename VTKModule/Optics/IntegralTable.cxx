@@ -12,7 +12,47 @@ namespace tetmarch
 namespace
 {
 
-using Integral = std::array<double, 5>; // C tau, tau, |C|^2 tau
+using Integral = std::array<double, 4>; // C tau, tau
+
+// A colour that meets no extinction is never seen: it becomes that of the nearest entry that is,
+// lest it count as a change of colour.
+void hideUnseenColours(std::vector<OpticalSample>& entries)
+{
+  const auto isSeen = [&](std::size_t i)
+  {
+    return entries[i][3] > 0 || (i > 0 && entries[i - 1][3] > 0) ||
+           (i + 1 < entries.size() && entries[i + 1][3] > 0);
+  };
+  std::vector<std::size_t> seen;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    if (isSeen(i))
+    {
+      seen.push_back(i);
+    }
+  }
+  std::size_t next = 0; // of seen
+  for (std::size_t i = 0; i < entries.size() && !seen.empty(); ++i)
+  {
+    const auto distance = [i](std::size_t j) { return j > i ? j - i : i - j; };
+    while (next + 1 < seen.size() && distance(seen[next + 1]) <= distance(seen[next]))
+    {
+      ++next;
+    }
+    std::copy_n(entries[seen[next]].begin(), 3, entries[i].begin());
+  }
+}
+
+// Of the channel that changes most from one entry to the next.
+double colourChange(const OpticalSample& p, const OpticalSample& q)
+{
+  double most = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    most = std::max(most, std::abs(q[k] - p[k]));
+  }
+  return most;
+}
 
 } // namespace
 
@@ -32,11 +72,13 @@ IntegralTable makeIntegralTable(const SampledFunctions& functions)
   entries.insert(entries.end(), functions.Samples.begin(), functions.Samples.end());
   entries.insert(entries.end(), 2, functions.After);
 
+  hideUnseenColours(entries);
+
   std::vector<Integral> integrals(entries.size(), Integral{});
   for (std::size_t i = 1; i < entries.size(); ++i)
   {
     const Integral bin = linearIntegrals(entries[i - 1], entries[i]);
-    for (int k = 0; k < 5; ++k)
+    for (int k = 0; k < 4; ++k)
     {
       integrals[i][k] = integrals[i - 1][k] + bin[k];
     }
@@ -47,17 +89,17 @@ IntegralTable makeIntegralTable(const SampledFunctions& functions)
   table.End = functions.End;
   constexpr double Most = 4294967295.0;
   Integral unit;
-  for (int k = 0; k < 5; ++k)
+  for (int k = 0; k < 4; ++k)
   {
     unit[k] = integrals.back()[k] / Most;
   }
   table.IntegralUnit = { { unit[0], unit[1], unit[2], unit[3] } };
-  table.SquareUnit = unit[4];
+  double variation = 0;
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
     std::array<float, 4> value;
-    std::array<std::uint32_t, 5> fixed{};
-    for (int k = 0; k < 5; ++k)
+    std::array<std::uint32_t, 4> fixed{};
+    for (int k = 0; k < 4; ++k)
     {
       fixed[k] = unit[k] > 0 ? static_cast<std::uint32_t>(
                                  std::min(std::floor(integrals[i][k] / unit[k] + 0.5), Most))
@@ -68,8 +110,9 @@ IntegralTable makeIntegralTable(const SampledFunctions& functions)
       value[k] = static_cast<float>(entries[i][k]);
     }
     table.Values.push_back(value);
-    table.Integrals.push_back({ { fixed[0], fixed[1], fixed[2], fixed[3] } });
-    table.SquareIntegrals.push_back(fixed[4]);
+    table.Integrals.push_back(fixed);
+    variation += i > 0 ? colourChange(entries[i - 1], entries[i]) : 0;
+    table.Variations.push_back(static_cast<float>(variation));
   }
   return table;
 }

@@ -18,9 +18,8 @@ struct IntegralTable
 {
   std::vector<std::array<float, 4>> Values;            // r, g, b, extinction at each entry
   std::vector<std::array<std::uint32_t, 4>> Integrals; // of C tau and tau up to each entry
-  std::vector<std::uint32_t> SquareIntegrals;          // of |C|^2 tau
+  std::vector<float> Variations;                       // total variation of C up to each entry
   std::array<double, 4> IntegralUnit{};                // what 1 in Integrals stands for, in bins
-  double SquareUnit = 0;
   double Begin = 0; // scalars of the first and last sample, which are entries 2 and n - 3
   double End = 1;
 

@@ -18,9 +18,6 @@ namespace
 
 using Range = std::array<double, 2>;
 
-// The functions are looked at so many times for each sample that is kept.
-constexpr int FinePerBin = 16;
-
 Range nodeRange(vtkVolumeProperty* property)
 {
   Range range;
@@ -37,13 +34,24 @@ Range nodeRange(vtkVolumeProperty* property)
   return { { std::min(range[0], colors[0]), std::max(range[1], colors[1]) } };
 }
 
+// count samples of the extinction from begin to end.
+std::vector<double> extinctions(
+  vtkVolumeProperty* property, OpacityLaw law, double begin, double end, int count)
+{
+  std::vector<double> values(count);
+  property->GetScalarOpacity()->GetTable(begin, end, count, values.data());
+  for (double& value : values)
+  {
+    value = extinctionOf(value, law);
+  }
+  return values;
+}
+
 // count samples of both functions from begin to end.
-std::vector<std::array<double, 4>> evaluate(
+std::vector<OpticalSample> evaluate(
   vtkVolumeProperty* property, OpacityLaw law, double begin, double end, int count)
 {
   std::vector<double> colors(3 * static_cast<std::size_t>(count));
-  std::vector<double> opacities(count);
-  property->GetScalarOpacity()->GetTable(begin, end, count, opacities.data());
   if (property->GetColorChannels() == 1)
   {
     std::vector<double> grays(count);
@@ -67,7 +75,8 @@ std::vector<std::array<double, 4>> evaluate(
   {
     property->GetRGBTransferFunction()->GetTable(begin, end, count, colors.data());
   }
-  std::vector<std::array<double, 4>> samples(count);
+  const std::vector<double> extinction = extinctions(property, law, begin, end, count);
+  std::vector<OpticalSample> samples(count);
   for (int i = 0; i < count; ++i)
   {
     for (int k = 0; k < 3; ++k)
@@ -75,9 +84,35 @@ std::vector<std::array<double, 4>> evaluate(
       samples[i][k] =
         std::min(std::max(0.0, colors[3 * static_cast<std::size_t>(i) + k]), 1.0); // NaN: 0
     }
-    samples[i][3] = extinctionOf(opacities[i], law);
+    samples[i][3] = extinction[i];
   }
   return samples;
+}
+
+// Of lines between the kept samples from the fine ones.
+double deviation(const std::vector<OpticalSample>& fine, const std::vector<OpticalSample>& kept,
+  std::size_t perBin)
+{
+  double most = 0;
+  double greatest = 0;
+  for (const OpticalSample& s : fine)
+  {
+    greatest = std::max(greatest, s[3]);
+  }
+  for (std::size_t i = 0; i + 1 < fine.size() && greatest > 0; ++i)
+  {
+    const OpticalSample& p = kept[i / perBin];
+    const OpticalSample& q = kept[i / perBin + 1];
+    const double share = static_cast<double>(i % perBin) / static_cast<double>(perBin);
+    const auto difference = [&](int k)
+    { return std::abs(p[k] + (q[k] - p[k]) * share - fine[i][k]); };
+    most = std::max(most, difference(3) / greatest);
+    for (int k = 0; k < 3 && fine[i][3] > 0; ++k)
+    {
+      most = std::max(most, difference(k));
+    }
+  }
+  return most;
 }
 
 } // namespace
@@ -112,12 +147,33 @@ SampledFunctions sampleFunctions(
   return functions;
 }
 
-SampledFunctions sampleAreas(
-  vtkVolumeProperty* property, OpacityLaw law, double low, double high, int count)
+SampledFunctions refined(
+  vtkVolumeProperty* property, OpacityLaw law, const SampledFunctions& coarse, int factor)
 {
-  SampledFunctions functions =
-    sampleFunctions(property, law, low, high, (count - 1) * FinePerBin + 1);
-  functions.Samples = keepBinAreas(functions.Samples, FinePerBin);
+  SampledFunctions fine = coarse;
+  const int count = (static_cast<int>(coarse.Samples.size()) - 1) * factor + 1;
+  const std::vector<double> extinction =
+    extinctions(property, law, coarse.Begin, coarse.End, count);
+  fine.Samples.resize(count);
+  for (int i = 0; i < count; ++i)
+  {
+    const OpticalSample& p = coarse.Samples[i / factor];
+    const OpticalSample& q = coarse.Samples[(i + factor - 1) / factor];
+    const double share = static_cast<double>(i % factor) / factor;
+    for (int k = 0; k < 3; ++k)
+    {
+      fine.Samples[i][k] = p[k] + (q[k] - p[k]) * share;
+    }
+    fine.Samples[i][3] = extinction[i];
+  }
+  return fine;
+}
+
+SampledFunctions keepAreas(const SampledFunctions& fine, int perBin)
+{
+  SampledFunctions functions = fine;
+  functions.Samples = keepBinAreas(fine.Samples, perBin);
+  functions.Deviation = deviation(fine.Samples, functions.Samples, perBin);
   return functions;
 }
 

@@ -36,6 +36,9 @@ struct SampledFunctions
   std::array<double, 4> Before{};
   std::array<double, 4> After{};
   std::vector<std::array<double, 4>> Samples;
+  /** How far lines between the samples are from what lies between them, at most: of extinction, as
+   * a share of the greatest, or of a colour that meets some. 0 if it was not looked at. */
+  double Deviation = 0;
 };
 
 /**
@@ -48,10 +51,14 @@ struct SampledFunctions
 SampledFunctions sampleFunctions(
   vtkVolumeProperty* property, OpacityLaw law, double low, double high, int count);
 
-/** The same, but samples keep the areas between them, down to a sixteenth of their distance: what
- * is narrower than that distance is not missed (keepBinAreas()). */
-SampledFunctions sampleAreas(
-  vtkVolumeProperty* property, OpacityLaw law, double low, double high, int count);
+/** `factor` times as many samples, of the extinction looked at anew, of the colour, which is dear
+ * to evaluate, from those at hand. */
+SampledFunctions refined(
+  vtkVolumeProperty* property, OpacityLaw law, const SampledFunctions& coarse, int factor);
+
+/** Every perBin-th of the samples, which keep the areas between them: what is narrower than their
+ * distance is not missed (keepBinAreas()). Their number is a multiple of perBin plus 1. */
+SampledFunctions keepAreas(const SampledFunctions& fine, int perBin);
 
 } // namespace tetmarch
 

@@ -5,6 +5,6 @@ import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingVolume  # noqa: F401
 
-from .vtkRenderingTetMarch import vtkTetMarchVolumeMapper
+from .vtkRenderingTetMarch import vtkTetMarchFrameStatistics, vtkTetMarchVolumeMapper
 
-__all__ = ["vtkTetMarchVolumeMapper"]
+__all__ = ["vtkTetMarchFrameStatistics", "vtkTetMarchVolumeMapper"]

@@ -39,31 +39,46 @@ using namespace glsl;
 #define TETMARCH_DIAGNOSTICS 1
 
 #define TETMARCH_POINT_SCALARS 1
+#define TETMARCH_ERROR_BOUND 1
+#define TETMARCH_ADAPTIVE 1
 template <typename Real>
 struct PointKernel
 {
 #include "KernelBody.h"
 };
-#undef TETMARCH_POINT_SCALARS
-
-#define TETMARCH_POINT_SCALARS 0
-template <typename Real>
-struct CellKernel
-{
-#include "KernelBody.h"
-};
-#undef TETMARCH_POINT_SCALARS
 
 #undef TETMARCH_HAS_FMA
 #define TETMARCH_HAS_FMA 0
-#define TETMARCH_POINT_SCALARS 1
 /** With the predicate for GLSL 1.50 without fused multiply-add; meant for float. */
 template <typename Real>
 struct PortablePointKernel
 {
 #include "KernelBody.h"
 };
+#undef TETMARCH_HAS_FMA
+#define TETMARCH_HAS_FMA 1
+
+#undef TETMARCH_ADAPTIVE
+#define TETMARCH_ADAPTIVE 0
+/** Takes segments as they are. */
+template <typename Real>
+struct FastPointKernel
+{
+#include "KernelBody.h"
+};
+
 #undef TETMARCH_POINT_SCALARS
+#undef TETMARCH_ERROR_BOUND
+#define TETMARCH_POINT_SCALARS 0
+#define TETMARCH_ERROR_BOUND 0
+template <typename Real>
+struct CellKernel
+{
+#include "KernelBody.h"
+};
+#undef TETMARCH_POINT_SCALARS
+#undef TETMARCH_ERROR_BOUND
+#undef TETMARCH_ADAPTIVE
 
 #undef TETMARCH_HAS_FMA
 #undef TETMARCH_BVH

@@ -25,10 +25,8 @@ int tableSize = 0;
 Real tableScale = 0;
 Real tableOffset = 0;
 vec4 tableIntegralUnit{ 0, 0, 0, 0 };
-Real tableSquareUnit = 0;
-Real integrationTolerance = 0;
 int mostTrials = 0;
-Real leastTransmittance = 0;
+Real errorTolerance = 0;
 
 vec4 fetchVertex(uint i) const
 {
@@ -62,7 +60,7 @@ uvec4 fetchTableIntegral(int i) const
   const auto& v = Table->Integrals[i];
   return uvec4(v[0], v[1], v[2], v[3]);
 }
-uint fetchTableSquareIntegral(int i) const { return Table->SquareIntegrals[i]; }
+Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 
 #define real Real
 #define OUT(T) T&
@@ -90,7 +88,9 @@ uint fetchTableSquareIntegral(int i) const { return Table->SquareIntegrals[i]; }
 #include "radiance.glsl"
 
 #if TETMARCH_POINT_SCALARS
-#include "segment_adaptive.glsl"
+#include "order_error.glsl"
+
+#include "segment_linear.glsl"
 #else
 #include "segment_constant.glsl"
 #endif

@@ -31,10 +31,8 @@ Kernel makeKernel(const ReferenceScene& scene, const AccuracyLevel& level)
   kernel.tableOffset = Real(scene.Table->offset(scene.Range.Low));
   const auto& unit = scene.Table->IntegralUnit;
   kernel.tableIntegralUnit = { Real(unit[0]), Real(unit[1]), Real(unit[2]), Real(unit[3]) };
-  kernel.tableSquareUnit = Real(scene.Table->SquareUnit);
   kernel.mostTrials = level.MostTrials;
-  kernel.integrationTolerance = Real(level.IntegrationTolerance);
-  kernel.leastTransmittance = Real(level.LeastTransmittance);
+  kernel.errorTolerance = Real(level.ErrorTolerance);
   return kernel;
 }
 
@@ -67,7 +65,9 @@ public:
     : Scene(scene)
     , March(makeKernel<Kernel, Real>(scene, level))
   {
-    this->Image.Pixels.assign(4 * std::size_t(scene.Width) * scene.Height, 0.0f);
+    const std::size_t pixels = std::size_t(scene.Width) * scene.Height;
+    this->Image.Pixels.assign(4 * pixels, 0.0f);
+    this->Image.ErrorBounds.assign(pixels, 0.0f);
   }
 
   ReferenceImage make()
@@ -113,6 +113,7 @@ private:
     rgba[1] = float(march.radiance.color.y);
     rgba[2] = float(march.radiance.color.z);
     rgba[3] = float(Real(1) - march.radiance.transmittance);
+    this->Image.ErrorBounds[pixel] = float(kernel.errorBound(march.radiance));
     counters += { march.cells > 0 ? 1 : 0, march.cells, march.evaluations, march.refused,
       march.lost, march.guarded };
   }
@@ -138,7 +139,8 @@ ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel&
   {
     return ImageMaker<CellKernel<Real>, Real>(scene, level).make();
   }
-  return ImageMaker<PointKernel<Real>, Real>(scene, level).make();
+  return level.Adaptive ? ImageMaker<PointKernel<Real>, Real>(scene, level).make()
+                        : ImageMaker<FastPointKernel<Real>, Real>(scene, level).make();
 }
 
 template ReferenceImage renderReference<float>(const ReferenceScene&, const AccuracyLevel&);

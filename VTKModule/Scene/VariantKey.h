@@ -11,7 +11,7 @@ namespace tetmarch
 
 /**
  * One bit a feature of the march shader. Values that change without recompiling are uniforms, not
- * bits. Accuracy levels, shading, clipping, blend modes and view modes will be further members
+ * bits. Shading, clipping, blend modes and view modes will be further members
  * here, each with a row in defines() and, where it can be irrelevant, a line in filtered().
  */
 struct VariantKey
@@ -22,7 +22,11 @@ struct VariantKey
   bool Hierarchy = false;   // rays can enter more than once, or are not rasterised
   bool OpaqueDepth = false; // rays end at opaque geometry or the far plane
   bool HasFma = true;       // the exact predicate by fused multiply-add; else the portable one
+  bool Adaptive = true;     // segments are split until the pixel keeps the error tolerance
   bool Diagnostics = false; // counters in further colour attachments
+
+  /** Whether the error of the integration is bounded along the way; that of a constant is 0. */
+  bool hasErrorBound() const { return this->PointScalars && (this->Adaptive || this->Diagnostics); }
 
   bool operator==(const VariantKey& other) const { return this->defines() == other.defines(); }
 

@@ -1,0 +1,68 @@
+// Emission and absorption along one ray segment in which the scalar is linear.
+//
+// A piece of it is evaluated with its exact means of C tau and tau, as if colour and extinction were spread evenly in
+// it (Engel, Kraus and Ertl 2001; order_error.glsl bounds what that loses). The adaptive rule accepts a piece if its
+// error, seen through what lies in front, fits the budget of the pixel: the tolerance is spread over what the ray
+// absorbs, less what the pieces before have used. So a pixel keeps it however many cells it sees. What isn't accepted
+// is tried again in shorter pieces.
+
+#if TETMARCH_ERROR_BOUND
+// Of a piece of the given optical depth between two points of the table.
+real pieceError(TablePoint p, TablePoint q, real depth)
+{
+  return min(abs(q.variation - p.variation), real(1)) * orderErrorFactor(depth);
+}
+#endif
+
+// From table position begin to end over a length in scalar opacity unit distances. `at` is the table at the
+// last end, which is mostly this begin; where it isn't, the first trial only reads the table there. Returns
+// the number of trials. The body stands at the end of one loop that mostly runs once: an `if` costs a
+// software renderer as much as both its branches.
+int integrateSegment(
+  real begin, real end, real opticalLength, INOUT(TablePoint) at, INOUT(Radiance) radiance)
+{
+  bool loaded = at.x == begin;
+  real position = real(0); // how far it is integrated, 0..1
+  real step = real(1);     // the piece to try
+  int trials = 0;
+  bool pending = true;
+  do
+  {
+    bool whole = !(position + step < real(1)); // also if it is NaN: the loop ends whatever the input
+    real share = whole ? real(1) - position : step;
+    real target = whole ? end : begin + (end - begin) * (position + step);
+    TablePoint next = tablePoint(loaded ? target : begin);
+    vec4 mean = meanBetween(at, next);
+    Absorption piece = absorption(mean, loaded ? share * opticalLength : real(0));
+#if TETMARCH_ERROR_BOUND
+    real error = loaded ? radiance.transmittance * pieceError(at, next, piece.depth) : real(0);
+#endif
+#if TETMARCH_ADAPTIVE
+    real budget = errorBudget(radiance, radiance.transmittance * piece.absorbed);
+    bool accepted = error <= budget || trials >= mostTrials;
+#else
+    bool accepted = true;
+#endif
+    if (accepted)
+    {
+      absorb(radiance, mean, piece);
+#if TETMARCH_ERROR_BOUND
+      radiance.error = radiance.error + error;
+#endif
+      pending = !(loaded && whole) && !isOpaque(radiance);
+      position = loaded ? position + share : position;
+      step = loaded ? real(2) * step : step;
+      at = next;
+      loaded = true;
+    }
+#if TETMARCH_ADAPTIVE
+    else
+    {
+      // The error grows with the third power of the step, what it earns with the first.
+      step = share * clamp(real(0.9) * sqrt(budget / error), real(0.1), real(0.5));
+    }
+#endif
+    trials = trials + 1;
+  } while (pending);
+  return trials;
+}
