@@ -28,6 +28,16 @@ void vtkTetMarchVolumeRepresentation::SetOpacityLaw(int law)
   this->TetMarchMapper->SetOpacityLaw(law);
 }
 
+void vtkTetMarchVolumeRepresentation::SetAccuracyLevel(int level)
+{
+  this->TetMarchMapper->SetAccuracyLevel(level);
+}
+
+void vtkTetMarchVolumeRepresentation::SetErrorTolerance(double tolerance)
+{
+  this->TetMarchMapper->SetErrorTolerance(tolerance);
+}
+
 void vtkTetMarchVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

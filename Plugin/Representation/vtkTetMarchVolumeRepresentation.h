@@ -23,10 +23,14 @@ public:
   vtkTypeMacro(vtkTetMarchVolumeRepresentation, vtkUnstructuredGridVolumeRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  //@{
   /**
-   * @sa vtkTetMarchVolumeMapper::SetOpacityLaw
+   * @sa vtkTetMarchVolumeMapper
    */
   void SetOpacityLaw(int law);
+  void SetAccuracyLevel(int level);
+  void SetErrorTolerance(double tolerance);
+  //@}
 
 protected:
   vtkTetMarchVolumeRepresentation();

@@ -131,9 +131,31 @@ bool ParseChoice(const std::string& value, const std::string& yes, const std::st
   return value == yes;
 }
 
+int ParseLevel(const std::string& value)
+{
+  const std::array<std::string, 4> levels{ { "fast", "default", "accurate", "reference" } };
+  const auto found = std::find(levels.begin(), levels.end(), value);
+  if (found == levels.end())
+  {
+    throw UsageError("expected fast, default, accurate or reference");
+  }
+  return static_cast<int>(found - levels.begin());
+}
+
+double ParseTolerance(const std::string& value)
+{
+  const double tolerance = ParsePositive(value);
+  if (tolerance < 1e-6 || tolerance > 1.0)
+  {
+    throw UsageError("expected a number from 1e-6 to 1");
+  }
+  return tolerance;
+}
+
 const std::map<std::string, Setter>& GetOptionsWithValue()
 {
   static const std::map<std::string, Setter> options = {
+    { "--accuracy", [](CommandLine& c, const std::string& v) { c.AccuracyLevel = ParseLevel(v); } },
     { "--array", [](CommandLine& c, const std::string& v) { c.Array = v; } },
     { "--association",
       [](CommandLine& c, const std::string& v)
@@ -154,6 +176,8 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
     { "--size", [](CommandLine& c, const std::string& v) { c.Size = ParseSize(v); } },
     { "--stats", [](CommandLine& c, const std::string& v) { c.Stats = v; } },
     { "--time-step", [](CommandLine& c, const std::string& v) { c.TimeStep = ParseCount(v); } },
+    { "--tolerance",
+      [](CommandLine& c, const std::string& v) { c.Tolerance = ParseTolerance(v); } },
     { "--unit-distance",
       [](CommandLine& c, const std::string& v) { c.UnitDistance = ParsePositive(v); } },
   };
@@ -208,6 +232,11 @@ CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
       commandLine.Version = true;
       return commandLine;
     }
+    if (argument == "--compare")
+    {
+      commandLine.Compare = true;
+      continue;
+    }
     const auto equals = argument.find('=');
     const std::string name = argument.substr(0, equals);
     if (GetOptionsWithValue().count(name) == 0)
@@ -227,6 +256,10 @@ CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
     {
       SetOption(commandLine, name, arguments[++i]);
     }
+  }
+  if (commandLine.Compare && commandLine.Stats.empty())
+  {
+    throw UsageError("--compare adds to the figures of --stats, which is missing");
   }
   if (inputs.size() != 1 || inputs[0].empty())
   {

@@ -48,6 +48,9 @@ struct CommandLine
   std::array<double, 3> Background{ { 0.08, 0.09, 0.12 } };
   std::array<int, 2> Size{ { 1024, 768 } };
   bool StructuredOpacityLaw = false;
+  int AccuracyLevel = 1; // vtkTetMarchVolumeMapper::DEFAULT
+  std::optional<double> Tolerance;
+  bool Compare = false;
   int Frames = 0; // re-renders to be timed; 5 by default if Stats is given
 };
 

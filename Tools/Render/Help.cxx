@@ -25,6 +25,10 @@ Transfer function
   --opacity-law LAW         unstructured: extinction = opacity / D, as VTK's unstructured mappers (default);
                             structured: -ln(1 - opacity) / D, as VTK's GPU mapper for images
 
+Accuracy
+  --accuracy LEVEL          fast, default, accurate or reference (default: default)
+  --tolerance T             greatest error of a channel, 1e-6 to 1 (default: 1/255); fast promises none
+
 View
   --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ[,ANGLE]
                             position, focal point, view up, view angle in degrees (default: oblique, all
@@ -36,6 +40,8 @@ View
 Output
   --output FILE.png         (default: INPUT's base name + .png in the current folder)
   --stats FILE.json         figures of the mesh, seconds of each stage and of a frame, the GL in use
+  --compare                 add to the figures how far the picture is from one in double precision, and
+                            what its pixels cost (takes seconds to minutes)
   --frames N                render N more times for the frame time in the figures (default: 5 with --stats)
 
   --help, --version

@@ -39,18 +39,22 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
   this->Mapper->SetOpacityLaw(commandLine.StructuredOpacityLaw
                                 ? vtkTetMarchVolumeMapper::STRUCTURED
                                 : vtkTetMarchVolumeMapper::UNSTRUCTURED);
+  this->Mapper->SetAccuracyLevel(commandLine.AccuracyLevel);
+  if (commandLine.Tolerance)
+  {
+    this->Mapper->SetErrorTolerance(*commandLine.Tolerance);
+  }
 
-  vtkNew<vtkVolume> volume;
-  volume->SetMapper(this->Mapper);
-  volume->GetProperty()->SetColor(functions.Color);
-  volume->GetProperty()->SetScalarOpacity(functions.Opacity);
-  volume->GetProperty()->SetScalarOpacityUnitDistance(unitDistance);
-  volume->GetProperty()->SetInterpolationTypeToLinear();
-  volume->GetProperty()->ShadeOff();
+  this->Volume->SetMapper(this->Mapper);
+  this->Volume->GetProperty()->SetColor(functions.Color);
+  this->Volume->GetProperty()->SetScalarOpacity(functions.Opacity);
+  this->Volume->GetProperty()->SetScalarOpacityUnitDistance(unitDistance);
+  this->Volume->GetProperty()->SetInterpolationTypeToLinear();
+  this->Volume->GetProperty()->ShadeOff();
 
   const auto& background = commandLine.Background;
   this->Renderer->SetBackground(background[0], background[1], background[2]);
-  this->Renderer->AddVolume(volume);
+  this->Renderer->AddVolume(this->Volume);
   this->Window->AddRenderer(this->Renderer);
   this->PlaceCamera(commandLine);
 }
@@ -94,6 +98,16 @@ double Picture::Render()
     throw Failure("rendering failed");
   }
   return seconds;
+}
+
+void Picture::Compare()
+{
+  this->Mapper->CollectDiagnosticsOn();
+  this->Render();
+  if (!this->Mapper->CompareWithReference(this->Volume))
+  {
+    throw Failure("the picture could not be compared");
+  }
 }
 
 void Picture::Write(const std::string& path)

@@ -15,6 +15,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTetMarchVolumeMapper.h"
+#include "vtkVolume.h"
 
 class vtkUnstructuredGrid;
 
@@ -31,6 +32,10 @@ public:
   /// Draws and waits until it is drawn; seconds. Throws Failure if VTK reported an error.
   double Render();
 
+  /// Draws once more, with statistics, and compares with the picture in double precision. Throws
+  /// Failure.
+  void Compare();
+
   /// Throws Failure if the file can't be written.
   void Write(const std::string& path);
 
@@ -43,6 +48,7 @@ private:
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkTetMarchVolumeMapper> Mapper;
+  vtkNew<vtkVolume> Volume;
 };
 
 } // namespace tetmarch

@@ -6,6 +6,7 @@
 #include "OffscreenWindow.h"
 
 #include "vtkCellTypes.h"
+#include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersion.h"
@@ -43,6 +44,23 @@ double GetMedian(std::vector<double> values)
   return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
+nlohmann::ordered_json DescribePixels(vtkTetMarchFrameStatistics* statistics)
+{
+  nlohmann::ordered_json json;
+  for (const auto& [quantity, name] :
+    { std::pair<int, const char*>{ vtkTetMarchFrameStatistics::TRUE_ERROR, "error" },
+      { vtkTetMarchFrameStatistics::ERROR_BOUND, "error_bound" },
+      { vtkTetMarchFrameStatistics::CELLS, "cells" },
+      { vtkTetMarchFrameStatistics::LOOKUPS, "lookups" } })
+  {
+    json[name] = { { "count", statistics->GetNumberOfPixels(quantity) },
+      { "mean", statistics->GetMean(quantity) }, { "rms", statistics->GetRootMeanSquare(quantity) },
+      { "p99.9", statistics->GetPercentile(quantity, 99.9) },
+      { "max", statistics->GetMaximum(quantity) } };
+  }
+  return json;
+}
+
 std::string FormatStatistics(const CommandLine& commandLine, vtkUnstructuredGrid* grid,
   const ArraySelection& selection, double unitDistance, vtkTetMarchVolumeMapper* mapper,
   vtkRenderWindow* window, const Timing& timing)
@@ -69,6 +87,12 @@ std::string FormatStatistics(const CommandLine& commandLine, vtkUnstructuredGrid
     { "upload", mapper->GetUploadSeconds() }, { "first_frame", timing.FirstFrame } };
   json["frames"] = { { "count", timing.Frames.size() },
     { "median_seconds", GetMedian(timing.Frames) }, { "seconds", timing.Frames } };
+  json["accuracy"] = { { "level", mapper->GetAccuracyLevelAsString() },
+    { "tolerance", mapper->GetErrorTolerance() } };
+  if (commandLine.Compare)
+  {
+    json["pixels"] = DescribePixels(mapper->GetLastFrameStatistics());
+  }
   json["gl"] = { { "backend", gl.Backend }, { "vendor", gl.Vendor }, { "renderer", gl.Renderer },
     { "version", gl.Version } };
   json["vtk_version"] = vtkVersion::GetVTKVersion();

@@ -48,6 +48,10 @@ void Run(const CommandLine& commandLine)
   }
   if (!commandLine.Stats.empty())
   {
+    if (commandLine.Compare)
+    {
+      picture.Compare();
+    }
     WriteText(commandLine.Stats, FormatStatistics(commandLine, grid, selection, unitDistance,
                                    picture.GetMapper(), picture.GetWindow(), timing));
   }
