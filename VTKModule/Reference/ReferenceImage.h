@@ -32,7 +32,7 @@ struct ReferenceScene
 
 struct ReferenceImage
 {
-  std::vector<float> Pixels; // premultiplied r, g, b, alpha in 0..1; rows from the bottom
+  std::vector<float> Pixels;      // premultiplied r, g, b, alpha in 0..1; rows from the bottom
   std::vector<float> ErrorBounds; // of each pixel's channels, as the march has bounded it
   MarchCounters Counters;
 };
