@@ -148,13 +148,12 @@ vtkTetMarchFrameStatistics* vtkTetMarchVolumeMapper::GetLastFrameStatistics()
 bool vtkTetMarchVolumeMapper::RenderReference(vtkVolume* volume, vtkFloatArray* pixels)
 {
   tetmarch::ReferenceImage image;
-  tetmarch::Viewport area;
   if (vtkOpenGLRenderWindow* window = this->Internal->Pipeline.window())
   {
     window->MakeCurrent();
   }
   if (!volume || !this->Internal->Pipeline.renderReference(
-                   volume->GetProperty(), lawOf(this->OpacityLaw), image, area))
+                   volume->GetProperty(), lawOf(this->OpacityLaw), image))
   {
     vtkErrorMacro("No reference picture: " << (volume ? this->Internal->Pipeline.error()
                                                       : std::string("no volume was given.")));

@@ -123,8 +123,12 @@ bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume)
   {
     return this->fail("The matrix of the volume or of the camera is singular or not finite.");
   }
-  const bool needsSearch = !this->Camera.rastersEntries();
-  if (needsSearch && !this->mesh().hasHierarchy())
+  return this->Camera.rastersEntries() || this->ensureHierarchy();
+}
+
+bool Pipeline::ensureHierarchy()
+{
+  if (!this->mesh().hasHierarchy())
   {
     const std::string error = this->Meshed.addHierarchy();
     if (!error.empty())
@@ -227,22 +231,15 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   return error.empty() ? !stopped : this->fail(error);
 }
 
-bool Pipeline::renderReference(
-  vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image, Viewport& area)
+bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image)
 {
-  area = this->Area;
-  if (!this->Window || area.Width <= 0 || area.Height <= 0)
+  if (!this->Window || this->Area.Width <= 0 || this->Area.Height <= 0)
   {
     return this->fail("There is no frame to compare with: render the window first.");
   }
-  if (!this->mesh().hasHierarchy())
+  if (!this->ensureHierarchy())
   {
-    const std::string error = this->Meshed.addHierarchy();
-    if (!error.empty())
-    {
-      return this->fail(error);
-    }
-    this->OnGpu.expectLinks();
+    return false;
   }
   const std::string shortage = withinMemory("the reference picture",
     [&]
@@ -256,8 +253,8 @@ bool Pipeline::renderReference(
       scene.Range = this->Range;
       scene.Table = &table;
       scene.Camera = this->Camera;
-      scene.Width = area.Width;
-      scene.Height = area.Height;
+      scene.Width = this->Area.Width;
+      scene.Height = this->Area.Height;
       scene.WindowDepths = depths.empty() ? nullptr : depths.data();
       image = tetmarch::renderReference<double>(scene, YardstickAccuracy);
     });

@@ -56,11 +56,10 @@ public:
     const Progress& progress);
 
   /**
-   * The picture of the last frame in double precision, by the CPU; its size comes with it. False if
-   * there was no frame, or if the memory for it is lacking (error()).
+   * The picture of the last frame in double precision, by the CPU. False if there was no frame, or
+   * if the memory for it is lacking (error()).
    */
-  bool renderReference(
-    vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image, Viewport& area);
+  bool renderReference(vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image);
 
   /** Free what is held on the GPU. The context of the window that held it is current. */
   void release(vtkWindow* window);
@@ -81,6 +80,7 @@ public:
 
 private:
   bool fail(const std::string& error);
+  bool ensureHierarchy();
   Viewport currentViewport() const;
 
   std::string Error;
