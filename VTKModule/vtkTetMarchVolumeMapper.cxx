@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchVolumeMapper.h"
 
+#include "GL/FrameFigures.h"
 #include "GL/Pipeline.h"
 #include "Mesh/MeshReport.h"
+#include "Scene/MissingScalars.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkTimerLog.h"
@@ -21,7 +21,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
@@ -96,7 +95,10 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
                      pipeline.updateTables(volume->GetProperty(), lawOf(this->OpacityLaw), level) &&
                      pipeline.updateView(renderer, volume) && pipeline.upload(window) &&
                      pipeline.draw(window, renderer, options, progress);
-  this->ReportError(scalars ? pipeline.error() : this->DescribeMissingScalars());
+  this->ReportError(
+    scalars ? pipeline.error()
+            : tetmarch::describeMissingScalars(
+                grid, { this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName }));
   this->ReportMesh();
 
   if (drawn)
@@ -111,31 +113,11 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   this->TimeToDraw = timer->GetElapsedTime();
   if (drawn)
   {
-    this->TakeStatistics(this->TimeToDraw - pipeline.counted().seconds());
+    vtkTetMarchFrameStatistics* statistics = this->Internal->Statistics;
+    tetmarch::takeMeasures(pipeline.counted(), statistics);
+    statistics->SetSeconds(this->TimeToDraw - pipeline.counted().seconds());
+    statistics->SetGPUMemoryBytes(this->GetGPUMemoryBytes());
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkTetMarchVolumeMapper::TakeStatistics(double seconds)
-{
-  vtkTetMarchFrameStatistics* statistics = this->Internal->Statistics;
-  const std::vector<float>& measures = this->Internal->Pipeline.counted().measures();
-  vtkNew<vtkFloatArray> values;
-  values->SetNumberOfValues(static_cast<vtkIdType>(measures.size() / 4));
-  const auto take = [&](int quantity, int component)
-  {
-    for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
-    {
-      const bool met = measures[4 * i] > 0;
-      values->SetValue(i, met ? measures[4 * i + component] : -1.0f);
-    }
-    statistics->SetValues(quantity, values);
-  };
-  take(vtkTetMarchFrameStatistics::CELLS, 0);
-  take(vtkTetMarchFrameStatistics::LOOKUPS, 1);
-  take(vtkTetMarchFrameStatistics::ERROR_BOUND, 2);
-  statistics->SetSeconds(seconds);
-  statistics->SetGPUMemoryBytes(this->GetGPUMemoryBytes());
 }
 
 //------------------------------------------------------------------------------
@@ -179,18 +161,7 @@ bool vtkTetMarchVolumeMapper::CompareWithReference(vtkVolume* volume)
   {
     return false;
   }
-  vtkNew<vtkFloatArray> errors;
-  errors->SetNumberOfValues(reference->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < errors->GetNumberOfValues(); ++i)
-  {
-    float most = 0.0f;
-    for (vtkIdType k = 4 * i; k < 4 * i + 4; ++k)
-    {
-      most = std::max(most, std::abs(counted.pixels()[k] - reference->GetValue(k)));
-    }
-    errors->SetValue(i, counted.measures()[4 * i] > 0 ? most : -1.0f);
-  }
-  this->Internal->Statistics->SetValues(vtkTetMarchFrameStatistics::TRUE_ERROR, errors);
+  tetmarch::takeTrueErrors(counted, reference, this->Internal->Statistics);
   return true;
 }
 
@@ -200,40 +171,6 @@ vtkDataArray* vtkTetMarchVolumeMapper::FindScalars(vtkUnstructuredGrid* grid, in
   vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
     grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
   return cellFlag == 2 || (scalars && scalars->GetNumberOfComponents() < 1) ? nullptr : scalars;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkTetMarchVolumeMapper::DescribeMissingScalars()
-{
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
-  const auto list = [](vtkDataSetAttributes* data)
-  {
-    std::string names;
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    {
-      const char* name = data->GetArrayName(i);
-      names += (i > 0 ? ", " : "") + std::string(name ? name : "(unnamed)");
-    }
-    return names.empty() ? std::string("none") : names;
-  };
-  std::string wanted = "active scalars";
-  if (this->ScalarMode == VTK_SCALAR_MODE_USE_FIELD_DATA)
-  {
-    return "Field data can't be volume rendered: set the scalar mode to point or cell data.";
-  }
-  if (this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ||
-      this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA)
-  {
-    wanted = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME
-               ? "array named \"" + std::string(this->ArrayName ? this->ArrayName : "") + "\""
-               : "array with the number " + std::to_string(this->ArrayId);
-    wanted += this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ? " in the point data"
-                                                                       : " in the cell data";
-  }
-  return "The grid has no " + wanted +
-         ", so nothing is drawn. Point arrays: " + list(grid->GetPointData()) +
-         "; cell arrays: " + list(grid->GetCellData()) +
-         ". Choose one with SelectScalarArray and SetScalarMode, or set active scalars.";
 }
 
 //------------------------------------------------------------------------------

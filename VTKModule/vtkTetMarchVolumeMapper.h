@@ -260,10 +260,8 @@ private:
   void operator=(const vtkTetMarchVolumeMapper&) = delete;
 
   vtkDataArray* FindScalars(vtkUnstructuredGrid* grid, int& cellFlag);
-  std::string DescribeMissingScalars();
   void ReportError(const std::string& error);
   void ReportMesh();
-  void TakeStatistics(double seconds);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

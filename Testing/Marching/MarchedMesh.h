@@ -7,9 +7,7 @@
 #ifndef tetmarch_testing_MarchedMesh_h
 #define tetmarch_testing_MarchedMesh_h
 
-#include "Mesh/TetMesh.h"
-#include "Optics/AccuracyLevel.h"
-#include "Optics/IntegralTable.h"
+#include "Reference/MakeKernel.h"
 
 #include "GridBuilder.h"
 
@@ -37,22 +35,7 @@ template <typename Kernel, typename Real>
 Kernel kernelOf(
   const TetMesh& mesh, const IntegralTable& table, const AccuracyLevel& level = YardstickAccuracy)
 {
-  Kernel kernel;
-  kernel.Mesh = &mesh;
-  kernel.Table = &table;
-  kernel.tetCount = mesh.numberOfTets();
-  kernel.bvhNodeCount = static_cast<int>(mesh.Hierarchy.size());
-  kernel.bvhReentryNodeCount = static_cast<int>(mesh.ReentryNodes);
-  kernel.reentryFaceCount = static_cast<int>(mesh.ReentryFaces);
-  kernel.mostCells = mostCellsOf(static_cast<int>(mesh.Tets.size()));
-  kernel.tableSize = table.size();
-  kernel.tableScale = Real(table.scale(1.0));
-  kernel.tableOffset = Real(table.offset(0.0));
-  const auto& unit = table.IntegralUnit;
-  kernel.tableIntegralUnit = { Real(unit[0]), Real(unit[1]), Real(unit[2]), Real(unit[3]) };
-  kernel.mostTrials = level.MostTrials;
-  kernel.errorTolerance = Real(level.ErrorTolerance);
-  return kernel;
+  return makeKernel<Kernel, Real>(mesh, table, { 0.0, 1.0 }, level);
 }
 } // namespace tetmarch::testing
 

@@ -3,38 +3,16 @@
 #include "ReferenceImage.h"
 
 #include "Kernel.h"
+#include "MakeKernel.h"
 
 #include "vtkSMPTools.h"
 
-#include <limits>
 #include <mutex>
 
 namespace tetmarch
 {
 namespace
 {
-
-template <typename Kernel, typename Real>
-Kernel makeKernel(const ReferenceScene& scene, const AccuracyLevel& level)
-{
-  Kernel kernel;
-  kernel.Mesh = scene.Mesh;
-  kernel.CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
-  kernel.Table = scene.Table;
-  kernel.tetCount = scene.Mesh->numberOfTets();
-  kernel.bvhNodeCount = static_cast<int>(scene.Mesh->Hierarchy.size());
-  kernel.bvhReentryNodeCount = static_cast<int>(scene.Mesh->ReentryNodes);
-  kernel.reentryFaceCount = static_cast<int>(scene.Mesh->ReentryFaces);
-  kernel.mostCells = std::numeric_limits<int>::max();
-  kernel.tableSize = scene.Table->size();
-  kernel.tableScale = Real(scene.Table->scale(scene.Range.width()));
-  kernel.tableOffset = Real(scene.Table->offset(scene.Range.Low));
-  const auto& unit = scene.Table->IntegralUnit;
-  kernel.tableIntegralUnit = { Real(unit[0]), Real(unit[1]), Real(unit[2]), Real(unit[3]) };
-  kernel.mostTrials = level.MostTrials;
-  kernel.errorTolerance = Real(level.ErrorTolerance);
-  return kernel;
-}
 
 template <typename Real>
 glsl::Vec3<Real> toVec(const std::array<double, 3>& v)
@@ -63,8 +41,9 @@ class ImageMaker
 public:
   ImageMaker(const ReferenceScene& scene, const AccuracyLevel& level)
     : Scene(scene)
-    , March(makeKernel<Kernel, Real>(scene, level))
+    , March(makeKernel<Kernel, Real>(*scene.Mesh, *scene.Table, scene.Range, level))
   {
+    this->March.CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
     const std::size_t pixels = std::size_t(scene.Width) * scene.Height;
     this->Image.Pixels.assign(4 * pixels, 0.0f);
     this->Image.ErrorBounds.assign(pixels, 0.0f);
@@ -125,7 +104,7 @@ private:
   }
 
   const ReferenceScene& Scene;
-  const Kernel March;
+  Kernel March;
   ReferenceImage Image;
   std::mutex Mutex;
 };

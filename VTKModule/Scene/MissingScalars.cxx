@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MissingScalars.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace tetmarch
+{
+namespace
+{
+
+std::string namesOf(vtkDataSetAttributes* data)
+{
+  std::string names;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const char* name = data->GetArrayName(i);
+    names += (i > 0 ? ", " : "") + std::string(name ? name : "(unnamed)");
+  }
+  return names.empty() ? std::string("none") : names;
+}
+
+std::string describe(const ScalarSelection& selection)
+{
+  const bool ofPoints = selection.Mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
+  if (!ofPoints && selection.Mode != VTK_SCALAR_MODE_USE_CELL_FIELD_DATA)
+  {
+    return "active scalars";
+  }
+  const std::string array =
+    selection.AccessMode == VTK_GET_ARRAY_BY_NAME
+      ? "array named \"" + std::string(selection.Name ? selection.Name : "") + "\""
+      : "array with the number " + std::to_string(selection.Id);
+  return array + (ofPoints ? " in the point data" : " in the cell data");
+}
+
+} // namespace
+
+std::string describeMissingScalars(vtkUnstructuredGrid* grid, const ScalarSelection& selection)
+{
+  if (selection.Mode == VTK_SCALAR_MODE_USE_FIELD_DATA)
+  {
+    return "Field data can't be volume rendered: set the scalar mode to point or cell data.";
+  }
+  return "The grid has no " + describe(selection) +
+         ", so nothing is drawn. Point arrays: " + namesOf(grid->GetPointData()) +
+         "; cell arrays: " + namesOf(grid->GetCellData()) +
+         ". Choose one with SelectScalarArray and SetScalarMode, or set active scalars.";
+}
+
+} // namespace tetmarch
