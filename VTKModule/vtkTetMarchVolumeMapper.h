@@ -98,7 +98,7 @@ public:
    *
    * The tolerance is of the picture in float, before the window rounds it (to 1/510 at most in 8
    * bits) and but for what transfer functions do between the entries of their tables. FAST has
-   * tables of 1024 entries, the others of up to 16384, as many as the functions and the tolerance
+   * tables of 1024 entries, the others of up to 65536, as many as the functions and the tolerance
    * ask for. On a software renderer, DEFAULT takes about as long as FAST, ACCURATE 1 to 1.4 times
    * as long, REFERENCE 2 to 5 times.
    */
@@ -227,7 +227,7 @@ public:
   //@{
   /**
    * The picture of the last frame by the CPU in double precision, with a tolerance of 1e-6 and
-   * tables of up to 65536 entries: the yardstick of all our figures of accuracy. As
+   * tables of up to 262144 entries: the yardstick of all our figures of accuracy. As
    * GetDiagnosticPixels(); `volume` is the one that was drawn. Takes seconds to minutes.
    * CompareWithReference() makes it, too, and adds vtkTetMarchFrameStatistics::TRUE_ERROR to the
    * last frame's statistics; that wants CollectDiagnostics on. Both return false, with an error, if

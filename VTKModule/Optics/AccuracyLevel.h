@@ -45,12 +45,12 @@ enum class Accuracy
 };
 
 constexpr AccuracyLevel FastAccuracy{ false, 1.0 / 512.0, 1, 1024, 1024 };
-constexpr AccuracyLevel DefaultAccuracy{ true, 1.0 / 255.0, 64, 1024, 16384 };
-constexpr AccuracyLevel AccurateAccuracy{ true, 1.0 / 4096.0, 256, 1024, 16384 };
+constexpr AccuracyLevel DefaultAccuracy{ true, 1.0 / 255.0, 64, 1024, 65536 };
+constexpr AccuracyLevel AccurateAccuracy{ true, 1.0 / 4096.0, 256, 1024, 65536 };
 /** As much as float has. */
-constexpr AccuracyLevel ReferenceAccuracy{ true, 1e-5, 1265, 4096, 16384 };
+constexpr AccuracyLevel ReferenceAccuracy{ true, 1e-5, 1265, 4096, 65536 };
 /** For comparisons in double precision. */
-constexpr AccuracyLevel YardstickAccuracy{ true, 1e-6, 1000000, 4096, 65536 };
+constexpr AccuracyLevel YardstickAccuracy{ true, 1e-6, 1000000, 4096, 262144 };
 
 /** A level that keeps a tolerance of the user's, too, unless it keeps none. */
 inline AccuracyLevel levelOf(Accuracy accuracy, double tolerance)

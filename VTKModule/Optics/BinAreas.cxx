@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BinAreas.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,24 +48,51 @@ struct Node
   Span Seen; // colours where there is extinction
 };
 
-std::vector<Node> nodesOf(const std::vector<OpticalSample>& fine, std::size_t perBin)
+Node nodeAt(const std::vector<OpticalSample>& fine, std::size_t at, std::size_t perBin)
 {
-  std::vector<Node> nodes;
-  for (std::size_t at = 0; at < fine.size(); at += perBin)
+  Node node{ weighted(fine[at]), at == 0 || at + 1 == fine.size(), {}, {} };
+  const std::size_t end = std::min(at + perBin + 1, fine.size());
+  for (std::size_t i = at < perBin ? 0 : at - perBin; i < end; ++i)
   {
-    Node node{ weighted(fine[at]), at == 0 || at + 1 == fine.size(), {}, {} };
-    const std::size_t end = std::min(at + perBin + 1, fine.size());
-    for (std::size_t i = at < perBin ? 0 : at - perBin; i < end; ++i)
+    node.Weighted.add(weighted(fine[i]));
+    if (fine[i][3] > 0)
     {
-      node.Weighted.add(weighted(fine[i]));
-      if (fine[i][3] > 0)
-      {
-        node.Seen.add(fine[i]);
-      }
+      node.Seen.add(fine[i]);
     }
-    nodes.push_back(node);
   }
-  return nodes;
+  return node;
+}
+
+// The colour and extinction of a node; `fine` is what it was.
+OpticalSample unweighted(const Node& node, const OpticalSample& fine)
+{
+  OpticalSample s = node.Value;
+  for (int k = 0; k < 3; ++k)
+  {
+    s[k] = s[3] > 0 ? node.Seen.clamped(s[k] / s[3], k) : fine[k];
+  }
+  return s;
+}
+
+// What the integrals between two kept samples lack of those between the fine ones.
+std::array<double, 4> missingBetween(
+  const std::vector<OpticalSample>& fine, std::size_t begin, std::size_t end)
+{
+  std::array<double, 4> missing{};
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const std::array<double, 4> piece = linearIntegrals(fine[i], fine[i + 1]);
+    for (int k = 0; k < 4; ++k)
+    {
+      missing[k] += piece[k];
+    }
+  }
+  const std::array<double, 4> line = linearIntegrals(fine[begin], fine[end]);
+  for (int k = 0; k < 4; ++k)
+  {
+    missing[k] = missing[k] / static_cast<double>(end - begin) - line[k];
+  }
+  return missing;
 }
 
 // An amount is added to both ends, half each or as far as they may change: nothing gets greater or
@@ -96,41 +125,41 @@ std::array<double, 4> linearIntegrals(const OpticalSample& p, const OpticalSampl
 
 std::vector<OpticalSample> keepBinAreas(const std::vector<OpticalSample>& fine, int perBin)
 {
-  std::vector<Node> nodes = nodesOf(fine, perBin);
-  for (std::size_t bin = 0; bin + 1 < nodes.size(); ++bin)
-  {
-    const std::size_t begin = bin * perBin, end = begin + perBin;
-    std::array<double, 4> missing = linearIntegrals(fine[begin], fine[end]);
-    for (double& x : missing)
+  const std::size_t stride = perBin;
+  const std::size_t bins = (fine.size() - 1) / stride;
+  std::vector<std::array<double, 4>> missing(bins);
+  std::vector<unsigned char> isBent(bins + 2); // bin i at i + 1
+  vtkSMPTools::For(0, static_cast<vtkIdType>(bins),
+    [&](vtkIdType first, vtkIdType last)
     {
-      x = -x;
-    }
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      const std::array<double, 4> piece = linearIntegrals(fine[i], fine[i + 1]);
-      for (int k = 0; k < 4; ++k)
+      for (std::size_t i = first; i < static_cast<std::size_t>(last); ++i)
       {
-        missing[k] += piece[k] / perBin;
+        missing[i] = missingBetween(fine, i * stride, (i + 1) * stride);
+        // Where the functions are linear, what is left is rounding, of which no colour can be told.
+        isBent[i + 1] = std::any_of(
+          missing[i].begin(), missing[i].end(), [](double x) { return !(std::abs(x) < 1e-12); });
       }
-    }
-    // Where the functions are linear, what is left is rounding, of which no colour can be told.
-    const bool linear =
-      std::all_of(missing.begin(), missing.end(), [](double x) { return std::abs(x) < 1e-12; });
-    for (int k = 0; k < 4 && !linear; ++k)
-    {
-      addToEnds(missing[k], k, nodes[bin], nodes[bin + 1]);
-    }
-  }
-  std::vector<OpticalSample> kept;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
+    });
+
+  // Functions are mostly linear: only nodes beside bins in which they aren't are looked at.
+  const auto changes = [&](std::size_t i) { return isBent[i] || isBent[i + 1]; };
+  const auto nodeOf = [&](std::size_t i)
+  { return changes(i) ? nodeAt(fine, i * stride, stride) : Node{}; };
+  std::vector<OpticalSample> kept(bins + 1);
+  const auto keep = [&](std::size_t i, const Node& node)
+  { kept[i] = changes(i) ? unweighted(node, fine[i * stride]) : fine[i * stride]; };
+  Node left = nodeOf(0);
+  for (std::size_t bin = 0; bin < bins; ++bin)
   {
-    OpticalSample s = nodes[i].Value;
-    for (int k = 0; k < 3; ++k)
+    Node right = nodeOf(bin + 1);
+    for (int k = 0; k < 4 && isBent[bin + 1]; ++k)
     {
-      s[k] = s[3] > 0 ? nodes[i].Seen.clamped(s[k] / s[3], k) : fine[i * perBin][k];
+      addToEnds(missing[bin][k], k, left, right);
     }
-    kept.push_back(s);
+    keep(bin, left);
+    left = right;
   }
+  keep(bins, left);
   return kept;
 }
 

@@ -2,27 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FittingTable.h"
 
+#include <algorithm>
+
 namespace tetmarch
 {
 
 IntegralTable fittingTable(
   vtkVolumeProperty* property, OpacityLaw law, double low, double high, const AccuracyLevel& level)
 {
-  int perBin = 16; // fine samples
-  const int bins = samplesOfTable(level.LeastTableEntries) - 1;
+  // As many samples of colours, which are dear, at each level.
+  const int mostPerBin = std::max(4, 16384 / level.LeastTableEntries);
+  const double most = 0.5 * level.ErrorTolerance;
+  const int leastBins = samplesOfTable(level.LeastTableEntries) - 1;
   const int mostBins = samplesOfTable(level.MostTableEntries) - 1;
-  SampledFunctions fine = sampleFunctions(property, law, low, high, bins * perBin + 1);
-  SampledFunctions kept = keepAreas(fine, perBin);
-  while (kept.Deviation > 0.5 * level.ErrorTolerance &&
-         static_cast<int>(kept.Samples.size() - 1) * 4 <= mostBins)
+  SampledFunctions fine = sampleFunctions(property, law, low, high, leastBins * mostPerBin + 1);
+  int bins = leastBins;
+  SampledFunctions kept = keepAreas(fine, mostPerBin);
+  while (kept.Deviation > most && bins * 4 <= mostBins)
   {
-    if (perBin == 4)
+    // At a kink it is proportional to the width of a bin: what would not be enough is not tried.
+    bins *= kept.Deviation > 8 * most && bins * 16 <= mostBins ? 16 : 4;
+    const int fineBins = static_cast<int>(fine.Samples.size()) - 1;
+    if (fineBins < 4 * bins)
     {
-      fine = refined(property, law, fine, 4);
-      perBin = 16;
+      fine = refined(property, law, fine, 4 * bins / fineBins);
     }
-    perBin /= 4;
-    kept = keepAreas(fine, perBin);
+    kept = keepAreas(fine, (static_cast<int>(fine.Samples.size()) - 1) / bins);
   }
   return makeIntegralTable(kept);
 }

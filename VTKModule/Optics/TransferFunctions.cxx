@@ -6,6 +6,7 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkSMPTools.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -89,21 +90,15 @@ std::vector<OpticalSample> evaluate(
   return samples;
 }
 
-// Of lines between the kept samples from the fine ones.
-double deviation(const std::vector<OpticalSample>& fine, const std::vector<OpticalSample>& kept,
-  std::size_t perBin)
+// Of the line between two kept samples from the fine ones; of extinctions as a share of the
+// greatest.
+double deviation(const OpticalSample* fine, std::size_t perBin, const OpticalSample& p,
+  const OpticalSample& q, double greatest)
 {
   double most = 0;
-  double greatest = 0;
-  for (const OpticalSample& s : fine)
+  for (std::size_t i = 0; i < perBin; ++i)
   {
-    greatest = std::max(greatest, s[3]);
-  }
-  for (std::size_t i = 0; i + 1 < fine.size() && greatest > 0; ++i)
-  {
-    const OpticalSample& p = kept[i / perBin];
-    const OpticalSample& q = kept[i / perBin + 1];
-    const double share = static_cast<double>(i % perBin) / static_cast<double>(perBin);
+    const double share = static_cast<double>(i) / static_cast<double>(perBin);
     const auto difference = [&](int k)
     { return std::abs(p[k] + (q[k] - p[k]) * share - fine[i][k]); };
     most = std::max(most, difference(3) / greatest);
@@ -113,6 +108,30 @@ double deviation(const std::vector<OpticalSample>& fine, const std::vector<Optic
     }
   }
   return most;
+}
+
+double deviation(const std::vector<OpticalSample>& fine, const std::vector<OpticalSample>& kept,
+  std::size_t perBin)
+{
+  double greatest = 0;
+  for (const OpticalSample& s : fine)
+  {
+    greatest = std::max(greatest, s[3]);
+  }
+  if (!(greatest > 0))
+  {
+    return 0;
+  }
+  std::vector<double> ofBins(kept.size() - 1);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ofBins.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (std::size_t i = first; i < static_cast<std::size_t>(last); ++i)
+      {
+        ofBins[i] = deviation(&fine[i * perBin], perBin, kept[i], kept[i + 1], greatest);
+      }
+    });
+  return *std::max_element(ofBins.begin(), ofBins.end());
 }
 
 } // namespace
