@@ -2,18 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing.h"
 
+#include "Errors.h"
+#include "ExactPicture.h"
 #include "Failure.h"
+#include "FloatPicture.h"
 #include "Mappers.h"
 #include "OffscreenWindow.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkFloatArray.h"
 #include "vtkMultiThreader.h"
+#include "vtkProjectedTetrahedraMapper.h"
 #include "vtkSMPTools.h"
+#include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkTimerLog.h"
 #include "vtkVersion.h"
-#include "vtkVolume.h"
 
 #include <nlohmann/json.hpp>
 
@@ -40,8 +46,9 @@ void readPixels(vtkRenderWindow* window, vtkUnsignedCharArray* pixels)
 }
 } // namespace
 
-Drawing::Drawing(const Scene& scene, const std::string& mapper, const std::array<int, 2>& size)
-  : Mapper(makeMapper(mapper))
+Drawing::Drawing(Scene scene, std::string mapper, const std::array<int, 2>& size)
+  : Shown(std::move(scene))
+  , MapperName(std::move(mapper))
 {
   std::string error;
   this->Window = MakeOffscreenWindow(size[0], size[1], &error);
@@ -49,48 +56,65 @@ Drawing::Drawing(const Scene& scene, const std::string& mapper, const std::array
   {
     throw Failure("no offscreen OpenGL: " + error);
   }
-  this->Mapper->SetInputData(scene.Grid);
-  this->Mapper->SetScalarMode(VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
-  this->Mapper->SelectScalarArray(scene.Array.c_str());
-  vtkNew<vtkCallbackCommand> onError;
-  onError->SetCallback(rememberError);
-  onError->SetClientData(&this->Error);
-  this->Mapper->AddObserver(vtkCommand::ErrorEvent, onError);
-
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetPosition(ViewDirection);
   camera->SetViewUp(0.0, 0.0, 1.0);
-  this->Renderer->ResetCamera(scene.Grid->GetBounds());
+  this->Renderer->ResetCamera(this->Shown.Grid->GetBounds());
+  camera->GetPosition(this->FirstPosition.data());
   this->Window->AddRenderer(this->Renderer);
   this->Window->Render();
   this->Window->WaitForCompletion();
   readPixels(this->Window, this->Background);
-
-  vtkNew<vtkVolume> volume;
-  volume->SetMapper(this->Mapper);
-  volume->SetProperty(scene.Property);
-  this->Renderer->AddVolume(volume);
 }
 
 nlohmann::json Drawing::drawFrame()
 {
+  this->setView(this->Frames++);
   const double begin = vtkTimerLog::GetUniversalTime();
+  const double owed = this->ensureVolume();
   this->Window->Render();
   this->Window->WaitForCompletion();
-  const double seconds = vtkTimerLog::GetUniversalTime() - begin;
-  if (!this->Error.empty())
-  {
-    throw Failure(this->Error);
-  }
+  const double seconds = vtkTimerLog::GetUniversalTime() - begin + owed;
+  this->failOnError();
   const double covered = this->coveredShare();
   if (!(covered > 0.0))
   {
     throw Failure("the picture is empty");
   }
-  this->Renderer->GetActiveCamera()->Azimuth(DegreesPerFrame);
-  this->Renderer->ResetCameraClippingRange();
   return { { "seconds", seconds }, { "covered", covered } };
+}
+
+double Drawing::ensureVolume()
+{
+  if (this->Volume)
+  {
+    return 0.0;
+  }
+  const PreparedVolume prepared = makeVolume(this->MapperName, this->Shown);
+  this->Volume = prepared.Volume;
+  vtkNew<vtkCallbackCommand> onError;
+  onError->SetCallback(rememberError);
+  onError->SetClientData(&this->Error);
+  this->Volume->GetMapper()->AddObserver(vtkCommand::ErrorEvent, onError);
+  this->Renderer->AddVolume(this->Volume);
+  return prepared.OwedSeconds;
+}
+
+void Drawing::setView(int frame)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetPosition(this->FirstPosition.data());
+  camera->Azimuth(DegreesPerFrame * frame);
+  this->Renderer->ResetCameraClippingRange(this->Shown.Grid->GetBounds());
+}
+
+void Drawing::failOnError() const
+{
+  if (!this->Error.empty())
+  {
+    throw Failure(this->Error);
+  }
 }
 
 /// The share of the pixels that differ from the background.
@@ -108,10 +132,19 @@ double Drawing::coveredShare()
   return static_cast<double>(covered) / static_cast<double>(count);
 }
 
+vtkTetMarchVolumeMapper* Drawing::ours() const
+{
+  return this->Volume ? vtkTetMarchVolumeMapper::SafeDownCast(this->Volume->GetMapper()) : nullptr;
+}
+
 nlohmann::json Drawing::mapperFigures() const
 {
-  nlohmann::json figures = { { "class", this->Mapper->GetClassName() } };
-  if (auto* ours = vtkTetMarchVolumeMapper::SafeDownCast(this->Mapper))
+  nlohmann::json figures;
+  if (this->Volume)
+  {
+    figures["class"] = this->Volume->GetMapper()->GetClassName();
+  }
+  if (vtkTetMarchVolumeMapper* ours = this->ours())
   {
     figures["stages"] = { { "mesh", ours->GetMeshSeconds() },
       { "scalars", ours->GetScalarsSeconds() }, { "tables", ours->GetTablesSeconds() },
@@ -120,6 +153,54 @@ nlohmann::json Drawing::mapperFigures() const
     figures["uploaded_bytes"] = ours->GetUploadedBytes();
   }
   return figures;
+}
+
+nlohmann::json Drawing::compareFirstView(const std::string& file)
+{
+  this->setView(0);
+  this->ensureVolume();
+  const bool projected = vtkProjectedTetrahedraMapper::SafeDownCast(this->Volume->GetMapper());
+  const FloatPictures pictures = projected ? drawInBytes(this->Window, this->Renderer)
+                                           : drawInFloat(this->Window, this->Renderer);
+  this->failOnError();
+  nlohmann::json errors = errorsOf(pictures, readReference(file, pictures.OnBlack));
+  if (vtkTetMarchVolumeMapper* ours = this->ours())
+  {
+    ours->CollectDiagnosticsOn();
+    this->Window->Render();
+    ours->CollectDiagnosticsOff();
+    this->failOnError();
+    const auto cells = static_cast<double>(ours->GetNumberOfCrossedCells());
+    errors["lookups_per_cell"] = static_cast<double>(ours->GetNumberOfEvaluations()) / cells;
+    errors["cells_per_ray"] = cells / static_cast<double>(ours->GetNumberOfRays());
+    vtkTetMarchFrameStatistics* statistics = ours->GetLastFrameStatistics();
+    errors["bound_max"] = statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND);
+  }
+  return errors;
+}
+
+nlohmann::json Drawing::writeReference(const std::string& file)
+{
+  const double begin = vtkTimerLog::GetUniversalTime();
+  this->setView(0);
+  if (this->Shown.Exact)
+  {
+    writePicture(file, exactPicture(*this->Shown.Exact, this->Shown.Property, this->Renderer));
+  }
+  else
+  {
+    this->ensureVolume();
+    this->Window->Render();
+    this->failOnError();
+    vtkNew<vtkFloatArray> pixels;
+    if (!this->ours() || !this->ours()->RenderReference(this->Volume, pixels))
+    {
+      throw Failure("there is no reference: " + this->Error);
+    }
+    const int* size = this->Window->GetSize();
+    writePicture(file, testing::Image::fromFloats(size[0], size[1], pixels->GetPointer(0)));
+  }
+  return { { "seconds", vtkTimerLog::GetUniversalTime() - begin } };
 }
 
 nlohmann::json Drawing::environment() const

@@ -13,12 +13,14 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGridVolumeMapper.h"
+#include "vtkVolume.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <string>
+
+class vtkTetMarchVolumeMapper;
 
 namespace tetmarch::bench
 {
@@ -27,21 +29,36 @@ class Drawing
 public:
   /// The context exists and the empty background is drawn, so that the first frame costs what the
   /// mapper costs. Throws Failure if no GL can be had.
-  Drawing(const Scene& scene, const std::string& mapper, const std::array<int, 2>& size);
+  Drawing(Scene scene, std::string mapper, const std::array<int, 2>& size);
 
-  /// Throws Failure if the mapper reported an error or the picture is empty.
+  /// The next view. Throws Failure if the mapper reported an error or the picture is empty.
   nlohmann::json drawFrame();
 
+  /// Of the frames so far, but for their time.
   nlohmann::json mapperFigures() const;
   nlohmann::json environment() const;
 
-private:
-  double coveredShare();
+  /// What the first view shows, in float, against the picture in a file: see Errors.h.
+  nlohmann::json compareFirstView(const std::string& file);
+  /// Write that file.
+  nlohmann::json writeReference(const std::string& file);
 
+private:
+  /// Returns seconds to be added to what it took.
+  double ensureVolume();
+  void setView(int frame);
+  void failOnError() const;
+  double coveredShare();
+  vtkTetMarchVolumeMapper* ours() const;
+
+  Scene Shown;
+  std::string MapperName;
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkUnstructuredGridVolumeMapper> Mapper;
+  vtkSmartPointer<vtkVolume> Volume; // nullptr before the first frame
   vtkNew<vtkUnsignedCharArray> Background;
+  std::array<double, 3> FirstPosition; // of the camera
+  int Frames = 0;
   std::string Error; // what the mapper reported last
 };
 } // namespace tetmarch::bench

@@ -2,53 +2,151 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mappers.h"
 
+#include "Numbers.h"
+#include "ResampledVolume.h"
+
 #include "vtkNew.h"
 #include "vtkProjectedTetrahedraMapper.h"
 #include "vtkTetMarchVolumeMapper.h"
+#include "vtkUnstructuredGridHomogeneousRayIntegrator.h"
+#include "vtkUnstructuredGridLinearRayIntegrator.h"
+#include "vtkUnstructuredGridPartialPreIntegration.h"
+#include "vtkUnstructuredGridPreIntegration.h"
 #include "vtkUnstructuredGridVolumeRayCastMapper.h"
+#include "vtkUnstructuredGridVolumeZSweepMapper.h"
 
+#include <functional>
 #include <map>
+#include <optional>
 
 namespace tetmarch::bench
 {
 namespace
 {
-using MapperPointer = vtkSmartPointer<vtkUnstructuredGridVolumeMapper>;
+using Maker = std::function<PreparedVolume(const Scene&)>;
 
-/// Its default is to lower the resolution of the picture until a frame is quick enough.
-MapperPointer makeBunyk()
+PreparedVolume volumeOf(vtkUnstructuredGridVolumeMapper* mapper, const Scene& scene)
 {
-  auto mapper = vtkSmartPointer<vtkUnstructuredGridVolumeRayCastMapper>::New();
+  mapper->SetInputData(scene.Grid);
+  mapper->SetScalarMode(VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  mapper->SelectScalarArray(scene.Array.c_str());
+  auto volume = vtkSmartPointer<vtkVolume>::New();
+  volume->SetMapper(mapper);
+  volume->SetProperty(scene.Property);
+  return { volume, 0.0 };
+}
+
+PreparedVolume makeProjected(const Scene& scene)
+{
+  const auto mapper = vtk::TakeSmartPointer(vtkProjectedTetrahedraMapper::New());
+  return volumeOf(mapper, scene);
+}
+
+/// Their default is to lower the resolution of the picture until a frame is quick enough.
+template <typename RayCaster>
+vtkSmartPointer<RayCaster> atFullResolution()
+{
+  auto mapper = vtkSmartPointer<RayCaster>::New();
   mapper->AutoAdjustSampleDistancesOff();
   mapper->SetImageSampleDistance(1.0);
   return mapper;
 }
 
-template <int Level>
-MapperPointer makeOurs()
+PreparedVolume makeBunyk(const Scene& scene)
 {
-  auto mapper = vtk::TakeSmartPointer(vtkTetMarchVolumeMapper::New());
-  mapper->SetAccuracyLevel(Level);
-  return mapper;
+  return volumeOf(atFullResolution<vtkUnstructuredGridVolumeRayCastMapper>(), scene);
 }
 
-const std::map<std::string, MapperPointer (*)()>& makersByName()
+template <typename Integrator>
+PreparedVolume makeBunykWith(const Scene& scene)
 {
-  static const std::map<std::string, MapperPointer (*)()> makers = {
-    { "tetmarch", makeOurs<vtkTetMarchVolumeMapper::DEFAULT> },
-    { "tetmarch-fast", makeOurs<vtkTetMarchVolumeMapper::FAST> },
-    { "tetmarch-accurate", makeOurs<vtkTetMarchVolumeMapper::ACCURATE> },
-    { "tetmarch-reference", makeOurs<vtkTetMarchVolumeMapper::REFERENCE> },
-    { "projected",
-      []() -> MapperPointer
-      { return vtk::TakeSmartPointer(vtkProjectedTetrahedraMapper::New()); } },
-    { "bunyk", makeBunyk },
+  const auto mapper = atFullResolution<vtkUnstructuredGridVolumeRayCastMapper>();
+  vtkNew<Integrator> integrator;
+  mapper->SetRayIntegrator(integrator);
+  return volumeOf(mapper, scene);
+}
+
+PreparedVolume makeZSweep(const Scene& scene)
+{
+  return volumeOf(atFullResolution<vtkUnstructuredGridVolumeZSweepMapper>(), scene);
+}
+
+Maker ours(int level)
+{
+  return [level](const Scene& scene)
+  {
+    const auto mapper = vtk::TakeSmartPointer(vtkTetMarchVolumeMapper::New());
+    mapper->SetAccuracyLevel(level);
+    return volumeOf(mapper, scene);
   };
-  return makers;
+}
+
+Maker oursWithTolerance(int denominator)
+{
+  return [denominator](const Scene& scene)
+  {
+    const auto mapper = vtk::TakeSmartPointer(vtkTetMarchVolumeMapper::New());
+    mapper->SetErrorTolerance(1.0 / denominator);
+    return volumeOf(mapper, scene);
+  };
+}
+
+/// The number behind a prefix, if it is one above 0.
+std::optional<int> numberBehind(const std::string& prefix, const std::string& name)
+{
+  if (name.compare(0, prefix.size(), prefix) != 0)
+  {
+    return std::nullopt;
+  }
+  const auto number = ParseInteger(name.substr(prefix.size()));
+  return number && *number > 0 ? number : std::nullopt;
+}
+
+/// "resample:SIZE/SAMPLES".
+Maker resampled(const std::string& name)
+{
+  const auto slash = name.find('/');
+  const auto size = numberBehind("resample:", name.substr(0, slash));
+  const auto samples =
+    slash == std::string::npos ? std::optional<int>() : numberBehind("/", name.substr(slash));
+  if (!size || *size < 2 || !samples)
+  {
+    return {};
+  }
+  return [size = *size, samples = *samples](const Scene& scene)
+  { return makeResampledVolume(scene, size, 1.0 / samples); };
+}
+
+/// Empty if there is no such mapper.
+Maker makerOf(const std::string& name)
+{
+  static const std::map<std::string, Maker> makers = {
+    { "tetmarch", ours(vtkTetMarchVolumeMapper::DEFAULT) },
+    { "tetmarch-fast", ours(vtkTetMarchVolumeMapper::FAST) },
+    { "tetmarch-accurate", ours(vtkTetMarchVolumeMapper::ACCURATE) },
+    { "tetmarch-reference", ours(vtkTetMarchVolumeMapper::REFERENCE) },
+    { "projected", makeProjected },
+    { "bunyk", makeBunyk },
+    { "bunyk-homogeneous", makeBunykWith<vtkUnstructuredGridHomogeneousRayIntegrator> },
+    { "bunyk-preintegration", makeBunykWith<vtkUnstructuredGridPreIntegration> },
+    { "bunyk-partial", makeBunykWith<vtkUnstructuredGridPartialPreIntegration> },
+    { "bunyk-linear", makeBunykWith<vtkUnstructuredGridLinearRayIntegrator> },
+    { "zsweep", makeZSweep },
+  };
+  const auto found = makers.find(name);
+  if (found != makers.end())
+  {
+    return found->second;
+  }
+  const auto denominator = numberBehind("tetmarch:1/", name);
+  return denominator ? oursWithTolerance(*denominator) : resampled(name);
 }
 } // namespace
 
-bool isMapper(const std::string& name) { return makersByName().count(name) > 0; }
+bool isMapper(const std::string& name) { return static_cast<bool>(makerOf(name)); }
 
-MapperPointer makeMapper(const std::string& name) { return makersByName().at(name)(); }
+PreparedVolume makeVolume(const std::string& name, const Scene& scene)
+{
+  return makerOf(name)(scene);
+}
 } // namespace tetmarch::bench

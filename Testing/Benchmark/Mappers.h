@@ -7,16 +7,29 @@
 #ifndef tetmarch_bench_Mappers_h
 #define tetmarch_bench_Mappers_h
 
+#include "Scene.h"
+
 #include "vtkSmartPointer.h"
-#include "vtkUnstructuredGridVolumeMapper.h"
+#include "vtkVolume.h"
 
 #include <string>
+#include <vector>
 
 namespace tetmarch::bench
 {
 bool isMapper(const std::string& name);
 
-vtkSmartPointer<vtkUnstructuredGridVolumeMapper> makeMapper(const std::string& name);
+struct PreparedVolume
+{
+  vtkSmartPointer<vtkVolume> Volume;
+  /// What making it would have taken, had another process not done a part of it before, less what
+  /// that part took here.
+  double OwedSeconds = 0.0;
+};
+
+/// The scene by that mapper. What has to be done to the grid before is done here, or found in the
+/// scene's CacheFolder.
+PreparedVolume makeVolume(const std::string& name, const Scene& scene);
 } // namespace tetmarch::bench
 
 #endif

@@ -57,22 +57,45 @@ std::string row(const std::vector<std::string>& cells)
   return line + "\n";
 }
 
-std::string mapperRow(const Json& dataset, const Json& mapper)
+/// Megabytes beyond those of the dataset.
+std::string addedMemory(const Json& mapper)
 {
-  const bool hasPeak = mapper.contains("peak_resident_bytes");
-  const double added = hasPeak ? mapper["peak_resident_bytes"].get<double>() -
-                                   mapper["dataset_resident_bytes"].get<double>()
-                               : 0.0;
+  return mapper.contains("peak_resident_bytes")
+           ? format("%.0f", (mapper["peak_resident_bytes"].get<double>() -
+                              mapper["dataset_resident_bytes"].get<double>()) /
+                              Million)
+           : Nothing;
+}
+
+std::string remark(const Json& mapper)
+{
+  return mapper["failure"].is_null() ? Nothing : mapper["failure"].get<std::string>();
+}
+
+std::string firstFrame(const Json& mapper)
+{
   const Json& first = mapper["first_frame"];
+  return first.is_null() ? Nothing : seconds(first["median_seconds"]);
+}
+
+std::string speedRow(const Json& dataset, const Json& mapper)
+{
   return row({ dataset["name"],
     dataset["tetrahedra"].is_null() ? Nothing : dataset["tetrahedra"].dump(), mapper["name"],
-    frames(mapper), cell(mapper, "frame_ratio_to_tetmarch", "%.2f"),
-    first.is_null() ? Nothing : seconds(first["median_seconds"]),
+    frames(mapper), cell(mapper, "frame_ratio_to_tetmarch", "%.2f"), firstFrame(mapper),
     mapper.contains("preprocessing_seconds") ? seconds(mapper["preprocessing_seconds"]) : Nothing,
-    cell(mapper, "preprocessing_tetrahedra_per_second", "%.2f", Million),
-    hasPeak ? format("%.0f", added / Million) : Nothing, cell(mapper, "gpu_bytes", "%.1f", Million),
-    cell(mapper, "uploaded_bytes_per_tetrahedron", "%.1f"),
-    mapper["failure"].is_null() ? Nothing : mapper["failure"].get<std::string>() });
+    cell(mapper, "preprocessing_tetrahedra_per_second", "%.2f", Million), addedMemory(mapper),
+    cell(mapper, "gpu_bytes", "%.1f", Million),
+    cell(mapper, "uploaded_bytes_per_tetrahedron", "%.1f"), remark(mapper) });
+}
+
+std::string accuracyRow(const Json& dataset, const Json& mapper)
+{
+  const Json errors = mapper.value("errors", Json::object());
+  return row(
+    { dataset["name"], dataset["functions"], mapper["name"], frames(mapper), firstFrame(mapper),
+      cell(errors, "rms", "%.1e"), cell(errors, "p999", "%.1e"), cell(errors, "max", "%.1e"),
+      addedMemory(mapper), cell(errors, "lookups_per_cell", "%.2f"), remark(mapper) });
 }
 
 std::string heading(const Json& report)
@@ -98,16 +121,20 @@ std::string heading(const Json& report)
 
 std::string makeMarkdown(const Json& report)
 {
-  std::string text = heading(report) + "\n" +
-                     row({ "dataset", "tets", "mapper", "frame, s (range)", "times ours",
-                       "first frame, s", "preprocessing, s", "M tets/s", "memory added, MB",
-                       "GPU, MB", "uploaded bytes/tet", "remark" }) +
-                     "|---|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---|\n";
+  const bool speed = report["kind"] == "speed";
+  std::string text = heading(report) + "\n";
+  text += speed ? row({ "dataset", "tets", "mapper", "frame, s (range)", "times ours",
+                    "first frame, s", "preprocessing, s", "M tets/s", "memory added, MB", "GPU, MB",
+                    "uploaded bytes/tet", "remark" }) +
+                    "|---|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---|\n"
+                : row({ "dataset", "functions", "mapper", "frame, s (range)", "first frame, s",
+                    "RMS error", "99.9 %", "max", "memory added, MB", "lookups/cell", "remark" }) +
+                    "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---|\n";
   for (const Json& dataset : report["datasets"])
   {
     for (const Json& mapper : dataset["mappers"])
     {
-      text += mapperRow(dataset, mapper);
+      text += speed ? speedRow(dataset, mapper) : accuracyRow(dataset, mapper);
     }
   }
   return text;

@@ -15,6 +15,8 @@ namespace
 {
 // Getting ready and the first frame hold all the preprocessing.
 constexpr double FirstLimitFactor = 5.0;
+// The reference is made by the CPU, with no regard to time.
+constexpr double ReferenceLimitSeconds = 1800.0;
 
 nlohmann::json receive(ChildProcess& child, double limitSeconds)
 {
@@ -37,6 +39,7 @@ struct Contestant
 {
   MapperRecord& Record;
   std::unique_ptr<ChildProcess> Process;
+  double Seconds = 0.0; // of its frames but the first
 
   void attempt(const std::string& what, const std::function<void(ChildProcess&)>& step)
   {
@@ -53,7 +56,7 @@ struct Contestant
       this->Process.reset();
       this->Record.Failure = what + ": " + error.what();
       std::fprintf(
-        stderr, "  %-10s %s\n", this->Record.Mapper.c_str(), this->Record.Failure.c_str());
+        stderr, "  %-20s %s\n", this->Record.Mapper.c_str(), this->Record.Failure.c_str());
     }
   }
 };
@@ -61,7 +64,7 @@ struct Contestant
 void start(Contestant& contestant, const Options& options, DatasetRecord& record)
 {
   contestant.Process = std::make_unique<ChildProcess>(
-    workerArguments(options, { record.Dataset, contestant.Record.Mapper }));
+    workerArguments(options, { record.Shown, contestant.Record.Mapper }));
   contestant.attempt("preparation", [&](ChildProcess& child)
     { record.Ready = receive(child, FirstLimitFactor * options.LimitSeconds); });
 }
@@ -76,18 +79,50 @@ void drawFrame(Contestant& contestant, const Options& options, int frame)
       const double seconds = answer.at("seconds");
       MapperRecord& record = contestant.Record;
       (frame == 0 ? record.FirstFrames : record.Frames).push_back(seconds);
+      contestant.Seconds += frame == 0 ? 0.0 : seconds;
       record.Covered.push_back(answer.at("covered"));
-      std::fprintf(stderr, "  %-10s frame %d: %.4f s\n", record.Mapper.c_str(), frame, seconds);
+      std::fprintf(stderr, "  %-20s frame %d: %.4f s\n", record.Mapper.c_str(), frame, seconds);
     });
 }
 
-void finish(Contestant& contestant, const Options& options)
+void askForFigures(Contestant& contestant, const Options& options)
 {
   contestant.attempt("figures", [&](ChildProcess& child)
-    { contestant.Record.Figures = ask(child, "finish", options.LimitSeconds); });
+    { contestant.Record.Figures = ask(child, "figures", options.LimitSeconds); });
 }
 
-void runRound(const Options& options, DatasetRecord& record)
+void askForErrors(Contestant& contestant, const Options& options, const std::string& file)
+{
+  contestant.attempt("errors",
+    [&](ChildProcess& child)
+    {
+      contestant.Record.Errors =
+        ask(child, "errors " + file, FirstLimitFactor * options.LimitSeconds);
+      std::fprintf(stderr, "  %-20s errors: %s\n", contestant.Record.Mapper.c_str(),
+        contestant.Record.Errors.dump().c_str());
+    });
+}
+
+/// By a process of its own, which may be large.
+void makeReference(const Options& options, DatasetRecord& record, const std::string& file)
+{
+  try
+  {
+    ChildProcess child(workerArguments(options, { record.Shown, "tetmarch" }));
+    receive(child, FirstLimitFactor * options.LimitSeconds);
+    record.ReferenceSeconds =
+      ask(child, "reference " + file, ReferenceLimitSeconds).at("seconds").get<double>();
+    std::fprintf(stderr, "  reference: %.1f s\n", record.ReferenceSeconds);
+  }
+  catch (const std::exception& error)
+  {
+    record.ReferenceFailure = error.what();
+    std::fprintf(stderr, "  reference: %s\n", error.what());
+  }
+}
+
+/// `reference`: the file of the true picture if errors are to be measured; else empty.
+void runRound(const Options& options, DatasetRecord& record, const std::string& reference)
 {
   std::vector<Contestant> contestants;
   for (MapperRecord& mapper : record.Mappers)
@@ -95,7 +130,7 @@ void runRound(const Options& options, DatasetRecord& record)
     // What took too long or crashed once isn't waited for again.
     if (mapper.Failure.empty())
     {
-      contestants.push_back({ mapper, nullptr });
+      contestants.push_back({ mapper, nullptr, 0.0 });
       start(contestants.back(), options, record);
     }
   }
@@ -103,29 +138,43 @@ void runRound(const Options& options, DatasetRecord& record)
   {
     for (Contestant& contestant : contestants)
     {
-      drawFrame(contestant, options, frame);
+      if (frame <= 1 || contestant.Seconds < options.EnoughSeconds)
+      {
+        drawFrame(contestant, options, frame);
+      }
     }
   }
   for (Contestant& contestant : contestants)
   {
-    finish(contestant, options);
+    askForFigures(contestant, options);
+    if (!reference.empty())
+    {
+      askForErrors(contestant, options, reference);
+    }
   }
 }
 } // namespace
 
-DatasetRecord measureDataset(const Options& options, const std::string& dataset)
+DatasetRecord measureDataset(const Options& options, const Subject& subject)
 {
   DatasetRecord record;
-  record.Dataset = dataset;
+  record.Shown = subject;
   for (const std::string& mapper : options.Mappers)
   {
     record.Mappers.push_back({});
     record.Mappers.back().Mapper = mapper;
   }
+  std::fprintf(stderr, "%s, %s\n", subject.Dataset.c_str(), subject.Functions.c_str());
+  const std::string reference = options.CacheFolder + "/reference";
+  if (options.Errors)
+  {
+    makeReference(options, record, reference);
+  }
   for (int round = 1; round <= options.Rounds; ++round)
   {
-    std::fprintf(stderr, "%s, round %d of %d\n", dataset.c_str(), round, options.Rounds);
-    runRound(options, record);
+    std::fprintf(stderr, " round %d of %d\n", round, options.Rounds);
+    const bool compares = options.Errors && round == 1 && record.ReferenceFailure.empty();
+    runRound(options, record, compares ? reference : "");
   }
   return record;
 }

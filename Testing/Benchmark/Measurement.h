@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Every mapper on one dataset, one frame each in turn
+ * @brief Every mapper on one dataset, one frame each in turn, and what it is off by
  */
 #ifndef tetmarch_bench_Measurement_h
 #define tetmarch_bench_Measurement_h
@@ -24,18 +24,21 @@ struct MapperRecord
   std::vector<double> Frames;      // the others
   std::vector<double> Covered;     // share of the window, every frame
   nlohmann::json Figures;          // at the end of the last round that had one
+  nlohmann::json Errors;           // of the first view, if they were asked for
   std::string Failure;             // why it was left out from some frame on; empty: it wasn't
 };
 
 struct DatasetRecord
 {
-  std::string Dataset;
+  Subject Shown;
   nlohmann::json Ready; // what the last process said before its first frame
+  double ReferenceSeconds = 0.0;
+  std::string ReferenceFailure; // why there are no errors
   std::vector<MapperRecord> Mappers;
 };
 
 /// Tells on standard error how it goes.
-DatasetRecord measureDataset(const Options& options, const std::string& dataset);
+DatasetRecord measureDataset(const Options& options, const Subject& subject);
 } // namespace tetmarch::bench
 
 #endif

@@ -75,11 +75,11 @@ double parseSeconds(const std::string& text)
 Pair parsePair(const std::string& text)
 {
   const std::vector<std::string> names = split(text);
-  if (names.size() != 2 || !isDataset(names[0]) || !isMapper(names[1]))
+  if (names.size() != 3 || !isDataset(names[0]) || !isFunctions(names[1]) || !isMapper(names[2]))
   {
-    throw UsageError("expected DATASET,MAPPER");
+    throw UsageError("expected DATASET,FUNCTIONS,MAPPER");
   }
-  return { names[0], names[1] };
+  return { { names[0], names[1] }, names[2] };
 }
 
 const std::map<std::string, Setter>& settersByName()
@@ -91,13 +91,60 @@ const std::map<std::string, Setter>& settersByName()
     { "--limit", [](Options& o, const std::string& v) { o.LimitSeconds = parseSeconds(v); } },
     { "--datasets",
       [](Options& o, const std::string& v) { o.Datasets = parseNames(v, isDataset); } },
+    { "--functions",
+      [](Options& o, const std::string& v) { o.Functions = parseNames(v, isFunctions); } },
     { "--mappers", [](Options& o, const std::string& v) { o.Mappers = parseNames(v, isMapper); } },
-    { "--data", [](Options& o, const std::string& v) { o.DataFolder = v; } },
+    { "--data", [](Options& o, const std::string& v) { o.Folders.Own = v; } },
+    { "--more-data", [](Options& o, const std::string& v) { o.Folders.Others = v; } },
+    { "--cache", [](Options& o, const std::string& v) { o.CacheFolder = v; } },
+    { "--enough", [](Options& o, const std::string& v) { o.EnoughSeconds = parseSeconds(v); } },
     { "--output", [](Options& o, const std::string& v) { o.JsonFile = v; } },
     { "--markdown", [](Options& o, const std::string& v) { o.MarkdownFile = v; } },
     { "--worker", [](Options& o, const std::string& v) { o.Worker = parsePair(v); } },
   };
   return setters;
+}
+
+using Preset = void (*)(Options& options);
+
+/// What accuracy costs: everything that can be set, over time, against the picture in double
+/// precision.
+void makeAccuracy(Options& options)
+{
+  options.Kind = "accuracy";
+  options.Rounds = 1;
+  options.Frames = 4;
+  options.EnoughSeconds = 10.0;
+  options.Errors = true;
+  options.Datasets = { "golfball", "front1.3m", "bluntfin", "oxygen", "golfball-medium" };
+  options.Functions = commonFunctions();
+  options.Mappers = { "tetmarch-fast", "tetmarch:1/32", "tetmarch", "tetmarch:1/1024",
+    "tetmarch-accurate", "tetmarch-reference", "projected", "bunyk-homogeneous",
+    "bunyk-preintegration", "bunyk-partial", "bunyk-linear", "zsweep", "resample:64/1",
+    "resample:64/4", "resample:128/1", "resample:128/2", "resample:128/4", "resample:256/1",
+    "resample:256/2", "resample:512/1" };
+}
+
+/// Whether pictures approach that of the field that a mesh was made from, and how fast, as the mesh
+/// is refined.
+void makeRefinement(Options& options)
+{
+  options.Kind = "refinement";
+  options.Size = { { 256, 256 } };
+  options.Rounds = 1;
+  options.Frames = 2;
+  options.Errors = true;
+  options.Datasets = { "refined:4", "refined:8", "refined:16", "refined:32", "refined:64" };
+  options.Functions = { "smooth" };
+  options.Mappers = { "tetmarch-reference", "tetmarch", "tetmarch-fast", "projected",
+    "bunyk-homogeneous", "bunyk-preintegration", "bunyk-partial", "bunyk-linear", "zsweep" };
+}
+
+const std::map<std::string, Preset>& presetsByName()
+{
+  static const std::map<std::string, Preset> presets = { { "accuracy", makeAccuracy },
+    { "refinement", makeRefinement } };
+  return presets;
 }
 
 void makeQuick(Options& options)
@@ -113,10 +160,16 @@ void makeQuick(Options& options)
 Options parseOptions(const std::vector<std::string>& arguments)
 {
   Options options;
-  options.DataFolder = TETMARCH_DATA_FOLDER;
+  options.Folders = { TETMARCH_DATA_FOLDER, TETMARCH_MORE_DATA_FOLDER };
   for (std::size_t i = 0; i < arguments.size(); ++i)
   {
     const std::string& name = arguments[i];
+    const auto preset = presetsByName().find(name);
+    if (i == 0 && preset != presetsByName().end())
+    {
+      preset->second(options);
+      continue;
+    }
     if (name == "--help" || name == "-h")
     {
       options.Help = true;
@@ -125,6 +178,11 @@ Options parseOptions(const std::vector<std::string>& arguments)
     if (name == "--quick")
     {
       makeQuick(options);
+      continue;
+    }
+    if (name == "--errors")
+    {
+      options.Errors = true;
       continue;
     }
     const auto setter = settersByName().find(name);
@@ -151,31 +209,53 @@ Options parseOptions(const std::vector<std::string>& arguments)
 
 std::vector<std::string> workerArguments(const Options& options, const Pair& pair)
 {
-  return { "--worker", pair.Dataset + "," + pair.Mapper, "--size",
+  std::vector<std::string> arguments = { "--worker",
+    pair.Shown.Dataset + "," + pair.Shown.Functions + "," + pair.Mapper, "--size",
     std::to_string(options.Size[0]) + "x" + std::to_string(options.Size[1]), "--data",
-    options.DataFolder };
+    options.Folders.Own, "--more-data", options.Folders.Others };
+  if (!options.CacheFolder.empty())
+  {
+    arguments.insert(arguments.end(), { "--cache", options.CacheFolder });
+  }
+  return arguments;
 }
 
 std::string helpText()
 {
-  return R"(Usage: tetmarch-bench [options]
+  return R"(Usage: tetmarch-bench [accuracy|refinement] [options]
 
-Times vtkTetMarchVolumeMapper beside VTK's own mappers for unstructured grids, one frame each in turn,
+Times vtkTetMarchVolumeMapper beside VTK's other ways to draw an unstructured grid, one frame each in turn,
 prints a table in Markdown and, if asked, writes every figure as JSON.
 
-  --datasets A,B,...        of lattice162k, lattice1.3m, lattice6m, golfball, lattice:N (6 N^3 tetrahedra)
-                            (default: the first four)
-  --mappers A,B,...         of tetmarch, tetmarch-fast, tetmarch-accurate, tetmarch-reference, projected,
-                            bunyk (default: tetmarch, projected, bunyk)
+  accuracy                  every level and tolerance, every rival, three transfer functions, and how far each
+                            picture is from that in double precision
+  refinement                the same of one field on finer and finer meshes, against the field itself
+
+  --datasets A,B,...        of lattice162k, lattice1.3m, lattice6m, lattice:N (6 N^3 tetrahedra), golfball,
+                            front1.3m, front:N (a sharp front), refined:N (one smooth wave), and, if --more-data
+                            has them, golfball-medium, bluntfin, oxygen
+                            (default: the first three and golfball)
+  --functions A,B,...       of own (of lattices and golfball), smooth, ramp, spikes (default: own)
+  --mappers A,B,...         of tetmarch, tetmarch:1/N (tolerance), tetmarch-fast, tetmarch-accurate,
+                            tetmarch-reference, projected, bunyk, bunyk-homogeneous, bunyk-preintegration,
+                            bunyk-partial, bunyk-linear, zsweep, resample:N/K (N^3 points, K samples a spacing)
+                            (default: tetmarch, projected, bunyk)
+  --errors                  measure errors, too
   --size WxH                of the window (default: 512x512)
   --rounds N                how often each mapper starts in a new process (default: 2)
   --frames N                frames of a mapper in a round, after the first (default: 5)
   --limit SECONDS           a mapper that takes longer for a frame, or five times as long to get ready or
                             for its first frame, is left out from there on (default: 60)
+  --enough SECONDS          a mapper whose frames of a round have taken so long together draws no more of them,
+                            but one beside the first (default: no end; accuracy: 10)
   --quick                   tiny lattices, a small window and few frames; options after it still count
   --data FOLDER             where golfball_small.vtu lies (default: Data/ of the sources)
+  --more-data FOLDER        where golfball/golfball_medium.vtu and others lie; datasets of 'accuracy' that are
+                            not there are left out (default: ../shared/data beside the sources)
   --output FILE.json
   --markdown FILE.md        the table that is printed
+  --cache FOLDER            where resampled scalars are kept with the time they took (default: a folder that is
+                            deleted at the end)
   --help
 
 Environment: TETMARCH_GL=egl|osmesa as for tetmarch-render; LP_NUM_THREADS for Mesa's llvmpipe.

@@ -7,6 +7,8 @@
 #ifndef tetmarch_bench_Options_h
 #define tetmarch_bench_Options_h
 
+#include "Scene.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -17,26 +19,31 @@ namespace tetmarch::bench
 /// What one worker process measures.
 struct Pair
 {
-  std::string Dataset;
+  Subject Shown;
   std::string Mapper;
 };
 
 struct Options
 {
   bool Help = false;
+  std::string Kind = "speed"; // or "accuracy", "refinement": see presets in Options.cxx
   std::array<int, 2> Size = { { 512, 512 } };
   int Rounds = 2; // each with new processes
   int Frames = 5; // per round and mapper, after the first
   double LimitSeconds = 60.0;
+  double EnoughSeconds = 1e9; // no more frames of a mapper in a round that took so long together
+  bool Errors = false;        // measure them, too
   std::vector<std::string> Datasets = { "lattice162k", "lattice1.3m", "lattice6m", "golfball" };
+  std::vector<std::string> Functions = { OwnFunctions };
   std::vector<std::string> Mappers = { "tetmarch", "projected", "bunyk" };
-  std::string DataFolder;
+  DataFolders Folders;
+  std::string CacheFolder; // of workers, for what several make
   std::string JsonFile;
   std::string MarkdownFile;
   std::optional<Pair> Worker; // set in the processes that the benchmark starts
 };
 
-/// Throws UsageError. Names of datasets and mappers are checked.
+/// Throws UsageError. Names of datasets, functions and mappers are checked.
 Options parseOptions(const std::vector<std::string>& arguments);
 
 std::string helpText();

@@ -52,6 +52,10 @@ Json describeMapper(const MapperRecord& record, double tetrahedra)
   json["frames"] = summarize(record.Frames);
   json["first_frame"] = summarize(record.FirstFrames);
   json["covered_share"] = GetMedian(record.Covered);
+  if (!record.Errors.is_null())
+  {
+    json["errors"] = record.Errors;
+  }
   const nlohmann::json& figures = record.Figures;
   if (figures.is_null())
   {
@@ -95,9 +99,18 @@ Json describeDataset(const DatasetRecord& record)
   const bool known = !record.Ready.is_null();
   const auto tetrahedra = known ? record.Ready["tetrahedra"].get<std::int64_t>() : 0;
   Json json;
-  json["name"] = record.Dataset;
+  json["name"] = record.Shown.Dataset;
+  json["functions"] = record.Shown.Functions;
   json["tetrahedra"] = known ? Json(tetrahedra) : Json(nullptr);
   json["points"] = known ? Json(record.Ready["points"]) : Json(nullptr);
+  if (record.ReferenceSeconds > 0.0)
+  {
+    json["reference_seconds"] = record.ReferenceSeconds;
+  }
+  if (!record.ReferenceFailure.empty())
+  {
+    json["reference_failure"] = record.ReferenceFailure;
+  }
   json["mappers"] = Json::array();
   for (const MapperRecord& mapper : record.Mappers)
   {
@@ -111,6 +124,7 @@ Json describeDataset(const DatasetRecord& record)
 nlohmann::ordered_json makeReport(const Options& options, const std::vector<DatasetRecord>& records)
 {
   Json report;
+  report["kind"] = options.Kind;
   report["date"] = currentDate();
   report["tetmarch_version"] = TETMARCH_VERSION;
   report["cpu"] = cpuModel();

@@ -7,6 +7,8 @@
 #ifndef tetmarch_bench_Scene_h
 #define tetmarch_bench_Scene_h
 
+#include "Datasets.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
@@ -15,17 +17,25 @@
 
 namespace tetmarch::bench
 {
-struct Scene
+/// A dataset with the functions it is seen through.
+struct Subject
 {
-  vtkSmartPointer<vtkUnstructuredGrid> Grid; // tetrahedra
-  std::string Array;                         // of the points
-  vtkSmartPointer<vtkVolumeProperty> Property;
+  std::string Dataset;
+  std::string Functions;
 };
 
-bool isDataset(const std::string& name);
+struct Scene
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Grid; // tetrahedra, with no array but that
+  std::string Array;                         // of the points
+  vtkSmartPointer<vtkVolumeProperty> Property;
+  std::optional<ExactField> Exact;
+  std::string Name;        // of the dataset
+  std::string CacheFolder; // for what is made of the grid alone; empty: none
+};
 
-/// Throws Failure if the golf ball's files can't be read.
-Scene makeScene(const std::string& dataset, const std::string& dataFolder);
+/// Throws Failure if a file can't be read, or if the dataset has no functions of its own.
+Scene makeScene(const Subject& subject, const DataFolders& folders);
 } // namespace tetmarch::bench
 
 #endif

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <stdexcept>
 
@@ -49,9 +50,21 @@ private:
   int Descriptor;
 };
 
+nlohmann::json answerTo(const std::string& command, Drawing& drawing)
+{
+  const std::string word = command.substr(0, command.find(' '));
+  const std::string rest = command.substr(std::min(word.size() + 1, command.size()));
+  if (word == "reference")
+  {
+    return drawing.writeReference(rest);
+  }
+  return word == "errors" ? drawing.compareFirstView(rest) : drawing.drawFrame();
+}
+
 void serve(const Options& options, const AnswerLine& answers)
 {
-  const Scene scene = makeScene(options.Worker->Dataset, options.DataFolder);
+  Scene scene = makeScene(options.Worker->Shown, options.Folders);
+  scene.CacheFolder = options.CacheFolder;
   forgetPeak();
   const std::int64_t before = residentBytes();
   Drawing drawing(scene, options.Worker->Mapper, options.Size);
@@ -60,15 +73,17 @@ void serve(const Options& options, const AnswerLine& answers)
 
   for (std::string command; std::getline(std::cin, command);)
   {
-    if (command == "finish")
+    if (command == "figures")
     {
       nlohmann::json figures = drawing.mapperFigures();
       figures["peak_resident_bytes"] = peakResidentBytes();
       figures["dataset_resident_bytes"] = before;
       answers.send(figures);
-      return;
     }
-    answers.send(drawing.drawFrame());
+    else
+    {
+      answers.send(answerTo(command, drawing));
+    }
   }
 }
 } // namespace

@@ -4,9 +4,10 @@
  * @file
  * @brief The process that draws one dataset by one mapper, a frame whenever it is told to
  *
- * Commands come line by line on standard input: "frame" and "finish". Every answer is one line of
- * JSON on what was standard output; the first, without a command, when the scene is ready. An
- * answer {"error": text} is the last.
+ * Commands come line by line on standard input until it ends: "frame", "figures", "reference FILE"
+ * (write the true picture of the first view), "errors FILE" (compare with it). Every answer is one
+ * line of JSON on what was standard output; the first, without a command, when the scene is ready.
+ * An answer {"error": text} is the last.
  */
 #ifndef tetmarch_bench_Worker_h
 #define tetmarch_bench_Worker_h

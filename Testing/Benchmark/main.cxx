@@ -7,18 +7,69 @@
 #include "Worker.h"
 
 #include <cstdio>
+#include <filesystem>
+
+#include <unistd.h>
 
 namespace
 {
 using namespace tetmarch;
 using namespace tetmarch::bench;
 
-void run(const Options& options)
+std::vector<Subject> subjectsOf(const Options& options)
 {
-  std::vector<DatasetRecord> records;
+  std::vector<Subject> subjects;
   for (const std::string& dataset : options.Datasets)
   {
-    records.push_back(measureDataset(options, dataset));
+    if (options.Kind == "accuracy" && !isPresent(dataset, options.Folders))
+    {
+      std::fprintf(stderr, "%s is left out: it is not in %s\n", dataset.c_str(),
+        options.Folders.Others.c_str());
+      continue;
+    }
+    for (const std::string& functions : options.Functions)
+    {
+      subjects.push_back({ dataset, functions });
+    }
+  }
+  return subjects;
+}
+
+/// Gone, with all in it, when this is.
+class TemporaryFolder
+{
+public:
+  TemporaryFolder()
+    : Path(std::filesystem::temp_directory_path() / ("tetmarch-bench-" + std::to_string(getpid())))
+  {
+    std::filesystem::create_directories(this->Path);
+  }
+  ~TemporaryFolder()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(this->Path, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string path() const { return this->Path.string(); }
+
+private:
+  std::filesystem::path Path;
+};
+
+void run(Options options)
+{
+  const TemporaryFolder temporary;
+  if (options.CacheFolder.empty())
+  {
+    options.CacheFolder = temporary.path();
+  }
+  std::filesystem::create_directories(options.CacheFolder);
+  std::vector<DatasetRecord> records;
+  for (const Subject& subject : subjectsOf(options))
+  {
+    records.push_back(measureDataset(options, subject));
     // Written after each dataset, so that a run which is cut short leaves what it has.
     const auto report = makeReport(options, records);
     if (!options.JsonFile.empty())
