@@ -1,0 +1,127 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes Accuracy.md out of AccuracyPage.md, with tables and charts of what tetmarch-bench has measured.
+
+    make_accuracy_page.py ACCURACY.json REFINEMENT.json FOLDER
+
+Beside ACCURACY.json its table in Markdown, ACCURACY.md, is looked for. Accuracy.md and Charts/ go into FOLDER.
+"""
+import argparse
+import json
+import pathlib
+
+import accuracy_charts as charts
+
+TEMPLATE = pathlib.Path(__file__).resolve().parent / "AccuracyPage.md"
+# Shown in the README: one subject of each kind of functions, from a small mesh to a large one.
+OVERVIEW = {("golfball", "smooth"), ("front1.3m", "spikes"), ("golfball-medium", "ramp")}
+
+
+def row(cells):
+    return "| " + " | ".join(cells) + " |\n"
+
+
+def against_rivals(subject):
+    """A row of the table: our levels beside the rivals that do best; nothing if either is lacking."""
+    points = charts.measured(subject)
+    ours = [(s, e["rms"]) for name, s, e in points if charts.is_ours(name)]
+    rivals = [(s, e["rms"], name) for name, s, e in points if not charts.is_ours(name)]
+    if not ours or not rivals:
+        return None
+    # For each rival the cheapest of our levels that is as accurate, and the most accurate that is as fast.
+    faster = []
+    better = []
+    for seconds, rms, name in rivals:
+        faster.append((max((seconds / s for s, e in ours if e <= rms), default=0.0), name))
+        better.append((max((rms / e for s, e in ours if s <= seconds), default=0.0), name))
+    front = charts.front([(s, e) for s, e in ours] + [(s, e) for s, e, _ in rivals])
+    alien = [name for s, e, name in rivals if (s, e) in front]
+    least, rival = min(faster)
+    accurate, other = min(better)
+    return row(
+        [
+            subject["name"], subject["functions"], f"{subject['tetrahedra']:,}",
+            f"{least:.1f} ({rival})", f"{accurate:.0f} ({other})", ", ".join(alien) or "none",
+        ]
+    )
+
+
+def rivals_table(report):
+    text = row(["dataset", "functions", "tets", "times as fast, at least", "times as accurate, at least",
+                "rivals on the front"]) + "|---|---|---:|---:|---:|---|\n"
+    rows = [against_rivals(s) for s in report["datasets"]]
+    return text + "".join(r for r in rows if r)
+
+
+def levels_table(report):
+    """Our levels: errors and time beside that of the cheapest level."""
+    text = row(["dataset", "functions", "level", "frame, s", "times Fast", "RMS", "99.9 %", "max", "bound, max",
+                "lookups/cell"]) + "|---|---|---|---:|---:|---:|---:|---:|---:|---:|\n"
+    for subject in report["datasets"]:
+        points = [p for p in charts.measured(subject) if charts.is_ours(p[0])]
+        fast = next((s for name, s, _ in points if name == "tetmarch-fast"), None)
+        for name, seconds, e in points:
+            text += row(
+                [
+                    subject["name"], subject["functions"], name, f"{seconds:.3f}",
+                    f"{seconds / fast:.2f}" if fast else "", f"{e['rms']:.1e}", f"{e['p999']:.1e}",
+                    f"{e['max']:.1e}", f"{e['bound_max']:.1e}", f"{e['lookups_per_cell']:.2f}",
+                ]
+            )
+    return text
+
+
+def orders_table(report):
+    lines = charts.refinement(report)
+    if not lines:
+        return ""
+    longest = max(lines.values(), key=len)
+    steps = [f"1/{round(1 / h0)} to 1/{round(1 / h1)}" for (h0, _), (h1, _) in zip(longest, longest[1:])]
+    text = row(["mapper", "RMS, finest mesh"] + [f"order, {s}" for s in steps])
+    text += "|---|---:|" + "---:|" * len(steps) + "\n"
+    for name, points in lines.items():
+        orders = [f"{s:.2f}" for s in charts.slopes(points)]
+        text += row([name, f"{points[-1][1]:.1e}"] + [""] * (len(steps) - len(orders)) + orders)
+    return text
+
+
+def machine(report):
+    environment = report["environment"] or {"vtk_version": "?", "gl": {"renderer": "?", "backend": "?"}}
+    return (
+        f"{report['date']}, TetMarch {report['tetmarch_version']}, VTK {environment['vtk_version']}, "
+        f"{environment['gl']['renderer']} by {environment['gl']['backend']}; {report['cpu']}, "
+        f"{report['cpu_threads']} threads"
+    )
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ("accuracy", "refinement", "output"):
+        parser.add_argument(name, type=pathlib.Path)
+    arguments = parser.parse_args()
+    accuracy = json.loads(arguments.accuracy.read_text())
+    refinement = json.loads(arguments.refinement.read_text())
+    folder = arguments.output / "Charts"
+    folder.mkdir(parents=True, exist_ok=True)
+    charts.draw_time(accuracy, folder)
+    charts.draw_overview(accuracy, folder, OVERVIEW)
+    charts.draw_lookups(accuracy, folder)
+    charts.draw_refinement(refinement, folder)
+    table = arguments.accuracy.with_suffix(".md")
+    text = TEMPLATE.read_text()
+    for name, value in {
+        "machine": machine(accuracy),
+        "size": " x ".join(str(n) for n in accuracy["size"]),
+        "frames": str(accuracy["frames"]),
+        "rivals": rivals_table(accuracy),
+        "levels": levels_table(accuracy),
+        "orders": orders_table(refinement),
+        "everything": table.read_text().split("\n", 2)[2] if table.exists() else "",
+    }.items():
+        text = text.replace(f"@{name}@", value.rstrip("\n"))
+    (arguments.output / "Accuracy.md").write_text(text)
+    print(f"wrote {arguments.output / 'Accuracy.md'} and charts beside it")
+
+
+if __name__ == "__main__":
+    main()
