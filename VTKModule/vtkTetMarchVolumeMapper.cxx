@@ -30,6 +30,12 @@ tetmarch::OpacityLaw lawOf(int opacityLaw)
   return opacityLaw == vtkTetMarchVolumeMapper::STRUCTURED ? tetmarch::OpacityLaw::Structured
                                                            : tetmarch::OpacityLaw::Unstructured;
 }
+
+const char* nameOf(int accuracyLevel)
+{
+  constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference" };
+  return names[accuracyLevel];
+}
 } // namespace
 
 class vtkTetMarchVolumeMapper::Internals
@@ -222,8 +228,11 @@ void vtkTetMarchVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 const char* vtkTetMarchVolumeMapper::GetAccuracyLevelAsString() const
 {
-  constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference" };
-  return names[this->AccuracyLevel];
+  return nameOf(this->AccuracyLevel);
+}
+const char* vtkTetMarchVolumeMapper::GetUsedAccuracyLevelAsString() const
+{
+  return nameOf(this->GetUsedAccuracyLevel());
 }
 
 //------------------------------------------------------------------------------
@@ -342,7 +351,7 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "FrameTimeBudget: " << this->FrameTimeBudget << "\n";
   os << indent << "ErrorBudget: " << this->ErrorBudget << "\n";
-  os << indent << "UsedAccuracyLevel: " << this->GetUsedAccuracyLevel() << "\n";
+  os << indent << "UsedAccuracyLevel: " << this->GetUsedAccuracyLevelAsString() << "\n";
   os << indent << "UsedErrorTolerance: " << this->GetUsedErrorTolerance() << "\n";
   os << indent << "BudgetKept: " << (this->IsBudgetKept() ? "Yes" : "No") << "\n";
   os << indent << "MaxDrawTimeInSeconds: " << this->MaxDrawTimeInSeconds << "\n";

@@ -163,6 +163,7 @@ public:
    * 1/255.
    */
   int GetUsedAccuracyLevel() const;
+  const char* GetUsedAccuracyLevelAsString() const;
   double GetUsedErrorTolerance() const;
   //@}
 
