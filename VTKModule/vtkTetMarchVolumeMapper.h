@@ -130,15 +130,18 @@ public:
   //@{
   /**
    * Seconds that a frame may take (GetTimeToDraw(), without diagnostics); 0, the default: no
-   * budget. With one, AccuracyLevel and ErrorTolerance are not used. Each frame is drawn with the
-   * best level that keeps the budget by what past frames took: FAST, DEFAULT with a tolerance of
-   * 1/32, with 1/255, ACCURATE or REFERENCE. It begins with FAST; the next better one is tried for
-   * one frame, beside the one in which its shader is compiled or its tables are made, if the
-   * present one takes half of the budget or less, or has kept it for eight frames. A trial so takes
-   * at most half as many, or as many, budgets as its level takes times the present one: mostly 1
-   * to 1.4, for REFERENCE 2 to 5. One that broke the budget is tried again if frames have become
-   * clearly faster, or if data, transfer functions or the size of the picture changed. If even FAST
-   * breaks the budget, it is used. Trials take frames; nothing here asks for one.
+   * budget. With one, AccuracyLevel and ErrorTolerance are not used: each frame is drawn with the
+   * best level that keeps the budget by what past frames took. From cheapest to best these are
+   * FAST, DEFAULT with a tolerance of 1/32, DEFAULT with 1/255, ACCURATE and REFERENCE. It begins
+   * with FAST, which also is used where no level keeps the budget.
+   *
+   * A better level is tried for a frame, after the one in which its shader is compiled or its
+   * tables are made: at once if the present level takes at most half of the budget, else after it
+   * has kept the budget for eight frames. How long that frame takes is not known before. REFERENCE
+   * often takes 3 times as long as ACCURATE, the others up to 1.4 times as long as the one before.
+   * A level that broke the budget is tried again when frames have become clearly faster, or data,
+   * transfer functions, the unit distance or the size of the picture have changed. Frames are drawn
+   * when somebody asks for them: choosing takes as many.
    */
   vtkSetClampMacro(FrameTimeBudget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FrameTimeBudget, double);

@@ -245,6 +245,24 @@ TEST(LevelChoice, WhatWasExpectedInVainIsNotTriedOverAndOver)
   EXPECT_LE(machine.Switches, 2);
 }
 
+TEST(LevelChoice, WhatIsExpectedToBreakTheBudgetIsNotTried)
+{
+  Machine machine({ 0.02, 0.09 });
+  machine.frames(UntilSettled);
+  ASSERT_EQ(machine.Choice.level(), 1);
+  machine.Dearer = 4;
+  machine.frames(20);
+  ASSERT_EQ(machine.Choice.level(), 0);
+  machine.Dearer = 1.3; // clearly cheaper than when the level was left, but not enough
+  machine.Switches = 0;
+  machine.frames(200);
+  EXPECT_EQ(machine.Choice.level(), 0);
+  EXPECT_EQ(machine.Switches, 0);
+  machine.Dearer = 1;
+  machine.frames(20);
+  EXPECT_EQ(machine.Choice.level(), 1);
+}
+
 TEST(LevelChoice, SomethingElseIsOnTrialAgain)
 {
   Machine machine({ 0.02, 0.05, 0.09 });

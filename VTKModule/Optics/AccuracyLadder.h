@@ -45,11 +45,12 @@ constexpr double LeastTolerance = 1e-6;
 /**
  * What may be drawn, from cheapest to best; without a budget of time that is one level.
  *
- * An error is kept most cheaply by Default with that tolerance. Fast is no candidate: for scalars
- * at points it promises nothing, and to measure its bound takes a march with the bound, which costs
- * more than the adaptive frame that it would save. For cell scalars only the end of the ray counts,
- * both levels are the same shader, and with a tolerance of 1/512 or more, all that Fast could be
- * held to, Default ends no ray later; the tables of Fast are finite whatever they lack.
+ * An error is kept most cheaply by Default with that tolerance. Fast is no candidate. For scalars
+ * at points it promises nothing, and to measure its bound takes a march that bounds it, which costs
+ * more than the adaptive frame that it would save. For cell scalars both levels are the same
+ * shader, in which only the end of a ray is off; what Fast could be held to is 1/512, with which
+ * Default ends rays as early, and with more earlier. The tables of Fast have 1024 entries even
+ * where these are off by more than Default allows (FittingTable.h).
  */
 inline std::vector<Rung> ladderOf(const AccuracyWish& wish)
 {

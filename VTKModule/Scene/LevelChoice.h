@@ -22,11 +22,11 @@ enum class FrameKind
  * Levels are numbered from the cheapest, 0, with which it begins. Nothing is assumed of what a
  * level costs but that the better one costs more:
  *
- * - A level whose time is not known is tried for one measured frame, if it is the next better one
- *   and the current level takes at most half of the budget; or, once that has been measured
- *   `Patience` times, at most all of it, since the best level that fits may cost little more. A
- *   trial so takes at most half of k budgets, or k, where k is by how much the levels differ, and a
- *   level that broke the budget is not tried again.
+ * - A level whose time is not known is tried for one measured frame if it is the next better one:
+ *   at once if the current level takes at most half of the budget, so that the trial stays below
+ *   k / 2 budgets, where k is how many times as long it takes; else when the current level has been
+ *   measured `Patience` times and keeps the budget, for the best level that fits may cost little
+ *   more. Such a trial stays below k budgets, and if it breaks the budget it was the last.
  * - A level whose time is beyond the budget is left at once for the best one below that is known to
  *   keep it, else for the cheapest.
  * - The times of other levels follow those of the current one in proportion: so a camera move ages
