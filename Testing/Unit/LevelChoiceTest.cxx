@@ -1,127 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Levels chosen for frames whose cost is made up.
-#include "Scene/LevelChoice.h"
+// Levels chosen in scenes one by one.
+#include "SimulatedFrames.h"
 
-#include <algorithm>
 #include <gtest/gtest.h>
-#include <iostream>
 #include <limits>
-#include <random>
-#include <vector>
 
 namespace
 {
+using namespace tetmarch::testing;
 using tetmarch::FrameKind;
 using tetmarch::LevelChoice;
-
-constexpr double Budget = 0.1;
-
-// The first frame after a switch is disturbed: tables are made, a shader is compiled.
-class Machine
-{
-public:
-  explicit Machine(std::vector<double> costs, double budget = Budget)
-    : Costs(std::move(costs))
-  {
-    this->Choice.restart(static_cast<int>(this->Costs.size()));
-    this->Choice.setBudget(budget);
-  }
-
-  // Draws a frame; returns what it would have taken without disturbance.
-  double frame()
-  {
-    const int level = this->Choice.level();
-    const bool switched = level != this->Last;
-    this->Switches += switched ? 1 : 0;
-    this->Last = level;
-    const double share = static_cast<double>(this->Random() % 100001) / 100000.0;
-    const double seconds = this->Dearer * this->Costs[level] * (1 + this->Noise * (2 * share - 1));
-    this->Choice.drawn(
-      switched ? 3 * seconds : seconds, switched ? FrameKind::Disturbed : FrameKind::Measured);
-    return seconds;
-  }
-
-  void frames(int count)
-  {
-    for (int i = 0; i < count; ++i)
-    {
-      this->frame();
-    }
-  }
-
-  // The best level that takes at most a share of the budget; 0 if none does.
-  int fitting(double share = 1) const
-  {
-    int level = static_cast<int>(this->Costs.size()) - 1;
-    while (level > 0 && this->Dearer * this->Costs[level] > share * Budget)
-    {
-      --level;
-    }
-    return level;
-  }
-
-  LevelChoice Choice;
-  std::vector<double> Costs;
-  double Dearer = 1;
-  double Noise = 0;
-  int Last = 0;
-  int Switches = 0;
-  std::mt19937 Random{ 7 };
-};
-
-// From one level to the next at most so many times as dear.
-constexpr double MostGrowth = 3;
-
-std::vector<double> randomCosts(std::mt19937& random)
-{
-  const auto share = [&] { return static_cast<double>(random() % 1000) / 999.0; };
-  std::vector<double> costs{ Budget * (0.02 + 1.2 * share() * share()) };
-  const std::size_t levels = 1 + random() % LevelChoice::MostLevels;
-  while (costs.size() < levels)
-  {
-    const double growth = random() % 3 == 0 ? 1.05 : 1 + (MostGrowth - 1) * share();
-    costs.push_back(costs.back() * growth);
-  }
-  return costs;
-}
-
-constexpr int UntilSettled = LevelChoice::MostLevels * (LevelChoice::Patience + 3);
-
-TEST(LevelChoice, ReachesTheBestThatFits)
-{
-  std::mt19937 random(1);
-  for (int i = 0; i < 3000; ++i)
-  {
-    Machine machine(randomCosts(random));
-    machine.frames(UntilSettled);
-    EXPECT_EQ(machine.Choice.level(), machine.fitting());
-    machine.Switches = 0;
-    machine.frames(100);
-    EXPECT_EQ(machine.Switches, 0);
-  }
-}
-
-TEST(LevelChoice, TrialsAreBoundedInTimeAndNumber)
-{
-  std::mt19937 random(2);
-  for (int i = 0; i < 3000; ++i)
-  {
-    Machine machine(randomCosts(random));
-    const double cheapest = machine.Costs[0];
-    int over = 0;
-    for (int frame = 0; frame < 300; ++frame)
-    {
-      const bool early = frame < LevelChoice::Patience;
-      const int level = machine.Choice.level();
-      const double seconds = machine.frame();
-      over += level > 0 && seconds > Budget ? 1 : 0;
-      const double most = (early ? 0.5 : 1.0) * MostGrowth * Budget;
-      EXPECT_LE(seconds, std::max(cheapest, most * (1 + 1e-12)));
-    }
-    EXPECT_LE(over, 2); // one level, in one disturbed frame and one measured
-  }
-}
 
 TEST(LevelChoice, ClimbsAtOnceWhereThereIsRoom)
 {
@@ -143,78 +32,6 @@ TEST(LevelChoice, NothingThatBreaksTheBudgetStays)
   EXPECT_EQ(machine.Choice.level(), 0); // the cheapest, if none fits
   machine.frames(100);
   EXPECT_EQ(machine.Choice.level(), 0);
-}
-
-TEST(LevelChoice, NoiseDoesNotMakeItOscillate)
-{
-  std::mt19937 random(3);
-  int switches = 0;
-  for (int i = 0; i < 500; ++i)
-  {
-    Machine machine(randomCosts(random));
-    machine.Random.seed(random());
-    machine.Noise = 0.2;
-    machine.frames(200);
-    // What fits in spite of noise is reached; what breaks the budget in spite of it is not kept.
-    EXPECT_GE(machine.Choice.level(), machine.fitting(1 / 1.2 / 1.2));
-    EXPECT_LE(machine.Choice.level(), machine.fitting(1.1));
-    machine.Switches = 0;
-    machine.frames(1000);
-    EXPECT_LE(machine.Switches, 4);
-    switches += machine.Switches;
-  }
-  EXPECT_LE(switches, 50); // in half a million frames
-  std::cout << "[ MEASURED ] " << switches << " switches in 500,000 frames\n";
-}
-
-TEST(LevelChoice, FollowsTheCameraThereAndBack)
-{
-  std::mt19937 random(4);
-  for (const double noise : { 0.0, 0.2 })
-  {
-    for (int i = 0; i < 500; ++i)
-    {
-      Machine machine(randomCosts(random));
-      machine.Random.seed(random());
-      machine.Noise = noise;
-      const double share = noise > 0 ? 1 / 1.2 / 1.2 : 0.94;
-      machine.frames(200);
-      for (int move = 0; move < 3; ++move)
-      {
-        machine.Dearer = 4;
-        machine.frames(20);
-        EXPECT_LE(machine.Choice.level(), machine.fitting(1 + noise));
-        machine.frames(80);
-        EXPECT_GE(machine.Choice.level(), machine.fitting(share));
-        machine.Dearer = 1;
-        machine.frames(40);
-        EXPECT_GE(machine.Choice.level(), machine.fitting(share));
-        EXPECT_LE(machine.Choice.level(), machine.fitting(1 + noise));
-        machine.frames(60);
-      }
-    }
-  }
-}
-
-TEST(LevelChoice, FollowsASlowZoom)
-{
-  Machine machine({ 0.010, 0.011, 0.016, 0.05 });
-  machine.frames(UntilSettled);
-  EXPECT_EQ(machine.Choice.level(), 3);
-  int over = 0;
-  for (int i = 0; i < 100; ++i)
-  {
-    machine.Dearer *= 1.02;
-    over += machine.frame() > Budget && machine.Choice.level() > 0 ? 1 : 0;
-  }
-  EXPECT_EQ(machine.Choice.level(), machine.fitting());
-  EXPECT_LE(over, 25);
-  for (int i = 0; i < 100; ++i)
-  {
-    machine.Dearer /= 1.02;
-    machine.frame();
-  }
-  EXPECT_EQ(machine.Choice.level(), 3);
 }
 
 TEST(LevelChoice, ADisturbanceIsForgotten)
