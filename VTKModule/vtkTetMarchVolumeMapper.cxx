@@ -5,6 +5,7 @@
 #include "GL/FrameFigures.h"
 #include "GL/Pipeline.h"
 #include "Mesh/MeshReport.h"
+#include "Scene/AccuracyChoice.h"
 #include "Scene/MissingScalars.h"
 
 #include "vtkDataArray.h"
@@ -29,12 +30,19 @@ tetmarch::OpacityLaw lawOf(int opacityLaw)
   return opacityLaw == vtkTetMarchVolumeMapper::STRUCTURED ? tetmarch::OpacityLaw::Structured
                                                            : tetmarch::OpacityLaw::Unstructured;
 }
+
+const char* nameOf(int accuracyLevel)
+{
+  constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference" };
+  return names[accuracyLevel];
+}
 } // namespace
 
 class vtkTetMarchVolumeMapper::Internals
 {
 public:
   tetmarch::Pipeline Pipeline;
+  tetmarch::AccuracyChoice Choice;
   std::string LastError; // reported already
   std::string LastReport;
   vtkNew<vtkTetMarchFrameStatistics> Statistics;
@@ -64,6 +72,10 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
   pipeline.begin(static_cast<std::uint64_t>(this->MaxMemoryInBytes));
+  tetmarch::AccuracyChoice& choice = this->Internal->Choice;
+  const tetmarch::AccuracyLevel level =
+    choice.begin({ static_cast<tetmarch::Accuracy>(this->AccuracyLevel), this->ErrorTolerance,
+      this->FrameTimeBudget, this->ErrorBudget });
   this->Internal->Statistics->Clear();
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
   if (!grid || grid->GetNumberOfCells() == 0)
@@ -85,8 +97,6 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return !window->CheckAbortStatus();
   };
 
-  const tetmarch::AccuracyLevel level =
-    tetmarch::levelOf(static_cast<tetmarch::Accuracy>(this->AccuracyLevel), this->ErrorTolerance);
   const tetmarch::DrawOptions options{ level, this->CollectDiagnostics,
     this->MaxDrawTimeInSeconds };
 
@@ -111,13 +121,16 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   timer->StopTimer();
   this->TimeToDraw = timer->GetElapsedTime();
+  const double seconds = this->TimeToDraw - pipeline.counted().seconds();
+  vtkTetMarchFrameStatistics* statistics = this->Internal->Statistics;
   if (drawn)
   {
-    vtkTetMarchFrameStatistics* statistics = this->Internal->Statistics;
     tetmarch::takeMeasures(pipeline.counted(), statistics);
-    statistics->SetSeconds(this->TimeToDraw - pipeline.counted().seconds());
+    statistics->SetSeconds(seconds);
     statistics->SetGPUMemoryBytes(this->GetGPUMemoryBytes());
   }
+  choice.end({ drawn, pipeline.onlyDrew(), seconds,
+    statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND), pipeline.subject() });
 }
 
 //------------------------------------------------------------------------------
@@ -215,9 +228,23 @@ void vtkTetMarchVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 const char* vtkTetMarchVolumeMapper::GetAccuracyLevelAsString() const
 {
-  constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference" };
-  return names[this->AccuracyLevel];
+  return nameOf(this->AccuracyLevel);
 }
+const char* vtkTetMarchVolumeMapper::GetUsedAccuracyLevelAsString() const
+{
+  return nameOf(this->GetUsedAccuracyLevel());
+}
+
+//------------------------------------------------------------------------------
+int vtkTetMarchVolumeMapper::GetUsedAccuracyLevel() const
+{
+  return static_cast<int>(this->Internal->Choice.used().Level);
+}
+double vtkTetMarchVolumeMapper::GetUsedErrorTolerance() const
+{
+  return this->Internal->Choice.used().Tolerance;
+}
+bool vtkTetMarchVolumeMapper::IsBudgetKept() const { return this->Internal->Choice.isKept(); }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTetMarchVolumeMapper::GetNumberOfTetrahedra() const
@@ -322,6 +349,11 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "AccuracyLevel: " << this->GetAccuracyLevelAsString() << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "FrameTimeBudget: " << this->FrameTimeBudget << "\n";
+  os << indent << "ErrorBudget: " << this->ErrorBudget << "\n";
+  os << indent << "UsedAccuracyLevel: " << this->GetUsedAccuracyLevelAsString() << "\n";
+  os << indent << "UsedErrorTolerance: " << this->GetUsedErrorTolerance() << "\n";
+  os << indent << "BudgetKept: " << (this->IsBudgetKept() ? "Yes" : "No") << "\n";
   os << indent << "MaxDrawTimeInSeconds: " << this->MaxDrawTimeInSeconds << "\n";
   os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";

@@ -129,6 +129,56 @@ public:
 
   //@{
   /**
+   * Seconds that a frame may take (GetTimeToDraw(), without diagnostics); 0, the default: no
+   * budget. With one, AccuracyLevel and ErrorTolerance are not used: each frame is drawn with the
+   * best level that keeps the budget by what past frames took. From cheapest to best these are
+   * FAST, DEFAULT with a tolerance of 1/32, DEFAULT with 1/255, ACCURATE and REFERENCE. It begins
+   * with FAST, which also is used where no level keeps the budget.
+   *
+   * A better level is tried for a frame, after the one in which its shader is compiled or its
+   * tables are made: at once if the present level takes at most half of the budget, else after it
+   * has kept the budget for eight frames. How long that frame takes is not known before. REFERENCE
+   * often takes 3 times as long as ACCURATE, the others up to 1.4 times as long as the one before.
+   * A level that broke the budget is tried again when frames have become clearly faster, or data,
+   * transfer functions, the unit distance or the size of the picture have changed. Frames are drawn
+   * when somebody asks for them: choosing takes as many.
+   */
+  vtkSetClampMacro(FrameTimeBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(FrameTimeBudget, double);
+  //@}
+
+  //@{
+  /**
+   * How much each channel of a pixel may be off by, 0..1; 0, the default: no budget. With one,
+   * AccuracyLevel and ErrorTolerance are not used: frames are drawn with the cheapest level that
+   * promises it, DEFAULT with that tolerance (below 1e-6: with 1e-6, which does not keep it). With
+   * FrameTimeBudget, too, that is the least that is drawn, however long it takes, and a better
+   * level is used as far as time allows.
+   */
+  vtkSetClampMacro(ErrorBudget, double, 0.0, 1.0);
+  vtkGetMacro(ErrorBudget, double);
+  //@}
+
+  //@{
+  /**
+   * The level and the tolerance that the last frame was drawn with, with a budget or without; a
+   * tolerance of 0 is that of FAST, which promises nothing. Before the first frame DEFAULT and
+   * 1/255.
+   */
+  int GetUsedAccuracyLevel() const;
+  const char* GetUsedAccuracyLevelAsString() const;
+  double GetUsedErrorTolerance() const;
+  //@}
+
+  /**
+   * Whether the last frame was drawn to its end and kept the budgets that are set: by the time that
+   * it took, whatever else was done in it, and by the tolerance that it was drawn with; with
+   * CollectDiagnostics on, also by the bound of the error of its pixels.
+   */
+  bool IsBudgetKept() const;
+
+  //@{
+  /**
    * About how long a single draw call may take, in seconds; 0: no limit. A frame that takes longer,
    * by what the last one of the same size took, is drawn in tiles. Between two of them
    * vtkRenderWindow::CheckAbortStatus() is asked and progress is reported; a frame that is aborted
@@ -251,6 +301,8 @@ protected:
   int OpacityLaw = UNSTRUCTURED;
   int AccuracyLevel = DEFAULT;
   double ErrorTolerance = 1.0 / 255.0;
+  double FrameTimeBudget = 0;
+  double ErrorBudget = 0;
   double MaxDrawTimeInSeconds = 0.25;
   vtkIdType MaxMemoryInBytes = 0;
   bool CollectDiagnostics = false;

@@ -38,6 +38,16 @@ void vtkTetMarchVolumeRepresentation::SetErrorTolerance(double tolerance)
   this->TetMarchMapper->SetErrorTolerance(tolerance);
 }
 
+void vtkTetMarchVolumeRepresentation::SetFrameTimeBudget(double seconds)
+{
+  this->TetMarchMapper->SetFrameTimeBudget(seconds);
+}
+
+void vtkTetMarchVolumeRepresentation::SetErrorBudget(double error)
+{
+  this->TetMarchMapper->SetErrorBudget(error);
+}
+
 void vtkTetMarchVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

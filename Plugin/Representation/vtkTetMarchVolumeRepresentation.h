@@ -30,6 +30,8 @@ public:
   void SetOpacityLaw(int law);
   void SetAccuracyLevel(int level);
   void SetErrorTolerance(double tolerance);
+  void SetFrameTimeBudget(double seconds);
+  void SetErrorBudget(double error);
   //@}
 
 protected:

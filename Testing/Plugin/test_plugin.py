@@ -138,7 +138,18 @@ def main():
     careless = picture_of(view)
     expect_change("error tolerance", structured, careless)
     display.TetMarchAccuracyLevel = "Reference"
-    expect_change("accuracy level", careless, picture_of(view))
+    exact = picture_of(view)
+    expect_change("accuracy level", careless, exact)
+
+    display.TetMarchErrorBudget = 1.0
+    assert careless == picture_of(view), "an error budget is not kept by that tolerance"
+    display.TetMarchErrorBudget = 0.0
+    display.TetMarchFrameTimeBudget = 1e-6
+    hurried = picture_of(view)
+    display.TetMarchFrameTimeBudget = 0.0
+    assert exact == picture_of(view), "without a budget the level is not the one that is set"
+    display.TetMarchAccuracyLevel = "Fast"
+    assert hurried == picture_of(view) != exact, "a budget of no time is not kept by the fastest level"
 
 
 main()

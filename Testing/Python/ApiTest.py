@@ -45,6 +45,9 @@ class ApiTest(unittest.TestCase):
         self.assertEqual(mapper.GetMaxMemoryInBytes(), 0)
         self.assertEqual(mapper.GetAccuracyLevel(), vtkTetMarchVolumeMapper.DEFAULT)
         self.assertEqual(mapper.GetErrorTolerance(), 1 / 255)
+        self.assertEqual((mapper.GetFrameTimeBudget(), mapper.GetErrorBudget()), (0, 0))
+        self.assertEqual((mapper.GetUsedAccuracyLevel(), mapper.GetUsedErrorTolerance()), (mapper.DEFAULT, 1 / 255))
+        self.assertIs(mapper.IsBudgetKept(), False)
         self.assertEqual(mapper.GetLastFrameStatistics().GetNumberOfPixels(0), 0)
         figures = [name for name in dir(mapper)
                    if name.startswith("GetNumberOf") and "Generations" not in name or
@@ -82,7 +85,8 @@ class ApiTest(unittest.TestCase):
 
     def test_the_limits(self):
         mapper = vtkTetMarchVolumeMapper()
-        for name, value in (("MaxDrawTimeInSeconds", 0.5), ("MaxMemoryInBytes", 3 << 33)):
+        for name, value in (("MaxDrawTimeInSeconds", 0.5), ("MaxMemoryInBytes", 3 << 33),
+                            ("FrameTimeBudget", 0.1), ("ErrorBudget", 0.01)):
             set_limit = getattr(mapper, "Set" + name)
             get_limit = getattr(mapper, "Get" + name)
             before = mapper.GetMTime()
@@ -97,7 +101,8 @@ class ApiTest(unittest.TestCase):
         mapper.SetOpacityLawToStructured()
         text = str(mapper)
         for line in ("OpacityLaw: Structured", "CollectDiagnostics: Off", "NumberOfTetrahedra: 0",
-                     "MaxDrawTimeInSeconds: 0.25", "MaxMemoryInBytes: 0"):
+                     "MaxDrawTimeInSeconds: 0.25", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0", "ErrorBudget: 0",
+                     "UsedAccuracyLevel: Default", "BudgetKept: No"):
             self.assertIn(line, text)
 
 

@@ -99,6 +99,8 @@ TEST(CommandLine, RefusesBadChoices)
   ExpectBadValue("--opacity-law", "linear", "expected structured or unstructured");
   ExpectBadValue("--accuracy", "best", "expected fast, default, accurate or reference");
   ExpectBadValue("--tolerance", "0.0000001", "expected a number from 1e-6 to 1");
+  ExpectBadValue("--error", "1.5", "expected a number from 1e-6 to 1");
+  ExpectBadValue("--frame-time", "0", "expected a number above 0");
   ExpectBadValue("--association", "point", "expected points or cells");
 }
 
@@ -114,16 +116,19 @@ TEST(CommandLine, Defaults)
   EXPECT_FALSE(
     c.Tolerance || c.TimeStep || c.Range || c.UnitDistance || c.Camera || c.ParallelScale);
   EXPECT_FALSE(c.ArrayAssociation);
+  EXPECT_EQ(c.FrameTime, 0.0);
+  EXPECT_EQ(c.Error, 0.0);
   EXPECT_TRUE(c.Stats.empty() && c.Preset.empty() && c.Array.empty());
 }
 
 TEST(CommandLine, TakesEveryOption)
 {
-  const CommandLine c = ParseCommandLine({ "--array", "T", "--output=o=1.png", "--size", "320x200",
-    "--preset", "p.json", "--unit-distance", "2.5", "--camera", "-1,2,3,4,5,6,0,0,1,45",
-    "--parallel-scale", "1e3", "--background", "0,0.5,1", "--opacity-law", "structured",
-    "--association", "cells", "--stats", "s.json", "--frames", "7", "--time-step", "3", "--range",
-    "-1,1", "--accuracy", "accurate", "--tolerance", "0.01", "--compare", "m.ex2" });
+  const CommandLine c = ParseCommandLine(
+    { "--array", "T", "--output=o=1.png", "--size", "320x200", "--preset", "p.json",
+      "--unit-distance", "2.5", "--camera", "-1,2,3,4,5,6,0,0,1,45", "--parallel-scale", "1e3",
+      "--background", "0,0.5,1", "--opacity-law", "structured", "--association", "cells", "--stats",
+      "s.json", "--frames", "7", "--time-step", "3", "--range", "-1,1", "--accuracy", "accurate",
+      "--tolerance", "0.01", "--frame-time", "0.1", "--error=0.02", "--compare", "m.ex2" });
   EXPECT_EQ(c.Input, "m.ex2");
   EXPECT_EQ(c.Array, "T");
   EXPECT_EQ(c.Output, "o=1.png");
@@ -144,6 +149,8 @@ TEST(CommandLine, TakesEveryOption)
   EXPECT_EQ(c.TimeStep, 3);
   EXPECT_EQ(c.AccuracyLevel, 2);
   EXPECT_EQ(c.Tolerance, 0.01);
+  EXPECT_EQ(c.FrameTime, 0.1);
+  EXPECT_EQ(c.Error, 0.02);
   EXPECT_TRUE(c.Compare);
   EXPECT_EQ(c.Range, (std::array<double, 2>{ { -1, 1 } }));
 }
@@ -164,10 +171,10 @@ TEST(CommandLine, HelpNamesEveryOption)
   EXPECT_TRUE(ParseCommandLine({ "--help" }).Help);
   EXPECT_TRUE(ParseCommandLine({ "--version" }).Version);
   const std::string help = tetmarch::GetHelp();
-  for (const char* option :
-    { "--accuracy", "--array", "--association", "--background", "--camera", "--compare", "--frames",
-      "--help", "--opacity-law", "--output", "--parallel-scale", "--preset", "--range", "--size",
-      "--stats", "--time-step", "--tolerance", "--unit-distance", "--version" })
+  for (const char* option : { "--accuracy", "--array", "--association", "--background", "--camera",
+         "--compare", "--error", "--frame-time", "--frames", "--help", "--opacity-law", "--output",
+         "--parallel-scale", "--preset", "--range", "--size", "--stats", "--time-step",
+         "--tolerance", "--unit-distance", "--version" })
   {
     EXPECT_NE(help.find(std::string(option)), std::string::npos) << option;
   }

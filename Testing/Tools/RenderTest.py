@@ -132,7 +132,7 @@ class RenderTest(unittest.TestCase):
     def test_statistics(self):
         _, stats = self.render("cube.vtu", "--size", "80x60", "--array", "ramp", "--accuracy", "reference",
                                "--compare")
-        self.assertEqual(stats["accuracy"], {"level": "Reference", "tolerance": 1 / 255})
+        self.assertEqual(stats["accuracy"], {"level": "Reference", "tolerance": 1e-5})
         pixels = stats["pixels"]
         self.assertGreater(pixels["cells"]["count"], 100)
         self.assertLessEqual(pixels["cells"]["mean"], pixels["lookups"]["mean"])
@@ -158,6 +158,18 @@ class RenderTest(unittest.TestCase):
         if os.environ.get("TETMARCH_GL") in backend:
             self.assertIn(stats["gl"]["backend"], backend[os.environ["TETMARCH_GL"]])
         self.assertRegex(stats["vtk_version"], r"^\d+\.\d+\.\d+")
+
+    def test_budgets(self):
+        scene = ("cube.vtu", "--size", "80x60", "--array", "ramp", "--accuracy", "accurate")
+        for budgets, accuracy, kept in (
+                (("--frame-time", 1000), {"level": "Reference", "tolerance": 1e-5}, True),
+                (("--frame-time", 1e-6), {"level": "Fast", "tolerance": 0.0}, False),
+                (("--error", 0.01), {"level": "Default", "tolerance": 0.01}, True),
+                (("--frame-time", 1e-6, "--error", 0.01), {"level": "Default", "tolerance": 0.01}, False)):
+            with self.subTest(budgets=budgets):
+                _, stats = self.render(*scene, *budgets)
+                self.assertEqual(stats["accuracy"], accuracy)
+                self.assertIs(stats["budget"]["kept"], kept)
 
     def test_output_goes_to_the_current_folder_by_default(self):
         (self.folder / "sub").mkdir()

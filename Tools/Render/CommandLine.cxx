@@ -165,6 +165,9 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
       } },
     { "--background", [](CommandLine& c, const std::string& v) { c.Background = ParseColor(v); } },
     { "--camera", [](CommandLine& c, const std::string& v) { c.Camera = ParseCamera(v); } },
+    { "--error", [](CommandLine& c, const std::string& v) { c.Error = ParseTolerance(v); } },
+    { "--frame-time",
+      [](CommandLine& c, const std::string& v) { c.FrameTime = ParsePositive(v); } },
     { "--frames", [](CommandLine& c, const std::string& v) { c.Frames = ParseCount(v); } },
     { "--opacity-law", [](CommandLine& c, const std::string& v)
       { c.StructuredOpacityLaw = ParseChoice(v, "structured", "unstructured"); } },

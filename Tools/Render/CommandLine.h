@@ -50,6 +50,8 @@ struct CommandLine
   bool StructuredOpacityLaw = false;
   int AccuracyLevel = 1; // vtkTetMarchVolumeMapper::DEFAULT
   std::optional<double> Tolerance;
+  double FrameTime = 0.0; // budgets; 0: none
+  double Error = 0.0;
   bool Compare = false;
   int Frames = 0; // re-renders to be timed; 5 by default if Stats is given
 };

@@ -28,6 +28,9 @@ Transfer function
 Accuracy
   --accuracy LEVEL          fast, default, accurate or reference (default: default)
   --tolerance T             greatest error of a channel, 1e-6 to 1 (default: 1/255); fast promises none
+  --frame-time SECONDS      find the best level whose frames keep this time, by drawing some, and use it
+  --error E                 the cheapest level that keeps this error, 1e-6 to 1; with --frame-time, the least
+                            accuracy. With either, --accuracy and --tolerance are not used
 
 View
   --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ[,ANGLE]

@@ -44,6 +44,8 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
   {
     this->Mapper->SetErrorTolerance(*commandLine.Tolerance);
   }
+  this->Mapper->SetFrameTimeBudget(commandLine.FrameTime);
+  this->Mapper->SetErrorBudget(commandLine.Error);
 
   this->Volume->SetMapper(this->Mapper);
   this->Volume->GetProperty()->SetColor(functions.Color);
@@ -98,6 +100,19 @@ double Picture::Render()
     throw Failure("rendering failed");
   }
   return seconds;
+}
+
+void Picture::Settle()
+{
+  constexpr int longEnough = 12; // a better level is tried sooner
+  constexpr int most = 200;
+  double tolerance = this->Mapper->GetUsedErrorTolerance();
+  for (int same = 0, i = 0; same < longEnough && i < most; ++i)
+  {
+    this->Render();
+    same = this->Mapper->GetUsedErrorTolerance() == tolerance ? same + 1 : 0;
+    tolerance = this->Mapper->GetUsedErrorTolerance();
+  }
 }
 
 void Picture::Compare()

@@ -32,6 +32,9 @@ public:
   /// Draws and waits until it is drawn; seconds. Throws Failure if VTK reported an error.
   double Render();
 
+  /// Draws until a budget of time has found its level: until it stays for a while. Throws Failure.
+  void Settle();
+
   /// Draws once more, with statistics, and compares with the picture in double precision. Throws
   /// Failure.
   void Compare();

@@ -87,8 +87,13 @@ std::string FormatStatistics(const CommandLine& commandLine, vtkUnstructuredGrid
     { "upload", mapper->GetUploadSeconds() }, { "first_frame", timing.FirstFrame } };
   json["frames"] = { { "count", timing.Frames.size() },
     { "median_seconds", GetMedian(timing.Frames) }, { "seconds", timing.Frames } };
-  json["accuracy"] = { { "level", mapper->GetAccuracyLevelAsString() },
-    { "tolerance", mapper->GetErrorTolerance() } };
+  json["accuracy"] = { { "level", mapper->GetUsedAccuracyLevelAsString() },
+    { "tolerance", mapper->GetUsedErrorTolerance() } };
+  if (commandLine.FrameTime > 0.0 || commandLine.Error > 0.0)
+  {
+    json["budget"] = { { "frame_time", commandLine.FrameTime }, { "error", commandLine.Error },
+      { "kept", mapper->IsBudgetKept() } };
+  }
   if (commandLine.Compare)
   {
     json["pixels"] = DescribePixels(mapper->GetLastFrameStatistics());

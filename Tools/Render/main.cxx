@@ -40,6 +40,10 @@ void Run(const CommandLine& commandLine)
 
   Picture picture(grid, selection, functions, unitDistance, commandLine);
   timing.FirstFrame = picture.Render();
+  if (commandLine.FrameTime > 0.0)
+  {
+    picture.Settle();
+  }
   picture.Write(commandLine.Output);
 
   for (int i = 0; i < commandLine.Frames; ++i)

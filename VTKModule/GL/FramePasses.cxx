@@ -11,7 +11,8 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
   MarchInputs inputs, bool diagnostics, const Progress& progress, bool& stopped)
 {
   this->clear();
-  if (!(inputs.Key == this->LastKey))
+  this->ChangedVariant = !(inputs.Key == this->LastKey);
+  if (this->ChangedVariant)
   {
     this->expectChange();
     this->LastKey = inputs.Key;

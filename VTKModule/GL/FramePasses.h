@@ -27,6 +27,8 @@ public:
   void clear();
   void release(vtkWindow* window);
 
+  /** Whether the last picture was by another variant of the shader than the one before. */
+  bool changedVariant() const { return this->ChangedVariant; }
   /** Draw calls of the picture. */
   int numberOfDraws() const { return this->Draws; }
   const Diagnostics& counted() const { return this->Counted; }
@@ -44,6 +46,7 @@ private:
   Diagnostics Counted;
   TileSchedule Tiles;
   VariantKey LastKey;
+  bool ChangedVariant = true;
   int Draws = 0;
 };
 

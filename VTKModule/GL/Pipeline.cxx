@@ -32,7 +32,20 @@ void Pipeline::begin(std::uint64_t mostBytes)
   this->Error.clear();
   this->Passes.clear();
   this->Area = {};
+  this->RunsBefore = this->stageRuns();
+  this->Subject.clear();
   this->Limits = { mostTexels(), mostBytes };
+}
+
+std::int64_t Pipeline::stageRuns() const
+{
+  return this->meshRecord().Runs + this->ScalarsRecord.Runs + this->TablesRecord.Runs +
+         this->UploadRecord.Runs;
+}
+
+bool Pipeline::onlyDrew() const
+{
+  return this->stageRuns() == this->RunsBefore && !this->Passes.changedVariant();
 }
 
 bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)
@@ -90,6 +103,10 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law, const A
   input.push_back(static_cast<std::uintptr_t>(law));
   add(input, this->Range.Low);
   add(input, this->Range.High);
+  this->Subject = input;
+  this->Subject.push_back(static_cast<std::uintptr_t>(this->meshRecord().Runs));
+  this->Subject.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
+  add(this->Subject, property->GetScalarOpacityUnitDistance());
   input.push_back(static_cast<std::uintptr_t>(level.LeastTableEntries));
   input.push_back(static_cast<std::uintptr_t>(level.MostTableEntries));
   add(input, level.ErrorTolerance);
@@ -195,6 +212,8 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   {
     return true;
   }
+  this->Subject.push_back(static_cast<std::uintptr_t>(inputs.Area.Width));
+  this->Subject.push_back(static_cast<std::uintptr_t>(inputs.Area.Height));
   VariantKey key;
   key.PointScalars = this->CellScalars.empty();
   key.RasterEntry = this->Camera.rastersEntries();

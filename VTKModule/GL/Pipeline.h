@@ -71,6 +71,10 @@ public:
   const StageRecord& meshRecord() const { return this->Meshed.record(); }
   const Diagnostics& counted() const { return this->Passes.counted(); }
   int numberOfDraws() const { return this->Passes.numberOfDraws(); }
+  /** Whether the last frame was nothing but drawn: no stage ran, and no shader was new. */
+  bool onlyDrew() const;
+  /** What the last frame drew, and how large, apart from camera and accuracy. */
+  const Fingerprint& subject() const { return this->Subject; }
   std::size_t gpuBytes() const { return this->OnGpu.bytes() + this->Passes.bytes(); }
   std::int64_t uploadedBytes() const { return this->OnGpu.uploadedBytes(); }
 
@@ -82,8 +86,11 @@ private:
   bool fail(const std::string& error);
   bool ensureHierarchy();
   Viewport currentViewport() const;
+  std::int64_t stageRuns() const;
 
   std::string Error;
+  std::int64_t RunsBefore = 0; // this frame
+  Fingerprint Subject;
   ResourceLimits Limits;
 
   MeshStage Meshed;

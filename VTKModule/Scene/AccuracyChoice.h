@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// With which accuracy a frame is drawn: what the user set, or what keeps the user's budgets.
+#ifndef TetMarchSceneAccuracyChoice_h
+#define TetMarchSceneAccuracyChoice_h
+
+#include "Optics/AccuracyLadder.h"
+#include "Scene/Fingerprint.h"
+#include "Scene/LevelChoice.h"
+
+namespace tetmarch
+{
+
+/** How a frame went. */
+struct FrameResult
+{
+  bool Drawn = false;    // to its end
+  bool OnlyDrawn = true; // no stage ran, and no shader was new
+  double Seconds = 0;
+  double ErrorBound = 0; // greatest of a pixel; 0: not looked at
+  Fingerprint Subject;   // what was drawn, apart from camera and accuracy, at which size
+};
+
+class AccuracyChoice
+{
+public:
+  /** The level to draw the next frame with. */
+  AccuracyLevel begin(const AccuracyWish& wish);
+  void end(const FrameResult& frame);
+
+  /** Of the last frame that was drawn. */
+  const Rung& used() const { return this->Used; }
+  /** Whether the last frame was drawn and kept the budgets that it had. */
+  bool isKept() const { return this->Kept; }
+
+private:
+  AccuracyWish Wish;
+  std::vector<Rung> Ladder;
+  LevelChoice Choice;
+  Fingerprint Subject; // of the last frame that was drawn
+  Rung Used;
+  bool Kept = false;
+};
+
+} // namespace tetmarch
+
+#endif
