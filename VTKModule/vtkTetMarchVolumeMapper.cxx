@@ -6,9 +6,11 @@
 #include "GL/Pipeline.h"
 #include "Mesh/MeshReport.h"
 #include "Scene/MissingScalars.h"
+#include "Scene/ViewColors.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
+#include "vtkLookupTable.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -29,6 +31,13 @@ tetmarch::OpacityLaw lawOf(int opacityLaw)
   return opacityLaw == vtkTetMarchVolumeMapper::STRUCTURED ? tetmarch::OpacityLaw::Structured
                                                            : tetmarch::OpacityLaw::Unstructured;
 }
+
+tetmarch::Measure measureOf(int viewMode)
+{
+  return viewMode == vtkTetMarchVolumeMapper::CELLS     ? tetmarch::Measure::Cells
+         : viewMode == vtkTetMarchVolumeMapper::LOOKUPS ? tetmarch::Measure::Lookups
+                                                        : tetmarch::Measure::ErrorBound;
+}
 } // namespace
 
 class vtkTetMarchVolumeMapper::Internals
@@ -38,6 +47,7 @@ public:
   std::string LastError; // reported already
   std::string LastReport;
   vtkNew<vtkTetMarchFrameStatistics> Statistics;
+  vtkNew<vtkLookupTable> ViewTable;
 };
 
 vtkStandardNewMacro(vtkTetMarchVolumeMapper);
@@ -46,6 +56,7 @@ vtkStandardNewMacro(vtkTetMarchVolumeMapper);
 vtkTetMarchVolumeMapper::vtkTetMarchVolumeMapper()
   : Internal(new Internals)
 {
+  tetmarch::setViewColors(this->Internal->ViewTable);
 }
 
 //------------------------------------------------------------------------------
@@ -87,8 +98,10 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 
   const tetmarch::AccuracyLevel level =
     tetmarch::levelOf(static_cast<tetmarch::Accuracy>(this->AccuracyLevel), this->ErrorTolerance);
-  const tetmarch::DrawOptions options{ level, this->CollectDiagnostics,
-    this->MaxDrawTimeInSeconds };
+  const tetmarch::MeasureView view{ measureOf(this->ViewMode), this->AutomaticViewRange,
+    { { this->ViewRange[0], this->ViewRange[1] } }, this->Internal->ViewTable };
+  const tetmarch::DrawOptions options{ level, this->CollectDiagnostics, this->MaxDrawTimeInSeconds,
+    this->ViewMode == PICTURE ? nullptr : &view };
 
   const bool drawn = scalars && pipeline.updateMesh(grid, progress) &&
                      pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
@@ -115,7 +128,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     vtkTetMarchFrameStatistics* statistics = this->Internal->Statistics;
     tetmarch::takeMeasures(pipeline.counted(), statistics);
-    statistics->SetSeconds(this->TimeToDraw - pipeline.counted().seconds());
+    const double aside = options.View ? 0.0 : pipeline.counted().seconds();
+    statistics->SetSeconds(this->TimeToDraw - aside);
     statistics->SetGPUMemoryBytes(this->GetGPUMemoryBytes());
   }
 }
@@ -218,6 +232,16 @@ const char* vtkTetMarchVolumeMapper::GetAccuracyLevelAsString() const
   constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference" };
   return names[this->AccuracyLevel];
 }
+
+//------------------------------------------------------------------------------
+const char* vtkTetMarchVolumeMapper::GetViewModeAsString() const
+{
+  constexpr const char* names[] = { "Picture", "ErrorBound", "Cells", "Lookups" };
+  return names[this->ViewMode];
+}
+
+//------------------------------------------------------------------------------
+vtkLookupTable* vtkTetMarchVolumeMapper::GetViewLookupTable() { return this->Internal->ViewTable; }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTetMarchVolumeMapper::GetNumberOfTetrahedra() const
@@ -323,6 +347,9 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AccuracyLevel: " << this->GetAccuracyLevelAsString() << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "MaxDrawTimeInSeconds: " << this->MaxDrawTimeInSeconds << "\n";
+  os << indent << "ViewMode: " << this->GetViewModeAsString() << "\n";
+  os << indent << "AutomaticViewRange: " << (this->AutomaticViewRange ? "On" : "Off") << "\n";
+  os << indent << "ViewRange: " << this->ViewRange[0] << ", " << this->ViewRange[1] << "\n";
   os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";

@@ -50,6 +50,7 @@ struct CommandLine
   bool StructuredOpacityLaw = false;
   int AccuracyLevel = 1; // vtkTetMarchVolumeMapper::DEFAULT
   std::optional<double> Tolerance;
+  int ViewMode = 0; // vtkTetMarchVolumeMapper::PICTURE
   bool Compare = false;
   int Frames = 0; // re-renders to be timed; 5 by default if Stats is given
 };

@@ -8,6 +8,7 @@
 #include "OffscreenWindow.h"
 #include "ProgressBar.h"
 
+#include "vtkAutoInit.h"
 #include "vtkCamera.h"
 #include "vtkPNGWriter.h"
 #include "vtkTimerLog.h"
@@ -17,6 +18,9 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <filesystem>
+
+// The text of the legend.
+VTK_MODULE_INIT(vtkRenderingFreeType);
 
 namespace tetmarch
 {
@@ -44,6 +48,8 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
   {
     this->Mapper->SetErrorTolerance(*commandLine.Tolerance);
   }
+  this->Mapper->SetViewMode(commandLine.ViewMode);
+  this->Legend->SetMapper(this->Mapper);
 
   this->Volume->SetMapper(this->Mapper);
   this->Volume->GetProperty()->SetColor(functions.Color);
@@ -55,6 +61,7 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
   const auto& background = commandLine.Background;
   this->Renderer->SetBackground(background[0], background[1], background[2]);
   this->Renderer->AddVolume(this->Volume);
+  this->Renderer->AddViewProp(this->Legend);
   this->Window->AddRenderer(this->Renderer);
   this->PlaceCamera(commandLine);
 }

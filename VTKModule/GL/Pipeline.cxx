@@ -195,6 +195,11 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   {
     return true;
   }
+  const std::string badRange = options.View ? describeBadRange(*options.View) : std::string();
+  if (!badRange.empty())
+  {
+    return this->fail(badRange);
+  }
   VariantKey key;
   key.PointScalars = this->CellScalars.empty();
   key.RasterEntry = this->Camera.rastersEntries();
@@ -216,8 +221,10 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   bool stopped = false;
   std::string error;
   const std::string shortage = withinMemory("drawing",
-    [&] {
-      error = this->Passes.draw(window, this->mesh(), inputs, options.Diagnostics, goOn, stopped);
+    [&]
+    {
+      error = this->Passes.draw(
+        window, this->mesh(), inputs, options.Diagnostics, options.View, goOn, stopped);
     });
   if (!shortage.empty())
   {

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTetMarchLegend.h"
+
+#include "vtkLookupTable.h"
+#include "vtkObjectFactory.h"
+#include "vtkProperty2D.h"
+#include "vtkTetMarchFrameStatistics.h"
+#include "vtkTetMarchVolumeMapper.h"
+#include "vtkTextProperty.h"
+
+vtkStandardNewMacro(vtkTetMarchLegend);
+
+//------------------------------------------------------------------------------
+vtkTetMarchLegend::vtkTetMarchLegend()
+{
+  this->SetLabelFormat("%.3g");
+  this->UnconstrainedFontSizeOn(); // else counts are larger than the title
+  for (vtkTextProperty* text : { this->TitleTextProperty, this->LabelTextProperty })
+  {
+    text->SetFontSize(14);
+    text->BoldOff();
+    text->ItalicOff();
+    text->ShadowOff();
+  }
+  this->SetVerticalTitleSeparation(8);
+  this->SetMaximumWidthInPixels(110);
+  this->SetMaximumHeightInPixels(400);
+  this->DrawBackgroundOn();
+  this->BackgroundProperty->SetColor(0.0, 0.0, 0.0);
+  this->BackgroundProperty->SetOpacity(0.5);
+}
+
+//------------------------------------------------------------------------------
+vtkTetMarchLegend::~vtkTetMarchLegend() = default;
+
+//------------------------------------------------------------------------------
+void vtkTetMarchLegend::SetMapper(vtkTetMarchVolumeMapper* mapper)
+{
+  if (this->Mapper != mapper)
+  {
+    this->Mapper = mapper;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTetMarchVolumeMapper* vtkTetMarchLegend::GetMapper() const { return this->Mapper; }
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchLegend::IsShown() const
+{
+  return this->Mapper && this->Mapper->GetViewMode() != vtkTetMarchVolumeMapper::PICTURE &&
+         this->Mapper->GetLastFrameStatistics()->GetNumberOfPixels(
+           vtkTetMarchFrameStatistics::CELLS) > 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkTetMarchLegend::RenderOpaqueGeometry(vtkViewport*) { return 0; }
+
+//------------------------------------------------------------------------------
+int vtkTetMarchLegend::RenderOverlay(vtkViewport* viewport)
+{
+  if (!this->IsShown())
+  {
+    return 0;
+  }
+  constexpr const char* titles[] = { "", "Error bound", "Cells crossed", "Lookups" };
+  this->SetTitle(titles[this->Mapper->GetViewMode()]);
+  this->SetLookupTable(this->Mapper->GetViewLookupTable());
+  // The superclass does so with opaque geometry, before there is a frame.
+  return this->RebuildLayoutIfNeeded(viewport) ? this->Superclass::RenderOverlay(viewport) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkTetMarchLegend::HasOpaqueGeometry() { return 0; }
+
+//------------------------------------------------------------------------------
+void vtkTetMarchLegend::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mapper: " << this->Mapper.Get() << "\n";
+}
