@@ -4,7 +4,6 @@
 
 #include "vtkLookupTable.h"
 #include "vtkObjectFactory.h"
-#include "vtkProperty2D.h"
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkTextProperty.h"
@@ -18,17 +17,12 @@ vtkTetMarchLegend::vtkTetMarchLegend()
   this->UnconstrainedFontSizeOn(); // else counts are larger than the title
   for (vtkTextProperty* text : { this->TitleTextProperty, this->LabelTextProperty })
   {
-    text->SetFontSize(14);
+    text->SetFontSize(14); // with a shadow, which makes it legible on the brightest view
     text->BoldOff();
     text->ItalicOff();
-    text->ShadowOff();
   }
-  this->SetVerticalTitleSeparation(8);
   this->SetMaximumWidthInPixels(110);
   this->SetMaximumHeightInPixels(400);
-  this->DrawBackgroundOn();
-  this->BackgroundProperty->SetColor(0.0, 0.0, 0.0);
-  this->BackgroundProperty->SetOpacity(0.5);
 }
 
 //------------------------------------------------------------------------------
