@@ -17,10 +17,13 @@ vtkTetMarchLegend::vtkTetMarchLegend()
   this->UnconstrainedFontSizeOn(); // else counts are larger than the title
   for (vtkTextProperty* text : { this->TitleTextProperty, this->LabelTextProperty })
   {
-    text->SetFontSize(14); // with a shadow, which makes it legible on the brightest view
+    text->SetFontSize(12); // with a shadow, which makes it legible on the brightest view
     text->BoldOff();
     text->ItalicOff();
   }
+  this->SetPosition(0.8, 0.1);
+  this->SetWidth(0.19); // the title fits into a window of 380 pixels
+  this->SetVerticalTitleSeparation(6);
   this->SetMaximumWidthInPixels(110);
   this->SetMaximumHeightInPixels(400);
 }
