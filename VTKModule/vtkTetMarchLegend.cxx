@@ -65,7 +65,7 @@ int vtkTetMarchLegend::RenderOverlay(vtkViewport* viewport)
   constexpr const char* titles[] = { "", "Error bound", "Cells crossed", "Lookups" };
   this->SetTitle(titles[this->Mapper->GetViewMode()]);
   this->SetLookupTable(this->Mapper->GetViewLookupTable());
-  // The superclass does so with opaque geometry, before there is a frame.
+  // Laid out anew here, since with opaque geometry there is no frame yet.
   return this->RebuildLayoutIfNeeded(viewport) ? this->Superclass::RenderOverlay(viewport) : 0;
 }
 
