@@ -69,6 +69,7 @@ TEST_F(Legend, IsOfTheFrameInWhichTheModeChanged)
     this->Shown.Mapper->SetViewMode(c.Mode);
     const Image first = this->frame();
     EXPECT_STREQ(this->Bar->GetTitle(), c.Title);
+    ASSERT_NE(this->Bar->GetLookupTable(), nullptr);
     const double* range = this->Bar->GetLookupTable()->GetRange();
     const double most = this->Shown.Mapper->GetLastFrameStatistics()->GetMaximum(c.Quantity);
     EXPECT_LE(most, range[1]);
