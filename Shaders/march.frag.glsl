@@ -153,7 +153,9 @@ void main()
 
   gl_FragData[0] = vec4(march.radiance.color, 1.0 - march.radiance.transmittance);
 #if TETMARCH_DIAGNOSTICS
-  gl_FragData[1] = vec4(float(march.cells), float(march.evaluations), errorBound(march.radiance), 0.0);
+  // A ray that ends before the mesh, or begins behind it, has looked at a tetrahedron and met none.
+  bool met = march.done > depthBegin;
+  gl_FragData[1] = vec4(met ? float(march.cells) : 0.0, float(march.evaluations), errorBound(march.radiance), 0.0);
   gl_FragData[2] = vec4(float(march.refused), float(march.lost), float(march.guarded), 0.0);
 #endif
 }

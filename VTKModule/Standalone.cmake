@@ -22,7 +22,7 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" "$ORIGIN/${tetmarch
 
 set(tetmarch_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  RenderingCore RenderingOpenGL2 RenderingVolume)
+  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume)
 if (TETMARCH_WRAP_PYTHON)
   list(APPEND tetmarch_vtk_components Python WrappingPythonCore)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)

@@ -7,9 +7,11 @@
 #include "Mesh/MeshReport.h"
 #include "Scene/AccuracyChoice.h"
 #include "Scene/MissingScalars.h"
+#include "Scene/ViewColors.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
+#include "vtkLookupTable.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -36,6 +38,13 @@ const char* nameOf(int accuracyLevel)
   constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference" };
   return names[accuracyLevel];
 }
+
+tetmarch::Measure measureOf(int viewMode)
+{
+  return viewMode == vtkTetMarchVolumeMapper::VIEW_CELLS     ? tetmarch::Measure::Cells
+         : viewMode == vtkTetMarchVolumeMapper::VIEW_LOOKUPS ? tetmarch::Measure::Lookups
+                                                             : tetmarch::Measure::ErrorBound;
+}
 } // namespace
 
 class vtkTetMarchVolumeMapper::Internals
@@ -46,6 +55,7 @@ public:
   std::string LastError; // reported already
   std::string LastReport;
   vtkNew<vtkTetMarchFrameStatistics> Statistics;
+  vtkNew<vtkLookupTable> ViewTable;
 };
 
 vtkStandardNewMacro(vtkTetMarchVolumeMapper);
@@ -54,6 +64,7 @@ vtkStandardNewMacro(vtkTetMarchVolumeMapper);
 vtkTetMarchVolumeMapper::vtkTetMarchVolumeMapper()
   : Internal(new Internals)
 {
+  tetmarch::setViewColors(this->Internal->ViewTable);
 }
 
 //------------------------------------------------------------------------------
@@ -97,8 +108,10 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return !window->CheckAbortStatus();
   };
 
-  const tetmarch::DrawOptions options{ level, this->CollectDiagnostics,
-    this->MaxDrawTimeInSeconds };
+  const tetmarch::MeasureView view{ measureOf(this->ViewMode), this->AutomaticViewRange,
+    { { this->ViewRange[0], this->ViewRange[1] } }, this->Internal->ViewTable };
+  const tetmarch::DrawOptions options{ level, this->CollectDiagnostics, this->MaxDrawTimeInSeconds,
+    this->ViewMode == VIEW_PICTURE ? nullptr : &view };
 
   const bool drawn = scalars && pipeline.updateMesh(grid, progress) &&
                      pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
@@ -121,7 +134,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   timer->StopTimer();
   this->TimeToDraw = timer->GetElapsedTime();
-  const double seconds = this->TimeToDraw - pipeline.counted().seconds();
+  const double aside = options.View ? 0.0 : pipeline.counted().seconds();
+  const double seconds = this->TimeToDraw - aside;
   vtkTetMarchFrameStatistics* statistics = this->Internal->Statistics;
   if (drawn)
   {
@@ -129,7 +143,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     statistics->SetSeconds(seconds);
     statistics->SetGPUMemoryBytes(this->GetGPUMemoryBytes());
   }
-  choice.end({ drawn, pipeline.onlyDrew(), seconds,
+  choice.end({ drawn, !options.View, pipeline.onlyDrew(), seconds,
     statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND), pipeline.subject() });
 }
 
@@ -247,6 +261,16 @@ double vtkTetMarchVolumeMapper::GetUsedErrorTolerance() const
 bool vtkTetMarchVolumeMapper::IsBudgetKept() const { return this->Internal->Choice.isKept(); }
 
 //------------------------------------------------------------------------------
+const char* vtkTetMarchVolumeMapper::GetViewModeAsString() const
+{
+  constexpr const char* names[] = { "Picture", "ErrorBound", "Cells", "Lookups" };
+  return names[this->ViewMode];
+}
+
+//------------------------------------------------------------------------------
+vtkLookupTable* vtkTetMarchVolumeMapper::GetViewLookupTable() { return this->Internal->ViewTable; }
+
+//------------------------------------------------------------------------------
 vtkIdType vtkTetMarchVolumeMapper::GetNumberOfTetrahedra() const
 {
   return this->Internal->Pipeline.mesh().numberOfTets();
@@ -355,6 +379,9 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UsedErrorTolerance: " << this->GetUsedErrorTolerance() << "\n";
   os << indent << "BudgetKept: " << (this->IsBudgetKept() ? "Yes" : "No") << "\n";
   os << indent << "MaxDrawTimeInSeconds: " << this->MaxDrawTimeInSeconds << "\n";
+  os << indent << "ViewMode: " << this->GetViewModeAsString() << "\n";
+  os << indent << "AutomaticViewRange: " << (this->AutomaticViewRange ? "On" : "Off") << "\n";
+  os << indent << "ViewRange: " << this->ViewRange[0] << ", " << this->ViewRange[1] << "\n";
   os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";

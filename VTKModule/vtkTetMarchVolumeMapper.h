@@ -41,6 +41,7 @@
 
 class vtkDataArray;
 class vtkFloatArray;
+class vtkLookupTable;
 class vtkTetMarchFrameStatistics;
 class vtkUnstructuredGrid;
 
@@ -193,13 +194,60 @@ public:
   //@{
   /**
    * Most bytes that the mesh, its scalars and the tables may take on the GPU; textures of the size
-   * of the picture come on top (up to 28 bytes a pixel). 0, the default: no limit but the GL's. A
-   * larger mesh is refused with an error before anything of it is allocated there, and, if its
-   * cells alone tell, before it is prepared.
+   * of the picture come on top (up to 28 bytes a pixel, 48 more with CollectDiagnostics or a view
+   * mode). 0, the default: no limit but the GL's. A larger mesh is refused with an error before
+   * anything of it is allocated there, and, if its cells alone tell, before it is prepared.
    */
   vtkSetClampMacro(MaxMemoryInBytes, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaxMemoryInBytes, vtkIdType);
   //@}
+
+  //@{
+  /**
+   * What is drawn. VIEW_PICTURE: the volume, the default. The others draw a measure of each pixel
+   * in colours, opaque, and leave pixels whose ray met nothing as they are; vtkTetMarchLegend says
+   * what the colours mean.
+   * VIEW_ERROR_BOUND: how far each channel of the picture may be off, 0..1, on a logarithmic scale;
+   * VIEW_CELLS: tetrahedra that the ray crossed; VIEW_LOOKUPS: evaluations of the segment integral.
+   * The numbers are those of vtkTetMarchFrameStatistics, which come with each such frame whether or
+   * not CollectDiagnostics is on. The frame takes a march that counts instead of one that does not.
+   */
+  enum ViewModeType
+  {
+    VIEW_PICTURE = 0,
+    VIEW_ERROR_BOUND = 1,
+    VIEW_CELLS = 2,
+    VIEW_LOOKUPS = 3
+  };
+  vtkSetClampMacro(ViewMode, int, VIEW_PICTURE, VIEW_LOOKUPS);
+  vtkGetMacro(ViewMode, int);
+  void SetViewModeToPicture() { this->SetViewMode(VIEW_PICTURE); }
+  void SetViewModeToErrorBound() { this->SetViewMode(VIEW_ERROR_BOUND); }
+  void SetViewModeToCells() { this->SetViewMode(VIEW_CELLS); }
+  void SetViewModeToLookups() { this->SetViewMode(VIEW_LOOKUPS); }
+  const char* GetViewModeAsString() const;
+  //@}
+
+  //@{
+  /**
+   * Which values have the first and the last colour in a view mode; those beyond have the same.
+   * Automatic, the default: round numbers about the values of each frame, four decades of errors,
+   * counts from 0. Otherwise ViewRange (default: 1e-6, 1), so that pictures can be compared: two
+   * finite numbers, the first below the second and for VIEW_ERROR_BOUND above 0, else rendering is
+   * an error.
+   */
+  vtkSetMacro(AutomaticViewRange, bool);
+  vtkGetMacro(AutomaticViewRange, bool);
+  vtkBooleanMacro(AutomaticViewRange, bool);
+  vtkSetVector2Macro(ViewRange, double);
+  vtkGetVector2Macro(ViewRange, double);
+  //@}
+
+  /**
+   * The colours of the view modes, 256 from dark blue to pale yellow; others can be set. Range and
+   * scale (linear or log10) are those of the last frame in a view mode, which sets them.
+   */
+  vtkLookupTable* GetViewLookupTable();
 
   /**
    * In how many draw calls the last frame was marched, up to where it ended if it was aborted; 0 if
@@ -254,7 +302,8 @@ public:
 
   //@{
   /**
-   * Sums over the pixels of the last frame with CollectDiagnostics on: rays that entered the mesh,
+   * Sums over the pixels of the last frame with CollectDiagnostics on, or with a view mode: rays
+   * that entered the mesh,
    * cells crossed, evaluations of the segment integral, rays that enter another face than the
    * rasteriser named, so that a search had to find it (a few in ten thousand), rays that came to a
    * face without exit (lost) and rays stopped by the step guard. The last two are 0 unless
@@ -270,7 +319,8 @@ public:
 
   /**
    * What the pixels of the last frame cost and by how much they may be off, if CollectDiagnostics
-   * was on; empty otherwise. The object stays the same from frame to frame.
+   * was on or ViewMode was another than VIEW_PICTURE; empty otherwise. The object stays the same
+   * from frame to frame.
    */
   vtkTetMarchFrameStatistics* GetLastFrameStatistics();
 
@@ -304,6 +354,9 @@ protected:
   double FrameTimeBudget = 0;
   double ErrorBudget = 0;
   double MaxDrawTimeInSeconds = 0.25;
+  int ViewMode = VIEW_PICTURE;
+  bool AutomaticViewRange = true;
+  double ViewRange[2] = { 1e-6, 1.0 };
   vtkIdType MaxMemoryInBytes = 0;
   bool CollectDiagnostics = false;
 

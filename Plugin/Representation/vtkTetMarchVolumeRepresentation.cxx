@@ -3,6 +3,9 @@
 #include "vtkTetMarchVolumeRepresentation.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkRenderer.h"
+#include "vtkTetMarchLegend.h"
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkVolumeRepresentationPreprocessor.h"
 
@@ -19,6 +22,7 @@ vtkTetMarchVolumeRepresentation::vtkTetMarchVolumeRepresentation()
   this->Preprocessor->SetTetrahedraOnly(0);
   this->AddVolumeMapper(MapperName, this->TetMarchMapper);
   this->SetActiveVolumeMapper(MapperName);
+  this->Legend->SetMapper(this->TetMarchMapper);
 }
 
 vtkTetMarchVolumeRepresentation::~vtkTetMarchVolumeRepresentation() = default;
@@ -46,6 +50,47 @@ void vtkTetMarchVolumeRepresentation::SetFrameTimeBudget(double seconds)
 void vtkTetMarchVolumeRepresentation::SetErrorBudget(double error)
 {
   this->TetMarchMapper->SetErrorBudget(error);
+}
+
+void vtkTetMarchVolumeRepresentation::SetViewMode(int mode)
+{
+  this->TetMarchMapper->SetViewMode(mode);
+}
+
+void vtkTetMarchVolumeRepresentation::SetAutomaticViewRange(bool automatic)
+{
+  this->TetMarchMapper->SetAutomaticViewRange(automatic);
+}
+
+void vtkTetMarchVolumeRepresentation::SetViewRange(double low, double high)
+{
+  this->TetMarchMapper->SetViewRange(low, high);
+}
+
+void vtkTetMarchVolumeRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  this->Legend->SetVisibility(visible);
+}
+
+// Not composited: each process composites its own piece of the volume, but only the one that shows
+// the picture may add a legend. It draws after the others.
+bool vtkTetMarchVolumeRepresentation::AddToView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    renderView->GetNonCompositedRenderer()->AddViewProp(this->Legend);
+  }
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkTetMarchVolumeRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    renderView->GetNonCompositedRenderer()->RemoveViewProp(this->Legend);
+  }
+  return this->Superclass::RemoveFromView(view);
 }
 
 void vtkTetMarchVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)

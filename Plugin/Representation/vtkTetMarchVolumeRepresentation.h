@@ -5,7 +5,8 @@
  * @brief   ParaView's volume representation of unstructured grids, drawn by vtkTetMarchVolumeMapper
  *
  * Everything but the mapper is the superclass's. The grid reaches the mapper with its cells as they
- * are: the superclass would cut them into tetrahedra, without care for neighbours.
+ * are: the superclass would cut them into tetrahedra, without care for neighbours. A view mode
+ * brings its legend into the view, in the process that draws.
  */
 #ifndef vtkTetMarchVolumeRepresentation_h
 #define vtkTetMarchVolumeRepresentation_h
@@ -13,6 +14,7 @@
 #include "vtkTetMarchRepresentationModule.h" // For export macro
 #include "vtkUnstructuredGridVolumeRepresentation.h"
 
+class vtkTetMarchLegend;
 class vtkTetMarchVolumeMapper;
 
 class VTKTETMARCHREPRESENTATION_EXPORT vtkTetMarchVolumeRepresentation
@@ -32,17 +34,29 @@ public:
   void SetErrorTolerance(double tolerance);
   void SetFrameTimeBudget(double seconds);
   void SetErrorBudget(double error);
+  void SetViewMode(int mode);
+  void SetAutomaticViewRange(bool automatic);
+  void SetViewRange(double low, double high);
   //@}
+
+  /**
+   * The legend is seen with the volume only.
+   */
+  void SetVisibility(bool visible) override;
 
 protected:
   vtkTetMarchVolumeRepresentation();
   ~vtkTetMarchVolumeRepresentation() override;
+
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
 private:
   vtkTetMarchVolumeRepresentation(const vtkTetMarchVolumeRepresentation&) = delete;
   void operator=(const vtkTetMarchVolumeRepresentation&) = delete;
 
   vtkNew<vtkTetMarchVolumeMapper> TetMarchMapper;
+  vtkNew<vtkTetMarchLegend> Legend;
 };
 
 #endif

@@ -1,8 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs tetmarch-bench on tiny lattices; the figures must be there and positive: SmokeTest.py EXECUTABLE."""
+import importlib.util
 import json
+import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -85,6 +88,69 @@ class SmokeTest(unittest.TestCase):
                                    "no/such/folder")
         self.assertIn("no/such/folder/golfball_small.vtu", report["datasets"][0]["mappers"][0]["failure"])
 
+    def errors_of(self, *arguments):
+        """{(dataset, functions): {mapper: errors}} of a quick run, and the report."""
+        kind, *rest = arguments
+        report, table = self.report_of(kind, "--quick", *rest)
+        errors = {}
+        for dataset in report["datasets"]:
+            self.assertNotIn("reference_failure", dataset)
+            for mapper in dataset["mappers"]:
+                self.assertIsNone(mapper["failure"], mapper["name"])
+                self.assertIn(f"| {dataset['name']} | {dataset['functions']} | {mapper['name']} |", table)
+                errors.setdefault((dataset["name"], dataset["functions"]), {})[mapper["name"]] = mapper["errors"]
+        return errors, report
+
+    def test_errors_are_those_of_each_mapper(self):
+        """Coarse images are further off than fine ones, levels less than all; opacities are on both grounds."""
+        mappers = ["tetmarch-fast", "tetmarch", "tetmarch-reference", "projected", "bunyk-linear", "zsweep",
+                   "resample:8/1", "resample:64/2"]
+        errors, report = self.errors_of("accuracy", "--datasets", "front:16", "--functions", "smooth,ramp,spikes",
+                                        "--mappers", ",".join(mappers))
+        self.assertEqual(report["kind"], "accuracy")
+        self.assertEqual(set(errors), {("front:16", name) for name in ("smooth", "ramp", "spikes")})
+        for subject, of_mappers in errors.items():
+            with self.subTest(subject=subject):
+                self.assertEqual(list(of_mappers), mappers)
+                for e in of_mappers.values():
+                    self.assertLessEqual(e["rms"], e["p999"])
+                    self.assertLessEqual(e["p999"], e["max"])
+                rms = {name: e["rms"] for name, e in of_mappers.items()}
+                self.assertLessEqual(rms["tetmarch-reference"], rms["tetmarch"])
+                self.assertLessEqual(of_mappers["tetmarch"]["max"], 1 / 255)
+                self.assertLess(rms["tetmarch-reference"], 1e-4)
+                self.assertGreater(rms["resample:8/1"], 2 * rms["resample:64/2"])
+                for name in ("projected", "bunyk-linear", "zsweep", "resample:8/1"):
+                    self.assertGreater(rms[name], 3 * rms["tetmarch"], name)
+                    self.assertLess(rms[name], 0.6, name)  # of the same thing, at least
+                self.assertGreater(of_mappers["tetmarch-reference"]["lookups_per_cell"],
+                                   of_mappers["tetmarch-fast"]["lookups_per_cell"])
+                self.assertLessEqual(of_mappers["tetmarch-reference"]["bound_max"], 1.001e-5)
+
+    def test_refinement_is_of_second_order(self):
+        errors, _ = self.errors_of("refinement", "--datasets", "refined:8,refined:16", "--mappers",
+                                   "tetmarch-reference")
+        coarse, fine = (e["tetmarch-reference"]["rms"] for e in errors.values())
+        self.assertAlmostEqual(math.log2(coarse / fine), 2.0, delta=0.3)
+
+    def test_page_and_charts(self):
+        if importlib.util.find_spec("matplotlib") is None:
+            self.skipTest("there is no matplotlib")
+        self.report_of("refinement", "--quick", "--datasets", "refined:8,refined:16", "--mappers",
+                       "tetmarch,bunyk-linear")
+        (self.folder / "out.json").rename(self.folder / "refinement.json")
+        self.report_of("accuracy", "--quick", "--datasets", "golfball", "--functions", "smooth", "--mappers",
+                       "tetmarch-fast,tetmarch,resample:8/1")
+        maker = pathlib.Path(__file__).resolve().parent / "make_accuracy_page.py"
+        subprocess.run([sys.executable, maker, "out.json", "refinement.json", "page"], cwd=self.folder, check=True)
+        page = (self.folder / "page" / "Accuracy.md").read_text()
+        self.assertRegex(page, r"\| golfball \| smooth \| 271,607 \| [0-9.]+ \(resample:8/1\)")
+        self.assertRegex(page, r"\| bunyk-linear \| [0-9.e-]+ \| -?[0-9.]+ \|")
+        self.assertNotRegex(page, "@[a-z]+@")
+        for link in re.findall(r"\]\((Charts/[^)]*)\)", page) + ["Charts/overview.svg"]:
+            chart = (self.folder / "page" / link).read_bytes()
+            self.assertTrue(chart.startswith((b"\x89PNG", b"<?xml")), link)
+
     def test_bad_command_lines(self):
         for message, *arguments in (("unknown option '--bogus'", "--bogus"),
                                     ("--size needs a value", "--size"),
@@ -92,7 +158,11 @@ class SmokeTest(unittest.TestCase):
                                     ("1 or more", "--frames", "0"),
                                     ("above 0", "--limit", "-1"),
                                     ("there is no 'torus'", "--datasets", "golfball,torus"),
-                                    ("there is no 'magic'", "--mappers", "magic")):
+                                    ("there is no 'magic'", "--mappers", "magic"),
+                                    ("there is no 'tetmarch:1/0'", "--mappers", "tetmarch:1/0"),
+                                    ("there is no 'resample:8'", "--mappers", "resample:8"),
+                                    ("there is no 'grey'", "--functions", "smooth,grey"),
+                                    ("unknown option 'accuracy'", "--quick", "accuracy")):
             with self.subTest(arguments=arguments):
                 result = self.run_benchmark(*arguments)
                 self.assertEqual((result.returncode, result.stdout), (2, ""))
@@ -101,7 +171,7 @@ class SmokeTest(unittest.TestCase):
     def test_help(self):
         result = self.run_benchmark("--help")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assertTrue(result.stdout.startswith("Usage: tetmarch-bench [options]"))
+        self.assertTrue(result.stdout.startswith("Usage: tetmarch-bench [accuracy|refinement] [options]"))
 
 
 if __name__ == "__main__":

@@ -19,14 +19,20 @@ namespace
 {
 using namespace tetmarch::testing;
 
+// With diagnostics or without, and in which view mode.
+constexpr std::pair<bool, int> WaysToDraw[] = { { true, vtkTetMarchVolumeMapper::VIEW_PICTURE },
+  { false, vtkTetMarchVolumeMapper::VIEW_PICTURE },
+  { false, vtkTetMarchVolumeMapper::VIEW_ERROR_BOUND } };
+
 void expectStateKept(Scene& scene)
 {
   const bool multisampled = scene.Window->GetMultiSamples() > 1;
-  for (const bool diagnostics : { true, false })
+  for (const auto& [diagnostics, viewMode] : WaysToDraw)
   {
     vtkNew<WatchedMapper> mapper;
     mapper->SetInputData(scene.Data);
     mapper->SetCollectDiagnostics(diagnostics);
+    mapper->SetViewMode(viewMode);
     scene.Volume->SetMapper(mapper);
     scene.Window->Render();
     scene.Window->Render();
@@ -66,11 +72,12 @@ TEST(GLState, IsKeptByTilesAndWhenTheyAreAborted)
   Scene scene(lattice());
   scene.Renderer->SetViewport(0.2, 0.3, 0.7, 0.9);
   scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 }));
-  for (const bool diagnostics : { true, false })
+  for (const auto& [diagnostics, viewMode] : WaysToDraw)
   {
     vtkNew<WatchedMapper> mapper;
     mapper->SetInputData(scene.Data);
     mapper->SetCollectDiagnostics(diagnostics);
+    mapper->SetViewMode(viewMode);
     mapper->SetMaxDrawTimeInSeconds(1e-9);
     scene.Volume->SetMapper(mapper);
     scene.Window->Render();

@@ -58,7 +58,7 @@ public:
                                    ? renderReference<double>(this->Made, this->Level)
                                    : renderReference<float>(this->Made, this->Level);
     return { Image::fromFloats(this->Made.Width, this->Made.Height, image.Pixels.data()),
-      image.Counters };
+      image.ErrorBounds, image.Counters };
   }
 
 private:

@@ -22,6 +22,7 @@ enum class Precision
 struct TwinPicture
 {
   Image Picture;
+  std::vector<float> ErrorBounds; ///< of each pixel
   MarchCounters Counters;
 };
 

@@ -6,7 +6,7 @@ import unittest
 
 import vtkmodules.all as vtk
 import vtktetmarch
-from vtktetmarch import vtkTetMarchFrameStatistics, vtkTetMarchVolumeMapper
+from vtktetmarch import vtkTetMarchFrameStatistics, vtkTetMarchLegend, vtkTetMarchVolumeMapper
 
 # What macros declare without a comment of their own, as in every class of VTK.
 FROM_MACROS = {"NewInstance", "SafeDownCast"}
@@ -14,7 +14,7 @@ FROM_MACROS = {"NewInstance", "SafeDownCast"}
 
 class ApiTest(unittest.TestCase):
     def test_every_method_is_documented(self):
-        methods = {name: method for cls in (vtkTetMarchVolumeMapper, vtkTetMarchFrameStatistics)
+        methods = {name: method for cls in (vtkTetMarchVolumeMapper, vtkTetMarchFrameStatistics, vtkTetMarchLegend)
                    for name, method in vars(cls).items()
                    if not name.startswith("__") and inspect.isroutine(method)}
         self.assertIn("SetOpacityLaw", methods)
@@ -29,7 +29,8 @@ class ApiTest(unittest.TestCase):
     def test_the_class_and_the_package_are_documented(self):
         self.assertIn("marching rays", vtkTetMarchVolumeMapper.__doc__)
         self.assertIn("marching rays", vtktetmarch.__doc__)
-        self.assertEqual(vtktetmarch.__all__, ["vtkTetMarchFrameStatistics", "vtkTetMarchVolumeMapper"])
+        self.assertEqual(vtktetmarch.__all__,
+                         ["vtkTetMarchFrameStatistics", "vtkTetMarchLegend", "vtkTetMarchVolumeMapper"])
 
     def test_base_classes(self):
         mapper = vtkTetMarchVolumeMapper()
@@ -83,6 +84,28 @@ class ApiTest(unittest.TestCase):
         mapper.CollectDiagnosticsOff()
         self.assertFalse(mapper.GetCollectDiagnostics())
 
+    def test_the_view_modes(self):
+        mapper = vtkTetMarchVolumeMapper()
+        self.assertEqual(mapper.GetViewMode(), mapper.VIEW_PICTURE)
+        self.assertTrue(mapper.GetAutomaticViewRange())
+        for value, name in enumerate(("Picture", "ErrorBound", "Cells", "Lookups")):
+            getattr(mapper, "SetViewModeTo" + name)()
+            self.assertEqual((mapper.GetViewMode(), mapper.GetViewModeAsString()), (value, name))
+        mapper.SetViewRange(2, 30)
+        self.assertEqual(mapper.GetViewRange(), (2.0, 30.0))
+        self.assertEqual(mapper.GetViewLookupTable().GetNumberOfTableValues(), 256)
+
+    def test_the_legend(self):
+        legend = vtkTetMarchLegend()
+        self.assertIsInstance(legend, vtk.vtkScalarBarActor)
+        mapper = vtkTetMarchVolumeMapper()
+        legend.SetMapper(mapper)
+        self.assertIs(legend.GetMapper(), mapper)
+        mapper.SetViewModeToCells()
+        self.assertFalse(legend.IsShown())  # no frame yet
+        del mapper
+        self.assertIsNone(legend.GetMapper())
+
     def test_the_limits(self):
         mapper = vtkTetMarchVolumeMapper()
         for name, value in (("MaxDrawTimeInSeconds", 0.5), ("MaxMemoryInBytes", 3 << 33),
@@ -101,7 +124,7 @@ class ApiTest(unittest.TestCase):
         mapper.SetOpacityLawToStructured()
         text = str(mapper)
         for line in ("OpacityLaw: Structured", "CollectDiagnostics: Off", "NumberOfTetrahedra: 0",
-                     "MaxDrawTimeInSeconds: 0.25", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0", "ErrorBudget: 0",
+                     "MaxDrawTimeInSeconds: 0.25", "ViewMode: Picture", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0", "ErrorBudget: 0",
                      "UsedAccuracyLevel: Default", "BudgetKept: No"):
             self.assertIn(line, text)
 

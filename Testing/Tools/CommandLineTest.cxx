@@ -98,6 +98,7 @@ TEST(CommandLine, RefusesBadChoices)
 {
   ExpectBadValue("--opacity-law", "linear", "expected structured or unstructured");
   ExpectBadValue("--accuracy", "best", "expected fast, default, accurate or reference");
+  ExpectBadValue("--view", "bound", "expected picture, error, cells or lookups");
   ExpectBadValue("--tolerance", "0.0000001", "expected a number from 1e-6 to 1");
   ExpectBadValue("--error", "1.5", "expected a number from 1e-6 to 1");
   ExpectBadValue("--frame-time", "0", "expected a number above 0");
@@ -113,6 +114,7 @@ TEST(CommandLine, Defaults)
   EXPECT_EQ(c.Frames, 0);
   EXPECT_FALSE(c.StructuredOpacityLaw || c.Compare);
   EXPECT_EQ(c.AccuracyLevel, 1);
+  EXPECT_EQ(c.ViewMode, 0);
   EXPECT_FALSE(
     c.Tolerance || c.TimeStep || c.Range || c.UnitDistance || c.Camera || c.ParallelScale);
   EXPECT_FALSE(c.ArrayAssociation);
@@ -123,12 +125,12 @@ TEST(CommandLine, Defaults)
 
 TEST(CommandLine, TakesEveryOption)
 {
-  const CommandLine c = ParseCommandLine(
-    { "--array", "T", "--output=o=1.png", "--size", "320x200", "--preset", "p.json",
-      "--unit-distance", "2.5", "--camera", "-1,2,3,4,5,6,0,0,1,45", "--parallel-scale", "1e3",
-      "--background", "0,0.5,1", "--opacity-law", "structured", "--association", "cells", "--stats",
-      "s.json", "--frames", "7", "--time-step", "3", "--range", "-1,1", "--accuracy", "accurate",
-      "--tolerance", "0.01", "--frame-time", "0.1", "--error=0.02", "--compare", "m.ex2" });
+  const CommandLine c = ParseCommandLine({ "--array", "T", "--output=o=1.png", "--size", "320x200",
+    "--preset", "p.json", "--unit-distance", "2.5", "--camera", "-1,2,3,4,5,6,0,0,1,45",
+    "--parallel-scale", "1e3", "--background", "0,0.5,1", "--opacity-law", "structured",
+    "--association", "cells", "--stats", "s.json", "--frames", "7", "--time-step", "3", "--range",
+    "-1,1", "--accuracy", "accurate", "--tolerance", "0.01", "--frame-time", "0.1", "--error=0.02",
+    "--compare", "--view", "cells", "m.ex2" });
   EXPECT_EQ(c.Input, "m.ex2");
   EXPECT_EQ(c.Array, "T");
   EXPECT_EQ(c.Output, "o=1.png");
@@ -151,6 +153,7 @@ TEST(CommandLine, TakesEveryOption)
   EXPECT_EQ(c.Tolerance, 0.01);
   EXPECT_EQ(c.FrameTime, 0.1);
   EXPECT_EQ(c.Error, 0.02);
+  EXPECT_EQ(c.ViewMode, 2);
   EXPECT_TRUE(c.Compare);
   EXPECT_EQ(c.Range, (std::array<double, 2>{ { -1, 1 } }));
 }
@@ -174,7 +177,7 @@ TEST(CommandLine, HelpNamesEveryOption)
   for (const char* option : { "--accuracy", "--array", "--association", "--background", "--camera",
          "--compare", "--error", "--frame-time", "--frames", "--help", "--opacity-law", "--output",
          "--parallel-scale", "--preset", "--range", "--size", "--stats", "--time-step",
-         "--tolerance", "--unit-distance", "--version" })
+         "--tolerance", "--unit-distance", "--version", "--view" })
   {
     EXPECT_NE(help.find(std::string(option)), std::string::npos) << option;
   }

@@ -197,6 +197,18 @@ class RenderTest(unittest.TestCase):
         self.assertIn(b"reading [", text)
         self.assertTrue(text.endswith(b"\r\x1b[K"), text[-80:])
 
+    def test_views_have_a_legend(self):
+        picture, _ = self.render("cube.vtu", "--array", "ramp", "--size", "320x240")
+        for view in ("error", "cells", "lookups"):
+            with self.subTest(view=view):
+                pixels, _ = self.render("cube.vtu", "--array", "ramp", "--size", "320x240", "--view", view)
+                self.assertNotEqual(pixels, picture)
+                # Text is white; the palest colour has 184 of blue.
+                white = sum(min(pixel) > 190 for row in pixels for pixel in row[240:])
+                self.assertGreater(white, 50)
+        same, _ = self.render("cube.vtu", "--array", "ramp", "--size", "320x240", "--view", "picture")
+        self.assertEqual(same, picture)
+
     def test_cell_array(self):
         _, stats = self.render("cube.vtu", "--array", "material", "--size", "32x32")
         self.assertEqual(stats["array"]["association"], "cells")

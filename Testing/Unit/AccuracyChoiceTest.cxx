@@ -9,7 +9,7 @@ namespace
 {
 using namespace tetmarch;
 
-FrameResult drawn(double seconds) { return { true, true, seconds, 0, { 1 } }; }
+FrameResult drawn(double seconds) { return { true, true, true, seconds, 0, { 1 } }; }
 
 AccuracyWish budgets(double frameTime, double error)
 {
@@ -128,7 +128,7 @@ TEST(AccuracyChoice, FramesThatAreNotDrawnKeepNothing)
   choice.begin(budgets(0.1, 0));
   choice.end(drawn(0.01));
   choice.begin(budgets(0.1, 0));
-  choice.end({ false, true, 0.01, 0, {} });
+  choice.end({ false, true, true, 0.01, 0, {} });
   EXPECT_FALSE(choice.isKept());
   EXPECT_EQ(choice.used().Level, Accuracy::Fast);
 }
@@ -142,8 +142,32 @@ TEST(AccuracyChoice, OnlyFramesOfTheSameAreMeasured)
     for (std::uintptr_t i = 0; i < 100; ++i)
     {
       choice.begin(budgets(0.1, 0));
-      choice.end({ true, onlyDrawn, 0.001, 0, { onlyDrawn ? i : 0 } });
+      choice.end({ true, true, onlyDrawn, 0.001, 0, { onlyDrawn ? i : 0 } });
       EXPECT_EQ(choice.used().Level, Accuracy::Fast);
+    }
+  }
+}
+
+// A view may take much longer than a picture, or less.
+TEST(AccuracyChoice, ViewsOfErrorOrCostChangeNothing)
+{
+  AccuracyChoice choice;
+  for (int i = 0; i < 100; ++i)
+  {
+    choice.begin(budgets(0.1, 0));
+    choice.end(drawn(0.01));
+  }
+  EXPECT_EQ(choice.used().Level, Accuracy::Reference);
+  for (const double seconds : { 0.5, 0.001 })
+  {
+    for (int i = 0; i < 20; ++i)
+    {
+      choice.begin(budgets(0.1, 0));
+      FrameResult view = drawn(seconds);
+      view.IsPicture = false;
+      choice.end(view);
+      EXPECT_EQ(choice.used().Level, Accuracy::Reference);
+      EXPECT_EQ(choice.isKept(), seconds <= 0.1);
     }
   }
 }

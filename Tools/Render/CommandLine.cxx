@@ -131,15 +131,26 @@ bool ParseChoice(const std::string& value, const std::string& yes, const std::st
   return value == yes;
 }
 
+/// The place of a word in a list.
+int ParseWord(const std::string& value, const std::array<std::string, 4>& words)
+{
+  const auto found = std::find(words.begin(), words.end(), value);
+  if (found == words.end())
+  {
+    throw UsageError(
+      "expected " + words[0] + ", " + words[1] + ", " + words[2] + " or " + words[3]);
+  }
+  return static_cast<int>(found - words.begin());
+}
+
 int ParseLevel(const std::string& value)
 {
-  const std::array<std::string, 4> levels{ { "fast", "default", "accurate", "reference" } };
-  const auto found = std::find(levels.begin(), levels.end(), value);
-  if (found == levels.end())
-  {
-    throw UsageError("expected fast, default, accurate or reference");
-  }
-  return static_cast<int>(found - levels.begin());
+  return ParseWord(value, { { "fast", "default", "accurate", "reference" } });
+}
+
+int ParseView(const std::string& value)
+{
+  return ParseWord(value, { { "picture", "error", "cells", "lookups" } });
 }
 
 double ParseTolerance(const std::string& value)
@@ -183,6 +194,7 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
       [](CommandLine& c, const std::string& v) { c.Tolerance = ParseTolerance(v); } },
     { "--unit-distance",
       [](CommandLine& c, const std::string& v) { c.UnitDistance = ParsePositive(v); } },
+    { "--view", [](CommandLine& c, const std::string& v) { c.ViewMode = ParseView(v); } },
   };
   return options;
 }

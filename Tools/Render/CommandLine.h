@@ -52,6 +52,7 @@ struct CommandLine
   std::optional<double> Tolerance;
   double FrameTime = 0.0; // budgets; 0: none
   double Error = 0.0;
+  int ViewMode = 0; // vtkTetMarchVolumeMapper::VIEW_PICTURE
   bool Compare = false;
   int Frames = 0; // re-renders to be timed; 5 by default if Stats is given
 };

@@ -37,6 +37,8 @@ View
                             position, focal point, view up, view angle in degrees (default: oblique, all
                             of the mesh in view, 30 degrees)
   --parallel-scale S        parallel projection; S is half of the picture's height in world units
+  --view WHAT               picture (default), or with a legend of the colours what its pixels cost or may
+                            be off by: error (bound of a channel, 0 to 1), cells or lookups
   --background R,G,B        from 0 to 1 each (default: 0.08,0.09,0.12)
   --size WxH                in pixels (default: 1024x768)
 

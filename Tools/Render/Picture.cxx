@@ -8,6 +8,7 @@
 #include "OffscreenWindow.h"
 #include "ProgressBar.h"
 
+#include "vtkAutoInit.h"
 #include "vtkCamera.h"
 #include "vtkPNGWriter.h"
 #include "vtkTimerLog.h"
@@ -17,6 +18,9 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <filesystem>
+
+// The text of the legend.
+VTK_MODULE_INIT(vtkRenderingFreeType);
 
 namespace tetmarch
 {
@@ -46,6 +50,8 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
   }
   this->Mapper->SetFrameTimeBudget(commandLine.FrameTime);
   this->Mapper->SetErrorBudget(commandLine.Error);
+  this->Mapper->SetViewMode(commandLine.ViewMode);
+  this->Legend->SetMapper(this->Mapper);
 
   this->Volume->SetMapper(this->Mapper);
   this->Volume->GetProperty()->SetColor(functions.Color);
@@ -57,6 +63,7 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
   const auto& background = commandLine.Background;
   this->Renderer->SetBackground(background[0], background[1], background[2]);
   this->Renderer->AddVolume(this->Volume);
+  this->Renderer->AddViewProp(this->Legend);
   this->Window->AddRenderer(this->Renderer);
   this->PlaceCamera(commandLine);
 }

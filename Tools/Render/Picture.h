@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The scene: one volume in one window.
+ * The scene: one volume in one window, and a legend if a view mode wants one.
  */
 #ifndef tetmarch_Picture_h
 #define tetmarch_Picture_h
@@ -14,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTetMarchLegend.h"
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkVolume.h"
 
@@ -52,6 +53,7 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkTetMarchVolumeMapper> Mapper;
   vtkNew<vtkVolume> Volume;
+  vtkNew<vtkTetMarchLegend> Legend;
 };
 
 } // namespace tetmarch

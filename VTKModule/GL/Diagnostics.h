@@ -28,6 +28,11 @@ public:
   const std::vector<float>& pixels() const { return this->Pixels; }
   /** What collect() took. */
   double seconds() const { return this->Record.Seconds; }
+  /** The measures as a texture, as long as nothing else is collected. */
+  vtkTextureObject* measuresTexture() const { return this->Target.color(1); }
+  /** Draw calls of the last collect(), up to where it was stopped. */
+  int numberOfDraws() const { return this->Tiles.numberOfTiles(); }
+  std::size_t bytes() const { return this->Target.bytes(); }
   void clear();
   /** The next collect() may take much longer than the last. */
   void expectChange() { this->Tiles.expectChange(); }

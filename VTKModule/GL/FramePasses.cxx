@@ -4,13 +4,17 @@
 
 #include "Scene/RayPoints.h"
 
+#include "vtkOpenGLRenderWindow.h"
+
 namespace tetmarch
 {
 
 std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
-  MarchInputs inputs, bool diagnostics, const Progress& progress, bool& stopped)
+  MarchInputs inputs, bool diagnostics, const MeasureView* view, const Progress& progress,
+  bool& stopped)
 {
   this->clear();
+  this->releaseUnused(window, diagnostics, view);
   this->ChangedVariant = !(inputs.Key == this->LastKey);
   if (this->ChangedVariant)
   {
@@ -32,16 +36,35 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
     error = this->Opaque.capture(window, inputs.Area);
     inputs.Depths = this->Opaque.texture();
   }
-  if (error.empty() && diagnostics)
+  if (error.empty() && (diagnostics || view))
   {
     error = this->Counted.collect(window, this->March, inputs, progress, stopped);
+    this->Draws = view && error.empty() ? this->Counted.numberOfDraws() : 0;
   }
-  if (error.empty() && !stopped)
+  if (!error.empty() || stopped)
   {
-    error = this->March.draw(window, inputs, this->Tiles, progress, stopped);
-    this->Draws = this->Tiles.numberOfTiles();
+    return error;
   }
+  if (view)
+  {
+    fitTable(*view, this->Counted.measures());
+    return this->Shown.draw(window, inputs.Area, this->Counted.measuresTexture(), *view);
+  }
+  error = this->March.draw(window, inputs, this->Tiles, progress, stopped);
+  this->Draws = this->Tiles.numberOfTiles();
   return error;
+}
+
+void FramePasses::releaseUnused(vtkWindow* window, bool diagnostics, const MeasureView* view)
+{
+  if (!view)
+  {
+    this->Shown.release(window);
+  }
+  if (!view && !diagnostics)
+  {
+    this->Counted.release(window);
+  }
 }
 
 void FramePasses::expectChange()
@@ -62,6 +85,7 @@ void FramePasses::release(vtkWindow* window)
   this->Opaque.release(window);
   this->March.release();
   this->Counted.release(window);
+  this->Shown.release(window);
   this->expectChange();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn in a frame, in order: entries, depths of opaque geometry, counters, picture.
+// What is drawn in a frame, in order: entries, depths of opaque geometry, counters, then the
+// picture or a view of what was counted.
 #ifndef TetMarchGLFramePasses_h
 #define TetMarchGLFramePasses_h
 
@@ -8,6 +9,7 @@
 #include "GL/EntryPass.h"
 #include "GL/MarchPass.h"
 #include "GL/OpaqueDepth.h"
+#include "GL/ViewPass.h"
 
 namespace tetmarch
 {
@@ -17,10 +19,11 @@ class FramePasses
 public:
   /**
    * Returns an empty string, or what is wrong; `stopped` becomes true if progress asked to stop.
-   * Entries and depths of the inputs are added here.
+   * Entries and depths of the inputs are added here. With a view it is drawn instead of the
+   * picture, diagnostics or not.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
-    bool diagnostics, const Progress& progress, bool& stopped);
+    bool diagnostics, const MeasureView* view, const Progress& progress, bool& stopped);
   /** The next frame may take much longer than the last. */
   void expectChange();
   /** No picture, no counters: what is asked for before the next draw(). */
@@ -29,7 +32,7 @@ public:
 
   /** Whether the last picture was by another variant of the shader than the one before. */
   bool changedVariant() const { return this->ChangedVariant; }
-  /** Draw calls of the picture. */
+  /** Draw calls of the picture, or of the march that a view shows. */
   int numberOfDraws() const { return this->Draws; }
   const Diagnostics& counted() const { return this->Counted; }
   /** Of opaque geometry, one a pixel, if the last frame looked at them; else empty. */
@@ -37,13 +40,19 @@ public:
   {
     return this->LastKey.OpaqueDepth ? this->Opaque.read(window) : std::vector<float>();
   }
-  std::size_t bytes() const { return this->Entry.bytes() + this->Opaque.bytes(); }
+  std::size_t bytes() const
+  {
+    return this->Entry.bytes() + this->Opaque.bytes() + this->Counted.bytes() + this->Shown.bytes();
+  }
 
 private:
+  void releaseUnused(vtkWindow* window, bool diagnostics, const MeasureView* view);
+
   EntryPass Entry;
   OpaqueDepth Opaque;
   MarchPass March;
   Diagnostics Counted;
+  ViewPass Shown;
   TileSchedule Tiles;
   VariantKey LastKey;
   bool ChangedVariant = true;

@@ -212,6 +212,11 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   {
     return true;
   }
+  const std::string badRange = options.View ? describeBadRange(*options.View) : std::string();
+  if (!badRange.empty())
+  {
+    return this->fail(badRange);
+  }
   this->Subject.push_back(static_cast<std::uintptr_t>(inputs.Area.Width));
   this->Subject.push_back(static_cast<std::uintptr_t>(inputs.Area.Height));
   VariantKey key;
@@ -235,8 +240,10 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   bool stopped = false;
   std::string error;
   const std::string shortage = withinMemory("drawing",
-    [&] {
-      error = this->Passes.draw(window, this->mesh(), inputs, options.Diagnostics, goOn, stopped);
+    [&]
+    {
+      error = this->Passes.draw(
+        window, this->mesh(), inputs, options.Diagnostics, options.View, goOn, stopped);
     });
   if (!shortage.empty())
   {

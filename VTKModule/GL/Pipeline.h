@@ -34,7 +34,8 @@ struct DrawOptions
 {
   AccuracyLevel Level = DefaultAccuracy;
   bool Diagnostics = false;
-  double MostSecondsPerDraw = 0; // 0: no limit
+  double MostSecondsPerDraw = 0;     // 0: no limit
+  const MeasureView* View = nullptr; // drawn instead of the picture
 };
 
 class Pipeline

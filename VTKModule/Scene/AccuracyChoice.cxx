@@ -47,7 +47,10 @@ void AccuracyChoice::end(const FrameResult& frame)
       kind = FrameKind::Changed;
     }
   }
-  this->Choice.drawn(frame.Seconds, kind);
+  if (frame.IsPicture)
+  {
+    this->Choice.drawn(frame.Seconds, kind);
+  }
 }
 
 } // namespace tetmarch

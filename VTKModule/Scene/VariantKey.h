@@ -11,8 +11,8 @@ namespace tetmarch
 
 /**
  * One bit a feature of the march shader. Values that change without recompiling are uniforms, not
- * bits. Shading, clipping, blend modes and view modes will be further members
- * here, each with a row in defines() and, where it can be irrelevant, a line in filtered().
+ * bits. Shading, clipping and blend modes will be further members here, each with a row in
+ * defines() and, where it can be irrelevant, a line in filtered().
  */
 struct VariantKey
 {

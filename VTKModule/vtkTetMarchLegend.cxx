@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTetMarchLegend.h"
+
+#include "vtkLookupTable.h"
+#include "vtkObjectFactory.h"
+#include "vtkTetMarchFrameStatistics.h"
+#include "vtkTetMarchVolumeMapper.h"
+#include "vtkTextProperty.h"
+
+vtkStandardNewMacro(vtkTetMarchLegend);
+
+//------------------------------------------------------------------------------
+vtkTetMarchLegend::vtkTetMarchLegend()
+{
+  this->SetLabelFormat("%.3g");
+  this->UnconstrainedFontSizeOn(); // else counts are larger than the title
+  for (vtkTextProperty* text : { this->TitleTextProperty, this->LabelTextProperty })
+  {
+    text->SetFontSize(12); // with a shadow, which makes it legible on the brightest view
+    text->BoldOff();
+    text->ItalicOff();
+  }
+  this->SetPosition(0.8, 0.1);
+  this->SetWidth(0.19); // the title fits into a window of 380 pixels
+  this->SetVerticalTitleSeparation(6);
+  this->SetMaximumWidthInPixels(110);
+  this->SetMaximumHeightInPixels(400);
+}
+
+//------------------------------------------------------------------------------
+vtkTetMarchLegend::~vtkTetMarchLegend() = default;
+
+//------------------------------------------------------------------------------
+void vtkTetMarchLegend::SetMapper(vtkTetMarchVolumeMapper* mapper)
+{
+  if (this->Mapper != mapper)
+  {
+    this->Mapper = mapper;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTetMarchVolumeMapper* vtkTetMarchLegend::GetMapper() const { return this->Mapper; }
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchLegend::IsShown() const
+{
+  return this->Mapper && this->Mapper->GetViewMode() != vtkTetMarchVolumeMapper::VIEW_PICTURE &&
+         this->Mapper->GetLastFrameStatistics()->GetNumberOfPixels(
+           vtkTetMarchFrameStatistics::CELLS) > 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkTetMarchLegend::RenderOpaqueGeometry(vtkViewport*) { return 0; }
+
+//------------------------------------------------------------------------------
+int vtkTetMarchLegend::RenderOverlay(vtkViewport* viewport)
+{
+  if (!this->IsShown())
+  {
+    return 0;
+  }
+  constexpr const char* titles[] = { "", "Error bound", "Cells crossed", "Lookups" };
+  this->SetTitle(titles[this->Mapper->GetViewMode()]);
+  this->SetLookupTable(this->Mapper->GetViewLookupTable());
+  // Laid out anew here, since with opaque geometry there is no frame yet.
+  return this->RebuildLayoutIfNeeded(viewport) ? this->Superclass::RenderOverlay(viewport) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkTetMarchLegend::HasOpaqueGeometry() { return 0; }
+
+//------------------------------------------------------------------------------
+void vtkTetMarchLegend::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mapper: " << this->Mapper.Get() << "\n";
+}
