@@ -115,7 +115,6 @@ void makeAccuracy(Options& options)
   options.Rounds = 1;
   options.Frames = 4;
   options.EnoughSeconds = 10.0;
-  options.LimitSeconds = 30.0;
   options.Errors = true;
   options.Datasets = { "golfball", "front1.3m", "bluntfin", "oxygen", "golfball-medium" };
   options.Functions = commonFunctions();
@@ -246,7 +245,7 @@ prints a table in Markdown and, if asked, writes every figure as JSON.
   --rounds N                how often each mapper starts in a new process (default: 2)
   --frames N                frames of a mapper in a round, after the first (default: 5)
   --limit SECONDS           a mapper that takes longer for a frame, or five times as long to get ready or
-                            for its first frame, is left out from there on (default: 60; accuracy: 30)
+                            for its first frame, is left out from there on (default: 60)
   --enough SECONDS          a mapper whose frames of a round have taken so long together draws no more of them,
                             but one beside the first (default: no end; accuracy: 10)
   --quick                   tiny lattices, a small window and few frames; options after it still count

@@ -151,5 +151,15 @@ def main():
     display.TetMarchAccuracyLevel = "Fast"
     assert hurried == picture_of(view) != exact, "a budget of no time is not kept by the fastest level"
 
+    fast = picture_of(view)
+    display.TetMarchViewMode = "Cells"
+    counted = picture_of(view)
+    expect_change("view mode", fast, counted)
+    display.TetMarchAutomaticViewRange = 0
+    display.TetMarchViewRange = [0.0, 1e4]
+    expect_change("view range", counted, picture_of(view))
+    display.TetMarchViewMode = "Picture"
+    assert fast == picture_of(view), "something of a view mode is left in the picture"
+
 
 main()
