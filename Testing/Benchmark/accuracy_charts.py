@@ -7,11 +7,13 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.ticker  # noqa: E402
 
 matplotlib.rcParams["svg.hashsalt"] = "tetmarch"  # the same file from the same figures
 plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.25, "axes.axisbelow": True})
 
 OURS = "tetmarch"
+LEAST = 1e-7  # of what is drawn of errors; logarithms of 0 are not
 # Name of a family: how its mappers begin, colour, marker.
 FAMILIES = {
     "TetMarch, all levels and tolerances": (OURS, "#d62728", "o"),
@@ -61,8 +63,14 @@ def title(subject):
     return f"{subject['name']} ({count} tets), {subject['functions']}"
 
 
-def draw_subject(axes, subject, measure="rms"):
-    points = [(name, seconds, max(errors[measure], 1e-7)) for name, seconds, errors in measured(subject)]
+def label_seconds(axes):
+    axes.xaxis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1.0, 2.0, 5.0)))
+    axes.xaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda x, _: f"{x:g}"))
+    axes.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
+
+
+def draw_subject(axes, subject):
+    points = [(name, seconds, max(errors["rms"], LEAST)) for name, seconds, errors in measured(subject)]
     for label, (prefix, color, marker) in FAMILIES.items():
         of_family = sorted((s, e) for name, s, e in points if name.startswith(prefix))
         if of_family:
@@ -71,6 +79,7 @@ def draw_subject(axes, subject, measure="rms"):
     axes.step(*zip(*best), where="post", color="black", linewidth=0.8, label="Pareto front", zorder=1)
     axes.set(xscale="log", yscale="log", title=title(subject))
     axes.title.set_fontsize(9)
+    label_seconds(axes)
 
 
 def save(figure, folder, name):
@@ -92,8 +101,11 @@ def draw_time(report, folder):
     figure, grid = plt.subplots(
         len(datasets), len(functions), figsize=(4 * len(functions), 2.9 * len(datasets)), squeeze=False
     )
+    for axes in grid.flat:
+        axes.set_visible(False)
     for subject in report["datasets"]:
         axes = grid[datasets.index(subject["name"])][functions.index(subject["functions"])]
+        axes.set_visible(bool(measured(subject)))
         if measured(subject):
             draw_subject(axes, subject)
     for axes in grid[-1]:
@@ -127,11 +139,11 @@ def draw_lookups(report, folder):
     for axes, name in zip(grid[0], functions):
         for subject in (s for s in report["datasets"] if s["functions"] == name):
             points = sorted(
-                (e["lookups_per_cell"], max(e["rms"], 1e-7)) for n, _, e in measured(subject) if is_ours(n)
+                (e["lookups_per_cell"], max(e["rms"], LEAST)) for n, _, e in measured(subject) if is_ours(n)
             )
             if points:
                 axes.plot(*zip(*points), "o-", markersize=4, linewidth=0.8, label=subject["name"])
-        axes.set(xscale="log", yscale="log", title=name, xlabel="lookups a cell")
+        axes.set(yscale="log", title=name, xlabel="lookups a cell")
     grid[0][0].set_ylabel("RMS error")
     figure.tight_layout()
     add_legend(figure, grid[0][0], 5)
