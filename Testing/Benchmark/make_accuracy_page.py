@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes Accuracy.md out of AccuracyPage.md, with tables and charts of what tetmarch-bench has measured.
 
-    make_accuracy_page.py ACCURACY.json REFINEMENT.json FOLDER
+    make_accuracy_page.py ACCURACY.json REFINEMENT.json FOLDER [--remark TEXT]
 
 Beside ACCURACY.json its table in Markdown, ACCURACY.md, is looked for. Accuracy.md and Charts/ go into FOLDER.
 """
@@ -101,6 +101,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     for name in ("accuracy", "refinement", "output"):
         parser.add_argument(name, type=pathlib.Path)
+    parser.add_argument("--remark", default="", help="what to say of this run beside its machine")
     arguments = parser.parse_args()
     accuracy = json.loads(arguments.accuracy.read_text())
     refinement = json.loads(arguments.refinement.read_text())
@@ -114,6 +115,7 @@ def main():
     text = TEMPLATE.read_text()
     for name, value in {
         "machine": machine(accuracy),
+        "remark": arguments.remark,
         "size": " x ".join(str(n) for n in accuracy["size"]),
         "frames": str(accuracy["frames"]),
         "rivals": rivals_table(accuracy),
