@@ -12,6 +12,7 @@ IntegralTable fittingTable(
 {
   // As many samples of colours, which are dear, at each level.
   const int mostPerBin = std::max(4, 16384 / level.LeastTableEntries);
+  constexpr int leastPerBin = 2;
   const double most = 0.5 * level.ErrorTolerance;
   const int leastBins = samplesOfTable(level.LeastTableEntries) - 1;
   const int mostBins = samplesOfTable(level.MostTableEntries) - 1;
@@ -23,9 +24,9 @@ IntegralTable fittingTable(
     // At a kink it is proportional to the width of a bin: what would not be enough is not tried.
     bins *= kept.Deviation > 8 * most && bins * 16 <= mostBins ? 16 : 4;
     const int fineBins = static_cast<int>(fine.Samples.size()) - 1;
-    if (fineBins < 4 * bins)
+    if (fineBins < leastPerBin * bins)
     {
-      fine = refined(property, law, fine, 4 * bins / fineBins);
+      fine = refined(property, law, fine, leastPerBin * bins / fineBins);
     }
     kept = keepAreas(fine, (static_cast<int>(fine.Samples.size()) - 1) / bins);
   }
