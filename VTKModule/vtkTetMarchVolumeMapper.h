@@ -101,7 +101,7 @@ public:
    * bits) and but for what transfer functions do between the entries of their tables. FAST has
    * tables of 1024 entries, the others of up to 65536, as many as the functions and the tolerance
    * ask for. On a software renderer, DEFAULT takes about as long as FAST, ACCURATE 1 to 1.4 times
-   * as long, REFERENCE 2 to 5 times.
+   * as long, REFERENCE 1.5 to 5 times.
    */
   enum AccuracyLevelType
   {
