@@ -20,8 +20,8 @@ using Gradient = std::array<float, 3>;
  * estimation methods for volume rendering on unstructured meshes", IEEE TVCG 17(3), 2011). Where
  * edges don't fix it, the mean of the gradients in the tetrahedra by their volumes.
  *
- * Chosen by measurement over that mean everywhere (GradientErrorsTest; relative RMS errors of a
- * quadratic and of a sine field, fit against mean):
+ * Measured against that mean everywhere, which errs more (GradientErrorsTest; relative RMS errors
+ * of a quadratic and of a sine field, fit against mean):
  *
  *     jittered lattice, 16^3 cubes     0.034 / 0.045    0.089 / 0.097
  *     graded                           0.056 / 0.064    0.121 / 0.144

@@ -108,7 +108,8 @@ public:
 
 private:
   static constexpr double LeastSquare = 1e-20;
-  // Sizes added up. Beyond it a fit to centres nearly in a plane is guesswork, and is damped.
+  // By which sites pull the value away from their mean, in all. Where centres lie nearly in a plane
+  // they would pull more, by guesswork: that is damped.
   static constexpr double MostShares = 5;
 
   // Centres of mass of what takes part, in one order whatever the number of threads.
