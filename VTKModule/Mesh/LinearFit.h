@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The gradient that a few values in space have.
+#ifndef TetMarchMeshLinearFit_h
+#define TetMarchMeshLinearFit_h
+
+#include "Vector3.h"
+
+namespace tetmarch
+{
+
+/** Three linear equations, by Cramer's rule. */
+struct System3
+{
+  std::array<Vector3, 3> Rows{};
+  Vector3 Right{};
+
+  double determinant() const { return dot(cross(this->Rows[0], this->Rows[1]), this->Rows[2]); }
+
+  Vector3 solution(double determinant) const
+  {
+    Vector3 sum{};
+    for (int i = 0; i < 3; ++i)
+    {
+      add(this->Right[i], cross(this->Rows[(i + 1) % 3], this->Rows[(i + 2) % 3]), sum);
+    }
+    return scaled(1 / determinant, sum);
+  }
+};
+
+/** The gradient that fits changes of a scalar along steps best, in the sense of least squares. */
+struct FittedGradient
+{
+  System3 Normal;
+
+  void add(double weight, const Vector3& step, double change)
+  {
+    tetmarch::add(weight * change, step, this->Normal.Right);
+    for (int i = 0; i < 3; ++i)
+    {
+      tetmarch::add(weight * step[i], step, this->Normal.Rows[i]);
+    }
+  }
+
+  /** False, and nothing is set, if the steps lie so nearly in a plane that rounding would show. */
+  bool solve(Vector3& gradient) const
+  {
+    const double mean =
+      (this->Normal.Rows[0][0] + this->Normal.Rows[1][1] + this->Normal.Rows[2][2]) / 3;
+    const double determinant = this->Normal.determinant();
+    // Then seven digits of sixteen are left, as many as has the float that the result becomes.
+    if (!(determinant > 1e-9 * mean * mean * mean))
+    {
+      return false;
+    }
+    gradient = this->Normal.solution(determinant);
+    return true;
+  }
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VertexScalars.h"
+
+#include "LinearFit.h"
+#include "Orientation.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace tetmarch
+{
+namespace
+{
+
+// What lies about a vertex, from it.
+struct Site
+{
+  Vector3 Step; // to the centre of the cell
+  double Scalar;
+  double Weight; // inverse squared distance
+};
+
+class CellFit
+{
+public:
+  CellFit(const TetMesh& mesh, const VertexTets& around, const std::vector<std::uint8_t>& takesPart,
+    const std::vector<float>& scalars)
+    : Mesh(mesh)
+    , Around(around)
+    , TakesPart(takesPart)
+    , Scalars(scalars)
+  {
+    this->findCenters();
+  }
+
+  void findSites(Id vertex, std::vector<Id>& tets, std::vector<Site>& sites) const
+  {
+    tets.clear();
+    std::copy_if(this->Around.begin(vertex), this->Around.end(vertex), std::back_inserter(tets),
+      [this](Id t) { return this->TakesPart[t] != 0; });
+    const auto& cells = this->Mesh.TetCells;
+    std::sort(tets.begin(), tets.end(),
+      [&](Id a, Id b) { return std::make_pair(cells[a], a) < std::make_pair(cells[b], b); });
+    tets.erase(
+      std::unique(tets.begin(), tets.end(), [&](Id a, Id b) { return cells[a] == cells[b]; }),
+      tets.end());
+    sites.clear();
+    for (const Id t : tets)
+    {
+      const Vector3 step = this->Centers[cells[t]] - position(this->Mesh.Vertices[vertex]);
+      // A cell that isn't convex may have its centre in a vertex.
+      const double square = std::max(dot(step, step), LeastSquare);
+      sites.push_back({ step, double(this->Scalars[t]), 1 / square });
+    }
+  }
+
+  static float valueOf(const std::vector<Site>& sites)
+  {
+    if (sites.empty())
+    {
+      return UndrawnScalar;
+    }
+    double low = sites[0].Scalar, high = sites[0].Scalar;
+    double weights = 0, scalar = 0, roots = 0, mean = 0;
+    Vector3 step{};
+    for (const Site& site : sites)
+    {
+      low = std::min(low, site.Scalar);
+      high = std::max(high, site.Scalar);
+      weights += site.Weight;
+      scalar += site.Weight * site.Scalar;
+      add(site.Weight, site.Step, step);
+      roots += std::sqrt(site.Weight);
+      mean += std::sqrt(site.Weight) * site.Scalar;
+    }
+    scalar /= weights;
+    step = scaled(1 / weights, step);
+    FittedGradient fit;
+    for (const Site& site : sites)
+    {
+      fit.add(site.Weight, site.Step - step, 0);
+    }
+    // Solved for the step itself, since the fit is a sum of shares of the sites then.
+    double value = mean / roots;
+    for (int k = 0; k < 3; ++k)
+    {
+      fit.Normal.Right[k] = step[k];
+    }
+    Vector3 pull;
+    if (fit.solve(pull))
+    {
+      double slope = 0, shares = 0;
+      for (const Site& site : sites)
+      {
+        const double share = site.Weight * dot(site.Step - step, pull);
+        slope += share * site.Scalar;
+        shares += std::abs(share);
+      }
+      value = scalar - MostShares / std::max(shares, MostShares) * slope;
+    }
+    return static_cast<float>(std::min(std::max(value, low), high));
+  }
+
+private:
+  static constexpr double LeastSquare = 1e-20;
+  // By which sites pull the value away from their mean, in all. Where centres lie nearly in a plane
+  // they would pull more, by guesswork: that is damped.
+  static constexpr double MostShares = 5;
+
+  // Centres of mass of what takes part, in one order whatever the number of threads.
+  void findCenters()
+  {
+    const auto& cells = this->Mesh.TetCells;
+    const std::size_t count =
+      cells.empty() ? 0 : std::size_t(*std::max_element(cells.begin(), cells.end())) + 1;
+    std::vector<double> volumes(count, 0);
+    this->Centers.assign(count, {});
+    for (Id t = 0; t < this->Mesh.numberOfTets(); ++t)
+    {
+      if (this->TakesPart[t])
+      {
+        const double volume = std::abs(signedVolume(this->Mesh, t));
+        for (const Id v : this->Mesh.Tets[t])
+        {
+          add(volume / 4, position(this->Mesh.Vertices[v]), this->Centers[cells[t]]);
+        }
+        volumes[cells[t]] += volume;
+      }
+    }
+    for (std::size_t c = 0; c < count; ++c)
+    {
+      this->Centers[c] = volumes[c] > 0 ? scaled(1 / volumes[c], this->Centers[c]) : Vector3{};
+    }
+  }
+
+  const TetMesh& Mesh;
+  const VertexTets& Around;
+  const std::vector<std::uint8_t>& TakesPart;
+  const std::vector<float>& Scalars;
+  std::vector<Vector3> Centers; // of cells
+};
+
+} // namespace
+
+std::vector<float> vertexScalars(const TetMesh& mesh, const VertexTets& around,
+  const std::vector<std::uint8_t>& takesPart, const std::vector<float>& cellScalars)
+{
+  const CellFit fit(mesh, around, takesPart, cellScalars);
+  std::vector<float> values(mesh.Vertices.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      std::vector<Id> tets;
+      std::vector<Site> sites;
+      for (vtkIdType v = first; v < last; ++v)
+      {
+        fit.findSites(static_cast<Id>(v), tets, sites);
+        values[v] = CellFit::valueOf(sites);
+      }
+    });
+  return values;
+}
+
+} // namespace tetmarch
