@@ -1,10 +1,10 @@
 // The boundary of the mesh: where rays come in.
 
-// Whether the ray enters the mesh through a boundary face, and its crossing of that face. Boundary faces
-// turn counter-clockwise seen from outside.
-bool enters(Ray ray, uint boundaryFace, OUT(Crossing) face)
+// Whether the ray comes in through a face whose vertices turn counter-clockwise seen from outside, and its crossing of
+// that face.
+bool entersFace(Ray ray, uvec3 ids, OUT(Crossing) face)
 {
-  face.id = fetchBoundaryFace(boundaryFace);
+  face.id = ids;
   vec4 a = fetchVertex(face.id.x);
   vec4 b = fetchVertex(face.id.y);
   vec4 c = fetchVertex(face.id.z);
@@ -20,6 +20,11 @@ bool enters(Ray ray, uint boundaryFace, OUT(Crossing) face)
   return turnsLeft(face.weight.x, face.b, face.id.y, face.c, face.id.z) &&
     turnsLeft(face.weight.y, face.c, face.id.z, face.a, face.id.x) &&
     turnsLeft(face.weight.z, face.a, face.id.x, face.b, face.id.y);
+}
+
+bool enters(Ray ray, uint boundaryFace, OUT(Crossing) face)
+{
+  return entersFace(ray, fetchBoundaryFace(boundaryFace), face);
 }
 
 #if TETMARCH_BVH

@@ -9,7 +9,43 @@ struct Crossing
   vec3 depth;  // their depths along the ray
   vec3 scalar; // their scalars
   vec3 weight; // cross(b, c), cross(c, a), cross(a, b): barycentric weights of the ray's point
+#if TETMARCH_VERTEX_GRADIENTS
+  vec3 gradientA; // of the scalar at the vertices
+  vec3 gradientB;
+  vec3 gradientC;
+#endif
+#if TETMARCH_VERTEX_LIGHT
+  vec4 lightA; // that comes to the vertices: ambient, and from up to three lights that cast shadows
+  vec4 lightB;
+  vec4 lightC;
+#endif
 };
+
+#if TETMARCH_VERTEX_GRADIENTS || TETMARCH_VERTEX_LIGHT
+// Barycentric coordinates of the point in which the ray crosses the face.
+vec3 crossingShares(Crossing face)
+{
+  vec3 w = vec3(max(face.weight.x, real(0)), max(face.weight.y, real(0)), max(face.weight.z, real(0)));
+  real sum = w.x + w.y + w.z;
+  real third = real(1) / real(3);
+  return sum > real(0) ? w * (real(1) / sum) : vec3(third, third, third);
+}
+
+// What a vertex has that stays with it while it is a corner; stepThrough() brings that of each new one.
+void fetchCorners(INOUT(Crossing) face)
+{
+#if TETMARCH_VERTEX_GRADIENTS
+  face.gradientA = fetchGradient(face.id.x);
+  face.gradientB = fetchGradient(face.id.y);
+  face.gradientC = fetchGradient(face.id.z);
+#endif
+#if TETMARCH_VERTEX_LIGHT
+  face.lightA = fetchVertexLight(face.id.x);
+  face.lightB = fetchVertexLight(face.id.y);
+  face.lightC = fetchVertexLight(face.id.z);
+#endif
+}
+#endif
 
 // Depth and scalar of the point in which the ray crosses the face.
 vec2 crossingPoint(Crossing face)
@@ -25,6 +61,9 @@ vec2 crossingPoint(Crossing face)
   real scalar = s.x + (w.y * (s.y - s.x) + w.z * (s.z - s.x)) * r;
   return vec2(clamp(depth, min(z.x, min(z.y, z.z)), max(z.x, max(z.y, z.z))), scalar);
 }
+
+// How far a depth is from the first of two points (depth, scalar) of a ray to the second, 0..1.
+real shareAt(vec2 enter, vec2 leave, real depth) { return (depth - enter.x) / (leave.x - enter.x); }
 
 // Whether the viewer sees the same side of the face while its corners move by as much as rounding moves them.
 bool isTurnedForSure(Crossing face)
@@ -71,5 +110,17 @@ int stepThrough(INOUT(Crossing) face, uint apexId, vec3 apex, real apexScalar)
     dropA ? apex.z : face.depth.x, dropB ? apex.z : face.depth.y, dropC ? apex.z : face.depth.z);
   face.scalar = vec3(dropA ? apexScalar : face.scalar.x, dropB ? apexScalar : face.scalar.y,
     dropC ? apexScalar : face.scalar.z);
+#if TETMARCH_VERTEX_GRADIENTS
+  vec3 gradient = fetchGradient(apexId);
+  face.gradientA = dropA ? gradient : face.gradientA;
+  face.gradientB = dropB ? gradient : face.gradientB;
+  face.gradientC = dropC ? gradient : face.gradientC;
+#endif
+#if TETMARCH_VERTEX_LIGHT
+  vec4 light = fetchVertexLight(apexId);
+  face.lightA = dropA ? light : face.lightA;
+  face.lightB = dropB ? light : face.lightB;
+  face.lightC = dropC ? light : face.lightC;
+#endif
   return dropA || dropB || dropC ? rank : -1;
 }

@@ -5,27 +5,29 @@
 
 #include "mesh_buffers.glsl"
 #include "table_buffers.glsl"
-#include "edge_sign.glsl"
-#include "ray.glsl"
-#include "crossing.glsl"
-#include "boundary.glsl"
-#include "integral_table.glsl"
-#include "radiance.glsl"
-#if TETMARCH_POINT_SCALARS
-#if TETMARCH_ERROR_BOUND
-#include "order_error.glsl"
+#if TETMARCH_EFFECTS
+#include "effect_buffers.glsl"
 #endif
-#include "segment_linear.glsl"
+#if TETMARCH_SAMPLED_SHADOWS
+#include "light_buffers.glsl"
+#endif
+#include "march_files.glsl"
+#if TETMARCH_SAMPLED_SHADOWS
+#include "inside.glsl"
+#include "sampled_shadows.glsl"
 #else
-#include "segment_constant.glsl"
-#endif
-#include "march.glsl"
 #include "ray_cast.glsl"
+#endif
 
 uniform vec4 viewport;  // x, y, width, height in pixels
 uniform vec4 eye;       // (position, 1) or, for parallel projection, (direction towards it, 0)
+#if !TETMARCH_SAMPLED_SHADOWS
 uniform mat3 lengthMatrix; // direction -> world, in scalar opacity unit distances
+#endif
 
+#if TETMARCH_SAMPLED_SHADOWS
+uniform sampler2D jitterTexture; // a tile of 64 x 64 pixels, Optics/BlueNoise.h
+#endif
 #if TETMARCH_RASTER_ENTRY
 uniform sampler2D entryTexture;
 #else
@@ -149,7 +151,13 @@ void main()
   }
 #endif
 
-  March march = castRay(ray, firstFace, length(lengthMatrix * ray.direction), depthBegin, depthEnd);
+  float opticalLength = length(lengthMatrix * ray.direction);
+#if TETMARCH_SAMPLED_SHADOWS
+  float jitter = texelFetch(jitterTexture, pixel & 63, 0).x;
+  March march = castSampledRay(ray, firstFace, opticalLength, depthBegin, depthEnd, jitter);
+#else
+  March march = castRay(ray, firstFace, opticalLength, depthBegin, depthEnd);
+#endif
 
   gl_FragData[0] = vec4(march.radiance.color, 1.0 - march.radiance.transmittance);
 #if TETMARCH_DIAGNOSTICS

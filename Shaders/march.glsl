@@ -6,6 +6,10 @@ struct March
   real done;       // depth up to which the ray is integrated; nothing is integrated twice
   bool finished;   // opaque, or past the last depth that is asked for
   int cells;       // tetrahedra crossed
+#if TETMARCH_SAMPLED_SHADOWS
+  bool paused;     // to look how much light comes; marchToExit() goes on from there
+  real nextSample; // the transmittance at which that is due
+#endif
 #if TETMARCH_DIAGNOSTICS
   int evaluations; // evaluations of the segment integral
   int refused;     // entry faces that refused the ray
@@ -21,6 +25,10 @@ March beginMarch(real depthBegin)
   march.done = depthBegin;
   march.finished = false;
   march.cells = 0;
+#if TETMARCH_SAMPLED_SHADOWS
+  march.paused = false;
+  march.nextSample = real(-1); // never
+#endif
 #if TETMARCH_DIAGNOSTICS
   march.evaluations = 0;
   march.refused = 0;
@@ -37,7 +45,7 @@ bool isDrawn(real scalar) { return abs(scalar) < real(2); }
 // Scalar at a depth between the points (depth, scalar) in which the ray enters and leaves a tetrahedron.
 real scalarAt(vec2 enter, vec2 leave, real depth)
 {
-  return enter.y + (leave.y - enter.y) * ((depth - enter.x) / (leave.x - enter.x));
+  return enter.y + (leave.y - enter.y) * shareAt(enter, leave, depth);
 }
 
 // March from a boundary face to the boundary face through which the ray leaves the mesh, whose crossing and link
@@ -50,6 +58,9 @@ void marchToExit(
 #if TETMARCH_POINT_SCALARS
   // Not of an undrawn scalar, whose crossing may even be NaN: integrateSegment() meets what stands here.
   TablePoint at = tablePoint(isDrawn(enter.y) ? enter.y * tableScale + tableOffset : tableOffset);
+#endif
+#if TETMARCH_EFFECTS
+  CellShades shades = beginShades(ray, face, enter);
 #endif
   bool onward = true;
   while (onward)
@@ -64,22 +75,40 @@ void marchToExit(
     // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
     real begin = max(enter.x, march.done);
     real end = min(leave.x, depthEnd);
+#if !TETMARCH_POINT_SCALARS
+    real scalar = fetchCellScalar(tet);
+#elif TETMARCH_EFFECTS
+    real scalar = leave.y;
+#endif
+#if TETMARCH_EFFECTS
+    shadeCell(ray, face, tet, scalar, enter, leave, vec2(begin, end), shades);
+#endif
 #if TETMARCH_POINT_SCALARS
     if (end > begin && isDrawn(enter.y) && isDrawn(leave.y))
     {
       real scalarBegin = begin > enter.x ? scalarAt(enter, leave, begin) : enter.y;
       real scalarEnd = end < leave.x ? scalarAt(enter, leave, end) : leave.y;
+#if TETMARCH_EFFECTS
+      int trials =
+        integrateSegment(scalarBegin * tableScale + tableOffset, scalarEnd * tableScale + tableOffset,
+          (end - begin) * opticalLength, shades.begin, shades.end, at, march.radiance);
+#else
       int trials = integrateSegment(scalarBegin * tableScale + tableOffset,
         scalarEnd * tableScale + tableOffset, (end - begin) * opticalLength, at, march.radiance);
+#endif
 #if TETMARCH_DIAGNOSTICS
       march.evaluations = march.evaluations + trials;
 #endif
     }
 #else
-    real scalar = fetchCellScalar(tet);
     if (end > begin && isDrawn(scalar))
     {
+#if TETMARCH_EFFECTS
+      integrateConstant(scalar * tableScale + tableOffset, (end - begin) * opticalLength, shades.begin, shades.end,
+        march.radiance);
+#else
       integrateConstant(scalar * tableScale + tableOffset, (end - begin) * opticalLength, march.radiance);
+#endif
 #if TETMARCH_DIAGNOSTICS
       march.evaluations = march.evaluations + 1;
 #endif
@@ -91,6 +120,10 @@ void marchToExit(
     enter = leave;
     onward =
       exitFace >= 0 && link.x < LINK_OUTSIDE && march.cells < mostCells && !march.finished;
+#if TETMARCH_SAMPLED_SHADOWS
+    march.paused = onward && march.radiance.transmittance <= march.nextSample;
+    onward = onward && !march.paused;
+#endif
 #if TETMARCH_DIAGNOSTICS
     march.lost = march.lost + (exitFace < 0 ? 1 : 0);
     march.guarded = march.guarded + (march.cells >= mostCells ? 1 : 0);

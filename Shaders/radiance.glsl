@@ -7,6 +7,12 @@ struct Radiance
 #if TETMARCH_ERROR_BOUND
   real error; // no channel of color is off by more, but for rounding and what the tables lack
 #endif
+#if TETMARCH_LIGHT_ERROR
+  real lightError; // and for this, of light that changes along a piece
+#endif
+#if TETMARCH_SAMPLED_SHADOWS
+  vec3 pending[3]; // color by light of which is not known yet how much comes through the volume
+#endif
 };
 
 Radiance noRadiance()
@@ -16,6 +22,15 @@ Radiance noRadiance()
   radiance.transmittance = real(1);
 #if TETMARCH_ERROR_BOUND
   radiance.error = real(0);
+#endif
+#if TETMARCH_LIGHT_ERROR
+  radiance.lightError = real(0);
+#endif
+#if TETMARCH_SAMPLED_SHADOWS
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    radiance.pending[channel] = radiance.color;
+  }
 #endif
   return radiance;
 }
@@ -48,12 +63,14 @@ bool isOpaque(Radiance radiance)
 // What any channel of the pixel may be off by, when the ray ends here.
 real errorBound(Radiance radiance)
 {
-  real behind = isOpaque(radiance) ? radiance.transmittance : real(0);
+  real bound = isOpaque(radiance) ? radiance.transmittance : real(0);
 #if TETMARCH_ERROR_BOUND
-  return radiance.error + behind;
-#else
-  return behind;
+  bound = bound + radiance.error;
 #endif
+#if TETMARCH_LIGHT_ERROR
+  bound = bound + radiance.lightError;
+#endif
+  return bound;
 }
 
 // What a piece does to the light that comes into it.
@@ -79,11 +96,19 @@ Absorption absorption(vec4 mean, real opticalLength)
   return piece;
 }
 
-void absorb(INOUT(Radiance) radiance, vec4 mean, Absorption piece)
+// What a piece sends out, by its own colour. Colours are at most 1; rounding could make their mean a little more, and
+// pixels with it.
+vec3 emission(vec4 mean)
 {
-  real weight = radiance.transmittance * piece.evenly * piece.opticalLength;
-  // Colours are at most 1; rounding could make their mean a little more, and pixels with it.
-  radiance.color =
-    radiance.color + vec3(min(mean.x, mean.w), min(mean.y, mean.w), min(mean.z, mean.w)) * weight;
+#if TETMARCH_SHOW_ILLUMINATION
+  return vec3(mean.w, mean.w, mean.w);
+#else
+  return vec3(min(mean.x, mean.w), min(mean.y, mean.w), min(mean.z, mean.w));
+#endif
+}
+
+void absorb(INOUT(Radiance) radiance, vec3 emitted, Absorption piece)
+{
+  radiance.color = radiance.color + emitted * (radiance.transmittance * piece.evenly * piece.opticalLength);
   radiance.transmittance = radiance.transmittance * max(real(1) - piece.absorbed, real(0));
 }

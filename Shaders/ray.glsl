@@ -6,6 +6,9 @@ struct Ray
   vec3 right;  // right, up, -direction: an orthonormal basis, as the viewer sees it
   vec3 up;
   vec3 direction; // unit length
+#if TETMARCH_SHADING
+  vec3 toEye; // unit length, in world coordinates
+#endif
 };
 
 // Position on the picture plane of the ray in xy, depth along the ray in z. Every vertex is projected by
@@ -35,5 +38,8 @@ Ray rayThrough(vec3 point, vec3 direction)
     : (size.y <= size.z ? vec3(real(0), real(1), real(0)) : vec3(real(0), real(0), real(1)));
   ray.right = normalize(cross(direction, axis));
   ray.up = cross(ray.right, direction);
+#if TETMARCH_SHADING
+  ray.toEye = normalize(toWorld(direction * real(-1)));
+#endif
   return ray;
 }

@@ -1,7 +1,32 @@
-// Emission and absorption along a ray segment in which the scalar is constant: exact in closed form.
+// Emission and absorption along a ray segment in which the scalar is constant: exact in closed form, but for light that
+// changes along it.
+#if TETMARCH_EFFECTS
+void integrateConstant(
+  real tablePosition, real opticalLength, Shade shadeBegin, Shade shadeEnd, INOUT(Radiance) radiance)
+#else
 void integrateConstant(real tablePosition, real opticalLength, INOUT(Radiance) radiance)
+#endif
 {
   vec4 value = tableValue(tablePosition);
   vec4 mean = vec4(value.x * value.w, value.y * value.w, value.z * value.w, value.w);
-  absorb(radiance, mean, absorption(mean, opticalLength));
+#if TETMARCH_EFFECTS
+  Shade shade = mixShade(shadeBegin, shadeEnd, real(0.5));
+#endif
+#if TETMARCH_GRADIENT_OPACITY
+  Absorption piece = absorption(mean, opticalLength * shade.density);
+#else
+  Absorption piece = absorption(mean, opticalLength);
+#endif
+#if TETMARCH_LIGHT_ERROR
+  radiance.lightError = radiance.lightError +
+    radiance.transmittance * piece.absorbed * lightErrorOf(shadeBegin.lit, shadeEnd.lit);
+#endif
+#if TETMARCH_SAMPLED_SHADOWS
+  keepPending(radiance, mean, shade.lit, piece);
+#endif
+#if TETMARCH_LIT
+  absorb(radiance, litEmission(mean, shade.lit, radiance, piece), piece);
+#else
+  absorb(radiance, emission(mean), piece);
+#endif
 }

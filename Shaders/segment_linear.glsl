@@ -18,8 +18,14 @@ real pieceError(TablePoint p, TablePoint q, real depth)
 // last end, which is mostly this begin; where it isn't, the first trial only reads the table there. Returns
 // the number of trials. The body stands at the end of one loop that mostly runs once: an `if` costs a
 // software renderer as much as both its branches.
+#if TETMARCH_EFFECTS
+// Shade is that of both ends.
+int integrateSegment(real begin, real end, real opticalLength, Shade shadeBegin, Shade shadeEnd,
+  INOUT(TablePoint) at, INOUT(Radiance) radiance)
+#else
 int integrateSegment(
   real begin, real end, real opticalLength, INOUT(TablePoint) at, INOUT(Radiance) radiance)
+#endif
 {
   bool loaded = at.x == begin;
   real position = real(0); // how far it is integrated, 0..1
@@ -33,9 +39,24 @@ int integrateSegment(
     real target = whole ? end : begin + (end - begin) * (position + step);
     TablePoint next = tablePoint(loaded ? target : begin);
     vec4 mean = meanBetween(at, next);
-    Absorption piece = absorption(mean, loaded ? share * opticalLength : real(0));
+    real pieceLength = loaded ? share * opticalLength : real(0);
+#if TETMARCH_EFFECTS
+    Shade shade = mixShade(shadeBegin, shadeEnd, position + real(0.5) * share);
+#endif
+#if TETMARCH_GRADIENT_OPACITY
+    pieceLength = pieceLength * shade.density;
+#endif
+    Absorption piece = absorption(mean, pieceLength);
+#if TETMARCH_LIT
+    vec3 emitted = litEmission(mean, shade.lit, radiance, piece);
+#else
+    vec3 emitted = emission(mean);
+#endif
 #if TETMARCH_ERROR_BOUND
     real error = loaded ? radiance.transmittance * pieceError(at, next, piece.depth) : real(0);
+#if TETMARCH_LIT
+    error = error * brightness(shade.lit);
+#endif
 #endif
 #if TETMARCH_ADAPTIVE
     real budget = errorBudget(radiance, radiance.transmittance * piece.absorbed);
@@ -45,7 +66,14 @@ int integrateSegment(
 #endif
     if (accepted)
     {
-      absorb(radiance, mean, piece);
+#if TETMARCH_LIGHT_ERROR
+      radiance.lightError = radiance.lightError +
+        radiance.transmittance * piece.absorbed * share * lightErrorOf(shadeBegin.lit, shadeEnd.lit);
+#endif
+#if TETMARCH_SAMPLED_SHADOWS
+      keepPending(radiance, mean, shade.lit, piece);
+#endif
+      absorb(radiance, emitted, piece);
 #if TETMARCH_ERROR_BOUND
       radiance.error = radiance.error + error;
 #endif

@@ -1,22 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkTetMarchVolumeMapper.h"
+#include "vtkTetMarchVolumeMapperInternals.h"
 
 #include "GL/FrameFigures.h"
-#include "GL/Pipeline.h"
 #include "Mesh/MeshReport.h"
-#include "Scene/AccuracyChoice.h"
 #include "Scene/MissingScalars.h"
 #include "Scene/ViewColors.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
-#include "vtkLookupTable.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkTetMarchFrameStatistics.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridBase.h"
@@ -33,10 +29,18 @@ tetmarch::OpacityLaw lawOf(int opacityLaw)
                                                            : tetmarch::OpacityLaw::Unstructured;
 }
 
-const char* nameOf(int accuracyLevel)
+bool isMeasure(int viewMode)
 {
-  constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference" };
-  return names[accuracyLevel];
+  return viewMode == vtkTetMarchVolumeMapper::VIEW_ERROR_BOUND ||
+         viewMode == vtkTetMarchVolumeMapper::VIEW_CELLS ||
+         viewMode == vtkTetMarchVolumeMapper::VIEW_LOOKUPS;
+}
+
+tetmarch::Subject subjectOf(int viewMode)
+{
+  return viewMode == vtkTetMarchVolumeMapper::VIEW_ILLUMINATION ? tetmarch::Subject::Illumination
+         : viewMode == vtkTetMarchVolumeMapper::VIEW_GRADIENTS  ? tetmarch::Subject::Gradients
+                                                                : tetmarch::Subject::Picture;
 }
 
 tetmarch::Measure measureOf(int viewMode)
@@ -46,17 +50,6 @@ tetmarch::Measure measureOf(int viewMode)
                                                              : tetmarch::Measure::ErrorBound;
 }
 } // namespace
-
-class vtkTetMarchVolumeMapper::Internals
-{
-public:
-  tetmarch::Pipeline Pipeline;
-  tetmarch::AccuracyChoice Choice;
-  std::string LastError; // reported already
-  std::string LastReport;
-  vtkNew<vtkTetMarchFrameStatistics> Statistics;
-  vtkNew<vtkLookupTable> ViewTable;
-};
 
 vtkStandardNewMacro(vtkTetMarchVolumeMapper);
 
@@ -111,11 +104,16 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const tetmarch::MeasureView view{ measureOf(this->ViewMode), this->AutomaticViewRange,
     { { this->ViewRange[0], this->ViewRange[1] } }, this->Internal->ViewTable };
   const tetmarch::DrawOptions options{ level, this->CollectDiagnostics, this->MaxDrawTimeInSeconds,
-    this->ViewMode == VIEW_PICTURE ? nullptr : &view };
+    isMeasure(this->ViewMode) ? &view : nullptr };
+  const tetmarch::EffectOptions effects{ this->GradientType == CELL_GRADIENTS,
+    static_cast<tetmarch::ShadowMethod>(this->ShadowMethod), this->VolumetricScatteringBlending,
+    this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
+    this->AmbientOcclusionDirections, subjectOf(this->ViewMode) };
 
   const bool drawn = scalars && pipeline.updateMesh(grid, progress) &&
                      pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
                      pipeline.updateTables(volume->GetProperty(), lawOf(this->OpacityLaw), level) &&
+                     pipeline.updateEffects(renderer, volume, effects) &&
                      pipeline.updateView(renderer, volume) && pipeline.upload(window) &&
                      pipeline.draw(window, renderer, options, progress);
   this->ReportError(
@@ -237,154 +235,4 @@ void vtkTetMarchVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
     this->Internal->Pipeline.release(holder);
   }
   this->Superclass::ReleaseGraphicsResources(window);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkTetMarchVolumeMapper::GetAccuracyLevelAsString() const
-{
-  return nameOf(this->AccuracyLevel);
-}
-const char* vtkTetMarchVolumeMapper::GetUsedAccuracyLevelAsString() const
-{
-  return nameOf(this->GetUsedAccuracyLevel());
-}
-
-//------------------------------------------------------------------------------
-int vtkTetMarchVolumeMapper::GetUsedAccuracyLevel() const
-{
-  return static_cast<int>(this->Internal->Choice.used().Level);
-}
-double vtkTetMarchVolumeMapper::GetUsedErrorTolerance() const
-{
-  return this->Internal->Choice.used().Tolerance;
-}
-bool vtkTetMarchVolumeMapper::IsBudgetKept() const { return this->Internal->Choice.isKept(); }
-
-//------------------------------------------------------------------------------
-const char* vtkTetMarchVolumeMapper::GetViewModeAsString() const
-{
-  constexpr const char* names[] = { "Picture", "ErrorBound", "Cells", "Lookups" };
-  return names[this->ViewMode];
-}
-
-//------------------------------------------------------------------------------
-vtkLookupTable* vtkTetMarchVolumeMapper::GetViewLookupTable() { return this->Internal->ViewTable; }
-
-//------------------------------------------------------------------------------
-vtkIdType vtkTetMarchVolumeMapper::GetNumberOfTetrahedra() const
-{
-  return this->Internal->Pipeline.mesh().numberOfTets();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkTetMarchVolumeMapper::GetNumberOfBoundaryFaces() const
-{
-  return static_cast<vtkIdType>(this->Internal->Pipeline.mesh().BoundaryFaces.size());
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetGPUMemoryBytes() const
-{
-  return static_cast<vtkTypeInt64>(this->Internal->Pipeline.gpuBytes());
-}
-
-//------------------------------------------------------------------------------
-double vtkTetMarchVolumeMapper::GetMeshSeconds() const
-{
-  return this->Internal->Pipeline.meshRecord().Seconds;
-}
-double vtkTetMarchVolumeMapper::GetScalarsSeconds() const
-{
-  return this->Internal->Pipeline.ScalarsRecord.Seconds;
-}
-double vtkTetMarchVolumeMapper::GetTablesSeconds() const
-{
-  return this->Internal->Pipeline.TablesRecord.Seconds;
-}
-double vtkTetMarchVolumeMapper::GetUploadSeconds() const
-{
-  return this->Internal->Pipeline.UploadRecord.Seconds;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetMeshBuilds() const
-{
-  return this->Internal->Pipeline.meshRecord().Runs;
-}
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetScalarsBuilds() const
-{
-  return this->Internal->Pipeline.ScalarsRecord.Runs;
-}
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetTablesBuilds() const
-{
-  return this->Internal->Pipeline.TablesRecord.Runs;
-}
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetUploadedBytes() const
-{
-  return this->Internal->Pipeline.uploadedBytes();
-}
-
-//------------------------------------------------------------------------------
-int vtkTetMarchVolumeMapper::GetNumberOfDraws() const
-{
-  return this->Internal->Pipeline.numberOfDraws();
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfRays() const
-{
-  return this->Internal->Pipeline.counted().counters().Rays;
-}
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfCrossedCells() const
-{
-  return this->Internal->Pipeline.counted().counters().Cells;
-}
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfEvaluations() const
-{
-  return this->Internal->Pipeline.counted().counters().Evaluations;
-}
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfRefusedEntries() const
-{
-  return this->Internal->Pipeline.counted().counters().Refused;
-}
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfLostRays() const
-{
-  return this->Internal->Pipeline.counted().counters().Lost;
-}
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfGuardHits() const
-{
-  return this->Internal->Pipeline.counted().counters().Guarded;
-}
-
-//------------------------------------------------------------------------------
-void vtkTetMarchVolumeMapper::GetDiagnosticPixels(vtkFloatArray* pixels) const
-{
-  const std::vector<float>& values = this->Internal->Pipeline.counted().pixels();
-  pixels->SetNumberOfComponents(4);
-  pixels->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / 4));
-  std::copy(values.begin(), values.end(), pixels->GetPointer(0));
-}
-
-//------------------------------------------------------------------------------
-void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "OpacityLaw: " << (this->OpacityLaw == STRUCTURED ? "Structured" : "Unstructured")
-     << "\n";
-  os << indent << "AccuracyLevel: " << this->GetAccuracyLevelAsString() << "\n";
-  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
-  os << indent << "FrameTimeBudget: " << this->FrameTimeBudget << "\n";
-  os << indent << "ErrorBudget: " << this->ErrorBudget << "\n";
-  os << indent << "UsedAccuracyLevel: " << this->GetUsedAccuracyLevelAsString() << "\n";
-  os << indent << "UsedErrorTolerance: " << this->GetUsedErrorTolerance() << "\n";
-  os << indent << "BudgetKept: " << (this->IsBudgetKept() ? "Yes" : "No") << "\n";
-  os << indent << "MaxDrawTimeInSeconds: " << this->MaxDrawTimeInSeconds << "\n";
-  os << indent << "ViewMode: " << this->GetViewModeAsString() << "\n";
-  os << indent << "AutomaticViewRange: " << (this->AutomaticViewRange ? "On" : "Off") << "\n";
-  os << indent << "ViewRange: " << this->ViewRange[0] << ", " << this->ViewRange[1] << "\n";
-  os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
-  os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";
-  os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
-  os << indent << "NumberOfBoundaryFaces: " << this->GetNumberOfBoundaryFaces() << "\n";
-  os << indent << "GPUMemoryBytes: " << this->GetGPUMemoryBytes() << "\n";
 }

@@ -217,14 +217,18 @@ public:
     VIEW_PICTURE = 0,
     VIEW_ERROR_BOUND = 1,
     VIEW_CELLS = 2,
-    VIEW_LOOKUPS = 3
+    VIEW_LOOKUPS = 3,
+    VIEW_ILLUMINATION = 4,
+    VIEW_GRADIENTS = 5
   };
-  vtkSetClampMacro(ViewMode, int, VIEW_PICTURE, VIEW_LOOKUPS);
+  vtkSetClampMacro(ViewMode, int, VIEW_PICTURE, VIEW_GRADIENTS);
   vtkGetMacro(ViewMode, int);
   void SetViewModeToPicture() { this->SetViewMode(VIEW_PICTURE); }
   void SetViewModeToErrorBound() { this->SetViewMode(VIEW_ERROR_BOUND); }
   void SetViewModeToCells() { this->SetViewMode(VIEW_CELLS); }
   void SetViewModeToLookups() { this->SetViewMode(VIEW_LOOKUPS); }
+  void SetViewModeToIllumination() { this->SetViewMode(VIEW_ILLUMINATION); }
+  void SetViewModeToGradients() { this->SetViewMode(VIEW_GRADIENTS); }
   const char* GetViewModeAsString() const;
   //@}
 
@@ -249,6 +253,94 @@ public:
    */
   vtkLookupTable* GetViewLookupTable();
 
+  //@{
+  /**
+   * Light. With vtkVolumeProperty::ShadeOn(), the renderer's lights (headlights, camera and scene
+   * lights; directional, point and spot lights) shine on the surfaces of constant scalar, with the
+   * property's ambient, diffuse, specular and specular power (Phong 1975), on both sides if
+   * vtkRenderer::GetTwoSidedLighting(). Unlike vtkGPUVolumeRayCastMapper's, the ambient part is
+   * ambient times the volume's colour whatever the lights are. The property's gradient opacity (of
+   * scalar units per unit of length of the data's coordinates) is a factor of the extinction, lit
+   * or not. Where there is nothing to light or no light, nothing of this is computed.
+   *
+   * Gradients are those of the vertices, by least squares over their edges, interpolated, the
+   * default; or, for point scalars, exactly those of each cell, which look faceted.
+   */
+  enum GradientTypes
+  {
+    VERTEX_GRADIENTS = 0,
+    CELL_GRADIENTS = 1
+  };
+  vtkSetClampMacro(GradientType, int, VERTEX_GRADIENTS, CELL_GRADIENTS);
+  vtkGetMacro(GradientType, int);
+  void SetGradientTypeToVertex() { this->SetGradientType(VERTEX_GRADIENTS); }
+  void SetGradientTypeToCell() { this->SetGradientType(CELL_GRADIENTS); }
+  const char* GetGradientTypeAsString() const;
+  //@}
+
+  //@{
+  /**
+   * Shadows that the volume casts in itself, if it is shaded: how much of each light comes through
+   * it, but for lights whose vtkLight::GetShadowAttenuation() is 0.
+   * SHADOWS_OFF: all light comes, the default.
+   * SHADOWS_AT_VERTICES: rays are marched from each vertex towards each light when light, mesh,
+   * scalars or transfer functions changed; what comes is interpolated in the cells.
+   * SHADOWS_ALONG_RAYS: rays are marched from points along each ray of the picture, in every frame.
+   * SHADOWS_AUTOMATIC: at vertices, unless these are more than all points along rays would be.
+   * Headlights need no rays: what is between a point and the eye is known. At most three other
+   * lights cast shadows, the first ones.
+   */
+  enum ShadowMethods
+  {
+    SHADOWS_OFF = 0,
+    SHADOWS_AUTOMATIC = 1,
+    SHADOWS_AT_VERTICES = 2,
+    SHADOWS_ALONG_RAYS = 3
+  };
+  vtkSetClampMacro(ShadowMethod, int, SHADOWS_OFF, SHADOWS_ALONG_RAYS);
+  vtkGetMacro(ShadowMethod, int);
+  void SetShadowMethodToOff() { this->SetShadowMethod(SHADOWS_OFF); }
+  void SetShadowMethodToAutomatic() { this->SetShadowMethod(SHADOWS_AUTOMATIC); }
+  void SetShadowMethodToAtVertices() { this->SetShadowMethod(SHADOWS_AT_VERTICES); }
+  void SetShadowMethodToAlongRays() { this->SetShadowMethod(SHADOWS_ALONG_RAYS); }
+  const char* GetShadowMethodAsString() const;
+  //@}
+
+  //@{
+  /**
+   * The scattering look of vtkGPUVolumeRayCastMapper from VTK 9.2 on, with its names and ranges, if
+   * the volume is shaded. VolumetricScatteringBlending, 0..2, default 0: 0 lights surfaces only; up
+   * to 1 light is scattered where the volume has no clear surface, from there to 2 more and more
+   * everywhere, without regard to surfaces. Above 0 the volume casts shadows (with ShadowMethod at
+   * SHADOWS_OFF as if it were SHADOWS_AUTOMATIC), on its surfaces as well.
+   *
+   * GlobalIlluminationReach, 0..1: how far light is followed for shadows, from nowhere to through
+   * all of the volume: d (1 - (1 - reach)^0.33), d being the diagonal of its bounding box. The
+   * default is 1; in VTK it is 0, which there means nearly nothing.
+   */
+  vtkSetClampMacro(VolumetricScatteringBlending, float, 0.0f, 2.0f);
+  vtkGetMacro(VolumetricScatteringBlending, float);
+  vtkSetClampMacro(GlobalIlluminationReach, float, 0.0f, 1.0f);
+  vtkGetMacro(GlobalIlluminationReach, float);
+  //@}
+
+  //@{
+  /**
+   * Ambient occlusion, if the volume is shaded and its property's ambient is above 0: at each
+   * vertex, how much ambient light comes through the volume from AmbientOcclusionDirections
+   * (1..256, default 16) directions, the same for all, over AmbientOcclusionRadius, a share (0..1,
+   * default 0.1) of the diagonal of its bounding box. Off by default. Marched once, like
+   * SHADOWS_AT_VERTICES.
+   */
+  vtkSetMacro(AmbientOcclusion, bool);
+  vtkGetMacro(AmbientOcclusion, bool);
+  vtkBooleanMacro(AmbientOcclusion, bool);
+  vtkSetClampMacro(AmbientOcclusionRadius, double, 0.0, 1.0);
+  vtkGetMacro(AmbientOcclusionRadius, double);
+  vtkSetClampMacro(AmbientOcclusionDirections, int, 1, 256);
+  vtkGetMacro(AmbientOcclusionDirections, int);
+  //@}
+
   /**
    * In how many draw calls the last frame was marched, up to where it ended if it was aborted; 0 if
    * nothing was drawn.
@@ -271,11 +363,13 @@ public:
   //@{
   /**
    * Seconds that each stage took when it last ran: mesh (decomposition, links, boundary), scalars,
-   * transfer-function tables, upload to the GPU.
+   * transfer-function tables, gradients, light at vertices, upload to the GPU.
    */
   double GetMeshSeconds() const;
   double GetScalarsSeconds() const;
   double GetTablesSeconds() const;
+  double GetGradientsSeconds() const;
+  double GetVertexLightSeconds() const;
   double GetUploadSeconds() const;
   //@}
 
@@ -287,6 +381,8 @@ public:
   vtkTypeInt64 GetMeshBuilds() const;
   vtkTypeInt64 GetScalarsBuilds() const;
   vtkTypeInt64 GetTablesBuilds() const;
+  vtkTypeInt64 GetGradientsBuilds() const;
+  vtkTypeInt64 GetVertexLightBuilds() const;
   vtkTypeInt64 GetUploadedBytes() const;
   //@}
 
@@ -359,6 +455,13 @@ protected:
   double ViewRange[2] = { 1e-6, 1.0 };
   vtkIdType MaxMemoryInBytes = 0;
   bool CollectDiagnostics = false;
+  int GradientType = VERTEX_GRADIENTS;
+  int ShadowMethod = SHADOWS_OFF;
+  float VolumetricScatteringBlending = 0;
+  float GlobalIlluminationReach = 1;
+  bool AmbientOcclusion = false;
+  double AmbientOcclusionRadius = 0.1;
+  int AmbientOcclusionDirections = 16;
 
 private:
   vtkTetMarchVolumeMapper(const vtkTetMarchVolumeMapper&) = delete;

@@ -73,7 +73,7 @@ TEST_F(LightsOf, Headlight)
   EXPECT_TRUE(source.Headlight);
   EXPECT_FALSE(source.Positional);
   expectNear(source.Direction, 0.0, 0.0, -1.0);
-  EXPECT_EQ(source.ShadowStrength, 0.0);
+  EXPECT_EQ(source.ShadowStrength, 1.0);
   EXPECT_TRUE(this->lighting().OnlyHeadlight);
 }
 

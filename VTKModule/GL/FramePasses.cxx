@@ -10,11 +10,11 @@ namespace tetmarch
 {
 
 std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
-  MarchInputs inputs, bool diagnostics, const MeasureView* view, const Progress& progress,
-  bool& stopped)
+  MarchInputs inputs, const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view,
+  const Progress& progress, bool& stopped)
 {
   this->clear();
-  this->releaseUnused(window, diagnostics, view);
+  this->releaseUnused(window, inputs.Key, diagnostics, view);
   this->ChangedVariant = !(inputs.Key == this->LastKey);
   if (this->ChangedVariant)
   {
@@ -22,6 +22,16 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
     this->LastKey = inputs.Key;
   }
   std::string error;
+  if (inputs.Key.hasVertexLight())
+  {
+    error =
+      this->Light.update(window, inputs, mesh.Vertices.size(), lightVersion, progress, stopped);
+    if (!error.empty() || stopped)
+    {
+      return error;
+    }
+    inputs.VertexLight = this->Light.texture();
+  }
   if (inputs.Key.RasterEntry)
   {
     error = this->Entry.draw(window, inputs.Area, *inputs.Camera, mesh, *inputs.Mesh);
@@ -55,8 +65,13 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
   return error;
 }
 
-void FramePasses::releaseUnused(vtkWindow* window, bool diagnostics, const MeasureView* view)
+void FramePasses::releaseUnused(
+  vtkWindow* window, const VariantKey& key, bool diagnostics, const MeasureView* view)
 {
+  if (!key.hasVertexLight())
+  {
+    this->Light.release(window);
+  }
   if (!view)
   {
     this->Shown.release(window);
@@ -83,6 +98,7 @@ void FramePasses::release(vtkWindow* window)
 {
   this->Entry.release(window);
   this->Opaque.release(window);
+  this->Light.release(window);
   this->March.release();
   this->Counted.release(window);
   this->Shown.release(window);

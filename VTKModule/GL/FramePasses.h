@@ -9,6 +9,7 @@
 #include "GL/EntryPass.h"
 #include "GL/MarchPass.h"
 #include "GL/OpaqueDepth.h"
+#include "GL/VertexLightPass.h"
 #include "GL/ViewPass.h"
 
 namespace tetmarch
@@ -23,7 +24,8 @@ public:
    * picture, diagnostics or not.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
-    bool diagnostics, const MeasureView* view, const Progress& progress, bool& stopped);
+    const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view,
+    const Progress& progress, bool& stopped);
   /** The next frame may take much longer than the last. */
   void expectChange();
   /** No picture, no counters: what is asked for before the next draw(). */
@@ -34,6 +36,7 @@ public:
   bool changedVariant() const { return this->ChangedVariant; }
   /** Draw calls of the picture, or of the march that a view shows. */
   int numberOfDraws() const { return this->Draws; }
+  const StageRecord& vertexLightRecord() const { return this->Light.record(); }
   const Diagnostics& counted() const { return this->Counted; }
   /** Of opaque geometry, one a pixel, if the last frame looked at them; else empty. */
   std::vector<float> opaqueDepths(vtkOpenGLRenderWindow* window) const
@@ -42,14 +45,17 @@ public:
   }
   std::size_t bytes() const
   {
-    return this->Entry.bytes() + this->Opaque.bytes() + this->Counted.bytes() + this->Shown.bytes();
+    return this->Entry.bytes() + this->Opaque.bytes() + this->Counted.bytes() +
+           this->Shown.bytes() + this->Light.bytes();
   }
 
 private:
-  void releaseUnused(vtkWindow* window, bool diagnostics, const MeasureView* view);
+  void releaseUnused(
+    vtkWindow* window, const VariantKey& key, bool diagnostics, const MeasureView* view);
 
   EntryPass Entry;
   OpaqueDepth Opaque;
+  VertexLightPass Light;
   MarchPass March;
   Diagnostics Counted;
   ViewPass Shown;

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/MarchPass.h"
 
+#include "GL/EffectTextures.h"
+#include "GL/LightBinding.h"
 #include "GL/MeshTextures.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
+#include "GL/TileCorners.h"
 #include "GL/Uniforms.h"
 #include "Scene/View.h"
 
@@ -20,18 +23,6 @@ void bindImage(vtkShaderProgram* program, const char* sampler, vtkTextureObject*
 {
   texture->Activate();
   program->SetUniformi(sampler, texture->GetTextureUnit());
-}
-
-constexpr std::array<float, 4> CoveringTriangle{ { -1, -1, 3, 3 } };
-
-// In normalised device coordinates of the target.
-std::array<float, 4> cornersOf(const Viewport& tile, const Viewport& target)
-{
-  const auto ndc = [](int pixel, int size) { return static_cast<float>(2.0 * pixel / size - 1.0); };
-  const int x = tile.X - target.X;
-  const int y = tile.Y - target.Y;
-  return { { ndc(x, target.Width), ndc(y, target.Height), ndc(x + tile.Width, target.Width),
-    ndc(y + tile.Height, target.Height) } };
 }
 
 } // namespace
@@ -81,8 +72,26 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
     return error;
   }
   const View& view = *inputs.Camera;
+  const VariantKey& key = inputs.Key;
   inputs.Mesh->bind(program, inputs.Key);
   inputs.Tables->bind(program, *inputs.Table, inputs.Range, inputs.Level, inputs.Key);
+  if (key.hasGradients())
+  {
+    inputs.Effects->bind(program, *inputs.EffectValues, key);
+  }
+  if (key.Shading)
+  {
+    bindLights(program, inputs.EffectValues->Lights, key);
+  }
+  if (key.hasVertexLight())
+  {
+    bindImage(program, "vertexLightTexture", inputs.VertexLight);
+  }
+  if (key.SampledShadows)
+  {
+    bindLightRays(program, inputs.EffectValues->Lights);
+    inputs.Effects->bindJitter(program);
+  }
   const std::array<float, 4> area = target.asFloats();
   program->SetUniform4f("viewport", area.data());
   setUniform(program, "eye", view.Eye);
@@ -106,14 +115,18 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
     program->SetUniformi("cutsFarPlane", view.CutsFarPlane ? 1 : 0);
   }
 
-  // A scissor box would do, but llvmpipe gets its edges wrong when pixels have several samples.
-  const bool whole = tile.Width >= target.Width && tile.Height >= target.Height;
-  const std::array<float, 4> corners = whole ? CoveringTriangle : cornersOf(tile, target);
-  program->SetUniform4f("tile", corners.data());
-  this->Draw.drawTriangles(whole ? 1 : 2);
+  drawCorners(program, this->Draw, target, tile);
 
   inputs.Mesh->unbind();
   inputs.Tables->unbind();
+  if (inputs.Effects)
+  {
+    inputs.Effects->unbind();
+  }
+  if (inputs.VertexLight)
+  {
+    inputs.VertexLight->Deactivate();
+  }
   if (inputs.Entries)
   {
     inputs.Entries->Deactivate();

@@ -16,8 +16,10 @@ class vtkTextureObject;
 namespace tetmarch
 {
 
+class EffectTextures;
 class MeshTextures;
 class TableTextures;
+struct EffectData;
 struct IntegralTable;
 struct View;
 
@@ -32,10 +34,13 @@ struct MarchInputs
   const IntegralTable* Table = nullptr;
   ScalarRange Range;
   AccuracyLevel Level = DefaultAccuracy;
-  std::array<double, 16> RayPoints{};  // if the key has Hierarchy
-  vtkTextureObject* Entries = nullptr; // if the key has RasterEntry
-  vtkTextureObject* Depths = nullptr;  // if the key has OpaqueDepth
-  double MostSecondsPerDraw = 0;       // 0: no limit
+  EffectTextures* Effects = nullptr; // and its values: if the key has gradients
+  const EffectData* EffectValues = nullptr;
+  vtkTextureObject* VertexLight = nullptr; // if the key has it
+  std::array<double, 16> RayPoints{};      // if the key has Hierarchy
+  vtkTextureObject* Entries = nullptr;     // if the key has RasterEntry
+  vtkTextureObject* Depths = nullptr;      // if the key has OpaqueDepth
+  double MostSecondsPerDraw = 0;           // 0: no limit
 };
 
 class MarchPass

@@ -128,6 +128,15 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law, const A
   return this->Visible;
 }
 
+bool Pipeline::updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options)
+{
+  EffectInput input{ &this->mesh(), &this->CellScalars, &this->Range, {} };
+  input.Which.push_back(static_cast<std::uintptr_t>(this->meshRecord().Runs));
+  input.Which.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
+  const std::string error = this->Effects.update(renderer, volume, options, input);
+  return error.empty() || this->fail(error);
+}
+
 bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume)
 {
   const double unit = volume->GetProperty()->GetScalarOpacityUnitDistance();
@@ -203,6 +212,45 @@ Viewport Pipeline::currentViewport() const
   return { area[0], area[1], area[2], area[3] };
 }
 
+VariantKey Pipeline::keyOf(
+  const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const
+{
+  VariantKey key;
+  key.PointScalars = this->CellScalars.empty();
+  key.RasterEntry = this->Camera.rastersEntries();
+  key.Hierarchy = this->mesh().NeedsHierarchy;
+  key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
+  key.HasFma = this->HasFma;
+  key.Adaptive = options.Level.Adaptive;
+  this->Effects.setBits(key, double(area.Width) * area.Height);
+  return key.filtered();
+}
+
+// What light at vertices depends on.
+Fingerprint Pipeline::lightVersion() const
+{
+  const LightUniforms& lights = this->Effects.data().Lights;
+  Fingerprint version = this->Effects.gradientOpacityVersion();
+  version.push_back(static_cast<std::uintptr_t>(this->meshRecord().Runs));
+  version.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
+  version.push_back(static_cast<std::uintptr_t>(this->TablesRecord.Runs));
+  for (double x : this->Camera.LengthMatrix)
+  {
+    add(version, x);
+  }
+  for (const auto& source : lights.ShadowSources)
+  {
+    for (double x : source)
+    {
+      add(version, x);
+    }
+  }
+  add(version, lights.Reach);
+  add(version, lights.OcclusionRadius);
+  version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
+  return version;
+}
+
 bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const DrawOptions& options, const Progress& progress)
 {
@@ -219,20 +267,15 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   }
   this->Subject.push_back(static_cast<std::uintptr_t>(inputs.Area.Width));
   this->Subject.push_back(static_cast<std::uintptr_t>(inputs.Area.Height));
-  VariantKey key;
-  key.PointScalars = this->CellScalars.empty();
-  key.RasterEntry = this->Camera.rastersEntries();
-  key.Hierarchy = this->mesh().NeedsHierarchy;
-  key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
-  key.HasFma = this->HasFma;
-  key.Adaptive = options.Level.Adaptive;
-  inputs.Key = key.filtered();
+  inputs.Key = this->keyOf(options, renderer, inputs.Area);
   inputs.Camera = &this->Camera;
   inputs.Mesh = &this->OnGpu.mesh();
   inputs.Tables = &this->OnGpu.tables();
   inputs.Table = &this->Table;
   inputs.Range = this->Range;
   inputs.Level = options.Level;
+  inputs.Effects = &this->EffectsOnGpu;
+  inputs.EffectValues = &this->Effects.data();
   inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
 
   // Who is told of progress may release what is being drawn.
@@ -242,8 +285,12 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const std::string shortage = withinMemory("drawing",
     [&]
     {
-      error = this->Passes.draw(
-        window, this->mesh(), inputs, options.Diagnostics, options.View, goOn, stopped);
+      error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
+      if (error.empty())
+      {
+        error = this->Passes.draw(window, this->mesh(), inputs, this->lightVersion(),
+          options.Diagnostics, options.View, goOn, stopped);
+      }
     });
   if (!shortage.empty())
   {
@@ -282,6 +329,7 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
       scene.Width = this->Area.Width;
       scene.Height = this->Area.Height;
       scene.WindowDepths = depths.empty() ? nullptr : depths.data();
+      scene.Effects = &this->Effects.data();
       image = tetmarch::renderReference<double>(scene, YardstickAccuracy);
     });
   return shortage.empty() || this->fail(shortage);
@@ -291,6 +339,7 @@ void Pipeline::release(vtkWindow* window)
 {
   this->Watch.end(window);
   this->OnGpu.release(window);
+  this->EffectsOnGpu.release(window);
   this->Passes.release(window);
   this->Window = nullptr;
 }

@@ -6,6 +6,7 @@
 #define TetMarchGLPipeline_h
 
 #include "GL/ContextWatch.h"
+#include "GL/EffectTextures.h"
 #include "GL/FramePasses.h"
 #include "GL/GpuData.h"
 #include "Optics/FittingTable.h"
@@ -51,6 +52,7 @@ public:
   bool updateMesh(vtkUnstructuredGrid* grid, const Progress& progress);
   bool updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars);
   bool updateTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level);
+  bool updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options);
   bool updateView(vtkRenderer* renderer, vtkVolume* volume);
   bool upload(vtkOpenGLRenderWindow* window);
   bool draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
@@ -76,8 +78,16 @@ public:
   bool onlyDrew() const;
   /** What the last frame drew, and how large, apart from camera and accuracy. */
   const Fingerprint& subject() const { return this->Subject; }
-  std::size_t gpuBytes() const { return this->OnGpu.bytes() + this->Passes.bytes(); }
-  std::int64_t uploadedBytes() const { return this->OnGpu.uploadedBytes(); }
+  std::size_t gpuBytes() const
+  {
+    return this->OnGpu.bytes() + this->EffectsOnGpu.bytes() + this->Passes.bytes();
+  }
+  std::int64_t uploadedBytes() const
+  {
+    return this->OnGpu.uploadedBytes() + this->EffectsOnGpu.uploadedBytes();
+  }
+  const EffectStage& effects() const { return this->Effects; }
+  const StageRecord& vertexLightRecord() const { return this->Passes.vertexLightRecord(); }
 
   StageRecord ScalarsRecord;
   StageRecord TablesRecord;
@@ -87,6 +97,8 @@ private:
   bool fail(const std::string& error);
   bool ensureHierarchy();
   Viewport currentViewport() const;
+  VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;
+  Fingerprint lightVersion() const;
   std::int64_t stageRuns() const;
 
   std::string Error;
@@ -104,6 +116,8 @@ private:
   IntegralTable Table;
   bool Visible = false; // something has extinction
 
+  EffectStage Effects;
+
   View Camera;
   Viewport Area; // of the last frame; empty: there was none
 
@@ -111,6 +125,7 @@ private:
   ContextWatch Watch; // of that window
   bool HasFma = false;
   GpuData OnGpu;
+  EffectTextures EffectsOnGpu;
   FramePasses Passes;
 };
 

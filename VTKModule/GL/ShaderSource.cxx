@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/ShaderSource.h"
 
+#include "GL/ShaderConditions.h"
 #include "TetMarchShaderFiles.h"
 
 #include <algorithm>
@@ -35,7 +36,8 @@ int numberOf(const std::string& file)
 }
 
 // Not by way of streams: where memory is scarce these lose text, and say nothing.
-void append(const std::string& file, std::set<std::string>& included, std::string& text)
+void append(const std::string& file, ShaderConditions& conditions, std::set<std::string>& included,
+  std::string& text)
 {
   const int number = numberOf(file);
   if (number < 0 || !included.insert(file).second)
@@ -44,8 +46,7 @@ void append(const std::string& file, std::set<std::string>& included, std::strin
   }
   // In GLSL 1.50 the line behind a #line directive has the number after the one it names.
   int line = (number + 1) * NumbersPerFile;
-  const auto appendNumber = [&text, &line] { text += "#line " + std::to_string(line) + "\n"; };
-  appendNumber();
+  bool numbered = false; // the text goes on from the line before
   const std::string_view include = "#include \"";
   std::string_view rest = ShaderFiles[number].Text;
   while (!rest.empty())
@@ -54,14 +55,23 @@ void append(const std::string& file, std::set<std::string>& included, std::strin
     const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
     const std::string_view words = rest.substr(0, end);
     rest.remove_prefix(end);
-    if (words.substr(0, include.size()) == include)
+    if (conditions.take(words) || !conditions.isActive())
+    {
+      numbered = false;
+    }
+    else if (words.substr(0, include.size()) == include)
     {
       const std::string_view name = words.substr(include.size());
-      append(std::string(name.substr(0, name.find('"'))), included, text);
-      appendNumber();
+      append(std::string(name.substr(0, name.find('"'))), conditions, included, text);
+      numbered = false;
     }
     else
     {
+      if (!numbered)
+      {
+        text += "#line " + std::to_string(line - 1) + "\n";
+        numbered = true;
+      }
       text += words;
     }
   }
@@ -71,9 +81,10 @@ void append(const std::string& file, std::set<std::string>& included, std::strin
 
 std::string shaderSource(const std::string& file, const std::string& defines)
 {
-  std::string text = "//VTK::System::Dec\n" + defines;
+  std::string text = "//VTK::System::Dec\n";
   std::set<std::string> included;
-  append(file, included, text);
+  ShaderConditions conditions(defines);
+  append(file, conditions, included, text);
   return text;
 }
 

@@ -10,9 +10,9 @@ namespace tetmarch
 {
 
 /**
- * The text of a shader file for vtkOpenGLShaderCache: the version tag, the defines, the file with
- * its #include lines replaced by the files, each once, under #line directives with numbers that
- * withFileNames() knows.
+ * The text of a shader file for vtkOpenGLShaderCache: the version tag, the file with
+ * its #include lines replaced by the files, each once, and without what its conditions leave out
+ * (ShaderConditions.h), under #line directives with numbers that withFileNames() knows.
  */
 std::string shaderSource(const std::string& file, const std::string& defines = {});
 

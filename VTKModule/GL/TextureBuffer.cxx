@@ -16,6 +16,7 @@ struct FormatRow
 {
   unsigned int InternalFormat;
   unsigned int Format;
+  int Words;
   int Components;
   int Type;
 };
@@ -25,15 +26,17 @@ FormatRow rowOf(TexelFormat format)
   switch (format)
   {
     case TexelFormat::R32F:
-      return { GL_R32F, GL_RED, 1, VTK_FLOAT };
+      return { GL_R32F, GL_RED, 1, 1, VTK_FLOAT };
+    case TexelFormat::RGBA16F:
+      return { GL_RGBA16F, GL_RGBA, 2, 4, VTK_FLOAT };
     case TexelFormat::RGBA32F:
-      return { GL_RGBA32F, GL_RGBA, 4, VTK_FLOAT };
+      return { GL_RGBA32F, GL_RGBA, 4, 4, VTK_FLOAT };
     case TexelFormat::R32UI:
-      return { GL_R32UI, GL_RED_INTEGER, 1, VTK_UNSIGNED_INT };
+      return { GL_R32UI, GL_RED_INTEGER, 1, 1, VTK_UNSIGNED_INT };
     case TexelFormat::RG32UI:
-      return { GL_RG32UI, GL_RG_INTEGER, 2, VTK_UNSIGNED_INT };
+      return { GL_RG32UI, GL_RG_INTEGER, 2, 2, VTK_UNSIGNED_INT };
     default:
-      return { GL_RGBA32UI, GL_RGBA_INTEGER, 4, VTK_UNSIGNED_INT };
+      return { GL_RGBA32UI, GL_RGBA_INTEGER, 4, 4, VTK_UNSIGNED_INT };
   }
 }
 
@@ -43,7 +46,7 @@ std::string TextureBuffer::upload(
   vtkOpenGLRenderWindow* window, TexelFormat format, const void* data, std::size_t texels)
 {
   const FormatRow row = rowOf(format);
-  const std::size_t words = texels * static_cast<std::size_t>(row.Components);
+  const std::size_t words = texels * static_cast<std::size_t>(row.Words);
   clearErrors();
   // The texture refers to the storage of the buffer, which an upload may move: make it anew.
   this->release(window);

@@ -21,6 +21,7 @@ namespace tetmarch
 enum class TexelFormat
 {
   R32F,
+  RGBA16F,
   RGBA32F,
   R32UI,
   RG32UI,

@@ -52,6 +52,9 @@ constexpr AccuracyLevel ReferenceAccuracy{ true, 1e-5, 1265, 4096, 65536 };
 /** For comparisons in double precision. */
 constexpr AccuracyLevel YardstickAccuracy{ true, 1e-6, 1000000, 4096, 262144 };
 
+/** Of rays towards the light, of which only the transmittance is wanted: that is exact. */
+constexpr AccuracyLevel LightAccuracy{ false, 1.0 / 1024.0, 1, 1024, 65536 };
+
 /** A level that keeps a tolerance of the user's, too, unless it keeps none. */
 inline AccuracyLevel levelOf(Accuracy accuracy, double tolerance)
 {

@@ -71,6 +71,11 @@ Vec3<T> operator-(Vec3<T> a, Vec3<T> b)
   return { a.x - b.x, a.y - b.y, a.z - b.z };
 }
 template <typename T>
+Vec3<T> operator*(Vec3<T> a, Vec3<T> b)
+{
+  return { a.x * b.x, a.y * b.y, a.z * b.z };
+}
+template <typename T>
 Vec3<T> operator*(Vec3<T> a, T s)
 {
   return { a.x * s, a.y * s, a.z * s };
@@ -112,10 +117,12 @@ T clamp(T a, T low, T high)
   return std::min(std::max(a, low), high);
 }
 using std::abs;
+using std::cos;
 using std::exp;
 using std::floor;
 using std::fma;
 using std::pow;
+using std::sin;
 using std::sqrt;
 
 template <typename T>

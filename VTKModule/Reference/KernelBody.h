@@ -4,6 +4,10 @@
 // what the GPU has as uniforms and texture buffers as data members. No include guard: each variant
 // includes it anew.
 
+// What one variant has a use for, another has none.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 using uint = std::uint32_t;
 using vec2 = glsl::Vec2<Real>;
 using vec3 = glsl::Vec3<Real>;
@@ -62,6 +66,14 @@ uvec4 fetchTableIntegral(int i) const
 }
 Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 
+#if TETMARCH_EFFECTS
+#include "KernelEffects.h"
+#endif
+
+#if TETMARCH_LIGHT_RAYS
+#include "KernelLightRays.h"
+#endif
+
 #define real Real
 #define OUT(T) T&
 #define INOUT(T) T&
@@ -75,29 +87,15 @@ Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 #define LINK_OUTSIDE LinkOutside
 #define BVH_STACK MostHierarchyDepth
 
-#include "edge_sign.glsl"
-
-#include "ray.glsl"
-
-#include "crossing.glsl"
-
-#include "boundary.glsl"
-
-#include "integral_table.glsl"
-
-#include "radiance.glsl"
-
-#if TETMARCH_POINT_SCALARS
-#include "order_error.glsl"
-
-#include "segment_linear.glsl"
-#else
-#include "segment_constant.glsl"
-#endif
-
-#include "march.glsl"
+#include "march_files.glsl"
 
 #include "ray_cast.glsl"
+
+#if TETMARCH_LIGHT_RAYS
+#include "inside.glsl"
+
+#include "vertex_light.glsl"
+#endif
 
 #undef real
 #undef OUT
@@ -111,3 +109,5 @@ Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 #undef UNDRAWN_SCALAR
 #undef LINK_OUTSIDE
 #undef BVH_STACK
+
+#pragma GCC diagnostic pop

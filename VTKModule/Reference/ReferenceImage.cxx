@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferenceImage.h"
 
-#include "Kernel.h"
+#include "LitKernel.h"
 #include "MakeKernel.h"
+#include "VolumeLight.h"
 
 #include "vtkSMPTools.h"
 
@@ -20,21 +21,6 @@ glsl::Vec3<Real> toVec(const std::array<double, 3>& v)
   return { Real(v[0]), Real(v[1]), Real(v[2]) };
 }
 
-// Length of a unit direction of the normalised frame, in scalar opacity unit distances.
-template <typename Real>
-Real opticalLength(const View& view, glsl::Vec3<Real> direction)
-{
-  Real square = 0;
-  for (int r = 0; r < 3; ++r)
-  {
-    const Real x = Real(view.LengthMatrix[3 * r]) * direction.x +
-                   Real(view.LengthMatrix[3 * r + 1]) * direction.y +
-                   Real(view.LengthMatrix[3 * r + 2]) * direction.z;
-    square += x * x;
-  }
-  return std::sqrt(square);
-}
-
 template <typename Kernel, typename Real>
 class ImageMaker
 {
@@ -48,6 +34,8 @@ public:
     this->Image.Pixels.assign(4 * pixels, 0.0f);
     this->Image.ErrorBounds.assign(pixels, 0.0f);
   }
+
+  Kernel& kernel() { return this->March; }
 
   ReferenceImage make()
   {
@@ -109,11 +97,52 @@ private:
   std::mutex Mutex;
 };
 
+template <typename Kernel, typename Real>
+ReferenceImage makeLit(const ReferenceScene& scene, const AccuracyLevel& level)
+{
+  ImageMaker<Kernel, Real> maker(scene, level);
+  Kernel& kernel = maker.kernel();
+  kernel.useEffects(*scene.Effects);
+  const bool throughVolume = scene.Effects->Lights.hasVolumeLight();
+  std::unique_ptr<IncomingLight<Real>> exact;
+  std::vector<Real> atVertices;
+  if (throughVolume && scene.ExactLight)
+  {
+    exact = exactLight<Real>(scene);
+  }
+  else if (throughVolume)
+  {
+    atVertices = lightAtVertices<Real>(scene);
+  }
+  kernel.Incoming = exact.get();
+  kernel.VertexLight = atVertices.empty() ? nullptr : atVertices.data();
+  return maker.make();
+}
+
+template <typename Real>
+ReferenceImage renderLit(const ReferenceScene& scene, const AccuracyLevel& level)
+{
+  if (scene.CellScalars)
+  {
+    return makeLit<LitCellKernel<Real>, Real>(scene, level);
+  }
+  if (scene.Effects->CellGradients)
+  {
+    return makeLit<LitCellGradientKernel<Real>, Real>(scene, level);
+  }
+  return level.Adaptive ? makeLit<LitPointKernel<Real>, Real>(scene, level)
+                        : makeLit<LitFastPointKernel<Real>, Real>(scene, level);
+}
+
 } // namespace
 
 template <typename Real>
 ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel& level)
 {
+  if (scene.Effects && !scene.Effects->empty())
+  {
+    return renderLit<Real>(scene, level);
+  }
   if (scene.CellScalars)
   {
     return ImageMaker<CellKernel<Real>, Real>(scene, level).make();

@@ -8,6 +8,7 @@
 #include "Mesh/TetMesh.h"
 #include "Optics/AccuracyLevel.h"
 #include "Optics/IntegralTable.h"
+#include "Reference/EffectData.h"
 #include "Reference/MarchCounters.h"
 #include "Scene/View.h"
 
@@ -28,6 +29,10 @@ struct ReferenceScene
   int Width = 0; // of the viewport, in pixels
   int Height = 0;
   const float* WindowDepths = nullptr; // 0..1, one a pixel, of opaque geometry; nullptr: none
+  const EffectData* Effects = nullptr;
+  /** Light that comes through the volume is looked for wherever a ray crosses a face, by brute
+   * force; else interpolated between vertices as in the picture. */
+  bool ExactLight = true;
 };
 
 struct ReferenceImage

@@ -81,7 +81,7 @@ bool color(vtkLight* light, LightSource& source)
   source.Diffuse = triple(light->GetDiffuseColor(), intensity);
   source.Specular = triple(light->GetSpecularColor(), intensity);
   const double shadow = light->GetShadowAttenuation();
-  source.ShadowStrength = source.Headlight ? 0 : std::min(std::max(0.0, shadow), 1.0); // NaN: 0
+  source.ShadowStrength = std::min(std::max(0.0, shadow), 1.0); // NaN: 0
   return isFinite(source.Ambient) && isFinite(source.Diffuse) && isFinite(source.Specular) &&
          !(isBlack(source.Ambient) && isBlack(source.Diffuse) && isBlack(source.Specular));
 }

@@ -27,8 +27,8 @@ struct LightSource
   std::array<double, 3> Attenuation{ { 1, 0, 0 } }; // constant, linear, quadratic
   double ConeCosine = -1;                           // of a spot light; -1: shines in all directions
   double Exponent = 0;                              // of a spot light
-  double ShadowStrength = 0; // 0..1; 0 for a headlight, whose shadows lie behind what casts them
-  bool Headlight = false;    // shines from the eye along each ray; not positional
+  double ShadowStrength = 0;                        // 0..1
+  bool Headlight = false; // shines from the eye along each ray; not positional
 };
 
 struct Lighting

@@ -2,25 +2,82 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VariantKey.h"
 
+#include <algorithm>
+
 namespace tetmarch
 {
+
+const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
+{
+  static const std::array<Bit, NumberOfBits> rows{ {
+    { "POINT_SCALARS", &VariantKey::PointScalars },
+    { "RASTER_ENTRY", &VariantKey::RasterEntry },
+    { "BVH", &VariantKey::Hierarchy },
+    { "OPAQUE_DEPTH", &VariantKey::OpaqueDepth },
+    { "HAS_FMA", &VariantKey::HasFma },
+    { "ADAPTIVE", &VariantKey::Adaptive },
+    { "DIAGNOSTICS", &VariantKey::Diagnostics },
+    { "CELL_GRADIENTS", &VariantKey::CellGradients },
+    { "GRADIENT_OPACITY", &VariantKey::GradientOpacity },
+    { "SHADING", &VariantKey::Shading },
+    { "HEADLIGHT_ONLY", &VariantKey::HeadlightOnly },
+    { "LOCAL_LIGHTS", &VariantKey::LocalLights },
+    { "SCATTERING", &VariantKey::Scattering },
+    { "CAST_SHADOWS", &VariantKey::CastShadows },
+    { "SAMPLED_SHADOWS", &VariantKey::SampledShadows },
+    { "HEADLIGHT_SHADOWS", &VariantKey::HeadlightShadows },
+    { "OCCLUSION", &VariantKey::Occlusion },
+    { "SHOW_ILLUMINATION", &VariantKey::ShowIllumination },
+    { "SHOW_GRADIENTS", &VariantKey::ShowGradients },
+  } };
+  return rows;
+}
+
+bool VariantKey::operator==(const VariantKey& other) const
+{
+  return std::all_of(bits().begin(), bits().end(),
+    [&](const Bit& bit) { return this->*bit.Member == other.*bit.Member; });
+}
 
 VariantKey VariantKey::filtered() const
 {
   VariantKey key = *this;
   key.Hierarchy = key.Hierarchy || !key.RasterEntry;
   key.Adaptive = key.Adaptive && key.PointScalars;
+  key.ShowIllumination = key.ShowIllumination && !key.ShowGradients;
+  // Gradients are shown as they are, in no light.
+  key.Shading = key.Shading && !key.ShowGradients;
+  key.HeadlightOnly = key.HeadlightOnly && key.Shading;
+  key.LocalLights = key.LocalLights && key.Shading && !key.HeadlightOnly;
+  key.Scattering = key.Scattering && key.Shading;
+  key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
+  key.SampledShadows = key.SampledShadows && key.CastShadows;
+  key.HeadlightShadows = key.HeadlightShadows && key.Shading;
+  key.Occlusion = key.Occlusion && key.Shading;
+  // Inside of its cells, a scalar of cells has none.
+  key.CellGradients = key.CellGradients && key.PointScalars && key.hasGradients();
   return key;
 }
 
 std::string VariantKey::defines() const
 {
-  const auto line = [](const char* name, bool value)
-  { return std::string("#define TETMARCH_") + name + (value ? " 1\n" : " 0\n"); };
-  return line("POINT_SCALARS", this->PointScalars) + line("RASTER_ENTRY", this->RasterEntry) +
-         line("BVH", this->Hierarchy) + line("OPAQUE_DEPTH", this->OpaqueDepth) +
-         line("HAS_FMA", this->HasFma) + line("ADAPTIVE", this->Adaptive) +
-         line("ERROR_BOUND", this->hasErrorBound()) + line("DIAGNOSTICS", this->Diagnostics);
+  std::string text;
+  const auto define = [&text](const char* name, bool value)
+  { text += std::string("#define TETMARCH_") + name + (value ? " 1\n" : " 0\n"); };
+  for (const Bit& bit : bits())
+  {
+    define(bit.Name, this->*bit.Member);
+  }
+  const bool lit = this->Shading || this->ShowGradients;
+  define("ERROR_BOUND", this->hasErrorBound());
+  define("EFFECTS", this->hasGradients());
+  define("LIT", lit);
+  define("LIGHT_ERROR", lit && this->Diagnostics);
+  define("VERTEX_GRADIENTS", this->hasVertexGradients());
+  define("VERTEX_LIGHT", this->hasVertexLight());
+  define("SHADOWS", this->hasShadows());
+  define("EXACT_LIGHT", false); // the reference has it
+  return text;
 }
 
 } // namespace tetmarch

@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the scene calls for, and so which shader is compiled.
+// Which variant of the march shader a scene needs.
 #ifndef TetMarchSceneVariantKey_h
 #define TetMarchSceneVariantKey_h
 
+#include <array>
 #include <string>
 
 namespace tetmarch
 {
 
 /**
- * One bit a feature of the march shader. Values that change without recompiling are uniforms, not
- * bits. Shading, clipping and blend modes will be further members here, each with a row in
- * defines() and, where it can be irrelevant, a line in filtered().
+ * Each member is a preprocessor symbol of the shader. Values that change without recompiling are
+ * uniforms, not bits. Clipping and blend modes will be further members, each with a row in bits()
+ * and, where it can be irrelevant, a line in filtered().
  */
 struct VariantKey
 {
@@ -25,16 +26,48 @@ struct VariantKey
   bool Adaptive = true;     // segments are split until the pixel keeps the error tolerance
   bool Diagnostics = false; // counters in further colour attachments
 
+  bool CellGradients = false;    // that of each cell as it is; else interpolated between vertices
+  bool GradientOpacity = false;  // extinction depends on the gradient
+  bool Shading = false;          // lights shine on surfaces of constant scalar
+  bool HeadlightOnly = false;    // one light, at the eye
+  bool LocalLights = false;      // some have a position
+  bool Scattering = false;       // the volume scatters light without regard to surfaces
+  bool CastShadows = false;      // the volume keeps light from itself, but for that from the eye
+  bool SampledShadows = false;   // how much is looked for along each ray; else kept at vertices
+  bool HeadlightShadows = false; // the volume keeps light from itself that comes from the eye
+  bool Occlusion = false;        // the volume keeps ambient light from its inside
+  bool ShowIllumination = false; // the light without the volume's own colour
+  bool ShowGradients = false;    // directions of gradients as colours
+
+  bool hasGradients() const
+  {
+    return this->GradientOpacity || this->Shading || this->ShowGradients;
+  }
+  bool hasShadows() const { return this->CastShadows || this->HeadlightShadows; }
+  bool hasVertexGradients() const { return this->hasGradients() && !this->CellGradients; }
+  bool hasVertexLight() const
+  {
+    return this->Occlusion || (this->CastShadows && !this->SampledShadows);
+  }
   /** Whether the error of the integration is bounded along the way; that of a constant is 0. */
   bool hasErrorBound() const { return this->PointScalars && (this->Adaptive || this->Diagnostics); }
 
-  bool operator==(const VariantKey& other) const { return this->defines() == other.defines(); }
+  bool operator==(const VariantKey& other) const;
 
   /** The key without bits that change nothing, and with those that others imply. */
   VariantKey filtered() const;
 
   /** The preprocessor lines that select the variant in the shader text. */
   std::string defines() const;
+
+  /** Symbol (behind TETMARCH_) and member of each bit. */
+  struct Bit
+  {
+    const char* Name;
+    bool VariantKey::*Member;
+  };
+  static constexpr int NumberOfBits = 19;
+  static const std::array<Bit, NumberOfBits>& bits();
 };
 
 } // namespace tetmarch

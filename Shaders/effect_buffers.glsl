@@ -1,0 +1,65 @@
+// What the effects read. Vectors of lights are those of the world, with the centre of the mesh as origin.
+#if TETMARCH_VERTEX_GRADIENTS
+uniform samplerBuffer gradientBuffer; // of the scalar at the vertices
+uniform float gradientUnit;
+vec3 fetchGradient(uint vertex) { return texelFetch(gradientBuffer, int(vertex)).xyz * gradientUnit; }
+#endif
+#if TETMARCH_CELL_GRADIENTS
+uniform samplerBuffer gradientBuffer; // of the scalar in the tetrahedra
+uniform float gradientUnit;
+vec3 fetchCellGradient(uint tet) { return texelFetch(gradientBuffer, int(tet)).xyz * gradientUnit; }
+#endif
+
+#if TETMARCH_GRADIENT_OPACITY
+uniform samplerBuffer gradientOpacityBuffer;
+uniform int gradientOpacitySize;
+uniform float gradientOpacityScale; // from the length of a gradient to a position in the table
+float fetchGradientOpacity(int i) { return texelFetch(gradientOpacityBuffer, i).x; }
+#endif
+
+#if TETMARCH_SHADING
+uniform mat3 worldMatrix;  // of vectors
+uniform mat3 normalMatrix; // of gradients
+uniform bool twoSided;
+uniform vec3 ambientColor;
+uniform float specularPower;
+uniform vec3 lightDiffuse[MOST_LIGHTS]; // times the property's diffuse
+uniform vec3 lightSpecular[MOST_LIGHTS]; // times the property's specular
+
+vec3 toWorld(vec3 v) { return worldMatrix * v; }
+vec3 toWorldNormal(vec3 gradient) { return normalMatrix * gradient; }
+vec3 fetchLightDiffuse(int light) { return lightDiffuse[light]; }
+vec3 fetchLightSpecular(int light) { return lightSpecular[light]; }
+
+#if !TETMARCH_HEADLIGHT_ONLY
+uniform int lightCount;
+uniform vec4 lightPlace[MOST_LIGHTS];
+uniform int lightKind[MOST_LIGHTS]; // 1: headlight
+vec4 fetchLightPlace(int light) { return lightPlace[light]; }
+bool isHeadlight(int light) { return lightKind[light] == 1; }
+#endif
+#if TETMARCH_LOCAL_LIGHTS
+uniform vec4 lightFading[MOST_LIGHTS];
+uniform vec4 lightCone[MOST_LIGHTS];
+vec4 fetchLightFading(int light) { return lightFading[light]; }
+vec4 fetchLightCone(int light) { return lightCone[light]; }
+#endif
+#if TETMARCH_SCATTERING
+uniform float scatteringBlending;
+#endif
+#if TETMARCH_SHADOWS
+uniform float shadowStrength[MOST_LIGHTS];
+uniform int shadowChannel[MOST_LIGHTS];
+float fetchShadowStrength(int light) { return shadowStrength[light]; }
+int fetchShadowChannel(int light) { return shadowChannel[light]; }
+#endif
+#endif
+
+#if TETMARCH_VERTEX_LIGHT
+uniform sampler2D vertexLightTexture; // of each vertex, row by row
+vec4 fetchVertexLight(uint vertex)
+{
+  int i = int(vertex);
+  return texelFetch(vertexLightTexture, ivec2(i % VERTEX_LIGHT_ROW, i / VERTEX_LIGHT_ROW), 0);
+}
+#endif

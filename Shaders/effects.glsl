@@ -1,0 +1,21 @@
+// The effects, in the order in which they use each other.
+#if TETMARCH_GRADIENT_OPACITY
+#include "gradient_opacity.glsl"
+#endif
+#if TETMARCH_SHOW_GRADIENTS
+#include "gradient_color.glsl"
+#endif
+#if TETMARCH_SHADING
+#include "light_source.glsl"
+#if TETMARCH_SCATTERING
+#include "scattering.glsl"
+#endif
+#if TETMARCH_SHADOWS
+#include "shadows.glsl"
+#endif
+#include "lighting.glsl"
+#endif
+#if TETMARCH_LIT
+#include "lit_piece.glsl"
+#endif
+#include "shade.glsl"

@@ -1,0 +1,15 @@
+// What rays towards the light need.
+uniform int shadowSourceCount;
+uniform vec4 shadowSource[3]; // in the mesh's frame: position, 1; or unit vector to the light, 0
+uniform float lightReach;     // how far light is followed
+uniform mat3 lengthMatrix;    // direction -> world, in scalar opacity unit distances
+
+vec4 fetchShadowSource(int i) { return shadowSource[i]; }
+float opticalLengthOf(vec3 direction) { return length(lengthMatrix * direction); }
+
+#if !TETMARCH_SAMPLED_SHADOWS
+uniform int occlusionDirectionCount;
+uniform float occlusionRadius;
+uniform usamplerBuffer vertexStartBuffer;
+uvec4 fetchVertexStart(uint vertex) { return texelFetch(vertexStartBuffer, int(vertex)); }
+#endif

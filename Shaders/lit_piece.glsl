@@ -1,0 +1,64 @@
+// A piece of the volume in light.
+
+vec3 reflection(vec4 mean, Light light) { return emission(mean) * light.diffuse + light.specular * mean.w; }
+
+// What it sends out. Light that comes along the ray has been absorbed on its way as much as what comes back will be; of
+// all that is seen of the piece, 1 - absorbed / 2 is left of it on the average.
+vec3 litEmission(vec4 mean, Illumination lit, Radiance radiance, Absorption piece)
+{
+  Light light = lit.direct;
+#if TETMARCH_HEADLIGHT_SHADOWS
+  real comes = radiance.transmittance * (real(1) - real(0.5) * piece.absorbed);
+  light = addLight(light, dimLight(lit.head, comes));
+#endif
+  return reflection(mean, light);
+}
+
+#if TETMARCH_SAMPLED_SHADOWS
+// Put by, as long as it isn't known how much light comes; before absorb().
+void keepPending(INOUT(Radiance) radiance, vec4 mean, Illumination lit, Absorption piece)
+{
+  real weight = radiance.transmittance * piece.evenly * piece.opticalLength;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    radiance.pending[channel] = radiance.pending[channel] + reflection(mean, lit.beam[channel]) * weight;
+  }
+}
+#endif
+
+#if TETMARCH_ERROR_BOUND || TETMARCH_LIGHT_ERROR
+real greatest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
+#endif
+
+#if TETMARCH_ERROR_BOUND
+// How bright a colour of 1 can become.
+real brightness(Illumination lit)
+{
+  real bright = greatest(lit.direct.diffuse);
+#if TETMARCH_HEADLIGHT_SHADOWS
+  bright = bright + greatest(lit.head.diffuse);
+#endif
+#if TETMARCH_SAMPLED_SHADOWS
+  bright = bright + greatest(lit.beam[0].diffuse) + greatest(lit.beam[1].diffuse) + greatest(lit.beam[2].diffuse);
+#endif
+  return bright;
+}
+#endif
+
+#if TETMARCH_LIGHT_ERROR
+real changeOf(Light p, Light q) { return greatest(q.diffuse - p.diffuse) + greatest(q.specular - p.specular); }
+
+// The mean of two ends is off by at most half of their difference from what is between them, as far as light changes
+// one way only.
+real lightErrorOf(Illumination p, Illumination q)
+{
+  real change = changeOf(p.direct, q.direct);
+#if TETMARCH_HEADLIGHT_SHADOWS
+  change = change + changeOf(p.head, q.head);
+#endif
+#if TETMARCH_SAMPLED_SHADOWS
+  change = change + changeOf(p.beam[0], q.beam[0]) + changeOf(p.beam[1], q.beam[1]) + changeOf(p.beam[2], q.beam[2]);
+#endif
+  return real(0.5) * change;
+}
+#endif

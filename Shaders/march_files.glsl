@@ -1,0 +1,23 @@
+// The march, in the order in which its files use each other.
+#include "edge_sign.glsl"
+#include "ray.glsl"
+#include "crossing.glsl"
+#include "boundary.glsl"
+#include "integral_table.glsl"
+#if TETMARCH_LIT
+#include "light.glsl"
+#endif
+#include "radiance.glsl"
+#if TETMARCH_EFFECTS
+#include "effects.glsl"
+#endif
+#if TETMARCH_POINT_SCALARS
+#if TETMARCH_ERROR_BOUND
+#include "order_error.glsl"
+#endif
+#include "segment_linear.glsl"
+#else
+#include "segment_constant.glsl"
+#endif
+#include "march.glsl"
+#include "way.glsl"

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/EffectTextures.h"
+
+#include "GL/ErrorQueue.h"
+#include "Mesh/HalfFloats.h"
+#include "Optics/BlueNoise.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+namespace tetmarch
+{
+
+std::string EffectTextures::update(
+  vtkOpenGLRenderWindow* window, const EffectStage& stage, const VariantKey& key)
+{
+  const EffectData& data = stage.data();
+  std::string error = this->Gradients.update(window, key.hasGradients(), stage.gradientsVersion(),
+    [&](TextureBuffer& buffer)
+    {
+      const PackedGradients packed = packGradients(data.Gradients);
+      this->GradientUnit = packed.Unit;
+      return buffer.upload(
+        window, TexelFormat::RGBA16F, packed.Texels.data(), packed.Texels.size());
+    });
+  if (error.empty())
+  {
+    error =
+      this->GradientOpacity.update(window, key.GradientOpacity, stage.gradientOpacityVersion(),
+        [&](TextureBuffer& buffer)
+        {
+          const std::vector<float>& values = data.GradientOpacity.Values;
+          return buffer.upload(window, TexelFormat::R32F, values.data(), values.size());
+        });
+  }
+  if (error.empty())
+  {
+    error = this->Starts.update(window, key.hasVertexLight(), stage.startsVersion(),
+      [&](TextureBuffer& buffer)
+      {
+        const auto& starts = data.VertexStarts;
+        return buffer.upload(window, TexelFormat::RGBA32UI, starts.data(), starts.size());
+      });
+  }
+  return error.empty() ? this->updateJitter(window, key.SampledShadows) : error;
+}
+
+void EffectTextures::releaseJitter(vtkWindow* window)
+{
+  if (this->Jitter)
+  {
+    this->Jitter->ReleaseGraphicsResources(window);
+    this->Jitter = nullptr;
+  }
+}
+
+std::string EffectTextures::updateJitter(vtkOpenGLRenderWindow* window, bool needed)
+{
+  if (!needed)
+  {
+    this->releaseJitter(window);
+  }
+  if (needed && !this->Jitter)
+  {
+    std::vector<float> tile = blueNoiseTile();
+    clearErrors();
+    this->Jitter = vtkSmartPointer<vtkTextureObject>::New();
+    this->Jitter->SetContext(window);
+    this->Jitter->SetMinificationFilter(vtkTextureObject::Nearest);
+    this->Jitter->SetMagnificationFilter(vtkTextureObject::Nearest);
+    this->Jitter->Create2DFromRaw(BlueNoiseSide, BlueNoiseSide, 1, VTK_FLOAT, tile.data());
+    if (glGetError() != GL_NO_ERROR)
+    {
+      this->releaseJitter(window);
+      return "The GPU has no room for a texture of 64 x 64 numbers. Close what else uses it.";
+    }
+  }
+  return {};
+}
+
+void EffectTextures::bind(vtkShaderProgram* program, const EffectData& data, const VariantKey& key)
+{
+  if (key.hasGradients())
+  {
+    this->Gradients.bind(program, "gradientBuffer");
+    program->SetUniformf("gradientUnit", static_cast<float>(this->GradientUnit));
+  }
+  if (key.GradientOpacity)
+  {
+    this->GradientOpacity.bind(program, "gradientOpacityBuffer");
+    program->SetUniformi(
+      "gradientOpacitySize", static_cast<int>(data.GradientOpacity.Values.size()));
+    program->SetUniformf("gradientOpacityScale", static_cast<float>(data.GradientOpacityScale));
+  }
+}
+
+void EffectTextures::bindJitter(vtkShaderProgram* program)
+{
+  this->Jitter->Activate();
+  program->SetUniformi("jitterTexture", this->Jitter->GetTextureUnit());
+}
+
+void EffectTextures::unbind()
+{
+  this->Gradients.unbind();
+  this->GradientOpacity.unbind();
+  this->Starts.unbind();
+  if (this->Jitter)
+  {
+    this->Jitter->Deactivate();
+  }
+}
+
+void EffectTextures::release(vtkWindow* window)
+{
+  this->Gradients.release(window);
+  this->GradientOpacity.release(window);
+  this->Starts.release(window);
+  this->releaseJitter(window);
+}
+
+std::size_t EffectTextures::bytes() const
+{
+  return this->Gradients.bytes() + this->GradientOpacity.bytes() + this->Starts.bytes() +
+         (this->Jitter ? sizeof(float) * BlueNoiseSide * BlueNoiseSide : 0);
+}
+
+std::int64_t EffectTextures::uploadedBytes() const
+{
+  return this->Gradients.uploadedBytes() + this->GradientOpacity.uploadedBytes() +
+         this->Starts.uploadedBytes();
+}
+
+} // namespace tetmarch

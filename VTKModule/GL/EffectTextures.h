@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the effects read, on the GPU: only what the variant at hand calls for.
+#ifndef TetMarchGLEffectTextures_h
+#define TetMarchGLEffectTextures_h
+
+#include "GL/VersionedBuffer.h"
+#include "Scene/EffectStage.h"
+#include "Scene/VariantKey.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace tetmarch
+{
+
+class EffectTextures
+{
+public:
+  /** Bring what is new, and free what the key does without. Returns an empty string, or what is
+   * wrong. */
+  std::string update(
+    vtkOpenGLRenderWindow* window, const EffectStage& stage, const VariantKey& key);
+  /** For a march whatever it is for: gradients and what depends on them. */
+  void bind(vtkShaderProgram* program, const EffectData& data, const VariantKey& key);
+  /** For rays from vertices. */
+  void bindStarts(vtkShaderProgram* program) { this->Starts.bind(program, "vertexStartBuffer"); }
+  /** For samples along rays. */
+  void bindJitter(vtkShaderProgram* program);
+  void unbind();
+  void release(vtkWindow* window);
+  std::size_t bytes() const;
+  /** Ever. */
+  std::int64_t uploadedBytes() const;
+
+private:
+  std::string updateJitter(vtkOpenGLRenderWindow* window, bool needed);
+  void releaseJitter(vtkWindow* window);
+
+  VersionedBuffer Gradients;
+  VersionedBuffer GradientOpacity;
+  VersionedBuffer Starts;
+  vtkSmartPointer<vtkTextureObject> Jitter;
+  double GradientUnit = 1;
+};
+
+} // namespace tetmarch
+
+#endif

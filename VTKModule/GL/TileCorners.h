@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A tile of a target as triangles, for Shaders/tile.vert.glsl.
+#ifndef TetMarchGLTileCorners_h
+#define TetMarchGLTileCorners_h
+
+#include "GL/ShaderDraw.h"
+#include "GL/Viewport.h"
+
+#include "vtkShaderProgram.h"
+
+#include <array>
+
+namespace tetmarch
+{
+
+/** With the program that is in use. */
+inline void drawCorners(
+  vtkShaderProgram* program, ShaderDraw& draw, const Viewport& target, const Viewport& tile)
+{
+  // In normalised device coordinates of the target.
+  const auto ndc = [](int pixel, int size) { return static_cast<float>(2.0 * pixel / size - 1.0); };
+  const int x = tile.X - target.X;
+  const int y = tile.Y - target.Y;
+  // A scissor box would do, but llvmpipe gets its edges wrong when pixels have several samples.
+  const bool whole = tile.Width >= target.Width && tile.Height >= target.Height;
+  const std::array<float, 4> covering{ { -1, -1, 3, 3 } };
+  const std::array<float, 4> corners{ { ndc(x, target.Width), ndc(y, target.Height),
+    ndc(x + tile.Width, target.Width), ndc(y + tile.Height, target.Height) } };
+  program->SetUniform4f("tile", whole ? covering.data() : corners.data());
+  draw.drawTriangles(whole ? 1 : 2);
+}
+
+} // namespace tetmarch
+
+#endif

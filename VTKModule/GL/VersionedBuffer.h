@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// An array on the GPU that is there as long as something needs it, and brought again when it
+// changed.
+#ifndef TetMarchGLVersionedBuffer_h
+#define TetMarchGLVersionedBuffer_h
+
+#include "GL/TextureBuffer.h"
+#include "Scene/Fingerprint.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+#include <cstdint>
+
+namespace tetmarch
+{
+
+class VersionedBuffer
+{
+public:
+  /**
+   * `upload` fills the buffer that it is given and returns an empty string, or what is wrong; it is
+   * called if there is need and this version isn't there yet.
+   */
+  template <typename Upload>
+  std::string update(
+    vtkOpenGLRenderWindow* window, bool needed, const Fingerprint& version, Upload&& upload)
+  {
+    if (!needed || version != this->Version)
+    {
+      this->release(window);
+    }
+    std::string error;
+    if (needed && this->Buffer.bytes() == 0)
+    {
+      error = upload(this->Buffer);
+      if (error.empty())
+      {
+        this->Version = version;
+        this->UploadedBytes += static_cast<std::int64_t>(this->Buffer.bytes());
+      }
+    }
+    return error;
+  }
+  void bind(vtkShaderProgram* program, const char* sampler) { this->Buffer.bind(program, sampler); }
+  void unbind() { this->Buffer.unbind(); }
+  void release(vtkWindow* window)
+  {
+    this->Buffer.release(window);
+    this->Version.clear();
+  }
+  std::size_t bytes() const { return this->Buffer.bytes(); }
+  /** Ever. */
+  std::int64_t uploadedBytes() const { return this->UploadedBytes; }
+
+private:
+  TextureBuffer Buffer;
+  Fingerprint Version;
+  std::int64_t UploadedBytes = 0;
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VolumeLight.h"
+
+#include "MakeKernel.h"
+#include "ReferenceImage.h"
+
+#include "vtkSMPTools.h"
+
+namespace tetmarch
+{
+namespace
+{
+
+template <typename Kernel, typename Real>
+Kernel lightRayKernel(const ReferenceScene& scene)
+{
+  Kernel kernel = makeKernel<Kernel, Real>(*scene.Mesh, *scene.Table, scene.Range, LightAccuracy);
+  kernel.CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
+  kernel.useEffects(*scene.Effects);
+  kernel.useLightRays(scene.Effects->Lights, scene.Camera);
+  return kernel;
+}
+
+template <typename Kernel, typename Real>
+std::vector<Real> atVertices(const ReferenceScene& scene)
+{
+  const auto prototype = lightRayKernel<Kernel, Real>(scene);
+  const auto count = static_cast<vtkIdType>(scene.Mesh->Vertices.size());
+  std::vector<Real> light(4 * static_cast<std::size_t>(count));
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      Kernel kernel = prototype;
+      for (vtkIdType v = first; v < last; ++v)
+      {
+        const auto comes = kernel.lightAtVertex(static_cast<Id>(v));
+        light[4 * v] = comes.x;
+        light[4 * v + 1] = comes.y;
+        light[4 * v + 2] = comes.z;
+        light[4 * v + 3] = comes.w;
+      }
+    });
+  return light;
+}
+
+template <typename Kernel, typename Real>
+class ExactLight : public IncomingLight<Real>
+{
+public:
+  using Vec3 = glsl::Vec3<Real>;
+
+  explicit ExactLight(const ReferenceScene& scene)
+    : Lights(scene.Effects->Lights)
+    , March(lightRayKernel<Kernel, Real>(scene))
+  {
+  }
+
+  glsl::Vec4<Real> at(Vec3 point) const override
+  {
+    Real ambient = 0;
+    const int directions = this->Lights.OcclusionDirections;
+    for (int k = 0; k < directions; ++k)
+    {
+      ambient += this->towards(
+        point, this->March.sphereDirection(k, directions), Real(this->Lights.OcclusionRadius));
+    }
+    std::array<Real, 3> comes{ { 1, 1, 1 } };
+    for (std::size_t i = 0; i < this->Lights.ShadowSources.size(); ++i)
+    {
+      const auto& source = this->Lights.ShadowSources[i];
+      const Vec3 place{ Real(source[0]), Real(source[1]), Real(source[2]) };
+      const Vec3 way = place - point * Real(source[3]);
+      const Real far = std::sqrt(glsl::dot(way, way));
+      const Real reach = Real(this->Lights.Reach);
+      comes[i] =
+        this->towards(point, way * (Real(1) / far), source[3] > 0 ? std::min(far, reach) : reach);
+    }
+    return { directions > 0 ? ambient / Real(directions) : Real(1), comes[0], comes[1], comes[2] };
+  }
+
+private:
+  // From the light to the point.
+  Real towards(Vec3 point, Vec3 direction, Real distance) const
+  {
+    Kernel kernel = this->March;
+    const auto ray = kernel.rayThrough(point, direction * Real(-1));
+    const Real end = glsl::dot(point - ray.origin, ray.direction);
+    const auto march =
+      kernel.castRay(ray, -1, kernel.opticalLengthOf(direction), end - distance, end);
+    return march.radiance.transmittance;
+  }
+
+  const LightUniforms& Lights;
+  mutable Kernel March;
+};
+
+} // namespace
+
+template <typename Real>
+std::vector<Real> lightAtVertices(const ReferenceScene& scene)
+{
+  return scene.CellScalars              ? atVertices<LightRayCellKernel<Real>, Real>(scene)
+         : scene.Effects->CellGradients ? atVertices<LightRayCellGradientKernel<Real>, Real>(scene)
+                                        : atVertices<LightRayKernel<Real>, Real>(scene);
+}
+
+template <typename Real>
+std::unique_ptr<IncomingLight<Real>> exactLight(const ReferenceScene& scene)
+{
+  if (scene.CellScalars)
+  {
+    return std::make_unique<ExactLight<LightRayCellKernel<Real>, Real>>(scene);
+  }
+  if (scene.Effects->CellGradients)
+  {
+    return std::make_unique<ExactLight<LightRayCellGradientKernel<Real>, Real>>(scene);
+  }
+  return std::make_unique<ExactLight<LightRayKernel<Real>, Real>>(scene);
+}
+
+template std::vector<float> lightAtVertices<float>(const ReferenceScene&);
+template std::vector<double> lightAtVertices<double>(const ReferenceScene&);
+template std::unique_ptr<IncomingLight<float>> exactLight<float>(const ReferenceScene&);
+template std::unique_ptr<IncomingLight<double>> exactLight<double>(const ReferenceScene&);
+
+} // namespace tetmarch

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a user asks of light, beside what the lights and the volume's property say.
+#ifndef TetMarchSceneEffectOptions_h
+#define TetMarchSceneEffectOptions_h
+
+namespace tetmarch
+{
+
+/** Where the light is looked for that comes through the volume. */
+enum class ShadowMethod
+{
+  Off,
+  Automatic, // whichever is cheaper
+  AtVertices,
+  AlongRays
+};
+
+/** What the march draws: the volume, or something of it. */
+enum class Subject
+{
+  Picture,
+  Illumination, // light without the volume's own colour
+  Gradients     // their directions as colours
+};
+
+struct EffectOptions
+{
+  bool CellGradients = false; // else interpolated between vertices
+  ShadowMethod Shadows = ShadowMethod::Off;
+  double Scattering = 0; // VolumetricScatteringBlending, 0..2
+  double Reach = 1;      // GlobalIlluminationReach, 0..1
+  bool Occlusion = false;
+  double OcclusionRadius = 0.1; // of the diagonal of the mesh's bounding box
+  int OcclusionDirections = 16;
+  Subject Shown = Subject::Picture;
+};
+
+} // namespace tetmarch
+
+#endif

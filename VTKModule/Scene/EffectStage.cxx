@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EffectStage.h"
+
+#include "Mesh/Gradients.h"
+#include "Mesh/Scalars.h"
+#include "Mesh/VertexStarts.h"
+#include "Scene/WithinMemory.h"
+
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+double steepest(const std::vector<Gradient>& gradients)
+{
+  double most = 0;
+  for (const Gradient& g : gradients)
+  {
+    most = std::max(most, std::hypot(double(g[0]), double(g[1]), double(g[2])));
+  }
+  return most;
+}
+
+// Asking for a function that isn't there would make one.
+bool mayHaveGradientOpacity(vtkVolumeProperty* property)
+{
+  return !property->GetDisableGradientOpacity() &&
+         property->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D &&
+         property->HasGradientOpacity();
+}
+
+} // namespace
+
+std::string EffectStage::update(
+  vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options, const EffectInput& input)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  this->Options = options;
+  const std::string shortage = withinMemory("the effects of light",
+    [&]
+    {
+      this->Data.Lights =
+        makeLightUniforms(lightingOf(renderer, property), options, volume, *input.Mesh);
+      const bool byGradient = mayHaveGradientOpacity(property);
+      const bool needed =
+        byGradient || !this->Data.Lights.Lamps.empty() || options.Shown == Subject::Gradients;
+      this->updateGradients(input, needed, options.CellGradients && input.CellScalars->empty());
+      this->updateGradientOpacity(volume, input, byGradient);
+      this->updateStarts(input, this->Data.Lights.hasVolumeLight());
+    });
+  if (!shortage.empty())
+  {
+    this->clear();
+  }
+  return shortage;
+}
+
+void EffectStage::clear()
+{
+  this->Data = {};
+  this->GradientsInput.clear();
+  this->GradientOpacityInput.clear();
+  this->StartsInput.clear();
+}
+
+void EffectStage::updateGradients(const EffectInput& input, bool needed, bool ofCells)
+{
+  Fingerprint which;
+  if (needed)
+  {
+    which = input.Which;
+    which.push_back(ofCells ? 1 : 0);
+  }
+  if (which == this->GradientsInput)
+  {
+    return;
+  }
+  this->GradientsInput.clear();
+  std::vector<Gradient>().swap(this->Data.Gradients);
+  if (needed)
+  {
+    StageRecorder recorder(this->Gradients);
+    this->Data.CellGradients = ofCells;
+    this->Data.Gradients = ofCells ? cellGradients(*input.Mesh)
+                           : input.CellScalars->empty()
+                             ? vertexGradients(*input.Mesh)
+                             : vertexGradients(*input.Mesh, *input.CellScalars);
+    this->SteepestGradient = steepest(this->Data.Gradients);
+    this->GradientsInput = which;
+  }
+}
+
+void EffectStage::updateGradientOpacity(vtkVolume* volume, const EffectInput& input, bool needed)
+{
+  Fingerprint which;
+  if (needed)
+  {
+    which = this->GradientsInput;
+    add(which, volume->GetProperty()->GetGradientOpacity());
+  }
+  if (which == this->GradientOpacityInput)
+  {
+    return;
+  }
+  this->Data.GradientOpacity = {};
+  if (needed)
+  {
+    StageRecorder recorder(this->GradientOpacity);
+    // Of the stored scalar over the radius -> of the data's over a unit of its length.
+    const double unit = input.Range->width() / input.Mesh->Radius;
+    this->Data.GradientOpacity =
+      gradientOpacityOf(volume->GetProperty(), this->SteepestGradient * unit);
+    this->Data.GradientOpacityScale = unit / this->Data.GradientOpacity.Unit;
+  }
+  this->GradientOpacityInput = which;
+}
+
+void EffectStage::updateStarts(const EffectInput& input, bool needed)
+{
+  Fingerprint which;
+  if (needed)
+  {
+    which.push_back(input.Which.front()); // the mesh
+  }
+  if (which == this->StartsInput)
+  {
+    return;
+  }
+  this->StartsInput.clear();
+  std::vector<std::array<Id, 4>>().swap(this->Data.VertexStarts);
+  if (needed)
+  {
+    StageRecorder recorder(this->Starts);
+    this->Data.VertexStarts = vertexStarts(*input.Mesh);
+    this->StartsInput = which;
+  }
+}
+
+bool EffectStage::samplesShadows(double pixels) const
+{
+  // A ray of the picture takes about 8 samples of each light, a vertex one.
+  constexpr double samples = 8;
+  return this->Options.Shadows == ShadowMethod::AlongRays ||
+         (this->Options.Shadows == ShadowMethod::Automatic &&
+           static_cast<double>(this->Data.VertexStarts.size()) > samples * pixels);
+}
+
+void EffectStage::setBits(VariantKey& key, double pixels) const
+{
+  const LightUniforms& lights = this->Data.Lights;
+  key.CellGradients = this->Data.CellGradients;
+  key.GradientOpacity = !this->Data.GradientOpacity.empty();
+  key.Shading = !lights.Lamps.empty();
+  key.HeadlightOnly = lights.isHeadlightOnly();
+  key.LocalLights = lights.hasLocalLights();
+  key.Scattering = lights.ScatteringBlending > 0;
+  key.CastShadows = !lights.ShadowSources.empty();
+  key.SampledShadows = this->samplesShadows(pixels);
+  key.HeadlightShadows = lights.hasHeadlightShadows();
+  key.Occlusion = lights.OcclusionDirections > 0;
+  key.ShowIllumination = this->Options.Shown == Subject::Illumination;
+  key.ShowGradients = this->Options.Shown == Subject::Gradients;
+}
+
+} // namespace tetmarch

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the effects of a scene are made of: only what the scene calls for, made anew when its own
+// input changed, and freed when nothing calls for it any more.
+#ifndef TetMarchSceneEffectStage_h
+#define TetMarchSceneEffectStage_h
+
+#include "Reference/EffectData.h"
+#include "Scene/EffectOptions.h"
+#include "Scene/Fingerprint.h"
+#include "Scene/StageRecord.h"
+#include "Scene/VariantKey.h"
+
+#include <string>
+
+class vtkRenderer;
+class vtkVolume;
+
+namespace tetmarch
+{
+
+struct ScalarRange;
+
+/** The scalars that effects are made of, and which they are: equal if nothing of them changed. */
+struct EffectInput
+{
+  const TetMesh* Mesh = nullptr;
+  const std::vector<float>* CellScalars = nullptr; // empty: those of the vertices
+  const ScalarRange* Range = nullptr;
+  Fingerprint Which;
+};
+
+class EffectStage
+{
+public:
+  /** Returns an empty string, or what is wrong and what to do; nothing is then left. */
+  std::string update(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options,
+    const EffectInput& input);
+  void clear();
+
+  const EffectData& data() const { return this->Data; }
+  /** The bits of the key that say which effects there are. `pixels` of the picture decide where
+   * shadows are looked for, if that is left open. */
+  void setBits(VariantKey& key, double pixels) const;
+
+  /** Of gradients and of the starts of rays from vertices: neither runs unless something needs it.
+   */
+  const StageRecord& gradientsRecord() const { return this->Gradients; }
+  const StageRecord& startsRecord() const { return this->Starts; }
+  const StageRecord& gradientOpacityRecord() const { return this->GradientOpacity; }
+  /** What has changed with these has to be uploaded. */
+  Fingerprint gradientsVersion() const { return this->GradientsInput; }
+  Fingerprint gradientOpacityVersion() const { return this->GradientOpacityInput; }
+  Fingerprint startsVersion() const { return this->StartsInput; }
+
+private:
+  void updateGradients(const EffectInput& input, bool needed, bool ofCells);
+  void updateGradientOpacity(vtkVolume* volume, const EffectInput& input, bool needed);
+  void updateStarts(const EffectInput& input, bool needed);
+  bool samplesShadows(double pixels) const;
+
+  EffectOptions Options;
+  EffectData Data;
+  double SteepestGradient = 0; // in the normalised frame
+  Fingerprint GradientsInput;
+  Fingerprint GradientOpacityInput;
+  Fingerprint StartsInput;
+  StageRecord Gradients;
+  StageRecord GradientOpacity;
+  StageRecord Starts;
+};
+
+} // namespace tetmarch
+
+#endif

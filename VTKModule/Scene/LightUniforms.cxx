@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LightUniforms.h"
+
+#include "Mesh/TetMesh.h"
+
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+using Triple = std::array<double, 3>;
+using Matrix = std::array<double, 9>;
+
+Triple times(const Matrix& m, const Triple& v)
+{
+  Triple result{};
+  for (int r = 0; r < 3; ++r)
+  {
+    result[r] = m[3 * r] * v[0] + m[3 * r + 1] * v[1] + m[3 * r + 2] * v[2];
+  }
+  return result;
+}
+
+Triple unit(Triple v)
+{
+  const double length = std::hypot(v[0], v[1], v[2]);
+  for (double& x : v)
+  {
+    x = length > 0 ? x / length : 0;
+  }
+  return v;
+}
+
+double greatest(const Matrix& m)
+{
+  double most = 0;
+  for (double x : m)
+  {
+    most = std::max(most, std::abs(x));
+  }
+  return most;
+}
+
+Matrix scaled(Matrix m, double factor)
+{
+  for (double& x : m)
+  {
+    x *= factor;
+  }
+  return m;
+}
+
+// From the normalised frame of the mesh to the world, both with the mesh's centre as origin.
+struct Frame
+{
+  Matrix ToWorld{};
+  Matrix FromWorld{};
+  Triple Center{}; // in the world
+  double Unit = 1; // of the world's coordinates in the shader
+};
+
+Frame frameOf(vtkVolume* volume, const TetMesh& mesh)
+{
+  Frame frame;
+  vtkMatrix4x4* matrix = volume->GetMatrix();
+  double rows[3][3];
+  double inverse[3][3];
+  for (int r = 0; r < 3; ++r)
+  {
+    frame.Center[r] = matrix->GetElement(r, 3);
+    for (int c = 0; c < 3; ++c)
+    {
+      rows[r][c] = matrix->GetElement(r, c) * mesh.Radius;
+      frame.ToWorld[3 * r + c] = rows[r][c];
+      frame.Center[r] += matrix->GetElement(r, c) * mesh.Center[c];
+    }
+  }
+  vtkMath::Invert3x3(rows, inverse);
+  for (int i = 0; i < 9; ++i)
+  {
+    frame.FromWorld[i] = inverse[i / 3][i % 3];
+  }
+  const double most = greatest(frame.ToWorld);
+  frame.Unit = most > 0 ? most : 1;
+  return frame;
+}
+
+Matrix transposed(const Matrix& m)
+{
+  return { { m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8] } };
+}
+
+LightUniforms::Lamp lampOf(const LightSource& light, const Lighting& lighting, const Frame& frame)
+{
+  LightUniforms::Lamp lamp;
+  lamp.Headlight = light.Headlight;
+  for (int k = 0; k < 3; ++k)
+  {
+    lamp.Diffuse[k] = light.Diffuse[k] * lighting.Diffuse;
+    lamp.Specular[k] = light.Specular[k] * lighting.Specular;
+    lamp.Place[k] =
+      light.Positional ? (light.Position[k] - frame.Center[k]) / frame.Unit : -light.Direction[k];
+    lamp.Cone[k] = light.Direction[k];
+  }
+  lamp.Place[3] = light.Positional ? 1 : 0;
+  lamp.Cone[3] = light.ConeCosine;
+  lamp.Fading = { { light.Attenuation[0], light.Attenuation[1] * frame.Unit,
+    light.Attenuation[2] * frame.Unit * frame.Unit, light.Exponent } };
+  return lamp;
+}
+
+std::array<double, 4> sourceOf(const LightSource& light, const Frame& frame)
+{
+  if (!light.Positional)
+  {
+    const Triple way = unit(times(
+      frame.FromWorld, { { -light.Direction[0], -light.Direction[1], -light.Direction[2] } }));
+    return { { way[0], way[1], way[2], 0 } };
+  }
+  Triple place{};
+  for (int k = 0; k < 3; ++k)
+  {
+    place[k] = light.Position[k] - frame.Center[k];
+  }
+  place = times(frame.FromWorld, place);
+  return { { place[0], place[1], place[2], 1 } };
+}
+
+// VTK's reach runs from nothing to the diagonal, and most of it is near; the diagonal is 2 radii.
+double distanceOf(double reach) { return 2 * (1 - std::pow(1 - reach, 0.33)); }
+
+} // namespace
+
+bool LightUniforms::hasLocalLights() const
+{
+  return std::any_of(
+    this->Lamps.begin(), this->Lamps.end(), [](const Lamp& lamp) { return lamp.Place[3] > 0; });
+}
+
+bool LightUniforms::hasHeadlightShadows() const
+{
+  return std::any_of(this->Lamps.begin(), this->Lamps.end(),
+    [](const Lamp& lamp) { return lamp.Headlight && lamp.ShadowStrength > 0; });
+}
+
+LightUniforms makeLightUniforms(
+  const Lighting& lighting, const EffectOptions& options, vtkVolume* volume, const TetMesh& mesh)
+{
+  LightUniforms lights;
+  if (lighting.Lights.empty())
+  {
+    return lights;
+  }
+  const Frame frame = frameOf(volume, mesh);
+  lights.WorldMatrix = scaled(frame.ToWorld, 1 / frame.Unit);
+  const Matrix normals = transposed(frame.FromWorld);
+  lights.NormalMatrix = scaled(normals, 1 / greatest(normals));
+  lights.TwoSided = lighting.TwoSided;
+  lights.SpecularPower = lighting.SpecularPower;
+  lights.ScatteringBlending = 0.5 * options.Scattering;
+  lights.Ambient = { { lighting.Ambient, lighting.Ambient, lighting.Ambient } };
+  const bool casts = options.Shadows != ShadowMethod::Off || options.Scattering > 0;
+  for (const LightSource& light : lighting.Lights)
+  {
+    LightUniforms::Lamp lamp = lampOf(light, lighting, frame);
+    for (int k = 0; k < 3; ++k)
+    {
+      lights.Ambient[k] += lighting.Ambient * light.Ambient[k];
+    }
+    if (casts && light.ShadowStrength > 0)
+    {
+      const bool hasChannel =
+        lights.ShadowSources.size() < static_cast<std::size_t>(LightUniforms::MostShadowSources);
+      if (lamp.Headlight)
+      {
+        lamp.ShadowStrength = light.ShadowStrength;
+      }
+      else if (hasChannel)
+      {
+        lamp.ShadowStrength = light.ShadowStrength;
+        lamp.ShadowChannel = static_cast<int>(lights.ShadowSources.size());
+        lights.ShadowSources.push_back(sourceOf(light, frame));
+      }
+      else
+      {
+        ++lights.ShadowlessLights;
+      }
+    }
+    lights.Lamps.push_back(lamp);
+  }
+  lights.Reach = distanceOf(options.Reach);
+  if (options.Occlusion && lighting.Ambient > 0)
+  {
+    lights.OcclusionDirections = options.OcclusionDirections;
+    lights.OcclusionRadius = 2 * options.OcclusionRadius;
+  }
+  return lights;
+}
+
+} // namespace tetmarch

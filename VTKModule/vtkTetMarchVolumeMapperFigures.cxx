@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a vtkTetMarchVolumeMapper tells of itself and of its last frame.
+#include "vtkTetMarchVolumeMapperInternals.h"
+
+#include "vtkFloatArray.h"
+#include "vtkOpenGLRenderWindow.h"
+
+#include <algorithm>
+
+namespace
+{
+const char* nameOf(int accuracyLevel)
+{
+  constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference" };
+  return names[accuracyLevel];
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+const char* vtkTetMarchVolumeMapper::GetAccuracyLevelAsString() const
+{
+  return nameOf(this->AccuracyLevel);
+}
+const char* vtkTetMarchVolumeMapper::GetUsedAccuracyLevelAsString() const
+{
+  return nameOf(this->GetUsedAccuracyLevel());
+}
+
+//------------------------------------------------------------------------------
+int vtkTetMarchVolumeMapper::GetUsedAccuracyLevel() const
+{
+  return static_cast<int>(this->Internal->Choice.used().Level);
+}
+double vtkTetMarchVolumeMapper::GetUsedErrorTolerance() const
+{
+  return this->Internal->Choice.used().Tolerance;
+}
+bool vtkTetMarchVolumeMapper::IsBudgetKept() const { return this->Internal->Choice.isKept(); }
+
+//------------------------------------------------------------------------------
+const char* vtkTetMarchVolumeMapper::GetViewModeAsString() const
+{
+  constexpr const char* names[] = { "Picture", "ErrorBound", "Cells", "Lookups", "Illumination",
+    "Gradients" };
+  return names[this->ViewMode];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTetMarchVolumeMapper::GetGradientTypeAsString() const
+{
+  return this->GradientType == CELL_GRADIENTS ? "Cell" : "Vertex";
+}
+const char* vtkTetMarchVolumeMapper::GetShadowMethodAsString() const
+{
+  constexpr const char* names[] = { "Off", "Automatic", "AtVertices", "AlongRays" };
+  return names[this->ShadowMethod];
+}
+
+//------------------------------------------------------------------------------
+vtkLookupTable* vtkTetMarchVolumeMapper::GetViewLookupTable() { return this->Internal->ViewTable; }
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTetMarchVolumeMapper::GetNumberOfTetrahedra() const
+{
+  return this->Internal->Pipeline.mesh().numberOfTets();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTetMarchVolumeMapper::GetNumberOfBoundaryFaces() const
+{
+  return static_cast<vtkIdType>(this->Internal->Pipeline.mesh().BoundaryFaces.size());
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetGPUMemoryBytes() const
+{
+  return static_cast<vtkTypeInt64>(this->Internal->Pipeline.gpuBytes());
+}
+
+//------------------------------------------------------------------------------
+double vtkTetMarchVolumeMapper::GetMeshSeconds() const
+{
+  return this->Internal->Pipeline.meshRecord().Seconds;
+}
+double vtkTetMarchVolumeMapper::GetScalarsSeconds() const
+{
+  return this->Internal->Pipeline.ScalarsRecord.Seconds;
+}
+double vtkTetMarchVolumeMapper::GetTablesSeconds() const
+{
+  return this->Internal->Pipeline.TablesRecord.Seconds;
+}
+double vtkTetMarchVolumeMapper::GetGradientsSeconds() const
+{
+  return this->Internal->Pipeline.effects().gradientsRecord().Seconds;
+}
+double vtkTetMarchVolumeMapper::GetVertexLightSeconds() const
+{
+  return this->Internal->Pipeline.vertexLightRecord().Seconds;
+}
+double vtkTetMarchVolumeMapper::GetUploadSeconds() const
+{
+  return this->Internal->Pipeline.UploadRecord.Seconds;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetMeshBuilds() const
+{
+  return this->Internal->Pipeline.meshRecord().Runs;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetScalarsBuilds() const
+{
+  return this->Internal->Pipeline.ScalarsRecord.Runs;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetTablesBuilds() const
+{
+  return this->Internal->Pipeline.TablesRecord.Runs;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetGradientsBuilds() const
+{
+  return this->Internal->Pipeline.effects().gradientsRecord().Runs;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetVertexLightBuilds() const
+{
+  return this->Internal->Pipeline.vertexLightRecord().Runs;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetUploadedBytes() const
+{
+  return this->Internal->Pipeline.uploadedBytes();
+}
+
+//------------------------------------------------------------------------------
+int vtkTetMarchVolumeMapper::GetNumberOfDraws() const
+{
+  return this->Internal->Pipeline.numberOfDraws();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfRays() const
+{
+  return this->Internal->Pipeline.counted().counters().Rays;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfCrossedCells() const
+{
+  return this->Internal->Pipeline.counted().counters().Cells;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfEvaluations() const
+{
+  return this->Internal->Pipeline.counted().counters().Evaluations;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfRefusedEntries() const
+{
+  return this->Internal->Pipeline.counted().counters().Refused;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfLostRays() const
+{
+  return this->Internal->Pipeline.counted().counters().Lost;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfGuardHits() const
+{
+  return this->Internal->Pipeline.counted().counters().Guarded;
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::GetDiagnosticPixels(vtkFloatArray* pixels) const
+{
+  const std::vector<float>& values = this->Internal->Pipeline.counted().pixels();
+  pixels->SetNumberOfComponents(4);
+  pixels->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / 4));
+  std::copy(values.begin(), values.end(), pixels->GetPointer(0));
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "OpacityLaw: " << (this->OpacityLaw == STRUCTURED ? "Structured" : "Unstructured")
+     << "\n";
+  os << indent << "AccuracyLevel: " << this->GetAccuracyLevelAsString() << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "FrameTimeBudget: " << this->FrameTimeBudget << "\n";
+  os << indent << "ErrorBudget: " << this->ErrorBudget << "\n";
+  os << indent << "UsedAccuracyLevel: " << this->GetUsedAccuracyLevelAsString() << "\n";
+  os << indent << "UsedErrorTolerance: " << this->GetUsedErrorTolerance() << "\n";
+  os << indent << "BudgetKept: " << (this->IsBudgetKept() ? "Yes" : "No") << "\n";
+  os << indent << "MaxDrawTimeInSeconds: " << this->MaxDrawTimeInSeconds << "\n";
+  os << indent << "ViewMode: " << this->GetViewModeAsString() << "\n";
+  os << indent << "AutomaticViewRange: " << (this->AutomaticViewRange ? "On" : "Off") << "\n";
+  os << indent << "ViewRange: " << this->ViewRange[0] << ", " << this->ViewRange[1] << "\n";
+  os << indent << "GradientType: " << this->GetGradientTypeAsString() << "\n";
+  os << indent << "ShadowMethod: " << this->GetShadowMethodAsString() << "\n";
+  os << indent << "VolumetricScatteringBlending: " << this->VolumetricScatteringBlending << "\n";
+  os << indent << "GlobalIlluminationReach: " << this->GlobalIlluminationReach << "\n";
+  os << indent << "AmbientOcclusion: " << (this->AmbientOcclusion ? "On" : "Off") << "\n";
+  os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
+  os << indent << "AmbientOcclusionDirections: " << this->AmbientOcclusionDirections << "\n";
+  os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
+  os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";
+  os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
+  os << indent << "NumberOfBoundaryFaces: " << this->GetNumberOfBoundaryFaces() << "\n";
+  os << indent << "GPUMemoryBytes: " << this->GetGPUMemoryBytes() << "\n";
+}

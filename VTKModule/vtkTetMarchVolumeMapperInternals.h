@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a vtkTetMarchVolumeMapper keeps from frame to frame.
+#ifndef vtkTetMarchVolumeMapperInternals_h
+#define vtkTetMarchVolumeMapperInternals_h
+
+#include "GL/Pipeline.h"
+#include "Scene/AccuracyChoice.h"
+
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
+#include "vtkTetMarchFrameStatistics.h"
+#include "vtkTetMarchVolumeMapper.h"
+
+#include <string>
+
+class vtkTetMarchVolumeMapper::Internals
+{
+public:
+  tetmarch::Pipeline Pipeline;
+  tetmarch::AccuracyChoice Choice;
+  std::string LastError; // reported already
+  std::string LastReport;
+  vtkNew<vtkTetMarchFrameStatistics> Statistics;
+  vtkNew<vtkLookupTable> ViewTable;
+};
+
+#endif
