@@ -58,8 +58,12 @@ vec3 gradientAt(Crossing face, vec3 share)
 vec4 incomingAt(Ray ray, Crossing face, real depth)
 {
 #if TETMARCH_EXACT_LIGHT
-  return exactIncoming(ray.origin + ray.direction * depth);
-#elif TETMARCH_VERTEX_LIGHT
+  if (hasExactLight()) // the reference looks for it
+  {
+    return exactIncoming(ray.origin + ray.direction * depth);
+  }
+#endif
+#if TETMARCH_VERTEX_LIGHT
   vec3 share = crossingShares(face);
   return face.lightA * share.x + face.lightB * share.y + face.lightC * share.z;
 #else

@@ -5,6 +5,7 @@
 #include "Mesh/TetMeshBuilder.h"
 #include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
+#include "Scene/EffectStage.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -14,6 +15,18 @@ namespace tetmarch::testing
 {
 namespace
 {
+EffectOptions optionsOf(vtkTetMarchVolumeMapper* mapper)
+{
+  const int view = mapper->GetViewMode();
+  return { mapper->GetGradientType() == vtkTetMarchVolumeMapper::CELL_GRADIENTS,
+    static_cast<ShadowMethod>(mapper->GetShadowMethod()), mapper->GetVolumetricScatteringBlending(),
+    mapper->GetGlobalIlluminationReach(), mapper->GetAmbientOcclusion(),
+    mapper->GetAmbientOcclusionRadius(), mapper->GetAmbientOcclusionDirections(),
+    view == vtkTetMarchVolumeMapper::VIEW_ILLUMINATION ? Subject::Illumination
+    : view == vtkTetMarchVolumeMapper::VIEW_GRADIENTS  ? Subject::Gradients
+                                                       : Subject::Picture };
+}
+
 // The stages before the GL, for the scene as it stands.
 class TwinScene
 {
@@ -45,6 +58,10 @@ public:
     {
       throw std::runtime_error("the scene has no view");
     }
+    if (property == scene.property())
+    {
+      this->addEffects(scene);
+    }
     made.Mesh = &this->Mesh;
     made.Table = &this->Table;
     made.Width = scene.Renderer->GetSize()[0];
@@ -52,8 +69,10 @@ public:
     made.WindowDepths = depths.empty() ? nullptr : depths.data();
   }
 
-  TwinPicture render(Precision precision) const
+  // Light through the volume as the GL has it, or looked for everywhere.
+  TwinPicture render(Precision precision, LightFrom light)
   {
+    this->Made.ExactLight = light == LightFrom::Everywhere;
     const ReferenceImage image = precision == Precision::Double
                                    ? renderReference<double>(this->Made, this->Level)
                                    : renderReference<float>(this->Made, this->Level);
@@ -62,9 +81,22 @@ public:
   }
 
 private:
+  void addEffects(Scene& scene)
+  {
+    const EffectInput input{ &this->Mesh, &this->CellScalars, &this->Made.Range, { 1 } };
+    const std::string error =
+      this->Effects.update(scene.Renderer, scene.Volume, optionsOf(scene.Mapper), input);
+    if (!error.empty())
+    {
+      throw std::runtime_error(error);
+    }
+    this->Made.Effects = &this->Effects.data();
+  }
+
   TetMesh Mesh;
   std::vector<float> CellScalars;
   IntegralTable Table;
+  EffectStage Effects;
   AccuracyLevel Level = DefaultAccuracy;
   ReferenceScene Made;
 };
@@ -109,9 +141,10 @@ void expectAgreement(Scene& scene, const Image& drawn, const std::vector<float>&
 }
 } // namespace
 
-TwinPicture twinOf(Scene& scene, const std::vector<float>& depths, Precision precision)
+TwinPicture twinOf(
+  Scene& scene, const std::vector<float>& depths, Precision precision, LightFrom light)
 {
-  return TwinScene(scene, scene.property(), depths).render(precision);
+  return TwinScene(scene, scene.property(), depths).render(precision, light);
 }
 
 Regions regionsOf(Scene& scene, const std::vector<float>& depths)
@@ -120,7 +153,8 @@ Regions regionsOf(Scene& scene, const std::vector<float>& depths)
   vtkNew<vtkVolumeProperty> fog;
   setPlainFunctions(fog, { 1.0, 1.0, 1.0 }, 0.01);
   fog->SetScalarOpacityUnitDistance(scene.Data->GetLength());
-  const Image seen = TwinScene(scene, fog, depths).render(Precision::Double).Picture;
+  const Image seen =
+    TwinScene(scene, fog, depths).render(Precision::Double, LightFrom::Vertices).Picture;
 
   Regions regions;
   for (int y = 0; y < seen.Height; ++y)

@@ -19,6 +19,13 @@ enum class Precision
   Double
 };
 
+/// Where the light is looked for that comes through the volume.
+enum class LightFrom
+{
+  Vertices,  ///< as the GL does
+  Everywhere ///< by brute force
+};
+
 struct TwinPicture
 {
   Image Picture;
@@ -26,10 +33,10 @@ struct TwinPicture
   MarchCounters Counters;
 };
 
-/// Of the scene as its last frame left it, with the same tables and the same accuracy level. Depths
+/// Of the scene as its last frame left it, with the same tables, accuracy level and effects. Depths
 /// of opaque geometry: one a pixel, or empty.
-TwinPicture twinOf(
-  Scene& scene, const std::vector<float>& depths = {}, Precision precision = Precision::Double);
+TwinPicture twinOf(Scene& scene, const std::vector<float>& depths = {},
+  Precision precision = Precision::Double, LightFrom light = LightFrom::Vertices);
 
 /// The pixels of a picture, by whether they and their eight neighbours see the mesh: all of them,
 /// none, or some. Near the silhouette a rasterised entry may be lost or won, or moved by a

@@ -47,7 +47,8 @@ void useLights(const LightUniforms& lights)
 {
   Lights = &lights;
   twoSided = lights.TwoSided;
-  ambientColor = toVec3(lights.Ambient);
+  // Where nothing shines, the volume's own colour is seen.
+  ambientColor = lights.Lamps.empty() ? vec3(1, 1, 1) : toVec3(lights.Ambient);
   specularPower = Real(lights.SpecularPower);
   scatteringBlending = Real(lights.ScatteringBlending);
   lightCount = static_cast<int>(lights.Lamps.size());
