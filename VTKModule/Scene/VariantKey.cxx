@@ -59,6 +59,18 @@ VariantKey VariantKey::filtered() const
   return key;
 }
 
+VariantKey VariantKey::ofVertexLight() const
+{
+  VariantKey key;
+  key.PointScalars = this->PointScalars;
+  key.Hierarchy = this->Hierarchy;
+  key.HasFma = this->HasFma;
+  key.Adaptive = false;
+  key.GradientOpacity = this->GradientOpacity;
+  key.CellGradients = this->CellGradients;
+  return key.filtered();
+}
+
 std::string VariantKey::defines() const
 {
   std::string text;
