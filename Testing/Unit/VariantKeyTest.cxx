@@ -33,6 +33,8 @@ bool isSensible(const VariantKey& k)
          !(k.HeadlightOnly && (k.LocalLights || k.CastShadows || k.SampledShadows)) &&
          // No shadows to be sampled.
          !(k.SampledShadows && !k.CastShadows) &&
+         // What vertices keep for the shadows has the ambient light too.
+         !(k.Occlusion && k.CastShadows && !k.SampledShadows) &&
          // Gradients are shown instead of the light.
          !(k.ShowGradients && (k.Shading || k.ShowIllumination));
 }
@@ -95,11 +97,11 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 // Counted by hand: entries found by the rasteriser, by it and a search, or by a search; up to
 // opaque geometry or not; fused or not; with counters or not; of scalars at points, adaptive or
 // not, or of cells. Effects of scalars at points: 4 times gradients shown; 2 and 4 times no light,
-// without and with opacity by gradients; 32 of light times 2 of a headlight alone and 12 of others.
+// without and with opacity by gradients; 16 of light times 4 of a headlight alone and 20 of others.
 TEST(VariantKey, LegalKeysAreCounted)
 {
-  const std::size_t ofPoints = 4 + 2 + 4 + 32 * (2 + 12);
-  const std::size_t ofCells = 2 + 2 + 2 + 16 * (2 + 12);
+  const std::size_t ofPoints = 4 + 2 + 4 + 16 * (4 + 20);
+  const std::size_t ofCells = 2 + 2 + 2 + 8 * (4 + 20);
   const std::size_t legal = legalKeys().size();
   EXPECT_EQ(legal, 3 * 2 * 2 * 2 * (2 * ofPoints + ofCells));
   const std::size_t light = legalLightKeys().size();

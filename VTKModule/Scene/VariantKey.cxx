@@ -53,7 +53,8 @@ VariantKey VariantKey::filtered() const
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
   key.SampledShadows = key.SampledShadows && key.CastShadows;
   key.HeadlightShadows = key.HeadlightShadows && key.Shading;
-  key.Occlusion = key.Occlusion && key.Shading;
+  // Light that is kept at vertices for its shadows brings along how much comes of ambient light.
+  key.Occlusion = key.Occlusion && key.Shading && (!key.CastShadows || key.SampledShadows);
   // Inside of its cells, a scalar of cells has none.
   key.CellGradients = key.CellGradients && key.PointScalars && key.hasGradients();
   return key;
