@@ -1,25 +1,42 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Every variant of the march shader: distinct defines, and a filter that settles at once.
-#include "Scene/VariantKey.h"
+// All combinations of the bits of a variant: distinct defines, and a filter that drops what has no
+// effect, and nothing else.
+#include "LegalKeys.h"
 
 #include <gtest/gtest.h>
+#include <iostream>
 #include <random>
+#include <set>
 
 namespace
 {
+using namespace tetmarch::testing;
 using tetmarch::VariantKey;
 
 constexpr int Count = VariantKey::NumberOfBits;
 
-VariantKey keyOf(unsigned int number)
+// Whether each bit of the key changes something; in the words of the members, one by one.
+bool isSensible(const VariantKey& k)
 {
-  VariantKey key;
-  for (int i = 0; i < Count; ++i)
-  {
-    key.*VariantKey::bits()[i].Member = (number >> i & 1u) != 0;
-  }
-  return key;
+  const bool ofLight = k.HeadlightOnly || k.LocalLights || k.Scattering || k.CastShadows ||
+                       k.SampledShadows || k.HeadlightShadows || k.Occlusion;
+  // Who doesn't know where a ray comes in has to look for it.
+  return (k.RasterEntry || k.Hierarchy) &&
+         // What is constant is integrated exactly, and has no gradient in a cell.
+         !(!k.PointScalars && (k.Adaptive || k.CellGradients)) &&
+         // Nothing uses gradients.
+         !(k.CellGradients && !k.GradientOpacity && !k.Shading && !k.ShowGradients) &&
+         // There is no light.
+         !(ofLight && !k.Shading) &&
+         // The only light stands at the eye.
+         !(k.HeadlightOnly && (k.LocalLights || k.CastShadows || k.SampledShadows)) &&
+         // No shadows to be sampled.
+         !(k.SampledShadows && !k.CastShadows) &&
+         // What vertices keep for the shadows has the ambient light too.
+         !(k.Occlusion && k.CastShadows && !k.SampledShadows) &&
+         // Gradients are shown instead of the light.
+         !(k.ShowGradients && (k.Shading || k.ShowIllumination));
 }
 
 TEST(VariantKey, KeysAreEqualIfAllBitsAre)
@@ -27,8 +44,9 @@ TEST(VariantKey, KeysAreEqualIfAllBitsAre)
   std::mt19937 random(1);
   for (int i = 0; i < 2000; ++i)
   {
-    const unsigned int a = random() % (1u << Count);
+    const unsigned int a = random() % NumberOfKeys;
     const VariantKey key = keyOf(a);
+    EXPECT_EQ(numberOf(key), a);
     EXPECT_TRUE(key == keyOf(a));
     for (int bit = 0; bit < Count; ++bit)
     {
@@ -36,6 +54,77 @@ TEST(VariantKey, KeysAreEqualIfAllBitsAre)
       EXPECT_FALSE(key == other);
       EXPECT_NE(key.defines(), other.defines());
     }
+  }
+}
+
+TEST(VariantKey, MembersAreBits)
+{
+  std::set<std::string> names;
+  for (const VariantKey::Bit& bit : VariantKey::bits())
+  {
+    EXPECT_TRUE(names.insert(bit.Name).second) << bit.Name;
+  }
+  // A member without a row would be lost between a key and its number.
+  EXPECT_EQ(sizeof(VariantKey), static_cast<std::size_t>(Count));
+}
+
+TEST(VariantKey, FilterDropsWhatChangesNothing)
+{
+  for (unsigned int number = 0; number < NumberOfKeys; ++number)
+  {
+    const VariantKey asked = keyOf(number);
+    const VariantKey got = asked.filtered();
+    ASSERT_TRUE(isSensible(got)) << namesOf(asked) << " -> " << namesOf(got);
+    ASSERT_TRUE(got == got.filtered()) << namesOf(got);
+    ASSERT_EQ(got == asked, isSensible(asked)) << namesOf(asked);
+    for (int i = 0; i < Count; ++i)
+    {
+      const VariantKey::Bit& bit = VariantKey::bits()[i];
+      if (got.*bit.Member && !(asked.*bit.Member))
+      {
+        ASSERT_EQ(bit.Member, &VariantKey::Hierarchy) << namesOf(asked) << ": " << bit.Name;
+        ASSERT_FALSE(asked.RasterEntry);
+      }
+      if (asked.*bit.Member && !(got.*bit.Member))
+      {
+        ASSERT_FALSE(isSensible(keyOf(numberOf(got) | 1u << i)))
+          << namesOf(asked) << " has lost " << bit.Name;
+      }
+    }
+  }
+}
+
+// Counted by hand: entries found by the rasteriser, by it and a search, or by a search; up to
+// opaque geometry or not; fused or not; with counters or not; of scalars at points, adaptive or
+// not, or of cells. Effects of scalars at points: 4 times gradients shown; 2 and 4 times no light,
+// without and with opacity by gradients; 16 of light times 4 of a headlight alone and 20 of others.
+TEST(VariantKey, LegalKeysAreCounted)
+{
+  const std::size_t ofPoints = 4 + 2 + 4 + 16 * (4 + 20);
+  const std::size_t ofCells = 2 + 2 + 2 + 8 * (4 + 20);
+  const std::size_t legal = legalKeys().size();
+  EXPECT_EQ(legal, 3 * 2 * 2 * 2 * (2 * ofPoints + ofCells));
+  const std::size_t light = legalLightKeys().size();
+  EXPECT_EQ(light, 2 * 2 * (3 + 2));
+  std::cout << "[ MEASURED ] " << legal << " variants of the picture, " << light
+            << " of the light at vertices, of " << NumberOfKeys << " combinations of bits\n";
+}
+
+// Towards the light only extinction counts.
+TEST(VariantKey, LightAtVerticesIsExtinctionAlone)
+{
+  for (const VariantKey& picture : legalKeys())
+  {
+    const VariantKey light = picture.ofVertexLight();
+    ASSERT_TRUE(light == light.filtered());
+    ASSERT_EQ(light.PointScalars, picture.PointScalars);
+    ASSERT_EQ(light.Hierarchy, picture.Hierarchy);
+    ASSERT_EQ(light.HasFma, picture.HasFma);
+    ASSERT_EQ(light.GradientOpacity, picture.GradientOpacity);
+    ASSERT_EQ(light.CellGradients, picture.CellGradients && picture.GradientOpacity);
+    ASSERT_FALSE(light.OpaqueDepth || light.Adaptive || light.Diagnostics || light.Shading ||
+                 light.ShowIllumination || light.ShowGradients)
+      << namesOf(light);
   }
 }
 } // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/ShaderDraw.h"
 
-#include "GL/ShaderSource.h"
+#include "Scene/ShaderSource.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"

@@ -15,23 +15,6 @@
 
 namespace tetmarch
 {
-namespace
-{
-
-// The march towards the light: extinction alone.
-VariantKey lightKey(const VariantKey& picture)
-{
-  VariantKey key;
-  key.PointScalars = picture.PointScalars;
-  key.Hierarchy = picture.Hierarchy;
-  key.HasFma = picture.HasFma;
-  key.Adaptive = false;
-  key.GradientOpacity = picture.GradientOpacity;
-  key.CellGradients = picture.CellGradients;
-  return key.filtered();
-}
-
-} // namespace
 
 std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
   std::size_t vertices, const Fingerprint& version, const Progress& progress, bool& stopped)
@@ -45,7 +28,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   const int rows = static_cast<int>((vertices + RowLength - 1) / RowLength);
   const Viewport target{ 0, 0, RowLength, rows };
   MarchInputs light = inputs;
-  light.Key = lightKey(inputs.Key);
+  light.Key = inputs.Key.ofVertexLight();
   light.Level = LightAccuracy;
   StateScope state(window);
   std::string error = this->Target.bind(window, RowLength, rows, 1, false);

@@ -53,10 +53,23 @@ VariantKey VariantKey::filtered() const
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
   key.SampledShadows = key.SampledShadows && key.CastShadows;
   key.HeadlightShadows = key.HeadlightShadows && key.Shading;
-  key.Occlusion = key.Occlusion && key.Shading;
+  // Light that is kept at vertices for its shadows brings along how much comes of ambient light.
+  key.Occlusion = key.Occlusion && key.Shading && (!key.CastShadows || key.SampledShadows);
   // Inside of its cells, a scalar of cells has none.
   key.CellGradients = key.CellGradients && key.PointScalars && key.hasGradients();
   return key;
+}
+
+VariantKey VariantKey::ofVertexLight() const
+{
+  VariantKey key;
+  key.PointScalars = this->PointScalars;
+  key.Hierarchy = this->Hierarchy;
+  key.HasFma = this->HasFma;
+  key.Adaptive = false;
+  key.GradientOpacity = this->GradientOpacity;
+  key.CellGradients = this->CellGradients;
+  return key.filtered();
 }
 
 std::string VariantKey::defines() const

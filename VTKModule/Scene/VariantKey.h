@@ -57,6 +57,9 @@ struct VariantKey
   /** The key without bits that change nothing, and with those that others imply. */
   VariantKey filtered() const;
 
+  /** The variant that marches from the vertices towards the light: extinction alone. */
+  VariantKey ofVertexLight() const;
+
   /** The preprocessor lines that select the variant in the shader text. */
   std::string defines() const;
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which parts of a shader file a variant has: #if, #elif, #else and #endif, settled before the GL
 // sees the text, so that nothing of what is off is left in it.
-#ifndef TetMarchGLShaderConditions_h
-#define TetMarchGLShaderConditions_h
+#ifndef TetMarchSceneShaderConditions_h
+#define TetMarchSceneShaderConditions_h
 
 #include <string_view>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The files of Shaders/, compiled in, put together to whole shaders.
-#ifndef TetMarchGLShaderSource_h
-#define TetMarchGLShaderSource_h
+#ifndef TetMarchSceneShaderSource_h
+#define TetMarchSceneShaderSource_h
 
 #include <string>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GL/ShaderSource.h"
+#include "ShaderSource.h"
 
-#include "GL/ShaderConditions.h"
+#include "Scene/ShaderConditions.h"
 #include "TetMarchShaderFiles.h"
 
 #include <algorithm>

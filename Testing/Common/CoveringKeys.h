@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief A few variants that have every four features together or apart, as far as any variant has
+ *
+ * Where a text doesn't fit together, it is for a few features that meet.
+ */
+#ifndef tetmarch_testing_CoveringKeys_h
+#define tetmarch_testing_CoveringKeys_h
+
+#include "LegalKeys.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+namespace tetmarch::testing
+{
+constexpr std::size_t NumberOfFours = []
+{
+  constexpr std::size_t n = VariantKey::NumberOfBits;
+  return 16 * n * (n - 1) * (n - 2) * (n - 3) / 24;
+}();
+
+/// Calls with a number for each four bits of the key and their values.
+template <typename Function>
+void forEachFour(const VariantKey& key, const Function& call)
+{
+  const unsigned int bits = numberOf(key);
+  const auto bit = [bits](int i) { return std::size_t(bits >> i & 1u); };
+  std::size_t four = 0;
+  for (int a = 0; a < VariantKey::NumberOfBits; ++a)
+  {
+    for (int b = 0; b < a; ++b)
+    {
+      for (int c = 0; c < b; ++c)
+      {
+        for (int d = 0; d < c; ++d)
+        {
+          call(16 * four + 8 * bit(a) + 4 * bit(b) + 2 * bit(c) + bit(d));
+          ++four;
+        }
+      }
+    }
+  }
+}
+
+/// Those that bring most first, not among all of them, and in the end whatever brings anything. The
+/// same at each call.
+inline std::vector<VariantKey> coveringKeys(std::vector<VariantKey> legal)
+{
+  std::mt19937 random(1);
+  for (std::size_t i = legal.size(); i > 1; --i)
+  {
+    std::swap(legal[i - 1], legal[random() % i]);
+  }
+  std::vector<VariantKey> chosen;
+  std::vector<bool> covered(NumberOfFours, false);
+  constexpr std::size_t few = 1000;
+  for (int least = 4096; least > 0; least /= 2)
+  {
+    const std::size_t candidates = least > 1 ? std::min(few, legal.size()) : legal.size();
+    for (std::size_t i = 0; i < candidates; ++i)
+    {
+      int news = 0;
+      forEachFour(legal[i], [&](std::size_t four) { news += covered[four] ? 0 : 1; });
+      if (news >= least)
+      {
+        chosen.push_back(legal[i]);
+        forEachFour(legal[i], [&](std::size_t four) { covered[four] = true; });
+      }
+    }
+  }
+  return chosen;
+}
+} // namespace tetmarch::testing
+
+#endif

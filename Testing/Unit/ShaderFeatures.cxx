@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShaderFeatures.h"
+
+namespace tetmarch::testing
+{
+namespace
+{
+using Key = VariantKey;
+
+bool isPicture(MarchShader shader) { return shader == MarchShader::Picture; }
+
+bool followsLight(const Key& key, MarchShader shader)
+{
+  return !isPicture(shader) || key.SampledShadows;
+}
+
+bool isLit(const Key& key) { return key.Shading || key.ShowGradients; }
+} // namespace
+
+const char* const UnusedInSome = "main addLight dimLight errorBound insideFace isTurnedForSure "
+                                 "meanBetween scalarAt tablePoint tableValue wayFromBoundary";
+
+const std::vector<ShaderFeature>& shaderFeatures()
+{
+  static const std::vector<ShaderFeature> features = {
+    // The march.
+    { "fused predicate", [](const Key& k, MarchShader) { return k.HasFma; },
+      "fma GL_ARB_gpu_shader5" },
+    { "portable predicate", [](const Key& k, MarchShader) { return !k.HasFma; }, "wrapped turns" },
+    { "scalars at points", [](const Key& k, MarchShader) { return k.PointScalars; },
+      "integrateSegment" },
+    { "scalars of cells", [](const Key& k, MarchShader) { return !k.PointScalars; },
+      "cellScalarBuffer fetchCellScalar integrateConstant" },
+    { "hierarchy", [](const Key& k, MarchShader) { return k.Hierarchy; },
+      "hierarchyBuffer bvhNodeCount bvhReentryNodeCount reentryFaceCount fetchBvhNode Entry "
+      "isBefore nextEntry" },
+    { "ray points", [](const Key& k, MarchShader s) { return isPicture(s) && k.Hierarchy; },
+      "rayPoints rayPoint" },
+    { "rasterised entries",
+      [](const Key& k, MarchShader s) { return isPicture(s) && k.RasterEntry; },
+      "entryTexture insideFace" },
+    { "search beside entries",
+      [](const Key& k, MarchShader s) { return isPicture(s) && k.RasterEntry && k.Hierarchy; },
+      "isBesideEntry known" },
+    { "searched entries",
+      [](const Key& k, MarchShader s) { return isPicture(s) && !k.RasterEntry; }, "cutsNearPlane" },
+    { "opaque depth", [](const Key& k, MarchShader) { return k.OpaqueDepth; },
+      "opaqueDepthTexture cutsFarPlane clipToNormalized unproject windowDepth" },
+    { "error bound", [](const Key& k, MarchShader) { return k.hasErrorBound(); },
+      "tableVariationBuffer fetchTableVariation variation orderErrorFactor pieceError" },
+    { "adaptive", [](const Key& k, MarchShader) { return k.Adaptive; },
+      "mostTrials errorBudget TOLERANCE_AT_ONCE TOLERANCE_BY_ABSORPTION budget" },
+    { "diagnostics", [](const Key& k, MarchShader) { return k.Diagnostics; },
+      "evaluations lost guarded met" },
+    { "picture", [](const Key&, MarchShader s) { return isPicture(s); }, "viewport eye" },
+    { "one march a ray", [](const Key& k, MarchShader s) { return !followsLight(k, s); },
+      "castRay" },
+    // Gradients.
+    { "gradients", [](const Key& k, MarchShader) { return k.hasGradients(); },
+      "gradientBuffer gradientUnit Shade CellShades shadeOf mixShade beginShades shadeCell "
+      "incomingAt" },
+    { "gradients at vertices", [](const Key& k, MarchShader) { return k.hasVertexGradients(); },
+      "fetchGradient gradientA gradientB gradientC gradientAt shadeAtFace" },
+    { "gradients of cells", [](const Key& k, MarchShader) { return k.CellGradients; },
+      "fetchCellGradient" },
+    { "values at corners",
+      [](const Key& k, MarchShader) { return k.hasVertexGradients() || k.hasVertexLight(); },
+      "fetchCorners crossingShares" },
+    { "opacity by gradients", [](const Key& k, MarchShader) { return k.GradientOpacity; },
+      "gradientOpacityBuffer gradientOpacitySize gradientOpacityScale fetchGradientOpacity "
+      "gradientOpacity density" },
+    { "gradients shown", [](const Key& k, MarchShader) { return k.ShowGradients; },
+      "gradientColor" },
+    // Light.
+    { "light", [](const Key& k, MarchShader) { return isLit(k); },
+      "Light Illumination lit direct diffuse specular noLight addLight dimLight mixLight "
+      "noIllumination mixIllumination reflection litEmission" },
+    { "error of light",
+      [](const Key& k, MarchShader) { return isLit(k) && (k.hasErrorBound() || k.Diagnostics); },
+      "greatest" },
+    { "brightness", [](const Key& k, MarchShader) { return isLit(k) && k.hasErrorBound(); },
+      "brightness bright" },
+    { "change of light", [](const Key& k, MarchShader) { return isLit(k) && k.Diagnostics; },
+      "lightError changeOf lightErrorOf" },
+    { "shading", [](const Key& k, MarchShader) { return k.Shading; },
+      "worldMatrix normalMatrix twoSided ambientColor specularPower lightDiffuse lightSpecular "
+      "toWorld toWorldNormal fetchLightDiffuse fetchLightSpecular toEye lightTowards LIGHT_COUNT "
+      "diffuseOf specularOf illuminate" },
+    { "several lights", [](const Key& k, MarchShader) { return k.Shading && !k.HeadlightOnly; },
+      "lightCount lightPlace lightKind fetchLightPlace isHeadlight" },
+    { "local lights", [](const Key& k, MarchShader) { return k.LocalLights; },
+      "lightFading lightCone fetchLightFading fetchLightCone spot" },
+    { "scattering", [](const Key& k, MarchShader) { return k.Scattering; },
+      "scatteringBlending scatteredShare scattered" },
+    { "shadows", [](const Key& k, MarchShader) { return k.hasShadows(); },
+      "shadowStrength shadowChannel fetchShadowStrength fetchShadowChannel addShadowed" },
+    { "shadows of headlights", [](const Key& k, MarchShader) { return k.HeadlightShadows; },
+      "head" },
+    { "sampled shadows", [](const Key& k, MarchShader) { return k.SampledShadows; },
+      "jitterTexture jitter keepPending addPending paused nextSample sampleLight "
+      "marchAndSample castSampledRay SAMPLED_SHARE FIRST_SAMPLE" },
+    { "light kept at vertices", [](const Key& k, MarchShader) { return k.hasVertexLight(); },
+      "vertexLightTexture fetchVertexLight lightA lightB lightC" },
+    { "rays to lights", followsLight,
+      "shadowSourceCount shadowSource lightReach fetchShadowSource opticalLengthOf INSIDE_FACE "
+      "Tet entersTet transmittanceTowards" },
+    { "light of a vertex", [](const Key&, MarchShader s) { return !isPicture(s); },
+      "occlusionDirectionCount occlusionRadius vertexStartBuffer fetchVertexStart sphereDirection "
+      "lightAtVertex vertexCount" },
+  };
+  return features;
+}
+} // namespace tetmarch::testing

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The text of every variant: nothing of what is off is left in it, nothing is declared in vain, and
+// no two are the same.
+#include "LegalKeys.h"
+#include "Scene/ShaderConditions.h"
+#include "Scene/ShaderSource.h"
+#include "ShaderFeatures.h"
+#include "ShaderWords.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace
+{
+using namespace tetmarch::testing;
+using tetmarch::ShaderConditions;
+using tetmarch::shaderSource;
+using tetmarch::VariantKey;
+
+class VariantText : public testing::Test
+{
+protected:
+  VariantText()
+  {
+    for (const ShaderFeature& feature : shaderFeatures())
+    {
+      this->Features.push_back({ &feature, this->numbersOf(feature.Words) });
+      this->Claimed.insert(this->Features.back().Words.begin(), this->Features.back().Words.end());
+    }
+    const std::vector<int> unused = this->numbersOf(UnusedInSome);
+    this->MayBeUnused.insert(unused.begin(), unused.end());
+  }
+
+  std::vector<int> numbersOf(const char* words)
+  {
+    std::vector<int> numbers;
+    std::istringstream stream(words);
+    for (std::string word; stream >> word;)
+    {
+      numbers.push_back(this->Words.numberOf(word));
+    }
+    return numbers;
+  }
+
+  // Texts of all variants of one shader.
+  void expectClean(const std::vector<VariantKey>& keys, MarchShader shader, const char* file)
+  {
+    std::set<std::uint64_t> texts;
+    for (const VariantKey& key : keys)
+    {
+      this->Words.read(shaderSource(file, key.defines()));
+      ASSERT_EQ(this->Words.leftover(), "") << namesOf(key);
+      ASSERT_NO_FATAL_FAILURE(this->expectFeatures(key, shader));
+      ASSERT_NO_FATAL_FAILURE(this->expectUse(key));
+      ASSERT_TRUE(texts.insert(this->Words.fingerprint()).second)
+        << namesOf(key) << " has the text of another variant";
+    }
+    // What only some variants declare belongs to a feature.
+    for (const auto& [word, times] : this->Declared)
+    {
+      EXPECT_TRUE(times == keys.size() || this->Claimed.count(word) == 1)
+        << this->Words.word(word) << " is declared in " << times << " of " << keys.size();
+    }
+  }
+
+  void expectFeatures(const VariantKey& key, MarchShader shader)
+  {
+    for (const auto& [feature, words] : this->Features)
+    {
+      const bool on = feature->IsOn(key, shader);
+      for (int word : words)
+      {
+        ASSERT_EQ(this->Words.count(word) > 0, on)
+          << this->Words.word(word) << " of " << feature->Name << ", in " << namesOf(key);
+      }
+    }
+  }
+
+  void expectUse(const VariantKey& key)
+  {
+    for (int uniform : this->Words.uniforms())
+    {
+      ++this->Declared[uniform];
+      ASSERT_GT(this->Words.count(uniform), 1)
+        << this->Words.word(uniform) << ", in " << namesOf(key);
+    }
+    for (int function : this->Words.functions())
+    {
+      ++this->Declared[function];
+      const bool used = this->Words.count(function) > 1;
+      ASSERT_TRUE(used || this->MayBeUnused.count(function) == 1)
+        << this->Words.word(function) << ", in " << namesOf(key);
+      if (!used)
+      {
+        this->Unused.insert(function);
+      }
+    }
+  }
+
+  struct Feature
+  {
+    const ShaderFeature* Row;
+    std::vector<int> Words;
+  };
+
+  ShaderWords Words;
+  std::vector<Feature> Features;
+  std::set<int> Claimed;
+  std::set<int> MayBeUnused;
+  std::set<int> Unused;
+  std::map<int, std::size_t> Declared; // functions and uniforms, in how many texts
+};
+
+TEST_F(VariantText, OfThePicture)
+{
+  this->expectClean(legalKeys(), MarchShader::Picture, "march.frag.glsl");
+}
+
+TEST_F(VariantText, OfTheLightAtVertices)
+{
+  this->expectClean(legalLightKeys(), MarchShader::LightAtVertex, "vertex_light.frag.glsl");
+}
+
+// The tables of the test itself: words that no text has would let anything pass.
+TEST_F(VariantText, TablesAreOfWordsThatThereAre)
+{
+  std::set<int> found;
+  const auto look = [&](const VariantKey& key, const char* file)
+  {
+    this->Words.read(shaderSource(file, key.defines()));
+    this->expectUse(key);
+    for (int word : this->Claimed)
+    {
+      if (this->Words.count(word) > 0)
+      {
+        found.insert(word);
+      }
+    }
+  };
+  const std::vector<VariantKey> keys = legalKeys();
+  for (std::size_t i = 0; i < keys.size(); i += 7)
+  {
+    look(keys[i], "march.frag.glsl");
+  }
+  for (const VariantKey& key : legalLightKeys())
+  {
+    look(key, "vertex_light.frag.glsl");
+  }
+  for (int word : this->Claimed)
+  {
+    EXPECT_EQ(found.count(word), 1u) << this->Words.word(word);
+  }
+  EXPECT_EQ(this->Unused, this->MayBeUnused);
+}
+
+// A symbol that no key has would be taken for 0.
+TEST(ShaderFiles, HaveConditionsOfKnownSymbols)
+{
+  const std::string defines = VariantKey().defines();
+  const std::regex symbol("TETMARCH_\\w+");
+  int conditions = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(TETMARCH_SHADER_DIR))
+  {
+    if (entry.path().extension() != ".glsl")
+    {
+      continue;
+    }
+    std::ifstream file(entry.path());
+    ShaderConditions known(defines);
+    int number = 0;
+    for (std::string line; std::getline(file, line);)
+    {
+      const std::string place = entry.path().filename().string() + ":" + std::to_string(++number);
+      const bool condition = known.take(line + "\n");
+      conditions += condition ? 1 : 0;
+      std::smatch match;
+      for (std::string rest = line; std::regex_search(rest, match, symbol); rest = match.suffix())
+      {
+        EXPECT_TRUE(condition) << place;
+        EXPECT_NE(defines.find("#define " + match.str() + " "), std::string::npos) << place;
+      }
+    }
+    EXPECT_TRUE(known.isClosed()) << entry.path();
+  }
+  EXPECT_GT(conditions, 100);
+}
+} // namespace
