@@ -223,7 +223,7 @@ VariantKey Pipeline::keyOf(
   key.HasFma = this->HasFma;
   key.Adaptive = options.Level.Adaptive;
   this->Effects.setBits(key, double(area.Width) * area.Height);
-  return key.filtered();
+  return options.Shell == ShellView::None ? key.filtered() : key.ofEntries();
 }
 
 // What light at vertices depends on.
@@ -289,7 +289,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
       if (error.empty())
       {
         error = this->Passes.draw(window, this->mesh(), inputs, this->lightVersion(),
-          options.Diagnostics, options.View, goOn, stopped);
+          options.Diagnostics, options.View, options.Shell, goOn, stopped);
       }
     });
   if (!shortage.empty())

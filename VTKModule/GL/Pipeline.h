@@ -37,6 +37,7 @@ struct DrawOptions
   bool Diagnostics = false;
   double MostSecondsPerDraw = 0;     // 0: no limit
   const MeasureView* View = nullptr; // drawn instead of the picture
+  ShellView Shell = ShellView::None; // likewise
 };
 
 class Pipeline

@@ -59,6 +59,17 @@ VariantKey VariantKey::filtered() const
   return key;
 }
 
+VariantKey VariantKey::ofEntries() const
+{
+  VariantKey key;
+  key.RasterEntry = this->RasterEntry;
+  key.Hierarchy = this->Hierarchy;
+  key.OpaqueDepth = this->OpaqueDepth;
+  key.HasFma = this->HasFma;
+  key.Adaptive = false;
+  return key.filtered();
+}
+
 std::string VariantKey::defines() const
 {
   std::string text;

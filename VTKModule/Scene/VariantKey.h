@@ -56,6 +56,8 @@ struct VariantKey
 
   /** The key without bits that change nothing, and with those that others imply. */
   VariantKey filtered() const;
+  /** The key of what looks for entries alone; the variant that marches makes no difference. */
+  VariantKey ofEntries() const;
 
   /** The preprocessor lines that select the variant in the shader text. */
   std::string defines() const;
