@@ -98,7 +98,8 @@ TEST(CommandLine, RefusesBadChoices)
 {
   ExpectBadValue("--opacity-law", "linear", "expected structured or unstructured");
   ExpectBadValue("--accuracy", "best", "expected fast, default, accurate or reference");
-  ExpectBadValue("--view", "bound", "expected picture, error, cells or lookups");
+  ExpectBadValue("--view", "bound",
+    "expected picture, error, cells, lookups, illumination, gradients, faces or coordinates");
   ExpectBadValue("--tolerance", "0.0000001", "expected a number from 1e-6 to 1");
   ExpectBadValue("--error", "1.5", "expected a number from 1e-6 to 1");
   ExpectBadValue("--frame-time", "0", "expected a number above 0");
