@@ -159,6 +159,20 @@ TEST(CommandLine, TakesEveryOption)
   EXPECT_EQ(c.Range, (std::array<double, 2>{ { -1, 1 } }));
 }
 
+// By the numbers of vtkTetMarchVolumeMapper::ViewModeType.
+TEST(CommandLine, ViewsAreThoseOfTheMapper)
+{
+  const char* views[] = { "picture", "error", "cells", "lookups", "illumination", "gradients",
+    "faces", "coordinates" };
+  int mode = 0;
+  for (const char* view : views)
+  {
+    EXPECT_EQ(ParseCommandLine({ "a.vtu", "--view", view }).ViewMode, mode) << view;
+    EXPECT_NE(tetmarch::GetHelp().find(view), std::string::npos) << view;
+    ++mode;
+  }
+}
+
 TEST(CommandLine, FiguresBringTimedFrames)
 {
   EXPECT_EQ(ParseCommandLine({ "a.vtu", "--stats", "s.json" }).Frames, 5);

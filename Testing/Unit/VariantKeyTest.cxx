@@ -38,4 +38,27 @@ TEST(VariantKey, KeysAreEqualIfAllBitsAre)
     }
   }
 }
+
+// Variants that march differently look for entries alike.
+TEST(VariantKey, EntriesDependOnFewBits)
+{
+  std::mt19937 random(2);
+  for (int i = 0; i < 2000; ++i)
+  {
+    const VariantKey key = keyOf(random() % (1u << Count));
+    VariantKey other = keyOf(random() % (1u << Count));
+    other.RasterEntry = key.RasterEntry;
+    other.Hierarchy = key.Hierarchy;
+    other.OpaqueDepth = key.OpaqueDepth;
+    other.HasFma = key.HasFma;
+    const VariantKey entries = key.ofEntries();
+    EXPECT_EQ(entries.defines(), other.ofEntries().defines());
+    EXPECT_TRUE(entries == entries.filtered());
+    EXPECT_EQ(entries.RasterEntry, key.RasterEntry);
+    EXPECT_EQ(entries.Hierarchy, key.Hierarchy || !key.RasterEntry);
+    EXPECT_EQ(entries.OpaqueDepth, key.OpaqueDepth);
+    EXPECT_EQ(entries.HasFma, key.HasFma);
+    EXPECT_FALSE(entries.hasGradients() || entries.hasErrorBound());
+  }
+}
 } // namespace
