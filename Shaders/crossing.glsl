@@ -22,13 +22,15 @@ struct Crossing
 };
 
 #if TETMARCH_VERTEX_GRADIENTS || TETMARCH_VERTEX_LIGHT
-// Barycentric coordinates of the point in which the ray crosses the face.
+// Barycentric coordinates of the point in which the ray crosses the face; in the words of crossingPoint(), so that
+// a compiler sees that most of it is done there.
 vec3 crossingShares(Crossing face)
 {
   vec3 w = vec3(max(face.weight.x, real(0)), max(face.weight.y, real(0)), max(face.weight.z, real(0)));
   real sum = w.x + w.y + w.z;
-  real third = real(1) / real(3);
-  return sum > real(0) ? w * (real(1) / sum) : vec3(third, third, third);
+  w = sum > real(0) ? w : vec3(real(1), real(1), real(1));
+  real r = real(1) / (sum > real(0) ? sum : real(3));
+  return w * r;
 }
 
 // What a vertex has that stays with it while it is a corner; stepThrough() brings that of each new one.

@@ -1,8 +1,9 @@
-// How far light that changes along a piece of a ray may be from the mean of its ends.
+// How far off light may be: for changing along a piece of a ray, of which the mean of both ends is taken, and for being
+// interpolated between vertices.
 real changeOf(Light p, Light q) { return greatest(q.diffuse - p.diffuse) + greatest(q.specular - p.specular); }
 
-// The mean of two ends is off by at most half of their difference from what is between them, as far as light changes
-// one way only.
+// In a tetrahedron. The mean of two ends is off by at most half of their difference from what is between them, as far as
+// light changes one way only. Lights are taken for as bright as white surfaces are.
 real lightErrorOf(CellShades shades)
 {
   Illumination p = shades.enter.lit;
@@ -14,5 +15,9 @@ real lightErrorOf(CellShades shades)
 #if TETMARCH_SAMPLED_SHADOWS
   change = change + changeOf(p.beam[0], q.beam[0]) + changeOf(p.beam[1], q.beam[1]) + changeOf(p.beam[2], q.beam[2]);
 #endif
-  return real(0.5) * change * (shades.within.y - shades.within.x);
+  real error = real(0.5) * change * (shades.within.y - shades.within.x);
+#if TETMARCH_VERTEX_LIGHT
+  error = error + shades.unsure;
+#endif
+  return error;
 }

@@ -78,7 +78,24 @@ struct CellShades
   Shade leave;
   vec2 within;   // from where to where something is integrated: 0, 1 if all the way
   vec4 incoming; // where the ray leaves
+#if TETMARCH_LIGHT_ERROR && TETMARCH_VERTEX_LIGHT
+  real unsure; // how far that may be off for being interpolated between vertices
+#endif
 };
+
+#if TETMARCH_LIGHT_ERROR && TETMARCH_VERTEX_LIGHT
+// Half of what the light of the corners differs by.
+real unsureLight(Crossing face)
+{
+  vec4 a = face.lightA;
+  vec4 b = face.lightB;
+  vec4 c = face.lightC;
+  real most = max(max(a.x, max(b.x, c.x)) - min(a.x, min(b.x, c.x)),
+    max(a.y, max(b.y, c.y)) - min(a.y, min(b.y, c.y)));
+  most = max(most, max(a.z, max(b.z, c.z)) - min(a.z, min(b.z, c.z)));
+  return real(0.5) * max(most, max(a.w, max(b.w, c.w)) - min(a.w, min(b.w, c.w)));
+}
+#endif
 
 // In the middle of a part of what is integrated.
 Shade shadeWithin(CellShades shades, real share)
@@ -130,4 +147,7 @@ void shadeCell(Ray ray, Crossing face, uint tet, real scalar, vec2 enter, vec2 l
   shades.within = vec2(range.x > enter.x ? shareAt(enter, leave, range.x) : real(0),
     range.y < leave.x ? shareAt(enter, leave, range.y) : real(1));
   shades.incoming = incoming;
+#if TETMARCH_LIGHT_ERROR && TETMARCH_VERTEX_LIGHT
+  shades.unsure = unsureLight(face);
+#endif
 }

@@ -83,6 +83,9 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "brightness bright" },
     { "change of light", [](const Key& k, MarchShader) { return isLit(k) && k.Diagnostics; },
       "lightError changeOf lightErrorOf" },
+    { "error of light between vertices",
+      [](const Key& k, MarchShader) { return isLit(k) && k.Diagnostics && k.hasVertexLight(); },
+      "unsure unsureLight" },
     { "shading", [](const Key& k, MarchShader) { return k.Shading; },
       "worldMatrix normalMatrix twoSided ambientColor specularPower lightDiffuse lightSpecular "
       "toWorld toWorldNormal fetchLightDiffuse fetchLightSpecular toEye lightTowards LIGHT_COUNT "

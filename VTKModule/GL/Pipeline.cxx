@@ -9,9 +9,7 @@
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkRenderer.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -202,138 +200,6 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
     return this->fail(error);
   }
   return true;
-}
-
-// The renderer, or the render pass that called, has set it.
-Viewport Pipeline::currentViewport() const
-{
-  std::array<int, 4> area{};
-  this->Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, area.data());
-  return { area[0], area[1], area[2], area[3] };
-}
-
-VariantKey Pipeline::keyOf(
-  const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const
-{
-  VariantKey key;
-  key.PointScalars = this->CellScalars.empty();
-  key.RasterEntry = this->Camera.rastersEntries();
-  key.Hierarchy = this->mesh().NeedsHierarchy;
-  key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
-  key.HasFma = this->HasFma;
-  key.Adaptive = options.Level.Adaptive;
-  this->Effects.setBits(key, double(area.Width) * area.Height);
-  return options.Shell == ShellView::None ? key.filtered() : key.ofEntries();
-}
-
-// What light at vertices depends on.
-Fingerprint Pipeline::lightVersion(const VariantKey& key) const
-{
-  const LightUniforms& lights = this->Effects.data().Lights;
-  Fingerprint version = this->Effects.gradientOpacityVersion();
-  version.push_back(static_cast<std::uintptr_t>(this->meshRecord().Runs));
-  version.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
-  version.push_back(static_cast<std::uintptr_t>(this->TablesRecord.Runs));
-  for (double x : this->Camera.LengthMatrix)
-  {
-    add(version, x);
-  }
-  for (const auto& source : lights.ShadowSources)
-  {
-    for (double x : source)
-    {
-      add(version, x);
-    }
-  }
-  add(version, lights.Reach);
-  add(version, lights.OcclusionRadius);
-  version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
-  version.push_back(key.SampledShadows ? 1 : 0); // then it has none of the lights
-  return version;
-}
-
-bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
-  const DrawOptions& options, const Progress& progress)
-{
-  MarchInputs inputs;
-  inputs.Area = this->currentViewport();
-  if (inputs.Area.Width <= 0 || inputs.Area.Height <= 0)
-  {
-    return true;
-  }
-  const std::string badRange = options.View ? describeBadRange(*options.View) : std::string();
-  if (!badRange.empty())
-  {
-    return this->fail(badRange);
-  }
-  this->Subject.push_back(static_cast<std::uintptr_t>(inputs.Area.Width));
-  this->Subject.push_back(static_cast<std::uintptr_t>(inputs.Area.Height));
-  inputs.Key = this->keyOf(options, renderer, inputs.Area);
-  inputs.Camera = &this->Camera;
-  inputs.Mesh = &this->OnGpu.mesh();
-  inputs.Tables = &this->OnGpu.tables();
-  inputs.Table = &this->Table;
-  inputs.Range = this->Range;
-  inputs.Level = options.Level;
-  inputs.Effects = &this->EffectsOnGpu;
-  inputs.EffectValues = &this->Effects.data();
-  inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
-
-  // Who is told of progress may release what is being drawn.
-  const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
-  bool stopped = false;
-  std::string error;
-  const std::string shortage = withinMemory("drawing",
-    [&]
-    {
-      error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
-      if (error.empty())
-      {
-        error = this->Passes.draw(window, this->mesh(), inputs, this->lightVersion(inputs.Key),
-          options.Diagnostics, options.View, options.Shell, goOn, stopped);
-      }
-    });
-  if (!shortage.empty())
-  {
-    this->Passes.clear();
-    error = shortage;
-  }
-  if (error.empty() && !stopped)
-  {
-    this->Area = inputs.Area;
-  }
-  return error.empty() ? !stopped : this->fail(error);
-}
-
-bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image)
-{
-  if (!this->Window || this->Area.Width <= 0 || this->Area.Height <= 0)
-  {
-    return this->fail("There is no frame to compare with: render the window first.");
-  }
-  if (!this->ensureHierarchy())
-  {
-    return false;
-  }
-  const std::string shortage = withinMemory("the reference picture",
-    [&]
-    {
-      const std::vector<float> depths = this->Passes.opaqueDepths(this->Window);
-      const IntegralTable table =
-        fittingTable(property, law, this->Range.Low, this->Range.High, YardstickAccuracy);
-      ReferenceScene scene;
-      scene.Mesh = &this->mesh();
-      scene.CellScalars = this->CellScalars.empty() ? nullptr : &this->CellScalars;
-      scene.Range = this->Range;
-      scene.Table = &table;
-      scene.Camera = this->Camera;
-      scene.Width = this->Area.Width;
-      scene.Height = this->Area.Height;
-      scene.WindowDepths = depths.empty() ? nullptr : depths.data();
-      scene.Effects = &this->Effects.data();
-      image = tetmarch::renderReference<double>(scene, YardstickAccuracy);
-    });
-  return shortage.empty() || this->fail(shortage);
 }
 
 void Pipeline::release(vtkWindow* window)
