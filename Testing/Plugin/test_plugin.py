@@ -155,6 +155,8 @@ def check_light(watch):
     watch.expect_brightness(0.48, 0.52, matt, Diffuse=0.5)
     watch.expect_brightness(0.48, 0.52, unlit, Diffuse=0, Ambient=0.5)
     watch.expect_same(unlit, Ambient=1)
+    assert all(min(pixel) == max(pixel) for pixel in watch.set(ViewMode="Illumination")), "ambient light has a colour"
+    watch.set(ViewMode="Picture")
     watch.expect_brightness(0.001, 0.5, unlit, Ambient=0, Specular=1)
     watch.expect_brightness(1.5, 1000, watch.picture, SpecularPower=5)
     watch.expect_same(matt, Specular=0, Diffuse=1)
@@ -214,7 +216,11 @@ def check_accuracy(watch):
 def check_views(watch):
     fast = watch.picture
     watch.expect_change_by(ViewMode="Cells")
+    shown = [fast, watch.picture]
     watch.expect_change_by(AutomaticViewRange=0, ViewRange=[0.0, 1e4])
+    for mode in ("Gradients", "Shell Faces", "Shell Coordinates"):
+        shown.append(watch.set(ViewMode=mode))
+        assert shown[-1] not in shown[:-1], f"the view mode {mode} shows what another does"
     watch.expect_same(fast, ViewMode="Picture")
 
 

@@ -89,7 +89,8 @@ int ParseLevel(const std::string& value)
 
 int ParseView(const std::string& value)
 {
-  return ParseWord(value, { "picture", "error", "cells", "lookups" });
+  return ParseWord(value, { "picture", "error", "cells", "lookups", "illumination", "gradients",
+                            "faces", "coordinates" });
 }
 
 int ParseShadows(const std::string& value)
