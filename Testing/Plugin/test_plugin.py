@@ -178,7 +178,7 @@ def check_light(watch):
 
     watch.expect_same(unlit, Ambient=1, Diffuse=0)
     occluded = watch.expect_brightness(0.2, 0.97, unlit, AmbientOcclusion=1)
-    watch.expect_brightness(0.2, 0.99, occluded, AmbientOcclusionRadius=0.3)
+    watch.expect_brightness(1.02, 100, occluded, AmbientOcclusionRadius=0.02)
     watch.expect_same(occluded, AmbientOcclusionRadius=0.1)
     assert watch.set(AmbientOcclusionDirections=1) != occluded, "one direction occludes as sixteen do"
     watch.expect_brightness(0.99, 1.01, unlit, AmbientOcclusionRadius=0)
