@@ -45,7 +45,8 @@ Light (--shade, or any other option of these, has the volume lit)
                             vertices, rays or automatic
   --scattering B            0 (default): light shines on surfaces only; to 1: it is scattered where there is
                             no clear surface; to 2: everywhere. Above 0 the volume casts shadows
-  --reach R                 how far light is followed for shadows, 0 to 1 (default: 1, through everything)
+  --reach R                 how far light, but for that of headlights, is followed for shadows, 0 to 1
+                            (default: 1, all the way)
   --occlusion RADIUS        the volume keeps ambient light from its inside, over this share of the diagonal
                             of the mesh's box, 0 to 1 (default: it does not)
 
