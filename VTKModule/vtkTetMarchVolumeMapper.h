@@ -14,8 +14,8 @@
  * Inside a tetrahedron the scalar is linear. Extinction and colour come from the
  * vtkVolumeProperty's scalar opacity, scalar opacity unit distance and colour (or gray) transfer
  * function of component 0; the emission-absorption integral of each ray segment is taken from local
- * integral tables and split until the pixel keeps its error tolerance. Nothing else of the property
- * (shading, gradient opacity, interpolation type) is used yet.
+ * integral tables and split until the pixel keeps its error tolerance. Shading and gradient opacity
+ * come on top where the property asks for them; its interpolation type is not used.
  *
  * Point and cell scalars are taken, by ScalarMode and ArrayAccessMode as in every
  * vtkAbstractMapper. Of an array with several components the first is drawn. Cells that touch a
@@ -195,8 +195,9 @@ public:
   /**
    * Most bytes that the mesh, its scalars and the tables may take on the GPU; textures of the size
    * of the picture come on top (up to 28 bytes a pixel, 48 more with CollectDiagnostics or a view
-   * mode), and what light needs (8 bytes a vertex for gradients, 24 more for shadows or occlusion). 0, the default: no limit but the GL's. A larger mesh is refused with an error before
-   * anything of it is allocated there, and, if its cells alone tell, before it is prepared.
+   * mode), and what light needs (8 bytes a vertex for gradients, 24 more for shadows or occlusion).
+   * 0, the default: no limit but the GL's. A larger mesh is refused with an error before anything
+   * of it is allocated there, and, if its cells alone tell, before it is prepared.
    */
   vtkSetClampMacro(MaxMemoryInBytes, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaxMemoryInBytes, vtkIdType);

@@ -7,6 +7,7 @@
 #include "vtkRenderer.h"
 #include "vtkTetMarchLegend.h"
 #include "vtkTetMarchVolumeMapper.h"
+#include "vtkVolumeProperty.h"
 #include "vtkVolumeRepresentationPreprocessor.h"
 
 namespace
@@ -65,6 +66,63 @@ void vtkTetMarchVolumeRepresentation::SetAutomaticViewRange(bool automatic)
 void vtkTetMarchVolumeRepresentation::SetViewRange(double low, double high)
 {
   this->TetMarchMapper->SetViewRange(low, high);
+}
+
+void vtkTetMarchVolumeRepresentation::SetGradientType(int type)
+{
+  this->TetMarchMapper->SetGradientType(type);
+}
+
+void vtkTetMarchVolumeRepresentation::SetShadowMethod(int method)
+{
+  this->TetMarchMapper->SetShadowMethod(method);
+}
+
+void vtkTetMarchVolumeRepresentation::SetVolumetricScatteringBlending(double blending)
+{
+  this->TetMarchMapper->SetVolumetricScatteringBlending(static_cast<float>(blending));
+}
+
+void vtkTetMarchVolumeRepresentation::SetGlobalIlluminationReach(double reach)
+{
+  this->TetMarchMapper->SetGlobalIlluminationReach(static_cast<float>(reach));
+}
+
+void vtkTetMarchVolumeRepresentation::SetAmbientOcclusion(bool occlusion)
+{
+  this->TetMarchMapper->SetAmbientOcclusion(occlusion);
+}
+
+void vtkTetMarchVolumeRepresentation::SetAmbientOcclusionRadius(double radius)
+{
+  this->TetMarchMapper->SetAmbientOcclusionRadius(radius);
+}
+
+void vtkTetMarchVolumeRepresentation::SetAmbientOcclusionDirections(int directions)
+{
+  this->TetMarchMapper->SetAmbientOcclusionDirections(directions);
+}
+
+void vtkTetMarchVolumeRepresentation::SetShade(bool shade) { this->Property->SetShade(shade); }
+
+void vtkTetMarchVolumeRepresentation::SetAmbient(double ambient)
+{
+  this->Property->SetAmbient(ambient);
+}
+
+void vtkTetMarchVolumeRepresentation::SetDiffuse(double diffuse)
+{
+  this->Property->SetDiffuse(diffuse);
+}
+
+void vtkTetMarchVolumeRepresentation::SetSpecular(double specular)
+{
+  this->Property->SetSpecular(specular);
+}
+
+void vtkTetMarchVolumeRepresentation::SetSpecularPower(double power)
+{
+  this->Property->SetSpecularPower(power);
 }
 
 void vtkTetMarchVolumeRepresentation::SetVisibility(bool visible)

@@ -37,6 +37,24 @@ public:
   void SetViewMode(int mode);
   void SetAutomaticViewRange(bool automatic);
   void SetViewRange(double low, double high);
+  void SetGradientType(int type);
+  void SetShadowMethod(int method);
+  void SetVolumetricScatteringBlending(double blending);
+  void SetGlobalIlluminationReach(double reach);
+  void SetAmbientOcclusion(bool occlusion);
+  void SetAmbientOcclusionRadius(double radius);
+  void SetAmbientOcclusionDirections(int directions);
+  //@}
+
+  //@{
+  /**
+   * @sa vtkVolumeProperty
+   */
+  void SetShade(bool shade);
+  void SetAmbient(double ambient);
+  void SetDiffuse(double diffuse);
+  void SetSpecular(double specular);
+  void SetSpecularPower(double power);
   //@}
 
   /**

@@ -11,6 +11,8 @@ ARRAY = "vorticity_mag"
 # The wake's vorticity lies between 0.2 and 6, the wall's far above.
 OPACITY = [0.2, 0.0, 0.5, 0.0, 6.0, 0.9, 0.5, 0.0]
 COLOURS = [0.2, 0.1, 0.2, 0.8, 2.0, 0.9, 0.9, 0.9, 6.0, 0.8, 0.1, 0.1]
+# Rays towards lights take their time.
+LIT_SIZE = [160, 120]
 # Shares of the picture's pixels.
 SEEN = 0.3
 CHANGED = 0.2
@@ -70,16 +72,156 @@ def mean_difference(first, second):
     return total / (3 * len(first))
 
 
+def brightness(picture):
+    """Mean over all channels, of 255."""
+    return sum(sum(pixel) for pixel in picture) / (3 * len(picture))
+
+
+class Watch:
+    """Changes what is shown, and compares the pictures before and after."""
+
+    def __init__(self, view, display):
+        self.view = view
+        self.display = display
+        self.picture = picture_of(view)
+
+    def look(self):
+        self.picture = picture_of(self.view)
+        return self.picture
+
+    def set(self, **properties):
+        """The picture with these properties of the display, whose prefix is left out."""
+        for name, value in properties.items():
+            setattr(self.display, "TetMarch" + name, value)
+        return self.look()
+
+    def expect_change(self, what):
+        before = self.picture
+        share = difference(before, self.look())
+        print(f"{what}: {100 * share:.1f} % of the pixels changed")
+        assert share > CHANGED, f"{what}: the picture stayed as it was"
+
+    def expect_change_by(self, **properties):
+        before = self.picture
+        self.set(**properties)
+        self.picture = before
+        self.expect_change(", ".join(properties))
+
+    def expect_same(self, other, **properties):
+        picture = self.set(**properties)
+        assert picture == other, f"{properties} gave another picture"
+
+    def expect_brightness(self, least, most, reference, **properties):
+        """Of the picture with these properties, as a share of that of another picture."""
+        share = brightness(self.set(**properties)) / brightness(reference)
+        print(f"{properties}: {share:.3f} as bright")
+        assert least <= share <= most, f"{properties}: {share:.3f} as bright instead of {least} to {most}"
+        return self.picture
+
+
 def check_mapper(display):
     representation = display.GetClientSideObject().GetActiveRepresentation()
     mapper = representation.GetActiveVolumeMapper().GetClassName()
     assert mapper == "vtkTetMarchVolumeMapper", mapper
 
 
-def expect_change(what, before, after):
-    share = difference(before, after)
-    print(f"{what}: {100 * share:.1f} % of the pixels changed")
-    assert share > CHANGED, f"{what}: the picture stayed as it was"
+def check_volume(watch):
+    """The volume is seen, and nothing else, and like ParaView's own."""
+    shown = watch.picture
+    watch.display.Visibility = 0
+    hidden = watch.look()
+    assert len(set(hidden)) == 1, "something else than the volume is in view"
+    share = difference(hidden, shown)
+    print(f"the volume covers {100 * share:.1f} % of the picture")
+    assert share > SEEN, "the volume is not to be seen"
+
+    watch.display.Visibility = 1
+    watch.expect_same(shown)
+
+    watch.display.SetRepresentationType("Volume")
+    mean = mean_difference(shown, watch.look())
+    print(f"ParaView's own volume rendering differs by {mean:.1f} of 255 in the mean")
+    assert mean < STOCK_DIFFERENCE, "the colour map, the opacity or their scale isn't shared"
+    watch.display.SetRepresentationType(REPRESENTATION)
+    watch.expect_same(shown)
+
+
+def check_light(watch):
+    """On a volume whose light is that of the view's light kit: key, fill, back lights and headlight."""
+    size = list(watch.view.ViewSize)
+    watch.view.ViewSize = LIT_SIZE
+    unlit = watch.look()
+    matt = watch.expect_brightness(0.2, 0.95, unlit, Shade=1, Ambient=0, Diffuse=1, Specular=0)
+    watch.expect_brightness(0.48, 0.52, matt, Diffuse=0.5)
+    watch.expect_brightness(0.48, 0.52, unlit, Diffuse=0, Ambient=0.5)
+    watch.expect_same(unlit, Ambient=1)
+    assert all(min(pixel) == max(pixel) for pixel in watch.set(ViewMode="Illumination")), "ambient light has a colour"
+    watch.set(ViewMode="Picture")
+    watch.expect_brightness(0.001, 0.5, unlit, Ambient=0, Specular=1)
+    watch.expect_brightness(1.5, 1000, watch.picture, SpecularPower=5)
+    watch.expect_same(matt, Specular=0, Diffuse=1)
+
+    faceted = watch.set(GradientType="Cell")
+    assert difference(matt, faceted) > 0.01, "gradients of cells light like those of vertices"
+    watch.expect_same(matt, GradientType="Vertex")
+
+    shadowed = watch.expect_brightness(0.1, 0.95, matt, ShadowMethod="At Vertices")
+    watch.expect_same(shadowed, ShadowMethod="Automatic")  # there are more points along rays than vertices
+    watch.expect_brightness(0.9, 1.1, shadowed, ShadowMethod="Along Rays")
+    # Of the light kit, only the headlight then still casts shadows: they cost nothing.
+    watch.expect_brightness(0.9, 0.99, matt, ShadowMethod="At Vertices", GlobalIlluminationReach=0)
+    watch.expect_brightness(1.01, 100, shadowed, GlobalIlluminationReach=0.1)
+    watch.expect_same(shadowed, GlobalIlluminationReach=1)
+    scattered = watch.expect_brightness(1.05, 100, shadowed, VolumetricScatteringBlending=2)
+    watch.expect_same(scattered, ShadowMethod="Off")
+    watch.expect_same(matt, VolumetricScatteringBlending=0)
+
+    watch.expect_same(unlit, Ambient=1, Diffuse=0)
+    occluded = watch.expect_brightness(0.2, 0.97, unlit, AmbientOcclusion=1)
+    watch.expect_brightness(1.02, 100, occluded, AmbientOcclusionRadius=0.02)
+    watch.expect_same(occluded, AmbientOcclusionRadius=0.1)
+    assert watch.set(AmbientOcclusionDirections=1) != occluded, "one direction occludes as sixteen do"
+    watch.expect_brightness(0.99, 1.01, unlit, AmbientOcclusionRadius=0)
+    watch.expect_same(unlit, Shade=0, Ambient=0, Diffuse=1)
+    watch.view.ViewSize = size
+    watch.look()
+
+
+def check_colour_map(watch):
+    simple.GetOpacityTransferFunction(ARRAY).Points = [
+        0.3 * value if i % 4 == 1 else value for i, value in enumerate(OPACITY)
+    ]
+    watch.expect_change("opacity function")
+    simple.GetColorTransferFunction(ARRAY).RGBPoints = [
+        1.0 - value if i % 4 else value for i, value in enumerate(COLOURS)
+    ]
+    watch.expect_change("colour function")
+    watch.display.ScalarOpacityUnitDistance = 0.1
+    watch.expect_change("unit distance")
+    watch.expect_change_by(OpacityLaw="Structured")
+
+
+def check_accuracy(watch):
+    watch.expect_change_by(ErrorTolerance=1.0)
+    careless = watch.picture
+    watch.expect_change_by(AccuracyLevel="Reference")
+    exact = watch.picture
+    watch.expect_same(careless, ErrorBudget=1.0)  # is kept by that tolerance
+    hurried = watch.set(ErrorBudget=0.0, FrameTimeBudget=1e-6)
+    watch.expect_same(exact, FrameTimeBudget=0.0)  # without a budget the level is the one that is set
+    watch.expect_same(hurried, AccuracyLevel="Fast")
+    assert hurried != exact, "a budget of no time is not kept by the fastest level"
+
+
+def check_views(watch):
+    fast = watch.picture
+    watch.expect_change_by(ViewMode="Cells")
+    shown = [fast, watch.picture]
+    watch.expect_change_by(AutomaticViewRange=0, ViewRange=[0.0, 1e4])
+    for mode in ("Gradients", "Shell Faces", "Shell Coordinates"):
+        shown.append(watch.set(ViewMode=mode))
+        assert shown[-1] not in shown[:-1], f"the view mode {mode} shows what another does"
+    watch.expect_same(fast, ViewMode="Picture")
 
 
 def main():
@@ -94,77 +236,14 @@ def main():
     view = open_view()
     display = show(source, view)
     check_mapper(display)
-    shown = picture_of(view)
+    watch = Watch(view, display)
     if arguments.picture:
         simple.SaveScreenshot(arguments.picture, view)
-
-    display.Visibility = 0
-    hidden = picture_of(view)
-    assert len(set(hidden)) == 1, "something else than the volume is in view"
-    share = difference(hidden, shown)
-    print(f"the volume covers {100 * share:.1f} % of the picture")
-    assert share > SEEN, "the volume is not to be seen"
-
-    display.Visibility = 1
-    assert difference(shown, picture_of(view)) == 0, "the same view gave another picture"
-
-    display.SetRepresentationType("Volume")
-    mean = mean_difference(shown, picture_of(view))
-    print(f"ParaView's own volume rendering differs by {mean:.1f} of 255 in the mean")
-    assert mean < STOCK_DIFFERENCE, "the colour map, the opacity or their scale isn't shared"
-    display.SetRepresentationType(REPRESENTATION)
-
-    simple.GetOpacityTransferFunction(ARRAY).Points = [
-        0.3 * value if i % 4 == 1 else value for i, value in enumerate(OPACITY)
-    ]
-    thinner = picture_of(view)
-    expect_change("opacity function", shown, thinner)
-
-    simple.GetColorTransferFunction(ARRAY).RGBPoints = [
-        1.0 - value if i % 4 else value for i, value in enumerate(COLOURS)
-    ]
-    recoloured = picture_of(view)
-    expect_change("colour function", thinner, recoloured)
-
-    display.ScalarOpacityUnitDistance = 0.1
-    denser = picture_of(view)
-    expect_change("unit distance", recoloured, denser)
-
-    display.TetMarchOpacityLaw = "Structured"
-    structured = picture_of(view)
-    expect_change("opacity law", denser, structured)
-
-    display.TetMarchErrorTolerance = 1.0
-    careless = picture_of(view)
-    expect_change("error tolerance", structured, careless)
-    display.TetMarchAccuracyLevel = "Reference"
-    exact = picture_of(view)
-    expect_change("accuracy level", careless, exact)
-
-    display.TetMarchErrorBudget = 1.0
-    assert careless == picture_of(view), "an error budget is not kept by that tolerance"
-    display.TetMarchErrorBudget = 0.0
-    display.TetMarchFrameTimeBudget = 1e-6
-    hurried = picture_of(view)
-    display.TetMarchFrameTimeBudget = 0.0
-    assert exact == picture_of(view), "without a budget the level is not the one that is set"
-    display.TetMarchAccuracyLevel = "Fast"
-    assert hurried == picture_of(view) != exact, "a budget of no time is not kept by the fastest level"
-
-    fast = picture_of(view)
-    display.TetMarchViewMode = "Cells"
-    counted = picture_of(view)
-    expect_change("view mode", fast, counted)
-    display.TetMarchAutomaticViewRange = 0
-    display.TetMarchViewRange = [0.0, 1e4]
-    expect_change("view range", counted, picture_of(view))
-    shown = [fast, counted]
-    for mode in ("Gradients", "Shell Faces", "Shell Coordinates"):
-        display.TetMarchViewMode = mode
-        shown.append(picture_of(view))
-        assert shown[-1] not in shown[:-1], f"the view mode {mode} shows what another does"
-    display.TetMarchViewMode = "Picture"
-    assert fast == picture_of(view), "something of a view mode is left in the picture"
+    check_volume(watch)
+    check_light(watch)
+    check_colour_map(watch)
+    check_accuracy(watch)
+    check_views(watch)
 
 
 main()

@@ -19,6 +19,8 @@ class ApiTest(unittest.TestCase):
                    if not name.startswith("__") and inspect.isroutine(method)}
         self.assertIn("SetOpacityLaw", methods)
         self.assertIn("GetUploadSeconds", methods)
+        self.assertIn("SetShadowMethodToAlongRays", methods)
+        self.assertIn("AmbientOcclusionOn", methods)
         self.assertIn("GetPercentile", methods)
         for name in sorted(methods.keys() - FROM_MACROS):
             with self.subTest(method=name):
@@ -96,6 +98,47 @@ class ApiTest(unittest.TestCase):
         self.assertEqual(mapper.GetViewRange(), (2.0, 30.0))
         self.assertEqual(mapper.GetViewLookupTable().GetNumberOfTableValues(), 256)
 
+    def test_the_choices_of_light(self):
+        mapper = vtkTetMarchVolumeMapper()
+        for option, constants, names in (
+                ("GradientType", ("VERTEX_GRADIENTS", "CELL_GRADIENTS"), ("Vertex", "Cell")),
+                ("ShadowMethod", ("SHADOWS_OFF", "SHADOWS_AUTOMATIC", "SHADOWS_AT_VERTICES", "SHADOWS_ALONG_RAYS"),
+                 ("Off", "Automatic", "AtVertices", "AlongRays"))):
+            set_option = getattr(mapper, "Set" + option)
+            get_option = getattr(mapper, "Get" + option)
+            as_string = getattr(mapper, f"Get{option}AsString")
+            self.assertEqual((get_option(), as_string()), (0, names[0]))
+            for value, (constant, name) in reversed(list(enumerate(zip(constants, names)))):
+                before = mapper.GetMTime()
+                getattr(mapper, f"Set{option}To{name}")()
+                self.assertGreater(mapper.GetMTime(), before)
+                self.assertEqual((get_option(), as_string()), (value, name))
+                self.assertEqual(getattr(mapper, constant), value)
+            for value, clamped in ((-1, 0), (99, len(names) - 1)):
+                set_option(value)
+                self.assertEqual(get_option(), clamped)
+
+    def test_the_numbers_of_light(self):
+        mapper = vtkTetMarchVolumeMapper()
+        for name, default, value, least, most in (
+                ("VolumetricScatteringBlending", 0, 1.5, 0, 2), ("GlobalIlluminationReach", 1, 0.25, 0, 1),
+                ("AmbientOcclusionRadius", 0.1, 0.3, 0, 1), ("AmbientOcclusionDirections", 16, 40, 1, 256)):
+            set_number = getattr(mapper, "Set" + name)
+            get_number = getattr(mapper, "Get" + name)
+            self.assertEqual(get_number(), default)
+            before = mapper.GetMTime()
+            set_number(value)
+            self.assertEqual(get_number(), value)
+            self.assertGreater(mapper.GetMTime(), before)
+            for beyond, clamped in ((-1, least), (1000, most)):
+                set_number(beyond)
+                self.assertEqual(get_number(), clamped)
+        self.assertFalse(mapper.GetAmbientOcclusion())
+        mapper.AmbientOcclusionOn()
+        self.assertTrue(mapper.GetAmbientOcclusion())
+        mapper.AmbientOcclusionOff()
+        self.assertFalse(mapper.GetAmbientOcclusion())
+
     def test_the_legend(self):
         legend = vtkTetMarchLegend()
         self.assertIsInstance(legend, vtk.vtkScalarBarActor)
@@ -125,8 +168,10 @@ class ApiTest(unittest.TestCase):
         mapper.SetOpacityLawToStructured()
         text = str(mapper)
         for line in ("OpacityLaw: Structured", "CollectDiagnostics: Off", "NumberOfTetrahedra: 0",
-                     "MaxDrawTimeInSeconds: 0.25", "ViewMode: Picture", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0", "ErrorBudget: 0",
-                     "UsedAccuracyLevel: Default", "BudgetKept: No"):
+                     "MaxDrawTimeInSeconds: 0.25", "ViewMode: Picture", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0",
+                     "ErrorBudget: 0", "UsedAccuracyLevel: Default", "BudgetKept: No", "GradientType: Vertex",
+                     "ShadowMethod: Off", "VolumetricScatteringBlending: 0", "GlobalIlluminationReach: 1",
+                     "AmbientOcclusion: Off", "AmbientOcclusionRadius: 0.1", "AmbientOcclusionDirections: 16"):
             self.assertIn(line, text)
 
 

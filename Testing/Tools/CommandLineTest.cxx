@@ -100,10 +100,35 @@ TEST(CommandLine, RefusesBadChoices)
   ExpectBadValue("--accuracy", "best", "expected fast, default, accurate or reference");
   ExpectBadValue("--view", "bound",
     "expected picture, error, cells, lookups, illumination, gradients, faces or coordinates");
+  ExpectBadValue("--shadows", "on", "expected off, automatic, vertices or rays");
   ExpectBadValue("--tolerance", "0.0000001", "expected a number from 1e-6 to 1");
   ExpectBadValue("--error", "1.5", "expected a number from 1e-6 to 1");
   ExpectBadValue("--frame-time", "0", "expected a number above 0");
   ExpectBadValue("--association", "point", "expected points or cells");
+}
+
+TEST(CommandLine, RefusesBadLight)
+{
+  for (const char* number : { "-0.1", "1.01", "nan", "x", "0.1,0.2" })
+  {
+    for (const char* option : { "--ambient", "--diffuse", "--specular", "--reach", "--occlusion" })
+    {
+      ExpectBadValue(option, number, "expected a number from 0 to 1");
+    }
+  }
+  ExpectBadValue("--scattering", "2.1", "expected a number from 0 to 2");
+  ExpectBadValue("--specular-power", "0", "expected a number above 0");
+  for (const char* light : { "headlights", "headlight,", "headlight,x", "headlight,1,2" })
+  {
+    ExpectBadValue("--light", light, "expected headlight or headlight,INTENSITY");
+  }
+  for (const char* light : { "head", "1,2", "1,2,3,4,5", "1,2,x" })
+  {
+    ExpectBadValue("--light", light, "expected 3 or 4 finite numbers separated by commas");
+  }
+  ExpectBadValue("--light", "0,0,0,1", "a light that shines from 0,0,0 has no direction");
+  ExpectBadValue("--light", "0,0,1,-1", "the intensity must be 0 or more");
+  ExpectBadValue("--light", "headlight,-1", "the intensity must be 0 or more");
 }
 
 TEST(CommandLine, Defaults)
@@ -121,6 +146,13 @@ TEST(CommandLine, Defaults)
   EXPECT_FALSE(c.ArrayAssociation);
   EXPECT_EQ(c.FrameTime, 0.0);
   EXPECT_EQ(c.Error, 0.0);
+  EXPECT_FALSE(c.Light.Shade);
+  EXPECT_TRUE(c.Light.Lights.empty());
+  EXPECT_EQ(c.Light.ShadowMethod, 0);
+  EXPECT_EQ(c.Light.Scattering, 0.0);
+  EXPECT_EQ(c.Light.Reach, 1.0);
+  EXPECT_FALSE(c.Light.Ambient || c.Light.Diffuse || c.Light.Specular || c.Light.SpecularPower ||
+               c.Light.OcclusionRadius);
   EXPECT_TRUE(c.Stats.empty() && c.Preset.empty() && c.Array.empty());
 }
 
@@ -173,6 +205,55 @@ TEST(CommandLine, ViewsAreThoseOfTheMapper)
   }
 }
 
+TEST(CommandLine, TakesEveryOptionOfLight)
+{
+  const auto light =
+    ParseCommandLine({ "a.vtu", "--light", "-1,2,3", "--light=headlight", "--light", "0,0,2,0.5",
+                       "--light", "headlight,0.25", "--ambient", "0.1", "--diffuse", "0.2",
+                       "--specular", "0.3", "--specular-power", "40", "--shadows", "rays",
+                       "--scattering", "1.5", "--reach", "0.6", "--occlusion", "0.7" })
+      .Light;
+  ASSERT_EQ(light.Lights.size(), 4u);
+  EXPECT_EQ(light.Lights[0].From, (std::array<double, 3>{ { -1, 2, 3 } }));
+  EXPECT_EQ(light.Lights[0].Intensity, 1.0);
+  EXPECT_FALSE(light.Lights[1].From);
+  EXPECT_EQ(light.Lights[1].Intensity, 1.0);
+  EXPECT_EQ(light.Lights[2].From, (std::array<double, 3>{ { 0, 0, 2 } }));
+  EXPECT_EQ(light.Lights[2].Intensity, 0.5);
+  EXPECT_FALSE(light.Lights[3].From);
+  EXPECT_EQ(light.Lights[3].Intensity, 0.25);
+  EXPECT_EQ(light.Ambient, 0.1);
+  EXPECT_EQ(light.Diffuse, 0.2);
+  EXPECT_EQ(light.Specular, 0.3);
+  EXPECT_EQ(light.SpecularPower, 40.0);
+  EXPECT_EQ(light.ShadowMethod, 3);
+  EXPECT_EQ(light.Scattering, 1.5);
+  EXPECT_EQ(light.Reach, 0.6);
+  EXPECT_EQ(light.OcclusionRadius, 0.7);
+}
+
+// By the numbers of vtkTetMarchVolumeMapper::ShadowMethods.
+TEST(CommandLine, ShadowsAreThoseOfTheMapper)
+{
+  int method = 0;
+  for (const char* word : { "off", "automatic", "vertices", "rays" })
+  {
+    EXPECT_EQ(ParseCommandLine({ "a.vtu", "--shadows", word }).Light.ShadowMethod, method) << word;
+    ++method;
+  }
+}
+
+TEST(CommandLine, WhoAsksForLightHasShading)
+{
+  EXPECT_TRUE(ParseCommandLine({ "a.vtu", "--shade" }).Light.Shade);
+  for (const char* option :
+    { "--light=1,0,0", "--ambient=0.3", "--diffuse=0.5", "--specular=0.3", "--specular-power=4",
+      "--shadows=off", "--scattering=0", "--reach=0.5", "--occlusion=0.1" })
+  {
+    EXPECT_TRUE(ParseCommandLine({ "a.vtu", option }).Light.Shade) << option;
+  }
+}
+
 TEST(CommandLine, FiguresBringTimedFrames)
 {
   EXPECT_EQ(ParseCommandLine({ "a.vtu", "--stats", "s.json" }).Frames, 5);
@@ -189,10 +270,12 @@ TEST(CommandLine, HelpNamesEveryOption)
   EXPECT_TRUE(ParseCommandLine({ "--help" }).Help);
   EXPECT_TRUE(ParseCommandLine({ "--version" }).Version);
   const std::string help = tetmarch::GetHelp();
-  for (const char* option : { "--accuracy", "--array", "--association", "--background", "--camera",
-         "--compare", "--error", "--frame-time", "--frames", "--help", "--opacity-law", "--output",
-         "--parallel-scale", "--preset", "--range", "--size", "--stats", "--time-step",
-         "--tolerance", "--unit-distance", "--version", "--view" })
+  for (const char* option :
+    { "--accuracy", "--ambient", "--array", "--association", "--background", "--camera",
+      "--compare", "--diffuse", "--error", "--frame-time", "--frames", "--help", "--light",
+      "--occlusion", "--opacity-law", "--output", "--parallel-scale", "--preset", "--range",
+      "--reach", "--scattering", "--shade", "--shadows", "--size", "--specular", "--specular-power",
+      "--stats", "--time-step", "--tolerance", "--unit-distance", "--version", "--view" })
   {
     EXPECT_NE(help.find(std::string(option)), std::string::npos) << option;
   }

@@ -4,48 +4,14 @@
 import json
 import math
 import os
-import pathlib
 import pty
 import re
 import subprocess
-import sys
-import tempfile
-import unittest
 
-import make_inputs
-from read_png import read_png
-
-EXECUTABLE = PROJECT = None
+from render_case import RenderCase, main
 
 
-class RenderTest(unittest.TestCase):
-    maxDiff = None
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        make_inputs.write_all(self.folder)
-
-    def run_tool(self, *arguments, **environment):
-        return subprocess.run([EXECUTABLE, *map(str, arguments)], cwd=self.folder, text=True, timeout=300,
-                              capture_output=True, env={**os.environ, **environment})
-
-    def expect_failure(self, status, message, *arguments, **environment):
-        with self.subTest(arguments=arguments):
-            result = self.run_tool(*arguments, **environment)
-            self.assertEqual(result.returncode, status, result.stderr)
-            self.assertEqual(result.stdout, "")
-            self.assertTrue(result.stderr.startswith("tetmarch-render: "), result.stderr)
-            self.assertIn(message, result.stderr)
-            self.assertNotIn("terminate called", result.stderr)
-
-    def render(self, *arguments):
-        """The pixels of out.png and the statistics."""
-        result = self.run_tool(*arguments, "--output", "out.png", "--stats", "out.json", "--frames", 3)
-        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
-        return read_png(self.folder / "out.png"), json.loads((self.folder / "out.json").read_text())
-
+class RenderTest(RenderCase):
     def test_help_and_version(self):
         result = self.run_tool("--help")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
@@ -184,7 +150,7 @@ class RenderTest(unittest.TestCase):
 
     def test_progress_bar_on_a_terminal_only(self):
         terminal, other_end = pty.openpty()
-        with subprocess.Popen([EXECUTABLE, "cube.vtu"], cwd=self.folder, stderr=other_end) as process:
+        with subprocess.Popen([self.executable, "cube.vtu"], cwd=self.folder, stderr=other_end) as process:
             os.close(other_end)
             text = b""
             try:
@@ -229,7 +195,7 @@ class RenderTest(unittest.TestCase):
         self.assertEqual(stats["array"]["association"], "cells")
 
     def test_golf_ball(self):
-        path = PROJECT / "Data" / "golfball_small.vtu"
+        path = self.project / "Data" / "golfball_small.vtu"
         if not path.exists():
             self.skipTest(f"{path} is missing")
         pixels, stats = self.render(path, "--array", "nut", "--size", "128x96")
@@ -239,7 +205,7 @@ class RenderTest(unittest.TestCase):
         self.assertGreater(len({pixel for row in pixels for pixel in row}), 100)
 
     def test_shared_data(self):
-        folder = PROJECT.parent / "shared" / "data" / "unstructured"
+        folder = self.project.parent / "shared" / "data" / "unstructured"
         cases = (("disk_out_ref.ex2", "Temp", {"vtkHexahedron": 7472}, 8499),
                  ("mug.e", "convected", {"vtkHexahedron": 2476}, 3774))
         for name, array, cells, points in cases:
@@ -250,7 +216,7 @@ class RenderTest(unittest.TestCase):
                 self.assertEqual((stats["array"]["name"], stats["cells"], stats["points"]), (array, cells, points))
 
     def test_time_steps(self):
-        path = PROJECT.parent / "shared" / "data" / "unstructured" / "mug.e"
+        path = self.project.parent / "shared" / "data" / "unstructured" / "mug.e"
         if not path.exists():
             self.skipTest(f"{path} is not present")
         first, last = (self.render(path, "--size", "64x48", "--array", "convected", *step)[0]
@@ -263,6 +229,4 @@ class RenderTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    EXECUTABLE = sys.argv.pop(1)
-    PROJECT = pathlib.Path(sys.argv.pop(1)).resolve()
-    unittest.main(verbosity=2)
+    main()

@@ -4,6 +4,7 @@
 
 #include "Failure.h"
 #include "Numbers.h"
+#include "OptionValues.h"
 
 #include <filesystem>
 #include <functional>
@@ -11,58 +12,18 @@
 
 namespace
 {
-using tetmarch::CommandLine;
-using tetmarch::UsageError;
+using namespace tetmarch;
 using Setter = std::function<void(CommandLine&, const std::string& value)>;
 
 constexpr int MaximumSize = 16384; // the least that GL 4.5 promises for both viewport and texture
-
-/// The numbers of a list "1,2,3", of which there must be one of the given counts.
-std::vector<double> ParseList(const std::string& value, std::initializer_list<std::size_t> counts)
-{
-  const auto numbers = tetmarch::ParseNumbers(value, ',');
-  for (std::size_t count : counts)
-  {
-    if (numbers && numbers->size() == count)
-    {
-      return *numbers;
-    }
-  }
-  std::string expected;
-  for (std::size_t count : counts)
-  {
-    expected += (expected.empty() ? "" : " or ") + std::to_string(count);
-  }
-  throw UsageError("expected " + expected + " finite numbers separated by commas");
-}
-
-double ParsePositive(const std::string& value)
-{
-  const auto number = tetmarch::ParseNumber(value);
-  if (!number || !(*number > 0.0))
-  {
-    throw UsageError("expected a number above 0");
-  }
-  return *number;
-}
-
-int ParseCount(const std::string& value)
-{
-  const auto number = tetmarch::ParseInteger(value);
-  if (!number || *number < 0)
-  {
-    throw UsageError("expected a whole number, 0 or more");
-  }
-  return *number;
-}
 
 std::array<int, 2> ParseSize(const std::string& value)
 {
   const auto x = value.find('x');
   if (x != std::string::npos)
   {
-    const auto width = tetmarch::ParseInteger(value.substr(0, x));
-    const auto height = tetmarch::ParseInteger(value.substr(x + 1));
+    const auto width = ParseInteger(value.substr(0, x));
+    const auto height = ParseInteger(value.substr(x + 1));
     if (width && height && *width >= 1 && *height >= 1 && *width <= MaximumSize &&
         *height <= MaximumSize)
     {
@@ -95,10 +56,10 @@ std::array<double, 2> ParseRange(const std::string& value)
   return { { range[0], range[1] } };
 }
 
-tetmarch::CameraOption ParseCamera(const std::string& value)
+CameraOption ParseCamera(const std::string& value)
 {
   const auto n = ParseList(value, { 9, 10 });
-  tetmarch::CameraOption camera;
+  CameraOption camera;
   camera.Position = { { n[0], n[1], n[2] } };
   camera.FocalPoint = { { n[3], n[4], n[5] } };
   camera.ViewUp = { { n[6], n[7], n[8] } };
@@ -121,32 +82,6 @@ tetmarch::CameraOption ParseCamera(const std::string& value)
   return camera;
 }
 
-/// True for the first word, false for the second.
-bool ParseChoice(const std::string& value, const std::string& yes, const std::string& no)
-{
-  if (value != yes && value != no)
-  {
-    throw UsageError("expected " + yes + " or " + no);
-  }
-  return value == yes;
-}
-
-/// The place of a word in a list.
-int ParseWord(const std::string& value, const std::vector<std::string>& words)
-{
-  const auto found = std::find(words.begin(), words.end(), value);
-  if (found == words.end())
-  {
-    std::string expected = "expected " + words.front();
-    for (std::size_t i = 1; i < words.size(); ++i)
-    {
-      expected += (i + 1 < words.size() ? ", " : " or ") + words[i];
-    }
-    throw UsageError(expected);
-  }
-  return static_cast<int>(found - words.begin());
-}
-
 int ParseLevel(const std::string& value)
 {
   return ParseWord(value, { "fast", "default", "accurate", "reference" });
@@ -158,33 +93,44 @@ int ParseView(const std::string& value)
                             "faces", "coordinates" });
 }
 
-double ParseTolerance(const std::string& value)
+int ParseShadows(const std::string& value)
 {
-  const double tolerance = ParsePositive(value);
-  if (tolerance < 1e-6 || tolerance > 1.0)
-  {
-    throw UsageError("expected a number from 1e-6 to 1");
-  }
-  return tolerance;
+  return ParseWord(value, { "off", "automatic", "vertices", "rays" });
+}
+
+/// Who asks for something of light wants it to shine.
+LightOptions& LightOf(CommandLine& commandLine)
+{
+  commandLine.Light.Shade = true;
+  return commandLine.Light;
 }
 
 const std::map<std::string, Setter>& GetOptionsWithValue()
 {
   static const std::map<std::string, Setter> options = {
     { "--accuracy", [](CommandLine& c, const std::string& v) { c.AccuracyLevel = ParseLevel(v); } },
+    { "--ambient",
+      [](CommandLine& c, const std::string& v) { LightOf(c).Ambient = ParseWithin(v, "0", "1"); } },
     { "--array", [](CommandLine& c, const std::string& v) { c.Array = v; } },
     { "--association",
       [](CommandLine& c, const std::string& v)
       {
-        c.ArrayAssociation = ParseChoice(v, "points", "cells") ? tetmarch::Association::POINTS
-                                                               : tetmarch::Association::CELLS;
+        c.ArrayAssociation =
+          ParseChoice(v, "points", "cells") ? Association::POINTS : Association::CELLS;
       } },
     { "--background", [](CommandLine& c, const std::string& v) { c.Background = ParseColor(v); } },
     { "--camera", [](CommandLine& c, const std::string& v) { c.Camera = ParseCamera(v); } },
-    { "--error", [](CommandLine& c, const std::string& v) { c.Error = ParseTolerance(v); } },
+    { "--diffuse",
+      [](CommandLine& c, const std::string& v) { LightOf(c).Diffuse = ParseWithin(v, "0", "1"); } },
+    { "--error",
+      [](CommandLine& c, const std::string& v) { c.Error = ParseWithin(v, "1e-6", "1"); } },
     { "--frame-time",
       [](CommandLine& c, const std::string& v) { c.FrameTime = ParsePositive(v); } },
     { "--frames", [](CommandLine& c, const std::string& v) { c.Frames = ParseCount(v); } },
+    { "--light",
+      [](CommandLine& c, const std::string& v) { LightOf(c).Lights.push_back(ParseLight(v)); } },
+    { "--occlusion", [](CommandLine& c, const std::string& v)
+      { LightOf(c).OcclusionRadius = ParseWithin(v, "0", "1"); } },
     { "--opacity-law", [](CommandLine& c, const std::string& v)
       { c.StructuredOpacityLaw = ParseChoice(v, "structured", "unstructured"); } },
     { "--output", [](CommandLine& c, const std::string& v) { c.Output = v; } },
@@ -192,11 +138,21 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
       [](CommandLine& c, const std::string& v) { c.ParallelScale = ParsePositive(v); } },
     { "--preset", [](CommandLine& c, const std::string& v) { c.Preset = v; } },
     { "--range", [](CommandLine& c, const std::string& v) { c.Range = ParseRange(v); } },
+    { "--reach",
+      [](CommandLine& c, const std::string& v) { LightOf(c).Reach = ParseWithin(v, "0", "1"); } },
+    { "--scattering", [](CommandLine& c, const std::string& v)
+      { LightOf(c).Scattering = ParseWithin(v, "0", "2"); } },
+    { "--shadows",
+      [](CommandLine& c, const std::string& v) { LightOf(c).ShadowMethod = ParseShadows(v); } },
     { "--size", [](CommandLine& c, const std::string& v) { c.Size = ParseSize(v); } },
+    { "--specular", [](CommandLine& c, const std::string& v)
+      { LightOf(c).Specular = ParseWithin(v, "0", "1"); } },
+    { "--specular-power",
+      [](CommandLine& c, const std::string& v) { LightOf(c).SpecularPower = ParsePositive(v); } },
     { "--stats", [](CommandLine& c, const std::string& v) { c.Stats = v; } },
     { "--time-step", [](CommandLine& c, const std::string& v) { c.TimeStep = ParseCount(v); } },
     { "--tolerance",
-      [](CommandLine& c, const std::string& v) { c.Tolerance = ParseTolerance(v); } },
+      [](CommandLine& c, const std::string& v) { c.Tolerance = ParseWithin(v, "1e-6", "1"); } },
     { "--unit-distance",
       [](CommandLine& c, const std::string& v) { c.UnitDistance = ParsePositive(v); } },
     { "--view", [](CommandLine& c, const std::string& v) { c.ViewMode = ParseView(v); } },
@@ -255,6 +211,11 @@ CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
     if (argument == "--compare")
     {
       commandLine.Compare = true;
+      continue;
+    }
+    if (argument == "--shade")
+    {
+      commandLine.Light.Shade = true;
       continue;
     }
     const auto equals = argument.find('=');

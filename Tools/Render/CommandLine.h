@@ -7,6 +7,8 @@
 #ifndef tetmarch_CommandLine_h
 #define tetmarch_CommandLine_h
 
+#include "LightOptions.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -52,6 +54,7 @@ struct CommandLine
   std::optional<double> Tolerance;
   double FrameTime = 0.0; // budgets; 0: none
   double Error = 0.0;
+  LightOptions Light;
   int ViewMode = 0; // vtkTetMarchVolumeMapper::VIEW_PICTURE
   bool Compare = false;
   int Frames = 0; // re-renders to be timed; 5 by default if Stats is given

@@ -32,6 +32,24 @@ Accuracy
   --error E                 the cheapest level that keeps this error, 1e-6 to 1; with --frame-time, the least
                             accuracy. With either, --accuracy and --tolerance are not used
 
+Light (--shade, or any other option of these, has the volume lit)
+  --shade                   light the surfaces of constant scalar
+  --light WHERE[,I]         headlight, or X,Y,Z: from where light shines, from infinitely far; I: its
+                            intensity (default: 1). Several can be given (default: one headlight)
+  --ambient A, --diffuse D, --specular S
+                            how much of the volume's colour is seen without light, and where light shines;
+                            how bright highlights are; 0 to 1 each (default: 0.1, 0.7, 0.2)
+  --specular-power P        how small highlights are (default: 10)
+  --shadows HOW             off (default), or shadows of the volume in itself: with light kept at the
+                            vertices, or looked for along each ray, or automatic, whichever is cheaper:
+                            vertices, rays or automatic
+  --scattering B            0 (default): light shines on surfaces only; to 1: it is scattered where there is
+                            no clear surface; to 2: everywhere. Above 0 the volume casts shadows
+  --reach R                 how far light, but for that of headlights, is followed for shadows, 0 to 1
+                            (default: 1, all the way)
+  --occlusion RADIUS        the volume keeps ambient light from its inside, over this share of the diagonal
+                            of the mesh's box, 0 to 1 (default: it does not)
+
 View
   --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ[,ANGLE]
                             position, focal point, view up, view angle in degrees (default: oblique, all

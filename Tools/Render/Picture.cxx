@@ -58,13 +58,13 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
   this->Volume->GetProperty()->SetScalarOpacity(functions.Opacity);
   this->Volume->GetProperty()->SetScalarOpacityUnitDistance(unitDistance);
   this->Volume->GetProperty()->SetInterpolationTypeToLinear();
-  this->Volume->GetProperty()->ShadeOff();
 
   const auto& background = commandLine.Background;
   this->Renderer->SetBackground(background[0], background[1], background[2]);
   this->Renderer->AddVolume(this->Volume);
   this->Renderer->AddViewProp(this->Legend);
   this->Window->AddRenderer(this->Renderer);
+  SetUpLight(commandLine.Light, this->Renderer, this->Volume->GetProperty(), this->Mapper);
   this->PlaceCamera(commandLine);
 }
 

@@ -85,6 +85,11 @@ std::string FormatStatistics(const CommandLine& commandLine, vtkUnstructuredGrid
   json["seconds"] = { { "read", timing.Read }, { "mesh", mapper->GetMeshSeconds() },
     { "scalars", mapper->GetScalarsSeconds() }, { "tables", mapper->GetTablesSeconds() },
     { "upload", mapper->GetUploadSeconds() }, { "first_frame", timing.FirstFrame } };
+  if (commandLine.Light.Shade)
+  {
+    json["seconds"]["gradients"] = mapper->GetGradientsSeconds();
+    json["seconds"]["vertex_light"] = mapper->GetVertexLightSeconds();
+  }
   json["frames"] = { { "count", timing.Frames.size() },
     { "median_seconds", GetMedian(timing.Frames) }, { "seconds", timing.Frames } };
   json["accuracy"] = { { "level", mapper->GetUsedAccuracyLevelAsString() },

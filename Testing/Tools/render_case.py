@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests that run tetmarch-render as a user would: ...Test.py EXECUTABLE PROJECT_FOLDER."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import make_inputs
+from read_png import read_png
+
+
+class RenderCase(unittest.TestCase):
+    maxDiff = None
+    executable = project = None
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        make_inputs.write_all(self.folder)
+
+    def run_tool(self, *arguments, **environment):
+        return subprocess.run([self.executable, *map(str, arguments)], cwd=self.folder, text=True, timeout=300,
+                              capture_output=True, env={**os.environ, **environment})
+
+    def expect_failure(self, status, message, *arguments, **environment):
+        with self.subTest(arguments=arguments):
+            result = self.run_tool(*arguments, **environment)
+            self.assertEqual(result.returncode, status, result.stderr)
+            self.assertEqual(result.stdout, "")
+            self.assertTrue(result.stderr.startswith("tetmarch-render: "), result.stderr)
+            self.assertIn(message, result.stderr)
+            self.assertNotIn("terminate called", result.stderr)
+
+    def render(self, *arguments):
+        """The pixels of out.png and the statistics."""
+        result = self.run_tool(*arguments, "--output", "out.png", "--stats", "out.json", "--frames", 3)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        return read_png(self.folder / "out.png"), json.loads((self.folder / "out.json").read_text())
+
+
+def main():
+    RenderCase.executable = sys.argv.pop(1)
+    RenderCase.project = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main(verbosity=2)
