@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The level that the mapper chooses for a frame time or an error, and what it says of it.
 #include "ErrorWatch.h"
-#include "Scene.h"
+#include "LitScene.h"
 
 #include "vtkTetMarchFrameStatistics.h"
 
@@ -106,6 +106,25 @@ TEST_F(Budget, OfTooLittleTimeIsNotKept)
     EXPECT_FALSE(this->mapper()->IsBudgetKept());
   }
   EXPECT_EQ(this->mapper()->GetTablesBuilds(), 1);
+}
+
+// A frame in which light was looked for tells nothing of what drawing takes.
+TEST(BudgetInLight, IsOfFramesThatOnlyDraw)
+{
+  LitScene scene(jitteredLattice(8, 0.15, 5, sineField()));
+  scene.Mapper->CollectDiagnosticsOff();
+  scene.Mapper->SetShadowMethodToAtVertices();
+  scene.Mapper->SetFrameTimeBudget(Huge);
+  for (int i = 0; i < 5; ++i)
+  {
+    scene.Sun->SetPosition(3.0, 4.0, i);
+    scene.Window->Render();
+    EXPECT_EQ(scene.Mapper->GetVertexLightBuilds(), i + 1);
+    EXPECT_EQ(scene.Mapper->GetUsedAccuracyLevel(), Mapper::FAST);
+  }
+  scene.Window->Render();
+  scene.Window->Render();
+  EXPECT_GT(scene.Mapper->GetUsedAccuracyLevel(), Mapper::FAST);
 }
 
 TEST_F(Budget, ItsPictureIsThatOfTheLevelItSays)

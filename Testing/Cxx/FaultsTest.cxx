@@ -27,16 +27,6 @@ using namespace tetmarch::testing;
 
 constexpr int Side = 64;
 
-int countShaders()
-{
-  int count = 0;
-  for (GLuint name = 1; name < 4096; ++name)
-  {
-    count += glIsShader(name) + glIsProgram(name);
-  }
-  return count;
-}
-
 class Faults : public testing::Test
 {
 protected:

@@ -27,6 +27,17 @@ inline std::array<int, 5> countGLObjects()
   }
   return counts;
 }
+
+/// Shaders and programs. Each variant that is compiled stays in the window's cache.
+inline int countShaders()
+{
+  int count = 0;
+  for (GLuint name = 1; name < 4096; ++name)
+  {
+    count += glIsShader(name) + glIsProgram(name);
+  }
+  return count;
+}
 } // namespace tetmarch::testing
 
 #endif

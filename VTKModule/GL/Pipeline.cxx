@@ -38,7 +38,9 @@ void Pipeline::begin(std::uint64_t mostBytes)
 std::int64_t Pipeline::stageRuns() const
 {
   return this->meshRecord().Runs + this->ScalarsRecord.Runs + this->TablesRecord.Runs +
-         this->UploadRecord.Runs;
+         this->UploadRecord.Runs + this->Effects.gradientsRecord().Runs +
+         this->Effects.gradientOpacityRecord().Runs + this->Effects.startsRecord().Runs +
+         this->vertexLightRecord().Runs;
 }
 
 bool Pipeline::onlyDrew() const

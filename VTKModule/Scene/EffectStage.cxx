@@ -148,8 +148,9 @@ bool EffectStage::samplesShadows(double pixels) const
 {
   // A ray of the picture takes about 8 samples of each light, a vertex one.
   constexpr double samples = 8;
+  // With the method off, what scatters light still casts shadows, wherever is cheaper.
   return this->Options.Shadows == ShadowMethod::AlongRays ||
-         (this->Options.Shadows == ShadowMethod::Automatic &&
+         (this->Options.Shadows != ShadowMethod::AtVertices &&
            static_cast<double>(this->Data.VertexStarts.size()) > samples * pixels);
 }
 

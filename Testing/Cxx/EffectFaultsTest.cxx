@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whatever the GL refuses of the effects of light: one error that says what, a frame without the
+// volume, nothing left behind, and the volume is back as soon as the GL takes it.
+#include "ErrorWatch.h"
+#include "FaultyGL.h"
+#include "GLObjects.h"
+#include "LitScene.h"
+#include "WatchedMapper.h"
+
+#include "vtkLogger.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace
+{
+using namespace tetmarch::testing;
+
+constexpr int Side = 64;
+
+class EffectFaults : public testing::Test
+{
+protected:
+  EffectFaults()
+  {
+    this->Shown.Renderer->SetBackground(0.2, 0.4, 0.6);
+    this->Shown.addGradientOpacity();
+    this->Mapper->SetInputData(this->Shown.Data);
+    this->Mapper->SetShadowMethodToAtVertices();
+    this->Shown.Volume->SetMapper(this->Mapper);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // for what VTK says itself
+    this->Sound = this->frame();
+    this->Shown.Volume->VisibilityOff();
+    this->Empty = this->frame();
+    this->Shown.Volume->VisibilityOn();
+    EXPECT_GT(compare(this->Sound, this->Empty).Max, 0.1);
+  }
+  ~EffectFaults() override
+  {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);
+    this->Shown.Volume->SetMapper(this->Shown.Mapper);
+  }
+
+  Image frame()
+  {
+    this->Shown.Window->Render();
+    return this->Shown.frame();
+  }
+  void expectEmpty(const Image& frame) { EXPECT_EQ(frame.Rgba, this->Empty.Rgba); }
+  void expectSound(const Image& frame) { EXPECT_EQ(frame.Rgba, this->Sound.Rgba); }
+
+  // Of the mapper, and the shaders of the window.
+  void release(bool shadersToo)
+  {
+    this->Mapper->ReleaseGraphicsResources(this->Shown.Window);
+    if (shadersToo)
+    {
+      vtkOpenGLRenderWindow::SafeDownCast(this->Shown.Window)
+        ->GetShaderCache()
+        ->ReleaseGraphicsResources(this->Shown.Window);
+    }
+  }
+
+  // All that effects keep on the GPU, and nothing else; they are on again then.
+  void freeEffects()
+  {
+    this->Shown.property()->ShadeOff();
+    this->Shown.property()->DisableGradientOpacityOn();
+    this->Shown.Window->Render();
+    this->Shown.property()->DisableGradientOpacityOff();
+    this->Shown.property()->ShadeOn();
+  }
+
+  // One frame, of which the mapper's part meets the fault.
+  template <typename... Arguments>
+  bool meet(Arguments&&... arguments)
+  {
+    bool happened = false;
+    this->Mapper->Around = [&](const std::function<void()>& draw)
+    {
+      const FaultyGL faulty(std::forward<Arguments>(arguments)...);
+      draw();
+      happened = faulty.happened();
+    };
+    this->Shown.Window->Render();
+    this->Mapper->Around = nullptr;
+    return happened;
+  }
+
+  // Each call of that kind that a frame makes after `prepare`, one by one; that many at least end
+  // the frame.
+  void expectEveryCallIsMet(Fault fault, const std::function<void()>& prepare, int ending)
+  {
+    prepare();
+    const auto objects = countGLObjects();
+    const int shaders = countShaders();
+    int calls = 0;
+    int errors = 0;
+    for (; calls < 100; ++calls)
+    {
+      SCOPED_TRACE(std::string(nameOf(fault)) + ", call " + std::to_string(calls));
+      this->Watch.Errors.clear();
+      const bool met = this->meet(fault, calls);
+      const Image frame = this->Shown.frame();
+      if (!met)
+      {
+        this->expectSound(frame);
+        break;
+      }
+      ASSERT_LE(this->Watch.Errors.size(), 1u);
+      if (!this->Watch.Errors.empty())
+      {
+        this->expectEmpty(frame);
+        ++errors;
+      }
+      // At once, and after everything of it is gone.
+      EXPECT_LE(compare(this->frame(), this->Sound).Max, 2.0 / 255.0);
+      EXPECT_LE(this->Watch.Errors.size(), 1u);
+      prepare();
+      EXPECT_EQ(countGLObjects(), objects);
+      EXPECT_LE(countShaders(), shaders);
+    }
+    EXPECT_GE(errors, ending) << nameOf(fault);
+    std::cout << "[ MEASURED ] " << nameOf(fault) << ": " << calls << " calls, " << errors
+              << " of them end the frame\n";
+  }
+
+  void expectReported(const char* words)
+  {
+    ASSERT_EQ(this->Watch.Errors.size(), 1u);
+    EXPECT_NE(this->Watch.Errors[0].find(words), std::string::npos) << this->Watch.Errors[0];
+  }
+
+  LitScene Shown{ latticeWithHole(6, 0.15, 1, sineField()), Side, Side };
+  vtkNew<WatchedMapper> Mapper;
+  ErrorWatch Watch{ this->Mapper };
+  Image Sound;
+  Image Empty;
+};
+
+// Gradients, gradient opacity, starts and the target of the light are made while all else is there.
+TEST_F(EffectFaults, OfWhatEffectsKeep)
+{
+  const auto switchOff = [this] { this->freeEffects(); };
+  this->expectEveryCallIsMet(Fault::BufferData, switchOff, 3);
+  this->expectEveryCallIsMet(Fault::TexBuffer, switchOff, 3);
+  this->expectEveryCallIsMet(Fault::TexImage, switchOff, 1);
+  this->expectEveryCallIsMet(Fault::FramebufferStatus, switchOff, 1);
+  EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
+}
+
+TEST_F(EffectFaults, OfEverythingAnew)
+{
+  const auto releaseAll = [this] { this->release(true); };
+  this->expectEveryCallIsMet(Fault::CompileStatus, releaseAll, 4);
+  this->expectEveryCallIsMet(Fault::LinkStatus, releaseAll, 2);
+  EXPECT_EQ(this->Mapper->GetGradientsBuilds(), 1);
+}
+
+TEST_F(EffectFaults, NoRoomForTheLight)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    this->freeEffects();
+    this->Watch.Errors.clear();
+    EXPECT_TRUE(this->meet(Fault::TexImage, 0));
+    this->expectEmpty(this->Shown.frame());
+    this->expectReported("no room for 1 float texture(s) of 4096 x 1 pixels");
+  }
+  this->expectSound(this->frame());
+}
+
+// With the file's name, however often it is tried.
+TEST_F(EffectFaults, ShaderOfTheLight)
+{
+  const auto spoil = [](const std::string& text)
+  {
+    std::string spoilt = text;
+    const std::string good = "vertexStartBuffer";
+    const std::size_t at = text.find(good);
+    return at == std::string::npos ? text : spoilt.replace(at, good.size(), "1");
+  };
+  for (int i = 0; i < 2; ++i)
+  {
+    this->release(true);
+    EXPECT_TRUE(this->meet(spoil));
+    this->expectEmpty(this->Shown.frame());
+  }
+  this->expectReported(
+    "The shader of tile.vert.glsl and vertex_light.frag.glsl could not be built");
+  this->expectSound(this->frame());
+  EXPECT_EQ(this->Watch.Errors.size(), 1u);
+}
+
+// Before the shader of these shadows is even compiled.
+TEST_F(EffectFaults, NoRoomForTheJitter)
+{
+  const vtkTypeInt64 bytes = this->Mapper->GetGPUMemoryBytes();
+  this->Mapper->SetShadowMethodToAlongRays();
+  for (int i = 0; i < 2; ++i)
+  {
+    EXPECT_TRUE(this->meet(Fault::TexImage, 0));
+    this->expectEmpty(this->Shown.frame());
+  }
+  this->expectReported("no room for a texture of 64 x 64 numbers");
+  this->Mapper->SetShadowMethodToAtVertices();
+  this->expectSound(this->frame());
+  EXPECT_EQ(this->Mapper->GetGPUMemoryBytes(), bytes);
+}
+} // namespace

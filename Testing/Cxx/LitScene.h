@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief A scene that a light from beside shines on
+ */
+#ifndef tetmarch_testing_LitScene_h
+#define tetmarch_testing_LitScene_h
+
+#include "Scene.h"
+
+#include "vtkLight.h"
+
+namespace tetmarch::testing
+{
+/// Shaded by all of the property's numbers; the effects beyond that are off.
+class LitScene : public Scene
+{
+public:
+  explicit LitScene(vtkUnstructuredGrid* grid, int width = SceneSize, int height = SceneSize)
+    : Scene(grid, width, height)
+  {
+    this->Sun->SetLightTypeToSceneLight();
+    this->Sun->SetPosition(3.0, 4.0, 1.5);
+    this->Sun->SetFocalPoint(0.5, 0.5, 0.5);
+    this->Renderer->AddLight(this->Sun);
+    this->property()->ShadeOn();
+    this->property()->SetAmbient(0.25);
+    this->property()->SetDiffuse(0.7);
+    this->property()->SetSpecular(0.4);
+    this->property()->SetSpecularPower(12.0);
+  }
+
+  /// Thinner where the scalar changes little.
+  void addGradientOpacity()
+  {
+    vtkNew<vtkPiecewiseFunction> function;
+    function->AddPoint(0.0, 0.1);
+    function->AddPoint(1.5, 0.2);
+    function->AddPoint(3.5, 1.0);
+    this->property()->SetGradientOpacity(function);
+  }
+
+  vtkNew<vtkLight> Sun;
+};
+} // namespace tetmarch::testing
+
+#endif

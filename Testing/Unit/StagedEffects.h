@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The stage of effects with all that it is asked about, and how often it has run
+ */
+#ifndef tetmarch_testing_StagedEffects_h
+#define tetmarch_testing_StagedEffects_h
+
+#include "Scene/EffectStage.h"
+
+#include "Mesh/Scalars.h"
+
+#include "Shot.h"
+
+#include "vtkLight.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <gtest/gtest.h>
+
+namespace tetmarch::testing
+{
+/// A lattice that nothing shines on yet.
+class StagedEffects : public ::testing::Test
+{
+protected:
+  StagedEffects()
+  {
+    this->Renderer->SetActiveCamera(vtkNew<vtkCamera>());
+    this->Range = setPointScalars(this->Data, this->Data->GetPointData()->GetScalars(), this->Mesh);
+  }
+
+  vtkVolumeProperty* property() { return this->Volume->GetProperty(); }
+
+  vtkSmartPointer<vtkLight> addLight(double x, double y, double z)
+  {
+    auto light = vtkSmartPointer<vtkLight>::New();
+    light->SetPosition(x, y, z);
+    this->Renderer->AddLight(light);
+    return light;
+  }
+  void addHeadlight() { this->addLight(0.0, 0.0, 1.0)->SetLightTypeToHeadlight(); }
+  void addSun() { this->addLight(3.0, 4.0, 1.0); }
+
+  vtkPiecewiseFunction* addGradientOpacity()
+  {
+    vtkNew<vtkPiecewiseFunction> function;
+    function->AddPoint(0.0, 0.1);
+    function->AddPoint(0.5, 0.9);
+    this->property()->SetGradientOpacity(function);
+    return this->property()->GetGradientOpacity();
+  }
+
+  std::string update()
+  {
+    const EffectInput input{ &this->Mesh, &this->CellScalars, &this->Range, this->Which };
+    return this->Stage.update(this->Renderer, this->Volume, this->Options, input);
+  }
+
+  // So often in all after one more update.
+  void expectRuns(int gradients, int gradientOpacity, int starts)
+  {
+    EXPECT_EQ(this->update(), "");
+    EXPECT_EQ(this->Stage.gradientsRecord().Runs, gradients);
+    EXPECT_EQ(this->Stage.gradientOpacityRecord().Runs, gradientOpacity);
+    EXPECT_EQ(this->Stage.startsRecord().Runs, starts);
+  }
+
+  // Nothing of it is left, and no variant has it.
+  void expectNothing() const
+  {
+    EXPECT_EQ(this->Stage.data().Gradients.capacity(), 0u);
+    EXPECT_EQ(this->Stage.data().VertexStarts.capacity(), 0u);
+    EXPECT_TRUE(this->Stage.data().empty());
+    EXPECT_TRUE(this->Stage.gradientsVersion().empty());
+    EXPECT_TRUE(this->Stage.gradientOpacityVersion().empty());
+    EXPECT_TRUE(this->Stage.startsVersion().empty());
+    EXPECT_TRUE(this->key() == VariantKey().filtered());
+  }
+
+  VariantKey key(double pixels = 1e4) const
+  {
+    VariantKey key;
+    this->Stage.setBits(key, pixels);
+    return key.filtered();
+  }
+
+  Grid Data = jitteredLattice(3, 0.15, 1, sineField());
+  TetMesh Mesh = built(Data);
+  std::vector<float> CellScalars;
+  ScalarRange Range;
+  Fingerprint Which{ 1, 1 };
+  vtkNew<WindowlessRenderer> Renderer;
+  vtkNew<vtkVolume> Volume;
+  EffectOptions Options;
+  EffectStage Stage;
+};
+} // namespace tetmarch::testing
+
+#endif
