@@ -34,6 +34,8 @@ namespace
 constexpr double ViewDirection[3] = { 0.5, -1.0, 0.45 };
 // A frame may not live on what the one before it has sorted.
 constexpr double DegreesPerFrame = 7.0;
+// Seconds. Without a limit, nobody would wait for the light at vertices, and its clock be wrong.
+constexpr double EnoughForOneDraw = 1e6;
 
 void rememberError(vtkObject*, unsigned long, void* error, void* text)
 {
@@ -85,7 +87,7 @@ nlohmann::json Drawing::drawEffect(const std::string& effect, int view)
   {
     throw Failure("no effects are measured of " + this->MapperName);
   }
-  mapper->SetMaxDrawTimeInSeconds(0.0);
+  mapper->SetMaxDrawTimeInSeconds(EnoughForOneDraw);
   EffectScene scene{ this->Renderer, mapper, this->Shown.Property, {},
     this->Shown.Range.High - this->Shown.Range.Low };
   this->Shown.Grid->GetBounds(scene.Bounds.data());
