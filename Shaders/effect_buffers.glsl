@@ -59,7 +59,7 @@ int fetchShadowChannel(int light) { return shadowChannel[light]; }
 uniform sampler2D vertexLightTexture; // of each vertex, row by row
 vec4 fetchVertexLight(uint vertex)
 {
-  int i = int(vertex);
-  return texelFetch(vertexLightTexture, ivec2(i % VERTEX_LIGHT_ROW, i / VERTEX_LIGHT_ROW), 0);
+  uint row = uint(VERTEX_LIGHT_ROW);
+  return texelFetch(vertexLightTexture, ivec2(int(vertex % row), int(vertex / row)), 0);
 }
 #endif

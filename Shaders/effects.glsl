@@ -19,3 +19,6 @@
 #include "lit_piece.glsl"
 #endif
 #include "shade.glsl"
+#if TETMARCH_LIGHT_ERROR
+#include "light_error.glsl"
+#endif

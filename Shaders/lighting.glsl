@@ -19,7 +19,10 @@ real specularOf(real turned, real mirrored)
 Illumination illuminate(vec3 gradient, real opacity, vec3 point, vec3 toEye, vec4 incoming)
 {
   Illumination lit = noIllumination();
-  lit.direct.diffuse = ambientColor * incoming.x;
+  lit.direct.diffuse = ambientColor;
+#if TETMARCH_OCCLUSION
+  lit.direct.diffuse = lit.direct.diffuse * incoming.x;
+#endif
   vec3 slope = toWorldNormal(gradient);
   real steepness = sqrt(dot(slope, slope));
   // Where the scalar doesn't change there is no surface.

@@ -44,21 +44,3 @@ real brightness(Illumination lit)
   return bright;
 }
 #endif
-
-#if TETMARCH_LIGHT_ERROR
-real changeOf(Light p, Light q) { return greatest(q.diffuse - p.diffuse) + greatest(q.specular - p.specular); }
-
-// The mean of two ends is off by at most half of their difference from what is between them, as far as light changes
-// one way only.
-real lightErrorOf(Illumination p, Illumination q)
-{
-  real change = changeOf(p.direct, q.direct);
-#if TETMARCH_HEADLIGHT_SHADOWS
-  change = change + changeOf(p.head, q.head);
-#endif
-#if TETMARCH_SAMPLED_SHADOWS
-  change = change + changeOf(p.beam[0], q.beam[0]) + changeOf(p.beam[1], q.beam[1]) + changeOf(p.beam[2], q.beam[2]);
-#endif
-  return real(0.5) * change;
-}
-#endif

@@ -91,7 +91,7 @@ void marchToExit(
 #if TETMARCH_EFFECTS
       int trials =
         integrateSegment(scalarBegin * tableScale + tableOffset, scalarEnd * tableScale + tableOffset,
-          (end - begin) * opticalLength, shades.begin, shades.end, at, march.radiance);
+          (end - begin) * opticalLength, shades, at, march.radiance);
 #else
       int trials = integrateSegment(scalarBegin * tableScale + tableOffset,
         scalarEnd * tableScale + tableOffset, (end - begin) * opticalLength, at, march.radiance);
@@ -104,7 +104,7 @@ void marchToExit(
     if (end > begin && isDrawn(scalar))
     {
 #if TETMARCH_EFFECTS
-      integrateConstant(scalar * tableScale + tableOffset, (end - begin) * opticalLength, shades.begin, shades.end,
+      integrateConstant(scalar * tableScale + tableOffset, (end - begin) * opticalLength, shades,
         march.radiance);
 #else
       integrateConstant(scalar * tableScale + tableOffset, (end - begin) * opticalLength, march.radiance);

@@ -2,7 +2,7 @@
 // changes along it.
 #if TETMARCH_EFFECTS
 void integrateConstant(
-  real tablePosition, real opticalLength, Shade shadeBegin, Shade shadeEnd, INOUT(Radiance) radiance)
+  real tablePosition, real opticalLength, CellShades shades, INOUT(Radiance) radiance)
 #else
 void integrateConstant(real tablePosition, real opticalLength, INOUT(Radiance) radiance)
 #endif
@@ -10,7 +10,7 @@ void integrateConstant(real tablePosition, real opticalLength, INOUT(Radiance) r
   vec4 value = tableValue(tablePosition);
   vec4 mean = vec4(value.x * value.w, value.y * value.w, value.z * value.w, value.w);
 #if TETMARCH_EFFECTS
-  Shade shade = mixShade(shadeBegin, shadeEnd, real(0.5));
+  Shade shade = shadeWithin(shades, real(0.5));
 #endif
 #if TETMARCH_GRADIENT_OPACITY
   Absorption piece = absorption(mean, opticalLength * shade.density);
@@ -18,8 +18,8 @@ void integrateConstant(real tablePosition, real opticalLength, INOUT(Radiance) r
   Absorption piece = absorption(mean, opticalLength);
 #endif
 #if TETMARCH_LIGHT_ERROR
-  radiance.lightError = radiance.lightError +
-    radiance.transmittance * piece.absorbed * lightErrorOf(shadeBegin.lit, shadeEnd.lit);
+  radiance.lightError =
+    radiance.lightError + radiance.transmittance * piece.absorbed * lightErrorOf(shades);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
   keepPending(radiance, mean, shade.lit, piece);

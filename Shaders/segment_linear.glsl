@@ -19,9 +19,8 @@ real pieceError(TablePoint p, TablePoint q, real depth)
 // the number of trials. The body stands at the end of one loop that mostly runs once: an `if` costs a
 // software renderer as much as both its branches.
 #if TETMARCH_EFFECTS
-// Shade is that of both ends.
-int integrateSegment(real begin, real end, real opticalLength, Shade shadeBegin, Shade shadeEnd,
-  INOUT(TablePoint) at, INOUT(Radiance) radiance)
+int integrateSegment(real begin, real end, real opticalLength, CellShades shades, INOUT(TablePoint) at,
+  INOUT(Radiance) radiance)
 #else
 int integrateSegment(
   real begin, real end, real opticalLength, INOUT(TablePoint) at, INOUT(Radiance) radiance)
@@ -41,7 +40,7 @@ int integrateSegment(
     vec4 mean = meanBetween(at, next);
     real pieceLength = loaded ? share * opticalLength : real(0);
 #if TETMARCH_EFFECTS
-    Shade shade = mixShade(shadeBegin, shadeEnd, position + real(0.5) * share);
+    Shade shade = shadeWithin(shades, position + real(0.5) * share);
 #endif
 #if TETMARCH_GRADIENT_OPACITY
     pieceLength = pieceLength * shade.density;
@@ -68,7 +67,7 @@ int integrateSegment(
     {
 #if TETMARCH_LIGHT_ERROR
       radiance.lightError = radiance.lightError +
-        radiance.transmittance * piece.absorbed * share * lightErrorOf(shadeBegin.lit, shadeEnd.lit);
+        radiance.transmittance * piece.absorbed * share * lightErrorOf(shades);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
       keepPending(radiance, mean, shade.lit, piece);

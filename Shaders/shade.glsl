@@ -71,16 +71,21 @@ vec4 incomingAt(Ray ray, Crossing face, real depth)
 #endif
 }
 
-// The shades in a tetrahedron at both ends of what is integrated of it, and what is kept for the next one.
+// The shades in a tetrahedron where the ray comes in and where it leaves.
 struct CellShades
 {
-  Shade begin;
-  Shade end;
-  vec4 incoming; // at the last crossing
-#if TETMARCH_VERTEX_GRADIENTS
-  Shade last; // at the same
-#endif
+  Shade enter;
+  Shade leave;
+  vec2 within;   // from where to where something is integrated: 0, 1 if all the way
+  vec4 incoming; // where the ray leaves
 };
+
+// In the middle of a part of what is integrated.
+Shade shadeWithin(CellShades shades, real share)
+{
+  return mixShade(
+    shades.enter, shades.leave, shades.within.x + (shades.within.y - shades.within.x) * share);
+}
 
 #if TETMARCH_VERTEX_GRADIENTS
 Shade shadeAtFace(Ray ray, Crossing face, real depth, real scalar, vec4 incoming)
@@ -97,32 +102,32 @@ CellShades beginShades(Ray ray, INOUT(Crossing) face, vec2 enter)
   fetchCorners(face);
 #endif
   CellShades shades;
+  shades.within = vec2(real(0), real(1));
   shades.incoming = incomingAt(ray, face, enter.x);
 #if TETMARCH_VERTEX_GRADIENTS
-  shades.last = shadeAtFace(ray, face, enter.x, enter.y, shades.incoming);
+  shades.leave = shadeAtFace(ray, face, enter.x, enter.y, shades.incoming);
 #endif
   return shades;
 }
 
-// Behind a tetrahedron, by the face that it was left by. What is integrated of it are the depths from range.x to
-// range.y, and scalar is that of the face or of the tetrahedron.
+// Of the tetrahedron behind the last face, by the face that it was left by. What is integrated of it are the depths
+// from range.x to range.y; scalar is that of the face or of the tetrahedron.
 void shadeCell(Ray ray, Crossing face, uint tet, real scalar, vec2 enter, vec2 leave, vec2 range,
   INOUT(CellShades) shades)
 {
   vec4 incoming = incomingAt(ray, face, leave.x);
 #if TETMARCH_VERTEX_GRADIENTS
-  Shade shade = shadeAtFace(ray, face, leave.x, scalar, incoming);
-  shades.begin =
-    mixShade(shades.last, shade, range.x > enter.x ? shareAt(enter, leave, range.x) : real(0));
-  shades.end = mixShade(shades.last, shade, range.y < leave.x ? shareAt(enter, leave, range.y) : real(1));
-  shades.last = shade;
+  shades.enter = shades.leave;
+  shades.leave = shadeAtFace(ray, face, leave.x, scalar, incoming);
 #else
   // One gradient, and in the middle the light.
   real depth = real(0.5) * (enter.x + leave.x);
   real middle = real(0.5) * (enter.y + leave.y);
-  shades.begin = shadeOf(ray, depth, middle * tableScale + tableOffset, fetchCellGradient(tet),
+  shades.enter = shadeOf(ray, depth, middle * tableScale + tableOffset, fetchCellGradient(tet),
     (shades.incoming + incoming) * real(0.5));
-  shades.end = shades.begin;
+  shades.leave = shades.enter;
 #endif
+  shades.within = vec2(range.x > enter.x ? shareAt(enter, leave, range.x) : real(0),
+    range.y < leave.x ? shareAt(enter, leave, range.y) : real(1));
   shades.incoming = incoming;
 }

@@ -8,6 +8,25 @@
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkTextProperty.h"
 
+namespace
+{
+// nullptr: the colours of the mode are no scale of anything.
+const char* titleOf(int viewMode)
+{
+  switch (viewMode)
+  {
+    case vtkTetMarchVolumeMapper::VIEW_ERROR_BOUND:
+      return "Error bound";
+    case vtkTetMarchVolumeMapper::VIEW_CELLS:
+      return "Cells crossed";
+    case vtkTetMarchVolumeMapper::VIEW_LOOKUPS:
+      return "Lookups";
+    default:
+      return nullptr;
+  }
+}
+} // namespace
+
 vtkStandardNewMacro(vtkTetMarchLegend);
 
 //------------------------------------------------------------------------------
@@ -47,7 +66,7 @@ vtkTetMarchVolumeMapper* vtkTetMarchLegend::GetMapper() const { return this->Map
 //------------------------------------------------------------------------------
 bool vtkTetMarchLegend::IsShown() const
 {
-  return this->Mapper && this->Mapper->GetViewMode() != vtkTetMarchVolumeMapper::VIEW_PICTURE &&
+  return this->Mapper && titleOf(this->Mapper->GetViewMode()) &&
          this->Mapper->GetLastFrameStatistics()->GetNumberOfPixels(
            vtkTetMarchFrameStatistics::CELLS) > 0;
 }
@@ -62,8 +81,7 @@ int vtkTetMarchLegend::RenderOverlay(vtkViewport* viewport)
   {
     return 0;
   }
-  constexpr const char* titles[] = { "", "Error bound", "Cells crossed", "Lookups" };
-  this->SetTitle(titles[this->Mapper->GetViewMode()]);
+  this->SetTitle(titleOf(this->Mapper->GetViewMode()));
   this->SetLookupTable(this->Mapper->GetViewLookupTable());
   // Laid out anew here, since with opaque geometry there is no frame yet.
   return this->RebuildLayoutIfNeeded(viewport) ? this->Superclass::RenderOverlay(viewport) : 0;

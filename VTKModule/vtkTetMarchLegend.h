@@ -6,8 +6,9 @@
  *
  * A scalar bar that takes its title, colours, scale and range from the frame that the mapper drew
  * last. Add it to the renderer of the volume: it is drawn over the volume, after it, so that it is
- * never a frame late. It draws nothing if the last frame was not one of a view mode, or met no part
- * of the mesh. Place, size and text properties are those of every vtkScalarBarActor.
+ * never a frame late. It draws nothing if the last frame was not one of a view mode that shows a
+ * measure, or met no part of the mesh. Place, size and text properties are those of every
+ * vtkScalarBarActor.
  *
  * For its text, a program has to load VTK::RenderingFreeType (vtk_module_autoinit in CMake); the
  * Python package does.
@@ -40,7 +41,7 @@ public:
   //@}
 
   /**
-   * Whether there is anything to explain: the last frame of the mapper was one of a view mode.
+   * Whether there is anything to explain: the last frame of the mapper showed a measure.
    */
   bool IsShown() const;
 

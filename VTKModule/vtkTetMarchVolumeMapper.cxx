@@ -43,6 +43,14 @@ tetmarch::Subject subjectOf(int viewMode)
                                                                 : tetmarch::Subject::Picture;
 }
 
+tetmarch::ShellView shellOf(int viewMode)
+{
+  return viewMode == vtkTetMarchVolumeMapper::VIEW_SHELL_FACES ? tetmarch::ShellView::Faces
+         : viewMode == vtkTetMarchVolumeMapper::VIEW_SHELL_COORDINATES
+           ? tetmarch::ShellView::Coordinates
+           : tetmarch::ShellView::None;
+}
+
 tetmarch::Measure measureOf(int viewMode)
 {
   return viewMode == vtkTetMarchVolumeMapper::VIEW_CELLS     ? tetmarch::Measure::Cells
@@ -104,7 +112,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const tetmarch::MeasureView view{ measureOf(this->ViewMode), this->AutomaticViewRange,
     { { this->ViewRange[0], this->ViewRange[1] } }, this->Internal->ViewTable };
   const tetmarch::DrawOptions options{ level, this->CollectDiagnostics, this->MaxDrawTimeInSeconds,
-    isMeasure(this->ViewMode) ? &view : nullptr };
+    isMeasure(this->ViewMode) ? &view : nullptr, shellOf(this->ViewMode) };
   const tetmarch::EffectOptions effects{ this->GradientType == CELL_GRADIENTS,
     static_cast<tetmarch::ShadowMethod>(this->ShadowMethod), this->VolumetricScatteringBlending,
     this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
@@ -141,7 +149,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     statistics->SetSeconds(seconds);
     statistics->SetGPUMemoryBytes(this->GetGPUMemoryBytes());
   }
-  choice.end({ drawn, !options.View, pipeline.onlyDrew(), seconds,
+  const bool marchedPicture = !options.View && options.Shell == tetmarch::ShellView::None;
+  choice.end({ drawn, marchedPicture, pipeline.onlyDrew(), seconds,
     statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND), pipeline.subject() });
 }
 

@@ -195,7 +195,7 @@ public:
   /**
    * Most bytes that the mesh, its scalars and the tables may take on the GPU; textures of the size
    * of the picture come on top (up to 28 bytes a pixel, 48 more with CollectDiagnostics or a view
-   * mode). 0, the default: no limit but the GL's. A larger mesh is refused with an error before
+   * mode), and what light needs (8 bytes a vertex for gradients, 24 more for shadows or occlusion). 0, the default: no limit but the GL's. A larger mesh is refused with an error before
    * anything of it is allocated there, and, if its cells alone tell, before it is prepared.
    */
   vtkSetClampMacro(MaxMemoryInBytes, vtkIdType, 0, VTK_ID_MAX);
@@ -204,13 +204,20 @@ public:
 
   //@{
   /**
-   * What is drawn. VIEW_PICTURE: the volume, the default. The others draw a measure of each pixel
-   * in colours, opaque, and leave pixels whose ray met nothing as they are; vtkTetMarchLegend says
-   * what the colours mean.
+   * What is drawn. VIEW_PICTURE: the volume, the default.
+   * Three modes draw a measure of each pixel in colours, opaque, and leave pixels whose ray met
+   * nothing as they are; vtkTetMarchLegend says what the colours mean.
    * VIEW_ERROR_BOUND: how far each channel of the picture may be off, 0..1, on a logarithmic scale;
    * VIEW_CELLS: tetrahedra that the ray crossed; VIEW_LOOKUPS: evaluations of the segment integral.
    * The numbers are those of vtkTetMarchFrameStatistics, which come with each such frame whether or
    * not CollectDiagnostics is on. The frame takes a march that counts instead of one that does not.
+   * Two modes draw the volume otherwise: VIEW_ILLUMINATION the light without the volume's own
+   * colour, VIEW_GRADIENTS the directions of gradients as colours.
+   * Two modes draw the shell of the mesh, opaque, where it is seen before opaque geometry:
+   * VIEW_SHELL_FACES the boundary faces by which rays enter, each in a colour that is random but
+   * always the same; VIEW_SHELL_COORDINATES where in that face, as barycentric coordinates in red,
+   * green and blue. Where the near plane lies in the mesh, that is the face behind it by which the
+   * ray has entered the part that it begins in. Nothing is marched, so there are no diagnostics.
    */
   enum ViewModeType
   {
@@ -219,9 +226,11 @@ public:
     VIEW_CELLS = 2,
     VIEW_LOOKUPS = 3,
     VIEW_ILLUMINATION = 4,
-    VIEW_GRADIENTS = 5
+    VIEW_GRADIENTS = 5,
+    VIEW_SHELL_FACES = 6,
+    VIEW_SHELL_COORDINATES = 7
   };
-  vtkSetClampMacro(ViewMode, int, VIEW_PICTURE, VIEW_GRADIENTS);
+  vtkSetClampMacro(ViewMode, int, VIEW_PICTURE, VIEW_SHELL_COORDINATES);
   vtkGetMacro(ViewMode, int);
   void SetViewModeToPicture() { this->SetViewMode(VIEW_PICTURE); }
   void SetViewModeToErrorBound() { this->SetViewMode(VIEW_ERROR_BOUND); }
@@ -229,6 +238,8 @@ public:
   void SetViewModeToLookups() { this->SetViewMode(VIEW_LOOKUPS); }
   void SetViewModeToIllumination() { this->SetViewMode(VIEW_ILLUMINATION); }
   void SetViewModeToGradients() { this->SetViewMode(VIEW_GRADIENTS); }
+  void SetViewModeToShellFaces() { this->SetViewMode(VIEW_SHELL_FACES); }
+  void SetViewModeToShellCoordinates() { this->SetViewMode(VIEW_SHELL_COORDINATES); }
   const char* GetViewModeAsString() const;
   //@}
 
@@ -415,8 +426,8 @@ public:
 
   /**
    * What the pixels of the last frame cost and by how much they may be off, if CollectDiagnostics
-   * was on or ViewMode was another than VIEW_PICTURE; empty otherwise. The object stays the same
-   * from frame to frame.
+   * was on or ViewMode was one that draws a measure; empty otherwise, and where the shell was
+   * drawn. The object stays the same from frame to frame.
    */
   vtkTetMarchFrameStatistics* GetLastFrameStatistics();
 

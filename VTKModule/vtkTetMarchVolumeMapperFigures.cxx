@@ -42,7 +42,7 @@ bool vtkTetMarchVolumeMapper::IsBudgetKept() const { return this->Internal->Choi
 const char* vtkTetMarchVolumeMapper::GetViewModeAsString() const
 {
   constexpr const char* names[] = { "Picture", "ErrorBound", "Cells", "Lookups", "Illumination",
-    "Gradients" };
+    "Gradients", "ShellFaces", "ShellCoordinates" };
   return names[this->ViewMode];
 }
 

@@ -165,6 +165,13 @@ TEST_F(Faults, EveryCallInAView)
   this->expectEveryCallIsMet();
 }
 
+TEST_F(Faults, EveryCallInAShell)
+{
+  this->Mapper->SetViewModeToShellFaces();
+  this->Sound = this->frame();
+  this->expectEveryCallIsMet();
+}
+
 TEST_F(Faults, AreReportedOnce)
 {
   const struct

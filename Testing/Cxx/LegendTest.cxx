@@ -114,6 +114,20 @@ TEST_F(Legend, IsNotSeenWithAPicture)
   EXPECT_FALSE(this->Bar->IsShown());
 }
 
+// There is nothing to explain, diagnostics or not.
+TEST_F(Legend, IsNotSeenWhereColorsAreNoMeasure)
+{
+  this->Shown.Mapper->CollectDiagnosticsOn();
+  for (const int mode :
+    { vtkTetMarchVolumeMapper::VIEW_ILLUMINATION, vtkTetMarchVolumeMapper::VIEW_GRADIENTS,
+      vtkTetMarchVolumeMapper::VIEW_SHELL_FACES, vtkTetMarchVolumeMapper::VIEW_SHELL_COORDINATES })
+  {
+    EXPECT_EQ(this->added(mode).Max, 0.0);
+    EXPECT_FALSE(this->Bar->IsShown());
+  }
+  EXPECT_EQ(this->Watch.Errors, std::vector<std::string>());
+}
+
 TEST_F(Legend, IsNotSeenWithoutAView)
 {
   this->Shown.Mapper->SetViewModeToCells();

@@ -22,7 +22,8 @@ using namespace tetmarch::testing;
 // With diagnostics or without, and in which view mode.
 constexpr std::pair<bool, int> WaysToDraw[] = { { true, vtkTetMarchVolumeMapper::VIEW_PICTURE },
   { false, vtkTetMarchVolumeMapper::VIEW_PICTURE },
-  { false, vtkTetMarchVolumeMapper::VIEW_ERROR_BOUND } };
+  { false, vtkTetMarchVolumeMapper::VIEW_ERROR_BOUND },
+  { false, vtkTetMarchVolumeMapper::VIEW_SHELL_FACES } };
 
 void expectStateKept(Scene& scene)
 {

@@ -77,7 +77,7 @@ TEST_F(ViewErrors, ModesAreClamped)
   EXPECT_EQ(mapper->GetViewMode(), vtkTetMarchVolumeMapper::VIEW_PICTURE);
   EXPECT_STREQ(mapper->GetViewModeAsString(), "Picture");
   mapper->SetViewMode(99);
-  EXPECT_STREQ(mapper->GetViewModeAsString(), "Lookups");
+  EXPECT_STREQ(mapper->GetViewModeAsString(), "ShellCoordinates");
   mapper->SetViewMode(-1);
   EXPECT_STREQ(mapper->GetViewModeAsString(), "Picture");
   this->expectSound();

@@ -158,6 +158,11 @@ def main():
     display.TetMarchAutomaticViewRange = 0
     display.TetMarchViewRange = [0.0, 1e4]
     expect_change("view range", counted, picture_of(view))
+    shown = [fast, counted]
+    for mode in ("Gradients", "Shell Faces", "Shell Coordinates"):
+        display.TetMarchViewMode = mode
+        shown.append(picture_of(view))
+        assert shown[-1] not in shown[:-1], f"the view mode {mode} shows what another does"
     display.TetMarchViewMode = "Picture"
     assert fast == picture_of(view), "something of a view mode is left in the picture"
 

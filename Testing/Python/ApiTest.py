@@ -88,7 +88,8 @@ class ApiTest(unittest.TestCase):
         mapper = vtkTetMarchVolumeMapper()
         self.assertEqual(mapper.GetViewMode(), mapper.VIEW_PICTURE)
         self.assertTrue(mapper.GetAutomaticViewRange())
-        for value, name in enumerate(("Picture", "ErrorBound", "Cells", "Lookups")):
+        for value, name in enumerate(("Picture", "ErrorBound", "Cells", "Lookups", "Illumination", "Gradients",
+                                       "ShellFaces", "ShellCoordinates")):
             getattr(mapper, "SetViewModeTo" + name)()
             self.assertEqual((mapper.GetViewMode(), mapper.GetViewModeAsString()), (value, name))
         mapper.SetViewRange(2, 30)

@@ -98,7 +98,8 @@ TEST(CommandLine, RefusesBadChoices)
 {
   ExpectBadValue("--opacity-law", "linear", "expected structured or unstructured");
   ExpectBadValue("--accuracy", "best", "expected fast, default, accurate or reference");
-  ExpectBadValue("--view", "bound", "expected picture, error, cells or lookups");
+  ExpectBadValue("--view", "bound",
+    "expected picture, error, cells, lookups, illumination, gradients, faces or coordinates");
   ExpectBadValue("--tolerance", "0.0000001", "expected a number from 1e-6 to 1");
   ExpectBadValue("--error", "1.5", "expected a number from 1e-6 to 1");
   ExpectBadValue("--frame-time", "0", "expected a number above 0");
@@ -156,6 +157,20 @@ TEST(CommandLine, TakesEveryOption)
   EXPECT_EQ(c.ViewMode, 2);
   EXPECT_TRUE(c.Compare);
   EXPECT_EQ(c.Range, (std::array<double, 2>{ { -1, 1 } }));
+}
+
+// By the numbers of vtkTetMarchVolumeMapper::ViewModeType.
+TEST(CommandLine, ViewsAreThoseOfTheMapper)
+{
+  const char* views[] = { "picture", "error", "cells", "lookups", "illumination", "gradients",
+    "faces", "coordinates" };
+  int mode = 0;
+  for (const char* view : views)
+  {
+    EXPECT_EQ(ParseCommandLine({ "a.vtu", "--view", view }).ViewMode, mode) << view;
+    EXPECT_NE(tetmarch::GetHelp().find(view), std::string::npos) << view;
+    ++mode;
+  }
 }
 
 TEST(CommandLine, FiguresBringTimedFrames)

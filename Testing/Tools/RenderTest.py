@@ -197,7 +197,7 @@ class RenderTest(unittest.TestCase):
         self.assertIn(b"reading [", text)
         self.assertTrue(text.endswith(b"\r\x1b[K"), text[-80:])
 
-    def test_views_have_a_legend(self):
+    def test_views_of_measures_have_a_legend(self):
         picture, _ = self.render("cube.vtu", "--array", "ramp", "--size", "320x240")
         for view in ("error", "cells", "lookups"):
             with self.subTest(view=view):
@@ -206,8 +206,23 @@ class RenderTest(unittest.TestCase):
                 # Text is white; the palest colour has 184 of blue.
                 white = sum(min(pixel) > 190 for row in pixels for pixel in row[240:])
                 self.assertGreater(white, 50)
+        for view in ("illumination", "gradients", "faces", "coordinates"):
+            with self.subTest(view=view):
+                pixels, _ = self.render("cube.vtu", "--array", "ramp", "--size", "320x240", "--view", view)
+                self.assertNotEqual(pixels, picture)
+                self.assertEqual(pixels[0], picture[0])  # only the cube is drawn over
         same, _ = self.render("cube.vtu", "--array", "ramp", "--size", "320x240", "--view", "picture")
         self.assertEqual(same, picture)
+
+    def test_the_shell_shows_faces_in_plain_colours(self):
+        scene = ("cube.vtu", "--array", "ramp", "--size", "96x64", "--camera", "0.5,0.5,5,0.5,0.5,0.5,0,1,0",
+                 "--parallel-scale", 0.4)
+        faces, _ = self.render(*scene, "--view", "faces")
+        colours = {pixel for row in faces for pixel in row[16:-16]}
+        self.assertEqual(len(colours), 2)  # the cube's side is two triangles
+        self.assertTrue(all(max(pixel) == 255 and min(pixel) >= 64 for pixel in colours))
+        places, _ = self.render(*scene, "--view", "coordinates")
+        self.assertLessEqual({sum(pixel) for row in places for pixel in row[16:-16]}, {254, 255, 256})
 
     def test_cell_array(self):
         _, stats = self.render("cube.vtu", "--array", "material", "--size", "32x32")

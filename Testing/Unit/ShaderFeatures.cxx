@@ -59,7 +59,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
     // Gradients.
     { "gradients", [](const Key& k, MarchShader) { return k.hasGradients(); },
       "gradientBuffer gradientUnit Shade CellShades shadeOf mixShade beginShades shadeCell "
-      "incomingAt" },
+      "incomingAt shadeWithin" },
     { "gradients at vertices", [](const Key& k, MarchShader) { return k.hasVertexGradients(); },
       "fetchGradient gradientA gradientB gradientC gradientAt shadeAtFace" },
     { "gradients of cells", [](const Key& k, MarchShader) { return k.CellGradients; },

@@ -132,25 +132,30 @@ bool ParseChoice(const std::string& value, const std::string& yes, const std::st
 }
 
 /// The place of a word in a list.
-int ParseWord(const std::string& value, const std::array<std::string, 4>& words)
+int ParseWord(const std::string& value, const std::vector<std::string>& words)
 {
   const auto found = std::find(words.begin(), words.end(), value);
   if (found == words.end())
   {
-    throw UsageError(
-      "expected " + words[0] + ", " + words[1] + ", " + words[2] + " or " + words[3]);
+    std::string expected = "expected " + words.front();
+    for (std::size_t i = 1; i < words.size(); ++i)
+    {
+      expected += (i + 1 < words.size() ? ", " : " or ") + words[i];
+    }
+    throw UsageError(expected);
   }
   return static_cast<int>(found - words.begin());
 }
 
 int ParseLevel(const std::string& value)
 {
-  return ParseWord(value, { { "fast", "default", "accurate", "reference" } });
+  return ParseWord(value, { "fast", "default", "accurate", "reference" });
 }
 
 int ParseView(const std::string& value)
 {
-  return ParseWord(value, { { "picture", "error", "cells", "lookups" } });
+  return ParseWord(value, { "picture", "error", "cells", "lookups", "illumination", "gradients",
+                            "faces", "coordinates" });
 }
 
 double ParseTolerance(const std::string& value)

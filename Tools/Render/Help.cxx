@@ -38,7 +38,10 @@ View
                             of the mesh in view, 30 degrees)
   --parallel-scale S        parallel projection; S is half of the picture's height in world units
   --view WHAT               picture (default), or with a legend of the colours what its pixels cost or may
-                            be off by: error (bound of a channel, 0 to 1), cells or lookups
+                            be off by: error (bound of a channel, 0 to 1), cells or lookups; or
+                            illumination (light without the volume's colour), gradients (directions as
+                            colours), faces (the boundary faces by which rays enter, each in a colour of its
+                            own) or coordinates (barycentric ones in those faces as red, green and blue)
   --background R,G,B        from 0 to 1 each (default: 0.08,0.09,0.12)
   --size WxH                in pixels (default: 1024x768)
 

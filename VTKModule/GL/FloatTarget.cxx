@@ -14,17 +14,19 @@ namespace tetmarch
 namespace
 {
 
-std::string describe(int width, int height, int colors, bool depth)
+std::string describe(int width, int height, int colors, bool depth, bool wide)
 {
-  return std::to_string(colors) + " float texture(s) of " + std::to_string(width) + " x " +
-         std::to_string(height) + " pixels" + (depth ? " with depths" : "");
+  return std::to_string(colors) + (wide ? " float" : " 16-bit") + " texture(s) of " +
+         std::to_string(width) + " x " + std::to_string(height) + " pixels" +
+         (depth ? " with depths" : "");
 }
 
 } // namespace
 
 std::string FloatTarget::bind(
-  vtkOpenGLRenderWindow* window, int width, int height, int colors, bool depth)
+  vtkOpenGLRenderWindow* window, int width, int height, int colors, bool depth, TargetFormat format)
 {
+  const bool wide = format == TargetFormat::Float32;
   if (width != this->Width || height != this->Height || !this->Framebuffer)
   {
     this->release(window);
@@ -38,7 +40,7 @@ std::string FloatTarget::bind(
       color->SetContext(window);
       color->SetMinificationFilter(vtkTextureObject::Nearest);
       color->SetMagnificationFilter(vtkTextureObject::Nearest);
-      color->Allocate2D(width, height, 4, VTK_FLOAT);
+      color->Allocate2D(width, height, 4, wide ? VTK_FLOAT : VTK_UNSIGNED_SHORT);
       this->Framebuffer->AddColorAttachment(i, color);
       this->Colors.emplace_back(color);
     }
@@ -51,11 +53,12 @@ std::string FloatTarget::bind(
     }
     this->Width = width;
     this->Height = height;
-    this->Bytes = static_cast<std::size_t>(width) * height * (16 * colors + (depth ? 4 : 0));
+    this->Bytes =
+      static_cast<std::size_t>(width) * height * ((wide ? 16 : 8) * colors + (depth ? 4 : 0));
     if (glGetError() != GL_NO_ERROR)
     {
       this->release(window);
-      return "The GPU has no room for " + describe(width, height, colors, depth) +
+      return "The GPU has no room for " + describe(width, height, colors, depth, wide) +
              ". Close what else uses it, or make the window smaller.";
     }
   }
@@ -64,7 +67,7 @@ std::string FloatTarget::bind(
   if (!this->Framebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER))
   {
     this->release(window);
-    return "The GL can't draw into " + describe(width, height, colors, depth) +
+    return "The GL can't draw into " + describe(width, height, colors, depth, wide) +
            ": its framebuffer is incomplete.";
   }
   return {};

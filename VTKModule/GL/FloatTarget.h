@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A framebuffer of our own with RGBA32F colour textures and, if wanted, a depth texture.
+// A framebuffer of our own with colour textures of numbers and, if wanted, a depth texture.
 #ifndef TetMarchGLFloatTarget_h
 #define TetMarchGLFloatTarget_h
 
@@ -17,6 +17,12 @@ class vtkWindow;
 namespace tetmarch
 {
 
+enum class TargetFormat
+{
+  Float32, // RGBA32F
+  Share16  // RGBA16: 0..1 in 65536 steps
+};
+
 class FloatTarget
 {
 public:
@@ -25,7 +31,8 @@ public:
    * Framebuffer bindings are the caller's to restore (StateScope). Returns an empty string, or what
    * is wrong.
    */
-  std::string bind(vtkOpenGLRenderWindow* window, int width, int height, int colors, bool depth);
+  std::string bind(vtkOpenGLRenderWindow* window, int width, int height, int colors, bool depth,
+    TargetFormat format = TargetFormat::Float32);
   vtkTextureObject* color(int i) const { return this->Colors[i]; }
   /** The pixels of colour i, rows from the bottom. */
   std::vector<float> read(vtkOpenGLRenderWindow* window, int i) const;

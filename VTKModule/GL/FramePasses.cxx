@@ -11,10 +11,10 @@ namespace tetmarch
 
 std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
   MarchInputs inputs, const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view,
-  const Progress& progress, bool& stopped)
+  ShellView shell, const Progress& progress, bool& stopped)
 {
   this->clear();
-  this->releaseUnused(window, inputs.Key, diagnostics, view);
+  this->releaseUnused(window, inputs.Key, diagnostics, view, shell);
   this->ChangedVariant = !(inputs.Key == this->LastKey);
   if (this->ChangedVariant)
   {
@@ -46,6 +46,12 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
     error = this->Opaque.capture(window, inputs.Area);
     inputs.Depths = this->Opaque.texture();
   }
+  if (shell != ShellView::None)
+  {
+    error = error.empty() ? this->Shell.draw(window, inputs, shell, progress, stopped) : error;
+    this->Draws = error.empty() ? this->Shell.numberOfDraws() : 0;
+    return error;
+  }
   if (error.empty() && (diagnostics || view))
   {
     error = this->Counted.collect(window, this->March, inputs, progress, stopped);
@@ -65,8 +71,8 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
   return error;
 }
 
-void FramePasses::releaseUnused(
-  vtkWindow* window, const VariantKey& key, bool diagnostics, const MeasureView* view)
+void FramePasses::releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
+  const MeasureView* view, ShellView shell)
 {
   if (!key.hasVertexLight())
   {
@@ -76,7 +82,11 @@ void FramePasses::releaseUnused(
   {
     this->Shown.release(window);
   }
-  if (!view && !diagnostics)
+  if (shell == ShellView::None)
+  {
+    this->Shell.release();
+  }
+  if ((!view && !diagnostics) || shell != ShellView::None)
   {
     this->Counted.release(window);
   }
@@ -86,6 +96,7 @@ void FramePasses::expectChange()
 {
   this->Tiles.expectChange();
   this->Counted.expectChange();
+  this->Shell.expectChange();
 }
 
 void FramePasses::clear()
@@ -102,6 +113,7 @@ void FramePasses::release(vtkWindow* window)
   this->March.release();
   this->Counted.release(window);
   this->Shown.release(window);
+  this->Shell.release();
   this->expectChange();
 }
 

@@ -9,6 +9,7 @@
 #include "GL/EntryPass.h"
 #include "GL/MarchPass.h"
 #include "GL/OpaqueDepth.h"
+#include "GL/ShellPass.h"
 #include "GL/VertexLightPass.h"
 #include "GL/ViewPass.h"
 
@@ -21,10 +22,10 @@ public:
   /**
    * Returns an empty string, or what is wrong; `stopped` becomes true if progress asked to stop.
    * Entries and depths of the inputs are added here. With a view it is drawn instead of the
-   * picture, diagnostics or not.
+   * picture, diagnostics or not; with one of the shell nothing is marched or counted.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
-    const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view,
+    const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, ShellView shell,
     const Progress& progress, bool& stopped);
   /** The next frame may take much longer than the last. */
   void expectChange();
@@ -50,8 +51,8 @@ public:
   }
 
 private:
-  void releaseUnused(
-    vtkWindow* window, const VariantKey& key, bool diagnostics, const MeasureView* view);
+  void releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
+    const MeasureView* view, ShellView shell);
 
   EntryPass Entry;
   OpaqueDepth Opaque;
@@ -59,6 +60,7 @@ private:
   MarchPass March;
   Diagnostics Counted;
   ViewPass Shown;
+  ShellPass Shell;
   TileSchedule Tiles;
   VariantKey LastKey;
   bool ChangedVariant = true;

@@ -29,6 +29,24 @@ std::vector<float> gather(
   return values;
 }
 
+void bindSources(vtkShaderProgram* program, const LightUniforms& lights, int count)
+{
+  std::vector<float> sources;
+  for (const std::array<double, 4>& source : lights.ShadowSources)
+  {
+    for (double x : source)
+    {
+      sources.push_back(static_cast<float>(x));
+    }
+  }
+  program->SetUniformi("shadowSourceCount", count);
+  if (count > 0)
+  {
+    program->SetUniform4fv("shadowSource", count, sources.data());
+  }
+  program->SetUniformf("lightReach", static_cast<float>(lights.Reach));
+}
+
 } // namespace
 
 void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const VariantKey& key)
@@ -76,27 +94,14 @@ void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const Va
   }
 }
 
-void bindLightRays(vtkShaderProgram* program, const LightUniforms& lights)
+void bindSampledRays(vtkShaderProgram* program, const LightUniforms& lights)
 {
-  std::vector<float> sources;
-  for (const std::array<double, 4>& source : lights.ShadowSources)
-  {
-    for (double x : source)
-    {
-      sources.push_back(static_cast<float>(x));
-    }
-  }
-  const int count = static_cast<int>(lights.ShadowSources.size());
-  program->SetUniformi("shadowSourceCount", count);
-  if (count > 0)
-  {
-    program->SetUniform4fv("shadowSource", count, sources.data());
-  }
-  program->SetUniformf("lightReach", static_cast<float>(lights.Reach));
+  bindSources(program, lights, static_cast<int>(lights.ShadowSources.size()));
 }
 
-void bindOcclusion(vtkShaderProgram* program, const LightUniforms& lights)
+void bindVertexRays(vtkShaderProgram* program, const LightUniforms& lights, bool toLights)
 {
+  bindSources(program, lights, toLights ? static_cast<int>(lights.ShadowSources.size()) : 0);
   program->SetUniformi("occlusionDirectionCount", lights.OcclusionDirections);
   program->SetUniformf("occlusionRadius", static_cast<float>(lights.OcclusionRadius));
 }

@@ -15,11 +15,12 @@ struct VariantKey;
 /** What Shaders/effect_buffers.glsl declares of lights. */
 void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const VariantKey& key);
 
-/** What Shaders/light_buffers.glsl declares but for the occlusion. */
-void bindLightRays(vtkShaderProgram* program, const LightUniforms& lights);
+/** What Shaders/light_buffers.glsl declares of rays along those of the picture. */
+void bindSampledRays(vtkShaderProgram* program, const LightUniforms& lights);
 
-/** The rest of it. */
-void bindOcclusion(vtkShaderProgram* program, const LightUniforms& lights);
+/** What it declares of rays from vertices: to the lights, unless shadows are sampled, and for the
+ * occlusion. */
+void bindVertexRays(vtkShaderProgram* program, const LightUniforms& lights, bool toLights);
 
 } // namespace tetmarch
 

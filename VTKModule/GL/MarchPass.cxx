@@ -5,6 +5,7 @@
 #include "GL/EffectTextures.h"
 #include "GL/LightBinding.h"
 #include "GL/MeshTextures.h"
+#include "GL/PixelRays.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
 #include "GL/TileCorners.h"
@@ -16,16 +17,6 @@
 
 namespace tetmarch
 {
-namespace
-{
-
-void bindImage(vtkShaderProgram* program, const char* sampler, vtkTextureObject* texture)
-{
-  texture->Activate();
-  program->SetUniformi(sampler, texture->GetTextureUnit());
-}
-
-} // namespace
 
 std::string MarchPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
   TileSchedule& tiles, const Progress& progress, bool& stopped)
@@ -71,7 +62,6 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   {
     return error;
   }
-  const View& view = *inputs.Camera;
   const VariantKey& key = inputs.Key;
   inputs.Mesh->bind(program, inputs.Key);
   inputs.Tables->bind(program, *inputs.Table, inputs.Range, inputs.Level, inputs.Key);
@@ -89,31 +79,11 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   }
   if (key.SampledShadows)
   {
-    bindLightRays(program, inputs.EffectValues->Lights);
+    bindSampledRays(program, inputs.EffectValues->Lights);
     inputs.Effects->bindJitter(program);
   }
-  const std::array<float, 4> area = target.asFloats();
-  program->SetUniform4f("viewport", area.data());
-  setUniform(program, "eye", view.Eye);
-  setUniform(program, "lengthMatrix", view.LengthMatrix);
-  if (inputs.Key.Hierarchy)
-  {
-    setUniform(program, "rayPoints", inputs.RayPoints);
-  }
-  if (inputs.Key.RasterEntry)
-  {
-    bindImage(program, "entryTexture", inputs.Entries);
-  }
-  else
-  {
-    program->SetUniformi("cutsNearPlane", view.CutsNearPlane ? 1 : 0);
-  }
-  if (inputs.Key.OpaqueDepth)
-  {
-    setUniform(program, "clipToNormalized", view.ClipToNormalized);
-    bindImage(program, "opaqueDepthTexture", inputs.Depths);
-    program->SetUniformi("cutsFarPlane", view.CutsFarPlane ? 1 : 0);
-  }
+  bindPixelRays(program, inputs, target);
+  setUniform(program, "lengthMatrix", inputs.Camera->LengthMatrix);
 
   drawCorners(program, this->Draw, target, tile);
 
@@ -127,14 +97,7 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   {
     inputs.VertexLight->Deactivate();
   }
-  if (inputs.Entries)
-  {
-    inputs.Entries->Deactivate();
-  }
-  if (inputs.Depths)
-  {
-    inputs.Depths->Deactivate();
-  }
+  unbindPixelRays(inputs);
   return {};
 }
 

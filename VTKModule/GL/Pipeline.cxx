@@ -223,11 +223,11 @@ VariantKey Pipeline::keyOf(
   key.HasFma = this->HasFma;
   key.Adaptive = options.Level.Adaptive;
   this->Effects.setBits(key, double(area.Width) * area.Height);
-  return key.filtered();
+  return options.Shell == ShellView::None ? key.filtered() : key.ofEntries();
 }
 
 // What light at vertices depends on.
-Fingerprint Pipeline::lightVersion() const
+Fingerprint Pipeline::lightVersion(const VariantKey& key) const
 {
   const LightUniforms& lights = this->Effects.data().Lights;
   Fingerprint version = this->Effects.gradientOpacityVersion();
@@ -248,6 +248,7 @@ Fingerprint Pipeline::lightVersion() const
   add(version, lights.Reach);
   add(version, lights.OcclusionRadius);
   version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
+  version.push_back(key.SampledShadows ? 1 : 0); // then it has none of the lights
   return version;
 }
 
@@ -288,8 +289,8 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
       error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
       if (error.empty())
       {
-        error = this->Passes.draw(window, this->mesh(), inputs, this->lightVersion(),
-          options.Diagnostics, options.View, goOn, stopped);
+        error = this->Passes.draw(window, this->mesh(), inputs, this->lightVersion(inputs.Key),
+          options.Diagnostics, options.View, options.Shell, goOn, stopped);
       }
     });
   if (!shortage.empty())

@@ -37,6 +37,7 @@ struct DrawOptions
   bool Diagnostics = false;
   double MostSecondsPerDraw = 0;     // 0: no limit
   const MeasureView* View = nullptr; // drawn instead of the picture
+  ShellView Shell = ShellView::None; // likewise
 };
 
 class Pipeline
@@ -98,7 +99,7 @@ private:
   bool ensureHierarchy();
   Viewport currentViewport() const;
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;
-  Fingerprint lightVersion() const;
+  Fingerprint lightVersion(const VariantKey& key) const;
   std::int64_t stageRuns() const;
 
   std::string Error;

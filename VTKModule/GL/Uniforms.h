@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Matrices in double, row by row, become uniforms in float, column by column.
+// Matrices in double, row by row, become uniforms in float, column by column; textures, units.
 #ifndef TetMarchGLUniforms_h
 #define TetMarchGLUniforms_h
 
 #include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
 
 #include <array>
 
@@ -36,6 +37,12 @@ inline void setUniform(vtkShaderProgram* program, const char* name, const std::a
   const std::array<float, 4> values{ { static_cast<float>(v[0]), static_cast<float>(v[1]),
     static_cast<float>(v[2]), static_cast<float>(v[3]) } };
   program->SetUniform4f(name, values.data());
+}
+
+inline void bindImage(vtkShaderProgram* program, const char* sampler, vtkTextureObject* texture)
+{
+  texture->Activate();
+  program->SetUniformi(sampler, texture->GetTextureUnit());
 }
 
 } // namespace tetmarch

@@ -31,7 +31,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   light.Key = inputs.Key.ofVertexLight();
   light.Level = LightAccuracy;
   StateScope state(window);
-  std::string error = this->Target.bind(window, RowLength, rows, 1, false);
+  std::string error = this->Target.bind(window, RowLength, rows, 1, false, TargetFormat::Share16);
   if (!error.empty())
   {
     return error;
@@ -43,7 +43,8 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglViewport(0, 0, RowLength, rows);
   error = drawInTiles(window, target, inputs.MostSecondsPerDraw, this->Tiles, progress, stopped,
-    [&](const Viewport& tile) { return this->drawTile(window, light, target, tile, vertices); });
+    [&](const Viewport& tile)
+    { return this->drawTile(window, light, target, tile, vertices, !inputs.Key.SampledShadows); });
   if (error.empty() && !stopped)
   {
     this->Version = version;
@@ -52,7 +53,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
 }
 
 std::string VertexLightPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-  const Viewport& target, const Viewport& tile, std::size_t vertices)
+  const Viewport& target, const Viewport& tile, std::size_t vertices, bool toLights)
 {
   std::string error;
   vtkShaderProgram* program =
@@ -65,8 +66,7 @@ std::string VertexLightPass::drawTile(vtkOpenGLRenderWindow* window, const March
   inputs.Tables->bind(program, *inputs.Table, inputs.Range, inputs.Level, inputs.Key);
   inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
   inputs.Effects->bindStarts(program);
-  bindLightRays(program, inputs.EffectValues->Lights);
-  bindOcclusion(program, inputs.EffectValues->Lights);
+  bindVertexRays(program, inputs.EffectValues->Lights, toLights);
   setUniform(program, "lengthMatrix", inputs.Camera->LengthMatrix);
   program->SetUniformi("vertexCount", static_cast<int>(vertices));
   drawCorners(program, this->Draw, target, tile);

@@ -40,7 +40,7 @@ public:
 
 private:
   std::string drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-    const Viewport& target, const Viewport& tile, std::size_t vertices);
+    const Viewport& target, const Viewport& tile, std::size_t vertices, bool toLights);
 
   ShaderDraw Draw;
   FloatTarget Target;

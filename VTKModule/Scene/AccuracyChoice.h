@@ -15,7 +15,7 @@ namespace tetmarch
 struct FrameResult
 {
   bool Drawn = false;    // to its end
-  bool IsPicture = true; // else a view of error or cost, which tells nothing of a picture's time
+  bool IsPicture = true; // else a view, whose time tells nothing of a picture's
   bool OnlyDrawn = true; // no stage ran, and no shader was new
   double Seconds = 0;
   double ErrorBound = 0; // greatest of a pixel; 0: not looked at

@@ -53,8 +53,7 @@ VariantKey VariantKey::filtered() const
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
   key.SampledShadows = key.SampledShadows && key.CastShadows;
   key.HeadlightShadows = key.HeadlightShadows && key.Shading;
-  // Light that is kept at vertices for its shadows brings along how much comes of ambient light.
-  key.Occlusion = key.Occlusion && key.Shading && (!key.CastShadows || key.SampledShadows);
+  key.Occlusion = key.Occlusion && key.Shading;
   // Inside of its cells, a scalar of cells has none.
   key.CellGradients = key.CellGradients && key.PointScalars && key.hasGradients();
   return key;
@@ -69,6 +68,17 @@ VariantKey VariantKey::ofVertexLight() const
   key.Adaptive = false;
   key.GradientOpacity = this->GradientOpacity;
   key.CellGradients = this->CellGradients;
+  return key.filtered();
+}
+
+VariantKey VariantKey::ofEntries() const
+{
+  VariantKey key;
+  key.RasterEntry = this->RasterEntry;
+  key.Hierarchy = this->Hierarchy;
+  key.OpaqueDepth = this->OpaqueDepth;
+  key.HasFma = this->HasFma;
+  key.Adaptive = false;
   return key.filtered();
 }
 

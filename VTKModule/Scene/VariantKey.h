@@ -56,6 +56,8 @@ struct VariantKey
 
   /** The key without bits that change nothing, and with those that others imply. */
   VariantKey filtered() const;
+  /** The key of what looks for entries alone; the variant that marches makes no difference. */
+  VariantKey ofEntries() const;
 
   /** The variant that marches from the vertices towards the light: extinction alone. */
   VariantKey ofVertexLight() const;

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/PixelRays.h"
+
+#include "GL/Uniforms.h"
+#include "Scene/View.h"
+
+#include "vtkTextureObject.h"
+
+namespace tetmarch
+{
+
+void bindPixelRays(vtkShaderProgram* program, const MarchInputs& inputs, const Viewport& target)
+{
+  const View& view = *inputs.Camera;
+  const std::array<float, 4> area = target.asFloats();
+  program->SetUniform4f("viewport", area.data());
+  setUniform(program, "eye", view.Eye);
+  if (inputs.Key.Hierarchy)
+  {
+    setUniform(program, "rayPoints", inputs.RayPoints);
+  }
+  if (inputs.Key.RasterEntry)
+  {
+    bindImage(program, "entryTexture", inputs.Entries);
+  }
+  else
+  {
+    program->SetUniformi("cutsNearPlane", view.CutsNearPlane ? 1 : 0);
+  }
+  if (inputs.Key.OpaqueDepth)
+  {
+    setUniform(program, "clipToNormalized", view.ClipToNormalized);
+    bindImage(program, "opaqueDepthTexture", inputs.Depths);
+    program->SetUniformi("cutsFarPlane", view.CutsFarPlane ? 1 : 0);
+  }
+}
+
+void unbindPixelRays(const MarchInputs& inputs)
+{
+  if (inputs.Entries)
+  {
+    inputs.Entries->Deactivate();
+  }
+  if (inputs.Depths)
+  {
+    inputs.Depths->Deactivate();
+  }
+}
+
+} // namespace tetmarch
