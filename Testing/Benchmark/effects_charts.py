@@ -19,11 +19,12 @@ def names_of(report):
 
 
 def draw_frames(axes, places, effects, height, color, label):
-    """Bars of ratios to the base frame, with the range of all turns."""
+    """Bars from the base frame to the medians of ratios to it, with the range of all turns."""
     ratios = [e["base_ratio"] for e in effects]
     medians = [r["median"] for r in ratios]
     ranges = [[r["median"] - r["min"] for r in ratios], [r["max"] - r["median"] for r in ratios]]
-    axes.barh(places, medians, height, color=color, label=label, xerr=ranges, error_kw={"elinewidth": 0.8})
+    axes.barh(places, [m - 1.0 for m in medians], height, left=1.0, color=color, label=label, xerr=ranges,
+              error_kw={"elinewidth": 0.8})
     for place, ratio in zip(places, ratios):
         axes.annotate(f"{ratio['median']:.2f}", (ratio["max"], place), xytext=(3, 0), textcoords="offset points",
                       va="center", fontsize=7)
@@ -63,6 +64,6 @@ def draw_effects(report, folder):
     frames.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
     frames.invert_yaxis()
     frames.legend(fontsize=8)
-    stages.set_xlabel("once, in base frames: gradients and (hatched) light at vertices")
+    stages.set_xlabel("once, in base frames: gradients, light (hatched)")
     figure.tight_layout()
     save(figure, folder, "effects")
