@@ -49,11 +49,12 @@ std::string describeEnd(int status)
 }
 } // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& arguments)
+ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const std::string& program)
 {
   // Writing to a process that has crashed shall fail, not end this one.
   std::signal(SIGPIPE, SIG_IGN);
-  std::vector<char*> argv = { const_cast<char*>(ThisProgram) };
+  const char* path = program.empty() ? ThisProgram : program.c_str();
+  std::vector<char*> argv = { const_cast<char*>(path) };
   for (const std::string& argument : arguments)
   {
     argv.push_back(const_cast<char*>(argument.c_str()));
@@ -67,7 +68,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments)
   {
     dup2(input.Ends[0], STDIN_FILENO);
     dup2(output.Ends[1], STDOUT_FILENO);
-    execv(ThisProgram, argv.data());
+    execv(path, argv.data());
     _exit(NotStarted);
   }
   close(input.Ends[0]);

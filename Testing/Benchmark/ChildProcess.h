@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Another process of this program that is asked line by line, and may crash or hang
+ * @brief Another process of this program, or one like it, that is asked line by line, and may crash
+ * or hang
  */
 #ifndef tetmarch_bench_ChildProcess_h
 #define tetmarch_bench_ChildProcess_h
@@ -17,8 +18,8 @@ namespace tetmarch::bench
 class ChildProcess
 {
 public:
-  /// Throws Failure if no process can be started.
-  explicit ChildProcess(const std::vector<std::string>& arguments);
+  /// An empty `program` is this one. Throws Failure if no process can be started.
+  explicit ChildProcess(const std::vector<std::string>& arguments, const std::string& program = {});
   /// Ends the process if it still runs.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing.h"
 
+#include "Effects.h"
 #include "Errors.h"
 #include "ExactPicture.h"
 #include "Failure.h"
@@ -33,6 +34,8 @@ namespace
 constexpr double ViewDirection[3] = { 0.5, -1.0, 0.45 };
 // A frame may not live on what the one before it has sorted.
 constexpr double DegreesPerFrame = 7.0;
+// Seconds. Without a limit, nobody would wait for the light at vertices, and its clock be wrong.
+constexpr double EnoughForOneDraw = 1e6;
 
 void rememberError(vtkObject*, unsigned long, void* error, void* text)
 {
@@ -71,18 +74,47 @@ Drawing::Drawing(Scene scene, std::string mapper, const std::array<int, 2>& size
 nlohmann::json Drawing::drawFrame()
 {
   this->setView(this->Frames++);
+  const double seconds = this->timeFrame();
+  return { { "seconds", seconds }, { "covered", this->coveredShare() } };
+}
+
+nlohmann::json Drawing::drawEffect(const std::string& effect, int view)
+{
+  this->setView(view);
+  this->ensureVolume();
+  vtkTetMarchVolumeMapper* mapper = this->ours();
+  if (!mapper)
+  {
+    throw Failure("no effects are measured of " + this->MapperName);
+  }
+  mapper->SetMaxDrawTimeInSeconds(EnoughForOneDraw);
+  EffectScene scene{ this->Renderer, mapper, this->Shown.Property, {},
+    this->Shown.Range.High - this->Shown.Range.Low };
+  this->Shown.Grid->GetBounds(scene.Bounds.data());
+  applyEffect(effect, scene);
+  const vtkTypeInt64 gradients = mapper->GetGradientsBuilds();
+  const vtkTypeInt64 light = mapper->GetVertexLightBuilds();
+  const double first = this->timeFrame();
+  const double seconds = this->timeFrame();
+  const auto ran = [](vtkTypeInt64 before, vtkTypeInt64 after, double took)
+  { return after > before ? took : 0.0; };
+  return { { "first_seconds", first }, { "seconds", seconds },
+    { "gradients_seconds",
+      ran(gradients, mapper->GetGradientsBuilds(), mapper->GetGradientsSeconds()) },
+    { "light_seconds",
+      ran(light, mapper->GetVertexLightBuilds(), mapper->GetVertexLightSeconds()) },
+    { "gpu_bytes", mapper->GetGPUMemoryBytes() }, { "covered", this->coveredShare() } };
+}
+
+double Drawing::timeFrame()
+{
   const double begin = vtkTimerLog::GetUniversalTime();
   const double owed = this->ensureVolume();
   this->Window->Render();
   this->Window->WaitForCompletion();
   const double seconds = vtkTimerLog::GetUniversalTime() - begin + owed;
   this->failOnError();
-  const double covered = this->coveredShare();
-  if (!(covered > 0.0))
-  {
-    throw Failure("the picture is empty");
-  }
-  return { { "seconds", seconds }, { "covered", covered } };
+  return seconds;
 }
 
 double Drawing::ensureVolume()
@@ -117,7 +149,7 @@ void Drawing::failOnError() const
   }
 }
 
-/// The share of the pixels that differ from the background.
+/// The share of the pixels that differ from the background; throws Failure if none do.
 double Drawing::coveredShare()
 {
   vtkNew<vtkUnsignedCharArray> pixels;
@@ -128,6 +160,10 @@ double Drawing::coveredShare()
   {
     const unsigned char* now = pixels->GetPointer(3 * i);
     covered += !std::equal(now, now + 3, this->Background->GetPointer(3 * i));
+  }
+  if (covered == 0)
+  {
+    throw Failure("the picture is empty");
   }
   return static_cast<double>(covered) / static_cast<double>(count);
 }

@@ -34,6 +34,11 @@ public:
   /// The next view. Throws Failure if the mapper reported an error or the picture is empty.
   nlohmann::json drawFrame();
 
+  /// Switches all effects but that one off, and draws two frames of a view: the first does what
+  /// is done once, the second is the one whose time counts. One draw call each, lest a frame that
+  /// takes just over MaxDrawTimeInSeconds pays for tiles on top. Throws as drawFrame().
+  nlohmann::json drawEffect(const std::string& effect, int view);
+
   /// Of the frames so far, but for their time.
   nlohmann::json mapperFigures() const;
   nlohmann::json environment() const;
@@ -47,6 +52,8 @@ private:
   /// Returns seconds to be added to what it took.
   double ensureVolume();
   void setView(int frame);
+  /// Seconds of the view that is set.
+  double timeFrame();
   void failOnError() const;
   double coveredShare();
   vtkTetMarchVolumeMapper* ours() const;

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "MarkdownText.h"
 #include "Report.h"
-
-#include <cstdio>
 
 namespace tetmarch::bench
 {
@@ -13,48 +12,10 @@ using Json = nlohmann::ordered_json;
 constexpr double Million = 1e6;
 const std::string Nothing = "";
 
-std::string format(const char* pattern, double value)
-{
-  char text[64];
-  std::snprintf(text, sizeof(text), pattern, value);
-  return text;
-}
-
-/// Three significant figures.
-std::string seconds(double value)
-{
-  return format(value < 0.1    ? "%.4f"
-                : value < 1.0  ? "%.3f"
-                : value < 10.0 ? "%.2f"
-                               : "%.1f",
-    value);
-}
-
 /// A number in some unit, or nothing if there is none.
 std::string cell(const Json& json, const char* key, const char* pattern, double unit = 1.0)
 {
   return json.contains(key) ? format(pattern, json[key].get<double>() / unit) : Nothing;
-}
-
-std::string frames(const Json& mapper)
-{
-  const Json& frames = mapper["frames"];
-  if (frames.is_null())
-  {
-    return Nothing;
-  }
-  return seconds(frames["median_seconds"]) + " (" + seconds(frames["min_seconds"]) + "-" +
-         seconds(frames["max_seconds"]) + ")";
-}
-
-std::string row(const std::vector<std::string>& cells)
-{
-  std::string line = "|";
-  for (const std::string& text : cells)
-  {
-    line += " " + text + " |";
-  }
-  return line + "\n";
 }
 
 /// Megabytes beyond those of the dataset.
@@ -82,7 +43,7 @@ std::string speedRow(const Json& dataset, const Json& mapper)
 {
   return row({ dataset["name"],
     dataset["tetrahedra"].is_null() ? Nothing : dataset["tetrahedra"].dump(), mapper["name"],
-    frames(mapper), cell(mapper, "frame_ratio_to_tetmarch", "%.2f"), firstFrame(mapper),
+    timesOf(mapper["frames"]), cell(mapper, "frame_ratio_to_tetmarch", "%.2f"), firstFrame(mapper),
     mapper.contains("preprocessing_seconds") ? seconds(mapper["preprocessing_seconds"]) : Nothing,
     cell(mapper, "preprocessing_tetrahedra_per_second", "%.2f", Million), addedMemory(mapper),
     cell(mapper, "gpu_bytes", "%.1f", Million),
@@ -92,30 +53,23 @@ std::string speedRow(const Json& dataset, const Json& mapper)
 std::string accuracyRow(const Json& dataset, const Json& mapper)
 {
   const Json errors = mapper.value("errors", Json::object());
-  return row(
-    { dataset["name"], dataset["functions"], mapper["name"], frames(mapper), firstFrame(mapper),
-      cell(errors, "rms", "%.1e"), cell(errors, "p999", "%.1e"), cell(errors, "max", "%.1e"),
-      addedMemory(mapper), cell(errors, "lookups_per_cell", "%.2f"), remark(mapper) });
+  return row({ dataset["name"], dataset["functions"], mapper["name"], timesOf(mapper["frames"]),
+    firstFrame(mapper), cell(errors, "rms", "%.1e"), cell(errors, "p999", "%.1e"),
+    cell(errors, "max", "%.1e"), addedMemory(mapper), cell(errors, "lookups_per_cell", "%.2f"),
+    remark(mapper) });
 }
 
-std::string heading(const Json& report)
+std::string againstLine(const Json& dataset)
 {
-  std::string text = report["date"].get<std::string>() + ", TetMarch " +
-                     report["tetmarch_version"].get<std::string>();
-  const Json& environment = report["environment"];
-  if (!environment.is_null())
+  if (!dataset.contains("against"))
   {
-    const Json& gl = environment["gl"];
-    text += ", VTK " + environment["vtk_version"].get<std::string>() + ", " +
-            gl["renderer"].get<std::string>() + " by " + gl["backend"].get<std::string>();
+    return Nothing;
   }
-  text += "; " + report["cpu"].get<std::string>() + ", " +
-          std::to_string(report["cpu_threads"].get<int>()) + " threads; window " +
-          std::to_string(report["size"][0].get<int>()) + " x " +
-          std::to_string(report["size"][1].get<int>()) + ", " +
-          std::to_string(report["rounds"].get<int>()) + " rounds of " +
-          std::to_string(report["frames"].get<int>()) + " frames.\n";
-  return text;
+  const Json& against = dataset["against"];
+  return "\n" + dataset["name"].get<std::string>() + ": this build takes " +
+         format("%.3f", against["pairs"]) + " times as long as the other (median of " +
+         against["count"].dump() + " pairs of frames; ratio of medians " +
+         format("%.3f", against["medians"]) + ").\n";
 }
 } // namespace
 
@@ -136,6 +90,10 @@ std::string makeMarkdown(const Json& report)
     {
       text += speed ? speedRow(dataset, mapper) : accuracyRow(dataset, mapper);
     }
+  }
+  for (const Json& dataset : report["datasets"])
+  {
+    text += againstLine(dataset);
   }
   return text;
 }

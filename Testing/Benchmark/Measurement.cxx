@@ -63,8 +63,10 @@ struct Contestant
 
 void start(Contestant& contestant, const Options& options, DatasetRecord& record)
 {
+  const bool other = contestant.Record.Mapper == AgainstMapper;
   contestant.Process = std::make_unique<ChildProcess>(
-    workerArguments(options, { record.Shown, contestant.Record.Mapper }));
+    workerArguments(options, { record.Shown, other ? "tetmarch" : contestant.Record.Mapper }),
+    other ? options.Against : std::string());
   contestant.attempt("preparation", [&](ChildProcess& child)
     { record.Ready = receive(child, FirstLimitFactor * options.LimitSeconds); });
 }
@@ -155,6 +157,8 @@ void runRound(const Options& options, DatasetRecord& record, const std::string& 
 }
 } // namespace
 
+const std::string AgainstMapper = "against";
+
 DatasetRecord measureDataset(const Options& options, const Subject& subject)
 {
   DatasetRecord record;
@@ -163,6 +167,11 @@ DatasetRecord measureDataset(const Options& options, const Subject& subject)
   {
     record.Mappers.push_back({});
     record.Mappers.back().Mapper = mapper;
+  }
+  if (!options.Against.empty())
+  {
+    record.Mappers.push_back({});
+    record.Mappers.back().Mapper = AgainstMapper;
   }
   std::fprintf(stderr, "%s, %s\n", subject.Dataset.c_str(), subject.Functions.c_str());
   const std::string reference = options.CacheFolder + "/reference";

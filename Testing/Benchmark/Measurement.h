@@ -16,6 +16,9 @@
 
 namespace tetmarch::bench
 {
+/// The mapper of the other build, if there is one.
+extern const std::string AgainstMapper;
+
 /// What the processes of one mapper answered in all rounds.
 struct MapperRecord
 {

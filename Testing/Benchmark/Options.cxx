@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
+#include "Effects.h"
 #include "Failure.h"
 #include "Mappers.h"
 #include "Numbers.h"
@@ -94,6 +95,8 @@ const std::map<std::string, Setter>& settersByName()
     { "--functions",
       [](Options& o, const std::string& v) { o.Functions = parseNames(v, isFunctions); } },
     { "--mappers", [](Options& o, const std::string& v) { o.Mappers = parseNames(v, isMapper); } },
+    { "--effects", [](Options& o, const std::string& v) { o.Effects = parseNames(v, isEffect); } },
+    { "--against", [](Options& o, const std::string& v) { o.Against = v; } },
     { "--data", [](Options& o, const std::string& v) { o.Folders.Own = v; } },
     { "--more-data", [](Options& o, const std::string& v) { o.Folders.Others = v; } },
     { "--cache", [](Options& o, const std::string& v) { o.CacheFolder = v; } },
@@ -140,10 +143,20 @@ void makeRefinement(Options& options)
     "bunyk-homogeneous", "bunyk-preintegration", "bunyk-partial", "bunyk-linear", "zsweep" };
 }
 
+/// What each effect of light adds to a frame of this mapper.
+void makeEffects(Options& options)
+{
+  options.Kind = "effects";
+  options.Frames = 8;
+  options.EnoughSeconds = 20.0;
+  options.Datasets = { "golfball", "lattice1.3m" };
+  options.Mappers = { "tetmarch" };
+}
+
 const std::map<std::string, Preset>& presetsByName()
 {
   static const std::map<std::string, Preset> presets = { { "accuracy", makeAccuracy },
-    { "refinement", makeRefinement } };
+    { "refinement", makeRefinement }, { "effects", makeEffects } };
   return presets;
 }
 
@@ -222,7 +235,7 @@ std::vector<std::string> workerArguments(const Options& options, const Pair& pai
 
 std::string helpText()
 {
-  return R"(Usage: tetmarch-bench [accuracy|refinement] [options]
+  return R"(Usage: tetmarch-bench [accuracy|refinement|effects] [options]
 
 Times vtkTetMarchVolumeMapper beside VTK's other ways to draw an unstructured grid, one frame each in turn,
 prints a table in Markdown and, if asked, writes every figure as JSON.
@@ -230,6 +243,7 @@ prints a table in Markdown and, if asked, writes every figure as JSON.
   accuracy                  every level and tolerance, every rival, three transfer functions, and how far each
                             picture is from that in double precision
   refinement                the same of one field on finer and finer meshes, against the field itself
+  effects                   gradient opacity, shading, shadows and so on, each beside a frame without
 
   --datasets A,B,...        of lattice162k, lattice1.3m, lattice6m, lattice:N (6 N^3 tetrahedra), golfball,
                             front1.3m, front:N (a sharp front), refined:N (one smooth wave), and, if --more-data
@@ -240,6 +254,10 @@ prints a table in Markdown and, if asked, writes every figure as JSON.
                             tetmarch-reference, projected, bunyk, bunyk-homogeneous, bunyk-preintegration,
                             bunyk-partial, bunyk-linear, zsweep, resample:N/K (N^3 points, K samples a spacing)
                             (default: tetmarch, projected, bunyk)
+  --effects A,B,...         of gradient-opacity, headlight, one-light, five-lights, local-lights, cell-gradients,
+                            vertex-shadows, ray-shadows, headlight-shadows, occlusion, shadows-occlusion,
+                            scattering, illumination (default: all)
+  --against PROGRAM         of another build: its 'tetmarch' draws by turns with those of this one
   --errors                  measure errors, too
   --size WxH                of the window (default: 512x512)
   --rounds N                how often each mapper starts in a new process (default: 2)
@@ -247,7 +265,7 @@ prints a table in Markdown and, if asked, writes every figure as JSON.
   --limit SECONDS           a mapper that takes longer for a frame, or five times as long to get ready or
                             for its first frame, is left out from there on (default: 60)
   --enough SECONDS          a mapper whose frames of a round have taken so long together draws no more of them,
-                            but one beside the first (default: no end; accuracy: 10)
+                            but one beside the first (default: no end; accuracy: 10, effects: 20)
   --quick                   tiny lattices, a small window and few frames; options after it still count
   --data FOLDER             where golfball_small.vtu lies (default: Data/ of the sources)
   --more-data FOLDER        where golfball/golfball_medium.vtu and others lie; datasets of 'accuracy' that are

@@ -26,7 +26,7 @@ struct Pair
 struct Options
 {
   bool Help = false;
-  std::string Kind = "speed"; // or "accuracy", "refinement": see presets in Options.cxx
+  std::string Kind = "speed"; // or "accuracy", ...: see presets in Options.cxx
   std::array<int, 2> Size = { { 512, 512 } };
   int Rounds = 2; // each with new processes
   int Frames = 5; // per round and mapper, after the first
@@ -36,6 +36,8 @@ struct Options
   std::vector<std::string> Datasets = { "lattice162k", "lattice1.3m", "lattice6m", "golfball" };
   std::vector<std::string> Functions = { OwnFunctions };
   std::vector<std::string> Mappers = { "tetmarch", "projected", "bunyk" };
+  std::vector<std::string> Effects; // empty: all
+  std::string Against; // another tetmarch-bench, drawn by turns with this one; empty: none
   DataFolders Folders;
   std::string CacheFolder; // of workers, for what several make
   std::string JsonFile;

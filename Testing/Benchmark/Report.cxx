@@ -15,17 +15,6 @@ using Json = nlohmann::ordered_json;
 
 const std::string Ours = "tetmarch";
 
-Json summarize(const std::vector<double>& seconds)
-{
-  if (seconds.empty())
-  {
-    return nullptr;
-  }
-  const auto range = std::minmax_element(seconds.begin(), seconds.end());
-  return { { "median_seconds", GetMedian(seconds) }, { "min_seconds", *range.first },
-    { "max_seconds", *range.second }, { "seconds", seconds } };
-}
-
 /// The mapper's own clocks, where it has them.
 void addPreprocessing(Json& json, const nlohmann::json& figures, double tetrahedra)
 {
@@ -49,8 +38,8 @@ Json describeMapper(const MapperRecord& record, double tetrahedra)
   Json json;
   json["name"] = record.Mapper;
   json["failure"] = record.Failure.empty() ? Json(nullptr) : Json(record.Failure);
-  json["frames"] = summarize(record.Frames);
-  json["first_frame"] = summarize(record.FirstFrames);
+  json["frames"] = summarizeSeconds(record.Frames);
+  json["first_frame"] = summarizeSeconds(record.FirstFrames);
   json["covered_share"] = GetMedian(record.Covered);
   if (!record.Errors.is_null())
   {
@@ -94,6 +83,31 @@ void addRatios(Json& mappers)
   }
 }
 
+/// How long ours takes beside the other build, as long as both have drawn: `pairs` is the median
+/// over pairs of frames of the same view, one right after the other.
+void addAgainst(Json& json, const std::vector<MapperRecord>& mappers)
+{
+  const auto named = [&](const std::string& name)
+  {
+    return std::find_if(mappers.begin(), mappers.end(),
+      [&](const MapperRecord& mapper) { return mapper.Mapper == name; });
+  };
+  const auto ours = named(Ours);
+  const auto other = named(AgainstMapper);
+  if (ours == mappers.end() || other == mappers.end() || ours->Frames.empty() ||
+      ours->Frames.size() != other->Frames.size())
+  {
+    return;
+  }
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < ours->Frames.size(); ++i)
+  {
+    ratios.push_back(ours->Frames[i] / other->Frames[i]);
+  }
+  json["against"] = { { "count", ratios.size() }, { "pairs", GetMedian(ratios) },
+    { "medians", GetMedian(ours->Frames) / GetMedian(other->Frames) } };
+}
+
 Json describeDataset(const DatasetRecord& record)
 {
   const bool known = !record.Ready.is_null();
@@ -117,11 +131,23 @@ Json describeDataset(const DatasetRecord& record)
     json["mappers"].push_back(describeMapper(mapper, static_cast<double>(tetrahedra)));
   }
   addRatios(json["mappers"]);
+  addAgainst(json, record.Mappers);
   return json;
 }
 } // namespace
 
-nlohmann::ordered_json makeReport(const Options& options, const std::vector<DatasetRecord>& records)
+nlohmann::ordered_json summarizeSeconds(const std::vector<double>& seconds)
+{
+  if (seconds.empty())
+  {
+    return nullptr;
+  }
+  const auto range = std::minmax_element(seconds.begin(), seconds.end());
+  return { { "median_seconds", GetMedian(seconds) }, { "min_seconds", *range.first },
+    { "max_seconds", *range.second }, { "seconds", seconds } };
+}
+
+nlohmann::ordered_json describeRun(const Options& options)
 {
   Json report;
   report["kind"] = options.Kind;
@@ -135,6 +161,12 @@ nlohmann::ordered_json makeReport(const Options& options, const std::vector<Data
   report["rounds"] = options.Rounds;
   report["frames"] = options.Frames;
   report["limit_seconds"] = options.LimitSeconds;
+  return report;
+}
+
+nlohmann::ordered_json makeReport(const Options& options, const std::vector<DatasetRecord>& records)
+{
+  Json report = describeRun(options);
   report["datasets"] = Json::array();
   for (const DatasetRecord& record : records)
   {

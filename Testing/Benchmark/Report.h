@@ -11,6 +11,12 @@
 
 namespace tetmarch::bench
 {
+/// What was run, when and where, with no environment and no datasets yet.
+nlohmann::ordered_json describeRun(const Options& options);
+
+/// Median, least and most with all figures; null if there are none.
+nlohmann::ordered_json summarizeSeconds(const std::vector<double>& seconds);
+
 nlohmann::ordered_json makeReport(
   const Options& options, const std::vector<DatasetRecord>& records);
 

@@ -15,7 +15,7 @@ Scene makeScene(const Subject& subject, const DataFolders& folders)
     throw Failure("dataset " + subject.Dataset + " has no functions of its own");
   }
   return { dataset.Grid, dataset.Array,
-    own ? dataset.Own : makeFunctions(subject.Functions, dataset.Range), dataset.Exact,
-    subject.Dataset, {} };
+    own ? dataset.Own : makeFunctions(subject.Functions, dataset.Range), dataset.Range,
+    dataset.Exact, subject.Dataset, {} };
 }
 } // namespace tetmarch::bench

@@ -29,6 +29,7 @@ struct Scene
   vtkSmartPointer<vtkUnstructuredGrid> Grid; // tetrahedra, with no array but that
   std::string Array;                         // of the points
   vtkSmartPointer<vtkVolumeProperty> Property;
+  FunctionRange Range;
   std::optional<ExactField> Exact;
   std::string Name;        // of the dataset
   std::string CacheFolder; // for what is made of the grid alone; empty: none

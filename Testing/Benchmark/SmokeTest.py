@@ -151,6 +151,65 @@ class SmokeTest(unittest.TestCase):
             chart = (self.folder / "page" / link).read_bytes()
             self.assertTrue(chart.startswith((b"\x89PNG", b"<?xml")), link)
 
+    def test_effects(self):
+        """Each beside the base frame; stages run where an effect has them, in every turn."""
+        names = ["gradient-opacity", "one-light", "cell-gradients", "vertex-shadows", "occlusion", "illumination"]
+        report, table = self.report_of("effects", "--quick", "--datasets", "lattice:8", "--effects", ",".join(names))
+        dataset = report["datasets"][0]
+        self.assertEqual([e["name"] for e in dataset["effects"]], names)
+        self.assertEqual(len(dataset["base"]["seconds"]), 2 * len(names))
+        for e in dataset["effects"]:
+            with self.subTest(effect=e["name"]):
+                self.assertIsNone(e["failure"])
+                self.assert_times(e["frames"], 2)
+                self.assert_times(e["first_frame"], 2)
+                self.assertLessEqual(e["base_ratio"]["min"], e["base_ratio"]["median"])
+                self.assertGreater(e["on_ratio"]["min"], 0)
+                self.assertGreater(e["gradients_seconds"], 0)
+                self.assertEqual("light_seconds" in e, e["name"] in ("vertex-shadows", "occlusion"))
+                self.assertGreater(e["gpu_bytes_more"], 0)
+                self.assertIn(f"| lattice:8 | {e['name']} |", table)
+        more = {e["name"]: e["gpu_bytes_more"] for e in dataset["effects"]}
+        self.assertGreater(more["vertex-shadows"], more["one-light"])
+
+    def test_all_effects_draw(self):
+        report, _ = self.report_of("effects", "--quick", "--datasets", "lattice:3", "--size", "16x16", "--frames", "1")
+        for e in report["datasets"][0]["effects"]:
+            self.assertIsNone(e["failure"], e["name"])
+        self.assertEqual(len(report["datasets"][0]["effects"]), 13)
+
+    def test_against_another_build(self):
+        """Here, itself; a program that is none is told of."""
+        report, text = self.report_of("--quick", "--datasets", "lattice:8", "--mappers", "tetmarch", "--against",
+                                      EXECUTABLE)
+        dataset = report["datasets"][0]
+        self.assertEqual([m["name"] for m in dataset["mappers"]], ["tetmarch", "against"])
+        self.assertEqual(dataset["against"]["count"], 2)
+        self.assertGreater(dataset["against"]["pairs"], 0)
+        self.assertIn("times as long as the other", text)
+        report, text = self.report_of("--quick", "--datasets", "lattice:8", "--mappers", "tetmarch", "--against",
+                                      "no/such/program")
+        self.assertIn("ended early", report["datasets"][0]["mappers"][1]["failure"])
+        self.assertNotIn("times as long as the other", text)
+
+    def test_page_and_chart_of_effects(self):
+        if importlib.util.find_spec("matplotlib") is None:
+            self.skipTest("there is no matplotlib")
+        self.report_of("--quick", "--datasets", "lattice:8", "--mappers", "tetmarch", "--against", EXECUTABLE)
+        (self.folder / "out.json").rename(self.folder / "against.json")
+        self.report_of("effects", "--quick", "--datasets", "lattice:8", "--effects", "one-light,vertex-shadows")
+        maker = pathlib.Path(__file__).resolve().parent / "make_effects_page.py"
+        subprocess.run([sys.executable, maker, "out.json", "page", "--against", "against.json"], cwd=self.folder,
+                       check=True)
+        page = (self.folder / "page" / "Effects.md").read_text()
+        self.assertRegex(page, r"\| shading by one light, base frames \| 1.5 \| [0-9.]+")
+        self.assertRegex(page, r"\| lattice:8 \| vertex-shadows \| [0-9.]+ \| [0-9.]+ \(.*\| one-light \| [0-9.]+ \(")
+        self.assertRegex(page, r"without effects \| 1.02 \| [0-9.]+")
+        self.assertNotRegex(page, "@[a-z]+@")
+        for link in re.findall(r"\]\((Charts/[^)]*)\)", page):
+            chart = (self.folder / "page" / link).read_bytes()
+            self.assertTrue(chart.startswith((b"\x89PNG", b"<?xml")), link)
+
     def test_bad_command_lines(self):
         for message, *arguments in (("unknown option '--bogus'", "--bogus"),
                                     ("--size needs a value", "--size"),
@@ -162,6 +221,7 @@ class SmokeTest(unittest.TestCase):
                                     ("there is no 'tetmarch:1/0'", "--mappers", "tetmarch:1/0"),
                                     ("there is no 'resample:8'", "--mappers", "resample:8"),
                                     ("there is no 'grey'", "--functions", "smooth,grey"),
+                                    ("there is no 'fog'", "effects", "--effects", "occlusion,fog"),
                                     ("unknown option 'accuracy'", "--quick", "accuracy")):
             with self.subTest(arguments=arguments):
                 result = self.run_benchmark(*arguments)
@@ -171,7 +231,7 @@ class SmokeTest(unittest.TestCase):
     def test_help(self):
         result = self.run_benchmark("--help")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assertTrue(result.stdout.startswith("Usage: tetmarch-bench [accuracy|refinement] [options]"))
+        self.assertTrue(result.stdout.startswith("Usage: tetmarch-bench [accuracy|refinement|effects] [options]"))
 
 
 if __name__ == "__main__":

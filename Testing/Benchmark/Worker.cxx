@@ -58,6 +58,11 @@ nlohmann::json answerTo(const std::string& command, Drawing& drawing)
   {
     return drawing.writeReference(rest);
   }
+  if (word == "effect")
+  {
+    const std::size_t space = rest.find(' ');
+    return drawing.drawEffect(rest.substr(0, space), std::stoi(rest.substr(space + 1)));
+  }
   return word == "errors" ? drawing.compareFirstView(rest) : drawing.drawFrame();
 }
 

@@ -5,9 +5,9 @@
  * @brief The process that draws one dataset by one mapper, a frame whenever it is told to
  *
  * Commands come line by line on standard input until it ends: "frame", "figures", "reference FILE"
- * (write the true picture of the first view), "errors FILE" (compare with it). Every answer is one
- * line of JSON on what was standard output; the first, without a command, when the scene is ready.
- * An answer {"error": text} is the last.
+ * (write the true picture of the first view), "errors FILE" (compare with it), "effect NAME VIEW"
+ * (Drawing::drawEffect()). Every answer is one line of JSON on what was standard output; the first,
+ * without a command, when the scene is ready. An answer {"error": text} is the last.
  */
 #ifndef tetmarch_bench_Worker_h
 #define tetmarch_bench_Worker_h

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "EffectReport.h"
 #include "Failure.h"
 #include "Measurement.h"
 #include "Report.h"
@@ -58,6 +59,34 @@ private:
   std::filesystem::path Path;
 };
 
+void write(const Options& options, const nlohmann::ordered_json& report, const std::string& text)
+{
+  if (!options.JsonFile.empty())
+  {
+    WriteText(options.JsonFile, report.dump(2) + "\n");
+  }
+  if (!options.MarkdownFile.empty())
+  {
+    WriteText(options.MarkdownFile, text);
+  }
+}
+
+/// Files are written after each dataset, so that a run which is cut short leaves what it has.
+template <typename Record>
+void measureAll(const Options& options, Record (*measure)(const Options&, const Subject&),
+  nlohmann::ordered_json (*describe)(const Options&, const std::vector<Record>&),
+  std::string (*makeText)(const nlohmann::ordered_json&))
+{
+  std::vector<Record> records;
+  for (const Subject& subject : subjectsOf(options))
+  {
+    records.push_back(measure(options, subject));
+    const auto report = describe(options, records);
+    write(options, report, makeText(report));
+  }
+  std::fputs(makeText(describe(options, records)).c_str(), stdout);
+}
+
 void run(Options options)
 {
   const TemporaryFolder temporary;
@@ -66,22 +95,14 @@ void run(Options options)
     options.CacheFolder = temporary.path();
   }
   std::filesystem::create_directories(options.CacheFolder);
-  std::vector<DatasetRecord> records;
-  for (const Subject& subject : subjectsOf(options))
+  if (options.Kind == "effects")
   {
-    records.push_back(measureDataset(options, subject));
-    // Written after each dataset, so that a run which is cut short leaves what it has.
-    const auto report = makeReport(options, records);
-    if (!options.JsonFile.empty())
-    {
-      WriteText(options.JsonFile, report.dump(2) + "\n");
-    }
-    if (!options.MarkdownFile.empty())
-    {
-      WriteText(options.MarkdownFile, makeMarkdown(report));
-    }
+    measureAll(options, measureEffects, makeEffectReport, makeEffectMarkdown);
   }
-  std::fputs(makeMarkdown(makeReport(options, records)).c_str(), stdout);
+  else
+  {
+    measureAll(options, measureDataset, makeReport, makeMarkdown);
+  }
 }
 } // namespace
 
