@@ -43,6 +43,7 @@ real transmittanceTowards(Tet tet, vec3 point, vec3 direction, real distance)
   vec3 centre = vec3(sum.x, sum.y, sum.z) * real(0.25);
   Ray ray;
   Way way;
+  way.inside = true;
   real pull = real(0);
   do
   {

@@ -46,11 +46,6 @@ int integrateSegment(
     pieceLength = pieceLength * shade.density;
 #endif
     Absorption piece = absorption(mean, pieceLength);
-#if TETMARCH_LIT
-    vec3 emitted = litEmission(mean, shade.lit, radiance, piece);
-#else
-    vec3 emitted = emission(mean);
-#endif
 #if TETMARCH_ERROR_BOUND
     real error = loaded ? radiance.transmittance * pieceError(at, next, piece.depth) : real(0);
 #if TETMARCH_LIT
@@ -72,7 +67,11 @@ int integrateSegment(
 #if TETMARCH_SAMPLED_SHADOWS
       keepPending(radiance, mean, shade.lit, piece);
 #endif
-      absorb(radiance, emitted, piece);
+#if TETMARCH_LIT
+      absorb(radiance, litEmission(mean, shade.lit, radiance, piece), piece);
+#else
+      absorb(radiance, emission(mean), piece);
+#endif
 #if TETMARCH_ERROR_BOUND
       radiance.error = radiance.error + error;
 #endif

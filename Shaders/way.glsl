@@ -4,12 +4,22 @@
 struct Way
 {
   Crossing face;
-  uvec2 link;   // of that face: what lies behind it
+  uvec2 link; // of that face: what lies behind it
+  bool inside; // face and link are known; else they are those of the entry
   bool entered;
 #if TETMARCH_BVH
   Entry entry;
+#else
+  int firstFace;
 #endif
 };
+
+void enterBy(Ray ray, int boundaryFace, INOUT(Way) way)
+{
+  way.link = fetchLink(4u * tetCount + uint(boundaryFace));
+  way.entered = enters(ray, uint(boundaryFace), way.face);
+  way.inside = true;
+}
 
 // To the end of the ray, or up to where the march pauses.
 void marchOn(Ray ray, real opticalLength, real depthEnd, INOUT(Way) way, INOUT(March) march)
@@ -17,6 +27,10 @@ void marchOn(Ray ray, real opticalLength, real depthEnd, INOUT(Way) way, INOUT(M
 #if TETMARCH_BVH
   while (way.entry.face >= 0 && way.entry.depth < depthEnd && march.cells < mostCells)
   {
+    if (!way.inside)
+    {
+      enterBy(ray, way.entry.face, way);
+    }
     if (way.entered)
     {
       marchToExit(ray, way.face, way.link, opticalLength, depthEnd, march);
@@ -45,13 +59,13 @@ void marchOn(Ray ray, real opticalLength, real depthEnd, INOUT(Way) way, INOUT(M
       // its entry no better than its depth buffer: behind such a one all others are looked for.
       way.entry = nextEntry(ray, way.entry, !way.entered || leftHull);
     }
-    if (way.entry.face >= 0)
-    {
-      way.link = fetchLink(4u * tetCount + uint(way.entry.face));
-      way.entered = enters(ray, uint(way.entry.face), way.face);
-    }
+    way.inside = false;
   }
 #else
+  if (!way.inside)
+  {
+    enterBy(ray, way.firstFace, way);
+  }
   if (way.entered)
   {
     marchToExit(ray, way.face, way.link, opticalLength, depthEnd, march);
@@ -66,7 +80,8 @@ void marchOn(Ray ray, real opticalLength, real depthEnd, INOUT(Way) way, INOUT(M
 Way wayFromBoundary(Ray ray, int firstFace)
 {
   Way way;
-  int face = firstFace;
+  way.inside = false;
+  way.entered = false;
 #if TETMARCH_BVH
   way.entry.depth = -NO_DEPTH;
   way.entry.face = firstFace;
@@ -74,9 +89,8 @@ Way wayFromBoundary(Ray ray, int firstFace)
   {
     way.entry = nextEntry(ray, way.entry, true);
   }
-  face = max(way.entry.face, 0);
+#else
+  way.firstFace = firstFace;
 #endif
-  way.link = fetchLink(4u * tetCount + uint(face));
-  way.entered = enters(ray, uint(face), way.face);
   return way;
 }

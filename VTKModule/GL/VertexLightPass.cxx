@@ -45,6 +45,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   error = drawInTiles(window, target, inputs.MostSecondsPerDraw, this->Tiles, progress, stopped,
     [&](const Viewport& tile)
     { return this->drawTile(window, light, target, tile, vertices, !inputs.Key.SampledShadows); });
+  glFinish(); // what it took is told
   if (error.empty() && !stopped)
   {
     this->Version = version;
