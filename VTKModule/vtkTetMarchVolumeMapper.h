@@ -97,6 +97,9 @@ public:
    * ACCURATE: the same with a tolerance of 1/4096, or ErrorTolerance if that is less.
    * REFERENCE: the same with 1e-5, about what float can tell.
    *
+   * What light adds (gradients and light are interpolated between vertices, their change along a
+   * cell is taken for linear) is not part of the tolerance; the error bound tells of it.
+   *
    * The tolerance is of the picture in float, before the window rounds it (to 1/510 at most in 8
    * bits) and but for what transfer functions do between the entries of their tables. FAST has
    * tables of 1024 entries, the others of up to 65536, as many as the functions and the tolerance
@@ -328,7 +331,8 @@ public:
    *
    * GlobalIlluminationReach, 0..1: how far light is followed for shadows, from nowhere to through
    * all of the volume: d (1 - (1 - reach)^0.33), d being the diagonal of its bounding box. The
-   * default is 1; in VTK it is 0, which there means nearly nothing.
+   * default is 1; in VTK it is 0, which there means nearly nothing. Shadows of headlights have no
+   * such limit.
    */
   vtkSetClampMacro(VolumetricScatteringBlending, float, 0.0f, 2.0f);
   vtkGetMacro(VolumetricScatteringBlending, float);
