@@ -1,17 +1,9 @@
 // Rays that begin inside of the mesh: the tetrahedron around their origin tells the way on.
 
+#include "tet.glsl"
+
 // In the place of a boundary face's number: the ray was in the mesh already.
 CONSTANT int INSIDE_FACE = 0x7fffffff;
-
-// A tetrahedron; its face (a, b, c) turns counter-clockwise seen from outside, d lies behind it.
-struct Tet
-{
-  uint number;
-  uint a;
-  uint b;
-  uint c;
-  uint d;
-};
 
 // The face by which the line of the ray comes into the tetrahedron, and its link. Of four real points, a line comes in
 // by one face or by none; by none if rounding leaves the origin outside.

@@ -7,8 +7,11 @@ struct March
   bool finished;   // opaque, or past the last depth that is asked for
   int cells;       // tetrahedra crossed
 #if TETMARCH_SAMPLED_SHADOWS
-  bool paused;     // to look how much light comes; marchToExit() goes on from there
+  bool paused;     // to look how much light comes; marchToExit() goes on from there,
+  bool left;       // unless nothing of the way is left
   real nextSample; // the transmittance at which that is due
+  Tet last;        // that was crossed
+  real seenDepth;  // where in it is on the average what is seen of it
 #endif
 #if TETMARCH_DIAGNOSTICS
   int evaluations; // evaluations of the segment integral
@@ -27,6 +30,7 @@ March beginMarch(real depthBegin)
   march.cells = 0;
 #if TETMARCH_SAMPLED_SHADOWS
   march.paused = false;
+  march.left = false;
   march.nextSample = real(-1); // never
 #endif
 #if TETMARCH_DIAGNOSTICS
@@ -48,6 +52,18 @@ real scalarAt(vec2 enter, vec2 leave, real depth)
   return enter.y + (leave.y - enter.y) * shareAt(enter, leave, depth);
 }
 
+#if TETMARCH_SAMPLED_SHADOWS
+// How far into an even piece lies on the average what is seen of it, of the transmittance before and behind it: by its
+// optical depth D, 1 / D - 1 / (exp(D) - 1), a half in a thin one.
+real seenShare(real before, real behind)
+{
+  real absorbed = (before - behind) / max(before, TINY);
+  real depth = -log(max(real(1) - absorbed, TINY));
+  real thin = real(0.5) - depth * (real(1) / real(12));
+  return depth < real(0.05) ? thin : real(1) / depth - (real(1) - absorbed) / max(absorbed, TINY);
+}
+#endif
+
 // March from a boundary face to the boundary face through which the ray leaves the mesh, whose crossing and link
 // take the place of the first one's. opticalLength is the length, in scalar opacity unit distances, of a unit of
 // depth.
@@ -67,6 +83,14 @@ void marchToExit(
   {
     uint tet = link.x;
     vec4 apex = fetchVertex(link.y);
+#if TETMARCH_SAMPLED_SHADOWS
+    march.last.number = tet;
+    march.last.a = face.id.x;
+    march.last.b = face.id.y;
+    march.last.c = face.id.z;
+    march.last.d = link.y;
+    real before = march.radiance.transmittance;
+#endif
     int exitFace = stepThrough(face, link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
     vec2 leave = crossingPoint(face);
     link = fetchLink(4u * tet + uint(max(exitFace, 0)));
@@ -121,7 +145,9 @@ void marchToExit(
     onward =
       exitFace >= 0 && link.x < LINK_OUTSIDE && march.cells < mostCells && !march.finished;
 #if TETMARCH_SAMPLED_SHADOWS
-    march.paused = onward && march.radiance.transmittance <= march.nextSample;
+    march.seenDepth = begin + (end - begin) * seenShare(before, march.radiance.transmittance);
+    march.left = !onward;
+    march.paused = march.radiance.transmittance <= march.nextSample;
     onward = onward && !march.paused;
 #endif
 #if TETMARCH_DIAGNOSTICS

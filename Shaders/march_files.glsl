@@ -19,5 +19,8 @@
 #else
 #include "segment_constant.glsl"
 #endif
+#if TETMARCH_SAMPLED_SHADOWS
+#include "tet.glsl"
+#endif
 #include "march.glsl"
 #include "way.glsl"

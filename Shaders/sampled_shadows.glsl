@@ -4,15 +4,9 @@
 CONSTANT real SAMPLED_SHARE = real(0.0625);    // of the opacity, from sample to sample
 CONSTANT real FIRST_SAMPLE = real(0.001953125); // so much has to be seen of the volume
 
-// What comes from each light to the point at which the march has paused.
-vec3 sampleLight(Ray ray, Way way, real depth)
+// What comes from each light to a point in the tetrahedron behind which the march has paused.
+vec3 sampleLight(Ray ray, March march, real depth)
 {
-  Tet tet;
-  tet.number = way.link.x;
-  tet.a = way.face.id.x;
-  tet.b = way.face.id.y;
-  tet.c = way.face.id.z;
-  tet.d = way.link.y;
   vec3 point = ray.origin + ray.direction * depth;
   vec3 light = vec3(real(1), real(1), real(1));
   for (int k = 0; k < shadowSourceCount; ++k)
@@ -20,7 +14,7 @@ vec3 sampleLight(Ray ray, Way way, real depth)
     vec4 source = fetchShadowSource(k);
     vec3 towards = vec3(source.x, source.y, source.z) - point * source.w;
     real far = sqrt(dot(towards, towards));
-    real comes = transmittanceTowards(tet, point, towards * (real(1) / max(far, TINY)),
+    real comes = transmittanceTowards(march.last, point, towards * (real(1) / max(far, TINY)),
       min(source.w > real(0) ? far : NO_DEPTH, lightReach));
     light.x = k == 0 ? comes : light.x;
     light.y = k == 1 ? comes : light.y;
@@ -50,10 +44,12 @@ void marchAndSample(
   real share = SAMPLED_SHARE * (jitter + real(0.5));
   do
   {
+    march.paused = false;
     marchOn(ray, opticalLength, depthEnd, way, march);
     if (march.paused)
     {
-      vec3 next = sampleLight(ray, way, march.done);
+      // What was seen before the first sample may be one thick cell.
+      vec3 next = sampleLight(ray, march, sampled ? march.done : march.seenDepth);
       addPending(march.radiance, sampled ? (comes + next) * real(0.5) : next);
       comes = next;
       sampled = true;

@@ -31,7 +31,11 @@ void marchOn(Ray ray, real opticalLength, real depthEnd, INOUT(Way) way, INOUT(M
     {
       enterBy(ray, way.entry.face, way);
     }
+#if TETMARCH_SAMPLED_SHADOWS
+    if (way.entered && !march.left)
+#else
     if (way.entered)
+#endif
     {
       marchToExit(ray, way.face, way.link, opticalLength, depthEnd, march);
     }
@@ -40,6 +44,7 @@ void marchOn(Ray ray, real opticalLength, real depthEnd, INOUT(Way) way, INOUT(M
     {
       return;
     }
+    march.left = false;
 #endif
     // A ray that leaves the convex hull is done. But along a flat side of it rounding makes bumps, out of which a
     // ray may come before it gets in: then faces of the hull are looked at again.
@@ -66,7 +71,11 @@ void marchOn(Ray ray, real opticalLength, real depthEnd, INOUT(Way) way, INOUT(M
   {
     enterBy(ray, way.firstFace, way);
   }
+#if TETMARCH_SAMPLED_SHADOWS
+  if (way.entered && !march.left)
+#else
   if (way.entered)
+#endif
   {
     marchToExit(ray, way.face, way.link, opticalLength, depthEnd, march);
   }

@@ -58,7 +58,7 @@ TEST(LightError, GolfBall)
   reader->SetFileName(TETMARCH_DATA_DIR "/golfball_small.vtu");
   reader->Update();
   reader->GetOutput()->GetPointData()->SetActiveScalars("vorticity_mag");
-  Scene scene(reader->GetOutput());
+  Scene scene(reader->GetOutput(), 96, 96);
   setWakeFunctions(scene.property());
   scene.camera()->SetFocalPoint(0.7, 0.0, 0.0);
   scene.camera()->SetPosition(2.0, 1.5, 4.0);
@@ -70,7 +70,7 @@ TEST(LightError, GolfBall)
 
 TEST(LightError, Lattice)
 {
-  Scene scene(jitteredLattice(12, 0.15, 1, sineField()));
+  Scene scene(jitteredLattice(12, 0.15, 1, sineField()), 96, 96);
   shine(scene, 3.0, 4.0, 1.5);
   expectSmallErrors(scene);
 }
@@ -112,21 +112,21 @@ TEST(LightError, ThickCellsAreToldOfByTheErrorBound)
 
 TEST(LightError, LampInside)
 {
-  Scene scene(jitteredLattice(16, 0.15, 1, sineField()));
+  Scene scene(jitteredLattice(16, 0.15, 1, sineField()), 96, 96);
   shine(scene, 0.45, 0.6, 0.5, true);
   expectSmallErrors(scene);
 }
 
 TEST(LightError, Tunnel)
 {
-  Scene scene(latticeWithTunnel(12, 0.15, 1, sineField()));
+  Scene scene(latticeWithTunnel(12, 0.15, 1, sineField()), 96, 96);
   shine(scene, 3.0, 4.0, 1.5);
   expectSmallErrors(scene);
 }
 
 TEST(LightError, Occlusion)
 {
-  Scene scene(jitteredLattice(12, 0.15, 1, sineField()));
+  Scene scene(jitteredLattice(12, 0.15, 1, sineField()), 96, 96);
   shine(scene, 3.0, 4.0, 1.5);
   scene.property()->SetAmbient(0.8);
   scene.Mapper->AmbientOcclusionOn();

@@ -102,7 +102,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "head" },
     { "sampled shadows", [](const Key& k, MarchShader) { return k.SampledShadows; },
       "jitterTexture jitter keepPending addPending paused nextSample sampleLight "
-      "marchAndSample castSampledRay SAMPLED_SHARE FIRST_SAMPLE" },
+      "marchAndSample castSampledRay seenShare seenDepth SAMPLED_SHARE FIRST_SAMPLE" },
     { "light kept at vertices", [](const Key& k, MarchShader) { return k.hasVertexLight(); },
       "vertexLightTexture fetchVertexLight lightA lightB lightC" },
     { "rays to lights", followsLight,
