@@ -14,11 +14,25 @@ struct Way
 #endif
 };
 
-void enterBy(Ray ray, int boundaryFace, INOUT(Way) way)
+// One way through the mesh: in by the boundary face, unless the ray is inside already, and on to where it leaves.
+void marchWay(
+  Ray ray, int boundaryFace, real opticalLength, real depthEnd, INOUT(Way) way, INOUT(March) march)
 {
-  way.link = fetchLink(4u * tetCount + uint(boundaryFace));
-  way.entered = enters(ray, uint(boundaryFace), way.face);
-  way.inside = true;
+  if (!way.inside)
+  {
+    way.link = fetchLink(4u * tetCount + uint(boundaryFace));
+    way.entered = enters(ray, uint(boundaryFace), way.face);
+    way.inside = true;
+  }
+#if TETMARCH_SAMPLED_SHADOWS
+  bool onward = way.entered && !march.left;
+#else
+  bool onward = way.entered;
+#endif
+  if (onward)
+  {
+    marchToExit(ray, way.face, way.link, opticalLength, depthEnd, march);
+  }
 }
 
 // To the end of the ray, or up to where the march pauses.
@@ -27,18 +41,7 @@ void marchOn(Ray ray, real opticalLength, real depthEnd, INOUT(Way) way, INOUT(M
 #if TETMARCH_BVH
   while (way.entry.face >= 0 && way.entry.depth < depthEnd && march.cells < mostCells)
   {
-    if (!way.inside)
-    {
-      enterBy(ray, way.entry.face, way);
-    }
-#if TETMARCH_SAMPLED_SHADOWS
-    if (way.entered && !march.left)
-#else
-    if (way.entered)
-#endif
-    {
-      marchToExit(ray, way.face, way.link, opticalLength, depthEnd, march);
-    }
+    marchWay(ray, way.entry.face, opticalLength, depthEnd, way, march);
 #if TETMARCH_SAMPLED_SHADOWS
     if (march.paused)
     {
@@ -67,18 +70,7 @@ void marchOn(Ray ray, real opticalLength, real depthEnd, INOUT(Way) way, INOUT(M
     way.inside = false;
   }
 #else
-  if (!way.inside)
-  {
-    enterBy(ray, way.firstFace, way);
-  }
-#if TETMARCH_SAMPLED_SHADOWS
-  if (way.entered && !march.left)
-#else
-  if (way.entered)
-#endif
-  {
-    marchToExit(ray, way.face, way.link, opticalLength, depthEnd, march);
-  }
+  marchWay(ray, way.firstFace, opticalLength, depthEnd, way, march);
 #if TETMARCH_DIAGNOSTICS
   march.refused = march.refused + (way.entered ? 0 : 1);
 #endif
