@@ -24,6 +24,17 @@ struct TablePoint
 // The first bin for what is not a number.
 int tableBin(real x) { return int(max(real(0), min(floor(x), real(tableSize - 2)))); }
 
+#if TETMARCH_TRANSPARENT_RANGES
+// Whether there is no extinction from position p to q: below the first, above the last, or in the widest gap.
+bool isTransparentBetween(real p, real q)
+{
+  real low = min(p, q);
+  real high = max(p, q);
+  return high <= transparentRanges.x || low >= transparentRanges.y ||
+    (low >= transparentRanges.z && high <= transparentRanges.w);
+}
+#endif
+
 vec4 tableValue(real x)
 {
   int bin = tableBin(x);

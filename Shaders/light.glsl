@@ -43,7 +43,7 @@ struct Illumination
   Light head; // along the ray, before it was absorbed on its way: as much as comes back
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  Light beam[3]; // from each light that casts shadows, before it was absorbed on its way
+  Light beam[SHADOW_CHANNELS]; // from each light that casts shadows, before it was absorbed on its way
 #endif
 };
 
@@ -55,7 +55,7 @@ Illumination noIllumination()
   lit.head = noLight();
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  for (int channel = 0; channel < 3; ++channel)
+  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
   {
     lit.beam[channel] = noLight();
   }
@@ -70,7 +70,7 @@ Illumination mixIllumination(Illumination p, Illumination q, real share)
   p.head = mixLight(p.head, q.head, share);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  for (int channel = 0; channel < 3; ++channel)
+  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
   {
     p.beam[channel] = mixLight(p.beam[channel], q.beam[channel], share);
   }

@@ -13,7 +13,10 @@ real lightErrorOf(CellShades shades)
   change = change + changeOf(p.head, q.head);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  change = change + changeOf(p.beam[0], q.beam[0]) + changeOf(p.beam[1], q.beam[1]) + changeOf(p.beam[2], q.beam[2]);
+  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
+  {
+    change = change + changeOf(p.beam[channel], q.beam[channel]);
+  }
 #endif
   real error = real(0.5) * change * (shades.within.y - shades.within.x);
 #if TETMARCH_VERTEX_LIGHT

@@ -19,7 +19,7 @@ vec3 litEmission(vec4 mean, Illumination lit, Radiance radiance, Absorption piec
 void keepPending(INOUT(Radiance) radiance, vec4 mean, Illumination lit, Absorption piece)
 {
   real weight = radiance.transmittance * piece.evenly * piece.opticalLength;
-  for (int channel = 0; channel < 3; ++channel)
+  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
   {
     radiance.pending[channel] = radiance.pending[channel] + reflection(mean, lit.beam[channel]) * weight;
   }
@@ -39,7 +39,10 @@ real brightness(Illumination lit)
   bright = bright + greatest(lit.head.diffuse);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  bright = bright + greatest(lit.beam[0].diffuse) + greatest(lit.beam[1].diffuse) + greatest(lit.beam[2].diffuse);
+  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
+  {
+    bright = bright + greatest(lit.beam[channel].diffuse);
+  }
 #endif
   return bright;
 }

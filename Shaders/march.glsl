@@ -64,95 +64,141 @@ real seenShare(real before, real behind)
 }
 #endif
 
+// The way of a ray through a tetrahedron.
+struct Passage
+{
+  uint tet;
+  vec2 enter;  // depth and scalar where the ray comes in
+  vec2 leave;
+  real begin;  // depths of what is integrated of it
+  real end;
+  real scalar; // of the cell, or where the ray leaves
+  bool seen;   // there is something to integrate
+};
+
+// Step through the tetrahedron behind the face. Returns whether the ray goes on behind it.
+bool passCell(Ray ray, real depthEnd, INOUT(Crossing) face, INOUT(uvec2) link, INOUT(Passage) cell, INOUT(March) march)
+{
+  cell.tet = link.x;
+  cell.enter = cell.leave;
+  vec4 apex = fetchVertex(link.y);
+#if TETMARCH_SAMPLED_SHADOWS
+  march.last.number = link.x;
+  march.last.a = face.id.x;
+  march.last.b = face.id.y;
+  march.last.c = face.id.z;
+  march.last.d = link.y;
+#endif
+  int exitFace = stepThrough(face, link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
+  cell.leave = crossingPoint(face);
+  link = fetchLink(4u * cell.tet + uint(max(exitFace, 0)));
+  march.cells = march.cells + 1;
+
+  // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
+  cell.begin = max(cell.enter.x, march.done);
+  cell.end = min(cell.leave.x, depthEnd);
+  bool forward = cell.end > cell.begin;
+#if TETMARCH_POINT_SCALARS
+  cell.scalar = cell.leave.y;
+  real first = cell.enter.y;
+#else
+  cell.scalar = fetchCellScalar(cell.tet);
+  real first = cell.scalar;
+#endif
+  cell.seen = forward && isDrawn(first) && isDrawn(cell.scalar);
+#if TETMARCH_TRANSPARENT_RANGES
+  cell.seen = cell.seen &&
+    !isTransparentBetween(first * tableScale + tableOffset, cell.scalar * tableScale + tableOffset);
+#endif
+  // Of a piece that was passed backwards nothing is done yet.
+  march.done = forward ? cell.end : march.done;
+  march.finished = max(cell.begin, cell.end) >= depthEnd;
+#if TETMARCH_DIAGNOSTICS
+  march.lost = march.lost + (exitFace < 0 ? 1 : 0);
+  march.guarded = march.guarded + (march.cells >= mostCells ? 1 : 0);
+#endif
+  return exitFace >= 0 && link.x < LINK_OUTSIDE && march.cells < mostCells && !march.finished;
+}
+
 // March from a boundary face to the boundary face through which the ray leaves the mesh, whose crossing and link
 // take the place of the first one's. opticalLength is the length, in scalar opacity unit distances, of a unit of
 // depth.
 void marchToExit(
   Ray ray, INOUT(Crossing) face, INOUT(uvec2) link, real opticalLength, real depthEnd, INOUT(March) march)
 {
-  vec2 enter = crossingPoint(face);
+  Passage cell;
+  cell.leave = crossingPoint(face);
+  cell.seen = false;
 #if TETMARCH_POINT_SCALARS
   // Not of an undrawn scalar, whose crossing may even be NaN: integrateSegment() meets what stands here.
-  TablePoint at = tablePoint(isDrawn(enter.y) ? enter.y * tableScale + tableOffset : tableOffset);
+  TablePoint at = tablePoint(isDrawn(cell.leave.y) ? cell.leave.y * tableScale + tableOffset : tableOffset);
 #endif
 #if TETMARCH_EFFECTS
-  CellShades shades = beginShades(ray, face, enter);
+#if TETMARCH_POINT_SCALARS
+  CellShades shades = beginShades(ray, face, cell.leave);
+#else
+  CellShades shades = beginShades(ray, face, vec2(cell.leave.x, fetchCellScalar(link.x)));
+#endif
 #endif
   bool onward = true;
   while (onward)
   {
-    uint tet = link.x;
-    vec4 apex = fetchVertex(link.y);
+#if TETMARCH_TRANSPARENT_RANGES
+    // What isn't seen is passed in a loop of its own. (As a do-while Mesa 22.3 compiles it wrong.)
+    bool passing = true;
+    while (passing)
+    {
+#endif
+#if TETMARCH_EFFECTS
+    beginCell(shades, cell.seen);
+#endif
+    onward = passCell(ray, depthEnd, face, link, cell, march);
+#if TETMARCH_EFFECTS
+    shades.to = facePoint(face, vec2(cell.leave.x, cell.scalar));
+#endif
+#if TETMARCH_TRANSPARENT_RANGES
+      passing = onward && !cell.seen;
+    }
+#endif
 #if TETMARCH_SAMPLED_SHADOWS
-    march.last.number = tet;
-    march.last.a = face.id.x;
-    march.last.b = face.id.y;
-    march.last.c = face.id.z;
-    march.last.d = link.y;
     real before = march.radiance.transmittance;
 #endif
-    int exitFace = stepThrough(face, link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
-    vec2 leave = crossingPoint(face);
-    link = fetchLink(4u * tet + uint(max(exitFace, 0)));
-    march.cells = march.cells + 1;
-
-    // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
-    real begin = max(enter.x, march.done);
-    real end = min(leave.x, depthEnd);
-#if !TETMARCH_POINT_SCALARS
-    real scalar = fetchCellScalar(tet);
-#elif TETMARCH_EFFECTS
-    real scalar = leave.y;
-#endif
 #if TETMARCH_EFFECTS
-    shadeCell(ray, face, tet, scalar, enter, leave, vec2(begin, end), shades);
+    shadeCell(ray, face, cell.tet, vec2(cell.begin, cell.end), shades);
 #endif
-#if TETMARCH_POINT_SCALARS
-    if (end > begin && isDrawn(enter.y) && isDrawn(leave.y))
+    if (cell.seen)
     {
-      real scalarBegin = begin > enter.x ? scalarAt(enter, leave, begin) : enter.y;
-      real scalarEnd = end < leave.x ? scalarAt(enter, leave, end) : leave.y;
+      real thickness = (cell.end - cell.begin) * opticalLength;
+#if TETMARCH_POINT_SCALARS
+      real scalarBegin =
+        cell.begin > cell.enter.x ? scalarAt(cell.enter, cell.leave, cell.begin) : cell.enter.y;
+      real scalarEnd = cell.end < cell.leave.x ? scalarAt(cell.enter, cell.leave, cell.end) : cell.leave.y;
+      real tableBegin = scalarBegin * tableScale + tableOffset;
+      real tableEnd = scalarEnd * tableScale + tableOffset;
 #if TETMARCH_EFFECTS
-      int trials =
-        integrateSegment(scalarBegin * tableScale + tableOffset, scalarEnd * tableScale + tableOffset,
-          (end - begin) * opticalLength, shades, at, march.radiance);
+      int trials = integrateSegment(tableBegin, tableEnd, thickness, shades, at, march.radiance);
 #else
-      int trials = integrateSegment(scalarBegin * tableScale + tableOffset,
-        scalarEnd * tableScale + tableOffset, (end - begin) * opticalLength, at, march.radiance);
+      int trials = integrateSegment(tableBegin, tableEnd, thickness, at, march.radiance);
+#endif
+#else
+      int trials = 1;
+#if TETMARCH_EFFECTS
+      integrateConstant(cell.scalar * tableScale + tableOffset, thickness, shades, march.radiance);
+#else
+      integrateConstant(cell.scalar * tableScale + tableOffset, thickness, march.radiance);
+#endif
 #endif
 #if TETMARCH_DIAGNOSTICS
       march.evaluations = march.evaluations + trials;
 #endif
     }
-#else
-    if (end > begin && isDrawn(scalar))
-    {
-#if TETMARCH_EFFECTS
-      integrateConstant(scalar * tableScale + tableOffset, (end - begin) * opticalLength, shades,
-        march.radiance);
-#else
-      integrateConstant(scalar * tableScale + tableOffset, (end - begin) * opticalLength, march.radiance);
-#endif
-#if TETMARCH_DIAGNOSTICS
-      march.evaluations = march.evaluations + 1;
-#endif
-    }
-#endif
-    // Of a piece that was passed backwards nothing is done yet.
-    march.done = end > begin ? end : march.done;
-    march.finished = isOpaque(march.radiance) || max(begin, end) >= depthEnd;
-    enter = leave;
-    onward =
-      exitFace >= 0 && link.x < LINK_OUTSIDE && march.cells < mostCells && !march.finished;
+    march.finished = march.finished || isOpaque(march.radiance);
+    onward = onward && !march.finished;
 #if TETMARCH_SAMPLED_SHADOWS
-    march.seenDepth = begin + (end - begin) * seenShare(before, march.radiance.transmittance);
+    march.seenDepth = cell.begin + (cell.end - cell.begin) * seenShare(before, march.radiance.transmittance);
     march.left = !onward;
     march.paused = march.radiance.transmittance <= march.nextSample;
     onward = onward && !march.paused;
-#endif
-#if TETMARCH_DIAGNOSTICS
-    march.lost = march.lost + (exitFace < 0 ? 1 : 0);
-    march.guarded = march.guarded + (march.cells >= mostCells ? 1 : 0);
 #endif
   }
 }

@@ -11,7 +11,7 @@ struct Radiance
   real lightError; // and for this, of light that changes along a piece
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  vec3 pending[3]; // color by light of which is not known yet how much comes through the volume
+  vec3 pending[SHADOW_CHANNELS]; // color by light of which is not known yet how much comes through the volume
 #endif
 };
 
@@ -27,7 +27,7 @@ Radiance noRadiance()
   radiance.lightError = real(0);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  for (int channel = 0; channel < 3; ++channel)
+  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
   {
     radiance.pending[channel] = radiance.color;
   }
@@ -102,6 +102,8 @@ vec3 emission(vec4 mean)
 {
 #if TETMARCH_SHOW_ILLUMINATION
   return vec3(mean.w, mean.w, mean.w);
+#elif TETMARCH_CONSTANT_COLOR
+  return constantColor * mean.w;
 #else
   return vec3(min(mean.x, mean.w), min(mean.y, mean.w), min(mean.z, mean.w));
 #endif

@@ -26,9 +26,11 @@ vec3 sampleLight(Ray ray, March march, real depth)
 // What was put by is seen in light that comes.
 void addPending(INOUT(Radiance) radiance, vec3 comes)
 {
-  radiance.color = radiance.color + radiance.pending[0] * comes.x + radiance.pending[1] * comes.y +
-    radiance.pending[2] * comes.z;
-  for (int channel = 0; channel < 3; ++channel)
+  radiance.color = radiance.color + radiance.pending[0] * comes.x;
+#if TETMARCH_SEVERAL_SHADOWS
+  radiance.color = radiance.color + radiance.pending[1] * comes.y + radiance.pending[2] * comes.z;
+#endif
+  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
   {
     radiance.pending[channel] = vec3(real(0), real(0), real(0));
   }

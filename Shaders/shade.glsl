@@ -47,39 +47,64 @@ Shade mixShade(Shade p, Shade q, real share)
   return p;
 }
 
-#if TETMARCH_VERTEX_GRADIENTS
-vec3 gradientAt(Crossing face, vec3 share)
+// The point in which the ray crosses a face.
+struct FacePoint
 {
-  return face.gradientA * share.x + face.gradientB * share.y + face.gradientC * share.z;
-}
+  real depth;
+  real scalar; // there, or of the cell before it
+#if TETMARCH_VERTEX_GRADIENTS
+  vec3 gradient;
 #endif
+#if TETMARCH_VERTEX_LIGHT
+  vec4 light; // that comes through the volume: ambient, and from the lights that cast shadows
+#endif
+};
 
-// Light that comes through the volume to where the ray crosses the face: ambient, and from the lights that cast shadows.
-vec4 incomingAt(Ray ray, Crossing face, real depth)
+FacePoint facePoint(Crossing face, vec2 at)
+{
+  FacePoint point;
+  point.depth = at.x;
+  point.scalar = at.y;
+#if TETMARCH_VERTEX_GRADIENTS || TETMARCH_VERTEX_LIGHT
+  vec3 share = crossingShares(face);
+#endif
+#if TETMARCH_VERTEX_GRADIENTS
+  point.gradient = face.gradientA * share.x + face.gradientB * share.y + face.gradientC * share.z;
+#endif
+#if TETMARCH_VERTEX_LIGHT
+  point.light = face.lightA * share.x + face.lightB * share.y + face.lightC * share.z;
+#endif
+  return point;
+}
+
+vec4 incomingAt(Ray ray, FacePoint point)
 {
 #if TETMARCH_EXACT_LIGHT
   if (hasExactLight()) // the reference looks for it
   {
-    return exactIncoming(ray.origin + ray.direction * depth);
+    return exactIncoming(ray.origin + ray.direction * point.depth);
   }
 #endif
 #if TETMARCH_VERTEX_LIGHT
-  vec3 share = crossingShares(face);
-  return face.lightA * share.x + face.lightB * share.y + face.lightC * share.z;
+  return point.light;
 #else
   return vec4(real(1), real(1), real(1), real(1));
 #endif
 }
 
-// The shades in a tetrahedron where the ray comes in and where it leaves.
+// In the tetrahedron at hand.
 struct CellShades
 {
+  FacePoint from; // where the ray comes in
+  FacePoint to;   // where it leaves
   Shade enter;
   Shade leave;
-  vec2 within;   // from where to where something is integrated: 0, 1 if all the way
-  vec4 incoming; // where the ray leaves
+  vec2 within;    // from where to where something is integrated: 0, 1 if all the way
+#if TETMARCH_VERTEX_GRADIENTS && TETMARCH_TRANSPARENT_RANGES
+  bool enterKnown; // the shade where the ray comes in: that where it left the tetrahedron before
+#endif
 #if TETMARCH_LIGHT_ERROR && TETMARCH_VERTEX_LIGHT
-  real unsure; // how far that may be off for being interpolated between vertices
+  real unsure;    // how far light may be off for being interpolated between vertices
 #endif
 };
 
@@ -105,10 +130,10 @@ Shade shadeWithin(CellShades shades, real share)
 }
 
 #if TETMARCH_VERTEX_GRADIENTS
-Shade shadeAtFace(Ray ray, Crossing face, real depth, real scalar, vec4 incoming)
+Shade shadeAtFace(Ray ray, FacePoint point)
 {
-  vec3 gradient = gradientAt(face, crossingShares(face));
-  return shadeOf(ray, depth, scalar * tableScale + tableOffset, gradient, incoming);
+  return shadeOf(
+    ray, point.depth, point.scalar * tableScale + tableOffset, point.gradient, incomingAt(ray, point));
 }
 #endif
 
@@ -119,34 +144,58 @@ CellShades beginShades(Ray ray, INOUT(Crossing) face, vec2 enter)
   fetchCorners(face);
 #endif
   CellShades shades;
-  shades.within = vec2(real(0), real(1));
-  shades.incoming = incomingAt(ray, face, enter.x);
-#if TETMARCH_VERTEX_GRADIENTS
-  shades.leave = shadeAtFace(ray, face, enter.x, enter.y, shades.incoming);
+  shades.to = facePoint(face, enter);
+#if TETMARCH_VERTEX_GRADIENTS && !TETMARCH_TRANSPARENT_RANGES
+  shades.leave = shadeAtFace(ray, shades.to);
 #endif
   return shades;
 }
 
-// Of the tetrahedron behind the last face, by the face that it was left by. What is integrated of it are the depths
-// from range.x to range.y; scalar is that of the face or of the tetrahedron.
-void shadeCell(Ray ray, Crossing face, uint tet, real scalar, vec2 enter, vec2 leave, vec2 range,
-  INOUT(CellShades) shades)
+// Before the next tetrahedron; seen: something of the last one was.
+void beginCell(INOUT(CellShades) shades, bool seen)
 {
-  vec4 incoming = incomingAt(ray, face, leave.x);
-#if TETMARCH_VERTEX_GRADIENTS
+  shades.from = shades.to;
+#if TETMARCH_VERTEX_GRADIENTS && TETMARCH_TRANSPARENT_RANGES
+  shades.enterKnown = seen;
+#endif
+}
+
+// At the end of a tetrahedron, of which the depths from range.x to range.y are integrated.
+void shadeCell(Ray ray, Crossing face, uint tet, vec2 range, INOUT(CellShades) shades)
+{
+  FacePoint from = shades.from;
+  FacePoint to = shades.to;
+#if TETMARCH_VERTEX_GRADIENTS && TETMARCH_TRANSPARENT_RANGES
+  int missing = shades.enterKnown ? 1 : 2;
+  do
+  {
+    FacePoint point = to;
+    if (missing > 1)
+    {
+      point = from;
+#if !TETMARCH_POINT_SCALARS
+      point.scalar = to.scalar;
+#endif
+    }
+    shades.enter = shades.leave;
+    shades.leave = shadeAtFace(ray, point);
+    missing = missing - 1;
+  } while (missing > 0);
+#elif TETMARCH_VERTEX_GRADIENTS
   shades.enter = shades.leave;
-  shades.leave = shadeAtFace(ray, face, leave.x, scalar, incoming);
+  shades.leave = shadeAtFace(ray, to);
 #else
   // One gradient, and in the middle the light.
-  real depth = real(0.5) * (enter.x + leave.x);
-  real middle = real(0.5) * (enter.y + leave.y);
-  shades.enter = shadeOf(ray, depth, middle * tableScale + tableOffset, fetchCellGradient(tet),
-    (shades.incoming + incoming) * real(0.5));
+  real depth = real(0.5) * (from.depth + to.depth);
+  real scalar = real(0.5) * (from.scalar + to.scalar);
+  shades.enter = shadeOf(ray, depth, scalar * tableScale + tableOffset, fetchCellGradient(tet),
+    (incomingAt(ray, from) + incomingAt(ray, to)) * real(0.5));
   shades.leave = shades.enter;
 #endif
+  vec2 enter = vec2(from.depth, from.scalar);
+  vec2 leave = vec2(to.depth, to.scalar);
   shades.within = vec2(range.x > enter.x ? shareAt(enter, leave, range.x) : real(0),
     range.y < leave.x ? shareAt(enter, leave, range.y) : real(1));
-  shades.incoming = incoming;
 #if TETMARCH_LIGHT_ERROR && TETMARCH_VERTEX_LIGHT
   shades.unsure = unsureLight(face);
 #endif

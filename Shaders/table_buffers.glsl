@@ -6,6 +6,12 @@ uniform float tableScale; // from a stored scalar to a position in the table
 uniform float tableOffset;
 uniform vec4 tableIntegralUnit;
 uniform float errorTolerance; // of a channel of a pixel
+#if TETMARCH_TRANSPARENT_RANGES
+uniform vec4 transparentRanges; // in the table: up to, from, and from to
+#endif
+#if TETMARCH_CONSTANT_COLOR
+uniform vec3 constantColor; // in the place of the table's
+#endif
 #if TETMARCH_ERROR_BOUND
 uniform samplerBuffer tableVariationBuffer;
 #endif

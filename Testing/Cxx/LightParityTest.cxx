@@ -162,6 +162,40 @@ TEST_F(LightParity, GradientOpacityOfCells)
   expectParity(*this->Shown);
 }
 
+void setTransparentRanges(vtkVolumeProperty* property)
+{
+  vtkPiecewiseFunction* opacity = property->GetScalarOpacity();
+  opacity->RemoveAllPoints();
+  for (const double peak : { 0.3, 0.7 })
+  {
+    opacity->AddPoint(peak - 0.1, 0.0);
+    opacity->AddPoint(peak, 0.8);
+    opacity->AddPoint(peak + 0.1, 0.0);
+  }
+}
+
+// Shades are made where something is seen, of points or of cells.
+TEST_F(LightParity, TransparentRanges)
+{
+  setTransparentRanges(this->Shown->property());
+  this->addSun();
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  this->Shown->Mapper->SetVolumetricScatteringBlending(1.0f);
+  expectParity(*this->Shown);
+  this->Shown->drawCellScalars();
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, OneColour)
+{
+  this->addSun();
+  vtkColorTransferFunction* color = this->Shown->property()->GetRGBTransferFunction();
+  color->RemoveAllPoints();
+  color->AddRGBPoint(0.0, 0.9, 0.5, 0.1);
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  expectParity(*this->Shown);
+}
+
 TEST_F(LightParity, ShadowsOfTheSun)
 {
   this->addSun();

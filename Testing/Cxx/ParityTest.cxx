@@ -166,6 +166,34 @@ TEST(Parity, NarrowSpikes)
   expectParity(scene);
 }
 
+// The variant without lookups of colours.
+TEST(Parity, OneColour)
+{
+  Scene scene(jitteredLattice(10, 0.15, 1, sineField()));
+  scene.property()->GetRGBTransferFunction()->RemoveAllPoints();
+  scene.property()->GetRGBTransferFunction()->AddRGBPoint(0.0, 0.9, 0.5, 0.1);
+  expectParity(scene);
+  scene.drawCellScalars();
+  expectParity(scene);
+}
+
+// The variant that passes cells in which nothing is seen.
+TEST(Parity, TransparentRanges)
+{
+  Scene scene(jitteredLattice(10, 0.15, 1, sineField()));
+  vtkPiecewiseFunction* opacity = scene.property()->GetScalarOpacity();
+  opacity->RemoveAllPoints();
+  for (const double peak : { 0.3, 0.7 })
+  {
+    opacity->AddPoint(peak - 0.1, 0.0);
+    opacity->AddPoint(peak, 0.8);
+    opacity->AddPoint(peak + 0.1, 0.0);
+  }
+  expectParity(scene);
+  scene.drawCellScalars();
+  expectParity(scene);
+}
+
 TEST(Parity, StructuredLawAndGray)
 {
   Scene scene(jitteredLattice(10, 0.15, 1, sineField()));

@@ -53,15 +53,23 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "mostTrials errorBudget TOLERANCE_AT_ONCE TOLERANCE_BY_ABSORPTION budget" },
     { "diagnostics", [](const Key& k, MarchShader) { return k.Diagnostics; },
       "evaluations lost guarded met" },
+    { "transparent ranges", [](const Key& k, MarchShader) { return k.TransparentRanges; },
+      "transparentRanges isTransparentBetween passing" },
+    { "constant colour", [](const Key& k, MarchShader) { return k.ConstantColor; },
+      "constantColor" },
     { "picture", [](const Key&, MarchShader s) { return isPicture(s); }, "viewport eye" },
     { "one march a ray", [](const Key& k, MarchShader s) { return !followsLight(k, s); },
       "castRay" },
     // Gradients.
     { "gradients", [](const Key& k, MarchShader) { return k.hasGradients(); },
-      "gradientBuffer gradientUnit Shade CellShades shadeOf mixShade beginShades shadeCell "
-      "incomingAt shadeWithin" },
+      "gradientBuffer gradientUnit Shade CellShades FacePoint shadeOf mixShade facePoint "
+      "beginShades "
+      "beginCell shadeCell incomingAt shadeWithin" },
     { "gradients at vertices", [](const Key& k, MarchShader) { return k.hasVertexGradients(); },
-      "fetchGradient gradientA gradientB gradientC gradientAt shadeAtFace" },
+      "fetchGradient gradientA gradientB gradientC shadeAtFace" },
+    { "shades where something is seen",
+      [](const Key& k, MarchShader) { return k.hasVertexGradients() && k.TransparentRanges; },
+      "enterKnown missing" },
     { "gradients of cells", [](const Key& k, MarchShader) { return k.CellGradients; },
       "fetchCellGradient" },
     { "values at corners",

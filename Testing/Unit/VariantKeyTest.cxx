@@ -20,19 +20,22 @@ constexpr int Count = VariantKey::NumberOfBits;
 bool isSensible(const VariantKey& k)
 {
   const bool ofLight = k.HeadlightOnly || k.LocalLights || k.Scattering || k.CastShadows ||
-                       k.SampledShadows || k.HeadlightShadows || k.Occlusion;
+                       k.SampledShadows || k.SeveralShadows || k.HeadlightShadows || k.Occlusion;
   // Who doesn't know where a ray comes in has to look for it.
   return (k.RasterEntry || k.Hierarchy) &&
          // What is constant is integrated exactly, and has no gradient in a cell.
          !(!k.PointScalars && (k.Adaptive || k.CellGradients)) &&
+         !(k.ConstantColor && k.Adaptive) &&
+         // No colour of the volume is seen.
+         !(k.ConstantColor && (k.ShowIllumination || k.ShowGradients)) &&
          // Nothing uses gradients.
          !(k.CellGradients && !k.GradientOpacity && !k.Shading && !k.ShowGradients) &&
          // There is no light.
          !(ofLight && !k.Shading) &&
          // The only light stands at the eye.
-         !(k.HeadlightOnly && (k.LocalLights || k.CastShadows || k.SampledShadows)) &&
+         !(k.HeadlightOnly && (k.LocalLights || k.CastShadows)) &&
          // No shadows to be sampled.
-         !(k.SampledShadows && !k.CastShadows) &&
+         !((k.SampledShadows || k.SeveralShadows) && !k.CastShadows) &&
          // Gradients are shown instead of the light.
          !(k.ShowGradients && (k.Shading || k.ShowIllumination));
 }
@@ -93,15 +96,19 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 }
 
 // Counted by hand: entries found by the rasteriser, by it and a search, or by a search; up to
-// opaque geometry or not; fused or not; with counters or not; of scalars at points, adaptive or
-// not, or of cells. Effects of scalars at points: 4 times gradients shown; 2 and 4 times no light,
-// without and with opacity by gradients; 16 of light times 4 of a headlight alone and 24 of others.
+// opaque geometry or not; fused or not; with counters or not; with transparent ranges or not; of
+// scalars at points, adaptive or not, or of cells. Effects of scalars at points: 4 times gradients
+// shown; 2 and 4 times no light, without and with opacity by gradients; 16 of light times 4 of a
+// headlight alone and 40 of others. A constant colour is neither adaptive nor shown without itself.
 TEST(VariantKey, LegalKeysAreCounted)
 {
-  const std::size_t ofPoints = 4 + 2 + 4 + 16 * (4 + 24);
-  const std::size_t ofCells = 2 + 2 + 2 + 8 * (4 + 24);
+  const std::size_t ofPoints = 4 + 2 + 4 + 16 * (4 + 40);
+  const std::size_t ofCells = 2 + 2 + 2 + 8 * (4 + 40);
+  // Of one colour only.
+  const std::size_t ofColoredPoints = 1 + 2 + 8 * (4 + 40);
+  const std::size_t ofColoredCells = 1 + 1 + 4 * (4 + 40);
   const std::size_t legal = legalKeys().size();
-  EXPECT_EQ(legal, 3 * 2 * 2 * 2 * (2 * ofPoints + ofCells));
+  EXPECT_EQ(legal, 3 * 2 * 2 * 2 * 2 * (2 * ofPoints + ofCells + ofColoredPoints + ofColoredCells));
   const std::size_t light = legalLightKeys().size();
   EXPECT_EQ(light, 2 * 2 * (3 + 2));
   std::cout << "[ MEASURED ] " << legal << " variants of the picture, " << light

@@ -31,6 +31,14 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
   program->SetUniformf("tableScale", static_cast<float>(table.scale(range.width())));
   program->SetUniformf("tableOffset", static_cast<float>(table.offset(range.Low)));
   program->SetUniformf("errorTolerance", static_cast<float>(level.ErrorTolerance));
+  if (key.TransparentRanges)
+  {
+    program->SetUniform4f("transparentRanges", table.Traits.Transparent.data());
+  }
+  if (key.ConstantColor)
+  {
+    program->SetUniform3f("constantColor", table.Values.front().data());
+  }
   if (key.PointScalars)
   {
     this->Integrals.bind(program, "tableIntegralBuffer");

@@ -114,6 +114,7 @@ IntegralTable makeIntegralTable(const SampledFunctions& functions)
     variation += i > 0 ? colourChange(entries[i - 1], entries[i]) : 0;
     table.Variations.push_back(static_cast<float>(variation));
   }
+  table.Traits = traitsOf(table.Values);
   return table;
 }
 

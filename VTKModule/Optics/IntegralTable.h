@@ -5,6 +5,7 @@
 #ifndef TetMarchOpticsIntegralTable_h
 #define TetMarchOpticsIntegralTable_h
 
+#include "TableTraits.h"
 #include "TransferFunctions.h"
 
 #include <array>
@@ -20,6 +21,7 @@ struct IntegralTable
   std::vector<std::array<std::uint32_t, 4>> Integrals; // of C tau and tau up to each entry
   std::vector<float> Variations;                       // total variation of C up to each entry
   std::array<double, 4> IntegralUnit{};                // what 1 in Integrals stands for, in bins
+  TableTraits Traits;
   double Begin = 0; // scalars of the first and last sample, which are entries 2 and n - 3
   double End = 1;
 

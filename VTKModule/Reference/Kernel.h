@@ -37,6 +37,7 @@ using namespace glsl;
 #define TETMARCH_HAS_FMA 1
 #define TETMARCH_BVH 1
 #define TETMARCH_DIAGNOSTICS 1
+#define TETMARCH_TRANSPARENT_RANGES 1
 
 #define TETMARCH_POINT_SCALARS 1
 #define TETMARCH_ERROR_BOUND 1
@@ -83,6 +84,7 @@ struct CellKernel
 #undef TETMARCH_HAS_FMA
 #undef TETMARCH_BVH
 #undef TETMARCH_DIAGNOSTICS
+#undef TETMARCH_TRANSPARENT_RANGES
 
 } // namespace tetmarch
 

@@ -28,6 +28,7 @@ int mostCells = 0;
 int tableSize = 0;
 Real tableScale = 0;
 Real tableOffset = 0;
+vec4 transparentRanges{ Real(-3e38), Real(3e38), 1, 0 }; // none
 vec4 tableIntegralUnit{ 0, 0, 0, 0 };
 int mostTrials = 0;
 Real errorTolerance = 0;
@@ -86,6 +87,7 @@ Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 #define UNDRAWN_SCALAR Real(UndrawnScalar)
 #define LINK_OUTSIDE LinkOutside
 #define BVH_STACK MostHierarchyDepth
+#define SHADOW_CHANNELS 3
 
 #include "march_files.glsl"
 
@@ -109,5 +111,6 @@ Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 #undef UNDRAWN_SCALAR
 #undef LINK_OUTSIDE
 #undef BVH_STACK
+#undef SHADOW_CHANNELS
 
 #pragma GCC diagnostic pop

@@ -27,6 +27,8 @@ Kernel makeKernel(const TetMesh& mesh, const IntegralTable& table, const ScalarR
   kernel.tableSize = table.size();
   kernel.tableScale = Real(table.scale(range.width()));
   kernel.tableOffset = Real(table.offset(range.Low));
+  const auto& ranges = table.Traits.Transparent;
+  kernel.transparentRanges = { Real(ranges[0]), Real(ranges[1]), Real(ranges[2]), Real(ranges[3]) };
   const auto& unit = table.IntegralUnit;
   kernel.tableIntegralUnit = { Real(unit[0]), Real(unit[1]), Real(unit[2]), Real(unit[3]) };
   kernel.mostTrials = level.MostTrials;

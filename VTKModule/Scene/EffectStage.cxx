@@ -164,6 +164,7 @@ void EffectStage::setBits(VariantKey& key, double pixels) const
   key.LocalLights = lights.hasLocalLights();
   key.Scattering = lights.ScatteringBlending > 0;
   key.CastShadows = !lights.ShadowSources.empty();
+  key.SeveralShadows = lights.ShadowSources.size() > 1;
   key.SampledShadows = this->samplesShadows(pixels);
   key.HeadlightShadows = lights.hasHeadlightShadows();
   key.Occlusion = lights.OcclusionDirections > 0;

@@ -17,6 +17,8 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "HAS_FMA", &VariantKey::HasFma },
     { "ADAPTIVE", &VariantKey::Adaptive },
     { "DIAGNOSTICS", &VariantKey::Diagnostics },
+    { "TRANSPARENT_RANGES", &VariantKey::TransparentRanges },
+    { "CONSTANT_COLOR", &VariantKey::ConstantColor },
     { "CELL_GRADIENTS", &VariantKey::CellGradients },
     { "GRADIENT_OPACITY", &VariantKey::GradientOpacity },
     { "SHADING", &VariantKey::Shading },
@@ -24,6 +26,7 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "LOCAL_LIGHTS", &VariantKey::LocalLights },
     { "SCATTERING", &VariantKey::Scattering },
     { "CAST_SHADOWS", &VariantKey::CastShadows },
+    { "SEVERAL_SHADOWS", &VariantKey::SeveralShadows },
     { "SAMPLED_SHADOWS", &VariantKey::SampledShadows },
     { "HEADLIGHT_SHADOWS", &VariantKey::HeadlightShadows },
     { "OCCLUSION", &VariantKey::Occlusion },
@@ -43,14 +46,16 @@ VariantKey VariantKey::filtered() const
 {
   VariantKey key = *this;
   key.Hierarchy = key.Hierarchy || !key.RasterEntry;
-  key.Adaptive = key.Adaptive && key.PointScalars;
   key.ShowIllumination = key.ShowIllumination && !key.ShowGradients;
+  key.ConstantColor = key.ConstantColor && !key.ShowIllumination && !key.ShowGradients;
+  key.Adaptive = key.Adaptive && key.PointScalars && !key.ConstantColor;
   // Gradients are shown as they are, in no light.
   key.Shading = key.Shading && !key.ShowGradients;
   key.HeadlightOnly = key.HeadlightOnly && key.Shading;
   key.LocalLights = key.LocalLights && key.Shading && !key.HeadlightOnly;
   key.Scattering = key.Scattering && key.Shading;
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
+  key.SeveralShadows = key.SeveralShadows && key.CastShadows;
   key.SampledShadows = key.SampledShadows && key.CastShadows;
   key.HeadlightShadows = key.HeadlightShadows && key.Shading;
   key.Occlusion = key.Occlusion && key.Shading;

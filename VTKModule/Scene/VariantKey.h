@@ -25,6 +25,8 @@ struct VariantKey
   bool HasFma = true;       // the exact predicate by fused multiply-add; else the portable one
   bool Adaptive = true;     // segments are split until the pixel keeps the error tolerance
   bool Diagnostics = false; // counters in further colour attachments
+  bool TransparentRanges = false; // there are scalars without extinction: their cells are passed
+  bool ConstantColor = false;     // whatever is seen has the same colour
 
   bool CellGradients = false;    // that of each cell as it is; else interpolated between vertices
   bool GradientOpacity = false;  // extinction depends on the gradient
@@ -33,6 +35,7 @@ struct VariantKey
   bool LocalLights = false;      // some have a position
   bool Scattering = false;       // the volume scatters light without regard to surfaces
   bool CastShadows = false;      // the volume keeps light from itself, but for that from the eye
+  bool SeveralShadows = false;   // and more than one light does
   bool SampledShadows = false;   // how much is looked for along each ray; else kept at vertices
   bool HeadlightShadows = false; // the volume keeps light from itself that comes from the eye
   bool Occlusion = false;        // the volume keeps ambient light from its inside
@@ -50,7 +53,10 @@ struct VariantKey
     return this->Occlusion || (this->CastShadows && !this->SampledShadows);
   }
   /** Whether the error of the integration is bounded along the way; that of a constant is 0. */
-  bool hasErrorBound() const { return this->PointScalars && (this->Adaptive || this->Diagnostics); }
+  bool hasErrorBound() const
+  {
+    return this->PointScalars && !this->ConstantColor && (this->Adaptive || this->Diagnostics);
+  }
 
   bool operator==(const VariantKey& other) const;
 
@@ -71,7 +77,7 @@ struct VariantKey
     const char* Name;
     bool VariantKey::*Member;
   };
-  static constexpr int NumberOfBits = 19;
+  static constexpr int NumberOfBits = 22;
   static const std::array<Bit, NumberOfBits>& bits();
 };
 
