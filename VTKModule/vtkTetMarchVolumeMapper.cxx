@@ -112,6 +112,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const tetmarch::MeasureView view{ measureOf(this->ViewMode), this->AutomaticViewRange,
     { { this->ViewRange[0], this->ViewRange[1] } }, this->Internal->ViewTable };
   const tetmarch::DrawOptions options{ level, this->CollectDiagnostics, this->MaxDrawTimeInSeconds,
+    window->GetDesiredUpdateRate() < 1.0 ? 0.0 : this->LightTimeBudget,
     isMeasure(this->ViewMode) ? &view : nullptr, shellOf(this->ViewMode) };
   const tetmarch::EffectOptions effects{ this->GradientType == CELL_GRADIENTS,
     static_cast<tetmarch::ShadowMethod>(this->ShadowMethod), this->VolumetricScatteringBlending,

@@ -357,6 +357,22 @@ public:
   vtkGetMacro(AmbientOcclusionDirections, int);
   //@}
 
+  //@{
+  /**
+   * Seconds that light at vertices may take of a frame while the user interacts (the window's
+   * desired update rate is 1 or more), so that a lamp can be moved without waiting; default 0.1.
+   * Until all of it is made anew, over several frames, that of before is shown, or none is kept off
+   * if there was none. A still frame waits for all of it, as do all frames with 0.
+   */
+  vtkSetClampMacro(LightTimeBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(LightTimeBudget, double);
+  //@}
+
+  /**
+   * Whether the last frame showed all light as it is now; if not, further frames will.
+   */
+  bool IsLightComplete() const;
+
   /**
    * In how many draw calls the last frame was marched, up to where it ended if it was aborted; 0 if
    * nothing was drawn.
@@ -478,6 +494,7 @@ protected:
   bool AmbientOcclusion = false;
   double AmbientOcclusionRadius = 0.1;
   int AmbientOcclusionDirections = 16;
+  double LightTimeBudget = 0.1;
 
 private:
   vtkTetMarchVolumeMapper(const vtkTetMarchVolumeMapper&) = delete;

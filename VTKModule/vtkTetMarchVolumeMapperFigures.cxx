@@ -36,6 +36,10 @@ double vtkTetMarchVolumeMapper::GetUsedErrorTolerance() const
 {
   return this->Internal->Choice.used().Tolerance;
 }
+bool vtkTetMarchVolumeMapper::IsLightComplete() const
+{
+  return this->Internal->Pipeline.isLightComplete();
+}
 bool vtkTetMarchVolumeMapper::IsBudgetKept() const { return this->Internal->Choice.isKept(); }
 
 //------------------------------------------------------------------------------
@@ -195,6 +199,7 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AmbientOcclusion: " << (this->AmbientOcclusion ? "On" : "Off") << "\n";
   os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
   os << indent << "AmbientOcclusionDirections: " << this->AmbientOcclusionDirections << "\n";
+  os << indent << "LightTimeBudget: " << this->LightTimeBudget << "\n";
   os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";

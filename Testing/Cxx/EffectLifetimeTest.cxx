@@ -182,7 +182,7 @@ protected:
     this->Shown.Window->Render();
     EXPECT_EQ(this->Shown.Mapper->GetNumberOfDraws(), 0);
     EXPECT_EQ(this->Shown.Mapper->GetNumberOfRays(), 0);
-    EXPECT_EQ(this->Shown.Mapper->GetVertexLightBuilds(), builds + 1);
+    EXPECT_EQ(this->Shown.Mapper->GetVertexLightBuilds(), builds);
     EXPECT_EQ(compare(this->Shown.frame(), this->Empty).Max, 0.0);
   }
 

@@ -153,7 +153,7 @@ class ApiTest(unittest.TestCase):
     def test_the_limits(self):
         mapper = vtkTetMarchVolumeMapper()
         for name, value in (("MaxDrawTimeInSeconds", 0.5), ("MaxMemoryInBytes", 3 << 33),
-                            ("FrameTimeBudget", 0.1), ("ErrorBudget", 0.01)):
+                            ("FrameTimeBudget", 0.1), ("ErrorBudget", 0.01), ("LightTimeBudget", 0.5)):
             set_limit = getattr(mapper, "Set" + name)
             get_limit = getattr(mapper, "Get" + name)
             before = mapper.GetMTime()
@@ -171,7 +171,8 @@ class ApiTest(unittest.TestCase):
                      "MaxDrawTimeInSeconds: 0.25", "ViewMode: Picture", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0",
                      "ErrorBudget: 0", "UsedAccuracyLevel: Default", "BudgetKept: No", "GradientType: Vertex",
                      "ShadowMethod: Off", "VolumetricScatteringBlending: 0", "GlobalIlluminationReach: 1",
-                     "AmbientOcclusion: Off", "AmbientOcclusionRadius: 0.1", "AmbientOcclusionDirections: 16"):
+                     "AmbientOcclusion: Off", "AmbientOcclusionRadius: 0.1", "AmbientOcclusionDirections: 16",
+                     "LightTimeBudget: 0.1"):
             self.assertIn(line, text)
 
 

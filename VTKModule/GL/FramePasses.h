@@ -37,6 +37,10 @@ public:
   bool changedVariant() const { return this->ChangedVariant; }
   /** Draw calls of the picture, or of the march that a view shows. */
   int numberOfDraws() const { return this->Draws; }
+  bool isLightComplete() const
+  {
+    return !this->LastKey.hasVertexLight() || this->Light.isComplete();
+  }
   const StageRecord& vertexLightRecord() const { return this->Light.record(); }
   const Diagnostics& counted() const { return this->Counted; }
   /** Of opaque geometry, one a pixel, if the last frame looked at them; else empty. */

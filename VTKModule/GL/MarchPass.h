@@ -41,6 +41,7 @@ struct MarchInputs
   vtkTextureObject* Entries = nullptr;     // if the key has RasterEntry
   vtkTextureObject* Depths = nullptr;      // if the key has OpaqueDepth
   double MostSecondsPerDraw = 0;           // 0: no limit
+  double MostLightSeconds = 0;             // of a frame, for light at vertices; 0: no limit
 };
 
 class MarchPass

@@ -45,7 +45,8 @@ std::int64_t Pipeline::stageRuns() const
 
 bool Pipeline::onlyDrew() const
 {
-  return this->stageRuns() == this->RunsBefore && !this->Passes.changedVariant();
+  return this->stageRuns() == this->RunsBefore && !this->Passes.changedVariant() &&
+         this->isLightComplete();
 }
 
 bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)

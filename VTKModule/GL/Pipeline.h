@@ -36,6 +36,7 @@ struct DrawOptions
   AccuracyLevel Level = DefaultAccuracy;
   bool Diagnostics = false;
   double MostSecondsPerDraw = 0;     // 0: no limit
+  double MostLightSeconds = 0;       // for light at vertices; 0: no limit
   const MeasureView* View = nullptr; // drawn instead of the picture
   ShellView Shell = ShellView::None; // likewise
 };
@@ -88,6 +89,8 @@ public:
     return this->OnGpu.uploadedBytes() + this->EffectsOnGpu.uploadedBytes();
   }
   const EffectStage& effects() const { return this->Effects; }
+  /** Whether the last frame showed all the light that it was asked for. */
+  bool isLightComplete() const { return this->Passes.isLightComplete(); }
   const StageRecord& vertexLightRecord() const { return this->Passes.vertexLightRecord(); }
 
   StageRecord ScalarsRecord;

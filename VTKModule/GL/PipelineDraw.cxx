@@ -36,12 +36,11 @@ VariantKey Pipeline::keyOf(
   return options.Shell == ShellView::None ? key.filtered() : key.ofEntries();
 }
 
-// What light at vertices depends on.
+// What light at vertices depends on, the mesh first.
 Fingerprint Pipeline::lightVersion(const VariantKey& key) const
 {
   const LightUniforms& lights = this->Effects.data().Lights;
-  Fingerprint version = this->Effects.gradientOpacityVersion();
-  version.push_back(static_cast<std::uintptr_t>(this->meshRecord().Runs));
+  Fingerprint version{ static_cast<std::uintptr_t>(this->meshRecord().Runs) };
   version.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
   version.push_back(static_cast<std::uintptr_t>(this->TablesRecord.Runs));
   for (double x : this->Camera.LengthMatrix)
@@ -59,6 +58,8 @@ Fingerprint Pipeline::lightVersion(const VariantKey& key) const
   add(version, lights.OcclusionRadius);
   version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
   version.push_back(key.SampledShadows ? 1 : 0); // then it has none of the lights
+  const Fingerprint opacity = this->Effects.gradientOpacityVersion();
+  version.insert(version.end(), opacity.begin(), opacity.end());
   return version;
 }
 
@@ -88,6 +89,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   inputs.Effects = &this->EffectsOnGpu;
   inputs.EffectValues = &this->Effects.data();
   inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
+  inputs.MostLightSeconds = options.MostLightSeconds;
 
   // Who is told of progress may release what is being drawn.
   const auto goOn = [&](double share) { return progress(share) && this->Window == window; };

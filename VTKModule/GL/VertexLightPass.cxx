@@ -13,49 +13,144 @@
 
 #include "vtkOpenGLRenderUtilities.h"
 
+#include <chrono>
+#include <utility>
+
 namespace tetmarch
 {
-
-std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-  std::size_t vertices, const Fingerprint& version, const Progress& progress, bool& stopped)
+namespace
 {
-  if (version == this->Version)
-  {
-    return {};
-  }
-  StageRecorder recorder(this->Record);
-  this->Version.clear();
-  const int rows = static_cast<int>((vertices + RowLength - 1) / RowLength);
-  const Viewport target{ 0, 0, RowLength, rows };
-  MarchInputs light = inputs;
-  light.Key = inputs.Key.ofVertexLight();
-  light.Level = LightAccuracy;
-  StateScope state(window);
-  std::string error = this->Target.bind(window, RowLength, rows, 1, false, TargetFormat::Share16);
-  if (!error.empty())
-  {
-    return error;
-  }
+
+// So few that one draw of them fits into what a frame can spare.
+constexpr int PartLength = 512;
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin)
+{
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+void allowAllPixels(StateScope& state, const Viewport& all)
+{
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglViewport(0, 0, RowLength, rows);
-  error = drawInTiles(window, target, inputs.MostSecondsPerDraw, this->Tiles, progress, stopped,
-    [&](const Viewport& tile)
-    { return this->drawTile(window, light, target, tile, vertices, !inputs.Key.SampledShadows); });
-  glFinish(); // what it took is told
-  if (error.empty() && !stopped)
+  state->vtkglViewport(0, 0, all.Width, all.Height);
+}
+
+std::string bindRows(vtkOpenGLRenderWindow* window, FloatTarget& target, const Viewport& all)
+{
+  return target.bind(window, all.Width, all.Height, 1, false, TargetFormat::Share16);
+}
+
+} // namespace
+
+std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+  std::size_t vertices, const Fingerprint& version, const Progress& progress, bool& stopped)
+{
+  this->Complete = version == this->ShownVersion;
+  if (this->Complete)
   {
-    this->Version = version;
+    this->Next.release(window);
+    this->NextVersion.clear();
+    return {};
+  }
+  if (version != this->NextVersion)
+  {
+    this->NextVersion = version;
+    this->Made = 0;
+    this->Seconds = 0;
+  }
+  const Clock::time_point begin = Clock::now();
+  const int rows = static_cast<int>((vertices + RowLength - 1) / RowLength);
+  Work work{ inputs, { 0, 0, RowLength, rows }, vertices, !inputs.Key.SampledShadows };
+  work.Inputs.Key = inputs.Key.ofVertexLight();
+  work.Inputs.Level = LightAccuracy;
+  StateScope state(window);
+  allowAllPixels(state, work.All);
+  const bool spread = inputs.MostLightSeconds > 0;
+  std::string error;
+  if (spread)
+  {
+    error = this->showSomething(window, work.All, version.front());
+  }
+  else if (this->Made == 0)
+  {
+    // What was shown won't be any more, and its place can be used.
+    std::swap(this->Shown, this->Next);
+    this->ShownVersion.clear();
+  }
+  error = error.empty() ? bindRows(window, this->Next, work.All) : error;
+  if (error.empty())
+  {
+    error = spread ? this->makePart(window, work) : this->makeAll(window, work, progress, stopped);
+  }
+  this->Seconds += secondsSince(begin);
+  if (error.empty() && this->Made >= vertices)
+  {
+    std::swap(this->Shown, this->Next);
+    this->Next.release(window);
+    this->ShownVersion = version;
+    this->Complete = true;
+    this->Record = { this->Seconds, this->Record.Runs + 1 };
   }
   return error;
 }
 
-std::string VertexLightPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-  const Viewport& target, const Viewport& tile, std::size_t vertices, bool toLights)
+// Light of before, as long as it is of the vertices of this mesh; else all that comes.
+std::string VertexLightPass::showSomething(
+  vtkOpenGLRenderWindow* window, const Viewport& all, std::uintptr_t mesh)
 {
+  if (!this->ShownVersion.empty() && this->ShownVersion.front() == mesh)
+  {
+    return {};
+  }
+  const std::string error = bindRows(window, this->Shown, all);
+  if (error.empty())
+  {
+    const std::array<float, 4> white{ { 1.0f, 1.0f, 1.0f, 1.0f } };
+    glClearBufferfv(GL_COLOR, 0, white.data());
+    this->ShownVersion = { mesh };
+  }
+  return error;
+}
+
+std::string VertexLightPass::makeAll(
+  vtkOpenGLRenderWindow* window, const Work& work, const Progress& progress, bool& stopped)
+{
+  const int first = static_cast<int>(this->Made / RowLength);
+  const Viewport rest{ 0, first, work.All.Width, work.All.Height - first };
+  const std::string error = drawInTiles(window, rest, work.Inputs.MostSecondsPerDraw, this->Tiles,
+    progress, stopped, [&](const Viewport& tile) { return this->drawTile(window, work, tile); });
+  glFinish(); // what it took is told
+  this->Made = error.empty() && !stopped ? work.Vertices : this->Made;
+  return error;
+}
+
+std::string VertexLightPass::makePart(vtkOpenGLRenderWindow* window, const Work& work)
+{
+  glFinish(); // what was drawn before takes none of the time
+  const Clock::time_point begin = Clock::now();
+  std::string error;
+  do
+  {
+    const int x = static_cast<int>(this->Made % RowLength);
+    const int y = static_cast<int>(this->Made / RowLength);
+    error = this->drawTile(window, work, { x, y, PartLength, 1 });
+    glFinish();
+    this->Made += error.empty() ? PartLength : 0;
+  } while (error.empty() && this->Made < work.Vertices &&
+           secondsSince(begin) < work.Inputs.MostLightSeconds);
+  return error;
+}
+
+std::string VertexLightPass::drawTile(
+  vtkOpenGLRenderWindow* window, const Work& work, const Viewport& tile)
+{
+  const MarchInputs& inputs = work.Inputs;
   std::string error;
   vtkShaderProgram* program =
     this->Draw.use(window, "tile.vert.glsl", "vertex_light.frag.glsl", inputs.Key.defines(), error);
@@ -67,10 +162,10 @@ std::string VertexLightPass::drawTile(vtkOpenGLRenderWindow* window, const March
   inputs.Tables->bind(program, *inputs.Table, inputs.Range, inputs.Level, inputs.Key);
   inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
   inputs.Effects->bindStarts(program);
-  bindVertexRays(program, inputs.EffectValues->Lights, toLights);
+  bindVertexRays(program, inputs.EffectValues->Lights, work.ToLights);
   setUniform(program, "lengthMatrix", inputs.Camera->LengthMatrix);
-  program->SetUniformi("vertexCount", static_cast<int>(vertices));
-  drawCorners(program, this->Draw, target, tile);
+  program->SetUniformi("vertexCount", static_cast<int>(work.Vertices));
+  drawCorners(program, this->Draw, work.All, tile);
   inputs.Mesh->unbind();
   inputs.Tables->unbind();
   inputs.Effects->unbind();
@@ -80,9 +175,11 @@ std::string VertexLightPass::drawTile(vtkOpenGLRenderWindow* window, const March
 void VertexLightPass::release(vtkWindow* window)
 {
   this->Draw.release();
-  this->Target.release(window);
+  this->Shown.release(window);
+  this->Next.release(window);
   this->Tiles.expectChange();
-  this->Version.clear();
+  this->ShownVersion.clear();
+  this->NextVersion.clear();
 }
 
 } // namespace tetmarch

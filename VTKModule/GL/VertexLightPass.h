@@ -9,6 +9,7 @@
 #include "Scene/Fingerprint.h"
 #include "Scene/StageRecord.h"
 
+#include <cstdint>
 #include <string>
 
 namespace tetmarch
@@ -21,31 +22,54 @@ public:
   static constexpr int RowLength = 4096;
 
   /**
-   * Light of so many vertices, unless this version of it is there. Returns an empty string, or what
-   * is wrong; `stopped` becomes true if progress asked to stop between two tiles, and the light is
-   * begun anew then.
+   * Light of so many vertices, unless this version of it is there; the first word of a version is
+   * that of the mesh. Returns an empty string, or what is wrong; `stopped` becomes true if progress
+   * asked to stop between two tiles.
+   *
+   * If the inputs limit its time, a part is made and the rest left to the next calls: until all of
+   * it is there, the light that was there before is shown, or none is kept off.
    */
   std::string update(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::size_t vertices,
     const Fingerprint& version, const Progress& progress, bool& stopped);
   /** Rows of RGBA: ambient light, then that of up to three lights. */
-  vtkTextureObject* texture() const { return this->Target.color(0); }
+  vtkTextureObject* texture() const { return this->Shown.color(0); }
+  /** Whether texture() is what the last update() was asked for. */
+  bool isComplete() const { return this->Complete; }
+  /** A run is what makes all of the light, over however many frames. */
   const StageRecord& record() const { return this->Record; }
-  std::size_t bytes() const { return this->Target.bytes(); }
+  std::size_t bytes() const { return this->Shown.bytes() + this->Next.bytes(); }
   /** Four a vertex, as they are on the GPU. */
   std::vector<float> read(vtkOpenGLRenderWindow* window) const
   {
-    return this->Target.read(window, 0);
+    return this->Shown.read(window, 0);
   }
   void release(vtkWindow* window);
 
 private:
-  std::string drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-    const Viewport& target, const Viewport& tile, std::size_t vertices, bool toLights);
+  struct Work
+  {
+    MarchInputs Inputs;
+    Viewport All; // rows of the texture
+    std::size_t Vertices;
+    bool ToLights; // or ambient light alone
+  };
+
+  std::string showSomething(
+    vtkOpenGLRenderWindow* window, const Viewport& all, std::uintptr_t mesh);
+  std::string makeAll(
+    vtkOpenGLRenderWindow* window, const Work& work, const Progress& progress, bool& stopped);
+  std::string makePart(vtkOpenGLRenderWindow* window, const Work& work);
+  std::string drawTile(vtkOpenGLRenderWindow* window, const Work& work, const Viewport& tile);
 
   ShaderDraw Draw;
-  FloatTarget Target;
+  FloatTarget Shown;
+  FloatTarget Next; // while it is being made
+  Fingerprint ShownVersion;
+  Fingerprint NextVersion;
+  std::size_t Made = 0; // vertices of it
+  double Seconds = 0;   // that it took as yet
+  bool Complete = false;
   TileSchedule Tiles;
-  Fingerprint Version;
   StageRecord Record;
 };
 
