@@ -1,13 +1,11 @@
-// What the effects read. Vectors of lights are those of the world, with the centre of the mesh as origin.
+// What the effects read. Gradients are in a unit of their own. Vectors of lights are those of the world, with the centre of the mesh as origin.
 #if TETMARCH_VERTEX_GRADIENTS
 uniform samplerBuffer gradientBuffer; // of the scalar at the vertices
-uniform float gradientUnit;
-vec3 fetchGradient(uint vertex) { return texelFetch(gradientBuffer, int(vertex)).xyz * gradientUnit; }
+vec3 fetchGradient(uint vertex) { return texelFetch(gradientBuffer, int(vertex)).xyz; }
 #endif
 #if TETMARCH_CELL_GRADIENTS
 uniform samplerBuffer gradientBuffer; // of the scalar in the tetrahedra
-uniform float gradientUnit;
-vec3 fetchCellGradient(uint tet) { return texelFetch(gradientBuffer, int(tet)).xyz * gradientUnit; }
+vec3 fetchCellGradient(uint tet) { return texelFetch(gradientBuffer, int(tet)).xyz; }
 #endif
 
 #if TETMARCH_GRADIENT_OPACITY
@@ -32,11 +30,13 @@ vec3 fetchLightDiffuse(int light) { return lightDiffuse[light]; }
 vec3 fetchLightSpecular(int light) { return lightSpecular[light]; }
 
 #if !TETMARCH_HEADLIGHT_ONLY
-uniform int lightCount;
 uniform vec4 lightPlace[MOST_LIGHTS];
-uniform int lightKind[MOST_LIGHTS]; // 1: headlight
 vec4 fetchLightPlace(int light) { return lightPlace[light]; }
+#if !TETMARCH_SINGLE_LIGHT
+uniform int lightCount;
+uniform int lightKind[MOST_LIGHTS]; // 1: headlight
 bool isHeadlight(int light) { return lightKind[light] == 1; }
+#endif
 #endif
 #if TETMARCH_LOCAL_LIGHTS
 uniform vec4 lightFading[MOST_LIGHTS];
@@ -46,6 +46,7 @@ vec4 fetchLightCone(int light) { return lightCone[light]; }
 #endif
 #if TETMARCH_SCATTERING
 uniform float scatteringBlending;
+uniform float gradientUnit;
 #endif
 #if TETMARCH_SHADOWS
 uniform float shadowStrength[MOST_LIGHTS];

@@ -1,6 +1,6 @@
 // Where light comes from, at a point (world, from the centre of the mesh), and how much.
 
-#if TETMARCH_HEADLIGHT_ONLY
+#if TETMARCH_HEADLIGHT_ONLY || TETMARCH_SINGLE_LIGHT
 #define LIGHT_COUNT 1
 #else
 #define LIGHT_COUNT lightCount
@@ -29,6 +29,10 @@ vec4 lightTowards(int light, vec3 point, vec3 toEye)
 #else
   vec4 towards = vec4(place.x, place.y, place.z, real(1));
 #endif
+#if TETMARCH_SINGLE_LIGHT
+  return towards;
+#else
   return isHeadlight(light) ? vec4(toEye.x, toEye.y, toEye.z, real(1)) : towards;
+#endif
 #endif
 }

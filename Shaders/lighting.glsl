@@ -29,7 +29,7 @@ Illumination illuminate(vec3 gradient, real opacity, vec3 point, vec3 toEye, vec
   vec3 normal = slope * (steepness > real(0) ? -real(1) / steepness : real(0));
   real facing = dot(normal, toEye);
 #if TETMARCH_SCATTERING
-  real scattered = scatteredShare(sqrt(dot(gradient, gradient)) * opacity);
+  real scattered = scatteredShare(sqrt(dot(gradient, gradient)) * gradientUnit * opacity);
 #endif
   for (int i = 0; i < LIGHT_COUNT; ++i)
   {

@@ -62,7 +62,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "castRay" },
     // Gradients.
     { "gradients", [](const Key& k, MarchShader) { return k.hasGradients(); },
-      "gradientBuffer gradientUnit Shade CellShades FacePoint shadeOf mixShade facePoint "
+      "gradientBuffer Shade CellShades FacePoint shadeOf mixShade facePoint "
       "beginShades "
       "beginCell shadeCell incomingAt shadeWithin" },
     { "gradients at vertices", [](const Key& k, MarchShader) { return k.hasVertexGradients(); },
@@ -98,12 +98,15 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "worldMatrix normalMatrix twoSided ambientColor specularPower lightDiffuse lightSpecular "
       "toWorld toWorldNormal fetchLightDiffuse fetchLightSpecular toEye lightTowards LIGHT_COUNT "
       "diffuseOf specularOf illuminate" },
-    { "several lights", [](const Key& k, MarchShader) { return k.Shading && !k.HeadlightOnly; },
-      "lightCount lightPlace lightKind fetchLightPlace isHeadlight" },
+    { "lights elsewhere", [](const Key& k, MarchShader) { return k.Shading && !k.HeadlightOnly; },
+      "lightPlace fetchLightPlace" },
+    { "several lights",
+      [](const Key& k, MarchShader) { return k.Shading && !k.HeadlightOnly && !k.SingleLight; },
+      "lightCount lightKind isHeadlight" },
     { "local lights", [](const Key& k, MarchShader) { return k.LocalLights; },
       "lightFading lightCone fetchLightFading fetchLightCone spot" },
     { "scattering", [](const Key& k, MarchShader) { return k.Scattering; },
-      "scatteringBlending scatteredShare scattered" },
+      "scatteringBlending gradientUnit scatteredShare scattered" },
     { "shadows", [](const Key& k, MarchShader) { return k.hasShadows(); },
       "shadowStrength shadowChannel fetchShadowStrength fetchShadowChannel addShadowed" },
     { "shadows of headlights", [](const Key& k, MarchShader) { return k.HeadlightShadows; },

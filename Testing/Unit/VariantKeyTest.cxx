@@ -19,8 +19,9 @@ constexpr int Count = VariantKey::NumberOfBits;
 // Whether each bit of the key changes something; in the words of the members, one by one.
 bool isSensible(const VariantKey& k)
 {
-  const bool ofLight = k.HeadlightOnly || k.LocalLights || k.Scattering || k.CastShadows ||
-                       k.SampledShadows || k.SeveralShadows || k.HeadlightShadows || k.Occlusion;
+  const bool ofLight = k.HeadlightOnly || k.SingleLight || k.LocalLights || k.Scattering ||
+                       k.CastShadows || k.SampledShadows || k.SeveralShadows ||
+                       k.HeadlightShadows || k.Occlusion;
   // Who doesn't know where a ray comes in has to look for it.
   return (k.RasterEntry || k.Hierarchy) &&
          // What is constant is integrated exactly, and has no gradient in a cell.
@@ -33,7 +34,9 @@ bool isSensible(const VariantKey& k)
          // There is no light.
          !(ofLight && !k.Shading) &&
          // The only light stands at the eye.
-         !(k.HeadlightOnly && (k.LocalLights || k.CastShadows)) &&
+         !(k.HeadlightOnly && (k.SingleLight || k.LocalLights || k.CastShadows)) &&
+         // Or elsewhere.
+         !(k.SingleLight && (k.SeveralShadows || k.HeadlightShadows)) &&
          // No shadows to be sampled.
          !((k.SampledShadows || k.SeveralShadows) && !k.CastShadows) &&
          // Gradients are shown instead of the light.
@@ -99,14 +102,15 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 // opaque geometry or not; fused or not; with counters or not; with transparent ranges or not; of
 // scalars at points, adaptive or not, or of cells. Effects of scalars at points: 4 times gradients
 // shown; 2 and 4 times no light, without and with opacity by gradients; 16 of light times 4 of a
-// headlight alone and 40 of others. A constant colour is neither adaptive nor shown without itself.
+// headlight alone, 12 of another light alone and 40 of others. A constant colour is neither
+// adaptive nor shown without itself.
 TEST(VariantKey, LegalKeysAreCounted)
 {
-  const std::size_t ofPoints = 4 + 2 + 4 + 16 * (4 + 40);
-  const std::size_t ofCells = 2 + 2 + 2 + 8 * (4 + 40);
+  const std::size_t ofPoints = 4 + 2 + 4 + 16 * (4 + 12 + 40);
+  const std::size_t ofCells = 2 + 2 + 2 + 8 * (4 + 12 + 40);
   // Of one colour only.
-  const std::size_t ofColoredPoints = 1 + 2 + 8 * (4 + 40);
-  const std::size_t ofColoredCells = 1 + 1 + 4 * (4 + 40);
+  const std::size_t ofColoredPoints = 1 + 2 + 8 * (4 + 12 + 40);
+  const std::size_t ofColoredCells = 1 + 1 + 4 * (4 + 12 + 40);
   const std::size_t legal = legalKeys().size();
   EXPECT_EQ(legal, 3 * 2 * 2 * 2 * 2 * (2 * ofPoints + ofCells + ofColoredPoints + ofColoredCells));
   const std::size_t light = legalLightKeys().size();

@@ -84,6 +84,9 @@ void EffectTextures::bind(vtkShaderProgram* program, const EffectData& data, con
   if (key.hasGradients())
   {
     this->Gradients.bind(program, "gradientBuffer");
+  }
+  if (key.Scattering)
+  {
     program->SetUniformf("gradientUnit", static_cast<float>(this->GradientUnit));
   }
   if (key.GradientOpacity)
@@ -91,7 +94,8 @@ void EffectTextures::bind(vtkShaderProgram* program, const EffectData& data, con
     this->GradientOpacity.bind(program, "gradientOpacityBuffer");
     program->SetUniformi(
       "gradientOpacitySize", static_cast<int>(data.GradientOpacity.Values.size()));
-    program->SetUniformf("gradientOpacityScale", static_cast<float>(data.GradientOpacityScale));
+    program->SetUniformf(
+      "gradientOpacityScale", static_cast<float>(data.GradientOpacityScale * this->GradientUnit));
   }
 }
 

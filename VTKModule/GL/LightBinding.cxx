@@ -62,13 +62,16 @@ void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const Va
   program->SetUniform3fv("lightSpecular", count, gather(lights, &Lamp::Specular).data());
   if (!key.HeadlightOnly)
   {
+    program->SetUniform4fv("lightPlace", count, gather(lights, &Lamp::Place).data());
+  }
+  if (!key.HeadlightOnly && !key.SingleLight)
+  {
     std::vector<int> kinds;
     for (const Lamp& lamp : lights.Lamps)
     {
       kinds.push_back(lamp.Headlight ? 1 : 0);
     }
     program->SetUniformi("lightCount", count);
-    program->SetUniform4fv("lightPlace", count, gather(lights, &Lamp::Place).data());
     program->SetUniform1iv("lightKind", count, kinds.data());
   }
   if (key.LocalLights)

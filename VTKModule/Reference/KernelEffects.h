@@ -41,6 +41,7 @@ bool twoSided = true;
 vec3 ambientColor{ 0, 0, 0 };
 Real specularPower = 1;
 Real scatteringBlending = 0;
+Real gradientUnit = 1;
 int lightCount = 0;
 
 void useLights(const LightUniforms& lights)

@@ -161,6 +161,7 @@ void EffectStage::setBits(VariantKey& key, double pixels) const
   key.GradientOpacity = !this->Data.GradientOpacity.empty();
   key.Shading = !lights.Lamps.empty();
   key.HeadlightOnly = lights.isHeadlightOnly();
+  key.SingleLight = lights.Lamps.size() == 1 && !lights.Lamps[0].Headlight;
   key.LocalLights = lights.hasLocalLights();
   key.Scattering = lights.ScatteringBlending > 0;
   key.CastShadows = !lights.ShadowSources.empty();

@@ -23,6 +23,7 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "GRADIENT_OPACITY", &VariantKey::GradientOpacity },
     { "SHADING", &VariantKey::Shading },
     { "HEADLIGHT_ONLY", &VariantKey::HeadlightOnly },
+    { "SINGLE_LIGHT", &VariantKey::SingleLight },
     { "LOCAL_LIGHTS", &VariantKey::LocalLights },
     { "SCATTERING", &VariantKey::Scattering },
     { "CAST_SHADOWS", &VariantKey::CastShadows },
@@ -52,12 +53,13 @@ VariantKey VariantKey::filtered() const
   // Gradients are shown as they are, in no light.
   key.Shading = key.Shading && !key.ShowGradients;
   key.HeadlightOnly = key.HeadlightOnly && key.Shading;
+  key.SingleLight = key.SingleLight && key.Shading && !key.HeadlightOnly;
   key.LocalLights = key.LocalLights && key.Shading && !key.HeadlightOnly;
   key.Scattering = key.Scattering && key.Shading;
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
-  key.SeveralShadows = key.SeveralShadows && key.CastShadows;
+  key.SeveralShadows = key.SeveralShadows && key.CastShadows && !key.SingleLight;
   key.SampledShadows = key.SampledShadows && key.CastShadows;
-  key.HeadlightShadows = key.HeadlightShadows && key.Shading;
+  key.HeadlightShadows = key.HeadlightShadows && key.Shading && !key.SingleLight;
   key.Occlusion = key.Occlusion && key.Shading;
   // Inside of its cells, a scalar of cells has none.
   key.CellGradients = key.CellGradients && key.PointScalars && key.hasGradients();

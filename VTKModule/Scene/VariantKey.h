@@ -32,6 +32,7 @@ struct VariantKey
   bool GradientOpacity = false;  // extinction depends on the gradient
   bool Shading = false;          // lights shine on surfaces of constant scalar
   bool HeadlightOnly = false;    // one light, at the eye
+  bool SingleLight = false;      // one light, elsewhere
   bool LocalLights = false;      // some have a position
   bool Scattering = false;       // the volume scatters light without regard to surfaces
   bool CastShadows = false;      // the volume keeps light from itself, but for that from the eye
@@ -77,7 +78,7 @@ struct VariantKey
     const char* Name;
     bool VariantKey::*Member;
   };
-  static constexpr int NumberOfBits = 22;
+  static constexpr int NumberOfBits = 23;
   static const std::array<Bit, NumberOfBits>& bits();
 };
 
