@@ -20,7 +20,7 @@ constexpr int Count = VariantKey::NumberOfBits;
 bool isSensible(const VariantKey& k)
 {
   const bool ofLight = k.HeadlightOnly || k.LocalLights || k.Scattering || k.CastShadows ||
-                       k.SampledShadows || k.HeadlightShadows || k.Occlusion;
+                       k.SampledShadows || k.OpaqueShadows || k.HeadlightShadows || k.Occlusion;
   // Who doesn't know where a ray comes in has to look for it.
   return (k.RasterEntry || k.Hierarchy) &&
          // What is constant is integrated exactly, and has no gradient in a cell.
@@ -33,6 +33,8 @@ bool isSensible(const VariantKey& k)
          !(k.HeadlightOnly && (k.LocalLights || k.CastShadows || k.SampledShadows)) &&
          // No shadows to be sampled.
          !(k.SampledShadows && !k.CastShadows) &&
+         // No light that opaque geometry could keep off.
+         !(k.OpaqueShadows && !k.CastShadows) &&
          // Gradients are shown instead of the light.
          !(k.ShowGradients && (k.Shading || k.ShowIllumination));
 }
@@ -95,25 +97,29 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 // Counted by hand: entries found by the rasteriser, by it and a search, or by a search; up to
 // opaque geometry or not; fused or not; with counters or not; of scalars at points, adaptive or
 // not, or of cells. Effects of scalars at points: 4 times gradients shown; 2 and 4 times no light,
-// without and with opacity by gradients; 16 of light times 4 of a headlight alone and 24 of others.
+// without and with opacity by gradients; 16 of light times 4 of a headlight alone and 40 of others,
+// by whether the volume casts shadows, where these are looked for, and whether opaque geometry
+// casts some into it.
 TEST(VariantKey, LegalKeysAreCounted)
 {
-  const std::size_t ofPoints = 4 + 2 + 4 + 16 * (4 + 24);
-  const std::size_t ofCells = 2 + 2 + 2 + 8 * (4 + 24);
+  const std::size_t ofPoints = 4 + 2 + 4 + 16 * (4 + 40);
+  const std::size_t ofCells = 2 + 2 + 2 + 8 * (4 + 40);
   const std::size_t legal = legalKeys().size();
   EXPECT_EQ(legal, 3 * 2 * 2 * 2 * (2 * ofPoints + ofCells));
   const std::size_t light = legalLightKeys().size();
-  EXPECT_EQ(light, 2 * 2 * (3 + 2));
+  EXPECT_EQ(light, 2 * 2 * 2 * (3 + 2));
   std::cout << "[ MEASURED ] " << legal << " variants of the picture, " << light
             << " of the light at vertices, of " << NumberOfKeys << " combinations of bits\n";
 }
 
-// Towards the light only extinction counts.
+// Towards the light only extinction counts, and what stands in the way.
 TEST(VariantKey, LightAtVerticesIsExtinctionAlone)
 {
   for (const VariantKey& picture : legalKeys())
   {
-    const VariantKey light = picture.ofVertexLight();
+    VariantKey light = picture.ofVertexLight();
+    ASSERT_EQ(light.OpaqueShadows, picture.OpaqueShadows);
+    light.OpaqueShadows = false;
     ASSERT_TRUE(light == light.filtered());
     ASSERT_EQ(light.PointScalars, picture.PointScalars);
     ASSERT_EQ(light.Hierarchy, picture.Hierarchy);

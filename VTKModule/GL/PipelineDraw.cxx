@@ -39,6 +39,8 @@ Fingerprint Pipeline::lightVersion(const VariantKey& key) const
 {
   const LightUniforms& lights = this->Effects.data().Lights;
   Fingerprint version = this->Effects.gradientOpacityVersion();
+  const Fingerprint opaque = this->Effects.opaqueShadowsVersion();
+  version.insert(version.end(), opaque.begin(), opaque.end());
   version.push_back(static_cast<std::uintptr_t>(this->meshRecord().Runs));
   version.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
   version.push_back(static_cast<std::uintptr_t>(this->TablesRecord.Runs));

@@ -25,6 +25,7 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "SCATTERING", &VariantKey::Scattering },
     { "CAST_SHADOWS", &VariantKey::CastShadows },
     { "SAMPLED_SHADOWS", &VariantKey::SampledShadows },
+    { "OPAQUE_SHADOWS", &VariantKey::OpaqueShadows },
     { "HEADLIGHT_SHADOWS", &VariantKey::HeadlightShadows },
     { "OCCLUSION", &VariantKey::Occlusion },
     { "SHOW_ILLUMINATION", &VariantKey::ShowIllumination },
@@ -52,6 +53,7 @@ VariantKey VariantKey::filtered() const
   key.Scattering = key.Scattering && key.Shading;
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
   key.SampledShadows = key.SampledShadows && key.CastShadows;
+  key.OpaqueShadows = key.OpaqueShadows && key.CastShadows;
   key.HeadlightShadows = key.HeadlightShadows && key.Shading;
   key.Occlusion = key.Occlusion && key.Shading;
   // Inside of its cells, a scalar of cells has none.
@@ -68,7 +70,9 @@ VariantKey VariantKey::ofVertexLight() const
   key.Adaptive = false;
   key.GradientOpacity = this->GradientOpacity;
   key.CellGradients = this->CellGradients;
-  return key.filtered();
+  key = key.filtered();
+  key.OpaqueShadows = this->OpaqueShadows;
+  return key;
 }
 
 VariantKey VariantKey::ofEntries() const

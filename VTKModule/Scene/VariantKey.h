@@ -34,6 +34,7 @@ struct VariantKey
   bool Scattering = false;       // the volume scatters light without regard to surfaces
   bool CastShadows = false;      // the volume keeps light from itself, but for that from the eye
   bool SampledShadows = false;   // how much is looked for along each ray; else kept at vertices
+  bool OpaqueShadows = false;    // opaque geometry keeps light from the volume, too
   bool HeadlightShadows = false; // the volume keeps light from itself that comes from the eye
   bool Occlusion = false;        // the volume keeps ambient light from its inside
   bool ShowIllumination = false; // the light without the volume's own colour
@@ -47,7 +48,7 @@ struct VariantKey
   bool hasVertexGradients() const { return this->hasGradients() && !this->CellGradients; }
   bool hasVertexLight() const
   {
-    return this->Occlusion || (this->CastShadows && !this->SampledShadows);
+    return this->Occlusion || (this->CastShadows && (!this->SampledShadows || this->OpaqueShadows));
   }
   /** Whether the error of the integration is bounded along the way; that of a constant is 0. */
   bool hasErrorBound() const { return this->PointScalars && (this->Adaptive || this->Diagnostics); }
@@ -59,7 +60,8 @@ struct VariantKey
   /** The key of what looks for entries alone; the variant that marches makes no difference. */
   VariantKey ofEntries() const;
 
-  /** The variant that marches from the vertices towards the light: extinction alone. */
+  /** The variant that marches from the vertices towards the light: extinction alone, and whatever
+   * opaque geometry there is. */
   VariantKey ofVertexLight() const;
 
   /** The preprocessor lines that select the variant in the shader text. */
@@ -71,7 +73,7 @@ struct VariantKey
     const char* Name;
     bool VariantKey::*Member;
   };
-  static constexpr int NumberOfBits = 19;
+  static constexpr int NumberOfBits = 20;
   static const std::array<Bit, NumberOfBits>& bits();
 };
 
