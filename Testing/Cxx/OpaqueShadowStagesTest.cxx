@@ -8,15 +8,21 @@
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkDataSetMapper.h"
 #include "vtkMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkVersionMacros.h"
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkCompositePolyDataMapper2.h"
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#else
+#include "vtkCompositePolyDataMapper.h"
+using CompositeMapper = vtkCompositePolyDataMapper;
+#endif
 
-#include <functional>
 #include <gtest/gtest.h>
 
 namespace
@@ -227,7 +233,7 @@ TEST_F(OpaqueShadowStages, OfBlocksThatAreVisible)
   blocks->SetBlock(0, everything->GetOutput());
   blocks->SetBlock(1, large);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<CompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   mapper->SetCompositeDataDisplayAttributes(attributes);
   attributes->SetBlockVisibility(everything->GetOutput(), false);
