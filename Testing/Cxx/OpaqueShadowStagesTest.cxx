@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shadows of opaque geometry are made when something of it has changed, of all that casts some, and
 // are gone when they are off.
-#include "GLObjects.h"
+#include "Held.h"
 #include "LitScene.h"
 
 #include "vtkActor.h"
@@ -35,21 +35,6 @@ constexpr int Cubes = 8;
 constexpr vtkTypeInt64 Vertices = (Cubes + 1) * (Cubes + 1) * (Cubes + 1);
 constexpr vtkTypeInt64 JitterBytes = 4 * 64 * 64;
 constexpr vtkTypeInt64 VertexLightBytes = 16 * Vertices + 8 * 4096; // starts of rays; a row
-
-struct Held
-{
-  explicit Held(Scene& scene)
-    : Bytes(scene.Mapper->GetGPUMemoryBytes())
-    , Objects(countGLObjects())
-  {
-  }
-  bool operator==(const Held& other) const
-  {
-    return this->Bytes == other.Bytes && this->Objects == other.Objects;
-  }
-  vtkTypeInt64 Bytes;
-  std::array<int, 5> Objects;
-};
 
 class OpaqueShadowStages : public testing::Test
 {
