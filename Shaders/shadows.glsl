@@ -1,4 +1,15 @@
-// Light that the volume keeps from a point.
+// Light that the volume, or opaque geometry, keeps from a point.
+
+#if TETMARCH_OPAQUE_SHADOWS || TETMARCH_CAST_SHADOWS && !TETMARCH_SAMPLED_SHADOWS
+real incomingFrom(int channel, vec4 incoming)
+{
+#if TETMARCH_SEVERAL_SHADOWS
+  return channel == 0 ? incoming.y : (channel == 1 ? incoming.z : incoming.w);
+#else
+  return incoming.y;
+#endif
+}
+#endif
 
 // Part of a light may shine through whatever lies between it and the point; the rest is seen as far as it comes.
 void addShadowed(INOUT(Illumination) lit, int i, Light light, vec4 incoming)
@@ -12,19 +23,16 @@ void addShadowed(INOUT(Illumination) lit, int i, Light light, vec4 incoming)
   kept = head;
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
+  kept = channel < 0 ? kept : strength;
+#if TETMARCH_OPAQUE_SHADOWS
+  strength = strength * incomingFrom(channel, incoming); // past opaque geometry; the volume is yet to be looked at
+#endif
   for (int k = 0; k < SHADOW_CHANNELS; ++k)
   {
-    real beam = channel == k ? strength : real(0);
-    lit.beam[k] = addLight(lit.beam[k], dimLight(light, beam));
-    kept = kept + beam;
+    lit.beam[k] = addLight(lit.beam[k], dimLight(light, channel == k ? strength : real(0)));
   }
 #elif TETMARCH_CAST_SHADOWS
-#if TETMARCH_SEVERAL_SHADOWS
-  real comes = channel == 0 ? incoming.y : (channel == 1 ? incoming.z : incoming.w);
-#else
-  real comes = incoming.y;
-#endif
-  kept = channel < 0 ? kept : strength * (real(1) - comes);
+  kept = channel < 0 ? kept : strength * (real(1) - incomingFrom(channel, incoming));
 #endif
   lit.direct = addLight(lit.direct, dimLight(light, real(1) - kept));
 }

@@ -10,6 +10,11 @@ vec3 sphereDirection(int k, int n)
   return vec3(r * cos(turn), r * sin(turn), z);
 }
 
+#if TETMARCH_OPAQUE_SHADOWS
+// Whether opaque geometry stands between the vertex and light k.
+bool isShadowed(uint vertex, int k) { return (fetchOpaqueShadows(vertex) >> uint(k) & 1u) != 0u; }
+#endif
+
 // Ambient, then from up to three lights, 0..1.
 vec4 lightAtVertex(uint vertex)
 {
@@ -41,6 +46,10 @@ vec4 lightAtVertex(uint vertex)
     vec3 direction =
       fromLight ? way * (real(1) / max(far, TINY)) : sphereDirection(k - shadowSourceCount, occlusionDirectionCount);
     real distance = fromLight ? min(source.w > real(0) ? far : NO_DEPTH, lightReach) : occlusionRadius;
+#if TETMARCH_OPAQUE_SHADOWS
+    // What does not come need not be followed.
+    distance = fromLight && isShadowed(vertex, k) ? real(0) : distance;
+#endif
     real comes = transmittanceTowards(tet, point, direction, distance);
     light.y = k == 0 && fromLight ? comes : light.y;
     light.z = k == 1 && fromLight ? comes : light.z;
@@ -48,5 +57,10 @@ vec4 lightAtVertex(uint vertex)
     ambient = ambient + (fromLight ? real(0) : comes);
   }
   light.x = occlusionDirectionCount > 0 ? ambient / real(occlusionDirectionCount) : real(1);
+#if TETMARCH_OPAQUE_SHADOWS
+  light.y = isShadowed(vertex, 0) ? real(0) : light.y;
+  light.z = isShadowed(vertex, 1) ? real(0) : light.z;
+  light.w = isShadowed(vertex, 2) ? real(0) : light.w;
+#endif
   return light;
 }

@@ -117,7 +117,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const tetmarch::EffectOptions effects{ this->GradientType == CELL_GRADIENTS,
     static_cast<tetmarch::ShadowMethod>(this->ShadowMethod), this->VolumetricScatteringBlending,
     this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
-    this->AmbientOcclusionDirections, subjectOf(this->ViewMode) };
+    this->AmbientOcclusionDirections, this->OpaqueShadows, subjectOf(this->ViewMode) };
 
   const bool drawn = scalars && pipeline.updateMesh(grid, progress) &&
                      pipeline.updateScalars(grid, scalars, cellScalars == 1) &&

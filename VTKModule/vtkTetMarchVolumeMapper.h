@@ -198,9 +198,10 @@ public:
   /**
    * Most bytes that the mesh, its scalars and the tables may take on the GPU; textures of the size
    * of the picture come on top (up to 28 bytes a pixel, 48 more with CollectDiagnostics or a view
-   * mode), and what light needs (8 bytes a vertex for gradients, 24 more for shadows or occlusion).
-   * 0, the default: no limit but the GL's. A larger mesh is refused with an error before anything
-   * of it is allocated there, and, if its cells alone tell, before it is prepared.
+   * mode), and what light needs (8 bytes a vertex for gradients, 24 more for shadows or occlusion,
+   * 1 for shadows of opaque geometry). 0, the default: no limit but the GL's. A larger mesh is
+   * refused with an error before anything of it is allocated there, and, if its cells alone tell,
+   * before it is prepared.
    */
   vtkSetClampMacro(MaxMemoryInBytes, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaxMemoryInBytes, vtkIdType);
@@ -323,6 +324,24 @@ public:
 
   //@{
   /**
+   * Whether opaque geometry of the renderer casts shadows into the volume, too, where lights other
+   * than headlights cast any (ShadowMethod, VolumetricScatteringBlending) and as far as
+   * GlobalIlluminationReach says, at 1 however far. Off by default.
+   *
+   * Geometry is the polygons and triangle strips of actors that are visible, opaque and drawn as
+   * surfaces, alone or in assemblies; lines, points, translucent surfaces and mappers' clipping
+   * planes are left out. Rays are cast by the CPU, from each vertex to each of the lights, when
+   * geometry, the volume's place or a light has changed; a moved actor keeps its search tree. What
+   * they find is interpolated in the cells, with SHADOWS_ALONG_RAYS as well: the edge of a shadow
+   * is as sharp as the cells are small, and what is narrower than a cell may cast none.
+   */
+  vtkSetMacro(OpaqueShadows, bool);
+  vtkGetMacro(OpaqueShadows, bool);
+  vtkBooleanMacro(OpaqueShadows, bool);
+  //@}
+
+  //@{
+  /**
    * The scattering look of vtkGPUVolumeRayCastMapper from VTK 9.2 on, with its names and ranges, if
    * the volume is shaded. VolumetricScatteringBlending, 0..2, default 0: 0 lights surfaces only; up
    * to 1 light is scattered where the volume has no clear surface, from there to 2 more and more
@@ -395,12 +414,14 @@ public:
   //@{
   /**
    * Seconds that each stage took when it last ran: mesh (decomposition, links, boundary), scalars,
-   * transfer-function tables, gradients, light at vertices, upload to the GPU.
+   * transfer-function tables, gradients, shadows of opaque geometry, light at vertices, upload to
+   * the GPU.
    */
   double GetMeshSeconds() const;
   double GetScalarsSeconds() const;
   double GetTablesSeconds() const;
   double GetGradientsSeconds() const;
+  double GetOpaqueShadowsSeconds() const;
   double GetVertexLightSeconds() const;
   double GetUploadSeconds() const;
   //@}
@@ -414,6 +435,7 @@ public:
   vtkTypeInt64 GetScalarsBuilds() const;
   vtkTypeInt64 GetTablesBuilds() const;
   vtkTypeInt64 GetGradientsBuilds() const;
+  vtkTypeInt64 GetOpaqueShadowsBuilds() const;
   vtkTypeInt64 GetVertexLightBuilds() const;
   vtkTypeInt64 GetUploadedBytes() const;
   //@}
@@ -489,6 +511,7 @@ protected:
   bool CollectDiagnostics = false;
   int GradientType = VERTEX_GRADIENTS;
   int ShadowMethod = SHADOWS_OFF;
+  bool OpaqueShadows = false;
   float VolumetricScatteringBlending = 0;
   float GlobalIlluminationReach = 1;
   bool AmbientOcclusion = false;

@@ -99,6 +99,10 @@ double vtkTetMarchVolumeMapper::GetGradientsSeconds() const
 {
   return this->Internal->Pipeline.effects().gradientsRecord().Seconds;
 }
+double vtkTetMarchVolumeMapper::GetOpaqueShadowsSeconds() const
+{
+  return this->Internal->Pipeline.effects().opaqueShadowsRecord().Seconds;
+}
 double vtkTetMarchVolumeMapper::GetVertexLightSeconds() const
 {
   return this->Internal->Pipeline.vertexLightRecord().Seconds;
@@ -124,6 +128,10 @@ vtkTypeInt64 vtkTetMarchVolumeMapper::GetTablesBuilds() const
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetGradientsBuilds() const
 {
   return this->Internal->Pipeline.effects().gradientsRecord().Runs;
+}
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetOpaqueShadowsBuilds() const
+{
+  return this->Internal->Pipeline.effects().opaqueShadowsRecord().Runs;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetVertexLightBuilds() const
 {
@@ -196,6 +204,7 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShadowMethod: " << this->GetShadowMethodAsString() << "\n";
   os << indent << "VolumetricScatteringBlending: " << this->VolumetricScatteringBlending << "\n";
   os << indent << "GlobalIlluminationReach: " << this->GlobalIlluminationReach << "\n";
+  os << indent << "OpaqueShadows: " << (this->OpaqueShadows ? "On" : "Off") << "\n";
   os << indent << "AmbientOcclusion: " << (this->AmbientOcclusion ? "On" : "Off") << "\n";
   os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
   os << indent << "AmbientOcclusionDirections: " << this->AmbientOcclusionDirections << "\n";

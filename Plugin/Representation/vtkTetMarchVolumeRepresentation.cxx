@@ -78,6 +78,11 @@ void vtkTetMarchVolumeRepresentation::SetShadowMethod(int method)
   this->TetMarchMapper->SetShadowMethod(method);
 }
 
+void vtkTetMarchVolumeRepresentation::SetOpaqueShadows(bool shadows)
+{
+  this->TetMarchMapper->SetOpaqueShadows(shadows);
+}
+
 void vtkTetMarchVolumeRepresentation::SetVolumetricScatteringBlending(double blending)
 {
   this->TetMarchMapper->SetVolumetricScatteringBlending(static_cast<float>(blending));

@@ -39,6 +39,7 @@ public:
   void SetViewRange(double low, double high);
   void SetGradientType(int type);
   void SetShadowMethod(int method);
+  void SetOpaqueShadows(bool shadows);
   void SetVolumetricScatteringBlending(double blending);
   void SetGlobalIlluminationReach(double reach);
   void SetAmbientOcclusion(bool occlusion);

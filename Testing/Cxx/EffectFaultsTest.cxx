@@ -8,6 +8,7 @@
 #include "LitScene.h"
 #include "WatchedMapper.h"
 
+#include "vtkActor.h"
 #include "vtkLogger.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -171,6 +172,26 @@ TEST_F(EffectFaults, NoRoomForTheLight)
     this->expectEmpty(this->Shown.frame());
     this->expectReported("no room for 1 16-bit texture(s) of 4096 x 1 pixels");
   }
+  this->expectSound(this->frame());
+}
+
+// All else is there already.
+TEST_F(EffectFaults, NoRoomForShadowsOfOpaqueGeometry)
+{
+  this->Shown.Renderer->AddActor(makeBall({ 9.0, 12.0, 4.5 }, 0.5, { 1.0, 1.0, 1.0 }));
+  this->Sound = this->frame();
+  const vtkTypeInt64 bytes = this->Mapper->GetGPUMemoryBytes();
+  this->Mapper->OpaqueShadowsOn();
+  for (const Fault fault : { Fault::BufferData, Fault::TexBuffer })
+  {
+    EXPECT_TRUE(this->meet(fault, 0));
+    this->expectEmpty(this->Shown.frame());
+    EXPECT_EQ(this->Mapper->GetGPUMemoryBytes(), bytes);
+  }
+  ASSERT_EQ(this->Watch.Errors.size(), 2u);
+  EXPECT_NE(this->Watch.Errors[0].find("no room for a buffer of"), std::string::npos);
+  EXPECT_GT(compare(this->frame(), this->Sound).Max, 0.0);
+  this->Mapper->OpaqueShadowsOff();
   this->expectSound(this->frame());
 }
 

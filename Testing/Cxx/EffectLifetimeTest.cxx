@@ -7,6 +7,8 @@
 #include "LitScene.h"
 #include "Observer.h"
 
+#include "vtkActor.h"
+
 #include <gtest/gtest.h>
 
 namespace
@@ -27,12 +29,14 @@ protected:
   }
 
   // With all that effects keep on the GPU.
-  static void prepare(LitScene& scene)
+  void prepare(LitScene& scene)
   {
     scene.addGradientOpacity();
     scene.Mapper->SetShadowMethodToAtVertices();
     scene.Mapper->AmbientOcclusionOn();
     scene.Mapper->SetVolumetricScatteringBlending(0.5f);
+    scene.Mapper->OpaqueShadowsOn();
+    scene.Renderer->AddActor(this->Ball);
   }
 
   void expectSame(const Image& picture) const { EXPECT_EQ(picture.Rgba, this->Expected.Rgba); }
@@ -44,6 +48,7 @@ protected:
     renderer->SetActiveCamera(this->Shown.camera());
     renderer->AddLight(this->Shown.Sun);
     renderer->AddVolume(this->Shown.Volume);
+    renderer->AddActor(this->Ball);
     window->AddRenderer(renderer);
     return window;
   }
@@ -55,6 +60,8 @@ protected:
   }
 
   LitScene Shown{ jitteredLattice(8, 0.15, 1, sineField()), Side, Side };
+  // On the way to the light, out of sight.
+  vtkSmartPointer<vtkActor> Ball = makeBall({ 5.5, 7.5, 2.5 }, 0.3, { 1.0, 1.0, 1.0 });
   Image Expected;
 };
 
@@ -72,6 +79,7 @@ TEST_F(EffectLifetime, ReleasedAndDrawnAgain)
     // On the GPU only.
     EXPECT_EQ(this->Shown.Mapper->GetVertexLightBuilds(), 1 + i);
     EXPECT_EQ(this->Shown.Mapper->GetGradientsBuilds(), 1);
+    EXPECT_EQ(this->Shown.Mapper->GetOpaqueShadowsBuilds(), 1);
   }
 }
 

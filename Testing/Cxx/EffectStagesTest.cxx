@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // An effect of light costs nothing while it is off, and sliders redo only what depends on them.
-#include "GLObjects.h"
+#include "Held.h"
 #include "LitScene.h"
 #include "Twin.h"
 
@@ -25,22 +25,6 @@ constexpr vtkTypeInt64 JitterBytes = 4 * 64 * 64;
 constexpr vtkTypeInt64 VertexLightBytes = 16 * Vertices + 8 * 4096; // starts of rays; a row
 
 Grid lattice() { return jitteredLattice(Cubes, 0.15, 1, sineField()); }
-
-// What the GL has been given, and what the stages did for it.
-struct Held
-{
-  explicit Held(Scene& scene)
-    : Bytes(scene.Mapper->GetGPUMemoryBytes())
-    , Objects(countGLObjects())
-  {
-  }
-  bool operator==(const Held& other) const
-  {
-    return this->Bytes == other.Bytes && this->Objects == other.Objects;
-  }
-  vtkTypeInt64 Bytes;
-  std::array<int, 5> Objects;
-};
 
 class EffectMemory : public testing::Test
 {

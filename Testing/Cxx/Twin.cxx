@@ -22,6 +22,7 @@ EffectOptions optionsOf(vtkTetMarchVolumeMapper* mapper)
     static_cast<ShadowMethod>(mapper->GetShadowMethod()), mapper->GetVolumetricScatteringBlending(),
     mapper->GetGlobalIlluminationReach(), mapper->GetAmbientOcclusion(),
     mapper->GetAmbientOcclusionRadius(), mapper->GetAmbientOcclusionDirections(),
+    mapper->GetOpaqueShadows(),
     view == vtkTetMarchVolumeMapper::VIEW_ILLUMINATION ? Subject::Illumination
     : view == vtkTetMarchVolumeMapper::VIEW_GRADIENTS  ? Subject::Gradients
                                                        : Subject::Picture };

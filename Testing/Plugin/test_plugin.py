@@ -172,6 +172,7 @@ def check_light(watch):
     watch.expect_brightness(0.9, 0.99, matt, ShadowMethod="At Vertices", GlobalIlluminationReach=0)
     watch.expect_brightness(1.01, 100, shadowed, GlobalIlluminationReach=0.1)
     watch.expect_same(shadowed, GlobalIlluminationReach=1)
+    check_opaque_shadows(watch, shadowed)
     scattered = watch.expect_brightness(1.05, 100, shadowed, VolumetricScatteringBlending=2)
     watch.expect_same(scattered, ShadowMethod="Off")
     watch.expect_same(matt, VolumetricScatteringBlending=0)
@@ -185,6 +186,21 @@ def check_light(watch):
     watch.expect_same(unlit, Shade=0, Ambient=0, Diffuse=1)
     watch.view.ViewSize = size
     watch.look()
+
+
+def check_opaque_shadows(watch, shadowed):
+    """Of a roof that keeps the key light off, out of sight."""
+    roof = simple.Plane(Origin=[-9, -9, 4], Point1=[11, -9, 4], Point2=[-9, 11, 4])
+    shown = simple.Show(roof, watch.view)
+    watch.expect_brightness(0.995, 1.005, shadowed)
+    dark = watch.expect_brightness(0.1, 0.9, shadowed, OpaqueShadows=1)
+    for name, on, off in (("Representation", "Surface", "Wireframe"), ("Visibility", 1, 0)):
+        setattr(shown, name, off)
+        watch.expect_brightness(0.995, 1.005, shadowed)
+        setattr(shown, name, on)
+        watch.expect_brightness(0.995, 1.005, dark)
+    simple.Delete(roof)
+    watch.expect_brightness(0.995, 1.005, shadowed, OpaqueShadows=0)
 
 
 def check_colour_map(watch):

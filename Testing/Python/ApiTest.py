@@ -133,11 +133,18 @@ class ApiTest(unittest.TestCase):
             for beyond, clamped in ((-1, least), (1000, most)):
                 set_number(beyond)
                 self.assertEqual(get_number(), clamped)
-        self.assertFalse(mapper.GetAmbientOcclusion())
-        mapper.AmbientOcclusionOn()
-        self.assertTrue(mapper.GetAmbientOcclusion())
-        mapper.AmbientOcclusionOff()
-        self.assertFalse(mapper.GetAmbientOcclusion())
+
+    def test_the_switches_of_light(self):
+        mapper = vtkTetMarchVolumeMapper()
+        for name in ("AmbientOcclusion", "OpaqueShadows"):
+            is_on = getattr(mapper, "Get" + name)
+            self.assertFalse(is_on())
+            before = mapper.GetMTime()
+            getattr(mapper, name + "On")()
+            self.assertTrue(is_on())
+            self.assertGreater(mapper.GetMTime(), before)
+            getattr(mapper, name + "Off")()
+            self.assertFalse(is_on())
 
     def test_the_legend(self):
         legend = vtkTetMarchLegend()
@@ -171,8 +178,8 @@ class ApiTest(unittest.TestCase):
                      "MaxDrawTimeInSeconds: 0.25", "ViewMode: Picture", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0",
                      "ErrorBudget: 0", "UsedAccuracyLevel: Default", "BudgetKept: No", "GradientType: Vertex",
                      "ShadowMethod: Off", "VolumetricScatteringBlending: 0", "GlobalIlluminationReach: 1",
-                     "AmbientOcclusion: Off", "AmbientOcclusionRadius: 0.1", "AmbientOcclusionDirections: 16",
-                     "LightTimeBudget: 0.1"):
+                     "OpaqueShadows: Off", "AmbientOcclusion: Off", "AmbientOcclusionRadius: 0.1",
+                     "AmbientOcclusionDirections: 16", "LightTimeBudget: 0.1"):
             self.assertIn(line, text)
 
 

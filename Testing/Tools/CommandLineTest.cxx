@@ -149,6 +149,8 @@ TEST(CommandLine, Defaults)
   EXPECT_FALSE(c.Light.Shade);
   EXPECT_TRUE(c.Light.Lights.empty());
   EXPECT_EQ(c.Light.ShadowMethod, 0);
+  EXPECT_FALSE(c.Light.OpaqueShadows);
+  EXPECT_TRUE(c.Surfaces.empty());
   EXPECT_EQ(c.Light.Scattering, 0.0);
   EXPECT_EQ(c.Light.Reach, 1.0);
   EXPECT_FALSE(c.Light.Ambient || c.Light.Diffuse || c.Light.Specular || c.Light.SpecularPower ||
@@ -163,7 +165,7 @@ TEST(CommandLine, TakesEveryOption)
     "--parallel-scale", "1e3", "--background", "0,0.5,1", "--opacity-law", "structured",
     "--association", "cells", "--stats", "s.json", "--frames", "7", "--time-step", "3", "--range",
     "-1,1", "--accuracy", "accurate", "--tolerance", "0.01", "--frame-time", "0.1", "--error=0.02",
-    "--compare", "--view", "cells", "m.ex2" });
+    "--compare", "--view", "cells", "--surface", "a.vtp", "--surface=b.vtk", "m.ex2" });
   EXPECT_EQ(c.Input, "m.ex2");
   EXPECT_EQ(c.Array, "T");
   EXPECT_EQ(c.Output, "o=1.png");
@@ -189,6 +191,8 @@ TEST(CommandLine, TakesEveryOption)
   EXPECT_EQ(c.ViewMode, 2);
   EXPECT_TRUE(c.Compare);
   EXPECT_EQ(c.Range, (std::array<double, 2>{ { -1, 1 } }));
+  EXPECT_EQ(c.Surfaces, (std::vector<std::string>{ "a.vtp", "b.vtk" }));
+  EXPECT_FALSE(c.Light.Shade);
 }
 
 // By the numbers of vtkTetMarchVolumeMapper::ViewModeType.
@@ -207,12 +211,12 @@ TEST(CommandLine, ViewsAreThoseOfTheMapper)
 
 TEST(CommandLine, TakesEveryOptionOfLight)
 {
-  const auto light =
-    ParseCommandLine({ "a.vtu", "--light", "-1,2,3", "--light=headlight", "--light", "0,0,2,0.5",
-                       "--light", "headlight,0.25", "--ambient", "0.1", "--diffuse", "0.2",
-                       "--specular", "0.3", "--specular-power", "40", "--shadows", "rays",
-                       "--scattering", "1.5", "--reach", "0.6", "--occlusion", "0.7" })
-      .Light;
+  const auto light = ParseCommandLine(
+    { "a.vtu", "--light", "-1,2,3", "--light=headlight", "--light", "0,0,2,0.5", "--light",
+      "headlight,0.25", "--ambient", "0.1", "--diffuse", "0.2", "--specular", "0.3",
+      "--specular-power", "40", "--shadows", "rays", "--scattering", "1.5", "--reach", "0.6",
+      "--occlusion", "0.7", "--opaque-shadows" })
+                       .Light;
   ASSERT_EQ(light.Lights.size(), 4u);
   EXPECT_EQ(light.Lights[0].From, (std::array<double, 3>{ { -1, 2, 3 } }));
   EXPECT_EQ(light.Lights[0].Intensity, 1.0);
@@ -230,6 +234,7 @@ TEST(CommandLine, TakesEveryOptionOfLight)
   EXPECT_EQ(light.Scattering, 1.5);
   EXPECT_EQ(light.Reach, 0.6);
   EXPECT_EQ(light.OcclusionRadius, 0.7);
+  EXPECT_TRUE(light.OpaqueShadows);
 }
 
 // By the numbers of vtkTetMarchVolumeMapper::ShadowMethods.
@@ -248,7 +253,7 @@ TEST(CommandLine, WhoAsksForLightHasShading)
   EXPECT_TRUE(ParseCommandLine({ "a.vtu", "--shade" }).Light.Shade);
   for (const char* option :
     { "--light=1,0,0", "--ambient=0.3", "--diffuse=0.5", "--specular=0.3", "--specular-power=4",
-      "--shadows=off", "--scattering=0", "--reach=0.5", "--occlusion=0.1" })
+      "--shadows=off", "--scattering=0", "--reach=0.5", "--occlusion=0.1", "--opaque-shadows" })
   {
     EXPECT_TRUE(ParseCommandLine({ "a.vtu", option }).Light.Shade) << option;
   }
@@ -270,12 +275,12 @@ TEST(CommandLine, HelpNamesEveryOption)
   EXPECT_TRUE(ParseCommandLine({ "--help" }).Help);
   EXPECT_TRUE(ParseCommandLine({ "--version" }).Version);
   const std::string help = tetmarch::GetHelp();
-  for (const char* option :
-    { "--accuracy", "--ambient", "--array", "--association", "--background", "--camera",
-      "--compare", "--diffuse", "--error", "--frame-time", "--frames", "--help", "--light",
-      "--occlusion", "--opacity-law", "--output", "--parallel-scale", "--preset", "--range",
-      "--reach", "--scattering", "--shade", "--shadows", "--size", "--specular", "--specular-power",
-      "--stats", "--time-step", "--tolerance", "--unit-distance", "--version", "--view" })
+  for (const char* option : { "--accuracy", "--ambient", "--array", "--association", "--background",
+         "--camera", "--compare", "--diffuse", "--error", "--frame-time", "--frames", "--help",
+         "--light", "--occlusion", "--opacity-law", "--opaque-shadows", "--output",
+         "--parallel-scale", "--preset", "--range", "--reach", "--scattering", "--shade",
+         "--shadows", "--size", "--specular", "--specular-power", "--stats", "--surface",
+         "--time-step", "--tolerance", "--unit-distance", "--version", "--view" })
   {
     EXPECT_NE(help.find(std::string(option)), std::string::npos) << option;
   }

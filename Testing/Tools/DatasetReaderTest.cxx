@@ -5,12 +5,15 @@
 #include "FileReader.h"
 #include "TestGrids.h"
 
+#include "vtkCellArray.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPolyDataWriter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGridWriter.h"
 #include "vtkXMLImageDataWriter.h"
 #include "vtkXMLMultiBlockDataWriter.h"
+#include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
 #include <gtest/gtest.h>
@@ -67,6 +70,38 @@ TEST_F(DatasetReader, RefusesWhatIsNoFile)
   EXPECT_EQ(GetError(missing), "cannot read '" + missing + "': there is no such file");
   EXPECT_EQ(
     GetError(this->Folder.string()), "cannot read '" + this->Folder.string() + "': it is a folder");
+}
+
+TEST_F(DatasetReader, ReadsSurfaces)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(1.0, 0.0, 0.0);
+  points->InsertNextPoint(0.0, 1.0, 0.0);
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ 0, 1, 2 });
+  surface->SetLines(cells);
+  const std::string lines = this->Write<vtkXMLPolyDataWriter>("lines.vtp", surface);
+  surface->SetPolys(cells);
+  for (const std::string& path : { this->Write<vtkXMLPolyDataWriter>("surface.vtp", surface),
+         this->Write<vtkPolyDataWriter>("surface.vtk", surface) })
+  {
+    EXPECT_EQ(tetmarch::ReadSurface(path)->GetNumberOfPolys(), 1);
+    EXPECT_EQ(GetError(path),
+      "'" + path + "' has no 3D cells, so there is no volume to render (vtkPolyData)");
+  }
+  try
+  {
+    tetmarch::ReadSurface(lines);
+    ADD_FAILURE() << "lines are no surface";
+  }
+  catch (const tetmarch::Failure& failure)
+  {
+    EXPECT_EQ(failure.what(),
+      "'" + lines + "' has no polygons, so there is no surface to draw (vtkPolyData)");
+  }
 }
 
 TEST_F(DatasetReader, RefusesUnknownEndings)

@@ -59,6 +59,23 @@ class RenderLightTest(RenderCase):
         for method in ("vertices", "automatic"):
             self.expect(lambda x: math.exp(-EXTINCTION) * (1 - x) + x, *light, "--shadows", method, delta=6)
 
+    def test_shadows_of_surfaces(self):
+        light = ("--ambient", 0.25, "--diffuse", 0.75, "--specular", 0, "--surface", "plate.vtk")
+        for method in ("vertices", "rays"):
+            shadows = ("--shadows", method, "--opaque-shadows")
+            self.expect(lambda x: 0.25, *light, *shadows, "--light", "1,0,0")
+            # The plate is beyond reach.
+            self.expect(lambda x: 1, *light, *shadows, "--light", "1,0,0", "--reach", 0)
+        self.expect(lambda x: 1, *light, "--opaque-shadows", "--light", "1,0,0")
+        self.expect(lambda x: 0.25 + 0.75 * math.exp(-EXTINCTION * (1 - x)), *light, "--shadows", "rays",
+                    "--light", "1,0,0", delta=2)
+
+    def test_surfaces_hide_the_volume(self):
+        row = self.row("--surface", "plate.vtk", "--camera", "9,0.5,0.5,0.5,0.5,0.5,0,1,0")
+        for column in COLUMNS:
+            self.assertEqual(row[column][:3], row[0][:3])
+            self.assertEqual(len(set(row[column][:3])), 1, "the plate is not grey")
+
     def test_scattering_casts_shadows_as_far_as_light_reaches(self):
         light = ("--ambient", 0, "--diffuse", 1, "--specular", 0, "--light", "3,0,4")
         self.expect(lambda x: 1, *light, "--scattering", 2, "--reach", 0)

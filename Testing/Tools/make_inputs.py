@@ -42,6 +42,12 @@ def legacy(cells, with_array=True):
     return text
 
 
+def plate():
+    """A square of side 20 in the plane x = 2."""
+    return ("# vtk DataFile Version 3.0\nplate\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n"
+            "2 -10 -10\n2 10 -10\n2 10 10\n2 -10 10\nPOLYGONS 1 5\n4 0 1 2 3\n")
+
+
 def write_all(folder):
     hexahedron = (12, range(8))
     texts = {
@@ -54,6 +60,7 @@ def write_all(folder):
         "garbage.vtk": "this is no VTK file",
         "bare.vtk": legacy([hexahedron], with_array=False),
         "surface.vtk": legacy([(5, (0, 1, 2)), (9, (0, 1, 2, 3))]),
+        "plate.vtk": plate(),
         "garbage.ex2": "this is no Exodus file",
         "garbage.cgns": "this is no CGNS file",
         "notes.txt": "text",

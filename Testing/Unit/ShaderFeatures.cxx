@@ -114,6 +114,13 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "sampled shadows", [](const Key& k, MarchShader) { return k.SampledShadows; },
       "jitterTexture jitter keepPending addPending paused nextSample sampleLight "
       "marchAndSample castSampledRay seenShare seenDepth SAMPLED_SHARE FIRST_SAMPLE" },
+    { "light past the volume or opaque geometry",
+      [](const Key& k, MarchShader s)
+      { return isPicture(s) && k.CastShadows && (!k.SampledShadows || k.OpaqueShadows); },
+      "incomingFrom" },
+    { "shadows of opaque geometry",
+      [](const Key& k, MarchShader s) { return !isPicture(s) && k.OpaqueShadows; },
+      "opaqueShadowBuffer fetchOpaqueShadows isShadowed" },
     { "light kept at vertices", [](const Key& k, MarchShader) { return k.hasVertexLight(); },
       "vertexLightTexture fetchVertexLight lightA lightB lightC" },
     { "rays to lights", followsLight,

@@ -8,6 +8,7 @@
 #include "ShaderFeatures.h"
 #include "ShaderWords.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -116,9 +117,34 @@ protected:
   std::map<int, std::size_t> Declared; // functions and uniforms, in how many texts
 };
 
+// Opaque geometry's shadows are part of the light at vertices. Where all light is, the picture
+// knows nothing of them.
+bool hasTextOfItsOwn(const VariantKey& picture)
+{
+  return !picture.OpaqueShadows || picture.SampledShadows;
+}
+
 TEST_F(VariantText, OfThePicture)
 {
-  this->expectClean(legalKeys(), MarchShader::Picture, "march.frag.glsl");
+  std::vector<VariantKey> keys = legalKeys();
+  keys.erase(std::partition(keys.begin(), keys.end(), hasTextOfItsOwn), keys.end());
+  this->expectClean(keys, MarchShader::Picture, "march.frag.glsl");
+}
+
+TEST_F(VariantText, OfOpaqueShadowsAtVertices)
+{
+  int compared = 0;
+  for (VariantKey key : legalKeys())
+  {
+    if (!hasTextOfItsOwn(key) && numberOf(key) % 7 == 0)
+    {
+      const std::string text = shaderSource("march.frag.glsl", key.defines());
+      key.OpaqueShadows = false;
+      ASSERT_EQ(text, shaderSource("march.frag.glsl", key.defines())) << namesOf(key);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 1000);
 }
 
 TEST_F(VariantText, OfTheLightAtVertices)

@@ -151,6 +151,7 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
       [](CommandLine& c, const std::string& v) { LightOf(c).SpecularPower = ParsePositive(v); } },
     { "--stats", [](CommandLine& c, const std::string& v) { c.Stats = v; } },
     { "--time-step", [](CommandLine& c, const std::string& v) { c.TimeStep = ParseCount(v); } },
+    { "--surface", [](CommandLine& c, const std::string& v) { c.Surfaces.push_back(v); } },
     { "--tolerance",
       [](CommandLine& c, const std::string& v) { c.Tolerance = ParseWithin(v, "1e-6", "1"); } },
     { "--unit-distance",
@@ -216,6 +217,11 @@ CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
     if (argument == "--shade")
     {
       commandLine.Light.Shade = true;
+      continue;
+    }
+    if (argument == "--opaque-shadows")
+    {
+      LightOf(commandLine).OpaqueShadows = true;
       continue;
     }
     const auto equals = argument.find('=');

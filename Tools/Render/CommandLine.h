@@ -55,7 +55,8 @@ struct CommandLine
   double FrameTime = 0.0; // budgets; 0: none
   double Error = 0.0;
   LightOptions Light;
-  int ViewMode = 0; // vtkTetMarchVolumeMapper::VIEW_PICTURE
+  std::vector<std::string> Surfaces; // files
+  int ViewMode = 0;                  // vtkTetMarchVolumeMapper::VIEW_PICTURE
   bool Compare = false;
   int Frames = 0; // re-renders to be timed; 5 by default if Stats is given
 };

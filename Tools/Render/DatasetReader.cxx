@@ -18,7 +18,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <filesystem>
@@ -65,6 +64,26 @@ void Update(vtkAlgorithm* reader, std::optional<int> timeStep)
   {
     reader->Update();
   }
+}
+
+vtkSmartPointer<vtkDataObject> Read(const std::string& path, std::optional<int> timeStep)
+{
+  CheckFile(path);
+  const int errorsBefore = tetmarch::Messages::GetNumberOfErrors();
+  vtkSmartPointer<vtkAlgorithm> reader = tetmarch::MakeReader(path);
+  {
+    tetmarch::ProgressBar progress("reading", reader);
+    Update(reader, timeStep);
+  }
+  vtkDataObject* data = reader->GetOutputDataObject(0);
+  if (tetmarch::Messages::GetNumberOfErrors() > errorsBefore || !data ||
+      reader->GetErrorCode() != 0)
+  {
+    throw Failure("cannot read '" + path +
+                  "': the file is damaged or not of the kind that its ending "
+                  "says");
+  }
+  return data;
 }
 
 std::vector<vtkDataSet*> ListSolidBlocks(vtkDataObject* data)
@@ -185,21 +204,7 @@ bool HasSolidCells(vtkDataSet* data)
 vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
   const std::string& path, std::optional<int> timeStep)
 {
-  CheckFile(path);
-  const int errorsBefore = Messages::GetNumberOfErrors();
-  vtkSmartPointer<vtkAlgorithm> reader = MakeReader(path);
-  {
-    ProgressBar progress("reading", reader);
-    Update(reader, timeStep);
-  }
-  vtkDataObject* data = reader->GetOutputDataObject(0);
-  if (Messages::GetNumberOfErrors() > errorsBefore || !data || reader->GetErrorCode() != 0)
-  {
-    throw Failure("cannot read '" + path +
-                  "': the file is damaged or not of the kind that its ending "
-                  "says");
-  }
-
+  const vtkSmartPointer<vtkDataObject> data = Read(path, timeStep);
   const auto blocks = ListSolidBlocks(data);
   if (blocks.empty())
   {
@@ -220,6 +225,18 @@ vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
     grid = Merge(blocks);
   }
   return grid;
+}
+
+vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path)
+{
+  const vtkSmartPointer<vtkDataObject> data = Read(path, std::nullopt);
+  vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(data);
+  if (!surface || surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
+  {
+    throw Failure("'" + path + "' has no polygons, so there is no surface to draw (" +
+                  data->GetClassName() + ")");
+  }
+  return surface;
 }
 
 } // namespace tetmarch

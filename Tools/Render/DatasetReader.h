@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One unstructured grid from whatever a file holds.
+ * One unstructured grid, or one surface, from whatever a file holds.
  */
 #ifndef tetmarch_DatasetReader_h
 #define tetmarch_DatasetReader_h
 
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -23,6 +24,9 @@ namespace tetmarch
  */
 vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
   const std::string& path, std::optional<int> timeStep);
+
+/// Polygons and triangle strips of polydata. Throws Failure that says what is wrong with the file.
+vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path);
 
 /// Whether any cell is three-dimensional.
 bool HasSolidCells(vtkDataSet* data);

@@ -102,7 +102,7 @@ namespace tetmarch
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
 {
   static const std::set<std::string> xml = { ".vtu", ".pvtu", ".vtm", ".vtmb", ".vtpd", ".vtpc",
-    ".vts", ".pvts", ".vtr", ".pvtr", ".vti", ".pvti" };
+    ".vtp", ".pvtp", ".vts", ".pvts", ".vtr", ".pvtr", ".vti", ".pvti" };
   static const std::set<std::string> exodus = { ".ex2", ".ex2v2", ".exo", ".exoii", ".e", ".g" };
   const std::string ending = GetEnding(path);
   if (xml.count(ending))

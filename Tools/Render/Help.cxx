@@ -43,6 +43,7 @@ Light (--shade, or any other option of these, has the volume lit)
   --shadows HOW             off (default), or shadows of the volume in itself: with light kept at the
                             vertices, or looked for along each ray, or automatic, whichever is cheaper:
                             vertices, rays or automatic
+  --opaque-shadows          where the volume casts shadows, those of --surface cast some into it, too
   --scattering B            0 (default): light shines on surfaces only; to 1: it is scattered where there is
                             no clear surface; to 2: everywhere. Above 0 the volume casts shadows
   --reach R                 how far light, but for that of headlights, is followed for shadows, 0 to 1
@@ -60,6 +61,8 @@ View
                             illumination (light without the volume's colour), gradients (directions as
                             colours), faces (the boundary faces by which rays enter, each in a colour of its
                             own) or coordinates (barycentric ones in those faces as red, green and blue)
+  --surface FILE            draw the polygons of a .vtp or .vtk file, too, opaque and light grey. Several can
+                            be given
   --background R,G,B        from 0 to 1 each (default: 0.08,0.09,0.12)
   --size WxH                in pixels (default: 1024x768)
 

@@ -79,6 +79,7 @@ void SetUpLight(const LightOptions& options, vtkRenderer* renderer, vtkVolumePro
     AddLight(light, renderer);
   }
   mapper->SetShadowMethod(options.ShadowMethod);
+  mapper->SetOpaqueShadows(options.OpaqueShadows);
   mapper->SetVolumetricScatteringBlending(static_cast<float>(options.Scattering));
   mapper->SetGlobalIlluminationReach(static_cast<float>(options.Reach));
   mapper->SetAmbientOcclusion(options.OcclusionRadius.has_value());

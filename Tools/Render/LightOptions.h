@@ -36,6 +36,7 @@ struct LightOptions
   std::optional<double> Specular;
   std::optional<double> SpecularPower;
   int ShadowMethod = 0; // vtkTetMarchVolumeMapper::SHADOWS_OFF
+  bool OpaqueShadows = false;
   double Scattering = 0.0;
   double Reach = 1.0;
   std::optional<double> OcclusionRadius; // of the diagonal of the mesh's box; none: no occlusion

@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture.h"
 
+#include "DatasetReader.h"
 #include "DefaultCamera.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "OffscreenWindow.h"
 #include "ProgressBar.h"
 
+#include "vtkActor.h"
 #include "vtkAutoInit.h"
 #include "vtkCamera.h"
 #include "vtkPNGWriter.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
@@ -63,9 +67,24 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
   this->Renderer->SetBackground(background[0], background[1], background[2]);
   this->Renderer->AddVolume(this->Volume);
   this->Renderer->AddViewProp(this->Legend);
+  for (const std::string& path : commandLine.Surfaces)
+  {
+    this->AddSurface(path);
+  }
   this->Window->AddRenderer(this->Renderer);
   SetUpLight(commandLine.Light, this->Renderer, this->Volume->GetProperty(), this->Mapper);
   this->PlaceCamera(commandLine);
+}
+
+void Picture::AddSurface(const std::string& path)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(ReadSurface(path));
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.8, 0.8, 0.8);
+  this->Renderer->AddActor(actor);
 }
 
 void Picture::PlaceCamera(const CommandLine& commandLine)

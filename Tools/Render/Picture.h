@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The scene: one volume in one window, and a legend if a view mode wants one.
+ * The scene: one volume in one window, opaque surfaces, and a legend if a view mode wants one.
  */
 #ifndef tetmarch_Picture_h
 #define tetmarch_Picture_h
@@ -26,7 +26,7 @@ namespace tetmarch
 class Picture
 {
 public:
-  /// Throws Failure if no GL can be had.
+  /// Throws Failure if no GL can be had or a surface can't be read.
   Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
     const TransferFunctions& functions, double unitDistance, const CommandLine& commandLine);
 
@@ -47,6 +47,7 @@ public:
   vtkTetMarchVolumeMapper* GetMapper() { return this->Mapper; }
 
 private:
+  void AddSurface(const std::string& path);
   void PlaceCamera(const CommandLine& commandLine);
 
   vtkSmartPointer<vtkRenderWindow> Window;

@@ -88,6 +88,7 @@ std::string FormatStatistics(const CommandLine& commandLine, vtkUnstructuredGrid
   if (commandLine.Light.Shade)
   {
     json["seconds"]["gradients"] = mapper->GetGradientsSeconds();
+    json["seconds"]["opaque_shadows"] = mapper->GetOpaqueShadowsSeconds();
     json["seconds"]["vertex_light"] = mapper->GetVertexLightSeconds();
   }
   json["frames"] = { { "count", timing.Frames.size() },

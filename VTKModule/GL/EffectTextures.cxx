@@ -43,6 +43,15 @@ std::string EffectTextures::update(
         return buffer.upload(window, TexelFormat::RGBA32UI, starts.data(), starts.size());
       });
   }
+  if (error.empty())
+  {
+    error = this->OpaqueShadows.update(window, key.OpaqueShadows, stage.opaqueShadowsVersion(),
+      [&](TextureBuffer& buffer)
+      {
+        const auto& shadowed = data.ShadowedVertices;
+        return buffer.upload(window, TexelFormat::R8UI, shadowed.data(), shadowed.size());
+      });
+  }
   return error.empty() ? this->updateJitter(window, key.SampledShadows) : error;
 }
 
@@ -110,6 +119,7 @@ void EffectTextures::unbind()
   this->Gradients.unbind();
   this->GradientOpacity.unbind();
   this->Starts.unbind();
+  this->OpaqueShadows.unbind();
   if (this->Jitter)
   {
     this->Jitter->Deactivate();
@@ -121,19 +131,21 @@ void EffectTextures::release(vtkWindow* window)
   this->Gradients.release(window);
   this->GradientOpacity.release(window);
   this->Starts.release(window);
+  this->OpaqueShadows.release(window);
   this->releaseJitter(window);
 }
 
 std::size_t EffectTextures::bytes() const
 {
   return this->Gradients.bytes() + this->GradientOpacity.bytes() + this->Starts.bytes() +
+         this->OpaqueShadows.bytes() +
          (this->Jitter ? sizeof(float) * BlueNoiseSide * BlueNoiseSide : 0);
 }
 
 std::int64_t EffectTextures::uploadedBytes() const
 {
   return this->Gradients.uploadedBytes() + this->GradientOpacity.uploadedBytes() +
-         this->Starts.uploadedBytes();
+         this->Starts.uploadedBytes() + this->OpaqueShadows.uploadedBytes();
 }
 
 } // namespace tetmarch

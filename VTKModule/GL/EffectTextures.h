@@ -26,6 +26,10 @@ public:
   void bind(vtkShaderProgram* program, const EffectData& data, const VariantKey& key);
   /** For rays from vertices. */
   void bindStarts(vtkShaderProgram* program) { this->Starts.bind(program, "vertexStartBuffer"); }
+  void bindOpaqueShadows(vtkShaderProgram* program)
+  {
+    this->OpaqueShadows.bind(program, "opaqueShadowBuffer");
+  }
   /** For samples along rays. */
   void bindJitter(vtkShaderProgram* program);
   void unbind();
@@ -41,6 +45,7 @@ private:
   VersionedBuffer Gradients;
   VersionedBuffer GradientOpacity;
   VersionedBuffer Starts;
+  VersionedBuffer OpaqueShadows;
   vtkSmartPointer<vtkTextureObject> Jitter;
   double GradientUnit = 1;
 };

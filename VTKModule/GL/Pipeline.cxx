@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/Pipeline.h"
 
+#include "GL/BlockAttributes.h"
 #include "GL/FmaProbe.h"
 #include "Scene/WithinMemory.h"
 
@@ -40,7 +41,7 @@ std::int64_t Pipeline::stageRuns() const
   return this->meshRecord().Runs + this->ScalarsRecord.Runs + this->TablesRecord.Runs +
          this->UploadRecord.Runs + this->Effects.gradientsRecord().Runs +
          this->Effects.gradientOpacityRecord().Runs + this->Effects.startsRecord().Runs +
-         this->vertexLightRecord().Runs;
+         this->Effects.opaqueShadowsRecord().Runs + this->vertexLightRecord().Runs;
 }
 
 bool Pipeline::onlyDrew() const
@@ -131,7 +132,7 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law, const A
 
 bool Pipeline::updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options)
 {
-  EffectInput input{ &this->mesh(), &this->CellScalars, &this->Range, {} };
+  EffectInput input{ &this->mesh(), &this->CellScalars, &this->Range, {}, blockAttributes };
   input.Which.push_back(static_cast<std::uintptr_t>(this->meshRecord().Runs));
   input.Which.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
   const std::string error = this->Effects.update(renderer, volume, options, input);

@@ -58,8 +58,11 @@ Fingerprint Pipeline::lightVersion(const VariantKey& key) const
   add(version, lights.OcclusionRadius);
   version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
   version.push_back(key.SampledShadows ? 1 : 0); // then it has none of the lights
-  const Fingerprint opacity = this->Effects.gradientOpacityVersion();
-  version.insert(version.end(), opacity.begin(), opacity.end());
+  for (const Fingerprint& effect :
+    { this->Effects.gradientOpacityVersion(), this->Effects.opaqueShadowsVersion() })
+  {
+    version.insert(version.end(), effect.begin(), effect.end());
+  }
   return version;
 }
 

@@ -16,7 +16,7 @@ struct FormatRow
 {
   unsigned int InternalFormat;
   unsigned int Format;
-  int Words;
+  std::size_t Bytes; // a texel
   int Components;
   int Type;
 };
@@ -25,18 +25,20 @@ FormatRow rowOf(TexelFormat format)
 {
   switch (format)
   {
+    case TexelFormat::R8UI:
+      return { GL_R8UI, GL_RED_INTEGER, 1, 1, VTK_UNSIGNED_CHAR };
     case TexelFormat::R32F:
-      return { GL_R32F, GL_RED, 1, 1, VTK_FLOAT };
+      return { GL_R32F, GL_RED, 4, 1, VTK_FLOAT };
     case TexelFormat::RGBA16F:
-      return { GL_RGBA16F, GL_RGBA, 2, 4, VTK_FLOAT };
+      return { GL_RGBA16F, GL_RGBA, 8, 4, VTK_FLOAT };
     case TexelFormat::RGBA32F:
-      return { GL_RGBA32F, GL_RGBA, 4, 4, VTK_FLOAT };
+      return { GL_RGBA32F, GL_RGBA, 16, 4, VTK_FLOAT };
     case TexelFormat::R32UI:
-      return { GL_R32UI, GL_RED_INTEGER, 1, 1, VTK_UNSIGNED_INT };
+      return { GL_R32UI, GL_RED_INTEGER, 4, 1, VTK_UNSIGNED_INT };
     case TexelFormat::RG32UI:
-      return { GL_RG32UI, GL_RG_INTEGER, 2, 2, VTK_UNSIGNED_INT };
+      return { GL_RG32UI, GL_RG_INTEGER, 8, 2, VTK_UNSIGNED_INT };
     default:
-      return { GL_RGBA32UI, GL_RGBA_INTEGER, 4, 4, VTK_UNSIGNED_INT };
+      return { GL_RGBA32UI, GL_RGBA_INTEGER, 16, 4, VTK_UNSIGNED_INT };
   }
 }
 
@@ -46,16 +48,16 @@ std::string TextureBuffer::upload(
   vtkOpenGLRenderWindow* window, TexelFormat format, const void* data, std::size_t texels)
 {
   const FormatRow row = rowOf(format);
-  const std::size_t words = texels * static_cast<std::size_t>(row.Words);
+  const std::size_t bytes = texels * row.Bytes;
   clearErrors();
   // The texture refers to the storage of the buffer, which an upload may move: make it anew.
   this->release(window);
   const bool uploaded = this->Buffer->Upload(
-    static_cast<const std::uint32_t*>(data), words, vtkOpenGLBufferObject::TextureBuffer);
+    static_cast<const unsigned char*>(data), bytes, vtkOpenGLBufferObject::TextureBuffer);
   if (!uploaded || glGetError() != GL_NO_ERROR)
   {
     this->release(window);
-    return "The GPU has no room for a buffer of " + std::to_string(4 * words) +
+    return "The GPU has no room for a buffer of " + std::to_string(bytes) +
            " bytes. Close what else uses it, or extract or coarsen a part of the grid.";
   }
   this->Texture->SetContext(window);
@@ -68,7 +70,7 @@ std::string TextureBuffer::upload(
     this->release(window);
     return "The GL makes no texture of a buffer of " + std::to_string(texels) + " texels.";
   }
-  this->Bytes = 4 * words;
+  this->Bytes = bytes;
   return {};
 }
 

@@ -20,6 +20,7 @@ namespace tetmarch
 
 enum class TexelFormat
 {
+  R8UI,
   R32F,
   RGBA16F,
   RGBA32F,

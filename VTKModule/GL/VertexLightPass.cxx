@@ -162,6 +162,10 @@ std::string VertexLightPass::drawTile(
   inputs.Tables->bind(program, *inputs.Table, inputs.Range, inputs.Level, inputs.Key);
   inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
   inputs.Effects->bindStarts(program);
+  if (inputs.Key.OpaqueShadows)
+  {
+    inputs.Effects->bindOpaqueShadows(program);
+  }
   bindVertexRays(program, inputs.EffectValues->Lights, work.ToLights);
   setUniform(program, "lengthMatrix", inputs.Camera->LengthMatrix);
   program->SetUniformi("vertexCount", static_cast<int>(work.Vertices));

@@ -6,6 +6,7 @@
 
 #include "Optics/GradientOpacityTable.h"
 #include "Scene/LightUniforms.h"
+#include "Scene/OpaqueShadows.h"
 
 #include <array>
 #include <cstdint>
@@ -24,6 +25,9 @@ struct EffectData
   LightUniforms Lights;                 // none: nothing is lit
   /** For each vertex three others of a tetrahedron around it, and that one's number. */
   std::vector<std::array<std::uint32_t, 4>> VertexStarts; // if there are shadows or occlusion
+  OpaqueShadows Opaque;
+  /** For each vertex, in bit k whether opaque geometry keeps the light of shadow source k off. */
+  std::vector<std::uint8_t> ShadowedVertices; // if there is such geometry
 
   bool empty() const { return this->GradientOpacity.empty() && this->Lights.Lamps.empty(); }
 };

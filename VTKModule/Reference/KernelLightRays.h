@@ -37,3 +37,7 @@ uvec4 fetchVertexStart(uint vertex) const
   const auto& v = Effects->VertexStarts[vertex];
   return uvec4(v[0], v[1], v[2], v[3]);
 }
+uint fetchOpaqueShadows(uint vertex) const
+{
+  return Effects->ShadowedVertices.empty() ? 0u : Effects->ShadowedVertices[vertex];
+}

@@ -30,6 +30,7 @@ public:
 
 // Rays towards the light: extinction alone.
 #define TETMARCH_LIGHT_RAYS 1
+#define TETMARCH_OPAQUE_SHADOWS 1
 #define TETMARCH_VERTEX_GRADIENTS 1
 #define TETMARCH_POINT_SCALARS 1
 template <typename Real>
@@ -54,6 +55,7 @@ struct LightRayCellGradientKernel
 #include "KernelBody.h"
 };
 #undef TETMARCH_LIGHT_RAYS
+#undef TETMARCH_OPAQUE_SHADOWS
 
 // Rays of the picture.
 #define TETMARCH_TRANSPARENT_RANGES 1

@@ -44,6 +44,10 @@ std::vector<Real> atVertices(const ReferenceScene& scene)
   return light;
 }
 
+// Vertices are rounded to float: a point of the mesh's boundary may lie this far behind an opaque
+// surface that is the same.
+constexpr double OpaqueMargin = 1e-6;
+
 template <typename Kernel, typename Real>
 class ExactLight : public IncomingLight<Real>
 {
@@ -52,6 +56,7 @@ public:
 
   explicit ExactLight(const ReferenceScene& scene)
     : Lights(scene.Effects->Lights)
+    , Opaque(scene.Effects->Opaque)
     , March(lightRayKernel<Kernel, Real>(scene))
   {
   }
@@ -73,13 +78,20 @@ public:
       const Vec3 way = place - point * Real(source[3]);
       const Real far = std::sqrt(glsl::dot(way, way));
       const Real reach = Real(this->Lights.Reach);
-      comes[i] =
-        this->towards(point, way * (Real(1) / far), source[3] > 0 ? std::min(far, reach) : reach);
+      comes[i] = this->isShadowed(point, i) ? Real(0)
+                                            : this->towards(point, way * (Real(1) / far),
+                                                source[3] > 0 ? std::min(far, reach) : reach);
     }
     return { directions > 0 ? ambient / Real(directions) : Real(1), comes[0], comes[1], comes[2] };
   }
 
 private:
+  bool isShadowed(Vec3 point, std::size_t source) const
+  {
+    return this->Opaque.isShadowed(
+      { { double(point.x), double(point.y), double(point.z) } }, source, OpaqueMargin);
+  }
+
   // From the light to the point.
   Real towards(Vec3 point, Vec3 direction, Real distance) const
   {
@@ -92,6 +104,7 @@ private:
   }
 
   const LightUniforms& Lights;
+  const OpaqueShadows& Opaque;
   mutable Kernel March;
 };
 

@@ -33,6 +33,7 @@ struct EffectOptions
   bool Occlusion = false;
   double OcclusionRadius = 0.1; // of the diagonal of the mesh's bounding box
   int OcclusionDirections = 16;
+  bool OpaqueShadows = false; // where the volume casts shadows, opaque geometry does, too
   Subject Shown = Subject::Picture;
 };
 

@@ -7,7 +7,9 @@
 #include "Mesh/VertexStarts.h"
 #include "Scene/WithinMemory.h"
 
+#include "vtkMatrix4x4.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPolyData.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -37,6 +39,27 @@ bool mayHaveGradientOpacity(vtkVolumeProperty* property)
          property->HasGradientOpacity();
 }
 
+// What opaque geometry casts its shadows by: data, places and lights, of a mesh.
+Fingerprint inputOf(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volume,
+  const LightUniforms& lights, std::uintptr_t mesh)
+{
+  Fingerprint input{ mesh };
+  for (const OpaqueSurface& surface : surfaces)
+  {
+    add(input, surface.Data);
+    addAll(input, surface.ToWorld);
+  }
+  std::array<double, 16> matrix{};
+  vtkMatrix4x4::DeepCopy(matrix.data(), volume->GetMatrix());
+  addAll(input, matrix);
+  for (const auto& source : lights.ShadowSources)
+  {
+    addAll(input, source);
+  }
+  add(input, lights.OpaqueReach);
+  return input;
+}
+
 } // namespace
 
 std::string EffectStage::update(
@@ -55,6 +78,7 @@ std::string EffectStage::update(
       this->updateGradients(input, needed, options.CellGradients && input.CellScalars->empty());
       this->updateGradientOpacity(volume, input, byGradient);
       this->updateStarts(input, this->Data.Lights.hasVolumeLight());
+      this->updateOpaqueShadows(renderer, volume, input);
     });
   if (!shortage.empty())
   {
@@ -69,6 +93,7 @@ void EffectStage::clear()
   this->GradientsInput.clear();
   this->GradientOpacityInput.clear();
   this->StartsInput.clear();
+  this->OpaqueShadowsInput.clear();
 }
 
 void EffectStage::updateGradients(const EffectInput& input, bool needed, bool ofCells)
@@ -144,6 +169,44 @@ void EffectStage::updateStarts(const EffectInput& input, bool needed)
   }
 }
 
+void EffectStage::updateOpaqueShadows(
+  vtkRenderer* renderer, vtkVolume* volume, const EffectInput& input)
+{
+  const LightUniforms& lights = this->Data.Lights;
+  std::vector<OpaqueSurface> surfaces;
+  if (this->Options.OpaqueShadows && !lights.ShadowSources.empty())
+  {
+    surfaces = opaqueSurfaces(renderer, input.Blocks);
+  }
+  const Fingerprint which =
+    surfaces.empty() ? Fingerprint() : inputOf(surfaces, volume, lights, input.Which.front());
+  if (which == this->OpaqueShadowsInput)
+  {
+    return;
+  }
+  this->OpaqueShadowsInput.clear();
+  std::vector<std::uint8_t> shadowed;
+  if (surfaces.empty())
+  {
+    this->Data.Opaque = {};
+  }
+  else
+  {
+    StageRecorder recorder(this->OpaqueShadows);
+    this->Data.Opaque.update(surfaces, volume, *input.Mesh, lights);
+    shadowed = this->Data.Opaque.ofVertices(*input.Mesh, this->Data.VertexStarts);
+  }
+  this->DistinctOpaqueShadows += shadowed == this->Data.ShadowedVertices ? 0 : 1;
+  this->Data.ShadowedVertices.swap(shadowed);
+  this->OpaqueShadowsInput = which;
+}
+
+Fingerprint EffectStage::opaqueShadowsVersion() const
+{
+  return this->Data.ShadowedVertices.empty() ? Fingerprint{ 0 }
+                                             : Fingerprint{ this->DistinctOpaqueShadows };
+}
+
 bool EffectStage::samplesShadows(double pixels) const
 {
   // A ray of the picture takes about 8 samples of each light, a vertex one.
@@ -167,6 +230,7 @@ void EffectStage::setBits(VariantKey& key, double pixels) const
   key.CastShadows = !lights.ShadowSources.empty();
   key.SeveralShadows = lights.ShadowSources.size() > 1;
   key.SampledShadows = this->samplesShadows(pixels);
+  key.OpaqueShadows = !this->Data.ShadowedVertices.empty();
   key.HeadlightShadows = lights.hasHeadlightShadows();
   key.Occlusion = lights.OcclusionDirections > 0;
   key.ShowIllumination = this->Options.Shown == Subject::Illumination;

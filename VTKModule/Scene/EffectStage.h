@@ -28,6 +28,7 @@ struct EffectInput
   const std::vector<float>* CellScalars = nullptr; // empty: those of the vertices
   const ScalarRange* Range = nullptr;
   Fingerprint Which;
+  BlockAttributes Blocks = nullptr; // of opaque geometry; nullptr: all of them are drawn alike
 };
 
 class EffectStage
@@ -48,15 +49,19 @@ public:
   const StageRecord& gradientsRecord() const { return this->Gradients; }
   const StageRecord& startsRecord() const { return this->Starts; }
   const StageRecord& gradientOpacityRecord() const { return this->GradientOpacity; }
+  const StageRecord& opaqueShadowsRecord() const { return this->OpaqueShadows; }
   /** What has changed with these has to be uploaded. */
   Fingerprint gradientsVersion() const { return this->GradientsInput; }
   Fingerprint gradientOpacityVersion() const { return this->GradientOpacityInput; }
   Fingerprint startsVersion() const { return this->StartsInput; }
+  /** Another one only if some vertex has come into a shadow or out of one. */
+  Fingerprint opaqueShadowsVersion() const;
 
 private:
   void updateGradients(const EffectInput& input, bool needed, bool ofCells);
   void updateGradientOpacity(vtkVolume* volume, const EffectInput& input, bool needed);
   void updateStarts(const EffectInput& input, bool needed);
+  void updateOpaqueShadows(vtkRenderer* renderer, vtkVolume* volume, const EffectInput& input);
   bool samplesShadows(double pixels) const;
 
   EffectOptions Options;
@@ -65,9 +70,12 @@ private:
   Fingerprint GradientsInput;
   Fingerprint GradientOpacityInput;
   Fingerprint StartsInput;
+  Fingerprint OpaqueShadowsInput;
+  std::uintptr_t DistinctOpaqueShadows = 0;
   StageRecord Gradients;
   StageRecord GradientOpacity;
   StageRecord Starts;
+  StageRecord OpaqueShadows;
 };
 
 } // namespace tetmarch

@@ -29,6 +29,15 @@ inline void add(Fingerprint& fingerprint, double value)
   fingerprint.push_back(bits);
 }
 
+template <typename Values>
+void addAll(Fingerprint& fingerprint, const Values& values)
+{
+  for (double value : values)
+  {
+    add(fingerprint, value);
+  }
+}
+
 } // namespace tetmarch
 
 #endif

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tetmarch
 {
@@ -197,6 +198,8 @@ LightUniforms makeLightUniforms(
     lights.Lamps.push_back(lamp);
   }
   lights.Reach = distanceOf(options.Reach);
+  // Through all of the volume is not yet all the way to what stands outside.
+  lights.OpaqueReach = options.Reach < 1 ? lights.Reach : std::numeric_limits<double>::infinity();
   if (options.Occlusion && lighting.Ambient > 0)
   {
     lights.OcclusionDirections = options.OcclusionDirections;

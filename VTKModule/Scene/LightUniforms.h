@@ -49,6 +49,7 @@ struct LightUniforms
 
   std::vector<std::array<double, 4>> ShadowSources; // as Place, but in the normalised frame
   double Reach = 0;                                 // in the normalised frame
+  double OpaqueReach = 0; // the same for opaque geometry: infinity if all the way
   int OcclusionDirections = 0;
   double OcclusionRadius = 0;
   int ShadowlessLights = 0; // that would have cast shadows, had there been fewer

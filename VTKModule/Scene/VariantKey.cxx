@@ -29,6 +29,7 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "CAST_SHADOWS", &VariantKey::CastShadows },
     { "SEVERAL_SHADOWS", &VariantKey::SeveralShadows },
     { "SAMPLED_SHADOWS", &VariantKey::SampledShadows },
+    { "OPAQUE_SHADOWS", &VariantKey::OpaqueShadows },
     { "HEADLIGHT_SHADOWS", &VariantKey::HeadlightShadows },
     { "OCCLUSION", &VariantKey::Occlusion },
     { "SHOW_ILLUMINATION", &VariantKey::ShowIllumination },
@@ -59,6 +60,7 @@ VariantKey VariantKey::filtered() const
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
   key.SeveralShadows = key.SeveralShadows && key.CastShadows && !key.SingleLight;
   key.SampledShadows = key.SampledShadows && key.CastShadows;
+  key.OpaqueShadows = key.OpaqueShadows && key.CastShadows;
   key.HeadlightShadows = key.HeadlightShadows && key.Shading && !key.SingleLight;
   key.Occlusion = key.Occlusion && key.Shading;
   // Inside of its cells, a scalar of cells has none.
@@ -75,7 +77,9 @@ VariantKey VariantKey::ofVertexLight() const
   key.Adaptive = false;
   key.GradientOpacity = this->GradientOpacity;
   key.CellGradients = this->CellGradients;
-  return key.filtered();
+  key = key.filtered();
+  key.OpaqueShadows = this->OpaqueShadows;
+  return key;
 }
 
 VariantKey VariantKey::ofEntries() const

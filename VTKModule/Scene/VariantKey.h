@@ -38,6 +38,7 @@ struct VariantKey
   bool CastShadows = false;      // the volume keeps light from itself, but for that from the eye
   bool SeveralShadows = false;   // and more than one light does
   bool SampledShadows = false;   // how much is looked for along each ray; else kept at vertices
+  bool OpaqueShadows = false;    // opaque geometry keeps light from the volume, too
   bool HeadlightShadows = false; // the volume keeps light from itself that comes from the eye
   bool Occlusion = false;        // the volume keeps ambient light from its inside
   bool ShowIllumination = false; // the light without the volume's own colour
@@ -51,7 +52,7 @@ struct VariantKey
   bool hasVertexGradients() const { return this->hasGradients() && !this->CellGradients; }
   bool hasVertexLight() const
   {
-    return this->Occlusion || (this->CastShadows && !this->SampledShadows);
+    return this->Occlusion || (this->CastShadows && (!this->SampledShadows || this->OpaqueShadows));
   }
   /** Whether the error of the integration is bounded along the way; that of a constant is 0. */
   bool hasErrorBound() const
@@ -66,7 +67,8 @@ struct VariantKey
   /** The key of what looks for entries alone; the variant that marches makes no difference. */
   VariantKey ofEntries() const;
 
-  /** The variant that marches from the vertices towards the light: extinction alone. */
+  /** The variant that marches from the vertices towards the light: extinction alone, and whatever
+   * opaque geometry there is. */
   VariantKey ofVertexLight() const;
 
   /** The preprocessor lines that select the variant in the shader text. */
@@ -78,7 +80,7 @@ struct VariantKey
     const char* Name;
     bool VariantKey::*Member;
   };
-  static constexpr int NumberOfBits = 23;
+  static constexpr int NumberOfBits = 24;
   static const std::array<Bit, NumberOfBits>& bits();
 };
 

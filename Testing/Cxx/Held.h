@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief What the GL has been given for a scene, to be compared
+ */
+#ifndef tetmarch_testing_Held_h
+#define tetmarch_testing_Held_h
+
+#include "GLObjects.h"
+#include "Scene.h"
+
+namespace tetmarch::testing
+{
+struct Held
+{
+  explicit Held(Scene& scene)
+    : Bytes(scene.Mapper->GetGPUMemoryBytes())
+    , Objects(countGLObjects())
+  {
+  }
+  bool operator==(const Held& other) const
+  {
+    return this->Bytes == other.Bytes && this->Objects == other.Objects;
+  }
+  vtkTypeInt64 Bytes;
+  std::array<int, 5> Objects;
+};
+} // namespace tetmarch::testing
+
+#endif

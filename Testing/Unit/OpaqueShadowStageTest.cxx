@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Shadows of opaque geometry are looked for when something has changed, and gone when nothing casts
+// any.
+#include "ShadowedEffects.h"
+
+namespace
+{
+using namespace tetmarch;
+using namespace tetmarch::testing;
+
+class OpaqueShadowStage : public ShadowedEffects
+{
+};
+
+// The search tree stays as long as the data; the shadows are those of the place.
+TEST_F(OpaqueShadowStage, AnActorThatMoves)
+{
+  this->addLight(0.3, 0.2, 1.0);
+  const auto actor = plateAt(1.3);
+  this->Renderer->AddActor(actor);
+  const auto depth = [](double z) {
+    return [z](const Vector3& p) { return depthUnderPlate(p, { { 0.3, 0.2, 1.0 } }, z); };
+  };
+  this->expectShadow(0, depth(1.3), Rounding);
+  const Fingerprint version = this->Stage.opaqueShadowsVersion();
+  this->shadows();
+  EXPECT_EQ(this->Stage.opaqueShadowsRecord().Runs, 1);
+  actor->SetPosition(0.0, 0.0, -0.2);
+  this->expectShadow(0, depth(1.1), Rounding);
+  EXPECT_EQ(this->Stage.opaqueShadowsRecord().Runs, 2);
+  EXPECT_EQ(this->Stage.data().Opaque.numberOfHierarchies(), 1);
+  EXPECT_NE(this->Stage.opaqueShadowsVersion(), version);
+  // Along the light no vertex sees a difference, and nothing has to be uploaded.
+  const Fingerprint moved = this->Stage.opaqueShadowsVersion();
+  actor->AddPosition(0.3, 0.2, 1.0);
+  this->expectShadow(0, depth(1.1), Rounding);
+  EXPECT_EQ(this->Stage.opaqueShadowsRecord().Runs, 3);
+  EXPECT_EQ(this->Stage.opaqueShadowsVersion(), moved);
+  auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  data->GetPoints()->SetPoint(3, 5.0, 5.0, 1.3);
+  data->Modified();
+  this->shadows();
+  EXPECT_EQ(this->Stage.data().Opaque.numberOfHierarchies(), 2);
+  EXPECT_NE(this->Stage.opaqueShadowsVersion(), moved);
+}
+
+TEST_F(OpaqueShadowStage, LightAndVolumeRedoThemAndTheCameraDoesNot)
+{
+  const auto sun = this->addLight(0.3, 0.2, 1.0);
+  this->Renderer->AddActor(plateAt(1.3));
+  int runs = 0;
+  const auto expectRun = [&](int more)
+  {
+    EXPECT_EQ(this->update(), "");
+    runs += more;
+    EXPECT_EQ(this->Stage.opaqueShadowsRecord().Runs, runs);
+  };
+  expectRun(1);
+  this->Renderer->GetActiveCamera()->SetPosition(3.0, 2.0, 1.0);
+  sun->SetIntensity(0.3);
+  sun->SetShadowAttenuation(0.5f);
+  this->property()->SetDiffuse(0.3);
+  this->property()->SetScalarOpacityUnitDistance(7.0);
+  this->Options.Occlusion = true;
+  this->Options.Shadows = ShadowMethod::AlongRays;
+  this->Which = { 1, 2 }; // scalars
+  expectRun(0);
+  sun->SetPosition(0.1, 0.2, 1.0);
+  expectRun(1);
+  this->Volume->RotateX(30.0);
+  expectRun(1);
+  this->Options.Reach = 0.8;
+  expectRun(1);
+  this->Which = { 2, 2 };
+  expectRun(1);
+  EXPECT_EQ(this->Stage.data().Opaque.numberOfHierarchies(), 1);
+}
+
+TEST_F(OpaqueShadowStage, WhatIsOffMakesNothing)
+{
+  this->addLight(0.3, 0.2, 1.0);
+  const auto actor = plateAt(1.3);
+  this->Renderer->AddActor(actor);
+  this->Options.OpaqueShadows = false;
+  this->expectNone();
+  this->Options.OpaqueShadows = true;
+  this->Options.Shadows = ShadowMethod::Off;
+  this->expectNone();
+  this->Options.Shadows = ShadowMethod::AtVertices;
+  this->property()->ShadeOff();
+  this->expectNone();
+  this->property()->ShadeOn();
+  this->Renderer->RemoveAllLights();
+  this->addHeadlight();
+  this->expectNone();
+  EXPECT_EQ(this->Stage.opaqueShadowsRecord().Runs, 0);
+  this->addLight(0.3, 0.2, 1.0);
+  EXPECT_FALSE(this->shadows().empty());
+  this->Renderer->RemoveActor(actor);
+  this->expectNone();
+  EXPECT_EQ(this->Stage.opaqueShadowsRecord().Runs, 1);
+  // What scatters light casts shadows, too.
+  this->Renderer->AddActor(actor);
+  this->Options.Shadows = ShadowMethod::Off;
+  this->Options.Scattering = 1.0;
+  EXPECT_FALSE(this->shadows().empty());
+  this->Stage.clear();
+  EXPECT_TRUE(this->Stage.data().ShadowedVertices.empty());
+}
+
+TEST_F(OpaqueShadowStage, AnActorWithoutVolume)
+{
+  this->addLight(0.3, 0.2, 1.0);
+  const auto actor = plateAt(1.3);
+  vtkNew<vtkMatrix4x4> nowhere;
+  nowhere->Zero();
+  actor->SetUserMatrix(nowhere);
+  this->Renderer->AddActor(actor);
+  this->expectNoShadow();
+}
+} // namespace
