@@ -43,7 +43,9 @@ struct Illumination
   Light head; // along the ray, before it was absorbed on its way: as much as comes back
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  Light beam[3]; // from each light that casts shadows, before it was absorbed on its way
+  Light beamA; // from each light that casts shadows, before it was absorbed on its way; in an array these would be
+  Light beamB; // looked up lane by lane on a software renderer
+  Light beamC;
 #endif
 };
 
@@ -55,10 +57,9 @@ Illumination noIllumination()
   lit.head = noLight();
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    lit.beam[channel] = noLight();
-  }
+  lit.beamA = noLight();
+  lit.beamB = noLight();
+  lit.beamC = noLight();
 #endif
   return lit;
 }
@@ -70,10 +71,9 @@ Illumination mixIllumination(Illumination p, Illumination q, real share)
   p.head = mixLight(p.head, q.head, share);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    p.beam[channel] = mixLight(p.beam[channel], q.beam[channel], share);
-  }
+  p.beamA = mixLight(p.beamA, q.beamA, share);
+  p.beamB = mixLight(p.beamB, q.beamB, share);
+  p.beamC = mixLight(p.beamC, q.beamC, share);
 #endif
   return p;
 }

@@ -13,7 +13,7 @@ real lightErrorOf(CellShades shades)
   change = change + changeOf(p.head, q.head);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  change = change + changeOf(p.beam[0], q.beam[0]) + changeOf(p.beam[1], q.beam[1]) + changeOf(p.beam[2], q.beam[2]);
+  change = change + changeOf(p.beamA, q.beamA) + changeOf(p.beamB, q.beamB) + changeOf(p.beamC, q.beamC);
 #endif
   real error = real(0.5) * change * (shades.within.y - shades.within.x);
 #if TETMARCH_VERTEX_LIGHT

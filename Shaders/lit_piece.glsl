@@ -19,10 +19,9 @@ vec3 litEmission(vec4 mean, Illumination lit, Radiance radiance, Absorption piec
 void keepPending(INOUT(Radiance) radiance, vec4 mean, Illumination lit, Absorption piece)
 {
   real weight = radiance.transmittance * piece.evenly * piece.opticalLength;
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    radiance.pending[channel] = radiance.pending[channel] + reflection(mean, lit.beam[channel]) * weight;
-  }
+  radiance.pendingA = radiance.pendingA + reflection(mean, lit.beamA) * weight;
+  radiance.pendingB = radiance.pendingB + reflection(mean, lit.beamB) * weight;
+  radiance.pendingC = radiance.pendingC + reflection(mean, lit.beamC) * weight;
 }
 #endif
 
@@ -39,7 +38,7 @@ real brightness(Illumination lit)
   bright = bright + greatest(lit.head.diffuse);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  bright = bright + greatest(lit.beam[0].diffuse) + greatest(lit.beam[1].diffuse) + greatest(lit.beam[2].diffuse);
+  bright = bright + greatest(lit.beamA.diffuse) + greatest(lit.beamB.diffuse) + greatest(lit.beamC.diffuse);
 #endif
   return bright;
 }

@@ -11,7 +11,9 @@ struct Radiance
   real lightError; // and for this, of light that changes along a piece
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  vec3 pending[3]; // color by light of which is not known yet how much comes through the volume
+  vec3 pendingA; // color by each light of which is not known yet how much comes through the volume
+  vec3 pendingB;
+  vec3 pendingC;
 #endif
 };
 
@@ -27,10 +29,9 @@ Radiance noRadiance()
   radiance.lightError = real(0);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    radiance.pending[channel] = radiance.color;
-  }
+  radiance.pendingA = radiance.color;
+  radiance.pendingB = radiance.color;
+  radiance.pendingC = radiance.color;
 #endif
   return radiance;
 }

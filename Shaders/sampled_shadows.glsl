@@ -26,12 +26,11 @@ vec3 sampleLight(Ray ray, March march, real depth)
 // What was put by is seen in light that comes.
 void addPending(INOUT(Radiance) radiance, vec3 comes)
 {
-  radiance.color = radiance.color + radiance.pending[0] * comes.x + radiance.pending[1] * comes.y +
-    radiance.pending[2] * comes.z;
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    radiance.pending[channel] = vec3(real(0), real(0), real(0));
-  }
+  radiance.color =
+    radiance.color + radiance.pendingA * comes.x + radiance.pendingB * comes.y + radiance.pendingC * comes.z;
+  radiance.pendingA = vec3(real(0), real(0), real(0));
+  radiance.pendingB = radiance.pendingA;
+  radiance.pendingC = radiance.pendingA;
 }
 
 // jitter, 0..1, differs from pixel to pixel, so that what lies between samples shows as noise instead of as bands.

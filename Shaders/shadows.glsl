@@ -10,10 +10,9 @@ void addShadowed(INOUT(Illumination) lit, int i, Light light, vec4 incoming)
   lit.head = addLight(lit.head, dimLight(beam, channel < 0 ? real(1) : real(0)));
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  for (int k = 0; k < 3; ++k)
-  {
-    lit.beam[k] = addLight(lit.beam[k], dimLight(beam, channel == k ? real(1) : real(0)));
-  }
+  lit.beamA = addLight(lit.beamA, dimLight(beam, channel == 0 ? real(1) : real(0)));
+  lit.beamB = addLight(lit.beamB, dimLight(beam, channel == 1 ? real(1) : real(0)));
+  lit.beamC = addLight(lit.beamC, dimLight(beam, channel == 2 ? real(1) : real(0)));
 #elif TETMARCH_CAST_SHADOWS
   real comes = channel == 0 ? incoming.y : (channel == 1 ? incoming.z : incoming.w);
   light = addLight(light, dimLight(beam, channel < 0 ? real(0) : comes));
