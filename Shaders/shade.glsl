@@ -47,13 +47,6 @@ Shade mixShade(Shade p, Shade q, real share)
   return p;
 }
 
-#if TETMARCH_VERTEX_GRADIENTS
-vec3 gradientAt(Crossing face, vec3 share)
-{
-  return face.gradientA * share.x + face.gradientB * share.y + face.gradientC * share.z;
-}
-#endif
-
 // Light that comes through the volume to where the ray crosses the face: ambient, and from the lights that cast shadows.
 vec4 incomingAt(Ray ray, Crossing face, real depth)
 {

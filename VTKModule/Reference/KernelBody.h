@@ -92,7 +92,7 @@ Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 #include "ray_cast.glsl"
 
 #if TETMARCH_LIGHT_RAYS
-#include "inside.glsl"
+#include "light_ray_files.glsl"
 
 #include "vertex_light.glsl"
 #endif
