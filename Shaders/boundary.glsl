@@ -27,15 +27,16 @@ bool enters(Ray ray, uint boundaryFace, OUT(Crossing) face)
   return entersFace(ray, fetchBoundaryFace(boundaryFace), face);
 }
 
-#if TETMARCH_BVH
-// Entries of a ray are ordered by depth, then by number of the face, so that each is found exactly once,
-// even where components touch or overlap.
+// Where a ray comes in.
 struct Entry
 {
   real depth;
   int face; // -1: none
 };
 
+#if TETMARCH_BVH
+// Entries of a ray are ordered by depth, then by number of the face, so that each is found exactly once,
+// even where components touch or overlap.
 bool isBefore(real depth, int face, Entry other)
 {
   return depth < other.depth || (depth == other.depth && face < other.face);

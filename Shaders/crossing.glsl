@@ -49,6 +49,13 @@ void fetchCorners(INOUT(Crossing) face)
 }
 #endif
 
+#if TETMARCH_VERTEX_GRADIENTS
+vec3 gradientAt(Crossing face, vec3 share)
+{
+  return face.gradientA * share.x + face.gradientB * share.y + face.gradientC * share.z;
+}
+#endif
+
 // Depth and scalar of the point in which the ray crosses the face.
 vec2 crossingPoint(Crossing face)
 {
@@ -66,6 +73,16 @@ vec2 crossingPoint(Crossing face)
 
 // How far a depth is from the first of two points (depth, scalar) of a ray to the second, 0..1.
 real shareAt(vec2 enter, vec2 leave, real depth) { return (depth - enter.x) / (leave.x - enter.x); }
+
+// Scalar at a depth between the points (depth, scalar) in which the ray enters and leaves a tetrahedron.
+real scalarAt(vec2 enter, vec2 leave, real depth)
+{
+  return enter.y + (leave.y - enter.y) * shareAt(enter, leave, depth);
+}
+
+// Scalars that are not finite are stored as UNDRAWN_SCALAR; what they touch is passed through. All others lie in
+// 0..1, so that any share of one that isn't drawn shows.
+bool isDrawn(real scalar) { return abs(scalar) < real(2); }
 
 // Whether the viewer sees the same side of the face while its corners move by as much as rounding moves them.
 bool isTurnedForSure(Crossing face)

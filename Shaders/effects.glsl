@@ -1,7 +1,4 @@
 // The effects, in the order in which they use each other.
-#if TETMARCH_GRADIENT_OPACITY
-#include "gradient_opacity.glsl"
-#endif
 #if TETMARCH_SHOW_GRADIENTS
 #include "gradient_color.glsl"
 #endif

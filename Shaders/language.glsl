@@ -16,11 +16,6 @@
 #define TINY 1.0e-30
 #define UNDRAWN_SCALAR 1.0e30
 #define LINK_OUTSIDE 0x80000000u
-#if TETMARCH_SEVERAL_SHADOWS
-#define SHADOW_CHANNELS 3
-#else
-#define SHADOW_CHANNELS 1
-#endif
 #define MOST_LIGHTS 16 // Scene/Lighting.h
 #define VERTEX_LIGHT_ROW 4096 // texels; GL/VertexLight.h
 #define BVH_STACK 48 // Mesh/BoundaryHierarchy.h bounds the depth

@@ -43,7 +43,11 @@ struct Illumination
   Light head; // along the ray, before it was absorbed on its way: as much as comes back
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  Light beam[SHADOW_CHANNELS]; // from each light that casts shadows, before it was absorbed on its way
+  Light beamA; // from each light that casts shadows, before it was absorbed on its way; an array would be looked up
+#if TETMARCH_SEVERAL_SHADOWS
+  Light beamB; // lane by lane on a software renderer
+  Light beamC;
+#endif
 #endif
 };
 
@@ -55,10 +59,11 @@ Illumination noIllumination()
   lit.head = noLight();
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
-  {
-    lit.beam[channel] = noLight();
-  }
+  lit.beamA = noLight();
+#if TETMARCH_SEVERAL_SHADOWS
+  lit.beamB = noLight();
+  lit.beamC = noLight();
+#endif
 #endif
   return lit;
 }
@@ -70,10 +75,11 @@ Illumination mixIllumination(Illumination p, Illumination q, real share)
   p.head = mixLight(p.head, q.head, share);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
-  {
-    p.beam[channel] = mixLight(p.beam[channel], q.beam[channel], share);
-  }
+  p.beamA = mixLight(p.beamA, q.beamA, share);
+#if TETMARCH_SEVERAL_SHADOWS
+  p.beamB = mixLight(p.beamB, q.beamB, share);
+  p.beamC = mixLight(p.beamC, q.beamC, share);
+#endif
 #endif
   return p;
 }

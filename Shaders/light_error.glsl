@@ -13,10 +13,10 @@ real lightErrorOf(CellShades shades)
   change = change + changeOf(p.head, q.head);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
-  {
-    change = change + changeOf(p.beam[channel], q.beam[channel]);
-  }
+  change = change + changeOf(p.beamA, q.beamA);
+#if TETMARCH_SEVERAL_SHADOWS
+  change = change + changeOf(p.beamB, q.beamB) + changeOf(p.beamC, q.beamC);
+#endif
 #endif
   real error = real(0.5) * change * (shades.within.y - shades.within.x);
 #if TETMARCH_VERTEX_LIGHT

@@ -19,10 +19,11 @@ vec3 litEmission(vec4 mean, Illumination lit, Radiance radiance, Absorption piec
 void keepPending(INOUT(Radiance) radiance, vec4 mean, Illumination lit, Absorption piece)
 {
   real weight = radiance.transmittance * piece.evenly * piece.opticalLength;
-  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
-  {
-    radiance.pending[channel] = radiance.pending[channel] + reflection(mean, lit.beam[channel]) * weight;
-  }
+  radiance.pendingA = radiance.pendingA + reflection(mean, lit.beamA) * weight;
+#if TETMARCH_SEVERAL_SHADOWS
+  radiance.pendingB = radiance.pendingB + reflection(mean, lit.beamB) * weight;
+  radiance.pendingC = radiance.pendingC + reflection(mean, lit.beamC) * weight;
+#endif
 }
 #endif
 
@@ -39,10 +40,10 @@ real brightness(Illumination lit)
   bright = bright + greatest(lit.head.diffuse);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
-  {
-    bright = bright + greatest(lit.beam[channel].diffuse);
-  }
+  bright = bright + greatest(lit.beamA.diffuse);
+#if TETMARCH_SEVERAL_SHADOWS
+  bright = bright + greatest(lit.beamB.diffuse) + greatest(lit.beamC.diffuse);
+#endif
 #endif
   return bright;
 }

@@ -14,7 +14,7 @@
 #include "march_files.glsl"
 #include "pixel_ray.glsl"
 #if TETMARCH_SAMPLED_SHADOWS
-#include "inside.glsl"
+#include "light_ray_files.glsl"
 #include "sampled_shadows.glsl"
 #else
 #include "ray_cast.glsl"

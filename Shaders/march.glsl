@@ -42,16 +42,6 @@ March beginMarch(real depthBegin)
   return march;
 }
 
-// Scalars that are not finite are stored as UNDRAWN_SCALAR; what they touch is passed through. All others lie in
-// 0..1, so that any share of one that isn't drawn shows.
-bool isDrawn(real scalar) { return abs(scalar) < real(2); }
-
-// Scalar at a depth between the points (depth, scalar) in which the ray enters and leaves a tetrahedron.
-real scalarAt(vec2 enter, vec2 leave, real depth)
-{
-  return enter.y + (leave.y - enter.y) * shareAt(enter, leave, depth);
-}
-
 #if TETMARCH_SAMPLED_SHADOWS
 // How far into an even piece lies on the average what is seen of it, of the transmittance before and behind it: by its
 // optical depth D, 1 / D - 1 / (exp(D) - 1), a half in a thin one.
@@ -200,5 +190,34 @@ void marchToExit(
     march.paused = march.radiance.transmittance <= march.nextSample;
     onward = onward && !march.paused;
 #endif
+  }
+}
+
+// To the end of the ray, or up to where the march pauses.
+void marchOn(Ray ray, real opticalLength, real depthEnd, INOUT(Way) way, INOUT(March) march)
+{
+  while (leadsOn(way, depthEnd) && march.cells < mostCells)
+  {
+    enterMesh(ray, way);
+#if TETMARCH_SAMPLED_SHADOWS
+    bool onward = way.entered && !march.left;
+#else
+    bool onward = way.entered;
+#endif
+    if (onward)
+    {
+      marchToExit(ray, way.face, way.link, opticalLength, depthEnd, march);
+    }
+#if TETMARCH_SAMPLED_SHADOWS
+    if (march.paused)
+    {
+      return;
+    }
+    march.left = false;
+#endif
+#if TETMARCH_DIAGNOSTICS
+    march.refused = march.refused + (way.entered ? 0 : 1);
+#endif
+    leaveMesh(ray, march.finished, way);
   }
 }

@@ -1,9 +1,5 @@
-// The march, in the order in which its files use each other.
-#include "edge_sign.glsl"
-#include "ray.glsl"
-#include "crossing.glsl"
-#include "boundary.glsl"
-#include "integral_table.glsl"
+// The march of the picture, in the order in which its files use each other.
+#include "traversal_files.glsl"
 #if TETMARCH_LIT
 #include "light.glsl"
 #endif
@@ -23,4 +19,3 @@
 #include "tet.glsl"
 #endif
 #include "march.glsl"
-#include "way.glsl"

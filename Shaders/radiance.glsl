@@ -11,7 +11,11 @@ struct Radiance
   real lightError; // and for this, of light that changes along a piece
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  vec3 pending[SHADOW_CHANNELS]; // color by light of which is not known yet how much comes through the volume
+  vec3 pendingA; // color by each light of which is not known yet how much comes through the volume
+#if TETMARCH_SEVERAL_SHADOWS
+  vec3 pendingB;
+  vec3 pendingC;
+#endif
 #endif
 };
 
@@ -27,10 +31,11 @@ Radiance noRadiance()
   radiance.lightError = real(0);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
-  {
-    radiance.pending[channel] = radiance.color;
-  }
+  radiance.pendingA = radiance.color;
+#if TETMARCH_SEVERAL_SHADOWS
+  radiance.pendingB = radiance.color;
+  radiance.pendingC = radiance.color;
+#endif
 #endif
   return radiance;
 }

@@ -26,14 +26,13 @@ vec3 sampleLight(Ray ray, March march, real depth)
 // What was put by is seen in light that comes.
 void addPending(INOUT(Radiance) radiance, vec3 comes)
 {
-  radiance.color = radiance.color + radiance.pending[0] * comes.x;
+  radiance.color = radiance.color + radiance.pendingA * comes.x;
+  radiance.pendingA = vec3(real(0), real(0), real(0));
 #if TETMARCH_SEVERAL_SHADOWS
-  radiance.color = radiance.color + radiance.pending[1] * comes.y + radiance.pending[2] * comes.z;
+  radiance.color = radiance.color + radiance.pendingB * comes.y + radiance.pendingC * comes.z;
+  radiance.pendingB = radiance.pendingA;
+  radiance.pendingC = radiance.pendingA;
 #endif
-  for (int channel = 0; channel < SHADOW_CHANNELS; ++channel)
-  {
-    radiance.pending[channel] = vec3(real(0), real(0), real(0));
-  }
 }
 
 // jitter, 0..1, differs from pixel to pixel, so that what lies between samples shows as noise instead of as bands.

@@ -69,7 +69,7 @@ FacePoint facePoint(Crossing face, vec2 at)
   vec3 share = crossingShares(face);
 #endif
 #if TETMARCH_VERTEX_GRADIENTS
-  point.gradient = face.gradientA * share.x + face.gradientB * share.y + face.gradientC * share.z;
+  point.gradient = gradientAt(face, share);
 #endif
 #if TETMARCH_VERTEX_LIGHT
   point.light = face.lightA * share.x + face.lightB * share.y + face.lightC * share.z;

@@ -27,10 +27,11 @@ void addShadowed(INOUT(Illumination) lit, int i, Light light, vec4 incoming)
 #if TETMARCH_OPAQUE_SHADOWS
   strength = strength * incomingFrom(channel, incoming); // past opaque geometry; the volume is yet to be looked at
 #endif
-  for (int k = 0; k < SHADOW_CHANNELS; ++k)
-  {
-    lit.beam[k] = addLight(lit.beam[k], dimLight(light, channel == k ? strength : real(0)));
-  }
+  lit.beamA = addLight(lit.beamA, dimLight(light, channel == 0 ? strength : real(0)));
+#if TETMARCH_SEVERAL_SHADOWS
+  lit.beamB = addLight(lit.beamB, dimLight(light, channel == 1 ? strength : real(0)));
+  lit.beamC = addLight(lit.beamC, dimLight(light, channel == 2 ? strength : real(0)));
+#endif
 #elif TETMARCH_CAST_SHADOWS
   kept = channel < 0 ? kept : strength * (real(1) - incomingFrom(channel, incoming));
 #endif

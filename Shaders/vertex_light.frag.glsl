@@ -9,8 +9,8 @@
 #include "effect_buffers.glsl"
 #endif
 #include "light_buffers.glsl"
-#include "march_files.glsl"
-#include "inside.glsl"
+#include "traversal_files.glsl"
+#include "light_ray_files.glsl"
 #include "vertex_light.glsl"
 
 uniform int vertexCount;

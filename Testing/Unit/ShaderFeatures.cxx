@@ -18,8 +18,9 @@ bool followsLight(const Key& key, MarchShader shader)
 bool isLit(const Key& key) { return key.Shading || key.ShowGradients; }
 } // namespace
 
-const char* const UnusedInSome = "main addLight dimLight errorBound insideFace isTurnedForSure "
-                                 "meanBetween scalarAt tablePoint tableValue wayFromBoundary";
+const char* const UnusedInSome =
+  "main addLight dimLight errorBound insideFace isTurnedForSure meanBetween scalarAt tablePoint "
+  "tableValue wayFromBoundary";
 
 const std::vector<ShaderFeature>& shaderFeatures()
 {
@@ -28,13 +29,19 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "fused predicate", [](const Key& k, MarchShader) { return k.HasFma; },
       "fma GL_ARB_gpu_shader5" },
     { "portable predicate", [](const Key& k, MarchShader) { return !k.HasFma; }, "wrapped turns" },
-    { "scalars at points", [](const Key& k, MarchShader) { return k.PointScalars; },
+    { "march of the picture", [](const Key&, MarchShader s) { return isPicture(s); },
+      "Radiance March Absorption absorb emission isOpaque marchToExit marchOn" },
+    { "segments of the picture",
+      [](const Key& k, MarchShader s) { return isPicture(s) && k.PointScalars; },
       "integrateSegment" },
+    { "cells of the picture",
+      [](const Key& k, MarchShader s) { return isPicture(s) && !k.PointScalars; },
+      "integrateConstant" },
     { "scalars of cells", [](const Key& k, MarchShader) { return !k.PointScalars; },
-      "cellScalarBuffer fetchCellScalar integrateConstant" },
+      "cellScalarBuffer fetchCellScalar" },
     { "hierarchy", [](const Key& k, MarchShader) { return k.Hierarchy; },
-      "hierarchyBuffer bvhNodeCount bvhReentryNodeCount reentryFaceCount fetchBvhNode Entry "
-      "isBefore nextEntry" },
+      "hierarchyBuffer bvhNodeCount bvhReentryNodeCount reentryFaceCount fetchBvhNode isBefore "
+      "nextEntry" },
     { "ray points", [](const Key& k, MarchShader s) { return isPicture(s) && k.Hierarchy; },
       "rayPoints rayPoint" },
     { "rasterised entries",
@@ -61,14 +68,18 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "one march a ray", [](const Key& k, MarchShader s) { return !followsLight(k, s); },
       "castRay" },
     // Gradients.
-    { "gradients", [](const Key& k, MarchShader) { return k.hasGradients(); },
-      "gradientBuffer Shade CellShades FacePoint shadeOf mixShade facePoint "
-      "beginShades "
-      "beginCell shadeCell incomingAt shadeWithin" },
+    { "gradients", [](const Key& k, MarchShader) { return k.hasGradients(); }, "gradientBuffer" },
+    { "shades", [](const Key& k, MarchShader s) { return isPicture(s) && k.hasGradients(); },
+      "Shade CellShades FacePoint shadeOf mixShade facePoint beginShades beginCell shadeCell "
+      "incomingAt shadeWithin" },
     { "gradients at vertices", [](const Key& k, MarchShader) { return k.hasVertexGradients(); },
-      "fetchGradient gradientA gradientB gradientC shadeAtFace" },
+      "fetchGradient gradientA gradientB gradientC gradientAt" },
+    { "shades at faces",
+      [](const Key& k, MarchShader s) { return isPicture(s) && k.hasVertexGradients(); },
+      "shadeAtFace" },
     { "shades where something is seen",
-      [](const Key& k, MarchShader) { return k.hasVertexGradients() && k.TransparentRanges; },
+      [](const Key& k, MarchShader s)
+      { return isPicture(s) && k.hasVertexGradients() && k.TransparentRanges; },
       "enterKnown missing" },
     { "gradients of cells", [](const Key& k, MarchShader) { return k.CellGradients; },
       "fetchCellGradient" },
@@ -77,7 +88,9 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "fetchCorners crossingShares" },
     { "opacity by gradients", [](const Key& k, MarchShader) { return k.GradientOpacity; },
       "gradientOpacityBuffer gradientOpacitySize gradientOpacityScale fetchGradientOpacity "
-      "gradientOpacity density" },
+      "gradientOpacity" },
+    { "density of shades",
+      [](const Key& k, MarchShader s) { return isPicture(s) && k.GradientOpacity; }, "density" },
     { "gradients shown", [](const Key& k, MarchShader) { return k.ShowGradients; },
       "gradientColor" },
     // Light.
@@ -125,7 +138,18 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "vertexLightTexture fetchVertexLight lightA lightB lightC" },
     { "rays to lights", followsLight,
       "shadowSourceCount shadowSource lightReach fetchShadowSource opticalLengthOf INSIDE_FACE "
-      "Tet entersTet transmittanceTowards" },
+      "Tet seenAt entersTet transmittanceTowards Attenuation attenuateToExit transmittanceOn "
+      "darkDepth" },
+    { "extinction along a segment",
+      [](const Key& k, MarchShader s) { return followsLight(k, s) && k.PointScalars; },
+      "extinctionBetween" },
+    { "extinction of a cell",
+      [](const Key& k, MarchShader s) { return followsLight(k, s) && !k.PointScalars; },
+      "extinctionOf" },
+    { "extinction by gradients at vertices",
+      [](const Key& k, MarchShader s)
+      { return followsLight(k, s) && k.GradientOpacity && k.hasVertexGradients(); },
+      "densityAt densityBetween" },
     { "light of a vertex", [](const Key&, MarchShader s) { return !isPicture(s); },
       "occlusionDirectionCount occlusionRadius vertexStartBuffer fetchVertexStart sphereDirection "
       "lightAtVertex vertexCount" },

@@ -87,14 +87,13 @@ Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 #define UNDRAWN_SCALAR Real(UndrawnScalar)
 #define LINK_OUTSIDE LinkOutside
 #define BVH_STACK MostHierarchyDepth
-#define SHADOW_CHANNELS 3
 
 #include "march_files.glsl"
 
 #include "ray_cast.glsl"
 
 #if TETMARCH_LIGHT_RAYS
-#include "inside.glsl"
+#include "light_ray_files.glsl"
 
 #include "vertex_light.glsl"
 #endif
@@ -111,6 +110,5 @@ Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 #undef UNDRAWN_SCALAR
 #undef LINK_OUTSIDE
 #undef BVH_STACK
-#undef SHADOW_CHANNELS
 
 #pragma GCC diagnostic pop

@@ -28,7 +28,7 @@ public:
 #define TETMARCH_EFFECTS 1
 #define TETMARCH_GRADIENT_OPACITY 1
 
-// Rays towards the light: extinction alone.
+// Rays towards the light: extinction alone, and for brute force the march of the picture.
 #define TETMARCH_LIGHT_RAYS 1
 #define TETMARCH_OPAQUE_SHADOWS 1
 #define TETMARCH_VERTEX_GRADIENTS 1

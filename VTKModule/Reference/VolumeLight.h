@@ -20,8 +20,9 @@ struct ReferenceScene;
 template <typename Real>
 std::vector<Real> lightAtVertices(const ReferenceScene& scene);
 
-/** The same for any point. Rays come from the light and find their way into the mesh by its
- * hierarchy: nothing but the march is shared with what is tested by it. */
+/** The same for any point. Rays come from the light, find their way into the mesh by its hierarchy,
+ * and are marched as those of the picture are: what is tested by it shares the step through a
+ * tetrahedron and the tables, and no more. */
 template <typename Real>
 std::unique_ptr<IncomingLight<Real>> exactLight(const ReferenceScene& scene);
 

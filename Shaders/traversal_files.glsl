@@ -1,0 +1,10 @@
+// What every march is made of: the ways of a ray through the mesh, and what the volume is there.
+#include "edge_sign.glsl"
+#include "ray.glsl"
+#include "crossing.glsl"
+#include "boundary.glsl"
+#include "way.glsl"
+#include "integral_table.glsl"
+#if TETMARCH_GRADIENT_OPACITY
+#include "gradient_opacity.glsl"
+#endif
