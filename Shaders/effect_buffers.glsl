@@ -57,10 +57,7 @@ int fetchShadowChannel(int light) { return shadowChannel[light]; }
 #endif
 
 #if TETMARCH_VERTEX_LIGHT
-uniform sampler2D vertexLightTexture; // of each vertex, row by row
-vec4 fetchVertexLight(uint vertex)
-{
-  uint row = uint(VERTEX_LIGHT_ROW);
-  return texelFetch(vertexLightTexture, ivec2(int(vertex % row), int(vertex / row)), 0);
-}
+#include "vertex_light_layout.glsl"
+uniform sampler2D vertexLightTexture;
+vec4 fetchVertexLight(uint vertex) { return texelFetch(vertexLightTexture, texelOfVertex(vertex), 0); }
 #endif

@@ -9,6 +9,7 @@
 #include "effect_buffers.glsl"
 #endif
 #include "light_buffers.glsl"
+#include "vertex_light_layout.glsl"
 #include "traversal_files.glsl"
 #include "light_ray_files.glsl"
 #include "vertex_light.glsl"
@@ -17,11 +18,10 @@ uniform int vertexCount;
 
 void main()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  int vertex = pixel.x + VERTEX_LIGHT_ROW * pixel.y;
-  if (vertex >= vertexCount)
+  uint vertex = vertexOfTexel(uvec2(gl_FragCoord.xy));
+  if (vertex >= uint(vertexCount))
   {
     discard;
   }
-  gl_FragData[0] = lightAtVertex(uint(vertex));
+  gl_FragData[0] = lightAtVertex(vertex);
 }

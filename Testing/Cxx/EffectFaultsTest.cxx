@@ -170,7 +170,7 @@ TEST_F(EffectFaults, NoRoomForTheLight)
     this->Watch.Errors.clear();
     EXPECT_TRUE(this->meet(Fault::TexImage, 0));
     this->expectEmpty(this->Shown.frame());
-    this->expectReported("no room for 1 16-bit texture(s) of 4096 x 1 pixels");
+    this->expectReported("no room for 1 16-bit texture(s) of 4096 x 8 pixels");
   }
   this->expectSound(this->frame());
 }

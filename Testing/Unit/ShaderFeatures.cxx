@@ -20,7 +20,7 @@ bool isLit(const Key& key) { return key.Shading || key.ShowGradients; }
 
 const char* const UnusedInSome =
   "main addLight dimLight errorBound insideFace isTurnedForSure meanBetween scalarAt tablePoint "
-  "tableValue wayFromBoundary";
+  "tableValue texelOfVertex vertexOfTexel wayFromBoundary";
 
 const std::vector<ShaderFeature>& shaderFeatures()
 {
@@ -136,6 +136,9 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "opaqueShadowBuffer fetchOpaqueShadows isShadowed" },
     { "light kept at vertices", [](const Key& k, MarchShader) { return k.hasVertexLight(); },
       "vertexLightTexture fetchVertexLight lightA lightB lightC" },
+    { "where light of vertices is kept",
+      [](const Key& k, MarchShader s) { return !isPicture(s) || k.hasVertexLight(); },
+      "texelOfVertex vertexOfTexel" },
     { "rays to lights", followsLight,
       "shadowSourceCount shadowSource lightReach fetchShadowSource opticalLengthOf INSIDE_FACE "
       "Tet seenAt entersTet transmittanceTowards Attenuation attenuateToExit transmittanceOn "

@@ -22,7 +22,9 @@ namespace
 {
 
 // So few that one draw of them fits into what a frame can spare.
-constexpr int PartLength = 512;
+constexpr int BlocksOfPart = 8;
+constexpr std::size_t VerticesOfBlock = VertexLightPass::BlockSide * VertexLightPass::BlockSide;
+constexpr std::size_t BlocksOfRow = VertexLightPass::RowLength / VertexLightPass::BlockSide;
 
 using Clock = std::chrono::steady_clock;
 
@@ -65,7 +67,8 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
     this->Seconds = 0;
   }
   const Clock::time_point begin = Clock::now();
-  const int rows = static_cast<int>((vertices + RowLength - 1) / RowLength);
+  constexpr std::size_t rowOfBlocks = BlocksOfRow * VerticesOfBlock;
+  const int rows = BlockSide * static_cast<int>((vertices + rowOfBlocks - 1) / rowOfBlocks);
   Work work{ inputs, { 0, 0, RowLength, rows }, vertices, !inputs.Key.SampledShadows };
   work.Inputs.Key = inputs.Key.ofVertexLight();
   work.Inputs.Level = LightAccuracy;
@@ -121,7 +124,8 @@ std::string VertexLightPass::showSomething(
 std::string VertexLightPass::makeAll(
   vtkOpenGLRenderWindow* window, const Work& work, const Progress& progress, bool& stopped)
 {
-  const int first = static_cast<int>(this->Made / RowLength);
+  const int first =
+    BlockSide * static_cast<int>(this->Made / VerticesOfBlock / BlocksOfRow); // of the rows to make
   const Viewport rest{ 0, first, work.All.Width, work.All.Height - first };
   const std::string error = drawInTiles(window, rest, work.Inputs.MostSecondsPerDraw, this->Tiles,
     progress, stopped, [&](const Viewport& tile) { return this->drawTile(window, work, tile); });
@@ -137,11 +141,12 @@ std::string VertexLightPass::makePart(vtkOpenGLRenderWindow* window, const Work&
   std::string error;
   do
   {
-    const int x = static_cast<int>(this->Made % RowLength);
-    const int y = static_cast<int>(this->Made / RowLength);
-    error = this->drawTile(window, work, { x, y, PartLength, 1 });
+    const std::size_t block = this->Made / VerticesOfBlock;
+    const int x = BlockSide * static_cast<int>(block % BlocksOfRow);
+    const int y = BlockSide * static_cast<int>(block / BlocksOfRow);
+    error = this->drawTile(window, work, { x, y, BlockSide * BlocksOfPart, BlockSide });
     glFinish();
-    this->Made += error.empty() ? PartLength : 0;
+    this->Made += error.empty() ? BlocksOfPart * VerticesOfBlock : 0;
   } while (error.empty() && this->Made < work.Vertices &&
            secondsSince(begin) < work.Inputs.MostLightSeconds);
   return error;

@@ -20,6 +20,8 @@ class VertexLightPass
 public:
   /** VERTEX_LIGHT_ROW of Shaders/language.glsl: the texels of a row. */
   static constexpr int RowLength = 4096;
+  /** Successive vertices fill square blocks of texels (Shaders/vertex_light_layout.glsl). */
+  static constexpr int BlockSide = 8;
 
   /**
    * Light of so many vertices, unless this version of it is there; the first word of a version is
@@ -31,25 +33,20 @@ public:
    */
   std::string update(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::size_t vertices,
     const Fingerprint& version, const Progress& progress, bool& stopped);
-  /** Rows of RGBA: ambient light, then that of up to three lights. */
+  /** Blocks of RGBA: ambient light, then that of up to three lights. */
   vtkTextureObject* texture() const { return this->Shown.color(0); }
   /** Whether texture() is what the last update() was asked for. */
   bool isComplete() const { return this->Complete; }
   /** A run is what makes all of the light, over however many frames. */
   const StageRecord& record() const { return this->Record; }
   std::size_t bytes() const { return this->Shown.bytes() + this->Next.bytes(); }
-  /** Four a vertex, as they are on the GPU. */
-  std::vector<float> read(vtkOpenGLRenderWindow* window) const
-  {
-    return this->Shown.read(window, 0);
-  }
   void release(vtkWindow* window);
 
 private:
   struct Work
   {
     MarchInputs Inputs;
-    Viewport All; // rows of the texture
+    Viewport All; // of the texture
     std::size_t Vertices;
     bool ToLights; // or ambient light alone
   };
