@@ -34,7 +34,7 @@ constexpr int Side = 96;
 constexpr int Cubes = 8;
 constexpr vtkTypeInt64 Vertices = (Cubes + 1) * (Cubes + 1) * (Cubes + 1);
 constexpr vtkTypeInt64 JitterBytes = 4 * 64 * 64;
-constexpr vtkTypeInt64 VertexLightBytes = 16 * Vertices + 8 * 4096; // starts of rays; a row
+constexpr vtkTypeInt64 VertexLightBytes = 16 * Vertices + 8 * 8 * 4096; // starts; rows of texels
 
 class OpaqueShadowStages : public testing::Test
 {
