@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is transparent or of one colour is told by the table, and spares work but changes nothing.
 #include "Reference/Kernel.h"
+#include "Scene/TransparentShare.h"
 
 #include "RandomRays.h"
 #include "UnitMeshes.h"
@@ -116,5 +117,23 @@ TEST(TableTraits, PassedCellsChangeNoBit)
             << evaluationsBefore << '\n';
   EXPECT_LT(evaluations, 0.7 * evaluationsBefore);
   EXPECT_GT(evaluations, 1000);
+}
+
+TEST(TransparentShare, OfVerticesAndOfCells)
+{
+  const IntegralTable table = tableOf(
+    [](double f) {
+      return std::array<double, 4>{ { 0.5, 0.5, 0.5, f > 0.3 && f < 0.8 ? 1.0 : 0.0 } };
+    });
+  TetMesh mesh = built(jitteredLattice(4, 0.15, 1, sineField()));
+  const std::size_t count = mesh.Vertices.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    mesh.Vertices[i].Scalar = i % 5 == 0 ? 0.1f : (i % 5 == 1 ? 0.9f : 0.5f);
+  }
+  const ScalarRange range{ 0.0, 1.0 };
+  EXPECT_NEAR(transparentShare(mesh, {}, range, table), 0.4, 0.02);
+  EXPECT_EQ(transparentShare(mesh, { 0.1f, 0.5f, 0.5f, 0.6f }, range, table), 0.25);
+  EXPECT_EQ(transparentShare(mesh, { 0.1f, 0.2f }, range, whiteTable()), 0.0);
 }
 } // namespace

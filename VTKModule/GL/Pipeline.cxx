@@ -4,6 +4,7 @@
 
 #include "GL/BlockAttributes.h"
 #include "GL/FmaProbe.h"
+#include "Scene/TransparentShare.h"
 #include "Scene/WithinMemory.h"
 
 #include "vtkColorTransferFunction.h"
@@ -126,6 +127,14 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law, const A
     this->Visible = std::any_of(this->Table.Values.begin(), this->Table.Values.end(),
       [](const std::array<float, 4>& v) { return v[3] > 0; });
     this->TablesInput = input;
+  }
+  const Fingerprint passes{ static_cast<std::uintptr_t>(this->ScalarsRecord.Runs),
+    static_cast<std::uintptr_t>(this->TablesRecord.Runs) };
+  if (passes != this->PassesInput)
+  {
+    this->PassesInput = passes;
+    this->PassesCells = transparentShare(this->mesh(), this->CellScalars, this->Range,
+                          this->Table) >= LeastShareToPass;
   }
   return this->Visible;
 }

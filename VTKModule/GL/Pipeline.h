@@ -120,6 +120,9 @@ private:
   IntegralTable Table;
   bool Visible = false; // something has extinction
 
+  Fingerprint PassesInput;
+  bool PassesCells = false; // much has none
+
   EffectStage Effects;
 
   View Camera;

@@ -30,7 +30,7 @@ VariantKey Pipeline::keyOf(
   key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
   key.HasFma = this->HasFma;
   key.Adaptive = options.Level.Adaptive;
-  key.TransparentRanges = this->Table.Traits.hasTransparentRanges();
+  key.TransparentRanges = this->PassesCells;
   key.ConstantColor = this->Table.Traits.ConstantColor;
   this->Effects.setBits(key, double(area.Width) * area.Height);
   return options.Shell == ShellView::None ? key.filtered() : key.ofEntries();

@@ -90,10 +90,11 @@ std::string EffectStage::update(
 void EffectStage::clear()
 {
   this->Data = {};
-  this->GradientsInput.clear();
-  this->GradientOpacityInput.clear();
-  this->StartsInput.clear();
-  this->OpaqueShadowsInput.clear();
+  for (MadeFrom* made :
+    { &this->Gradients, &this->GradientOpacity, &this->Starts, &this->OpaqueShadows })
+  {
+    made->clear();
+  }
 }
 
 void EffectStage::updateGradients(const EffectInput& input, bool needed, bool ofCells)
@@ -104,23 +105,17 @@ void EffectStage::updateGradients(const EffectInput& input, bool needed, bool of
     which = input.Which;
     which.push_back(ofCells ? 1 : 0);
   }
-  if (which == this->GradientsInput)
-  {
-    return;
-  }
-  this->GradientsInput.clear();
-  std::vector<Gradient>().swap(this->Data.Gradients);
-  if (needed)
-  {
-    StageRecorder recorder(this->Gradients);
-    this->Data.CellGradients = ofCells;
-    this->Data.Gradients = ofCells ? cellGradients(*input.Mesh)
-                           : input.CellScalars->empty()
-                             ? vertexGradients(*input.Mesh)
-                             : vertexGradients(*input.Mesh, *input.CellScalars);
-    this->SteepestGradient = steepest(this->Data.Gradients);
-    this->GradientsInput = which;
-  }
+  this->Gradients.update(
+    which, [this] { std::vector<Gradient>().swap(this->Data.Gradients); },
+    [&]
+    {
+      this->Data.CellGradients = ofCells;
+      this->Data.Gradients = ofCells ? cellGradients(*input.Mesh)
+                             : input.CellScalars->empty()
+                               ? vertexGradients(*input.Mesh)
+                               : vertexGradients(*input.Mesh, *input.CellScalars);
+      this->SteepestGradient = steepest(this->Data.Gradients);
+    });
 }
 
 void EffectStage::updateGradientOpacity(vtkVolume* volume, const EffectInput& input, bool needed)
@@ -128,24 +123,19 @@ void EffectStage::updateGradientOpacity(vtkVolume* volume, const EffectInput& in
   Fingerprint which;
   if (needed)
   {
-    which = this->GradientsInput;
+    which = this->Gradients.input();
     add(which, volume->GetProperty()->GetGradientOpacity());
   }
-  if (which == this->GradientOpacityInput)
-  {
-    return;
-  }
-  this->Data.GradientOpacity = {};
-  if (needed)
-  {
-    StageRecorder recorder(this->GradientOpacity);
-    // Of the stored scalar over the radius -> of the data's over a unit of its length.
-    const double unit = input.Range->width() / input.Mesh->Radius;
-    this->Data.GradientOpacity =
-      gradientOpacityOf(volume->GetProperty(), this->SteepestGradient * unit);
-    this->Data.GradientOpacityScale = unit / this->Data.GradientOpacity.Unit;
-  }
-  this->GradientOpacityInput = which;
+  this->GradientOpacity.update(
+    which, [this] { this->Data.GradientOpacity = {}; },
+    [&]
+    {
+      // Of the stored scalar over the radius -> of the data's over a unit of its length.
+      const double unit = input.Range->width() / input.Mesh->Radius;
+      this->Data.GradientOpacity =
+        gradientOpacityOf(volume->GetProperty(), this->SteepestGradient * unit);
+      this->Data.GradientOpacityScale = unit / this->Data.GradientOpacity.Unit;
+    });
 }
 
 void EffectStage::updateStarts(const EffectInput& input, bool needed)
@@ -155,18 +145,9 @@ void EffectStage::updateStarts(const EffectInput& input, bool needed)
   {
     which.push_back(input.Which.front()); // the mesh
   }
-  if (which == this->StartsInput)
-  {
-    return;
-  }
-  this->StartsInput.clear();
-  std::vector<std::array<Id, 4>>().swap(this->Data.VertexStarts);
-  if (needed)
-  {
-    StageRecorder recorder(this->Starts);
-    this->Data.VertexStarts = vertexStarts(*input.Mesh);
-    this->StartsInput = which;
-  }
+  this->Starts.update(
+    which, [this] { std::vector<std::array<Id, 4>>().swap(this->Data.VertexStarts); },
+    [&] { this->Data.VertexStarts = vertexStarts(*input.Mesh); });
 }
 
 void EffectStage::updateOpaqueShadows(
@@ -180,25 +161,23 @@ void EffectStage::updateOpaqueShadows(
   }
   const Fingerprint which =
     surfaces.empty() ? Fingerprint() : inputOf(surfaces, volume, lights, input.Which.front());
-  if (which == this->OpaqueShadowsInput)
+  std::vector<std::uint8_t> before;
+  const auto free = [&]
   {
-    return;
-  }
-  this->OpaqueShadowsInput.clear();
-  std::vector<std::uint8_t> shadowed;
-  if (surfaces.empty())
+    before.swap(this->Data.ShadowedVertices);
+    if (which.empty())
+    {
+      this->Data.Opaque = {};
+    }
+  };
+  const auto make = [&]
   {
-    this->Data.Opaque = {};
-  }
-  else
-  {
-    StageRecorder recorder(this->OpaqueShadows);
     this->Data.Opaque.update(surfaces, volume, *input.Mesh, lights);
-    shadowed = this->Data.Opaque.ofVertices(*input.Mesh, this->Data.VertexStarts);
-  }
-  this->DistinctOpaqueShadows += shadowed == this->Data.ShadowedVertices ? 0 : 1;
-  this->Data.ShadowedVertices.swap(shadowed);
-  this->OpaqueShadowsInput = which;
+    this->Data.ShadowedVertices =
+      this->Data.Opaque.ofVertices(*input.Mesh, this->Data.VertexStarts);
+    this->DistinctOpaqueShadows += this->Data.ShadowedVertices == before ? 0 : 1;
+  };
+  this->OpaqueShadows.update(which, free, make);
 }
 
 Fingerprint EffectStage::opaqueShadowsVersion() const

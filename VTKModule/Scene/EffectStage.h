@@ -7,8 +7,7 @@
 
 #include "Reference/EffectData.h"
 #include "Scene/EffectOptions.h"
-#include "Scene/Fingerprint.h"
-#include "Scene/StageRecord.h"
+#include "Scene/MadeFrom.h"
 #include "Scene/VariantKey.h"
 
 #include <string>
@@ -46,14 +45,14 @@ public:
 
   /** Of gradients and of the starts of rays from vertices: neither runs unless something needs it.
    */
-  const StageRecord& gradientsRecord() const { return this->Gradients; }
-  const StageRecord& startsRecord() const { return this->Starts; }
-  const StageRecord& gradientOpacityRecord() const { return this->GradientOpacity; }
-  const StageRecord& opaqueShadowsRecord() const { return this->OpaqueShadows; }
+  const StageRecord& gradientsRecord() const { return this->Gradients.record(); }
+  const StageRecord& startsRecord() const { return this->Starts.record(); }
+  const StageRecord& gradientOpacityRecord() const { return this->GradientOpacity.record(); }
+  const StageRecord& opaqueShadowsRecord() const { return this->OpaqueShadows.record(); }
   /** What has changed with these has to be uploaded. */
-  Fingerprint gradientsVersion() const { return this->GradientsInput; }
-  Fingerprint gradientOpacityVersion() const { return this->GradientOpacityInput; }
-  Fingerprint startsVersion() const { return this->StartsInput; }
+  const Fingerprint& gradientsVersion() const { return this->Gradients.input(); }
+  const Fingerprint& gradientOpacityVersion() const { return this->GradientOpacity.input(); }
+  const Fingerprint& startsVersion() const { return this->Starts.input(); }
   /** Another one only if some vertex has come into a shadow or out of one. */
   Fingerprint opaqueShadowsVersion() const;
 
@@ -67,15 +66,11 @@ private:
   EffectOptions Options;
   EffectData Data;
   double SteepestGradient = 0; // in the normalised frame
-  Fingerprint GradientsInput;
-  Fingerprint GradientOpacityInput;
-  Fingerprint StartsInput;
-  Fingerprint OpaqueShadowsInput;
+  MadeFrom Gradients;
+  MadeFrom GradientOpacity;
+  MadeFrom Starts;
+  MadeFrom OpaqueShadows;
   std::uintptr_t DistinctOpaqueShadows = 0;
-  StageRecord Gradients;
-  StageRecord GradientOpacity;
-  StageRecord Starts;
-  StageRecord OpaqueShadows;
 };
 
 } // namespace tetmarch
