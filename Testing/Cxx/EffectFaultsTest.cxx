@@ -2,16 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever the GL refuses of the effects of light: one error that says what, a frame without the
 // volume, nothing left behind, and the volume is back as soon as the GL takes it.
-#include "ErrorWatch.h"
-#include "FaultyGL.h"
+#include "FaultScene.h"
 #include "GLObjects.h"
 #include "LitScene.h"
-#include "WatchedMapper.h"
 
 #include "vtkActor.h"
-#include "vtkLogger.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 
 #include <functional>
 #include <gtest/gtest.h>
@@ -21,49 +16,14 @@ namespace
 {
 using namespace tetmarch::testing;
 
-constexpr int Side = 64;
-
-class EffectFaults : public testing::Test
+class EffectFaults : public FaultScene<LitScene>
 {
 protected:
   EffectFaults()
   {
-    this->Shown.Renderer->SetBackground(0.2, 0.4, 0.6);
     this->Shown.addGradientOpacity();
-    this->Mapper->SetInputData(this->Shown.Data);
     this->Mapper->SetShadowMethodToAtVertices();
-    this->Shown.Volume->SetMapper(this->Mapper);
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // for what VTK says itself
-    this->Sound = this->frame();
-    this->Shown.Volume->VisibilityOff();
-    this->Empty = this->frame();
-    this->Shown.Volume->VisibilityOn();
-    EXPECT_GT(compare(this->Sound, this->Empty).Max, 0.1);
-  }
-  ~EffectFaults() override
-  {
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);
-    this->Shown.Volume->SetMapper(this->Shown.Mapper);
-  }
-
-  Image frame()
-  {
-    this->Shown.Window->Render();
-    return this->Shown.frame();
-  }
-  void expectEmpty(const Image& frame) { EXPECT_EQ(frame.Rgba, this->Empty.Rgba); }
-  void expectSound(const Image& frame) { EXPECT_EQ(frame.Rgba, this->Sound.Rgba); }
-
-  // Of the mapper, and the shaders of the window.
-  void release(bool shadersToo)
-  {
-    this->Mapper->ReleaseGraphicsResources(this->Shown.Window);
-    if (shadersToo)
-    {
-      vtkOpenGLRenderWindow::SafeDownCast(this->Shown.Window)
-        ->GetShaderCache()
-        ->ReleaseGraphicsResources(this->Shown.Window);
-    }
+    this->lookOnce();
   }
 
   // All that effects keep on the GPU, and nothing else; they are on again then.
@@ -74,22 +34,6 @@ protected:
     this->Shown.Window->Render();
     this->Shown.property()->DisableGradientOpacityOff();
     this->Shown.property()->ShadeOn();
-  }
-
-  // One frame, of which the mapper's part meets the fault.
-  template <typename... Arguments>
-  bool meet(Arguments&&... arguments)
-  {
-    bool happened = false;
-    this->Mapper->Around = [&](const std::function<void()>& draw)
-    {
-      const FaultyGL faulty(std::forward<Arguments>(arguments)...);
-      draw();
-      happened = faulty.happened();
-    };
-    this->Shown.Window->Render();
-    this->Mapper->Around = nullptr;
-    return happened;
   }
 
   // Each call of that kind that a frame makes after `prepare`, one by one; that many at least end
@@ -135,12 +79,6 @@ protected:
     ASSERT_EQ(this->Watch.Errors.size(), 1u);
     EXPECT_NE(this->Watch.Errors[0].find(words), std::string::npos) << this->Watch.Errors[0];
   }
-
-  LitScene Shown{ latticeWithHole(6, 0.15, 1, sineField()), Side, Side };
-  vtkNew<WatchedMapper> Mapper;
-  ErrorWatch Watch{ this->Mapper };
-  Image Sound;
-  Image Empty;
 };
 
 // Gradients, gradient opacity, starts and the target of the light are made while all else is there.

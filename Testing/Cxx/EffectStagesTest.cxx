@@ -21,8 +21,7 @@ constexpr vtkTypeInt64 Vertices = (Cubes + 1) * (Cubes + 1) * (Cubes + 1);
 constexpr vtkTypeInt64 GradientBytes = 8 * Vertices;
 constexpr vtkTypeInt64 CellGradientBytes = 8 * 6 * Cubes * Cubes * Cubes;
 constexpr vtkTypeInt64 GradientOpacityBytes = 4 * 1025;
-constexpr vtkTypeInt64 JitterBytes = 4 * 64 * 64;
-constexpr vtkTypeInt64 VertexLightBytes = 16 * Vertices + 8 * 8 * 4096; // starts; rows of texels
+constexpr vtkTypeInt64 VertexLightBytes = vertexLightBytes(Vertices);
 
 Grid lattice() { return jitteredLattice(Cubes, 0.15, 1, sineField()); }
 

@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever the GL refuses: one error that says what, a frame without the volume, nothing left
 // behind, and the volume is back as soon as the GL takes it.
-#include "ErrorWatch.h"
-#include "FaultyGL.h"
+#include "FaultScene.h"
 #include "GLObjects.h"
 #include "Scene.h"
-#include "WatchedMapper.h"
 
 #include "vtkActor.h"
-#include "vtkLogger.h"
 #include "vtkOpenGLRenderUtilities.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkPoints.h"
 
 #include <cstring>
@@ -25,78 +20,17 @@ namespace
 {
 using namespace tetmarch::testing;
 
-constexpr int Side = 64;
-
-class Faults : public testing::Test
+class Faults : public FaultScene<Scene>
 {
 protected:
   Faults()
   {
-    this->Shown.Renderer->SetBackground(0.2, 0.4, 0.6);
     this->Shown.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 }));
-    this->Mapper->SetInputData(this->Shown.Data);
     this->Mapper->CollectDiagnosticsOn();
-    this->Shown.Volume->SetMapper(this->Mapper);
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // for what VTK says itself
-    this->Sound = this->frame();
-    this->Shown.Volume->VisibilityOff();
-    this->Empty = this->frame();
-    this->Shown.Volume->VisibilityOn();
-    EXPECT_GT(compare(this->Sound, this->Empty).Max, 0.1);
-  }
-  ~Faults() override
-  {
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);
-    this->Shown.Volume->SetMapper(this->Shown.Mapper);
-  }
-
-  vtkOpenGLRenderWindow* window()
-  {
-    return vtkOpenGLRenderWindow::SafeDownCast(this->Shown.Window);
-  }
-
-  Image frame()
-  {
-    this->Shown.Window->Render();
-    return this->Shown.frame();
-  }
-
-  void expectEmpty(const Image& frame) { EXPECT_EQ(compare(frame, this->Empty).Max, 0.0); }
-  void expectSound(const Image& frame) { EXPECT_EQ(compare(frame, this->Sound).Max, 0.0); }
-
-  // Of the mapper, and the shaders of the window.
-  void release(bool shadersToo)
-  {
-    this->Mapper->ReleaseGraphicsResources(this->Shown.Window);
-    if (shadersToo)
-    {
-      this->window()->GetShaderCache()->ReleaseGraphicsResources(this->Shown.Window);
-    }
-  }
-
-  // One frame, of which the mapper's part meets the fault.
-  template <typename... Arguments>
-  bool meet(Arguments&&... arguments)
-  {
-    bool happened = false;
-    this->Mapper->Around = [&](const std::function<void()>& draw)
-    {
-      const FaultyGL faulty(std::forward<Arguments>(arguments)...);
-      draw();
-      happened = faulty.happened();
-    };
-    this->Shown.Window->Render();
-    this->Mapper->Around = nullptr;
-    return happened;
+    this->lookOnce();
   }
 
   void expectEveryCallIsMet();
-
-  Scene Shown{ latticeWithHole(6, 0.15, 1, sineField()), Side, Side };
-  vtkNew<WatchedMapper> Mapper;
-  ErrorWatch Watch{ this->Mapper };
-  Image Sound;
-  Image Empty;
 };
 
 // Each call of each kind that a frame makes, one by one.

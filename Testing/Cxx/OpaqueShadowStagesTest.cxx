@@ -33,8 +33,7 @@ using Mapper = vtkTetMarchVolumeMapper;
 constexpr int Side = 96;
 constexpr int Cubes = 8;
 constexpr vtkTypeInt64 Vertices = (Cubes + 1) * (Cubes + 1) * (Cubes + 1);
-constexpr vtkTypeInt64 JitterBytes = 4 * 64 * 64;
-constexpr vtkTypeInt64 VertexLightBytes = 16 * Vertices + 8 * 8 * 4096; // starts; rows of texels
+constexpr vtkTypeInt64 VertexLightBytes = vertexLightBytes(Vertices);
 
 class OpaqueShadowStages : public testing::Test
 {

@@ -43,16 +43,10 @@ Fingerprint Pipeline::lightVersion(const VariantKey& key) const
   Fingerprint version{ static_cast<std::uintptr_t>(this->meshRecord().Runs) };
   version.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
   version.push_back(static_cast<std::uintptr_t>(this->TablesRecord.Runs));
-  for (double x : this->Camera.LengthMatrix)
-  {
-    add(version, x);
-  }
+  addAll(version, this->Camera.LengthMatrix);
   for (const auto& source : lights.ShadowSources)
   {
-    for (double x : source)
-    {
-      add(version, x);
-    }
+    addAll(version, source);
   }
   add(version, lights.Reach);
   add(version, lights.OcclusionRadius);
