@@ -176,8 +176,17 @@ void compareRaysFromInside(Volume<Kernel>& volume, Tally& tally)
   }
 }
 
-void report(const char* which, const Tally& tally)
+template <typename Kernel, typename Compare>
+void compareOf(const std::vector<NamedGrid>& grids, bool cellGradients, const char* which,
+  const Compare& compare)
 {
+  Tally tally;
+  for (const NamedGrid& named : grids)
+  {
+    SCOPED_TRACE(named.Name);
+    Volume<Kernel> volume(named.Make(), cellGradients);
+    ASSERT_NO_FATAL_FAILURE(compare(volume, tally));
+  }
   EXPECT_GT(tally.Rays, 500);
   std::cout << "[ MEASURED ] " << tally.Rays << " rays " << which << ": within " << tally.Worst
             << " a cell\n";
@@ -189,34 +198,20 @@ void compareMarches(bool cellGradients)
   std::vector<NamedGrid> grids = everyGrid();
   grids.push_back({ "tangled", [] { return jitteredLattice(5, 0.6); } });
   grids.push_back({ "more tangled", [] { return jitteredLattice(5, 1.5); } });
-  Tally tally;
-  for (const NamedGrid& named : grids)
-  {
-    SCOPED_TRACE(named.Name);
-    Volume<Kernel> volume(named.Make(), cellGradients);
-    ASSERT_NO_FATAL_FAILURE(compareRays(volume, tally));
-  }
-  report("from the boundary", tally);
+  compareOf<Kernel>(grids, cellGradients, "from the boundary", compareRays<Kernel>);
 }
 
 // Where tetrahedra overlap, who comes from inside has seen less.
 template <typename Kernel>
 void compareFromInside(bool cellGradients)
 {
-  const NamedGrid grids[] = { { "lattice", [] { return jitteredLattice(5, 0.15); } },
+  const std::vector<NamedGrid> grids = { { "lattice", [] { return jitteredLattice(5, 0.15); } },
     { "hole", [] { return latticeWithHole(6); } },
     { "tunnel", [] { return latticeWithTunnel(6); } },
     { "two components", [] { return twoComponents(4); } },
     { "shells", [] { return nestedShells(8); } },
     { "mixed cells", [] { return mixedCells(4, 1, 0.1); } } };
-  Tally tally;
-  for (const NamedGrid& named : grids)
-  {
-    SCOPED_TRACE(named.Name);
-    Volume<Kernel> volume(named.Make(), cellGradients);
-    ASSERT_NO_FATAL_FAILURE(compareRaysFromInside(volume, tally));
-  }
-  report("from inside", tally);
+  compareOf<Kernel>(grids, cellGradients, "from inside", compareRaysFromInside<Kernel>);
 }
 
 TEST(Extinction, OfPointScalarsIsThatOfThePicture)
