@@ -1,4 +1,4 @@
-// What the effects read. Gradients are in a unit of their own. Vectors of lights are those of the world, with the centre of the mesh as origin.
+// What the effects read. Lights are in the frame of the mesh, or in the world with the centre of the mesh as origin.
 #if TETMARCH_VERTEX_GRADIENTS
 uniform samplerBuffer gradientBuffer; // of the scalar at the vertices
 vec3 fetchGradient(uint vertex) { return texelFetch(gradientBuffer, int(vertex)).xyz; }
@@ -16,16 +16,12 @@ float fetchGradientOpacity(int i) { return texelFetch(gradientOpacityBuffer, i).
 #endif
 
 #if TETMARCH_SHADING
-uniform mat3 worldMatrix;  // of vectors
-uniform mat3 normalMatrix; // of gradients
 uniform bool twoSided;
 uniform vec3 ambientColor;
 uniform float specularPower;
 uniform vec3 lightDiffuse[MOST_LIGHTS]; // times the property's diffuse
 uniform vec3 lightSpecular[MOST_LIGHTS]; // times the property's specular
 
-vec3 toWorld(vec3 v) { return worldMatrix * v; }
-vec3 toWorldNormal(vec3 gradient) { return normalMatrix * gradient; }
 vec3 fetchLightDiffuse(int light) { return lightDiffuse[light]; }
 vec3 fetchLightSpecular(int light) { return lightSpecular[light]; }
 
@@ -38,7 +34,11 @@ uniform int lightKind[MOST_LIGHTS]; // 1: headlight
 bool isHeadlight(int light) { return lightKind[light] == 1; }
 #endif
 #endif
-#if TETMARCH_LOCAL_LIGHTS
+#if TETMARCH_WORLD_LIGHTS
+uniform mat3 worldMatrix;  // of vectors
+uniform mat3 normalMatrix; // of gradients
+vec3 toWorld(vec3 v) { return worldMatrix * v; }
+vec3 toWorldNormal(vec3 gradient) { return normalMatrix * gradient; }
 uniform vec4 lightFading[MOST_LIGHTS];
 uniform vec4 lightCone[MOST_LIGHTS];
 vec4 fetchLightFading(int light) { return lightFading[light]; }

@@ -14,7 +14,7 @@ vec4 lightTowards(int light, vec3 point, vec3 toEye)
   return vec4(toEye.x, toEye.y, toEye.z, real(1));
 #else
   vec4 place = fetchLightPlace(light); // the way to it, 0; or its position, 1
-#if TETMARCH_LOCAL_LIGHTS
+#if TETMARCH_WORLD_LIGHTS
   // Attenuation and spot lights as in OpenGL.
   vec4 fading = fetchLightFading(light); // constant, linear, quadratic attenuation; the spot's exponent
   vec4 cone = fetchLightCone(light);     // where it shines; cosine of the cone's angle, -1 if it is no spot

@@ -13,8 +13,8 @@ real specularOf(real turned, real mirrored)
   return diffuseOf(turned) > real(0) ? pow(max(mirrored, TINY), specularPower) : real(0);
 }
 
-// Of a scalar with that gradient, where the volume has that opacity. The point is in world coordinates, from the
-// centre of the mesh. incoming: how much comes through the volume of ambient light and of the lights that cast
+// Of a scalar with that gradient, where the volume has that opacity. The point and the unit vector to the eye are in
+// the coordinates of the lights (effect_buffers.glsl). incoming: how much comes through the volume of ambient light and of the lights that cast
 // shadows, 0..1 each.
 Illumination illuminate(vec3 gradient, real opacity, vec3 point, vec3 toEye, vec4 incoming)
 {
@@ -23,7 +23,11 @@ Illumination illuminate(vec3 gradient, real opacity, vec3 point, vec3 toEye, vec
 #if TETMARCH_OCCLUSION
   lit.direct.diffuse = lit.direct.diffuse * incoming.x;
 #endif
+#if TETMARCH_WORLD_LIGHTS
   vec3 slope = toWorldNormal(gradient);
+#else
+  vec3 slope = gradient;
+#endif
   real steepness = sqrt(dot(slope, slope));
   // Where the scalar doesn't change there is no surface.
   vec3 normal = slope * (steepness > real(0) ? -real(1) / steepness : real(0));

@@ -7,7 +7,7 @@ struct Ray
   vec3 up;
   vec3 direction; // unit length
 #if TETMARCH_SHADING
-  vec3 toEye; // unit length, in world coordinates
+  vec3 toEye; // unit length, in the coordinates of the lights
 #endif
 };
 
@@ -39,7 +39,11 @@ Ray rayThrough(vec3 point, vec3 direction)
   ray.right = normalize(cross(direction, axis));
   ray.up = cross(ray.right, direction);
 #if TETMARCH_SHADING
+#if TETMARCH_WORLD_LIGHTS
   ray.toEye = normalize(toWorld(direction * real(-1)));
+#else
+  ray.toEye = direction * real(-1);
+#endif
 #endif
   return ray;
 }

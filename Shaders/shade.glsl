@@ -26,7 +26,7 @@ Shade shadeOf(Ray ray, real depth, real tablePosition, vec3 gradient, vec4 incom
 #else
   real opacity = real(0);
 #endif
-#if TETMARCH_LOCAL_LIGHTS
+#if TETMARCH_WORLD_LIGHTS
   vec3 point = toWorld(ray.origin + ray.direction * depth);
 #else
   vec3 point = ray.toEye;

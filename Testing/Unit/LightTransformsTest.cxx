@@ -44,6 +44,7 @@ protected:
   }
 
   void expectTransforms();
+  void expectAngles();
 };
 
 // What follows from where things are in the world, by the volume's own matrix. Positions in the
@@ -111,6 +112,26 @@ void LightTransforms::expectTransforms()
   }
 }
 
+// In the frame of the mesh, the angle between light and surface is that of the world.
+void LightTransforms::expectAngles()
+{
+  const Triple direction{ { 2.0 / 7.0, -3.0 / 7.0, 6.0 / 7.0 } };
+  this->Answers.Lights = { sunlight(direction) };
+  const LightUniforms lights = this->lights();
+  ASSERT_FALSE(lights.InWorld);
+  const Triple way = firstThree(lights.Lamps[0].Place);
+  EXPECT_NEAR(length(way), 1.0, 1e-12);
+  EXPECT_EQ(lights.Lamps[0].Place[3], 0.0);
+  const Triple slope{ { 0.6, -0.2, 0.9 } };
+  const Triple worldSlope = this->toWorld(slope, 0.0);
+  EXPECT_NEAR(
+    dot(way, slope) / length(slope), -dot(direction, worldSlope) / length(worldSlope), 1e-12);
+  for (const auto& matrix : { lights.WorldMatrix, lights.NormalMatrix })
+  {
+    EXPECT_EQ(times(matrix, slope), slope);
+  }
+}
+
 TEST_F(LightTransforms, AVolumeAsItIs) { this->expectTransforms(); }
 
 TEST_F(LightTransforms, ATurnedVolume)
@@ -118,6 +139,7 @@ TEST_F(LightTransforms, ATurnedVolume)
   this->Transform->Translate(1.0, 2.0, -3.0);
   this->Transform->RotateWXYZ(40.0, 1.0, 2.0, 3.0);
   this->expectTransforms();
+  this->expectAngles();
 }
 
 TEST_F(LightTransforms, AStretchedVolume)
@@ -135,6 +157,8 @@ TEST_F(LightTransforms, AMirroredVolume)
   this->expectTransforms();
   this->Transform->Scale(-1.0, -1.0, -1.0);
   this->expectTransforms();
+  this->Transform->Scale(1.0, 0.5, 1.0);
+  this->expectAngles();
 }
 
 TEST_F(LightTransforms, AVolumeFarAway)
@@ -142,6 +166,7 @@ TEST_F(LightTransforms, AVolumeFarAway)
   this->Transform->Translate(1e6, -2e6, 3e6);
   this->Transform->RotateY(10.0);
   this->expectTransforms();
+  this->expectAngles();
 }
 
 TEST_F(LightTransforms, VolumesOfAnySize)
@@ -166,5 +191,6 @@ TEST_F(LightTransforms, AVolumeWithItsOwnPosition)
   this->Volume->SetScale(2.0);
   this->Volume->RotateY(25.0);
   this->expectTransforms();
+  this->expectAngles();
 }
 } // namespace

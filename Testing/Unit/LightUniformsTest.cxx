@@ -98,14 +98,35 @@ TEST_F(LightUniformsOf, KindsOfLights)
 {
   this->Answers.Lights = { headlight() };
   EXPECT_TRUE(this->lights().isHeadlightOnly());
-  EXPECT_FALSE(this->lights().hasLocalLights());
   EXPECT_FALSE(this->lights().hasVolumeLight());
   this->Answers.Lights = { sunlight({ { 0.0, 0.0, -1.0 } }) };
   EXPECT_FALSE(this->lights().isHeadlightOnly());
   this->Answers.Lights = { headlight(), headlight() };
   EXPECT_FALSE(this->lights().isHeadlightOnly());
+}
+
+// Only where distances count, or angles aren't what they are in the mesh.
+TEST_F(LightUniformsOf, LightInTheWorld)
+{
+  this->Answers.Lights = { headlight(), sunlight({ { 0.0, 0.0, -1.0 } }) };
+  EXPECT_FALSE(this->lights().InWorld);
+  this->Transform->RotateWXYZ(40.0, 1.0, 2.0, 3.0);
+  this->Transform->Scale(-1e-6, 1e-6, 1e-6);
+  this->Transform->Translate(1e6, 2e6, 3e6);
+  EXPECT_FALSE(this->lights().InWorld);
   this->Answers.Lights.push_back(pointLight({ { 1.0, 2.0, 3.0 } }));
-  EXPECT_TRUE(this->lights().hasLocalLights());
+  EXPECT_TRUE(this->lights().InWorld);
+  this->Answers.Lights = { headlight() };
+  EXPECT_FALSE(this->lights().InWorld);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Transform->Identity();
+    Triple factors{ { 2.0, 2.0, 2.0 } };
+    factors[axis] = 2.0001;
+    this->Transform->Scale(factors.data());
+    this->Transform->RotateWXYZ(40.0, 1.0, 2.0, 3.0);
+    EXPECT_TRUE(this->lights().InWorld) << axis;
+  }
 }
 
 // The diagonal of the mesh's box is two radii.
@@ -146,7 +167,7 @@ TEST_F(LightUniformsOf, NothingIsLitWithoutLights)
   EXPECT_TRUE(lights.Lamps.empty());
   EXPECT_FALSE(lights.hasVolumeLight());
   EXPECT_FALSE(lights.hasHeadlightShadows());
-  EXPECT_FALSE(lights.hasLocalLights());
+  EXPECT_FALSE(lights.InWorld);
   EXPECT_EQ(lights.ScatteringBlending, 0.0);
   EXPECT_EQ(lights.Ambient, Triple{});
 }

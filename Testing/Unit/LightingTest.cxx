@@ -74,7 +74,6 @@ TEST_F(LightsOf, Headlight)
   EXPECT_FALSE(source.Positional);
   expectNear(source.Direction, 0.0, 0.0, -1.0);
   EXPECT_EQ(source.ShadowStrength, 1.0);
-  EXPECT_TRUE(this->lighting().OnlyHeadlight);
 }
 
 // A lamp at the camera, which attenuation and cone make another thing than a headlight.
@@ -89,7 +88,6 @@ TEST_F(LightsOf, PositionalHeadlight)
   expectNear(source.Position, 1.0, 2.0, 8.0);
   expectNear(source.Direction, 0.0, 0.0, -1.0);
   EXPECT_EQ(source.ShadowStrength, 1.0);
-  EXPECT_FALSE(this->lighting().OnlyHeadlight);
 }
 
 // In coordinates in which the camera looks from (0, 0, 1) to the origin.
@@ -103,7 +101,6 @@ TEST_F(LightsOf, CameraLight)
   this->Camera->SetPosition(6.0, 2.0, 3.0); // it looks along -x now, and its right is -z
   expectNear(this->only().Direction, 0.0, 0.0, 1.0);
   EXPECT_FALSE(this->only().Headlight);
-  EXPECT_FALSE(this->lighting().OnlyHeadlight);
   light->PositionalOn();
   expectNear(
     this->only().Position, 1.0, 2.0, -2.0); // from the focal point, at the camera's distance
@@ -222,7 +219,6 @@ TEST_F(LightsOf, SeveralInOrder)
     EXPECT_EQ(lighting.Lights[i].Diffuse[0], i + 1.0);
     EXPECT_EQ(lighting.Lights[i].Positional, i == 1);
   }
-  EXPECT_FALSE(lighting.OnlyHeadlight);
   EXPECT_EQ(lighting.LeftOut, 0);
 }
 
@@ -232,14 +228,12 @@ TEST_F(LightsOf, DarkOnesAreLeftOut)
   this->add()->SetIntensity(0.0);
   this->add()->SetColor(0.0, 0.0, 0.0);
   EXPECT_TRUE(this->lighting().Lights.empty());
-  EXPECT_FALSE(this->lighting().OnlyHeadlight);
   const auto ambient = this->add();
   ambient->SetColor(0.0, 0.0, 0.0);
   ambient->SetAmbientColor(0.0, 0.5, 0.0);
   EXPECT_EQ(this->only().Ambient[1], 0.5);
   ambient->SwitchOff();
   this->add()->SetLightTypeToHeadlight();
-  EXPECT_TRUE(this->lighting().OnlyHeadlight);
 }
 
 TEST_F(LightsOf, NothingIsLitWithoutShadeOrLights)
@@ -249,7 +243,6 @@ TEST_F(LightsOf, NothingIsLitWithoutShadeOrLights)
   EXPECT_FALSE(this->lighting().Lights.empty());
   this->Property->ShadeOff();
   EXPECT_TRUE(this->lighting().Lights.empty());
-  EXPECT_FALSE(this->lighting().OnlyHeadlight);
 }
 
 TEST_F(LightsOf, AtMostSixteen)

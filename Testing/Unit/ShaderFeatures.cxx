@@ -108,16 +108,16 @@ const std::vector<ShaderFeature>& shaderFeatures()
       [](const Key& k, MarchShader) { return isLit(k) && k.Diagnostics && k.hasVertexLight(); },
       "unsure unsureLight" },
     { "shading", [](const Key& k, MarchShader) { return k.Shading; },
-      "worldMatrix normalMatrix twoSided ambientColor specularPower lightDiffuse lightSpecular "
-      "toWorld toWorldNormal fetchLightDiffuse fetchLightSpecular toEye lightTowards LIGHT_COUNT "
-      "diffuseOf specularOf illuminate" },
+      "twoSided ambientColor specularPower lightDiffuse lightSpecular fetchLightDiffuse "
+      "fetchLightSpecular toEye lightTowards LIGHT_COUNT diffuseOf specularOf illuminate" },
     { "lights elsewhere", [](const Key& k, MarchShader) { return k.Shading && !k.HeadlightOnly; },
       "lightPlace fetchLightPlace" },
     { "several lights",
       [](const Key& k, MarchShader) { return k.Shading && !k.HeadlightOnly && !k.SingleLight; },
       "lightCount lightKind isHeadlight" },
-    { "local lights", [](const Key& k, MarchShader) { return k.LocalLights; },
-      "lightFading lightCone fetchLightFading fetchLightCone spot" },
+    { "lights in the world", [](const Key& k, MarchShader) { return k.WorldLights; },
+      "worldMatrix normalMatrix toWorld toWorldNormal lightFading lightCone fetchLightFading "
+      "fetchLightCone spot" },
     { "scattering", [](const Key& k, MarchShader) { return k.Scattering; },
       "scatteringBlending gradientUnit scatteredShare scattered" },
     { "shadows", [](const Key& k, MarchShader) { return k.hasShadows(); },

@@ -19,7 +19,7 @@ constexpr int Count = VariantKey::NumberOfBits;
 // Whether each bit of the key changes something; in the words of the members, one by one.
 bool isSensible(const VariantKey& k)
 {
-  const bool ofLight = k.HeadlightOnly || k.SingleLight || k.LocalLights || k.Scattering ||
+  const bool ofLight = k.HeadlightOnly || k.SingleLight || k.WorldLights || k.Scattering ||
                        k.CastShadows || k.SampledShadows || k.SeveralShadows || k.OpaqueShadows ||
                        k.HeadlightShadows || k.Occlusion;
   // Who doesn't know where a ray comes in has to look for it.
@@ -33,8 +33,8 @@ bool isSensible(const VariantKey& k)
          !(k.CellGradients && !k.GradientOpacity && !k.Shading && !k.ShowGradients) &&
          // There is no light.
          !(ofLight && !k.Shading) &&
-         // The only light stands at the eye.
-         !(k.HeadlightOnly && (k.SingleLight || k.LocalLights || k.CastShadows)) &&
+         // The only light stands at the eye, and needs no world.
+         !(k.HeadlightOnly && (k.SingleLight || k.WorldLights || k.CastShadows)) &&
          // Or elsewhere.
          !(k.SingleLight && (k.SeveralShadows || k.HeadlightShadows)) &&
          // No shadows to be sampled.

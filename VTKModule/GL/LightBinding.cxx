@@ -53,8 +53,6 @@ void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const Va
 {
   using Lamp = LightUniforms::Lamp;
   const int count = static_cast<int>(lights.Lamps.size());
-  setUniform(program, "worldMatrix", lights.WorldMatrix);
-  setUniform(program, "normalMatrix", lights.NormalMatrix);
   program->SetUniformi("twoSided", lights.TwoSided ? 1 : 0);
   program->SetUniform3f("ambientColor", lights.Ambient.data());
   program->SetUniformf("specularPower", static_cast<float>(lights.SpecularPower));
@@ -74,8 +72,10 @@ void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const Va
     program->SetUniformi("lightCount", count);
     program->SetUniform1iv("lightKind", count, kinds.data());
   }
-  if (key.LocalLights)
+  if (key.WorldLights)
   {
+    setUniform(program, "worldMatrix", lights.WorldMatrix);
+    setUniform(program, "normalMatrix", lights.NormalMatrix);
     program->SetUniform4fv("lightFading", count, gather(lights, &Lamp::Fading).data());
     program->SetUniform4fv("lightCone", count, gather(lights, &Lamp::Cone).data());
   }

@@ -204,7 +204,7 @@ void EffectStage::setBits(VariantKey& key, double pixels) const
   key.Shading = !lights.Lamps.empty();
   key.HeadlightOnly = lights.isHeadlightOnly();
   key.SingleLight = lights.Lamps.size() == 1 && !lights.Lamps[0].Headlight;
-  key.LocalLights = lights.hasLocalLights();
+  key.WorldLights = lights.InWorld;
   key.Scattering = lights.ScatteringBlending > 0;
   key.CastShadows = !lights.ShadowSources.empty();
   key.SeveralShadows = lights.ShadowSources.size() > 1;

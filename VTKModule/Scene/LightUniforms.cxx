@@ -64,9 +64,31 @@ struct Frame
 {
   Matrix ToWorld{};
   Matrix FromWorld{};
-  Triple Center{}; // in the world
-  double Unit = 1; // of the world's coordinates in the shader
+  Triple Center{};         // in the world
+  double Unit = 1;         // of the world's coordinates in the shader
+  bool KeepsAngles = true; // turned, mirrored, scaled alike along all axes
 };
+
+// Whether columns are orthogonal and of one length, as far as float could tell.
+bool keepsAngles(const Matrix& m)
+{
+  double products[3][3];
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      products[i][k] = m[i] * m[k] + m[3 + i] * m[3 + k] + m[6 + i] * m[6 + k];
+    }
+  }
+  double apart = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int next = (i + 1) % 3;
+    apart = std::max(apart, std::abs(products[i][i] - products[next][next]));
+    apart = std::max(apart, std::abs(products[i][next]));
+  }
+  return apart <= 1e-6 * products[0][0];
+}
 
 Frame frameOf(vtkVolume* volume, const TetMesh& mesh)
 {
@@ -91,6 +113,7 @@ Frame frameOf(vtkVolume* volume, const TetMesh& mesh)
   }
   const double most = greatest(frame.ToWorld);
   frame.Unit = most > 0 ? most : 1;
+  frame.KeepsAngles = keepsAngles(frame.ToWorld);
   return frame;
 }
 
@@ -99,7 +122,15 @@ Matrix transposed(const Matrix& m)
   return { { m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8] } };
 }
 
-LightUniforms::Lamp lampOf(const LightSource& light, const Lighting& lighting, const Frame& frame)
+// The unit vector to a light that is far away, in the frame of the mesh.
+Triple wayOf(const LightSource& light, const Frame& frame)
+{
+  return unit(
+    times(frame.FromWorld, { { -light.Direction[0], -light.Direction[1], -light.Direction[2] } }));
+}
+
+LightUniforms::Lamp lampOf(
+  const LightSource& light, const Lighting& lighting, const Frame& frame, bool inWorld)
 {
   LightUniforms::Lamp lamp;
   lamp.Headlight = light.Headlight;
@@ -110,6 +141,11 @@ LightUniforms::Lamp lampOf(const LightSource& light, const Lighting& lighting, c
     lamp.Place[k] =
       light.Positional ? (light.Position[k] - frame.Center[k]) / frame.Unit : -light.Direction[k];
     lamp.Cone[k] = light.Direction[k];
+  }
+  if (!inWorld)
+  {
+    const Triple way = wayOf(light, frame);
+    std::copy(way.begin(), way.end(), lamp.Place.begin());
   }
   lamp.Place[3] = light.Positional ? 1 : 0;
   lamp.Cone[3] = light.ConeCosine;
@@ -122,8 +158,7 @@ std::array<double, 4> sourceOf(const LightSource& light, const Frame& frame)
 {
   if (!light.Positional)
   {
-    const Triple way = unit(times(
-      frame.FromWorld, { { -light.Direction[0], -light.Direction[1], -light.Direction[2] } }));
+    const Triple way = wayOf(light, frame);
     return { { way[0], way[1], way[2], 0 } };
   }
   Triple place{};
@@ -140,12 +175,6 @@ double distanceOf(double reach) { return 2 * (1 - std::pow(1 - reach, 0.33)); }
 
 } // namespace
 
-bool LightUniforms::hasLocalLights() const
-{
-  return std::any_of(
-    this->Lamps.begin(), this->Lamps.end(), [](const Lamp& lamp) { return lamp.Place[3] > 0; });
-}
-
 bool LightUniforms::hasHeadlightShadows() const
 {
   return std::any_of(this->Lamps.begin(), this->Lamps.end(),
@@ -161,9 +190,15 @@ LightUniforms makeLightUniforms(
     return lights;
   }
   const Frame frame = frameOf(volume, mesh);
-  lights.WorldMatrix = scaled(frame.ToWorld, 1 / frame.Unit);
-  const Matrix normals = transposed(frame.FromWorld);
-  lights.NormalMatrix = scaled(normals, 1 / greatest(normals));
+  const bool local = std::any_of(lighting.Lights.begin(), lighting.Lights.end(),
+    [](const LightSource& light) { return light.Positional; });
+  lights.InWorld = local || !frame.KeepsAngles;
+  if (lights.InWorld)
+  {
+    lights.WorldMatrix = scaled(frame.ToWorld, 1 / frame.Unit);
+    const Matrix normals = transposed(frame.FromWorld);
+    lights.NormalMatrix = scaled(normals, 1 / greatest(normals));
+  }
   lights.TwoSided = lighting.TwoSided;
   lights.SpecularPower = lighting.SpecularPower;
   lights.ScatteringBlending = 0.5 * options.Scattering;
@@ -171,7 +206,7 @@ LightUniforms makeLightUniforms(
   const bool casts = options.Shadows != ShadowMethod::Off || options.Scattering > 0;
   for (const LightSource& light : lighting.Lights)
   {
-    LightUniforms::Lamp lamp = lampOf(light, lighting, frame);
+    LightUniforms::Lamp lamp = lampOf(light, lighting, frame, lights.InWorld);
     for (int k = 0; k < 3; ++k)
     {
       lights.Ambient[k] += lighting.Ambient * light.Ambient[k];

@@ -19,7 +19,10 @@ namespace tetmarch
 struct TetMesh;
 
 /**
- * World coordinates begin at the centre of the mesh here, and their unit is such that float can
+ * Angles are the same in the normalised frame of the mesh and in the world, unless the volume is
+ * stretched: light from far away is reckoned in the frame of the mesh then, which spares the march
+ * two transforms a point. Otherwise, and where distances from lights count, it is reckoned in world
+ * coordinates, which begin at the centre of the mesh here and whose unit is such that float can
  * tell the mesh whatever its size.
  */
 struct LightUniforms
@@ -40,8 +43,9 @@ struct LightUniforms
   static constexpr int MostShadowSources = 3;
 
   std::vector<Lamp> Lamps;
-  std::array<double, 9> WorldMatrix{};  // of vectors of the normalised frame
-  std::array<double, 9> NormalMatrix{}; // of gradients there
+  bool InWorld = false; // else in the normalised frame of the mesh, and the matrices say nothing
+  std::array<double, 9> WorldMatrix{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } };  // of vectors of that frame
+  std::array<double, 9> NormalMatrix{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }; // of gradients there
   bool TwoSided = false;
   std::array<double, 3> Ambient{};
   double SpecularPower = 1;
@@ -54,7 +58,6 @@ struct LightUniforms
   double OcclusionRadius = 0;
   int ShadowlessLights = 0; // that would have cast shadows, had there been fewer
 
-  bool hasLocalLights() const;
   bool hasHeadlightShadows() const;
   bool isHeadlightOnly() const { return this->Lamps.size() == 1 && this->Lamps[0].Headlight; }
   /** Whether light is kept at vertices or looked for: something casts shadows, or ambient light is

@@ -119,7 +119,6 @@ Lighting lightingOf(vtkRenderer* renderer, vtkVolumeProperty* property)
       }
     }
   }
-  lighting.OnlyHeadlight = lighting.Lights.size() == 1 && lighting.Lights.front().Headlight;
   return lighting;
 }
 

@@ -34,7 +34,6 @@ struct LightSource
 struct Lighting
 {
   std::vector<LightSource> Lights; // in the renderer's order
-  bool OnlyHeadlight = false;      // exactly one light, and it is a headlight
   bool TwoSided = false;
   double Ambient = 0; // and the others, of component 0
   double Diffuse = 0;

@@ -24,7 +24,7 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "SHADING", &VariantKey::Shading },
     { "HEADLIGHT_ONLY", &VariantKey::HeadlightOnly },
     { "SINGLE_LIGHT", &VariantKey::SingleLight },
-    { "LOCAL_LIGHTS", &VariantKey::LocalLights },
+    { "WORLD_LIGHTS", &VariantKey::WorldLights },
     { "SCATTERING", &VariantKey::Scattering },
     { "CAST_SHADOWS", &VariantKey::CastShadows },
     { "SEVERAL_SHADOWS", &VariantKey::SeveralShadows },
@@ -53,9 +53,9 @@ VariantKey VariantKey::filtered() const
   key.Adaptive = key.Adaptive && key.PointScalars && !key.ConstantColor;
   // Gradients are shown as they are, in no light.
   key.Shading = key.Shading && !key.ShowGradients;
-  key.HeadlightOnly = key.HeadlightOnly && key.Shading;
+  key.WorldLights = key.WorldLights && key.Shading;
+  key.HeadlightOnly = key.HeadlightOnly && key.Shading && !key.WorldLights;
   key.SingleLight = key.SingleLight && key.Shading && !key.HeadlightOnly;
-  key.LocalLights = key.LocalLights && key.Shading && !key.HeadlightOnly;
   key.Scattering = key.Scattering && key.Shading;
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
   key.SeveralShadows = key.SeveralShadows && key.CastShadows && !key.SingleLight;

@@ -31,9 +31,9 @@ struct VariantKey
   bool CellGradients = false;    // that of each cell as it is; else interpolated between vertices
   bool GradientOpacity = false;  // extinction depends on the gradient
   bool Shading = false;          // lights shine on surfaces of constant scalar
-  bool HeadlightOnly = false;    // one light, at the eye
+  bool HeadlightOnly = false;    // one light, at the eye, and not in world coordinates
   bool SingleLight = false;      // one light, elsewhere
-  bool LocalLights = false;      // some have a position
+  bool WorldLights = false;      // light is reckoned in world coordinates: see LightUniforms
   bool Scattering = false;       // the volume scatters light without regard to surfaces
   bool CastShadows = false;      // the volume keeps light from itself, but for that from the eye
   bool SeveralShadows = false;   // and more than one light does
