@@ -113,6 +113,43 @@ TEST_F(LightParity, StretchedAndTurnedVolume)
   expectParity(*this->Shown);
 }
 
+// A volume that is hardly stretched is drawn as one that isn't, though its light is reckoned in the
+// world.
+TEST_F(LightParity, LightInTheWorldIsThatInTheMesh)
+{
+  Scene& scene = *this->Shown;
+  vtkNew<vtkTransform> transform;
+  scene.Volume->SetUserTransform(transform);
+  scene.Mapper->SetShadowMethodToAtVertices();
+  vtkNew<vtkLight> head;
+  head->SetLightTypeToHeadlight();
+  scene.Renderer->AddLight(head);
+  for (const bool sunny : { false, true })
+  {
+    SCOPED_TRACE(sunny);
+    if (sunny)
+    {
+      scene.Renderer->RemoveLight(head);
+      this->addSun();
+    }
+    Image pictures[2];
+    for (const int stretched : { 0, 1 })
+    {
+      transform->Identity();
+      transform->Translate(0.1, 0.05, 0.0);
+      transform->RotateWXYZ(30.0, 1.0, 2.0, 3.0);
+      transform->Scale(-0.8, 0.8, 0.8);
+      transform->Scale(stretched ? 1.00002 : 1.0, 1.0, 1.0);
+      SCOPED_TRACE(stretched);
+      expectParity(scene);
+      pictures[stretched] = scene.frame();
+    }
+    const Difference difference = compare(pictures[0], pictures[1]);
+    std::printf("%s\n", difference.text().c_str());
+    EXPECT_LE(difference.Rms, 0.3 / 255.0);
+  }
+}
+
 TEST_F(LightParity, CellScalars)
 {
   this->use(jitteredLattice(8, 0.15, 1, sineField()));
