@@ -24,6 +24,8 @@ bool isSensible(const VariantKey& k)
                        k.HeadlightShadows || k.Occlusion;
   // Who doesn't know where a ray comes in has to look for it.
   return (k.RasterEntry || k.Hierarchy) &&
+         // Parts of rays end where they are asked to, and aren't counted.
+         !(k.Peeled && (k.OpaqueDepth || k.Diagnostics)) &&
          // What is constant is integrated exactly, and has no gradient in a cell.
          !(!k.PointScalars && (k.Adaptive || k.CellGradients)) &&
          !(k.ConstantColor && k.Adaptive) &&
