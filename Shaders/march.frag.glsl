@@ -36,7 +36,7 @@ March marchPixel(PixelRay pixel)
   float jitter = texelFetch(jitterTexture, pixel.at & 63, 0).x;
   return castSampledRay(pixel.ray, pixel.firstFace, opticalLength, pixel.depthBegin, pixel.depthEnd, jitter);
 #else
-  return castRay(pixel.ray, pixel.firstFace, opticalLength, pixel.depthBegin, pixel.depthEnd);
+  return castPlainRay(pixel.ray, pixel.firstFace, opticalLength, pixel.depthBegin, pixel.depthEnd);
 #endif
 }
 
