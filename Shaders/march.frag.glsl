@@ -2,6 +2,9 @@
 #include "language.glsl"
 
 //VTK::Output::Dec
+#if TETMARCH_PEELED
+//VTK::DepthPeeling::Dec
+#endif
 
 #include "mesh_buffers.glsl"
 #include "table_buffers.glsl"
@@ -26,19 +29,27 @@ uniform sampler2D jitterTexture; // a tile of 64 x 64 pixels, Optics/BlueNoise.h
 uniform mat3 lengthMatrix; // direction -> world, in scalar opacity unit distances
 #endif
 
-void main()
+March marchPixel(PixelRay pixel)
 {
-  PixelRay pixel = pixelRay();
   float opticalLength = length(lengthMatrix * pixel.ray.direction);
 #if TETMARCH_SAMPLED_SHADOWS
   float jitter = texelFetch(jitterTexture, pixel.at & 63, 0).x;
-  March march =
-    castSampledRay(pixel.ray, pixel.firstFace, opticalLength, pixel.depthBegin, pixel.depthEnd, jitter);
+  return castSampledRay(pixel.ray, pixel.firstFace, opticalLength, pixel.depthBegin, pixel.depthEnd, jitter);
 #else
-  March march = castRay(pixel.ray, pixel.firstFace, opticalLength, pixel.depthBegin, pixel.depthEnd);
+  return castPlainRay(pixel.ray, pixel.firstFace, opticalLength, pixel.depthBegin, pixel.depthEnd);
 #endif
+}
 
-  gl_FragData[0] = vec4(march.radiance.color, 1.0 - march.radiance.transmittance);
+vec4 colorOf(March march) { return vec4(march.radiance.color, 1.0 - march.radiance.transmittance); }
+
+#if TETMARCH_PEELED
+#include "peeled_main.glsl"
+#else
+void main()
+{
+  PixelRay pixel = pixelRay();
+  March march = marchPixel(pixel);
+  gl_FragData[0] = colorOf(march);
 #if TETMARCH_DIAGNOSTICS
   // A ray that ends before the mesh, or begins behind it, has looked at a tetrahedron and met none.
   bool met = march.done > pixel.depthBegin;
@@ -46,3 +57,4 @@ void main()
   gl_FragData[2] = vec4(float(march.refused), float(march.lost), float(march.guarded), 0.0);
 #endif
 }
+#endif

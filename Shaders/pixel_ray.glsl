@@ -10,6 +10,8 @@ uniform bool cutsNearPlane; // there rays begin
 #endif
 #if TETMARCH_OPAQUE_DEPTH
 uniform sampler2D opaqueDepthTexture;
+#endif
+#if TETMARCH_OPAQUE_DEPTH || TETMARCH_PEELED
 uniform bool cutsFarPlane;
 uniform mat4 clipToNormalized;
 
@@ -17,6 +19,15 @@ vec3 unproject(vec2 pixel, float windowDepth)
 {
   vec4 p = clipToNormalized * vec4(vec3((pixel - viewport.xy) / viewport.zw, windowDepth) * 2.0 - 1.0, 1.0);
   return p.xyz / p.w;
+}
+
+// Of the point of a pixel's ray that the window has at that depth. Of a far plane that is a million times as far as
+// the near plane no digit is left.
+float depthAt(Ray ray, float windowDepth)
+{
+  return windowDepth < 1.0 || cutsFarPlane
+    ? dot(unproject(gl_FragCoord.xy, windowDepth) - ray.origin, ray.direction)
+    : NO_DEPTH;
 }
 #endif
 
@@ -128,12 +139,7 @@ PixelRay pixelRay()
   }
 #endif
 #if TETMARCH_OPAQUE_DEPTH
-  // Of a far plane that is a million times as far as the near plane no digit is left.
-  float windowDepth = texelFetch(opaqueDepthTexture, pixel, 0).x;
-  if (windowDepth < 1.0 || cutsFarPlane)
-  {
-    found.depthEnd = dot(unproject(gl_FragCoord.xy, windowDepth) - ray.origin, ray.direction);
-  }
+  found.depthEnd = depthAt(ray, texelFetch(opaqueDepthTexture, pixel, 0).x);
 #endif
   found.ray = ray;
   found.firstFace = firstFace;

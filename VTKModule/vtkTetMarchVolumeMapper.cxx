@@ -3,6 +3,7 @@
 #include "vtkTetMarchVolumeMapperInternals.h"
 
 #include "GL/FrameFigures.h"
+#include "GL/PeelHooks.h"
 #include "Mesh/MeshReport.h"
 #include "Scene/MissingScalars.h"
 #include "Scene/ViewColors.h"
@@ -111,9 +112,14 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 
   const tetmarch::MeasureView view{ measureOf(this->ViewMode), this->AutomaticViewRange,
     { { this->ViewRange[0], this->ViewRange[1] } }, this->Internal->ViewTable };
-  const tetmarch::DrawOptions options{ level, this->CollectDiagnostics, this->MaxDrawTimeInSeconds,
-    window->GetDesiredUpdateRate() < 1.0 ? 0.0 : this->LightTimeBudget,
-    isMeasure(this->ViewMode) ? &view : nullptr, shellOf(this->ViewMode) };
+  // Between translucent geometry the same picture is drawn in parts, and nothing else.
+  const tetmarch::PeelHooks hooks(volume, this);
+  const bool peeling = hooks.isPeeling();
+  const bool interacting = window->GetDesiredUpdateRate() >= 1.0;
+  const tetmarch::DrawOptions options{ level, this->CollectDiagnostics && !peeling,
+    this->MaxDrawTimeInSeconds, interacting && !peeling ? this->LightTimeBudget : 0.0,
+    isMeasure(this->ViewMode) && !peeling ? &view : nullptr,
+    peeling ? tetmarch::ShellView::None : shellOf(this->ViewMode), peeling ? &hooks : nullptr };
   const tetmarch::EffectOptions effects{ this->GradientType == CELL_GRADIENTS,
     static_cast<tetmarch::ShadowMethod>(this->ShadowMethod), this->VolumetricScatteringBlending,
     this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
@@ -150,7 +156,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     statistics->SetSeconds(seconds);
     statistics->SetGPUMemoryBytes(this->GetGPUMemoryBytes());
   }
-  const bool marchedPicture = !options.View && options.Shell == tetmarch::ShellView::None;
+  const bool marchedPicture =
+    !peeling && !options.View && options.Shell == tetmarch::ShellView::None;
   choice.end({ drawn, marchedPicture, pipeline.onlyDrew(), seconds,
     statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND), pipeline.subject() });
 }

@@ -53,7 +53,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Render the volume into the renderer's viewport. Called by vtkVolume.
+   * Render the volume into the renderer's viewport. Called by vtkVolume; several times a frame by
+   * vtkDualDepthPeelingPass (vtkRenderer::UseDepthPeelingForVolumes), for parts of the picture that
+   * lie between translucent surfaces. Then no diagnostics are collected, and VIEW_PICTURE takes the
+   * place of the view modes that draw a measure or the shell.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 

@@ -143,8 +143,8 @@ TEST_F(Faults, ShaderErrorsSayWhere)
     const char* File;
     const char* Good;
     const char* Bad;
-  } cases[] = { { "march.frag.glsl", "March march = castRay(", "March march = castNothing(" },
-    { "ray_cast.glsl", "March castRay(", "March castRay(NoSuchType x, " },
+  } cases[] = { { "march.frag.glsl", "return castPlainRay(", "return castNothing(" },
+    { "ray_cast.glsl", "March castPlainRay(", "March castPlainRay(NoSuchType x, " },
     { "entry.vert.glsl", "gl_Position =", "gl_NoPosition =" } };
   for (const auto& c : cases)
   {

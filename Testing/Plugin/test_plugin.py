@@ -203,6 +203,22 @@ def check_opaque_shadows(watch, shadowed):
     watch.expect_brightness(0.995, 1.005, shadowed, OpaqueShadows=0)
 
 
+def check_translucent_surface(watch):
+    """In the middle of the wake: all but invisible it changes nothing, all but opaque it is an opaque one."""
+    alone = watch.picture
+    plane = simple.Plane(Origin=[-9, 0, -9], Point1=[11, 0, -9], Point2=[-9, 0, 9])
+    shown = simple.Show(plane, watch.view)
+    watch.expect_change("opaque surface")
+    opaque = watch.picture
+    for opacity, like in ((0.99, opaque), (0.01, alone)):
+        shown.Opacity = opacity
+        mean = mean_difference(like, watch.look())
+        print(f"a surface of opacity {opacity}: the picture differs by {mean:.2f} of 255 in the mean")
+        assert mean < 4, f"the volume isn't drawn before and behind a surface of opacity {opacity}"
+    simple.Delete(plane)
+    watch.expect_same(alone)
+
+
 def check_colour_map(watch):
     simple.GetOpacityTransferFunction(ARRAY).Points = [
         0.3 * value if i % 4 == 1 else value for i, value in enumerate(OPACITY)
@@ -256,6 +272,7 @@ def main():
     if arguments.picture:
         simple.SaveScreenshot(arguments.picture, view)
     check_volume(watch)
+    check_translucent_surface(watch)
     check_light(watch)
     check_colour_map(watch)
     check_accuracy(watch)

@@ -30,7 +30,7 @@ typename Kernel::March alongX(
   auto kernel = kernelOf<Kernel, Real>(mesh, table, level);
   const auto ray =
     kernel.rayThrough({ Real(0), Real(0.0123), Real(-0.0071) }, { Real(1), Real(0), Real(0) });
-  return kernel.castRay(ray, -1, Real(depthPerCube * mesh.Radius), Real(-1e30f), Real(1e30f));
+  return kernel.castPlainRay(ray, -1, Real(depthPerCube * mesh.Radius), Real(-1e30f), Real(1e30f));
 }
 
 const Field AlongX = [](double x, double, double) { return x; };
@@ -146,7 +146,7 @@ TEST(Analytic, TransmittanceNeverGrows)
       float before = 1.0f;
       for (float end = -1.0f; end < 1.1f; end += 0.07f)
       {
-        const auto march = kernel.castRay(ray, -1, thickness, -1e30f, end);
+        const auto march = kernel.castPlainRay(ray, -1, thickness, -1e30f, end);
         const float now = march.radiance.transmittance;
         // Pieces end elsewhere when the ray does: a few roundings. Below the level's
         // tolerance a ray ends, and it may end later if its last piece was cut short.
@@ -195,8 +195,9 @@ TEST(Analytic, CellScalars)
   kernel.CellScalars = scalars.data();
   kernel.errorTolerance = 0.0;
   const double thickness = 2.0;
-  const auto march = kernel.castRay(kernel.rayThrough({ 0.0, 0.013, 0.021 }, { 1.0, 0.0, 0.0 }), -1,
-    thickness * mesh.Radius, -1e30, 1e30);
+  const auto march =
+    kernel.castPlainRay(kernel.rayThrough({ 0.0, 0.013, 0.021 }, { 1.0, 0.0, 0.0 }), -1,
+      thickness * mesh.Radius, -1e30, 1e30);
   double depth = 0.0, green = 0.0;
   for (int i = 0; i < 4; ++i)
   {

@@ -145,7 +145,8 @@ void compareRays(Volume<Kernel>& volume, Tally& tally)
     const double end = i % 4 == 0 ? rays.uniformBetween(-0.5, 1.0) : 1e30;
     auto way = kernel.wayFromBoundary(ray, -1);
     const double found = kernel.transmittanceOn(ray, length, begin, end, way);
-    ASSERT_NO_FATAL_FAILURE(expectSame(found, kernel.castRay(ray, -1, length, begin, end), tally));
+    ASSERT_NO_FATAL_FAILURE(
+      expectSame(found, kernel.castPlainRay(ray, -1, length, begin, end), tally));
   }
 }
 
@@ -172,7 +173,7 @@ void compareRaysFromInside(Volume<Kernel>& volume, Tally& tally)
     const auto ray = kernel.rayThrough(point, direction);
     const double begin = glsl::dot(point - ray.origin, ray.direction);
     ASSERT_NO_FATAL_FAILURE(
-      expectSame(found, kernel.castRay(ray, -1, length, begin, begin + distance), tally));
+      expectSame(found, kernel.castPlainRay(ray, -1, length, begin, begin + distance), tally));
   }
 }
 

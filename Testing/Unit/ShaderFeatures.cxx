@@ -19,7 +19,8 @@ bool isLit(const Key& key) { return key.Shading || key.ShowGradients; }
 } // namespace
 
 const char* const UnusedInSome =
-  "main addLight dimLight errorBound insideFace isTurnedForSure meanBetween scalarAt tablePoint "
+  "main addLight castRay dimLight errorBound initializeRayCast insideFace "
+  "isTurnedForSure meanBetween scalarAt tablePoint "
   "tableValue texelOfVertex vertexOfTexel wayFromBoundary";
 
 const std::vector<ShaderFeature>& shaderFeatures()
@@ -53,7 +54,11 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "searched entries",
       [](const Key& k, MarchShader s) { return isPicture(s) && !k.RasterEntry; }, "cutsNearPlane" },
     { "opaque depth", [](const Key& k, MarchShader) { return k.OpaqueDepth; },
-      "opaqueDepthTexture cutsFarPlane clipToNormalized unproject windowDepth" },
+      "opaqueDepthTexture" },
+    { "depths of the window", [](const Key& k, MarchShader) { return k.OpaqueDepth || k.Peeled; },
+      "cutsFarPlane clipToNormalized unproject depthAt windowDepth" },
+    { "parts between translucent geometry", [](const Key& k, MarchShader) { return k.Peeled; },
+      "peeledRay initializeRayCast castRay g_opacityThreshold in_inverseWindowSize" },
     { "error bound", [](const Key& k, MarchShader) { return k.hasErrorBound(); },
       "tableVariationBuffer fetchTableVariation variation orderErrorFactor pieceError" },
     { "adaptive", [](const Key& k, MarchShader) { return k.Adaptive; },
@@ -66,7 +71,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "constantColor" },
     { "picture", [](const Key&, MarchShader s) { return isPicture(s); }, "viewport eye" },
     { "one march a ray", [](const Key& k, MarchShader s) { return !followsLight(k, s); },
-      "castRay" },
+      "castPlainRay" },
     // Gradients.
     { "gradients", [](const Key& k, MarchShader) { return k.hasGradients(); }, "gradientBuffer" },
     { "shades", [](const Key& k, MarchShader s) { return isPicture(s) && k.hasGradients(); },

@@ -30,8 +30,8 @@ struct ShaderFeature
 const std::vector<ShaderFeature>& shaderFeatures();
 
 /// Functions, divided by blanks, that some variants have without using them: those that stay beside
-/// what does use them, in one file. What they lead to is never more than arithmetic and the mesh's
-/// or tables' buffers.
+/// what does use them, in one file, and two that VTK's own text calls. What they lead to is never
+/// more than arithmetic and the mesh's or tables' buffers.
 extern const char* const UnusedInSome;
 } // namespace tetmarch::testing
 

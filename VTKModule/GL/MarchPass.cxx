@@ -5,6 +5,7 @@
 #include "GL/EffectTextures.h"
 #include "GL/LightBinding.h"
 #include "GL/MeshTextures.h"
+#include "GL/PeelHooks.h"
 #include "GL/PixelRays.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
@@ -25,8 +26,12 @@ std::string MarchPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& in
     [&](const Viewport& tile)
     {
       StateScope state(window);
-      state->vtkglEnable(GL_BLEND);
-      state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      if (!inputs.Key.Peeled)
+      {
+        state->vtkglEnable(GL_BLEND);
+        state->vtkglBlendFuncSeparate(
+          GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      }
       state->vtkglDisable(GL_DEPTH_TEST);
       state->vtkglDepthMask(GL_FALSE);
       state->vtkglDisable(GL_CULL_FACE);
@@ -56,8 +61,8 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   const Viewport& target, const Viewport& tile)
 {
   std::string error;
-  vtkShaderProgram* program =
-    this->Draw.use(window, "tile.vert.glsl", "march.frag.glsl", inputs.Key.defines(), error);
+  vtkShaderProgram* program = this->Draw.use(
+    window, "tile.vert.glsl", "march.frag.glsl", inputs.Key.defines(), error, inputs.Peeling);
   if (!program)
   {
     return error;
@@ -83,6 +88,10 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
     inputs.Effects->bindJitter(program);
   }
   bindPixelRays(program, inputs, target);
+  if (inputs.Peeling)
+  {
+    inputs.Peeling->bind(program);
+  }
   setUniform(program, "lengthMatrix", inputs.Camera->LengthMatrix);
 
   drawCorners(program, this->Draw, target, tile);

@@ -40,6 +40,7 @@ struct MarchInputs
   std::array<double, 16> RayPoints{};      // if the key has Hierarchy
   vtkTextureObject* Entries = nullptr;     // if the key has RasterEntry
   vtkTextureObject* Depths = nullptr;      // if the key has OpaqueDepth
+  const PeelHooks* Peeling = nullptr;      // if the key is Peeled
   double MostSecondsPerDraw = 0;           // 0: no limit
   double MostLightSeconds = 0;             // of a frame, for light at vertices; 0: no limit
 };
@@ -48,7 +49,8 @@ class MarchPass
 {
 public:
   /**
-   * Premultiplied, over what the framebuffer that is bound holds. Returns an empty string, or what
+   * Premultiplied, over what the framebuffer that is bound holds; if the key is Peeled, as the pass
+   * that peels has set up blending. Returns an empty string, or what
    * is wrong; `stopped` becomes true if progress asked to stop between two tiles.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, TileSchedule& tiles,

@@ -35,10 +35,11 @@ struct DrawOptions
 {
   AccuracyLevel Level = DefaultAccuracy;
   bool Diagnostics = false;
-  double MostSecondsPerDraw = 0;     // 0: no limit
-  double MostLightSeconds = 0;       // for light at vertices; 0: no limit
-  const MeasureView* View = nullptr; // drawn instead of the picture
-  ShellView Shell = ShellView::None; // likewise
+  double MostSecondsPerDraw = 0;      // 0: no limit
+  double MostLightSeconds = 0;        // for light at vertices; 0: no limit
+  const MeasureView* View = nullptr;  // drawn instead of the picture
+  ShellView Shell = ShellView::None;  // likewise
+  const PeelHooks* Peeling = nullptr; // parts of rays are drawn; no diagnostics and no view then
 };
 
 class Pipeline
@@ -126,7 +127,7 @@ private:
   EffectStage Effects;
 
   View Camera;
-  Viewport Area; // of the last frame; empty: there was none
+  Viewport Area; // of the last frame; empty: there was none, or parts of one were drawn
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   ContextWatch Watch; // of that window

@@ -29,6 +29,7 @@ VariantKey Pipeline::keyOf(
   key.Hierarchy = this->mesh().NeedsHierarchy;
   key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
   key.HasFma = this->HasFma;
+  key.Peeled = options.Peeling != nullptr;
   key.Adaptive = options.Level.Adaptive;
   key.TransparentRanges = this->PassesCells;
   key.ConstantColor = this->Table.Traits.ConstantColor;
@@ -85,6 +86,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   inputs.Level = options.Level;
   inputs.Effects = &this->EffectsOnGpu;
   inputs.EffectValues = &this->Effects.data();
+  inputs.Peeling = options.Peeling;
   inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
   inputs.MostLightSeconds = options.MostLightSeconds;
 
@@ -109,7 +111,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   }
   if (error.empty() && !stopped)
   {
-    this->Area = inputs.Area;
+    this->Area = options.Peeling ? Viewport() : inputs.Area;
   }
   return error.empty() ? !stopped : this->fail(error);
 }
@@ -118,7 +120,8 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
 {
   if (!this->Window || this->Area.Width <= 0 || this->Area.Height <= 0)
   {
-    return this->fail("There is no frame to compare with: render the window first.");
+    return this->fail("There is no frame to compare with: render the window first, without "
+                      "translucent geometry between which the volume is drawn in parts.");
   }
   if (!this->ensureHierarchy())
   {

@@ -30,8 +30,11 @@ void bindPixelRays(vtkShaderProgram* program, const MarchInputs& inputs, const V
   }
   if (inputs.Key.OpaqueDepth)
   {
-    setUniform(program, "clipToNormalized", view.ClipToNormalized);
     bindImage(program, "opaqueDepthTexture", inputs.Depths);
+  }
+  if (inputs.Key.OpaqueDepth || inputs.Key.Peeled)
+  {
+    setUniform(program, "clipToNormalized", view.ClipToNormalized);
     program->SetUniformi("cutsFarPlane", view.CutsFarPlane ? 1 : 0);
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/ShaderDraw.h"
 
+#include "GL/PeelHooks.h"
 #include "Scene/ShaderSource.h"
 
 #include "vtkOpenGLRenderUtilities.h"
@@ -54,7 +55,8 @@ std::string messageOf(vtkShaderProgram* program)
 } // namespace
 
 vtkShaderProgram* ShaderDraw::use(vtkOpenGLRenderWindow* window, const std::string& vertexFile,
-  const std::string& fragmentFile, const std::string& defines, std::string& error)
+  const std::string& fragmentFile, const std::string& defines, std::string& error,
+  const PeelHooks* hooks)
 {
   // Of all types that this VTK knows, most of them empty.
   std::vector<vtkSmartPointer<vtkShader>> owned;
@@ -65,8 +67,14 @@ vtkShaderProgram* ShaderDraw::use(vtkOpenGLRenderWindow* window, const std::stri
     owned.back()->SetType(static_cast<vtkShader::Type>(type));
     shaders[static_cast<vtkShader::Type>(type)] = owned.back();
   }
-  shaders[vtkShader::Vertex]->SetSource(shaderSource(vertexFile, defines));
-  shaders[vtkShader::Fragment]->SetSource(shaderSource(fragmentFile, defines));
+  std::string vertexText = shaderSource(vertexFile, defines);
+  std::string fragmentText = shaderSource(fragmentFile, defines);
+  if (hooks)
+  {
+    hooks->edit(vertexText, fragmentText);
+  }
+  shaders[vtkShader::Vertex]->SetSource(vertexText);
+  shaders[vtkShader::Fragment]->SetSource(fragmentText);
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   vtkShaderProgram* program = cache->ReadyShaderProgram(shaders);
   if (!program)

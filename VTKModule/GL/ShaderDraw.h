@@ -16,13 +16,16 @@ class vtkWindow;
 namespace tetmarch
 {
 
+class PeelHooks;
+
 class ShaderDraw
 {
 public:
   /** Compile, or find in the window's cache, and use. nullptr on failure: error then says which
-   * file. */
+   * file. Hooks edit the text of both before. */
   vtkShaderProgram* use(vtkOpenGLRenderWindow* window, const std::string& vertexFile,
-    const std::string& fragmentFile, const std::string& defines, std::string& error);
+    const std::string& fragmentFile, const std::string& defines, std::string& error,
+    const PeelHooks* hooks = nullptr);
   /** Draw so many triangles, with vertices that the vertex shader makes from their number. */
   void drawTriangles(int count);
   void release();

@@ -72,7 +72,7 @@ private:
     const auto near0 = nearest - away * glsl::dot(nearest, away);
     const auto ray = kernel.rayThrough({ Real(near0.x), Real(near0.y), Real(near0.z) },
       { Real(away.x), Real(away.y), Real(away.z) });
-    const auto march = kernel.castRay(ray, -1, opticalLength<Real>(view, ray.direction),
+    const auto march = kernel.castPlainRay(ray, -1, opticalLength<Real>(view, ray.direction),
       Real(glsl::dot(nearest, away)), Real(glsl::dot(farthest, away)));
 
     float* rgba = &this->Image.Pixels[4 * pixel];

@@ -99,7 +99,7 @@ private:
     const auto ray = kernel.rayThrough(point, direction * Real(-1));
     const Real end = glsl::dot(point - ray.origin, ray.direction);
     const auto march =
-      kernel.castRay(ray, -1, kernel.opticalLengthOf(direction), end - distance, end);
+      kernel.castPlainRay(ray, -1, kernel.opticalLengthOf(direction), end - distance, end);
     return march.radiance.transmittance;
   }
 

@@ -17,6 +17,7 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "HAS_FMA", &VariantKey::HasFma },
     { "ADAPTIVE", &VariantKey::Adaptive },
     { "DIAGNOSTICS", &VariantKey::Diagnostics },
+    { "PEELED", &VariantKey::Peeled },
     { "TRANSPARENT_RANGES", &VariantKey::TransparentRanges },
     { "CONSTANT_COLOR", &VariantKey::ConstantColor },
     { "CELL_GRADIENTS", &VariantKey::CellGradients },
@@ -48,6 +49,9 @@ VariantKey VariantKey::filtered() const
 {
   VariantKey key = *this;
   key.Hierarchy = key.Hierarchy || !key.RasterEntry;
+  // Who asks for parts knows where opaque geometry ends them, and takes no counters.
+  key.OpaqueDepth = key.OpaqueDepth && !key.Peeled;
+  key.Diagnostics = key.Diagnostics && !key.Peeled;
   key.ShowIllumination = key.ShowIllumination && !key.ShowGradients;
   key.ConstantColor = key.ConstantColor && !key.ShowIllumination && !key.ShowGradients;
   key.Adaptive = key.Adaptive && key.PointScalars && !key.ConstantColor;

@@ -25,6 +25,7 @@ struct VariantKey
   bool HasFma = true;       // the exact predicate by fused multiply-add; else the portable one
   bool Adaptive = true;     // segments are split until the pixel keeps the error tolerance
   bool Diagnostics = false; // counters in further colour attachments
+  bool Peeled = false; // parts of rays, as a pass that peels translucent geometry asks for them
   bool TransparentRanges = false; // there are scalars without extinction: their cells are passed
   bool ConstantColor = false;     // whatever is seen has the same colour
 
@@ -80,7 +81,7 @@ struct VariantKey
     const char* Name;
     bool VariantKey::*Member;
   };
-  static constexpr int NumberOfBits = 24;
+  static constexpr int NumberOfBits = 25;
   static const std::array<Bit, NumberOfBits>& bits();
 };
 

@@ -1,0 +1,27 @@
+// The picture between translucent surfaces. vtkDualDepthPeelingPass puts its own text for the tag below: it reads depths
+// of such surfaces, calls initializeRayCast() once and castRay() for one or two parts of the pixel's ray, and writes
+// colours to its own targets. Names are VTK's.
+
+const float g_opacityThreshold = 1.0 - 1.0 / 255.0;
+
+PixelRay peeledRay;
+
+void initializeRayCast() { peeledRay = pixelRay(); }
+
+// Premultiplied colour and opacity between two depths of the window, 0..1.
+vec4 castRay(float begin, float end)
+{
+  PixelRay part = peeledRay;
+  if (begin > 0.0)
+  {
+    part.depthBegin = max(part.depthBegin, depthAt(part.ray, begin));
+  }
+  part.depthEnd = depthAt(part.ray, end);
+  return colorOf(marchPixel(part));
+}
+
+void main()
+{
+  vec2 in_inverseWindowSize = 1.0 / viewport.zw;
+  //VTK::CallWorker::Impl
+}
