@@ -10,6 +10,7 @@ uniform bool cutsNearPlane; // there rays begin
 #endif
 #if TETMARCH_OPAQUE_DEPTH
 uniform sampler2D opaqueDepthTexture;
+uniform vec2 depthsPerPixel; // 1, or more if there are fewer rays than pixels
 #endif
 #if TETMARCH_OPAQUE_DEPTH || TETMARCH_PEELED
 uniform bool cutsFarPlane;
@@ -139,7 +140,8 @@ PixelRay pixelRay()
   }
 #endif
 #if TETMARCH_OPAQUE_DEPTH
-  found.depthEnd = depthAt(ray, texelFetch(opaqueDepthTexture, pixel, 0).x);
+  ivec2 depth = ivec2((vec2(pixel) + 0.5) * depthsPerPixel);
+  found.depthEnd = depthAt(ray, texelFetch(opaqueDepthTexture, depth, 0).x);
 #endif
   found.ray = ray;
   found.firstFace = firstFace;

@@ -119,7 +119,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const tetmarch::DrawOptions options{ level, this->CollectDiagnostics && !peeling,
     this->MaxDrawTimeInSeconds, interacting && !peeling ? this->LightTimeBudget : 0.0,
     isMeasure(this->ViewMode) && !peeling ? &view : nullptr,
-    peeling ? tetmarch::ShellView::None : shellOf(this->ViewMode), peeling ? &hooks : nullptr };
+    peeling ? tetmarch::ShellView::None : shellOf(this->ViewMode),
+    this->ChooseSampleDistance(volume, peeling), peeling ? &hooks : nullptr };
   const tetmarch::EffectOptions effects{ this->GradientType == CELL_GRADIENTS,
     static_cast<tetmarch::ShadowMethod>(this->ShadowMethod), this->VolumetricScatteringBlending,
     this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
@@ -156,10 +157,29 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     statistics->SetSeconds(seconds);
     statistics->SetGPUMemoryBytes(this->GetGPUMemoryBytes());
   }
+  this->Internal->UsedSampleDistance = options.SampleDistance;
   const bool marchedPicture =
     !peeling && !options.View && options.Shell == tetmarch::ShellView::None;
-  choice.end({ drawn, marchedPicture, pipeline.onlyDrew(), seconds,
+  if (drawn && marchedPicture && (pipeline.onlyDrew() || !this->Internal->Distance.knowsTime()))
+  {
+    this->Internal->Distance.drawn(options.SampleDistance, seconds);
+  }
+  choice.end({ drawn, marchedPicture && options.SampleDistance == 1, pipeline.onlyDrew(), seconds,
     statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND), pipeline.subject() });
+}
+
+//------------------------------------------------------------------------------
+double vtkTetMarchVolumeMapper::ChooseSampleDistance(vtkVolume* volume, bool peeling)
+{
+  if (peeling || this->CollectDiagnostics || isMeasure(this->ViewMode) ||
+      shellOf(this->ViewMode) != tetmarch::ShellView::None)
+  {
+    return 1;
+  }
+  return this->AutoAdjustSampleDistances
+           ? this->Internal->Distance.choose(volume->GetAllocatedRenderTime(),
+               this->MinimumImageSampleDistance, this->MaximumImageSampleDistance)
+           : this->ImageSampleDistance;
 }
 
 //------------------------------------------------------------------------------

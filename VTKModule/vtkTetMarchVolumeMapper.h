@@ -156,6 +156,33 @@ public:
 
   //@{
   /**
+   * How far rays are apart, in pixels of the window, as in vtkGPUVolumeRayCastMapper and
+   * vtkUnstructuredGridVolumeRayCastMapper; the picture is interpolated between them.
+   *
+   * AutoAdjustSampleDistances, on by default: as far as it takes to keep the render time that VTK
+   * gives the volume (vtkRenderWindow::SetDesiredUpdateRate(), which interactors raise while the
+   * mouse is down), by what the last frame took, within MinimumImageSampleDistance (default 1) and
+   * MaximumImageSampleDistance (default 10). At rest there is time for all rays. Off:
+   * ImageSampleDistance, default 1. All of them 1..100.
+   *
+   * Between translucent surfaces, with CollectDiagnostics and in view modes that draw a measure or
+   * the shell there always is a ray a pixel. Frames with fewer don't count for FrameTimeBudget.
+   */
+  vtkSetMacro(AutoAdjustSampleDistances, bool);
+  vtkGetMacro(AutoAdjustSampleDistances, bool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, bool);
+  vtkSetClampMacro(ImageSampleDistance, double, 1.0, 100.0);
+  vtkGetMacro(ImageSampleDistance, double);
+  vtkSetClampMacro(MinimumImageSampleDistance, double, 1.0, 100.0);
+  vtkGetMacro(MinimumImageSampleDistance, double);
+  vtkSetClampMacro(MaximumImageSampleDistance, double, 1.0, 100.0);
+  vtkGetMacro(MaximumImageSampleDistance, double);
+  /** That of the last frame. */
+  double GetUsedImageSampleDistance() const;
+  //@}
+
+  //@{
+  /**
    * How much each channel of a pixel may be off by, 0..1; 0, the default: no budget. With one,
    * AccuracyLevel and ErrorTolerance are not used: frames are drawn with the cheapest level that
    * promises it, DEFAULT with that tolerance (below 1e-6: with 1e-6, which does not keep it). With
@@ -521,11 +548,16 @@ protected:
   double AmbientOcclusionRadius = 0.1;
   int AmbientOcclusionDirections = 16;
   double LightTimeBudget = 0.1;
+  bool AutoAdjustSampleDistances = true;
+  double ImageSampleDistance = 1;
+  double MinimumImageSampleDistance = 1;
+  double MaximumImageSampleDistance = 10;
 
 private:
   vtkTetMarchVolumeMapper(const vtkTetMarchVolumeMapper&) = delete;
   void operator=(const vtkTetMarchVolumeMapper&) = delete;
 
+  double ChooseSampleDistance(vtkVolume* volume, bool peeling);
   vtkDataArray* FindScalars(vtkUnstructuredGrid* grid, int& cellFlag);
   void ReportError(const std::string& error);
   void ReportMesh();

@@ -32,6 +32,12 @@ int vtkTetMarchVolumeMapper::GetUsedAccuracyLevel() const
 {
   return static_cast<int>(this->Internal->Choice.used().Level);
 }
+double vtkTetMarchVolumeMapper::GetUsedImageSampleDistance() const
+{
+  return this->Internal->UsedSampleDistance;
+}
+
+//------------------------------------------------------------------------------
 double vtkTetMarchVolumeMapper::GetUsedErrorTolerance() const
 {
   return this->Internal->Choice.used().Tolerance;
@@ -208,6 +214,12 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AmbientOcclusion: " << (this->AmbientOcclusion ? "On" : "Off") << "\n";
   os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
   os << indent << "AmbientOcclusionDirections: " << this->AmbientOcclusionDirections << "\n";
+  os << indent << "AutoAdjustSampleDistances: " << (this->AutoAdjustSampleDistances ? "On" : "Off")
+     << "\n";
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << "\n";
+  os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << "\n";
+  os << indent << "UsedImageSampleDistance: " << this->GetUsedImageSampleDistance() << "\n";
   os << indent << "LightTimeBudget: " << this->LightTimeBudget << "\n";
   os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";

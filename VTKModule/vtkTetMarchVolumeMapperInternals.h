@@ -6,6 +6,7 @@
 
 #include "GL/Pipeline.h"
 #include "Scene/AccuracyChoice.h"
+#include "Scene/SampleDistance.h"
 
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
@@ -19,6 +20,8 @@ class vtkTetMarchVolumeMapper::Internals
 public:
   tetmarch::Pipeline Pipeline;
   tetmarch::AccuracyChoice Choice;
+  tetmarch::SampleDistance Distance;
+  double UsedSampleDistance = 1;
   std::string LastError; // reported already
   std::string LastReport;
   vtkNew<vtkTetMarchFrameStatistics> Statistics;

@@ -26,6 +26,7 @@ protected:
   {
     this->mapper()->SetShadowMethodToAtVertices();
     this->mapper()->SetLightTimeBudget(Tiny);
+    this->mapper()->AutoAdjustSampleDistancesOff();
     this->Shown.Window->SetDesiredUpdateRate(Interactive);
   }
 

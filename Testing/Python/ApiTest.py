@@ -170,6 +170,18 @@ class ApiTest(unittest.TestCase):
             set_limit(-1)
             self.assertEqual(get_limit(), 0)
 
+    def test_distances_of_rays(self):
+        mapper = vtkTetMarchVolumeMapper()
+        self.assertTrue(mapper.GetAutoAdjustSampleDistances())
+        for name, default in (("Image", 1), ("MinimumImage", 1), ("MaximumImage", 10)):
+            set_distance = getattr(mapper, f"Set{name}SampleDistance")
+            get_distance = getattr(mapper, f"Get{name}SampleDistance")
+            self.assertEqual(get_distance(), default)
+            for wanted, got in ((2.5, 2.5), (0, 1), (1e9, 100)):
+                set_distance(wanted)
+                self.assertEqual(get_distance(), got)
+        self.assertEqual(mapper.GetUsedImageSampleDistance(), 1)
+
     def test_printed_state(self):
         mapper = vtkTetMarchVolumeMapper()
         mapper.SetOpacityLawToStructured()
@@ -179,7 +191,7 @@ class ApiTest(unittest.TestCase):
                      "ErrorBudget: 0", "UsedAccuracyLevel: Default", "BudgetKept: No", "GradientType: Vertex",
                      "ShadowMethod: Off", "VolumetricScatteringBlending: 0", "GlobalIlluminationReach: 1",
                      "OpaqueShadows: Off", "AmbientOcclusion: Off", "AmbientOcclusionRadius: 0.1",
-                     "AmbientOcclusionDirections: 16", "LightTimeBudget: 0.1"):
+                     "AmbientOcclusionDirections: 16", "LightTimeBudget: 0.1", "AutoAdjustSampleDistances: On"):
             self.assertIn(line, text)
 
 

@@ -54,7 +54,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "searched entries",
       [](const Key& k, MarchShader s) { return isPicture(s) && !k.RasterEntry; }, "cutsNearPlane" },
     { "opaque depth", [](const Key& k, MarchShader) { return k.OpaqueDepth; },
-      "opaqueDepthTexture" },
+      "opaqueDepthTexture depthsPerPixel" },
     { "depths of the window", [](const Key& k, MarchShader) { return k.OpaqueDepth || k.Peeled; },
       "cutsFarPlane clipToNormalized unproject depthAt windowDepth" },
     { "parts between translucent geometry", [](const Key& k, MarchShader) { return k.Peeled; },

@@ -8,15 +8,16 @@ namespace tetmarch
 {
 
 std::string Diagnostics::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
-  const MarchInputs& inputs, const Progress& progress, bool& stopped)
+  MarchInputs inputs, const Progress& progress, bool& stopped)
 {
   this->clear();
   const StageRecorder recorder(this->Record);
+  inputs.Key.Diagnostics = true;
   StateScope state(window);
   std::string error = this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 3, false);
   if (error.empty())
   {
-    error = march.drawDiagnostics(window, inputs, this->Tiles, progress, stopped);
+    error = march.drawApart(window, inputs, this->Tiles, progress, stopped);
   }
   if (!error.empty() || stopped)
   {

@@ -19,7 +19,7 @@ class Diagnostics
 public:
   /** March once more, counting, and say in `stopped` if progress asked to stop; nothing is then
    * kept. Returns an empty string, or what is wrong. */
-  std::string collect(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
+  std::string collect(vtkOpenGLRenderWindow* window, MarchPass& march, MarchInputs inputs,
     const Progress& progress, bool& stopped);
   const MarchCounters& counters() const { return this->Counters; }
   /** Of each pixel: tetrahedra crossed (0: the ray met nothing), evaluations, error bound, 0. */

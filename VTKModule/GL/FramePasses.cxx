@@ -11,10 +11,11 @@ namespace tetmarch
 
 std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
   MarchInputs inputs, const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view,
-  ShellView shell, const Progress& progress, bool& stopped)
+  ShellView shell, double sampleDistance, const Progress& progress, bool& stopped)
 {
   this->clear();
-  this->releaseUnused(window, inputs.Key, diagnostics, view, shell);
+  const bool coarse = sampleDistance > 1;
+  this->releaseUnused(window, inputs.Key, diagnostics, view, shell, coarse);
   this->ChangedVariant = !(inputs.Key == this->LastKey);
   if (this->ChangedVariant)
   {
@@ -32,6 +33,13 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
     }
     inputs.VertexLight = this->Light.texture();
   }
+  const Viewport area = inputs.Area;
+  if (coarse)
+  {
+    inputs.Area = coarseArea(area, sampleDistance);
+    inputs.DepthsPerPixel = { { float(area.Width) / float(inputs.Area.Width),
+      float(area.Height) / float(inputs.Area.Height) } };
+  }
   if (inputs.Key.RasterEntry)
   {
     error = this->Entry.draw(window, inputs.Area, *inputs.Camera, mesh, *inputs.Mesh);
@@ -43,7 +51,7 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
   }
   if (error.empty() && inputs.Key.OpaqueDepth)
   {
-    error = this->Opaque.capture(window, inputs.Area);
+    error = this->Opaque.capture(window, area);
     inputs.Depths = this->Opaque.texture();
   }
   if (shell != ShellView::None)
@@ -66,14 +74,19 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
     fitTable(*view, this->Counted.measures());
     return this->Shown.draw(window, inputs.Area, this->Counted.measuresTexture(), *view);
   }
-  error = this->March.draw(window, inputs, this->Tiles, progress, stopped);
-  this->Draws = this->Tiles.numberOfTiles();
+  error = coarse ? this->Coarse.draw(window, area, this->March, inputs, progress, stopped)
+                 : this->March.draw(window, inputs, this->Tiles, progress, stopped);
+  this->Draws = coarse ? this->Coarse.numberOfDraws() : this->Tiles.numberOfTiles();
   return error;
 }
 
 void FramePasses::releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
-  const MeasureView* view, ShellView shell)
+  const MeasureView* view, ShellView shell, bool coarse)
 {
+  if (!coarse)
+  {
+    this->Coarse.release(window);
+  }
   if (!key.hasVertexLight())
   {
     this->Light.release(window);
@@ -97,6 +110,7 @@ void FramePasses::expectChange()
   this->Tiles.expectChange();
   this->Counted.expectChange();
   this->Shell.expectChange();
+  this->Coarse.expectChange();
 }
 
 void FramePasses::clear()
@@ -114,6 +128,7 @@ void FramePasses::release(vtkWindow* window)
   this->Counted.release(window);
   this->Shown.release(window);
   this->Shell.release();
+  this->Coarse.release(window);
   this->expectChange();
 }
 

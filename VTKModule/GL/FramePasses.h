@@ -5,6 +5,7 @@
 #ifndef TetMarchGLFramePasses_h
 #define TetMarchGLFramePasses_h
 
+#include "GL/CoarsePicture.h"
 #include "GL/Diagnostics.h"
 #include "GL/EntryPass.h"
 #include "GL/MarchPass.h"
@@ -22,11 +23,12 @@ public:
   /**
    * Returns an empty string, or what is wrong; `stopped` becomes true if progress asked to stop.
    * Entries and depths of the inputs are added here. With a view it is drawn instead of the
-   * picture, diagnostics or not; with one of the shell nothing is marched or counted.
+   * picture, diagnostics or not; with one of the shell nothing is marched or counted. Rays are
+   * sampleDistance pixels apart, 1 if anything but the picture is asked for.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
     const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, ShellView shell,
-    const Progress& progress, bool& stopped);
+    double sampleDistance, const Progress& progress, bool& stopped);
   /** The next frame may take much longer than the last. */
   void expectChange();
   /** No picture, no counters: what is asked for before the next draw(). */
@@ -51,12 +53,12 @@ public:
   std::size_t bytes() const
   {
     return this->Entry.bytes() + this->Opaque.bytes() + this->Counted.bytes() +
-           this->Shown.bytes() + this->Light.bytes();
+           this->Shown.bytes() + this->Light.bytes() + this->Coarse.bytes();
   }
 
 private:
   void releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
-    const MeasureView* view, ShellView shell);
+    const MeasureView* view, ShellView shell, bool coarse);
 
   EntryPass Entry;
   OpaqueDepth Opaque;
@@ -65,6 +67,7 @@ private:
   Diagnostics Counted;
   ViewPass Shown;
   ShellPass Shell;
+  CoarsePicture Coarse;
   TileSchedule Tiles;
   VariantKey LastKey;
   bool ChangedVariant = true;

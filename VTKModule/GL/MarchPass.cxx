@@ -19,6 +19,15 @@
 namespace tetmarch
 {
 
+void blendPremultiplied(const StateScope& state)
+{
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDisable(GL_CULL_FACE);
+}
+
 std::string MarchPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
   TileSchedule& tiles, const Progress& progress, bool& stopped)
 {
@@ -26,23 +35,22 @@ std::string MarchPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& in
     [&](const Viewport& tile)
     {
       StateScope state(window);
-      if (!inputs.Key.Peeled)
+      if (inputs.Key.Peeled)
       {
-        state->vtkglEnable(GL_BLEND);
-        state->vtkglBlendFuncSeparate(
-          GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        state->vtkglDisable(GL_DEPTH_TEST);
+        state->vtkglDisable(GL_CULL_FACE);
       }
-      state->vtkglDisable(GL_DEPTH_TEST);
-      state->vtkglDepthMask(GL_FALSE);
-      state->vtkglDisable(GL_CULL_FACE);
+      else
+      {
+        blendPremultiplied(state);
+      }
       return this->drawTile(window, inputs, inputs.Area, tile);
     });
 }
 
-std::string MarchPass::drawDiagnostics(vtkOpenGLRenderWindow* window, MarchInputs inputs,
+std::string MarchPass::drawApart(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
   TileSchedule& tiles, const Progress& progress, bool& stopped)
 {
-  inputs.Key.Diagnostics = true;
   const Viewport target{ 0, 0, inputs.Area.Width, inputs.Area.Height };
   StateScope state(window);
   state->vtkglDisable(GL_BLEND);

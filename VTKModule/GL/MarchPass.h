@@ -18,6 +18,7 @@ namespace tetmarch
 
 class EffectTextures;
 class MeshTextures;
+class StateScope;
 class TableTextures;
 struct EffectData;
 struct IntegralTable;
@@ -36,14 +37,18 @@ struct MarchInputs
   AccuracyLevel Level = DefaultAccuracy;
   EffectTextures* Effects = nullptr; // and its values: if the key has gradients
   const EffectData* EffectValues = nullptr;
-  vtkTextureObject* VertexLight = nullptr; // if the key has it
-  std::array<double, 16> RayPoints{};      // if the key has Hierarchy
-  vtkTextureObject* Entries = nullptr;     // if the key has RasterEntry
-  vtkTextureObject* Depths = nullptr;      // if the key has OpaqueDepth
-  const PeelHooks* Peeling = nullptr;      // if the key is Peeled
-  double MostSecondsPerDraw = 0;           // 0: no limit
-  double MostLightSeconds = 0;             // of a frame, for light at vertices; 0: no limit
+  vtkTextureObject* VertexLight = nullptr;         // if the key has it
+  std::array<double, 16> RayPoints{};              // if the key has Hierarchy
+  vtkTextureObject* Entries = nullptr;             // if the key has RasterEntry
+  vtkTextureObject* Depths = nullptr;              // if the key has OpaqueDepth: of the viewport,
+  std::array<float, 2> DepthsPerPixel{ { 1, 1 } }; // so many a pixel of the area
+  const PeelHooks* Peeling = nullptr;              // if the key is Peeled
+  double MostSecondsPerDraw = 0;                   // 0: no limit
+  double MostLightSeconds = 0;                     // of a frame, for light at vertices; 0: no limit
 };
+
+/** Premultiplied colours over what is there, without depths. */
+void blendPremultiplied(const StateScope& state);
 
 class MarchPass
 {
@@ -55,9 +60,9 @@ public:
    */
   std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, TileSchedule& tiles,
     const Progress& progress, bool& stopped);
-  /** The same into colours of a float framebuffer that is bound and has the size of the area,
-   * without blending. */
-  std::string drawDiagnostics(vtkOpenGLRenderWindow* window, MarchInputs inputs,
+  /** The same into a framebuffer of our own that is bound and has the size of the area, without
+   * blending. */
+  std::string drawApart(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
     TileSchedule& tiles, const Progress& progress, bool& stopped);
   void release();
 

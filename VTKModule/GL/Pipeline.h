@@ -39,6 +39,7 @@ struct DrawOptions
   double MostLightSeconds = 0;        // for light at vertices; 0: no limit
   const MeasureView* View = nullptr;  // drawn instead of the picture
   ShellView Shell = ShellView::None;  // likewise
+  double SampleDistance = 1;          // between rays, in pixels; 1 with any of the others
   const PeelHooks* Peeling = nullptr; // parts of rays are drawn; no diagnostics and no view then
 };
 
@@ -127,7 +128,7 @@ private:
   EffectStage Effects;
 
   View Camera;
-  Viewport Area; // of the last frame; empty: there was none, or parts of one were drawn
+  Viewport Area; // of the last frame; empty: there was none, or not a ray a pixel
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   ContextWatch Watch; // of that window

@@ -101,7 +101,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
       if (error.empty())
       {
         error = this->Passes.draw(window, this->mesh(), inputs, this->lightVersion(inputs.Key),
-          options.Diagnostics, options.View, options.Shell, goOn, stopped);
+          options.Diagnostics, options.View, options.Shell, options.SampleDistance, goOn, stopped);
       }
     });
   if (!shortage.empty())
@@ -111,7 +111,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   }
   if (error.empty() && !stopped)
   {
-    this->Area = options.Peeling ? Viewport() : inputs.Area;
+    this->Area = options.Peeling || options.SampleDistance > 1 ? Viewport() : inputs.Area;
   }
   return error.empty() ? !stopped : this->fail(error);
 }
@@ -120,8 +120,8 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
 {
   if (!this->Window || this->Area.Width <= 0 || this->Area.Height <= 0)
   {
-    return this->fail("There is no frame to compare with: render the window first, without "
-                      "translucent geometry between which the volume is drawn in parts.");
+    return this->fail("There is no frame to compare with: render the window first, with a ray "
+                      "a pixel and without peels of translucent geometry.");
   }
   if (!this->ensureHierarchy())
   {

@@ -31,6 +31,7 @@ void bindPixelRays(vtkShaderProgram* program, const MarchInputs& inputs, const V
   if (inputs.Key.OpaqueDepth)
   {
     bindImage(program, "opaqueDepthTexture", inputs.Depths);
+    program->SetUniform2f("depthsPerPixel", inputs.DepthsPerPixel.data());
   }
   if (inputs.Key.OpaqueDepth || inputs.Key.Peeled)
   {
