@@ -32,7 +32,8 @@ class ApiTest(unittest.TestCase):
         self.assertIn("marching rays", vtkTetMarchVolumeMapper.__doc__)
         self.assertIn("marching rays", vtktetmarch.__doc__)
         self.assertEqual(vtktetmarch.__all__,
-                         ["vtkTetMarchFrameStatistics", "vtkTetMarchLegend", "vtkTetMarchVolumeMapper"])
+                         ["vtkTetMarchFrameStatistics", "vtkTetMarchLegend", "vtkTetMarchObjectFactory",
+                          "vtkTetMarchProjectedTetrahedraMapper", "vtkTetMarchVolumeMapper"])
 
     def test_base_classes(self):
         mapper = vtkTetMarchVolumeMapper()

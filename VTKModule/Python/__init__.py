@@ -7,6 +7,18 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingVolume  # noqa: F401
 
-from .vtkRenderingTetMarch import vtkTetMarchFrameStatistics, vtkTetMarchLegend, vtkTetMarchVolumeMapper
+from .vtkRenderingTetMarch import (
+    vtkTetMarchFrameStatistics,
+    vtkTetMarchLegend,
+    vtkTetMarchObjectFactory,
+    vtkTetMarchProjectedTetrahedraMapper,
+    vtkTetMarchVolumeMapper,
+)
 
-__all__ = ["vtkTetMarchFrameStatistics", "vtkTetMarchLegend", "vtkTetMarchVolumeMapper"]
+__all__ = [
+    "vtkTetMarchFrameStatistics",
+    "vtkTetMarchLegend",
+    "vtkTetMarchObjectFactory",
+    "vtkTetMarchProjectedTetrahedraMapper",
+    "vtkTetMarchVolumeMapper",
+]
