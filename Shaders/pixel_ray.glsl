@@ -65,7 +65,7 @@ bool isBesideEntry(ivec2 pixel)
 #endif
 #endif
 
-// Discards the pixels beside the mesh.
+// Discards the pixels beside the mesh, and those whose ray is clipped away.
 PixelRay pixelRay()
 {
   PixelRay found;
@@ -134,6 +134,15 @@ PixelRay pixelRay()
   {
     found.depthEnd = dot(unproject(gl_FragCoord.xy, windowDepth) - ray.origin, ray.direction);
   }
+#endif
+#if TETMARCH_CLIPPED
+  vec2 left = clippedRange(ray, vec2(found.depthBegin, found.depthEnd));
+  if (!(left.x < left.y))
+  {
+    discard;
+  }
+  found.depthBegin = left.x;
+  found.depthEnd = left.y;
 #endif
   found.ray = ray;
   found.firstFace = firstFace;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/MarchPass.h"
 
+#include "GL/ClippingBinding.h"
 #include "GL/EffectTextures.h"
 #include "GL/LightBinding.h"
 #include "GL/MeshTextures.h"
@@ -83,6 +84,10 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
     inputs.Effects->bindJitter(program);
   }
   bindPixelRays(program, inputs, target);
+  if (key.Clipped)
+  {
+    bindClipping(program, *inputs.Cut, key);
+  }
   setUniform(program, "lengthMatrix", inputs.Camera->LengthMatrix);
 
   drawCorners(program, this->Draw, target, tile);

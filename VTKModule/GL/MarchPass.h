@@ -19,6 +19,7 @@ namespace tetmarch
 class EffectTextures;
 class MeshTextures;
 class TableTextures;
+struct Clipping;
 struct EffectData;
 struct IntegralTable;
 struct View;
@@ -36,6 +37,7 @@ struct MarchInputs
   AccuracyLevel Level = DefaultAccuracy;
   EffectTextures* Effects = nullptr; // and its values: if the key has gradients
   const EffectData* EffectValues = nullptr;
+  const Clipping* Cut = nullptr;           // if the key is Clipped
   vtkTextureObject* VertexLight = nullptr; // if the key has it
   std::array<double, 16> RayPoints{};      // if the key has Hierarchy
   vtkTextureObject* Entries = nullptr;     // if the key has RasterEntry

@@ -19,6 +19,8 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "DIAGNOSTICS", &VariantKey::Diagnostics },
     { "TRANSPARENT_RANGES", &VariantKey::TransparentRanges },
     { "CONSTANT_COLOR", &VariantKey::ConstantColor },
+    { "CLIPPED", &VariantKey::Clipped },
+    { "CROPPED", &VariantKey::Cropped },
     { "CELL_GRADIENTS", &VariantKey::CellGradients },
     { "GRADIENT_OPACITY", &VariantKey::GradientOpacity },
     { "SHADING", &VariantKey::Shading },
@@ -48,6 +50,7 @@ VariantKey VariantKey::filtered() const
 {
   VariantKey key = *this;
   key.Hierarchy = key.Hierarchy || !key.RasterEntry;
+  key.Clipped = key.Clipped || key.Cropped;
   key.ShowIllumination = key.ShowIllumination && !key.ShowGradients;
   key.ConstantColor = key.ConstantColor && !key.ShowIllumination && !key.ShowGradients;
   key.Adaptive = key.Adaptive && key.PointScalars && !key.ConstantColor;
