@@ -214,4 +214,63 @@ TEST_F(CutCubePicture, ByTheNamedCroppings)
   EXPECT_EQ(mapper->GetCroppingRegionFlags(), 0x7be8bef);
   this->expectClosedFormOf("inverted cross");
 }
+
+// Two layers, seen one before the other: each alone is a box, which planes cut, and both together
+// are gone through piece by piece. Most cells between have a piece of either.
+class Layers : public ::testing::Test
+{
+protected:
+  Layers()
+  {
+    // A piece is one evaluation, whatever is before it; and nothing is opaque.
+    this->Shown.Mapper->SetAccuracyLevelToFast();
+    this->Shown.property()->SetScalarOpacityUnitDistance(0.6);
+    this->Shown.Mapper->CroppingOn();
+    this->Shown.Mapper->SetCroppingRegionPlanes(-1.0, 2.0, -1.0, 2.0, 0.48, 0.53);
+    this->Shown.addGradientOpacity();
+  }
+
+  Image pictureOf(int flags)
+  {
+    this->Shown.Mapper->SetCroppingRegionFlags(flags);
+    return this->Shown.render();
+  }
+
+  void expectOneBeforeTheOther(const char* what)
+  {
+    constexpr int behind = 1 << 4, before = 1 << 22;
+    const Image front = this->pictureOf(before), back = this->pictureOf(behind);
+    const Image both = this->pictureOf(before | behind);
+    Image composed = front;
+    for (std::size_t i = 0; i < composed.Rgba.size(); ++i)
+    {
+      composed.Rgba[i] += (1.0f - front.Rgba[i | 3]) * back.Rgba[i];
+    }
+    const Difference difference = compare(both, composed);
+    EXPECT_LE(difference.Max, 1e-5) << what;
+    EXPECT_GT(compare(both, front).Max, 0.05) << what;
+    std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
+  }
+
+  LitScene Shown{ jitteredLattice(4, 0.15, 1, sineField()), 96, 96 };
+};
+
+TEST_F(Layers, OfPointScalars)
+{
+  this->expectOneBeforeTheOther("gradients of vertices");
+  this->Shown.Mapper->SetShadowMethodToAtVertices();
+  this->expectOneBeforeTheOther("shadows");
+  this->Shown.Mapper->SetGradientTypeToCell();
+  this->expectOneBeforeTheOther("gradients of cells");
+  this->Shown.property()->ShadeOff();
+  this->expectOneBeforeTheOther("no light");
+}
+
+TEST_F(Layers, OfCellScalars)
+{
+  this->Shown.drawCellScalars();
+  this->expectOneBeforeTheOther("lit");
+  this->Shown.property()->ShadeOff();
+  this->expectOneBeforeTheOther("no light");
+}
 } // namespace
