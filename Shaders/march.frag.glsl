@@ -14,7 +14,13 @@
 #if TETMARCH_SAMPLED_SHADOWS
 #include "light_buffers.glsl"
 #endif
+#if TETMARCH_CLIPPED
+#include "clipping_buffers.glsl"
+#endif
 #include "march_files.glsl"
+#if TETMARCH_CLIPPED
+#include "clipping.glsl"
+#endif
 #include "pixel_ray.glsl"
 #if TETMARCH_SAMPLED_SHADOWS
 #include "light_ray_files.glsl"

@@ -64,6 +64,9 @@ struct Passage
   real end;
   real scalar; // of the cell, or where the ray leaves
   bool seen;   // there is something to integrate
+#if TETMARCH_CROPPED
+  real rest;   // behind the end, and up to here, there may be other pieces of it
+#endif
 };
 
 // Step through the tetrahedron behind the face. Returns whether the ray goes on behind it.
@@ -103,6 +106,13 @@ bool passCell(Ray ray, real depthEnd, INOUT(Crossing) face, INOUT(uvec2) link, I
   // Of a piece that was passed backwards nothing is done yet.
   march.done = forward ? cell.end : march.done;
   march.finished = max(cell.begin, cell.end) >= depthEnd;
+#if TETMARCH_CROPPED
+  cell.rest = cell.end;
+  vec2 piece = nextPiece(ray, cell.begin, cell.seen ? cell.end : cell.begin);
+  cell.begin = piece.x;
+  cell.end = piece.y;
+  cell.seen = cell.seen && piece.y > piece.x;
+#endif
 #if TETMARCH_DIAGNOSTICS
   march.lost = march.lost + (exitFace < 0 ? 1 : 0);
   march.guarded = march.guarded + (march.cells >= mostCells ? 1 : 0);
@@ -156,6 +166,11 @@ void marchToExit(
 #if TETMARCH_EFFECTS
     shadeCell(ray, face, cell.tet, vec2(cell.begin, cell.end), shades);
 #endif
+#if TETMARCH_CROPPED
+    bool cropping = cell.seen;
+    while (cropping)
+    {
+#endif
     if (cell.seen)
     {
       real thickness = (cell.end - cell.begin) * opticalLength;
@@ -182,6 +197,16 @@ void marchToExit(
       march.evaluations = march.evaluations + trials;
 #endif
     }
+#if TETMARCH_CROPPED
+      vec2 piece = nextPiece(ray, cell.end, cell.rest);
+      cropping = piece.y > piece.x;
+      cell.begin = cropping ? piece.x : cell.begin;
+      cell.end = cropping ? piece.y : cell.end;
+#if TETMARCH_EFFECTS
+      shades.within = sharesOf(shades, piece);
+#endif
+    }
+#endif
     march.finished = march.finished || isOpaque(march.radiance);
     onward = onward && !march.finished;
 #if TETMARCH_SAMPLED_SHADOWS

@@ -18,4 +18,7 @@
 #if TETMARCH_SAMPLED_SHADOWS
 #include "tet.glsl"
 #endif
+#if TETMARCH_CROPPED
+#include "cropping.glsl"
+#endif
 #include "march.glsl"

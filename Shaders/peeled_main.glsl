@@ -16,7 +16,7 @@ vec4 castRay(float begin, float end)
   {
     part.depthBegin = max(part.depthBegin, depthAt(part.ray, begin));
   }
-  part.depthEnd = depthAt(part.ray, end);
+  part.depthEnd = min(part.depthEnd, depthAt(part.ray, end));
   return colorOf(marchPixel(part));
 }
 

@@ -77,7 +77,7 @@ bool isBesideEntry(ivec2 pixel)
 #endif
 #endif
 
-// Discards the pixels beside the mesh.
+// Discards the pixels beside the mesh, and those whose ray is clipped away.
 PixelRay pixelRay()
 {
   PixelRay found;
@@ -142,6 +142,15 @@ PixelRay pixelRay()
 #if TETMARCH_OPAQUE_DEPTH
   ivec2 depth = ivec2((vec2(pixel) + 0.5) * depthsPerPixel);
   found.depthEnd = depthAt(ray, texelFetch(opaqueDepthTexture, depth, 0).x);
+#endif
+#if TETMARCH_CLIPPED
+  vec2 left = clippedRange(ray, vec2(found.depthBegin, found.depthEnd));
+  if (!(left.x < left.y))
+  {
+    discard;
+  }
+  found.depthBegin = left.x;
+  found.depthEnd = left.y;
 #endif
   found.ray = ray;
   found.firstFace = firstFace;

@@ -9,6 +9,10 @@ struct Ray
 #if TETMARCH_SHADING
   vec3 toEye; // unit length, in the coordinates of the lights
 #endif
+#if TETMARCH_CROPPED
+  vec3 lowDepth; // at which it crosses the planes of cropping
+  vec3 highDepth;
+#endif
 };
 
 // Position on the picture plane of the ray in xy, depth along the ray in z. Every vertex is projected by
@@ -24,6 +28,18 @@ vec3 project(Ray ray, vec3 vertex)
   vec2 p = snapToPredicate(vec2(right, up));
   return vec3(p.x, p.y, depth);
 }
+
+#if TETMARCH_CROPPED
+// Depth at which a ray has gone that far along an axis; never, if it runs across it.
+real depthAlong(real distance, real slope) { return abs(slope) > TINY ? distance / slope : NO_DEPTH; }
+
+vec3 crossingDepths(vec3 planes, vec3 origin, vec3 direction)
+{
+  vec3 d = planes - origin;
+  return vec3(
+    depthAlong(d.x, direction.x), depthAlong(d.y, direction.y), depthAlong(d.z, direction.z));
+}
+#endif
 
 // The ray through a point, which it keeps however far away the eye is: q - dir (q.dir) errs by a few
 // 1e-7 mesh radii, eye + dir t by as much of the eye's distance.
@@ -44,6 +60,10 @@ Ray rayThrough(vec3 point, vec3 direction)
 #else
   ray.toEye = direction * real(-1);
 #endif
+#endif
+#if TETMARCH_CROPPED
+  ray.lowDepth = crossingDepths(croppingLow, ray.origin, direction);
+  ray.highDepth = crossingDepths(croppingHigh, ray.origin, direction);
 #endif
   return ray;
 }

@@ -99,7 +99,7 @@ struct CellShades
   FacePoint to;   // where it leaves
   Shade enter;
   Shade leave;
-  vec2 within;    // from where to where something is integrated: 0, 1 if all the way
+  vec2 within;    // from where to where something is integrated, see sharesOf()
 #if TETMARCH_VERTEX_GRADIENTS && TETMARCH_TRANSPARENT_RANGES
   bool enterKnown; // the shade where the ray comes in: that where it left the tetrahedron before
 #endif
@@ -121,6 +121,15 @@ real unsureLight(Crossing face)
   return real(0.5) * max(most, max(a.w, max(b.w, c.w)) - min(a.w, min(b.w, c.w)));
 }
 #endif
+
+// From where to where in the tetrahedron depths go: 0, 1 if all the way.
+vec2 sharesOf(CellShades shades, vec2 range)
+{
+  vec2 enter = vec2(shades.from.depth, shades.from.scalar);
+  vec2 leave = vec2(shades.to.depth, shades.to.scalar);
+  return vec2(range.x > enter.x ? shareAt(enter, leave, range.x) : real(0),
+    range.y < leave.x ? shareAt(enter, leave, range.y) : real(1));
+}
 
 // In the middle of a part of what is integrated.
 Shade shadeWithin(CellShades shades, real share)
@@ -163,18 +172,16 @@ void beginCell(INOUT(CellShades) shades, bool seen)
 // At the end of a tetrahedron, of which the depths from range.x to range.y are integrated.
 void shadeCell(Ray ray, Crossing face, uint tet, vec2 range, INOUT(CellShades) shades)
 {
-  FacePoint from = shades.from;
-  FacePoint to = shades.to;
 #if TETMARCH_VERTEX_GRADIENTS && TETMARCH_TRANSPARENT_RANGES
   int missing = shades.enterKnown ? 1 : 2;
   do
   {
-    FacePoint point = to;
+    FacePoint point = shades.to;
     if (missing > 1)
     {
-      point = from;
+      point = shades.from;
 #if !TETMARCH_POINT_SCALARS
-      point.scalar = to.scalar;
+      point.scalar = shades.to.scalar;
 #endif
     }
     shades.enter = shades.leave;
@@ -183,19 +190,16 @@ void shadeCell(Ray ray, Crossing face, uint tet, vec2 range, INOUT(CellShades) s
   } while (missing > 0);
 #elif TETMARCH_VERTEX_GRADIENTS
   shades.enter = shades.leave;
-  shades.leave = shadeAtFace(ray, to);
+  shades.leave = shadeAtFace(ray, shades.to);
 #else
   // One gradient, and in the middle the light.
-  real depth = real(0.5) * (from.depth + to.depth);
-  real scalar = real(0.5) * (from.scalar + to.scalar);
+  real depth = real(0.5) * (shades.from.depth + shades.to.depth);
+  real scalar = real(0.5) * (shades.from.scalar + shades.to.scalar);
   shades.enter = shadeOf(ray, depth, scalar * tableScale + tableOffset, fetchCellGradient(tet),
-    (incomingAt(ray, from) + incomingAt(ray, to)) * real(0.5));
+    (incomingAt(ray, shades.from) + incomingAt(ray, shades.to)) * real(0.5));
   shades.leave = shades.enter;
 #endif
-  vec2 enter = vec2(from.depth, from.scalar);
-  vec2 leave = vec2(to.depth, to.scalar);
-  shades.within = vec2(range.x > enter.x ? shareAt(enter, leave, range.x) : real(0),
-    range.y < leave.x ? shareAt(enter, leave, range.y) : real(1));
+  shades.within = sharesOf(shades, range);
 #if TETMARCH_LIGHT_ERROR && TETMARCH_VERTEX_LIGHT
   shades.unsure = unsureLight(face);
 #endif

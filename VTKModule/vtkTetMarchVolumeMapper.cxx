@@ -126,11 +126,18 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
     this->AmbientOcclusionDirections, this->OpaqueShadows, subjectOf(this->ViewMode) };
 
+  tetmarch::ClippingOptions clipping;
+  clipping.Planes = this->ClippingPlanes;
+  clipping.Cropping = this->Cropping;
+  std::copy_n(this->CroppingRegionPlanes, 6, clipping.CroppingPlanes.begin());
+  clipping.CroppingFlags = this->CroppingRegionFlags;
+
   const bool drawn = scalars && pipeline.updateMesh(grid, progress) &&
                      pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
                      pipeline.updateTables(volume->GetProperty(), lawOf(this->OpacityLaw), level) &&
                      pipeline.updateEffects(renderer, volume, effects) &&
-                     pipeline.updateView(renderer, volume) && pipeline.upload(window) &&
+                     pipeline.updateView(renderer, volume) &&
+                     pipeline.updateClipping(volume, clipping) && pipeline.upload(window) &&
                      pipeline.draw(window, renderer, options, progress);
   this->ReportError(
     scalars ? pipeline.error()

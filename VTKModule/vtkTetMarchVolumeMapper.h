@@ -35,6 +35,7 @@
 
 #include "vtkRenderingTetMarchModule.h" // For export macro
 #include "vtkUnstructuredGridVolumeMapper.h"
+#include "vtkVolumeMapper.h" // For VTK_CROP_SUBVOLUME
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
@@ -422,6 +423,45 @@ public:
    */
   bool IsLightComplete() const;
 
+  //@{
+  /**
+   * Cropping, with the names and the meaning that it has in vtkVolumeMapper: two planes across each
+   * axis, in the coordinates of the input's points, divide the volume into 27 regions, and
+   * CroppingRegionFlags has a bit for each that is left, x fastest, from the lowest bit on, for
+   * those below the first planes. Off by default; planes 0, 1, 0, 1, 0, 1; flags VTK_CROP_SUBVOLUME,
+   * the region in the middle. A region begins at its lower planes, and cells are cut where a plane
+   * goes through them. Nothing is drawn, without an error, while a second plane isn't above the
+   * first one, or the flags are 0; a plane that is NaN is an error.
+   *
+   * Clipping planes (AddClippingPlane(), SetClippingPlanes(); in world coordinates) cut cells
+   * likewise; what is on the side that the normal points to is left. Up to 32 can be used, more are
+   * an error, and so is one whose normal is 0 or that isn't finite.
+   *
+   * Planes can be moved from frame to frame: nothing is redone. A box of regions is cut as fast as
+   * by clipping planes, others take up to twice as long. What is cut away isn't seen but is still
+   * there: it keeps light off the rest as before (but for that of headlights, which comes as far as
+   * one sees), and views of the shell show all of it.
+   */
+  vtkSetClampMacro(Cropping, vtkTypeBool, 0, 1);
+  vtkGetMacro(Cropping, vtkTypeBool);
+  vtkBooleanMacro(Cropping, vtkTypeBool);
+  vtkSetVector6Macro(CroppingRegionPlanes, double);
+  vtkGetVectorMacro(CroppingRegionPlanes, double, 6);
+  vtkSetClampMacro(CroppingRegionFlags, int, 0x0, 0x7ffffff);
+  vtkGetMacro(CroppingRegionFlags, int);
+  void SetCroppingRegionFlagsToSubVolume() { this->SetCroppingRegionFlags(VTK_CROP_SUBVOLUME); }
+  void SetCroppingRegionFlagsToFence() { this->SetCroppingRegionFlags(VTK_CROP_FENCE); }
+  void SetCroppingRegionFlagsToInvertedFence()
+  {
+    this->SetCroppingRegionFlags(VTK_CROP_INVERTED_FENCE);
+  }
+  void SetCroppingRegionFlagsToCross() { this->SetCroppingRegionFlags(VTK_CROP_CROSS); }
+  void SetCroppingRegionFlagsToInvertedCross()
+  {
+    this->SetCroppingRegionFlags(VTK_CROP_INVERTED_CROSS);
+  }
+  //@}
+
   /**
    * In how many draw calls the last frame was marched, up to where it ended if it was aborted; 0 if
    * nothing was drawn.
@@ -552,6 +592,9 @@ protected:
   double ImageSampleDistance = 1;
   double MinimumImageSampleDistance = 1;
   double MaximumImageSampleDistance = 10;
+  vtkTypeBool Cropping = 0;
+  double CroppingRegionPlanes[6] = { 0, 1, 0, 1, 0, 1 };
+  int CroppingRegionFlags = VTK_CROP_SUBVOLUME;
 
 private:
   vtkTetMarchVolumeMapper(const vtkTetMarchVolumeMapper&) = delete;

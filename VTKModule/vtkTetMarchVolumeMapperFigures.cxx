@@ -221,6 +221,13 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << "\n";
   os << indent << "UsedImageSampleDistance: " << this->GetUsedImageSampleDistance() << "\n";
   os << indent << "LightTimeBudget: " << this->LightTimeBudget << "\n";
+  os << indent << "Cropping: " << (this->Cropping ? "On" : "Off") << "\n";
+  os << indent << "CroppingRegionPlanes:";
+  for (double plane : this->CroppingRegionPlanes)
+  {
+    os << ' ' << plane;
+  }
+  os << "\n" << indent << "CroppingRegionFlags: " << this->CroppingRegionFlags << "\n";
   os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";

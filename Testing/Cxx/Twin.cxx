@@ -28,6 +28,16 @@ EffectOptions optionsOf(vtkTetMarchVolumeMapper* mapper)
                                                        : Subject::Picture };
 }
 
+ClippingOptions clippingOf(vtkTetMarchVolumeMapper* mapper)
+{
+  ClippingOptions options;
+  options.Planes = mapper->GetClippingPlanes();
+  options.Cropping = mapper->GetCropping();
+  mapper->GetCroppingRegionPlanes(options.CroppingPlanes.data());
+  options.CroppingFlags = mapper->GetCroppingRegionFlags();
+  return options;
+}
+
 // The stages before the GL, for the scene as it stands.
 class TwinScene
 {
@@ -58,6 +68,11 @@ public:
           property->GetScalarOpacityUnitDistance(), made.Camera))
     {
       throw std::runtime_error("the scene has no view");
+    }
+    error = makeClipping(clippingOf(scene.Mapper), scene.Volume, this->Mesh, made.Cut);
+    if (!error.empty())
+    {
+      throw std::runtime_error(error);
     }
     if (property == scene.property())
     {

@@ -147,6 +147,28 @@ class ApiTest(unittest.TestCase):
             getattr(mapper, name + "Off")()
             self.assertFalse(is_on())
 
+    def test_cropping_has_the_names_of_volume_mappers(self):
+        mapper = vtkTetMarchVolumeMapper()
+        namesake = vtk.vtkFixedPointVolumeRayCastMapper()
+        for name in ("Cropping", "CroppingRegionPlanes", "CroppingRegionFlags"):
+            self.assertEqual(getattr(mapper, "Get" + name)(), getattr(namesake, "Get" + name)())
+        for cropped in (mapper, namesake):
+            before = cropped.GetMTime()
+            cropped.CroppingOn()
+            cropped.SetCroppingRegionPlanes(1, 2, 3, 4, 5, 6)
+            self.assertGreater(cropped.GetMTime(), before)
+        for name in ("SubVolume", "Fence", "InvertedFence", "Cross", "InvertedCross"):
+            for cropped in (mapper, namesake):
+                getattr(cropped, "SetCroppingRegionFlagsTo" + name)()
+            self.assertEqual(mapper.GetCroppingRegionFlags(), namesake.GetCroppingRegionFlags())
+        for flags, clamped in ((-1, 0), (1 << 30, 0x7ffffff)):
+            mapper.SetCroppingRegionFlags(flags)
+            self.assertEqual(mapper.GetCroppingRegionFlags(), clamped)
+        self.assertEqual(mapper.GetCroppingRegionPlanes(), (1, 2, 3, 4, 5, 6))
+        self.assertTrue(mapper.GetCropping())
+        mapper.CroppingOff()
+        self.assertFalse(mapper.GetCropping())
+
     def test_the_legend(self):
         legend = vtkTetMarchLegend()
         self.assertIsInstance(legend, vtk.vtkScalarBarActor)
@@ -192,7 +214,8 @@ class ApiTest(unittest.TestCase):
                      "ErrorBudget: 0", "UsedAccuracyLevel: Default", "BudgetKept: No", "GradientType: Vertex",
                      "ShadowMethod: Off", "VolumetricScatteringBlending: 0", "GlobalIlluminationReach: 1",
                      "OpaqueShadows: Off", "AmbientOcclusion: Off", "AmbientOcclusionRadius: 0.1",
-                     "AmbientOcclusionDirections: 16", "LightTimeBudget: 0.1", "AutoAdjustSampleDistances: On"):
+                     "AmbientOcclusionDirections: 16", "LightTimeBudget: 0.1", "AutoAdjustSampleDistances: On",
+                     "Cropping: Off", "CroppingRegionPlanes: 0 1 0 1 0 1", "CroppingRegionFlags: 8192"):
             self.assertIn(line, text)
 
 

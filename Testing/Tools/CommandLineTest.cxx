@@ -270,17 +270,41 @@ TEST(CommandLine, NamesAfterTwoDashesAreFiles)
   EXPECT_EQ(ParseCommandLine({ "--", "--help" }).Input, "--help");
 }
 
+TEST(CommandLine, TakesCuts)
+{
+  const auto whole = ParseCommandLine({ "a.vtu" }).Cuts;
+  EXPECT_TRUE(whole.Planes.empty());
+  EXPECT_FALSE(whole.Crop);
+  const auto cuts = ParseCommandLine({ "a.vtu", "--clip", "1,2,3,0,0,-1", "--clip=4,5,6,1,0,0",
+                                       "--crop=-1,1,2,3,4,5", "--crop-regions", "cross" })
+                      .Cuts;
+  ASSERT_EQ(cuts.Planes.size(), 2u);
+  EXPECT_EQ(cuts.Planes[0].Origin, (std::array<double, 3>{ { 1, 2, 3 } }));
+  EXPECT_EQ(cuts.Planes[0].Normal, (std::array<double, 3>{ { 0, 0, -1 } }));
+  EXPECT_EQ(cuts.Planes[1].Origin, (std::array<double, 3>{ { 4, 5, 6 } }));
+  EXPECT_EQ(cuts.Crop, (std::array<double, 6>{ { -1, 1, 2, 3, 4, 5 } }));
+  EXPECT_EQ(cuts.CropRegions, 3);
+  const std::string six = "expected 6 finite numbers separated by commas";
+  ExpectBadValue("--clip", "1,2,3", six);
+  ExpectBadValue("--clip", "1,2,3,0,0,0", "a plane with a normal of 0,0,0 has no sides");
+  ExpectBadValue("--crop", "0,1,0,1,0", six);
+  ExpectBadValue("--crop", "0,1,1,1,0,1", "of each two numbers the first must be below the second");
+  ExpectBadValue(
+    "--crop-regions", "middl", "expected middle, fence, inverted-fence, cross or inverted-cross");
+}
+
 TEST(CommandLine, HelpNamesEveryOption)
 {
   EXPECT_TRUE(ParseCommandLine({ "--help" }).Help);
   EXPECT_TRUE(ParseCommandLine({ "--version" }).Version);
   const std::string help = tetmarch::GetHelp();
-  for (const char* option : { "--accuracy", "--ambient", "--array", "--association", "--background",
-         "--camera", "--compare", "--diffuse", "--error", "--frame-time", "--frames", "--help",
-         "--light", "--occlusion", "--opacity-law", "--opaque-shadows", "--output",
-         "--parallel-scale", "--preset", "--range", "--reach", "--scattering", "--shade",
-         "--shadows", "--size", "--specular", "--specular-power", "--stats", "--surface",
-         "--time-step", "--tolerance", "--unit-distance", "--version", "--view" })
+  for (const char* option :
+    { "--accuracy", "--ambient", "--array", "--association", "--background", "--camera", "--clip",
+      "--compare", "--crop", "--crop-regions", "--diffuse", "--error", "--frame-time", "--frames",
+      "--help", "--light", "--occlusion", "--opacity-law", "--opaque-shadows", "--output",
+      "--parallel-scale", "--preset", "--range", "--reach", "--scattering", "--shade", "--shadows",
+      "--size", "--specular", "--specular-power", "--stats", "--surface", "--time-step",
+      "--tolerance", "--unit-distance", "--version", "--view" })
   {
     EXPECT_NE(help.find(std::string(option)), std::string::npos) << option;
   }

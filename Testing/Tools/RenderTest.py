@@ -88,6 +88,21 @@ class RenderTest(RenderCase):
                         for channel, colour in zip(pixels[y][x], (1, 0.5, 0.25)):
                             self.assertAlmostEqual(channel, 255 * opacity * colour, delta=1.01)
 
+    def test_what_is_cut_away_of_a_slab(self):
+        view = ("--array", "half", "--preset", "constant.json", "--unit-distance", 0.5, "--background", "0,0,0",
+                "--camera", "0.5,0.5,5,0.5,0.5,0.5,0,1,0", "--parallel-scale", 0.4, "--size", "64x48")
+        # Below all planes in y: of the cross, that is only the layer between those in z.
+        aside = "--crop=-1,2,5,6,0.2,0.5"
+        for depth, cuts in ((0.6, ("--clip", "0,0,0.6,0,0,-1")), (0.4, ("--clip", "9,9,0.6,0,0,1")),
+                            (0.1, ("--clip", "0,0,0.6,0,0,-1", "--clip", "0,0,0.5,0,0,2")),
+                            (0.3, ("--crop", "0,1,0,1,0.2,0.5")), (0.3, (aside, "--crop-regions", "cross")),
+                            (0.7, (aside, "--crop-regions", "inverted-cross")),
+                            (0.6, (aside, "--crop-regions", "inverted-cross", "--clip", "0,0,0.1,0,0,1"))):
+            with self.subTest(cuts=cuts):
+                pixels, _ = self.render("cube.vtu", *view, *cuts)
+                for channel, colour in zip(pixels[24][32], (1, 0.5, 0.25)):
+                    self.assertAlmostEqual(channel, 255 * (1 - math.exp(-1.4 * depth)) * colour, delta=1.01)
+
     def test_background_and_default_view(self):
         pixels, _ = self.render("cube.vtu", "--size", "80x60", "--background", "0.2,0.4,0.6")
         self.assertEqual(pixels[0][0], (51, 102, 153))

@@ -69,6 +69,11 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "transparentRanges isTransparentBetween passing" },
     { "constant colour", [](const Key& k, MarchShader) { return k.ConstantColor; },
       "constantColor" },
+    { "clipping planes", [](const Key& k, MarchShader) { return k.Clipped; },
+      "clippingPlaneCount clippingPlane fetchClippingPlane clippedRange" },
+    { "cropping", [](const Key& k, MarchShader) { return k.Cropped; },
+      "croppingLow croppingHigh croppingFlags lowDepth highDepth depthAlong crossingDepths "
+      "nextPlane planesBelow isLeft nextPiece rest cropping" },
     { "picture", [](const Key&, MarchShader s) { return isPicture(s); }, "viewport eye" },
     { "one march a ray", [](const Key& k, MarchShader s) { return !followsLight(k, s); },
       "castPlainRay" },
@@ -76,7 +81,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "gradients", [](const Key& k, MarchShader) { return k.hasGradients(); }, "gradientBuffer" },
     { "shades", [](const Key& k, MarchShader s) { return isPicture(s) && k.hasGradients(); },
       "Shade CellShades FacePoint shadeOf mixShade facePoint beginShades beginCell shadeCell "
-      "incomingAt shadeWithin" },
+      "incomingAt sharesOf shadeWithin" },
     { "gradients at vertices", [](const Key& k, MarchShader) { return k.hasVertexGradients(); },
       "fetchGradient gradientA gradientB gradientC gradientAt" },
     { "shades at faces",

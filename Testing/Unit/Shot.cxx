@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shot.h"
 
+#include "CutWay.h"
 #include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
 
@@ -56,6 +57,31 @@ Grid inWorld(const Shot& shot)
   }
   return world;
 }
+
+// What comes through the parts of a way that are left, front to back.
+std::array<double, 4> integrateLeft(
+  const OracleScene& oracle, const Shot& shot, const Vec3& from, const Vec3& to)
+{
+  const auto inData = [&shot](const Vec3& world)
+  {
+    Vec3 data;
+    shot.Transform->GetInverse()->TransformPoint(world.data(), data.data());
+    return data;
+  };
+  const Vec3 d{ to[0] - from[0], to[1] - from[1], to[2] - from[2] };
+  const double far = std::hypot(d[0], d[1], d[2]);
+  std::array<double, 4> seen{};
+  for (const auto& part : partsLeft(shot.Cut, { from, inData(from) }, { to, inData(to) }))
+  {
+    const auto rgba = oracle.integrate(from, d, part[0] * far, part[1] * far);
+    const double through = 1.0 - seen[3];
+    for (int k = 0; k < 4; ++k)
+    {
+      seen[k] += through * rgba[k];
+    }
+  }
+  return seen;
+}
 } // namespace
 
 vtkStandardNewMacro(WindowlessRenderer);
@@ -91,9 +117,8 @@ Image byOracle(const Shot& shot)
       const double sx = (x + 0.5) / Size * 2.0 - 1.0, sy = (y + 0.5) / Size * 2.0 - 1.0;
       const Vec3 from = unproject(sx, sy, -1.0);
       const Vec3 to = unproject(sx, sy, 2.0 * depth - 1.0);
-      const Vec3 d{ to[0] - from[0], to[1] - from[1], to[2] - from[2] };
-      const double far = std::hypot(d[0], d[1], d[2]);
-      const auto rgba = far > 0.0 ? oracle.integrate(from, d, 0.0, far) : std::array<double, 4>{};
+      const auto rgba =
+        from != to ? integrateLeft(oracle, shot, from, to) : std::array<double, 4>{};
       for (int k = 0; k < 4; ++k)
       {
         image.pixel(x, y)[k] = static_cast<float>(rgba[k]);
@@ -131,6 +156,7 @@ ReferenceImage byMarch(const Shot& shot, const AccuracyLevel& level)
   vtkNew<vtkVolume> volume;
   volume->SetUserTransform(shot.Transform);
   EXPECT_TRUE(makeView(renderer, volume, mesh, shot.UnitDistance, scene.Camera));
+  EXPECT_EQ(makeClipping(shot.Cut, volume, mesh, scene.Cut), "");
   scene.Mesh = &mesh;
   scene.Table = &table;
   scene.Width = Size;

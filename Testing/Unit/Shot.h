@@ -40,6 +40,7 @@ struct Shot
   vtkNew<vtkCamera> Camera;
   OpticalModel Optics;       ///< UnitDistance apart
   std::vector<float> Depths; ///< of opaque geometry, a pixel each; empty: none
+  ClippingOptions Cut;
   double UnitDistance = 0.25;
 
   Shot();

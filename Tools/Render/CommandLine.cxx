@@ -120,6 +120,11 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
       } },
     { "--background", [](CommandLine& c, const std::string& v) { c.Background = ParseColor(v); } },
     { "--camera", [](CommandLine& c, const std::string& v) { c.Camera = ParseCamera(v); } },
+    { "--clip", [](CommandLine& c, const std::string& v)
+      { c.Cuts.Planes.push_back(ParseClippingPlane(v)); } },
+    { "--crop", [](CommandLine& c, const std::string& v) { c.Cuts.Crop = ParseCrop(v); } },
+    { "--crop-regions",
+      [](CommandLine& c, const std::string& v) { c.Cuts.CropRegions = ParseCropRegions(v); } },
     { "--diffuse",
       [](CommandLine& c, const std::string& v) { LightOf(c).Diffuse = ParseWithin(v, "0", "1"); } },
     { "--error",

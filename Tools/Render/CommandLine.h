@@ -7,6 +7,7 @@
 #ifndef tetmarch_CommandLine_h
 #define tetmarch_CommandLine_h
 
+#include "CutOptions.h"
 #include "LightOptions.h"
 
 #include <array>
@@ -54,6 +55,7 @@ struct CommandLine
   std::optional<double> Tolerance;
   double FrameTime = 0.0; // budgets; 0: none
   double Error = 0.0;
+  CutOptions Cuts;
   LightOptions Light;
   std::vector<std::string> Surfaces; // files
   int ViewMode = 0;                  // vtkTetMarchVolumeMapper::VIEW_PICTURE

@@ -61,6 +61,12 @@ View
                             illumination (light without the volume's colour), gradients (directions as
                             colours), faces (the boundary faces by which rays enter, each in a colour of its
                             own) or coordinates (barycentric ones in those faces as red, green and blue)
+  --clip PX,PY,PZ,NX,NY,NZ  cut the volume at the plane through a point; what is on the side that the normal
+                            points to is left. Several can be given
+  --crop X0,X1,Y0,Y1,Z0,Z1  two planes across each axis divide the volume into 27 regions (in the data's
+                            coordinates)
+  --crop-regions WHICH      which of them are left: middle (default), fence, inverted-fence, cross or
+                            inverted-cross
   --surface FILE            draw the polygons of a .vtp or .vtk file, too, opaque and light grey. Several can
                             be given
   --background R,G,B        from 0 to 1 each (default: 0.08,0.09,0.12)

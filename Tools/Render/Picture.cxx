@@ -55,6 +55,7 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
   this->Mapper->SetFrameTimeBudget(commandLine.FrameTime);
   this->Mapper->SetErrorBudget(commandLine.Error);
   this->Mapper->SetViewMode(commandLine.ViewMode);
+  SetUpCuts(commandLine.Cuts, this->Mapper);
   this->Legend->SetMapper(this->Mapper);
 
   this->Volume->SetMapper(this->Mapper);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/MarchPass.h"
 
+#include "GL/ClippingBinding.h"
 #include "GL/EffectTextures.h"
 #include "GL/LightBinding.h"
 #include "GL/MeshTextures.h"
@@ -99,6 +100,10 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   if (inputs.Peeling)
   {
     inputs.Peeling->bind(program);
+  }
+  if (key.Clipped)
+  {
+    bindClipping(program, *inputs.Cut, key);
   }
   setUniform(program, "lengthMatrix", inputs.Camera->LengthMatrix);
 

@@ -20,6 +20,7 @@ class EffectTextures;
 class MeshTextures;
 class StateScope;
 class TableTextures;
+struct Clipping;
 struct EffectData;
 struct IntegralTable;
 struct View;
@@ -37,6 +38,7 @@ struct MarchInputs
   AccuracyLevel Level = DefaultAccuracy;
   EffectTextures* Effects = nullptr; // and its values: if the key has gradients
   const EffectData* EffectValues = nullptr;
+  const Clipping* Cut = nullptr;                   // if the key is Clipped
   vtkTextureObject* VertexLight = nullptr;         // if the key has it
   std::array<double, 16> RayPoints{};              // if the key has Hierarchy
   vtkTextureObject* Entries = nullptr;             // if the key has RasterEntry

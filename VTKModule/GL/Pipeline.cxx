@@ -163,6 +163,12 @@ bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume)
   return this->Camera.rastersEntries() || this->ensureHierarchy();
 }
 
+bool Pipeline::updateClipping(vtkVolume* volume, const ClippingOptions& options)
+{
+  const std::string error = makeClipping(options, volume, this->mesh(), this->Cut);
+  return error.empty() ? !this->Cut.LeavesNothing : this->fail(error);
+}
+
 bool Pipeline::ensureHierarchy()
 {
   if (!this->mesh().hasHierarchy())

@@ -11,6 +11,7 @@
 #include "GL/GpuData.h"
 #include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
+#include "Scene/Clipping.h"
 #include "Scene/Fingerprint.h"
 #include "Scene/MeshStage.h"
 #include "Scene/StageRecord.h"
@@ -58,6 +59,7 @@ public:
   bool updateTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level);
   bool updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options);
   bool updateView(vtkRenderer* renderer, vtkVolume* volume);
+  bool updateClipping(vtkVolume* volume, const ClippingOptions& options);
   bool upload(vtkOpenGLRenderWindow* window);
   bool draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
     const Progress& progress);
@@ -128,6 +130,7 @@ private:
   EffectStage Effects;
 
   View Camera;
+  Clipping Cut;
   Viewport Area; // of the last frame; empty: there was none, or not a ray a pixel
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

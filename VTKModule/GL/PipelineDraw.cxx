@@ -33,6 +33,8 @@ VariantKey Pipeline::keyOf(
   key.Adaptive = options.Level.Adaptive;
   key.TransparentRanges = this->PassesCells;
   key.ConstantColor = this->Table.Traits.ConstantColor;
+  key.Clipped = this->Cut.cuts();
+  key.Cropped = this->Cut.Cropped;
   this->Effects.setBits(key, double(area.Width) * area.Height);
   return options.Shell == ShellView::None ? key.filtered() : key.ofEntries();
 }
@@ -79,6 +81,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   this->Subject.push_back(static_cast<std::uintptr_t>(inputs.Area.Height));
   inputs.Key = this->keyOf(options, renderer, inputs.Area);
   inputs.Camera = &this->Camera;
+  inputs.Cut = &this->Cut;
   inputs.Mesh = &this->OnGpu.mesh();
   inputs.Tables = &this->OnGpu.tables();
   inputs.Table = &this->Table;
@@ -142,6 +145,7 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
       scene.Width = this->Area.Width;
       scene.Height = this->Area.Height;
       scene.WindowDepths = depths.empty() ? nullptr : depths.data();
+      scene.Cut = this->Cut;
       scene.Effects = &this->Effects.data();
       image = tetmarch::renderReference<double>(scene, YardstickAccuracy);
     });

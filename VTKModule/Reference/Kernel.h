@@ -9,6 +9,7 @@
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/IntegralTable.h"
+#include "Scene/Clipping.h"
 
 #include <cmath>
 #include <cstdint>
@@ -38,6 +39,8 @@ using namespace glsl;
 #define TETMARCH_BVH 1
 #define TETMARCH_DIAGNOSTICS 1
 #define TETMARCH_TRANSPARENT_RANGES 1
+#define TETMARCH_CLIPPED 1
+#define TETMARCH_CROPPED 1
 
 #define TETMARCH_POINT_SCALARS 1
 #define TETMARCH_ERROR_BOUND 1
@@ -85,6 +88,8 @@ struct CellKernel
 #undef TETMARCH_BVH
 #undef TETMARCH_DIAGNOSTICS
 #undef TETMARCH_TRANSPARENT_RANGES
+#undef TETMARCH_CLIPPED
+#undef TETMARCH_CROPPED
 
 } // namespace tetmarch
 

@@ -67,6 +67,10 @@ uvec4 fetchTableIntegral(int i) const
 }
 Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 
+#if TETMARCH_CLIPPED
+#include "KernelClipping.h"
+#endif
+
 #if TETMARCH_EFFECTS
 #include "KernelEffects.h"
 #endif
@@ -89,6 +93,10 @@ Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 #define BVH_STACK MostHierarchyDepth
 
 #include "march_files.glsl"
+
+#if TETMARCH_CLIPPED
+#include "clipping.glsl"
+#endif
 
 #include "ray_cast.glsl"
 

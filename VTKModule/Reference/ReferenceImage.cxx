@@ -29,6 +29,7 @@ public:
     : Scene(scene)
     , March(makeKernel<Kernel, Real>(*scene.Mesh, *scene.Table, scene.Range, level))
   {
+    this->March.useClipping(scene.Cut);
     this->March.CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
     const std::size_t pixels = std::size_t(scene.Width) * scene.Height;
     this->Image.Pixels.assign(4 * pixels, 0.0f);
@@ -72,8 +73,14 @@ private:
     const auto near0 = nearest - away * glsl::dot(nearest, away);
     const auto ray = kernel.rayThrough({ Real(near0.x), Real(near0.y), Real(near0.z) },
       { Real(away.x), Real(away.y), Real(away.z) });
-    const auto march = kernel.castPlainRay(ray, -1, opticalLength<Real>(view, ray.direction),
-      Real(glsl::dot(nearest, away)), Real(glsl::dot(farthest, away)));
+    const auto seen =
+      kernel.clippedRange(ray, { Real(glsl::dot(nearest, away)), Real(glsl::dot(farthest, away)) });
+    if (!(seen.x < seen.y))
+    {
+      return;
+    }
+    const auto march =
+      kernel.castPlainRay(ray, -1, opticalLength<Real>(view, ray.direction), seen.x, seen.y);
 
     float* rgba = &this->Image.Pixels[4 * pixel];
     rgba[0] = float(march.radiance.color.x);

@@ -10,6 +10,7 @@
 #include "Optics/IntegralTable.h"
 #include "Reference/EffectData.h"
 #include "Reference/MarchCounters.h"
+#include "Scene/Clipping.h"
 #include "Scene/View.h"
 
 #include <vector>
@@ -29,6 +30,7 @@ struct ReferenceScene
   int Width = 0; // of the viewport, in pixels
   int Height = 0;
   const float* WindowDepths = nullptr; // 0..1, one a pixel, of opaque geometry; nullptr: none
+  Clipping Cut;                        // nothing unless said
   const EffectData* Effects = nullptr;
   /** Light that comes through the volume is looked for wherever a ray crosses a face, by brute
    * force; else interpolated between vertices as in the picture. */

@@ -20,6 +20,8 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "PEELED", &VariantKey::Peeled },
     { "TRANSPARENT_RANGES", &VariantKey::TransparentRanges },
     { "CONSTANT_COLOR", &VariantKey::ConstantColor },
+    { "CLIPPED", &VariantKey::Clipped },
+    { "CROPPED", &VariantKey::Cropped },
     { "CELL_GRADIENTS", &VariantKey::CellGradients },
     { "GRADIENT_OPACITY", &VariantKey::GradientOpacity },
     { "SHADING", &VariantKey::Shading },
@@ -52,6 +54,7 @@ VariantKey VariantKey::filtered() const
   // Who asks for parts knows where opaque geometry ends them, and takes no counters.
   key.OpaqueDepth = key.OpaqueDepth && !key.Peeled;
   key.Diagnostics = key.Diagnostics && !key.Peeled;
+  key.Clipped = key.Clipped || key.Cropped;
   key.ShowIllumination = key.ShowIllumination && !key.ShowGradients;
   key.ConstantColor = key.ConstantColor && !key.ShowIllumination && !key.ShowGradients;
   key.Adaptive = key.Adaptive && key.PointScalars && !key.ConstantColor;

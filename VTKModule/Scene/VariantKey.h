@@ -12,7 +12,7 @@ namespace tetmarch
 
 /**
  * Each member is a preprocessor symbol of the shader. Values that change without recompiling are
- * uniforms, not bits. Clipping and blend modes will be further members, each with a row in bits()
+ * uniforms, not bits. Blend modes will be further members, each with a row in bits()
  * and, where it can be irrelevant, a line in filtered().
  */
 struct VariantKey
@@ -28,6 +28,9 @@ struct VariantKey
   bool Peeled = false; // parts of rays, as a pass that peels translucent geometry asks for them
   bool TransparentRanges = false; // there are scalars without extinction: their cells are passed
   bool ConstantColor = false;     // whatever is seen has the same colour
+
+  bool Clipped = false; // rays begin and end at clipping planes, or at the faces of a cropped box
+  bool Cropped = false; // and pieces of them are left out, region by region
 
   bool CellGradients = false;    // that of each cell as it is; else interpolated between vertices
   bool GradientOpacity = false;  // extinction depends on the gradient
@@ -81,7 +84,7 @@ struct VariantKey
     const char* Name;
     bool VariantKey::*Member;
   };
-  static constexpr int NumberOfBits = 25;
+  static constexpr int NumberOfBits = 27;
   static const std::array<Bit, NumberOfBits>& bits();
 };
 

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief A scene, and planes that cut its volume
+ */
+#ifndef tetmarch_testing_CutScene_h
+#define tetmarch_testing_CutScene_h
+
+#include "LitScene.h"
+
+#include "vtkPlane.h"
+
+namespace tetmarch::testing
+{
+inline vtkSmartPointer<vtkPlane> addClippingPlane(
+  Scene& scene, const Vec3& origin, const Vec3& normal)
+{
+  auto plane = vtkSmartPointer<vtkPlane>::New();
+  plane->SetOrigin(origin[0], origin[1], origin[2]);
+  plane->SetNormal(normal[0], normal[1], normal[2]);
+  scene.Mapper->AddClippingPlane(plane);
+  return plane;
+}
+
+/// Through the middle of the unit cube; what is left lies behind, seen by lookAtUnitCube().
+inline vtkSmartPointer<vtkPlane> clipObliquely(Scene& scene)
+{
+  return addClippingPlane(scene, { 0.5, 0.45, 0.4 }, { -0.6, 0.3, -1.0 });
+}
+
+/// Within the unit cube; nothing is halved.
+inline void crop(Scene& scene, int flags)
+{
+  scene.Mapper->CroppingOn();
+  scene.Mapper->SetCroppingRegionPlanes(0.237, 0.711, 0.313, 0.564, 0.159, 0.823);
+  scene.Mapper->SetCroppingRegionFlags(flags);
+}
+} // namespace tetmarch::testing
+
+#endif

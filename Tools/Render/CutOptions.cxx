@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CutOptions.h"
+
+#include "Failure.h"
+#include "OptionValues.h"
+
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkTetMarchVolumeMapper.h"
+
+namespace tetmarch
+{
+
+ClippingPlaneOption ParseClippingPlane(const std::string& value)
+{
+  const auto n = ParseList(value, { 6 });
+  const ClippingPlaneOption plane{ { { n[0], n[1], n[2] } }, { { n[3], n[4], n[5] } } };
+  if (plane.Normal == std::array<double, 3>{})
+  {
+    throw UsageError("a plane with a normal of 0,0,0 has no sides");
+  }
+  return plane;
+}
+
+std::array<double, 6> ParseCrop(const std::string& value)
+{
+  const auto n = ParseList(value, { 6 });
+  if (!(n[0] < n[1] && n[2] < n[3] && n[4] < n[5]))
+  {
+    throw UsageError("of each two numbers the first must be below the second");
+  }
+  return { { n[0], n[1], n[2], n[3], n[4], n[5] } };
+}
+
+int ParseCropRegions(const std::string& value)
+{
+  return ParseWord(value, { "middle", "fence", "inverted-fence", "cross", "inverted-cross" });
+}
+
+void SetUpCuts(const CutOptions& options, vtkTetMarchVolumeMapper* mapper)
+{
+  for (const ClippingPlaneOption& option : options.Planes)
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(option.Origin[0], option.Origin[1], option.Origin[2]);
+    plane->SetNormal(option.Normal[0], option.Normal[1], option.Normal[2]);
+    mapper->AddClippingPlane(plane);
+  }
+  if (options.Crop)
+  {
+    constexpr int flags[] = { VTK_CROP_SUBVOLUME, VTK_CROP_FENCE, VTK_CROP_INVERTED_FENCE,
+      VTK_CROP_CROSS, VTK_CROP_INVERTED_CROSS };
+    mapper->CroppingOn();
+    mapper->SetCroppingRegionPlanes(options.Crop->data());
+    mapper->SetCroppingRegionFlags(flags[options.CropRegions]);
+  }
+}
+
+} // namespace tetmarch
