@@ -119,12 +119,14 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
     this->AmbientOcclusionDirections, this->OpaqueShadows, subjectOf(this->ViewMode) };
 
-  const bool drawn = scalars && pipeline.updateMesh(grid, progress) &&
-                     pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
-                     pipeline.updateTables(volume->GetProperty(), lawOf(this->OpacityLaw), level) &&
-                     pipeline.updateEffects(renderer, volume, effects) &&
-                     pipeline.updateView(renderer, volume) && pipeline.upload(window) &&
-                     pipeline.draw(window, renderer, options, progress);
+  const bool drawn =
+    scalars && pipeline.updateMesh(grid, progress) &&
+    pipeline.updateScalars(grid, scalars, cellScalars == 1,
+      { static_cast<tetmarch::VectorMode>(this->VectorMode), this->VectorComponent },
+      volume->GetProperty()) &&
+    pipeline.updateTables(volume->GetProperty(), lawOf(this->OpacityLaw), level) &&
+    pipeline.updateEffects(renderer, volume, effects) && pipeline.updateView(renderer, volume) &&
+    pipeline.upload(window) && pipeline.draw(window, renderer, options, progress);
   this->ReportError(
     scalars ? pipeline.error()
             : tetmarch::describeMissingScalars(

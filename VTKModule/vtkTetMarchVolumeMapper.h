@@ -18,8 +18,9 @@
  * come on top where the property asks for them; its interpolation type is not used.
  *
  * Point and cell scalars are taken, by ScalarMode and ArrayAccessMode as in every
- * vtkAbstractMapper. Of an array with several components the first is drawn. Cells that touch a
- * scalar that is not finite are passed through and not drawn.
+ * vtkAbstractMapper, of every numeric type. Of an array with several components one is drawn, or
+ * the magnitude (VectorMode). Cells that touch a scalar that is not finite are passed through and
+ * not drawn.
  *
  * The stages (mesh, scalars, transfer-function tables, camera) are redone only when their own input
  * changed; the Get...Builds() counters tell.
@@ -80,6 +81,35 @@ public:
   vtkGetMacro(OpacityLaw, int);
   void SetOpacityLawToUnstructured() { this->SetOpacityLaw(UNSTRUCTURED); }
   void SetOpacityLawToStructured() { this->SetOpacityLaw(STRUCTURED); }
+  //@}
+
+  //@{
+  /**
+   * What is drawn of an array with several components, with the names and numbers of
+   * vtkSmartVolumeMapper. The transfer functions apply to it.
+   * MAGNITUDE: the length of the vector of all components; not finite if one of them isn't.
+   * COMPONENT: component VectorComponent, 0 (the default) to the number of components - 1;
+   * rendering one that the array doesn't have is an error.
+   * DISABLED, the default: as component 0's colour function says, so that ParaView's "Magnitude",
+   * "X", ... are followed: the magnitude with vtkScalarsToColors::MAGNITUDE, else its
+   * VectorComponent, which by default is the first. It is the first, too, with a gray function or
+   * vtkVolumeProperty::IndependentComponentsOff().
+   * A single component is always drawn as it is, its sign included.
+   */
+  enum VectorModeType
+  {
+    DISABLED = -1,
+    MAGNITUDE = 0,
+    COMPONENT = 1
+  };
+  vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
+  vtkGetMacro(VectorMode, int);
+  void SetVectorModeToDisabled() { this->SetVectorMode(DISABLED); }
+  void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
+  void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
+  const char* GetVectorModeAsString() const;
+  vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
+  vtkGetMacro(VectorComponent, int);
   //@}
 
   //@{
@@ -499,6 +529,8 @@ protected:
   ~vtkTetMarchVolumeMapper() override;
 
   int OpacityLaw = UNSTRUCTURED;
+  int VectorMode = DISABLED;
+  int VectorComponent = 0;
   int AccuracyLevel = DEFAULT;
   double ErrorTolerance = 1.0 / 255.0;
   double FrameTimeBudget = 0;

@@ -6,6 +6,7 @@
 #include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
 #include "Scene/EffectStage.h"
+#include "Scene/VectorChoice.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -47,8 +48,11 @@ public:
     this->Level = levelOf(
       static_cast<Accuracy>(scene.Mapper->GetAccuracyLevel()), scene.Mapper->GetErrorTolerance());
     ReferenceScene& made = this->Made;
-    made.Range = cellFlag == 1 ? makeCellScalars(array, this->Mesh, this->CellScalars)
-                               : setPointScalars(scene.Data, array, this->Mesh);
+    const TupleScalar scalar = tupleScalarOf(
+      { VectorMode(scene.Mapper->GetVectorMode()), scene.Mapper->GetVectorComponent() },
+      scene.property(), array, error);
+    made.Range = cellFlag == 1 ? makeCellScalars(array, this->Mesh, this->CellScalars, scalar)
+                               : setPointScalars(scene.Data, array, this->Mesh, scalar);
     made.CellScalars = cellFlag == 1 ? &this->CellScalars : nullptr;
     const bool structured = scene.Mapper->GetOpacityLaw() == vtkTetMarchVolumeMapper::STRUCTURED;
     this->Table =

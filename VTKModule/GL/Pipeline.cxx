@@ -63,10 +63,16 @@ bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)
   return error.empty() ? !this->mesh().Tets.empty() : this->fail(error);
 }
 
-bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars)
+bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars,
+  const VectorChoice& vector, vtkVolumeProperty* property)
 {
-  const std::string wrong = cellScalars ? checkScalars(array, grid->GetNumberOfCells(), "cells")
-                                        : checkScalars(array, grid->GetNumberOfPoints(), "points");
+  std::string wrong = cellScalars ? checkScalars(array, grid->GetNumberOfCells(), "cells")
+                                  : checkScalars(array, grid->GetNumberOfPoints(), "points");
+  TupleScalar scalar;
+  if (wrong.empty())
+  {
+    scalar = tupleScalarOf(vector, property, array, wrong);
+  }
   if (!wrong.empty())
   {
     return this->fail(wrong);
@@ -74,6 +80,8 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   Fingerprint input;
   add(input, array);
   input.push_back(cellScalars ? 1 : 0);
+  input.push_back(scalar.Magnitude ? 1 : 0);
+  input.push_back(static_cast<std::uintptr_t>(scalar.Component));
   if (input == this->ScalarsInput)
   {
     return true;
@@ -85,8 +93,8 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   const std::string shortage = withinMemory("the scalars",
     [&]
     {
-      this->Range = cellScalars ? makeCellScalars(array, this->mesh(), this->CellScalars)
-                                : setPointScalars(grid, array, this->Meshed.mesh());
+      this->Range = cellScalars ? makeCellScalars(array, this->mesh(), this->CellScalars, scalar)
+                                : setPointScalars(grid, array, this->Meshed.mesh(), scalar);
     });
   if (!shortage.empty())
   {

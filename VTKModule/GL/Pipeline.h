@@ -14,6 +14,7 @@
 #include "Scene/Fingerprint.h"
 #include "Scene/MeshStage.h"
 #include "Scene/StageRecord.h"
+#include "Scene/VectorChoice.h"
 #include "Scene/View.h"
 
 #include "vtkWeakPointer.h"
@@ -52,7 +53,8 @@ public:
    * says what is wrong, or is empty if there is nothing to draw or the user stopped it.
    */
   bool updateMesh(vtkUnstructuredGrid* grid, const Progress& progress);
-  bool updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars);
+  bool updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars,
+    const VectorChoice& vector, vtkVolumeProperty* property);
   bool updateTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level);
   bool updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options);
   bool updateView(vtkRenderer* renderer, vtkVolume* volume);
