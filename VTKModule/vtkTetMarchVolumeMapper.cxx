@@ -119,12 +119,13 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
     this->AmbientOcclusionDirections, this->OpaqueShadows, subjectOf(this->ViewMode) };
 
+  const tetmarch::VectorChoice vector{ static_cast<tetmarch::VectorMode>(this->VectorMode),
+    this->VectorComponent };
+  vtkVolumeProperty* property = volume->GetProperty();
   const bool drawn =
-    scalars && pipeline.updateMesh(grid, progress) &&
-    pipeline.updateScalars(grid, scalars, cellScalars == 1,
-      { static_cast<tetmarch::VectorMode>(this->VectorMode), this->VectorComponent },
-      volume->GetProperty()) &&
-    pipeline.updateTables(volume->GetProperty(), lawOf(this->OpacityLaw), level) &&
+    scalars && pipeline.updateMesh(grid, progress) && pipeline.updateHiddenCells(grid) &&
+    pipeline.updateScalars(grid, scalars, cellScalars == 1, vector, property) &&
+    pipeline.updateTables(property, lawOf(this->OpacityLaw), level, this->DrawNanCells) &&
     pipeline.updateEffects(renderer, volume, effects) && pipeline.updateView(renderer, volume) &&
     pipeline.upload(window) && pipeline.draw(window, renderer, options, progress);
   this->ReportError(

@@ -20,7 +20,13 @@
  * Point and cell scalars are taken, by ScalarMode and ArrayAccessMode as in every
  * vtkAbstractMapper, of every numeric type. Of an array with several components one is drawn, or
  * the magnitude (VectorMode). Cells that touch a scalar that is not finite are passed through and
- * not drawn.
+ * not drawn, unless DrawNanCells is on.
+ *
+ * Cells whose vtkGhostType (of the cell data) says HIDDENCELL, DUPLICATECELL or REFINEDCELL, and
+ * cells with a point that is a HIDDENPOINT by that of the point data, are passed through and absorb
+ * no light. They count for the range of the scalars and for gradients, and the shell stays that of
+ * all cells. An array of that name that is not of unsigned char, or hasn't a value for each, is
+ * ignored. Another vtkGhostType leaves the mesh alone.
  *
  * The stages (mesh, scalars, transfer-function tables, camera) are redone only when their own input
  * changed; the Get...Builds() counters tell.
@@ -110,6 +116,19 @@ public:
   const char* GetVectorModeAsString() const;
   vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
   vtkGetMacro(VectorComponent, int);
+  //@}
+
+  //@{
+  /**
+   * Whether cells (of the tetrahedra that they are cut into, those) that touch a scalar that is not
+   * finite, NaN or infinite, are drawn: evenly in vtkColorTransferFunction::GetNanColor() of
+   * component 0, with the extinction that follows from GetNanOpacity() as from any opacity. Having
+   * no gradient, they are drawn without light and whatever the gradient opacity is, but they cast
+   * shadows. A gray function has no such colour. Off by default: they are passed through.
+   */
+  vtkSetMacro(DrawNanCells, bool);
+  vtkGetMacro(DrawNanCells, bool);
+  vtkBooleanMacro(DrawNanCells, bool);
   //@}
 
   //@{
@@ -531,6 +550,7 @@ protected:
   int OpacityLaw = UNSTRUCTURED;
   int VectorMode = DISABLED;
   int VectorComponent = 0;
+  bool DrawNanCells = false;
   int AccuracyLevel = DEFAULT;
   double ErrorTolerance = 1.0 / 255.0;
   double FrameTimeBudget = 0;

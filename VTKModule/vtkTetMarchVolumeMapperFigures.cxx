@@ -198,6 +198,7 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "VectorMode: " << this->GetVectorModeAsString() << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "DrawNanCells: " << (this->DrawNanCells ? "On" : "Off") << "\n";
   os << indent << "AccuracyLevel: " << this->GetAccuracyLevelAsString() << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "FrameTimeBudget: " << this->FrameTimeBudget << "\n";

@@ -215,7 +215,7 @@ TEST_P(Vectors, AComponentThatIsNotThereIsAnErrorOnce)
 }
 
 INSTANTIATE_TEST_SUITE_P(ScalarKinds, Vectors, testing::Bool(),
-  [](const auto& info) { return info.param ? "OfCells" : "OfPoints"; });
+  [](const auto& of) { return of.param ? "OfCells" : "OfPoints"; });
 
 TEST(ScalarKinds, Integers)
 {

@@ -54,6 +54,9 @@ public:
     made.Range = cellFlag == 1 ? makeCellScalars(array, this->Mesh, this->CellScalars, scalar)
                                : setPointScalars(scene.Data, array, this->Mesh, scalar);
     made.CellScalars = cellFlag == 1 ? &this->CellScalars : nullptr;
+    made.NanShown = scene.Mapper->GetDrawNanCells();
+    this->Hidden = hiddenCells(scene.Data, this->Mesh);
+    made.Hidden = property == scene.property() ? &this->Hidden : nullptr;
     const bool structured = scene.Mapper->GetOpacityLaw() == vtkTetMarchVolumeMapper::STRUCTURED;
     this->Table =
       fittingTable(property, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
@@ -100,6 +103,7 @@ private:
 
   TetMesh Mesh;
   std::vector<float> CellScalars;
+  HiddenCells Hidden;
   IntegralTable Table;
   EffectStage Effects;
   AccuracyLevel Level = DefaultAccuracy;
@@ -157,6 +161,7 @@ Regions regionsOf(Scene& scene, const std::vector<float>& depths)
   // Thin fog shows every chord, and nothing ends early in it.
   vtkNew<vtkVolumeProperty> fog;
   setPlainFunctions(fog, { 1.0, 1.0, 1.0 }, 0.01);
+  fog->GetRGBTransferFunction()->SetNanColorRGBA(1.0, 1.0, 1.0, 0.01);
   fog->SetScalarOpacityUnitDistance(scene.Data->GetLength());
   const Image seen =
     TwinScene(scene, fog, depths).render(Precision::Double, LightFrom::Vertices).Picture;

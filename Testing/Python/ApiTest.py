@@ -115,6 +115,16 @@ class ApiTest(unittest.TestCase):
         mapper.SetVectorComponent(-1)
         self.assertEqual(mapper.GetVectorComponent(), 0)
 
+    def test_the_switch_of_what_is_not_finite(self):
+        mapper = vtkTetMarchVolumeMapper()
+        self.assertFalse(mapper.GetDrawNanCells())
+        before = mapper.GetMTime()
+        mapper.DrawNanCellsOn()
+        self.assertTrue(mapper.GetDrawNanCells())
+        self.assertGreater(mapper.GetMTime(), before)
+        mapper.DrawNanCellsOff()
+        self.assertFalse(mapper.GetDrawNanCells())
+
     def test_the_choices_of_light(self):
         mapper = vtkTetMarchVolumeMapper()
         for option, constants, names in (
@@ -191,7 +201,8 @@ class ApiTest(unittest.TestCase):
         mapper = vtkTetMarchVolumeMapper()
         mapper.SetOpacityLawToStructured()
         text = str(mapper)
-        for line in ("OpacityLaw: Structured", "VectorMode: Disabled", "VectorComponent: 0", "CollectDiagnostics: Off", "NumberOfTetrahedra: 0",
+        for line in ("OpacityLaw: Structured", "VectorMode: Disabled", "VectorComponent: 0", "DrawNanCells: Off",
+                     "CollectDiagnostics: Off", "NumberOfTetrahedra: 0",
                      "MaxDrawTimeInSeconds: 0.25", "ViewMode: Picture", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0",
                      "ErrorBudget: 0", "UsedAccuracyLevel: Default", "BudgetKept: No", "GradientType: Vertex",
                      "ShadowMethod: Off", "VolumetricScatteringBlending: 0", "GlobalIlluminationReach: 1",

@@ -182,11 +182,19 @@ TEST(Scalars, WhatIsNotFiniteIsNotDrawn)
     (std::array<float, 4>{ { UndrawnScalar, 0.0f, 1.0f, UndrawnScalar } }));
   EXPECT_EQ(range.Low, 1.0);
   EXPECT_EQ(range.High, 3.0);
+  EXPECT_FALSE(range.AllFinite);
   for (const float stored : storedOf(arrayOf(VTK_FLOAT, { nan, inf, -inf, nan }), range))
   {
     EXPECT_EQ(stored, UndrawnScalar);
   }
   EXPECT_TRUE(std::isfinite(range.Low) && std::isfinite(range.High));
+  EXPECT_FALSE(range.AllFinite);
+  storedOf(arrayOf(VTK_FLOAT, { 1, 2, 3, 4 }), range);
+  EXPECT_TRUE(range.AllFinite);
+  storedOf(arrayOf(VTK_FLOAT, { 1, 2, 3, 4 }, 2), range, { true, 0 });
+  EXPECT_TRUE(range.AllFinite);
+  storedOf(arrayOf(VTK_FLOAT, { 1, inf, 3, 4 }, 2), range, { true, 0 });
+  EXPECT_FALSE(range.AllFinite);
 }
 
 TEST(Scalars, ConstantArrays)

@@ -66,6 +66,7 @@ ScalarRange finiteRange(const std::vector<double>& values)
 {
   double low = std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::lowest();
+  bool allFinite = true;
   for (double value : values)
   {
     if (std::isfinite(value))
@@ -73,16 +74,20 @@ ScalarRange finiteRange(const std::vector<double>& values)
       low = std::min(low, value);
       high = std::max(high, value);
     }
+    else
+    {
+      allFinite = false;
+    }
   }
   if (low > high)
   {
-    return {};
+    return { 0, 0, allFinite };
   }
   // Wider than double precision can tell: keep halves, which is what the difference of the ends
   // needs.
   const double limit = 0.25 * std::numeric_limits<double>::max();
   const auto clamped = [limit](double x) { return std::min(std::max(x, -limit), limit); };
-  return { clamped(low), clamped(high) };
+  return { clamped(low), clamped(high), allFinite };
 }
 
 float normalised(double value, const ScalarRange& range)

@@ -20,6 +20,7 @@ struct ScalarRange
 {
   double Low = 0;
   double High = 0;
+  bool AllFinite = true; // no value was stored as UndrawnScalar
   /** What a stored scalar of 1 lies above one of 0: never 0. */
   double width() const { return this->High > this->Low ? this->High - this->Low : 1; }
 };

@@ -19,6 +19,8 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "DIAGNOSTICS", &VariantKey::Diagnostics },
     { "TRANSPARENT_RANGES", &VariantKey::TransparentRanges },
     { "CONSTANT_COLOR", &VariantKey::ConstantColor },
+    { "NAN_SHOWN", &VariantKey::NanShown },
+    { "HIDDEN_CELLS", &VariantKey::HiddenCells },
     { "CELL_GRADIENTS", &VariantKey::CellGradients },
     { "GRADIENT_OPACITY", &VariantKey::GradientOpacity },
     { "SHADING", &VariantKey::Shading },
@@ -75,6 +77,8 @@ VariantKey VariantKey::ofVertexLight() const
   key.Hierarchy = this->Hierarchy;
   key.HasFma = this->HasFma;
   key.Adaptive = false;
+  key.NanShown = this->NanShown;
+  key.HiddenCells = this->HiddenCells;
   key.GradientOpacity = this->GradientOpacity;
   key.CellGradients = this->CellGradients;
   key = key.filtered();

@@ -28,6 +28,9 @@ struct VariantKey
   bool TransparentRanges = false; // there are scalars without extinction: their cells are passed
   bool ConstantColor = false;     // whatever is seen has the same colour
 
+  bool NanShown = false;    // what touches a scalar that is not finite has a colour of its own
+  bool HiddenCells = false; // some tetrahedra are passed as if nothing was in them
+
   bool CellGradients = false;    // that of each cell as it is; else interpolated between vertices
   bool GradientOpacity = false;  // extinction depends on the gradient
   bool Shading = false;          // lights shine on surfaces of constant scalar
@@ -80,7 +83,7 @@ struct VariantKey
     const char* Name;
     bool VariantKey::*Member;
   };
-  static constexpr int NumberOfBits = 24;
+  static constexpr int NumberOfBits = 26;
   static const std::array<Bit, NumberOfBits>& bits();
 };
 
