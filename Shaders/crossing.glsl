@@ -80,9 +80,14 @@ real scalarAt(vec2 enter, vec2 leave, real depth)
   return enter.y + (leave.y - enter.y) * shareAt(enter, leave, depth);
 }
 
-// Scalars that are not finite are stored as UNDRAWN_SCALAR; what they touch is passed through. All others lie in
-// 0..1, so that any share of one that isn't drawn shows.
+// Scalars that are not finite are stored as UNDRAWN_SCALAR; what they touch is passed through, or has a colour of its
+// own. All others lie in 0..1, so that any share of one that isn't drawn shows.
 bool isDrawn(real scalar) { return abs(scalar) < real(2); }
+
+#if TETMARCH_HIDDEN_CELLS
+// Hidden tetrahedra are passed through as if there was nothing in them.
+bool isHidden(uint tet) { return (fetchHiddenCells(tet >> 5u) >> (tet & 31u) & 1u) != 0u; }
+#endif
 
 // Whether the viewer sees the same side of the face while its corners move by as much as rounding moves them.
 bool isTurnedForSure(Crossing face)

@@ -89,6 +89,14 @@ void attenuateToExit(Ray ray, INOUT(Crossing) face, INOUT(uvec2) link, real opti
 #elif TETMARCH_GRADIENT_OPACITY
     extinction = extinction * gradientOpacity(fetchCellGradient(tet));
 #endif
+#if TETMARCH_NAN_SHOWN && TETMARCH_POINT_SCALARS
+    extinction = isDrawn(enter.y) && isDrawn(leave.y) ? extinction : nanColor.w;
+#elif TETMARCH_NAN_SHOWN
+    extinction = isDrawn(fetchCellScalar(tet)) ? extinction : nanColor.w;
+#endif
+#if TETMARCH_HIDDEN_CELLS
+    extinction = isHidden(tet) ? real(0) : extinction;
+#endif
     passed.depth = passed.depth + (forward ? extinction * (range.y - range.x) * opticalLength : real(0));
     passed.done = forward ? range.y : passed.done;
     passed.finished = passed.depth > darkDepth || max(range.x, range.y) >= depthEnd;

@@ -67,6 +67,9 @@ struct Passage
 #if TETMARCH_CROPPED
   real rest;   // behind the end, and up to here, there may be other pieces of it
 #endif
+#if TETMARCH_NAN_SHOWN
+  bool finite; // the scalar is finite
+#endif
 };
 
 // Step through the tetrahedron behind the face. Returns whether the ray goes on behind it.
@@ -102,6 +105,13 @@ bool passCell(Ray ray, real depthEnd, INOUT(Crossing) face, INOUT(uvec2) link, I
 #if TETMARCH_TRANSPARENT_RANGES
   cell.seen = cell.seen &&
     !isTransparentBetween(first * tableScale + tableOffset, cell.scalar * tableScale + tableOffset);
+#endif
+#if TETMARCH_NAN_SHOWN
+  cell.finite = isDrawn(first) && isDrawn(cell.scalar);
+  cell.seen = cell.finite ? cell.seen : forward && nanColor.w > real(0);
+#endif
+#if TETMARCH_HIDDEN_CELLS
+  cell.seen = cell.seen && !isHidden(cell.tet);
 #endif
   // Of a piece that was passed backwards nothing is done yet.
   march.done = forward ? cell.end : march.done;
@@ -171,7 +181,15 @@ void marchToExit(
     while (cropping)
     {
 #endif
+#if TETMARCH_NAN_SHOWN
+    if (cell.seen && !cell.finite)
+    {
+      absorbNan(march.radiance, (cell.end - cell.begin) * opticalLength);
+    }
+    if (cell.seen && cell.finite)
+#else
     if (cell.seen)
+#endif
     {
       real thickness = (cell.end - cell.begin) * opticalLength;
 #if TETMARCH_POINT_SCALARS

@@ -19,6 +19,11 @@ uniform int reentryFaceCount;    // so many faces, likewise the first ones
 vec4 fetchBvhNode(int i) { return texelFetch(hierarchyBuffer, i); }
 #endif
 
+#if TETMARCH_HIDDEN_CELLS
+uniform usamplerBuffer hiddenCellBuffer; // a bit a tetrahedron
+uint fetchHiddenCells(uint word) { return texelFetch(hiddenCellBuffer, int(word)).x; }
+#endif
+
 #if !TETMARCH_POINT_SCALARS
 uniform samplerBuffer cellScalarBuffer;
 float fetchCellScalar(uint tet) { return texelFetch(cellScalarBuffer, int(tet)).x; }

@@ -119,3 +119,19 @@ void absorb(INOUT(Radiance) radiance, vec3 emitted, Absorption piece)
   radiance.color = radiance.color + emitted * (radiance.transmittance * piece.evenly * piece.opticalLength);
   radiance.transmittance = radiance.transmittance * max(real(1) - piece.absorbed, real(0));
 }
+
+#if TETMARCH_NAN_SHOWN
+// A piece in which the scalar is not finite: of one colour and extinction, without gradient and so without light.
+void absorbNan(INOUT(Radiance) radiance, real opticalLength)
+{
+#if TETMARCH_SHOW_ILLUMINATION
+  vec3 color = vec3(real(1), real(1), real(1));
+#elif TETMARCH_SHOW_GRADIENTS
+  vec3 color = vec3(real(0.5), real(0.5), real(0.5)); // as where there is none
+#else
+  vec3 color = vec3(nanColor.x, nanColor.y, nanColor.z);
+#endif
+  Absorption piece = absorption(nanColor, opticalLength);
+  absorb(radiance, color * nanColor.w, piece);
+}
+#endif

@@ -12,6 +12,9 @@ uniform vec4 transparentRanges; // in the table: up to, from, and from to
 #if TETMARCH_CONSTANT_COLOR
 uniform vec3 constantColor; // in the place of the table's
 #endif
+#if TETMARCH_NAN_SHOWN
+uniform vec4 nanColor; // of scalars that are not finite, and their extinction
+#endif
 #if TETMARCH_ERROR_BOUND
 uniform samplerBuffer tableVariationBuffer;
 #endif

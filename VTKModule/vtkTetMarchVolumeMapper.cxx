@@ -132,13 +132,15 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   std::copy_n(this->CroppingRegionPlanes, 6, clipping.CroppingPlanes.begin());
   clipping.CroppingFlags = this->CroppingRegionFlags;
 
-  const bool drawn = scalars && pipeline.updateMesh(grid, progress) &&
-                     pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
-                     pipeline.updateTables(volume->GetProperty(), lawOf(this->OpacityLaw), level) &&
-                     pipeline.updateEffects(renderer, volume, effects) &&
-                     pipeline.updateView(renderer, volume) &&
-                     pipeline.updateClipping(volume, clipping) && pipeline.upload(window) &&
-                     pipeline.draw(window, renderer, options, progress);
+  const tetmarch::VectorChoice vector{ static_cast<tetmarch::VectorMode>(this->VectorMode),
+    this->VectorComponent };
+  vtkVolumeProperty* property = volume->GetProperty();
+  const bool drawn =
+    scalars && pipeline.updateMesh(grid, progress) && pipeline.updateHiddenCells(grid) &&
+    pipeline.updateScalars(grid, scalars, cellScalars == 1, vector, property) &&
+    pipeline.updateTables(property, lawOf(this->OpacityLaw), level, this->DrawNanCells) &&
+    pipeline.updateEffects(renderer, volume, effects) && pipeline.updateView(renderer, volume) &&
+    pipeline.updateClipping(volume, clipping) && pipeline.upload(window) && pipeline.draw(window, renderer, options, progress);
   this->ReportError(
     scalars ? pipeline.error()
             : tetmarch::describeMissingScalars(

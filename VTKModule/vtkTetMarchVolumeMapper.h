@@ -18,8 +18,15 @@
  * come on top where the property asks for them; its interpolation type is not used.
  *
  * Point and cell scalars are taken, by ScalarMode and ArrayAccessMode as in every
- * vtkAbstractMapper. Of an array with several components the first is drawn. Cells that touch a
- * scalar that is not finite are passed through and not drawn.
+ * vtkAbstractMapper, of every numeric type. Of an array with several components one is drawn, or
+ * the magnitude (VectorMode). Cells that touch a scalar that is not finite are passed through and
+ * not drawn, unless DrawNanCells is on.
+ *
+ * Cells whose vtkGhostType (of the cell data) says HIDDENCELL, DUPLICATECELL or REFINEDCELL, and
+ * cells with a point that is a HIDDENPOINT by that of the point data, are passed through and absorb
+ * no light. They count for the range of the scalars and for gradients, and the shell stays that of
+ * all cells. An array of that name that is not of unsigned char, or hasn't a value for each, is
+ * ignored. Another vtkGhostType leaves the mesh alone.
  *
  * The stages (mesh, scalars, transfer-function tables, camera) are redone only when their own input
  * changed; the Get...Builds() counters tell.
@@ -84,6 +91,48 @@ public:
   vtkGetMacro(OpacityLaw, int);
   void SetOpacityLawToUnstructured() { this->SetOpacityLaw(UNSTRUCTURED); }
   void SetOpacityLawToStructured() { this->SetOpacityLaw(STRUCTURED); }
+  //@}
+
+  //@{
+  /**
+   * What is drawn of an array with several components, with the names and numbers of
+   * vtkSmartVolumeMapper. The transfer functions apply to it.
+   * MAGNITUDE: the length of the vector of all components; not finite if one of them isn't.
+   * COMPONENT: component VectorComponent, 0 (the default) to the number of components - 1;
+   * rendering one that the array doesn't have is an error.
+   * DISABLED, the default: as component 0's colour function says, so that ParaView's "Magnitude",
+   * "X", ... are followed: the magnitude with vtkScalarsToColors::MAGNITUDE, else its
+   * VectorComponent, which by default is the first. It is the first, too, with a gray function or
+   * vtkVolumeProperty::IndependentComponentsOff().
+   * A single component is always drawn as it is, its sign included.
+   */
+  enum VectorModeType
+  {
+    DISABLED = -1,
+    MAGNITUDE = 0,
+    COMPONENT = 1
+  };
+  vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
+  vtkGetMacro(VectorMode, int);
+  void SetVectorModeToDisabled() { this->SetVectorMode(DISABLED); }
+  void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
+  void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
+  const char* GetVectorModeAsString() const;
+  vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
+  vtkGetMacro(VectorComponent, int);
+  //@}
+
+  //@{
+  /**
+   * Whether cells (of the tetrahedra that they are cut into, those) that touch a scalar that is not
+   * finite, NaN or infinite, are drawn: evenly in vtkColorTransferFunction::GetNanColor() of
+   * component 0, with the extinction that follows from GetNanOpacity() as from any opacity. Having
+   * no gradient, they are drawn without light and whatever the gradient opacity is, but they cast
+   * shadows. A gray function has no such colour. Off by default: they are passed through.
+   */
+  vtkSetMacro(DrawNanCells, bool);
+  vtkGetMacro(DrawNanCells, bool);
+  vtkBooleanMacro(DrawNanCells, bool);
   //@}
 
   //@{
@@ -569,6 +618,9 @@ protected:
   ~vtkTetMarchVolumeMapper() override;
 
   int OpacityLaw = UNSTRUCTURED;
+  int VectorMode = DISABLED;
+  int VectorComponent = 0;
+  bool DrawNanCells = false;
   int AccuracyLevel = DEFAULT;
   double ErrorTolerance = 1.0 / 255.0;
   double FrameTimeBudget = 0;

@@ -57,6 +57,13 @@ const char* vtkTetMarchVolumeMapper::GetViewModeAsString() const
 }
 
 //------------------------------------------------------------------------------
+const char* vtkTetMarchVolumeMapper::GetVectorModeAsString() const
+{
+  constexpr const char* names[] = { "Disabled", "Magnitude", "Component" };
+  return names[this->VectorMode - DISABLED];
+}
+
+//------------------------------------------------------------------------------
 const char* vtkTetMarchVolumeMapper::GetGradientTypeAsString() const
 {
   return this->GradientType == CELL_GRADIENTS ? "Cell" : "Vertex";
@@ -195,6 +202,9 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "OpacityLaw: " << (this->OpacityLaw == STRUCTURED ? "Structured" : "Unstructured")
      << "\n";
+  os << indent << "VectorMode: " << this->GetVectorModeAsString() << "\n";
+  os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "DrawNanCells: " << (this->DrawNanCells ? "On" : "Off") << "\n";
   os << indent << "AccuracyLevel: " << this->GetAccuracyLevelAsString() << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "FrameTimeBudget: " << this->FrameTimeBudget << "\n";

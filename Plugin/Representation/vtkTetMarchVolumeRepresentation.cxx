@@ -33,6 +33,11 @@ void vtkTetMarchVolumeRepresentation::SetOpacityLaw(int law)
   this->TetMarchMapper->SetOpacityLaw(law);
 }
 
+void vtkTetMarchVolumeRepresentation::SetDrawNanCells(bool draw)
+{
+  this->TetMarchMapper->SetDrawNanCells(draw);
+}
+
 void vtkTetMarchVolumeRepresentation::SetAccuracyLevel(int level)
 {
   this->TetMarchMapper->SetAccuracyLevel(level);

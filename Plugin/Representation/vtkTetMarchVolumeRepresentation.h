@@ -30,6 +30,7 @@ public:
    * @sa vtkTetMarchVolumeMapper
    */
   void SetOpacityLaw(int law);
+  void SetDrawNanCells(bool draw);
   void SetAccuracyLevel(int level);
   void SetErrorTolerance(double tolerance);
   void SetFrameTimeBudget(double seconds);

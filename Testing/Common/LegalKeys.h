@@ -9,6 +9,8 @@
 
 #include "Scene/VariantKey.h"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -68,15 +70,31 @@ private:
   std::vector<bool> Found = std::vector<bool>(NumberOfKeys, false);
 };
 
-/// Of the picture. Some scene makes each of them: the filter leaves none that none could.
+/// Of the picture. Some scene makes each of them: the filter leaves none that none could. They are
+/// found from one another by switching one bit.
 inline std::vector<VariantKey> legalKeys()
 {
   DistinctKeys legal;
-  for (unsigned int number = 0; number < NumberOfKeys; ++number)
+  legal.add(VariantKey().filtered());
+  for (std::size_t i = 0; i < legal.Keys.size(); ++i)
   {
-    legal.add(keyOf(number).filtered());
+    for (const VariantKey::Bit& bit : VariantKey::bits())
+    {
+      VariantKey key = legal.Keys[i];
+      key.*bit.Member = !(key.*bit.Member);
+      legal.add(key.filtered());
+    }
   }
   return legal.Keys;
+}
+
+/// About one in n of the keys, without a pattern; the same at each call.
+inline std::vector<VariantKey> oneIn(unsigned int n, const std::vector<VariantKey>& keys)
+{
+  std::vector<VariantKey> some;
+  std::copy_if(keys.begin(), keys.end(), std::back_inserter(some),
+    [n](const VariantKey& key) { return (numberOf(key) * 2654435761u >> 7) % n == 0; });
+  return some;
 }
 
 /// Of the light at vertices, for the pictures that have it.

@@ -199,6 +199,42 @@ TEST_F(Stages, NewScalarsOnTheSameMeshKeepItsLinks)
   EXPECT_LT(this->Done.Bytes, this->bytesOfLinks());
 }
 
+TEST_F(Stages, AnotherComponentKeepsTheMesh)
+{
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("vectors");
+  vectors->SetNumberOfComponents(2);
+  const vtkIdType count = this->scalars()->GetNumberOfTuples();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    // Both components have one range.
+    vectors->InsertNextTuple2(
+      this->scalars()->GetTuple1(i), this->scalars()->GetTuple1(count - 1 - i));
+  }
+  this->Shown.Data->GetPointData()->SetScalars(vectors);
+  this->expectRuns(0, 1, 0);
+  EXPECT_EQ(this->Changed, 0.0);
+  this->Shown.Mapper->SetVectorModeToComponent();
+  this->expectRuns(0, 0, 0);
+  this->Shown.Mapper->SetVectorComponent(1);
+  this->expectRuns(0, 1, 0);
+  EXPECT_GT(this->Changed, 0.05);
+  EXPECT_LT(this->Done.Bytes, this->bytesOfLinks());
+  this->Shown.Mapper->SetVectorModeToMagnitude();
+  this->expectRuns(0, 1, 1);
+  EXPECT_GT(this->Changed, 0.05);
+  // The colour function decides; its other edits are no business of scalars.
+  this->Shown.Mapper->SetVectorModeToDisabled();
+  this->expectRuns(0, 1, 1);
+  vtkColorTransferFunction* colors = this->Shown.property()->GetRGBTransferFunction();
+  colors->AddRGBPoint(0.3, 1.0, 0.0, 1.0);
+  this->expectRuns(0, 0, 1);
+  colors->SetVectorComponent(1);
+  this->expectRuns(0, 1, 1);
+  colors->SetVectorModeToMagnitude();
+  this->expectRuns(0, 1, 1);
+}
+
 TEST_F(Stages, AnArrayModifiedInPlace)
 {
   for (vtkIdType i = 0; i < this->scalars()->GetNumberOfTuples(); ++i)

@@ -6,6 +6,7 @@
 #include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
 #include "Scene/EffectStage.h"
+#include "Scene/VectorChoice.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -57,9 +58,15 @@ public:
     this->Level = levelOf(
       static_cast<Accuracy>(scene.Mapper->GetAccuracyLevel()), scene.Mapper->GetErrorTolerance());
     ReferenceScene& made = this->Made;
-    made.Range = cellFlag == 1 ? makeCellScalars(array, this->Mesh, this->CellScalars)
-                               : setPointScalars(scene.Data, array, this->Mesh);
+    const TupleScalar scalar = tupleScalarOf(
+      { VectorMode(scene.Mapper->GetVectorMode()), scene.Mapper->GetVectorComponent() },
+      scene.property(), array, error);
+    made.Range = cellFlag == 1 ? makeCellScalars(array, this->Mesh, this->CellScalars, scalar)
+                               : setPointScalars(scene.Data, array, this->Mesh, scalar);
     made.CellScalars = cellFlag == 1 ? &this->CellScalars : nullptr;
+    made.NanShown = scene.Mapper->GetDrawNanCells();
+    this->Hidden = hiddenCells(scene.Data, this->Mesh);
+    made.Hidden = property == scene.property() ? &this->Hidden : nullptr;
     const bool structured = scene.Mapper->GetOpacityLaw() == vtkTetMarchVolumeMapper::STRUCTURED;
     this->Table =
       fittingTable(property, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
@@ -111,6 +118,7 @@ private:
 
   TetMesh Mesh;
   std::vector<float> CellScalars;
+  HiddenCells Hidden;
   IntegralTable Table;
   EffectStage Effects;
   AccuracyLevel Level = DefaultAccuracy;
@@ -168,6 +176,7 @@ Regions regionsOf(Scene& scene, const std::vector<float>& depths)
   // Thin fog shows every chord, and nothing ends early in it.
   vtkNew<vtkVolumeProperty> fog;
   setPlainFunctions(fog, { 1.0, 1.0, 1.0 }, 0.01);
+  fog->GetRGBTransferFunction()->SetNanColorRGBA(1.0, 1.0, 1.0, 0.01);
   fog->SetScalarOpacityUnitDistance(scene.Data->GetLength());
   const Image seen =
     TwinScene(scene, fog, depths).render(Precision::Double, LightFrom::Vertices).Picture;

@@ -146,6 +146,35 @@ def check_volume(watch):
     watch.expect_same(shown)
 
 
+def picture_by(watch, source, array, component, expression):
+    """Of that expression of the coordinates."""
+    calculator = simple.Calculator(Input=source, ResultArrayName=array, Function=expression)
+    display = simple.Show(calculator, watch.view, "UnstructuredGridRepresentation")
+    simple.ColorBy(display, ("POINTS", array, component) if component else ("POINTS", array))
+    simple.GetColorTransferFunction(array).RGBPoints = [-1.0, 1.0, 0.1, 0.0, 1.0, 0.1, 0.9, 0.3, 4.0, 0.2, 0.1, 1.0]
+    simple.GetOpacityTransferFunction(array).Points = [-1.0, 0.1, 0.5, 0.0, 4.0, 0.9, 0.5, 0.0]
+    display.SetRepresentationType(REPRESENTATION)
+    display.ScalarOpacityUnitDistance = 1.0
+    picture = picture_of(watch.view)
+    simple.Delete(calculator)
+    return picture
+
+
+def check_vectors(watch, source):
+    """Of a vector that is drawn which it is coloured by."""
+    watch.display.Visibility = 0
+    seen = []
+    for component, expression in (("Magnitude", "mag(coords)"), ("X", "coordsX"), ("Z", "coordsZ")):
+        vector = picture_by(watch, source, "vector", component, "coords")
+        share = difference(vector, picture_by(watch, source, "scalar", None, expression))
+        print(f"{component}: {100 * share:.1f} % of the pixels differ from those of {expression}")
+        assert share < 0.001, f"{component} is not what is drawn of a vector"
+        assert vector not in seen, "another component is the same"
+        seen.append(vector)
+    watch.display.Visibility = 1
+    watch.look()
+
+
 def check_light(watch):
     """On a volume whose light is that of the view's light kit: key, fill, back lights and headlight."""
     size = list(watch.view.ViewSize)
@@ -254,6 +283,7 @@ def check_views(watch):
         shown.append(watch.set(ViewMode=mode))
         assert shown[-1] not in shown[:-1], f"the view mode {mode} shows what another does"
     watch.expect_same(fast, ViewMode="Picture")
+    watch.expect_same(fast, DrawNanCells=1)  # all values are finite
 
 
 def main():
@@ -273,6 +303,7 @@ def main():
         simple.SaveScreenshot(arguments.picture, view)
     check_volume(watch)
     check_translucent_surface(watch)
+    check_vectors(watch, source)
     check_light(watch)
     check_colour_map(watch)
     check_accuracy(watch)

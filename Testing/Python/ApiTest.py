@@ -99,6 +99,33 @@ class ApiTest(unittest.TestCase):
         self.assertEqual(mapper.GetViewRange(), (2.0, 30.0))
         self.assertEqual(mapper.GetViewLookupTable().GetNumberOfTableValues(), 256)
 
+    def test_the_choice_of_a_component(self):
+        mapper = vtkTetMarchVolumeMapper()
+        self.assertEqual((mapper.GetVectorMode(), mapper.GetVectorComponent()), (mapper.DISABLED, 0))
+        for value, name in ((0, "Magnitude"), (1, "Component"), (-1, "Disabled")):
+            before = mapper.GetMTime()
+            getattr(mapper, "SetVectorModeTo" + name)()
+            self.assertGreater(mapper.GetMTime(), before)
+            self.assertEqual((mapper.GetVectorMode(), mapper.GetVectorModeAsString()), (value, name))
+            self.assertEqual(getattr(mapper, name.upper()), value)
+        for value, clamped in ((-2, -1), (2, 1)):
+            mapper.SetVectorMode(value)
+            self.assertEqual(mapper.GetVectorMode(), clamped)
+        mapper.SetVectorComponent(5)
+        self.assertEqual(mapper.GetVectorComponent(), 5)
+        mapper.SetVectorComponent(-1)
+        self.assertEqual(mapper.GetVectorComponent(), 0)
+
+    def test_the_switch_of_what_is_not_finite(self):
+        mapper = vtkTetMarchVolumeMapper()
+        self.assertFalse(mapper.GetDrawNanCells())
+        before = mapper.GetMTime()
+        mapper.DrawNanCellsOn()
+        self.assertTrue(mapper.GetDrawNanCells())
+        self.assertGreater(mapper.GetMTime(), before)
+        mapper.DrawNanCellsOff()
+        self.assertFalse(mapper.GetDrawNanCells())
+
     def test_the_choices_of_light(self):
         mapper = vtkTetMarchVolumeMapper()
         for option, constants, names in (
@@ -209,7 +236,8 @@ class ApiTest(unittest.TestCase):
         mapper = vtkTetMarchVolumeMapper()
         mapper.SetOpacityLawToStructured()
         text = str(mapper)
-        for line in ("OpacityLaw: Structured", "CollectDiagnostics: Off", "NumberOfTetrahedra: 0",
+        for line in ("OpacityLaw: Structured", "VectorMode: Disabled", "VectorComponent: 0", "DrawNanCells: Off",
+                     "CollectDiagnostics: Off", "NumberOfTetrahedra: 0",
                      "MaxDrawTimeInSeconds: 0.25", "ViewMode: Picture", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0",
                      "ErrorBudget: 0", "UsedAccuracyLevel: Default", "BudgetKept: No", "GradientType: Vertex",
                      "ShadowMethod: Off", "VolumetricScatteringBlending: 0", "GlobalIlluminationReach: 1",

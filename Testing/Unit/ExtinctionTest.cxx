@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The march that knows extinction alone against the one that knows everything.
+#include "Mesh/HiddenCells.h"
 #include "Mesh/VertexStarts.h"
 #include "Reference/LitKernel.h"
 
@@ -65,6 +66,12 @@ struct Volume
     this->Effects.GradientOpacityScale = 3.0;
     this->March = kernelOf<Kernel, double>(this->Mesh, this->Table, LightAccuracy);
     this->March.CellScalars = this->CellScalars.data();
+    // Two in 32 tetrahedra are hidden, and what isn't finite has an extinction.
+    this->Hidden.resize(this->CellScalars.size() / 32 + 1);
+    std::generate(this->Hidden.begin(), this->Hidden.end(),
+      [&] { return 1u << this->Random() % 32 | 1u << this->Random() % 32; });
+    this->March.HiddenCells = this->Hidden.data();
+    this->March.nanColor = { 0.1, 0.2, 0.3, 0.4 };
     this->March.useEffects(this->Effects);
     this->March.useLightRays(this->Effects.Lights, this->Camera);
   }
@@ -103,6 +110,7 @@ struct Volume
   TetMesh Mesh;
   std::vector<std::array<Id, 4>> Starts;
   std::vector<float> CellScalars;
+  HiddenCells Hidden;
   const IntegralTable Table = bumpyTable();
   EffectData Effects;
   View Camera;

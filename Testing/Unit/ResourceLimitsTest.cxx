@@ -79,12 +79,13 @@ TEST(ResourceLimits, OfAMesh)
 {
   const TetMesh mesh = builtWithHierarchy(jitteredLattice(3));
   std::uint64_t bytes = 0;
-  for (const BufferSize& size : bufferSizes(mesh, 7, 11))
+  for (const BufferSize& size : bufferSizes(mesh, 7, 5, 11))
   {
     bytes += size.Texels * size.BytesPerTexel;
   }
   EXPECT_EQ(bytes, 8 * mesh.Links.size() + 16 * mesh.BoundaryFaces.size() +
-                     32 * mesh.Hierarchy.size() + 16 * mesh.Vertices.size() + 7 * 4 + 11 * 36);
+                     32 * mesh.Hierarchy.size() + 16 * mesh.Vertices.size() + 7 * 4 + 5 * 4 +
+                     11 * 36);
 }
 
 TEST(LeastTetrahedra, IsWhatConvexCellsBecome)

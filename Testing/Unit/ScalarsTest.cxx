@@ -5,8 +5,11 @@
 
 #include "UnitMeshes.h"
 
+#include "vtkAngularPeriodicDataArray.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
+#include "vtkSOADataArrayTemplate.h"
 #include "vtkType.h"
 
 #include <cmath>
@@ -18,26 +21,32 @@ namespace
 using namespace tetmarch;
 using namespace tetmarch::testing;
 
+void setComponent(vtkDataArray* array, int component, const std::vector<double>& values)
+{
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    array->SetComponent(static_cast<vtkIdType>(i), component, values[i]);
+  }
+}
+
 vtkSmartPointer<vtkDataArray> arrayOf(
-  int type, const std::vector<double>& values, int components = 1)
+  int type, const std::vector<double>& values, int components = 1, int component = 0)
 {
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
   array->Fill(77.0);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->SetComponent(static_cast<vtkIdType>(i), 0, values[i]);
-  }
+  setComponent(array, component, values);
   return array;
 }
 
 // The stored scalar of every point of a single tetrahedron.
-std::array<float, 4> storedOf(vtkDataArray* array, ScalarRange& range)
+std::array<float, 4> storedOf(
+  vtkDataArray* array, ScalarRange& range, const TupleScalar& scalar = {})
 {
   const Grid grid = singleTet();
   TetMesh mesh = built(grid);
-  range = setPointScalars(grid, array, mesh);
+  range = setPointScalars(grid, array, mesh, scalar);
   std::array<float, 4> stored{};
   for (std::size_t v = 0; v < 4; ++v)
   {
@@ -65,6 +74,105 @@ TEST(Scalars, AllTypesAndFirstComponent)
   }
 }
 
+void expectStored(
+  vtkDataArray* array, const TupleScalar& scalar, double low, double high, const char* what)
+{
+  ScalarRange range;
+  const auto stored = storedOf(array, range, scalar);
+  EXPECT_DOUBLE_EQ(range.Low, low) << what;
+  EXPECT_DOUBLE_EQ(range.High, high) << what;
+  EXPECT_EQ(stored, (std::array<float, 4>{ { 0.0f, 1.0f, 0.5f, 0.75f } })) << what;
+}
+
+TEST(Scalars, AnyComponentAndMagnitudesOfAllTypes)
+{
+  for (const int type : Types)
+  {
+    const auto array = arrayOf(type, { 4, 20, 12, 16 }, 4, 3);
+    expectStored(array, { false, 3 }, 4.0, 20.0, array->GetClassName());
+    setComponent(array, 0, { 1, 5, 3, 4 });
+    setComponent(array, 1, { 2, 10, 6, 8 });
+    setComponent(array, 2, { 2, 10, 6, 8 });
+    expectStored(array, { true, 0 }, 5.0, 25.0, array->GetClassName());
+  }
+}
+
+template <typename Value>
+void expectSOA()
+{
+  vtkNew<vtkSOADataArrayTemplate<Value>> array;
+  array->SetNumberOfComponents(2);
+  array->SetNumberOfTuples(4);
+  setComponent(array, 0, { 3, 15, 9, 12 });
+  setComponent(array, 1, { 4, 20, 12, 16 });
+  expectStored(array, {}, 3.0, 15.0, array->GetClassName());
+  expectStored(array, { false, 1 }, 4.0, 20.0, array->GetClassName());
+  expectStored(array, { true, 0 }, 5.0, 25.0, array->GetClassName());
+}
+
+TEST(Scalars, StructuresOfArrays)
+{
+  expectSOA<float>();
+  expectSOA<double>();
+  expectSOA<short>();
+  expectSOA<unsigned long long>();
+}
+
+// Turned by a quarter about z whenever someone asks.
+TEST(Scalars, ArraysThatComputeTheirValues)
+{
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(4);
+  setComponent(vectors, 0, { 4, 20, 12, 16 });
+  setComponent(vectors, 1, { -3, -15, -9, -12 });
+  setComponent(vectors, 2, { 12, 60, 36, 48 });
+  vtkNew<vtkAngularPeriodicDataArray<double>> turned;
+  turned->InitializeArray(vectors);
+  turned->SetAxis(VTK_PERIODIC_ARRAY_AXIS_Z);
+  turned->SetAngle(90.0);
+  expectStored(turned, {}, 3.0, 15.0, "x");
+  expectStored(turned, { false, 1 }, 4.0, 20.0, "y");
+  expectStored(turned, { true, 0 }, 13.0, 65.0, "magnitude");
+}
+
+TEST(Scalars, Bits)
+{
+  ScalarRange range;
+  const std::array<float, 4> bits{ { 0.0f, 1.0f, 1.0f, 0.0f } };
+  EXPECT_EQ(storedOf(arrayOf(VTK_BIT, { 0, 1, 1, 0 }), range), bits);
+  EXPECT_EQ(range.High, 1.0);
+  const auto pairs = arrayOf(VTK_BIT, { 0, 1, 1, 0 }, 2, 1);
+  setComponent(pairs, 0, { 0, 1, 1, 0 });
+  EXPECT_EQ(storedOf(pairs, range, { false, 1 }), bits);
+  EXPECT_EQ(storedOf(pairs, range, { true, 0 }), bits);
+  EXPECT_EQ(range.High, std::sqrt(2.0));
+}
+
+// The vertex in a cell's centre has the mean of the magnitudes, as any point between vertices has.
+TEST(Scalars, MagnitudesInTheCentresOfCells)
+{
+  const Grid grid = quadraticHexLattice(1, 0.0);
+  TetMesh mesh = built(grid);
+  ASSERT_EQ(mesh.CenterCells.size(), 1u);
+  const auto vectors = arrayOf(
+    VTK_DOUBLE, std::vector<double>(static_cast<std::size_t>(grid->GetNumberOfPoints()), 0.0), 2);
+  double mean = 0.0;
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    vectors->SetTuple2(i, 3.0 * double(i % 5) - 6.0, 4.0 * double(i % 5) - 8.0);
+    mean += std::abs(5.0 * double(i % 5) - 10.0) / double(grid->GetNumberOfPoints());
+  }
+  const ScalarRange range = setPointScalars(grid, vectors, mesh, { true, 0 });
+  for (std::size_t v = 0; v < mesh.Vertices.size(); ++v)
+  {
+    if (mesh.VertexPoints[v] >= mesh.NumberOfPoints)
+    {
+      EXPECT_NEAR(range.Low + double(mesh.Vertices[v].Scalar) * range.width(), mean, 1e-6);
+    }
+  }
+}
+
 TEST(Scalars, WhatIsNotFiniteIsNotDrawn)
 {
   const double nan = std::nan("");
@@ -74,11 +182,19 @@ TEST(Scalars, WhatIsNotFiniteIsNotDrawn)
     (std::array<float, 4>{ { UndrawnScalar, 0.0f, 1.0f, UndrawnScalar } }));
   EXPECT_EQ(range.Low, 1.0);
   EXPECT_EQ(range.High, 3.0);
+  EXPECT_FALSE(range.AllFinite);
   for (const float stored : storedOf(arrayOf(VTK_FLOAT, { nan, inf, -inf, nan }), range))
   {
     EXPECT_EQ(stored, UndrawnScalar);
   }
   EXPECT_TRUE(std::isfinite(range.Low) && std::isfinite(range.High));
+  EXPECT_FALSE(range.AllFinite);
+  storedOf(arrayOf(VTK_FLOAT, { 1, 2, 3, 4 }), range);
+  EXPECT_TRUE(range.AllFinite);
+  storedOf(arrayOf(VTK_FLOAT, { 1, 2, 3, 4 }, 2), range, { true, 0 });
+  EXPECT_TRUE(range.AllFinite);
+  storedOf(arrayOf(VTK_FLOAT, { 1, inf, 3, 4 }, 2), range, { true, 0 });
+  EXPECT_FALSE(range.AllFinite);
 }
 
 TEST(Scalars, ConstantArrays)

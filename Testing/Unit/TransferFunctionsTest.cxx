@@ -4,6 +4,7 @@
 #include "Optics/TransferFunctions.h"
 
 #include "Mesh/Scalars.h"
+#include "Optics/FittingTable.h"
 #include "Reference/Kernel.h"
 
 #include "UnitMeshes.h"
@@ -152,6 +153,22 @@ TEST_F(TransferFunctions, GrayChannel)
   this->Property->SetColor(gray);
   ASSERT_EQ(this->Property->GetColorChannels(), 1);
   this->expectAsVTK(0.0, 30.0, 0.02);
+}
+
+TEST_F(TransferFunctions, OfWhatIsNotFinite)
+{
+  using tetmarch::OpacityLaw;
+  this->Color->SetNanColorRGBA(0.25, 1.5, -1.0, 0.75);
+  EXPECT_EQ(nanColorOf(this->Property, OpacityLaw::Unstructured),
+    (std::array<float, 4>{ { 0.25f, 1.0f, 0.0f, 0.75f } }));
+  EXPECT_FLOAT_EQ(nanColorOf(this->Property, OpacityLaw::Structured)[3], std::log(4.0f));
+  EXPECT_EQ(
+    fittingTable(this->Property, OpacityLaw::Unstructured, 0.0, 1.0, DefaultAccuracy).NanColor[3],
+    0.75f);
+  vtkNew<vtkPiecewiseFunction> gray;
+  this->Property->SetColor(gray);
+  EXPECT_EQ(nanColorOf(this->Property, OpacityLaw::Unstructured), (std::array<float, 4>{}));
+  EXPECT_EQ(this->Property->GetColorChannels(), 1);
 }
 
 TEST_F(TransferFunctions, OutOfZeroToOneIsClamped)

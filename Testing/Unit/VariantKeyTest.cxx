@@ -108,12 +108,12 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 
 // Counted by hand: entries found by the rasteriser, by it and a search, or by a search; up to
 // opaque geometry or not, with counters or not, or in parts; cut by planes, by planes and regions,
-// or not; fused or not; with transparent ranges or not; of scalars at points, adaptive or not, or
-// of cells. Effects of scalars at points: 4 times gradients shown; 2 and 4 times no light, without
-// and with opacity by gradients; 16 of light times 4 of a headlight alone, 20 of another light
-// alone and 72 of others, by whether the volume casts shadows, of one light or several, where these
-// are looked for, and whether opaque geometry casts some into it. A constant colour is neither
-// adaptive nor shown without itself.
+// or not; fused or not; with transparent ranges or not; with what is not finite shown or not; with
+// hidden cells or not; of scalars at points, adaptive or not, or of cells. Effects of scalars at
+// points: 4 times gradients shown; 2 and 4 times no light, without and with opacity by gradients;
+// 16 of light times 4 of a headlight alone, 20 of another light alone and 72 of others, by whether
+// the volume casts shadows, of one light or several, where these are looked for, and whether opaque
+// geometry casts some into it. A constant colour is neither adaptive nor shown without itself.
 TEST(VariantKey, LegalKeysAreCounted)
 {
   const std::size_t lit = 4 + 20 + 72;
@@ -123,10 +123,10 @@ TEST(VariantKey, LegalKeysAreCounted)
   const std::size_t ofColoredPoints = 1 + 2 + 8 * lit;
   const std::size_t ofColoredCells = 1 + 1 + 4 * lit;
   const std::size_t legal = legalKeys().size();
-  EXPECT_EQ(legal,
-    3 * (2 * 2 + 1) * 3 * 2 * 2 * (2 * ofPoints + ofCells + ofColoredPoints + ofColoredCells));
+  EXPECT_EQ(legal, 3 * (2 * 2 + 1) * 3 * 2 * 2 * 2 * 2 *
+    (2 * ofPoints + ofCells + ofColoredPoints + ofColoredCells));
   const std::size_t light = legalLightKeys().size();
-  EXPECT_EQ(light, 2 * 2 * 2 * (3 + 2));
+  EXPECT_EQ(light, 2 * 2 * 2 * 2 * 2 * (3 + 2));
   std::cout << "[ MEASURED ] " << legal << " variants of the picture, " << light
             << " of the light at vertices, of " << NumberOfKeys << " combinations of bits\n";
 }
@@ -143,6 +143,8 @@ TEST(VariantKey, LightAtVerticesIsExtinctionAlone)
     ASSERT_EQ(light.PointScalars, picture.PointScalars);
     ASSERT_EQ(light.Hierarchy, picture.Hierarchy);
     ASSERT_EQ(light.HasFma, picture.HasFma);
+    ASSERT_EQ(light.NanShown, picture.NanShown);
+    ASSERT_EQ(light.HiddenCells, picture.HiddenCells);
     ASSERT_EQ(light.GradientOpacity, picture.GradientOpacity);
     ASSERT_EQ(light.CellGradients, picture.CellGradients && picture.GradientOpacity);
     ASSERT_FALSE(light.OpaqueDepth || light.Adaptive || light.Diagnostics || light.Shading ||
@@ -172,6 +174,7 @@ TEST(VariantKey, EntriesDependOnFewBits)
     EXPECT_EQ(entries.HasFma, key.HasFma);
     EXPECT_FALSE(entries.Clipped || entries.Cropped);
     EXPECT_FALSE(entries.hasGradients() || entries.hasErrorBound());
+    EXPECT_FALSE(entries.NanShown || entries.HiddenCells);
   }
 }
 } // namespace

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/GpuData.h"
 
-#include "Mesh/TetMesh.h"
-
 namespace tetmarch
 {
 
 std::string GpuData::upload(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
-  const std::vector<float>& cellScalars, const IntegralTable& table)
+  const std::vector<float>& cellScalars, const HiddenCells& hidden, const IntegralTable& table)
 {
   std::string error;
   if (!this->HasLinks)
@@ -30,6 +28,12 @@ std::string GpuData::upload(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
     this->UploadedBytes += static_cast<std::int64_t>(
       sizeof(Vertex) * mesh.Vertices.size() + sizeof(float) * cellScalars.size());
   }
+  if (error.empty() && !this->HasHiddenCells)
+  {
+    error = this->Mesh.uploadHiddenCells(window, hidden);
+    this->HasHiddenCells = error.empty();
+    this->UploadedBytes += static_cast<std::int64_t>(sizeof(std::uint32_t) * hidden.size());
+  }
   if (error.empty() && !this->HasTables)
   {
     error = this->Tables.upload(window, table);
@@ -43,7 +47,7 @@ void GpuData::release(vtkWindow* window)
 {
   this->Mesh.release(window);
   this->Tables.release(window);
-  this->HasLinks = this->HasScalars = this->HasTables = false;
+  this->HasLinks = this->HasScalars = this->HasHiddenCells = this->HasTables = false;
 }
 
 } // namespace tetmarch

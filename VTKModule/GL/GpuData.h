@@ -18,15 +18,19 @@ class GpuData
 {
 public:
   /** What the next upload() has to replace. */
-  void expectMesh() { this->HasLinks = this->HasScalars = false; }
+  void expectMesh() { this->HasLinks = this->HasScalars = this->HasHiddenCells = false; }
   void expectLinks() { this->HasLinks = false; }
   void expectScalars() { this->HasScalars = false; }
+  void expectHiddenCells() { this->HasHiddenCells = false; }
   void expectTables() { this->HasTables = false; }
 
-  bool isCurrent() const { return this->HasLinks && this->HasScalars && this->HasTables; }
+  bool isCurrent() const
+  {
+    return this->HasLinks && this->HasScalars && this->HasHiddenCells && this->HasTables;
+  }
   /** Returns an empty string, or what is wrong; what did not get there is tried again next time. */
   std::string upload(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
-    const std::vector<float>& cellScalars, const IntegralTable& table);
+    const std::vector<float>& cellScalars, const HiddenCells& hidden, const IntegralTable& table);
   void release(vtkWindow* window);
 
   MeshTextures& mesh() { return this->Mesh; }
@@ -38,6 +42,7 @@ public:
 private:
   bool HasLinks = false;
   bool HasScalars = false;
+  bool HasHiddenCells = false;
   bool HasTables = false;
   MeshTextures Mesh;
   TableTextures Tables;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/MeshTextures.h"
 
-#include "Mesh/TetMesh.h"
-
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
@@ -56,6 +54,17 @@ std::string MeshTextures::uploadCellScalars(
   return this->CellScalars.upload(window, TexelFormat::R32F, scalars.data(), scalars.size());
 }
 
+std::string MeshTextures::uploadHiddenCells(
+  vtkOpenGLRenderWindow* window, const HiddenCells& hidden)
+{
+  if (hidden.empty())
+  {
+    this->HiddenCellBits.release(window);
+    return {};
+  }
+  return this->HiddenCellBits.upload(window, TexelFormat::R32UI, hidden.data(), hidden.size());
+}
+
 void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
 {
   this->bindBoundary(program);
@@ -73,6 +82,10 @@ void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
   {
     this->CellScalars.bind(program, "cellScalarBuffer");
   }
+  if (key.HiddenCells)
+  {
+    this->HiddenCellBits.bind(program, "hiddenCellBuffer");
+  }
 }
 
 void MeshTextures::bindBoundary(vtkShaderProgram* program)
@@ -83,8 +96,8 @@ void MeshTextures::bindBoundary(vtkShaderProgram* program)
 
 void MeshTextures::unbind()
 {
-  for (TextureBuffer* buffer :
-    { &this->Links, &this->Boundary, &this->Hierarchy, &this->Vertices, &this->CellScalars })
+  for (TextureBuffer* buffer : { &this->Links, &this->Boundary, &this->Hierarchy, &this->Vertices,
+         &this->CellScalars, &this->HiddenCellBits })
   {
     buffer->unbind();
   }
@@ -92,8 +105,8 @@ void MeshTextures::unbind()
 
 void MeshTextures::release(vtkWindow* window)
 {
-  for (TextureBuffer* buffer :
-    { &this->Links, &this->Boundary, &this->Hierarchy, &this->Vertices, &this->CellScalars })
+  for (TextureBuffer* buffer : { &this->Links, &this->Boundary, &this->Hierarchy, &this->Vertices,
+         &this->CellScalars, &this->HiddenCellBits })
   {
     buffer->release(window);
   }
@@ -102,7 +115,7 @@ void MeshTextures::release(vtkWindow* window)
 std::size_t MeshTextures::bytes() const
 {
   return this->Links.bytes() + this->Boundary.bytes() + this->Hierarchy.bytes() +
-         this->Vertices.bytes() + this->CellScalars.bytes();
+         this->Vertices.bytes() + this->CellScalars.bytes() + this->HiddenCellBits.bytes();
 }
 
 } // namespace tetmarch

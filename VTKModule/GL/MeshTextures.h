@@ -5,6 +5,7 @@
 #define TetMarchGLMeshTextures_h
 
 #include "GL/TextureBuffer.h"
+#include "Mesh/HiddenCells.h"
 #include "Scene/VariantKey.h"
 
 #include <string>
@@ -12,8 +13,6 @@
 
 namespace tetmarch
 {
-
-struct TetMesh;
 
 class MeshTextures
 {
@@ -23,6 +22,8 @@ public:
   std::string uploadVertices(vtkOpenGLRenderWindow* window, const TetMesh& mesh);
   /** Empty: point scalars are drawn, the buffer is freed. */
   std::string uploadCellScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
+  /** Empty: no cell is hidden, the buffer is freed. */
+  std::string uploadHiddenCells(vtkOpenGLRenderWindow* window, const HiddenCells& hidden);
 
   /** Buffers and sizes that the march needs; the entry pass needs bindBoundary alone. */
   void bind(vtkShaderProgram* program, const VariantKey& key);
@@ -37,6 +38,7 @@ private:
   TextureBuffer Hierarchy;
   TextureBuffer Vertices;
   TextureBuffer CellScalars;
+  TextureBuffer HiddenCellBits;
   int NumberOfTets = 0;
   int NumberOfNodes = 0;
   int NumberOfReentryNodes = 0;

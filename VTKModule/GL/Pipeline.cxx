@@ -39,8 +39,8 @@ void Pipeline::begin(std::uint64_t mostBytes)
 
 std::int64_t Pipeline::stageRuns() const
 {
-  return this->meshRecord().Runs + this->ScalarsRecord.Runs + this->TablesRecord.Runs +
-         this->UploadRecord.Runs + this->Effects.gradientsRecord().Runs +
+  return this->meshRecord().Runs + this->Hidden.record().Runs + this->ScalarsRecord.Runs +
+         this->TablesRecord.Runs + this->UploadRecord.Runs + this->Effects.gradientsRecord().Runs +
          this->Effects.gradientOpacityRecord().Runs + this->Effects.startsRecord().Runs +
          this->Effects.opaqueShadowsRecord().Runs + this->vertexLightRecord().Runs;
 }
@@ -63,10 +63,29 @@ bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)
   return error.empty() ? !this->mesh().Tets.empty() : this->fail(error);
 }
 
-bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars)
+bool Pipeline::updateHiddenCells(vtkUnstructuredGrid* grid)
 {
-  const std::string wrong = cellScalars ? checkScalars(array, grid->GetNumberOfCells(), "cells")
-                                        : checkScalars(array, grid->GetNumberOfPoints(), "points");
+  const std::string shortage = withinMemory("the hidden cells",
+    [&]
+    {
+      if (this->Hidden.update(grid, this->mesh(), this->meshRecord().Runs))
+      {
+        this->OnGpu.expectHiddenCells();
+      }
+    });
+  return shortage.empty() || this->fail(shortage);
+}
+
+bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars,
+  const VectorChoice& vector, vtkVolumeProperty* property)
+{
+  std::string wrong = cellScalars ? checkScalars(array, grid->GetNumberOfCells(), "cells")
+                                  : checkScalars(array, grid->GetNumberOfPoints(), "points");
+  TupleScalar scalar;
+  if (wrong.empty())
+  {
+    scalar = tupleScalarOf(vector, property, array, wrong);
+  }
   if (!wrong.empty())
   {
     return this->fail(wrong);
@@ -74,6 +93,8 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   Fingerprint input;
   add(input, array);
   input.push_back(cellScalars ? 1 : 0);
+  input.push_back(scalar.Magnitude ? 1 : 0);
+  input.push_back(static_cast<std::uintptr_t>(scalar.Component));
   if (input == this->ScalarsInput)
   {
     return true;
@@ -85,8 +106,8 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   const std::string shortage = withinMemory("the scalars",
     [&]
     {
-      this->Range = cellScalars ? makeCellScalars(array, this->mesh(), this->CellScalars)
-                                : setPointScalars(grid, array, this->Meshed.mesh());
+      this->Range = cellScalars ? makeCellScalars(array, this->mesh(), this->CellScalars, scalar)
+                                : setPointScalars(grid, array, this->Meshed.mesh(), scalar);
     });
   if (!shortage.empty())
   {
@@ -96,7 +117,8 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   return true;
 }
 
-bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level)
+bool Pipeline::updateTables(
+  vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, bool drawNan)
 {
   Fingerprint input;
   add(input, property->GetScalarOpacity());
@@ -110,6 +132,9 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law, const A
   this->Subject.push_back(static_cast<std::uintptr_t>(this->meshRecord().Runs));
   this->Subject.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
   add(this->Subject, property->GetScalarOpacityUnitDistance());
+  this->Subject.push_back(drawNan ? 1 : 0);
+  this->Subject.insert(
+    this->Subject.end(), this->Hidden.version().begin(), this->Hidden.version().end());
   input.push_back(static_cast<std::uintptr_t>(level.LeastTableEntries));
   input.push_back(static_cast<std::uintptr_t>(level.MostTableEntries));
   add(input, level.ErrorTolerance);
@@ -128,6 +153,7 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law, const A
       [](const std::array<float, 4>& v) { return v[3] > 0; });
     this->TablesInput = input;
   }
+  this->NanShown = drawNan && !this->Range.AllFinite && this->Table.NanColor[3] > 0;
   const Fingerprint passes{ static_cast<std::uintptr_t>(this->ScalarsRecord.Runs),
     static_cast<std::uintptr_t>(this->TablesRecord.Runs) };
   if (passes != this->PassesInput)
@@ -136,7 +162,7 @@ bool Pipeline::updateTables(vtkVolumeProperty* property, OpacityLaw law, const A
     this->PassesCells = transparentShare(this->mesh(), this->CellScalars, this->Range,
                           this->Table) >= LeastShareToPass;
   }
-  return this->Visible;
+  return this->Visible || this->NanShown;
 }
 
 bool Pipeline::updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options)
@@ -198,7 +224,8 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
     this->HasFma = hasFusedMultiplyAdd(window);
   }
   const std::string excess =
-    describeExcess(bufferSizes(this->mesh(), this->CellScalars.size(), this->Table.Values.size()),
+    describeExcess(bufferSizes(this->mesh(), this->CellScalars.size(), this->Hidden.cells().size(),
+                     this->Table.Values.size()),
       this->Limits, SizesAre::Exact);
   if (!excess.empty())
   {
@@ -211,7 +238,7 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
   }
   StageRecorder recorder(this->UploadRecord);
   const std::string error =
-    this->OnGpu.upload(window, this->mesh(), this->CellScalars, this->Table);
+    this->OnGpu.upload(window, this->mesh(), this->CellScalars, this->Hidden.cells(), this->Table);
   this->Passes.expectChange();
   if (!error.empty())
   {

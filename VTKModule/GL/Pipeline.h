@@ -13,8 +13,10 @@
 #include "Reference/ReferenceImage.h"
 #include "Scene/Clipping.h"
 #include "Scene/Fingerprint.h"
+#include "Scene/HiddenCellStage.h"
 #include "Scene/MeshStage.h"
 #include "Scene/StageRecord.h"
+#include "Scene/VectorChoice.h"
 #include "Scene/View.h"
 
 #include "vtkWeakPointer.h"
@@ -55,8 +57,13 @@ public:
    * says what is wrong, or is empty if there is nothing to draw or the user stopped it.
    */
   bool updateMesh(vtkUnstructuredGrid* grid, const Progress& progress);
-  bool updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars);
-  bool updateTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level);
+  bool updateHiddenCells(vtkUnstructuredGrid* grid);
+  bool updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars,
+    const VectorChoice& vector, vtkVolumeProperty* property);
+  /** drawNan: what touches a scalar that is not finite is drawn, in the colour function's colour
+   * for that. */
+  bool updateTables(
+    vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, bool drawNan);
   bool updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options);
   bool updateView(vtkRenderer* renderer, vtkVolume* volume);
   bool updateClipping(vtkVolume* volume, const ClippingOptions& options);
@@ -116,13 +123,16 @@ private:
 
   MeshStage Meshed;
 
+  HiddenCellStage Hidden;
+
   Fingerprint ScalarsInput;
   std::vector<float> CellScalars; // empty if point scalars are drawn
   ScalarRange Range;
 
   Fingerprint TablesInput;
   IntegralTable Table;
-  bool Visible = false; // something has extinction
+  bool Visible = false;  // something has extinction
+  bool NanShown = false; // scalars that are not finite, which there are, have
 
   Fingerprint PassesInput;
   bool PassesCells = false; // much has none

@@ -35,6 +35,8 @@ VariantKey Pipeline::keyOf(
   key.ConstantColor = this->Table.Traits.ConstantColor;
   key.Clipped = this->Cut.cuts();
   key.Cropped = this->Cut.Cropped;
+  key.NanShown = this->NanShown;
+  key.HiddenCells = !this->Hidden.cells().empty();
   this->Effects.setBits(key, double(area.Width) * area.Height);
   return options.Shell == ShellView::None ? key.filtered() : key.ofEntries();
 }
@@ -55,8 +57,9 @@ Fingerprint Pipeline::lightVersion(const VariantKey& key) const
   add(version, lights.OcclusionRadius);
   version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
   version.push_back(key.SampledShadows ? 1 : 0); // then it has none of the lights
-  for (const Fingerprint& effect :
-    { this->Effects.gradientOpacityVersion(), this->Effects.opaqueShadowsVersion() })
+  version.push_back(key.NanShown ? 1 : 0);
+  for (const Fingerprint& effect : { this->Hidden.version(), this->Effects.gradientOpacityVersion(),
+         this->Effects.opaqueShadowsVersion() })
   {
     version.insert(version.end(), effect.begin(), effect.end());
   }
@@ -140,6 +143,8 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
       scene.Mesh = &this->mesh();
       scene.CellScalars = this->CellScalars.empty() ? nullptr : &this->CellScalars;
       scene.Range = this->Range;
+      scene.NanShown = this->NanShown;
+      scene.Hidden = &this->Hidden.cells();
       scene.Table = &table;
       scene.Camera = this->Camera;
       scene.Width = this->Area.Width;

@@ -39,6 +39,10 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
   {
     program->SetUniform3f("constantColor", table.Values.front().data());
   }
+  if (key.NanShown)
+  {
+    program->SetUniform4f("nanColor", table.NanColor.data());
+  }
   if (key.PointScalars)
   {
     this->Integrals.bind(program, "tableIntegralBuffer");

@@ -22,32 +22,42 @@ namespace
 
 constexpr double NotThere = std::numeric_limits<double>::quiet_NaN();
 
-// The first component of the tuples that are asked for, as doubles.
-struct FirstComponents
+// Scalars of the tuples that are asked for, as doubles.
+struct ScalarReader
 {
+  const std::vector<Id>& Tuples;
+  const TupleScalar& Scalar;
+  std::vector<double>& Values;
+
   template <typename Array>
-  void operator()(Array* array, const std::vector<Id>& tuples, std::vector<double>& values)
+  void read(Array* array, vtkIdType first, vtkIdType last)
   {
     const vtkIdType limit = array->GetNumberOfTuples();
     const auto range = vtk::DataArrayTupleRange(array);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(tuples.size()),
-      [&](vtkIdType first, vtkIdType last)
-      {
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          values[i] = tuples[i] < limit ? static_cast<double>(range[tuples[i]][0]) : NotThere;
-        }
-      });
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      const Id tuple = this->Tuples[i];
+      this->Values[i] = tuple < limit ? scalarOf(range[tuple], this->Scalar) : NotThere;
+    }
+  }
+
+  template <typename Array>
+  void operator()(Array* array)
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Tuples.size()),
+      [&](vtkIdType first, vtkIdType last) { this->read(array, first, last); });
   }
 };
 
-std::vector<double> firstComponents(vtkDataArray* array, const std::vector<Id>& tuples)
+std::vector<double> scalarsOf(
+  vtkDataArray* array, const std::vector<Id>& tuples, const TupleScalar& scalar)
 {
   std::vector<double> values(tuples.size(), NotThere);
-  FirstComponents worker;
-  if (!vtkArrayDispatch::Dispatch::Execute(array, worker, tuples, values))
+  ScalarReader reader{ tuples, scalar, values };
+  if (!vtkArrayDispatch::Dispatch::Execute(array, reader))
   {
-    worker(array, tuples, values);
+    // One that computes its values may keep the last one: a single thread asks it.
+    reader.read(array, 0, static_cast<vtkIdType>(tuples.size()));
   }
   return values;
 }
@@ -56,6 +66,7 @@ ScalarRange finiteRange(const std::vector<double>& values)
 {
   double low = std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::lowest();
+  bool allFinite = true;
   for (double value : values)
   {
     if (std::isfinite(value))
@@ -63,16 +74,20 @@ ScalarRange finiteRange(const std::vector<double>& values)
       low = std::min(low, value);
       high = std::max(high, value);
     }
+    else
+    {
+      allFinite = false;
+    }
   }
   if (low > high)
   {
-    return {};
+    return { 0, 0, allFinite };
   }
   // Wider than double precision can tell: keep halves, which is what the difference of the ends
   // needs.
   const double limit = 0.25 * std::numeric_limits<double>::max();
   const auto clamped = [limit](double x) { return std::min(std::max(x, -limit), limit); };
-  return { clamped(low), clamped(high) };
+  return { clamped(low), clamped(high), allFinite };
 }
 
 float normalised(double value, const ScalarRange& range)
@@ -86,14 +101,16 @@ float normalised(double value, const ScalarRange& range)
 }
 
 // The mean of the points of a cell: the scalar of the vertex in its centre.
-double meanOfCell(vtkUnstructuredGrid* grid, Id cell, vtkDataArray* array, vtkIdList* points)
+double meanOfCell(vtkUnstructuredGrid* grid, Id cell, vtkDataArray* array,
+  const TupleScalar& scalar, vtkIdList* points)
 {
+  const auto tuples = vtk::DataArrayTupleRange(array);
   grid->GetCells()->GetCellAtId(cell, points);
   const auto count = static_cast<double>(points->GetNumberOfIds());
   double mean = 0;
   for (vtkIdType point : *points)
   {
-    mean += point < array->GetNumberOfTuples() ? array->GetComponent(point, 0) / count : NotThere;
+    mean += point < tuples.size() ? scalarOf(tuples[point], scalar) / count : NotThere;
   }
   return mean;
 }
@@ -111,9 +128,10 @@ std::string checkScalars(vtkDataArray* array, vtkIdType count, const char* what)
          std::to_string(count) + " " + what + ".";
 }
 
-ScalarRange setPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, TetMesh& mesh)
+ScalarRange setPointScalars(
+  vtkUnstructuredGrid* grid, vtkDataArray* array, TetMesh& mesh, const TupleScalar& scalar)
 {
-  std::vector<double> values = firstComponents(array, mesh.VertexPoints);
+  std::vector<double> values = scalarsOf(array, mesh.VertexPoints, scalar);
   if (!mesh.CenterCells.empty())
   {
     vtkNew<vtkIdList> points;
@@ -121,8 +139,8 @@ ScalarRange setPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, TetM
     {
       if (mesh.VertexPoints[i] >= mesh.NumberOfPoints)
       {
-        values[i] = meanOfCell(
-          grid, mesh.CenterCells[mesh.VertexPoints[i] - mesh.NumberOfPoints], array, points);
+        values[i] = meanOfCell(grid, mesh.CenterCells[mesh.VertexPoints[i] - mesh.NumberOfPoints],
+          array, scalar, points);
       }
     }
   }
@@ -134,9 +152,10 @@ ScalarRange setPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, TetM
   return range;
 }
 
-ScalarRange makeCellScalars(vtkDataArray* array, const TetMesh& mesh, std::vector<float>& scalars)
+ScalarRange makeCellScalars(
+  vtkDataArray* array, const TetMesh& mesh, std::vector<float>& scalars, const TupleScalar& scalar)
 {
-  const std::vector<double> values = firstComponents(array, mesh.TetCells);
+  const std::vector<double> values = scalarsOf(array, mesh.TetCells, scalar);
   const ScalarRange range = finiteRange(values);
   scalars.resize(values.size());
   for (std::size_t i = 0; i < values.size(); ++i)

@@ -5,6 +5,7 @@
 #define TetMarchMeshScalars_h
 
 #include "TetMesh.h"
+#include "TupleScalar.h"
 
 #include <string>
 
@@ -19,6 +20,7 @@ struct ScalarRange
 {
   double Low = 0;
   double High = 0;
+  bool AllFinite = true; // no value was stored as UndrawnScalar
   /** What a stored scalar of 1 lies above one of 0: never 0. */
   double width() const { return this->High > this->Low ? this->High - this->Low : 1; }
 };
@@ -28,14 +30,16 @@ struct ScalarRange
 std::string checkScalars(vtkDataArray* array, vtkIdType count, const char* what);
 
 /**
- * Fill Vertex::Scalar of the mesh from the first component of a point array (one tuple a point of
- * the grid that the mesh was built from). Values are brought to 0..1 in double precision before
+ * Fill Vertex::Scalar of the mesh from a point array (one tuple a point of the grid that the mesh
+ * was built from), of each tuple one scalar. Values are brought to 0..1 in double precision before
  * rounding to float; what is not finite or not there becomes UndrawnScalar.
  */
-ScalarRange setPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, TetMesh& mesh);
+ScalarRange setPointScalars(
+  vtkUnstructuredGrid* grid, vtkDataArray* array, TetMesh& mesh, const TupleScalar& scalar = {});
 
-/** One scalar a tetrahedron from the first component of a cell array, likewise. */
-ScalarRange makeCellScalars(vtkDataArray* array, const TetMesh& mesh, std::vector<float>& scalars);
+/** One scalar a tetrahedron from a cell array, likewise. */
+ScalarRange makeCellScalars(vtkDataArray* array, const TetMesh& mesh, std::vector<float>& scalars,
+  const TupleScalar& scalar = {});
 
 } // namespace tetmarch
 

@@ -30,7 +30,9 @@ IntegralTable fittingTable(
     }
     kept = keepAreas(fine, (static_cast<int>(fine.Samples.size()) - 1) / bins);
   }
-  return makeIntegralTable(kept);
+  IntegralTable table = makeIntegralTable(kept);
+  table.NanColor = nanColorOf(property, law);
+  return table;
 }
 
 } // namespace tetmarch

@@ -22,6 +22,8 @@ struct IntegralTable
   std::vector<float> Variations;                       // total variation of C up to each entry
   std::array<double, 4> IntegralUnit{};                // what 1 in Integrals stands for, in bins
   TableTraits Traits;
+  /** r, g, b, extinction of scalars that are not finite. */
+  std::array<float, 4> NanColor{};
   double Begin = 0; // scalars of the first and last sample, which are entries 2 and n - 3
   double End = 1;
 

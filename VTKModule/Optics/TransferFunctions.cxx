@@ -166,6 +166,21 @@ SampledFunctions sampleFunctions(
   return functions;
 }
 
+std::array<float, 4> nanColorOf(vtkVolumeProperty* property, OpacityLaw law)
+{
+  std::array<float, 4> color{};
+  if (property->GetColorChannels() != 1)
+  {
+    vtkColorTransferFunction* function = property->GetRGBTransferFunction();
+    for (int k = 0; k < 3; ++k)
+    {
+      color[k] = static_cast<float>(std::min(std::max(0.0, function->GetNanColor()[k]), 1.0));
+    }
+    color[3] = static_cast<float>(extinctionOf(function->GetNanOpacity(), law));
+  }
+  return color;
+}
+
 SampledFunctions refined(
   vtkVolumeProperty* property, OpacityLaw law, const SampledFunctions& coarse, int factor)
 {

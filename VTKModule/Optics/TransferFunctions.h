@@ -51,6 +51,10 @@ struct SampledFunctions
 SampledFunctions sampleFunctions(
   vtkVolumeProperty* property, OpacityLaw law, double low, double high, int count);
 
+/** Colour r, g, b and extinction of scalars that are not finite: the colour function's, with its
+ * opacity for them. A gray function has none: no extinction. */
+std::array<float, 4> nanColorOf(vtkVolumeProperty* property, OpacityLaw law);
+
 /** `factor` times as many samples, of the extinction looked at anew, of the colour, which is dear
  * to evaluate, from those at hand. */
 SampledFunctions refined(

@@ -19,6 +19,7 @@ using uvec4 = glsl::Vec4<uint>;
 const TetMesh* Mesh = nullptr;
 const float* CellScalars = nullptr;
 const IntegralTable* Table = nullptr;
+const uint* HiddenCells = nullptr; // a bit a tetrahedron; nullptr: none is hidden
 
 uint tetCount = 0;
 int bvhNodeCount = 0;
@@ -30,6 +31,7 @@ Real tableScale = 0;
 Real tableOffset = 0;
 vec4 transparentRanges{ Real(-3e38), Real(3e38), 1, 0 }; // none
 vec4 tableIntegralUnit{ 0, 0, 0, 0 };
+vec4 nanColor{ 0, 0, 0, 0 }; // not shown
 int mostTrials = 0;
 Real errorTolerance = 0;
 
@@ -55,6 +57,7 @@ vec4 fetchBvhNode(int i) const
   return vec4(Real(v[0]), Real(v[1]), Real(v[2]), Real(i % 2 ? n.FirstFace : n.Second));
 }
 Real fetchCellScalar(uint tet) const { return Real(CellScalars[tet]); }
+uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] : 0u; }
 vec4 fetchTableValue(int i) const
 {
   const auto& v = Table->Values[i];

@@ -26,6 +26,8 @@ public:
 #define TETMARCH_BVH 1
 #define TETMARCH_DIAGNOSTICS 1
 #define TETMARCH_EFFECTS 1
+#define TETMARCH_NAN_SHOWN 1
+#define TETMARCH_HIDDEN_CELLS 1
 #define TETMARCH_GRADIENT_OPACITY 1
 
 // Rays towards the light: extinction alone, and for brute force the march of the picture.
@@ -124,6 +126,8 @@ struct LitCellKernel
 #undef TETMARCH_VERTEX_GRADIENTS
 #undef TETMARCH_GRADIENT_OPACITY
 #undef TETMARCH_EFFECTS
+#undef TETMARCH_NAN_SHOWN
+#undef TETMARCH_HIDDEN_CELLS
 #undef TETMARCH_DIAGNOSTICS
 #undef TETMARCH_BVH
 #undef TETMARCH_HAS_FMA

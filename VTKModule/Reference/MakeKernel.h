@@ -36,6 +36,20 @@ Kernel makeKernel(const TetMesh& mesh, const IntegralTable& table, const ScalarR
   return kernel;
 }
 
+/** What a scene has of cells, and of scalars that are not finite. */
+template <typename Scene, typename Kernel>
+void useScalars(const Scene& scene, Kernel& kernel)
+{
+  using Real = decltype(kernel.tableScale);
+  kernel.CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
+  kernel.HiddenCells = scene.Hidden && !scene.Hidden->empty() ? scene.Hidden->data() : nullptr;
+  if (scene.NanShown)
+  {
+    const auto& color = scene.Table->NanColor;
+    kernel.nanColor = { Real(color[0]), Real(color[1]), Real(color[2]), Real(color[3]) };
+  }
+}
+
 } // namespace tetmarch
 
 #endif

@@ -30,7 +30,7 @@ public:
     , March(makeKernel<Kernel, Real>(*scene.Mesh, *scene.Table, scene.Range, level))
   {
     this->March.useClipping(scene.Cut);
-    this->March.CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
+    useScalars(scene, this->March);
     const std::size_t pixels = std::size_t(scene.Width) * scene.Height;
     this->Image.Pixels.assign(4 * pixels, 0.0f);
     this->Image.ErrorBounds.assign(pixels, 0.0f);

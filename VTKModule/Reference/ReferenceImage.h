@@ -4,6 +4,7 @@
 #ifndef TetMarchReferenceReferenceImage_h
 #define TetMarchReferenceReferenceImage_h
 
+#include "Mesh/HiddenCells.h"
 #include "Mesh/Scalars.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/AccuracyLevel.h"
@@ -25,6 +26,8 @@ struct ReferenceScene
   const std::vector<float>* CellScalars =
     nullptr; // one a tetrahedron, or nullptr: those of the vertices
   ScalarRange Range;
+  bool NanShown = false;               // in the table's colour of scalars that are not finite
+  const HiddenCells* Hidden = nullptr; // nullptr: none
   const IntegralTable* Table = nullptr;
   View Camera;
   int Width = 0; // of the viewport, in pixels

@@ -16,7 +16,7 @@ template <typename Kernel, typename Real>
 Kernel lightRayKernel(const ReferenceScene& scene)
 {
   Kernel kernel = makeKernel<Kernel, Real>(*scene.Mesh, *scene.Table, scene.Range, LightAccuracy);
-  kernel.CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
+  useScalars(scene, kernel);
   kernel.useEffects(*scene.Effects);
   kernel.useLightRays(scene.Effects->Lights, scene.Camera);
   return kernel;

@@ -9,14 +9,15 @@
 namespace tetmarch
 {
 
-std::vector<BufferSize> bufferSizes(
-  const TetMesh& mesh, std::uint64_t cellScalars, std::uint64_t tableEntries)
+std::vector<BufferSize> bufferSizes(const TetMesh& mesh, std::uint64_t cellScalars,
+  std::uint64_t hiddenCellWords, std::uint64_t tableEntries)
 {
   return { { "links", mesh.Links.size(), sizeof(Link) },
     { "boundary faces", mesh.BoundaryFaces.size(), 16 },
     { "nodes of the hierarchy", 2 * mesh.Hierarchy.size(), sizeof(HierarchyNode) / 2 },
     { "vertices", mesh.Vertices.size(), sizeof(Vertex) },
     { "cell scalars", cellScalars, sizeof(float) },
+    { "words of hidden cells", hiddenCellWords, sizeof(std::uint32_t) },
     { "table entries", tableEntries, 16 + 16 + 4 } };
 }
 

@@ -27,9 +27,10 @@ struct BufferSize
   std::uint64_t BytesPerTexel;
 };
 
-/** Of a mesh, its cell scalars (0 if point scalars are drawn) and a table of so many entries. */
-std::vector<BufferSize> bufferSizes(
-  const TetMesh& mesh, std::uint64_t cellScalars, std::uint64_t tableEntries);
+/** Of a mesh, its cell scalars (0 if point scalars are drawn), words of hidden cells (0 if there
+ * are none) and a table of so many entries. */
+std::vector<BufferSize> bufferSizes(const TetMesh& mesh, std::uint64_t cellScalars,
+  std::uint64_t hiddenCellWords, std::uint64_t tableEntries);
 
 /** What so many tetrahedra need at least, whatever else. */
 std::vector<BufferSize> leastBufferSizes(std::uint64_t tetrahedra);

@@ -22,6 +22,8 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "CONSTANT_COLOR", &VariantKey::ConstantColor },
     { "CLIPPED", &VariantKey::Clipped },
     { "CROPPED", &VariantKey::Cropped },
+    { "NAN_SHOWN", &VariantKey::NanShown },
+    { "HIDDEN_CELLS", &VariantKey::HiddenCells },
     { "CELL_GRADIENTS", &VariantKey::CellGradients },
     { "GRADIENT_OPACITY", &VariantKey::GradientOpacity },
     { "SHADING", &VariantKey::Shading },
@@ -82,6 +84,8 @@ VariantKey VariantKey::ofVertexLight() const
   key.Hierarchy = this->Hierarchy;
   key.HasFma = this->HasFma;
   key.Adaptive = false;
+  key.NanShown = this->NanShown;
+  key.HiddenCells = this->HiddenCells;
   key.GradientOpacity = this->GradientOpacity;
   key.CellGradients = this->CellGradients;
   key = key.filtered();

@@ -31,6 +31,8 @@ struct VariantKey
 
   bool Clipped = false; // rays begin and end at clipping planes, or at the faces of a cropped box
   bool Cropped = false; // and pieces of them are left out, region by region
+  bool NanShown = false;    // what touches a scalar that is not finite has a colour of its own
+  bool HiddenCells = false; // some tetrahedra are passed as if nothing was in them
 
   bool CellGradients = false;    // that of each cell as it is; else interpolated between vertices
   bool GradientOpacity = false;  // extinction depends on the gradient
@@ -84,7 +86,7 @@ struct VariantKey
     const char* Name;
     bool VariantKey::*Member;
   };
-  static constexpr int NumberOfBits = 27;
+  static constexpr int NumberOfBits = 29;
   static const std::array<Bit, NumberOfBits>& bits();
 };
 

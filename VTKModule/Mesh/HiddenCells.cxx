@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HiddenCells.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace tetmarch
+{
+namespace
+{
+
+constexpr unsigned char HidingCell = vtkDataSetAttributes::DUPLICATECELL |
+                                     vtkDataSetAttributes::REFINEDCELL |
+                                     vtkDataSetAttributes::HIDDENCELL;
+
+vtkUnsignedCharArray* fitting(vtkUnsignedCharArray* ghosts, vtkIdType count)
+{
+  const bool fits =
+    ghosts && ghosts->GetNumberOfComponents() == 1 && ghosts->GetNumberOfTuples() == count;
+  return fits ? ghosts : nullptr;
+}
+
+bool hasAny(vtkUnsignedCharArray* ghosts, unsigned char bits)
+{
+  if (!ghosts)
+  {
+    return false;
+  }
+  const unsigned char* values = ghosts->GetPointer(0);
+  return std::any_of(values, values + ghosts->GetNumberOfValues(),
+    [bits](unsigned char value) { return (value & bits) != 0; });
+}
+
+// Whether some point of each cell is hidden.
+std::vector<bool> findCellsOfHiddenPoints(vtkCellArray* cells, vtkUnsignedCharArray* points)
+{
+  std::vector<bool> found(static_cast<std::size_t>(cells->GetNumberOfCells()));
+  vtkNew<vtkIdList> corners;
+  for (std::size_t cell = 0; cell < found.size(); ++cell)
+  {
+    cells->GetCellAtId(static_cast<vtkIdType>(cell), corners);
+    found[cell] = std::any_of(corners->begin(), corners->end(),
+      [points](vtkIdType p)
+      { return (points->GetValue(p) & vtkDataSetAttributes::HIDDENPOINT) != 0; });
+  }
+  return found;
+}
+
+} // namespace
+
+GhostArrays ghostArraysOf(vtkUnstructuredGrid* grid)
+{
+  return { fitting(grid->GetCellGhostArray(), grid->GetNumberOfCells()),
+    fitting(grid->GetPointGhostArray(), grid->GetNumberOfPoints()) };
+}
+
+HiddenCells hiddenCells(vtkUnstructuredGrid* grid, const TetMesh& mesh)
+{
+  const GhostArrays ghosts = ghostArraysOf(grid);
+  const bool byCells = hasAny(ghosts.OfCells, HidingCell);
+  std::vector<bool> byPoints;
+  if (hasAny(ghosts.OfPoints, vtkDataSetAttributes::HIDDENPOINT))
+  {
+    byPoints = findCellsOfHiddenPoints(grid->GetCells(), ghosts.OfPoints);
+  }
+  HiddenCells hidden((mesh.TetCells.size() + 31) / 32, 0u);
+  bool any = false;
+  for (std::size_t t = 0; (byCells || !byPoints.empty()) && t < mesh.TetCells.size(); ++t)
+  {
+    const Id cell = mesh.TetCells[t];
+    if ((byCells && (ghosts.OfCells->GetValue(cell) & HidingCell) != 0) ||
+        (!byPoints.empty() && byPoints[cell]))
+    {
+      hidden[t / 32] |= 1u << t % 32;
+      any = true;
+    }
+  }
+  return any ? hidden : HiddenCells();
+}
+
+} // namespace tetmarch
