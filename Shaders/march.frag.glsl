@@ -5,6 +5,9 @@
 
 #include "mesh_buffers.glsl"
 #include "table_buffers.glsl"
+#if !TETMARCH_COMPOSITE
+#include "blend_buffers.glsl"
+#endif
 #if TETMARCH_EFFECTS
 #include "effect_buffers.glsl"
 #endif
@@ -38,7 +41,7 @@ void main()
   March march = castRay(pixel.ray, pixel.firstFace, opticalLength, pixel.depthBegin, pixel.depthEnd);
 #endif
 
-  gl_FragData[0] = vec4(march.radiance.color, 1.0 - march.radiance.transmittance);
+  gl_FragData[0] = pixelOf(march.radiance, opticalLength);
 #if TETMARCH_DIAGNOSTICS
   // A ray that ends before the mesh, or begins behind it, has looked at a tetrahedron and met none.
   bool met = march.done > pixel.depthBegin;

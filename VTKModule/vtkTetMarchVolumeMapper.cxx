@@ -117,14 +117,17 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const tetmarch::EffectOptions effects{ this->GradientType == CELL_GRADIENTS,
     static_cast<tetmarch::ShadowMethod>(this->ShadowMethod), this->VolumetricScatteringBlending,
     this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
-    this->AmbientOcclusionDirections, this->OpaqueShadows, subjectOf(this->ViewMode) };
+    this->AmbientOcclusionDirections, this->OpaqueShadows, subjectOf(this->ViewMode),
+    static_cast<tetmarch::BlendMode>(this->BlendMode) };
 
-  const bool drawn = scalars && pipeline.updateMesh(grid, progress) &&
-                     pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
-                     pipeline.updateTables(volume->GetProperty(), lawOf(this->OpacityLaw), level) &&
-                     pipeline.updateEffects(renderer, volume, effects) &&
-                     pipeline.updateView(renderer, volume) && pipeline.upload(window) &&
-                     pipeline.draw(window, renderer, options, progress);
+  const bool drawn =
+    scalars && pipeline.updateMesh(grid, progress) &&
+    pipeline.updateScalars(grid, scalars, cellScalars == 1) &&
+    pipeline.updateBlending(volume->GetProperty(),
+      { this->BlendMode, { { this->AverageIPScalarRange[0], this->AverageIPScalarRange[1] } } }) &&
+    pipeline.updateTables(volume->GetProperty(), lawOf(this->OpacityLaw), level) &&
+    pipeline.updateEffects(renderer, volume, effects) && pipeline.updateView(renderer, volume) &&
+    pipeline.upload(window) && pipeline.draw(window, renderer, options, progress);
   this->ReportError(
     scalars ? pipeline.error()
             : tetmarch::describeMissingScalars(

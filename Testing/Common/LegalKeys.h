@@ -68,13 +68,19 @@ private:
   std::vector<bool> Found = std::vector<bool>(NumberOfKeys, false);
 };
 
-/// Of the picture. Some scene makes each of them: the filter leaves none that none could.
+/// Of the picture. Some scene makes each of them: the filter leaves none that none could. All come
+/// from each other by a bit at a time, which is faster than to filter all combinations.
 inline std::vector<VariantKey> legalKeys()
 {
   DistinctKeys legal;
-  for (unsigned int number = 0; number < NumberOfKeys; ++number)
+  legal.add(VariantKey().filtered());
+  for (std::size_t i = 0; i < legal.Keys.size(); ++i)
   {
-    legal.add(keyOf(number).filtered());
+    const unsigned int number = numberOf(legal.Keys[i]);
+    for (int bit = 0; bit < VariantKey::NumberOfBits; ++bit)
+    {
+      legal.add(keyOf(number ^ 1u << bit).filtered());
+    }
   }
   return legal.Keys;
 }

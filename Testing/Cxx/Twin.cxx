@@ -3,7 +3,6 @@
 #include "Twin.h"
 
 #include "Mesh/TetMeshBuilder.h"
-#include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
 #include "Scene/EffectStage.h"
 
@@ -25,7 +24,8 @@ EffectOptions optionsOf(vtkTetMarchVolumeMapper* mapper)
     mapper->GetOpaqueShadows(),
     view == vtkTetMarchVolumeMapper::VIEW_ILLUMINATION ? Subject::Illumination
     : view == vtkTetMarchVolumeMapper::VIEW_GRADIENTS  ? Subject::Gradients
-                                                       : Subject::Picture };
+                                                       : Subject::Picture,
+    static_cast<BlendMode>(mapper->GetBlendMode()) };
 }
 
 // The stages before the GL, for the scene as it stands.
@@ -51,9 +51,13 @@ public:
                                : setPointScalars(scene.Data, array, this->Mesh);
     made.CellScalars = cellFlag == 1 ? &this->CellScalars : nullptr;
     const bool structured = scene.Mapper->GetOpacityLaw() == vtkTetMarchVolumeMapper::STRUCTURED;
+    if (property == scene.property())
+    {
+      this->addBlending(scene);
+    }
     this->Table =
-      fittingTable(property, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
-        made.Range.Low, made.Range.High, this->Level);
+      blendedTable(property, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
+        this->Blend, made.Range, this->Level);
     if (!makeView(scene.Renderer, scene.Volume, this->Mesh,
           property->GetScalarOpacityUnitDistance(), made.Camera))
     {
@@ -82,6 +86,19 @@ public:
   }
 
 private:
+  void addBlending(Scene& scene)
+  {
+    const double* range = scene.Mapper->GetAverageIPScalarRange();
+    const std::string error =
+      makeBlending({ scene.Mapper->GetBlendMode(), { { range[0], range[1] } } }, scene.property(),
+        this->Made.Range, this->Blend);
+    if (!error.empty())
+    {
+      throw std::runtime_error(error);
+    }
+    this->Made.Blend = &this->Blend;
+  }
+
   void addEffects(Scene& scene)
   {
     const EffectInput input{ &this->Mesh, &this->CellScalars, &this->Made.Range, { 1 } };
@@ -97,6 +114,7 @@ private:
   TetMesh Mesh;
   std::vector<float> CellScalars;
   IntegralTable Table;
+  Blending Blend;
   EffectStage Effects;
   AccuracyLevel Level = DefaultAccuracy;
   ReferenceScene Made;

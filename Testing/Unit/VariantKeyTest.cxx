@@ -24,6 +24,12 @@ bool isSensible(const VariantKey& k)
                        k.HeadlightShadows || k.Occlusion;
   // Who doesn't know where a ray comes in has to look for it.
   return (k.RasterEntry || k.Hierarchy) &&
+         // Of surfaces alone light and gradients are seen, of scalars alone nothing but they.
+         k.Extreme + k.Sum + k.Isosurfaces <= 1 &&
+         !(!k.isComposite() &&
+           (k.Adaptive || k.TransparentRanges || k.ConstantColor || k.GradientOpacity ||
+             k.Scattering || k.CastShadows || k.HeadlightShadows || k.Occlusion)) &&
+         !((k.Extreme || k.Sum) && (k.Shading || k.ShowIllumination || k.ShowGradients)) &&
          // What is constant is integrated exactly, and has no gradient in a cell.
          !(!k.PointScalars && (k.Adaptive || k.CellGradients)) &&
          !(k.ConstantColor && k.Adaptive) &&
@@ -107,7 +113,10 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 // shown; 2 and 4 times no light, without and with opacity by gradients; 16 of light times 4 of a
 // headlight alone, 20 of another light alone and 72 of others, by whether the volume casts shadows,
 // of one light or several, where these are looked for, and whether opaque geometry casts some into
-// it. A constant colour is neither adaptive nor shown without itself.
+// it. A constant colour is neither adaptive nor shown without itself. The other blend modes know no
+// transparent ranges; of surfaces there are, of points twice, gradients shown, and two
+// illuminations of none, or of a headlight alone, another light alone or others, in the world or
+// not.
 TEST(VariantKey, LegalKeysAreCounted)
 {
   const std::size_t lit = 4 + 20 + 72;
@@ -117,7 +126,11 @@ TEST(VariantKey, LegalKeysAreCounted)
   const std::size_t ofColoredPoints = 1 + 2 + 8 * lit;
   const std::size_t ofColoredCells = 1 + 1 + 4 * lit;
   const std::size_t legal = legalKeys().size();
-  EXPECT_EQ(legal, 3 * 2 * 2 * 2 * 2 * (2 * ofPoints + ofCells + ofColoredPoints + ofColoredCells));
+  const std::size_t ofComposites = 2 * (2 * ofPoints + ofCells + ofColoredPoints + ofColoredCells);
+  const std::size_t surfacesOfCells = 1 + 2 * (1 + 1 + 2 + 2);
+  const std::size_t surfacesOfPoints = 2 * surfacesOfCells - 2;
+  const std::size_t ofScalars = 2 * 2;
+  EXPECT_EQ(legal, 3 * 2 * 2 * 2 * (ofComposites + surfacesOfPoints + surfacesOfCells + ofScalars));
   const std::size_t light = legalLightKeys().size();
   EXPECT_EQ(light, 2 * 2 * 2 * (3 + 2));
   std::cout << "[ MEASURED ] " << legal << " variants of the picture, " << light

@@ -19,6 +19,7 @@ namespace tetmarch
 class EffectTextures;
 class MeshTextures;
 class TableTextures;
+struct Blending;
 struct EffectData;
 struct IntegralTable;
 struct View;
@@ -34,6 +35,7 @@ struct MarchInputs
   const IntegralTable* Table = nullptr;
   ScalarRange Range;
   AccuracyLevel Level = DefaultAccuracy;
+  const Blending* Blend = nullptr;
   EffectTextures* Effects = nullptr; // and its values: if the key has gradients
   const EffectData* EffectValues = nullptr;
   vtkTextureObject* VertexLight = nullptr; // if the key has it

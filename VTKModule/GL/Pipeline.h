@@ -53,6 +53,7 @@ public:
    */
   bool updateMesh(vtkUnstructuredGrid* grid, const Progress& progress);
   bool updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars);
+  bool updateBlending(vtkVolumeProperty* property, const BlendWish& wish);
   bool updateTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level);
   bool updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options);
   bool updateView(vtkRenderer* renderer, vtkVolume* volume);
@@ -115,6 +116,8 @@ private:
   Fingerprint ScalarsInput;
   std::vector<float> CellScalars; // empty if point scalars are drawn
   ScalarRange Range;
+
+  Blending Blend;
 
   Fingerprint TablesInput;
   IntegralTable Table;

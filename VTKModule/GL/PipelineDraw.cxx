@@ -32,6 +32,7 @@ VariantKey Pipeline::keyOf(
   key.Adaptive = options.Level.Adaptive;
   key.TransparentRanges = this->PassesCells;
   key.ConstantColor = this->Table.Traits.ConstantColor;
+  this->Blend.setBits(key);
   this->Effects.setBits(key, double(area.Width) * area.Height);
   return options.Shell == ShellView::None ? key.filtered() : key.ofEntries();
 }
@@ -83,6 +84,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   inputs.Table = &this->Table;
   inputs.Range = this->Range;
   inputs.Level = options.Level;
+  inputs.Blend = &this->Blend;
   inputs.Effects = &this->EffectsOnGpu;
   inputs.EffectValues = &this->Effects.data();
   inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
@@ -129,7 +131,7 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
     {
       const std::vector<float> depths = this->Passes.opaqueDepths(this->Window);
       const IntegralTable table =
-        fittingTable(property, law, this->Range.Low, this->Range.High, YardstickAccuracy);
+        blendedTable(property, law, this->Blend, this->Range, YardstickAccuracy);
       ReferenceScene scene;
       scene.Mesh = &this->mesh();
       scene.CellScalars = this->CellScalars.empty() ? nullptr : &this->CellScalars;
@@ -140,6 +142,7 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
       scene.Height = this->Area.Height;
       scene.WindowDepths = depths.empty() ? nullptr : depths.data();
       scene.Effects = &this->Effects.data();
+      scene.Blend = &this->Blend;
       image = tetmarch::renderReference<double>(scene, YardstickAccuracy);
     });
   return shortage.empty() || this->fail(shortage);

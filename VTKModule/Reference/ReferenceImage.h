@@ -10,6 +10,7 @@
 #include "Optics/IntegralTable.h"
 #include "Reference/EffectData.h"
 #include "Reference/MarchCounters.h"
+#include "Scene/Blending.h"
 #include "Scene/View.h"
 
 #include <vector>
@@ -30,6 +31,7 @@ struct ReferenceScene
   int Height = 0;
   const float* WindowDepths = nullptr; // 0..1, one a pixel, of opaque geometry; nullptr: none
   const EffectData* Effects = nullptr;
+  const Blending* Blend = nullptr; // nullptr: composite; else the table is that of blendedTable()
   /** Light that comes through the volume is looked for wherever a ray crosses a face, by brute
    * force; else interpolated between vertices as in the picture. */
   bool ExactLight = true;
