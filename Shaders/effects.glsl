@@ -13,7 +13,10 @@
 #include "lighting.glsl"
 #endif
 #if TETMARCH_LIT
+#include "reflection.glsl"
+#if TETMARCH_COMPOSITE
 #include "lit_piece.glsl"
+#endif
 #endif
 #include "shade.glsl"
 #if TETMARCH_LIGHT_ERROR

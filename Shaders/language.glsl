@@ -18,5 +18,6 @@
 #define LINK_OUTSIDE 0x80000000u
 #define MOST_LIGHTS 16 // Scene/Lighting.h
 #define MOST_CLIPPING_PLANES 38 // Scene/Clipping.h
+#define MOST_ISOSURFACES 32 // Scene/Blending.h
 #define VERTEX_LIGHT_ROW 4096 // texels; GL/VertexLight.h
 #define BVH_STACK 48 // Mesh/BoundaryHierarchy.h bounds the depth

@@ -1,7 +1,5 @@
 // A piece of the volume in light.
 
-vec3 reflection(vec4 mean, Light light) { return emission(mean) * light.diffuse + light.specular * mean.w; }
-
 // What it sends out. Light that comes along the ray has been absorbed on its way as much as what comes back will be; of
 // all that is seen of the piece, 1 - absorbed / 2 is left of it on the average.
 vec3 litEmission(vec4 mean, Illumination lit, Radiance radiance, Absorption piece)

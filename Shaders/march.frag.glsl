@@ -8,6 +8,9 @@
 
 #include "mesh_buffers.glsl"
 #include "table_buffers.glsl"
+#if !TETMARCH_COMPOSITE
+#include "blend_buffers.glsl"
+#endif
 #if TETMARCH_EFFECTS
 #include "effect_buffers.glsl"
 #endif
@@ -35,9 +38,11 @@ uniform sampler2D jitterTexture; // a tile of 64 x 64 pixels, Optics/BlueNoise.h
 uniform mat3 lengthMatrix; // direction -> world, in scalar opacity unit distances
 #endif
 
+float pixelLength(PixelRay pixel) { return length(lengthMatrix * pixel.ray.direction); }
+
 March marchPixel(PixelRay pixel)
 {
-  float opticalLength = length(lengthMatrix * pixel.ray.direction);
+  float opticalLength = pixelLength(pixel);
 #if TETMARCH_SAMPLED_SHADOWS
   float jitter = texelFetch(jitterTexture, pixel.at & 63, 0).x;
   return castSampledRay(pixel.ray, pixel.firstFace, opticalLength, pixel.depthBegin, pixel.depthEnd, jitter);
@@ -46,7 +51,7 @@ March marchPixel(PixelRay pixel)
 #endif
 }
 
-vec4 colorOf(March march) { return vec4(march.radiance.color, 1.0 - march.radiance.transmittance); }
+vec4 colorOf(PixelRay pixel, March march) { return pixelOf(march.radiance, pixelLength(pixel)); }
 
 #if TETMARCH_PEELED
 #include "peeled_main.glsl"
@@ -55,7 +60,7 @@ void main()
 {
   PixelRay pixel = pixelRay();
   March march = marchPixel(pixel);
-  gl_FragData[0] = colorOf(march);
+  gl_FragData[0] = colorOf(pixel, march);
 #if TETMARCH_DIAGNOSTICS
   // A ray that ends before the mesh, or begins behind it, has looked at a tetrahedron and met none.
   bool met = march.done > pixel.depthBegin;

@@ -3,7 +3,7 @@
 struct March
 {
   Radiance radiance;
-  real done;       // depth up to which the ray is integrated; nothing is integrated twice
+  real done;       // depth up to which the ray has gathered; nothing is gathered twice
   bool finished;   // opaque, or past the last depth that is asked for
   int cells;       // tetrahedra crossed
 #if TETMARCH_SAMPLED_SHADOWS
@@ -54,27 +54,17 @@ real seenShare(real before, real behind)
 }
 #endif
 
-// The way of a ray through a tetrahedron.
-struct Passage
-{
-  uint tet;
-  vec2 enter;  // depth and scalar where the ray comes in
-  vec2 leave;
-  real begin;  // depths of what is integrated of it
-  real end;
-  real scalar; // of the cell, or where the ray leaves
-  bool seen;   // there is something to integrate
-#if TETMARCH_CROPPED
-  real rest;   // behind the end, and up to here, there may be other pieces of it
-#endif
-#if TETMARCH_NAN_SHOWN
-  bool finite; // the scalar is finite
-#endif
-};
-
 // Step through the tetrahedron behind the face. Returns whether the ray goes on behind it.
 bool passCell(Ray ray, real depthEnd, INOUT(Crossing) face, INOUT(uvec2) link, INOUT(Passage) cell, INOUT(March) march)
 {
+#if TETMARCH_ISOSURFACES
+#if TETMARCH_CROPPED
+  real end = cell.rest;
+#else
+  real end = cell.end;
+#endif
+  cell.before = cell.drawn ? vec2(end, cell.scalar) : cell.before;
+#endif
   cell.tet = link.x;
   cell.enter = cell.leave;
   vec4 apex = fetchVertex(link.y);
@@ -101,17 +91,22 @@ bool passCell(Ray ray, real depthEnd, INOUT(Crossing) face, INOUT(uvec2) link, I
   cell.scalar = fetchCellScalar(cell.tet);
   real first = cell.scalar;
 #endif
-  cell.seen = forward && isDrawn(first) && isDrawn(cell.scalar);
+#if TETMARCH_HIDDEN_CELLS
+  bool open = forward && !isHidden(cell.tet);
+#else
+  bool open = forward;
+#endif
+  cell.seen = open && isDrawn(first) && isDrawn(cell.scalar);
 #if TETMARCH_TRANSPARENT_RANGES
   cell.seen = cell.seen &&
     !isTransparentBetween(first * tableScale + tableOffset, cell.scalar * tableScale + tableOffset);
+#elif TETMARCH_ISOSURFACES
+  cell.drawn = cell.seen;
+  cell.seen = cell.drawn && crossesSurface(seenPiece(cell));
 #endif
 #if TETMARCH_NAN_SHOWN
   cell.finite = isDrawn(first) && isDrawn(cell.scalar);
-  cell.seen = cell.finite ? cell.seen : forward && nanColor.w > real(0);
-#endif
-#if TETMARCH_HIDDEN_CELLS
-  cell.seen = cell.seen && !isHidden(cell.tet);
+  cell.seen = cell.finite ? cell.seen : open && nanColor.w > real(0);
 #endif
   // Of a piece that was passed backwards nothing is done yet.
   march.done = forward ? cell.end : march.done;
@@ -136,37 +131,24 @@ bool passCell(Ray ray, real depthEnd, INOUT(Crossing) face, INOUT(uvec2) link, I
 void marchToExit(
   Ray ray, INOUT(Crossing) face, INOUT(uvec2) link, real opticalLength, real depthEnd, INOUT(March) march)
 {
-  Passage cell;
-  cell.leave = crossingPoint(face);
-  cell.seen = false;
-#if TETMARCH_POINT_SCALARS
-  // Not of an undrawn scalar, whose crossing may even be NaN: integrateSegment() meets what stands here.
-  TablePoint at = tablePoint(isDrawn(cell.leave.y) ? cell.leave.y * tableScale + tableOffset : tableOffset);
-#endif
-#if TETMARCH_EFFECTS
-#if TETMARCH_POINT_SCALARS
-  CellShades shades = beginShades(ray, face, cell.leave);
-#else
-  CellShades shades = beginShades(ray, face, vec2(cell.leave.x, fetchCellScalar(link.x)));
-#endif
-#endif
+  Passage cell = beginPassage(ray, face, link.x);
   bool onward = true;
   while (onward)
   {
-#if TETMARCH_TRANSPARENT_RANGES
+#if TETMARCH_PASSES_CELLS
     // What isn't seen is passed in a loop of its own. (As a do-while Mesa 22.3 compiles it wrong.)
     bool passing = true;
     while (passing)
     {
 #endif
 #if TETMARCH_EFFECTS
-    beginCell(shades, cell.seen);
+    beginCell(cell.shades, cell.seen);
 #endif
     onward = passCell(ray, depthEnd, face, link, cell, march);
 #if TETMARCH_EFFECTS
-    shades.to = facePoint(face, vec2(cell.leave.x, cell.scalar));
+    cell.shades.to = facePoint(face, vec2(cell.leave.x, cell.scalar));
 #endif
-#if TETMARCH_TRANSPARENT_RANGES
+#if TETMARCH_PASSES_CELLS
       passing = onward && !cell.seen;
     }
 #endif
@@ -174,7 +156,7 @@ void marchToExit(
     real before = march.radiance.transmittance;
 #endif
 #if TETMARCH_EFFECTS
-    shadeCell(ray, face, cell.tet, vec2(cell.begin, cell.end), shades);
+    shadeCell(ray, face, cell.tet, cell.shades);
 #endif
 #if TETMARCH_CROPPED
     bool cropping = cell.seen;
@@ -191,26 +173,7 @@ void marchToExit(
     if (cell.seen)
 #endif
     {
-      real thickness = (cell.end - cell.begin) * opticalLength;
-#if TETMARCH_POINT_SCALARS
-      real scalarBegin =
-        cell.begin > cell.enter.x ? scalarAt(cell.enter, cell.leave, cell.begin) : cell.enter.y;
-      real scalarEnd = cell.end < cell.leave.x ? scalarAt(cell.enter, cell.leave, cell.end) : cell.leave.y;
-      real tableBegin = scalarBegin * tableScale + tableOffset;
-      real tableEnd = scalarEnd * tableScale + tableOffset;
-#if TETMARCH_EFFECTS
-      int trials = integrateSegment(tableBegin, tableEnd, thickness, shades, at, march.radiance);
-#else
-      int trials = integrateSegment(tableBegin, tableEnd, thickness, at, march.radiance);
-#endif
-#else
-      int trials = 1;
-#if TETMARCH_EFFECTS
-      integrateConstant(cell.scalar * tableScale + tableOffset, thickness, shades, march.radiance);
-#else
-      integrateConstant(cell.scalar * tableScale + tableOffset, thickness, march.radiance);
-#endif
-#endif
+      int trials = gatherPiece(seenPiece(cell), opticalLength, cell, march.radiance);
 #if TETMARCH_DIAGNOSTICS
       march.evaluations = march.evaluations + trials;
 #endif
@@ -220,9 +183,6 @@ void marchToExit(
       cropping = piece.y > piece.x;
       cell.begin = cropping ? piece.x : cell.begin;
       cell.end = cropping ? piece.y : cell.end;
-#if TETMARCH_EFFECTS
-      shades.within = sharesOf(shades, piece);
-#endif
     }
 #endif
     march.finished = march.finished || isOpaque(march.radiance);

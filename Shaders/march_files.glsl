@@ -3,18 +3,17 @@
 #if TETMARCH_LIT
 #include "light.glsl"
 #endif
+#if TETMARCH_COMPOSITE || TETMARCH_ISOSURFACES
 #include "radiance.glsl"
+#endif
+#if TETMARCH_COMPOSITE
+#include "absorption.glsl"
+#endif
 #if TETMARCH_EFFECTS
 #include "effects.glsl"
 #endif
-#if TETMARCH_POINT_SCALARS
-#if TETMARCH_ERROR_BOUND
-#include "order_error.glsl"
-#endif
-#include "segment_linear.glsl"
-#else
-#include "segment_constant.glsl"
-#endif
+#include "passage.glsl"
+#include "gather_files.glsl"
 #if TETMARCH_SAMPLED_SHADOWS
 #include "tet.glsl"
 #endif

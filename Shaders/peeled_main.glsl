@@ -17,7 +17,7 @@ vec4 castRay(float begin, float end)
     part.depthBegin = max(part.depthBegin, depthAt(part.ray, begin));
   }
   part.depthEnd = min(part.depthEnd, depthAt(part.ray, end));
-  return colorOf(marchPixel(part));
+  return colorOf(part, marchPixel(part));
 }
 
 void main()

@@ -1,4 +1,4 @@
-// What a ray has gathered, and how a piece of the volume adds to it (Max, "Optical models", 1995).
+// What a ray has gathered front to back: colour, and how much is seen of what lies behind.
 
 struct Radiance
 {
@@ -78,27 +78,10 @@ real errorBound(Radiance radiance)
   return bound;
 }
 
-// What a piece does to the light that comes into it.
-struct Absorption
+// Premultiplied colour and opacity of the pixel.
+vec4 pixelOf(Radiance radiance, real opticalLength)
 {
-  real opticalLength; // in scalar opacity unit distances
-  real depth;         // optical depth
-  real evenly;        // (1 - exp(-depth)) / depth
-  real absorbed;      // 1 - exp(-depth)
-};
-
-// mean: of C tau and tau. The series below 1/8, good to 4e-8, has no cancellation.
-Absorption absorption(vec4 mean, real opticalLength)
-{
-  Absorption piece;
-  piece.opticalLength = opticalLength;
-  real depth = mean.w * opticalLength;
-  real series = real(1) -
-    depth * (real(0.5) - depth * (real(1) / real(6) - depth * (real(1) / real(24) - depth / real(120))));
-  piece.depth = depth;
-  piece.evenly = depth < real(0.125) ? series : (real(1) - exp(-depth)) / depth;
-  piece.absorbed = depth * piece.evenly;
-  return piece;
+  return vec4(radiance.color.x, radiance.color.y, radiance.color.z, real(1) - radiance.transmittance);
 }
 
 // What a piece sends out, by its own colour. Colours are at most 1; rounding could make their mean a little more, and
@@ -113,25 +96,3 @@ vec3 emission(vec4 mean)
   return vec3(min(mean.x, mean.w), min(mean.y, mean.w), min(mean.z, mean.w));
 #endif
 }
-
-void absorb(INOUT(Radiance) radiance, vec3 emitted, Absorption piece)
-{
-  radiance.color = radiance.color + emitted * (radiance.transmittance * piece.evenly * piece.opticalLength);
-  radiance.transmittance = radiance.transmittance * max(real(1) - piece.absorbed, real(0));
-}
-
-#if TETMARCH_NAN_SHOWN
-// A piece in which the scalar is not finite: of one colour and extinction, without gradient and so without light.
-void absorbNan(INOUT(Radiance) radiance, real opticalLength)
-{
-#if TETMARCH_SHOW_ILLUMINATION
-  vec3 color = vec3(real(1), real(1), real(1));
-#elif TETMARCH_SHOW_GRADIENTS
-  vec3 color = vec3(real(0.5), real(0.5), real(0.5)); // as where there is none
-#else
-  vec3 color = vec3(nanColor.x, nanColor.y, nanColor.z);
-#endif
-  Absorption piece = absorption(nanColor, opticalLength);
-  absorb(radiance, color * nanColor.w, piece);
-}
-#endif

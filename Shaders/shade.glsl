@@ -10,9 +10,8 @@ struct Shade
 #endif
 };
 
-// Of a point at that depth of the ray with that position in the table of the transfer functions. incoming: see
-// illuminate().
-Shade shadeOf(Ray ray, real depth, real tablePosition, vec3 gradient, vec4 incoming)
+// Of a point at that depth of the ray with that scalar. incoming: see illuminate().
+Shade shadeOf(Ray ray, real depth, real scalar, vec3 gradient, vec4 incoming)
 {
   Shade shade;
 #if TETMARCH_GRADIENT_OPACITY
@@ -22,7 +21,7 @@ Shade shadeOf(Ray ray, real depth, real tablePosition, vec3 gradient, vec4 incom
   shade.lit = gradientColor(gradient);
 #elif TETMARCH_SHADING
 #if TETMARCH_SCATTERING
-  real opacity = tableValue(tablePosition).w;
+  real opacity = tableValue(scalar * tableScale + tableOffset).w;
 #else
   real opacity = real(0);
 #endif
@@ -99,8 +98,8 @@ struct CellShades
   FacePoint to;   // where it leaves
   Shade enter;
   Shade leave;
-  vec2 within;    // from where to where something is integrated, see sharesOf()
-#if TETMARCH_VERTEX_GRADIENTS && TETMARCH_TRANSPARENT_RANGES
+  vec2 within;    // from where to where the piece lies that is gathered: 0, 1 if all the way
+#if TETMARCH_VERTEX_GRADIENTS && TETMARCH_PASSES_CELLS
   bool enterKnown; // the shade where the ray comes in: that where it left the tetrahedron before
 #endif
 #if TETMARCH_LIGHT_ERROR && TETMARCH_VERTEX_LIGHT
@@ -122,16 +121,7 @@ real unsureLight(Crossing face)
 }
 #endif
 
-// From where to where in the tetrahedron depths go: 0, 1 if all the way.
-vec2 sharesOf(CellShades shades, vec2 range)
-{
-  vec2 enter = vec2(shades.from.depth, shades.from.scalar);
-  vec2 leave = vec2(shades.to.depth, shades.to.scalar);
-  return vec2(range.x > enter.x ? shareAt(enter, leave, range.x) : real(0),
-    range.y < leave.x ? shareAt(enter, leave, range.y) : real(1));
-}
-
-// In the middle of a part of what is integrated.
+// At a share of the piece.
 Shade shadeWithin(CellShades shades, real share)
 {
   return mixShade(
@@ -141,8 +131,7 @@ Shade shadeWithin(CellShades shades, real share)
 #if TETMARCH_VERTEX_GRADIENTS
 Shade shadeAtFace(Ray ray, FacePoint point)
 {
-  return shadeOf(
-    ray, point.depth, point.scalar * tableScale + tableOffset, point.gradient, incomingAt(ray, point));
+  return shadeOf(ray, point.depth, point.scalar, point.gradient, incomingAt(ray, point));
 }
 #endif
 
@@ -154,7 +143,7 @@ CellShades beginShades(Ray ray, INOUT(Crossing) face, vec2 enter)
 #endif
   CellShades shades;
   shades.to = facePoint(face, enter);
-#if TETMARCH_VERTEX_GRADIENTS && !TETMARCH_TRANSPARENT_RANGES
+#if TETMARCH_VERTEX_GRADIENTS && !TETMARCH_PASSES_CELLS
   shades.leave = shadeAtFace(ray, shades.to);
 #endif
   return shades;
@@ -164,15 +153,15 @@ CellShades beginShades(Ray ray, INOUT(Crossing) face, vec2 enter)
 void beginCell(INOUT(CellShades) shades, bool seen)
 {
   shades.from = shades.to;
-#if TETMARCH_VERTEX_GRADIENTS && TETMARCH_TRANSPARENT_RANGES
+#if TETMARCH_VERTEX_GRADIENTS && TETMARCH_PASSES_CELLS
   shades.enterKnown = seen;
 #endif
 }
 
-// At the end of a tetrahedron, of which the depths from range.x to range.y are integrated.
-void shadeCell(Ray ray, Crossing face, uint tet, vec2 range, INOUT(CellShades) shades)
+// At the end of a tetrahedron.
+void shadeCell(Ray ray, Crossing face, uint tet, INOUT(CellShades) shades)
 {
-#if TETMARCH_VERTEX_GRADIENTS && TETMARCH_TRANSPARENT_RANGES
+#if TETMARCH_VERTEX_GRADIENTS && TETMARCH_PASSES_CELLS
   int missing = shades.enterKnown ? 1 : 2;
   do
   {
@@ -193,13 +182,14 @@ void shadeCell(Ray ray, Crossing face, uint tet, vec2 range, INOUT(CellShades) s
   shades.leave = shadeAtFace(ray, shades.to);
 #else
   // One gradient, and in the middle the light.
-  real depth = real(0.5) * (shades.from.depth + shades.to.depth);
-  real scalar = real(0.5) * (shades.from.scalar + shades.to.scalar);
-  shades.enter = shadeOf(ray, depth, scalar * tableScale + tableOffset, fetchCellGradient(tet),
-    (incomingAt(ray, shades.from) + incomingAt(ray, shades.to)) * real(0.5));
+  FacePoint from = shades.from;
+  FacePoint to = shades.to;
+  real depth = real(0.5) * (from.depth + to.depth);
+  real scalar = real(0.5) * (from.scalar + to.scalar);
+  shades.enter = shadeOf(ray, depth, scalar, fetchCellGradient(tet),
+    (incomingAt(ray, from) + incomingAt(ray, to)) * real(0.5));
   shades.leave = shades.enter;
 #endif
-  shades.within = sharesOf(shades, range);
 #if TETMARCH_LIGHT_ERROR && TETMARCH_VERTEX_LIGHT
   shades.unsure = unsureLight(face);
 #endif

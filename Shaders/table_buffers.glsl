@@ -1,11 +1,15 @@
 // The transfer functions in texture buffers; see integral_table.glsl.
+#if !TETMARCH_ISOSURFACES
 uniform samplerBuffer tableValueBuffer;
 uniform usamplerBuffer tableIntegralBuffer;
 uniform int tableSize;
 uniform float tableScale; // from a stored scalar to a position in the table
 uniform float tableOffset;
 uniform vec4 tableIntegralUnit;
+#endif
+#if TETMARCH_COMPOSITE || TETMARCH_ISOSURFACES
 uniform float errorTolerance; // of a channel of a pixel
+#endif
 #if TETMARCH_TRANSPARENT_RANGES
 uniform vec4 transparentRanges; // in the table: up to, from, and from to
 #endif
@@ -22,8 +26,10 @@ uniform samplerBuffer tableVariationBuffer;
 uniform int mostTrials; // pieces that a segment may be tried in
 #endif
 
+#if !TETMARCH_ISOSURFACES
 vec4 fetchTableValue(int i) { return texelFetch(tableValueBuffer, i); }
 uvec4 fetchTableIntegral(int i) { return texelFetch(tableIntegralBuffer, i); }
+#endif
 #if TETMARCH_ERROR_BOUND
 float fetchTableVariation(int i) { return texelFetch(tableVariationBuffer, i).x; }
 #endif

@@ -4,7 +4,9 @@
 #include "crossing.glsl"
 #include "boundary.glsl"
 #include "way.glsl"
+#if !TETMARCH_ISOSURFACES
 #include "integral_table.glsl"
+#endif
 #if TETMARCH_GRADIENT_OPACITY
 #include "gradient_opacity.glsl"
 #endif

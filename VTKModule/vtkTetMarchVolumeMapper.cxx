@@ -124,7 +124,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const tetmarch::EffectOptions effects{ this->GradientType == CELL_GRADIENTS,
     static_cast<tetmarch::ShadowMethod>(this->ShadowMethod), this->VolumetricScatteringBlending,
     this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
-    this->AmbientOcclusionDirections, this->OpaqueShadows, subjectOf(this->ViewMode) };
+    this->AmbientOcclusionDirections, this->OpaqueShadows, subjectOf(this->ViewMode),
+    static_cast<tetmarch::BlendMode>(this->BlendMode) };
 
   tetmarch::ClippingOptions clipping;
   clipping.Planes = this->ClippingPlanes;
@@ -138,9 +139,12 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const bool drawn =
     scalars && pipeline.updateMesh(grid, progress) && pipeline.updateHiddenCells(grid) &&
     pipeline.updateScalars(grid, scalars, cellScalars == 1, vector, property) &&
+    pipeline.updateBlending(property,
+      { this->BlendMode, { { this->AverageIPScalarRange[0], this->AverageIPScalarRange[1] } } }) &&
     pipeline.updateTables(property, lawOf(this->OpacityLaw), level, this->DrawNanCells) &&
     pipeline.updateEffects(renderer, volume, effects) && pipeline.updateView(renderer, volume) &&
-    pipeline.updateClipping(volume, clipping) && pipeline.upload(window) && pipeline.draw(window, renderer, options, progress);
+    pipeline.updateClipping(volume, clipping) && pipeline.upload(window) &&
+    pipeline.draw(window, renderer, options, progress);
   this->ReportError(
     scalars ? pipeline.error()
             : tetmarch::describeMissingScalars(

@@ -95,6 +95,48 @@ public:
 
   //@{
   /**
+   * What is shown of the scalars along a ray (SetBlendMode(); the numbers are those of
+   * vtkVolumeMapper::BlendModes). These are the exact limits, cell by cell, of what
+   * vtkGPUVolumeRayCastMapper finds in samples:
+   * COMPOSITE_BLEND: emission and absorption, the default.
+   * MAXIMUM_INTENSITY_BLEND, MINIMUM_INTENSITY_BLEND: the greatest or least scalar, in its colour
+   * and with its opacity as the opacity function has it: the unit distance plays no part.
+   * AVERAGE_INTENSITY_BLEND: with s' = (s - min) / (max - min) of the range of the array, the mean
+   * of opacity(s) s' over the part of the ray whose scalar lies in AverageIPScalarRange, as an
+   * opaque gray; nothing where there is no such part.
+   * ADDITIVE_BLEND: the integral of opacity(s) s' over the ray, in scalar opacity unit distances,
+   * as an opaque gray of at most 1; nothing where the ray meets nothing.
+   * ISOSURFACE_BLEND: the surfaces of the values of vtkVolumeProperty::GetIsoSurfaceValues(), at
+   * most 32, each with its colour and opacity, composited front to back. Scalars of points cross a
+   * value inside a cell, those of cells at the face between two cells.
+   *
+   * Any other mode, such as vtkVolumeMapper::SLICE_BLEND, and more values are errors, and nothing
+   * is drawn. Only what opaque geometry and the clipping range leave of a ray counts, and cells
+   * whose scalar is not finite count for nothing. ShadeOn() lights the volume and the surfaces;
+   * gradient opacity, shadows, scattering, ambient occlusion and OpacityLaw are for COMPOSITE_BLEND
+   * alone. The illumination and the gradients (ViewMode) are those of the volume or the surfaces;
+   * in the modes that show scalars the picture is drawn instead. But for rounding, the early end of
+   * rays behind surfaces, and what the opacity function does between the entries of its table,
+   * these modes are exact at each AccuracyLevel.
+   */
+  enum BlendModes
+  {
+    COMPOSITE_BLEND = 0,
+    MAXIMUM_INTENSITY_BLEND = 1,
+    MINIMUM_INTENSITY_BLEND = 2,
+    AVERAGE_INTENSITY_BLEND = 3,
+    ADDITIVE_BLEND = 4,
+    ISOSURFACE_BLEND = 5
+  };
+  void SetBlendModeToMinimumIntensity() { this->SetBlendMode(MINIMUM_INTENSITY_BLEND); }
+  void SetBlendModeToAverageIntensity() { this->SetBlendMode(AVERAGE_INTENSITY_BLEND); }
+  void SetBlendModeToAdditive() { this->SetBlendMode(ADDITIVE_BLEND); }
+  void SetBlendModeToIsoSurface() { this->SetBlendMode(ISOSURFACE_BLEND); }
+  const char* GetBlendModeAsString() const;
+  //@}
+
+  //@{
+  /**
    * What is drawn of an array with several components, with the names and numbers of
    * vtkSmartVolumeMapper. The transfer functions apply to it.
    * MAGNITUDE: the length of the vector of all components; not finite if one of them isn't.
@@ -120,6 +162,15 @@ public:
   const char* GetVectorModeAsString() const;
   vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
   vtkGetMacro(VectorComponent, int);
+  //@}
+
+  //@{
+  /**
+   * Scalars of the data that AVERAGE_INTENSITY_BLEND takes, ends included; by default all:
+   * VTK_FLOAT_MIN to VTK_FLOAT_MAX. Another range compiles no shader.
+   */
+  vtkSetVector2Macro(AverageIPScalarRange, double);
+  vtkGetVector2Macro(AverageIPScalarRange, double);
   //@}
 
   //@{
@@ -477,10 +528,10 @@ public:
    * Cropping, with the names and the meaning that it has in vtkVolumeMapper: two planes across each
    * axis, in the coordinates of the input's points, divide the volume into 27 regions, and
    * CroppingRegionFlags has a bit for each that is left, x fastest, from the lowest bit on, for
-   * those below the first planes. Off by default; planes 0, 1, 0, 1, 0, 1; flags VTK_CROP_SUBVOLUME,
-   * the region in the middle. A region begins at its lower planes, and cells are cut where a plane
-   * goes through them. Nothing is drawn, without an error, while a second plane isn't above the
-   * first one, or the flags are 0; a plane that is NaN is an error.
+   * those below the first planes. Off by default; planes 0, 1, 0, 1, 0, 1; flags
+   * VTK_CROP_SUBVOLUME, the region in the middle. A region begins at its lower planes, and cells
+   * are cut where a plane goes through them. Nothing is drawn, without an error, while a second
+   * plane isn't above the first one, or the flags are 0; a plane that is NaN is an error.
    *
    * Clipping planes (AddClippingPlane(), SetClippingPlanes(); in world coordinates) cut cells
    * likewise; what is on the side that the normal points to is left. Up to 32 can be used, more are
@@ -617,6 +668,7 @@ protected:
   vtkTetMarchVolumeMapper();
   ~vtkTetMarchVolumeMapper() override;
 
+  double AverageIPScalarRange[2] = { VTK_FLOAT_MIN, VTK_FLOAT_MAX };
   int OpacityLaw = UNSTRUCTURED;
   int VectorMode = DISABLED;
   int VectorComponent = 0;

@@ -28,6 +28,16 @@ const char* vtkTetMarchVolumeMapper::GetUsedAccuracyLevelAsString() const
 }
 
 //------------------------------------------------------------------------------
+const char* vtkTetMarchVolumeMapper::GetBlendModeAsString() const
+{
+  constexpr const char* names[] = { "Composite", "MaximumIntensity", "MinimumIntensity",
+    "AverageIntensity", "Additive", "IsoSurface" };
+  return this->BlendMode >= COMPOSITE_BLEND && this->BlendMode <= ISOSURFACE_BLEND
+           ? names[this->BlendMode]
+           : "Unknown";
+}
+
+//------------------------------------------------------------------------------
 int vtkTetMarchVolumeMapper::GetUsedAccuracyLevel() const
 {
   return static_cast<int>(this->Internal->Choice.used().Level);
@@ -200,6 +210,9 @@ void vtkTetMarchVolumeMapper::GetDiagnosticPixels(vtkFloatArray* pixels) const
 void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "BlendMode: " << this->GetBlendModeAsString() << "\n";
+  os << indent << "AverageIPScalarRange: " << this->AverageIPScalarRange[0] << ", "
+     << this->AverageIPScalarRange[1] << "\n";
   os << indent << "OpacityLaw: " << (this->OpacityLaw == STRUCTURED ? "Structured" : "Unstructured")
      << "\n";
   os << indent << "VectorMode: " << this->GetVectorModeAsString() << "\n";

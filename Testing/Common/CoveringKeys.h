@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A few variants that have every four features together or apart, as far as any variant has
+ * @brief A few variants that have every three features together or apart, as far as any variant has
  *
  * Where a text doesn't fit together, it is for a few features that meet.
  */
@@ -18,30 +18,27 @@
 
 namespace tetmarch::testing
 {
-constexpr std::size_t NumberOfFours = []
+constexpr std::size_t NumberOfThrees = []
 {
   constexpr std::size_t n = VariantKey::NumberOfBits;
-  return 16 * n * (n - 1) * (n - 2) * (n - 3) / 24;
+  return 8 * n * (n - 1) * (n - 2) / 6;
 }();
 
-/// Calls with a number for each four bits of the key and their values.
+/// Calls with a number for each three bits of the key and their values.
 template <typename Function>
-void forEachFour(const VariantKey& key, const Function& call)
+void forEachThree(const VariantKey& key, const Function& call)
 {
-  const unsigned int bits = numberOf(key);
+  const std::uint64_t bits = numberOf(key);
   const auto bit = [bits](int i) { return std::size_t(bits >> i & 1u); };
-  std::size_t four = 0;
+  std::size_t three = 0;
   for (int a = 0; a < VariantKey::NumberOfBits; ++a)
   {
     for (int b = 0; b < a; ++b)
     {
       for (int c = 0; c < b; ++c)
       {
-        for (int d = 0; d < c; ++d)
-        {
-          call(16 * four + 8 * bit(a) + 4 * bit(b) + 2 * bit(c) + bit(d));
-          ++four;
-        }
+        call(8 * three + 4 * bit(a) + 2 * bit(b) + bit(c));
+        ++three;
       }
     }
   }
@@ -57,7 +54,7 @@ inline std::vector<VariantKey> coveringKeys(std::vector<VariantKey> legal)
     std::swap(legal[i - 1], legal[random() % i]);
   }
   std::vector<VariantKey> chosen;
-  std::vector<bool> covered(NumberOfFours, false);
+  std::vector<bool> covered(NumberOfThrees, false);
   constexpr std::size_t few = 1000;
   for (int least = 4096; least > 0; least /= 2)
   {
@@ -65,11 +62,11 @@ inline std::vector<VariantKey> coveringKeys(std::vector<VariantKey> legal)
     for (std::size_t i = 0; i < candidates; ++i)
     {
       int news = 0;
-      forEachFour(legal[i], [&](std::size_t four) { news += covered[four] ? 0 : 1; });
+      forEachThree(legal[i], [&](std::size_t three) { news += covered[three] ? 0 : 1; });
       if (news >= least)
       {
         chosen.push_back(legal[i]);
-        forEachFour(legal[i], [&](std::size_t four) { covered[four] = true; });
+        forEachThree(legal[i], [&](std::size_t three) { covered[three] = true; });
       }
     }
   }

@@ -2,27 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief All variants of the march shader that a scene can need
+ * @brief Variants of the march shader that a scene can need
  */
 #ifndef tetmarch_testing_LegalKeys_h
 #define tetmarch_testing_LegalKeys_h
 
 #include "Scene/VariantKey.h"
 
-#include <algorithm>
-#include <iterator>
+#include <cstdint>
+#include <random>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace tetmarch::testing
 {
-constexpr unsigned int NumberOfKeys = 1u << VariantKey::NumberOfBits;
-
 /// Bit i of the number is row i of VariantKey::bits().
-inline VariantKey keyOf(unsigned int number)
+inline VariantKey keyOf(std::uint64_t number)
 {
   VariantKey key;
-  unsigned int rest = number;
+  std::uint64_t rest = number;
   for (const VariantKey::Bit& bit : VariantKey::bits())
   {
     key.*bit.Member = (rest & 1u) != 0;
@@ -31,12 +30,12 @@ inline VariantKey keyOf(unsigned int number)
   return key;
 }
 
-inline unsigned int numberOf(const VariantKey& key)
+inline std::uint64_t numberOf(const VariantKey& key)
 {
-  unsigned int number = 0;
+  std::uint64_t number = 0;
   for (int i = 0; i < VariantKey::NumberOfBits; ++i)
   {
-    number |= (key.*VariantKey::bits()[i].Member ? 1u : 0u) << i;
+    number |= std::uint64_t(key.*VariantKey::bits()[i].Member ? 1 : 0) << i;
   }
   return number;
 }
@@ -52,49 +51,62 @@ inline std::string namesOf(const VariantKey& key)
   return names;
 }
 
+/// Any combination of bits, whether or not a scene makes it.
+inline VariantKey randomKey(std::mt19937& random)
+{
+  const std::uint64_t high = random();
+  return keyOf(high << 32 | random());
+}
+
 /// Keys in the order in which they come, each once.
 class DistinctKeys
 {
 public:
   void add(const VariantKey& key)
   {
-    if (!this->Found[numberOf(key)])
+    if (this->Found.insert(numberOf(key)).second)
     {
-      this->Found[numberOf(key)] = true;
       this->Keys.push_back(key);
     }
   }
   std::vector<VariantKey> Keys;
 
 private:
-  std::vector<bool> Found = std::vector<bool>(NumberOfKeys, false);
+  std::unordered_set<std::uint64_t> Found;
 };
 
-/// Of the picture. Some scene makes each of them: the filter leaves none that none could. They are
-/// found from one another by switching one bit.
+/// Of the picture, for there are millions: that of the simplest scene, what it becomes by up to
+/// three changes of a bit, and many at random. Some scene makes each of them: the filter leaves
+/// none that none could. The same at each call.
 inline std::vector<VariantKey> legalKeys()
 {
   DistinctKeys legal;
   legal.add(VariantKey().filtered());
-  for (std::size_t i = 0; i < legal.Keys.size(); ++i)
+  std::size_t begin = 0;
+  for (int changes = 0; changes < 3; ++changes)
   {
-    for (const VariantKey::Bit& bit : VariantKey::bits())
+    const std::size_t end = legal.Keys.size();
+    for (; begin < end; ++begin)
     {
-      VariantKey key = legal.Keys[i];
-      key.*bit.Member = !(key.*bit.Member);
-      legal.add(key.filtered());
+      for (const VariantKey::Bit& bit : VariantKey::bits())
+      {
+        VariantKey key = legal.Keys[begin];
+        key.*bit.Member = !(key.*bit.Member);
+        legal.add(key.filtered());
+      }
     }
   }
+  std::mt19937 random(5);
+  for (int i = 0; i < 60000; ++i)
+  {
+    VariantKey key = randomKey(random);
+    if (i % 4 > 0) // else the volume itself would be seen in one of eight
+    {
+      key.Extreme = key.Sum = key.Isosurfaces = false;
+    }
+    legal.add(key.filtered());
+  }
   return legal.Keys;
-}
-
-/// About one in n of the keys, without a pattern; the same at each call.
-inline std::vector<VariantKey> oneIn(unsigned int n, const std::vector<VariantKey>& keys)
-{
-  std::vector<VariantKey> some;
-  std::copy_if(keys.begin(), keys.end(), std::back_inserter(some),
-    [n](const VariantKey& key) { return (numberOf(key) * 2654435761u >> 7) % n == 0; });
-  return some;
 }
 
 /// Of the light at vertices, for the pictures that have it.

@@ -3,7 +3,6 @@
 #include "Twin.h"
 
 #include "Mesh/TetMeshBuilder.h"
-#include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
 #include "Scene/EffectStage.h"
 #include "Scene/VectorChoice.h"
@@ -26,7 +25,8 @@ EffectOptions optionsOf(vtkTetMarchVolumeMapper* mapper)
     mapper->GetOpaqueShadows(),
     view == vtkTetMarchVolumeMapper::VIEW_ILLUMINATION ? Subject::Illumination
     : view == vtkTetMarchVolumeMapper::VIEW_GRADIENTS  ? Subject::Gradients
-                                                       : Subject::Picture };
+                                                       : Subject::Picture,
+    static_cast<BlendMode>(mapper->GetBlendMode()) };
 }
 
 ClippingOptions clippingOf(vtkTetMarchVolumeMapper* mapper)
@@ -68,9 +68,13 @@ public:
     this->Hidden = hiddenCells(scene.Data, this->Mesh);
     made.Hidden = property == scene.property() ? &this->Hidden : nullptr;
     const bool structured = scene.Mapper->GetOpacityLaw() == vtkTetMarchVolumeMapper::STRUCTURED;
+    if (property == scene.property())
+    {
+      this->addBlending(scene);
+    }
     this->Table =
-      fittingTable(property, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
-        made.Range.Low, made.Range.High, this->Level);
+      blendedTable(property, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
+        this->Blend, made.Range, this->Level);
     if (!makeView(scene.Renderer, scene.Volume, this->Mesh,
           property->GetScalarOpacityUnitDistance(), made.Camera))
     {
@@ -104,6 +108,19 @@ public:
   }
 
 private:
+  void addBlending(Scene& scene)
+  {
+    const double* range = scene.Mapper->GetAverageIPScalarRange();
+    const std::string error =
+      makeBlending({ scene.Mapper->GetBlendMode(), { { range[0], range[1] } } }, scene.property(),
+        this->Made.Range, this->Blend);
+    if (!error.empty())
+    {
+      throw std::runtime_error(error);
+    }
+    this->Made.Blend = &this->Blend;
+  }
+
   void addEffects(Scene& scene)
   {
     const EffectInput input{ &this->Mesh, &this->CellScalars, &this->Made.Range, { 1 } };
@@ -120,6 +137,7 @@ private:
   std::vector<float> CellScalars;
   HiddenCells Hidden;
   IntegralTable Table;
+  Blending Blend;
   EffectStage Effects;
   AccuracyLevel Level = DefaultAccuracy;
   ReferenceScene Made;

@@ -33,8 +33,8 @@ struct TwinPicture
   MarchCounters Counters;
 };
 
-/// Of the scene as its last frame left it, with the same tables, accuracy level and effects. Depths
-/// of opaque geometry: one a pixel, or empty.
+/// Of the scene as its last frame left it, with the same tables, accuracy level, blend mode and
+/// effects. Depths of opaque geometry: one a pixel, or empty.
 TwinPicture twinOf(Scene& scene, const std::vector<float>& depths = {},
   Precision precision = Precision::Double, LightFrom light = LightFrom::Vertices);
 

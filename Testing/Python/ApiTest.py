@@ -146,6 +146,24 @@ class ApiTest(unittest.TestCase):
                 set_option(value)
                 self.assertEqual(get_option(), clamped)
 
+    def test_the_blend_modes(self):
+        mapper = vtkTetMarchVolumeMapper()
+        self.assertEqual(mapper.GetAverageIPScalarRange(), (-1e38, 1e38))
+        mapper.SetAverageIPScalarRange(2, 3)
+        self.assertEqual(mapper.GetAverageIPScalarRange(), (2, 3))
+        names = ("Composite", "MaximumIntensity", "MinimumIntensity", "AverageIntensity", "Additive", "IsoSurface")
+        constants = ("COMPOSITE_BLEND", "MAXIMUM_INTENSITY_BLEND", "MINIMUM_INTENSITY_BLEND",
+                     "AVERAGE_INTENSITY_BLEND", "ADDITIVE_BLEND", "ISOSURFACE_BLEND")
+        for value, (constant, name) in reversed(list(enumerate(zip(constants, names)))):
+            before = mapper.GetMTime()
+            getattr(mapper, "SetBlendModeTo" + name)()
+            self.assertGreater(mapper.GetMTime(), before)
+            self.assertEqual((mapper.GetBlendMode(), mapper.GetBlendModeAsString()), (value, name))
+            self.assertEqual(getattr(mapper, constant), value)
+            self.assertEqual(getattr(vtk.vtkVolumeMapper, constant), value)
+        mapper.SetBlendMode(vtk.vtkVolumeMapper.SLICE_BLEND)
+        self.assertEqual(mapper.GetBlendModeAsString(), "Unknown")
+
     def test_the_numbers_of_light(self):
         mapper = vtkTetMarchVolumeMapper()
         for name, default, value, least, most in (
@@ -241,6 +259,7 @@ class ApiTest(unittest.TestCase):
                      "MaxDrawTimeInSeconds: 0.25", "ViewMode: Picture", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0",
                      "ErrorBudget: 0", "UsedAccuracyLevel: Default", "BudgetKept: No", "GradientType: Vertex",
                      "ShadowMethod: Off", "VolumetricScatteringBlending: 0", "GlobalIlluminationReach: 1",
+                     "BlendMode: Composite", "AverageIPScalarRange: -1e+38, 1e+38",
                      "OpaqueShadows: Off", "AmbientOcclusion: Off", "AmbientOcclusionRadius: 0.1",
                      "AmbientOcclusionDirections: 16", "LightTimeBudget: 0.1", "AutoAdjustSampleDistances: On",
                      "Cropping: Off", "CroppingRegionPlanes: 0 1 0 1 0 1", "CroppingRegionFlags: 8192"):

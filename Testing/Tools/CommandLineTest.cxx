@@ -100,6 +100,9 @@ TEST(CommandLine, RefusesBadChoices)
   ExpectBadValue("--accuracy", "best", "expected fast, default, accurate or reference");
   ExpectBadValue("--view", "bound",
     "expected picture, error, cells, lookups, illumination, gradients, faces or coordinates");
+  ExpectBadValue(
+    "--blend", "slice", "expected composite, maximum, minimum, average, additive or isosurface");
+  ExpectBadValue("--isovalues", "1,x", "expected finite numbers separated by commas");
   ExpectBadValue("--shadows", "on", "expected off, automatic, vertices or rays");
   ExpectBadValue("--tolerance", "0.0000001", "expected a number from 1e-6 to 1");
   ExpectBadValue("--error", "1.5", "expected a number from 1e-6 to 1");
@@ -207,6 +210,23 @@ TEST(CommandLine, ViewsAreThoseOfTheMapper)
     EXPECT_NE(tetmarch::GetHelp().find(view), std::string::npos) << view;
     ++mode;
   }
+}
+
+// By the numbers of vtkTetMarchVolumeMapper::BlendModes.
+TEST(CommandLine, BlendModesAreThoseOfTheMapper)
+{
+  EXPECT_EQ(ParseCommandLine({ "a.vtu" }).BlendMode, 0);
+  int mode = 0;
+  for (const char* name :
+    { "composite", "maximum", "minimum", "average", "additive", "isosurface" })
+  {
+    EXPECT_EQ(ParseCommandLine({ "a.vtu", "--blend", name }).BlendMode, mode) << name;
+    EXPECT_NE(tetmarch::GetHelp().find(name), std::string::npos) << name;
+    ++mode;
+  }
+  const CommandLine surfaces = ParseCommandLine({ "a.vtu", "--isovalues", "1,-2.5,3" });
+  EXPECT_EQ(surfaces.IsoValues, (std::vector<double>{ 1, -2.5, 3 }));
+  EXPECT_EQ(surfaces.BlendMode, 5);
 }
 
 TEST(CommandLine, TakesEveryOptionOfLight)

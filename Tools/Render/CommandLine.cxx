@@ -87,6 +87,12 @@ int ParseLevel(const std::string& value)
   return ParseWord(value, { "fast", "default", "accurate", "reference" });
 }
 
+int ParseBlend(const std::string& value)
+{
+  return ParseWord(
+    value, { "composite", "maximum", "minimum", "average", "additive", "isosurface" });
+}
+
 int ParseView(const std::string& value)
 {
   return ParseWord(value, { "picture", "error", "cells", "lookups", "illumination", "gradients",
@@ -119,6 +125,7 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
           ParseChoice(v, "points", "cells") ? Association::POINTS : Association::CELLS;
       } },
     { "--background", [](CommandLine& c, const std::string& v) { c.Background = ParseColor(v); } },
+    { "--blend", [](CommandLine& c, const std::string& v) { c.BlendMode = ParseBlend(v); } },
     { "--camera", [](CommandLine& c, const std::string& v) { c.Camera = ParseCamera(v); } },
     { "--clip", [](CommandLine& c, const std::string& v)
       { c.Cuts.Planes.push_back(ParseClippingPlane(v)); } },
@@ -132,6 +139,12 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
     { "--frame-time",
       [](CommandLine& c, const std::string& v) { c.FrameTime = ParsePositive(v); } },
     { "--frames", [](CommandLine& c, const std::string& v) { c.Frames = ParseCount(v); } },
+    { "--isovalues",
+      [](CommandLine& c, const std::string& v)
+      {
+        c.IsoValues = ParseList(v);
+        c.BlendMode = ParseBlend("isosurface");
+      } },
     { "--light",
       [](CommandLine& c, const std::string& v) { LightOf(c).Lights.push_back(ParseLight(v)); } },
     { "--occlusion", [](CommandLine& c, const std::string& v)

@@ -58,7 +58,9 @@ struct CommandLine
   CutOptions Cuts;
   LightOptions Light;
   std::vector<std::string> Surfaces; // files
-  int ViewMode = 0;                  // vtkTetMarchVolumeMapper::VIEW_PICTURE
+  int BlendMode = 0;                 // vtkTetMarchVolumeMapper::COMPOSITE_BLEND
+  std::vector<double> IsoValues;
+  int ViewMode = 0; // vtkTetMarchVolumeMapper::VIEW_PICTURE
   bool Compare = false;
   int Frames = 0; // re-renders to be timed; 5 by default if Stats is given
 };

@@ -56,6 +56,8 @@ View
                             position, focal point, view up, view angle in degrees (default: oblique, all
                             of the mesh in view, 30 degrees)
   --parallel-scale S        parallel projection; S is half of the picture's height in world units
+  --blend MODE              composite (default), maximum, minimum, average, additive, or isosurface
+  --isovalues V[,V...]      the surfaces of these scalars (--blend isosurface)
   --view WHAT               picture (default), or with a legend of the colours what its pixels cost or may
                             be off by: error (bound of a channel, 0 to 1), cells or lookups; or
                             illumination (light without the volume's colour), gradients (directions as

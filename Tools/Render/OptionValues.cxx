@@ -28,6 +28,16 @@ std::vector<double> ParseList(const std::string& value, std::initializer_list<st
   throw UsageError("expected " + expected + " finite numbers separated by commas");
 }
 
+std::vector<double> ParseList(const std::string& value)
+{
+  const auto numbers = ParseNumbers(value, ',');
+  if (!numbers || numbers->empty())
+  {
+    throw UsageError("expected finite numbers separated by commas");
+  }
+  return *numbers;
+}
+
 double ParsePositive(const std::string& value)
 {
   const auto number = ParseNumber(value);

@@ -17,6 +17,9 @@ namespace tetmarch
 /// The numbers of a list "1,2,3", of which there must be one of the given counts.
 std::vector<double> ParseList(const std::string& value, std::initializer_list<std::size_t> counts);
 
+/// The same of any count but 0.
+std::vector<double> ParseList(const std::string& value);
+
 double ParsePositive(const std::string& value);
 
 /// A number not below the least and not above the most, which are given as the user is told them.

@@ -12,6 +12,7 @@
 #include "vtkActor.h"
 #include "vtkAutoInit.h"
 #include "vtkCamera.h"
+#include "vtkContourValues.h"
 #include "vtkPNGWriter.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -54,6 +55,7 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
   }
   this->Mapper->SetFrameTimeBudget(commandLine.FrameTime);
   this->Mapper->SetErrorBudget(commandLine.Error);
+  this->Mapper->SetBlendMode(commandLine.BlendMode);
   this->Mapper->SetViewMode(commandLine.ViewMode);
   SetUpCuts(commandLine.Cuts, this->Mapper);
   this->Legend->SetMapper(this->Mapper);
@@ -63,6 +65,12 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
   this->Volume->GetProperty()->SetScalarOpacity(functions.Opacity);
   this->Volume->GetProperty()->SetScalarOpacityUnitDistance(unitDistance);
   this->Volume->GetProperty()->SetInterpolationTypeToLinear();
+  vtkContourValues* surfaces = this->Volume->GetProperty()->GetIsoSurfaceValues();
+  surfaces->SetNumberOfContours(static_cast<int>(commandLine.IsoValues.size()));
+  for (std::size_t i = 0; i < commandLine.IsoValues.size(); ++i)
+  {
+    surfaces->SetValue(static_cast<int>(i), commandLine.IsoValues[i]);
+  }
 
   const auto& background = commandLine.Background;
   this->Renderer->SetBackground(background[0], background[1], background[2]);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/MarchPass.h"
 
+#include "GL/BlendBinding.h"
 #include "GL/ClippingBinding.h"
 #include "GL/EffectTextures.h"
 #include "GL/LightBinding.h"
@@ -79,6 +80,7 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   const VariantKey& key = inputs.Key;
   inputs.Mesh->bind(program, inputs.Key);
   inputs.Tables->bind(program, *inputs.Table, inputs.Range, inputs.Level, inputs.Key);
+  bindBlending(program, *inputs.Blend, key);
   if (key.hasGradients())
   {
     inputs.Effects->bind(program, *inputs.EffectValues, key);

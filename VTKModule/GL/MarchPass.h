@@ -20,6 +20,7 @@ class EffectTextures;
 class MeshTextures;
 class StateScope;
 class TableTextures;
+struct Blending;
 struct Clipping;
 struct EffectData;
 struct IntegralTable;
@@ -36,6 +37,7 @@ struct MarchInputs
   const IntegralTable* Table = nullptr;
   ScalarRange Range;
   AccuracyLevel Level = DefaultAccuracy;
+  const Blending* Blend = nullptr;
   EffectTextures* Effects = nullptr; // and its values: if the key has gradients
   const EffectData* EffectValues = nullptr;
   const Clipping* Cut = nullptr;                   // if the key is Clipped

@@ -117,6 +117,12 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   return true;
 }
 
+bool Pipeline::updateBlending(vtkVolumeProperty* property, const BlendWish& wish)
+{
+  const std::string error = makeBlending(wish, property, this->Range, this->Blend);
+  return error.empty() || this->fail(error);
+}
+
 bool Pipeline::updateTables(
   vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, bool drawNan)
 {
@@ -125,7 +131,9 @@ bool Pipeline::updateTables(
   add(input, property->GetColorChannels() == 1
                ? static_cast<vtkObject*>(property->GetGrayTransferFunction())
                : property->GetRGBTransferFunction());
-  input.push_back(static_cast<std::uintptr_t>(law));
+  input.push_back(
+    static_cast<std::uintptr_t>(this->Blend.isComposite() ? law : OpacityLaw::Unstructured));
+  input.push_back(this->Blend.isSum() ? 1 : 0);
   add(input, this->Range.Low);
   add(input, this->Range.High);
   this->Subject = input;
@@ -135,6 +143,8 @@ bool Pipeline::updateTables(
   this->Subject.push_back(drawNan ? 1 : 0);
   this->Subject.insert(
     this->Subject.end(), this->Hidden.version().begin(), this->Hidden.version().end());
+  const Fingerprint blend = versionOf(this->Blend);
+  this->Subject.insert(this->Subject.end(), blend.begin(), blend.end());
   input.push_back(static_cast<std::uintptr_t>(level.LeastTableEntries));
   input.push_back(static_cast<std::uintptr_t>(level.MostTableEntries));
   add(input, level.ErrorTolerance);
@@ -144,7 +154,7 @@ bool Pipeline::updateTables(
     this->TablesInput.clear();
     this->OnGpu.expectTables();
     const std::string shortage = withinMemory("the tables of the transfer functions",
-      [&] { this->Table = fittingTable(property, law, this->Range.Low, this->Range.High, level); });
+      [&] { this->Table = blendedTable(property, law, this->Blend, this->Range, level); });
     if (!shortage.empty())
     {
       return this->fail(shortage);
@@ -162,7 +172,8 @@ bool Pipeline::updateTables(
     this->PassesCells = transparentShare(this->mesh(), this->CellScalars, this->Range,
                           this->Table) >= LeastShareToPass;
   }
-  return this->Visible || this->NanShown;
+  // Sums are shown even where they are 0.
+  return this->Visible || this->NanShown || this->Blend.isSum();
 }
 
 bool Pipeline::updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options)

@@ -60,6 +60,7 @@ public:
   bool updateHiddenCells(vtkUnstructuredGrid* grid);
   bool updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars,
     const VectorChoice& vector, vtkVolumeProperty* property);
+  bool updateBlending(vtkVolumeProperty* property, const BlendWish& wish);
   /** drawNan: what touches a scalar that is not finite is drawn, in the colour function's colour
    * for that. */
   bool updateTables(
@@ -128,6 +129,8 @@ private:
   Fingerprint ScalarsInput;
   std::vector<float> CellScalars; // empty if point scalars are drawn
   ScalarRange Range;
+
+  Blending Blend;
 
   Fingerprint TablesInput;
   IntegralTable Table;

@@ -37,6 +37,7 @@ VariantKey Pipeline::keyOf(
   key.Cropped = this->Cut.Cropped;
   key.NanShown = this->NanShown;
   key.HiddenCells = !this->Hidden.cells().empty();
+  this->Blend.setBits(key);
   this->Effects.setBits(key, double(area.Width) * area.Height);
   return options.Shell == ShellView::None ? key.filtered() : key.ofEntries();
 }
@@ -90,6 +91,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   inputs.Table = &this->Table;
   inputs.Range = this->Range;
   inputs.Level = options.Level;
+  inputs.Blend = &this->Blend;
   inputs.Effects = &this->EffectsOnGpu;
   inputs.EffectValues = &this->Effects.data();
   inputs.Peeling = options.Peeling;
@@ -138,7 +140,7 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
     {
       const std::vector<float> depths = this->Passes.opaqueDepths(this->Window);
       const IntegralTable table =
-        fittingTable(property, law, this->Range.Low, this->Range.High, YardstickAccuracy);
+        blendedTable(property, law, this->Blend, this->Range, YardstickAccuracy);
       ReferenceScene scene;
       scene.Mesh = &this->mesh();
       scene.CellScalars = this->CellScalars.empty() ? nullptr : &this->CellScalars;
@@ -152,6 +154,7 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
       scene.WindowDepths = depths.empty() ? nullptr : depths.data();
       scene.Cut = this->Cut;
       scene.Effects = &this->Effects.data();
+      scene.Blend = &this->Blend;
       image = tetmarch::renderReference<double>(scene, YardstickAccuracy);
     });
   return shortage.empty() || this->fail(shortage);

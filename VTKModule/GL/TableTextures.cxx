@@ -26,11 +26,18 @@ std::string TableTextures::upload(vtkOpenGLRenderWindow* window, const IntegralT
 void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
   const ScalarRange& range, const AccuracyLevel& level, const VariantKey& key)
 {
+  if (key.isComposite() || key.Isosurfaces)
+  {
+    program->SetUniformf("errorTolerance", static_cast<float>(level.ErrorTolerance));
+  }
+  if (key.Isosurfaces)
+  {
+    return;
+  }
   this->Values.bind(program, "tableValueBuffer");
   program->SetUniformi("tableSize", table.size());
   program->SetUniformf("tableScale", static_cast<float>(table.scale(range.width())));
   program->SetUniformf("tableOffset", static_cast<float>(table.offset(range.Low)));
-  program->SetUniformf("errorTolerance", static_cast<float>(level.ErrorTolerance));
   if (key.TransparentRanges)
   {
     program->SetUniform4f("transparentRanges", table.Traits.Transparent.data());

@@ -9,6 +9,7 @@
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/IntegralTable.h"
+#include "Scene/Blending.h"
 #include "Scene/Clipping.h"
 
 #include <cmath>
@@ -38,11 +39,13 @@ using namespace glsl;
 #define TETMARCH_HAS_FMA 1
 #define TETMARCH_BVH 1
 #define TETMARCH_DIAGNOSTICS 1
+#define TETMARCH_COMPOSITE 1
 #define TETMARCH_TRANSPARENT_RANGES 1
 #define TETMARCH_CLIPPED 1
 #define TETMARCH_CROPPED 1
 #define TETMARCH_NAN_SHOWN 1
 #define TETMARCH_HIDDEN_CELLS 1
+#define TETMARCH_PASSES_CELLS 1
 
 #define TETMARCH_POINT_SCALARS 1
 #define TETMARCH_ERROR_BOUND 1
@@ -89,11 +92,13 @@ struct CellKernel
 #undef TETMARCH_HAS_FMA
 #undef TETMARCH_BVH
 #undef TETMARCH_DIAGNOSTICS
+#undef TETMARCH_COMPOSITE
 #undef TETMARCH_TRANSPARENT_RANGES
 #undef TETMARCH_CLIPPED
 #undef TETMARCH_CROPPED
 #undef TETMARCH_NAN_SHOWN
 #undef TETMARCH_HIDDEN_CELLS
+#undef TETMARCH_PASSES_CELLS
 
 } // namespace tetmarch
 

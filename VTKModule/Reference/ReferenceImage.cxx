@@ -2,107 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferenceImage.h"
 
+#include "BlendImage.h"
+#include "ImageMaker.h"
 #include "LitKernel.h"
-#include "MakeKernel.h"
 #include "VolumeLight.h"
-
-#include "vtkSMPTools.h"
-
-#include <mutex>
 
 namespace tetmarch
 {
 namespace
 {
-
-template <typename Real>
-glsl::Vec3<Real> toVec(const std::array<double, 3>& v)
-{
-  return { Real(v[0]), Real(v[1]), Real(v[2]) };
-}
-
-template <typename Kernel, typename Real>
-class ImageMaker
-{
-public:
-  ImageMaker(const ReferenceScene& scene, const AccuracyLevel& level)
-    : Scene(scene)
-    , March(makeKernel<Kernel, Real>(*scene.Mesh, *scene.Table, scene.Range, level))
-  {
-    this->March.useClipping(scene.Cut);
-    useScalars(scene, this->March);
-    const std::size_t pixels = std::size_t(scene.Width) * scene.Height;
-    this->Image.Pixels.assign(4 * pixels, 0.0f);
-    this->Image.ErrorBounds.assign(pixels, 0.0f);
-  }
-
-  Kernel& kernel() { return this->March; }
-
-  ReferenceImage make()
-  {
-    vtkSMPTools::For(0, this->Scene.Height, 1,
-      [this](vtkIdType first, vtkIdType last)
-      {
-        Kernel kernel = this->March;
-        MarchCounters counters;
-        for (vtkIdType row = first; row < last; ++row)
-        {
-          for (int column = 0; column < this->Scene.Width; ++column)
-          {
-            this->castPixel(kernel, column, static_cast<int>(row), counters);
-          }
-        }
-        this->add(counters);
-      });
-    return std::move(this->Image);
-  }
-
-private:
-  void castPixel(Kernel& kernel, int column, int row, MarchCounters& counters)
-  {
-    const View& view = this->Scene.Camera;
-    const std::size_t pixel = std::size_t(row) * this->Scene.Width + column;
-    const double x = (column + 0.5) / this->Scene.Width * 2 - 1;
-    const double y = (row + 0.5) / this->Scene.Height * 2 - 1;
-    const double depth = this->Scene.WindowDepths ? double(this->Scene.WindowDepths[pixel]) : 1.0;
-    const auto nearest = toVec<double>(view.unproject(x, y, -1));
-    const auto farthest = toVec<double>(view.unproject(x, y, 2 * depth - 1));
-    const glsl::Vec3<double> eye{ view.Eye[0], view.Eye[1], view.Eye[2] };
-    const auto away = glsl::normalize(nearest * view.Eye[3] - eye);
-    // Of the points of the line the one nearest the centre rounds best.
-    const auto near0 = nearest - away * glsl::dot(nearest, away);
-    const auto ray = kernel.rayThrough({ Real(near0.x), Real(near0.y), Real(near0.z) },
-      { Real(away.x), Real(away.y), Real(away.z) });
-    const auto seen =
-      kernel.clippedRange(ray, { Real(glsl::dot(nearest, away)), Real(glsl::dot(farthest, away)) });
-    if (!(seen.x < seen.y))
-    {
-      return;
-    }
-    const auto march =
-      kernel.castPlainRay(ray, -1, opticalLength<Real>(view, ray.direction), seen.x, seen.y);
-
-    float* rgba = &this->Image.Pixels[4 * pixel];
-    rgba[0] = float(march.radiance.color.x);
-    rgba[1] = float(march.radiance.color.y);
-    rgba[2] = float(march.radiance.color.z);
-    rgba[3] = float(Real(1) - march.radiance.transmittance);
-    this->Image.ErrorBounds[pixel] = float(kernel.errorBound(march.radiance));
-    counters += { march.cells > 0 ? 1 : 0, march.cells, march.evaluations, march.refused,
-      march.lost, march.guarded };
-  }
-
-  void add(const MarchCounters& counters)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Image.Counters += counters;
-  }
-
-  const ReferenceScene& Scene;
-  Kernel March;
-  ReferenceImage Image;
-  std::mutex Mutex;
-};
 
 template <typename Kernel, typename Real>
 ReferenceImage makeLit(const ReferenceScene& scene, const AccuracyLevel& level)
@@ -146,6 +54,10 @@ ReferenceImage renderLit(const ReferenceScene& scene, const AccuracyLevel& level
 template <typename Real>
 ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel& level)
 {
+  if (scene.Blend && !scene.Blend->isComposite())
+  {
+    return renderBlended<Real>(scene, level);
+  }
   if (scene.Effects && !scene.Effects->empty())
   {
     return renderLit<Real>(scene, level);

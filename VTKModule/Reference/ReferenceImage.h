@@ -11,6 +11,7 @@
 #include "Optics/IntegralTable.h"
 #include "Reference/EffectData.h"
 #include "Reference/MarchCounters.h"
+#include "Scene/Blending.h"
 #include "Scene/Clipping.h"
 #include "Scene/View.h"
 
@@ -35,6 +36,7 @@ struct ReferenceScene
   const float* WindowDepths = nullptr; // 0..1, one a pixel, of opaque geometry; nullptr: none
   Clipping Cut;                        // nothing unless said
   const EffectData* Effects = nullptr;
+  const Blending* Blend = nullptr; // nullptr: composite; else the table is that of blendedTable()
   /** Light that comes through the volume is looked for wherever a ray crosses a face, by brute
    * force; else interpolated between vertices as in the picture. */
   bool ExactLight = true;

@@ -4,6 +4,8 @@
 #ifndef TetMarchSceneEffectOptions_h
 #define TetMarchSceneEffectOptions_h
 
+#include "Scene/Blending.h"
+
 namespace tetmarch
 {
 
@@ -35,7 +37,18 @@ struct EffectOptions
   int OcclusionDirections = 16;
   bool OpaqueShadows = false; // where the volume casts shadows, opaque geometry does, too
   Subject Shown = Subject::Picture;
+  BlendMode Blend = BlendMode::Composite;
+
+  /** Whether what is drawn has surfaces, which have gradients and may be lit. */
+  bool showsSurfaces() const
+  {
+    return this->Blend == BlendMode::Composite || this->Blend == BlendMode::IsoSurface;
+  }
 };
+
+/** Without what the blend mode has no use for: of surfaces, lights on them and gradients are seen,
+ * of scalars nothing but they. */
+EffectOptions usedOptions(const EffectOptions& options);
 
 } // namespace tetmarch
 

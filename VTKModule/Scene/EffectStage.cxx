@@ -62,19 +62,38 @@ Fingerprint inputOf(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volum
 
 } // namespace
 
+EffectOptions usedOptions(const EffectOptions& options)
+{
+  EffectOptions used = options;
+  if (options.Blend != BlendMode::Composite)
+  {
+    used.Shadows = ShadowMethod::Off;
+    used.Scattering = 0;
+    used.Occlusion = false;
+    used.OpaqueShadows = false;
+  }
+  if (!used.showsSurfaces())
+  {
+    used.Shown = Subject::Picture;
+  }
+  return used;
+}
+
 std::string EffectStage::update(
   vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options, const EffectInput& input)
 {
   vtkVolumeProperty* property = volume->GetProperty();
-  this->Options = options;
+  this->Options = usedOptions(options);
   const std::string shortage = withinMemory("the effects of light",
     [&]
     {
-      this->Data.Lights =
-        makeLightUniforms(lightingOf(renderer, property), options, volume, *input.Mesh);
-      const bool byGradient = mayHaveGradientOpacity(property);
+      this->Data.Lights = makeLightUniforms(
+        this->Options.showsSurfaces() ? lightingOf(renderer, property) : Lighting(), this->Options,
+        volume, *input.Mesh);
+      const bool byGradient =
+        this->Options.Blend == BlendMode::Composite && mayHaveGradientOpacity(property);
       const bool needed =
-        byGradient || !this->Data.Lights.Lamps.empty() || options.Shown == Subject::Gradients;
+        byGradient || !this->Data.Lights.Lamps.empty() || this->Options.Shown == Subject::Gradients;
       this->updateGradients(input, needed, options.CellGradients && input.CellScalars->empty());
       this->updateGradientOpacity(volume, input, byGradient);
       this->updateStarts(input, this->Data.Lights.hasVolumeLight());

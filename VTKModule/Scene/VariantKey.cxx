@@ -24,6 +24,9 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "CROPPED", &VariantKey::Cropped },
     { "NAN_SHOWN", &VariantKey::NanShown },
     { "HIDDEN_CELLS", &VariantKey::HiddenCells },
+    { "EXTREME", &VariantKey::Extreme },
+    { "SUM", &VariantKey::Sum },
+    { "ISOSURFACES", &VariantKey::Isosurfaces },
     { "CELL_GRADIENTS", &VariantKey::CellGradients },
     { "GRADIENT_OPACITY", &VariantKey::GradientOpacity },
     { "SHADING", &VariantKey::Shading },
@@ -57,6 +60,7 @@ VariantKey VariantKey::filtered() const
   key.OpaqueDepth = key.OpaqueDepth && !key.Peeled;
   key.Diagnostics = key.Diagnostics && !key.Peeled;
   key.Clipped = key.Clipped || key.Cropped;
+  key.dropWhatIsNotBlended();
   key.ShowIllumination = key.ShowIllumination && !key.ShowGradients;
   key.ConstantColor = key.ConstantColor && !key.ShowIllumination && !key.ShowGradients;
   key.Adaptive = key.Adaptive && key.PointScalars && !key.ConstantColor;
@@ -75,6 +79,32 @@ VariantKey VariantKey::filtered() const
   // Inside of its cells, a scalar of cells has none.
   key.CellGradients = key.CellGradients && key.PointScalars && key.hasGradients();
   return key;
+}
+
+// What a blend mode has no use for: of surfaces, light on them and gradients are seen, of scalars
+// nothing but they.
+void VariantKey::dropWhatIsNotBlended()
+{
+  this->Sum = this->Sum && !this->Extreme;
+  this->Isosurfaces = this->Isosurfaces && !this->Extreme && !this->Sum;
+  if (!this->isComposite())
+  {
+    this->Adaptive = false;
+    this->TransparentRanges = false;
+    this->NanShown = false;
+    this->ConstantColor = false;
+    this->GradientOpacity = false;
+    this->Scattering = false;
+    this->CastShadows = false;
+    this->HeadlightShadows = false;
+    this->Occlusion = false;
+  }
+  if (this->Extreme || this->Sum)
+  {
+    this->Shading = false;
+    this->ShowIllumination = false;
+    this->ShowGradients = false;
+  }
 }
 
 VariantKey VariantKey::ofVertexLight() const
@@ -114,10 +144,12 @@ std::string VariantKey::defines() const
     define(bit.Name, this->*bit.Member);
   }
   const bool lit = this->Shading || this->ShowGradients;
+  define("COMPOSITE", this->isComposite());
+  define("PASSES_CELLS", this->passesCells());
   define("ERROR_BOUND", this->hasErrorBound());
   define("EFFECTS", this->hasGradients());
   define("LIT", lit);
-  define("LIGHT_ERROR", lit && this->Diagnostics);
+  define("LIGHT_ERROR", lit && this->Diagnostics && this->isComposite());
   define("VERTEX_GRADIENTS", this->hasVertexGradients());
   define("VERTEX_LIGHT", this->hasVertexLight());
   define("SHADOWS", this->hasShadows());

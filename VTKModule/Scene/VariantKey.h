@@ -12,8 +12,8 @@ namespace tetmarch
 
 /**
  * Each member is a preprocessor symbol of the shader. Values that change without recompiling are
- * uniforms, not bits. Blend modes will be further members, each with a row in bits()
- * and, where it can be irrelevant, a line in filtered().
+ * uniforms, not bits. Each has a row in bits() and, where it can be irrelevant, a line in
+ * filtered().
  */
 struct VariantKey
 {
@@ -29,10 +29,13 @@ struct VariantKey
   bool TransparentRanges = false; // there are scalars without extinction: their cells are passed
   bool ConstantColor = false;     // whatever is seen has the same colour
 
-  bool Clipped = false; // rays begin and end at clipping planes, or at the faces of a cropped box
-  bool Cropped = false; // and pieces of them are left out, region by region
-  bool NanShown = false;    // what touches a scalar that is not finite has a colour of its own
+  bool Clipped = false;  // rays begin and end at clipping planes, or at the faces of a cropped box
+  bool Cropped = false;  // and pieces of them are left out, region by region
+  bool NanShown = false; // what touches a scalar that is not finite has a colour of its own
   bool HiddenCells = false; // some tetrahedra are passed as if nothing was in them
+  bool Extreme = false;     // the greatest or least scalar of a ray is shown
+  bool Sum = false;         // sums or averages of the scalars of a ray are shown
+  bool Isosurfaces = false; // surfaces of constant scalar are; without these three: the volume
 
   bool CellGradients = false;    // that of each cell as it is; else interpolated between vertices
   bool GradientOpacity = false;  // extinction depends on the gradient
@@ -50,6 +53,10 @@ struct VariantKey
   bool ShowIllumination = false; // the light without the volume's own colour
   bool ShowGradients = false;    // directions of gradients as colours
 
+  /** Emission and absorption are integrated. */
+  bool isComposite() const { return !this->Extreme && !this->Sum && !this->Isosurfaces; }
+  /** Cells in which nothing is seen are passed in a loop of their own. */
+  bool passesCells() const { return this->TransparentRanges || this->Isosurfaces; }
   bool hasGradients() const
   {
     return this->GradientOpacity || this->Shading || this->ShowGradients;
@@ -63,7 +70,8 @@ struct VariantKey
   /** Whether the error of the integration is bounded along the way; that of a constant is 0. */
   bool hasErrorBound() const
   {
-    return this->PointScalars && !this->ConstantColor && (this->Adaptive || this->Diagnostics);
+    return this->PointScalars && !this->ConstantColor && this->isComposite() &&
+           (this->Adaptive || this->Diagnostics);
   }
 
   bool operator==(const VariantKey& other) const;
@@ -86,8 +94,11 @@ struct VariantKey
     const char* Name;
     bool VariantKey::*Member;
   };
-  static constexpr int NumberOfBits = 29;
+  static constexpr int NumberOfBits = 32;
   static const std::array<Bit, NumberOfBits>& bits();
+
+private:
+  void dropWhatIsNotBlended();
 };
 
 } // namespace tetmarch

@@ -1,0 +1,26 @@
+// Emission and absorption, front to back (blend mode composite).
+
+// Returns the evaluations of the integral that it took.
+int gatherPiece(Piece piece, real opticalLength, INOUT(Passage) cell, INOUT(Radiance) radiance)
+{
+  real thickness = (piece.end.x - piece.begin.x) * opticalLength;
+#if TETMARCH_EFFECTS
+  cell.shades.within = shareOf(cell, piece);
+#endif
+  real tableBegin = piece.begin.y * tableScale + tableOffset;
+#if TETMARCH_POINT_SCALARS
+  real tableEnd = piece.end.y * tableScale + tableOffset;
+#if TETMARCH_EFFECTS
+  return integrateSegment(tableBegin, tableEnd, thickness, cell.shades, cell.at, radiance);
+#else
+  return integrateSegment(tableBegin, tableEnd, thickness, cell.at, radiance);
+#endif
+#else
+#if TETMARCH_EFFECTS
+  integrateConstant(tableBegin, thickness, cell.shades, radiance);
+#else
+  integrateConstant(tableBegin, thickness, radiance);
+#endif
+  return 1;
+#endif
+}

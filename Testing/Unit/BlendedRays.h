@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Rays through the unit cube in any blend mode, and which scalars they meet if the field is
+ * linear
+ */
+#ifndef tetmarch_testing_BlendedRays_h
+#define tetmarch_testing_BlendedRays_h
+
+#include "Reference/BlendKernel.h"
+#include "Scene/Blending.h"
+
+#include "RandomRays.h"
+#include "UnitMeshes.h"
+
+#include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace tetmarch::testing
+{
+using Rgba = std::array<double, 4>;
+
+/// What a ray sees of the cube.
+struct Chord
+{
+  double Begin = 0; ///< depths
+  double End = 0;
+  double First = 0; ///< scalars there
+  double Last = 0;
+  double Optical = 0; ///< length in scalar opacity unit distances
+
+  double scalarAt(double depth) const
+  {
+    const double share = (depth - this->Begin) / (this->End - this->Begin);
+    return this->First + (this->Last - this->First) * share;
+  }
+};
+
+/// The cube with a field, red s, green 1 - s, blue 1/2, opacity 0.2 + 0.6 s.
+class BlendedRays
+{
+public:
+  static double opacity(double s) { return 0.2 + 0.6 * s; }
+  static Rgba premultiplied(double s)
+  {
+    const double a = opacity(s);
+    return { { s * a, (1 - s) * a, 0.5 * a, a } };
+  }
+
+  explicit BlendedRays(const Grid& grid, bool cells = false)
+    : Mesh(builtWithHierarchy(grid))
+  {
+    this->Range = cells
+                    ? makeCellScalars(grid->GetCellData()->GetScalars(), this->Mesh, this->Scalars)
+                    : setPointScalars(grid, grid->GetPointData()->GetScalars(), this->Mesh);
+    vtkNew<vtkColorTransferFunction> color;
+    color->AddRGBPoint(0.0, 0.0, 1.0, 0.5);
+    color->AddRGBPoint(1.0, 1.0, 0.0, 0.5);
+    vtkNew<vtkPiecewiseFunction> opacities;
+    opacities->AddPoint(0.0, opacity(0.0));
+    opacities->AddPoint(1.0, opacity(1.0));
+    this->Property->SetColor(color);
+    this->Property->SetScalarOpacity(opacities);
+  }
+
+  /// Returns what is wrong.
+  std::string use(BlendMode mode, const std::array<double, 2>& range = { { -1e38, 1e38 } })
+  {
+    const std::string error =
+      makeBlending({ static_cast<int>(mode), range }, this->Property, this->Range, this->Blend);
+    this->Table = blendedTable(
+      this->Property, OpacityLaw::Structured, this->Blend, this->Range, YardstickAccuracy);
+    return error;
+  }
+  std::string useSurfaces(const std::vector<double>& values)
+  {
+    vtkContourValues* contours = this->Property->GetIsoSurfaceValues();
+    contours->SetNumberOfContours(static_cast<int>(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      contours->SetValue(static_cast<int>(i), values[i]);
+    }
+    return this->use(BlendMode::IsoSurface);
+  }
+
+  template <typename Kernel, typename Real>
+  Kernel kernel() const
+  {
+    Kernel made = makeKernel<Kernel, Real>(this->Mesh, this->Table, this->Range, YardstickAccuracy);
+    made.CellScalars = this->Scalars.data();
+    made.useBlending(this->Blend);
+    return made;
+  }
+
+  template <typename Kernel, typename Real>
+  static Rgba cast(Kernel& kernel, const typename Kernel::Ray& ray, const Chord& chord)
+  {
+    const Real length = Real(chord.Optical / (chord.End - chord.Begin));
+    const auto march = kernel.castPlainRay(ray, -1, length, Real(chord.Begin), Real(chord.End));
+    const auto color = kernel.pixelOf(march.radiance, length);
+    return { { double(color.x), double(color.y), double(color.z), double(color.w) } };
+  }
+
+  /// Of the cube, enlarged by so much; empty (End <= Begin) if the ray misses it.
+  template <typename Ray>
+  Chord chordOf(const Ray& ray, const Field& field, double enlarged = 0.0) const
+  {
+    const std::array<double, 3> o{ { double(ray.origin.x), double(ray.origin.y),
+      double(ray.origin.z) } };
+    const std::array<double, 3> d{ { double(ray.direction.x), double(ray.direction.y),
+      double(ray.direction.z) } };
+    Chord chord{ -1e3, 1e3, 0, 0, 0 };
+    for (int k = 0; k < 3; ++k)
+    {
+      const double side = this->Mesh.HalfExtent[k] + enlarged;
+      const double step = d[k] == 0 ? 1e-30 : d[k];
+      const double a = (-side - o[k]) / step, b = (side - o[k]) / step;
+      chord.Begin = std::max(chord.Begin, std::min(a, b));
+      chord.End = std::min(chord.End, std::max(a, b));
+    }
+    const auto scalar = [&](double depth)
+    {
+      const auto at = [&](int k)
+      { return 0.5 + (o[k] + depth * d[k]) * 0.5 / this->Mesh.HalfExtent[k]; };
+      return field(at(0), at(1), at(2));
+    };
+    chord.First = scalar(chord.Begin);
+    chord.Last = scalar(chord.End);
+    return chord;
+  }
+
+  /// Calls with rays of all kinds that pass through the cube, with all of their chord or a part, of
+  /// some optical length. Rays that graze a side are left out.
+  template <typename Kernel, typename Real, typename Function>
+  void forEachRay(Kernel& kernel, const Field& field, const Function& check, int count = 600) const
+  {
+    RandomRays rays(7);
+    for (int i = 0; i < count; ++i)
+    {
+      const auto ray = rays.template next<Kernel, Real>(kernel, this->Mesh);
+      if (this->OnlyGeneric && rays.LastKind != RandomRays::Kind::Generic)
+      {
+        continue;
+      }
+      const Chord inner = this->chordOf(ray, field, -1e-5), outer = this->chordOf(ray, field, 1e-5);
+      if (inner.End - inner.Begin < 0.05 ||
+          outer.End - outer.Begin > inner.End - inner.Begin + 0.01)
+      {
+        continue;
+      }
+      Chord chord = this->chordOf(ray, field);
+      if (i % 3 == 0)
+      {
+        const double a = rays.uniformBetween(0.0, 0.4), b = rays.uniformBetween(0.6, 1.0);
+        const double begin = chord.Begin + a * (chord.End - chord.Begin);
+        const double end = chord.Begin + b * (chord.End - chord.Begin);
+        chord = { begin, end, chord.scalarAt(begin), chord.scalarAt(end), 0 };
+      }
+      chord.Optical = rays.uniformBetween(0.1, 3.0);
+      check(ray, chord);
+    }
+  }
+
+  /// Without rays through vertices and edges, where rounding tells no scalar that is not finite.
+  bool OnlyGeneric = false;
+  TetMesh Mesh;
+  std::vector<float> Scalars; // of cells
+  ScalarRange Range;
+  vtkNew<vtkVolumeProperty> Property;
+  Blending Blend;
+  IntegralTable Table;
+};
+} // namespace tetmarch::testing
+
+#endif
