@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes between translucent surfaces, which VTK peels off layer by layer.
-#include "Scene.h"
+#include "CutScene.h"
 
 #include "vtkActor.h"
 #include "vtkLight.h"
@@ -184,6 +184,14 @@ TEST_F(Peeling, CellScalars)
 {
   this->Shown->drawCellScalars();
   this->expectPeeled({ Top, Low });
+}
+
+TEST_F(Peeling, ClippedAndCropped)
+{
+  clipObliquely(*this->Shown);
+  this->expectPeeled({ Top, Middle, Low });
+  crop(*this->Shown, VTK_CROP_FENCE);
+  this->expectPeeled({ Top, Middle, Low });
 }
 
 TEST_F(Peeling, CameraInside)
