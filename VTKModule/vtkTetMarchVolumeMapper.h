@@ -22,7 +22,8 @@
  * scalar that is not finite are passed through and not drawn.
  *
  * The stages (mesh, scalars, transfer-function tables, camera) are redone only when their own input
- * changed; the Get...Builds() counters tell.
+ * changed; the Get...Builds() counters tell. A mesh is compared by the values of its points and
+ * cells if it comes in other arrays, so that of a time series on one mesh only scalars are redone.
  *
  * Errors (no GL 3.2 context, ids out of range, mesh larger than the GL can hold, ...) are reported
  * once through vtkErrorMacro and leave the frame without this volume. A mesh that could not be
