@@ -83,6 +83,10 @@ vtkTypeInt64 vtkTetMarchVolumeMapper::GetGPUMemoryBytes() const
 }
 
 //------------------------------------------------------------------------------
+double vtkTetMarchVolumeMapper::GetBlocksSeconds() const
+{
+  return this->Internal->Blocks.record().Seconds;
+}
 double vtkTetMarchVolumeMapper::GetMeshSeconds() const
 {
   return this->Internal->Pipeline.meshRecord().Seconds;
@@ -113,6 +117,10 @@ double vtkTetMarchVolumeMapper::GetUploadSeconds() const
 }
 
 //------------------------------------------------------------------------------
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetBlocksBuilds() const
+{
+  return this->Internal->Blocks.record().Runs;
+}
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetMeshBuilds() const
 {
   return this->Internal->Pipeline.meshRecord().Runs;

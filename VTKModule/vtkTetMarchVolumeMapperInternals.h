@@ -6,6 +6,7 @@
 
 #include "GL/Pipeline.h"
 #include "Scene/AccuracyChoice.h"
+#include "Scene/JoinedBlocks.h"
 
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
@@ -19,8 +20,10 @@ class vtkTetMarchVolumeMapper::Internals
 public:
   tetmarch::Pipeline Pipeline;
   tetmarch::AccuracyChoice Choice;
-  std::string LastError; // reported already
+  tetmarch::JoinedBlocks Blocks; // of composite input
+  std::string LastError;         // reported already
   std::string LastReport;
+  std::string LastOmissions;
   vtkNew<vtkTetMarchFrameStatistics> Statistics;
   vtkNew<vtkLookupTable> ViewTable;
 };
