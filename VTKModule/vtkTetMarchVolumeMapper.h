@@ -33,7 +33,8 @@
  *
  * The stages (mesh, scalars, transfer-function tables, camera) are redone only when their own input
  * changed; the Get...Builds() counters tell. A mesh is compared by the values of its points and
- * cells if it comes in other arrays, so that of a time series on one mesh only scalars are redone.
+ * cells if it comes in other arrays, so that of a time series on one mesh only scalars are redone;
+ * where the points of tetrahedra move, links between these are kept.
  *
  * Errors (no GL 3.2 context, ids out of range, mesh larger than the GL can hold, ...) are reported
  * once through vtkErrorMacro and leave the frame without this volume. A mesh that could not be

@@ -8,6 +8,7 @@
 #include "Mesh/Decomposition.h"
 #include "Mesh/GridCheck.h"
 #include "Mesh/HalfFaceLinks.h"
+#include "Mesh/MovedPoints.h"
 #include "Mesh/Renumbering.h"
 #include "Mesh/Scalars.h"
 #include "Mesh/TetMeshBuilder.h"
@@ -193,6 +194,18 @@ void BuildTetMesh(benchmark::State& state)
   countTets(state);
 }
 
+/// In place of BuildTetMesh where cells stay.
+void MovePoints(benchmark::State& state)
+{
+  const auto grid = gridOf(state);
+  TetMesh mesh = meshOf(grid);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(movePoints(grid, mesh));
+  }
+  countTets(state);
+}
+
 /// From the transfer functions to the table, with as many nodes as the argument says.
 void MakeTable(benchmark::State& state)
 {
@@ -228,6 +241,7 @@ TETMARCH_STAGE_BENCHMARK(BuildHierarchy);
 TETMARCH_STAGE_BENCHMARK(SetPointScalars);
 TETMARCH_STAGE_BENCHMARK(ReadContent);
 TETMARCH_STAGE_BENCHMARK(BuildTetMesh);
+TETMARCH_STAGE_BENCHMARK(MovePoints);
 BENCHMARK(MakeTable)->Arg(8)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
 } // namespace
 

@@ -118,4 +118,35 @@ TEST(Series, WhateverTheMeshDependsOnIsMadeAnew)
   EXPECT_EQ(compare(scene.render(), before).Max, 0.0);
   EXPECT_EQ(scene.Mapper->GetMeshBuilds(), builds + 1);
 }
+
+// The numbers of vertices are those of the first step, which pictures tell by rounding alone.
+TEST(Series, MovedPointsLookLikeANewMesh)
+{
+  Scene scene(latticeWithHole(6, 0.15, 1, sineField()));
+  scene.render();
+  for (int step = 1; step < 6; ++step)
+  {
+    const Grid next = latticeWithHole(6, 0.15, 1, sineField());
+    for (vtkIdType i = 0; i < next->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      next->GetPoint(i, p);
+      next->GetPoints()->SetPoint(
+        i, p[0] + 0.05 * step * p[2] * p[2], p[1], p[2] - 0.04 * step * p[0]);
+    }
+    scene.Mapper->SetInputData(next);
+    scene.camera()->SetClippingRange(step == 5 ? 2.6 : 0.1, 10.0); // through the middle
+    const Image picture = scene.render();
+    EXPECT_EQ(scene.Mapper->GetMeshBuilds(), step + 1);
+    Scene fresh(next);
+    fresh.camera()->DeepCopy(scene.camera());
+    const Difference difference = compare(picture, fresh.render());
+    EXPECT_LE(difference.Max, 1.0 / 255.0);
+    EXPECT_EQ(scene.Mapper->GetNumberOfRays(), fresh.Mapper->GetNumberOfRays());
+    EXPECT_EQ(scene.Mapper->GetNumberOfLostRays(), 0);
+    EXPECT_EQ(scene.Mapper->GetNumberOfGuardHits(), 0);
+    EXPECT_EQ(scene.Mapper->GetNumberOfBoundaryFaces(), fresh.Mapper->GetNumberOfBoundaryFaces());
+    std::cout << "[ MEASURED ] step " << step << ": " << difference.text() << "\n";
+  }
+}
 } // namespace

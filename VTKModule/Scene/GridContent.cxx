@@ -29,6 +29,7 @@ GridContent::Versions GridContent::versionsOf(vtkUnstructuredGrid* grid)
   vtkCellArray* cells = grid->GetCells();
   const PolyhedronFaces polyhedra(grid);
   const HigherOrderArrays higherOrder(grid);
+  // Points come first.
   return { { version(points, points ? points->GetData() : nullptr),
     version(cells, cells ? cells->GetOffsetsArray() : nullptr),
     version(cells, cells ? cells->GetConnectivityArray() : nullptr),
@@ -65,6 +66,12 @@ void GridContent::read(vtkUnstructuredGrid* grid)
 bool GridContent::operator==(const GridContent& other) const
 {
   return this->Hashes == other.Hashes;
+}
+
+bool GridContent::hasCellsOf(const GridContent& other) const
+{
+  return std::equal(
+    this->Hashes.begin() + 1, this->Hashes.end(), other.Hashes.begin() + 1, other.Hashes.end());
 }
 
 } // namespace tetmarch

@@ -27,6 +27,8 @@ public:
 
   /** Whether all values are the same; nothing was read from grids that have none. */
   bool operator==(const GridContent& other) const;
+  /** All but the points. */
+  bool hasCellsOf(const GridContent& other) const;
 
 private:
   // An array with what holds it, either of which may be told that it was modified.

@@ -4,6 +4,7 @@
 
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/LeastTetrahedra.h"
+#include "Mesh/MovedPoints.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "Scene/WithinMemory.h"
 
@@ -35,6 +36,11 @@ bool MeshStage::isCurrent(vtkUnstructuredGrid* grid)
   return this->IsMade && this->Asked == this->MadeFrom;
 }
 
+bool MeshStage::hasCellsOf(vtkUnstructuredGrid* grid)
+{
+  return !this->isCurrent(grid) && this->IsMade && this->Asked.hasCellsOf(this->MadeFrom);
+}
+
 std::string MeshStage::make(
   vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress)
 {
@@ -43,8 +49,12 @@ std::string MeshStage::make(
   {
     return this->Error;
   }
+  const bool cellsStay = this->hasCellsOf(grid);
   this->IsMade = false;
-  this->Mesh = {};
+  if (!cellsStay)
+  {
+    this->Mesh = {};
+  }
   const std::uint64_t least = leastTetrahedra(grid, mostTetrahedra(limits));
   std::string error = describeExcess(leastBufferSizes(least), limits, SizesAre::LowerBounds);
   BuildStatus status = BuildStatus::Failed;
@@ -54,7 +64,9 @@ std::string MeshStage::make(
     const std::string shortage = withinMemory("preparing the mesh",
       [&]
       {
-        status = buildTetMesh(grid, progress, this->Mesh, error);
+        status = cellsStay && movePoints(grid, this->Mesh)
+                   ? BuildStatus::Done
+                   : buildTetMesh(grid, progress, this->Mesh, error);
         if (status == BuildStatus::Done)
         {
           this->Asked.read(grid);

@@ -38,6 +38,8 @@ public:
   const StageRecord& record() const { return this->Record; }
 
 private:
+  bool hasCellsOf(vtkUnstructuredGrid* grid); // the mesh, with other points
+
   TetMesh Mesh;
   bool IsMade = false;
   GridContent MadeFrom;
