@@ -8,15 +8,16 @@
 #include "Scene/MissingScalars.h"
 #include "Scene/ViewColors.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
+#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkUnstructuredGridBase.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -58,6 +59,12 @@ tetmarch::Measure measureOf(int viewMode)
          : viewMode == vtkTetMarchVolumeMapper::VIEW_LOOKUPS ? tetmarch::Measure::Lookups
                                                              : tetmarch::Measure::ErrorBound;
 }
+
+tetmarch::ScalarSelection selectionOf(vtkTetMarchVolumeMapper* mapper)
+{
+  return { mapper->GetScalarMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
+    mapper->GetArrayName() };
+}
 } // namespace
 
 vtkStandardNewMacro(vtkTetMarchVolumeMapper);
@@ -79,7 +86,7 @@ vtkTetMarchVolumeMapper::~vtkTetMarchVolumeMapper()
 void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window || !this->GetInput() || renderer->GetSelector())
+  if (!window || !this->GetDataObjectInput() || renderer->GetSelector())
   {
     return;
   }
@@ -90,13 +97,9 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     choice.begin({ static_cast<tetmarch::Accuracy>(this->AccuracyLevel), this->ErrorTolerance,
       this->FrameTimeBudget, this->ErrorBudget });
   this->Internal->Statistics->Clear();
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
-  if (!grid || grid->GetNumberOfCells() == 0)
+  vtkUnstructuredGrid* grid = this->FindGrid();
+  if (!grid)
   {
-    this->ReportError(grid ? ""
-                           : std::string("The input is a ") + this->GetInput()->GetClassName() +
-                               ", but only a vtkUnstructuredGrid can be drawn. vtkAppendFilter "
-                               "makes one of any data set.");
     return;
   }
   vtkNew<vtkTimerLog> timer;
@@ -146,9 +149,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     pipeline.updateClipping(volume, clipping) && pipeline.upload(window) &&
     pipeline.draw(window, renderer, options, progress);
   this->ReportError(
-    scalars ? pipeline.error()
-            : tetmarch::describeMissingScalars(
-                grid, { this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName }));
+    scalars ? pipeline.error() : tetmarch::describeMissingScalars(grid, selectionOf(this)));
   this->ReportMesh();
 
   if (drawn)
@@ -193,6 +194,27 @@ double vtkTetMarchVolumeMapper::ChooseSampleDistance(vtkVolume* volume, bool pee
            ? this->Internal->Distance.choose(volume->GetAllocatedRenderTime(),
                this->MinimumImageSampleDistance, this->MaximumImageSampleDistance)
            : this->ImageSampleDistance;
+}
+
+//------------------------------------------------------------------------------
+double* vtkTetMarchVolumeMapper::GetBounds()
+{
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(this->GetDataObjectInput());
+  if (!blocks)
+  {
+    return this->Superclass::GetBounds();
+  }
+  this->Update();
+  tetmarch::boundBlocks(blocks, this->Bounds);
+  return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+int vtkTetMarchVolumeMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  this->Superclass::FillInputPortInformation(port, info);
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -241,8 +263,49 @@ bool vtkTetMarchVolumeMapper::CompareWithReference(vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
+vtkUnstructuredGrid* vtkTetMarchVolumeMapper::FindGrid()
+{
+  vtkDataObject* input = this->GetDataObjectInput();
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
+  tetmarch::JoinedBlocks& blocks = this->Internal->Blocks;
+  std::string error;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    error = blocks.update(composite, selectionOf(this));
+    grid = blocks.grid();
+  }
+  else
+  {
+    blocks.clear();
+    error = grid ? ""
+                 : std::string("The input is a ") + input->GetClassName() +
+                     ", but only a vtkUnstructuredGrid can be drawn, or blocks. vtkAppendFilter "
+                     "makes one of any data set.";
+  }
+  if (blocks.omissions() != this->Internal->LastOmissions)
+  {
+    this->Internal->LastOmissions = blocks.omissions();
+    if (!blocks.omissions().empty())
+    {
+      vtkWarningMacro(<< blocks.omissions());
+    }
+  }
+  if (grid && grid->GetNumberOfCells() > 0)
+  {
+    return grid;
+  }
+  this->ReportError(error);
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
 vtkDataArray* vtkTetMarchVolumeMapper::FindScalars(vtkUnstructuredGrid* grid, int& cellFlag)
 {
+  if (grid == this->Internal->Blocks.grid())
+  {
+    cellFlag = this->Internal->Blocks.hasCellScalars() ? 1 : 0;
+    return this->Internal->Blocks.scalars();
+  }
   vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
     grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
   return cellFlag == 2 || (scalars && scalars->GetNumberOfComponents() < 1) ? nullptr : scalars;

@@ -28,8 +28,20 @@
  * all cells. An array of that name that is not of unsigned char, or hasn't a value for each, is
  * ignored. Another vtkGhostType leaves the mesh alone.
  *
+ * Input is a vtkUnstructuredGrid or a tree of blocks (vtkMultiBlockDataSet, vtkPartitionedDataSet,
+ * vtkPartitionedDataSetCollection; by SetInputConnection or SetInputDataObject). Blocks, whatever
+ * data sets with 3D cells they are, are joined into one grid, so that rays go on from one to the
+ * other: points of different blocks are one if they have the same global id, where all blocks have
+ * global point ids, or else the same coordinates to the last bit. Points that meet with different
+ * scalars have that of the first block in which they are no duplicates by vtkGhostType. Blocks
+ * without the chosen array are left out with a warning that names them. The joined grid is made
+ * when blocks have changed and takes memory beside them; GetInput() is null for composite input,
+ * GetDataObjectInput() is not.
+ *
  * The stages (mesh, scalars, transfer-function tables, camera) are redone only when their own input
- * changed; the Get...Builds() counters tell.
+ * changed; the Get...Builds() counters tell. A mesh is compared by the values of its points and
+ * cells if it comes in other arrays, so that of a time series on one mesh only scalars are redone;
+ * where the points of tetrahedra move, links between these are kept.
  *
  * Errors (no GL 3.2 context, ids out of range, mesh larger than the GL can hold, ...) are reported
  * once through vtkErrorMacro and leave the frame without this volume. A mesh that could not be
@@ -67,6 +79,15 @@ public:
    * place of the view modes that draw a measure or the shell.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
+  //@{
+  /**
+   * The box of the input's points; of composite input, of those of all blocks but surfaces
+   * (vtkPolyData).
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  using Superclass::GetBounds;
+  //@}
 
   /**
    * Free every GL object of the given window's context. The next Render() makes them anew.
@@ -583,10 +604,11 @@ public:
 
   //@{
   /**
-   * Seconds that each stage took when it last ran: mesh (decomposition, links, boundary), scalars,
-   * transfer-function tables, gradients, shadows of opaque geometry, light at vertices, upload to
-   * the GPU.
+   * Seconds that each stage took when it last ran: joining the blocks of composite input, mesh
+   * (decomposition, links, boundary), scalars, transfer-function tables, gradients, shadows of
+   * opaque geometry, light at vertices, upload to the GPU.
    */
+  double GetBlocksSeconds() const;
   double GetMeshSeconds() const;
   double GetScalarsSeconds() const;
   double GetTablesSeconds() const;
@@ -601,6 +623,7 @@ public:
    * How often each stage ran since the mapper was created. A camera move raises none of them, an
    * edit of the transfer functions only the tables, new scalars on the same mesh only the scalars.
    */
+  vtkTypeInt64 GetBlocksBuilds() const;
   vtkTypeInt64 GetMeshBuilds() const;
   vtkTypeInt64 GetScalarsBuilds() const;
   vtkTypeInt64 GetTablesBuilds() const;
@@ -668,6 +691,8 @@ protected:
   vtkTetMarchVolumeMapper();
   ~vtkTetMarchVolumeMapper() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
   double AverageIPScalarRange[2] = { VTK_FLOAT_MIN, VTK_FLOAT_MAX };
   int OpacityLaw = UNSTRUCTURED;
   int VectorMode = DISABLED;
@@ -705,6 +730,7 @@ private:
   void operator=(const vtkTetMarchVolumeMapper&) = delete;
 
   double ChooseSampleDistance(vtkVolume* volume, bool peeling);
+  vtkUnstructuredGrid* FindGrid();
   vtkDataArray* FindScalars(vtkUnstructuredGrid* grid, int& cellFlag);
   void ReportError(const std::string& error);
   void ReportMesh();

@@ -106,6 +106,10 @@ vtkTypeInt64 vtkTetMarchVolumeMapper::GetGPUMemoryBytes() const
 }
 
 //------------------------------------------------------------------------------
+double vtkTetMarchVolumeMapper::GetBlocksSeconds() const
+{
+  return this->Internal->Blocks.record().Seconds;
+}
 double vtkTetMarchVolumeMapper::GetMeshSeconds() const
 {
   return this->Internal->Pipeline.meshRecord().Seconds;
@@ -136,6 +140,10 @@ double vtkTetMarchVolumeMapper::GetUploadSeconds() const
 }
 
 //------------------------------------------------------------------------------
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetBlocksBuilds() const
+{
+  return this->Internal->Blocks.record().Runs;
+}
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetMeshBuilds() const
 {
   return this->Internal->Pipeline.meshRecord().Runs;

@@ -6,6 +6,7 @@
 
 #include "GL/Pipeline.h"
 #include "Scene/AccuracyChoice.h"
+#include "Scene/JoinedBlocks.h"
 #include "Scene/SampleDistance.h"
 
 #include "vtkLookupTable.h"
@@ -20,10 +21,12 @@ class vtkTetMarchVolumeMapper::Internals
 public:
   tetmarch::Pipeline Pipeline;
   tetmarch::AccuracyChoice Choice;
+  tetmarch::JoinedBlocks Blocks; // of composite input
   tetmarch::SampleDistance Distance;
   double UsedSampleDistance = 1;
   std::string LastError; // reported already
   std::string LastReport;
+  std::string LastOmissions;
   vtkNew<vtkTetMarchFrameStatistics> Statistics;
   vtkNew<vtkLookupTable> ViewTable;
 };

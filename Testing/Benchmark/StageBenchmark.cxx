@@ -8,16 +8,20 @@
 #include "Mesh/Decomposition.h"
 #include "Mesh/GridCheck.h"
 #include "Mesh/HalfFaceLinks.h"
+#include "Mesh/MovedPoints.h"
 #include "Mesh/Renumbering.h"
 #include "Mesh/Scalars.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "Optics/AccuracyLevel.h"
 #include "Optics/FittingTable.h"
+#include "Scene/GridContent.h"
 
+#include "vtkCellArray.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkVolumeProperty.h"
 
 #include <benchmark/benchmark.h>
@@ -164,6 +168,44 @@ void SetPointScalars(benchmark::State& state)
   state.SetItemsProcessed(state.iterations() * grid->GetNumberOfPoints());
 }
 
+/// What tells whether another grid has the same mesh.
+void ReadContent(benchmark::State& state)
+{
+  const auto grid = gridOf(state);
+  for (auto _ : state)
+  {
+    GridContent content;
+    content.read(grid);
+    benchmark::DoNotOptimize(&content);
+  }
+  countTets(state);
+  const unsigned long kibibytes =
+    grid->GetPoints()->GetActualMemorySize() + grid->GetCells()->GetActualMemorySize();
+  state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(1024 * kibibytes));
+}
+
+void BuildTetMesh(benchmark::State& state)
+{
+  const auto grid = gridOf(state);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(meshOf(grid).Tets.data());
+  }
+  countTets(state);
+}
+
+/// In place of BuildTetMesh where cells stay.
+void MovePoints(benchmark::State& state)
+{
+  const auto grid = gridOf(state);
+  TetMesh mesh = meshOf(grid);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(movePoints(grid, mesh));
+  }
+  countTets(state);
+}
+
 /// From the transfer functions to the table, with as many nodes as the argument says.
 void MakeTable(benchmark::State& state)
 {
@@ -197,6 +239,9 @@ TETMARCH_STAGE_BENCHMARK(LinkHalfFaces);
 TETMARCH_STAGE_BENCHMARK(IsConvex);
 TETMARCH_STAGE_BENCHMARK(BuildHierarchy);
 TETMARCH_STAGE_BENCHMARK(SetPointScalars);
+TETMARCH_STAGE_BENCHMARK(ReadContent);
+TETMARCH_STAGE_BENCHMARK(BuildTetMesh);
+TETMARCH_STAGE_BENCHMARK(MovePoints);
 BENCHMARK(MakeTable)->Arg(8)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
 } // namespace
 

@@ -209,7 +209,7 @@ TEST_F(Errors, DefaultPropertyIsNoError)
 
 TEST_F(Errors, AbortedBuildDrawsNothingAndIsMadeUpFor)
 {
-  const Grid grid = jitteredLattice(4, 0.15, 1, sineField()); // the same to look at
+  const Grid grid = withCells32(lattice()); // the same to look at
   this->show(grid);
   const ErrorWatch watch(this->Shown.Mapper);
   vtkNew<vtkCallbackCommand> abort;

@@ -207,7 +207,8 @@ TEST_F(Faults, MeshesOfMoreTexelsThanTheGLTakes)
   EXPECT_EQ(this->Mapper->GetUploadedBytes(), 2 * bytes);
   // One that the cells themselves give away.
   claim(4 * tets - 1);
-  this->Shown.Data->GetPoints()->Modified();
+  const Grid stored32 = withCells32(this->Shown.Data);
+  this->Mapper->SetInputData(stored32);
   this->expectEmpty(this->frame());
   ASSERT_EQ(this->Watch.Errors.size(), 2u);
   EXPECT_NE(this->Watch.Errors[1].find("at least " + std::to_string(4 * tets)), std::string::npos);

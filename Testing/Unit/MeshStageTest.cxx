@@ -43,7 +43,9 @@ TEST(MeshStage, MadeOnceAGrid)
   EXPECT_EQ(stage.make(grid, {}, NoProgress), "");
   EXPECT_TRUE(stage.isCurrent(grid));
   EXPECT_EQ(stage.record().Runs, 1);
-  EXPECT_FALSE(stage.isCurrent(jitteredLattice(3)));
+  EXPECT_TRUE(stage.isCurrent(jitteredLattice(3)));
+  EXPECT_FALSE(stage.isCurrent(jitteredLattice(3, 0.1)));
+  grid->GetPoints()->SetPoint(5, 0.3, 0.4, 0.0);
   grid->GetPoints()->Modified();
   EXPECT_FALSE(stage.isCurrent(grid));
 }

@@ -106,6 +106,7 @@ private:
       this->Found.Cancelled.end(), found.Cancelled.begin(), found.Cancelled.end());
     this->Found.Boundary.insert(
       this->Found.Boundary.end(), found.Boundary.begin(), found.Boundary.end());
+    this->Found.ManyOwners = this->Found.ManyOwners || found.ManyOwners;
     this->Found.NonManifoldFaces += found.NonManifoldFaces;
     this->Found.Agree = this->Found.Agree && found.Agree;
   }
@@ -154,6 +155,7 @@ private:
   // side has fewer. To the rest the face is boundary.
   void matchManyOwners(Id smallest, const Owner* owners, std::size_t count, FaceMatching& found)
   {
+    found.ManyOwners = true;
     std::vector<Id> above, below, flat;
     for (std::size_t i = 0; i < count; ++i)
     {

@@ -23,6 +23,7 @@ struct FaceMatching
   std::vector<std::int8_t> Signs; // volumeSigns()
   bool Agree = true;              // none is 0, and all that were joined lie on opposite sides
   std::vector<std::pair<Id, Id>> Boundary; // smallest vertex (for the order), half-face
+  bool ManyOwners = false;                 // faces have more than two
   vtkIdType NonManifoldFaces = 0;
   /** If there are any, the rest was not matched: to be done again without them. */
   std::vector<Id> Duplicates;

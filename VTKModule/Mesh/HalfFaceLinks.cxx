@@ -79,6 +79,7 @@ bool linkHalfFaces(const Progress& progress, TetMesh& mesh)
   {
     unlinkFolds(found, mesh);
   }
+  mesh.LinksFollowCells = !mesh.HasCutCells && !found.ManyOwners && mesh.Report.FoldedFaces == 0;
 
   std::sort(found.Boundary.begin(), found.Boundary.end());
   mesh.BoundaryFaces.clear();

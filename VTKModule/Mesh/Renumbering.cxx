@@ -2,22 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Renumbering.h"
 
+#include "MeshFrame.h"
+
 #include "vtkPoints.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace tetmarch
 {
 namespace
 {
-
-using Position = std::array<double, 3>;
-
-// The volume of a tetrahedron of such edges is a normal number.
-constexpr double LeastRadius = 1e-100;
 
 // Every second and third bit left free: the 21 bits of one coordinate of a Morton code.
 std::uint64_t spread(std::uint64_t x)
@@ -91,44 +86,6 @@ UsedPoints findUsedPoints(const Decomposition& tets, std::size_t count)
     }
   }
   return used;
-}
-
-std::string findFrame(const std::vector<Position>& positions, TetMesh& mesh)
-{
-  if (positions.empty())
-  {
-    return {};
-  }
-  Position low, high;
-  low.fill(std::numeric_limits<double>::max());
-  high.fill(std::numeric_limits<double>::lowest());
-  for (const Position& position : positions)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      low[k] = std::min(low[k], position[k]);
-      high[k] = std::max(high[k], position[k]);
-    }
-  }
-  Position half;
-  for (int k = 0; k < 3; ++k)
-  {
-    mesh.Center[k] = 0.5 * low[k] + 0.5 * high[k];
-    // From the centre as it is rounded: in a mesh a few roundings wide that is not the middle.
-    half[k] = std::max(high[k] - mesh.Center[k], mesh.Center[k] - low[k]);
-  }
-  const double radius = std::hypot(half[0], half[1], half[2]);
-  if (radius > 0 && radius < LeastRadius)
-  {
-    return "The points of the grid lie within less than 1e-100 of each other, which is too little "
-           "for volumes in double precision. Scale them.";
-  }
-  mesh.Radius = radius > 0 ? radius : 1;
-  for (int k = 0; k < 3; ++k)
-  {
-    mesh.HalfExtent[k] = half[k] / mesh.Radius;
-  }
-  return {};
 }
 
 // Tetrahedra with ascending vertices, ordered by the first; those with a repeated vertex are left
@@ -226,12 +183,7 @@ std::string renumber(
     {
       for (vtkIdType i = first; i < last; ++i)
       {
-        std::array<float, 3> p;
-        for (int k = 0; k < 3; ++k)
-        {
-          p[k] = static_cast<float>((positions[i][k] - mesh.Center[k]) / mesh.Radius);
-        }
-        vertices[i] = { p[0], p[1], p[2], 0.0f };
+        vertices[i] = vertexAt(positions[i], mesh);
         codes[i] = mortonCode(vertices[i]);
       }
     });

@@ -68,7 +68,8 @@ struct TetMesh
                                 // NumberOfPoints + c: the mean of the points of cell
                                 // CenterCells[c]
   std::vector<Id> CenterCells;
-  bool HasCutCells = false; // some tetrahedra were cut from cells of other types
+  bool HasCutCells = false;      // some tetrahedra were cut from cells of other types
+  bool LinksFollowCells = false; // links between tetrahedra are the same wherever the points are
   vtkIdType NumberOfPoints = 0;
   std::array<double, 3> Center{ { 0, 0, 0 } };     // of the bounding box, in the grid's coordinates
   double Radius = 1;                               // half of the bounding box's diagonal

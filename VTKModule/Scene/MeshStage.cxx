@@ -4,12 +4,10 @@
 
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/LeastTetrahedra.h"
+#include "Mesh/MovedPoints.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "Scene/WithinMemory.h"
 
-#include "vtkCellArray.h"
-#include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace tetmarch
@@ -17,21 +15,10 @@ namespace tetmarch
 namespace
 {
 
-Fingerprint inputOf(vtkUnstructuredGrid* grid)
-{
-  Fingerprint input;
-  add(input, grid->GetPoints());
-  add(input, grid->GetCells());
-  add(input, grid->GetCellTypesArray());
-  add(input, grid->GetFaces());
-  return input;
-}
-
 // Who mends the values of an array may tell the grid alone.
-Fingerprint attemptOf(
-  vtkUnstructuredGrid* grid, const Fingerprint& input, const ResourceLimits& limits)
+Fingerprint attemptOf(vtkUnstructuredGrid* grid, const ResourceLimits& limits)
 {
-  Fingerprint attempt = input;
+  Fingerprint attempt = versionOf(grid);
   add(attempt, grid);
   attempt.push_back(limits.TexelsPerBuffer);
   attempt.push_back(limits.Bytes);
@@ -40,30 +27,51 @@ Fingerprint attemptOf(
 
 } // namespace
 
-bool MeshStage::isCurrent(vtkUnstructuredGrid* grid) const
+bool MeshStage::isCurrent(vtkUnstructuredGrid* grid)
 {
-  return !this->Input.empty() && this->Input == inputOf(grid);
+  if (this->IsMade)
+  {
+    this->Asked.read(grid);
+  }
+  return this->IsMade && this->Asked == this->MadeFrom;
+}
+
+bool MeshStage::hasCellsOf(vtkUnstructuredGrid* grid)
+{
+  return !this->isCurrent(grid) && this->IsMade && this->Asked.hasCellsOf(this->MadeFrom);
 }
 
 std::string MeshStage::make(
   vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress)
 {
-  const Fingerprint input = inputOf(grid);
-  const Fingerprint attempt = attemptOf(grid, input, limits);
+  const Fingerprint attempt = attemptOf(grid, limits);
   if (attempt == this->FailedAttempt)
   {
     return this->Error;
   }
-  this->Input.clear();
-  this->Mesh = {};
+  const bool cellsStay = this->hasCellsOf(grid);
+  this->IsMade = false;
+  if (!cellsStay)
+  {
+    this->Mesh = {};
+  }
   const std::uint64_t least = leastTetrahedra(grid, mostTetrahedra(limits));
   std::string error = describeExcess(leastBufferSizes(least), limits, SizesAre::LowerBounds);
   BuildStatus status = BuildStatus::Failed;
   if (error.empty())
   {
     StageRecorder recorder(this->Record);
-    const std::string shortage = withinMemory(
-      "preparing the mesh", [&] { status = buildTetMesh(grid, progress, this->Mesh, error); });
+    const std::string shortage = withinMemory("preparing the mesh",
+      [&]
+      {
+        status = cellsStay && movePoints(grid, this->Mesh)
+                   ? BuildStatus::Done
+                   : buildTetMesh(grid, progress, this->Mesh, error);
+        if (status == BuildStatus::Done)
+        {
+          this->Asked.read(grid);
+        }
+      });
     if (!shortage.empty())
     {
       error = shortage + " It is tried again when the grid is Modified().";
@@ -72,7 +80,8 @@ std::string MeshStage::make(
   this->FailedAttempt.clear();
   if (status == BuildStatus::Done)
   {
-    this->Input = input;
+    this->MadeFrom = this->Asked;
+    this->IsMade = true;
     return {};
   }
   this->Mesh = {};

@@ -7,6 +7,7 @@
 #include "Mesh/Progress.h"
 #include "Mesh/TetMesh.h"
 #include "Scene/Fingerprint.h"
+#include "Scene/GridContent.h"
 #include "Scene/ResourceLimits.h"
 #include "Scene/StageRecord.h"
 
@@ -20,7 +21,8 @@ namespace tetmarch
 class MeshStage
 {
 public:
-  bool isCurrent(vtkUnstructuredGrid* grid) const;
+  /** Whether the mesh is that of the grid, or of another one with the same values. */
+  bool isCurrent(vtkUnstructuredGrid* grid);
   /**
    * Returns an empty string, or what is wrong and what to do. The mesh is empty then, and also if
    * progress asked to stop. What failed is not tried again as long as grid and limits stay.
@@ -36,8 +38,12 @@ public:
   const StageRecord& record() const { return this->Record; }
 
 private:
+  bool hasCellsOf(vtkUnstructuredGrid* grid); // the mesh, with other points
+
   TetMesh Mesh;
-  Fingerprint Input;
+  bool IsMade = false;
+  GridContent MadeFrom;
+  GridContent Asked; // the grid that was asked for last
   Fingerprint FailedAttempt;
   std::string Error; // of that
   StageRecord Record;

@@ -4,8 +4,8 @@
 
 #include "vtkAbstractMapper.h"
 #include "vtkCellData.h"
+#include "vtkDataSet.h"
 #include "vtkPointData.h"
-#include "vtkUnstructuredGrid.h"
 
 namespace tetmarch
 {
@@ -23,6 +23,8 @@ std::string namesOf(vtkDataSetAttributes* data)
   return names.empty() ? std::string("none") : names;
 }
 
+} // namespace
+
 std::string describe(const ScalarSelection& selection)
 {
   const bool ofPoints = selection.Mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
@@ -37,17 +39,16 @@ std::string describe(const ScalarSelection& selection)
   return array + (ofPoints ? " in the point data" : " in the cell data");
 }
 
-} // namespace
-
-std::string describeMissingScalars(vtkUnstructuredGrid* grid, const ScalarSelection& selection)
+std::string describeMissingScalars(
+  vtkDataSet* data, const ScalarSelection& selection, const char* hasNo)
 {
   if (selection.Mode == VTK_SCALAR_MODE_USE_FIELD_DATA)
   {
     return "Field data can't be volume rendered: set the scalar mode to point or cell data.";
   }
-  return "The grid has no " + describe(selection) +
-         ", so nothing is drawn. Point arrays: " + namesOf(grid->GetPointData()) +
-         "; cell arrays: " + namesOf(grid->GetCellData()) +
+  return hasNo + describe(selection) +
+         ", so nothing is drawn. Point arrays: " + namesOf(data->GetPointData()) +
+         "; cell arrays: " + namesOf(data->GetCellData()) +
          ". Choose one with SelectScalarArray and SetScalarMode, or set active scalars.";
 }
 

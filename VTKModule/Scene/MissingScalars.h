@@ -6,7 +6,7 @@
 
 #include <string>
 
-class vtkUnstructuredGrid;
+class vtkDataSet;
 
 namespace tetmarch
 {
@@ -20,8 +20,13 @@ struct ScalarSelection
   const char* Name; // may be nullptr
 };
 
-/** Which array was looked for in vain, which there are, and how to choose one. */
-std::string describeMissingScalars(vtkUnstructuredGrid* grid, const ScalarSelection& selection);
+/** The array that is looked for, in words. */
+std::string describe(const ScalarSelection& selection);
+
+/** Which array was looked for in vain, which there are, and how to choose one. `hasNo` begins the
+ * sentence. */
+std::string describeMissingScalars(
+  vtkDataSet* data, const ScalarSelection& selection, const char* hasNo = "The grid has no ");
 
 } // namespace tetmarch
 

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MovedPoints.h"
+
+#include "BoundaryHierarchy.h"
+#include "ConsistentOrientation.h"
+#include "Convexity.h"
+#include "GridCheck.h"
+#include "HalfFaceLinks.h"
+#include "MeshFrame.h"
+#include "Orientation.h"
+
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+bool isSound(const Position& position)
+{
+  return std::all_of(
+    position.begin(), position.end(), [](double x) { return std::abs(x) <= MostCoordinate; });
+}
+
+bool moveVertices(vtkPoints* points, TetMesh& mesh)
+{
+  std::vector<Position> positions(mesh.Vertices.size());
+  const auto count = static_cast<vtkIdType>(positions.size());
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        points->GetPoint(mesh.VertexPoints[i], positions[i].data());
+      }
+    });
+  if (!std::all_of(positions.begin(), positions.end(), isSound) ||
+      !findFrame(positions, mesh).empty())
+  {
+    return false;
+  }
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        mesh.Vertices[i] = vertexAt(positions[i], mesh);
+      }
+    });
+  return true;
+}
+
+int sideOf(const std::vector<std::int8_t>& signs, Id tet, Id i) { return signs[tet] * parity(i); }
+
+Id indexOf(const std::array<Id, 4>& tet, Id vertex)
+{
+  return static_cast<Id>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());
+}
+
+// Whether the tetrahedra of all links lie on opposite sides of their face.
+bool agree(const TetMesh& mesh, const std::vector<std::int8_t>& signs)
+{
+  std::atomic<bool> agrees(true);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Tets.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (Id t = static_cast<Id>(first); t < static_cast<Id>(last); ++t)
+      {
+        bool opposite = signs[t] != 0;
+        for (Id i = 0; i < 4; ++i)
+        {
+          const Link& link = mesh.Links[4 * std::size_t(t) + i];
+          opposite =
+            opposite && (link.Tet >= LinkOutside ||
+                          sideOf(signs, t, i) *
+                              sideOf(signs, link.Tet, indexOf(mesh.Tets[link.Tet], link.Apex)) <
+                            0);
+        }
+        if (!opposite)
+        {
+          agrees = false;
+          return;
+        }
+      }
+    });
+  return agrees;
+}
+
+// In the order of a mesh that is built: by the smallest vertex.
+void turnBoundary(const std::vector<std::int8_t>& signs, TetMesh& mesh)
+{
+  std::vector<std::pair<Id, Id>> halfFaces;
+  halfFaces.reserve(mesh.BoundaryFaces.size());
+  for (std::size_t b = 0; b < mesh.BoundaryFaces.size(); ++b)
+  {
+    const Link& inside = mesh.Links[4 * mesh.Tets.size() + b];
+    const auto& tet = mesh.Tets[inside.Tet];
+    const Id i = indexOf(tet, inside.Apex);
+    halfFaces.emplace_back(tet[i == 0 ? 1 : 0], 4 * inside.Tet + i);
+  }
+  std::sort(halfFaces.begin(), halfFaces.end());
+  for (std::size_t b = 0; b < halfFaces.size(); ++b)
+  {
+    const Id halfFace = halfFaces[b].second;
+    mesh.BoundaryFaces[b] = outwardFace(mesh, halfFace, signs[halfFace / 4]);
+  }
+}
+
+} // namespace
+
+bool movePoints(vtkUnstructuredGrid* grid, TetMesh& mesh)
+{
+  vtkPoints* points = grid->GetPoints();
+  if (!mesh.LinksFollowCells || !points || points->GetData()->GetNumberOfComponents() != 3 ||
+      points->GetNumberOfPoints() != mesh.NumberOfPoints || !moveVertices(points, mesh))
+  {
+    return false;
+  }
+  const std::vector<std::int8_t> signs = volumeSigns(mesh);
+  if (!agree(mesh, signs))
+  {
+    return false;
+  }
+  turnBoundary(signs, mesh);
+  mesh.Hierarchy.clear();
+  mesh.ReentryNodes = 0;
+  mesh.ReentryFaces = 0;
+  mesh.NeedsHierarchy = !isConvex(mesh);
+  if (mesh.NeedsHierarchy)
+  {
+    buildHierarchy(mesh);
+  }
+  linkBoundary(mesh);
+  return true;
+}
+
+} // namespace tetmarch

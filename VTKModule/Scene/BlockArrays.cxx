@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BlockArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace tetmarch
+{
+namespace
+{
+
+vtkIdType countCells(const SharedBlocks& blocks)
+{
+  vtkIdType count = 0;
+  for (vtkDataSet* block : blocks.Data)
+  {
+    count += block->GetNumberOfCells();
+  }
+  return count;
+}
+
+bool hasFloatPoints(vtkDataSet* block)
+{
+  auto* set = vtkPointSet::SafeDownCast(block);
+  return set && set->GetPoints() && set->GetPoints()->GetDataType() == VTK_FLOAT;
+}
+
+vtkUnsignedCharArray* ghostsOf(vtkDataSetAttributes* data)
+{
+  return vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
+}
+
+void rename(vtkIdList* ids, const BlockPoints& points)
+{
+  for (vtkIdType& id : *ids)
+  {
+    id = points.Joined[static_cast<std::size_t>(id)];
+  }
+}
+
+// Number of faces, then for each its number of points and these.
+void appendFaces(vtkUnstructuredGrid* grid, vtkIdType cell, const BlockPoints& points,
+  vtkIdList* stream, vtkIdTypeArray* faces)
+{
+  grid->GetFaceStream(cell, stream);
+  vtkIdType at = 0;
+  faces->InsertNextValue(stream->GetId(at++));
+  while (at < stream->GetNumberOfIds())
+  {
+    const vtkIdType corners = stream->GetId(at++);
+    faces->InsertNextValue(corners);
+    for (const vtkIdType end = at + corners; at < end; ++at)
+    {
+      faces->InsertNextValue(points.Joined[static_cast<std::size_t>(stream->GetId(at))]);
+    }
+  }
+}
+
+vtkSmartPointer<vtkDoubleArray> makeValues(vtkDataArray* like, vtkIdType tuples)
+{
+  auto values = vtkSmartPointer<vtkDoubleArray>::New();
+  values->SetName(like->GetName());
+  values->SetNumberOfComponents(like->GetNumberOfComponents());
+  values->SetNumberOfTuples(tuples);
+  return values;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> makeGhosts(vtkIdType tuples, unsigned char value)
+{
+  auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(tuples);
+  std::fill_n(ghosts->GetPointer(0), tuples, value);
+  return ghosts;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPoints> joinPoints(const SharedBlocks& blocks)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataType(
+    std::all_of(blocks.Data.begin(), blocks.Data.end(), hasFloatPoints) ? VTK_FLOAT : VTK_DOUBLE);
+  points->SetNumberOfPoints(blocks.Count);
+  for (std::size_t b = 0; b < blocks.Data.size(); ++b)
+  {
+    for (const vtkIdType p : blocks.Points[b].Own)
+    {
+      double x[3];
+      blocks.Data[b]->GetPoint(p, x);
+      points->SetPoint(blocks.Points[b].Joined[static_cast<std::size_t>(p)], x);
+    }
+  }
+  return points;
+}
+
+void joinCells(const SharedBlocks& blocks, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> types;
+  vtkNew<vtkIdTypeArray> faces;
+  vtkNew<vtkIdTypeArray> locations;
+  vtkNew<vtkIdList> ids;
+  const vtkIdType count = countCells(blocks);
+  cells->AllocateEstimate(count, 4);
+  types->SetNumberOfValues(count);
+  locations->SetNumberOfValues(count);
+  vtkIdType next = 0;
+  for (std::size_t b = 0; b < blocks.Data.size(); ++b)
+  {
+    vtkDataSet* block = blocks.Data[b];
+    for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell, ++next)
+    {
+      const int type = block->GetCellType(cell);
+      types->SetValue(next, static_cast<unsigned char>(type));
+      locations->SetValue(next, -1);
+      block->GetCellPoints(cell, ids);
+      rename(ids, blocks.Points[b]);
+      cells->InsertNextCell(ids);
+      if (type == VTK_POLYHEDRON)
+      {
+        locations->SetValue(next, faces->GetNumberOfValues());
+        appendFaces(vtkUnstructuredGrid::SafeDownCast(block), cell, blocks.Points[b], ids, faces);
+      }
+    }
+  }
+  if (faces->GetNumberOfValues() > 0)
+  {
+    grid->SetCells(types, cells, locations, faces);
+  }
+  else
+  {
+    grid->SetCells(types, cells);
+  }
+}
+
+vtkSmartPointer<vtkDoubleArray> joinPointValues(
+  const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays)
+{
+  auto values = makeValues(arrays.front(), blocks.Count);
+  std::vector<double> tuple(static_cast<std::size_t>(values->GetNumberOfComponents()));
+  for (std::size_t b = 0; b < blocks.Data.size(); ++b)
+  {
+    for (const vtkIdType p : blocks.Points[b].Own)
+    {
+      arrays[b]->GetTuple(p, tuple.data());
+      values->SetTuple(blocks.Points[b].Joined[static_cast<std::size_t>(p)], tuple.data());
+    }
+  }
+  return values;
+}
+
+vtkSmartPointer<vtkDoubleArray> joinCellValues(
+  const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays)
+{
+  auto values = makeValues(arrays.front(), countCells(blocks));
+  std::vector<double> tuple(static_cast<std::size_t>(values->GetNumberOfComponents()));
+  vtkIdType next = 0;
+  for (std::size_t b = 0; b < blocks.Data.size(); ++b)
+  {
+    for (vtkIdType cell = 0; cell < blocks.Data[b]->GetNumberOfCells(); ++cell, ++next)
+    {
+      arrays[b]->GetTuple(cell, tuple.data());
+      values->SetTuple(next, tuple.data());
+    }
+  }
+  return values;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> joinPointGhosts(const SharedBlocks& blocks)
+{
+  vtkSmartPointer<vtkUnsignedCharArray> joined;
+  for (std::size_t b = 0; b < blocks.Data.size(); ++b)
+  {
+    if (ghostsOf(blocks.Data[b]->GetPointData()))
+    {
+      joined = makeGhosts(blocks.Count, 0xff);
+    }
+  }
+  for (std::size_t b = 0; joined && b < blocks.Data.size(); ++b)
+  {
+    vtkUnsignedCharArray* ghosts = ghostsOf(blocks.Data[b]->GetPointData());
+    const vtkIdType known = ghosts ? ghosts->GetNumberOfTuples() : 0;
+    for (vtkIdType p = 0; p < blocks.Data[b]->GetNumberOfPoints(); ++p)
+    {
+      const vtkIdType point = blocks.Points[b].Joined[static_cast<std::size_t>(p)];
+      joined->SetValue(point, static_cast<unsigned char>(
+                                joined->GetValue(point) & (p < known ? ghosts->GetValue(p) : 0)));
+    }
+  }
+  return joined;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> joinCellGhosts(const SharedBlocks& blocks)
+{
+  vtkSmartPointer<vtkUnsignedCharArray> joined;
+  vtkIdType next = 0;
+  for (vtkDataSet* block : blocks.Data)
+  {
+    const vtkIdType count = block->GetNumberOfCells();
+    if (vtkUnsignedCharArray* ghosts = ghostsOf(block->GetCellData()))
+    {
+      joined = joined ? joined : makeGhosts(countCells(blocks), 0);
+      std::copy_n(ghosts->GetPointer(0), std::min(count, ghosts->GetNumberOfTuples()),
+        joined->GetPointer(next));
+    }
+    next += count;
+  }
+  return joined;
+}
+
+} // namespace tetmarch
