@@ -97,8 +97,8 @@ void attenuateToExit(Ray ray, INOUT(Crossing) face, INOUT(uvec2) link, real opti
   }
 }
 
-// Of all ways of the ray between two depths.
-real transmittanceOn(Ray ray, real opticalLength, real depthBegin, real depthEnd, INOUT(Way) way)
+// On all ways of the ray between two depths.
+Attenuation attenuate(Ray ray, real opticalLength, real depthBegin, real depthEnd, INOUT(Way) way)
 {
   Attenuation passed;
   passed.depth = real(0);
@@ -114,5 +114,11 @@ real transmittanceOn(Ray ray, real opticalLength, real depthBegin, real depthEnd
     }
     leaveMesh(ray, passed.finished, way);
   }
+  return passed;
+}
+
+real transmittanceOn(Ray ray, real opticalLength, real depthBegin, real depthEnd, INOUT(Way) way)
+{
+  Attenuation passed = attenuate(ray, opticalLength, depthBegin, depthEnd, way);
   return exp(-passed.depth);
 }

@@ -6,6 +6,7 @@
 #include "GL/PeelHooks.h"
 #include "Mesh/MeshReport.h"
 #include "Scene/MissingScalars.h"
+#include "Scene/SelectedCells.h"
 #include "Scene/ViewColors.h"
 
 #include "vtkDataArray.h"
@@ -79,17 +80,26 @@ vtkTetMarchVolumeMapper::~vtkTetMarchVolumeMapper()
 void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window || !this->GetInput() || renderer->GetSelector())
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (!window || !this->GetInput() || (selector && !tetmarch::asksForCells(selector)))
   {
     return;
   }
   tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
-  pipeline.begin(static_cast<std::uint64_t>(this->MaxMemoryInBytes));
   tetmarch::AccuracyChoice& choice = this->Internal->Choice;
-  const tetmarch::AccuracyLevel level =
-    choice.begin({ static_cast<tetmarch::Accuracy>(this->AccuracyLevel), this->ErrorTolerance,
-      this->FrameTimeBudget, this->ErrorBudget });
-  this->Internal->Statistics->Clear();
+  // A selection leaves what is known of the last frame, and takes its tables.
+  tetmarch::AccuracyLevel level = choice.used().level();
+  if (selector)
+  {
+    pipeline.beginPick(static_cast<std::uint64_t>(this->MaxMemoryInBytes));
+  }
+  else
+  {
+    pipeline.begin(static_cast<std::uint64_t>(this->MaxMemoryInBytes));
+    level = choice.begin({ static_cast<tetmarch::Accuracy>(this->AccuracyLevel),
+      this->ErrorTolerance, this->FrameTimeBudget, this->ErrorBudget });
+    this->Internal->Statistics->Clear();
+  }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
   if (!grid || grid->GetNumberOfCells() == 0)
   {
@@ -119,7 +129,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const tetmarch::DrawOptions options{ level, this->CollectDiagnostics && !peeling,
     this->MaxDrawTimeInSeconds, interacting && !peeling ? this->LightTimeBudget : 0.0,
     isMeasure(this->ViewMode) && !peeling ? &view : nullptr,
-    peeling ? tetmarch::ShellView::None : shellOf(this->ViewMode), peeling ? &hooks : nullptr };
+    peeling ? tetmarch::ShellView::None : shellOf(this->ViewMode), peeling ? &hooks : nullptr,
+    this->PickOpacityThreshold };
   const tetmarch::EffectOptions effects{ this->GradientType == CELL_GRADIENTS,
     static_cast<tetmarch::ShadowMethod>(this->ShadowMethod), this->VolumetricScatteringBlending,
     this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
@@ -130,12 +141,17 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
                      pipeline.updateTables(volume->GetProperty(), lawOf(this->OpacityLaw), level) &&
                      pipeline.updateEffects(renderer, volume, effects) &&
                      pipeline.updateView(renderer, volume) && pipeline.upload(window) &&
-                     pipeline.draw(window, renderer, options, progress);
+                     (selector ? this->Internal->select(renderer, volume, options, progress)
+                               : pipeline.draw(window, renderer, options, progress));
   this->ReportError(
     scalars ? pipeline.error()
             : tetmarch::describeMissingScalars(
                 grid, { this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName }));
   this->ReportMesh();
+  if (selector)
+  {
+    return;
+  }
 
   if (drawn)
   {

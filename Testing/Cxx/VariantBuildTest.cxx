@@ -101,6 +101,12 @@ TEST_F(VariantBuild, OfTheLightAtVertices)
   this->expectBuilt("vertex_light.frag.glsl", legal, legal.size());
 }
 
+TEST_F(VariantBuild, OfWhatIsPicked)
+{
+  const Keys legal = legalPickKeys();
+  this->expectBuilt("pick.frag.glsl", legal, legal.size());
+}
+
 TEST(CoveringKeys, HaveWhatFourBitsCanBe)
 {
   const auto fours = [](const Keys& keys)

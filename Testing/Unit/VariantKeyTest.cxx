@@ -123,8 +123,12 @@ TEST(VariantKey, LegalKeysAreCounted)
     legal, 3 * (2 * 2 + 1) * 2 * 2 * (2 * ofPoints + ofCells + ofColoredPoints + ofColoredCells));
   const std::size_t light = legalLightKeys().size();
   EXPECT_EQ(light, 2 * 2 * 2 * (3 + 2));
+  // Of scalars at points or cells, with opacity by gradients of either kind or without.
+  const std::size_t picked = legalPickKeys().size();
+  EXPECT_EQ(picked, 3 * 2 * (3 + 2));
   std::cout << "[ MEASURED ] " << legal << " variants of the picture, " << light
-            << " of the light at vertices, of " << NumberOfKeys << " combinations of bits\n";
+            << " of the light at vertices, " << picked << " of what is picked, of " << NumberOfKeys
+            << " combinations of bits\n";
 }
 
 // Towards the light only extinction counts, and what stands in the way.
@@ -144,6 +148,25 @@ TEST(VariantKey, LightAtVerticesIsExtinctionAlone)
     ASSERT_FALSE(light.OpaqueDepth || light.Adaptive || light.Diagnostics || light.Shading ||
                  light.ShowIllumination || light.ShowGradients)
       << namesOf(light);
+  }
+}
+
+// What is picked depends on extinction alone, and ends at whatever else is drawn.
+TEST(VariantKey, PicksKnowExtinctionAlone)
+{
+  for (const VariantKey& picture : legalKeys())
+  {
+    VariantKey pick = picture.ofPick();
+    ASSERT_TRUE(pick == pick.filtered());
+    ASSERT_TRUE(pick.OpaqueDepth);
+    ASSERT_EQ(pick.PointScalars, picture.PointScalars);
+    ASSERT_EQ(pick.GradientOpacity, picture.GradientOpacity);
+    ASSERT_EQ(pick.CellGradients, picture.CellGradients && picture.GradientOpacity);
+    pick.PointScalars = true;
+    pick.GradientOpacity = pick.CellGradients = false;
+    VariantKey entries = picture.ofEntries();
+    entries.OpaqueDepth = true;
+    ASSERT_TRUE(pick == entries) << namesOf(pick);
   }
 }
 

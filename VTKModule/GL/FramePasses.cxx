@@ -32,20 +32,7 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
     }
     inputs.VertexLight = this->Light.texture();
   }
-  if (inputs.Key.RasterEntry)
-  {
-    error = this->Entry.draw(window, inputs.Area, *inputs.Camera, mesh, *inputs.Mesh);
-    inputs.Entries = error.empty() ? this->Entry.entries() : nullptr;
-  }
-  if (inputs.Key.Hierarchy)
-  {
-    inputs.RayPoints = rayPoints(*inputs.Camera, mesh);
-  }
-  if (error.empty() && inputs.Key.OpaqueDepth)
-  {
-    error = this->Opaque.capture(window, inputs.Area);
-    inputs.Depths = this->Opaque.texture();
-  }
+  error = this->findRays(window, mesh, inputs.Area, inputs);
   if (shell != ShellView::None)
   {
     error = error.empty() ? this->Shell.draw(window, inputs, shell, progress, stopped) : error;
@@ -69,6 +56,39 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
   error = this->March.draw(window, inputs, this->Tiles, progress, stopped);
   this->Draws = this->Tiles.numberOfTiles();
   return error;
+}
+
+// Where the rays of the pixels in a part of the area begin and end.
+std::string FramePasses::findRays(
+  vtkOpenGLRenderWindow* window, const TetMesh& mesh, const Viewport& part, MarchInputs& inputs)
+{
+  std::string error;
+  if (inputs.Key.RasterEntry)
+  {
+    error = this->Entry.draw(window, inputs.Area, part, *inputs.Camera, mesh, *inputs.Mesh);
+    inputs.Entries = error.empty() ? this->Entry.entries() : nullptr;
+  }
+  if (inputs.Key.Hierarchy)
+  {
+    inputs.RayPoints = rayPoints(*inputs.Camera, mesh);
+  }
+  if (error.empty() && inputs.Key.OpaqueDepth)
+  {
+    error = this->Opaque.capture(window, inputs.Area);
+    inputs.Depths = this->Opaque.texture();
+  }
+  return error;
+}
+
+std::string FramePasses::pick(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
+  MarchInputs inputs, const Viewport& part, const Progress& progress, bool& stopped,
+  std::vector<PickedPoint>& points)
+{
+  // Rays look at the entries of the pixels beside theirs, too.
+  const Viewport around{ part.X - 1, part.Y - 1, part.Width + 2, part.Height + 2 };
+  const std::string error = this->findRays(window, mesh, around, inputs);
+  return error.empty() ? this->Picking.pick(window, inputs, part, progress, stopped, points)
+                       : error;
 }
 
 void FramePasses::releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
@@ -114,6 +134,7 @@ void FramePasses::release(vtkWindow* window)
   this->Counted.release(window);
   this->Shown.release(window);
   this->Shell.release();
+  this->Picking.release();
   this->expectChange();
 }
 

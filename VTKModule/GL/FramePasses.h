@@ -9,6 +9,7 @@
 #include "GL/EntryPass.h"
 #include "GL/MarchPass.h"
 #include "GL/OpaqueDepth.h"
+#include "GL/PickPass.h"
 #include "GL/ShellPass.h"
 #include "GL/VertexLightPass.h"
 #include "GL/ViewPass.h"
@@ -27,6 +28,13 @@ public:
   std::string draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
     const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, ShellView shell,
     const Progress& progress, bool& stopped);
+  /**
+   * Where the rays of a part of the inputs' area are picked (PickPass), for the level's tolerance.
+   * Nothing of what the last draw() made is touched.
+   */
+  std::string pick(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
+    const Viewport& part, const Progress& progress, bool& stopped,
+    std::vector<PickedPoint>& points);
   /** The next frame may take much longer than the last. */
   void expectChange();
   /** No picture, no counters: what is asked for before the next draw(). */
@@ -55,6 +63,8 @@ public:
   }
 
 private:
+  std::string findRays(
+    vtkOpenGLRenderWindow* window, const TetMesh& mesh, const Viewport& part, MarchInputs& inputs);
   void releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
     const MeasureView* view, ShellView shell);
 
@@ -65,6 +75,7 @@ private:
   Diagnostics Counted;
   ViewPass Shown;
   ShellPass Shell;
+  PickPass Picking;
   TileSchedule Tiles;
   VariantKey LastKey;
   bool ChangedVariant = true;

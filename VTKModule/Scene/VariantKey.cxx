@@ -86,6 +86,16 @@ VariantKey VariantKey::ofVertexLight() const
   return key;
 }
 
+VariantKey VariantKey::ofPick() const
+{
+  VariantKey key = this->ofEntries();
+  key.OpaqueDepth = true;
+  key.PointScalars = this->PointScalars;
+  key.GradientOpacity = this->GradientOpacity;
+  key.CellGradients = this->CellGradients;
+  return key.filtered();
+}
+
 VariantKey VariantKey::ofEntries() const
 {
   VariantKey key;
