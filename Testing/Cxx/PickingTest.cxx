@@ -51,9 +51,10 @@ struct Expected
   Vec3 Position;
 };
 
-Expected expectedOn(const PickScene::PixelLine& line, double threshold)
+Expected expectedOn(
+  const PickScene::PixelLine& line, double threshold, double extinction = Extinction)
 {
-  const double length = -std::log1p(-threshold) / Extinction;
+  const double length = -std::log1p(-threshold) / extinction;
   const double ahead = boxChord(line.Near, line.Direction, Low, High, 0.0);
   // How far in front of it the cube begins.
   double begin = 0.0;
@@ -70,7 +71,8 @@ Expected expectedOn(const PickScene::PixelLine& line, double threshold)
     position };
 }
 
-void expectClosedForm(PickScene& scene, double threshold, double tolerance, const char* what)
+void expectClosedForm(PickScene& scene, double threshold, double tolerance, const char* what,
+  double extinction = Extinction)
 {
   scene.Mapper->SetPickOpacityThreshold(threshold);
   const int* size = scene.Renderer->GetSize();
@@ -84,7 +86,7 @@ void expectClosedForm(PickScene& scene, double threshold, double tolerance, cons
     {
       const int column = origin[0] + x;
       const int row = origin[1] + y;
-      const Expected expected = expectedOn(scene.lineOf(column, row), threshold);
+      const Expected expected = expectedOn(scene.lineOf(column, row), threshold, extinction);
       if (expected.Kind == Expected::Unsure)
       {
         continue;
@@ -112,7 +114,7 @@ void expectClosedForm(PickScene& scene, double threshold, double tolerance, cons
 }
 
 // The rasteriser's rounding moves a pixel's ray a little.
-constexpr double RayTolerance = 2e-5;
+constexpr double RayTolerance = 1e-5;
 
 TEST(Picking, PointsOfEvenExtinction)
 {
@@ -132,6 +134,22 @@ TEST(Picking, PointsOfEvenExtinctionInCells)
   auto scene = evenScene(mixedCells(4));
   scene->drawCellScalars();
   expectClosedForm(*scene, 0.5, RayTolerance, "cell scalars");
+}
+
+// Gradients that halve the extinction wherever they are.
+TEST(Picking, PointsOfExtinctionByGradients)
+{
+  auto scene = evenScene(jitteredLattice(4));
+  vtkNew<vtkPiecewiseFunction> half;
+  half->AddPoint(0.0, 0.5);
+  half->AddPoint(10.0, 0.5);
+  scene->property()->SetGradientOpacity(half);
+  for (const int type :
+    { vtkTetMarchVolumeMapper::VERTEX_GRADIENTS, vtkTetMarchVolumeMapper::CELL_GRADIENTS })
+  {
+    scene->Mapper->SetGradientType(type);
+    expectClosedForm(*scene, 0.5, RayTolerance, "gradient opacity", 0.5 * Extinction);
+  }
 }
 
 // Nothing before the near plane is hit, and what lies there gathers nothing.

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The wrapped class as a user of Python meets it: its help, constants, defaults and printed state."""
 import inspect
+import math
 import unittest
 
 import vtkmodules.all as vtk
@@ -146,6 +147,19 @@ class ApiTest(unittest.TestCase):
             getattr(mapper, name + "Off")()
             self.assertFalse(is_on())
 
+    def test_what_is_picked(self):
+        mapper = vtkTetMarchVolumeMapper()
+        self.assertEqual(mapper.GetPickOpacityThreshold(), 0.5)
+        for value, clamped in ((0.25, 0.25), (-1, 0), (2, 1)):
+            before = mapper.GetMTime()
+            mapper.SetPickOpacityThreshold(value)
+            self.assertEqual(mapper.GetPickOpacityThreshold(), clamped)
+            self.assertGreater(mapper.GetMTime(), before)
+        self.assertEqual(len(mapper.GetPickedPosition()), 3)
+        self.assertTrue(math.isnan(mapper.GetPickedScalar()))
+        self.assertEqual(mapper.GetPickedCellId(), -1)
+        self.assertTrue(callable(mapper.Pick))
+
     def test_the_legend(self):
         legend = vtkTetMarchLegend()
         self.assertIsInstance(legend, vtk.vtkScalarBarActor)
@@ -179,7 +193,7 @@ class ApiTest(unittest.TestCase):
                      "ErrorBudget: 0", "UsedAccuracyLevel: Default", "BudgetKept: No", "GradientType: Vertex",
                      "ShadowMethod: Off", "VolumetricScatteringBlending: 0", "GlobalIlluminationReach: 1",
                      "OpaqueShadows: Off", "AmbientOcclusion: Off", "AmbientOcclusionRadius: 0.1",
-                     "AmbientOcclusionDirections: 16", "LightTimeBudget: 0.1"):
+                     "AmbientOcclusionDirections: 16", "LightTimeBudget: 0.1", "PickOpacityThreshold: 0.5", "PickedCellId: -1"):
             self.assertIn(line, text)
 
 

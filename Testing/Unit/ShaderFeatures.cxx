@@ -83,7 +83,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
       [](const Key& k, MarchShader s) { return isPicture(s) && !k.SampledShadows; },
       "castPlainRay" },
     { "pick", [](const Key&, MarchShader s) { return isPick(s); },
-      "Pick Transit PICK_STEPS pickOn tetBefore transitOf opticalDepthOn excess" },
+      "Pick Transit PICK_STEPS pickOn tetBefore transitOf opticalDepthOn" },
     // Gradients.
     { "gradients", [](const Key& k, MarchShader) { return k.hasGradients(); }, "gradientBuffer" },
     { "shades", [](const Key& k, MarchShader s) { return isPicture(s) && k.hasGradients(); },
