@@ -51,6 +51,29 @@ real densityBetween(vec2 enter, vec2 leave, vec2 range, real atEnter, real atLea
 }
 #endif
 
+#if TETMARCH_NAN_SHOWN
+bool isFinite(uint tet, vec2 enter, vec2 leave)
+{
+#if TETMARCH_POINT_SCALARS
+  return isDrawn(enter.y) && isDrawn(leave.y);
+#else
+  return isDrawn(fetchCellScalar(tet));
+#endif
+}
+#endif
+
+// Where the scalar is not finite there is another, and none in a hidden tetrahedron.
+real countedExtinction(real extinction, uint tet, vec2 enter, vec2 leave)
+{
+#if TETMARCH_NAN_SHOWN
+  extinction = isFinite(tet, enter, leave) ? extinction : nanColor.w;
+#endif
+#if TETMARCH_HIDDEN_CELLS
+  extinction = isHidden(tet) ? real(0) : extinction;
+#endif
+  return extinction;
+}
+
 // From a face to the boundary face through which the ray leaves the mesh, as marchToExit() goes.
 void attenuateToExit(Ray ray, INOUT(Crossing) face, INOUT(uvec2) link, real opticalLength, real depthEnd,
   INOUT(Attenuation) passed)
@@ -89,14 +112,7 @@ void attenuateToExit(Ray ray, INOUT(Crossing) face, INOUT(uvec2) link, real opti
 #elif TETMARCH_GRADIENT_OPACITY
     extinction = extinction * gradientOpacity(fetchCellGradient(tet));
 #endif
-#if TETMARCH_NAN_SHOWN && TETMARCH_POINT_SCALARS
-    extinction = isDrawn(enter.y) && isDrawn(leave.y) ? extinction : nanColor.w;
-#elif TETMARCH_NAN_SHOWN
-    extinction = isDrawn(fetchCellScalar(tet)) ? extinction : nanColor.w;
-#endif
-#if TETMARCH_HIDDEN_CELLS
-    extinction = isHidden(tet) ? real(0) : extinction;
-#endif
+    extinction = countedExtinction(extinction, tet, enter, leave);
     passed.depth = passed.depth + (forward ? extinction * (range.y - range.x) * opticalLength : real(0));
     passed.done = forward ? range.y : passed.done;
     passed.finished = passed.depth > darkDepth || max(range.x, range.y) >= depthEnd;
@@ -105,8 +121,8 @@ void attenuateToExit(Ray ray, INOUT(Crossing) face, INOUT(uvec2) link, real opti
   }
 }
 
-// Of all ways of the ray between two depths.
-real transmittanceOn(Ray ray, real opticalLength, real depthBegin, real depthEnd, INOUT(Way) way)
+// On all ways of the ray between two depths.
+Attenuation attenuate(Ray ray, real opticalLength, real depthBegin, real depthEnd, INOUT(Way) way)
 {
   Attenuation passed;
   passed.depth = real(0);
@@ -122,5 +138,11 @@ real transmittanceOn(Ray ray, real opticalLength, real depthBegin, real depthEnd
     }
     leaveMesh(ray, passed.finished, way);
   }
+  return passed;
+}
+
+real transmittanceOn(Ray ray, real opticalLength, real depthBegin, real depthEnd, INOUT(Way) way)
+{
+  Attenuation passed = attenuate(ray, opticalLength, depthBegin, depthEnd, way);
   return exp(-passed.depth);
 }

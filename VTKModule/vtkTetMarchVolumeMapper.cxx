@@ -6,6 +6,7 @@
 #include "GL/PeelHooks.h"
 #include "Mesh/MeshReport.h"
 #include "Scene/MissingScalars.h"
+#include "Scene/SelectedCells.h"
 #include "Scene/ViewColors.h"
 
 #include "vtkCompositeDataSet.h"
@@ -86,17 +87,26 @@ vtkTetMarchVolumeMapper::~vtkTetMarchVolumeMapper()
 void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window || !this->GetDataObjectInput() || renderer->GetSelector())
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (!window || !this->GetDataObjectInput() || (selector && !tetmarch::asksForCells(selector)))
   {
     return;
   }
   tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
-  pipeline.begin(static_cast<std::uint64_t>(this->MaxMemoryInBytes));
   tetmarch::AccuracyChoice& choice = this->Internal->Choice;
-  const tetmarch::AccuracyLevel level =
-    choice.begin({ static_cast<tetmarch::Accuracy>(this->AccuracyLevel), this->ErrorTolerance,
-      this->FrameTimeBudget, this->ErrorBudget });
-  this->Internal->Statistics->Clear();
+  // A selection leaves what is known of the last frame, and takes its tables.
+  tetmarch::AccuracyLevel level = choice.used().level();
+  if (selector)
+  {
+    pipeline.beginPick(static_cast<std::uint64_t>(this->MaxMemoryInBytes));
+  }
+  else
+  {
+    pipeline.begin(static_cast<std::uint64_t>(this->MaxMemoryInBytes));
+    level = choice.begin({ static_cast<tetmarch::Accuracy>(this->AccuracyLevel),
+      this->ErrorTolerance, this->FrameTimeBudget, this->ErrorBudget });
+    this->Internal->Statistics->Clear();
+  }
   vtkUnstructuredGrid* grid = this->FindGrid();
   if (!grid)
   {
@@ -123,7 +133,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->MaxDrawTimeInSeconds, interacting && !peeling ? this->LightTimeBudget : 0.0,
     isMeasure(this->ViewMode) && !peeling ? &view : nullptr,
     peeling ? tetmarch::ShellView::None : shellOf(this->ViewMode),
-    this->ChooseSampleDistance(volume, peeling), peeling ? &hooks : nullptr };
+    this->ChooseSampleDistance(volume, peeling || selector), peeling ? &hooks : nullptr,
+    this->PickOpacityThreshold };
   const tetmarch::EffectOptions effects{ this->GradientType == CELL_GRADIENTS,
     static_cast<tetmarch::ShadowMethod>(this->ShadowMethod), this->VolumetricScatteringBlending,
     this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
@@ -147,10 +158,15 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     pipeline.updateTables(property, lawOf(this->OpacityLaw), level, this->DrawNanCells) &&
     pipeline.updateEffects(renderer, volume, effects) && pipeline.updateView(renderer, volume) &&
     pipeline.updateClipping(volume, clipping) && pipeline.upload(window) &&
-    pipeline.draw(window, renderer, options, progress);
+    (selector ? this->Internal->select(renderer, volume, options, progress)
+              : pipeline.draw(window, renderer, options, progress));
   this->ReportError(
     scalars ? pipeline.error() : tetmarch::describeMissingScalars(grid, selectionOf(this)));
   this->ReportMesh();
+  if (selector)
+  {
+    return;
+  }
 
   if (drawn)
   {

@@ -52,6 +52,7 @@
 #ifndef vtkTetMarchVolumeMapper_h
 #define vtkTetMarchVolumeMapper_h
 
+#include "vtkMath.h"                    // For vtkMath::Nan
 #include "vtkRenderingTetMarchModule.h" // For export macro
 #include "vtkUnstructuredGridVolumeMapper.h"
 #include "vtkVolumeMapper.h" // For VTK_CROP_SUBVOLUME
@@ -76,7 +77,8 @@ public:
    * Render the volume into the renderer's viewport. Called by vtkVolume; several times a frame by
    * vtkDualDepthPeelingPass (vtkRenderer::UseDepthPeelingForVolumes), for parts of the picture that
    * lie between translucent surfaces. Then no diagnostics are collected, and VIEW_PICTURE takes the
-   * place of the view modes that draw a measure or the shell.
+   * place of the view modes that draw a measure or the shell. If the renderer has a selector, what
+   * is drawn is what that reads: see PickOpacityThreshold.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
@@ -539,6 +541,40 @@ public:
   vtkGetMacro(LightTimeBudget, double);
   //@}
 
+  //@{
+  /**
+   * Picking. A ray hits the volume where the opacity that it has gathered reaches
+   * PickOpacityThreshold, 0..1: 0 is the first point at which anything is seen, 1 one behind which
+   * a float has nothing left to see. The default, 0.5, is a point before and behind which as much
+   * is seen; what is fainter in all is not hit. Where opaque geometry comes first, nothing of the
+   * volume is hit, nor before the near plane.
+   *
+   * A vtkHardwareSelector for cells then tells the volume's prop and the cells of the input around
+   * those points, one a pixel of its area; in that, rays end at translucent surfaces as well. One
+   * for points finds nothing of the volume.
+   */
+  vtkSetClampMacro(PickOpacityThreshold, double, 0.0, 1.0);
+  vtkGetMacro(PickOpacityThreshold, double);
+  //@}
+
+  //@{
+  /**
+   * Look what is hit in the middle of a pixel (x, y), counted from the lower left of the window; as
+   * by a selector of that pixel, which renders the window a few times, but shows none of it. If the
+   * window has not rendered yet, a frame is drawn before. Returns whether the volume is hit, before
+   * all other props that can be picked.
+   *
+   * If so, PickedPosition is the point, in world coordinates; PickedScalar the scalar there, or of
+   * the cell, in units of the data; and PickedCellId the cell of the input. The point is exact to a
+   * few roundings of float, of the ray's way through a tetrahedron and of the mesh's size. If not,
+   * they are NaN and -1.
+   */
+  bool Pick(vtkRenderer* renderer, vtkVolume* volume, int x, int y);
+  vtkGetVector3Macro(PickedPosition, double);
+  vtkGetMacro(PickedScalar, double);
+  vtkGetMacro(PickedCellId, vtkIdType);
+  //@}
+
   /**
    * Whether the last frame showed all light as it is now; if not, further frames will.
    */
@@ -724,6 +760,10 @@ protected:
   vtkTypeBool Cropping = 0;
   double CroppingRegionPlanes[6] = { 0, 1, 0, 1, 0, 1 };
   int CroppingRegionFlags = VTK_CROP_SUBVOLUME;
+  double PickOpacityThreshold = 0.5;
+  double PickedPosition[3] = { vtkMath::Nan(), vtkMath::Nan(), vtkMath::Nan() };
+  double PickedScalar = vtkMath::Nan();
+  vtkIdType PickedCellId = -1;
 
 private:
   vtkTetMarchVolumeMapper(const vtkTetMarchVolumeMapper&) = delete;

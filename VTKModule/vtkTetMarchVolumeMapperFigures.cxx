@@ -259,6 +259,11 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
     os << ' ' << plane;
   }
   os << "\n" << indent << "CroppingRegionFlags: " << this->CroppingRegionFlags << "\n";
+  os << indent << "PickOpacityThreshold: " << this->PickOpacityThreshold << "\n";
+  os << indent << "PickedPosition: " << this->PickedPosition[0] << ", " << this->PickedPosition[1]
+     << ", " << this->PickedPosition[2] << "\n";
+  os << indent << "PickedScalar: " << this->PickedScalar << "\n";
+  os << indent << "PickedCellId: " << this->PickedCellId << "\n";
   os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";

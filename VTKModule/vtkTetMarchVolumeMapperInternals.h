@@ -14,11 +14,18 @@
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchVolumeMapper.h"
 
+#include <array>
 #include <string>
+
+class vtkHardwareSelector;
 
 class vtkTetMarchVolumeMapper::Internals
 {
 public:
+  /** Draw what the renderer's selector reads, and keep it if it is for Pick(). */
+  bool select(vtkRenderer* renderer, vtkVolume* volume, const tetmarch::DrawOptions& options,
+    const tetmarch::Progress& progress);
+
   tetmarch::Pipeline Pipeline;
   tetmarch::AccuracyChoice Choice;
   tetmarch::JoinedBlocks Blocks; // of composite input
@@ -29,6 +36,12 @@ public:
   std::string LastOmissions;
   vtkNew<vtkTetMarchFrameStatistics> Statistics;
   vtkNew<vtkLookupTable> ViewTable;
+
+  // Of Pick(), while it goes on.
+  vtkHardwareSelector* PickSelector = nullptr;
+  vtkVolume* PickVolume = nullptr;
+  std::array<double, 3> PickPosition{}; // in the world
+  double PickScalar = 0;
 };
 
 #endif

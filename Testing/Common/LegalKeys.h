@@ -122,6 +122,17 @@ inline std::vector<VariantKey> legalLightKeys()
   }
   return legal.Keys;
 }
+
+/// Of what is picked.
+inline std::vector<VariantKey> legalPickKeys()
+{
+  DistinctKeys legal;
+  for (const VariantKey& key : legalKeys())
+  {
+    legal.add(key.ofPick());
+  }
+  return legal.Keys;
+}
 } // namespace tetmarch::testing
 
 #endif

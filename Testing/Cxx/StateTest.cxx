@@ -7,11 +7,13 @@
 #include "WatchedMapper.h"
 
 #include "vtkActor.h"
+#include "vtkHardwareSelector.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
+#include "vtkSelection.h"
 
 #include <gtest/gtest.h>
 
@@ -57,6 +59,24 @@ TEST(GLState, IsKept)
     scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 }));
     expectStateKept(scene);
   }
+}
+
+TEST(GLState, IsKeptBySelections)
+{
+  Scene scene(lattice());
+  scene.Renderer->SetViewport(0.2, 0.3, 0.7, 0.9);
+  scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 }));
+  vtkNew<WatchedMapper> mapper;
+  mapper->SetInputData(scene.Data);
+  scene.Volume->SetMapper(mapper);
+  scene.Window->Render();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(20, 20, 140, 120);
+  vtkSmartPointer<vtkSelection> selection;
+  selection.TakeReference(selector->Select());
+  EXPECT_EQ(selection->GetNumberOfNodes(), 2u);
+  EXPECT_GE(mapper->Frames, 5);
 }
 
 TEST(GLState, IsKeptWithSearchedEntriesAndCellScalars)

@@ -104,6 +104,12 @@ TEST_F(VariantBuild, OfTheLightAtVertices)
   this->expectBuilt("vertex_light.frag.glsl", legal, legal.size());
 }
 
+TEST_F(VariantBuild, OfWhatIsPicked)
+{
+  const Keys legal = legalPickKeys();
+  this->expectBuilt("pick.frag.glsl", coveringKeys(legal), legal.size());
+}
+
 TEST(CoveringKeys, HaveWhatThreeBitsCanBe)
 {
   const auto threes = [](const Keys& keys)

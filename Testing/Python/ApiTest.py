@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The wrapped class as a user of Python meets it: its help, constants, defaults and printed state."""
 import inspect
+import math
 import unittest
 
 import vtkmodules.all as vtk
@@ -214,6 +215,19 @@ class ApiTest(unittest.TestCase):
         mapper.CroppingOff()
         self.assertFalse(mapper.GetCropping())
 
+    def test_what_is_picked(self):
+        mapper = vtkTetMarchVolumeMapper()
+        self.assertEqual(mapper.GetPickOpacityThreshold(), 0.5)
+        for value, clamped in ((0.25, 0.25), (-1, 0), (2, 1)):
+            before = mapper.GetMTime()
+            mapper.SetPickOpacityThreshold(value)
+            self.assertEqual(mapper.GetPickOpacityThreshold(), clamped)
+            self.assertGreater(mapper.GetMTime(), before)
+        self.assertEqual(len(mapper.GetPickedPosition()), 3)
+        self.assertTrue(math.isnan(mapper.GetPickedScalar()))
+        self.assertEqual(mapper.GetPickedCellId(), -1)
+        self.assertTrue(callable(mapper.Pick))
+
     def test_the_legend(self):
         legend = vtkTetMarchLegend()
         self.assertIsInstance(legend, vtk.vtkScalarBarActor)
@@ -262,7 +276,8 @@ class ApiTest(unittest.TestCase):
                      "BlendMode: Composite", "AverageIPScalarRange: -1e+38, 1e+38",
                      "OpaqueShadows: Off", "AmbientOcclusion: Off", "AmbientOcclusionRadius: 0.1",
                      "AmbientOcclusionDirections: 16", "LightTimeBudget: 0.1", "AutoAdjustSampleDistances: On",
-                     "Cropping: Off", "CroppingRegionPlanes: 0 1 0 1 0 1", "CroppingRegionFlags: 8192"):
+                     "Cropping: Off", "CroppingRegionPlanes: 0 1 0 1 0 1", "CroppingRegionFlags: 8192",
+                     "PickOpacityThreshold: 0.5", "PickedCellId: -1"):
             self.assertIn(line, text)
 
 

@@ -10,9 +10,18 @@ using Key = VariantKey;
 
 bool isPicture(MarchShader shader) { return shader == MarchShader::Picture; }
 
+bool isLight(MarchShader shader) { return shader == MarchShader::LightAtVertex; }
+bool isPick(MarchShader shader) { return shader == MarchShader::Pick; }
+
 bool followsLight(const Key& key, MarchShader shader)
 {
-  return !isPicture(shader) || key.SampledShadows;
+  return isLight(shader) || key.SampledShadows;
+}
+
+// Knows a march of extinction.
+bool attenuates(const Key& key, MarchShader shader)
+{
+  return followsLight(key, shader) || isPick(shader);
 }
 
 bool isLit(const Key& key) { return key.Shading || key.ShowGradients; }
@@ -21,7 +30,7 @@ bool isLit(const Key& key) { return key.Shading || key.ShowGradients; }
 const char* const UnusedInSome =
   "main addLight castRay dimLight errorBound initializeRayCast insideFace "
   "isTurnedForSure meanBetween scalarAt tablePoint "
-  "tableValue texelOfVertex vertexOfTexel wayFromBoundary";
+  "tableValue texelOfVertex transmittanceOn vertexOfTexel wayFromBoundary";
 
 const std::vector<ShaderFeature>& shaderFeatures()
 {
@@ -67,16 +76,16 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "hierarchy", [](const Key& k, MarchShader) { return k.Hierarchy; },
       "hierarchyBuffer bvhNodeCount bvhReentryNodeCount reentryFaceCount fetchBvhNode isBefore "
       "nextEntry" },
-    { "ray points", [](const Key& k, MarchShader s) { return isPicture(s) && k.Hierarchy; },
+    { "ray points", [](const Key& k, MarchShader s) { return !isLight(s) && k.Hierarchy; },
       "rayPoints rayPoint" },
     { "rasterised entries",
-      [](const Key& k, MarchShader s) { return isPicture(s) && k.RasterEntry; },
+      [](const Key& k, MarchShader s) { return !isLight(s) && k.RasterEntry; },
       "entryTexture insideFace" },
     { "search beside entries",
-      [](const Key& k, MarchShader s) { return isPicture(s) && k.RasterEntry && k.Hierarchy; },
+      [](const Key& k, MarchShader s) { return !isLight(s) && k.RasterEntry && k.Hierarchy; },
       "isBesideEntry known" },
-    { "searched entries",
-      [](const Key& k, MarchShader s) { return isPicture(s) && !k.RasterEntry; }, "cutsNearPlane" },
+    { "searched entries", [](const Key& k, MarchShader s) { return !isLight(s) && !k.RasterEntry; },
+      "cutsNearPlane" },
     { "opaque depth", [](const Key& k, MarchShader) { return k.OpaqueDepth; },
       "opaqueDepthTexture depthsPerPixel" },
     { "depths of the window", [](const Key& k, MarchShader) { return k.OpaqueDepth || k.Peeled; },
@@ -105,9 +114,12 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "cropping", [](const Key& k, MarchShader) { return k.Cropped; },
       "croppingLow croppingHigh croppingFlags lowDepth highDepth depthAlong crossingDepths "
       "nextPlane planesBelow isLeft nextPiece rest cropping" },
-    { "picture", [](const Key&, MarchShader s) { return isPicture(s); }, "viewport eye" },
-    { "one march a ray", [](const Key& k, MarchShader s) { return !followsLight(k, s); },
+    { "rays of pixels", [](const Key&, MarchShader s) { return !isLight(s); }, "viewport eye" },
+    { "one march a ray",
+      [](const Key& k, MarchShader s) { return isPicture(s) && !k.SampledShadows; },
       "castPlainRay" },
+    { "pick", [](const Key&, MarchShader s) { return isPick(s); },
+      "Pick Transit PICK_STEPS pickOn tetBefore transitOf opticalDepthOn" },
     // Gradients.
     { "gradients", [](const Key& k, MarchShader) { return k.hasGradients(); }, "gradientBuffer" },
     { "shades", [](const Key& k, MarchShader s) { return isPicture(s) && k.hasGradients(); },
@@ -177,28 +189,32 @@ const std::vector<ShaderFeature>& shaderFeatures()
       { return isPicture(s) && k.CastShadows && (!k.SampledShadows || k.OpaqueShadows); },
       "incomingFrom" },
     { "shadows of opaque geometry",
-      [](const Key& k, MarchShader s) { return !isPicture(s) && k.OpaqueShadows; },
+      [](const Key& k, MarchShader s) { return isLight(s) && k.OpaqueShadows; },
       "opaqueShadowBuffer fetchOpaqueShadows isShadowed" },
     { "light kept at vertices", [](const Key& k, MarchShader) { return k.hasVertexLight(); },
       "vertexLightTexture fetchVertexLight lightA lightB lightC" },
     { "where light of vertices is kept",
-      [](const Key& k, MarchShader s) { return !isPicture(s) || k.hasVertexLight(); },
+      [](const Key& k, MarchShader s) { return isLight(s) || k.hasVertexLight(); },
       "texelOfVertex vertexOfTexel" },
     { "rays to lights", followsLight,
       "shadowSourceCount shadowSource lightReach fetchShadowSource opticalLengthOf INSIDE_FACE "
-      "Tet seenAt entersTet transmittanceTowards Attenuation attenuateToExit transmittanceOn "
-      "darkDepth" },
+      "transmittanceTowards" },
+    { "march of extinction", attenuates,
+      "Tet seenAt entersTet Attenuation attenuateToExit attenuate transmittanceOn darkDepth "
+      "countedExtinction" },
+    { "extinction of what is not finite",
+      [](const Key& k, MarchShader s) { return attenuates(k, s) && k.NanShown; }, "isFinite" },
     { "extinction along a segment",
-      [](const Key& k, MarchShader s) { return followsLight(k, s) && k.PointScalars; },
+      [](const Key& k, MarchShader s) { return attenuates(k, s) && k.PointScalars; },
       "extinctionBetween" },
     { "extinction of a cell",
-      [](const Key& k, MarchShader s) { return followsLight(k, s) && !k.PointScalars; },
+      [](const Key& k, MarchShader s) { return attenuates(k, s) && !k.PointScalars; },
       "extinctionOf" },
     { "extinction by gradients at vertices",
       [](const Key& k, MarchShader s)
-      { return followsLight(k, s) && k.GradientOpacity && k.hasVertexGradients(); },
+      { return attenuates(k, s) && k.GradientOpacity && k.hasVertexGradients(); },
       "densityAt densityBetween" },
-    { "light of a vertex", [](const Key&, MarchShader s) { return !isPicture(s); },
+    { "light of a vertex", [](const Key&, MarchShader s) { return isLight(s); },
       "occlusionDirectionCount occlusionRadius vertexStartBuffer fetchVertexStart sphereDirection "
       "lightAtVertex vertexCount" },
   };

@@ -14,8 +14,9 @@ namespace tetmarch::testing
 /// The entry points that go through the mesh.
 enum class MarchShader
 {
-  Picture,      // march.frag.glsl
-  LightAtVertex // vertex_light.frag.glsl
+  Picture,       // march.frag.glsl
+  LightAtVertex, // vertex_light.frag.glsl
+  Pick           // pick.frag.glsl
 };
 
 struct ShaderFeature

@@ -118,8 +118,12 @@ TEST(VariantKey, LegalKeysAreCounted)
 {
   const std::size_t light = legalLightKeys().size();
   EXPECT_EQ(light, 2 * 2 * 2 * 2 * 2 * (3 + 2));
+  // Of scalars at points or cells, with opacity by gradients of either kind or without, clipped or
+  // not, with hidden cells or not, with what is not finite or not.
+  const std::size_t picked = legalPickKeys().size();
+  EXPECT_EQ(picked, 3 * 2 * (3 + 2) * 2 * 2 * 2);
   std::cout << "[ MEASURED ] " << legalKeys().size() << " variants of the picture, " << light
-            << " of the light at vertices\n";
+            << " of the light at vertices, " << picked << " of what is picked\n";
 }
 
 // Towards the light only extinction counts, and what stands in the way.
@@ -141,6 +145,29 @@ TEST(VariantKey, LightAtVerticesIsExtinctionAlone)
     ASSERT_FALSE(light.OpaqueDepth || light.Adaptive || light.Diagnostics || light.Shading ||
                  light.Clipped || light.Cropped || light.ShowIllumination || light.ShowGradients)
       << namesOf(light);
+  }
+}
+
+// What is picked depends on extinction alone, and ends at whatever else is drawn.
+TEST(VariantKey, PicksKnowExtinctionAlone)
+{
+  for (const VariantKey& picture : legalKeys())
+  {
+    VariantKey pick = picture.ofPick();
+    ASSERT_TRUE(pick == pick.filtered());
+    ASSERT_TRUE(pick.OpaqueDepth);
+    ASSERT_EQ(pick.PointScalars, picture.PointScalars);
+    ASSERT_EQ(pick.GradientOpacity, picture.GradientOpacity);
+    ASSERT_EQ(pick.CellGradients, picture.CellGradients && picture.GradientOpacity);
+    pick.PointScalars = true;
+    pick.GradientOpacity = pick.CellGradients = false;
+    ASSERT_EQ(pick.Clipped, picture.Clipped);
+    ASSERT_EQ(pick.HiddenCells, picture.HiddenCells);
+    ASSERT_EQ(pick.NanShown, picture.NanShown);
+    pick.Clipped = pick.HiddenCells = pick.NanShown = false;
+    VariantKey entries = picture.ofEntries();
+    entries.OpaqueDepth = true;
+    ASSERT_TRUE(pick == entries) << namesOf(pick);
   }
 }
 

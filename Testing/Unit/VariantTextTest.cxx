@@ -152,6 +152,11 @@ TEST_F(VariantText, OfTheLightAtVertices)
   this->expectClean(legalLightKeys(), MarchShader::LightAtVertex, "vertex_light.frag.glsl");
 }
 
+TEST_F(VariantText, OfWhatIsPicked)
+{
+  this->expectClean(legalPickKeys(), MarchShader::Pick, "pick.frag.glsl");
+}
+
 // The tables of the test itself: words that no text has would let anything pass.
 TEST_F(VariantText, TablesAreOfWordsThatThereAre)
 {
@@ -175,6 +180,10 @@ TEST_F(VariantText, TablesAreOfWordsThatThereAre)
   for (const VariantKey& key : legalLightKeys())
   {
     look(key, "vertex_light.frag.glsl");
+  }
+  for (const VariantKey& key : legalPickKeys())
+  {
+    look(key, "pick.frag.glsl");
   }
   for (int word : this->Claimed)
   {

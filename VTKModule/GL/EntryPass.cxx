@@ -42,7 +42,7 @@ private:
 } // namespace
 
 std::string EntryPass::draw(vtkOpenGLRenderWindow* window, const Viewport& viewport,
-  const View& view, const TetMesh& mesh, MeshTextures& textures)
+  const Viewport& part, const View& view, const TetMesh& mesh, MeshTextures& textures)
 {
   StateScope state(window);
   std::string error = this->Target.bind(window, viewport.Width, viewport.Height, 1, true);
@@ -51,7 +51,8 @@ std::string EntryPass::draw(vtkOpenGLRenderWindow* window, const Viewport& viewp
     return error;
   }
   state->vtkglViewport(0, 0, viewport.Width, viewport.Height);
-  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(part.X - viewport.X, part.Y - viewport.Y, part.Width, part.Height);
   state->vtkglDisable(GL_BLEND);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);

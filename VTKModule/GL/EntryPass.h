@@ -18,9 +18,10 @@ struct View;
 class EntryPass
 {
 public:
-  /** Returns an empty string, or what is wrong. */
-  std::string draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, const View& view,
-    const TetMesh& mesh, MeshTextures& textures);
+  /** Those of other pixels than the part's are left as they are. Returns an empty string, or what
+   * is wrong. */
+  std::string draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, const Viewport& part,
+    const View& view, const TetMesh& mesh, MeshTextures& textures);
   vtkTextureObject* entries() const { return this->Target.color(0); }
   void release(vtkWindow* window);
   std::size_t bytes() const { return this->Target.bytes(); }

@@ -40,20 +40,7 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
     inputs.DepthsPerPixel = { { float(area.Width) / float(inputs.Area.Width),
       float(area.Height) / float(inputs.Area.Height) } };
   }
-  if (inputs.Key.RasterEntry)
-  {
-    error = this->Entry.draw(window, inputs.Area, *inputs.Camera, mesh, *inputs.Mesh);
-    inputs.Entries = error.empty() ? this->Entry.entries() : nullptr;
-  }
-  if (inputs.Key.Hierarchy)
-  {
-    inputs.RayPoints = rayPoints(*inputs.Camera, mesh);
-  }
-  if (error.empty() && inputs.Key.OpaqueDepth)
-  {
-    error = this->Opaque.capture(window, area);
-    inputs.Depths = this->Opaque.texture();
-  }
+  error = this->findRays(window, mesh, inputs.Area, area, inputs);
   if (shell != ShellView::None)
   {
     error = error.empty() ? this->Shell.draw(window, inputs, shell, progress, stopped) : error;
@@ -78,6 +65,39 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
                  : this->March.draw(window, inputs, this->Tiles, progress, stopped);
   this->Draws = coarse ? this->Coarse.numberOfDraws() : this->Tiles.numberOfTiles();
   return error;
+}
+
+// Where the rays of the pixels in a part of the area begin, and end by the depths of the window.
+std::string FramePasses::findRays(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
+  const Viewport& part, const Viewport& depths, MarchInputs& inputs)
+{
+  std::string error;
+  if (inputs.Key.RasterEntry)
+  {
+    error = this->Entry.draw(window, inputs.Area, part, *inputs.Camera, mesh, *inputs.Mesh);
+    inputs.Entries = error.empty() ? this->Entry.entries() : nullptr;
+  }
+  if (inputs.Key.Hierarchy)
+  {
+    inputs.RayPoints = rayPoints(*inputs.Camera, mesh);
+  }
+  if (error.empty() && inputs.Key.OpaqueDepth)
+  {
+    error = this->Opaque.capture(window, depths);
+    inputs.Depths = this->Opaque.texture();
+  }
+  return error;
+}
+
+std::string FramePasses::pick(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
+  MarchInputs inputs, const Viewport& part, const Progress& progress, bool& stopped,
+  std::vector<PickedPoint>& points)
+{
+  // Rays look at the entries of the pixels beside theirs, too.
+  const Viewport around{ part.X - 1, part.Y - 1, part.Width + 2, part.Height + 2 };
+  const std::string error = this->findRays(window, mesh, around, inputs.Area, inputs);
+  return error.empty() ? this->Picking.pick(window, inputs, part, progress, stopped, points)
+                       : error;
 }
 
 void FramePasses::releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
@@ -129,6 +149,7 @@ void FramePasses::release(vtkWindow* window)
   this->Shown.release(window);
   this->Shell.release();
   this->Coarse.release(window);
+  this->Picking.release();
   this->expectChange();
 }
 

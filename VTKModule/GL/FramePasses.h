@@ -10,6 +10,7 @@
 #include "GL/EntryPass.h"
 #include "GL/MarchPass.h"
 #include "GL/OpaqueDepth.h"
+#include "GL/PickPass.h"
 #include "GL/ShellPass.h"
 #include "GL/VertexLightPass.h"
 #include "GL/ViewPass.h"
@@ -29,6 +30,13 @@ public:
   std::string draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
     const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, ShellView shell,
     double sampleDistance, const Progress& progress, bool& stopped);
+  /**
+   * Where the rays of a part of the inputs' area are picked (PickPass), for the level's tolerance.
+   * Nothing of what the last draw() made is touched.
+   */
+  std::string pick(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
+    const Viewport& part, const Progress& progress, bool& stopped,
+    std::vector<PickedPoint>& points);
   /** The next frame may take much longer than the last. */
   void expectChange();
   /** No picture, no counters: what is asked for before the next draw(). */
@@ -57,6 +65,8 @@ public:
   }
 
 private:
+  std::string findRays(vtkOpenGLRenderWindow* window, const TetMesh& mesh, const Viewport& part,
+    const Viewport& depths, MarchInputs& inputs);
   void releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
     const MeasureView* view, ShellView shell, bool coarse);
 
@@ -68,6 +78,7 @@ private:
   ViewPass Shown;
   ShellPass Shell;
   CoarsePicture Coarse;
+  PickPass Picking;
   TileSchedule Tiles;
   VariantKey LastKey;
   bool ChangedVariant = true;

@@ -37,6 +37,13 @@ void Pipeline::begin(std::uint64_t mostBytes)
   this->Limits = { mostTexels(), mostBytes };
 }
 
+void Pipeline::beginPick(std::uint64_t mostBytes)
+{
+  this->Error.clear();
+  this->Area = {};
+  this->Limits = { mostTexels(), mostBytes };
+}
+
 std::int64_t Pipeline::stageRuns() const
 {
   return this->meshRecord().Runs + this->Hidden.record().Runs + this->ScalarsRecord.Runs +
@@ -265,6 +272,7 @@ void Pipeline::release(vtkWindow* window)
   this->OnGpu.release(window);
   this->EffectsOnGpu.release(window);
   this->Passes.release(window);
+  this->Selected.release();
   this->Window = nullptr;
 }
 

@@ -9,6 +9,7 @@
 #include "GL/EffectTextures.h"
 #include "GL/FramePasses.h"
 #include "GL/GpuData.h"
+#include "GL/SelectionPass.h"
 #include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
 #include "Scene/Clipping.h"
@@ -44,6 +45,7 @@ struct DrawOptions
   ShellView Shell = ShellView::None;  // likewise
   double SampleDistance = 1;          // between rays, in pixels; 1 with any of the others
   const PeelHooks* Peeling = nullptr; // parts of rays are drawn; no diagnostics and no view then
+  double PickOpacity = 0.5;           // up to which a ray is followed where something is selected
 };
 
 class Pipeline
@@ -52,6 +54,8 @@ public:
   /** Forget what the last frame drew and complained of. The window's context is current; 0 bytes
    * are no limit. */
   void begin(std::uint64_t mostBytes);
+  /** Likewise, if something is picked instead: what the last frame counted is kept. */
+  void beginPick(std::uint64_t mostBytes);
   /**
    * The stages, in the order of a frame. Each returns whether the frame can go on; if not, error()
    * says what is wrong, or is empty if there is nothing to draw or the user stopped it.
@@ -71,6 +75,9 @@ public:
   bool upload(vtkOpenGLRenderWindow* window);
   bool draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
     const Progress& progress);
+  /** Instead of draw(): what a selector is told of the pixels that it asks for. */
+  bool select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
+    const Progress& progress, std::vector<PickedPoint>& points);
 
   /**
    * The picture of the last frame in double precision, by the CPU. False if there was no frame, or
@@ -85,6 +92,7 @@ public:
 
   const std::string& error() const { return this->Error; }
   const TetMesh& mesh() const { return this->Meshed.mesh(); }
+  const ScalarRange& range() const { return this->Range; }
   const StageRecord& meshRecord() const { return this->Meshed.record(); }
   const Diagnostics& counted() const { return this->Passes.counted(); }
   int numberOfDraws() const { return this->Passes.numberOfDraws(); }
@@ -113,6 +121,7 @@ private:
   bool fail(const std::string& error);
   bool ensureHierarchy();
   Viewport currentViewport() const;
+  MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;
   Fingerprint lightVersion(const VariantKey& key) const;
   std::int64_t stageRuns() const;
@@ -152,6 +161,7 @@ private:
   GpuData OnGpu;
   EffectTextures EffectsOnGpu;
   FramePasses Passes;
+  SelectionPass Selected;
 };
 
 } // namespace tetmarch

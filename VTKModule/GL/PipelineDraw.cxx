@@ -67,23 +67,12 @@ Fingerprint Pipeline::lightVersion(const VariantKey& key) const
   return version;
 }
 
-bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
-  const DrawOptions& options, const Progress& progress)
+MarchInputs Pipeline::inputsOf(
+  const DrawOptions& options, vtkRenderer* renderer, const Viewport& area)
 {
   MarchInputs inputs;
-  inputs.Area = this->currentViewport();
-  if (inputs.Area.Width <= 0 || inputs.Area.Height <= 0)
-  {
-    return true;
-  }
-  const std::string badRange = options.View ? describeBadRange(*options.View) : std::string();
-  if (!badRange.empty())
-  {
-    return this->fail(badRange);
-  }
-  this->Subject.push_back(static_cast<std::uintptr_t>(inputs.Area.Width));
-  this->Subject.push_back(static_cast<std::uintptr_t>(inputs.Area.Height));
-  inputs.Key = this->keyOf(options, renderer, inputs.Area);
+  inputs.Area = area;
+  inputs.Key = this->keyOf(options, renderer, area);
   inputs.Camera = &this->Camera;
   inputs.Cut = &this->Cut;
   inputs.Mesh = &this->OnGpu.mesh();
@@ -97,6 +86,25 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   inputs.Peeling = options.Peeling;
   inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
   inputs.MostLightSeconds = options.MostLightSeconds;
+  return inputs;
+}
+
+bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
+  const DrawOptions& options, const Progress& progress)
+{
+  const Viewport area = this->currentViewport();
+  if (area.Width <= 0 || area.Height <= 0)
+  {
+    return true;
+  }
+  const std::string badRange = options.View ? describeBadRange(*options.View) : std::string();
+  if (!badRange.empty())
+  {
+    return this->fail(badRange);
+  }
+  this->Subject.push_back(static_cast<std::uintptr_t>(area.Width));
+  this->Subject.push_back(static_cast<std::uintptr_t>(area.Height));
+  const MarchInputs inputs = this->inputsOf(options, renderer, area);
 
   // Who is told of progress may release what is being drawn.
   const auto goOn = [&](double share) { return progress(share) && this->Window == window; };

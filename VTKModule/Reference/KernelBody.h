@@ -126,6 +126,8 @@ Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 #if TETMARCH_LIGHT_RAYS
 #include "light_ray_files.glsl"
 
+#include "pick.glsl"
+
 #include "vertex_light.glsl"
 #endif
 

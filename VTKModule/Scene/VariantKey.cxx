@@ -123,6 +123,19 @@ VariantKey VariantKey::ofVertexLight() const
   return key;
 }
 
+VariantKey VariantKey::ofPick() const
+{
+  VariantKey key = this->ofEntries();
+  key.OpaqueDepth = true;
+  key.Clipped = this->Clipped;
+  key.HiddenCells = this->HiddenCells;
+  key.NanShown = this->NanShown;
+  key.PointScalars = this->PointScalars;
+  key.GradientOpacity = this->GradientOpacity;
+  key.CellGradients = this->CellGradients;
+  return key.filtered();
+}
+
 VariantKey VariantKey::ofEntries() const
 {
   VariantKey key;

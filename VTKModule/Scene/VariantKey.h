@@ -85,6 +85,10 @@ struct VariantKey
    * opaque geometry there is. */
   VariantKey ofVertexLight() const;
 
+  /** The variant that looks where rays are picked: extinction alone, up to whatever else is there.
+   */
+  VariantKey ofPick() const;
+
   /** The preprocessor lines that select the variant in the shader text. */
   std::string defines() const;
 

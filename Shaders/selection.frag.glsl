@@ -1,0 +1,16 @@
+// What a hardware selector wants to read in each pixel, at the depth of what was picked there.
+//VTK::Output::Dec
+
+uniform vec2 corner; // of the area that is selected, in pixels
+uniform sampler2D selectionTexture; // a colour, and a depth of the window; 1 and more: nothing was picked
+
+void main()
+{
+  vec4 selection = texelFetch(selectionTexture, ivec2(gl_FragCoord.xy - corner), 0);
+  if (selection.w >= 1.0)
+  {
+    discard;
+  }
+  gl_FragData[0] = vec4(selection.rgb, 1.0);
+  gl_FragDepth = selection.w;
+}

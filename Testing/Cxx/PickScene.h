@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief A scene in which things are picked: rays of pixels, and what selectors find
+ */
+#ifndef tetmarch_testing_PickScene_h
+#define tetmarch_testing_PickScene_h
+
+#include "ClosedForms.h"
+#include "Scene.h"
+
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkProp.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace tetmarch::testing
+{
+/// Props, and which of their cells or points.
+using Selected = std::map<vtkProp*, std::set<vtkIdType>>;
+
+class PickScene : public Scene
+{
+public:
+  using Scene::Scene;
+
+  /// The ray of the middle of a pixel, from the near plane on.
+  struct PixelLine
+  {
+    Vec3 Near;
+    Vec3 Direction; // unit length
+    Vec3 at(double distance) const
+    {
+      return { this->Near[0] + distance * this->Direction[0],
+        this->Near[1] + distance * this->Direction[1],
+        this->Near[2] + distance * this->Direction[2] };
+    }
+  };
+
+  PixelLine lineOf(int x, int y)
+  {
+    const Vec3 near = this->worldAt(x, y, 0.0);
+    const Vec3 far = this->worldAt(x, y, 1.0);
+    Vec3 way{ far[0] - near[0], far[1] - near[1], far[2] - near[2] };
+    const double length = std::hypot(way[0], way[1], way[2]);
+    return { near, { way[0] / length, way[1] / length, way[2] / length } };
+  }
+
+  bool pick(int x, int y) { return this->Mapper->Pick(this->Renderer, this->Volume, x, y); }
+  Vec3 pickedPosition() const
+  {
+    const double* p = this->Mapper->GetPickedPosition();
+    return { p[0], p[1], p[2] };
+  }
+
+  /// In a rectangle, corners included.
+  Selected select(unsigned int left, unsigned int bottom, unsigned int right, unsigned int top,
+    int association = vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(this->Renderer);
+    selector->SetArea(left, bottom, right, top);
+    selector->SetFieldAssociation(association);
+    vtkSmartPointer<vtkSelection> selection;
+    selection.TakeReference(selector->Select());
+    Selected found;
+    for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
+    {
+      vtkSelectionNode* node = selection->GetNode(i);
+      auto* prop = vtkProp::SafeDownCast(node->GetProperties()->Get(vtkSelectionNode::PROP()));
+      auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+      found[prop].insert(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfTuples());
+    }
+    return found;
+  }
+  Selected selectAll(int association = vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    const int* size = this->Window->GetSize();
+    return this->select(0, 0, size[0] - 1, size[1] - 1, association);
+  }
+
+private:
+  Vec3 worldAt(int x, int y, double depth)
+  {
+    this->Renderer->SetDisplayPoint(x + 0.5, y + 0.5, depth);
+    this->Renderer->DisplayToWorld();
+    const double* p = this->Renderer->GetWorldPoint();
+    return { p[0] / p[3], p[1] / p[3], p[2] / p[3] };
+  }
+};
+} // namespace tetmarch::testing
+
+#endif

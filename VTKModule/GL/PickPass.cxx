@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/PickPass.h"
+
+#include "GL/ClippingBinding.h"
+#include "GL/EffectTextures.h"
+#include "GL/MeshTextures.h"
+#include "GL/PixelRays.h"
+#include "GL/StateScope.h"
+#include "GL/TableTextures.h"
+#include "GL/TileCorners.h"
+#include "GL/Uniforms.h"
+#include "Scene/View.h"
+
+#include "vtkOpenGLRenderUtilities.h"
+
+namespace tetmarch
+{
+
+std::string PickPass::pick(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+  const Viewport& part, const Progress& progress, bool& stopped, std::vector<PickedPoint>& points)
+{
+  std::string error = this->march(window, inputs, part, progress, stopped);
+  if (error.empty() && !stopped)
+  {
+    points = this->read(window);
+  }
+  this->Target.release(window);
+  return error;
+}
+
+std::string PickPass::march(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+  const Viewport& part, const Progress& progress, bool& stopped)
+{
+  StateScope state(window);
+  const std::string error = this->Target.bind(window, part.Width, part.Height, 2, false);
+  if (!error.empty())
+  {
+    return error;
+  }
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglViewport(0, 0, part.Width, part.Height);
+  state->vtkglClearColor(0, 0, 0, 0);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  this->Tiles.expectChange(); // the last part may have been another
+  return drawInTiles(window, { 0, 0, part.Width, part.Height }, inputs.MostSecondsPerDraw,
+    this->Tiles, progress, stopped,
+    [&](const Viewport& tile) { return this->drawTile(window, inputs, part, tile); });
+}
+
+std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+  const Viewport& part, const Viewport& tile)
+{
+  std::string error;
+  vtkShaderProgram* program =
+    this->Draw.use(window, "tile.vert.glsl", "pick.frag.glsl", inputs.Key.defines(), error);
+  if (!program)
+  {
+    return error;
+  }
+  inputs.Mesh->bind(program, inputs.Key);
+  inputs.Tables->bind(program, *inputs.Table, inputs.Range, inputs.Level, inputs.Key);
+  if (inputs.Key.hasGradients())
+  {
+    inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
+  }
+  // Where the whole area would lie, were the part's corner that of the target.
+  const Viewport& area = inputs.Area;
+  bindPixelRays(program, inputs, { area.X - part.X, area.Y - part.Y, area.Width, area.Height });
+  if (inputs.Key.Clipped)
+  {
+    bindClipping(program, *inputs.Cut, inputs.Key);
+  }
+  setUniform(program, "lengthMatrix", inputs.Camera->LengthMatrix);
+  drawCorners(program, this->Draw, { 0, 0, part.Width, part.Height }, tile);
+  inputs.Mesh->unbind();
+  inputs.Tables->unbind();
+  inputs.Effects->unbind();
+  unbindPixelRays(inputs);
+  return error;
+}
+
+std::vector<PickedPoint> PickPass::read(vtkOpenGLRenderWindow* window) const
+{
+  const std::vector<float> hits = this->Target.read(window, 0);
+  const std::vector<float> places = this->Target.read(window, 1);
+  std::vector<PickedPoint> points(hits.size() / 4);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const float* hit = &hits[4 * i];
+    const float* place = &places[4 * i];
+    points[i].Hit = hit[3] > 0;
+    points[i].Tet = static_cast<Id>(hit[0]) | static_cast<Id>(hit[1]) << 16;
+    points[i].Scalar = hit[2];
+    points[i].Position = { { place[0], place[1], place[2] } };
+  }
+  return points;
+}
+
+} // namespace tetmarch

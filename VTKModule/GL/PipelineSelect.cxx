@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The last stage of a frame in which a vtkHardwareSelector reads numbers instead of a picture.
+#include "GL/Pipeline.h"
+
+#include "Scene/SelectedCells.h"
+#include "Scene/WithinMemory.h"
+
+#include "vtkHardwareSelector.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace tetmarch
+{
+namespace
+{
+
+// What a float tells from nothing, beside 1.
+constexpr double LeastFloatShare = 1.0 / (1 << 24);
+
+// What of the area that the selector reads, corners included, lies in the viewport.
+Viewport selectedPart(vtkHardwareSelector* selector, const Viewport& viewport)
+{
+  const unsigned int* area = selector->GetArea();
+  const int left = std::max(static_cast<int>(area[0]), viewport.X);
+  const int bottom = std::max(static_cast<int>(area[1]), viewport.Y);
+  const int right = std::min(static_cast<int>(area[2]), viewport.X + viewport.Width - 1);
+  const int top = std::min(static_cast<int>(area[3]), viewport.Y + viewport.Height - 1);
+  return { left, bottom, right - left + 1, top - bottom + 1 };
+}
+
+} // namespace
+
+bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
+  const DrawOptions& options, const Progress& progress, std::vector<PickedPoint>& points)
+{
+  const Viewport area = this->currentViewport();
+  const Viewport part = selectedPart(renderer->GetSelector(), area);
+  if (part.Width <= 0 || part.Height <= 0)
+  {
+    return true;
+  }
+  MarchInputs inputs = this->inputsOf(options, renderer, area);
+  const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
+  bool stopped = false;
+  std::string error;
+  const std::string shortage = withinMemory("what is selected",
+    [&]
+    {
+      // All that the picture needs stays where it is.
+      error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
+      inputs.Key = inputs.Key.ofPick();
+      inputs.Level.ErrorTolerance = std::max(1 - options.PickOpacity, LeastFloatShare);
+      if (error.empty())
+      {
+        error = this->Passes.pick(window, this->mesh(), inputs, part, goOn, stopped, points);
+      }
+      if (error.empty() && !stopped)
+      {
+        error = this->Selected.draw(window, area, part,
+          selectionTexels(renderer->GetSelector(), points, this->mesh(), this->Camera));
+      }
+    });
+  error = shortage.empty() ? error : shortage;
+  return error.empty() ? !stopped : this->fail(error);
+}
+
+} // namespace tetmarch
