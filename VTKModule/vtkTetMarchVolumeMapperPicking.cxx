@@ -33,7 +33,7 @@ bool vtkTetMarchVolumeMapper::Internals::select(vtkRenderer* renderer, vtkVolume
     volume->GetMatrix()->MultiplyPoint(place, place);
     std::copy_n(place, 3, this->PickPosition.begin());
     const tetmarch::ScalarRange& range = this->Pipeline.range();
-    const bool finite = point.Scalar < tetmarch::UndrawnScalar;
+    const bool finite = point.Scalar < double(tetmarch::UndrawnScalar);
     this->PickScalar = finite ? range.Low + range.width() * point.Scalar : vtkMath::Nan();
   }
   return drawn;
