@@ -128,13 +128,16 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   // Between translucent geometry the same picture is drawn in parts, and nothing else.
   const tetmarch::PeelHooks hooks(volume, this);
   const bool peeling = hooks.isPeeling();
+  const bool measured = isMeasure(this->ViewMode) && !peeling;
+  const tetmarch::ShellView shell = peeling ? tetmarch::ShellView::None : shellOf(this->ViewMode);
+  const bool marchedPicture =
+    !selector && !peeling && !measured && shell == tetmarch::ShellView::None;
   const bool interacting = window->GetDesiredUpdateRate() >= 1.0;
   const tetmarch::DrawOptions options{ level, this->CollectDiagnostics && !peeling,
     this->MaxDrawTimeInSeconds, interacting && !peeling ? this->LightTimeBudget : 0.0,
-    isMeasure(this->ViewMode) && !peeling ? &view : nullptr,
-    peeling ? tetmarch::ShellView::None : shellOf(this->ViewMode),
-    this->ChooseSampleDistance(volume, peeling || selector), peeling ? &hooks : nullptr,
-    this->PickOpacityThreshold };
+    measured ? &view : nullptr, shell,
+    marchedPicture && !this->CollectDiagnostics ? this->ChooseSampleDistance(volume) : 1.0,
+    peeling ? &hooks : nullptr, this->PickOpacityThreshold };
   const tetmarch::EffectOptions effects{ this->GradientType == CELL_GRADIENTS,
     static_cast<tetmarch::ShadowMethod>(this->ShadowMethod), this->VolumetricScatteringBlending,
     this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
@@ -188,8 +191,6 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     statistics->SetGPUMemoryBytes(this->GetGPUMemoryBytes());
   }
   this->Internal->UsedSampleDistance = options.SampleDistance;
-  const bool marchedPicture =
-    !peeling && !options.View && options.Shell == tetmarch::ShellView::None;
   if (drawn && marchedPicture && (pipeline.onlyDrew() || !this->Internal->Distance.knowsTime()))
   {
     this->Internal->Distance.drawn(options.SampleDistance, seconds);
@@ -199,13 +200,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
-double vtkTetMarchVolumeMapper::ChooseSampleDistance(vtkVolume* volume, bool peeling)
+double vtkTetMarchVolumeMapper::ChooseSampleDistance(vtkVolume* volume)
 {
-  if (peeling || this->CollectDiagnostics || isMeasure(this->ViewMode) ||
-      shellOf(this->ViewMode) != tetmarch::ShellView::None)
-  {
-    return 1;
-  }
   return this->AutoAdjustSampleDistances
            ? this->Internal->Distance.choose(volume->GetAllocatedRenderTime(),
                this->MinimumImageSampleDistance, this->MaximumImageSampleDistance)

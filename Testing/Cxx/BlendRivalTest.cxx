@@ -4,12 +4,10 @@
 // linear, so that both interpolate it exactly; what is left is the rival's steps, by which it
 // misses the end of a ray, its tables, and 8 bits.
 #include "BlendScene.h"
+#include "RivalImage.h"
 
 #include "vtkAutoInit.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
-#include "vtkPointData.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -24,30 +22,12 @@ constexpr int Side = 128;
 constexpr int Points = 33;        // of the image, along an edge
 constexpr double MostApart = 2.0; // RMS in 1/255
 
-vtkSmartPointer<vtkImageData> makeImage(const Field& field)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(Points, Points, Points);
-  const double spacing = 1.0 / (Points - 1);
-  image->SetSpacing(spacing, spacing, spacing);
-  vtkNew<vtkFloatArray> values;
-  values->SetNumberOfTuples(image->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    image->GetPoint(i, p);
-    values->SetValue(i, static_cast<float>(field(p[0], p[1], p[2])));
-  }
-  image->GetPointData()->SetScalars(values);
-  return image;
-}
-
 class BlendRival : public testing::Test
 {
 protected:
   BlendRival()
   {
-    this->Rival->SetInputData(makeImage(linearField()));
+    this->Rival->SetInputData(makeImage(Points, linearField()));
     this->Rival->SetAutoAdjustSampleDistances(0);
     this->Rival->SetSampleDistance(0.002f);
     this->Shown.property()->SetInterpolationTypeToLinear();

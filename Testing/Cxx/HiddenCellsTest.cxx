@@ -342,21 +342,12 @@ TEST_F(HiddenParity, TheReferencePicture)
 // Light is looked for along rays by random steps: as bright in the mean.
 TEST_F(HiddenParity, ShadowsAlongRaysAreThoseAtVertices)
 {
-  const auto mean = [&]
-  {
-    double sum = 0.0;
-    for (const float value : this->Shown.render().Rgba)
-    {
-      sum += double(value);
-    }
-    return sum;
-  };
   this->Shown.Mapper->SetShadowMethodToAtVertices();
-  const double atVertices = mean();
+  const double atVertices = this->Shown.brightness();
   this->Shown.Mapper->SetShadowMethodToAlongRays();
-  EXPECT_NEAR(mean() / atVertices, 1.0, 0.03);
+  EXPECT_NEAR(this->Shown.brightness() / atVertices, 1.0, 0.03);
   showAll(this->Shown.Data);
-  EXPECT_GT(std::abs(mean() / atVertices - 1.0), 0.05);
+  EXPECT_GT(std::abs(this->Shown.brightness() / atVertices - 1.0), 0.05);
 }
 
 // What is hidden keeps no light from the rest, and only light is made anew when it changes.

@@ -9,14 +9,12 @@
 // headlight, so there is none here otherwise. Before VTK 9.2 its highlights are those of Blinn, and
 // for other lights than headlights not even those: its half vector takes the light to come from
 // where it goes to.
+#include "RivalImage.h"
 #include "Scene.h"
 
 #include "vtkAutoInit.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
-#include "vtkPointData.h"
 #include "vtkVersionMacros.h"
 
 #include <gtest/gtest.h>
@@ -35,25 +33,6 @@ constexpr double MostApart = 2.0; // RMS in 1/255; measured: 0.5 without light, 
 
 Field field() { return sineField(0.5); }
 
-vtkSmartPointer<vtkImageData> makeImage()
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(Points, Points, Points);
-  const double spacing = 1.0 / (Points - 1);
-  image->SetSpacing(spacing, spacing, spacing);
-  vtkNew<vtkFloatArray> values;
-  values->SetNumberOfTuples(image->GetNumberOfPoints());
-  const Field f = field();
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    image->GetPoint(i, p);
-    values->SetValue(i, static_cast<float>(f(p[0], p[1], p[2])));
-  }
-  image->GetPointData()->SetScalars(values);
-  return image;
-}
-
 double rms(const Image& a, const Image& b, const Mask& mask)
 {
   return 255.0 * compare(a, b, mask, 0.0, Channels::Rgb).Rms;
@@ -65,7 +44,7 @@ protected:
   LightRival()
   {
     this->Shown.Mapper->SetOpacityLawToStructured();
-    this->Rival->SetInputData(makeImage());
+    this->Rival->SetInputData(makeImage(Points, field()));
     this->Rival->SetAutoAdjustSampleDistances(0);
     this->Rival->SetSampleDistance(0.002f);
     vtkVolumeProperty* property = this->Shown.property();

@@ -41,6 +41,17 @@ public:
     this->property()->SetGradientOpacity(function);
   }
 
+  /// Of one frame, the sum over all pixels and channels.
+  double brightness()
+  {
+    double sum = 0.0;
+    for (const float value : this->render().Rgba)
+    {
+      sum += double(value);
+    }
+    return sum;
+  }
+
   vtkNew<vtkLight> Sun;
 };
 } // namespace tetmarch::testing
