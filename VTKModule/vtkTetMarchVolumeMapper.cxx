@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkTetMarchVolumeMapperInternals.h"
+#include "vtkTetMarchVolumeMapperOptions.h"
 
 #include "GL/FrameFigures.h"
-#include "GL/PeelHooks.h"
 #include "Mesh/MeshReport.h"
 #include "Scene/MissingScalars.h"
 #include "Scene/SelectedCells.h"
@@ -26,41 +25,6 @@
 
 namespace
 {
-tetmarch::OpacityLaw lawOf(int opacityLaw)
-{
-  return opacityLaw == vtkTetMarchVolumeMapper::STRUCTURED ? tetmarch::OpacityLaw::Structured
-                                                           : tetmarch::OpacityLaw::Unstructured;
-}
-
-bool isMeasure(int viewMode)
-{
-  return viewMode == vtkTetMarchVolumeMapper::VIEW_ERROR_BOUND ||
-         viewMode == vtkTetMarchVolumeMapper::VIEW_CELLS ||
-         viewMode == vtkTetMarchVolumeMapper::VIEW_LOOKUPS;
-}
-
-tetmarch::Subject subjectOf(int viewMode)
-{
-  return viewMode == vtkTetMarchVolumeMapper::VIEW_ILLUMINATION ? tetmarch::Subject::Illumination
-         : viewMode == vtkTetMarchVolumeMapper::VIEW_GRADIENTS  ? tetmarch::Subject::Gradients
-                                                                : tetmarch::Subject::Picture;
-}
-
-tetmarch::ShellView shellOf(int viewMode)
-{
-  return viewMode == vtkTetMarchVolumeMapper::VIEW_SHELL_FACES ? tetmarch::ShellView::Faces
-         : viewMode == vtkTetMarchVolumeMapper::VIEW_SHELL_COORDINATES
-           ? tetmarch::ShellView::Coordinates
-           : tetmarch::ShellView::None;
-}
-
-tetmarch::Measure measureOf(int viewMode)
-{
-  return viewMode == vtkTetMarchVolumeMapper::VIEW_CELLS     ? tetmarch::Measure::Cells
-         : viewMode == vtkTetMarchVolumeMapper::VIEW_LOOKUPS ? tetmarch::Measure::Lookups
-                                                             : tetmarch::Measure::ErrorBound;
-}
-
 tetmarch::ScalarSelection selectionOf(vtkTetMarchVolumeMapper* mapper)
 {
   return { mapper->GetScalarMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
@@ -123,46 +87,19 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return !window->CheckAbortStatus();
   };
 
-  const tetmarch::MeasureView view{ measureOf(this->ViewMode), this->AutomaticViewRange,
-    { { this->ViewRange[0], this->ViewRange[1] } }, this->Internal->ViewTable };
-  // Between translucent geometry the same picture is drawn in parts, and nothing else.
   const tetmarch::PeelHooks hooks(volume, this);
-  const bool peeling = hooks.isPeeling();
-  const bool measured = isMeasure(this->ViewMode) && !peeling;
-  const tetmarch::ShellView shell = peeling ? tetmarch::ShellView::None : shellOf(this->ViewMode);
-  const bool marchedPicture =
-    !selector && !peeling && !measured && shell == tetmarch::ShellView::None;
-  const bool interacting = window->GetDesiredUpdateRate() >= 1.0;
-  const tetmarch::DrawOptions options{ level, this->CollectDiagnostics && !peeling,
-    this->MaxDrawTimeInSeconds, interacting && !peeling ? this->LightTimeBudget : 0.0,
-    measured ? &view : nullptr, shell,
-    marchedPicture && !this->CollectDiagnostics ? this->ChooseSampleDistance(volume) : 1.0,
-    peeling ? &hooks : nullptr, this->PickOpacityThreshold };
-  const tetmarch::EffectOptions effects{ this->GradientType == CELL_GRADIENTS,
-    static_cast<tetmarch::ShadowMethod>(this->ShadowMethod), this->VolumetricScatteringBlending,
-    this->GlobalIlluminationReach, this->AmbientOcclusion, this->AmbientOcclusionRadius,
-    this->AmbientOcclusionDirections, this->OpaqueShadows, subjectOf(this->ViewMode),
-    static_cast<tetmarch::BlendMode>(this->BlendMode) };
-
-  tetmarch::ClippingOptions clipping;
-  clipping.Planes = this->ClippingPlanes;
-  clipping.Cropping = this->Cropping;
-  std::copy_n(this->CroppingRegionPlanes, 6, clipping.CroppingPlanes.begin());
-  clipping.CroppingFlags = this->CroppingRegionFlags;
-
-  const tetmarch::VectorChoice vector{ static_cast<tetmarch::VectorMode>(this->VectorMode),
-    this->VectorComponent };
+  const Internals::FrameOptions options(this, renderer, volume, level, hooks);
   vtkVolumeProperty* property = volume->GetProperty();
   const bool drawn =
     scalars && pipeline.updateMesh(grid, progress) && pipeline.updateHiddenCells(grid) &&
-    pipeline.updateScalars(grid, scalars, cellScalars == 1, vector, property) &&
-    pipeline.updateBlending(property,
-      { this->BlendMode, { { this->AverageIPScalarRange[0], this->AverageIPScalarRange[1] } } }) &&
-    pipeline.updateTables(property, lawOf(this->OpacityLaw), level, this->DrawNanCells) &&
-    pipeline.updateEffects(renderer, volume, effects) && pipeline.updateView(renderer, volume) &&
-    pipeline.updateClipping(volume, clipping) && pipeline.upload(window) &&
-    (selector ? this->Internal->select(renderer, volume, options, progress)
-              : pipeline.draw(window, renderer, options, progress));
+    pipeline.updateScalars(grid, scalars, cellScalars == 1, options.Vector, property) &&
+    pipeline.updateBlending(property, options.Blend) &&
+    pipeline.updateTables(property, options.Law, level, this->DrawNanCells) &&
+    pipeline.updateEffects(renderer, volume, options.Effects) &&
+    pipeline.updateView(renderer, volume) && pipeline.updateClipping(volume, options.Clipping) &&
+    pipeline.upload(window) &&
+    (selector ? this->Internal->select(renderer, volume, options.Draw, progress)
+              : pipeline.draw(window, renderer, options.Draw, progress));
   this->ReportError(
     scalars ? pipeline.error() : tetmarch::describeMissingScalars(grid, selectionOf(this)));
   this->ReportMesh();
@@ -181,7 +118,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   timer->StopTimer();
   this->TimeToDraw = timer->GetElapsedTime();
-  const double aside = options.View ? 0.0 : pipeline.counted().seconds();
+  const double aside = options.Draw.View ? 0.0 : pipeline.counted().seconds();
   const double seconds = this->TimeToDraw - aside;
   vtkTetMarchFrameStatistics* statistics = this->Internal->Statistics;
   if (drawn)
@@ -190,22 +127,15 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     statistics->SetSeconds(seconds);
     statistics->SetGPUMemoryBytes(this->GetGPUMemoryBytes());
   }
-  this->Internal->UsedSampleDistance = options.SampleDistance;
-  if (drawn && marchedPicture && (pipeline.onlyDrew() || !this->Internal->Distance.knowsTime()))
+  this->Internal->UsedSampleDistance = options.Draw.SampleDistance;
+  if (drawn && options.MarchesPicture &&
+      (pipeline.onlyDrew() || !this->Internal->Distance.knowsTime()))
   {
-    this->Internal->Distance.drawn(options.SampleDistance, seconds);
+    this->Internal->Distance.drawn(options.Draw.SampleDistance, seconds);
   }
-  choice.end({ drawn, marchedPicture && options.SampleDistance == 1, pipeline.onlyDrew(), seconds,
-    statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND), pipeline.subject() });
-}
-
-//------------------------------------------------------------------------------
-double vtkTetMarchVolumeMapper::ChooseSampleDistance(vtkVolume* volume)
-{
-  return this->AutoAdjustSampleDistances
-           ? this->Internal->Distance.choose(volume->GetAllocatedRenderTime(),
-               this->MinimumImageSampleDistance, this->MaximumImageSampleDistance)
-           : this->ImageSampleDistance;
+  choice.end({ drawn, options.MarchesPicture && options.Draw.SampleDistance == 1,
+    pipeline.onlyDrew(), seconds, statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND),
+    pipeline.subject() });
 }
 
 //------------------------------------------------------------------------------
@@ -243,8 +173,8 @@ bool vtkTetMarchVolumeMapper::RenderReference(vtkVolume* volume, vtkFloatArray* 
   {
     window->MakeCurrent();
   }
-  if (!volume || !this->Internal->Pipeline.renderReference(
-                   volume->GetProperty(), lawOf(this->OpacityLaw), image))
+  if (!volume || !this->Internal->Pipeline.renderReference(volume->GetProperty(),
+                   static_cast<tetmarch::OpacityLaw>(this->OpacityLaw), image))
   {
     vtkErrorMacro("No reference picture: " << (volume ? this->Internal->Pipeline.error()
                                                       : std::string("no volume was given.")));

@@ -769,7 +769,6 @@ private:
   vtkTetMarchVolumeMapper(const vtkTetMarchVolumeMapper&) = delete;
   void operator=(const vtkTetMarchVolumeMapper&) = delete;
 
-  double ChooseSampleDistance(vtkVolume* volume);
   vtkUnstructuredGrid* FindGrid();
   vtkDataArray* FindScalars(vtkUnstructuredGrid* grid, int& cellFlag);
   void ReportError(const std::string& error);

@@ -22,6 +22,8 @@ class vtkHardwareSelector;
 class vtkTetMarchVolumeMapper::Internals
 {
 public:
+  struct FrameOptions;
+
   /** Draw what the renderer's selector reads, and keep it if it is for Pick(). */
   bool select(vtkRenderer* renderer, vtkVolume* volume, const tetmarch::DrawOptions& options,
     const tetmarch::Progress& progress);
