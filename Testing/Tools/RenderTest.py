@@ -11,6 +11,12 @@ import subprocess
 from render_case import RenderCase, main
 
 
+# Along the axis of a unit cube, of which all pixels see the same.
+ALONG = ("--unit-distance", 0.5, "--background", "0,0,0", "--camera", "0.5,0.5,5,0.5,0.5,0.5,0,1,0",
+         "--parallel-scale", 0.4, "--size", "64x48")
+SLAB = ("--array", "half", "--preset", "constant.json", *ALONG)
+
+
 class RenderTest(RenderCase):
     def test_help_and_version(self):
         result = self.run_tool("--help")
@@ -77,20 +83,16 @@ class RenderTest(RenderCase):
 
     def test_a_slab_has_its_known_colour(self):
         # The cube is 1 deep, its opacity 0.7, the unit distance 0.5, the colour (1, 0.5, 0.25) on black.
-        view = ("--array", "half", "--preset", "constant.json", "--unit-distance", 0.5, "--background", "0,0,0",
-                "--camera", "0.5,0.5,5,0.5,0.5,0.5,0,1,0", "--parallel-scale", 0.4, "--size", "64x48")
         for law, opacity in (("unstructured", 1 - math.exp(-0.7 / 0.5)), ("structured", 1 - 0.3 ** (1 / 0.5))):
             for name in ("cube.vtu", "cube.vtk"):
                 with self.subTest(law=law, name=name):
-                    pixels, _ = self.render(name, *view, "--opacity-law", law)
+                    pixels, _ = self.render(name, *SLAB, "--opacity-law", law)
                     self.assertEqual((len(pixels[0]), len(pixels)), (64, 48))
                     for x, y in ((32, 24), (10, 10), (50, 40)):
                         for channel, colour in zip(pixels[y][x], (1, 0.5, 0.25)):
                             self.assertAlmostEqual(channel, 255 * opacity * colour, delta=1.01)
 
     def test_what_is_cut_away_of_a_slab(self):
-        view = ("--array", "half", "--preset", "constant.json", "--unit-distance", 0.5, "--background", "0,0,0",
-                "--camera", "0.5,0.5,5,0.5,0.5,0.5,0,1,0", "--parallel-scale", 0.4, "--size", "64x48")
         # Below all planes in y: of the cross, that is only the layer between those in z.
         aside = "--crop=-1,2,5,6,0.2,0.5"
         for depth, cuts in ((0.6, ("--clip", "0,0,0.6,0,0,-1")), (0.4, ("--clip", "9,9,0.6,0,0,1")),
@@ -99,9 +101,34 @@ class RenderTest(RenderCase):
                             (0.7, (aside, "--crop-regions", "inverted-cross")),
                             (0.6, (aside, "--crop-regions", "inverted-cross", "--clip", "0,0,0.1,0,0,1"))):
             with self.subTest(cuts=cuts):
-                pixels, _ = self.render("cube.vtu", *view, *cuts)
+                pixels, _ = self.render("cube.vtu", *SLAB, *cuts)
                 for channel, colour in zip(pixels[24][32], (1, 0.5, 0.25)):
                     self.assertAlmostEqual(channel, 255 * (1 - math.exp(-1.4 * depth)) * colour, delta=1.01)
+
+    def test_components_of_a_vector(self):
+        for choice, name, scalar in (((), 0, 0.3), (("--component", 0), 0, 0.3), (("--component", 1), 1, 0.4),
+                                     (("--component", "magnitude"), "magnitude", 0.5)):
+            with self.subTest(choice=choice):
+                pixels, stats = self.render("vectors.vtu", "--array", "vector", "--preset", "ramp.json", *ALONG, *choice)
+                self.assertEqual((stats["array"]["component"], stats["array"]["components"]), (name, 3))
+                self.assertAlmostEqual(stats["array"]["range"][0], scalar, places=12)
+                self.assertAlmostEqual(pixels[24][32][0], 255 * (1 - math.exp(-scalar / 0.5)), delta=1.01)
+        self.expect_failure(1, "array 'vector' has no component 3: it has 3, counted from 0", "vectors.vtu", "--array",
+                            "vector", "--component", 3)
+        for value in ("-1", "length"):
+            self.expect_failure(2, f"bad value '{value}' of --component: ", "vectors.vtu", "--component", value)
+
+    def test_values_that_are_not_finite(self):
+        scene = ("vectors.vtu", "--array", "unknown", "--preset", "constant.json", *ALONG)
+        pixels, _ = self.render(*scene)
+        self.assertEqual(pixels[24][32], (0, 0, 0))
+        for color, opacity in (("0.2,1,0.6", 1), ("0.2,1,0.6,0.3", 0.3)):
+            with self.subTest(color=color):
+                pixels, _ = self.render(*scene, "--nan", color)
+                for channel, part in zip(pixels[24][32], (0.2, 1, 0.6)):
+                    self.assertAlmostEqual(channel, 255 * part * (1 - math.exp(-opacity / 0.5)), delta=1.01)
+        for value in ("1,0", "0,0,2", "0,0,0,-1", "red"):
+            self.expect_failure(2, f"bad value '{value}' of --nan: ", "vectors.vtu", "--nan", value)
 
     def test_background_and_default_view(self):
         pixels, _ = self.render("cube.vtu", "--size", "80x60", "--background", "0.2,0.4,0.6")
@@ -123,7 +150,7 @@ class RenderTest(RenderCase):
         self.assertEqual(stats["input"], "cube.vtu")
         self.assertEqual(stats["size"], [80, 60])
         self.assertEqual(stats["array"], {"name": "ramp", "association": "points", "components": 1,
-                                          "range": [0.0, 1.0]})
+                                          "component": 0, "range": [0.0, 1.0]})
         self.assertEqual(stats["cells"], {"vtkHexahedron": 1, "vtkTriangle": 1})
         self.assertEqual(stats["points"], 8)
         self.assertIn(stats["tetrahedra"], (5, 6))

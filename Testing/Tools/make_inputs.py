@@ -1,7 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Small input files for tetmarch-render, good and bad."""
+import base64
 import json
+import math
+import struct
 
 CORNERS = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
 
@@ -13,6 +16,14 @@ def numbers(values):
 def xml_array(name, data_type, values, components=1):
     return (f'<DataArray type="{data_type}" Name="{name}" NumberOfComponents="{components}" format="ascii">'
             f"{numbers(values)}</DataArray>")
+
+
+def binary_array(name, values, components=1):
+    """Of any values: text has no NaN that VTK reads."""
+    data = struct.pack(f"<{len(values)}d", *values)
+    code = base64.b64encode(struct.pack("<I", len(data)) + data).decode()
+    return (f'<DataArray type="Float64" Name="{name}" NumberOfComponents="{components}" format="binary">'
+            f"{code}</DataArray>")
 
 
 def cube_vtu():
@@ -27,6 +38,21 @@ def cube_vtu():
 <Cells>{xml_array("connectivity", "Int64", [0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2])}
 {xml_array("offsets", "Int64", [8, 11])}
 {xml_array("types", "UInt8", [12, 5])}</Cells>
+</Piece></UnstructuredGrid></VTKFile>
+"""
+
+
+def vectors_vtu():
+    """A unit voxel with a vector of length 0.5, and a number that is none."""
+    return f"""<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">
+<UnstructuredGrid><Piece NumberOfPoints="8" NumberOfCells="1">
+<PointData>{binary_array("vector", [0.3, 0.4, 0] * 8, 3)}</PointData>
+<CellData>{binary_array("unknown", [math.nan])}</CellData>
+<Points>{xml_array("Points", "Float32", [x for corner in CORNERS for x in corner], 3)}</Points>
+<Cells>{xml_array("connectivity", "Int64", range(8))}
+{xml_array("offsets", "Int64", [8])}
+{xml_array("types", "UInt8", [12])}</Cells>
 </Piece></UnstructuredGrid></VTKFile>
 """
 
@@ -61,12 +87,16 @@ def write_all(folder):
         "bare.vtk": legacy([hexahedron], with_array=False),
         "surface.vtk": legacy([(5, (0, 1, 2)), (9, (0, 1, 2, 3))]),
         "plate.vtk": plate(),
+        "vectors.vtu": vectors_vtu(),
         "garbage.ex2": "this is no Exodus file",
         "garbage.cgns": "this is no CGNS file",
         "notes.txt": "text",
         "constant.json": json.dumps([{"Name": "constant", "ColorSpace": "RGB",
                                       "RGBPoints": [0, 1, 0.5, 0.25, 1, 1, 0.5, 0.25],
                                       "Points": [0, 0.7, 0.5, 0, 1, 0.7, 0.5, 0]}]),
+        "ramp.json": json.dumps([{"Name": "ramp", "ColorSpace": "RGB",
+                                  "RGBPoints": [0, 1, 0.5, 0.25, 1, 1, 0.5, 0.25],
+                                  "Points": [0, 0, 0.5, 0, 1, 1, 0.5, 0]}]),
         "malformed.json": '[\n  {\n    "Name" "x"\n  }\n]\n',
         "colourless.json": '[{"Name": "x", "Points": [0, 0, 0.5, 0]}]',
     }

@@ -27,7 +27,7 @@ std::vector<ArraySelection> ListArrays(vtkUnstructuredGrid* grid, Association wh
     vtkDataArray* array = attributes->GetArray(i);
     if (array && array->GetName() && std::string(array->GetName()) != "vtkGhostType")
     {
-      selections.push_back({ array, where });
+      selections.push_back({ array, where, 0 });
     }
   }
   return selections;
@@ -70,8 +70,8 @@ std::string Describe(const std::vector<ArraySelection>& selections)
 namespace tetmarch
 {
 
-ArraySelection SelectArray(
-  vtkUnstructuredGrid* grid, const std::string& name, std::optional<Association> where)
+ArraySelection SelectArray(vtkUnstructuredGrid* grid, const std::string& name,
+  std::optional<Association> where, int component)
 {
   std::vector<ArraySelection> all = ListArrays(grid, Association::POINTS);
   for (const ArraySelection& selection : ListArrays(grid, Association::CELLS))
@@ -100,7 +100,16 @@ ArraySelection SelectArray(
                                 : "there is no array '" + name + "'" + place) +
                   " (" + Describe(all) + ")");
   }
-  return *best;
+  ArraySelection selection = *best;
+  const int components = selection.Array->GetNumberOfComponents();
+  if (component >= components)
+  {
+    throw Failure(std::string("array '") + selection.Array->GetName() + "' has no component " +
+                  std::to_string(component) + ": it has " + std::to_string(components) +
+                  ", counted from 0");
+  }
+  selection.Component = components == 1 ? 0 : component;
+  return selection;
 }
 
 } // namespace tetmarch

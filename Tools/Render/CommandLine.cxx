@@ -82,6 +82,25 @@ CameraOption ParseCamera(const std::string& value)
   return camera;
 }
 
+std::vector<double> ParseNanColor(const std::string& value)
+{
+  auto rgba = ParseList(value, { 3, 4 });
+  for (double channel : rgba)
+  {
+    if (!(channel >= 0.0 && channel <= 1.0))
+    {
+      throw UsageError("expected three or four numbers from 0 to 1");
+    }
+  }
+  rgba.resize(4, 1.0);
+  return rgba;
+}
+
+int ParseComponent(const std::string& value)
+{
+  return value == "magnitude" ? -1 : ParseCount(value);
+}
+
 int ParseLevel(const std::string& value)
 {
   return ParseWord(value, { "fast", "default", "accurate", "reference" });
@@ -129,6 +148,8 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
     { "--camera", [](CommandLine& c, const std::string& v) { c.Camera = ParseCamera(v); } },
     { "--clip", [](CommandLine& c, const std::string& v)
       { c.Cuts.Planes.push_back(ParseClippingPlane(v)); } },
+    { "--component",
+      [](CommandLine& c, const std::string& v) { c.Component = ParseComponent(v); } },
     { "--crop", [](CommandLine& c, const std::string& v) { c.Cuts.Crop = ParseCrop(v); } },
     { "--crop-regions",
       [](CommandLine& c, const std::string& v) { c.Cuts.CropRegions = ParseCropRegions(v); } },
@@ -145,6 +166,7 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
         c.IsoValues = ParseList(v);
         c.BlendMode = ParseBlend("isosurface");
       } },
+    { "--nan", [](CommandLine& c, const std::string& v) { c.NanColor = ParseNanColor(v); } },
     { "--light",
       [](CommandLine& c, const std::string& v) { LightOf(c).Lights.push_back(ParseLight(v)); } },
     { "--occlusion", [](CommandLine& c, const std::string& v)

@@ -43,8 +43,10 @@ struct CommandLine
   std::string Preset; // empty: the default transfer function
   std::string Array;  // empty: chosen by SelectArray()
   std::optional<Association> ArrayAssociation;
+  int Component = 0;           // of the array; -1: the magnitude
   std::optional<int> TimeStep; // the last one by default
   std::optional<std::array<double, 2>> Range;
+  std::vector<double> NanColor; // r, g, b, opacity; empty: cells with NaN are not drawn
   std::optional<double> UnitDistance;
   std::optional<CameraOption> Camera;
   std::optional<double> ParallelScale;

@@ -105,6 +105,21 @@ void AddDivergingColors(vtkColorTransferFunction* color, double centre, double r
   color->AddRGBPoint(centre, 0.865, 0.865, 0.865);
   color->AddRGBPoint(centre + reach, 0.706, 0.016, 0.150);
 }
+
+double ValueOf(const tetmarch::ArraySelection& selection, vtkIdType tuple)
+{
+  if (selection.Component >= 0)
+  {
+    return selection.Array->GetComponent(tuple, selection.Component);
+  }
+  double square = 0.0;
+  for (int i = 0; i < selection.Array->GetNumberOfComponents(); ++i)
+  {
+    const double component = selection.Array->GetComponent(tuple, i);
+    square += component * component;
+  }
+  return std::sqrt(square);
+}
 } // namespace
 
 namespace tetmarch
@@ -122,14 +137,14 @@ std::vector<Sample> TakeSamples(vtkUnstructuredGrid* grid, const ArraySelection&
     double value = 0.0;
     if (selection.Where == Association::CELLS)
     {
-      value = selection.Array->GetComponent(cell, 0);
+      value = ValueOf(selection, cell);
     }
     else
     {
       grid->GetCellPoints(cell, points);
       for (const vtkIdType point : *points)
       {
-        value += selection.Array->GetComponent(point, 0);
+        value += ValueOf(selection, point);
       }
       value /= static_cast<double>(points->GetNumberOfIds());
     }

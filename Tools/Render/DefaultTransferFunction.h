@@ -41,7 +41,7 @@ struct Sample
   double Volume;
 };
 
-/// The finite values of about a million cells, component 0.
+/// The finite values of about a million cells.
 std::vector<Sample> TakeSamples(vtkUnstructuredGrid* grid, const ArraySelection& selection);
 
 struct ValueStatistics

@@ -11,8 +11,8 @@ cell. INPUT is a file of VTK (.vtu, .pvtu, .vtm, .vtpc, .vtk, ...), Exodus (.ex2
 (.cgns). Blocks are merged where their points coincide; images and structured grids are taken as hexahedra.
 
 Data
-  --array NAME              the array to draw; of several components the first
-                            (default: the first floating-point array, points before cells)
+  --array NAME              the array to draw (default: the first floating-point array, points before cells)
+  --component K             of several components the one to draw, counted from 0 (default: 0), or magnitude
   --association WHERE       points or cells: where to look for the array (default: points, then cells)
   --time-step K             the time step, counted from 0 (default: the last)
 
@@ -20,6 +20,8 @@ Transfer function
   --preset FILE             colour and opacity points from a JSON preset as ParaView exports it
   --range LO,HI             spread the preset, or the default transfer function, over these values
                             (default: the preset's own values; 2nd to 98th percentile of the data)
+  --nan R,G,B[,OPACITY]     draw cells with values that are not finite in this colour, from 0 to 1 each
+                            (default: they are not drawn; opacity: 1)
   --unit-distance D         length over which an opacity of 1 gives an optical depth of 1
                             (default: such that a ray across the mesh has an optical depth near 1)
   --opacity-law LAW         unstructured: extinction = opacity / D, as VTK's unstructured mappers (default);

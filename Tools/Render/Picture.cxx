@@ -22,6 +22,7 @@
 #include "vtkVolumeProperty.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <algorithm>
 #include <filesystem>
 
 // The text of the legend.
@@ -45,6 +46,9 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
                                 ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
                                 : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
   this->Mapper->SelectScalarArray(selection.Array->GetName());
+  this->Mapper->SetVectorMode(selection.Component < 0 ? vtkTetMarchVolumeMapper::MAGNITUDE
+                                                      : vtkTetMarchVolumeMapper::COMPONENT);
+  this->Mapper->SetVectorComponent(std::max(selection.Component, 0));
   this->Mapper->SetOpacityLaw(commandLine.StructuredOpacityLaw
                                 ? vtkTetMarchVolumeMapper::STRUCTURED
                                 : vtkTetMarchVolumeMapper::UNSTRUCTURED);
@@ -70,6 +74,13 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
   for (std::size_t i = 0; i < commandLine.IsoValues.size(); ++i)
   {
     surfaces->SetValue(static_cast<int>(i), commandLine.IsoValues[i]);
+  }
+
+  if (!commandLine.NanColor.empty())
+  {
+    const std::vector<double>& rgba = commandLine.NanColor;
+    functions.Color->SetNanColorRGBA(rgba[0], rgba[1], rgba[2], rgba[3]);
+    this->Mapper->DrawNanCellsOn();
   }
 
   const auto& background = commandLine.Background;

@@ -66,7 +66,7 @@ std::string FormatStatistics(const CommandLine& commandLine, vtkUnstructuredGrid
   vtkRenderWindow* window, const Timing& timing)
 {
   double range[2];
-  selection.Array->GetRange(range, 0);
+  selection.Array->GetRange(range, selection.Component);
   const GLInformation gl = GetGLInformation(window);
   nlohmann::ordered_json json;
   json["input"] = commandLine.Input;
@@ -75,6 +75,8 @@ std::string FormatStatistics(const CommandLine& commandLine, vtkUnstructuredGrid
   json["array"] = { { "name", selection.Array->GetName() },
     { "association", selection.Where == Association::POINTS ? "points" : "cells" },
     { "components", selection.Array->GetNumberOfComponents() },
+    { "component",
+      selection.Component < 0 ? nlohmann::json("magnitude") : nlohmann::json(selection.Component) },
     { "range", { range[0], range[1] } } };
   json["unit_distance"] = unitDistance;
   json["cells"] = CountCells(grid);

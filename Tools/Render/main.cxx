@@ -28,7 +28,7 @@ void Run(const CommandLine& commandLine)
   timing.Read = vtkTimerLog::GetUniversalTime() - begin;
 
   const ArraySelection selection =
-    SelectArray(grid, commandLine.Array, commandLine.ArrayAssociation);
+    SelectArray(grid, commandLine.Array, commandLine.ArrayAssociation, commandLine.Component);
   const std::vector<Sample> samples = TakeSamples(grid, selection);
   const TransferFunctions functions =
     commandLine.Preset.empty()
