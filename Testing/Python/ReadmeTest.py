@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The README's Python example, word for word, and the README's links: ReadmeTest.py PROJECT_FOLDER."""
+"""The README's Python example, word for word, and the links of all pages: ReadmeTest.py PROJECT_FOLDER."""
 import os
 import pathlib
 import re
@@ -60,10 +60,15 @@ class ReadmeTest(unittest.TestCase):
         self.assertGreater(share(pixels, lambda r, g, b: max(r, g, b) < 32), 0.5)
 
     def test_links_lead_somewhere(self):
-        links = re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", self.text)
-        self.assertIn("Data/golfball_wake.png", links)
-        for link in links:
-            self.assertTrue((PROJECT / link).exists(), link)
+        pages = [PROJECT / "README.md"]
+        for folder in ("Data", "Plugin", "Shaders", "Testing", "VTKModule"):
+            pages += [page for page in sorted((PROJECT / folder).rglob("*.md"))
+                      if not page.name.endswith("Page.md")]  # of which a page elsewhere is made
+        links = [(page, link) for page in pages
+                 for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))]
+        self.assertIn((PROJECT / "README.md", "Data/golfball_wake.png"), links)
+        self.assertEqual([f"{page.relative_to(PROJECT)}: {link}" for page, link in links
+                          if not (page.parent / link).exists()], [])
 
 
 if __name__ == "__main__":
