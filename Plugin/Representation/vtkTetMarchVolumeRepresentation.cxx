@@ -190,19 +190,20 @@ int vtkTetMarchVolumeRepresentation::ProcessViewRequest(
 
 void vtkTetMarchVolumeRepresentation::OfferData(vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  using View = vtkPVRenderView;
-  View::SetPiece(inInfo, this, this->Drawn);
-  View::SetRequiresDistributedRendering(inInfo, this, true);
+  using RenderView = vtkPVRenderView;
+  RenderView::SetPiece(inInfo, this, this->Drawn);
+  RenderView::SetRequiresDistributedRendering(inInfo, this, true);
   vtkNew<vtkMatrix4x4> place;
   this->Actor->GetMatrix(place);
-  View::SetGeometryBounds(inInfo, this, this->DataBounds, place);
+  RenderView::SetGeometryBounds(inInfo, this, this->DataBounds, place);
 
   // Processes draw their volumes one behind the other.
-  outInfo->Set(View::NEED_ORDERED_COMPOSITING(), 1);
-  View::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
-  View::SetOrderedCompositingConfiguration(inInfo, this,
-    this->UseDataPartitions ? View::USE_BOUNDS_FOR_REDISTRIBUTION
-                            : View::DATA_IS_REDISTRIBUTABLE | View::USE_DATA_FOR_LOAD_BALANCING);
+  outInfo->Set(RenderView::NEED_ORDERED_COMPOSITING(), 1);
+  RenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
+  RenderView::SetOrderedCompositingConfiguration(inInfo, this,
+    this->UseDataPartitions
+      ? RenderView::USE_BOUNDS_FOR_REDISTRIBUTION
+      : RenderView::DATA_IS_REDISTRIBUTABLE | RenderView::USE_DATA_FOR_LOAD_BALANCING);
 }
 
 void vtkTetMarchVolumeRepresentation::PrepareToRender(vtkInformation* inInfo)

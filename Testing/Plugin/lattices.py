@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Grids of unit cubes, and sources of ParaView that hand them out."""
 from paraview import simple
-from paraview.vtk import VTK_HEXAHEDRON, vtkDoubleArray, vtkMultiBlockDataSet, vtkPoints, vtkUnstructuredGrid
+from paraview.vtk import VTK_HEXAHEDRON, vtkCompositeDataSet, vtkDoubleArray, vtkMultiBlockDataSet, vtkPoints, vtkUnstructuredGrid
 
 ARRAY = "f"
 
@@ -36,12 +36,13 @@ def lattice(sizes, value, origin=(0, 0, 0), ghosts=()):
     return grid
 
 
-def blocks(*grids):
+def blocks(**grids):
     """Without a block in the first place, so that flat indices begin at 2."""
     tree = vtkMultiBlockDataSet()
     tree.SetNumberOfBlocks(len(grids) + 1)
-    for i, grid in enumerate(grids):
-        tree.SetBlock(i + 1, grid)
+    for i, (name, grid) in enumerate(grids.items(), 1):
+        tree.SetBlock(i, grid)
+        tree.GetMetaData(i).Set(vtkCompositeDataSet.NAME(), name)
     return tree
 
 

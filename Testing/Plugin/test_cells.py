@@ -134,7 +134,7 @@ def check_blocks(view):
 
     left = lattice((1, N, N), field)
     right = lattice((N - 1, N, N), field, origin=(1, 0, 0))
-    source, display = open_display(view, blocks(left, right))
+    source, display = open_display(view, blocks(left=left, right=right))
     assert picture_of(view) == whole, "there is a seam between blocks"
     assert figure_of(display, "NumberOfBoundaryFaces") == faces, "blocks are not joined"
     set_all(display, {"PickOpacityThreshold": 0.0})
@@ -145,7 +145,7 @@ def check_blocks(view):
     simple.ClearSelection(source)
 
     # Those that ParaView's Multi-block Inspector hides; the others keep their numbers.
-    display.BlockSelectors = ["/Root/Block2"]
+    display.BlockSelectors = ["/Root/right"]
     part = picture_of(view)
     seen = sum(any(pixel) for pixel in part) / len(part)
     print(f"one of two blocks: {seen:.4f} of the picture")
@@ -168,7 +168,7 @@ def check_blocks(view):
 
 def check_no_array(view):
     """Nothing is drawn without an array, be it a grid or blocks."""
-    for data in (lattice((N, N, N), field), blocks(lattice((N, N, N), field))):
+    for data in (lattice((N, N, N), field), blocks(only=lattice((N, N, N), field))):
         source, display = open_display(view, data)
         assert any(any(pixel) for pixel in picture_of(view))
         simple.ColorBy(display, None)

@@ -5,7 +5,7 @@ import math
 
 from lattices import ARRAY, lattice, source_of
 from paraview import simple
-from views import figure_of, load_plugin, open_view, parse_arguments, picture_of, set_all, show
+from views import figure_of, figures_of, load_plugin, open_view, parse_arguments, picture_of, set_all, show
 
 N = 4  # cubes along each axis
 PIXELS = 40  # along each of them
@@ -87,9 +87,12 @@ def check_blend_modes(cubes):
     # Only the half that is less than N / 2, whose mean is N / 4.
     cubes.expect_even([OPACITY / 4] * 3, AverageIPScalarRange=[0.0, N / 2])
     cubes.expect_even([OPACITY / 2 * N / UNIT_DISTANCE] * 3, BlendMode="Additive")
-    cubes.expect_even((0.75 * OPACITY, 0.25 * OPACITY, 0), BlendMode="Isosurface", IsosurfaceValues=[0.75 * N])
+    high, low = 0.7, 0.3
+    cubes.expect_even((high * OPACITY, low * OPACITY, 0), BlendMode="Isosurface", IsosurfaceValues=[high * N])
     # The nearer one first.
-    cubes.expect_even(((0.75 + 0.5 * 0.25) * 0.5, (0.25 + 0.5 * 0.75) * 0.5, 0), IsosurfaceValues=[0.25 * N, 0.75 * N])
+    behind = OPACITY * (1 - OPACITY)
+    cubes.expect_even((high * OPACITY + low * behind, low * OPACITY + high * behind, 0),
+                      IsosurfaceValues=[low * N, high * N])
     cubes.expect_even((0, 0, 0), IsosurfaceValues=[])
     cubes.set(BlendMode="Composite")
 
@@ -99,11 +102,11 @@ def check_cropping(cubes):
     look_along(cubes.view, 2)
     whole = cubes.set(UseCropping=0)
     assert cubes.set(UseCropping=1) == whole, "the whole box crops something"
-    cubes.expect_share(0.5, True, CroppingScale=[0.5, 1.0, 1.0])
+    cubes.expect_share(0.5, False, CroppingScale=[0.5, 1.0, 1.0])
     cubes.expect_share(0.5, True, CroppingOrigin=[1.0, 0.0, 0.0])
     cubes.expect_share(0.25, False, CroppingScale=[0.25, 1.0, 1.0], CroppingOrigin=[3.0, 0.0, 0.0])
     cubes.expect_share(0.25, False, CroppingScale=[-0.25, 1.0, 1.0], CroppingOrigin=[1.0, 0.0, 0.0])
-    assert figure_list(cubes.display, "CroppingRegionPlanes") == [0, 1, 0, N, 0, N]
+    assert figures_of(cubes.display, "CroppingRegionPlanes") == [0, 1, 0, N, 0, N]
     cubes.expect_share(0.25, True, CroppingScale=[0.5] * 3, CroppingOrigin=[1.0] * 3)
     # Along z, what regions there are seen through each other.
     cubes.expect_share(1.0, True, CroppingRegionFlags="Fence")
@@ -112,14 +115,6 @@ def check_cropping(cubes):
     cubes.expect_share(0.75, False, CroppingRegionFlags="Inverted Cross")
     assert cubes.set(UseCropping=0, CroppingRegionFlags="Box") == whole
     look_along(cubes.view, 0)
-
-
-def figure_list(display, name):
-    from views import mapper_of
-    for line in str(mapper_of(display)).splitlines():
-        if line.strip().startswith(name + ": "):
-            return [float(word) for word in line.split(": ")[1].split()]
-    raise KeyError(name)
 
 
 def check_nan(cubes):
@@ -134,7 +129,8 @@ def check_nan(cubes):
     drawn = picture_of(cubes.view)
     share = sum(pixel[2] > 0 for pixel in drawn) / len(drawn)
     print(f"NaN cells: {share:.4f} of the picture")
-    assert abs(share - 4 / N**2) < 0.25 * 4 / N**2, "cells around a NaN don't have the colour of NaN"
+    # Of the squares around it, what the tetrahedra that touch it cover.
+    assert 2 / N**2 <= share <= 4 / N**2, "cells around a NaN don't have the colour of NaN"
     simple.Delete(odd)
     cubes.display.Visibility = 1
 

@@ -45,12 +45,16 @@ def mapper_of(display):
     return display.GetClientSideObject().GetActiveRepresentation().GetActiveVolumeMapper()
 
 
-def figure_of(display, name):
-    """What the mapper prints of itself under that name, as a number."""
+def figures_of(display, name):
+    """What the mapper prints of itself under that name, as numbers."""
     for line in str(mapper_of(display)).splitlines():
         if line.strip().startswith(name + ": "):
-            return float(line.split(": ")[1])
+            return [float(word) for word in line.split(": ")[1].split()]
     raise KeyError(name)
+
+
+def figure_of(display, name):
+    return figures_of(display, name)[0]
 
 
 def picture_of(view):
