@@ -150,7 +150,7 @@ def check_distance_of_rays(cubes):
     set_all(cubes.display, {"MinimumImageSampleDistance": 1.0})
     # Frames that take too long: a ray to three lights from each point of a ray.
     size = list(cubes.view.ViewSize)
-    cubes.view.ViewSize = [600, 600]
+    cubes.view.ViewSize = [400, 400]
     cubes.display.TetMarchShade = 1
     cubes.display.TetMarchAccuracyLevel = "Reference"
     cubes.display.TetMarchShadowMethod = "Along Rays"
@@ -158,7 +158,7 @@ def check_distance_of_rays(cubes):
         cubes.view.LODThreshold = threshold
         still = picture_of(cubes.view)
         builds = figure_of(cubes.display, "MeshBuilds")
-        for _ in range(3):
+        for _ in range(2):
             cubes.view.SMProxy.InteractiveRender()
         used = figure_of(cubes.display, "UsedImageSampleDistance")
         lod = bool(cubes.view.GetClientSideObject().GetUsedLODForLastRender())
@@ -179,7 +179,7 @@ def check_limits(cubes):
     for name, value in (("LightTimeBudget", 0.25), ("PickOpacityThreshold", 0.75), ("MaxMemoryInBytes", 1 << 33)):
         set_all(cubes.display, {name: value})
         picture_of(cubes.view)
-        assert figure_of(cubes.display, name) == float(f"{value:g}"), name
+        assert figure_of(cubes.display, name) == value, name
 
 
 def main():
