@@ -21,7 +21,8 @@
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <utility>
+#include <algorithm>
+#include <tuple>
 
 namespace
 {
@@ -237,21 +238,12 @@ void vtkTetMarchVolumeRepresentation::UpdateMapperParameters()
     box.AddBox(this->WholeBounds);
   }
   double planes[6];
-  vtkMath::UninitializeBounds(planes);
-  if (box.IsValid())
-  {
-    box.GetBounds(planes);
-  }
-  for (int i = 0; i < 6; ++i)
-  {
-    planes[i] = this->CroppingOrigin[i / 2] + this->CroppingScale[i / 2] * planes[i];
-  }
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (planes[2 * axis] > planes[2 * axis + 1]) // the scale is negative
-    {
-      std::swap(planes[2 * axis], planes[2 * axis + 1]);
-    }
+    const double origin = this->CroppingOrigin[axis];
+    const double scale = this->CroppingScale[axis]; // may be negative
+    std::tie(planes[2 * axis], planes[2 * axis + 1]) = std::minmax(
+      { origin + scale * box.GetBound(2 * axis), origin + scale * box.GetBound(2 * axis + 1) });
   }
   this->TetMarchMapper->SetCroppingRegionPlanes(planes);
 }

@@ -84,7 +84,8 @@ public:
   //@{
   /**
    * Cropping planes, as vtkImageVolumeRepresentation has them: those of the box of all of the data,
-   * times the scale, plus the origin, axis by axis. With the defaults, 1 and 0, nothing is cropped.
+   * of which processes may have parts, times the scale, plus the origin, axis by axis, in the
+   * coordinates of the data. With the defaults, 1 and 0, nothing is cropped.
    */
   vtkSetVector3Macro(CroppingOrigin, double);
   vtkGetVector3Macro(CroppingOrigin, double);
@@ -130,7 +131,7 @@ private:
   vtkSmartPointer<vtkDataObject> Drawn; // of this process
   vtkBoundingBox WholeBounds;           // of that of all processes
   std::string ActiveAssembly;
-  std::set<std::string> BlockSelectors;
+  std::set<std::string> BlockSelectors{ "/" };
   double CroppingOrigin[3] = { 0, 0, 0 };
   double CroppingScale[3] = { 1, 1, 1 };
   vtkNew<vtkTetMarchVolumeMapper> TetMarchMapper;

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Grids of unit cubes, and sources of ParaView that hand them out."""
 from paraview import simple
-from paraview.vtk import VTK_HEXAHEDRON, vtkCompositeDataSet, vtkDoubleArray, vtkMultiBlockDataSet, vtkPoints, vtkUnstructuredGrid
+from paraview.vtk import (VTK_HEXAHEDRON, vtkCompositeDataSet, vtkDoubleArray, vtkMultiBlockDataSet, vtkPoints,
+                          vtkUnstructuredGrid)
 
 ARRAY = "f"
 
