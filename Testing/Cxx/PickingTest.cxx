@@ -382,13 +382,13 @@ TEST(Picking, AVolumeThatAnotherOneDraws)
   ASSERT_TRUE(scene->pick(70, 85));
   const Vec3 position = scene->pickedPosition();
   const double scalar = scene->Mapper->GetPickedScalar();
+  ASSERT_TRUE(scene->pick(90, 60)); // nothing is left of the pick before
   vtkNew<DelegatingVolume> volume;
   volume->SetMapper(scene->Mapper);
   volume->SetProperty(scene->property());
   volume->SetPosition(scene->Volume->GetPosition());
   scene->Renderer->RemoveVolume(scene->Volume);
   scene->Renderer->AddVolume(volume);
-  ASSERT_FALSE(scene->pick(5, 5)); // nothing is left of the pick before
   ASSERT_TRUE(scene->Mapper->Pick(scene->Renderer, volume, 70, 85));
   EXPECT_EQ(scene->pickedPosition(), position);
   EXPECT_EQ(scene->Mapper->GetPickedScalar(), scalar);
