@@ -550,8 +550,9 @@ public:
    * volume is hit, nor before the near plane.
    *
    * A vtkHardwareSelector for cells then tells the volume's prop and the cells of the input around
-   * those points, one a pixel of its area; in that, rays end at translucent surfaces as well. One
-   * for points finds nothing of the volume.
+   * those points, one a pixel of its area; of composite input, the blocks by their flat indices and
+   * the cells of these. In that, rays end at translucent surfaces as well. One for points finds
+   * nothing of the volume.
    */
   vtkSetClampMacro(PickOpacityThreshold, double, 0.0, 1.0);
   vtkGetMacro(PickOpacityThreshold, double);
@@ -565,14 +566,16 @@ public:
    * all other props that can be picked.
    *
    * If so, PickedPosition is the point, in world coordinates; PickedScalar the scalar there, or of
-   * the cell, in units of the data; and PickedCellId the cell of the input. The point is exact to a
-   * few roundings of float, of the ray's way through a tetrahedron and of the mesh's size. If not,
-   * they are NaN and -1.
+   * the cell, in units of the data; and PickedCellId the cell of the input, or, of composite input,
+   * of the block whose flat index is PickedBlock. The point is exact to a few roundings of float,
+   * of the ray's way through a tetrahedron and of the mesh's size. If not, they are NaN and -1; the
+   * block is 0 then, and where there are none.
    */
   bool Pick(vtkRenderer* renderer, vtkVolume* volume, int x, int y);
   vtkGetVector3Macro(PickedPosition, double);
   vtkGetMacro(PickedScalar, double);
   vtkGetMacro(PickedCellId, vtkIdType);
+  vtkGetMacro(PickedBlock, unsigned int);
   //@}
 
   /**
@@ -764,6 +767,7 @@ protected:
   double PickedPosition[3] = { vtkMath::Nan(), vtkMath::Nan(), vtkMath::Nan() };
   double PickedScalar = vtkMath::Nan();
   vtkIdType PickedCellId = -1;
+  unsigned int PickedBlock = 0;
 
 private:
   vtkTetMarchVolumeMapper(const vtkTetMarchVolumeMapper&) = delete;

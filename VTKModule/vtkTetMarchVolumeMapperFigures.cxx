@@ -264,8 +264,12 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
      << ", " << this->PickedPosition[2] << "\n";
   os << indent << "PickedScalar: " << this->PickedScalar << "\n";
   os << indent << "PickedCellId: " << this->PickedCellId << "\n";
+  os << indent << "PickedBlock: " << this->PickedBlock << "\n";
   os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "CollectDiagnostics: " << (this->CollectDiagnostics ? "On" : "Off") << "\n";
+  os << indent << "BlocksBuilds: " << this->GetBlocksBuilds() << "\n";
+  os << indent << "MeshBuilds: " << this->GetMeshBuilds() << "\n";
+  os << indent << "ScalarsBuilds: " << this->GetScalarsBuilds() << "\n";
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
   os << indent << "NumberOfBoundaryFaces: " << this->GetNumberOfBoundaryFaces() << "\n";
   os << indent << "GPUMemoryBytes: " << this->GetGPUMemoryBytes() << "\n";

@@ -13,14 +13,27 @@
 
 #include <algorithm>
 
+namespace
+{
+// Volumes of levels of detail, such as ParaView's, have another one draw, which is as they are.
+bool drawsLike(vtkVolume* drawn, vtkVolume* asked)
+{
+  const auto sameMatrix = [](const vtkMatrix4x4* a, const vtkMatrix4x4* b)
+  { return std::equal(a->GetData(), a->GetData() + 16, b->GetData()); };
+  return drawn == asked || (drawn->GetProperty() == asked->GetProperty() &&
+                             sameMatrix(drawn->GetMatrix(), asked->GetMatrix()));
+}
+} // namespace
+
 //------------------------------------------------------------------------------
 bool vtkTetMarchVolumeMapper::Internals::select(vtkRenderer* renderer, vtkVolume* volume,
   const tetmarch::DrawOptions& options, const tetmarch::Progress& progress)
 {
   std::vector<tetmarch::PickedPoint> points;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const bool drawn = this->Pipeline.select(window, renderer, options, progress, points);
-  if (renderer->GetSelector() == this->PickSelector && volume == this->PickVolume &&
+  const bool drawn =
+    this->Pipeline.select(window, renderer, options, this->Blocks.origins(), progress, points);
+  if (renderer->GetSelector() == this->PickSelector && drawsLike(volume, this->PickVolume) &&
       !points.empty() && points.front().Hit)
   {
     const tetmarch::PickedPoint& point = points.front();
@@ -45,6 +58,7 @@ bool vtkTetMarchVolumeMapper::Pick(vtkRenderer* renderer, vtkVolume* volume, int
   std::fill_n(this->PickedPosition, 3, vtkMath::Nan());
   this->PickedScalar = vtkMath::Nan();
   this->PickedCellId = -1;
+  this->PickedBlock = 0;
   vtkRenderWindow* window = renderer ? renderer->GetRenderWindow() : nullptr;
   if (!window || !volume || volume->GetMapper() != this)
   {
@@ -81,5 +95,6 @@ bool vtkTetMarchVolumeMapper::Pick(vtkRenderer* renderer, vtkVolume* volume, int
     this->Internal->PickPosition.begin(), this->Internal->PickPosition.end(), this->PickedPosition);
   this->PickedScalar = this->Internal->PickScalar;
   this->PickedCellId = found.AttributeID;
+  this->PickedBlock = this->Internal->Blocks.grid() ? found.CompositeID : 0;
   return true;
 }

@@ -4,16 +4,25 @@
  * @class   vtkTetMarchVolumeRepresentation
  * @brief   ParaView's volume representation of unstructured grids, drawn by vtkTetMarchVolumeMapper
  *
- * Everything but the mapper is the superclass's. The grid reaches the mapper with its cells as they
- * are: the superclass would cut them into tetrahedra, without care for neighbours. A view mode
- * brings its legend into the view, in the process that draws.
+ * The mapper gets the input as it is: cells of all kinds, by their ids, ghosts and blocks, which it
+ * joins. The superclass would cut cells into tetrahedra, without care for neighbours, merge blocks
+ * and leave ghosts out, so that ids were others than those of the input; of it, what its XML sets
+ * is left. Where ParaView draws a lower level of detail while somebody interacts, that is the same
+ * volume: its mapper takes fewer rays then. Cells of the volume can be selected in the view.
+ *
+ * A view mode brings its legend into the view, in the process that draws.
  */
 #ifndef vtkTetMarchVolumeRepresentation_h
 #define vtkTetMarchVolumeRepresentation_h
 
+#include "vtkBoundingBox.h"                  // For WholeBounds
 #include "vtkTetMarchRepresentationModule.h" // For export macro
 #include "vtkUnstructuredGridVolumeRepresentation.h"
 
+#include <set>    // For std::set
+#include <string> // For std::string
+
+class vtkDataObject;
 class vtkTetMarchLegend;
 class vtkTetMarchVolumeMapper;
 
@@ -24,6 +33,19 @@ public:
   static vtkTetMarchVolumeRepresentation* New();
   vtkTypeMacro(vtkTetMarchVolumeRepresentation, vtkUnstructuredGridVolumeRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* type, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
+  //@{
+  /**
+   * Which blocks are drawn of composite input: those that one of the selectors names in the
+   * assembly, or that lie below one. By default all.
+   */
+  void SetActiveAssembly(const char* name);
+  void AddBlockSelector(const char* selector);
+  void RemoveAllBlockSelectors();
+  //@}
 
   //@{
   /**
@@ -46,6 +68,29 @@ public:
   void SetAmbientOcclusion(bool occlusion);
   void SetAmbientOcclusionRadius(double radius);
   void SetAmbientOcclusionDirections(int directions);
+  void SetBlendMode(int mode);
+  void SetAverageIPScalarRange(double low, double high);
+  void SetCropping(bool cropping);
+  void SetCroppingRegionFlags(int flags);
+  void SetPickOpacityThreshold(double opacity);
+  void SetAutoAdjustSampleDistances(bool adjust);
+  void SetImageSampleDistance(double pixels);
+  void SetMinimumImageSampleDistance(double pixels);
+  void SetMaximumImageSampleDistance(double pixels);
+  void SetLightTimeBudget(double seconds);
+  void SetMaxMemoryInBytes(vtkIdType bytes);
+  //@}
+
+  //@{
+  /**
+   * Cropping planes, as vtkImageVolumeRepresentation has them: those of the box of all of the data,
+   * of which processes may have parts, times the scale, plus the origin, axis by axis, in the
+   * coordinates of the data. With the defaults, 1 and 0, nothing is cropped.
+   */
+  vtkSetVector3Macro(CroppingOrigin, double);
+  vtkGetVector3Macro(CroppingOrigin, double);
+  vtkSetVector3Macro(CroppingScale, double);
+  vtkGetVector3Macro(CroppingScale, double);
   //@}
 
   //@{
@@ -57,6 +102,8 @@ public:
   void SetDiffuse(double diffuse);
   void SetSpecular(double specular);
   void SetSpecularPower(double power);
+  void SetNumberOfIsosurfaces(int number);
+  void SetIsosurfaceValue(int i, double value);
   //@}
 
   /**
@@ -68,6 +115,9 @@ protected:
   vtkTetMarchVolumeRepresentation();
   ~vtkTetMarchVolumeRepresentation() override;
 
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void UpdateMapperParameters() override;
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
@@ -75,6 +125,15 @@ private:
   vtkTetMarchVolumeRepresentation(const vtkTetMarchVolumeRepresentation&) = delete;
   void operator=(const vtkTetMarchVolumeRepresentation&) = delete;
 
+  void OfferData(vtkInformation* inInfo, vtkInformation* outInfo);
+  void PrepareToRender(vtkInformation* inInfo);
+
+  vtkSmartPointer<vtkDataObject> Drawn; // of this process
+  vtkBoundingBox WholeBounds;           // of that of all processes
+  std::string ActiveAssembly;
+  std::set<std::string> BlockSelectors{ "/" };
+  double CroppingOrigin[3] = { 0, 0, 0 };
+  double CroppingScale[3] = { 1, 1, 1 };
   vtkNew<vtkTetMarchVolumeMapper> TetMarchMapper;
   vtkNew<vtkTetMarchLegend> Legend;
 };

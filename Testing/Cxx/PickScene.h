@@ -26,6 +26,8 @@ namespace tetmarch::testing
 {
 /// Props, and which of their cells or points.
 using Selected = std::map<vtkProp*, std::set<vtkIdType>>;
+/// Flat indices of blocks, and which of their cells.
+using SelectedInBlocks = std::map<int, std::set<vtkIdType>>;
 
 class PickScene : public Scene
 {
@@ -65,20 +67,13 @@ public:
   Selected select(unsigned int left, unsigned int bottom, unsigned int right, unsigned int top,
     int association = vtkDataObject::FIELD_ASSOCIATION_CELLS)
   {
-    vtkNew<vtkHardwareSelector> selector;
-    selector->SetRenderer(this->Renderer);
-    selector->SetArea(left, bottom, right, top);
-    selector->SetFieldAssociation(association);
-    vtkSmartPointer<vtkSelection> selection;
-    selection.TakeReference(selector->Select());
     Selected found;
-    for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
-    {
-      vtkSelectionNode* node = selection->GetNode(i);
-      auto* prop = vtkProp::SafeDownCast(node->GetProperties()->Get(vtkSelectionNode::PROP()));
-      auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
-      found[prop].insert(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfTuples());
-    }
+    this->forEachNode(left, bottom, right, top, association,
+      [&](vtkInformation* of, const std::set<vtkIdType>& ids)
+      {
+        auto* prop = vtkProp::SafeDownCast(of->Get(vtkSelectionNode::PROP()));
+        found[prop].insert(ids.begin(), ids.end());
+      });
     return found;
   }
   Selected selectAll(int association = vtkDataObject::FIELD_ASSOCIATION_CELLS)
@@ -86,8 +81,36 @@ public:
     const int* size = this->Window->GetSize();
     return this->select(0, 0, size[0] - 1, size[1] - 1, association);
   }
+  SelectedInBlocks selectAllInBlocks()
+  {
+    const int* size = this->Window->GetSize();
+    SelectedInBlocks found;
+    this->forEachNode(0, 0, size[0] - 1, size[1] - 1, vtkDataObject::FIELD_ASSOCIATION_CELLS,
+      [&](vtkInformation* of, const std::set<vtkIdType>& ids)
+      { found[of->Get(vtkSelectionNode::COMPOSITE_INDEX())].insert(ids.begin(), ids.end()); });
+    return found;
+  }
 
 private:
+  template <typename Take>
+  void forEachNode(unsigned int left, unsigned int bottom, unsigned int right, unsigned int top,
+    int association, Take&& take)
+  {
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(this->Renderer);
+    selector->SetArea(left, bottom, right, top);
+    selector->SetFieldAssociation(association);
+    vtkSmartPointer<vtkSelection> selection;
+    selection.TakeReference(selector->Select());
+    for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
+    {
+      vtkSelectionNode* node = selection->GetNode(i);
+      auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+      take(node->GetProperties(),
+        std::set<vtkIdType>(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfTuples()));
+    }
+  }
+
   Vec3 worldAt(int x, int y, double depth)
   {
     this->Renderer->SetDisplayPoint(x + 0.5, y + 0.5, depth);

@@ -79,6 +79,29 @@ TEST(GLState, IsKeptBySelections)
   EXPECT_GE(mapper->Frames, 5);
 }
 
+// A selector has VTK record which buffers are bound, and nothing has it forget them.
+TEST(GLState, NeedsNoBuffersOfThingsThatAreGone)
+{
+  Scene scene(lattice());
+  scene.Renderer->RemoveVolume(scene.Volume);
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(20, 20, 140, 120);
+  for (int i = 0; i < 2; ++i)
+  {
+    const auto ball = makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 });
+    scene.Renderer->AddActor(ball);
+    scene.Window->Render();
+    vtkSmartPointer<vtkSelection>::Take(selector->Select());
+    scene.Renderer->RemoveActor(ball);
+    ball->ReleaseGraphicsResources(scene.Window);
+    scene.Renderer->AddVolume(scene.Volume);
+    scene.Window->Render();
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    scene.Renderer->RemoveVolume(scene.Volume);
+  }
+}
+
 TEST(GLState, IsKeptWithSearchedEntriesAndCellScalars)
 {
   Scene scene(latticeWithHole(6, 0.15, 1, sineField()));

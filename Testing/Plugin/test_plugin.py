@@ -1,11 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Load the plugin into pvpython, draw the golf ball, follow ParaView's own colour and opacity controls."""
-import argparse
-
 from paraview import simple
+from views import (REPRESENTATION, Watch, difference, load_plugin, mapper_of, mean_difference, open_view,
+                   parse_arguments, picture_of, show)
 
-REPRESENTATION = "Tet Marching"
 CELLS = 271607
 ARRAY = "vorticity_mag"
 # The wake's vorticity lies between 0.2 and 6, the wall's far above.
@@ -13,115 +12,14 @@ OPACITY = [0.2, 0.0, 0.5, 0.0, 6.0, 0.9, 0.5, 0.0]
 COLOURS = [0.2, 0.1, 0.2, 0.8, 2.0, 0.9, 0.9, 0.9, 6.0, 0.8, 0.1, 0.1]
 # Rays towards lights take their time.
 LIT_SIZE = [160, 120]
-# Shares of the picture's pixels.
+# Share of the picture's pixels.
 SEEN = 0.3
-CHANGED = 0.2
 # Mean over all channels, of 255. Projected tetrahedra sort roughly: see their speckles on the ball.
 STOCK_DIFFERENCE = 15.0
 
 
-def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--plugin", required=True)
-    parser.add_argument("--data", required=True)
-    parser.add_argument("--picture", help="where to leave the picture")
-    return parser.parse_args()
-
-
-def open_view():
-    simple._DisableFirstRenderCameraReset()
-    view = simple.CreateView("RenderView")
-    view.ViewSize = [400, 300]
-    view.OrientationAxesVisibility = 0
-    view.UseColorPaletteForBackground = 0
-    view.Background = [0.0, 0.0, 0.0]
-    view.CameraPosition = [1.5, -4.5, 1.5]
-    view.CameraFocalPoint = [1.2, 0.0, 0.0]
-    view.CameraViewUp = [0.0, 0.0, 1.0]
-    return view
-
-
-def show(source, view):
-    display = simple.Show(source, view, "UnstructuredGridRepresentation")
-    simple.ColorBy(display, ("POINTS", ARRAY))
-    simple.GetColorTransferFunction(ARRAY).RGBPoints = COLOURS
-    simple.GetOpacityTransferFunction(ARRAY).Points = OPACITY
-    available = display.GetProperty("Representation").Available
-    assert REPRESENTATION in available, f"{REPRESENTATION} is not among {available}"
-    display.SetRepresentationType(REPRESENTATION)
-    display.ScalarOpacityUnitDistance = 0.3
-    return display
-
-
-def picture_of(view):
-    image = view.SMProxy.CaptureWindow(1)
-    values = memoryview(image.GetPointData().GetScalars()).tobytes()
-    channels = image.GetPointData().GetScalars().GetNumberOfComponents()
-    return [values[i : i + 3] for i in range(0, len(values), channels)]
-
-
-def difference(first, second):
-    """Share of pixels that differ by more than 4 of 255 in some channel."""
-    assert len(first) == len(second)
-    differs = (any(abs(a - b) > 4 for a, b in zip(p, q)) for p, q in zip(first, second))
-    return sum(differs) / len(first)
-
-
-def mean_difference(first, second):
-    total = sum(abs(a - b) for p, q in zip(first, second) for a, b in zip(p, q))
-    return total / (3 * len(first))
-
-
-def brightness(picture):
-    """Mean over all channels, of 255."""
-    return sum(sum(pixel) for pixel in picture) / (3 * len(picture))
-
-
-class Watch:
-    """Changes what is shown, and compares the pictures before and after."""
-
-    def __init__(self, view, display):
-        self.view = view
-        self.display = display
-        self.picture = picture_of(view)
-
-    def look(self):
-        self.picture = picture_of(self.view)
-        return self.picture
-
-    def set(self, **properties):
-        """The picture with these properties of the display, whose prefix is left out."""
-        for name, value in properties.items():
-            setattr(self.display, "TetMarch" + name, value)
-        return self.look()
-
-    def expect_change(self, what):
-        before = self.picture
-        share = difference(before, self.look())
-        print(f"{what}: {100 * share:.1f} % of the pixels changed")
-        assert share > CHANGED, f"{what}: the picture stayed as it was"
-
-    def expect_change_by(self, **properties):
-        before = self.picture
-        self.set(**properties)
-        self.picture = before
-        self.expect_change(", ".join(properties))
-
-    def expect_same(self, other, **properties):
-        picture = self.set(**properties)
-        assert picture == other, f"{properties} gave another picture"
-
-    def expect_brightness(self, least, most, reference, **properties):
-        """Of the picture with these properties, as a share of that of another picture."""
-        share = brightness(self.set(**properties)) / brightness(reference)
-        print(f"{properties}: {share:.3f} as bright")
-        assert least <= share <= most, f"{properties}: {share:.3f} as bright instead of {least} to {most}"
-        return self.picture
-
-
 def check_mapper(display):
-    representation = display.GetClientSideObject().GetActiveRepresentation()
-    mapper = representation.GetActiveVolumeMapper().GetClassName()
+    mapper = mapper_of(display).GetClassName()
     assert mapper == "vtkTetMarchVolumeMapper", mapper
 
 
@@ -287,8 +185,8 @@ def check_views(watch):
 
 
 def main():
-    arguments = parse_arguments()
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=globals())
+    arguments = parse_arguments(__doc__, "data")
+    load_plugin(arguments)
 
     source = simple.OpenDataFile(arguments.data)
     source.UpdatePipeline()
@@ -296,11 +194,17 @@ def main():
     assert cells == CELLS, f"{cells} cells were read instead of {CELLS}"
 
     view = open_view()
-    display = show(source, view)
+    view.CameraPosition = [1.5, -4.5, 1.5]
+    view.CameraFocalPoint = [1.2, 0.0, 0.0]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    display = show(source, view, ARRAY)
+    simple.GetColorTransferFunction(ARRAY).RGBPoints = COLOURS
+    simple.GetOpacityTransferFunction(ARRAY).Points = OPACITY
+    display.ScalarOpacityUnitDistance = 0.3
     check_mapper(display)
     watch = Watch(view, display)
-    if arguments.picture:
-        simple.SaveScreenshot(arguments.picture, view)
+    if arguments.pictures:
+        simple.SaveScreenshot(arguments.pictures + "/golfball.png", view)
     check_volume(watch)
     check_translucent_surface(watch)
     check_vectors(watch, source)

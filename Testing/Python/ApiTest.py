@@ -227,6 +227,7 @@ class ApiTest(unittest.TestCase):
         self.assertEqual(len(mapper.GetPickedPosition()), 3)
         self.assertTrue(math.isnan(mapper.GetPickedScalar()))
         self.assertEqual(mapper.GetPickedCellId(), -1)
+        self.assertEqual(mapper.GetPickedBlock(), 0)
         self.assertTrue(callable(mapper.Pick))
 
     def test_the_legend(self):
@@ -278,7 +279,7 @@ class ApiTest(unittest.TestCase):
                      "OpaqueShadows: Off", "AmbientOcclusion: Off", "AmbientOcclusionRadius: 0.1",
                      "AmbientOcclusionDirections: 16", "LightTimeBudget: 0.1", "AutoAdjustSampleDistances: On",
                      "Cropping: Off", "CroppingRegionPlanes: 0 1 0 1 0 1", "CroppingRegionFlags: 8192",
-                     "PickOpacityThreshold: 0.5", "PickedCellId: -1"):
+                     "PickOpacityThreshold: 0.5", "PickedCellId: -1", "PickedBlock: 0"):
             self.assertIn(line, text)
 
 

@@ -4,6 +4,7 @@
 
 #include "GL/BlockAttributes.h"
 #include "GL/FmaProbe.h"
+#include "GL/StateScope.h"
 #include "Scene/TransparentShare.h"
 #include "Scene/WithinMemory.h"
 
@@ -229,6 +230,7 @@ bool Pipeline::ensureHierarchy()
 
 bool Pipeline::upload(vtkOpenGLRenderWindow* window)
 {
+  forgetLostBuffers(window);
   if (this->Window != window)
   {
     if (this->Window)

@@ -12,6 +12,7 @@
 #include "GL/SelectionPass.h"
 #include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
+#include "Scene/CellOrigins.h"
 #include "Scene/Clipping.h"
 #include "Scene/Fingerprint.h"
 #include "Scene/HiddenCellStage.h"
@@ -77,7 +78,7 @@ public:
     const Progress& progress);
   /** Instead of draw(): what a selector is told of the pixels that it asks for. */
   bool select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
-    const Progress& progress, std::vector<PickedPoint>& points);
+    const CellOrigins& origins, const Progress& progress, std::vector<PickedPoint>& points);
 
   /**
    * The picture of the last frame in double precision, by the CPU. False if there was no frame, or

@@ -33,7 +33,8 @@ Viewport selectedPart(vtkHardwareSelector* selector, const Viewport& viewport)
 } // namespace
 
 bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
-  const DrawOptions& options, const Progress& progress, std::vector<PickedPoint>& points)
+  const DrawOptions& options, const CellOrigins& origins, const Progress& progress,
+  std::vector<PickedPoint>& points)
 {
   const Viewport area = this->currentViewport();
   const Viewport part = selectedPart(renderer->GetSelector(), area);
@@ -59,7 +60,7 @@ bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
       if (error.empty() && !stopped)
       {
         error = this->Selected.draw(window, area, part,
-          selectionTexels(renderer->GetSelector(), points, this->mesh(), this->Camera));
+          selectionTexels(renderer->GetSelector(), points, this->mesh(), origins, this->Camera));
       }
     });
   error = shortage.empty() ? error : shortage;

@@ -4,6 +4,8 @@
 #ifndef TetMarchGLStateScope_h
 #define TetMarchGLStateScope_h
 
+#include "GL/ErrorQueue.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
@@ -27,6 +29,23 @@ public:
 private:
   vtkOpenGLState* State;
 };
+
+/**
+ * VTK's record has the array buffers that were bound when it was last read from the GL, as at a
+ * vtkHardwareSelector's begin, and Pop() binds them again, though they may be gone. Read it anew if
+ * so.
+ */
+inline void forgetLostBuffers(vtkOpenGLRenderWindow* window)
+{
+  clearErrors();
+  {
+    const StateScope unchanged(window);
+  }
+  if (glGetError() != GL_NO_ERROR)
+  {
+    window->GetState()->Reset();
+  }
+}
 
 } // namespace tetmarch
 

@@ -55,7 +55,8 @@ std::vector<Block> listBlocks(vtkCompositeDataSet* input, const ScalarSelection&
     vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
       data, selection.Mode, selection.AccessMode, selection.Id, selection.Name, cellFlag);
     const bool drawable = scalars && cellFlag != 2 && scalars->GetNumberOfComponents() > 0;
-    blocks.push_back({ data, nameOf(at), drawable ? scalars : nullptr, cellFlag == 1 });
+    blocks.push_back(
+      { data, at->GetCurrentFlatIndex(), nameOf(at), drawable ? scalars : nullptr, cellFlag == 1 });
   }
   return blocks;
 }
@@ -119,6 +120,7 @@ Fingerprint shapeOf(const std::vector<Block>& blocks)
     {
       add(shape, block.Data);
     }
+    shape.push_back(block.FlatIndex);
     shape.push_back(block.Scalars ? 1 + block.CellScalars : 0);
     shape.push_back(block.Scalars ? block.Scalars->GetNumberOfComponents() : 0);
   }

@@ -20,8 +20,9 @@ namespace tetmarch
 struct Block
 {
   vtkDataSet* Data;
-  std::string Name;      // for messages
-  vtkDataArray* Scalars; // the chosen array; may be null
+  unsigned int FlatIndex; // in the tree
+  std::string Name;       // for messages
+  vtkDataArray* Scalars;  // the chosen array; may be null
   bool CellScalars;
 };
 

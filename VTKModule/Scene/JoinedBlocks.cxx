@@ -124,6 +124,7 @@ std::string JoinedBlocks::join(const std::vector<Block>& drawn)
     {
       return error;
     }
+    this->Origins.add(block.FlatIndex, block.Data->GetNumberOfCells());
   }
   if (!onlyGridOf(drawn) && !drawn.empty())
   {

@@ -6,6 +6,7 @@
 
 #include "Scene/BlockArrays.h"
 #include "Scene/BlockList.h"
+#include "Scene/CellOrigins.h"
 #include "Scene/StageRecord.h"
 
 #include "vtkSmartPointer.h"
@@ -32,6 +33,8 @@ public:
   /** Where blocks differ in the scalar of a shared point, that of the first one. */
   vtkDataArray* scalars() const { return this->Scalars; }
   bool hasCellScalars() const { return this->CellScalars; }
+  /** Of the grid's cells. */
+  const CellOrigins& origins() const { return this->Origins; }
   /** Empty, or which blocks lack the array and are left out. */
   const std::string& omissions() const { return this->Omissions; }
   /** How often any of this was made anew. */
@@ -50,6 +53,7 @@ private:
   std::string Error;
   std::vector<std::size_t> Drawn; // of the blocks
   SharedBlocks Shared;
+  CellOrigins Origins;
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkSmartPointer<vtkDataArray> Scalars;
   bool CellScalars = false;

@@ -36,13 +36,14 @@ bool asksForCells(vtkHardwareSelector* selector)
 }
 
 std::vector<float> selectionTexels(vtkHardwareSelector* selector,
-  const std::vector<PickedPoint>& points, const TetMesh& mesh, const View& view)
+  const std::vector<PickedPoint>& points, const TetMesh& mesh, const CellOrigins& origins,
+  const View& view)
 {
   selector->BeginRenderProp();
-  selector->RenderCompositeIndex(1);
   const int pass = selector->GetCurrentPass();
   const bool low = pass == vtkHardwareSelector::CELL_ID_LOW24;
   const bool high = pass == vtkHardwareSelector::CELL_ID_HIGH24;
+  const bool block = pass == vtkHardwareSelector::COMPOSITE_INDEX_PASS;
   std::array<float, 3> color{};
   selector->GetPropColorValue(color.data());
 
@@ -52,11 +53,15 @@ std::vector<float> selectionTexels(vtkHardwareSelector* selector,
     const PickedPoint& point = points[i];
     if (point.Hit)
     {
-      const vtkIdType cell = mesh.TetCells[point.Tet];
-      selector->UpdateMaximumCellId(cell);
+      const CellOrigin origin = origins.of(mesh.TetCells[point.Tet]);
+      selector->UpdateMaximumCellId(origin.Cell);
       if (low || high)
       {
-        vtkHardwareSelector::Convert(high ? cell >> 24 : cell, color.data());
+        vtkHardwareSelector::Convert(high ? origin.Cell >> 24 : origin.Cell, color.data());
+      }
+      else if (block)
+      {
+        vtkHardwareSelector::Convert(origin.Block, color.data());
       }
       std::copy(color.begin(), color.end(), &texels[4 * i]);
       texels[4 * i + 3] = static_cast<float>(windowDepth(view, point.Position));

@@ -5,6 +5,7 @@
 #ifndef TetMarchSceneSelectedCells_h
 #define TetMarchSceneSelectedCells_h
 
+#include "Scene/CellOrigins.h"
 #include "Scene/PickedPoint.h"
 #include "Scene/View.h"
 
@@ -20,10 +21,11 @@ bool asksForCells(vtkHardwareSelector* selector);
 
 /**
  * Red, green and blue, 0..1, and the depth of the window, 0..1, for each of the points; a depth of
- * 1 for those that hit nothing. Cells are those of the input grid.
+ * 1 for those that hit nothing. Cells are those of the input grid, or of the block of the input.
  */
 std::vector<float> selectionTexels(vtkHardwareSelector* selector,
-  const std::vector<PickedPoint>& points, const TetMesh& mesh, const View& view);
+  const std::vector<PickedPoint>& points, const TetMesh& mesh, const CellOrigins& origins,
+  const View& view);
 
 } // namespace tetmarch
 
