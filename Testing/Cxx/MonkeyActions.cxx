@@ -232,6 +232,19 @@ const std::vector<MonkeyDeed>& monkeyDeeds()
         scene.Window->Render();
         scene.Renderer->AddVolume(scene.Volume);
       } },
+    { "another window, or another context of it",
+      [](MonkeyScene& scene, Random& random)
+      {
+        const int which = random.below(6); // seldom, since all shaders are built anew
+        if (which == 0)
+        {
+          scene.moveTo(makeWindow());
+        }
+        else if (which == 1)
+        {
+          scene.Window->Finalize();
+        }
+      } },
     { "the same frame again", [](MonkeyScene& scene, Random&) { scene.Window->Render(); } },
     { "a pick",
       [](MonkeyScene& scene, Random& random)

@@ -8,6 +8,8 @@
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkTransform.h"
@@ -192,6 +194,9 @@ void MonkeyScene::show(const MonkeyState& state, bool inPlace)
   this->showCamera(state, this->Beside->GetActiveCamera(), MonkeyState::Views - 1);
   this->showWindow(state);
   this->Shown = std::make_unique<MonkeyState>(state);
+  // VTK 9.1's selectors have the state remember which buffers are bound, and it binds them again
+  // when they are long gone with the actors that they belonged to: a GL error of VTK's own.
+  vtkOpenGLRenderWindow::SafeDownCast(this->Window)->GetState()->Reset();
 }
 
 void MonkeyScene::showData(const MonkeyState& state, bool inPlace)
