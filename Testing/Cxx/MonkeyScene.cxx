@@ -196,7 +196,11 @@ void MonkeyScene::show(const MonkeyState& state, bool inPlace)
   this->Shown = std::make_unique<MonkeyState>(state);
   // VTK 9.1's selectors have the state remember which buffers are bound, and it binds them again
   // when they are long gone with the actors that they belonged to: a GL error of VTK's own.
-  vtkOpenGLRenderWindow::SafeDownCast(this->Window)->GetState()->Reset();
+  this->Window->MakeCurrent();
+  if (this->Window->IsCurrent())
+  {
+    vtkOpenGLRenderWindow::SafeDownCast(this->Window)->GetState()->Reset();
+  }
 }
 
 void MonkeyScene::showData(const MonkeyState& state, bool inPlace)
