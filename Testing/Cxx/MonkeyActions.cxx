@@ -235,7 +235,7 @@ const std::vector<MonkeyDeed>& monkeyDeeds()
     { "another window, or another context of it",
       [](MonkeyScene& scene, Random& random)
       {
-        const int which = random.below(6); // seldom, since all shaders are built anew
+        const int which = random.below(12); // seldom, since all shaders are built anew
         if (which == 0)
         {
           scene.moveTo(makeWindow());

@@ -35,7 +35,7 @@ int numberOf(const char* variable, int otherwise)
 
 constexpr int LastActions = 12; // that a failure tells
 constexpr int FirstVariants = 8;
-constexpr int MostVariants = 70; // of the shader: a window builds each, which takes its time
+constexpr int MostVariants = 40; // of the shader: a window builds each, which takes its time
 constexpr int DeedsShare = 8;    // one in so many actions
 constexpr int HeldShare = 4;     // one in so many comparisons
 
