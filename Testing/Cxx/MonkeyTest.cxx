@@ -305,8 +305,8 @@ Footprint footprintOf(Monkey& monkey)
 // Rounds of the same changes: after the first ones all shaders and pools are there.
 TEST_F(MonkeyTest, RoundsLeaveNothing)
 {
-  constexpr int Rounds = 5;
-  constexpr int Changes = 150;
+  constexpr int Rounds = 4;
+  constexpr int Changes = 100;
   Monkey monkey(7, Changes);
   std::vector<Footprint> after;
   for (int round = 0; round < Rounds; ++round)
