@@ -90,3 +90,12 @@ const char* vtkTetMarchObjectFactory::GetVTKSourceVersion() { return VTK_SOURCE_
 
 //------------------------------------------------------------------------------
 const char* vtkTetMarchObjectFactory::GetDescription() { return "TetMarch"; }
+
+//------------------------------------------------------------------------------
+void vtkTetMarchObjectFactory::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent
+     << "ReplacesProjectedTetrahedra: " << (GetReplacesProjectedTetrahedra() ? "On" : "Off")
+     << "\n";
+}

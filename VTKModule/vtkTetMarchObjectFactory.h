@@ -22,6 +22,7 @@ class VTKRENDERINGTETMARCH_EXPORT vtkTetMarchObjectFactory : public vtkObjectFac
 public:
   static vtkTetMarchObjectFactory* New();
   vtkTypeMacro(vtkTetMarchObjectFactory, vtkObjectFactory);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   //@{
   /**
@@ -31,7 +32,14 @@ public:
   static bool GetReplacesProjectedTetrahedra();
   //@}
 
+  /**
+   * Which VTK this was built with, so that no other one takes it.
+   */
   const char* GetVTKSourceVersion() override;
+
+  /**
+   * The name by which VTK's list of factories tells it from others.
+   */
   const char* GetDescription() override;
 
 protected:

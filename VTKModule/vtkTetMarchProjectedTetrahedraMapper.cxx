@@ -12,6 +12,8 @@
 #include "vtkPlaneCollection.h"
 #include "vtkRenderWindow.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkTetMarchProjectedTetrahedraMapper);
 
 //------------------------------------------------------------------------------
@@ -74,6 +76,12 @@ void vtkTetMarchProjectedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* w
 {
   this->Marching->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkTetMarchProjectedTetrahedraMapper::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Marching->GetMTime());
 }
 
 //------------------------------------------------------------------------------

@@ -28,8 +28,20 @@ public:
   vtkTypeMacro(vtkTetMarchProjectedTetrahedraMapper, vtkProjectedTetrahedraMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Render the volume as vtkTetMarchVolumeMapper does, and take over the time that it took.
+   */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
+  /**
+   * Free every GL object of the given window's context. The next Render() makes them anew.
+   */
   void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /**
+   * Also that of the marching mapper, whose properties change what is drawn.
+   */
+  vtkMTimeType GetMTime() override;
 
   /**
    * Whether the window draws by OpenGL; whether its version will do is known in the first frame.

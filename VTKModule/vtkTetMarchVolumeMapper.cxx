@@ -15,6 +15,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
@@ -56,6 +57,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     return;
   }
+  const vtkOpenGLState::ScopedglActiveTexture unit(window->GetState()); // uploads choose others
   tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
   tetmarch::AccuracyChoice& choice = this->Internal->Choice;
   // A selection leaves what is known of the last frame, and takes its tables.

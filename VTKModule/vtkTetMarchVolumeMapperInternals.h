@@ -42,6 +42,7 @@ public:
   // Of Pick(), while it goes on.
   vtkHardwareSelector* PickSelector = nullptr;
   vtkVolume* PickVolume = nullptr;
+  bool PickFailed = false;              // in one of the selector's passes
   std::array<double, 3> PickPosition{}; // in the world
   double PickScalar = 0;
 };

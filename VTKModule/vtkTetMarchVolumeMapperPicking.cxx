@@ -33,6 +33,7 @@ bool vtkTetMarchVolumeMapper::Internals::select(vtkRenderer* renderer, vtkVolume
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const bool drawn =
     this->Pipeline.select(window, renderer, options, this->Blocks.origins(), progress, points);
+  this->PickFailed = this->PickFailed || !drawn;
   if (renderer->GetSelector() == this->PickSelector && drawsLike(volume, this->PickVolume) &&
       !points.empty() && points.front().Hit)
   {
@@ -82,12 +83,13 @@ bool vtkTetMarchVolumeMapper::Pick(vtkRenderer* renderer, vtkVolume* volume, int
   selector->SetArea(pixel[0], pixel[1], pixel[0], pixel[1]);
   this->Internal->PickSelector = selector;
   this->Internal->PickVolume = volume;
+  this->Internal->PickFailed = false;
   const bool captured = selector->CaptureBuffers();
   this->Internal->PickSelector = nullptr;
   this->Internal->PickVolume = nullptr;
   const vtkHardwareSelector::PixelInformation found =
     captured ? selector->GetPixelInformation(pixel) : vtkHardwareSelector::PixelInformation();
-  if (!found.Valid || found.Prop != volume)
+  if (!found.Valid || found.Prop != volume || this->Internal->PickFailed)
   {
     return false;
   }

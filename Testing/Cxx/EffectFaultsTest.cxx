@@ -3,14 +3,12 @@
 // Whatever the GL refuses of the effects of light: one error that says what, a frame without the
 // volume, nothing left behind, and the volume is back as soon as the GL takes it.
 #include "FaultScene.h"
-#include "GLObjects.h"
 #include "LitScene.h"
 
 #include "vtkActor.h"
 
 #include <functional>
 #include <gtest/gtest.h>
-#include <iostream>
 
 namespace
 {
@@ -34,50 +32,6 @@ protected:
     this->Shown.Window->Render();
     this->Shown.property()->DisableGradientOpacityOff();
     this->Shown.property()->ShadeOn();
-  }
-
-  // Each call of that kind that a frame makes after `prepare`, one by one; that many at least end
-  // the frame.
-  void expectEveryCallIsMet(Fault fault, const std::function<void()>& prepare, int ending)
-  {
-    prepare();
-    const auto objects = countGLObjects();
-    const int shaders = countShaders();
-    int calls = 0;
-    int errors = 0;
-    for (; calls < 100; ++calls)
-    {
-      SCOPED_TRACE(std::string(nameOf(fault)) + ", call " + std::to_string(calls));
-      this->Watch.Errors.clear();
-      const bool met = this->meet(fault, calls);
-      const Image frame = this->Shown.frame();
-      if (!met)
-      {
-        this->expectSound(frame);
-        break;
-      }
-      ASSERT_LE(this->Watch.Errors.size(), 1u);
-      if (!this->Watch.Errors.empty())
-      {
-        this->expectEmpty(frame);
-        ++errors;
-      }
-      // At once, and after everything of it is gone.
-      EXPECT_LE(compare(this->frame(), this->Sound).Max, 2.0 / 255.0);
-      EXPECT_LE(this->Watch.Errors.size(), 1u);
-      prepare();
-      EXPECT_EQ(countGLObjects(), objects);
-      EXPECT_LE(countShaders(), shaders);
-    }
-    EXPECT_GE(errors, ending) << nameOf(fault);
-    std::cout << "[ MEASURED ] " << nameOf(fault) << ": " << calls << " calls, " << errors
-              << " of them end the frame\n";
-  }
-
-  void expectReported(const char* words)
-  {
-    ASSERT_EQ(this->Watch.Errors.size(), 1u);
-    EXPECT_NE(this->Watch.Errors[0].find(words), std::string::npos) << this->Watch.Errors[0];
   }
 };
 
@@ -136,13 +90,7 @@ TEST_F(EffectFaults, NoRoomForShadowsOfOpaqueGeometry)
 // With the file's name, however often it is tried.
 TEST_F(EffectFaults, ShaderOfTheLight)
 {
-  const auto spoil = [](const std::string& text)
-  {
-    std::string spoilt = text;
-    const std::string good = "vertexStartBuffer";
-    const std::size_t at = text.find(good);
-    return at == std::string::npos ? text : spoilt.replace(at, good.size(), "1");
-  };
+  const auto spoil = [](const std::string& text) { return spoilt(text, "vertexStartBuffer"); };
   for (int i = 0; i < 2; ++i)
   {
     this->release(true);

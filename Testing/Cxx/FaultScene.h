@@ -9,6 +9,7 @@
 
 #include "ErrorWatch.h"
 #include "FaultyGL.h"
+#include "GLObjects.h"
 #include "Scene.h"
 #include "WatchedMapper.h"
 
@@ -18,6 +19,7 @@
 
 #include <functional>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <utility>
 
 namespace tetmarch::testing
@@ -75,20 +77,78 @@ protected:
     }
   }
 
-  // One frame, of which the mapper's part meets the fault.
+  // One frame, of which the mapper's part meets the fault; each of them, if it has several.
   template <typename... Arguments>
   bool meet(Arguments&&... arguments)
+  {
+    return this->meetIn([this] { this->Shown.Window->Render(); }, arguments...);
+  }
+  // Likewise in whatever else has the mapper draw.
+  template <typename... Arguments>
+  bool meetIn(const std::function<void()>& act, Arguments&&... arguments)
   {
     bool happened = false;
     this->Mapper->Around = [&](const std::function<void()>& draw)
     {
-      const FaultyGL faulty(std::forward<Arguments>(arguments)...);
+      const FaultyGL faulty(arguments...);
       draw();
-      happened = faulty.happened();
+      happened = happened || faulty.happened();
     };
-    this->Shown.Window->Render();
+    act();
     this->Mapper->Around = nullptr;
     return happened;
+  }
+
+  // Each call of that kind that a frame makes after `prepare`, one by one; that many at least end
+  // the frame.
+  void expectEveryCallIsMet(Fault fault, const std::function<void()>& prepare, int ending)
+  {
+    prepare();
+    const auto objects = countGLObjects();
+    const int shaders = countShaders();
+    int calls = 0;
+    int errors = 0;
+    for (; calls < 100; ++calls)
+    {
+      SCOPED_TRACE(std::string(nameOf(fault)) + ", call " + std::to_string(calls));
+      this->Watch.Errors.clear();
+      const bool met = this->meet(fault, calls);
+      const Image frame = this->Shown.frame();
+      if (!met)
+      {
+        this->expectSound(frame);
+        break;
+      }
+      ASSERT_LE(this->Watch.Errors.size(), 1u);
+      if (!this->Watch.Errors.empty())
+      {
+        this->expectEmpty(frame);
+        ++errors;
+      }
+      // At once, and after everything of it is gone.
+      EXPECT_LE(compare(this->frame(), this->Sound).Max, 2.0 / 255.0);
+      EXPECT_LE(this->Watch.Errors.size(), 1u);
+      prepare();
+      EXPECT_EQ(countGLObjects(), objects);
+      EXPECT_LE(countShaders(), shaders);
+    }
+    EXPECT_GE(errors, ending) << nameOf(fault);
+    std::cout << "[ MEASURED ] " << nameOf(fault) << ": " << calls << " calls, " << errors
+              << " of them end the frame\n";
+  }
+
+  // Of shaders that contain the words, which no GL takes then.
+  static std::string spoilt(const std::string& text, const std::string& words)
+  {
+    const std::size_t at = text.find(words);
+    std::string result = text;
+    return at == std::string::npos ? text : result.replace(at, words.size(), "1");
+  }
+
+  void expectReported(const char* words)
+  {
+    ASSERT_EQ(this->Watch.Errors.size(), 1u);
+    EXPECT_NE(this->Watch.Errors[0].find(words), std::string::npos) << this->Watch.Errors[0];
   }
 
   SceneType Shown{ latticeWithHole(6, 0.15, 1, sineField()), Side, Side };

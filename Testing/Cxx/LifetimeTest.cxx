@@ -3,7 +3,10 @@
 // Windows and mappers come and go in any order; what is drawn stays the same, and nobody loses what
 // is another's.
 #include "ErrorWatch.h"
+#include "Held.h"
 #include "Scene.h"
+
+#include "vtkActor.h"
 
 #include <gtest/gtest.h>
 
@@ -56,6 +59,29 @@ TEST_F(Lifetime, ReleasedAndDrawnAgain)
   EXPECT_EQ(scene.Mapper->GetMeshBuilds(), 1);
   scene.Mapper->ReleaseGraphicsResources(nullptr);
   this->expectSame(scene.render());
+}
+
+// Depths of opaque geometry, and entries that the rasteriser found.
+TEST_F(Lifetime, WhatAFrameDoesNotNeedIsFreed)
+{
+  Scene scene(lattice());
+  scene.camera()->SetPosition(0.5, 0.5, 0.6); // inside, which makes the hierarchy that stays
+  scene.render();
+  const Held inside(scene);
+  lookAtUnitCube(scene.camera());
+  scene.render();
+  const Held held(scene);
+  EXPECT_LT(inside.Bytes, held.Bytes);
+  const auto ball = makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 });
+  scene.Renderer->AddActor(ball);
+  scene.render();
+  EXPECT_GT(scene.Mapper->GetGPUMemoryBytes(), held.Bytes);
+  scene.Renderer->RemoveActor(ball);
+  scene.render();
+  EXPECT_EQ(scene.Mapper->GetGPUMemoryBytes(), held.Bytes);
+  scene.camera()->SetPosition(0.5, 0.5, 0.6);
+  scene.render();
+  EXPECT_EQ(scene.Mapper->GetGPUMemoryBytes(), inside.Bytes);
 }
 
 TEST_F(Lifetime, WindowFinalizedAndDrawnAgain)

@@ -124,6 +124,18 @@ TEST_F(Selection, LeavesNothingBehind)
   EXPECT_EQ(this->Shown.Mapper->GetVertexLightBuilds(), 1);
 }
 
+// Its rays end at whatever opaque geometry there is, which a picture without any needn't look at.
+TEST_F(Selection, HoldsNothing)
+{
+  this->Shown.render();
+  this->Shown.selectAll(); // VTK's own
+  this->Shown.render();
+  const Held held(this->Shown);
+  EXPECT_TRUE(this->Shown.pick(Middle, Middle));
+  this->Shown.selectAll();
+  EXPECT_TRUE(Held(this->Shown) == held);
+}
+
 // A budget chooses levels by what past frames took; a selection is none.
 TEST_F(Selection, IsNoFrameForTheBudgets)
 {

@@ -61,6 +61,48 @@ TEST(GLState, IsKept)
   }
 }
 
+// Nothing is drawn then, but VTK's records had bound what is gone.
+TEST(GLState, IsKeptIfSomebodyReleasesWhatIsDrawn)
+{
+  Scene scene(lattice());
+  for (const auto& [diagnostics, viewMode] : WaysToDraw)
+  {
+    vtkNew<WatchedMapper> mapper;
+    mapper->SetInputData(scene.Data);
+    mapper->SetCollectDiagnostics(diagnostics);
+    mapper->SetViewMode(viewMode);
+    mapper->SetMaxDrawTimeInSeconds(1e-9);
+    scene.Volume->SetMapper(mapper);
+    scene.Window->Render();
+    EXPECT_GT(mapper->GetGPUMemoryBytes(), 0);
+    {
+      const Observer observer(
+        mapper, vtkCommand::ProgressEvent, [&] { mapper->ReleaseGraphicsResources(scene.Window); });
+      scene.Window->Render();
+      EXPECT_EQ(mapper->GetGPUMemoryBytes(), 0);
+    }
+    scene.Window->Render();
+    EXPECT_EQ(mapper->Frames, 3);
+    scene.Volume->SetMapper(scene.Mapper);
+  }
+}
+
+// As translucent surfaces leave it.
+TEST(GLState, KeepsTheTextureUnit)
+{
+  Scene scene(lattice());
+  vtkNew<WatchedMapper> mapper;
+  mapper->SetInputData(scene.Data);
+  scene.Volume->SetMapper(mapper);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(scene.Window);
+  const Observer observer(scene.Renderer, vtkCommand::StartEvent,
+    [&] { window->GetState()->vtkglActiveTexture(GL_TEXTURE3); });
+  scene.Window->Render();
+  scene.Window->Render();
+  EXPECT_EQ(mapper->Frames, 2);
+  scene.Volume->SetMapper(scene.Mapper);
+}
+
 TEST(GLState, IsKeptBySelections)
 {
   Scene scene(lattice());

@@ -95,14 +95,29 @@ std::string FramePasses::pick(vtkOpenGLRenderWindow* window, const TetMesh& mesh
 {
   // Rays look at the entries of the pixels beside theirs, too.
   const Viewport around{ part.X - 1, part.Y - 1, part.Width + 2, part.Height + 2 };
-  const std::string error = this->findRays(window, mesh, around, inputs.Area, inputs);
-  return error.empty() ? this->Picking.pick(window, inputs, part, progress, stopped, points)
-                       : error;
+  std::string error = this->findRays(window, mesh, around, inputs.Area, inputs);
+  if (error.empty())
+  {
+    error = this->Picking.pick(window, inputs, part, progress, stopped, points);
+  }
+  if (!this->LastKey.OpaqueDepth) // rays of picks end at opaque geometry anyway
+  {
+    this->Opaque.release(window);
+  }
+  return error;
 }
 
 void FramePasses::releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
   const MeasureView* view, ShellView shell, bool coarse)
 {
+  if (!key.RasterEntry)
+  {
+    this->Entry.release(window);
+  }
+  if (!key.OpaqueDepth)
+  {
+    this->Opaque.release(window);
+  }
   if (!coarse)
   {
     this->Coarse.release(window);
@@ -118,6 +133,10 @@ void FramePasses::releaseUnused(vtkWindow* window, const VariantKey& key, bool d
   if (shell == ShellView::None)
   {
     this->Shell.release();
+  }
+  else
+  {
+    this->March.release();
   }
   if ((!view && !diagnostics) || shell != ShellView::None)
   {

@@ -26,6 +26,7 @@ std::string PickPass::pick(vtkOpenGLRenderWindow* window, const MarchInputs& inp
     points = this->read(window);
   }
   this->Target.release(window);
+  this->Draw.release();
   return error;
 }
 

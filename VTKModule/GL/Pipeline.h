@@ -126,6 +126,7 @@ private:
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;
   Fingerprint lightVersion(const VariantKey& key) const;
   std::int64_t stageRuns() const;
+  void forgetErrorsOfReleasing(vtkOpenGLRenderWindow* window);
 
   std::string Error;
   std::int64_t RunsBefore = 0; // this frame

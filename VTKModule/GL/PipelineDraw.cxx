@@ -3,6 +3,7 @@
 // The last stage of a frame: which variant it needs, and what is drawn; and the same by the CPU.
 #include "GL/Pipeline.h"
 
+#include "GL/ErrorQueue.h"
 #include "Scene/WithinMemory.h"
 
 #include "vtkOpenGLRenderUtilities.h"
@@ -89,6 +90,15 @@ MarchInputs Pipeline::inputsOf(
   return inputs;
 }
 
+// If who was told of progress released what was bound: VTK's records had it bound again.
+void Pipeline::forgetErrorsOfReleasing(vtkOpenGLRenderWindow* window)
+{
+  if (this->Window != window)
+  {
+    clearErrors();
+  }
+}
+
 bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const DrawOptions& options, const Progress& progress)
 {
@@ -120,6 +130,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
           options.Diagnostics, options.View, options.Shell, options.SampleDistance, goOn, stopped);
       }
     });
+  this->forgetErrorsOfReleasing(window);
   if (!shortage.empty())
   {
     this->Passes.clear();

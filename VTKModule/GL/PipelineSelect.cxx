@@ -63,6 +63,7 @@ bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
           selectionTexels(renderer->GetSelector(), points, this->mesh(), origins, this->Camera));
       }
     });
+  this->forgetErrorsOfReleasing(window);
   error = shortage.empty() ? error : shortage;
   return error.empty() ? !stopped : this->fail(error);
 }

@@ -49,6 +49,7 @@ std::string SelectionPass::draw(vtkOpenGLRenderWindow* window, const Viewport& v
   drawCorners(program, this->Draw, viewport, part);
   texture->Deactivate();
   texture->ReleaseGraphicsResources(window);
+  this->Draw.release();
   return {};
 }
 

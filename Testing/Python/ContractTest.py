@@ -1,0 +1,122 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What VTK expects of every property: a setter that is heard, a time of change, a line of what is printed."""
+import re
+import unittest
+
+import vtkmodules.all  # noqa: F401
+import vtktetmarch
+
+CLASSES = [getattr(vtktetmarch, name) for name in vtktetmarch.__all__]
+
+# What can't be found by trying numbers.
+OTHER_VALUES = {"Mapper": vtktetmarch.vtkTetMarchVolumeMapper(), "BlendMode": 3}
+# Figures with an argument before the value, and what belongs to a class instead of an object.
+NO_PROPERTIES = {"Values", "ReplacesProjectedTetrahedra"}
+
+
+def names_of_properties(cls):
+    """X for each SetX that the class itself declares, with a GetX."""
+    own = {name[3:] for name in vars(cls) if name.startswith("Set") and hasattr(cls, "Get" + name[3:])}
+    if hasattr(cls, "GetBlendModeAsString"):
+        own.add("BlendMode")  # of a class of VTK's; which ones there are is our own
+    return sorted(own - NO_PROPERTIES)
+
+
+def other_than(thing, name):
+    """Sets a value that isn't there yet, and returns it."""
+    get, put = getattr(thing, "Get" + name), getattr(thing, "Set" + name)
+    before = get()
+    if name in OTHER_VALUES:
+        candidates = [OTHER_VALUES[name]]
+    elif isinstance(before, tuple):
+        candidates = [tuple(value + 0.5 * (i + 1) for i, value in enumerate(before)), tuple(range(len(before)))]
+    elif isinstance(before, bool):
+        candidates = [not before]
+    else:
+        candidates = [before + step for step in (1, -1, 0.25, -0.25, 17)]
+        if isinstance(before, int):
+            candidates = [int(value) for value in candidates]
+    for value in candidates:
+        put(value)
+        if get() != before:
+            return get()
+    raise AssertionError(f"{name} stays {before}")
+
+
+def line_of(thing, name):
+    """The last of that name: classes above may have one, too."""
+    found = re.findall(rf"^ +{name}:(.*)$", str(thing), re.MULTILINE)
+    return found[-1].strip() if found else None
+
+
+PROPERTIES = [(cls, name) for cls in CLASSES for name in names_of_properties(cls)]
+
+
+class ContractTest(unittest.TestCase):
+    def test_there_are_properties(self):
+        found = {cls.__name__: names_of_properties(cls) for cls in CLASSES}
+        self.assertGreater(len(found["vtkTetMarchVolumeMapper"]), 30)
+        self.assertEqual(found["vtkTetMarchFrameStatistics"], ["GPUMemoryBytes", "Seconds"])
+        self.assertEqual(found["vtkTetMarchLegend"], ["Mapper"])
+
+    def test_the_time_of_change_moves_if_a_value_does(self):
+        for cls, name in PROPERTIES:
+            with self.subTest(cls=cls.__name__, property=name):
+                thing = cls()
+                before = thing.GetMTime()
+                value = other_than(thing, name)
+                changed = thing.GetMTime()
+                self.assertGreater(changed, before)
+                getattr(thing, "Set" + name)(value)
+                self.assertEqual(thing.GetMTime(), changed, "nothing has changed")
+
+    def test_each_is_printed(self):
+        for cls, name in PROPERTIES:
+            with self.subTest(cls=cls.__name__, property=name):
+                thing = cls()
+                before = line_of(thing, name)
+                self.assertIsNotNone(before, "there is no line of it")
+                other_than(thing, name)
+                self.assertNotEqual(line_of(thing, name), before)
+
+    def test_switches_switch(self):
+        for cls in CLASSES:
+            for name in [name[:-2] for name in vars(cls) if name.endswith("On")]:
+                with self.subTest(cls=cls.__name__, property=name):
+                    thing = cls()
+                    for way, value in (("On", True), ("Off", False)):
+                        getattr(thing, name + way)()
+                        self.assertEqual(bool(getattr(thing, "Get" + name)()), value)
+
+    def test_names_of_choices(self):
+        """SetXToY() makes GetXAsString() Y, where there is one."""
+        checked = 0
+        for cls in CLASSES:
+            for name in vars(cls):
+                choice = re.fullmatch(r"Set(\w+?)To(\w+)", name)
+                if choice and hasattr(cls, f"Get{choice.group(1)}AsString"):
+                    with self.subTest(method=name):
+                        thing = cls()
+                        getattr(thing, name)()
+                        self.assertEqual(getattr(thing, f"Get{choice.group(1)}AsString")(), choice.group(2))
+                        checked += 1
+        self.assertGreater(checked, 20)
+
+    def test_the_replaced_mapper_has_the_time_of_what_draws(self):
+        mapper = vtktetmarch.vtkTetMarchProjectedTetrahedraMapper()
+        before = mapper.GetMTime()
+        mapper.GetMarchingMapper().AmbientOcclusionOn()
+        self.assertGreater(mapper.GetMTime(), before)
+
+    def test_the_factory_prints_what_it_replaces(self):
+        factory = vtktetmarch.vtkTetMarchObjectFactory
+        self.assertEqual(line_of(factory(), "ReplacesProjectedTetrahedra"), "Off")
+        factory.SetReplacesProjectedTetrahedra(True)
+        line = line_of(factory(), "ReplacesProjectedTetrahedra")
+        factory.SetReplacesProjectedTetrahedra(False)
+        self.assertEqual(line, "On")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
