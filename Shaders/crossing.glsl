@@ -56,6 +56,10 @@ vec3 gradientAt(Crossing face, vec3 share)
 }
 #endif
 
+// Scalars that are not finite are stored as UNDRAWN_SCALAR; what they touch is passed through, or has a colour of its
+// own. All others lie in 0..1.
+bool isDrawn(real scalar) { return scalar < real(2); }
+
 // Depth and scalar of the point in which the ray crosses the face.
 vec2 crossingPoint(Crossing face)
 {
@@ -68,6 +72,11 @@ vec2 crossingPoint(Crossing face)
   vec3 s = face.scalar;
   real depth = z.x + (w.y * (z.y - z.x) + w.z * (z.z - z.x)) * r;
   real scalar = s.x + (w.y * (s.y - s.x) + w.z * (s.z - s.x)) * r;
+#if TETMARCH_POINT_SCALARS
+  // A ray through the edge opposite a corner that isn't drawn has none of it, but is in a cell that touches it.
+  real highest = max(s.x, max(s.y, s.z));
+  scalar = isDrawn(highest) ? scalar : UNDRAWN_SCALAR;
+#endif
   return vec2(clamp(depth, min(z.x, min(z.y, z.z)), max(z.x, max(z.y, z.z))), scalar);
 }
 
@@ -79,10 +88,6 @@ real scalarAt(vec2 enter, vec2 leave, real depth)
 {
   return enter.y + (leave.y - enter.y) * shareAt(enter, leave, depth);
 }
-
-// Scalars that are not finite are stored as UNDRAWN_SCALAR; what they touch is passed through, or has a colour of its
-// own. All others lie in 0..1, so that any share of one that isn't drawn shows.
-bool isDrawn(real scalar) { return abs(scalar) < real(2); }
 
 #if TETMARCH_HIDDEN_CELLS
 // Hidden tetrahedra are passed through as if there was nothing in them.

@@ -15,6 +15,10 @@ Radiance noRadiance()
   return radiance;
 }
 
+#if TETMARCH_PICKED
+real gathered(Radiance radiance) { return radiance.extreme; }
+#endif
+
 // What lies behind may always count.
 bool isOpaque(Radiance radiance) { return false; }
 

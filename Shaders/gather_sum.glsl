@@ -17,6 +17,10 @@ Radiance noRadiance()
   return radiance;
 }
 
+#if TETMARCH_PICKED
+real gathered(Radiance radiance) { return radiance.sum; }
+#endif
+
 // What lies behind always counts.
 bool isOpaque(Radiance radiance) { return false; }
 

@@ -13,6 +13,10 @@ struct March
   Tet last;        // that was crossed
   real seenDepth;  // where in it is on the average what is seen of it
 #endif
+#if TETMARCH_PICKED
+  real target;     // what a ray has gathered where it is picked
+  Pick pick;
+#endif
 #if TETMARCH_DIAGNOSTICS
   int evaluations; // evaluations of the segment integral
   int refused;     // entry faces that refused the ray
@@ -32,6 +36,10 @@ March beginMarch(real depthBegin)
   march.paused = false;
   march.left = false;
   march.nextSample = real(-1); // never
+#endif
+#if TETMARCH_PICKED
+  march.target = NO_DEPTH; // nowhere
+  march.pick = noPick();
 #endif
 #if TETMARCH_DIAGNOSTICS
   march.evaluations = 0;
@@ -163,6 +171,12 @@ void marchToExit(
     while (cropping)
     {
 #endif
+#if TETMARCH_PICKED
+    if (cell.seen)
+    {
+      pickPiece(opticalLength, march.target, cell, march.radiance, march.pick);
+    }
+#else
 #if TETMARCH_NAN_SHOWN
     if (cell.seen && !cell.finite)
     {
@@ -178,6 +192,7 @@ void marchToExit(
       march.evaluations = march.evaluations + trials;
 #endif
     }
+#endif
 #if TETMARCH_CROPPED
       vec2 piece = nextPiece(ray, cell.end, cell.rest);
       cropping = piece.y > piece.x;
@@ -185,7 +200,11 @@ void marchToExit(
       cell.end = cropping ? piece.y : cell.end;
     }
 #endif
+#if TETMARCH_PICKED
+    march.finished = march.finished || march.pick.hit;
+#else
     march.finished = march.finished || isOpaque(march.radiance);
+#endif
     onward = onward && !march.finished;
 #if TETMARCH_SAMPLED_SHADOWS
     march.seenDepth = cell.begin + (cell.end - cell.begin) * seenShare(before, march.radiance.transmittance);

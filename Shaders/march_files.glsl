@@ -20,4 +20,7 @@
 #if TETMARCH_CROPPED
 #include "cropping.glsl"
 #endif
+#if TETMARCH_PICKED
+#include "pick_piece.glsl"
+#endif
 #include "march.glsl"

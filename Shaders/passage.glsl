@@ -70,7 +70,7 @@ Passage beginPassage(Ray ray, INOUT(Crossing) face, uint next)
   cell.leave = crossingPoint(face);
   cell.seen = false;
 #if TETMARCH_COMPOSITE && TETMARCH_POINT_SCALARS
-  // Not of an undrawn scalar, whose crossing may even be NaN: integrateSegment() meets what stands here.
+  // Not of an undrawn scalar: integrateSegment() meets what stands here.
   cell.at = tablePoint(isDrawn(cell.leave.y) ? cell.leave.y * tableScale + tableOffset : tableOffset);
 #endif
 #if TETMARCH_EFFECTS

@@ -1,19 +1,24 @@
 // Where the ray of each pixel is picked. Pixels whose ray is not keep what they have.
+#define TETMARCH_PICKED 1
 #include "language.glsl"
 
 //VTK::Output::Dec
 
 #include "mesh_buffers.glsl"
 #include "table_buffers.glsl"
+#if !TETMARCH_COMPOSITE
+#include "blend_buffers.glsl"
+#endif
 #if TETMARCH_EFFECTS
 #include "effect_buffers.glsl"
 #endif
 #if TETMARCH_CLIPPED
 #include "clipping_buffers.glsl"
 #endif
-#include "traversal_files.glsl"
-#include "extinction.glsl"
-#include "tet.glsl"
+#include "march_files.glsl"
+#if TETMARCH_EXTREME || TETMARCH_SUM
+#include "ray_cast.glsl"
+#endif
 #include "pick.glsl"
 #if TETMARCH_CLIPPED
 #include "clipping.glsl"
@@ -21,13 +26,13 @@
 #include "pixel_ray.glsl"
 
 uniform mat3 lengthMatrix; // direction -> world, in scalar opacity unit distances
+uniform float transmittanceLeft; // behind the point, 0..1
 
 void main()
 {
   PixelRay pixel = pixelRay();
-  Way way = wayFromBoundary(pixel.ray, pixel.firstFace);
   float opticalLength = length(lengthMatrix * pixel.ray.direction);
-  Pick pick = pickOn(pixel.ray, opticalLength, pixel.depthBegin, pixel.depthEnd, way);
+  Pick pick = pickOn(pixel.ray, pixel.firstFace, opticalLength, pixel.depthBegin, pixel.depthEnd, transmittanceLeft);
   if (!pick.hit)
   {
     discard;

@@ -1,112 +1,33 @@
-// Where a ray is picked: the point up to which it has gathered an opacity, and the tetrahedron around that. The march of
-// extinction ends in it if the transmittance that is left there takes the place of its tolerance.
+// Where a ray is picked, between two depths.
 
-CONSTANT int PICK_STEPS = 32; // halvings of the way through a tetrahedron
-
-struct Pick
-{
-  bool hit;
-  uint tet;
-  real depth;  // along the ray
-  real scalar; // as it is stored, also if it is not finite
-};
-
-// The tetrahedron that a ray has left by a face, whose link says what lies behind.
-Tet tetBefore(Crossing face, uvec2 link)
-{
-  uint rank = (link.y > face.id.x ? 1u : 0u) + (link.y > face.id.y ? 1u : 0u) + (link.y > face.id.z ? 1u : 0u);
-  bool outside = link.x >= LINK_OUTSIDE;
-  uvec2 back = fetchLink(outside ? 4u * tetCount + (link.x - LINK_OUTSIDE) : 4u * link.x + rank);
-  Tet tet;
-  tet.number = back.x;
-  tet.a = face.id.x;
-  tet.b = face.id.z;
-  tet.c = face.id.y;
-  tet.d = back.y;
-  return tet;
-}
-
-// A ray's way through a tetrahedron.
-struct Transit
-{
-  uint tet;
-  vec2 enter; // depth and scalar
-  vec2 leave;
-#if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
-  real densityEnter;
-  real densityLeave;
+#if TETMARCH_EXTREME || TETMARCH_SUM
+CONSTANT real PICK_ROUNDING = real(1e-6); // of scalars, 0..1, and of shares of a sum
 #endif
-};
 
-// Between two depths on it.
-real opticalDepthOn(Transit way, vec2 range, real opticalLength)
+// Of volumes and surfaces, where it has gathered the opacity 1 - left. Of scalars, which are seen only when all of the
+// ray is known, and if their opacity is as much: the first point with the greatest or least one; or the one up to which
+// that share of the sum has been gathered.
+Pick pickOn(
+  Ray ray, int firstFace, real opticalLength, real depthBegin, real depthEnd, real left)
 {
-#if TETMARCH_POINT_SCALARS
-  TablePoint at = tablePoint(tableOffset);
-  real extinction = extinctionBetween(way.enter, way.leave, range, at);
+  March march = beginMarch(depthBegin);
+#if TETMARCH_COMPOSITE
+  march.target = -left;
+#elif TETMARCH_ISOSURFACES
+  // Their opacity may be the very one that is asked for, but for rounding: 2^-22.
+  march.target = -left - real(2.384185791015625e-7);
 #else
-  real extinction = extinctionOf(way.tet);
-#endif
-#if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
-  extinction = extinction * densityBetween(way.enter, way.leave, range, way.densityEnter, way.densityLeave);
-#elif TETMARCH_GRADIENT_OPACITY
-  extinction = extinction * gradientOpacity(fetchCellGradient(way.tet));
-#endif
-  extinction = countedExtinction(extinction, way.tet, way.enter, way.leave);
-  return extinction * (range.y - range.x) * opticalLength;
-}
-
-// The way of a ray that has left a tetrahedron by a face; of no length if rounding hides how it came in.
-Transit transitOf(Ray ray, Tet tet, Crossing exit)
-{
-  Transit way;
-  way.tet = tet.number;
-  way.leave = crossingPoint(exit);
-  Crossing entry;
-  uvec2 link;
-  bool entered = entersTet(ray, tet, entry, link);
-  vec2 enter = crossingPoint(entry);
-  way.enter = entered ? enter : way.leave;
-#if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
-  fetchCorners(entry);
-  way.densityLeave = densityAt(exit);
-  way.densityEnter = entered ? densityAt(entry) : way.densityLeave;
-#endif
-  return way;
-}
-
-// Between two depths, by the opacity 1 - errorTolerance.
-Pick pickOn(Ray ray, real opticalLength, real depthBegin, real depthEnd, INOUT(Way) way)
-{
-  Attenuation passed = attenuate(ray, opticalLength, depthBegin, depthEnd, way);
-  real excess = passed.depth + log(errorTolerance); // optical depth between the point and the march's end
-  Pick pick;
-  pick.hit = excess > real(0);
-  pick.tet = 0u;
-  pick.depth = passed.done;
-  pick.scalar = real(0);
-  if (pick.hit)
-  {
-    Transit transit = transitOf(ray, tetBefore(way.face, way.link), way.face);
-    real low = min(transit.enter.x, passed.done);
-    real high = passed.done;
-    for (int i = 0; i < PICK_STEPS; ++i)
-    {
-      real middle = low + (high - low) * real(0.5);
-      bool before = opticalDepthOn(transit, vec2(middle, passed.done), opticalLength) > excess;
-      low = before ? middle : low;
-      high = before ? high : middle;
-    }
-    pick.tet = transit.tet;
-    pick.depth = max(high, depthBegin);
-#if TETMARCH_POINT_SCALARS
-    pick.scalar = transit.leave.x > transit.enter.x ? scalarAt(transit.enter, transit.leave, pick.depth) : transit.leave.y;
+  Radiance whole = castPlainRay(ray, firstFace, opticalLength, depthBegin, depthEnd).radiance;
+  // Rounding may make the second march gather a little less.
+#if TETMARCH_SUM
+  real target = gathered(whole) * min(real(1) - left, real(1) - PICK_ROUNDING);
 #else
-    pick.scalar = fetchCellScalar(transit.tet);
+  real target = gathered(whole) - PICK_ROUNDING;
 #endif
-#if TETMARCH_NAN_SHOWN
-    pick.scalar = isFinite(transit.tet, transit.enter, transit.leave) ? pick.scalar : UNDRAWN_SCALAR;
+  real opacity = pixelOf(whole, opticalLength).w;
+  march.target = opacity > real(0) && opacity + PICK_ROUNDING >= real(1) - left ? target : NO_DEPTH;
 #endif
-  }
-  return pick;
+  Way way = wayFromBoundary(ray, firstFace);
+  marchOn(ray, opticalLength, depthEnd, way, march);
+  return march.pick;
 }

@@ -78,6 +78,11 @@ real errorBound(Radiance radiance)
   return bound;
 }
 
+#if TETMARCH_PICKED
+// What grows along the ray: the opacity, less 1, which would round it.
+real gathered(Radiance radiance) { return -radiance.transmittance; }
+#endif
+
 // Premultiplied colour and opacity of the pixel.
 vec4 pixelOf(Radiance radiance, real opticalLength)
 {

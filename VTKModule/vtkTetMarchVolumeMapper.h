@@ -543,11 +543,14 @@ public:
 
   //@{
   /**
-   * Picking. A ray hits the volume where the opacity that it has gathered reaches
-   * PickOpacityThreshold, 0..1: 0 is the first point at which anything is seen, 1 one behind which
-   * a float has nothing left to see. The default, 0.5, is a point before and behind which as much
-   * is seen; what is fainter in all is not hit. Where opaque geometry comes first, nothing of the
-   * volume is hit, nor before the near plane.
+   * Picking. A ray hits the volume, or its isosurfaces, where the opacity that it has gathered
+   * reaches PickOpacityThreshold, 0..1: 0 is the first point at which anything is seen, 1 one behind
+   * which a float has nothing left to see. The default, 0.5, is a point before and behind which as
+   * much is seen; what is fainter in all is not hit. Of a maximum or a minimum the first point is
+   * hit that has it (within 1e-6 of the scalars' range), if the opacity there is the threshold; of
+   * an average or a sum the point up to which that share of it has been gathered. What is clipped,
+   * cropped or hidden gathers nothing. Where opaque geometry comes first, nothing of the volume is
+   * hit, nor before the near plane.
    *
    * A vtkHardwareSelector for cells then tells the volume's prop and the cells of the input around
    * those points, one a pixel of its area; of composite input, the blocks by their flat indices and

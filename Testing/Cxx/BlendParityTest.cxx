@@ -3,15 +3,13 @@
 // What the GL draws in each blend mode, pixel by pixel against the CPU twin.
 #include "vtkTetMarchFrameStatistics.h"
 
-#include "BlendScene.h"
-#include "Twin.h"
+#include "BlendParity.h"
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
 #include <gtest/gtest.h>
-#include <iostream>
 #include <limits>
 
 namespace
@@ -20,66 +18,31 @@ using namespace tetmarch::testing;
 
 Grid lattice() { return jitteredLattice(10, 0.15, 1, sineField()); }
 
-// What shows scalars where they jump, or surfaces, has edges inside the silhouette, where rounding
-// decides which side a pixel sees.
-constexpr std::size_t PixelsAnEdgeCosts = 250; // one of so many
-
-void expectModes(Scene& scene, bool opaque = false)
-{
-  for (const int mode : BlendModes)
-  {
-    scene.Mapper->SetBlendMode(mode);
-    const Image drawn = scene.render();
-    const std::vector<float> depths = opaque ? scene.windowDepths() : std::vector<float>();
-    const TwinPicture twin = twinOf(scene, depths);
-    const Regions regions = regionsOf(scene, depths);
-    const Difference inside = compare(drawn, twin.Picture, regions.Inside);
-    std::cout << "[ MEASURED ] " << scene.Mapper->GetBlendModeAsString() << ": " << inside.text()
-              << '\n';
-    EXPECT_GT(inside.Pixels, 400u);
-    EXPECT_LE(inside.Over * PixelsAnEdgeCosts, inside.Pixels)
-      << scene.Mapper->GetBlendModeAsString() << ": " << inside.text();
-    EXPECT_LE(inside.Percentile999, 8.0 / 255.0) << inside.text();
-    const Image nothing(drawn.Width, drawn.Height);
-    EXPECT_EQ(compare(drawn, nothing, regions.Outside, 0.0).Over, 0u) << "something outside";
-    EXPECT_GT(compare(drawn, nothing, regions.Inside).Max, 0.1) << "nothing inside";
-    EXPECT_EQ(scene.Mapper->GetNumberOfLostRays(), 0);
-    EXPECT_EQ(scene.Mapper->GetNumberOfGuardHits(), 0);
-  }
-}
-
-void goInside(vtkCamera* camera)
-{
-  camera->SetPosition(0.31, 0.42, 0.57);
-  camera->SetFocalPoint(1.0, 0.6, 0.4);
-  camera->SetClippingRange(0.01, 5.0);
-}
-
 TEST(BlendParity, ScalarsOfPoints)
 {
   BlendScene scene(lattice());
-  expectModes(scene);
+  expectBlendParity(scene);
 }
 
 TEST(BlendParity, ScalarsOfCells)
 {
   BlendScene scene(jitteredLattice(8, 0.15, 1, sineField()));
   scene.drawCellScalars();
-  expectModes(scene);
+  expectBlendParity(scene);
 }
 
 TEST(BlendParity, InNoLight)
 {
   BlendScene scene(lattice());
   scene.property()->ShadeOff();
-  expectModes(scene);
+  expectBlendParity(scene);
 }
 
 TEST(BlendParity, GradientsOfCells)
 {
   BlendScene scene(lattice());
   scene.Mapper->SetGradientType(Mapper::CELL_GRADIENTS);
-  expectModes(scene);
+  expectBlendParity(scene);
 }
 
 TEST(BlendParity, AverageOverARange)
@@ -98,23 +61,23 @@ TEST(BlendParity, OpaqueGeometryInside)
 {
   BlendScene scene(lattice());
   scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 }));
-  expectModes(scene, true);
+  expectBlendParity(scene, true);
 }
 
 TEST(BlendParity, CameraInside)
 {
   BlendScene scene(lattice());
-  goInside(scene.camera());
-  expectModes(scene);
+  lookFromInside(scene.camera());
+  expectBlendParity(scene);
 }
 
 TEST(BlendParity, RaysThatComeAgain)
 {
   BlendScene scene(latticeWithHole(9, 0.15, 1, sineField()));
-  expectModes(scene);
+  expectBlendParity(scene);
   BlendScene cells(nestedShells(10, 4, 0.15, 1, sineField()));
   cells.drawCellScalars();
-  expectModes(cells);
+  expectBlendParity(cells);
 }
 
 TEST(BlendParity, ScalarsThatAreNotFinite)
@@ -126,7 +89,7 @@ TEST(BlendParity, ScalarsThatAreNotFinite)
     scalars->SetComponent(i, 0, std::numeric_limits<double>::quiet_NaN());
   }
   BlendScene scene(grid);
-  expectModes(scene);
+  expectBlendParity(scene);
 }
 
 // No piece is evaluated twice, and nothing is left to be bounded.

@@ -104,11 +104,7 @@ TEST_P(ClippingParity, ParallelAlongAnAxisOfALattice)
 {
   Scene scene(jitteredLattice(8, 0.0, 1, sineField()));
   this->cut(scene);
-  scene.camera()->ParallelProjectionOn();
-  scene.camera()->SetParallelScale(0.625);
-  scene.camera()->SetPosition(0.5, 0.5, 3.0);
-  scene.camera()->SetFocalPoint(0.5, 0.5, 0.5);
-  scene.camera()->SetViewUp(0.0, 1.0, 0.0);
+  lookDownZ(scene.camera(), 0.625);
   expectParity(scene);
 }
 
@@ -148,35 +144,6 @@ TEST_P(ClippingParity, ShadowsAtVertices)
   expectParity(scene);
   scene.drawCellScalars();
   expectParity(scene);
-}
-
-TEST_P(ClippingParity, ShadowsOfAHeadlight)
-{
-  LitScene scene(lattice());
-  this->cut(scene);
-  scene.Sun->SetLightTypeToHeadlight();
-  scene.Mapper->SetShadowMethodToAtVertices();
-  expectParity(scene);
-}
-
-// What is looked for here and there along rays, against what is looked for everywhere.
-TEST_P(ClippingParity, ShadowsAlongRays)
-{
-  LitScene scene(jitteredLattice(6, 0.15, 1, sineField()), 96, 96);
-  scene.property()->SetScalarOpacityUnitDistance(0.6);
-  scene.Mapper->SetShadowMethodToAlongRays();
-  const auto errorOf = [&scene]
-  {
-    const Image drawn = scene.render();
-    return compare(drawn, twinOf(scene, {}, Precision::Double, LightFrom::Everywhere).Picture,
-      regionsOf(scene).Inside);
-  };
-  const Difference whole = errorOf();
-  this->cut(scene);
-  const Difference cutAway = errorOf();
-  std::cout << "[ MEASURED ] whole " << whole.text() << "; cut " << cutAway.text() << '\n';
-  EXPECT_GT(cutAway.Pixels, 400u);
-  EXPECT_LE(cutAway.Rms, 1.3 * whole.Rms);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cuts, ClippingParity,

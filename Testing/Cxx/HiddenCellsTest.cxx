@@ -3,19 +3,16 @@
 // Cells that ghost arrays hide: not drawn, no hindrance to rays or light, and hidden without a new
 // mesh.
 #include "ErrorWatch.h"
+#include "GapScene.h"
 #include "LitScene.h"
 #include "Twin.h"
 
-#include "vtkCellData.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
-#include <functional>
 #include <gtest/gtest.h>
 #include <iostream>
 #include <limits>
@@ -27,26 +24,6 @@ using Ghosts = vtkDataSetAttributes;
 
 constexpr int Side = 96;
 
-// Whether the centre of a cell's bounds is chosen.
-using Place = std::function<bool(double x, double y, double z)>;
-
-bool isAt(vtkUnstructuredGrid* grid, vtkIdType cell, const Place& place)
-{
-  double b[6];
-  grid->GetCellBounds(cell, b);
-  return place(0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]));
-}
-
-void hide(vtkUnstructuredGrid* grid, const Place& place, int type = Ghosts::HIDDENCELL)
-{
-  vtkUnsignedCharArray* ghosts = grid->AllocateCellGhostArray();
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-  {
-    ghosts->SetValue(cell, static_cast<unsigned char>(isAt(grid, cell, place) ? type : 0));
-  }
-  ghosts->Modified();
-}
-
 void showAll(vtkUnstructuredGrid* grid)
 {
   grid->GetCellData()->RemoveArray(Ghosts::GhostArrayName());
@@ -55,19 +32,7 @@ void showAll(vtkUnstructuredGrid* grid)
 const Place All = [](double, double, double) { return true; };
 const Place Slab = [](double, double, double z) { return z > 0.25 && z < 0.75; };
 const Place Front = [](double, double, double z) { return z > 0.5; };
-// Here and there.
-const Place Crumbs = [](double x, double y, double z)
-{ return std::sin(17.0 * x) * std::sin(19.0 * y) * std::sin(23.0 * z) > 0.1; };
-
-// Down z, so that each chord through the unit cube is 1.
-void lookDownZ(Scene& scene)
-{
-  scene.camera()->ParallelProjectionOn();
-  scene.camera()->SetParallelScale(0.4);
-  scene.camera()->SetPosition(0.5, 0.5, 3.0);
-  scene.camera()->SetFocalPoint(0.5, 0.5, 0.5);
-  scene.camera()->SetViewUp(0.0, 1.0, 0.0);
-}
+const Place Crumbs = isCrumb;
 
 TEST(HiddenCells, LeaveTheOpacityOfTheRest)
 {
@@ -80,7 +45,7 @@ TEST(HiddenCells, LeaveTheOpacityOfTheRest)
     }
     setPlainFunctions(scene.property(), { 1.0, 0.5, 0.25 }, 0.8);
     scene.property()->SetScalarOpacityUnitDistance(1.0);
-    lookDownZ(scene);
+    lookDownZ(scene.camera(), 0.4);
     const struct
     {
       Place Hidden;

@@ -174,15 +174,6 @@ TEST_F(LightParity, FastLevel)
   expectParity(*this->Shown);
 }
 
-void setGradientOpacity(vtkVolumeProperty* property)
-{
-  vtkNew<vtkPiecewiseFunction> function;
-  function->AddPoint(0.0, 0.1);
-  function->AddPoint(1.5, 0.2);
-  function->AddPoint(3.5, 1.0);
-  property->SetGradientOpacity(function);
-}
-
 TEST_F(LightParity, GradientOpacityUnlit)
 {
   this->Shown->property()->ShadeOff();
@@ -199,22 +190,10 @@ TEST_F(LightParity, GradientOpacityOfCells)
   expectParity(*this->Shown);
 }
 
-void setTransparentRanges(vtkVolumeProperty* property)
-{
-  vtkPiecewiseFunction* opacity = property->GetScalarOpacity();
-  opacity->RemoveAllPoints();
-  for (const double peak : { 0.3, 0.7 })
-  {
-    opacity->AddPoint(peak - 0.1, 0.0);
-    opacity->AddPoint(peak, 0.8);
-    opacity->AddPoint(peak + 0.1, 0.0);
-  }
-}
-
 // Shades are made where something is seen, of points or of cells.
 TEST_F(LightParity, TransparentRanges)
 {
-  setTransparentRanges(this->Shown->property());
+  setTwoPeaks(this->Shown->property());
   this->addSun();
   this->Shown->Mapper->SetShadowMethodToAtVertices();
   this->Shown->Mapper->SetVolumetricScatteringBlending(1.0f);

@@ -31,15 +31,7 @@ public:
     this->property()->SetSpecularPower(12.0);
   }
 
-  /// Thinner where the scalar changes little.
-  void addGradientOpacity()
-  {
-    vtkNew<vtkPiecewiseFunction> function;
-    function->AddPoint(0.0, 0.1);
-    function->AddPoint(1.5, 0.2);
-    function->AddPoint(3.5, 1.0);
-    this->property()->SetGradientOpacity(function);
-  }
+  void addGradientOpacity() { setGradientOpacity(this->property()); }
 
   /// Of one frame, the sum over all pixels and channels.
   double brightness()

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Scalars that are not finite, drawn in a colour of their own.
+#include "GapScene.h"
 #include "LitScene.h"
 #include "Twin.h"
 
-#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 
@@ -18,17 +18,6 @@ using namespace tetmarch::testing;
 using Limits = std::numeric_limits<double>;
 
 constexpr int Side = 96;
-
-const double NotFinite[] = { Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity() };
-
-void breakSome(vtkDataArray* scalars)
-{
-  for (vtkIdType i = 5, n = 0; i < scalars->GetNumberOfTuples(); i += 23, ++n)
-  {
-    scalars->SetTuple1(i, NotFinite[n % 3]);
-  }
-  scalars->Modified();
-}
 
 TEST(NanCells, OpacityIsAsTheLawSays)
 {
@@ -49,11 +38,7 @@ TEST(NanCells, OpacityIsAsTheLawSays)
   setPlainFunctions(scene.property(), { 1.0, 0.0, 0.0 }, 0.5);
   scene.property()->GetRGBTransferFunction()->SetNanColorRGBA(0.0, 0.8, 0.4, 0.6);
   scene.property()->SetScalarOpacityUnitDistance(0.5);
-  scene.camera()->ParallelProjectionOn();
-  scene.camera()->SetParallelScale(0.4);
-  scene.camera()->SetPosition(0.5, 0.5, 3.0);
-  scene.camera()->SetFocalPoint(0.5, 0.5, 0.5);
-  scene.camera()->SetViewUp(0.0, 1.0, 0.0);
+  lookDownZ(scene.camera(), 0.4);
   for (const bool structured : { false, true })
   {
     scene.Mapper->SetOpacityLaw(

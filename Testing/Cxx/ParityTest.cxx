@@ -181,14 +181,7 @@ TEST(Parity, OneColour)
 TEST(Parity, TransparentRanges)
 {
   Scene scene(jitteredLattice(10, 0.15, 1, sineField()));
-  vtkPiecewiseFunction* opacity = scene.property()->GetScalarOpacity();
-  opacity->RemoveAllPoints();
-  for (const double peak : { 0.3, 0.7 })
-  {
-    opacity->AddPoint(peak - 0.1, 0.0);
-    opacity->AddPoint(peak, 0.8);
-    opacity->AddPoint(peak + 0.1, 0.0);
-  }
+  setTwoPeaks(scene.property());
   expectParity(scene);
   scene.drawCellScalars();
   expectParity(scene);

@@ -15,13 +15,6 @@ using namespace tetmarch::testing;
 
 Grid lattice() { return jitteredLattice(10, 0.15, 1, sineField()); }
 
-void goInside(vtkCamera* camera)
-{
-  camera->SetPosition(0.31, 0.42, 0.57);
-  camera->SetFocalPoint(1.0, 0.6, 0.4);
-  camera->SetClippingRange(0.01, 5.0);
-}
-
 TEST(ParityView, Parallel)
 {
   Scene scene(lattice());
@@ -34,11 +27,7 @@ TEST(ParityView, ParallelAlongAnAxisOfALattice)
 {
   // Rays in the planes of faces, edges and vertices.
   Scene scene(jitteredLattice(8, 0.0, 1, sineField()));
-  scene.camera()->ParallelProjectionOn();
-  scene.camera()->SetParallelScale(0.625);
-  scene.camera()->SetPosition(0.5, 0.5, 3.0);
-  scene.camera()->SetFocalPoint(0.5, 0.5, 0.5);
-  scene.camera()->SetViewUp(0.0, 1.0, 0.0);
+  lookDownZ(scene.camera(), 0.625);
   expectParity(scene);
 }
 
@@ -51,7 +40,7 @@ TEST(ParityView, OblongViewport)
 TEST(ParityView, CameraInside)
 {
   Scene scene(lattice());
-  goInside(scene.camera());
+  lookFromInside(scene.camera());
   scene.property()->SetScalarOpacityUnitDistance(0.6);
   expectParity(scene);
 }
@@ -59,11 +48,11 @@ TEST(ParityView, CameraInside)
 TEST(ParityView, CameraInsideShellsAndParallel)
 {
   Scene shells(nestedShells(10, 4, 0.15, 1, sineField()));
-  goInside(shells.camera());
+  lookFromInside(shells.camera());
   expectParity(shells);
 
   Scene parallel(lattice());
-  goInside(parallel.camera());
+  lookFromInside(parallel.camera());
   parallel.camera()->ParallelProjectionOn();
   parallel.camera()->SetParallelScale(0.4);
   expectParity(parallel);
@@ -153,7 +142,7 @@ TEST(ParityView, OpaqueGeometryInside)
 TEST(ParityView, OpaqueGeometryAndCameraInside)
 {
   Scene scene(nestedShells(10, 4, 0.15, 1, sineField()));
-  goInside(scene.camera());
+  lookFromInside(scene.camera());
   scene.Renderer->AddActor(makeBall({ 0.9, 0.5, 0.4 }, 0.25, { 1.0, 1.0, 1.0 }));
   expectParityWithOpaque(scene);
 }

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes between translucent surfaces, which VTK peels off layer by layer.
+#include "BlendScene.h"
 #include "CutScene.h"
+#include "GapScene.h"
 
 #include "vtkActor.h"
 #include "vtkLight.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkPointData.h"
 #include "vtkProperty.h"
 
 #include <gtest/gtest.h>
@@ -33,18 +36,24 @@ protected:
   void use(vtkUnstructuredGrid* grid)
   {
     this->Shown = std::make_unique<Scene>(grid);
-    this->Shown->Window->AlphaBitPlanesOn();
-    this->Shown->Renderer->SetBackground(0.2, 0.4, 0.6);
+    prepare(*this->Shown);
     this->Shown->property()->SetScalarOpacityUnitDistance(0.6);
   }
 
-  void peel(bool on)
+  static void prepare(Scene& scene)
   {
-    this->Shown->Renderer->SetUseDepthPeeling(on);
-    this->Shown->Renderer->SetUseDepthPeelingForVolumes(on);
-    this->Shown->Renderer->SetMaximumNumberOfPeels(20);
-    this->Shown->Renderer->SetOcclusionRatio(0.0);
+    scene.Window->AlphaBitPlanesOn();
+    scene.Renderer->SetBackground(0.2, 0.4, 0.6);
   }
+
+  static void peel(Scene& scene, bool on)
+  {
+    scene.Renderer->SetUseDepthPeeling(on);
+    scene.Renderer->SetUseDepthPeelingForVolumes(on);
+    scene.Renderer->SetMaximumNumberOfPeels(20);
+    scene.Renderer->SetOcclusionRatio(0.0);
+  }
+  void peel(bool on) { peel(*this->Shown, on); }
 
   static vtkSmartPointer<vtkActor> planeOf(const Layer& layer, double opacity)
   {
@@ -229,6 +238,91 @@ TEST_F(Peeling, InLight)
     this->Shown->Mapper->SetShadowMethod(method);
     // Planes have no light of their own: makePlane().
     this->expectPeeled({ Top, Low });
+  }
+}
+
+// Whatever is drawn of the volume, before and behind a surface it is what a clipping plane in the
+// surface's place leaves of it.
+TEST_F(Peeling, PartsAreThoseThatAPlaneCutsOff)
+{
+  struct Kind
+  {
+    const char* Name;
+    void (*Set)(BlendScene& scene);
+  };
+  const Kind kinds[] = {
+    { "maximum", [](BlendScene& s) { s.Mapper->SetBlendModeToMaximumIntensity(); } },
+    { "minimum", [](BlendScene& s) { s.Mapper->SetBlendModeToMinimumIntensity(); } },
+    { "average", [](BlendScene& s) { s.Mapper->SetBlendModeToAverageIntensity(); } },
+    { "additive", [](BlendScene& s) { s.Mapper->SetBlendModeToAdditive(); } },
+    { "surfaces", [](BlendScene& s) { s.Mapper->SetBlendModeToIsoSurface(); } },
+    { "gradient opacity, shadows, occlusion and scattering",
+      [](BlendScene& s)
+      {
+        s.addGradientOpacity();
+        s.Mapper->SetShadowMethodToAtVertices();
+        s.Mapper->AmbientOcclusionOn();
+        s.Mapper->SetVolumetricScatteringBlending(1.3f);
+      } },
+    { "shadows along rays", [](BlendScene& s) { s.Mapper->SetShadowMethodToAlongRays(); } },
+    { "shadows of a headlight",
+      [](BlendScene& s)
+      {
+        s.Sun->SetLightTypeToHeadlight();
+        s.Mapper->SetShadowMethodToAutomatic();
+      } },
+    { "what is not finite, and hidden cells",
+      [](BlendScene& s)
+      {
+        breakSome(s.Data->GetPointData()->GetScalars());
+        hide(s.Data, isCrumb);
+        s.Mapper->DrawNanCellsOn();
+      } },
+  };
+  for (const Kind& kind : kinds)
+  {
+    SCOPED_TRACE(kind.Name);
+    BlendScene scene(jitteredLattice(6, 0.15, 1, sineField()), 96, 96);
+    prepare(scene);
+    kind.Set(scene);
+    const auto cut = addClippingPlane(scene, { 0.0, 0.0, Middle.Height }, { 0.0, 0.0, 1.0 });
+    const Image before = scene.render();
+    cut->SetNormal(0.0, 0.0, -1.0);
+    const Image behind = scene.render();
+    scene.Mapper->RemoveAllClippingPlanes();
+
+    const auto plane = planeOf(Middle, Middle.Opacity);
+    scene.Renderer->AddActor(plane);
+    peel(scene, true);
+    scene.Volume->VisibilityOff();
+    scene.Window->Render();
+    const float background[] = { 0.2f, 0.4f, 0.6f };
+    const Image surface = scene.frame(); // blended over the background
+    const Mask covered = differsFrom(surface, background, 0.05f);
+    scene.Volume->VisibilityOn();
+    scene.Window->Render();
+
+    Image expected(before.Width, before.Height);
+    const auto opacity = static_cast<float>(Middle.Opacity);
+    for (std::size_t p = 0; p < covered.size(); ++p)
+    {
+      const float* front = &before.Rgba[4 * p];
+      const float* back = &behind.Rgba[4 * p];
+      for (int c = 0; c < 3; ++c)
+      {
+        const float rest = back[c] + (1.0f - back[3]) * background[c];
+        const float behindFront =
+          opacity * static_cast<float>(Middle.Colour[c]) + (1.0f - opacity) * rest;
+        expected.Rgba[4 * p + c] = front[c] + (1.0f - front[3]) * behindFront;
+      }
+    }
+    // Beside the surface a ray is one part.
+    const double bound = 2.5 / 255.0;
+    const Difference difference = compare(scene.frame(), expected, covered, bound, Channels::Rgb);
+    std::cout << "[ MEASURED ] " << kind.Name << ": " << difference.text() << '\n';
+    EXPECT_GT(difference.Pixels, 1000u);
+    EXPECT_LE(100 * difference.Over, difference.Pixels) << difference.text();
+    EXPECT_LE(difference.Rms, 0.8 / 255.0) << difference.text();
   }
 }
 

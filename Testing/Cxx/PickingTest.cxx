@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What is picked: points against closed forms, cells against a search of their own.
+#include "CutScene.h"
+#include "CutWay.h"
 #include "GridBlocks.h"
 #include "PickScene.h"
+#include "Twin.h"
 
 #include "vtkCell.h"
 #include "vtkCellData.h"
@@ -53,10 +56,9 @@ struct Expected
   Vec3 Position;
 };
 
-Expected expectedOn(
-  const PickScene::PixelLine& line, double threshold, double extinction = Extinction)
+Expected expectedOn(const PickScene::PixelLine& line, double threshold,
+  double extinction = Extinction, const tetmarch::ClippingOptions& cut = {})
 {
-  const double length = -std::log1p(-threshold) / extinction;
   const double ahead = boxChord(line.Near, line.Direction, Low, High, 0.0);
   // How far in front of it the cube begins.
   double begin = 0.0;
@@ -66,11 +68,24 @@ Expected expectedOn(
     const double t1 = (High[a] - line.Near[a]) / line.Direction[a];
     begin = std::max(begin, std::min(t0, t1));
   }
-  const Vec3 position = line.at(begin + length);
-  return { std::abs(ahead - length) < 1e-3 ? Expected::Unsure
-           : ahead > length                ? Expected::Hit
-                                           : Expected::Missed,
-    position };
+  const Vec3 first = line.at(begin), last = line.at(begin + ahead);
+  double missing = -std::log1p(-threshold) / extinction;
+  Expected expected{ Expected::Missed, first };
+  for (const auto& part : partsLeft(cut, { first, first }, { last, last }))
+  {
+    const double length = ahead * (part[1] - part[0]);
+    if (std::abs(length - missing) < 1e-3 || (missing > 0.0 && missing < 1e-6))
+    {
+      return { Expected::Unsure, first };
+    }
+    if (expected.Kind == Expected::Missed && length > missing)
+    {
+      expected = { Expected::Hit, line.at(begin + ahead * part[0] + missing) };
+      break;
+    }
+    missing -= length;
+  }
+  return expected;
 }
 
 void expectClosedForm(PickScene& scene, double threshold, double tolerance, const char* what,
@@ -88,7 +103,8 @@ void expectClosedForm(PickScene& scene, double threshold, double tolerance, cons
     {
       const int column = origin[0] + x;
       const int row = origin[1] + y;
-      const Expected expected = expectedOn(scene.lineOf(column, row), threshold, extinction);
+      const Expected expected =
+        expectedOn(scene.lineOf(column, row), threshold, extinction, clippingOf(scene.Mapper));
       if (expected.Kind == Expected::Unsure)
       {
         continue;
@@ -152,6 +168,20 @@ TEST(Picking, PointsOfExtinctionByGradients)
     scene->Mapper->SetGradientType(type);
     expectClosedForm(*scene, 0.5, RayTolerance, "gradient opacity", 0.5 * Extinction);
   }
+}
+
+// Only what is left gathers anything, and in each region alike.
+TEST(Picking, WhatIsCutAwayIsNotHit)
+{
+  auto scene = evenScene(jitteredLattice(5));
+  for (const int flags : { VTK_CROP_SUBVOLUME, VTK_CROP_FENCE, VTK_CROP_INVERTED_CROSS, 0x5555555 })
+  {
+    crop(*scene, flags);
+    expectClosedForm(*scene, 0.15, RayTolerance, "cropped");
+  }
+  scene->drawCellScalars();
+  clipObliquely(*scene);
+  expectClosedForm(*scene, 0.3, RayTolerance, "cells, cropped and clipped");
 }
 
 // Nothing before the near plane is hit, and what lies there gathers nothing.

@@ -73,6 +73,27 @@ void setSpikyFunctions(vtkVolumeProperty* property)
   }
 }
 
+void setTwoPeaks(vtkVolumeProperty* property)
+{
+  vtkPiecewiseFunction* opacity = property->GetScalarOpacity();
+  opacity->RemoveAllPoints();
+  for (const double peak : { 0.3, 0.7 })
+  {
+    opacity->AddPoint(peak - 0.1, 0.0);
+    opacity->AddPoint(peak, 0.8);
+    opacity->AddPoint(peak + 0.1, 0.0);
+  }
+}
+
+void setGradientOpacity(vtkVolumeProperty* property)
+{
+  vtkNew<vtkPiecewiseFunction> function;
+  function->AddPoint(0.0, 0.1);
+  function->AddPoint(1.5, 0.2);
+  function->AddPoint(3.5, 1.0);
+  property->SetGradientOpacity(function);
+}
+
 void setWakeFunctions(vtkVolumeProperty* property)
 {
   vtkNew<vtkColorTransferFunction> colour;
@@ -114,6 +135,22 @@ void lookAtUnitCube(vtkCamera* camera)
   camera->SetFocalPoint(0.5, 0.45, 0.5);
   camera->SetViewUp(0.1, 1.0, 0.0);
   camera->SetClippingRange(0.5, 10.0);
+}
+
+void lookDownZ(vtkCamera* camera, double scale)
+{
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(scale);
+  camera->SetPosition(0.5, 0.5, 3.0);
+  camera->SetFocalPoint(0.5, 0.5, 0.5);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+}
+
+void lookFromInside(vtkCamera* camera)
+{
+  camera->SetPosition(0.31, 0.42, 0.57);
+  camera->SetFocalPoint(1.0, 0.6, 0.4);
+  camera->SetClippingRange(0.01, 5.0);
 }
 
 Image floatPictureOf(vtkTetMarchVolumeMapper* mapper, int width, int height)

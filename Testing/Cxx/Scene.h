@@ -40,12 +40,21 @@ void setBumpyFunctions(vtkVolumeProperty* property);
 void setSpikyFunctions(vtkVolumeProperty* property);
 /// Those of Data/golfball_wake.json, for the vorticity of the golf ball; with their unit distance.
 void setWakeFunctions(vtkVolumeProperty* property);
+/// Opacities with two peaks, of scalars between 0.2 and 0.8, and nothing beside them.
+void setTwoPeaks(vtkVolumeProperty* property);
+/// Gradient opacity: thinner where the scalar changes little.
+void setGradientOpacity(vtkVolumeProperty* property);
 /// One colour and one opacity whatever the scalar.
 void setPlainFunctions(
   vtkVolumeProperty* property, const std::array<double, 3>& colour, double opacity);
 
 /// From a corner onto the unit cube; nothing in it is parallel to anything.
 void lookAtUnitCube(vtkCamera* camera);
+/// In parallel projection down z onto the middle of the unit cube, so that each chord is 1; the
+/// picture shows twice the scale of it.
+void lookDownZ(vtkCamera* camera, double scale);
+/// From a point in the unit cube, towards a side of it.
+void lookFromInside(vtkCamera* camera);
 
 /// The diagnostic picture of the mapper's last frame, for a viewport of that size.
 Image floatPictureOf(vtkTetMarchVolumeMapper* mapper, int width, int height);

@@ -29,16 +29,6 @@ EffectOptions optionsOf(vtkTetMarchVolumeMapper* mapper)
     static_cast<BlendMode>(mapper->GetBlendMode()) };
 }
 
-ClippingOptions clippingOf(vtkTetMarchVolumeMapper* mapper)
-{
-  ClippingOptions options;
-  options.Planes = mapper->GetClippingPlanes();
-  options.Cropping = mapper->GetCropping();
-  mapper->GetCroppingRegionPlanes(options.CroppingPlanes.data());
-  options.CroppingFlags = mapper->GetCroppingRegionFlags();
-  return options;
-}
-
 // The stages before the GL, for the scene as it stands.
 class TwinScene
 {
@@ -182,6 +172,16 @@ void expectAgreement(Scene& scene, const Image& drawn, const std::vector<float>&
             << scene.Mapper->GetNumberOfCrossedCells() << " (twin " << twin.Counters.Cells << ")\n";
 }
 } // namespace
+
+ClippingOptions clippingOf(vtkTetMarchVolumeMapper* mapper)
+{
+  ClippingOptions options;
+  options.Planes = mapper->GetClippingPlanes();
+  options.Cropping = mapper->GetCropping();
+  mapper->GetCroppingRegionPlanes(options.CroppingPlanes.data());
+  options.CroppingFlags = mapper->GetCroppingRegionFlags();
+  return options;
+}
 
 TwinPicture twinOf(
   Scene& scene, const std::vector<float>& depths, Precision precision, LightFrom light)

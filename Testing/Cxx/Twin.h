@@ -10,6 +10,7 @@
 #include "Scene.h"
 
 #include "Reference/MarchCounters.h"
+#include "Scene/Clipping.h"
 
 namespace tetmarch::testing
 {
@@ -37,6 +38,9 @@ struct TwinPicture
 /// effects. Depths of opaque geometry: one a pixel, or empty.
 TwinPicture twinOf(Scene& scene, const std::vector<float>& depths = {},
   Precision precision = Precision::Double, LightFrom light = LightFrom::Vertices);
+
+/// What the mapper is told to cut away.
+ClippingOptions clippingOf(vtkTetMarchVolumeMapper* mapper);
 
 /// The pixels of a picture, by whether they and their eight neighbours see the mesh: all of them,
 /// none, or some. Near the silhouette a rasterised entry may be lost or won, or moved by a

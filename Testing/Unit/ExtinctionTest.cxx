@@ -62,6 +62,7 @@ template <typename Kernel>
 void compareRaysFromInside(RandomVolume<Kernel>& volume, Tally& tally)
 {
   Kernel& kernel = volume.March;
+  kernel.useLightRays(volume.Effects.Lights, volume.Camera);
   for (int i = 0; i < 300; ++i)
   {
     const Id vertex = static_cast<Id>(volume.Random() % volume.Mesh.Vertices.size());

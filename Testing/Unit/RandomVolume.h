@@ -70,7 +70,6 @@ struct RandomVolume
     this->March.HiddenCells = this->Hidden.data();
     this->March.nanColor = { 0.1, 0.2, 0.3, 0.4 };
     this->March.useEffects(this->Effects);
-    this->March.useLightRays(this->Effects.Lights, this->Camera);
   }
 
   /// So many scalar opacity unit distances are a unit of depth.

@@ -41,6 +41,16 @@ bool isTrue(const std::string& expression)
   return left("#if " + expression + "\n1\n#else\n0\n#endif\n") == "1";
 }
 
+// By a file for those that it includes; other words are the GL's own.
+TEST(ShaderConditions, SymbolsOfFiles)
+{
+  EXPECT_EQ(left("#define TETMARCH_IT 1\n#if TETMARCH_IT\n1\n#endif\n"), "1");
+  EXPECT_EQ(left("#if TETMARCH_IT\n1\n#endif\n#define TETMARCH_IT 1\n2\n"), "2");
+  EXPECT_EQ(
+    left("#if NO\n#define TETMARCH_IT 1\n#endif\n#if TETMARCH_IT\n1\n#else\n2\n#endif\n"), "2");
+  EXPECT_EQ(left("#define IT 1\n#if IT\n1\n#endif\n"), "#define IT 1");
+}
+
 TEST(ShaderConditions, Expressions)
 {
   EXPECT_TRUE(isTrue("YES"));

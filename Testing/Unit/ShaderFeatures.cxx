@@ -13,24 +13,21 @@ bool isPicture(MarchShader shader) { return shader == MarchShader::Picture; }
 bool isLight(MarchShader shader) { return shader == MarchShader::LightAtVertex; }
 bool isPick(MarchShader shader) { return shader == MarchShader::Pick; }
 
+// Gathers what the picture shows.
+bool gathers(MarchShader shader) { return isPicture(shader) || isPick(shader); }
+
 bool followsLight(const Key& key, MarchShader shader)
 {
   return isLight(shader) || key.SampledShadows;
-}
-
-// Knows a march of extinction.
-bool attenuates(const Key& key, MarchShader shader)
-{
-  return followsLight(key, shader) || isPick(shader);
 }
 
 bool isLit(const Key& key) { return key.Shading || key.ShowGradients; }
 } // namespace
 
 const char* const UnusedInSome =
-  "main addLight castRay dimLight errorBound initializeRayCast insideFace "
-  "isTurnedForSure meanBetween scalarAt tablePoint "
-  "tableValue texelOfVertex transmittanceOn vertexOfTexel wayFromBoundary";
+  "main addLight castRay dimLight errorBound initializeRayCast insideFace isOpaque "
+  "isTurnedForSure meanBetween pixelOf scalarAt tablePoint "
+  "tableValue texelOfVertex vertexOfTexel wayFromBoundary";
 
 const std::vector<ShaderFeature>& shaderFeatures()
 {
@@ -39,24 +36,22 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "fused predicate", [](const Key& k, MarchShader) { return k.HasFma; },
       "fma GL_ARB_gpu_shader5" },
     { "portable predicate", [](const Key& k, MarchShader) { return !k.HasFma; }, "wrapped turns" },
-    { "march of the picture", [](const Key&, MarchShader s) { return isPicture(s); },
+    { "march of the picture", [](const Key&, MarchShader s) { return gathers(s); },
       "Radiance March Passage Piece seenPiece beginPassage gatherPiece pixelOf isOpaque "
       "marchToExit "
       "marchOn" },
-    { "composites", [](const Key& k, MarchShader s) { return isPicture(s) && k.isComposite(); },
+    { "composites", [](const Key& k, MarchShader s) { return gathers(s) && k.isComposite(); },
       "Absorption absorption absorb" },
     { "composites of volumes or surfaces",
-      [](const Key& k, MarchShader s)
-      { return isPicture(s) && (k.isComposite() || k.Isosurfaces); },
+      [](const Key& k, MarchShader s) { return gathers(s) && (k.isComposite() || k.Isosurfaces); },
       "emission" },
     { "tolerance", [](const Key& k, MarchShader) { return k.isComposite() || k.Isosurfaces; },
       "errorTolerance" },
     { "segments of the picture",
-      [](const Key& k, MarchShader s) { return isPicture(s) && k.PointScalars && k.isComposite(); },
+      [](const Key& k, MarchShader s) { return gathers(s) && k.PointScalars && k.isComposite(); },
       "integrateSegment" },
     { "cells of the picture",
-      [](const Key& k, MarchShader s)
-      { return isPicture(s) && !k.PointScalars && k.isComposite(); },
+      [](const Key& k, MarchShader s) { return gathers(s) && !k.PointScalars && k.isComposite(); },
       "integrateConstant" },
     { "tables", [](const Key& k, MarchShader) { return !k.Isosurfaces; },
       "tableValueBuffer tableIntegralBuffer tableSize tableScale tableOffset tableIntegralUnit "
@@ -103,7 +98,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "colour of what is not finite", [](const Key& k, MarchShader) { return k.NanShown; },
       "nanColor" },
     { "what is not finite in the picture",
-      [](const Key& k, MarchShader s) { return isPicture(s) && k.NanShown; }, "absorbNan finite" },
+      [](const Key& k, MarchShader s) { return gathers(s) && k.NanShown; }, "absorbNan finite" },
     { "hidden cells", [](const Key& k, MarchShader) { return k.HiddenCells; },
       "hiddenCellBuffer fetchHiddenCells isHidden" },
     { "cells passed", [](const Key& k, MarchShader) { return k.passesCells(); }, "passing" },
@@ -116,23 +111,27 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "nextPlane planesBelow isLeft nextPiece rest cropping" },
     { "rays of pixels", [](const Key&, MarchShader s) { return !isLight(s); }, "viewport eye" },
     { "one march a ray",
-      [](const Key& k, MarchShader s) { return isPicture(s) && !k.SampledShadows; },
+      [](const Key& k, MarchShader s)
+      { return (isPicture(s) && !k.SampledShadows) || (isPick(s) && (k.Extreme || k.Sum)); },
       "castPlainRay" },
     { "pick", [](const Key&, MarchShader s) { return isPick(s); },
-      "Pick Transit PICK_STEPS pickOn tetBefore transitOf opticalDepthOn" },
+      "Pick PICK_STEPS noPick isPicked gathered gatheredUpTo pickPiece pickOn transmittanceLeft" },
+    { "pick of scalars",
+      [](const Key& k, MarchShader s) { return isPick(s) && (k.Extreme || k.Sum); },
+      "PICK_ROUNDING" },
     // Gradients.
     { "gradients", [](const Key& k, MarchShader) { return k.hasGradients(); }, "gradientBuffer" },
-    { "shades", [](const Key& k, MarchShader s) { return isPicture(s) && k.hasGradients(); },
+    { "shades", [](const Key& k, MarchShader s) { return gathers(s) && k.hasGradients(); },
       "Shade CellShades FacePoint shadeOf mixShade facePoint beginShades beginCell shadeCell "
       "incomingAt shadeWithin shareOf" },
     { "gradients at vertices", [](const Key& k, MarchShader) { return k.hasVertexGradients(); },
       "fetchGradient gradientA gradientB gradientC gradientAt" },
     { "shades at faces",
-      [](const Key& k, MarchShader s) { return isPicture(s) && k.hasVertexGradients(); },
+      [](const Key& k, MarchShader s) { return gathers(s) && k.hasVertexGradients(); },
       "shadeAtFace" },
     { "shades where something is seen",
       [](const Key& k, MarchShader s)
-      { return isPicture(s) && k.hasVertexGradients() && k.passesCells(); },
+      { return gathers(s) && k.hasVertexGradients() && k.passesCells(); },
       "enterKnown missing" },
     { "gradients of cells", [](const Key& k, MarchShader) { return k.CellGradients; },
       "fetchCellGradient" },
@@ -143,7 +142,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "gradientOpacityBuffer gradientOpacitySize gradientOpacityScale fetchGradientOpacity "
       "gradientOpacity" },
     { "density of shades",
-      [](const Key& k, MarchShader s) { return isPicture(s) && k.GradientOpacity; }, "density" },
+      [](const Key& k, MarchShader s) { return gathers(s) && k.GradientOpacity; }, "density" },
     { "gradients shown", [](const Key& k, MarchShader) { return k.ShowGradients; },
       "gradientColor" },
     // Light.
@@ -199,20 +198,20 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "rays to lights", followsLight,
       "shadowSourceCount shadowSource lightReach fetchShadowSource opticalLengthOf INSIDE_FACE "
       "transmittanceTowards" },
-    { "march of extinction", attenuates,
+    { "march of extinction", followsLight,
       "Tet seenAt entersTet Attenuation attenuateToExit attenuate transmittanceOn darkDepth "
       "countedExtinction" },
     { "extinction of what is not finite",
-      [](const Key& k, MarchShader s) { return attenuates(k, s) && k.NanShown; }, "isFinite" },
+      [](const Key& k, MarchShader s) { return followsLight(k, s) && k.NanShown; }, "isFinite" },
     { "extinction along a segment",
-      [](const Key& k, MarchShader s) { return attenuates(k, s) && k.PointScalars; },
+      [](const Key& k, MarchShader s) { return followsLight(k, s) && k.PointScalars; },
       "extinctionBetween" },
     { "extinction of a cell",
-      [](const Key& k, MarchShader s) { return attenuates(k, s) && !k.PointScalars; },
+      [](const Key& k, MarchShader s) { return followsLight(k, s) && !k.PointScalars; },
       "extinctionOf" },
     { "extinction by gradients at vertices",
       [](const Key& k, MarchShader s)
-      { return attenuates(k, s) && k.GradientOpacity && k.hasVertexGradients(); },
+      { return followsLight(k, s) && k.GradientOpacity && k.hasVertexGradients(); },
       "densityAt densityBetween" },
     { "light of a vertex", [](const Key&, MarchShader s) { return isLight(s); },
       "occlusionDirectionCount occlusionRadius vertexStartBuffer fetchVertexStart sphereDirection "

@@ -118,10 +118,11 @@ TEST(VariantKey, LegalKeysAreCounted)
 {
   const std::size_t light = legalLightKeys().size();
   EXPECT_EQ(light, 2 * 2 * 2 * 2 * 2 * (3 + 2));
-  // Of scalars at points or cells, with opacity by gradients of either kind or without, clipped or
-  // not, with hidden cells or not, with what is not finite or not.
+  // Of scalars at points or cells, clipped, cropped or whole, with hidden cells or not; of volumes
+  // with opacity by gradients of either kind or without, with what is not finite or not; or in
+  // three other blend modes.
   const std::size_t picked = legalPickKeys().size();
-  EXPECT_EQ(picked, 3 * 2 * (3 + 2) * 2 * 2 * 2);
+  EXPECT_EQ(picked, 3 * 2 * 3 * 2 * ((3 + 2) * 2 + 3 * 2));
   std::cout << "[ MEASURED ] " << legalKeys().size() << " variants of the picture, " << light
             << " of the light at vertices, " << picked << " of what is picked\n";
 }
@@ -148,8 +149,9 @@ TEST(VariantKey, LightAtVerticesIsExtinctionAlone)
   }
 }
 
-// What is picked depends on extinction alone, and ends at whatever else is drawn.
-TEST(VariantKey, PicksKnowExtinctionAlone)
+// What is picked depends on what a ray gathers, but on no light, and ends at whatever else is
+// drawn.
+TEST(VariantKey, PicksKnowNoLight)
 {
   for (const VariantKey& picture : legalKeys())
   {
@@ -161,10 +163,13 @@ TEST(VariantKey, PicksKnowExtinctionAlone)
     ASSERT_EQ(pick.CellGradients, picture.CellGradients && picture.GradientOpacity);
     pick.PointScalars = true;
     pick.GradientOpacity = pick.CellGradients = false;
-    ASSERT_EQ(pick.Clipped, picture.Clipped);
-    ASSERT_EQ(pick.HiddenCells, picture.HiddenCells);
-    ASSERT_EQ(pick.NanShown, picture.NanShown);
-    pick.Clipped = pick.HiddenCells = pick.NanShown = false;
+    for (bool VariantKey::*same :
+      { &VariantKey::Clipped, &VariantKey::Cropped, &VariantKey::HiddenCells, &VariantKey::NanShown,
+        &VariantKey::Extreme, &VariantKey::Sum, &VariantKey::Isosurfaces })
+    {
+      ASSERT_EQ(pick.*same, picture.*same) << namesOf(picture);
+      pick.*same = false;
+    }
     VariantKey entries = picture.ofEntries();
     entries.OpaqueDepth = true;
     ASSERT_TRUE(pick == entries) << namesOf(pick);

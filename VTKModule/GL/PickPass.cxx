@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/PickPass.h"
 
+#include "GL/BlendBinding.h"
 #include "GL/ClippingBinding.h"
 #include "GL/EffectTextures.h"
 #include "GL/MeshTextures.h"
@@ -65,6 +66,7 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
   }
   inputs.Mesh->bind(program, inputs.Key);
   inputs.Tables->bind(program, *inputs.Table, inputs.Range, inputs.Level, inputs.Key);
+  bindBlending(program, *inputs.Blend, inputs.Key);
   if (inputs.Key.hasGradients())
   {
     inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
@@ -77,6 +79,7 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
     bindClipping(program, *inputs.Cut, inputs.Key);
   }
   setUniform(program, "lengthMatrix", inputs.Camera->LengthMatrix);
+  program->SetUniformf("transmittanceLeft", static_cast<float>(inputs.Level.ErrorTolerance));
   drawCorners(program, this->Draw, { 0, 0, part.Width, part.Height }, tile);
   inputs.Mesh->unbind();
   inputs.Tables->unbind();

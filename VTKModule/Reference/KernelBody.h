@@ -123,10 +123,12 @@ Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 
 #include "ray_cast.glsl"
 
+#if TETMARCH_PICKED
+#include "pick.glsl"
+#endif
+
 #if TETMARCH_LIGHT_RAYS
 #include "light_ray_files.glsl"
-
-#include "pick.glsl"
 
 #include "vertex_light.glsl"
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the ray of a pixel has gathered the opacity by which the volume is picked.
+// Where the ray of a pixel has gathered as much as the volume is picked by.
 #ifndef TetMarchScenePickedPoint_h
 #define TetMarchScenePickedPoint_h
 

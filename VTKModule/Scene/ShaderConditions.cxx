@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShaderConditions.h"
 
-#include <string>
-
 namespace tetmarch
 {
 namespace
@@ -43,11 +41,18 @@ bool ShaderConditions::value(std::string_view expression) const
   {
     return !this->value(symbol.substr(1));
   }
-  return this->Defines.find("#define " + std::string(symbol) + " 1\n") != std::string_view::npos;
+  const std::string define = "#define " + std::string(symbol) + " 1\n";
+  return this->Defines.find(define) != std::string_view::npos ||
+         this->DefinedByFiles.find(define) != std::string::npos;
 }
 
 bool ShaderConditions::take(std::string_view line)
 {
+  if (beginsWith(line, "#define TETMARCH_"))
+  {
+    this->DefinedByFiles += this->isActive() ? line : std::string_view();
+    return true;
+  }
   if (beginsWith(line, "#if "))
   {
     const bool outer = this->isActive();

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which parts of a shader file a variant has: #if, #elif, #else and #endif, settled before the GL
-// sees the text, so that nothing of what is off is left in it.
+// sees the text, so that nothing of what is off is left in it. A file may define symbols for those
+// that it includes.
 #ifndef TetMarchSceneShaderConditions_h
 #define TetMarchSceneShaderConditions_h
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,8 +23,8 @@ public:
   {
   }
 
-  /** Whether the line, which ends with its line break, is a condition; if so it is taken account
-   * of, and is no part of the text. */
+  /** Whether the line, which ends with its line break, is a condition, or defines a symbol that
+   * begins with TETMARCH_; if so it is taken account of, and is no part of the text. */
   bool take(std::string_view line);
   /** Whether what stands here is part of the variant. */
   bool isActive() const { return this->Levels.empty() || this->Levels.back().Active; }
@@ -40,6 +42,7 @@ private:
   bool value(std::string_view expression) const;
 
   std::string_view Defines;
+  std::string DefinedByFiles;
   std::vector<Level> Levels;
 };
 

@@ -127,10 +127,14 @@ VariantKey VariantKey::ofPick() const
 {
   VariantKey key = this->ofEntries();
   key.OpaqueDepth = true;
-  key.Clipped = this->Clipped;
-  key.HiddenCells = this->HiddenCells;
-  key.NanShown = this->NanShown;
   key.PointScalars = this->PointScalars;
+  key.Clipped = this->Clipped;
+  key.Cropped = this->Cropped;
+  key.NanShown = this->NanShown;
+  key.HiddenCells = this->HiddenCells;
+  key.Extreme = this->Extreme;
+  key.Sum = this->Sum;
+  key.Isosurfaces = this->Isosurfaces;
   key.GradientOpacity = this->GradientOpacity;
   key.CellGradients = this->CellGradients;
   return key.filtered();

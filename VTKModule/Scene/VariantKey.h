@@ -85,8 +85,8 @@ struct VariantKey
    * opaque geometry there is. */
   VariantKey ofVertexLight() const;
 
-  /** The variant that looks where rays are picked: extinction alone, up to whatever else is there.
-   */
+  /** The variant that looks where rays are picked: what they gather, but no light, up to whatever
+   * else is there. */
   VariantKey ofPick() const;
 
   /** The preprocessor lines that select the variant in the shader text. */
