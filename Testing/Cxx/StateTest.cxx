@@ -13,6 +13,8 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAOPass.h"
 #include "vtkSelection.h"
 
 #include <gtest/gtest.h>
@@ -59,6 +61,20 @@ TEST(GLState, IsKept)
     scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 }));
     expectStateKept(scene);
   }
+}
+
+TEST(GLState, IsKeptWhereAPassHasSeveralTargets)
+{
+  Scene scene(lattice());
+  const auto ball = makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 });
+  ball->GetProperty()->LightingOn();
+  scene.Renderer->AddActor(ball);
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkSSAOPass> pass;
+  pass->SetDelegatePass(steps);
+  scene.Renderer->SetPass(pass);
+  expectStateKept(scene);
+  pass->ReleaseGraphicsResources(scene.Window);
 }
 
 TEST(GLState, IsKeptBySelections)
