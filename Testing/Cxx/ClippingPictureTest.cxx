@@ -3,11 +3,11 @@
 // What the GL draws of a cube of constant extinction that is clipped or cropped, pixel by pixel
 // against the closed form.
 #include "CutScene.h"
+#include "Unprojection.h"
 
 #include "ClosedForms.h"
 #include "CutWay.h"
 
-#include "vtkMatrix4x4.h"
 #include "vtkTransform.h"
 
 #include <gtest/gtest.h>
@@ -32,13 +32,7 @@ protected:
   // In the world and in the data, of clip coordinates.
   tetmarch::testing::CutPoint pointOf(double x, double y, double z)
   {
-    vtkNew<vtkMatrix4x4> matrix;
-    matrix->DeepCopy(this->Shown.camera()->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0));
-    matrix->Invert();
-    const double in[4] = { x, y, z, 1.0 };
-    double out[4];
-    matrix->MultiplyPoint(in, out);
-    CutPoint point{ { out[0] / out[3], out[1] / out[3], out[2] / out[3] }, {} };
+    CutPoint point{ Unprojection(this->Shown.camera())(x, y, z), {} };
     this->Transform->GetInverse()->TransformPoint(point.World.data(), point.Data.data());
     return point;
   }

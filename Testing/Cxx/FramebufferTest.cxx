@@ -1,55 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture as it stands in the window: blended, in viewports, tiles and windows of any kind.
-#include "Scene.h"
+#include "BlendedFrame.h"
 
-#include "vtkImageData.h"
 #include "vtkOpenGLRenderer.h"
-#include "vtkPointData.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <iostream>
 
 namespace
 {
 using namespace tetmarch::testing;
 
-// One blend in a framebuffer of bytes: what comes in, what it is multiplied with and the result may
-// each be rounded by half a byte (llvmpipe does so).
-constexpr double OneBlend = 1.5 / 255.0;
-
 Grid lattice() { return jitteredLattice(8, 0.15, 1, sineField()); }
-
-Image over(const Image& front, const Image& back)
-{
-  Image result(front.Width, front.Height);
-  for (std::size_t i = 0; i < result.Rgba.size(); ++i)
-  {
-    result.Rgba[i] = front.Rgba[i] + (1.0f - front.Rgba[i | 3]) * back.Rgba[i];
-  }
-  return result;
-}
-
-Image frameWithoutVolumes(Scene& scene)
-{
-  scene.Volume->VisibilityOff();
-  scene.Window->Render();
-  const Image frame = scene.frame();
-  scene.Volume->VisibilityOn();
-  return frame;
-}
-
-void expectSame(const Image& a, const Image& b, double bound, const std::string& what = {})
-{
-  const Difference difference = compare(a, b, {}, bound, Channels::Rgb);
-  EXPECT_LE(difference.Max, bound) << what << ' ' << difference.text();
-  std::cout << "[ MEASURED ] " << what << ' ' << difference.text() << '\n';
-}
 
 // The framebuffer holds what one of floats would, but for rounding.
 void expectBlended(Scene& scene)
@@ -259,39 +224,5 @@ TEST(Framebuffer, UnderARenderPass)
   EXPECT_LE(compare(picture, large.render()).Max, 1e-5);
   EXPECT_GT(compare(scene.frame(), Image(80, 80)).Max, 0.3);
   pass->ReleaseGraphicsResources(scene.Window);
-}
-
-TEST(Framebuffer, PicturesInTiles)
-{
-  for (const bool inside : { false, true })
-  {
-    Scene scene(lattice(), 80, 60);
-    Scene large(lattice(), 160, 120);
-    for (Scene* each : { &scene, &large })
-    {
-      each->Renderer->AddActor(makePlane(0.4, 0.1, { 1.0, 0.8, 0.2 }));
-      if (inside)
-      {
-        each->camera()->SetPosition(0.05, 0.42, 0.57);
-        each->camera()->SetFocalPoint(1.0, 0.5, 0.5);
-        each->camera()->SetClippingRange(0.01, 5.0);
-      }
-    }
-    vtkNew<vtkWindowToImageFilter> filter;
-    filter->SetInput(scene.Window);
-    filter->SetScale(2);
-    filter->SetInputBufferTypeToRGBA();
-    filter->ReadFrontBufferOff();
-    filter->Update();
-    auto* bytes =
-      vtkUnsignedCharArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetScalars());
-    ASSERT_EQ(bytes->GetNumberOfTuples(), 160 * 120);
-    const Image tiled = Image::fromBytes(160, 120, bytes->GetPointer(0));
-    large.render();
-    // The edge of the plane may be rasterised otherwise.
-    const Difference difference = compare(tiled, large.frame(), {}, 1.001 / 255.0, Channels::Rgb);
-    EXPECT_LE(difference.Over, 5u) << difference.text();
-    std::cout << "[ MEASURED ] " << difference.text() << '\n';
-  }
 }
 } // namespace

@@ -4,6 +4,7 @@
 // swaps mappers isn't surprised. The truth is the oracle's: brute force in world coordinates, which
 // shares nothing with either.
 #include "Scene.h"
+#include "Unprojection.h"
 
 #include "Oracle.h"
 
@@ -45,16 +46,7 @@ Image byOracle(Scene& scene, ScalarsOf scalars)
   model.Opacity = scene.property()->GetScalarOpacity();
   model.UnitDistance = scene.property()->GetScalarOpacityUnitDistance();
   const OracleScene oracle(inWorld(scene), model, scalars);
-  vtkNew<vtkMatrix4x4> inverse;
-  vtkMatrix4x4::Invert(
-    scene.camera()->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0), inverse);
-  const auto unproject = [&](double x, double y, double z)
-  {
-    const double in[4] = { x, y, z, 1.0 };
-    double out[4];
-    inverse->MultiplyPoint(in, out);
-    return Vec3{ out[0] / out[3], out[1] / out[3], out[2] / out[3] };
-  };
+  const Unprojection unproject(scene.camera());
   Image image(Side, Side);
   for (int y = 0; y < Side; ++y)
   {

@@ -168,7 +168,7 @@ Image floatPictureOf(vtkTetMarchVolumeMapper* mapper, int width, int height)
 
 Image framePictureOf(vtkRenderWindow* window)
 {
-  const int* size = window->GetSize();
+  const int* size = window->GetActualSize();
   vtkNew<vtkUnsignedCharArray> bytes;
   window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, bytes);
   return Image::fromBytes(size[0], size[1], bytes->GetPointer(0));

@@ -8,13 +8,17 @@
 
 #include "vtkActor.h"
 #include "vtkHardwareSelector.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAOPass.h"
 #include "vtkSelection.h"
 
+#include <array>
 #include <gtest/gtest.h>
 
 namespace
@@ -101,6 +105,50 @@ TEST(GLState, KeepsTheTextureUnit)
   scene.Window->Render();
   EXPECT_EQ(mapper->Frames, 2);
   scene.Volume->SetMapper(scene.Mapper);
+}
+
+class TargetsMapper : public vtkTetMarchVolumeMapper
+{
+public:
+  static TargetsMapper* New();
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override
+  {
+    const auto before = buffers();
+    EXPECT_NE(before[1], GL_NONE);
+    this->vtkTetMarchVolumeMapper::Render(renderer, volume);
+    EXPECT_EQ(buffers(), before);
+    ++this->Frames;
+  }
+  int Frames = 0;
+
+private:
+  static std::array<int, 3> buffers()
+  {
+    std::array<int, 3> found{};
+    for (int i = 0; i < 3; ++i)
+    {
+      glGetIntegerv(GL_DRAW_BUFFER0 + i, &found[i]);
+    }
+    return found;
+  }
+};
+vtkStandardNewMacro(TargetsMapper);
+
+// For colours, positions and normals.
+TEST(GLState, TargetsOfAPassAreKept)
+{
+  Scene scene(lattice());
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkSSAOPass> pass;
+  pass->SetDelegatePass(steps);
+  scene.Renderer->SetPass(pass);
+  vtkNew<TargetsMapper> mapper;
+  mapper->SetInputData(scene.Data);
+  scene.Volume->SetMapper(mapper);
+  scene.Window->Render();
+  EXPECT_EQ(mapper->Frames, 1);
+  scene.Volume->SetMapper(scene.Mapper);
+  pass->ReleaseGraphicsResources(scene.Window);
 }
 
 TEST(GLState, IsKeptBySelections)

@@ -75,6 +75,14 @@ const Scene Scenes[] = {
       camera->SetViewAngle(1e-5);
     } },
   { "parallel", [](vtkCamera* camera, vtkTransform*) { camera->ParallelProjectionOn(); } },
+  { "sheared, as for an eye of a stereo picture",
+    [](vtkCamera* camera, vtkTransform*) { camera->SetViewShear(0.2, -0.1, 1.0); } },
+  { "parallel, sheared",
+    [](vtkCamera* camera, vtkTransform*)
+    {
+      camera->SetViewShear(0.2, -0.1, 1.0);
+      camera->ParallelProjectionOn();
+    } },
   { "turned and mirrored",
     [](vtkCamera*, vtkTransform* transform)
     {

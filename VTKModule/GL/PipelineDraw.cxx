@@ -4,6 +4,7 @@
 #include "GL/Pipeline.h"
 
 #include "GL/ErrorQueue.h"
+#include "GL/FirstColorOnly.h"
 #include "Scene/WithinMemory.h"
 
 #include "vtkOpenGLRenderUtilities.h"
@@ -116,6 +117,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   this->Subject.push_back(static_cast<std::uintptr_t>(area.Height));
   const MarchInputs inputs = this->inputsOf(options, renderer, area);
 
+  const FirstColorOnly picture(!options.Peeling); // peels go into several on purpose
   // Who is told of progress may release what is being drawn.
   const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
   bool stopped = false;

@@ -45,6 +45,27 @@ void classify(const TetMesh& mesh, View& view)
   }
 }
 
+// What all lines of sight go through, in view coordinates: x = y = w = 0 in clip coordinates. It is
+// the origin or, for parallel projection, the direction +z, but not so for each eye of a stereo
+// picture or a sheared view.
+std::array<double, 4> eyeOf(vtkMatrix4x4* viewToClip)
+{
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(viewToClip, inverse);
+  std::array<double, 4> eye{};
+  for (int r = 0; r < 4; ++r)
+  {
+    eye[r] = -inverse->GetElement(r, 2); // towards lesser depths
+  }
+  const double unit =
+    eye[3] != 0 ? eye[3] : std::max({ std::abs(eye[0]), std::abs(eye[1]), std::abs(eye[2]) });
+  for (double& e : eye)
+  {
+    e /= unit;
+  }
+  return eye;
+}
+
 } // namespace
 
 bool View::rastersEntries() const { return !this->CutsNearPlane && this->Spread <= MostSpread; }
@@ -76,8 +97,9 @@ bool makeView(
   vtkNew<vtkMatrix4x4> toWorld, toView, toClip, inverse, eyeInverse;
   vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), normalized, toWorld);
   vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix(), toWorld, toView);
-  vtkMatrix4x4::Multiply4x4(
-    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1), toView, toClip);
+  vtkMatrix4x4* projection =
+    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1);
+  vtkMatrix4x4::Multiply4x4(projection, toView, toClip);
   vtkMatrix4x4::Invert(toClip, inverse);
   vtkMatrix4x4::Invert(toView, eyeInverse);
 
@@ -103,13 +125,7 @@ bool makeView(
       view.LengthMatrix[3 * r + c] = std::min(std::max(length, -1e15), 1e15);
     }
   }
-  // The eye is the origin of view coordinates, or, for parallel projection, infinitely far along
-  // +z.
-  const int column = camera->GetParallelProjection() ? 2 : 3;
-  for (int r = 0; r < 4; ++r)
-  {
-    view.Eye[r] = eyeInverse->GetElement(r, column);
-  }
+  eyeInverse->MultiplyPoint(eyeOf(projection).data(), view.Eye.data());
   view.Mirrored = toView->Determinant() < 0;
   classify(mesh, view);
   return usable && toView->Determinant() != 0 && toClip->Determinant() != 0;
