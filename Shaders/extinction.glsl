@@ -9,7 +9,25 @@ struct Attenuation
   int cells;     // tetrahedra crossed
 };
 
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_INDEPENDENT && TETMARCH_POINT_SCALARS
+// Mean extinction between two depths in a tetrahedron that the ray enters and leaves at points (depth, scalar).
+real extinctionBetween(vec2 enter, vec2 leave, vec3 furtherEnter, vec3 furtherLeave, vec2 range)
+{
+  vec4 from = scalarsOf(enter.y, furtherEnter);
+  vec4 to = scalarsOf(leave.y, furtherLeave);
+  real begin = range.x > enter.x ? shareAt(enter, leave, range.x) : real(0);
+  real end = range.y < leave.x ? shareAt(enter, leave, range.y) : real(1);
+  Mixture mixture = mixtureBetween(from + (to - from) * begin, from + (to - from) * end);
+  return isDrawn(enter.y) && isDrawn(leave.y) ? mixture.mean.w : real(0);
+}
+#elif TETMARCH_INDEPENDENT
+real extinctionOf(uint tet)
+{
+  real scalar = fetchCellScalar(tet);
+  vec4 mean = mixtureAt(scalarsOf(scalar, fetchFurtherScalars(tet)));
+  return isDrawn(scalar) ? mean.w : real(0);
+}
+#elif TETMARCH_POINT_SCALARS
 // Mean extinction between two depths in a tetrahedron that the ray enters and leaves at points (depth, scalar). `at` is
 // the table at the last end, which is mostly this begin; where it isn't, the first turn only reads the table there.
 real extinctionBetween(vec2 enter, vec2 leave, vec2 range, INOUT(TablePoint) at)
@@ -80,7 +98,10 @@ void attenuateToExit(Ray ray, INOUT(Crossing) face, INOUT(uvec2) link, real opti
 {
   real darkDepth = -log(errorTolerance);
   vec2 enter = crossingPoint(face);
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_INDEPENDENT && TETMARCH_POINT_SCALARS
+  fetchCorners(face);
+  vec3 furtherEnter = furtherAt(face);
+#elif TETMARCH_POINT_SCALARS
   TablePoint at = tablePoint(isDrawn(enter.y) ? enter.y * tableScale + tableOffset : tableOffset);
 #endif
 #if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
@@ -100,7 +121,11 @@ void attenuateToExit(Ray ray, INOUT(Crossing) face, INOUT(uvec2) link, real opti
     // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
     vec2 range = vec2(max(enter.x, passed.done), min(leave.x, depthEnd));
     bool forward = range.y > range.x;
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_INDEPENDENT && TETMARCH_POINT_SCALARS
+    vec3 furtherLeave = furtherAt(face);
+    real extinction = extinctionBetween(enter, leave, furtherEnter, furtherLeave, range);
+    furtherEnter = furtherLeave;
+#elif TETMARCH_POINT_SCALARS
     real extinction = extinctionBetween(enter, leave, range, at);
 #else
     real extinction = extinctionOf(tet);

@@ -36,12 +36,18 @@ struct Transit
   real densityEnter;
   real densityLeave;
 #endif
+#if TETMARCH_INDEPENDENT && TETMARCH_POINT_SCALARS
+  vec3 furtherEnter; // scalars beside the first
+  vec3 furtherLeave;
+#endif
 };
 
 // Between two depths on it.
 real opticalDepthOn(Transit way, vec2 range, real opticalLength)
 {
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_INDEPENDENT && TETMARCH_POINT_SCALARS
+  real extinction = extinctionBetween(way.enter, way.leave, way.furtherEnter, way.furtherLeave, range);
+#elif TETMARCH_POINT_SCALARS
   TablePoint at = tablePoint(tableOffset);
   real extinction = extinctionBetween(way.enter, way.leave, range, at);
 #else
@@ -71,6 +77,11 @@ Transit transitOf(Ray ray, Tet tet, Crossing exit)
   fetchCorners(entry);
   way.densityLeave = densityAt(exit);
   way.densityEnter = entered ? densityAt(entry) : way.densityLeave;
+#endif
+#if TETMARCH_INDEPENDENT && TETMARCH_POINT_SCALARS
+  fetchCorners(entry);
+  way.furtherLeave = furtherAt(exit);
+  way.furtherEnter = entered ? furtherAt(entry) : way.furtherLeave;
 #endif
   return way;
 }

@@ -3,12 +3,18 @@
 #if TETMARCH_EFFECTS
 void integrateConstant(
   real tablePosition, real opticalLength, CellShades shades, INOUT(Radiance) radiance)
+#elif TETMARCH_DEPENDENT
+void integrateConstant(real tablePosition, real opticalLength, vec3 further, INOUT(Radiance) radiance)
 #else
 void integrateConstant(real tablePosition, real opticalLength, INOUT(Radiance) radiance)
 #endif
 {
   vec4 value = tableValue(tablePosition);
+#if TETMARCH_DEPENDENT
+  vec4 mean = tinted(value, tintOf(further));
+#else
   vec4 mean = vec4(value.x * value.w, value.y * value.w, value.z * value.w, value.w);
+#endif
 #if TETMARCH_EFFECTS
   Shade shade = shadeWithin(shades, real(0.5));
 #endif

@@ -6,7 +6,7 @@
 // absorbs, less what the pieces before have used. So a pixel keeps it however many cells it sees. What isn't accepted
 // is tried again in shorter pieces.
 
-#if TETMARCH_ERROR_BOUND
+#if TETMARCH_ERROR_BOUND && !TETMARCH_DEPENDENT
 // Of a piece of the given optical depth between two points of the table.
 real pieceError(TablePoint p, TablePoint q, real depth)
 {
@@ -21,6 +21,9 @@ real pieceError(TablePoint p, TablePoint q, real depth)
 #if TETMARCH_EFFECTS
 int integrateSegment(real begin, real end, real opticalLength, CellShades shades, INOUT(TablePoint) at,
   INOUT(Radiance) radiance)
+#elif TETMARCH_DEPENDENT
+int integrateSegment(real begin, real end, real opticalLength, vec3 furtherBegin, vec3 furtherEnd,
+  INOUT(TablePoint) at, INOUT(Radiance) radiance)
 #else
 int integrateSegment(
   real begin, real end, real opticalLength, INOUT(TablePoint) at, INOUT(Radiance) radiance)
@@ -38,6 +41,12 @@ int integrateSegment(
     real target = whole ? end : begin + (end - begin) * (position + step);
     TablePoint next = tablePoint(loaded ? target : begin);
     vec4 mean = meanBetween(at, next);
+#if TETMARCH_DEPENDENT
+    vec3 furtherRise = furtherEnd - furtherBegin;
+    Tint tint =
+      tintBetween(furtherBegin + furtherRise * position, furtherBegin + furtherRise * (position + share));
+    mean = tinted(mean, tint);
+#endif
     real pieceLength = loaded ? share * opticalLength : real(0);
 #if TETMARCH_EFFECTS
     Shade shade = shadeWithin(shades, position + real(0.5) * share);
@@ -47,7 +56,11 @@ int integrateSegment(
 #endif
     Absorption piece = absorption(mean, pieceLength);
 #if TETMARCH_ERROR_BOUND
+#if TETMARCH_DEPENDENT
+    real error = loaded ? radiance.transmittance * tintError(tint, at, next, mean.w, piece) : real(0);
+#else
     real error = loaded ? radiance.transmittance * pieceError(at, next, piece.depth) : real(0);
+#endif
 #if TETMARCH_LIT
     error = error * brightness(shade.lit);
 #endif

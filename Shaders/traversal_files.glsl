@@ -7,6 +7,9 @@
 #if !TETMARCH_ISOSURFACES
 #include "integral_table.glsl"
 #endif
+#if TETMARCH_INDEPENDENT
+#include "mixture.glsl"
+#endif
 #if TETMARCH_GRADIENT_OPACITY
 #include "gradient_opacity.glsl"
 #endif

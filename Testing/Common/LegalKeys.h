@@ -104,6 +104,10 @@ inline std::vector<VariantKey> legalKeys()
     {
       key.Extreme = key.Sum = key.Isosurfaces = false;
     }
+    if (i % 4 != 1) // else most keys would have no light
+    {
+      key.Independent = key.ColorAndOpacity = key.DirectColor = false;
+    }
     legal.add(key.filtered());
   }
   return legal.Keys;
