@@ -172,7 +172,8 @@ public:
    * ALL_COMPONENTS: all of them together.
    * A single component is always drawn as it is, its sign included.
    *
-   * All components are independent, or dependent with vtkVolumeProperty::IndependentComponentsOff():
+   * All components are independent, or dependent with
+   * vtkVolumeProperty::IndependentComponentsOff():
    * - 2 to 4 independent ones fill the same space, each with the colour function, opacity function
    *   and scalar opacity unit distance of its number (vtkVolumeProperty's functions that take an
    *   index; VTK's default functions reach from 0 to 1024). Extinctions add, and so do emissions,
@@ -182,13 +183,13 @@ public:
    * - Of 2 dependent ones the first gives the colour, the second the opacity.
    * - Of 4 dependent ones three are red, green and blue: 0..255 in arrays of integers, else 0..1,
    *   clamped to that. The fourth gives the opacity, by the opacity function and so in its own
-   *   units, 0..255 in arrays of unsigned char. vtkProjectedTetrahedraMapper takes it for the opacity
-   *   itself, as an opacity function from 0 to 0 up to 255 to 1 does here.
-   * Other numbers of components are errors. Where one component is not finite, all count as not
-   * finite (DrawNanCells). COMPOSITE_BLEND alone draws several components, and without light:
-   * another BlendMode, ShadeOn(), a gradient opacity, VIEW_ILLUMINATION and VIEW_GRADIENTS are
-   * errors then. What is picked depends on all of them; PickedScalar is the first of independent
-   * components, and that of dependent ones which gives the opacity.
+   *   units, 0..255 in arrays of unsigned char. vtkProjectedTetrahedraMapper takes it for the
+   * opacity itself, as an opacity function from 0 to 0 up to 255 to 1 does here. Other numbers of
+   * components are errors. Where one component is not finite, all count as not finite
+   * (DrawNanCells). COMPOSITE_BLEND alone draws several components, and without light: another
+   * BlendMode, ShadeOn(), a gradient opacity, VIEW_ILLUMINATION and VIEW_GRADIENTS are errors then.
+   * What is picked depends on all of them; PickedScalar is the first of independent components, and
+   * that of dependent ones which gives the opacity.
    */
   enum VectorModeType
   {

@@ -94,8 +94,8 @@ void setComponentFunctions(vtkVolumeProperty* property, int components)
     vtkNew<vtkPiecewiseFunction> opacity;
     for (int i = 0; i < 3; ++i)
     {
-      color->AddRGBPoint(0.5 * i + 0.05 * k * (i == 1 ? 1 : 0), colors[k][i][0], colors[k][i][1],
-        colors[k][i][2]);
+      color->AddRGBPoint(
+        0.5 * i + 0.05 * k * (i == 1 ? 1 : 0), colors[k][i][0], colors[k][i][1], colors[k][i][2]);
     }
     for (int i = 0; i < 5; ++i)
     {
@@ -126,8 +126,9 @@ std::array<double, 4> mediumAt(vtkVolumeProperty* property, const std::vector<do
     for (int k = 0; k < count; ++k)
     {
       property->GetRGBTransferFunction(k)->GetColor(scalars[k], rgb);
-      add(rgb, property->GetComponentWeight(k) * property->GetScalarOpacity(k)->GetValue(scalars[k]) *
-                 property->GetScalarOpacityUnitDistance(0) / property->GetScalarOpacityUnitDistance(k));
+      add(rgb,
+        property->GetComponentWeight(k) * property->GetScalarOpacity(k)->GetValue(scalars[k]) *
+          property->GetScalarOpacityUnitDistance(0) / property->GetScalarOpacityUnitDistance(k));
     }
   }
   else if (count == 2)

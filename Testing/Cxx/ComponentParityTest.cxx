@@ -119,8 +119,7 @@ TEST_P(ComponentParity, WhatIsNotFiniteAndHiddenCells)
       scene.property()->GetRGBTransferFunction()->SetNanColor(1.0, 0.0, 1.0);
       scene.property()->GetRGBTransferFunction()->SetNanOpacity(0.9);
       const Image drawn = scene.render();
-      const Difference difference =
-        compare(drawn, twinOf(scene).Picture, regionsOf(scene).Inside);
+      const Difference difference = compare(drawn, twinOf(scene).Picture, regionsOf(scene).Inside);
       EXPECT_LE(difference.Rms, 0.3 / 255.0) << difference.text();
       EXPECT_LE(difference.Percentile999, 4.0 / 255.0) << difference.text();
       EXPECT_EQ(compare(drawn, holes).Max > 0.05, shown);

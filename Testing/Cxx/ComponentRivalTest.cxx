@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several components as VTK's mappers have them, where their laws agree with ours:
 //  - red, green, blue and opacity by vtkProjectedTetrahedraMapper, whose fourth component is the
-//    opacity itself, as by an opacity function that is a straight line here;
+//    opacity itself, as by an opacity function that is a straight line here; it may be as far off
+//    as of one scalar (RivalPictureTest), for it misorders cells and keeps colours in 8 bits;
 //  - the same, and independent components, by VTK's ray caster for unstructured grids, with partial
 //    pre-integration (Moreland and Angel 2004), which knows no weights, and kinks of opacity
-//    functions only where colour functions have a node, too;
+//    functions only where colour functions have a node, too; its pictures are off by half a pixel;
 //  - independent components by vtkGPUVolumeRayCastMapper of an image, where no two are seen in one
 //    place. Where they are, it absorbs sum(a_i^2) / sum(a_i) of the opacities a_i and sends out
 //    sum(a_i c_i): more than it absorbs, so that two mixed fogs get brighter than either.
@@ -50,11 +51,38 @@ Image recoloured(Image image)
   return image;
 }
 
-void expectSame(Scene& scene, vtkAbstractVolumeMapper* rivalMapper, double mostRms)
+// As if rays went through the lower left corners of pixels.
+Image throughCorners(const Image& image)
+{
+  Image moved = image;
+  for (int y = 1; y < image.Height; ++y)
+  {
+    for (int x = 1; x < image.Width; ++x)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        moved.pixel(x, y)[k] = 0.25f * (image.pixel(x, y)[k] + image.pixel(x - 1, y)[k] +
+                                         image.pixel(x, y - 1)[k] + image.pixel(x - 1, y - 1)[k]);
+      }
+    }
+  }
+  return moved;
+}
+
+enum class RaysThrough
+{
+  Centers,
+  Corners
+};
+
+// mostRms, in 1/255: how far the rival may be off from us.
+void expectSame(Scene& scene, vtkAbstractVolumeMapper* rivalMapper, double mostRms,
+  RaysThrough rays = RaysThrough::Centers)
 {
   const Image rival = pictureBy(scene, rivalMapper);
   scene.Window->Render();
-  const Image ours = scene.frame();
+  const Image frame = scene.frame();
+  const Image ours = rays == RaysThrough::Corners ? throughCorners(frame) : frame;
   const float black[3] = { 0, 0, 0 };
   const Mask seen = differsFrom(ours, black, 0.02f);
   const auto apart = [&](const Image& image)
@@ -62,7 +90,8 @@ void expectSame(Scene& scene, vtkAbstractVolumeMapper* rivalMapper, double mostR
   std::cout << "[ MEASURED ] RMS " << apart(ours) << "/255, in other colours "
             << apart(recoloured(ours)) << "/255\n";
   EXPECT_LE(apart(ours), mostRms);
-  EXPECT_GE(apart(recoloured(ours)), 4 * mostRms);
+  EXPECT_GE(apart(recoloured(ours)), 3 * apart(ours));
+  EXPECT_GT(apart(recoloured(ours)), mostRms);
 }
 
 std::vector<Field> fields(int count)
@@ -99,7 +128,7 @@ TEST_F(DirectColorRival, ProjectedTetrahedra)
       scene.property()->SetScalarOpacityUnitDistance(unitDistance);
       vtkNew<vtkProjectedTetrahedraMapper> rival;
       rival->SetInputData(scene.Data);
-      expectSame(scene, rival, unitDistance < 1.0 ? 12.0 : 3.0);
+      expectSame(scene, rival, unitDistance < 1.0 ? 12.0 : 6.0);
     }
   }
 }
@@ -125,7 +154,7 @@ TEST_F(DirectColorRival, RayCaster)
   this->prepare(scene, 1.0);
   vtkNew<RayCastRival> rival;
   rival->SetInputData(scene.Data);
-  expectSame(scene, rival, 3.0);
+  expectSame(scene, rival, 3.0, RaysThrough::Corners);
 }
 
 TEST(IndependentRival, RayCaster)
@@ -148,7 +177,7 @@ TEST(IndependentRival, RayCaster)
   }
   vtkNew<RayCastRival> rival;
   rival->SetInputData(scene.Data);
-  expectSame(scene, rival, 3.0);
+  expectSame(scene, rival, 3.0, RaysThrough::Corners);
 }
 
 TEST(IndependentRival, ImageCasterWhereComponentsAreApart)
@@ -185,6 +214,6 @@ TEST(IndependentRival, ImageCasterWhereComponentsAreApart)
   rival->SetInputData(image);
   rival->SetAutoAdjustSampleDistances(0);
   rival->SetSampleDistance(0.002f);
-  expectSame(scene, rival, 4.0);
+  expectSame(scene, rival, 1.0);
 }
 } // namespace

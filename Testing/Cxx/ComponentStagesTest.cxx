@@ -133,9 +133,8 @@ TEST(ComponentStages, BlocksOfBytesAreColorsOfBytes)
 {
   const auto bytes = [](double origin)
   {
-    return withComponents(
-      withOffsetAndScale(lattice(), { origin, 0.0, 0.0 }, 1.0), componentFields(4),
-      VTK_UNSIGNED_CHAR);
+    return withComponents(withOffsetAndScale(lattice(), { origin, 0.0, 0.0 }, 1.0),
+      componentFields(4), VTK_UNSIGNED_CHAR);
   };
   const Mix mix{ "", 4, false };
   ComponentScene scene(lattice(), mix, Side, Side);
@@ -206,8 +205,8 @@ protected:
 
 TEST_F(ComponentErrors, OtherBlendModes)
 {
-  for (const int mode : { Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::ADDITIVE_BLEND,
-         Mapper::ISOSURFACE_BLEND })
+  for (const int mode :
+    { Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::ADDITIVE_BLEND, Mapper::ISOSURFACE_BLEND })
   {
     this->Shown.Mapper->SetBlendMode(mode);
     this->expectError("composite blending alone");
@@ -286,7 +285,8 @@ TEST(ComponentPick, GoesByAllComponents)
         boxChord(line.at(distance), { -line.Direction[0], -line.Direction[1], -line.Direction[2] },
           { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, 0.0);
       EXPECT_NEAR(inside, std::log(2.0) / extinction, 1e-5) << mix.Name;
-      EXPECT_NEAR(scene.Mapper->GetPickedScalar(), mix.Independent ? scalars[0] : scalars.back(), 1e-6);
+      EXPECT_NEAR(
+        scene.Mapper->GetPickedScalar(), mix.Independent ? scalars[0] : scalars.back(), 1e-6);
     }
   }
 }

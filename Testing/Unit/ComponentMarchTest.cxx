@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What rays see of several components, against closed forms and a quadrature by VTK's own functions;
-// and that they keep the tolerance, by a bound that holds.
+// What rays see of several components, against closed forms and a quadrature by VTK's own
+// functions; and that they keep the tolerance, by a bound that holds.
 #include "ClosedForms.h"
 #include "ComponentRays.h"
 
@@ -114,8 +114,8 @@ TEST(ComponentMarch, BoundsOfWhatIsTakenAsItIs)
 {
   const auto expectBound = [](const Tally& tally)
   {
-    std::cout << "[ MEASURED ] fast: worst " << tally.Worst << ", bound " << tally.Bound / tally.Error
-              << " times the error\n";
+    std::cout << "[ MEASURED ] fast: worst " << tally.Worst << ", bound "
+              << tally.Bound / tally.Error << " times the error\n";
     EXPECT_LE(tally.BeyondBound, Rounding);
     EXPECT_GT(tally.Worst, 1e-3);
     EXPECT_LE(tally.Bound, 40 * tally.Error);
@@ -151,8 +151,8 @@ TEST(ComponentMarch, ColorsThatAreLinearInAnEvenFog)
       for (int k = 0; k < 3; ++k)
       {
         const Chord whole = rays.Rays.chordOf(ray, rays.Fields[k]);
-        const double expected = slabColour(
-          whole.scalarAt(chord.Begin), whole.scalarAt(chord.End), 0.7, chord.Optical);
+        const double expected =
+          slabColour(whole.scalarAt(chord.Begin), whole.scalarAt(chord.End), 0.7, chord.Optical);
         EXPECT_NEAR(seen[k], expected, 3e-6);
       }
       EXPECT_NEAR(seen[3], slabOpacity(0.7, chord.Optical), 3e-6);

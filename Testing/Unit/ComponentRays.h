@@ -34,8 +34,8 @@ public:
   /// Returns what is wrong.
   std::string use(const AccuracyLevel& level)
   {
-    vtkDataArray* array =
-      this->OfCells ? this->Data->GetCellData()->GetScalars() : this->Data->GetPointData()->GetScalars();
+    vtkDataArray* array = this->OfCells ? this->Data->GetCellData()->GetScalars()
+                                        : this->Data->GetPointData()->GetScalars();
     std::string error;
     const DrawnComponents drawn =
       drawnComponents({ VectorMode::AllComponents, 0 }, this->Property, array, error);

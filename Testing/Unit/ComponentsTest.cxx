@@ -7,10 +7,10 @@
 #include "ComponentFields.h"
 #include "UnitMeshes.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkCellData.h"
 #include "vtkVolumeProperty.h"
 
 #include <gtest/gtest.h>

@@ -139,8 +139,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "error bound of independent components",
       [](const Key& k, MarchShader) { return k.hasErrorBound() && k.Independent; }, "greatestOf" },
     { "error bound of dependent components",
-      [](const Key& k, MarchShader) { return k.hasErrorBound() && k.isDependent(); },
-      "tintError" },
+      [](const Key& k, MarchShader) { return k.hasErrorBound() && k.isDependent(); }, "tintError" },
     { "adaptive", [](const Key& k, MarchShader) { return k.Adaptive; },
       "mostTrials errorBudget TOLERANCE_AT_ONCE TOLERANCE_BY_ABSORPTION budget" },
     { "diagnostics", [](const Key& k, MarchShader) { return k.Diagnostics; },
@@ -184,9 +183,9 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "gradients of cells", [](const Key& k, MarchShader) { return k.CellGradients; },
       "fetchCellGradient" },
     { "values at corners",
-      [](const Key& k, MarchShader)
-      {
-        return k.hasVertexGradients() || k.hasVertexLight() || (k.hasComponents() && k.PointScalars);
+      [](const Key& k, MarchShader) {
+        return k.hasVertexGradients() || k.hasVertexLight() ||
+               (k.hasComponents() && k.PointScalars);
       },
       "fetchCorners crossingShares" },
     { "opacity by gradients", [](const Key& k, MarchShader) { return k.GradientOpacity; },

@@ -30,9 +30,9 @@ std::string GpuData::upload(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
       error = this->Mesh.uploadFurtherScalars(window, components.Further);
     }
     this->HasScalars = error.empty();
-    this->UploadedBytes += static_cast<std::int64_t>(sizeof(Vertex) * mesh.Vertices.size() +
-                                                     sizeof(float) * cellScalars.size() +
-                                                     this->Mesh.furtherBytes());
+    this->UploadedBytes +=
+      static_cast<std::int64_t>(sizeof(Vertex) * mesh.Vertices.size() +
+                                sizeof(float) * cellScalars.size() + this->Mesh.furtherBytes());
   }
   if (error.empty() && !this->HasHiddenCells)
   {

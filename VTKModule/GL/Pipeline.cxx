@@ -267,8 +267,8 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
     this->Watch.begin(window, [this](vtkWindow* ending) { this->release(ending); });
     this->HasFma = hasFusedMultiplyAdd(window);
   }
-  std::vector<BufferSize> sizes = bufferSizes(this->mesh(), this->CellScalars.size(),
-    this->Hidden.cells().size(), this->Table.Values.size());
+  std::vector<BufferSize> sizes = bufferSizes(
+    this->mesh(), this->CellScalars.size(), this->Hidden.cells().size(), this->Table.Values.size());
   addBufferSizes(sizes, this->Parts, this->Table);
   const std::string excess = describeExcess(sizes, this->Limits, SizesAre::Exact);
   if (!excess.empty())
@@ -281,9 +281,8 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
     return true;
   }
   StageRecorder recorder(this->UploadRecord);
-  const std::string error =
-    this->OnGpu.upload(window, this->mesh(), this->CellScalars, this->Hidden.cells(), this->Table,
-      this->Parts);
+  const std::string error = this->OnGpu.upload(
+    window, this->mesh(), this->CellScalars, this->Hidden.cells(), this->Table, this->Parts);
   this->Passes.expectChange();
   if (!error.empty())
   {

@@ -119,8 +119,8 @@ public:
 
 private:
   bool fail(const std::string& error);
-  IntegralTable makeTables(
-    vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, Components& parts) const;
+  IntegralTable makeTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level,
+    Components& parts) const;
   bool ensureHierarchy();
   Viewport currentViewport() const;
   MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);

@@ -44,7 +44,9 @@ FurtherScalars furtherPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* arra
 {
   return furtherScalars(
     choice, range,
-    [&](int component) { return pointValues(grid, array, mesh, { false, component }); },
+    [&](int component) {
+      return pointValues(grid, array, mesh, { false, component });
+    },
     [&](std::size_t i) -> float& { return mesh.Vertices[i].Scalar; });
 }
 
@@ -52,7 +54,10 @@ FurtherScalars furtherCellScalars(vtkDataArray* array, const FurtherChoice& choi
   const TetMesh& mesh, std::vector<float>& scalars, ScalarRange& range)
 {
   return furtherScalars(
-    choice, range, [&](int component) { return cellValues(array, mesh, { false, component }); },
+    choice, range,
+    [&](int component) {
+      return cellValues(array, mesh, { false, component });
+    },
     [&](std::size_t i) -> float& { return scalars[i]; });
 }
 

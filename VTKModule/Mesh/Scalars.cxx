@@ -128,8 +128,8 @@ std::string checkScalars(vtkDataArray* array, vtkIdType count, const char* what)
          std::to_string(count) + " " + what + ".";
 }
 
-std::vector<double> pointValues(vtkUnstructuredGrid* grid, vtkDataArray* array,
-  const TetMesh& mesh, const TupleScalar& scalar)
+std::vector<double> pointValues(
+  vtkUnstructuredGrid* grid, vtkDataArray* array, const TetMesh& mesh, const TupleScalar& scalar)
 {
   std::vector<double> values = scalarsOf(array, mesh.VertexPoints, scalar);
   if (!mesh.CenterCells.empty())

@@ -29,13 +29,13 @@ struct ScalarRange
  */
 std::string checkScalars(vtkDataArray* array, vtkIdType count, const char* what);
 
-/** One scalar of each vertex, as it is in the array: in double precision, and NaN if it isn't there.
+/** One scalar of each vertex, as it is in the array: in double precision, and NaN if it isn't
+ * there.
  */
-std::vector<double> pointValues(vtkUnstructuredGrid* grid, vtkDataArray* array,
-  const TetMesh& mesh, const TupleScalar& scalar);
+std::vector<double> pointValues(
+  vtkUnstructuredGrid* grid, vtkDataArray* array, const TetMesh& mesh, const TupleScalar& scalar);
 /** Of each tetrahedron. */
-std::vector<double> cellValues(
-  vtkDataArray* array, const TetMesh& mesh, const TupleScalar& scalar);
+std::vector<double> cellValues(vtkDataArray* array, const TetMesh& mesh, const TupleScalar& scalar);
 
 /** Of the values that are finite. */
 ScalarRange finiteRange(const std::vector<double>& values);

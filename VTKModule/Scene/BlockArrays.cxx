@@ -70,8 +70,7 @@ void appendFaces(vtkUnstructuredGrid* grid, vtkIdType cell, const BlockPoints& p
 }
 
 // Of the type that all blocks have, or in double precision.
-vtkSmartPointer<vtkDataArray> makeValues(
-  const std::vector<vtkDataArray*>& arrays, vtkIdType tuples)
+vtkSmartPointer<vtkDataArray> makeValues(const std::vector<vtkDataArray*>& arrays, vtkIdType tuples)
 {
   vtkDataArray* like = arrays.front();
   const bool alike = std::all_of(arrays.begin(), arrays.end(),

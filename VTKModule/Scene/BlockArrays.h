@@ -32,8 +32,8 @@ vtkSmartPointer<vtkPoints> joinPoints(const SharedBlocks& blocks);
  * They are sound (checkGrid). */
 void joinCells(const SharedBlocks& blocks, vtkUnstructuredGrid* grid);
 
-/** Values of points or cells by one array a block of the same number of components each: of the type
- * that all of them have, or else in double precision. */
+/** Values of points or cells by one array a block of the same number of components each: of the
+ * type that all of them have, or else in double precision. */
 vtkSmartPointer<vtkDataArray> joinPointValues(
   const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays);
 vtkSmartPointer<vtkDataArray> joinCellValues(

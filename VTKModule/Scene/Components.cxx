@@ -44,10 +44,11 @@ DrawnComponents dependent(vtkDataArray* array, std::string& error)
   {
     return { ComponentMix::DirectColor, { false, 3 }, { { 0, 1, 2 }, colorUnit(array) } };
   }
-  error = describeArray(array) +
-          ", but dependent ones (vtkVolumeProperty::IndependentComponentsOff()) are either 2, for "
-          "colour and opacity, or 4, for red, green, blue and opacity. Switch IndependentComponents "
-          "on, or choose what is drawn by VectorMode.";
+  error =
+    describeArray(array) +
+    ", but dependent ones (vtkVolumeProperty::IndependentComponentsOff()) are either 2, for "
+    "colour and opacity, or 4, for red, green, blue and opacity. Switch IndependentComponents "
+    "on, or choose what is drawn by VectorMode.";
   return {};
 }
 
@@ -103,8 +104,8 @@ IntegralTable tableOf(vtkVolumeProperty* property, int component, OpacityLaw law
 }
 
 // The opacity function, in one colour.
-IntegralTable opacityTable(vtkVolumeProperty* property, OpacityLaw law, const ScalarRange& range,
-  const AccuracyLevel& level)
+IntegralTable opacityTable(
+  vtkVolumeProperty* property, OpacityLaw law, const ScalarRange& range, const AccuracyLevel& level)
 {
   vtkNew<vtkVolumeProperty> own;
   own->SetScalarOpacity(property->GetScalarOpacity());
@@ -121,8 +122,7 @@ IntegralTable colorTable(
   own->SetScalarOpacity(
     constantOne(own->GetColorChannels() == 1 ? own->GetGrayTransferFunction()->GetRange()[0]
                                              : own->GetRGBTransferFunction()->GetRange()[0]));
-  return withVariations(
-    fittingTable(own, OpacityLaw::Unstructured, range.Low, range.High, level));
+  return withVariations(fittingTable(own, OpacityLaw::Unstructured, range.Low, range.High, level));
 }
 
 } // namespace
@@ -201,7 +201,8 @@ ScalarRange readComponents(vtkUnstructuredGrid* grid, vtkDataArray* array, bool 
   return range;
 }
 
-void addFunctions(Fingerprint& fingerprint, const Components& components, vtkVolumeProperty* property)
+void addFunctions(
+  Fingerprint& fingerprint, const Components& components, vtkVolumeProperty* property)
 {
   fingerprint.push_back(static_cast<std::uintptr_t>(components.Mix));
   for (int k = 1; k < components.count() && components.isIndependent(); ++k)
@@ -244,9 +245,9 @@ void addBufferSizes(
     return;
   }
   const std::size_t count = components.Further.count();
-  const std::size_t entries = std::accumulate(components.Tables.begin(), components.Tables.end(),
-    std::size_t(0),
-    [](std::size_t sum, const IntegralTable& table) { return sum + table.Values.size(); });
+  const std::size_t entries =
+    std::accumulate(components.Tables.begin(), components.Tables.end(), std::size_t(0),
+      [](std::size_t sum, const IntegralTable& table) { return sum + table.Values.size(); });
   sizes.push_back({ "further scalars", components.Further.Values.size() / count,
     (count < 3 ? count : 4) * sizeof(float) });
   sizes.push_back({ "further table entries", entries, 16 + 16 + 4 });
@@ -266,8 +267,7 @@ IntegralTable componentTables(vtkVolumeProperty* property, OpacityLaw law, const
   }
   for (int k = 1; k < components.count() && components.isIndependent(); ++k)
   {
-    components.Tables.push_back(
-      tableOf(property, k, law, components.Further.Ranges[k - 1], level));
+    components.Tables.push_back(tableOf(property, k, law, components.Further.Ranges[k - 1], level));
   }
   return first;
 }

@@ -84,7 +84,8 @@ ScalarRange readComponents(vtkUnstructuredGrid* grid, vtkDataArray* array, bool 
 
 /** Identities and times of change of the functions that the tables are made of, but for those of
  * the first component. */
-void addFunctions(Fingerprint& fingerprint, const Components& components, vtkVolumeProperty* property);
+void addFunctions(
+  Fingerprint& fingerprint, const Components& components, vtkVolumeProperty* property);
 
 /** Sets Factors. Returns an empty string, or which unit distance is wrong. */
 std::string setFactors(vtkVolumeProperty* property, Components& components);
