@@ -5,11 +5,11 @@ int gatherPiece(Piece piece, real opticalLength, INOUT(Passage) cell, INOUT(Radi
 {
   real thickness = (piece.end.x - piece.begin.x) * opticalLength;
 #if TETMARCH_INDEPENDENT
+  vec4 begin = scalarsOf(piece.begin.y, piece.furtherBegin);
 #if TETMARCH_POINT_SCALARS
-  return integrateMixture(scalarsOf(piece.begin.y, piece.furtherBegin), scalarsOf(piece.end.y, piece.furtherEnd),
-    thickness, radiance);
+  return integrateSegment(begin, scalarsOf(piece.end.y, piece.furtherEnd), thickness, radiance);
 #else
-  absorbMixture(scalarsOf(piece.begin.y, piece.furtherBegin), thickness, radiance);
+  integrateConstant(begin, thickness, radiance);
   return 1;
 #endif
 #else

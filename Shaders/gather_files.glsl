@@ -12,9 +12,7 @@
 #if TETMARCH_DEPENDENT
 #include "tint.glsl"
 #endif
-#if TETMARCH_INDEPENDENT
-#include "segment_mixture.glsl"
-#elif TETMARCH_POINT_SCALARS
+#if TETMARCH_POINT_SCALARS
 #include "segment_linear.glsl"
 #else
 #include "segment_constant.glsl"

@@ -1,5 +1,5 @@
-// Dependent components: the colour comes from other scalars than the extinction. With four these are red, green and blue
-// (TETMARCH_DIRECT_COLOR); with two it is one, by a table of colours behind that of the opacity.
+// Dependent components: the colour comes from other scalars than the extinction. Of four these are red, green and blue, of
+// two it is one, by a table of colours behind that of the opacity.
 
 #if TETMARCH_POINT_SCALARS
 // Of a piece in which the scalars are linear.

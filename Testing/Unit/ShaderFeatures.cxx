@@ -52,12 +52,11 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "tolerance", [](const Key& k, MarchShader) { return k.isComposite() || k.Isosurfaces; },
       "errorTolerance" },
     { "segments of the picture",
-      [](const Key& k, MarchShader s)
-      { return isPicture(s) && k.PointScalars && k.isComposite() && !k.Independent; },
+      [](const Key& k, MarchShader s) { return isPicture(s) && k.PointScalars && k.isComposite(); },
       "integrateSegment" },
     { "cells of the picture",
       [](const Key& k, MarchShader s)
-      { return isPicture(s) && !k.PointScalars && k.isComposite() && !k.Independent; },
+      { return isPicture(s) && !k.PointScalars && k.isComposite(); },
       "integrateConstant" },
     { "tables", [](const Key& k, MarchShader) { return !k.Isosurfaces; },
       "tableValueBuffer tableIntegralBuffer "
@@ -86,12 +85,6 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "Mixture mixtureBetween" },
     { "independent components of cells",
       [](const Key& k, MarchShader) { return k.Independent && !k.PointScalars; }, "mixtureAt" },
-    { "segments of independent components",
-      [](const Key& k, MarchShader s) { return isPicture(s) && k.Independent && k.PointScalars; },
-      "integrateMixture" },
-    { "cells of independent components",
-      [](const Key& k, MarchShader s) { return isPicture(s) && k.Independent && !k.PointScalars; },
-      "absorbMixture" },
     { "dependent components", [](const Key& k, MarchShader) { return k.isDependent(); }, "tinted" },
     { "dependent components of points",
       [](const Key& k, MarchShader) { return k.isDependent() && k.PointScalars; },
