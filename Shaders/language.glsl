@@ -17,7 +17,6 @@
 #define UNDRAWN_SCALAR 1.0e30
 #define LINK_OUTSIDE 0x80000000u
 #define MOST_LIGHTS 16 // Scene/Lighting.h
-#define MOST_COMPONENTS 4 // Mesh/FurtherScalars.h
 #define MOST_CLIPPING_PLANES 38 // Scene/Clipping.h
 #define MOST_ISOSURFACES 32 // Scene/Blending.h
 #define VERTEX_LIGHT_ROW 4096 // texels; GL/VertexLight.h

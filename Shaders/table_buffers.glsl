@@ -2,20 +2,23 @@
 #if !TETMARCH_ISOSURFACES
 uniform samplerBuffer tableValueBuffer;
 uniform usamplerBuffer tableIntegralBuffer;
+#if !TETMARCH_COMPONENTS
+uniform int tableSize;
+#endif
 #if !TETMARCH_INDEPENDENT
 uniform float tableScale; // from a stored scalar to a position in the table
 uniform float tableOffset;
 #endif
+#if !TETMARCH_COMPONENTS
+uniform vec4 tableIntegralUnit;
+#endif
+#endif
 #if TETMARCH_COMPONENTS
-// Of one table behind the other, by number.
-uniform int tableFirst[MOST_COMPONENTS]; // entry
+#define MOST_COMPONENTS 4 // Mesh/FurtherScalars.h
+uniform int tableFirst[MOST_COMPONENTS]; // of the tables, which lie behind each other: first entry
 uniform int tableSizes[MOST_COMPONENTS];
 uniform vec4 tableIntegralUnits[MOST_COMPONENTS];
 uniform vec2 tablePlace[MOST_COMPONENTS]; // scale and offset
-#else
-uniform int tableSize;
-uniform vec4 tableIntegralUnit;
-#endif
 #endif
 #if TETMARCH_INDEPENDENT
 uniform int componentCount;
