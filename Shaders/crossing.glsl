@@ -19,9 +19,14 @@ struct Crossing
   vec4 lightB;
   vec4 lightC;
 #endif
+#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
+  vec3 furtherA; // scalars of the vertices beside the first
+  vec3 furtherB;
+  vec3 furtherC;
+#endif
 };
 
-#if TETMARCH_VERTEX_GRADIENTS || TETMARCH_VERTEX_LIGHT
+#if TETMARCH_VERTEX_GRADIENTS || TETMARCH_VERTEX_LIGHT || TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
 // Barycentric coordinates of the point in which the ray crosses the face; in the words of crossingPoint(), so that
 // a compiler sees that most of it is done there.
 vec3 crossingShares(Crossing face)
@@ -46,6 +51,19 @@ void fetchCorners(INOUT(Crossing) face)
   face.lightB = fetchVertexLight(face.id.y);
   face.lightC = fetchVertexLight(face.id.z);
 #endif
+#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
+  face.furtherA = fetchFurtherScalars(face.id.x);
+  face.furtherB = fetchFurtherScalars(face.id.y);
+  face.furtherC = fetchFurtherScalars(face.id.z);
+#endif
+}
+#endif
+
+#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
+vec3 furtherAt(Crossing face)
+{
+  vec3 share = crossingShares(face);
+  return face.furtherA * share.x + face.furtherB * share.y + face.furtherC * share.z;
 }
 #endif
 
@@ -150,6 +168,12 @@ int stepThrough(INOUT(Crossing) face, uint apexId, vec3 apex, real apexScalar)
   face.lightA = dropA ? light : face.lightA;
   face.lightB = dropB ? light : face.lightB;
   face.lightC = dropC ? light : face.lightC;
+#endif
+#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
+  vec3 further = fetchFurtherScalars(apexId);
+  face.furtherA = dropA ? further : face.furtherA;
+  face.furtherB = dropB ? further : face.furtherB;
+  face.furtherC = dropC ? further : face.furtherC;
 #endif
   return dropA || dropB || dropC ? rank : -1;
 }

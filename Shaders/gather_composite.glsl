@@ -4,6 +4,15 @@
 int gatherPiece(Piece piece, real opticalLength, INOUT(Passage) cell, INOUT(Radiance) radiance)
 {
   real thickness = (piece.end.x - piece.begin.x) * opticalLength;
+#if TETMARCH_INDEPENDENT
+  vec4 begin = scalarsOf(piece.begin.y, piece.furtherBegin);
+#if TETMARCH_POINT_SCALARS
+  return integrateSegment(begin, scalarsOf(piece.end.y, piece.furtherEnd), thickness, radiance);
+#else
+  integrateConstant(begin, thickness, radiance);
+  return 1;
+#endif
+#else
 #if TETMARCH_EFFECTS
   cell.shades.within = shareOf(cell, piece);
 #endif
@@ -12,15 +21,21 @@ int gatherPiece(Piece piece, real opticalLength, INOUT(Passage) cell, INOUT(Radi
   real tableEnd = piece.end.y * tableScale + tableOffset;
 #if TETMARCH_EFFECTS
   return integrateSegment(tableBegin, tableEnd, thickness, cell.shades, cell.at, radiance);
+#elif TETMARCH_DEPENDENT
+  return integrateSegment(
+    tableBegin, tableEnd, thickness, piece.furtherBegin, piece.furtherEnd, cell.at, radiance);
 #else
   return integrateSegment(tableBegin, tableEnd, thickness, cell.at, radiance);
 #endif
 #else
 #if TETMARCH_EFFECTS
   integrateConstant(tableBegin, thickness, cell.shades, radiance);
+#elif TETMARCH_DEPENDENT
+  integrateConstant(tableBegin, thickness, piece.furtherBegin, radiance);
 #else
   integrateConstant(tableBegin, thickness, radiance);
 #endif
   return 1;
+#endif
 #endif
 }

@@ -6,10 +6,16 @@
 #elif TETMARCH_ISOSURFACES
 #include "gather_isosurfaces.glsl"
 #else
-#if TETMARCH_POINT_SCALARS
 #if TETMARCH_ERROR_BOUND
 #include "order_error.glsl"
 #endif
+#if TETMARCH_INDEPENDENT
+#include "mixture.glsl"
+#endif
+#if TETMARCH_DEPENDENT
+#include "tint.glsl"
+#endif
+#if TETMARCH_POINT_SCALARS
 #include "segment_linear.glsl"
 #else
 #include "segment_constant.glsl"

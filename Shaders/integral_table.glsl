@@ -16,13 +16,42 @@ struct TablePoint
   vec4 binEnd;      // C, tau at entry bin + 1
 #if TETMARCH_ERROR_BOUND
   real variation;   // V at x
+#if TETMARCH_COMPONENTS
+  real extinctionVariation; // the same of tau
+#endif
 #endif
   uvec4 integral;   // K, T at entry bin
   uvec4 integralEnd; // K, T at entry bin + 1
 };
 
+#if TETMARCH_COMPONENTS
+// Where one table is among those of several components, which lie behind each other; x counts its own entries.
+struct TableSpan
+{
+  int first;
+  int size;
+  vec4 integralUnit;
+  real scale; // from a stored scalar to a position in it
+  real offset;
+};
+
+TableSpan tableSpan(int table)
+{
+  TableSpan span;
+  span.first = fetchTableFirst(table);
+  span.size = fetchTableSize(table);
+  span.integralUnit = fetchTableIntegralUnit(table);
+  vec2 place = fetchTablePlace(table);
+  span.scale = place.x;
+  span.offset = place.y;
+  return span;
+}
+
+int tableBin(TableSpan table, real x) { return int(max(real(0), min(floor(x), real(table.size - 2)))); }
+#else
 // The first bin for what is not a number.
 int tableBin(real x) { return int(max(real(0), min(floor(x), real(tableSize - 2)))); }
+#endif
 
 #if TETMARCH_TRANSPARENT_RANGES
 // Whether there is no extinction from position p to q: below the first, above the last, or in the widest gap.
@@ -35,15 +64,33 @@ bool isTransparentBetween(real p, real q)
 }
 #endif
 
+#if TETMARCH_COMPONENTS
+vec4 tableValue(TableSpan table, real x)
+{
+  int bin = tableBin(table, x);
+  vec4 begin = fetchTableValue(table.first + bin);
+  vec4 end = fetchTableValue(table.first + bin + 1);
+#else
 vec4 tableValue(real x)
 {
   int bin = tableBin(x);
   vec4 begin = fetchTableValue(bin);
   vec4 end = fetchTableValue(bin + 1);
+#endif
   // Beyond the table both are equal; the clamp keeps infinite weights away.
   return begin + (end - begin) * clamp(x - real(bin), real(0), real(1));
 }
 
+#if TETMARCH_COMPONENTS
+TablePoint tablePoint(TableSpan table, real x)
+{
+  TablePoint p;
+  p.x = x;
+  p.bin = tableBin(table, x);
+  int entry = table.first + p.bin;
+  p.binBegin = fetchTableValue(entry);
+  p.binEnd = fetchTableValue(entry + 1);
+#else
 TablePoint tablePoint(real x)
 {
   TablePoint p;
@@ -51,13 +98,24 @@ TablePoint tablePoint(real x)
   p.bin = tableBin(x);
   p.binBegin = fetchTableValue(p.bin);
   p.binEnd = fetchTableValue(p.bin + 1);
+#endif
   vec4 rise = p.binEnd - p.binBegin;
   real share = clamp(x - real(p.bin), real(0), real(1));
   p.value = p.binBegin + rise * share;
+#if TETMARCH_COMPONENTS
+  p.integral = fetchTableIntegral(entry);
+  p.integralEnd = fetchTableIntegral(entry + 1);
+#if TETMARCH_ERROR_BOUND
+  vec2 variation = fetchTableVariations(entry);
+  p.variation = variation.x + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * share;
+  p.extinctionVariation = variation.y + abs(rise.w) * share;
+#endif
+#else
   p.integral = fetchTableIntegral(p.bin);
   p.integralEnd = fetchTableIntegral(p.bin + 1);
 #if TETMARCH_ERROR_BOUND
   p.variation = fetchTableVariation(p.bin) + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * share;
+#endif
 #endif
   return p;
 }
@@ -72,7 +130,11 @@ vec4 linearMean(vec4 p, vec4 q)
 }
 
 // Means of C tau and tau over the scalars between two points of the table.
+#if TETMARCH_COMPONENTS
+vec4 meanBetween(TableSpan table, TablePoint p, TablePoint q)
+#else
 vec4 meanBetween(TablePoint p, TablePoint q)
+#endif
 {
   bool ascending = p.bin <= q.bin;
   real low = ascending ? p.x : q.x;
@@ -82,8 +144,19 @@ vec4 meanBetween(TablePoint p, TablePoint q)
   vec4 right = linearMean(ascending ? p.value : q.value, ascending ? p.binEnd : q.binEnd);
   vec4 left = linearMean(ascending ? q.binBegin : p.binBegin, ascending ? q.value : p.value);
   vec4 between = vec4((ascending ? q.integral : p.integral) - (ascending ? p.integralEnd : q.integralEnd));
+#if TETMARCH_COMPONENTS
+  vec4 sum = right * (real(lowBin + 1) - low) + between * table.integralUnit + left * (high - real(highBin));
+#else
   vec4 sum = right * (real(lowBin + 1) - low) + between * tableIntegralUnit + left * (high - real(highBin));
+#endif
   vec4 apart = sum * (real(1) / max(high - low, TINY));
   vec4 together = linearMean(p.value, q.value);
   return p.bin == q.bin ? together : apart;
 }
+
+#if TETMARCH_DEPENDENT
+// The first table, that of the opacity.
+vec4 tableValue(real x) { return tableValue(tableSpan(0), x); }
+TablePoint tablePoint(real x) { return tablePoint(tableSpan(0), x); }
+vec4 meanBetween(TablePoint p, TablePoint q) { return meanBetween(tableSpan(0), p, q); }
+#endif

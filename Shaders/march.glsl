@@ -85,6 +85,10 @@ bool passCell(Ray ray, real depthEnd, INOUT(Crossing) face, INOUT(uvec2) link, I
 #endif
   int exitFace = stepThrough(face, link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
   cell.leave = crossingPoint(face);
+#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
+  cell.furtherEnter = cell.furtherLeave;
+  cell.furtherLeave = furtherAt(face);
+#endif
   link = fetchLink(4u * cell.tet + uint(max(exitFace, 0)));
   march.cells = march.cells + 1;
 

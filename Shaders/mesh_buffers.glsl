@@ -28,3 +28,8 @@ uint fetchHiddenCells(uint word) { return texelFetch(hiddenCellBuffer, int(word)
 uniform samplerBuffer cellScalarBuffer;
 float fetchCellScalar(uint tet) { return texelFetch(cellScalarBuffer, int(tet)).x; }
 #endif
+
+#if TETMARCH_COMPONENTS
+uniform samplerBuffer furtherScalarBuffer; // of a vertex, or of a tetrahedron: up to three beside the first
+vec3 fetchFurtherScalars(uint i) { return texelFetch(furtherScalarBuffer, int(i)).xyz; }
+#endif

@@ -9,8 +9,12 @@ struct Passage
   real end;
   real scalar; // of the cell, or where the ray leaves
   bool seen;   // there is something to gather
-#if TETMARCH_COMPOSITE && TETMARCH_POINT_SCALARS
+#if TETMARCH_COMPOSITE && TETMARCH_POINT_SCALARS && !TETMARCH_INDEPENDENT
   TablePoint at; // the table where the ray was last
+#endif
+#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
+  vec3 furtherEnter; // scalars beside the first
+  vec3 furtherLeave;
 #endif
 #if TETMARCH_EFFECTS
   CellShades shades;
@@ -32,7 +36,20 @@ struct Piece
 {
   vec2 begin;
   vec2 end;
+#if TETMARCH_COMPONENTS
+  vec3 furtherBegin; // scalars beside the first
+#if TETMARCH_POINT_SCALARS
+  vec3 furtherEnd;
+#endif
+#endif
 };
+
+#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
+vec3 furtherBetween(Passage cell, real depth)
+{
+  return cell.furtherEnter + (cell.furtherLeave - cell.furtherEnter) * shareAt(cell.enter, cell.leave, depth);
+}
+#endif
 
 // All that is gathered of it.
 Piece seenPiece(Passage cell)
@@ -46,6 +63,12 @@ Piece seenPiece(Passage cell)
 #else
   piece.begin = vec2(cell.begin, cell.scalar);
   piece.end = vec2(cell.end, cell.scalar);
+#endif
+#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
+  piece.furtherBegin = cell.begin > cell.enter.x ? furtherBetween(cell, cell.begin) : cell.furtherEnter;
+  piece.furtherEnd = cell.end < cell.leave.x ? furtherBetween(cell, cell.end) : cell.furtherLeave;
+#elif TETMARCH_COMPONENTS
+  piece.furtherBegin = fetchFurtherScalars(cell.tet);
 #endif
 #if TETMARCH_ISOSURFACES
   // Scalars of cells change between two of them; and where rounding has cut cells off, no value is passed twice.
@@ -69,7 +92,11 @@ Passage beginPassage(Ray ray, INOUT(Crossing) face, uint next)
   Passage cell;
   cell.leave = crossingPoint(face);
   cell.seen = false;
-#if TETMARCH_COMPOSITE && TETMARCH_POINT_SCALARS
+#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
+  fetchCorners(face);
+  cell.furtherLeave = furtherAt(face);
+#endif
+#if TETMARCH_COMPOSITE && TETMARCH_POINT_SCALARS && !TETMARCH_INDEPENDENT
   // Not of an undrawn scalar: integrateSegment() meets what stands here.
   cell.at = tablePoint(isDrawn(cell.leave.y) ? cell.leave.y * tableScale + tableOffset : tableOffset);
 #endif

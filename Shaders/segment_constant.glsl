@@ -3,12 +3,22 @@
 #if TETMARCH_EFFECTS
 void integrateConstant(
   real tablePosition, real opticalLength, CellShades shades, INOUT(Radiance) radiance)
+#elif TETMARCH_INDEPENDENT
+void integrateConstant(vec4 scalars, real opticalLength, INOUT(Radiance) radiance)
+#elif TETMARCH_DEPENDENT
+void integrateConstant(real tablePosition, real opticalLength, vec3 further, INOUT(Radiance) radiance)
 #else
 void integrateConstant(real tablePosition, real opticalLength, INOUT(Radiance) radiance)
 #endif
 {
+#if TETMARCH_INDEPENDENT
+  vec4 mean = mixtureAt(scalars);
+#elif TETMARCH_DEPENDENT
+  vec4 mean = tinted(tableValue(tablePosition), tintOf(further));
+#else
   vec4 value = tableValue(tablePosition);
   vec4 mean = vec4(value.x * value.w, value.y * value.w, value.z * value.w, value.w);
+#endif
 #if TETMARCH_EFFECTS
   Shade shade = shadeWithin(shades, real(0.5));
 #endif

@@ -6,7 +6,7 @@
 // absorbs, less what the pieces before have used. So a pixel keeps it however many cells it sees. What isn't accepted
 // is tried again in shorter pieces.
 
-#if TETMARCH_ERROR_BOUND
+#if TETMARCH_ERROR_BOUND && !TETMARCH_COMPONENTS
 // Of a piece of the given optical depth between two points of the table.
 real pieceError(TablePoint p, TablePoint q, real depth)
 {
@@ -21,12 +21,21 @@ real pieceError(TablePoint p, TablePoint q, real depth)
 #if TETMARCH_EFFECTS
 int integrateSegment(real begin, real end, real opticalLength, CellShades shades, INOUT(TablePoint) at,
   INOUT(Radiance) radiance)
+#elif TETMARCH_INDEPENDENT
+int integrateSegment(vec4 begin, vec4 end, real opticalLength, INOUT(Radiance) radiance)
+#elif TETMARCH_DEPENDENT
+int integrateSegment(real begin, real end, real opticalLength, vec3 furtherBegin, vec3 furtherEnd,
+  INOUT(TablePoint) at, INOUT(Radiance) radiance)
 #else
 int integrateSegment(
   real begin, real end, real opticalLength, INOUT(TablePoint) at, INOUT(Radiance) radiance)
 #endif
 {
+#if TETMARCH_INDEPENDENT
+  bool loaded = true;
+#else
   bool loaded = at.x == begin;
+#endif
   real position = real(0); // how far it is integrated, 0..1
   real step = real(1);     // the piece to try
   int trials = 0;
@@ -35,9 +44,21 @@ int integrateSegment(
   {
     bool whole = !(position + step < real(1)); // also if it is NaN: the loop ends whatever the input
     real share = whole ? real(1) - position : step;
+#if TETMARCH_INDEPENDENT
+    vec4 target = whole ? end : begin + (end - begin) * (position + step);
+    Mixture mixture = mixtureBetween(begin + (end - begin) * position, target);
+    vec4 mean = mixture.mean;
+#else
     real target = whole ? end : begin + (end - begin) * (position + step);
     TablePoint next = tablePoint(loaded ? target : begin);
     vec4 mean = meanBetween(at, next);
+#endif
+#if TETMARCH_DEPENDENT
+    vec3 furtherRise = furtherEnd - furtherBegin;
+    Tint tint =
+      tintBetween(furtherBegin + furtherRise * position, furtherBegin + furtherRise * (position + share));
+    mean = tinted(mean, tint);
+#endif
     real pieceLength = loaded ? share * opticalLength : real(0);
 #if TETMARCH_EFFECTS
     Shade shade = shadeWithin(shades, position + real(0.5) * share);
@@ -47,7 +68,13 @@ int integrateSegment(
 #endif
     Absorption piece = absorption(mean, pieceLength);
 #if TETMARCH_ERROR_BOUND
+#if TETMARCH_INDEPENDENT
+    real error = radiance.transmittance * mixture.change * orderErrorFactor(piece.depth);
+#elif TETMARCH_DEPENDENT
+    real error = loaded ? radiance.transmittance * tintError(tint, at, next, mean.w, piece) : real(0);
+#else
     real error = loaded ? radiance.transmittance * pieceError(at, next, piece.depth) : real(0);
+#endif
 #if TETMARCH_LIT
     error = error * brightness(shade.lit);
 #endif
@@ -78,8 +105,10 @@ int integrateSegment(
       pending = !(loaded && whole) && !isOpaque(radiance);
       position = loaded ? position + share : position;
       step = loaded ? real(2) * step : step;
+#if !TETMARCH_INDEPENDENT
       at = next;
       loaded = true;
+#endif
     }
 #if TETMARCH_ADAPTIVE
     else

@@ -69,7 +69,7 @@ const char* vtkTetMarchVolumeMapper::GetViewModeAsString() const
 //------------------------------------------------------------------------------
 const char* vtkTetMarchVolumeMapper::GetVectorModeAsString() const
 {
-  constexpr const char* names[] = { "Disabled", "Magnitude", "Component" };
+  constexpr const char* names[] = { "Disabled", "Magnitude", "Component", "AllComponents" };
   return names[this->VectorMode - DISABLED];
 }
 

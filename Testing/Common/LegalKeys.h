@@ -97,12 +97,16 @@ inline std::vector<VariantKey> legalKeys()
     }
   }
   std::mt19937 random(5);
-  for (int i = 0; i < 60000; ++i)
+  for (int i = 0; i < 80000; ++i)
   {
     VariantKey key = randomKey(random);
     if (i % 4 > 0) // else the volume itself would be seen in one of eight
     {
       key.Extreme = key.Sum = key.Isosurfaces = false;
+    }
+    if (i % 4 != 1) // else most keys would have no light
+    {
+      key.Independent = key.ColorAndOpacity = key.DirectColor = false;
     }
     legal.add(key.filtered());
   }

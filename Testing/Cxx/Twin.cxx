@@ -4,8 +4,8 @@
 
 #include "Mesh/TetMeshBuilder.h"
 #include "Reference/ReferenceImage.h"
+#include "Scene/Components.h"
 #include "Scene/EffectStage.h"
-#include "Scene/VectorChoice.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -48,11 +48,11 @@ public:
     this->Level = levelOf(
       static_cast<Accuracy>(scene.Mapper->GetAccuracyLevel()), scene.Mapper->GetErrorTolerance());
     ReferenceScene& made = this->Made;
-    const TupleScalar scalar = tupleScalarOf(
+    const DrawnComponents drawn = drawnComponents(
       { VectorMode(scene.Mapper->GetVectorMode()), scene.Mapper->GetVectorComponent() },
       scene.property(), array, error);
-    made.Range = cellFlag == 1 ? makeCellScalars(array, this->Mesh, this->CellScalars, scalar)
-                               : setPointScalars(scene.Data, array, this->Mesh, scalar);
+    made.Range = readComponents(
+      scene.Data, array, cellFlag == 1, drawn, this->Mesh, this->CellScalars, this->Parts);
     made.CellScalars = cellFlag == 1 ? &this->CellScalars : nullptr;
     made.NanShown = scene.Mapper->GetDrawNanCells();
     this->Hidden = hiddenCells(scene.Data, this->Mesh);
@@ -62,9 +62,17 @@ public:
     {
       this->addBlending(scene);
     }
-    this->Table =
-      blendedTable(property, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
-        this->Blend, made.Range, this->Level);
+    const auto law = structured ? OpacityLaw::Structured : OpacityLaw::Unstructured;
+    if (property == scene.property() && !this->Parts.isSingle())
+    {
+      this->Table = componentTables(property, law, made.Range, this->Level, this->Parts);
+      error = setFactors(property, this->Parts);
+      made.Parts = &this->Parts;
+    }
+    else
+    {
+      this->Table = blendedTable(property, law, this->Blend, made.Range, this->Level);
+    }
     if (!makeView(scene.Renderer, scene.Volume, this->Mesh,
           property->GetScalarOpacityUnitDistance(), made.Camera))
     {
@@ -127,6 +135,7 @@ private:
   std::vector<float> CellScalars;
   HiddenCells Hidden;
   IntegralTable Table;
+  Components Parts;
   Blending Blend;
   EffectStage Effects;
   AccuracyLevel Level = DefaultAccuracy;

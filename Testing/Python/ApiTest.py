@@ -103,13 +103,14 @@ class ApiTest(unittest.TestCase):
     def test_the_choice_of_a_component(self):
         mapper = vtkTetMarchVolumeMapper()
         self.assertEqual((mapper.GetVectorMode(), mapper.GetVectorComponent()), (mapper.DISABLED, 0))
-        for value, name in ((0, "Magnitude"), (1, "Component"), (-1, "Disabled")):
+        for value, name in ((0, "Magnitude"), (1, "Component"), (2, "AllComponents"), (-1, "Disabled")):
             before = mapper.GetMTime()
             getattr(mapper, "SetVectorModeTo" + name)()
             self.assertGreater(mapper.GetMTime(), before)
             self.assertEqual((mapper.GetVectorMode(), mapper.GetVectorModeAsString()), (value, name))
-            self.assertEqual(getattr(mapper, name.upper()), value)
-        for value, clamped in ((-2, -1), (2, 1)):
+            constant = {"AllComponents": "ALL_COMPONENTS"}.get(name, name.upper())
+            self.assertEqual(getattr(mapper, constant), value)
+        for value, clamped in ((-2, -1), (3, 2)):
             mapper.SetVectorMode(value)
             self.assertEqual(mapper.GetVectorMode(), clamped)
         mapper.SetVectorComponent(5)

@@ -34,6 +34,13 @@ bool isSensible(const VariantKey& k)
                                  k.NanShown || k.GradientOpacity || k.Scattering || k.CastShadows ||
                                  k.HeadlightShadows || k.Occlusion)) &&
          !((k.Extreme || k.Sum) && (k.Shading || k.ShowIllumination || k.ShowGradients)) &&
+         // Several scalars are mixed in one way, where there is a volume of several colours, in no
+         // light; and cells that one doesn't show another may.
+         k.Independent + k.ColorAndOpacity + k.DirectColor <= 1 &&
+         !((k.Independent || k.ColorAndOpacity || k.DirectColor) &&
+           (!k.isComposite() || k.ConstantColor || k.GradientOpacity || k.Shading ||
+             k.ShowIllumination || k.ShowGradients)) &&
+         !(k.Independent && k.TransparentRanges) &&
          // What is constant is integrated exactly, and has no gradient in a cell.
          !(!k.PointScalars && (k.Adaptive || k.CellGradients)) &&
          !(k.ConstantColor && k.Adaptive) &&
@@ -119,10 +126,10 @@ TEST(VariantKey, LegalKeysAreCounted)
   const std::size_t light = legalLightKeys().size();
   EXPECT_EQ(light, 2 * 2 * 2 * 2 * 2 * (3 + 2));
   // Of scalars at points or cells, clipped, cropped or whole, with hidden cells or not; of volumes
-  // with opacity by gradients of either kind or without, with what is not finite or not; or in
-  // three other blend modes.
+  // with opacity by gradients of either kind or without, or of independent components, with what is
+  // not finite or not; or in three other blend modes.
   const std::size_t picked = legalPickKeys().size();
-  EXPECT_EQ(picked, 3 * 2 * 3 * 2 * ((3 + 2) * 2 + 3 * 2));
+  EXPECT_EQ(picked, 3 * 2 * 3 * 2 * ((3 + 2 + 2) * 2 + 3 * 2));
   std::cout << "[ MEASURED ] " << legalKeys().size() << " variants of the picture, " << light
             << " of the light at vertices, " << picked << " of what is picked\n";
 }
@@ -161,8 +168,9 @@ TEST(VariantKey, PicksKnowNoLight)
     ASSERT_EQ(pick.PointScalars, picture.PointScalars);
     ASSERT_EQ(pick.GradientOpacity, picture.GradientOpacity);
     ASSERT_EQ(pick.CellGradients, picture.CellGradients && picture.GradientOpacity);
+    ASSERT_EQ(pick.Independent, picture.Independent);
     pick.PointScalars = true;
-    pick.GradientOpacity = pick.CellGradients = false;
+    pick.GradientOpacity = pick.CellGradients = pick.Independent = false;
     for (bool VariantKey::*same :
       { &VariantKey::Clipped, &VariantKey::Cropped, &VariantKey::HiddenCells, &VariantKey::NanShown,
         &VariantKey::Extreme, &VariantKey::Sum, &VariantKey::Isosurfaces })
@@ -197,7 +205,7 @@ TEST(VariantKey, EntriesDependOnFewBits)
     EXPECT_EQ(entries.HasFma, key.HasFma);
     EXPECT_FALSE(entries.Clipped || entries.Cropped);
     EXPECT_FALSE(entries.hasGradients() || entries.hasErrorBound());
-    EXPECT_FALSE(entries.NanShown || entries.HiddenCells);
+    EXPECT_FALSE(entries.NanShown || entries.HiddenCells || entries.hasComponents());
   }
 }
 } // namespace

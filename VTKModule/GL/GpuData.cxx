@@ -6,7 +6,8 @@ namespace tetmarch
 {
 
 std::string GpuData::upload(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
-  const std::vector<float>& cellScalars, const HiddenCells& hidden, const IntegralTable& table)
+  const std::vector<float>& cellScalars, const HiddenCells& hidden, const IntegralTable& table,
+  const Components& components)
 {
   std::string error;
   if (!this->HasLinks)
@@ -24,9 +25,14 @@ std::string GpuData::upload(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
     {
       error = this->Mesh.uploadCellScalars(window, cellScalars);
     }
+    if (error.empty())
+    {
+      error = this->Mesh.uploadFurtherScalars(window, components.Further);
+    }
     this->HasScalars = error.empty();
-    this->UploadedBytes += static_cast<std::int64_t>(
-      sizeof(Vertex) * mesh.Vertices.size() + sizeof(float) * cellScalars.size());
+    this->UploadedBytes +=
+      static_cast<std::int64_t>(sizeof(Vertex) * mesh.Vertices.size() +
+                                sizeof(float) * cellScalars.size() + this->Mesh.furtherBytes());
   }
   if (error.empty() && !this->HasHiddenCells)
   {
@@ -36,7 +42,7 @@ std::string GpuData::upload(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
   }
   if (error.empty() && !this->HasTables)
   {
-    error = this->Tables.upload(window, table);
+    error = this->Tables.upload(window, table, components);
     this->HasTables = error.empty();
     this->UploadedBytes += static_cast<std::int64_t>(this->Tables.bytes());
   }

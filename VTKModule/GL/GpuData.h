@@ -30,7 +30,8 @@ public:
   }
   /** Returns an empty string, or what is wrong; what did not get there is tried again next time. */
   std::string upload(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
-    const std::vector<float>& cellScalars, const HiddenCells& hidden, const IntegralTable& table);
+    const std::vector<float>& cellScalars, const HiddenCells& hidden, const IntegralTable& table,
+    const Components& components);
   void release(vtkWindow* window);
 
   MeshTextures& mesh() { return this->Mesh; }

@@ -79,7 +79,8 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   }
   const VariantKey& key = inputs.Key;
   inputs.Mesh->bind(program, inputs.Key);
-  inputs.Tables->bind(program, *inputs.Table, inputs.Range, inputs.Level, inputs.Key);
+  inputs.Tables->bind(
+    program, *inputs.Table, inputs.Range, *inputs.Parts, inputs.Level, inputs.Key);
   bindBlending(program, *inputs.Blend, key);
   if (key.hasGradients())
   {

@@ -22,6 +22,7 @@ class StateScope;
 class TableTextures;
 struct Blending;
 struct Clipping;
+struct Components;
 struct EffectData;
 struct IntegralTable;
 struct View;
@@ -36,6 +37,7 @@ struct MarchInputs
   TableTextures* Tables = nullptr;
   const IntegralTable* Table = nullptr;
   ScalarRange Range;
+  const Components* Parts = nullptr; // beside the scalar of that range
   AccuracyLevel Level = DefaultAccuracy;
   const Blending* Blend = nullptr;
   EffectTextures* Effects = nullptr; // and its values: if the key has gradients

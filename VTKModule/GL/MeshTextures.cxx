@@ -54,6 +54,30 @@ std::string MeshTextures::uploadCellScalars(
   return this->CellScalars.upload(window, TexelFormat::R32F, scalars.data(), scalars.size());
 }
 
+std::string MeshTextures::uploadFurtherScalars(
+  vtkOpenGLRenderWindow* window, const FurtherScalars& further)
+{
+  const std::vector<float>& values = further.Values;
+  const std::size_t count = further.count();
+  if (count == 0)
+  {
+    this->Further.release(window);
+    return {};
+  }
+  if (count < 3)
+  {
+    return this->Further.upload(window, count == 1 ? TexelFormat::R32F : TexelFormat::RG32F,
+      values.data(), values.size() / count);
+  }
+  // Texels of three floats are none of OpenGL 3.2.
+  std::vector<std::array<float, 4>> texels(values.size() / 3);
+  for (std::size_t i = 0; i < texels.size(); ++i)
+  {
+    texels[i] = { { values[3 * i], values[3 * i + 1], values[3 * i + 2], 0.0f } };
+  }
+  return this->Further.upload(window, TexelFormat::RGBA32F, texels.data(), texels.size());
+}
+
 std::string MeshTextures::uploadHiddenCells(
   vtkOpenGLRenderWindow* window, const HiddenCells& hidden)
 {
@@ -82,6 +106,10 @@ void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
   {
     this->CellScalars.bind(program, "cellScalarBuffer");
   }
+  if (key.hasComponents())
+  {
+    this->Further.bind(program, "furtherScalarBuffer");
+  }
   if (key.HiddenCells)
   {
     this->HiddenCellBits.bind(program, "hiddenCellBuffer");
@@ -97,7 +125,7 @@ void MeshTextures::bindBoundary(vtkShaderProgram* program)
 void MeshTextures::unbind()
 {
   for (TextureBuffer* buffer : { &this->Links, &this->Boundary, &this->Hierarchy, &this->Vertices,
-         &this->CellScalars, &this->HiddenCellBits })
+         &this->CellScalars, &this->Further, &this->HiddenCellBits })
   {
     buffer->unbind();
   }
@@ -106,7 +134,7 @@ void MeshTextures::unbind()
 void MeshTextures::release(vtkWindow* window)
 {
   for (TextureBuffer* buffer : { &this->Links, &this->Boundary, &this->Hierarchy, &this->Vertices,
-         &this->CellScalars, &this->HiddenCellBits })
+         &this->CellScalars, &this->Further, &this->HiddenCellBits })
   {
     buffer->release(window);
   }
@@ -115,7 +143,8 @@ void MeshTextures::release(vtkWindow* window)
 std::size_t MeshTextures::bytes() const
 {
   return this->Links.bytes() + this->Boundary.bytes() + this->Hierarchy.bytes() +
-         this->Vertices.bytes() + this->CellScalars.bytes() + this->HiddenCellBits.bytes();
+         this->Vertices.bytes() + this->CellScalars.bytes() + this->Further.bytes() +
+         this->HiddenCellBits.bytes();
 }
 
 } // namespace tetmarch

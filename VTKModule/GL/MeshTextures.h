@@ -5,6 +5,7 @@
 #define TetMarchGLMeshTextures_h
 
 #include "GL/TextureBuffer.h"
+#include "Mesh/FurtherScalars.h"
 #include "Mesh/HiddenCells.h"
 #include "Scene/VariantKey.h"
 
@@ -22,6 +23,8 @@ public:
   std::string uploadVertices(vtkOpenGLRenderWindow* window, const TetMesh& mesh);
   /** Empty: point scalars are drawn, the buffer is freed. */
   std::string uploadCellScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
+  /** None: one scalar is drawn, the buffer is freed. */
+  std::string uploadFurtherScalars(vtkOpenGLRenderWindow* window, const FurtherScalars& further);
   /** Empty: no cell is hidden, the buffer is freed. */
   std::string uploadHiddenCells(vtkOpenGLRenderWindow* window, const HiddenCells& hidden);
 
@@ -31,6 +34,7 @@ public:
   void unbind();
   void release(vtkWindow* window);
   std::size_t bytes() const;
+  std::size_t furtherBytes() const { return this->Further.bytes(); }
 
 private:
   TextureBuffer Links;
@@ -38,6 +42,7 @@ private:
   TextureBuffer Hierarchy;
   TextureBuffer Vertices;
   TextureBuffer CellScalars;
+  TextureBuffer Further;
   TextureBuffer HiddenCellBits;
   int NumberOfTets = 0;
   int NumberOfNodes = 0;

@@ -65,7 +65,8 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
     return error;
   }
   inputs.Mesh->bind(program, inputs.Key);
-  inputs.Tables->bind(program, *inputs.Table, inputs.Range, inputs.Level, inputs.Key);
+  inputs.Tables->bind(
+    program, *inputs.Table, inputs.Range, *inputs.Parts, inputs.Level, inputs.Key);
   bindBlending(program, *inputs.Blend, inputs.Key);
   if (inputs.Key.hasGradients())
   {

@@ -89,10 +89,10 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
 {
   std::string wrong = cellScalars ? checkScalars(array, grid->GetNumberOfCells(), "cells")
                                   : checkScalars(array, grid->GetNumberOfPoints(), "points");
-  TupleScalar scalar;
+  DrawnComponents drawn;
   if (wrong.empty())
   {
-    scalar = tupleScalarOf(vector, property, array, wrong);
+    drawn = drawnComponents(vector, property, array, wrong);
   }
   if (!wrong.empty())
   {
@@ -101,8 +101,9 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   Fingerprint input;
   add(input, array);
   input.push_back(cellScalars ? 1 : 0);
-  input.push_back(scalar.Magnitude ? 1 : 0);
-  input.push_back(static_cast<std::uintptr_t>(scalar.Component));
+  input.push_back(static_cast<std::uintptr_t>(drawn.Mix));
+  input.push_back(drawn.Scalar.Magnitude ? 1 : 0);
+  input.push_back(static_cast<std::uintptr_t>(drawn.Scalar.Component));
   if (input == this->ScalarsInput)
   {
     return true;
@@ -110,12 +111,11 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   StageRecorder recorder(this->ScalarsRecord);
   this->ScalarsInput.clear();
   this->OnGpu.expectScalars();
-  this->CellScalars.clear();
   const std::string shortage = withinMemory("the scalars",
     [&]
     {
-      this->Range = cellScalars ? makeCellScalars(array, this->mesh(), this->CellScalars, scalar)
-                                : setPointScalars(grid, array, this->Meshed.mesh(), scalar);
+      this->Range = readComponents(
+        grid, array, cellScalars, drawn, this->Meshed.mesh(), this->CellScalars, this->Parts);
     });
   if (!shortage.empty())
   {
@@ -127,7 +127,12 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
 
 bool Pipeline::updateBlending(vtkVolumeProperty* property, const BlendWish& wish)
 {
-  const std::string error = makeBlending(wish, property, this->Range, this->Blend);
+  std::string error = makeBlending(wish, property, this->Range, this->Blend);
+  if (error.empty() && !this->Parts.isSingle() && !this->Blend.isComposite())
+  {
+    error = "Several components are drawn together by composite blending alone, but the blend mode "
+            "is another. Choose one of them by VectorMode.";
+  }
   return error.empty() || this->fail(error);
 }
 
@@ -144,7 +149,14 @@ bool Pipeline::updateTables(
   input.push_back(this->Blend.isSum() ? 1 : 0);
   add(input, this->Range.Low);
   add(input, this->Range.High);
+  addFunctions(input, this->Parts, property);
+  const std::string badUnit = setFactors(property, this->Parts);
+  if (!badUnit.empty())
+  {
+    return this->fail(badUnit);
+  }
   this->Subject = input;
+  addAll(this->Subject, this->Parts.Factors);
   this->Subject.push_back(static_cast<std::uintptr_t>(this->meshRecord().Runs));
   this->Subject.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
   add(this->Subject, property->GetScalarOpacityUnitDistance());
@@ -162,13 +174,12 @@ bool Pipeline::updateTables(
     this->TablesInput.clear();
     this->OnGpu.expectTables();
     const std::string shortage = withinMemory("the tables of the transfer functions",
-      [&] { this->Table = blendedTable(property, law, this->Blend, this->Range, level); });
+      [&] { this->Table = this->makeTables(property, law, level, this->Parts); });
     if (!shortage.empty())
     {
       return this->fail(shortage);
     }
-    this->Visible = std::any_of(this->Table.Values.begin(), this->Table.Values.end(),
-      [](const std::array<float, 4>& v) { return v[3] > 0; });
+    this->Visible = hasExtinction(this->Table) || this->Parts.isFurtherVisible();
     this->TablesInput = input;
   }
   this->NanShown = drawNan && !this->Range.AllFinite && this->Table.NanColor[3] > 0;
@@ -184,12 +195,27 @@ bool Pipeline::updateTables(
   return this->Visible || this->NanShown || this->Blend.isSum();
 }
 
+IntegralTable Pipeline::makeTables(
+  vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, Components& parts) const
+{
+  return parts.isSingle() ? blendedTable(property, law, this->Blend, this->Range, level)
+                          : componentTables(property, law, this->Range, level, parts);
+}
+
 bool Pipeline::updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options)
 {
   EffectInput input{ &this->mesh(), &this->CellScalars, &this->Range, {}, blockAttributes };
   input.Which.push_back(static_cast<std::uintptr_t>(this->meshRecord().Runs));
   input.Which.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
-  const std::string error = this->Effects.update(renderer, volume, options, input);
+  std::string error = this->Effects.update(renderer, volume, options, input);
+  const bool lit = options.Shown != Subject::Picture || !this->Effects.data().empty();
+  if (error.empty() && lit && !this->Parts.isSingle())
+  {
+    this->Effects.clear();
+    error = "Several components are drawn together without light and gradients, but shading "
+            "(vtkVolumeProperty::ShadeOn()), gradient opacity or a view of them is on. Switch that "
+            "off, or choose one component by VectorMode.";
+  }
   return error.empty() || this->fail(error);
 }
 
@@ -243,10 +269,10 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
     this->Watch.begin(window, [this](vtkWindow* ending) { this->release(ending); });
     this->HasFma = hasFusedMultiplyAdd(window);
   }
-  const std::string excess =
-    describeExcess(bufferSizes(this->mesh(), this->CellScalars.size(), this->Hidden.cells().size(),
-                     this->Table.Values.size()),
-      this->Limits, SizesAre::Exact);
+  std::vector<BufferSize> sizes = bufferSizes(
+    this->mesh(), this->CellScalars.size(), this->Hidden.cells().size(), this->Table.Values.size());
+  addBufferSizes(sizes, this->Parts, this->Table);
+  const std::string excess = describeExcess(sizes, this->Limits, SizesAre::Exact);
   if (!excess.empty())
   {
     this->release(window);
@@ -257,8 +283,8 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
     return true;
   }
   StageRecorder recorder(this->UploadRecord);
-  const std::string error =
-    this->OnGpu.upload(window, this->mesh(), this->CellScalars, this->Hidden.cells(), this->Table);
+  const std::string error = this->OnGpu.upload(
+    window, this->mesh(), this->CellScalars, this->Hidden.cells(), this->Table, this->Parts);
   this->Passes.expectChange();
   if (!error.empty())
   {

@@ -14,11 +14,11 @@
 #include "Reference/ReferenceImage.h"
 #include "Scene/CellOrigins.h"
 #include "Scene/Clipping.h"
+#include "Scene/Components.h"
 #include "Scene/Fingerprint.h"
 #include "Scene/HiddenCellStage.h"
 #include "Scene/MeshStage.h"
 #include "Scene/StageRecord.h"
-#include "Scene/VectorChoice.h"
 #include "Scene/View.h"
 
 #include "vtkWeakPointer.h"
@@ -120,6 +120,8 @@ public:
 
 private:
   bool fail(const std::string& error);
+  IntegralTable makeTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level,
+    Components& parts) const;
   bool ensureHierarchy();
   Viewport currentViewport() const;
   MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);
@@ -140,6 +142,7 @@ private:
   Fingerprint ScalarsInput;
   std::vector<float> CellScalars; // empty if point scalars are drawn
   ScalarRange Range;
+  Components Parts; // beside that scalar, and how they are drawn together
 
   Blending Blend;
 

@@ -40,6 +40,7 @@ VariantKey Pipeline::keyOf(
   key.NanShown = this->NanShown;
   key.HiddenCells = !this->Hidden.cells().empty();
   this->Blend.setBits(key);
+  this->Parts.setBits(key);
   this->Effects.setBits(key, double(area.Width) * area.Height);
   return options.Shell == ShellView::None ? key.filtered() : key.ofEntries();
 }
@@ -81,6 +82,7 @@ MarchInputs Pipeline::inputsOf(
   inputs.Tables = &this->OnGpu.tables();
   inputs.Table = &this->Table;
   inputs.Range = this->Range;
+  inputs.Parts = &this->Parts;
   inputs.Level = options.Level;
   inputs.Blend = &this->Blend;
   inputs.Effects = &this->EffectsOnGpu;
@@ -160,8 +162,8 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
     [&]
     {
       const std::vector<float> depths = this->Passes.opaqueDepths(this->Window);
-      const IntegralTable table =
-        blendedTable(property, law, this->Blend, this->Range, YardstickAccuracy);
+      Components parts = this->Parts;
+      const IntegralTable table = this->makeTables(property, law, YardstickAccuracy, parts);
       ReferenceScene scene;
       scene.Mesh = &this->mesh();
       scene.CellScalars = this->CellScalars.empty() ? nullptr : &this->CellScalars;
@@ -176,6 +178,7 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
       scene.Cut = this->Cut;
       scene.Effects = &this->Effects.data();
       scene.Blend = &this->Blend;
+      scene.Parts = &parts;
       image = tetmarch::renderReference<double>(scene, YardstickAccuracy);
     });
   return shortage.empty() || this->fail(shortage);

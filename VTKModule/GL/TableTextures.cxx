@@ -2,14 +2,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/TableTextures.h"
 
+#include "GL/Uniforms.h"
+
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace tetmarch
 {
 
-std::string TableTextures::upload(vtkOpenGLRenderWindow* window, const IntegralTable& table)
+namespace
 {
+
+void bindSeveral(vtkShaderProgram* program, const std::vector<TablePlace>& tables)
+{
+  std::vector<int> first, sizes;
+  std::vector<float> units, places;
+  for (const TablePlace& place : tables)
+  {
+    first.push_back(place.First);
+    sizes.push_back(place.Size);
+    for (const double unit : place.IntegralUnit)
+    {
+      units.push_back(static_cast<float>(unit));
+    }
+    places.push_back(static_cast<float>(place.Scale));
+    places.push_back(static_cast<float>(place.Offset));
+  }
+  const int count = static_cast<int>(tables.size());
+  program->SetUniform1iv("tableFirst", count, first.data());
+  program->SetUniform1iv("tableSizes", count, sizes.data());
+  program->SetUniform4fv("tableIntegralUnits", count, units.data());
+  program->SetUniform2fv("tablePlace", count, places.data());
+}
+
+void bindFactors(vtkShaderProgram* program, const Components& components)
+{
+  program->SetUniformi("componentCount", components.count());
+  setUniform(program, "componentFactor", components.Factors);
+}
+
+} // namespace
+
+std::string TableTextures::uploadSeveral(
+  vtkOpenGLRenderWindow* window, const IntegralTable& table, const Components& components)
+{
+  std::vector<std::array<float, 4>> values;
+  std::vector<std::array<std::uint32_t, 4>> integrals;
+  std::vector<std::array<float, 2>> variations;
+  const auto append = [&](const IntegralTable& one)
+  {
+    values.insert(values.end(), one.Values.begin(), one.Values.end());
+    integrals.insert(integrals.end(), one.Integrals.begin(), one.Integrals.end());
+    for (std::size_t i = 0; i < one.Values.size(); ++i)
+    {
+      variations.push_back({ { one.Variations[i], one.ExtinctionVariations[i] } });
+    }
+  };
+  append(table);
+  std::for_each(components.Tables.begin(), components.Tables.end(), append);
+  const std::size_t size = values.size();
+  std::string error = this->Values.upload(window, TexelFormat::RGBA32F, values.data(), size);
+  if (error.empty())
+  {
+    error = this->Integrals.upload(window, TexelFormat::RGBA32UI, integrals.data(), size);
+  }
+  return error.empty()
+           ? this->Variations.upload(window, TexelFormat::RG32F, variations.data(), size)
+           : error;
+}
+
+std::string TableTextures::upload(
+  vtkOpenGLRenderWindow* window, const IntegralTable& table, const Components& components)
+{
+  if (!components.isSingle())
+  {
+    return this->uploadSeveral(window, table, components);
+  }
   const std::size_t size = table.Values.size();
   std::string error = this->Values.upload(window, TexelFormat::RGBA32F, table.Values.data(), size);
   if (error.empty())
@@ -24,7 +94,8 @@ std::string TableTextures::upload(vtkOpenGLRenderWindow* window, const IntegralT
 }
 
 void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
-  const ScalarRange& range, const AccuracyLevel& level, const VariantKey& key)
+  const ScalarRange& range, const Components& components, const AccuracyLevel& level,
+  const VariantKey& key)
 {
   if (key.isComposite() || key.Isosurfaces)
   {
@@ -35,9 +106,23 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
     return;
   }
   this->Values.bind(program, "tableValueBuffer");
-  program->SetUniformi("tableSize", table.size());
-  program->SetUniformf("tableScale", static_cast<float>(table.scale(range.width())));
-  program->SetUniformf("tableOffset", static_cast<float>(table.offset(range.Low)));
+  if (key.hasComponents())
+  {
+    bindSeveral(program, components.places(table, range));
+  }
+  else
+  {
+    program->SetUniformi("tableSize", table.size());
+  }
+  if (key.Independent)
+  {
+    bindFactors(program, components);
+  }
+  else
+  {
+    program->SetUniformf("tableScale", static_cast<float>(table.scale(range.width())));
+    program->SetUniformf("tableOffset", static_cast<float>(table.offset(range.Low)));
+  }
   if (key.TransparentRanges)
   {
     program->SetUniform4f("transparentRanges", table.Traits.Transparent.data());
@@ -53,12 +138,10 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
   if (key.PointScalars)
   {
     this->Integrals.bind(program, "tableIntegralBuffer");
-    std::array<float, 4> unit;
-    for (int k = 0; k < 4; ++k)
-    {
-      unit[k] = static_cast<float>(table.IntegralUnit[k]);
-    }
-    program->SetUniform4f("tableIntegralUnit", unit.data());
+  }
+  if (key.PointScalars && !key.hasComponents())
+  {
+    setUniform(program, "tableIntegralUnit", table.IntegralUnit);
   }
   if (key.hasErrorBound())
   {

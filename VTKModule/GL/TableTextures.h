@@ -8,6 +8,7 @@
 #include "Mesh/Scalars.h"
 #include "Optics/AccuracyLevel.h"
 #include "Optics/IntegralTable.h"
+#include "Scene/Components.h"
 #include "Scene/VariantKey.h"
 
 namespace tetmarch
@@ -16,15 +17,20 @@ namespace tetmarch
 class TableTextures
 {
 public:
-  /** Returns an empty string, or what is wrong. */
-  std::string upload(vtkOpenGLRenderWindow* window, const IntegralTable& table);
+  /** With those of further components behind it, if there are. Returns an empty string, or what is
+   * wrong. */
+  std::string upload(
+    vtkOpenGLRenderWindow* window, const IntegralTable& table, const Components& components);
   void bind(vtkShaderProgram* program, const IntegralTable& table, const ScalarRange& range,
-    const AccuracyLevel& level, const VariantKey& key);
+    const Components& components, const AccuracyLevel& level, const VariantKey& key);
   void unbind();
   void release(vtkWindow* window);
   std::size_t bytes() const;
 
 private:
+  std::string uploadSeveral(
+    vtkOpenGLRenderWindow* window, const IntegralTable& table, const Components& components);
+
   TextureBuffer Values;
   TextureBuffer Integrals;
   TextureBuffer Variations;

@@ -29,6 +29,8 @@ FormatRow rowOf(TexelFormat format)
       return { GL_R8UI, GL_RED_INTEGER, 1, 1, VTK_UNSIGNED_CHAR };
     case TexelFormat::R32F:
       return { GL_R32F, GL_RED, 4, 1, VTK_FLOAT };
+    case TexelFormat::RG32F:
+      return { GL_RG32F, GL_RG, 8, 2, VTK_FLOAT };
     case TexelFormat::RGBA16F:
       return { GL_RGBA16F, GL_RGBA, 8, 4, VTK_FLOAT };
     case TexelFormat::RGBA32F:

@@ -22,6 +22,7 @@ enum class TexelFormat
 {
   R8UI,
   R32F,
+  RG32F,
   RGBA16F,
   RGBA32F,
   R32UI,

@@ -164,7 +164,8 @@ std::string VertexLightPass::drawTile(
     return error;
   }
   inputs.Mesh->bind(program, inputs.Key);
-  inputs.Tables->bind(program, *inputs.Table, inputs.Range, inputs.Level, inputs.Key);
+  inputs.Tables->bind(
+    program, *inputs.Table, inputs.Range, *inputs.Parts, inputs.Level, inputs.Key);
   inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
   inputs.Effects->bindStarts(program);
   if (inputs.Key.OpaqueShadows)

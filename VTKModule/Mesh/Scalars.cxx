@@ -62,6 +62,23 @@ std::vector<double> scalarsOf(
   return values;
 }
 
+// The mean of the points of a cell: the scalar of the vertex in its centre.
+double meanOfCell(vtkUnstructuredGrid* grid, Id cell, vtkDataArray* array,
+  const TupleScalar& scalar, vtkIdList* points)
+{
+  const auto tuples = vtk::DataArrayTupleRange(array);
+  grid->GetCells()->GetCellAtId(cell, points);
+  const auto count = static_cast<double>(points->GetNumberOfIds());
+  double mean = 0;
+  for (vtkIdType point : *points)
+  {
+    mean += point < tuples.size() ? scalarOf(tuples[point], scalar) / count : NotThere;
+  }
+  return mean;
+}
+
+} // namespace
+
 ScalarRange finiteRange(const std::vector<double>& values)
 {
   double low = std::numeric_limits<double>::max();
@@ -90,7 +107,7 @@ ScalarRange finiteRange(const std::vector<double>& values)
   return { clamped(low), clamped(high), allFinite };
 }
 
-float normalised(double value, const ScalarRange& range)
+float storedScalar(double value, const ScalarRange& range)
 {
   if (!std::isfinite(value))
   {
@@ -99,23 +116,6 @@ float normalised(double value, const ScalarRange& range)
   const double share = (value - range.Low) / range.width();
   return static_cast<float>(std::min(std::max(share, 0.0), 1.0));
 }
-
-// The mean of the points of a cell: the scalar of the vertex in its centre.
-double meanOfCell(vtkUnstructuredGrid* grid, Id cell, vtkDataArray* array,
-  const TupleScalar& scalar, vtkIdList* points)
-{
-  const auto tuples = vtk::DataArrayTupleRange(array);
-  grid->GetCells()->GetCellAtId(cell, points);
-  const auto count = static_cast<double>(points->GetNumberOfIds());
-  double mean = 0;
-  for (vtkIdType point : *points)
-  {
-    mean += point < tuples.size() ? scalarOf(tuples[point], scalar) / count : NotThere;
-  }
-  return mean;
-}
-
-} // namespace
 
 std::string checkScalars(vtkDataArray* array, vtkIdType count, const char* what)
 {
@@ -128,8 +128,8 @@ std::string checkScalars(vtkDataArray* array, vtkIdType count, const char* what)
          std::to_string(count) + " " + what + ".";
 }
 
-ScalarRange setPointScalars(
-  vtkUnstructuredGrid* grid, vtkDataArray* array, TetMesh& mesh, const TupleScalar& scalar)
+std::vector<double> pointValues(
+  vtkUnstructuredGrid* grid, vtkDataArray* array, const TetMesh& mesh, const TupleScalar& scalar)
 {
   std::vector<double> values = scalarsOf(array, mesh.VertexPoints, scalar);
   if (!mesh.CenterCells.empty())
@@ -144,10 +144,22 @@ ScalarRange setPointScalars(
       }
     }
   }
+  return values;
+}
+
+std::vector<double> cellValues(vtkDataArray* array, const TetMesh& mesh, const TupleScalar& scalar)
+{
+  return scalarsOf(array, mesh.TetCells, scalar);
+}
+
+ScalarRange setPointScalars(
+  vtkUnstructuredGrid* grid, vtkDataArray* array, TetMesh& mesh, const TupleScalar& scalar)
+{
+  const std::vector<double> values = pointValues(grid, array, mesh, scalar);
   const ScalarRange range = finiteRange(values);
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    mesh.Vertices[i].Scalar = normalised(values[i], range);
+    mesh.Vertices[i].Scalar = storedScalar(values[i], range);
   }
   return range;
 }
@@ -155,12 +167,12 @@ ScalarRange setPointScalars(
 ScalarRange makeCellScalars(
   vtkDataArray* array, const TetMesh& mesh, std::vector<float>& scalars, const TupleScalar& scalar)
 {
-  const std::vector<double> values = scalarsOf(array, mesh.TetCells, scalar);
+  const std::vector<double> values = cellValues(array, mesh, scalar);
   const ScalarRange range = finiteRange(values);
   scalars.resize(values.size());
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    scalars[i] = normalised(values[i], range);
+    scalars[i] = storedScalar(values[i], range);
   }
   return range;
 }

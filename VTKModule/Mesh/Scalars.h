@@ -29,6 +29,19 @@ struct ScalarRange
  */
 std::string checkScalars(vtkDataArray* array, vtkIdType count, const char* what);
 
+/** One scalar of each vertex, as it is in the array: in double precision, and NaN if it isn't
+ * there.
+ */
+std::vector<double> pointValues(
+  vtkUnstructuredGrid* grid, vtkDataArray* array, const TetMesh& mesh, const TupleScalar& scalar);
+/** Of each tetrahedron. */
+std::vector<double> cellValues(vtkDataArray* array, const TetMesh& mesh, const TupleScalar& scalar);
+
+/** Of the values that are finite. */
+ScalarRange finiteRange(const std::vector<double>& values);
+/** The value as it is stored: 0..1, or UndrawnScalar. */
+float storedScalar(double value, const ScalarRange& range);
+
 /**
  * Fill Vertex::Scalar of the mesh from a point array (one tuple a point of the grid that the mesh
  * was built from), of each tuple one scalar. Values are brought to 0..1 in double precision before

@@ -118,4 +118,21 @@ IntegralTable makeIntegralTable(const SampledFunctions& functions)
   return table;
 }
 
+bool hasExtinction(const IntegralTable& table)
+{
+  return std::any_of(table.Values.begin(), table.Values.end(),
+    [](const std::array<float, 4>& v) { return v[3] > 0; });
+}
+
+void addExtinctionVariations(IntegralTable& table)
+{
+  double variation = 0;
+  table.ExtinctionVariations.clear();
+  for (std::size_t i = 0; i < table.Values.size(); ++i)
+  {
+    variation += i > 0 ? std::abs(double(table.Values[i][3]) - double(table.Values[i - 1][3])) : 0;
+    table.ExtinctionVariations.push_back(static_cast<float>(variation));
+  }
+}
+
 } // namespace tetmarch

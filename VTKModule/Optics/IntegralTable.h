@@ -20,6 +20,7 @@ struct IntegralTable
   std::vector<std::array<float, 4>> Values;            // r, g, b, extinction at each entry
   std::vector<std::array<std::uint32_t, 4>> Integrals; // of C tau and tau up to each entry
   std::vector<float> Variations;                       // total variation of C up to each entry
+  std::vector<float> ExtinctionVariations;             // the same of tau, if it was asked for
   std::array<double, 4> IntegralUnit{};                // what 1 in Integrals stands for, in bins
   TableTraits Traits;
   /** r, g, b, extinction of scalars that are not finite. */
@@ -38,6 +39,12 @@ struct IntegralTable
 /** A table of four entries more than samples; the first and the last bin hold what lies below and
  * above the samples. */
 IntegralTable makeIntegralTable(const SampledFunctions& functions);
+
+/** Whether anything is seen. */
+bool hasExtinction(const IntegralTable& table);
+
+/** Adds ExtinctionVariations: what several tables together lose depends on them. */
+void addExtinctionVariations(IntegralTable& table);
 
 /** How many samples a table of so many entries takes. */
 constexpr int samplesOfTable(int entries) { return entries - 4; }

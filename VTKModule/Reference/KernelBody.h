@@ -76,8 +76,9 @@ vec4 fetchBvhNode(int i) const
   const auto& v = i % 2 ? n.HalfSize : n.Center;
   return vec4(Real(v[0]), Real(v[1]), Real(v[2]), Real(i % 2 ? n.FirstFace : n.Second));
 }
-Real fetchCellScalar(uint tet) const { return Real(CellScalars[tet]); }
-uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] : 0u; }
+#if TETMARCH_COMPONENTS
+#include "KernelComponents.h"
+#else
 vec4 fetchTableValue(int i) const
 {
   const auto& v = Table->Values[i];
@@ -89,6 +90,9 @@ uvec4 fetchTableIntegral(int i) const
   return uvec4(v[0], v[1], v[2], v[3]);
 }
 Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
+#endif
+Real fetchCellScalar(uint tet) const { return Real(CellScalars[tet]); }
+uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] : 0u; }
 
 #if TETMARCH_CLIPPED
 #include "KernelClipping.h"

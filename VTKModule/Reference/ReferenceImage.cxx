@@ -3,6 +3,7 @@
 #include "ReferenceImage.h"
 
 #include "BlendImage.h"
+#include "ComponentImage.h"
 #include "ImageMaker.h"
 #include "LitKernel.h"
 #include "VolumeLight.h"
@@ -57,6 +58,10 @@ ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel&
   if (scene.Blend && !scene.Blend->isComposite())
   {
     return renderBlended<Real>(scene, level);
+  }
+  if (scene.Parts && !scene.Parts->isSingle())
+  {
+    return renderComponents<Real>(scene, level);
   }
   if (scene.Effects && !scene.Effects->empty())
   {

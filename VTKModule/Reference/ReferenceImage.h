@@ -13,6 +13,7 @@
 #include "Reference/MarchCounters.h"
 #include "Scene/Blending.h"
 #include "Scene/Clipping.h"
+#include "Scene/Components.h"
 #include "Scene/View.h"
 
 #include <vector>
@@ -36,7 +37,8 @@ struct ReferenceScene
   const float* WindowDepths = nullptr; // 0..1, one a pixel, of opaque geometry; nullptr: none
   Clipping Cut;                        // nothing unless said
   const EffectData* Effects = nullptr;
-  const Blending* Blend = nullptr; // nullptr: composite; else the table is that of blendedTable()
+  const Blending* Blend = nullptr;   // nullptr: composite; else the table is that of blendedTable()
+  const Components* Parts = nullptr; // nullptr or single: one scalar; else without effects
   /** Light that comes through the volume is looked for wherever a ray crosses a face, by brute
    * force; else interpolated between vertices as in the picture. */
   bool ExactLight = true;

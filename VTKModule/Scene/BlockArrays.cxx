@@ -5,7 +5,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkDoubleArray.h"
+#include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -69,9 +69,14 @@ void appendFaces(vtkUnstructuredGrid* grid, vtkIdType cell, const BlockPoints& p
   }
 }
 
-vtkSmartPointer<vtkDoubleArray> makeValues(vtkDataArray* like, vtkIdType tuples)
+// Of the type that all blocks have, or in double precision.
+vtkSmartPointer<vtkDataArray> makeValues(const std::vector<vtkDataArray*>& arrays, vtkIdType tuples)
 {
-  auto values = vtkSmartPointer<vtkDoubleArray>::New();
+  vtkDataArray* like = arrays.front();
+  const bool alike = std::all_of(arrays.begin(), arrays.end(),
+    [like](vtkDataArray* array) { return array->GetDataType() == like->GetDataType(); });
+  auto values = vtkSmartPointer<vtkDataArray>::Take(
+    vtkDataArray::CreateDataArray(alike ? like->GetDataType() : VTK_DOUBLE));
   values->SetName(like->GetName());
   values->SetNumberOfComponents(like->GetNumberOfComponents());
   values->SetNumberOfTuples(tuples);
@@ -147,34 +152,30 @@ void joinCells(const SharedBlocks& blocks, vtkUnstructuredGrid* grid)
   }
 }
 
-vtkSmartPointer<vtkDoubleArray> joinPointValues(
+vtkSmartPointer<vtkDataArray> joinPointValues(
   const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays)
 {
-  auto values = makeValues(arrays.front(), blocks.Count);
-  std::vector<double> tuple(static_cast<std::size_t>(values->GetNumberOfComponents()));
+  auto values = makeValues(arrays, blocks.Count);
   for (std::size_t b = 0; b < blocks.Data.size(); ++b)
   {
     for (const vtkIdType p : blocks.Points[b].Own)
     {
-      arrays[b]->GetTuple(p, tuple.data());
-      values->SetTuple(blocks.Points[b].Joined[static_cast<std::size_t>(p)], tuple.data());
+      values->SetTuple(blocks.Points[b].Joined[static_cast<std::size_t>(p)], p, arrays[b]);
     }
   }
   return values;
 }
 
-vtkSmartPointer<vtkDoubleArray> joinCellValues(
+vtkSmartPointer<vtkDataArray> joinCellValues(
   const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays)
 {
-  auto values = makeValues(arrays.front(), countCells(blocks));
-  std::vector<double> tuple(static_cast<std::size_t>(values->GetNumberOfComponents()));
+  auto values = makeValues(arrays, countCells(blocks));
   vtkIdType next = 0;
   for (std::size_t b = 0; b < blocks.Data.size(); ++b)
   {
     for (vtkIdType cell = 0; cell < blocks.Data[b]->GetNumberOfCells(); ++cell, ++next)
     {
-      arrays[b]->GetTuple(cell, tuple.data());
-      values->SetTuple(next, tuple.data());
+      values->SetTuple(next, cell, arrays[b]);
     }
   }
   return values;

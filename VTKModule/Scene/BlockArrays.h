@@ -11,7 +11,6 @@
 #include <vector>
 
 class vtkDataArray;
-class vtkDoubleArray;
 class vtkPoints;
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
@@ -33,11 +32,11 @@ vtkSmartPointer<vtkPoints> joinPoints(const SharedBlocks& blocks);
  * They are sound (checkGrid). */
 void joinCells(const SharedBlocks& blocks, vtkUnstructuredGrid* grid);
 
-/** Values of points or cells in double precision, as the mesh reads them, by one array a block of
- * the same number of components each. */
-vtkSmartPointer<vtkDoubleArray> joinPointValues(
+/** Values of points or cells by one array a block of the same number of components each: of the
+ * type that all of them have, or else in double precision. */
+vtkSmartPointer<vtkDataArray> joinPointValues(
   const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays);
-vtkSmartPointer<vtkDoubleArray> joinCellValues(
+vtkSmartPointer<vtkDataArray> joinCellValues(
   const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays);
 
 /** Which points or cells are ghosts; null if no block has such an array. A shared point is what it

@@ -8,7 +8,6 @@
 #include "Scene/WithinMemory.h"
 
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"

@@ -27,6 +27,9 @@ const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
     { "EXTREME", &VariantKey::Extreme },
     { "SUM", &VariantKey::Sum },
     { "ISOSURFACES", &VariantKey::Isosurfaces },
+    { "INDEPENDENT", &VariantKey::Independent },
+    { "COLOR_AND_OPACITY", &VariantKey::ColorAndOpacity },
+    { "DIRECT_COLOR", &VariantKey::DirectColor },
     { "CELL_GRADIENTS", &VariantKey::CellGradients },
     { "GRADIENT_OPACITY", &VariantKey::GradientOpacity },
     { "SHADING", &VariantKey::Shading },
@@ -61,6 +64,7 @@ VariantKey VariantKey::filtered() const
   key.Diagnostics = key.Diagnostics && !key.Peeled;
   key.Clipped = key.Clipped || key.Cropped;
   key.dropWhatIsNotBlended();
+  key.dropWhatComponentsLack();
   key.ShowIllumination = key.ShowIllumination && !key.ShowGradients;
   key.ConstantColor = key.ConstantColor && !key.ShowIllumination && !key.ShowGradients;
   key.Adaptive = key.Adaptive && key.PointScalars && !key.ConstantColor;
@@ -89,6 +93,9 @@ void VariantKey::dropWhatIsNotBlended()
   this->Isosurfaces = this->Isosurfaces && !this->Extreme && !this->Sum;
   if (!this->isComposite())
   {
+    this->Independent = false;
+    this->ColorAndOpacity = false;
+    this->DirectColor = false;
     this->Adaptive = false;
     this->TransparentRanges = false;
     this->NanShown = false;
@@ -105,6 +112,23 @@ void VariantKey::dropWhatIsNotBlended()
     this->ShowIllumination = false;
     this->ShowGradients = false;
   }
+}
+
+// Of several scalars neither gradients nor light are known; their colours are where the tables of
+// one don't tell.
+void VariantKey::dropWhatComponentsLack()
+{
+  this->ColorAndOpacity = this->ColorAndOpacity && !this->Independent;
+  this->DirectColor = this->DirectColor && !this->Independent && !this->ColorAndOpacity;
+  if (this->hasComponents())
+  {
+    this->ConstantColor = false;
+    this->GradientOpacity = false;
+    this->Shading = false;
+    this->ShowIllumination = false;
+    this->ShowGradients = false;
+  }
+  this->TransparentRanges = this->TransparentRanges && !this->Independent;
 }
 
 VariantKey VariantKey::ofVertexLight() const
@@ -135,6 +159,7 @@ VariantKey VariantKey::ofPick() const
   key.Extreme = this->Extreme;
   key.Sum = this->Sum;
   key.Isosurfaces = this->Isosurfaces;
+  key.Independent = this->Independent; // of dependent ones the scalar is that of the opacity
   key.GradientOpacity = this->GradientOpacity;
   key.CellGradients = this->CellGradients;
   return key.filtered();
@@ -162,6 +187,8 @@ std::string VariantKey::defines() const
   }
   const bool lit = this->Shading || this->ShowGradients;
   define("COMPOSITE", this->isComposite());
+  define("DEPENDENT", this->isDependent());
+  define("COMPONENTS", this->hasComponents());
   define("PASSES_CELLS", this->passesCells());
   define("ERROR_BOUND", this->hasErrorBound());
   define("EFFECTS", this->hasGradients());

@@ -37,6 +37,10 @@ struct VariantKey
   bool Sum = false;         // sums or averages of the scalars of a ray are shown
   bool Isosurfaces = false; // surfaces of constant scalar are; without these three: the volume
 
+  bool Independent = false;     // several scalars, each with functions of its own, fill one space
+  bool ColorAndOpacity = false; // one scalar gives the colour, another the opacity
+  bool DirectColor = false;     // three scalars are the colour, a fourth gives the opacity
+
   bool CellGradients = false;    // that of each cell as it is; else interpolated between vertices
   bool GradientOpacity = false;  // extinction depends on the gradient
   bool Shading = false;          // lights shine on surfaces of constant scalar
@@ -55,6 +59,10 @@ struct VariantKey
 
   /** Emission and absorption are integrated. */
   bool isComposite() const { return !this->Extreme && !this->Sum && !this->Isosurfaces; }
+  /** Colour and extinction come from different scalars. */
+  bool isDependent() const { return this->ColorAndOpacity || this->DirectColor; }
+  /** More than one scalar is drawn. */
+  bool hasComponents() const { return this->Independent || this->isDependent(); }
   /** Cells in which nothing is seen are passed in a loop of their own. */
   bool passesCells() const { return this->TransparentRanges || this->Isosurfaces; }
   bool hasGradients() const
@@ -98,11 +106,12 @@ struct VariantKey
     const char* Name;
     bool VariantKey::*Member;
   };
-  static constexpr int NumberOfBits = 32;
+  static constexpr int NumberOfBits = 35;
   static const std::array<Bit, NumberOfBits>& bits();
 
 private:
   void dropWhatIsNotBlended();
+  void dropWhatComponentsLack();
 };
 
 } // namespace tetmarch

@@ -19,7 +19,8 @@ enum class VectorMode
 {
   Disabled = -1, // the colour function decides
   Magnitude = 0,
-  Component = 1
+  Component = 1,
+  AllComponents = 2 // several of them, if there are: see Components.h
 };
 
 struct VectorChoice

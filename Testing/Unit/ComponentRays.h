@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Rays through the unit cube with an array of several components, each linear in space, and
+ * what they see by a quadrature that shares nothing with the march
+ */
+#ifndef tetmarch_testing_ComponentRays_h
+#define tetmarch_testing_ComponentRays_h
+
+#include "Reference/ComponentKernel.h"
+#include "Scene/Components.h"
+
+#include "BlendedRays.h"
+#include "ComponentFields.h"
+
+namespace tetmarch::testing
+{
+class ComponentRays
+{
+public:
+  /// Dependent ones with 2 or 4 components unless independent. The functions are those of
+  /// setComponentFunctions().
+  ComponentRays(const Grid& grid, int components, bool independent, bool cells = false)
+    : Fields(componentFields(components))
+    , Rays(withComponents(grid, this->Fields, VTK_DOUBLE), cells)
+    , Data(grid)
+    , OfCells(cells)
+  {
+    this->Property->SetIndependentComponents(independent);
+    setComponentFunctions(this->Property, components);
+  }
+
+  /// Returns what is wrong.
+  std::string use(const AccuracyLevel& level)
+  {
+    vtkDataArray* array = this->OfCells ? this->Data->GetCellData()->GetScalars()
+                                        : this->Data->GetPointData()->GetScalars();
+    std::string error;
+    const DrawnComponents drawn =
+      drawnComponents({ VectorMode::AllComponents, 0 }, this->Property, array, error);
+    this->Rays.Range = readComponents(
+      this->Data, array, this->OfCells, drawn, this->Rays.Mesh, this->Rays.Scalars, this->Parts);
+    this->Rays.Table = componentTables(
+      this->Property, OpacityLaw::Unstructured, this->Rays.Range, level, this->Parts);
+    this->Level = level;
+    return error.empty() ? setFactors(this->Property, this->Parts) : error;
+  }
+
+  template <typename Kernel, typename Real>
+  Kernel kernel() const
+  {
+    Kernel made =
+      makeKernel<Kernel, Real>(this->Rays.Mesh, this->Rays.Table, this->Rays.Range, this->Level);
+    made.CellScalars = this->Rays.Scalars.data();
+    made.useComponents(this->Parts, this->Rays.Range);
+    return made;
+  }
+
+  /// Premultiplied colour and opacity of that part of a ray, by so many steps, in each of which
+  /// colour and extinction are those of its middle.
+  template <typename Ray>
+  Rgba byQuadrature(const Ray& ray, const Chord& chord, int steps = 2000) const
+  {
+    std::vector<Chord> wholes;
+    for (const Field& field : this->Fields)
+    {
+      wholes.push_back(this->Rays.chordOf(ray, field));
+    }
+    Rgba seen{};
+    double through = 1;
+    for (int i = 0; i < steps; ++i)
+    {
+      const double depth = chord.Begin + (chord.End - chord.Begin) * (i + 0.5) / steps;
+      std::vector<double> scalars;
+      for (const Chord& whole : wholes)
+      {
+        scalars.push_back(whole.scalarAt(depth));
+      }
+      const Rgba medium = mediumAt(this->Property, scalars); // C tau, tau
+      const double passed = std::exp(-medium[3] * chord.Optical / steps);
+      for (int k = 0; k < 3 && medium[3] > 0; ++k)
+      {
+        seen[k] += through * (1 - passed) * medium[k] / medium[3];
+      }
+      through *= passed;
+    }
+    seen[3] = 1 - through;
+    return seen;
+  }
+
+  std::vector<Field> Fields;
+  BlendedRays Rays;
+  Grid Data;
+  bool OfCells;
+  vtkNew<vtkVolumeProperty> Property;
+  Components Parts;
+  AccuracyLevel Level = YardstickAccuracy;
+};
+} // namespace tetmarch::testing
+
+#endif
