@@ -19,16 +19,18 @@ struct Mixture
 real greatestOf(vec3 v) { return max(v.x, max(v.y, v.z)); }
 #endif
 
-// The means are those of the components' tables, exactly; what is lost is the order of the colours of the mixture, C =
-// sum(tau_i C_i) / sum(tau_i). For that the range of C does in the place of its variation in order_error.glsl: the integral of
-// C(u) (exp(-u) - phi) is greatest for the greatest C where the factor is positive and the least elsewhere, and the positive
-// part of the factor adds up to the greatest H. C changes because colours do and because their shares do. Let m_i be the middle of a component's colours, R_i their range, S
-// the range of all m_i; let tau_i stay within E_i of its middle t_i. Then
+// The means are those of the components' tables, exactly; what is lost is the order of the colours of the mixture,
+// C = sum(tau_i C_i) / sum(tau_i). For that the range of C does in the place of its variation in order_error.glsl:
+// the integral of C(u) (exp(-u) - phi) is greatest for the greatest C where the factor is positive and the least
+// elsewhere, and the positive part of the factor adds up to the greatest H. C changes because colours do and
+// because their shares do. Let m_i be the middle of a component's colours, R_i their range, S the range of all m_i;
+// let tau_i stay within E_i of its middle t_i. Then
 //   |C(x) - C(y)| <= max(R_i) + S sum|w_i(x) - w_i(y)| / 2,  w_i = tau_i / sum(tau_i),
 // for the w_i add up to 1, so that of the m_i only their differences count; and since
 //   sum|w_i - t_i / sum(t_i)| <= 2 sum(E_i) / sum(tau_i) <= 2 sum(E_i) / (sum(t_i) - sum(E_i)),
-// the shares change by no more than 2 sum(E_i) / (sum(t_i) - sum(E_i)), and never by more than 1. A function that goes from
-// p to q with the total variation V stays within V / 2 of (p + q) / 2, so these are the middles, and R_i = V_i.
+// the shares change by no more than 2 sum(E_i) / (sum(t_i) - sum(E_i)), and never by more than 1. A function that
+// goes from p to q with the total variation V stays within V / 2 of (p + q) / 2, so these are the middles, and R_i
+// = V_i.
 Mixture mixtureBetween(vec4 from, vec4 to)
 {
   Mixture mixture;

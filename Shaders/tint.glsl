@@ -1,5 +1,5 @@
-// Dependent components: the colour comes from other scalars than the extinction. Of four these are red, green and blue, of
-// two it is one, by a table of colours behind that of the opacity.
+// Dependent components: the colour comes from other scalars than the extinction. Of four these are red, green and
+// blue, of two it is one, by a table of colours behind that of the opacity.
 
 #if TETMARCH_POINT_SCALARS
 // Of a piece in which the scalars are linear.
@@ -39,11 +39,11 @@ vec4 tinted(vec4 mean, Tint tint)
 }
 
 #if TETMARCH_ERROR_BOUND
-// What a piece loses whose means of C and tau are taken apart, between two points of the table of the opacity; extinction is
-// their mean. The mean of C tau over that of tau differs from the mean of C by the covariance of both over the mean of tau:
-// at most a quarter of the product of their ranges (Gruess 1935). To that comes the order of colours (order_error.glsl). And
-// what is sent out has a mean of the piece's colours, as the exact one has, so that both together are no more than the
-// variation of the colour times what is absorbed.
+// What a piece loses whose means of C and tau are taken apart, between two points of the table of the opacity;
+// extinction is their mean. The mean of C tau over that of tau differs from the mean of C by the covariance of both
+// over the mean of tau: at most a quarter of the product of their ranges (Gruess 1935). To that comes the order of
+// colours (order_error.glsl). And what is sent out has a mean of the piece's colours, as the exact one has, so that
+// both together are no more than the variation of the colour times what is absorbed.
 real tintError(Tint tint, TablePoint p, TablePoint q, real extinction, Absorption piece)
 {
   real spread = abs(q.extinctionVariation - p.extinctionVariation);
