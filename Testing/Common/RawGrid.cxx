@@ -3,8 +3,6 @@
 #include "RawGrid.h"
 
 #include "vtkCellArray.h"
-#include "vtkDataArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkTypeInt32Array.h"
@@ -13,37 +11,11 @@
 
 namespace tetmarch::testing
 {
-namespace
-{
-template <typename Array, typename T>
-vtkSmartPointer<Array> arrayOf(const std::vector<T>& values)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), static_cast<typename Array::ValueType>(values[i]));
-  }
-  return array;
-}
-
-Ids valuesOf(vtkDataArray* array)
-{
-  Ids values;
-  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
-  {
-    values.push_back(static_cast<vtkIdType>(array->GetTuple1(i)));
-  }
-  return values;
-}
-} // namespace
-
 RawGrid::RawGrid(vtkUnstructuredGrid* grid)
   : Offsets(valuesOf(grid->GetCells()->GetOffsetsArray()))
   , Connectivity(valuesOf(grid->GetCells()->GetConnectivityArray()))
-  , FaceLocations(valuesOf(grid->GetFaceLocations()))
-  , Faces(valuesOf(grid->GetFaces()))
-  , HasFaces(grid->GetFaces() != nullptr)
+  , Faces(grid)
+  , HasFaces(facesOf(grid) != nullptr)
 {
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
   {
@@ -79,9 +51,9 @@ Grid RawGrid::grid() const
   }
   auto grid = Grid::New();
   grid->SetPoints(points);
-  grid->SetCells(arrayOf<vtkUnsignedCharArray>(this->Types), cells,
-    this->HasFaces ? arrayOf<vtkIdTypeArray>(this->FaceLocations) : nullptr,
-    this->HasFaces ? arrayOf<vtkIdTypeArray>(this->Faces) : nullptr);
+  setCells(grid, arrayOf<vtkUnsignedCharArray>(this->Types), cells,
+    this->HasFaces ? this->Faces.locations() : nullptr,
+    this->HasFaces ? this->Faces.faces() : nullptr);
   return grid;
 }
 } // namespace tetmarch::testing

@@ -8,6 +8,7 @@
 #define tetmarch_testing_RawGrid_h
 
 #include "GridBuilder.h"
+#include "RawFaces.h"
 
 namespace tetmarch::testing
 {
@@ -17,8 +18,7 @@ struct RawGrid
   std::vector<unsigned char> Types;
   Ids Offsets;
   Ids Connectivity;
-  Ids FaceLocations; // with Faces: one a cell
-  Ids Faces;
+  RawFaces Faces; // of polyhedra
   bool HasFaces = false;
   bool Wide = true; // 64 bits for offsets and connectivity, not 32
   bool FloatPoints = false;

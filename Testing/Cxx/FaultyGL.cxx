@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaultyGL.h"
 
-#include "GLFunctions.h"
+#include "GLPointers.h"
 
-#include "vtkOpenGLRenderUtilities.h"
+#if TETMARCH_GL_1_IS_LINKED
+#include "GLFunctions.h"
+#endif
 
 #include <cstring>
 
@@ -41,7 +43,7 @@ bool failsWith(Fault kind, GLenum error)
   return fault;
 }
 
-// GLEW's functions, as they are.
+// The GL's functions, as they are.
 PFNGLGETSHADERIVPROC GetShaderiv;
 PFNGLGETPROGRAMIVPROC GetProgramiv;
 PFNGLSHADERSOURCEPROC ShaderSource;
@@ -49,6 +51,10 @@ PFNGLCHECKFRAMEBUFFERSTATUSPROC CheckFramebufferStatus;
 PFNGLBUFFERDATAPROC BufferData;
 PFNGLTEXBUFFERPROC TexBuffer;
 PFNGLBLITFRAMEBUFFERPROC BlitFramebuffer;
+GLenum(GLAPIENTRY* GetError)();
+void(GLAPIENTRY* GetIntegerv)(GLenum, GLint*);
+void(GLAPIENTRY* TexImage2D)(
+  GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*);
 
 void GLAPIENTRY getShaderiv(GLuint shader, GLenum name, GLint* value)
 {
@@ -107,62 +113,66 @@ void GLAPIENTRY blitFramebuffer(GLint a, GLint b, GLint c, GLint d, GLint e, GLi
   }
 }
 
-void exchangeGLEW()
+GLenum GLAPIENTRY getError()
 {
-  const auto exchange = [](auto& kept, auto& pointer, auto replacement)
-  {
-    if (pointer != replacement)
-    {
-      kept = pointer;
-      pointer = replacement;
-    }
-    else
-    {
-      pointer = kept;
-    }
-  };
-  exchange(GetShaderiv, __glewGetShaderiv, &getShaderiv);
-  exchange(GetProgramiv, __glewGetProgramiv, &getProgramiv);
-  exchange(ShaderSource, __glewShaderSource, &shaderSource);
-  exchange(CheckFramebufferStatus, __glewCheckFramebufferStatus, &checkFramebufferStatus);
-  exchange(BufferData, __glewBufferData, &bufferData);
-  exchange(TexBuffer, __glewTexBuffer, &texBuffer);
-  exchange(BlitFramebuffer, __glewBlitFramebuffer, &blitFramebuffer);
-}
-
-// The functions of GL 1.1.
-GLFunctionLoader Loader = nullptr;
-
-template <typename Function>
-Function original(const char* name)
-{
-  return reinterpret_cast<Function>(Loader(name));
-}
-
-GLenum getError()
-{
-  const GLenum error = original<GLenum (*)()>("glGetError")();
+  const GLenum error = GetError();
   const GLenum planned = Plan.Error;
   Plan.Error = GL_NO_ERROR;
   return error != GL_NO_ERROR ? error : planned;
 }
-void getIntegerv(GLenum name, GLint* value)
+void GLAPIENTRY getIntegerv(GLenum name, GLint* value)
 {
-  original<void (*)(GLenum, GLint*)>("glGetIntegerv")(name, value);
+  GetIntegerv(name, value);
   if (name == GL_MAX_TEXTURE_BUFFER_SIZE && Plan.MostTexels > 0)
   {
     *value = Plan.MostTexels;
     Plan.Happened = true;
   }
 }
-void texImage2D(GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height,
-  GLint border, GLenum format, GLenum type, const void* data)
+void GLAPIENTRY texImage2D(GLenum target, GLint level, GLint internal, GLsizei width,
+  GLsizei height, GLint border, GLenum format, GLenum type, const void* data)
 {
   if (!failsWith(Fault::TexImage, GL_OUT_OF_MEMORY))
   {
-    original<decltype(&texImage2D)>("glTexImage2D")(
-      target, level, internal, width, height, border, format, type, data);
+    TexImage2D(target, level, internal, width, height, border, format, type, data);
   }
+}
+
+// Puts a replacement in, or the function of before back.
+template <typename Function>
+void exchange(Function& kept, Function& pointer, Function replacement)
+{
+  if (pointer != replacement)
+  {
+    kept = pointer;
+    pointer = replacement;
+  }
+  else
+  {
+    pointer = kept;
+  }
+}
+
+void exchangePointers()
+{
+  exchange(GetShaderiv, TETMARCH_GL_POINTER(GetShaderiv), &getShaderiv);
+  exchange(GetProgramiv, TETMARCH_GL_POINTER(GetProgramiv), &getProgramiv);
+  exchange(ShaderSource, TETMARCH_GL_POINTER(ShaderSource), &shaderSource);
+  exchange(
+    CheckFramebufferStatus, TETMARCH_GL_POINTER(CheckFramebufferStatus), &checkFramebufferStatus);
+  exchange(BufferData, TETMARCH_GL_POINTER(BufferData), &bufferData);
+  exchange(TexBuffer, TETMARCH_GL_POINTER(TexBuffer), &texBuffer);
+  exchange(BlitFramebuffer, TETMARCH_GL_POINTER(BlitFramebuffer), &blitFramebuffer);
+}
+
+#if TETMARCH_GL_1_IS_LINKED
+
+GLFunctionLoader Loader = nullptr;
+
+template <typename Function>
+void load(Function& function, const char* name)
+{
+  function = reinterpret_cast<Function>(Loader(name));
 }
 
 GLFunction faultyFunction(const char* name)
@@ -174,12 +184,35 @@ GLFunction faultyFunction(const char* name)
                                : Loader(name);
 }
 
+void replaceGL1()
+{
+  Loader = SetGLFunctionLoader(&faultyFunction);
+  load(GetError, "glGetError");
+  load(GetIntegerv, "glGetIntegerv");
+  load(TexImage2D, "glTexImage2D");
+}
+
+void restoreGL1() { SetGLFunctionLoader(Loader); }
+
+#else
+
+void replaceGL1()
+{
+  exchange(GetError, TETMARCH_GL_POINTER(GetError), &getError);
+  exchange(GetIntegerv, TETMARCH_GL_POINTER(GetIntegerv), &getIntegerv);
+  exchange(TexImage2D, TETMARCH_GL_POINTER(TexImage2D), &texImage2D);
+}
+
+void restoreGL1() { replaceGL1(); }
+
+#endif
+
 void begin()
 {
   Plan.Happened = false;
   Plan.Error = GL_NO_ERROR;
-  exchangeGLEW();
-  Loader = SetGLFunctionLoader(&faultyFunction);
+  exchangePointers();
+  replaceGL1();
 }
 } // namespace
 
@@ -212,8 +245,8 @@ FaultyGL::FaultyGL(int mostTexels)
 
 FaultyGL::~FaultyGL()
 {
-  SetGLFunctionLoader(Loader);
-  exchangeGLEW();
+  restoreGL1();
+  exchangePointers();
   Plan.Active = false;
   Plan.MostTexels = 0;
   Plan.Rewrite = nullptr;

@@ -4,8 +4,8 @@
  * @file
  * @brief Lets functions of the GL fail
  *
- * Functions of GL 1.1 are replaced where GLFunctions.h forwards them, later ones by the pointers of
- * GLEW.
+ * Their pointers are replaced (GLPointers.h), and functions of GL 1.1 that have none where
+ * GLFunctions.h forwards them.
  */
 #ifndef tetmarch_testing_FaultyGL_h
 #define tetmarch_testing_FaultyGL_h

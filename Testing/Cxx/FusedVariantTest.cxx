@@ -3,14 +3,12 @@
 // The variants of the shader for GPUs that fuse multiply and add, on whatever runs the tests.
 // Mesa's software renderer does not fuse, so it never gets them otherwise. Where no three points of
 // a mesh are in line with the eye, a product that is rounded twice does no harm.
+#include "GLPointers.h"
 #include "Twin.h"
-
-#include "vtkOpenGLRenderUtilities.h"
 
 #include <gtest/gtest.h>
 #include <string>
 
-#if __has_include("vtk_glew.h")
 namespace
 {
 using namespace tetmarch::testing;
@@ -22,10 +20,10 @@ public:
   FusedShaders()
   {
     Compiled = 0;
-    Original = __glewShaderSource;
-    __glewShaderSource = &FusedShaders::replaced;
+    Original = TETMARCH_GL_POINTER(ShaderSource);
+    TETMARCH_GL_POINTER(ShaderSource) = &FusedShaders::replaced;
   }
-  ~FusedShaders() { __glewShaderSource = Original; }
+  ~FusedShaders() { TETMARCH_GL_POINTER(ShaderSource) = Original; }
   FusedShaders(const FusedShaders&) = delete;
   FusedShaders& operator=(const FusedShaders&) = delete;
 
@@ -83,4 +81,3 @@ TEST(FusedVariant, SearchedEntries)
   expectFusedParity(scene);
 }
 } // namespace
-#endif

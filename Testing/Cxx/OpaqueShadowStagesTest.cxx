@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shadows of opaque geometry are made when something of it has changed, of all that casts some, and
 // are gone when they are off.
+#include "GL/CompositeMapper.h"
 #include "Held.h"
 #include "LitScene.h"
 
@@ -14,20 +15,13 @@
 #include "vtkPlaneSource.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkVersionMacros.h"
-#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
-#include "vtkCompositePolyDataMapper2.h"
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-#include "vtkCompositePolyDataMapper.h"
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
 
 #include <gtest/gtest.h>
 
 namespace
 {
 using namespace tetmarch::testing;
+using tetmarch::CompositeMapper;
 using Mapper = vtkTetMarchVolumeMapper;
 
 constexpr int Side = 96;

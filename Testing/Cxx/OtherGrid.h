@@ -7,6 +7,8 @@
 #ifndef tetmarch_testing_OtherGrid_h
 #define tetmarch_testing_OtherGrid_h
 
+#include "Mesh/GridVersions.h"
+
 #include "vtkCellIterator.h"
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"
@@ -55,11 +57,18 @@ protected:
 
   vtkIdType InternalInsertNextCell(int, vtkIdList*) override { return -1; }
   vtkIdType InternalInsertNextCell(int, vtkIdType, const vtkIdType[]) override { return -1; }
+#if TETMARCH_FACES_ARE_STREAMS
   vtkIdType InternalInsertNextCell(
     int, vtkIdType, const vtkIdType[], vtkIdType, const vtkIdType[]) override
   {
     return -1;
   }
+#else
+  vtkIdType InternalInsertNextCell(int, vtkIdType, const vtkIdType[], vtkCellArray*) override
+  {
+    return -1;
+  }
+#endif
   void InternalReplaceCell(vtkIdType, int, const vtkIdType[]) override {}
 
 private:

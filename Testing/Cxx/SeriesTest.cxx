@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A series of grids, each new as a reader makes them: of the same mesh only scalars are redone.
+#include "Mesh/GridVersions.h"
 #include "Scene.h"
 
 #include "vtkCellArray.h"
@@ -92,15 +93,15 @@ TEST(Series, WhateverTheMeshDependsOnIsMadeAnew)
       vtkDataArray* points = grid->GetPoints()->GetData();
       points->SetComponent(100, 1, std::nextafter(points->GetComponent(100, 1), 2.0));
     },
-    [](vtkUnstructuredGrid* grid) { grid->GetCellTypesArray()->SetValue(5, VTK_QUAD); },
+    [](vtkUnstructuredGrid* grid) { tetmarch::cellTypesOf(grid)->SetComponent(5, 0, VTK_QUAD); },
     [](vtkUnstructuredGrid* grid)
     {
-      vtkTypeInt64Array* ids = grid->GetCells()->GetConnectivityArray64();
+      vtkDataArray* ids = grid->GetCells()->GetConnectivityArray();
       for (int i = 0; i < 4; ++i)
       {
-        const vtkTypeInt64 id = ids->GetValue(i);
-        ids->SetValue(i, ids->GetValue(400 + i));
-        ids->SetValue(400 + i, id);
+        const double id = ids->GetComponent(i, 0);
+        ids->SetComponent(i, 0, ids->GetComponent(400 + i, 0));
+        ids->SetComponent(400 + i, 0, id);
       }
     },
   };

@@ -101,13 +101,13 @@ public:
       const int code = this->In.byte();
       const int type = code < 128 ? CellTypes[code % CountOfTypes] : code - 128;
       this->Raw.Types.push_back(static_cast<unsigned char>(type));
-      this->Raw.FaceLocations.push_back(-1);
       if (type == VTK_POLYHEDRON)
       {
         this->readPolyhedron();
       }
       else
       {
+        this->Raw.Faces.addNone();
         this->readPoints(type);
       }
       this->Raw.Offsets.push_back(static_cast<vtkIdType>(this->Raw.Connectivity.size()));
@@ -131,20 +131,18 @@ private:
   void readPolyhedron()
   {
     this->Raw.HasFaces = true;
-    this->Raw.FaceLocations.back() = static_cast<vtkIdType>(this->Raw.Faces.size());
     Ids all;
-    const int faces = this->In.byte() % 32;
-    this->Raw.Faces.push_back(faces);
-    for (int f = 0; f < faces; ++f)
+    std::vector<Ids> faces(this->In.byte() % 32);
+    for (Ids& face : faces)
     {
-      const int corners = this->In.byte() % 16;
-      this->Raw.Faces.push_back(corners);
-      for (int i = 0; i < corners; ++i)
+      face.resize(this->In.byte() % 16);
+      for (vtkIdType& point : face)
       {
-        all.push_back(this->point());
-        this->Raw.Faces.push_back(all.back());
+        point = this->point();
+        all.push_back(point);
       }
     }
+    this->Raw.Faces.add(faces);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     this->Raw.Connectivity.insert(this->Raw.Connectivity.end(), all.begin(), all.end());
@@ -175,6 +173,11 @@ void damage(Reader& reader, std::vector<T>& values)
   }
 }
 
+void damage(Reader& reader, const std::vector<Ids*>& arrays)
+{
+  damage(reader, *arrays[arrays.size() > 1 ? reader.byte() % arrays.size() : 0]);
+}
+
 void damage(Reader& reader, RawGrid& raw)
 {
   for (int count = reader.byte() % 8; count > 0; --count)
@@ -191,10 +194,10 @@ void damage(Reader& reader, RawGrid& raw)
         damage(reader, raw.Types);
         break;
       case 3:
-        damage(reader, raw.FaceLocations);
+        damage(reader, raw.Faces.locationArrays());
         break;
       case 4:
-        damage(reader, raw.Faces);
+        damage(reader, raw.Faces.faceArrays());
         break;
       default:
         raw.HasFaces = !raw.HasFaces;
@@ -333,26 +336,17 @@ Bytes encode(vtkUnstructuredGrid* grid, std::uint8_t flags, std::uint8_t seed)
     bytes.push_back(asByte(250.0 * (raw.Points[i] - bounds[2 * (i % 3)]) / extent - 125.0));
   }
   bytes.push_back(static_cast<std::uint8_t>(raw.Types.size()));
+  vtkNew<vtkIdList> ids;
   for (std::size_t cell = 0; cell < raw.Types.size(); ++cell)
   {
     const int type = raw.Types[cell];
     bytes.push_back(static_cast<std::uint8_t>(codeOf(type)));
-    auto begin = raw.Connectivity.begin() + raw.Offsets[cell];
-    auto end = raw.Connectivity.begin() + raw.Offsets[cell + 1];
-    if (type == VTK_POLYHEDRON)
+    grid->GetFaceStream(static_cast<vtkIdType>(cell), ids); // or points, if it is no polyhedron
+    if (type != VTK_POLYHEDRON && cellKinds()[type].LeastPoints != cellKinds()[type].MostPoints)
     {
-      begin = raw.Faces.begin() + raw.FaceLocations[cell];
-      end = begin + 1;
-      for (vtkIdType face = 0; face < *begin; ++face)
-      {
-        end += 1 + *end;
-      }
+      bytes.push_back(static_cast<std::uint8_t>(ids->GetNumberOfIds()));
     }
-    else if (cellKinds()[type].LeastPoints != cellKinds()[type].MostPoints)
-    {
-      bytes.push_back(static_cast<std::uint8_t>(end - begin));
-    }
-    bytes.insert(bytes.end(), begin, end);
+    bytes.insert(bytes.end(), ids->begin(), ids->end());
   }
   bytes.push_back(0);                     // no damage
   bytes.insert(bytes.end(), { 0, 0, 0 }); // doubles, one component, as many as expected

@@ -79,6 +79,12 @@ void ExpectImage(vtkRenderWindow* window, int width, int height, const Pixel& ce
   EXPECT_EQ(image.Corner, (Pixel{ { 51, 102, 153 } }));
 }
 
+// VTK's own window for EGL says that it is current whether it is or not.
+bool KnowsWhetherItIsCurrent(vtkRenderWindow* window)
+{
+  return tetmarch::GetGLInformation(window).Backend != "vtkEGLRenderWindow";
+}
+
 const Pixel Red{ { 255, 0, 0 } };
 const Pixel Green{ { 0, 255, 0 } };
 } // namespace
@@ -124,7 +130,7 @@ TEST(OffscreenWindow, TwoLiveSideBySide)
   green->Render();
   red->Render();
   EXPECT_TRUE(red->IsCurrent());
-  EXPECT_FALSE(green->IsCurrent());
+  EXPECT_TRUE(!green->IsCurrent() || !KnowsWhetherItIsCurrent(green));
   ExpectImage(green, 120, 150, Green);
   ExpectImage(red, 200, 100, Red);
   green = nullptr;
@@ -138,8 +144,9 @@ TEST(OffscreenWindow, DrawsAgainAfterFinalize)
   ASSERT_TRUE(window);
   AddScene(window, { { 0, 1, 0 } });
   window->Render();
+  const bool knows = KnowsWhetherItIsCurrent(window);
   window->Finalize();
-  EXPECT_FALSE(window->IsCurrent());
+  EXPECT_TRUE(!window->IsCurrent() || !knows);
   window->Render();
   ExpectImage(window, 64, 64, Green);
 }

@@ -65,6 +65,17 @@ inline RawGrid gridOf(const std::vector<std::pair<int, Ids>>& cells)
 
 inline const std::pair<int, Ids> Tet{ VTK_TETRA, { 0, 1, 3, 4 } };
 inline const std::pair<int, Ids> Hexahedron{ VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } };
+
+/// A tetrahedron and a polyhedron of 6 faces with 4 corners each.
+inline RawGrid tetAndPolyhedron()
+{
+  RawGrid raw = gridOf({ Tet, { VTK_POLYHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } } });
+  raw.HasFaces = true;
+  raw.Faces.addNone();
+  raw.Faces.add({ { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 }, { 0, 3, 2, 1 },
+    { 4, 5, 6, 7 } });
+  return raw;
+}
 } // namespace tetmarch::testing
 
 #endif

@@ -110,11 +110,12 @@ void expectFillsCells(vtkUnstructuredGrid* grid, bool flatFaces, std::size_t bou
   const Decomposition tets = decomposed(grid);
   const std::vector<double> volumes = cellVolumes(grid, tets);
   const GridSummary summary = summarise(grid);
-  // The cells' volumes agree one by one where faces are flat, else only their sum.
-  EXPECT_NEAR(sumOf(volumes), summary.Volume, 1e-12);
+  // The cells' volumes agree one by one where faces are flat, else only their sum. Which way faces
+  // look is VTK's: it turned those of quadratic wedges round in 9.4.
+  EXPECT_NEAR(sumOf(volumes), std::abs(summary.Volume), 1e-12);
   for (vtkIdType i = 0; flatFaces && i < grid->GetNumberOfCells(); ++i)
   {
-    ASSERT_NEAR(volumes[i], volumeOf(grid, facesOf(grid->GetCell(i))), 1e-13);
+    ASSERT_NEAR(volumes[i], std::abs(volumeOf(grid, facesOf(grid->GetCell(i)))), 1e-13);
   }
   EXPECT_EQ(boundaryOf(tets).size(), boundaryTriangles);
   EXPECT_EQ(tets.Report.UnsupportedCells, 0);

@@ -6,6 +6,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkVersionMacros.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -93,6 +94,9 @@ TEST_F(GradientOpacity, OffIsEmpty)
   ofTwo->SetDimensions(2, 2, 1);
   ofTwo->AllocateScalars(VTK_FLOAT, 4);
   this->Property->SetTransferFunction2D(ofTwo);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  this->Property->SetTransferFunctionModeTo2D(); // which VTK 9.1 does by itself
+#endif
   EXPECT_TRUE(this->table(10.0).empty());
 }
 
@@ -174,20 +178,37 @@ TEST_F(GradientOpacity, WithoutClamping)
   this->expectAsVTK(this->table(5.0), 5.0);
 }
 
-TEST_F(GradientOpacity, JumpsAreNarrowRamps)
+void expectRampAtMiddle(const GradientOpacityTable& table)
 {
-  this->Function->AddPoint(0.0, 0.0, 0.5, 1.0);
-  this->Function->AddPoint(9.0, 1.0);
-  this->Function->AddPoint(10.0, 1.0);
-  const GradientOpacityTable table = this->table(10.0);
   for (int i = 0; i <= Steps; ++i)
   {
     const double x = i * table.Unit;
     if (std::abs(x - 4.5) > table.Unit)
     {
-      EXPECT_EQ(table.Values[i], x < 4.5 ? 0.0f : 1.0f) << i;
+      ASSERT_EQ(table.Values[i], x < 4.5 ? 0.0f : 1.0f) << i;
     }
   }
+}
+
+TEST_F(GradientOpacity, JumpsAreNarrowRamps)
+{
+  this->Function->AddPoint(0.0, 0.0);
+  this->Function->AddPoint(4.5, 0.0);
+  this->Function->AddPoint(std::nextafter(4.5, 5.0), 1.0);
+  this->Function->AddPoint(10.0, 1.0);
+  expectRampAtMiddle(this->table(10.0));
+}
+
+TEST_F(GradientOpacity, JumpsOfSharpnessAreNarrowRamps)
+{
+  this->Function->AddPoint(0.0, 0.0, 0.5, 1.0);
+  this->Function->AddPoint(9.0, 1.0);
+  this->Function->AddPoint(10.0, 1.0);
+  if (this->Function->GetValue(4.4) > 0.0)
+  {
+    GTEST_SKIP() << "this VTK makes a curve of a sharpness of 1, as 9.6 does";
+  }
+  expectRampAtMiddle(this->table(10.0));
 }
 
 // Peaks and gaps of which no sample knows, wherever in their step they are.

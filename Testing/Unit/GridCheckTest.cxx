@@ -157,12 +157,12 @@ TEST(GridCheck, TypesThatAreSkippedOrCounted)
 TEST(GridCheck, TypesThatDontFitTheCells)
 {
   const Grid grid = gridOf({ Tet, Tet }).grid();
-  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  vtkDataArray* types = cellTypesOf(grid);
   types->SetNumberOfComponents(2);
   types->SetNumberOfTuples(2);
   types->Fill(VTK_TETRA);
   expectError(grid, { "2 cells", "2 cell types", "2 components" });
-  grid->SetCells(nullptr, grid->GetCells(), nullptr, nullptr);
+  setCells(grid, nullptr, grid->GetCells(), nullptr, nullptr);
   expectError(grid, { "2 cells", "no cell types" });
 }
 

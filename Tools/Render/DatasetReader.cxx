@@ -9,7 +9,7 @@
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
+#include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
@@ -20,6 +20,7 @@
 #include "vtkPoints.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <bitset>
 #include <filesystem>
 #include <map>
 #include <vector>
@@ -187,12 +188,15 @@ namespace tetmarch
 
 bool HasSolidCells(vtkDataSet* data)
 {
-  auto types = vtkSmartPointer<vtkCellTypes>::New();
-  auto cell = vtkSmartPointer<vtkGenericCell>::New();
-  data->GetCellTypes(types);
-  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  std::bitset<256> types;
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
-    cell->SetCellType(types->GetCellType(i));
+    types.set(static_cast<unsigned char>(data->GetCellType(i)));
+  }
+  auto cell = vtkSmartPointer<vtkGenericCell>::New();
+  for (int type = 0; type < 256; ++type)
+  {
+    cell->SetCellType(types[type] ? type : VTK_EMPTY_CELL);
     if (cell->GetCellDimension() == 3)
     {
       return true;

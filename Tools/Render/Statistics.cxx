@@ -3,9 +3,9 @@
 #include "Statistics.h"
 
 #include "Failure.h"
+#include "Mesh/GridVersions.h"
 #include "OffscreenWindow.h"
 
-#include "vtkCellTypes.h"
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkUnstructuredGrid.h"
@@ -24,7 +24,7 @@ std::map<std::string, vtkIdType> CountCells(vtkUnstructuredGrid* grid)
   std::map<std::string, vtkIdType> counts;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    ++counts[vtkCellTypes::GetClassNameFromTypeId(grid->GetCellType(cell))];
+    ++counts[tetmarch::nameOfCellType(grid->GetCellType(cell))];
   }
   return counts;
 }

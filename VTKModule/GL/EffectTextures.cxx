@@ -79,7 +79,7 @@ std::string EffectTextures::updateJitter(vtkOpenGLRenderWindow* window, bool nee
     this->Jitter->SetMinificationFilter(vtkTextureObject::Nearest);
     this->Jitter->SetMagnificationFilter(vtkTextureObject::Nearest);
     this->Jitter->Create2DFromRaw(BlueNoiseSide, BlueNoiseSide, 1, VTK_FLOAT, tile.data());
-    if (glGetError() != GL_NO_ERROR)
+    if (!hasRoom(this->Jitter))
     {
       this->releaseJitter(window);
       return "The GPU has no room for a texture of 64 x 64 numbers. Close what else uses it.";

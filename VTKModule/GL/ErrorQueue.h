@@ -5,6 +5,7 @@
 #define TetMarchGLErrorQueue_h
 
 #include "vtkOpenGLRenderUtilities.h"
+#include "vtkTextureObject.h"
 
 namespace tetmarch
 {
@@ -15,6 +16,18 @@ inline void clearErrors()
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
   {
   }
+}
+
+/** Whether the GL had room for a texture that was just made. A VTK that is built to report errors
+ * has asked for them by then, and nobody else gets to know; the texture then has no size. */
+inline bool hasRoom(vtkTextureObject* texture)
+{
+  const bool sound = glGetError() == GL_NO_ERROR;
+  int width = 0;
+  texture->Activate();
+  glGetTexLevelParameteriv(texture->GetTarget(), 0, GL_TEXTURE_WIDTH, &width);
+  texture->Deactivate();
+  return sound && width == static_cast<int>(texture->GetWidth());
 }
 
 } // namespace tetmarch

@@ -9,6 +9,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+#include <algorithm>
+
 namespace tetmarch
 {
 namespace
@@ -55,7 +57,8 @@ std::string FloatTarget::bind(
     this->Height = height;
     this->Bytes =
       static_cast<std::size_t>(width) * height * ((wide ? 16 : 8) * colors + (depth ? 4 : 0));
-    if (glGetError() != GL_NO_ERROR)
+    if (!std::all_of(this->Colors.begin(), this->Colors.end(), hasRoom) ||
+        (depth && !hasRoom(this->Depth)))
     {
       this->release(window);
       return "The GPU has no room for " + describe(width, height, colors, depth, wide) +

@@ -138,7 +138,7 @@ std::string OpaqueDepth::capture(vtkOpenGLRenderWindow* window, const Viewport& 
   {
     clearErrors();
     this->allocate(window, viewport, format);
-    if (glGetError() != GL_NO_ERROR)
+    if (!hasRoom(this->Depth) || !hasRoom(this->Color))
     {
       this->release(window);
       return "The GPU has no room for the depths of opaque geometry, " +

@@ -30,7 +30,7 @@ std::string SelectionPass::draw(vtkOpenGLRenderWindow* window, const Viewport& v
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   texture->Create2DFromRaw(static_cast<unsigned int>(part.Width),
     static_cast<unsigned int>(part.Height), 4, VTK_FLOAT, texels.data());
-  if (glGetError() != GL_NO_ERROR)
+  if (!hasRoom(texture))
   {
     texture->ReleaseGraphicsResources(window);
     return "The GPU has no room for a float texture of " + std::to_string(part.Width) + " x " +

@@ -70,7 +70,7 @@ std::string ViewPass::upload(vtkOpenGLRenderWindow* window, vtkLookupTable* tabl
   this->Colors->SetMagnificationFilter(vtkTextureObject::Nearest);
   this->Colors->Create2DFromRaw(
     static_cast<unsigned int>(size), 1, 4, VTK_UNSIGNED_CHAR, colors.data());
-  if (glGetError() != GL_NO_ERROR)
+  if (!hasRoom(this->Colors))
   {
     this->release(window);
     return "The GPU takes no texture of " + std::to_string(size) +

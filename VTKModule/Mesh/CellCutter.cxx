@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellCutter.h"
 
+#include "GridVersions.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +15,6 @@ namespace tetmarch
 {
 namespace
 {
-
-// vtkConvexPointSet::Triangulate returns numbers of the cell's points, not of the grid's as other
-// cells do.
-constexpr bool ConvexPointSetsCountLocally = VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0);
 
 // Six times the signed volume.
 double volume(const std::array<double, 3>& a, const std::array<double, 3>& b,

@@ -3,10 +3,8 @@
 #include "Decomposition.h"
 
 #include "CellCutter.h"
+#include "CellTypes.h"
 #include "GridCheck.h"
-
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
@@ -17,7 +15,7 @@ namespace
 
 Decomposition decomposeRange(vtkUnstructuredGrid* grid, vtkIdType begin, vtkIdType end)
 {
-  const unsigned char* types = grid->GetCellTypesArray()->GetPointer(0);
+  const CellTypes types(grid);
   CellCutter cutter(grid);
   cutter.Result.Tets.reserve(end - begin);
   cutter.Result.Cells.reserve(end - begin);

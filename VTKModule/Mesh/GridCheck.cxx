@@ -3,17 +3,14 @@
 #include "GridCheck.h"
 
 #include "CellKind.h"
+#include "CellTypes.h"
 #include "HigherOrderCheck.h"
 #include "PolyhedronCheck.h"
 
-#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
-#include "vtkCellTypes.h"
 #include "vtkDataArrayRange.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +63,7 @@ std::string checkSizes(vtkUnstructuredGrid* grid)
 {
   const vtkIdType cells = grid->GetNumberOfCells();
   vtkPoints* points = grid->GetPoints();
-  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  vtkDataArray* types = cellTypesOf(grid);
   if (cells < 0)
   {
     return "The offsets of the cell array are empty; they must have one value more than there are "
@@ -84,6 +81,11 @@ std::string checkSizes(vtkUnstructuredGrid* grid)
            " cell types of " + text(types->GetNumberOfComponents()) +
            " components; it must have one value a cell.";
   }
+  if (types->GetDataType() != VTK_UNSIGNED_CHAR)
+  {
+    return std::string("The cell types are values of type ") + types->GetDataTypeAsString() +
+           "; they must be unsigned char.";
+  }
   if (points->GetData()->GetNumberOfComponents() != 3)
   {
     return "The points have " + text(points->GetData()->GetNumberOfComponents()) +
@@ -100,7 +102,7 @@ public:
   CellChecker(vtkUnstructuredGrid* grid, const Offsets& offsets, const Connectivity& connectivity)
     : Begins(offsets)
     , Ids(connectivity)
-    , Types(grid->GetCellTypesArray()->GetPointer(0))
+    , Types(grid)
     , NumberOfPoints(grid->GetNumberOfPoints())
     , Faces(grid)
     , HigherOrder(grid)
@@ -148,9 +150,9 @@ private:
     if (points < kind.LeastPoints || points > kind.MostPoints)
     {
       return "The offsets of the cell array give cell " + text(cell) + ", a " +
-             vtkCellTypes::GetClassNameFromTypeId(type) + ", " + text(points) +
-             " points; it must have " + (kind.LeastPoints == kind.MostPoints ? "" : "at least ") +
-             text(kind.LeastPoints) + ". Repair the grid's cell array.";
+             nameOfCellType(type) + ", " + text(points) + " points; it must have " +
+             (kind.LeastPoints == kind.MostPoints ? "" : "at least ") + text(kind.LeastPoints) +
+             ". Repair the grid's cell array.";
     }
     switch (kind.Cut)
     {
@@ -165,7 +167,7 @@ private:
 
   const Offsets& Begins;
   const Connectivity& Ids;
-  const unsigned char* Types;
+  CellTypes Types;
   vtkIdType NumberOfPoints;
   PolyhedronFaces Faces;
   HigherOrderArrays HigherOrder;
@@ -188,12 +190,11 @@ struct CheckCells
 
 std::string checkCells(vtkUnstructuredGrid* grid)
 {
-  using Storage = vtkTypeList::Create<vtkTypeInt32Array, vtkTypeInt64Array>;
   vtkDataArray* offsets = grid->GetCells()->GetOffsetsArray();
   vtkDataArray* connectivity = grid->GetCells()->GetConnectivityArray();
   CheckCells check;
-  if (!vtkArrayDispatch::Dispatch2ByArrayWithSameValueType<Storage, Storage>::Execute(
-        offsets, connectivity, check, grid))
+  if (!vtkArrayDispatch::Dispatch2ByArrayWithSameValueType<OffsetArrays,
+        ConnectivityArrays>::Execute(offsets, connectivity, check, grid))
   {
     check(offsets, connectivity, grid);
   }
@@ -201,8 +202,7 @@ std::string checkCells(vtkUnstructuredGrid* grid)
   {
     return check.Error;
   }
-  return PolyhedronFaces(grid).errorOfSharing(
-    grid->GetCellTypesArray()->GetPointer(0), grid->GetNumberOfCells());
+  return PolyhedronFaces(grid).errorOfSharing(CellTypes(grid), grid->GetNumberOfCells());
 }
 
 bool isSound(double coordinate) { return std::abs(coordinate) <= MostCoordinate; }
@@ -243,11 +243,12 @@ std::string checkPoints(vtkUnstructuredGrid* grid)
   {
     return {};
   }
+  const CellTypes types(grid);
   const PolyhedronFaces faces(grid);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    const CellCut cut = cellKinds()[grid->GetCellTypesArray()->GetValue(cell)].Cut;
+    const CellCut cut = cellKinds()[types[cell]].Cut;
     if (cut == CellCut::Empty || cut == CellCut::LowDimensional || cut == CellCut::Unsupported)
     {
       continue;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HigherOrderCheck.h"
 
+#include "GridVersions.h"
+
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
@@ -96,9 +96,8 @@ std::string HigherOrderArrays::errorOf(vtkIdType cell, int type, vtkIdType point
   {
     return {};
   }
-  const std::string which = "cell " + std::to_string(cell) + ", a " +
-                            vtkCellTypes::GetClassNameFromTypeId(type) + " of " +
-                            std::to_string(points) + " points";
+  const std::string which = "cell " + std::to_string(cell) + ", a " + nameOfCellType(type) +
+                            " of " + std::to_string(points) + " points";
   if (isBezier(type) && this->Weights &&
       (this->Weights->GetNumberOfComponents() != 1 ||
         this->Weights->GetNumberOfTuples() < this->NumberOfPoints))

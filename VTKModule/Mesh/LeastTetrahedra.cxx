@@ -3,13 +3,12 @@
 #include "LeastTetrahedra.h"
 
 #include "CellShapes.h"
+#include "CellTypes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
@@ -96,9 +95,9 @@ int leastTetrahedraOfType(int cellType)
 
 std::uint64_t leastTetrahedra(vtkUnstructuredGrid* grid, std::uint64_t enough)
 {
-  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  const CellTypes types(grid);
   vtkCellArray* cells = grid->GetCells();
-  const vtkIdType count = types ? types->GetNumberOfTuples() : 0;
+  const vtkIdType count = types.array() ? types.array()->GetNumberOfTuples() : 0;
   if (!cells || count != cells->GetNumberOfCells())
   {
     return 0;
@@ -106,7 +105,7 @@ std::uint64_t leastTetrahedra(vtkUnstructuredGrid* grid, std::uint64_t enough)
   std::uint64_t sum = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    sum += leastTetrahedraOfType(types->GetValue(i));
+    sum += leastTetrahedraOfType(types[i]);
   }
   if (sum <= enough)
   {
@@ -118,7 +117,7 @@ std::uint64_t leastTetrahedra(vtkUnstructuredGrid* grid, std::uint64_t enough)
   sum = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const int least = leastTetrahedraOfType(types->GetValue(i));
+    const int least = leastTetrahedraOfType(types[i]);
     const double begin = offsets[i];
     const double end = offsets[i + 1];
     if (least > 0 && 0 <= begin && begin + 4 <= end && end <= size &&

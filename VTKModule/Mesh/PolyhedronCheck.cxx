@@ -2,116 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyhedronCheck.h"
 
-#include "vtkCellType.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
-#include "vtkUnstructuredGrid.h"
-
 namespace tetmarch
 {
-namespace
-{
-
-constexpr const char* Advice = " Repair the grid's face arrays.";
-
-std::string text(vtkIdType value) { return std::to_string(value); }
-
-} // namespace
 
 PolyhedronFaces::PolyhedronFaces(vtkUnstructuredGrid* grid)
-  : Faces(grid->GetFaces())
-  , Locations(grid->GetFaceLocations())
+  : Faces(facesOf(grid))
+  , Locations(faceLocationsOf(grid))
   , NumberOfPoints(grid->GetNumberOfPoints())
 {
 }
 
 std::string PolyhedronFaces::errorOf(vtkIdType cell) const
 {
-  const std::string polyhedron = "polyhedron " + text(cell);
-  if (!this->Faces || !this->Locations)
+  if (this->Faces && this->Locations)
   {
-    return "The grid has " + polyhedron + " but no " +
-           (this->Faces ? "face locations." : "faces.") +
-           " Give vtkUnstructuredGrid::SetCells both.";
+    const std::string error = this->errorOfArrays(cell);
+    return error.empty() ? error : error + Advice;
   }
-  if (cell >= this->Locations->GetNumberOfValues())
-  {
-    return "The face locations have " + text(this->Locations->GetNumberOfValues()) +
-           " values and so none for " + polyhedron + "; they must have one a cell." + Advice;
-  }
-  const vtkIdType size = this->Faces->GetNumberOfValues();
-  const vtkIdType* faces = this->Faces->GetPointer(0);
-  vtkIdType at = this->Locations->GetValue(cell);
-  if (at < 0 || at >= size)
-  {
-    return "The face locations say that the faces of " + polyhedron + " begin at " + text(at) +
-           ", but the faces have " + text(size) + " values." + Advice;
-  }
-  const vtkIdType count = faces[at++];
-  if (count < 1 || count > (size - at) / 4)
-  {
-    return "The faces give " + polyhedron + " " + text(count) +
-           " faces; it must have at least 1, and " + text(size - at) +
-           " more values have room for " + text((size - at) / 4) + " at most." + Advice;
-  }
-  for (vtkIdType face = 0; face < count; ++face)
-  {
-    const vtkIdType corners = at < size ? faces[at++] : 0;
-    if (corners < 3 || corners > size - at)
-    {
-      return "The faces give face " + text(face) + " of " + polyhedron + " " + text(corners) +
-             " points; it must have at least 3, and " + text(size - at) +
-             " more values are there." + Advice;
-    }
-    for (const vtkIdType end = at + corners; at < end; ++at)
-    {
-      if (faces[at] < 0 || faces[at] >= this->NumberOfPoints)
-      {
-        return "The faces of " + polyhedron + " name point " + text(faces[at]) + " in face " +
-               text(face) + ", but the grid has " + text(this->NumberOfPoints) + " points." +
-               Advice;
-      }
-    }
-  }
-  return {};
-}
-
-std::string PolyhedronFaces::errorOfSharing(const unsigned char* types, vtkIdType cells) const
-{
-  vtkIdType named = 0;
-  for (vtkIdType cell = 0; cell < cells; ++cell)
-  {
-    if (types[cell] != VTK_POLYHEDRON)
-    {
-      continue;
-    }
-    const vtkIdType* begin = this->Faces->GetPointer(this->Locations->GetValue(cell));
-    const vtkIdType* at = begin + 1;
-    for (vtkIdType face = 0; face < *begin; ++face)
-    {
-      at += 1 + *at;
-    }
-    named += at - begin;
-    if (named > this->Faces->GetNumberOfValues())
-    {
-      return "The face locations of the polyhedra up to cell " + text(cell) +
-             " overlap: they name " + text(named) + " values of the faces, which have " +
-             text(this->Faces->GetNumberOfValues()) + "." + Advice;
-    }
-  }
-  return {};
-}
-
-void PolyhedronFaces::addPoints(vtkIdType cell, vtkIdList* points) const
-{
-  const vtkIdType* at = this->Faces->GetPointer(this->Locations->GetValue(cell));
-  for (vtkIdType faces = *at++; faces > 0; --faces)
-  {
-    for (vtkIdType corners = *at++; corners > 0; --corners)
-    {
-      points->InsertNextId(*at++);
-    }
-  }
+  return "The grid has polyhedron " + std::to_string(cell) + " but no " +
+         (this->Faces ? "face locations." : "faces.") + " Give it both when its cells are set.";
 }
 
 } // namespace tetmarch

@@ -4,36 +4,43 @@
 #ifndef TetMarchMeshPolyhedronCheck_h
 #define TetMarchMeshPolyhedronCheck_h
 
-#include "vtkType.h"
+#include "GridVersions.h"
 
 #include <string>
 
 class vtkIdList;
-class vtkIdTypeArray;
-class vtkUnstructuredGrid;
 
 namespace tetmarch
 {
 
-/** The arrays of faces, as vtkUnstructuredGrid has them; null without polyhedra. */
-struct PolyhedronFaces
-{
-  vtkIdTypeArray* Faces;     // for each polyhedron: faces, then for each of them: points, ids
-  vtkIdTypeArray* Locations; // for each cell: where its stream begins
-  vtkIdType NumberOfPoints;  // of the grid
+class CellTypes;
 
+/** The arrays of faces, as vtkUnstructuredGrid has them. */
+class PolyhedronFaces
+{
+public:
   explicit PolyhedronFaces(vtkUnstructuredGrid* grid);
 
   /** Empty if vtkUnstructuredGrid::GetFaceStream can read the polyhedron, whose faces then are one
    * or more, each of at least three points of the grid; or what is wrong. */
   std::string errorOf(vtkIdType cell) const;
 
-  /** Of sound polyhedra, by their cell types: whether they name more values than there are. A few
-   * faces that a million polyhedra share would become more tetrahedra than memory holds. */
-  std::string errorOfSharing(const unsigned char* types, vtkIdType cells) const;
+  /** Of sound polyhedra, by their cell types: whether they name more values than there are, or
+   * more than twice as many where two of them can share a face. A few faces that a million
+   * polyhedra share would become more tetrahedra than memory holds. */
+  std::string errorOfSharing(const CellTypes& types, vtkIdType cells) const;
 
   /** Append the points that the faces of a sound polyhedron name, some more than once. */
   void addPoints(vtkIdType cell, vtkIdList* points) const;
+
+private:
+  // Of arrays that are there; in PolyhedronStreams.cxx or PolyhedronCells.cxx.
+  std::string errorOfArrays(vtkIdType cell) const;
+  static constexpr const char* Advice = " Repair the grid's face arrays.";
+
+  FaceArray* Faces;
+  FaceArray* Locations;
+  vtkIdType NumberOfPoints; // of the grid
 };
 
 } // namespace tetmarch

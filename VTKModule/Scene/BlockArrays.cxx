@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockArrays.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -51,20 +49,15 @@ void rename(vtkIdList* ids, const BlockPoints& points)
   }
 }
 
-// Number of faces, then for each its number of points and these.
-void appendFaces(vtkUnstructuredGrid* grid, vtkIdType cell, const BlockPoints& points,
-  vtkIdList* stream, vtkIdTypeArray* faces)
+// The number of faces, then for each its number of points and these.
+void renameStream(vtkIdList* stream, const BlockPoints& points)
 {
-  grid->GetFaceStream(cell, stream);
-  vtkIdType at = 0;
-  faces->InsertNextValue(stream->GetId(at++));
+  vtkIdType at = 1;
   while (at < stream->GetNumberOfIds())
   {
-    const vtkIdType corners = stream->GetId(at++);
-    faces->InsertNextValue(corners);
-    for (const vtkIdType end = at + corners; at < end; ++at)
+    for (vtkIdType corners = stream->GetId(at++); corners > 0; --corners, ++at)
     {
-      faces->InsertNextValue(points.Joined[static_cast<std::size_t>(stream->GetId(at))]);
+      stream->SetId(at, points.Joined[static_cast<std::size_t>(stream->GetId(at))]);
     }
   }
 }
@@ -114,41 +107,29 @@ vtkSmartPointer<vtkPoints> joinPoints(const SharedBlocks& blocks)
 
 void joinCells(const SharedBlocks& blocks, vtkUnstructuredGrid* grid)
 {
-  vtkNew<vtkCellArray> cells;
-  vtkNew<vtkUnsignedCharArray> types;
-  vtkNew<vtkIdTypeArray> faces;
-  vtkNew<vtkIdTypeArray> locations;
   vtkNew<vtkIdList> ids;
-  const vtkIdType count = countCells(blocks);
-  cells->AllocateEstimate(count, 4);
-  types->SetNumberOfValues(count);
-  locations->SetNumberOfValues(count);
-  vtkIdType next = 0;
+  vtkNew<vtkIdList> faces;
+  grid->AllocateEstimate(countCells(blocks), 4);
   for (std::size_t b = 0; b < blocks.Data.size(); ++b)
   {
     vtkDataSet* block = blocks.Data[b];
-    for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell, ++next)
+    for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell)
     {
       const int type = block->GetCellType(cell);
-      types->SetValue(next, static_cast<unsigned char>(type));
-      locations->SetValue(next, -1);
       block->GetCellPoints(cell, ids);
       rename(ids, blocks.Points[b]);
-      cells->InsertNextCell(ids);
       if (type == VTK_POLYHEDRON)
       {
-        locations->SetValue(next, faces->GetNumberOfValues());
-        appendFaces(vtkUnstructuredGrid::SafeDownCast(block), cell, blocks.Points[b], ids, faces);
+        vtkUnstructuredGrid::SafeDownCast(block)->GetFaceStream(cell, faces);
+        renameStream(faces, blocks.Points[b]);
+        grid->InsertNextCell(
+          type, ids->GetNumberOfIds(), ids->GetPointer(0), faces->GetId(0), faces->GetPointer(1));
+      }
+      else
+      {
+        grid->InsertNextCell(type, ids);
       }
     }
-  }
-  if (faces->GetNumberOfValues() > 0)
-  {
-    grid->SetCells(types, cells, locations, faces);
-  }
-  else
-  {
-    grid->SetCells(types, cells);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "BlockList.h"
 
 #include "Mesh/CellKind.h"
+#include "Mesh/CellTypes.h"
 #include "Scene/GridContent.h"
 
 #include "vtkAbstractMapper.h"
@@ -16,8 +17,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 namespace tetmarch
 {
@@ -82,10 +81,10 @@ bool hasSolidCells(vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    vtkUnsignedCharArray* types = grid->GetCellTypesArray();
-    for (vtkIdType i = 0; types && i < types->GetNumberOfValues(); ++i)
+    const CellTypes types(grid);
+    for (vtkIdType i = 0; types.array() && i < types.array()->GetNumberOfTuples(); ++i)
     {
-      if (isSolid(types->GetValue(i)))
+      if (isSolid(types[i]))
       {
         return true;
       }

@@ -2,21 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridContent.h"
 
+#include "Mesh/GridVersions.h"
 #include "Mesh/HigherOrderCheck.h"
-#include "Mesh/PolyhedronCheck.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
 namespace tetmarch
 {
+namespace
+{
+
+vtkDataArray* offsetsOf(vtkCellArray* cells) { return cells ? cells->GetOffsetsArray() : nullptr; }
+vtkDataArray* valuesOf(vtkCellArray* cells)
+{
+  return cells ? cells->GetConnectivityArray() : nullptr;
+}
+
+// Streams are found by the locations.
+[[maybe_unused]] vtkDataArray* offsetsOf(vtkIdTypeArray*) { return nullptr; }
+[[maybe_unused]] vtkDataArray* valuesOf(vtkIdTypeArray* streams) { return streams; }
+
+} // namespace
 
 GridContent::Versions GridContent::versionsOf(vtkUnstructuredGrid* grid)
 {
@@ -27,20 +39,22 @@ GridContent::Versions GridContent::versionsOf(vtkUnstructuredGrid* grid)
   };
   vtkPoints* points = grid->GetPoints();
   vtkCellArray* cells = grid->GetCells();
-  const PolyhedronFaces polyhedra(grid);
+  FaceArray* faces = facesOf(grid);
+  FaceArray* locations = faceLocationsOf(grid);
   const HigherOrderArrays higherOrder(grid);
   // Points come first.
   return { { version(points, points ? points->GetData() : nullptr),
-    version(cells, cells ? cells->GetOffsetsArray() : nullptr),
-    version(cells, cells ? cells->GetConnectivityArray() : nullptr),
-    version(nullptr, grid->GetCellTypesArray()), version(nullptr, polyhedra.Faces),
-    version(nullptr, polyhedra.Locations), version(nullptr, higherOrder.Degrees),
+    version(cells, offsetsOf(cells)), version(cells, valuesOf(cells)),
+    version(nullptr, cellTypesOf(grid)), version(faces, offsetsOf(faces)),
+    version(faces, valuesOf(faces)), version(locations, offsetsOf(locations)),
+    version(locations, valuesOf(locations)), version(nullptr, higherOrder.Degrees),
     version(nullptr, higherOrder.Weights) } };
 }
 
 Fingerprint versionOf(vtkUnstructuredGrid* grid)
 {
   Fingerprint fingerprint;
+  fingerprint.reserve(4 * GridContent::NumberOfArrays); // callers add to it
   for (const GridContent::Version& version : GridContent::versionsOf(grid))
   {
     fingerprint.push_back(reinterpret_cast<std::uintptr_t>(version.Owner));

@@ -42,7 +42,7 @@ private:
       return this->Owner == other.Owner && this->Array == other.Array && this->Time == other.Time;
     }
   };
-  static constexpr std::size_t NumberOfArrays = 8;
+  static constexpr std::size_t NumberOfArrays = 10;
   using Versions = std::array<Version, NumberOfArrays>;
   static Versions versionsOf(vtkUnstructuredGrid* grid);
   friend Fingerprint versionOf(vtkUnstructuredGrid* grid);
