@@ -98,10 +98,12 @@ TEST_F(OpaqueShadowStages, WhatIsOffCostsNothing)
   this->Shown.Window->Render();
   EXPECT_TRUE(Held(this->Shown) == off);
   // Nor is it there without anything that casts shadows.
-  this->mapper()->OpaqueShadowsOn();
   this->Plate->VisibilityOff();
   this->Shown.Window->Render();
-  EXPECT_TRUE(Held(this->Shown) == off);
+  const Held alone(this->Shown);
+  this->mapper()->OpaqueShadowsOn();
+  this->Shown.Window->Render();
+  EXPECT_TRUE(Held(this->Shown) == alone);
   this->Plate->VisibilityOn();
   this->mapper()->SetShadowMethodToOff();
   this->Shown.Window->Render();

@@ -484,7 +484,8 @@ TEST(Picking, CellsOfBlocks)
   EXPECT_GT(picked.size(), 3u);
 
   std::multiset<Vec3> expected;
-  for (const vtkIdType cell : whole.selectAll().at(whole.Volume))
+  const auto selected = whole.selectAll();
+  for (const vtkIdType cell : selected.at(whole.Volume))
   {
     expected.insert(centreOf(grid, cell));
   }
