@@ -32,6 +32,17 @@ inline std::vector<Field> wavyFields(int count)
   return { fields.begin(), fields.begin() + count };
 }
 
+/// Those of an array that withComponents() has made.
+inline void drawComponents(Scene& scene, const Mix& mix)
+{
+  setComponentFunctions(scene.property(), mix.Components);
+  scene.property()->SetIndependentComponents(mix.Independent);
+  if (mix.Independent)
+  {
+    scene.Mapper->SetVectorModeToAllComponents();
+  }
+}
+
 class ComponentScene : public Scene
 {
 public:
@@ -39,12 +50,7 @@ public:
     int type = VTK_DOUBLE)
     : Scene(withComponents(grid, wavyFields(mix.Components), type), width, height)
   {
-    setComponentFunctions(this->property(), mix.Components);
-    this->property()->SetIndependentComponents(mix.Independent);
-    if (mix.Independent)
-    {
-      this->Mapper->SetVectorModeToAllComponents();
-    }
+    drawComponents(*this, mix);
   }
 
   void drawCells() { this->Mapper->SetScalarModeToUseCellData(); }

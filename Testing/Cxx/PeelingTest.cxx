@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes between translucent surfaces, which VTK peels off layer by layer.
 #include "BlendScene.h"
+#include "ComponentScene.h"
 #include "CutScene.h"
 #include "GapScene.h"
 
@@ -241,6 +242,14 @@ TEST_F(Peeling, InLight)
   }
 }
 
+// Several components are drawn without light.
+void drawMix(BlendScene& scene, const Mix& mix)
+{
+  withComponents(scene.Data, wavyFields(mix.Components), VTK_DOUBLE);
+  drawComponents(scene, mix);
+  scene.property()->ShadeOff();
+}
+
 // Whatever is drawn of the volume, before and behind a surface it is what a clipping plane in the
 // surface's place leaves of it.
 TEST_F(Peeling, PartsAreThoseThatAPlaneCutsOff)
@@ -278,6 +287,9 @@ TEST_F(Peeling, PartsAreThoseThatAPlaneCutsOff)
         hide(s.Data, isCrumb);
         s.Mapper->DrawNanCellsOn();
       } },
+    { "independent components", [](BlendScene& s) { drawMix(s, Mixes[0]); } },
+    { "colour and opacity", [](BlendScene& s) { drawMix(s, Mixes[3]); } },
+    { "direct colour", [](BlendScene& s) { drawMix(s, Mixes[4]); } },
   };
   for (const Kind& kind : kinds)
   {
