@@ -153,7 +153,7 @@ TEST_F(Errors, ErrorsOfOthersInTheGLAreNotOurs)
   this->Shown.Window->SetSize(Side + 1, Side); // so that textures are made anew
   this->frame();
   this->Shown.Window->SetSize(Side, Side);
-  glEnable(GL_TEXTURE_BUFFER_FORMAT); // which is nothing to enable
+  glEnable(GL_TEXTURE_BUFFER); // which is nothing to enable
   EXPECT_EQ(compare(this->frame(), expected).Max, 0.0);
   EXPECT_EQ(watch.Errors, std::vector<std::string>());
 }
