@@ -10,20 +10,22 @@
 #include "HardCase.h"
 
 #include <stdexcept>
+#include <string_view>
 
 namespace tetmarch::testing
 {
-inline const HardCase& caseOf(const std::string& name)
+// What refers to the case refers to nothing of the name, as compilers would suspect of a reference.
+inline const HardCase& caseOf(std::string_view name)
 {
-  const HardCase* hard = findHardCase(name);
+  const HardCase* hard = findHardCase(std::string(name));
   if (!hard)
   {
-    throw std::invalid_argument("there is no hard case " + name);
+    throw std::invalid_argument("there is no hard case " + std::string(name));
   }
   return *hard;
 }
 
-inline Grid gridOf(const std::string& name) { return caseOf(name).Make(); }
+inline Grid gridOf(std::string_view name) { return caseOf(name).Make(); }
 } // namespace tetmarch::testing
 
 #endif
