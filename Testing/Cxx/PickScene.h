@@ -20,6 +20,7 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <set>
 
 namespace tetmarch::testing
@@ -119,6 +120,22 @@ private:
     return { p[0] / p[3], p[1] / p[3], p[2] / p[3] };
   }
 };
+
+struct Even
+{
+  static constexpr double Opacity = 0.6;
+  static constexpr double UnitDistance = 0.25;
+};
+
+/// The unit cube, of the same extinction everywhere.
+inline std::unique_ptr<PickScene> evenScene(vtkUnstructuredGrid* grid)
+{
+  auto scene = std::make_unique<PickScene>(grid);
+  setPlainFunctions(scene->property(), { { 1.0, 0.8, 0.6 } }, Even::Opacity);
+  scene->property()->SetScalarOpacityUnitDistance(Even::UnitDistance);
+  scene->Window->Render();
+  return scene;
+}
 } // namespace tetmarch::testing
 
 #endif

@@ -3,20 +3,17 @@
 // What is picked: points against closed forms, cells against a search of their own.
 #include "CutScene.h"
 #include "CutWay.h"
-#include "GridBlocks.h"
 #include "PickScene.h"
 #include "Twin.h"
 
 #include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkObjectFactory.h"
 #include "vtkTransform.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <iostream>
-#include <memory>
 
 namespace
 {
@@ -24,23 +21,12 @@ using namespace tetmarch::testing;
 
 constexpr Vec3 Low{ 0.0, 0.0, 0.0 };
 constexpr Vec3 High{ 1.0, 1.0, 1.0 };
-constexpr double Opacity = 0.6;
-constexpr double UnitDistance = 0.25;
-constexpr double Extinction = Opacity / UnitDistance;
+constexpr double UnitDistance = Even::UnitDistance;
+constexpr double Extinction = Even::Opacity / UnitDistance;
 
 double distance(const Vec3& a, const Vec3& b)
 {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
-// The unit cube, of the same extinction everywhere.
-std::unique_ptr<PickScene> evenScene(vtkUnstructuredGrid* grid)
-{
-  auto scene = std::make_unique<PickScene>(grid);
-  setPlainFunctions(scene->property(), { { 1.0, 0.8, 0.6 } }, Opacity);
-  scene->property()->SetScalarOpacityUnitDistance(UnitDistance);
-  scene->Window->Render();
-  return scene;
 }
 
 // Of the threshold's point, from where the line comes into the cube or begins in it; false if it
@@ -224,7 +210,7 @@ TEST(Picking, ThresholdsAtTheEnds)
   const auto line = scene->lineOf(SceneSize / 2, SceneSize / 2);
   const double begin = distance(expectedOn(line, 0.0).Position, line.Near);
   EXPECT_NEAR(distance(scene->pickedPosition(), line.Near) - begin,
-    std::log(double(1 << 24)) * 0.02 / Opacity, 1e-4);
+    std::log(double(1 << 24)) * 0.02 / Even::Opacity, 1e-4);
 }
 
 // The cell of the input around the point, and the scalar there.
@@ -383,130 +369,6 @@ TEST(Picking, AMovedVolume)
   Vec3 moved{};
   place->TransformPoint(before.data(), moved.data());
   EXPECT_LE(distance(scene->pickedPosition(), moved), 1e-4);
-}
-
-// As ParaView's volumes, which choose a level of detail and have another volume draw it.
-class DelegatingVolume : public vtkVolume
-{
-public:
-  static DelegatingVolume* New();
-  vtkTypeMacro(DelegatingVolume, vtkVolume);
-
-  int RenderVolumetricGeometry(vtkViewport* viewport) override
-  {
-    this->Delegate->SetMapper(this->GetMapper());
-    this->Delegate->SetProperty(this->GetProperty());
-    this->Delegate->SetUserMatrix(this->GetMatrix());
-    return this->Delegate->RenderVolumetricGeometry(viewport);
-  }
-
-private:
-  vtkNew<vtkVolume> Delegate;
-};
-vtkStandardNewMacro(DelegatingVolume);
-
-TEST(Picking, AVolumeThatAnotherOneDraws)
-{
-  auto scene = evenScene(jitteredLattice(5));
-  scene->Volume->SetPosition(0.02, -0.03, 0.01);
-  ASSERT_TRUE(scene->pick(70, 85));
-  const Vec3 position = scene->pickedPosition();
-  const double scalar = scene->Mapper->GetPickedScalar();
-  ASSERT_TRUE(scene->pick(90, 60)); // nothing is left of the pick before
-  vtkNew<DelegatingVolume> volume;
-  volume->SetMapper(scene->Mapper);
-  volume->SetProperty(scene->property());
-  volume->SetPosition(scene->Volume->GetPosition());
-  scene->Renderer->RemoveVolume(scene->Volume);
-  scene->Renderer->AddVolume(volume);
-  ASSERT_TRUE(scene->Mapper->Pick(scene->Renderer, volume, 70, 85));
-  EXPECT_EQ(scene->pickedPosition(), position);
-  EXPECT_EQ(scene->Mapper->GetPickedScalar(), scalar);
-}
-
-// Where one mapper draws two volumes, the point is of the one that is asked for.
-TEST(Picking, OneMapperOfTwoVolumes)
-{
-  auto scene = evenScene(jitteredLattice(5));
-  ASSERT_TRUE(scene->pick(70, 85));
-  const Vec3 position = scene->pickedPosition();
-  const auto line = scene->lineOf(70, 85);
-  vtkNew<vtkVolume> behind;
-  behind->SetMapper(scene->Mapper);
-  behind->SetProperty(scene->property());
-  behind->SetPosition(line.Direction[0], line.Direction[1], line.Direction[2]);
-  scene->Renderer->AddVolume(behind);
-  ASSERT_TRUE(scene->pick(70, 85));
-  EXPECT_EQ(scene->pickedPosition(), position);
-  EXPECT_FALSE(scene->Mapper->Pick(scene->Renderer, behind, 70, 85));
-}
-
-// Cells are told by block, and are those of the whole.
-TEST(Picking, CellsOfBlocks)
-{
-  const Grid grid = jitteredLattice(5, 0.15, 1, sineField());
-  PickScene whole(grid);
-  whole.property()->SetScalarOpacityUnitDistance(0.1);
-  const auto parts = cutIntoBlocks(grid, partsOfUnitCube(8));
-  PickScene scene(grid);
-  scene.property()->SetScalarOpacityUnitDistance(0.1);
-  // One level deeper than a single one, between others that hold nothing.
-  vtkNew<vtkMultiBlockDataSet> tree;
-  tree->SetBlock(1, blocks(parts));
-  tree->SetNumberOfBlocks(3);
-  scene.Mapper->SetInputDataObject(tree);
-  constexpr unsigned int FirstBlock = 3; // the root is 0, its empty child 1, the inner tree 2
-
-  const auto centreOf = [](vtkUnstructuredGrid* of, vtkIdType cell)
-  {
-    const double* box = of->GetCell(cell)->GetBounds();
-    return Vec3{ box[0] + box[1], box[2] + box[3], box[4] + box[5] };
-  };
-  std::set<unsigned int> picked;
-  for (int y = 3; y < SceneSize; y += 9)
-  {
-    for (int x = 4; x < SceneSize; x += 11)
-    {
-      const bool hit = whole.pick(x, y);
-      ASSERT_EQ(scene.pick(x, y), hit);
-      EXPECT_EQ(whole.Mapper->GetPickedBlock(), 0u);
-      if (hit)
-      {
-        const unsigned int block = scene.Mapper->GetPickedBlock() - FirstBlock;
-        ASSERT_LT(block, parts.size());
-        picked.insert(block);
-        ASSERT_LT(scene.Mapper->GetPickedCellId(), parts[block]->GetNumberOfCells());
-        EXPECT_EQ(centreOf(parts[block], scene.Mapper->GetPickedCellId()),
-          centreOf(grid, whole.Mapper->GetPickedCellId()));
-      }
-    }
-  }
-  EXPECT_GT(picked.size(), 3u);
-
-  std::multiset<Vec3> expected;
-  const auto selected = whole.selectAll();
-  for (const vtkIdType cell : selected.at(whole.Volume))
-  {
-    expected.insert(centreOf(grid, cell));
-  }
-  std::multiset<Vec3> found;
-  for (const auto& [block, cells] : scene.selectAllInBlocks())
-  {
-    for (const vtkIdType cell : cells)
-    {
-      found.insert(centreOf(parts.at(block - FirstBlock), cell));
-    }
-  }
-  EXPECT_EQ(found, expected);
-
-  // Blocks that move to another place in the tree keep their cells, not their number.
-  tree->SetBlock(0, tree->GetBlock(1));
-  tree->SetBlock(1, nullptr);
-  ASSERT_TRUE(scene.pick(70, 85));
-  const unsigned int moved = scene.Mapper->GetPickedBlock();
-  scene.Mapper->SetInputDataObject(blocks(parts));
-  ASSERT_TRUE(scene.pick(70, 85));
-  EXPECT_EQ(scene.Mapper->GetPickedBlock() + 1, moved);
 }
 
 // The frame of before is neither needed nor asked.

@@ -269,7 +269,6 @@ TEST(Blend, NoSurfaceAcrossAGap)
   const auto expectNothing = [](const Grid& grid)
   {
     BlendedRays points(grid);
-    points.OnlyGeneric = true;
     points.useSurfaces({ 0.5 });
     expectRays<IsosurfacePointKernel<double>, double>(points, AlongX,
       [](const Chord&, Rgba& known)
@@ -278,7 +277,6 @@ TEST(Blend, NoSurfaceAcrossAGap)
         return true;
       });
     BlendedRays cells(grid, true);
-    cells.OnlyGeneric = true;
     cells.useSurfaces({ 0.5 });
     expectRays<IsosurfaceCellKernel<double>, double>(cells, AlongX,
       [](const Chord&, Rgba& known)
@@ -311,7 +309,6 @@ TEST(Blend, ScalarsThatAreNotFiniteDoNotCount)
     values->SetComponent(i, 0, x > 0.6 && x < 0.9 ? std::nan("") : x);
   }
   BlendedRays rays(grid);
-  rays.OnlyGeneric = true;
   rays.use(BlendMode::Maximum);
   expectRays<ExtremePointKernel<double>, double>(rays, AlongX,
     [](const Chord& c, Rgba& known)

@@ -148,10 +148,6 @@ public:
     for (int i = 0; i < count; ++i)
     {
       const auto ray = rays.template next<Kernel, Real>(kernel, this->Mesh);
-      if (this->OnlyGeneric && rays.LastKind != RandomRays::Kind::Generic)
-      {
-        continue;
-      }
       const Chord inner = this->chordOf(ray, field, -1e-5), outer = this->chordOf(ray, field, 1e-5);
       if (inner.End - inner.Begin < 0.05 ||
           outer.End - outer.Begin > inner.End - inner.Begin + 0.01)
@@ -171,8 +167,6 @@ public:
     }
   }
 
-  /// Without rays through vertices and edges, where rounding tells no scalar that is not finite.
-  bool OnlyGeneric = false;
   TetMesh Mesh;
   std::vector<float> Scalars; // of cells
   ScalarRange Range;
