@@ -1,5 +1,6 @@
 // The picture: one ray a pixel.
 #include "language.glsl"
+#include "helper.glsl"
 
 //VTK::Output::Dec
 #if TETMARCH_PEELED

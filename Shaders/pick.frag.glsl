@@ -1,6 +1,7 @@
 // Where the ray of each pixel is picked. Pixels whose ray is not keep what they have.
 #define TETMARCH_PICKED 1
 #include "language.glsl"
+#include "helper.glsl"
 
 //VTK::Output::Dec
 

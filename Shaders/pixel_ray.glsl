@@ -77,9 +77,13 @@ bool isBesideEntry(ivec2 pixel)
 #endif
 #endif
 
-// Discards the pixels beside the mesh, and those whose ray is clipped away.
+// Discards helpers, the pixels beside the mesh, and those whose ray is clipped away.
 PixelRay pixelRay()
 {
+  if (IS_HELPER)
+  {
+    discard;
+  }
   PixelRay found;
   ivec2 pixel = ivec2(gl_FragCoord.xy - viewport.xy);
   found.at = pixel;

@@ -1,5 +1,6 @@
 // The shell of the mesh: by which boundary face a pixel's ray enters, or where in that face.
 #include "language.glsl"
+#include "helper.glsl"
 
 //VTK::Output::Dec
 

@@ -1,5 +1,6 @@
 // A pixel a vertex: how much light comes to it.
 #include "language.glsl"
+#include "helper.glsl"
 
 //VTK::Output::Dec
 
@@ -19,7 +20,7 @@ uniform int vertexCount;
 void main()
 {
   uint vertex = vertexOfTexel(uvec2(gl_FragCoord.xy));
-  if (vertex >= uint(vertexCount))
+  if (IS_HELPER || vertex >= uint(vertexCount))
   {
     discard;
   }
