@@ -41,7 +41,8 @@ void setFunctions(vtkVolumeProperty* property, double low, double high, double g
 vtkSmartPointer<vtkGPUVolumeRayCastMapper> makeImageMapper(vtkImageData* image, double step);
 
 /// Where vtkGPUVolumeRayCastMapper must be told that a plane is for it to cut at a point: VTK 9.1
-/// looks for planes in its texture, which is larger than the image by half a voxel on each side.
+/// looks for planes in its texture, which is larger than the image by half a voxel on each side;
+/// from 9.4 on for those of the cropping box only.
 Vec3 forImageMapper(vtkImageData* image, const Vec3& point);
 
 /// The frame with another mapper in the place of the scene's own.

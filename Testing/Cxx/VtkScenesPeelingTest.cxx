@@ -14,6 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkPointDataToCellData.h"
 #include "vtkProperty.h"
+#include "vtkVersionMacros.h"
 
 namespace
 {
@@ -108,6 +109,9 @@ TEST_F(PeeledScene, InvisibleSurfaces)
   expectSame(this->Shown.frame(), alone, 5.0 / 255.0);
 }
 
+// The image mapper cuts where clipping planes are; see forImageMapper().
+constexpr bool PlanesAreCut = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0);
+
 TEST_F(PeeledScene, ByAPlaneAndInABox)
 {
   this->addBalls(0.3, 0.3);
@@ -129,7 +133,8 @@ TEST_F(PeeledScene, ByAPlaneAndInABox)
     side->SetNormal(-n[0], -n[1], -n[2]);
     moved->SetNormal(side->GetNormal());
     const double* o = side->GetOrigin();
-    moved->SetOrigin(forImageMapper(this->Shell, { o[0], o[1], o[2] }).data());
+    const Vec3 at{ o[0], o[1], o[2] };
+    moved->SetOrigin((PlanesAreCut ? at : forImageMapper(this->Shell, at)).data());
     ours->AddItem(side);
     rivals->AddItem(moved);
   }
