@@ -37,8 +37,7 @@ protected:
   {
     const Image drawn = this->Shown.render();
     const double* at = this->Shown.Volume->GetPosition();
-    expectCube(
-      drawn, this->camera(), { at[0], at[1], at[2] }, Extinction, Side * Side / 8, what);
+    expectCube(drawn, this->camera(), { at[0], at[1], at[2] }, Extinction, Side * Side / 8, what);
     EXPECT_EQ(this->Shown.Mapper->GetNumberOfLostRays(), 0) << what;
   }
 
@@ -72,8 +71,8 @@ TEST_F(LinesOfSight, OfBothEyesInsideTheMesh)
   this->expectClosedFormOfBothEyes("inside");
 }
 
-// VTK has the screen in the coordinates of the camera, from 9.4 on in those of the world and the head
-// in their origin: here they are one.
+// VTK has the screen in the coordinates of the camera, from 9.4 on in those of the world and the
+// head in their origin: here they are one.
 TEST_F(LinesOfSight, OfBothEyesBeforeAScreen)
 {
   vtkCamera* camera = this->camera();
