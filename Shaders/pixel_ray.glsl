@@ -80,10 +80,6 @@ bool isBesideEntry(ivec2 pixel)
 // Discards helpers, the pixels beside the mesh, and those whose ray is clipped away.
 PixelRay pixelRay()
 {
-  if (IS_HELPER)
-  {
-    discard;
-  }
   PixelRay found;
   ivec2 pixel = ivec2(gl_FragCoord.xy - viewport.xy);
   found.at = pixel;
@@ -98,12 +94,12 @@ PixelRay pixelRay()
 #if TETMARCH_BVH
   // A search then finds where it does; also where the rasteriser lost a needle and left a hole, and where it
   // extrapolates beyond one that it sees edge-on.
-  if (firstFace < 0 && !isBesideEntry(pixel))
+  if (IS_HELPER || (firstFace < 0 && !isBesideEntry(pixel)))
   {
     discard;
   }
 #else
-  if (firstFace < 0)
+  if (IS_HELPER || firstFace < 0)
   {
     discard;
   }
@@ -135,6 +131,10 @@ PixelRay pixelRay()
   } while (refused && least < 1e5);
 #endif
 #else
+  if (IS_HELPER)
+  {
+    discard;
+  }
   int firstFace = -1;
   vec3 point = rayPoint();
   Ray ray = rayThrough(point, normalize(point * eye.w - eye.xyz));

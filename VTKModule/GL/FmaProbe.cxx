@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/FmaProbe.h"
 
+#include "GL/Driver.h"
 #include "GL/FloatTarget.h"
 #include "GL/ShaderDraw.h"
 #include "GL/StateScope.h"
@@ -9,29 +10,8 @@
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkShaderProgram.h"
 
-#include <cstring>
-
 namespace tetmarch
 {
-namespace
-{
-
-bool hasExtension(const char* name)
-{
-  int count = 0;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-  for (int i = 0; i < count; ++i)
-  {
-    const auto* extension = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
-    if (extension && std::strcmp(extension, name) == 0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-} // namespace
 
 bool hasFusedMultiplyAdd(vtkOpenGLRenderWindow* window)
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/ShaderDraw.h"
 
+#include "GL/Driver.h"
 #include "GL/PeelHooks.h"
 #include "Scene/ShaderSource.h"
 
@@ -67,8 +68,9 @@ vtkShaderProgram* ShaderDraw::use(vtkOpenGLRenderWindow* window, const std::stri
     owned.back()->SetType(static_cast<vtkShader::Type>(type));
     shaders[static_cast<vtkShader::Type>(type)] = owned.back();
   }
-  std::string vertexText = shaderSource(vertexFile, defines);
-  std::string fragmentText = shaderSource(fragmentFile, defines);
+  const std::string allDefines = defines + driverDefines();
+  std::string vertexText = shaderSource(vertexFile, allDefines);
+  std::string fragmentText = shaderSource(fragmentFile, allDefines);
   if (hooks)
   {
     hooks->edit(vertexText, fragmentText);
