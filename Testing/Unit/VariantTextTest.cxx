@@ -192,6 +192,20 @@ TEST_F(VariantText, TablesAreOfWordsThatThereAre)
   EXPECT_EQ(this->Unused, this->MayBeUnused);
 }
 
+// In all that march, and only where the driver needs it.
+TEST(ShaderFiles, KeepHelpersOutOfLoops)
+{
+  const std::string defines = VariantKey().defines();
+  for (const char* file :
+    { "march.frag.glsl", "pick.frag.glsl", "shell.frag.glsl", "vertex_light.frag.glsl" })
+  {
+    const std::string text = shaderSource(file, defines + "#define TETMARCH_SKIPS_HELPERS 1\n");
+    EXPECT_NE(text.find("#define IS_HELPER gl_HelperInvocation"), std::string::npos) << file;
+    EXPECT_NE(text.find("if (IS_HELPER"), std::string::npos) << file;
+    EXPECT_EQ(shaderSource(file, defines).find("gl_HelperInvocation"), std::string::npos) << file;
+  }
+}
+
 // A symbol that no key has and no file defines would be taken for 0.
 TEST(ShaderFiles, HaveConditionsOfKnownSymbols)
 {
