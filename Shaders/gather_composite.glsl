@@ -19,7 +19,10 @@ int gatherPiece(Piece piece, real opticalLength, INOUT(Passage) cell, INOUT(Radi
   real tableBegin = piece.begin.y * tableScale + tableOffset;
 #if TETMARCH_POINT_SCALARS
   real tableEnd = piece.end.y * tableScale + tableOffset;
-#if TETMARCH_EFFECTS
+#if TETMARCH_EFFECTS && TETMARCH_DEPENDENT
+  return integrateSegment(tableBegin, tableEnd, thickness, piece.furtherBegin, piece.furtherEnd,
+    cell.shades, cell.at, radiance);
+#elif TETMARCH_EFFECTS
   return integrateSegment(tableBegin, tableEnd, thickness, cell.shades, cell.at, radiance);
 #elif TETMARCH_DEPENDENT
   return integrateSegment(
@@ -28,7 +31,9 @@ int gatherPiece(Piece piece, real opticalLength, INOUT(Passage) cell, INOUT(Radi
   return integrateSegment(tableBegin, tableEnd, thickness, cell.at, radiance);
 #endif
 #else
-#if TETMARCH_EFFECTS
+#if TETMARCH_EFFECTS && TETMARCH_DEPENDENT
+  integrateConstant(tableBegin, thickness, piece.furtherBegin, cell.shades, radiance);
+#elif TETMARCH_EFFECTS
   integrateConstant(tableBegin, thickness, cell.shades, radiance);
 #elif TETMARCH_DEPENDENT
   integrateConstant(tableBegin, thickness, piece.furtherBegin, radiance);

@@ -1,6 +1,9 @@
 // Emission and absorption along a ray segment in which the scalar is constant: exact in closed form, but for light that
 // changes along it.
-#if TETMARCH_EFFECTS
+#if TETMARCH_EFFECTS && TETMARCH_DEPENDENT
+void integrateConstant(
+  real tablePosition, real opticalLength, vec3 further, CellShades shades, INOUT(Radiance) radiance)
+#elif TETMARCH_EFFECTS
 void integrateConstant(
   real tablePosition, real opticalLength, CellShades shades, INOUT(Radiance) radiance)
 #elif TETMARCH_INDEPENDENT

@@ -18,7 +18,10 @@ real pieceError(TablePoint p, TablePoint q, real depth)
 // last end, which is mostly this begin; where it isn't, the first trial only reads the table there. Returns
 // the number of trials. The body stands at the end of one loop that mostly runs once: an `if` costs a
 // software renderer as much as both its branches.
-#if TETMARCH_EFFECTS
+#if TETMARCH_EFFECTS && TETMARCH_DEPENDENT
+int integrateSegment(real begin, real end, real opticalLength, vec3 furtherBegin, vec3 furtherEnd,
+  CellShades shades, INOUT(TablePoint) at, INOUT(Radiance) radiance)
+#elif TETMARCH_EFFECTS
 int integrateSegment(real begin, real end, real opticalLength, CellShades shades, INOUT(TablePoint) at,
   INOUT(Radiance) radiance)
 #elif TETMARCH_INDEPENDENT

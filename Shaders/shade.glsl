@@ -138,7 +138,9 @@ Shade shadeAtFace(Ray ray, FacePoint point)
 // Where the ray comes in, at a point (depth, scalar) of the face.
 CellShades beginShades(Ray ray, INOUT(Crossing) face, vec2 enter)
 {
-#if TETMARCH_VERTEX_GRADIENTS || TETMARCH_VERTEX_LIGHT
+#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
+  // beginPassage() has fetched what is at the corners.
+#elif TETMARCH_VERTEX_GRADIENTS || TETMARCH_VERTEX_LIGHT
   fetchCorners(face);
 #endif
   CellShades shades;

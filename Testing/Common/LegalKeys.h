@@ -104,7 +104,7 @@ inline std::vector<VariantKey> legalKeys()
     {
       key.Extreme = key.Sum = key.Isosurfaces = false;
     }
-    if (i % 4 != 1) // else most keys would have no light
+    if (i % 4 != 1) // else seven of eight would have several scalars
     {
       key.Independent = key.ColorAndOpacity = key.DirectColor = false;
     }

@@ -34,13 +34,13 @@ bool isSensible(const VariantKey& k)
                                  k.NanShown || k.GradientOpacity || k.Scattering || k.CastShadows ||
                                  k.HeadlightShadows || k.Occlusion)) &&
          !((k.Extreme || k.Sum) && (k.Shading || k.ShowIllumination || k.ShowGradients)) &&
-         // Several scalars are mixed in one way, where there is a volume of several colours, in no
-         // light; and cells that one doesn't show another may.
+         // Several scalars are mixed in one way, where there is a volume of several colours;
+         // independent ones in no light, and cells that one of them doesn't show another may.
          k.Independent + k.ColorAndOpacity + k.DirectColor <= 1 &&
          !((k.Independent || k.ColorAndOpacity || k.DirectColor) &&
-           (!k.isComposite() || k.ConstantColor || k.GradientOpacity || k.Shading ||
-             k.ShowIllumination || k.ShowGradients)) &&
-         !(k.Independent && k.TransparentRanges) &&
+           (!k.isComposite() || k.ConstantColor)) &&
+         !(k.Independent && (k.TransparentRanges || k.GradientOpacity || k.Shading ||
+                              k.ShowIllumination || k.ShowGradients)) &&
          // What is constant is integrated exactly, and has no gradient in a cell.
          !(!k.PointScalars && (k.Adaptive || k.CellGradients)) &&
          !(k.ConstantColor && k.Adaptive) &&

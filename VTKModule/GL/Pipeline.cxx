@@ -209,12 +209,12 @@ bool Pipeline::updateEffects(vtkRenderer* renderer, vtkVolume* volume, const Eff
   input.Which.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
   std::string error = this->Effects.update(renderer, volume, options, input);
   const bool lit = options.Shown != Subject::Picture || !this->Effects.data().empty();
-  if (error.empty() && lit && !this->Parts.isSingle())
+  if (error.empty() && lit && this->Parts.isIndependent())
   {
     this->Effects.clear();
-    error = "Several components are drawn together without light and gradients, but shading "
-            "(vtkVolumeProperty::ShadeOn()), gradient opacity or a view of them is on. Switch that "
-            "off, or choose one component by VectorMode.";
+    error = "Several independent components are drawn together without light and gradients, but "
+            "shading (vtkVolumeProperty::ShadeOn()), gradient opacity or a view of them is on. "
+            "Switch that off, or choose one component by VectorMode.";
   }
   return error.empty() || this->fail(error);
 }

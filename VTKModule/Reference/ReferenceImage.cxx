@@ -4,50 +4,27 @@
 
 #include "BlendImage.h"
 #include "ComponentImage.h"
-#include "ImageMaker.h"
-#include "LitKernel.h"
-#include "VolumeLight.h"
+#include "LitComponentImage.h"
+#include "LitImageMaker.h"
 
 namespace tetmarch
 {
 namespace
 {
 
-template <typename Kernel, typename Real>
-ReferenceImage makeLit(const ReferenceScene& scene, const AccuracyLevel& level)
-{
-  ImageMaker<Kernel, Real> maker(scene, level);
-  Kernel& kernel = maker.kernel();
-  kernel.useEffects(*scene.Effects);
-  const bool throughVolume = scene.Effects->Lights.hasVolumeLight();
-  std::unique_ptr<IncomingLight<Real>> exact;
-  std::vector<Real> atVertices;
-  if (throughVolume && scene.ExactLight)
-  {
-    exact = exactLight<Real>(scene);
-  }
-  else if (throughVolume)
-  {
-    atVertices = lightAtVertices<Real>(scene);
-  }
-  kernel.Incoming = exact.get();
-  kernel.VertexLight = atVertices.empty() ? nullptr : atVertices.data();
-  return maker.make();
-}
-
 template <typename Real>
 ReferenceImage renderLit(const ReferenceScene& scene, const AccuracyLevel& level)
 {
   if (scene.CellScalars)
   {
-    return makeLit<LitCellKernel<Real>, Real>(scene, level);
+    return LitImageMaker<LitCellKernel<Real>, Real>(scene, level).make();
   }
   if (scene.Effects->CellGradients)
   {
-    return makeLit<LitCellGradientKernel<Real>, Real>(scene, level);
+    return LitImageMaker<LitCellGradientKernel<Real>, Real>(scene, level).make();
   }
-  return level.Adaptive ? makeLit<LitPointKernel<Real>, Real>(scene, level)
-                        : makeLit<LitFastPointKernel<Real>, Real>(scene, level);
+  return level.Adaptive ? LitImageMaker<LitPointKernel<Real>, Real>(scene, level).make()
+                        : LitImageMaker<LitFastPointKernel<Real>, Real>(scene, level).make();
 }
 
 } // namespace
@@ -59,11 +36,12 @@ ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel&
   {
     return renderBlended<Real>(scene, level);
   }
+  const bool lit = scene.Effects && !scene.Effects->empty();
   if (scene.Parts && !scene.Parts->isSingle())
   {
-    return renderComponents<Real>(scene, level);
+    return lit ? renderLitComponents<Real>(scene, level) : renderComponents<Real>(scene, level);
   }
-  if (scene.Effects && !scene.Effects->empty())
+  if (lit)
   {
     return renderLit<Real>(scene, level);
   }

@@ -38,7 +38,7 @@ struct ReferenceScene
   Clipping Cut;                        // nothing unless said
   const EffectData* Effects = nullptr;
   const Blending* Blend = nullptr;   // nullptr: composite; else the table is that of blendedTable()
-  const Components* Parts = nullptr; // nullptr or single: one scalar; else without effects
+  const Components* Parts = nullptr; // nullptr or single: one scalar; independent: without effects
   /** Light that comes through the volume is looked for wherever a ray crosses a face, by brute
    * force; else interpolated between vertices as in the picture. */
   bool ExactLight = true;

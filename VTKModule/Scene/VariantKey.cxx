@@ -114,21 +114,21 @@ void VariantKey::dropWhatIsNotBlended()
   }
 }
 
-// Of several scalars neither gradients nor light are known; their colours are where the tables of
-// one don't tell.
+// Independent scalars have a gradient each, of which none is the volume's; the colours of several
+// are where the table of one doesn't tell.
 void VariantKey::dropWhatComponentsLack()
 {
   this->ColorAndOpacity = this->ColorAndOpacity && !this->Independent;
   this->DirectColor = this->DirectColor && !this->Independent && !this->ColorAndOpacity;
-  if (this->hasComponents())
+  this->ConstantColor = this->ConstantColor && !this->hasComponents();
+  if (this->Independent)
   {
-    this->ConstantColor = false;
+    this->TransparentRanges = false;
     this->GradientOpacity = false;
     this->Shading = false;
     this->ShowIllumination = false;
     this->ShowGradients = false;
   }
-  this->TransparentRanges = this->TransparentRanges && !this->Independent;
 }
 
 VariantKey VariantKey::ofVertexLight() const
