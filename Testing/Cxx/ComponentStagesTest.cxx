@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <iostream>
 
 namespace
 {
@@ -168,6 +169,27 @@ TEST(ComponentStages, TheReferenceIsOfAllComponents)
   }
 }
 
+// Light that changes along pieces is bounded, too, but kept by no tolerance.
+TEST(ComponentStages, TheReferenceIsInTheSameLight)
+{
+  for (const Mix& mix : { Mixes[3], Mixes[4] })
+  {
+    ComponentScene scene(lattice(), mix, Side, Side);
+    scene.property()->ShadeOn();
+    scene.Mapper->SetShadowMethodToOff();
+    const Image lit = scene.render();
+    ASSERT_TRUE(scene.Mapper->CompareWithReference(scene.Volume));
+    const auto* statistics = scene.Mapper->GetLastFrameStatistics();
+    const double worst = statistics->GetMaximum(vtkTetMarchFrameStatistics::TRUE_ERROR);
+    const double bound = statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND);
+    std::cout << "[ MEASURED ] true error " << 255 * worst << "/255, bound " << 255 * bound
+              << "/255\n";
+    EXPECT_LE(statistics->GetMean(vtkTetMarchFrameStatistics::TRUE_ERROR), 1.0 / 255.0) << mix.Name;
+    EXPECT_LE(worst, bound) << mix.Name;
+    EXPECT_GT(bound, 1.0 / 255.0) << mix.Name;
+  }
+}
+
 class ComponentErrors : public ::testing::Test
 {
 protected:
@@ -218,7 +240,7 @@ TEST_F(ComponentErrors, OtherBlendModes)
 TEST_F(ComponentErrors, LightAndGradients)
 {
   this->Shown.property()->ShadeOn();
-  this->expectError("without light");
+  this->expectError("independent components are drawn together without light");
   this->Shown.property()->ShadeOff();
   this->expectMended();
   for (const int view : { Mapper::VIEW_GRADIENTS, Mapper::VIEW_ILLUMINATION })
@@ -235,6 +257,55 @@ TEST_F(ComponentErrors, LightAndGradients)
   this->expectMended();
 }
 
+// What dependent ones are drawn with is an error with independent ones.
+TEST(ComponentStages, LightIsThereAsLongAsItIsAskedFor)
+{
+  ComponentScene scene(lattice(), { "", 4, false }, Side, Side);
+  const ErrorWatch watch(scene.Mapper);
+  const Image unlit = scene.render();
+  const Held plain(scene);
+  scene.property()->ShadeOn();
+  const Image lit = scene.render();
+  EXPECT_TRUE(watch.Errors.empty());
+  EXPECT_GT(compare(lit, unlit).Max, 0.1);
+  EXPECT_GT(Held(scene).Bytes, plain.Bytes);
+  scene.property()->IndependentComponentsOn();
+  scene.Mapper->SetVectorModeToAllComponents();
+  scene.Window->Render();
+  EXPECT_EQ(watch.Errors.size(), 1u);
+  scene.property()->IndependentComponentsOff();
+  EXPECT_EQ(scene.render().Rgba, lit.Rgba);
+  scene.property()->ShadeOff();
+  EXPECT_EQ(scene.render().Rgba, unlit.Rgba);
+  EXPECT_TRUE(Held(scene) == plain);
+  EXPECT_EQ(watch.Errors.size(), 1u);
+}
+
+// Another component may change as it likes.
+TEST(ComponentStages, GradientsFollowTheComponentOfTheOpacity)
+{
+  for (const Mix& mix : { Mixes[3], Mixes[4] })
+  {
+    const Grid grid = lattice();
+    ComponentScene scene(grid, mix, Side, Side);
+    scene.Mapper->SetViewModeToGradients();
+    const Image before = scene.render();
+    vtkDataArray* array = grid->GetPointData()->GetScalars();
+    const auto reverse = [&](int component)
+    {
+      for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+      {
+        array->SetComponent(i, component, 1.0 - array->GetComponent(i, component));
+      }
+      array->Modified();
+    };
+    reverse(0);
+    EXPECT_EQ(compare(scene.render(), before).Max, 0.0) << mix.Name;
+    reverse(mix.Components - 1);
+    EXPECT_GT(compare(scene.render(), before).Max, 0.1) << mix.Name;
+  }
+}
+
 TEST_F(ComponentErrors, NumbersOfComponents)
 {
   this->Shown.property()->IndependentComponentsOff();
@@ -245,6 +316,32 @@ TEST_F(ComponentErrors, NumbersOfComponents)
   this->expectError("of component 1 is -1");
   this->Shown.property()->SetScalarOpacityUnitDistance(1, 0.375);
   this->expectMended();
+}
+
+// The component of the opacity is picked, through its gradient opacity.
+TEST(ComponentPick, GoesByTheGradientOfTheOpacity)
+{
+  for (const Mix& mix : { Mixes[3], Mixes[4] })
+  {
+    PickScene scene(withComponents(lattice(), wavyFields(mix.Components), VTK_DOUBLE), Side, Side);
+    drawComponents(scene, mix);
+    const int at = Side / 2;
+    const auto pick = [&]
+    {
+      scene.render();
+      EXPECT_TRUE(scene.pick(at, at)) << mix.Name;
+      return scene.pickedPosition();
+    };
+    scene.property()->SetScalarOpacityUnitDistance(0.01);
+    const Vec3 even = pick();
+    setGradientOpacity(scene.property());
+    const Vec3 together = pick();
+    scene.Mapper->SetVectorModeToComponent();
+    scene.Mapper->SetVectorComponent(mix.Components - 1);
+    const Vec3 alone = pick();
+    EXPECT_EQ(together, alone) << mix.Name;
+    EXPECT_NE(together, even) << mix.Name;
+  }
 }
 
 // Everywhere the same: half of the light is gone where the extinctions together say so.

@@ -242,12 +242,12 @@ TEST_F(Peeling, InLight)
   }
 }
 
-// Several components are drawn without light.
+// Independent components are drawn without light.
 void drawMix(BlendScene& scene, const Mix& mix)
 {
   withComponents(scene.Data, wavyFields(mix.Components), VTK_DOUBLE);
   drawComponents(scene, mix);
-  scene.property()->ShadeOff();
+  scene.property()->SetShade(!mix.Independent);
 }
 
 // Whatever is drawn of the volume, before and behind a surface it is what a clipping plane in the
