@@ -215,17 +215,24 @@ TEST_P(LitComponentParity, LightThroughTheVolume)
 // Light that is looked for here and there along rays, against what is looked for everywhere.
 TEST_P(LitComponentParity, ShadowsAlongRays)
 {
-  LitComponentScene scene(GetParam(), 5, 64);
-  scene.addSun();
-  const Image without = scene.render();
-  scene.Mapper->SetShadowMethodToAlongRays();
-  const Image drawn = scene.render();
-  const Difference difference = compare(drawn,
-    twinOf(scene, {}, Precision::Double, LightFrom::Everywhere).Picture, regionsOf(scene).Inside);
-  std::cout << "[ MEASURED ] " << difference.text() << '\n';
-  EXPECT_GT(difference.Pixels, 200u);
-  EXPECT_LE(difference.Rms, 1.5 / 255.0);
-  EXPECT_GT(compare(drawn, without).Max, 0.02);
+  for (const bool cells : { false, true })
+  {
+    LitComponentScene scene(GetParam(), 5, 64);
+    if (cells)
+    {
+      scene.drawCells();
+    }
+    scene.addSun();
+    const Image without = scene.render();
+    scene.Mapper->SetShadowMethodToAlongRays();
+    const Image drawn = scene.render();
+    const Difference difference = compare(drawn,
+      twinOf(scene, {}, Precision::Double, LightFrom::Everywhere).Picture, regionsOf(scene).Inside);
+    std::cout << "[ MEASURED ] " << difference.text() << '\n';
+    EXPECT_GT(difference.Pixels, 200u);
+    EXPECT_LE(difference.Rms, 1.5 / 255.0);
+    EXPECT_GT(compare(drawn, without).Max, 0.02);
+  }
 }
 
 TEST_P(LitComponentParity, ClippedCroppedAndWithGaps)
