@@ -13,16 +13,6 @@ namespace
 {
 using namespace tetmarch::testing;
 
-vtkSmartPointer<vtkLight> addLight(Scene& scene, double x, double y, double z)
-{
-  auto light = vtkSmartPointer<vtkLight>::New();
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(x, y, z);
-  light->SetFocalPoint(0.5, 0.5, 0.5);
-  scene.Renderer->AddLight(light);
-  return light;
-}
-
 // The bumpy functions, shaded by all of the property's numbers.
 class LightParity : public testing::Test
 {
@@ -30,12 +20,7 @@ protected:
   void use(vtkUnstructuredGrid* grid)
   {
     this->Shown = std::make_unique<Scene>(grid);
-    vtkVolumeProperty* property = this->Shown->property();
-    property->ShadeOn();
-    property->SetAmbient(0.25);
-    property->SetDiffuse(0.7);
-    property->SetSpecular(0.4);
-    property->SetSpecularPower(12.0);
+    setShading(this->Shown->property());
   }
   LightParity() { this->use(jitteredLattice(10, 0.15, 1, sineField())); }
   // A headlight, which is what there is if nobody has set a light, looks another way.

@@ -21,16 +21,6 @@ using Mapper = vtkTetMarchVolumeMapper;
 
 Grid lattice(int cubes = 10) { return jitteredLattice(cubes, 0.15, 1, sineField()); }
 
-vtkSmartPointer<vtkLight> addLight(Scene& scene, double x, double y, double z)
-{
-  auto light = vtkSmartPointer<vtkLight>::New();
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(x, y, z);
-  light->SetFocalPoint(0.5, 0.5, 0.5);
-  scene.Renderer->AddLight(light);
-  return light;
-}
-
 // Shaded by all of the property's numbers; the light is a headlight unless there is a sun.
 class LitComponentScene : public ComponentScene
 {
@@ -38,11 +28,7 @@ public:
   explicit LitComponentScene(const Mix& mix, int cubes = 10, int side = SceneSize)
     : ComponentScene(lattice(cubes), mix, side, side)
   {
-    this->property()->ShadeOn();
-    this->property()->SetAmbient(0.25);
-    this->property()->SetDiffuse(0.7);
-    this->property()->SetSpecular(0.4);
-    this->property()->SetSpecularPower(12.0);
+    setShading(this->property());
   }
   void addSun() { this->Sun = addLight(*this, 3.0, 4.0, 1.5); }
 

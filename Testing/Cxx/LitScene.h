@@ -24,11 +24,7 @@ public:
     this->Sun->SetPosition(3.0, 4.0, 1.5);
     this->Sun->SetFocalPoint(0.5, 0.5, 0.5);
     this->Renderer->AddLight(this->Sun);
-    this->property()->ShadeOn();
-    this->property()->SetAmbient(0.25);
-    this->property()->SetDiffuse(0.7);
-    this->property()->SetSpecular(0.4);
-    this->property()->SetSpecularPower(12.0);
+    setShading(this->property());
   }
 
   void addGradientOpacity() { setGradientOpacity(this->property()); }

@@ -94,6 +94,15 @@ void setGradientOpacity(vtkVolumeProperty* property)
   property->SetGradientOpacity(function);
 }
 
+void setShading(vtkVolumeProperty* property)
+{
+  property->ShadeOn();
+  property->SetAmbient(0.25);
+  property->SetDiffuse(0.7);
+  property->SetSpecular(0.4);
+  property->SetSpecularPower(12.0);
+}
+
 void setWakeFunctions(vtkVolumeProperty* property)
 {
   vtkNew<vtkColorTransferFunction> colour;
@@ -238,5 +247,15 @@ std::vector<float> Scene::windowDepths()
   vtkNew<vtkFloatArray> depths;
   this->Window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths);
   return { depths->GetPointer(0), depths->GetPointer(0) + depths->GetNumberOfTuples() };
+}
+
+vtkSmartPointer<vtkLight> addLight(Scene& scene, double x, double y, double z)
+{
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(0.5, 0.5, 0.5);
+  scene.Renderer->AddLight(light);
+  return light;
 }
 } // namespace tetmarch::testing

@@ -14,6 +14,7 @@
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderWindow.h"
@@ -44,6 +45,8 @@ void setWakeFunctions(vtkVolumeProperty* property);
 void setTwoPeaks(vtkVolumeProperty* property);
 /// Gradient opacity: thinner where the scalar changes little.
 void setGradientOpacity(vtkVolumeProperty* property);
+/// Shaded, none of the numbers of that as they are by default.
+void setShading(vtkVolumeProperty* property);
 /// One colour and one opacity whatever the scalar.
 void setPlainFunctions(
   vtkVolumeProperty* property, const std::array<double, 3>& colour, double opacity);
@@ -95,6 +98,9 @@ public:
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkTetMarchVolumeMapper> Mapper;
 };
+
+/// A light of the scene, from there to the middle of the unit cube.
+vtkSmartPointer<vtkLight> addLight(Scene& scene, double x, double y, double z);
 } // namespace tetmarch::testing
 
 #endif

@@ -3,7 +3,7 @@
 // What rays see of several components, against closed forms and a quadrature by VTK's own
 // functions; and that they keep the tolerance, by a bound that holds.
 #include "ClosedForms.h"
-#include "ComponentRays.h"
+#include "ErrorTally.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -13,56 +13,23 @@ namespace
 using namespace tetmarch;
 using namespace tetmarch::testing;
 
-double farthest(const Rgba& a, const Rgba& b)
-{
-  double most = 0;
-  for (int k = 0; k < 4; ++k)
-  {
-    most = std::max(most, std::abs(a[k] - b[k]));
-  }
-  return most;
-}
-
-struct Tally
-{
-  int Rays = 0;
-  double Worst = 0;       // error
-  double BeyondBound = 0; // error less its bound
-  double Bound = 0;       // mean
-  double Error = 0;       // mean
-};
-
 // Of all rays against the quadrature.
 template <typename Kernel, typename Real>
-Tally tallyOf(const ComponentRays& rays)
+ErrorTally tallyOf(const ComponentRays& rays)
 {
-  Tally tally;
+  ErrorTally tally;
   Kernel kernel = rays.kernel<Kernel, Real>();
   rays.Rays.forEachRay<Kernel, Real>(
     kernel, rays.Fields[0],
     [&](const typename Kernel::Ray& ray, const Chord& chord)
     {
-      const Real length = Real(chord.Optical / (chord.End - chord.Begin));
-      const auto march = kernel.castPlainRay(ray, -1, length, Real(chord.Begin), Real(chord.End));
-      const auto color = kernel.pixelOf(march.radiance, length);
-      const double error =
-        farthest({ { double(color.x), double(color.y), double(color.z), double(color.w) } },
-          rays.byQuadrature(ray, chord));
-      const double bound = double(kernel.errorBound(march.radiance));
-      ++tally.Rays;
-      tally.Worst = std::max(tally.Worst, error);
-      tally.BeyondBound = std::max(tally.BeyondBound, error - bound);
-      tally.Bound += bound;
-      tally.Error += error;
+      double bound = 0;
+      const Rgba seen = pixelOf(kernel, ray, chord, bound);
+      tally.add(seen, rays.byQuadrature(ray, chord), bound);
     },
     400);
-  tally.Bound /= tally.Rays;
-  tally.Error /= tally.Rays;
   return tally;
 }
-
-// What float tells of a ray, and what tables and the quadrature leave.
-constexpr double Rounding = 2e-5;
 
 template <template <typename> class Kernel>
 void expectTolerance(int components, bool independent)
@@ -75,7 +42,7 @@ void expectTolerance(int components, bool independent)
       AccuracyLevel level = levelOf(Accuracy::Default, tolerance);
       level.LeastTableEntries = 16384; // what is between entries is no part of the bound
       ASSERT_EQ(rays.use(level), "");
-      const Tally tally = tallyOf<Kernel<float>, float>(rays);
+      const ErrorTally tally = tallyOf<Kernel<float>, float>(rays);
       std::cout << "[ MEASURED ] " << components << " components, " << cubes << "^3 cubes, 1/"
                 << 1.0 / tolerance << ": worst " << tally.Worst / tolerance << " tolerances, bound "
                 << tally.Bound / tally.Error << " times the error\n";
@@ -84,7 +51,7 @@ void expectTolerance(int components, bool independent)
       EXPECT_LE(tally.BeyondBound, Rounding);
     }
     ASSERT_EQ(rays.use(YardstickAccuracy), "");
-    const Tally exact = tallyOf<Kernel<double>, double>(rays);
+    const ErrorTally exact = tallyOf<Kernel<double>, double>(rays);
     std::cout << "[ MEASURED ] in double: " << exact.Worst << '\n';
     EXPECT_LE(exact.Worst, 1e-5);
   }
@@ -114,7 +81,7 @@ TEST(ComponentMarch, DirectColorKeepsTheTolerance)
 // Pieces that are taken as they are promise nothing, but say by how much they may be off.
 TEST(ComponentMarch, BoundsOfWhatIsTakenAsItIs)
 {
-  const auto expectBound = [](const Tally& tally)
+  const auto expectBound = [](const ErrorTally& tally)
   {
     std::cout << "[ MEASURED ] fast: worst " << tally.Worst << ", bound "
               << tally.Bound / tally.Error << " times the error\n";

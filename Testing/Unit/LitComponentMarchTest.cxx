@@ -8,7 +8,7 @@
 #include "Mesh/Gradients.h"
 #include "Reference/LitComponentKernel.h"
 
-#include "ComponentRays.h"
+#include "ErrorTally.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -137,51 +137,11 @@ public:
   EffectData Effects;
 };
 
-struct Tally
-{
-  int Rays = 0;
-  double Worst = 0;       // error
-  double BeyondBound = 0; // error less its bound
-  double Bound = 0;       // mean
-  double Error = 0;       // mean
-
-  void add(const Rgba& seen, const Rgba& expected, double bound)
-  {
-    double error = 0;
-    for (int k = 0; k < 4; ++k)
-    {
-      error = std::max(error, std::abs(seen[k] - expected[k]));
-    }
-    ++this->Rays;
-    this->Worst = std::max(this->Worst, error);
-    this->BeyondBound = std::max(this->BeyondBound, error - bound);
-    this->Bound += bound;
-    this->Error += error;
-  }
-};
-
-std::ostream& operator<<(std::ostream& out, const Tally& tally)
-{
-  return out << "worst " << tally.Worst << ", bound " << tally.Bound / tally.Error
-             << " times the error, " << tally.Rays << " rays";
-}
-
-template <typename Kernel>
-Rgba pixelOf(Kernel& kernel, const typename Kernel::Ray& ray, const Chord& chord, double& bound)
-{
-  const auto length = decltype(kernel.tableScale)(chord.Optical / (chord.End - chord.Begin));
-  const auto march = kernel.castPlainRay(
-    ray, -1, length, decltype(length)(chord.Begin), decltype(length)(chord.End));
-  const auto color = kernel.pixelOf(march.radiance, length);
-  bound = double(kernel.errorBound(march.radiance));
-  return { { double(color.x), double(color.y), double(color.z), double(color.w) } };
-}
-
 // Of all rays against the quadrature. density: what is left of the extinction.
 template <typename Kernel, typename Real>
-Tally tallyOf(LitComponentRays& rays, double density = 1.0, bool cellGradients = false)
+ErrorTally tallyOf(LitComponentRays& rays, double density = 1.0, bool cellGradients = false)
 {
-  Tally tally;
+  ErrorTally tally;
   Kernel kernel = rays.litKernel<Kernel, Real>(cellGradients);
   rays.Rays.forEachRay<Kernel, Real>(
     kernel, rays.Fields[0],
@@ -197,9 +157,6 @@ Tally tallyOf(LitComponentRays& rays, double density = 1.0, bool cellGradients =
   return tally;
 }
 
-// What float tells of a ray, and what tables and the quadrature leave.
-constexpr double Rounding = 2e-5;
-
 template <template <typename> class Kernel>
 void expectTolerance(int components)
 {
@@ -211,7 +168,7 @@ void expectTolerance(int components)
       AccuracyLevel level = levelOf(Accuracy::Default, tolerance);
       level.LeastTableEntries = 16384; // what is between entries is no part of the bound
       ASSERT_EQ(rays.use(level), "");
-      const Tally tally = tallyOf<Kernel<float>, float>(rays);
+      const ErrorTally tally = tallyOf<Kernel<float>, float>(rays);
       std::cout << "[ MEASURED ] " << components << " components, " << cubes << "^3 cubes, 1/"
                 << 1.0 / tolerance << ": " << tally << '\n';
       EXPECT_GT(tally.Rays, 150);
@@ -219,7 +176,7 @@ void expectTolerance(int components)
       EXPECT_LE(tally.BeyondBound, Rounding);
     }
     ASSERT_EQ(rays.use(YardstickAccuracy), "");
-    const Tally exact = tallyOf<Kernel<double>, double>(rays);
+    const ErrorTally exact = tallyOf<Kernel<double>, double>(rays);
     std::cout << "[ MEASURED ] in double: " << exact << '\n';
     EXPECT_LE(exact.Worst, 1e-5);
   }
@@ -244,7 +201,7 @@ void expectBoundOfWholePieces(int components)
   LitComponentRays rays(jitteredLattice(2, 0.15), components);
   rays.blaze();
   ASSERT_EQ(rays.use(fast), "");
-  const Tally tally = tallyOf<Kernel<double>, double>(rays);
+  const ErrorTally tally = tallyOf<Kernel<double>, double>(rays);
   std::cout << "[ MEASURED ] " << tally << '\n';
   EXPECT_LE(tally.BeyondBound, Rounding);
   EXPECT_GT(tally.Worst, 1e-2);
@@ -264,7 +221,7 @@ void expectGradientOpacity(int components, bool cellGradients)
   LitComponentRays rays(jitteredLattice(3, 0.15), components);
   ASSERT_EQ(rays.use(YardstickAccuracy), "");
   const double density = rays.addGradientOpacity();
-  const Tally tally = tallyOf<Kernel<double>, double>(rays, density, cellGradients);
+  const ErrorTally tally = tallyOf<Kernel<double>, double>(rays, density, cellGradients);
   std::cout << "[ MEASURED ] " << tally << '\n';
   EXPECT_GT(tally.Rays, 150);
   EXPECT_LE(tally.Worst, 1e-5);
@@ -310,7 +267,7 @@ void expectBoundOfChangingLight(int components)
   forEach(YardstickAccuracy, [&](const Rgba& seen, double) { exact.push_back(seen); });
   AccuracyLevel level = levelOf(Accuracy::Default, 1.0 / 32.0);
   level.LeastTableEntries = 16384;
-  Tally tally;
+  ErrorTally tally;
   forEach(
     level, [&](const Rgba& seen, double bound) { tally.add(seen, exact[tally.Rays], bound); });
   std::cout << "[ MEASURED ] " << tally << '\n';
