@@ -4,10 +4,24 @@
 
 #include "vtkOpenGLRenderUtilities.h" // the GL
 
+#include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 namespace tetmarch
 {
+namespace
+{
+
+constexpr int LastMesaWithoutCare = 22; // of helpers; 26 needs it, those between are not known
+
+std::string_view textOf(GLenum name)
+{
+  const auto* text = reinterpret_cast<const char*>(glGetString(name));
+  return text ? text : "";
+}
+
+} // namespace
 
 bool hasExtension(const char* name)
 {
@@ -26,9 +40,14 @@ bool hasExtension(const char* name)
 
 std::string driverDefines()
 {
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const bool skipsHelpers =
-    renderer && std::strstr(renderer, "llvmpipe") && hasExtension("GL_ARB_ES3_1_compatibility");
+  // Such as "4.5 (Core Profile) Mesa 26.1.6-1".
+  const std::string_view renderer = textOf(GL_RENDERER), version = textOf(GL_VERSION);
+  const std::size_t mesa = version.find("Mesa ");
+  const bool isLlvmpipe =
+    renderer.find("llvmpipe") != std::string_view::npos && mesa != std::string_view::npos;
+  const bool skipsHelpers = isLlvmpipe &&
+                            std::atoi(version.data() + mesa + 5) > LastMesaWithoutCare &&
+                            hasExtension("GL_ARB_ES3_1_compatibility");
   return skipsHelpers ? "#define TETMARCH_SKIPS_HELPERS 1\n" : "";
 }
 

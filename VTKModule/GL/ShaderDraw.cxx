@@ -68,7 +68,11 @@ vtkShaderProgram* ShaderDraw::use(vtkOpenGLRenderWindow* window, const std::stri
     owned.back()->SetType(static_cast<vtkShader::Type>(type));
     shaders[static_cast<vtkShader::Type>(type)] = owned.back();
   }
-  const std::string allDefines = defines + driverDefines();
+  if (!this->DriverDefines)
+  {
+    this->DriverDefines = driverDefines();
+  }
+  const std::string allDefines = defines + *this->DriverDefines;
   std::string vertexText = shaderSource(vertexFile, allDefines);
   std::string fragmentText = shaderSource(fragmentFile, allDefines);
   if (hooks)
@@ -100,6 +104,10 @@ void ShaderDraw::drawTriangles(int count)
   this->VertexArray->Release();
 }
 
-void ShaderDraw::release() { this->VertexArray->ReleaseGraphicsResources(); }
+void ShaderDraw::release()
+{
+  this->VertexArray->ReleaseGraphicsResources();
+  this->DriverDefines.reset();
+}
 
 } // namespace tetmarch

@@ -7,6 +7,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLVertexArrayObject.h"
 
+#include <optional>
 #include <string>
 
 class vtkOpenGLRenderWindow;
@@ -32,6 +33,7 @@ public:
 
 private:
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  std::optional<std::string> DriverDefines; // as long as the context lives
 };
 
 } // namespace tetmarch
