@@ -212,12 +212,7 @@ TEST_P(LitComponentParity, ShadowsAlongRays)
     const Image without = scene.render();
     scene.Mapper->SetShadowMethodToAlongRays();
     const Image drawn = scene.render();
-    const Difference difference = compare(drawn,
-      twinOf(scene, {}, Precision::Double, LightFrom::Everywhere).Picture, regionsOf(scene).Inside);
-    std::cout << "[ MEASURED ] " << difference.text() << '\n';
-    EXPECT_GT(difference.Pixels, 200u);
-    EXPECT_LE(difference.Rms, 1.5 / 255.0);
-    EXPECT_GT(compare(drawn, without).Max, 0.02);
+    expectLightAlongRays(scene, drawn, without);
   }
 }
 

@@ -243,4 +243,14 @@ void expectParityWithOpaque(Scene& scene)
   const Image drawn = scene.render();
   expectAgreement(scene, drawn, scene.windowDepths());
 }
+
+void expectLightAlongRays(Scene& scene, const Image& drawn, const Image& without)
+{
+  const Difference difference = compare(drawn,
+    twinOf(scene, {}, Precision::Double, LightFrom::Everywhere).Picture, regionsOf(scene).Inside);
+  std::cout << "[ MEASURED ] " << difference.text() << '\n';
+  EXPECT_GT(difference.Pixels, 200u);
+  EXPECT_LE(difference.Rms, 1.5 / 255.0);
+  EXPECT_GT(compare(drawn, without).Max, 0.02);
+}
 } // namespace tetmarch::testing

@@ -60,6 +60,9 @@ Regions regionsOf(Scene& scene, const std::vector<float>& depths = {});
 void expectParity(Scene& scene, const std::vector<float>& depths = {});
 /// The same with the depths that the frame left in the window.
 void expectParityWithOpaque(Scene& scene);
+/// That light which is looked for here and there along rays is that which is looked for wherever a
+/// ray crosses a face, to 1.5/255 RMS, and more than what is seen without. Prints the difference.
+void expectLightAlongRays(Scene& scene, const Image& drawn, const Image& without);
 } // namespace tetmarch::testing
 
 #endif
