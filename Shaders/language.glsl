@@ -16,8 +16,8 @@
 #define TINY 1.0e-30
 #define UNDRAWN_SCALAR 1.0e30
 #define LINK_OUTSIDE 0x80000000u
-#define MOST_LIGHTS 16 // Scene/Lighting.h
-#define MOST_CLIPPING_PLANES 38 // Scene/Clipping.h
-#define MOST_ISOSURFACES 32 // Scene/Blending.h
+#define MOST_LIGHTS 16 // Light/Lighting.h
+#define MOST_CLIPPING_PLANES 38 // Rays/Clipping.h
+#define MOST_ISOSURFACES 32 // Appearance/Blending.h
 #define VERTEX_LIGHT_ROW 4096 // texels; GL/VertexLight.h
 #define BVH_STACK 48 // Mesh/BoundaryHierarchy.h bounds the depth

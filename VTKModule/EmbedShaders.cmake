@@ -1,10 +1,10 @@
-# Every file of Shaders/ becomes a C string; TetMarchShaderFiles.h lists them by name.
-function (tetmarch_embed_shaders out_sources)
+# Every file of Shaders/ becomes a C string; TetMarchShaderFiles.h lists them by their paths in `folder`.
+function (tetmarch_embed_shaders out_sources folder)
   set(sources)
   set(includes "")
   set(rows "")
   foreach (file IN LISTS ARGN)
-    get_filename_component(name "${file}" NAME)
+    file(RELATIVE_PATH name "${folder}" "${file}")
     string(MAKE_C_IDENTIFIER "tetmarch_${name}" identifier)
     vtk_encode_string(INPUT "${file}" NAME "${identifier}" HEADER_OUTPUT header SOURCE_OUTPUT source)
     list(APPEND sources "${source}" "${header}")

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchFrameStatistics.h"
 
-#include "Scene/Distribution.h"
+#include "Diagnostics/Distribution.h"
 
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"

@@ -32,9 +32,9 @@ public:
    * what transfer functions do between the entries of their tables; see
    * vtkTetMarchVolumeMapper::AccuracyLevelType for its formula.
    * CELLS: tetrahedra that the ray crossed.
-   * LOOKUPS: evaluations of the segment integral, each of which looks the tables up.
+   * LOOKUPS: lookups of the segment integral, each of which looks the tables up.
    * TRUE_ERROR: the greatest error of a channel against the reference; there after
-   * vtkTetMarchVolumeMapper::CompareWithReference().
+   * vtkTetMarchVolumeMapper::CompareWithGroundTruth().
    */
   enum QuantityType
   {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchVolumeMapperOptions.h"
 
+#include "Blocks/MissingScalars.h"
+#include "Diagnostics/ViewColors.h"
 #include "GL/FrameFigures.h"
 #include "Mesh/MeshReport.h"
-#include "Scene/MissingScalars.h"
-#include "Scene/SelectedCells.h"
-#include "Scene/ViewColors.h"
+#include "Picking/SelectedCells.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -59,7 +59,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   const vtkOpenGLState::ScopedglActiveTexture unit(window->GetState()); // uploads choose others
   tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
-  tetmarch::AccuracyChoice& choice = this->Internal->Choice;
+  tetmarch::AccuracyController& choice = this->Internal->Choice;
   // A selection leaves what is known of the last frame, and takes its tables.
   tetmarch::AccuracyLevel level = choice.used().level();
   if (selector)
@@ -168,7 +168,7 @@ vtkTetMarchFrameStatistics* vtkTetMarchVolumeMapper::GetLastFrameStatistics()
 }
 
 //------------------------------------------------------------------------------
-bool vtkTetMarchVolumeMapper::RenderReference(vtkVolume* volume, vtkFloatArray* pixels)
+bool vtkTetMarchVolumeMapper::RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels)
 {
   tetmarch::ReferenceImage image;
   if (vtkOpenGLRenderWindow* window = this->Internal->Pipeline.window())
@@ -189,7 +189,7 @@ bool vtkTetMarchVolumeMapper::RenderReference(vtkVolume* volume, vtkFloatArray* 
 }
 
 //------------------------------------------------------------------------------
-bool vtkTetMarchVolumeMapper::CompareWithReference(vtkVolume* volume)
+bool vtkTetMarchVolumeMapper::CompareWithGroundTruth(vtkVolume* volume)
 {
   const tetmarch::Diagnostics& counted = this->Internal->Pipeline.counted();
   if (counted.measures().empty())
@@ -198,7 +198,7 @@ bool vtkTetMarchVolumeMapper::CompareWithReference(vtkVolume* volume)
     return false;
   }
   vtkNew<vtkFloatArray> reference;
-  if (!this->RenderReference(volume, reference))
+  if (!this->RenderGroundTruth(volume, reference))
   {
     return false;
   }

@@ -398,16 +398,17 @@ public:
    * Three modes draw a measure of each pixel in colours, opaque, and leave pixels whose ray met
    * nothing as they are; vtkTetMarchLegend says what the colours mean.
    * VIEW_ERROR_BOUND: how far each channel of the picture may be off, 0..1, on a logarithmic scale;
-   * VIEW_CELLS: tetrahedra that the ray crossed; VIEW_LOOKUPS: evaluations of the segment integral.
+   * VIEW_CELLS: tetrahedra that the ray crossed; VIEW_LOOKUPS: lookups of the segment integral.
    * The numbers are those of vtkTetMarchFrameStatistics, which come with each such frame whether or
    * not CollectDiagnostics is on. The frame takes a march that counts instead of one that does not.
    * Two modes draw the volume otherwise: VIEW_ILLUMINATION the light without the volume's own
    * colour, VIEW_GRADIENTS the directions of gradients as colours.
    * Two modes draw the shell of the mesh, opaque, where it is seen before opaque geometry:
-   * VIEW_SHELL_FACES the boundary faces by which rays enter, each in a colour that is random but
-   * always the same; VIEW_SHELL_COORDINATES where in that face, as barycentric coordinates in red,
-   * green and blue. Where the near plane lies in the mesh, that is the face behind it by which the
-   * ray has entered the part that it begins in. Nothing is marched, so there are no diagnostics.
+   * VIEW_BOUNDARY_FACES the boundary faces by which rays enter, each in a colour that is random but
+   * always the same; VIEW_BOUNDARY_COORDINATES where in that face, as barycentric coordinates in
+   * red, green and blue. Where the near plane lies in the mesh, that is the face behind it by which
+   * the ray has entered the part that it begins in. Nothing is marched, so there are no
+   * diagnostics.
    */
   enum ViewModeType
   {
@@ -417,10 +418,12 @@ public:
     VIEW_LOOKUPS = 3,
     VIEW_ILLUMINATION = 4,
     VIEW_GRADIENTS = 5,
-    VIEW_SHELL_FACES = 6,
-    VIEW_SHELL_COORDINATES = 7
+    VIEW_BOUNDARY_FACES = 6,
+    VIEW_BOUNDARY_COORDINATES = 7,
+    VIEW_SHELL_FACES = VIEW_BOUNDARY_FACES,            // deprecated
+    VIEW_SHELL_COORDINATES = VIEW_BOUNDARY_COORDINATES // deprecated
   };
-  vtkSetClampMacro(ViewMode, int, VIEW_PICTURE, VIEW_SHELL_COORDINATES);
+  vtkSetClampMacro(ViewMode, int, VIEW_PICTURE, VIEW_BOUNDARY_COORDINATES);
   vtkGetMacro(ViewMode, int);
   void SetViewModeToPicture() { this->SetViewMode(VIEW_PICTURE); }
   void SetViewModeToErrorBound() { this->SetViewMode(VIEW_ERROR_BOUND); }
@@ -428,8 +431,12 @@ public:
   void SetViewModeToLookups() { this->SetViewMode(VIEW_LOOKUPS); }
   void SetViewModeToIllumination() { this->SetViewMode(VIEW_ILLUMINATION); }
   void SetViewModeToGradients() { this->SetViewMode(VIEW_GRADIENTS); }
-  void SetViewModeToShellFaces() { this->SetViewMode(VIEW_SHELL_FACES); }
-  void SetViewModeToShellCoordinates() { this->SetViewMode(VIEW_SHELL_COORDINATES); }
+  void SetViewModeToBoundaryFaces() { this->SetViewMode(VIEW_BOUNDARY_FACES); }
+  void SetViewModeToBoundaryCoordinates() { this->SetViewMode(VIEW_BOUNDARY_COORDINATES); }
+  /** Deprecated: SetViewModeToBoundaryFaces(). */
+  void SetViewModeToShellFaces() { this->SetViewModeToBoundaryFaces(); }
+  /** Deprecated: SetViewModeToBoundaryCoordinates(). */
+  void SetViewModeToShellCoordinates() { this->SetViewModeToBoundaryCoordinates(); }
   const char* GetViewModeAsString() const;
   //@}
 
@@ -564,7 +571,7 @@ public:
   //@{
   /**
    * Seconds that light at vertices may take of a frame while the user interacts (the window's
-   * desired update rate is 1 or more), so that a lamp can be moved without waiting; default 0.1.
+   * desired update rate is 1 or more), so that a light can be moved without waiting; default 0.1.
    * Until all of it is made anew, over several frames, that of before is shown, or none is kept off
    * if there was none. A still frame waits for all of it, as do all frames with 0.
    */
@@ -720,14 +727,16 @@ public:
   /**
    * Sums over the pixels of the last frame with CollectDiagnostics on, or with a view mode: rays
    * that entered the mesh,
-   * cells crossed, evaluations of the segment integral, rays that enter another face than the
+   * cells crossed, lookups of the segment integral, rays that enter another face than the
    * rasteriser named, so that a search had to find it (a few in ten thousand), rays that came to a
    * face without exit (lost) and rays stopped by the step guard. The last two are 0 unless
    * something is wrong.
    */
   vtkTypeInt64 GetNumberOfRays() const;
   vtkTypeInt64 GetNumberOfCrossedCells() const;
-  vtkTypeInt64 GetNumberOfEvaluations() const;
+  vtkTypeInt64 GetNumberOfLookups() const;
+  /** Deprecated: GetNumberOfLookups(). */
+  vtkTypeInt64 GetNumberOfEvaluations() const { return this->GetNumberOfLookups(); }
   vtkTypeInt64 GetNumberOfRefusedEntries() const;
   vtkTypeInt64 GetNumberOfLostRays() const;
   vtkTypeInt64 GetNumberOfGuardHits() const;
@@ -745,12 +754,19 @@ public:
    * The picture of the last frame by the CPU in double precision, with a tolerance of 1e-6 and
    * tables of up to 262144 entries: the yardstick of all our figures of accuracy. As
    * GetDiagnosticPixels(); `volume` is the one that was drawn. Takes seconds to minutes.
-   * CompareWithReference() makes it, too, and adds vtkTetMarchFrameStatistics::TRUE_ERROR to the
+   * CompareWithGroundTruth() makes it, too, and adds vtkTetMarchFrameStatistics::TRUE_ERROR to the
    * last frame's statistics; that wants CollectDiagnostics on. Both return false, with an error, if
    * there is no such frame.
    */
-  bool RenderReference(vtkVolume* volume, vtkFloatArray* pixels);
-  bool CompareWithReference(vtkVolume* volume);
+  bool RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels);
+  bool CompareWithGroundTruth(vtkVolume* volume);
+  /** Deprecated: RenderGroundTruth(). */
+  bool RenderReference(vtkVolume* volume, vtkFloatArray* pixels)
+  {
+    return this->RenderGroundTruth(volume, pixels);
+  }
+  /** Deprecated: CompareWithGroundTruth(). */
+  bool CompareWithReference(vtkVolume* volume) { return this->CompareWithGroundTruth(volume); }
   //@}
 
   /**

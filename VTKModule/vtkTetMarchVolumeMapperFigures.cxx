@@ -62,7 +62,7 @@ bool vtkTetMarchVolumeMapper::IsBudgetKept() const { return this->Internal->Choi
 const char* vtkTetMarchVolumeMapper::GetViewModeAsString() const
 {
   constexpr const char* names[] = { "Picture", "ErrorBound", "Cells", "Lookups", "Illumination",
-    "Gradients", "ShellFaces", "ShellCoordinates" };
+    "Gradients", "BoundaryFaces", "BoundaryCoordinates" };
   return names[this->ViewMode];
 }
 
@@ -188,9 +188,9 @@ vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfCrossedCells() const
 {
   return this->Internal->Pipeline.counted().counters().Cells;
 }
-vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfEvaluations() const
+vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfLookups() const
 {
-  return this->Internal->Pipeline.counted().counters().Evaluations;
+  return this->Internal->Pipeline.counted().counters().Lookups;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetNumberOfRefusedEntries() const
 {

@@ -4,10 +4,10 @@
 #ifndef vtkTetMarchVolumeMapperInternals_h
 #define vtkTetMarchVolumeMapperInternals_h
 
+#include "Blocks/JoinedBlocks.h"
+#include "Budget/AccuracyController.h"
+#include "Budget/SampleDistance.h"
 #include "GL/Pipeline.h"
-#include "Scene/AccuracyChoice.h"
-#include "Scene/JoinedBlocks.h"
-#include "Scene/SampleDistance.h"
 
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
@@ -29,7 +29,7 @@ public:
     const tetmarch::Progress& progress);
 
   tetmarch::Pipeline Pipeline;
-  tetmarch::AccuracyChoice Choice;
+  tetmarch::AccuracyController Choice;
   tetmarch::JoinedBlocks Blocks; // of composite input
   tetmarch::SampleDistance Distance;
   double UsedSampleDistance = 1;

@@ -32,11 +32,11 @@ tetmarch::Subject subjectOf(int viewMode)
                                                : tetmarch::Subject::Picture;
 }
 
-tetmarch::ShellView shellOf(int viewMode)
+tetmarch::BoundaryView boundaryViewOf(int viewMode)
 {
-  return viewMode == Mapper::VIEW_SHELL_FACES         ? tetmarch::ShellView::Faces
-         : viewMode == Mapper::VIEW_SHELL_COORDINATES ? tetmarch::ShellView::Coordinates
-                                                      : tetmarch::ShellView::None;
+  return viewMode == Mapper::VIEW_BOUNDARY_FACES         ? tetmarch::BoundaryView::Faces
+         : viewMode == Mapper::VIEW_BOUNDARY_COORDINATES ? tetmarch::BoundaryView::Coordinates
+                                                         : tetmarch::BoundaryView::None;
 }
 } // namespace
 
@@ -70,12 +70,12 @@ vtkTetMarchVolumeMapper::Internals::FrameOptions::FrameOptions(vtkTetMarchVolume
   this->Draw.MostSecondsPerDraw = mapper->MaxDrawTimeInSeconds;
   this->Draw.MostLightSeconds = interacting && !peeling ? mapper->LightTimeBudget : 0.0;
   this->Draw.View = isMeasure(mapper->ViewMode) && !peeling ? &this->View : nullptr;
-  this->Draw.Shell = peeling ? tetmarch::ShellView::None : shellOf(mapper->ViewMode);
+  this->Draw.Shell = peeling ? tetmarch::BoundaryView::None : boundaryViewOf(mapper->ViewMode);
   this->Draw.Peeling = peeling ? &hooks : nullptr;
   this->Draw.PickOpacity = mapper->PickOpacityThreshold;
 
   this->MarchesPicture = !renderer->GetSelector() && !peeling && !this->Draw.View &&
-                         this->Draw.Shell == tetmarch::ShellView::None;
+                         this->Draw.Shell == tetmarch::BoundaryView::None;
   if (this->MarchesPicture && !mapper->CollectDiagnostics)
   {
     this->Draw.SampleDistance =

@@ -6,8 +6,8 @@
 
 #include "vtkTetMarchVolumeMapperInternals.h"
 
+#include "Diagnostics/MeasureView.h"
 #include "GL/PeelHooks.h"
-#include "Scene/MeasureView.h"
 
 struct vtkTetMarchVolumeMapper::Internals::FrameOptions
 {
@@ -21,8 +21,8 @@ struct vtkTetMarchVolumeMapper::Internals::FrameOptions
    */
   bool MarchesPicture = false;
   tetmarch::OpacityLaw Law;
-  tetmarch::VectorChoice Vector;
-  tetmarch::BlendWish Blend;
+  tetmarch::VectorOptions Vector;
+  tetmarch::BlendOptions Blend;
   tetmarch::EffectOptions Effects;
   tetmarch::ClippingOptions Clipping;
   tetmarch::DrawOptions Draw;

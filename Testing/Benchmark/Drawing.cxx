@@ -207,7 +207,7 @@ nlohmann::json Drawing::compareFirstView(const std::string& file)
     ours->CollectDiagnosticsOff();
     this->failOnError();
     const auto cells = static_cast<double>(ours->GetNumberOfCrossedCells());
-    errors["lookups_per_cell"] = static_cast<double>(ours->GetNumberOfEvaluations()) / cells;
+    errors["lookups_per_cell"] = static_cast<double>(ours->GetNumberOfLookups()) / cells;
     errors["cells_per_ray"] = cells / static_cast<double>(ours->GetNumberOfRays());
     vtkTetMarchFrameStatistics* statistics = ours->GetLastFrameStatistics();
     errors["bound_max"] = statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND);
@@ -229,7 +229,7 @@ nlohmann::json Drawing::writeReference(const std::string& file)
     this->Window->Render();
     this->failOnError();
     vtkNew<vtkFloatArray> pixels;
-    if (!this->ours() || !this->ours()->RenderReference(this->Volume, pixels))
+    if (!this->ours() || !this->ours()->RenderGroundTruth(this->Volume, pixels))
     {
       throw Failure("there is no reference: " + this->Error);
     }

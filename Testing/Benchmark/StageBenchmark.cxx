@@ -7,6 +7,7 @@
 #include "Mesh/Convexity.h"
 #include "Mesh/Decomposition.h"
 #include "Mesh/GridCheck.h"
+#include "Mesh/GridContent.h"
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/MovedPoints.h"
 #include "Mesh/Renumbering.h"
@@ -14,7 +15,6 @@
 #include "Mesh/TetMeshBuilder.h"
 #include "Optics/AccuracyLevel.h"
 #include "Optics/FittingTable.h"
-#include "Scene/GridContent.h"
 
 #include "vtkCellArray.h"
 #include "vtkColorTransferFunction.h"

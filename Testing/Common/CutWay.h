@@ -8,7 +8,7 @@
 #define tetmarch_testing_CutWay_h
 
 #include "GridBuilder.h"
-#include "Scene/Clipping.h"
+#include "Rays/Clipping.h"
 
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"

@@ -7,7 +7,7 @@
 #ifndef tetmarch_testing_LegalKeys_h
 #define tetmarch_testing_LegalKeys_h
 
-#include "Scene/VariantKey.h"
+#include "Variants/VariantKey.h"
 
 #include <cstdint>
 #include <random>

@@ -114,7 +114,7 @@ void drawPicture(const TetMesh& mesh, const IntegralTable& table, const ScalarRa
     scene.Camera.NormalizedToClip[5 * i] = 1;
     scene.Camera.ClipToNormalized[5 * i] = 1;
   }
-  scene.Camera.LengthMatrix = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+  scene.Camera.ThicknessMatrix = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
   scene.Camera.Eye = { 0, 0, 1, 0 };
   const ReferenceImage image = renderReference<float>(scene, DefaultAccuracy);
   require(image.Counters.Lost + image.Counters.Refused + image.Counters.Guarded == 0,

@@ -108,8 +108,8 @@ Drawn draw(const HardCase& hard, const HardView& view, const std::string& mapper
                       ? Image::fromFloats(size[0], size[1], pixels->GetPointer(0))
                       : Image(size[0], size[1]);
     drawn.Counters = { ours->GetNumberOfRays(), ours->GetNumberOfCrossedCells(),
-      ours->GetNumberOfEvaluations(), ours->GetNumberOfRefusedEntries(),
-      ours->GetNumberOfLostRays(), ours->GetNumberOfGuardHits() };
+      ours->GetNumberOfLookups(), ours->GetNumberOfRefusedEntries(), ours->GetNumberOfLostRays(),
+      ours->GetNumberOfGuardHits() };
   }
   else
   {

@@ -9,7 +9,7 @@
 
 #include "HardCase.h"
 
-#include "Reference/MarchCounters.h"
+#include "Diagnostics/MarchCounters.h"
 
 #include "Images.h"
 

@@ -43,7 +43,7 @@ TEST_P(HardDrawing, ByTheGLIsRight)
   const HardCase& hard = *findHardCase(GetParam());
   for (const HardView& view : viewsOf(hard))
   {
-    if (view.TwinOnly)
+    if (view.ReferenceOnly)
     {
       continue;
     }

@@ -44,7 +44,7 @@ struct HardView
   int Pixels = 0; ///< the width and height of the one window it is meant for; 0: any
   /// Not for the GL of a machine without GPU: Mesa's llvmpipe ends a ray after 65535 rounds of its
   /// loops in all, which a ray along a thousand teeth takes.
-  bool TwinOnly = false;
+  bool ReferenceOnly = false;
 };
 
 struct HardCase

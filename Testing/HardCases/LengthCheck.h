@@ -30,9 +30,9 @@
 #include "Reference/Kernel.h"
 
 #include "DisplacedMesh.h"
+#include "GroundTruth.h"
 #include "LengthBounds.h"
 #include "MarchedLength.h"
-#include "Oracle.h"
 #include "RandomRays.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A million rays and more through the hard cases, and their pictures, by the CPU twin.
+// A million rays and more through the hard cases, and their pictures, by the CPU reference.
 #include "MarchCheck.h"
 #include "PictureCheck.h"
 #include "StressRun.h"
@@ -69,15 +69,15 @@ class HardPicture : public ::testing::TestWithParam<std::string>
 {
 };
 
-TEST_P(HardPicture, OfTheTwinIsRight)
+TEST_P(HardPicture, OfTheReferenceIsRight)
 {
   const HardCase& hard = *findHardCase(GetParam());
   for (const HardView& view : viewsOf(hard))
   {
     PictureCheck check(hard, view);
     tetmarch::MarchCounters counters;
-    const Image picture = check.twin(counters);
-    const PictureResult result = check.compare(picture, counters, boundsOfTwin());
+    const Image picture = check.reference(counters);
+    const PictureResult result = check.compare(picture, counters, boundsOfReference());
     EXPECT_EQ(result.failures(), 0)
       << view.Name << ": " << result.NotFinite << " not finite, " << result.OutOfBound
       << " out of bound, " << counters.Lost << " lost, " << counters.Guarded << " guarded, "
@@ -85,7 +85,7 @@ TEST_P(HardPicture, OfTheTwinIsRight)
     if (const HardCase* other = findHardCase(hard.SamePictureAs))
     {
       PictureCheck same(*other, viewLike(view, hard, *other));
-      const Difference difference = compare(picture, same.twin(counters));
+      const Difference difference = compare(picture, same.reference(counters));
       EXPECT_LE(difference.Max, 1.0 / 255.0) << view.Name << ": " << difference.text();
     }
   }

@@ -6,9 +6,9 @@
 #include "Optics/FittingTable.h"
 
 #include "DisplacedMesh.h"
+#include "GroundTruth.h"
 #include "MarchedLength.h"
 #include "MarchedMesh.h"
-#include "Oracle.h"
 
 #include "vtkCellData.h"
 #include "vtkNew.h"
@@ -85,7 +85,7 @@ void MarchedCase::makeAnswers()
   }
   if (hard.Known == Answer::Union)
   {
-    this->BruteForce = std::make_unique<OracleScene>(asGrid(this->Mesh), constantModel());
+    this->BruteForce = std::make_unique<GroundTruthScene>(asGrid(this->Mesh), constantModel());
   }
 }
 } // namespace tetmarch::testing

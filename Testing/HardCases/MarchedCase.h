@@ -18,7 +18,7 @@
 
 namespace tetmarch::testing
 {
-class OracleScene;
+class GroundTruthScene;
 
 struct MarchedCase
 {
@@ -31,10 +31,10 @@ struct MarchedCase
   std::vector<float> CellScalars; ///< empty: those of the vertices count
   ScalarRange Range;
   IntegralTable Table;
-  double UnitDistance = 1.0;               ///< in mesh radii
-  Box NormalizedBox{};                     ///< that the cells fill, if they do
-  std::vector<TetMesh> Displaced;          ///< copies with other positions
-  std::unique_ptr<OracleScene> BruteForce; ///< if the answer is the union of all cells
+  double UnitDistance = 1.0;                    ///< in mesh radii
+  Box NormalizedBox{};                          ///< that the cells fill, if they do
+  std::vector<TetMesh> Displaced;               ///< copies with other positions
+  std::unique_ptr<GroundTruthScene> BruteForce; ///< if the answer is the union of all cells
 
 private:
   void makeOptics(vtkUnstructuredGrid* grid);

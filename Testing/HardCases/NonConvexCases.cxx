@@ -33,9 +33,9 @@ void addManyEntries(CaseGroup& group)
   teeth.Views = standardViews();
   // Half the diagonal of a bar of 2 x 1/8 x 1/4 is about 1, half of its end's height 1/8.
   teeth.Views.push_back(parallelView("along-row", { 1, 0, 0 }, { 0, 0, 1 }, 0.13));
-  teeth.Views.back().TwinOnly = true;
+  teeth.Views.back().ReferenceOnly = true;
   teeth.Views.push_back(parallelView("nearly-along-row", { 1, 0.01, -0.02 }, { 0, 0, 1 }, 0.13));
-  teeth.Views.back().TwinOnly = true;
+  teeth.Views.back().ReferenceOnly = true;
   teeth.Views.push_back(viewFrom(
     "in-front-of-row",
     [](vtkUnstructuredGrid*) {

@@ -4,7 +4,7 @@
 
 #include "Mesh/TetMeshBuilder.h"
 #include "Optics/FittingTable.h"
-#include "Scene/View.h"
+#include "Rays/View.h"
 
 #include "DisplacedMesh.h"
 
@@ -49,7 +49,7 @@ std::array<double, 6> boundsOf(vtkUnstructuredGrid* grid, vtkMatrix4x4* matrix)
 }
 } // namespace
 
-PictureBounds boundsOfTwin() { return {}; }
+PictureBounds boundsOfReference() { return {}; }
 
 PictureBounds boundsOfGL()
 {
@@ -119,7 +119,7 @@ PictureCheck::PictureCheck(const HardCase& hard, const HardView& view)
 
   const ReferenceImage image =
     renderReference<double>(this->sceneOf(this->Mesh, this->ReferenceTable), ReferenceAccuracy);
-  this->Yardstick = Image::fromFloats(this->Size, this->Size, image.Pixels.data());
+  this->GroundTruth = Image::fromFloats(this->Size, this->Size, image.Pixels.data());
 }
 
 ReferenceScene PictureCheck::sceneOf(const TetMesh& mesh, const IntegralTable& table) const
@@ -138,7 +138,7 @@ ReferenceScene PictureCheck::sceneOf(const TetMesh& mesh, const IntegralTable& t
   return scene;
 }
 
-Image PictureCheck::twin(MarchCounters& counters) const
+Image PictureCheck::reference(MarchCounters& counters) const
 {
   const ReferenceImage image =
     renderReference<float>(this->sceneOf(this->Mesh, this->DefaultTable), DefaultAccuracy);
@@ -184,7 +184,7 @@ bool PictureCheck::isWithinBounds(const Image& picture, int x, int y, const Pict
   }
   const float* pixel = picture.pixel(x, y);
   std::array<float, 4> least, most;
-  std::copy_n(this->Yardstick.pixel(x, y), 4, least.begin());
+  std::copy_n(this->GroundTruth.pixel(x, y), 4, least.begin());
   most = least;
   std::mt19937 random(71);
   const auto within1 = [&random] { return 2.0 * uniform(random) - 1.0; };
@@ -224,7 +224,7 @@ PictureResult PictureCheck::compare(
     for (int x = 0; x < this->Size; ++x)
     {
       const float* pixel = picture.pixel(x, y);
-      const float* expected = this->Yardstick.pixel(x, y);
+      const float* expected = this->GroundTruth.pixel(x, y);
       bool finite = true;
       double worst = 0.0;
       for (int k = 0; k < bounds.Channels; ++k)

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Pictures of a hard case by the CPU twin, and what a picture may be
+ * @brief Pictures of a hard case by the CPU reference, and what a picture may be
  *
- * The yardstick is the twin in double at the reference level. A pixel is right if each channel is
- * within 1/255 of it, or of what the yardstick sees while vertices move by the rounding of float
+ * The yardstick is the reference in double at the reference level. A pixel is right if each channel
+ * is within 1/255 of it, or of what the yardstick sees while vertices move by the rounding of float
  * (2^-20 mesh radii, see MarchCheck.h), and of a picture by the GL, the ray by 1/100 of a pixel,
  * which is what the rasteriser takes. That is sampled, pixel by pixel, where it matters: where a
  * ray runs within the surface, or grazes it.
@@ -15,10 +15,10 @@
 
 #include "HardCase.h"
 
+#include "Diagnostics/MarchCounters.h"
 #include "Mesh/Scalars.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/IntegralTable.h"
-#include "Reference/MarchCounters.h"
 #include "Reference/ReferenceImage.h"
 
 #include "Images.h"
@@ -58,7 +58,7 @@ struct PictureBounds
 };
 /// Ours by the CPU; ours by the GL, whose rasteriser rounds; by another mapper, of which little is
 /// asked: 16/255, half a pixel.
-PictureBounds boundsOfTwin();
+PictureBounds boundsOfReference();
 PictureBounds boundsOfGL();
 PictureBounds boundsOfOthers();
 
@@ -72,10 +72,10 @@ public:
   /// Throws std::runtime_error if the mesh can't be built.
   PictureCheck(const HardCase& hard, const HardView& view);
 
-  /// By the twin in float, at the default level.
-  Image twin(MarchCounters& counters) const;
-  /// By the twin in double, at the reference level.
-  const Image& yardstick() const { return this->Yardstick; }
+  /// By the reference in float, at the default level.
+  Image reference(MarchCounters& counters) const;
+  /// By the reference in double, at the reference level.
+  const Image& yardstick() const { return this->GroundTruth; }
   PictureResult compare(
     const Image& picture, const MarchCounters& counters, const PictureBounds& bounds);
 
@@ -94,7 +94,7 @@ private:
   IntegralTable DefaultTable, ReferenceTable;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkVolume> Volume;
-  Image Yardstick;
+  Image GroundTruth;
   std::vector<TetMesh> Displaced; // made when first needed
 };
 } // namespace tetmarch::testing

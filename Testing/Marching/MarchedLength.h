@@ -9,8 +9,8 @@
 
 #include "Reference/Kernel.h"
 
+#include "GroundTruth.h"
 #include "MarchedMesh.h"
-#include "Oracle.h"
 
 #include <cmath>
 #include <limits>

@@ -33,7 +33,7 @@ const IntegralTable& whiteTable();
 /// A kernel that marches the mesh through a table of the scalars 0..1.
 template <typename Kernel, typename Real>
 Kernel kernelOf(
-  const TetMesh& mesh, const IntegralTable& table, const AccuracyLevel& level = YardstickAccuracy)
+  const TetMesh& mesh, const IntegralTable& table, const AccuracyLevel& level = GroundTruthAccuracy)
 {
   return makeKernel<Kernel, Real>(mesh, table, { 0.0, 1.0 }, level);
 }

@@ -93,7 +93,7 @@ class ApiTest(unittest.TestCase):
         self.assertEqual(mapper.GetViewMode(), mapper.VIEW_PICTURE)
         self.assertTrue(mapper.GetAutomaticViewRange())
         for value, name in enumerate(("Picture", "ErrorBound", "Cells", "Lookups", "Illumination", "Gradients",
-                                       "ShellFaces", "ShellCoordinates")):
+                                       "BoundaryFaces", "BoundaryCoordinates")):
             getattr(mapper, "SetViewModeTo" + name)()
             self.assertEqual((mapper.GetViewMode(), mapper.GetViewModeAsString()), (value, name))
         mapper.SetViewRange(2, 30)

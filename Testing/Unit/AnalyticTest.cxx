@@ -50,12 +50,12 @@ TEST(Analytic, ConstantField)
     {
       const double opacity = slabOpacity(kappa * thickness, 1.0);
       const auto exact = alongX<PointKernel<double>, double>(
-        table, YardstickAccuracy, thickness, jitteredLattice(5, 0.15, 1, constantField(0.5)));
+        table, GroundTruthAccuracy, thickness, jitteredLattice(5, 0.15, 1, constantField(0.5)));
       // kappa is stored as a float, and the series in meanTransmittance is good to 4e-8.
       EXPECT_NEAR(1.0 - exact.radiance.transmittance, opacity, 2e-7);
       EXPECT_NEAR(exact.radiance.color.z, 0.8 * opacity, 2e-7);
       const auto single = alongX<PointKernel<float>, float>(
-        table, YardstickAccuracy, thickness, jitteredLattice(5, 0.15, 1, constantField(0.5)));
+        table, GroundTruthAccuracy, thickness, jitteredLattice(5, 0.15, 1, constantField(0.5)));
       const double bound = (2 * single.cells + 32) * std::ldexp(1.0, -24);
       EXPECT_NEAR(1.0 - double(single.radiance.transmittance), opacity, bound);
       EXPECT_NEAR(double(single.radiance.color.y), 0.4 * opacity, bound);
@@ -94,9 +94,9 @@ TEST(Analytic, LinearColour)
   for (const double thickness : Thicknesses)
   {
     const auto march = alongX<PointKernel<double>, double>(
-      table, YardstickAccuracy, thickness, jitteredLattice(5, 0.15, 1, AlongX));
+      table, GroundTruthAccuracy, thickness, jitteredLattice(5, 0.15, 1, AlongX));
     // Each evaluation errs by 1e-6 at most.
-    const double bound = 1e-6 * march.evaluations + 4e-7;
+    const double bound = 1e-6 * march.lookups + 4e-7;
     EXPECT_NEAR(march.radiance.color.x, slabColour(0.9, 0.1, 0.5 * thickness, 1.0), bound);
     EXPECT_NEAR(march.radiance.color.y, slabColour(0.0, 1.0, 0.5 * thickness, 1.0), bound);
     const auto fast = alongX<PointKernel<float>, float>(
@@ -122,7 +122,8 @@ TEST(Analytic, NotANumberIsNothing)
   {
     values->SetComponent(i, 0, half->GetPoint(i)[0] < 0.49 ? std::nan("") : 1.0);
   }
-  const auto rest = alongX<PointKernel<double>, double>(whiteTable(), YardstickAccuracy, 1.0, half);
+  const auto rest =
+    alongX<PointKernel<double>, double>(whiteTable(), GroundTruthAccuracy, 1.0, half);
   EXPECT_NEAR(1.0 - rest.radiance.transmittance, slabOpacity(1.0, 0.5), 2e-7);
 }
 
@@ -168,7 +169,7 @@ TEST(Analytic, ThinCellsTakeOneEvaluationEach)
   const auto march = alongX<PointKernel<float>, float>(
     table, DefaultAccuracy, 1.0, jitteredLattice(20, 0.15, 1, sineField()));
   EXPECT_GT(march.cells, 40);
-  EXPECT_LE(march.evaluations, 1.03 * march.cells);
+  EXPECT_LE(march.lookups, 1.03 * march.cells);
 }
 
 // Scalars of cells are constant in them: exact at any level.

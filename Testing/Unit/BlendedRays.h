@@ -8,8 +8,8 @@
 #ifndef tetmarch_testing_BlendedRays_h
 #define tetmarch_testing_BlendedRays_h
 
+#include "Appearance/Blending.h"
 #include "Reference/BlendKernel.h"
-#include "Scene/Blending.h"
 
 #include "RandomRays.h"
 #include "UnitMeshes.h"
@@ -79,7 +79,7 @@ public:
     const std::string error =
       makeBlending({ static_cast<int>(mode), range }, this->Property, this->Range, this->Blend);
     this->Table = blendedTable(
-      this->Property, OpacityLaw::Structured, this->Blend, this->Range, YardstickAccuracy);
+      this->Property, OpacityLaw::Structured, this->Blend, this->Range, GroundTruthAccuracy);
     return error;
   }
   std::string useSurfaces(const std::vector<double>& values)
@@ -96,7 +96,8 @@ public:
   template <typename Kernel, typename Real>
   Kernel kernel() const
   {
-    Kernel made = makeKernel<Kernel, Real>(this->Mesh, this->Table, this->Range, YardstickAccuracy);
+    Kernel made =
+      makeKernel<Kernel, Real>(this->Mesh, this->Table, this->Range, GroundTruthAccuracy);
     made.CellScalars = this->Scalars.data();
     made.useBlending(this->Blend);
     return made;

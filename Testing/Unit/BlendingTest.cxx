@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is made of the wish for a blend mode.
-#include "Scene/Blending.h"
+// What is made of the options for a blend mode.
+#include "Appearance/Blending.h"
+#include "Light/EffectOptions.h"
 #include "Mesh/Scalars.h"
-#include "Scene/EffectOptions.h"
-#include "Scene/VariantKey.h"
+#include "Variants/VariantKey.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"

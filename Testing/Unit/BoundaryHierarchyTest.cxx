@@ -133,10 +133,10 @@ Entries entriesByBruteForce(Kernel& kernel, const typename Kernel::Ray& ray, Id 
   Entries entries;
   for (Id b = 0; b < faces; ++b)
   {
-    typename Kernel::Crossing face;
+    typename Kernel::FaceIntersection face;
     if (kernel.enters(ray, b, face))
     {
-      entries.emplace_back(double(kernel.crossingPoint(face).x), static_cast<int>(b));
+      entries.emplace_back(double(kernel.intersectionPoint(face).x), static_cast<int>(b));
     }
   }
   std::sort(entries.begin(), entries.end());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The march through a volume that is cut: lengths in closed form, pictures against the oracle.
+// The march through a volume that is cut: lengths in closed form, pictures against the groundTruth.
 #include "Mesh/Scalars.h"
 #include "Reference/Kernel.h"
 
@@ -41,7 +41,7 @@ public:
   CutCube()
   {
     setPointScalars(this->Data, this->Data->GetPointData()->GetScalars(), this->Mesh);
-    this->March = kernelOf<PointKernel<Real>, Real>(this->Mesh, this->Table, YardstickAccuracy);
+    this->March = kernelOf<PointKernel<Real>, Real>(this->Mesh, this->Table, GroundTruthAccuracy);
   }
 
   // The greatest error of the transmittance of many rays.
@@ -207,7 +207,7 @@ TEST(ClippedMarch, WhatCutsNothingChangesNoBit)
     ASSERT_EQ(whole.radiance.transmittance, cut.radiance.transmittance);
     ASSERT_EQ(whole.radiance.color.x, cut.radiance.color.x);
     ASSERT_EQ(whole.cells, cut.cells);
-    ASSERT_EQ(whole.evaluations, cut.evaluations);
+    ASSERT_EQ(whole.lookups, cut.lookups);
   }
 }
 
@@ -224,18 +224,18 @@ protected:
   }
 
   // With colours and scalars that change within cells.
-  void expectOracle()
+  void expectGroundTruth()
   {
-    const Image right = byOracle(this->Taken);
-    for (const AccuracyLevel& level : { DefaultAccuracy, YardstickAccuracy })
+    const Image right = byGroundTruth(this->Taken);
+    for (const AccuracyLevel& level : { DefaultAccuracy, GroundTruthAccuracy })
     {
       const double tolerance = level.ErrorTolerance;
       MarchCounters counters;
-      const Difference inDouble = compare(byTwin<double>(this->Taken, level, counters), right);
+      const Difference inDouble = compare(byReference<double>(this->Taken, level, counters), right);
       EXPECT_LE(inDouble.Max, tolerance + 2e-5) << inDouble.text();
       EXPECT_GT(counters.Rays, 50);
       EXPECT_EQ(counters.Lost + counters.Guarded, 0);
-      const Difference inFloat = compare(byTwin<float>(this->Taken, level, counters), right);
+      const Difference inFloat = compare(byReference<float>(this->Taken, level, counters), right);
       EXPECT_LE(inFloat.Max, tolerance + 2e-4) << inFloat.text();
       std::cout << "[ MEASURED ] " << inDouble.text() << "; float " << inFloat.text() << '\n';
     }
@@ -248,9 +248,9 @@ protected:
 TEST_P(CutShot, ByPlanes)
 {
   addPlane(this->Planes, { 0.5, 0.4, 0.4 }, { 0.4, -0.3, -1.0 });
-  this->expectOracle();
+  this->expectGroundTruth();
   addPlane(this->Planes, { 0.5, 0.45, 0.4 }, { 0.1, 1.0, 0.3 });
-  this->expectOracle();
+  this->expectGroundTruth();
 }
 
 TEST_P(CutShot, ByPlanesInParallelProjection)
@@ -258,7 +258,7 @@ TEST_P(CutShot, ByPlanesInParallelProjection)
   addPlane(this->Planes, { 0.5, 0.4, 0.4 }, { 0.4, -0.3, -1.0 });
   this->Taken.Camera->ParallelProjectionOn();
   this->Taken.Camera->SetParallelScale(0.8);
-  this->expectOracle();
+  this->expectGroundTruth();
 }
 
 TEST_P(CutShot, ByCropping)
@@ -268,7 +268,7 @@ TEST_P(CutShot, ByCropping)
   for (const int flags : { 0x2ebfeba, 0x5140145, 0x0417410, 0x7be8bef, 0x0002000 })
   {
     this->Taken.Cut.CroppingFlags = flags;
-    this->expectOracle();
+    this->expectGroundTruth();
   }
 }
 
@@ -279,7 +279,7 @@ TEST_P(CutShot, ByBothInAMeshOfSeveralParts)
   this->Taken.Cut.Cropping = true;
   this->Taken.Cut.CroppingPlanes = { { 0.337, 0.611, 0.313, 0.564, 0.259, 0.723 } };
   this->Taken.Cut.CroppingFlags = 0x7be8bef;
-  this->expectOracle();
+  this->expectGroundTruth();
 }
 
 TEST_P(CutShot, WithOpaqueGeometry)
@@ -290,7 +290,7 @@ TEST_P(CutShot, WithOpaqueGeometry)
   {
     this->Taken.Depths[i] = 0.97f + 0.02f * static_cast<float>(i % 7) / 7.0f;
   }
-  this->expectOracle();
+  this->expectGroundTruth();
 }
 
 INSTANTIATE_TEST_SUITE_P(Scalars, CutShot, ::testing::Values(ScalarsOf::Points, ScalarsOf::Cells));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clipping planes and cropping in the frame of the mesh: where they are in the world and in the
 // data, and what can't be used.
-#include "Scene/Clipping.h"
+#include "Rays/Clipping.h"
 
 #include "CutWay.h"
 #include "RandomRays.h"

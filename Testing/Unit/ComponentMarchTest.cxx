@@ -50,7 +50,7 @@ void expectTolerance(int components, bool independent)
       EXPECT_LE(tally.Worst, tolerance);
       EXPECT_LE(tally.BeyondBound, Rounding);
     }
-    ASSERT_EQ(rays.use(YardstickAccuracy), "");
+    ASSERT_EQ(rays.use(GroundTruthAccuracy), "");
     const ErrorTally exact = tallyOf<Kernel<double>, double>(rays);
     std::cout << "[ MEASURED ] in double: " << exact.Worst << '\n';
     EXPECT_LE(exact.Worst, 1e-5);
@@ -109,7 +109,7 @@ TEST(ComponentMarch, ColorsThatAreLinearInAnEvenFog)
   vtkNew<vtkPiecewiseFunction> even;
   even->AddPoint(0.0, 0.7);
   rays.Property->SetScalarOpacity(even);
-  ASSERT_EQ(rays.use(YardstickAccuracy), "");
+  ASSERT_EQ(rays.use(GroundTruthAccuracy), "");
   auto kernel = rays.kernel<DirectColorPointKernel<double>, double>();
   int checked = 0;
   rays.Rays.forEachRay<DirectColorPointKernel<double>, double>(kernel, rays.Fields[0],
@@ -135,7 +135,7 @@ template <template <typename> class Kernel>
 void expectCells(int components, bool independent)
 {
   ComponentRays rays(twoTetsSharingFace(), components, independent, true);
-  ASSERT_EQ(rays.use(YardstickAccuracy), "");
+  ASSERT_EQ(rays.use(GroundTruthAccuracy), "");
   auto kernel = rays.kernel<Kernel<double>, double>();
   RandomRays random(3);
   int checked = 0;

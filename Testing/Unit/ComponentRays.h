@@ -8,8 +8,8 @@
 #ifndef tetmarch_testing_ComponentRays_h
 #define tetmarch_testing_ComponentRays_h
 
+#include "Appearance/Components.h"
 #include "Reference/ComponentKernel.h"
-#include "Scene/Components.h"
 
 #include "BlendedRays.h"
 #include "ComponentFields.h"
@@ -95,7 +95,7 @@ public:
   bool OfCells;
   vtkNew<vtkVolumeProperty> Property;
   Components Parts;
-  AccuracyLevel Level = YardstickAccuracy;
+  AccuracyLevel Level = GroundTruthAccuracy;
 };
 } // namespace tetmarch::testing
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which components of an array are drawn together, how they are stored, and what is wrong with
 // others.
-#include "Scene/Components.h"
+#include "Appearance/Components.h"
 
 #include "ComponentFields.h"
 #include "UnitMeshes.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Arrays have the same hash if and only if their values are the same.
-#include "Scene/ContentHash.h"
+#include "Caching/ContentHash.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Figures of values over pixels.
-#include "Scene/Distribution.h"
+#include "Diagnostics/Distribution.h"
 
 #include <gtest/gtest.h>
 

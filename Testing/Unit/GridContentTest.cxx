@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The mesh of a grid is known again in another grid, unless anything that it depends on differs.
-#include "Scene/GridContent.h"
+#include "Mesh/GridContent.h"
 
 #include "Grids.h"
+#include "Mesh/MeshStage.h"
 #include "RawGrid.h"
-#include "Scene/MeshStage.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which tetrahedra ghost arrays hide, and what a ray sees of the others.
 #include "Mesh/HiddenCells.h"
+#include "Mesh/HiddenCellStage.h"
 #include "Mesh/Scalars.h"
 #include "Reference/Kernel.h"
-#include "Scene/HiddenCellStage.h"
 
 #include "ClosedForms.h"
 #include "UnitMeshes.h"

@@ -7,8 +7,8 @@
 #ifndef tetmarch_testing_JoinedGrids_h
 #define tetmarch_testing_JoinedGrids_h
 
+#include "Blocks/JoinedBlocks.h"
 #include "GridBlocks.h"
-#include "Scene/JoinedBlocks.h"
 
 #include "vtkAbstractMapper.h"
 

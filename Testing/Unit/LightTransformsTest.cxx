@@ -58,7 +58,7 @@ void LightTransforms::expectTransforms()
   const Triple worldB = this->toWorld(b);
   this->Answers.Lights = { pointLight(worldA), pointLight(worldB), sunlight(direction) };
   const LightUniforms lights = this->lights();
-  ASSERT_EQ(lights.Lamps.size(), 3u);
+  ASSERT_EQ(lights.Sources.size(), 3u);
   ASSERT_EQ(lights.ShadowSources.size(), 3u);
   const double size = length(minus(worldA, worldB));
   const double lost = 1e-12 + 1e-14 * length(this->toWorld({})) / size;
@@ -67,26 +67,26 @@ void LightTransforms::expectTransforms()
   expectNear(firstThree(lights.ShadowSources[0]), a, 10.0 * lost);
   expectNear(firstThree(lights.ShadowSources[1]), b, 10.0 * lost);
   EXPECT_EQ(lights.ShadowSources[0][3], 1.0);
-  const Triple placeA = firstThree(lights.Lamps[0].Place);
-  const Triple placeB = firstThree(lights.Lamps[1].Place);
+  const Triple placeA = firstThree(lights.Sources[0].Place);
+  const Triple placeB = firstThree(lights.Sources[1].Place);
   expectNear(placeA, times(lights.WorldMatrix, a), 10.0 * lost);
   expectNear(placeB, times(lights.WorldMatrix, b), 10.0 * lost);
-  EXPECT_EQ(lights.Lamps[0].Place[3], 1.0);
+  EXPECT_EQ(lights.Sources[0].Place[3], 1.0);
 
   // Attenuation by distances of the shader's world is that of the world.
   const double distance = length(minus(placeA, placeB));
-  const auto& fading = lights.Lamps[0].Fading;
+  const auto& fading = lights.Sources[0].Attenuation;
   EXPECT_EQ(fading[0], 0.5);
   EXPECT_NEAR(fading[1] * distance, 0.25 * size, 1e-12 * size + lost * size);
   EXPECT_NEAR(
     fading[2] * distance * distance, 0.125 * size * size, (1e-12 + 2.0 * lost) * size * size);
   EXPECT_EQ(fading[3], 3.0);
-  EXPECT_EQ(lights.Lamps[0].Cone[3], 0.75);
+  EXPECT_EQ(lights.Sources[0].Cone[3], 0.75);
 
   // Ways: in the world as they are, in the normalised frame of unit length and the same way.
-  expectNear(firstThree(lights.Lamps[2].Place), minus({}, direction), 1e-15);
-  EXPECT_EQ(lights.Lamps[2].Place[3], 0.0);
-  expectNear(firstThree(lights.Lamps[2].Cone), direction, 1e-15);
+  expectNear(firstThree(lights.Sources[2].Place), minus({}, direction), 1e-15);
+  EXPECT_EQ(lights.Sources[2].Place[3], 0.0);
+  expectNear(firstThree(lights.Sources[2].Cone), direction, 1e-15);
   const Triple way = firstThree(lights.ShadowSources[2]);
   EXPECT_EQ(lights.ShadowSources[2][3], 0.0);
   EXPECT_NEAR(length(way), 1.0, 1e-12);
@@ -119,9 +119,9 @@ void LightTransforms::expectAngles()
   this->Answers.Lights = { sunlight(direction) };
   const LightUniforms lights = this->lights();
   ASSERT_FALSE(lights.InWorld);
-  const Triple way = firstThree(lights.Lamps[0].Place);
+  const Triple way = firstThree(lights.Sources[0].Place);
   EXPECT_NEAR(length(way), 1.0, 1e-12);
-  EXPECT_EQ(lights.Lamps[0].Place[3], 0.0);
+  EXPECT_EQ(lights.Sources[0].Place[3], 0.0);
   const Triple slope{ { 0.6, -0.2, 0.9 } };
   const Triple worldSlope = this->toWorld(slope, 0.0);
   EXPECT_NEAR(

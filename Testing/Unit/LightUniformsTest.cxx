@@ -24,8 +24,8 @@ TEST_F(LightUniformsOf, ColoursAreTimesTheProperty)
   this->Answers.Lights = { light };
   this->Answers.TwoSided = true;
   const LightUniforms lights = this->lights();
-  expectNear(lights.Lamps[0].Diffuse, { { 0.05, 0.1, 0.2 } }, 1e-15);
-  expectNear(lights.Lamps[0].Specular, { { 0.75, 1.5, 3.0 } }, 1e-15);
+  expectNear(lights.Sources[0].Diffuse, { { 0.05, 0.1, 0.2 } }, 1e-15);
+  expectNear(lights.Sources[0].Specular, { { 0.75, 1.5, 3.0 } }, 1e-15);
   EXPECT_EQ(lights.SpecularPower, 20.0);
   EXPECT_TRUE(lights.TwoSided);
   this->Answers.TwoSided = false;
@@ -56,11 +56,11 @@ TEST_F(LightUniformsOf, ChannelsOfShadows)
   const LightUniforms lights = this->lights();
   const int channels[] = { -1, -1, 0, 1, 2, -1, -1, -1, -1 };
   const double strengths[] = { 1.0, 0.0, 1.0, 0.5, 1.0, 1.0, 0.0, 0.0, 0.0 };
-  ASSERT_EQ(lights.Lamps.size(), 9u);
+  ASSERT_EQ(lights.Sources.size(), 9u);
   for (int i = 0; i < 9; ++i)
   {
-    EXPECT_EQ(lights.Lamps[i].ShadowChannel, channels[i]) << i;
-    EXPECT_EQ(lights.Lamps[i].ShadowStrength, strengths[i]) << i;
+    EXPECT_EQ(lights.Sources[i].ShadowChannel, channels[i]) << i;
+    EXPECT_EQ(lights.Sources[i].ShadowStrength, strengths[i]) << i;
   }
   ASSERT_EQ(lights.ShadowSources.size(), 3u);
   EXPECT_EQ(lights.ShadowSources[0][3], 0.0);
@@ -81,10 +81,10 @@ TEST_F(LightUniformsOf, ShadowsNobodyAskedFor)
   EXPECT_EQ(lights.ShadowlessLights, 0);
   EXPECT_FALSE(lights.hasHeadlightShadows());
   EXPECT_FALSE(lights.hasVolumeLight());
-  for (const auto& lamp : lights.Lamps)
+  for (const auto& source : lights.Sources)
   {
-    EXPECT_EQ(lamp.ShadowStrength, 0.0);
-    EXPECT_EQ(lamp.ShadowChannel, -1);
+    EXPECT_EQ(source.ShadowStrength, 0.0);
+    EXPECT_EQ(source.ShadowChannel, -1);
   }
   // What scatters light keeps it from what is behind.
   this->Options.Scattering = 0.5;
@@ -164,7 +164,7 @@ TEST_F(LightUniformsOf, NothingIsLitWithoutLights)
   this->Options.Occlusion = true;
   this->Options.Scattering = 1.0;
   const LightUniforms lights = this->lights();
-  EXPECT_TRUE(lights.Lamps.empty());
+  EXPECT_TRUE(lights.Sources.empty());
   EXPECT_FALSE(lights.hasVolumeLight());
   EXPECT_FALSE(lights.hasHeadlightShadows());
   EXPECT_FALSE(lights.InWorld);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Lights of a renderer and what a property answers to them.
-#include "Scene/Lighting.h"
+#include "Light/Lighting.h"
 
 #include "Shot.h"
 
@@ -76,7 +76,7 @@ TEST_F(LightsOf, Headlight)
   EXPECT_EQ(source.ShadowStrength, 1.0);
 }
 
-// A lamp at the camera, which attenuation and cone make another thing than a headlight.
+// A light at the camera, which attenuation and cone make another thing than a headlight.
 TEST_F(LightsOf, PositionalHeadlight)
 {
   const auto light = this->add();

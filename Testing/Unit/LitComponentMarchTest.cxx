@@ -51,12 +51,12 @@ public:
   LitComponentRays(const Grid& grid, int components, bool cells = false)
     : ComponentRays(grid, components, false, cells)
   {
-    LightUniforms::Lamp sun;
+    LightUniforms::Light sun;
     sun.Diffuse = { { 0.8, 0.6, 0.4 } };
     sun.Specular = { { 0.4, 0.2, 0.3 } };
     const Triple way = normalized({ { 0.3, 0.5, -0.7 } });
     sun.Place = { { way[0], way[1], way[2], 0.0 } };
-    this->Effects.Lights.Lamps = { sun };
+    this->Effects.Lights.Sources = { sun };
     this->Effects.Lights.TwoSided = true;
     this->Effects.Lights.Ambient = { { 0.1, 0.2, 0.3 } };
     this->Effects.Lights.SpecularPower = 8.0;
@@ -94,7 +94,7 @@ public:
   template <typename Ray>
   LightThere lightOn(const Ray& ray) const
   {
-    const LightUniforms::Lamp& sun = this->Effects.Lights.Lamps[0];
+    const LightUniforms::Light& sun = this->Effects.Lights.Sources[0];
     const Triple normal = normalized(this->gradient());
     const Triple way{ { sun.Place[0], sun.Place[1], sun.Place[2] } };
     const Triple eye{ { -double(ray.direction.x), -double(ray.direction.y),
@@ -119,7 +119,7 @@ public:
   // So much brighter that a bound which forgets the light is too small.
   void blaze()
   {
-    for (double& channel : this->Effects.Lights.Lamps[0].Diffuse)
+    for (double& channel : this->Effects.Lights.Sources[0].Diffuse)
     {
       channel *= 15.0;
     }
@@ -175,7 +175,7 @@ void expectTolerance(int components)
       EXPECT_LE(tally.Worst, tolerance);
       EXPECT_LE(tally.BeyondBound, Rounding);
     }
-    ASSERT_EQ(rays.use(YardstickAccuracy), "");
+    ASSERT_EQ(rays.use(GroundTruthAccuracy), "");
     const ErrorTally exact = tallyOf<Kernel<double>, double>(rays);
     std::cout << "[ MEASURED ] in double: " << exact << '\n';
     EXPECT_LE(exact.Worst, 1e-5);
@@ -219,7 +219,7 @@ template <template <typename> class Kernel>
 void expectGradientOpacity(int components, bool cellGradients)
 {
   LitComponentRays rays(jitteredLattice(3, 0.15), components);
-  ASSERT_EQ(rays.use(YardstickAccuracy), "");
+  ASSERT_EQ(rays.use(GroundTruthAccuracy), "");
   const double density = rays.addGradientOpacity();
   const ErrorTally tally = tallyOf<Kernel<double>, double>(rays, density, cellGradients);
   std::cout << "[ MEASURED ] " << tally << '\n';
@@ -264,7 +264,7 @@ void expectBoundOfChangingLight(int components)
       },
       400);
   };
-  forEach(YardstickAccuracy, [&](const Rgba& seen, double) { exact.push_back(seen); });
+  forEach(GroundTruthAccuracy, [&](const Rgba& seen, double) { exact.push_back(seen); });
   AccuracyLevel level = levelOf(Accuracy::Default, 1.0 / 32.0);
   level.LeastTableEntries = 16384;
   ErrorTally tally;
@@ -288,7 +288,7 @@ template <template <typename> class Kernel>
 void expectCells(int components)
 {
   LitComponentRays rays(twoTetsSharingFace(), components, true);
-  ASSERT_EQ(rays.use(YardstickAccuracy), "");
+  ASSERT_EQ(rays.use(GroundTruthAccuracy), "");
   const Triple g = rays.gradient();
   rays.Effects.Gradients.assign(rays.Rays.Mesh.Vertices.size(),
     { { static_cast<float>(g[0]), static_cast<float>(g[1]), static_cast<float>(g[2]) } });

@@ -7,8 +7,8 @@
 #ifndef tetmarch_testing_LitVolume_h
 #define tetmarch_testing_LitVolume_h
 
+#include "Light/LightUniforms.h"
 #include "Mesh/TetMesh.h"
-#include "Scene/LightUniforms.h"
 
 #include "vtkNew.h"
 #include "vtkTransform.h"

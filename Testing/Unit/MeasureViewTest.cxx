@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Ranges and colours of the view modes.
-#include "Scene/MeasureView.h"
-#include "Scene/ViewColors.h"
+#include "Diagnostics/MeasureView.h"
+#include "Diagnostics/ViewColors.h"
 
 #include "vtkLookupTable.h"
 #include "vtkMath.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mesh is made once a grid, a failure is met once, and whatever memory is refused, it is an
 // error of which nothing remains.
-#include "Scene/MeshStage.h"
+#include "Mesh/MeshStage.h"
 
+#include "Caching/WithinMemory.h"
 #include "Grids.h"
 #include "Optics/IntegralTable.h"
 #include "ScarceMemory.h"
-#include "Scene/WithinMemory.h"
 #include "UnitMeshes.h"
 
 #include "vtkPoints.h"

@@ -3,8 +3,8 @@
 // A mesh whose points were moved is the mesh that is built of the moved grid, but for its numbers.
 #include "Mesh/MovedPoints.h"
 
+#include "Mesh/MeshStage.h"
 #include "Mesh/TetMeshBuilder.h"
-#include "Scene/MeshStage.h"
 #include "UnitMeshes.h"
 
 #include "vtkPoints.h"

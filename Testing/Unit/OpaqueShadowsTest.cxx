@@ -81,28 +81,29 @@ TEST_F(OpaqueShadowsOf, NoFurtherThanLightIsFollowed)
 
 TEST_F(OpaqueShadowsOf, APlateBetweenALampAndTheVolume)
 {
-  const Vector3 lamp{ { 0.4, 0.7, 2.5 } };
-  this->addLamp(lamp[0], lamp[1], lamp[2]);
+  const Vector3 source{ { 0.4, 0.7, 2.5 } };
+  this->addLightSource(source[0], source[1], source[2]);
   this->Renderer->AddActor(plateAt(1.3));
   this->expectShadow(
-    0, [&](const Vector3& p) { return depthUnderPlate(p, lamp - p, 1.3); }, Rounding);
+    0, [&](const Vector3& p) { return depthUnderPlate(p, source - p, 1.3); }, Rounding);
 }
 
 TEST_F(OpaqueShadowsOf, NothingBehindALamp)
 {
-  this->addLamp(0.4, 0.7, 1.2);
+  this->addLightSource(0.4, 0.7, 1.2);
   this->Renderer->AddActor(plateAt(1.3));
   this->expectNoShadow();
 }
 
-// The lamp stands in the volume over it: what is below has no light, what is above has.
+// The source stands in the volume over it: what is below has no light, what is above has.
 TEST_F(OpaqueShadowsOf, APlateInsideOfTheVolume)
 {
-  const Vector3 lamp{ { 0.45, 0.6, 0.8 } };
-  this->addLamp(lamp[0], lamp[1], lamp[2]);
+  const Vector3 source{ { 0.45, 0.6, 0.8 } };
+  this->addLightSource(source[0], source[1], source[2]);
   this->Renderer->AddActor(plateAt(0.55));
   this->expectShadow(
-    0, [&](const Vector3& p) { return std::min(depthUnderPlate(p, lamp - p, 0.55), 0.55 - p[2]); },
+    0,
+    [&](const Vector3& p) { return std::min(depthUnderPlate(p, source - p, 0.55), 0.55 - p[2]); },
     Rounding);
 }
 
@@ -132,17 +133,17 @@ TEST_F(OpaqueShadowsOf, ABallInTheSun)
 TEST_F(OpaqueShadowsOf, EachOfThreeLights)
 {
   const Vector3 ways[] = { { { 0.3, 0.2, 1.0 } }, { { -0.4, 0.1, 1.0 } } };
-  const Vector3 lamp{ { 0.4, 0.7, 2.5 } };
+  const Vector3 source{ { 0.4, 0.7, 2.5 } };
   this->addHeadlight(); // casts none
   this->addLight(ways[0][0], ways[0][1], ways[0][2]);
-  this->addLamp(lamp[0], lamp[1], lamp[2]);
+  this->addLightSource(source[0], source[1], source[2]);
   this->addLight(ways[1][0], ways[1][1], ways[1][2]);
   this->addLight(0.0, 0.0, 1.0); // the fourth casts none
   this->Renderer->AddActor(plateAt(1.3));
   this->expectShadow(
     0, [&](const Vector3& p) { return depthUnderPlate(p, ways[0], 1.3); }, Rounding);
   this->expectShadow(
-    1, [&](const Vector3& p) { return depthUnderPlate(p, lamp - p, 1.3); }, Rounding);
+    1, [&](const Vector3& p) { return depthUnderPlate(p, source - p, 1.3); }, Rounding);
   this->expectShadow(
     2, [&](const Vector3& p) { return depthUnderPlate(p, ways[1], 1.3); }, Rounding);
   for (std::uint8_t bits : this->shadows())
@@ -159,9 +160,9 @@ TEST_F(OpaqueShadowsOf, AStretchedAndTurnedVolume)
   transform->Scale(1.0, 0.4, -0.7);
   transform->Translate(-0.5, -0.5, -0.5);
   this->Volume->SetUserTransform(transform);
-  const Vector3 lamp{ { 0.4, 0.7, 3.5 } };
+  const Vector3 source{ { 0.4, 0.7, 3.5 } };
   this->addLight(0.3, 0.2, 1.0);
-  this->addLamp(lamp[0], lamp[1], lamp[2]);
+  this->addLightSource(source[0], source[1], source[2]);
   this->Renderer->AddActor(plateAt(1.4));
   this->expectShadow(
     0,
@@ -170,7 +171,7 @@ TEST_F(OpaqueShadowsOf, AStretchedAndTurnedVolume)
     },
     Rounding);
   this->expectShadow(
-    1, [&](const Vector3& p) { return depthUnderPlate(p, lamp - p, 1.4); }, Rounding);
+    1, [&](const Vector3& p) { return depthUnderPlate(p, source - p, 1.4); }, Rounding);
 }
 
 // On a part of the boundary's own surface each vertex is inside of it.

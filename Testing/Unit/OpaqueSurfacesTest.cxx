@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What of a scene is opaque geometry, and where.
-#include "Scene/OpaqueSurfaces.h"
+#include "Light/OpaqueSurfaces.h"
 
 #include "OpaqueProps.h"
 #include "Shot.h"

@@ -76,7 +76,7 @@ struct RandomVolume
   double nextLength()
   {
     const double length = std::pow(10.0, 3.0 * uniform(this->Random) - 1.0);
-    this->Camera.LengthMatrix = { { length, 0, 0, 0, length, 0, 0, 0, length } };
+    this->Camera.ThicknessMatrix = { { length, 0, 0, 0, length, 0, 0, 0, length } };
     return length;
   }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Points of rays in the arithmetic of the GPU, against lines in double.
-#include "Scene/RayPoints.h"
-#include "Scene/View.h"
+#include "Rays/RayPoints.h"
+#include "Rays/View.h"
 
 #include "Shot.h"
 #include "UnitMeshes.h"

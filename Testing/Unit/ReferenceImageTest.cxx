@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole pictures of the CPU twin, pixel by pixel against the oracle in world coordinates.
-#include "Scene/View.h"
+// Whole pictures of the CPU reference, pixel by pixel against the groundTruth in world coordinates.
+#include "Rays/View.h"
 
 #include "Shot.h"
 
@@ -20,13 +20,14 @@ using namespace tetmarch::testing;
 constexpr int Size = Shot::Size;
 
 template <typename Real>
-void expectImage(const Image& oracle, const Shot& shot, const AccuracyLevel& level, double bound)
+void expectImage(
+  const Image& groundTruth, const Shot& shot, const AccuracyLevel& level, double bound)
 {
   MarchCounters counters;
-  const Difference difference = compare(byTwin<Real>(shot, level, counters), oracle);
+  const Difference difference = compare(byReference<Real>(shot, level, counters), groundTruth);
   EXPECT_LE(difference.Max, bound) << difference.text();
   EXPECT_GT(counters.Rays, Size * Size / 20);
-  EXPECT_GE(counters.Evaluations, 0);
+  EXPECT_GE(counters.Lookups, 0);
   EXPECT_EQ(counters.Refused + counters.Lost + counters.Guarded, 0);
   const std::string name = std::is_same<Real, float>::value ? "float" : "double";
   ::testing::Test::RecordProperty(
@@ -36,14 +37,14 @@ void expectImage(const Image& oracle, const Shot& shot, const AccuracyLevel& lev
 // What the levels promise: 1/255, and 1e-4 for comparisons.
 void expectDefault(const Shot& shot)
 {
-  const Image oracle = byOracle(shot);
-  expectImage<float>(oracle, shot, DefaultAccuracy, 1.0 / 255.0);
-  expectImage<double>(oracle, shot, DefaultAccuracy, 1.0 / 255.0);
+  const Image groundTruth = byGroundTruth(shot);
+  expectImage<float>(groundTruth, shot, DefaultAccuracy, 1.0 / 255.0);
+  expectImage<double>(groundTruth, shot, DefaultAccuracy, 1.0 / 255.0);
 }
 
 void expectReference(const Shot& shot)
 {
-  expectImage<double>(byOracle(shot), shot, YardstickAccuracy, 1e-4);
+  expectImage<double>(byGroundTruth(shot), shot, GroundTruthAccuracy, 1e-4);
 }
 
 void expectShot(const Shot& shot)

@@ -5,7 +5,7 @@
 
 #include "Grids.h"
 #include "Mesh/LeastTetrahedra.h"
-#include "Scene/ResourceLimits.h"
+#include "Mesh/ResourceLimits.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/SampleDistance.h"
+#include "Budget/SampleDistance.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "Reference/Kernel.h"
 
 #include "ClosedForms.h"
-#include "Oracle.h"
+#include "GroundTruth.h"
 #include "RandomRays.h"
 #include "UnitMeshes.h"
 
@@ -88,11 +88,12 @@ IntegralTable tableOfModel(const OpticalModel& model, const AccuracyLevel& level
   return makeIntegralTable(functions);
 }
 
-// The oracle's quadrature sees nothing of a chord so thick that the depth at its first node is some
-// hundreds: give it the chord in pieces that halve towards the eye.
-std::array<double, 4> integrateThick(const OracleScene& oracle, const Point& o, const Point& d)
+// The groundTruth's quadrature sees nothing of a chord so thick that the depth at its first node is
+// some hundreds: give it the chord in pieces that halve towards the eye.
+std::array<double, 4> integrateThick(
+  const GroundTruthScene& groundTruth, const Point& o, const Point& d)
 {
-  const auto lengthUpTo = [&](double t) { return oracle.pathLength(o, d, -1e30, t); };
+  const auto lengthUpTo = [&](double t) { return groundTruth.pathLength(o, d, -1e30, t); };
   const double length = lengthUpTo(1e30);
   double begin = -2.0, behind = 2.0; // where the chord begins
   for (int i = 0; i < 60; ++i)
@@ -105,7 +106,7 @@ std::array<double, 4> integrateThick(const OracleScene& oracle, const Point& o, 
   for (int i = 24; i >= 0; --i)
   {
     const double to = i == 0 ? 1e30 : begin + std::ldexp(length, -i);
-    const auto piece = oracle.integrate(o, d, from, to);
+    const auto piece = groundTruth.integrate(o, d, from, to);
     for (int k = 0; k < 4; ++k)
     {
       // Last the opacity, from which the rest has its weight.
@@ -122,7 +123,7 @@ struct Tally
   double WorstBeyondBound = -1.0; // how far an error is from the bound that the march gives
   int Segments = 0;
   int Seen = 0;
-  int Evaluations = 0;
+  int Lookups = 0;
 };
 
 // One ray through one tetrahedron, scalars from middle - width / 2 to middle + width / 2.
@@ -144,7 +145,7 @@ void compareSegments(Shape shape, const AccuracyLevel& level, double length, Tal
       const double share = uniform(random);
       v.Scalar = static_cast<float>(first + width * share);
     }
-    const OracleScene oracle(asGrid(mesh), model);
+    const GroundTruthScene groundTruth(asGrid(mesh), model);
     RandomRays rays(static_cast<unsigned>(i));
     for (int j = 0; j < 4; ++j)
     {
@@ -156,7 +157,7 @@ void compareSegments(Shape shape, const AccuracyLevel& level, double length, Tal
       }
       const Point o{ double(ray.origin.x), double(ray.origin.y), double(ray.origin.z) };
       const Point d{ double(ray.direction.x), double(ray.direction.y), double(ray.direction.z) };
-      const auto expected = integrateThick(oracle, o, d);
+      const auto expected = integrateThick(groundTruth, o, d);
       const double found[4] = { double(march.radiance.color.x), double(march.radiance.color.y),
         double(march.radiance.color.z), 1.0 - double(march.radiance.transmittance) };
       const double bound = double(kernel.errorBound(march.radiance));
@@ -171,7 +172,7 @@ void compareSegments(Shape shape, const AccuracyLevel& level, double length, Tal
       ASSERT_LE(march.radiance.transmittance, Real(1));
       ++tally.Segments;
       tally.Seen += expected[3] > 0.0 ? 1 : 0;
-      tally.Evaluations += march.evaluations;
+      tally.Lookups += march.lookups;
     }
   }
 }
@@ -207,8 +208,8 @@ void expectDefaultAccuracy()
       // Thin segments take one evaluation each, or none where the table says that nothing is seen.
       if (length <= 0.03)
       {
-        EXPECT_LE(tally.Evaluations, tally.Segments);
-        EXPECT_GE(tally.Evaluations, tally.Seen);
+        EXPECT_LE(tally.Lookups, tally.Segments);
+        EXPECT_GE(tally.Lookups, tally.Seen);
       }
     }
   }
@@ -219,7 +220,7 @@ TEST(Segment, DefaultAccuracyInFloat) { expectDefaultAccuracy<float>(); }
 
 TEST(Segment, DefaultAccuracyInDouble) { expectDefaultAccuracy<double>(); }
 
-void expectYardstickAccuracy(double from, double to)
+void expectGroundTruthAccuracy(double from, double to)
 {
   for (const double length : Lengths)
   {
@@ -228,19 +229,19 @@ void expectYardstickAccuracy(double from, double to)
       if (length >= from && length <= to)
       {
         Tally tally;
-        compareSegments<double>(shape, YardstickAccuracy, length, tally);
+        compareSegments<double>(shape, GroundTruthAccuracy, length, tally);
         expectAccuracy<double>(tally, 1e-4, length, shape);
       }
     }
   }
 }
 
-TEST(Segment, YardstickAccuracy) { expectYardstickAccuracy(0.0, 1.0); }
+TEST(Segment, GroundTruthAccuracy) { expectGroundTruthAccuracy(0.0, 1.0); }
 
 // Far more pieces than the 64 of the default level are needed for a tolerance of 1e-6 in a cell of
 // optical depth 10 (with 64 the error is 1.3e-2). Beyond depths of 1000 the fixed-point integrals,
 // good to 2^-22 of the greatest mean, leave more than 1e-4.
-TEST(Segment, YardstickAccuracyInThickCells) { expectYardstickAccuracy(10.0, 1e3); }
+TEST(Segment, GroundTruthAccuracyInThickCells) { expectGroundTruthAccuracy(10.0, 1e3); }
 
 // Neither an infinite length nor a position that is not a number keeps a ray from ending.
 TEST(Segment, EndsWhateverTheInput)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Conditions in shaders against what a preprocessor makes of them, and the files put together.
-#include "Scene/ShaderConditions.h"
-#include "Scene/ShaderSource.h"
+#include "Variants/ShaderConditions.h"
+#include "Variants/ShaderSource.h"
 
 #include <gtest/gtest.h>
 #include <string>
@@ -158,14 +158,14 @@ TEST(ShaderConditions, Unbalanced)
 // #line names the line before the first, and compilers name lines in various ways.
 TEST(ShaderSource, LinesAreThoseOfTheFile)
 {
-  const std::string text = shaderSource("ray_cast.glsl", Defines);
+  const std::string text = shaderSource("march/ray_cast.glsl", Defines);
   EXPECT_EQ(text.find("//VTK::System::Dec\n#line "), 0u);
   const std::size_t digits = std::string("//VTK::System::Dec\n#line ").size();
   const int line = std::stoi(text.substr(digits)) + 1;
   EXPECT_EQ(
     withFileNames("0:" + std::to_string(line) + "(5): error: e"), "ray_cast.glsl:1(5): error: e");
   EXPECT_EQ(withFileNames("ERROR: 0:" + std::to_string(line + 8) + ": e\nand so on"),
-    "ERROR: ray_cast.glsl:9: e\nand so on");
+    "ERROR: march/ray_cast.glsl:9: e\nand so on");
   EXPECT_EQ(withFileNames("0(" + std::to_string(line) + ") : error"), "ray_cast.glsl:1 : error");
   EXPECT_EQ(withFileNames("no place 7:12"), "no place 7:12");
 }

@@ -27,7 +27,7 @@ bool isLit(const Key& key) { return key.Shading || key.ShowGradients; }
 const char* const UnusedInSome =
   "main addLight castRay dimLight errorBound initializeRayCast insideFace isOpaque "
   "isTurnedForSure meanBetween pixelOf scalarAt tablePoint "
-  "tableValue texelOfVertex vertexOfTexel wayFromBoundary";
+  "tableValue texelOfVertex vertexOfTexel traversalFromBoundary";
 
 const std::vector<ShaderFeature>& shaderFeatures()
 {
@@ -37,7 +37,8 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "fma GL_ARB_gpu_shader5" },
     { "portable predicate", [](const Key& k, MarchShader) { return !k.HasFma; }, "wrapped turns" },
     { "march of the picture", [](const Key&, MarchShader s) { return gathers(s); },
-      "Radiance March Passage Piece seenPiece beginPassage gatherPiece pixelOf isOpaque "
+      "Radiance March CellInterval Segment visibleSegment beginCellInterval gatherSegment pixelOf "
+      "isOpaque "
       "marchToExit "
       "marchOn" },
     { "composites", [](const Key& k, MarchShader s) { return gathers(s) && k.isComposite(); },
@@ -70,22 +71,24 @@ const std::vector<ShaderFeature>& shaderFeatures()
       [](const Key& k, MarchShader) { return k.hasComponents() && k.PointScalars; },
       "furtherA furtherB furtherC furtherAt furtherEnter furtherLeave" },
     { "components along pieces",
-      [](const Key& k, MarchShader s)
-      { return gathers(s) && k.hasComponents() && k.PointScalars; },
+      [](const Key& k, MarchShader s) { return gathers(s) && k.hasComponents() && k.PointScalars; },
       "furtherBetween furtherEnd" },
     { "independent components", [](const Key& k, MarchShader) { return k.Independent; },
       "componentCount componentFactor scalarsOf componentOf" },
     { "independent components of points",
       [](const Key& k, MarchShader) { return k.Independent && k.PointScalars; },
-      "Mixture mixtureBetween" },
+      "IndependentMean independentMeanBetween" },
     { "independent components of cells",
-      [](const Key& k, MarchShader) { return k.Independent && !k.PointScalars; }, "mixtureAt" },
-    { "dependent components", [](const Key& k, MarchShader) { return k.isDependent(); }, "tinted" },
+      [](const Key& k, MarchShader) { return k.Independent && !k.PointScalars; },
+      "independentMeanAt" },
+    { "dependent components", [](const Key& k, MarchShader) { return k.isDependent(); },
+      "withDependentColor" },
     { "dependent components of points",
       [](const Key& k, MarchShader) { return k.isDependent() && k.PointScalars; },
-      "Tint tintBetween" },
+      "DependentColor dependentColorBetween" },
     { "dependent components of cells",
-      [](const Key& k, MarchShader) { return k.isDependent() && !k.PointScalars; }, "tintOf" },
+      [](const Key& k, MarchShader) { return k.isDependent() && !k.PointScalars; },
+      "dependentColorOf" },
     { "extreme scalars", [](const Key& k, MarchShader) { return k.Extreme; },
       "extremeSign extreme" },
     { "sums of scalars", [](const Key& k, MarchShader) { return k.Sum; },
@@ -120,18 +123,19 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "tableVariationBuffer variation orderErrorFactor" },
     { "error bound of one scalar",
       [](const Key& k, MarchShader) { return k.hasErrorBound() && !k.hasComponents(); },
-      "fetchTableVariation pieceError" },
+      "fetchTableVariation subsegmentError" },
     { "error bound of several",
       [](const Key& k, MarchShader) { return k.hasErrorBound() && k.hasComponents(); },
       "fetchTableVariations extinctionVariation" },
     { "error bound of independent components",
       [](const Key& k, MarchShader) { return k.hasErrorBound() && k.Independent; }, "greatestOf" },
     { "error bound of dependent components",
-      [](const Key& k, MarchShader) { return k.hasErrorBound() && k.isDependent(); }, "tintError" },
+      [](const Key& k, MarchShader) { return k.hasErrorBound() && k.isDependent(); },
+      "dependentError" },
     { "adaptive", [](const Key& k, MarchShader) { return k.Adaptive; },
       "mostTrials errorBudget TOLERANCE_AT_ONCE TOLERANCE_BY_ABSORPTION budget" },
     { "diagnostics", [](const Key& k, MarchShader) { return k.Diagnostics; },
-      "evaluations lost guarded met" },
+      "lookups lost guarded met" },
     { "transparent ranges", [](const Key& k, MarchShader) { return k.TransparentRanges; },
       "transparentRanges isTransparentBetween" },
     { "colour of what is not finite", [](const Key& k, MarchShader) { return k.NanShown; },
@@ -146,15 +150,16 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "clipping planes", [](const Key& k, MarchShader) { return k.Clipped; },
       "clippingPlaneCount clippingPlane fetchClippingPlane clippedRange" },
     { "cropping", [](const Key& k, MarchShader) { return k.Cropped; },
-      "croppingLow croppingHigh croppingFlags lowDepth highDepth depthAlong crossingDepths "
-      "nextPlane planesBelow isLeft nextPiece rest cropping" },
+      "croppingLow croppingHigh croppingFlags lowDepth highDepth depthAlong planeDepths "
+      "nextPlane planesBelow isLeft nextSegment rest cropping" },
     { "rays of pixels", [](const Key&, MarchShader s) { return !isLight(s); }, "viewport eye" },
     { "one march a ray",
       [](const Key& k, MarchShader s)
       { return (isPicture(s) && !k.SampledShadows) || (isPick(s) && (k.Extreme || k.Sum)); },
       "castPlainRay" },
     { "pick", [](const Key&, MarchShader s) { return isPick(s); },
-      "Pick PICK_STEPS noPick isPicked gathered gatheredUpTo pickPiece pickOn transmittanceLeft" },
+      "Pick PICK_STEPS noPick isPicked gathered gatheredUpTo pickSegment pickOn "
+      "transmittanceLeft" },
     { "pick of scalars",
       [](const Key& k, MarchShader s) { return isPick(s) && (k.Extreme || k.Sum); },
       "PICK_ROUNDING" },
@@ -179,7 +184,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
         return k.hasVertexGradients() || k.hasVertexLight() ||
                (k.hasComponents() && k.PointScalars);
       },
-      "fetchCorners crossingShares" },
+      "fetchCorners barycentricsOf" },
     { "opacity by gradients", [](const Key& k, MarchShader) { return k.GradientOpacity; },
       "gradientOpacityBuffer gradientOpacitySize gradientOpacityScale fetchGradientOpacity "
       "gradientOpacity" },
@@ -214,7 +219,8 @@ const std::vector<ShaderFeature>& shaderFeatures()
       [](const Key& k, MarchShader) { return k.Shading && !k.HeadlightOnly && !k.SingleLight; },
       "lightCount lightKind isHeadlight" },
     { "lights in the world", [](const Key& k, MarchShader) { return k.WorldLights; },
-      "worldMatrix normalMatrix toWorld toWorldNormal lightFading lightCone fetchLightFading "
+      "worldMatrix normalMatrix toWorld toWorldNormal lightAttenuation lightCone "
+      "fetchLightAttenuation "
       "fetchLightCone spot" },
     { "scattering", [](const Key& k, MarchShader) { return k.Scattering; },
       "scatteringBlending gradientUnit scatteredShare scattered" },
@@ -238,10 +244,12 @@ const std::vector<ShaderFeature>& shaderFeatures()
       [](const Key& k, MarchShader s) { return isLight(s) || k.hasVertexLight(); },
       "texelOfVertex vertexOfTexel" },
     { "rays to lights", followsLight,
-      "shadowSourceCount shadowSource lightReach fetchShadowSource opticalLengthOf INSIDE_FACE "
+      "shadowSourceCount shadowSource lightReach fetchShadowSource thicknessPerDepthAlong "
+      "INSIDE_FACE "
       "transmittanceTowards" },
     { "march of extinction", followsLight,
-      "Tet seenAt entersTet Attenuation attenuateToExit attenuate transmittanceOn darkDepth "
+      "Tet seenAt entersTet ExtinctionMarch marchExtinctionToExit marchExtinction transmittanceOn "
+      "darkDepth "
       "countedExtinction" },
     { "extinction of what is not finite",
       [](const Key& k, MarchShader s) { return followsLight(k, s) && k.NanShown; }, "isFinite" },

@@ -4,7 +4,7 @@
 #ifndef tetmarch_testing_ShaderFeatures_h
 #define tetmarch_testing_ShaderFeatures_h
 
-#include "Scene/VariantKey.h"
+#include "Variants/VariantKey.h"
 
 #include <string>
 #include <vector>
@@ -14,9 +14,9 @@ namespace tetmarch::testing
 /// The entry points that go through the mesh.
 enum class MarchShader
 {
-  Picture,       // march.frag.glsl
-  LightAtVertex, // vertex_light.frag.glsl
-  Pick           // pick.frag.glsl
+  Picture,       // passes/march.frag.glsl
+  LightAtVertex, // passes/vertex_light.frag.glsl
+  Pick           // passes/pick.frag.glsl
 };
 
 struct ShaderFeature

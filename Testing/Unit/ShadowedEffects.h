@@ -97,12 +97,12 @@ protected:
     EXPECT_FALSE(this->key().OpaqueShadows);
   }
 
-  vtkSmartPointer<vtkLight> addLamp(double x, double y, double z)
+  vtkSmartPointer<vtkLight> addLightSource(double x, double y, double z)
   {
-    auto lamp = this->addLight(x, y, z);
-    lamp->PositionalOn();
-    lamp->SetConeAngle(180.0);
-    return lamp;
+    auto source = this->addLight(x, y, z);
+    source->PositionalOn();
+    source->SetConeAngle(180.0);
+    return source;
   }
 };
 

@@ -60,7 +60,7 @@ Grid inWorld(const Shot& shot)
 
 // What comes through the parts of a way that are left, front to back.
 std::array<double, 4> integrateLeft(
-  const OracleScene& oracle, const Shot& shot, const Vec3& from, const Vec3& to)
+  const GroundTruthScene& groundTruth, const Shot& shot, const Vec3& from, const Vec3& to)
 {
   const auto inData = [&shot](const Vec3& world)
   {
@@ -73,7 +73,7 @@ std::array<double, 4> integrateLeft(
   std::array<double, 4> seen{};
   for (const auto& part : partsLeft(shot.Cut, { from, inData(from) }, { to, inData(to) }))
   {
-    const auto rgba = oracle.integrate(from, d, part[0] * far, part[1] * far);
+    const auto rgba = groundTruth.integrate(from, d, part[0] * far, part[1] * far);
     const double through = 1.0 - seen[3];
     for (int k = 0; k < 4; ++k)
     {
@@ -95,10 +95,10 @@ Shot::Shot()
   this->Camera->SetClippingRange(0.1, 20.0);
 }
 
-Image byOracle(const Shot& shot)
+Image byGroundTruth(const Shot& shot)
 {
   constexpr int Size = Shot::Size;
-  const OracleScene oracle(inWorld(shot), modelOf(shot), shot.Scalars);
+  const GroundTruthScene groundTruth(inWorld(shot), modelOf(shot), shot.Scalars);
   vtkNew<vtkMatrix4x4> inverse;
   vtkMatrix4x4::Invert(shot.Camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0), inverse);
   const auto unproject = [&](double x, double y, double z)
@@ -118,7 +118,7 @@ Image byOracle(const Shot& shot)
       const Vec3 from = unproject(sx, sy, -1.0);
       const Vec3 to = unproject(sx, sy, 2.0 * depth - 1.0);
       const auto rgba =
-        from != to ? integrateLeft(oracle, shot, from, to) : std::array<double, 4>{};
+        from != to ? integrateLeft(groundTruth, shot, from, to) : std::array<double, 4>{};
       for (int k = 0; k < 4; ++k)
       {
         image.pixel(x, y)[k] = static_cast<float>(rgba[k]);
@@ -166,7 +166,7 @@ ReferenceImage byMarch(const Shot& shot, const AccuracyLevel& level)
 }
 
 template <typename Real>
-Image byTwin(const Shot& shot, const AccuracyLevel& level, MarchCounters& counters)
+Image byReference(const Shot& shot, const AccuracyLevel& level, MarchCounters& counters)
 {
   const ReferenceImage image = byMarch<Real>(shot, level);
   counters = image.Counters;
@@ -176,6 +176,6 @@ Image byTwin(const Shot& shot, const AccuracyLevel& level, MarchCounters& counte
 template ReferenceImage byMarch<float>(const Shot&, const AccuracyLevel&);
 template ReferenceImage byMarch<double>(const Shot&, const AccuracyLevel&);
 
-template Image byTwin<float>(const Shot&, const AccuracyLevel&, MarchCounters&);
-template Image byTwin<double>(const Shot&, const AccuracyLevel&, MarchCounters&);
+template Image byReference<float>(const Shot&, const AccuracyLevel&, MarchCounters&);
+template Image byReference<double>(const Shot&, const AccuracyLevel&, MarchCounters&);
 } // namespace tetmarch::testing

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A small picture, by the CPU twin and by the oracle
+ * @brief A small picture, by the CPU reference and by the groundTruth
  */
 #ifndef tetmarch_testing_Shot_h
 #define tetmarch_testing_Shot_h
@@ -10,8 +10,8 @@
 #include "Optics/AccuracyLevel.h"
 #include "Reference/ReferenceImage.h"
 
+#include "GroundTruth.h"
 #include "Images.h"
-#include "Oracle.h"
 #include "UnitMeshes.h"
 
 #include "vtkCamera.h"
@@ -47,13 +47,13 @@ struct Shot
 };
 
 /// In world coordinates, with VTK's own camera matrix.
-Image byOracle(const Shot& shot);
+Image byGroundTruth(const Shot& shot);
 
 /// In the arithmetic of Real: float or double.
 template <typename Real>
 ReferenceImage byMarch(const Shot& shot, const AccuracyLevel& level);
 template <typename Real>
-Image byTwin(const Shot& shot, const AccuracyLevel& level, MarchCounters& counters);
+Image byReference(const Shot& shot, const AccuracyLevel& level, MarchCounters& counters);
 } // namespace tetmarch::testing
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef tetmarch_testing_SimulatedFrames_h
 #define tetmarch_testing_SimulatedFrames_h
 
-#include "Scene/LevelChoice.h"
+#include "Budget/LevelController.h"
 
 #include <random>
 #include <utility>
@@ -58,7 +58,7 @@ public:
     return level;
   }
 
-  LevelChoice Choice;
+  LevelController Choice;
   std::vector<double> Costs;
   double Dearer = 1;
   double Noise = 0;
@@ -68,7 +68,7 @@ public:
 };
 
 // Frames, for any costs.
-constexpr int UntilSettled = LevelChoice::MostLevels * (LevelChoice::Patience + 3);
+constexpr int UntilSettled = LevelController::MostLevels * (LevelController::Patience + 3);
 } // namespace tetmarch::testing
 
 #endif

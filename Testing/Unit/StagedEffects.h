@@ -7,7 +7,7 @@
 #ifndef tetmarch_testing_StagedEffects_h
 #define tetmarch_testing_StagedEffects_h
 
-#include "Scene/EffectStage.h"
+#include "Light/EffectStage.h"
 
 #include "Mesh/Scalars.h"
 

@@ -6,8 +6,8 @@
 #include "Reference/Kernel.h"
 
 #include "ClosedForms.h"
+#include "GroundTruth.h"
 #include "MarchedLength.h"
-#include "Oracle.h"
 #include "RandomRays.h"
 #include "UnitMeshes.h"
 
@@ -40,7 +40,7 @@ Grid dentedThroughItself()
 void expectUnionOfCells(const TetMesh& mesh)
 {
   LengthMarcher<PointKernel<double>, double> marcher(mesh);
-  const OracleScene oracle(asGrid(mesh), constantModel());
+  const GroundTruthScene groundTruth(asGrid(mesh), constantModel());
   RandomRays random(31);
   for (int i = 0; i < 4000; ++i)
   {
@@ -51,7 +51,7 @@ void expectUnionOfCells(const TetMesh& mesh)
     }
     const Point o{ ray.origin.x, ray.origin.y, ray.origin.z };
     const Point d{ ray.direction.x, ray.direction.y, ray.direction.z };
-    ASSERT_NEAR(marcher.march(ray).Length, oracle.pathLength(o, d), 1e-10) << i;
+    ASSERT_NEAR(marcher.march(ray).Length, groundTruth.pathLength(o, d), 1e-10) << i;
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Tiles of pictures whose cost is known, by a clock that is made up.
-#include "Scene/TileSchedule.h"
+#include "Budget/TileSchedule.h"
 
 #include <algorithm>
 #include <functional>

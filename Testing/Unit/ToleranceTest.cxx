@@ -127,7 +127,7 @@ TEST_P(Tolerance, IsKeptAndTheBoundIsNear)
         shot.Optics = optics;
         shot.UnitDistance = unitDistance;
         Tally own;
-        const ReferenceImage exact = byMarch<double>(shot, YardstickAccuracy);
+        const ReferenceImage exact = byMarch<double>(shot, GroundTruthAccuracy);
         add(own, byMarch<float>(shot, level), exact, level.ErrorTolerance);
         std::cout << "[ MEASURED ] " << name << ' ' << grid->GetNumberOfCells() << " cells, unit "
                   << unitDistance << ": worst " << own.Worst / level.ErrorTolerance

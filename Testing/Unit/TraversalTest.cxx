@@ -3,8 +3,8 @@
 // No ray is lost, and what it crosses is as long as geometry says.
 #include "Reference/Kernel.h"
 
+#include "GroundTruth.h"
 #include "MarchedLength.h"
-#include "Oracle.h"
 #include "RandomRays.h"
 #include "UnitMeshes.h"
 
@@ -80,9 +80,9 @@ TEST(Traversal, NoRayIsLostInTangledAndFlatMeshes)
   }
 }
 
-// Against the oracle on the very floats of the mesh. A ray that grazes a boundary at an angle a
-// moves its ends by eps / a; of some thousand rays the flattest makes about 1e-4.
-TEST(Traversal, LengthsAreThoseOfTheOracle)
+// Against the groundTruth on the very floats of the mesh. A ray that grazes a boundary at an angle
+// a moves its ends by eps / a; of some thousand rays the flattest makes about 1e-4.
+TEST(Traversal, LengthsAreThoseOfTheGroundTruth)
 {
   double worst = 0.0;
   for (const NamedGrid& named : everyGrid())
@@ -90,7 +90,7 @@ TEST(Traversal, LengthsAreThoseOfTheOracle)
     SCOPED_TRACE(named.Name);
     const TetMesh mesh = builtWithHierarchy(named.Make());
     LengthMarcher<PointKernel<double>, double> marcher(mesh);
-    const OracleScene oracle(asGrid(mesh), constantModel());
+    const GroundTruthScene groundTruth(asGrid(mesh), constantModel());
     RandomRays random(22);
     const bool squashed = named.Name == std::string("squashed lattice");
     for (int i = 0; i < 3000; ++i)
@@ -102,13 +102,14 @@ TEST(Traversal, LengthsAreThoseOfTheOracle)
       }
       const Point o{ ray.origin.x, ray.origin.y, ray.origin.z };
       const Point d{ ray.direction.x, ray.direction.y, ray.direction.z };
-      const double error = std::abs(marcher.march(ray).Length - oracle.pathLength(o, d));
+      const double error = std::abs(marcher.march(ray).Length - groundTruth.pathLength(o, d));
       ASSERT_LE(error, squashed ? 1e-8 : 1e-11) << i;
       worst = std::max(worst, error);
       // Camera and opaque geometry inside.
       const double begin = random.uniformBetween(-1.0, 1.0);
       const double end = random.uniformBetween(begin, 1.2);
-      ASSERT_NEAR(marcher.march(ray, begin, end).Length, oracle.pathLength(o, d, begin, end), 1e-8);
+      ASSERT_NEAR(
+        marcher.march(ray, begin, end).Length, groundTruth.pathLength(o, d, begin, end), 1e-8);
     }
   }
   RecordProperty("worst", std::to_string(worst));

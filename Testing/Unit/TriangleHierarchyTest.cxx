@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether triangles stand in the way of rays, against VTK's locator and closed forms.
-#include "Scene/TriangleHierarchy.h"
+#include "Light/TriangleHierarchy.h"
 
 #include "Ball.h"
 

@@ -3,10 +3,10 @@
 // The texts of variants: nothing of what is off is left in it, nothing is declared in vain, and no
 // two are the same.
 #include "LegalKeys.h"
-#include "Scene/ShaderConditions.h"
-#include "Scene/ShaderSource.h"
 #include "ShaderFeatures.h"
 #include "ShaderWords.h"
+#include "Variants/ShaderConditions.h"
+#include "Variants/ShaderSource.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -128,7 +128,7 @@ TEST_F(VariantText, OfThePicture)
 {
   std::vector<VariantKey> keys = legalKeys();
   keys.erase(std::partition(keys.begin(), keys.end(), hasTextOfItsOwn), keys.end());
-  this->expectClean(keys, MarchShader::Picture, "march.frag.glsl");
+  this->expectClean(keys, MarchShader::Picture, "passes/march.frag.glsl");
 }
 
 TEST_F(VariantText, OfOpaqueShadowsAtVertices)
@@ -138,9 +138,9 @@ TEST_F(VariantText, OfOpaqueShadowsAtVertices)
   {
     if (!hasTextOfItsOwn(key))
     {
-      const std::string text = shaderSource("march.frag.glsl", key.defines());
+      const std::string text = shaderSource("passes/march.frag.glsl", key.defines());
       key.OpaqueShadows = false;
-      ASSERT_EQ(text, shaderSource("march.frag.glsl", key.defines())) << namesOf(key);
+      ASSERT_EQ(text, shaderSource("passes/march.frag.glsl", key.defines())) << namesOf(key);
       ++compared;
     }
   }
@@ -149,12 +149,12 @@ TEST_F(VariantText, OfOpaqueShadowsAtVertices)
 
 TEST_F(VariantText, OfTheLightAtVertices)
 {
-  this->expectClean(legalLightKeys(), MarchShader::LightAtVertex, "vertex_light.frag.glsl");
+  this->expectClean(legalLightKeys(), MarchShader::LightAtVertex, "passes/vertex_light.frag.glsl");
 }
 
 TEST_F(VariantText, OfWhatIsPicked)
 {
-  this->expectClean(legalPickKeys(), MarchShader::Pick, "pick.frag.glsl");
+  this->expectClean(legalPickKeys(), MarchShader::Pick, "passes/pick.frag.glsl");
 }
 
 // The tables of the test itself: words that no text has would let anything pass.
@@ -175,15 +175,15 @@ TEST_F(VariantText, TablesAreOfWordsThatThereAre)
   };
   for (const VariantKey& key : legalKeys())
   {
-    look(key, "march.frag.glsl");
+    look(key, "passes/march.frag.glsl");
   }
   for (const VariantKey& key : legalLightKeys())
   {
-    look(key, "vertex_light.frag.glsl");
+    look(key, "passes/vertex_light.frag.glsl");
   }
   for (const VariantKey& key : legalPickKeys())
   {
-    look(key, "pick.frag.glsl");
+    look(key, "passes/pick.frag.glsl");
   }
   for (int word : this->Claimed)
   {
@@ -196,8 +196,8 @@ TEST_F(VariantText, TablesAreOfWordsThatThereAre)
 TEST(ShaderFiles, KeepHelpersOutOfLoops)
 {
   const std::string defines = VariantKey().defines();
-  for (const char* file :
-    { "march.frag.glsl", "pick.frag.glsl", "shell.frag.glsl", "vertex_light.frag.glsl" })
+  for (const char* file : { "passes/march.frag.glsl", "passes/pick.frag.glsl",
+         "passes/boundary_view.frag.glsl", "passes/vertex_light.frag.glsl" })
   {
     const std::string text = shaderSource(file, defines + "#define TETMARCH_SKIPS_HELPERS 1\n");
     EXPECT_NE(text.find("#define IS_HELPER gl_HelperInvocation"), std::string::npos) << file;
@@ -214,7 +214,7 @@ TEST(ShaderFiles, HaveConditionsOfKnownSymbols)
                               "#define TETMARCH_SKIPS_HELPERS 0\n"; // the driver's
   const std::regex symbol("TETMARCH_\\w+");
   int conditions = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(TETMARCH_SHADER_DIR))
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(TETMARCH_SHADER_DIR))
   {
     if (entry.path().extension() != ".glsl")
     {

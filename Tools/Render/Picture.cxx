@@ -165,7 +165,7 @@ void Picture::Compare()
 {
   this->Mapper->CollectDiagnosticsOn();
   this->Render();
-  if (!this->Mapper->CompareWithReference(this->Volume))
+  if (!this->Mapper->CompareWithGroundTruth(this->Volume))
   {
     throw Failure("the picture could not be compared");
   }

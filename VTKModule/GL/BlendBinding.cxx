@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/BlendBinding.h"
 
-#include "Scene/Blending.h"
-#include "Scene/VariantKey.h"
+#include "Appearance/Blending.h"
+#include "Variants/VariantKey.h"
 
 #include "vtkShaderProgram.h"
 

@@ -12,7 +12,7 @@ namespace tetmarch
 struct Blending;
 struct VariantKey;
 
-/** What Shaders/blend_buffers.glsl declares. */
+/** What Shaders/gather/blend_buffers.glsl declares. */
 void bindBlending(vtkShaderProgram* program, const Blending& blending, const VariantKey& key);
 
 } // namespace tetmarch

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What Shaders/clipping_buffers.glsl reads.
+// What Shaders/cuts/clipping_buffers.glsl reads.
 #ifndef TetMarchGLClippingBinding_h
 #define TetMarchGLClippingBinding_h
 

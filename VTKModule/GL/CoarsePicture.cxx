@@ -41,7 +41,7 @@ std::string CoarsePicture::enlarge(vtkOpenGLRenderWindow* window, const Viewport
   StateScope state(window);
   std::string error;
   vtkShaderProgram* program =
-    this->Draw.use(window, "full_view.vert.glsl", "enlarge.frag.glsl", {}, error);
+    this->Draw.use(window, "passes/full_view.vert.glsl", "passes/enlarge.frag.glsl", {}, error);
   if (!program)
   {
     return error;

@@ -4,10 +4,10 @@
 #ifndef TetMarchGLDiagnostics_h
 #define TetMarchGLDiagnostics_h
 
+#include "Caching/StageRecord.h"
+#include "Diagnostics/MarchCounters.h"
 #include "GL/FloatTarget.h"
 #include "GL/MarchPass.h"
-#include "Reference/MarchCounters.h"
-#include "Scene/StageRecord.h"
 
 #include <vector>
 
@@ -22,7 +22,7 @@ public:
   std::string collect(vtkOpenGLRenderWindow* window, MarchPass& march, MarchInputs inputs,
     const Progress& progress, bool& stopped);
   const MarchCounters& counters() const { return this->Counters; }
-  /** Of each pixel: tetrahedra crossed (0: the ray met nothing), evaluations, error bound, 0. */
+  /** Of each pixel: tetrahedra crossed (0: the ray met nothing), lookups, error bound, 0. */
   const std::vector<float>& measures() const { return this->Measures; }
   /** Premultiplied RGBA in float, rows from the bottom, of the last collect(). */
   const std::vector<float>& pixels() const { return this->Pixels; }

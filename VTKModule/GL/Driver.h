@@ -12,8 +12,9 @@ namespace tetmarch
 bool hasExtension(const char* name);
 
 /**
- * Defines of the shaders that come from the driver instead of the scene: see Shaders/helper.glsl.
- * Keep them as long as the context lives: each question goes through all of Mesa's extensions.
+ * Defines of the shaders that come from the driver instead of the scene: see
+ * Shaders/passes/helper.glsl. Keep them as long as the context lives: each question goes through
+ * all of Mesa's extensions.
  */
 std::string driverDefines();
 

@@ -5,8 +5,8 @@
 #define TetMarchGLEffectTextures_h
 
 #include "GL/VersionedBuffer.h"
-#include "Scene/EffectStage.h"
-#include "Scene/VariantKey.h"
+#include "Light/EffectStage.h"
+#include "Variants/VariantKey.h"
 
 #include "vtkSmartPointer.h"
 

@@ -6,8 +6,8 @@
 #include "GL/StateScope.h"
 #include "GL/Uniforms.h"
 #include "Mesh/TetMesh.h"
-#include "Scene/FittedDepths.h"
-#include "Scene/View.h"
+#include "Rays/FittedDepths.h"
+#include "Rays/View.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 
@@ -68,7 +68,7 @@ std::string EntryPass::draw(vtkOpenGLRenderWindow* window, const Viewport& viewp
   // doesn't.
   const DepthClamp clamp;
   vtkShaderProgram* program =
-    this->Draw.use(window, "entry.vert.glsl", "entry.frag.glsl", {}, error);
+    this->Draw.use(window, "passes/entry.vert.glsl", "passes/entry.frag.glsl", {}, error);
   if (program)
   {
     textures.bindBoundary(program);

@@ -26,9 +26,9 @@ bool hasFusedMultiplyAdd(vtkOpenGLRenderWindow* window)
   {
     StateScope state(window);
     error = target.bind(window, 1, 1, 1, false);
-    vtkShaderProgram* program =
-      error.empty() ? draw.use(window, "full_view.vert.glsl", "fma_probe.frag.glsl", {}, error)
-                    : nullptr;
+    vtkShaderProgram* program = error.empty() ? draw.use(window, "passes/full_view.vert.glsl",
+                                                  "passes/fma_probe.frag.glsl", {}, error)
+                                              : nullptr;
     if (program)
     {
       state->vtkglViewport(0, 0, 1, 1);

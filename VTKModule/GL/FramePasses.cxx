@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/FramePasses.h"
 
-#include "Scene/RayPoints.h"
+#include "Rays/RayPoints.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -11,7 +11,7 @@ namespace tetmarch
 
 std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
   MarchInputs inputs, const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view,
-  ShellView shell, double sampleDistance, const Progress& progress, bool& stopped)
+  BoundaryView shell, double sampleDistance, const Progress& progress, bool& stopped)
 {
   this->clear();
   const bool coarse = sampleDistance > 1;
@@ -41,7 +41,7 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
       float(area.Height) / float(inputs.Area.Height) } };
   }
   error = this->findRays(window, mesh, inputs.Area, area, inputs);
-  if (shell != ShellView::None)
+  if (shell != BoundaryView::None)
   {
     error = error.empty() ? this->Shell.draw(window, inputs, shell, progress, stopped) : error;
     this->Draws = error.empty() ? this->Shell.numberOfDraws() : 0;
@@ -108,7 +108,7 @@ std::string FramePasses::pick(vtkOpenGLRenderWindow* window, const TetMesh& mesh
 }
 
 void FramePasses::releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
-  const MeasureView* view, ShellView shell, bool coarse)
+  const MeasureView* view, BoundaryView shell, bool coarse)
 {
   if (!key.RasterEntry)
   {
@@ -130,7 +130,7 @@ void FramePasses::releaseUnused(vtkWindow* window, const VariantKey& key, bool d
   {
     this->Shown.release(window);
   }
-  if (shell == ShellView::None)
+  if (shell == BoundaryView::None)
   {
     this->Shell.release();
   }
@@ -138,7 +138,7 @@ void FramePasses::releaseUnused(vtkWindow* window, const VariantKey& key, bool d
   {
     this->March.release();
   }
-  if ((!view && !diagnostics) || shell != ShellView::None)
+  if ((!view && !diagnostics) || shell != BoundaryView::None)
   {
     this->Counted.release(window);
   }

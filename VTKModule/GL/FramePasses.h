@@ -5,13 +5,13 @@
 #ifndef TetMarchGLFramePasses_h
 #define TetMarchGLFramePasses_h
 
+#include "GL/BoundaryViewPass.h"
 #include "GL/CoarsePicture.h"
 #include "GL/Diagnostics.h"
 #include "GL/EntryPass.h"
 #include "GL/MarchPass.h"
 #include "GL/OpaqueDepth.h"
 #include "GL/PickPass.h"
-#include "GL/ShellPass.h"
 #include "GL/VertexLightPass.h"
 #include "GL/ViewPass.h"
 
@@ -28,7 +28,7 @@ public:
    * sampleDistance pixels apart, 1 if anything but the picture is asked for.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
-    const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, ShellView shell,
+    const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, BoundaryView shell,
     double sampleDistance, const Progress& progress, bool& stopped);
   /**
    * Where the rays of a part of the inputs' area are picked (PickPass), for the level's tolerance.
@@ -68,7 +68,7 @@ private:
   std::string findRays(vtkOpenGLRenderWindow* window, const TetMesh& mesh, const Viewport& part,
     const Viewport& depths, MarchInputs& inputs);
   void releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
-    const MeasureView* view, ShellView shell, bool coarse);
+    const MeasureView* view, BoundaryView shell, bool coarse);
 
   EntryPass Entry;
   OpaqueDepth Opaque;
@@ -76,7 +76,7 @@ private:
   MarchPass March;
   Diagnostics Counted;
   ViewPass Shown;
-  ShellPass Shell;
+  BoundaryViewPass Shell;
   CoarsePicture Coarse;
   PickPass Picking;
   TileSchedule Tiles;

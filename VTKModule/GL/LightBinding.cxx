@@ -3,8 +3,8 @@
 #include "GL/LightBinding.h"
 
 #include "GL/Uniforms.h"
-#include "Scene/LightUniforms.h"
-#include "Scene/VariantKey.h"
+#include "Light/LightUniforms.h"
+#include "Variants/VariantKey.h"
 
 #include <vector>
 
@@ -13,15 +13,15 @@ namespace tetmarch
 namespace
 {
 
-// All components of a member of the lamps, one lamp after the other.
+// All components of a member of all lights, one light after the other.
 template <std::size_t N>
 std::vector<float> gather(
-  const LightUniforms& lights, std::array<double, N> LightUniforms::Lamp::*member)
+  const LightUniforms& lights, std::array<double, N> LightUniforms::Light::*member)
 {
   std::vector<float> values;
-  for (const LightUniforms::Lamp& lamp : lights.Lamps)
+  for (const LightUniforms::Light& source : lights.Sources)
   {
-    for (double x : lamp.*member)
+    for (double x : source.*member)
     {
       values.push_back(static_cast<float>(x));
     }
@@ -51,23 +51,23 @@ void bindSources(vtkShaderProgram* program, const LightUniforms& lights, int cou
 
 void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const VariantKey& key)
 {
-  using Lamp = LightUniforms::Lamp;
-  const int count = static_cast<int>(lights.Lamps.size());
+  using Light = LightUniforms::Light;
+  const int count = static_cast<int>(lights.Sources.size());
   program->SetUniformi("twoSided", lights.TwoSided ? 1 : 0);
   program->SetUniform3f("ambientColor", lights.Ambient.data());
   program->SetUniformf("specularPower", static_cast<float>(lights.SpecularPower));
-  program->SetUniform3fv("lightDiffuse", count, gather(lights, &Lamp::Diffuse).data());
-  program->SetUniform3fv("lightSpecular", count, gather(lights, &Lamp::Specular).data());
+  program->SetUniform3fv("lightDiffuse", count, gather(lights, &Light::Diffuse).data());
+  program->SetUniform3fv("lightSpecular", count, gather(lights, &Light::Specular).data());
   if (!key.HeadlightOnly)
   {
-    program->SetUniform4fv("lightPlace", count, gather(lights, &Lamp::Place).data());
+    program->SetUniform4fv("lightPlace", count, gather(lights, &Light::Place).data());
   }
   if (!key.HeadlightOnly && !key.SingleLight)
   {
     std::vector<int> kinds;
-    for (const Lamp& lamp : lights.Lamps)
+    for (const Light& source : lights.Sources)
     {
-      kinds.push_back(lamp.Headlight ? 1 : 0);
+      kinds.push_back(source.Headlight ? 1 : 0);
     }
     program->SetUniformi("lightCount", count);
     program->SetUniform1iv("lightKind", count, kinds.data());
@@ -76,8 +76,8 @@ void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const Va
   {
     setUniform(program, "worldMatrix", lights.WorldMatrix);
     setUniform(program, "normalMatrix", lights.NormalMatrix);
-    program->SetUniform4fv("lightFading", count, gather(lights, &Lamp::Fading).data());
-    program->SetUniform4fv("lightCone", count, gather(lights, &Lamp::Cone).data());
+    program->SetUniform4fv("lightAttenuation", count, gather(lights, &Light::Attenuation).data());
+    program->SetUniform4fv("lightCone", count, gather(lights, &Light::Cone).data());
   }
   if (key.Scattering)
   {
@@ -87,10 +87,10 @@ void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const Va
   {
     std::vector<float> strengths;
     std::vector<int> channels;
-    for (const Lamp& lamp : lights.Lamps)
+    for (const Light& source : lights.Sources)
     {
-      strengths.push_back(static_cast<float>(lamp.ShadowStrength));
-      channels.push_back(lamp.ShadowChannel);
+      strengths.push_back(static_cast<float>(source.ShadowStrength));
+      channels.push_back(source.ShadowChannel);
     }
     program->SetUniform1fv("shadowStrength", count, strengths.data());
     program->SetUniform1iv("shadowChannel", count, channels.data());

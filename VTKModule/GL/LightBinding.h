@@ -12,10 +12,10 @@ namespace tetmarch
 struct LightUniforms;
 struct VariantKey;
 
-/** What Shaders/effect_buffers.glsl declares of lights. */
+/** What Shaders/light/effect_buffers.glsl declares of lights. */
 void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const VariantKey& key);
 
-/** What Shaders/light_buffers.glsl declares of rays along those of the picture. */
+/** What Shaders/light/light_buffers.glsl declares of rays along those of the picture. */
 void bindSampledRays(vtkShaderProgram* program, const LightUniforms& lights);
 
 /** What it declares of rays from vertices: to the lights, unless shadows are sampled, and for the

@@ -13,7 +13,7 @@
 #include "GL/TableTextures.h"
 #include "GL/TileCorners.h"
 #include "GL/Uniforms.h"
-#include "Scene/View.h"
+#include "Rays/View.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkTextureObject.h"
@@ -71,8 +71,8 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   const Viewport& target, const Viewport& tile)
 {
   std::string error;
-  vtkShaderProgram* program = this->Draw.use(
-    window, "tile.vert.glsl", "march.frag.glsl", inputs.Key.defines(), error, inputs.Peeling);
+  vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
+    "passes/march.frag.glsl", inputs.Key.defines(), error, inputs.Peeling);
   if (!program)
   {
     return error;
@@ -108,7 +108,7 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   {
     bindClipping(program, *inputs.Cut, key);
   }
-  setUniform(program, "lengthMatrix", inputs.Camera->LengthMatrix);
+  setUniform(program, "thicknessMatrix", inputs.Camera->ThicknessMatrix);
 
   drawCorners(program, this->Draw, target, tile);
 

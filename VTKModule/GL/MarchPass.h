@@ -9,7 +9,7 @@
 #include "GL/Viewport.h"
 #include "Mesh/Scalars.h"
 #include "Optics/AccuracyLevel.h"
-#include "Scene/VariantKey.h"
+#include "Variants/VariantKey.h"
 
 class vtkTextureObject;
 

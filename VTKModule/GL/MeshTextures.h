@@ -7,7 +7,7 @@
 #include "GL/TextureBuffer.h"
 #include "Mesh/FurtherScalars.h"
 #include "Mesh/HiddenCells.h"
-#include "Scene/VariantKey.h"
+#include "Variants/VariantKey.h"
 
 #include <string>
 #include <vector>

@@ -11,7 +11,7 @@
 #include "GL/TableTextures.h"
 #include "GL/TileCorners.h"
 #include "GL/Uniforms.h"
-#include "Scene/View.h"
+#include "Rays/View.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 
@@ -58,8 +58,8 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
   const Viewport& part, const Viewport& tile)
 {
   std::string error;
-  vtkShaderProgram* program =
-    this->Draw.use(window, "tile.vert.glsl", "pick.frag.glsl", inputs.Key.defines(), error);
+  vtkShaderProgram* program = this->Draw.use(
+    window, "passes/tile.vert.glsl", "passes/pick.frag.glsl", inputs.Key.defines(), error);
   if (!program)
   {
     return error;
@@ -79,7 +79,7 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
   {
     bindClipping(program, *inputs.Cut, inputs.Key);
   }
-  setUniform(program, "lengthMatrix", inputs.Camera->LengthMatrix);
+  setUniform(program, "thicknessMatrix", inputs.Camera->ThicknessMatrix);
   program->SetUniformf("transmittanceLeft", static_cast<float>(inputs.Level.ErrorTolerance));
   drawCorners(program, this->Draw, { 0, 0, part.Width, part.Height }, tile);
   inputs.Mesh->unbind();

@@ -6,7 +6,7 @@
 
 #include "GL/FloatTarget.h"
 #include "GL/MarchPass.h"
-#include "Scene/PickedPoint.h"
+#include "Picking/PickedPoint.h"
 
 #include <vector>
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/Pipeline.h"
 
+#include "Appearance/TransparentShare.h"
+#include "Caching/WithinMemory.h"
 #include "GL/BlockAttributes.h"
 #include "GL/FmaProbe.h"
 #include "GL/StateScope.h"
-#include "Scene/TransparentShare.h"
-#include "Scene/WithinMemory.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
@@ -85,7 +85,7 @@ bool Pipeline::updateHiddenCells(vtkUnstructuredGrid* grid)
 }
 
 bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars,
-  const VectorChoice& vector, vtkVolumeProperty* property)
+  const VectorOptions& vector, vtkVolumeProperty* property)
 {
   std::string wrong = cellScalars ? checkScalars(array, grid->GetNumberOfCells(), "cells")
                                   : checkScalars(array, grid->GetNumberOfPoints(), "points");
@@ -125,9 +125,9 @@ bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, boo
   return true;
 }
 
-bool Pipeline::updateBlending(vtkVolumeProperty* property, const BlendWish& wish)
+bool Pipeline::updateBlending(vtkVolumeProperty* property, const BlendOptions& options)
 {
-  std::string error = makeBlending(wish, property, this->Range, this->Blend);
+  std::string error = makeBlending(options, property, this->Range, this->Blend);
   if (error.empty() && !this->Parts.isSingle() && !this->Blend.isComposite())
   {
     error = "Several components are drawn together by composite blending alone, but the blend mode "

@@ -5,21 +5,21 @@
 #ifndef TetMarchGLPipeline_h
 #define TetMarchGLPipeline_h
 
+#include "Appearance/Components.h"
+#include "Blocks/CellOrigins.h"
+#include "Caching/Fingerprint.h"
+#include "Caching/StageRecord.h"
 #include "GL/ContextWatch.h"
 #include "GL/EffectTextures.h"
 #include "GL/FramePasses.h"
 #include "GL/GpuData.h"
 #include "GL/SelectionPass.h"
+#include "Mesh/HiddenCellStage.h"
+#include "Mesh/MeshStage.h"
 #include "Optics/FittingTable.h"
+#include "Rays/Clipping.h"
+#include "Rays/View.h"
 #include "Reference/ReferenceImage.h"
-#include "Scene/CellOrigins.h"
-#include "Scene/Clipping.h"
-#include "Scene/Components.h"
-#include "Scene/Fingerprint.h"
-#include "Scene/HiddenCellStage.h"
-#include "Scene/MeshStage.h"
-#include "Scene/StageRecord.h"
-#include "Scene/View.h"
 
 #include "vtkWeakPointer.h"
 
@@ -40,11 +40,11 @@ struct DrawOptions
 {
   AccuracyLevel Level = DefaultAccuracy;
   bool Diagnostics = false;
-  double MostSecondsPerDraw = 0;      // 0: no limit
-  double MostLightSeconds = 0;        // for light at vertices; 0: no limit
-  const MeasureView* View = nullptr;  // drawn instead of the picture
-  ShellView Shell = ShellView::None;  // likewise
-  double SampleDistance = 1;          // between rays, in pixels; 1 with any of the others
+  double MostSecondsPerDraw = 0;           // 0: no limit
+  double MostLightSeconds = 0;             // for light at vertices; 0: no limit
+  const MeasureView* View = nullptr;       // drawn instead of the picture
+  BoundaryView Shell = BoundaryView::None; // likewise
+  double SampleDistance = 1;               // between rays, in pixels; 1 with any of the others
   const PeelHooks* Peeling = nullptr; // parts of rays are drawn; no diagnostics and no view then
   double PickOpacity = 0.5;           // up to which a ray is followed where something is selected
 };
@@ -64,8 +64,8 @@ public:
   bool updateMesh(vtkUnstructuredGrid* grid, const Progress& progress);
   bool updateHiddenCells(vtkUnstructuredGrid* grid);
   bool updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars,
-    const VectorChoice& vector, vtkVolumeProperty* property);
-  bool updateBlending(vtkVolumeProperty* property, const BlendWish& wish);
+    const VectorOptions& vector, vtkVolumeProperty* property);
+  bool updateBlending(vtkVolumeProperty* property, const BlendOptions& options);
   /** drawNan: what touches a scalar that is not finite is drawn, in the colour function's colour
    * for that. */
   bool updateTables(

@@ -3,9 +3,9 @@
 // The last stage of a frame: which variant it needs, and what is drawn; and the same by the CPU.
 #include "GL/Pipeline.h"
 
+#include "Caching/WithinMemory.h"
 #include "GL/ErrorQueue.h"
 #include "GL/FirstColorOnly.h"
-#include "Scene/WithinMemory.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -42,7 +42,7 @@ VariantKey Pipeline::keyOf(
   this->Blend.setBits(key);
   this->Parts.setBits(key);
   this->Effects.setBits(key, double(area.Width) * area.Height);
-  return options.Shell == ShellView::None ? key.filtered() : key.ofEntries();
+  return options.Shell == BoundaryView::None ? key.filtered() : key.ofEntries();
 }
 
 // What light at vertices depends on, the mesh first.
@@ -52,7 +52,7 @@ Fingerprint Pipeline::lightVersion(const VariantKey& key) const
   Fingerprint version{ static_cast<std::uintptr_t>(this->meshRecord().Runs) };
   version.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
   version.push_back(static_cast<std::uintptr_t>(this->TablesRecord.Runs));
-  addAll(version, this->Camera.LengthMatrix);
+  addAll(version, this->Camera.ThicknessMatrix);
   for (const auto& source : lights.ShadowSources)
   {
     addAll(version, source);
@@ -163,7 +163,7 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
     {
       const std::vector<float> depths = this->Passes.opaqueDepths(this->Window);
       Components parts = this->Parts;
-      const IntegralTable table = this->makeTables(property, law, YardstickAccuracy, parts);
+      const IntegralTable table = this->makeTables(property, law, GroundTruthAccuracy, parts);
       ReferenceScene scene;
       scene.Mesh = &this->mesh();
       scene.CellScalars = this->CellScalars.empty() ? nullptr : &this->CellScalars;
@@ -179,7 +179,7 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
       scene.Effects = &this->Effects.data();
       scene.Blend = &this->Blend;
       scene.Parts = &parts;
-      image = tetmarch::renderReference<double>(scene, YardstickAccuracy);
+      image = tetmarch::renderReference<double>(scene, GroundTruthAccuracy);
     });
   return shortage.empty() || this->fail(shortage);
 }

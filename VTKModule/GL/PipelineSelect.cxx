@@ -3,8 +3,8 @@
 // The last stage of a frame in which a vtkHardwareSelector reads numbers instead of a picture.
 #include "GL/Pipeline.h"
 
-#include "Scene/SelectedCells.h"
-#include "Scene/WithinMemory.h"
+#include "Caching/WithinMemory.h"
+#include "Picking/SelectedCells.h"
 
 #include "vtkHardwareSelector.h"
 #include "vtkRenderer.h"

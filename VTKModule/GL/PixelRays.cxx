@@ -3,7 +3,7 @@
 #include "GL/PixelRays.h"
 
 #include "GL/Uniforms.h"
-#include "Scene/View.h"
+#include "Rays/View.h"
 
 #include "vtkTextureObject.h"
 

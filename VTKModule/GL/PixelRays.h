@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What Shaders/pixel_ray.glsl reads.
+// What Shaders/passes/pixel_ray.glsl reads.
 #ifndef TetMarchGLPixelRays_h
 #define TetMarchGLPixelRays_h
 

@@ -18,7 +18,7 @@ std::string SelectionPass::draw(vtkOpenGLRenderWindow* window, const Viewport& v
   StateScope state(window);
   std::string error;
   vtkShaderProgram* program =
-    this->Draw.use(window, "tile.vert.glsl", "selection.frag.glsl", {}, error);
+    this->Draw.use(window, "passes/tile.vert.glsl", "passes/selection.frag.glsl", {}, error);
   if (!program)
   {
     return error;

@@ -4,7 +4,7 @@
 
 #include "GL/Driver.h"
 #include "GL/PeelHooks.h"
-#include "Scene/ShaderSource.h"
+#include "Variants/ShaderSource.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"

@@ -4,12 +4,12 @@
 #ifndef TetMarchGLTableTextures_h
 #define TetMarchGLTableTextures_h
 
+#include "Appearance/Components.h"
 #include "GL/TextureBuffer.h"
 #include "Mesh/Scalars.h"
 #include "Optics/AccuracyLevel.h"
 #include "Optics/IntegralTable.h"
-#include "Scene/Components.h"
-#include "Scene/VariantKey.h"
+#include "Variants/VariantKey.h"
 
 namespace tetmarch
 {

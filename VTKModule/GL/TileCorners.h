@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A tile of a target as triangles, for Shaders/tile.vert.glsl.
+// A tile of a target as triangles, for Shaders/passes/tile.vert.glsl.
 #ifndef TetMarchGLTileCorners_h
 #define TetMarchGLTileCorners_h
 

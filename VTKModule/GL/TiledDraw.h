@@ -4,9 +4,9 @@
 #ifndef TetMarchGLTiledDraw_h
 #define TetMarchGLTiledDraw_h
 
+#include "Budget/TileSchedule.h"
 #include "GL/Viewport.h"
 #include "Mesh/Progress.h"
-#include "Scene/TileSchedule.h"
 
 #include <functional>
 #include <string>

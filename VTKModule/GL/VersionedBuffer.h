@@ -5,8 +5,8 @@
 #ifndef TetMarchGLVersionedBuffer_h
 #define TetMarchGLVersionedBuffer_h
 
+#include "Caching/Fingerprint.h"
 #include "GL/TextureBuffer.h"
-#include "Scene/Fingerprint.h"
 
 #include "vtkOpenGLRenderWindow.h"
 

@@ -9,7 +9,7 @@
 #include "GL/TableTextures.h"
 #include "GL/TileCorners.h"
 #include "GL/Uniforms.h"
-#include "Scene/View.h"
+#include "Rays/View.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 
@@ -157,8 +157,8 @@ std::string VertexLightPass::drawTile(
 {
   const MarchInputs& inputs = work.Inputs;
   std::string error;
-  vtkShaderProgram* program =
-    this->Draw.use(window, "tile.vert.glsl", "vertex_light.frag.glsl", inputs.Key.defines(), error);
+  vtkShaderProgram* program = this->Draw.use(
+    window, "passes/tile.vert.glsl", "passes/vertex_light.frag.glsl", inputs.Key.defines(), error);
   if (!program)
   {
     return error;
@@ -173,7 +173,7 @@ std::string VertexLightPass::drawTile(
     inputs.Effects->bindOpaqueShadows(program);
   }
   bindVertexRays(program, inputs.EffectValues->Lights, work.ToLights);
-  setUniform(program, "lengthMatrix", inputs.Camera->LengthMatrix);
+  setUniform(program, "thicknessMatrix", inputs.Camera->ThicknessMatrix);
   program->SetUniformi("vertexCount", static_cast<int>(work.Vertices));
   drawCorners(program, this->Draw, work.All, tile);
   inputs.Mesh->unbind();

@@ -4,10 +4,10 @@
 #ifndef TetMarchGLVertexLightPass_h
 #define TetMarchGLVertexLightPass_h
 
+#include "Caching/Fingerprint.h"
+#include "Caching/StageRecord.h"
 #include "GL/FloatTarget.h"
 #include "GL/MarchPass.h"
-#include "Scene/Fingerprint.h"
-#include "Scene/StageRecord.h"
 
 #include <cstdint>
 #include <string>
@@ -20,7 +20,7 @@ class VertexLightPass
 public:
   /** VERTEX_LIGHT_ROW of Shaders/language.glsl: the texels of a row. */
   static constexpr int RowLength = 4096;
-  /** Successive vertices fill square blocks of texels (Shaders/vertex_light_layout.glsl). */
+  /** Successive vertices fill square blocks of texels (Shaders/light/vertex_light_layout.glsl). */
   static constexpr int BlockSide = 8;
 
   /**

@@ -19,9 +19,9 @@ std::string ViewPass::draw(vtkOpenGLRenderWindow* window, const Viewport& area,
 {
   StateScope state(window);
   std::string error = this->upload(window, view.Table);
-  vtkShaderProgram* program =
-    error.empty() ? this->Draw.use(window, "full_view.vert.glsl", "view.frag.glsl", {}, error)
-                  : nullptr;
+  vtkShaderProgram* program = error.empty() ? this->Draw.use(window, "passes/full_view.vert.glsl",
+                                                "passes/view.frag.glsl", {}, error)
+                                            : nullptr;
   if (!program)
   {
     return error;

@@ -4,9 +4,9 @@
 #ifndef TetMarchGLViewPass_h
 #define TetMarchGLViewPass_h
 
+#include "Diagnostics/MeasureView.h"
 #include "GL/ShaderDraw.h"
 #include "GL/Viewport.h"
-#include "Scene/MeasureView.h"
 
 #include "vtkSmartPointer.h"
 

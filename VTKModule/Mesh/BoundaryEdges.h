@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshBoundaryEdges_h
 #define TetMarchMeshBoundaryEdges_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BoundaryHierarchy.h"
+#include "Mesh/BoundaryHierarchy.h"
 
-#include "HullFaces.h"
+#include "Mesh/HullFaces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshBoundaryHierarchy_h
 #define TetMarchMeshBoundaryHierarchy_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 namespace tetmarch
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CellCutter.h"
+#include "Mesh/CellCutter.h"
 
-#include "GridVersions.h"
+#include "Mesh/GridVersions.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

@@ -4,9 +4,9 @@
 #ifndef TetMarchMeshCellCutter_h
 #define TetMarchMeshCellCutter_h
 
-#include "CellKind.h"
-#include "CellShapes.h"
-#include "Decomposition.h"
+#include "Mesh/CellKind.h"
+#include "Mesh/CellShapes.h"
+#include "Mesh/Decomposition.h"
 
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CellKind.h"
+#include "Mesh/CellKind.h"
 
-#include "CellShapes.h"
+#include "Mesh/CellShapes.h"
 
 #include "vtkCellType.h"
 

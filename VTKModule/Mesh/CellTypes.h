@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshCellTypes_h
 #define TetMarchMeshCellTypes_h
 
-#include "GridVersions.h"
+#include "Mesh/GridVersions.h"
 
 #include "vtkUnsignedCharArray.h"
 

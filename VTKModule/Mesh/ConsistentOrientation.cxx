@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ConsistentOrientation.h"
+#include "Mesh/ConsistentOrientation.h"
 
-#include "Orientation.h"
+#include "Mesh/Orientation.h"
 
 #include "vtkSMPTools.h"
 

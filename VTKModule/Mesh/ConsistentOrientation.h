@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshConsistentOrientation_h
 #define TetMarchMeshConsistentOrientation_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Convexity.h"
+#include "Mesh/Convexity.h"
 
-#include "BoundaryEdges.h"
-#include "FacePlane.h"
+#include "Mesh/BoundaryEdges.h"
+#include "Mesh/FacePlane.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshConvexity_h
 #define TetMarchMeshConvexity_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 namespace tetmarch
 {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Decomposition.h"
+#include "Mesh/Decomposition.h"
 
-#include "CellCutter.h"
-#include "CellTypes.h"
-#include "GridCheck.h"
+#include "Mesh/CellCutter.h"
+#include "Mesh/CellTypes.h"
+#include "Mesh/GridCheck.h"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 #ifndef TetMarchMeshDecomposition_h
 #define TetMarchMeshDecomposition_h
 
-#include "Progress.h"
-#include "TetMesh.h"
+#include "Mesh/Progress.h"
+#include "Mesh/TetMesh.h"
 
 #include <string>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FaceMatching.h"
+#include "Mesh/FaceMatching.h"
 
-#include "ConsistentOrientation.h"
-#include "Orientation.h"
+#include "Mesh/ConsistentOrientation.h"
+#include "Mesh/Orientation.h"
 
 #include <algorithm>
 #include <mutex>

@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshFacePlane_h
 #define TetMarchMeshFacePlane_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FurtherScalars.h"
+#include "Mesh/FurtherScalars.h"
 
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace
 // valuesOf(component) are those of all vertices or tetrahedra, scalarOf(i) is the first scalar of
 // one.
 template <typename ValuesOf, typename ScalarOf>
-FurtherScalars furtherScalars(const FurtherChoice& choice, ScalarRange& range,
+FurtherScalars furtherScalars(const FurtherController& choice, ScalarRange& range,
   const ValuesOf& valuesOf, const ScalarOf& scalarOf)
 {
   FurtherScalars further;
@@ -40,7 +40,7 @@ FurtherScalars furtherScalars(const FurtherChoice& choice, ScalarRange& range,
 } // namespace
 
 FurtherScalars furtherPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* array,
-  const FurtherChoice& choice, TetMesh& mesh, ScalarRange& range)
+  const FurtherController& choice, TetMesh& mesh, ScalarRange& range)
 {
   return furtherScalars(
     choice, range,
@@ -50,7 +50,7 @@ FurtherScalars furtherPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* arra
     [&](std::size_t i) -> float& { return mesh.Vertices[i].Scalar; });
 }
 
-FurtherScalars furtherCellScalars(vtkDataArray* array, const FurtherChoice& choice,
+FurtherScalars furtherCellScalars(vtkDataArray* array, const FurtherController& choice,
   const TetMesh& mesh, std::vector<float>& scalars, ScalarRange& range)
 {
   return furtherScalars(

@@ -4,18 +4,18 @@
 #ifndef TetMarchMeshFurtherScalars_h
 #define TetMarchMeshFurtherScalars_h
 
-#include "Scalars.h"
+#include "Mesh/Scalars.h"
 
 #include <vector>
 
 namespace tetmarch
 {
 
-/** As the arrays in Shaders/table_buffers.glsl. */
+/** As the arrays in Shaders/tables/table_buffers.glsl. */
 constexpr int MostComponents = 4;
 
 /** Which components of a tuple, at most three, and how they are stored. */
-struct FurtherChoice
+struct FurtherController
 {
   std::vector<int> Components;
   /** Above 0: values are divided by it and stored as they are then, clamped to 0..1. 0: each
@@ -36,10 +36,10 @@ struct FurtherScalars
  * is not finite or not there, that scalar becomes UndrawnScalar, and the range knows.
  */
 FurtherScalars furtherPointScalars(vtkUnstructuredGrid* grid, vtkDataArray* array,
-  const FurtherChoice& choice, TetMesh& mesh, ScalarRange& range);
+  const FurtherController& choice, TetMesh& mesh, ScalarRange& range);
 
 /** Of tetrahedra, whose first scalars are given, likewise. */
-FurtherScalars furtherCellScalars(vtkDataArray* array, const FurtherChoice& choice,
+FurtherScalars furtherCellScalars(vtkDataArray* array, const FurtherController& choice,
   const TetMesh& mesh, std::vector<float>& scalars, ScalarRange& range);
 
 } // namespace tetmarch

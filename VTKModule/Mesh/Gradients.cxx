@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gradients.h"
+#include "Mesh/Gradients.h"
 
-#include "LinearFit.h"
-#include "Orientation.h"
-#include "VertexScalars.h"
+#include "Mesh/LinearFit.h"
+#include "Mesh/Orientation.h"
+#include "Mesh/VertexScalars.h"
 
 #include "vtkSMPTools.h"
 

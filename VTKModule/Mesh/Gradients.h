@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshGradients_h
 #define TetMarchMeshGradients_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 namespace tetmarch
 {

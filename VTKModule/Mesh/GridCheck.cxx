@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GridCheck.h"
+#include "Mesh/GridCheck.h"
 
-#include "CellKind.h"
-#include "CellTypes.h"
-#include "HigherOrderCheck.h"
-#include "PolyhedronCheck.h"
+#include "Mesh/CellKind.h"
+#include "Mesh/CellTypes.h"
+#include "Mesh/HigherOrderCheck.h"
+#include "Mesh/PolyhedronCheck.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArrayRange.h"

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HalfFaceLinks.h"
+#include "Mesh/HalfFaceLinks.h"
 
-#include "ConsistentOrientation.h"
-#include "FaceMatching.h"
-#include "Orientation.h"
+#include "Mesh/ConsistentOrientation.h"
+#include "Mesh/FaceMatching.h"
+#include "Mesh/Orientation.h"
 
 #include <algorithm>
 #include <iterator>

@@ -4,8 +4,8 @@
 #ifndef TetMarchMeshHalfFaceLinks_h
 #define TetMarchMeshHalfFaceLinks_h
 
-#include "Progress.h"
-#include "TetMesh.h"
+#include "Mesh/Progress.h"
+#include "Mesh/TetMesh.h"
 
 namespace tetmarch
 {

@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshHalfFloats_h
 #define TetMarchMeshHalfFloats_h
 
-#include "Gradients.h"
+#include "Mesh/Gradients.h"
 
 namespace tetmarch
 {

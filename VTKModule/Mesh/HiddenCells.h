@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshHiddenCells_h
 #define TetMarchMeshHiddenCells_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HullFaces.h"
+#include "Mesh/HullFaces.h"
 
-#include "BoundaryEdges.h"
-#include "BoundaryHierarchy.h"
-#include "FacePlane.h"
+#include "Mesh/BoundaryEdges.h"
+#include "Mesh/BoundaryHierarchy.h"
+#include "Mesh/FacePlane.h"
 
 #include "vtkSMPTools.h"
 

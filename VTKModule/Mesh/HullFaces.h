@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshHullFaces_h
 #define TetMarchMeshHullFaces_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 #include <vector>
 
@@ -15,10 +15,10 @@ namespace tetmarch
  * For each boundary face, in the order of the hierarchy that the mesh has, whether a ray that has
  * left the mesh can't come back in through it: no vertex of the boundary stands out over its plane
  * by more than the rounding of positions (2^-21 mesh radii), so it lies on the convex hull, into
- * which a ray comes once, but for bumps of that size, which Shaders/ray_cast.glsl sees to. That
- * holds only where the surface covers the hull once: if it is folded onto itself there, or lies on
- * it in several parts, no face is taken. Nor are faces for which the search gets long. Not to be
- * taken is always safe.
+ * which a ray comes once, but for bumps of that size, which Shaders/march/ray_cast.glsl sees to.
+ * That holds only where the surface covers the hull once: if it is folded onto itself there, or
+ * lies on it in several parts, no face is taken. Nor are faces for which the search gets long. Not
+ * to be taken is always safe.
  */
 std::vector<bool> findHullFaces(const TetMesh& mesh);
 

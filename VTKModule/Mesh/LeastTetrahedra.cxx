@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LeastTetrahedra.h"
+#include "Mesh/LeastTetrahedra.h"
 
-#include "CellShapes.h"
-#include "CellTypes.h"
+#include "Mesh/CellShapes.h"
+#include "Mesh/CellTypes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshLinearFit_h
 #define TetMarchMeshLinearFit_h
 
-#include "Vector3.h"
+#include "Mesh/Vector3.h"
 
 namespace tetmarch
 {

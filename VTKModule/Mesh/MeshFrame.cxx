@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshFrame.h"
+#include "Mesh/MeshFrame.h"
 
 #include <algorithm>
 #include <cmath>

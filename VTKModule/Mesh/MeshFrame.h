@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshMeshFrame_h
 #define TetMarchMeshMeshFrame_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 #include <string>
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MovedPoints.h"
+#include "Mesh/MovedPoints.h"
 
-#include "BoundaryHierarchy.h"
-#include "ConsistentOrientation.h"
-#include "Convexity.h"
-#include "GridCheck.h"
-#include "HalfFaceLinks.h"
-#include "MeshFrame.h"
-#include "Orientation.h"
+#include "Mesh/BoundaryHierarchy.h"
+#include "Mesh/ConsistentOrientation.h"
+#include "Mesh/Convexity.h"
+#include "Mesh/GridCheck.h"
+#include "Mesh/HalfFaceLinks.h"
+#include "Mesh/MeshFrame.h"
+#include "Mesh/Orientation.h"
 
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"

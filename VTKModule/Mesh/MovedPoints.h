@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshMovedPoints_h
 #define TetMarchMeshMovedPoints_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 class vtkUnstructuredGrid;
 

@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshOrientation_h
 #define TetMarchMeshOrientation_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 namespace tetmarch
 {

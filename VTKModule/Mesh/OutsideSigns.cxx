@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OutsideSigns.h"
+#include "Mesh/OutsideSigns.h"
 
-#include "ConsistentOrientation.h"
-#include "Orientation.h"
+#include "Mesh/ConsistentOrientation.h"
+#include "Mesh/Orientation.h"
 
 #include "vtkSMPTools.h"
 

@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshOutsideSigns_h
 #define TetMarchMeshOutsideSigns_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 #include <cstdint>
 #include <vector>

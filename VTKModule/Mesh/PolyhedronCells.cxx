@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Faces as VTK has them from 9.4 on.
-#include "PolyhedronCheck.h"
+#include "Mesh/PolyhedronCheck.h"
 
 #if !TETMARCH_FACES_ARE_STREAMS
 
-#include "CellTypes.h"
+#include "Mesh/CellTypes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

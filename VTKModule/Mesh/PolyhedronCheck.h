@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshPolyhedronCheck_h
 #define TetMarchMeshPolyhedronCheck_h
 
-#include "GridVersions.h"
+#include "Mesh/GridVersions.h"
 
 #include <string>
 

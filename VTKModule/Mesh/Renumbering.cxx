@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Renumbering.h"
+#include "Mesh/Renumbering.h"
 
-#include "MeshFrame.h"
+#include "Mesh/MeshFrame.h"
 
 #include "vtkPoints.h"
 

@@ -4,8 +4,8 @@
 #ifndef TetMarchMeshRenumbering_h
 #define TetMarchMeshRenumbering_h
 
-#include "Decomposition.h"
-#include "TetMesh.h"
+#include "Mesh/Decomposition.h"
+#include "Mesh/TetMesh.h"
 
 #include <string>
 

@@ -4,8 +4,8 @@
 #ifndef TetMarchMeshScalars_h
 #define TetMarchMeshScalars_h
 
-#include "TetMesh.h"
-#include "TupleScalar.h"
+#include "Mesh/TetMesh.h"
+#include "Mesh/TupleScalar.h"
 
 #include <string>
 

@@ -10,7 +10,7 @@
 #ifndef TetMarchMeshTetMesh_h
 #define TetMarchMeshTetMesh_h
 
-#include "MeshReport.h"
+#include "Mesh/MeshReport.h"
 
 #include "vtkType.h"
 

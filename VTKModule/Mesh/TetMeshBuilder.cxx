@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TetMeshBuilder.h"
+#include "Mesh/TetMeshBuilder.h"
 
-#include "BoundaryHierarchy.h"
-#include "Convexity.h"
-#include "Decomposition.h"
-#include "HalfFaceLinks.h"
-#include "Renumbering.h"
+#include "Mesh/BoundaryHierarchy.h"
+#include "Mesh/Convexity.h"
+#include "Mesh/Decomposition.h"
+#include "Mesh/HalfFaceLinks.h"
+#include "Mesh/Renumbering.h"
 
 #include "vtkUnstructuredGrid.h"
 

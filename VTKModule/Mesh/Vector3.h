@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshVector3_h
 #define TetMarchMeshVector3_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 namespace tetmarch
 {

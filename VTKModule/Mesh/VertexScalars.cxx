@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VertexScalars.h"
+#include "Mesh/VertexScalars.h"
 
-#include "LinearFit.h"
-#include "Orientation.h"
+#include "Mesh/LinearFit.h"
+#include "Mesh/Orientation.h"
 
 #include "vtkSMPTools.h"
 

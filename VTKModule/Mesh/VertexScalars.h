@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshVertexScalars_h
 #define TetMarchMeshVertexScalars_h
 
-#include "VertexTets.h"
+#include "Mesh/VertexTets.h"
 
 namespace tetmarch
 {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VertexStarts.h"
+#include "Mesh/VertexStarts.h"
 
-#include "Orientation.h"
-#include "OutsideSigns.h"
-#include "Vector3.h"
-#include "VertexTets.h"
+#include "Mesh/Orientation.h"
+#include "Mesh/OutsideSigns.h"
+#include "Mesh/Vector3.h"
+#include "Mesh/VertexTets.h"
 
 #include "vtkSMPTools.h"
 

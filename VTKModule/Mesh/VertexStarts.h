@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshVertexStarts_h
 #define TetMarchMeshVertexStarts_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 namespace tetmarch
 {

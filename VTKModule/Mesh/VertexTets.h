@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshVertexTets_h
 #define TetMarchMeshVertexTets_h
 
-#include "TetMesh.h"
+#include "Mesh/TetMesh.h"
 
 namespace tetmarch
 {

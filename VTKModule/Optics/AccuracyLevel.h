@@ -12,8 +12,8 @@ namespace tetmarch
 
 struct AccuracyLevel
 {
-  /** Segments are split until a pixel keeps the tolerance (Shaders/segment_linear.glsl); else each
-   * is taken as it is. */
+  /** Segments are split until a pixel keeps the tolerance (Shaders/gather/segment_linear.glsl);
+   * else each is taken as it is. */
   bool Adaptive;
   /** Of each channel of a pixel, in 0..1, for integration and early end together; if not adaptive,
    * the transmittance below which a ray ends. */
@@ -27,8 +27,8 @@ struct AccuracyLevel
 
 /**
  * Of a cell of optical depth D in which the colour varies by V in all, sqrt(D V / (4 tolerance))
- * equal pieces keep the share of the tolerance that what they absorb has (Shaders/radiance.glsl). D
- * V is 64 in a cell too thick for more to be seen.
+ * equal pieces keep the share of the tolerance that what they absorb has
+ * (Shaders/gather/radiance.glsl). D V is 64 in a cell too thick for more to be seen.
  */
 inline int mostTrialsFor(double tolerance)
 {
@@ -50,7 +50,7 @@ constexpr AccuracyLevel AccurateAccuracy{ true, 1.0 / 4096.0, 256, 1024, 65536 }
 /** As much as float has. */
 constexpr AccuracyLevel ReferenceAccuracy{ true, 1e-5, 1265, 4096, 65536 };
 /** For comparisons in double precision. */
-constexpr AccuracyLevel YardstickAccuracy{ true, 1e-6, 1000000, 4096, 262144 };
+constexpr AccuracyLevel GroundTruthAccuracy{ true, 1e-6, 1000000, 4096, 262144 };
 
 /** Of rays towards the light, of which only the transmittance is wanted: that is exact. */
 constexpr AccuracyLevel LightAccuracy{ false, 1.0 / 1024.0, 1, 1024, 65536 };

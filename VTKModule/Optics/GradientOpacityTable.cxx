@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GradientOpacityTable.h"
+#include "Optics/GradientOpacityTable.h"
 
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "IntegralTable.h"
+#include "Optics/IntegralTable.h"
 
-#include "BinAreas.h"
+#include "Optics/BinAreas.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The transfer functions and their integrals, as the march looks them up (see
-// Shaders/integral_table.glsl).
+// Shaders/tables/integral_table.glsl).
 #ifndef TetMarchOpticsIntegralTable_h
 #define TetMarchOpticsIntegralTable_h
 
-#include "TableTraits.h"
-#include "TransferFunctions.h"
+#include "Optics/TableTraits.h"
+#include "Optics/TransferFunctions.h"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TransferFunctions.h"
+#include "Optics/TransferFunctions.h"
 
-#include "BinAreas.h"
+#include "Optics/BinAreas.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"

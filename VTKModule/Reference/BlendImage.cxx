@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BlendImage.h"
+#include "Reference/BlendImage.h"
 
-#include "BlendKernel.h"
-#include "ImageMaker.h"
+#include "Reference/BlendKernel.h"
+#include "Reference/ImageMaker.h"
 
 namespace tetmarch
 {
@@ -30,7 +30,7 @@ ReferenceImage makeLit(const ReferenceScene& scene, const AccuracyLevel& level)
 template <typename Real>
 ReferenceImage renderIsosurfaces(const ReferenceScene& scene, const AccuracyLevel& level)
 {
-  const bool lit = scene.Effects && !scene.Effects->Lights.Lamps.empty();
+  const bool lit = scene.Effects && !scene.Effects->Lights.Sources.empty();
   if (scene.CellScalars)
   {
     return lit ? makeLit<LitIsosurfaceCellKernel<Real>, Real>(scene, level)

@@ -4,7 +4,7 @@
 #ifndef TetMarchReferenceBlendImage_h
 #define TetMarchReferenceBlendImage_h
 
-#include "ReferenceImage.h"
+#include "Reference/ReferenceImage.h"
 
 namespace tetmarch
 {

@@ -4,7 +4,7 @@
 #ifndef TetMarchReferenceBlendKernel_h
 #define TetMarchReferenceBlendKernel_h
 
-#include "LitKernel.h"
+#include "Reference/LitKernel.h"
 
 namespace tetmarch
 {

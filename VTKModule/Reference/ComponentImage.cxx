@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ComponentImage.h"
+#include "Reference/ComponentImage.h"
 
-#include "ComponentKernel.h"
-#include "ImageMaker.h"
+#include "Reference/ComponentKernel.h"
+#include "Reference/ImageMaker.h"
 
 namespace tetmarch
 {

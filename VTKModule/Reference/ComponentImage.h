@@ -4,7 +4,7 @@
 #ifndef TetMarchReferenceComponentImage_h
 #define TetMarchReferenceComponentImage_h
 
-#include "ReferenceImage.h"
+#include "Reference/ReferenceImage.h"
 
 namespace tetmarch
 {

@@ -4,8 +4,8 @@
 #ifndef TetMarchReferenceComponentKernel_h
 #define TetMarchReferenceComponentKernel_h
 
-#include "Kernel.h"
-#include "Scene/Components.h"
+#include "Appearance/Components.h"
+#include "Reference/Kernel.h"
 
 #include <vector>
 

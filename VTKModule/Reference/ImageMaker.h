@@ -4,10 +4,10 @@
 #ifndef TetMarchReferenceImageMaker_h
 #define TetMarchReferenceImageMaker_h
 
-#include "Kernel.h"
-#include "MakeKernel.h"
-#include "OpticalLength.h"
-#include "ReferenceImage.h"
+#include "Reference/Kernel.h"
+#include "Reference/MakeKernel.h"
+#include "Reference/ReferenceImage.h"
+#include "Reference/ThicknessPerDepth.h"
 
 #include "vtkSMPTools.h"
 
@@ -80,7 +80,7 @@ private:
     {
       return;
     }
-    const Real length = opticalLength<Real>(view, ray.direction);
+    const Real length = thicknessPerDepth<Real>(view, ray.direction);
     const auto march = kernel.castPlainRay(ray, -1, length, seen.x, seen.y);
 
     float* rgba = &this->Image.Pixels[4 * pixel];
@@ -90,8 +90,8 @@ private:
     rgba[2] = float(color.z);
     rgba[3] = float(color.w);
     this->Image.ErrorBounds[pixel] = float(kernel.errorBound(march.radiance));
-    counters += { march.cells > 0 ? 1 : 0, march.cells, march.evaluations, march.refused,
-      march.lost, march.guarded };
+    counters += { march.cells > 0 ? 1 : 0, march.cells, march.lookups, march.refused, march.lost,
+      march.guarded };
   }
 
   void add(const MarchCounters& counters)

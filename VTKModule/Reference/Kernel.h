@@ -5,12 +5,12 @@
 #ifndef TetMarchReferenceKernel_h
 #define TetMarchReferenceKernel_h
 
-#include "GlslLanguage.h"
+#include "Appearance/Blending.h"
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/IntegralTable.h"
-#include "Scene/Blending.h"
-#include "Scene/Clipping.h"
+#include "Rays/Clipping.h"
+#include "Reference/GlslLanguage.h"
 
 #include <cmath>
 #include <cstdint>

@@ -77,7 +77,7 @@ vec4 fetchBvhNode(int i) const
   return vec4(Real(v[0]), Real(v[1]), Real(v[2]), Real(i % 2 ? n.FirstFace : n.Second));
 }
 #if TETMARCH_COMPONENTS
-#include "KernelComponents.h"
+#include "Reference/KernelComponents.h"
 #else
 vec4 fetchTableValue(int i) const
 {
@@ -95,15 +95,15 @@ Real fetchCellScalar(uint tet) const { return Real(CellScalars[tet]); }
 uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] : 0u; }
 
 #if TETMARCH_CLIPPED
-#include "KernelClipping.h"
+#include "Reference/KernelClipping.h"
 #endif
 
 #if TETMARCH_EFFECTS
-#include "KernelEffects.h"
+#include "Reference/KernelEffects.h"
 #endif
 
 #if TETMARCH_LIGHT_RAYS
-#include "KernelLightRays.h"
+#include "Reference/KernelLightRays.h"
 #endif
 
 #define real Real
@@ -119,22 +119,22 @@ uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] 
 #define LINK_OUTSIDE LinkOutside
 #define BVH_STACK MostHierarchyDepth
 
-#include "march_files.glsl"
+#include "march/march_files.glsl"
 
 #if TETMARCH_CLIPPED
-#include "clipping.glsl"
+#include "cuts/clipping.glsl"
 #endif
 
-#include "ray_cast.glsl"
+#include "march/ray_cast.glsl"
 
 #if TETMARCH_PICKED
-#include "pick.glsl"
+#include "march/pick.glsl"
 #endif
 
 #if TETMARCH_LIGHT_RAYS
-#include "light_ray_files.glsl"
+#include "light/light_ray_files.glsl"
 
-#include "vertex_light.glsl"
+#include "light/vertex_light.glsl"
 #endif
 
 #undef real

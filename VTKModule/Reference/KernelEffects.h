@@ -49,10 +49,10 @@ void useLights(const LightUniforms& lights)
   Lights = &lights;
   twoSided = lights.TwoSided;
   // Where nothing shines, the volume's own colour is seen.
-  ambientColor = lights.Lamps.empty() ? vec3(1, 1, 1) : toVec3(lights.Ambient);
+  ambientColor = lights.Sources.empty() ? vec3(1, 1, 1) : toVec3(lights.Ambient);
   specularPower = Real(lights.SpecularPower);
   scatteringBlending = Real(lights.ScatteringBlending);
-  lightCount = static_cast<int>(lights.Lamps.size());
+  lightCount = static_cast<int>(lights.Sources.size());
 }
 
 static vec3 toVec3(const std::array<double, 3>& v)
@@ -71,14 +71,14 @@ static vec3 times(const std::array<double, 9>& m, vec3 v)
 }
 vec3 toWorld(vec3 v) const { return times(Lights->WorldMatrix, v); }
 vec3 toWorldNormal(vec3 gradient) const { return times(Lights->NormalMatrix, gradient); }
-vec3 fetchLightDiffuse(int i) const { return toVec3(Lights->Lamps[i].Diffuse); }
-vec3 fetchLightSpecular(int i) const { return toVec3(Lights->Lamps[i].Specular); }
-vec4 fetchLightPlace(int i) const { return toVec4(Lights->Lamps[i].Place); }
-vec4 fetchLightFading(int i) const { return toVec4(Lights->Lamps[i].Fading); }
-vec4 fetchLightCone(int i) const { return toVec4(Lights->Lamps[i].Cone); }
-bool isHeadlight(int i) const { return Lights->Lamps[i].Headlight; }
-Real fetchShadowStrength(int i) const { return Real(Lights->Lamps[i].ShadowStrength); }
-int fetchShadowChannel(int i) const { return Lights->Lamps[i].ShadowChannel; }
+vec3 fetchLightDiffuse(int i) const { return toVec3(Lights->Sources[i].Diffuse); }
+vec3 fetchLightSpecular(int i) const { return toVec3(Lights->Sources[i].Specular); }
+vec4 fetchLightPlace(int i) const { return toVec4(Lights->Sources[i].Place); }
+vec4 fetchLightAttenuation(int i) const { return toVec4(Lights->Sources[i].Attenuation); }
+vec4 fetchLightCone(int i) const { return toVec4(Lights->Sources[i].Cone); }
+bool isHeadlight(int i) const { return Lights->Sources[i].Headlight; }
+Real fetchShadowStrength(int i) const { return Real(Lights->Sources[i].ShadowStrength); }
+int fetchShadowChannel(int i) const { return Lights->Sources[i].ShadowChannel; }
 
 vec4 fetchVertexLight(uint vertex) const
 {

@@ -28,9 +28,9 @@ vec4 fetchShadowSource(int i) const
       : Lights->ShadowSources[std::min<std::size_t>(i, Lights->ShadowSources.size() - 1)];
   return vec4(Real(v[0]), Real(v[1]), Real(v[2]), Real(v[3]));
 }
-Real opticalLengthOf(vec3 direction) const
+Real thicknessPerDepthAlong(vec3 direction) const
 {
-  return opticalLength<Real>(*Camera, { direction.x, direction.y, direction.z });
+  return thicknessPerDepth<Real>(*Camera, { direction.x, direction.y, direction.z });
 }
 uvec4 fetchVertexStart(uint vertex) const
 {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LitComponentImage.h"
+#include "Reference/LitComponentImage.h"
 
-#include "LitComponentKernel.h"
-#include "LitImageMaker.h"
+#include "Reference/LitComponentKernel.h"
+#include "Reference/LitImageMaker.h"
 
 namespace tetmarch
 {

@@ -4,7 +4,7 @@
 #ifndef TetMarchReferenceLitComponentImage_h
 #define TetMarchReferenceLitComponentImage_h
 
-#include "ReferenceImage.h"
+#include "Reference/ReferenceImage.h"
 
 namespace tetmarch
 {

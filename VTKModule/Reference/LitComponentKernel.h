@@ -4,8 +4,8 @@
 #ifndef TetMarchReferenceLitComponentKernel_h
 #define TetMarchReferenceLitComponentKernel_h
 
-#include "LitKernel.h"
-#include "Scene/Components.h"
+#include "Appearance/Components.h"
+#include "Reference/LitKernel.h"
 
 #include <vector>
 

@@ -4,9 +4,9 @@
 #ifndef TetMarchReferenceLitImageMaker_h
 #define TetMarchReferenceLitImageMaker_h
 
-#include "ImageMaker.h"
-#include "LitKernel.h"
-#include "VolumeLight.h"
+#include "Reference/ImageMaker.h"
+#include "Reference/LitKernel.h"
+#include "Reference/VolumeLight.h"
 
 namespace tetmarch
 {

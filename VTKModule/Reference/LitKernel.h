@@ -5,9 +5,9 @@
 #ifndef TetMarchReferenceLitKernel_h
 #define TetMarchReferenceLitKernel_h
 
-#include "EffectData.h"
-#include "Kernel.h"
-#include "OpticalLength.h"
+#include "Light/EffectData.h"
+#include "Reference/Kernel.h"
+#include "Reference/ThicknessPerDepth.h"
 
 namespace tetmarch
 {

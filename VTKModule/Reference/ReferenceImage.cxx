@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ReferenceImage.h"
+#include "Reference/ReferenceImage.h"
 
-#include "BlendImage.h"
-#include "ComponentImage.h"
-#include "LitComponentImage.h"
-#include "LitImageMaker.h"
+#include "Reference/BlendImage.h"
+#include "Reference/ComponentImage.h"
+#include "Reference/LitComponentImage.h"
+#include "Reference/LitImageMaker.h"
 
 namespace tetmarch
 {

@@ -4,17 +4,17 @@
 #ifndef TetMarchReferenceReferenceImage_h
 #define TetMarchReferenceReferenceImage_h
 
+#include "Appearance/Blending.h"
+#include "Appearance/Components.h"
+#include "Diagnostics/MarchCounters.h"
+#include "Light/EffectData.h"
 #include "Mesh/HiddenCells.h"
 #include "Mesh/Scalars.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/AccuracyLevel.h"
 #include "Optics/IntegralTable.h"
-#include "Reference/EffectData.h"
-#include "Reference/MarchCounters.h"
-#include "Scene/Blending.h"
-#include "Scene/Clipping.h"
-#include "Scene/Components.h"
-#include "Scene/View.h"
+#include "Rays/Clipping.h"
+#include "Rays/View.h"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VolumeLight.h"
+#include "Reference/VolumeLight.h"
 
-#include "MakeKernel.h"
-#include "ReferenceImage.h"
+#include "Reference/MakeKernel.h"
+#include "Reference/ReferenceImage.h"
 
 #include "vtkSMPTools.h"
 
@@ -99,7 +99,7 @@ private:
     const auto ray = kernel.rayThrough(point, direction * Real(-1));
     const Real end = glsl::dot(point - ray.origin, ray.direction);
     const auto march =
-      kernel.castPlainRay(ray, -1, kernel.opticalLengthOf(direction), end - distance, end);
+      kernel.castPlainRay(ray, -1, kernel.thicknessPerDepthAlong(direction), end - distance, end);
     return march.radiance.transmittance;
   }
 

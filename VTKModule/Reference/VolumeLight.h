@@ -5,7 +5,7 @@
 #ifndef TetMarchReferenceVolumeLight_h
 #define TetMarchReferenceVolumeLight_h
 
-#include "LitKernel.h"
+#include "Reference/LitKernel.h"
 
 #include <memory>
 #include <vector>
@@ -16,7 +16,7 @@ namespace tetmarch
 struct ReferenceScene;
 
 /** Four a vertex: ambient light, then that of up to three lights that cast shadows; 0..1. By the
- * rays of Shaders/vertex_light.glsl. */
+ * rays of Shaders/light/vertex_light.glsl. */
 template <typename Real>
 std::vector<Real> lightAtVertices(const ReferenceScene& scene);
 

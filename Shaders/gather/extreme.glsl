@@ -1,0 +1,40 @@
+// The greatest or the least scalar along the ray (blend modes maximum and minimum; Wallis, Miller, Lerner and Kleerup,
+// "Three-dimensional display in nuclear medicine", 1989). Scalars are linear in a cell, so that it lies at an end of a
+// piece.
+
+// What a ray has gathered.
+struct Radiance
+{
+  real extreme; // scalar times extremeSign
+};
+
+Radiance noRadiance()
+{
+  Radiance radiance;
+  radiance.extreme = -NO_DEPTH;
+  return radiance;
+}
+
+#if TETMARCH_PICKED
+real gathered(Radiance radiance) { return radiance.extreme; }
+#endif
+
+// What lies behind may always count.
+bool isOpaque(Radiance radiance) { return false; }
+
+real errorBound(Radiance radiance) { return real(0); }
+
+// Premultiplied colour and opacity of that scalar: nothing of it depends on lengths.
+vec4 pixelOf(Radiance radiance, real thicknessPerDepth)
+{
+  vec4 value = tableValue(extremeSign * radiance.extreme * tableScale + tableOffset);
+  real opacity = radiance.extreme > -NO_DEPTH ? value.w : real(0);
+  return vec4(value.x * opacity, value.y * opacity, value.z * opacity, opacity);
+}
+
+int gatherSegment(Segment piece, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
+{
+  radiance.extreme =
+    max(radiance.extreme, max(extremeSign * piece.begin.y, extremeSign * piece.end.y));
+  return 1;
+}

@@ -1,0 +1,148 @@
+// How much light comes along a ray: a march that knows extinction alone. It adds up optical depth from tetrahedron to
+// tetrahedron; the transmittance is one exponential at the end. What tables say of colours is left out by compilers.
+
+struct ExtinctionMarch
+{
+  real depth;    // optical
+  real done;     // depth of the ray up to which it is integrated; nothing is integrated twice
+  bool finished; // dark, or past the last depth that is asked for
+  int cells;     // tetrahedra crossed
+};
+
+#if TETMARCH_POINT_SCALARS
+// Mean extinction between two depths in a tetrahedron that the ray enters and leaves at points (depth, scalar). `at` is
+// the table at the last end, which is mostly this begin; where it isn't, the first turn only reads the table there.
+real extinctionBetween(vec2 enter, vec2 leave, vec2 range, INOUT(TablePoint) at)
+{
+  real scalarBegin = range.x > enter.x ? scalarAt(enter, leave, range.x) : enter.y;
+  real scalarEnd = range.y < leave.x ? scalarAt(enter, leave, range.y) : leave.y;
+  real begin = scalarBegin * tableScale + tableOffset;
+  real end = scalarEnd * tableScale + tableOffset;
+  bool loaded = at.x == begin;
+  real mean = real(0);
+  bool pending = true;
+  do
+  {
+    TablePoint next = tablePoint(loaded ? end : begin);
+    mean = meanBetween(at, next).w;
+    at = next;
+    pending = !loaded;
+    loaded = true;
+  } while (pending);
+  return isDrawn(enter.y) && isDrawn(leave.y) ? mean : real(0);
+}
+#else
+real extinctionOf(uint tet)
+{
+  real scalar = fetchCellScalar(tet);
+  return isDrawn(scalar) ? tableValue(scalar * tableScale + tableOffset).w : real(0);
+}
+#endif
+
+#if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
+real densityAt(FaceIntersection face) { return gradientOpacity(gradientAt(face, barycentricsOf(face))); }
+
+// In the middle between two depths in a tetrahedron, by what it is where the ray enters and leaves.
+real densityBetween(vec2 enter, vec2 leave, vec2 range, real atEnter, real atLeave)
+{
+  real begin = range.x > enter.x ? shareAt(enter, leave, range.x) : real(0);
+  real end = range.y < leave.x ? shareAt(enter, leave, range.y) : real(1);
+  return atEnter + (atLeave - atEnter) * ((begin + end) * real(0.5));
+}
+#endif
+
+#if TETMARCH_NAN_SHOWN
+bool isFinite(uint tet, vec2 enter, vec2 leave)
+{
+#if TETMARCH_POINT_SCALARS
+  return isDrawn(enter.y) && isDrawn(leave.y);
+#else
+  return isDrawn(fetchCellScalar(tet));
+#endif
+}
+#endif
+
+// Where the scalar is not finite there is another, and none in a hidden tetrahedron.
+real countedExtinction(real extinction, uint tet, vec2 enter, vec2 leave)
+{
+#if TETMARCH_NAN_SHOWN
+  extinction = isFinite(tet, enter, leave) ? extinction : nanColor.w;
+#endif
+#if TETMARCH_HIDDEN_CELLS
+  extinction = isHidden(tet) ? real(0) : extinction;
+#endif
+  return extinction;
+}
+
+// From a face to the boundary face through which the ray leaves the mesh, as marchToExit() goes.
+void marchExtinctionToExit(Ray ray, INOUT(FaceIntersection) face, INOUT(uvec2) link, real thicknessPerDepth, real depthEnd,
+  INOUT(ExtinctionMarch) march)
+{
+  real darkDepth = -log(errorTolerance);
+  vec2 enter = intersectionPoint(face);
+#if TETMARCH_POINT_SCALARS
+  TablePoint at = tablePoint(isDrawn(enter.y) ? enter.y * tableScale + tableOffset : tableOffset);
+#endif
+#if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
+  fetchCorners(face);
+  real densityEnter = densityAt(face);
+#endif
+  bool onward = true;
+  while (onward)
+  {
+    uint tet = link.x;
+    vec4 apex = fetchVertex(link.y);
+    int exitFace = stepThrough(face, link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
+    vec2 leave = intersectionPoint(face);
+    link = fetchLink(4u * tet + uint(max(exitFace, 0)));
+    march.cells = march.cells + 1;
+
+    // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
+    vec2 range = vec2(max(enter.x, march.done), min(leave.x, depthEnd));
+    bool forward = range.y > range.x;
+#if TETMARCH_POINT_SCALARS
+    real extinction = extinctionBetween(enter, leave, range, at);
+#else
+    real extinction = extinctionOf(tet);
+#endif
+#if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
+    real densityLeave = densityAt(face);
+    extinction = extinction * densityBetween(enter, leave, range, densityEnter, densityLeave);
+    densityEnter = densityLeave;
+#elif TETMARCH_GRADIENT_OPACITY
+    extinction = extinction * gradientOpacity(fetchCellGradient(tet));
+#endif
+    extinction = countedExtinction(extinction, tet, enter, leave);
+    march.depth = march.depth + (forward ? extinction * (range.y - range.x) * thicknessPerDepth : real(0));
+    march.done = forward ? range.y : march.done;
+    march.finished = march.depth > darkDepth || max(range.x, range.y) >= depthEnd;
+    enter = leave;
+    onward = exitFace >= 0 && link.x < LINK_OUTSIDE && march.cells < mostCells && !march.finished;
+  }
+}
+
+// On all ways of the ray between two depths.
+ExtinctionMarch marchExtinction(Ray ray, real thicknessPerDepth, real depthBegin, real depthEnd, INOUT(Traversal) traversal)
+{
+  ExtinctionMarch march;
+  march.depth = real(0);
+  march.done = depthBegin;
+  march.finished = false;
+  march.cells = 0;
+  while (continuesBefore(traversal, depthEnd) && march.cells < mostCells)
+  {
+    enterMesh(ray, traversal);
+    if (traversal.entered)
+    {
+      marchExtinctionToExit(ray, traversal.face, traversal.link, thicknessPerDepth, depthEnd, march);
+    }
+    leaveMesh(ray, march.finished, traversal);
+  }
+  return march;
+}
+
+real transmittanceOn(Ray ray, real thicknessPerDepth, real depthBegin, real depthEnd, INOUT(Traversal) traversal)
+{
+  ExtinctionMarch march = marchExtinction(ray, thicknessPerDepth, depthBegin, depthEnd, traversal);
+  return exp(-march.depth);
+}

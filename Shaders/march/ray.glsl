@@ -1,0 +1,69 @@
+// A ray, and the projection of vertices along it.
+
+struct Ray
+{
+  vec3 origin; // the point of the ray nearest to the mesh's centre, which is the origin of coordinates
+  vec3 right;  // right, up, -direction: an orthonormal basis, as the viewer sees it
+  vec3 up;
+  vec3 direction; // unit length
+#if TETMARCH_SHADING
+  vec3 toEye; // unit length, in the coordinates of the lights
+#endif
+#if TETMARCH_CROPPED
+  vec3 lowDepth; // at which it crosses the planes of cropping
+  vec3 highDepth;
+#endif
+};
+
+// Position on the picture plane of the ray in xy, depth along the ray in z. Every vertex is projected by
+// this function and no other, so that it gets the same bits at every visit.
+vec3 project(Ray ray, vec3 vertex)
+{
+  precise real x = vertex.x - ray.origin.x;
+  precise real y = vertex.y - ray.origin.y;
+  precise real z = vertex.z - ray.origin.z;
+  precise real right = x * ray.right.x + y * ray.right.y + z * ray.right.z;
+  precise real up = x * ray.up.x + y * ray.up.y + z * ray.up.z;
+  precise real depth = x * ray.direction.x + y * ray.direction.y + z * ray.direction.z;
+  vec2 p = snapToPredicate(vec2(right, up));
+  return vec3(p.x, p.y, depth);
+}
+
+#if TETMARCH_CROPPED
+// Depth at which a ray has gone that far along an axis; never, if it runs across it.
+real depthAlong(real distance, real slope) { return abs(slope) > TINY ? distance / slope : NO_DEPTH; }
+
+vec3 planeDepths(vec3 planes, vec3 origin, vec3 direction)
+{
+  vec3 d = planes - origin;
+  return vec3(
+    depthAlong(d.x, direction.x), depthAlong(d.y, direction.y), depthAlong(d.z, direction.z));
+}
+#endif
+
+// The ray through a point, which it keeps however far away the eye is: q - dir (q.dir) errs by a few
+// 1e-7 mesh radii, eye + dir t by as much of the eye's distance.
+Ray rayThrough(vec3 point, vec3 direction)
+{
+  Ray ray;
+  ray.direction = direction;
+  ray.origin = point - direction * dot(point, direction);
+  // The axis that is least along the direction gives the basis its best angle.
+  vec3 size = vec3(abs(direction.x), abs(direction.y), abs(direction.z));
+  vec3 axis = size.x <= size.y && size.x <= size.z ? vec3(real(1), real(0), real(0))
+    : (size.y <= size.z ? vec3(real(0), real(1), real(0)) : vec3(real(0), real(0), real(1)));
+  ray.right = normalize(cross(direction, axis));
+  ray.up = cross(ray.right, direction);
+#if TETMARCH_SHADING
+#if TETMARCH_WORLD_LIGHTS
+  ray.toEye = normalize(toWorld(direction * real(-1)));
+#else
+  ray.toEye = direction * real(-1);
+#endif
+#endif
+#if TETMARCH_CROPPED
+  ray.lowDepth = planeDepths(croppingLow, ray.origin, direction);
+  ray.highDepth = planeDepths(croppingHigh, ray.origin, direction);
+#endif
+  return ray;
+}

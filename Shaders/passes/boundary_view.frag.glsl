@@ -1,0 +1,100 @@
+// The shell of the mesh: by which boundary face a pixel's ray enters, or where in that face.
+#include "language.glsl"
+#include "passes/helper.glsl"
+
+//VTK::Output::Dec
+
+#include "tet/mesh_buffers.glsl"
+#include "tet/edge_sign.glsl"
+#include "march/ray.glsl"
+#include "tet/face_intersection.glsl"
+#include "tet/boundary.glsl"
+#include "passes/pixel_ray.glsl"
+
+uniform bool showsCoordinates; // barycentric ones of the entry; else the face
+
+#if !TETMARCH_RASTER_ENTRY
+// The entry into the part of the mesh in which the ray is at a depth; if it is in none there, its next entry.
+Entry entryAt(Ray ray, float depth)
+{
+  Entry before;
+  before.depth = -NO_DEPTH;
+  before.face = -1;
+  Entry next = nextEntry(ray, before, true);
+  while (next.face >= 0 && next.depth <= depth)
+  {
+    before = next;
+    next = nextEntry(ray, before, true);
+  }
+  if (before.face >= 0)
+  {
+    // On the way back exits are entries: has the ray left again what it entered last?
+    Ray back = rayThrough(ray.origin, -ray.direction);
+    Entry exit;
+    exit.depth = -depth;
+    exit.face = -1;
+    exit = nextEntry(back, exit, true);
+    if (exit.face < 0 || -exit.depth < before.depth)
+    {
+      return before;
+    }
+  }
+  return next;
+}
+#endif
+
+// As the march does, a search comes in where the rasteriser's face refuses the ray.
+bool crossesShell(PixelRay pixel, out FaceIntersection intersection)
+{
+  int face = pixel.firstFace;
+#if TETMARCH_RASTER_ENTRY
+  bool entered = face >= 0 && enters(pixel.ray, uint(face), intersection);
+#if TETMARCH_BVH
+  if (!entered)
+  {
+    Entry refused;
+    refused.depth = -NO_DEPTH;
+    refused.face = face;
+    face = nextEntry(pixel.ray, refused, true).face;
+    entered = face >= 0 && enters(pixel.ray, uint(face), intersection);
+  }
+#endif
+  return entered;
+#else
+  face = entryAt(pixel.ray, pixel.depthBegin).face;
+  return face >= 0 && enters(pixel.ray, uint(face), intersection);
+#endif
+}
+
+// PCG-RXS-M-XS by M. O'Neill, as M. Jarzynski and M. Olano have it in "Hash Functions for GPU Rendering", Journal of
+// Computer Graphics Techniques 9 (2020), no. 3: whole numbers, so that every GL makes the same of them.
+uint hash(uint number)
+{
+  uint state = number * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// By its vertices, for faces are numbered anew once they have a hierarchy. One channel is full, so that no colour is
+// dark, the others are from a quarter on; 8 bits hold them exactly.
+vec3 colorOfFace(uvec3 ids)
+{
+  uint bits = hash(ids.x + hash(ids.y + hash(ids.z)));
+  float first = float(64u + (bits & 255u) * 3u / 4u) / 255.0;
+  float second = float(64u + (bits >> 8u & 255u) * 3u / 4u) / 255.0;
+  uint full = (bits >> 16u) % 3u;
+  return full == 0u ? vec3(1.0, first, second) : (full == 1u ? vec3(first, 1.0, second) : vec3(first, second, 1.0));
+}
+
+void main()
+{
+  PixelRay pixel = pixelRay();
+  FaceIntersection intersection;
+  if (!crossesShell(pixel, intersection) || intersectionPoint(intersection).x >= pixel.depthEnd)
+  {
+    discard;
+  }
+  vec3 weight = max(intersection.weight, vec3(0.0));
+  vec3 share = weight / max(weight.x + weight.y + weight.z, TINY);
+  gl_FragData[0] = vec4(showsCoordinates ? share : colorOfFace(intersection.id), 1.0);
+}

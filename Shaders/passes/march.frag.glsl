@@ -1,0 +1,72 @@
+// The picture: one ray a pixel.
+#include "language.glsl"
+#include "passes/helper.glsl"
+
+//VTK::Output::Dec
+#if TETMARCH_PEELED
+//VTK::DepthPeeling::Dec
+#endif
+
+#include "tet/mesh_buffers.glsl"
+#include "tables/table_buffers.glsl"
+#if !TETMARCH_COMPOSITE
+#include "gather/blend_buffers.glsl"
+#endif
+#if TETMARCH_EFFECTS
+#include "light/effect_buffers.glsl"
+#endif
+#if TETMARCH_SAMPLED_SHADOWS
+#include "light/light_buffers.glsl"
+#endif
+#if TETMARCH_CLIPPED
+#include "cuts/clipping_buffers.glsl"
+#endif
+#include "march/march_files.glsl"
+#if TETMARCH_CLIPPED
+#include "cuts/clipping.glsl"
+#endif
+#include "passes/pixel_ray.glsl"
+#if TETMARCH_SAMPLED_SHADOWS
+#include "light/light_ray_files.glsl"
+#include "light/sampled_shadows.glsl"
+#else
+#include "march/ray_cast.glsl"
+#endif
+
+#if TETMARCH_SAMPLED_SHADOWS
+uniform sampler2D jitterTexture; // a tile of 64 x 64 pixels, Optics/BlueNoise.h
+#else
+uniform mat3 thicknessMatrix; // direction -> world, in scalar opacity unit distances
+#endif
+
+float pixelThickness(PixelRay pixel) { return length(thicknessMatrix * pixel.ray.direction); }
+
+March marchPixel(PixelRay pixel)
+{
+  float thicknessPerDepth = pixelThickness(pixel);
+#if TETMARCH_SAMPLED_SHADOWS
+  float jitter = texelFetch(jitterTexture, pixel.at & 63, 0).x;
+  return castSampledRay(pixel.ray, pixel.firstFace, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd, jitter);
+#else
+  return castPlainRay(pixel.ray, pixel.firstFace, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd);
+#endif
+}
+
+vec4 colorOf(PixelRay pixel, March march) { return pixelOf(march.radiance, pixelThickness(pixel)); }
+
+#if TETMARCH_PEELED
+#include "passes/peeled_main.glsl"
+#else
+void main()
+{
+  PixelRay pixel = pixelRay();
+  March march = marchPixel(pixel);
+  gl_FragData[0] = colorOf(pixel, march);
+#if TETMARCH_DIAGNOSTICS
+  // A ray that ends before the mesh, or begins behind it, has looked at a tetrahedron and met none.
+  bool met = march.done > pixel.depthBegin;
+  gl_FragData[1] = vec4(met ? float(march.cells) : 0.0, float(march.lookups), errorBound(march.radiance), 0.0);
+  gl_FragData[2] = vec4(float(march.refused), float(march.lost), float(march.guarded), 0.0);
+#endif
+}
+#endif

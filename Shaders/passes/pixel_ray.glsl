@@ -1,0 +1,162 @@
+// The ray of a pixel, by which face the rasteriser says that it enters the mesh, and which part of it is seen.
+
+uniform vec4 viewport; // x, y, width, height in pixels
+uniform vec4 eye;      // (position, 1) or, for parallel projection, (direction towards it, 0)
+
+#if TETMARCH_RASTER_ENTRY
+uniform sampler2D entryTexture;
+#else
+uniform bool cutsNearPlane; // there rays begin
+#endif
+#if TETMARCH_OPAQUE_DEPTH
+uniform sampler2D opaqueDepthTexture;
+uniform vec2 depthsPerPixel; // 1, or more if there are fewer rays than pixels
+#endif
+#if TETMARCH_OPAQUE_DEPTH || TETMARCH_PEELED
+uniform bool cutsFarPlane;
+uniform mat4 clipToNormalized;
+
+vec3 unproject(vec2 pixel, float windowDepth)
+{
+  vec4 p = clipToNormalized * vec4(vec3((pixel - viewport.xy) / viewport.zw, windowDepth) * 2.0 - 1.0, 1.0);
+  return p.xyz / p.w;
+}
+
+// Of the point of a pixel's ray that the window has at that depth. Of a far plane that is a million times as far as
+// the near plane no digit is left.
+float depthAt(Ray ray, float windowDepth)
+{
+  return windowDepth < 1.0 || cutsFarPlane
+    ? dot(unproject(gl_FragCoord.xy, windowDepth) - ray.origin, ray.direction)
+    : NO_DEPTH;
+}
+#endif
+
+struct PixelRay
+{
+  ivec2 at; // from the corner of the viewport
+  Ray ray;
+  int firstFace;    // by the rasteriser; -1: to be searched for
+  float depthBegin; // of what is seen; what lies before it, or from depthEnd on, is not
+  float depthEnd;
+};
+
+#if TETMARCH_BVH
+uniform mat4 rayPoints; // Rays/RayPoints.h
+
+vec3 rayPoint()
+{
+  vec2 xy = (gl_FragCoord.xy - viewport.xy) / viewport.zw * 2.0 - 1.0;
+  vec4 p = rayPoints * vec4(xy, 0.0, 1.0);
+  return p.xyz / p.w;
+}
+#endif
+
+#if TETMARCH_RASTER_ENTRY
+// Barycentric coordinates none of which is less than the given one: what those below lack is taken from the
+// greatest.
+vec3 insideFace(vec3 share, float least)
+{
+  vec3 inside = max(share, vec3(least));
+  float excess = inside.x + inside.y + inside.z - 1.0;
+  inside -= excess * vec3(equal(inside, vec3(max(inside.x, max(inside.y, inside.z)))));
+  inside = max(inside, vec3(least));
+  return inside / (inside.x + inside.y + inside.z);
+}
+
+#if TETMARCH_BVH
+bool isBesideEntry(ivec2 pixel)
+{
+  ivec2 last = ivec2(viewport.zw) - 1;
+  float most = max(max(texelFetch(entryTexture, max(pixel - ivec2(1, 0), ivec2(0)), 0).x,
+                     texelFetch(entryTexture, min(pixel + ivec2(1, 0), last), 0).x),
+    max(texelFetch(entryTexture, max(pixel - ivec2(0, 1), ivec2(0)), 0).x,
+      texelFetch(entryTexture, min(pixel + ivec2(0, 1), last), 0).x));
+  return most >= 0.0;
+}
+#endif
+#endif
+
+// Discards helpers, the pixels beside the mesh, and those whose ray is clipped away.
+PixelRay pixelRay()
+{
+  PixelRay found;
+  ivec2 pixel = ivec2(gl_FragCoord.xy - viewport.xy);
+  found.at = pixel;
+  found.depthBegin = -NO_DEPTH;
+  found.depthEnd = NO_DEPTH;
+
+#if TETMARCH_RASTER_ENTRY
+  // The ray through the interpolated position keeps its digits however far away the eye is. In a few pixels of a
+  // hundred thousand, the rasteriser's rounding names a face beside the one that the ray enters.
+  vec4 entry = texelFetch(entryTexture, pixel, 0);
+  int firstFace = int(entry.x);
+#if TETMARCH_BVH
+  // A search then finds where it does; also where the rasteriser lost a needle and left a hole, and where it
+  // extrapolates beyond one that it sees edge-on.
+  if (IS_HELPER || (firstFace < 0 && !isBesideEntry(pixel)))
+  {
+    discard;
+  }
+#else
+  if (IS_HELPER || firstFace < 0)
+  {
+    discard;
+  }
+#endif
+  uvec3 ids = fetchBoundaryFace(uint(max(firstFace, 0)));
+  vec3 a = fetchVertex(ids.x).xyz;
+  vec3 b = fetchVertex(ids.y).xyz;
+  vec3 c = fetchVertex(ids.z).xyz;
+  Ray ray;
+#if TETMARCH_BVH
+  vec3 share = entry.yzw;
+  bool known = firstFace >= 0 && max(abs(share.x), max(abs(share.y), abs(share.z))) < 8.0;
+  vec3 point = known ? share.x * a + share.y * b + share.z * c : rayPoint();
+  ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
+#else
+  // The ray is led a little into the face, lest it run through a vertex: there it could leave the mesh at once,
+  // between faces that ties bend outwards, and come in again. Farther, if the face is so small that it is
+  // refused for rounding.
+  bool refused = false;
+  float least = 1e-4;
+  do
+  {
+    vec3 share = insideFace(entry.yzw, least);
+    vec3 point = share.x * a + share.y * b + share.z * c;
+    ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
+    FaceIntersection intersection;
+    refused = !enters(ray, uint(firstFace), intersection);
+    least *= 32.0;
+  } while (refused && least < 1e5);
+#endif
+#else
+  if (IS_HELPER)
+  {
+    discard;
+  }
+  int firstFace = -1;
+  vec3 point = rayPoint();
+  Ray ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
+  if (cutsNearPlane)
+  {
+    found.depthBegin = dot(point - ray.origin, ray.direction);
+  }
+#endif
+#if TETMARCH_OPAQUE_DEPTH
+  ivec2 depth = ivec2((vec2(pixel) + 0.5) * depthsPerPixel);
+  found.depthEnd = depthAt(ray, texelFetch(opaqueDepthTexture, depth, 0).x);
+#endif
+#if TETMARCH_CLIPPED
+  vec2 left = clippedRange(ray, vec2(found.depthBegin, found.depthEnd));
+  if (!(left.x < left.y))
+  {
+    discard;
+  }
+  found.depthBegin = left.x;
+  found.depthEnd = left.y;
+#endif
+  found.ray = ray;
+  found.firstFace = firstFace;
+  return found;
+}

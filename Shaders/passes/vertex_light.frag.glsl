@@ -1,0 +1,28 @@
+// A pixel a vertex: how much light comes to it.
+#include "language.glsl"
+#include "passes/helper.glsl"
+
+//VTK::Output::Dec
+
+#include "tet/mesh_buffers.glsl"
+#include "tables/table_buffers.glsl"
+#if TETMARCH_EFFECTS
+#include "light/effect_buffers.glsl"
+#endif
+#include "light/light_buffers.glsl"
+#include "light/vertex_light_layout.glsl"
+#include "tet/traversal_files.glsl"
+#include "light/light_ray_files.glsl"
+#include "light/vertex_light.glsl"
+
+uniform int vertexCount;
+
+void main()
+{
+  uint vertex = vertexOfTexel(uvec2(gl_FragCoord.xy));
+  if (IS_HELPER || vertex >= uint(vertexCount))
+  {
+    discard;
+  }
+  gl_FragData[0] = lightAtVertex(vertex);
+}

@@ -1,0 +1,62 @@
+// The transfer functions in texture buffers; see tables/integral_table.glsl.
+#if !TETMARCH_ISOSURFACES
+uniform samplerBuffer tableValueBuffer;
+uniform usamplerBuffer tableIntegralBuffer;
+#if !TETMARCH_COMPONENTS
+uniform int tableSize;
+#endif
+#if !TETMARCH_INDEPENDENT
+uniform float tableScale; // from a stored scalar to a position in the table
+uniform float tableOffset;
+#endif
+#if !TETMARCH_COMPONENTS
+uniform vec4 tableIntegralUnit;
+#endif
+#endif
+#if TETMARCH_COMPONENTS
+#define MOST_COMPONENTS 4 // Mesh/FurtherScalars.h
+uniform int tableFirst[MOST_COMPONENTS]; // of the tables, which lie behind each other: first entry
+uniform int tableSizes[MOST_COMPONENTS];
+uniform vec4 tableIntegralUnits[MOST_COMPONENTS];
+uniform vec2 tablePlace[MOST_COMPONENTS]; // scale and offset
+#endif
+#if TETMARCH_INDEPENDENT
+uniform int componentCount;
+uniform vec4 componentFactor; // of their extinctions
+#endif
+#if TETMARCH_COMPOSITE || TETMARCH_ISOSURFACES
+uniform float errorTolerance; // of a channel of a pixel
+#endif
+#if TETMARCH_TRANSPARENT_RANGES
+uniform vec4 transparentRanges; // in the table: up to, from, and from to
+#endif
+#if TETMARCH_CONSTANT_COLOR
+uniform vec3 constantColor; // in the place of the table's
+#endif
+#if TETMARCH_NAN_SHOWN
+uniform vec4 nanColor; // of scalars that are not finite, and their extinction
+#endif
+#if TETMARCH_ERROR_BOUND
+uniform samplerBuffer tableVariationBuffer;
+#endif
+#if TETMARCH_ADAPTIVE
+uniform int mostTrials; // pieces that a segment may be tried in
+#endif
+
+#if !TETMARCH_ISOSURFACES
+vec4 fetchTableValue(int i) { return texelFetch(tableValueBuffer, i); }
+uvec4 fetchTableIntegral(int i) { return texelFetch(tableIntegralBuffer, i); }
+#endif
+#if TETMARCH_COMPONENTS
+int fetchTableFirst(int table) { return tableFirst[table]; }
+int fetchTableSize(int table) { return tableSizes[table]; }
+vec4 fetchTableIntegralUnit(int table) { return tableIntegralUnits[table]; }
+vec2 fetchTablePlace(int table) { return tablePlace[table]; }
+#endif
+#if TETMARCH_ERROR_BOUND
+#if TETMARCH_COMPONENTS
+vec2 fetchTableVariations(int i) { return texelFetch(tableVariationBuffer, i).xy; } // of colour and extinction
+#else
+float fetchTableVariation(int i) { return texelFetch(tableVariationBuffer, i).x; }
+#endif
+#endif

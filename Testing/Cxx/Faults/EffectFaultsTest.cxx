@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whatever the GL refuses of the effects of light: one error that says what, a frame without the
+// volume, nothing left behind, and the volume is back as soon as the GL takes it.
+#include "FaultScene.h"
+#include "LitScene.h"
+
+#include "vtkActor.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace tetmarch::testing;
+
+class EffectFaults : public FaultScene<LitScene>
+{
+protected:
+  EffectFaults()
+  {
+    this->Shown.addGradientOpacity();
+    this->Mapper->SetShadowMethodToAtVertices();
+    this->lookOnce();
+  }
+
+  // All that effects keep on the GPU, and nothing else; they are on again then.
+  void freeEffects()
+  {
+    this->Shown.property()->ShadeOff();
+    this->Shown.property()->DisableGradientOpacityOn();
+    this->Shown.Window->Render();
+    this->Shown.property()->DisableGradientOpacityOff();
+    this->Shown.property()->ShadeOn();
+  }
+};
+
+// Gradients, gradient opacity, starts and the target of the light are made while all else is there.
+TEST_F(EffectFaults, OfWhatEffectsKeep)
+{
+  const auto switchOff = [this] { this->freeEffects(); };
+  this->expectEveryCallIsMet(Fault::BufferData, switchOff, 3);
+  this->expectEveryCallIsMet(Fault::TexBuffer, switchOff, 3);
+  this->expectEveryCallIsMet(Fault::TexImage, switchOff, 1);
+  this->expectEveryCallIsMet(Fault::FramebufferStatus, switchOff, 1);
+  EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
+}
+
+TEST_F(EffectFaults, OfEverythingAnew)
+{
+  const auto releaseAll = [this] { this->release(true); };
+  this->expectEveryCallIsMet(Fault::CompileStatus, releaseAll, 4);
+  this->expectEveryCallIsMet(Fault::LinkStatus, releaseAll, 2);
+  EXPECT_EQ(this->Mapper->GetGradientsBuilds(), 1);
+}
+
+TEST_F(EffectFaults, NoRoomForTheLight)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    this->freeEffects();
+    this->Watch.Errors.clear();
+    EXPECT_TRUE(this->meet(Fault::TexImage, 0));
+    this->expectEmpty(this->Shown.frame());
+    this->expectReported("no room for 1 16-bit texture(s) of 4096 x 8 pixels");
+  }
+  this->expectSound(this->frame());
+}
+
+// All else is there already.
+TEST_F(EffectFaults, NoRoomForShadowsOfOpaqueGeometry)
+{
+  this->Shown.Renderer->AddActor(makeBall({ 9.0, 12.0, 4.5 }, 0.5, { 1.0, 1.0, 1.0 }));
+  this->Sound = this->frame();
+  const vtkTypeInt64 bytes = this->Mapper->GetGPUMemoryBytes();
+  this->Mapper->OpaqueShadowsOn();
+  for (const Fault fault : { Fault::BufferData, Fault::TexBuffer })
+  {
+    EXPECT_TRUE(this->meet(fault, 0));
+    this->expectEmpty(this->Shown.frame());
+    EXPECT_EQ(this->Mapper->GetGPUMemoryBytes(), bytes);
+  }
+  ASSERT_EQ(this->Watch.Errors.size(), 2u);
+  EXPECT_NE(this->Watch.Errors[0].find("no room for a buffer of"), std::string::npos);
+  EXPECT_GT(compare(this->frame(), this->Sound).Max, 0.0);
+  this->Mapper->OpaqueShadowsOff();
+  this->expectSound(this->frame());
+}
+
+// With the file's name, however often it is tried.
+TEST_F(EffectFaults, ShaderOfTheLight)
+{
+  const auto spoil = [](const std::string& text) { return spoilt(text, "vertexStartBuffer"); };
+  for (int i = 0; i < 2; ++i)
+  {
+    this->release(true);
+    EXPECT_TRUE(this->meet(spoil));
+    this->expectEmpty(this->Shown.frame());
+  }
+  this->expectReported(
+    "The shader of passes/tile.vert.glsl and passes/vertex_light.frag.glsl could not be built");
+  this->expectSound(this->frame());
+  EXPECT_EQ(this->Watch.Errors.size(), 1u);
+}
+
+// Before the shader of these shadows is even compiled.
+TEST_F(EffectFaults, NoRoomForTheJitter)
+{
+  const vtkTypeInt64 bytes = this->Mapper->GetGPUMemoryBytes();
+  this->Mapper->SetShadowMethodToAlongRays();
+  for (int i = 0; i < 2; ++i)
+  {
+    EXPECT_TRUE(this->meet(Fault::TexImage, 0));
+    this->expectEmpty(this->Shown.frame());
+  }
+  this->expectReported("no room for a texture of 64 x 64 numbers");
+  this->Mapper->SetShadowMethodToAtVertices();
+  this->expectSound(this->frame());
+  EXPECT_EQ(this->Mapper->GetGPUMemoryBytes(), bytes);
+}
+} // namespace

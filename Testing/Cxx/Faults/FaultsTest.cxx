@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whatever the GL refuses: one error that says what, a frame without the volume, nothing left
+// behind, and the volume is back as soon as the GL takes it.
+#include "FaultScene.h"
+#include "GLObjects.h"
+#include "Scene.h"
+
+#include "vtkActor.h"
+#include "vtkOpenGLRenderUtilities.h"
+#include "vtkPoints.h"
+
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace
+{
+using namespace tetmarch::testing;
+
+class Faults : public FaultScene<Scene>
+{
+protected:
+  Faults()
+  {
+    this->Shown.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 }));
+    this->Mapper->CollectDiagnosticsOn();
+    this->lookOnce();
+  }
+
+  void expectEveryCallIsMet();
+};
+
+// Each call of each kind that a frame makes, one by one.
+void Faults::expectEveryCallIsMet()
+{
+  for (const Fault fault : AllFaults)
+  {
+    const bool ofShaders = fault == Fault::CompileStatus || fault == Fault::LinkStatus;
+    this->release(ofShaders);
+    const auto objects = countGLObjects();
+    const int shaders = countShaders();
+    int calls = 0;
+    int errors = 0;
+    for (; calls < 1000; ++calls)
+    {
+      SCOPED_TRACE(std::string(nameOf(fault)) + ", call " + std::to_string(calls));
+      this->Watch.Errors.clear();
+      if (!this->meet(fault, calls))
+      {
+        this->expectSound(this->Shown.frame());
+        break;
+      }
+      ASSERT_LE(this->Watch.Errors.size(), 1u);
+      if (!this->Watch.Errors.empty())
+      {
+        this->expectEmpty(this->Shown.frame());
+        ++errors;
+      }
+      else
+      {
+        // What was not to be had is not needed: fma, the word that a window ends.
+        EXPECT_LE(compare(this->Shown.frame(), this->Sound).Max, 2.0 / 255.0);
+      }
+      // At once, and the same again once everything has been made anew.
+      EXPECT_LE(compare(this->frame(), this->Sound).Max, 2.0 / 255.0);
+      EXPECT_LE(this->Watch.Errors.size(), 1u);
+      this->release(ofShaders);
+      EXPECT_EQ(countGLObjects(), objects);
+      EXPECT_LE(countShaders(), shaders);
+      this->expectSound(this->frame());
+      this->release(ofShaders);
+    }
+    EXPECT_GT(errors, 0) << nameOf(fault);
+    EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
+    std::cout << "[ MEASURED ] " << nameOf(fault) << ": " << calls << " calls, " << errors
+              << " of them end the frame\n";
+  }
+}
+
+TEST_F(Faults, EveryCall) { this->expectEveryCallIsMet(); }
+
+TEST_F(Faults, EveryCallInAView)
+{
+  this->Mapper->SetViewModeToCells();
+  this->Sound = this->frame();
+  this->expectEveryCallIsMet();
+}
+
+TEST_F(Faults, EveryCallInAShell)
+{
+  this->Mapper->SetViewModeToBoundaryFaces();
+  this->Sound = this->frame();
+  this->expectEveryCallIsMet();
+}
+
+TEST_F(Faults, AreReportedOnce)
+{
+  const struct
+  {
+    Fault Kind;
+    const char* Words;
+  } cases[] = { { Fault::BufferData, "no room for a buffer of" },
+    { Fault::TexBuffer, "no texture of a buffer" } };
+  for (const auto& c : cases)
+  {
+    this->Watch.Errors.clear();
+    for (int i = 0; i < 3; ++i)
+    {
+      this->release(false);
+      EXPECT_TRUE(this->meet(c.Kind, 0));
+      this->expectEmpty(this->Shown.frame());
+    }
+    ASSERT_EQ(this->Watch.Errors.size(), 1u);
+    EXPECT_NE(this->Watch.Errors[0].find(c.Words), std::string::npos) << this->Watch.Errors[0];
+    this->expectSound(this->frame());
+  }
+}
+
+TEST_F(Faults, FramebuffersSayWhich)
+{
+  // Without the probe, which a window meets once.
+  const char* words[] = { "1 float texture(s) of 64 x 64 pixels with depths",
+    "depths of opaque geometry", "3 float texture(s) of 64 x 64 pixels" };
+  for (int call = 0; call < 3; ++call)
+  {
+    this->Watch.Errors.clear();
+    EXPECT_TRUE(this->meet(Fault::FramebufferStatus, call));
+    this->expectEmpty(this->Shown.frame());
+    ASSERT_EQ(this->Watch.Errors.size(), 1u);
+    EXPECT_NE(this->Watch.Errors[0].find(words[call]), std::string::npos) << this->Watch.Errors[0];
+    this->expectSound(this->frame());
+  }
+}
+
+// With the file's name and the line in it, whatever was put around it.
+TEST_F(Faults, ShaderErrorsSayWhere)
+{
+  const struct
+  {
+    const char* File;
+    const char* Good;
+    const char* Bad;
+  } cases[] = { { "passes/march.frag.glsl", "return castPlainRay(", "return castNothing(" },
+    { "march/ray_cast.glsl", "March castPlainRay(", "March castPlainRay(NoSuchType x, " },
+    { "passes/entry.vert.glsl", "gl_Position =", "gl_NoPosition =" } };
+  for (const auto& c : cases)
+  {
+    int line = 0; // the same, counted by hand
+    const auto spoil = [&](const std::string& text)
+    {
+      std::string spoilt = text;
+      const std::size_t at = text.find(c.Good);
+      return at == std::string::npos ? text : spoilt.replace(at, std::strlen(c.Good), c.Bad);
+    };
+    std::ifstream file(std::string(TETMARCH_SHADER_DIR "/") + c.File);
+    std::string text;
+    for (int at = 1; std::getline(file, text) && line == 0; ++at)
+    {
+      line = text.find(c.Good) == std::string::npos ? 0 : at;
+    }
+    ASSERT_GT(line, 0) << c.File;
+    this->Watch.Errors.clear();
+    for (int i = 0; i < 2; ++i)
+    {
+      this->release(true);
+      EXPECT_TRUE(this->meet(spoil));
+      this->expectEmpty(this->Shown.frame());
+    }
+    ASSERT_EQ(this->Watch.Errors.size(), 1u);
+    const std::string& error = this->Watch.Errors[0];
+    EXPECT_NE(error.find("could not be built"), std::string::npos) << error;
+    EXPECT_NE(error.find(c.File + (":" + std::to_string(line))), std::string::npos) << error;
+    this->expectSound(this->frame());
+    EXPECT_EQ(this->Watch.Errors.size(), 1u);
+  }
+}
+
+TEST_F(Faults, MeshesOfMoreTexelsThanTheGLTakes)
+{
+  const int tets = static_cast<int>(this->Mapper->GetNumberOfTetrahedra());
+  const int links = 4 * tets + static_cast<int>(this->Mapper->GetNumberOfBoundaryFaces());
+  const vtkTypeInt64 bytes = this->Mapper->GetUploadedBytes();
+  const auto claim = [&](int texels)
+  {
+    this->Mapper->Around = [texels](const std::function<void()>& draw)
+    {
+      const FaultyGL faulty = FaultyGL::withMostTexels(texels);
+      draw();
+    };
+  };
+  claim(links - 1);
+  this->expectEmpty(this->frame());
+  this->expectEmpty(this->frame());
+  ASSERT_EQ(this->Watch.Errors.size(), 1u);
+  for (const std::string& word :
+    { "needs " + std::to_string(links) + " texels for its links", std::to_string(links - 1) })
+  {
+    EXPECT_NE(this->Watch.Errors[0].find(word), std::string::npos) << this->Watch.Errors[0];
+  }
+  EXPECT_EQ(this->Mapper->GetGPUMemoryBytes(), 0);
+  claim(links);
+  this->expectSound(this->frame());
+  EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
+  EXPECT_EQ(this->Mapper->GetUploadedBytes(), 2 * bytes);
+  // One that the cells themselves give away.
+  claim(4 * tets - 1);
+  const Grid stored32 = withCells32(this->Shown.Data);
+  this->Mapper->SetInputData(stored32);
+  this->expectEmpty(this->frame());
+  ASSERT_EQ(this->Watch.Errors.size(), 2u);
+  EXPECT_NE(this->Watch.Errors[1].find("at least " + std::to_string(4 * tets)), std::string::npos);
+  EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
+  this->Mapper->Around = nullptr;
+  this->expectSound(this->frame());
+  EXPECT_EQ(this->Mapper->GetMeshBuilds(), 2);
+}
+} // namespace

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MonkeyState.h"
+
+#include "MonkeyGrids.h"
+
+#include <cmath>
+
+namespace tetmarch::testing
+{
+MonkeyState atRest(const MonkeyState& state)
+{
+  MonkeyState rest = state;
+  rest.FrameTimeBudget = 0.0;
+  rest.UpdateRate = 0.0001;
+  return rest;
+}
+
+VariantKey variantOf(const MonkeyState& state)
+{
+  const MonkeyTraits& traits = traitsOf(state.Dataset);
+  VariantKey key;
+  key.PointScalars = state.Array != MonkeyState::OfCells;
+  key.RasterEntry = !state.isInside();
+  key.Hierarchy = !traits.Convex;
+  key.OpaqueDepth = state.Ball;
+  key.Adaptive = state.Accuracy != Mapper::FAST || state.ErrorBudget > 0;
+  key.Diagnostics = state.Diagnostics || state.showsMeasure();
+  key.Peeled = state.peels();
+  key.TransparentRanges = state.Functions == MonkeyState::Spiky;
+  key.ConstantColor = state.Functions == MonkeyState::OneColor;
+  key.Clipped = !state.Planes.empty() || state.Cropping;
+  key.Cropped = state.Cropping && state.CroppingFlags != VTK_CROP_SUBVOLUME;
+  key.NanShown = state.DrawNan && traits.HasNan;
+  key.HiddenCells = traits.HasHidden;
+  key.Extreme = state.BlendMode == Mapper::MAXIMUM_INTENSITY_BLEND ||
+                state.BlendMode == Mapper::MINIMUM_INTENSITY_BLEND;
+  key.Sum =
+    state.BlendMode == Mapper::AVERAGE_INTENSITY_BLEND || state.BlendMode == Mapper::ADDITIVE_BLEND;
+  key.Isosurfaces = state.BlendMode == Mapper::ISOSURFACE_BLEND;
+  key.CellGradients = state.GradientType == Mapper::CELL_GRADIENTS;
+  key.GradientOpacity = state.GradientOpacity;
+  key.Shading = state.Shade && state.Lights != MonkeyState::NoLight;
+  key.HeadlightOnly = state.Lights == MonkeyState::Headlight;
+  key.SingleLight = state.Lights == MonkeyState::Sun;
+  key.WorldLights = state.Lights == MonkeyState::SunAndLamp ||
+                    state.Lights == MonkeyState::AllLights ||
+                    state.Placement == MonkeyState::Stretched;
+  const bool shadows = state.Shadows != Mapper::SHADOWS_OFF || state.Scattering > 0;
+  key.Scattering = state.Scattering > 0;
+  key.CastShadows = shadows && state.Lights != MonkeyState::Headlight;
+  key.SeveralShadows = state.Lights != MonkeyState::Sun;
+  key.SampledShadows = state.Shadows == Mapper::SHADOWS_ALONG_RAYS;
+  key.OpaqueShadows = state.OpaqueShadows && state.Ball;
+  key.HeadlightShadows = shadows && state.Lights != MonkeyState::SunAndLamp;
+  key.Occlusion = state.Occlusion;
+  key.ShowIllumination = state.ViewMode == Mapper::VIEW_ILLUMINATION;
+  key.ShowGradients = state.ViewMode == Mapper::VIEW_GRADIENTS;
+  return state.ViewMode >= Mapper::VIEW_BOUNDARY_FACES && !state.peels() ? key.ofEntries()
+                                                                         : key.filtered();
+}
+
+std::vector<std::string> refusalsOf(const MonkeyState& state)
+{
+  std::vector<std::string> words;
+  const auto refuse = [&](bool refused, const char* word)
+  {
+    if (refused)
+    {
+      words.emplace_back(word);
+    }
+  };
+  refuse(state.Array == MonkeyState::Absent, "\"absent\"");
+  refuse(state.VectorMode == Mapper::COMPONENT && state.Array == MonkeyState::OfPoints &&
+           state.VectorComponent >= traitsOf(state.Dataset).Components,
+    "has no component");
+  refuse(state.VectorMode == Mapper::COMPONENT && state.Array == MonkeyState::OfCells &&
+           state.VectorComponent > 0,
+    "has no component");
+  refuse(state.BlendMode > Mapper::ISOSURFACE_BLEND, "The blend mode is");
+  refuse(state.BlendMode == Mapper::ISOSURFACE_BLEND && state.IsoValues > 32, "isosurface values");
+  refuse(!(state.UnitDistance > 0), "unit distance");
+  refuse(state.Placement == MonkeyState::Flat, "singular");
+  refuse(state.Planes.size() > 32, "clipping planes");
+  for (const MonkeyPlane& plane : state.Planes)
+  {
+    refuse(plane.Normal == Vec3{ 0, 0, 0 }, "is none: its normal");
+  }
+  refuse(std::isnan(state.CroppingLow) && state.Cropping, "cropping region plane");
+  refuse(state.MaxMemory > 0, "MaxMemoryInBytes");
+  refuse(state.showsMeasure() && !state.AutomaticRange &&
+           state.ViewMode == Mapper::VIEW_ERROR_BOUND && state.RangeLow <= 0,
+    "logarithmic scale");
+  return words;
+}
+} // namespace tetmarch::testing

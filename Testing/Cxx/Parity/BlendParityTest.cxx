@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the GL draws in each blend mode, pixel by pixel against the CPU reference.
+#include "vtkTetMarchFrameStatistics.h"
+
+#include "BlendParity.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace
+{
+using namespace tetmarch::testing;
+
+Grid lattice() { return jitteredLattice(10, 0.15, 1, sineField()); }
+
+TEST(BlendParity, ScalarsOfPoints)
+{
+  BlendScene scene(lattice());
+  expectBlendParity(scene);
+}
+
+TEST(BlendParity, ScalarsOfCells)
+{
+  BlendScene scene(jitteredLattice(8, 0.15, 1, sineField()));
+  scene.drawCellScalars();
+  expectBlendParity(scene);
+}
+
+TEST(BlendParity, InNoLight)
+{
+  BlendScene scene(lattice());
+  scene.property()->ShadeOff();
+  expectBlendParity(scene);
+}
+
+TEST(BlendParity, GradientsOfCells)
+{
+  BlendScene scene(lattice());
+  scene.Mapper->SetGradientType(Mapper::CELL_GRADIENTS);
+  expectBlendParity(scene);
+}
+
+TEST(BlendParity, AverageOverARange)
+{
+  BlendScene scene(lattice());
+  scene.Mapper->SetBlendModeToAverageIntensity();
+  scene.Mapper->SetAverageIPScalarRange(0.45, 0.6);
+  const Image drawn = scene.render();
+  const Difference difference = compare(drawn, referenceOf(scene).Picture, regionsOf(scene).Inside);
+  EXPECT_LE(50 * difference.Over, difference.Pixels) << difference.text();
+  scene.Mapper->SetAverageIPScalarRange(VTK_FLOAT_MIN, VTK_FLOAT_MAX);
+  EXPECT_GT(compare(drawn, scene.render()).Rms, 10.0 / 255.0);
+}
+
+TEST(BlendParity, OpaqueGeometryInside)
+{
+  BlendScene scene(lattice());
+  scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 }));
+  expectBlendParity(scene, true);
+}
+
+TEST(BlendParity, CameraInside)
+{
+  BlendScene scene(lattice());
+  lookFromInside(scene.camera());
+  expectBlendParity(scene);
+}
+
+TEST(BlendParity, RaysThatComeAgain)
+{
+  BlendScene scene(latticeWithHole(9, 0.15, 1, sineField()));
+  expectBlendParity(scene);
+  BlendScene cells(nestedShells(10, 4, 0.15, 1, sineField()));
+  cells.drawCellScalars();
+  expectBlendParity(cells);
+}
+
+TEST(BlendParity, ScalarsThatAreNotFinite)
+{
+  const Grid grid = lattice();
+  vtkDataArray* scalars = grid->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); i += 37)
+  {
+    scalars->SetComponent(i, 0, std::numeric_limits<double>::quiet_NaN());
+  }
+  BlendScene scene(grid);
+  expectBlendParity(scene);
+}
+
+// No piece is evaluated twice, and nothing is left to be bounded.
+TEST(BlendParity, CountersOfWhatIsExact)
+{
+  BlendScene scene(lattice());
+  for (const int mode : { Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::ADDITIVE_BLEND })
+  {
+    scene.Mapper->SetBlendMode(mode);
+    scene.render();
+    EXPECT_LE(scene.Mapper->GetNumberOfLookups(), scene.Mapper->GetNumberOfCrossedCells());
+    EXPECT_GT(scene.Mapper->GetNumberOfLookups(), scene.Mapper->GetNumberOfCrossedCells() * 9 / 10);
+    const auto* statistics = scene.Mapper->GetLastFrameStatistics();
+    EXPECT_EQ(statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND), 0.0);
+  }
+  // As many as there are cells with a surface in them.
+  scene.Mapper->SetBlendModeToIsoSurface();
+  scene.render();
+  EXPECT_LT(scene.Mapper->GetNumberOfLookups(), scene.Mapper->GetNumberOfCrossedCells() / 2);
+  EXPECT_LE(
+    scene.Mapper->GetLastFrameStatistics()->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND),
+    1.0 / 255.0);
+}
+} // namespace

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How far light that is kept at vertices, or looked for at a few points of a ray, is from light
+// looked for by brute force wherever a ray crosses a face.
+#include "CpuReference.h"
+
+#include "vtkDataArray.h"
+#include "vtkLight.h"
+#include "vtkPointData.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace
+{
+using namespace tetmarch::testing;
+
+void shine(Scene& scene, double x, double y, double z, bool positional = false)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(scene.camera()->GetFocalPoint());
+  light->SetPositional(positional);
+  light->SetConeAngle(180.0);
+  scene.Renderer->AddLight(light);
+  scene.property()->ShadeOn();
+  scene.property()->SetAmbient(0.2);
+  scene.property()->SetDiffuse(0.8);
+  scene.property()->SetSpecular(0.3);
+}
+
+Difference errorOf(Scene& scene, const char* what)
+{
+  const Image drawn = scene.render();
+  const Image exact = referenceOf(scene, {}, Precision::Double, LightFrom::Everywhere).Picture;
+  const Mask inside = regionsOf(scene).Inside;
+  const Difference difference = compare(drawn, exact, inside);
+  std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
+  return difference;
+}
+
+// What is promised of light kept at vertices and of light sampled along rays.
+void expectSmallErrors(Scene& scene)
+{
+  scene.Mapper->SetShadowMethodToAtVertices();
+  EXPECT_LE(errorOf(scene, "at vertices").Rms, 4.0 / 255.0);
+  scene.Mapper->SetShadowMethodToAlongRays();
+  EXPECT_LE(errorOf(scene, "along rays").Rms, 1.5 / 255.0);
+}
+
+TEST(LightError, GolfBall)
+{
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(TETMARCH_DATA_DIR "/golfball_small.vtu");
+  reader->Update();
+  reader->GetOutput()->GetPointData()->SetActiveScalars("vorticity_mag");
+  Scene scene(reader->GetOutput(), 96, 96);
+  setWakeFunctions(scene.property());
+  scene.camera()->SetFocalPoint(0.7, 0.0, 0.0);
+  scene.camera()->SetPosition(2.0, 1.5, 4.0);
+  scene.camera()->SetViewUp(0.0, 1.0, 0.0);
+  scene.Renderer->ResetCameraClippingRange();
+  shine(scene, 3.0, 6.0, 4.0);
+  expectSmallErrors(scene);
+}
+
+TEST(LightError, Lattice)
+{
+  Scene scene(jitteredLattice(12, 0.15, 1, sineField()), 96, 96);
+  shine(scene, 3.0, 4.0, 1.5);
+  expectSmallErrors(scene);
+}
+
+// Cells of an optical depth of 2, in which light fades faster than a line between vertices or
+// samples can tell. Nothing is promised, but the error bound of the frame says so where it is.
+TEST(LightError, ThickCellsAreToldOfByTheErrorBound)
+{
+  Scene scene(jitteredLattice(12, 0.15, 1, sineField()), 96, 96);
+  scene.property()->SetScalarOpacityUnitDistance(0.04);
+  shine(scene, 3.0, 4.0, 1.5);
+  scene.Mapper->SetShadowMethodToAtVertices();
+  const Image drawn = scene.render();
+  const Image exact = referenceOf(scene, {}, Precision::Double, LightFrom::Everywhere).Picture;
+  const std::vector<float> bounds = referenceOf(scene).ErrorBounds;
+  int wrong = 0;
+  int told = 0;
+  for (int y = 0; y < drawn.Height; ++y)
+  {
+    for (int x = 0; x < drawn.Width; ++x)
+    {
+      double most = 0.0;
+      for (int k = 0; k < 4; ++k)
+      {
+        const double difference = double(drawn.pixel(x, y)[k]) - double(exact.pixel(x, y)[k]);
+        most = std::max(most, std::abs(difference));
+      }
+      const bool isWrong = most > 8.0 / 255.0;
+      const double bound = double(bounds[std::size_t(y) * drawn.Width + x]);
+      wrong += isWrong ? 1 : 0;
+      told += isWrong && bound >= most ? 1 : 0;
+    }
+  }
+  std::cout << "[ MEASURED ] off by more than 8/255: " << wrong
+            << " pixels, of which the bound tells " << told << '\n';
+  EXPECT_GT(wrong, 100);
+  EXPECT_GE(20 * told, 19 * wrong);
+}
+
+TEST(LightError, LampInside)
+{
+  Scene scene(jitteredLattice(16, 0.15, 1, sineField()), 96, 96);
+  shine(scene, 0.45, 0.6, 0.5, true);
+  expectSmallErrors(scene);
+}
+
+TEST(LightError, Tunnel)
+{
+  Scene scene(latticeWithTunnel(12, 0.15, 1, sineField()), 96, 96);
+  shine(scene, 3.0, 4.0, 1.5);
+  expectSmallErrors(scene);
+}
+
+TEST(LightError, Occlusion)
+{
+  Scene scene(jitteredLattice(12, 0.15, 1, sineField()), 96, 96);
+  shine(scene, 3.0, 4.0, 1.5);
+  scene.property()->SetAmbient(0.8);
+  scene.Mapper->AmbientOcclusionOn();
+  scene.Mapper->SetAmbientOcclusionRadius(0.2);
+  EXPECT_LE(errorOf(scene, "occlusion").Rms, 4.0 / 255.0);
+}
+} // namespace

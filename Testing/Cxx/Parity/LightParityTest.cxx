@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the GL draws with each effect of light, pixel by pixel against the CPU reference.
+#include "CpuReference.h"
+
+#include "vtkActor.h"
+#include "vtkLight.h"
+#include "vtkTransform.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace tetmarch::testing;
+
+// The bumpy functions, shaded by all of the property's numbers.
+class LightParity : public testing::Test
+{
+protected:
+  void use(vtkUnstructuredGrid* grid)
+  {
+    this->Shown = std::make_unique<Scene>(grid);
+    setShading(this->Shown->property());
+  }
+  LightParity() { this->use(jitteredLattice(10, 0.15, 1, sineField())); }
+  // A headlight, which is what there is if nobody has set a light, looks another way.
+  void addSun() { addLight(*this->Shown, 3.0, 4.0, 1.5); }
+
+  std::unique_ptr<Scene> Shown;
+};
+
+TEST_F(LightParity, Headlight) { expectParity(*this->Shown); }
+
+TEST_F(LightParity, DimColouredHeadlight)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToHeadlight();
+  light->SetColor(1.0, 0.6, 0.3);
+  light->SetIntensity(0.8);
+  light->SetAmbientColor(0.2, 0.1, 0.0);
+  this->Shown->Renderer->AddLight(light);
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, OneSide)
+{
+  this->Shown->Renderer->TwoSidedLightingOff();
+  this->addSun();
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, ParallelProjection)
+{
+  this->Shown->camera()->ParallelProjectionOn();
+  this->Shown->camera()->SetParallelScale(0.9);
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, LightsOfAllKinds)
+{
+  Scene& scene = *this->Shown;
+  this->addSun();
+  vtkLight* point = addLight(scene, -0.2, 1.4, 0.9);
+  point->PositionalOn();
+  point->SetConeAngle(180.0);
+  point->SetAttenuationValues(0.5, 0.3, 0.2);
+  point->SetDiffuseColor(0.2, 0.9, 0.4);
+  vtkLight* spot = addLight(scene, 1.5, 0.3, 2.0);
+  spot->PositionalOn();
+  spot->SetConeAngle(15.0);
+  spot->SetExponent(3.0);
+  vtkNew<vtkLight> camera;
+  camera->SetLightTypeToCameraLight();
+  camera->SetPosition(-1.0, 0.5, 1.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetSpecularColor(0.0, 0.0, 1.0);
+  scene.Renderer->AddLight(camera);
+  vtkNew<vtkLight> head;
+  head->SetLightTypeToHeadlight();
+  head->SetIntensity(0.3);
+  scene.Renderer->AddLight(head);
+  vtkLight* off = addLight(scene, 0.0, 9.0, 0.0);
+  off->SwitchOff();
+  expectParity(scene);
+}
+
+TEST_F(LightParity, StretchedAndTurnedVolume)
+{
+  vtkNew<vtkTransform> transform;
+  transform->Translate(0.1, 0.05, 0.0);
+  transform->RotateWXYZ(30.0, 1.0, 2.0, 3.0);
+  transform->Scale(1.0, 0.5, 0.8);
+  this->Shown->Volume->SetUserTransform(transform);
+  vtkLight* point = addLight(*this->Shown, -0.2, 1.4, 0.9);
+  point->PositionalOn();
+  point->SetConeAngle(180.0);
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  expectParity(*this->Shown);
+}
+
+// A volume that is hardly stretched is drawn as one that isn't, though its light is reckoned in the
+// world.
+TEST_F(LightParity, LightInTheWorldIsThatInTheMesh)
+{
+  Scene& scene = *this->Shown;
+  vtkNew<vtkTransform> transform;
+  scene.Volume->SetUserTransform(transform);
+  scene.Mapper->SetShadowMethodToAtVertices();
+  vtkNew<vtkLight> head;
+  head->SetLightTypeToHeadlight();
+  scene.Renderer->AddLight(head);
+  for (const bool sunny : { false, true })
+  {
+    SCOPED_TRACE(sunny);
+    if (sunny)
+    {
+      scene.Renderer->RemoveLight(head);
+      this->addSun();
+    }
+    Image pictures[2];
+    for (const int stretched : { 0, 1 })
+    {
+      transform->Identity();
+      transform->Translate(0.1, 0.05, 0.0);
+      transform->RotateWXYZ(30.0, 1.0, 2.0, 3.0);
+      transform->Scale(-0.8, 0.8, 0.8);
+      transform->Scale(stretched ? 1.00002 : 1.0, 1.0, 1.0);
+      SCOPED_TRACE(stretched);
+      expectParity(scene);
+      pictures[stretched] = scene.frame();
+    }
+    const Difference difference = compare(pictures[0], pictures[1]);
+    std::printf("%s\n", difference.text().c_str());
+    EXPECT_LE(difference.Rms, 0.3 / 255.0);
+  }
+}
+
+TEST_F(LightParity, CellScalars)
+{
+  this->use(jitteredLattice(8, 0.15, 1, sineField()));
+  this->Shown->drawCellScalars();
+  this->addSun();
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, GradientsOfCells)
+{
+  this->addSun();
+  this->Shown->Mapper->SetGradientTypeToCell();
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, FastLevel)
+{
+  this->addSun();
+  this->Shown->Mapper->SetAccuracyLevelToFast();
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, GradientOpacityUnlit)
+{
+  this->Shown->property()->ShadeOff();
+  setGradientOpacity(this->Shown->property());
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, GradientOpacityOfCells)
+{
+  setGradientOpacity(this->Shown->property());
+  this->Shown->Mapper->SetGradientTypeToCell();
+  this->addSun();
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  expectParity(*this->Shown);
+}
+
+// Shades are made where something is seen, of points or of cells.
+TEST_F(LightParity, TransparentRanges)
+{
+  setTwoPeaks(this->Shown->property());
+  this->addSun();
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  this->Shown->Mapper->SetVolumetricScatteringBlending(1.0f);
+  expectParity(*this->Shown);
+  this->Shown->drawCellScalars();
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, OneColour)
+{
+  this->addSun();
+  vtkColorTransferFunction* color = this->Shown->property()->GetRGBTransferFunction();
+  color->RemoveAllPoints();
+  color->AddRGBPoint(0.0, 0.9, 0.5, 0.1);
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, ShadowsOfTheSun)
+{
+  this->addSun();
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, ShadowsOfThreeLightsAndThroughGradientOpacity)
+{
+  Scene& scene = *this->Shown;
+  setGradientOpacity(scene.property());
+  this->addSun();
+  vtkLight* inside = addLight(scene, 0.4, 0.55, 0.6);
+  inside->PositionalOn();
+  inside->SetConeAngle(180.0);
+  inside->SetDiffuseColor(1.0, 0.5, 0.1);
+  vtkLight* weak = addLight(scene, -2.0, 1.0, 0.0);
+  weak->SetShadowAttenuation(0.4f);
+  scene.Mapper->SetShadowMethodToAtVertices();
+  expectParity(scene);
+}
+
+TEST_F(LightParity, ShadowsOfTheHeadlight)
+{
+  this->Shown->Mapper->SetShadowMethodToAutomatic();
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, ShortReach)
+{
+  this->addSun();
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  this->Shown->Mapper->SetGlobalIlluminationReach(0.3f);
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, ShadowsInAMeshWithATunnel)
+{
+  this->use(latticeWithTunnel(9, 0.15, 1, sineField()));
+  this->Shown->camera()->SetPosition(0.9, 0.8, 3.2);
+  this->addSun();
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  this->Shown->Mapper->AmbientOcclusionOn();
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, AmbientOcclusion)
+{
+  this->Shown->property()->SetAmbient(0.8);
+  this->Shown->Mapper->AmbientOcclusionOn();
+  this->Shown->Mapper->SetAmbientOcclusionRadius(0.3);
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, Scattering)
+{
+  this->addSun();
+  for (const float blending : { 0.5f, 1.0f, 1.5f, 2.0f })
+  {
+    this->Shown->Mapper->SetVolumetricScatteringBlending(blending);
+    expectParity(*this->Shown);
+  }
+}
+
+TEST_F(LightParity, ScatteringOfTheHeadlight)
+{
+  this->Shown->Mapper->SetVolumetricScatteringBlending(1.5f);
+  expectParity(*this->Shown);
+}
+
+TEST_F(LightParity, OpaqueGeometryInside)
+{
+  this->Shown->Renderer->AddActor(makeBall({ 0.5, 0.5, 0.6 }, 0.25, { 1.0, 1.0, 1.0 }));
+  this->addSun();
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  expectParityWithOpaque(*this->Shown);
+}
+
+TEST_F(LightParity, CameraInside)
+{
+  this->Shown->camera()->SetPosition(0.5, 0.45, 0.55);
+  this->Shown->camera()->SetFocalPoint(0.9, 0.8, 0.2);
+  this->Shown->camera()->SetClippingRange(0.01, 4.0);
+  this->addSun();
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  this->Shown->Mapper->AmbientOcclusionOn();
+  expectParity(*this->Shown);
+}
+} // namespace

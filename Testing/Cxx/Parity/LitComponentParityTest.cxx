@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the GL draws of dependent components in light, pixel by pixel against the CPU reference; and
+// that the light is that of the component which gives the opacity.
+#include "ComponentScene.h"
+#include "CpuReference.h"
+#include "GapScene.h"
+
+#include "vtkActor.h"
+#include "vtkLight.h"
+#include "vtkPlane.h"
+
+#include <gtest/gtest.h>
+#include <iostream>
+#include <limits>
+
+namespace
+{
+using namespace tetmarch::testing;
+using Mapper = vtkTetMarchVolumeMapper;
+
+Grid lattice(int cubes = 10) { return jitteredLattice(cubes, 0.15, 1, sineField()); }
+
+// Shaded by all of the property's numbers; the light is a headlight unless there is a sun.
+class LitComponentScene : public ComponentScene
+{
+public:
+  explicit LitComponentScene(const Mix& mix, int cubes = 10, int side = SceneSize)
+    : ComponentScene(lattice(cubes), mix, side, side)
+  {
+    setShading(this->property());
+  }
+  void addSun() { this->Sun = addLight(*this, 3.0, 4.0, 1.5); }
+
+  vtkSmartPointer<vtkLight> Sun;
+};
+
+constexpr double MostRms = 0.3 / 255.0;
+
+class LitComponentParity : public ::testing::TestWithParam<Mix>
+{
+};
+
+TEST_P(LitComponentParity, HeadlightOnPoints)
+{
+  LitComponentScene scene(GetParam());
+  expectParity(scene);
+}
+
+TEST_P(LitComponentParity, HeadlightOnCells)
+{
+  LitComponentScene scene(GetParam());
+  scene.drawCells();
+  expectParity(scene);
+}
+
+TEST_P(LitComponentParity, SunOnPoints)
+{
+  LitComponentScene scene(GetParam());
+  scene.addSun();
+  expectParity(scene);
+}
+
+TEST_P(LitComponentParity, SunOnCells)
+{
+  LitComponentScene scene(GetParam());
+  scene.drawCells();
+  scene.addSun();
+  expectParity(scene);
+}
+
+TEST_P(LitComponentParity, TakenAsTheyAre)
+{
+  LitComponentScene scene(GetParam());
+  scene.addSun();
+  scene.Mapper->SetAccuracyLevelToFast();
+  expectParity(scene);
+}
+
+TEST_P(LitComponentParity, LightsOfAllKindsBeforeOpaqueGeometry)
+{
+  LitComponentScene scene(GetParam());
+  scene.addSun();
+  vtkLight* point = addLight(scene, -0.2, 1.4, 0.9);
+  point->PositionalOn();
+  point->SetConeAngle(180.0);
+  point->SetAttenuationValues(0.5, 0.3, 0.2);
+  point->SetDiffuseColor(0.2, 0.9, 0.4);
+  vtkNew<vtkLight> head;
+  head->SetLightTypeToHeadlight();
+  head->SetIntensity(0.3);
+  scene.Renderer->AddLight(head);
+  scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 }));
+  expectParityWithOpaque(scene);
+}
+
+TEST_P(LitComponentParity, GradientOpacity)
+{
+  for (const bool cells : { false, true })
+  {
+    LitComponentScene scene(GetParam());
+    scene.property()->ShadeOff();
+    if (cells)
+    {
+      scene.drawCells();
+    }
+    const Image without = scene.render();
+    setGradientOpacity(scene.property());
+    expectParity(scene);
+    EXPECT_GT(compare(scene.render(), without).Max, 0.1);
+    scene.addSun();
+    scene.property()->ShadeOn();
+    expectParity(scene);
+  }
+}
+
+TEST_P(LitComponentParity, GradientsOfCells)
+{
+  LitComponentScene scene(GetParam());
+  scene.addSun();
+  setGradientOpacity(scene.property());
+  const Image ofVertices = scene.render();
+  scene.Mapper->SetGradientTypeToCell();
+  expectParity(scene);
+  EXPECT_GT(compare(scene.render(), ofVertices).Max, 0.02);
+}
+
+TEST_P(LitComponentParity, TransparentRanges)
+{
+  for (const bool cells : { false, true })
+  {
+    LitComponentScene scene(GetParam());
+    vtkPiecewiseFunction* opacity = scene.property()->GetScalarOpacity();
+    opacity->RemoveAllPoints();
+    opacity->AddPoint(0.6, 0.0);
+    opacity->AddPoint(0.7, 0.9);
+    opacity->AddPoint(0.8, 0.0);
+    if (cells)
+    {
+      scene.drawCells();
+    }
+    scene.addSun();
+    expectParity(scene);
+  }
+}
+
+struct ThroughVolume
+{
+  const char* Name;
+  void (*Add)(LitComponentScene& scene);
+};
+
+const ThroughVolume ThroughVolumes[] = {
+  { "shadows of the sun", [](LitComponentScene& s) { s.Mapper->SetShadowMethodToAtVertices(); } },
+  { "shadows of a headlight",
+    [](LitComponentScene& s)
+    {
+      s.Sun->SetLightTypeToHeadlight();
+      s.Mapper->SetShadowMethodToAutomatic();
+    } },
+  { "ambient occlusion",
+    [](LitComponentScene& s)
+    {
+      s.property()->SetAmbient(0.8);
+      s.Mapper->AmbientOcclusionOn();
+      s.Mapper->SetAmbientOcclusionRadius(0.3);
+    } },
+  { "scattering", [](LitComponentScene& s) { s.Mapper->SetVolumetricScatteringBlending(1.3f); } },
+  { "shadows of the sun and of opaque geometry, through gradient opacity, with scattering",
+    [](LitComponentScene& s)
+    {
+      setGradientOpacity(s.property());
+      s.Renderer->AddActor(makeBall({ 2.0, 2.6, 1.1 }, 0.35, { 1.0, 1.0, 1.0 }));
+      s.Mapper->SetShadowMethodToAtVertices();
+      s.Mapper->OpaqueShadowsOn();
+      s.Mapper->SetVolumetricScatteringBlending(1.3f);
+    } },
+};
+
+TEST_P(LitComponentParity, LightThroughTheVolume)
+{
+  for (const ThroughVolume& effect : ThroughVolumes)
+  {
+    for (const bool cells : { false, true })
+    {
+      SCOPED_TRACE(std::string(effect.Name) + (cells ? ", cells" : ", points"));
+      LitComponentScene scene(GetParam());
+      if (cells)
+      {
+        scene.drawCells();
+      }
+      scene.addSun();
+      const Image without = scene.render();
+      effect.Add(scene);
+      expectParityWithOpaque(scene);
+      EXPECT_GT(compare(scene.render(), without).Max, 0.02) << "the effect isn't there";
+    }
+  }
+}
+
+// Light that is looked for here and there along rays, against what is looked for everywhere.
+TEST_P(LitComponentParity, ShadowsAlongRays)
+{
+  for (const bool cells : { false, true })
+  {
+    LitComponentScene scene(GetParam(), 5, 64);
+    if (cells)
+    {
+      scene.drawCells();
+    }
+    scene.addSun();
+    const Image without = scene.render();
+    scene.Mapper->SetShadowMethodToAlongRays();
+    const Image drawn = scene.render();
+    expectLightAlongRays(scene, drawn, without);
+  }
+}
+
+TEST_P(LitComponentParity, ClippedCroppedAndWithGaps)
+{
+  for (const bool cells : { false, true })
+  {
+    LitComponentScene scene(GetParam());
+    scene.addSun();
+    vtkDataSetAttributes* data = scene.Data->GetPointData();
+    if (cells)
+    {
+      scene.drawCells();
+      data = scene.Data->GetCellData();
+    }
+    vtkDataArray* scalars = data->GetScalars();
+    for (vtkIdType i = 5; i < scalars->GetNumberOfTuples(); i += 97)
+    {
+      scalars->SetComponent(i, 0, std::numeric_limits<double>::quiet_NaN());
+    }
+    hide(scene.Data, isCrumb);
+    scene.Mapper->DrawNanCellsOn();
+    scene.property()->GetRGBTransferFunction()->SetNanColorRGBA(1.0, 0.0, 1.0, 0.9);
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(0.45, 0.5, 0.5);
+    plane->SetNormal(-0.7, 0.2, -0.5);
+    scene.Mapper->AddClippingPlane(plane);
+    scene.Mapper->CroppingOn();
+    scene.Mapper->SetCroppingRegionPlanes(0.2, 0.7, 0.3, 0.8, 0.25, 0.6);
+    scene.Mapper->SetCroppingRegionFlagsToFence();
+    const Image cut = scene.render();
+    const Difference difference = compare(cut, referenceOf(scene).Picture, regionsOf(scene).Inside);
+    std::cout << "[ MEASURED ] " << difference.text() << '\n';
+    EXPECT_LE(difference.Percentile999, 2.0 / 255.0) << difference.text();
+    EXPECT_LE(difference.Rms, MostRms) << difference.text();
+  }
+}
+
+// The component of the opacity is drawn alone; colours are out of it in views of the light.
+TEST_P(LitComponentParity, LightIsThatOfTheOpacity)
+{
+  for (const bool cells : { false, true })
+  {
+    LitComponentScene scene(GetParam());
+    // Pieces are the same then whatever their colours.
+    scene.Mapper->SetAccuracyLevelToFast();
+    if (cells)
+    {
+      scene.drawCells();
+    }
+    scene.addSun();
+    for (const int view : { Mapper::VIEW_ILLUMINATION, Mapper::VIEW_GRADIENTS })
+    {
+      scene.Mapper->SetViewMode(view);
+      scene.property()->IndependentComponentsOff();
+      scene.Mapper->SetVectorModeToDisabled();
+      const Image together = scene.render();
+      scene.Mapper->SetVectorModeToComponent();
+      const int last = GetParam().Components - 1;
+      scene.Mapper->SetVectorComponent(last);
+      const Image alone = scene.render();
+      scene.Mapper->SetVectorComponent(0);
+      const Difference difference = compare(together, alone);
+      std::cout << "[ MEASURED ] " << difference.text() << '\n';
+      EXPECT_LE(difference.Max, 2.0 / 255.0) << difference.text();
+      EXPECT_LE(difference.Rms, MostRms) << difference.text();
+      EXPECT_GT(compare(together, scene.render()).Rms, 10.0 / 255.0);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, LitComponentParity, ::testing::Values(Mixes[3], Mixes[4]),
+  [](const auto& of) { return of.param.Name; });
+} // namespace

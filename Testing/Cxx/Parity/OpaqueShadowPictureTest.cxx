@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of volumes in the shadow of opaque geometry: the GL's against the CPU reference's, and
+// either against light looked for by brute force.
+#include "CpuReference.h"
+#include "LitScene.h"
+
+#include "vtkActor.h"
+#include "vtkFloatArray.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTransform.h"
+
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace
+{
+using namespace tetmarch::testing;
+
+// A square across the way to the sun, out of the camera's sight.
+vtkSmartPointer<vtkActor> makeSunshade(double side)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-0.5 * side, -0.5 * side, 0.0);
+  plane->SetPoint1(0.5 * side, -0.5 * side, 0.0);
+  plane->SetPoint2(-0.5 * side, 0.5 * side, 0.0);
+  plane->SetNormal(2.5, 3.5, 1.0);
+  plane->SetCenter(2.0, 2.6, 1.1);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
+}
+
+class OpaqueShadowPicture : public testing::Test
+{
+protected:
+  void use(vtkUnstructuredGrid* grid)
+  {
+    this->Shown = std::make_unique<LitScene>(grid);
+    this->Shown->Mapper->SetShadowMethodToAtVertices();
+    this->Shown->Mapper->OpaqueShadowsOn();
+  }
+  OpaqueShadowPicture() { this->use(jitteredLattice(10, 0.15, 1, sineField())); }
+
+  // They change the picture, and are those of the reference.
+  void expectShadows()
+  {
+    const Image with = this->Shown->render();
+    this->Shown->Mapper->OpaqueShadowsOff();
+    EXPECT_GT(compare(this->Shown->render(), with).Max, 0.03);
+    this->Shown->Mapper->OpaqueShadowsOn();
+    expectParityWithOpaque(*this->Shown);
+  }
+
+  void shade() { this->Shown->Renderer->AddActor(makeSunshade(0.6)); }
+
+  std::unique_ptr<LitScene> Shown;
+};
+
+TEST_F(OpaqueShadowPicture, OfAPlate)
+{
+  this->shade();
+  this->expectShadows();
+}
+
+TEST_F(OpaqueShadowPicture, OfABallInside)
+{
+  this->Shown->Renderer->AddActor(makeBall({ 0.5, 0.5, 0.6 }, 0.25, { 1.0, 1.0, 1.0 }));
+  this->expectShadows();
+}
+
+TEST_F(OpaqueShadowPicture, OfThreeLightsAndThroughGradientOpacity)
+{
+  this->shade();
+  this->Shown->addGradientOpacity();
+  vtkNew<vtkLight> source;
+  source->SetLightTypeToSceneLight();
+  source->PositionalOn();
+  source->SetConeAngle(180.0);
+  source->SetPosition(2.5, 3.0, 1.6);
+  source->SetDiffuseColor(1.0, 0.5, 0.1);
+  this->Shown->Renderer->AddLight(source);
+  vtkNew<vtkLight> weak;
+  weak->SetLightTypeToSceneLight();
+  weak->SetPosition(-2.0, 1.0, 0.0);
+  weak->SetShadowAttenuation(0.4f);
+  this->Shown->Renderer->AddLight(weak);
+  this->Shown->Renderer->AddActor(makeBall({ -0.4, 0.6, 0.4 }, 0.3, { 1.0, 1.0, 1.0 }));
+  this->expectShadows();
+}
+
+TEST_F(OpaqueShadowPicture, OnAStretchedAndTurnedVolume)
+{
+  vtkNew<vtkTransform> transform;
+  transform->Translate(0.1, 0.05, 0.0);
+  transform->RotateWXYZ(30.0, 1.0, 2.0, 3.0);
+  transform->Scale(1.0, 0.5, 0.8);
+  this->Shown->Volume->SetUserTransform(transform);
+  this->shade();
+  this->expectShadows();
+}
+
+TEST_F(OpaqueShadowPicture, OfCellScalars)
+{
+  this->use(jitteredLattice(8, 0.15, 1, sineField()));
+  this->Shown->drawCellScalars();
+  this->shade();
+  this->expectShadows();
+}
+
+TEST_F(OpaqueShadowPicture, WithOcclusionScatteringAndGradientsOfCells)
+{
+  this->shade();
+  this->Shown->Mapper->AmbientOcclusionOn();
+  this->Shown->Mapper->SetGradientTypeToCell();
+  this->Shown->Mapper->SetShadowMethodToOff();
+  this->Shown->Mapper->SetVolumetricScatteringBlending(1.5f);
+  this->expectShadows();
+}
+
+TEST_F(OpaqueShadowPicture, ThroughATunnelAndAtTheFastLevel)
+{
+  this->use(latticeWithTunnel(9, 0.15, 1, sineField()));
+  this->shade();
+  this->Shown->Mapper->SetAccuracyLevelToFast();
+  this->expectShadows();
+}
+
+// So thin that of the light hardly any is absorbed on its way, and so bright that it is seen.
+// Then shadows along rays are those of opaque geometry alone, and so are those at vertices.
+TEST_F(OpaqueShadowPicture, AlongRaysInThinAir)
+{
+  this->shade();
+  this->Shown->property()->SetScalarOpacityUnitDistance(500.0);
+  this->Shown->Sun->SetIntensity(600.0);
+  this->Shown->Mapper->SetErrorTolerance(1e-4);
+  this->Shown->Mapper->AmbientOcclusionOn();
+  this->Shown->Mapper->SetShadowMethodToAlongRays();
+  const Image drawn = this->Shown->render();
+  this->Shown->Mapper->SetShadowMethodToAtVertices();
+  const Mask inside = regionsOf(*this->Shown).Inside;
+  const Difference difference =
+    compare(drawn, referenceOf(*this->Shown, this->Shown->windowDepths()).Picture, inside);
+  std::cout << "[ MEASURED ] " << difference.text() << '\n';
+  EXPECT_LE(difference.Max, 2.0 / 255.0);
+  EXPECT_LE(difference.Rms, 0.3 / 255.0);
+  this->Shown->Mapper->OpaqueShadowsOff();
+  EXPECT_GT(compare(drawn, this->Shown->render(), inside).Max, 0.1);
+}
+
+// Light of which a share passes whatever lies between is dimmed by an obstacle to that share.
+TEST_F(OpaqueShadowPicture, AsStrongAsTheLightSays)
+{
+  Scene& scene = *this->Shown;
+  scene.Renderer->AddActor(makeSunshade(9.0)); // all of it
+  scene.Mapper->SetViewModeToIllumination();
+  scene.property()->SetAmbient(0.0);
+  scene.property()->SetSpecular(0.0);
+  this->Shown->Sun->SetShadowAttenuation(0.25f);
+  scene.Mapper->SetShadowMethodToAlongRays();
+  const Image shadowed = scene.render();
+  scene.Mapper->SetShadowMethodToOff();
+  const Image lit = scene.render();
+  double most = 0.0;
+  for (std::size_t i = 0; i < lit.Rgba.size(); ++i)
+  {
+    const double share = i % 4 == 3 ? 1.0 : 0.75;
+    EXPECT_NEAR(double(shadowed.Rgba[i]), share * double(lit.Rgba[i]), 2.0 / 255.0);
+    most = std::max(most, double(lit.Rgba[i]) * (1.0 - share));
+  }
+  EXPECT_GT(most, 0.1);
+}
+
+// Of headlights nothing is to be seen.
+TEST_F(OpaqueShadowPicture, HeadlightsCastNone)
+{
+  this->shade();
+  this->Shown->Sun->SetLightTypeToHeadlight();
+  const Image with = this->Shown->render();
+  EXPECT_EQ(this->Shown->Mapper->GetOpaqueShadowsBuilds(), 0);
+  this->Shown->Mapper->OpaqueShadowsOff();
+  EXPECT_EQ(this->Shown->render().Rgba, with.Rgba);
+}
+
+Difference errorOf(Scene& scene, const char* what)
+{
+  const Image drawn = scene.render();
+  const Image exact =
+    referenceOf(scene, scene.windowDepths(), Precision::Double, LightFrom::Everywhere).Picture;
+  const Difference difference = compare(drawn, exact, regionsOf(scene).Inside);
+  std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
+  return difference;
+}
+
+// In a thin medium, whose own shadows are soft: the edges of those of a plate are as wide as cells.
+TEST(OpaqueShadowError, OfAPlateOnAThinMedium)
+{
+  for (const int cubes : { 12, 24 })
+  {
+    LitScene scene(jitteredLattice(cubes, 0.15, 1, sineField()), 96, 96);
+    scene.property()->SetScalarOpacityUnitDistance(1.0);
+    scene.Sun->SetIntensity(3.0);
+    scene.Renderer->AddActor(makeSunshade(0.6));
+    scene.Mapper->OpaqueShadowsOn();
+    scene.Mapper->SetShadowMethodToAtVertices();
+    const std::string size = std::to_string(cubes) + " cubes a side, ";
+    EXPECT_LE(errorOf(scene, (size + "at vertices").c_str()).Rms, 4.0 / 255.0);
+    scene.Mapper->SetShadowMethodToAlongRays();
+    EXPECT_LE(errorOf(scene, (size + "along rays").c_str()).Rms, 4.0 / 255.0);
+    // Without, the error is of another size: what is looked for by brute force has the shadow, too.
+    scene.Mapper->OpaqueShadowsOff();
+    const Image without = scene.render();
+    scene.Mapper->OpaqueShadowsOn();
+    const Image exact =
+      referenceOf(scene, scene.windowDepths(), Precision::Double, LightFrom::Everywhere).Picture;
+    EXPECT_GT(compare(without, exact, regionsOf(scene).Inside).Rms, 16.0 / 255.0);
+  }
+}
+
+TEST(OpaqueShadowError, TheMappersReferenceHasThem)
+{
+  LitScene scene(jitteredLattice(8, 0.15, 1, sineField()), 64, 64);
+  scene.Renderer->AddActor(makeSunshade(0.6));
+  scene.Mapper->OpaqueShadowsOn();
+  scene.Mapper->SetShadowMethodToAtVertices();
+  scene.Mapper->SetAccuracyLevelToReference();
+  scene.render();
+  const Image exact =
+    referenceOf(scene, scene.windowDepths(), Precision::Double, LightFrom::Everywhere).Picture;
+  vtkNew<vtkFloatArray> pixels;
+  ASSERT_TRUE(scene.Mapper->RenderGroundTruth(scene.Volume, pixels));
+  const Image reference = Image::fromFloats(64, 64, pixels->GetPointer(0));
+  EXPECT_LE(compare(reference, exact, regionsOf(scene).Inside).Max, 2.0 / 255.0);
+}
+} // namespace

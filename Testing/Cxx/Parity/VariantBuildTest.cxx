@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The GL builds variants with any three features together or apart; or, if TETMARCH_ALL_VARIANTS is
+// set, all that the test of texts goes through.
+#include "CoveringKeys.h"
+#include "LegalKeys.h"
+#include "Scene.h"
+
+#include "Variants/ShaderSource.h"
+
+#include "vtkLogger.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <iostream>
+#include <map>
+
+namespace
+{
+using namespace tetmarch::testing;
+using tetmarch::shaderSource;
+using tetmarch::VariantKey;
+using tetmarch::withFileNames;
+
+using Keys = std::vector<VariantKey>;
+
+vtkSmartPointer<vtkShader> makeShader(vtkShader::Type type, const std::string& text)
+{
+  auto shader = vtkSmartPointer<vtkShader>::New();
+  shader->SetType(type);
+  shader->SetSource(text);
+  return shader;
+}
+
+class VariantBuild : public testing::Test
+{
+protected:
+  VariantBuild()
+  {
+    this->Window->Render(); // makes the context
+    this->Window->MakeCurrent();
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // VTK would print the whole text
+  }
+  ~VariantBuild() override { vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO); }
+
+  // What the GL says against the variant, or nothing. As VTK builds it, but not kept.
+  std::string build(const char* file, const VariantKey& key)
+  {
+    std::map<vtkShader::Type, vtkShader*> shaders;
+    std::vector<vtkSmartPointer<vtkShader>> owned;
+    for (int type = vtkShader::Vertex; type < vtkShader::Unknown; ++type)
+    {
+      const char* name = type == vtkShader::Vertex     ? "passes/tile.vert.glsl"
+                         : type == vtkShader::Fragment ? file
+                                                       : nullptr;
+      owned.push_back(makeShader(static_cast<vtkShader::Type>(type),
+        name ? shaderSource(name, key.defines()) : std::string()));
+      shaders[static_cast<vtkShader::Type>(type)] = owned.back();
+    }
+    vtkNew<vtkOpenGLShaderCache> cache;
+    const bool built = cache->ReadyShaderProgram(shaders) != nullptr;
+    const std::string message = withFileNames(
+      shaders[vtkShader::Vertex]->GetError() + "\n" + shaders[vtkShader::Fragment]->GetError());
+    cache->ReleaseGraphicsResources(this->Window);
+    return built ? std::string() : "not built: " + message;
+  }
+
+  void expectBuilt(const char* file, const Keys& keys, std::size_t of)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    int failures = 0;
+    for (const VariantKey& key : keys)
+    {
+      const std::string error = this->build(file, key);
+      EXPECT_EQ(error, "") << file << " of " << namesOf(key);
+      failures += error.empty() ? 0 : 1;
+      ASSERT_LT(failures, 5) << "and so on";
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    std::cout << "[ MEASURED ] " << file << ": " << keys.size() << " of " << of << " variants in "
+              << seconds.count() << " s\n";
+  }
+
+  vtkSmartPointer<vtkRenderWindow> Window = makeWindow(8, 8);
+};
+
+TEST_F(VariantBuild, OfThePicture)
+{
+  const Keys legal = legalKeys();
+  const bool all = std::getenv("TETMARCH_ALL_VARIANTS") != nullptr;
+  this->expectBuilt("passes/march.frag.glsl", all ? legal : coveringKeys(legal), legal.size());
+}
+
+TEST_F(VariantBuild, OfTheLightAtVertices)
+{
+  const Keys legal = legalLightKeys();
+  this->expectBuilt("passes/vertex_light.frag.glsl", legal, legal.size());
+}
+
+TEST_F(VariantBuild, OfWhatIsPicked)
+{
+  const Keys legal = legalPickKeys();
+  this->expectBuilt("passes/pick.frag.glsl", coveringKeys(legal), legal.size());
+}
+
+TEST(CoveringKeys, HaveWhatThreeBitsCanBe)
+{
+  const auto threes = [](const Keys& keys)
+  {
+    std::vector<bool> found(NumberOfThrees, false);
+    for (const VariantKey& key : keys)
+    {
+      forEachThree(key, [&](std::size_t three) { found[three] = true; });
+    }
+    return found;
+  };
+  const Keys legal = legalKeys();
+  const Keys few = coveringKeys(legal);
+  EXPECT_TRUE(threes(few) == threes(legal));
+  EXPECT_TRUE(threes(Keys(few.begin(), few.end() - 1)) != threes(legal));
+}
+} // namespace

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a frame of the shell leaves behind, and what it does without.
+#include "BoundaryScene.h"
+#include "GLObjects.h"
+
+#include "vtkTetMarchFrameStatistics.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace
+{
+using namespace tetmarch::testing;
+using Mapper = vtkTetMarchVolumeMapper;
+
+TEST(Shell, BackToThePictureNothingIsLeft)
+{
+  BoundaryScene scene(latticeWithHole(6));
+  const Image picture = scene.view(Mapper::VIEW_PICTURE);
+  const auto objects = countGLObjects();
+  const vtkTypeInt64 bytes = scene.Mapper->GetGPUMemoryBytes();
+  for (const int mode : { Mapper::VIEW_BOUNDARY_FACES, Mapper::VIEW_BOUNDARY_COORDINATES })
+  {
+    const Image view = scene.view(mode);
+    EXPECT_GT(compare(view, picture).Max, 0.1);
+    EXPECT_EQ(scene.Mapper->GetGPUMemoryBytes(), bytes); // takes none
+    EXPECT_EQ(scene.view(mode).Rgba, view.Rgba);
+    EXPECT_EQ(scene.view(Mapper::VIEW_PICTURE).Rgba, picture.Rgba);
+    EXPECT_EQ(countGLObjects(), objects);
+  }
+  EXPECT_EQ(scene.Mapper->GetMeshBuilds(), 1);
+  scene.Mapper->ReleaseGraphicsResources(scene.Window);
+  const auto released = countGLObjects();
+  const Image view = scene.view(Mapper::VIEW_BOUNDARY_FACES);
+  EXPECT_NE(countGLObjects(), released);
+  scene.Mapper->ReleaseGraphicsResources(scene.Window);
+  EXPECT_EQ(countGLObjects(), released);
+  EXPECT_EQ(scene.view(Mapper::VIEW_BOUNDARY_FACES).Rgba, view.Rgba);
+}
+
+// Neither for the picture nor for what counts.
+TEST(Shell, NothingIsMarched)
+{
+  BoundaryScene scene(boundaryLattice());
+  scene.Mapper->CollectDiagnosticsOn();
+  const Image view = scene.view(Mapper::VIEW_BOUNDARY_FACES);
+  const vtkTypeInt64 bytes = scene.Mapper->GetGPUMemoryBytes();
+  vtkTetMarchFrameStatistics* statistics = scene.Mapper->GetLastFrameStatistics();
+  EXPECT_EQ(scene.Mapper->GetNumberOfRays(), 0);
+  EXPECT_EQ(statistics->GetNumberOfPixels(vtkTetMarchFrameStatistics::CELLS), 0);
+  EXPECT_GT(statistics->GetSeconds(), 0.0);
+  EXPECT_GT(scene.Mapper->GetNumberOfDraws(), 0);
+  scene.view(Mapper::VIEW_CELLS);
+  EXPECT_GT(scene.Mapper->GetNumberOfRays(), 0);
+  EXPECT_GT(scene.Mapper->GetGPUMemoryBytes(), bytes);
+  EXPECT_EQ(scene.view(Mapper::VIEW_BOUNDARY_FACES).Rgba, view.Rgba);
+  EXPECT_EQ(scene.Mapper->GetNumberOfRays(), 0);
+  EXPECT_EQ(scene.Mapper->GetGPUMemoryBytes(), bytes);
+}
+
+TEST(Shell, TellsNothingOfAPicturesTime)
+{
+  BoundaryScene scene(boundaryLattice());
+  scene.Mapper->SetFrameTimeBudget(100.0);
+  const auto tolerances = [&scene](int mode)
+  {
+    std::set<double> used;
+    for (int i = 0; i < 12; ++i)
+    {
+      scene.view(mode);
+      used.insert(scene.Mapper->GetUsedErrorTolerance());
+    }
+    return used;
+  };
+  EXPECT_EQ(tolerances(Mapper::VIEW_BOUNDARY_FACES).size(), 1u);
+  EXPECT_GT(tolerances(Mapper::VIEW_PICTURE).size(), 1u); // better levels are tried
+}
+
+TEST(Shell, TilesAreTheFrame)
+{
+  for (const double nearPlane : { 0.5, 2.4 })
+  {
+    BoundaryScene scene(latticeWithHole(6));
+    scene.camera()->SetClippingRange(nearPlane, 10.0);
+    scene.Mapper->SetMaxDrawTimeInSeconds(0.0);
+    const Image view = scene.view(Mapper::VIEW_BOUNDARY_COORDINATES);
+    EXPECT_EQ(scene.Mapper->GetNumberOfDraws(), 1);
+    scene.Mapper->SetMaxDrawTimeInSeconds(1e-9);
+    EXPECT_EQ(scene.view(Mapper::VIEW_BOUNDARY_COORDINATES).Rgba, view.Rgba);
+    EXPECT_GT(scene.Mapper->GetNumberOfDraws(), 10);
+  }
+}
+} // namespace

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What budgets leave to choose from, and whether they were kept.
+#include "Budget/AccuracyController.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace tetmarch;
+
+FrameResult drawn(double seconds) { return { true, true, true, seconds, 0, { 1 } }; }
+
+AccuracyOptions budgets(double frameTime, double error)
+{
+  return { Accuracy::Accurate, 0.5, frameTime, error };
+}
+
+TEST(AccuracyLadder, WithoutBudgetsItIsWhatIsSet)
+{
+  for (const Accuracy level :
+    { Accuracy::Fast, Accuracy::Default, Accuracy::Accurate, Accuracy::Reference })
+  {
+    for (const double tolerance : { 1.0, 1.0 / 255.0, 1e-6 })
+    {
+      const std::vector<Rung> ladder = ladderOf({ level, tolerance });
+      ASSERT_EQ(ladder.size(), 1u);
+      const AccuracyLevel expected = levelOf(level, tolerance);
+      EXPECT_EQ(ladder[0].Level, level);
+      EXPECT_EQ(ladder[0].Tolerance, expected.Adaptive ? expected.ErrorTolerance : 0.0);
+      const AccuracyLevel made = ladder[0].level();
+      EXPECT_EQ(made.Adaptive, expected.Adaptive);
+      EXPECT_EQ(made.ErrorTolerance, expected.ErrorTolerance);
+      EXPECT_EQ(made.MostTrials, expected.MostTrials);
+      EXPECT_EQ(made.LeastTableEntries, expected.LeastTableEntries);
+    }
+  }
+}
+
+TEST(AccuracyLadder, OfTimeHasAllLevels)
+{
+  const std::vector<Rung> expected{ { Accuracy::Fast, 0 }, { Accuracy::Default, 1.0 / 32.0 },
+    { Accuracy::Default, 1.0 / 255.0 }, { Accuracy::Accurate, 1.0 / 4096.0 },
+    { Accuracy::Reference, 1e-5 } };
+  EXPECT_TRUE(ladderOf(budgets(0.1, 0)) == expected);
+}
+
+TEST(AccuracyLadder, OfAnErrorIsTheToleranceAndWhatIsBetter)
+{
+  EXPECT_TRUE(ladderOf(budgets(0, 0.01)) == std::vector<Rung>({ { Accuracy::Default, 0.01 } }));
+  EXPECT_TRUE(ladderOf(budgets(0, 1e-9)) == std::vector<Rung>({ { Accuracy::Default, 1e-6 } }));
+  for (const double error : { 1.0, 1.0 / 32.0, 0.01, 1.0 / 255.0, 1e-4, 1e-5, 1e-6 })
+  {
+    const std::vector<Rung> ladder = ladderOf(budgets(0.1, error));
+    EXPECT_EQ(ladder[0].Level, Accuracy::Default);
+    EXPECT_EQ(ladder[0].Tolerance, error);
+    for (std::size_t i = 1; i < ladder.size(); ++i)
+    {
+      EXPECT_LT(ladder[i].Tolerance, ladder[i - 1].Tolerance);
+      EXPECT_GT(ladder[i].Tolerance, 0.0);
+    }
+    EXPECT_LE(ladder.size(), std::size_t(LevelController::MostLevels));
+    EXPECT_EQ(ladder.back().Tolerance, std::min(error, 1e-5));
+  }
+}
+
+TEST(AccuracyController, SaysWhatWasUsedAndKept)
+{
+  AccuracyController choice;
+  EXPECT_TRUE(choice.used() == Rung());
+  EXPECT_FALSE(choice.isKept()); // nothing was drawn
+  choice.begin({ Accuracy::Reference, 1.0 });
+  choice.end(drawn(100));
+  EXPECT_TRUE(choice.used() == (Rung{ Accuracy::Reference, 1e-5 }));
+  EXPECT_TRUE(choice.isKept());
+
+  EXPECT_FALSE(choice.begin(budgets(0.1, 0)).Adaptive);
+  choice.end(drawn(0.05));
+  EXPECT_EQ(choice.used().Level, Accuracy::Fast);
+  EXPECT_TRUE(choice.isKept());
+  choice.begin(budgets(0.1, 0));
+  choice.end(drawn(0.11));
+  EXPECT_FALSE(choice.isKept());
+
+  EXPECT_EQ(choice.begin(budgets(0, 0.01)).ErrorTolerance, 0.01);
+  choice.end(drawn(100));
+  EXPECT_TRUE(choice.used() == (Rung{ Accuracy::Default, 0.01 }));
+  EXPECT_TRUE(choice.isKept());
+  choice.begin(budgets(0, 1e-9)); // nothing keeps that
+  choice.end(drawn(0));
+  EXPECT_FALSE(choice.isKept());
+}
+
+TEST(AccuracyController, ABoundThatWasMeasuredCounts)
+{
+  AccuracyController choice;
+  FrameResult frame = drawn(0.01);
+  for (const double bound : { 0.0, 0.0099, 0.0101 })
+  {
+    frame.ErrorBound = bound;
+    choice.begin(budgets(0, 0.01));
+    choice.end(frame);
+    EXPECT_EQ(choice.isKept(), bound <= 0.01);
+  }
+}
+
+TEST(AccuracyController, TheErrorComesBeforeTheTime)
+{
+  AccuracyController choice;
+  for (int i = 0; i < 50; ++i)
+  {
+    EXPECT_EQ(choice.begin(budgets(0.1, 0.01)).ErrorTolerance, 0.01);
+    choice.end(drawn(0.2));
+    EXPECT_FALSE(choice.isKept());
+  }
+  for (int i = 0; i < 50; ++i)
+  {
+    EXPECT_LE(choice.begin(budgets(0.1, 0.02)).ErrorTolerance, 0.02);
+    choice.end(drawn(0.02));
+    EXPECT_TRUE(choice.isKept());
+  }
+  EXPECT_EQ(choice.used().Level, Accuracy::Reference);
+}
+
+TEST(AccuracyController, FramesThatAreNotDrawnKeepNothing)
+{
+  AccuracyController choice;
+  choice.begin(budgets(0.1, 0));
+  choice.end(drawn(0.01));
+  choice.begin(budgets(0.1, 0));
+  choice.end({ false, true, true, 0.01, 0, {} });
+  EXPECT_FALSE(choice.isKept());
+  EXPECT_EQ(choice.used().Level, Accuracy::Fast);
+}
+
+// Costs that would allow the best, but each frame is of something else, or more than drawn.
+TEST(AccuracyController, OnlyFramesOfTheSameAreMeasured)
+{
+  for (const bool onlyDrawn : { true, false })
+  {
+    AccuracyController choice;
+    for (std::uintptr_t i = 0; i < 100; ++i)
+    {
+      choice.begin(budgets(0.1, 0));
+      choice.end({ true, true, onlyDrawn, 0.001, 0, { onlyDrawn ? i : 0 } });
+      EXPECT_EQ(choice.used().Level, Accuracy::Fast);
+    }
+  }
+}
+
+// A view may take much longer than a picture, or less.
+TEST(AccuracyController, ViewsOfErrorOrCostChangeNothing)
+{
+  AccuracyController choice;
+  for (int i = 0; i < 100; ++i)
+  {
+    choice.begin(budgets(0.1, 0));
+    choice.end(drawn(0.01));
+  }
+  EXPECT_EQ(choice.used().Level, Accuracy::Reference);
+  for (const double seconds : { 0.5, 0.001 })
+  {
+    for (int i = 0; i < 20; ++i)
+    {
+      choice.begin(budgets(0.1, 0));
+      FrameResult view = drawn(seconds);
+      view.IsPicture = false;
+      choice.end(view);
+      EXPECT_EQ(choice.used().Level, Accuracy::Reference);
+      EXPECT_EQ(choice.isKept(), seconds <= 0.1);
+    }
+  }
+}
+} // namespace

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Who decides what is drawn of an array with several components.
+#include "Appearance/VectorOptions.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace tetmarch;
+
+constexpr int Magnitude = -1;
+constexpr int Missing = -2;
+
+class VectorOptionCases : public testing::Test
+{
+protected:
+  VectorOptionCases()
+  {
+    this->Array->SetName("velocity");
+    this->Array->SetNumberOfComponents(3);
+    this->Property->SetColor(this->Colors);
+  }
+
+  // A component, or one of the above.
+  int chosen(VectorMode mode = VectorMode::Disabled, int component = 0)
+  {
+    const TupleScalar scalar =
+      tupleScalarOf({ mode, component }, this->Property, this->Array, this->Error);
+    return !this->Error.empty() ? Missing : scalar.Magnitude ? Magnitude : scalar.Component;
+  }
+
+  void expectInError(std::initializer_list<const char*> words)
+  {
+    for (const char* word : words)
+    {
+      EXPECT_NE(this->Error.find(word), std::string::npos) << word << " in: " << this->Error;
+    }
+  }
+
+  vtkNew<vtkDoubleArray> Array;
+  vtkNew<vtkVolumeProperty> Property;
+  vtkNew<vtkColorTransferFunction> Colors;
+  std::string Error;
+};
+
+TEST_F(VectorOptionCases, TheFirstComponentUnlessAsked) { EXPECT_EQ(this->chosen(), 0); }
+
+TEST_F(VectorOptionCases, TheModeOfTheMapper)
+{
+  this->Colors->SetVectorModeToMagnitude();
+  EXPECT_EQ(this->chosen(VectorMode::Component, 2), 2);
+  this->Colors->SetVectorModeToComponent();
+  this->Colors->SetVectorComponent(1);
+  EXPECT_EQ(this->chosen(VectorMode::Magnitude, 2), Magnitude);
+  EXPECT_EQ(this->chosen(VectorMode::Component, 0), 0);
+}
+
+TEST_F(VectorOptionCases, TheColourFunctionsOtherwise)
+{
+  this->Colors->SetVectorComponent(2);
+  EXPECT_EQ(this->chosen(VectorMode::Disabled, 1), 2);
+  this->Colors->SetVectorModeToMagnitude();
+  EXPECT_EQ(this->chosen(VectorMode::Disabled, 1), Magnitude);
+}
+
+TEST_F(VectorOptionCases, TheFirstOfDependentComponents)
+{
+  this->Colors->SetVectorModeToMagnitude();
+  this->Property->IndependentComponentsOff();
+  EXPECT_EQ(this->chosen(), 0);
+  EXPECT_EQ(this->chosen(VectorMode::Magnitude), Magnitude);
+}
+
+TEST_F(VectorOptionCases, AGrayFunctionHasNone)
+{
+  vtkNew<vtkPiecewiseFunction> gray;
+  this->Property->SetColor(gray);
+  EXPECT_EQ(this->chosen(), 0);
+  EXPECT_EQ(this->Property->GetColorChannels(), 1);
+}
+
+TEST_F(VectorOptionCases, ASingleComponentIsWhatItIs)
+{
+  this->Array->SetNumberOfComponents(1);
+  this->Colors->SetVectorModeToMagnitude();
+  EXPECT_EQ(this->chosen(), 0);
+  EXPECT_EQ(this->chosen(VectorMode::Magnitude), 0);
+  this->Colors->SetVectorModeToComponent();
+  this->Colors->SetVectorComponent(2);
+  EXPECT_EQ(this->chosen(), 0);
+}
+
+TEST_F(VectorOptionCases, ComponentsThatAreNotThere)
+{
+  EXPECT_EQ(this->chosen(VectorMode::Component, 3), Missing);
+  this->expectInError({ "\"velocity\"", "no component 3", "VectorComponent", "has 3" });
+  for (const int component : { -1, 7 })
+  {
+    this->Colors->SetVectorComponent(component);
+    EXPECT_EQ(this->chosen(), Missing);
+    this->expectInError({ "no component ", "colour function" });
+  }
+  this->Array->SetNumberOfComponents(1);
+  EXPECT_EQ(this->chosen(VectorMode::Component, 1), Missing);
+  EXPECT_EQ(this->chosen(VectorMode::Component, 0), 0);
+}
+} // namespace

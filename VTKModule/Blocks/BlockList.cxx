@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Blocks/BlockList.h"
+
+#include "Mesh/CellKind.h"
+#include "Mesh/CellTypes.h"
+#include "Mesh/GridContent.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkBoundingBox.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+namespace tetmarch
+{
+namespace
+{
+
+std::string nameOf(vtkCompositeDataIterator* at)
+{
+  const char* name =
+    at->HasCurrentMetaData() ? at->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) : nullptr;
+  return name ? '"' + std::string(name) + '"'
+              : "number " + std::to_string(at->GetCurrentFlatIndex());
+}
+
+bool isSolid(int type)
+{
+  const CellCut cut = cellKinds()[static_cast<unsigned char>(type)].Cut;
+  return cut != CellCut::Empty && cut != CellCut::LowDimensional;
+}
+
+} // namespace
+
+std::vector<Block> listBlocks(vtkCompositeDataSet* input, const ScalarSelection& selection)
+{
+  std::vector<Block> blocks;
+  const auto at = vtk::TakeSmartPointer(input->NewIterator());
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    auto* data = vtkDataSet::SafeDownCast(at->GetCurrentDataObject());
+    if (!data || vtkPolyData::SafeDownCast(data))
+    {
+      continue;
+    }
+    int cellFlag = 0;
+    vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
+      data, selection.Mode, selection.AccessMode, selection.Id, selection.Name, cellFlag);
+    const bool drawable = scalars && cellFlag != 2 && scalars->GetNumberOfComponents() > 0;
+    blocks.push_back(
+      { data, at->GetCurrentFlatIndex(), nameOf(at), drawable ? scalars : nullptr, cellFlag == 1 });
+  }
+  return blocks;
+}
+
+void boundBlocks(vtkCompositeDataSet* input, double bounds[6])
+{
+  vtkBoundingBox box;
+  for (const Block& block : listBlocks(input, {}))
+  {
+    if (block.Data->GetNumberOfPoints() > 0)
+    {
+      box.AddBounds(block.Data->GetBounds());
+    }
+  }
+  vtkMath::UninitializeBounds(bounds);
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds);
+  }
+}
+
+bool hasSolidCells(vtkDataSet* data)
+{
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    const CellTypes types(grid);
+    for (vtkIdType i = 0; types.array() && i < types.array()->GetNumberOfTuples(); ++i)
+    {
+      if (isSolid(types[i]))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    if (isSolid(data->GetCellType(cell)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+Fingerprint shapeOf(const std::vector<Block>& blocks)
+{
+  Fingerprint shape;
+  for (const Block& block : blocks)
+  {
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(block.Data))
+    {
+      const Fingerprint version = versionOf(grid);
+      shape.insert(shape.end(), version.begin(), version.end());
+      const char* ghosts = vtkDataSetAttributes::GhostArrayName();
+      add(shape, grid->GetPointData()->GetGlobalIds());
+      add(shape, grid->GetPointData()->GetArray(ghosts));
+      add(shape, grid->GetCellData()->GetArray(ghosts));
+    }
+    else
+    {
+      add(shape, block.Data);
+    }
+    shape.push_back(block.FlatIndex);
+    shape.push_back(block.Scalars ? 1 + block.CellScalars : 0);
+    shape.push_back(block.Scalars ? block.Scalars->GetNumberOfComponents() : 0);
+  }
+  return shape;
+}
+
+Fingerprint scalarsOf(const std::vector<Block>& blocks)
+{
+  Fingerprint scalars;
+  for (const Block& block : blocks)
+  {
+    add(scalars, block.Scalars);
+  }
+  return scalars;
+}
+
+} // namespace tetmarch

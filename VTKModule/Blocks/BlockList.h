@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The blocks of a composite data set that may be drawn.
+#ifndef TetMarchBlocksBlockList_h
+#define TetMarchBlocksBlockList_h
+
+#include "Blocks/MissingScalars.h"
+#include "Caching/Fingerprint.h"
+
+#include <string>
+#include <vector>
+
+class vtkCompositeDataSet;
+class vtkDataArray;
+class vtkDataSet;
+
+namespace tetmarch
+{
+
+struct Block
+{
+  vtkDataSet* Data;
+  unsigned int FlatIndex; // in the tree
+  std::string Name;       // for messages
+  vtkDataArray* Scalars;  // the chosen array; may be null
+  bool CellScalars;
+};
+
+/** The data sets of the tree, but for surfaces (vtkPolyData), in its order. */
+std::vector<Block> listBlocks(vtkCompositeDataSet* input, const ScalarSelection& selection);
+
+/** The box of the points of these blocks; not initialised if there are none. */
+void boundBlocks(vtkCompositeDataSet* input, double bounds[6]);
+
+/** Whether there is anything in the block that a volume is made of. */
+bool hasSolidCells(vtkDataSet* data);
+
+/** Identities and times of change of what a grid without scalars is joined from. */
+Fingerprint shapeOf(const std::vector<Block>& blocks);
+/** Of the scalars. */
+Fingerprint scalarsOf(const std::vector<Block>& blocks);
+
+} // namespace tetmarch
+
+#endif

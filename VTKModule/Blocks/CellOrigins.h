@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Of which block a cell is, in a grid that may have been joined from blocks.
+#ifndef TetMarchBlocksCellOrigins_h
+#define TetMarchBlocksCellOrigins_h
+
+#include "vtkType.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace tetmarch
+{
+
+struct CellOrigin
+{
+  unsigned int Block; // the flat index in the tree of blocks
+  vtkIdType Cell;     // of that block
+};
+
+/** By default of a grid that is no block: its cells are those of number 1, as VTK's mappers have
+ * it. */
+class CellOrigins
+{
+public:
+  /** Blocks are added in the order of their cells. */
+  void add(unsigned int block, vtkIdType numberOfCells)
+  {
+    this->Blocks.push_back(block);
+    this->Ends.push_back((this->Ends.empty() ? 0 : this->Ends.back()) + numberOfCells);
+  }
+
+  CellOrigin of(vtkIdType cell) const
+  {
+    const std::size_t b =
+      std::upper_bound(this->Ends.begin(), this->Ends.end(), cell) - this->Ends.begin();
+    return b == this->Ends.size()
+             ? CellOrigin{ 1, cell }
+             : CellOrigin{ this->Blocks[b], cell - (b ? this->Ends[b - 1] : 0) };
+  }
+
+private:
+  std::vector<unsigned int> Blocks;
+  std::vector<vtkIdType> Ends; // behind the last cell of each
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Blocks/JoinedBlocks.h"
+
+#include "Caching/WithinMemory.h"
+#include "Mesh/GridCheck.h"
+#include "Mesh/HigherOrderCheck.h"
+#include "Mesh/Scalars.h"
+
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGridBase.h"
+
+#include <algorithm>
+
+namespace tetmarch
+{
+namespace
+{
+
+// Whether the array can be put behind that of the first block.
+bool fits(const Block& block, const Block& first)
+{
+  return block.Scalars && block.CellScalars == first.CellScalars &&
+         block.Scalars->GetNumberOfComponents() == first.Scalars->GetNumberOfComponents();
+}
+
+// A single block that needn't be joined with anything; may be null.
+vtkUnstructuredGrid* onlyGridOf(const std::vector<Block>& drawn)
+{
+  return drawn.size() == 1 ? vtkUnstructuredGrid::SafeDownCast(drawn.front().Data) : nullptr;
+}
+
+void addName(std::string& names, const std::string& name)
+{
+  names += (names.empty() ? "" : ", ") + name;
+}
+
+std::string checkBlock(const Block& block)
+{
+  std::string error;
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(block.Data))
+  {
+    error = checkGrid(grid);
+  }
+  else if (vtkUnstructuredGridBase::SafeDownCast(block.Data))
+  {
+    error =
+      std::string("It is a ") + block.Data->GetClassName() +
+      ", which can't be joined with others. vtkAppendFilter makes a vtkUnstructuredGrid of it.";
+  }
+  return error.empty() ? error : "Block " + block.Name + ": " + error;
+}
+
+} // namespace
+
+void JoinedBlocks::clear()
+{
+  const StageRecord record = this->Record;
+  *this = {};
+  this->Record = record;
+}
+
+// Which blocks are drawn.
+std::string JoinedBlocks::choose(const std::vector<Block>& blocks, const ScalarSelection& selection)
+{
+  std::string lacking;
+  const Block* first = nullptr;
+  const Block* firstSolid = nullptr;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    if (!hasSolidCells(blocks[b].Data))
+    {
+      continue;
+    }
+    firstSolid = firstSolid ? firstSolid : &blocks[b];
+    first = !first && blocks[b].Scalars ? &blocks[b] : first;
+    if (first && fits(blocks[b], *first))
+    {
+      this->Drawn.push_back(b);
+    }
+    else
+    {
+      addName(lacking, blocks[b].Name);
+    }
+  }
+  if (!first)
+  {
+    return firstSolid ? describeMissingScalars(firstSolid->Data, selection, "No block has ")
+                      : std::string();
+  }
+  this->CellScalars = first->CellScalars;
+  if (!lacking.empty())
+  {
+    this->Omissions = "Blocks without " + describe(selection) + " are not drawn: " + lacking +
+                      ". Others have it for their " + (first->CellScalars ? "cells" : "points") +
+                      ", with " + std::to_string(first->Scalars->GetNumberOfComponents()) +
+                      " component(s).";
+  }
+  return {};
+}
+
+std::vector<Block> JoinedBlocks::drawnOf(const std::vector<Block>& blocks)
+{
+  std::vector<Block> drawn;
+  this->Shared.Data.clear();
+  for (std::size_t b : this->Drawn)
+  {
+    drawn.push_back(blocks[b]);
+    this->Shared.Data.push_back(blocks[b].Data);
+  }
+  return drawn;
+}
+
+std::string JoinedBlocks::join(const std::vector<Block>& drawn)
+{
+  for (const Block& block : drawn)
+  {
+    std::string error = checkBlock(block);
+    if (!error.empty())
+    {
+      return error;
+    }
+    this->Origins.add(block.FlatIndex, block.Data->GetNumberOfCells());
+  }
+  if (!onlyGridOf(drawn) && !drawn.empty())
+  {
+    this->Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    this->Shared.Points = sharePoints(this->Shared.Data, this->Shared.Count);
+    this->Grid->SetPoints(joinPoints(this->Shared));
+    joinCells(this->Shared, this->Grid);
+    this->joinAttributes();
+  }
+  return {};
+}
+
+// What the mesh takes from the data of cells and points.
+void JoinedBlocks::joinAttributes()
+{
+  this->Grid->GetPointData()->AddArray(joinPointGhosts(this->Shared));
+  this->Grid->GetCellData()->AddArray(joinCellGhosts(this->Shared));
+  std::vector<vtkDataArray*> degrees;
+  std::vector<vtkDataArray*> weights;
+  for (vtkDataSet* block : this->Shared.Data)
+  {
+    degrees.push_back(block->GetCellData()->GetHigherOrderDegrees());
+    weights.push_back(block->GetPointData()->GetRationalWeights());
+  }
+  const auto all = [](const std::vector<vtkDataArray*>& arrays)
+  { return std::find(arrays.begin(), arrays.end(), nullptr) == arrays.end(); };
+  if (all(degrees))
+  {
+    this->Grid->GetCellData()->SetHigherOrderDegrees(joinCellValues(this->Shared, degrees));
+  }
+  if (all(weights))
+  {
+    this->Grid->GetPointData()->SetRationalWeights(joinPointValues(this->Shared, weights));
+  }
+}
+
+std::string JoinedBlocks::joinScalars(const std::vector<Block>& drawn)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (const Block& block : drawn)
+  {
+    const std::string wrong =
+      this->CellScalars ? checkScalars(block.Scalars, block.Data->GetNumberOfCells(), "cells")
+                        : checkScalars(block.Scalars, block.Data->GetNumberOfPoints(), "points");
+    if (!wrong.empty())
+    {
+      return "Block " + block.Name + ": " + wrong;
+    }
+    arrays.push_back(block.Scalars);
+  }
+  if (vtkUnstructuredGrid* grid = onlyGridOf(drawn))
+  {
+    this->Grid = grid;
+    this->Scalars = arrays.front();
+  }
+  else if (!drawn.empty())
+  {
+    this->Scalars = this->CellScalars ? joinCellValues(this->Shared, arrays)
+                                      : joinPointValues(this->Shared, arrays);
+  }
+  return {};
+}
+
+std::string JoinedBlocks::update(vtkCompositeDataSet* input, const ScalarSelection& selection)
+{
+  const std::string shortage =
+    withinMemory("joining the blocks", [&] { this->joinChanged(input, selection); });
+  if (!shortage.empty())
+  {
+    this->clear();
+    return shortage;
+  }
+  return this->Error;
+}
+
+void JoinedBlocks::joinChanged(vtkCompositeDataSet* input, const ScalarSelection& selection)
+{
+  const std::vector<Block> blocks = listBlocks(input, selection);
+  Fingerprint shape = shapeOf(blocks);
+  const std::string wanted = describe(selection);
+  shape.insert(shape.end(), wanted.begin(), wanted.end());
+  const Fingerprint scalars = scalarsOf(blocks);
+  if (shape == this->Shape && scalars == this->ScalarsInput)
+  {
+    return;
+  }
+  StageRecorder recorder(this->Record);
+  const bool sameShape = shape == this->Shape && this->Error.empty();
+  if (!sameShape)
+  {
+    this->clear();
+    this->Error = this->choose(blocks, selection);
+  }
+  const std::vector<Block> drawn = this->drawnOf(blocks);
+  if (!sameShape && this->Error.empty())
+  {
+    this->Error = this->join(drawn);
+  }
+  if (this->Error.empty())
+  {
+    this->Error = this->joinScalars(drawn);
+  }
+  if (!this->Error.empty())
+  {
+    this->Grid = nullptr;
+  }
+  this->Shape = shape;
+  this->ScalarsInput = scalars;
+}
+
+} // namespace tetmarch

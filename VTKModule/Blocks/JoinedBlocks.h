@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The blocks of a composite data set as one grid, in which rays go on from block to block.
+#ifndef TetMarchBlocksJoinedBlocks_h
+#define TetMarchBlocksJoinedBlocks_h
+
+#include "Blocks/BlockArrays.h"
+#include "Blocks/BlockList.h"
+#include "Blocks/CellOrigins.h"
+#include "Caching/StageRecord.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <string>
+#include <vector>
+
+namespace tetmarch
+{
+
+class JoinedBlocks
+{
+public:
+  /**
+   * Joins the blocks that have the chosen array; of unchanged blocks with other scalars only these.
+   * Returns an empty string, or what is wrong and what to do; the grid is null then.
+   */
+  std::string update(vtkCompositeDataSet* input, const ScalarSelection& selection);
+  void clear();
+
+  /** Points that blocks share (sharePoints) are one. Null if no block has 3D cells. */
+  vtkUnstructuredGrid* grid() const { return this->Grid; }
+  /** Where blocks differ in the scalar of a shared point, that of the first one. */
+  vtkDataArray* scalars() const { return this->Scalars; }
+  bool hasCellScalars() const { return this->CellScalars; }
+  /** Of the grid's cells. */
+  const CellOrigins& origins() const { return this->Origins; }
+  /** Empty, or which blocks lack the array and are left out. */
+  const std::string& omissions() const { return this->Omissions; }
+  /** How often any of this was made anew. */
+  const StageRecord& record() const { return this->Record; }
+
+private:
+  void joinChanged(vtkCompositeDataSet* input, const ScalarSelection& selection);
+  std::string choose(const std::vector<Block>& blocks, const ScalarSelection& selection);
+  std::string join(const std::vector<Block>& drawn);
+  std::string joinScalars(const std::vector<Block>& drawn);
+  void joinAttributes();
+  std::vector<Block> drawnOf(const std::vector<Block>& blocks);
+
+  Fingerprint Shape;
+  Fingerprint ScalarsInput;
+  std::string Error;
+  std::vector<std::size_t> Drawn; // of the blocks
+  SharedBlocks Shared;
+  CellOrigins Origins;
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  vtkSmartPointer<vtkDataArray> Scalars;
+  bool CellScalars = false;
+  std::string Omissions;
+  StageRecord Record;
+};
+
+} // namespace tetmarch
+
+#endif

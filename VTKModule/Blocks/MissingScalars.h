@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What to say where the array that is to be drawn is not there.
+#ifndef TetMarchBlocksMissingScalars_h
+#define TetMarchBlocksMissingScalars_h
+
+#include <string>
+
+class vtkDataSet;
+
+namespace tetmarch
+{
+
+/** As vtkAbstractMapper has them: ScalarMode, ArrayAccessMode, ArrayId and ArrayName. */
+struct ScalarSelection
+{
+  int Mode;
+  int AccessMode;
+  int Id;
+  const char* Name; // may be nullptr
+};
+
+/** The array that is looked for, in words. */
+std::string describe(const ScalarSelection& selection);
+
+/** Which array was looked for in vain, which there are, and how to choose one. `hasNo` begins the
+ * sentence. */
+std::string describeMissingScalars(
+  vtkDataSet* data, const ScalarSelection& selection, const char* hasNo = "The grid has no ");
+
+} // namespace tetmarch
+
+#endif

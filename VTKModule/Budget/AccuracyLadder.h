@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The levels of accuracy among which a budget chooses.
+#ifndef TetMarchBudgetAccuracyLadder_h
+#define TetMarchBudgetAccuracyLadder_h
+
+#include "Optics/AccuracyLevel.h"
+
+#include <vector>
+
+namespace tetmarch
+{
+
+/** What a user asks for. With a budget, level and tolerance do not count. */
+struct AccuracyOptions
+{
+  Accuracy Level = Accuracy::Default;
+  double ErrorTolerance = DefaultAccuracy.ErrorTolerance;
+  double FrameTimeBudget = 0; // seconds; 0: none
+  double ErrorBudget = 0;     // of a channel of a pixel, 0..1; 0: none
+};
+
+struct Rung
+{
+  Accuracy Level = Accuracy::Default;
+  double Tolerance = DefaultAccuracy.ErrorTolerance; // what is promised; 0: nothing
+
+  bool operator==(const Rung& other) const
+  {
+    return this->Level == other.Level && this->Tolerance == other.Tolerance;
+  }
+  AccuracyLevel level() const { return levelOf(this->Level, this->Tolerance); }
+};
+
+/** As a user sets it. */
+inline Rung rungOf(Accuracy accuracy, double tolerance)
+{
+  const AccuracyLevel level = levelOf(accuracy, tolerance);
+  return { accuracy, level.Adaptive ? level.ErrorTolerance : 0.0 };
+}
+
+/** The least tolerance that can be asked for. */
+constexpr double LeastTolerance = 1e-6;
+
+/**
+ * What may be drawn, from cheapest to best; without a budget of time that is one level.
+ *
+ * An error is kept most cheaply by Default with that tolerance. Fast is no candidate. For scalars
+ * at points it promises nothing, and to measure its bound takes a march that bounds it, which costs
+ * more than the adaptive frame that it would save. For cell scalars both levels are the same
+ * shader, in which only the end of a ray is off; what Fast could be held to is 1/512, with which
+ * Default ends rays as early, and with more earlier. The tables of Fast have 1024 entries even
+ * where these are off by more than Default allows (FittingTable.h).
+ */
+inline std::vector<Rung> ladderOf(const AccuracyOptions& options)
+{
+  std::vector<Rung> ladder;
+  if (options.ErrorBudget > 0)
+  {
+    ladder.push_back({ Accuracy::Default, std::max(options.ErrorBudget, LeastTolerance) });
+  }
+  else if (!(options.FrameTimeBudget > 0))
+  {
+    ladder.push_back(rungOf(options.Level, options.ErrorTolerance));
+  }
+  if (options.FrameTimeBudget > 0)
+  {
+    for (const Rung& rung : { rungOf(Accuracy::Fast, 1.0), rungOf(Accuracy::Default, 1.0 / 32.0),
+           rungOf(Accuracy::Default, DefaultAccuracy.ErrorTolerance),
+           rungOf(Accuracy::Accurate, 1.0), rungOf(Accuracy::Reference, 1.0) })
+    {
+      const bool better = rung.Tolerance > 0 && rung.Tolerance < options.ErrorBudget;
+      if (better || !(options.ErrorBudget > 0))
+      {
+        ladder.push_back(rung);
+      }
+    }
+  }
+  return ladder;
+}
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Something that is made from an input: anew when that is another one, and not at all when nothing
+// needs it.
+#ifndef TetMarchCachingMadeFrom_h
+#define TetMarchCachingMadeFrom_h
+
+#include "Caching/Fingerprint.h"
+#include "Caching/StageRecord.h"
+
+namespace tetmarch
+{
+
+class MadeFrom
+{
+public:
+  /** If the input is another one than before, call free(), and, unless it is empty, make(). */
+  template <typename Free, typename Make>
+  void update(const Fingerprint& input, const Free& free, const Make& make)
+  {
+    if (input == this->Input)
+    {
+      return;
+    }
+    this->Input.clear();
+    free();
+    if (!input.empty())
+    {
+      StageRecorder recorder(this->Record);
+      make();
+    }
+    this->Input = input;
+  }
+  void clear() { this->Input.clear(); }
+
+  const Fingerprint& input() const { return this->Input; }
+  const StageRecord& record() const { return this->Record; }
+
+private:
+  Fingerprint Input;
+  StageRecord Record;
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Memory that the computer doesn't have is an error like others.
+#ifndef TetMarchCachingWithinMemory_h
+#define TetMarchCachingWithinMemory_h
+
+#include <new>
+#include <stdexcept>
+#include <string>
+
+namespace tetmarch
+{
+
+/** Runs work that may need much. Returns an empty string, or that there is too little. */
+template <typename Work>
+std::string withinMemory(const char* purpose, Work&& work)
+{
+  try
+  {
+    work();
+    return {};
+  }
+  catch (const std::bad_alloc&)
+  {
+  }
+  catch (const std::length_error&)
+  {
+  }
+  return std::string("The computer has too little memory for ") + purpose +
+         ", so nothing is drawn. Free some, or extract or coarsen a part of the grid.";
+}
+
+} // namespace tetmarch
+
+#endif

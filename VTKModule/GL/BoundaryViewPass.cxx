@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/BoundaryViewPass.h"
+
+#include "GL/MeshTextures.h"
+#include "GL/PixelRays.h"
+#include "GL/StateScope.h"
+#include "GL/TileCorners.h"
+
+#include "vtkOpenGLRenderUtilities.h"
+
+namespace tetmarch
+{
+
+std::string BoundaryViewPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+  BoundaryView what, const Progress& progress, bool& stopped)
+{
+  return drawInTiles(window, inputs.Area, inputs.MostSecondsPerDraw, this->Tiles, progress, stopped,
+    [&](const Viewport& tile)
+    {
+      StateScope state(window);
+      std::string error;
+      vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
+        "passes/boundary_view.frag.glsl", inputs.Key.defines(), error);
+      if (!program)
+      {
+        return error;
+      }
+      // Depths are compared in the shader, along the rays, as in the march.
+      state->vtkglDisable(GL_BLEND);
+      state->vtkglDisable(GL_DEPTH_TEST);
+      state->vtkglDepthMask(GL_FALSE);
+      state->vtkglDisable(GL_CULL_FACE);
+
+      inputs.Mesh->bind(program, inputs.Key);
+      bindPixelRays(program, inputs, inputs.Area);
+      program->SetUniformi("showsCoordinates", what == BoundaryView::Coordinates ? 1 : 0);
+      drawCorners(program, this->Draw, inputs.Area, tile);
+      unbindPixelRays(inputs);
+      inputs.Mesh->unbind();
+      return error;
+    });
+}
+
+} // namespace tetmarch

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws where rays enter the mesh, without a march.
+#ifndef TetMarchGLBoundaryViewPass_h
+#define TetMarchGLBoundaryViewPass_h
+
+#include "Diagnostics/BoundaryView.h"
+#include "GL/MarchPass.h"
+
+namespace tetmarch
+{
+
+class BoundaryViewPass
+{
+public:
+  /**
+   * Opaque; pixels whose ray meets nothing, or opaque geometry first, stay as they are. The key of
+   * the inputs is one ofEntries(). Returns an empty string, or what is wrong; `stopped` becomes
+   * true if progress asked to stop between two tiles.
+   */
+  std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, BoundaryView what,
+    const Progress& progress, bool& stopped);
+  /** The next frame may take much longer than the last. */
+  void expectChange() { this->Tiles.expectChange(); }
+  void release() { this->Draw.release(); }
+  int numberOfDraws() const { return this->Tiles.numberOfTiles(); }
+
+private:
+  ShaderDraw Draw;
+  TileSchedule Tiles;
+};
+
+} // namespace tetmarch
+
+#endif

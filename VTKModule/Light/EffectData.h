@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the effects of a picture are made of, on the CPU.
+#ifndef TetMarchLightEffectData_h
+#define TetMarchLightEffectData_h
+
+#include "Light/LightUniforms.h"
+#include "Light/OpaqueShadows.h"
+#include "Optics/GradientOpacityTable.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace tetmarch
+{
+
+struct EffectData
+{
+  /** Of the stored scalar, one a vertex or, if CellGradients, one a tetrahedron. */
+  std::vector<std::array<float, 3>> Gradients;
+  bool CellGradients = false;
+  GradientOpacityTable GradientOpacity; // may be empty
+  double GradientOpacityScale = 0;      // from the length of a gradient to a position in it
+  LightUniforms Lights;                 // none: nothing is lit
+  /** For each vertex three others of a tetrahedron around it, and that one's number. */
+  std::vector<std::array<std::uint32_t, 4>> VertexStarts; // if there are shadows or occlusion
+  OpaqueShadows Opaque;
+  /** For each vertex, in bit k whether opaque geometry keeps the light of shadow source k off. */
+  std::vector<std::uint8_t> ShadowedVertices; // if there is such geometry
+
+  bool empty() const { return this->GradientOpacity.empty() && this->Lights.Sources.empty(); }
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Light/EffectStage.h"
+
+#include "Caching/WithinMemory.h"
+#include "Mesh/Gradients.h"
+#include "Mesh/Scalars.h"
+#include "Mesh/VertexStarts.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPolyData.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+double steepest(const std::vector<Gradient>& gradients)
+{
+  double most = 0;
+  for (const Gradient& g : gradients)
+  {
+    most = std::max(most, std::hypot(double(g[0]), double(g[1]), double(g[2])));
+  }
+  return most;
+}
+
+// Asking for a function that isn't there would make one.
+bool mayHaveGradientOpacity(vtkVolumeProperty* property)
+{
+  return !property->GetDisableGradientOpacity() &&
+         property->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D &&
+         property->HasGradientOpacity();
+}
+
+// What opaque geometry casts its shadows by: data, places and lights, of a mesh.
+Fingerprint inputOf(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volume,
+  const LightUniforms& lights, std::uintptr_t mesh)
+{
+  Fingerprint input{ mesh };
+  for (const OpaqueSurface& surface : surfaces)
+  {
+    add(input, surface.Data);
+    addAll(input, surface.ToWorld);
+  }
+  std::array<double, 16> matrix{};
+  vtkMatrix4x4::DeepCopy(matrix.data(), volume->GetMatrix());
+  addAll(input, matrix);
+  for (const auto& source : lights.ShadowSources)
+  {
+    addAll(input, source);
+  }
+  add(input, lights.OpaqueReach);
+  return input;
+}
+
+} // namespace
+
+EffectOptions usedOptions(const EffectOptions& options)
+{
+  EffectOptions used = options;
+  if (options.Blend != BlendMode::Composite)
+  {
+    used.Shadows = ShadowMethod::Off;
+    used.Scattering = 0;
+    used.Occlusion = false;
+    used.OpaqueShadows = false;
+  }
+  if (!used.showsSurfaces())
+  {
+    used.Shown = Subject::Picture;
+  }
+  return used;
+}
+
+std::string EffectStage::update(
+  vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options, const EffectInput& input)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  this->Options = usedOptions(options);
+  const std::string shortage = withinMemory("the effects of light",
+    [&]
+    {
+      this->Data.Lights = makeLightUniforms(
+        this->Options.showsSurfaces() ? lightingOf(renderer, property) : Lighting(), this->Options,
+        volume, *input.Mesh);
+      const bool byGradient =
+        this->Options.Blend == BlendMode::Composite && mayHaveGradientOpacity(property);
+      const bool needed = byGradient || !this->Data.Lights.Sources.empty() ||
+                          this->Options.Shown == Subject::Gradients;
+      this->updateGradients(input, needed, options.CellGradients && input.CellScalars->empty());
+      this->updateGradientOpacity(volume, input, byGradient);
+      this->updateStarts(input, this->Data.Lights.hasVolumeLight());
+      this->updateOpaqueShadows(renderer, volume, input);
+    });
+  if (!shortage.empty())
+  {
+    this->clear();
+  }
+  return shortage;
+}
+
+void EffectStage::clear()
+{
+  this->Data = {};
+  for (MadeFrom* made :
+    { &this->Gradients, &this->GradientOpacity, &this->Starts, &this->OpaqueShadows })
+  {
+    made->clear();
+  }
+}
+
+void EffectStage::updateGradients(const EffectInput& input, bool needed, bool ofCells)
+{
+  Fingerprint which;
+  if (needed)
+  {
+    which = input.Which;
+    which.push_back(ofCells ? 1 : 0);
+  }
+  this->Gradients.update(
+    which, [this] { std::vector<Gradient>().swap(this->Data.Gradients); },
+    [&]
+    {
+      this->Data.CellGradients = ofCells;
+      this->Data.Gradients = ofCells ? cellGradients(*input.Mesh)
+                             : input.CellScalars->empty()
+                               ? vertexGradients(*input.Mesh)
+                               : vertexGradients(*input.Mesh, *input.CellScalars);
+      this->SteepestGradient = steepest(this->Data.Gradients);
+    });
+}
+
+void EffectStage::updateGradientOpacity(vtkVolume* volume, const EffectInput& input, bool needed)
+{
+  Fingerprint which;
+  if (needed)
+  {
+    which = this->Gradients.input();
+    add(which, volume->GetProperty()->GetGradientOpacity());
+  }
+  this->GradientOpacity.update(
+    which, [this] { this->Data.GradientOpacity = {}; },
+    [&]
+    {
+      // Of the stored scalar over the radius -> of the data's over a unit of its length.
+      const double unit = input.Range->width() / input.Mesh->Radius;
+      this->Data.GradientOpacity =
+        gradientOpacityOf(volume->GetProperty(), this->SteepestGradient * unit);
+      this->Data.GradientOpacityScale = unit / this->Data.GradientOpacity.Unit;
+    });
+}
+
+void EffectStage::updateStarts(const EffectInput& input, bool needed)
+{
+  Fingerprint which;
+  if (needed)
+  {
+    which.push_back(input.Which.front()); // the mesh
+  }
+  this->Starts.update(
+    which, [this] { std::vector<std::array<Id, 4>>().swap(this->Data.VertexStarts); },
+    [&] { this->Data.VertexStarts = vertexStarts(*input.Mesh); });
+}
+
+void EffectStage::updateOpaqueShadows(
+  vtkRenderer* renderer, vtkVolume* volume, const EffectInput& input)
+{
+  const LightUniforms& lights = this->Data.Lights;
+  std::vector<OpaqueSurface> surfaces;
+  if (this->Options.OpaqueShadows && !lights.ShadowSources.empty())
+  {
+    surfaces = opaqueSurfaces(renderer, input.Blocks);
+  }
+  const Fingerprint which =
+    surfaces.empty() ? Fingerprint() : inputOf(surfaces, volume, lights, input.Which.front());
+  std::vector<std::uint8_t> before;
+  const auto free = [&]
+  {
+    before.swap(this->Data.ShadowedVertices);
+    if (which.empty())
+    {
+      this->Data.Opaque = {};
+    }
+  };
+  const auto make = [&]
+  {
+    this->Data.Opaque.update(surfaces, volume, *input.Mesh, lights);
+    this->Data.ShadowedVertices =
+      this->Data.Opaque.ofVertices(*input.Mesh, this->Data.VertexStarts);
+    this->DistinctOpaqueShadows += this->Data.ShadowedVertices == before ? 0 : 1;
+  };
+  this->OpaqueShadows.update(which, free, make);
+}
+
+Fingerprint EffectStage::opaqueShadowsVersion() const
+{
+  return this->Data.ShadowedVertices.empty() ? Fingerprint{ 0 }
+                                             : Fingerprint{ this->DistinctOpaqueShadows };
+}
+
+bool EffectStage::samplesShadows(double pixels) const
+{
+  // A ray of the picture takes about 8 samples of each light, a vertex one.
+  constexpr double samples = 8;
+  // With the method off, what scatters light still casts shadows, wherever is cheaper.
+  return this->Options.Shadows == ShadowMethod::AlongRays ||
+         (this->Options.Shadows != ShadowMethod::AtVertices &&
+           static_cast<double>(this->Data.VertexStarts.size()) > samples * pixels);
+}
+
+void EffectStage::setBits(VariantKey& key, double pixels) const
+{
+  const LightUniforms& lights = this->Data.Lights;
+  key.CellGradients = this->Data.CellGradients;
+  key.GradientOpacity = !this->Data.GradientOpacity.empty();
+  key.Shading = !lights.Sources.empty();
+  key.HeadlightOnly = lights.isHeadlightOnly();
+  key.SingleLight = lights.Sources.size() == 1 && !lights.Sources[0].Headlight;
+  key.WorldLights = lights.InWorld;
+  key.Scattering = lights.ScatteringBlending > 0;
+  key.CastShadows = !lights.ShadowSources.empty();
+  key.SeveralShadows = lights.ShadowSources.size() > 1;
+  key.SampledShadows = this->samplesShadows(pixels);
+  key.OpaqueShadows = !this->Data.ShadowedVertices.empty();
+  key.HeadlightShadows = lights.hasHeadlightShadows();
+  key.Occlusion = lights.OcclusionDirections > 0;
+  key.ShowIllumination = this->Options.Shown == Subject::Illumination;
+  key.ShowGradients = this->Options.Shown == Subject::Gradients;
+}
+
+} // namespace tetmarch

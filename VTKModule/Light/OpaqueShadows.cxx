@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Light/OpaqueShadows.h"
+
+#include "Mesh/VertexStarts.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tetmarch
+{
+namespace
+{
+
+using Matrix = std::array<double, 16>;
+
+Matrix times(const Matrix& a, const Matrix& b)
+{
+  Matrix product{};
+  vtkMatrix4x4::Multiply4x4(a.data(), b.data(), product.data());
+  return product;
+}
+
+Matrix meshToWorld(vtkVolume* volume, const TetMesh& mesh)
+{
+  const double r = mesh.Radius;
+  const auto& c = mesh.Center;
+  const Matrix normalized{ { r, 0, 0, c[0], 0, r, 0, c[1], 0, 0, r, c[2], 0, 0, 0, 1 } };
+  Matrix world{};
+  vtkMatrix4x4::DeepCopy(world.data(), volume->GetMatrix());
+  return times(world, normalized);
+}
+
+// Of a vector if w is 0, of a point if it is 1.
+Vector3 transformed(const Matrix& m, const Vector3& v, double w)
+{
+  Vector3 result{};
+  for (int r = 0; r < 3; ++r)
+  {
+    result[r] = m[4 * r] * v[0] + m[4 * r + 1] * v[1] + m[4 * r + 2] * v[2] + m[4 * r + 3] * w;
+  }
+  return result;
+}
+
+// Those without inverse have no volume left, and cast nothing.
+bool isInvertible(const Matrix& matrix)
+{
+  const double determinant = vtkMatrix4x4::Determinant(matrix.data());
+  return std::isfinite(determinant) && determinant != 0;
+}
+
+} // namespace
+
+void OpaqueShadows::update(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volume,
+  const TetMesh& mesh, const LightUniforms& lights)
+{
+  const Matrix toWorld = meshToWorld(volume, mesh);
+  std::vector<Caster> casters;
+  for (const OpaqueSurface& surface : surfaces)
+  {
+    if (isInvertible(surface.ToWorld))
+    {
+      Caster caster;
+      add(caster.Data, surface.Data);
+      caster.Triangles = this->hierarchyOf(surface.Data, caster.Data, casters);
+      Matrix fromWorld{};
+      vtkMatrix4x4::Invert(surface.ToWorld.data(), fromWorld.data());
+      caster.FromMesh = times(fromWorld, toWorld);
+      casters.push_back(caster);
+    }
+  }
+  this->Casters.swap(casters);
+  this->Sources = lights.ShadowSources;
+  this->Reach = lights.OpaqueReach;
+}
+
+// One data may be shown at several places.
+std::shared_ptr<const TriangleHierarchy> OpaqueShadows::hierarchyOf(
+  vtkPolyData* data, const Fingerprint& which, const std::vector<Caster>& made)
+{
+  for (const std::vector<Caster>* casters : { &made, &std::as_const(this->Casters) })
+  {
+    for (const Caster& caster : *casters)
+    {
+      if (caster.Data == which)
+      {
+        return caster.Triangles;
+      }
+    }
+  }
+  ++this->Hierarchies;
+  return std::make_shared<const TriangleHierarchy>(trianglesOf(data));
+}
+
+bool OpaqueShadows::isShadowed(const Vector3& point, std::size_t source, double margin) const
+{
+  if (this->Casters.empty())
+  {
+    return false;
+  }
+  const auto& light = this->Sources[source];
+  Vector3 way{ { light[0], light[1], light[2] } };
+  add(-light[3], point, way);
+  const double far = std::sqrt(dot(way, way));
+  const Vector3 direction = scaled(1 / far, way);
+  Vector3 origin = point;
+  add(margin, direction, origin);
+  const double end = (light[3] > 0 ? std::min(far, this->Reach) : this->Reach) - margin;
+  return std::any_of(this->Casters.begin(), this->Casters.end(),
+    [&](const Caster& caster)
+    {
+      return caster.Triangles->isHit(
+        transformed(caster.FromMesh, origin, 1), transformed(caster.FromMesh, direction, 0), end);
+    });
+}
+
+std::uint8_t OpaqueShadows::ofVertex(
+  const TetMesh& mesh, std::uint32_t vertex, const std::array<std::uint32_t, 4>& start) const
+{
+  if (start[3] == NoTet)
+  {
+    return 0;
+  }
+  const Vector3 place = position(mesh.Vertices[vertex]);
+  Vector3 point = scaled(1 - 1.0 / 64, place);
+  for (int i = 0; i < 3; ++i)
+  {
+    add(1.0 / (3 * 64), position(mesh.Vertices[start[i]]), point);
+  }
+  std::uint8_t shadows = 0;
+  for (std::size_t k = 0; k < this->Sources.size(); ++k)
+  {
+    shadows |= this->isShadowed(point, k) ? 1u << k : 0u;
+  }
+  return shadows;
+}
+
+std::vector<std::uint8_t> OpaqueShadows::ofVertices(
+  const TetMesh& mesh, const std::vector<std::array<std::uint32_t, 4>>& starts) const
+{
+  std::vector<std::uint8_t> shadows(starts.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(starts.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        shadows[i] = this->ofVertex(mesh, static_cast<std::uint32_t>(i), starts[i]);
+      }
+    });
+  return shadows;
+}
+
+} // namespace tetmarch

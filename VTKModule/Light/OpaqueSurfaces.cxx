@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Light/OpaqueSurfaces.h"
+
+#include "vtkActor.h"
+#include "vtkAssembly.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSetMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProp3DCollection.h"
+#include "vtkPropAssembly.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+using Matrix = std::array<double, 16>;
+
+Matrix timesMatrixOf(const Matrix& matrix, vtkProp* prop)
+{
+  vtkMatrix4x4* own = prop->GetMatrix();
+  Matrix product = matrix;
+  if (own)
+  {
+    vtkMatrix4x4::Multiply4x4(matrix.data(), own->GetData(), product.data());
+  }
+  return product;
+}
+
+class Collector
+{
+public:
+  explicit Collector(BlockAttributes attributes)
+    : Attributes(attributes)
+  {
+  }
+
+  // The paths that assemblies keep are not walked: the volume that is being drawn may be part of
+  // one that walks them itself. Like there, parts count as visible whatever they are assembled to.
+  void addProp(vtkProp* prop, const Matrix& parent)
+  {
+    const Matrix matrix = timesMatrixOf(parent, prop);
+    vtkCollectionSimpleIterator it;
+    if (auto* assembly = vtkAssembly::SafeDownCast(prop))
+    {
+      vtkProp3DCollection* parts = assembly->GetParts();
+      parts->InitTraversal(it);
+      while (vtkProp3D* part = parts->GetNextProp3D(it))
+      {
+        this->addProp(part, matrix);
+      }
+    }
+    else if (auto* group = vtkPropAssembly::SafeDownCast(prop))
+    {
+      vtkPropCollection* parts = group->GetParts();
+      parts->InitTraversal(it);
+      while (vtkProp* part = parts->GetNextProp(it))
+      {
+        this->addProp(part, matrix);
+      }
+    }
+    else if (auto* actor = vtkActor::SafeDownCast(prop))
+    {
+      this->addActor(actor, matrix);
+    }
+  }
+
+  std::vector<OpaqueSurface> Surfaces;
+
+private:
+  void addActor(vtkActor* actor, const Matrix& matrix)
+  {
+    vtkMapper* mapper = actor->GetMapper();
+    if (!actor->GetVisibility() || !mapper ||
+        actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+    {
+      return;
+    }
+    mapper->GetBounds(); // brings the input up to date
+    if (!actor->HasOpaqueGeometry())
+    {
+      return;
+    }
+    if (auto* ofDataSet = vtkDataSetMapper::SafeDownCast(mapper))
+    {
+      mapper = ofDataSet->GetPolyDataMapper();
+    }
+    if (mapper && mapper->GetNumberOfInputConnections(0) > 0)
+    {
+      this->addData(mapper->GetInputDataObject(0, 0), matrix,
+        this->Attributes ? this->Attributes(mapper) : nullptr);
+    }
+  }
+
+  // What is said of a block holds for those in it that nothing is said of.
+  void addData(vtkDataObject* data, const Matrix& matrix, vtkCompositeDataDisplayAttributes* drawn,
+    bool visible = true, bool opaque = true)
+  {
+    if (drawn && data)
+    {
+      visible = drawn->HasBlockVisibility(data) ? drawn->GetBlockVisibility(data) : visible;
+      opaque = drawn->HasBlockOpacity(data) ? drawn->GetBlockOpacity(data) >= 1 : opaque;
+    }
+    if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+    {
+      auto children = vtk::TakeSmartPointer(tree->NewTreeIterator());
+      children->VisitOnlyLeavesOff();
+      children->TraverseSubTreeOff();
+      for (children->InitTraversal(); !children->IsDoneWithTraversal(); children->GoToNextItem())
+      {
+        this->addData(children->GetCurrentDataObject(), matrix, drawn, visible, opaque);
+      }
+    }
+    auto* surface = vtkPolyData::SafeDownCast(data);
+    if (surface && visible && opaque &&
+        surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
+    {
+      this->Surfaces.push_back({ surface, matrix });
+    }
+  }
+
+  BlockAttributes Attributes;
+};
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+// add(points, size) for each cell.
+template <typename Add>
+void forEachCell(vtkCellArray* cells, const Add& add)
+{
+  auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    cell->GetCurrentCell(size, points);
+    add(points, size);
+  }
+}
+
+std::vector<Vector3> pointsOf(vtkPolyData* data)
+{
+  std::vector<Vector3> points(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    data->GetPoint(static_cast<vtkIdType>(i), points[i].data());
+  }
+  return points;
+}
+
+bool isFinite(const Vector3& p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+} // namespace
+
+std::vector<OpaqueSurface> opaqueSurfaces(vtkRenderer* renderer, BlockAttributes attributes)
+{
+  const Matrix identity{ { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } };
+  Collector collector(attributes);
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (prop->GetVisibility())
+    {
+      collector.addProp(prop, identity);
+    }
+  }
+  return std::move(collector.Surfaces);
+}
+
+TriangleHierarchy trianglesOf(vtkPolyData* data)
+{
+  std::vector<Vector3> points = pointsOf(data);
+  Triangles triangles;
+  const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    if (isFinite(points[a]) && isFinite(points[b]) && isFinite(points[c]))
+    {
+      triangles.push_back({ { static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
+        static_cast<std::uint32_t>(c) } });
+    }
+  };
+  forEachCell(data->GetPolys(),
+    [&](const vtkIdType* p, vtkIdType size)
+    {
+      for (vtkIdType i = 2; i < size; ++i)
+      {
+        add(p[0], p[i - 1], p[i]);
+      }
+    });
+  forEachCell(data->GetStrips(),
+    [&](const vtkIdType* p, vtkIdType size)
+    {
+      for (vtkIdType i = 2; i < size; ++i)
+      {
+        add(p[i - 2], p[i - 1], p[i]);
+      }
+    });
+  return { std::move(points), std::move(triangles) };
+}
+
+} // namespace tetmarch

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Triangles, and whether any of them stands in the way of a ray.
+#ifndef TetMarchLightTriangleHierarchy_h
+#define TetMarchLightTriangleHierarchy_h
+
+#include "Mesh/Vector3.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace tetmarch
+{
+
+/**
+ * A bounding volume hierarchy that any number of threads may ask. VTK 9.1's vtkModifiedBSPTree and
+ * vtkOBBTree may be asked by one only, and vtkStaticCellLocator touches a flag of every cell for
+ * each ray.
+ */
+class TriangleHierarchy
+{
+public:
+  /** Corners are numbers of points, and finite. */
+  TriangleHierarchy(
+    std::vector<Vector3> points, std::vector<std::array<std::uint32_t, 3>> triangles);
+
+  /**
+   * Whether origin + t direction, 0 < t < end, lies in a triangle, seen from either side. Between
+   * triangles that share an edge no ray slips through (Woop, Benthin and Wald 2013, "Watertight
+   * ray/triangle intersection"). False for numbers that aren't finite.
+   */
+  bool isHit(const Vector3& origin, const Vector3& direction, double end) const;
+
+private:
+  struct Box
+  {
+    std::array<float, 3> Low;
+    std::array<float, 3> High;
+  };
+  struct Ray;
+
+  void moveToUnitBox();
+  void sort();
+  void sortNode(std::size_t level, std::size_t node,
+    const std::vector<std::array<float, 3>>& centers, std::vector<std::uint32_t>& order) const;
+  void fitBoxes();
+  Box boxOf(std::size_t leaf) const;
+  std::size_t begin(std::size_t level, std::size_t node) const
+  {
+    return this->Triangles.size() * node >> level;
+  }
+  bool isHit(const Ray& ray, const std::array<std::uint32_t, 3>& triangle) const;
+
+  std::vector<Vector3> Points; // about Center, in units of Radius
+  std::vector<std::array<std::uint32_t, 3>> Triangles;
+  Vector3 Center{ { 0, 0, 0 } };
+  double Radius = 1;
+  std::size_t Levels = 0; // below the root
+  std::vector<Box> Boxes; // of nodes from 1: the children of n are 2 n and 2 n + 1
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/MeshStage.h"
+
+#include "Caching/WithinMemory.h"
+#include "Mesh/HalfFaceLinks.h"
+#include "Mesh/LeastTetrahedra.h"
+#include "Mesh/MovedPoints.h"
+#include "Mesh/TetMeshBuilder.h"
+
+#include "vtkUnstructuredGrid.h"
+
+namespace tetmarch
+{
+namespace
+{
+
+// Who mends the values of an array may tell the grid alone.
+Fingerprint attemptOf(vtkUnstructuredGrid* grid, const ResourceLimits& limits)
+{
+  Fingerprint attempt = versionOf(grid);
+  add(attempt, grid);
+  attempt.push_back(limits.TexelsPerBuffer);
+  attempt.push_back(limits.Bytes);
+  return attempt;
+}
+
+} // namespace
+
+bool MeshStage::isCurrent(vtkUnstructuredGrid* grid)
+{
+  if (this->IsMade)
+  {
+    this->Asked.read(grid);
+  }
+  return this->IsMade && this->Asked == this->MadeFrom;
+}
+
+bool MeshStage::hasCellsOf(vtkUnstructuredGrid* grid)
+{
+  return !this->isCurrent(grid) && this->IsMade && this->Asked.hasCellsOf(this->MadeFrom);
+}
+
+std::string MeshStage::make(
+  vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress)
+{
+  const Fingerprint attempt = attemptOf(grid, limits);
+  if (attempt == this->FailedAttempt)
+  {
+    return this->Error;
+  }
+  const bool cellsStay = this->hasCellsOf(grid);
+  this->IsMade = false;
+  if (!cellsStay)
+  {
+    this->Mesh = {};
+  }
+  const std::uint64_t least = leastTetrahedra(grid, mostTetrahedra(limits));
+  std::string error = describeExcess(leastBufferSizes(least), limits, SizesAre::LowerBounds);
+  BuildStatus status = BuildStatus::Failed;
+  if (error.empty())
+  {
+    StageRecorder recorder(this->Record);
+    const std::string shortage = withinMemory("preparing the mesh",
+      [&]
+      {
+        status = cellsStay && movePoints(grid, this->Mesh)
+                   ? BuildStatus::Done
+                   : buildTetMesh(grid, progress, this->Mesh, error);
+        if (status == BuildStatus::Done)
+        {
+          this->Asked.read(grid);
+        }
+      });
+    if (!shortage.empty())
+    {
+      error = shortage + " It is tried again when the grid is Modified().";
+    }
+  }
+  this->FailedAttempt.clear();
+  if (status == BuildStatus::Done)
+  {
+    this->MadeFrom = this->Asked;
+    this->IsMade = true;
+    return {};
+  }
+  this->Mesh = {};
+  if (status == BuildStatus::Failed)
+  {
+    this->FailedAttempt = attempt;
+    this->Error = error;
+  }
+  return error;
+}
+
+std::string MeshStage::addHierarchy()
+{
+  std::vector<std::array<Id, 4>> faces;
+  const std::string shortage = withinMemory("the search tree that a camera in the mesh needs",
+    [&]
+    {
+      faces = this->Mesh.BoundaryFaces;
+      ensureHierarchy(this->Mesh);
+    });
+  if (!shortage.empty())
+  {
+    this->Mesh.Hierarchy = {};
+    this->Mesh.ReentryNodes = 0;
+    this->Mesh.ReentryFaces = 0;
+    if (!faces.empty()) // they are put in the order of the tree while it grows
+    {
+      this->Mesh.BoundaryFaces.swap(faces);
+      linkBoundary(this->Mesh);
+    }
+  }
+  return shortage;
+}
+
+} // namespace tetmarch

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The mesh of a grid, made anew when the grid changed, and what came in the way.
+#ifndef TetMarchMeshMeshStage_h
+#define TetMarchMeshMeshStage_h
+
+#include "Caching/Fingerprint.h"
+#include "Caching/StageRecord.h"
+#include "Mesh/GridContent.h"
+#include "Mesh/Progress.h"
+#include "Mesh/ResourceLimits.h"
+#include "Mesh/TetMesh.h"
+
+#include <string>
+
+class vtkUnstructuredGrid;
+
+namespace tetmarch
+{
+
+class MeshStage
+{
+public:
+  /** Whether the mesh is that of the grid, or of another one with the same values. */
+  bool isCurrent(vtkUnstructuredGrid* grid);
+  /**
+   * Returns an empty string, or what is wrong and what to do. The mesh is empty then, and also if
+   * progress asked to stop. What failed is not tried again as long as grid and limits stay.
+   */
+  std::string make(
+    vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress);
+  /** Add the hierarchy of a convex mesh. On failure, which the string tells, the mesh stays. */
+  std::string addHierarchy();
+
+  const TetMesh& mesh() const { return this->Mesh; }
+  /** For scalars, which are part of the vertices. */
+  TetMesh& mesh() { return this->Mesh; }
+  const StageRecord& record() const { return this->Record; }
+
+private:
+  bool hasCellsOf(vtkUnstructuredGrid* grid); // the mesh, with other points
+
+  TetMesh Mesh;
+  bool IsMade = false;
+  GridContent MadeFrom;
+  GridContent Asked; // the grid that was asked for last
+  Fingerprint FailedAttempt;
+  std::string Error; // of that
+  StageRecord Record;
+};
+
+} // namespace tetmarch
+
+#endif

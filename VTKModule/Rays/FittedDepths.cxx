@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rays/FittedDepths.h"
+
+#include "Mesh/TetMesh.h"
+#include "Rays/View.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+// How far a row of the matrix goes to either side of row[3] over the bounding box of the mesh.
+double reachOf(const double* row, const TetMesh& mesh)
+{
+  double reach = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    reach += std::abs(row[k]) * mesh.HalfExtent[k];
+  }
+  return reach;
+}
+
+} // namespace
+
+std::array<double, 16> fittedDepths(const View& view, const TetMesh& mesh)
+{
+  std::array<double, 16> matrix = view.NormalizedToClip;
+  double* z = &matrix[8];
+  const double* w = &matrix[12];
+  const double margin = 1.01; // against rounding
+  if (w[0] == 0 && w[1] == 0 && w[2] == 0)
+  {
+    // Parallel projection: the middle of the mesh to 0, its ends to w and -w.
+    const double scale = w[3] / (margin * reachOf(z, mesh));
+    z[0] *= scale;
+    z[1] *= scale;
+    z[2] *= scale;
+    z[3] = 0;
+    return matrix;
+  }
+  // w is the distance d, and z / w = (far + near - 2 far near / d) / (far - near).
+  const double reach = reachOf(w, mesh);
+  const double far = w[3] + margin * reach;
+  const double near = std::max(w[3] - margin * reach, 0.5 * (w[3] - reach));
+  for (int k = 0; k < 4; ++k)
+  {
+    z[k] = w[k] * (far + near) / (far - near);
+  }
+  z[3] -= 2 * far * near / (far - near);
+  return matrix;
+}
+
+} // namespace tetmarch

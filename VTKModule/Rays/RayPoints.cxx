@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rays/RayPoints.h"
+
+#include "Rays/FittedDepths.h"
+#include "Rays/View.h"
+
+#include "vtkMatrix4x4.h"
+
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+// The points at a clip depth of the inverse of the matrix.
+std::array<double, 16> pointsAtDepth(double depth, std::array<double, 16> inverse)
+{
+  for (int r = 0; r < 4; ++r)
+  {
+    inverse[4 * r + 3] += depth * inverse[4 * r + 2];
+  }
+  return inverse;
+}
+
+std::array<double, 16> inverted(const std::array<double, 16>& matrix)
+{
+  std::array<double, 16> inverse;
+  vtkMatrix4x4::Invert(matrix.data(), inverse.data());
+  return inverse;
+}
+
+} // namespace
+
+std::array<double, 16> rayPoints(const View& view, const TetMesh& mesh)
+{
+  if (view.CutsNearPlane)
+  {
+    return pointsAtDepth(-1.0, view.ClipToNormalized);
+  }
+  const auto& eye = view.Eye;
+  const double distance = std::hypot(eye[0], eye[1], eye[2]);
+  if (eye[3] * 2.0 > distance)
+  {
+    return pointsAtDepth(-1.0, inverted(fittedDepths(view, mesh)));
+  }
+  // The plane through the centre that faces the eye takes the place of those of equal depth, which
+  // a matrix that isn't a similarity may turn nearly parallel to the rays.
+  std::array<double, 16> matrix = view.NormalizedToClip;
+  for (int k = 0; k < 3; ++k)
+  {
+    matrix[8 + k] = eye[k] / distance;
+  }
+  matrix[11] = 0.0;
+  return inverted(matrix);
+}
+
+} // namespace tetmarch

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rays/View.h"
+
+#include "Mesh/TetMesh.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+// 24 bits of a float: 1/16 of a pixel where a picture is 2000 pixels wide.
+constexpr double MostSpread = 1024;
+
+// Where in clip coordinates lies the bounding box of the mesh?
+void classify(const TetMesh& mesh, View& view)
+{
+  const auto& high = mesh.HalfExtent;
+  const auto& m = view.NormalizedToClip;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double p[4] = { corner & 1 ? high[0] : -high[0], corner & 2 ? high[1] : -high[1],
+      corner & 4 ? high[2] : -high[2], 1 };
+    std::array<double, 4> clip{};
+    for (int r = 0; r < 4; ++r)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        clip[r] += m[4 * r + k] * p[k];
+      }
+    }
+    const auto [x, y, z, w] = clip;
+    view.CutsNearPlane = view.CutsNearPlane || z <= -w;
+    view.CutsFarPlane = view.CutsFarPlane || z >= w;
+    view.Spread = std::max({ view.Spread, std::abs(x / w), std::abs(y / w) });
+  }
+}
+
+// What all lines of sight go through, in view coordinates: x = y = w = 0 in clip coordinates. It is
+// the origin or, for parallel projection, the direction +z, but not so for each eye of a stereo
+// picture or a sheared view.
+std::array<double, 4> eyeOf(vtkMatrix4x4* viewToClip)
+{
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(viewToClip, inverse);
+  std::array<double, 4> eye{};
+  for (int r = 0; r < 4; ++r)
+  {
+    eye[r] = -inverse->GetElement(r, 2); // towards lesser depths
+  }
+  const double unit =
+    eye[3] != 0 ? eye[3] : std::max({ std::abs(eye[0]), std::abs(eye[1]), std::abs(eye[2]) });
+  for (double& e : eye)
+  {
+    e /= unit;
+  }
+  return eye;
+}
+
+} // namespace
+
+bool View::rastersEntries() const { return !this->CutsNearPlane && this->Spread <= MostSpread; }
+
+std::array<double, 3> View::unproject(double x, double y, double z) const
+{
+  const double p[4] = { x, y, z, 1 };
+  std::array<double, 4> q{};
+  for (int r = 0; r < 4; ++r)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      q[r] += this->ClipToNormalized[4 * r + c] * p[c];
+    }
+  }
+  return { { q[0] / q[3], q[1] / q[3], q[2] / q[3] } };
+}
+
+bool makeView(
+  vtkRenderer* renderer, vtkVolume* volume, const TetMesh& mesh, double unitDistance, View& view)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  vtkNew<vtkMatrix4x4> normalized; // normalised -> data
+  for (int k = 0; k < 3; ++k)
+  {
+    normalized->SetElement(k, k, mesh.Radius);
+    normalized->SetElement(k, 3, mesh.Center[k]);
+  }
+  vtkNew<vtkMatrix4x4> toWorld, toView, toClip, inverse, eyeInverse;
+  vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), normalized, toWorld);
+  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix(), toWorld, toView);
+  vtkMatrix4x4* projection =
+    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1);
+  vtkMatrix4x4::Multiply4x4(projection, toView, toClip);
+  vtkMatrix4x4::Invert(toClip, inverse);
+  vtkMatrix4x4::Invert(toView, eyeInverse);
+
+  view = {};
+  bool usable = true;
+  for (int r = 0; r < 4; ++r)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      view.NormalizedToClip[4 * r + c] = toClip->GetElement(r, c);
+      view.ClipToNormalized[4 * r + c] = inverse->GetElement(r, c);
+      usable = usable && std::isfinite(toClip->GetElement(r, c)) &&
+               std::isfinite(inverse->GetElement(r, c));
+    }
+  }
+  for (int r = 0; r < 3; ++r)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      // Beyond an optical depth of 1e15 everything is opaque, and squares of it leave the range of
+      // float.
+      const double length = toWorld->GetElement(r, c) / unitDistance;
+      view.ThicknessMatrix[3 * r + c] = std::min(std::max(length, -1e15), 1e15);
+    }
+  }
+  eyeInverse->MultiplyPoint(eyeOf(projection).data(), view.Eye.data());
+  view.Mirrored = toView->Determinant() < 0;
+  classify(mesh, view);
+  return usable && toView->Determinant() != 0 && toClip->Determinant() != 0;
+}
+
+} // namespace tetmarch

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the camera stands, in the mesh's normalised frame.
+#ifndef TetMarchRaysView_h
+#define TetMarchRaysView_h
+
+#include <array>
+
+class vtkRenderer;
+class vtkVolume;
+
+namespace tetmarch
+{
+
+struct TetMesh;
+
+/** Row-major matrices, applied to column vectors; clip coordinates as in OpenGL. */
+struct View
+{
+  std::array<double, 16> NormalizedToClip{};
+  std::array<double, 16> ClipToNormalized{};
+  std::array<double, 9>
+    ThicknessMatrix{};         // normalised direction -> world, in scalar opacity unit distances
+  std::array<double, 4> Eye{}; // (eye, 1) or, for parallel projection, (direction towards it, 0)
+  bool Mirrored = false;       // faces turn the other way on the screen
+  bool CutsNearPlane = false;  // part of the mesh lies before the near plane
+  bool CutsFarPlane = false;   // part of the mesh lies behind the far plane
+  double Spread = 0; // of the mesh on the picture: 1 reaches its border, 2 as far beyond; before
+                     // the near plane no number
+
+  /** Whether the rasteriser can tell where rays enter the mesh: all of it lies before the eye, and
+   * not so far beyond the picture's border that its float coordinates blur the picture. */
+  bool rastersEntries() const;
+
+  /** The point of clip coordinates (x, y, z), each in -1..1, in the normalised frame. */
+  std::array<double, 3> unproject(double x, double y, double z) const;
+};
+
+/** False if the volume's matrix is singular or not finite: then there is nothing to be seen. */
+bool makeView(
+  vtkRenderer* renderer, vtkVolume* volume, const TetMesh& mesh, double unitDistance, View& view);
+
+} // namespace tetmarch
+
+#endif
