@@ -61,7 +61,7 @@ class ReadmeTest(unittest.TestCase):
 
     def test_links_lead_somewhere(self):
         pages = [PROJECT / "README.md"]
-        for folder in ("Data", "Plugin", "Shaders", "Testing", "VTKModule"):
+        for folder in ("Data", "Documentation", "Plugin", "Shaders", "Testing", "VTKModule"):
             pages += [page for page in sorted((PROJECT / folder).rglob("*.md"))
                       if not page.name.endswith("Page.md")]  # of which a page elsewhere is made
         links = [(page, link) for page in pages
