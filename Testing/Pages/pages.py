@@ -3,6 +3,7 @@
 """The project's pages: which there are, and what they are made of."""
 import pathlib
 import re
+import textwrap
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -41,10 +42,19 @@ def fenced_blocks(text, language):
     return re.findall(rf"^```{language}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
 
 
+def indented_blocks(text):
+    """Blocks of code by indentation: behind an empty line, which a list's further lines are not."""
+    blocks = re.findall(r"(?<=\n\n)(?: {4}.*\n(?:\n(?= {4}))*)+", without_fences(text) + "\n")
+    return [textwrap.dedent(block).strip() + "\n" for block in blocks]
+
+
+def without_fences(text):
+    return re.sub(r"^```.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL)
+
+
 def without_blocks(text):
     """The prose: neither fenced nor indented blocks."""
-    text = re.sub(r"^```.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL)
-    return re.sub(r"^    .*$", "", text, flags=re.MULTILINE)
+    return re.sub(r"(?<=\n\n)(?: {4}.*\n(?:\n(?= {4}))*)+", "", without_fences(text))
 
 
 def code_words(text):
