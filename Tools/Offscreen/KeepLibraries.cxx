@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// For TETMARCH_SANITIZE only: no library is unloaded. LeakSanitizer knows whose leak it is by where
-// code lies when the process ends, and EGL unloads its drivers before that.
+// For TETMARCH_SANITIZE only: libraries stay loaded until the process ends. LeakSanitizer names the
+// library that leaked by its address at that time, and EGL would have unloaded its drivers before.
 #include <dlfcn.h>
 
 extern "C" int dlclose(void*) noexcept { return 0; }

@@ -6,9 +6,12 @@
  *
  * Before VTK 9.4 a window class is compiled into VTK (X on most distributions), so the windows made
  * here own a GL context of their own. The executable that links this library serves GL through EGL
- * or through OSMesa, chosen once per process by the environment variable TETMARCH_GL: egl     EGL:
- * a GPU if there is one, else Mesa's software renderer; osmesa  Mesa's software renderer in memory;
- *   unset   egl where it gives GL 3.2, else osmesa.
+ * or through OSMesa, chosen once per process by the environment variable TETMARCH_GL:
+ *
+ * - egl: EGL, with a GPU if there is one, else with Mesa's software renderer
+ * - osmesa: Mesa's software renderer in memory
+ * - unset: egl where it gives GL 3.2, else osmesa
+ *
  * VTK_DEFAULT_EGL_DEVICE_INDEX picks the EGL device by number, as it does for VTK's own window.
  *
  * From VTK 9.4 on VTK makes these windows itself; TETMARCH_GL is then translated into its variable

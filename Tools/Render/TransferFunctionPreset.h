@@ -3,11 +3,17 @@
 /**
  * @file
  * Transfer functions in the JSON format in which ParaView exports its colour map presets: an array
- * of objects, of which the first is taken (or the object alone), with Name, ColorSpace   RGB, HSV,
- * Lab, CIELAB, Diverging, Lab/CIEDE2000 or Step; HSVWrap; UseLogScale RGBPoints          [x, r, g,
- * b, ...], required Points             [x, opacity, midpoint, sharpness, ...]; without them opacity
- * rises linearly from 0 to 1 over the colours NanColor           [r, g, b] Other fields are
- * ignored. Presets of indexed colours are refused.
+ * of objects, of which the first is taken, or an object alone. Its fields:
+ *
+ * - Name
+ * - ColorSpace: RGB, HSV, Lab, CIELAB, Diverging, Lab/CIEDE2000 or Step
+ * - HSVWrap, UseLogScale
+ * - RGBPoints: [x, r, g, b, ...], required
+ * - Points: [x, opacity, midpoint, sharpness, ...]; without it the opacity rises linearly from 0 to
+ *   1 over the range of the colours
+ * - NanColor: [r, g, b]
+ *
+ * Other fields are ignored. Presets of indexed colours are refused.
  */
 #ifndef tetmarch_TransferFunctionPreset_h
 #define tetmarch_TransferFunctionPreset_h
