@@ -20,14 +20,13 @@ from pages import PROJECT, code_words, indented_blocks, name_of, pages, text_of
 BUILD = None
 
 # Blocks of these lines are no commands.
-NO_SHELL = ("from paraview", "language", "(")
-NOT_PASTED = {
+NO_SHELL = ("language", "(")
+NOT_PASTED = {  # by regular expression
     "cmake -S . -B build -G Ninja": "configures the build that runs this test",
-    "cmake --build build": "builds what runs this test",
+    "cmake --build build.*": "builds what runs this test",
     "cmake --install build --prefix PREFIX": "the test PackageInstall does it",
     "cmake -S . -B build-plugin -DTETMARCH_PARAVIEW_PLUGIN=ON -DParaView_DIR=.../lib/cmake/paraview-5.11":
         "./tetmarch paraview does it",
-    "cmake --build build-plugin": "./tetmarch paraview does it",
     "PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 example.py": "ExamplesTest.py pastes it",
 }
 # Of Google Benchmark, not of ours.
@@ -87,15 +86,16 @@ class CommandsTest(unittest.TestCase):
         elif re.search(PROGRAM_OF_TESTS, command):
             if (BUILD / re.search(PROGRAM_OF_TESTS, command).group(0).replace("build/", "")).exists():
                 self.assertIn("  ", self.paste(command + " --gtest_list_tests"), "no test has that name")
-        elif command not in NOT_PASTED:
+        elif not any(re.fullmatch(pattern, command) for pattern in NOT_PASTED):
             return command + "\n"
         return ""
 
     def test_blocks(self):
         blocks = shell_blocks()
         self.assertGreater(len(blocks), 10)
-        self.assertEqual(set(NOT_PASTED) - {c for _, b in blocks + inline_commands() for c in commands(b)}, set(),
-                         "no page shows these any more")
+        shown = [c for _, block in blocks + inline_commands() for c in commands(block)]
+        for pattern in NOT_PASTED:
+            self.assertTrue(any(re.fullmatch(pattern, c) for c in shown), f"no page shows {pattern} any more")
         for page, block in blocks:
             with self.subTest(page=page, block=block):
                 text = "".join(map(self.check, commands(block)))

@@ -79,9 +79,20 @@ class ExamplesTest(unittest.TestCase):
         self.assertTrue(0 <= float(true_error) < 1e-3, true_error)
         self.assertRegex(budget, r"^[0-3] [0-9.e-]+ (True|False)$")
 
+    def test_properties_of_the_plugins_are_its_own(self):
+        """That example needs ParaView; here its properties and their values are looked up in what ParaView reads."""
+        (block,) = fenced_blocks(text_of("Plugin/README.md"), "python")
+        properties = text_of("Plugin/Representation/TetMarch.xml")
+        for line in block.splitlines():
+            for name, value in re.findall(r"display\.(TetMarch\w+) = (.*)", line):
+                with self.subTest(property=name):
+                    self.assertIn(f'name="{name}"', properties)
+                    for text in re.findall(r'"([^"]+)"', value):
+                        self.assertIn(f'text="{text}"', properties)
+
     def test_every_example_is_here(self):
         shown = [name_of(page) for page in pages() if fenced_blocks(page.read_text(encoding="utf-8"), "python")]
-        self.assertEqual(shown, ["Documentation/AccuracyLevels.md", "README.md"])
+        self.assertEqual(shown, ["Documentation/AccuracyLevels.md", "Plugin/README.md", "README.md"])
 
 
 if __name__ == "__main__":

@@ -92,11 +92,16 @@ class PagesTest(unittest.TestCase):
                         self.assertTrue({folder.name, name_of(folder)} & words)
 
     def test_rooms_are_those_of_the_list(self):
-        lines = [line.split(maxsplit=2) for line in text_of("VTKModule/floors.txt").splitlines()
-                 if line.strip() and not line.startswith("#")]
-        rooms = [[floor, f"`{room}`", what] for floor, room, what in lines]
-        shown = [row for row in table_rows(text_of("Documentation/Architecture.md")) if row in rooms]
-        self.assertEqual(shown, sorted(rooms, key=lambda room: -int(room[0])))
+        """Both in the drawing of the floors and in the table, from the top floor down."""
+        rooms = sorted((line.split(maxsplit=2) for line in text_of("VTKModule/floors.txt").splitlines()
+                        if line.strip() and not line.startswith("#")), key=lambda room: -int(room[0]))
+        page = text_of("Documentation/Architecture.md")
+        listed = [[floor, f"`{room}`", what.strip()] for floor, room, what in rooms]
+        self.assertEqual([row for row in table_rows(page) if row[0].isdigit()], listed)
+        (drawing,) = fenced_blocks(page, "")
+        drawn = [(floor, room) for floor, names in re.findall(r"^ +(\d) +(\w[\w ]*)", drawing, re.MULTILINE)
+                 for room in names.split()]
+        self.assertEqual(drawn, [(floor, room) for floor, room, _ in rooms])
 
     def test_generated_pages_have_the_words_of_their_templates(self):
         for page, template in GENERATED.items():
