@@ -21,7 +21,7 @@ TARGETS = (
     ("vertex-shadows", "on_ratio", 1.15, "shadows at vertices, shaded frames"),
     ("occlusion", "on_ratio", 1.15, "ambient occlusion, shaded frames"),
     ("shadows-occlusion", "on_ratio", 1.15, "both, shaded frames"),
-    ("vertex-shadows", "light_base_frames", 3.0, "light of one lamp at vertices, once, base frames"),
+    ("vertex-shadows", "light_base_frames", 3.0, "one light at vertices, once, base frames"),
 )
 AGAINST_TARGET = 1.02
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws every hard case by every mapper and writes ../HardCases.md out of Page.md.
+"""Draws every hard case by every mapper and writes Documentation/HardCases.md out of HardCasesPage.md.
 
 Each picture is drawn in a process of its own, which a mapper may bring down or keep for ever. The figures of rays
 are those that `tetmarch stress` has left in BUILD/stress.json.
@@ -75,7 +75,7 @@ def row(case, what, drawings, rays):
     )
     error = f"{rays['worst_generic_error']:.1g}" if rays["group"] != "optics" else ""
     cells = [
-        f"![{case}](HardCases/Pictures/{case}.png)",
+        f"![{case}](../Testing/HardCases/Pictures/{case}.png)",
         f"**{case}**: {what}",
         f"{rays['rays'] / 1e6:.3g} M",
         str(failures),
@@ -129,7 +129,7 @@ def main():
     if options.case:
         return
 
-    page = (HERE / "Page.md").read_text()
+    page = (HERE / "HardCasesPage.md").read_text()
     head = (
         "| double precision, TetMarch, projected, Bunyk, Z-sweep | case | rays | failures | worst length error | "
         + " | ".join(NAMES.values())
@@ -141,7 +141,7 @@ def main():
     page = page.replace("@summary@", summary(results))
     page = page.replace("@rays@", f"{sum(r['rays'] for r in rays.values()):,}".replace(",", " "))
     page = page.replace("@cases@", str(len(cases)))
-    (HERE.parent / "HardCases.md").write_text(page)
+    (HERE.parents[1] / "Documentation" / "HardCases.md").write_text(page)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of VTKModule/Combinations.md: each effect of light, blend mode and view together with
+// The table of Documentation/Combinations.md: each effect of light, blend mode and view together with
 // all that cuts or hides parts of the volume.
 #include "BlendParity.h"
 #include "CutScene.h"

@@ -1,0 +1,136 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every command that a page shows is pasted into a shell, or listed here with the reason why not.
+
+    CommandsTest.py BUILD_FOLDER
+
+Commands are run in a folder with nothing but links to `build` and `Data`. What `./tetmarch` does is not run, since it
+sets machines up and builds; but it must know the command.
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from pages import PROJECT, code_words, indented_blocks, name_of, pages, text_of
+
+BUILD = None
+
+# Blocks of these lines are no commands.
+NO_SHELL = ("language", "(")
+NOT_PASTED = {  # by regular expression
+    "cmake -S . -B build -G Ninja": "configures the build that runs this test",
+    "cmake --build build.*": "builds what runs this test",
+    "cmake --install build --prefix PREFIX": "the test PackageInstall does it",
+    "cmake -S . -B build-plugin -DTETMARCH_PARAVIEW_PLUGIN=ON -DParaView_DIR=.../lib/cmake/paraview-5.11":
+        "./tetmarch paraview does it",
+    "PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 example.py": "ExamplesTest.py pastes it",
+}
+# Of Google Benchmark, not of ours.
+OTHER_OPTIONS = {"--benchmark_filter"}
+# Programs of tests run by themselves; here they are only asked which tests they would run.
+PROGRAM_OF_TESTS = r"\bbuild/bin/TetMarch\w*Tests?\b"
+
+
+def is_shell(block):
+    return not block.startswith(NO_SHELL) and re.match(r"[\w./]+[ =]", block) is not None
+
+
+def commands(block):
+    """The commands of a block, without comments; lines that end with a backslash go on."""
+    lines = re.sub(r"\\\n\s*", "", block).splitlines()
+    return [line for line in (re.sub(r"(^|\s+)#.*", "", line).strip() for line in lines) if line]
+
+
+def shell_blocks():
+    return [(name_of(page), block) for page in pages()
+            for block in indented_blocks(page.read_text(encoding="utf-8")) if is_shell(block)]
+
+
+def inline_commands():
+    return [(name_of(page), word) for page in pages() for word in code_words(page.read_text(encoding="utf-8"))
+            if re.match(r"(\./tetmarch|cmake|build/bin/[\w-]+) ", word)]
+
+
+class CommandsTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "build").symlink_to(BUILD)
+        (self.folder / "Data").symlink_to(PROJECT / "Data")
+
+    def paste(self, text):
+        result = subprocess.run(["bash", "-euc", text], cwd=self.folder, text=True, capture_output=True, timeout=600)
+        self.assertEqual(result.returncode, 0, f"{text}\n{result.stderr}")
+        return result.stdout
+
+    def known_to_the_script(self, command):
+        """Whether `./tetmarch help` has the words of the command, up to its first option or value."""
+        words = re.match(r"\./tetmarch ((?:bench )?[a-z-]+(?: --stack forky)?)", command).group(1)
+        if words not in self.help and words.startswith("bench "):
+            words = "bench"
+        return re.search(rf"^  {re.escape(words)}\b", self.help, re.MULTILINE)
+
+    @property
+    def help(self):
+        return subprocess.run([PROJECT / "tetmarch", "help"], text=True, capture_output=True, check=True).stdout
+
+    def check(self, command):
+        """Of one command; what is to be pasted is returned."""
+        if command.startswith("./tetmarch"):
+            self.assertTrue(self.known_to_the_script(command), command)
+        elif re.search(PROGRAM_OF_TESTS, command):
+            if (BUILD / re.search(PROGRAM_OF_TESTS, command).group(0).replace("build/", "")).exists():
+                self.assertIn("  ", self.paste(command + " --gtest_list_tests"), "no test has that name")
+        elif not any(re.fullmatch(pattern, command) for pattern in NOT_PASTED):
+            return command + "\n"
+        return ""
+
+    def test_blocks(self):
+        blocks = shell_blocks()
+        self.assertGreater(len(blocks), 10)
+        shown = [c for _, block in blocks + inline_commands() for c in commands(block)]
+        for pattern in NOT_PASTED:
+            self.assertTrue(any(re.fullmatch(pattern, c) for c in shown), f"no page shows {pattern} any more")
+        for page, block in blocks:
+            with self.subTest(page=page, block=block):
+                text = "".join(map(self.check, commands(block)))
+                self.paste(text)
+                for output in re.findall(r"--(?:output|stats|json) (\S+)", text):
+                    self.assertTrue((self.folder / output).exists(), output)
+
+    def test_inline_commands(self):
+        for page, command in inline_commands():
+            with self.subTest(page=page, command=command):
+                if not re.search(r"\b[A-Z]{3,}\b", command) or command.startswith("./tetmarch"):
+                    self.paste(self.check(command))
+
+    def test_demo(self):
+        """The picture of the README, by the line that the script has for it."""
+        arguments = re.search(r"^readonly DEMO=\((.*?)\)$", text_of("tetmarch"), re.MULTILINE | re.DOTALL).group(1)
+        self.paste(f"ROOT={PROJECT}\nbuild/bin/tetmarch-render {' '.join(arguments.split())} --output demo.png")
+        self.assertGreater((self.folder / "demo.png").stat().st_size, 100000)
+
+    def test_options_exist(self):
+        """Those that pages name, of whatever program of ours."""
+        known = self.help
+        for program in ("tetmarch-render", "tetmarch-bench"):
+            if (BUILD / "bin" / program).exists():
+                known += self.paste(f"build/bin/{program} --help")
+        for page in pages():
+            for word in code_words(page.read_text(encoding="utf-8")):
+                if word.startswith(("--", "tetmarch-", "build/bin/tetmarch")):
+                    for option in re.findall(r"--[a-z][a-z_-]+", word):
+                        with self.subTest(page=name_of(page), option=option):
+                            self.assertTrue(option in known or option in OTHER_OPTIONS)
+
+
+if __name__ == "__main__":
+    BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
+    os.environ.setdefault("TETMARCH_GL", "egl")
+    os.environ["DISPLAY"] = ""
+    unittest.main()

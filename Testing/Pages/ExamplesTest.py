@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The pages' Python, word for word: ExamplesTest.py BUILD_FOLDER."""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import vtkmodules.all as vtk
+
+from pages import PROJECT, fenced_blocks, indented_blocks, name_of, pages, text_of
+
+BUILD = None
+MOST_LINES = 15
+
+
+def read_pixels(path):
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
+    values = image.GetPointData().GetScalars()
+    assert values.GetNumberOfComponents() == 3
+    flat = memoryview(values).tobytes()
+    return [tuple(flat[i:i + 3]) for i in range(0, len(flat), 3)]
+
+
+def share(pixels, condition):
+    return sum(condition(*pixel) for pixel in pixels) / len(pixels)
+
+
+class ExamplesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        (cls.example,) = fenced_blocks(text_of("README.md"), "python")
+        # With the interpreter for which the package was built.
+        (command,) = re.findall(r"^PYTHONPATH=.*$", "\n".join(indented_blocks(text_of("README.md"))), re.MULTILINE)
+        cls.command = command.replace("/usr/bin/python3", sys.executable)
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "build").symlink_to(BUILD)
+        (self.folder / "Data").symlink_to(PROJECT / "Data")
+
+    def run_example(self, text):
+        """As the README says; returns what is printed."""
+        (self.folder / "example.py").write_text(text, encoding="utf-8")
+        environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+        result = subprocess.run(["bash", "-c", self.command], cwd=self.folder, env=environment, text=True,
+                                capture_output=True, timeout=600)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return result.stdout
+
+    def test_the_readmes_is_short(self):
+        self.assertLessEqual(len([line for line in self.example.splitlines() if line.strip()]), MOST_LINES)
+
+    def test_the_readmes_draws_the_volume(self):
+        self.assertEqual(self.run_example(self.example), "")
+        pictures = list(self.folder.glob("*.png"))
+        self.assertEqual(len(pictures), 1, os.listdir(self.folder))
+        pixels = read_pixels(pictures[0])
+        # The ball and the near wake are orange, the far wake is blue, most of the stream is all but black.
+        self.assertGreater(share(pixels, lambda r, g, b: r > 120 and r > 1.3 * b), 0.01)
+        self.assertGreater(share(pixels, lambda r, g, b: b > 60 and b > 1.3 * r), 0.03)
+        self.assertGreater(share(pixels, lambda r, g, b: max(r, g, b) < 32), 0.5)
+
+    def test_those_of_accuracy_go_on_from_it(self):
+        """The first prints the greatest error bound, the mean of cells, and an error; the second what a budget chose."""
+        blocks = fenced_blocks(text_of("Documentation/AccuracyLevels.md"), "python")
+        self.assertEqual(len(blocks), 3)
+        measured, true_error, budget = self.run_example(self.example + "".join(blocks)).splitlines()
+        bound, cells = map(float, measured.split())
+        self.assertTrue(0 < bound <= 1e-5 and cells > 10, measured)
+        self.assertTrue(0 <= float(true_error) < 1e-3, true_error)
+        self.assertRegex(budget, r"^[0-3] [0-9.e-]+ (True|False)$")
+
+    def test_properties_of_the_plugins_are_its_own(self):
+        """That example needs ParaView; here its properties and their values are looked up in what ParaView reads."""
+        (block,) = fenced_blocks(text_of("Plugin/README.md"), "python")
+        properties = text_of("Plugin/Representation/TetMarch.xml")
+        for line in block.splitlines():
+            for name, value in re.findall(r"display\.(TetMarch\w+) = (.*)", line):
+                with self.subTest(property=name):
+                    self.assertIn(f'name="{name}"', properties)
+                    for text in re.findall(r'"([^"]+)"', value):
+                        self.assertIn(f'text="{text}"', properties)
+
+    def test_every_example_is_here(self):
+        shown = [name_of(page) for page in pages() if fenced_blocks(page.read_text(encoding="utf-8"), "python")]
+        self.assertEqual(shown, ["Documentation/AccuracyLevels.md", "Plugin/README.md", "README.md"])
+
+
+if __name__ == "__main__":
+    BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main(verbosity=2)
