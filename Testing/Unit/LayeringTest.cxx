@@ -65,7 +65,7 @@ bool isSource(const fs::path& path)
   return path.extension() == ".h" || path.extension() == ".cxx";
 }
 
-// What the files of the rooms include.
+// The includes of all files of the folders.
 std::vector<Include> allIncludes()
 {
   std::vector<Include> found;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shot.h"
 
-#include "CutWay.h"
+#include "CutLine.h"
 #include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
 
@@ -58,7 +58,7 @@ Grid inWorld(const Shot& shot)
   return world;
 }
 
-// What comes through the parts of a way that are left, front to back.
+// The parts of a line that are left, composited front to back.
 std::array<double, 4> integrateLeft(
   const GroundTruthScene& groundTruth, const Shot& shot, const Vec3& from, const Vec3& to)
 {

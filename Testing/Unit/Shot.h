@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A small picture, by the CPU reference and by the groundTruth
+ * @brief A small picture, by the CPU reference and by the ground truth
  */
 #ifndef tetmarch_testing_Shot_h
 #define tetmarch_testing_Shot_h
@@ -38,7 +38,7 @@ struct Shot
   ScalarsOf Scalars = ScalarsOf::Points;
   vtkNew<vtkTransform> Transform;
   vtkNew<vtkCamera> Camera;
-  OpticalModel Optics;       ///< UnitDistance apart
+  OpticalModel Optics;       ///< its UnitDistance is not used
   std::vector<float> Depths; ///< of opaque geometry, a pixel each; empty: none
   ClippingOptions Cut;
   double UnitDistance = 0.25;
