@@ -18,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 #include "vtkTransform.h"
+#include "vtkVolumeProperty.h"
 
 namespace tetmarch::testing
 {
@@ -44,6 +45,18 @@ struct Shot
   double UnitDistance = 0.25;
 
   Shot();
+};
+
+/// What the CPU marches of a shot.
+struct MarchedShot
+{
+  MarchedShot(const Shot& shot, const AccuracyLevel& level);
+
+  TetMesh Mesh;
+  std::vector<float> CellScalars;
+  vtkNew<vtkVolumeProperty> Property;
+  IntegralTable Table;
+  ReferenceScene Scene; ///< refers to these, and to the shot's depths
 };
 
 /// In world coordinates, with VTK's own camera matrix.
