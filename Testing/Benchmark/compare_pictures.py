@@ -12,17 +12,15 @@ options. Which variants there are is told by tetmarch-variants: that of BUILD, o
 `compare` tells which pictures differ and by how much; the exit status is 1 if any does.
 """
 import argparse
-import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 
 import numpy as np
+from build_folders import HERE, environment_of, run_again_with_display
 from drawn_variants import missing_variants
 
-HERE = pathlib.Path(__file__).resolve().parent
-PACKAGES = "lib/python3/dist-packages"
 ABOUT = ("driver", "build")  # what isn't a picture
 
 
@@ -35,12 +33,14 @@ def draw(build, output, program, check, every):
         captures.mkdir()
         variants = subprocess.run([program, texts], check=True, stdout=subprocess.PIPE, text=True).stdout
         (folder / "variants.txt").write_text(variants)
-        environment = {**os.environ, "PYTHONPATH": str(build / PACKAGES), "PYTHONDONTWRITEBYTECODE": "1"}
+        environment = environment_of(build)
         if check:
             environment["MESA_SHADER_CAPTURE_PATH"] = str(captures)
-        subprocess.run([sys.executable, HERE.parent / "Python/with_display.py", sys.executable,
-                        HERE / "draw_pictures.py", folder / "variants.txt", output, str(every)],
-                       check=True, env=environment)
+        drawing = subprocess.run([sys.executable, HERE / "draw_pictures.py", folder / "variants.txt", output, str(every)],
+                                 env=environment, stdout=subprocess.PIPE, text=True)
+        if drawing.returncode != 0:
+            scenes = drawing.stdout.splitlines() or ["its window"]
+            sys.exit(f"{build} couldn't draw {scenes[-1]}")
         return report_missing(variants.splitlines()[::every], texts, captures, every) if check else 0
 
 
@@ -101,6 +101,7 @@ def main():
     arguments = parser.parse_args()
     if arguments.command == "compare":
         return compare(dict(arguments.first), dict(arguments.second))
+    run_again_with_display()
     build = arguments.build.resolve()
     program = (arguments.variants or build / "bin/tetmarch-variants").resolve()
     return draw(build, arguments.output.resolve(), program, arguments.check, arguments.every)

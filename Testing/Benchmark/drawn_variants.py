@@ -1,14 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Which variants of the shader were drawn, by the texts that Mesa got (MESA_SHADER_CAPTURE_PATH)."""
+import re
+
 FRAGMENT = "[fragment shader]"
 
 
 def lines_of(text):
-    """The lines of a shader, behind what VTK writes before it and without what VTK replaces."""
+    """The lines of a shader, without what VTK writes before it and with VTK's names of the outputs."""
     _, mark, rest = text.partition("#line")
-    stripped = (line.strip() for line in (mark + rest).splitlines())
-    return [line for line in stripped if line and not line.startswith(("//", "#line"))]
+    named = re.sub(r"gl_FragData\[(\d+)\]", r"fragOutput\1", mark + rest)
+    stripped = (line.strip() for line in named.splitlines())
+    return [line for line in stripped if line and not line.startswith(("//", "#line", "out vec4 fragOutput"))]
 
 
 def contains_in_order(lines, wanted):

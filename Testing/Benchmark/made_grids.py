@@ -5,7 +5,7 @@ import itertools
 
 import numpy as np
 import vtkmodules.all as vtk
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
 TETRAHEDRON = 10  # VTK_TETRA
 # Below 1/6 of the spacing no tetrahedron can turn over.
@@ -75,7 +75,7 @@ def outside_many_holes(centres):
 
 
 def points_of(grid):
-    return np.array([grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())])
+    return vtk_to_numpy(grid.GetPoints().GetData()).astype(np.float64)
 
 
 def cell_centres_of(grid):
