@@ -29,7 +29,7 @@ def picture_of_variant(window, features, number):
 
 def picks_of_variant(window, features, number):
     scene = VariantScene(features, number)
-    scene.mapper.SetPickOpacityThreshold(scene.one_of(0.5, 0.0, 0.2))
+    scene.mapper.SetPickOpacityThreshold(scene.one_of(0.1, 0.0, 0.25))
     window.show(scene)
     return {"picks": window.picks(scene)}
 
@@ -65,13 +65,13 @@ def all_scenes(variants):
 
 def main():
     variants, output, every = pathlib.Path(sys.argv[1]), sys.argv[2], int(sys.argv[3])
-    window = PictureWindow()
-    arrays = {"driver": np.array(window.gl_renderer()), "build": np.array(str(vtktetmarch.__file__))}
+    with PictureWindow() as window:
+        arrays = {"driver": np.array(window.gl_renderer()), "build": np.array(str(vtktetmarch.__file__))}
     for name, draw in list(all_scenes(variants))[::every]:
         print(name, flush=True)
         try:
-            for kind, array in draw(window).items():
-                arrays[f"{name}: {kind}"] = array
+            with PictureWindow() as window:
+                arrays.update({f"{name}: {kind}": array for kind, array in draw(window).items()})
         except (Refused, AttributeError, TypeError) as error:
             arrays[f"{name}: refused"] = np.array(str(error))
     np.savez_compressed(output, **arrays)

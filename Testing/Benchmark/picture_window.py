@@ -24,6 +24,8 @@ class Refused(Exception):
 
 
 class PictureWindow:
+    """For a `with` statement, which ends its GL context: one scene a window bounds what a driver keeps of shaders."""
+
     def __init__(self):
         self.window = vtk.vtkRenderWindow()
         self.window.SetMultiSamples(0)
@@ -31,6 +33,12 @@ class PictureWindow:
         self.window.OffScreenRenderingOn()
         self.window.SetSize(WIDTH, HEIGHT)
         self.errors = []
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_error):
+        self.window.Finalize()
 
     def gl_renderer(self):
         """The driver, as it calls itself."""
@@ -41,12 +49,7 @@ class PictureWindow:
         return "unknown"
 
     def show(self, scene):
-        """Has the window show a scene instead of the one before."""
-        renderers = self.window.GetRenderers()
-        while renderers.GetNumberOfItems() > 0:
-            self.window.RemoveRenderer(renderers.GetFirstRenderer())
         self.window.AddRenderer(scene.renderer)
-        self.errors = []
         scene.mapper.AddObserver("ErrorEvent", self.remember_error)
 
     def remember_error(self, _caller, _event, text="unknown error"):
@@ -97,8 +100,8 @@ class PictureWindow:
         self.refuse_errors()
         return vtk_to_numpy(values).reshape(HEIGHT, WIDTH, 4).copy()
 
-    def picks(self, scene, every=16):
-        """Of each 16th pixel across and up: whether the volume is hit, where, its scalar and its cell."""
+    def picks(self, scene, every=12):
+        """Of each 12th pixel across and up: whether the volume is hit, where, its scalar and its cell."""
         mapper = scene.mapper
         rows = []
         for y in range(every // 2, HEIGHT, every):
