@@ -8,6 +8,7 @@
 
 #include "Variants/ShaderSource.h"
 
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -25,8 +26,9 @@ struct Pass
   std::vector<VariantKey> Keys;
 };
 
-/// Surfaces that cast shadows are seen as well, and whether there is fma is the driver's choice.
-std::vector<VariantKey> withScenes(const std::vector<VariantKey>& keys)
+/// The variants that scenes can ask for: surfaces that cast shadows are seen as well, and whether
+/// there is fma is the driver's choice.
+std::vector<VariantKey> ofScenes(const std::vector<VariantKey>& keys)
 {
   DistinctKeys distinct;
   for (VariantKey key : keys)
@@ -38,18 +40,25 @@ std::vector<VariantKey> withScenes(const std::vector<VariantKey>& keys)
   return distinct.Keys;
 }
 
-/// Returns whether the file could be written.
-bool writeText(const std::string& file, const char* shader, VariantKey key, bool fma)
+void writeText(const std::string& file, const Pass& pass, const VariantKey& key)
 {
-  key.HasFma = fma;
-  std::ofstream text(file);
-  text << tetmarch::shaderSource(shader, key.defines());
+  std::ofstream text;
+  text.exceptions(std::ios::failbit | std::ios::badbit);
+  text.open(file);
+  text << tetmarch::shaderSource(pass.Shader, key.defines());
   text.close();
-  return text.good();
+}
+
+void writeTexts(const std::string& begin, const Pass& pass, VariantKey key)
+{
+  writeText(begin + "-portable.frag", pass, key);
+  key.HasFma = true;
+  writeText(begin + "-fma.frag", pass, key);
 }
 } // namespace
 
 int main(int count, char** arguments)
+try
 {
   if (count > 2)
   {
@@ -57,8 +66,8 @@ int main(int count, char** arguments)
     return 2;
   }
   const std::vector<Pass> passes = {
-    { "picture", "passes/march.frag.glsl", withScenes(coveringKeys(legalKeys())) },
-    { "pick", "passes/pick.frag.glsl", withScenes(coveringKeys(legalPickKeys())) },
+    { "picture", "passes/march.frag.glsl", ofScenes(coveringKeys(legalKeys())) },
+    { "pick", "passes/pick.frag.glsl", ofScenes(coveringKeys(legalPickKeys())) },
   };
   int line = 0;
   for (const Pass& pass : passes)
@@ -66,21 +75,17 @@ int main(int count, char** arguments)
     for (const VariantKey& key : pass.Keys)
     {
       std::cout << pass.Name << " " << namesOf(key) << "\n";
-      for (const bool fma : { false, true })
+      if (count == 2)
       {
-        if (count == 2)
-        {
-          const std::string file = std::string(arguments[1]) + "/" + std::to_string(line) +
-                                   (fma ? "-fma.frag" : "-portable.frag");
-          if (!writeText(file, pass.Shader, key, fma))
-          {
-            std::cerr << "tetmarch-variants: " << file << " can't be written\n";
-            return 1;
-          }
-        }
+        writeTexts(std::string(arguments[1]) + "/" + std::to_string(line), pass, key);
       }
       ++line;
     }
   }
   return 0;
+}
+catch (const std::exception& error)
+{
+  std::cerr << "tetmarch-variants: the texts can't be written: " << error.what() << "\n";
+  return 1;
 }
