@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether two builds draw the same pictures, to the last bit.
 
-    compare_pictures.py draw BUILD OUT.npz [--variants PROGRAM] [--check] [--every N]
+    compare_pictures.py draw BUILD OUT.npz [--variants PROGRAM] [--check] [--every N] [--only WORDS]
     compare_pictures.py compare A.npz B.npz
 
 `draw` has the Python package of a build folder draw a scene for each variant of the shader, picks, and scenes of other
 options. Which variants there are is told by tetmarch-variants: that of BUILD, or of another build with --variants.
---check makes sure, by the shaders that Mesa compiles, that these variants are drawn. --every N draws one scene of N.
+--check makes sure, by the shaders that Mesa compiles, that these variants are drawn. --only WORDS draws the scenes with these words in their names, --every N one of N.
 
 `compare` tells which pictures differ and by how much; the exit status is 1 if any does.
 """
@@ -24,7 +24,7 @@ from drawn_variants import missing_variants
 ABOUT = ("driver", "build")  # what isn't a picture
 
 
-def draw(build, output, program, check, every):
+def draw(build, program, arguments):
     """Returns the exit status."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
@@ -34,25 +34,28 @@ def draw(build, output, program, check, every):
         variants = subprocess.run([program, texts], check=True, stdout=subprocess.PIPE, text=True).stdout
         (folder / "variants.txt").write_text(variants)
         environment = environment_of(build)
-        if check:
+        if arguments.check:
             environment["MESA_SHADER_CAPTURE_PATH"] = str(captures)
-        drawing = subprocess.run([sys.executable, HERE / "draw_pictures.py", folder / "variants.txt", output, str(every)],
-                                 env=environment, stdout=subprocess.PIPE, text=True)
+        command = [sys.executable, HERE / "draw_pictures.py", folder / "variants.txt", arguments.output.resolve(),
+                   str(arguments.every), arguments.only]
+        drawing = subprocess.run(command, env=environment, stdout=subprocess.PIPE, text=True)
+        names = drawing.stdout.splitlines()
         if drawing.returncode != 0:
-            scenes = drawing.stdout.splitlines() or ["its window"]
-            sys.exit(f"{build} couldn't draw {scenes[-1]}")
-        return report_missing(variants.splitlines()[::every], texts, captures, every) if check else 0
+            sys.exit(f"{build} couldn't draw {names[-1] if names else 'in a window'}")
+        return report_missing(names, texts, captures) if arguments.check else 0
 
 
-def report_missing(variants, texts, captures, every):
+def report_missing(names, texts, captures):
+    """Names of variants begin with their numbers. Returns the exit status."""
     if not any(captures.iterdir()):
         print("The GL isn't Mesa's, so which variants were drawn isn't known")
         return 0
-    missing = missing_variants(texts, captures, range(0, every * len(variants), every))
+    numbered = {int(name.split()[0]): name for name in names if name[0].isdigit()}
+    missing = missing_variants(texts, captures, numbered)
     for number in missing:
-        print(f"No scene drew variant {number}: {variants[number // every]}")
+        print(f"No scene drew variant {numbered[number]}")
     if not missing:
-        print(f"All {len(variants)} variants were drawn")
+        print(f"All {len(numbered)} variants were drawn")
     return 1 if missing else 0
 
 
@@ -95,6 +98,7 @@ def main():
     drawing.add_argument("--variants", type=pathlib.Path, metavar="PROGRAM")
     drawing.add_argument("--check", action="store_true")
     drawing.add_argument("--every", type=int, default=1, metavar="N")
+    drawing.add_argument("--only", default="", metavar="WORDS")
     comparing = commands.add_parser("compare")
     comparing.add_argument("first", type=np.load)
     comparing.add_argument("second", type=np.load)
@@ -104,7 +108,7 @@ def main():
     run_again_with_display()
     build = arguments.build.resolve()
     program = (arguments.variants or build / "bin/tetmarch-variants").resolve()
-    return draw(build, arguments.output.resolve(), program, arguments.check, arguments.every)
+    return draw(build, program, arguments)
 
 
 if __name__ == "__main__":

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws all scenes with the vtktetmarch that Python finds: draw_pictures.py VARIANTS OUT.npz EVERY
+"""Draws all scenes with the vtktetmarch that Python finds: draw_pictures.py VARIANTS OUT.npz EVERY WORDS
 
 compare_pictures.py runs this with the build that is asked for. VARIANTS is a file of what tetmarch-variants printed; of
-every EVERY scenes one is drawn. A scene that the build refuses has the error instead of arrays.
+every EVERY scenes with WORDS in their names one is drawn, and its name printed. A scene that the build refuses has the
+error instead of arrays.
 """
 import pathlib
 import sys
@@ -64,10 +65,11 @@ def all_scenes(variants):
 
 
 def main():
-    variants, output, every = pathlib.Path(sys.argv[1]), sys.argv[2], int(sys.argv[3])
+    variants, output, every, words = sys.argv[1:]
+    scenes = [(name, draw) for name, draw in all_scenes(pathlib.Path(variants)) if words in name]
     with PictureWindow() as window:
         arrays = {"driver": np.array(window.gl_renderer()), "build": np.array(str(vtktetmarch.__file__))}
-    for name, draw in list(all_scenes(variants))[::every]:
+    for name, draw in scenes[::int(every)]:
         print(name, flush=True)
         try:
             with PictureWindow() as window:

@@ -7,8 +7,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 WIDTH, HEIGHT = 96, 64
 # What an older build may call the same.
-OLDER_NAMES = {"GetNumberOfLookups": "GetNumberOfEvaluations", "SetViewModeToLookups": "SetViewModeToEvaluations",
-               "RenderGroundTruth": "RenderReference"}
+OLDER_NAMES = {"GetNumberOfLookups": "GetNumberOfEvaluations", "RenderGroundTruth": "RenderReference",
+               "SetViewModeToBoundaryFaces": "SetViewModeToShellFaces",
+               "SetViewModeToBoundaryCoordinates": "SetViewModeToShellCoordinates"}
 COUNTS = ("Rays", "CrossedCells", "Lookups", "RefusedEntries", "LostRays", "GuardHits")
 
 
