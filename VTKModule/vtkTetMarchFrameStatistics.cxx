@@ -3,6 +3,7 @@
 #include "vtkTetMarchFrameStatistics.h"
 
 #include "Diagnostics/Distribution.h"
+#include "Optics/AccuracyLevel.h"
 
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
@@ -31,7 +32,8 @@ vtkStandardNewMacro(vtkTetMarchFrameStatistics);
 
 //------------------------------------------------------------------------------
 vtkTetMarchFrameStatistics::vtkTetMarchFrameStatistics()
-  : Internal(new Internals)
+  : UsedAccuracyLevel(static_cast<int>(tetmarch::Accuracy::Default))
+  , Internal(new Internals)
 {
 }
 
@@ -89,19 +91,55 @@ void vtkTetMarchFrameStatistics::Clear()
 {
   this->Internal->Quantities = {};
   this->Seconds = 0.0;
-  this->GPUMemoryBytes = 0;
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTetMarchFrameStatistics::GetUsedAccuracyLevelAsString() const
+{
+  constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference" };
+  return names[this->UsedAccuracyLevel];
 }
 
 //------------------------------------------------------------------------------
 void vtkTetMarchFrameStatistics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Seconds: " << this->Seconds << "\n";
-  os << indent << "GPUMemoryBytes: " << this->GPUMemoryBytes << "\n";
   for (int i = 0; i < static_cast<int>(Names.size()); ++i)
   {
     os << indent << Names[i] << ": " << this->GetNumberOfPixels(i) << " pixels, mean "
        << this->GetMean(i) << ", maximum " << this->GetMaximum(i) << "\n";
   }
+  os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
+  os << indent << "NumberOfCrossedCells: " << this->NumberOfCrossedCells << "\n";
+  os << indent << "NumberOfLookups: " << this->NumberOfLookups << "\n";
+  os << indent << "NumberOfRefusedEntries: " << this->NumberOfRefusedEntries << "\n";
+  os << indent << "NumberOfLostRays: " << this->NumberOfLostRays << "\n";
+  os << indent << "NumberOfGuardHits: " << this->NumberOfGuardHits << "\n";
+  os << indent << "Seconds: " << this->Seconds << "\n";
+  os << indent << "NumberOfDraws: " << this->NumberOfDraws << "\n";
+  os << indent << "UsedAccuracyLevel: " << this->GetUsedAccuracyLevelAsString() << "\n";
+  os << indent << "UsedErrorTolerance: " << this->UsedErrorTolerance << "\n";
+  os << indent << "UsedImageSampleDistance: " << this->UsedImageSampleDistance << "\n";
+  os << indent << "BudgetKept: " << (this->BudgetKept ? "Yes" : "No") << "\n";
+  os << indent << "LightComplete: " << (this->LightComplete ? "Yes" : "No") << "\n";
+  os << indent << "NumberOfTetrahedra: " << this->NumberOfTetrahedra << "\n";
+  os << indent << "NumberOfBoundaryFaces: " << this->NumberOfBoundaryFaces << "\n";
+  os << indent << "GPUMemoryBytes: " << this->GPUMemoryBytes << "\n";
+  os << indent << "UploadedBytes: " << this->UploadedBytes << "\n";
+  os << indent << "BlocksSeconds: " << this->BlocksSeconds << "\n";
+  os << indent << "MeshSeconds: " << this->MeshSeconds << "\n";
+  os << indent << "ScalarsSeconds: " << this->ScalarsSeconds << "\n";
+  os << indent << "TablesSeconds: " << this->TablesSeconds << "\n";
+  os << indent << "GradientsSeconds: " << this->GradientsSeconds << "\n";
+  os << indent << "OpaqueShadowsSeconds: " << this->OpaqueShadowsSeconds << "\n";
+  os << indent << "VertexLightSeconds: " << this->VertexLightSeconds << "\n";
+  os << indent << "UploadSeconds: " << this->UploadSeconds << "\n";
+  os << indent << "BlocksBuilds: " << this->BlocksBuilds << "\n";
+  os << indent << "MeshBuilds: " << this->MeshBuilds << "\n";
+  os << indent << "ScalarsBuilds: " << this->ScalarsBuilds << "\n";
+  os << indent << "TablesBuilds: " << this->TablesBuilds << "\n";
+  os << indent << "GradientsBuilds: " << this->GradientsBuilds << "\n";
+  os << indent << "OpaqueShadowsBuilds: " << this->OpaqueShadowsBuilds << "\n";
+  os << indent << "VertexLightBuilds: " << this->VertexLightBuilds << "\n";
 }

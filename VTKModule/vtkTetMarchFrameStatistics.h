@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchFrameStatistics
- * @brief   What the pixels of a frame of vtkTetMarchVolumeMapper cost, and how far they may be off
+ * @brief   Errors, counts, times and memory of a mapper of TetMarch and of its last frame
  *
- * Quantities are taken over the pixels whose ray met the mesh. Errors are of a channel (r, g, b,
- * opacity; 0..1) of the volume's own picture in float, before it is blended and rounded to the
- * bytes of the window.
+ * The mapper brings it up to date with each frame, and whenever it is asked for it. The mapper has
+ * the methods without an argument, too: `mapper->GetMeshSeconds()` is
+ * `mapper->GetLastFrameStatistics()->GetMeshSeconds()`.
+ *
+ * Error bounds, cells, lookups and the counts of rays are measured with CollectDiagnostics on and
+ * in view modes that draw a measure (vtkTetMarchSettings).
  *
  * @sa vtkTetMarchVolumeMapper::GetLastFrameStatistics
  */
@@ -28,13 +31,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * ERROR_BOUND: what the march knows each channel not to exceed in error, but for rounding and for
-   * what transfer functions do between the entries of their tables; see
-   * vtkTetMarchVolumeMapper::AccuracyLevelType for its formula.
-   * CELLS: tetrahedra that the ray crossed.
-   * LOOKUPS: lookups of the segment integral, each of which looks the tables up.
-   * TRUE_ERROR: the greatest error of a channel against the reference; there after
-   * vtkTetMarchVolumeMapper::CompareWithGroundTruth().
+   * Quantities of the pixels whose ray met the mesh.
+   * ERROR_BOUND: largest possible error of a channel (r, g, b, opacity; 0..1) of the volume's
+   * picture in float, before it is blended and rounded to the bytes of the window. It leaves out
+   * rounding and what transfer functions do between the entries of their tables. See
+   * vtkTetMarchSettings::AccuracyLevelType for its formula.
+   * CELLS: cells that the ray crossed (tetrahedra of an unstructured grid).
+   * LOOKUPS: lookups of the segment integral.
+   * TRUE_ERROR: largest error of a channel against the ground truth. Measured by
+   * vtkTetMarchVolumeMapper::CompareWithGroundTruth() only.
    */
   enum QuantityType
   {
@@ -45,14 +50,15 @@ public:
   };
 
   /**
-   * Pixels whose ray met the mesh, and of which there is that quantity; 0 if it was not measured.
+   * Number of pixels for which the quantity was measured in the last frame; 0 if it was not
+   * measured.
    */
   vtkIdType GetNumberOfPixels(int quantity) const;
 
   //@{
   /**
-   * Of a quantity over those pixels; 0 if there are none. Percent 0..100: the least value that so
-   * many of the pixels don't exceed.
+   * The quantity over those pixels; 0 if there are none. Percent, 0..100: the least value that is
+   * not below those of this share of the pixels.
    */
   double GetMinimum(int quantity) const;
   double GetMean(int quantity) const;
@@ -63,33 +69,198 @@ public:
 
   //@{
   /**
-   * Seconds that the frame took without what was measured on the side, and bytes that the mapper
-   * held on the GPU.
+   * Sums over the pixels of the last frame: rays that entered the mesh, cells crossed, and lookups
+   * of the segment integral. 0 if they were not counted.
+   */
+  vtkGetMacro(NumberOfRays, vtkTypeInt64);
+  vtkGetMacro(NumberOfCrossedCells, vtkTypeInt64);
+  vtkGetMacro(NumberOfLookups, vtkTypeInt64);
+  //@}
+
+  //@{
+  /**
+   * Sums over the pixels of the last frame: rays that entered by another face than the rasteriser
+   * named, which a search had to find (few), rays that came to a face without exit (lost), and rays
+   * that the step guard stopped. The last two are 0 unless something is wrong.
+   */
+  vtkGetMacro(NumberOfRefusedEntries, vtkTypeInt64);
+  vtkGetMacro(NumberOfLostRays, vtkTypeInt64);
+  vtkGetMacro(NumberOfGuardHits, vtkTypeInt64);
+  //@}
+
+  //@{
+  /**
+   * Seconds of the last frame without diagnostics, and the number of draw calls in which it was
+   * marched, up to its end or to where it was aborted; 0 if nothing was drawn.
    */
   vtkGetMacro(Seconds, double);
+  vtkGetMacro(NumberOfDraws, int);
+  //@}
+
+  //@{
+  /**
+   * Accuracy level (vtkTetMarchSettings::AccuracyLevelType) and error tolerance of the last frame,
+   * set or chosen for a budget. A tolerance of 0 is that of FAST, which promises no error. Before
+   * the first frame: DEFAULT and 1/255.
+   */
+  vtkGetMacro(UsedAccuracyLevel, int);
+  const char* GetUsedAccuracyLevelAsString() const;
+  vtkGetMacro(UsedErrorTolerance, double);
+  //@}
+
+  //@{
+  /**
+   * Distance between rays in the last frame, in pixels. Default: 1.
+   */
+  vtkGetMacro(UsedImageSampleDistance, double);
+  //@}
+
+  //@{
+  /**
+   * Whether the last frame was drawn to its end and kept the budgets that are set: FrameTimeBudget
+   * by its time, whatever else was done in it; ErrorBudget by the tolerance it was drawn with, and
+   * with CollectDiagnostics also by the error bounds of its pixels.
+   */
+  vtkGetMacro(BudgetKept, bool);
+  //@}
+
+  //@{
+  /**
+   * Whether the last frame showed all light at vertices as it is now; if not, further frames will.
+   */
+  vtkGetMacro(LightComplete, bool);
+  //@}
+
+  //@{
+  /**
+   * Size of the mesh that was prepared for the last frame; 0 before the first.
+   */
+  vtkGetMacro(NumberOfTetrahedra, vtkIdType);
+  vtkGetMacro(NumberOfBoundaryFaces, vtkIdType);
+  //@}
+
+  //@{
+  /**
+   * Bytes of buffers and textures that the mapper holds on the GPU now.
+   */
   vtkGetMacro(GPUMemoryBytes, vtkTypeInt64);
   //@}
 
   //@{
   /**
-   * For the mapper: values of a quantity, one a pixel; negative where the ray met nothing.
+   * Bytes that the mapper has uploaded to the GPU since it was created.
    */
-  void SetValues(int quantity, vtkFloatArray* values);
-  vtkSetMacro(Seconds, double);
-  vtkSetMacro(GPUMemoryBytes, vtkTypeInt64);
+  vtkGetMacro(UploadedBytes, vtkTypeInt64);
   //@}
 
+  //@{
   /**
-   * Forget all that was measured.
+   * Seconds that each stage took when it ran last: joining the blocks of composite input, mesh
+   * (decomposition, links, boundary), scalars, transfer function tables, gradients, shadows of
+   * opaque geometry, light at vertices, upload to the GPU.
    */
+  vtkGetMacro(BlocksSeconds, double);
+  vtkGetMacro(MeshSeconds, double);
+  vtkGetMacro(ScalarsSeconds, double);
+  vtkGetMacro(TablesSeconds, double);
+  vtkGetMacro(GradientsSeconds, double);
+  vtkGetMacro(OpaqueShadowsSeconds, double);
+  vtkGetMacro(VertexLightSeconds, double);
+  vtkGetMacro(UploadSeconds, double);
+  //@}
+
+  //@{
+  /**
+   * How often each stage ran since the mapper was created. A new camera raises none of these
+   * counts, new transfer functions only the tables', new scalars on the same mesh only the
+   * scalars'.
+   */
+  vtkGetMacro(BlocksBuilds, vtkTypeInt64);
+  vtkGetMacro(MeshBuilds, vtkTypeInt64);
+  vtkGetMacro(ScalarsBuilds, vtkTypeInt64);
+  vtkGetMacro(TablesBuilds, vtkTypeInt64);
+  vtkGetMacro(GradientsBuilds, vtkTypeInt64);
+  vtkGetMacro(OpaqueShadowsBuilds, vtkTypeInt64);
+  vtkGetMacro(VertexLightBuilds, vtkTypeInt64);
+  //@}
+
+  //@{
+  /**
+   * For the mapper. SetValues(): values of a quantity, one a pixel, negative where the ray met
+   * nothing. Clear(): forget what was measured of the pixels, and the seconds of the frame.
+   */
+  void SetValues(int quantity, vtkFloatArray* values);
   void Clear();
+  vtkSetMacro(NumberOfRays, vtkTypeInt64);
+  vtkSetMacro(NumberOfCrossedCells, vtkTypeInt64);
+  vtkSetMacro(NumberOfLookups, vtkTypeInt64);
+  vtkSetMacro(NumberOfRefusedEntries, vtkTypeInt64);
+  vtkSetMacro(NumberOfLostRays, vtkTypeInt64);
+  vtkSetMacro(NumberOfGuardHits, vtkTypeInt64);
+  vtkSetMacro(Seconds, double);
+  vtkSetMacro(NumberOfDraws, int);
+  vtkSetClampMacro(UsedAccuracyLevel, int, 0, 3);
+  vtkSetMacro(UsedErrorTolerance, double);
+  vtkSetMacro(UsedImageSampleDistance, double);
+  vtkSetMacro(BudgetKept, bool);
+  vtkSetMacro(LightComplete, bool);
+  vtkSetMacro(NumberOfTetrahedra, vtkIdType);
+  vtkSetMacro(NumberOfBoundaryFaces, vtkIdType);
+  vtkSetMacro(GPUMemoryBytes, vtkTypeInt64);
+  vtkSetMacro(UploadedBytes, vtkTypeInt64);
+  vtkSetMacro(BlocksSeconds, double);
+  vtkSetMacro(MeshSeconds, double);
+  vtkSetMacro(ScalarsSeconds, double);
+  vtkSetMacro(TablesSeconds, double);
+  vtkSetMacro(GradientsSeconds, double);
+  vtkSetMacro(OpaqueShadowsSeconds, double);
+  vtkSetMacro(VertexLightSeconds, double);
+  vtkSetMacro(UploadSeconds, double);
+  vtkSetMacro(BlocksBuilds, vtkTypeInt64);
+  vtkSetMacro(MeshBuilds, vtkTypeInt64);
+  vtkSetMacro(ScalarsBuilds, vtkTypeInt64);
+  vtkSetMacro(TablesBuilds, vtkTypeInt64);
+  vtkSetMacro(GradientsBuilds, vtkTypeInt64);
+  vtkSetMacro(OpaqueShadowsBuilds, vtkTypeInt64);
+  vtkSetMacro(VertexLightBuilds, vtkTypeInt64);
+  //@}
 
 protected:
   vtkTetMarchFrameStatistics();
   ~vtkTetMarchFrameStatistics() override;
 
-  double Seconds = 0.0;
+  vtkTypeInt64 NumberOfRays = 0;
+  vtkTypeInt64 NumberOfCrossedCells = 0;
+  vtkTypeInt64 NumberOfLookups = 0;
+  vtkTypeInt64 NumberOfRefusedEntries = 0;
+  vtkTypeInt64 NumberOfLostRays = 0;
+  vtkTypeInt64 NumberOfGuardHits = 0;
+  double Seconds = 0;
+  int NumberOfDraws = 0;
+  int UsedAccuracyLevel;
+  double UsedErrorTolerance = 1.0 / 255.0;
+  double UsedImageSampleDistance = 1;
+  bool BudgetKept = false;
+  bool LightComplete = true;
+  vtkIdType NumberOfTetrahedra = 0;
+  vtkIdType NumberOfBoundaryFaces = 0;
   vtkTypeInt64 GPUMemoryBytes = 0;
+  vtkTypeInt64 UploadedBytes = 0;
+  double BlocksSeconds = 0;
+  double MeshSeconds = 0;
+  double ScalarsSeconds = 0;
+  double TablesSeconds = 0;
+  double GradientsSeconds = 0;
+  double OpaqueShadowsSeconds = 0;
+  double VertexLightSeconds = 0;
+  double UploadSeconds = 0;
+  vtkTypeInt64 BlocksBuilds = 0;
+  vtkTypeInt64 MeshBuilds = 0;
+  vtkTypeInt64 ScalarsBuilds = 0;
+  vtkTypeInt64 TablesBuilds = 0;
+  vtkTypeInt64 GradientsBuilds = 0;
+  vtkTypeInt64 OpaqueShadowsBuilds = 0;
+  vtkTypeInt64 VertexLightBuilds = 0;
 
 private:
   vtkTetMarchFrameStatistics(const vtkTetMarchFrameStatistics&) = delete;

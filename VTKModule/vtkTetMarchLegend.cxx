@@ -10,7 +10,7 @@
 
 namespace
 {
-// nullptr: the colours of the mode are no scale of anything.
+// nullptr if the mode draws no measure.
 const char* titleOf(int viewMode)
 {
   switch (viewMode)
@@ -33,10 +33,10 @@ vtkStandardNewMacro(vtkTetMarchLegend);
 vtkTetMarchLegend::vtkTetMarchLegend()
 {
   this->SetLabelFormat("%.3g");
-  this->UnconstrainedFontSizeOn(); // else counts are larger than the title
+  this->UnconstrainedFontSizeOn(); // else the labels of counts are larger than the title
   for (vtkTextProperty* text : { this->TitleTextProperty, this->LabelTextProperty })
   {
-    text->SetFontSize(12); // with a shadow, which makes it legible on the brightest view
+    text->SetFontSize(12); // text has a shadow, which makes it legible on bright colours
     text->BoldOff();
     text->ItalicOff();
   }
@@ -83,7 +83,7 @@ int vtkTetMarchLegend::RenderOverlay(vtkViewport* viewport)
   }
   this->SetTitle(titleOf(this->Mapper->GetViewMode()));
   this->SetLookupTable(this->Mapper->GetViewLookupTable());
-  // Laid out anew here, since with opaque geometry there is no frame yet.
+  // The layout depends on this frame, so it is made here and not with opaque geometry.
   return this->RebuildLayoutIfNeeded(viewport) ? this->Superclass::RenderOverlay(viewport) : 0;
 }
 

@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchLegend
- * @brief   What the colours of a view mode of vtkTetMarchVolumeMapper mean
+ * @brief   Scalar bar for the view modes of vtkTetMarchVolumeMapper that draw a measure
  *
- * A scalar bar that takes its title, colours, scale and range from the frame that the mapper drew
- * last. Add it to the renderer of the volume: it is drawn over the volume, after it, so that it is
- * never a frame late. It draws nothing if the last frame was not one of a view mode that shows a
- * measure, or met no part of the mesh. Place, size and text properties are those of every
- * vtkScalarBarActor.
+ * Title, colours, scale and range are those of the last frame of the mapper. Add the legend to the
+ * renderer of the volume. It is drawn after the volume, and so shows the same frame. It draws
+ * nothing if the last frame drew no measure, or if no ray met the mesh. Place, size and text
+ * properties are those of every vtkScalarBarActor.
  *
- * For its text, a program has to load VTK::RenderingFreeType (vtk_module_autoinit in CMake); the
- * Python package does.
+ * Its text needs VTK::RenderingFreeType: a C++ program names it in vtk_module_autoinit(); the
+ * Python package loads it.
  *
- * @sa vtkTetMarchVolumeMapper::SetViewMode
+ * @sa vtkTetMarchSettings::SetViewMode
  */
 #ifndef vtkTetMarchLegend_h
 #define vtkTetMarchLegend_h
@@ -33,21 +32,20 @@ public:
 
   //@{
   /**
-   * The mapper that draws the views; none by default. It is not kept alive: once it is deleted,
-   * there is none.
+   * The mapper that draws the view; null by default. The legend does not keep the mapper alive.
    */
   void SetMapper(vtkTetMarchVolumeMapper* mapper);
   vtkTetMarchVolumeMapper* GetMapper() const;
   //@}
 
   /**
-   * Whether there is anything to explain: the last frame of the mapper showed a measure.
+   * Whether the legend is drawn: the last frame of the mapper drew a measure.
    */
   bool IsShown() const;
 
   //@{
   /**
-   * Draw the bar over the volumes, if it is shown; nothing of it is opaque geometry.
+   * Draw the bar over the volumes if IsShown(). It has no opaque geometry.
    */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderOverlay(vtkViewport* viewport) override;

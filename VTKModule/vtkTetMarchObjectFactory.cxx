@@ -36,7 +36,7 @@ vtkTetMarchObjectFactory* registeredFactory()
 
 bool isWanted(const char* value) { return value && *value && std::string(value) != "0"; }
 
-// When the library is loaded.
+// Evaluated when the library is loaded.
 const bool IsAskedFor = []
 {
   const bool wanted = isWanted(std::getenv("TETMARCH_REPLACE_PROJECTED_TETRAHEDRA"));
@@ -62,7 +62,7 @@ vtkTetMarchObjectFactory::vtkTetMarchObjectFactory()
 vtkTetMarchObjectFactory::~vtkTetMarchObjectFactory() = default;
 
 //------------------------------------------------------------------------------
-// Of factories that have something to offer, the first one is asked: those before must not.
+// VTK uses the first factory that overrides the class, so the overrides of others are disabled.
 void vtkTetMarchObjectFactory::SetReplacesProjectedTetrahedra(bool replaces)
 {
   vtkTetMarchObjectFactory* present = registeredFactory();

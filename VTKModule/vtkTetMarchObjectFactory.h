@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchObjectFactory
- * @brief   Gives code that asks for a vtkProjectedTetrahedraMapper one that marches
+ * @brief   Replaces vtkProjectedTetrahedraMapper by vtkTetMarchProjectedTetrahedraMapper
  *
- * Off by default. SetReplacesProjectedTetrahedra(true), or the environment variable
- * TETMARCH_REPLACE_PROJECTED_TETRAHEDRA when this library is loaded (anything but empty or 0),
- * makes vtkProjectedTetrahedraMapper::New() return a vtkTetMarchProjectedTetrahedraMapper from then
- * on, whatever code calls it: a user's, VTK's or ParaView's. Mappers that are there stay.
+ * Off by default. After SetReplacesProjectedTetrahedra(true), vtkProjectedTetrahedraMapper::New()
+ * returns a vtkTetMarchProjectedTetrahedraMapper to all callers: a user's code, VTK's or
+ * ParaView's. The environment variable TETMARCH_REPLACE_PROJECTED_TETRAHEDRA does the same when
+ * this library is loaded, unless it is empty or 0. Existing mappers stay as they are.
  *
  * @sa vtkTetMarchProjectedTetrahedraMapper vtkObjectFactory
  */
@@ -26,19 +26,20 @@ public:
 
   //@{
   /**
-   * Whether vtkProjectedTetrahedraMapper::New() makes one that marches. Off by default.
+   * Whether vtkProjectedTetrahedraMapper::New() returns a vtkTetMarchProjectedTetrahedraMapper. Off
+   * by default.
    */
   static void SetReplacesProjectedTetrahedra(bool replaces);
   static bool GetReplacesProjectedTetrahedra();
   //@}
 
   /**
-   * Which VTK this was built with, so that no other one takes it.
+   * Version of the VTK that this was built with. VTK refuses factories of other versions.
    */
   const char* GetVTKSourceVersion() override;
 
   /**
-   * The name by which VTK's list of factories tells it from others.
+   * The name of this factory in VTK's list of factories.
    */
   const char* GetDescription() override;
 

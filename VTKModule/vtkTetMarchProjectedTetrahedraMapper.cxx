@@ -30,7 +30,7 @@ vtkTetMarchProjectedTetrahedraMapper::vtkTetMarchProjectedTetrahedraMapper()
 vtkTetMarchProjectedTetrahedraMapper::~vtkTetMarchProjectedTetrahedraMapper() = default;
 
 //------------------------------------------------------------------------------
-// Who observes this mapper knows nothing of the other one.
+// Observers of this mapper get the events of the marching mapper.
 void vtkTetMarchProjectedTetrahedraMapper::ForwardEvent(
   vtkObject* vtkNotUsed(from), unsigned long event, void* data)
 {

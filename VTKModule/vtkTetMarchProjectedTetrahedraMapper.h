@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchProjectedTetrahedraMapper
- * @brief   A vtkProjectedTetrahedraMapper that is none: vtkTetMarchVolumeMapper draws
+ * @brief   A vtkProjectedTetrahedraMapper that draws by a vtkTetMarchVolumeMapper
  *
- * For code that creates a vtkProjectedTetrahedraMapper and is not to be changed;
- * vtkTetMarchObjectFactory puts it in that one's place. What was set of scalars, clipping planes
- * and blend mode is what the marching mapper gets in each Render(); its own properties, such as
- * accuracy and light, are set at GetMarchingMapper(). The visibility sort has no use.
+ * For code that creates a vtkProjectedTetrahedraMapper and cannot be changed:
+ * vtkTetMarchObjectFactory creates this class instead. Each Render() hands the input, the choice of
+ * scalars, the clipping planes and the blend mode to the marching mapper. Accuracy, light and other
+ * settings are those of GetMarchingMapper(). The visibility sort is not used.
  *
  * @sa vtkTetMarchObjectFactory vtkTetMarchVolumeMapper
  */
@@ -29,7 +29,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Render the volume as vtkTetMarchVolumeMapper does, and take over the time that it took.
+   * Render the volume by the marching mapper, and take its TimeToDraw.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
@@ -39,12 +39,13 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
-   * Also that of the marching mapper, whose properties change what is drawn.
+   * The later of the times of this mapper and of the marching mapper.
    */
   vtkMTimeType GetMTime() override;
 
   /**
-   * Whether the window draws by OpenGL; whether its version will do is known in the first frame.
+   * Whether the window draws by OpenGL. Whether its version is sufficient is known after the first
+   * frame.
    */
   bool IsSupported(vtkRenderWindow* window) override;
 

@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkTetMarchVolumeMapperOptions.h"
+#include "vtkTetMarchVolumeMapperInternals.h"
 
 #include "Blocks/MissingScalars.h"
-#include "Diagnostics/ViewColors.h"
-#include "GL/FrameFigures.h"
+#include "Mapper/FrameOptions.h"
 #include "Mesh/MeshReport.h"
 #include "Picking/SelectedCells.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderUtilities.h"
@@ -31,15 +29,36 @@ tetmarch::ScalarSelection selectionOf(vtkTetMarchVolumeMapper* mapper)
   return { mapper->GetScalarMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
     mapper->GetArrayName() };
 }
+
+tetmarch::VectorOptions vectorOptionsOf(vtkTetMarchVolumeMapper* mapper)
+{
+  return { static_cast<tetmarch::VectorMode>(mapper->GetVectorMode()),
+    mapper->GetVectorComponent() };
+}
+
+tetmarch::BlendOptions blendOptionsOf(vtkTetMarchVolumeMapper* mapper)
+{
+  const double* range = mapper->GetAverageIPScalarRange();
+  return { mapper->GetBlendMode(), { { range[0], range[1] } } };
+}
+
+tetmarch::ClippingOptions clippingOptionsOf(vtkTetMarchVolumeMapper* mapper)
+{
+  tetmarch::ClippingOptions options;
+  options.Planes = mapper->GetClippingPlanes();
+  options.Cropping = mapper->GetCropping();
+  mapper->GetCroppingRegionPlanes(options.CroppingPlanes.data());
+  options.CroppingFlags = mapper->GetCroppingRegionFlags();
+  return options;
+}
 } // namespace
 
 vtkStandardNewMacro(vtkTetMarchVolumeMapper);
 
 //------------------------------------------------------------------------------
 vtkTetMarchVolumeMapper::vtkTetMarchVolumeMapper()
-  : Internal(new Internals)
+  : Internal(new Internals(this))
 {
-  tetmarch::setViewColors(this->Internal->ViewTable);
 }
 
 //------------------------------------------------------------------------------
@@ -58,26 +77,21 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return;
   }
   const vtkOpenGLState::ScopedglActiveTexture unit(window->GetState()); // uploads choose others
-  tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
-  tetmarch::AccuracyController& choice = this->Internal->Choice;
-  // A selection leaves what is known of the last frame, and takes its tables.
-  tetmarch::AccuracyLevel level = choice.used().level();
-  if (selector)
+  this->Internal->begin(selector != nullptr);
+  std::string error;
+  if (vtkUnstructuredGrid* grid = this->FindGrid(error))
   {
-    pipeline.beginPick(static_cast<std::uint64_t>(this->MaxMemoryInBytes));
+    error = this->RenderGrid(grid, window, renderer, volume);
   }
-  else
-  {
-    pipeline.begin(static_cast<std::uint64_t>(this->MaxMemoryInBytes));
-    level = choice.begin({ static_cast<tetmarch::Accuracy>(this->AccuracyLevel),
-      this->ErrorTolerance, this->FrameTimeBudget, this->ErrorBudget });
-    this->Internal->Statistics->Clear();
-  }
-  vtkUnstructuredGrid* grid = this->FindGrid();
-  if (!grid)
-  {
-    return;
-  }
+  this->Internal->recordStatistics();
+  this->ReportOnce(error);
+  this->ReportWarnings();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid,
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
+{
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
 
@@ -89,55 +103,40 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return !window->CheckAbortStatus();
   };
 
+  tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
+  const tetmarch::AccuracyLevel& level = this->Internal->Level;
+  const tetmarch::BlendOptions blend = blendOptionsOf(this);
   const tetmarch::PeelHooks hooks(volume, this);
-  const Internals::FrameOptions options(this, renderer, volume, level, hooks);
+  tetmarch::FrameOptions options(this->GetSettings(), static_cast<tetmarch::BlendMode>(blend.Mode),
+    renderer, level, hooks, this->Internal->ViewTable);
+  options.chooseSampleDistance(
+    this->GetSettings(), this->Internal->Distance, volume->GetAllocatedRenderTime());
   vtkVolumeProperty* property = volume->GetProperty();
   const bool drawn =
     scalars && pipeline.updateMesh(grid, progress) && pipeline.updateHiddenCells(grid) &&
-    pipeline.updateScalars(grid, scalars, cellScalars == 1, options.Vector, property) &&
-    pipeline.updateBlending(property, options.Blend) &&
-    pipeline.updateTables(property, options.Law, level, this->DrawNanCells) &&
+    pipeline.updateScalars(grid, scalars, cellScalars == 1, vectorOptionsOf(this), property) &&
+    pipeline.updateBlending(property, blend) &&
+    pipeline.updateTables(property, options.Law, level, options.DrawNanCells) &&
     pipeline.updateEffects(renderer, volume, options.Effects) &&
-    pipeline.updateView(renderer, volume) && pipeline.updateClipping(volume, options.Clipping) &&
-    pipeline.upload(window) &&
-    (selector ? this->Internal->select(renderer, volume, options.Draw, progress)
-              : pipeline.draw(window, renderer, options.Draw, progress));
-  this->ReportError(
-    scalars ? pipeline.error() : tetmarch::describeMissingScalars(grid, selectionOf(this)));
-  this->ReportMesh();
-  if (selector)
+    pipeline.updateView(renderer, volume) &&
+    pipeline.updateClipping(volume, clippingOptionsOf(this)) && pipeline.upload(window) &&
+    (renderer->GetSelector() ? this->Internal->select(renderer, volume, options.Draw, progress)
+                             : pipeline.draw(window, renderer, options.Draw, progress));
+  if (!renderer->GetSelector())
   {
-    return;
-  }
-
-  if (drawn)
-  {
-    glFinish();
-    if (pipeline.numberOfDraws() > 1)
+    if (drawn)
     {
-      this->UpdateProgress(1.0);
+      glFinish();
+      if (pipeline.numberOfDraws() > 1)
+      {
+        this->UpdateProgress(1.0);
+      }
     }
+    timer->StopTimer();
+    this->TimeToDraw = timer->GetElapsedTime();
+    this->Internal->end(options, drawn, this->TimeToDraw);
   }
-  timer->StopTimer();
-  this->TimeToDraw = timer->GetElapsedTime();
-  const double aside = options.Draw.View ? 0.0 : pipeline.counted().seconds();
-  const double seconds = this->TimeToDraw - aside;
-  vtkTetMarchFrameStatistics* statistics = this->Internal->Statistics;
-  if (drawn)
-  {
-    tetmarch::takeMeasures(pipeline.counted(), statistics);
-    statistics->SetSeconds(seconds);
-    statistics->SetGPUMemoryBytes(this->GetGPUMemoryBytes());
-  }
-  this->Internal->UsedSampleDistance = options.Draw.SampleDistance;
-  if (drawn && options.MarchesPicture &&
-      (pipeline.onlyDrew() || !this->Internal->Distance.knowsTime()))
-  {
-    this->Internal->Distance.drawn(options.Draw.SampleDistance, seconds);
-  }
-  choice.end({ drawn, options.MarchesPicture && options.Draw.SampleDistance == 1,
-    pipeline.onlyDrew(), seconds, statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND),
-    pipeline.subject() });
+  return scalars ? pipeline.error() : tetmarch::describeMissingScalars(grid, selectionOf(this));
 }
 
 //------------------------------------------------------------------------------
@@ -162,57 +161,31 @@ int vtkTetMarchVolumeMapper::FillInputPortInformation(int port, vtkInformation* 
 }
 
 //------------------------------------------------------------------------------
-vtkTetMarchFrameStatistics* vtkTetMarchVolumeMapper::GetLastFrameStatistics()
+void vtkTetMarchVolumeMapper::SetSettings(vtkTetMarchSettings* settings)
 {
+  this->Internal->Settings.set(settings);
+}
+vtkTetMarchSettings* vtkTetMarchVolumeMapper::GetSettings() const
+{
+  return this->Internal->Settings.get();
+}
+
+//------------------------------------------------------------------------------
+vtkTetMarchFrameStatistics* vtkTetMarchVolumeMapper::GetLastFrameStatistics() const
+{
+  this->Internal->recordStatistics();
   return this->Internal->Statistics;
 }
 
 //------------------------------------------------------------------------------
-bool vtkTetMarchVolumeMapper::RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels)
-{
-  tetmarch::ReferenceImage image;
-  if (vtkOpenGLRenderWindow* window = this->Internal->Pipeline.window())
-  {
-    window->MakeCurrent();
-  }
-  if (!volume || !this->Internal->Pipeline.renderReference(volume->GetProperty(),
-                   static_cast<tetmarch::OpacityLaw>(this->OpacityLaw), image))
-  {
-    vtkErrorMacro("No reference picture: " << (volume ? this->Internal->Pipeline.error()
-                                                      : std::string("no volume was given.")));
-    return false;
-  }
-  pixels->SetNumberOfComponents(4);
-  pixels->SetNumberOfTuples(static_cast<vtkIdType>(image.Pixels.size() / 4));
-  std::copy(image.Pixels.begin(), image.Pixels.end(), pixels->GetPointer(0));
-  return true;
-}
+vtkLookupTable* vtkTetMarchVolumeMapper::GetViewLookupTable() { return this->Internal->ViewTable; }
 
 //------------------------------------------------------------------------------
-bool vtkTetMarchVolumeMapper::CompareWithGroundTruth(vtkVolume* volume)
-{
-  const tetmarch::Diagnostics& counted = this->Internal->Pipeline.counted();
-  if (counted.measures().empty())
-  {
-    vtkErrorMacro("There is no frame to compare: switch CollectDiagnostics on and render first.");
-    return false;
-  }
-  vtkNew<vtkFloatArray> reference;
-  if (!this->RenderGroundTruth(volume, reference))
-  {
-    return false;
-  }
-  tetmarch::takeTrueErrors(counted, reference, this->Internal->Statistics);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-vtkUnstructuredGrid* vtkTetMarchVolumeMapper::FindGrid()
+vtkUnstructuredGrid* vtkTetMarchVolumeMapper::FindGrid(std::string& error)
 {
   vtkDataObject* input = this->GetDataObjectInput();
   auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
   tetmarch::JoinedBlocks& blocks = this->Internal->Blocks;
-  std::string error;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
     error = blocks.update(composite, selectionOf(this));
@@ -226,20 +199,7 @@ vtkUnstructuredGrid* vtkTetMarchVolumeMapper::FindGrid()
                      ", but only a vtkUnstructuredGrid can be drawn, or blocks. vtkAppendFilter "
                      "makes one of any data set.";
   }
-  if (blocks.omissions() != this->Internal->LastOmissions)
-  {
-    this->Internal->LastOmissions = blocks.omissions();
-    if (!blocks.omissions().empty())
-    {
-      vtkWarningMacro(<< blocks.omissions());
-    }
-  }
-  if (grid && grid->GetNumberOfCells() > 0)
-  {
-    return grid;
-  }
-  this->ReportError(error);
-  return nullptr;
+  return grid && grid->GetNumberOfCells() > 0 ? grid : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -256,29 +216,26 @@ vtkDataArray* vtkTetMarchVolumeMapper::FindScalars(vtkUnstructuredGrid* grid, in
 }
 
 //------------------------------------------------------------------------------
-void vtkTetMarchVolumeMapper::ReportError(const std::string& error)
+void vtkTetMarchVolumeMapper::ReportOnce(const std::string& error)
 {
-  if (error != this->Internal->LastError)
+  if (this->Internal->LastError.changesTo(error))
   {
-    this->Internal->LastError = error;
-    if (!error.empty())
-    {
-      vtkErrorMacro(<< error);
-    }
+    vtkErrorMacro(<< error);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkTetMarchVolumeMapper::ReportMesh()
+void vtkTetMarchVolumeMapper::ReportWarnings()
 {
-  const std::string report = tetmarch::describe(this->Internal->Pipeline.mesh().Report);
-  if (report != this->Internal->LastReport)
+  const std::string& omissions = this->Internal->Blocks.omissions();
+  if (this->Internal->LastOmissions.changesTo(omissions))
   {
-    this->Internal->LastReport = report;
-    if (!report.empty())
-    {
-      vtkWarningMacro(<< report);
-    }
+    vtkWarningMacro(<< omissions);
+  }
+  const std::string report = tetmarch::describe(this->Internal->Pipeline.mesh().Report);
+  if (this->Internal->LastMeshReport.changesTo(report))
+  {
+    vtkWarningMacro(<< report);
   }
 }
 
@@ -292,4 +249,48 @@ void vtkTetMarchVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
     this->Internal->Pipeline.release(holder);
   }
   this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTetMarchVolumeMapper::GetBlendModeAsString() const
+{
+  constexpr const char* names[] = { "Composite", "MaximumIntensity", "MinimumIntensity",
+    "AverageIntensity", "Additive", "IsoSurface" };
+  return this->BlendMode >= COMPOSITE_BLEND && this->BlendMode <= ISOSURFACE_BLEND
+           ? names[this->BlendMode]
+           : "Unknown";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTetMarchVolumeMapper::GetVectorModeAsString() const
+{
+  constexpr const char* names[] = { "Disabled", "Magnitude", "Component", "AllComponents" };
+  return names[this->VectorMode - DISABLED];
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BlendMode: " << this->GetBlendModeAsString() << "\n";
+  os << indent << "AverageIPScalarRange: " << this->AverageIPScalarRange[0] << ", "
+     << this->AverageIPScalarRange[1] << "\n";
+  os << indent << "VectorMode: " << this->GetVectorModeAsString() << "\n";
+  os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "Cropping: " << (this->Cropping ? "On" : "Off") << "\n";
+  os << indent << "CroppingRegionPlanes:";
+  for (double plane : this->CroppingRegionPlanes)
+  {
+    os << ' ' << plane;
+  }
+  os << "\n" << indent << "CroppingRegionFlags: " << this->CroppingRegionFlags << "\n";
+  os << indent << "PickedPosition: " << this->PickedPosition[0] << ", " << this->PickedPosition[1]
+     << ", " << this->PickedPosition[2] << "\n";
+  os << indent << "PickedScalar: " << this->PickedScalar << "\n";
+  os << indent << "PickedCellId: " << this->PickedCellId << "\n";
+  os << indent << "PickedBlock: " << this->PickedBlock << "\n";
+  os << indent << "Settings: " << this->GetSettings() << "\n";
+  this->GetSettings()->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "LastFrameStatistics: " << this->GetLastFrameStatistics() << "\n";
+  this->GetLastFrameStatistics()->PrintSelf(os, indent.GetNextIndent());
 }

@@ -15,7 +15,8 @@
 
 namespace
 {
-// Volumes of levels of detail, such as ParaView's, have another one draw, which is as they are.
+// A volume with levels of detail, such as ParaView's, is drawn by another vtkVolume with the same
+// property and matrix.
 bool drawsLike(vtkVolume* drawn, vtkVolume* asked)
 {
   const auto sameMatrix = [](const vtkMatrix4x4* a, const vtkMatrix4x4* b)
@@ -70,7 +71,7 @@ bool vtkTetMarchVolumeMapper::Pick(vtkRenderer* renderer, vtkVolume* volume, int
   }
   if (window->GetNeverRendered())
   {
-    window->Render(); // else it has no colours that a selector could read
+    window->Render(); // a selector cannot read a window that has never rendered
   }
   const int* size = window->GetSize();
   if (x < 0 || y < 0 || x >= size[0] || y >= size[1])

@@ -17,6 +17,7 @@
 
 #include "vtkBoundingBox.h"                  // For WholeBounds
 #include "vtkTetMarchRepresentationModule.h" // For export macro
+#include "vtkTetMarchSettingsMacros.h"       // For methods of the settings
 #include "vtkUnstructuredGridVolumeRepresentation.h"
 
 #include <set>    // For std::set
@@ -47,45 +48,33 @@ public:
   void RemoveAllBlockSelectors();
   //@}
 
+  /**
+   * How the volume is drawn: the settings of its mapper.
+   */
+  vtkTetMarchSettings* GetSettings() const;
+
   //@{
   /**
-   * @sa vtkTetMarchVolumeMapper
+   * The method of that name of GetSettings(): see vtkTetMarchSettings.
    */
-  void SetOpacityLaw(int law);
-  void SetDrawNanCells(bool draw);
-  void SetAccuracyLevel(int level);
-  void SetErrorTolerance(double tolerance);
-  void SetFrameTimeBudget(double seconds);
-  void SetErrorBudget(double error);
-  void SetViewMode(int mode);
-  void SetAutomaticViewRange(bool automatic);
-  void SetViewRange(double low, double high);
-  void SetGradientType(int type);
-  void SetShadowMethod(int method);
-  void SetOpaqueShadows(bool shadows);
-  void SetVolumetricScatteringBlending(double blending);
-  void SetGlobalIlluminationReach(double reach);
-  void SetAmbientOcclusion(bool occlusion);
-  void SetAmbientOcclusionRadius(double radius);
-  void SetAmbientOcclusionDirections(int directions);
-  void SetBlendMode(int mode);
-  void SetAverageIPScalarRange(double low, double high);
-  void SetCropping(bool cropping);
-  void SetCroppingRegionFlags(int flags);
-  void SetPickOpacityThreshold(double opacity);
-  void SetAutoAdjustSampleDistances(bool adjust);
-  void SetImageSampleDistance(double pixels);
-  void SetMinimumImageSampleDistance(double pixels);
-  void SetMaximumImageSampleDistance(double pixels);
-  void SetLightTimeBudget(double seconds);
-  void SetMaxMemoryInBytes(vtkIdType bytes);
+  vtkTetMarchSettingsMethodsMacro();
   //@}
 
   //@{
   /**
-   * Cropping planes, as vtkImageVolumeRepresentation has them: those of the box of all of the data,
-   * of which processes may have parts, times the scale, plus the origin, axis by axis, in the
-   * coordinates of the data. With the defaults, 1 and 0, nothing is cropped.
+   * The method of that name of the mapper: see vtkTetMarchVolumeMapper.
+   */
+  void SetBlendMode(int mode);
+  void SetAverageIPScalarRange(double low, double high);
+  void SetCropping(bool cropping);
+  void SetCroppingRegionFlags(int flags);
+  //@}
+
+  //@{
+  /**
+   * Cropping planes, with the names of vtkImageVolumeRepresentation: for each axis, the bounds of
+   * the data of all processes, times the scale, plus the origin, in the coordinates of the data.
+   * With the defaults, 1 and 0, nothing is cropped.
    */
   vtkSetVector3Macro(CroppingOrigin, double);
   vtkGetVector3Macro(CroppingOrigin, double);

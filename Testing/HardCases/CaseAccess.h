@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Cases by name, for tests: an unknown name throws
+ * @brief Cases by name, for tests (an unknown name throws), and their cells
  */
 #ifndef tetmarch_testing_CaseAccess_h
 #define tetmarch_testing_CaseAccess_h
 
 #include "HardCase.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 
 #include <stdexcept>
 #include <string_view>
@@ -26,6 +30,14 @@ inline const HardCase& caseOf(std::string_view name)
 }
 
 inline Grid gridOf(std::string_view name) { return caseOf(name).Make(); }
+
+/// The points of a cell.
+inline Ids cellOf(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  vtkNew<vtkIdList> ids;
+  grid->GetCells()->GetCellAtId(cell, ids);
+  return { ids->begin(), ids->end() };
+}
 } // namespace tetmarch::testing
 
 #endif

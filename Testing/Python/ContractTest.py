@@ -10,9 +10,12 @@ import vtktetmarch
 CLASSES = [getattr(vtktetmarch, name) for name in vtktetmarch.__all__]
 
 # What can't be found by trying numbers.
-OTHER_VALUES = {"Mapper": vtktetmarch.vtkTetMarchVolumeMapper(), "BlendMode": 3}
+OTHER_VALUES = {"Mapper": vtktetmarch.vtkTetMarchVolumeMapper(), "BlendMode": 3,
+                "Settings": vtktetmarch.vtkTetMarchSettings()}
 # Figures with an argument before the value, and what belongs to a class instead of an object.
 NO_PROPERTIES = {"Values", "ReplacesProjectedTetrahedra"}
+# Their choices have other names now.
+DEPRECATED = {"SetViewModeToShellFaces", "SetViewModeToShellCoordinates"}
 
 
 def names_of_properties(cls):
@@ -57,7 +60,9 @@ class ContractTest(unittest.TestCase):
     def test_there_are_properties(self):
         found = {cls.__name__: names_of_properties(cls) for cls in CLASSES}
         self.assertGreater(len(found["vtkTetMarchVolumeMapper"]), 30)
-        self.assertEqual(found["vtkTetMarchFrameStatistics"], ["GPUMemoryBytes", "Seconds"])
+        self.assertGreater(len(found["vtkTetMarchSettings"]), 25)
+        self.assertLess(set(found["vtkTetMarchSettings"]), set(found["vtkTetMarchVolumeMapper"]))
+        self.assertLess({"GPUMemoryBytes", "Seconds"}, set(found["vtkTetMarchFrameStatistics"]))
         self.assertEqual(found["vtkTetMarchLegend"], ["Mapper"])
 
     def test_the_time_of_change_moves_if_a_value_does(self):
@@ -93,7 +98,7 @@ class ContractTest(unittest.TestCase):
         """SetXToY() makes GetXAsString() Y, where there is one."""
         checked = 0
         for cls in CLASSES:
-            for name in vars(cls):
+            for name in set(vars(cls)) - DEPRECATED:
                 choice = re.fullmatch(r"Set(\w+?)To(\w+)", name)
                 if choice and hasattr(cls, f"Get{choice.group(1)}AsString"):
                     with self.subTest(method=name):
@@ -108,6 +113,18 @@ class ContractTest(unittest.TestCase):
         before = mapper.GetMTime()
         mapper.GetMarchingMapper().AmbientOcclusionOn()
         self.assertGreater(mapper.GetMTime(), before)
+
+    def test_the_mapper_has_all_of_the_settings_and_the_figures(self):
+        mapper = vtktetmarch.vtkTetMarchVolumeMapper
+        own = {name for name in vars(vtktetmarch.vtkTetMarchSettings)
+               if not name.startswith("__") and name != "EnumType"}
+        self.assertGreater(len(own), 100)
+        self.assertLess(own, set(vars(mapper)))
+        of_frame = {name for name in vars(vtktetmarch.vtkTetMarchFrameStatistics)
+                    if name.endswith(("Builds", "Bytes", "Rays", "Cells", "Lookups", "Entries", "Hits", "Draws"))
+                    and name.startswith("Get")}
+        self.assertGreater(len(of_frame), 15)
+        self.assertLess(of_frame, set(vars(mapper)))
 
     def test_the_factory_prints_what_it_replaces(self):
         factory = vtktetmarch.vtkTetMarchObjectFactory

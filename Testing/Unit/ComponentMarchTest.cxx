@@ -3,7 +3,7 @@
 // What rays see of several components, against closed forms and a quadrature by VTK's own
 // functions; and that they keep the tolerance, by a bound that holds.
 #include "ClosedForms.h"
-#include "ErrorTally.h"
+#include "ComponentChecks.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -13,22 +13,12 @@ namespace
 using namespace tetmarch;
 using namespace tetmarch::testing;
 
-// Of all rays against the quadrature.
+// Against the quadrature.
 template <typename Kernel, typename Real>
 ErrorTally tallyOf(const ComponentRays& rays)
 {
-  ErrorTally tally;
-  Kernel kernel = rays.kernel<Kernel, Real>();
-  rays.Rays.forEachRay<Kernel, Real>(
-    kernel, rays.Fields[0],
-    [&](const typename Kernel::Ray& ray, const Chord& chord)
-    {
-      double bound = 0;
-      const Rgba seen = pixelOf(kernel, ray, chord, bound);
-      tally.add(seen, rays.byQuadrature(ray, chord), bound);
-    },
-    400);
-  return tally;
+  return tallyRays<Kernel, Real>(rays, rays.kernel<Kernel, Real>(),
+    [&](const auto& ray, const Chord& chord) { return rays.byQuadrature(ray, chord); });
 }
 
 template <template <typename> class Kernel>
@@ -37,23 +27,9 @@ void expectTolerance(int components, bool independent)
   for (const int cubes : { 1, 5 })
   {
     ComponentRays rays(jitteredLattice(cubes, 0.15), components, independent);
-    for (const double tolerance : { 1.0 / 32.0, 1.0 / 255.0, 1.0 / 1024.0 })
-    {
-      AccuracyLevel level = levelOf(Accuracy::Default, tolerance);
-      level.LeastTableEntries = 16384; // what is between entries is no part of the bound
-      ASSERT_EQ(rays.use(level), "");
-      const ErrorTally tally = tallyOf<Kernel<float>, float>(rays);
-      std::cout << "[ MEASURED ] " << components << " components, " << cubes << "^3 cubes, 1/"
-                << 1.0 / tolerance << ": worst " << tally.Worst / tolerance << " tolerances, bound "
-                << tally.Bound / tally.Error << " times the error\n";
-      EXPECT_GT(tally.Rays, 150);
-      EXPECT_LE(tally.Worst, tolerance);
-      EXPECT_LE(tally.BeyondBound, Rounding);
-    }
-    ASSERT_EQ(rays.use(GroundTruthAccuracy), "");
-    const ErrorTally exact = tallyOf<Kernel<double>, double>(rays);
-    std::cout << "[ MEASURED ] in double: " << exact.Worst << '\n';
-    EXPECT_LE(exact.Worst, 1e-5);
+    expectToleranceIsKept(
+      rays, [&] { return tallyOf<Kernel<float>, float>(rays); },
+      [&] { return tallyOf<Kernel<double>, double>(rays); });
   }
 }
 
@@ -78,7 +54,7 @@ TEST(ComponentMarch, DirectColorKeepsTheTolerance)
   expectTolerance<DirectColorPointKernel>(4, false);
 }
 
-// Pieces that are taken as they are promise nothing, but say by how much they may be off.
+// Segments that are integrated whole promise nothing, but say by how much they may be off.
 TEST(ComponentMarch, BoundsOfWhatIsTakenAsItIs)
 {
   const auto expectBound = [](const ErrorTally& tally)
@@ -136,36 +112,8 @@ void expectCells(int components, bool independent)
 {
   ComponentRays rays(twoTetsSharingFace(), components, independent, true);
   ASSERT_EQ(rays.use(GroundTruthAccuracy), "");
-  auto kernel = rays.kernel<Kernel<double>, double>();
-  RandomRays random(3);
-  int checked = 0;
-  for (int i = 0; i < 200; ++i)
-  {
-    const auto ray = random.next<Kernel<double>, double>(kernel, rays.Rays.Mesh);
-    // A third of the opacity unit distance each.
-    const auto march = kernel.castPlainRay(ray, -1, 3.0, -3.0, 3.0);
-    const auto color = kernel.pixelOf(march.radiance, 3.0);
-    // Whatever the depths of the cells, colours lie between those of both, and by their shares.
-    std::array<Rgba, 2> media;
-    for (int cell = 0; cell < 2; ++cell)
-    {
-      std::vector<double> tuple(components);
-      rays.Data->GetCellData()->GetScalars()->GetTuple(cell, tuple.data());
-      media[cell] = mediumAt(rays.Property, tuple);
-    }
-    if (march.cells == 1 && color.w > 1e-3)
-    {
-      const auto isMedium = [&](const Rgba& m)
-      {
-        return std::abs(color.x - m[0] / m[3] * color.w) < 1e-4 &&
-               std::abs(color.y - m[1] / m[3] * color.w) < 1e-4 &&
-               std::abs(color.z - m[2] / m[3] * color.w) < 1e-4;
-      };
-      EXPECT_TRUE(isMedium(media[0]) || isMedium(media[1]));
-      ++checked;
-    }
-  }
-  EXPECT_GT(checked, 20);
+  expectColorsOfCells(rays, rays.kernel<Kernel<double>, double>(), 1e-3,
+    [](const auto&, const Rgba& color) { return color; });
 }
 
 TEST(ComponentMarch, CellsHaveTheColorOfTheirMixture)

@@ -12,6 +12,7 @@ from .vtkRenderingTetMarch import (
     vtkTetMarchLegend,
     vtkTetMarchObjectFactory,
     vtkTetMarchProjectedTetrahedraMapper,
+    vtkTetMarchSettings,
     vtkTetMarchVolumeMapper,
 )
 
@@ -20,5 +21,6 @@ __all__ = [
     "vtkTetMarchLegend",
     "vtkTetMarchObjectFactory",
     "vtkTetMarchProjectedTetrahedraMapper",
+    "vtkTetMarchSettings",
     "vtkTetMarchVolumeMapper",
 ]

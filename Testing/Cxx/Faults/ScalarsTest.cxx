@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which array is drawn, by vtkAbstractMapper's rules, and what scalars of every kind look like.
+// What scalars of every kind look like.
 #include "CpuReference.h"
 #include "ErrorWatch.h"
 
@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <limits>
 
 namespace
@@ -22,200 +23,6 @@ using namespace tetmarch::testing;
 constexpr int Side = 80;
 
 Grid lattice() { return jitteredLattice(5, 0.15, 1, sineField()); }
-
-// Point arrays f and g, cell arrays c and d; f and c are active.
-Grid latticeOfFourArrays()
-{
-  const Grid grid = lattice();
-  const Grid other = jitteredLattice(5, 0.15, 1, radialField());
-  other->GetPointData()->GetArray("f")->SetName("g");
-  other->GetCellData()->GetArray("c")->SetName("d");
-  grid->GetPointData()->AddArray(other->GetPointData()->GetArray("g"));
-  grid->GetCellData()->AddArray(other->GetCellData()->GetArray("d"));
-  return grid;
-}
-
-// The picture of one array alone.
-Image pictureOf(vtkDataArray* array, bool ofCells)
-{
-  const Grid grid = lattice();
-  grid->GetPointData()->Initialize();
-  grid->GetCellData()->Initialize();
-  vtkDataSetAttributes* data = grid->GetPointData();
-  if (ofCells)
-  {
-    data = grid->GetCellData();
-  }
-  data->SetScalars(array);
-  return Scene(grid, Side, Side).render();
-}
-
-TEST(ArraySelection, ByNameNumberAndAttribute)
-{
-  const Grid grid = latticeOfFourArrays();
-  const auto alone = [&](const char* name)
-  {
-    vtkDataArray* ofPoints = grid->GetPointData()->GetArray(name);
-    return pictureOf(ofPoints ? ofPoints : grid->GetCellData()->GetArray(name), !ofPoints);
-  };
-  Scene scene(grid, Side, Side);
-  auto* mapper = scene.Mapper.Get();
-  const auto expectDrawn = [&](const char* name)
-  {
-    const Image picture = scene.render();
-    for (const char* each : { "f", "g", "c", "d" })
-    {
-      const double difference = compare(picture, alone(each)).Max;
-      EXPECT_EQ(difference < 0.02, each == std::string(name)) << name << ": " << each;
-      EXPECT_TRUE(difference == 0.0 || difference > 0.02);
-    }
-  };
-
-  expectDrawn("f");
-  mapper->SetScalarModeToUseCellData();
-  expectDrawn("c");
-  mapper->SetScalarModeToUsePointData();
-  expectDrawn("f");
-  grid->GetPointData()->SetActiveScalars("g");
-  expectDrawn("g");
-  grid->GetPointData()->SetActiveScalars("f");
-
-  mapper->SetScalarModeToUsePointFieldData();
-  mapper->SelectScalarArray("g");
-  expectDrawn("g");
-  mapper->SelectScalarArray(0);
-  expectDrawn("f");
-  mapper->SelectScalarArray(1);
-  expectDrawn("g");
-  mapper->SetScalarModeToUseCellFieldData();
-  expectDrawn("d");
-  mapper->SelectScalarArray(0);
-  expectDrawn("c");
-  mapper->SelectScalarArray("d");
-  expectDrawn("d");
-  mapper->SelectScalarArray("c");
-  expectDrawn("c");
-
-  // Without active point scalars the default are those of cells.
-  mapper->SetScalarModeToDefault();
-  grid->GetPointData()->SetActiveScalars(nullptr);
-  expectDrawn("c");
-}
-
-TEST(ScalarKinds, TheFirstOfSeveralComponents)
-{
-  const Grid grid = lattice();
-  vtkDataArray* scalars = grid->GetPointData()->GetScalars();
-  vtkNew<vtkDoubleArray> vectors;
-  vectors->SetNumberOfComponents(3);
-  vectors->SetNumberOfTuples(scalars->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
-  {
-    vectors->SetTuple3(i, scalars->GetTuple1(i), 0.1 * double(i % 10), 1e9);
-  }
-  EXPECT_EQ(compare(pictureOf(vectors, false), pictureOf(scalars, false)).Max, 0.0);
-}
-
-// Vectors of which one component, and the magnitude, are scalars of the grid times 5.
-class Vectors : public testing::TestWithParam<bool>
-{
-protected:
-  Vectors()
-  {
-    vtkDataArray* scalars = this->data()->GetScalars();
-    this->Scaled->SetName("scaled");
-    this->Velocity->SetName("velocity");
-    this->Velocity->SetNumberOfComponents(3);
-    for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
-    {
-      const double s = scalars->GetTuple1(i);
-      this->Scaled->InsertNextValue(5.0 * s);
-      this->Velocity->InsertNextTuple3(4.0 * s, 5.0 * s - 1.0, -3.0 * s);
-    }
-    // So that the magnitude is 5 s, where the component isn't 5 s - 1.
-    this->Straight->DeepCopy(this->Velocity);
-    this->Straight->SetName("straight");
-    this->Straight->FillComponent(1, 0.0);
-    this->data()->AddArray(this->Scaled);
-    this->data()->AddArray(this->Velocity);
-    this->data()->AddArray(this->Straight);
-    this->colors()->RemoveAllPoints();
-    this->colors()->AddRGBPoint(0.0, 1.0, 0.1, 0.0);
-    this->colors()->AddRGBPoint(5.0, 0.0, 0.3, 1.0);
-    this->Shown.property()->GetScalarOpacity()->RemoveAllPoints();
-    this->Shown.property()->GetScalarOpacity()->AddSegment(-4.0, 0.2, 5.0, 0.9);
-  }
-  vtkDataSetAttributes* data()
-  {
-    vtkUnstructuredGrid* grid = this->Shown.Data;
-    return GetParam() ? static_cast<vtkDataSetAttributes*>(grid->GetCellData())
-                      : static_cast<vtkDataSetAttributes*>(grid->GetPointData());
-  }
-  vtkColorTransferFunction* colors() { return this->Shown.property()->GetRGBTransferFunction(); }
-  Image pictureOf(const char* name)
-  {
-    this->Shown.Mapper->SetScalarMode(
-      GetParam() ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
-    this->Shown.Mapper->SelectScalarArray(name);
-    return this->Shown.render();
-  }
-
-  Scene Shown{ lattice(), Side, Side };
-  vtkNew<vtkDoubleArray> Scaled;
-  vtkNew<vtkDoubleArray> Velocity;
-  vtkNew<vtkDoubleArray> Straight;
-};
-
-TEST_P(Vectors, MagnitudesAsAskedOfMapperOrColours)
-{
-  const Image scaled = this->pictureOf("scaled");
-  EXPECT_GT(compare(this->pictureOf("straight"), scaled).Max, 0.05);
-  this->Shown.Mapper->SetVectorModeToMagnitude();
-  EXPECT_LE(compare(this->pictureOf("straight"), scaled).Max, 1e-5);
-  this->Shown.Mapper->SetVectorModeToDisabled();
-  this->colors()->SetVectorModeToMagnitude();
-  EXPECT_LE(compare(this->pictureOf("straight"), scaled).Max, 1e-5);
-  // What is not a vector is drawn as it is.
-  EXPECT_EQ(compare(this->pictureOf("scaled"), scaled).Max, 0.0);
-  expectParity(this->Shown);
-}
-
-TEST_P(Vectors, ComponentsAsAskedOfMapperOrColours)
-{
-  for (vtkIdType i = 0; i < this->Velocity->GetNumberOfTuples(); ++i)
-  {
-    this->Velocity->SetComponent(i, 2, this->Scaled->GetValue(i));
-  }
-  const Image scaled = this->pictureOf("scaled");
-  EXPECT_GT(compare(this->pictureOf("velocity"), scaled).Max, 0.05);
-  this->Shown.Mapper->SetVectorModeToComponent();
-  this->Shown.Mapper->SetVectorComponent(1);
-  EXPECT_GT(compare(this->pictureOf("velocity"), scaled).Max, 0.05);
-  this->Shown.Mapper->SetVectorComponent(2);
-  EXPECT_EQ(compare(this->pictureOf("velocity"), scaled).Max, 0.0);
-  this->Shown.Mapper->SetVectorModeToDisabled();
-  this->colors()->SetVectorComponent(2);
-  EXPECT_EQ(compare(this->pictureOf("velocity"), scaled).Max, 0.0);
-}
-
-TEST_P(Vectors, AComponentThatIsNotThereIsAnErrorOnce)
-{
-  const Image first = this->pictureOf("velocity");
-  const ErrorWatch watch(this->Shown.Mapper);
-  this->Shown.Mapper->SetVectorModeToComponent();
-  this->Shown.Mapper->SetVectorComponent(3);
-  this->Shown.Window->Render();
-  this->Shown.Window->Render();
-  ASSERT_EQ(watch.Errors.size(), 1u);
-  EXPECT_NE(watch.Errors[0].find("\"velocity\" has no component 3"), std::string::npos)
-    << watch.Errors[0];
-  this->Shown.Mapper->SetVectorComponent(0);
-  EXPECT_EQ(compare(this->Shown.render(), first).Max, 0.0);
-  EXPECT_EQ(watch.Errors.size(), 1u);
-}
-
-INSTANTIATE_TEST_SUITE_P(ScalarKinds, Vectors, testing::Bool(),
-  [](const auto& of) { return of.param ? "OfCells" : "OfPoints"; });
 
 TEST(ScalarKinds, Integers)
 {

@@ -53,9 +53,6 @@ struct MonkeyDeed
   std::function<void(MonkeyScene& scene, MonkeyRandom& random)> Do;
 };
 const std::vector<MonkeyDeed>& monkeyDeeds();
-
-/// With all that is refused put right.
-MonkeyState mended(const MonkeyState& state);
 } // namespace tetmarch::testing
 
 #endif

@@ -167,7 +167,7 @@ void MonkeyScene::showLights(const MonkeyState& state)
     const int kind = state.Lights;
     add(this->Headlight, kind == MonkeyState::Headlight || kind == MonkeyState::AllLights);
     add(this->Sun, kind >= MonkeyState::Sun);
-    add(this->LightSource, kind >= MonkeyState::SunAndLamp);
+    add(this->LightSource, kind >= MonkeyState::SunAndPointLight);
   }
 }
 

@@ -16,6 +16,36 @@ MonkeyState atRest(const MonkeyState& state)
   return rest;
 }
 
+MonkeyState mended(const MonkeyState& state)
+{
+  MonkeyState sound = state;
+  if (sound.Array == MonkeyState::Absent)
+  {
+    sound.Array = MonkeyState::OfPoints;
+  }
+  sound.VectorComponent = 0;
+  sound.BlendMode =
+    sound.BlendMode > Mapper::ISOSURFACE_BLEND ? Mapper::COMPOSITE_BLEND : sound.BlendMode;
+  sound.IsoValues = sound.IsoValues > 32 ? 3 : sound.IsoValues;
+  sound.UnitDistance = sound.UnitDistance > 0 ? sound.UnitDistance : 0.25;
+  sound.Placement = sound.Placement == MonkeyState::Flat ? MonkeyState::AtHome : sound.Placement;
+  sound.MaxMemory = 0;
+  sound.RangeLow = sound.RangeLow > 0 ? sound.RangeLow : 1e-6;
+  sound.CroppingLow = sound.CroppingLow < 1.0 ? sound.CroppingLow : 0.25;
+  if (sound.Planes.size() > 4)
+  {
+    sound.Planes.resize(1);
+  }
+  for (MonkeyPlane& plane : sound.Planes)
+  {
+    if (plane.Normal == Vec3{ 0, 0, 0 })
+    {
+      plane.Normal = { { 1.0, 0.2, 0.1 } };
+    }
+  }
+  return sound;
+}
+
 VariantKey variantOf(const MonkeyState& state)
 {
   const MonkeyTraits& traits = traitsOf(state.Dataset);
@@ -43,7 +73,7 @@ VariantKey variantOf(const MonkeyState& state)
   key.Shading = state.Shade && state.Lights != MonkeyState::NoLight;
   key.HeadlightOnly = state.Lights == MonkeyState::Headlight;
   key.SingleLight = state.Lights == MonkeyState::Sun;
-  key.WorldLights = state.Lights == MonkeyState::SunAndLamp ||
+  key.WorldLights = state.Lights == MonkeyState::SunAndPointLight ||
                     state.Lights == MonkeyState::AllLights ||
                     state.Placement == MonkeyState::Stretched;
   const bool shadows = state.Shadows != Mapper::SHADOWS_OFF || state.Scattering > 0;
@@ -52,7 +82,7 @@ VariantKey variantOf(const MonkeyState& state)
   key.SeveralShadows = state.Lights != MonkeyState::Sun;
   key.SampledShadows = state.Shadows == Mapper::SHADOWS_ALONG_RAYS;
   key.OpaqueShadows = state.OpaqueShadows && state.Ball;
-  key.HeadlightShadows = shadows && state.Lights != MonkeyState::SunAndLamp;
+  key.HeadlightShadows = shadows && state.Lights != MonkeyState::SunAndPointLight;
   key.Occlusion = state.Occlusion;
   key.ShowIllumination = state.ViewMode == Mapper::VIEW_ILLUMINATION;
   key.ShowGradients = state.ViewMode == Mapper::VIEW_GRADIENTS;

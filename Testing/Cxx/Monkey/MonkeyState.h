@@ -64,7 +64,7 @@ struct MonkeyState
     NoLight,
     Headlight,
     Sun,
-    SunAndLamp,
+    SunAndPointLight,
     AllLights,
     LightKinds
   };
@@ -165,6 +165,9 @@ struct MonkeyState
 /// The same with all that depends on how fast frames are switched off: its picture is always the
 /// same.
 MonkeyState atRest(const MonkeyState& state);
+
+/// The same with all that is refused put right.
+MonkeyState mended(const MonkeyState& state);
 
 /// The variant of the shader that it needs, as far as can be said without the mesh.
 VariantKey variantOf(const MonkeyState& state);

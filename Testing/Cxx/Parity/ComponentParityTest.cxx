@@ -3,10 +3,10 @@
 // What the GL draws of several components, pixel by pixel against the CPU reference.
 #include "ComponentScene.h"
 #include "CpuReference.h"
+#include "CutScene.h"
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
-#include "vtkPlane.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
@@ -68,13 +68,7 @@ TEST_P(ComponentParity, RaysThatComeAgain)
 TEST_P(ComponentParity, ClippedAndCropped)
 {
   ComponentScene scene(lattice(), GetParam());
-  vtkNew<vtkPlane> plane;
-  plane->SetOrigin(0.45, 0.5, 0.5);
-  plane->SetNormal(-0.7, 0.2, -0.5);
-  scene.Mapper->AddClippingPlane(plane);
-  scene.Mapper->CroppingOn();
-  scene.Mapper->SetCroppingRegionPlanes(0.2, 0.7, 0.3, 0.8, 0.25, 0.6);
-  scene.Mapper->SetCroppingRegionFlagsToFence();
+  clipAndCropToFence(scene);
   const Image cut = scene.render();
   const Image reference = referenceOf(scene).Picture;
   const Mask inside = regionsOf(scene).Inside;

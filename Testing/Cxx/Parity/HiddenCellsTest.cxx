@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells that ghost arrays hide: not drawn, no hindrance to rays or light, and hidden without a new
 // mesh.
-#include "CpuReference.h"
 #include "ErrorWatch.h"
 #include "GapScene.h"
 #include "LitScene.h"
 
-#include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
@@ -15,7 +13,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <iostream>
-#include <limits>
 
 namespace
 {
@@ -229,90 +226,6 @@ TEST(HiddenCells, DuplicatesAtTheBorderOfBlocksAreDrawnOnce)
   EXPECT_LE(once.Rms, 0.3 / 255.0) << once.text();
   EXPECT_LE(once.Max, 2.0 / 255.0) << once.text();
   EXPECT_GT(compare(composed(false), whole).Max, 0.1);
-}
-
-class HiddenParity : public testing::Test
-{
-protected:
-  HiddenParity() { hide(this->Shown.Data, Crumbs); }
-
-  LitScene Shown{ jitteredLattice(9, 0.15, 1, sineField()) };
-};
-
-TEST_F(HiddenParity, Unlit)
-{
-  this->Shown.property()->ShadeOff();
-  expectParity(this->Shown);
-  this->Shown.Mapper->SetAccuracyLevelToFast();
-  expectParity(this->Shown);
-}
-
-TEST_F(HiddenParity, Shaded) { expectParity(this->Shown); }
-
-TEST_F(HiddenParity, CellScalars)
-{
-  this->Shown.drawCellScalars();
-  this->Shown.Mapper->SetShadowMethodToAtVertices();
-  expectParity(this->Shown);
-}
-
-TEST_F(HiddenParity, TransparentRanges)
-{
-  setSpikyFunctions(this->Shown.property());
-  expectParity(this->Shown);
-  this->Shown.property()->ShadeOff();
-  expectParity(this->Shown);
-}
-
-TEST_F(HiddenParity, ShadowsAndOcclusionAtVertices)
-{
-  this->Shown.Mapper->SetShadowMethodToAtVertices();
-  this->Shown.Mapper->AmbientOcclusionOn();
-  this->Shown.addGradientOpacity();
-  expectParity(this->Shown);
-}
-
-TEST_F(HiddenParity, CameraInside)
-{
-  this->Shown.camera()->SetPosition(0.5, 0.45, 0.55);
-  this->Shown.camera()->SetFocalPoint(0.9, 0.8, 0.2);
-  this->Shown.camera()->SetClippingRange(0.01, 4.0);
-  this->Shown.Mapper->SetShadowMethodToAtVertices();
-  expectParity(this->Shown);
-}
-
-TEST_F(HiddenParity, BesideWhatIsNotFinite)
-{
-  vtkDataArray* scalars = this->Shown.Data->GetPointData()->GetScalars();
-  for (vtkIdType i = 5; i < scalars->GetNumberOfTuples(); i += 23)
-  {
-    scalars->SetTuple1(i, std::numeric_limits<double>::quiet_NaN());
-  }
-  expectParity(this->Shown);
-  this->Shown.Mapper->DrawNanCellsOn();
-  this->Shown.property()->GetRGBTransferFunction()->SetNanColorRGBA(0.9, 0.2, 0.7, 0.4);
-  expectParity(this->Shown);
-}
-
-TEST_F(HiddenParity, TheReferencePicture)
-{
-  vtkNew<vtkFloatArray> pixels;
-  const Image drawn = this->Shown.render();
-  ASSERT_TRUE(this->Shown.Mapper->RenderGroundTruth(this->Shown.Volume, pixels));
-  const Image reference = Image::fromFloats(SceneSize, SceneSize, pixels->GetPointer(0));
-  const Difference difference = compare(drawn, reference, regionsOf(this->Shown).Inside);
-  EXPECT_LE(difference.Rms, 1.0 / 255.0) << difference.text();
-}
-
-// Light is looked for along rays by random steps: as bright in the mean.
-TEST_F(HiddenParity, ShadowsAlongRaysAreThoseAtVertices)
-{
-  this->Shown.Mapper->SetShadowMethodToAtVertices();
-  const double atVertices = this->Shown.brightness();
-  this->Shown.Mapper->SetShadowMethodToAlongRays();
-  EXPECT_NEAR(this->Shown.brightness() / atVertices, 1.0, 0.03);
-  showAll(this->Shown.Data);
-  EXPECT_GT(std::abs(this->Shown.brightness() / atVertices - 1.0), 0.05);
 }
 
 // What is hidden keeps no light from the rest, and only light is made anew when it changes.

@@ -4,11 +4,11 @@
 // that the light is that of the component which gives the opacity.
 #include "ComponentScene.h"
 #include "CpuReference.h"
+#include "CutScene.h"
 #include "GapScene.h"
 
 #include "vtkActor.h"
 #include "vtkLight.h"
-#include "vtkPlane.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -236,13 +236,7 @@ TEST_P(LitComponentParity, ClippedCroppedAndWithGaps)
     hide(scene.Data, isCrumb);
     scene.Mapper->DrawNanCellsOn();
     scene.property()->GetRGBTransferFunction()->SetNanColorRGBA(1.0, 0.0, 1.0, 0.9);
-    vtkNew<vtkPlane> plane;
-    plane->SetOrigin(0.45, 0.5, 0.5);
-    plane->SetNormal(-0.7, 0.2, -0.5);
-    scene.Mapper->AddClippingPlane(plane);
-    scene.Mapper->CroppingOn();
-    scene.Mapper->SetCroppingRegionPlanes(0.2, 0.7, 0.3, 0.8, 0.25, 0.6);
-    scene.Mapper->SetCroppingRegionFlagsToFence();
+    clipAndCropToFence(scene);
     const Image cut = scene.render();
     const Difference difference = compare(cut, referenceOf(scene).Picture, regionsOf(scene).Inside);
     std::cout << "[ MEASURED ] " << difference.text() << '\n';

@@ -9,12 +9,9 @@
 // headlight, so there is none here otherwise. Before VTK 9.2 its highlights are those of Blinn, and
 // for other lights than headlights not even those: its half vector takes the light to come from
 // where it goes to.
-#include "RivalImage.h"
-#include "Scene.h"
+#include "LitRivalScene.h"
 
 #include "vtkAutoInit.h"
-#include "vtkLight.h"
-#include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkVersionMacros.h"
 
 #include <gtest/gtest.h>
@@ -26,10 +23,8 @@ namespace
 {
 using namespace tetmarch::testing;
 
-constexpr int Side = 128;
-constexpr int Points = 65;        // of the image, along an edge
-constexpr int Cubes = 32;         // of ours
-constexpr double MostApart = 2.0; // RMS in 1/255; measured: 0.5 without light, up to 1.5 with
+constexpr int Side = LitRivalScene::Side;
+constexpr double MostApart = LitRivalScene::MostApart;
 
 Field field() { return sineField(0.5); }
 
@@ -43,41 +38,21 @@ class LightRival : public testing::Test
 protected:
   LightRival()
   {
-    this->Shown.Mapper->SetOpacityLawToStructured();
-    this->Rival->SetInputData(makeImage(Points, field()));
-    this->Rival->SetAutoAdjustSampleDistances(0);
-    this->Rival->SetSampleDistance(0.002f);
-    vtkVolumeProperty* property = this->Shown.property();
-    property->SetInterpolationTypeToLinear();
-    property->ShadeOn();
-    property->SetAmbient(0.0);
-    property->SetDiffuse(0.0);
-    property->SetSpecular(0.0);
-    property->SetSpecularPower(10.0);
-    this->Light->SetLightTypeToSceneLight();
+    this->property()->SetDiffuse(0.0);
+    this->property()->SetSpecularPower(10.0);
     this->Light->SetPosition(3.0, 4.0, 1.5);
-    this->Light->SetFocalPoint(0.5, 0.5, 0.5);
-    this->Shown.Renderer->AddLight(this->Light);
   }
 
   vtkVolumeProperty* property() { return this->Shown.property(); }
 
-  Image ours()
-  {
-    this->Shown.Volume->SetMapper(this->Shown.Mapper);
-    this->Shown.Window->Render();
-    return this->Shown.frame();
-  }
+  Image ours() { return this->Shown.pictureBy(this->Shown.Mapper); }
   Image rivals()
   {
     const double power = this->property()->GetSpecularPower();
     this->property()->SetSpecularPower(this->RivalPower * power);
-    this->Shown.Volume->SetMapper(this->Rival);
-    this->Shown.Window->Render();
-    const Image frame = this->Shown.frame();
+    const Image picture = this->Shown.pictureBy(this->Shown.Rival);
     this->property()->SetSpecularPower(power);
-    this->Shown.Volume->SetMapper(this->Shown.Mapper);
-    return frame;
+    return picture;
   }
 
   // In 1/255, of the pixels that show the volume.
@@ -128,9 +103,9 @@ protected:
     return picture;
   }
 
-  Scene Shown{ jitteredLattice(Cubes, 0.0, 1, field()), Side, Side };
-  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> Rival;
-  vtkNew<vtkLight> Light;
+  LitRivalScene Shown{ jitteredLattice(LitRivalScene::Cubes, 0.0, 1, field()),
+    makeImage(LitRivalScene::Points, field()) };
+  vtkLight* const Light = this->Shown.Light;
   double RivalPower = 1.0; // times ours
   Image Picture;
   Image RivalPicture;

@@ -1,18 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a change of components, of their functions and weights makes anew, what is freed with them,
-// and what can't be drawn.
+// What a change of components, of their functions and weights makes anew, and what is freed with
+// them.
 #include "vtkTetMarchFrameStatistics.h"
 
 #include "ComponentScene.h"
 #include "ErrorWatch.h"
 #include "Held.h"
-#include "PickScene.h"
 
 #include "vtkDataArray.h"
 #include "vtkMultiBlockDataSet.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
 #include <iostream>
 
@@ -190,73 +188,6 @@ TEST(ComponentStages, TheReferenceIsInTheSameLight)
   }
 }
 
-class ComponentErrors : public ::testing::Test
-{
-protected:
-  void expectError(const std::string& words)
-  {
-    const ErrorWatch watch(this->Shown.Mapper);
-    this->Shown.Window->Render();
-    this->Shown.Window->Render();
-    ASSERT_EQ(watch.Errors.size(), 1u);
-    EXPECT_NE(watch.Errors[0].find(words), std::string::npos) << watch.Errors[0];
-    EXPECT_EQ(compare(this->Shown.frame(), this->Empty).Max, 0.0);
-  }
-  void expectMended()
-  {
-    const ErrorWatch watch(this->Shown.Mapper);
-    this->Shown.Window->Render();
-    EXPECT_TRUE(watch.Errors.empty());
-    EXPECT_EQ(this->Shown.frame().Rgba, this->Sound.Rgba);
-  }
-  void SetUp() override
-  {
-    this->Shown.Volume->VisibilityOff();
-    this->Shown.Window->Render();
-    this->Empty = this->Shown.frame();
-    this->Shown.Volume->VisibilityOn();
-    this->Shown.Window->Render();
-    this->Sound = this->Shown.frame();
-    EXPECT_GT(compare(this->Sound, this->Empty).Max, 0.1);
-  }
-
-  ComponentScene Shown{ lattice(), { "", 3, true }, Side, Side };
-  Image Empty;
-  Image Sound;
-};
-
-TEST_F(ComponentErrors, OtherBlendModes)
-{
-  for (const int mode :
-    { Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::ADDITIVE_BLEND, Mapper::ISOSURFACE_BLEND })
-  {
-    this->Shown.Mapper->SetBlendMode(mode);
-    this->expectError("composite blending alone");
-    this->Shown.Mapper->SetBlendModeToComposite();
-    this->expectMended();
-  }
-}
-
-TEST_F(ComponentErrors, LightAndGradients)
-{
-  this->Shown.property()->ShadeOn();
-  this->expectError("independent components are drawn together without light");
-  this->Shown.property()->ShadeOff();
-  this->expectMended();
-  for (const int view : { Mapper::VIEW_GRADIENTS, Mapper::VIEW_ILLUMINATION })
-  {
-    this->Shown.Mapper->SetViewMode(view);
-    this->expectError("without light");
-    this->Shown.Mapper->SetViewModeToPicture();
-    this->expectMended();
-  }
-  this->Shown.property()->GetGradientOpacity()->AddSegment(0.0, 0.0, 5.0, 1.0);
-  this->expectError("gradient opacity");
-  this->Shown.property()->GetGradientOpacity()->RemoveAllPoints();
-  this->Shown.property()->DisableGradientOpacityOn();
-  this->expectMended();
-}
-
 // What dependent ones are drawn with is an error with independent ones.
 TEST(ComponentStages, LightIsThereAsLongAsItIsAskedFor)
 {
@@ -303,88 +234,6 @@ TEST(ComponentStages, GradientsFollowTheComponentOfTheOpacity)
     EXPECT_EQ(compare(scene.render(), before).Max, 0.0) << mix.Name;
     reverse(mix.Components - 1);
     EXPECT_GT(compare(scene.render(), before).Max, 0.1) << mix.Name;
-  }
-}
-
-TEST_F(ComponentErrors, NumbersOfComponents)
-{
-  this->Shown.property()->IndependentComponentsOff();
-  this->expectError("\"components\" has 3 components");
-  this->Shown.property()->IndependentComponentsOn();
-  this->expectMended();
-  this->Shown.property()->SetScalarOpacityUnitDistance(1, -1.0);
-  this->expectError("of component 1 is -1");
-  this->Shown.property()->SetScalarOpacityUnitDistance(1, 0.375);
-  this->expectMended();
-}
-
-// The component of the opacity is picked, through its gradient opacity.
-TEST(ComponentPick, GoesByTheGradientOfTheOpacity)
-{
-  for (const Mix& mix : { Mixes[3], Mixes[4] })
-  {
-    PickScene scene(withComponents(lattice(), wavyFields(mix.Components), VTK_DOUBLE), Side, Side);
-    drawComponents(scene, mix);
-    const int at = Side / 2;
-    const auto pick = [&]
-    {
-      scene.render();
-      EXPECT_TRUE(scene.pick(at, at)) << mix.Name;
-      return scene.pickedPosition();
-    };
-    scene.property()->SetScalarOpacityUnitDistance(0.01);
-    const Vec3 even = pick();
-    setGradientOpacity(scene.property());
-    const Vec3 together = pick();
-    scene.Mapper->SetVectorModeToComponent();
-    scene.Mapper->SetVectorComponent(mix.Components - 1);
-    const Vec3 alone = pick();
-    EXPECT_EQ(together, alone) << mix.Name;
-    EXPECT_NE(together, even) << mix.Name;
-  }
-}
-
-// Everywhere the same: half of the light is gone where the extinctions together say so.
-TEST(ComponentPick, GoesByAllComponents)
-{
-  for (const Mix& mix : Mixes)
-  {
-    std::vector<Field> fields;
-    for (int k = 0; k < mix.Components; ++k)
-    {
-      fields.push_back(constantField(0.3 + 0.1 * k));
-    }
-    const Grid grid = withComponents(lattice(), fields, VTK_DOUBLE);
-    for (const bool cells : { false, true })
-    {
-      PickScene scene(grid, Side, Side);
-      setComponentFunctions(scene.property(), mix.Components);
-      scene.property()->SetIndependentComponents(mix.Independent);
-      scene.Mapper->SetVectorModeToAllComponents();
-      if (cells)
-      {
-        scene.Mapper->SetScalarModeToUseCellData();
-      }
-      std::vector<double> scalars(mix.Components);
-      grid->GetPointData()->GetScalars()->GetTuple(0, scalars.data());
-      const double extinction = mediumAt(scene.property(), scalars)[3] / 0.25;
-      scene.render();
-      const int at = Side / 2;
-      ASSERT_TRUE(scene.pick(at, at)) << mix.Name;
-      const auto line = scene.lineOf(at, at);
-      const Vec3 picked = scene.pickedPosition();
-      double distance = 0.0;
-      for (int k = 0; k < 3; ++k)
-      {
-        distance += (picked[k] - line.Near[k]) * line.Direction[k];
-      }
-      const double inside =
-        boxChord(line.at(distance), { -line.Direction[0], -line.Direction[1], -line.Direction[2] },
-          { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, 0.0);
-      EXPECT_NEAR(inside, std::log(2.0) / extinction, 1e-5) << mix.Name;
-      EXPECT_NEAR(
-        scene.Mapper->GetPickedScalar(), mix.Independent ? scalars[0] : scalars.back(), 1e-6);
-    }
   }
 }
 } // namespace

@@ -1,68 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Only the stages whose input changed are done again, and what they make then is right.
-#include "CpuReference.h"
+#include "StageScene.h"
 
 #include "vtkActor.h"
-#include "vtkDoubleArray.h"
-#include "vtkPointData.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <stdexcept>
 
 namespace
 {
 using namespace tetmarch::testing;
-
-// The counters of the stages, to say by how much they grew.
-struct Work
-{
-  vtkTypeInt64 Mesh = 0;
-  vtkTypeInt64 Scalars = 0;
-  vtkTypeInt64 Tables = 0;
-  vtkTypeInt64 Bytes = 0;
-};
-
-Work workOf(const vtkTetMarchVolumeMapper* mapper)
-{
-  return { mapper->GetMeshBuilds(), mapper->GetScalarsBuilds(), mapper->GetTablesBuilds(),
-    mapper->GetUploadedBytes() };
-}
-
-class Stages : public testing::Test
-{
-protected:
-  Stages() { this->Before = this->Shown.render(); }
-
-  // Renders, expects those stages to have run once and the others not, and the picture to be what
-  // the reference makes of the scene as it is now.
-  void expectRuns(int mesh, int scalars, int tables)
-  {
-    const Work before = workOf(this->Shown.Mapper);
-    const Image after = this->Shown.render();
-    this->Done = workOf(this->Shown.Mapper);
-    EXPECT_EQ(this->Done.Mesh - before.Mesh, mesh);
-    EXPECT_EQ(this->Done.Scalars - before.Scalars, scalars);
-    EXPECT_EQ(this->Done.Tables - before.Tables, tables);
-    this->Done.Bytes -= before.Bytes;
-    EXPECT_EQ(this->Done.Bytes > 0, mesh + scalars + tables > 0);
-    this->Changed = compare(this->Before, after).Max;
-    this->Before = after;
-    const Mask inside = regionsOf(this->Shown).Inside;
-    EXPECT_LE(compare(after, referenceOf(this->Shown).Picture, inside).Max, 2.0 / 255.0);
-  }
-
-  vtkDataArray* scalars() { return this->Shown.Data->GetPointData()->GetScalars(); }
-  vtkTypeInt64 bytesOfLinks() const
-  {
-    return 32 * vtkTypeInt64(this->Shown.Mapper->GetNumberOfTetrahedra());
-  }
-
-  Scene Shown{ jitteredLattice(8, 0.15, 1, sineField()), 96, 96 };
-  Image Before;
-  Work Done;
-  double Changed = 0.0; // between the two pictures
-};
+using Stages = StageScene;
 
 TEST_F(Stages, TheFirstFrameDoesAll)
 {
@@ -180,81 +130,6 @@ TEST_F(Stages, OpacityLawIsAlphaOverDistanceOrItsLogarithm)
   EXPECT_NEAR(this->Shown.render().pixel(48, 48)[3], 1.0 - std::exp(-0.6), 2e-5);
   this->Shown.Mapper->SetOpacityLawToStructured();
   EXPECT_NEAR(this->Shown.render().pixel(48, 48)[3], 0.6, 2e-5);
-}
-
-TEST_F(Stages, NewScalarsOnTheSameMeshKeepItsLinks)
-{
-  // Of the same range, so that the tables stay too.
-  vtkNew<vtkDoubleArray> turned;
-  turned->SetName("turned");
-  const vtkIdType count = this->scalars()->GetNumberOfTuples();
-  turned->SetNumberOfTuples(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    turned->SetValue(i, this->scalars()->GetTuple1(count - 1 - i));
-  }
-  this->Shown.Data->GetPointData()->SetScalars(turned);
-  this->expectRuns(0, 1, 0);
-  EXPECT_GT(this->Changed, 0.05);
-  EXPECT_LT(this->Done.Bytes, this->bytesOfLinks());
-}
-
-TEST_F(Stages, AnotherComponentKeepsTheMesh)
-{
-  vtkNew<vtkDoubleArray> vectors;
-  vectors->SetName("vectors");
-  vectors->SetNumberOfComponents(2);
-  const vtkIdType count = this->scalars()->GetNumberOfTuples();
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    // Both components have one range.
-    vectors->InsertNextTuple2(
-      this->scalars()->GetTuple1(i), this->scalars()->GetTuple1(count - 1 - i));
-  }
-  this->Shown.Data->GetPointData()->SetScalars(vectors);
-  this->expectRuns(0, 1, 0);
-  EXPECT_EQ(this->Changed, 0.0);
-  this->Shown.Mapper->SetVectorModeToComponent();
-  this->expectRuns(0, 0, 0);
-  this->Shown.Mapper->SetVectorComponent(1);
-  this->expectRuns(0, 1, 0);
-  EXPECT_GT(this->Changed, 0.05);
-  EXPECT_LT(this->Done.Bytes, this->bytesOfLinks());
-  this->Shown.Mapper->SetVectorModeToMagnitude();
-  this->expectRuns(0, 1, 1);
-  EXPECT_GT(this->Changed, 0.05);
-  // The colour function decides; its other edits are no business of scalars.
-  this->Shown.Mapper->SetVectorModeToDisabled();
-  this->expectRuns(0, 1, 1);
-  vtkColorTransferFunction* colors = this->Shown.property()->GetRGBTransferFunction();
-  colors->AddRGBPoint(0.3, 1.0, 0.0, 1.0);
-  this->expectRuns(0, 0, 1);
-  colors->SetVectorComponent(1);
-  this->expectRuns(0, 1, 1);
-  colors->SetVectorModeToMagnitude();
-  this->expectRuns(0, 1, 1);
-}
-
-TEST_F(Stages, AnArrayModifiedInPlace)
-{
-  for (vtkIdType i = 0; i < this->scalars()->GetNumberOfTuples(); ++i)
-  {
-    this->scalars()->SetTuple1(i, 0.3 + 0.5 * this->scalars()->GetTuple1(i));
-  }
-  EXPECT_EQ(compare(this->Shown.render(), this->Before).Max, 0.0); // nobody said so
-  this->scalars()->Modified();
-  this->expectRuns(0, 1, 1); // another range, so the tables as well
-  EXPECT_GT(this->Changed, 0.05);
-  EXPECT_LT(this->Done.Bytes, this->bytesOfLinks());
-}
-
-TEST_F(Stages, CellScalarsAndBack)
-{
-  this->Shown.drawCellScalars();
-  this->expectRuns(0, 1, 1);
-  EXPECT_GT(this->Changed, 0.01);
-  this->Shown.Mapper->SetScalarModeToDefault();
-  this->expectRuns(0, 1, 1);
 }
 
 TEST_F(Stages, MovedPointsRebuildTheMesh)

@@ -1,13 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MonkeyActions.h"
-
 #include "MonkeyGrids.h"
-#include "Observer.h"
 
-#include "vtkHardwareSelector.h"
-#include "vtkSelection.h"
-
+#include <iterator>
 #include <limits>
 
 namespace tetmarch::testing
@@ -27,16 +23,6 @@ MonkeyPlane somePlane(Random& random)
   }
   plane.Normal[random.below(3)] += 1.0;
   return plane;
-}
-
-void selectIn(MonkeyScene& scene, int x0, int y0, int x1, int y1)
-{
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Renderer);
-  selector->SetArea(x0, y0, x1, y1);
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-  vtkSmartPointer<vtkSelection> selection;
-  selection.TakeReference(selector->Select());
 }
 } // namespace
 
@@ -218,105 +204,5 @@ const std::vector<MonkeyChange>& monkeyChanges()
       } },
   };
   return table;
-}
-
-const std::vector<MonkeyDeed>& monkeyDeeds()
-{
-  static const std::vector<MonkeyDeed> table{
-    { "released",
-      [](MonkeyScene& scene, Random&) { scene.Mapper->ReleaseGraphicsResources(scene.Window); } },
-    { "the volume taken out and put in",
-      [](MonkeyScene& scene, Random&)
-      {
-        scene.Renderer->RemoveVolume(scene.Volume);
-        scene.Window->Render();
-        scene.Renderer->AddVolume(scene.Volume);
-      } },
-    { "another window, or another context of it",
-      [](MonkeyScene& scene, Random& random)
-      {
-        const int which = random.below(12); // seldom, since all shaders are built anew
-        if (which == 0)
-        {
-          scene.moveTo(makeWindow());
-        }
-        else if (which == 1)
-        {
-          scene.Window->Finalize();
-        }
-      } },
-    { "the same frame again", [](MonkeyScene& scene, Random&) { scene.Window->Render(); } },
-    { "a pick",
-      [](MonkeyScene& scene, Random& random)
-      {
-        const int* size = scene.Window->GetSize();
-        scene.Mapper->Pick(
-          scene.Renderer, scene.Volume, random.below(size[0]), random.below(size[1]));
-      } },
-    { "a selection",
-      [](MonkeyScene& scene, Random& random)
-      {
-        const int* size = scene.Window->GetSize();
-        const int x = random.below(size[0]);
-        const int y = random.below(size[1]);
-        selectIn(scene, x, y, x + random.below(size[0] - x), y + random.below(size[1] - y));
-      } },
-    { "a frame that is aborted",
-      [](MonkeyScene& scene, Random& random)
-      {
-        const double share = random.share();
-        const Observer observer(scene.Mapper, vtkCommand::ProgressEvent,
-          [&]
-          {
-            const double progress = scene.Mapper->GetProgress();
-            scene.Window->SetAbortRender(progress > share && progress < 1.0);
-          });
-        const double before = scene.Mapper->GetMaxDrawTimeInSeconds();
-        scene.Mapper->SetMaxDrawTimeInSeconds(1e-9);
-        scene.Window->Render();
-        scene.Mapper->SetMaxDrawTimeInSeconds(before);
-      } },
-    { "released while it is drawn",
-      [](MonkeyScene& scene, Random&)
-      {
-        const Observer observer(scene.Mapper, vtkCommand::ProgressEvent,
-          [&] { scene.Mapper->ReleaseGraphicsResources(scene.Window); });
-        const double before = scene.Mapper->GetMaxDrawTimeInSeconds();
-        scene.Mapper->SetMaxDrawTimeInSeconds(1e-9);
-        scene.Window->Render();
-        scene.Mapper->SetMaxDrawTimeInSeconds(before);
-      } },
-  };
-  return table;
-}
-
-MonkeyState mended(const MonkeyState& state)
-{
-  MonkeyState sound = state;
-  if (sound.Array == State::Absent)
-  {
-    sound.Array = State::OfPoints;
-  }
-  sound.VectorComponent = 0;
-  sound.BlendMode =
-    sound.BlendMode > Mapper::ISOSURFACE_BLEND ? Mapper::COMPOSITE_BLEND : sound.BlendMode;
-  sound.IsoValues = sound.IsoValues > 32 ? 3 : sound.IsoValues;
-  sound.UnitDistance = sound.UnitDistance > 0 ? sound.UnitDistance : 0.25;
-  sound.Placement = sound.Placement == State::Flat ? State::AtHome : sound.Placement;
-  sound.MaxMemory = 0;
-  sound.RangeLow = sound.RangeLow > 0 ? sound.RangeLow : 1e-6;
-  sound.CroppingLow = sound.CroppingLow < 1.0 ? sound.CroppingLow : 0.25;
-  if (sound.Planes.size() > 4)
-  {
-    sound.Planes.resize(1);
-  }
-  for (MonkeyPlane& plane : sound.Planes)
-  {
-    if (plane.Normal == Vec3{ 0, 0, 0 })
-    {
-      plane.Normal = { { 1.0, 0.2, 0.1 } };
-    }
-  }
-  return sound;
 }
 } // namespace tetmarch::testing

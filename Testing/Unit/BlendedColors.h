@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief What rays see in the other blend modes than composite, in closed form
+ */
+#ifndef tetmarch_testing_BlendedColors_h
+#define tetmarch_testing_BlendedColors_h
+
+#include "BlendedRays.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <type_traits>
+#include <vector>
+
+namespace tetmarch::testing
+{
+inline const Field AlongX = [](double x, double, double) { return x; };
+/// Stored positions, scalars and tables are floats; short chords make the most of it.
+constexpr double ByDouble = 4e-6;
+constexpr double ByFloat = 1e-4;
+
+inline Rgba gray(double value) { return { { value, value, value, 1 } }; }
+
+/// All rays have the colours that `expected` says. It returns false of a ray that it doesn't
+/// know for sure.
+template <typename Kernel, typename Real, typename Expected>
+void expectRays(const BlendedRays& rays, const Field& field, const Expected& expected)
+{
+  const double bound = std::is_same<Real, double>::value ? ByDouble : ByFloat;
+  auto kernel = rays.kernel<Kernel, Real>();
+  int count = 0;
+  rays.forEachRay<Kernel, Real>(kernel, field,
+    [&](const typename Kernel::Ray& ray, const Chord& chord)
+    {
+      Rgba known{};
+      if (!expected(chord, known))
+      {
+        return;
+      }
+      ++count;
+      const Rgba found = BlendedRays::cast<Kernel, Real>(kernel, ray, chord);
+      for (int k = 0; k < 4; ++k)
+      {
+        ASSERT_NEAR(found[k], known[k], bound) << "channel " << k << " of ray " << count;
+      }
+    });
+  EXPECT_GT(count, 150);
+}
+
+/// The values that lie between two scalars, in the order in which they are met.
+inline std::vector<double> crossed(std::vector<double> values, const Chord& c)
+{
+  std::sort(values.begin(), values.end());
+  if (c.Last < c.First)
+  {
+    std::reverse(values.begin(), values.end());
+  }
+  std::vector<double> met;
+  for (double v : values)
+  {
+    if ((v > c.First) != (v > c.Last) && (met.empty() || met.back() != v))
+    {
+      met.push_back(v);
+    }
+  }
+  return met;
+}
+
+/// Surfaces of these scalars, one behind the other.
+inline Rgba composited(const std::vector<double>& values)
+{
+  Rgba color{};
+  for (double v : values)
+  {
+    const Rgba next = BlendedRays::premultiplied(v);
+    const double seen = 1 - color[3];
+    for (int k = 0; k < 4; ++k)
+    {
+      color[k] += seen * next[k];
+    }
+  }
+  return color;
+}
+} // namespace tetmarch::testing
+
+#endif

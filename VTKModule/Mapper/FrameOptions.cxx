@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mapper/FrameOptions.h"
+
+#include "Budget/SampleDistance.h"
+
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTetMarchSettings.h"
+
+namespace tetmarch
+{
+namespace
+{
+
+using Settings = vtkTetMarchSettings;
+
+bool isMeasure(int viewMode)
+{
+  return viewMode == Settings::VIEW_ERROR_BOUND || viewMode == Settings::VIEW_CELLS ||
+         viewMode == Settings::VIEW_LOOKUPS;
+}
+
+Measure measureOf(int viewMode)
+{
+  return viewMode == Settings::VIEW_CELLS     ? Measure::Cells
+         : viewMode == Settings::VIEW_LOOKUPS ? Measure::Lookups
+                                              : Measure::ErrorBound;
+}
+
+Subject subjectOf(int viewMode)
+{
+  return viewMode == Settings::VIEW_ILLUMINATION ? Subject::Illumination
+         : viewMode == Settings::VIEW_GRADIENTS  ? Subject::Gradients
+                                                 : Subject::Picture;
+}
+
+BoundaryView boundaryViewOf(int viewMode)
+{
+  return viewMode == Settings::VIEW_BOUNDARY_FACES         ? BoundaryView::Faces
+         : viewMode == Settings::VIEW_BOUNDARY_COORDINATES ? BoundaryView::Coordinates
+                                                           : BoundaryView::None;
+}
+
+EffectOptions effectOptionsOf(Settings* settings, BlendMode blend)
+{
+  return { settings->GetGradientType() == Settings::CELL_GRADIENTS,
+    static_cast<ShadowMethod>(settings->GetShadowMethod()),
+    settings->GetVolumetricScatteringBlending(), settings->GetGlobalIlluminationReach(),
+    settings->GetAmbientOcclusion(), settings->GetAmbientOcclusionRadius(),
+    settings->GetAmbientOcclusionDirections(), settings->GetOpaqueShadows(),
+    subjectOf(settings->GetViewMode()), blend };
+}
+
+} // namespace
+
+AccuracyOptions accuracyOptionsOf(Settings* settings)
+{
+  return { static_cast<Accuracy>(settings->GetAccuracyLevel()), settings->GetErrorTolerance(),
+    settings->GetFrameTimeBudget(), settings->GetErrorBudget() };
+}
+
+FrameOptions::FrameOptions(Settings* settings, BlendMode blend, vtkRenderer* renderer,
+  const AccuracyLevel& level, const PeelHooks& hooks, vtkLookupTable* viewColors)
+  : Law(static_cast<OpacityLaw>(settings->GetOpacityLaw()))
+  , DrawNanCells(settings->GetDrawNanCells())
+  , Effects(effectOptionsOf(settings, blend))
+  , View{ measureOf(settings->GetViewMode()), settings->GetAutomaticViewRange(),
+    { { settings->GetViewRange()[0], settings->GetViewRange()[1] } }, viewColors }
+{
+  // Between translucent geometry the picture is drawn in parts, and nothing else is drawn.
+  const bool peeling = hooks.isPeeling();
+  const bool interacting = renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0;
+  const int viewMode = settings->GetViewMode();
+  this->Draw.Level = level;
+  this->Draw.Diagnostics = settings->GetCollectDiagnostics() && !peeling;
+  this->Draw.MostSecondsPerDraw = settings->GetMaxDrawTimeInSeconds();
+  this->Draw.MostLightSeconds = interacting && !peeling ? settings->GetLightTimeBudget() : 0.0;
+  this->Draw.View = isMeasure(viewMode) && !peeling ? &this->View : nullptr;
+  this->Draw.Shell = peeling ? BoundaryView::None : boundaryViewOf(viewMode);
+  this->Draw.Peeling = peeling ? &hooks : nullptr;
+  this->Draw.PickOpacity = settings->GetPickOpacityThreshold();
+
+  this->MarchesPicture = !renderer->GetSelector() && !peeling && !this->Draw.View &&
+                         this->Draw.Shell == BoundaryView::None;
+}
+
+void FrameOptions::chooseSampleDistance(
+  Settings* settings, SampleDistance& controller, double seconds)
+{
+  if (this->MarchesPicture && !this->Draw.Diagnostics)
+  {
+    this->Draw.SampleDistance =
+      settings->GetAutoAdjustSampleDistances()
+        ? controller.choose(seconds, settings->GetMinimumImageSampleDistance(),
+            settings->GetMaximumImageSampleDistance())
+        : settings->GetImageSampleDistance();
+  }
+}
+
+} // namespace tetmarch

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the settings of a mapper and the window ask of a frame.
+#ifndef TetMarchMapperFrameOptions_h
+#define TetMarchMapperFrameOptions_h
+
+#include "Appearance/Blending.h"
+#include "Budget/AccuracyLadder.h"
+#include "Diagnostics/MeasureView.h"
+#include "GL/PeelHooks.h"
+#include "GL/Pipeline.h"
+#include "Light/EffectOptions.h"
+
+class vtkRenderer;
+class vtkTetMarchSettings;
+
+namespace tetmarch
+{
+
+class SampleDistance;
+
+AccuracyOptions accuracyOptionsOf(vtkTetMarchSettings* settings);
+
+struct FrameOptions
+{
+  /** `hooks` and `viewColors`, the colours of measures, are referred to. */
+  FrameOptions(vtkTetMarchSettings* settings, BlendMode blend, vtkRenderer* renderer,
+    const AccuracyLevel& level, const PeelHooks& hooks, vtkLookupTable* viewColors);
+  FrameOptions(const FrameOptions&) = delete;
+  void operator=(const FrameOptions&) = delete;
+
+  /** Take fewer rays if `settings` say so, or if `controller` needs them to keep the seconds. */
+  void chooseSampleDistance(
+    vtkTetMarchSettings* settings, SampleDistance& controller, double seconds);
+
+  /**
+   * Whether the frame is the picture, not a measure, the boundary, a part between translucent
+   * surfaces or a pick. Budgets go by the times of such frames only.
+   */
+  bool MarchesPicture = false;
+  OpacityLaw Law;
+  bool DrawNanCells;
+  EffectOptions Effects;
+  DrawOptions Draw;
+
+private:
+  MeasureView View; // what Draw.View refers to
+};
+
+} // namespace tetmarch
+
+#endif
