@@ -188,11 +188,11 @@ bool vtkTetMarchVolumeMapper::TraceRay(
   }
   const bool truth = arithmetic == TRACE_GROUND_TRUTH;
   const tetmarch::TraceOptions options{ x, y,
-    truth ? tetmarch::GroundTruthAccuracy : this->Internal->Choice.used().level(),
+    truth ? tetmarch::GroundTruthAccuracy : this->Internal->Accuracy.used().level(),
     arithmetic != TRACE_FLOAT, truth };
   RayTrace trace;
-  if (!pipeline.traceRay(
-        volume->GetProperty(), static_cast<tetmarch::OpacityLaw>(this->OpacityLaw), options, trace))
+  if (!pipeline.traceRay(volume->GetProperty(),
+        static_cast<tetmarch::OpacityLaw>(this->GetOpacityLaw()), options, trace))
   {
     vtkErrorMacro("No ray is traced: " << pipeline.error());
     return false;
