@@ -100,7 +100,7 @@ class CommandsTest(unittest.TestCase):
             with self.subTest(page=page, block=block):
                 text = "".join(map(self.check, commands(block)))
                 self.paste(text)
-                for output in re.findall(r"--(?:output|stats|json) (\S+)", text):
+                for output in re.findall(r"--(?:output|stats|pixel-json) (\S+)", text):
                     self.assertTrue((self.folder / output).exists(), output)
 
     def test_inline_commands(self):
