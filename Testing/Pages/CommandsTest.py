@@ -119,8 +119,9 @@ class CommandsTest(unittest.TestCase):
         """Those that pages name, of whatever program of ours."""
         known = self.help
         for program in ("tetmarch-render", "tetmarch-bench"):
-            if (BUILD / "bin" / program).exists():
-                known += self.paste(f"build/bin/{program} --help")
+            if not (BUILD / "bin" / program).exists():
+                self.skipTest(f"{program} isn't built")
+            known += self.paste(f"build/bin/{program} --help")
         for page in pages():
             for word in code_words(page.read_text(encoding="utf-8")):
                 if word.startswith(("--", "tetmarch-", "build/bin/tetmarch")):
