@@ -71,6 +71,7 @@ class vtkDataArray;
 class vtkFloatArray;
 class vtkLookupTable;
 class vtkOpenGLRenderWindow;
+class vtkTable;
 class vtkUnstructuredGrid;
 
 class VTKRENDERINGTETMARCH_EXPORT vtkTetMarchVolumeMapper : public vtkUnstructuredGridVolumeMapper
@@ -341,6 +342,36 @@ public:
   }
   bool CompareWithReference(vtkVolume* volume) { return this->CompareWithGroundTruth(volume); }
   //@}
+
+  enum TraceArithmeticType
+  {
+    TRACE_FLOAT = 0,       // the arithmetic of the GPU, at the accuracy of the last frame
+    TRACE_DOUBLE = 1,      // double precision, at the same accuracy
+    TRACE_GROUND_TRUTH = 2 // as RenderGroundTruth()
+  };
+  /**
+   * The ray of the last frame through a pixel (x, y), counted as in Pick(), marched once more on
+   * the CPU: where to look when a pixel has a wrong colour. Returns false, with an error, if there
+   * is no frame with a ray a pixel, or the pixel is outside of it.
+   *
+   * `cells` gets a row for each tetrahedron that the ray passes, front to back. Its columns are
+   * CellId of the input, or of its block, and Block, both as in Pick(); Tetrahedron; Enter and
+   * Leave, where the ray crosses its faces, and Begin and End of the part of that within the ray's
+   * range, in world units from the near plane; ScalarEnter and ScalarLeave, in units of the data
+   * (of several components as many; NaN if not finite); Opacity of that cell alone (NaN in blend
+   * modes without one); Lookups of the segment integral in it; Color, premultiplied red, green,
+   * blue and opacity, and ErrorBound, of a ray that ends behind it; EntersMesh, 1 if the ray comes
+   * in by a boundary face; and Outcome: "gathered", or why nothing was: "transparent", "not
+   * finite", "hidden", "cropped", "out of range" (before the ray's begin, behind its end) or
+   * "empty" (no length, inverted, or passed already).
+   *
+   * Its field data has what holds for all of the ray: Color, ErrorBound and Opaque (1 if it ended
+   * because too little came through) of the pixel; Origin on the near plane and Direction, in the
+   * world; Range, between which something is gathered; ThicknessPerLength, in scalar opacity unit
+   * distances; and Lookups, RefusedEntries, LostRays and GuardHits, the last three 0 unless
+   * something is wrong.
+   */
+  bool TraceRay(vtkVolume* volume, int x, int y, int arithmetic, vtkTable* cells);
 
   /**
    * The picture of the last frame with CollectDiagnostics on, before it was blended over the

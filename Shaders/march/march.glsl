@@ -123,6 +123,9 @@ bool passCell(Ray ray, real depthEnd, INOUT(FaceIntersection) face, INOUT(uvec2)
   // Of a piece that was passed backwards nothing is done yet.
   march.done = forward ? cell.end : march.done;
   march.finished = max(cell.begin, cell.end) >= depthEnd;
+#if TETMARCH_TRACED
+  traceCell(cell, march);
+#endif
 #if TETMARCH_CROPPED
   cell.rest = cell.end;
   vec2 piece = nextSegment(ray, cell.begin, cell.seen ? cell.end : cell.begin);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The same tetrahedra, told badly: turned over, told twice, with points not welded
+ * @brief Tetrahedra in bad order: turned over, repeated, with points that are not merged
  *
  * Tetrahedra only. Scalars go along.
  */

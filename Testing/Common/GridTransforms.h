@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The same mesh told otherwise: renumbered, moved, stored otherwise
+ * @brief The same mesh renumbered, moved, or stored in other types
  *
  * The argument is never changed; arrays that stay the same are shared with it.
  */

@@ -4,11 +4,11 @@
  * @file
  * @brief The right answer for one ray through a grid of tetrahedra, by brute force
  *
- * Shares no code and no idea with the marching renderer: every tetrahedron is clipped against the
- * line (RayChords.h), and every chord integrated by adaptive quadrature of VTK's own functions
- * (SegmentIntegral.h).
+ * It has neither code nor an idea in common with the marching renderer: every tetrahedron is
+ * clipped against the line (RayChords.h), and every chord integrated by adaptive quadrature of
+ * VTK's own functions (SegmentIntegral.h).
  *
- * Accuracy: colour and opacity to 1e-12 for each piece of a chord, 1e-9 for a ray; against the
+ * Accuracy: colour and opacity to 1e-12 for each part of a chord, 1e-9 for a ray; against the
  * closed forms of the self-test 1e-15 is measured, with kinks between nodes (HSV, Lab) 1e-8 is
  * tested. Lengths to 1e-13 near the mesh; from 1e6 away to 1e-8, which is what the rounding of the
  * direction leaves.
@@ -36,10 +36,9 @@ class GroundTruthScene
 public:
   static constexpr double Infinity = RayChords::Infinity;
 
-  /// Of the grid (VTK_TETRA only, or std::invalid_argument) it takes a copy of the points, the
-  /// cells and the first component of the active scalars (without: std::invalid_argument). The
-  /// nodes of the transfer functions are read here, their values when asked: build a new scene
-  /// after an edit.
+  /// Copies the points, the cells and the first component of the active scalars. Throws
+  /// std::invalid_argument if there are no scalars, or cells other than VTK_TETRA. The nodes of the
+  /// transfer functions are read here, their values for each ray: build a new scene after an edit.
   GroundTruthScene(
     vtkUnstructuredGrid* grid, const OpticalModel& model, ScalarsOf scalars = ScalarsOf::Points);
 
@@ -53,7 +52,7 @@ public:
   std::array<double, 4> integrate(
     const Vec3& origin, const Vec3& direction, double tMin = 0.0, double tMax = Infinity) const;
 
-  /// The integral of the extinction, for the same.
+  /// The integral of the extinction over the same part of the ray.
   double depth(
     const Vec3& origin, const Vec3& direction, double tMin = 0.0, double tMax = Infinity) const;
 

@@ -14,7 +14,7 @@ class vtkUnsignedCharArray;
 
 namespace tetmarch::testing
 {
-/// Whether they fit together or not. Mesh/GridVersions.h says what they mean.
+/// The arrays need not fit together. Mesh/GridVersions.h says what they mean.
 struct RawFaces
 {
 #if TETMARCH_FACES_ARE_STREAMS
@@ -30,9 +30,9 @@ struct RawFaces
   RawFaces() = default;
   explicit RawFaces(vtkUnstructuredGrid* grid);
 
-  /// What the next cell has, if it is a polyhedron.
+  /// The faces of the next cell, a polyhedron.
   void add(const std::vector<Ids>& faces);
-  /// The next cell is none.
+  /// The next cell is no polyhedron.
   void addNone();
 
   /// All that say where faces are, and all that say what they are.

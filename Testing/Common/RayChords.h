@@ -4,8 +4,8 @@
  * @file
  * @brief Which tetrahedra a line meets, and where: brute force, one tetrahedron after the other
  *
- * Shares nothing with the marching renderer on purpose: no links, no signs of edges, no order of
- * vertices.
+ * Has nothing in common with the marching renderer on purpose: no links, no signs of edges, no
+ * order of vertices.
  */
 #ifndef tetmarch_testing_RayChords_h
 #define tetmarch_testing_RayChords_h

@@ -13,7 +13,7 @@ namespace
 {
 constexpr int Order = 10;
 constexpr double Tolerance = 1e-12;
-// A step hidden between two nodes is cornered down to 2^-44 of its segment.
+// Halving so often, a step between two nodes is found to within 2^-44 of its segment.
 constexpr int DeepestLevel = 44;
 
 // Nodes and weights on [0, 1], and the integrals of the Lagrange polynomials from 0 to each node:
@@ -168,18 +168,18 @@ SegmentResult SegmentIntegral::integrate(double f0, double f1, double length) co
   SegmentResult result;
   for (std::size_t i = 1; i < values.size(); ++i)
   {
-    const double share = f1 == f0 ? 1.0 : (values[i] - values[i - 1]) / (f1 - f0);
-    if (share > 0.0)
+    const double fraction = f1 == f0 ? 1.0 : (values[i] - values[i - 1]) / (f1 - f0);
+    if (fraction > 0.0)
     {
-      const double part = share * length;
-      const SegmentResult whole = this->piece(values[i - 1], values[i], part);
+      const double part = fraction * length;
+      const SegmentResult whole = this->quadratureOf(values[i - 1], values[i], part);
       result = composed(result, this->refined(values[i - 1], values[i], part, whole, 0));
     }
   }
   return result;
 }
 
-SegmentResult SegmentIntegral::piece(double f0, double f1, double length) const
+SegmentResult SegmentIntegral::quadratureOf(double f0, double f1, double length) const
 {
   const Quadrature& q = quadrature();
   double extinction[Order];
@@ -210,8 +210,8 @@ SegmentResult SegmentIntegral::refined(
   double f0, double f1, double length, const SegmentResult& whole, int level) const
 {
   const double middle = 0.5 * (f0 + f1);
-  const SegmentResult near = this->piece(f0, middle, 0.5 * length);
-  const SegmentResult far = this->piece(middle, f1, 0.5 * length);
+  const SegmentResult near = this->quadratureOf(f0, middle, 0.5 * length);
+  const SegmentResult far = this->quadratureOf(middle, f1, 0.5 * length);
   const SegmentResult both = composed(near, far);
   double error = std::abs(std::exp(-both.Depth) - std::exp(-whole.Depth));
   for (int c = 0; c < 3; ++c)

@@ -6,7 +6,7 @@
  *
  * VTK's transfer functions are evaluated themselves, in double, at every quadrature point; there is
  * no table. A segment is cut where the scalar meets a node of a function or the midpoint between
- * two; each piece goes to Gauss-Legendre quadrature of 10 points, halved until one piece and its
+ * two; each part goes to Gauss-Legendre quadrature of 10 points, halved until one part and its
  * two halves agree to 1e-12 in colour and opacity. What is left to the halving are the kinks of
  * HSV, Lab and the like between nodes.
  */
@@ -34,14 +34,14 @@ struct OpticalModel
   vtkSmartPointer<vtkPiecewiseFunction> Gray;
   double UnitDistance = 1.0;
   OpacityLaw Law = OpacityLaw::Linear;
-  /// Opacities above this count as this in the logarithmic law, which would give infinity at 1.
+  /// The logarithmic law takes greater opacities for this one: at 1 it would give infinity.
   double MostOpacity = 1.0 - 1e-6;
 
   Vec3 colour(double scalar) const;
   double extinction(double scalar) const;
 };
 
-/// Of one segment: the integral of the extinction, and the colour that leaves its near end.
+/// The integral of the extinction over a segment, and the colour that leaves its near end.
 struct SegmentResult
 {
   double Depth = 0.0;
@@ -58,7 +58,7 @@ public:
   SegmentResult integrate(double f0, double f1, double length) const;
 
 private:
-  SegmentResult piece(double f0, double f1, double length) const;
+  SegmentResult quadratureOf(double f0, double f1, double length) const;
   SegmentResult refined(
     double f0, double f1, double length, const SegmentResult& whole, int level) const;
 
@@ -66,7 +66,7 @@ private:
   std::vector<double> Breaks; // scalars where a function isn't smooth, sorted
 };
 
-/// Near segment first.
+/// Two segments as one.
 SegmentResult composed(const SegmentResult& near, const SegmentResult& far);
 } // namespace tetmarch::testing
 

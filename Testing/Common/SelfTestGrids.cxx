@@ -39,9 +39,8 @@ bool onCube(vtkUnstructuredGrid* grid, const Ids& face)
   return false;
 }
 
-// Conforming, filling the unit cube, every cell the right way round by VTK's own order of its
-// points.
-// turned: VTK's faces look the other way.
+// The grid conforms, fills the unit cube, and each cell has its points in VTK's order. turned:
+// VTK's faces look inwards.
 void expectFillsCube(vtkUnstructuredGrid* grid, std::map<int, vtkIdType> types, bool turned = false)
 {
   const GridSummary summary = summarise(grid);
@@ -272,7 +271,7 @@ TEST(Grids, Transforms)
   EXPECT_EQ(after.FacesInside, before.FacesInside);
   EXPECT_EQ(after.FacesOnBoundary, before.FacesOnBoundary);
   EXPECT_LT(after.LeastVolume, 0.0);
-  // Its values are still those of the field at its places.
+  // The values are still those of the field at the points.
   const Grid again = withCells32(mixed);
   attachFields(again, noiseField());
   double inverted = 0.0;

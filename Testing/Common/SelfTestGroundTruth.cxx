@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The groundTruth: lengths against boxes, colours against closed forms, and what any order of
-// colours must obey.
+// The ground truth by brute force: lengths against boxes, colours against closed forms, and what
+// any order of colours must obey.
 #include "ClosedForms.h"
 #include "Grids.h"
 #include "GroundTruth.h"

@@ -35,7 +35,7 @@ public:
   {
   }
 
-  /// 0 behind the last one.
+  /// The next byte; 0 when there are no more.
   int byte() { return this->At < this->Data.size() ? this->Data[this->At++] : 0; }
   int signedByte() { return static_cast<std::int8_t>(this->byte()); }
   int word() { return this->byte() | this->byte() << 8; }

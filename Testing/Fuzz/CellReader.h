@@ -18,6 +18,7 @@
 
 namespace tetmarch::testing
 {
+/// Appends the cells that the bytes describe to the arrays of a grid.
 class CellReader
 {
 public:

@@ -23,6 +23,7 @@ constexpr int CellTypes[] = { VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE, V
   VTK_BEZIER_WEDGE };
 constexpr int CountOfTypes = static_cast<int>(std::size(CellTypes));
 
+/// Of a byte.
 inline int typeOfCode(int code) { return code < 128 ? CellTypes[code % CountOfTypes] : code - 128; }
 
 inline int codeOfType(int type)

@@ -36,7 +36,7 @@ void readPoints(ByteReader& reader, double scale, RawGrid& raw)
   }
 }
 
-// A number as a value of an array that holds only some of them.
+// The number, changed to one that an array of this type can hold.
 double valueFor(int type, double value)
 {
   if (type == VTK_DOUBLE || type == VTK_FLOAT)

@@ -15,7 +15,7 @@ namespace tetmarch::testing
 {
 namespace
 {
-// A signed byte that is no escape.
+// The number as a signed byte other than -128, which announces a wild number.
 std::uint8_t asByte(double value)
 {
   return static_cast<std::uint8_t>(

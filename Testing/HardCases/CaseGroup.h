@@ -57,7 +57,7 @@ inline HardCase& fills(HardCase& hard, const Box& box = { { 0, 0, 0 }, { 1, 1, 1
   return hard;
 }
 
-/// The mesh that several cases tell otherwise: "jittered-cube", the unit cube in 6^3 cubes of
+/// The mesh that several cases start from: "jittered-cube", the unit cube in 6^3 cubes of
 /// tetrahedra with coordinates that are multiples of 1/1024.
 Grid jitteredCube();
 } // namespace tetmarch::testing

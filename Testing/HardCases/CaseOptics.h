@@ -20,8 +20,8 @@ struct Range
   double Low;
   double High;
 };
-/// Of the finite values; of one value only, a range with it where the standard opacity is highest
-/// but for the end; of none, 0..1.
+/// The range of the finite values. One value alone gets a range in which it lies where the standard
+/// opacity is highest but for the end; without any the range is 0..1.
 Range finiteRange(vtkDataArray* values);
 
 /// The colours of setStandardOptics() over a range.
@@ -33,7 +33,7 @@ void setDepthOfDiagonal(vtkVolumeProperty* property, vtkUnstructuredGrid* grid, 
 
 /// The standard colours, opacities and unit distance over a range.
 OpticsSetter standardOpticsOver(const Range& range);
-/// The same over the finite range of "c".
+/// The standard optics over the finite range of "c".
 OpticsSetter standardOpticsOfCells();
 /// Functions that every mapper integrates well, one ramp each of colour and opacity over the finite
 /// range of "f", in place of those that the setter sets; its unit distance stays.

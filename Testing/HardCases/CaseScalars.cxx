@@ -20,7 +20,7 @@ namespace
 {
 using Array = vtkSmartPointer<vtkDataArray>;
 
-// low + share of the width, by whole thousandths (or as many parts as the width has), without
+// A value between low and high, by thousandths of the width (or by ones, if it is smaller), without
 // overflow and without doubles, which would round.
 template <typename T>
 void spread(vtkDataArray* from, T* to, T low, std::uint64_t width)

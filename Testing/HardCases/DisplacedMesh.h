@@ -17,7 +17,7 @@ namespace tetmarch::testing
 {
 /// How far a projected coordinate may be off, in mesh radii: 2^-21, derived in MarchCheck.h.
 constexpr double ProjectionRounding = 4.76837158203125e-07;
-/// A vertex and the ray take part in it.
+/// Twice that, since both the vertex and the ray are rounded.
 constexpr double VertexDisplacement = 2.0 * ProjectionRounding;
 
 /// Every vertex at random within the given distance along each axis. The boxes of its hierarchy

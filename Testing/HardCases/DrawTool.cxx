@@ -25,9 +25,10 @@ using namespace tetmarch::testing;
 const char Usage[] = R"(usage: tetmarch-draw-hard-case CASE MAPPER FILE.png [VIEW]
 
 Writes the picture of a case (tetmarch-hard-cases list) and prints as JSON how it compares with
-that of the CPU in double precision. MAPPER is tetmarch, projected, bunyk or zsweep, or yardstick
-for the picture of the CPU itself; VIEW the name of a view of the case, if not the first in which
-there is something to see. But for cases about optics, colours and opacities are plain ramps.
+that of the CPU in double precision. MAPPER is tetmarch, projected, bunyk or zsweep, or
+ground-truth for the picture of the CPU itself; VIEW the name of a view of the case, if not the
+first in which there is something to see. But for cases about optics, colours and opacities are
+plain ramps.
 )";
 
 bool showsAnything(const Image& picture)
@@ -41,8 +42,10 @@ const HardView& findView(
   const HardCase& hard, const std::vector<HardView>& views, const std::string& name)
 {
   const auto found = std::find_if(views.begin(), views.end(),
-    [&](const HardView& view) {
-      return name.empty() ? showsAnything(PictureCheck(hard, view).yardstick()) : view.Name == name;
+    [&](const HardView& view)
+    {
+      return name.empty() ? showsAnything(PictureCheck(hard, view).groundTruth())
+                          : view.Name == name;
     });
   if (found == views.end() && !name.empty())
   {
@@ -80,9 +83,9 @@ void run(const std::string& name, const std::string& mapper, const std::string& 
   PictureCheck check(hard, view);
   Drawn drawn;
   const auto begin = std::chrono::steady_clock::now();
-  if (mapper == "yardstick")
+  if (mapper == "ground-truth")
   {
-    drawn.Picture = check.yardstick();
+    drawn.Picture = check.groundTruth();
   }
   else
   {

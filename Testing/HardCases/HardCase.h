@@ -75,9 +75,9 @@ std::vector<std::string> hardCaseNames();
 /// nullptr if there is none of that name.
 const HardCase* findHardCase(const std::string& name);
 
-/// Those of the case, or the standard ones.
+/// The views of the case, or the standard ones.
 std::vector<HardView> viewsOf(const HardCase& hard);
-/// In pixels each way, of a view that is meant for any window.
+/// The width and height in pixels of a view that is meant for any window.
 constexpr int HardPictureSize = 65;
 
 /// Three views of the grid's bounding box: oblique in perspective, parallel along z, parallel along

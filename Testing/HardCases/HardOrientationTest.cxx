@@ -31,7 +31,7 @@ int parity(const Ids& points)
 struct HalfFace
 {
   vtkIdType Cell;
-  int Sign; // of the orientation that the cell's order of points induces, against sorted points
+  int Sign; // 1 if the cell's order of points turns the face as its sorted points do, or else -1
 };
 
 // Faces by their sorted points.

@@ -22,7 +22,8 @@ namespace tetmarch::testing
 namespace lengths
 {
 constexpr double Eps = 5.9604644775390625e-08; // 2^-24
-// Of double against brute force; a boundary seen at 1e-8 of a right angle magnifies 1e-16 to it.
+// How far double may be from brute force: a boundary that is met at an angle of 1e-8 magnifies the
+// rounding of 1e-16 to that.
 constexpr double DoubleSlack = 1e-8;
 
 // Every so many rays are compared with brute force, which costs as much as all the others.

@@ -222,7 +222,7 @@ private:
       { return this->Displaced[copy++ % this->Displaced.size()].march(near).Length; });
   }
 
-  // Whether rays within a distance see shorter and longer ways.
+  // Whether the lengths of rays within a distance include this one.
   template <typename LengthOf>
   bool isSeenNearby(
     double length, double slack, const typename Exact::Ray& ray, double within, LengthOf&& lengthOf)

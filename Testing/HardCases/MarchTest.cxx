@@ -56,7 +56,7 @@ TEST(HardCases, RaysThatOnceFailed)
     unsigned Chunk;
   } chunks[] = {
     { "squashed-1e-3", 725 }, // out of the hull by a bump that rounding made, and never back in
-    { "rod", 799 }, // a first inner crossing before the entry, for weights that weren't exact
+    { "rod", 799 }, // the first face inside lay before the entry, since weights weren't exact
   };
   for (const auto& c : chunks)
   {

@@ -146,8 +146,8 @@ Image PictureCheck::reference(MarchCounters& counters) const
   return Image::fromFloats(this->Size, this->Size, image.Pixels.data());
 }
 
-// By the yardstick; aside are shares of a pixel, entries how far the functions are moved at both
-// ends of the range.
+// One pixel of the ground truth. aside: how far the ray is moved, in pixels; entries: how far the
+// transfer functions are moved at both ends of the range, in entries of the table.
 std::array<float, 4> PictureCheck::pixelOf(const TetMesh& mesh, int x, int y,
   const std::array<double, 2>& aside, const std::array<double, 2>& entries) const
 {

@@ -4,11 +4,11 @@
  * @file
  * @brief Pictures of a hard case by the CPU reference, and what a picture may be
  *
- * The yardstick is the reference in double at the reference level. A pixel is right if each channel
- * is within 1/255 of it, or of what the yardstick sees while vertices move by the rounding of float
- * (2^-20 mesh radii, see MarchCheck.h), and of a picture by the GL, the ray by 1/100 of a pixel,
- * which is what the rasteriser takes. That is sampled, pixel by pixel, where it matters: where a
- * ray runs within the surface, or grazes it.
+ * The ground truth is the CPU reference in double at the reference level. A pixel is right if each
+ * channel is within 1/255 of it, or of what the ground truth is while vertices move by the rounding
+ * of float (2^-20 mesh radii, see MarchCheck.h), and of a picture by the GL, the ray by 1/100 of a
+ * pixel, which is what the rasteriser takes. That is sampled, pixel by pixel, where it matters:
+ * where a ray runs within the surface, or grazes it.
  */
 #ifndef tetmarch_testing_PictureCheck_h
 #define tetmarch_testing_PictureCheck_h
@@ -37,13 +37,13 @@ namespace tetmarch::testing
 void setUpHardCase(const HardCase& hard, const HardView& view, vtkUnstructuredGrid* grid,
   vtkRenderer* renderer, vtkVolume* volume);
 
-/// How a picture compares with the yardstick.
+/// How a picture compares with the ground truth.
 struct PictureResult
 {
   MarchCounters Counters;
   int NotFinite = 0;       ///< pixels with a value that is NaN, infinite, or outside of 0..1
   int OutOfBound = 0;      ///< pixels that no mesh within the rounding shows
-  double WorstError = 0;   ///< of a channel, 0..1, against the undisplaced yardstick
+  double WorstError = 0;   ///< of a channel, 0..1, against the ground truth of the mesh as it is
   double TypicalError = 0; ///< the 99th percentile of it over the pixels that show something
   std::int64_t failures() const;
 };
@@ -56,13 +56,13 @@ struct PictureBounds
   double Reach = 0.0; ///< how far from its pixel's centre a ray may run, in pixels
   int Samples = 640;  ///< of what may be seen, for a pixel
 };
-/// Ours by the CPU; ours by the GL, whose rasteriser rounds; by another mapper, of which little is
-/// asked: 16/255, half a pixel.
+/// For our picture by the CPU; for ours by the GL, whose rasteriser rounds; for another mapper, of
+/// which less is asked: 16/255, half a pixel.
 PictureBounds boundsOfReference();
 PictureBounds boundsOfGL();
 PictureBounds boundsOfOthers();
 
-/// Of its pictures, in pixels each way.
+/// The width and height of its pictures in pixels.
 int sizeOf(const HardView& view);
 
 /// The pictures of one view.
@@ -75,7 +75,7 @@ public:
   /// By the reference in float, at the default level.
   Image reference(MarchCounters& counters) const;
   /// By the reference in double, at the reference level.
-  const Image& yardstick() const { return this->GroundTruth; }
+  const Image& groundTruth() const { return this->GroundTruth; }
   PictureResult compare(
     const Image& picture, const MarchCounters& counters, const PictureBounds& bounds);
 

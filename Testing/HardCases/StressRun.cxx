@@ -145,7 +145,7 @@ private:
     }
   }
 
-  // Written beside and renamed, so that there always is a whole one.
+  // Written under another name and renamed, so that there always is a complete file.
   void save() const
   {
     if (this->Options.File.empty())
@@ -162,8 +162,8 @@ private:
     std::filesystem::rename(part, this->Options.File);
   }
 
-  // The case that has had the fewest rays, until all have had their least; then the one that has
-  // taken the least time. Nothing: done.
+  // The case that has had the fewest rays, until all have had their least number; then the case
+  // that has taken the least time. Returns nothing when all rays are marched.
   StressRow* choose()
   {
     const auto fewest = std::min_element(this->Rows.begin(), this->Rows.end(),

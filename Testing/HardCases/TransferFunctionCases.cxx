@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Transfer functions that jump, that say nothing, that make light or dark of everything; all for
+// Transfer functions that jump, that are empty, that make all of the volume bright or dark; all for
 // scalars 0..1 on the cube of "jittered-cube".
 #include "CaseGroup.h"
 #include "CaseOptics.h"

@@ -19,7 +19,7 @@ import numpy
 HERE = pathlib.Path(__file__).resolve().parent
 PICTURES = HERE / "Pictures"
 OTHERS = ["projected", "bunyk", "zsweep"]
-MAPPERS = ["yardstick", "tetmarch"] + OTHERS
+MAPPERS = ["ground-truth", "tetmarch"] + OTHERS
 NAMES = {
     "tetmarch": "TetMarch",
     "projected": "projected tetrahedra",

@@ -198,6 +198,33 @@ TEST(CommandLine, TakesEveryOption)
   EXPECT_FALSE(c.Light.Shade);
 }
 
+TEST(CommandLine, TakesAPixel)
+{
+  const CommandLine without = ParseCommandLine({ "a.vtu" });
+  EXPECT_FALSE(without.Pixel);
+  EXPECT_EQ(without.Output, "a.png");
+  const CommandLine c =
+    ParseCommandLine({ "a.vtu", "--pixel", "319,0", "--size", "320x200", "--pixel-json=p.json" });
+  EXPECT_EQ(c.Pixel, (std::array<int, 2>{ { 319, 0 } }));
+  EXPECT_EQ(c.PixelJson, "p.json");
+  EXPECT_EQ(c.Output, ""); // no picture unless asked for
+  EXPECT_EQ(ParseCommandLine({ "a.vtu", "--pixel", "0,5", "--output", "o.png" }).Output, "o.png");
+}
+
+TEST(CommandLine, RefusesBadPixels)
+{
+  for (const char* pixel : { "5", "5,", ",5", "5,5,5", "-1,5", "5,-1", "1.5,2", "a,b", "5 ,5" })
+  {
+    ExpectBadValue("--pixel", pixel, "expected X,Y, two whole numbers, 0 or more");
+  }
+  const std::string outside =
+    "the pixel of --pixel is outside the picture: columns are 0 to 1023, rows 0 to 767";
+  EXPECT_EQ(GetError({ "a.vtu", "--pixel", "1024,0" }), outside);
+  EXPECT_EQ(GetError({ "a.vtu", "--pixel", "0,768" }), outside);
+  EXPECT_EQ(GetError({ "a.vtu", "--pixel-json", "p.json" }),
+    "--pixel-json writes the ray of --pixel, which is missing");
+}
+
 // By the numbers of vtkTetMarchVolumeMapper::ViewModeType.
 TEST(CommandLine, ViewsAreThoseOfTheMapper)
 {

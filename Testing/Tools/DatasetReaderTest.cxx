@@ -180,7 +180,7 @@ TEST_F(DatasetReader, MergesPiecesOfParallelFiles)
     << R"(<PPointData><PDataArray type="Float64" Name="p"/></PPointData>)"
     << R"(<PCellData><PDataArray type="Float64" Name="c"/></PCellData>)"
     << R"(<PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints>)"
-    << R"(<Segment Source="0.vtu"/><Segment Source="1.vtu"/></PUnstructuredGrid></VTKFile>)";
+    << R"(<Piece Source="0.vtu"/><Piece Source="1.vtu"/></PUnstructuredGrid></VTKFile>)";
   const auto grid = tetmarch::ReadUnstructuredGrid(this->GetPath("all.pvtu"), std::nullopt);
   EXPECT_EQ(grid->GetNumberOfCells(), 2);
   EXPECT_EQ(grid->GetNumberOfPoints(), 12);

@@ -26,19 +26,28 @@ def binary_array(name, values, components=1):
             f"{code}</DataArray>")
 
 
-def cube_vtu():
-    """A unit hexahedron and a triangle, which is to be skipped."""
+def cube_vtu(x=0):
+    """A unit hexahedron, so far along x, and a triangle, which is to be skipped."""
     return f"""<?xml version="1.0"?>
 <VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">
-<UnstructuredGrid><Segment NumberOfPoints="8" NumberOfCells="2">
+<UnstructuredGrid><Piece NumberOfPoints="8" NumberOfCells="2">
 <PointData>{xml_array("half", "Float64", [0.5] * 8)}
 {xml_array("ramp", "Float64", [corner[0] for corner in CORNERS])}</PointData>
 <CellData>{xml_array("material", "Int32", [2, 7])}</CellData>
-<Points>{xml_array("Points", "Float32", [x for corner in CORNERS for x in corner], 3)}</Points>
+<Points>{xml_array("Points", "Float32", [p + o for corner in CORNERS for p, o in zip(corner, (x, 0, 0))], 3)}</Points>
 <Cells>{xml_array("connectivity", "Int64", [0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2])}
 {xml_array("offsets", "Int64", [8, 11])}
 {xml_array("types", "UInt8", [12, 5])}</Cells>
-</Segment></UnstructuredGrid></VTKFile>
+</Piece></UnstructuredGrid></VTKFile>
+"""
+
+
+def blocks_vtm():
+    """cube.vtu and the cube beside it."""
+    return """<?xml version="1.0"?>
+<VTKFile type="vtkMultiBlockDataSet" version="1.0" byte_order="LittleEndian"><vtkMultiBlockDataSet>
+<DataSet index="0" file="cube.vtu"/><DataSet index="1" file="beside.vtu"/>
+</vtkMultiBlockDataSet></VTKFile>
 """
 
 
@@ -46,14 +55,14 @@ def vectors_vtu():
     """A unit voxel with a vector of length 0.5, and a number that is none."""
     return f"""<?xml version="1.0"?>
 <VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">
-<UnstructuredGrid><Segment NumberOfPoints="8" NumberOfCells="1">
+<UnstructuredGrid><Piece NumberOfPoints="8" NumberOfCells="1">
 <PointData>{binary_array("vector", [0.3, 0.4, 0] * 8, 3)}</PointData>
 <CellData>{binary_array("unknown", [math.nan])}</CellData>
 <Points>{xml_array("Points", "Float32", [x for corner in CORNERS for x in corner], 3)}</Points>
 <Cells>{xml_array("connectivity", "Int64", range(8))}
 {xml_array("offsets", "Int64", [8])}
 {xml_array("types", "UInt8", [12])}</Cells>
-</Segment></UnstructuredGrid></VTKFile>
+</Piece></UnstructuredGrid></VTKFile>
 """
 
 
@@ -78,6 +87,8 @@ def write_all(folder):
     hexahedron = (12, range(8))
     texts = {
         "cube.vtu": cube_vtu(),
+        "beside.vtu": cube_vtu(1),
+        "blocks.vtm": blocks_vtm(),
         "truncated.vtu": cube_vtu()[:700],
         "garbage.vtu": "this is no XML",
         "empty.vtu": "",

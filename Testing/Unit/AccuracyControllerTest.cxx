@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What budgets leave to choose from, and whether they were kept.
+// Which level the controller takes for budgets of time and error, and whether they were kept.
 #include "Budget/AccuracyController.h"
 
 #include <gtest/gtest.h>
@@ -66,84 +66,85 @@ TEST(AccuracyLadder, OfAnErrorIsTheToleranceAndWhatIsBetter)
 
 TEST(AccuracyController, SaysWhatWasUsedAndKept)
 {
-  AccuracyController choice;
-  EXPECT_TRUE(choice.used() == Rung());
-  EXPECT_FALSE(choice.isKept()); // nothing was drawn
-  choice.begin({ Accuracy::Reference, 1.0 });
-  choice.end(drawn(100));
-  EXPECT_TRUE(choice.used() == (Rung{ Accuracy::Reference, 1e-5 }));
-  EXPECT_TRUE(choice.isKept());
+  AccuracyController controller;
+  EXPECT_TRUE(controller.used() == Rung());
+  EXPECT_FALSE(controller.isKept()); // nothing was drawn
+  controller.begin({ Accuracy::Reference, 1.0 });
+  controller.end(drawn(100));
+  EXPECT_TRUE(controller.used() == (Rung{ Accuracy::Reference, 1e-5 }));
+  EXPECT_TRUE(controller.isKept());
 
-  EXPECT_FALSE(choice.begin(budgets(0.1, 0)).Adaptive);
-  choice.end(drawn(0.05));
-  EXPECT_EQ(choice.used().Level, Accuracy::Fast);
-  EXPECT_TRUE(choice.isKept());
-  choice.begin(budgets(0.1, 0));
-  choice.end(drawn(0.11));
-  EXPECT_FALSE(choice.isKept());
+  EXPECT_FALSE(controller.begin(budgets(0.1, 0)).Adaptive);
+  controller.end(drawn(0.05));
+  EXPECT_EQ(controller.used().Level, Accuracy::Fast);
+  EXPECT_TRUE(controller.isKept());
+  controller.begin(budgets(0.1, 0));
+  controller.end(drawn(0.11));
+  EXPECT_FALSE(controller.isKept());
 
-  EXPECT_EQ(choice.begin(budgets(0, 0.01)).ErrorTolerance, 0.01);
-  choice.end(drawn(100));
-  EXPECT_TRUE(choice.used() == (Rung{ Accuracy::Default, 0.01 }));
-  EXPECT_TRUE(choice.isKept());
-  choice.begin(budgets(0, 1e-9)); // nothing keeps that
-  choice.end(drawn(0));
-  EXPECT_FALSE(choice.isKept());
+  EXPECT_EQ(controller.begin(budgets(0, 0.01)).ErrorTolerance, 0.01);
+  controller.end(drawn(100));
+  EXPECT_TRUE(controller.used() == (Rung{ Accuracy::Default, 0.01 }));
+  EXPECT_TRUE(controller.isKept());
+  controller.begin(budgets(0, 1e-9)); // nothing keeps that
+  controller.end(drawn(0));
+  EXPECT_FALSE(controller.isKept());
 }
 
 TEST(AccuracyController, ABoundThatWasMeasuredCounts)
 {
-  AccuracyController choice;
+  AccuracyController controller;
   FrameResult frame = drawn(0.01);
   for (const double bound : { 0.0, 0.0099, 0.0101 })
   {
     frame.ErrorBound = bound;
-    choice.begin(budgets(0, 0.01));
-    choice.end(frame);
-    EXPECT_EQ(choice.isKept(), bound <= 0.01);
+    controller.begin(budgets(0, 0.01));
+    controller.end(frame);
+    EXPECT_EQ(controller.isKept(), bound <= 0.01);
   }
 }
 
 TEST(AccuracyController, TheErrorComesBeforeTheTime)
 {
-  AccuracyController choice;
+  AccuracyController controller;
   for (int i = 0; i < 50; ++i)
   {
-    EXPECT_EQ(choice.begin(budgets(0.1, 0.01)).ErrorTolerance, 0.01);
-    choice.end(drawn(0.2));
-    EXPECT_FALSE(choice.isKept());
+    EXPECT_EQ(controller.begin(budgets(0.1, 0.01)).ErrorTolerance, 0.01);
+    controller.end(drawn(0.2));
+    EXPECT_FALSE(controller.isKept());
   }
   for (int i = 0; i < 50; ++i)
   {
-    EXPECT_LE(choice.begin(budgets(0.1, 0.02)).ErrorTolerance, 0.02);
-    choice.end(drawn(0.02));
-    EXPECT_TRUE(choice.isKept());
+    EXPECT_LE(controller.begin(budgets(0.1, 0.02)).ErrorTolerance, 0.02);
+    controller.end(drawn(0.02));
+    EXPECT_TRUE(controller.isKept());
   }
-  EXPECT_EQ(choice.used().Level, Accuracy::Reference);
+  EXPECT_EQ(controller.used().Level, Accuracy::Reference);
 }
 
 TEST(AccuracyController, FramesThatAreNotDrawnKeepNothing)
 {
-  AccuracyController choice;
-  choice.begin(budgets(0.1, 0));
-  choice.end(drawn(0.01));
-  choice.begin(budgets(0.1, 0));
-  choice.end({ false, true, true, 0.01, 0, {} });
-  EXPECT_FALSE(choice.isKept());
-  EXPECT_EQ(choice.used().Level, Accuracy::Fast);
+  AccuracyController controller;
+  controller.begin(budgets(0.1, 0));
+  controller.end(drawn(0.01));
+  controller.begin(budgets(0.1, 0));
+  controller.end({ false, true, true, 0.01, 0, {} });
+  EXPECT_FALSE(controller.isKept());
+  EXPECT_EQ(controller.used().Level, Accuracy::Fast);
 }
 
-// Costs that would allow the best, but each frame is of something else, or more than drawn.
+// Frames are cheap enough for the best level, but none of them tells what drawing costs: each is of
+// another scene, or has made something beside drawing.
 TEST(AccuracyController, OnlyFramesOfTheSameAreMeasured)
 {
   for (const bool onlyDrawn : { true, false })
   {
-    AccuracyController choice;
+    AccuracyController controller;
     for (std::uintptr_t i = 0; i < 100; ++i)
     {
-      choice.begin(budgets(0.1, 0));
-      choice.end({ true, true, onlyDrawn, 0.001, 0, { onlyDrawn ? i : 0 } });
-      EXPECT_EQ(choice.used().Level, Accuracy::Fast);
+      controller.begin(budgets(0.1, 0));
+      controller.end({ true, true, onlyDrawn, 0.001, 0, { onlyDrawn ? i : 0 } });
+      EXPECT_EQ(controller.used().Level, Accuracy::Fast);
     }
   }
 }
@@ -151,23 +152,23 @@ TEST(AccuracyController, OnlyFramesOfTheSameAreMeasured)
 // A view may take much longer than a picture, or less.
 TEST(AccuracyController, ViewsOfErrorOrCostChangeNothing)
 {
-  AccuracyController choice;
+  AccuracyController controller;
   for (int i = 0; i < 100; ++i)
   {
-    choice.begin(budgets(0.1, 0));
-    choice.end(drawn(0.01));
+    controller.begin(budgets(0.1, 0));
+    controller.end(drawn(0.01));
   }
-  EXPECT_EQ(choice.used().Level, Accuracy::Reference);
+  EXPECT_EQ(controller.used().Level, Accuracy::Reference);
   for (const double seconds : { 0.5, 0.001 })
   {
     for (int i = 0; i < 20; ++i)
     {
-      choice.begin(budgets(0.1, 0));
+      controller.begin(budgets(0.1, 0));
       FrameResult view = drawn(seconds);
       view.IsPicture = false;
-      choice.end(view);
-      EXPECT_EQ(choice.used().Level, Accuracy::Reference);
-      EXPECT_EQ(choice.isKept(), seconds <= 0.1);
+      controller.end(view);
+      EXPECT_EQ(controller.used().Level, Accuracy::Reference);
+      EXPECT_EQ(controller.isKept(), seconds <= 0.1);
     }
   }
 }

@@ -36,8 +36,8 @@ typename Kernel::March alongX(
 const Field AlongX = [](double x, double, double) { return x; };
 const double Thicknesses[] = { 1e-4, 0.1, 1.0, 3.0, 6.0 };
 
-// Opacity is the product of exact optical depths. Float: so many factors with 2 roundings each, and
-// the lengths' 16 eps.
+// Transmittance is a product of one factor a cell. Float rounds each of them twice, and lengths by
+// 16 eps.
 TEST(Analytic, ConstantField)
 {
   for (const double kappa : { 1e-6, 0.3, 1.0 })
@@ -76,7 +76,7 @@ TEST(Analytic, LinearExtinction)
       table, DefaultAccuracy, thickness, jitteredLattice(5, 0.15, 1, AlongX));
     // Positions, scalars and samples are floats.
     EXPECT_NEAR(1.0 - exact.radiance.transmittance, opacity, 4e-7);
-    // White looks as opaque as it is, whatever the pieces.
+    // White is as bright as it is opaque, however segments are split.
     EXPECT_NEAR(exact.radiance.color.x, opacity, 4e-7);
     const auto single = alongX<PointKernel<float>, float>(
       table, DefaultAccuracy, thickness, jitteredLattice(5, 0.15, 1, AlongX));
@@ -95,7 +95,7 @@ TEST(Analytic, LinearColour)
   {
     const auto march = alongX<PointKernel<double>, double>(
       table, GroundTruthAccuracy, thickness, jitteredLattice(5, 0.15, 1, AlongX));
-    // Each evaluation errs by 1e-6 at most.
+    // Each lookup errs by 1e-6 at most.
     const double bound = 1e-6 * march.lookups + 4e-7;
     EXPECT_NEAR(march.radiance.color.x, slabColour(0.9, 0.1, 0.5 * thickness, 1.0), bound);
     EXPECT_NEAR(march.radiance.color.y, slabColour(0.0, 1.0, 0.5 * thickness, 1.0), bound);
@@ -149,8 +149,8 @@ TEST(Analytic, TransmittanceNeverGrows)
       {
         const auto march = kernel.castPlainRay(ray, -1, thickness, -1e30f, end);
         const float now = march.radiance.transmittance;
-        // Pieces end elsewhere when the ray does: a few roundings. Below the level's
-        // tolerance a ray ends, and it may end later if its last piece was cut short.
+        // Where the ray ends, segments end: a few roundings. Below the level's tolerance a
+        // ray is opaque, and it may get there later if its last segment was cut short.
         ASSERT_LE(now, std::max(before * (1.0f + 1e-5f), kernel.errorTolerance));
         ASSERT_GE(now, 0.0f);
         ASSERT_TRUE(march.radiance.color.x >= 0.0f && march.radiance.color.x <= 1.0f + 1e-6f);
@@ -160,7 +160,7 @@ TEST(Analytic, TransmittanceNeverGrows)
   }
 }
 
-TEST(Analytic, ThinCellsTakeOneEvaluationEach)
+TEST(Analytic, ThinCellsTakeOneLookupEach)
 {
   const IntegralTable table = tableOf(
     [](double f) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples that keep what lies between them.
+// Samples of a table keep the area of what lies between them.
 #include "Optics/BinAreas.h"
 
 #include "LatticeGrids.h"
@@ -32,10 +32,10 @@ std::array<double, 4> areasOf(const std::vector<OpticalSample>& samples, int per
   std::array<double, 4> sum{};
   for (std::size_t i = 0; i + 1 < samples.size(); ++i)
   {
-    const auto piece = linearIntegrals(samples[i], samples[i + 1]);
+    const auto part = linearIntegrals(samples[i], samples[i + 1]);
     for (int k = 0; k < 4; ++k)
     {
-      sum[k] += piece[k] / perBin;
+      sum[k] += part[k] / perBin;
     }
   }
   return sum;
@@ -75,7 +75,7 @@ TEST(BinAreas, LinearBinsStayAsTheyAre)
   }
 }
 
-// Whatever its place in the bin; point samples miss it, or take it for much wider.
+// A spike, wherever it is in the bin; point samples miss it, or take it for much wider.
 TEST(BinAreas, SpikesAndStepsKeepTheirAreas)
 {
   double errorKept = 0.0, errorOfPoints = 0.0;
@@ -118,7 +118,7 @@ TEST(BinAreas, SpikesAndStepsKeepTheirAreas)
   RecordProperty("share", std::to_string(errorKept / errorOfPoints));
 }
 
-// Also where extinction begins within a bin, of which little is left to tell a colour from.
+// Also where extinction begins within a bin, so that little of the colour is seen.
 TEST(BinAreas, ColoursAreOfThoseSeenThere)
 {
   for (int i = 0; i < 64; ++i)

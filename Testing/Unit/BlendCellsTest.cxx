@@ -12,7 +12,7 @@ namespace
 using namespace tetmarch;
 using namespace tetmarch::testing;
 
-// Of cells, constant in four slabs along x.
+// Scalars of cells, constant in four slabs along x.
 Grid slabs()
 {
   Grid grid = jitteredLattice(4, 0.0, 1, AlongX);
@@ -26,7 +26,7 @@ Grid slabs()
 
 double scalarOfSlab(double x) { return std::floor(std::min(std::max(4 * x, 0.0), 3.999)) / 3; }
 
-// A hundred thousandth beside a slab's side it is not sure on which side rounding leaves it.
+// So near to the side of a slab, rounding decides on which side a point lies.
 bool isBesideASide(double x) { return std::abs(4 * x - std::round(4 * x)) < 1e-4; }
 
 TEST(Blend, ScalarsOfCells)
@@ -67,7 +67,7 @@ TEST(Blend, ScalarsOfCells)
   };
   expectRays<SumCellKernel<double>, double>(rays, AlongX, average);
 
-  // Between two slabs each; a third and two thirds are scalars of slabs.
+  // Values between the scalars of two slabs, which are 0, 1/3, 2/3 and 1.
   const std::vector<double> values{ 0.1, 0.2, 0.5, 0.9 };
   rays.useSurfaces(values);
   const auto surfaces = [&](const Chord& c, Rgba& known)

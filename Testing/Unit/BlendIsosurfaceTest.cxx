@@ -31,8 +31,8 @@ TEST(Blend, IsosurfacesInTheOrderOfDepth)
   }
 }
 
-// The value is that of all points of a plane of faces; rays go through vertices, along edges and in
-// faces of the lattice, too. In the plane itself it may or may not be crossed.
+// A plane of faces has the value everywhere. Rays go through its vertices, along its edges and in
+// its faces, too; in the plane itself the value may count or not.
 TEST(Blend, AValueOnFacesCountsOnce)
 {
   BlendedRays rays(jitteredLattice(4, 0.0, 1, AlongX));

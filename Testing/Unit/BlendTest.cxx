@@ -13,7 +13,7 @@ namespace
 using namespace tetmarch;
 using namespace tetmarch::testing;
 
-// Of opacity(s) s from p to q.
+// The mean of opacity(s) s for s from p to q.
 double meanIntensity(double p, double q)
 {
   const auto integral = [](double s) { return 0.1 * s * s + 0.2 * s * s * s; };
@@ -41,7 +41,7 @@ TEST(Blend, MaximumAndMinimum)
 TEST(Blend, AdditiveIsTheIntegralUpToOne)
 {
   BlendedRays rays(jitteredLattice(5, 0.15, 1, linearField()));
-  rays.use(BlendMode::Additive, { { 0.5, 0.6 } }); // a range of averages alone
+  rays.use(BlendMode::Additive, { { 0.5, 0.6 } }); // the range is used by averages alone
   int clamped = 0;
   const auto expected = [&](const Chord& c, Rgba& known)
   {

@@ -17,7 +17,8 @@
 namespace tetmarch::testing
 {
 inline const Field AlongX = [](double x, double, double) { return x; };
-/// Stored positions, scalars and tables are floats; short chords make the most of it.
+/// Tolerances of colours. Stored positions, scalars and tables are floats also for kernels in
+/// double; short chords magnify their rounding.
 constexpr double ByDouble = 4e-6;
 constexpr double ByFloat = 1e-4;
 

@@ -30,14 +30,14 @@ namespace tetmarch::testing
 {
 using Rgba = std::array<double, 4>;
 
-/// What a ray sees of the cube.
+/// The part of a ray in the cube.
 struct Chord
 {
   double Begin = 0; ///< depths
   double End = 0;
   double First = 0; ///< scalars there
   double Last = 0;
-  double Optical = 0; ///< length in scalar opacity unit distances
+  double Optical = 0; ///< thickness: its length in scalar opacity unit distances
 
   double scalarAt(double depth) const
   {
@@ -112,7 +112,7 @@ public:
     return { { double(color.x), double(color.y), double(color.z), double(color.w) } };
   }
 
-  /// Of the cube, enlarged by so much; empty (End <= Begin) if the ray misses it.
+  /// The chord of the cube, enlarged by so much; empty (End <= Begin) if the ray misses it.
   template <typename Ray>
   Chord chordOf(const Ray& ray, const Field& field, double enlarged = 0.0) const
   {
@@ -140,8 +140,8 @@ public:
     return chord;
   }
 
-  /// Calls with rays of all kinds that pass through the cube, with all of their chord or a part, of
-  /// some optical length. Rays that graze a side are left out.
+  /// Calls check(ray, chord) with rays of all kinds through the cube, with all of their chord or a
+  /// part of it, of a random thickness. Rays that graze a side are left out.
   template <typename Kernel, typename Real, typename Function>
   void forEachRay(Kernel& kernel, const Field& field, const Function& check, int count = 600) const
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is made of the options for a blend mode.
+// The options of blend modes: which are errors, and the tables and variants that others need.
 #include "Appearance/Blending.h"
 #include "Light/EffectOptions.h"
 #include "Mesh/Scalars.h"
@@ -141,7 +141,7 @@ TEST_F(BlendingTest, ModesOfAKindShareAVariant)
   EXPECT_EQ(bitsOf(BlendMode::IsoSurface), (Bits{ { false, false, true } }));
 }
 
-// Opacity as it is, whatever the law, and for sums the intensity as the colour.
+// The table has the opacity as it is, whatever the law, and for sums the intensity as the colour.
 TEST_F(BlendingTest, TablesHaveOpacityAndIntensity)
 {
   const auto valueAt = [](const IntegralTable& table, double scalar)

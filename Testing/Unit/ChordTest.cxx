@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes that are boxes, or boxes without boxes: what a ray crosses has a closed form, for every
-// ray.
+// Meshes that are boxes, or boxes with boxes taken away: the length of every ray in them has a
+// closed form.
 #include "Reference/Kernel.h"
 
 #include "ClosedForms.h"

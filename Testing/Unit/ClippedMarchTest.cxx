@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The march through a volume that is cut: lengths in closed form, pictures against the groundTruth.
+// The march through a volume that is cut: lengths in closed form, pictures against the ground
+// truth.
 #include "Mesh/Scalars.h"
 #include "Reference/Kernel.h"
 
 #include "ClosedForms.h"
-#include "CutWay.h"
+#include "CutLine.h"
 #include "RandomRays.h"
 #include "Shot.h"
 #include "UnitMeshes.h"
@@ -31,7 +32,7 @@ void addPlane(vtkPlaneCollection* planes, const Point& origin, const Point& norm
   planes->AddItem(plane);
 }
 
-// Constant extinction in a cube: what is left of a ray in it is known.
+// Constant extinction in a cube: the transmittance of what is left of a ray is known.
 template <typename Real>
 class CutCube
 {
@@ -64,7 +65,7 @@ public:
           this->March.castPlainRay(ray, -1, Real(Thickness * this->Mesh.Radius), range.x, range.y);
         const double length =
           std::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1], ends[1][2] - ends[0][2]) *
-          shareLeft(options, { ends[0], ends[0] }, { ends[1], ends[1] });
+          fractionLeft(options, { ends[0], ends[0] }, { ends[1], ends[1] });
         most = std::max(
           most, std::abs(double(march.radiance.transmittance) - std::exp(-Thickness * length)));
         this->Longest = std::max(this->Longest, length);
@@ -168,7 +169,7 @@ TEST(ClippedMarch, CroppingInClosedForm)
   }
 }
 
-// All six planes within one cell, and within the thickness of a hair.
+// All six planes within one cell, and very near to each other.
 TEST(ClippedMarch, NarrowRegionsInClosedForm)
 {
   ClippingOptions options;
@@ -185,7 +186,7 @@ TEST(ClippedMarch, NarrowRegionsInClosedForm)
   }
 }
 
-// Nothing cut: the very same march.
+// Without cuts the march of the clipped variant is the same to the last bit.
 TEST(ClippedMarch, WhatCutsNothingChangesNoBit)
 {
   CutCube<float> plain, cube;

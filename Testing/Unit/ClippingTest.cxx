@@ -4,7 +4,7 @@
 // data, and what can't be used.
 #include "Rays/Clipping.h"
 
-#include "CutWay.h"
+#include "CutLine.h"
 #include "RandomRays.h"
 #include "UnitMeshes.h"
 
@@ -227,7 +227,7 @@ TEST_F(ClippingOf, CroppingLeavesItsRegions)
   }
 }
 
-// A box takes no more than planes, and no more of these than it has faces.
+// Regions that make a box are cut by planes alone, by no more of them than the box has faces.
 TEST_F(ClippingOf, BoxesOfRegionsAreHalfSpaces)
 {
   this->Options.Cropping = true;

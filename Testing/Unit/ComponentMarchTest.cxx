@@ -78,7 +78,7 @@ TEST(ComponentMarch, BoundsOfWhatIsTakenAsItIs)
   expectBound(tallyOf<FastDirectColorPointKernel<double>, double>(direct));
 }
 
-// One colour after the other, in an even fog: what a slab of linear colour sends out.
+// The colour changes linearly along the ray, the extinction is the same everywhere.
 TEST(ComponentMarch, ColorsThatAreLinearInAnEvenFog)
 {
   ComponentRays rays(jitteredLattice(3, 0.15), 4, false);
@@ -106,7 +106,7 @@ TEST(ComponentMarch, ColorsThatAreLinearInAnEvenFog)
   EXPECT_GT(checked, 200);
 }
 
-// Cells of constant scalars are exact: each ray sees the sum of what is in them.
+// Cells of constant scalars are exact: a ray in one of them has the colour of its mixed components.
 template <template <typename> class Kernel>
 void expectCells(int components, bool independent)
 {

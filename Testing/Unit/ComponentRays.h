@@ -3,7 +3,7 @@
 /**
  * @file
  * @brief Rays through the unit cube with an array of several components, each linear in space, and
- * what they see by a quadrature that shares nothing with the march
+ * what they see by a quadrature that has nothing in common with the march
  */
 #ifndef tetmarch_testing_ComponentRays_h
 #define tetmarch_testing_ComponentRays_h
@@ -19,8 +19,8 @@ namespace tetmarch::testing
 class ComponentRays
 {
 public:
-  /// Dependent ones with 2 or 4 components unless independent. The functions are those of
-  /// setComponentFunctions().
+  /// Dependent components, 2 or 4 of them, unless `independent` is set. The transfer functions are
+  /// those of setComponentFunctions().
   ComponentRays(const Grid& grid, int components, bool independent, bool cells = false)
     : Fields(componentFields(components))
     , Rays(withComponents(grid, this->Fields, VTK_DOUBLE), cells)
@@ -57,8 +57,8 @@ public:
     return made;
   }
 
-  /// Premultiplied colour and opacity of that part of a ray, by so many steps, in each of which
-  /// colour and extinction are those of its middle.
+  /// Premultiplied colour and opacity of a part of a ray, in steps of the colour and extinction of
+  /// their middles.
   template <typename Ray>
   Rgba byQuadrature(const Ray& ray, const Chord& chord, int steps = 2000) const
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which components of an array are drawn together, how they are stored, and what is wrong with
-// others.
+// Which components of an array are drawn together, how they are stored, and the errors of those
+// that can't be.
 #include "Appearance/Components.h"
 
 #include "ComponentFields.h"

@@ -62,16 +62,17 @@ double distance(const std::array<double, 4>& a, const std::array<double, 4>& b)
   return most;
 }
 
-constexpr double Never = 1e-30; // ends a ray
+constexpr double Never = 1e-30; // a transmittance at which no ray ends
 constexpr double Length = 3.0;
 
-// Of a halved step, from the first error to the last.
+// The mean order of the error when steps are halved, from the first error to the last.
 double observedOrder(const std::vector<double>& errors)
 {
   return std::log2(errors.front() / errors.back()) / double(errors.size() - 1);
 }
 
-// A segment as one piece: (h^2 / 12) times an integral of the change of colour, also across jumps.
+// A segment that is not split: (h^2 / 12) times an integral of the change of colour, also across
+// jumps.
 TEST(Convergence, OfSegmentsTakenAsTheyAre)
 {
   for (const auto& f : { smooth, steps })
@@ -91,7 +92,8 @@ TEST(Convergence, OfSegmentsTakenAsTheyAre)
   }
 }
 
-// Split segments keep the tolerance in however many they come: flat, until unsplit ones are better.
+// Split segments keep the tolerance however many cells there are: their error stays the same until
+// cells are so small that nothing is split.
 TEST(Convergence, OfSegmentsThatAreSplit)
 {
   for (const auto& f : { smooth, steps })

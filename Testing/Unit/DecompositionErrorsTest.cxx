@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is odd about a grid but no error, and stopping.
+// Oddities of a grid that are no errors, and builds that are stopped.
 #include "Mesh/Decomposition.h"
 #include "Mesh/TetMeshBuilder.h"
 
@@ -56,7 +56,7 @@ TEST(DecompositionErrors, TypesWithoutATableGoByVTK)
   EXPECT_EQ(mesh.Report.UnsupportedCells, 0);
 }
 
-// Of the points that it names, wherever they are among those of the grid.
+// A convex point set is the hull of its own points, wherever they are among those of the grid.
 TEST(DecompositionErrors, ConvexPointSetsAreOfTheirOwnPoints)
 {
   GridBuilder builder;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What effects are made of is made when a scene calls for it, once, and gone when it doesn't.
+// The data of effects are made when a scene calls for them, once, and are gone when it doesn't.
 #include "StagedEffects.h"
 
 #include "ScarceMemory.h"
@@ -88,7 +88,7 @@ TEST_F(Effects, GradientsToLookAt)
   this->Options.Shown = Subject::Gradients;
   this->expectRuns(1, 0, 0);
   EXPECT_TRUE(this->key().ShowGradients);
-  this->Options.Shown = Subject::Illumination; // of no light
+  this->Options.Shown = Subject::Illumination; // which needs no light
   this->expectRuns(1, 0, 0);
   EXPECT_EQ(this->Stage.data().Gradients.capacity(), 0u);
 }
@@ -150,7 +150,7 @@ TEST_F(Effects, GradientsOfCells)
   this->expectRuns(2, 0, 0);
   EXPECT_EQ(this->Stage.data().Gradients.size(), this->Mesh.Tets.size());
   EXPECT_TRUE(this->key().CellGradients);
-  // Scalars of cells have none inside.
+  // Scalars of cells have no gradient within a cell.
   this->Range =
     makeCellScalars(this->Data->GetCellData()->GetScalars(), this->Mesh, this->CellScalars);
   this->Which = { 1, 2 };

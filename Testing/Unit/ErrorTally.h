@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What kernels see of rays, how far off that is, and whether the bound of the error holds
+ * @brief How far the colours that kernels see along rays are off, and whether their bounds hold
  */
 #ifndef tetmarch_testing_ErrorTally_h
 #define tetmarch_testing_ErrorTally_h
@@ -15,7 +15,7 @@
 
 namespace tetmarch::testing
 {
-/// What float tells of a ray, and what tables and a quadrature leave.
+/// The error of float, tables and quadrature, which no bound includes.
 constexpr double Rounding = 2e-5;
 
 struct ErrorTally

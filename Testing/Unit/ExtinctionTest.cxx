@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The march that knows extinction alone against the one that knows everything.
+// The march that gathers extinction alone against the march of the picture.
 #include "RandomRays.h"
 #include "RandomVolume.h"
 #include "UnitMeshes.h"
@@ -18,12 +18,12 @@ using namespace tetmarch::testing;
 
 struct Tally
 {
-  double Worst = 0.0; // difference, a cell
-  int Rays = 0;       // that some light comes along, but not all
+  double Worst = 0.0; // difference for each cell of a ray
+  int Rays = 0;       // along which some light is lost
 };
 
-// The march of the picture takes an exponential a cell, by a series that is good to 4e-8; and where
-// either has ended for darkness, the other may be darker still.
+// The march of the picture takes an exponential for each cell, by a series that is good to 4e-8.
+// Either march ends when its transmittance is below the tolerance; then the other may be smaller.
 template <typename March>
 void expectSame(double found, const March& march, Tally& tally)
 {
@@ -38,7 +38,7 @@ void expectSame(double found, const March& march, Tally& tally)
   tally.Rays += found < 0.99 ? 1 : 0;
 }
 
-// All ways from boundary to boundary, or a part of the ray.
+// All that a ray meets from boundary to boundary, or on a part of it.
 template <typename Kernel>
 void compareRays(RandomVolume<Kernel>& volume, Tally& tally)
 {
@@ -50,14 +50,14 @@ void compareRays(RandomVolume<Kernel>& volume, Tally& tally)
     const double length = volume.nextLength();
     const double begin = i % 3 == 0 ? rays.uniformBetween(-1.0, 0.5) : -1e30;
     const double end = i % 4 == 0 ? rays.uniformBetween(-0.5, 1.0) : 1e30;
-    auto way = kernel.traversalFromBoundary(ray, -1);
-    const double found = kernel.transmittanceOn(ray, length, begin, end, way);
+    auto traversal = kernel.traversalFromBoundary(ray, -1);
+    const double found = kernel.transmittanceOn(ray, length, begin, end, traversal);
     ASSERT_NO_FATAL_FAILURE(
       expectSame(found, kernel.castPlainRay(ray, -1, length, begin, end), tally));
   }
 }
 
-// From points inside, whose way the other march looks for in the hierarchy.
+// From points inside; the march that it is compared with searches the hierarchy for its entry.
 template <typename Kernel>
 void compareRaysFromInside(RandomVolume<Kernel>& volume, Tally& tally)
 {
@@ -110,7 +110,7 @@ void compareMarches(bool cellGradients)
   compareOf<Kernel>(grids, cellGradients, "from the boundary", compareRays<Kernel>);
 }
 
-// Where tetrahedra overlap, who comes from inside has seen less.
+// Where tetrahedra overlap, a ray from inside has met fewer of them.
 template <typename Kernel>
 void compareFromInside(bool cellGradients)
 {

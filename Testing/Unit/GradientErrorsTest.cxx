@@ -203,8 +203,8 @@ TEST(GradientErrors, OfPointScalars)
   }
 }
 
-// The one kind of mesh found that is worse for the fit: no edge leads straight across the layers.
-// Neither is of much use there.
+// The one kind of mesh found for which the fit is worse than the rival: no edge leads straight
+// across the layers. The errors of both are large there.
 TEST(GradientErrors, OfLayersAskew)
 {
   const Grid grid = mapped(jitteredLattice(16), onArc);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Gradients of linear fields are exact; what isn't drawn, or flat, has no part in any.
+// Gradients of linear fields are exact; cells that aren't drawn, or are flat, take no part in them.
 #include "Mesh/Gradients.h"
 #include "Mesh/Orientation.h"
 #include "Mesh/VertexTets.h"

@@ -142,7 +142,7 @@ TEST(HiddenCells, AreLookedAtAnewWhenGhostsOrMeshChange)
   EXPECT_FALSE(stage.update(grid, mesh, 2));
   EXPECT_TRUE(stage.cells().empty());
   ghosts->SetValue(3, Ghosts::HIDDENCELL);
-  EXPECT_FALSE(stage.update(grid, mesh, 2)); // nobody said so
+  EXPECT_FALSE(stage.update(grid, mesh, 2)); // Modified() wasn't called
   ghosts->Modified();
   EXPECT_TRUE(stage.update(grid, mesh, 2));
   EXPECT_FALSE(stage.cells().empty());

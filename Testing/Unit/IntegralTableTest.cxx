@@ -29,7 +29,7 @@ Value smooth(double f)
   return { { f, 0.5 + 0.5 * std::sin(6.0 * f), (1.0 - f) * (1.0 - f), 0.2 + 0.5 * f * f } };
 }
 
-// What the table's entries mean, by its own words: linear between entries, constant beyond.
+// The table as IntegralTable.h defines it: linear between entries, constant beyond them.
 Value valueAt(const IntegralTable& table, double x)
 {
   const int bin = std::min(std::max(static_cast<int>(std::floor(x)), 0), table.size() - 2);
@@ -162,7 +162,7 @@ TEST(IntegralTable, VariationBoundsEveryChannel)
   }
 }
 
-// Two spikes of different colours with nothing to be seen between them: neither sees the other's.
+// Two spikes of different colours with nothing between them: neither gets the other's colour.
 TEST(IntegralTable, ColoursWithoutExtinctionDontVary)
 {
   const IntegralTable table = tableOf(

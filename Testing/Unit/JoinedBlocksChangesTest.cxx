@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which blocks are joined, what is said of the others, and what is made again when.
+// Which blocks are joined, the errors about others, and what is made again after which change.
 #include "Grids.h"
 #include "JoinedGrids.h"
 #include "ScarceMemory.h"

@@ -15,6 +15,7 @@ namespace
 namespace fs = std::filesystem;
 
 const fs::path Module = TETMARCH_MODULE_DIR;
+constexpr int TopFloor = 7; // its rooms know the public classes
 
 std::map<std::string, int> readFloors()
 {
@@ -65,7 +66,7 @@ bool isSource(const fs::path& path)
   return path.extension() == ".h" || path.extension() == ".cxx";
 }
 
-// What the files of the rooms include.
+// The includes of all files of the folders.
 std::vector<Include> allIncludes()
 {
   std::vector<Include> found;
@@ -95,9 +96,9 @@ std::string complaint(const Include& include, const std::map<std::string, int>& 
   {
     return place + ", which is not on a lower floor";
   }
-  if (!ofRoom && fs::exists(Module / include.Included) && other != "Python")
+  if (floors.at(room) < TopFloor && !ofRoom && fs::exists(Module / include.Included))
   {
-    return place + ", a public class, which is above all rooms";
+    return place + ", a public class, which is above this floor";
   }
   if (!ofRoom && fs::exists(Module / room / include.Included))
   {
@@ -125,7 +126,7 @@ TEST(Layering, FloorsNameEveryRoom)
   {
     EXPECT_TRUE(fs::is_directory(Module / room)) << room << " is no folder of VTKModule";
     EXPECT_GE(floor, 1);
-    EXPECT_LE(floor, 6);
+    EXPECT_LE(floor, TopFloor);
   }
   EXPECT_GE(floors.size(), 13u);
 }
@@ -151,6 +152,7 @@ TEST(Layering, OneThatGoesUpIsFound)
   EXPECT_NE(complaint({ "Mesh/TetMeshBuilder.h", 1, "TetMesh.h" }, floors), "");
   EXPECT_EQ(complaint({ "Rays/View.h", 1, "Mesh/TetMesh.h" }, floors), "");
   EXPECT_EQ(complaint({ "GL/Pipeline.h", 1, "vtkOpenGLRenderWindow.h" }, floors), "");
+  EXPECT_EQ(complaint({ "Mapper/FrameOptions.h", 1, "vtkTetMarchSettings.h" }, floors), "");
   EXPECT_EQ(complaint({ "Mesh/TetMesh.h", 1, "vtkType.h" }, floors), "");
 }
 } // namespace

@@ -35,7 +35,7 @@ TEST(LevelControllerOfMany, ReachesTheBestThatFits)
   {
     Machine machine(randomCosts(random));
     machine.frames(UntilSettled);
-    EXPECT_EQ(machine.Choice.level(), machine.fitting());
+    EXPECT_EQ(machine.Controller.level(), machine.fitting());
     machine.Switches = 0;
     machine.frames(100);
     EXPECT_EQ(machine.Switches, 0);
@@ -53,7 +53,7 @@ TEST(LevelControllerOfMany, TrialsAreBoundedInTimeAndNumber)
     for (int frame = 0; frame < 300; ++frame)
     {
       const bool early = frame < LevelController::Patience;
-      const int level = machine.Choice.level();
+      const int level = machine.Controller.level();
       const double seconds = machine.frame();
       over += level > 0 && seconds > Budget ? 1 : 0;
       const double most = (early ? 0.5 : 1.0) * MostGrowth * Budget;
@@ -74,8 +74,8 @@ TEST(LevelControllerOfMany, NoiseDoesNotMakeItOscillate)
     machine.Noise = 0.2;
     machine.frames(200);
     // What fits in spite of noise is reached; what breaks the budget in spite of it is not kept.
-    EXPECT_GE(machine.Choice.level(), machine.fitting(1 / 1.2 / 1.2));
-    EXPECT_LE(machine.Choice.level(), machine.fitting(1.1));
+    EXPECT_GE(machine.Controller.level(), machine.fitting(1 / 1.2 / 1.2));
+    EXPECT_LE(machine.Controller.level(), machine.fitting(1.1));
     machine.Switches = 0;
     machine.frames(1000);
     EXPECT_LE(machine.Switches, 4);
@@ -101,13 +101,13 @@ TEST(LevelControllerOfMany, FollowsTheCameraThereAndBack)
       {
         machine.Dearer = 4;
         machine.frames(20);
-        EXPECT_LE(machine.Choice.level(), machine.fitting(1 + noise));
+        EXPECT_LE(machine.Controller.level(), machine.fitting(1 + noise));
         machine.frames(80);
-        EXPECT_GE(machine.Choice.level(), machine.fitting(share));
+        EXPECT_GE(machine.Controller.level(), machine.fitting(share));
         machine.Dearer = 1;
         machine.frames(40);
-        EXPECT_GE(machine.Choice.level(), machine.fitting(share));
-        EXPECT_LE(machine.Choice.level(), machine.fitting(1 + noise));
+        EXPECT_GE(machine.Controller.level(), machine.fitting(share));
+        EXPECT_LE(machine.Controller.level(), machine.fitting(1 + noise));
         machine.frames(60);
       }
     }
@@ -118,20 +118,20 @@ TEST(LevelControllerOfMany, FollowsASlowZoom)
 {
   Machine machine({ 0.010, 0.011, 0.016, 0.05 });
   machine.frames(UntilSettled);
-  EXPECT_EQ(machine.Choice.level(), 3);
+  EXPECT_EQ(machine.Controller.level(), 3);
   int over = 0;
   for (int i = 0; i < 100; ++i)
   {
     machine.Dearer *= 1.02;
-    over += machine.frame() > Budget && machine.Choice.level() > 0 ? 1 : 0;
+    over += machine.frame() > Budget && machine.Controller.level() > 0 ? 1 : 0;
   }
-  EXPECT_EQ(machine.Choice.level(), machine.fitting());
+  EXPECT_EQ(machine.Controller.level(), machine.fitting());
   EXPECT_LE(over, 25);
   for (int i = 0; i < 100; ++i)
   {
     machine.Dearer /= 1.02;
     machine.frame();
   }
-  EXPECT_EQ(machine.Choice.level(), 3);
+  EXPECT_EQ(machine.Controller.level(), 3);
 }
 } // namespace

@@ -47,8 +47,8 @@ protected:
   void expectAngles();
 };
 
-// What follows from where things are in the world, by the volume's own matrix. Positions in the
-// world are known to `lost` of the mesh's size only, if it is far away.
+// Lights are placed in the world by the volume's own matrix, and must be found again in the frame.
+// Far away, positions in the world are known only to `lost` of the mesh's size.
 void LightTransforms::expectTransforms()
 {
   const Triple a{ { 0.3, -0.7, 0.2 } };
@@ -83,15 +83,15 @@ void LightTransforms::expectTransforms()
   EXPECT_EQ(fading[3], 3.0);
   EXPECT_EQ(lights.Sources[0].Cone[3], 0.75);
 
-  // Ways: in the world as they are, in the normalised frame of unit length and the same way.
+  // Directions towards the light: in the world as they are, in the normalised frame of unit length.
   expectNear(firstThree(lights.Sources[2].Place), minus({}, direction), 1e-15);
   EXPECT_EQ(lights.Sources[2].Place[3], 0.0);
   expectNear(firstThree(lights.Sources[2].Cone), direction, 1e-15);
-  const Triple way = firstThree(lights.ShadowSources[2]);
+  const Triple toLight = firstThree(lights.ShadowSources[2]);
   EXPECT_EQ(lights.ShadowSources[2][3], 0.0);
-  EXPECT_NEAR(length(way), 1.0, 1e-12);
-  const Triple worldWay = this->toWorld(way, 0.0);
-  EXPECT_NEAR(dot(worldWay, direction), -length(worldWay), 1e-12 * length(worldWay));
+  EXPECT_NEAR(length(toLight), 1.0, 1e-12);
+  const Triple worldToLight = this->toWorld(toLight, 0.0);
+  EXPECT_NEAR(dot(worldToLight, direction), -length(worldToLight), 1e-12 * length(worldToLight));
 
   // Normals: across every surface, and up the slope however the volume is mirrored.
   const Triple slope{ { 0.6, -0.2, 0.9 } };
@@ -119,13 +119,13 @@ void LightTransforms::expectAngles()
   this->Answers.Lights = { sunlight(direction) };
   const LightUniforms lights = this->lights();
   ASSERT_FALSE(lights.InWorld);
-  const Triple way = firstThree(lights.Sources[0].Place);
-  EXPECT_NEAR(length(way), 1.0, 1e-12);
+  const Triple toLight = firstThree(lights.Sources[0].Place);
+  EXPECT_NEAR(length(toLight), 1.0, 1e-12);
   EXPECT_EQ(lights.Sources[0].Place[3], 0.0);
   const Triple slope{ { 0.6, -0.2, 0.9 } };
   const Triple worldSlope = this->toWorld(slope, 0.0);
   EXPECT_NEAR(
-    dot(way, slope) / length(slope), -dot(direction, worldSlope) / length(worldSlope), 1e-12);
+    dot(toLight, slope) / length(slope), -dot(direction, worldSlope) / length(worldSlope), 1e-12);
   for (const auto& matrix : { lights.WorldMatrix, lights.NormalMatrix })
   {
     EXPECT_EQ(times(matrix, slope), slope);

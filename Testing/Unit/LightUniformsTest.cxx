@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of lights, property and options the march is given.
+// The uniforms that lights, property and options become.
 #include "LitVolume.h"
 
 #include "UnitMeshes.h"
@@ -105,7 +105,8 @@ TEST_F(LightUniformsOf, KindsOfLights)
   EXPECT_FALSE(this->lights().isHeadlightOnly());
 }
 
-// Only where distances count, or angles aren't what they are in the mesh.
+// Lights are in the world's frame only where distances count, or where the volume's matrix changes
+// angles.
 TEST_F(LightUniformsOf, LightInTheWorld)
 {
   this->Answers.Lights = { headlight(), sunlight({ { 0.0, 0.0, -1.0 } }) };

@@ -25,7 +25,7 @@ TEST_F(LightsOf, Headlight)
   EXPECT_EQ(source.ShadowStrength, 1.0);
 }
 
-// A light at the camera, which attenuation and cone make another thing than a headlight.
+// A light at the camera with attenuation and a cone is no headlight.
 TEST_F(LightsOf, PositionalHeadlight)
 {
   const auto light = this->add();
@@ -39,7 +39,7 @@ TEST_F(LightsOf, PositionalHeadlight)
   EXPECT_EQ(source.ShadowStrength, 1.0);
 }
 
-// In coordinates in which the camera looks from (0, 0, 1) to the origin.
+// Camera lights are placed in coordinates in which the camera looks from (0, 0, 1) to the origin.
 TEST_F(LightsOf, CameraLight)
 {
   const auto light = this->add();

@@ -69,7 +69,7 @@ protected:
     return makeLightUniforms(this->Answers, this->Options, this->Volume, this->Mesh);
   }
 
-  Lighting Answers; // of the property, with the lights
+  Lighting Answers; // the property's numbers, and the lights
   EffectOptions Options;
   TetMesh Mesh;
   vtkNew<vtkVolume> Volume;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The mesh is made once a grid, a failure is met once, and whatever memory is refused, it is an
-// error of which nothing remains.
+// The mesh is made once for each grid, and a grid that fails is tried once. Whatever memory is
+// refused gives an error, and nothing remains of it.
 #include "Mesh/MeshStage.h"
 
 #include "Caching/WithinMemory.h"
@@ -69,7 +69,7 @@ TEST(MeshStage, AFailureIsMetOnce)
   EXPECT_EQ(stage.make(other, {}, NoProgress), "");
   EXPECT_EQ(stage.make(grid, {}, NoProgress), error);
   EXPECT_FALSE(stage.isCurrent(other));
-  // Mended, which only the grid is told.
+  // The array is mended; Modified() is called for the grid alone.
   grid->GetPoints()->SetPoint(5, 0.3, 0.4, 0.0);
   EXPECT_EQ(stage.make(grid, {}, NoProgress), error);
   grid->Modified();

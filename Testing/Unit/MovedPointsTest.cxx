@@ -22,7 +22,7 @@ namespace
 using namespace tetmarch;
 using namespace tetmarch::testing;
 
-// Bent by so much of its size; beyond 1 it folds.
+// The mesh bent by a fraction of its size; beyond 1 it folds.
 Grid bent(vtkUnstructuredGrid* grid, double amount)
 {
   auto result = Grid::New();
@@ -84,7 +84,7 @@ std::multimap<Points4, Points4> neighboursOf(const TetMesh& mesh)
   return neighbours;
 }
 
-// As they turn, from their smallest point on.
+// The points of a face in their cyclic order, the smallest first.
 std::set<Points4> facesOf(const TetMesh& mesh)
 {
   std::set<Points4> faces;

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadows of opaque geometry are looked for when something has changed, and gone when nothing casts
-// any.
+// Shadows of opaque geometry are made when something has changed, and freed when nothing casts any.
 #include "ShadowedEffects.h"
 
 namespace
@@ -13,7 +12,7 @@ class OpaqueShadowStage : public ShadowedEffects
 {
 };
 
-// The search tree stays as long as the data; the shadows are those of the place.
+// The search tree is kept while the data stay; shadows are made for each place of the geometry.
 TEST_F(OpaqueShadowStage, AnActorThatMoves)
 {
   this->addLight(0.3, 0.2, 1.0);

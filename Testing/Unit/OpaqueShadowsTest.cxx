@@ -49,7 +49,7 @@ TEST_F(OpaqueShadowsOf, APlateInTheSun)
   EXPECT_TRUE(this->key().OpaqueShadows);
 }
 
-// However far it is: nothing is beyond reach if that is all the way.
+// However far it is: a reach of 1 ends nowhere.
 TEST_F(OpaqueShadowsOf, APlateFarOff)
 {
   this->addLight(0.0002, 0.0001, 1.0);
@@ -79,7 +79,7 @@ TEST_F(OpaqueShadowsOf, NoFurtherThanLightIsFollowed)
     Rounding);
 }
 
-TEST_F(OpaqueShadowsOf, APlateBetweenALampAndTheVolume)
+TEST_F(OpaqueShadowsOf, APlateBetweenAPointLightAndTheVolume)
 {
   const Vector3 source{ { 0.4, 0.7, 2.5 } };
   this->addLightSource(source[0], source[1], source[2]);
@@ -88,7 +88,7 @@ TEST_F(OpaqueShadowsOf, APlateBetweenALampAndTheVolume)
     0, [&](const Vector3& p) { return depthUnderPlate(p, source - p, 1.3); }, Rounding);
 }
 
-TEST_F(OpaqueShadowsOf, NothingBehindALamp)
+TEST_F(OpaqueShadowsOf, NothingBehindAPointLight)
 {
   this->addLightSource(0.4, 0.7, 1.2);
   this->Renderer->AddActor(plateAt(1.3));
@@ -132,20 +132,20 @@ TEST_F(OpaqueShadowsOf, ABallInTheSun)
 
 TEST_F(OpaqueShadowsOf, EachOfThreeLights)
 {
-  const Vector3 ways[] = { { { 0.3, 0.2, 1.0 } }, { { -0.4, 0.1, 1.0 } } };
+  const Vector3 toSuns[] = { { { 0.3, 0.2, 1.0 } }, { { -0.4, 0.1, 1.0 } } };
   const Vector3 source{ { 0.4, 0.7, 2.5 } };
   this->addHeadlight(); // casts none
-  this->addLight(ways[0][0], ways[0][1], ways[0][2]);
+  this->addLight(toSuns[0][0], toSuns[0][1], toSuns[0][2]);
   this->addLightSource(source[0], source[1], source[2]);
-  this->addLight(ways[1][0], ways[1][1], ways[1][2]);
+  this->addLight(toSuns[1][0], toSuns[1][1], toSuns[1][2]);
   this->addLight(0.0, 0.0, 1.0); // the fourth casts none
   this->Renderer->AddActor(plateAt(1.3));
   this->expectShadow(
-    0, [&](const Vector3& p) { return depthUnderPlate(p, ways[0], 1.3); }, Rounding);
+    0, [&](const Vector3& p) { return depthUnderPlate(p, toSuns[0], 1.3); }, Rounding);
   this->expectShadow(
     1, [&](const Vector3& p) { return depthUnderPlate(p, source - p, 1.3); }, Rounding);
   this->expectShadow(
-    2, [&](const Vector3& p) { return depthUnderPlate(p, ways[1], 1.3); }, Rounding);
+    2, [&](const Vector3& p) { return depthUnderPlate(p, toSuns[1], 1.3); }, Rounding);
   for (std::uint8_t bits : this->shadows())
   {
     EXPECT_LT(bits, 8);
@@ -174,7 +174,7 @@ TEST_F(OpaqueShadowsOf, AStretchedAndTurnedVolume)
     1, [&](const Vector3& p) { return depthUnderPlate(p, source - p, 1.4); }, Rounding);
 }
 
-// On a part of the boundary's own surface each vertex is inside of it.
+// Vertices of the boundary that lie in the surface of the geometry count as inside of the volume.
 TEST_F(OpaqueShadowsOf, AWallOfTheVolume)
 {
   this->addLight(1.0, 0.1, 0.2);

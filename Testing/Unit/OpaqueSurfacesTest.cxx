@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a scene is opaque geometry, and where.
+// Which actors of a scene are opaque geometry, and where their triangles are.
 #include "Light/OpaqueSurfaces.h"
 
 #include "OpaqueProps.h"
@@ -98,7 +98,7 @@ TEST_F(OpaqueSurfacesOf, ActorsArePlaced)
   EXPECT_NEAR(place[2], 3.0 + 4.0, 1e-12);
 }
 
-// One of another, of two actors, and the same again elsewhere.
+// An assembly in another one, which shows one of its actors a second time in another place.
 TEST_F(OpaqueSurfacesOf, AssembliesMoveTheirParts)
 {
   const auto data = unitPlate();

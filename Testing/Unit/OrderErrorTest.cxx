@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The bound of what a piece loses by integrating its colours in no order.
+// The bound of what a segment loses by integrating its colours without their order.
 #include "Reference/Kernel.h"
 
 #include "LatticeGrids.h"

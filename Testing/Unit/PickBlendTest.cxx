@@ -27,7 +27,7 @@ struct Expected
 
 using Rule = std::function<Expected(const Chord& chord, double threshold)>;
 
-// Depths are those of a linear scalar, which may hardly change along the chord.
+// The depth follows from the scalar, which may hardly change along the chord: then it is uncertain.
 template <typename Kernel, typename Real>
 void expectPicks(const BlendedRays& rays, const Rule& rule, double tolerance, const char* what)
 {
@@ -66,8 +66,8 @@ void expectPicks(const BlendedRays& rays, const Rule& rule, double tolerance, co
             << " misses, scalars within " << worst << '\n';
 }
 
-// In double and in float. Extremes are taken within 1e-6, and so are shares of a sum, which at the
-// end of a ray may be ten times that of the scalar.
+// Tolerances in double and in float. Extremes are found within 1e-6, and so are fractions of a sum;
+// near the end of a ray that may be ten times as much of the scalar.
 template <template <typename> class Kernel>
 void expectBoth(const BlendedRays& rays, const Rule& rule, const char* what)
 {
@@ -100,7 +100,7 @@ TEST_F(PickBlend, Extremes)
   }
 }
 
-// The threshold's share of the sum before the point, the rest behind it.
+// Up to the point the sum is the threshold times the whole sum.
 TEST_F(PickBlend, Sums)
 {
   for (const std::array<double, 2>& range :

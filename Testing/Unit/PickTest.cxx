@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Where rays are picked, against the march of the picture that ends there.
-#include "CutWay.h"
+#include "CutLine.h"
 #include "PickKernels.h"
 #include "RandomRays.h"
 #include "RandomVolume.h"
@@ -74,7 +74,7 @@ void useCropping(Kernel& kernel, const ClippingOptions& options, Clipping& clipp
   kernel.useClipping(clipping);
 }
 
-// The opacity up to the point is the threshold, wherever cropping has left anything.
+// The opacity up to the point is the threshold, and the point is in a region that is left.
 template <typename Kernel>
 void pickRays(RandomVolume<Kernel>& volume, Tally& tally)
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever the arrays of faces hold, as VTK has them from 9.4 on.
+// Arrays of faces as VTK has them from 9.4 on: whatever they hold, nothing is read that isn't
+// there.
 #include "BrokenGrids.h"
 
 #if !TETMARCH_FACES_ARE_STREAMS

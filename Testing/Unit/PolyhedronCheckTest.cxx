@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether polyhedra have faces at all, as GridCheckTest.cxx.
+// Polyhedra without faces, or with arrays of faces that don't fit, are errors (see
+// GridCheckTest.cxx).
 #include "BrokenGrids.h"
 
 namespace

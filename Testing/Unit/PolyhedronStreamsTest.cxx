@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever the arrays of faces hold, as VTK has them up to 9.3.
+// Arrays of faces as VTK has them up to 9.3: whatever they hold, nothing is read that isn't there.
 #include "BrokenGrids.h"
 
 #if TETMARCH_FACES_ARE_STREAMS

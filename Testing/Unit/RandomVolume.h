@@ -72,7 +72,7 @@ struct RandomVolume
     this->March.useEffects(this->Effects);
   }
 
-  /// So many scalar opacity unit distances are a unit of depth.
+  /// Scalar opacity unit distances in a unit of depth, at random.
   double nextLength()
   {
     const double length = std::pow(10.0, 3.0 * uniform(this->Random) - 1.0);
@@ -87,7 +87,7 @@ struct RandomVolume
       glsl::Vec3<double>(normal(this->Random), normal(this->Random), normal(this->Random)));
   }
 
-  /// Somewhere in the tetrahedron.
+  /// A random point in the tetrahedron.
   glsl::Vec3<double> nextPoint(const std::array<Id, 4>& corners)
   {
     glsl::Vec3<double> point(0, 0, 0);

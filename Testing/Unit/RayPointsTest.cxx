@@ -28,7 +28,7 @@ View viewOf(const Shot& shot, const TetMesh& mesh)
   return view;
 }
 
-// As the shader does.
+// The point of a ray as the shader computes it.
 Vec3 pointOf(const std::array<double, 16>& matrix, double x, double y)
 {
   float p[4];
@@ -40,7 +40,7 @@ Vec3 pointOf(const std::array<double, 16>& matrix, double x, double y)
   return { double(p[0] / p[3]), double(p[1] / p[3]), double(p[2] / p[3]) };
 }
 
-// Of a point from the line through q and the eye.
+// The distance of a point from the line through q and the eye.
 double distanceFromRay(const View& view, const Vec3& q, const Vec3& point)
 {
   Vec3 along, to;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole pictures of the CPU reference, pixel by pixel against the groundTruth in world coordinates.
+// Whole pictures of the CPU reference, pixel by pixel against the ground truth in world
+// coordinates.
 #include "Rays/View.h"
 
 #include "Shot.h"
@@ -34,7 +35,7 @@ void expectImage(
     name + std::to_string(level.LeastTableEntries), std::to_string(difference.Max * 255.0));
 }
 
-// What the levels promise: 1/255, and 1e-4 for comparisons.
+// The tolerances of the default level and of the ground truth: 1/255 and 1e-4.
 void expectDefault(const Shot& shot)
 {
   const Image groundTruth = byGroundTruth(shot);
@@ -70,7 +71,7 @@ TEST(ReferenceImage, Thick)
   expectDefault(shot);
 }
 
-// Needs many pieces a segment: see SegmentTest.cxx.
+// Each segment is split many times here: see SegmentTest.cxx.
 TEST(ReferenceImage, ThickReference)
 {
   Shot shot;

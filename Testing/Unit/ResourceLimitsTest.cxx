@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What fits, from sizes and limits that nobody has to have.
+// Which sizes exceed which limits, with sizes and limits that need no such machine.
 #include "UnitMeshes.h"
 
 #include "Grids.h"

@@ -9,7 +9,7 @@ namespace
 {
 using tetmarch::SampleDistance;
 
-// Of a machine on which a frame of all rays takes so long.
+// A machine on which a frame with a ray for each pixel takes so long.
 double settled(SampleDistance& distance, double fullSeconds, double seconds)
 {
   double d = 0.0;

@@ -266,7 +266,7 @@ TEST(Scalars, ArraysThatDontFitAreToldByName)
   }
 }
 
-// Whoever calls without checking: what isn't there isn't drawn.
+// Without a check before: values that aren't there aren't drawn.
 TEST(Scalars, TuplesThatAreNotThereAreNotDrawn)
 {
   ScalarRange range;

@@ -88,8 +88,8 @@ IntegralTable tableOfModel(const OpticalModel& model, const AccuracyLevel& level
   return makeIntegralTable(functions);
 }
 
-// The groundTruth's quadrature sees nothing of a chord so thick that the depth at its first node is
-// some hundreds: give it the chord in pieces that halve towards the eye.
+// The quadrature of the ground truth sees nothing of a chord so thick that the optical depth at its
+// first node is some hundreds. So it gets parts of the chord, each half as long as the one behind.
 std::array<double, 4> integrateThick(
   const GroundTruthScene& groundTruth, const Point& o, const Point& d)
 {
@@ -106,11 +106,11 @@ std::array<double, 4> integrateThick(
   for (int i = 24; i >= 0; --i)
   {
     const double to = i == 0 ? 1e30 : begin + std::ldexp(length, -i);
-    const auto piece = groundTruth.integrate(o, d, from, to);
+    const auto part = groundTruth.integrate(o, d, from, to);
     for (int k = 0; k < 4; ++k)
     {
-      // Last the opacity, from which the rest has its weight.
-      sum[k] += (1.0 - sum[3]) * piece[k];
+      // The opacity comes last, since the others are weighted by it.
+      sum[k] += (1.0 - sum[3]) * part[k];
     }
     from = to;
   }
@@ -180,8 +180,8 @@ void compareSegments(Shape shape, const AccuracyLevel& level, double length, Tal
 constexpr double Lengths[] = { 1e-3, 0.03, 1.0, 10.0, 100.0, 1e3, 1e4 };
 constexpr Shape Shapes[] = { Shape::Smooth, Shape::Steps, Shape::Spikes };
 
-// What no bound tells: float rounds positions in the table to 2^-15 bins, in which a colour may go
-// from 0 to 1; the integrals are good to 2^-22 of the greatest mean.
+// Errors that the bound leaves out: float rounds positions in the table to 2^-15 bins, in which a
+// colour may go from 0 to 1; the integrals are good to 2^-22 of the greatest mean.
 template <typename Real>
 void expectAccuracy(const Tally& tally, double bound, double length, Shape shape)
 {
@@ -191,8 +191,8 @@ void expectAccuracy(const Tally& tally, double bound, double length, Shape shape
   EXPECT_LT(tally.Worst, bound) << "thickness " << length << " shape " << static_cast<int>(shape);
 }
 
-// The tolerance holds for whatever a ray meets, and the bound that it comes with even where it does
-// not.
+// The tolerance holds whatever a ray meets, and the error bound holds even where the tolerance
+// doesn't.
 template <typename Real>
 void expectDefaultAccuracy()
 {
@@ -205,7 +205,7 @@ void expectDefaultAccuracy()
       compareSegments<Real>(shape, DefaultAccuracy, length, tally);
       expectAccuracy<Real>(tally, DefaultAccuracy.ErrorTolerance, length, shape);
       worst = std::max(worst, tally.Worst);
-      // Thin segments take one evaluation each, or none where the table says that nothing is seen.
+      // Thin segments take one lookup each, or none where the table says that nothing is seen.
       if (length <= 0.03)
       {
         EXPECT_LE(tally.Lookups, tally.Segments);
@@ -238,7 +238,7 @@ void expectGroundTruthAccuracy(double from, double to)
 
 TEST(Segment, GroundTruthAccuracy) { expectGroundTruthAccuracy(0.0, 1.0); }
 
-// Far more pieces than the 64 of the default level are needed for a tolerance of 1e-6 in a cell of
+// Far more trials than the 64 of the default level are needed for a tolerance of 1e-6 in a cell of
 // optical depth 10 (with 64 the error is 1.3e-2). Beyond depths of 1000 the fixed-point integrals,
 // good to 2^-22 of the greatest mean, leave more than 1e-4.
 TEST(Segment, GroundTruthAccuracyInThickCells) { expectGroundTruthAccuracy(10.0, 1e3); }

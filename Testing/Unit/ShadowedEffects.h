@@ -16,7 +16,7 @@
 
 namespace tetmarch::testing
 {
-/// Shaded, with shadows at vertices, and nothing that casts any yet.
+/// A shaded lattice with shadows at vertices; nothing casts a shadow yet.
 class ShadowedEffects : public StagedEffects
 {
 protected:
@@ -30,7 +30,7 @@ protected:
     this->Options.OpaqueShadows = true;
   }
 
-  // In the world, of a start of its ray.
+  // The point in the world where the ray of a vertex towards the light starts.
   Vector3 pointOf(std::size_t vertex)
   {
     const auto& start = this->Stage.data().VertexStarts[vertex];
@@ -88,7 +88,7 @@ protected:
     }
   }
 
-  // Nothing is there that casts any.
+  // There are no shadows, and no data of them.
   void expectNone()
   {
     EXPECT_TRUE(this->shadows().empty());
@@ -106,12 +106,13 @@ protected:
   }
 };
 
-/// Of the plate [0.2, 0.7] x [0.3, 0.9] at that height, on the way from a point to a place.
-inline double depthUnderPlate(const Vector3& point, const Vector3& way, double height)
+/// How far inside of the plate [0.2, 0.7] x [0.3, 0.9] at that height a ray from the point meets
+/// it; negative outside.
+inline double depthUnderPlate(const Vector3& point, const Vector3& direction, double height)
 {
-  const double t = (height - point[2]) / way[2];
-  const double x = point[0] + t * way[0];
-  const double y = point[1] + t * way[1];
+  const double t = (height - point[2]) / direction[2];
+  const double x = point[0] + t * direction[0];
+  const double y = point[1] + t * direction[1];
   return std::min(std::min(x - 0.2, 0.7 - x), std::min(y - 0.3, 0.9 - y));
 }
 
@@ -121,7 +122,7 @@ inline vtkSmartPointer<vtkActor> plateAt(double height)
     plate({ { 0.2, 0.3, height } }, { { 0.7, 0.3, height } }, { { 0.2, 0.9, height } }));
 }
 
-/// Of depths.
+/// The rounding of depths.
 constexpr double Rounding = 1e-6;
 } // namespace tetmarch::testing
 

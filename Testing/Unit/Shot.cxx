@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shot.h"
 
-#include "CutWay.h"
+#include "CutLine.h"
 #include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
 
@@ -11,7 +11,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -58,7 +57,7 @@ Grid inWorld(const Shot& shot)
   return world;
 }
 
-// What comes through the parts of a way that are left, front to back.
+// The parts of a line that are left, composited front to back.
 std::array<double, 4> integrateLeft(
   const GroundTruthScene& groundTruth, const Shot& shot, const Vec3& from, const Vec3& to)
 {
@@ -128,41 +127,44 @@ Image byGroundTruth(const Shot& shot)
   return image;
 }
 
-template <typename Real>
-ReferenceImage byMarch(const Shot& shot, const AccuracyLevel& level)
+MarchedShot::MarchedShot(const Shot& shot, const AccuracyLevel& level)
+  : Mesh(builtWithHierarchy(shot.Data))
 {
-  constexpr int Size = Shot::Size;
-  TetMesh mesh = builtWithHierarchy(shot.Data);
-  std::vector<float> cellScalars;
-  ReferenceScene scene;
+  ReferenceScene& scene = this->Scene;
   if (shot.Scalars == ScalarsOf::Points)
   {
-    scene.Range = setPointScalars(shot.Data, shot.Data->GetPointData()->GetScalars(), mesh);
+    scene.Range = setPointScalars(shot.Data, shot.Data->GetPointData()->GetScalars(), this->Mesh);
   }
   else
   {
-    scene.Range = makeCellScalars(shot.Data->GetCellData()->GetScalars(), mesh, cellScalars);
-    scene.CellScalars = &cellScalars;
+    scene.Range =
+      makeCellScalars(shot.Data->GetCellData()->GetScalars(), this->Mesh, this->CellScalars);
+    scene.CellScalars = &this->CellScalars;
   }
   const OpticalModel model = modelOf(shot);
-  vtkNew<vtkVolumeProperty> property;
-  property->SetColor(model.Colour);
-  property->SetScalarOpacity(model.Opacity);
-  const IntegralTable table = fittingTable(
-    property, tetmarch::OpacityLaw::Unstructured, scene.Range.Low, scene.Range.High, level);
+  this->Property->SetColor(model.Colour);
+  this->Property->SetScalarOpacity(model.Opacity);
+  this->Table = fittingTable(
+    this->Property, tetmarch::OpacityLaw::Unstructured, scene.Range.Low, scene.Range.High, level);
 
   vtkNew<WindowlessRenderer> renderer;
   renderer->SetActiveCamera(shot.Camera);
   vtkNew<vtkVolume> volume;
   volume->SetUserTransform(shot.Transform);
-  EXPECT_TRUE(makeView(renderer, volume, mesh, shot.UnitDistance, scene.Camera));
-  EXPECT_EQ(makeClipping(shot.Cut, volume, mesh, scene.Cut), "");
-  scene.Mesh = &mesh;
-  scene.Table = &table;
-  scene.Width = Size;
-  scene.Height = Size;
+  EXPECT_TRUE(makeView(renderer, volume, this->Mesh, shot.UnitDistance, scene.Camera));
+  EXPECT_EQ(makeClipping(shot.Cut, volume, this->Mesh, scene.Cut), "");
+  scene.Mesh = &this->Mesh;
+  scene.Table = &this->Table;
+  scene.Width = Shot::Size;
+  scene.Height = Shot::Size;
   scene.WindowDepths = shot.Depths.empty() ? nullptr : shot.Depths.data();
-  return renderReference<Real>(scene, level);
+}
+
+template <typename Real>
+ReferenceImage byMarch(const Shot& shot, const AccuracyLevel& level)
+{
+  const MarchedShot marched(shot, level);
+  return renderReference<Real>(marched.Scene, level);
 }
 
 template <typename Real>

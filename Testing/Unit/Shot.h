@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A small picture, by the CPU reference and by the groundTruth
+ * @brief A small picture, by the CPU reference and by the ground truth
  */
 #ifndef tetmarch_testing_Shot_h
 #define tetmarch_testing_Shot_h
@@ -18,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 #include "vtkTransform.h"
+#include "vtkVolumeProperty.h"
 
 namespace tetmarch::testing
 {
@@ -38,12 +39,24 @@ struct Shot
   ScalarsOf Scalars = ScalarsOf::Points;
   vtkNew<vtkTransform> Transform;
   vtkNew<vtkCamera> Camera;
-  OpticalModel Optics;       ///< UnitDistance apart
+  OpticalModel Optics;       ///< its UnitDistance is not used
   std::vector<float> Depths; ///< of opaque geometry, a pixel each; empty: none
   ClippingOptions Cut;
   double UnitDistance = 0.25;
 
   Shot();
+};
+
+/// What the CPU marches of a shot.
+struct MarchedShot
+{
+  MarchedShot(const Shot& shot, const AccuracyLevel& level);
+
+  TetMesh Mesh;
+  std::vector<float> CellScalars;
+  vtkNew<vtkVolumeProperty> Property;
+  IntegralTable Table;
+  ReferenceScene Scene; ///< refers to these, and to the shot's depths
 };
 
 /// In world coordinates, with VTK's own camera matrix.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames whose cost is made up, for what chooses their level.
+// Frames with made-up costs, for the controller that chooses their level.
 #ifndef tetmarch_testing_SimulatedFrames_h
 #define tetmarch_testing_SimulatedFrames_h
 
@@ -21,20 +21,20 @@ public:
   explicit Machine(std::vector<double> costs, double budget = Budget)
     : Costs(std::move(costs))
   {
-    this->Choice.restart(static_cast<int>(this->Costs.size()));
-    this->Choice.setBudget(budget);
+    this->Controller.restart(static_cast<int>(this->Costs.size()));
+    this->Controller.setBudget(budget);
   }
 
   // Draws a frame; returns what it would have taken without disturbance.
   double frame()
   {
-    const int level = this->Choice.level();
+    const int level = this->Controller.level();
     const bool switched = level != this->Last;
     this->Switches += switched ? 1 : 0;
     this->Last = level;
     const double share = static_cast<double>(this->Random() % 100001) / 100000.0;
     const double seconds = this->Dearer * this->Costs[level] * (1 + this->Noise * (2 * share - 1));
-    this->Choice.drawn(
+    this->Controller.drawn(
       switched ? 3 * seconds : seconds, switched ? FrameKind::Disturbed : FrameKind::Measured);
     return seconds;
   }
@@ -58,7 +58,7 @@ public:
     return level;
   }
 
-  LevelController Choice;
+  LevelController Controller;
   std::vector<double> Costs;
   double Dearer = 1;
   double Noise = 0;
@@ -67,7 +67,7 @@ public:
   std::mt19937 Random{ 7 };
 };
 
-// Frames, for any costs.
+// How many frames are simulated, for any costs.
 constexpr int UntilSettled = LevelController::MostLevels * (LevelController::Patience + 3);
 } // namespace tetmarch::testing
 

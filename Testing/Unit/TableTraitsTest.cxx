@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is transparent or of one colour is told by the table, and spares work but changes nothing.
+// The table knows which scalars are transparent and whether there is one colour: that spares work
+// and changes no picture.
 #include "Appearance/TransparentShare.h"
 #include "Reference/Kernel.h"
 
@@ -76,7 +77,7 @@ TEST(TableTraits, UnseenColours)
   EXPECT_TRUE(table(0.9f).Traits.ConstantColor);
 }
 
-// The same kernel with and without what it knows of the table.
+// The same kernel with and without these traits.
 TEST(TableTraits, PassedCellsChangeNoBit)
 {
   TetMesh mesh = builtWithHierarchy(jitteredLattice(10, 0.15, 1, sineField()));

@@ -79,7 +79,7 @@ TEST(TangledMeshes, SoundMeshesHaveNoFolds)
   }
 }
 
-// Whatever links lead to lies on the other side of the face, so that no ray ever turns back.
+// The tetrahedron behind a link lies on the other side of the face, so that no ray turns back.
 TEST(TangledMeshes, LinksLeadForwards)
 {
   const TetMesh mesh = built(jitteredLattice(5, 1.0));

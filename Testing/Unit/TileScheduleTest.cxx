@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Tiles of pictures whose cost is known, by a clock that is made up.
+// Tiles of pictures with made-up costs and a made-up clock.
 #include "Budget/TileSchedule.h"
 
 #include <algorithm>
@@ -144,7 +144,8 @@ TEST(TileSchedule, ItFollowsWhatChanges)
 {
   TileSchedule schedule;
   draw(schedule, Width, Height, 0.25, even(0.1 / Pixels));
-  EXPECT_EQ(draw(schedule, Width, Height, 0.25, even(1.0 / Pixels)).Tiles, 1); // who could know
+  EXPECT_EQ(draw(schedule, Width, Height, 0.25, even(1.0 / Pixels)).Tiles,
+    1); // the first picture, of unknown cost
   EXPECT_LE(draw(schedule, Width, Height, 0.25, even(1.0 / Pixels)).Longest, 0.25);
   // Slower by the frame, and faster again.
   for (const double seconds : { 1.2, 1.5, 1.8, 2.2 })
@@ -200,7 +201,7 @@ TEST(TileSchedule, WhatMayHaveBecomeSlowIsTriedInParts)
   schedule.expectChange();
   EXPECT_LE(draw(schedule, Width, Height, 0.25, even(1.0 / Pixels)).Longest, 0.25);
   EXPECT_LE(draw(schedule, Width, Height, 0.25, even(1.0 / Pixels)).Tiles, 8);
-  // Of very fast pictures there is no need to be afraid.
+  // Very fast pictures are drawn as one tile.
   draw(schedule, Width, Height, 0.25, even(0.01 / Pixels));
   schedule.expectChange();
   EXPECT_EQ(draw(schedule, Width, Height, 0.25, even(0.01 / Pixels)).Tiles, 1);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures keep the tolerance that is asked for, and the bound that the march gives is not far off.
+// Pictures keep the tolerance that is asked for, and the bound of the march is not far above the
+// error.
 #include "Shot.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ OpticalModel modelOf(const std::vector<std::array<double, 4>>& colours,
   return model;
 }
 
-// What ParaView shows at first: a diverging map, opacity a ramp.
+// ParaView's default: a diverging colour map, and opacity as a ramp.
 OpticalModel ramp()
 {
   OpticalModel model = modelOf({ { { 0.0, 0.231, 0.298, 0.753 } }, { { 0.5, 0.865, 0.865, 0.865 } },
@@ -90,7 +91,7 @@ void add(Tally& tally, const ReferenceImage& image, const ReferenceImage& exact,
       ++tally.Pixels;
       tally.Over += error > tolerance;
       tally.Worst = std::max(tally.Worst, error);
-      if (error > 1e-5) // what float and the yardstick don't tell
+      if (error > 1e-5) // what float and the ground truth leave open
       {
         tally.Pessimism.push_back(double(image.ErrorBounds[i]) / error);
       }

@@ -193,7 +193,7 @@ TEST(OpacityLaws, AsVTKsMappers)
   EXPECT_DOUBLE_EQ(extinctionOf(1.0, OpacityLaw::Structured), 24.0 * std::log(2.0));
 }
 
-// Whatever the data and the nodes: positions in the table that are numbers, in float too.
+// Positions in the table are finite numbers whatever the data and the nodes are, also in float.
 TEST_F(TransferFunctions, PositionsAreFiniteForAnyRange)
 {
   const double values[] = { 0.0, 1.0, 12.0, 13.0, 1e17, 1e300, 1e36, 4e307, -1e300, -1e17, 1e-300 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// No ray is lost, and what it crosses is as long as geometry says.
+// No ray is lost, and the length that it marches is that of the geometry.
 #include "Reference/Kernel.h"
 
 #include "GroundTruth.h"
@@ -22,7 +22,7 @@ using namespace tetmarch::testing;
 
 using Point = std::array<double, 3>;
 
-// Of every grid, every kind of ray.
+// Every kind of ray through every grid.
 template <typename Kernel, typename Real>
 void expectNothingLost(const TetMesh& mesh, int rays)
 {
@@ -80,7 +80,7 @@ TEST(Traversal, NoRayIsLostInTangledAndFlatMeshes)
   }
 }
 
-// Against the groundTruth on the very floats of the mesh. A ray that grazes a boundary at an angle
+// Against the ground truth on the very floats of the mesh. A ray that grazes a boundary at an angle
 // a moves its ends by eps / a; of some thousand rays the flattest makes about 1e-4.
 TEST(Traversal, LengthsAreThoseOfTheGroundTruth)
 {

@@ -185,7 +185,7 @@ TEST(UndrawnScalars, GiveNoScalarToEdgesOppositeThem)
   expectNothingAlongEdges<double>();
 }
 
-// In the colour and with the extinction of all else they leave no trace.
+// With the colour and extinction of all else, such cells can't be seen.
 TEST(UndrawnScalars, ShownAsTheRestAreNotSeen)
 {
   using Kernel = PointKernel<double>;
@@ -214,7 +214,7 @@ TEST(UndrawnScalars, ShownAsTheRestAreNotSeen)
   }
 }
 
-// And towards the light.
+// The same for rays towards the light.
 TEST(UndrawnScalars, AreAsHiddenCellsInExtinction)
 {
   using Kernel = LightRayKernel<double>;
@@ -240,8 +240,8 @@ TEST(UndrawnScalars, AreAsHiddenCellsInExtinction)
       const auto ray = rays.next<Kernel, double>(whole.March, whole.Mesh);
       const auto cast = [&ray](RandomVolume<Kernel>& volume)
       {
-        auto way = volume.March.traversalFromBoundary(ray, -1);
-        return volume.March.transmittanceOn(ray, 4.0, -1e30, 1e30, way);
+        auto traversal = volume.March.traversalFromBoundary(ray, -1);
+        return volume.March.transmittanceOn(ray, 4.0, -1e30, 1e30, traversal);
       };
       ASSERT_EQ(cast(broken), cast(whole));
     }

@@ -18,7 +18,7 @@ namespace tetmarch::testing
 /// Six times the signed volume of four of its vertices, in the normalised frame. Differences of
 /// floats are exact in double.
 double sixVolumes(const TetMesh& mesh, const std::array<Id, 4>& vertices);
-/// Of all tetrahedra together, in the coordinates of the grid.
+/// The volume of all tetrahedra together, in the coordinates of the grid.
 double totalVolume(const TetMesh& mesh);
 
 struct NamedGrid

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Who decides what is drawn of an array with several components.
+// Whether the mapper or the colour function says which component of an array is drawn.
 #include "Appearance/VectorOptions.h"
 
 #include "vtkColorTransferFunction.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A tetrahedron at each vertex, turned as the boundary says.
+// The tetrahedron at each vertex from which rays start, oriented as the boundary is.
 #include "Mesh/VertexStarts.h"
 #include "Mesh/Orientation.h"
 #include "Mesh/OutsideSigns.h"
@@ -39,7 +39,7 @@ std::vector<NamedGrid> gridsWithStarts()
   return grids;
 }
 
-// The same face however it is written, turned the same way.
+// The face with its lowest point first, in the same cyclic order.
 Face rotated(Face face)
 {
   std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());

@@ -38,7 +38,7 @@ struct CommandLine
   bool Version = false;
 
   std::string Input;
-  std::string Output; // by default the base name of Input + .png
+  std::string Output; // by default the base name of Input + .png; empty: none
   std::string Stats;  // empty: none
   std::string Preset; // empty: the default transfer function
   std::string Array;  // empty: chosen by SelectArray()
@@ -64,7 +64,9 @@ struct CommandLine
   std::vector<double> IsoValues;
   int ViewMode = 0; // vtkTetMarchVolumeMapper::VIEW_PICTURE
   bool Compare = false;
-  int Frames = 0; // re-renders to be timed; 5 by default if Stats is given
+  std::optional<std::array<int, 2>> Pixel; // column and row from the upper left, whose ray is shown
+  std::string PixelJson;                   // empty: none
+  int Frames = 0;                          // re-renders to be timed; 5 by default if Stats is given
 };
 
 /**

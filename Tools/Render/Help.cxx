@@ -77,10 +77,13 @@ View
   --size WxH                in pixels (default: 1024x768)
 
 Output
-  --output FILE.png         (default: INPUT's base name + .png in the current folder)
+  --output FILE.png         (default: INPUT's base name + .png in the current folder; with --pixel: none)
   --stats FILE.json         figures of the mesh, seconds of each stage and of a frame, the GL in use
   --compare                 add to the figures how far the picture is from one in double precision, and
                             what its pixels cost (takes seconds to minutes)
+  --pixel X,Y               print the ray of one pixel, cell by cell, as the CPU marches it in float and in
+                            double; X and Y are its column and row in the picture, from the upper left
+  --pixel-json FILE.json    the same as JSON
   --frames N                render N more times for the frame time in the figures (default: 5 with --stats)
 
   --help, --version

@@ -13,6 +13,7 @@
 #include "vtkAutoInit.h"
 #include "vtkCamera.h"
 #include "vtkContourValues.h"
+#include "vtkFloatArray.h"
 #include "vtkPNGWriter.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -168,6 +169,32 @@ void Picture::Compare()
   if (!this->Mapper->CompareWithGroundTruth(this->Volume))
   {
     throw Failure("the picture could not be compared");
+  }
+}
+
+void Picture::Trace(const std::array<int, 2>& pixel, PixelTrace& trace)
+{
+  this->Mapper->CollectDiagnosticsOn();
+  this->Render();
+  const int* size = this->Window->GetSize();
+  const int x = pixel[0];
+  const int y = size[1] - 1 - pixel[1]; // rows of windows begin at the bottom
+  vtkNew<vtkFloatArray> drawn;
+  this->Mapper->GetDiagnosticPixels(drawn);
+  if (drawn->GetNumberOfTuples() == 0)
+  {
+    throw Failure("there is nothing to draw, so no ray is marched");
+  }
+  drawn->GetTuple(vtkIdType(y) * size[0] + x, trace.Drawn.data());
+  for (const auto& [arithmetic, cells] :
+    { std::pair<int, vtkTable*>{ vtkTetMarchVolumeMapper::TRACE_FLOAT, trace.Float },
+      { vtkTetMarchVolumeMapper::TRACE_DOUBLE, trace.Double },
+      { vtkTetMarchVolumeMapper::TRACE_GROUND_TRUTH, trace.GroundTruth } })
+  {
+    if (!this->Mapper->TraceRay(this->Volume, x, y, arithmetic, cells))
+    {
+      throw Failure("the ray of the pixel could not be marched");
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "ArraySelection.h"
 #include "CommandLine.h"
+#include "PixelTrace.h"
 #include "TransferFunctions.h"
 
 #include "vtkNew.h"
@@ -39,6 +40,9 @@ public:
   /// Draws once more, with statistics, and compares with the picture in double precision. Throws
   /// Failure.
   void Compare();
+
+  /// Draws once more, and marches the ray of a pixel, counted from the upper left. Throws Failure.
+  void Trace(const std::array<int, 2>& pixel, PixelTrace& trace);
 
   /// Throws Failure if the file can't be written.
   void Write(const std::string& path);

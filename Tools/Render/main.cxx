@@ -7,6 +7,7 @@
 #include "Failure.h"
 #include "Messages.h"
 #include "Picture.h"
+#include "PixelTrace.h"
 #include "Statistics.h"
 #include "TransferFunctionPreset.h"
 
@@ -19,6 +20,18 @@
 namespace
 {
 using namespace tetmarch;
+
+void ShowPixel(Picture& picture, const ArraySelection& selection, const CommandLine& commandLine)
+{
+  PixelTrace trace;
+  picture.Trace(*commandLine.Pixel, trace);
+  std::fputs(FormatPixelText(commandLine, selection, picture.GetMapper(), trace).c_str(), stdout);
+  if (!commandLine.PixelJson.empty())
+  {
+    WriteText(
+      commandLine.PixelJson, FormatPixelJson(commandLine, selection, picture.GetMapper(), trace));
+  }
+}
 
 void Run(const CommandLine& commandLine)
 {
@@ -44,7 +57,10 @@ void Run(const CommandLine& commandLine)
   {
     picture.Settle();
   }
-  picture.Write(commandLine.Output);
+  if (!commandLine.Output.empty())
+  {
+    picture.Write(commandLine.Output);
+  }
 
   for (int i = 0; i < commandLine.Frames; ++i)
   {
@@ -62,6 +78,10 @@ void Run(const CommandLine& commandLine)
   else if (commandLine.Frames > 0)
   {
     std::printf("%.6f s a frame (median of %d)\n", GetMedian(timing.Frames), commandLine.Frames);
+  }
+  if (commandLine.Pixel)
+  {
+    ShowPixel(picture, selection, commandLine);
   }
 }
 } // namespace

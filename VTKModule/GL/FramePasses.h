@@ -52,6 +52,8 @@ public:
     return !this->LastKey.hasVertexLight() || this->Light.isComplete();
   }
   const StageRecord& vertexLightRecord() const { return this->Light.record(); }
+  /** Whether the last picture looked for light through the volume along each ray. */
+  bool samplesShadows() const { return this->LastKey.SampledShadows; }
   const Diagnostics& counted() const { return this->Counted; }
   /** Of opaque geometry, one a pixel, if the last frame looked at them; else empty. */
   std::vector<float> opaqueDepths(vtkOpenGLRenderWindow* window) const

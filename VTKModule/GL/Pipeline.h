@@ -23,6 +23,7 @@
 
 #include "vtkWeakPointer.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ class vtkVolumeProperty;
 
 namespace tetmarch
 {
+
+struct RayTrace;
 
 /** How a frame is drawn. */
 struct DrawOptions
@@ -47,6 +50,16 @@ struct DrawOptions
   double SampleDistance = 1;               // between rays, in pixels; 1 with any of the others
   const PeelHooks* Peeling = nullptr; // parts of rays are drawn; no diagnostics and no view then
   double PickOpacity = 0.5;           // up to which a ray is followed where something is selected
+};
+
+/** How the ray of one pixel is marched by the CPU. */
+struct TraceOptions
+{
+  int X = 0; // of the pixel, counted from the lower left of the window
+  int Y = 0;
+  AccuracyLevel Level = DefaultAccuracy;
+  bool InDouble = false;
+  bool ExactLight = false; // light through the volume by brute force; else as the frame has it
 };
 
 class Pipeline
@@ -85,6 +98,10 @@ public:
    * if the memory for it is lacking (error()).
    */
   bool renderReference(vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image);
+  /** The ray of one pixel of the last frame, marched by the CPU; false likewise, or if the pixel is
+   * outside the frame. */
+  bool traceRay(
+    vtkVolumeProperty* property, OpacityLaw law, const TraceOptions& options, RayTrace& trace);
 
   /** Free what is held on the GPU. The context of the window that held it is current. */
   void release(vtkWindow* window);
@@ -123,6 +140,9 @@ private:
   IntegralTable makeTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level,
     Components& parts) const;
   bool ensureHierarchy();
+  /** Calls with what the last frame showed, and with tables for a level. */
+  bool useReferenceScene(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level,
+    const std::function<void(ReferenceScene&)>& use);
   Viewport currentViewport() const;
   MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;

@@ -6,10 +6,13 @@
 #include "Caching/WithinMemory.h"
 #include "GL/ErrorQueue.h"
 #include "GL/FirstColorOnly.h"
+#include "Reference/RayTrace.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+
+#include <sstream>
 
 namespace tetmarch
 {
@@ -147,7 +150,8 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   return error.empty() ? !stopped : this->fail(error);
 }
 
-bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image)
+bool Pipeline::useReferenceScene(vtkVolumeProperty* property, OpacityLaw law,
+  const AccuracyLevel& level, const std::function<void(ReferenceScene&)>& use)
 {
   if (!this->Window || this->Area.Width <= 0 || this->Area.Height <= 0)
   {
@@ -163,7 +167,7 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
     {
       const std::vector<float> depths = this->Passes.opaqueDepths(this->Window);
       Components parts = this->Parts;
-      const IntegralTable table = this->makeTables(property, law, GroundTruthAccuracy, parts);
+      const IntegralTable table = this->makeTables(property, law, level, parts);
       ReferenceScene scene;
       scene.Mesh = &this->mesh();
       scene.CellScalars = this->CellScalars.empty() ? nullptr : &this->CellScalars;
@@ -179,9 +183,40 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
       scene.Effects = &this->Effects.data();
       scene.Blend = &this->Blend;
       scene.Parts = &parts;
-      image = tetmarch::renderReference<double>(scene, GroundTruthAccuracy);
+      use(scene);
     });
   return shortage.empty() || this->fail(shortage);
+}
+
+bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image)
+{
+  return this->useReferenceScene(property, law, GroundTruthAccuracy,
+    [&](ReferenceScene& scene)
+    { image = tetmarch::renderReference<double>(scene, GroundTruthAccuracy); });
+}
+
+bool Pipeline::traceRay(
+  vtkVolumeProperty* property, OpacityLaw law, const TraceOptions& options, RayTrace& trace)
+{
+  const Viewport& area = this->Area;
+  const int x = options.X - area.X;
+  const int y = options.Y - area.Y;
+  const bool drawn = area.Width > 0 && area.Height > 0;
+  if (drawn && (x < 0 || y < 0 || x >= area.Width || y >= area.Height))
+  {
+    std::ostringstream error;
+    error << "The pixel (" << options.X << ", " << options.Y << ") is outside the last frame, of "
+          << area.Width << " x " << area.Height << " pixels from (" << area.X << ", " << area.Y
+          << ") on.";
+    return this->fail(error.str());
+  }
+  return this->useReferenceScene(property, law, options.Level,
+    [&](ReferenceScene& scene)
+    {
+      scene.ExactLight = options.ExactLight || this->Passes.samplesShadows();
+      trace = options.InDouble ? tetmarch::traceRay<double>(scene, options.Level, x, y)
+                               : tetmarch::traceRay<float>(scene, options.Level, x, y);
+    });
 }
 
 } // namespace tetmarch

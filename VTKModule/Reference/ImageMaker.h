@@ -41,6 +41,11 @@ public:
 
   ReferenceImage make()
   {
+    if (this->Scene.Trace)
+    {
+      this->tracePixel(*this->Scene.Trace);
+      return std::move(this->Image);
+    }
     vtkSMPTools::For(0, this->Scene.Height, 1,
       [this](vtkIdType first, vtkIdType last)
       {
@@ -59,6 +64,12 @@ public:
   }
 
 private:
+  void tracePixel(RayTrace& trace)
+  {
+    this->March.Trace = &trace;
+    this->castPixel(this->March, trace.X, trace.Y, this->Image.Counters);
+  }
+
   void castPixel(Kernel& kernel, int column, int row, MarchCounters& counters)
   {
     const View& view = this->Scene.Camera;
@@ -76,12 +87,14 @@ private:
       { Real(away.x), Real(away.y), Real(away.z) });
     const auto seen =
       kernel.clippedRange(ray, { Real(glsl::dot(nearest, away)), Real(glsl::dot(farthest, away)) });
+    const Real length = thicknessPerDepth<Real>(view, ray.direction);
+    kernel.beginTrace(nearest, away, seen, length);
     if (!(seen.x < seen.y))
     {
       return;
     }
-    const Real length = thicknessPerDepth<Real>(view, ray.direction);
     const auto march = kernel.castPlainRay(ray, -1, length, seen.x, seen.y);
+    kernel.endTrace(march);
 
     float* rgba = &this->Image.Pixels[4 * pixel];
     const auto color = kernel.pixelOf(march.radiance, length);

@@ -11,9 +11,11 @@
 #include "Optics/IntegralTable.h"
 #include "Rays/Clipping.h"
 #include "Reference/GlslLanguage.h"
+#include "Reference/RayTrace.h"
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace tetmarch
 {

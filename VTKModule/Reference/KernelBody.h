@@ -106,6 +106,9 @@ uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] 
 #include "Reference/KernelLightRays.h"
 #endif
 
+// A march that counts can be recorded.
+#define TETMARCH_TRACED TETMARCH_DIAGNOSTICS
+
 #define real Real
 #define OUT(T) T&
 #define INOUT(T) T&
@@ -120,6 +123,10 @@ uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] 
 #define BVH_STACK MostHierarchyDepth
 
 #include "march/march_files.glsl"
+
+#if TETMARCH_TRACED
+#include "Reference/KernelTrace.h"
+#endif
 
 #if TETMARCH_CLIPPED
 #include "cuts/clipping.glsl"
@@ -149,5 +156,6 @@ uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] 
 #undef UNDRAWN_SCALAR
 #undef LINK_OUTSIDE
 #undef BVH_STACK
+#undef TETMARCH_TRACED
 
 #pragma GCC diagnostic pop

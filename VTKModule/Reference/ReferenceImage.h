@@ -21,6 +21,8 @@
 namespace tetmarch
 {
 
+struct RayTrace;
+
 /** What a picture is made of. The mesh needs its hierarchy (ensureHierarchy). */
 struct ReferenceScene
 {
@@ -42,6 +44,8 @@ struct ReferenceScene
   /** Light that comes through the volume is looked for wherever a ray crosses a face, by brute
    * force; else interpolated between vertices as in the picture. */
   bool ExactLight = true;
+  /** Records its pixel's ray, and no other is cast; nullptr: all rays are, and none is recorded. */
+  RayTrace* Trace = nullptr;
 };
 
 struct ReferenceImage

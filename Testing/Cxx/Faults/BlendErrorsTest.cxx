@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Blend modes that there are not, and more surfaces than can be drawn.
+// Unknown blend modes, and more surfaces than can be drawn, are errors.
 #include "ErrorScene.h"
 
 #include "vtkContourValues.h"

@@ -24,7 +24,7 @@ protected:
     this->lookOnce();
   }
 
-  // All that effects keep on the GPU, and nothing else; they are on again then.
+  // Frees all that effects keep on the GPU, and nothing else, and switches them on again.
   void freeEffects()
   {
     this->Shown.property()->ShadeOff();
@@ -35,7 +35,8 @@ protected:
   }
 };
 
-// Gradients, gradient opacity, starts and the target of the light are made while all else is there.
+// Gradients, gradient opacity, starts of rays and the target of the light are made when all else is
+// there.
 TEST_F(EffectFaults, OfWhatEffectsKeep)
 {
   const auto switchOff = [this] { this->freeEffects(); };
@@ -67,7 +68,7 @@ TEST_F(EffectFaults, NoRoomForTheLight)
   this->expectSound(this->frame());
 }
 
-// All else is there already.
+// All else is on the GPU already when the GL refuses room for these shadows.
 TEST_F(EffectFaults, NoRoomForShadowsOfOpaqueGeometry)
 {
   this->Shown.Renderer->AddActor(makeBall({ 9.0, 12.0, 4.5 }, 0.5, { 1.0, 1.0, 1.0 }));
@@ -87,7 +88,7 @@ TEST_F(EffectFaults, NoRoomForShadowsOfOpaqueGeometry)
   this->expectSound(this->frame());
 }
 
-// With the file's name, however often it is tried.
+// The error names the file, and comes once however often the shader is tried.
 TEST_F(EffectFaults, ShaderOfTheLight)
 {
   const auto spoil = [](const std::string& text) { return spoilt(text, "vertexStartBuffer"); };

@@ -153,7 +153,7 @@ TEST_F(Errors, ErrorsOfOthersInTheGLAreNotOurs)
   this->Shown.Window->SetSize(Side + 1, Side); // so that textures are made anew
   this->frame();
   this->Shown.Window->SetSize(Side, Side);
-  glEnable(GL_TEXTURE_BUFFER); // which is nothing to enable
+  glEnable(GL_TEXTURE_BUFFER); // no capability: a GL error
   EXPECT_EQ(compare(this->frame(), expected).Max, 0.0);
   EXPECT_EQ(watch.Errors, std::vector<std::string>());
 }
@@ -209,7 +209,7 @@ TEST_F(Errors, DefaultPropertyIsNoError)
 
 TEST_F(Errors, AbortedBuildDrawsNothingAndIsMadeUpFor)
 {
-  const Grid grid = withCells32(lattice()); // the same to look at
+  const Grid grid = withCells32(lattice()); // another grid that looks the same
   this->show(grid);
   const ErrorWatch watch(this->Shown.Mapper);
   vtkNew<vtkCallbackCommand> abort;

@@ -24,8 +24,8 @@
 
 namespace tetmarch::testing
 {
-/// SceneType is Scene or a class derived from it. Who derives from this adds to the scene, and ends
-/// its constructor with lookOnce().
+/// SceneType is Scene or a class derived from it. A derived fixture adds to the scene, and calls
+/// lookOnce() at the end of its constructor.
 template <typename SceneType>
 class FaultScene : public ::testing::Test
 {
@@ -37,7 +37,7 @@ protected:
     this->Shown.Renderer->SetBackground(0.2, 0.4, 0.6);
     this->Mapper->SetInputData(this->Shown.Data);
     this->Shown.Volume->SetMapper(this->Mapper);
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // for what VTK says itself
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // VTK itself complains of faults, too
   }
   ~FaultScene() override
   {
@@ -67,7 +67,7 @@ protected:
   void expectEmpty(const Image& frame) { EXPECT_EQ(frame.Rgba, this->Empty.Rgba); }
   void expectSound(const Image& frame) { EXPECT_EQ(frame.Rgba, this->Sound.Rgba); }
 
-  // Of the mapper, and the shaders of the window.
+  // Releases what the mapper has on the GPU, and the shaders of the window if asked for.
   void release(bool shadersToo)
   {
     this->Mapper->ReleaseGraphicsResources(this->Shown.Window);
@@ -77,13 +77,13 @@ protected:
     }
   }
 
-  // One frame, of which the mapper's part meets the fault; each of them, if it has several.
+  // Draws one frame in which each draw of the mapper meets the fault; whether it happened.
   template <typename... Arguments>
   bool meet(Arguments&&... arguments)
   {
     return this->meetIn([this] { this->Shown.Window->Render(); }, arguments...);
   }
-  // Likewise in whatever else has the mapper draw.
+  // The same for anything else that has the mapper draw.
   template <typename... Arguments>
   bool meetIn(const std::function<void()>& act, Arguments&&... arguments)
   {
@@ -99,8 +99,8 @@ protected:
     return happened;
   }
 
-  // Each call of that kind that a frame makes after `prepare`, one by one; that many at least end
-  // the frame.
+  // Lets each call of that kind fail that a frame makes after `prepare`, one call a frame. At least
+  // `ending` of them leave the volume out of the frame.
   void expectEveryCallIsMet(Fault fault, const std::function<void()>& prepare, int ending)
   {
     prepare();
@@ -137,7 +137,7 @@ protected:
               << " of them end the frame\n";
   }
 
-  // Of shaders that contain the words, which no GL takes then.
+  // The text with the words replaced, so that no GL compiles it; texts without them stay.
   static std::string spoilt(const std::string& text, const std::string& words)
   {
     const std::size_t at = text.find(words);

@@ -33,7 +33,7 @@ protected:
   void expectEveryCallIsMet();
 };
 
-// Each call of each kind that a frame makes, one by one.
+// Each call of each kind that a frame makes fails once.
 void Faults::expectEveryCallIsMet()
 {
   for (const Fault fault : AllFaults)
@@ -89,7 +89,7 @@ TEST_F(Faults, EveryCallInAView)
   this->expectEveryCallIsMet();
 }
 
-TEST_F(Faults, EveryCallInAShell)
+TEST_F(Faults, EveryCallInABoundaryView)
 {
   this->Mapper->SetViewModeToBoundaryFaces();
   this->Sound = this->frame();
@@ -135,7 +135,7 @@ TEST_F(Faults, FramebuffersSayWhich)
   }
 }
 
-// With the file's name and the line in it, whatever was put around it.
+// The error has the name of the file and the line in it, whatever the text of the variant adds.
 TEST_F(Faults, ShaderErrorsSayWhere)
 {
   const struct
@@ -205,7 +205,7 @@ TEST_F(Faults, MeshesOfMoreTexelsThanTheGLTakes)
   this->expectSound(this->frame());
   EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
   EXPECT_EQ(this->Mapper->GetUploadedBytes(), 2 * bytes);
-  // One that the cells themselves give away.
+  // The types of cells alone tell how many texels are needed.
   claim(4 * tets - 1);
   const Grid stored32 = withCells32(this->Shown.Data);
   this->Mapper->SetInputData(stored32);

@@ -138,7 +138,7 @@ void GLAPIENTRY texImage2D(GLenum target, GLint level, GLint internal, GLsizei w
   }
 }
 
-// Puts a replacement in, or the function of before back.
+// Puts a replacement or the original function behind the pointer.
 template <typename Function>
 void exchange(Function& kept, Function& pointer, Function replacement)
 {

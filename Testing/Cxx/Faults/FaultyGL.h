@@ -35,7 +35,7 @@ class FaultyGL
 public:
   /// The call with that number fails, from 0 on.
   FaultyGL(Fault fault, int call);
-  /// Shaders are compiled from what the function makes of their text.
+  /// The function changes the text of each shader before it is compiled.
   explicit FaultyGL(const std::function<std::string(const std::string&)>& rewrite);
   /// The GL claims to take so many texels in a texture buffer.
   static FaultyGL withMostTexels(int texels) { return FaultyGL(texels); }

@@ -23,7 +23,7 @@ protected:
   }
 };
 
-// Nothing is half enlarged, and a frame with all rays doesn't need what this one lacks.
+// A frame is enlarged as a whole or not at all.
 TEST_F(CoarseFaults, EveryCall)
 {
   const auto releaseData = [this] { this->release(false); };
@@ -86,7 +86,7 @@ TEST_F(BlendFaults, EveryCallInEachMode)
   }
 }
 
-// A mode that is refused lets go of nothing that the next one needs.
+// A mode that is refused frees nothing that the next one needs.
 TEST_F(BlendFaults, OneModeAfterTheOther)
 {
   for (const int mode : BlendModes)

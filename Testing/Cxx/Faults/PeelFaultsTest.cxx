@@ -31,7 +31,8 @@ protected:
   vtkSmartPointer<vtkActor> Layer = makePlane(0.5, 0.2, { 0.9, 0.3, 0.2 });
 };
 
-// A part that is drawn before or after the one that meets the fault may be seen in that frame.
+// Each part of the volume is drawn by itself: parts beside the one that meets the fault may be
+// seen.
 TEST_F(PeelFaults, EveryCall)
 {
   const struct
@@ -70,7 +71,7 @@ TEST_F(PeelFaults, EveryCall)
   EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
 }
 
-// Surfaces are drawn all the same, and without peels there is another shader.
+// The surfaces are drawn all the same. The shader of peeled parts is one of its own.
 TEST_F(PeelFaults, ShaderOfTheParts)
 {
   const auto spoil = [](const std::string& text) { return spoilt(text, "void initializeRayCast"); };

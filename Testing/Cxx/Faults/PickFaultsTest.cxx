@@ -28,7 +28,7 @@ protected:
     this->Hit = this->Mapper->GetPickedCellId();
   }
 
-  // Of the volume, in all of the window.
+  // The cells of the volume that are selected in all of the window.
   std::set<vtkIdType> cells() { return this->Shown.selectAll()[this->Shown.Volume]; }
   bool pick()
   {
@@ -75,8 +75,7 @@ TEST_F(PickFaults, EveryCallOfASelection)
   EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
 }
 
-// What is picked is right, or nothing is: a selector asks in several passes, each of which may
-// fail.
+// A pick is right, or there is none: a selector draws several passes, each of which may fail.
 TEST_F(PickFaults, EveryCallOfAPick)
 {
   for (const Fault fault : AllFaults)
@@ -102,7 +101,7 @@ TEST_F(PickFaults, EveryCallOfAPick)
   }
 }
 
-// In one of the selector's passes alone, of which some draw nothing of the volume.
+// The fault is in one of the selector's passes alone; some of them draw nothing of the volume.
 TEST_F(PickFaults, InOnePassOfAPick)
 {
   int failed = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What doesn't fit is refused with figures, and drawn as soon as it does.
+// A mesh that doesn't fit in memory is refused with figures, and drawn as soon as it fits.
 #include "ErrorScene.h"
 #include "ScarceMemory.h"
 

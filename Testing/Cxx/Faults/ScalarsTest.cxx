@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What scalars of every kind look like.
+// Pictures of scalars of every kind: integers, constants, huge ranges, and values that are not
+// finite.
 #include "CpuReference.h"
 #include "ErrorWatch.h"
 
@@ -78,7 +79,7 @@ TEST(ScalarKinds, HugeRanges)
   }
 }
 
-// The same without the cells that a value that is not finite touches.
+// The picture is that of the grid without the cells that touch a value that is not finite.
 void expectHoles(const Grid& grid, bool ofCells)
 {
   const Grid rest = Grid::New();

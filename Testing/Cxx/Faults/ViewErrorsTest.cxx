@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a view mode can't show: an error that says what to do, and nothing half drawn.
+// Ranges that a view mode can't show give an error that says what to do, and nothing is drawn.
 #include "ErrorScene.h"
 
 #include <limits>

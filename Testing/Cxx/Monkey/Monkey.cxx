@@ -14,7 +14,7 @@ namespace tetmarch::testing
 {
 namespace
 {
-constexpr int LastActions = 12; // that a failure tells
+constexpr int LastActions = 12; // the ones that a failure lists
 constexpr int FirstVariants = 8;
 constexpr int MostVariants = 40; // of the shader: a window builds each, which takes its time
 constexpr int DeedsShare = 8;    // one in so many actions
@@ -86,7 +86,8 @@ void Monkey::beginAgain()
   this->Live.render();
 }
 
-// The longer it goes, the more, so that something new comes up to the end.
+// The number of variants that may be built grows with the steps, so that new ones come up to the
+// end.
 bool Monkey::mayBuild(const MonkeyState& state)
 {
   const std::string key = variantOf(state).defines();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What the monkey can do, each with a name
+ * @brief What the monkey can do to a scene, each action with a name
  */
 #ifndef tetmarch_testing_MonkeyActions_h
 #define tetmarch_testing_MonkeyActions_h
@@ -38,7 +38,7 @@ private:
   std::mt19937 Generator;
 };
 
-/// A change of what is to be shown.
+/// Changes what is to be shown.
 struct MonkeyChange
 {
   const char* Name;
@@ -46,7 +46,7 @@ struct MonkeyChange
 };
 const std::vector<MonkeyChange>& monkeyChanges();
 
-/// Something that is done to a scene and changes nothing of what is to be shown.
+/// Does something to a scene that changes nothing of what is to be shown.
 struct MonkeyDeed
 {
   const char* Name;

@@ -17,7 +17,7 @@ namespace tetmarch::testing
 constexpr int MonkeyDatasets = 10;
 constexpr int MonkeySteps = 4;
 
-/// What the shader's variant, or what is refused, depends on.
+/// The properties of a data set that the shader's variant and the errors depend on.
 struct MonkeyTraits
 {
   const char* Name;

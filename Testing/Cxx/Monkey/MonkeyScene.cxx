@@ -176,16 +176,16 @@ void MonkeyScene::showCamera(const MonkeyState& state, vtkCamera* camera, int vi
   const Box world = this->boxOf(this->Volume->GetBounds());
   const Vec3 middle = world.at({ 0.5, 0.5, 0.5 });
   const double angle = 1.0 + 1.1 * view;
-  Vec3 way{ { std::cos(angle), 0.3 * std::sin(2.0 * angle), std::sin(angle) } };
+  Vec3 direction{ { std::cos(angle), 0.3 * std::sin(2.0 * angle), std::sin(angle) } };
   const double distance = view == MonkeyState::Inside            ? 0.15
                           : view == MonkeyState::NearPlaneInside ? 0.8
                                                                  : state.Distance;
   const double r = world.Extent;
-  camera->SetPosition(middle[0] + distance * r * way[0], middle[1] + distance * r * way[1],
-    middle[2] + distance * r * way[2]);
+  camera->SetPosition(middle[0] + distance * r * direction[0],
+    middle[1] + distance * r * direction[1], middle[2] + distance * r * direction[2]);
   const double sign = view == MonkeyState::Away ? 2.0 * distance : 0.0;
-  camera->SetFocalPoint(
-    middle[0] + sign * r * way[0], middle[1] + sign * r * way[1], middle[2] + sign * r * way[2]);
+  camera->SetFocalPoint(middle[0] + sign * r * direction[0], middle[1] + sign * r * direction[1],
+    middle[2] + sign * r * direction[2]);
   camera->SetViewUp(0.1, 1.0, 0.0);
   camera->SetParallelProjection(state.Parallel);
   camera->SetParallelScale(0.9 * r);

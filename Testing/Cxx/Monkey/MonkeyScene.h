@@ -21,7 +21,7 @@
 
 namespace tetmarch::testing
 {
-/// All but the window can be had anew in a window that is there: its shaders then are, too.
+/// All but the window is new: in a window that has drawn before, shaders need not be built again.
 class MonkeyScene
 {
 public:
@@ -30,12 +30,12 @@ public:
   MonkeyScene(const MonkeyScene&) = delete;
   MonkeyScene& operator=(const MonkeyScene&) = delete;
 
-  /// Sets what isn't so yet; draws nothing. Objects that are there are changed, not replaced; with
-  /// `inPlace` so are the arrays of scalars, if they have the same length.
+  /// Sets what differs from what is shown; draws nothing. Objects are changed, not replaced; with
+  /// `inPlace` so are arrays of scalars of the same length.
   void show(const MonkeyState& state, bool inPlace = false);
   /// One frame.
   Image render();
-  /// To another window, and all that was drawn with it.
+  /// Moves the renderers and all that they draw to another window.
   void moveTo(vtkRenderWindow* window);
 
   vtkSmartPointer<vtkRenderWindow> Window;

@@ -53,7 +53,7 @@ struct MonkeyState
   };
   enum ViewKind
   {
-    Views = 6, ///< from outside; then
+    Views = 6, ///< the views from outside are 0 to 5
     Inside = Views,
     NearPlaneInside,
     Away,
@@ -143,7 +143,7 @@ struct MonkeyState
   int Size = 0;
   int Samples = 0; ///< of multisampling, where nothing is peeled
   double Background = 0.2;
-  double UpdateRate = 0.0001; ///< 1 and more: somebody interacts
+  double UpdateRate = 0.0001; ///< from 1 on somebody interacts
 
   /// Of the window. Where a renderer has no pixel, VTK draws translucent surfaces into a
   /// framebuffer without any, which is a GL error.
@@ -162,18 +162,17 @@ struct MonkeyState
   }
 };
 
-/// The same with all that depends on how fast frames are switched off: its picture is always the
-/// same.
+/// The same state without what depends on the speed of frames: its picture is always the same.
 MonkeyState atRest(const MonkeyState& state);
 
 /// The same with all that is refused put right.
 MonkeyState mended(const MonkeyState& state);
 
-/// The variant of the shader that it needs, as far as can be said without the mesh.
+/// The variant of the shader that the state needs, as far as can be said without the mesh.
 VariantKey variantOf(const MonkeyState& state);
 
-/// Words of the errors that it calls for; the mapper tells the first that it meets. Empty: none is
-/// due.
+/// Words of the errors that the state calls for, of which the mapper reports the first that it
+/// meets; empty if there must be none.
 std::vector<std::string> refusalsOf(const MonkeyState& state);
 } // namespace tetmarch::testing
 

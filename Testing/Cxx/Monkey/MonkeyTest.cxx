@@ -30,7 +30,7 @@ int numberOf(const char* variable, int otherwise)
   return value ? std::atoi(value) : otherwise;
 }
 
-// What VTK complains of itself.
+// Collects the errors and warnings of VTK itself.
 class Complaints : public vtkOutputWindow
 {
 public:

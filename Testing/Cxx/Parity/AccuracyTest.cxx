@@ -123,8 +123,8 @@ TEST(Accuracy, StatisticsAreThoseOfTheFrame)
   EXPECT_EQ(statistics->GetGPUMemoryBytes(), scene.Mapper->GetGPUMemoryBytes());
 }
 
-// With opaque geometry inside and scalars at points or in cells: what the frame is off by is below
-// the bound that it comes with, but for rounding.
+// With opaque geometry inside and scalars at points or in cells: the error of the frame is below
+// the bound that the frame gives, but for rounding.
 TEST(Accuracy, TrueErrorsAreBelowTheBound)
 {
   for (const int level : Levels)

@@ -92,7 +92,7 @@ TEST(BlendParity, ScalarsThatAreNotFinite)
   expectBlendParity(scene);
 }
 
-// No piece is evaluated twice, and nothing is left to be bounded.
+// No segment is split, and there is no error to be bounded.
 TEST(BlendParity, CountersOfWhatIsExact)
 {
   BlendScene scene(lattice());

@@ -36,7 +36,7 @@ vtkSmartPointer<vtkActor> contourOf(vtkUnstructuredGrid* grid, double value)
   return actor;
 }
 
-// The same pixels as polygons without light: all but those that a polygon's edge goes through.
+// Without light the pixels are those of the polygons, but for pixels on an edge of a polygon.
 TEST(BlendSurface, AsPolygons)
 {
   for (const double value : { 0.4, 0.55 })

@@ -6,7 +6,7 @@
 #include "Unprojection.h"
 
 #include "ClosedForms.h"
-#include "CutWay.h"
+#include "CutLine.h"
 
 #include "vtkTransform.h"
 
@@ -41,7 +41,7 @@ protected:
   {
     const double x = (column + 0.5) / Side * 2.0 - 1.0, y = (row + 0.5) / Side * 2.0 - 1.0;
     const CutPoint near = this->pointOf(x, y, -1.0), far = this->pointOf(x, y, 1.0);
-    // Where the way is in the cube, as shares of it.
+    // The fractions of the line at which it enters and leaves the cube.
     double begin = 0.0, end = 1.0;
     for (int k = 0; k < 3; ++k)
     {
@@ -54,13 +54,15 @@ protected:
     {
       return 0.0;
     }
-    const auto at = [&](double share) {
-      return CutPoint{ mixed(near.World, far.World, share), mixed(near.Data, far.Data, share) };
+    const auto at = [&](double fraction)
+    {
+      return CutPoint{ mixed(near.World, far.World, fraction),
+        mixed(near.Data, far.Data, fraction) };
     };
     const CutPoint enter = at(begin), leave = at(end);
     const double length = std::hypot(leave.World[0] - enter.World[0],
       leave.World[1] - enter.World[1], leave.World[2] - enter.World[2]);
-    return slabOpacity(Extinction, length * shareLeft(this->optionsOfMapper(), enter, leave));
+    return slabOpacity(Extinction, length * fractionLeft(this->optionsOfMapper(), enter, leave));
   }
 
   tetmarch::ClippingOptions optionsOfMapper()
@@ -209,14 +211,14 @@ TEST_F(CutCubePicture, ByTheNamedCroppings)
   this->expectClosedFormOf("inverted cross");
 }
 
-// Two layers, seen one before the other: each alone is a box, which planes cut, and both together
-// are gone through piece by piece. Most cells between have a piece of either.
+// Two layers, seen one before the other: each alone is a box, which planes cut out, and both
+// together are cropped segment by segment. Most cells between have a segment in either.
 class Layers : public ::testing::Test
 {
 protected:
   Layers()
   {
-    // A piece is one evaluation, whatever is before it; and nothing is opaque.
+    // A segment is one lookup, whatever is before it; and nothing is opaque.
     this->Shown.Mapper->SetAccuracyLevelToFast();
     this->Shown.property()->SetScalarOpacityUnitDistance(0.6);
     this->Shown.Mapper->CroppingOn();

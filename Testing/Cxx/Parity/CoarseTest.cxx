@@ -37,7 +37,7 @@ protected:
   Scene Shown{ jitteredLattice(8, 0.15, 1, sineField()) };
 };
 
-// Pixels in the middle of a coarse one have its colour; in between it is mixed.
+// A pixel in the middle of a coarse pixel has its colour; others have a mixture of the nearest.
 TEST_F(Coarse, IsLikeTheFullPicture)
 {
   const Image full = this->draw(1.0);
@@ -55,7 +55,7 @@ TEST_F(Coarse, IsLikeTheFullPicture)
   EXPECT_EQ(compare(full, this->draw(1.0)).Max, 0.0);
 }
 
-// Every third pixel lies in the middle of a coarse one: its ray is the same.
+// Every third pixel lies in the middle of a coarse pixel and has the same ray.
 TEST_F(Coarse, RaysAreThoseOfPixels)
 {
   Scene scene(jitteredLattice(8, 0.15, 1, sineField()), 150, 150);
@@ -131,7 +131,7 @@ TEST_F(Coarse, AllRaysWhereTheyAreCounted)
   EXPECT_EQ(this->used(), 4.0);
 }
 
-// What it takes on the GPU is there while it is used.
+// The coarse picture takes room on the GPU only while it is used.
 TEST_F(Coarse, IsFreedAtRest)
 {
   this->draw(1.0);

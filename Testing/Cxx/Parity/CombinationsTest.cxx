@@ -18,7 +18,7 @@ using namespace tetmarch::testing;
 
 constexpr int Side = 96;
 
-// What a scene has beside its volume.
+// A feature that is added to a scene.
 struct Feature
 {
   const char* Name;
@@ -79,8 +79,8 @@ class Combinations : public testing::TestWithParam<Feature>
 {
 };
 
-// What the window shows, without counters, is what was compared; and views that draw a measure
-// measure the picture.
+// The window shows without diagnostics what was compared with them, and the views of error and cost
+// are those of that picture.
 void expectTheSameInTheWindow(Scene& scene, const Image& drawn)
 {
   EXPECT_LE(compare(scene.frame(), drawn, {}, 0.0, Channels::Rgb).Max, 1.0 / 255.0);
@@ -108,7 +108,7 @@ TEST_P(Combinations, Effects)
   }
 }
 
-// Unlit and shaded; and the illumination is what a white volume shows.
+// Unlit and shaded pictures; and the view of the illumination is the picture of a white volume.
 TEST_P(Combinations, ShadingAndViewsOfIt)
 {
   BlendScene scene(lattice(7), Side, Side);
@@ -119,7 +119,7 @@ TEST_P(Combinations, ShadingAndViewsOfIt)
   EXPECT_GT(compare(shaded, whole).Max, 0.1) << "nothing is cut or hidden";
   expectTheSameInTheWindow(scene, shaded);
 
-  // How far pieces are split depends on colours, which the illumination has none of.
+  // How far segments are split depends on colours, which the illumination has none of.
   scene.Mapper->SetAccuracyLevelToFast();
   scene.Mapper->SetViewModeToGradients();
   const Image gradients = scene.render();
@@ -143,7 +143,7 @@ TEST_P(Combinations, ShadingAndViewsOfIt)
   expectParity(scene);
 }
 
-// Light that is looked for here and there along rays, against what is looked for everywhere.
+// Light that is sampled at random points of rays, against light computed in all places.
 TEST_P(Combinations, ShadowsAlongRays)
 {
   BlendScene scene(lattice(5), 64, 64);
@@ -163,14 +163,14 @@ TEST_P(Combinations, BlendModes)
   expectBlendParity(scene);
 }
 
-// They are of the mesh, whatever is drawn of it.
+// These views show the mesh, whatever of the volume is drawn.
 TEST_P(Combinations, ViewsOfTheBoundaryShowAllOfIt)
 {
   BlendScene scene(lattice(5), Side, Side);
   scene.Mapper->SetViewModeToBoundaryFaces();
   scene.Window->Render();
-  const Image shell = scene.frame();
-  EXPECT_GT(shell.pixel(Side / 2, Side / 2)[0], 0.2f);
+  const Image boundary = scene.frame();
+  EXPECT_GT(boundary.pixel(Side / 2, Side / 2)[0], 0.2f);
   this->GetParam().Add(scene);
   for (const Feature& effect : Effects)
   {
@@ -179,13 +179,13 @@ TEST_P(Combinations, ViewsOfTheBoundaryShowAllOfIt)
   scene.Renderer->RemoveAllViewProps();
   scene.Renderer->AddVolume(scene.Volume);
   scene.Window->Render();
-  EXPECT_EQ(compare(scene.frame(), shell).Max, 0.0);
+  EXPECT_EQ(compare(scene.frame(), boundary).Max, 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(
   With, Combinations, testing::ValuesIn(Gaps), [](const auto& of) { return of.param.Name; });
 
-// What a blend mode has no use for changes not a bit of its picture.
+// Effects that a blend mode doesn't use change nothing of its picture.
 TEST(CombinationRules, BlendModesHaveNoLightThroughTheVolume)
 {
   BlendScene scene(lattice(5), 64, 64);
@@ -212,7 +212,7 @@ TEST(CombinationRules, BlendModesHaveNoLightThroughTheVolume)
   }
 }
 
-// What is not finite has a colour in composites alone.
+// Scalars that are not finite have a colour in composite blending alone.
 TEST(CombinationRules, BlendModesPassWhatIsNotFinite)
 {
   for (const int mode : BlendModes)

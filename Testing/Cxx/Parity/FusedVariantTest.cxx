@@ -13,7 +13,7 @@ namespace
 {
 using namespace tetmarch::testing;
 
-// Has the mapper find that fma rounds once, as long as it lives.
+// As long as it lives, the mapper finds that the GPU's fma rounds once.
 class FusedShaders
 {
 public:

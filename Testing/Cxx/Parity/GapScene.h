@@ -23,7 +23,7 @@ namespace tetmarch::testing
 constexpr double NotFinite[] = { std::numeric_limits<double>::quiet_NaN(),
   std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
 
-/// Every 23rd is not finite from then on.
+/// Makes every 23rd scalar not finite.
 inline void breakSome(vtkDataArray* scalars)
 {
   for (vtkIdType i = 5, n = 0; i < scalars->GetNumberOfTuples(); i += 23, ++n)
@@ -33,7 +33,7 @@ inline void breakSome(vtkDataArray* scalars)
   scalars->Modified();
 }
 
-/// Whether the centre of a cell's bounds is chosen.
+/// Whether a cell is chosen, by the centre of its bounds.
 using Place = std::function<bool(double x, double y, double z)>;
 
 inline bool isAt(vtkUnstructuredGrid* grid, vtkIdType cell, const Place& place)
@@ -54,7 +54,7 @@ inline void hide(
   ghosts->Modified();
 }
 
-/// Here and there in the unit cube.
+/// Small regions here and there in the unit cube.
 inline bool isCrumb(double x, double y, double z)
 {
   return std::sin(17.0 * x) * std::sin(19.0 * y) * std::sin(23.0 * z) > 0.1;

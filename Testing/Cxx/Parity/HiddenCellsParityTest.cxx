@@ -89,7 +89,7 @@ TEST_F(HiddenParity, TheReferencePicture)
   EXPECT_LE(difference.Rms, 1.0 / 255.0) << difference.text();
 }
 
-// Light is looked for along rays by random steps: as bright in the mean.
+// Shadows along rays are sampled at random: the picture is as bright in the mean.
 TEST_F(HiddenParity, ShadowsAlongRaysAreThoseAtVertices)
 {
   this->Shown.Mapper->SetShadowMethodToAtVertices();

@@ -73,7 +73,7 @@ TEST(HiddenCells, LeaveTheOpacityOfTheRest)
   }
 }
 
-// The cells that aren't hidden, alone.
+// A grid of the cells that aren't hidden.
 Grid restOf(vtkUnstructuredGrid* grid, const Place& hidden)
 {
   const Grid rest = Grid::New();
@@ -136,7 +136,7 @@ TEST(HiddenCells, OfAnyKindOfGhost)
   showAll(scene.Data);
   EXPECT_EQ(compare(scene.render(), all).Max, 0.0);
 
-  // Points: the cells around them.
+  // Hidden points hide the cells around them.
   const Place around = [](double x, double y, double z)
   { return std::abs(x - 0.5) < 0.2 && std::abs(y - 0.5) < 0.2 && std::abs(z - 0.5) < 0.2; };
   vtkUnsignedCharArray* ghosts = scene.Data->AllocatePointGhostArray();
@@ -228,7 +228,7 @@ TEST(HiddenCells, DuplicatesAtTheBorderOfBlocksAreDrawnOnce)
   EXPECT_GT(compare(composed(false), whole).Max, 0.1);
 }
 
-// What is hidden keeps no light from the rest, and only light is made anew when it changes.
+// Hidden cells absorb no light, and when others are hidden only the light is made anew.
 TEST(HiddenCells, AbsorbNoLight)
 {
   LitScene scene(jitteredLattice(8, 0.15, 1, constantField(0.5)), Side, Side);
@@ -247,7 +247,7 @@ TEST(HiddenCells, AbsorbNoLight)
   EXPECT_EQ(scene.Mapper->GetVertexLightBuilds(), 2);
   EXPECT_EQ(scene.Mapper->GetMeshBuilds(), 1);
   EXPECT_EQ(scene.Mapper->GetGradientsBuilds(), 1);
-  // A bit for each tetrahedron.
+  // Only a bit for each tetrahedron is uploaded.
   EXPECT_EQ(scene.Mapper->GetUploadedBytes() - bytes,
     4 * ((scene.Mapper->GetNumberOfTetrahedra() + 31) / 32));
   scene.render();
@@ -269,9 +269,9 @@ TEST(HiddenCells, ShowTheBoundaryOfAll)
   Scene scene(jitteredLattice(6, 0.15, 1, sineField()), Side, Side);
   scene.Mapper->SetViewModeToBoundaryFaces();
   scene.Window->Render();
-  const Image shell = scene.frame();
+  const Image boundary = scene.frame();
   hide(scene.Data, All);
   scene.Window->Render();
-  EXPECT_EQ(compare(scene.frame(), shell).Max, 0.0);
+  EXPECT_EQ(compare(scene.frame(), boundary).Max, 0.0);
 }
 } // namespace

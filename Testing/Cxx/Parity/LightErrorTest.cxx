@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How far light that is kept at vertices, or looked for at a few points of a ray, is from light
-// looked for by brute force wherever a ray crosses a face.
+// The error of light that is kept at vertices, or sampled at a few points of a ray, against light
+// that is computed by brute force at every face of the ray.
 #include "CpuReference.h"
 
 #include "vtkDataArray.h"
@@ -43,7 +43,7 @@ Difference errorOf(Scene& scene, const char* what)
   return difference;
 }
 
-// What is promised of light kept at vertices and of light sampled along rays.
+// The errors that are promised of light kept at vertices and of light sampled along rays.
 void expectSmallErrors(Scene& scene)
 {
   scene.Mapper->SetShadowMethodToAtVertices();
@@ -110,7 +110,7 @@ TEST(LightError, ThickCellsAreToldOfByTheErrorBound)
   EXPECT_GE(20 * told, 19 * wrong);
 }
 
-TEST(LightError, LampInside)
+TEST(LightError, PointLightInside)
 {
   Scene scene(jitteredLattice(16, 0.15, 1, sineField()), 96, 96);
   shine(scene, 0.45, 0.6, 0.5, true);

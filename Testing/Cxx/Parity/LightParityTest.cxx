@@ -23,7 +23,7 @@ protected:
     setShading(this->Shown->property());
   }
   LightParity() { this->use(jitteredLattice(10, 0.15, 1, sineField())); }
-  // A headlight, which is what there is if nobody has set a light, looks another way.
+  // A headlight, which is what there is if nobody has set a light, shines in another direction.
   void addSun() { addLight(*this->Shown, 3.0, 4.0, 1.5); }
 
   std::unique_ptr<Scene> Shown;
@@ -98,8 +98,8 @@ TEST_F(LightParity, StretchedAndTurnedVolume)
   expectParity(*this->Shown);
 }
 
-// A volume that is hardly stretched is drawn as one that isn't, though its light is reckoned in the
-// world.
+// A volume that is hardly stretched looks like one that isn't, though its light is computed in the
+// frame of the world.
 TEST_F(LightParity, LightInTheWorldIsThatInTheMesh)
 {
   Scene& scene = *this->Shown;
@@ -175,7 +175,7 @@ TEST_F(LightParity, GradientOpacityOfCells)
   expectParity(*this->Shown);
 }
 
-// Shades are made where something is seen, of points or of cells.
+// Where scalars are transparent nothing is shaded: with scalars of points and of cells.
 TEST_F(LightParity, TransparentRanges)
 {
   setTwoPeaks(this->Shown->property());

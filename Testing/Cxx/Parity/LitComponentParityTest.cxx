@@ -198,7 +198,7 @@ TEST_P(LitComponentParity, LightThroughTheVolume)
   }
 }
 
-// Light that is looked for here and there along rays, against what is looked for everywhere.
+// Light that is sampled at random points of rays, against light computed in all places.
 TEST_P(LitComponentParity, ShadowsAlongRays)
 {
   for (const bool cells : { false, true })
@@ -245,13 +245,14 @@ TEST_P(LitComponentParity, ClippedCroppedAndWithGaps)
   }
 }
 
-// The component of the opacity is drawn alone; colours are out of it in views of the light.
+// The views of the light know no colours: they are the same when the component of the opacity is
+// drawn alone.
 TEST_P(LitComponentParity, LightIsThatOfTheOpacity)
 {
   for (const bool cells : { false, true })
   {
     LitComponentScene scene(GetParam());
-    // Pieces are the same then whatever their colours.
+    // Segments are the same then whatever their colours.
     scene.Mapper->SetAccuracyLevelToFast();
     if (cells)
     {

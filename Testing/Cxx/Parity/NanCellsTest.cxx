@@ -122,7 +122,7 @@ TEST(NanCells, AreSwitchedWithoutAnyStage)
   EXPECT_EQ(compare(scene.render(), grayOn).Max, 0.0);
 }
 
-// All light, and no gradient.
+// Cells of the NaN colour are shown fully lit, and without a gradient.
 TEST(NanCells, InViewsOfLightAndGradients)
 {
   LitScene scene(jitteredLattice(4, 0.1, 1, constantField(Limits::infinity())), Side, Side);
@@ -197,7 +197,7 @@ TEST_P(NanParity, InLightAndShadow)
   expectParity(this->Shown);
 }
 
-// Sampled at random along rays: as bright in the mean.
+// Shadows along rays are sampled at random: the picture is as bright in the mean.
 TEST_P(NanParity, ShadowsAlongRaysAreThoseAtVertices)
 {
   this->Shown.Mapper->SetShadowMethodToAtVertices();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures of volumes in the shadow of opaque geometry: the GL's against the CPU reference's, and
-// either against light looked for by brute force.
+// either against light computed by brute force.
 #include "CpuReference.h"
 #include "LitScene.h"
 
@@ -19,7 +19,7 @@ namespace
 {
 using namespace tetmarch::testing;
 
-// A square across the way to the sun, out of the camera's sight.
+// A square between the volume and the sun, out of the camera's sight.
 vtkSmartPointer<vtkActor> makeSunshade(double side)
 {
   vtkNew<vtkPlaneSource> plane;
@@ -130,8 +130,8 @@ TEST_F(OpaqueShadowPicture, ThroughATunnelAndAtTheFastLevel)
   this->expectShadows();
 }
 
-// So thin that of the light hardly any is absorbed on its way, and so bright that it is seen.
-// Then shadows along rays are those of opaque geometry alone, and so are those at vertices.
+// The volume is so thin that it hardly absorbs light, and so bright that it is seen. Then shadows
+// along rays are those of opaque geometry alone, and so are those at vertices.
 TEST_F(OpaqueShadowPicture, AlongRaysInThinAir)
 {
   this->shade();
@@ -152,7 +152,7 @@ TEST_F(OpaqueShadowPicture, AlongRaysInThinAir)
   EXPECT_GT(compare(drawn, this->Shown->render(), inside).Max, 0.1);
 }
 
-// Light of which a share passes whatever lies between is dimmed by an obstacle to that share.
+// A light's shadow strength says which share of it an obstacle takes away.
 TEST_F(OpaqueShadowPicture, AsStrongAsTheLightSays)
 {
   Scene& scene = *this->Shown;
@@ -175,7 +175,7 @@ TEST_F(OpaqueShadowPicture, AsStrongAsTheLightSays)
   EXPECT_GT(most, 0.1);
 }
 
-// Of headlights nothing is to be seen.
+// Headlights cast no shadow that the camera could see.
 TEST_F(OpaqueShadowPicture, HeadlightsCastNone)
 {
   this->shade();
@@ -211,7 +211,7 @@ TEST(OpaqueShadowError, OfAPlateOnAThinMedium)
     EXPECT_LE(errorOf(scene, (size + "at vertices").c_str()).Rms, 4.0 / 255.0);
     scene.Mapper->SetShadowMethodToAlongRays();
     EXPECT_LE(errorOf(scene, (size + "along rays").c_str()).Rms, 4.0 / 255.0);
-    // Without, the error is of another size: what is looked for by brute force has the shadow, too.
+    // The ground truth has the shadow: without ours the error is far greater.
     scene.Mapper->OpaqueShadowsOff();
     const Image without = scene.render();
     scene.Mapper->OpaqueShadowsOn();

@@ -166,7 +166,7 @@ TEST(Parity, NarrowSpikes)
   expectParity(scene);
 }
 
-// The variant without lookups of colours.
+// The shader variant for one colour, which looks no colours up.
 TEST(Parity, OneColour)
 {
   Scene scene(jitteredLattice(10, 0.15, 1, sineField()));
@@ -177,7 +177,7 @@ TEST(Parity, OneColour)
   expectParity(scene);
 }
 
-// The variant that passes cells in which nothing is seen.
+// The shader variant that steps through transparent cells.
 TEST(Parity, TransparentRanges)
 {
   Scene scene(jitteredLattice(10, 0.15, 1, sineField()));

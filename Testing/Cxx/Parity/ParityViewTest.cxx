@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What the GL draws from every kind of camera and of every kind of volume matrix, and with opaque
-// geometry in the way, pixel by pixel against the CPU reference.
+// geometry in the volume, pixel by pixel against the CPU reference.
 #include "CpuReference.h"
 
 #include "vtkActor.h"

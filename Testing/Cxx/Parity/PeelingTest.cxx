@@ -76,7 +76,7 @@ TEST_F(Peeling, InLight)
     { vtkTetMarchVolumeMapper::SHADOWS_OFF, vtkTetMarchVolumeMapper::SHADOWS_AT_VERTICES })
   {
     this->Shown->Mapper->SetShadowMethod(method);
-    // Planes have no light of their own: makePlane().
+    // The planes of makePlane() are drawn without lighting.
     this->expectPeeled({ Top, Low });
   }
 }
@@ -114,7 +114,8 @@ TEST_F(Peeling, AViewportBesideAnother)
   expectSame(beside, scene.frame(), 0);
 }
 
-// The next frame is as if nothing had been, and a second one with peels compiles nothing.
+// A frame without peels is the same as before there were any, and a second one with them makes
+// nothing anew.
 TEST_F(Peeling, LeavesNothingBehind)
 {
   Scene& scene = *this->Shown;

@@ -47,7 +47,7 @@ protected:
   }
   ~VariantBuild() override { vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO); }
 
-  // What the GL says against the variant, or nothing. As VTK builds it, but not kept.
+  // The GL's error about the variant, or nothing. It is built as VTK does, but not kept.
   std::string build(const char* file, const VariantKey& key)
   {
     std::map<vtkShader::Type, vtkShader*> shaders;

@@ -17,7 +17,7 @@ constexpr int Side = 64;
 
 Grid lattice() { return jitteredLattice(6, 0.15, 1, sineField()); }
 
-// The component of the opacity is picked, through its gradient opacity.
+// The component of the opacity decides where a ray is picked, with its gradient opacity.
 TEST(ComponentPick, GoesByTheGradientOfTheOpacity)
 {
   for (const Mix& mix : { Mixes[3], Mixes[4] })
@@ -43,7 +43,8 @@ TEST(ComponentPick, GoesByTheGradientOfTheOpacity)
   }
 }
 
-// Everywhere the same: half of the light is gone where the extinctions together say so.
+// Scalars are the same everywhere, so that the point has a closed form: there the extinctions of
+// all components together have taken half of the light.
 TEST(ComponentPick, GoesByAllComponents)
 {
   for (const Mix& mix : Mixes)

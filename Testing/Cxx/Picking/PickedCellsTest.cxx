@@ -16,7 +16,7 @@ namespace
 {
 using namespace tetmarch::testing;
 
-// The cell of the input around the point, and the scalar there.
+// The picked cell of the input has the point in it, and the picked scalar is that of the point.
 void expectCells(vtkUnstructuredGrid* grid, const char* what, bool cellScalars)
 {
   PickScene scene(grid);
@@ -75,7 +75,8 @@ TEST(Picking, PointsLieInTheirCells)
   }
 }
 
-// A selector's area against the closed form: voxels by their place.
+// The cells that a selector finds in an area are those of the closed form, since voxels are known
+// by their places.
 TEST(Picking, SelectorFindsTheCells)
 {
   constexpr int n = 4;
@@ -94,7 +95,7 @@ TEST(Picking, SelectorFindsTheCells)
         {
           continue;
         }
-        // The cells to which rounding may move it.
+        // The cells in which the point may lie after rounding.
         std::set<vtkIdType> here;
         for (int corner = 0; corner < 8; ++corner)
         {

@@ -18,7 +18,7 @@ using namespace tetmarch::testing;
 
 constexpr double Opacity = 0.6;
 
-// A pixel's way through the cube, and the scalars at its ends.
+// The part of a pixel's ray in the cube, and the scalars at its ends.
 struct Chord
 {
   Vec3 Begin, End;
@@ -50,7 +50,7 @@ protected:
     return { p, q, field(p[0], p[1], p[2]), field(q[0], q[1], q[2]) };
   }
 
-  // The share of each chord at which it is picked; below 0: it isn't, NaN: rounding decides.
+  // shareOf: the share of a chord at which it is picked; below 0: it isn't, NaN: rounding decides.
   void expectPicks(const char* what, const std::function<double(const Chord&)>& shareOf)
   {
     int hits = 0;

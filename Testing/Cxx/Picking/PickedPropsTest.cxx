@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whose the picked cell is: of volumes that others draw, of two by one mapper, of blocks.
+// Which prop and block a picked cell belongs to: volumes inside other props, two volumes of one
+// mapper, blocks.
 #include "GridBlocks.h"
 #include "PickScene.h"
 
@@ -42,7 +43,7 @@ TEST(Picking, AVolumeThatAnotherOneDraws)
   ASSERT_TRUE(scene->pick(70, 85));
   const Vec3 position = scene->pickedPosition();
   const double scalar = scene->Mapper->GetPickedScalar();
-  ASSERT_TRUE(scene->pick(90, 60)); // nothing is left of the pick before
+  ASSERT_TRUE(scene->pick(90, 60)); // as if there had been no pick before
   vtkNew<DelegatingVolume> volume;
   volume->SetMapper(scene->Mapper);
   volume->SetProperty(scene->property());

@@ -32,7 +32,7 @@ TEST(Picking, PointsOfEvenExtinctionInCells)
   expectClosedForm(*scene, 0.5, RayTolerance, "cell scalars");
 }
 
-// Gradients that halve the extinction wherever they are.
+// Gradient opacity is 1/2 for all gradients, and halves the extinction everywhere.
 TEST(Picking, PointsOfExtinctionByGradients)
 {
   auto scene = evenScene(jitteredLattice(4));
@@ -48,7 +48,7 @@ TEST(Picking, PointsOfExtinctionByGradients)
   }
 }
 
-// Only what is left gathers anything, and in each region alike.
+// Only what cropping and clipping leave adds to the opacity.
 TEST(Picking, WhatIsCutAwayIsNotHit)
 {
   auto scene = evenScene(jitteredLattice(5));
@@ -62,7 +62,7 @@ TEST(Picking, WhatIsCutAwayIsNotHit)
   expectClosedForm(*scene, 0.3, RayTolerance, "cells, cropped and clipped");
 }
 
-// Nothing before the near plane is hit, and what lies there gathers nothing.
+// What lies before the near plane is not hit, and adds nothing to the opacity.
 TEST(Picking, CameraInside)
 {
   auto scene = evenScene(jitteredLattice(5));
@@ -84,13 +84,13 @@ TEST(Picking, AViewportBesideAnother)
   scene->Renderer->SetViewport(0.5, 0.1, 1.0, 0.9);
   scene->Window->Render();
   expectClosedForm(*scene, 0.5, RayTolerance, "viewport");
-  // Beyond it, and beyond the window.
+  // Outside of the viewport, and outside of the window.
   EXPECT_FALSE(scene->pick(SceneSize / 2, SceneSize / 2));
   EXPECT_FALSE(scene->pick(-1, SceneSize / 2));
   EXPECT_FALSE(scene->pick(SceneSize, 3 * SceneSize));
 }
 
-// The threshold of 0 is where anything is seen at all, that of 1 where nothing else is.
+// A threshold of 0 picks the first point that is seen, one of 1 the point behind which nothing is.
 TEST(Picking, ThresholdsAtTheEnds)
 {
   auto scene = evenScene(hexLattice(4));
@@ -132,7 +132,7 @@ TEST(Picking, WhatIsTransparentIsNotHit)
   EXPECT_FALSE(scene.pick(SceneSize / 2, SceneSize / 2));
 }
 
-// In the world, whatever the volume's place.
+// Picked points are in world coordinates, wherever the volume is.
 TEST(Picking, AMovedVolume)
 {
   auto scene = evenScene(jitteredLattice(5));
@@ -154,7 +154,7 @@ TEST(Picking, AMovedVolume)
   EXPECT_LE(distance(scene->pickedPosition(), moved), 1e-4);
 }
 
-// The frame of before is neither needed nor asked.
+// A pick needs no frame before it, and takes nothing from one.
 TEST(Picking, WithoutAFrameAndWithOtherData)
 {
   PickScene scene(jitteredLattice(5));

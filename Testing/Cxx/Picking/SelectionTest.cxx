@@ -94,7 +94,7 @@ TEST_F(Selection, OfPointsFindsNothing)
   EXPECT_EQ(found.count(ball), 1u);
 }
 
-// With every cell's light by shadows, so that there is more that could get lost.
+// With shadows there is more state that a selection could spoil.
 TEST_F(Selection, LeavesNothingBehind)
 {
   this->Shown.property()->ShadeOn();
@@ -124,7 +124,7 @@ TEST_F(Selection, LeavesNothingBehind)
   EXPECT_EQ(this->Shown.Mapper->GetVertexLightBuilds(), 1);
 }
 
-// Its rays end at whatever opaque geometry there is, which a picture without any needn't look at.
+// The rays of a selection end at opaque geometry, also in a scene whose pictures have none.
 TEST_F(Selection, HoldsNothing)
 {
   this->Shown.render();
@@ -136,7 +136,7 @@ TEST_F(Selection, HoldsNothing)
   EXPECT_TRUE(Held(this->Shown) == held);
 }
 
-// A budget chooses levels by what past frames took; a selection is none.
+// A budget chooses levels by the time of past frames; selections don't count as frames.
 TEST_F(Selection, IsNoFrameForTheBudgets)
 {
   this->Shown.Mapper->SetFrameTimeBudget(1000.0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Code that knows vtkProjectedTetrahedraMapper alone.
+// Code that was written for vtkProjectedTetrahedraMapper runs with ours.
 #include "ErrorWatch.h"
 #include "Scene.h"
 

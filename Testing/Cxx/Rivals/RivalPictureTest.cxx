@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The same picture as vtkProjectedTetrahedraMapper within that mapper's own error, so that whoever
-// swaps mappers isn't surprised. The truth is the groundTruth's: brute force in world coordinates,
-// which shares nothing with either.
+// swaps mappers isn't surprised. The ground truth is brute force in world coordinates, which has
+// nothing in common with either.
 #include "Scene.h"
 #include "Unprojection.h"
 
@@ -118,8 +118,8 @@ void expectSamePicture(Scene& scene, double rivalRms)
   const Difference ourError = compare(ours, truth, seen);
   const double rivalError = rms(rival, truth, seen);
   const double apart = rms(rival, frame, seen);
-  std::cout << "[ MEASURED ] ours against the groundTruth: " << ourError.text()
-            << "\n[ MEASURED ] rival against the groundTruth: RMS " << 255.0 * rivalError
+  std::cout << "[ MEASURED ] ours against the ground truth: " << ourError.text()
+            << "\n[ MEASURED ] rival against the ground truth: RMS " << 255.0 * rivalError
             << "/255; frames apart: RMS " << 255.0 * apart << "/255\n";
   EXPECT_LE(ourError.Max, 1.0 / 255.0);
   EXPECT_LE(20.0 * ourError.Rms, rivalError);

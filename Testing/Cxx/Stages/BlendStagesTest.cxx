@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a change of the blend mode, or of what it shows, makes anew; and what a mode leaves undone.
+// What a change of the blend mode or of its values makes anew, and what a mode doesn't need.
 #include "vtkTetMarchFrameStatistics.h"
 
 #include "BlendScene.h"
@@ -99,7 +99,7 @@ TEST_F(BlendStages, AnotherSurfaceIsAnotherNumber)
   EXPECT_EQ(compare(this->Last, Image(64, 64)).Max, 0.0);
 }
 
-// Gradients are those of surfaces; light through the volume is that of composites.
+// Only surfaces and composites need gradients, only composites light through the volume.
 TEST_F(BlendStages, NothingIsMadeForWhatAModeHasNot)
 {
   this->Shown.Mapper->SetShadowMethodToAtVertices();
@@ -133,7 +133,7 @@ TEST_F(BlendStages, NothingIsMadeForWhatAModeHasNot)
   EXPECT_EQ(this->After.VertexLight, 1);
 }
 
-// What is exact is the same at each level.
+// These modes are exact: their pictures are the same at each accuracy level.
 TEST_F(BlendStages, LevelsDrawTheSame)
 {
   for (const int mode : { Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::AVERAGE_INTENSITY_BLEND,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The level that the mapper chooses for a frame time or an error, and what it says of it.
+// The level that the mapper chooses for a frame time or an error, and what it reports.
 #include "ErrorWatch.h"
 #include "LitScene.h"
 
@@ -108,7 +108,7 @@ TEST_F(Budget, OfTooLittleTimeIsNotKept)
   EXPECT_EQ(this->mapper()->GetTablesBuilds(), 1);
 }
 
-// A frame in which light was looked for tells nothing of what drawing takes.
+// A frame in which light was computed doesn't tell how long drawing takes.
 TEST(BudgetInLight, IsOfFramesThatOnlyDraw)
 {
   LitScene scene(jitteredLattice(8, 0.15, 5, sineField()));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Planes move from frame to frame and redo nothing; what they don't cut costs nothing; planes that
-// are none are an error.
+// Planes that move from frame to frame make nothing anew; cuts that leave everything cost nothing;
+// planes without a normal are an error.
 #include "CutScene.h"
 #include "ErrorScene.h"
 #include "Held.h"
@@ -31,7 +31,7 @@ protected:
     this->Whole = this->Shown.render();
   }
 
-  // What each move shows is something else, by the same shaders from the same buffers.
+  // Each move changes the picture, with the same shaders and the same buffers.
   void expectOnlyDrawn(const std::vector<std::function<void()>>& moves)
   {
     Image before = this->Shown.render();
@@ -106,7 +106,7 @@ TEST_F(ClippingStages, WhatCutsNothingChangesNoBit)
   this->mapper()->RemoveAllClippingPlanes(); // a collection of none stays
   this->expectWhole();
   EXPECT_EQ(countShaders(), shaders);
-  // A plane beside the mesh is a shader, but no other picture.
+  // A plane beside the mesh needs another shader, but the picture stays the same.
   addClippingPlane(this->Shown, { -0.5, -0.5, -0.5 }, { 1.0, 2.0, 3.0 });
   this->expectWhole();
   EXPECT_GT(countShaders(), shaders);
@@ -116,16 +116,16 @@ TEST_F(ClippingStages, TheBoundaryIsNotCut)
 {
   this->mapper()->SetViewModeToBoundaryFaces();
   this->Shown.Window->Render();
-  const Image shell = this->Shown.frame();
+  const Image boundary = this->Shown.frame();
   const int shaders = countShaders();
   clipObliquely(this->Shown);
   crop(this->Shown, VTK_CROP_FENCE);
   this->Shown.Window->Render();
-  EXPECT_EQ(compare(this->Shown.frame(), shell).Max, 0.0);
+  EXPECT_EQ(compare(this->Shown.frame(), boundary).Max, 0.0);
   EXPECT_EQ(countShaders(), shaders);
 }
 
-// The views of measures, too, are of what is left.
+// The views of error and cost, too, are of what is left.
 TEST_F(ClippingStages, RaysBesideWhatIsLeftCostNothing)
 {
   const vtkTypeInt64 rays = this->mapper()->GetNumberOfRays();

@@ -70,7 +70,7 @@ TEST(ComponentStages, AWeightIsANumber)
   const Made second(scene.Mapper);
   EXPECT_EQ(second.Tables, first.Tables);
   EXPECT_EQ(second.Bytes, first.Bytes);
-  // A function is not.
+  // A transfer function is part of the tables.
   scene.property()->GetScalarOpacity(2)->AddPoint(0.3, 1.0);
   scene.render();
   EXPECT_EQ(Made(scene.Mapper).Tables, first.Tables + 1);
@@ -106,7 +106,7 @@ TEST(ComponentStages, OtherValuesUploadScalarsAlone)
   }
 }
 
-// A component of no weight is not there; and one alone is drawn as ever.
+// Components without weight are not drawn, so that the other one looks as it does alone.
 TEST(ComponentStages, OneOfSeveralIsWhatItIsAlone)
 {
   for (const int alone : { 0, 1, 2 })
@@ -167,7 +167,7 @@ TEST(ComponentStages, TheReferenceIsOfAllComponents)
   }
 }
 
-// Light that changes along pieces is bounded, too, but kept by no tolerance.
+// The error of light that changes along segments is bounded, too, but no tolerance limits it.
 TEST(ComponentStages, TheReferenceIsInTheSameLight)
 {
   for (const Mix& mix : { Mixes[3], Mixes[4] })
@@ -188,7 +188,7 @@ TEST(ComponentStages, TheReferenceIsInTheSameLight)
   }
 }
 
-// What dependent ones are drawn with is an error with independent ones.
+// Shading is for dependent components, and an error with independent ones.
 TEST(ComponentStages, LightIsThereAsLongAsItIsAskedFor)
 {
   ComponentScene scene(lattice(), { "", 4, false }, Side, Side);
@@ -212,7 +212,7 @@ TEST(ComponentStages, LightIsThereAsLongAsItIsAskedFor)
   EXPECT_EQ(watch.Errors.size(), 1u);
 }
 
-// Another component may change as it likes.
+// Changes of other components leave the gradients as they are.
 TEST(ComponentStages, GradientsFollowTheComponentOfTheOpacity)
 {
   for (const Mix& mix : { Mixes[3], Mixes[4] })

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Effects outlive windows and what is released of them, and a frame that was left off while light
-// was looked for spoils no later one.
+// Effects are made again after a window is closed or its resources are released, and a frame that
+// was aborted while light was computed spoils no later one.
 #include "ErrorWatch.h"
 #include "GLObjects.h"
 #include "LitScene.h"
@@ -60,7 +60,7 @@ protected:
   }
 
   LitScene Shown{ jitteredLattice(8, 0.15, 1, sineField()), Side, Side };
-  // On the way to the light, out of sight.
+  // Between the volume and the light, out of sight.
   vtkSmartPointer<vtkActor> Ball = makeBall({ 5.5, 7.5, 2.5 }, 0.3, { 1.0, 1.0, 1.0 });
   Image Expected;
 };
@@ -107,7 +107,7 @@ TEST_F(EffectLifetime, SecondWindowAfterTheFirstIsDeleted)
   this->expectSame(this->renderIn(second));
 }
 
-// Each of two mappers has its own.
+// Each of two mappers has effects of its own.
 TEST_F(EffectLifetime, TwoMappersInAWindow)
 {
   vtkNew<vtkRenderer> other;
@@ -167,7 +167,7 @@ protected:
     scene.Mapper->SetShadowMethodToAtVertices();
   }
 
-  // What is drawn when nobody is in a hurry.
+  // The picture without a limit of time.
   Image expected()
   {
     LitScene scene(this->Shown.Data, Side, Side);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Windows and mappers come and go in any order; what is drawn stays the same, and nobody loses what
-// is another's.
+// Windows and mappers come and go in any order; pictures stay the same, and none frees what belongs
+// to another.
 #include "ErrorWatch.h"
 #include "Held.h"
 #include "Scene.h"

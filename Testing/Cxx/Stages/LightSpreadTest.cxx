@@ -104,13 +104,13 @@ TEST_F(LightSpread, LightOfBeforeIsShownUntilThen)
   EXPECT_FALSE(this->mapper()->IsLightComplete());
   EXPECT_GT(compare(moved, after).Rms, 0.0);
   this->Shown.Sun->SetPosition(3.0, 4.0, 1.5);
-  // What was under way is forgotten.
+  // The light that was being computed is given up.
   EXPECT_EQ(this->frame().Rgba, after.Rgba);
   EXPECT_TRUE(this->mapper()->IsLightComplete());
   EXPECT_NE(after.Rgba, before.Rgba);
 }
 
-TEST_F(LightSpread, BeginsAnewWhenTheLampMovesOn)
+TEST_F(LightSpread, BeginsAnewWhenTheSunMovesOn)
 {
   this->expectComplete(Frames);
   for (int i = 1; i <= 4; ++i)
@@ -164,7 +164,7 @@ TEST_F(LightSpread, HoldsTwiceTheLightOnlyMeanwhile)
   this->expectComplete(Frames);
 }
 
-// Light of one mesh is none of another's.
+// The light of one mesh is not shown on another one: the first frame has no shadows.
 TEST_F(LightSpread, AnotherMeshBeginsWithoutShadows)
 {
   this->expectComplete(Frames);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadows of opaque geometry are made when something of it has changed, of all that casts some, and
-// are gone when they are off.
+// Shadows of opaque geometry are made anew when the geometry has changed, whatever kind of prop
+// shows it, and freed when they are switched off.
 #include "GL/CompositeMapper.h"
 #include "Held.h"
 #include "LitScene.h"
@@ -157,7 +157,7 @@ TEST_F(OpaqueShadowStages, OnlyWhatChangedIsRedone)
   EXPECT_EQ(countShaders(), shaders);
 }
 
-// The search for parts goes on while the assembly is on its own way through them.
+// Geometry is collected while the assembly itself iterates over its parts.
 TEST_F(OpaqueShadowStages, AnAssemblyOfPlateAndVolume)
 {
   this->mapper()->OpaqueShadowsOn();
@@ -171,7 +171,7 @@ TEST_F(OpaqueShadowStages, AnAssemblyOfPlateAndVolume)
   this->Shown.Renderer->AddViewProp(both);
   EXPECT_EQ(this->frame().Rgba, apart.Rgba);
   both->AddPosition(0.0, 0.0, 0.1);
-  this->expectRuns("both", 1, 0); // to the same shadow
+  this->expectRuns("both", 1, 0); // the shadow is the same
   this->Plate->AddPosition(0.1, -0.1, 0.05);
   this->expectRuns("the plate", 1, 1);
 }

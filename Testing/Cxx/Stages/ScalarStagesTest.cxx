@@ -53,7 +53,7 @@ TEST_F(Stages, AnotherComponentKeepsTheMesh)
   this->Shown.Mapper->SetVectorModeToMagnitude();
   this->expectRuns(0, 1, 1);
   EXPECT_GT(this->Changed, 0.05);
-  // The colour function decides; its other edits are no business of scalars.
+  // The colour function says what is drawn of vectors; its other edits leave the scalars.
   this->Shown.Mapper->SetVectorModeToDisabled();
   this->expectRuns(0, 1, 1);
   vtkColorTransferFunction* colors = this->Shown.property()->GetRGBTransferFunction();
@@ -71,7 +71,7 @@ TEST_F(Stages, AnArrayModifiedInPlace)
   {
     this->scalars()->SetTuple1(i, 0.3 + 0.5 * this->scalars()->GetTuple1(i));
   }
-  EXPECT_EQ(compare(this->Shown.render(), this->Before).Max, 0.0); // nobody said so
+  EXPECT_EQ(compare(this->Shown.render(), this->Before).Max, 0.0); // Modified() wasn't called
   this->scalars()->Modified();
   this->expectRuns(0, 1, 1); // another range, so the tables as well
   EXPECT_GT(this->Changed, 0.05);

@@ -32,7 +32,7 @@ Grid golfBall()
   return grid;
 }
 
-// All arrays anew, scalars that move on within the same range.
+// A new grid with new arrays; the scalars change from step to step within the same range.
 Grid stepOf(vtkUnstructuredGrid* grid, int step)
 {
   auto next = Grid::New();
@@ -120,7 +120,7 @@ TEST(Series, WhateverTheMeshDependsOnIsMadeAnew)
   EXPECT_EQ(scene.Mapper->GetMeshBuilds(), builds + 1);
 }
 
-// The numbers of vertices are those of the first step, which pictures tell by rounding alone.
+// Vertices keep the order of the first step, which changes nothing of pictures but rounding.
 TEST(Series, MovedPointsLookLikeANewMesh)
 {
   Scene scene(latticeWithHole(6, 0.15, 1, sineField()));

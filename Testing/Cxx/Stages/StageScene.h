@@ -30,7 +30,7 @@ inline Work workOf(const vtkTetMarchVolumeMapper* mapper)
     mapper->GetUploadedBytes() };
 }
 
-class StageScene : public testing::Test
+class StageScene : public ::testing::Test
 {
 protected:
   StageScene() { this->Before = this->Shown.render(); }

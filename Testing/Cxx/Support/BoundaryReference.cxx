@@ -59,8 +59,8 @@ bool meets(const Line& line, const TetMesh& mesh, int face, Meeting& meeting)
   meeting = { 0.0, enters, { face, {} } };
   for (int i = 0; i < 3 && (enters || leaves); ++i)
   {
-    meeting.At.Shares[i] = volumes[i] / sum;
-    meeting.Depth += meeting.At.Shares[i] * dot(p[i], line.Direction);
+    meeting.At.Barycentrics[i] = volumes[i] / sum;
+    meeting.Depth += meeting.At.Barycentrics[i] * dot(p[i], line.Direction);
   }
   return enters || leaves;
 }

@@ -13,8 +13,8 @@ namespace tetmarch::testing
 {
 struct BoundaryPixel
 {
-  int Face = -1; ///< of the reference's Faces; -1: none
-  Vec3 Shares{}; ///< barycentric coordinates of the entry, by the face's vertices
+  int Face = -1;       ///< of the reference's Faces; -1: none
+  Vec3 Barycentrics{}; ///< of the entry, by the face's vertices
 };
 
 struct BoundaryReference
@@ -23,9 +23,9 @@ struct BoundaryReference
   std::vector<BoundaryPixel> Pixels;              ///< rows from the bottom of the viewport
 };
 
-/// Of a scene as it stands, in double precision and without any of what the march searches by: a
-/// ray is in the mesh where the near plane begins it if the next face that it meets lets it out.
-/// Depths of opaque geometry: one a pixel, or empty.
+/// The boundary view of a scene, in double precision and by all faces, without links or hierarchy.
+/// A ray begins inside of the mesh if the first face behind the near plane is one that it leaves
+/// by. Depths of opaque geometry: one a pixel, or empty.
 BoundaryReference boundaryViewOf(Scene& scene, const std::vector<float>& depths = {});
 } // namespace tetmarch::testing
 

@@ -15,7 +15,7 @@
 
 namespace tetmarch::testing
 {
-/// What components are to each other, with how many of them.
+/// A number of components, independent or dependent.
 struct Mix
 {
   const char* Name;
@@ -32,7 +32,7 @@ inline std::vector<Field> wavyFields(int count)
   return { fields.begin(), fields.begin() + count };
 }
 
-/// Those of an array that withComponents() has made.
+/// Draws the components of an array that withComponents() has made.
 inline void drawComponents(Scene& scene, const Mix& mix)
 {
   setComponentFunctions(scene.property(), mix.Components);

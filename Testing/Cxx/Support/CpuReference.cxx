@@ -94,7 +94,7 @@ public:
     made.WindowDepths = depths.empty() ? nullptr : depths.data();
   }
 
-  // Light through the volume as the GL has it, or looked for everywhere.
+  // Light through the volume as the GL has it, or computed in all places.
   ReferencePicture render(Precision precision, LightFrom light)
   {
     this->Made.ExactLight = light == LightFrom::Everywhere;

@@ -20,7 +20,7 @@ enum class Precision
   Double
 };
 
-/// Where the light is looked for that comes through the volume.
+/// Where the light that comes through the volume is computed.
 enum class LightFrom
 {
   Vertices,  ///< as the GL does
@@ -39,7 +39,7 @@ struct ReferencePicture
 ReferencePicture referenceOf(Scene& scene, const std::vector<float>& depths = {},
   Precision precision = Precision::Double, LightFrom light = LightFrom::Vertices);
 
-/// What the mapper is told to cut away.
+/// The clipping and cropping that are set at the mapper.
 ClippingOptions clippingOf(vtkTetMarchVolumeMapper* mapper);
 
 /// The pixels of a picture, by whether they and their eight neighbours see the mesh: all of them,
@@ -60,8 +60,8 @@ Regions regionsOf(Scene& scene, const std::vector<float>& depths = {});
 void expectParity(Scene& scene, const std::vector<float>& depths = {});
 /// The same with the depths that the frame left in the window.
 void expectParityWithOpaque(Scene& scene);
-/// That light which is looked for here and there along rays is that which is looked for wherever a
-/// ray crosses a face, to 1.5/255 RMS, and more than what is seen without. Prints the difference.
+/// Expects that light which is sampled at random points of rays is that which is computed at every
+/// face of a ray, to 1.5/255 RMS, and that the picture `without` it differs. Prints the difference.
 void expectLightAlongRays(Scene& scene, const Image& drawn, const Image& without);
 } // namespace tetmarch::testing
 

@@ -22,8 +22,8 @@ namespace tetmarch::testing
 /// one, a chord may be off by a few times as much.
 constexpr double MostCubeError = 3e-4;
 
-/// That the opacities are those of a unit cube in the world, by its lowest corner; that at least so
-/// many pixels show it. Prints the greatest error.
+/// Expects the opacities of a unit cube in the world, given by its lowest corner, and at least so
+/// many pixels that show it. Prints the greatest error.
 inline void expectCube(const Image& drawn, vtkCamera* camera, const Vec3& corner, double extinction,
   int leastPixels, const std::string& what = {})
 {

@@ -23,20 +23,21 @@ inline vtkSmartPointer<vtkPlane> addClippingPlane(
   return plane;
 }
 
-/// Through the middle of the unit cube; what is left lies behind, seen by lookAtUnitCube().
+/// Clips through the middle of the unit cube; what lies behind, as lookAtUnitCube() sees it, is
+/// left.
 inline vtkSmartPointer<vtkPlane> clipObliquely(Scene& scene)
 {
   return addClippingPlane(scene, { 0.5, 0.45, 0.4 }, { -0.6, 0.3, -1.0 });
 }
 
-/// Within the unit cube; nothing is halved.
+/// Crops by planes within the unit cube, none of them in the middle.
 inline void crop(Scene& scene, int flags)
 {
   scene.Mapper->CroppingOn();
   scene.Mapper->SetCroppingRegionPlanes(0.237, 0.711, 0.313, 0.564, 0.159, 0.823);
   scene.Mapper->SetCroppingRegionFlags(flags);
 }
-/// Both at once, otherwise placed: a plane, and the fence of a box.
+/// Clips by another plane, and crops to the fence of another box.
 inline void clipAndCropToFence(Scene& scene)
 {
   addClippingPlane(scene, { 0.45, 0.5, 0.5 }, { -0.7, 0.2, -0.5 });

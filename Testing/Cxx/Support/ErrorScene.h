@@ -44,7 +44,7 @@ protected:
   void expectEmpty() { EXPECT_EQ(compare(this->frame(), this->Empty).Max, 0.0); }
   void expectSound() { EXPECT_EQ(compare(this->frame(), this->Sound).Max, 0.0); }
 
-  // Nothing is drawn, and nothing to complain about.
+  // Nothing is drawn, and there is no error.
   void expectEmptyWithoutErrors()
   {
     const ErrorWatch watch(this->Shown.Mapper);

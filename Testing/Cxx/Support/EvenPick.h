@@ -8,7 +8,7 @@
 #define tetmarch_testing_EvenPick_h
 
 #include "CpuReference.h"
-#include "CutWay.h"
+#include "CutLine.h"
 #include "PickScene.h"
 
 #include <algorithm>

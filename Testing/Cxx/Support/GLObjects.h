@@ -14,7 +14,7 @@
 
 namespace tetmarch::testing
 {
-/// Names below this one are tried at least. Some GLs give names away again, others count on.
+/// Names up to this one are tried at least. Some GLs use freed names again, others count on.
 constexpr GLuint LeastNames = 4096;
 
 template <typename Generate, typename Delete, typename Is>

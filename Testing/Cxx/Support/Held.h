@@ -12,9 +12,10 @@
 
 namespace tetmarch::testing
 {
-/// Of shadows along rays: a tile of noise.
+/// The bytes that shadows along rays need: a tile of noise.
 constexpr vtkTypeInt64 JitterBytes = 4 * 64 * 64;
-/// Of light at so few vertices that one row of blocks holds them: starts of rays, and texels.
+/// The bytes of light at vertices, so few that one row of blocks holds them: starts of rays,
+/// texels.
 constexpr vtkTypeInt64 vertexLightBytes(vtkTypeInt64 vertices)
 {
   return 16 * vertices + 8 * 8 * 4096;

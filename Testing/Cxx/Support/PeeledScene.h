@@ -27,7 +27,7 @@ struct Layer
   double Opacity;
 };
 
-class PeeledScene : public testing::Test
+class PeeledScene : public ::testing::Test
 {
 protected:
   PeeledScene() { this->use(jitteredLattice(8, 0.15, 1, sineField())); }

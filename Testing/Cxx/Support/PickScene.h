@@ -52,9 +52,9 @@ public:
   {
     const Vec3 near = this->worldAt(x, y, 0.0);
     const Vec3 far = this->worldAt(x, y, 1.0);
-    Vec3 way{ far[0] - near[0], far[1] - near[1], far[2] - near[2] };
-    const double length = std::hypot(way[0], way[1], way[2]);
-    return { near, { way[0] / length, way[1] / length, way[2] / length } };
+    const Vec3 d{ far[0] - near[0], far[1] - near[1], far[2] - near[2] };
+    const double length = std::hypot(d[0], d[1], d[2]);
+    return { near, { d[0] / length, d[1] / length, d[2] / length } };
   }
 
   bool pick(int x, int y) { return this->Mapper->Pick(this->Renderer, this->Volume, x, y); }

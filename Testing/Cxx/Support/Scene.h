@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A window with one volume in it, and what came out
+ * @brief A window with one volume in it, and its pictures
  */
 #ifndef tetmarch_testing_Scene_h
 #define tetmarch_testing_Scene_h
@@ -45,7 +45,7 @@ void setWakeFunctions(vtkVolumeProperty* property);
 void setTwoPeaks(vtkVolumeProperty* property);
 /// Gradient opacity: thinner where the scalar changes little.
 void setGradientOpacity(vtkVolumeProperty* property);
-/// Shaded, none of the numbers of that as they are by default.
+/// Shading with numbers of which none is the default.
 void setShading(vtkVolumeProperty* property);
 /// One colour and one opacity whatever the scalar.
 void setPlainFunctions(
@@ -61,7 +61,7 @@ void lookFromInside(vtkCamera* camera);
 
 /// The diagnostic picture of the mapper's last frame, for a viewport of that size.
 Image floatPictureOf(vtkTetMarchVolumeMapper* mapper, int width, int height);
-/// What stands in the window's framebuffer, RGB with alpha as it is there.
+/// The window's framebuffer, RGB with its alpha.
 Image framePictureOf(vtkRenderWindow* window);
 /// The same within a rectangle of the picture.
 Image cropped(const Image& image, int x, int y, int width, int height);

@@ -15,7 +15,7 @@
 
 namespace tetmarch::testing
 {
-/// Shares nothing with the mapper's view. The camera is read once.
+/// Has no code in common with the mapper's view. The camera is read once.
 class Unprojection
 {
 public:

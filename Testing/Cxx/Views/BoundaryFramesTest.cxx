@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a frame of the shell leaves behind, and what it does without.
+// Frames of the boundary views: what they do without, and what they leave behind.
 #include "BoundaryScene.h"
 #include "GLObjects.h"
 
@@ -14,7 +14,7 @@ namespace
 using namespace tetmarch::testing;
 using Mapper = vtkTetMarchVolumeMapper;
 
-TEST(Shell, BackToThePictureNothingIsLeft)
+TEST(BoundaryView, BackToThePictureNothingIsLeft)
 {
   BoundaryScene scene(latticeWithHole(6));
   const Image picture = scene.view(Mapper::VIEW_PICTURE);
@@ -39,8 +39,8 @@ TEST(Shell, BackToThePictureNothingIsLeft)
   EXPECT_EQ(scene.view(Mapper::VIEW_BOUNDARY_FACES).Rgba, view.Rgba);
 }
 
-// Neither for the picture nor for what counts.
-TEST(Shell, NothingIsMarched)
+// No ray is marched, neither for the picture nor for statistics.
+TEST(BoundaryView, NothingIsMarched)
 {
   BoundaryScene scene(boundaryLattice());
   scene.Mapper->CollectDiagnosticsOn();
@@ -59,7 +59,7 @@ TEST(Shell, NothingIsMarched)
   EXPECT_EQ(scene.Mapper->GetGPUMemoryBytes(), bytes);
 }
 
-TEST(Shell, TellsNothingOfAPicturesTime)
+TEST(BoundaryView, TellsNothingOfAPicturesTime)
 {
   BoundaryScene scene(boundaryLattice());
   scene.Mapper->SetFrameTimeBudget(100.0);
@@ -77,7 +77,7 @@ TEST(Shell, TellsNothingOfAPicturesTime)
   EXPECT_GT(tolerances(Mapper::VIEW_PICTURE).size(), 1u); // better levels are tried
 }
 
-TEST(Shell, TilesAreTheFrame)
+TEST(BoundaryView, TilesAreTheFrame)
 {
   for (const double nearPlane : { 0.5, 2.4 })
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A window for the view modes of the shell
+ * @brief A window for the view modes of the boundary
  */
 #ifndef tetmarch_testing_BoundaryScene_h
 #define tetmarch_testing_BoundaryScene_h

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The view modes of the shell: each pixel shows by which face its ray enters, and where.
+// The view modes of the boundary: each pixel shows by which face its ray enters, and where.
 #include "BoundaryReference.h"
 #include "BoundaryScene.h"
 
@@ -18,7 +18,7 @@ using Bytes = std::array<int, 3>;
 
 constexpr Bytes Background{ { 51, 102, 153 } }; // no channel is full: no face has it
 
-// These two are the twins of those in passes/boundary_view.frag.glsl.
+// hashOf() and colorOf() are what passes/boundary_view.frag.glsl does.
 std::uint32_t hashOf(std::uint32_t number)
 {
   const std::uint32_t state = number * 747796405u + 2891336453u;
@@ -75,18 +75,19 @@ Mask whereAll(const std::vector<BoundaryPixel>& reference, int width, bool enter
   return mask;
 }
 
-bool areShares(const Bytes& pixel, const Vec3& shares)
+bool areBarycentrics(const Bytes& pixel, const Vec3& barycentrics)
 {
   bool same = true;
   for (int k = 0; k < 3; ++k)
   {
-    same = same && std::abs(pixel[k] - 255.0 * shares[k]) <= 2.0;
+    same = same && std::abs(pixel[k] - 255.0 * barycentrics[k]) <= 2.0;
   }
   return same;
 }
 
-// Returns how many pixels in the shell's inside were compared. Where the rasteriser, or float,
-// takes the face beside the reference's, the pixel is on an edge of both: rarely.
+// Returns how many pixels inside the silhouette of the boundary were compared. Where the
+// rasteriser, or float, takes the face beside the reference's, the pixel is on an edge of both:
+// rarely.
 int expectAsReference(BoundaryScene& scene, bool withOpaque = false)
 {
   const std::vector<Bytes> faces = pixelsOf(scene, scene.view(Mapper::VIEW_BOUNDARY_FACES));
@@ -110,11 +111,11 @@ int expectAsReference(BoundaryScene& scene, bool withOpaque = false)
       noColor += colors.count(faces[i]) == 0;
       noSum += std::abs(sum - 255) > 1;
       otherFace += faces[i] != colorOf(reference.Faces[reference.Pixels[i].Face]);
-      otherPlace += !areShares(places[i], reference.Pixels[i].Shares);
+      otherPlace += !areBarycentrics(places[i], reference.Pixels[i].Barycentrics);
     }
     else if (outside[i])
     {
-      // What opaque geometry shows is not the shell's.
+      // Opaque geometry has colours of its own.
       kept += withOpaque ? colors.count(faces[i]) != 0
                          : faces[i] != Background || places[i] != Background;
     }
@@ -134,7 +135,7 @@ int expectAsReference(BoundaryScene& scene, bool withOpaque = false)
   return compared;
 }
 
-TEST(Shell, IsAsTheReferenceHasIt)
+TEST(BoundaryView, IsAsTheReferenceHasIt)
 {
   for (const int samples : { 0, 8 })
   {
@@ -152,7 +153,7 @@ TEST(Shell, IsAsTheReferenceHasIt)
   EXPECT_GT(expectAsReference(mirrored), 4000);
 }
 
-TEST(Shell, OfNonConvexMeshes)
+TEST(BoundaryView, OfNonConvexMeshes)
 {
   for (const Grid& grid : { latticeWithHole(6), latticeWithTunnel(6), lShape(6), twoComponents(6) })
   {
@@ -161,7 +162,7 @@ TEST(Shell, OfNonConvexMeshes)
   }
 }
 
-TEST(Shell, InAViewportOffTheCorner)
+TEST(BoundaryView, InAViewportOffTheCorner)
 {
   BoundaryScene scene(latticeWithHole(6), 240, 200);
   scene.Renderer->SetViewport(0.3, 0.15, 0.95, 0.9);
@@ -170,9 +171,9 @@ TEST(Shell, InAViewportOffTheCorner)
   EXPECT_GT(expectAsReference(scene), 4000);
 }
 
-// The near plane in the mesh: the face behind it by which the ray came in, or, in the hole, the
-// next one.
-TEST(Shell, CameraInside)
+// The near plane cuts the mesh: pixels show the face behind the camera by which the ray entered or,
+// if the camera is in the hole, the next face that it enters by.
+TEST(BoundaryView, CameraInside)
 {
   BoundaryScene scene(latticeWithHole(6));
   scene.camera()->SetClippingRange(0.01, 5.0);
@@ -186,7 +187,7 @@ TEST(Shell, CameraInside)
 }
 
 // In the box about the mesh, but not in the mesh: nothing of what lies behind is seen.
-TEST(Shell, CameraBetween)
+TEST(BoundaryView, CameraBetween)
 {
   BoundaryScene scene(lShape(6));
   scene.camera()->SetClippingRange(0.001, 5.0);
@@ -201,8 +202,8 @@ TEST(Shell, CameraBetween)
   EXPECT_LT(inside[1], inside[0]);
 }
 
-// Its first cut makes the hierarchy, by which faces are numbered anew.
-TEST(Shell, NearPlaneChangesNoColor)
+// The first cut of the near plane makes the hierarchy, which numbers faces anew: colours stay.
+TEST(BoundaryView, NearPlaneChangesNoColor)
 {
   BoundaryScene scene(boundaryLattice());
   const Image before = scene.view(Mapper::VIEW_BOUNDARY_FACES);
@@ -210,7 +211,7 @@ TEST(Shell, NearPlaneChangesNoColor)
   EXPECT_LE(compare(scene.view(Mapper::VIEW_BOUNDARY_FACES), before).Over, 20u);
 }
 
-TEST(Shell, OpaqueGeometryHidesWhatIsBehind)
+TEST(BoundaryView, OpaqueGeometryHidesWhatIsBehind)
 {
   for (const Grid& grid : { boundaryLattice(), latticeWithHole(6) })
   {

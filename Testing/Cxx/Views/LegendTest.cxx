@@ -76,7 +76,7 @@ TEST_F(Legend, IsOfTheFrameInWhichTheModeChanged)
     EXPECT_GT(most, range[1] / 10.0);
     EXPECT_EQ(this->Bar->GetLookupTable()->UsingLogScale(),
       c.Mode == vtkTetMarchVolumeMapper::VIEW_ERROR_BOUND ? 1 : 0);
-    EXPECT_EQ(this->frame().Rgba, first.Rgba); // was not a frame late
+    EXPECT_EQ(this->frame().Rgba, first.Rgba); // the legend was not a frame late
   }
   this->Shown.Mapper->AutomaticViewRangeOff();
   this->Shown.Mapper->SetViewRange(3.0, 14.0);

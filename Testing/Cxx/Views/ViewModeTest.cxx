@@ -61,7 +61,8 @@ TEST(ViewMode, ColorsMayBeOthers)
   expectColorsOfStatistics(scene, frame, Statistics::CELLS);
 }
 
-// Where in the picture which error is, by the CPU, and in a viewport off the corner.
+// The view of the error bound, pixel by pixel against the CPU reference, in a viewport off the
+// corner.
 TEST(ViewMode, ErrorsAreWhereTheReferenceHasThem)
 {
   ViewScene scene(viewLattice(), 240, 200);
@@ -90,7 +91,7 @@ TEST(ViewMode, ErrorsAreWhereTheReferenceHasThem)
   EXPECT_LE(off, pixels / 50);
 }
 
-// What lies before the mesh hides it, what lies in it ends the rays.
+// Opaque geometry before the mesh hides it, and geometry in the mesh ends the rays.
 TEST(ViewMode, OpaqueGeometryIsSeen)
 {
   ViewScene scene(viewLattice());
@@ -127,7 +128,7 @@ TEST(ViewMode, CameraInside)
   }
 }
 
-// But for the light behind the end of a ray, which thin cells have none of.
+// Constant cells are integrated exactly, and rays through thin ones don't end early.
 TEST(ViewMode, OfConstantCellsErrorsAreNone)
 {
   ViewScene scene(viewLattice());

@@ -27,7 +27,7 @@ constexpr std::pair<int, int> Views[] = { { vtkTetMarchVolumeMapper::VIEW_ERROR_
   { vtkTetMarchVolumeMapper::VIEW_CELLS, vtkTetMarchFrameStatistics::CELLS },
   { vtkTetMarchVolumeMapper::VIEW_LOOKUPS, vtkTetMarchFrameStatistics::LOOKUPS } };
 
-/// Every view is of one frame, before a blue background.
+/// Before a blue background, without diagnostics.
 class ViewScene : public Scene
 {
 public:

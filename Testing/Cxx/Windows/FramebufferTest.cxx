@@ -16,7 +16,7 @@ using namespace tetmarch::testing;
 
 Grid lattice() { return jitteredLattice(8, 0.15, 1, sineField()); }
 
-// The framebuffer holds what one of floats would, but for rounding.
+// The framebuffer of bytes holds what a framebuffer of floats would, but for rounding.
 void expectBlended(Scene& scene)
 {
   const Image back = frameWithoutVolumes(scene);
@@ -142,7 +142,7 @@ TEST(Framebuffer, ViewportsAnywhere)
     for (int i = 0; i < 4; ++i)
     {
       EXPECT_LE(compare(floatPictureOf(mappers[i], Side, Side), picture).Max, 1e-5);
-      // So little may round to another byte, but hardly ever does.
+      // Such small differences may round to another byte, but seldom do.
       const Difference bytes = compare(
         cropped(all, Side * (i % 2), Side * (i / 2), Side, Side), frame, {}, 0.0, Channels::Rgb);
       EXPECT_LE(bytes.Max, 1.001 / 255.0) << bytes.text();

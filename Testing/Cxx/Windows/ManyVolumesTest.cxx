@@ -108,7 +108,7 @@ protected:
     return frame;
   }
 
-  // Each as it would be alone, and the frame is made of them in that order.
+  // Each volume is drawn alone, and the frame must be these pictures blended in that order.
   void expectInOrder(const std::vector<int>& order)
   {
     std::vector<Image> pictures;
@@ -125,7 +125,7 @@ protected:
     const Image expected = composed(pictures);
     const double bound = double(order.size()) * OneBlend;
     expectSame(framePictureOf(this->Window), expected, bound, "in order");
-    // That order and no other.
+    // Any other order gives another picture.
     std::reverse(pictures.begin(), pictures.end());
     EXPECT_GT(compare(composed(pictures), expected, {}, 0.0, Channels::Rgb).Max, 10.0 * bound);
   }

@@ -32,7 +32,7 @@ class RenderPass : public PassScene
 {
 };
 
-// What the renderer does, one by one, with that for translucent surfaces.
+// The passes of the renderer one by one, with this one for translucent surfaces.
 vtkSmartPointer<vtkCameraPass> stepsWith(vtkRenderPass* translucent)
 {
   vtkNew<vtkRenderPassCollection> passes;
@@ -124,7 +124,7 @@ protected:
   }
 };
 
-// Of the renderer: before volumes are drawn.
+// A pass of the renderer, before volumes are drawn.
 TEST_F(Occlusion, OfSurfacesBehindAVolume)
 {
   this->Shown.Renderer->UseSSAOOn();
@@ -134,7 +134,7 @@ TEST_F(Occlusion, OfSurfacesBehindAVolume)
   expectSame(this->Shown.frame(), over(picture, back), OneBlend);
 }
 
-// Of a pass about all steps: it darkens the picture by what surfaces occlude; the volume leaves
+// A pass around all steps: it darkens the picture by what surfaces occlude; the volume leaves
 // their positions alone.
 TEST_F(Occlusion, OfAPassAboutAll)
 {

@@ -65,7 +65,7 @@ TEST(GLState, IsKept)
   }
 }
 
-// Nothing is drawn then, but VTK's records had bound what is gone.
+// Nothing is drawn then, but VTK's records name objects as bound that are gone.
 TEST(GLState, IsKeptIfSomebodyReleasesWhatIsDrawn)
 {
   Scene scene(lattice());
@@ -91,7 +91,7 @@ TEST(GLState, IsKeptIfSomebodyReleasesWhatIsDrawn)
   }
 }
 
-// As translucent surfaces leave it.
+// The GL state as translucent surfaces leave it.
 TEST(GLState, KeepsTheTextureUnit)
 {
   Scene scene(lattice());
@@ -169,7 +169,7 @@ TEST(GLState, IsKeptBySelections)
   EXPECT_GE(mapper->Frames, 5);
 }
 
-// A selector has VTK record which buffers are bound, and nothing has it forget them.
+// A selector makes VTK record which buffers are bound, and VTK never forgets them.
 TEST(GLState, NeedsNoBuffersOfThingsThatAreGone)
 {
   Scene scene(lattice());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures whose lines of sight don't meet in the camera's position: of either eye, or sheared.
+// Pictures whose rays don't begin in the camera's position: of either eye, or sheared.
 #include "CubePicture.h"
 #include "Scene.h"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames in several draws are those in one, to the last bit, and can be left off between two.
+// A frame in several draws is the same as in one draw, to the last bit, and can be aborted between
+// two draws.
 #include "ErrorWatch.h"
 #include "Observer.h"
 #include "Scene.h"
@@ -48,7 +49,7 @@ void expectSameInTiles(Scene& scene, int leastDraws = MostDraws)
     }
     else if (limit == Huge)
     {
-      EXPECT_EQ(scene.Mapper->GetNumberOfDraws(), 1); // the frame before told
+      EXPECT_EQ(scene.Mapper->GetNumberOfDraws(), 1); // the frame before told how long it takes
     }
   }
 }
@@ -127,7 +128,7 @@ TEST(Tiles, OfAFastFrameAreOne)
   Scene scene(lattice());
   scene.Mapper->SetMaxDrawTimeInSeconds(Huge);
   scene.render();
-  EXPECT_GT(scene.Mapper->GetNumberOfDraws(), 1); // nothing was known
+  EXPECT_GT(scene.Mapper->GetNumberOfDraws(), 1); // the time of a frame wasn't known yet
   scene.camera()->Azimuth(10.0);
   scene.render();
   EXPECT_EQ(scene.Mapper->GetNumberOfDraws(), 1);
@@ -243,7 +244,7 @@ TEST_F(AbortedTiles, WithoutALimitNobodyIsAsked)
   EXPECT_EQ(this->Shown.frame().Rgba, this->Frame.Rgba);
 }
 
-// Who watches may draw in other windows, or take away what is being drawn.
+// Observers of progress may draw in other windows, or release what is being drawn.
 TEST_F(AbortedTiles, ObserversMayDrawElsewhere)
 {
   Scene other(lattice());

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What clipping planes and cropping leave of a straight way
+ * @brief What clipping planes and cropping leave of a line from point to point
  */
-#ifndef tetmarch_testing_CutWay_h
-#define tetmarch_testing_CutWay_h
+#ifndef tetmarch_testing_CutLine_h
+#define tetmarch_testing_CutLine_h
 
 #include "GridBuilder.h"
 #include "Rays/Clipping.h"
@@ -18,20 +18,21 @@
 
 namespace tetmarch::testing
 {
-/// A point twice, and a way between two of them.
+/// An end of the line, in the coordinates of both kinds of planes.
 struct CutPoint
 {
-  Vec3 World; ///< where clipping planes are
-  Vec3 Data;  ///< where those of cropping are
+  Vec3 World; ///< coordinates of clipping planes
+  Vec3 Data;  ///< coordinates of cropping
 };
 
-inline Vec3 mixed(const Vec3& a, const Vec3& b, double share)
+inline Vec3 mixed(const Vec3& a, const Vec3& b, double fraction)
 {
-  return { a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share,
-    a[2] + (b[2] - a[2]) * share };
+  return { a[0] + (b[0] - a[0]) * fraction, a[1] + (b[1] - a[1]) * fraction,
+    a[2] + (b[2] - a[2]) * fraction };
 }
 
-/// By the words of vtkVolumeMapper: x fastest, from the region below all the first planes on.
+/// Regions are numbered as vtkVolumeMapper says: x fastest, from the region below all the first
+/// planes on.
 inline bool isCroppedAway(const ClippingOptions& options, const Vec3& data)
 {
   int region = 0;
@@ -55,8 +56,8 @@ inline bool isLeft(const ClippingOptions& options, const CutPoint& point)
   return left;
 }
 
-/// Shares of the way, 0..1, begin and end of each part that is left. It is taken apart at every
-/// plane, and asked in the middle of each part.
+/// Begin and end of each part that is left, as fractions of the line from a to b. The line is cut
+/// at every plane, and the middle of each part tells whether it is left.
 inline std::vector<std::array<double, 2>> partsLeft(
   const ClippingOptions& options, const CutPoint& a, const CutPoint& b)
 {
@@ -93,15 +94,15 @@ inline std::vector<std::array<double, 2>> partsLeft(
   return parts;
 }
 
-/// The share that is left.
-inline double shareLeft(const ClippingOptions& options, const CutPoint& a, const CutPoint& b)
+/// How much of the line is left, 0..1.
+inline double fractionLeft(const ClippingOptions& options, const CutPoint& a, const CutPoint& b)
 {
-  double share = 0.0;
+  double fraction = 0.0;
   for (const auto& part : partsLeft(options, a, b))
   {
-    share += part[1] - part[0];
+    fraction += part[1] - part[0];
   }
-  return share;
+  return fraction;
 }
 
 /// Of cropping: the named ones, each region alone, and all but each.

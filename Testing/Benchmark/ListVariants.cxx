@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Prints the variants whose scenes compare_pictures.py draws: a line each, "picture" or "pick" and
+// the names of its features but HAS_FMA. With a folder, the shader texts of these variants are
+// written into it: 0-portable.frag of the first line, 0-fma.frag with HAS_FMA.
+#include "CoveringKeys.h"
+#include "LegalKeys.h"
+
+#include "Variants/ShaderSource.h"
+
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace tetmarch::testing;
+using tetmarch::VariantKey;
+
+struct Pass
+{
+  const char* Name;
+  const char* Shader;
+  std::vector<VariantKey> Keys;
+};
+
+/// The variants that scenes can ask for: surfaces that cast shadows are seen as well, and whether
+/// there is fma is the driver's choice.
+std::vector<VariantKey> ofScenes(const std::vector<VariantKey>& keys)
+{
+  DistinctKeys distinct;
+  for (VariantKey key : keys)
+  {
+    key.OpaqueDepth = key.OpaqueDepth || key.OpaqueShadows;
+    key.HasFma = false;
+    distinct.add(key.filtered());
+  }
+  return distinct.Keys;
+}
+
+void writeText(const std::string& file, const Pass& pass, const VariantKey& key)
+{
+  std::ofstream text;
+  text.exceptions(std::ios::failbit | std::ios::badbit);
+  text.open(file);
+  text << tetmarch::shaderSource(pass.Shader, key.defines());
+  text.close();
+}
+
+void writeTexts(const std::string& begin, const Pass& pass, VariantKey key)
+{
+  writeText(begin + "-portable.frag", pass, key);
+  key.HasFma = true;
+  writeText(begin + "-fma.frag", pass, key);
+}
+} // namespace
+
+int main(int count, char** arguments)
+try
+{
+  if (count > 2)
+  {
+    std::cerr << "Usage: tetmarch-variants [FOLDER]\n";
+    return 2;
+  }
+  const std::vector<Pass> passes = {
+    { "picture", "passes/march.frag.glsl", ofScenes(coveringKeys(legalKeys())) },
+    { "pick", "passes/pick.frag.glsl", ofScenes(coveringKeys(legalPickKeys())) },
+  };
+  int line = 0;
+  for (const Pass& pass : passes)
+  {
+    for (const VariantKey& key : pass.Keys)
+    {
+      std::cout << pass.Name << " " << namesOf(key) << "\n";
+      if (count == 2)
+      {
+        writeTexts(std::string(arguments[1]) + "/" + std::to_string(line), pass, key);
+      }
+      ++line;
+    }
+  }
+  return 0;
+}
+catch (const std::exception& error)
+{
+  std::cerr << "tetmarch-variants: the texts can't be written: " << error.what() << "\n";
+  return 1;
+}

@@ -1,0 +1,249 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scene that calls for a variant of the shader: each feature is something that a user sets."""
+import numpy as np
+import vtkmodules.all as vtk
+import made_grids as grids
+from vtktetmarch import vtkTetMarchVolumeMapper
+
+# What a variant may have; TETMARCH_HAS_FMA is the driver's choice.
+FEATURES = frozenset("""
+    POINT_SCALARS RASTER_ENTRY BVH OPAQUE_DEPTH ADAPTIVE DIAGNOSTICS PEELED TRANSPARENT_RANGES CONSTANT_COLOR
+    CLIPPED CROPPED NAN_SHOWN HIDDEN_CELLS EXTREME SUM ISOSURFACES INDEPENDENT COLOR_AND_OPACITY DIRECT_COLOR
+    CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT WORLD_LIGHTS SCATTERING CAST_SHADOWS
+    SEVERAL_SHADOWS SAMPLED_SHADOWS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION SHOW_ILLUMINATION SHOW_GRADIENTS
+    """.split())
+ARRAY = "field"
+CUBES = 4
+HIDDEN_CELL = 32  # vtkDataSetAttributes::HIDDENCELL
+
+
+class VariantScene:
+    """Mapper, volume, actors, lights and camera for a set of features.
+
+    Where several things call for the same feature (two blend modes, say), the scene's number chooses among them.
+    """
+
+    def __init__(self, features, number):
+        unknown = features - FEATURES
+        if unknown:
+            raise ValueError(f"no scene is known for {sorted(unknown)}")
+        self.features, self.number = features, number
+        self.mapper = vtkTetMarchVolumeMapper()
+        self.mapper.AutoAdjustSampleDistancesOff()
+        self.volume = vtk.vtkVolume()
+        self.volume.SetMapper(self.mapper)
+        self.property = self.volume.GetProperty()
+        self.property.SetScalarOpacityUnitDistance(0.3)
+        self.renderer = vtk.vtkRenderer()
+        self.renderer.SetBackground(0.2, 0.3, 0.1)
+        self.renderer.AutomaticLightCreationOff()
+        self.renderer.AddVolume(self.volume)
+        for step in (self.set_grid, self.set_functions, self.set_blending, self.set_surfaces, self.set_cuts,
+                     self.set_effects, self.set_lights, self.set_quality, self.set_camera):
+            step()
+
+    def has(self, feature):
+        return feature in self.features
+
+    def one_of(self, *choices):
+        return choices[self.number % len(choices)]
+
+    # --- Data ------------------------------------------------------------------------------------
+
+    def components(self):
+        if self.has("INDEPENDENT"):
+            return self.one_of(2, 3, 4)
+        return 2 if self.has("COLOR_AND_OPACITY") else 4 if self.has("DIRECT_COLOR") else 1
+
+    def set_grid(self):
+        grid = grids.lattice(CUBES, grids.outside_a_hole if self.has("BVH") else None)
+        if self.has("POINT_SCALARS"):
+            data, places = grid.GetPointData(), grids.points_of(grid)
+            self.mapper.SetScalarModeToUsePointFieldData()
+        else:
+            data, places = grid.GetCellData(), grids.cell_centres_of(grid)
+            self.mapper.SetScalarModeToUseCellFieldData()
+        values = np.stack([grids.waves(places, 0.8 + 0.2 * k, k) for k in range(self.components())], axis=1)
+        if self.has("NAN_SHOWN"):
+            values[5::29] = np.nan
+        grids.add_array(data, ARRAY, values)
+        if self.has("HIDDEN_CELLS"):
+            marks = np.zeros(grid.GetNumberOfCells(), dtype=np.uint8)
+            marks[::5] = HIDDEN_CELL
+            grids.add_array(grid.GetCellData(), "vtkGhostType", marks)
+        self.mapper.SelectScalarArray(ARRAY)
+        self.mapper.SetInputData(grid)
+        self.grid = grid
+
+    def set_functions(self):
+        for component in range(self.components()):
+            self.property.SetColor(component, self.make_colors(component))
+            self.property.SetScalarOpacity(component, self.make_opacities())
+            self.property.SetScalarOpacityUnitDistance(component, 0.3 + 0.1 * component)
+        if self.components() > 1:
+            self.property.SetIndependentComponents(self.has("INDEPENDENT"))
+            self.mapper.SetVectorModeToAllComponents()
+
+    def make_colors(self, component):
+        colors = vtk.vtkColorTransferFunction()
+        colors.SetNanColor(0.9, 0.2, 0.7)
+        if self.has("CONSTANT_COLOR"):
+            colors.AddRGBPoint(0.5, 0.9, 0.6, 0.3)
+            return colors
+        for k, (scalar, *rgb) in enumerate(((0.1, 0.1, 0.2, 0.9), (0.4, 0.2, 0.9, 0.3), (0.55, 0.9, 0.8, 0.1),
+                                            (0.9, 0.9, 0.2, 0.1))):
+            colors.AddRGBPoint(scalar, *(rgb[(c + component) % 3] for c in range(3)))
+        return colors
+
+    def make_opacities(self):
+        opacities = vtk.vtkPiecewiseFunction()
+        if self.has("TRANSPARENT_RANGES"):
+            # Half of the waves' values are below 0.5 by far, and few are above 0.9.
+            for scalar, opacity in ((0.55, 0.0), (0.6, 0.7), (0.75, 0.2), (0.85, 0.9), (0.9, 0.0)):
+                opacities.AddPoint(scalar, opacity)
+        else:
+            for scalar, opacity in ((0.0, 0.3), (0.35, 0.05), (0.5, 0.6), (0.6, 0.1), (0.9, 0.8)):
+                opacities.AddPoint(scalar, opacity)
+        return opacities
+
+    def set_blending(self):
+        if self.has("EXTREME"):
+            self.mapper.SetBlendMode(self.one_of(self.mapper.MAXIMUM_INTENSITY_BLEND,
+                                                 self.mapper.MINIMUM_INTENSITY_BLEND))
+        elif self.has("SUM"):
+            self.mapper.SetBlendMode(self.one_of(self.mapper.AVERAGE_INTENSITY_BLEND, self.mapper.ADDITIVE_BLEND))
+            self.mapper.SetAverageIPScalarRange(*self.one_of((0.3, 0.8), (0.0, 1.0)))
+        elif self.has("ISOSURFACES"):
+            self.mapper.SetBlendModeToIsoSurface()
+            for i, value in enumerate((0.36, 0.58, 0.8)):
+                self.property.GetIsoSurfaceValues().SetValue(i, value)
+        if self.has("NAN_SHOWN"):
+            self.mapper.DrawNanCellsOn()
+
+    # --- What else is in the scene ---------------------------------------------------------------
+
+    def add_actor(self, source, color, opacity):
+        mapper = vtk.vtkPolyDataMapper()
+        mapper.SetInputConnection(source.GetOutputPort())
+        actor = vtk.vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(*color)
+        actor.GetProperty().SetOpacity(opacity)
+        actor.GetProperty().LightingOff()
+        self.renderer.AddActor(actor)
+
+    def set_surfaces(self):
+        if self.has("OPAQUE_DEPTH") or self.has("OPAQUE_SHADOWS"):
+            ball = vtk.vtkSphereSource()
+            ball.SetCenter(0.65, 0.5, 0.6)
+            ball.SetRadius(0.2)
+            self.add_actor(ball, (0.5, 0.5, 0.9), 1.0)
+        if self.has("PEELED"):
+            plane = vtk.vtkPlaneSource()
+            plane.SetOrigin(-0.2, 0.5, -0.2)
+            plane.SetPoint1(1.2, 0.3, -0.2)
+            plane.SetPoint2(-0.2, 0.6, 1.2)
+            self.add_actor(plane, (0.9, 0.9, 0.2), 0.4)
+            self.renderer.UseDepthPeelingOn()
+            self.renderer.UseDepthPeelingForVolumesOn()
+            self.renderer.SetMaximumNumberOfPeels(20)
+            self.renderer.SetOcclusionRatio(0.0)
+
+    def set_cuts(self):
+        if self.has("CROPPED"):
+            self.mapper.CroppingOn()
+            self.mapper.SetCroppingRegionPlanes(0.3, 0.7, 0.25, 0.7, 0.35, 0.65)
+            self.one_of(self.mapper.SetCroppingRegionFlagsToFence,
+                        self.mapper.SetCroppingRegionFlagsToInvertedCross)()
+        elif self.has("CLIPPED") and self.one_of(False, True):
+            self.mapper.CroppingOn()
+            self.mapper.SetCroppingRegionPlanes(0.1, 0.8, 0.05, 0.9, 0.15, 0.95)
+            self.mapper.SetCroppingRegionFlagsToSubVolume()
+        elif self.has("CLIPPED"):
+            for origin, normal in (((0.2, 0.0, 0.0), (1.0, 0.2, 0.1)), ((0.0, 0.0, 0.9), (0.1, 0.1, -1.0))):
+                plane = vtk.vtkPlane()
+                plane.SetOrigin(*origin)
+                plane.SetNormal(*normal)
+                self.mapper.AddClippingPlane(plane)
+
+    # --- Light -----------------------------------------------------------------------------------
+
+    def set_effects(self):
+        if self.has("GRADIENT_OPACITY"):
+            opacities = vtk.vtkPiecewiseFunction()
+            opacities.AddPoint(0.0, 0.2)
+            opacities.AddPoint(3.0, 1.0)
+            self.property.SetGradientOpacity(opacities)
+        if self.has("CELL_GRADIENTS"):
+            self.mapper.SetGradientTypeToCell()
+        if self.has("SHADING"):
+            self.property.ShadeOn()
+            self.property.SetAmbient(0.3)
+            self.property.SetDiffuse(0.8)
+            self.property.SetSpecular(0.4)
+            self.property.SetSpecularPower(12.0)
+        if self.has("CAST_SHADOWS") or self.has("HEADLIGHT_SHADOWS"):
+            self.mapper.SetShadowMethod(self.mapper.SHADOWS_ALONG_RAYS if self.has("SAMPLED_SHADOWS")
+                                        else self.mapper.SHADOWS_AT_VERTICES)
+        self.mapper.SetOpaqueShadows(self.has("OPAQUE_SHADOWS"))
+        self.mapper.SetAmbientOcclusion(self.has("OCCLUSION"))
+        self.mapper.SetAmbientOcclusionDirections(8)
+        self.mapper.SetVolumetricScatteringBlending(self.one_of(0.6, 1.5) if self.has("SCATTERING") else 0.0)
+        if self.has("SHOW_ILLUMINATION"):
+            self.mapper.SetViewModeToIllumination()
+        if self.has("SHOW_GRADIENTS"):
+            self.mapper.SetViewModeToGradients()
+
+    def add_light(self, position, color, casts):
+        light = vtk.vtkLight()
+        light.SetColor(*color)
+        light.SetShadowAttenuation(1.0 if casts else 0.0)
+        if position:
+            light.SetLightTypeToSceneLight()
+            light.SetPosition(*position)
+            light.SetFocalPoint(0.5, 0.5, 0.5)
+        else:
+            light.SetLightTypeToHeadlight()
+        self.renderer.AddLight(light)
+        return light
+
+    def set_lights(self):
+        if not self.has("SHADING"):
+            return
+        if self.has("HEADLIGHT_ONLY"):
+            self.add_light(None, (1.0, 0.9, 0.8), self.has("HEADLIGHT_SHADOWS"))
+            return
+        sun = self.add_light((2.0, -1.0, 3.0), (0.9, 0.9, 0.7), self.has("CAST_SHADOWS"))
+        if not self.has("SINGLE_LIGHT"):
+            self.add_light((-2.0, -2.0, 0.5), (0.3, 0.5, 0.9), self.has("SEVERAL_SHADOWS"))
+            if self.has("HEADLIGHT_SHADOWS"):
+                self.add_light(None, (0.4, 0.3, 0.3), True)
+        if self.has("WORLD_LIGHTS") and self.one_of(False, True):
+            self.volume.SetScale(1.0, 1.0, 0.8)
+        elif self.has("WORLD_LIGHTS"):
+            sun.PositionalOn()
+            sun.SetConeAngle(self.one_of(20.0, 180.0, 120.0))
+            sun.SetAttenuationValues(0.8, 0.05, 0.01)
+
+    # --- Quality and view ------------------------------------------------------------------------
+
+    def set_quality(self):
+        # Scalars of cells and constant colours have nothing to adapt: whatever the level.
+        self.mapper.SetAccuracyLevel(self.mapper.DEFAULT if self.has("ADAPTIVE") else self.mapper.FAST)
+        self.mapper.SetCollectDiagnostics(self.has("DIAGNOSTICS"))
+
+    def set_camera(self):
+        camera = self.renderer.GetActiveCamera()
+        camera.SetViewUp(0, 0, 1)
+        if self.has("RASTER_ENTRY"):
+            camera.SetPosition(1.5, -2.2, 1.6)
+            camera.SetFocalPoint(0.5, 0.5, 0.45)
+            if self.one_of(False, False, True):
+                camera.ParallelProjectionOn()
+                camera.SetParallelScale(0.8)
+        else:
+            camera.SetPosition(0.35, 0.02, 0.41)
+            camera.SetFocalPoint(0.7, 0.9, 0.6)
+            camera.SetViewAngle(70.0)
+        self.renderer.ResetCameraClippingRange()

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The ray of one pixel as a table.
+#include "vtkTetMarchVolumeMapperInternals.h"
+
+#include "Reference/RayTrace.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkVolume.h"
+
+#include <cmath>
+
+namespace
+{
+using tetmarch::CellOutcome;
+using tetmarch::RayTrace;
+using tetmarch::TracedCell;
+using Triple = std::array<double, 3>;
+
+const char* nameOf(CellOutcome outcome)
+{
+  constexpr const char* names[] = { "gathered", "transparent", "not finite", "hidden", "cropped",
+    "out of range", "empty" };
+  return names[static_cast<int>(outcome)];
+}
+
+// A ray in the world. Lengths along it are counted from its origin.
+struct WorldRay
+{
+  Triple Origin{};
+  Triple Direction{};
+  double OriginDepth = 0;
+  double LengthPerDepth = 0;
+
+  WorldRay(const RayTrace& trace, const tetmarch::TetMesh& mesh, vtkVolume* volume)
+    : OriginDepth(trace.OriginDepth)
+  {
+    double point[4] = { 0, 0, 0, 1 };
+    double direction[4] = { 0, 0, 0, 0 };
+    for (int k = 0; k < 3; ++k)
+    {
+      point[k] = mesh.Center[k] + mesh.Radius * trace.Origin[k];
+      direction[k] = mesh.Radius * trace.Direction[k];
+    }
+    volume->GetMatrix()->MultiplyPoint(point, point);
+    volume->GetMatrix()->MultiplyPoint(direction, direction);
+    this->LengthPerDepth = std::hypot(direction[0], direction[1], direction[2]);
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Origin[k] = point[k];
+      this->Direction[k] = direction[k] / this->LengthPerDepth;
+    }
+  }
+
+  double lengthAt(double depth) const { return (depth - this->OriginDepth) * this->LengthPerDepth; }
+};
+
+// Adds an array of the type Array, of the tuples valuesOf(0), valuesOf(1), ...
+template <typename Array, typename ValuesOf>
+void addArray(vtkFieldData* data, const char* name, std::size_t tuples, int components,
+  const ValuesOf& valuesOf)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  for (std::size_t i = 0; i < tuples; ++i)
+  {
+    const auto values = valuesOf(i);
+    for (int k = 0; k < components; ++k)
+    {
+      array->SetValue(static_cast<vtkIdType>(i) * components + k, values[k]);
+    }
+  }
+  data->AddArray(array);
+}
+
+template <typename Array, typename ValueOf>
+void addColumn(vtkTable* table, const RayTrace& trace, const char* name, const ValueOf& valueOf)
+{
+  addArray<Array>(table->GetRowData(), name, trace.Cells.size(), 1,
+    [&](std::size_t i) { return std::array{ valueOf(trace.Cells[i]) }; });
+}
+
+template <typename ValuesOf>
+void addColumns(vtkTable* table, const RayTrace& trace, const char* name, int components,
+  const ValuesOf& valuesOf)
+{
+  addArray<vtkDoubleArray>(table->GetRowData(), name, trace.Cells.size(), components,
+    [&](std::size_t i) { return valuesOf(trace.Cells[i]); });
+}
+
+template <typename Array, typename Values>
+void addFact(vtkTable* table, const char* name, const Values& values)
+{
+  addArray<Array>(table->GetFieldData(), name, 1, static_cast<int>(values.size()),
+    [&](std::size_t) { return values; });
+}
+
+void addPlaces(vtkTable* table, const RayTrace& trace, const WorldRay& ray)
+{
+  const auto add = [&](const char* name, double TracedCell::*depth)
+  {
+    addColumn<vtkDoubleArray>(
+      table, trace, name, [&](const TracedCell& cell) { return ray.lengthAt(cell.*depth); });
+  };
+  add("Enter", &TracedCell::Enter);
+  add("Leave", &TracedCell::Leave);
+  add("Begin", &TracedCell::Begin);
+  add("End", &TracedCell::End);
+}
+
+void addCells(
+  vtkTable* table, const RayTrace& trace, const tetmarch::CellOrigins& origins, bool hasBlocks)
+{
+  addColumn<vtkIdTypeArray>(
+    table, trace, "CellId", [&](const TracedCell& cell) { return origins.of(cell.Cell).Cell; });
+  addColumn<vtkIntArray>(table, trace, "Block",
+    [&](const TracedCell& cell)
+    { return hasBlocks ? static_cast<int>(origins.of(cell.Cell).Block) : 0; });
+  addColumn<vtkIdTypeArray>(
+    table, trace, "Tetrahedron", [](const TracedCell& cell) { return vtkIdType(cell.Tet); });
+}
+
+void addOptics(vtkTable* table, const RayTrace& trace)
+{
+  addColumns(table, trace, "ScalarEnter", trace.Components,
+    [](const TracedCell& cell) { return cell.ScalarEnter; });
+  addColumns(table, trace, "ScalarLeave", trace.Components,
+    [](const TracedCell& cell) { return cell.ScalarLeave; });
+  addColumn<vtkDoubleArray>(
+    table, trace, "Opacity", [](const TracedCell& cell) { return cell.Opacity; });
+  addColumn<vtkIntArray>(
+    table, trace, "Lookups", [](const TracedCell& cell) { return cell.Lookups; });
+  addColumns(table, trace, "Color", 4, [](const TracedCell& cell) { return cell.Color; });
+  addColumn<vtkDoubleArray>(
+    table, trace, "ErrorBound", [](const TracedCell& cell) { return cell.ErrorBound; });
+  addColumn<vtkIntArray>(
+    table, trace, "EntersMesh", [](const TracedCell& cell) { return cell.EntersMesh ? 1 : 0; });
+  addColumn<vtkStringArray>(table, trace, "Outcome",
+    [](const TracedCell& cell) { return std::string(nameOf(cell.Outcome)); });
+}
+
+void addFacts(vtkTable* table, const RayTrace& trace, const WorldRay& ray)
+{
+  addFact<vtkDoubleArray>(table, "Color", trace.Color);
+  addFact<vtkDoubleArray>(table, "ErrorBound", std::array{ trace.ErrorBound });
+  addFact<vtkIntArray>(table, "Opaque", std::array{ trace.Opaque ? 1 : 0 });
+  addFact<vtkDoubleArray>(table, "Origin", ray.Origin);
+  addFact<vtkDoubleArray>(table, "Direction", ray.Direction);
+  addFact<vtkDoubleArray>(
+    table, "Range", std::array{ ray.lengthAt(trace.Begin), ray.lengthAt(trace.End) });
+  addFact<vtkDoubleArray>(
+    table, "ThicknessPerLength", std::array{ trace.ThicknessPerDepth / ray.LengthPerDepth });
+  const auto& counters = trace.Counters;
+  const auto addCount = [table](const char* name, std::int64_t count)
+  { addFact<vtkIdTypeArray>(table, name, std::array{ vtkIdType(count) }); };
+  addCount("Lookups", counters.Lookups);
+  addCount("RefusedEntries", counters.Refused);
+  addCount("LostRays", counters.Lost);
+  addCount("GuardHits", counters.Guarded);
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchVolumeMapper::TraceRay(
+  vtkVolume* volume, int x, int y, int arithmetic, vtkTable* cells)
+{
+  cells->Initialize();
+  if (!volume || arithmetic < TRACE_FLOAT || arithmetic > TRACE_GROUND_TRUTH)
+  {
+    vtkErrorMacro("No ray is traced: " << (volume ? "the arithmetic is none of TraceArithmeticType."
+                                                  : "no volume was given."));
+    return false;
+  }
+  tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
+  if (vtkOpenGLRenderWindow* window = pipeline.window())
+  {
+    window->MakeCurrent();
+  }
+  const bool truth = arithmetic == TRACE_GROUND_TRUTH;
+  const tetmarch::TraceOptions options{ x, y,
+    truth ? tetmarch::GroundTruthAccuracy : this->Internal->Accuracy.used().level(),
+    arithmetic != TRACE_FLOAT, truth };
+  RayTrace trace;
+  if (!pipeline.traceRay(volume->GetProperty(),
+        static_cast<tetmarch::OpacityLaw>(this->GetOpacityLaw()), options, trace))
+  {
+    vtkErrorMacro("No ray is traced: " << pipeline.error());
+    return false;
+  }
+  const WorldRay ray(trace, pipeline.mesh(), volume);
+  addCells(
+    cells, trace, this->Internal->Blocks.origins(), this->Internal->Blocks.grid() != nullptr);
+  addPlaces(cells, trace, ray);
+  addOptics(cells, trace);
+  addFacts(cells, trace, ray);
+  return true;
+}
