@@ -30,7 +30,7 @@ def anchors(page):
 
 def is_path(word):
     return (re.fullmatch(r"[\w./+-]+", word) and not word.startswith(("build/", "/", "./"))
-            and not word.startswith(ANY_NAME) and ("/" in word or re.search(rf"\w\.({FILE_ENDINGS})$", word)))
+            and not word.startswith(ANY_NAME) and "NAME" not in word and ("/" in word or re.search(rf"\w\.({FILE_ENDINGS})$", word)))
 
 
 def names_something(word, page, files):
