@@ -4,7 +4,6 @@
 
 #include "Blocks/MissingScalars.h"
 #include "Diagnostics/ViewColors.h"
-#include "GL/FrameFigures.h"
 #include "Mesh/MeshReport.h"
 #include "Picking/SelectedCells.h"
 
@@ -13,10 +12,10 @@
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
+#include "vtkTetMarchFrameMeasures.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
@@ -93,7 +92,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const Internals::FrameOptions options(this, renderer, volume, level, hooks);
   vtkVolumeProperty* property = volume->GetProperty();
   const bool drawn =
-    scalars && pipeline.updateMesh(grid, progress) && pipeline.updateHiddenCells(grid) &&
+    scalars && pipeline.updateGeometry(grid, progress) &&
     pipeline.updateScalars(grid, scalars, cellScalars == 1, options.Vector, property) &&
     pipeline.updateBlending(property, options.Blend) &&
     pipeline.updateTables(property, options.Law, level, this->DrawNanCells) &&
@@ -112,7 +111,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 
   if (drawn)
   {
-    glFinish();
+    pipeline.finish();
     if (pipeline.numberOfDraws() > 1)
     {
       this->UpdateProgress(1.0);
@@ -271,7 +270,7 @@ void vtkTetMarchVolumeMapper::ReportError(const std::string& error)
 //------------------------------------------------------------------------------
 void vtkTetMarchVolumeMapper::ReportMesh()
 {
-  const std::string report = tetmarch::describe(this->Internal->Pipeline.mesh().Report);
+  const std::string report = tetmarch::describe(this->Internal->Tets.mesh().Report);
   if (report != this->Internal->LastReport)
   {
     this->Internal->LastReport = report;

@@ -90,13 +90,13 @@ vtkLookupTable* vtkTetMarchVolumeMapper::GetViewLookupTable() { return this->Int
 //------------------------------------------------------------------------------
 vtkIdType vtkTetMarchVolumeMapper::GetNumberOfTetrahedra() const
 {
-  return this->Internal->Pipeline.mesh().numberOfTets();
+  return this->Internal->Tets.mesh().numberOfTets();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTetMarchVolumeMapper::GetNumberOfBoundaryFaces() const
 {
-  return static_cast<vtkIdType>(this->Internal->Pipeline.mesh().BoundaryFaces.size());
+  return static_cast<vtkIdType>(this->Internal->Tets.mesh().BoundaryFaces.size());
 }
 
 //------------------------------------------------------------------------------
@@ -112,15 +112,15 @@ double vtkTetMarchVolumeMapper::GetBlocksSeconds() const
 }
 double vtkTetMarchVolumeMapper::GetMeshSeconds() const
 {
-  return this->Internal->Pipeline.meshRecord().Seconds;
+  return this->Internal->Tets.geometryRecord().Seconds;
 }
 double vtkTetMarchVolumeMapper::GetScalarsSeconds() const
 {
-  return this->Internal->Pipeline.ScalarsRecord.Seconds;
+  return this->Internal->Tets.scalarsRecord().Seconds;
 }
 double vtkTetMarchVolumeMapper::GetTablesSeconds() const
 {
-  return this->Internal->Pipeline.TablesRecord.Seconds;
+  return this->Internal->Pipeline.tablesRecord().Seconds;
 }
 double vtkTetMarchVolumeMapper::GetGradientsSeconds() const
 {
@@ -136,7 +136,7 @@ double vtkTetMarchVolumeMapper::GetVertexLightSeconds() const
 }
 double vtkTetMarchVolumeMapper::GetUploadSeconds() const
 {
-  return this->Internal->Pipeline.UploadRecord.Seconds;
+  return this->Internal->Pipeline.uploadRecord().Seconds;
 }
 
 //------------------------------------------------------------------------------
@@ -146,15 +146,15 @@ vtkTypeInt64 vtkTetMarchVolumeMapper::GetBlocksBuilds() const
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetMeshBuilds() const
 {
-  return this->Internal->Pipeline.meshRecord().Runs;
+  return this->Internal->Tets.geometryRecord().Runs;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetScalarsBuilds() const
 {
-  return this->Internal->Pipeline.ScalarsRecord.Runs;
+  return this->Internal->Tets.scalarsRecord().Runs;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetTablesBuilds() const
 {
-  return this->Internal->Pipeline.TablesRecord.Runs;
+  return this->Internal->Pipeline.tablesRecord().Runs;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetGradientsBuilds() const
 {

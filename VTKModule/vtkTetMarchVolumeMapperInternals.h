@@ -8,6 +8,7 @@
 #include "Budget/AccuracyController.h"
 #include "Budget/SampleDistance.h"
 #include "GL/Pipeline.h"
+#include "GL/TetSource.h"
 
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
@@ -28,7 +29,8 @@ public:
   bool select(vtkRenderer* renderer, vtkVolume* volume, const tetmarch::DrawOptions& options,
     const tetmarch::Progress& progress);
 
-  tetmarch::Pipeline Pipeline;
+  tetmarch::TetSource Tets;
+  tetmarch::Pipeline Pipeline{ Tets };
   tetmarch::AccuracyController Choice;
   tetmarch::JoinedBlocks Blocks; // of composite input
   tetmarch::SampleDistance Distance;

@@ -3,7 +3,7 @@
 // What is made of the options for a blend mode.
 #include "Appearance/Blending.h"
 #include "Light/EffectOptions.h"
-#include "Mesh/Scalars.h"
+#include "Scalars/StoredScalar.h"
 #include "Variants/VariantKey.h"
 
 #include "vtkColorTransferFunction.h"

@@ -86,7 +86,7 @@ public:
     for (int k = 0; k < 3; ++k)
     {
       const double rise = field(k == 0, k == 1, k == 2) - field(0.0, 0.0, 0.0);
-      g[k] = rise * 0.5 / this->Rays.Mesh.HalfExtent[k] / width;
+      g[k] = rise * 0.5 / this->Rays.Mesh.Frame.HalfExtent[k] / width;
     }
     return g;
   }

@@ -3,6 +3,7 @@
 #include "Shot.h"
 
 #include "CutWay.h"
+#include "Mesh/MeshScalars.h"
 #include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
 
@@ -133,17 +134,13 @@ ReferenceImage byMarch(const Shot& shot, const AccuracyLevel& level)
 {
   constexpr int Size = Shot::Size;
   TetMesh mesh = builtWithHierarchy(shot.Data);
-  std::vector<float> cellScalars;
+  const bool ofCells = shot.Scalars != ScalarsOf::Points;
+  vtkDataArray* array =
+    ofCells ? shot.Data->GetCellData()->GetScalars() : shot.Data->GetPointData()->GetScalars();
+  const MeshScalars scalars = readScalars(shot.Data, { array, ofCells }, mesh);
   ReferenceScene scene;
-  if (shot.Scalars == ScalarsOf::Points)
-  {
-    scene.Range = setPointScalars(shot.Data, shot.Data->GetPointData()->GetScalars(), mesh);
-  }
-  else
-  {
-    scene.Range = makeCellScalars(shot.Data->GetCellData()->GetScalars(), mesh, cellScalars);
-    scene.CellScalars = &cellScalars;
-  }
+  scene.Range = scalars.Range;
+  scene.CellScalars = ofCells ? &scalars.OfCells : nullptr;
   const OpticalModel model = modelOf(shot);
   vtkNew<vtkVolumeProperty> property;
   property->SetColor(model.Colour);
@@ -155,8 +152,8 @@ ReferenceImage byMarch(const Shot& shot, const AccuracyLevel& level)
   renderer->SetActiveCamera(shot.Camera);
   vtkNew<vtkVolume> volume;
   volume->SetUserTransform(shot.Transform);
-  EXPECT_TRUE(makeView(renderer, volume, mesh, shot.UnitDistance, scene.Camera));
-  EXPECT_EQ(makeClipping(shot.Cut, volume, mesh, scene.Cut), "");
+  EXPECT_TRUE(makeView(renderer, volume, mesh.Frame, shot.UnitDistance, scene.Camera));
+  EXPECT_EQ(makeClipping(shot.Cut, volume, mesh.Frame, scene.Cut), "");
   scene.Mesh = &mesh;
   scene.Table = &table;
   scene.Width = Size;

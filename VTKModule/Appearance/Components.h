@@ -4,11 +4,9 @@
 #ifndef TetMarchAppearanceComponents_h
 #define TetMarchAppearanceComponents_h
 
-#include "Appearance/VectorOptions.h"
-#include "Caching/Fingerprint.h"
-#include "Mesh/FurtherScalars.h"
-#include "Mesh/ResourceLimits.h"
 #include "Optics/FittingTable.h"
+#include "Scalars/DrawnScalars.h"
+#include "Scalars/StoredScalar.h"
 
 #include <array>
 #include <string>
@@ -18,32 +16,6 @@ namespace tetmarch
 {
 
 struct VariantKey;
-
-enum class ComponentMix
-{
-  Single,          // a scalar
-  Independent,     // each has a colour and an opacity function, and all fill the same space
-  ColorAndOpacity, // the first by the colour function, the second by the opacity function
-  DirectColor      // red, green, blue, and a fourth by the opacity function
-};
-
-/** What is drawn of a tuple. */
-struct DrawnComponents
-{
-  ComponentMix Mix = ComponentMix::Single;
-  /** That which vertices have: of dependent components the last one, which the opacity comes from,
-   * so that whatever asks for extinction alone need not know of the others; of independent ones the
-   * first. */
-  TupleScalar Scalar;
-  FurtherController Further; // the others: colours first
-};
-
-/**
- * By vtkVolumeProperty::GetIndependentComponents() and the vector mode, see
- * vtkTetMarchVolumeMapper::VectorModeType. `error` is empty, or says what is wrong and what to do.
- */
-DrawnComponents drawnComponents(const VectorOptions& choice, vtkVolumeProperty* property,
-  vtkDataArray* array, std::string& error);
 
 /** Where a table is among those that lie behind each other, as in
  * Shaders/tables/integral_table.glsl. */
@@ -59,7 +31,7 @@ struct TablePlace
 struct Components
 {
   ComponentMix Mix = ComponentMix::Single;
-  FurtherScalars Further;
+  std::vector<ScalarRange> FurtherRanges; // of the scalars behind the first
   /** Behind the table of the first scalar: one each of further independent ones; of ColorAndOpacity
    * that of the colours, whose extinction is 1; of DirectColor none. */
   std::vector<IntegralTable> Tables;
@@ -69,7 +41,7 @@ struct Components
 
   bool isSingle() const { return this->Mix == ComponentMix::Single; }
   bool isIndependent() const { return this->Mix == ComponentMix::Independent; }
-  int count() const { return static_cast<int>(this->Further.count()) + 1; }
+  int count() const { return static_cast<int>(this->FurtherRanges.size()) + 1; }
   void setBits(VariantKey& key) const;
   /** Of the table of the first scalar, which has that range, and of those behind it. */
   std::vector<TablePlace> places(const IntegralTable& first, const ScalarRange& range) const;
@@ -77,23 +49,8 @@ struct Components
   bool isFurtherVisible() const;
 };
 
-/** Sets the scalars of the mesh or of its cells and those beside them, of an array of points or
- * cells. Returns the range of the former. */
-ScalarRange readComponents(vtkUnstructuredGrid* grid, vtkDataArray* array, bool ofCells,
-  const DrawnComponents& drawn, TetMesh& mesh, std::vector<float>& cellScalars,
-  Components& components);
-
-/** Identities and times of change of the functions that the tables are made of, but for those of
- * the first component. */
-void addFunctions(
-  Fingerprint& fingerprint, const Components& components, vtkVolumeProperty* property);
-
 /** Sets Factors. Returns an empty string, or which unit distance is wrong. */
 std::string setFactors(vtkVolumeProperty* property, Components& components);
-
-/** What several components, with that table of the first, need on the GPU beside one scalar. */
-void addBufferSizes(
-  std::vector<BufferSize>& sizes, const Components& components, const IntegralTable& first);
 
 /** Sets the Tables of several components, and returns that of the first scalar, which has that
  * range. */

@@ -4,9 +4,9 @@
 #ifndef TetMarchAppearanceTransparentShare_h
 #define TetMarchAppearanceTransparentShare_h
 
-#include "Mesh/Scalars.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/IntegralTable.h"
+#include "Scalars/StoredScalar.h"
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include "Caching/WithinMemory.h"
 #include "Mesh/GridCheck.h"
 #include "Mesh/HigherOrderCheck.h"
-#include "Mesh/Scalars.h"
+#include "Scalars/DrawnScalars.h"
 
 #include "vtkCellData.h"
 #include "vtkPointData.h"
@@ -165,9 +165,7 @@ std::string JoinedBlocks::joinScalars(const std::vector<Block>& drawn)
   std::vector<vtkDataArray*> arrays;
   for (const Block& block : drawn)
   {
-    const std::string wrong =
-      this->CellScalars ? checkScalars(block.Scalars, block.Data->GetNumberOfCells(), "cells")
-                        : checkScalars(block.Scalars, block.Data->GetNumberOfPoints(), "points");
+    const std::string wrong = checkScalars(block.Data, block.Scalars, this->CellScalars);
     if (!wrong.empty())
     {
       return "Block " + block.Name + ": " + wrong;

@@ -29,6 +29,12 @@ inline void add(Fingerprint& fingerprint, double value)
   fingerprint.push_back(bits);
 }
 
+inline void add(Fingerprint& fingerprint, const Fingerprint& other)
+{
+  fingerprint.insert(fingerprint.end(), other.begin(), other.end());
+}
+
+/** Numbers, by their values as doubles. */
 template <typename Values>
 void addAll(Fingerprint& fingerprint, const Values& values)
 {

@@ -72,7 +72,7 @@ std::string EntryPass::draw(vtkOpenGLRenderWindow* window, const Viewport& viewp
   if (program)
   {
     textures.bindBoundary(program);
-    setUniform(program, "normalizedToClip", fittedDepths(view, mesh));
+    setUniform(program, "normalizedToClip", fittedDepths(view, mesh.Frame));
     this->Draw.drawTriangles(static_cast<int>(mesh.BoundaryFaces.size()));
     textures.unbind();
   }

@@ -8,7 +8,6 @@
 #include "GL/BoundaryViewPass.h"
 #include "GL/CoarsePicture.h"
 #include "GL/Diagnostics.h"
-#include "GL/EntryPass.h"
 #include "GL/MarchPass.h"
 #include "GL/OpaqueDepth.h"
 #include "GL/PickPass.h"
@@ -27,16 +26,15 @@ public:
    * picture, diagnostics or not; with one of the shell nothing is marched or counted. Rays are
    * sampleDistance pixels apart, 1 if anything but the picture is asked for.
    */
-  std::string draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
+  std::string draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
     const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, BoundaryView shell,
     double sampleDistance, const Progress& progress, bool& stopped);
   /**
    * Where the rays of a part of the inputs' area are picked (PickPass), for the level's tolerance.
    * Nothing of what the last draw() made is touched.
    */
-  std::string pick(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
-    const Viewport& part, const Progress& progress, bool& stopped,
-    std::vector<PickedPoint>& points);
+  std::string pick(vtkOpenGLRenderWindow* window, MarchInputs inputs, const Viewport& part,
+    const Progress& progress, bool& stopped, std::vector<PickedPoint>& points);
   /** The next frame may take much longer than the last. */
   void expectChange();
   /** No picture, no counters: what is asked for before the next draw(). */
@@ -60,17 +58,16 @@ public:
   }
   std::size_t bytes() const
   {
-    return this->Entry.bytes() + this->Opaque.bytes() + this->Counted.bytes() +
-           this->Shown.bytes() + this->Light.bytes() + this->Coarse.bytes();
+    return this->Opaque.bytes() + this->Counted.bytes() + this->Shown.bytes() +
+           this->Light.bytes() + this->Coarse.bytes();
   }
 
 private:
-  std::string findRays(vtkOpenGLRenderWindow* window, const TetMesh& mesh, const Viewport& part,
-    const Viewport& depths, MarchInputs& inputs);
-  void releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
+  std::string findRays(vtkOpenGLRenderWindow* window, const Viewport& part, const Viewport& depths,
+    MarchInputs& inputs);
+  void releaseUnused(vtkWindow* window, const MarchInputs& inputs, bool diagnostics,
     const MeasureView* view, BoundaryView shell, bool coarse);
 
-  EntryPass Entry;
   OpaqueDepth Opaque;
   VertexLightPass Light;
   MarchPass March;

@@ -7,8 +7,8 @@
 #include "GL/ShaderDraw.h"
 #include "GL/TiledDraw.h"
 #include "GL/Viewport.h"
-#include "Mesh/Scalars.h"
 #include "Optics/AccuracyLevel.h"
+#include "Scalars/StoredScalar.h"
 #include "Variants/VariantKey.h"
 
 class vtkTextureObject;
@@ -17,7 +17,7 @@ namespace tetmarch
 {
 
 class EffectTextures;
-class MeshTextures;
+class MarchSource;
 class StateScope;
 class TableTextures;
 struct Blending;
@@ -33,7 +33,7 @@ struct MarchInputs
   VariantKey Key;
   Viewport Area;
   const View* Camera = nullptr;
-  MeshTextures* Mesh = nullptr;
+  MarchSource* Source = nullptr;
   TableTextures* Tables = nullptr;
   const IntegralTable* Table = nullptr;
   ScalarRange Range;

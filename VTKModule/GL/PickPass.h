@@ -31,7 +31,7 @@ private:
     const Progress& progress, bool& stopped);
   std::string drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
     const Viewport& part, const Viewport& tile);
-  std::vector<PickedPoint> read(vtkOpenGLRenderWindow* window) const;
+  std::vector<PickedPoint> read(vtkOpenGLRenderWindow* window, const MarchSource& source) const;
 
   FloatTarget Target;
   ShaderDraw Draw;

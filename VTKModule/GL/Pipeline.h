@@ -1,25 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The stages of a frame with what each made last, so that each reruns only when its own input
-// changed.
+// The stages of a frame with what each made last, so that each runs again only when its own input
+// changed. What is drawn is a MarchSource, of which nothing else is known here.
 #ifndef TetMarchGLPipeline_h
 #define TetMarchGLPipeline_h
 
-#include "Appearance/Components.h"
+#include "Appearance/TransferTables.h"
 #include "Blocks/CellOrigins.h"
-#include "Caching/Fingerprint.h"
-#include "Caching/StageRecord.h"
 #include "GL/ContextWatch.h"
 #include "GL/EffectTextures.h"
 #include "GL/FramePasses.h"
-#include "GL/GpuData.h"
+#include "GL/MarchSource.h"
 #include "GL/SelectionPass.h"
-#include "Mesh/HiddenCellStage.h"
-#include "Mesh/MeshStage.h"
-#include "Optics/FittingTable.h"
+#include "GL/TableTextures.h"
 #include "Rays/Clipping.h"
 #include "Rays/View.h"
-#include "Reference/ReferenceImage.h"
 
 #include "vtkWeakPointer.h"
 
@@ -27,8 +22,8 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkRenderer;
-class vtkUnstructuredGrid;
 class vtkVolume;
 class vtkVolumeProperty;
 
@@ -52,22 +47,27 @@ struct DrawOptions
 class Pipeline
 {
 public:
-  /** Forget what the last frame drew and complained of. The window's context is current; 0 bytes
-   * are no limit. */
+  /** The source lives longer than the pipeline. */
+  explicit Pipeline(MarchSource& source)
+    : Source(source)
+  {
+  }
+
+  /** Forget what the last frame drew and its error. The window's context is current; 0 bytes are no
+   * limit. */
   void begin(std::uint64_t mostBytes);
-  /** Likewise, if something is picked instead: what the last frame counted is kept. */
+  /** The same if something is picked instead: what the last frame counted is kept. */
   void beginPick(std::uint64_t mostBytes);
   /**
    * The stages, in the order of a frame. Each returns whether the frame can go on; if not, error()
    * says what is wrong, or is empty if there is nothing to draw or the user stopped it.
    */
-  bool updateMesh(vtkUnstructuredGrid* grid, const Progress& progress);
-  bool updateHiddenCells(vtkUnstructuredGrid* grid);
-  bool updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars,
-    const VectorOptions& vector, vtkVolumeProperty* property);
+  bool updateGeometry(vtkDataSet* data, const Progress& progress);
+  bool updateScalars(vtkDataSet* data, vtkDataArray* array, bool ofCells,
+    const VectorOptions& options, vtkVolumeProperty* property);
   bool updateBlending(vtkVolumeProperty* property, const BlendOptions& options);
-  /** drawNan: what touches a scalar that is not finite is drawn, in the colour function's colour
-   * for that. */
+  /** drawNan: what touches a scalar that is not finite is drawn, in the colour that the colour
+   * function has for it. */
   bool updateTables(
     vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, bool drawNan);
   bool updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options);
@@ -76,9 +76,12 @@ public:
   bool upload(vtkOpenGLRenderWindow* window);
   bool draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
     const Progress& progress);
-  /** Instead of draw(): what a selector is told of the pixels that it asks for. */
+  /** Instead of draw(): what a selector reads from the pixels that it asks for. */
   bool select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
     const CellOrigins& origins, const Progress& progress, std::vector<PickedPoint>& points);
+
+  /** Wait until the GPU has drawn the frame. */
+  void finish() const;
 
   /**
    * The picture of the last frame in double precision, by the CPU. False if there was no frame, or
@@ -92,37 +95,34 @@ public:
   vtkOpenGLRenderWindow* window() const { return this->Window; }
 
   const std::string& error() const { return this->Error; }
-  const TetMesh& mesh() const { return this->Meshed.mesh(); }
-  const ScalarRange& range() const { return this->Range; }
-  const StageRecord& meshRecord() const { return this->Meshed.record(); }
+  const MarchSource& source() const { return this->Source; }
   const Diagnostics& counted() const { return this->Passes.counted(); }
   int numberOfDraws() const { return this->Passes.numberOfDraws(); }
   /** Whether the last frame was nothing but drawn: no stage ran, and no shader was new. */
   bool onlyDrew() const;
   /** What the last frame drew, and how large, apart from camera and accuracy. */
   const Fingerprint& subject() const { return this->Subject; }
-  std::size_t gpuBytes() const
-  {
-    return this->OnGpu.bytes() + this->EffectsOnGpu.bytes() + this->Passes.bytes();
-  }
+  std::size_t gpuBytes() const;
+  /** How many bytes were uploaded in all. */
   std::int64_t uploadedBytes() const
   {
-    return this->OnGpu.uploadedBytes() + this->EffectsOnGpu.uploadedBytes();
+    return this->Source.uploadedBytes() + this->TablesOnGpu.uploadedBytes() +
+           this->EffectsOnGpu.uploadedBytes();
   }
   const EffectStage& effects() const { return this->Effects; }
   /** Whether the last frame showed all the light that it was asked for. */
   bool isLightComplete() const { return this->Passes.isLightComplete(); }
+  const StageRecord& tablesRecord() const { return this->Tables.record(); }
+  const StageRecord& uploadRecord() const { return this->UploadRecord; }
   const StageRecord& vertexLightRecord() const { return this->Passes.vertexLightRecord(); }
-
-  StageRecord ScalarsRecord;
-  StageRecord TablesRecord;
-  StageRecord UploadRecord;
 
 private:
   bool fail(const std::string& error);
-  IntegralTable makeTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level,
-    Components& parts) const;
-  bool ensureHierarchy();
+  TableInput tableInput(OpacityLaw law) const;
+  void updatePassing();
+  void setSubject(vtkVolumeProperty* property, bool drawNan);
+  void moveTo(vtkOpenGLRenderWindow* window);
+  std::vector<BufferSize> bufferSizes() const;
   Viewport currentViewport() const;
   MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;
@@ -131,31 +131,18 @@ private:
   void forgetErrorsOfReleasing(vtkOpenGLRenderWindow* window);
 
   std::string Error;
-  std::int64_t RunsBefore = 0; // this frame
+  std::int64_t RunsBefore = 0; // of all stages, before this frame
   Fingerprint Subject;
   ResourceLimits Limits;
 
-  MeshStage Meshed;
-
-  HiddenCellStage Hidden;
-
-  Fingerprint ScalarsInput;
-  std::vector<float> CellScalars; // empty if point scalars are drawn
-  ScalarRange Range;
-  Components Parts; // beside that scalar, and how they are drawn together
-
+  MarchSource& Source;
+  ComponentMix Mix = ComponentMix::Single;
   Blending Blend;
-
-  Fingerprint TablesInput;
-  IntegralTable Table;
-  bool Visible = false;  // something has extinction
-  bool NanShown = false; // scalars that are not finite, which there are, have
-
-  Fingerprint PassesInput;
-  bool PassesCells = false; // much has none
-
+  TransferTables Tables;
+  bool NanShown = false; // there are scalars that are not finite, and they are shown
+  Fingerprint PassingInput;
+  bool PassesCells = false; // enough is transparent for cells without extinction to be passed
   EffectStage Effects;
-
   View Camera;
   Clipping Cut;
   Viewport Area; // of the last frame; empty: there was none, or not a ray a pixel
@@ -163,8 +150,9 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   ContextWatch Watch; // of that window
   bool HasFma = false;
-  GpuData OnGpu;
+  TableTextures TablesOnGpu;
   EffectTextures EffectsOnGpu;
+  StageRecord UploadRecord;
   FramePasses Passes;
   SelectionPass Selected;
 };

@@ -16,7 +16,7 @@ namespace tetmarch
 namespace
 {
 
-// What a float tells from nothing, beside 1.
+// The least share of light that a float difference from 1 can hold.
 constexpr double LeastFloatShare = 1.0 / (1 << 24);
 
 // What of the area that the selector reads, corners included, lies in the viewport.
@@ -55,12 +55,12 @@ bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
       inputs.Level.ErrorTolerance = std::max(1 - options.PickOpacity, LeastFloatShare);
       if (error.empty())
       {
-        error = this->Passes.pick(window, this->mesh(), inputs, part, goOn, stopped, points);
+        error = this->Passes.pick(window, inputs, part, goOn, stopped, points);
       }
       if (error.empty() && !stopped)
       {
         error = this->Selected.draw(window, area, part,
-          selectionTexels(renderer->GetSelector(), points, this->mesh(), origins, this->Camera));
+          selectionTexels(renderer->GetSelector(), points, origins, this->Camera));
       }
     });
   this->forgetErrorsOfReleasing(window);

@@ -4,7 +4,7 @@
 
 #include "GL/EffectTextures.h"
 #include "GL/LightBinding.h"
-#include "GL/MeshTextures.h"
+#include "GL/MarchSource.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
 #include "GL/TileCorners.h"
@@ -157,13 +157,13 @@ std::string VertexLightPass::drawTile(
 {
   const MarchInputs& inputs = work.Inputs;
   std::string error;
-  vtkShaderProgram* program = this->Draw.use(
-    window, "passes/tile.vert.glsl", "passes/vertex_light.frag.glsl", inputs.Key.defines(), error);
+  vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
+    inputs.Source->shaderOf(SourcePass::VertexLight), inputs.Key.defines(), error);
   if (!program)
   {
     return error;
   }
-  inputs.Mesh->bind(program, inputs.Key);
+  inputs.Source->bind(program, inputs.Key);
   inputs.Tables->bind(
     program, *inputs.Table, inputs.Range, *inputs.Parts, inputs.Level, inputs.Key);
   inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
@@ -176,7 +176,7 @@ std::string VertexLightPass::drawTile(
   setUniform(program, "thicknessMatrix", inputs.Camera->ThicknessMatrix);
   program->SetUniformi("vertexCount", static_cast<int>(work.Vertices));
   drawCorners(program, this->Draw, work.All, tile);
-  inputs.Mesh->unbind();
+  inputs.Source->unbind();
   inputs.Tables->unbind();
   inputs.Effects->unbind();
   return {};

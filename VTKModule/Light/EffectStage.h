@@ -8,6 +8,7 @@
 #include "Caching/MadeFrom.h"
 #include "Light/EffectData.h"
 #include "Light/EffectOptions.h"
+#include "Light/EffectSource.h"
 #include "Variants/VariantKey.h"
 
 #include <string>
@@ -18,15 +19,10 @@ class vtkVolume;
 namespace tetmarch
 {
 
-struct ScalarRange;
-
-/** The scalars that effects are made of, and which they are: equal if nothing of them changed. */
+/** What effects are made of. */
 struct EffectInput
 {
-  const TetMesh* Mesh = nullptr;
-  const std::vector<float>* CellScalars = nullptr; // empty: those of the vertices
-  const ScalarRange* Range = nullptr;
-  Fingerprint Which;
+  const EffectSource* Source = nullptr;
   BlockAttributes Blocks = nullptr; // of opaque geometry; nullptr: all of them are drawn alike
 };
 

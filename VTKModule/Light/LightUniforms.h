@@ -16,7 +16,7 @@ class vtkVolume;
 namespace tetmarch
 {
 
-struct TetMesh;
+struct VolumeFrame;
 
 /**
  * Angles are the same in the normalised frame of the mesh and in the world, unless the volume is
@@ -69,8 +69,8 @@ struct LightUniforms
 };
 
 /** No lights if nothing is lit. */
-LightUniforms makeLightUniforms(
-  const Lighting& lighting, const EffectOptions& options, vtkVolume* volume, const TetMesh& mesh);
+LightUniforms makeLightUniforms(const Lighting& lighting, const EffectOptions& options,
+  vtkVolume* volume, const VolumeFrame& frame);
 
 } // namespace tetmarch
 

@@ -4,7 +4,7 @@
 #ifndef TetMarchLightTriangleHierarchy_h
 #define TetMarchLightTriangleHierarchy_h
 
-#include "Mesh/Vector3.h"
+#include "Geometry/Vector3.h"
 
 #include <array>
 #include <cstdint>

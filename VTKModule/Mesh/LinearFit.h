@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshLinearFit_h
 #define TetMarchMeshLinearFit_h
 
-#include "Mesh/Vector3.h"
+#include "Geometry/Vector3.h"
 
 namespace tetmarch
 {

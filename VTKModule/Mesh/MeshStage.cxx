@@ -5,6 +5,7 @@
 #include "Caching/WithinMemory.h"
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/LeastTetrahedra.h"
+#include "Mesh/MeshSizes.h"
 #include "Mesh/MovedPoints.h"
 #include "Mesh/TetMeshBuilder.h"
 

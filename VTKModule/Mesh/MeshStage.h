@@ -4,11 +4,11 @@
 #ifndef TetMarchMeshMeshStage_h
 #define TetMarchMeshMeshStage_h
 
+#include "Budget/ResourceLimits.h"
 #include "Caching/Fingerprint.h"
 #include "Caching/StageRecord.h"
 #include "Mesh/GridContent.h"
 #include "Mesh/Progress.h"
-#include "Mesh/ResourceLimits.h"
 #include "Mesh/TetMesh.h"
 
 #include <string>

@@ -7,7 +7,6 @@
 #include "Mesh/Convexity.h"
 #include "Mesh/GridCheck.h"
 #include "Mesh/HalfFaceLinks.h"
-#include "Mesh/MeshFrame.h"
 #include "Mesh/Orientation.h"
 
 #include "vtkPoints.h"
@@ -23,7 +22,7 @@ namespace tetmarch
 namespace
 {
 
-bool isSound(const Position& position)
+bool isSound(const Vector3& position)
 {
   return std::all_of(
     position.begin(), position.end(), [](double x) { return std::abs(x) <= MostCoordinate; });
@@ -31,7 +30,7 @@ bool isSound(const Position& position)
 
 bool moveVertices(vtkPoints* points, TetMesh& mesh)
 {
-  std::vector<Position> positions(mesh.Vertices.size());
+  std::vector<Vector3> positions(mesh.Vertices.size());
   const auto count = static_cast<vtkIdType>(positions.size());
   vtkSMPTools::For(0, count,
     [&](vtkIdType first, vtkIdType last)
@@ -42,7 +41,7 @@ bool moveVertices(vtkPoints* points, TetMesh& mesh)
       }
     });
   if (!std::all_of(positions.begin(), positions.end(), isSound) ||
-      !findFrame(positions, mesh).empty())
+      !findFrame(positions, mesh.Frame).empty())
   {
     return false;
   }
@@ -51,7 +50,7 @@ bool moveVertices(vtkPoints* points, TetMesh& mesh)
     {
       for (vtkIdType i = first; i < last; ++i)
       {
-        mesh.Vertices[i] = vertexAt(positions[i], mesh);
+        mesh.Vertices[i] = vertexAt(positions[i], mesh.Frame);
       }
     });
   return true;

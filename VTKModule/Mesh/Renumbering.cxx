@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/Renumbering.h"
 
-#include "Mesh/MeshFrame.h"
-
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -153,7 +151,7 @@ std::string renumber(
 
   const UsedPoints used = findUsedPoints(tets, pointCount + tets.CenterCells.size());
   const std::size_t vertexCount = used.Points.size();
-  std::vector<Position> positions(vertexCount);
+  std::vector<Vector3> positions(vertexCount);
   vtkSMPTools::For(0, static_cast<vtkIdType>(vertexCount),
     [&](vtkIdType first, vtkIdType last)
     {
@@ -170,7 +168,7 @@ std::string renumber(
         }
       }
     });
-  std::string wrong = findFrame(positions, mesh);
+  std::string wrong = findFrame(positions, mesh.Frame);
   if (!wrong.empty())
   {
     return wrong;
@@ -183,7 +181,7 @@ std::string renumber(
     {
       for (vtkIdType i = first; i < last; ++i)
       {
-        vertices[i] = vertexAt(positions[i], mesh);
+        vertices[i] = vertexAt(positions[i], mesh.Frame);
         codes[i] = mortonCode(vertices[i]);
       }
     });

@@ -10,7 +10,9 @@
 #ifndef TetMarchMeshTetMesh_h
 #define TetMarchMeshTetMesh_h
 
+#include "Geometry/VolumeFrame.h"
 #include "Mesh/MeshReport.h"
+#include "Scalars/StoredScalar.h"
 
 #include "vtkType.h"
 
@@ -34,15 +36,23 @@ struct Link
 /** Added to the number of a boundary face in Link::Tet: outside the mesh, behind that face. */
 constexpr Id LinkOutside = 0x80000000u;
 
-/** Scalars that are not finite; what they touch is not drawn. Finite ones are stored as 0..1. */
-constexpr float UndrawnScalar = 1e30f;
-
-/** One texel on the GPU: position in the normalised frame (mesh centre 0, bounding radius 1),
- * scalar. */
+/** One texel on the GPU: the position in the normalised frame (VolumeFrame), and the stored scalar.
+ */
 struct Vertex
 {
   float X, Y, Z, Scalar;
 };
+
+inline Vector3 position(const Vertex& v) { return { { double(v.X), double(v.Y), double(v.Z) } }; }
+
+/** The point is centred and scaled in double precision before it is rounded to float. The scalar is
+ * 0. */
+inline Vertex vertexAt(const Vector3& point, const VolumeFrame& frame)
+{
+  const auto coordinate = [&](int k)
+  { return static_cast<float>((point[k] - frame.Center[k]) / frame.Radius); };
+  return { coordinate(0), coordinate(1), coordinate(2), 0.0f };
+}
 
 /** A node of the hierarchy of boundary faces, in depth-first order; two texels on the GPU. */
 struct HierarchyNode
@@ -71,9 +81,7 @@ struct TetMesh
   bool HasCutCells = false;      // some tetrahedra were cut from cells of other types
   bool LinksFollowCells = false; // links between tetrahedra are the same wherever the points are
   vtkIdType NumberOfPoints = 0;
-  std::array<double, 3> Center{ { 0, 0, 0 } };     // of the bounding box, in the grid's coordinates
-  double Radius = 1;                               // half of the bounding box's diagonal
-  std::array<double, 3> HalfExtent{ { 0, 0, 0 } }; // of the bounding box, in the normalised frame
+  VolumeFrame Frame;
   MeshReport Report;
 
   Id numberOfTets() const { return static_cast<Id>(this->Tets.size()); }

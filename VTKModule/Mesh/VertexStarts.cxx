@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/VertexStarts.h"
 
+#include "Geometry/Vector3.h"
 #include "Mesh/Orientation.h"
 #include "Mesh/OutsideSigns.h"
-#include "Mesh/Vector3.h"
 #include "Mesh/VertexTets.h"
 
 #include "vtkSMPTools.h"
@@ -102,6 +102,21 @@ std::vector<std::array<Id, 4>> vertexStarts(const TetMesh& mesh)
       }
     });
   return starts;
+}
+
+bool startPoint(
+  const TetMesh& mesh, std::size_t vertex, const std::array<Id, 4>& start, Vector3& point)
+{
+  if (start[3] == NoTet)
+  {
+    return false;
+  }
+  point = scaled(1 - 1.0 / 64, position(mesh.Vertices[vertex]));
+  for (int i = 0; i < 3; ++i)
+  {
+    add(1.0 / (3 * 64), position(mesh.Vertices[start[i]]), point);
+  }
+  return true;
 }
 
 } // namespace tetmarch

@@ -22,6 +22,14 @@ constexpr Id NoTet = 0xffffffffu;
  */
 std::vector<std::array<Id, 4>> vertexStarts(const TetMesh& mesh);
 
+/**
+ * The point, a little within the tetrahedron, at which rays from a vertex start. Like
+ * Shaders/light/vertex_light.glsl, so that a vertex on a surface is on the same side of it as the
+ * march is. False if the vertex has no tetrahedron.
+ */
+bool startPoint(
+  const TetMesh& mesh, std::size_t vertex, const std::array<Id, 4>& start, Vector3& point);
+
 } // namespace tetmarch
 
 #endif

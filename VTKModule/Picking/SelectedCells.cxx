@@ -36,8 +36,7 @@ bool asksForCells(vtkHardwareSelector* selector)
 }
 
 std::vector<float> selectionTexels(vtkHardwareSelector* selector,
-  const std::vector<PickedPoint>& points, const TetMesh& mesh, const CellOrigins& origins,
-  const View& view)
+  const std::vector<PickedPoint>& points, const CellOrigins& origins, const View& view)
 {
   selector->BeginRenderProp();
   const int pass = selector->GetCurrentPass();
@@ -53,7 +52,7 @@ std::vector<float> selectionTexels(vtkHardwareSelector* selector,
     const PickedPoint& point = points[i];
     if (point.Hit)
     {
-      const CellOrigin origin = origins.of(mesh.TetCells[point.Tet]);
+      const CellOrigin origin = origins.of(point.Cell);
       selector->UpdateMaximumCellId(origin.Cell);
       if (low || high)
       {

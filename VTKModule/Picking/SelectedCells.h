@@ -24,8 +24,7 @@ bool asksForCells(vtkHardwareSelector* selector);
  * 1 for those that hit nothing. Cells are those of the input grid, or of the block of the input.
  */
 std::vector<float> selectionTexels(vtkHardwareSelector* selector,
-  const std::vector<PickedPoint>& points, const TetMesh& mesh, const CellOrigins& origins,
-  const View& view);
+  const std::vector<PickedPoint>& points, const CellOrigins& origins, const View& view);
 
 } // namespace tetmarch
 

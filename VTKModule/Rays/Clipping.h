@@ -14,7 +14,7 @@ class vtkVolume;
 namespace tetmarch
 {
 
-struct TetMesh;
+struct VolumeFrame;
 
 /** What a user wants to be cut away. */
 struct ClippingOptions
@@ -50,7 +50,7 @@ struct Clipping
 
 /** Returns an empty string, or what is wrong. */
 std::string makeClipping(
-  const ClippingOptions& options, vtkVolume* volume, const TetMesh& mesh, Clipping& clipping);
+  const ClippingOptions& options, vtkVolume* volume, const VolumeFrame& frame, Clipping& clipping);
 
 } // namespace tetmarch
 

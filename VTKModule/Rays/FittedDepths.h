@@ -9,7 +9,7 @@
 namespace tetmarch
 {
 
-struct TetMesh;
+struct VolumeFrame;
 struct View;
 
 /**
@@ -17,7 +17,7 @@ struct View;
  * range, however wide that is. What is nearer stays nearer. The mesh must lie behind the near
  * plane.
  */
-std::array<double, 16> fittedDepths(const View& view, const TetMesh& mesh);
+std::array<double, 16> fittedDepths(const View& view, const VolumeFrame& frame);
 
 } // namespace tetmarch
 

@@ -33,7 +33,7 @@ std::array<double, 16> inverted(const std::array<double, 16>& matrix)
 
 } // namespace
 
-std::array<double, 16> rayPoints(const View& view, const TetMesh& mesh)
+std::array<double, 16> rayPoints(const View& view, const VolumeFrame& frame)
 {
   if (view.CutsNearPlane)
   {
@@ -43,7 +43,7 @@ std::array<double, 16> rayPoints(const View& view, const TetMesh& mesh)
   const double distance = std::hypot(eye[0], eye[1], eye[2]);
   if (eye[3] * 2.0 > distance)
   {
-    return pointsAtDepth(-1.0, inverted(fittedDepths(view, mesh)));
+    return pointsAtDepth(-1.0, inverted(fittedDepths(view, frame)));
   }
   // The plane through the centre that faces the eye takes the place of those of equal depth, which
   // a matrix that isn't a similarity may turn nearly parallel to the rays.

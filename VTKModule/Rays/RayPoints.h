@@ -9,7 +9,7 @@
 namespace tetmarch
 {
 
-struct TetMesh;
+struct VolumeFrame;
 struct View;
 
 /**
@@ -18,7 +18,7 @@ struct View;
  * it lies before the eye and, if the ray meets the mesh, within two mesh radii of its centre: rays
  * keep their digits however far away the eye is, and however askew the volume's matrix.
  */
-std::array<double, 16> rayPoints(const View& view, const TetMesh& mesh);
+std::array<double, 16> rayPoints(const View& view, const VolumeFrame& frame);
 
 } // namespace tetmarch
 

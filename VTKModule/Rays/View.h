@@ -12,7 +12,7 @@ class vtkVolume;
 namespace tetmarch
 {
 
-struct TetMesh;
+struct VolumeFrame;
 
 /** Row-major matrices, applied to column vectors; clip coordinates as in OpenGL. */
 struct View
@@ -37,8 +37,8 @@ struct View
 };
 
 /** False if the volume's matrix is singular or not finite: then there is nothing to be seen. */
-bool makeView(
-  vtkRenderer* renderer, vtkVolume* volume, const TetMesh& mesh, double unitDistance, View& view);
+bool makeView(vtkRenderer* renderer, vtkVolume* volume, const VolumeFrame& frame,
+  double unitDistance, View& view);
 
 } // namespace tetmarch
 
