@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Several components of an array, drawn together.
+// The transfer functions of several components of an array that are drawn together.
 #ifndef TetMarchAppearanceComponents_h
 #define TetMarchAppearanceComponents_h
 
@@ -17,7 +17,7 @@ namespace tetmarch
 
 struct VariantKey;
 
-/** Where a table is among those that lie behind each other, as in
+/** Where a table lies among the tables that are stored one behind the other, as in
  * Shaders/tables/integral_table.glsl. */
 struct TablePlace
 {
@@ -32,28 +32,28 @@ struct Components
 {
   ComponentMix Mix = ComponentMix::Single;
   std::vector<ScalarRange> FurtherRanges; // of the scalars behind the first
-  /** Behind the table of the first scalar: one each of further independent ones; of ColorAndOpacity
-   * that of the colours, whose extinction is 1; of DirectColor none. */
+  /** The tables behind that of the first scalar: one for each further independent component; for
+   * ColorAndOpacity that of the colours, whose extinction is 1; for DirectColor none. */
   std::vector<IntegralTable> Tables;
-  /** What extinctions of independent components are multiplied by: their weights, and how much
-   * shorter their unit distances are than that of the first. */
+  /** The extinctions of independent components are multiplied by these: the component's weight
+   * times the first unit distance over its own. */
   std::array<double, MostComponents> Factors{ { 1, 1, 1, 1 } };
 
   bool isSingle() const { return this->Mix == ComponentMix::Single; }
   bool isIndependent() const { return this->Mix == ComponentMix::Independent; }
   int count() const { return static_cast<int>(this->FurtherRanges.size()) + 1; }
   void setBits(VariantKey& key) const;
-  /** Of the table of the first scalar, which has that range, and of those behind it. */
+  /** Places of the table of the first scalar, which has that range, and of the tables behind it. */
   std::vector<TablePlace> places(const IntegralTable& first, const ScalarRange& range) const;
-  /** Whether something has extinction in a table behind the first. */
+  /** Whether a table behind the first has extinction. */
   bool isFurtherVisible() const;
 };
 
-/** Sets Factors. Returns an empty string, or which unit distance is wrong. */
+/** Set Factors. Returns an empty string, or which unit distance is wrong. */
 std::string setFactors(vtkVolumeProperty* property, Components& components);
 
-/** Sets the Tables of several components, and returns that of the first scalar, which has that
- * range. */
+/** Set the Tables of several components, and return that of the first scalar, which has that range.
+ */
 IntegralTable componentTables(vtkVolumeProperty* property, OpacityLaw law, const ScalarRange& range,
   const AccuracyLevel& level, Components& components);
 

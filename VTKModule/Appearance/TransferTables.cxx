@@ -27,7 +27,7 @@ void addRange(Fingerprint& fingerprint, const ScalarRange& range)
   add(fingerprint, range.High);
 }
 
-// Functions of components that are drawn apart are not asked for: that would make them.
+// Asking for the functions of components that are not drawn would create them.
 Fingerprint versionOf(vtkVolumeProperty* property, const TableInput& input)
 {
   Fingerprint version;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a stage was made from: if it compares equal, the stage needn't run again.
+// The input of a stage: as long as it compares equal, the stage need not run again.
 #ifndef TetMarchCachingFingerprint_h
 #define TetMarchCachingFingerprint_h
 

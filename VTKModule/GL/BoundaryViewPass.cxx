@@ -26,7 +26,7 @@ std::string BoundaryViewPass::draw(vtkOpenGLRenderWindow* window, const MarchInp
       {
         return error;
       }
-      // Depths are compared in the shader, along the rays, as in the march.
+      // The shader compares depths along the rays, as the march does.
       state->vtkglDisable(GL_BLEND);
       state->vtkglDisable(GL_DEPTH_TEST);
       state->vtkglDepthMask(GL_FALSE);

@@ -68,7 +68,8 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
   return error;
 }
 
-// Where the rays of the pixels in a part of the area begin, and end by the depths of the window.
+// Find where the rays of the pixels in a part of the area begin, and where they end by the depths
+// of the window.
 std::string FramePasses::findRays(
   vtkOpenGLRenderWindow* window, const Viewport& part, const Viewport& depths, MarchInputs& inputs)
 {
@@ -93,14 +94,14 @@ std::string FramePasses::findRays(
 std::string FramePasses::pick(vtkOpenGLRenderWindow* window, MarchInputs inputs,
   const Viewport& part, const Progress& progress, bool& stopped, std::vector<PickedPoint>& points)
 {
-  // Rays look at the entries of the pixels beside theirs, too.
+  // Rays also look at the entries of neighbouring pixels.
   const Viewport around{ part.X - 1, part.Y - 1, part.Width + 2, part.Height + 2 };
   std::string error = this->findRays(window, around, inputs.Area, inputs);
   if (error.empty())
   {
     error = this->Picking.pick(window, inputs, part, progress, stopped, points);
   }
-  if (!this->LastKey.OpaqueDepth) // rays of picks end at opaque geometry anyway
+  if (!this->LastKey.OpaqueDepth) // picks use depths even if the picture does not
   {
     this->Opaque.release(window);
   }

@@ -20,22 +20,22 @@ class MeshTextures
 public:
   /** Each returns an empty string, or what is wrong and what to do. */
   std::string uploadLinks(vtkOpenGLRenderWindow* window, const TetMesh& mesh);
-  /** The vertices with their scalars, those of cells, and further ones. Buffers of what is not
-   * drawn are freed. */
+  /** Vertices with their scalars, cell scalars and further scalars. Buffers of what is not drawn
+   * are freed. */
   std::string uploadScalars(
     vtkOpenGLRenderWindow* window, const TetMesh& mesh, const MeshScalars& scalars);
   /** Empty: no cell is hidden, and the buffer is freed. */
   std::string uploadHiddenCells(vtkOpenGLRenderWindow* window, const HiddenCells& hidden);
 
-  /** Buffers and sizes that the march needs; the entry pass needs bindBoundary alone. */
+  /** Bind the buffers and sizes that the march needs; the entry pass needs bindBoundary() only. */
   void bind(vtkShaderProgram* program, const VariantKey& key);
   void bindBoundary(vtkShaderProgram* program);
   void unbind();
   void release(vtkWindow* window);
   std::size_t bytes() const;
   std::size_t furtherBytes() const { return this->Further.bytes(); }
-  /** The numbers in a texel of so many further scalars: texels of three floats are none of OpenGL
-   * 3.2. */
+  /** How many numbers a texel of so many further scalars has: OpenGL 3.2 has no buffer texels of
+   * three floats. */
   static std::size_t furtherScalarsOfTexel(std::size_t count) { return count < 3 ? count : 4; }
 
 private:

@@ -72,7 +72,7 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
   {
     inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
   }
-  // Where the whole area would lie, were the part's corner that of the target.
+  // The position of the whole area relative to the corner of the part, which is that of the target.
   const Viewport& area = inputs.Area;
   bindPixelRays(program, inputs, { area.X - part.X, area.Y - part.Y, area.Width, area.Height });
   if (inputs.Key.Clipped)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The last stage of a frame: which variant it needs, and what is drawn; and the same by the CPU.
+// The last stage of a frame: the variant that it needs, and drawing; and the same by the CPU.
 #include "GL/Pipeline.h"
 
 #include "Caching/WithinMemory.h"
@@ -14,7 +14,7 @@
 namespace tetmarch
 {
 
-// The renderer, or the render pass that called, has set it.
+// The viewport that the renderer, or the render pass that called, has set.
 Viewport Pipeline::currentViewport() const
 {
   std::array<int, 4> area{};
@@ -42,7 +42,7 @@ VariantKey Pipeline::keyOf(
   return options.Shell == BoundaryView::None ? key.filtered() : key.ofEntries();
 }
 
-// What light at vertices depends on. The first word is that of the geometry.
+// The version of the light at vertices. The first word is that of the geometry.
 Fingerprint Pipeline::lightVersion(const VariantKey& key) const
 {
   const LightUniforms& lights = this->Effects.data().Lights;
@@ -113,7 +113,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   this->Subject.push_back(static_cast<std::uintptr_t>(area.Height));
   const MarchInputs inputs = this->inputsOf(options, renderer, area);
 
-  const FirstColorOnly picture(!options.Peeling); // peels go into several on purpose
+  const FirstColorOnly picture(!options.Peeling); // peels are drawn into several colours on purpose
   // A progress observer may release graphics resources during the frame.
   const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
   bool stopped = false;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The integral table on the GPU.
+// The tables of the transfer functions on the GPU.
 #ifndef TetMarchGLTableTextures_h
 #define TetMarchGLTableTextures_h
 
@@ -19,8 +19,8 @@ class TableTextures
 public:
   /** Whether the tables of this run are on the GPU. */
   bool holds(const TransferTables& tables) const { return this->Run == tables.record().Runs; }
-  /** Unless holds(): the table of the first scalar, and those of further components behind it.
-   * Returns an empty string, or what is wrong. */
+  /** Unless holds(): upload the table of the first scalar, and those of further components behind
+   * it. Returns an empty string, or what is wrong. */
   std::string upload(vtkOpenGLRenderWindow* window, const TransferTables& tables);
   void bind(vtkShaderProgram* program, const IntegralTable& table, const ScalarRange& range,
     const Components& components, const AccuracyLevel& level, const VariantKey& key);
@@ -38,7 +38,7 @@ private:
   TextureBuffer Values;
   TextureBuffer Integrals;
   TextureBuffer Variations;
-  std::int64_t Run = 0; // of the tables that are here; 0: none
+  std::int64_t Run = 0; // of the tables that are on the GPU; 0: none
   std::int64_t UploadedBytes = 0;
 };
 

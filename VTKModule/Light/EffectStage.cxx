@@ -28,7 +28,7 @@ double steepest(const std::vector<std::array<float, 3>>& gradients)
   return most;
 }
 
-// Asking for a function that isn't there would make one.
+// Asking for a function that isn't there would create one.
 bool mayHaveGradientOpacity(vtkVolumeProperty* property)
 {
   return !property->GetDisableGradientOpacity() &&
@@ -36,7 +36,7 @@ bool mayHaveGradientOpacity(vtkVolumeProperty* property)
          property->HasGradientOpacity();
 }
 
-// What opaque geometry casts its shadows by: data, places and lights, of a mesh.
+// The input of shadows of opaque geometry: its data and places, and the lights.
 Fingerprint inputOf(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volume,
   const LightUniforms& lights, const Fingerprint& geometry)
 {
@@ -207,7 +207,7 @@ bool EffectStage::samplesShadows(double pixels) const
 {
   // A ray of the picture takes about 8 samples of each light, a vertex one.
   constexpr double samples = 8;
-  // With the method off, what scatters light still casts shadows, wherever is cheaper.
+  // Scattered light casts shadows even if the method is off; they are computed where it is cheaper.
   return this->Options.Shadows == ShadowMethod::AlongRays ||
          (this->Options.Shadows != ShadowMethod::AtVertices &&
            static_cast<double>(this->Data.VertexStarts.size()) > samples * pixels);

@@ -59,7 +59,7 @@ Matrix scaled(Matrix m, double factor)
   return m;
 }
 
-// From the normalised world of the mesh to the world, both with the mesh's centre as origin.
+// From the normalised frame to the world, both with the volume's centre as origin.
 struct WorldTransform
 {
   Matrix ToWorld{};
@@ -122,7 +122,7 @@ Matrix transposed(const Matrix& m)
   return { { m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8] } };
 }
 
-// The unit vector to a light that is far away, in the world of the mesh.
+// The unit vector to a light that is far away, in the normalised frame.
 Triple wayOf(const LightSource& light, const WorldTransform& world)
 {
   return unit(
@@ -170,7 +170,7 @@ std::array<double, 4> sourceOf(const LightSource& light, const WorldTransform& w
   return { { place[0], place[1], place[2], 1 } };
 }
 
-// VTK's reach runs from nothing to the diagonal, and most of it is near; the diagonal is 2 radii.
+// VTK's reach 0..1 means nothing to the whole diagonal, which is 2 radii, with most of it near 0.
 double distanceOf(double reach) { return 2 * (1 - std::pow(1 - reach, 0.33)); }
 
 } // namespace
@@ -233,7 +233,7 @@ LightUniforms makeLightUniforms(const Lighting& lighting, const EffectOptions& o
     lights.Sources.push_back(source);
   }
   lights.Reach = distanceOf(options.Reach);
-  // Through all of the volume is not yet all the way to what stands outside.
+  // A reach through all of the volume may still end before what stands outside.
   lights.OpaqueReach = options.Reach < 1 ? lights.Reach : std::numeric_limits<double>::infinity();
   if (options.Occlusion && lighting.Ambient > 0)
   {

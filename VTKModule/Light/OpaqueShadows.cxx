@@ -34,7 +34,7 @@ Matrix normalizedToWorld(vtkVolume* volume, const VolumeFrame& frame)
   return times(world, frame.matrixToData());
 }
 
-// Of a vector if w is 0, of a point if it is 1.
+// Transform a vector (w = 0) or a point (w = 1).
 Vector3 transformed(const Matrix& m, const Vector3& v, double w)
 {
   Vector3 result{};
@@ -45,7 +45,7 @@ Vector3 transformed(const Matrix& m, const Vector3& v, double w)
   return result;
 }
 
-// Those without inverse have no volume left, and cast nothing.
+// A matrix without inverse leaves no volume, which casts no shadows.
 bool isInvertible(const Matrix& matrix)
 {
   const double determinant = vtkMatrix4x4::Determinant(matrix.data());
@@ -77,7 +77,7 @@ void OpaqueShadows::update(const std::vector<OpaqueSurface>& surfaces, vtkVolume
   this->Reach = lights.OpaqueReach;
 }
 
-// One data may be shown at several places.
+// The same data may be shown in several places.
 std::shared_ptr<const TriangleHierarchy> OpaqueShadows::hierarchyOf(
   vtkPolyData* data, const Fingerprint& which, const std::vector<Caster>& made)
 {

@@ -20,21 +20,19 @@ namespace tetmarch
 
 struct VolumeFrame;
 
-/** By rays towards the lights of LightUniforms::ShadowSources, in double precision. */
+/** Found by rays towards the lights of LightUniforms::ShadowSources, in double precision. */
 class OpaqueShadows
 {
 public:
-  /** Hierarchies of surfaces whose data is the same as before are kept, wherever these have moved.
-   */
+  /** Surfaces whose data is the same as before keep their hierarchies, wherever they have moved. */
   void update(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volume,
     const VolumeFrame& frame, const LightUniforms& lights);
 
-  /** Whether a surface stands between a point of the mesh's normalised frame and a light, and not
-   * within `margin` of the point. Any number of threads may ask. */
+  /** Whether a surface lies between a point of the normalised frame and a light, and not within
+   * `margin` of the point. Thread-safe. */
   bool isShadowed(const Vector3& point, std::size_t source, double margin = 0) const;
 
-  /** The point of a number, in the normalised frame; false if there is none, which lies in no
-   * shadow. */
+  /** Gets the point of an index, in the normalised frame. False if there is none: no shadow. */
   using PointOf = std::function<bool(std::size_t, Vector3&)>;
   /** For each of so many points, in bit k whether it lies in the shadow of light k. In parallel. */
   std::vector<std::uint8_t> ofPoints(std::size_t count, const PointOf& pointOf) const;

@@ -63,7 +63,7 @@ Id indexOf(const std::array<Id, 4>& tet, Id vertex)
   return static_cast<Id>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());
 }
 
-// Whether the tetrahedra of all links lie on opposite sides of their face.
+// Whether the two tetrahedra of each link lie on opposite sides of their face.
 bool agree(const TetMesh& mesh, const std::vector<std::int8_t>& signs)
 {
   std::atomic<bool> agrees(true);
@@ -92,7 +92,7 @@ bool agree(const TetMesh& mesh, const std::vector<std::int8_t>& signs)
   return agrees;
 }
 
-// In the order of a mesh that is built: by the smallest vertex.
+// In the order that buildTetMesh() makes: by the smallest vertex.
 void turnBoundary(const std::vector<std::int8_t>& signs, TetMesh& mesh)
 {
   std::vector<std::pair<Id, Id>> halfFaces;

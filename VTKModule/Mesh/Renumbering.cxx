@@ -12,7 +12,7 @@ namespace tetmarch
 namespace
 {
 
-// Every second and third bit left free: the 21 bits of one coordinate of a Morton code.
+// Spread the 21 bits of one coordinate of a Morton code: two free bits follow each.
 std::uint64_t spread(std::uint64_t x)
 {
   x &= 0x1fffff;
@@ -34,7 +34,7 @@ std::uint64_t mortonCode(const Vertex& v)
   return spread(cell(v.X)) | spread(cell(v.Y)) << 1 | spread(cell(v.Z)) << 2;
 }
 
-// Order of the keys by radix sort, stable; 11 bits a pass.
+// The order of the keys, by a stable radix sort with 11 bits a pass.
 std::vector<Id> sortedOrder(const std::vector<std::uint64_t>& keys)
 {
   std::vector<Id> order(keys.size());

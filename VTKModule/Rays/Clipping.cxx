@@ -21,8 +21,9 @@ using Triple = std::array<double, 3>;
 
 double nearby(double place) { return std::clamp(place, -Clipping::Farthest, Clipping::Farthest); }
 
-// In the normalised frame, whose axes the columns of the volume's matrix are. What is subtracted is
-// what is large where a mesh lies far from the origin.
+// Add the plane in the normalised frame, whose axes in the world are the columns of the volume's
+// matrix. Positions are subtracted first, since they are large where the data lies far from the
+// origin.
 bool addPlane(vtkPlane* plane, vtkMatrix4x4* toWorld, const VolumeFrame& frame, Clipping& clipping)
 {
   const double* normal = plane->GetNormal();
@@ -73,14 +74,14 @@ std::string addPlanes(
   return {};
 }
 
-// Regions along each axis, 0..2.
+// A box of regions: their indices along each axis, 0..2.
 struct RegionBox
 {
   std::array<int, 3> First{ { 2, 2, 2 } };
   std::array<int, 3> Last{ { 0, 0, 0 } };
 };
 
-// Whether the regions that are left fill a box, and which.
+// Whether the regions that are left fill a box; sets the box.
 bool areBox(int flags, RegionBox& box)
 {
   int count = 0;
@@ -138,7 +139,7 @@ std::string addCropping(
     {
       return "A cropping region plane is not a number (SetCroppingRegionPlanes).";
     }
-    // As VTK has it: a widget may be dragged there.
+    // As in VTK: a widget may be dragged so far.
     clipping.LeavesNothing = clipping.LeavesNothing || least >= most;
     low[k] = nearby((least - frame.Center[k]) / frame.Radius);
     high[k] = nearby((most - frame.Center[k]) / frame.Radius);

@@ -13,7 +13,8 @@ namespace tetmarch
 namespace
 {
 
-// How far a row of the matrix goes to either side of row[3] over the bounding box of the mesh.
+// How much the product with a row of the matrix differs from row[3] over the volume's bounding box,
+// at most.
 double reachOf(const double* row, const VolumeFrame& frame)
 {
   double reach = 0;
@@ -34,7 +35,7 @@ std::array<double, 16> fittedDepths(const View& view, const VolumeFrame& frame)
   const double margin = 1.01; // against rounding
   if (w[0] == 0 && w[1] == 0 && w[2] == 0)
   {
-    // Parallel projection: the middle of the mesh to 0, its ends to w and -w.
+    // Parallel projection: the middle of the volume becomes 0, its ends become w and -w.
     const double scale = w[3] / (margin * reachOf(z, frame));
     z[0] *= scale;
     z[1] *= scale;

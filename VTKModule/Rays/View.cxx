@@ -21,7 +21,7 @@ namespace
 // 24 bits of a float: 1/16 of a pixel where a picture is 2000 pixels wide.
 constexpr double MostSpread = 1024;
 
-// Where in clip coordinates lies the bounding box of the mesh?
+// Find where the bounding box of the volume lies in clip coordinates.
 void classify(const VolumeFrame& frame, View& view)
 {
   const auto& high = frame.HalfExtent;
@@ -45,9 +45,9 @@ void classify(const VolumeFrame& frame, View& view)
   }
 }
 
-// What all lines of sight go through, in view coordinates: x = y = w = 0 in clip coordinates. It is
-// the origin or, for parallel projection, the direction +z, but not so for each eye of a stereo
-// picture or a sheared view.
+// The point that all lines of sight go through, in view coordinates: x = y = w = 0 in clip
+// coordinates. It is the origin or, for parallel projection, the direction +z, except for the eyes
+// of a stereo picture or a sheared view.
 std::array<double, 4> eyeOf(vtkMatrix4x4* viewToClip)
 {
   vtkNew<vtkMatrix4x4> inverse;
