@@ -8,6 +8,7 @@
 #include "Budget/AccuracyController.h"
 #include "Budget/SampleDistance.h"
 #include "GL/Pipeline.h"
+#include "GL/TetSource.h"
 #include "Mapper/LastMessage.h"
 #include "Mapper/SettingsLink.h"
 
@@ -39,7 +40,8 @@ public:
     const tetmarch::Progress& progress);
 
   tetmarch::SettingsLink Settings;
-  tetmarch::Pipeline Pipeline;
+  tetmarch::TetSource Tets;
+  tetmarch::Pipeline Pipeline{ Tets };
   tetmarch::AccuracyController Accuracy;
   tetmarch::AccuracyLevel Level = tetmarch::DefaultAccuracy; // of this frame
   tetmarch::SampleDistance Distance;
