@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/Pipeline.h"
 
-#include "Appearance/TransparentShare.h"
 #include "GL/BlockAttributes.h"
 #include "GL/FmaProbe.h"
 #include "GL/StateScope.h"
+#include "Volume/TransparentShare.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"

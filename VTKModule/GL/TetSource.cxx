@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/TetSource.h"
 
-#include "Appearance/TransparentShare.h"
 #include "Mesh/MeshSizes.h"
 #include "Rays/View.h"
 #include "Variants/VariantKey.h"
+#include "Volume/TransparentShare.h"
 
 #include "vtkUnstructuredGrid.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The share of a mesh that its transfer functions leave transparent.
-#ifndef TetMarchAppearanceTransparentShare_h
-#define TetMarchAppearanceTransparentShare_h
+#ifndef TetMarchVolumeTransparentShare_h
+#define TetMarchVolumeTransparentShare_h
 
 #include "Mesh/TetMesh.h"
 #include "Optics/IntegralTable.h"
