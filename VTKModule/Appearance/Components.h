@@ -9,6 +9,7 @@
 #include "Mesh/FurtherScalars.h"
 #include "Mesh/ResourceLimits.h"
 #include "Optics/FittingTable.h"
+#include "Variants/VariantKey.h"
 
 #include <array>
 #include <string>
@@ -17,15 +18,7 @@
 namespace tetmarch
 {
 
-struct VariantKey;
-
-enum class ComponentMix
-{
-  Single,          // a scalar
-  Independent,     // each has a colour and an opacity function, and all fill the same space
-  ColorAndOpacity, // the first by the colour function, the second by the opacity function
-  DirectColor      // red, green, blue, and a fourth by the opacity function
-};
+using ComponentMix = ComponentGroup;
 
 /** What is drawn of a tuple. */
 struct DrawnComponents
