@@ -112,7 +112,7 @@ double vtkTetMarchVolumeMapper::GetBlocksSeconds() const
 }
 double vtkTetMarchVolumeMapper::GetMeshSeconds() const
 {
-  return this->Internal->Tets.geometryRecord().Seconds;
+  return this->Internal->Tets.meshRecord().Seconds;
 }
 double vtkTetMarchVolumeMapper::GetScalarsSeconds() const
 {
@@ -146,7 +146,7 @@ vtkTypeInt64 vtkTetMarchVolumeMapper::GetBlocksBuilds() const
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetMeshBuilds() const
 {
-  return this->Internal->Tets.geometryRecord().Runs;
+  return this->Internal->Tets.meshRecord().Runs;
 }
 vtkTypeInt64 vtkTetMarchVolumeMapper::GetScalarsBuilds() const
 {

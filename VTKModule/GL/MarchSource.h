@@ -7,7 +7,6 @@
 
 #include "Budget/ResourceLimits.h"
 #include "Caching/Fingerprint.h"
-#include "Caching/StageRecord.h"
 #include "GL/Viewport.h"
 #include "Light/EffectSource.h"
 #include "Mesh/Progress.h"
@@ -41,42 +40,41 @@ class MarchSource
 public:
   virtual ~MarchSource() = default;
 
-  /**
-   * The stages of a frame. Each returns an empty string, or what is wrong and what to do, and does
-   * nothing if its input is the same as before.
-   */
+  // The stages of a frame. Each returns an empty string, or what is wrong and what to do, and does
+  // nothing if its input is the same as before.
+
   /** What rays march through, of a data set of the type that this source takes. */
   virtual std::string updateGeometry(
     vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) = 0;
-  /** What is drawn of it. */
+  /** The scalars that are drawn. */
   virtual std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) = 0;
-  /** What the rays need if the rasteriser can't tell where they enter. */
-  virtual std::string findEntriesBySearch() = 0;
+  /** What rays need to find where they enter, if the rasteriser can't tell. */
+  virtual std::string prepareEntrySearch() = 0;
+
+  // What the stages that follow know of it.
 
   /** Nothing can be marched through: the data has no such cells, or progress asked to stop. */
   virtual bool isEmpty() const = 0;
   virtual const VolumeFrame& frame() const = 0;
   /** Of the first scalar. */
   virtual const ScalarRange& range() const = 0;
-  /** Of those that are drawn with it. */
+  /** Of the scalars that are drawn with it. */
   virtual const std::vector<ScalarRange>& furtherRanges() const = 0;
   /** The share 0..1 of the volume whose scalars lie in the table's transparent ranges. */
   virtual double transparentShare(const IntegralTable& table) const = 0;
   virtual const EffectSource& effectSource() const = 0;
-  /** The cell of the data that the march names by this number. */
+  /** The cell of the data that the shaders call by this number. */
   virtual vtkIdType cellOf(std::uint32_t marched) const = 0;
-  /** The bits of the key that say how rays of the camera enter and what is marched through. */
+  /** Set the bits of the key that say how rays of the camera enter, and what they march through. */
   virtual void setBits(VariantKey& key, const View& camera) const = 0;
-  /** Equal as long as geometry, scalars and hidden cells are the same; the first word is that of
+  /** Equal as long as geometry, scalars and hidden cells are the same. The first word is that of
    * the geometry. */
   virtual Fingerprint version() const = 0;
-
-  virtual const StageRecord& geometryRecord() const = 0;
-  virtual const StageRecord& scalarsRecord() const = 0;
   /** How often any of the stages has run. */
   virtual std::int64_t runs() const = 0;
 
-  /** On the GPU. */
+  // What is uploaded and bound.
+
   virtual std::vector<BufferSize> bufferSizes() const = 0;
   virtual bool isUploaded() const = 0;
   /** Returns an empty string, or what is wrong; what did not get there is tried again next time. */
@@ -88,18 +86,20 @@ public:
 
   /** The file of a pass's fragment shader. */
   virtual const char* shaderOf(SourcePass pass) const = 0;
-  /** What the shaders read of the volume. */
+  /** What these shaders read of the volume. */
   virtual void bind(vtkShaderProgram* program, const VariantKey& key) = 0;
   virtual void unbind() = 0;
 
-  /** If the key has RasterEntry: where the rays of pixels in a part of the viewport enter. Returns
-   * an empty string, or what is wrong. */
+  /**
+   * Draw where the rays of pixels in a part of the viewport enter, into entries(). It is called if
+   * the key has RasterEntry. Returns an empty string, or what is wrong.
+   */
   virtual std::string drawEntries(vtkOpenGLRenderWindow* window, const Viewport& viewport,
     const Viewport& part, const View& camera) = 0;
   virtual vtkTextureObject* entries() const = 0;
   virtual void releaseEntries(vtkWindow* window) = 0;
 
-  /** The picture by the CPU, in double precision. The scene has all but the volume. */
+  /** The CPU reference in double precision, of a scene that has everything but the volume. */
   virtual ReferenceImage renderReference(
     ReferenceScene scene, const AccuracyLevel& level) const = 0;
 };

@@ -114,8 +114,8 @@ void Pipeline::setSubject(vtkVolumeProperty* property, bool drawNan)
 
 void Pipeline::updatePassing()
 {
-  const Fingerprint input{ static_cast<std::uintptr_t>(this->Source.scalarsRecord().Runs),
-    static_cast<std::uintptr_t>(this->Tables.record().Runs) };
+  Fingerprint input = this->Source.version();
+  input.push_back(static_cast<std::uintptr_t>(this->Tables.record().Runs));
   if (input != this->PassingInput)
   {
     this->PassingInput = input;
@@ -151,7 +151,7 @@ bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume)
     return this->fail("The matrix of the volume or of the camera is singular or not finite.");
   }
   const std::string error =
-    this->Camera.rastersEntries() ? std::string() : this->Source.findEntriesBySearch();
+    this->Camera.rastersEntries() ? std::string() : this->Source.prepareEntrySearch();
   return error.empty() || this->fail(error);
 }
 

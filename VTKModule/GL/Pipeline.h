@@ -36,12 +36,12 @@ struct DrawOptions
   AccuracyLevel Level = DefaultAccuracy;
   bool Diagnostics = false;
   double MostSecondsPerDraw = 0;           // 0: no limit
-  double MostLightSeconds = 0;             // for light at vertices; 0: no limit
+  double MostLightSeconds = 0;             // of a frame, for light at vertices; 0: no limit
   const MeasureView* View = nullptr;       // drawn instead of the picture
-  BoundaryView Shell = BoundaryView::None; // likewise
-  double SampleDistance = 1;               // between rays, in pixels; 1 with any of the others
-  const PeelHooks* Peeling = nullptr; // parts of rays are drawn; no diagnostics and no view then
-  double PickOpacity = 0.5;           // up to which a ray is followed where something is selected
+  BoundaryView Shell = BoundaryView::None; // the same
+  double SampleDistance = 1;               // between rays, in pixels; 1 with diagnostics or a view
+  const PeelHooks* Peeling = nullptr; // only parts of rays are drawn, without diagnostics or a view
+  double PickOpacity = 0.5;           // of a ray at the point where the volume is picked
 };
 
 class Pipeline
@@ -141,7 +141,7 @@ private:
   TransferTables Tables;
   bool NanShown = false; // there are scalars that are not finite, and they are shown
   Fingerprint PassingInput;
-  bool PassesCells = false; // enough is transparent for cells without extinction to be passed
+  bool PassesCells = false; // so much is transparent that cells without extinction are passed
   EffectStage Effects;
   View Camera;
   Clipping Cut;

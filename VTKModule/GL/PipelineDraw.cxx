@@ -150,7 +150,7 @@ bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, Refe
     return this->fail("There is no frame to compare with: render the window first, with a ray "
                       "a pixel and without peels of translucent geometry.");
   }
-  const std::string error = this->Source.findEntriesBySearch();
+  const std::string error = this->Source.prepareEntrySearch();
   if (!error.empty())
   {
     return this->fail(error);

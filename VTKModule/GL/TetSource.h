@@ -18,11 +18,13 @@ class TetSource : public MarchSource
 {
 public:
   const TetMesh& mesh() const { return this->Volume.mesh(); }
+  const StageRecord& meshRecord() const { return this->Volume.meshRecord(); }
+  const StageRecord& scalarsRecord() const { return this->Volume.scalarsRecord(); }
 
   std::string updateGeometry(
     vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) override;
   std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) override;
-  std::string findEntriesBySearch() override { return this->Volume.ensureHierarchy(); }
+  std::string prepareEntrySearch() override { return this->Volume.ensureHierarchy(); }
 
   bool isEmpty() const override { return this->mesh().Tets.empty(); }
   const VolumeFrame& frame() const override { return this->mesh().Frame; }
@@ -37,8 +39,6 @@ public:
   void setBits(VariantKey& key, const View& camera) const override;
   Fingerprint version() const override;
 
-  const StageRecord& geometryRecord() const override { return this->Volume.meshRecord(); }
-  const StageRecord& scalarsRecord() const override { return this->Volume.scalarsRecord(); }
   std::int64_t runs() const override { return this->Volume.runs(); }
 
   std::vector<BufferSize> bufferSizes() const override;
