@@ -8,7 +8,7 @@
  *
  *     vtkTetMarchSettingsMethodsMacro();
  *
- * VTK's wrapper of Python expands macros of headers in the same folder.
+ * VTK's wrappers for Python and for ParaView expand such macros.
  */
 #ifndef vtkTetMarchSettingsMacros_h
 #define vtkTetMarchSettingsMacros_h

@@ -11,10 +11,10 @@
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
+#include "vtkTetMarchFrameMeasures.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
@@ -113,7 +113,7 @@ std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid,
     this->GetSettings(), this->Internal->Distance, volume->GetAllocatedRenderTime());
   vtkVolumeProperty* property = volume->GetProperty();
   const bool drawn =
-    scalars && pipeline.updateMesh(grid, progress) && pipeline.updateHiddenCells(grid) &&
+    scalars && pipeline.updateGeometry(grid, progress) &&
     pipeline.updateScalars(grid, scalars, cellScalars == 1, vectorOptionsOf(this), property) &&
     pipeline.updateBlending(property, blend) &&
     pipeline.updateTables(property, options.Law, level, options.DrawNanCells) &&
@@ -126,7 +126,7 @@ std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid,
   {
     if (drawn)
     {
-      glFinish();
+      pipeline.finish();
       if (pipeline.numberOfDraws() > 1)
       {
         this->UpdateProgress(1.0);
@@ -232,7 +232,7 @@ void vtkTetMarchVolumeMapper::ReportWarnings()
   {
     vtkWarningMacro(<< omissions);
   }
-  const std::string report = tetmarch::describe(this->Internal->Pipeline.mesh().Report);
+  const std::string report = tetmarch::describe(this->Internal->Tets.mesh().Report);
   if (this->Internal->LastMeshReport.changesTo(report))
   {
     vtkWarningMacro(<< report);

@@ -131,6 +131,7 @@ public:
   //@{
   /**
    * The figure of that name of GetLastFrameStatistics(): see vtkTetMarchFrameStatistics.
+   * IsBudgetKept() is its GetBudgetKept(), IsLightComplete() its GetLightComplete().
    */
   vtkTetMarchStatisticsMethodsMacro();
   //@}

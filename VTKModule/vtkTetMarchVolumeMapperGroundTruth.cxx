@@ -3,7 +3,7 @@
 // The last frame of a vtkTetMarchVolumeMapper in numbers: its pixels, and the ground truth of them.
 #include "vtkTetMarchVolumeMapperInternals.h"
 
-#include "GL/FrameFigures.h"
+#include "Mapper/FrameMeasures.h"
 
 #include "vtkFloatArray.h"
 #include "vtkOpenGLRenderWindow.h"

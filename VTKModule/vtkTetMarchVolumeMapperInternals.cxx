@@ -3,7 +3,7 @@
 #include "vtkTetMarchVolumeMapperInternals.h"
 
 #include "Diagnostics/ViewColors.h"
-#include "GL/FrameFigures.h"
+#include "Mapper/FrameMeasures.h"
 #include "Mapper/FrameOptions.h"
 #include "Mapper/RecordStatistics.h"
 
@@ -60,5 +60,6 @@ void vtkTetMarchVolumeMapper::Internals::recordStatistics()
 {
   tetmarch::recordBlocks(this->Blocks, this->Statistics);
   tetmarch::recordPipeline(this->Pipeline, this->Statistics);
+  tetmarch::recordTetrahedra(this->Tets, this->Statistics);
   tetmarch::recordAccuracy(this->Accuracy, this->Statistics);
 }

@@ -8,6 +8,7 @@
 #include "Budget/AccuracyController.h"
 #include "Budget/SampleDistance.h"
 #include "GL/Pipeline.h"
+#include "GL/TetSource.h"
 #include "Mapper/LastMessage.h"
 #include "Mapper/SettingsLink.h"
 
@@ -29,17 +30,18 @@ class vtkTetMarchVolumeMapper::Internals
 public:
   explicit Internals(vtkTetMarchVolumeMapper* mapper);
 
-  /** A frame, or a selection, which keeps what is known of the last frame and uses its tables. */
+  /** Begin a frame, or a selection: that keeps the figures and the tables of the last frame. */
   void begin(bool selecting);
-  /** A frame took so many seconds. */
+  /** End a frame, which took so many seconds, diagnostics included. */
   void end(const tetmarch::FrameOptions& options, bool drawn, double seconds);
   void recordStatistics();
-  /** Draw what the renderer's selector reads, and keep it if it is for Pick(). */
+  /** Draw for the renderer's selector, and keep the hit if the selector is that of Pick(). */
   bool select(vtkRenderer* renderer, vtkVolume* volume, const tetmarch::DrawOptions& options,
     const tetmarch::Progress& progress);
 
   tetmarch::SettingsLink Settings;
-  tetmarch::Pipeline Pipeline;
+  tetmarch::TetSource Tets;
+  tetmarch::Pipeline Pipeline{ Tets };
   tetmarch::AccuracyController Accuracy;
   tetmarch::AccuracyLevel Level = tetmarch::DefaultAccuracy; // of this frame
   tetmarch::SampleDistance Distance;
@@ -50,10 +52,10 @@ public:
   vtkNew<vtkTetMarchFrameStatistics> Statistics;
   vtkNew<vtkLookupTable> ViewTable;
 
-  // Of a Pick() that goes on.
+  // State of a Pick() in progress.
   vtkHardwareSelector* PickSelector = nullptr;
   vtkVolume* PickVolume = nullptr;
-  bool PickFailed = false;              // in one of the selector's passes
+  bool PickFailed = false;              // in one of the passes of the selector
   std::array<double, 3> PickPosition{}; // in world coordinates
   double PickScalar = 0;
 };

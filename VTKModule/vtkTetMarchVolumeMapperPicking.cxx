@@ -3,8 +3,6 @@
 // What a vtkTetMarchVolumeMapper does when something is picked.
 #include "vtkTetMarchVolumeMapperInternals.h"
 
-#include "Mesh/TetMesh.h"
-
 #include "vtkHardwareSelector.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -39,15 +37,11 @@ bool vtkTetMarchVolumeMapper::Internals::select(vtkRenderer* renderer, vtkVolume
       !points.empty() && points.front().Hit)
   {
     const tetmarch::PickedPoint& point = points.front();
-    const tetmarch::TetMesh& mesh = this->Pipeline.mesh();
-    double place[4] = { 0, 0, 0, 1 };
-    for (int k = 0; k < 3; ++k)
-    {
-      place[k] = mesh.Center[k] + mesh.Radius * point.Position[k];
-    }
+    const tetmarch::Vector3 data = this->Pipeline.source().frame().toData(point.Position);
+    double place[4] = { data[0], data[1], data[2], 1 };
     volume->GetMatrix()->MultiplyPoint(place, place);
     std::copy_n(place, 3, this->PickPosition.begin());
-    const tetmarch::ScalarRange& range = this->Pipeline.range();
+    const tetmarch::ScalarRange& range = this->Pipeline.source().range();
     const bool finite = point.Scalar < double(tetmarch::UndrawnScalar);
     this->PickScalar = finite ? range.Low + range.width() * point.Scalar : vtkMath::Nan();
   }

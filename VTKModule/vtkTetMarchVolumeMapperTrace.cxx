@@ -40,15 +40,15 @@ struct WorldRay
   double OriginDepth = 0;
   double LengthPerDepth = 0;
 
-  WorldRay(const RayTrace& trace, const tetmarch::TetMesh& mesh, vtkVolume* volume)
+  WorldRay(const RayTrace& trace, const tetmarch::VolumeFrame& frame, vtkVolume* volume)
     : OriginDepth(trace.OriginDepth)
   {
-    double point[4] = { 0, 0, 0, 1 };
+    const tetmarch::Vector3 origin = frame.toData(trace.Origin);
+    double point[4] = { origin[0], origin[1], origin[2], 1 };
     double direction[4] = { 0, 0, 0, 0 };
     for (int k = 0; k < 3; ++k)
     {
-      point[k] = mesh.Center[k] + mesh.Radius * trace.Origin[k];
-      direction[k] = mesh.Radius * trace.Direction[k];
+      direction[k] = frame.Radius * trace.Direction[k];
     }
     volume->GetMatrix()->MultiplyPoint(point, point);
     volume->GetMatrix()->MultiplyPoint(direction, direction);
@@ -197,7 +197,7 @@ bool vtkTetMarchVolumeMapper::TraceRay(
     vtkErrorMacro("No ray is traced: " << pipeline.error());
     return false;
   }
-  const WorldRay ray(trace, pipeline.mesh(), volume);
+  const WorldRay ray(trace, pipeline.source().frame(), volume);
   addCells(
     cells, trace, this->Internal->Blocks.origins(), this->Internal->Blocks.grid() != nullptr);
   addPlaces(cells, trace, ray);

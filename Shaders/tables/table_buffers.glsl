@@ -14,7 +14,7 @@ uniform vec4 tableIntegralUnit;
 #endif
 #endif
 #if TETMARCH_COMPONENTS
-#define MOST_COMPONENTS 4 // Mesh/FurtherScalars.h
+#define MOST_COMPONENTS 4 // Scalars/DrawnScalars.h
 uniform int tableFirst[MOST_COMPONENTS]; // of the tables, which lie behind each other: first entry
 uniform int tableSizes[MOST_COMPONENTS];
 uniform vec4 tableIntegralUnits[MOST_COMPONENTS];

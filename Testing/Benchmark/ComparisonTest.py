@@ -77,11 +77,11 @@ class ComparisonTest(unittest.TestCase):
             for kind, word in (("portable", "slow();"), ("fma", "fast();")):
                 (self.folder / f"texts/{number}-{kind}.frag").write_text(
                     f"//VTK::System::Dec\n#line 7\n{word}\n{body}\ngl_FragData[0] = x;\n")
+        begin = "[vertex shader]\nvoid main();\n[fragment shader]\n#version 150\n#line 7\nout vec4 fragOutput0;\n"
         for number, body in enumerate(("fast();\na();\nfragOutput0 = x;",
                                        "slow();\nb();\nfragOutput0 = x;\npeel();",
                                        "slow();\nc();\nd();\nfragOutput0 = x;")):
-            (self.folder / f"captures/{number}.shader_test").write_text(
-                f"[vertex shader]\nvoid main();\n[fragment shader]\n#version 150\n#line 7\nout vec4 fragOutput0;\n{body}\n")
+            (self.folder / f"captures/{number}.shader_test").write_text(begin + body + "\n")
         self.assertEqual(missing_variants(self.folder / "texts", self.folder / "captures", range(3)), [2])
 
     def test_times(self):

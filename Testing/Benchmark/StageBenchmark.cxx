@@ -9,9 +9,9 @@
 #include "Mesh/GridCheck.h"
 #include "Mesh/GridContent.h"
 #include "Mesh/HalfFaceLinks.h"
+#include "Mesh/MeshScalars.h"
 #include "Mesh/MovedPoints.h"
 #include "Mesh/Renumbering.h"
-#include "Mesh/Scalars.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "Optics/AccuracyLevel.h"
 #include "Optics/FittingTable.h"
@@ -163,7 +163,7 @@ void SetPointScalars(benchmark::State& state)
   TetMesh mesh = meshOf(grid);
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(setPointScalars(grid, grid->GetPointData()->GetScalars(), mesh));
+    benchmark::DoNotOptimize(readScalars(grid, { grid->GetPointData()->GetScalars() }, mesh));
   }
   state.SetItemsProcessed(state.iterations() * grid->GetNumberOfPoints());
 }

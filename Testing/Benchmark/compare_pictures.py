@@ -7,7 +7,8 @@
 
 `draw` has the Python package of a build folder draw a scene for each variant of the shader, picks, and scenes of other
 options. Which variants there are is told by tetmarch-variants: that of BUILD, or of another build with --variants.
---check makes sure, by the shaders that Mesa compiles, that these variants are drawn. --only WORDS draws the scenes with these words in their names, --every N one of N.
+--check makes sure, by the shaders that Mesa compiles, that these variants are drawn. --only WORDS draws the scenes with
+these words in their names, --every N one of N.
 
 `compare` tells which pictures differ and by how much; the exit status is 1 if any does.
 """

@@ -78,7 +78,8 @@ def line_of(result):
     ours, other = (mapper["frames"]["median_seconds"] for mapper in result["mappers"])
     against = result["against"]
     verdict = "" if abs(against["medians"] - 1) <= GOAL else f", more than {100 * GOAL:g} % apart"
-    return (f"{result['name']}: {ours:.4f} s, the other build {other:.4f} s; ratio of medians {against['medians']:.3f}, "
+    return (f"{result['name']}: {ours:.4f} s, the other build {other:.4f} s; "
+            f"ratio of medians {against['medians']:.3f}, "
             f"median of ratios of {against['count']} pairs {against['pairs']:.3f}{verdict}")
 
 

@@ -3,7 +3,7 @@
 #include "Exercise.h"
 
 #include "Mesh/LeastTetrahedra.h"
-#include "Mesh/Scalars.h"
+#include "Mesh/MeshScalars.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "Optics/FittingTable.h"
 #include "Reference/Kernel.h"
@@ -141,20 +141,17 @@ std::string exercise(const Bytes& bytes)
     checkLinks(mesh);
     ensureHierarchy(mesh);
     checkLinks(mesh);
-    error = checkScalars(input.Scalars,
-      input.OfCells ? input.Cells->GetNumberOfCells() : input.Cells->GetNumberOfPoints(),
-      input.OfCells ? "cells" : "points");
+    error = checkScalars(input.Cells, input.Scalars, input.OfCells);
   }
   if (!error.empty() || mesh.Tets.empty())
   {
     return error.empty() ? "Nothing to draw." : error;
   }
-  std::vector<float> cellScalars;
-  const ScalarRange range = input.OfCells ? makeCellScalars(input.Scalars, mesh, cellScalars)
-                                          : setPointScalars(input.Cells, input.Scalars, mesh);
+  const MeshScalars scalars = readScalars(input.Cells, { input.Scalars, input.OfCells }, mesh);
+  const ScalarRange& range = scalars.Range;
   const IntegralTable table =
     fittingTable(input.Property, input.Law, range.Low, range.High, DefaultAccuracy);
-  drawPicture(mesh, table, range, input.OfCells ? &cellScalars : nullptr);
+  drawPicture(mesh, table, range, input.OfCells ? &scalars.OfCells : nullptr);
   if (input.OfCells)
   {
     return {};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MarchedCase.h"
 
+#include "Mesh/MeshScalars.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "Optics/FittingTable.h"
 
@@ -42,19 +43,16 @@ MarchedCase::~MarchedCase() = default;
 void MarchedCase::makeOptics(vtkUnstructuredGrid* grid)
 {
   const HardCase& hard = this->Case;
-  if (hard.CellScalars)
-  {
-    this->Range = makeCellScalars(grid->GetCellData()->GetScalars(), this->Mesh, this->CellScalars);
-  }
-  else
-  {
-    this->Range = setPointScalars(grid, grid->GetPointData()->GetScalars(), this->Mesh);
-  }
+  vtkDataArray* array =
+    hard.CellScalars ? grid->GetCellData()->GetScalars() : grid->GetPointData()->GetScalars();
+  MeshScalars scalars = readScalars(grid, { array, hard.CellScalars }, this->Mesh);
+  this->Range = scalars.Range;
+  this->CellScalars = std::move(scalars.OfCells);
   vtkNew<vtkVolumeProperty> property;
   (hard.SetOptics ? hard.SetOptics : setStandardOptics)(property, grid);
   this->Table = fittingTable(property, tetmarch::OpacityLaw::Unstructured, this->Range.Low,
     this->Range.High, DefaultAccuracy);
-  this->UnitDistance = property->GetScalarOpacityUnitDistance() / this->Mesh.Radius;
+  this->UnitDistance = property->GetScalarOpacityUnitDistance() / this->Mesh.Frame.Radius;
 }
 
 void MarchedCase::makeAnswers()
@@ -65,9 +63,9 @@ void MarchedCase::makeAnswers()
     for (int k = 0; k < 3; ++k)
     {
       this->NormalizedBox.Low[k] =
-        (hard.ExactBox.Low[k] - this->Mesh.Center[k]) / this->Mesh.Radius;
+        (hard.ExactBox.Low[k] - this->Mesh.Frame.Center[k]) / this->Mesh.Frame.Radius;
       this->NormalizedBox.High[k] =
-        (hard.ExactBox.High[k] - this->Mesh.Center[k]) / this->Mesh.Radius;
+        (hard.ExactBox.High[k] - this->Mesh.Frame.Center[k]) / this->Mesh.Frame.Radius;
     }
   }
   // A box without inner surfaces needs none of them.

@@ -10,9 +10,9 @@
 
 #include "HardCase.h"
 
-#include "Mesh/Scalars.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/IntegralTable.h"
+#include "Scalars/StoredScalar.h"
 
 #include <memory>
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureCheck.h"
 
+#include "Mesh/MeshScalars.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "Optics/FittingTable.h"
 #include "Rays/View.h"
@@ -103,10 +104,11 @@ PictureCheck::PictureCheck(const HardCase& hard, const HardView& view)
     throw std::runtime_error(hard.Name + ": " + error);
   }
   ensureHierarchy(this->Mesh);
-  this->Range =
-    hard.CellScalars
-      ? makeCellScalars(this->Data->GetCellData()->GetScalars(), this->Mesh, this->CellScalars)
-      : setPointScalars(this->Data, this->Data->GetPointData()->GetScalars(), this->Mesh);
+  vtkDataArray* array = hard.CellScalars ? this->Data->GetCellData()->GetScalars()
+                                         : this->Data->GetPointData()->GetScalars();
+  MeshScalars scalars = readScalars(this->Data, { array, hard.CellScalars }, this->Mesh);
+  this->Range = scalars.Range;
+  this->CellScalars = std::move(scalars.OfCells);
   setUpHardCase(hard, view, this->Data, this->Renderer, this->Volume);
   vtkVolumeProperty* property = this->Volume->GetProperty();
   const auto table = [&](const AccuracyLevel& level)
@@ -130,7 +132,7 @@ ReferenceScene PictureCheck::sceneOf(const TetMesh& mesh, const IntegralTable& t
   scene.Range = this->Range;
   scene.Table = &table;
   scene.Width = scene.Height = this->Size;
-  if (!makeView(this->Renderer.Get(), this->Volume.Get(), mesh,
+  if (!makeView(this->Renderer.Get(), this->Volume.Get(), mesh.Frame,
         this->Volume->GetProperty()->GetScalarOpacityUnitDistance(), scene.Camera))
   {
     throw std::runtime_error(this->Case.Name + " has no view");

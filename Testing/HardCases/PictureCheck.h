@@ -16,10 +16,10 @@
 #include "HardCase.h"
 
 #include "Diagnostics/MarchCounters.h"
-#include "Mesh/Scalars.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/IntegralTable.h"
 #include "Reference/ReferenceImage.h"
+#include "Scalars/StoredScalar.h"
 
 #include "Images.h"
 

@@ -114,7 +114,7 @@ private:
     Vec3 p;
     for (int k = 0; k < 3; ++k)
     {
-      p[k] = this->uniformBetween(-mesh.HalfExtent[k], mesh.HalfExtent[k]);
+      p[k] = this->uniformBetween(-mesh.Frame.HalfExtent[k], mesh.Frame.HalfExtent[k]);
     }
     return p;
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Radiance through many cells where it has a closed form.
-#include "Mesh/Scalars.h"
+#include "Mesh/MeshScalars.h"
 #include "Reference/Kernel.h"
 
 #include "ClosedForms.h"
@@ -26,11 +26,12 @@ typename Kernel::March alongX(
   const IntegralTable& table, const AccuracyLevel& level, double depthPerCube, const Grid& grid)
 {
   TetMesh mesh = builtWithHierarchy(grid);
-  setPointScalars(grid, grid->GetPointData()->GetScalars(), mesh);
+  readScalars(grid, { grid->GetPointData()->GetScalars() }, mesh);
   auto kernel = kernelOf<Kernel, Real>(mesh, table, level);
   const auto ray =
     kernel.rayThrough({ Real(0), Real(0.0123), Real(-0.0071) }, { Real(1), Real(0), Real(0) });
-  return kernel.castPlainRay(ray, -1, Real(depthPerCube * mesh.Radius), Real(-1e30f), Real(1e30f));
+  return kernel.castPlainRay(
+    ray, -1, Real(depthPerCube * mesh.Frame.Radius), Real(-1e30f), Real(1e30f));
 }
 
 const Field AlongX = [](double x, double, double) { return x; };
@@ -136,7 +137,7 @@ TEST(Analytic, TransmittanceNeverGrows)
     });
   const Grid grid = jitteredLattice(5, 0.15, 1, noiseField());
   TetMesh mesh = builtWithHierarchy(grid);
-  setPointScalars(grid, grid->GetPointData()->GetScalars(), mesh);
+  readScalars(grid, { grid->GetPointData()->GetScalars() }, mesh);
   auto kernel = kernelOf<PointKernel<float>, float>(mesh, table, DefaultAccuracy);
   for (const float thickness : { 0.1f, 3.0f, 1e3f, 1e6f })
   {
@@ -188,7 +189,7 @@ TEST(Analytic, CellScalars)
     double x = 0.0;
     for (const Id v : mesh.Tets[t])
     {
-      x += 0.25 * (0.5 + double(mesh.Vertices[v].X) * mesh.Radius);
+      x += 0.25 * (0.5 + double(mesh.Vertices[v].X) * mesh.Frame.Radius);
     }
     scalars[t] = static_cast<float>(std::floor(4.0 * x)) / 3.0f;
   }
@@ -198,7 +199,7 @@ TEST(Analytic, CellScalars)
   const double thickness = 2.0;
   const auto march =
     kernel.castPlainRay(kernel.rayThrough({ 0.0, 0.013, 0.021 }, { 1.0, 0.0, 0.0 }), -1,
-      thickness * mesh.Radius, -1e30, 1e30);
+      thickness * mesh.Frame.Radius, -1e30, 1e30);
   double depth = 0.0, green = 0.0;
   for (int i = 0; i < 4; ++i)
   {

@@ -9,6 +9,7 @@
 #define tetmarch_testing_BlendedRays_h
 
 #include "Appearance/Blending.h"
+#include "Mesh/MeshScalars.h"
 #include "Reference/BlendKernel.h"
 
 #include "RandomRays.h"
@@ -60,9 +61,11 @@ public:
   explicit BlendedRays(const Grid& grid, bool cells = false)
     : Mesh(builtWithHierarchy(grid))
   {
-    this->Range = cells
-                    ? makeCellScalars(grid->GetCellData()->GetScalars(), this->Mesh, this->Scalars)
-                    : setPointScalars(grid, grid->GetPointData()->GetScalars(), this->Mesh);
+    vtkDataArray* array =
+      cells ? grid->GetCellData()->GetScalars() : grid->GetPointData()->GetScalars();
+    MeshScalars scalars = readScalars(grid, { array, cells }, this->Mesh);
+    this->Range = scalars.Range;
+    this->Scalars = std::move(scalars.OfCells);
     vtkNew<vtkColorTransferFunction> color;
     color->AddRGBPoint(0.0, 0.0, 1.0, 0.5);
     color->AddRGBPoint(1.0, 1.0, 0.0, 0.5);
@@ -123,7 +126,7 @@ public:
     Chord chord{ -1e3, 1e3, 0, 0, 0 };
     for (int k = 0; k < 3; ++k)
     {
-      const double side = this->Mesh.HalfExtent[k] + enlarged;
+      const double side = this->Mesh.Frame.HalfExtent[k] + enlarged;
       const double step = d[k] == 0 ? 1e-30 : d[k];
       const double a = (-side - o[k]) / step, b = (side - o[k]) / step;
       chord.Begin = std::max(chord.Begin, std::min(a, b));
@@ -132,7 +135,7 @@ public:
     const auto scalar = [&](double depth)
     {
       const auto at = [&](int k)
-      { return 0.5 + (o[k] + depth * d[k]) * 0.5 / this->Mesh.HalfExtent[k]; };
+      { return 0.5 + (o[k] + depth * d[k]) * 0.5 / this->Mesh.Frame.HalfExtent[k]; };
       return field(at(0), at(1), at(2));
     };
     chord.First = scalar(chord.Begin);

@@ -3,7 +3,7 @@
 // The options of blend modes: which are errors, and the tables and variants that others need.
 #include "Appearance/Blending.h"
 #include "Light/EffectOptions.h"
-#include "Mesh/Scalars.h"
+#include "Scalars/StoredScalar.h"
 #include "Variants/VariantKey.h"
 
 #include "vtkColorTransferFunction.h"

@@ -38,8 +38,10 @@ Boxes normalised(const std::vector<Box>& boxes, const TetMesh& mesh)
     rounded.push_back({ box.Sign, {}, {} });
     for (int k = 0; k < 3; ++k)
     {
-      rounded.back().Low[k] = static_cast<float>((box.Low[k] - mesh.Center[k]) / mesh.Radius);
-      rounded.back().High[k] = static_cast<float>((box.High[k] - mesh.Center[k]) / mesh.Radius);
+      rounded.back().Low[k] =
+        static_cast<float>((box.Low[k] - mesh.Frame.Center[k]) / mesh.Frame.Radius);
+      rounded.back().High[k] =
+        static_cast<float>((box.High[k] - mesh.Frame.Center[k]) / mesh.Frame.Radius);
     }
   }
   return rounded;

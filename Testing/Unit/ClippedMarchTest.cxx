@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The march through a volume that is cut: lengths in closed form, pictures against the ground
 // truth.
-#include "Mesh/Scalars.h"
+#include "Mesh/MeshScalars.h"
 #include "Reference/Kernel.h"
 
 #include "ClosedForms.h"
@@ -41,7 +41,7 @@ public:
 
   CutCube()
   {
-    setPointScalars(this->Data, this->Data->GetPointData()->GetScalars(), this->Mesh);
+    readScalars(this->Data, { this->Data->GetPointData()->GetScalars() }, this->Mesh);
     this->March = kernelOf<PointKernel<Real>, Real>(this->Mesh, this->Table, GroundTruthAccuracy);
   }
 
@@ -49,20 +49,20 @@ public:
   double errorOf(const ClippingOptions& options)
   {
     Clipping clipping;
-    EXPECT_EQ(makeClipping(options, this->Volume, this->Mesh, clipping), "");
+    EXPECT_EQ(makeClipping(options, this->Volume, this->Mesh.Frame, clipping), "");
     this->March.useClipping(clipping);
     double most = 0.0;
     for (int i = 0; i < 300; ++i)
     {
       const auto ray = this->Random.template next<PointKernel<Real>, Real>(this->March, this->Mesh);
-      const Point o = this->dataOf(ray.origin, this->Mesh.Center);
+      const Point o = this->dataOf(ray.origin, this->Mesh.Frame.Center);
       const Point d = this->dataOf(ray.direction, { 0.0, 0.0, 0.0 });
       Point ends[2];
       if (this->crossesInside(o, d, ends))
       {
         const auto range = this->March.clippedRange(ray, { Real(-3e38f), Real(3e38f) });
-        const auto march =
-          this->March.castPlainRay(ray, -1, Real(Thickness * this->Mesh.Radius), range.x, range.y);
+        const auto march = this->March.castPlainRay(
+          ray, -1, Real(Thickness * this->Mesh.Frame.Radius), range.x, range.y);
         const double length =
           std::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1], ends[1][2] - ends[0][2]) *
           fractionLeft(options, { ends[0], ends[0] }, { ends[1], ends[1] });
@@ -87,7 +87,7 @@ public:
 private:
   Point dataOf(const glsl::Vec3<Real>& v, const Point& offset) const
   {
-    const double r = this->Mesh.Radius;
+    const double r = this->Mesh.Frame.Radius;
     return { offset[0] + r * double(v.x), offset[1] + r * double(v.y),
       offset[2] + r * double(v.z) };
   }
@@ -195,7 +195,7 @@ TEST(ClippedMarch, WhatCutsNothingChangesNoBit)
   options.CroppingPlanes = { { -3.0, 4.0, -5.0, 6.0, -7.0, 8.0 } };
   options.CroppingFlags = 0x2002000; // no box; the other region is empty
   Clipping clipping;
-  ASSERT_EQ(makeClipping(options, cube.Volume, cube.Mesh, clipping), "");
+  ASSERT_EQ(makeClipping(options, cube.Volume, cube.Mesh.Frame, clipping), "");
   ASSERT_TRUE(clipping.Cropped);
   cube.March.useClipping(clipping);
   for (int i = 0; i < 300; ++i)

@@ -54,7 +54,10 @@ protected:
     this->Planes->AddItem(plane);
   }
 
-  std::string make() { return makeClipping(this->Options, this->Volume, this->Mesh, this->Made); }
+  std::string make()
+  {
+    return makeClipping(this->Options, this->Volume, this->Mesh.Frame, this->Made);
+  }
 
   // The world's coordinates of a point of the frame.
   std::array<long double, 3> worldOf(const Vec3& p)
@@ -65,8 +68,8 @@ protected:
       world[r] = this->Volume->GetMatrix()->GetElement(r, 3);
       for (int k = 0; k < 3; ++k)
       {
-        const auto data =
-          static_cast<long double>(this->Mesh.Center[k]) + this->Mesh.Radius * (long double)(p[k]);
+        const auto data = static_cast<long double>(this->Mesh.Frame.Center[k]) +
+                          this->Mesh.Frame.Radius * (long double)(p[k]);
         world[r] += this->Volume->GetMatrix()->GetElement(r, k) * data;
       }
     }
@@ -200,7 +203,7 @@ bool isLeftBy(const Clipping& clipping, const Vec3& p)
 TEST_F(ClippingOf, CroppingLeavesItsRegions)
 {
   this->moveTo(1e6);
-  const Vec3& c = this->Mesh.Center;
+  const Vec3& c = this->Mesh.Frame.Center;
   this->Options.Cropping = true;
   this->Options.CroppingPlanes = { { c[0] - 0.2, c[0] + 0.1, c[1] - 0.3, c[1] + 0.2, c[2],
     c[2] + 0.3 } };
@@ -220,7 +223,7 @@ TEST_F(ClippingOf, CroppingLeavesItsRegions)
       Vec3 data;
       for (int k = 0; k < 3; ++k)
       {
-        data[k] = c[k] + p[k] * this->Mesh.Radius;
+        data[k] = c[k] + p[k] * this->Mesh.Frame.Radius;
       }
       ASSERT_EQ(isLeftBy(this->Made, p), !isCroppedAway(this->Options, data)) << std::hex << f;
     }

@@ -36,11 +36,16 @@ public:
   {
     vtkDataArray* array = this->OfCells ? this->Data->GetCellData()->GetScalars()
                                         : this->Data->GetPointData()->GetScalars();
-    std::string error;
-    const DrawnComponents drawn =
-      drawnComponents({ VectorMode::AllComponents, 0 }, this->Property, array, error);
-    this->Rays.Range = readComponents(
-      this->Data, array, this->OfCells, drawn, this->Rays.Mesh, this->Rays.Scalars, this->Parts);
+    DrawnScalars drawn;
+    const std::string error = chooseScalars(
+      this->Data, array, this->OfCells, { VectorMode::AllComponents, 0 }, this->Property, drawn);
+    MeshScalars scalars = readScalars(this->Data, drawn, this->Rays.Mesh);
+    this->Rays.Range = scalars.Range;
+    this->Rays.Scalars = std::move(scalars.OfCells);
+    this->Further = std::move(scalars.Further);
+    this->Parts = {};
+    this->Parts.Mix = drawn.Mix;
+    this->Parts.FurtherRanges = this->Further.Ranges;
     this->Rays.Table = componentTables(
       this->Property, OpacityLaw::Unstructured, this->Rays.Range, level, this->Parts);
     this->Level = level;
@@ -53,7 +58,7 @@ public:
     Kernel made =
       makeKernel<Kernel, Real>(this->Rays.Mesh, this->Rays.Table, this->Rays.Range, this->Level);
     made.CellScalars = this->Rays.Scalars.data();
-    made.useComponents(this->Parts, this->Rays.Range);
+    made.useComponents(this->Parts, this->Further, this->Rays.Range);
     return made;
   }
 
@@ -95,6 +100,7 @@ public:
   bool OfCells;
   vtkNew<vtkVolumeProperty> Property;
   Components Parts;
+  FurtherScalars Further;
   AccuracyLevel Level = GroundTruthAccuracy;
 };
 } // namespace tetmarch::testing

@@ -3,6 +3,7 @@
 // Which components of an array are drawn together, how they are stored, and the errors of those
 // that can't be.
 #include "Appearance/Components.h"
+#include "Mesh/MeshScalars.h"
 
 #include "ComponentFields.h"
 #include "UnitMeshes.h"
@@ -11,6 +12,7 @@
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 
 #include <gtest/gtest.h>
@@ -24,15 +26,18 @@ using namespace tetmarch::testing;
 class DrawnTogether : public ::testing::Test
 {
 protected:
-  DrawnComponents drawn(int components, VectorMode mode, int type = VTK_DOUBLE)
+  DrawnScalars drawn(int components, VectorMode mode, int type = VTK_DOUBLE)
   {
     this->Array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
     this->Array->SetName("a");
     this->Array->SetNumberOfComponents(components);
-    return drawnComponents({ mode, 0 }, this->Property, this->Array, this->Error);
+    DrawnScalars drawn;
+    this->Error = chooseScalars(this->Grid, this->Array, false, { mode, 0 }, this->Property, drawn);
+    return drawn;
   }
 
   vtkNew<vtkVolumeProperty> Property;
+  vtkNew<vtkUnstructuredGrid> Grid; // without points, like the array
   vtkSmartPointer<vtkDataArray> Array;
   std::string Error;
 };
@@ -64,11 +69,11 @@ TEST_F(DrawnTogether, IndependentOnes)
 {
   for (int components = 2; components <= 4; ++components)
   {
-    const DrawnComponents drawn = this->drawn(components, VectorMode::AllComponents);
+    const DrawnScalars drawn = this->drawn(components, VectorMode::AllComponents);
     EXPECT_EQ(drawn.Mix, ComponentMix::Independent);
-    EXPECT_EQ(drawn.Scalar.Component, 0);
-    EXPECT_EQ(drawn.Further.Components.size(), std::size_t(components) - 1);
-    EXPECT_EQ(drawn.Further.Components.back(), components - 1);
+    EXPECT_EQ(drawn.First.Component, 0);
+    EXPECT_EQ(drawn.Further.size(), std::size_t(components) - 1);
+    EXPECT_EQ(drawn.Further.back(), components - 1);
     EXPECT_EQ(this->Error, "");
   }
   this->drawn(5, VectorMode::AllComponents);
@@ -81,20 +86,20 @@ TEST_F(DrawnTogether, DependentOnes)
   this->Property->IndependentComponentsOff();
   for (const VectorMode mode : { VectorMode::Disabled, VectorMode::AllComponents })
   {
-    const DrawnComponents two = this->drawn(2, mode);
+    const DrawnScalars two = this->drawn(2, mode);
     EXPECT_EQ(two.Mix, ComponentMix::ColorAndOpacity);
-    EXPECT_EQ(two.Scalar.Component, 1);
-    EXPECT_EQ(two.Further.Components, std::vector<int>{ 0 });
-    EXPECT_EQ(two.Further.Unit, 0);
-    const DrawnComponents four = this->drawn(4, mode);
+    EXPECT_EQ(two.First.Component, 1);
+    EXPECT_EQ(two.Further, std::vector<int>{ 0 });
+    EXPECT_EQ(two.FurtherUnit, 0);
+    const DrawnScalars four = this->drawn(4, mode);
     EXPECT_EQ(four.Mix, ComponentMix::DirectColor);
-    EXPECT_EQ(four.Scalar.Component, 3);
-    EXPECT_EQ(four.Further.Components, (std::vector<int>{ 0, 1, 2 }));
-    EXPECT_EQ(four.Further.Unit, 1);
-    EXPECT_EQ(this->drawn(4, mode, VTK_FLOAT).Further.Unit, 1);
+    EXPECT_EQ(four.First.Component, 3);
+    EXPECT_EQ(four.Further, (std::vector<int>{ 0, 1, 2 }));
+    EXPECT_EQ(four.FurtherUnit, 1);
+    EXPECT_EQ(this->drawn(4, mode, VTK_FLOAT).FurtherUnit, 1);
     for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_LONG_LONG })
     {
-      EXPECT_EQ(this->drawn(4, mode, type).Further.Unit, 255);
+      EXPECT_EQ(this->drawn(4, mode, type).FurtherUnit, 255);
     }
     for (const int components : { 3, 5, 9 })
     {
@@ -108,7 +113,7 @@ TEST_F(DrawnTogether, DependentOnes)
 }
 
 // Stored scalars say what was in the array.
-TEST(ReadComponents, ValuesComeBack)
+TEST(ReadScalars, ValuesComeBack)
 {
   for (const bool cells : { false, true })
   {
@@ -117,44 +122,41 @@ TEST(ReadComponents, ValuesComeBack)
     vtkDataArray* array =
       cells ? grid->GetCellData()->GetScalars() : grid->GetPointData()->GetScalars();
     TetMesh mesh = built(grid);
-    std::vector<float> scalars;
-    Components parts;
-    const DrawnComponents drawn{ ComponentMix::Independent, { false, 2 }, { { 3, 0 }, 0 } };
-    const ScalarRange range = readComponents(grid, array, cells, drawn, mesh, scalars, parts);
+    const DrawnScalars drawn{ array, cells, ComponentMix::Independent, { false, 2 }, { 3, 0 } };
+    const MeshScalars scalars = readScalars(grid, drawn, mesh);
+    const ScalarRange& range = scalars.Range;
     EXPECT_TRUE(range.AllFinite);
-    ASSERT_EQ(parts.count(), 3);
+    ASSERT_EQ(scalars.Further.count(), 2u);
     const auto& tuples = cells ? mesh.TetCells : mesh.VertexPoints;
-    ASSERT_EQ(parts.Further.Values.size(), 2 * tuples.size());
+    ASSERT_EQ(scalars.Further.Values.size(), 2 * tuples.size());
     for (std::size_t i = 0; i < tuples.size(); ++i)
     {
       const auto value = [](const ScalarRange& r, float stored)
       { return r.Low + r.width() * double(stored); };
-      const double first = value(range, cells ? scalars[i] : mesh.Vertices[i].Scalar);
+      const double first = value(range, cells ? scalars.OfCells[i] : mesh.Vertices[i].Scalar);
       EXPECT_NEAR(first, array->GetComponent(tuples[i], 2), 1e-6);
       for (std::size_t k = 0; k < 2; ++k)
       {
-        EXPECT_NEAR(value(parts.Further.Ranges[k], parts.Further.Values[2 * i + k]),
-          array->GetComponent(tuples[i], drawn.Further.Components[k]), 1e-6);
+        EXPECT_NEAR(value(scalars.Further.Ranges[k], scalars.Further.Values[2 * i + k]),
+          array->GetComponent(tuples[i], drawn.Further[k]), 1e-6);
       }
     }
   }
 }
 
-TEST(ReadComponents, ColorsAreClampedAndNotStretched)
+TEST(ReadScalars, ColorsAreClampedAndNotStretched)
 {
   const Grid grid = withComponents(singleTet(), componentFields(4), VTK_DOUBLE);
   vtkDataArray* array = grid->GetPointData()->GetScalars();
   array->SetTuple4(0, -0.5, 0.25, 1.5, 7.0);
   array->SetTuple4(1, 0.5, 0.25, 0.75, 9.0);
   TetMesh mesh = built(grid);
-  std::vector<float> scalars;
-  Components parts;
-  const DrawnComponents drawn{ ComponentMix::DirectColor, { false, 3 }, { { 0, 1, 2 }, 1 } };
-  const ScalarRange range = readComponents(grid, array, false, drawn, mesh, scalars, parts);
-  EXPECT_EQ(range.High, 9);
+  const DrawnScalars drawn{ array, false, ComponentMix::DirectColor, { false, 3 }, { 0, 1, 2 }, 1 };
+  const MeshScalars scalars = readScalars(grid, drawn, mesh);
+  EXPECT_EQ(scalars.Range.High, 9);
   for (std::size_t i = 0; i < mesh.VertexPoints.size(); ++i)
   {
-    const float* color = &parts.Further.Values[3 * i];
+    const float* color = &scalars.Further.Values[3 * i];
     if (mesh.VertexPoints[i] == 0)
     {
       EXPECT_EQ(color[0], 0.0f);
@@ -169,7 +171,7 @@ TEST(ReadComponents, ColorsAreClampedAndNotStretched)
   }
 }
 
-TEST(ReadComponents, OneThatIsNotFiniteHidesAll)
+TEST(ReadScalars, OneThatIsNotFiniteHidesAll)
 {
   for (const bool cells : { false, true })
   {
@@ -178,16 +180,14 @@ TEST(ReadComponents, OneThatIsNotFiniteHidesAll)
       cells ? grid->GetCellData()->GetScalars() : grid->GetPointData()->GetScalars();
     array->SetComponent(1, 2, std::numeric_limits<double>::quiet_NaN());
     TetMesh mesh = built(grid);
-    std::vector<float> scalars;
-    Components parts;
-    const DrawnComponents drawn{ ComponentMix::Independent, {}, { { 1, 2 }, 0 } };
-    const ScalarRange range = readComponents(grid, array, cells, drawn, mesh, scalars, parts);
-    EXPECT_FALSE(range.AllFinite);
-    EXPECT_TRUE(parts.Further.Ranges[1].AllFinite == false);
+    const DrawnScalars drawn{ array, cells, ComponentMix::Independent, {}, { 1, 2 } };
+    const MeshScalars scalars = readScalars(grid, drawn, mesh);
+    EXPECT_FALSE(scalars.Range.AllFinite);
+    EXPECT_TRUE(scalars.Further.Ranges[1].AllFinite == false);
     const auto& tuples = cells ? mesh.TetCells : mesh.VertexPoints;
     for (std::size_t i = 0; i < tuples.size(); ++i)
     {
-      const float stored = cells ? scalars[i] : mesh.Vertices[i].Scalar;
+      const float stored = cells ? scalars.OfCells[i] : mesh.Vertices[i].Scalar;
       EXPECT_EQ(stored == UndrawnScalar, tuples[i] == 1);
     }
   }
@@ -199,7 +199,7 @@ TEST(ComponentFactors, AreWeightsByUnitDistances)
   setComponentFunctions(property, 3);
   Components parts;
   parts.Mix = ComponentMix::Independent;
-  parts.Further.Ranges.resize(2);
+  parts.FurtherRanges.resize(2);
   ASSERT_EQ(setFactors(property, parts), "");
   EXPECT_DOUBLE_EQ(parts.Factors[0], 1.0);
   EXPECT_DOUBLE_EQ(parts.Factors[1], 0.8 / 1.5);

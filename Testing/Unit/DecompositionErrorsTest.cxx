@@ -89,7 +89,7 @@ TEST(DecompositionErrors, MeshesAFewRoundingsWideStayInTheirFrame)
     for (const Vertex& v : mesh.Vertices)
     {
       EXPECT_LE(std::hypot(double(v.X), double(v.Y), double(v.Z)), 1.0 + 1e-6) << width;
-      EXPECT_LE(std::abs(double(v.X)), mesh.HalfExtent[0] + 1e-6) << width;
+      EXPECT_LE(std::abs(double(v.X)), mesh.Frame.HalfExtent[0] + 1e-6) << width;
     }
   }
 }

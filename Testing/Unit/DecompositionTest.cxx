@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells become tetrahedra that fill them, and meet face to face.
 #include "Mesh/Decomposition.h"
-#include "Mesh/Scalars.h"
+#include "Mesh/MeshScalars.h"
 
 #include "GridSummary.h"
 #include "UnitMeshes.h"
@@ -221,15 +221,15 @@ TEST(Decomposition, LinearFieldsStayLinear)
     const Field field = linearField();
     TetMesh mesh = built(grid);
     ASSERT_FALSE(mesh.CenterCells.empty());
-    const ScalarRange range = setPointScalars(grid, grid->GetPointData()->GetScalars(), mesh);
+    const ScalarRange range = readScalars(grid, { grid->GetPointData()->GetScalars() }, mesh).Range;
     for (const Vertex& v : mesh.Vertices)
     {
-      const double x = mesh.Center[0] + mesh.Radius * double(v.X);
-      const double y = mesh.Center[1] + mesh.Radius * double(v.Y);
-      const double z = mesh.Center[2] + mesh.Radius * double(v.Z);
+      const double x = mesh.Frame.Center[0] + mesh.Frame.Radius * double(v.X);
+      const double y = mesh.Frame.Center[1] + mesh.Frame.Radius * double(v.Y);
+      const double z = mesh.Frame.Center[2] + mesh.Frame.Radius * double(v.Z);
       // Positions and scalars are rounded to float: half an ulp of 1 each.
       ASSERT_NEAR(range.Low + range.width() * double(v.Scalar), field(x, y, z),
-        std::ldexp(1.0, -24) * (mesh.Radius + range.width()));
+        std::ldexp(1.0, -24) * (mesh.Frame.Radius + range.width()));
     }
   }
 }

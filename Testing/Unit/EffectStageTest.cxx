@@ -151,8 +151,10 @@ TEST_F(Effects, GradientsOfCells)
   EXPECT_EQ(this->Stage.data().Gradients.size(), this->Mesh.Tets.size());
   EXPECT_TRUE(this->key().CellGradients);
   // Scalars of cells have no gradient within a cell.
-  this->Range =
-    makeCellScalars(this->Data->GetCellData()->GetScalars(), this->Mesh, this->CellScalars);
+  MeshScalars scalars =
+    readScalars(this->Data, { this->Data->GetCellData()->GetScalars(), true }, this->Mesh);
+  this->Range = scalars.Range;
+  this->CellScalars = std::move(scalars.OfCells);
   this->Which = { 1, 2 };
   this->expectRuns(3, 0, 0);
   EXPECT_EQ(this->Stage.data().Gradients.size(), this->Mesh.Vertices.size());
@@ -184,7 +186,8 @@ TEST_F(Effects, GradientOpacityIsOfTheDatasUnits)
   this->Data =
     withOffsetAndScale(jitteredLattice(3, 0.15, 1, linearField()), { 5.0, 6.0, 7.0 }, scale);
   this->Mesh = built(this->Data);
-  this->Range = setPointScalars(this->Data, this->Data->GetPointData()->GetScalars(), this->Mesh);
+  this->Range =
+    readScalars(this->Data, { this->Data->GetPointData()->GetScalars() }, this->Mesh).Range;
   vtkPiecewiseFunction* function = this->addGradientOpacity();
   function->RemoveAllPoints();
   function->AddPoint(0.0, 0.0);

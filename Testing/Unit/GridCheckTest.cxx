@@ -210,7 +210,7 @@ TEST(GridCheck, LargestCoordinates)
   }
   const TetMesh mesh = built(raw.grid());
   EXPECT_EQ(mesh.Tets.size(), 7u);
-  EXPECT_NEAR(mesh.Radius, std::sqrt(3.0) * 1e100, 1e85);
+  EXPECT_NEAR(mesh.Frame.Radius, std::sqrt(3.0) * 1e100, 1e85);
 }
 
 TEST(GridCheck, AllPointsEqual)
@@ -218,7 +218,7 @@ TEST(GridCheck, AllPointsEqual)
   RawGrid raw = gridOf({ Tet, Hexahedron });
   std::fill(raw.Points.begin(), raw.Points.end(), 7.0);
   const TetMesh mesh = builtWithHierarchy(raw.grid());
-  EXPECT_EQ(mesh.Radius, 1.0);
+  EXPECT_EQ(mesh.Frame.Radius, 1.0);
   for (const Vertex& v : mesh.Vertices)
   {
     EXPECT_EQ(v.X, 0.0f);

@@ -3,7 +3,7 @@
 // Which tetrahedra ghost arrays hide, and what a ray sees of the others.
 #include "Mesh/HiddenCells.h"
 #include "Mesh/HiddenCellStage.h"
-#include "Mesh/Scalars.h"
+#include "Mesh/MeshScalars.h"
 #include "Reference/Kernel.h"
 
 #include "ClosedForms.h"
@@ -169,7 +169,7 @@ struct Layers
       const int layer = static_cast<int>(2.0 * (bounds[0] + bounds[1]));
       ghosts->SetValue(cell, hide(layer) ? Ghosts::HIDDENCELL : 0);
     }
-    setPointScalars(this->Data, this->Data->GetPointData()->GetScalars(), this->Mesh);
+    readScalars(this->Data, { this->Data->GetPointData()->GetScalars() }, this->Mesh);
     this->Hidden = hiddenCells(this->Data, this->Mesh);
   }
 
@@ -181,7 +181,7 @@ struct Layers
     kernel.HiddenCells = hide && !this->Hidden.empty() ? this->Hidden.data() : nullptr;
     kernel.errorTolerance = 0.0;
     return kernel.castPlainRay(kernel.rayThrough({ 0.0, 0.0123, -0.0071 }, { 1.0, 0.0, 0.0 }), -1,
-      thickness * this->Mesh.Radius, -1e30, 1e30);
+      thickness * this->Mesh.Frame.Radius, -1e30, 1e30);
   }
 
   const Grid Data = jitteredLattice(4, 0.0, 1, constantField(0.5));
@@ -231,7 +231,7 @@ TEST(HiddenCells, MayBeOfScalarsThatAreNotFinite)
   auto kernel = kernelOf<CellKernel<double>, double>(layers.Mesh, whiteTable());
   kernel.CellScalars = layers.Scalars.data();
   const auto ray = kernel.rayThrough({ 0.0, 0.0123, -0.0071 }, { 1.0, 0.0, 0.0 });
-  const double length = layers.Mesh.Radius;
+  const double length = layers.Mesh.Frame.Radius;
   const auto cast = [&] { return kernel.castPlainRay(ray, -1, length, -1e30, 1e30).radiance; };
   EXPECT_EQ(cast().transmittance, 1.0);
   kernel.nanColor = { 0.2, 0.5, 0.9, 0.6 };

@@ -15,7 +15,7 @@ namespace
 namespace fs = std::filesystem;
 
 const fs::path Module = TETMARCH_MODULE_DIR;
-constexpr int TopFloor = 7; // its rooms know the public classes
+constexpr int TopFloor = 8; // its rooms know the public classes
 
 std::map<std::string, int> readFloors()
 {
@@ -128,7 +128,7 @@ TEST(Layering, FloorsNameEveryRoom)
     EXPECT_GE(floor, 1);
     EXPECT_LE(floor, TopFloor);
   }
-  EXPECT_GE(floors.size(), 13u);
+  EXPECT_GE(floors.size(), 17u);
 }
 
 TEST(Layering, IncludesGoDown)
@@ -145,12 +145,12 @@ TEST(Layering, IncludesGoDown)
 TEST(Layering, OneThatGoesUpIsFound)
 {
   const std::map<std::string, int> floors = readFloors();
-  EXPECT_NE(complaint({ "Mesh/TetMesh.h", 1, "Rays/View.h" }, floors), "");
+  EXPECT_NE(complaint({ "Mesh/TetMesh.h", 1, "Light/Lighting.h" }, floors), "");
   EXPECT_NE(complaint({ "Optics/BinAreas.h", 1, "Caching/Fingerprint.h" }, floors), "");
   EXPECT_NE(complaint({ "GL/Pipeline.h", 1, "vtkTetMarchVolumeMapper.h" }, floors), "");
   EXPECT_NE(complaint({ "Light/Lighting.h", 1, "vtkOpenGLRenderWindow.h" }, floors), "");
   EXPECT_NE(complaint({ "Mesh/TetMeshBuilder.h", 1, "TetMesh.h" }, floors), "");
-  EXPECT_EQ(complaint({ "Rays/View.h", 1, "Mesh/TetMesh.h" }, floors), "");
+  EXPECT_EQ(complaint({ "Blocks/BlockList.h", 1, "Mesh/TetMesh.h" }, floors), "");
   EXPECT_EQ(complaint({ "GL/Pipeline.h", 1, "vtkOpenGLRenderWindow.h" }, floors), "");
   EXPECT_EQ(complaint({ "Mapper/FrameOptions.h", 1, "vtkTetMarchSettings.h" }, floors), "");
   EXPECT_EQ(complaint({ "Mesh/TetMesh.h", 1, "vtkType.h" }, floors), "");

@@ -37,7 +37,7 @@ protected:
     double q[4] = { 0.0, 0.0, 0.0, w };
     for (int k = 0; k < 3; ++k)
     {
-      q[k] = w * this->Mesh.Center[k] + this->Mesh.Radius * p[k];
+      q[k] = w * this->Mesh.Frame.Center[k] + this->Mesh.Frame.Radius * p[k];
     }
     this->Volume->GetMatrix()->MultiplyPoint(q, q);
     return { { q[0], q[1], q[2] } };
@@ -174,10 +174,10 @@ TEST_F(LightTransforms, VolumesOfAnySize)
   for (const double size : { 1e-9, 1e9 })
   {
     SCOPED_TRACE(size);
-    this->Mesh.Radius = 2.5 * size;
+    this->Mesh.Frame.Radius = 2.5 * size;
     this->Transform->RotateZ(30.0);
     this->expectTransforms();
-    this->Mesh.Radius = 2.5;
+    this->Mesh.Frame.Radius = 2.5;
     this->Transform->Scale(size, size, size);
     this->expectTransforms();
     this->Transform->Identity();

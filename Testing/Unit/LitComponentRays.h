@@ -21,10 +21,7 @@
 
 namespace tetmarch::testing
 {
-inline double dot(const Vec3& a, const Vec3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 inline Vec3 normalized(const Vec3& v)
 {
@@ -91,7 +88,7 @@ public:
     for (int k = 0; k < 3; ++k)
     {
       const double rise = field(k == 0, k == 1, k == 2) - field(0.0, 0.0, 0.0);
-      g[k] = rise * 0.5 / this->Rays.Mesh.HalfExtent[k] / width;
+      g[k] = rise * 0.5 / this->Rays.Mesh.Frame.HalfExtent[k] / width;
     }
     return g;
   }

@@ -54,8 +54,8 @@ class LitVolume : public ::testing::Test
 protected:
   LitVolume()
   {
-    this->Mesh.Center = { { 0.25, -3.0, 7.0 } };
-    this->Mesh.Radius = 2.5;
+    this->Mesh.Frame.Center = { { 0.25, -3.0, 7.0 } };
+    this->Mesh.Frame.Radius = 2.5;
     this->Volume->SetUserTransform(this->Transform);
     this->Options.Shadows = ShadowMethod::AtVertices;
     this->Answers.Ambient = 0.25;
@@ -66,7 +66,7 @@ protected:
 
   LightUniforms lights()
   {
-    return makeLightUniforms(this->Answers, this->Options, this->Volume, this->Mesh);
+    return makeLightUniforms(this->Answers, this->Options, this->Volume, this->Mesh.Frame);
   }
 
   Lighting Answers; // the property's numbers, and the lights

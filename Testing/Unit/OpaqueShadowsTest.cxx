@@ -70,7 +70,7 @@ TEST_F(OpaqueShadowsOf, NoFurtherThanLightIsFollowed)
   this->Renderer->AddActor(plateAt(1.3));
   this->Options.Reach = 0.9;
   this->update();
-  const double reach = this->Stage.data().Lights.Reach * this->Mesh.Radius;
+  const double reach = this->Stage.data().Lights.Reach * this->Mesh.Frame.Radius;
   this->expectShadow(
     0,
     [reach](const Vector3& p) {

@@ -30,7 +30,7 @@ double enclosedVolume(const TetMesh& mesh)
            double(a.Y) * (double(b.Z) * double(c.X) - double(b.X) * double(c.Z)) +
            double(a.Z) * (double(b.X) * double(c.Y) - double(b.Y) * double(c.X));
   }
-  return sum / 6.0 * mesh.Radius * mesh.Radius * mesh.Radius;
+  return sum / 6.0 * mesh.Frame.Radius * mesh.Frame.Radius * mesh.Frame.Radius;
 }
 
 // Of closed surfaces each edge is run through as often in one direction as in the other.

@@ -24,7 +24,7 @@ View viewOf(const Shot& shot, const TetMesh& mesh)
   volume->SetUserTransform(shot.Transform);
   renderer->SetActiveCamera(shot.Camera);
   View view;
-  EXPECT_TRUE(makeView(renderer, volume, mesh, 1.0, view));
+  EXPECT_TRUE(makeView(renderer, volume, mesh.Frame, 1.0, view));
   return view;
 }
 
@@ -119,14 +119,14 @@ TEST(RayPoints, LieOnTheirRaysNearTheMesh)
     shot.Camera->SetClippingRange(1e-3, 1e9);
     View view = viewOf(shot, mesh);
     view.CutsNearPlane = false; // of the clipping range nothing is used
-    const std::array<double, 16> matrix = rayPoints(view, mesh);
+    const std::array<double, 16> matrix = rayPoints(view, mesh.Frame);
     std::mt19937 random(5);
     for (int i = 0; i < 1000; ++i)
     {
       Vec3 q;
       for (int k = 0; k < 3; ++k)
       {
-        q[k] = (2.0 * uniform(random) - 1.0) * mesh.HalfExtent[k];
+        q[k] = (2.0 * uniform(random) - 1.0) * mesh.Frame.HalfExtent[k];
       }
       double clip[4];
       for (int r = 0; r < 4; ++r)
@@ -152,7 +152,7 @@ TEST(RayPoints, LieOnTheNearPlaneThatCutsTheMesh)
   shot.Camera->SetClippingRange(2.5, 10.0);
   const View view = viewOf(shot, mesh);
   ASSERT_TRUE(view.CutsNearPlane);
-  const std::array<double, 16> matrix = rayPoints(view, mesh);
+  const std::array<double, 16> matrix = rayPoints(view, mesh.Frame);
   for (const double x : { -0.8, 0.0, 0.7 })
   {
     const Vec3 point = pointOf(matrix, x, 0.2);

@@ -37,8 +37,9 @@ Vec3 pointAt(const TetMesh& mesh, const RayTrace& trace, double depth)
   Vec3 point;
   for (int k = 0; k < 3; ++k)
   {
-    point[k] = mesh.Center[k] +
-               mesh.Radius * (trace.Origin[k] + (depth - trace.OriginDepth) * trace.Direction[k]);
+    point[k] =
+      mesh.Frame.Center[k] +
+      mesh.Frame.Radius * (trace.Origin[k] + (depth - trace.OriginDepth) * trace.Direction[k]);
   }
   return point;
 }
@@ -86,8 +87,8 @@ void expectUnitTet(double tolerance)
     const TracedCell& cell = trace.Cells[0];
     EXPECT_EQ(cell.Cell, 0u);
     EXPECT_EQ(cell.Outcome, CellOutcome::Gathered);
-    EXPECT_NEAR((cell.Enter - trace.OriginDepth) * mesh.Radius, begin, tolerance);
-    EXPECT_NEAR((cell.Leave - trace.OriginDepth) * mesh.Radius, end, tolerance);
+    EXPECT_NEAR((cell.Enter - trace.OriginDepth) * mesh.Frame.Radius, begin, tolerance);
+    EXPECT_NEAR((cell.Leave - trace.OriginDepth) * mesh.Frame.Radius, end, tolerance);
     EXPECT_EQ(cell.ScalarEnter[0], scalar);
     EXPECT_EQ(cell.ScalarLeave[0], scalar);
     const double seen = slabOpacity(opacity / shot.UnitDistance, end - begin);

@@ -113,9 +113,9 @@ TEST(Renumbering, PositionsAreRoundedOnlyOnce)
       {
         // Half an ulp of numbers up to 1, and double's own rounding at the offset.
         const double bound =
-          std::ldexp(mesh.Radius, -25) +
-          4 * std::numeric_limits<double>::epsilon() * (std::abs(p[k]) + mesh.Radius);
-        ASSERT_NEAR(mesh.Center[k] + mesh.Radius * double(q[k]), p[k], bound);
+          std::ldexp(mesh.Frame.Radius, -25) +
+          4 * std::numeric_limits<double>::epsilon() * (std::abs(p[k]) + mesh.Frame.Radius);
+        ASSERT_NEAR(mesh.Frame.Center[k] + mesh.Frame.Radius * double(q[k]), p[k], bound);
         largest = std::max(largest, std::abs(double(q[k])));
       }
     }
@@ -163,7 +163,7 @@ TEST(Renumbering, PointsOfNoTetrahedronAreLeftOut)
   grid->GetPoints()->InsertNextPoint(1e9, std::nan(""), 0.0);
   const TetMesh mesh = renumbered(grid);
   EXPECT_EQ(mesh.Vertices.size(), 4u);
-  EXPECT_DOUBLE_EQ(mesh.Radius, std::sqrt(0.75));
+  EXPECT_DOUBLE_EQ(mesh.Frame.Radius, std::sqrt(0.75));
 }
 
 TEST(Renumbering, ExtentsFromTinyToHuge)
@@ -171,7 +171,7 @@ TEST(Renumbering, ExtentsFromTinyToHuge)
   for (const double scale : { 1e-99, 1e-30, 1e30, 1e99 })
   {
     const TetMesh mesh = built(withOffsetAndScale(singleTet(), {}, scale));
-    EXPECT_NEAR(mesh.Radius / scale, std::sqrt(0.75), 1e-12);
+    EXPECT_NEAR(mesh.Frame.Radius / scale, std::sqrt(0.75), 1e-12);
   }
   for (const double scale : { 1e-101, 1e-160, 1e-200, 1e-308 })
   {
@@ -184,7 +184,7 @@ TEST(Renumbering, ExtentsFromTinyToHuge)
 TEST(Renumbering, AllPointsInOnePlace)
 {
   const TetMesh mesh = built(withOffsetAndScale(singleTet(), { 3.0, 4.0, 5.0 }, 0.0));
-  EXPECT_EQ(mesh.Radius, 1.0);
+  EXPECT_EQ(mesh.Frame.Radius, 1.0);
   EXPECT_EQ(mesh.Vertices[3].X, 0.0f);
 }
 } // namespace

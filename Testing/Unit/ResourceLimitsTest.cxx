@@ -5,7 +5,7 @@
 
 #include "Grids.h"
 #include "Mesh/LeastTetrahedra.h"
-#include "Mesh/ResourceLimits.h"
+#include "Mesh/MeshSizes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -79,13 +79,12 @@ TEST(ResourceLimits, OfAMesh)
 {
   const TetMesh mesh = builtWithHierarchy(jitteredLattice(3));
   std::uint64_t bytes = 0;
-  for (const BufferSize& size : bufferSizes(mesh, 7, 5, 11))
+  for (const BufferSize& size : bufferSizes(mesh, 7, 5))
   {
     bytes += size.Texels * size.BytesPerTexel;
   }
   EXPECT_EQ(bytes, 8 * mesh.Links.size() + 16 * mesh.BoundaryFaces.size() +
-                     32 * mesh.Hierarchy.size() + 16 * mesh.Vertices.size() + 7 * 4 + 5 * 4 +
-                     11 * 36);
+                     32 * mesh.Hierarchy.size() + 16 * mesh.Vertices.size() + 7 * 4 + 5 * 4);
 }
 
 TEST(LeastTetrahedra, IsWhatConvexCellsBecome)

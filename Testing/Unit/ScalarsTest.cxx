@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Arrays of every type become 0..1 and a range.
-#include "Mesh/Scalars.h"
+#include "Mesh/MeshScalars.h"
 
 #include "UnitMeshes.h"
 
@@ -40,13 +40,18 @@ vtkSmartPointer<vtkDataArray> arrayOf(
   return array;
 }
 
+DrawnScalars pointScalars(vtkDataArray* array, const TupleScalar& scalar)
+{
+  return { array, false, ComponentMix::Single, scalar };
+}
+
 // The stored scalar of every point of a single tetrahedron.
 std::array<float, 4> storedOf(
   vtkDataArray* array, ScalarRange& range, const TupleScalar& scalar = {})
 {
   const Grid grid = singleTet();
   TetMesh mesh = built(grid);
-  range = setPointScalars(grid, array, mesh, scalar);
+  range = readScalars(grid, pointScalars(array, scalar), mesh).Range;
   std::array<float, 4> stored{};
   for (std::size_t v = 0; v < 4; ++v)
   {
@@ -163,7 +168,7 @@ TEST(Scalars, MagnitudesInTheCentresOfCells)
     vectors->SetTuple2(i, 3.0 * double(i % 5) - 6.0, 4.0 * double(i % 5) - 8.0);
     mean += std::abs(5.0 * double(i % 5) - 10.0) / double(grid->GetNumberOfPoints());
   }
-  const ScalarRange range = setPointScalars(grid, vectors, mesh, { true, 0 });
+  const ScalarRange range = readScalars(grid, pointScalars(vectors, { true, 0 }), mesh).Range;
   for (std::size_t v = 0; v < mesh.Vertices.size(); ++v)
   {
     if (mesh.VertexPoints[v] >= mesh.NumberOfPoints)
@@ -225,11 +230,11 @@ TEST(Scalars, HugeAndTinyRanges)
 TEST(Scalars, OneACellGoesToAllItsTetrahedra)
 {
   const Grid grid = hexLattice(2);
-  const TetMesh mesh = built(grid);
-  std::vector<float> scalars;
-  const ScalarRange range =
-    makeCellScalars(arrayOf(VTK_INT, { 0, 1, 2, 3, 4, 5, 6, 7 }), mesh, scalars);
-  EXPECT_EQ(range.High, 7.0);
+  TetMesh mesh = built(grid);
+  const auto array = arrayOf(VTK_INT, { 0, 1, 2, 3, 4, 5, 6, 7 });
+  const MeshScalars read = readScalars(grid, { array, true }, mesh);
+  const std::vector<float>& scalars = read.OfCells;
+  EXPECT_EQ(read.Range.High, 7.0);
   ASSERT_EQ(scalars.size(), mesh.Tets.size());
   for (std::size_t t = 0; t < scalars.size(); ++t)
   {
@@ -254,16 +259,19 @@ TEST(Scalars, ArraysThatDontFitAreToldByName)
 {
   const auto array = arrayOf(VTK_FLOAT, { 1, 2, 3 });
   array->SetName("pressure");
-  EXPECT_EQ(checkScalars(array, 3, "points"), "");
-  for (const vtkIdType count : { 2, 4 })
+  const Grid grid = singleTet(); // 4 points, 1 cell
+  for (const bool ofCells : { false, true })
   {
-    const std::string error = checkScalars(array, count, "cells");
-    for (const std::string& word :
-      { std::string("\"pressure\""), std::string("3 tuples"), std::to_string(count) + " cells" })
+    const std::string error = checkScalars(grid, array, ofCells);
+    for (const char* word : { "\"pressure\"", "3 tuples", ofCells ? "1 cells" : "4 points" })
     {
       EXPECT_NE(error.find(word), std::string::npos) << word << " in: " << error;
     }
   }
+  array->SetNumberOfTuples(4);
+  EXPECT_EQ(checkScalars(grid, array, false), "");
+  array->SetNumberOfTuples(1);
+  EXPECT_EQ(checkScalars(grid, array, true), "");
 }
 
 // Without a check before: values that aren't there aren't drawn.
@@ -275,13 +283,13 @@ TEST(Scalars, TuplesThatAreNotThereAreNotDrawn)
   const Grid grid = quadraticHexLattice(2, 0.1);
   TetMesh mesh = built(grid);
   ASSERT_FALSE(mesh.CenterCells.empty());
-  setPointScalars(grid, arrayOf(VTK_DOUBLE, { 1, 3 }), mesh);
+  readScalars(grid, { arrayOf(VTK_DOUBLE, { 1, 3 }) }, mesh);
   for (std::size_t v = 0; v < mesh.Vertices.size(); ++v)
   {
     EXPECT_EQ(mesh.Vertices[v].Scalar == UndrawnScalar, mesh.VertexPoints[v] >= 2) << v;
   }
-  std::vector<float> scalars;
-  makeCellScalars(arrayOf(VTK_INT, { 5 }), mesh, scalars);
+  const std::vector<float> scalars =
+    readScalars(grid, { arrayOf(VTK_INT, { 5 }), true }, mesh).OfCells;
   for (std::size_t t = 0; t < scalars.size(); ++t)
   {
     EXPECT_EQ(scalars[t] == UndrawnScalar, mesh.TetCells[t] != 0) << t;
@@ -294,7 +302,8 @@ TEST(Scalars, UnusedPointsDontCount)
   const Grid grid = singleTet();
   grid->GetPoints()->InsertNextPoint(9.0, 9.0, 9.0);
   TetMesh mesh = built(grid);
-  const ScalarRange range = setPointScalars(grid, arrayOf(VTK_DOUBLE, { 1, 2, 3, 4, 1e9 }), mesh);
+  const ScalarRange range =
+    readScalars(grid, { arrayOf(VTK_DOUBLE, { 1, 2, 3, 4, 1e9 }) }, mesh).Range;
   EXPECT_EQ(range.High, 4.0);
 }
 } // namespace

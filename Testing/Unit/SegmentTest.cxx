@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What a ray gathers in one tetrahedron, thin or thick, against quadrature of VTK's functions.
-#include "Mesh/Scalars.h"
 #include "Reference/Kernel.h"
+#include "Scalars/StoredScalar.h"
 
 #include "ClosedForms.h"
 #include "GroundTruth.h"

@@ -24,7 +24,8 @@ protected:
   {
     this->Data = jitteredLattice(9, 0.15, 1, sineField());
     this->Mesh = built(this->Data);
-    this->Range = setPointScalars(this->Data, this->Data->GetPointData()->GetScalars(), this->Mesh);
+    this->Range =
+      readScalars(this->Data, { this->Data->GetPointData()->GetScalars() }, this->Mesh).Range;
     this->property()->ShadeOn();
     this->Options.Shadows = ShadowMethod::AtVertices;
     this->Options.OpaqueShadows = true;
@@ -43,7 +44,8 @@ protected:
     double p[4] = { 0.0, 0.0, 0.0, 1.0 };
     for (int k = 0; k < 3; ++k)
     {
-      p[k] = this->Mesh.Center[k] + this->Mesh.Radius * (place[k] + (others[k] - place[k]) / 64.0);
+      p[k] = this->Mesh.Frame.Center[k] +
+             this->Mesh.Frame.Radius * (place[k] + (others[k] - place[k]) / 64.0);
     }
     this->Volume->GetMatrix()->MultiplyPoint(p, p);
     return { { p[0], p[1], p[2] } };

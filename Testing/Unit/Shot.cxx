@@ -3,6 +3,7 @@
 #include "Shot.h"
 
 #include "CutLine.h"
+#include "Mesh/MeshScalars.h"
 #include "Optics/FittingTable.h"
 #include "Reference/ReferenceImage.h"
 
@@ -131,16 +132,12 @@ MarchedShot::MarchedShot(const Shot& shot, const AccuracyLevel& level)
   : Mesh(builtWithHierarchy(shot.Data))
 {
   ReferenceScene& scene = this->Scene;
-  if (shot.Scalars == ScalarsOf::Points)
-  {
-    scene.Range = setPointScalars(shot.Data, shot.Data->GetPointData()->GetScalars(), this->Mesh);
-  }
-  else
-  {
-    scene.Range =
-      makeCellScalars(shot.Data->GetCellData()->GetScalars(), this->Mesh, this->CellScalars);
-    scene.CellScalars = &this->CellScalars;
-  }
+  const bool ofCells = shot.Scalars != ScalarsOf::Points;
+  vtkDataArray* array =
+    ofCells ? shot.Data->GetCellData()->GetScalars() : shot.Data->GetPointData()->GetScalars();
+  this->Scalars = readScalars(shot.Data, { array, ofCells }, this->Mesh);
+  scene.Range = this->Scalars.Range;
+  scene.CellScalars = ofCells ? &this->Scalars.OfCells : nullptr;
   const OpticalModel model = modelOf(shot);
   this->Property->SetColor(model.Colour);
   this->Property->SetScalarOpacity(model.Opacity);
@@ -151,8 +148,8 @@ MarchedShot::MarchedShot(const Shot& shot, const AccuracyLevel& level)
   renderer->SetActiveCamera(shot.Camera);
   vtkNew<vtkVolume> volume;
   volume->SetUserTransform(shot.Transform);
-  EXPECT_TRUE(makeView(renderer, volume, this->Mesh, shot.UnitDistance, scene.Camera));
-  EXPECT_EQ(makeClipping(shot.Cut, volume, this->Mesh, scene.Cut), "");
+  EXPECT_TRUE(makeView(renderer, volume, this->Mesh.Frame, shot.UnitDistance, scene.Camera));
+  EXPECT_EQ(makeClipping(shot.Cut, volume, this->Mesh.Frame, scene.Cut), "");
   scene.Mesh = &this->Mesh;
   scene.Table = &this->Table;
   scene.Width = Shot::Size;

@@ -53,7 +53,7 @@ struct MarchedShot
   MarchedShot(const Shot& shot, const AccuracyLevel& level);
 
   TetMesh Mesh;
-  std::vector<float> CellScalars;
+  MeshScalars Scalars;
   vtkNew<vtkVolumeProperty> Property;
   IntegralTable Table;
   ReferenceScene Scene; ///< refers to these, and to the shot's depths

@@ -9,7 +9,8 @@
 
 #include "Light/EffectStage.h"
 
-#include "Mesh/Scalars.h"
+#include "Mesh/MeshScalars.h"
+#include "Volume/TetEffectSource.h"
 
 #include "Shot.h"
 
@@ -30,7 +31,8 @@ protected:
   StagedEffects()
   {
     this->Renderer->SetActiveCamera(vtkNew<vtkCamera>());
-    this->Range = setPointScalars(this->Data, this->Data->GetPointData()->GetScalars(), this->Mesh);
+    this->Range =
+      readScalars(this->Data, { this->Data->GetPointData()->GetScalars() }, this->Mesh).Range;
   }
 
   vtkVolumeProperty* property() { return this->Volume->GetProperty(); }
@@ -56,8 +58,7 @@ protected:
 
   std::string update()
   {
-    const EffectInput input{ &this->Mesh, &this->CellScalars, &this->Range, this->Which };
-    return this->Stage.update(this->Renderer, this->Volume, this->Options, input);
+    return this->Stage.update(this->Renderer, this->Volume, this->Options, { &this->Source });
   }
 
   // So often in all after one more update.
@@ -93,6 +94,7 @@ protected:
   std::vector<float> CellScalars;
   ScalarRange Range;
   Fingerprint Which{ 1, 1 };
+  TetEffectSource Source{ Mesh, CellScalars, Range, Which };
   vtkNew<WindowlessRenderer> Renderer;
   vtkNew<vtkVolume> Volume;
   EffectOptions Options;

@@ -133,7 +133,7 @@ TEST(TangledMeshes, RaysInFacesSeeTheFieldWhereTheyAre)
       return std::array<double, 4>{ { s, s, s, 1.0 } };
     });
   LengthMarcher<PointKernel<double>, double> weighted(mesh, ramp), plain(mesh);
-  const double h = mesh.HalfExtent[0];
+  const double h = mesh.Frame.HalfExtent[0];
   RandomRays random(33);
   int compared = 0;
   for (int i = 0; i < 20000; ++i)

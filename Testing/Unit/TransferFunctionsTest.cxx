@@ -3,9 +3,9 @@
 // Functions in the table are those that VTK evaluates.
 #include "Optics/TransferFunctions.h"
 
-#include "Mesh/Scalars.h"
 #include "Optics/FittingTable.h"
 #include "Reference/Kernel.h"
+#include "Scalars/StoredScalar.h"
 
 #include "UnitMeshes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Magnitudes of vectors and their components, from the least double to the greatest.
-#include "Mesh/TupleScalar.h"
+#include "Scalars/TupleScalar.h"
 
 #include <cmath>
 #include <cstdint>

@@ -31,7 +31,7 @@ double totalVolume(const TetMesh& mesh)
   {
     sum += std::abs(sixVolumes(mesh, tet)) / 6.0;
   }
-  return sum * mesh.Radius * mesh.Radius * mesh.Radius;
+  return sum * mesh.Frame.Radius * mesh.Frame.Radius * mesh.Frame.Radius;
 }
 
 const std::vector<NamedGrid>& everyGrid()

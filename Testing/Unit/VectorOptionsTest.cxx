@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether the mapper or the colour function says which component of an array is drawn.
-#include "Appearance/VectorOptions.h"
+#include "Scalars/DrawnScalars.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 
 #include <gtest/gtest.h>
@@ -31,8 +32,10 @@ protected:
   // A component, or one of the above.
   int chosen(VectorMode mode = VectorMode::Disabled, int component = 0)
   {
-    const TupleScalar scalar =
-      tupleScalarOf({ mode, component }, this->Property, this->Array, this->Error);
+    DrawnScalars drawn;
+    this->Error =
+      chooseScalars(this->Grid, this->Array, false, { mode, component }, this->Property, drawn);
+    const TupleScalar& scalar = drawn.First;
     return !this->Error.empty() ? Missing : scalar.Magnitude ? Magnitude : scalar.Component;
   }
 
@@ -44,6 +47,7 @@ protected:
     }
   }
 
+  vtkNew<vtkUnstructuredGrid> Grid; // without points, like the array
   vtkNew<vtkDoubleArray> Array;
   vtkNew<vtkVolumeProperty> Property;
   vtkNew<vtkColorTransferFunction> Colors;

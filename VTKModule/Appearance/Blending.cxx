@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Appearance/Blending.h"
 
-#include "Mesh/Scalars.h"
+#include "Scalars/StoredScalar.h"
 #include "Variants/VariantKey.h"
 
 #include "vtkColorTransferFunction.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a picture shows of the scalars along a ray.
+// The blend mode: what a picture shows of the scalars along a ray.
 #ifndef TetMarchAppearanceBlending_h
 #define TetMarchAppearanceBlending_h
 
@@ -36,7 +36,8 @@ constexpr int MostIsoSurfaces = 32;
 struct Blending
 {
   BlendMode Mode = BlendMode::Composite;
-  /** Stored scalars (0..1) that count: all, but for averages; the same two above 1: none. */
+  /** The stored scalars (0..1) that are counted: a part of them for averages, else all. Twice the
+   * same number above 1: none. */
   std::array<float, 2> AverageRange{ { -1, 2 } };
   std::vector<float> IsoValues;                // stored scalars, ascending, none twice
   std::vector<std::array<float, 4>> IsoColors; // r, g, b, opacity at each
@@ -47,7 +48,7 @@ struct Blending
     return this->Mode == BlendMode::Average || this->Mode == BlendMode::Additive;
   }
   bool isIsoSurface() const { return this->Mode == BlendMode::IsoSurface; }
-  /** Times which scalars are the greater, the more they are shown. */
+  /** The factor that makes the scalar that is shown the greatest one. */
   float extremeSign() const { return this->Mode == BlendMode::Minimum ? -1.0f : 1.0f; }
   void setBits(VariantKey& key) const;
 };
@@ -59,18 +60,18 @@ struct BlendOptions
   std::array<double, 2> AverageRange{}; // of the data's scalars
 };
 
-/** Of the stored scalars of that range. Returns an empty string, or what is wrong and what to do.
- */
+/** Blending of the stored scalars of that range. Returns an empty string, or what is wrong and what
+ * to do. */
 std::string makeBlending(const BlendOptions& options, vtkVolumeProperty* property,
   const ScalarRange& range, Blending& made);
 
-/** What is in it: equal if it shows the same. */
+/** Equal if the same is shown. */
 Fingerprint versionOf(const Blending& blending);
 
 /**
- * The table of the property: of composites as it is, under that law. Else its extinction is the
- * opacity itself; and for sums its colour is the intensity, 0 at the range's low end and 1 at its
- * high one.
+ * The table of the property. For composites its extinction follows from the opacity by the law;
+ * otherwise it is the opacity itself. For sums its colour is the intensity: 0 at the low end of the
+ * range and 1 at the high end.
  */
 IntegralTable blendedTable(vtkVolumeProperty* property, OpacityLaw law, const Blending& blending,
   const ScalarRange& range, const AccuracyLevel& level);

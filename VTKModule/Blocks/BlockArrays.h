@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of blocks as arrays of the whole.
+// Joins the arrays of blocks.
 #ifndef TetMarchBlocksBlockArrays_h
 #define TetMarchBlocksBlockArrays_h
 
@@ -18,7 +18,8 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
-/** Blocks with where their points are in the whole, of which there are `Count`. */
+/** Blocks that share points, and where their points are among the `Count` points of the joined
+ * grid. */
 struct SharedBlocks
 {
   std::vector<vtkDataSet*> Data;
@@ -26,21 +27,22 @@ struct SharedBlocks
   vtkIdType Count = 0;
 };
 
-/** In double precision if any block has its points so, else as they are. */
+/** The joined points: in double precision if any block has its points so, else in their own type.
+ */
 vtkSmartPointer<vtkPoints> joinPoints(const SharedBlocks& blocks);
-/** Give the grid, which has none, all cells in the order of the blocks, polyhedra with their faces.
- * They are sound (checkGrid). */
+/** Give the grid, which has no cells, those of all blocks in the order of the blocks, polyhedra
+ * with their faces. The cells are sound (checkGrid). */
 void joinCells(const SharedBlocks& blocks, vtkUnstructuredGrid* grid);
 
-/** Values of points or cells by one array a block of the same number of components each: of the
- * type that all of them have, or else in double precision. */
+/** Join one array of each block; all have the same number of components. The result has the type
+ * that all of them have, or else is in double precision. */
 vtkSmartPointer<vtkDataArray> joinPointValues(
   const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays);
 vtkSmartPointer<vtkDataArray> joinCellValues(
   const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays);
 
-/** Which points or cells are ghosts; null if no block has such an array. A shared point is what it
- * is in all of its blocks. */
+/** Join the arrays of ghosts; null if no block has one. A shared point has only the marks that it
+ * has in all of its blocks. */
 vtkSmartPointer<vtkUnsignedCharArray> joinPointGhosts(const SharedBlocks& blocks);
 vtkSmartPointer<vtkUnsignedCharArray> joinCellGhosts(const SharedBlocks& blocks);
 

@@ -108,8 +108,7 @@ Fingerprint shapeOf(const std::vector<Block>& blocks)
   {
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(block.Data))
     {
-      const Fingerprint version = versionOf(grid);
-      shape.insert(shape.end(), version.begin(), version.end());
+      add(shape, versionOf(grid));
       const char* ghosts = vtkDataSetAttributes::GhostArrayName();
       add(shape, grid->GetPointData()->GetGlobalIds());
       add(shape, grid->GetPointData()->GetArray(ghosts));

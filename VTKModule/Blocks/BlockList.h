@@ -26,18 +26,18 @@ struct Block
   bool CellScalars;
 };
 
-/** The data sets of the tree, but for surfaces (vtkPolyData), in its order. */
+/** The data sets of the tree except surfaces (vtkPolyData), in the order of the tree. */
 std::vector<Block> listBlocks(vtkCompositeDataSet* input, const ScalarSelection& selection);
 
 /** The box of the points of these blocks; not initialised if there are none. */
 void boundBlocks(vtkCompositeDataSet* input, double bounds[6]);
 
-/** Whether there is anything in the block that a volume is made of. */
+/** Whether the block has any 3D cell. */
 bool hasSolidCells(vtkDataSet* data);
 
-/** Identities and times of change of what a grid without scalars is joined from. */
+/** The version of what a grid without scalars is joined from. */
 Fingerprint shapeOf(const std::vector<Block>& blocks);
-/** Of the scalars. */
+/** The version of the scalars. */
 Fingerprint scalarsOf(const std::vector<Block>& blocks);
 
 } // namespace tetmarch

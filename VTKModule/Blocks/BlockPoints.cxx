@@ -37,12 +37,12 @@ struct PositionHash
   }
 };
 
-// Points of the whole by what identifies them. Several that lie in one place make a chain.
+// Points of the joined grid by their key. Several points in one place make a chain.
 template <typename Key, typename Hash>
 class PointsByKey
 {
 public:
-  // The point that a block's next point with this key is one with, or `next` if that is new.
+  // The joined point of a block's next point with this key, or `next` if it is new.
   vtkIdType find(const Key& key, std::size_t block, vtkIdType next)
   {
     const auto found = this->Firsts.try_emplace(key, this->Links.size());
@@ -69,7 +69,7 @@ private:
   struct Link
   {
     vtkIdType Point;
-    std::size_t LastBlock; // that has it
+    std::size_t LastBlock; // the last block with this point
     std::size_t Next;
   };
   std::unordered_map<Key, std::size_t, Hash> Firsts;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Of which block a cell is, in a grid that may have been joined from blocks.
+// The block that a cell comes from, in a grid that may have been joined from blocks.
 #ifndef TetMarchBlocksCellOrigins_h
 #define TetMarchBlocksCellOrigins_h
 
@@ -18,8 +18,8 @@ struct CellOrigin
   vtkIdType Cell;     // of that block
 };
 
-/** By default of a grid that is no block: its cells are those of number 1, as VTK's mappers have
- * it. */
+/** By default the origins of a grid that is no block: its cells belong to block 1, as in VTK's
+ * mappers. */
 class CellOrigins
 {
 public:
@@ -41,7 +41,7 @@ public:
 
 private:
   std::vector<unsigned int> Blocks;
-  std::vector<vtkIdType> Ends; // behind the last cell of each
+  std::vector<vtkIdType> Ends; // one past the last cell of each block
 };
 
 } // namespace tetmarch

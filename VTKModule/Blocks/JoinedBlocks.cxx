@@ -5,7 +5,7 @@
 #include "Caching/WithinMemory.h"
 #include "Mesh/GridCheck.h"
 #include "Mesh/HigherOrderCheck.h"
-#include "Mesh/Scalars.h"
+#include "Scalars/DrawnScalars.h"
 
 #include "vtkCellData.h"
 #include "vtkPointData.h"
@@ -20,14 +20,14 @@ namespace tetmarch
 namespace
 {
 
-// Whether the array can be put behind that of the first block.
+// Whether the block's array can be joined with that of the first block.
 bool fits(const Block& block, const Block& first)
 {
   return block.Scalars && block.CellScalars == first.CellScalars &&
          block.Scalars->GetNumberOfComponents() == first.Scalars->GetNumberOfComponents();
 }
 
-// A single block that needn't be joined with anything; may be null.
+// The only block, if it is a grid that can be drawn as it is; else null.
 vtkUnstructuredGrid* onlyGridOf(const std::vector<Block>& drawn)
 {
   return drawn.size() == 1 ? vtkUnstructuredGrid::SafeDownCast(drawn.front().Data) : nullptr;
@@ -63,7 +63,7 @@ void JoinedBlocks::clear()
   this->Record = record;
 }
 
-// Which blocks are drawn.
+// Choose the blocks that are drawn.
 std::string JoinedBlocks::choose(const std::vector<Block>& blocks, const ScalarSelection& selection)
 {
   std::string lacking;
@@ -136,7 +136,7 @@ std::string JoinedBlocks::join(const std::vector<Block>& drawn)
   return {};
 }
 
-// What the mesh takes from the data of cells and points.
+// Join the arrays that the mesh depends on.
 void JoinedBlocks::joinAttributes()
 {
   this->Grid->GetPointData()->AddArray(joinPointGhosts(this->Shared));
@@ -165,9 +165,7 @@ std::string JoinedBlocks::joinScalars(const std::vector<Block>& drawn)
   std::vector<vtkDataArray*> arrays;
   for (const Block& block : drawn)
   {
-    const std::string wrong =
-      this->CellScalars ? checkScalars(block.Scalars, block.Data->GetNumberOfCells(), "cells")
-                        : checkScalars(block.Scalars, block.Data->GetNumberOfPoints(), "points");
+    const std::string wrong = checkScalars(block.Data, block.Scalars, this->CellScalars);
     if (!wrong.empty())
     {
       return "Block " + block.Name + ": " + wrong;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The blocks of a composite data set as one grid, in which rays go on from block to block.
+// Joins the blocks of a composite data set into one grid, so that rays go on from block to block.
 #ifndef TetMarchBlocksJoinedBlocks_h
 #define TetMarchBlocksJoinedBlocks_h
 
@@ -21,23 +21,21 @@ namespace tetmarch
 class JoinedBlocks
 {
 public:
-  /**
-   * Joins the blocks that have the chosen array; of unchanged blocks with other scalars only these.
-   * Returns an empty string, or what is wrong and what to do; the grid is null then.
-   */
+  /** Join the blocks that have the chosen array. If only the scalars changed, only these are joined
+   * again. Returns an empty string, or what is wrong and what to do; the grid is null then. */
   std::string update(vtkCompositeDataSet* input, const ScalarSelection& selection);
   void clear();
 
   /** Points that blocks share (sharePoints) are one. Null if no block has 3D cells. */
   vtkUnstructuredGrid* grid() const { return this->Grid; }
-  /** Where blocks differ in the scalar of a shared point, that of the first one. */
+  /** A shared point has the scalar of the first of its blocks. */
   vtkDataArray* scalars() const { return this->Scalars; }
   bool hasCellScalars() const { return this->CellScalars; }
-  /** Of the grid's cells. */
+  /** Where the cells of the grid come from. */
   const CellOrigins& origins() const { return this->Origins; }
   /** Empty, or which blocks lack the array and are left out. */
   const std::string& omissions() const { return this->Omissions; }
-  /** How often any of this was made anew. */
+  /** How often anything was joined. */
   const StageRecord& record() const { return this->Record; }
 
 private:

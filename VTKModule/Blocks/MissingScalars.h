@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What to say where the array that is to be drawn is not there.
+// The error message for an array that is not there.
 #ifndef TetMarchBlocksMissingScalars_h
 #define TetMarchBlocksMissingScalars_h
 
@@ -20,11 +20,11 @@ struct ScalarSelection
   const char* Name; // may be nullptr
 };
 
-/** The array that is looked for, in words. */
+/** Describes the array that is looked for. */
 std::string describe(const ScalarSelection& selection);
 
-/** Which array was looked for in vain, which there are, and how to choose one. `hasNo` begins the
- * sentence. */
+/** Says which array was not found, which arrays there are, and how to choose one. `hasNo` begins
+ * the sentence. */
 std::string describeMissingScalars(
   vtkDataSet* data, const ScalarSelection& selection, const char* hasNo = "The grid has no ");
 

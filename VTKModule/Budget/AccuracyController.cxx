@@ -7,7 +7,7 @@ namespace tetmarch
 namespace
 {
 
-constexpr double Rounding = 1e-4; // of the bound, as a share
+constexpr double Rounding = 1e-4; // share of the bound
 
 bool keeps(const AccuracyOptions& options, const Rung& used, const FrameResult& frame)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// With which accuracy a frame is drawn: what the user set, or what keeps the user's budgets.
+// Decides the accuracy of a frame: what the user set, or what keeps the user's budgets.
 #ifndef TetMarchBudgetAccuracyController_h
 #define TetMarchBudgetAccuracyController_h
 
@@ -14,11 +14,11 @@ namespace tetmarch
 /** How a frame went. */
 struct FrameResult
 {
-  bool Drawn = false;    // to its end
-  bool IsPicture = true; // else a view, whose time tells nothing of a picture's
+  bool Drawn = false;    // completely
+  bool IsPicture = true; // false: a view, whose time says nothing about a picture
   bool OnlyDrawn = true; // no stage ran, and no shader was new
   double Seconds = 0;
-  double ErrorBound = 0; // greatest of a pixel; 0: not looked at
+  double ErrorBound = 0; // the greatest of all pixels; 0: not measured
   Fingerprint Subject;   // what was drawn, apart from camera and accuracy, at which size
 };
 
@@ -29,7 +29,7 @@ public:
   AccuracyLevel begin(const AccuracyOptions& options);
   void end(const FrameResult& frame);
 
-  /** Of the last frame that was drawn. */
+  /** What the last frame was drawn with. */
   const Rung& used() const { return this->Used; }
   /** Whether the last frame was drawn and kept the budgets that it had. */
   bool isKept() const { return this->Kept; }

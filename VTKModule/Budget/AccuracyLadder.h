@@ -23,7 +23,7 @@ struct AccuracyOptions
 struct Rung
 {
   Accuracy Level = Accuracy::Default;
-  double Tolerance = DefaultAccuracy.ErrorTolerance; // what is promised; 0: nothing
+  double Tolerance = DefaultAccuracy.ErrorTolerance; // the error that is promised; 0: none
 
   bool operator==(const Rung& other) const
   {
@@ -43,14 +43,14 @@ inline Rung rungOf(Accuracy accuracy, double tolerance)
 constexpr double LeastTolerance = 1e-6;
 
 /**
- * What may be drawn, from cheapest to best; without a budget of time that is one level.
+ * The candidates, from cheapest to best; without a time budget there is one.
  *
- * An error is kept most cheaply by Default with that tolerance. Fast is no candidate. For scalars
- * at points it promises nothing, and to measure its bound takes a march that bounds it, which costs
+ * An error budget is kept most cheaply by Default with that tolerance. Fast is no candidate: for
+ * scalars at points it promises nothing, and measuring its error bound takes a march that costs
  * more than the adaptive frame that it would save. For cell scalars both levels are the same
- * shader, in which only the end of a ray is off; what Fast could be held to is 1/512, with which
- * Default ends rays as early, and with more earlier. The tables of Fast have 1024 entries even
- * where these are off by more than Default allows (FittingTable.h).
+ * shader, in which only the end of a ray is inexact; Fast could promise 1/512, with which Default
+ * ends rays as early, and earlier with a larger tolerance. The tables of Fast have 1024 entries
+ * even where these are less exact than Default allows (FittingTable.h).
  */
 inline std::vector<Rung> ladderOf(const AccuracyOptions& options)
 {

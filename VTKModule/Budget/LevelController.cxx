@@ -11,19 +11,19 @@ namespace
 
 constexpr double LeastSeconds = 1e-9; // clocks may stand still
 
-// Of the budget: what the current level may take if the next one is tried at once, and what a level
-// is expected to take that is used without a trial.
+// Shares of the budget: the most that the current level may take if the next one is tried at once,
+// and the most that a level is expected to take that is used without a trial.
 constexpr double TrialShare = 0.5;
 constexpr double Aim = 0.95;
 
-// Of what it was expected to take when it was left: noise of 20 % does not get there.
+// Share of the time that was expected when the level was left: noise of 20 % does not reach it.
 constexpr double ClearlyCheaper = 0.75;
 
-// Two measurements of the same thing differ by less, with noise of 20 % to either side.
+// Two measurements of the same thing differ by a smaller factor, with noise of 20 % to either side.
 constexpr double MostNoise = 1.6;
 
 constexpr int MostAveraged = 8;
-constexpr int LeastAveraged = 4; // before small changes tell of other levels, too
+constexpr int LeastAveraged = 4; // before small changes are applied to other levels, too
 
 bool isOff(double seconds, double expected)
 {
@@ -70,7 +70,7 @@ void LevelController::drawn(double seconds, FrameKind kind)
   this->Unmeasured = keeps ? 0 : this->Unmeasured + 1;
   if (this->Unmeasured >= MostUnmeasured)
   {
-    if (kind == FrameKind::Disturbed) // else it would be tried again at once
+    if (kind == FrameKind::Disturbed) // otherwise it would be tried again at once
     {
       this->Past[this->Current].Seconds = seconds;
     }
@@ -87,7 +87,7 @@ void LevelController::measure(double seconds)
   const bool again = this->Outlier > 0 && (this->Outlier > before) == (seconds > before);
   if (!this->isKnown(this->Current) || (off && !this->Arrived))
   {
-    expected = seconds; // of this level something else was expected; of others that tells nothing
+    expected = seconds; // the expectation was wrong for this level only
     this->Count = 1;
   }
   else if (off && again)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which of several levels of accuracy keeps a frame time best, as far as frames that were drawn
-// tell.
+// Finds out which of several levels of accuracy keeps a frame time best, from the frames that were
+// drawn.
 #ifndef TetMarchBudgetLevelController_h
 #define TetMarchBudgetLevelController_h
 
@@ -10,11 +10,11 @@
 namespace tetmarch
 {
 
-/** What the time of a frame tells of its level. */
+/** What the time of a frame says about its level. */
 enum class FrameKind
 {
   Measured,  // it was drawn, and nothing else was done
-  Disturbed, // something else was done, too, or it was left unfinished
+  Disturbed, // other work was done as well, or the frame was left unfinished
   Changed    // as Disturbed, and past frames were of something else: data, functions, size
 };
 
@@ -44,11 +44,11 @@ public:
   static constexpr int Patience = 8;
   static constexpr int MostUnmeasured = 3;
 
-  /** Other levels from now on, 1 to MostLevels; nothing is known of them. */
+  /** From now on there are so many levels, 1 to MostLevels, of which nothing is known. */
   void restart(int levels);
-  /** In seconds. What levels take stays known. */
+  /** Set the budget in seconds. The known times of levels are kept. */
   void setBudget(double seconds);
-  /** The one to draw with. */
+  /** The level to draw with. */
   int level() const { return this->Current; }
   /** What a frame of that level took, in seconds. */
   void drawn(double seconds, FrameKind kind);
@@ -73,7 +73,7 @@ private:
   int Current = 0;
   double Budget = 0;
   int Count = 0;        // measurements behind what the current level is expected to take
-  bool Arrived = false; // one of them is of after the switch to it
+  bool Arrived = false; // one of these is from after the switch to the level
   double Outlier = 0;   // the last measurement, if it was far off
   int Unmeasured = 0;   // frames in a row, longer than the budget
 };

@@ -10,9 +10,10 @@ namespace tetmarch
 namespace
 {
 
-constexpr double Haste = 0.7; // of its time a frame must leave, before the next one has more rays
+// The next frame has more rays only if it is expected to take at most this share of its time.
+constexpr double Haste = 0.7;
 
-// The least power of the root of 2 that keeps the time.
+// The least power of the square root of 2 that keeps the time.
 double distanceFor(double fullSeconds, double seconds)
 {
   const double halvings = std::log2(fullSeconds / seconds);

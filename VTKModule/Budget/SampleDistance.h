@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How far rays are apart, in pixels, so that a frame keeps the time that it is given.
+// Chooses the distance between rays, in pixels, so that a frame keeps its time.
 #ifndef TetMarchBudgetSampleDistance_h
 #define TetMarchBudgetSampleDistance_h
 
@@ -11,12 +11,12 @@ class SampleDistance
 {
 public:
   /**
-   * For a frame that may take so many seconds, by what the last one took; the time of a frame goes
-   * with the number of its rays. Distances are powers of the root of 2, lest each frame have a
-   * size of its own, from least to most (at least 1).
+   * The distance for a frame that may take so many seconds. The time of a frame is taken to be
+   * proportional to the number of its rays. Distances are powers of the square root of 2, so that
+   * not every frame has a size of its own, between least (at least 1) and most.
    */
   double choose(double seconds, double least, double most);
-  /** A frame took so long with that distance. */
+  /** A frame with that distance took so many seconds. */
   void drawn(double distance, double seconds);
   bool knowsTime() const { return this->FullSeconds > 0; }
 

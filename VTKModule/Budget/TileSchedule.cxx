@@ -13,18 +13,19 @@ namespace
 constexpr std::int64_t SmallestTile =
   std::int64_t(TileSchedule::SmallestSide) * TileSchedule::SmallestSide;
 
-// Tiles aim below the limit, since no two are alike.
+// Tiles aim below the limit, since their times differ.
 constexpr double Aim = 0.8;
 
-// Of a picture that nothing is known of: the first two tiles, and the largest, since it may begin
-// with an empty background.
+// For a picture of which nothing is known: sizes of the first two tiles and of the largest, since
+// it may begin with an empty background.
 constexpr int FirstShare = 64;
 constexpr int LargestShare = 16;
 
-// So much longer what changed may take: opaque things that become transparent let rays go on.
+// So many times as long a changed picture may take: where opaque things become transparent, rays go
+// on.
 constexpr double MostChange = 16;
 
-// The size of equal parts, none above the most.
+// The size of equal parts, each at most `most`.
 int equalParts(int whole, std::int64_t most)
 {
   const std::int64_t parts = (whole + most - 1) / most;
@@ -81,7 +82,7 @@ bool TileSchedule::next(Tile& tile)
   if (this->X == 0)
   {
     const std::int64_t rows = most / this->Width;
-    const bool wide = rows >= SmallestSide / 2; // better flat than cut
+    const bool wide = rows >= SmallestSide / 2; // flat tiles are better than cut ones
     this->Rows = equalParts(this->Height - this->Y, wide ? rows : SmallestSide);
   }
   const int columns =
@@ -119,7 +120,7 @@ void TileSchedule::drawn(double seconds)
   else if (this->Known)
   {
     this->Past.Slowest =
-      std::max(this->Past.Slowest, this->Slowest); // should it be left unfinished
+      std::max(this->Past.Slowest, this->Slowest); // in case the picture is left unfinished
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Into which tiles a picture is cut so that none takes longer than a limit, as far as what was
-// drawn before tells.
+// Cuts a picture into tiles such that none takes longer than a limit, judged by what was drawn
+// before.
 #ifndef TetMarchBudgetTileSchedule_h
 #define TetMarchBudgetTileSchedule_h
 
@@ -22,23 +22,23 @@ struct Tile
 };
 
 /**
- * A picture that fits the limit is one tile. Whether it does is known from the last picture of the
- * same size; if there is none, the tiles begin small and grow. Tiles go from the bottom up, over
- * the whole width as long as they can.
+ * A picture that fits the limit is one tile. Whether it fits is judged by the last picture of the
+ * same size; without one, the tiles begin small and grow. Tiles go from the bottom up, and span the
+ * whole width as long as they can.
  */
 class TileSchedule
 {
 public:
-  /** Pixels; a side that is no longer is not cut. */
+  /** In pixels: a side of at most this length is not cut. */
   static constexpr int SmallestSide = 32;
 
-  /** Begin a picture; unless the limit in seconds is above 0, it is one tile. */
+  /** Begin a picture. Without a limit in seconds (0) it is one tile. */
   void begin(int width, int height, double mostSeconds);
-  /** The next tile; false if the picture is whole. */
+  /** Get the next tile. False if the picture is complete. */
   bool next(Tile& tile);
-  /** What the tile took that next() gave last. Drawing must have ended: glFinish(). */
+  /** Tell how long the last tile of next() took. Its drawing must be finished (glFinish()). */
   void drawn(double seconds);
-  /** Something else is drawn from now on, which may take much longer than what was. */
+  /** The next picture may take much longer than the last. */
   void expectChange() { this->Changed = true; }
 
   bool finished() const { return this->Y >= this->Height; }
@@ -69,7 +69,7 @@ private:
     int Height = 0;
     double Seconds = 0;
     double Slowest = 0;
-  } Past; // the last picture that became whole
+  } Past; // the last picture that was completed
   bool Changed = false;
 };
 

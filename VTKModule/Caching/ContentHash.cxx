@@ -18,13 +18,13 @@ namespace
 constexpr std::uint64_t Primes[] = { 0x9e3779b185ebca87u, 0xc2b2ae3d27d4eb4fu, 0x165667b19e3779f9u,
   0x85ebca77c2b2ae63u, 0x27d4eb2f165667c5u };
 
-// An array is hashed in that many pieces at most, of at least so many stripes. What a piece is
-// depends on the size of the array alone.
+// An array is hashed in at most so many pieces of at least so many stripes. The pieces depend on
+// the size of the array alone.
 constexpr std::size_t MostPieces = 256;
 constexpr std::size_t LeastStripes = 2048;
 
-// Four words, each of which goes into a lane of either hash, so that a processor has eight
-// multiplications under way.
+// Four words, each of which goes into a lane of both hashes, so that a processor has eight
+// multiplications in flight.
 constexpr std::size_t StripeWords = 4;
 using Stripe = std::array<std::uint64_t, StripeWords>;
 
@@ -41,7 +41,7 @@ std::uint64_t mixed(std::uint64_t x)
 class Hasher
 {
 public:
-  // One to one in the stripe as in the state, so that a single difference is never lost.
+  // Bijective in the stripe and in the state, so that a single difference is never lost.
   void add(const Stripe& stripe)
   {
     for (std::size_t i = 0; i < StripeWords; ++i)
@@ -68,7 +68,7 @@ private:
   Stripe Second{ { Primes[4], Primes[3], Primes[2], Primes[1] } };
 };
 
-// The bits of values that lie one behind the other.
+// The bits of values in contiguous memory.
 class Memory
 {
 public:
@@ -89,7 +89,7 @@ private:
   std::size_t Size;
 };
 
-// Values that lie otherwise or nowhere, as doubles.
+// Values that are not in contiguous memory, or in none, as doubles.
 class Values
 {
 public:

@@ -15,9 +15,10 @@ namespace tetmarch
 using ContentHash = std::array<std::uint64_t, 2>;
 
 /**
- * Two hashes of 64 bits of the array's type, its numbers of tuples and components and the bits of
- * its values, at the speed of memory: equal arrays have the same on a machine, however many threads
- * it has, and two that differ have the same by a chance of 2^-128 or so. All 0 for nullptr.
+ * Two hashes of 64 bits each of the array's type, its numbers of tuples and components and the
+ * bits of its values, at the speed of memory. Equal arrays have the same hash on a machine,
+ * whatever its number of threads. Different arrays have the same one with a probability of about
+ * 2^-128. All 0 for nullptr.
  */
 ContentHash contentHashOf(vtkDataArray* array);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a stage was made from: if it compares equal, the stage needn't run again.
+// The input of a stage: as long as it compares equal, the stage need not run again.
 #ifndef TetMarchCachingFingerprint_h
 #define TetMarchCachingFingerprint_h
 
@@ -29,6 +29,12 @@ inline void add(Fingerprint& fingerprint, double value)
   fingerprint.push_back(bits);
 }
 
+inline void add(Fingerprint& fingerprint, const Fingerprint& other)
+{
+  fingerprint.insert(fingerprint.end(), other.begin(), other.end());
+}
+
+/** Numbers, by their values as doubles. */
 template <typename Values>
 void addAll(Fingerprint& fingerprint, const Values& values)
 {

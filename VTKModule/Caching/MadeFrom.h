@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Something that is made from an input: anew when that is another one, and not at all when nothing
-// needs it.
+// Keeps a result up to date: it is made again when its input changed, and freed when nothing needs
+// it.
 #ifndef TetMarchCachingMadeFrom_h
 #define TetMarchCachingMadeFrom_h
 
@@ -14,7 +14,8 @@ namespace tetmarch
 class MadeFrom
 {
 public:
-  /** If the input is another one than before, call free(), and, unless it is empty, make(). */
+  /** If the input differs from the last one, call free() and then, unless the input is empty,
+   * make(). */
   template <typename Free, typename Make>
   void update(const Fingerprint& input, const Free& free, const Make& make)
   {

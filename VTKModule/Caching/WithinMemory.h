@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Memory that the computer doesn't have is an error like others.
+// Turns a lack of memory into an error message.
 #ifndef TetMarchCachingWithinMemory_h
 #define TetMarchCachingWithinMemory_h
 
@@ -11,7 +11,8 @@
 namespace tetmarch
 {
 
-/** Runs work that may need much. Returns an empty string, or that there is too little. */
+/** Run work that may need much memory. Returns an empty string, or the message that there is too
+ * little. */
 template <typename Work>
 std::string withinMemory(const char* purpose, Work&& work)
 {

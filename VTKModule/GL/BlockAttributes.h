@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which blocks of composite data are drawn, and how.
+// The attributes with which a mapper draws blocks of composite data.
 #ifndef TetMarchGLBlockAttributes_h
 #define TetMarchGLBlockAttributes_h
 
@@ -10,7 +10,7 @@ class vtkMapper;
 namespace tetmarch
 {
 
-/** nullptr if the mapper knows of none. */
+/** nullptr if the mapper has none. */
 vtkCompositeDataDisplayAttributes* blockAttributes(vtkMapper* mapper);
 
 } // namespace tetmarch

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/BoundaryViewPass.h"
 
-#include "GL/MeshTextures.h"
+#include "GL/MarchSource.h"
 #include "GL/PixelRays.h"
 #include "GL/StateScope.h"
 #include "GL/TileCorners.h"
@@ -21,23 +21,23 @@ std::string BoundaryViewPass::draw(vtkOpenGLRenderWindow* window, const MarchInp
       StateScope state(window);
       std::string error;
       vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
-        "passes/boundary_view.frag.glsl", inputs.Key.defines(), error);
+        inputs.Source->shaderOf(SourcePass::BoundaryView), inputs.Key.defines(), error);
       if (!program)
       {
         return error;
       }
-      // Depths are compared in the shader, along the rays, as in the march.
+      // The shader compares depths along the rays, as the march does.
       state->vtkglDisable(GL_BLEND);
       state->vtkglDisable(GL_DEPTH_TEST);
       state->vtkglDepthMask(GL_FALSE);
       state->vtkglDisable(GL_CULL_FACE);
 
-      inputs.Mesh->bind(program, inputs.Key);
+      inputs.Source->bind(program, inputs.Key);
       bindPixelRays(program, inputs, inputs.Area);
       program->SetUniformi("showsCoordinates", what == BoundaryView::Coordinates ? 1 : 0);
       drawCorners(program, this->Draw, inputs.Area, tile);
       unbindPixelRays(inputs);
-      inputs.Mesh->unbind();
+      inputs.Source->unbind();
       return error;
     });
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws where rays enter the mesh, without a march.
+// Draws the boundary faces at which rays enter the volume, without a march.
 #ifndef TetMarchGLBoundaryViewPass_h
 #define TetMarchGLBoundaryViewPass_h
 
@@ -14,9 +14,9 @@ class BoundaryViewPass
 {
 public:
   /**
-   * Opaque; pixels whose ray meets nothing, or opaque geometry first, stay as they are. The key of
-   * the inputs is one ofEntries(). Returns an empty string, or what is wrong; `stopped` becomes
-   * true if progress asked to stop between two tiles.
+   * Draw opaque colours. Pixels whose ray meets nothing, or opaque geometry first, stay as they
+   * are. The key of the inputs is one ofEntries(). Returns an empty string, or what is wrong;
+   * `stopped` becomes true if progress asked to stop between two tiles.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, BoundaryView what,
     const Progress& progress, bool& stopped);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of fewer rays than the viewport has pixels.
+// Draws a picture with fewer rays than the viewport has pixels.
 #ifndef TetMarchGLCoarsePicture_h
 #define TetMarchGLCoarsePicture_h
 
@@ -11,17 +11,16 @@
 namespace tetmarch
 {
 
-/** How many pixels the viewport has if neighbours are so far apart: at least 1 x 1, in its corner.
- */
+/** The viewport in pixels that are sampleDistance apart: at least 1 x 1, in the same corner. */
 Viewport coarseArea(const Viewport& area, double sampleDistance);
 
 class CoarsePicture
 {
 public:
   /**
-   * Marches the area of the inputs, which is a coarse one, and blends the picture over that of the
-   * window, interpolated. Returns an empty string, or what is wrong; `stopped` becomes true if
-   * progress asked to stop: then nothing is blended.
+   * March the coarse area of the inputs, and blend the picture, interpolated, over that of the
+   * window. Returns an empty string, or what is wrong; `stopped` becomes true if progress asked to
+   * stop, and nothing is blended then.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const Viewport& area, MarchPass& march,
     const MarchInputs& inputs, const Progress& progress, bool& stopped);

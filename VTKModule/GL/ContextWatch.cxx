@@ -11,8 +11,9 @@
 namespace tetmarch
 {
 
-// Windows tell their textures. The class through which they do (vtkOpenGLResourceFreeCallback) is
-// not installed before VTK 9.6, and buffers and vertex arrays don't use it.
+// A window tells its textures when its context ends. The class through which it does
+// (vtkOpenGLResourceFreeCallback) is not installed before VTK 9.6, and buffers and vertex arrays
+// don't use it. So a texture is used to be told.
 class ContextWatch::Sentinel : public vtkTextureObject
 {
 public:

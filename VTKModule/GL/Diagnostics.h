@@ -17,20 +17,20 @@ namespace tetmarch
 class Diagnostics
 {
 public:
-  /** March once more, counting, and say in `stopped` if progress asked to stop; nothing is then
-   * kept. Returns an empty string, or what is wrong. */
+  /** March once more with the counting variant. Returns an empty string, or what is wrong;
+   * `stopped` becomes true if progress asked to stop, and nothing is kept then. */
   std::string collect(vtkOpenGLRenderWindow* window, MarchPass& march, MarchInputs inputs,
     const Progress& progress, bool& stopped);
   const MarchCounters& counters() const { return this->Counters; }
-  /** Of each pixel: tetrahedra crossed (0: the ray met nothing), lookups, error bound, 0. */
+  /** For each pixel: tetrahedra crossed (0: the ray met nothing), lookups, error bound, 0. */
   const std::vector<float>& measures() const { return this->Measures; }
   /** Premultiplied RGBA in float, rows from the bottom, of the last collect(). */
   const std::vector<float>& pixels() const { return this->Pixels; }
-  /** What collect() took. */
+  /** The time of the last collect(). */
   double seconds() const { return this->Record.Seconds; }
-  /** The measures as a texture, as long as nothing else is collected. */
+  /** The measures as a texture, until the next collect(). */
   vtkTextureObject* measuresTexture() const { return this->Target.color(1); }
-  /** Draw calls of the last collect(), up to where it was stopped. */
+  /** Draw calls of the last collect(), until it was stopped. */
   int numberOfDraws() const { return this->Tiles.numberOfTiles(); }
   std::size_t bytes() const { return this->Target.bytes(); }
   void clear();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the effects read, on the GPU: only what the variant at hand calls for.
+// The data of the effects on the GPU, as far as the variant needs it.
 #ifndef TetMarchGLEffectTextures_h
 #define TetMarchGLEffectTextures_h
 
@@ -18,11 +18,11 @@ namespace tetmarch
 class EffectTextures
 {
 public:
-  /** Bring what is new, and free what the key does without. Returns an empty string, or what is
-   * wrong. */
+  /** Upload what has changed, and free what the key does not need. Returns an empty string, or what
+   * is wrong. */
   std::string update(
     vtkOpenGLRenderWindow* window, const EffectStage& stage, const VariantKey& key);
-  /** For a march whatever it is for: gradients and what depends on them. */
+  /** For every march: gradients and what depends on them. */
   void bind(vtkShaderProgram* program, const EffectData& data, const VariantKey& key);
   /** For rays from vertices. */
   void bindStarts(vtkShaderProgram* program) { this->Starts.bind(program, "vertexStartBuffer"); }
@@ -35,7 +35,7 @@ public:
   void unbind();
   void release(vtkWindow* window);
   std::size_t bytes() const;
-  /** Ever. */
+  /** How many bytes were uploaded in all. */
   std::int64_t uploadedBytes() const;
 
 private:

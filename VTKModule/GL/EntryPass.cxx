@@ -16,7 +16,7 @@ namespace tetmarch
 namespace
 {
 
-// Depths outside of 0..1 are taken for 0 and 1 while this lives. VTK keeps no record of this state.
+// Clamps depths to 0..1 while it lives. VTK keeps no record of this state.
 class DepthClamp
 {
 public:
@@ -64,15 +64,15 @@ std::string EntryPass::draw(vtkOpenGLRenderWindow* window, const Viewport& viewp
   state->vtkglClearDepth(1.0);
   state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-  // The depth of a needle may run out of 0..1 where its rounded image holds a pixel that it
-  // doesn't.
+  // The interpolated depth of a needle may leave 0..1 at a pixel that only its rounded image
+  // covers.
   const DepthClamp clamp;
   vtkShaderProgram* program =
     this->Draw.use(window, "passes/entry.vert.glsl", "passes/entry.frag.glsl", {}, error);
   if (program)
   {
     textures.bindBoundary(program);
-    setUniform(program, "normalizedToClip", fittedDepths(view, mesh));
+    setUniform(program, "normalizedToClip", fittedDepths(view, mesh.Frame));
     this->Draw.drawTriangles(static_cast<int>(mesh.BoundaryFaces.size()));
     textures.unbind();
   }

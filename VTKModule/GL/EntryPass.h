@@ -18,8 +18,8 @@ struct View;
 class EntryPass
 {
 public:
-  /** Those of other pixels than the part's are left as they are. Returns an empty string, or what
-   * is wrong. */
+  /** Draw the entries of a part of the viewport; other pixels stay as they are. Returns an empty
+   * string, or what is wrong. */
   std::string draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, const Viewport& part,
     const View& view, const TetMesh& mesh, MeshTextures& textures);
   vtkTextureObject* entries() const { return this->Target.color(0); }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The GL keeps errors until somebody asks.
+// The queue in which the GL keeps errors until somebody asks.
 #ifndef TetMarchGLErrorQueue_h
 #define TetMarchGLErrorQueue_h
 
@@ -10,7 +10,7 @@
 namespace tetmarch
 {
 
-/** Forget errors that others left; a lost context reports one for ever. */
+/** Remove the errors that others caused. A lost context reports one for ever. */
 inline void clearErrors()
 {
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
@@ -19,7 +19,7 @@ inline void clearErrors()
 }
 
 /** Whether the GL had room for a texture that was just made. A VTK that is built to report errors
- * has asked for them by then, and nobody else gets to know; the texture then has no size. */
+ * has already taken the error from the queue; then the texture has no size. */
 inline bool hasRoom(vtkTextureObject* texture)
 {
   const bool sound = glGetError() == GL_NO_ERROR;

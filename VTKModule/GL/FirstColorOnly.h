@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture goes into the first colour buffer of the framebuffer alone.
+// Restricts drawing to the first colour buffer of the framebuffer.
 #ifndef TetMarchGLFirstColorOnly_h
 #define TetMarchGLFirstColorOnly_h
 
@@ -14,9 +14,9 @@ namespace tetmarch
 
 /**
  * A render pass may have surfaces write more than their colour, each into a buffer of its own
- * (vtkSSAOPass: positions and normals). What a shader that knows nothing of them leaves there is
- * undefined, so they take no part while this lives. The framebuffer that is bound for drawing must
- * be the same at its end.
+ * (vtkSSAOPass: positions and normals). A shader that doesn't know of these buffers would leave
+ * undefined values there, so they are switched off while this object lives. The framebuffer that is
+ * bound for drawing must be the same at its end.
  */
 class FirstColorOnly
 {
@@ -32,7 +32,7 @@ public:
     }
     if (this->Count > 1)
     {
-      // Not through VTK's record of the state, which takes fewer buffers for no change.
+      // Not through VTK's record of the state, which ignores a change to fewer buffers.
       glDrawBuffers(1, this->Buffers.data());
     }
   }

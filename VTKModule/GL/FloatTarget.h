@@ -27,9 +27,9 @@ class FloatTarget
 {
 public:
   /**
-   * Make it if it isn't there, give it the size, and bind it for drawing into all its colours.
-   * Framebuffer bindings are the caller's to restore (StateScope). Returns an empty string, or what
-   * is wrong.
+   * Make the framebuffer if it isn't there, give it the size, and bind it for drawing into all its
+   * colours. The caller restores framebuffer bindings (StateScope). Returns an empty string, or
+   * what is wrong.
    */
   std::string bind(vtkOpenGLRenderWindow* window, int width, int height, int colors, bool depth,
     TargetFormat format = TargetFormat::Float32);

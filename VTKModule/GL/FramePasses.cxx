@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/FramePasses.h"
 
+#include "GL/MarchSource.h"
 #include "Rays/RayPoints.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -9,13 +10,13 @@
 namespace tetmarch
 {
 
-std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
-  MarchInputs inputs, const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view,
-  BoundaryView shell, double sampleDistance, const Progress& progress, bool& stopped)
+std::string FramePasses::draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
+  const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, BoundaryView shell,
+  double sampleDistance, const Progress& progress, bool& stopped)
 {
   this->clear();
   const bool coarse = sampleDistance > 1;
-  this->releaseUnused(window, inputs.Key, diagnostics, view, shell, coarse);
+  this->releaseUnused(window, inputs, diagnostics, view, shell, coarse);
   this->ChangedVariant = !(inputs.Key == this->LastKey);
   if (this->ChangedVariant)
   {
@@ -25,8 +26,8 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
   std::string error;
   if (inputs.Key.hasVertexLight())
   {
-    error =
-      this->Light.update(window, inputs, mesh.Vertices.size(), lightVersion, progress, stopped);
+    error = this->Light.update(
+      window, inputs, inputs.EffectValues->VertexStarts.size(), lightVersion, progress, stopped);
     if (!error.empty() || stopped)
     {
       return error;
@@ -40,7 +41,7 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
     inputs.DepthsPerPixel = { { float(area.Width) / float(inputs.Area.Width),
       float(area.Height) / float(inputs.Area.Height) } };
   }
-  error = this->findRays(window, mesh, inputs.Area, area, inputs);
+  error = this->findRays(window, inputs.Area, area, inputs);
   if (shell != BoundaryView::None)
   {
     error = error.empty() ? this->Shell.draw(window, inputs, shell, progress, stopped) : error;
@@ -67,19 +68,20 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh
   return error;
 }
 
-// Where the rays of the pixels in a part of the area begin, and end by the depths of the window.
-std::string FramePasses::findRays(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
-  const Viewport& part, const Viewport& depths, MarchInputs& inputs)
+// Find where the rays of the pixels in a part of the area begin, and where they end by the depths
+// of the window.
+std::string FramePasses::findRays(
+  vtkOpenGLRenderWindow* window, const Viewport& part, const Viewport& depths, MarchInputs& inputs)
 {
   std::string error;
   if (inputs.Key.RasterEntry)
   {
-    error = this->Entry.draw(window, inputs.Area, part, *inputs.Camera, mesh, *inputs.Mesh);
-    inputs.Entries = error.empty() ? this->Entry.entries() : nullptr;
+    error = inputs.Source->drawEntries(window, inputs.Area, part, *inputs.Camera);
+    inputs.Entries = error.empty() ? inputs.Source->entries() : nullptr;
   }
   if (inputs.Key.Hierarchy)
   {
-    inputs.RayPoints = rayPoints(*inputs.Camera, mesh);
+    inputs.RayPoints = rayPoints(*inputs.Camera, inputs.Source->frame());
   }
   if (error.empty() && inputs.Key.OpaqueDepth)
   {
@@ -89,30 +91,30 @@ std::string FramePasses::findRays(vtkOpenGLRenderWindow* window, const TetMesh& 
   return error;
 }
 
-std::string FramePasses::pick(vtkOpenGLRenderWindow* window, const TetMesh& mesh,
-  MarchInputs inputs, const Viewport& part, const Progress& progress, bool& stopped,
-  std::vector<PickedPoint>& points)
+std::string FramePasses::pick(vtkOpenGLRenderWindow* window, MarchInputs inputs,
+  const Viewport& part, const Progress& progress, bool& stopped, std::vector<PickedPoint>& points)
 {
-  // Rays look at the entries of the pixels beside theirs, too.
+  // Rays also look at the entries of neighbouring pixels.
   const Viewport around{ part.X - 1, part.Y - 1, part.Width + 2, part.Height + 2 };
-  std::string error = this->findRays(window, mesh, around, inputs.Area, inputs);
+  std::string error = this->findRays(window, around, inputs.Area, inputs);
   if (error.empty())
   {
     error = this->Picking.pick(window, inputs, part, progress, stopped, points);
   }
-  if (!this->LastKey.OpaqueDepth) // rays of picks end at opaque geometry anyway
+  if (!this->LastKey.OpaqueDepth) // picks use depths even if the picture does not
   {
     this->Opaque.release(window);
   }
   return error;
 }
 
-void FramePasses::releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
+void FramePasses::releaseUnused(vtkWindow* window, const MarchInputs& inputs, bool diagnostics,
   const MeasureView* view, BoundaryView shell, bool coarse)
 {
+  const VariantKey& key = inputs.Key;
   if (!key.RasterEntry)
   {
-    this->Entry.release(window);
+    inputs.Source->releaseEntries(window);
   }
   if (!key.OpaqueDepth)
   {
@@ -160,7 +162,6 @@ void FramePasses::clear()
 
 void FramePasses::release(vtkWindow* window)
 {
-  this->Entry.release(window);
   this->Opaque.release(window);
   this->Light.release(window);
   this->March.release();

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn in a frame, in order: entries, depths of opaque geometry, counters, then the
-// picture or a view of what was counted.
+// The passes of a frame in order: light at vertices, entries, depths of opaque geometry, counters,
+// then the picture or a view of what was counted.
 #ifndef TetMarchGLFramePasses_h
 #define TetMarchGLFramePasses_h
 
 #include "GL/BoundaryViewPass.h"
 #include "GL/CoarsePicture.h"
 #include "GL/Diagnostics.h"
-#include "GL/EntryPass.h"
 #include "GL/MarchPass.h"
 #include "GL/OpaqueDepth.h"
 #include "GL/PickPass.h"
@@ -22,28 +21,26 @@ class FramePasses
 {
 public:
   /**
-   * Returns an empty string, or what is wrong; `stopped` becomes true if progress asked to stop.
-   * Entries and depths of the inputs are added here. With a view it is drawn instead of the
-   * picture, diagnostics or not; with one of the shell nothing is marched or counted. Rays are
-   * sampleDistance pixels apart, 1 if anything but the picture is asked for.
+   * Draw a frame. Entries and depths are added to the inputs. A view is drawn instead of the
+   * picture, with or without diagnostics; with a view of the boundary nothing is marched or
+   * counted. Rays are sampleDistance pixels apart; it is 1 if anything but the picture is asked
+   * for. Returns an empty string, or what is wrong; `stopped` becomes true if progress asked to
+   * stop.
    */
-  std::string draw(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
+  std::string draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
     const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, BoundaryView shell,
     double sampleDistance, const Progress& progress, bool& stopped);
-  /**
-   * Where the rays of a part of the inputs' area are picked (PickPass), for the level's tolerance.
-   * Nothing of what the last draw() made is touched.
-   */
-  std::string pick(vtkOpenGLRenderWindow* window, const TetMesh& mesh, MarchInputs inputs,
-    const Viewport& part, const Progress& progress, bool& stopped,
-    std::vector<PickedPoint>& points);
+  /** Find the points at which the rays of a part of the inputs' area are picked (PickPass), for the
+   * level's tolerance. The results of the last draw() are kept. */
+  std::string pick(vtkOpenGLRenderWindow* window, MarchInputs inputs, const Viewport& part,
+    const Progress& progress, bool& stopped, std::vector<PickedPoint>& points);
   /** The next frame may take much longer than the last. */
   void expectChange();
-  /** No picture, no counters: what is asked for before the next draw(). */
+  /** Forget the results of the last draw(). */
   void clear();
   void release(vtkWindow* window);
 
-  /** Whether the last picture was by another variant of the shader than the one before. */
+  /** Whether the last picture was drawn by another variant of the shader than the one before. */
   bool changedVariant() const { return this->ChangedVariant; }
   /** Draw calls of the picture, or of the march that a view shows. */
   int numberOfDraws() const { return this->Draws; }
@@ -55,24 +52,23 @@ public:
   /** Whether the last picture looked for light through the volume along each ray. */
   bool samplesShadows() const { return this->LastKey.SampledShadows; }
   const Diagnostics& counted() const { return this->Counted; }
-  /** Of opaque geometry, one a pixel, if the last frame looked at them; else empty. */
+  /** Depths of opaque geometry, one a pixel, if the last frame used them; else empty. */
   std::vector<float> opaqueDepths(vtkOpenGLRenderWindow* window) const
   {
     return this->LastKey.OpaqueDepth ? this->Opaque.read(window) : std::vector<float>();
   }
   std::size_t bytes() const
   {
-    return this->Entry.bytes() + this->Opaque.bytes() + this->Counted.bytes() +
-           this->Shown.bytes() + this->Light.bytes() + this->Coarse.bytes();
+    return this->Opaque.bytes() + this->Counted.bytes() + this->Shown.bytes() +
+           this->Light.bytes() + this->Coarse.bytes();
   }
 
 private:
-  std::string findRays(vtkOpenGLRenderWindow* window, const TetMesh& mesh, const Viewport& part,
-    const Viewport& depths, MarchInputs& inputs);
-  void releaseUnused(vtkWindow* window, const VariantKey& key, bool diagnostics,
+  std::string findRays(vtkOpenGLRenderWindow* window, const Viewport& part, const Viewport& depths,
+    MarchInputs& inputs);
+  void releaseUnused(vtkWindow* window, const MarchInputs& inputs, bool diagnostics,
     const MeasureView* view, BoundaryView shell, bool coarse);
 
-  EntryPass Entry;
   OpaqueDepth Opaque;
   VertexLightPass Light;
   MarchPass March;

@@ -6,7 +6,7 @@
 #include "GL/ClippingBinding.h"
 #include "GL/EffectTextures.h"
 #include "GL/LightBinding.h"
-#include "GL/MeshTextures.h"
+#include "GL/MarchSource.h"
 #include "GL/PeelHooks.h"
 #include "GL/PixelRays.h"
 #include "GL/StateScope.h"
@@ -72,13 +72,13 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
 {
   std::string error;
   vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
-    "passes/march.frag.glsl", inputs.Key.defines(), error, inputs.Peeling);
+    inputs.Source->shaderOf(SourcePass::March), inputs.Key.defines(), error, inputs.Peeling);
   if (!program)
   {
     return error;
   }
   const VariantKey& key = inputs.Key;
-  inputs.Mesh->bind(program, inputs.Key);
+  inputs.Source->bind(program, inputs.Key);
   inputs.Tables->bind(
     program, *inputs.Table, inputs.Range, *inputs.Parts, inputs.Level, inputs.Key);
   bindBlending(program, *inputs.Blend, key);
@@ -112,7 +112,7 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
 
   drawCorners(program, this->Draw, target, tile);
 
-  inputs.Mesh->unbind();
+  inputs.Source->unbind();
   inputs.Tables->unbind();
   if (inputs.Effects)
   {

@@ -7,8 +7,8 @@
 #include "GL/ShaderDraw.h"
 #include "GL/TiledDraw.h"
 #include "GL/Viewport.h"
-#include "Mesh/Scalars.h"
 #include "Optics/AccuracyLevel.h"
+#include "Scalars/StoredScalar.h"
 #include "Variants/VariantKey.h"
 
 class vtkTextureObject;
@@ -17,7 +17,7 @@ namespace tetmarch
 {
 
 class EffectTextures;
-class MeshTextures;
+class MarchSource;
 class StateScope;
 class TableTextures;
 struct Blending;
@@ -33,41 +33,41 @@ struct MarchInputs
   VariantKey Key;
   Viewport Area;
   const View* Camera = nullptr;
-  MeshTextures* Mesh = nullptr;
+  MarchSource* Source = nullptr;
   TableTextures* Tables = nullptr;
   const IntegralTable* Table = nullptr;
   ScalarRange Range;
-  const Components* Parts = nullptr; // beside the scalar of that range
+  const Components* Parts = nullptr; // tables of what is drawn with the scalar of that range
   AccuracyLevel Level = DefaultAccuracy;
   const Blending* Blend = nullptr;
-  EffectTextures* Effects = nullptr; // and its values: if the key has gradients
+  EffectTextures* Effects = nullptr; // with EffectValues: if the key has gradients
   const EffectData* EffectValues = nullptr;
-  const Clipping* Cut = nullptr;                   // if the key is Clipped
-  vtkTextureObject* VertexLight = nullptr;         // if the key has it
-  std::array<double, 16> RayPoints{};              // if the key has Hierarchy
-  vtkTextureObject* Entries = nullptr;             // if the key has RasterEntry
-  vtkTextureObject* Depths = nullptr;              // if the key has OpaqueDepth: of the viewport,
-  std::array<float, 2> DepthsPerPixel{ { 1, 1 } }; // so many a pixel of the area
+  const Clipping* Cut = nullptr;           // if the key is Clipped
+  vtkTextureObject* VertexLight = nullptr; // if the key has it
+  std::array<double, 16> RayPoints{};      // if the key has Hierarchy
+  vtkTextureObject* Entries = nullptr;     // if the key has RasterEntry
+  vtkTextureObject* Depths = nullptr;      // if the key has OpaqueDepth: those of the viewport,
+  std::array<float, 2> DepthsPerPixel{ { 1, 1 } }; // with so many for each pixel of the area
   const PeelHooks* Peeling = nullptr;              // if the key is Peeled
   double MostSecondsPerDraw = 0;                   // 0: no limit
   double MostLightSeconds = 0;                     // of a frame, for light at vertices; 0: no limit
 };
 
-/** Premultiplied colours over what is there, without depths. */
+/** Blend premultiplied colours over the framebuffer, without depths. */
 void blendPremultiplied(const StateScope& state);
 
 class MarchPass
 {
 public:
   /**
-   * Premultiplied, over what the framebuffer that is bound holds; if the key is Peeled, as the pass
-   * that peels has set up blending. Returns an empty string, or what
-   * is wrong; `stopped` becomes true if progress asked to stop between two tiles.
+   * Draw premultiplied colours over the bound framebuffer; if the key is Peeled, with the blending
+   * that the peeling pass has set. Returns an empty string, or what is wrong; `stopped` becomes
+   * true if progress asked to stop between two tiles.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, TileSchedule& tiles,
     const Progress& progress, bool& stopped);
-  /** The same into a framebuffer of our own that is bound and has the size of the area, without
-   * blending. */
+  /** The same without blending, into a bound framebuffer of our own that has the size of the area.
+   */
   std::string drawApart(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
     TileSchedule& tiles, const Progress& progress, bool& stopped);
   void release();

@@ -37,10 +37,16 @@ std::string MeshTextures::uploadLinks(vtkOpenGLRenderWindow* window, const TetMe
   return error;
 }
 
-std::string MeshTextures::uploadVertices(vtkOpenGLRenderWindow* window, const TetMesh& mesh)
+std::string MeshTextures::uploadScalars(
+  vtkOpenGLRenderWindow* window, const TetMesh& mesh, const MeshScalars& scalars)
 {
-  return this->Vertices.upload(
-    window, TexelFormat::RGBA32F, mesh.Vertices.data(), mesh.Vertices.size());
+  std::string error =
+    this->Vertices.upload(window, TexelFormat::RGBA32F, mesh.Vertices.data(), mesh.Vertices.size());
+  if (error.empty())
+  {
+    error = this->uploadCellScalars(window, scalars.OfCells);
+  }
+  return error.empty() ? this->uploadFurtherScalars(window, scalars.Further) : error;
 }
 
 std::string MeshTextures::uploadCellScalars(
@@ -69,7 +75,6 @@ std::string MeshTextures::uploadFurtherScalars(
     return this->Further.upload(window, count == 1 ? TexelFormat::R32F : TexelFormat::RG32F,
       values.data(), values.size() / count);
   }
-  // Texels of three floats are none of OpenGL 3.2.
   std::vector<std::array<float, 4>> texels(values.size() / 3);
   for (std::size_t i = 0; i < texels.size(); ++i)
   {

@@ -5,8 +5,8 @@
 #define TetMarchGLMeshTextures_h
 
 #include "GL/TextureBuffer.h"
-#include "Mesh/FurtherScalars.h"
 #include "Mesh/HiddenCells.h"
+#include "Mesh/MeshScalars.h"
 #include "Variants/VariantKey.h"
 
 #include <string>
@@ -20,23 +20,28 @@ class MeshTextures
 public:
   /** Each returns an empty string, or what is wrong and what to do. */
   std::string uploadLinks(vtkOpenGLRenderWindow* window, const TetMesh& mesh);
-  std::string uploadVertices(vtkOpenGLRenderWindow* window, const TetMesh& mesh);
-  /** Empty: point scalars are drawn, the buffer is freed. */
-  std::string uploadCellScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
-  /** None: one scalar is drawn, the buffer is freed. */
-  std::string uploadFurtherScalars(vtkOpenGLRenderWindow* window, const FurtherScalars& further);
-  /** Empty: no cell is hidden, the buffer is freed. */
+  /** Vertices with their scalars, cell scalars and further scalars. Buffers of what is not drawn
+   * are freed. */
+  std::string uploadScalars(
+    vtkOpenGLRenderWindow* window, const TetMesh& mesh, const MeshScalars& scalars);
+  /** Empty: no cell is hidden, and the buffer is freed. */
   std::string uploadHiddenCells(vtkOpenGLRenderWindow* window, const HiddenCells& hidden);
 
-  /** Buffers and sizes that the march needs; the entry pass needs bindBoundary alone. */
+  /** Bind the buffers and sizes that the march needs; the entry pass needs bindBoundary() only. */
   void bind(vtkShaderProgram* program, const VariantKey& key);
   void bindBoundary(vtkShaderProgram* program);
   void unbind();
   void release(vtkWindow* window);
   std::size_t bytes() const;
   std::size_t furtherBytes() const { return this->Further.bytes(); }
+  /** How many numbers a texel of so many further scalars has: OpenGL 3.2 has no buffer texels of
+   * three floats. */
+  static std::size_t furtherScalarsOfTexel(std::size_t count) { return count < 3 ? count : 4; }
 
 private:
+  std::string uploadCellScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
+  std::string uploadFurtherScalars(vtkOpenGLRenderWindow* window, const FurtherScalars& further);
+
   TextureBuffer Links;
   TextureBuffer Boundary;
   TextureBuffer Hierarchy;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The depths of the opaque geometry that is in the framebuffer already.
+// The depths of the opaque geometry that is in the framebuffer.
 #ifndef TetMarchGLOpaqueDepth_h
 #define TetMarchGLOpaqueDepth_h
 
@@ -20,19 +20,15 @@ class vtkWindow;
 namespace tetmarch
 {
 
-/**
- * Whether anything in the renderer, or in a layer below whose depths it keeps, may be opaque. If
- * not, no ray needs to look.
- */
+/** Whether anything in the renderer, or in a layer below whose depths it keeps, may be opaque. If
+ * not, no ray needs depths. */
 bool mayHaveOpaqueGeometry(vtkRenderer* renderer);
 
 class OpaqueDepth
 {
 public:
-  /**
-   * Copy the depths of the viewport of the framebuffer that is drawn into, of whatever format and
-   * number of samples. Returns an empty string, or what is wrong.
-   */
+  /** Copy the depths of the viewport from the framebuffer that is drawn into, whatever its format
+   * and number of samples. Returns an empty string, or what is wrong. */
   std::string capture(vtkOpenGLRenderWindow* window, const Viewport& viewport);
   /** Window depths in 0..1 in red; nearest filter. */
   vtkTextureObject* texture() const { return this->Depth; }
@@ -42,7 +38,7 @@ public:
   std::size_t bytes() const { return this->Bytes; }
 
 private:
-  /** What a depth attachment is stored as; a blit needs the same on both sides. */
+  /** The storage format of a depth attachment: a blit needs the same format on both sides. */
   struct Format
   {
     int DepthBits = 0;

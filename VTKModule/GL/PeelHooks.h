@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a vtkDualDepthPeelingPass that draws a volume puts into its shader.
+// The shader code and uniforms of a vtkDualDepthPeelingPass that draws a volume.
 #ifndef TetMarchGLPeelHooks_h
 #define TetMarchGLPeelHooks_h
 
@@ -18,25 +18,25 @@ namespace tetmarch
 {
 
 /**
- * Translucent geometry is peeled off layer by layer. Between two layers the pass draws the volumes,
- * several times a frame and into targets of its own, and asks for what lies between depths that
- * it knows.
+ * Translucent geometry is peeled off layer by layer. Between two layers the pass draws the
+ * volumes, several times a frame and into targets of its own, and asks for the part between depths
+ * that it knows.
  */
 class PeelHooks
 {
 public:
-  /** Of the pass that draws the volume now; none if there is no such pass. */
+  /** The hooks of the pass that draws the volume now; none if there is no such pass. */
   PeelHooks(vtkVolume* volume, vtkAbstractMapper* mapper);
 
   bool isPeeling() const { return !this->Passes.empty(); }
   /** Replace the tags of the shaders. */
   void edit(std::string& vertexShader, std::string& fragmentShader) const;
-  /** Uniforms of what was put in. */
+  /** Set the uniforms of the inserted code. */
   void bind(vtkShaderProgram* program) const;
 
 private:
   std::vector<vtkSmartPointer<vtkOpenGLRenderPass>>
-    Passes; // that have a say, the peeling one among them
+    Passes; // passes that change shaders, the peeling one included
   vtkVolume* Volume;
   vtkAbstractMapper* Mapper;
 };

@@ -5,7 +5,7 @@
 #include "GL/BlendBinding.h"
 #include "GL/ClippingBinding.h"
 #include "GL/EffectTextures.h"
-#include "GL/MeshTextures.h"
+#include "GL/MarchSource.h"
 #include "GL/PixelRays.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
@@ -24,7 +24,7 @@ std::string PickPass::pick(vtkOpenGLRenderWindow* window, const MarchInputs& inp
   std::string error = this->march(window, inputs, part, progress, stopped);
   if (error.empty() && !stopped)
   {
-    points = this->read(window);
+    points = this->read(window, *inputs.Source);
   }
   this->Target.release(window);
   this->Draw.release();
@@ -58,13 +58,13 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
   const Viewport& part, const Viewport& tile)
 {
   std::string error;
-  vtkShaderProgram* program = this->Draw.use(
-    window, "passes/tile.vert.glsl", "passes/pick.frag.glsl", inputs.Key.defines(), error);
+  vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
+    inputs.Source->shaderOf(SourcePass::Pick), inputs.Key.defines(), error);
   if (!program)
   {
     return error;
   }
-  inputs.Mesh->bind(program, inputs.Key);
+  inputs.Source->bind(program, inputs.Key);
   inputs.Tables->bind(
     program, *inputs.Table, inputs.Range, *inputs.Parts, inputs.Level, inputs.Key);
   bindBlending(program, *inputs.Blend, inputs.Key);
@@ -72,7 +72,7 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
   {
     inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
   }
-  // Where the whole area would lie, were the part's corner that of the target.
+  // The position of the whole area relative to the corner of the part, which is that of the target.
   const Viewport& area = inputs.Area;
   bindPixelRays(program, inputs, { area.X - part.X, area.Y - part.Y, area.Width, area.Height });
   if (inputs.Key.Clipped)
@@ -82,14 +82,15 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
   setUniform(program, "thicknessMatrix", inputs.Camera->ThicknessMatrix);
   program->SetUniformf("transmittanceLeft", static_cast<float>(inputs.Level.ErrorTolerance));
   drawCorners(program, this->Draw, { 0, 0, part.Width, part.Height }, tile);
-  inputs.Mesh->unbind();
+  inputs.Source->unbind();
   inputs.Tables->unbind();
   inputs.Effects->unbind();
   unbindPixelRays(inputs);
   return error;
 }
 
-std::vector<PickedPoint> PickPass::read(vtkOpenGLRenderWindow* window) const
+std::vector<PickedPoint> PickPass::read(
+  vtkOpenGLRenderWindow* window, const MarchSource& source) const
 {
   const std::vector<float> hits = this->Target.read(window, 0);
   const std::vector<float> places = this->Target.read(window, 1);
@@ -99,8 +100,12 @@ std::vector<PickedPoint> PickPass::read(vtkOpenGLRenderWindow* window) const
     const float* hit = &hits[4 * i];
     const float* place = &places[4 * i];
     points[i].Hit = hit[3] > 0;
-    points[i].Tet = static_cast<Id>(hit[0]) | static_cast<Id>(hit[1]) << 16;
     points[i].Scalar = hit[2];
+    if (points[i].Hit)
+    {
+      points[i].Cell = source.cellOf(
+        static_cast<std::uint32_t>(hit[0]) | static_cast<std::uint32_t>(hit[1]) << 16);
+    }
     points[i].Position = { { place[0], place[1], place[2] } };
   }
   return points;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Marches one ray a pixel up to where the volume is picked.
+// Marches one ray a pixel to the point where the volume is picked.
 #ifndef TetMarchGLPickPass_h
 #define TetMarchGLPickPass_h
 
@@ -17,10 +17,10 @@ class PickPass
 {
 public:
   /**
-   * Of the pixels in a part of the inputs' area, rows from the bottom. The key of the inputs is one
-   * ofPick(); what is left of the light at the points is the tolerance of their level. Returns an
-   * empty string, or what is wrong; `stopped` becomes true if progress asked to stop between two
-   * tiles. Nothing is left on the GPU but a program.
+   * Find the picked points of the pixels in a part of the inputs' area, rows from the bottom. The
+   * key of the inputs is one ofPick(). A ray is picked where its transmittance has fallen to the
+   * tolerance of the level. Returns an empty string, or what is wrong; `stopped` becomes true if
+   * progress asked to stop between two tiles. Only a program stays on the GPU.
    */
   std::string pick(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part,
     const Progress& progress, bool& stopped, std::vector<PickedPoint>& points);
@@ -31,7 +31,7 @@ private:
     const Progress& progress, bool& stopped);
   std::string drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
     const Viewport& part, const Viewport& tile);
-  std::vector<PickedPoint> read(vtkOpenGLRenderWindow* window) const;
+  std::vector<PickedPoint> read(vtkOpenGLRenderWindow* window, const MarchSource& source) const;
 
   FloatTarget Target;
   ShaderDraw Draw;

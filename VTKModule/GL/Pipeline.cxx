@@ -2,22 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/Pipeline.h"
 
-#include "Appearance/TransparentShare.h"
-#include "Caching/WithinMemory.h"
 #include "GL/BlockAttributes.h"
 #include "GL/FmaProbe.h"
 #include "GL/StateScope.h"
+#include "Volume/TransparentShare.h"
 
-#include "vtkColorTransferFunction.h"
-#include "vtkDataArray.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
-
-#include <algorithm>
 
 namespace tetmarch
 {
@@ -47,10 +40,10 @@ void Pipeline::beginPick(std::uint64_t mostBytes)
 
 std::int64_t Pipeline::stageRuns() const
 {
-  return this->meshRecord().Runs + this->Hidden.record().Runs + this->ScalarsRecord.Runs +
-         this->TablesRecord.Runs + this->UploadRecord.Runs + this->Effects.gradientsRecord().Runs +
-         this->Effects.gradientOpacityRecord().Runs + this->Effects.startsRecord().Runs +
-         this->Effects.opaqueShadowsRecord().Runs + this->vertexLightRecord().Runs;
+  return this->Source.runs() + this->Tables.record().Runs + this->UploadRecord.Runs +
+         this->Effects.gradientsRecord().Runs + this->Effects.gradientOpacityRecord().Runs +
+         this->Effects.startsRecord().Runs + this->Effects.opaqueShadowsRecord().Runs +
+         this->vertexLightRecord().Runs;
 }
 
 bool Pipeline::onlyDrew() const
@@ -59,76 +52,29 @@ bool Pipeline::onlyDrew() const
          this->isLightComplete();
 }
 
-bool Pipeline::updateMesh(vtkUnstructuredGrid* grid, const Progress& progress)
+bool Pipeline::updateGeometry(vtkDataSet* data, const Progress& progress)
 {
-  std::string error;
-  if (!this->Meshed.isCurrent(grid))
-  {
-    this->ScalarsInput.clear();
-    this->OnGpu.expectMesh();
-    error = this->Meshed.make(grid, this->Limits, progress);
-  }
-  return error.empty() ? !this->mesh().Tets.empty() : this->fail(error);
+  const std::string error = this->Source.updateGeometry(data, this->Limits, progress);
+  return error.empty() ? !this->Source.isEmpty() : this->fail(error);
 }
 
-bool Pipeline::updateHiddenCells(vtkUnstructuredGrid* grid)
+bool Pipeline::updateScalars(vtkDataSet* data, vtkDataArray* array, bool ofCells,
+  const VectorOptions& options, vtkVolumeProperty* property)
 {
-  const std::string shortage = withinMemory("the hidden cells",
-    [&]
-    {
-      if (this->Hidden.update(grid, this->mesh(), this->meshRecord().Runs))
-      {
-        this->OnGpu.expectHiddenCells();
-      }
-    });
-  return shortage.empty() || this->fail(shortage);
-}
-
-bool Pipeline::updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars,
-  const VectorOptions& vector, vtkVolumeProperty* property)
-{
-  std::string wrong = cellScalars ? checkScalars(array, grid->GetNumberOfCells(), "cells")
-                                  : checkScalars(array, grid->GetNumberOfPoints(), "points");
-  DrawnComponents drawn;
-  if (wrong.empty())
+  DrawnScalars drawn;
+  std::string error = chooseScalars(data, array, ofCells, options, property, drawn);
+  if (error.empty())
   {
-    drawn = drawnComponents(vector, property, array, wrong);
+    this->Mix = drawn.Mix;
+    error = this->Source.updateScalars(data, drawn);
   }
-  if (!wrong.empty())
-  {
-    return this->fail(wrong);
-  }
-  Fingerprint input;
-  add(input, array);
-  input.push_back(cellScalars ? 1 : 0);
-  input.push_back(static_cast<std::uintptr_t>(drawn.Mix));
-  input.push_back(drawn.Scalar.Magnitude ? 1 : 0);
-  input.push_back(static_cast<std::uintptr_t>(drawn.Scalar.Component));
-  if (input == this->ScalarsInput)
-  {
-    return true;
-  }
-  StageRecorder recorder(this->ScalarsRecord);
-  this->ScalarsInput.clear();
-  this->OnGpu.expectScalars();
-  const std::string shortage = withinMemory("the scalars",
-    [&]
-    {
-      this->Range = readComponents(
-        grid, array, cellScalars, drawn, this->Meshed.mesh(), this->CellScalars, this->Parts);
-    });
-  if (!shortage.empty())
-  {
-    return this->fail(shortage);
-  }
-  this->ScalarsInput = input;
-  return true;
+  return error.empty() || this->fail(error);
 }
 
 bool Pipeline::updateBlending(vtkVolumeProperty* property, const BlendOptions& options)
 {
-  std::string error = makeBlending(options, property, this->Range, this->Blend);
-  if (error.empty() && !this->Parts.isSingle() && !this->Blend.isComposite())
+  std::string error = makeBlending(options, property, this->Source.range(), this->Blend);
+  if (error.empty() && this->Mix != ComponentMix::Single && !this->Blend.isComposite())
   {
     error = "Several components are drawn together by composite blending alone, but the blend mode "
             "is another. Choose one of them by VectorMode.";
@@ -136,80 +82,53 @@ bool Pipeline::updateBlending(vtkVolumeProperty* property, const BlendOptions& o
   return error.empty() || this->fail(error);
 }
 
+TableInput Pipeline::tableInput(OpacityLaw law) const
+{
+  return { law, &this->Blend, this->Mix, this->Source.range(), this->Source.furtherRanges() };
+}
+
 bool Pipeline::updateTables(
   vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, bool drawNan)
 {
-  Fingerprint input;
-  add(input, property->GetScalarOpacity());
-  add(input, property->GetColorChannels() == 1
-               ? static_cast<vtkObject*>(property->GetGrayTransferFunction())
-               : property->GetRGBTransferFunction());
-  input.push_back(
-    static_cast<std::uintptr_t>(this->Blend.isComposite() ? law : OpacityLaw::Unstructured));
-  input.push_back(this->Blend.isSum() ? 1 : 0);
-  add(input, this->Range.Low);
-  add(input, this->Range.High);
-  addFunctions(input, this->Parts, property);
-  const std::string badUnit = setFactors(property, this->Parts);
-  if (!badUnit.empty())
+  const std::string error = this->Tables.update(property, this->tableInput(law), level);
+  if (!error.empty())
   {
-    return this->fail(badUnit);
+    return this->fail(error);
   }
-  this->Subject = input;
-  addAll(this->Subject, this->Parts.Factors);
-  this->Subject.push_back(static_cast<std::uintptr_t>(this->meshRecord().Runs));
-  this->Subject.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
-  add(this->Subject, property->GetScalarOpacityUnitDistance());
-  this->Subject.push_back(drawNan ? 1 : 0);
-  this->Subject.insert(
-    this->Subject.end(), this->Hidden.version().begin(), this->Hidden.version().end());
-  const Fingerprint blend = versionOf(this->Blend);
-  this->Subject.insert(this->Subject.end(), blend.begin(), blend.end());
-  input.push_back(static_cast<std::uintptr_t>(level.LeastTableEntries));
-  input.push_back(static_cast<std::uintptr_t>(level.MostTableEntries));
-  add(input, level.ErrorTolerance);
-  if (input != this->TablesInput)
-  {
-    StageRecorder recorder(this->TablesRecord);
-    this->TablesInput.clear();
-    this->OnGpu.expectTables();
-    const std::string shortage = withinMemory("the tables of the transfer functions",
-      [&] { this->Table = this->makeTables(property, law, level, this->Parts); });
-    if (!shortage.empty())
-    {
-      return this->fail(shortage);
-    }
-    this->Visible = hasExtinction(this->Table) || this->Parts.isFurtherVisible();
-    this->TablesInput = input;
-  }
-  this->NanShown = drawNan && !this->Range.AllFinite && this->Table.NanColor[3] > 0;
-  const Fingerprint passes{ static_cast<std::uintptr_t>(this->ScalarsRecord.Runs),
-    static_cast<std::uintptr_t>(this->TablesRecord.Runs) };
-  if (passes != this->PassesInput)
-  {
-    this->PassesInput = passes;
-    this->PassesCells = transparentShare(this->mesh(), this->CellScalars, this->Range,
-                          this->Table) >= LeastShareToPass;
-  }
+  this->NanShown =
+    drawNan && !this->Source.range().AllFinite && this->Tables.first().NanColor[3] > 0;
+  this->setSubject(property, drawNan);
+  this->updatePassing();
   // Sums are shown even where they are 0.
-  return this->Visible || this->NanShown || this->Blend.isSum();
+  return this->Tables.isVisible() || this->NanShown || this->Blend.isSum();
 }
 
-IntegralTable Pipeline::makeTables(
-  vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, Components& parts) const
+void Pipeline::setSubject(vtkVolumeProperty* property, bool drawNan)
 {
-  return parts.isSingle() ? blendedTable(property, law, this->Blend, this->Range, level)
-                          : componentTables(property, law, this->Range, level, parts);
+  this->Subject = this->Tables.shown();
+  add(this->Subject, this->Source.version());
+  add(this->Subject, property->GetScalarOpacityUnitDistance());
+  this->Subject.push_back(drawNan ? 1 : 0);
+  add(this->Subject, versionOf(this->Blend));
+}
+
+void Pipeline::updatePassing()
+{
+  Fingerprint input = this->Source.version();
+  input.push_back(static_cast<std::uintptr_t>(this->Tables.record().Runs));
+  if (input != this->PassingInput)
+  {
+    this->PassingInput = input;
+    this->PassesCells = this->Source.transparentShare(this->Tables.first()) >= LeastShareToPass;
+  }
 }
 
 bool Pipeline::updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options)
 {
-  EffectInput input{ &this->mesh(), &this->CellScalars, &this->Range, {}, blockAttributes };
-  input.Which.push_back(static_cast<std::uintptr_t>(this->meshRecord().Runs));
-  input.Which.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
-  std::string error = this->Effects.update(renderer, volume, options, input);
+  std::string error = this->Effects.update(
+    renderer, volume, options, { &this->Source.effectSource(), blockAttributes });
   const bool lit = options.Shown != Subject::Picture || !this->Effects.data().empty();
-  if (error.empty() && lit && this->Parts.isIndependent())
+  if (error.empty() && lit && this->Mix == ComponentMix::Independent)
   {
     this->Effects.clear();
     error = "Several independent components are drawn together without light and gradients, but "
@@ -227,65 +146,60 @@ bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume)
     return this->fail("The scalar opacity unit distance is " + std::to_string(unit) +
                       "; it must be above 0 (vtkVolumeProperty::SetScalarOpacityUnitDistance).");
   }
-  if (!makeView(renderer, volume, this->mesh(), unit, this->Camera))
+  if (!makeView(renderer, volume, this->Source.frame(), unit, this->Camera))
   {
     return this->fail("The matrix of the volume or of the camera is singular or not finite.");
   }
-  return this->Camera.rastersEntries() || this->ensureHierarchy();
+  const std::string error =
+    this->Camera.rastersEntries() ? std::string() : this->Source.prepareEntrySearch();
+  return error.empty() || this->fail(error);
 }
 
 bool Pipeline::updateClipping(vtkVolume* volume, const ClippingOptions& options)
 {
-  const std::string error = makeClipping(options, volume, this->mesh(), this->Cut);
+  const std::string error = makeClipping(options, volume, this->Source.frame(), this->Cut);
   return error.empty() ? !this->Cut.LeavesNothing : this->fail(error);
 }
 
-bool Pipeline::ensureHierarchy()
+// What another window's GPU holds is freed there.
+void Pipeline::moveTo(vtkOpenGLRenderWindow* window)
 {
-  if (!this->mesh().hasHierarchy())
+  forgetLostBuffers(window);
+  if (this->Window == window)
   {
-    const std::string error = this->Meshed.addHierarchy();
-    if (!error.empty())
-    {
-      return this->fail(error);
-    }
-    this->OnGpu.expectLinks();
+    return;
   }
-  return true;
+  if (this->Window)
+  {
+    this->Window->MakeCurrent();
+    this->release(this->Window);
+    window->MakeCurrent();
+  }
+  this->Window = window;
+  this->Watch.begin(window, [this](vtkWindow* ending) { this->release(ending); });
+  this->HasFma = hasFusedMultiplyAdd(window);
+}
+
+std::vector<BufferSize> Pipeline::bufferSizes() const
+{
+  std::vector<BufferSize> sizes = this->Source.bufferSizes();
+  const std::vector<BufferSize> tables = this->Tables.bufferSizes();
+  sizes.insert(sizes.end(), tables.begin(), tables.end());
+  return sizes;
 }
 
 bool Pipeline::upload(vtkOpenGLRenderWindow* window)
 {
-  forgetLostBuffers(window);
-  if (this->Window != window)
+  this->moveTo(window);
+  std::string error = describeExcess(this->bufferSizes(), this->Limits, SizesAre::Exact);
+  const bool current = this->Source.isUploaded() && this->TablesOnGpu.holds(this->Tables);
+  if (error.empty() && !current)
   {
-    if (this->Window)
-    {
-      this->Window->MakeCurrent();
-      this->release(this->Window);
-      window->MakeCurrent();
-    }
-    this->Window = window;
-    this->Watch.begin(window, [this](vtkWindow* ending) { this->release(ending); });
-    this->HasFma = hasFusedMultiplyAdd(window);
+    const StageRecorder recorder(this->UploadRecord);
+    error = this->Source.upload(window);
+    error = error.empty() ? this->TablesOnGpu.upload(window, this->Tables) : error;
+    this->Passes.expectChange();
   }
-  std::vector<BufferSize> sizes = bufferSizes(
-    this->mesh(), this->CellScalars.size(), this->Hidden.cells().size(), this->Table.Values.size());
-  addBufferSizes(sizes, this->Parts, this->Table);
-  const std::string excess = describeExcess(sizes, this->Limits, SizesAre::Exact);
-  if (!excess.empty())
-  {
-    this->release(window);
-    return this->fail(excess);
-  }
-  if (this->OnGpu.isCurrent())
-  {
-    return true;
-  }
-  StageRecorder recorder(this->UploadRecord);
-  const std::string error = this->OnGpu.upload(
-    window, this->mesh(), this->CellScalars, this->Hidden.cells(), this->Table, this->Parts);
-  this->Passes.expectChange();
   if (!error.empty())
   {
     this->release(window);
@@ -294,10 +208,17 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
   return true;
 }
 
+std::size_t Pipeline::gpuBytes() const
+{
+  return this->Source.bytes() + this->TablesOnGpu.bytes() + this->EffectsOnGpu.bytes() +
+         this->Passes.bytes();
+}
+
 void Pipeline::release(vtkWindow* window)
 {
   this->Watch.end(window);
-  this->OnGpu.release(window);
+  this->Source.release(window);
+  this->TablesOnGpu.release(window);
   this->EffectsOnGpu.release(window);
   this->Passes.release(window);
   this->Selected.release();

@@ -1,25 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The stages of a frame with what each made last, so that each reruns only when its own input
-// changed.
+// The stages of a frame with what each made last, so that each runs again only when its own input
+// changed. What is drawn is a MarchSource, of which nothing else is known here.
 #ifndef TetMarchGLPipeline_h
 #define TetMarchGLPipeline_h
 
-#include "Appearance/Components.h"
+#include "Appearance/TransferTables.h"
 #include "Blocks/CellOrigins.h"
-#include "Caching/Fingerprint.h"
-#include "Caching/StageRecord.h"
 #include "GL/ContextWatch.h"
 #include "GL/EffectTextures.h"
 #include "GL/FramePasses.h"
-#include "GL/GpuData.h"
+#include "GL/MarchSource.h"
 #include "GL/SelectionPass.h"
-#include "Mesh/HiddenCellStage.h"
-#include "Mesh/MeshStage.h"
-#include "Optics/FittingTable.h"
+#include "GL/TableTextures.h"
 #include "Rays/Clipping.h"
 #include "Rays/View.h"
-#include "Reference/ReferenceImage.h"
 
 #include "vtkWeakPointer.h"
 
@@ -28,8 +23,8 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkRenderer;
-class vtkUnstructuredGrid;
 class vtkVolume;
 class vtkVolumeProperty;
 
@@ -37,6 +32,7 @@ namespace tetmarch
 {
 
 struct RayTrace;
+struct TraceOptions;
 
 /** How a frame is drawn. */
 struct DrawOptions
@@ -44,43 +40,38 @@ struct DrawOptions
   AccuracyLevel Level = DefaultAccuracy;
   bool Diagnostics = false;
   double MostSecondsPerDraw = 0;           // 0: no limit
-  double MostLightSeconds = 0;             // for light at vertices; 0: no limit
+  double MostLightSeconds = 0;             // of a frame, for light at vertices; 0: no limit
   const MeasureView* View = nullptr;       // drawn instead of the picture
-  BoundaryView Shell = BoundaryView::None; // likewise
-  double SampleDistance = 1;               // between rays, in pixels; 1 with any of the others
-  const PeelHooks* Peeling = nullptr; // parts of rays are drawn; no diagnostics and no view then
-  double PickOpacity = 0.5;           // up to which a ray is followed where something is selected
-};
-
-/** How the ray of one pixel is marched by the CPU. */
-struct TraceOptions
-{
-  int X = 0; // of the pixel, counted from the lower left of the window
-  int Y = 0;
-  AccuracyLevel Level = DefaultAccuracy;
-  bool InDouble = false;
-  bool ExactLight = false; // light through the volume by brute force; else as the frame has it
+  BoundaryView Shell = BoundaryView::None; // the same
+  double SampleDistance = 1;               // between rays, in pixels; 1 with diagnostics or a view
+  const PeelHooks* Peeling = nullptr; // only parts of rays are drawn, without diagnostics or a view
+  double PickOpacity = 0.5;           // of a ray at the point where the volume is picked
 };
 
 class Pipeline
 {
 public:
-  /** Forget what the last frame drew and complained of. The window's context is current; 0 bytes
-   * are no limit. */
+  /** The source lives longer than the pipeline. */
+  explicit Pipeline(MarchSource& source)
+    : Source(source)
+  {
+  }
+
+  /** Forget what the last frame drew and its error. The window's context is current; 0 bytes are no
+   * limit. */
   void begin(std::uint64_t mostBytes);
-  /** Likewise, if something is picked instead: what the last frame counted is kept. */
+  /** The same if something is picked instead: what the last frame counted is kept. */
   void beginPick(std::uint64_t mostBytes);
   /**
    * The stages, in the order of a frame. Each returns whether the frame can go on; if not, error()
    * says what is wrong, or is empty if there is nothing to draw or the user stopped it.
    */
-  bool updateMesh(vtkUnstructuredGrid* grid, const Progress& progress);
-  bool updateHiddenCells(vtkUnstructuredGrid* grid);
-  bool updateScalars(vtkUnstructuredGrid* grid, vtkDataArray* array, bool cellScalars,
-    const VectorOptions& vector, vtkVolumeProperty* property);
+  bool updateGeometry(vtkDataSet* data, const Progress& progress);
+  bool updateScalars(vtkDataSet* data, vtkDataArray* array, bool ofCells,
+    const VectorOptions& options, vtkVolumeProperty* property);
   bool updateBlending(vtkVolumeProperty* property, const BlendOptions& options);
-  /** drawNan: what touches a scalar that is not finite is drawn, in the colour function's colour
-   * for that. */
+  /** drawNan: what touches a scalar that is not finite is drawn, in the colour that the colour
+   * function has for it. */
   bool updateTables(
     vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, bool drawNan);
   bool updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options);
@@ -89,9 +80,12 @@ public:
   bool upload(vtkOpenGLRenderWindow* window);
   bool draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
     const Progress& progress);
-  /** Instead of draw(): what a selector is told of the pixels that it asks for. */
+  /** Instead of draw(): what a selector reads from the pixels that it asks for. */
   bool select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
     const CellOrigins& origins, const Progress& progress, std::vector<PickedPoint>& points);
+
+  /** Wait until the GPU has drawn the frame. */
+  void finish() const;
 
   /**
    * The picture of the last frame in double precision, by the CPU. False if there was no frame, or
@@ -109,38 +103,34 @@ public:
   vtkOpenGLRenderWindow* window() const { return this->Window; }
 
   const std::string& error() const { return this->Error; }
-  const TetMesh& mesh() const { return this->Meshed.mesh(); }
-  const ScalarRange& range() const { return this->Range; }
-  const StageRecord& meshRecord() const { return this->Meshed.record(); }
+  const MarchSource& source() const { return this->Source; }
   const Diagnostics& counted() const { return this->Passes.counted(); }
   int numberOfDraws() const { return this->Passes.numberOfDraws(); }
   /** Whether the last frame was nothing but drawn: no stage ran, and no shader was new. */
   bool onlyDrew() const;
   /** What the last frame drew, and how large, apart from camera and accuracy. */
   const Fingerprint& subject() const { return this->Subject; }
-  std::size_t gpuBytes() const
-  {
-    return this->OnGpu.bytes() + this->EffectsOnGpu.bytes() + this->Passes.bytes();
-  }
+  std::size_t gpuBytes() const;
+  /** How many bytes were uploaded in all. */
   std::int64_t uploadedBytes() const
   {
-    return this->OnGpu.uploadedBytes() + this->EffectsOnGpu.uploadedBytes();
+    return this->Source.uploadedBytes() + this->TablesOnGpu.uploadedBytes() +
+           this->EffectsOnGpu.uploadedBytes();
   }
   const EffectStage& effects() const { return this->Effects; }
   /** Whether the last frame showed all the light that it was asked for. */
   bool isLightComplete() const { return this->Passes.isLightComplete(); }
+  const StageRecord& tablesRecord() const { return this->Tables.record(); }
+  const StageRecord& uploadRecord() const { return this->UploadRecord; }
   const StageRecord& vertexLightRecord() const { return this->Passes.vertexLightRecord(); }
-
-  StageRecord ScalarsRecord;
-  StageRecord TablesRecord;
-  StageRecord UploadRecord;
 
 private:
   bool fail(const std::string& error);
-  IntegralTable makeTables(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level,
-    Components& parts) const;
-  bool ensureHierarchy();
-  /** Calls with what the last frame showed, and with tables for a level. */
+  TableInput tableInput(OpacityLaw law) const;
+  void updatePassing();
+  void setSubject(vtkVolumeProperty* property, bool drawNan);
+  void moveTo(vtkOpenGLRenderWindow* window);
+  std::vector<BufferSize> bufferSizes() const;
   bool useReferenceScene(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level,
     const std::function<void(ReferenceScene&)>& use);
   Viewport currentViewport() const;
@@ -151,31 +141,18 @@ private:
   void forgetErrorsOfReleasing(vtkOpenGLRenderWindow* window);
 
   std::string Error;
-  std::int64_t RunsBefore = 0; // this frame
+  std::int64_t RunsBefore = 0; // of all stages, before this frame
   Fingerprint Subject;
   ResourceLimits Limits;
 
-  MeshStage Meshed;
-
-  HiddenCellStage Hidden;
-
-  Fingerprint ScalarsInput;
-  std::vector<float> CellScalars; // empty if point scalars are drawn
-  ScalarRange Range;
-  Components Parts; // beside that scalar, and how they are drawn together
-
+  MarchSource& Source;
+  ComponentMix Mix = ComponentMix::Single;
   Blending Blend;
-
-  Fingerprint TablesInput;
-  IntegralTable Table;
-  bool Visible = false;  // something has extinction
-  bool NanShown = false; // scalars that are not finite, which there are, have
-
-  Fingerprint PassesInput;
-  bool PassesCells = false; // much has none
-
+  TransferTables Tables;
+  bool NanShown = false; // there are scalars that are not finite, and they are shown
+  Fingerprint PassingInput;
+  bool PassesCells = false; // so much is transparent that cells without extinction are passed
   EffectStage Effects;
-
   View Camera;
   Clipping Cut;
   Viewport Area; // of the last frame; empty: there was none, or not a ray a pixel
@@ -183,8 +160,9 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   ContextWatch Watch; // of that window
   bool HasFma = false;
-  GpuData OnGpu;
+  TableTextures TablesOnGpu;
   EffectTextures EffectsOnGpu;
+  StageRecord UploadRecord;
   FramePasses Passes;
   SelectionPass Selected;
 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The last stage of a frame: which variant it needs, and what is drawn; and the same by the CPU.
+// The last stage of a frame: the variant that it needs, and drawing; and the same by the CPU.
 #include "GL/Pipeline.h"
 
 #include "Caching/WithinMemory.h"
@@ -17,7 +17,7 @@
 namespace tetmarch
 {
 
-// The renderer, or the render pass that called, has set it.
+// The viewport that the renderer, or the render pass that called, has set.
 Viewport Pipeline::currentViewport() const
 {
   std::array<int, 4> area{};
@@ -29,32 +29,28 @@ VariantKey Pipeline::keyOf(
   const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const
 {
   VariantKey key;
-  key.PointScalars = this->CellScalars.empty();
-  key.RasterEntry = this->Camera.rastersEntries();
-  key.Hierarchy = this->mesh().NeedsHierarchy;
+  this->Source.setBits(key, this->Camera);
   key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
   key.HasFma = this->HasFma;
   key.Peeled = options.Peeling != nullptr;
   key.Adaptive = options.Level.Adaptive;
   key.TransparentRanges = this->PassesCells;
-  key.ConstantColor = this->Table.Traits.ConstantColor;
+  key.ConstantColor = this->Tables.first().Traits.ConstantColor;
   key.Clipped = this->Cut.cuts();
   key.Cropped = this->Cut.Cropped;
   key.NanShown = this->NanShown;
-  key.HiddenCells = !this->Hidden.cells().empty();
   this->Blend.setBits(key);
-  this->Parts.setBits(key);
+  this->Tables.components().setBits(key);
   this->Effects.setBits(key, double(area.Width) * area.Height);
   return options.Shell == BoundaryView::None ? key.filtered() : key.ofEntries();
 }
 
-// What light at vertices depends on, the mesh first.
+// The version of the light at vertices. The first word is that of the geometry.
 Fingerprint Pipeline::lightVersion(const VariantKey& key) const
 {
   const LightUniforms& lights = this->Effects.data().Lights;
-  Fingerprint version{ static_cast<std::uintptr_t>(this->meshRecord().Runs) };
-  version.push_back(static_cast<std::uintptr_t>(this->ScalarsRecord.Runs));
-  version.push_back(static_cast<std::uintptr_t>(this->TablesRecord.Runs));
+  Fingerprint version = this->Source.version();
+  version.push_back(static_cast<std::uintptr_t>(this->Tables.record().Runs));
   addAll(version, this->Camera.ThicknessMatrix);
   for (const auto& source : lights.ShadowSources)
   {
@@ -63,13 +59,10 @@ Fingerprint Pipeline::lightVersion(const VariantKey& key) const
   add(version, lights.Reach);
   add(version, lights.OcclusionRadius);
   version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
-  version.push_back(key.SampledShadows ? 1 : 0); // then it has none of the lights
+  version.push_back(key.SampledShadows ? 1 : 0); // sampled along rays, lights are not kept
   version.push_back(key.NanShown ? 1 : 0);
-  for (const Fingerprint& effect : { this->Hidden.version(), this->Effects.gradientOpacityVersion(),
-         this->Effects.opaqueShadowsVersion() })
-  {
-    version.insert(version.end(), effect.begin(), effect.end());
-  }
+  add(version, this->Effects.gradientOpacityVersion());
+  add(version, this->Effects.opaqueShadowsVersion());
   return version;
 }
 
@@ -81,11 +74,11 @@ MarchInputs Pipeline::inputsOf(
   inputs.Key = this->keyOf(options, renderer, area);
   inputs.Camera = &this->Camera;
   inputs.Cut = &this->Cut;
-  inputs.Mesh = &this->OnGpu.mesh();
-  inputs.Tables = &this->OnGpu.tables();
-  inputs.Table = &this->Table;
-  inputs.Range = this->Range;
-  inputs.Parts = &this->Parts;
+  inputs.Source = &this->Source;
+  inputs.Tables = &this->TablesOnGpu;
+  inputs.Table = &this->Tables.first();
+  inputs.Range = this->Source.range();
+  inputs.Parts = &this->Tables.components();
   inputs.Level = options.Level;
   inputs.Blend = &this->Blend;
   inputs.Effects = &this->EffectsOnGpu;
@@ -96,7 +89,8 @@ MarchInputs Pipeline::inputsOf(
   return inputs;
 }
 
-// If who was told of progress released what was bound: VTK's records had it bound again.
+// A progress observer may have released graphics resources that were bound; VTK's records of the
+// state then bound them again, which is an error of the GL.
 void Pipeline::forgetErrorsOfReleasing(vtkOpenGLRenderWindow* window)
 {
   if (this->Window != window)
@@ -122,8 +116,8 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   this->Subject.push_back(static_cast<std::uintptr_t>(area.Height));
   const MarchInputs inputs = this->inputsOf(options, renderer, area);
 
-  const FirstColorOnly picture(!options.Peeling); // peels go into several on purpose
-  // Who is told of progress may release what is being drawn.
+  const FirstColorOnly picture(!options.Peeling); // peels are drawn into several colours on purpose
+  // A progress observer may release graphics resources during the frame.
   const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
   bool stopped = false;
   std::string error;
@@ -133,7 +127,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
       error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
       if (error.empty())
       {
-        error = this->Passes.draw(window, this->mesh(), inputs, this->lightVersion(inputs.Key),
+        error = this->Passes.draw(window, inputs, this->lightVersion(inputs.Key),
           options.Diagnostics, options.View, options.Shell, options.SampleDistance, goOn, stopped);
       }
     });
@@ -150,73 +144,6 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   return error.empty() ? !stopped : this->fail(error);
 }
 
-bool Pipeline::useReferenceScene(vtkVolumeProperty* property, OpacityLaw law,
-  const AccuracyLevel& level, const std::function<void(ReferenceScene&)>& use)
-{
-  if (!this->Window || this->Area.Width <= 0 || this->Area.Height <= 0)
-  {
-    return this->fail("There is no frame to compare with: render the window first, with a ray "
-                      "a pixel and without peels of translucent geometry.");
-  }
-  if (!this->ensureHierarchy())
-  {
-    return false;
-  }
-  const std::string shortage = withinMemory("the reference picture",
-    [&]
-    {
-      const std::vector<float> depths = this->Passes.opaqueDepths(this->Window);
-      Components parts = this->Parts;
-      const IntegralTable table = this->makeTables(property, law, level, parts);
-      ReferenceScene scene;
-      scene.Mesh = &this->mesh();
-      scene.CellScalars = this->CellScalars.empty() ? nullptr : &this->CellScalars;
-      scene.Range = this->Range;
-      scene.NanShown = this->NanShown;
-      scene.Hidden = &this->Hidden.cells();
-      scene.Table = &table;
-      scene.Camera = this->Camera;
-      scene.Width = this->Area.Width;
-      scene.Height = this->Area.Height;
-      scene.WindowDepths = depths.empty() ? nullptr : depths.data();
-      scene.Cut = this->Cut;
-      scene.Effects = &this->Effects.data();
-      scene.Blend = &this->Blend;
-      scene.Parts = &parts;
-      use(scene);
-    });
-  return shortage.empty() || this->fail(shortage);
-}
-
-bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image)
-{
-  return this->useReferenceScene(property, law, GroundTruthAccuracy,
-    [&](ReferenceScene& scene)
-    { image = tetmarch::renderReference<double>(scene, GroundTruthAccuracy); });
-}
-
-bool Pipeline::traceRay(
-  vtkVolumeProperty* property, OpacityLaw law, const TraceOptions& options, RayTrace& trace)
-{
-  const Viewport& area = this->Area;
-  const int x = options.X - area.X;
-  const int y = options.Y - area.Y;
-  const bool drawn = area.Width > 0 && area.Height > 0;
-  if (drawn && (x < 0 || y < 0 || x >= area.Width || y >= area.Height))
-  {
-    std::ostringstream error;
-    error << "The pixel (" << options.X << ", " << options.Y << ") is outside the last frame, of "
-          << area.Width << " x " << area.Height << " pixels from (" << area.X << ", " << area.Y
-          << ") on.";
-    return this->fail(error.str());
-  }
-  return this->useReferenceScene(property, law, options.Level,
-    [&](ReferenceScene& scene)
-    {
-      scene.ExactLight = options.ExactLight || this->Passes.samplesShadows();
-      trace = options.InDouble ? tetmarch::traceRay<double>(scene, options.Level, x, y)
-                               : tetmarch::traceRay<float>(scene, options.Level, x, y);
-    });
-}
+void Pipeline::finish() const { glFinish(); }
 
 } // namespace tetmarch

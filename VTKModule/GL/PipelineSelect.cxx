@@ -16,10 +16,10 @@ namespace tetmarch
 namespace
 {
 
-// What a float tells from nothing, beside 1.
+// The least share of light that a float difference from 1 can hold.
 constexpr double LeastFloatShare = 1.0 / (1 << 24);
 
-// What of the area that the selector reads, corners included, lies in the viewport.
+// The part of the selector's area, corners included, that lies in the viewport.
 Viewport selectedPart(vtkHardwareSelector* selector, const Viewport& viewport)
 {
   const unsigned int* area = selector->GetArea();
@@ -49,18 +49,18 @@ bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const std::string shortage = withinMemory("what is selected",
     [&]
     {
-      // All that the picture needs stays where it is.
+      // What the picture needs stays on the GPU.
       error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
       inputs.Key = inputs.Key.ofPick();
       inputs.Level.ErrorTolerance = std::max(1 - options.PickOpacity, LeastFloatShare);
       if (error.empty())
       {
-        error = this->Passes.pick(window, this->mesh(), inputs, part, goOn, stopped, points);
+        error = this->Passes.pick(window, inputs, part, goOn, stopped, points);
       }
       if (error.empty() && !stopped)
       {
         error = this->Selected.draw(window, area, part,
-          selectionTexels(renderer->GetSelector(), points, this->mesh(), origins, this->Camera));
+          selectionTexels(renderer->GetSelector(), points, origins, this->Camera));
       }
     });
   this->forgetErrorsOfReleasing(window);

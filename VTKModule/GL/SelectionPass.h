@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws what a hardware selector reads.
+// Draws the colours that a hardware selector reads.
 #ifndef TetMarchGLSelectionPass_h
 #define TetMarchGLSelectionPass_h
 
@@ -16,9 +16,9 @@ class SelectionPass
 {
 public:
   /**
-   * Four numbers a pixel of a part of the viewport, rows from the bottom: a colour, and the depth
-   * that it is drawn at, if nothing nearer is there; 1: it isn't drawn. Returns an empty string, or
-   * what is wrong.
+   * Draw a part of the viewport. The texels have four numbers a pixel, rows from the bottom: a
+   * colour, and the depth at which it is drawn if nothing nearer is there; pixels of depth 1 are
+   * not drawn. Returns an empty string, or what is wrong.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const Viewport& viewport, const Viewport& part,
     std::vector<float> texels);

@@ -59,7 +59,7 @@ vtkShaderProgram* ShaderDraw::use(vtkOpenGLRenderWindow* window, const std::stri
   const std::string& fragmentFile, const std::string& defines, std::string& error,
   const PeelHooks* hooks)
 {
-  // Of all types that this VTK knows, most of them empty.
+  // VTK lists shaders of all types that it knows, most of them empty.
   std::vector<vtkSmartPointer<vtkShader>> owned;
   Shaders shaders;
   for (int type = vtkShader::Vertex; type < vtkShader::Unknown; ++type)

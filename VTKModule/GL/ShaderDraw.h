@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A program and a draw call without vertex arrays.
+// A shader program, and draw calls without vertex buffers.
 #ifndef TetMarchGLShaderDraw_h
 #define TetMarchGLShaderDraw_h
 
@@ -22,12 +22,12 @@ class PeelHooks;
 class ShaderDraw
 {
 public:
-  /** Compile, or find in the window's cache, and use. nullptr on failure: error then says which
-   * file. Hooks edit the text of both before. */
+  /** Compile the program, or find it in the window's cache, and use it. Hooks edit the text of both
+   * shaders before. Returns nullptr on failure, and `error` says which file is wrong. */
   vtkShaderProgram* use(vtkOpenGLRenderWindow* window, const std::string& vertexFile,
     const std::string& fragmentFile, const std::string& defines, std::string& error,
     const PeelHooks* hooks = nullptr);
-  /** Draw so many triangles, with vertices that the vertex shader makes from their number. */
+  /** Draw so many triangles, whose vertices the vertex shader makes from their number. */
   void drawTriangles(int count);
   void release();
 

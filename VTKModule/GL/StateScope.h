@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever a pass sets in the GL state, it is as before when the scope ends.
+// Restores the GL state that a pass changes when the scope ends.
 #ifndef TetMarchGLStateScope_h
 #define TetMarchGLStateScope_h
 
@@ -31,9 +31,9 @@ private:
 };
 
 /**
- * VTK's record has the array buffers that were bound when it was last read from the GL, as at a
- * vtkHardwareSelector's begin, and Pop() binds them again, though they may be gone. Read it anew if
- * so.
+ * VTK's record of the state has the array buffers that were bound when it was last read from the
+ * GL, as at a vtkHardwareSelector's begin. Pop() binds them again, though they may have been
+ * deleted. If so, read the record again.
  */
 inline void forgetLostBuffers(vtkOpenGLRenderWindow* window)
 {

@@ -73,13 +73,8 @@ std::string TableTextures::uploadSeveral(
            : error;
 }
 
-std::string TableTextures::upload(
-  vtkOpenGLRenderWindow* window, const IntegralTable& table, const Components& components)
+std::string TableTextures::uploadFirst(vtkOpenGLRenderWindow* window, const IntegralTable& table)
 {
-  if (!components.isSingle())
-  {
-    return this->uploadSeveral(window, table, components);
-  }
   const std::size_t size = table.Values.size();
   std::string error = this->Values.upload(window, TexelFormat::RGBA32F, table.Values.data(), size);
   if (error.empty())
@@ -90,6 +85,22 @@ std::string TableTextures::upload(
   {
     error = this->Variations.upload(window, TexelFormat::R32F, table.Variations.data(), size);
   }
+  return error;
+}
+
+std::string TableTextures::upload(vtkOpenGLRenderWindow* window, const TransferTables& tables)
+{
+  if (this->holds(tables))
+  {
+    return {};
+  }
+  this->Run = 0;
+  const Components& components = tables.components();
+  const std::string error = components.isSingle()
+                              ? this->uploadFirst(window, tables.first())
+                              : this->uploadSeveral(window, tables.first(), components);
+  this->Run = error.empty() ? tables.record().Runs : 0;
+  this->UploadedBytes += static_cast<std::int64_t>(this->bytes());
   return error;
 }
 
@@ -165,6 +176,7 @@ void TableTextures::release(vtkWindow* window)
   this->Values.release(window);
   this->Integrals.release(window);
   this->Variations.release(window);
+  this->Run = 0;
 }
 
 std::size_t TableTextures::bytes() const

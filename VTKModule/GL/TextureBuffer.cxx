@@ -52,7 +52,8 @@ std::string TextureBuffer::upload(
   const FormatRow row = rowOf(format);
   const std::size_t bytes = texels * row.Bytes;
   clearErrors();
-  // The texture refers to the storage of the buffer, which an upload may move: make it anew.
+  // The texture refers to the storage of the buffer, which an upload may replace: make the texture
+  // again.
   this->release(window);
   const bool uploaded = this->Buffer->Upload(
     static_cast<const unsigned char*>(data), bytes, vtkOpenGLBufferObject::TextureBuffer);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A tile of a target as triangles, for Shaders/passes/tile.vert.glsl.
+// Draws a tile of a target as triangles, for Shaders/passes/tile.vert.glsl.
 #ifndef TetMarchGLTileCorners_h
 #define TetMarchGLTileCorners_h
 
@@ -22,7 +22,7 @@ inline void drawCorners(
   const auto ndc = [](int pixel, int size) { return static_cast<float>(2.0 * pixel / size - 1.0); };
   const int x = tile.X - target.X;
   const int y = tile.Y - target.Y;
-  // A scissor box would do, but llvmpipe gets its edges wrong when pixels have several samples.
+  // Not by a scissor box: llvmpipe draws its edges wrong where pixels have several samples.
   const bool whole = tile.Width >= target.Width && tile.Height >= target.Height;
   const std::array<float, 4> covering{ { -1, -1, 3, 3 } };
   const std::array<float, 4> corners{ { ndc(x, target.Width), ndc(y, target.Height),

@@ -28,7 +28,7 @@ Viewport withinScissor(vtkOpenGLState* state, const Viewport& area)
     std::min(area.Y + area.Height, box[1] + box[3]) - y };
 }
 
-// Observers may do as they like with the GL, and with other windows.
+// Observers may change the GL state and draw in other windows.
 bool askToGoOn(vtkOpenGLRenderWindow* window, const Progress& progress, double share)
 {
   StateScope state(window);
@@ -49,7 +49,7 @@ std::string drawInTiles(vtkOpenGLRenderWindow* window, const Viewport& area, dou
   schedule.begin(visible.Width, visible.Height, mostSeconds);
   if (measured)
   {
-    glFinish(); // what was drawn before is not measured
+    glFinish(); // so that earlier draws are not measured
   }
   Tile tile;
   while (schedule.next(tile))

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One picture in as many draws as it takes for each to be short.
+// Draws a picture in several draw calls so that each is short.
 #ifndef TetMarchGLTiledDraw_h
 #define TetMarchGLTiledDraw_h
 
@@ -17,9 +17,9 @@ namespace tetmarch
 {
 
 /**
- * Call `draw`, which returns an empty string or what is wrong, once a tile of what the scissor box
- * lets through of the area. Between tiles progress is asked, with the GL state as it was. It may
- * stop the picture: `stopped` becomes true.
+ * Call `draw` once for each tile of the area, as far as the scissor box lets it through. It
+ * returns an empty string, or what is wrong. Between tiles the GL state is as before, and progress
+ * is asked; if it stops the picture, `stopped` becomes true.
  */
 std::string drawInTiles(vtkOpenGLRenderWindow* window, const Viewport& area, double mostSeconds,
   TileSchedule& schedule, const Progress& progress, bool& stopped,

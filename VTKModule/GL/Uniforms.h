@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Matrices in double, row by row, become uniforms in float, column by column; textures, units.
+// Sets uniforms: matrices from double, row by row, to float, column by column, and texture units.
 #ifndef TetMarchGLUniforms_h
 #define TetMarchGLUniforms_h
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An array on the GPU that is there as long as something needs it, and brought again when it
+// An array on the GPU that exists as long as something needs it, and is uploaded again when it
 // changed.
 #ifndef TetMarchGLVersionedBuffer_h
 #define TetMarchGLVersionedBuffer_h
@@ -18,10 +18,8 @@ namespace tetmarch
 class VersionedBuffer
 {
 public:
-  /**
-   * `upload` fills the buffer that it is given and returns an empty string, or what is wrong; it is
-   * called if there is need and this version isn't there yet.
-   */
+  /** Call `upload` if the array is needed and this version isn't on the GPU. It fills the buffer
+   * and returns an empty string, or what is wrong. */
   template <typename Upload>
   std::string update(
     vtkOpenGLRenderWindow* window, bool needed, const Fingerprint& version, Upload&& upload)
@@ -50,7 +48,7 @@ public:
     this->Version.clear();
   }
   std::size_t bytes() const { return this->Buffer.bytes(); }
-  /** Ever. */
+  /** How many bytes were uploaded in all. */
   std::int64_t uploadedBytes() const { return this->UploadedBytes; }
 
 private:

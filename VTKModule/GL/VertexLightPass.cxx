@@ -4,7 +4,7 @@
 
 #include "GL/EffectTextures.h"
 #include "GL/LightBinding.h"
-#include "GL/MeshTextures.h"
+#include "GL/MarchSource.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
 #include "GL/TileCorners.h"
@@ -21,7 +21,7 @@ namespace tetmarch
 namespace
 {
 
-// So few that one draw of them fits into what a frame can spare.
+// So few blocks that one draw of them fits into the time that a frame can spare.
 constexpr int BlocksOfPart = 8;
 constexpr std::size_t VerticesOfBlock = VertexLightPass::BlockSide * VertexLightPass::BlockSide;
 constexpr std::size_t BlocksOfRow = VertexLightPass::RowLength / VertexLightPass::BlockSide;
@@ -82,7 +82,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   }
   else if (this->Made == 0)
   {
-    // What was shown won't be any more, and its place can be used.
+    // The light that was shown is out of date, and its texture can be used.
     std::swap(this->Shown, this->Next);
     this->ShownVersion.clear();
   }
@@ -103,7 +103,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   return error;
 }
 
-// Light of before, as long as it is of the vertices of this mesh; else all that comes.
+// Show the light of before if it is of the vertices of this mesh, or else full light.
 std::string VertexLightPass::showSomething(
   vtkOpenGLRenderWindow* window, const Viewport& all, std::uintptr_t mesh)
 {
@@ -124,19 +124,19 @@ std::string VertexLightPass::showSomething(
 std::string VertexLightPass::makeAll(
   vtkOpenGLRenderWindow* window, const Work& work, const Progress& progress, bool& stopped)
 {
-  const int first =
-    BlockSide * static_cast<int>(this->Made / VerticesOfBlock / BlocksOfRow); // of the rows to make
+  const int first = BlockSide * static_cast<int>(this->Made / VerticesOfBlock /
+                                                 BlocksOfRow); // the first row to make
   const Viewport rest{ 0, first, work.All.Width, work.All.Height - first };
   const std::string error = drawInTiles(window, rest, work.Inputs.MostSecondsPerDraw, this->Tiles,
     progress, stopped, [&](const Viewport& tile) { return this->drawTile(window, work, tile); });
-  glFinish(); // what it took is told
+  glFinish(); // so that its time is known
   this->Made = error.empty() && !stopped ? work.Vertices : this->Made;
   return error;
 }
 
 std::string VertexLightPass::makePart(vtkOpenGLRenderWindow* window, const Work& work)
 {
-  glFinish(); // what was drawn before takes none of the time
+  glFinish(); // so that earlier draws take none of the time
   const Clock::time_point begin = Clock::now();
   std::string error;
   do
@@ -157,13 +157,13 @@ std::string VertexLightPass::drawTile(
 {
   const MarchInputs& inputs = work.Inputs;
   std::string error;
-  vtkShaderProgram* program = this->Draw.use(
-    window, "passes/tile.vert.glsl", "passes/vertex_light.frag.glsl", inputs.Key.defines(), error);
+  vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
+    inputs.Source->shaderOf(SourcePass::VertexLight), inputs.Key.defines(), error);
   if (!program)
   {
     return error;
   }
-  inputs.Mesh->bind(program, inputs.Key);
+  inputs.Source->bind(program, inputs.Key);
   inputs.Tables->bind(
     program, *inputs.Table, inputs.Range, *inputs.Parts, inputs.Level, inputs.Key);
   inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
@@ -176,7 +176,7 @@ std::string VertexLightPass::drawTile(
   setUniform(program, "thicknessMatrix", inputs.Camera->ThicknessMatrix);
   program->SetUniformi("vertexCount", static_cast<int>(work.Vertices));
   drawCorners(program, this->Draw, work.All, tile);
-  inputs.Mesh->unbind();
+  inputs.Source->unbind();
   inputs.Tables->unbind();
   inputs.Effects->unbind();
   return {};

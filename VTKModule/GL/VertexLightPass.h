@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Marches from each vertex towards the light, and keeps how much comes.
+// Marches from each vertex towards the lights, and keeps how much light comes.
 #ifndef TetMarchGLVertexLightPass_h
 #define TetMarchGLVertexLightPass_h
 
@@ -24,20 +24,20 @@ public:
   static constexpr int BlockSide = 8;
 
   /**
-   * Light of so many vertices, unless this version of it is there; the first word of a version is
-   * that of the mesh. Returns an empty string, or what is wrong; `stopped` becomes true if progress
-   * asked to stop between two tiles.
+   * Make the light of so many vertices, unless this version of it is there. The first word of a
+   * version is that of the geometry. Returns an empty string, or what is wrong; `stopped` becomes
+   * true if progress asked to stop between two tiles.
    *
-   * If the inputs limit its time, a part is made and the rest left to the next calls: until all of
-   * it is there, the light that was there before is shown, or none is kept off.
+   * If the inputs limit its time, a part is made and the rest is left to the next calls. Until all
+   * of it is there, the light of before is shown, or full light if there was none.
    */
   std::string update(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::size_t vertices,
     const Fingerprint& version, const Progress& progress, bool& stopped);
   /** Blocks of RGBA: ambient light, then that of up to three lights. */
   vtkTextureObject* texture() const { return this->Shown.color(0); }
-  /** Whether texture() is what the last update() was asked for. */
+  /** Whether texture() is the version that the last update() asked for. */
   bool isComplete() const { return this->Complete; }
-  /** A run is what makes all of the light, over however many frames. */
+  /** A run makes all of the light, in one or several frames. */
   const StageRecord& record() const { return this->Record; }
   std::size_t bytes() const { return this->Shown.bytes() + this->Next.bytes(); }
   void release(vtkWindow* window);
@@ -46,9 +46,9 @@ private:
   struct Work
   {
     MarchInputs Inputs;
-    Viewport All; // of the texture
+    Viewport All; // all texels of the texture
     std::size_t Vertices;
-    bool ToLights; // or ambient light alone
+    bool ToLights; // false: ambient light only
   };
 
   std::string showSomething(
@@ -63,8 +63,8 @@ private:
   FloatTarget Next; // while it is being made
   Fingerprint ShownVersion;
   Fingerprint NextVersion;
-  std::size_t Made = 0; // vertices of it
-  double Seconds = 0;   // that it took as yet
+  std::size_t Made = 0; // so many vertices of Next
+  double Seconds = 0;   // the time that Next took so far
   bool Complete = false;
   TileSchedule Tiles;
   StageRecord Record;

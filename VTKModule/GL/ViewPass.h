@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws what was measured of each pixel in colours.
+// Draws in colours what was measured of each pixel.
 #ifndef TetMarchGLViewPass_h
 #define TetMarchGLViewPass_h
 
@@ -23,8 +23,8 @@ class ViewPass
 {
 public:
   /**
-   * Opaque, in the colours, range and scale that the table of the view has; pixels whose ray met
-   * nothing stay as they are. `measures` has a texel a pixel of the area. Returns an empty string,
+   * Draw opaque, in the colours, range and scale of the view's table. Pixels whose ray met nothing
+   * stay as they are. `measures` has one texel for each pixel of the area. Returns an empty string,
    * or what is wrong.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const Viewport& area, vtkTextureObject* measures,

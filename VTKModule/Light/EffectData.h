@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the effects of a picture are made of, on the CPU.
+// The data of the effects of light and gradients, on the CPU.
 #ifndef TetMarchLightEffectData_h
 #define TetMarchLightEffectData_h
 
@@ -17,17 +17,17 @@ namespace tetmarch
 
 struct EffectData
 {
-  /** Of the stored scalar, one a vertex or, if CellGradients, one a tetrahedron. */
+  /** Gradients of the stored scalar: one a vertex or, if CellGradients, one a tetrahedron. */
   std::vector<std::array<float, 3>> Gradients;
   bool CellGradients = false;
   GradientOpacityTable GradientOpacity; // may be empty
-  double GradientOpacityScale = 0;      // from the length of a gradient to a position in it
-  LightUniforms Lights;                 // none: nothing is lit
-  /** For each vertex three others of a tetrahedron around it, and that one's number. */
+  double GradientOpacityScale = 0; // from the magnitude of a gradient to a position in the table
+  LightUniforms Lights;            // none: nothing is lit
+  /** Where rays from vertices start, see Mesh/VertexStarts.h. */
   std::vector<std::array<std::uint32_t, 4>> VertexStarts; // if there are shadows or occlusion
   OpaqueShadows Opaque;
   /** For each vertex, in bit k whether opaque geometry keeps the light of shadow source k off. */
-  std::vector<std::uint8_t> ShadowedVertices; // if there is such geometry
+  std::vector<std::uint8_t> ShadowedVertices; // empty without such geometry
 
   bool empty() const { return this->GradientOpacity.empty() && this->Lights.Sources.empty(); }
 };

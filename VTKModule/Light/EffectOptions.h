@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user asks of light, beside what the lights and the volume's property say.
+// The options of light that are not those of lights and of the volume's property.
 #ifndef TetMarchLightEffectOptions_h
 #define TetMarchLightEffectOptions_h
 
@@ -9,7 +9,7 @@
 namespace tetmarch
 {
 
-/** Where the light is looked for that comes through the volume. */
+/** Where it is found out how much light comes through the volume. */
 enum class ShadowMethod
 {
   Off,
@@ -46,8 +46,8 @@ struct EffectOptions
   }
 };
 
-/** Without what the blend mode has no use for: of surfaces, lights on them and gradients are seen,
- * of scalars nothing but they. */
+/** The options that have an effect in the blend mode: isosurfaces have lights and gradients but no
+ * shadows, and other modes than composite have neither. */
 EffectOptions usedOptions(const EffectOptions& options);
 
 } // namespace tetmarch

@@ -3,9 +3,6 @@
 #include "Light/EffectStage.h"
 
 #include "Caching/WithinMemory.h"
-#include "Mesh/Gradients.h"
-#include "Mesh/Scalars.h"
-#include "Mesh/VertexStarts.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkPiecewiseFunction.h"
@@ -21,17 +18,17 @@ namespace tetmarch
 namespace
 {
 
-double steepest(const std::vector<Gradient>& gradients)
+double steepest(const std::vector<std::array<float, 3>>& gradients)
 {
   double most = 0;
-  for (const Gradient& g : gradients)
+  for (const std::array<float, 3>& g : gradients)
   {
     most = std::max(most, std::hypot(double(g[0]), double(g[1]), double(g[2])));
   }
   return most;
 }
 
-// Asking for a function that isn't there would make one.
+// Asking for a function that isn't there would create one.
 bool mayHaveGradientOpacity(vtkVolumeProperty* property)
 {
   return !property->GetDisableGradientOpacity() &&
@@ -39,11 +36,11 @@ bool mayHaveGradientOpacity(vtkVolumeProperty* property)
          property->HasGradientOpacity();
 }
 
-// What opaque geometry casts its shadows by: data, places and lights, of a mesh.
+// The input of shadows of opaque geometry: its data and places, and the lights.
 Fingerprint inputOf(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volume,
-  const LightUniforms& lights, std::uintptr_t mesh)
+  const LightUniforms& lights, const Fingerprint& geometry)
 {
-  Fingerprint input{ mesh };
+  Fingerprint input = geometry;
   for (const OpaqueSurface& surface : surfaces)
   {
     add(input, surface.Data);
@@ -89,12 +86,13 @@ std::string EffectStage::update(
     {
       this->Data.Lights = makeLightUniforms(
         this->Options.showsSurfaces() ? lightingOf(renderer, property) : Lighting(), this->Options,
-        volume, *input.Mesh);
+        volume, input.Source->frame());
       const bool byGradient =
         this->Options.Blend == BlendMode::Composite && mayHaveGradientOpacity(property);
       const bool needed = byGradient || !this->Data.Lights.Sources.empty() ||
                           this->Options.Shown == Subject::Gradients;
-      this->updateGradients(input, needed, options.CellGradients && input.CellScalars->empty());
+      this->updateGradients(
+        input, needed, options.CellGradients && input.Source->hasCellGradients());
       this->updateGradientOpacity(volume, input, byGradient);
       this->updateStarts(input, this->Data.Lights.hasVolumeLight());
       this->updateOpaqueShadows(renderer, volume, input);
@@ -121,18 +119,15 @@ void EffectStage::updateGradients(const EffectInput& input, bool needed, bool of
   Fingerprint which;
   if (needed)
   {
-    which = input.Which;
+    which = input.Source->scalarsVersion();
     which.push_back(ofCells ? 1 : 0);
   }
   this->Gradients.update(
-    which, [this] { std::vector<Gradient>().swap(this->Data.Gradients); },
+    which, [this] { std::vector<std::array<float, 3>>().swap(this->Data.Gradients); },
     [&]
     {
       this->Data.CellGradients = ofCells;
-      this->Data.Gradients = ofCells ? cellGradients(*input.Mesh)
-                             : input.CellScalars->empty()
-                               ? vertexGradients(*input.Mesh)
-                               : vertexGradients(*input.Mesh, *input.CellScalars);
+      this->Data.Gradients = input.Source->gradients(ofCells);
       this->SteepestGradient = steepest(this->Data.Gradients);
     });
 }
@@ -149,8 +144,8 @@ void EffectStage::updateGradientOpacity(vtkVolume* volume, const EffectInput& in
     which, [this] { this->Data.GradientOpacity = {}; },
     [&]
     {
-      // Of the stored scalar over the radius -> of the data's over a unit of its length.
-      const double unit = input.Range->width() / input.Mesh->Radius;
+      // From gradients of the stored scalar in the normalised frame to those of the data.
+      const double unit = input.Source->range().width() / input.Source->frame().Radius;
       this->Data.GradientOpacity =
         gradientOpacityOf(volume->GetProperty(), this->SteepestGradient * unit);
       this->Data.GradientOpacityScale = unit / this->Data.GradientOpacity.Unit;
@@ -162,11 +157,11 @@ void EffectStage::updateStarts(const EffectInput& input, bool needed)
   Fingerprint which;
   if (needed)
   {
-    which.push_back(input.Which.front()); // the mesh
+    which = input.Source->geometryVersion();
   }
   this->Starts.update(
-    which, [this] { std::vector<std::array<Id, 4>>().swap(this->Data.VertexStarts); },
-    [&] { this->Data.VertexStarts = vertexStarts(*input.Mesh); });
+    which, [this] { std::vector<EffectSource::VertexStart>().swap(this->Data.VertexStarts); },
+    [&] { this->Data.VertexStarts = input.Source->vertexStarts(); });
 }
 
 void EffectStage::updateOpaqueShadows(
@@ -178,8 +173,9 @@ void EffectStage::updateOpaqueShadows(
   {
     surfaces = opaqueSurfaces(renderer, input.Blocks);
   }
-  const Fingerprint which =
-    surfaces.empty() ? Fingerprint() : inputOf(surfaces, volume, lights, input.Which.front());
+  const Fingerprint which = surfaces.empty()
+                              ? Fingerprint()
+                              : inputOf(surfaces, volume, lights, input.Source->geometryVersion());
   std::vector<std::uint8_t> before;
   const auto free = [&]
   {
@@ -191,9 +187,11 @@ void EffectStage::updateOpaqueShadows(
   };
   const auto make = [&]
   {
-    this->Data.Opaque.update(surfaces, volume, *input.Mesh, lights);
+    this->Data.Opaque.update(surfaces, volume, input.Source->frame(), lights);
+    const std::vector<EffectSource::VertexStart>& starts = this->Data.VertexStarts;
     this->Data.ShadowedVertices =
-      this->Data.Opaque.ofVertices(*input.Mesh, this->Data.VertexStarts);
+      this->Data.Opaque.ofPoints(starts.size(), [&](std::size_t vertex, Vector3& point)
+        { return input.Source->startPoint(vertex, starts[vertex], point); });
     this->DistinctOpaqueShadows += this->Data.ShadowedVertices == before ? 0 : 1;
   };
   this->OpaqueShadows.update(which, free, make);
@@ -209,7 +207,7 @@ bool EffectStage::samplesShadows(double pixels) const
 {
   // A ray of the picture takes about 8 samples of each light, a vertex one.
   constexpr double samples = 8;
-  // With the method off, what scatters light still casts shadows, wherever is cheaper.
+  // Scattered light casts shadows even if the method is off; they are computed where it is cheaper.
   return this->Options.Shadows == ShadowMethod::AlongRays ||
          (this->Options.Shadows != ShadowMethod::AtVertices &&
            static_cast<double>(this->Data.VertexStarts.size()) > samples * pixels);

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the effects of a scene are made of: only what the scene calls for, made anew when its own
-// input changed, and freed when nothing calls for it any more.
+// The data of the effects that a scene calls for: each is made again when its own input changed,
+// and freed when nothing needs it.
 #ifndef TetMarchLightEffectStage_h
 #define TetMarchLightEffectStage_h
 
 #include "Caching/MadeFrom.h"
 #include "Light/EffectData.h"
 #include "Light/EffectOptions.h"
+#include "Light/EffectSource.h"
 #include "Variants/VariantKey.h"
 
 #include <string>
@@ -18,42 +19,36 @@ class vtkVolume;
 namespace tetmarch
 {
 
-struct ScalarRange;
-
-/** The scalars that effects are made of, and which they are: equal if nothing of them changed. */
+/** What effects are made of. */
 struct EffectInput
 {
-  const TetMesh* Mesh = nullptr;
-  const std::vector<float>* CellScalars = nullptr; // empty: those of the vertices
-  const ScalarRange* Range = nullptr;
-  Fingerprint Which;
+  const EffectSource* Source = nullptr;
   BlockAttributes Blocks = nullptr; // of opaque geometry; nullptr: all of them are drawn alike
 };
 
 class EffectStage
 {
 public:
-  /** Returns an empty string, or what is wrong and what to do; nothing is then left. */
+  /** Returns an empty string, or what is wrong and what to do; all data is freed then. */
   std::string update(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options,
     const EffectInput& input);
   void clear();
 
   const EffectData& data() const { return this->Data; }
-  /** The bits of the key that say which effects there are. `pixels` of the picture decide where
-   * shadows are looked for, if that is left open. */
+  /** Set the bits of the key that say which effects there are. If it is left open where shadows are
+   * sampled, the number of pixels decides. */
   void setBits(VariantKey& key, double pixels) const;
 
-  /** Of gradients and of the starts of rays from vertices: neither runs unless something needs it.
-   */
+  /** How often the stages ran: none runs unless something needs it. */
   const StageRecord& gradientsRecord() const { return this->Gradients.record(); }
   const StageRecord& startsRecord() const { return this->Starts.record(); }
   const StageRecord& gradientOpacityRecord() const { return this->GradientOpacity.record(); }
   const StageRecord& opaqueShadowsRecord() const { return this->OpaqueShadows.record(); }
-  /** What has changed with these has to be uploaded. */
+  /** Data of another version has to be uploaded again. */
   const Fingerprint& gradientsVersion() const { return this->Gradients.input(); }
   const Fingerprint& gradientOpacityVersion() const { return this->GradientOpacity.input(); }
   const Fingerprint& startsVersion() const { return this->Starts.input(); }
-  /** Another one only if some vertex has come into a shadow or out of one. */
+  /** Changes only if some vertex has come into a shadow or out of one. */
   Fingerprint opaqueShadowsVersion() const;
 
 private:

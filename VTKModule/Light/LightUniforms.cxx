@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Light/LightUniforms.h"
 
-#include "Mesh/TetMesh.h"
+#include "Geometry/VolumeFrame.h"
 
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -59,8 +59,8 @@ Matrix scaled(Matrix m, double factor)
   return m;
 }
 
-// From the normalised frame of the mesh to the world, both with the mesh's centre as origin.
-struct Frame
+// From the normalised frame to the world, both with the volume's centre as origin.
+struct WorldTransform
 {
   Matrix ToWorld{};
   Matrix FromWorld{};
@@ -90,31 +90,31 @@ bool keepsAngles(const Matrix& m)
   return apart <= 1e-6 * products[0][0];
 }
 
-Frame frameOf(vtkVolume* volume, const TetMesh& mesh)
+WorldTransform worldTransform(vtkVolume* volume, const VolumeFrame& frame)
 {
-  Frame frame;
+  WorldTransform world;
   vtkMatrix4x4* matrix = volume->GetMatrix();
   double rows[3][3];
   double inverse[3][3];
   for (int r = 0; r < 3; ++r)
   {
-    frame.Center[r] = matrix->GetElement(r, 3);
+    world.Center[r] = matrix->GetElement(r, 3);
     for (int c = 0; c < 3; ++c)
     {
-      rows[r][c] = matrix->GetElement(r, c) * mesh.Radius;
-      frame.ToWorld[3 * r + c] = rows[r][c];
-      frame.Center[r] += matrix->GetElement(r, c) * mesh.Center[c];
+      rows[r][c] = matrix->GetElement(r, c) * frame.Radius;
+      world.ToWorld[3 * r + c] = rows[r][c];
+      world.Center[r] += matrix->GetElement(r, c) * frame.Center[c];
     }
   }
   vtkMath::Invert3x3(rows, inverse);
   for (int i = 0; i < 9; ++i)
   {
-    frame.FromWorld[i] = inverse[i / 3][i % 3];
+    world.FromWorld[i] = inverse[i / 3][i % 3];
   }
-  const double most = greatest(frame.ToWorld);
-  frame.Unit = most > 0 ? most : 1;
-  frame.KeepsAngles = keepsAngles(frame.ToWorld);
-  return frame;
+  const double most = greatest(world.ToWorld);
+  world.Unit = most > 0 ? most : 1;
+  world.KeepsAngles = keepsAngles(world.ToWorld);
+  return world;
 }
 
 Matrix transposed(const Matrix& m)
@@ -122,15 +122,15 @@ Matrix transposed(const Matrix& m)
   return { { m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8] } };
 }
 
-// The unit vector to a light that is far away, in the frame of the mesh.
-Triple wayOf(const LightSource& light, const Frame& frame)
+// The unit vector to a light that is far away, in the normalised frame.
+Triple wayOf(const LightSource& light, const WorldTransform& world)
 {
   return unit(
-    times(frame.FromWorld, { { -light.Direction[0], -light.Direction[1], -light.Direction[2] } }));
+    times(world.FromWorld, { { -light.Direction[0], -light.Direction[1], -light.Direction[2] } }));
 }
 
 LightUniforms::Light lightSourceOf(
-  const LightSource& light, const Lighting& lighting, const Frame& frame, bool inWorld)
+  const LightSource& light, const Lighting& lighting, const WorldTransform& world, bool inWorld)
 {
   LightUniforms::Light source;
   source.Headlight = light.Headlight;
@@ -139,38 +139,38 @@ LightUniforms::Light lightSourceOf(
     source.Diffuse[k] = light.Diffuse[k] * lighting.Diffuse;
     source.Specular[k] = light.Specular[k] * lighting.Specular;
     source.Place[k] =
-      light.Positional ? (light.Position[k] - frame.Center[k]) / frame.Unit : -light.Direction[k];
+      light.Positional ? (light.Position[k] - world.Center[k]) / world.Unit : -light.Direction[k];
     source.Cone[k] = light.Direction[k];
   }
   if (!inWorld)
   {
-    const Triple way = wayOf(light, frame);
+    const Triple way = wayOf(light, world);
     std::copy(way.begin(), way.end(), source.Place.begin());
   }
   source.Place[3] = light.Positional ? 1 : 0;
   source.Cone[3] = light.ConeCosine;
-  source.Attenuation = { { light.Attenuation[0], light.Attenuation[1] * frame.Unit,
-    light.Attenuation[2] * frame.Unit * frame.Unit, light.Exponent } };
+  source.Attenuation = { { light.Attenuation[0], light.Attenuation[1] * world.Unit,
+    light.Attenuation[2] * world.Unit * world.Unit, light.Exponent } };
   return source;
 }
 
-std::array<double, 4> sourceOf(const LightSource& light, const Frame& frame)
+std::array<double, 4> sourceOf(const LightSource& light, const WorldTransform& world)
 {
   if (!light.Positional)
   {
-    const Triple way = wayOf(light, frame);
+    const Triple way = wayOf(light, world);
     return { { way[0], way[1], way[2], 0 } };
   }
   Triple place{};
   for (int k = 0; k < 3; ++k)
   {
-    place[k] = light.Position[k] - frame.Center[k];
+    place[k] = light.Position[k] - world.Center[k];
   }
-  place = times(frame.FromWorld, place);
+  place = times(world.FromWorld, place);
   return { { place[0], place[1], place[2], 1 } };
 }
 
-// VTK's reach runs from nothing to the diagonal, and most of it is near; the diagonal is 2 radii.
+// VTK's reach 0..1 means nothing to the whole diagonal, which is 2 radii, with most of it near 0.
 double distanceOf(double reach) { return 2 * (1 - std::pow(1 - reach, 0.33)); }
 
 } // namespace
@@ -181,22 +181,22 @@ bool LightUniforms::hasHeadlightShadows() const
     [](const Light& source) { return source.Headlight && source.ShadowStrength > 0; });
 }
 
-LightUniforms makeLightUniforms(
-  const Lighting& lighting, const EffectOptions& options, vtkVolume* volume, const TetMesh& mesh)
+LightUniforms makeLightUniforms(const Lighting& lighting, const EffectOptions& options,
+  vtkVolume* volume, const VolumeFrame& frame)
 {
   LightUniforms lights;
   if (lighting.Lights.empty())
   {
     return lights;
   }
-  const Frame frame = frameOf(volume, mesh);
+  const WorldTransform world = worldTransform(volume, frame);
   const bool local = std::any_of(lighting.Lights.begin(), lighting.Lights.end(),
     [](const LightSource& light) { return light.Positional; });
-  lights.InWorld = local || !frame.KeepsAngles;
+  lights.InWorld = local || !world.KeepsAngles;
   if (lights.InWorld)
   {
-    lights.WorldMatrix = scaled(frame.ToWorld, 1 / frame.Unit);
-    const Matrix normals = transposed(frame.FromWorld);
+    lights.WorldMatrix = scaled(world.ToWorld, 1 / world.Unit);
+    const Matrix normals = transposed(world.FromWorld);
     lights.NormalMatrix = scaled(normals, 1 / greatest(normals));
   }
   lights.TwoSided = lighting.TwoSided;
@@ -206,7 +206,7 @@ LightUniforms makeLightUniforms(
   const bool casts = options.Shadows != ShadowMethod::Off || options.Scattering > 0;
   for (const LightSource& light : lighting.Lights)
   {
-    LightUniforms::Light source = lightSourceOf(light, lighting, frame, lights.InWorld);
+    LightUniforms::Light source = lightSourceOf(light, lighting, world, lights.InWorld);
     for (int k = 0; k < 3; ++k)
     {
       lights.Ambient[k] += lighting.Ambient * light.Ambient[k];
@@ -223,7 +223,7 @@ LightUniforms makeLightUniforms(
       {
         source.ShadowStrength = light.ShadowStrength;
         source.ShadowChannel = static_cast<int>(lights.ShadowSources.size());
-        lights.ShadowSources.push_back(sourceOf(light, frame));
+        lights.ShadowSources.push_back(sourceOf(light, world));
       }
       else
       {
@@ -233,7 +233,7 @@ LightUniforms makeLightUniforms(
     lights.Sources.push_back(source);
   }
   lights.Reach = distanceOf(options.Reach);
-  // Through all of the volume is not yet all the way to what stands outside.
+  // A reach through all of the volume may still end before what stands outside.
   lights.OpaqueReach = options.Reach < 1 ? lights.Reach : std::numeric_limits<double>::infinity();
   if (options.Occlusion && lighting.Ambient > 0)
   {

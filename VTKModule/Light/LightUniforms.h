@@ -16,14 +16,14 @@ class vtkVolume;
 namespace tetmarch
 {
 
-struct TetMesh;
+struct VolumeFrame;
 
 /**
- * Angles are the same in the normalised frame of the mesh and in the world, unless the volume is
- * stretched: light from far away is reckoned in the frame of the mesh then, which spares the march
- * two transforms a point. Otherwise, and where distances from lights count, it is reckoned in world
- * coordinates, which begin at the centre of the mesh here and whose unit is such that float can
- * tell the mesh whatever its size.
+ * Unless the volume is stretched, angles are the same in its normalised frame and in the world.
+ * Light from far away is then computed in the normalised frame, which saves the march two
+ * transforms a point. Otherwise, and where distances from lights matter, light is computed in world
+ * coordinates, with the volume's centre as origin and a unit of length such that float can
+ * represent the volume whatever its size.
  */
 struct LightUniforms
 {
@@ -37,15 +37,15 @@ struct LightUniforms
     std::array<double, 4> Cone{ { 0, 0, 0, -1 } }; // where it shines, cosine of the cone's angle
     bool Headlight = false;
     double ShadowStrength = 0;
-    int ShadowChannel = -1; // of the light at vertices; -1: it casts none, or stands at the eye
+    int ShadowChannel = -1; // in the light at vertices; -1: it casts no shadows, or is a headlight
   };
-  /** That many lights may cast shadows, beside the headlights. */
+  /** So many lights may cast shadows, not counting headlights. */
   static constexpr int MostShadowSources = 3;
 
   std::vector<Light> Sources;
-  bool InWorld = false; // else in the normalised frame of the mesh, and the matrices say nothing
-  std::array<double, 9> WorldMatrix{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } };  // of vectors of that frame
-  std::array<double, 9> NormalMatrix{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }; // of gradients there
+  bool InWorld = false; // else in the normalised frame; the matrices lead from there to the world
+  std::array<double, 9> WorldMatrix{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } };  // of vectors
+  std::array<double, 9> NormalMatrix{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }; // of gradients
   bool TwoSided = false;
   std::array<double, 3> Ambient{};
   double SpecularPower = 1;
@@ -53,15 +53,15 @@ struct LightUniforms
 
   std::vector<std::array<double, 4>> ShadowSources; // as Place, but in the normalised frame
   double Reach = 0;                                 // in the normalised frame
-  double OpaqueReach = 0; // the same for opaque geometry: infinity if all the way
+  double OpaqueReach = 0; // the same for shadows of opaque geometry; infinity: no limit
   int OcclusionDirections = 0;
   double OcclusionRadius = 0;
-  int ShadowlessLights = 0; // that would have cast shadows, had there been fewer
+  int ShadowlessLights = 0; // lights beyond MostShadowSources, which cast no shadows
 
   bool hasHeadlightShadows() const;
   bool isHeadlightOnly() const { return this->Sources.size() == 1 && this->Sources[0].Headlight; }
-  /** Whether light is kept at vertices or looked for: something casts shadows, or ambient light is
-   * occluded. */
+  /** Whether it matters how much light comes through the volume: something casts shadows, or
+   * ambient light is occluded. */
   bool hasVolumeLight() const
   {
     return !this->ShadowSources.empty() || this->OcclusionDirections > 0;
@@ -69,8 +69,8 @@ struct LightUniforms
 };
 
 /** No lights if nothing is lit. */
-LightUniforms makeLightUniforms(
-  const Lighting& lighting, const EffectOptions& options, vtkVolume* volume, const TetMesh& mesh);
+LightUniforms makeLightUniforms(const Lighting& lighting, const EffectOptions& options,
+  vtkVolume* volume, const VolumeFrame& frame);
 
 } // namespace tetmarch
 

@@ -45,7 +45,7 @@ bool makeDirection(const Triple& from, const Triple& to, Triple& direction)
   return true;
 }
 
-// Where the light stands and which way it shines; false if it doesn't say.
+// Set the light's place and direction. False if it has none.
 bool place(vtkLight* light, LightSource& source)
 {
   source.Positional = light->GetPositional() != 0;
@@ -57,7 +57,7 @@ bool place(vtkLight* light, LightSource& source)
   {
     source.Position = position;
     source.Attenuation = triple(light->GetAttenuationValues());
-    // An angle of 90 degrees is still a spot's, as in VTK's own shaders.
+    // A cone angle of 90 degrees still makes a spot light, as in VTK's own shaders.
     const double angle = light->GetConeAngle();
     if (std::isfinite(angle) && angle <= 90)
     {
@@ -73,7 +73,7 @@ bool place(vtkLight* light, LightSource& source)
          std::isfinite(source.Exponent);
 }
 
-// False if the light is dark.
+// Set the light's colours. False if it is dark.
 bool color(vtkLight* light, LightSource& source)
 {
   const double intensity = light->GetSwitch() ? light->GetIntensity() : 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What shines on a volume and how it answers, as vtkRenderer's lights and vtkVolumeProperty say.
+// The lights of a vtkRenderer, and how a volume reflects them by its vtkVolumeProperty.
 #ifndef TetMarchLightLighting_h
 #define TetMarchLightLighting_h
 
@@ -13,7 +13,7 @@ class vtkVolumeProperty;
 namespace tetmarch
 {
 
-/** More lights than these are left out: a frame's time grows with each. */
+/** Lights beyond this number are left out: the time of a frame grows with each. */
 constexpr int MostLights = 16;
 
 struct LightSource
@@ -35,7 +35,7 @@ struct Lighting
 {
   std::vector<LightSource> Lights; // in the renderer's order
   bool TwoSided = false;
-  double Ambient = 0; // and the others, of component 0
+  double Ambient = 0; // all four are those of component 0
   double Diffuse = 0;
   double Specular = 0;
   double SpecularPower = 0;
@@ -43,11 +43,10 @@ struct Lighting
 };
 
 /**
- * Lights that are on, have an intensity and some colour. Left out is what has no use: a light of
- * numbers that aren't finite, and a directional light or a spot whose focal point is its position.
- * Headlights and camera lights stand where the renderer put them at the frame's begin
- * (vtkRenderer::UpdateLightsGeometryToFollowCamera()). Lights is empty if shading is off or no
- * light shines: then nothing is to be lit.
+ * The lights that are on and have an intensity and some colour. Left out are lights with numbers
+ * that aren't finite, and directional lights and spots whose focal point is their position.
+ * Headlights and camera lights are where the renderer put them at the begin of the frame
+ * (vtkRenderer::UpdateLightsGeometryToFollowCamera()). There are no lights if shading is off.
  */
 Lighting lightingOf(vtkRenderer* renderer, vtkVolumeProperty* property);
 

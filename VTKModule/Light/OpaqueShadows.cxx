@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Light/OpaqueShadows.h"
 
-#include "Mesh/VertexStarts.h"
+#include "Geometry/VolumeFrame.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
@@ -27,17 +27,14 @@ Matrix times(const Matrix& a, const Matrix& b)
   return product;
 }
 
-Matrix meshToWorld(vtkVolume* volume, const TetMesh& mesh)
+Matrix normalizedToWorld(vtkVolume* volume, const VolumeFrame& frame)
 {
-  const double r = mesh.Radius;
-  const auto& c = mesh.Center;
-  const Matrix normalized{ { r, 0, 0, c[0], 0, r, 0, c[1], 0, 0, r, c[2], 0, 0, 0, 1 } };
   Matrix world{};
   vtkMatrix4x4::DeepCopy(world.data(), volume->GetMatrix());
-  return times(world, normalized);
+  return times(world, frame.matrixToData());
 }
 
-// Of a vector if w is 0, of a point if it is 1.
+// Transform a vector (w = 0) or a point (w = 1).
 Vector3 transformed(const Matrix& m, const Vector3& v, double w)
 {
   Vector3 result{};
@@ -48,7 +45,7 @@ Vector3 transformed(const Matrix& m, const Vector3& v, double w)
   return result;
 }
 
-// Those without inverse have no volume left, and cast nothing.
+// A matrix without inverse leaves no volume, which casts no shadows.
 bool isInvertible(const Matrix& matrix)
 {
   const double determinant = vtkMatrix4x4::Determinant(matrix.data());
@@ -58,9 +55,9 @@ bool isInvertible(const Matrix& matrix)
 } // namespace
 
 void OpaqueShadows::update(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volume,
-  const TetMesh& mesh, const LightUniforms& lights)
+  const VolumeFrame& frame, const LightUniforms& lights)
 {
-  const Matrix toWorld = meshToWorld(volume, mesh);
+  const Matrix toWorld = normalizedToWorld(volume, frame);
   std::vector<Caster> casters;
   for (const OpaqueSurface& surface : surfaces)
   {
@@ -80,7 +77,7 @@ void OpaqueShadows::update(const std::vector<OpaqueSurface>& surfaces, vtkVolume
   this->Reach = lights.OpaqueReach;
 }
 
-// One data may be shown at several places.
+// The same data may be shown in several places.
 std::shared_ptr<const TriangleHierarchy> OpaqueShadows::hierarchyOf(
   vtkPolyData* data, const Fingerprint& which, const std::vector<Caster>& made)
 {
@@ -120,19 +117,8 @@ bool OpaqueShadows::isShadowed(const Vector3& point, std::size_t source, double 
     });
 }
 
-std::uint8_t OpaqueShadows::ofVertex(
-  const TetMesh& mesh, std::uint32_t vertex, const std::array<std::uint32_t, 4>& start) const
+std::uint8_t OpaqueShadows::ofPoint(const Vector3& point) const
 {
-  if (start[3] == NoTet)
-  {
-    return 0;
-  }
-  const Vector3 place = position(mesh.Vertices[vertex]);
-  Vector3 point = scaled(1 - 1.0 / 64, place);
-  for (int i = 0; i < 3; ++i)
-  {
-    add(1.0 / (3 * 64), position(mesh.Vertices[start[i]]), point);
-  }
   std::uint8_t shadows = 0;
   for (std::size_t k = 0; k < this->Sources.size(); ++k)
   {
@@ -141,16 +127,16 @@ std::uint8_t OpaqueShadows::ofVertex(
   return shadows;
 }
 
-std::vector<std::uint8_t> OpaqueShadows::ofVertices(
-  const TetMesh& mesh, const std::vector<std::array<std::uint32_t, 4>>& starts) const
+std::vector<std::uint8_t> OpaqueShadows::ofPoints(std::size_t count, const PointOf& pointOf) const
 {
-  std::vector<std::uint8_t> shadows(starts.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(starts.size()),
+  std::vector<std::uint8_t> shadows(count);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)
       {
-        shadows[i] = this->ofVertex(mesh, static_cast<std::uint32_t>(i), starts[i]);
+        Vector3 point;
+        shadows[i] = pointOf(static_cast<std::size_t>(i), point) ? this->ofPoint(point) : 0;
       }
     });
   return shadows;

@@ -9,6 +9,7 @@
 #include "Light/OpaqueSurfaces.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -17,28 +18,26 @@ class vtkVolume;
 namespace tetmarch
 {
 
-/** By rays towards the lights of LightUniforms::ShadowSources, in double precision. */
+struct VolumeFrame;
+
+/** Found by rays towards the lights of LightUniforms::ShadowSources, in double precision. */
 class OpaqueShadows
 {
 public:
-  /** Hierarchies of surfaces whose data is the same as before are kept, wherever these have moved.
-   */
-  void update(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volume, const TetMesh& mesh,
-    const LightUniforms& lights);
+  /** Surfaces whose data is the same as before keep their hierarchies, wherever they have moved. */
+  void update(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volume,
+    const VolumeFrame& frame, const LightUniforms& lights);
 
-  /** Whether a surface stands between a point of the mesh's normalised frame and a light, and not
-   * within `margin` of the point. Any number of threads may ask. */
+  /** Whether a surface lies between a point of the normalised frame and a light, and not within
+   * `margin` of the point. Thread-safe. */
   bool isShadowed(const Vector3& point, std::size_t source, double margin = 0) const;
 
-  /**
-   * For each vertex, in bit k whether it lies in the shadow of light k. Like in
-   * Shaders/light/vertex_light.glsl a point a little within the tetrahedron of the vertex's start
-   * stands for it, so that a vertex on a surface is on the same side as that.
-   */
-  std::vector<std::uint8_t> ofVertices(
-    const TetMesh& mesh, const std::vector<std::array<std::uint32_t, 4>>& starts) const;
+  /** Gets the point of an index, in the normalised frame. False if there is none: no shadow. */
+  using PointOf = std::function<bool(std::size_t, Vector3&)>;
+  /** For each of so many points, in bit k whether it lies in the shadow of light k. In parallel. */
+  std::vector<std::uint8_t> ofPoints(std::size_t count, const PointOf& pointOf) const;
 
-  /** Ever. */
+  /** How many hierarchies were made in all. */
   int numberOfHierarchies() const { return this->Hierarchies; }
 
 private:
@@ -51,8 +50,7 @@ private:
 
   std::shared_ptr<const TriangleHierarchy> hierarchyOf(
     vtkPolyData* data, const Fingerprint& which, const std::vector<Caster>& made);
-  std::uint8_t ofVertex(
-    const TetMesh& mesh, std::uint32_t vertex, const std::array<std::uint32_t, 4>& start) const;
+  std::uint8_t ofPoint(const Vector3& point) const;
 
   std::vector<Caster> Casters;
   std::vector<std::array<double, 4>> Sources;

@@ -48,8 +48,9 @@ public:
   {
   }
 
-  // The paths that assemblies keep are not walked: the volume that is being drawn may be part of
-  // one that walks them itself. Like there, parts count as visible whatever they are assembled to.
+  // The paths that assemblies keep are not traversed: the volume that is being drawn may belong to
+  // an assembly that is traversing them itself. As there, parts count as visible whatever assembly
+  // they are in.
   void addProp(vtkProp* prop, const Matrix& parent)
   {
     const Matrix matrix = timesMatrixOf(parent, prop);
@@ -105,7 +106,7 @@ private:
     }
   }
 
-  // What is said of a block holds for those in it that nothing is said of.
+  // Attributes of a block hold for blocks in it that have none.
   void addData(vtkDataObject* data, const Matrix& matrix, vtkCompositeDataDisplayAttributes* drawn,
     bool visible = true, bool opaque = true)
   {

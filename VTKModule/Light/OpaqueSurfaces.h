@@ -23,18 +23,18 @@ struct OpaqueSurface
   std::array<double, 16> ToWorld{}; // row by row
 };
 
-/** What a mapper of composite data draws its blocks with, or nullptr. */
+/** The attributes with which a mapper of composite data draws its blocks, or nullptr. */
 using BlockAttributes = vtkCompositeDataDisplayAttributes* (*)(vtkMapper*);
 
 /**
- * Of the actors that the renderer's props are or are assembled of: those that are visible, opaque
- * and drawn as surfaces, by a mapper of polydata, of composite data of such (but for blocks that
- * are invisible or translucent), or by a vtkDataSetMapper that has drawn before. Mappers' clipping
- * planes are not looked at.
+ * The surfaces of all actors of the renderer, also of those in assemblies, that are visible,
+ * opaque and drawn as surfaces, by a mapper of polydata, of composite data of polydata (without
+ * invisible and translucent blocks), or by a vtkDataSetMapper that has drawn before. Clipping
+ * planes of mappers are not considered.
  */
 std::vector<OpaqueSurface> opaqueSurfaces(vtkRenderer* renderer, BlockAttributes attributes);
 
-/** Polygons and triangle strips, cut as VTK draws them. */
+/** The triangles of polygons and triangle strips, cut as VTK draws them. */
 TriangleHierarchy trianglesOf(vtkPolyData* data);
 
 } // namespace tetmarch

@@ -17,13 +17,14 @@ namespace
 
 constexpr std::size_t MostTrianglesOfLeaf = 4;
 
-// Boxes are larger by this than exact, so that neither their rounding nor that of a ray from up to
-// a million radii off loses a triangle.
+// Boxes are enlarged by this, so that rounding of boxes and of rays from up to a million radii away
+// loses no triangle.
 constexpr float BoxMargin = 1e-6f;
 
 } // namespace
 
-// With the axis along which the ray is longest as z, and sheared so that it runs along that.
+// The ray in coordinates whose z axis is the one along which the ray is longest, sheared so that it
+// is parallel to z.
 struct TriangleHierarchy::Ray
 {
   Vector3 Origin;
@@ -56,7 +57,7 @@ struct TriangleHierarchy::Ray
       this->Shear[2] * p[this->Z] } };
   }
 
-  // Where a product is NaN, the ray runs along the margin of a box, in which nothing is to be hit.
+  // Where a product is NaN, the ray runs within the margin of a box, where there is nothing to hit.
   bool meets(const Box& box) const
   {
     double enter = 0;
@@ -115,7 +116,7 @@ void TriangleHierarchy::moveToUnitBox()
   }
 }
 
-// At each level the nodes of one are independent of each other.
+// The nodes of a level are independent of each other.
 void TriangleHierarchy::sort()
 {
   std::vector<std::array<float, 3>> centers(this->Triangles.size());
@@ -149,7 +150,7 @@ void TriangleHierarchy::sort()
   this->Triangles.swap(sorted);
 }
 
-// The median of the longest axis parts its children.
+// The children are separated by the median along the longest axis.
 void TriangleHierarchy::sortNode(std::size_t level, std::size_t node,
   const std::vector<std::array<float, 3>>& centers, std::vector<std::uint32_t>& order) const
 {
@@ -250,7 +251,7 @@ bool TriangleHierarchy::isHit(const Vector3& origin, const Vector3& direction, d
   return false;
 }
 
-// The edges' functions change their signs exactly where two corners change places.
+// Exchanging two corners exactly changes the sign of an edge function.
 bool TriangleHierarchy::isHit(const Ray& ray, const std::array<std::uint32_t, 3>& triangle) const
 {
   const Vector3 a = ray.sheared(this->Points[triangle[0]]);

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles, and whether any of them stands in the way of a ray.
+// Whether any of many triangles lies on a ray.
 #ifndef TetMarchLightTriangleHierarchy_h
 #define TetMarchLightTriangleHierarchy_h
 
-#include "Mesh/Vector3.h"
+#include "Geometry/Vector3.h"
 
 #include <array>
 #include <cstdint>
@@ -13,15 +13,12 @@
 namespace tetmarch
 {
 
-/**
- * A bounding volume hierarchy that any number of threads may ask. VTK 9.1's vtkModifiedBSPTree and
- * vtkOBBTree may be asked by one only, and vtkStaticCellLocator touches a flag of every cell for
- * each ray.
- */
+/** A thread-safe bounding volume hierarchy. VTK 9.1's vtkModifiedBSPTree and vtkOBBTree are for a
+ * single thread, and vtkStaticCellLocator touches a flag of every cell for each ray. */
 class TriangleHierarchy
 {
 public:
-  /** Corners are numbers of points, and finite. */
+  /** The triangles hold indices of points, which are finite. */
   TriangleHierarchy(
     std::vector<Vector3> points, std::vector<std::array<std::uint32_t, 3>> triangles);
 

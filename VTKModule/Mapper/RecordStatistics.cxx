@@ -5,6 +5,7 @@
 #include "Blocks/JoinedBlocks.h"
 #include "Budget/AccuracyController.h"
 #include "GL/Pipeline.h"
+#include "GL/TetSource.h"
 
 #include "vtkTetMarchFrameStatistics.h"
 
@@ -16,19 +17,15 @@ namespace
 void recordStages(const Pipeline& pipeline, vtkTetMarchFrameStatistics* statistics)
 {
   const EffectStage& effects = pipeline.effects();
-  statistics->SetMeshSeconds(pipeline.meshRecord().Seconds);
-  statistics->SetMeshBuilds(pipeline.meshRecord().Runs);
-  statistics->SetScalarsSeconds(pipeline.ScalarsRecord.Seconds);
-  statistics->SetScalarsBuilds(pipeline.ScalarsRecord.Runs);
-  statistics->SetTablesSeconds(pipeline.TablesRecord.Seconds);
-  statistics->SetTablesBuilds(pipeline.TablesRecord.Runs);
+  statistics->SetTablesSeconds(pipeline.tablesRecord().Seconds);
+  statistics->SetTablesBuilds(pipeline.tablesRecord().Runs);
   statistics->SetGradientsSeconds(effects.gradientsRecord().Seconds);
   statistics->SetGradientsBuilds(effects.gradientsRecord().Runs);
   statistics->SetOpaqueShadowsSeconds(effects.opaqueShadowsRecord().Seconds);
   statistics->SetOpaqueShadowsBuilds(effects.opaqueShadowsRecord().Runs);
   statistics->SetVertexLightSeconds(pipeline.vertexLightRecord().Seconds);
   statistics->SetVertexLightBuilds(pipeline.vertexLightRecord().Runs);
-  statistics->SetUploadSeconds(pipeline.UploadRecord.Seconds);
+  statistics->SetUploadSeconds(pipeline.uploadRecord().Seconds);
 }
 
 void recordCounters(const MarchCounters& counters, vtkTetMarchFrameStatistics* statistics)
@@ -47,13 +44,20 @@ void recordPipeline(const Pipeline& pipeline, vtkTetMarchFrameStatistics* statis
 {
   recordStages(pipeline, statistics);
   recordCounters(pipeline.counted().counters(), statistics);
-  statistics->SetNumberOfTetrahedra(pipeline.mesh().numberOfTets());
-  statistics->SetNumberOfBoundaryFaces(
-    static_cast<vtkIdType>(pipeline.mesh().BoundaryFaces.size()));
   statistics->SetGPUMemoryBytes(static_cast<vtkTypeInt64>(pipeline.gpuBytes()));
   statistics->SetUploadedBytes(pipeline.uploadedBytes());
   statistics->SetNumberOfDraws(pipeline.numberOfDraws());
   statistics->SetLightComplete(pipeline.isLightComplete());
+}
+
+void recordTetrahedra(const TetSource& source, vtkTetMarchFrameStatistics* statistics)
+{
+  statistics->SetMeshSeconds(source.meshRecord().Seconds);
+  statistics->SetMeshBuilds(source.meshRecord().Runs);
+  statistics->SetScalarsSeconds(source.scalarsRecord().Seconds);
+  statistics->SetScalarsBuilds(source.scalarsRecord().Runs);
+  statistics->SetNumberOfTetrahedra(source.mesh().numberOfTets());
+  statistics->SetNumberOfBoundaryFaces(static_cast<vtkIdType>(source.mesh().BoundaryFaces.size()));
 }
 
 void recordBlocks(const JoinedBlocks& blocks, vtkTetMarchFrameStatistics* statistics)

@@ -12,9 +12,13 @@ namespace tetmarch
 class AccuracyController;
 class JoinedBlocks;
 class Pipeline;
+class TetSource;
 
-/** Runs and seconds of the stages, memory, size of the mesh, counts of the last frame. */
+/** Runs and seconds of the stages that every source has, memory, counts of the last frame. */
 void recordPipeline(const Pipeline& pipeline, vtkTetMarchFrameStatistics* statistics);
+
+/** Runs and seconds of the stages of tetrahedra, and the size of the mesh. */
+void recordTetrahedra(const TetSource& source, vtkTetMarchFrameStatistics* statistics);
 
 void recordBlocks(const JoinedBlocks& blocks, vtkTetMarchFrameStatistics* statistics);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The edges of the boundary, and which boundary faces hang together by them.
+// The edges of the boundary, and the boundary faces that are connected by them.
 #ifndef TetMarchMeshBoundaryEdges_h
 #define TetMarchMeshBoundaryEdges_h
 
@@ -23,12 +23,13 @@ struct BoundaryEdge
 /** All edges of all boundary faces, those of one key side by side. */
 std::vector<BoundaryEdge> sortedBoundaryEdges(const TetMesh& mesh);
 
-/** What edges[i] and edges[i + 1] are to each other. */
+/** How edges[i] and edges[i + 1] are related. */
 enum class EdgePair
 {
   None,    // not the two sides of an edge with exactly two faces
   Regular, // the faces go along it in opposite directions, as on every orientable surface
-  Folded   // they don't: a tetrahedron that was turned over lies on its neighbour
+  Folded   // the faces go along it in the same direction: a tetrahedron was turned over and lies on
+           // its neighbour
 };
 EdgePair pairOf(const std::vector<BoundaryEdge>& edges, std::size_t i);
 

@@ -94,9 +94,9 @@ private:
     return 0.5f * (this->Boxes[face].Low[axis] + this->Boxes[face].High[axis]);
   }
 
-  // Write the node of a range of faces and its subtree. A cut that leaves more than 7/8 on one side
-  // is replaced by the median, and from half of the greatest depth on each one is: 24 levels of
-  // halves are enough for every face that there may be.
+  // Write the node of a range of faces and its subtree. A cut that leaves more than 7/8 of the
+  // faces on one side is replaced by the median, and from half of the greatest depth on each cut
+  // is: 24 levels of halves are enough for the greatest number of faces.
   void split(std::size_t first, std::size_t last, int depth)
   {
     if (first == last)
@@ -206,7 +206,7 @@ private:
 
 void buildHierarchy(TetMesh& mesh)
 {
-  // The question of the hull needs a tree to be answered, and decides what the final trees are.
+  // Finding the faces on the hull needs a tree; the result decides how the final trees are split.
   Builder(mesh).build(std::vector<bool>(mesh.BoundaryFaces.size(), true));
   std::vector<bool> reentry = findHullFaces(mesh);
   reentry.flip();

@@ -12,7 +12,8 @@ namespace tetmarch
 /** Node and face numbers are exact in float up to here. */
 constexpr std::size_t MostHierarchyFaces = std::size_t(1) << 23;
 
-/** Nodes on the way from a root to a leaf, at most: a walk has to remember so many others. */
+/** The most nodes on the path from the root to a leaf: so many nodes a traversal has to remember.
+ */
 constexpr int MostHierarchyDepth = 48;
 
 /** Boxes are larger by this than exact: the predicate projects vertices with a few 1e-7 of error.
@@ -20,10 +21,10 @@ constexpr int MostHierarchyDepth = 48;
 constexpr float HierarchyMargin = 4e-6f;
 
 /**
- * Build Hierarchy top-down with binned surface area heuristic (Wald 2007), and bring BoundaryFaces
- * into the order of its leaves. The first ReentryNodes nodes hold the ReentryFaces faces through
- * which a ray can come back in, the rest those on the convex hull of the mesh. Links must be set
- * again afterwards.
+ * Build Hierarchy top-down with the binned surface area heuristic (Wald 2007), and bring
+ * BoundaryFaces into the order of its leaves. The first ReentryNodes nodes hold the ReentryFaces
+ * faces through which a ray can enter again, the other nodes those on the convex hull of the mesh.
+ * The links of boundary faces must be set again afterwards.
  */
 void buildHierarchy(TetMesh& mesh);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One cell becomes tetrahedra.
+// Cuts one cell into tetrahedra.
 #ifndef TetMarchMeshCellCutter_h
 #define TetMarchMeshCellCutter_h
 
@@ -19,9 +19,9 @@ namespace tetmarch
 {
 
 /**
- * Cuts cells of a grid that checkGrid() has found sound, as decompose() says, and adds what comes
- * of them to Result. The centres are numbered on from the grid's points, in the order of their
- * cells. One for each thread.
+ * Cuts cells of a grid that checkGrid() has found sound, by the rules of decompose(), and appends
+ * the tetrahedra to Result. Centres get the numbers behind the points of the grid, in the order of
+ * their cells. Each thread has its own cutter.
  */
 class CellCutter
 {
@@ -67,7 +67,7 @@ private:
   std::vector<Id> Face;
   std::vector<std::array<Id, 3>> Triangles;
   Point Mean{ { 0, 0, 0 } };
-  vtkIdType CenterOfCell = -1; // of those of this cutter
+  vtkIdType CenterOfCell = -1; // number among the centres of this cutter
 };
 
 } // namespace tetmarch

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is done with cells of each of VTK's types, and how many points they must have.
+// How cells of each of VTK's types are cut, and how many points they must have.
 #ifndef TetMarchMeshCellKind_h
 #define TetMarchMeshCellKind_h
 

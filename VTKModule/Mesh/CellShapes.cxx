@@ -39,7 +39,7 @@ std::vector<Polygon> prismFaces(int corners)
   return faces;
 }
 
-// The points in the middle of edges, numbered on from the corners in the order of VTK's
+// The points in the middle of edges, numbered after the corners in the order of VTK's
 // documentation.
 const Edges TetEdges = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
 const Edges HexEdges = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 4, 5 }, { 5, 6 }, { 6, 7 },

@@ -51,7 +51,7 @@ private:
   const Link& linkOf(Id tet, Id i) const { return this->Mesh.Links[4 * std::size_t(tet) + i]; }
   static bool leadsOutside(const Link& link) { return link.Tet >= LinkOutside; }
 
-  // What the sign of the tetrahedron behind face i of one of sign 1 must be.
+  // The sign that the tetrahedron behind face i of one with sign 1 must have.
   int signBehind(Id i, const Link& link) const
   {
     Id j = 0;
@@ -87,7 +87,7 @@ private:
 
   void askNeighboursOfFlatTets()
   {
-    std::vector<Id> asked; // flat ones that have got their sign, to be asked in turn
+    std::vector<Id> asked; // flat tetrahedra that got their sign, whose neighbours come next
     const auto ask = [&](Id flat)
     {
       for (Id i = 0; i < 4 && this->Signs[flat] == 0; ++i)
@@ -132,8 +132,8 @@ private:
     }
   }
 
-  // Signs that agree for all that hang together with the seed by links that may be followed, such
-  // that their volumes add up to more than 0.
+  // Give all tetrahedra that are connected with the seed by links that may be followed signs that
+  // agree, such that their volumes add up to more than 0.
   template <typename MayFollow>
   void decideTogether(Id seed, MayFollow&& mayFollow)
   {

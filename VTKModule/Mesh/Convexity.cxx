@@ -56,7 +56,7 @@ bool isNeedle(const TetMesh& mesh, const std::array<Id, 4>& face)
       (p[1][l] - p[0][l]) * (p[2][m] - p[0][m]) - (p[1][m] - p[0][m]) * (p[2][l] - p[0][l]);
     area += component * component;
   }
-  // height = area / longest edge, all squared
+  // Height is area / longest edge; all are squared.
   return !(area > std::ldexp(longest, -36) && area > std::ldexp(longest * longest, -12));
 }
 

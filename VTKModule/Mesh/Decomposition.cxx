@@ -32,7 +32,7 @@ void append(std::vector<T>& to, const std::vector<T>& from)
   to.insert(to.end(), from.begin(), from.end());
 }
 
-// Join the result of one range to those before it.
+// Append the result of one range to those before it.
 void join(Decomposition& result, Decomposition&& part, Id numberOfPoints)
 {
   const Id centersBefore = static_cast<Id>(result.CenterCells.size());
@@ -70,7 +70,7 @@ std::string decompose(
     return wrong;
   }
   const vtkIdType ranges = std::min<vtkIdType>(64, cells / 1024 + 1);
-  const vtkIdType portion = 8; // ranges between two reports of progress
+  const vtkIdType portion = 8; // so many ranges between two reports of progress
   result.Tets.reserve(cells);
   result.Cells.reserve(cells);
   for (vtkIdType begin = 0; begin < ranges; begin += portion)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An unstructured grid of any 3D cells becomes tetrahedra.
+// Cuts the 3D cells of an unstructured grid into tetrahedra.
 #ifndef TetMarchMeshDecomposition_h
 #define TetMarchMeshDecomposition_h
 
@@ -21,20 +21,20 @@ struct Decomposition
   std::vector<Id> Cells;               // one a tetrahedron
   std::vector<Id> CenterCells;
   std::vector<std::array<double, 3>> CenterPositions; // the mean of the cell's points
-  bool HasCutCells = false;                           // some are of cells of other types
+  bool HasCutCells = false; // some tetrahedra come from cells of other types
   MeshReport Report;
 };
 
 /**
  * Cut every 3D cell into tetrahedra, conformingly: a face with more than three corners is cut
- * through its corner with the smallest point id, which the cell on the other side does likewise.
+ * through its corner with the smallest point id, as is the same face of the cell on the other side.
  * The inside of a cell is cut from its own smallest point (pulling; Dompierre et al., "How to
- * subdivide pyramids, prisms and hexahedra into tetrahedra", 1999), or, where that point doesn't
- * see all faces (non-convex or strongly warped cells), from the mean of the cell's points, which
- * becomes a vertex with the mean scalar.
+ * subdivide pyramids, prisms and hexahedra into tetrahedra", 1999). Where that point doesn't see
+ * all faces (non-convex or strongly warped cells), it is cut from the mean of the cell's points,
+ * which becomes a vertex with the mean scalar.
  *
- * Returns an empty string, or what is wrong with the grid (GridCheck.h).
- * True in `stopped` if progress asked to stop.
+ * Returns an empty string, or what is wrong with the grid (GridCheck.h). `stopped` becomes true if
+ * progress asked to stop.
  */
 std::string decompose(
   vtkUnstructuredGrid* grid, const Progress& progress, Decomposition& result, bool& stopped);

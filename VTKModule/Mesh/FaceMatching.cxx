@@ -14,7 +14,7 @@ namespace tetmarch
 namespace
 {
 
-// A half-face by the vertices of its face that are not the smallest one.
+// A half-face, identified by the two larger vertices of its face.
 struct Owner
 {
   std::uint64_t Key; // the middle vertex, then the largest
@@ -27,7 +27,8 @@ struct Owner
 
 std::uint64_t makeKey(Id middle, Id largest) { return std::uint64_t(middle) << 32 | largest; }
 
-// Where the tetrahedra of each vertex begin when they are ordered by their vertex of that rank.
+// For each vertex the index of its first tetrahedron, when tetrahedra are ordered by their vertex
+// of that rank.
 std::vector<Id> startsByRank(const TetMesh& mesh, int rank)
 {
   std::vector<Id> starts(mesh.Vertices.size() + 1, 0);
@@ -133,7 +134,7 @@ private:
   {
     if (count > 1 && this->findDuplicates(owners, count, found))
     {
-      return; // matching starts anew without them
+      return; // matching starts again without them
     }
     if (count == 2)
     {
@@ -151,8 +152,8 @@ private:
     }
   }
 
-  // Owners on opposite sides are joined in the order of their numbers; flat ones stand in where a
-  // side has fewer. To the rest the face is boundary.
+  // Owners on opposite sides are linked in the order of their numbers; flat ones stand in where a
+  // side has fewer. For the remaining owners the face is boundary.
   void matchManyOwners(Id smallest, const Owner* owners, std::size_t count, FaceMatching& found)
   {
     found.ManyOwners = true;
@@ -186,17 +187,17 @@ private:
   }
 
   // Owners of one face with the same apex are the same tetrahedron: all but the first are dropped.
-  // But cutting makes some twice that aren't there at all, once outside of a cell that misses it
-  // and once inside of one that has it too much: where two faces of a cell overlap because a point
-  // lies on the diagonal of both, or where two cells share two faces side by side and it lies
-  // between them. Then both are dropped, and what lies on either side is joined; in the second case
-  // that shows by two further owners.
+  // But cutting may make a tetrahedron twice that should not be there at all: once outside of a
+  // cell that lacks it, and once inside of a cell that has it in excess. That happens where two
+  // faces of a cell overlap because a point lies on the diagonal of both, or where two cells share
+  // two faces side by side and it lies between them. Then both are dropped, and what lies on either
+  // side is linked. The second case is recognised by two further owners.
   bool findDuplicates(const Owner* owners, std::size_t count, FaceMatching& found) const
   {
     if (count == 2 &&
         apexOf(this->Mesh, owners[0].HalfFace) != apexOf(this->Mesh, owners[1].HalfFace))
     {
-      return false; // nearly every face: no list for these
+      return false; // the case of nearly every face, which needs no list
     }
     std::vector<std::pair<Id, Id>> tets; // apex, tetrahedron
     for (std::size_t i = 0; i < count; ++i)
@@ -226,7 +227,7 @@ private:
     return different < count;
   }
 
-  // inwardSide(), looked up.
+  // The same as inwardSide(), from a table.
   int sideOf(Id halfFace) const { return this->Found.Signs[halfFace / 4] * parity(halfFace % 4); }
 
   void join(Id a, Id b)

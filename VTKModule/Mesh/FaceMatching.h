@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which tetrahedra have a face in common.
+// Finds the tetrahedra that have a face in common.
 #ifndef TetMarchMeshFaceMatching_h
 #define TetMarchMeshFaceMatching_h
 
@@ -14,26 +14,24 @@
 namespace tetmarch
 {
 
-/** A half-face without a neighbour yet. */
+/** A half-face that has no neighbour so far. */
 constexpr Id Unlinked = 0xffffffffu;
 
 /** What matching found beside the links. */
 struct FaceMatching
 {
   std::vector<std::int8_t> Signs; // volumeSigns()
-  bool Agree = true;              // none is 0, and all that were joined lie on opposite sides
+  bool Agree = true;              // no sign is 0, and all linked pairs lie on opposite sides
   std::vector<std::pair<Id, Id>> Boundary; // smallest vertex (for the order), half-face
-  bool ManyOwners = false;                 // faces have more than two
+  bool ManyOwners = false;                 // some faces have more than two owners
   vtkIdType NonManifoldFaces = 0;
-  /** If there are any, the rest was not matched: to be done again without them. */
+  /** If there are any, the other faces were not matched: match again without these. */
   std::vector<Id> Duplicates;
   std::vector<Id> Cancelled; // with their duplicates
 };
 
-/**
- * Set the links between tetrahedra; what is said of duplicates and of faces with many owners in
- * HalfFaceLinks.h happens here. False if progress asked to stop.
- */
+/** Set the links between tetrahedra, treating duplicates and faces with many owners as
+ * HalfFaceLinks.h says. False if progress asked to stop. */
 bool matchFaces(const Progress& progress, TetMesh& mesh, FaceMatching& found);
 
 } // namespace tetmarch

@@ -24,7 +24,7 @@ Gradient rounded(const Vector3& g)
   return { { static_cast<float>(g[0]), static_cast<float>(g[1]), static_cast<float>(g[2]) } };
 }
 
-// Whether each tetrahedron has a volume and all that it knows of scalars is drawn.
+// For each tetrahedron whether it has a volume and all of its scalars are drawn.
 template <typename IsKnown>
 std::vector<std::uint8_t> findWhatTakesPart(const TetMesh& mesh, IsKnown&& isKnown)
 {
@@ -119,7 +119,7 @@ private:
       });
   }
 
-  // By their volumes.
+  // The mean of the gradients in the tetrahedra, weighted by their volumes.
   Vector3 meanOfTets(Id vertex) const
   {
     Vector3 sum{};
@@ -134,7 +134,7 @@ private:
     return volumes > 0 ? scaled(1 / volumes, sum) : sum;
   }
 
-  // Since each shares a tetrahedron that has a volume with the vertex, none is where it is.
+  // No other vertex is in the same place: each shares a tetrahedron with volume with this one.
   void findNeighbours(Id vertex, std::vector<Id>& neighbours) const
   {
     neighbours.clear();

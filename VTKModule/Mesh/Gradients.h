@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the scalar changes in space, at vertices and in tetrahedra.
+// Gradients of the scalar, at vertices and in tetrahedra.
 #ifndef TetMarchMeshGradients_h
 #define TetMarchMeshGradients_h
 
@@ -42,12 +42,12 @@ using Gradient = std::array<float, 3>;
  */
 std::vector<Gradient> vertexGradients(const TetMesh& mesh);
 
-/** At each vertex, of one scalar a tetrahedron: they become scalars of vertices (VertexScalars.h),
- * and those gradients. */
+/** At each vertex, of cell scalars (one a tetrahedron): these become scalars of vertices
+ * (VertexScalars.h), whose gradients are taken. */
 std::vector<Gradient> vertexGradients(const TetMesh& mesh, const std::vector<float>& cellScalars);
 
-/** In each tetrahedron, of point scalars: exact, since they are linear there. 0 where it is flat or
- * not drawn. */
+/** In each tetrahedron, of point scalars. Exact, since the scalar is linear there. 0 where the
+ * tetrahedron is flat or not drawn. */
 std::vector<Gradient> cellGradients(const TetMesh& mesh);
 
 } // namespace tetmarch

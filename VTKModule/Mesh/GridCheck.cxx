@@ -31,7 +31,7 @@ std::string shortest(double value)
   return stream.str();
 }
 
-// The error of the lowest i in 0..count that errorOf(i) doesn't return empty, in parallel.
+// The error of the lowest i in 0..count for which errorOf(i) is not empty. In parallel.
 template <typename ErrorOf>
 std::string firstError(vtkIdType count, const ErrorOf& errorOf)
 {
@@ -225,7 +225,7 @@ std::string describePoint(vtkPoints* points, vtkIdType point, vtkIdType cell)
          ". Repair the grid's points.";
 }
 
-// Points that no 3D cell has may be anything.
+// Points of no 3D cell may have any coordinates.
 std::string checkPoints(vtkUnstructuredGrid* grid)
 {
   vtkPoints* points = grid->GetPoints();

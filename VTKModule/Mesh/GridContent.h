@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a grid its mesh depends on, so that the same mesh in another grid is known again.
+// What of a grid its mesh depends on, so that the same content in another grid is recognised.
 #ifndef TetMarchMeshGridContent_h
 #define TetMarchMeshGridContent_h
 
@@ -22,7 +22,8 @@ Fingerprint versionOf(vtkUnstructuredGrid* grid);
 class GridContent
 {
 public:
-  /** Takes over the grid's. What has the identity and the time of change of before isn't read. */
+  /** Read the content of the grid. An array with the identity and time of change of before is not
+   * read again. */
   void read(vtkUnstructuredGrid* grid);
 
   /** Whether all values are the same; nothing was read from grids that have none. */

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What versions of VTK differ by in unstructured grids.
+// Differences between versions of VTK in unstructured grids.
 #ifndef TetMarchMeshGridVersions_h
 #define TetMarchMeshGridVersions_h
 
@@ -38,7 +38,7 @@ constexpr bool ConvexPointSetsCountLocally = VTK_VERSION_NUMBER < VTK_VERSION_CH
 inline vtkDataArray* cellTypesOf(vtkUnstructuredGrid* grid) { return grid->GetCellTypesArray(); }
 inline const char* nameOfCellType(int type) { return vtkCellTypes::GetClassNameFromTypeId(type); }
 
-/** What vtkCellArray keeps its offsets and its connectivity in. */
+/** The types of array in which vtkCellArray keeps its offsets and its connectivity. */
 using OffsetArrays =
   vtkTypeList::Create<vtkAOSDataArrayTemplate<vtkTypeInt32>, vtkAOSDataArrayTemplate<vtkTypeInt64>>;
 using ConnectivityArrays = OffsetArrays;

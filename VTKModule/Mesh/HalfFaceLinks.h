@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which tetrahedron lies behind each face.
+// Finds the tetrahedron that lies behind each face.
 #ifndef TetMarchMeshHalfFaceLinks_h
 #define TetMarchMeshHalfFaceLinks_h
 
@@ -11,12 +11,12 @@ namespace tetmarch
 {
 
 /**
- * Fill Links and BoundaryFaces of a mesh whose tetrahedra are there. Of duplicate tetrahedra the
+ * Fill Links and BoundaryFaces of a mesh that has its tetrahedra. Of duplicate tetrahedra the
  * first stays; but where two cells that were cut both claim one from opposite sides, both go. Of a
- * face with more than two owners those on opposite sides are linked in the order of their numbers;
- * to the rest the face is boundary (in a mesh with cut cells only to one that is left over).
- * To two owners on the same side it is boundary too (ConsistentOrientation.h). False if progress
- * asked to stop.
+ * face with more than two owners those on opposite sides are linked in the order of their numbers.
+ * For the remaining owners the face is boundary (in a mesh with cut cells only for one that is left
+ * over). It is boundary also for two owners on the same side (ConsistentOrientation.h). False if
+ * progress asked to stop.
  */
 bool linkHalfFaces(const Progress& progress, TetMesh& mesh);
 

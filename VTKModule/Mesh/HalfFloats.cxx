@@ -19,7 +19,7 @@ constexpr double LargestStored = 60000;
 constexpr std::uint16_t LargestHalf = 0x7bff;
 constexpr std::uint16_t NoNumber = 0x7e00;
 
-// Right by so many bits, to the nearest, of two the even one.
+// Shift right by so many bits and round to nearest, ties to even.
 std::uint32_t shiftedAndRounded(std::uint32_t bits, std::uint32_t shift)
 {
   const std::uint32_t half = 1u << (shift - 1);
@@ -68,7 +68,7 @@ std::uint16_t toHalf(float value)
   const std::uint32_t exponent = size >> 23;
   if (exponent > 112)
   {
-    // Rounding up may carry into the exponent, which is then right too.
+    // Rounding up may carry into the exponent, which makes the next power of 2.
     const std::uint32_t half = shiftedAndRounded(size - (112u << 23), 13);
     return static_cast<std::uint16_t>(sign | std::min<std::uint32_t>(half, LargestHalf));
   }

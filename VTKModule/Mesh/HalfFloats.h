@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Gradients in half of the memory: sixteen bits a component.
+// Gradients as half floats: sixteen bits a component.
 #ifndef TetMarchMeshHalfFloats_h
 #define TetMarchMeshHalfFloats_h
 
@@ -9,10 +9,8 @@
 namespace tetmarch
 {
 
-/**
- * The nearest number of IEEE 754 binary16, of two the even one. What is too large for it, infinity
- * too, becomes the largest finite one; what is not a number stays none.
- */
+/** The nearest number of IEEE 754 binary16; of two equally near the even one. Numbers that are too
+ * large, infinity included, become the largest finite one. NaN stays NaN. */
 std::uint16_t toHalf(float value);
 
 /** A gradient is Unit times the first three components of its texel; the fourth is 0. */
@@ -23,8 +21,9 @@ struct PackedGradients
 };
 
 /**
- * One unit for all, such that the largest component is about 60000: components down to a billionth
- * of it keep eleven bits, smaller ones fade out. Directions are off by 0.03 degrees at most.
+ * All gradients share one unit, such that the largest component is about 60000. Components down to
+ * a billionth of the largest keep eleven bits, smaller ones lose digits gradually. Directions are
+ * off by 0.03 degrees at most.
  */
 PackedGradients packGradients(const std::vector<Gradient>& gradients);
 

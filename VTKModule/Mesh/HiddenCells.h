@@ -12,11 +12,11 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
-/** A bit a tetrahedron: bit t % 32 of word t / 32. Empty if none is hidden. */
+/** One bit for each tetrahedron: bit t % 32 of word t / 32. Empty if none is hidden. */
 using HiddenCells = std::vector<std::uint32_t>;
 
-/** vtkGhostType of cells and of points; nullptr if there is none, or one that isn't of unsigned
- * char, or hasn't one value for each. */
+/** The arrays vtkGhostType of cells and of points. nullptr if there is none, if it is not of
+ * unsigned char, or if it does not have one value for each cell or point. */
 struct GhostArrays
 {
   vtkUnsignedCharArray* OfCells = nullptr;
@@ -24,10 +24,8 @@ struct GhostArrays
 };
 GhostArrays ghostArraysOf(vtkUnstructuredGrid* grid);
 
-/**
- * Hidden are tetrahedra of cells that are hidden themselves, that lie on another process as well
- * (duplicates, which that one draws) or that finer ones refine; and of cells with a hidden point.
- */
+/** Hidden are the tetrahedra of cells that are marked as hidden, as a duplicate (which another
+ * process draws) or as refined by finer cells, and of cells with a hidden point. */
 HiddenCells hiddenCells(vtkUnstructuredGrid* grid, const TetMesh& mesh);
 
 } // namespace tetmarch

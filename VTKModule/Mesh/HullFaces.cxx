@@ -16,10 +16,11 @@ namespace tetmarch
 namespace
 {
 
-// Nodes looked at for one face. Few are needed, but for large flat sides askew to the axes.
+// The most nodes to visit for one face. Few are needed except for large flat sides that are not
+// parallel to the axes.
 constexpr int MostNodes = 256;
 
-// Whether no vertex of the boundary stands out over the plane.
+// Whether no vertex of the boundary lies beyond the plane.
 bool isSupporting(const TetMesh& mesh, const FacePlane& plane)
 {
   const double rounding = std::ldexp(1.0, -21);
@@ -83,7 +84,7 @@ Place placeOf(const TetMesh& mesh, Id face)
            : (isSupporting(mesh, plane.reversed()) ? OnHullFacingIn : Inside);
 }
 
-// Whether the faces on the hull are one piece without a fold.
+// Whether the faces on the hull are connected and without a fold.
 bool coverOnce(const TetMesh& mesh, const std::vector<char>& places)
 {
   const std::vector<BoundaryEdge> edges = sortedBoundaryEdges(mesh);

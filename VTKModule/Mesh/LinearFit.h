@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The gradient that a few values in space have.
+// The linear function that fits a few values in space.
 #ifndef TetMarchMeshLinearFit_h
 #define TetMarchMeshLinearFit_h
 
-#include "Mesh/Vector3.h"
+#include "Geometry/Vector3.h"
 
 namespace tetmarch
 {
@@ -42,13 +42,14 @@ struct FittedGradient
     }
   }
 
-  /** False, and nothing is set, if the steps lie so nearly in a plane that rounding would show. */
+  /** Returns false and sets nothing if the steps lie so nearly in a plane that rounding errors
+   * would dominate. */
   bool solve(Vector3& gradient) const
   {
     const double mean =
       (this->Normal.Rows[0][0] + this->Normal.Rows[1][1] + this->Normal.Rows[2][2]) / 3;
     const double determinant = this->Normal.determinant();
-    // Then seven digits of sixteen are left, as many as has the float that the result becomes.
+    // At this limit seven of sixteen digits are left: as many as the float result has.
     if (!(determinant > 1e-9 * mean * mean * mean))
     {
       return false;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is odd about a grid, counted.
+// Counts of what was found wrong with a grid and repaired or left out.
 #ifndef TetMarchMeshMeshReport_h
 #define TetMarchMeshMeshReport_h
 
@@ -11,7 +11,7 @@
 namespace tetmarch
 {
 
-/** What was found and mended, for one report to the user. */
+/** For one warning to the user. */
 struct MeshReport
 {
   vtkIdType LowDimensionalCells = 0;  // vertices, lines, surfaces: skipped

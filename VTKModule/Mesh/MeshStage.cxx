@@ -5,6 +5,7 @@
 #include "Caching/WithinMemory.h"
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/LeastTetrahedra.h"
+#include "Mesh/MeshSizes.h"
 #include "Mesh/MovedPoints.h"
 #include "Mesh/TetMeshBuilder.h"
 
@@ -15,7 +16,7 @@ namespace tetmarch
 namespace
 {
 
-// Who mends the values of an array may tell the grid alone.
+// Whoever repairs the values of an array may only call Modified() of the grid.
 Fingerprint attemptOf(vtkUnstructuredGrid* grid, const ResourceLimits& limits)
 {
   Fingerprint attempt = versionOf(grid);
@@ -107,7 +108,7 @@ std::string MeshStage::addHierarchy()
     this->Mesh.Hierarchy = {};
     this->Mesh.ReentryNodes = 0;
     this->Mesh.ReentryFaces = 0;
-    if (!faces.empty()) // they are put in the order of the tree while it grows
+    if (!faces.empty()) // building the tree reorders them
     {
       this->Mesh.BoundaryFaces.swap(faces);
       linkBoundary(this->Mesh);

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The mesh of a grid, made anew when the grid changed, and what came in the way.
+// The mesh of a grid, made again when the grid changed.
 #ifndef TetMarchMeshMeshStage_h
 #define TetMarchMeshMeshStage_h
 
+#include "Budget/ResourceLimits.h"
 #include "Caching/Fingerprint.h"
 #include "Caching/StageRecord.h"
 #include "Mesh/GridContent.h"
 #include "Mesh/Progress.h"
-#include "Mesh/ResourceLimits.h"
 #include "Mesh/TetMesh.h"
 
 #include <string>
@@ -29,7 +29,8 @@ public:
    */
   std::string make(
     vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress);
-  /** Add the hierarchy of a convex mesh. On failure, which the string tells, the mesh stays. */
+  /** Add the hierarchy of a convex mesh. Returns an empty string, or why it failed; the mesh stays
+   * as it was then. */
   std::string addHierarchy();
 
   const TetMesh& mesh() const { return this->Mesh; }
@@ -38,14 +39,15 @@ public:
   const StageRecord& record() const { return this->Record; }
 
 private:
-  bool hasCellsOf(vtkUnstructuredGrid* grid); // the mesh, with other points
+  bool hasCellsOf(
+    vtkUnstructuredGrid* grid); // whether the grid differs from that of the mesh in its points only
 
   TetMesh Mesh;
   bool IsMade = false;
   GridContent MadeFrom;
-  GridContent Asked; // the grid that was asked for last
+  GridContent Asked; // of the last grid that isCurrent() was asked about
   Fingerprint FailedAttempt;
-  std::string Error; // of that
+  std::string Error; // of the failed attempt
   StageRecord Record;
 };
 

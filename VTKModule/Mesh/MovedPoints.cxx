@@ -7,7 +7,6 @@
 #include "Mesh/Convexity.h"
 #include "Mesh/GridCheck.h"
 #include "Mesh/HalfFaceLinks.h"
-#include "Mesh/MeshFrame.h"
 #include "Mesh/Orientation.h"
 
 #include "vtkPoints.h"
@@ -23,7 +22,7 @@ namespace tetmarch
 namespace
 {
 
-bool isSound(const Position& position)
+bool isSound(const Vector3& position)
 {
   return std::all_of(
     position.begin(), position.end(), [](double x) { return std::abs(x) <= MostCoordinate; });
@@ -31,7 +30,7 @@ bool isSound(const Position& position)
 
 bool moveVertices(vtkPoints* points, TetMesh& mesh)
 {
-  std::vector<Position> positions(mesh.Vertices.size());
+  std::vector<Vector3> positions(mesh.Vertices.size());
   const auto count = static_cast<vtkIdType>(positions.size());
   vtkSMPTools::For(0, count,
     [&](vtkIdType first, vtkIdType last)
@@ -42,7 +41,7 @@ bool moveVertices(vtkPoints* points, TetMesh& mesh)
       }
     });
   if (!std::all_of(positions.begin(), positions.end(), isSound) ||
-      !findFrame(positions, mesh).empty())
+      !findFrame(positions, mesh.Frame).empty())
   {
     return false;
   }
@@ -51,7 +50,7 @@ bool moveVertices(vtkPoints* points, TetMesh& mesh)
     {
       for (vtkIdType i = first; i < last; ++i)
       {
-        mesh.Vertices[i] = vertexAt(positions[i], mesh);
+        mesh.Vertices[i] = vertexAt(positions[i], mesh.Frame);
       }
     });
   return true;
@@ -64,7 +63,7 @@ Id indexOf(const std::array<Id, 4>& tet, Id vertex)
   return static_cast<Id>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());
 }
 
-// Whether the tetrahedra of all links lie on opposite sides of their face.
+// Whether the two tetrahedra of each link lie on opposite sides of their face.
 bool agree(const TetMesh& mesh, const std::vector<std::int8_t>& signs)
 {
   std::atomic<bool> agrees(true);
@@ -93,7 +92,7 @@ bool agree(const TetMesh& mesh, const std::vector<std::int8_t>& signs)
   return agrees;
 }
 
-// In the order of a mesh that is built: by the smallest vertex.
+// In the order that buildTetMesh() makes: by the smallest vertex.
 void turnBoundary(const std::vector<std::int8_t>& signs, TetMesh& mesh)
 {
   std::vector<std::pair<Id, Id>> halfFaces;

@@ -18,7 +18,7 @@ double signedVolume(const TetMesh& mesh, Id tet);
 /** Its sign; 0 if the tetrahedron is flat to within the rounding of positions. */
 int volumeSign(const TetMesh& mesh, Id tet);
 
-/** The parity, +1 or -1, of moving vertex i of a tetrahedron behind the others. */
+/** The parity, +1 or -1, of the permutation that moves vertex i of a tetrahedron to the end. */
 inline int parity(Id i) { return i % 2 == 1 ? 1 : -1; }
 
 /**

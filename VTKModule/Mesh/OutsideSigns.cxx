@@ -27,7 +27,7 @@ public:
 
   std::vector<std::int8_t> find()
   {
-    // Nearly every mesh: no need to walk through it.
+    // The case of nearly every mesh: no need to follow the links.
     if (!this->volumesAgree())
     {
       this->carryFromBoundary();
@@ -43,7 +43,7 @@ private:
     return static_cast<Id>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());
   }
 
-  // What the tetrahedron behind face i of one of this sign has.
+  // The sign of the tetrahedron behind face i of one with this sign.
   std::int8_t signBehind(int sign, Id i, const Link& link) const
   {
     const Id j = rankOf(this->Mesh.Tets[link.Tet], link.Apex);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the tetrahedra of a linked mesh are turned.
+// The orientation signs of the tetrahedra of a linked mesh.
 #ifndef TetMarchMeshOutsideSigns_h
 #define TetMarchMeshOutsideSigns_h
 
@@ -13,10 +13,11 @@ namespace tetmarch
 {
 
 /**
- * For each tetrahedron the sign, +1 or -1, by which outwardFace() gives faces that turn
- * counter-clockwise seen from outside. The mesh doesn't keep those by which it was linked
- * (ConsistentOrientation.h), but its boundary faces tell them, and its links carry them on to all
- * that hang together. Where none of these has a boundary face, the first one's volume decides.
+ * For each tetrahedron the sign, +1 or -1, with which outwardFace() makes faces that turn
+ * counter-clockwise seen from outside. The mesh doesn't keep the signs by which it was linked
+ * (ConsistentOrientation.h), but they follow from its boundary faces, and the links carry them on
+ * to all connected tetrahedra. Where none of these has a boundary face, the volume of the first one
+ * decides.
  */
 std::vector<std::int8_t> outsideSigns(const TetMesh& mesh);
 

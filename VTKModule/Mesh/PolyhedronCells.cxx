@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces as VTK has them from 9.4 on.
+// Checks the faces of polyhedra as VTK keeps them from 9.4 on.
 #include "Mesh/PolyhedronCheck.h"
 
 #if !TETMARCH_FACES_ARE_STREAMS
@@ -44,7 +44,7 @@ private:
     return stored ? stored->GetPointer(0) : nullptr;
   }
 
-  // What can't be a number of something is -1.
+  // Values that can't be an index become -1.
   vtkIdType computed(vtkIdType i) const
   {
     const double value = this->Array->GetComponent(i, 0);
@@ -56,7 +56,7 @@ private:
   const vtkTypeInt32* Narrow;
 };
 
-// A vtkCellArray that may hold anything.
+// Reads a vtkCellArray that may hold anything.
 class Lists
 {
 public:

@@ -25,9 +25,11 @@ public:
    * or more, each of at least three points of the grid; or what is wrong. */
   std::string errorOf(vtkIdType cell) const;
 
-  /** Of sound polyhedra, by their cell types: whether they name more values than there are, or
-   * more than twice as many where two of them can share a face. A few faces that a million
-   * polyhedra share would become more tetrahedra than memory holds. */
+  /**
+   * Whether sound polyhedra, by their cell types, name more values than there are, or more than
+   * twice as many where two of them can share a face. A few faces that a million polyhedra share
+   * would otherwise become more tetrahedra than memory holds.
+   */
   std::string errorOfSharing(const CellTypes& types, vtkIdType cells) const;
 
   /** Append the points that the faces of a sound polyhedron name, some more than once. */

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Long work reports how far it is, and can be asked to stop.
+// Long work reports its progress and can be asked to stop.
 #ifndef TetMarchMeshProgress_h
 #define TetMarchMeshProgress_h
 
@@ -16,14 +16,14 @@ namespace tetmarch
 /** Called from the main thread with the share that is done, 0..1; false asks to stop. */
 using Progress = std::function<bool(double)>;
 
-/** Part of a longer work: the share runs from `begin` to `end`. */
+/** Progress of a part of longer work: its share 0..1 becomes `begin` to `end`. */
 inline Progress subProgress(const Progress& whole, double begin, double end)
 {
   return [=](double share) { return !whole || whole(begin + (end - begin) * share); };
 }
 
-/** f(first, last) in parallel over 0..count in portions, with progress between them; false if
- * stopped. */
+/** Call f(first, last) in parallel over portions of 0..count, and report progress between them.
+ * Returns false if it was asked to stop. */
 template <typename Functor>
 bool parallelFor(vtkIdType count, const Progress& progress, Functor&& f)
 {

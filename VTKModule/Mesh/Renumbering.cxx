@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/Renumbering.h"
 
-#include "Mesh/MeshFrame.h"
-
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -14,7 +12,7 @@ namespace tetmarch
 namespace
 {
 
-// Every second and third bit left free: the 21 bits of one coordinate of a Morton code.
+// Spread the 21 bits of one coordinate of a Morton code: two free bits follow each.
 std::uint64_t spread(std::uint64_t x)
 {
   x &= 0x1fffff;
@@ -36,7 +34,7 @@ std::uint64_t mortonCode(const Vertex& v)
   return spread(cell(v.X)) | spread(cell(v.Y)) << 1 | spread(cell(v.Z)) << 2;
 }
 
-// Order of the keys by radix sort, stable; 11 bits a pass.
+// The order of the keys, by a stable radix sort with 11 bits a pass.
 std::vector<Id> sortedOrder(const std::vector<std::uint64_t>& keys)
 {
   std::vector<Id> order(keys.size());
@@ -153,7 +151,7 @@ std::string renumber(
 
   const UsedPoints used = findUsedPoints(tets, pointCount + tets.CenterCells.size());
   const std::size_t vertexCount = used.Points.size();
-  std::vector<Position> positions(vertexCount);
+  std::vector<Vector3> positions(vertexCount);
   vtkSMPTools::For(0, static_cast<vtkIdType>(vertexCount),
     [&](vtkIdType first, vtkIdType last)
     {
@@ -170,7 +168,7 @@ std::string renumber(
         }
       }
     });
-  std::string wrong = findFrame(positions, mesh);
+  std::string wrong = findFrame(positions, mesh.Frame);
   if (!wrong.empty())
   {
     return wrong;
@@ -183,7 +181,7 @@ std::string renumber(
     {
       for (vtkIdType i = first; i < last; ++i)
       {
-        vertices[i] = vertexAt(positions[i], mesh);
+        vertices[i] = vertexAt(positions[i], mesh.Frame);
         codes[i] = mortonCode(vertices[i]);
       }
     });

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The mesh as the march needs it. Conventions that everything else relies on:
-//  - the vertices of a tetrahedron are stored by ascending id; face i is opposite vertex i;
-//  - half-face 4 t + i is face i of tetrahedron t; its link says what lies behind it;
-//  - behind the tetrahedra's half-faces come those of the outside: half-face 4 T + b is boundary
-//  face b seen
-//    from outside, and its link leads in;
-//  - boundary faces turn counter-clockwise seen from outside.
+//  - The vertices of a tetrahedron are stored by ascending id. Face i is opposite vertex i.
+//  - Half-face 4 t + i is face i of tetrahedron t. Its link says what lies behind it.
+//  - The half-faces of the outside follow those of the T tetrahedra: half-face 4 T + b is boundary
+//    face b seen from outside, and its link leads into the mesh.
+//  - Boundary faces turn counter-clockwise seen from outside.
 #ifndef TetMarchMeshTetMesh_h
 #define TetMarchMeshTetMesh_h
 
+#include "Geometry/VolumeFrame.h"
 #include "Mesh/MeshReport.h"
+#include "Scalars/StoredScalar.h"
 
 #include "vtkType.h"
 
@@ -31,18 +32,27 @@ struct Link
   Id Apex;
 };
 
-/** Added to the number of a boundary face in Link::Tet: outside the mesh, behind that face. */
+/** Added to the number of a boundary face in Link::Tet: what lies behind the half-face is outside
+ * the mesh, behind that boundary face. */
 constexpr Id LinkOutside = 0x80000000u;
 
-/** Scalars that are not finite; what they touch is not drawn. Finite ones are stored as 0..1. */
-constexpr float UndrawnScalar = 1e30f;
-
-/** One texel on the GPU: position in the normalised frame (mesh centre 0, bounding radius 1),
- * scalar. */
+/** One texel on the GPU: the position in the normalised frame (VolumeFrame), and the stored scalar.
+ */
 struct Vertex
 {
   float X, Y, Z, Scalar;
 };
+
+inline Vector3 position(const Vertex& v) { return { { double(v.X), double(v.Y), double(v.Z) } }; }
+
+/** The point is centred and scaled in double precision before it is rounded to float. The scalar is
+ * 0. */
+inline Vertex vertexAt(const Vector3& point, const VolumeFrame& frame)
+{
+  const auto coordinate = [&](int k)
+  { return static_cast<float>((point[k] - frame.Center[k]) / frame.Radius); };
+  return { coordinate(0), coordinate(1), coordinate(2), 0.0f };
+}
 
 /** A node of the hierarchy of boundary faces, in depth-first order; two texels on the GPU. */
 struct HierarchyNode
@@ -59,9 +69,9 @@ struct TetMesh
   std::vector<Link> Links;                      // 4 a tetrahedron, then 1 a boundary face
   std::vector<std::array<Id, 4>> BoundaryFaces; // three vertices and the tetrahedron inside
   std::vector<HierarchyNode> Hierarchy;         // may be empty if no ray needs it
-  bool NeedsHierarchy = false;                  // rays may come in again, or be refused by a needle
-  std::size_t ReentryNodes = 0; // that many nodes are of faces that aren't on the hull,
-  std::size_t ReentryFaces = 0; // that many of them
+  bool NeedsHierarchy = false;  // rays may enter again, or be refused by a needle face
+  std::size_t ReentryNodes = 0; // so many nodes, the first, are of faces that are not on the hull,
+  std::size_t ReentryFaces = 0; // which are so many
   std::vector<Vertex> Vertices;
   std::vector<Id> TetCells;     // the cell of the grid each tetrahedron comes from
   std::vector<Id> VertexPoints; // the point of the grid each vertex is, or
@@ -71,19 +81,15 @@ struct TetMesh
   bool HasCutCells = false;      // some tetrahedra were cut from cells of other types
   bool LinksFollowCells = false; // links between tetrahedra are the same wherever the points are
   vtkIdType NumberOfPoints = 0;
-  std::array<double, 3> Center{ { 0, 0, 0 } };     // of the bounding box, in the grid's coordinates
-  double Radius = 1;                               // half of the bounding box's diagonal
-  std::array<double, 3> HalfExtent{ { 0, 0, 0 } }; // of the bounding box, in the normalised frame
+  VolumeFrame Frame;
   MeshReport Report;
 
   Id numberOfTets() const { return static_cast<Id>(this->Tets.size()); }
   bool hasHierarchy() const { return !this->Hierarchy.empty(); }
 };
 
-/**
- * A ray that crosses more cells than this has gone wrong: it passes each tetrahedron once, or twice
- * where a search finds the rasterised entry again.
- */
+/** The most cells that a ray can cross: it passes each tetrahedron once, or twice where a search
+ * finds the rasterised entry again. A march that goes beyond has gone wrong and ends. */
 inline int mostCellsOf(int tets) { return tets < (1 << 30) - 1 ? 2 * tets + 2 : 0x7fffffff; }
 
 } // namespace tetmarch

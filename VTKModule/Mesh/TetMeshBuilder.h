@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole way from a grid to the mesh that is marched.
+// Makes the mesh that is marched from a grid.
 #ifndef TetMarchMeshTetMeshBuilder_h
 #define TetMarchMeshTetMeshBuilder_h
 
@@ -29,7 +29,8 @@ enum class BuildStatus
 BuildStatus buildTetMesh(
   vtkUnstructuredGrid* grid, const Progress& progress, TetMesh& mesh, std::string& error);
 
-/** Build the hierarchy of a convex mesh as well, for entries where there is no rasteriser. */
+/** Build the hierarchy of a convex mesh too: rays that the rasteriser finds no entry for need it.
+ */
 void ensureHierarchy(TetMesh& mesh);
 
 } // namespace tetmarch

@@ -85,7 +85,7 @@ public:
     {
       fit.add(site.Weight, site.Step - step, 0);
     }
-    // Solved for the step itself, since the fit is a sum of shares of the sites then.
+    // Solved for the step itself: the fit then is a weighted sum over the sites.
     double value = mean / roots;
     for (int k = 0; k < 3; ++k)
     {
@@ -108,11 +108,12 @@ public:
 
 private:
   static constexpr double LeastSquare = 1e-20;
-  // By which sites pull the value away from their mean, in all. Where centres lie nearly in a plane
-  // they would pull more, by guesswork: that is damped.
+  // The total weight with which sites pull the value away from their mean. Where centres lie nearly
+  // in a plane it would be large and arbitrary: it is damped there.
   static constexpr double MostShares = 5;
 
-  // Centres of mass of what takes part, in one order whatever the number of threads.
+  // Centres of mass of the tetrahedra that take part, summed in one order whatever the number of
+  // threads.
   void findCenters()
   {
     const auto& cells = this->Mesh.TetCells;

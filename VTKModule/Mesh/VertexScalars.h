@@ -10,15 +10,15 @@ namespace tetmarch
 {
 
 /**
- * Scalars 0..1 at the vertices from one scalar a tetrahedron: at each vertex the value of the
- * linear function that fits those in the centres of the cells around it best (least squares by
- * inverse squared distance), or their mean by inverse distance where the centres lie in a plane. It
- * stays within their range. Of a linear field it is exact inside. Gradients made from it have 0.1
- * to 0.7 of the error of those made from plain means, near the sides of hexahedra about the same
- * (GradientErrorsTest).
+ * Scalars 0..1 at the vertices from one scalar a tetrahedron. At each vertex it is the value of the
+ * linear function that fits the scalars in the centres of the cells around it best (least squares
+ * with the inverse squared distance as weight), or, where the centres lie in a plane, their mean
+ * weighted by inverse distance. The value stays within their range. For a linear field it is exact
+ * inside the mesh. Gradients made from these scalars have 0.1 to 0.7 of the error of gradients made
+ * from plain means, and about the same near the sides of hexahedra (GradientErrorsTest).
  *
- * Only tetrahedra that take part (not 0) are used; a cell that was cut into several counts once.
- * UndrawnScalar at vertices about which none does.
+ * Only tetrahedra that take part (not 0) are used. A cell that was cut into several tetrahedra
+ * counts once. Vertices around which none takes part get UndrawnScalar.
  */
 std::vector<float> vertexScalars(const TetMesh& mesh, const VertexTets& around,
   const std::vector<std::uint8_t>& takesPart, const std::vector<float>& cellScalars);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/VertexStarts.h"
 
+#include "Geometry/Vector3.h"
 #include "Mesh/Orientation.h"
 #include "Mesh/OutsideSigns.h"
-#include "Mesh/Vector3.h"
 #include "Mesh/VertexTets.h"
 
 #include "vtkSMPTools.h"
@@ -17,7 +17,7 @@ namespace tetmarch
 namespace
 {
 
-// Of the inscribed sphere: three times the volume by the area of the surface.
+// The radius of the inscribed sphere: three times the volume over the area of the surface.
 double inscribedRadius(const TetMesh& mesh, Id t)
 {
   const auto& tet = mesh.Tets[t];
@@ -64,8 +64,9 @@ std::array<Id, 4> startIn(const TetMesh& mesh, Id vertex, Id t, int sign)
       start[next++] = tet[i];
     }
   }
-  // Moving the vertex before the others takes `rank` exchanges. With an even number of them and
-  // sign 1 the last sees the first three counter-clockwise, and outside is on the other side.
+  // Moving the vertex before the others takes `rank` exchanges. If their number is even and the
+  // sign is 1, the last vertex sees the first three counter-clockwise, and outside is on the other
+  // side.
   if (sign * (rank % 2 == 0 ? 1 : -1) > 0)
   {
     std::swap(start[1], start[2]);
@@ -102,6 +103,21 @@ std::vector<std::array<Id, 4>> vertexStarts(const TetMesh& mesh)
       }
     });
   return starts;
+}
+
+bool startPoint(
+  const TetMesh& mesh, std::size_t vertex, const std::array<Id, 4>& start, Vector3& point)
+{
+  if (start[3] == NoTet)
+  {
+    return false;
+  }
+  point = scaled(1 - 1.0 / 64, position(mesh.Vertices[vertex]));
+  for (int i = 0; i < 3; ++i)
+  {
+    add(1.0 / (3 * 64), position(mesh.Vertices[start[i]]), point);
+  }
+  return true;
 }
 
 } // namespace tetmarch

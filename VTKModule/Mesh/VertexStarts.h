@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where rays that come out of a vertex begin.
+// The tetrahedra in which rays from vertices start.
 #ifndef TetMarchMeshVertexStarts_h
 #define TetMarchMeshVertexStarts_h
 
@@ -9,18 +9,25 @@
 namespace tetmarch
 {
 
-/** The tetrahedron of a vertex that has none. */
+/** Stands for the tetrahedron of a vertex that lies in none. */
 constexpr Id NoTet = 0xffffffffu;
 
 /**
- * For each vertex v three others and the tetrahedron of the four, {x, y, z, tet}. With a = v, b =
- * x, c = y, d = z its faces (a, b, c), (a, d, b), (b, d, c) and (c, d, a) turn counter-clockwise
- * seen from outside of it, on which it agrees with the boundary face that the links lead to
- * (outsideSigns()). Of those around the vertex it is the one with the largest inscribed sphere, of
- * equals the first: the ray then has the most room for what rounding does to it. {0, 0, 0, NoTet}
- * for a vertex of no tetrahedron.
+ * For each vertex v three others and the tetrahedron of the four: {x, y, z, tet}. With a = v, b =
+ * x, c = y, d = z the faces (a, b, c), (a, d, b), (b, d, c) and (c, d, a) turn counter-clockwise
+ * seen from outside of the tetrahedron, as outsideSigns() says. Of the tetrahedra around the vertex
+ * it is the one with the largest inscribed sphere (the first of equals): there, rounding of the ray
+ * does the least harm. {0, 0, 0, NoTet} for a vertex of no tetrahedron.
  */
 std::vector<std::array<Id, 4>> vertexStarts(const TetMesh& mesh);
+
+/**
+ * The point, a little within the tetrahedron, at which rays from a vertex start. Like
+ * Shaders/light/vertex_light.glsl, so that a vertex on a surface is on the same side of it as the
+ * march is. False if the vertex has no tetrahedron.
+ */
+bool startPoint(
+  const TetMesh& mesh, std::size_t vertex, const std::array<Id, 4>& start, Vector3& point);
 
 } // namespace tetmarch
 

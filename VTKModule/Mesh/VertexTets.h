@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which tetrahedra lie about each vertex.
+// The tetrahedra around each vertex.
 #ifndef TetMarchMeshVertexTets_h
 #define TetMarchMeshVertexTets_h
 
@@ -9,7 +9,7 @@
 namespace tetmarch
 {
 
-/** Those of vertex v are Tets[Starts[v]] to Tets[Starts[v + 1] - 1], ascending. */
+/** The tetrahedra of vertex v are Tets[Starts[v]] to Tets[Starts[v + 1] - 1], ascending. */
 struct VertexTets
 {
   std::vector<Id> Starts;

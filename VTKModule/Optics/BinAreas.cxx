@@ -12,7 +12,7 @@ namespace tetmarch
 namespace
 {
 
-// C tau and tau, which add up, of a sample.
+// C tau and tau of a sample, which can be added.
 OpticalSample weighted(const OpticalSample& s)
 {
   return { { s[0] * s[3], s[1] * s[3], s[2] * s[3], s[3] } };
@@ -38,12 +38,12 @@ struct Span
   }
 };
 
-// A sample to be corrected: what it is, and between which values the functions run in its two bins.
+// A sample to be corrected: its value, and the span of the functions in its two bins.
 struct Node
 {
   OpticalSample Value;
   bool IsFixed =
-    false; // the first and the last: values that many points of the data may have exactly
+    false; // the first and the last sample, whose values many points of the data may have exactly
   Span Weighted;
   Span Seen; // colours where there is extinction
 };
@@ -63,7 +63,7 @@ Node nodeAt(const std::vector<OpticalSample>& fine, std::size_t at, std::size_t 
   return node;
 }
 
-// The colour and extinction of a node; `fine` is what it was.
+// The colour and extinction of a node; `fine` is the sample that it was.
 OpticalSample unweighted(const Node& node, const OpticalSample& fine)
 {
   OpticalSample s = node.Value;
@@ -135,13 +135,13 @@ std::vector<OpticalSample> keepBinAreas(const std::vector<OpticalSample>& fine, 
       for (std::size_t i = first; i < static_cast<std::size_t>(last); ++i)
       {
         missing[i] = missingBetween(fine, i * stride, (i + 1) * stride);
-        // Where the functions are linear, what is left is rounding, of which no colour can be told.
+        // Where the functions are linear, the remainder is rounding, which has no colour.
         isBent[i + 1] = std::any_of(
           missing[i].begin(), missing[i].end(), [](double x) { return !(std::abs(x) < 1e-12); });
       }
     });
 
-  // Functions are mostly linear: only nodes beside bins in which they aren't are looked at.
+  // Functions are mostly linear: only nodes beside bins in which they aren't are corrected.
   const auto changes = [&](std::size_t i) { return isBent[i] || isBent[i + 1]; };
   const auto nodeOf = [&](std::size_t i)
   { return changes(i) ? nodeAt(fine, i * stride, stride) : Node{}; };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples of transfer functions that keep what lies between them.
+// Coarser samples of transfer functions with the same integrals as finer ones.
 #ifndef TetMarchOpticsBinAreas_h
 #define TetMarchOpticsBinAreas_h
 
@@ -18,13 +18,13 @@ using OpticalSample = std::array<double, 4>;
 std::array<double, 4> linearIntegrals(const OpticalSample& p, const OpticalSample& q);
 
 /**
- * Every perBin-th of the fine samples, corrected so that linear interpolation between them has the
- * same integral of tau and, as far as colours among those nearby allow, of C tau as between the
- * fine ones. Where
- * these are linear over a bin nothing changes; a spike between two samples, which would be missed,
- * raises them; a step keeps its place. The first and the last sample stay as they are: many points
- * of the data may have exactly that value. What lies between fine samples is lost. fine.size() is a
- * multiple of perBin plus 1.
+ * Every perBin-th of the fine samples, corrected such that linear interpolation between the
+ * samples has the same integral of tau as that between the fine ones, and the same integral of C
+ * tau as far as the colours of nearby samples allow. Where the fine samples are linear over a bin
+ * nothing changes. A spike between two samples, which would be missed, raises both; a step keeps
+ * its place. The first and the last sample are not changed, since many points of the data may have
+ * exactly that value. What lies between fine samples is lost. fine.size() is a multiple of perBin
+ * plus 1.
  */
 std::vector<OpticalSample> keepBinAreas(const std::vector<OpticalSample>& fine, int perBin);
 

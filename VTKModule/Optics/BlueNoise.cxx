@@ -14,11 +14,11 @@ namespace
 
 constexpr int Side = BlueNoiseSide;
 constexpr int Count = Side * Side;
-constexpr int Minority = Count / 10; // of the pattern to begin with: few enough to be spread evenly
+constexpr int Minority = Count / 10; // of the initial pattern: few enough to be spread evenly
 constexpr double Sigma = 1.5;
 
-// Points on the torus, and at each place how close they are: a sum of Gaussians, in integers, which
-// are exact however often points come and go.
+// Points on the torus, and for each place a measure of how close they are: a sum of Gaussians. It
+// is in integers, which stay exact however often points are added and removed.
 class PointPattern
 {
 public:
@@ -49,7 +49,7 @@ public:
     const int py = place / Side;
     for (int y = 0; y < Side; ++y)
     {
-      // Rows of the kernel are there twice, so that none has to be wrapped.
+      // Rows of the kernel are stored twice, so that none has to be wrapped.
       const std::uint64_t* kernel = &this->Kernel[((y - py + Side) % Side) * 2 * Side + Side - px];
       std::uint64_t* energy = &this->Energy[y * Side];
       for (int x = 0; x < Side; ++x)
@@ -91,7 +91,7 @@ private:
   std::vector<char> Filled;
 };
 
-// Random points, moved from clusters to voids until that changes nothing.
+// Random points, moved from the tightest cluster to the largest void until nothing changes.
 PointPattern evenPattern()
 {
   PointPattern pattern;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Offsets of pixels that hide as fine grain what a coarse sampling would show as bands.
+// Offsets of pixels that turn the bands of a coarse sampling into fine grain.
 #ifndef TetMarchOpticsBlueNoise_h
 #define TetMarchOpticsBlueNoise_h
 
@@ -12,10 +12,10 @@ namespace tetmarch
 constexpr int BlueNoiseSide = 64;
 
 /**
- * BlueNoiseSide^2 numbers in rows, (rank + 0.5) / BlueNoiseSide^2 with each rank once, to be laid
- * side by side over the picture: they are distributed evenly, and neighbours, also those across the
- * tile's border, differ much. By void and cluster (R. Ulichney, The void-and-cluster method for
- * dither array generation, 1993). Always the same; made when first asked for.
+ * BlueNoiseSide^2 numbers in rows, (rank + 0.5) / BlueNoiseSide^2 with each rank once, to tile the
+ * picture with. They are evenly distributed, and neighbours differ much, also across the border of
+ * the tile. Made by void and cluster (R. Ulichney, The void-and-cluster method for dither array
+ * generation, 1993) on the first call, and always the same.
  */
 const std::vector<float>& blueNoiseTile();
 

@@ -14,10 +14,11 @@ namespace tetmarch
 {
 
 /**
- * The functions over the scalars low..high. The table has LeastTableEntries of the level, or four
- * times as many, and so on up to MostTableEntries: until between its entries it is off from the
- * functions by no more than half of the level's tolerance (SampledFunctions::Deviation). Where
- * there are spikes, pictures are off by about as much as the table.
+ * The table of the functions over the scalars low..high. It has the LeastTableEntries of the
+ * level, or four times as many, and so on up to MostTableEntries, until it differs from the
+ * functions by at most half of the level's tolerance between its entries
+ * (SampledFunctions::Deviation). Where there are spikes, the error of pictures is about that of the
+ * table.
  */
 IntegralTable fittingTable(
   vtkVolumeProperty* property, OpacityLaw law, double low, double high, const AccuracyLevel& level);

@@ -21,11 +21,11 @@ double factorOf(double value)
   return std::min(std::max(0.0, value), 1.0); // NaN: 0
 }
 
-// Up to where the function is to be sampled; 0 if only its value for no gradient matters.
+// The magnitude up to which the function is sampled; 0 if only its value without gradient matters.
 double sampledRange(vtkPiecewiseFunction* function, double mostMagnitude)
 {
   const double last = function->GetSize() > 0 ? function->GetRange()[1] : 0;
-  // Unless it is clamped, the function falls to 0 behind its last node, which takes one more step.
+  // Unless it is clamped, the function falls to 0 beyond its last node; that takes one more step.
   const double end = function->GetClamping() ? last : last * (Steps / (Steps - 1.0));
   const double range = std::isfinite(mostMagnitude) ? std::min(mostMagnitude, end) : end;
   const bool usable = std::isfinite(range) && range / Steps > 0;
@@ -55,7 +55,7 @@ void keepNodes(vtkPiecewiseFunction* function, double unit, std::vector<double>&
     const double value = factorOf(node[1]);
     const double beyond = excess(static_cast<std::size_t>(x), value);
     const long nearest = std::min(std::max(std::lround(x), 1L), Steps - 1L);
-    // A sum that VTK rounded is no peak.
+    // Differences that are rounding by VTK are no peaks.
     if (beyond > std::max(most[nearest], 1e-9))
     {
       most[nearest] = beyond;
@@ -69,7 +69,7 @@ void keepNodes(vtkPiecewiseFunction* function, double unit, std::vector<double>&
 GradientOpacityTable gradientOpacityOf(vtkVolumeProperty* property, double mostMagnitude)
 {
   GradientOpacityTable table;
-  // A function of scalar and gradient takes this one's place.
+  // A 2D function of scalar and gradient replaces this one.
   if (property->GetDisableGradientOpacity() || !property->HasGradientOpacity() ||
       property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
   {
@@ -86,7 +86,7 @@ GradientOpacityTable gradientOpacityOf(vtkVolumeProperty* property, double mostM
     keepNodes(function, table.Unit, values);
   }
   table.Values.assign(values.begin(), values.end());
-  // In float: what VTK rounded beside 1 is 1.
+  // In float, a value that VTK rounded next to 1 is 1.
   if (std::all_of(table.Values.begin(), table.Values.end(), [](float v) { return v == 1.0f; }))
   {
     table.Values.clear();

@@ -14,8 +14,8 @@ namespace
 
 using Integral = std::array<double, 4>; // C tau, tau
 
-// A colour that meets no extinction is never seen: it becomes that of the nearest entry that is,
-// lest it count as a change of colour.
+// A colour without extinction is never seen. It becomes that of the nearest entry with extinction,
+// so that it doesn't count as a change of colour.
 void hideUnseenColours(std::vector<OpticalSample>& entries)
 {
   const auto isSeen = [&](std::size_t i)
@@ -43,7 +43,7 @@ void hideUnseenColours(std::vector<OpticalSample>& entries)
   }
 }
 
-// Of the channel that changes most from one entry to the next.
+// The change of the channel that changes most from one entry to the next.
 double colourChange(const OpticalSample& p, const OpticalSample& q)
 {
   double most = 0;

@@ -30,23 +30,23 @@ struct IntegralTable
 
   int size() const { return static_cast<int>(this->Values.size()); }
 
-  /** Position in the table, in entries, of a scalar s = 0..1 between low and low + width: scale s +
-   * offset. */
+  /** The position in the table, in entries, of a stored scalar s = 0..1 between low and low + width
+   * is scale s + offset. */
   double scale(double width) const;
   double offset(double low) const;
 };
 
-/** A table of four entries more than samples; the first and the last bin hold what lies below and
- * above the samples. */
+/** A table of four more entries than samples; its first and last bins hold the constant values
+ * below and above the samples. */
 IntegralTable makeIntegralTable(const SampledFunctions& functions);
 
-/** Whether anything is seen. */
+/** Whether any entry has extinction. */
 bool hasExtinction(const IntegralTable& table);
 
-/** Adds ExtinctionVariations: what several tables together lose depends on them. */
+/** Add ExtinctionVariations, which the error bound of several tables needs. */
 void addExtinctionVariations(IntegralTable& table);
 
-/** How many samples a table of so many entries takes. */
+/** The number of samples for a table of so many entries. */
 constexpr int samplesOfTable(int entries) { return entries - 4; }
 
 } // namespace tetmarch

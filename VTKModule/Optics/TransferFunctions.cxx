@@ -35,7 +35,7 @@ Range nodeRange(vtkVolumeProperty* property)
   return { { std::min(range[0], colors[0]), std::max(range[1], colors[1]) } };
 }
 
-// count samples of the extinction from begin to end.
+// Take `count` samples of the extinction from begin to end.
 std::vector<double> extinctions(
   vtkVolumeProperty* property, OpacityLaw law, double begin, double end, int count)
 {
@@ -48,7 +48,7 @@ std::vector<double> extinctions(
   return values;
 }
 
-// count samples of both functions from begin to end.
+// Take `count` samples of both functions from begin to end.
 std::vector<OpticalSample> evaluate(
   vtkVolumeProperty* property, OpacityLaw law, double begin, double end, int count)
 {
@@ -90,8 +90,8 @@ std::vector<OpticalSample> evaluate(
   return samples;
 }
 
-// Of the line between two kept samples from the fine ones; of extinctions as a share of the
-// greatest.
+// The deviation of the line between two kept samples from the fine ones; for extinctions as a share
+// of the greatest.
 double deviation(const OpticalSample* fine, std::size_t perBin, const OpticalSample& p,
   const OpticalSample& q, double greatest)
 {
@@ -151,8 +151,8 @@ SampledFunctions sampleFunctions(
   const Range nodes = nodeRange(property);
   functions.Begin = std::max(low, nodes[0]);
   functions.End = std::min(high, nodes[1]);
-  // Nodes in no part of the data, or in so small a part that positions in the table would overflow
-  // in float.
+  // There are no nodes within the data, or only in so small a part that positions in the table
+  // would overflow in float.
   if (!(functions.End - functions.Begin > 1e-30 * (high - low)))
   {
     functions.Begin = low;

@@ -36,32 +36,34 @@ struct SampledFunctions
   std::array<double, 4> Before{};
   std::array<double, 4> After{};
   std::vector<std::array<double, 4>> Samples;
-  /** How far lines between the samples are from what lies between them, at most: of extinction, as
-   * a share of the greatest, or of a colour that meets some. 0 if it was not looked at. */
+  /**
+   * The greatest difference between the functions and the lines between their samples: in
+   * extinction, as a share of the greatest extinction, or in a colour with extinction. 0 if it was
+   * not measured.
+   */
   double Deviation = 0;
 };
 
 /**
  * Sample the functions of component 0, evaluated by VTK itself (every colour space, midpoint,
  * sharpness, clamping, scale). Only the part of low..high in which one of them has nodes is
- * sampled: beyond its nodes a function is constant, and the samples are spent where something
- * happens. Structure of the colour function: vtkColorTransferFunction, or for one colour channel a
- * gray vtkPiecewiseFunction.
+ * sampled, since a function is constant beyond its nodes. The colour function is a
+ * vtkColorTransferFunction, or for one colour channel a gray vtkPiecewiseFunction.
  */
 SampledFunctions sampleFunctions(
   vtkVolumeProperty* property, OpacityLaw law, double low, double high, int count);
 
-/** Colour r, g, b and extinction of scalars that are not finite: the colour function's, with its
- * opacity for them. A gray function has none: no extinction. */
+/** Colour r, g, b and extinction of scalars that are not finite, by the colour function's NaN
+ * colour and opacity. A gray function has none: no extinction. */
 std::array<float, 4> nanColorOf(vtkVolumeProperty* property, OpacityLaw law);
 
-/** `factor` times as many samples, of the extinction looked at anew, of the colour, which is dear
- * to evaluate, from those at hand. */
+/** `factor` times as many samples. The extinction is evaluated again; the colour, which is
+ * expensive to evaluate, is interpolated. */
 SampledFunctions refined(
   vtkVolumeProperty* property, OpacityLaw law, const SampledFunctions& coarse, int factor);
 
-/** Every perBin-th of the samples, which keep the areas between them: what is narrower than their
- * distance is not missed (keepBinAreas()). Their number is a multiple of perBin plus 1. */
+/** Every perBin-th of the samples, with the areas between them kept, so that nothing narrow is
+ * missed (keepBinAreas()). The number of samples is a multiple of perBin plus 1. */
 SampledFunctions keepAreas(const SampledFunctions& fine, int perBin);
 
 } // namespace tetmarch

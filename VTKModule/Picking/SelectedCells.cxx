@@ -12,7 +12,7 @@ namespace tetmarch
 namespace
 {
 
-// The greatest float below 1: what is picked is nearer than what is not.
+// The greatest float below 1: picked points are nearer than the background.
 constexpr double Farthest = 1 - 1.0 / (1 << 24);
 
 double windowDepth(const View& view, const std::array<double, 3>& p)
@@ -36,8 +36,7 @@ bool asksForCells(vtkHardwareSelector* selector)
 }
 
 std::vector<float> selectionTexels(vtkHardwareSelector* selector,
-  const std::vector<PickedPoint>& points, const TetMesh& mesh, const CellOrigins& origins,
-  const View& view)
+  const std::vector<PickedPoint>& points, const CellOrigins& origins, const View& view)
 {
   selector->BeginRenderProp();
   const int pass = selector->GetCurrentPass();
@@ -53,7 +52,7 @@ std::vector<float> selectionTexels(vtkHardwareSelector* selector,
     const PickedPoint& point = points[i];
     if (point.Hit)
     {
-      const CellOrigin origin = origins.of(mesh.TetCells[point.Tet]);
+      const CellOrigin origin = origins.of(point.Cell);
       selector->UpdateMaximumCellId(origin.Cell);
       if (low || high)
       {

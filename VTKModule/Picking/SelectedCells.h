@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a vtkHardwareSelector is told of picked points: it renders several times, and reads from the
-// colours of each pass one number a pixel.
+// The colours from which a vtkHardwareSelector reads picked points: it renders several times, and
+// reads one number a pixel from the colours of each pass.
 #ifndef TetMarchPickingSelectedCells_h
 #define TetMarchPickingSelectedCells_h
 
@@ -16,16 +16,14 @@ class vtkHardwareSelector;
 namespace tetmarch
 {
 
-/** Whether the pass that the selector is in is about cells, or about whose they are. */
+/** Whether the current pass of the selector asks for cells, or for the prop or block that they
+ * belong to. */
 bool asksForCells(vtkHardwareSelector* selector);
 
-/**
- * Red, green and blue, 0..1, and the depth of the window, 0..1, for each of the points; a depth of
- * 1 for those that hit nothing. Cells are those of the input grid, or of the block of the input.
- */
+/** For each point red, green and blue, 0..1, and the window depth, 0..1. The depth is 1 for points
+ * that hit nothing. Cell ids are those of the input grid, or of a block of the input. */
 std::vector<float> selectionTexels(vtkHardwareSelector* selector,
-  const std::vector<PickedPoint>& points, const TetMesh& mesh, const CellOrigins& origins,
-  const View& view);
+  const std::vector<PickedPoint>& points, const CellOrigins& origins, const View& view);
 
 } // namespace tetmarch
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rays/Clipping.h"
 
-#include "Mesh/TetMesh.h"
+#include "Geometry/VolumeFrame.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
@@ -21,9 +21,10 @@ using Triple = std::array<double, 3>;
 
 double nearby(double place) { return std::clamp(place, -Clipping::Farthest, Clipping::Farthest); }
 
-// In the normalised frame, whose axes the columns of the volume's matrix are. What is subtracted is
-// what is large where a mesh lies far from the origin.
-bool addPlane(vtkPlane* plane, vtkMatrix4x4* toWorld, const TetMesh& mesh, Clipping& clipping)
+// Add the plane in the normalised frame, whose axes in the world are the columns of the volume's
+// matrix. Positions are subtracted first, since they are large where the data lies far from the
+// origin.
+bool addPlane(vtkPlane* plane, vtkMatrix4x4* toWorld, const VolumeFrame& frame, Clipping& clipping)
 {
   const double* normal = plane->GetNormal();
   const double* origin = plane->GetOrigin();
@@ -35,8 +36,8 @@ bool addPlane(vtkPlane* plane, vtkMatrix4x4* toWorld, const TetMesh& mesh, Clipp
     double toCenter = toWorld->GetElement(r, 3) - origin[r];
     for (int k = 0; k < 3; ++k)
     {
-      made[k] += n * toWorld->GetElement(r, k) * mesh.Radius;
-      toCenter += toWorld->GetElement(r, k) * mesh.Center[k];
+      made[k] += n * toWorld->GetElement(r, k) * frame.Radius;
+      toCenter += toWorld->GetElement(r, k) * frame.Center[k];
     }
     made[3] += n * toCenter;
   }
@@ -53,7 +54,7 @@ bool addPlane(vtkPlane* plane, vtkMatrix4x4* toWorld, const TetMesh& mesh, Clipp
 }
 
 std::string addPlanes(
-  vtkPlaneCollection* planes, vtkVolume* volume, const TetMesh& mesh, Clipping& clipping)
+  vtkPlaneCollection* planes, vtkVolume* volume, const VolumeFrame& frame, Clipping& clipping)
 {
   const int count = planes->GetNumberOfItems();
   if (count > Clipping::MostUserPlanes)
@@ -63,7 +64,7 @@ std::string addPlanes(
   }
   for (int i = 0; i < count; ++i)
   {
-    if (!addPlane(planes->GetItem(i), volume->GetMatrix(), mesh, clipping))
+    if (!addPlane(planes->GetItem(i), volume->GetMatrix(), frame, clipping))
     {
       return "Clipping plane " + std::to_string(i) +
              " is none: its normal must not be 0, and normal and origin must be finite "
@@ -73,14 +74,14 @@ std::string addPlanes(
   return {};
 }
 
-// Regions along each axis, 0..2.
+// A box of regions: their indices along each axis, 0..2.
 struct RegionBox
 {
   std::array<int, 3> First{ { 2, 2, 2 } };
   std::array<int, 3> Last{ { 0, 0, 0 } };
 };
 
-// Whether the regions that are left fill a box, and which.
+// Whether the regions that are left fill a box; sets the box.
 bool areBox(int flags, RegionBox& box)
 {
   int count = 0;
@@ -126,7 +127,8 @@ void addBox(const RegionBox& box, const Triple& low, const Triple& high, Clippin
   }
 }
 
-std::string addCropping(const ClippingOptions& options, const TetMesh& mesh, Clipping& clipping)
+std::string addCropping(
+  const ClippingOptions& options, const VolumeFrame& frame, Clipping& clipping)
 {
   Triple low, high;
   for (int k = 0; k < 3; ++k)
@@ -137,10 +139,10 @@ std::string addCropping(const ClippingOptions& options, const TetMesh& mesh, Cli
     {
       return "A cropping region plane is not a number (SetCroppingRegionPlanes).";
     }
-    // As VTK has it: a widget may be dragged there.
+    // As in VTK: a widget may be dragged so far.
     clipping.LeavesNothing = clipping.LeavesNothing || least >= most;
-    low[k] = nearby((least - mesh.Center[k]) / mesh.Radius);
-    high[k] = nearby((most - mesh.Center[k]) / mesh.Radius);
+    low[k] = nearby((least - frame.Center[k]) / frame.Radius);
+    high[k] = nearby((most - frame.Center[k]) / frame.Radius);
   }
   const int flags = options.CroppingFlags & Clipping::AllRegions;
   clipping.LeavesNothing = clipping.LeavesNothing || flags == 0;
@@ -160,17 +162,17 @@ std::string addCropping(const ClippingOptions& options, const TetMesh& mesh, Cli
 } // namespace
 
 std::string makeClipping(
-  const ClippingOptions& options, vtkVolume* volume, const TetMesh& mesh, Clipping& clipping)
+  const ClippingOptions& options, vtkVolume* volume, const VolumeFrame& frame, Clipping& clipping)
 {
   clipping = {};
   std::string error;
   if (options.Planes)
   {
-    error = addPlanes(options.Planes, volume, mesh, clipping);
+    error = addPlanes(options.Planes, volume, frame, clipping);
   }
   if (error.empty() && options.Cropping)
   {
-    error = addCropping(options, mesh, clipping);
+    error = addCropping(options, frame, clipping);
   }
   return error;
 }

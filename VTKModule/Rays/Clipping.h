@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What clipping planes and cropping leave of the volume, in the mesh's normalised frame.
+// The part of the volume that clipping planes and cropping leave, in the normalised frame.
 #ifndef TetMarchRaysClipping_h
 #define TetMarchRaysClipping_h
 
@@ -14,9 +14,9 @@ class vtkVolume;
 namespace tetmarch
 {
 
-struct TetMesh;
+struct VolumeFrame;
 
-/** What a user wants to be cut away. */
+/** What a user asks for. */
 struct ClippingOptions
 {
   vtkPlaneCollection* Planes = nullptr; // in world coordinates; may be none
@@ -33,13 +33,13 @@ struct Clipping
   static constexpr int MostUserPlanes = 32;
   static constexpr int MostPlanes = MostUserPlanes + 6; // a box of cropping is six
   static constexpr int AllRegions = 0x7ffffff;
-  /** Of planes from the mesh's centre. What is as far beyond the mesh, whose radius is 1, cuts as
-   * little, or as much, from anywhere farther. */
+  /** Distances of planes from the centre are clamped to this. Farther away, a plane cuts all or
+   * nothing of the volume, whose radius is 1. */
   static constexpr double Farthest = 2;
 
-  /** Unit normal n and d: points x with n x + d >= 0 are left. */
+  /** Unit normal n and distance d: points x with n x + d >= 0 are left. */
   std::vector<std::array<double, 4>> Planes;
-  bool Cropped = false; // by regions that are no box
+  bool Cropped = false; // the regions that are left are no box
   std::array<double, 3> CroppingLow{ { -Farthest, -Farthest, -Farthest } };
   std::array<double, 3> CroppingHigh{ { Farthest, Farthest, Farthest } };
   int CroppingFlags = AllRegions;
@@ -50,7 +50,7 @@ struct Clipping
 
 /** Returns an empty string, or what is wrong. */
 std::string makeClipping(
-  const ClippingOptions& options, vtkVolume* volume, const TetMesh& mesh, Clipping& clipping);
+  const ClippingOptions& options, vtkVolume* volume, const VolumeFrame& frame, Clipping& clipping);
 
 } // namespace tetmarch
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rays/FittedDepths.h"
 
-#include "Mesh/TetMesh.h"
+#include "Geometry/VolumeFrame.h"
 #include "Rays/View.h"
 
 #include <algorithm>
@@ -13,20 +13,21 @@ namespace tetmarch
 namespace
 {
 
-// How far a row of the matrix goes to either side of row[3] over the bounding box of the mesh.
-double reachOf(const double* row, const TetMesh& mesh)
+// How much the product with a row of the matrix differs from row[3] over the volume's bounding box,
+// at most.
+double reachOf(const double* row, const VolumeFrame& frame)
 {
   double reach = 0;
   for (int k = 0; k < 3; ++k)
   {
-    reach += std::abs(row[k]) * mesh.HalfExtent[k];
+    reach += std::abs(row[k]) * frame.HalfExtent[k];
   }
   return reach;
 }
 
 } // namespace
 
-std::array<double, 16> fittedDepths(const View& view, const TetMesh& mesh)
+std::array<double, 16> fittedDepths(const View& view, const VolumeFrame& frame)
 {
   std::array<double, 16> matrix = view.NormalizedToClip;
   double* z = &matrix[8];
@@ -34,8 +35,8 @@ std::array<double, 16> fittedDepths(const View& view, const TetMesh& mesh)
   const double margin = 1.01; // against rounding
   if (w[0] == 0 && w[1] == 0 && w[2] == 0)
   {
-    // Parallel projection: the middle of the mesh to 0, its ends to w and -w.
-    const double scale = w[3] / (margin * reachOf(z, mesh));
+    // Parallel projection: the middle of the volume becomes 0, its ends become w and -w.
+    const double scale = w[3] / (margin * reachOf(z, frame));
     z[0] *= scale;
     z[1] *= scale;
     z[2] *= scale;
@@ -43,7 +44,7 @@ std::array<double, 16> fittedDepths(const View& view, const TetMesh& mesh)
     return matrix;
   }
   // w is the distance d, and z / w = (far + near - 2 far near / d) / (far - near).
-  const double reach = reachOf(w, mesh);
+  const double reach = reachOf(w, frame);
   const double far = w[3] + margin * reach;
   const double near = std::max(w[3] - margin * reach, 0.5 * (w[3] - reach));
   for (int k = 0; k < 4; ++k)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Depths for rasterising the mesh alone.
+// The range of depths in which the volume alone is rasterised.
 #ifndef TetMarchRaysFittedDepths_h
 #define TetMarchRaysFittedDepths_h
 
@@ -9,15 +9,15 @@
 namespace tetmarch
 {
 
-struct TetMesh;
+struct VolumeFrame;
 struct View;
 
 /**
- * view.NormalizedToClip with other depths: -1..1 spans the mesh instead of the camera's clipping
- * range, however wide that is. What is nearer stays nearer. The mesh must lie behind the near
+ * view.NormalizedToClip with other depths: -1..1 spans the volume instead of the camera's clipping
+ * range, however wide that is. The order of depths stays. The volume must lie behind the near
  * plane.
  */
-std::array<double, 16> fittedDepths(const View& view, const TetMesh& mesh);
+std::array<double, 16> fittedDepths(const View& view, const VolumeFrame& frame);
 
 } // namespace tetmarch
 

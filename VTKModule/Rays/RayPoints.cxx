@@ -14,7 +14,7 @@ namespace tetmarch
 namespace
 {
 
-// The points at a clip depth of the inverse of the matrix.
+// From the inverse of a matrix: the one that takes clip x and y to the point at that clip depth.
 std::array<double, 16> pointsAtDepth(double depth, std::array<double, 16> inverse)
 {
   for (int r = 0; r < 4; ++r)
@@ -33,7 +33,7 @@ std::array<double, 16> inverted(const std::array<double, 16>& matrix)
 
 } // namespace
 
-std::array<double, 16> rayPoints(const View& view, const TetMesh& mesh)
+std::array<double, 16> rayPoints(const View& view, const VolumeFrame& frame)
 {
   if (view.CutsNearPlane)
   {
@@ -43,10 +43,10 @@ std::array<double, 16> rayPoints(const View& view, const TetMesh& mesh)
   const double distance = std::hypot(eye[0], eye[1], eye[2]);
   if (eye[3] * 2.0 > distance)
   {
-    return pointsAtDepth(-1.0, inverted(fittedDepths(view, mesh)));
+    return pointsAtDepth(-1.0, inverted(fittedDepths(view, frame)));
   }
-  // The plane through the centre that faces the eye takes the place of those of equal depth, which
-  // a matrix that isn't a similarity may turn nearly parallel to the rays.
+  // The plane through the centre that faces the eye replaces the planes of equal depth, which may
+  // be nearly parallel to the rays if the matrix is not a similarity.
   std::array<double, 16> matrix = view.NormalizedToClip;
   for (int k = 0; k < 3; ++k)
   {

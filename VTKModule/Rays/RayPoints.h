@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A point of each pixel's ray that float can hold, for rays that no rasterised face leads to.
+// A point on each pixel's ray that float can represent, for rays without a rasterised entry.
 #ifndef TetMarchRaysRayPoints_h
 #define TetMarchRaysRayPoints_h
 
@@ -9,16 +9,16 @@
 namespace tetmarch
 {
 
-struct TetMesh;
+struct VolumeFrame;
 struct View;
 
 /**
- * A row-major matrix that takes (x, y, 0, 1), clip coordinates, to a point of the ray of (x, y) in
- * the normalised frame. Where the near plane cuts the mesh, it is the point on the near plane. Else
- * it lies before the eye and, if the ray meets the mesh, within two mesh radii of its centre: rays
- * keep their digits however far away the eye is, and however askew the volume's matrix.
+ * A row-major matrix that takes clip coordinates (x, y, 0, 1) to a point on the ray of (x, y) in
+ * the normalised frame. Where the near plane cuts the volume, it is the point on the near plane.
+ * Otherwise it lies before the eye and, if the ray meets the volume, within two radii of its
+ * centre: so rays are precise however far away the eye is, and however skew the volume's matrix.
  */
-std::array<double, 16> rayPoints(const View& view, const TetMesh& mesh);
+std::array<double, 16> rayPoints(const View& view, const VolumeFrame& frame);
 
 } // namespace tetmarch
 

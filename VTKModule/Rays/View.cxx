@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rays/View.h"
 
-#include "Mesh/TetMesh.h"
+#include "Geometry/VolumeFrame.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -21,10 +21,10 @@ namespace
 // 24 bits of a float: 1/16 of a pixel where a picture is 2000 pixels wide.
 constexpr double MostSpread = 1024;
 
-// Where in clip coordinates lies the bounding box of the mesh?
-void classify(const TetMesh& mesh, View& view)
+// Find where the bounding box of the volume lies in clip coordinates.
+void classify(const VolumeFrame& frame, View& view)
 {
-  const auto& high = mesh.HalfExtent;
+  const auto& high = frame.HalfExtent;
   const auto& m = view.NormalizedToClip;
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -45,9 +45,9 @@ void classify(const TetMesh& mesh, View& view)
   }
 }
 
-// What all lines of sight go through, in view coordinates: x = y = w = 0 in clip coordinates. It is
-// the origin or, for parallel projection, the direction +z, but not so for each eye of a stereo
-// picture or a sheared view.
+// The point that all lines of sight go through, in view coordinates: x = y = w = 0 in clip
+// coordinates. It is the origin or, for parallel projection, the direction +z, except for the eyes
+// of a stereo picture or a sheared view.
 std::array<double, 4> eyeOf(vtkMatrix4x4* viewToClip)
 {
   vtkNew<vtkMatrix4x4> inverse;
@@ -84,16 +84,12 @@ std::array<double, 3> View::unproject(double x, double y, double z) const
   return { { q[0] / q[3], q[1] / q[3], q[2] / q[3] } };
 }
 
-bool makeView(
-  vtkRenderer* renderer, vtkVolume* volume, const TetMesh& mesh, double unitDistance, View& view)
+bool makeView(vtkRenderer* renderer, vtkVolume* volume, const VolumeFrame& frame,
+  double unitDistance, View& view)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  vtkNew<vtkMatrix4x4> normalized; // normalised -> data
-  for (int k = 0; k < 3; ++k)
-  {
-    normalized->SetElement(k, k, mesh.Radius);
-    normalized->SetElement(k, 3, mesh.Center[k]);
-  }
+  vtkNew<vtkMatrix4x4> normalized; // from the normalised frame to the data
+  normalized->DeepCopy(frame.matrixToData().data());
   vtkNew<vtkMatrix4x4> toWorld, toView, toClip, inverse, eyeInverse;
   vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), normalized, toWorld);
   vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix(), toWorld, toView);
@@ -127,7 +123,7 @@ bool makeView(
   }
   eyeInverse->MultiplyPoint(eyeOf(projection).data(), view.Eye.data());
   view.Mirrored = toView->Determinant() < 0;
-  classify(mesh, view);
+  classify(frame, view);
   return usable && toView->Determinant() != 0 && toClip->Determinant() != 0;
 }
 

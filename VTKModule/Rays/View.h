@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the camera stands, in the mesh's normalised frame.
+// The camera in the volume's normalised frame.
 #ifndef TetMarchRaysView_h
 #define TetMarchRaysView_h
 
@@ -12,7 +12,7 @@ class vtkVolume;
 namespace tetmarch
 {
 
-struct TetMesh;
+struct VolumeFrame;
 
 /** Row-major matrices, applied to column vectors; clip coordinates as in OpenGL. */
 struct View
@@ -22,23 +22,26 @@ struct View
   std::array<double, 9>
     ThicknessMatrix{};         // normalised direction -> world, in scalar opacity unit distances
   std::array<double, 4> Eye{}; // (eye, 1) or, for parallel projection, (direction towards it, 0)
-  bool Mirrored = false;       // faces turn the other way on the screen
-  bool CutsNearPlane = false;  // part of the mesh lies before the near plane
-  bool CutsFarPlane = false;   // part of the mesh lies behind the far plane
+  bool Mirrored = false;       // counter-clockwise faces are clockwise on the screen
+  bool CutsNearPlane = false;  // a part of the volume lies before the near plane
+  bool CutsFarPlane = false;   // a part of the volume lies behind the far plane
   double Spread = 0; // of the mesh on the picture: 1 reaches its border, 2 as far beyond; before
                      // the near plane no number
 
-  /** Whether the rasteriser can tell where rays enter the mesh: all of it lies before the eye, and
-   * not so far beyond the picture's border that its float coordinates blur the picture. */
+  /**
+   * Whether the rasteriser can tell where rays enter the volume: all of it lies before the eye,
+   * and it reaches not so far beyond the picture's border that its float coordinates lose
+   * precision.
+   */
   bool rastersEntries() const;
 
   /** The point of clip coordinates (x, y, z), each in -1..1, in the normalised frame. */
   std::array<double, 3> unproject(double x, double y, double z) const;
 };
 
-/** False if the volume's matrix is singular or not finite: then there is nothing to be seen. */
-bool makeView(
-  vtkRenderer* renderer, vtkVolume* volume, const TetMesh& mesh, double unitDistance, View& view);
+/** Returns false if a matrix is singular or not finite: then nothing can be seen. */
+bool makeView(vtkRenderer* renderer, vtkVolume* volume, const VolumeFrame& frame,
+  double unitDistance, View& view);
 
 } // namespace tetmarch
 

@@ -14,7 +14,7 @@ template <typename Kernel, typename Real>
 ReferenceImage make(const ReferenceScene& scene, const AccuracyLevel& level)
 {
   ImageMaker<Kernel, Real> maker(scene, level);
-  maker.kernel().useComponents(*scene.Parts, scene.Range);
+  maker.kernel().useComponents(*scene.Parts, *scene.Further, scene.Range);
   return maker.make();
 }
 

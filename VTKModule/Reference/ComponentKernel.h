@@ -6,6 +6,7 @@
 
 #include "Appearance/Components.h"
 #include "Reference/Kernel.h"
+#include "Scalars/FurtherScalars.h"
 
 #include <vector>
 

@@ -3,13 +3,16 @@
 // What the march of several components reads, as members of a kernel; part of KernelBody.h.
 
 const Components* Parts = nullptr;
+const FurtherScalars* Further = nullptr;
 std::vector<TablePlace> Places;
 int componentCount = 0;
 vec4 componentFactor{ 1, 1, 1, 1 };
 
-void useComponents(const Components& components, const ScalarRange& range)
+void useComponents(
+  const Components& components, const FurtherScalars& further, const ScalarRange& range)
 {
   Parts = &components;
+  Further = &further;
   Places = components.places(*Table, range);
   componentCount = components.count();
   const auto& f = components.Factors;
@@ -29,8 +32,8 @@ vec2 fetchTablePlace(int table) const
 }
 vec3 fetchFurtherScalars(uint i) const
 {
-  const std::size_t count = Parts->Further.count();
-  const float* s = &Parts->Further.Values[count * i];
+  const std::size_t count = Further->count();
+  const float* s = &Further->Values[count * i];
   return vec3(Real(s[0]), count > 1 ? Real(s[1]) : Real(0), count > 2 ? Real(s[2]) : Real(0));
 }
 // The table that an entry of all belongs to; it becomes the entry of that.

@@ -15,7 +15,7 @@ ReferenceImage make(const ReferenceScene& scene, const AccuracyLevel& level)
 {
   LitImageMaker<Kernel, Real> maker(scene, level);
   Kernel& kernel = maker.kernel();
-  kernel.useComponents(*scene.Parts, scene.Range);
+  kernel.useComponents(*scene.Parts, *scene.Further, scene.Range);
   // Adaptive pieces that are never tried again are those of a level that isn't adaptive.
   kernel.mostTrials = level.Adaptive ? kernel.mostTrials : 0;
   return maker.make();

@@ -4,9 +4,10 @@
 #ifndef TetMarchReferenceMakeKernel_h
 #define TetMarchReferenceMakeKernel_h
 
-#include "Mesh/Scalars.h"
+#include "Mesh/TetMesh.h"
 #include "Optics/AccuracyLevel.h"
 #include "Optics/IntegralTable.h"
+#include "Scalars/StoredScalar.h"
 
 namespace tetmarch
 {

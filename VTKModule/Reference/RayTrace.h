@@ -6,8 +6,9 @@
 #define TetMarchReferenceRayTrace_h
 
 #include "Diagnostics/MarchCounters.h"
-#include "Mesh/FurtherScalars.h"
 #include "Mesh/TetMesh.h"
+#include "Optics/AccuracyLevel.h"
+#include "Scalars/FurtherScalars.h"
 
 #include <array>
 #include <vector>
@@ -15,8 +16,17 @@
 namespace tetmarch
 {
 
-struct AccuracyLevel;
 struct ReferenceScene;
+
+/** How the ray of one pixel is marched by the CPU. */
+struct TraceOptions
+{
+  int X = 0; // of the pixel, counted from the lower left of the window, or of the frame
+  int Y = 0;
+  AccuracyLevel Level = DefaultAccuracy;
+  bool InDouble = false;
+  bool ExactLight = false; // light through the volume by brute force; else as the frame has it
+};
 
 /** Why something was gathered in a tetrahedron, or nothing. */
 enum class CellOutcome

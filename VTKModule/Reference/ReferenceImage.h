@@ -9,12 +9,12 @@
 #include "Diagnostics/MarchCounters.h"
 #include "Light/EffectData.h"
 #include "Mesh/HiddenCells.h"
-#include "Mesh/Scalars.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/AccuracyLevel.h"
 #include "Optics/IntegralTable.h"
 #include "Rays/Clipping.h"
 #include "Rays/View.h"
+#include "Scalars/FurtherScalars.h"
 
 #include <vector>
 
@@ -41,6 +41,7 @@ struct ReferenceScene
   const EffectData* Effects = nullptr;
   const Blending* Blend = nullptr;   // nullptr: composite; else the table is that of blendedTable()
   const Components* Parts = nullptr; // nullptr or single: one scalar; independent: without effects
+  const FurtherScalars* Further = nullptr; // of several components
   /** Light that comes through the volume is looked for wherever a ray crosses a face, by brute
    * force; else interpolated between vertices as in the picture. */
   bool ExactLight = true;

@@ -4,8 +4,10 @@
 
 #include "Appearance/Components.h"
 #include "Light/EffectStage.h"
+#include "Mesh/MeshScalars.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "Reference/ReferenceImage.h"
+#include "Volume/TetEffectSource.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -48,12 +50,15 @@ public:
     this->Level = levelOf(
       static_cast<Accuracy>(scene.Mapper->GetAccuracyLevel()), scene.Mapper->GetErrorTolerance());
     ReferenceScene& made = this->Made;
-    const DrawnComponents drawn = drawnComponents(
+    DrawnScalars drawn;
+    error = chooseScalars(scene.Data, array, cellFlag == 1,
       { VectorMode(scene.Mapper->GetVectorMode()), scene.Mapper->GetVectorComponent() },
-      scene.property(), array, error);
-    made.Range = readComponents(
-      scene.Data, array, cellFlag == 1, drawn, this->Mesh, this->CellScalars, this->Parts);
-    made.CellScalars = cellFlag == 1 ? &this->CellScalars : nullptr;
+      scene.property(), drawn);
+    this->Scalars = readScalars(scene.Data, drawn, this->Mesh);
+    this->Parts.Mix = drawn.Mix;
+    this->Parts.FurtherRanges = this->Scalars.Further.Ranges;
+    made.Range = this->Scalars.Range;
+    made.CellScalars = cellFlag == 1 ? &this->Scalars.OfCells : nullptr;
     made.NanShown = scene.Mapper->GetDrawNanCells();
     this->Hidden = hiddenCells(scene.Data, this->Mesh);
     made.Hidden = property == scene.property() ? &this->Hidden : nullptr;
@@ -68,17 +73,18 @@ public:
       this->Table = componentTables(property, law, made.Range, this->Level, this->Parts);
       error = setFactors(property, this->Parts);
       made.Parts = &this->Parts;
+      made.Further = &this->Scalars.Further;
     }
     else
     {
       this->Table = blendedTable(property, law, this->Blend, made.Range, this->Level);
     }
-    if (!makeView(scene.Renderer, scene.Volume, this->Mesh,
+    if (!makeView(scene.Renderer, scene.Volume, this->Mesh.Frame,
           property->GetScalarOpacityUnitDistance(), made.Camera))
     {
       throw std::runtime_error("the scene has no view");
     }
-    error = makeClipping(clippingOf(scene.Mapper), scene.Volume, this->Mesh, made.Cut);
+    error = makeClipping(clippingOf(scene.Mapper), scene.Volume, this->Mesh.Frame, made.Cut);
     if (!error.empty())
     {
       throw std::runtime_error(error);
@@ -121,9 +127,10 @@ private:
 
   void addEffects(Scene& scene)
   {
-    const EffectInput input{ &this->Mesh, &this->CellScalars, &this->Made.Range, { 1 } };
+    const Fingerprint version{ 1 };
+    const TetEffectSource source(this->Mesh, this->Scalars.OfCells, this->Scalars.Range, version);
     const std::string error =
-      this->Effects.update(scene.Renderer, scene.Volume, optionsOf(scene.Mapper), input);
+      this->Effects.update(scene.Renderer, scene.Volume, optionsOf(scene.Mapper), { &source });
     if (!error.empty())
     {
       throw std::runtime_error(error);
@@ -132,7 +139,7 @@ private:
   }
 
   TetMesh Mesh;
-  std::vector<float> CellScalars;
+  MeshScalars Scalars;
   HiddenCells Hidden;
   IntegralTable Table;
   Components Parts;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GL/FrameFigures.h"
+#include "Mapper/FrameMeasures.h"
 
 #include "GL/Diagnostics.h"
 
@@ -15,7 +15,7 @@ namespace tetmarch
 namespace
 {
 
-// value(i) of pixel i; -1, which the statistics leave out, where the ray met nothing.
+// Of pixel i value(i), or -1, which the statistics leave out, if its ray met nothing.
 template <typename Value>
 void take(const Diagnostics& counted, vtkTetMarchFrameStatistics* statistics, int quantity,
   const Value& value)

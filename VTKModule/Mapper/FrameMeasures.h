@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From what the diagnostic march counted to the statistics that users ask for.
-#ifndef TetMarchGLFrameFigures_h
-#define TetMarchGLFrameFigures_h
+// What the diagnostic march counted becomes the statistics that users ask for.
+#ifndef TetMarchMapperFrameMeasures_h
+#define TetMarchMapperFrameMeasures_h
 
 class vtkFloatArray;
 class vtkTetMarchFrameStatistics;
@@ -12,7 +12,7 @@ namespace tetmarch
 
 class Diagnostics;
 
-/** Error bounds, cells and lookups. */
+/** Cells, lookups and error bounds of each pixel. */
 void takeMeasures(const Diagnostics& counted, vtkTetMarchFrameStatistics* statistics);
 
 /** True errors, from the frame in double precision: premultiplied RGBA, rows from the bottom. */

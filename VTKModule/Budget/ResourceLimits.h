@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a mesh fits the GPU, from sizes alone: before anything is allocated there.
-#ifndef TetMarchMeshResourceLimits_h
-#define TetMarchMeshResourceLimits_h
+// Whether buffers fit the GPU, by their sizes: before anything is allocated there.
+#ifndef TetMarchBudgetResourceLimits_h
+#define TetMarchBudgetResourceLimits_h
 
 #include <cstdint>
 #include <limits>
@@ -11,8 +11,6 @@
 
 namespace tetmarch
 {
-
-struct TetMesh;
 
 struct ResourceLimits
 {
@@ -26,17 +24,6 @@ struct BufferSize
   std::uint64_t Texels;
   std::uint64_t BytesPerTexel;
 };
-
-/** Of a mesh, its cell scalars (0 if point scalars are drawn), words of hidden cells (0 if there
- * are none) and a table of so many entries. */
-std::vector<BufferSize> bufferSizes(const TetMesh& mesh, std::uint64_t cellScalars,
-  std::uint64_t hiddenCellWords, std::uint64_t tableEntries);
-
-/** What so many tetrahedra need at least, whatever else. */
-std::vector<BufferSize> leastBufferSizes(std::uint64_t tetrahedra);
-
-/** How many tetrahedra such limits may hold; more certainly don't fit. */
-std::uint64_t mostTetrahedra(const ResourceLimits& limits);
 
 enum class SizesAre
 {

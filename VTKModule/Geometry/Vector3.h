@@ -1,17 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Positions of vertices and vectors between them, in double precision.
-#ifndef TetMarchMeshVector3_h
-#define TetMarchMeshVector3_h
+// Points and vectors in double precision.
+#ifndef TetMarchGeometryVector3_h
+#define TetMarchGeometryVector3_h
 
-#include "Mesh/TetMesh.h"
+#include <array>
 
 namespace tetmarch
 {
 
 using Vector3 = std::array<double, 3>;
-
-inline Vector3 position(const Vertex& v) { return { { double(v.X), double(v.Y), double(v.Z) } }; }
 
 inline Vector3 operator-(const Vector3& a, const Vector3& b)
 {

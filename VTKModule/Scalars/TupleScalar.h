@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The scalar that is drawn of a tuple: one of its components, or the length of the vector.
-#ifndef TetMarchMeshTupleScalar_h
-#define TetMarchMeshTupleScalar_h
+#ifndef TetMarchScalarsTupleScalar_h
+#define TetMarchScalarsTupleScalar_h
 
 #include <algorithm>
 #include <cmath>

@@ -1,23 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of a mesh its transfer functions leave transparent.
-#ifndef TetMarchAppearanceTransparentShare_h
-#define TetMarchAppearanceTransparentShare_h
+// The share of a mesh that its transfer functions leave transparent.
+#ifndef TetMarchVolumeTransparentShare_h
+#define TetMarchVolumeTransparentShare_h
 
-#include "Mesh/Scalars.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/IntegralTable.h"
+#include "Scalars/StoredScalar.h"
 
 #include <vector>
 
 namespace tetmarch
 {
 
-/** From here on a loop of its own for cells in which nothing is seen earns what it costs: rays in
- * lockstep wait for each other at its end. */
+/** From this share on, a separate loop for cells in which nothing is seen is worth its cost: rays
+ * in lockstep wait for each other at its end. */
 constexpr double LeastShareToPass = 0.5;
 
-/** Of the scalars, those of the vertices if there are none of cells, the share 0..1 that lies in
+/** The share 0..1 of the cell scalars, or of those of the vertices if there are none, that lies in
  * the table's transparent ranges. */
 double transparentShare(const TetMesh& mesh, const std::vector<float>& cellScalars,
   const ScalarRange& range, const IntegralTable& table);

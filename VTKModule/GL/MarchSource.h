@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What rays march through. Pipeline and its passes know a volume by this alone, so that another
+// kind of volume, such as a structured grid, is another class that fills it.
+#ifndef TetMarchGLMarchSource_h
+#define TetMarchGLMarchSource_h
+
+#include "Budget/ResourceLimits.h"
+#include "Caching/Fingerprint.h"
+#include "GL/Viewport.h"
+#include "Light/EffectSource.h"
+#include "Mesh/Progress.h"
+#include "Reference/RayTrace.h"
+#include "Reference/ReferenceImage.h"
+#include "Scalars/DrawnScalars.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace tetmarch
+{
+
+/** The entry points of shaders that march through the volume, or to it. */
+enum class SourcePass
+{
+  March,
+  Pick,
+  VertexLight,
+  BoundaryView
+};
+
+class MarchSource
+{
+public:
+  virtual ~MarchSource() = default;
+
+  // The stages of a frame. Each returns an empty string, or what is wrong and what to do, and does
+  // nothing if its input is the same as before.
+
+  /** What rays march through, of a data set of the type that this source takes. */
+  virtual std::string updateGeometry(
+    vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) = 0;
+  /** The scalars that are drawn. */
+  virtual std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) = 0;
+  /** What rays need to find where they enter, if the rasteriser can't tell. */
+  virtual std::string prepareEntrySearch() = 0;
+
+  // What the stages that follow know of it.
+
+  /** Nothing can be marched through: the data has no such cells, or progress asked to stop. */
+  virtual bool isEmpty() const = 0;
+  virtual const VolumeFrame& frame() const = 0;
+  /** Of the first scalar. */
+  virtual const ScalarRange& range() const = 0;
+  /** Of the scalars that are drawn with it. */
+  virtual const std::vector<ScalarRange>& furtherRanges() const = 0;
+  /** The share 0..1 of the volume whose scalars lie in the table's transparent ranges. */
+  virtual double transparentShare(const IntegralTable& table) const = 0;
+  virtual const EffectSource& effectSource() const = 0;
+  /** The cell of the data that the shaders call by this number. */
+  virtual vtkIdType cellOf(std::uint32_t marched) const = 0;
+  /** Set the bits of the key that say how rays of the camera enter, and what they march through. */
+  virtual void setBits(VariantKey& key, const View& camera) const = 0;
+  /** Equal as long as geometry, scalars and hidden cells are the same. The first word is that of
+   * the geometry. */
+  virtual Fingerprint version() const = 0;
+  /** How often any of the stages has run. */
+  virtual std::int64_t runs() const = 0;
+
+  // What is uploaded and bound.
+
+  virtual std::vector<BufferSize> bufferSizes() const = 0;
+  virtual bool isUploaded() const = 0;
+  /** Returns an empty string, or what is wrong; what did not get there is tried again next time. */
+  virtual std::string upload(vtkOpenGLRenderWindow* window) = 0;
+  virtual void release(vtkWindow* window) = 0;
+  virtual std::size_t bytes() const = 0;
+  /** How many bytes were uploaded in all. */
+  virtual std::int64_t uploadedBytes() const = 0;
+
+  /** The file of a pass's fragment shader. */
+  virtual const char* shaderOf(SourcePass pass) const = 0;
+  /** What these shaders read of the volume. */
+  virtual void bind(vtkShaderProgram* program, const VariantKey& key) = 0;
+  virtual void unbind() = 0;
+
+  /**
+   * Draw where the rays of pixels in a part of the viewport enter, into entries(). It is called if
+   * the key has RasterEntry. Returns an empty string, or what is wrong.
+   */
+  virtual std::string drawEntries(vtkOpenGLRenderWindow* window, const Viewport& viewport,
+    const Viewport& part, const View& camera) = 0;
+  virtual vtkTextureObject* entries() const = 0;
+  virtual void releaseEntries(vtkWindow* window) = 0;
+
+  /** The CPU reference in double precision, of a scene that has everything but the volume. */
+  virtual ReferenceImage renderReference(
+    ReferenceScene scene, const AccuracyLevel& level) const = 0;
+  /** The ray of one pixel of that picture; pixels are counted from the lower left of the frame. */
+  virtual RayTrace traceRay(ReferenceScene scene, const TraceOptions& options) const = 0;
+};
+
+} // namespace tetmarch
+
+#endif

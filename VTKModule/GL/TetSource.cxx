@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/TetSource.h"
+
+#include "Mesh/MeshSizes.h"
+#include "Rays/View.h"
+#include "Variants/VariantKey.h"
+#include "Volume/TransparentShare.h"
+
+#include "vtkUnstructuredGrid.h"
+
+namespace tetmarch
+{
+
+std::string TetSource::updateGeometry(
+  vtkDataSet* data, const ResourceLimits& limits, const Progress& progress)
+{
+  return this->Volume.updateGeometry(vtkUnstructuredGrid::SafeDownCast(data), limits, progress);
+}
+
+std::string TetSource::updateScalars(vtkDataSet* data, const DrawnScalars& drawn)
+{
+  return this->Volume.updateScalars(vtkUnstructuredGrid::SafeDownCast(data), drawn);
+}
+
+double TetSource::transparentShare(const IntegralTable& table) const
+{
+  const MeshScalars& scalars = this->Volume.scalars();
+  return tetmarch::transparentShare(this->mesh(), scalars.OfCells, scalars.Range, table);
+}
+
+void TetSource::setBits(VariantKey& key, const View& camera) const
+{
+  key.PointScalars = this->Volume.scalars().OfCells.empty();
+  key.RasterEntry = camera.rastersEntries();
+  key.Hierarchy = this->mesh().NeedsHierarchy;
+  key.HiddenCells = !this->Volume.hiddenCells().empty();
+}
+
+Fingerprint TetSource::version() const
+{
+  Fingerprint version = this->Volume.scalarsVersion();
+  add(version, this->Volume.hiddenVersion());
+  return version;
+}
+
+std::vector<BufferSize> TetSource::bufferSizes() const
+{
+  const MeshScalars& scalars = this->Volume.scalars();
+  std::vector<BufferSize> sizes =
+    tetmarch::bufferSizes(this->mesh(), scalars.OfCells.size(), this->Volume.hiddenCells().size());
+  if (const std::size_t count = scalars.Further.count())
+  {
+    sizes.push_back({ "further scalars", scalars.Further.Values.size() / count,
+      MeshTextures::furtherScalarsOfTexel(count) * sizeof(float) });
+  }
+  return sizes;
+}
+
+bool TetSource::isUploaded() const
+{
+  return this->Links == this->Volume.linksVersion() &&
+         this->Scalars == this->Volume.scalarsVersion() &&
+         this->HiddenCells == this->Volume.hiddenVersion();
+}
+
+std::string TetSource::upload(vtkOpenGLRenderWindow* window)
+{
+  std::string error;
+  const auto update = [&](Uploaded& there, const Fingerprint& version, const auto& uploadAll)
+  {
+    if (error.empty() && there != version)
+    {
+      there.reset();
+      const std::size_t bytes = uploadAll();
+      if (error.empty())
+      {
+        there = version;
+      }
+      this->UploadedBytes += static_cast<std::int64_t>(bytes);
+    }
+  };
+  const TetMesh& mesh = this->mesh();
+  const MeshScalars& scalars = this->Volume.scalars();
+  const auto& hidden = this->Volume.hiddenCells();
+  update(this->Links, this->Volume.linksVersion(),
+    [&]
+    {
+      error = this->Textures.uploadLinks(window, mesh);
+      return sizeof(Link) * mesh.Links.size() + 16 * mesh.BoundaryFaces.size() +
+             sizeof(HierarchyNode) * mesh.Hierarchy.size();
+    });
+  update(this->Scalars, this->Volume.scalarsVersion(),
+    [&]
+    {
+      error = this->Textures.uploadScalars(window, mesh, scalars);
+      return sizeof(Vertex) * mesh.Vertices.size() + sizeof(float) * scalars.OfCells.size() +
+             this->Textures.furtherBytes();
+    });
+  update(this->HiddenCells, this->Volume.hiddenVersion(),
+    [&]
+    {
+      error = this->Textures.uploadHiddenCells(window, hidden);
+      return sizeof(std::uint32_t) * hidden.size();
+    });
+  return error;
+}
+
+void TetSource::release(vtkWindow* window)
+{
+  this->Textures.release(window);
+  this->Entry.release(window);
+  this->Links.reset();
+  this->Scalars.reset();
+  this->HiddenCells.reset();
+}
+
+const char* TetSource::shaderOf(SourcePass pass) const
+{
+  switch (pass)
+  {
+    case SourcePass::March:
+      return "passes/march.frag.glsl";
+    case SourcePass::Pick:
+      return "passes/pick.frag.glsl";
+    case SourcePass::VertexLight:
+      return "passes/vertex_light.frag.glsl";
+    default:
+      return "passes/boundary_view.frag.glsl";
+  }
+}
+
+void TetSource::bind(vtkShaderProgram* program, const VariantKey& key)
+{
+  this->Textures.bind(program, key);
+}
+
+std::string TetSource::drawEntries(
+  vtkOpenGLRenderWindow* window, const Viewport& viewport, const Viewport& part, const View& camera)
+{
+  return this->Entry.draw(window, viewport, part, camera, this->mesh(), this->Textures);
+}
+
+ReferenceScene TetSource::withVolume(ReferenceScene scene) const
+{
+  const MeshScalars& scalars = this->Volume.scalars();
+  scene.Mesh = &this->mesh();
+  scene.CellScalars = scalars.OfCells.empty() ? nullptr : &scalars.OfCells;
+  scene.Further = &scalars.Further;
+  scene.Range = scalars.Range;
+  scene.Hidden = &this->Volume.hiddenCells();
+  return scene;
+}
+
+ReferenceImage TetSource::renderReference(ReferenceScene scene, const AccuracyLevel& level) const
+{
+  return tetmarch::renderReference<double>(this->withVolume(scene), level);
+}
+
+RayTrace TetSource::traceRay(ReferenceScene scene, const TraceOptions& options) const
+{
+  const ReferenceScene whole = this->withVolume(scene);
+  RayTrace (*const trace)(const ReferenceScene&, const AccuracyLevel&, int, int) =
+    options.InDouble ? tetmarch::traceRay<double> : tetmarch::traceRay<float>;
+  return trace(whole, options.Level, options.X, options.Y);
+}
+
+} // namespace tetmarch

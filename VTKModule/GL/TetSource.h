@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The tetrahedra of a vtkUnstructuredGrid are what rays march through.
+#ifndef TetMarchGLTetSource_h
+#define TetMarchGLTetSource_h
+
+#include "GL/EntryPass.h"
+#include "GL/MarchSource.h"
+#include "GL/MeshTextures.h"
+#include "Volume/TetVolume.h"
+
+#include <optional>
+
+namespace tetmarch
+{
+
+class TetSource : public MarchSource
+{
+public:
+  const TetMesh& mesh() const { return this->Volume.mesh(); }
+  const StageRecord& meshRecord() const { return this->Volume.meshRecord(); }
+  const StageRecord& scalarsRecord() const { return this->Volume.scalarsRecord(); }
+
+  std::string updateGeometry(
+    vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) override;
+  std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) override;
+  std::string prepareEntrySearch() override { return this->Volume.ensureHierarchy(); }
+
+  bool isEmpty() const override { return this->mesh().Tets.empty(); }
+  const VolumeFrame& frame() const override { return this->mesh().Frame; }
+  const ScalarRange& range() const override { return this->Volume.scalars().Range; }
+  const std::vector<ScalarRange>& furtherRanges() const override
+  {
+    return this->Volume.scalars().Further.Ranges;
+  }
+  double transparentShare(const IntegralTable& table) const override;
+  const EffectSource& effectSource() const override { return this->Volume.effectSource(); }
+  vtkIdType cellOf(std::uint32_t tet) const override { return this->mesh().TetCells[tet]; }
+  void setBits(VariantKey& key, const View& camera) const override;
+  Fingerprint version() const override;
+
+  std::int64_t runs() const override { return this->Volume.runs(); }
+
+  std::vector<BufferSize> bufferSizes() const override;
+  bool isUploaded() const override;
+  std::string upload(vtkOpenGLRenderWindow* window) override;
+  void release(vtkWindow* window) override;
+  std::size_t bytes() const override { return this->Textures.bytes() + this->Entry.bytes(); }
+  std::int64_t uploadedBytes() const override { return this->UploadedBytes; }
+
+  const char* shaderOf(SourcePass pass) const override;
+  void bind(vtkShaderProgram* program, const VariantKey& key) override;
+  void unbind() override { this->Textures.unbind(); }
+
+  std::string drawEntries(vtkOpenGLRenderWindow* window, const Viewport& viewport,
+    const Viewport& part, const View& camera) override;
+  vtkTextureObject* entries() const override { return this->Entry.entries(); }
+  void releaseEntries(vtkWindow* window) override { this->Entry.release(window); }
+
+  ReferenceImage renderReference(ReferenceScene scene, const AccuracyLevel& level) const override;
+  RayTrace traceRay(ReferenceScene scene, const TraceOptions& options) const override;
+
+private:
+  ReferenceScene withVolume(ReferenceScene scene) const;
+
+  /** The version of an array that the GPU has; none before it is uploaded. */
+  using Uploaded = std::optional<Fingerprint>;
+
+  TetVolume Volume;
+  MeshTextures Textures;
+  Uploaded Links;
+  Uploaded Scalars;
+  Uploaded HiddenCells;
+  std::int64_t UploadedBytes = 0;
+  EntryPass Entry;
+};
+
+} // namespace tetmarch
+
+#endif

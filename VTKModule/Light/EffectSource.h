@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A volume as the effects of light and gradients see it.
+#ifndef TetMarchLightEffectSource_h
+#define TetMarchLightEffectSource_h
+
+#include "Caching/Fingerprint.h"
+#include "Geometry/VolumeFrame.h"
+#include "Scalars/StoredScalar.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace tetmarch
+{
+
+class EffectSource
+{
+public:
+  /** Where a ray from a vertex starts: see Mesh/VertexStarts.h. */
+  using VertexStart = std::array<std::uint32_t, 4>;
+
+  virtual ~EffectSource() = default;
+
+  virtual const VolumeFrame& frame() const = 0;
+  /** Of the first scalar, whose gradients are meant. */
+  virtual const ScalarRange& range() const = 0;
+  /** Equal as long as positions and cells are the same; one word. */
+  virtual Fingerprint geometryVersion() const = 0;
+  /** Equal as long as the scalars are the same, too. */
+  virtual Fingerprint scalarsVersion() const = 0;
+
+  /** Whether the scalar may change within a cell, so that the cell has a gradient of its own. */
+  virtual bool hasCellGradients() const = 0;
+  /** Gradients of the stored scalar in the normalised frame: one a cell, or one a vertex. */
+  virtual std::vector<std::array<float, 3>> gradients(bool ofCells) const = 0;
+
+  /** Starts of the rays from vertices to the light; empty if no light is kept at vertices. */
+  virtual std::vector<VertexStart> vertexStarts() const = 0;
+  /** The point that a ray from the vertex starts at, in the normalised frame. False if it has none.
+   */
+  virtual bool startPoint(std::size_t vertex, const VertexStart& start, Vector3& point) const = 0;
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/MeshScalars.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkSMPTools.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tetmarch
+{
+namespace
+{
+
+// The value where an array has no tuple.
+constexpr double NotThere = std::numeric_limits<double>::quiet_NaN();
+
+// Scalars of the tuples that are asked for, as doubles.
+struct ScalarReader
+{
+  const std::vector<Id>& Tuples;
+  const TupleScalar& Scalar;
+  std::vector<double>& Values;
+
+  template <typename Array>
+  void read(Array* array, vtkIdType first, vtkIdType last)
+  {
+    const vtkIdType limit = array->GetNumberOfTuples();
+    const auto range = vtk::DataArrayTupleRange(array);
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      const Id tuple = this->Tuples[i];
+      this->Values[i] = tuple < limit ? scalarOf(range[tuple], this->Scalar) : NotThere;
+    }
+  }
+
+  template <typename Array>
+  void operator()(Array* array)
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Tuples.size()),
+      [&](vtkIdType first, vtkIdType last) { this->read(array, first, last); });
+  }
+};
+
+std::vector<double> scalarsOf(
+  vtkDataArray* array, const std::vector<Id>& tuples, const TupleScalar& scalar)
+{
+  std::vector<double> values(tuples.size(), NotThere);
+  ScalarReader reader{ tuples, scalar, values };
+  if (!vtkArrayDispatch::Dispatch::Execute(array, reader))
+  {
+    // An array that computes its values may not be thread-safe.
+    reader.read(array, 0, static_cast<vtkIdType>(tuples.size()));
+  }
+  return values;
+}
+
+// The mean of the values at the points of a cell: that of the vertex in its centre.
+double meanOfCell(vtkUnstructuredGrid* grid, Id cell, vtkDataArray* array,
+  const TupleScalar& scalar, vtkIdList* points)
+{
+  const auto tuples = vtk::DataArrayTupleRange(array);
+  grid->GetCells()->GetCellAtId(cell, points);
+  const auto count = static_cast<double>(points->GetNumberOfIds());
+  double mean = 0;
+  for (vtkIdType point : *points)
+  {
+    mean += point < tuples.size() ? scalarOf(tuples[point], scalar) / count : NotThere;
+  }
+  return mean;
+}
+
+std::vector<double> vertexValues(
+  vtkUnstructuredGrid* grid, vtkDataArray* array, const TetMesh& mesh, const TupleScalar& scalar)
+{
+  std::vector<double> values = scalarsOf(array, mesh.VertexPoints, scalar);
+  if (!mesh.CenterCells.empty())
+  {
+    vtkNew<vtkIdList> points;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      if (mesh.VertexPoints[i] >= mesh.NumberOfPoints)
+      {
+        values[i] = meanOfCell(grid, mesh.CenterCells[mesh.VertexPoints[i] - mesh.NumberOfPoints],
+          array, scalar, points);
+      }
+    }
+  }
+  return values;
+}
+
+// Reads one scalar after the other into what is stored.
+class ScalarStore
+{
+public:
+  ScalarStore(vtkUnstructuredGrid* grid, const DrawnScalars& drawn, TetMesh& mesh)
+    : Grid(grid)
+    , Drawn(drawn)
+    , Mesh(mesh)
+  {
+  }
+
+  MeshScalars make()
+  {
+    this->addFirst();
+    for (std::size_t k = 0; k < this->Drawn.Further.size(); ++k)
+    {
+      this->addFurther(k);
+    }
+    return std::move(this->Made);
+  }
+
+private:
+  std::vector<double> valuesOf(const TupleScalar& scalar) const
+  {
+    return this->Drawn.OfCells ? scalarsOf(this->Drawn.Array, this->Mesh.TetCells, scalar)
+                               : vertexValues(this->Grid, this->Drawn.Array, this->Mesh, scalar);
+  }
+
+  float& first(std::size_t i)
+  {
+    return this->Drawn.OfCells ? this->Made.OfCells[i] : this->Mesh.Vertices[i].Scalar;
+  }
+
+  void addFirst()
+  {
+    const std::vector<double> values = this->valuesOf(this->Drawn.First);
+    this->Made.Range = finiteRange(values);
+    this->Made.OfCells.resize(this->Drawn.OfCells ? values.size() : 0);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      this->first(i) = storedScalar(values[i], this->Made.Range);
+    }
+  }
+
+  void addFurther(std::size_t k)
+  {
+    const std::size_t count = this->Drawn.Further.size();
+    const std::vector<double> values = this->valuesOf({ false, this->Drawn.Further[k] });
+    const double unit = this->Drawn.FurtherUnit;
+    const ScalarRange range = unit > 0 ? ScalarRange{ 0, unit } : finiteRange(values);
+    FurtherScalars& further = this->Made.Further;
+    further.Ranges.push_back(range);
+    further.Values.resize(count * values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const bool finite = std::isfinite(values[i]);
+      further.Values[count * i + k] = finite ? storedScalar(values[i], range) : 0.0f;
+      if (!finite)
+      {
+        this->first(i) = UndrawnScalar;
+        this->Made.Range.AllFinite = false;
+      }
+    }
+  }
+
+  vtkUnstructuredGrid* Grid;
+  const DrawnScalars& Drawn;
+  TetMesh& Mesh;
+  MeshScalars Made;
+};
+
+} // namespace
+
+MeshScalars readScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn, TetMesh& mesh)
+{
+  return ScalarStore(grid, drawn, mesh).make();
+}
+
+} // namespace tetmarch

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/MeshSizes.h"
+
+#include "Mesh/TetMesh.h"
+
+#include <algorithm>
+
+namespace tetmarch
+{
+
+std::vector<BufferSize> bufferSizes(
+  const TetMesh& mesh, std::uint64_t cellScalars, std::uint64_t hiddenCellWords)
+{
+  return { { "links", mesh.Links.size(), sizeof(Link) },
+    { "boundary faces", mesh.BoundaryFaces.size(), 16 },
+    { "nodes of the hierarchy", 2 * mesh.Hierarchy.size(), sizeof(HierarchyNode) / 2 },
+    { "vertices", mesh.Vertices.size(), sizeof(Vertex) },
+    { "cell scalars", cellScalars, sizeof(float) },
+    { "words of hidden cells", hiddenCellWords, sizeof(std::uint32_t) } };
+}
+
+std::vector<BufferSize> leastBufferSizes(std::uint64_t tetrahedra)
+{
+  return { { "links", 4 * tetrahedra, sizeof(Link) } };
+}
+
+std::uint64_t mostTetrahedra(const ResourceLimits& limits)
+{
+  const std::uint64_t byTexels = limits.TexelsPerBuffer / 4;
+  return limits.Bytes > 0 ? std::min<std::uint64_t>(byTexels, limits.Bytes / (4 * sizeof(Link)))
+                          : byTexels;
+}
+
+} // namespace tetmarch

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Scalars as the march reads them: floats in 0..1.
+#ifndef TetMarchScalarsStoredScalar_h
+#define TetMarchScalarsStoredScalar_h
+
+#include <vector>
+
+namespace tetmarch
+{
+
+/** Stored in place of a scalar that is not finite. What touches it is not drawn. */
+constexpr float UndrawnScalar = 1e30f;
+
+/** The finite values that stored scalars 0 and 1 stand for. They are equal if there is one value or
+ * none. */
+struct ScalarRange
+{
+  double Low = 0;
+  double High = 0;
+  bool AllFinite = true; // no value was stored as UndrawnScalar
+  /** The difference of the values that stored scalars 1 and 0 stand for: never 0. */
+  double width() const { return this->High > this->Low ? this->High - this->Low : 1; }
+};
+
+/** The range of the values that are finite. */
+ScalarRange finiteRange(const std::vector<double>& values);
+
+/** 0..1, or UndrawnScalar. The value is scaled in double precision before it is rounded. */
+float storedScalar(double value, const ScalarRange& range);
+
+} // namespace tetmarch
+
+#endif

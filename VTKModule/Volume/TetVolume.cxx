@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Volume/TetVolume.h"
+
+#include "Caching/WithinMemory.h"
+
+namespace tetmarch
+{
+
+std::string TetVolume::updateGeometry(
+  vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress)
+{
+  if (!this->Meshed.isCurrent(grid))
+  {
+    this->ScalarsInput.clear();
+    const std::string error = this->Meshed.make(grid, limits, progress);
+    if (!error.empty())
+    {
+      return error;
+    }
+  }
+  if (this->mesh().Tets.empty())
+  {
+    return {};
+  }
+  return withinMemory(
+    "the hidden cells", [&] { this->Hidden.update(grid, this->mesh(), this->meshRecord().Runs); });
+}
+
+std::string TetVolume::updateScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn)
+{
+  const Fingerprint input = versionOf(drawn);
+  if (input == this->ScalarsInput)
+  {
+    return {};
+  }
+  this->ScalarsInput.clear();
+  const std::string shortage = withinMemory("the scalars",
+    [&]
+    {
+      const StageRecorder recorder(this->ScalarsRecord);
+      this->Scalars = {};
+      this->Scalars = readScalars(grid, drawn, this->Meshed.mesh());
+    });
+  if (shortage.empty())
+  {
+    this->ScalarsInput = input;
+    this->ScalarsVersion = { static_cast<std::uintptr_t>(this->meshRecord().Runs),
+      static_cast<std::uintptr_t>(this->ScalarsRecord.Runs) };
+  }
+  return shortage;
+}
+
+std::string TetVolume::ensureHierarchy()
+{
+  return this->mesh().hasHierarchy() ? std::string() : this->Meshed.addHierarchy();
+}
+
+Fingerprint TetVolume::linksVersion() const
+{
+  return { static_cast<std::uintptr_t>(this->meshRecord().Runs),
+    this->mesh().hasHierarchy() ? std::uintptr_t(1) : 0 };
+}
+
+} // namespace tetmarch

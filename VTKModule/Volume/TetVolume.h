@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The tetrahedra of a grid with what is drawn of them: the stages that make it, each of which runs
+// again only when its own input changed.
+#ifndef TetMarchVolumeTetVolume_h
+#define TetMarchVolumeTetVolume_h
+
+#include "Mesh/HiddenCellStage.h"
+#include "Mesh/MeshScalars.h"
+#include "Mesh/MeshStage.h"
+#include "Volume/TetEffectSource.h"
+
+#include <string>
+
+namespace tetmarch
+{
+
+class TetVolume
+{
+public:
+  TetVolume() = default;
+  TetVolume(const TetVolume&) = delete;
+  TetVolume& operator=(const TetVolume&) = delete;
+
+  /** The mesh of the grid, and which of its cells are hidden. Returns an empty string, or what is
+   * wrong; the mesh is empty then, and if progress asked to stop. */
+  std::string updateGeometry(
+    vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress);
+  /** The stored scalars. Returns an empty string, or what is wrong. */
+  std::string updateScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn);
+  /** The hierarchy of the boundary, for rays that the rasteriser finds no entry for. Returns an
+   * empty string, or what is wrong. */
+  std::string ensureHierarchy();
+
+  const TetMesh& mesh() const { return this->Meshed.mesh(); }
+  const HiddenCells& hiddenCells() const { return this->Hidden.cells(); }
+  const MeshScalars& scalars() const { return this->Scalars; }
+  const EffectSource& effectSource() const { return this->Effects; }
+
+  /** Versions of what is uploaded: equal as long as it is the same. */
+  Fingerprint linksVersion() const;
+  /** The first word is that of the mesh. */
+  const Fingerprint& scalarsVersion() const { return this->ScalarsVersion; }
+  const Fingerprint& hiddenVersion() const { return this->Hidden.version(); }
+
+  const StageRecord& meshRecord() const { return this->Meshed.record(); }
+  const StageRecord& scalarsRecord() const { return this->ScalarsRecord; }
+  /** Of all stages. */
+  std::int64_t runs() const
+  {
+    return this->meshRecord().Runs + this->Hidden.record().Runs + this->ScalarsRecord.Runs;
+  }
+
+private:
+  MeshStage Meshed;
+  HiddenCellStage Hidden;
+  Fingerprint ScalarsInput;
+  MeshScalars Scalars;
+  Fingerprint ScalarsVersion{ 0, 0 };
+  StageRecord ScalarsRecord;
+  TetEffectSource Effects{ Meshed.mesh(), Scalars.OfCells, Scalars.Range, ScalarsVersion };
+};
+
+} // namespace tetmarch
+
+#endif
