@@ -17,7 +17,10 @@
 #define UNDRAWN_SCALAR 1.0e30
 #define LINK_OUTSIDE 0x80000000u
 #define MOST_LIGHTS 16 // Light/Lighting.h
+#define MOST_SHADOW_SOURCES 3 // Light/LightUniforms.h
 #define MOST_CLIPPING_PLANES 38 // Rays/Clipping.h
 #define MOST_ISOSURFACES 32 // Appearance/Blending.h
-#define VERTEX_LIGHT_ROW 4096 // texels; GL/VertexLight.h
+#define MOST_COMPONENTS 4 // Mesh/FurtherScalars.h
+#define VERTEX_LIGHT_BLOCK 8 // texels; Light/VertexLightLayout.h
+#define VERTEX_LIGHT_ROW 4096
 #define BVH_STACK 48 // Mesh/BoundaryHierarchy.h bounds the depth

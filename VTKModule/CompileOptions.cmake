@@ -5,7 +5,7 @@ function (tetmarch_compile_options target)
   target_compile_features("${target}" PUBLIC cxx_std_17)
   if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     # No product may be fused with a sum behind our back: the traversal decides itself where an fma stands.
-    target_compile_options("${target}" PRIVATE -Wall -Wextra -Wshadow -ffp-contract=off
+    target_compile_options("${target}" PRIVATE -Wall -Wextra -Wshadow -Wundef -ffp-contract=off
       # Clang's means long double, too.
       $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion>
       $<$<BOOL:${TETMARCH_WARNINGS_AS_ERRORS}>:-Werror>)

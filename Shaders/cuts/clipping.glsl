@@ -1,6 +1,6 @@
-// Clipping planes: what they leave is convex, so that of a ray it is what lies between two depths.
+// Clipping planes leave a convex region, so that of a ray they leave one range of depths.
 
-// Of a range of depths, what is left by all planes; nothing, if it doesn't end behind its begin.
+// The part of a range of depths that all planes leave; if it does not end behind its begin, they leave nothing.
 vec2 clippedRange(Ray ray, vec2 range)
 {
   for (int i = 0; i < clippingPlaneCount; ++i)
@@ -11,7 +11,7 @@ vec2 clippedRange(Ray ray, vec2 range)
     real height = dot(normal, ray.origin) + plane.w; // of the ray's origin above the plane
     bool crosses = abs(slope) > TINY;
     real depth = -height / (crosses ? slope : real(1));
-    // Along the plane, all or nothing is left.
+    // Of a ray along the plane all or nothing is left.
     real outside = height >= real(0) ? -NO_DEPTH : NO_DEPTH;
     real begin = crosses ? (slope > real(0) ? depth : -NO_DEPTH) : outside;
     real end = crosses && slope < real(0) ? depth : NO_DEPTH;

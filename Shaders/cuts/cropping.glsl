@@ -1,7 +1,8 @@
 // Cropping: two planes across each axis divide the volume into 27 regions, some of which are left. A ray crosses at most
-// six of the planes, and is integrated from plane to plane.
+// six of the planes, and is gathered from plane to plane.
 
-// Where behind a depth the ray crosses the next plane.
+#if TETMARCH_CROPPED
+// The depth behind the given one at which the ray crosses the next plane.
 real nextPlane(Ray ray, real depth)
 {
   vec3 low = ray.lowDepth;
@@ -12,10 +13,10 @@ real nextPlane(Ray ray, real depth)
   return min(x, min(y, z));
 }
 
-// How many of two planes across an axis lie below a point, or in it.
+// How many of two planes across an axis lie below a point or go through it.
 int planesBelow(real place, real low, real high) { return (place >= low ? 1 : 0) + (place >= high ? 1 : 0); }
 
-bool isLeft(vec3 point)
+bool isInRegionLeft(vec3 point)
 {
   int region = planesBelow(point.x, croppingLow.x, croppingHigh.x) +
     3 * planesBelow(point.y, croppingLow.y, croppingHigh.y) +
@@ -23,19 +24,43 @@ bool isLeft(vec3 point)
   return ((croppingFlags >> region) & 1) != 0;
 }
 
-// The first piece, from plane to plane, that is left of the ray between two depths; nothing, if it doesn't end behind
-// its begin. In its middle it is farther from the planes than rounding moves it.
-vec2 nextSegment(Ray ray, real depthBegin, real depthEnd)
+// The first range of depths, from plane to plane, that is left of the ray between two depths; if nothing is, one that
+// does not end behind its begin. The middle of a range tells the region: it is farther from the planes than rounding
+// moves it.
+vec2 nextRange(Ray ray, real depthBegin, real depthEnd)
 {
-  vec2 piece = vec2(depthBegin, depthBegin);
+  vec2 range = vec2(depthBegin, depthBegin);
   bool searching = depthBegin < depthEnd;
   while (searching)
   {
-    real begin = piece.y;
+    real begin = range.y;
     real end = min(nextPlane(ray, begin), depthEnd);
-    bool left = isLeft(ray.origin + ray.direction * (real(0.5) * (begin + end)));
-    piece = vec2(left ? begin : end, end);
+    bool left = isInRegionLeft(ray.origin + ray.direction * (real(0.5) * (begin + end)));
+    range = vec2(left ? begin : end, end);
     searching = !left && end < depthEnd;
   }
-  return piece;
+  return range;
+}
+
+// To the next range of the cell that is left. Returns whether there is one.
+bool nextRangeOfCell(Ray ray, INOUT(CellInterval) cell)
+{
+  vec2 range = nextRange(ray, cell.end, cell.rest);
+  bool found = range.y > range.x;
+  cell.begin = found ? range.x : cell.begin;
+  cell.end = found ? range.y : cell.end;
+  return found;
+}
+#endif
+
+// The cell's interval becomes the first range of it that is left by the cropping.
+void cropCell(Ray ray, INOUT(CellInterval) cell)
+{
+#if TETMARCH_CROPPED
+  cell.rest = cell.end;
+  vec2 range = nextRange(ray, cell.begin, cell.seen ? cell.end : cell.begin);
+  cell.begin = range.x;
+  cell.end = range.y;
+  cell.seen = cell.seen && range.y > range.x;
+#endif
 }

@@ -1,13 +1,13 @@
-// What the blend modes read; see gather_....glsl and Appearance/Blending.h. Scalars as they are stored, 0..1.
+// What the blend modes read; see the files of gather/ and Appearance/Blending.h. Scalars are as they are stored, 0..1.
 #if TETMARCH_EXTREME
 uniform float extremeSign; // 1: maximum, -1: minimum
 #elif TETMARCH_SUM
-uniform bool averages;     // else sums are shown
-uniform vec2 averageRange; // scalars that count
+uniform bool averages;     // averages are shown, else sums
+uniform vec2 averageRange; // of the scalars that count
 #elif TETMARCH_ISOSURFACES
 uniform int isoSurfaceCount;
-uniform float isoValue[MOST_ISOSURFACES]; // ascending, none twice
-uniform vec4 isoColor[MOST_ISOSURFACES];  // colour and opacity there
+uniform float isoValue[MOST_ISOSURFACES]; // ascending, no value twice
+uniform vec4 isoColor[MOST_ISOSURFACES];  // colour and opacity of each surface
 
 float fetchIsoValue(int surface) { return isoValue[surface]; }
 vec4 fetchIsoColor(int surface) { return isoColor[surface]; }

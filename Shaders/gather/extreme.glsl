@@ -1,6 +1,5 @@
 // The greatest or the least scalar along the ray (blend modes maximum and minimum; Wallis, Miller, Lerner and Kleerup,
-// "Three-dimensional display in nuclear medicine", 1989). Scalars are linear in a cell, so that it lies at an end of a
-// piece.
+// "Three-dimensional display in nuclear medicine", 1989).
 
 // What a ray has gathered.
 struct Radiance
@@ -19,12 +18,12 @@ Radiance noRadiance()
 real gathered(Radiance radiance) { return radiance.extreme; }
 #endif
 
-// What lies behind may always count.
+// Any cell behind may have a more extreme scalar.
 bool isOpaque(Radiance radiance) { return false; }
 
 real errorBound(Radiance radiance) { return real(0); }
 
-// Premultiplied colour and opacity of that scalar: nothing of it depends on lengths.
+// Premultiplied colour and opacity of the extreme scalar. They do not depend on lengths.
 vec4 pixelOf(Radiance radiance, real thicknessPerDepth)
 {
   vec4 value = tableValue(extremeSign * radiance.extreme * tableScale + tableOffset);
@@ -32,9 +31,8 @@ vec4 pixelOf(Radiance radiance, real thicknessPerDepth)
   return vec4(value.x * opacity, value.y * opacity, value.z * opacity, opacity);
 }
 
-int gatherSegment(Segment piece, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
+int gatherSegment(Segment segment, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
 {
-  radiance.extreme =
-    max(radiance.extreme, max(extremeSign * piece.begin.y, extremeSign * piece.end.y));
+  radiance.extreme = max(radiance.extreme, extremeScalar(segment, extremeSign));
   return 1;
 }

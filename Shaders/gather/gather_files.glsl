@@ -1,4 +1,4 @@
-// What a ray gathers of a tetrahedron, by blend mode.
+// What a ray gathers of a segment, by blend mode.
 #if TETMARCH_EXTREME
 #include "gather/extreme.glsl"
 #elif TETMARCH_SUM
@@ -9,11 +9,13 @@
 #if TETMARCH_ERROR_BOUND
 #include "gather/order_error.glsl"
 #endif
+#include "gather/subsegment.glsl"
 #if TETMARCH_INDEPENDENT
 #include "gather/independent_components.glsl"
-#endif
-#if TETMARCH_DEPENDENT
+#elif TETMARCH_DEPENDENT
 #include "gather/dependent_components.glsl"
+#else
+#include "gather/single_component.glsl"
 #endif
 #if TETMARCH_POINT_SCALARS
 #include "gather/segment_linear.glsl"

@@ -1,40 +1,59 @@
 // Independent components: clouds of particles in the same space, each with colours and an extinction of its own by its
-// own scalar. Their extinctions add, and so does what they send out (Max, "Optical models", 1995).
+// own scalar. Their extinctions add, and so do their emissions (Max, "Optical models", 1995).
 
 vec4 scalarsOf(real first, vec3 further) { return vec4(first, further.x, further.y, further.z); }
 
 real componentOf(vec4 v, int k) { return k == 0 ? v.x : (k == 1 ? v.y : (k == 2 ? v.z : v.w)); }
 
 #if TETMARCH_POINT_SCALARS
-// What there is of them between two points of a ray, at which all are linear in the depth.
-struct IndependentMean
+// The scalars at both ends of a segment.
+struct SegmentEnds
+{
+  vec4 begin;
+  vec4 end;
+};
+
+SegmentEnds segmentEnds(Segment segment)
+{
+  SegmentEnds ends;
+  ends.begin = scalarsOf(segment.begin.y, segment.furtherBegin);
+  ends.end = scalarsOf(segment.end.y, segment.furtherEnd);
+  return ends;
+}
+
+// Each lookup reads both ends of all tables.
+bool isLoaded(SegmentEnds ends, CellInterval cell) { return true; }
+
+struct SubsegmentMean
 {
   vec4 mean; // of C tau and tau, summed over the components
 #if TETMARCH_ERROR_BOUND
-  real change; // the colour of the mixture has changed by no more
+  real change; // the colour of the mixture changes by no more
 #endif
 };
+
+void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) {}
 
 #if TETMARCH_ERROR_BOUND
 real greatestOf(vec3 v) { return max(v.x, max(v.y, v.z)); }
 #endif
 
 // The means are those of the components' tables, exactly; what is lost is the order of the colours of the mixture,
-// C = sum(tau_i C_i) / sum(tau_i). For that the range of C does in the place of its variation in gather/order_error.glsl:
+// C = sum(tau_i C_i) / sum(tau_i). For that the range of C takes the place of its variation in gather/order_error.glsl:
 // the integral of C(u) (exp(-u) - phi) is greatest for the greatest C where the factor is positive and the least
 // elsewhere, and the positive part of the factor adds up to the greatest H. C changes because colours do and
-// because their shares do. Let m_i be the middle of a component's colours, R_i their range, S the range of all m_i;
-// let tau_i stay within E_i of its middle t_i. Then
+// because the proportions of the components do. Let m_i be the middle of a component's colours, R_i their range, S the
+// range of all m_i; let tau_i stay within E_i of its middle t_i. Then
 //   |C(x) - C(y)| <= max(R_i) + S sum|w_i(x) - w_i(y)| / 2,  w_i = tau_i / sum(tau_i),
 // for the w_i add up to 1, so that of the m_i only their differences count; and since
 //   sum|w_i - t_i / sum(t_i)| <= 2 sum(E_i) / sum(tau_i) <= 2 sum(E_i) / (sum(t_i) - sum(E_i)),
-// the shares change by no more than 2 sum(E_i) / (sum(t_i) - sum(E_i)), and never by more than 1. A function that
+// the proportions change by no more than 2 sum(E_i) / (sum(t_i) - sum(E_i)), and never by more than 1. A function that
 // goes from p to q with the total variation V stays within V / 2 of (p + q) / 2, so these are the middles, and R_i
 // = V_i.
-IndependentMean independentMeanBetween(vec4 from, vec4 to)
+SubsegmentMean independentMeanBetween(vec4 from, vec4 to)
 {
-  IndependentMean mixture;
-  mixture.mean = vec4(real(0), real(0), real(0), real(0));
+  SubsegmentMean found;
+  found.mean = vec4(real(0), real(0), real(0), real(0));
 #if TETMARCH_ERROR_BOUND
   real extinction = real(0); // sum(t_i)
   real spread = real(0);     // 2 sum(E_i)
@@ -49,7 +68,7 @@ IndependentMean independentMeanBetween(vec4 from, vec4 to)
     TablePoint p = tablePoint(table, componentOf(from, k) * table.scale + table.offset);
     TablePoint q = tablePoint(table, componentOf(to, k) * table.scale + table.offset);
     vec4 mean = meanBetween(table, p, q) * factor;
-    mixture.mean = mixture.mean + mean;
+    found.mean = found.mean + mean;
 #if TETMARCH_ERROR_BOUND
     bool seen = mean.w > real(0);
     vec3 middle = vec3(p.value.x + q.value.x, p.value.y + q.value.y, p.value.z + q.value.z) * real(0.5);
@@ -64,15 +83,30 @@ IndependentMean independentMeanBetween(vec4 from, vec4 to)
   }
 #if TETMARCH_ERROR_BOUND
   real least = extinction - real(0.5) * spread;
-  real shares = spread < least ? spread / max(least, TINY) : real(1);
-  mixture.change = min(range + max(greatestOf(high - low), real(0)) * shares, real(1));
+  real proportions = spread < least ? spread / max(least, TINY) : real(1);
+  found.change = min(range + max(greatestOf(high - low), real(0)) * proportions, real(1));
 #endif
-  return mixture;
+  return found;
 }
+
+SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, CellInterval cell)
+{
+  vec4 target = part.last ? ends.end : ends.begin + (ends.end - ends.begin) * part.end;
+  return independentMeanBetween(ends.begin + (ends.end - ends.begin) * part.begin, target);
+}
+
+#if TETMARCH_ERROR_BOUND
+// What a subsegment loses, seen through that transmittance.
+real subsegmentError(SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
+{
+  return transmittance * found.change * orderErrorFactor(by.depth);
+}
+#endif
 #else
 // C tau and tau of the mixture where the scalars are constant.
-vec4 independentMeanAt(vec4 scalars)
+vec4 constantMean(Segment segment)
 {
+  vec4 scalars = scalarsOf(segment.begin.y, segment.furtherBegin);
   vec4 sum = vec4(real(0), real(0), real(0), real(0));
   for (int k = 0; k < componentCount; ++k)
   {

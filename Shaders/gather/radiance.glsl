@@ -1,17 +1,17 @@
-// What a ray has gathered front to back: colour, and how much is seen of what lies behind.
+// What a ray has gathered front to back: its colour, and the transmittance, by which all behind is seen.
 
 struct Radiance
 {
   vec3 color; // premultiplied
   real transmittance;
 #if TETMARCH_ERROR_BOUND
-  real error; // no channel of color is off by more, but for rounding and what the tables lack
+  real error;      // no channel of color is off by more, but for rounding and for the resolution of the tables
 #endif
 #if TETMARCH_LIGHT_ERROR
-  real lightError; // and for this, of light that changes along a piece
+  real lightError; // and for this error of the light
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  vec3 pendingA; // color by each light of which is not known yet how much comes through the volume
+  vec3 pendingA; // colour by each light whose transmittance the next sample will tell
 #if TETMARCH_SEVERAL_SHADOWS
   vec3 pendingB;
   vec3 pendingC;
@@ -41,21 +41,21 @@ Radiance noRadiance()
 }
 
 #if TETMARCH_ADAPTIVE
-// A quarter of a pixel's tolerance may be used up at once, half as the ray is absorbed; the rest is for what lies
-// behind its end.
+// A quarter of a pixel's tolerance may be used up at once, half of it in proportion to what the ray absorbs; the rest is
+// for what lies behind the end of the ray.
 CONSTANT real TOLERANCE_AT_ONCE = real(0.25);
 CONSTANT real TOLERANCE_BY_ABSORPTION = real(0.5);
 
-// How far the next piece may be off that absorbs so much of the light of the pixel.
+// How far the next subsegment may be off, which absorbs that much of the pixel's light.
 real errorBudget(Radiance radiance, real absorbed)
 {
   real earned = TOLERANCE_AT_ONCE + TOLERANCE_BY_ABSORPTION * (real(1) - radiance.transmittance + absorbed);
-  // Rounding may have spent a little more than was there.
+  // Rounding may have used a little more than there was.
   return max(errorTolerance * earned - radiance.error, errorTolerance * TOLERANCE_BY_ABSORPTION * absorbed);
 }
 #endif
 
-// Whether what lies behind can't change a channel by more than the tolerance leaves.
+// Whether what lies behind cannot change a channel by more than is left of the tolerance.
 bool isOpaque(Radiance radiance)
 {
 #if TETMARCH_ADAPTIVE
@@ -65,7 +65,7 @@ bool isOpaque(Radiance radiance)
 #endif
 }
 
-// What any channel of the pixel may be off by, when the ray ends here.
+// No channel of the pixel is off by more, if the ray ends here.
 real errorBound(Radiance radiance)
 {
   real bound = isOpaque(radiance) ? radiance.transmittance : real(0);
@@ -79,7 +79,7 @@ real errorBound(Radiance radiance)
 }
 
 #if TETMARCH_PICKED
-// What grows along the ray: the opacity, less 1, which would round it.
+// What grows along the ray: the opacity less 1. The opacity itself would be rounded.
 real gathered(Radiance radiance) { return -radiance.transmittance; }
 #endif
 
@@ -89,8 +89,8 @@ vec4 pixelOf(Radiance radiance, real thicknessPerDepth)
   return vec4(radiance.color.x, radiance.color.y, radiance.color.z, real(1) - radiance.transmittance);
 }
 
-// What a piece sends out, by its own colour. Colours are at most 1; rounding could make their mean a little more, and
-// pixels with it.
+// What a subsegment emits by its own colour. Colours are at most 1; rounding could make their mean, and so pixels, a
+// little more.
 vec3 emission(vec4 mean)
 {
 #if TETMARCH_SHOW_ILLUMINATION

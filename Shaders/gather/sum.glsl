@@ -1,19 +1,19 @@
 // Opacity times intensity, integrated along the ray (blend mode additive), or averaged over the part of it whose scalar
-// is in a range (blend mode average). The tables have the intensity, a scalar's place in the range of the data, as their
-// colour, and the opacity as extinction: so their means of C tau are what is asked for, exactly.
+// is in a range (blend mode average). The tables have the intensity, a scalar's position in the range of the data, as
+// their colour, and the opacity as extinction: so their means of C tau are exactly the means of the product.
 
 // What a ray has gathered.
 struct Radiance
 {
-  real sum;    // integral over depths
-  real length; // of what counts
+  real sum;           // integral over depths
+  real countedLength; // of the part whose scalar is in the range
 };
 
 Radiance noRadiance()
 {
   Radiance radiance;
   radiance.sum = real(0);
-  radiance.length = real(0);
+  radiance.countedLength = real(0);
   return radiance;
 }
 
@@ -21,7 +21,7 @@ Radiance noRadiance()
 real gathered(Radiance radiance) { return radiance.sum; }
 #endif
 
-// What lies behind always counts.
+// Any cell behind adds to the sum.
 bool isOpaque(Radiance radiance) { return false; }
 
 real errorBound(Radiance radiance) { return real(0); }
@@ -29,21 +29,25 @@ real errorBound(Radiance radiance) { return real(0); }
 // An opaque gray where anything counts.
 vec4 pixelOf(Radiance radiance, real thicknessPerDepth)
 {
-  bool counts = radiance.length > real(0);
-  real factor = averages ? real(1) / max(radiance.length, TINY) : thicknessPerDepth;
+  bool counts = radiance.countedLength > real(0);
+  real factor = averages ? real(1) / max(radiance.countedLength, TINY) : thicknessPerDepth;
   real gray = radiance.sum > real(0) ? min(radiance.sum * factor, real(1)) : real(0);
   return vec4(gray, gray, gray, counts ? real(1) : real(0));
 }
 
-int gatherSegment(Segment piece, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
+// The fraction of a segment whose scalar is in the range; from, to: the scalars at its ends, clamped to the range.
+real countedFraction(Segment segment, real from, real to)
 {
-  real extent = piece.end.x - piece.begin.x;
-  // Clamped to the range, scalars keep the share of the piece that lies in it.
-  real from = clamp(piece.begin.y, averageRange.x, averageRange.y);
-  real to = clamp(piece.end.y, averageRange.x, averageRange.y);
-  real rise = piece.end.y - piece.begin.y;
-  real whole = from == piece.begin.y ? real(1) : real(0);
-  real counted = extent * (rise == real(0) ? whole : (to - from) / rise);
+  real rise = segment.end.y - segment.begin.y;
+  real whole = from == segment.begin.y ? real(1) : real(0);
+  return rise == real(0) ? whole : (to - from) / rise;
+}
+
+int gatherSegment(Segment segment, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
+{
+  real from = clamp(segment.begin.y, averageRange.x, averageRange.y);
+  real to = clamp(segment.end.y, averageRange.x, averageRange.y);
+  real counted = (segment.end.x - segment.begin.x) * countedFraction(segment, from, to);
 #if TETMARCH_POINT_SCALARS
   real mean =
     meanBetween(tablePoint(from * tableScale + tableOffset), tablePoint(to * tableScale + tableOffset)).x;
@@ -52,6 +56,6 @@ int gatherSegment(Segment piece, real thicknessPerDepth, INOUT(CellInterval) cel
   real mean = value.x * value.w;
 #endif
   radiance.sum = radiance.sum + mean * counted;
-  radiance.length = radiance.length + counted;
+  radiance.countedLength = radiance.countedLength + counted;
   return 1;
 }

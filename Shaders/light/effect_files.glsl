@@ -1,4 +1,4 @@
-// The effects, in the order in which they use each other.
+// Gradients and light, in the order in which their files use each other.
 #if TETMARCH_SHOW_GRADIENTS
 #include "light/gradient_color.glsl"
 #endif

@@ -1,17 +1,18 @@
-// How much light comes along a ray: a march that knows extinction alone. It adds up optical depth from tetrahedron to
-// tetrahedron; the transmittance is one exponential at the end. What tables say of colours is left out by compilers.
+// The transmittance of a ray towards the light: a march that gathers extinction alone. It adds up the optical depth from
+// tetrahedron to tetrahedron; the transmittance is one exponential at the end. Compilers drop the tables' colours.
 
 struct ExtinctionMarch
 {
-  real depth;    // optical
-  real done;     // depth of the ray up to which it is integrated; nothing is integrated twice
-  bool finished; // dark, or past the last depth that is asked for
+  real opticalDepth;
+  real done;     // depth up to which the ray is integrated; nothing is integrated twice
+  bool finished; // next to no light is left, or the ray is past the last depth that is asked for
   int cells;     // tetrahedra crossed
 };
 
 #if TETMARCH_POINT_SCALARS
 // Mean extinction between two depths in a tetrahedron that the ray enters and leaves at points (depth, scalar). `at` is
-// the table at the last end, which is mostly this begin; where it isn't, the first turn only reads the table there.
+// the table at the end of the last lookup, which mostly is this begin; where it is not, the first turn of the loop only
+// reads the table there.
 real extinctionBetween(vec2 enter, vec2 leave, vec2 range, INOUT(TablePoint) at)
 {
   real scalarBegin = range.x > enter.x ? scalarAt(enter, leave, range.x) : enter.y;
@@ -40,13 +41,14 @@ real extinctionOf(uint tet)
 #endif
 
 #if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
-real densityAt(FaceIntersection face) { return gradientOpacity(gradientAt(face, barycentricsOf(face))); }
+// The factor of the extinction where the ray crosses a face.
+real densityAt(FaceIntersection face) { return gradientOpacity(attributesAt(face).gradient); }
 
-// In the middle between two depths in a tetrahedron, by what it is where the ray enters and leaves.
+// That in the middle between two depths in a tetrahedron, by those where the ray enters and leaves it.
 real densityBetween(vec2 enter, vec2 leave, vec2 range, real atEnter, real atLeave)
 {
-  real begin = range.x > enter.x ? shareAt(enter, leave, range.x) : real(0);
-  real end = range.y < leave.x ? shareAt(enter, leave, range.y) : real(1);
+  real begin = range.x > enter.x ? fractionAt(enter, leave, range.x) : real(0);
+  real end = range.y < leave.x ? fractionAt(enter, leave, range.y) : real(1);
   return atEnter + (atLeave - atEnter) * ((begin + end) * real(0.5));
 }
 #endif
@@ -62,8 +64,8 @@ bool isFinite(uint tet, vec2 enter, vec2 leave)
 }
 #endif
 
-// Where the scalar is not finite there is another, and none in a hidden tetrahedron.
-real countedExtinction(real extinction, uint tet, vec2 enter, vec2 leave)
+// Where the scalar is not finite the extinction is that of nanColor; in a hidden tetrahedron it is 0.
+real cellExtinction(real extinction, uint tet, vec2 enter, vec2 leave)
 {
 #if TETMARCH_NAN_SHOWN
   extinction = isFinite(tet, enter, leave) ? extinction : nanColor.w;
@@ -74,17 +76,17 @@ real countedExtinction(real extinction, uint tet, vec2 enter, vec2 leave)
   return extinction;
 }
 
-// From a face to the boundary face through which the ray leaves the mesh, as marchToExit() goes.
-void marchExtinctionToExit(Ray ray, INOUT(FaceIntersection) face, INOUT(uvec2) link, real thicknessPerDepth, real depthEnd,
-  INOUT(ExtinctionMarch) march)
+// Marches from a face to the boundary face through which the ray leaves the mesh, like marchToExit().
+void marchExtinctionToExit(Ray ray, INOUT(FaceIntersection) face, INOUT(uvec2) link, real thicknessPerDepth,
+  real depthEnd, INOUT(ExtinctionMarch) march)
 {
   real darkDepth = -log(errorTolerance);
   vec2 enter = intersectionPoint(face);
 #if TETMARCH_POINT_SCALARS
   TablePoint at = tablePoint(isDrawn(enter.y) ? enter.y * tableScale + tableOffset : tableOffset);
 #endif
-#if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
   fetchCorners(face);
+#if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
   real densityEnter = densityAt(face);
 #endif
   bool onward = true;
@@ -112,20 +114,21 @@ void marchExtinctionToExit(Ray ray, INOUT(FaceIntersection) face, INOUT(uvec2) l
 #elif TETMARCH_GRADIENT_OPACITY
     extinction = extinction * gradientOpacity(fetchCellGradient(tet));
 #endif
-    extinction = countedExtinction(extinction, tet, enter, leave);
-    march.depth = march.depth + (forward ? extinction * (range.y - range.x) * thicknessPerDepth : real(0));
+    extinction = cellExtinction(extinction, tet, enter, leave);
+    march.opticalDepth = march.opticalDepth + (forward ? extinction * (range.y - range.x) * thicknessPerDepth : real(0));
     march.done = forward ? range.y : march.done;
-    march.finished = march.depth > darkDepth || max(range.x, range.y) >= depthEnd;
+    march.finished = march.opticalDepth > darkDepth || max(range.x, range.y) >= depthEnd;
     enter = leave;
     onward = exitFace >= 0 && link.x < LINK_OUTSIDE && march.cells < mostCells && !march.finished;
   }
 }
 
-// On all ways of the ray between two depths.
-ExtinctionMarch marchExtinction(Ray ray, real thicknessPerDepth, real depthBegin, real depthEnd, INOUT(Traversal) traversal)
+// Marches the ray between two depths.
+ExtinctionMarch marchExtinction(
+  Ray ray, real thicknessPerDepth, real depthBegin, real depthEnd, INOUT(Traversal) traversal)
 {
   ExtinctionMarch march;
-  march.depth = real(0);
+  march.opticalDepth = real(0);
   march.done = depthBegin;
   march.finished = false;
   march.cells = 0;
@@ -144,5 +147,5 @@ ExtinctionMarch marchExtinction(Ray ray, real thicknessPerDepth, real depthBegin
 real transmittanceOn(Ray ray, real thicknessPerDepth, real depthBegin, real depthEnd, INOUT(Traversal) traversal)
 {
   ExtinctionMarch march = marchExtinction(ray, thicknessPerDepth, depthBegin, depthEnd, traversal);
-  return exp(-march.depth);
+  return exp(-march.opticalDepth);
 }

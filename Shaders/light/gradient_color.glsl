@@ -1,4 +1,4 @@
-// To look at gradients: x, y and z of the direction as red, green and blue, gray where there is none.
+// Gradients as colours: x, y and z of the direction are red, green and blue; gray stands for a gradient of 0.
 Illumination gradientColor(vec3 gradient)
 {
   real steepness = sqrt(dot(gradient, gradient));

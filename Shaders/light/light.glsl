@@ -1,9 +1,9 @@
-// What light makes of the volume at a point: its own colour is multiplied, and highlights are added.
+// The light at a point of the volume: it multiplies the volume's own colour, and adds highlights.
 
 struct Light
 {
   vec3 diffuse;  // factor of the volume's own colour
-  vec3 specular; // is added to it
+  vec3 specular; // added to that
 };
 
 Light noLight()
@@ -28,24 +28,25 @@ Light dimLight(Light p, real factor)
   return p;
 }
 
-Light mixLight(Light p, Light q, real share)
+Light mixLight(Light p, Light q, real fraction)
 {
-  p.diffuse = p.diffuse + (q.diffuse - p.diffuse) * share;
-  p.specular = p.specular + (q.specular - p.specular) * share;
+  p.diffuse = p.diffuse + (q.diffuse - p.diffuse) * fraction;
+  p.specular = p.specular + (q.specular - p.specular) * fraction;
   return p;
 }
 
-// The light at a point, by the way it has come.
+// The light at a point, apart by what is known of its transmittance.
 struct Illumination
 {
-  Light direct; // all that is known
+  Light direct; // transmittance included
 #if TETMARCH_HEADLIGHT_SHADOWS
-  Light head; // along the ray, before it was absorbed on its way: as much as comes back
+  Light head;   // from the eye, not yet absorbed: its transmittance is that of the ray
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  Light beamA; // from each light that casts shadows, before it was absorbed on its way; an array would be looked up
+  // From each light that casts shadows, not yet absorbed. A software renderer would store into an array lane by lane.
+  Light beamA;
 #if TETMARCH_SEVERAL_SHADOWS
-  Light beamB; // lane by lane on a software renderer
+  Light beamB;
   Light beamC;
 #endif
 #endif
@@ -68,17 +69,17 @@ Illumination noIllumination()
   return lit;
 }
 
-Illumination mixIllumination(Illumination p, Illumination q, real share)
+Illumination mixIllumination(Illumination p, Illumination q, real fraction)
 {
-  p.direct = mixLight(p.direct, q.direct, share);
+  p.direct = mixLight(p.direct, q.direct, fraction);
 #if TETMARCH_HEADLIGHT_SHADOWS
-  p.head = mixLight(p.head, q.head, share);
+  p.head = mixLight(p.head, q.head, fraction);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  p.beamA = mixLight(p.beamA, q.beamA, share);
+  p.beamA = mixLight(p.beamA, q.beamA, fraction);
 #if TETMARCH_SEVERAL_SHADOWS
-  p.beamB = mixLight(p.beamB, q.beamB, share);
-  p.beamC = mixLight(p.beamC, q.beamC, share);
+  p.beamB = mixLight(p.beamB, q.beamB, fraction);
+  p.beamC = mixLight(p.beamC, q.beamC, fraction);
 #endif
 #endif
   return p;

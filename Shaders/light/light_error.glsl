@@ -1,9 +1,9 @@
-// How far off light may be: for changing along a piece of a ray, of which the mean of both ends is taken, and for being
-// interpolated between vertices.
+// How far off light may be: because it changes along a segment of which the mean of both ends is taken, and because it
+// is interpolated between vertices.
 real changeOf(Light p, Light q) { return greatest(q.diffuse - p.diffuse) + greatest(q.specular - p.specular); }
 
 // In a tetrahedron. The mean of two ends is off by at most half of their difference from what is between them, as far as
-// light changes one way only. Lights are taken for as bright as white surfaces are.
+// light changes one way only. Surfaces are taken for white, so that the change of light is that of what they reflect.
 real lightErrorOf(CellShades shades)
 {
   Illumination p = shades.enter.lit;
@@ -20,7 +20,21 @@ real lightErrorOf(CellShades shades)
 #endif
   real error = real(0.5) * change * (shades.within.y - shades.within.x);
 #if TETMARCH_VERTEX_LIGHT
-  error = error + shades.unsure;
+  error = error + shades.interpolationError;
 #endif
   return error;
 }
+
+#if TETMARCH_VERTEX_LIGHT
+// Half of what the light of the corners differs by.
+real lightInterpolationError(FaceIntersection face)
+{
+  vec4 a = face.attributesA.light;
+  vec4 b = face.attributesB.light;
+  vec4 c = face.attributesC.light;
+  real most = max(max(a.x, max(b.x, c.x)) - min(a.x, min(b.x, c.x)),
+    max(a.y, max(b.y, c.y)) - min(a.y, min(b.y, c.y)));
+  most = max(most, max(a.z, max(b.z, c.z)) - min(a.z, min(b.z, c.z)));
+  return real(0.5) * max(most, max(a.w, max(b.w, c.w)) - min(a.w, min(b.w, c.w)));
+}
+#endif

@@ -1,4 +1,4 @@
-// Rays towards the light, behind what every march is made of.
+// Rays towards the light; to be included behind tet/traversal_files.glsl.
 #include "light/extinction.glsl"
 #include "tet/tet.glsl"
 #include "tet/inside.glsl"

@@ -1,4 +1,4 @@
-// Where light comes from, at a point (world, from the centre of the mesh), and how much.
+// The direction of a light and its strength at a point (in the world, from the centre of the mesh).
 
 #if TETMARCH_HEADLIGHT_ONLY || TETMARCH_SINGLE_LIGHT
 #define LIGHT_COUNT 1
@@ -6,33 +6,33 @@
 #define LIGHT_COUNT lightCount
 #endif
 
-// The unit vector to a light, and in w how much of it comes, but for what lies between. A headlight shines along
-// the ray.
-vec4 lightTowards(int light, vec3 point, vec3 toEye)
+// The unit vector to a light, and in w its strength, but for what the volume absorbs. A headlight shines along the ray.
+vec4 directionOfLight(int light, vec3 point, vec3 toEye)
 {
 #if TETMARCH_HEADLIGHT_ONLY
   return vec4(toEye.x, toEye.y, toEye.z, real(1));
 #else
-  vec4 place = fetchLightPlace(light); // the way to it, 0; or its position, 1
+  vec4 place = fetchLightPlace(light); // unit vector to the light, 0; or its position, 1
 #if TETMARCH_WORLD_LIGHTS
   // Attenuation and spot lights as in OpenGL.
-  vec4 fading = fetchLightAttenuation(light); // constant, linear, quadratic attenuation; the spot's exponent
-  vec4 cone = fetchLightCone(light);     // where it shines; cosine of the cone's angle, -1 if it is no spot
+  vec4 attenuation = fetchLightAttenuation(light); // constant, linear, quadratic; the spot's exponent
+  vec4 cone = fetchLightCone(light); // where a spot shines; cosine of the cone's angle, -1 if it is no spot
   vec3 toLight = vec3(place.x, place.y, place.z) - point * place.w;
   real distance = max(sqrt(dot(toLight, toLight)), TINY);
   toLight = toLight * (real(1) / distance);
   real along = -dot(toLight, vec3(cone.x, cone.y, cone.z));
-  real spot = along < cone.w ? real(0) : pow(max(along, TINY), fading.w);
-  real strength = real(1) / max(fading.x + (fading.y + fading.z * distance) * distance, TINY);
+  real spot = along < cone.w ? real(0) : pow(max(along, TINY), attenuation.w);
+  real strength =
+    real(1) / max(attenuation.x + (attenuation.y + attenuation.z * distance) * distance, TINY);
   strength = cone.w > real(-1) ? strength * spot : strength;
-  vec4 towards = vec4(toLight.x, toLight.y, toLight.z, place.w > real(0) ? strength : real(1));
+  vec4 direction = vec4(toLight.x, toLight.y, toLight.z, place.w > real(0) ? strength : real(1));
 #else
-  vec4 towards = vec4(place.x, place.y, place.z, real(1));
+  vec4 direction = vec4(place.x, place.y, place.z, real(1));
 #endif
 #if TETMARCH_SINGLE_LIGHT
-  return towards;
+  return direction;
 #else
-  return isHeadlight(light) ? vec4(toEye.x, toEye.y, toEye.z, real(1)) : towards;
+  return isHeadlight(light) ? vec4(toEye.x, toEye.y, toEye.z, real(1)) : direction;
 #endif
 #endif
 }

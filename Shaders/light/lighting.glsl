@@ -4,18 +4,18 @@
 // As in VTK's GPU ray caster the normal is turned against the gradient, so that a dense body in thin surroundings is
 // lit from outside, and surfaces have two sides if the renderer says so.
 
-// turned is the cosine of the angle between the normal and the way to the light.
+// turned: cosine of the angle between the normal and the direction of the light.
 real diffuseOf(real turned) { return twoSided ? abs(turned) : max(turned, real(0)); }
 
-// mirrored is the cosine of the angle between the mirrored way to the light and the way to the eye.
+// mirrored: cosine of the angle between the mirrored direction of the light and that of the eye.
 real specularOf(real turned, real mirrored)
 {
   return diffuseOf(turned) > real(0) ? pow(max(mirrored, TINY), specularPower) : real(0);
 }
 
-// Of a scalar with that gradient, where the volume has that opacity. The point and the unit vector to the eye are in
-// the coordinates of the lights (light/effect_buffers.glsl). incoming: how much comes through the volume of ambient light and of the lights that cast
-// shadows, 0..1 each.
+// The light where the scalar has that gradient and the volume that opacity. The point and the unit vector to the eye are
+// in the coordinates of the lights (light/light_buffers.glsl). incoming: the transmittance towards ambient light and
+// towards the lights that cast shadows, 0..1 each.
 Illumination illuminate(vec3 gradient, real opacity, vec3 point, vec3 toEye, vec4 incoming)
 {
   Illumination lit = noIllumination();
@@ -29,16 +29,16 @@ Illumination illuminate(vec3 gradient, real opacity, vec3 point, vec3 toEye, vec
   vec3 slope = gradient;
 #endif
   real steepness = sqrt(dot(slope, slope));
-  // Where the scalar doesn't change there is no surface.
+  // Where the scalar does not change there is no surface.
   vec3 normal = slope * (steepness > real(0) ? -real(1) / steepness : real(0));
   real facing = dot(normal, toEye);
 #if TETMARCH_SCATTERING
-  real scattered = scatteredShare(sqrt(dot(gradient, gradient)) * gradientUnit * opacity);
+  real scattered = scatteredFraction(sqrt(dot(gradient, gradient)) * gradientUnit * opacity);
 #endif
   for (int i = 0; i < LIGHT_COUNT; ++i)
   {
-    vec4 towards = lightTowards(i, point, toEye);
-    vec3 toLight = vec3(towards.x, towards.y, towards.z);
+    vec4 direction = directionOfLight(i, point, toEye);
+    vec3 toLight = vec3(direction.x, direction.y, direction.z);
     real turned = dot(normal, toLight);
     real diffuse = diffuseOf(turned);
     real specular = specularOf(turned, real(2) * turned * facing - dot(toLight, toEye));
@@ -47,8 +47,8 @@ Illumination illuminate(vec3 gradient, real opacity, vec3 point, vec3 toEye, vec
     specular = specular * (real(1) - scattered);
 #endif
     Light light;
-    light.diffuse = fetchLightDiffuse(i) * (towards.w * diffuse);
-    light.specular = fetchLightSpecular(i) * (towards.w * specular);
+    light.diffuse = fetchLightDiffuse(i) * (direction.w * diffuse);
+    light.specular = fetchLightSpecular(i) * (direction.w * specular);
 #if TETMARCH_SHADOWS
     addShadowed(lit, i, light, incoming);
 #else

@@ -1,22 +1,22 @@
-// A piece of the volume in light.
+// A subsegment in light.
 
-// What it sends out. Light that comes along the ray has been absorbed on its way as much as what comes back will be; of
-// all that is seen of the piece, 1 - absorbed / 2 is left of it on the average.
-vec3 litEmission(vec4 mean, Illumination lit, Radiance radiance, Absorption piece)
+// What it emits. Light from the eye is absorbed as much before it gets to a point as what is reflected is behind: by
+// the ray's transmittance. Of all that is seen of the subsegment, 1 - absorbed / 2 of that light is left on the average.
+vec3 litEmission(vec4 mean, Illumination lit, Radiance radiance, Absorption by)
 {
   Light light = lit.direct;
 #if TETMARCH_HEADLIGHT_SHADOWS
-  real comes = radiance.transmittance * (real(1) - real(0.5) * piece.absorbed);
-  light = addLight(light, dimLight(lit.head, comes));
+  real transmittance = radiance.transmittance * (real(1) - real(0.5) * by.absorbed);
+  light = addLight(light, dimLight(lit.head, transmittance));
 #endif
   return reflection(mean, light);
 }
 
 #if TETMARCH_SAMPLED_SHADOWS
-// Put by, as long as it isn't known how much light comes; before absorb().
-void keepPending(INOUT(Radiance) radiance, vec4 mean, Illumination lit, Absorption piece)
+// Keeps what the subsegment reflects of the lights whose transmittance the next sample will tell; before absorb().
+void keepPending(INOUT(Radiance) radiance, vec4 mean, Illumination lit, Absorption by)
 {
-  real weight = radiance.transmittance * piece.evenly * piece.thickness;
+  real weight = radiance.transmittance * by.evenly * by.thickness;
   radiance.pendingA = radiance.pendingA + reflection(mean, lit.beamA) * weight;
 #if TETMARCH_SEVERAL_SHADOWS
   radiance.pendingB = radiance.pendingB + reflection(mean, lit.beamB) * weight;

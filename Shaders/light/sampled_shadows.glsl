@@ -1,10 +1,10 @@
-// Shadows looked for along a ray, at a few points, evenly in terms of what is seen of the volume. What lies between two
-// of them is put by until the second is known, and has the mean of both.
+// Shadows sampled at a few points of a ray, evenly in terms of what is seen of the volume. What lies between two samples
+// is kept apart until the second one is known, and gets the mean of both.
 
-CONSTANT real SAMPLED_SHARE = real(0.0625);    // of the opacity, from sample to sample
-CONSTANT real FIRST_SAMPLE = real(0.001953125); // so much has to be seen of the volume
+CONSTANT real SAMPLE_SPACING = real(0.0625);    // opacity from sample to sample
+CONSTANT real FIRST_SAMPLE = real(0.001953125); // opacity before the first sample
 
-// What comes from each light to a point in the tetrahedron behind which the march has paused.
+// The transmittance towards each light from a point in the tetrahedron behind which the march has paused.
 vec3 sampleLight(Ray ray, March march, real depth)
 {
   vec3 point = ray.origin + ray.direction * depth;
@@ -12,24 +12,24 @@ vec3 sampleLight(Ray ray, March march, real depth)
   for (int k = 0; k < shadowSourceCount; ++k)
   {
     vec4 source = fetchShadowSource(k);
-    vec3 towards = vec3(source.x, source.y, source.z) - point * source.w;
-    real far = sqrt(dot(towards, towards));
-    real comes = transmittanceTowards(march.last, point, towards * (real(1) / max(far, TINY)),
+    vec3 toLight = vec3(source.x, source.y, source.z) - point * source.w;
+    real far = sqrt(dot(toLight, toLight));
+    real transmittance = transmittanceTo(march.pause.last, point, toLight * (real(1) / max(far, TINY)),
       min(source.w > real(0) ? far : NO_DEPTH, lightReach));
-    light.x = k == 0 ? comes : light.x;
-    light.y = k == 1 ? comes : light.y;
-    light.z = k == 2 ? comes : light.z;
+    light.x = k == 0 ? transmittance : light.x;
+    light.y = k == 1 ? transmittance : light.y;
+    light.z = k == 2 ? transmittance : light.z;
   }
   return light;
 }
 
-// What was put by is seen in light that comes.
-void addPending(INOUT(Radiance) radiance, vec3 comes)
+// Adds what was kept apart, in light of that transmittance.
+void addPending(INOUT(Radiance) radiance, vec3 transmittance)
 {
-  radiance.color = radiance.color + radiance.pendingA * comes.x;
+  radiance.color = radiance.color + radiance.pendingA * transmittance.x;
   radiance.pendingA = vec3(real(0), real(0), real(0));
 #if TETMARCH_SEVERAL_SHADOWS
-  radiance.color = radiance.color + radiance.pendingB * comes.y + radiance.pendingC * comes.z;
+  radiance.color = radiance.color + radiance.pendingB * transmittance.y + radiance.pendingC * transmittance.z;
   radiance.pendingB = radiance.pendingA;
   radiance.pendingC = radiance.pendingA;
 #endif
@@ -39,26 +39,26 @@ void addPending(INOUT(Radiance) radiance, vec3 comes)
 void marchAndSample(
   Ray ray, real thicknessPerDepth, real depthEnd, real jitter, INOUT(Traversal) traversal, INOUT(March) march)
 {
-  vec3 comes = vec3(real(1), real(1), real(1));
+  vec3 light = vec3(real(1), real(1), real(1));
   bool sampled = false;
-  march.nextSample = real(1) - FIRST_SAMPLE;
-  real share = SAMPLED_SHARE * (jitter + real(0.5));
+  march.pause.nextSample = real(1) - FIRST_SAMPLE;
+  real spacing = SAMPLE_SPACING * (jitter + real(0.5));
   do
   {
-    march.paused = false;
+    march.pause.due = false;
     marchOn(ray, thicknessPerDepth, depthEnd, traversal, march);
-    if (march.paused)
+    if (march.pause.due)
     {
       // What was seen before the first sample may be one thick cell.
-      vec3 next = sampleLight(ray, march, sampled ? march.done : march.seenDepth);
-      addPending(march.radiance, sampled ? (comes + next) * real(0.5) : next);
-      comes = next;
+      vec3 next = sampleLight(ray, march, sampled ? march.done : march.pause.seenDepth);
+      addPending(march.radiance, sampled ? (light + next) * real(0.5) : next);
+      light = next;
       sampled = true;
-      march.nextSample = march.radiance.transmittance - share;
-      share = SAMPLED_SHARE;
+      march.pause.nextSample = march.radiance.transmittance - spacing;
+      spacing = SAMPLE_SPACING;
     }
-  } while (march.paused);
-  addPending(march.radiance, comes);
+  } while (march.pause.due);
+  addPending(march.radiance, light);
 }
 
 March castSampledRay(

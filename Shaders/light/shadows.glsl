@@ -1,6 +1,7 @@
-// Light that the volume, or opaque geometry, keeps from a point.
+// How much of a light the volume and opaque geometry keep from a point.
 
-#if TETMARCH_OPAQUE_SHADOWS || TETMARCH_CAST_SHADOWS && !TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SHADOWS_AT_VERTICES
+// The transmittance of a channel, 0 to 2.
 real incomingFrom(int channel, vec4 incoming)
 {
 #if TETMARCH_SEVERAL_SHADOWS
@@ -11,12 +12,13 @@ real incomingFrom(int channel, vec4 incoming)
 }
 #endif
 
-// Part of a light may shine through whatever lies between it and the point; the rest is seen as far as it comes.
+// Adds a light. 1 - strength of it shines through whatever lies between it and the point; the rest is dimmed by the
+// transmittance.
 void addShadowed(INOUT(Illumination) lit, int i, Light light, vec4 incoming)
 {
   int channel = fetchShadowChannel(i); // -1: of a headlight
   real strength = fetchShadowStrength(i);
-  real kept = real(0); // or yet to be looked for
+  real kept = real(0); // from the direct light: absorbed, or added apart
 #if TETMARCH_HEADLIGHT_SHADOWS
   real head = channel < 0 ? strength : real(0);
   lit.head = addLight(lit.head, dimLight(light, head));
@@ -25,7 +27,7 @@ void addShadowed(INOUT(Illumination) lit, int i, Light light, vec4 incoming)
 #if TETMARCH_SAMPLED_SHADOWS
   kept = channel < 0 ? kept : strength;
 #if TETMARCH_OPAQUE_SHADOWS
-  strength = strength * incomingFrom(channel, incoming); // past opaque geometry; the volume is yet to be looked at
+  strength = strength * incomingFrom(channel, incoming); // past opaque geometry; samples tell of the volume
 #endif
   lit.beamA = addLight(lit.beamA, dimLight(light, channel == 0 ? strength : real(0)));
 #if TETMARCH_SEVERAL_SHADOWS

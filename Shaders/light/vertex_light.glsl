@@ -1,5 +1,5 @@
-// How much light comes through the volume to a vertex: of ambient light, from a few directions not too far off, and from
-// each light that casts shadows. It is marched once and serves for all pictures until light or volume change.
+// The light at a vertex: the transmittance towards ambient light, which is the mean over a few directions up to a radius,
+// and towards each light that casts shadows. It is marched once, and kept until light or volume change.
 
 // Direction k of n, evenly over the sphere: a Fibonacci lattice (Swinbank and Purser 2006), the same for all vertices.
 vec3 sphereDirection(int k, int n)
@@ -15,10 +15,10 @@ vec3 sphereDirection(int k, int n)
 bool isShadowed(uint vertex, int k) { return (fetchOpaqueShadows(vertex) >> uint(k) & 1u) != 0u; }
 #endif
 
-// Ambient, then from up to three lights, 0..1.
+// The transmittance towards ambient light, then towards up to three lights; 0..1.
 vec4 lightAtVertex(uint vertex)
 {
-  uvec4 start = fetchVertexStart(vertex); // of a tetrahedron around it: the other vertices, number
+  uvec4 start = fetchVertexStart(vertex); // a tetrahedron at the vertex: its other vertices, its number
   Tet tet;
   tet.number = start.w;
   tet.a = vertex;
@@ -28,33 +28,34 @@ vec4 lightAtVertex(uint vertex)
   vec4 light = vec4(real(1), real(1), real(1), real(1));
   if (start.w >= tetCount)
   {
-    return light; // of no tetrahedron
+    return light; // the vertex belongs to no tetrahedron
   }
   vec4 place = fetchVertex(vertex);
   vec4 others = fetchVertex(tet.b) + fetchVertex(tet.c) + fetchVertex(tet.d);
   vec3 point = vec3(place.x, place.y, place.z);
   vec3 inwards = vec3(others.x, others.y, others.z) * (real(1) / real(3)) - point;
-  // A little into the tetrahedron, where the predicate tells for sure.
+  // A little inside the tetrahedron, so that the predicate finds the ray in it.
   point = point + inwards * (real(1) / real(64));
   real ambient = real(0);
   for (int k = 0; k < shadowSourceCount + occlusionDirectionCount; ++k)
   {
     bool fromLight = k < shadowSourceCount;
-    vec4 source = fetchShadowSource(min(k, 2)); // position, 1; or unit vector to it, 0
+    vec4 source = fetchShadowSource(min(k, MOST_SHADOW_SOURCES - 1)); // position, 1; or unit vector to it, 0
     vec3 toLight = vec3(source.x, source.y, source.z) - point * source.w;
     real far = sqrt(dot(toLight, toLight));
     vec3 direction =
-      fromLight ? toLight * (real(1) / max(far, TINY)) : sphereDirection(k - shadowSourceCount, occlusionDirectionCount);
+      fromLight ? toLight * (real(1) / max(far, TINY))
+                : sphereDirection(k - shadowSourceCount, occlusionDirectionCount);
     real distance = fromLight ? min(source.w > real(0) ? far : NO_DEPTH, lightReach) : occlusionRadius;
 #if TETMARCH_OPAQUE_SHADOWS
-    // What does not come need not be followed.
+    // Light that opaque geometry keeps off needs no march.
     distance = fromLight && isShadowed(vertex, k) ? real(0) : distance;
 #endif
-    real comes = transmittanceTowards(tet, point, direction, distance);
-    light.y = k == 0 && fromLight ? comes : light.y;
-    light.z = k == 1 && fromLight ? comes : light.z;
-    light.w = k == 2 && fromLight ? comes : light.w;
-    ambient = ambient + (fromLight ? real(0) : comes);
+    real transmittance = transmittanceTo(tet, point, direction, distance);
+    light.y = k == 0 && fromLight ? transmittance : light.y;
+    light.z = k == 1 && fromLight ? transmittance : light.z;
+    light.w = k == 2 && fromLight ? transmittance : light.w;
+    ambient = ambient + (fromLight ? real(0) : transmittance);
   }
   light.x = occlusionDirectionCount > 0 ? ambient / real(occlusionDirectionCount) : real(1);
 #if TETMARCH_OPAQUE_SHADOWS

@@ -1,18 +1,21 @@
-// Where in a texture the light of a vertex is kept: in blocks of 8 x 8 texels, VERTEX_LIGHT_ROW / 8 of them in a row.
+// The layout of the texture with the light of the vertices: square blocks of texels, as many in a row as have room.
 // Vertices of neighbouring numbers are neighbours in space, so that rays from one block, which run in lockstep, cross
 // much the same tetrahedra.
+#define BLOCK_SIDE uint(VERTEX_LIGHT_BLOCK)
+#define BLOCK_TEXELS (BLOCK_SIDE * BLOCK_SIDE)
+#define BLOCKS_IN_ROW (uint(VERTEX_LIGHT_ROW) / BLOCK_SIDE)
 
 ivec2 texelOfVertex(uint vertex)
 {
-  uint block = vertex / 64u;
-  uint within = vertex % 64u;
-  uint blocks = uint(VERTEX_LIGHT_ROW) / 8u;
-  return ivec2(uvec2(block % blocks, block / blocks) * 8u + uvec2(within % 8u, within / 8u));
+  uint block = vertex / BLOCK_TEXELS;
+  uint within = vertex % BLOCK_TEXELS;
+  return ivec2(uvec2(block % BLOCKS_IN_ROW, block / BLOCKS_IN_ROW) * BLOCK_SIDE +
+    uvec2(within % BLOCK_SIDE, within / BLOCK_SIDE));
 }
 
 uint vertexOfTexel(uvec2 texel)
 {
-  uvec2 block = texel / 8u;
-  uvec2 within = texel % 8u;
-  return (block.x + block.y * (uint(VERTEX_LIGHT_ROW) / 8u)) * 64u + within.x + within.y * 8u;
+  uvec2 block = texel / BLOCK_SIDE;
+  uvec2 within = texel % BLOCK_SIDE;
+  return (block.x + block.y * BLOCKS_IN_ROW) * BLOCK_TEXELS + within.x + within.y * BLOCK_SIDE;
 }

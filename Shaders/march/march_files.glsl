@@ -3,7 +3,7 @@
 #if TETMARCH_LIT
 #include "light/light.glsl"
 #endif
-#if TETMARCH_COMPOSITE || TETMARCH_ISOSURFACES
+#if TETMARCH_ACCUMULATES_OPACITY
 #include "gather/radiance.glsl"
 #endif
 #if TETMARCH_COMPOSITE
@@ -12,15 +12,17 @@
 #if TETMARCH_EFFECTS
 #include "light/effect_files.glsl"
 #endif
+#include "tet/segment.glsl"
 #include "tet/cell_interval.glsl"
+#include "light/cell_shades.glsl"
 #include "gather/gather_files.glsl"
+#include "cuts/cropping.glsl"
+#include "gather/gather_cell.glsl"
+#if TETMARCH_PICKED
+#include "march/pick_interval.glsl"
+#endif
 #if TETMARCH_SAMPLED_SHADOWS
 #include "tet/tet.glsl"
-#endif
-#if TETMARCH_CROPPED
-#include "cuts/cropping.glsl"
-#endif
-#if TETMARCH_PICKED
-#include "march/pick_segment.glsl"
+#include "march/sample_pause.glsl"
 #endif
 #include "march/march.glsl"

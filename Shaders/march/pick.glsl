@@ -1,12 +1,12 @@
 // Where a ray is picked, between two depths.
 
-#if TETMARCH_EXTREME || TETMARCH_SUM
-CONSTANT real PICK_ROUNDING = real(1e-6); // of scalars, 0..1, and of shares of a sum
+#if TETMARCH_KNOWN_AT_END
+CONSTANT real PICK_ROUNDING = real(1e-6); // of scalars, 0..1, and of a sum in proportion
 #endif
 
-// Of volumes and surfaces, where it has gathered the opacity 1 - left. Of scalars, which are seen only when all of the
-// ray is known, and if their opacity is as much: the first point with the greatest or least one; or the one up to which
-// that share of the sum has been gathered.
+// A volume, or surfaces, are picked where the ray has gathered the opacity 1 - left. Scalars are seen only when all of
+// the ray is known, and are picked if their opacity is as much: an extreme at its first point, a sum where that
+// proportion of it has been gathered.
 Pick pickOn(
   Ray ray, int firstFace, real thicknessPerDepth, real depthBegin, real depthEnd, real left)
 {
@@ -14,7 +14,7 @@ Pick pickOn(
 #if TETMARCH_COMPOSITE
   march.target = -left;
 #elif TETMARCH_ISOSURFACES
-  // Their opacity may be the very one that is asked for, but for rounding: 2^-22.
+  // The opacity of a surface may be exactly what is asked for, but for rounding: 2^-22.
   march.target = -left - real(2.384185791015625e-7);
 #else
   Radiance whole = castPlainRay(ray, firstFace, thicknessPerDepth, depthBegin, depthEnd).radiance;

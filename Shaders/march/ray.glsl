@@ -10,13 +10,13 @@ struct Ray
   vec3 toEye; // unit length, in the coordinates of the lights
 #endif
 #if TETMARCH_CROPPED
-  vec3 lowDepth; // at which it crosses the planes of cropping
+  vec3 lowDepth; // depths at which it crosses the planes of the cropping
   vec3 highDepth;
 #endif
 };
 
-// Position on the picture plane of the ray in xy, depth along the ray in z. Every vertex is projected by
-// this function and no other, so that it gets the same bits at every visit.
+// Position on the picture plane of the ray in xy, depth along the ray in z. Every vertex is projected by this function,
+// so that it gets the same bits each time.
 vec3 project(Ray ray, vec3 vertex)
 {
   precise real x = vertex.x - ray.origin.x;
@@ -30,7 +30,7 @@ vec3 project(Ray ray, vec3 vertex)
 }
 
 #if TETMARCH_CROPPED
-// Depth at which a ray has gone that far along an axis; never, if it runs across it.
+// Depth at which a ray has gone that far along an axis; NO_DEPTH if it runs across it.
 real depthAlong(real distance, real slope) { return abs(slope) > TINY ? distance / slope : NO_DEPTH; }
 
 vec3 planeDepths(vec3 planes, vec3 origin, vec3 direction)
@@ -41,14 +41,14 @@ vec3 planeDepths(vec3 planes, vec3 origin, vec3 direction)
 }
 #endif
 
-// The ray through a point, which it keeps however far away the eye is: q - dir (q.dir) errs by a few
-// 1e-7 mesh radii, eye + dir t by as much of the eye's distance.
+// The ray through a point. However far away the eye is, the origin q - dir (q.dir) errs by a few 1e-7 mesh radii;
+// eye + dir t would err by as much of the eye's distance.
 Ray rayThrough(vec3 point, vec3 direction)
 {
   Ray ray;
   ray.direction = direction;
   ray.origin = point - direction * dot(point, direction);
-  // The axis that is least along the direction gives the basis its best angle.
+  // The axis along which the direction is least gives the best angle.
   vec3 size = vec3(abs(direction.x), abs(direction.y), abs(direction.z));
   vec3 axis = size.x <= size.y && size.x <= size.z ? vec3(real(1), real(0), real(0))
     : (size.y <= size.z ? vec3(real(0), real(1), real(0)) : vec3(real(0), real(0), real(1)));

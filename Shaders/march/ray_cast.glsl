@@ -1,4 +1,4 @@
-// One ray of the picture, from the boundary face that the rasteriser or a search found, or, where that is -1, from
+// One ray of the picture. firstFace is the boundary face by which the ray enters the mesh; if it is -1, a search finds
 // the first one.
 March castPlainRay(Ray ray, int firstFace, real thicknessPerDepth, real depthBegin, real depthEnd)
 {

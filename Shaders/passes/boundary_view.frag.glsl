@@ -1,4 +1,4 @@
-// The shell of the mesh: by which boundary face a pixel's ray enters, or where in that face.
+// The boundary of the mesh: by which face a pixel's ray enters, or where in that face.
 #include "language.glsl"
 #include "passes/helper.glsl"
 
@@ -7,14 +7,15 @@
 #include "tet/mesh_buffers.glsl"
 #include "tet/edge_sign.glsl"
 #include "march/ray.glsl"
+#include "tet/vertex_attributes.glsl"
 #include "tet/face_intersection.glsl"
 #include "tet/boundary.glsl"
 #include "passes/pixel_ray.glsl"
 
-uniform bool showsCoordinates; // barycentric ones of the entry; else the face
+uniform bool showsCoordinates; // shows the barycentrics of the entry, else the face
 
 #if !TETMARCH_RASTER_ENTRY
-// The entry into the part of the mesh in which the ray is at a depth; if it is in none there, its next entry.
+// The entry into the part of the mesh in which the ray is at a depth; if it is outside there, its next entry.
 Entry entryAt(Ray ray, float depth)
 {
   Entry before;
@@ -28,7 +29,7 @@ Entry entryAt(Ray ray, float depth)
   }
   if (before.face >= 0)
   {
-    // On the way back exits are entries: has the ray left again what it entered last?
+    // In the opposite direction exits are entries: did the ray leave the part that it entered last?
     Ray back = rayThrough(ray.origin, -ray.direction);
     Entry exit;
     exit.depth = -depth;
@@ -43,8 +44,8 @@ Entry entryAt(Ray ray, float depth)
 }
 #endif
 
-// As the march does, a search comes in where the rasteriser's face refuses the ray.
-bool crossesShell(PixelRay pixel, out FaceIntersection intersection)
+// Like in the march, a search finds the entry where the rasteriser's face refuses the ray.
+bool crossesBoundary(PixelRay pixel, out FaceIntersection intersection)
 {
   int face = pixel.firstFace;
 #if TETMARCH_RASTER_ENTRY
@@ -75,8 +76,8 @@ uint hash(uint number)
   return (word >> 22u) ^ word;
 }
 
-// By its vertices, for faces are numbered anew once they have a hierarchy. One channel is full, so that no colour is
-// dark, the others are from a quarter on; 8 bits hold them exactly.
+// By the vertices of the face, for the hierarchy changes the numbers of faces. One channel is 1, so that no colour is
+// dark, the others are at least a quarter; 8 bits hold them exactly.
 vec3 colorOfFace(uvec3 ids)
 {
   uint bits = hash(ids.x + hash(ids.y + hash(ids.z)));
@@ -90,11 +91,11 @@ void main()
 {
   PixelRay pixel = pixelRay();
   FaceIntersection intersection;
-  if (!crossesShell(pixel, intersection) || intersectionPoint(intersection).x >= pixel.depthEnd)
+  if (!crossesBoundary(pixel, intersection) || intersectionPoint(intersection).x >= pixel.depthEnd)
   {
     discard;
   }
   vec3 weight = max(intersection.weight, vec3(0.0));
-  vec3 share = weight / max(weight.x + weight.y + weight.z, TINY);
-  gl_FragData[0] = vec4(showsCoordinates ? share : colorOfFace(intersection.id), 1.0);
+  vec3 barycentrics = weight / max(weight.x + weight.y + weight.z, TINY);
+  gl_FragData[0] = vec4(showsCoordinates ? barycentrics : colorOfFace(intersection.id), 1.0);
 }

@@ -1,4 +1,4 @@
-// A picture of fewer pixels, spread over those of the viewport.
+// A picture of fewer pixels, enlarged to the viewport.
 //VTK::Output::Dec
 
 uniform vec4 viewport; // x, y, width, height in pixels

@@ -4,7 +4,7 @@ uniform usamplerBuffer boundaryBuffer;
 uniform mat4 normalizedToClip;
 
 flat out float face;
-out vec3 share; // barycentric, perspective-correct
+out vec3 barycentrics; // perspective-correct
 
 void main()
 {
@@ -13,6 +13,6 @@ void main()
   uvec4 ids = texelFetch(boundaryBuffer, number);
   uint id = corner == 0 ? ids.x : (corner == 1 ? ids.y : ids.z);
   face = float(number);
-  share = vec3(corner == 0 ? 1.0 : 0.0, corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
+  barycentrics = vec3(corner == 0 ? 1.0 : 0.0, corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
   gl_Position = normalizedToClip * vec4(texelFetch(vertexBuffer, int(id)).xyz, 1.0);
 }

@@ -9,14 +9,15 @@
 
 #include "tet/mesh_buffers.glsl"
 #include "tables/table_buffers.glsl"
+#include "march/thickness_buffers.glsl"
 #if !TETMARCH_COMPOSITE
 #include "gather/blend_buffers.glsl"
 #endif
 #if TETMARCH_EFFECTS
-#include "light/effect_buffers.glsl"
+#include "light/effect_buffer_files.glsl"
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-#include "light/light_buffers.glsl"
+#include "light/light_ray_buffers.glsl"
 #endif
 #if TETMARCH_CLIPPED
 #include "cuts/clipping_buffers.glsl"
@@ -35,15 +36,11 @@
 
 #if TETMARCH_SAMPLED_SHADOWS
 uniform sampler2D jitterTexture; // a tile of 64 x 64 pixels, Optics/BlueNoise.h
-#else
-uniform mat3 thicknessMatrix; // direction -> world, in scalar opacity unit distances
 #endif
-
-float pixelThickness(PixelRay pixel) { return length(thicknessMatrix * pixel.ray.direction); }
 
 March marchPixel(PixelRay pixel)
 {
-  float thicknessPerDepth = pixelThickness(pixel);
+  float thicknessPerDepth = thicknessPerDepthAlong(pixel.ray.direction);
 #if TETMARCH_SAMPLED_SHADOWS
   float jitter = texelFetch(jitterTexture, pixel.at & 63, 0).x;
   return castSampledRay(pixel.ray, pixel.firstFace, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd, jitter);
@@ -52,7 +49,10 @@ March marchPixel(PixelRay pixel)
 #endif
 }
 
-vec4 colorOf(PixelRay pixel, March march) { return pixelOf(march.radiance, pixelThickness(pixel)); }
+vec4 colorOf(PixelRay pixel, March march)
+{
+  return pixelOf(march.radiance, thicknessPerDepthAlong(pixel.ray.direction));
+}
 
 #if TETMARCH_PEELED
 #include "passes/peeled_main.glsl"
@@ -63,7 +63,7 @@ void main()
   March march = marchPixel(pixel);
   gl_FragData[0] = colorOf(pixel, march);
 #if TETMARCH_DIAGNOSTICS
-  // A ray that ends before the mesh, or begins behind it, has looked at a tetrahedron and met none.
+  // A ray that ends before the mesh, or begins behind it, has crossed a tetrahedron without gathering it.
   bool met = march.done > pixel.depthBegin;
   gl_FragData[1] = vec4(met ? float(march.cells) : 0.0, float(march.lookups), errorBound(march.radiance), 0.0);
   gl_FragData[2] = vec4(float(march.refused), float(march.lost), float(march.guarded), 0.0);

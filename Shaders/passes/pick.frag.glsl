@@ -1,4 +1,4 @@
-// Where the ray of each pixel is picked. Pixels whose ray is not keep what they have.
+// Where the ray of each pixel is picked. Pixels whose ray is not picked are discarded.
 #define TETMARCH_PICKED 1
 #include "language.glsl"
 #include "passes/helper.glsl"
@@ -7,17 +7,18 @@
 
 #include "tet/mesh_buffers.glsl"
 #include "tables/table_buffers.glsl"
+#include "march/thickness_buffers.glsl"
 #if !TETMARCH_COMPOSITE
 #include "gather/blend_buffers.glsl"
 #endif
 #if TETMARCH_EFFECTS
-#include "light/effect_buffers.glsl"
+#include "light/effect_buffer_files.glsl"
 #endif
 #if TETMARCH_CLIPPED
 #include "cuts/clipping_buffers.glsl"
 #endif
 #include "march/march_files.glsl"
-#if TETMARCH_EXTREME || TETMARCH_SUM
+#if TETMARCH_KNOWN_AT_END
 #include "march/ray_cast.glsl"
 #endif
 #include "march/pick.glsl"
@@ -26,19 +27,19 @@
 #endif
 #include "passes/pixel_ray.glsl"
 
-uniform mat3 thicknessMatrix; // direction -> world, in scalar opacity unit distances
-uniform float transmittanceLeft; // behind the point, 0..1
+uniform float transmittanceLeft; // of the ray at the point where it is picked, 0..1
 
 void main()
 {
   PixelRay pixel = pixelRay();
-  float thicknessPerDepth = length(thicknessMatrix * pixel.ray.direction);
-  Pick pick = pickOn(pixel.ray, pixel.firstFace, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd, transmittanceLeft);
+  float thicknessPerDepth = thicknessPerDepthAlong(pixel.ray.direction);
+  Pick pick =
+    pickOn(pixel.ray, pixel.firstFace, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd, transmittanceLeft);
   if (!pick.hit)
   {
     discard;
   }
-  // A float holds 24 bits of a number.
+  // A float holds 24 bits of an integer.
   gl_FragData[0] = vec4(float(pick.tet & 0xffffu), float(pick.tet >> 16u), pick.scalar, 1.0);
   gl_FragData[1] = vec4(pixel.ray.origin + pixel.ray.direction * pick.depth, 0.0);
 }

@@ -1,4 +1,4 @@
-// The ray of a pixel, by which face the rasteriser says that it enters the mesh, and which part of it is seen.
+// The ray of a pixel, the face by which it enters the mesh according to the rasteriser, and the part of it that is seen.
 
 uniform vec4 viewport; // x, y, width, height in pixels
 uniform vec4 eye;      // (position, 1) or, for parallel projection, (direction towards it, 0)
@@ -6,7 +6,7 @@ uniform vec4 eye;      // (position, 1) or, for parallel projection, (direction 
 #if TETMARCH_RASTER_ENTRY
 uniform sampler2D entryTexture;
 #else
-uniform bool cutsNearPlane; // there rays begin
+uniform bool cutsNearPlane; // rays begin at the near plane
 #endif
 #if TETMARCH_OPAQUE_DEPTH
 uniform sampler2D opaqueDepthTexture;
@@ -22,8 +22,8 @@ vec3 unproject(vec2 pixel, float windowDepth)
   return p.xyz / p.w;
 }
 
-// Of the point of a pixel's ray that the window has at that depth. Of a far plane that is a million times as far as
-// the near plane no digit is left.
+// Depth along a pixel's ray of its point at a depth of the window. If the far plane is a million times as far as the
+// near plane, its depth has no correct digit, and cutsFarPlane is false.
 float depthAt(Ray ray, float windowDepth)
 {
   return windowDepth < 1.0 || cutsFarPlane
@@ -34,10 +34,10 @@ float depthAt(Ray ray, float windowDepth)
 
 struct PixelRay
 {
-  ivec2 at; // from the corner of the viewport
+  ivec2 at;         // pixel, from the corner of the viewport
   Ray ray;
-  int firstFace;    // by the rasteriser; -1: to be searched for
-  float depthBegin; // of what is seen; what lies before it, or from depthEnd on, is not
+  int firstFace;    // by the rasteriser; -1: a search finds it
+  float depthBegin; // the part from here to depthEnd is seen
   float depthEnd;
 };
 
@@ -53,11 +53,10 @@ vec3 rayPoint()
 #endif
 
 #if TETMARCH_RASTER_ENTRY
-// Barycentric coordinates none of which is less than the given one: what those below lack is taken from the
-// greatest.
-vec3 insideFace(vec3 share, float least)
+// Barycentrics none of which is less than the given one: what those below lack is taken from the greatest.
+vec3 insideFace(vec3 barycentrics, float least)
 {
-  vec3 inside = max(share, vec3(least));
+  vec3 inside = max(barycentrics, vec3(least));
   float excess = inside.x + inside.y + inside.z - 1.0;
   inside -= excess * vec3(equal(inside, vec3(max(inside.x, max(inside.y, inside.z)))));
   inside = max(inside, vec3(least));
@@ -77,7 +76,7 @@ bool isBesideEntry(ivec2 pixel)
 #endif
 #endif
 
-// Discards helpers, the pixels beside the mesh, and those whose ray is clipped away.
+// Discards helpers, pixels beside the mesh, and pixels whose ray is clipped away.
 PixelRay pixelRay()
 {
   PixelRay found;
@@ -87,13 +86,13 @@ PixelRay pixelRay()
   found.depthEnd = NO_DEPTH;
 
 #if TETMARCH_RASTER_ENTRY
-  // The ray through the interpolated position keeps its digits however far away the eye is. In a few pixels of a
-  // hundred thousand, the rasteriser's rounding names a face beside the one that the ray enters.
+  // The ray through the interpolated point keeps its digits however far away the eye is. In a few pixels of a hundred
+  // thousand, rounding makes the rasteriser name a face beside the one by which the ray enters.
   vec4 entry = texelFetch(entryTexture, pixel, 0);
   int firstFace = int(entry.x);
 #if TETMARCH_BVH
-  // A search then finds where it does; also where the rasteriser lost a needle and left a hole, and where it
-  // extrapolates beyond one that it sees edge-on.
+  // A search finds the entry then; also where the rasteriser missed a needle and left a hole, and where it extrapolates
+  // beyond a needle that it sees edge-on.
   if (IS_HELPER || (firstFace < 0 && !isBesideEntry(pixel)))
   {
     discard;
@@ -110,20 +109,20 @@ PixelRay pixelRay()
   vec3 c = fetchVertex(ids.z).xyz;
   Ray ray;
 #if TETMARCH_BVH
-  vec3 share = entry.yzw;
-  bool known = firstFace >= 0 && max(abs(share.x), max(abs(share.y), abs(share.z))) < 8.0;
-  vec3 point = known ? share.x * a + share.y * b + share.z * c : rayPoint();
+  vec3 w = entry.yzw; // barycentrics
+  bool known = firstFace >= 0 && max(abs(w.x), max(abs(w.y), abs(w.z))) < 8.0;
+  vec3 point = known ? w.x * a + w.y * b + w.z * c : rayPoint();
   ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
 #else
-  // The ray is led a little into the face, lest it run through a vertex: there it could leave the mesh at once,
-  // between faces that ties bend outwards, and come in again. Farther, if the face is so small that it is
-  // refused for rounding.
+  // The ray is moved a little into the face, so that it does not run through a vertex: there it could leave the mesh at
+  // once, between faces that ties bend outwards, and enter again. It is moved farther if the face is so small that
+  // rounding refuses the ray.
   bool refused = false;
   float least = 1e-4;
   do
   {
-    vec3 share = insideFace(entry.yzw, least);
-    vec3 point = share.x * a + share.y * b + share.z * c;
+    vec3 w = insideFace(entry.yzw, least);
+    vec3 point = w.x * a + w.y * b + w.z * c;
     ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
     FaceIntersection intersection;
     refused = !enters(ray, uint(firstFace), intersection);

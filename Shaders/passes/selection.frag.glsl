@@ -1,8 +1,8 @@
-// What a hardware selector wants to read in each pixel, at the depth of what was picked there.
+// The colour that a hardware selector reads in each pixel, at the depth of what was picked there.
 //VTK::Output::Dec
 
 uniform vec2 corner; // of the area that is selected, in pixels
-uniform sampler2D selectionTexture; // a colour, and a depth of the window; 1 and more: nothing was picked
+uniform sampler2D selectionTexture; // a colour, and a depth of the window; it is 1 or more where nothing was picked
 
 void main()
 {

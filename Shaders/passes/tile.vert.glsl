@@ -1,4 +1,4 @@
-// A rectangle of the viewport as two triangles; the first alone if it covers the viewport.
+// A rectangle of the viewport as two triangles. The first one alone may cover the viewport.
 uniform vec4 tile; // x and y of opposite corners, in normalised device coordinates
 
 void main()

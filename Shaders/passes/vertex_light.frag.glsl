@@ -1,4 +1,4 @@
-// A pixel a vertex: how much light comes to it.
+// The light at the vertices: one pixel a vertex.
 #include "language.glsl"
 #include "passes/helper.glsl"
 
@@ -7,9 +7,11 @@
 #include "tet/mesh_buffers.glsl"
 #include "tables/table_buffers.glsl"
 #if TETMARCH_EFFECTS
-#include "light/effect_buffers.glsl"
+#include "light/effect_buffer_files.glsl"
 #endif
-#include "light/light_buffers.glsl"
+#include "march/thickness_buffers.glsl"
+#include "light/light_ray_buffers.glsl"
+#include "light/vertex_ray_buffers.glsl"
 #include "light/vertex_light_layout.glsl"
 #include "tet/traversal_files.glsl"
 #include "light/light_ray_files.glsl"

@@ -1,12 +1,12 @@
-// Colour C and extinction tau as functions of the scalar, linear between the n entries of a table, and
-// their integrals T(x) = integral of tau, K(x) = integral of C tau. V(x) is the total variation of C up to x, of
-// the channel that changes most in each bin.
+// Colour C and extinction tau as functions of the scalar, linear between the n entries of a table, and their integrals
+// T(x) = integral of tau, K(x) = integral of C tau. V(x) is the total variation of C up to x, of the channel that changes
+// most in each bin.
 //
-// x counts entries. The first and the last bin are constant, so that the formulas hold for any x beyond
-// the table as well. Integrals up to an entry are 32-bit fixed-point numbers: their differences are exact,
-// so that a mean over a small interval loses no digits, and spikes between its ends are never missed.
+// x counts entries. The first and the last bin are constant, so that the formulas hold for any x beyond the table as
+// well. Integrals up to an entry are 32-bit fixed-point numbers: their differences are exact, so that a mean over a small
+// interval loses no digits, and spikes between its ends are never missed.
 
-// One end of an interval: what the table says at x.
+// The table at x: one end of an interval.
 struct TablePoint
 {
   real x;
@@ -25,7 +25,7 @@ struct TablePoint
 };
 
 #if TETMARCH_COMPONENTS
-// Where one table is among those of several components, which lie behind each other; x counts its own entries.
+// The place of one table among those of several components, which lie behind each other; x counts its own entries.
 struct TableSpan
 {
   int first;
@@ -49,7 +49,7 @@ TableSpan tableSpan(int table)
 
 int tableBin(TableSpan table, real x) { return int(max(real(0), min(floor(x), real(table.size - 2)))); }
 #else
-// The first bin for what is not a number.
+// The first bin if x is not a number.
 int tableBin(real x) { return int(max(real(0), min(floor(x), real(tableSize - 2)))); }
 #endif
 
@@ -100,21 +100,21 @@ TablePoint tablePoint(real x)
   p.binEnd = fetchTableValue(p.bin + 1);
 #endif
   vec4 rise = p.binEnd - p.binBegin;
-  real share = clamp(x - real(p.bin), real(0), real(1));
-  p.value = p.binBegin + rise * share;
+  real fraction = clamp(x - real(p.bin), real(0), real(1));
+  p.value = p.binBegin + rise * fraction;
 #if TETMARCH_COMPONENTS
   p.integral = fetchTableIntegral(entry);
   p.integralEnd = fetchTableIntegral(entry + 1);
 #if TETMARCH_ERROR_BOUND
   vec2 variation = fetchTableVariations(entry);
-  p.variation = variation.x + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * share;
-  p.extinctionVariation = variation.y + abs(rise.w) * share;
+  p.variation = variation.x + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * fraction;
+  p.extinctionVariation = variation.y + abs(rise.w) * fraction;
 #endif
 #else
   p.integral = fetchTableIntegral(p.bin);
   p.integralEnd = fetchTableIntegral(p.bin + 1);
 #if TETMARCH_ERROR_BOUND
-  p.variation = fetchTableVariation(p.bin) + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * share;
+  p.variation = fetchTableVariation(p.bin) + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * fraction;
 #endif
 #endif
   return p;
@@ -149,9 +149,9 @@ vec4 meanBetween(TablePoint p, TablePoint q)
 #else
   vec4 sum = right * (real(lowBin + 1) - low) + between * tableIntegralUnit + left * (high - real(highBin));
 #endif
-  vec4 apart = sum * (real(1) / max(high - low, TINY));
-  vec4 together = linearMean(p.value, q.value);
-  return p.bin == q.bin ? together : apart;
+  vec4 acrossBins = sum * (real(1) / max(high - low, TINY));
+  vec4 withinBin = linearMean(p.value, q.value);
+  return p.bin == q.bin ? withinBin : acrossBins;
 }
 
 #if TETMARCH_DEPENDENT

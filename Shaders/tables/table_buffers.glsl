@@ -1,21 +1,18 @@
 // The transfer functions in texture buffers; see tables/integral_table.glsl.
-#if !TETMARCH_ISOSURFACES
+#if TETMARCH_USES_TABLES
 uniform samplerBuffer tableValueBuffer;
 uniform usamplerBuffer tableIntegralBuffer;
-#if !TETMARCH_COMPONENTS
-uniform int tableSize;
 #endif
-#if !TETMARCH_INDEPENDENT
+#if TETMARCH_ONE_TABLE
+uniform int tableSize;
+uniform vec4 tableIntegralUnit;
+#endif
+#if TETMARCH_OPACITY_TABLE
 uniform float tableScale; // from a stored scalar to a position in the table
 uniform float tableOffset;
 #endif
-#if !TETMARCH_COMPONENTS
-uniform vec4 tableIntegralUnit;
-#endif
-#endif
 #if TETMARCH_COMPONENTS
-#define MOST_COMPONENTS 4 // Scalars/DrawnScalars.h
-uniform int tableFirst[MOST_COMPONENTS]; // of the tables, which lie behind each other: first entry
+uniform int tableFirst[MOST_COMPONENTS]; // first entries of the tables, which lie behind each other
 uniform int tableSizes[MOST_COMPONENTS];
 uniform vec4 tableIntegralUnits[MOST_COMPONENTS];
 uniform vec2 tablePlace[MOST_COMPONENTS]; // scale and offset
@@ -24,14 +21,14 @@ uniform vec2 tablePlace[MOST_COMPONENTS]; // scale and offset
 uniform int componentCount;
 uniform vec4 componentFactor; // of their extinctions
 #endif
-#if TETMARCH_COMPOSITE || TETMARCH_ISOSURFACES
+#if TETMARCH_ACCUMULATES_OPACITY
 uniform float errorTolerance; // of a channel of a pixel
 #endif
 #if TETMARCH_TRANSPARENT_RANGES
-uniform vec4 transparentRanges; // in the table: up to, from, and from to
+uniform vec4 transparentRanges; // positions in the table: below x, above y, and from z to w
 #endif
 #if TETMARCH_CONSTANT_COLOR
-uniform vec3 constantColor; // in the place of the table's
+uniform vec3 constantColor; // takes the place of the table's
 #endif
 #if TETMARCH_NAN_SHOWN
 uniform vec4 nanColor; // of scalars that are not finite, and their extinction
@@ -40,10 +37,10 @@ uniform vec4 nanColor; // of scalars that are not finite, and their extinction
 uniform samplerBuffer tableVariationBuffer;
 #endif
 #if TETMARCH_ADAPTIVE
-uniform int mostTrials; // pieces that a segment may be tried in
+uniform int mostTrials; // of subsegments of a segment, before any is accepted
 #endif
 
-#if !TETMARCH_ISOSURFACES
+#if TETMARCH_USES_TABLES
 vec4 fetchTableValue(int i) { return texelFetch(tableValueBuffer, i); }
 uvec4 fetchTableIntegral(int i) { return texelFetch(tableIntegralBuffer, i); }
 #endif

@@ -1,6 +1,6 @@
-// The boundary of the mesh: where rays come in.
+// The boundary of the mesh: where rays enter.
 
-// Whether the ray comes in through a face whose vertices turn counter-clockwise seen from outside, and its intersection of
+// Whether the ray enters by a face whose vertices turn counter-clockwise seen from outside, and the intersection with
 // that face.
 bool entersFace(Ray ray, uvec3 ids, OUT(FaceIntersection) face)
 {
@@ -27,7 +27,7 @@ bool enters(Ray ray, uint boundaryFace, OUT(FaceIntersection) face)
   return entersFace(ray, fetchBoundaryFace(boundaryFace), face);
 }
 
-// Where a ray comes in.
+// Where a ray enters.
 struct Entry
 {
   real depth;
@@ -42,9 +42,9 @@ bool isBefore(real depth, int face, Entry other)
   return depth < other.depth || (depth == other.depth && face < other.face);
 }
 
-// The first entry after the given one, among the faces by which a ray can come back in, or among all. The
-// bounding volume hierarchy is walked near child first: what is found early cuts off what lies behind. Boxes
-// are tested by the separating axes of a line and a box, without a division.
+// The first entry after the given one, among the faces by which a ray can enter again, or among all. The bounding volume
+// hierarchy is walked near child first, so that what is found early cuts off what lies behind. Boxes are tested by the
+// separating axes of a line and a box, without a division.
 Entry nextEntry(Ray ray, Entry after, bool amongAll)
 {
   Entry best;
@@ -52,7 +52,7 @@ Entry nextEntry(Ray ray, Entry after, bool amongAll)
   best.face = -1;
   vec3 d = ray.direction;
   vec3 size = vec3(abs(d.x), abs(d.y), abs(d.z));
-  int stack[BVH_STACK];           // far children yet to be seen
+  int stack[BVH_STACK];           // far children yet to be visited
   stack[0] = bvhReentryNodeCount; // the tree of the other faces
   int waiting = amongAll && bvhReentryNodeCount < bvhNodeCount ? 1 : 0;
   int node = 0;
@@ -61,9 +61,9 @@ Entry nextEntry(Ray ray, Entry after, bool amongAll)
     node = waiting > 0 ? 0 : -1;
     waiting = 0;
   }
-  int face = 0; // of the leaf at hand, yet to be tested
+  int face = 0; // the next face of the leaf to be tested, up to end
   int end = 0;
-  // One loop for nodes and faces: neighbouring rays, which run in lockstep, wait less for each other.
+  // One loop serves for nodes and faces: neighbouring rays run in lockstep, and wait less for each other.
   while (node >= 0 || face < end)
   {
     if (face < end)

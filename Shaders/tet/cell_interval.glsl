@@ -1,115 +1,162 @@
-// The way of a ray through a tetrahedron, and what is known where it comes in and leaves.
+// The interval of a ray in a tetrahedron, and what is known at its ends.
 
 struct CellInterval
 {
   uint tet;
-  vec2 enter;  // depth and scalar where the ray comes in
-  vec2 leave;
-  real begin;  // depths of what is gathered of it
+  vec2 enter;  // depth and scalar where the ray enters the tetrahedron
+  vec2 leave;  // and where it leaves it
+  real begin;  // depths between which the cell is gathered
   real end;
-  real scalar; // of the cell, or where the ray leaves
+  real scalar; // of the cell, or where the ray leaves it
   bool seen;   // there is something to gather
-#if TETMARCH_COMPOSITE && TETMARCH_POINT_SCALARS && !TETMARCH_INDEPENDENT
-  TablePoint at; // the table where the ray was last
+#if TETMARCH_KEEPS_TABLE_POINT
+  TablePoint at; // the table at the end of the last lookup
 #endif
-#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
-  vec3 furtherEnter; // scalars beside the first
-  vec3 furtherLeave;
+#if TETMARCH_VERTEX_ATTRIBUTES
+  VertexAttributes enterAttributes; // interpolated
+  VertexAttributes leaveAttributes;
 #endif
 #if TETMARCH_EFFECTS
   CellShades shades;
 #endif
 #if TETMARCH_CROPPED
-  real rest;   // behind the end, and up to here, there may be other pieces of it
+  real rest;   // depth up to which more of the cell may be left by the cropping
 #endif
 #if TETMARCH_NAN_SHOWN
   bool finite; // the scalar is finite
 #endif
 #if TETMARCH_ISOSURFACES
-  bool drawn;  // it has a scalar, whether or not that passes a value
-  vec2 before; // depth and scalar where the ray has left what is drawn before it
+  bool drawn;  // the cell has a scalar and is not hidden, whether or not a surface crosses it
+  vec2 before; // depth and scalar where the ray left the last cell that is drawn
 #endif
 };
 
-// A part of it, from one point (depth, scalar) of the ray to another.
-struct Segment
+// The scalar of a tetrahedron, or that at the point (depth, scalar) where the ray leaves it.
+real cellScalar(uint tet, vec2 leave)
 {
-  vec2 begin;
-  vec2 end;
-#if TETMARCH_COMPONENTS
-  vec3 furtherBegin; // scalars beside the first
 #if TETMARCH_POINT_SCALARS
-  vec3 furtherEnd;
+  return leave.y;
+#else
+  return fetchCellScalar(tet);
 #endif
-#endif
-};
+}
 
-#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
-vec3 furtherBetween(CellInterval cell, real depth)
+#if TETMARCH_FURTHER_VERTEX_SCALARS
+vec3 furtherAt(CellInterval cell, real depth)
 {
-  return cell.furtherEnter + (cell.furtherLeave - cell.furtherEnter) * shareAt(cell.enter, cell.leave, depth);
+  return cell.enterAttributes.further +
+    (cell.leaveAttributes.further - cell.enterAttributes.further) * fractionAt(cell.enter, cell.leave, depth);
 }
 #endif
 
-// All that is gathered of it.
+// The segment between cell.begin and cell.end.
 Segment visibleSegment(CellInterval cell)
 {
-  Segment piece;
+  Segment segment;
 #if TETMARCH_POINT_SCALARS
-  piece.begin = vec2(
+  segment.begin = vec2(
     cell.begin, cell.begin > cell.enter.x ? scalarAt(cell.enter, cell.leave, cell.begin) : cell.enter.y);
-  piece.end =
+  segment.end =
     vec2(cell.end, cell.end < cell.leave.x ? scalarAt(cell.enter, cell.leave, cell.end) : cell.leave.y);
 #else
-  piece.begin = vec2(cell.begin, cell.scalar);
-  piece.end = vec2(cell.end, cell.scalar);
+  segment.begin = vec2(cell.begin, cell.scalar);
+  segment.end = vec2(cell.end, cell.scalar);
 #endif
-#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
-  piece.furtherBegin = cell.begin > cell.enter.x ? furtherBetween(cell, cell.begin) : cell.furtherEnter;
-  piece.furtherEnd = cell.end < cell.leave.x ? furtherBetween(cell, cell.end) : cell.furtherLeave;
+#if TETMARCH_FURTHER_VERTEX_SCALARS
+  segment.furtherBegin = cell.begin > cell.enter.x ? furtherAt(cell, cell.begin) : cell.enterAttributes.further;
+  segment.furtherEnd = cell.end < cell.leave.x ? furtherAt(cell, cell.end) : cell.leaveAttributes.further;
 #elif TETMARCH_COMPONENTS
-  piece.furtherBegin = fetchFurtherScalars(cell.tet);
+  segment.furtherBegin = fetchFurtherScalars(cell.tet);
 #endif
 #if TETMARCH_ISOSURFACES
-  // Scalars of cells change between two of them; and where rounding has cut cells off, no value is passed twice.
-  piece.begin = vec2(cell.begin, cell.begin <= cell.before.x ? cell.before.y : piece.begin.y);
+  // Scalars of cells change between two cells. Where rounding makes cells overlap, no value is crossed twice.
+  segment.begin = vec2(cell.begin, cell.begin <= cell.before.x ? cell.before.y : segment.begin.y);
 #endif
-  return piece;
+  return segment;
 }
 
 #if TETMARCH_EFFECTS
-// From where to where in the tetrahedron the piece lies: 0, 1 if all the traversal.
-vec2 shareOf(CellInterval cell, Segment piece)
+// Where in the tetrahedron a segment begins and ends: 0 and 1 if it is all of the interval.
+vec2 rangeWithin(CellInterval cell, Segment segment)
 {
-  return vec2(piece.begin.x > cell.enter.x ? shareAt(cell.enter, cell.leave, piece.begin.x) : real(0),
-    piece.end.x < cell.leave.x ? shareAt(cell.enter, cell.leave, piece.end.x) : real(1));
+  return vec2(segment.begin.x > cell.enter.x ? fractionAt(cell.enter, cell.leave, segment.begin.x) : real(0),
+    segment.end.x < cell.leave.x ? fractionAt(cell.enter, cell.leave, segment.end.x) : real(1));
 }
 #endif
 
-// Before a face by which the ray comes into the mesh; next: the tetrahedron behind it.
-CellInterval beginCellInterval(Ray ray, INOUT(FaceIntersection) face, uint next)
+#if TETMARCH_ISOSURFACES
+// Depth up to which the cell has been gathered.
+real gatheredEnd(CellInterval cell)
 {
-  CellInterval cell;
+#if TETMARCH_CROPPED
+  return cell.rest;
+#else
+  return cell.end;
+#endif
+}
+#endif
+
+// Before the face by which the ray enters the mesh.
+void beginCell(FaceIntersection face, INOUT(CellInterval) cell)
+{
   cell.leave = intersectionPoint(face);
   cell.seen = false;
-#if TETMARCH_COMPONENTS && TETMARCH_POINT_SCALARS
-  fetchCorners(face);
-  cell.furtherLeave = furtherAt(face);
-#endif
-#if TETMARCH_COMPOSITE && TETMARCH_POINT_SCALARS && !TETMARCH_INDEPENDENT
-  // Not of an undrawn scalar: integrateSegment() meets what stands here.
-  cell.at = tablePoint(isDrawn(cell.leave.y) ? cell.leave.y * tableScale + tableOffset : tableOffset);
-#endif
-#if TETMARCH_EFFECTS
-#if TETMARCH_POINT_SCALARS
-  cell.shades = beginShades(ray, face, cell.leave);
-#else
-  cell.shades = beginShades(ray, face, vec2(cell.leave.x, fetchCellScalar(next)));
-#endif
+#if TETMARCH_VERTEX_ATTRIBUTES
+  cell.leaveAttributes = attributesAt(face);
 #endif
 #if TETMARCH_ISOSURFACES
   cell.drawn = false;
   cell.before = vec2(-NO_DEPTH, real(0));
 #endif
-  return cell;
+}
+
+// There the last lookup is that of the table at the begin; not of an undrawn scalar, for the first segment meets it.
+void beginLookups(INOUT(CellInterval) cell)
+{
+#if TETMARCH_KEEPS_TABLE_POINT
+  cell.at = tablePoint(isDrawn(cell.leave.y) ? cell.leave.y * tableScale + tableOffset : tableOffset);
+#endif
+}
+
+// To the tetrahedron that has been stepped through; the face is the one by which the ray leaves it.
+void advanceCell(uint tet, FaceIntersection face, INOUT(CellInterval) cell)
+{
+#if TETMARCH_ISOSURFACES
+  cell.before = cell.drawn ? vec2(gatheredEnd(cell), cell.scalar) : cell.before;
+#endif
+  cell.tet = tet;
+  cell.enter = cell.leave;
+  cell.leave = intersectionPoint(face);
+#if TETMARCH_VERTEX_ATTRIBUTES
+  cell.enterAttributes = cell.leaveAttributes;
+  cell.leaveAttributes = attributesAt(face);
+#endif
+  cell.scalar = cellScalar(tet, cell.leave);
+}
+
+// Decides whether anything is seen between cell.begin and cell.end, which is nothing unless the ray goes forward.
+void decideVisibility(bool forward, INOUT(CellInterval) cell)
+{
+#if TETMARCH_POINT_SCALARS
+  real first = cell.enter.y;
+#else
+  real first = cell.scalar;
+#endif
+#if TETMARCH_HIDDEN_CELLS
+  bool open = forward && !isHidden(cell.tet);
+#else
+  bool open = forward;
+#endif
+  cell.seen = open && isDrawn(first) && isDrawn(cell.scalar);
+#if TETMARCH_TRANSPARENT_RANGES
+  cell.seen = cell.seen &&
+    !isTransparentBetween(first * tableScale + tableOffset, cell.scalar * tableScale + tableOffset);
+#elif TETMARCH_ISOSURFACES
+  cell.drawn = cell.seen;
+  cell.seen = cell.drawn && crossesSurface(visibleSegment(cell));
+#endif
+#if TETMARCH_NAN_SHOWN
+  cell.finite = isDrawn(first) && isDrawn(cell.scalar);
+  cell.seen = cell.finite ? cell.seen : open && nanColor.w > real(0);
+#endif
 }

@@ -1,11 +1,11 @@
-// On which side of the ray two projected vertices turn: the predicate that makes the traversal watertight.
+// The predicate that makes the traversal watertight: around which side of the ray two projected vertices turn.
 //
-// The sign must be that of the exact cross product of the given bits, the same whoever asks, with ties
-// broken as one infinitesimal perturbation of the vertices (Edelsbrunner and Muecke, "Simulation of
-// Simplicity", 1990). Then 0 or 2 faces of a tetrahedron are stabbed, and a ray can't get lost.
+// The sign is that of the exact cross product of the given bits, the same for every caller, with ties broken as by one
+// infinitesimal perturbation of the vertices (Edelsbrunner and Muecke, "Simulation of Simplicity", 1990). Then a ray
+// crosses 0 or 2 faces of a tetrahedron, and cannot get lost.
 
-// Projected coordinates are multiplied by PROJECTION_SCALE, and those nearer to 0 than PROJECTION_FLUSH
-// become 0, so that no product below leaves the range of normal numbers, even with denormals flushed.
+// Projected coordinates are multiplied by PROJECTION_SCALE, and those nearer to 0 than PROJECTION_FLUSH become 0, so that
+// no product below leaves the range of normal numbers, even if denormal numbers are flushed to 0.
 vec2 snapToPredicate(vec2 p)
 {
 #if TETMARCH_HAS_FMA
@@ -18,7 +18,7 @@ vec2 snapToPredicate(vec2 p)
 #endif
 }
 
-// 2^-20 mesh radii as projected: what rounding moves a vertex by at most.
+// 2^-20 mesh radii as projected: rounding moves a vertex by no more.
 real projectionBlur()
 {
 #if TETMARCH_HAS_FMA
@@ -39,8 +39,8 @@ real edgeCross(vec2 p, vec2 q)
   precise real c = d + e;
   return c;
 #else
-  // The wrapped integer difference is the exact one but for a multiple of 2^32, which that of the rounded products
-  // tells: of coordinates below 2^24 it is off by less than 2^26. The value is within 1 ulp.
+  // The wrapped integer difference is the exact one but for a multiple of 2^32. The difference of the rounded products
+  // tells which: with coordinates below 2^24 it is off by less than 2^26. The value is within 1 ulp.
   int wrapped = int(uint(int(p.x)) * uint(int(q.y)) - uint(int(q.x)) * uint(int(p.y)));
   real rounded = p.x * q.y - q.x * p.y;
   real turns = floor((rounded - real(wrapped)) * real(2.3283064365386962890625e-10) + real(0.5));

@@ -1,11 +1,11 @@
-// Rays that begin inside of the mesh: the tetrahedron around their origin tells the way on.
+// Rays that begin inside the mesh: they start from the tetrahedron around their origin instead of a boundary face.
 
-// In the place of a boundary face's number: the ray was in the mesh already.
+// Takes the place of a boundary face's number where a ray begins inside the mesh.
 CONSTANT int INSIDE_FACE = 0x7fffffff;
 
-// How much light comes to a point inside of a tetrahedron through the volume, over that distance in that direction
-// (unit length): the transmittance. Where rounding puts the point outside, one nearer the centre stands for it.
-real transmittanceTowards(Tet tet, vec3 point, vec3 direction, real distance)
+// The transmittance from a point in a tetrahedron over that distance in that direction (unit length). If rounding puts
+// the point outside, one nearer the centre is taken.
+real transmittanceTo(Tet tet, vec3 point, vec3 direction, real distance)
 {
   vec4 a = fetchVertex(tet.a);
   vec4 b = fetchVertex(tet.b);

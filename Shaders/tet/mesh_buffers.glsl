@@ -3,7 +3,7 @@ uniform samplerBuffer vertexBuffer;    // position, scalar
 uniform usamplerBuffer linkBuffer;     // tetrahedron and apex behind each half-face
 uniform usamplerBuffer boundaryBuffer; // three vertices counter-clockwise from outside, tetrahedron inside
 uniform int numberOfTets;
-uniform int mostCells;                 // a ray that crosses more of them has gone wrong
+uniform int mostCells;                 // the step guard: no ray crosses more tetrahedra
 
 #define tetCount uint(numberOfTets)
 
@@ -14,8 +14,8 @@ uvec3 fetchBoundaryFace(uint face) { return texelFetch(boundaryBuffer, int(face)
 #if TETMARCH_BVH
 uniform samplerBuffer hierarchyBuffer; // two texels a node, see tet/boundary.glsl
 uniform int bvhNodeCount;
-uniform int bvhReentryNodeCount; // the first ones: of faces through which a ray can come back in
-uniform int reentryFaceCount;    // so many faces, likewise the first ones
+uniform int bvhReentryNodeCount; // the first nodes: of faces by which a ray can enter again
+uniform int reentryFaceCount;    // the first faces, likewise
 vec4 fetchBvhNode(int i) { return texelFetch(hierarchyBuffer, i); }
 #endif
 
@@ -30,6 +30,6 @@ float fetchCellScalar(uint tet) { return texelFetch(cellScalarBuffer, int(tet)).
 #endif
 
 #if TETMARCH_COMPONENTS
-uniform samplerBuffer furtherScalarBuffer; // of a vertex, or of a tetrahedron: up to three beside the first
+uniform samplerBuffer furtherScalarBuffer; // of a vertex or of a tetrahedron: up to three beside the first
 vec3 fetchFurtherScalars(uint i) { return texelFetch(furtherScalarBuffer, int(i)).xyz; }
 #endif

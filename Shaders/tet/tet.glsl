@@ -1,4 +1,4 @@
-// A tetrahedron; its face (a, b, c) turns counter-clockwise seen from outside, d lies behind it.
+// A tetrahedron: face (a, b, c) turns counter-clockwise seen from outside, and d lies behind it.
 struct Tet
 {
   uint number;
@@ -8,22 +8,22 @@ struct Tet
   uint d;
 };
 
-// Where the viewer sees a vertex.
-vec2 seenAt(Ray ray, uint vertex)
+// A vertex on the picture plane of the ray.
+vec2 projectedVertex(Ray ray, uint vertex)
 {
   vec4 v = fetchVertex(vertex);
   vec3 p = project(ray, vec3(v.x, v.y, v.z));
   return vec2(p.x, p.y);
 }
 
-// The face by which the line of the ray comes into the tetrahedron, and its link. Of four real points, a line comes in
-// by one face or by none; by none if rounding leaves the origin outside.
+// Finds the face by which the line of the ray enters the tetrahedron, and its link. A line enters a tetrahedron of four
+// real points by one face or by none. Returns false if there is none, since rounding leaves the origin outside.
 bool entersTet(Ray ray, Tet tet, OUT(FaceIntersection) face, OUT(uvec2) link)
 {
-  vec2 a = seenAt(ray, tet.a);
-  vec2 b = seenAt(ray, tet.b);
-  vec2 c = seenAt(ray, tet.c);
-  vec2 d = seenAt(ray, tet.d);
+  vec2 a = projectedVertex(ray, tet.a);
+  vec2 b = projectedVertex(ray, tet.b);
+  vec2 c = projectedVertex(ray, tet.c);
+  vec2 d = projectedVertex(ray, tet.d);
   bool ab = turnsLeft(edgeCross(a, b), a, tet.a, b, tet.b);
   bool bc = turnsLeft(edgeCross(b, c), b, tet.b, c, tet.c);
   bool ca = turnsLeft(edgeCross(c, a), c, tet.c, a, tet.a);

@@ -1,16 +1,16 @@
-// All the ways of a ray through the mesh, front to back, whatever is gathered on them.
+// The traversal of the mesh: a ray enters it, leaves it, and may enter again.
 
-// A ray under way: in the mesh before a face, or at an entry, which may refuse it.
+// The state of a ray: inside the mesh before a face, or at an entry, which may refuse it.
 struct Traversal
 {
   FaceIntersection face;
-  uvec2 link; // of that face: what lies behind it
-  bool inside; // face and link are known; else they are those of the entry
-  bool entered;
+  uvec2 link;     // of that face: the tetrahedron and the apex behind it
+  bool inside;    // face and link are set; else the entry tells them
+  bool entered;   // the face at the entry accepted the ray
   Entry entry;
 };
 
-// From the boundary face that the rasteriser or a search found, or from the first one.
+// From the boundary face that the rasteriser found; if it is -1, from the first one that a search finds.
 Traversal traversalFromBoundary(Ray ray, int firstFace)
 {
   Traversal traversal;
@@ -27,10 +27,13 @@ Traversal traversalFromBoundary(Ray ray, int firstFace)
   return traversal;
 }
 
-// Whether any of it lies before that depth.
-bool continuesBefore(Traversal traversal, real depthEnd) { return traversal.entry.face >= 0 && traversal.entry.depth < depthEnd; }
+// Whether the ray enters the mesh before that depth.
+bool continuesBefore(Traversal traversal, real depthEnd)
+{
+  return traversal.entry.face >= 0 && traversal.entry.depth < depthEnd;
+}
 
-// In by the boundary face, unless the ray is inside already.
+// Enters by the boundary face, unless the ray is inside already.
 void enterMesh(Ray ray, INOUT(Traversal) traversal)
 {
   if (!traversal.inside)
@@ -41,14 +44,14 @@ void enterMesh(Ray ray, INOUT(Traversal) traversal)
   }
 }
 
-// From the face by which the ray has left the mesh, or which refused it, to the next entry; to none if nothing more
-// is asked for.
+// From the face by which the ray has left the mesh, or which refused it, to the next entry; to none if the ray is
+// finished.
 void leaveMesh(Ray ray, bool finished, INOUT(Traversal) traversal)
 {
   traversal.inside = false;
 #if TETMARCH_BVH
-  // A ray that leaves the convex hull is done. But along a flat side of it rounding makes bumps, out of which a
-  // ray may come before it gets in: then faces of the hull are looked at again.
+  // A ray that leaves the convex hull is finished. But along a flat side of the hull rounding makes bumps, which a ray
+  // may leave before it enters the rest: then the faces of the hull are searched again.
   bool leftHull =
     traversal.entered && traversal.link.x >= LINK_OUTSIDE && int(traversal.link.x - LINK_OUTSIDE) >= reentryFaceCount;
   bool certain = isTurnedForSure(traversal.face);
@@ -58,8 +61,8 @@ void leaveMesh(Ray ray, bool finished, INOUT(Traversal) traversal)
   }
   else
   {
-    // A face that refused the ray leaves even the first entry to be found. The rasteriser knows the depth of
-    // its entry no better than its depth buffer: behind such a one all others are looked for.
+    // If the face refused the ray, even the first entry is yet to be found. The rasteriser knows the depth of its entry
+    // no better than its depth buffer does, so that all entries behind it are searched.
     traversal.entry = nextEntry(ray, traversal.entry, !traversal.entered || leftHull);
   }
 #else

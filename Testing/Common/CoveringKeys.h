@@ -20,18 +20,18 @@ namespace tetmarch::testing
 {
 constexpr std::size_t NumberOfThrees = []
 {
-  constexpr std::size_t n = VariantKey::NumberOfBits;
+  constexpr std::size_t n = VariantKey::NumberOfFeatures;
   return 8 * n * (n - 1) * (n - 2) / 6;
 }();
 
-/// Calls with a number for each three bits of the key and their values.
+/// Calls with a number for each three features of the key, by which of them are on.
 template <typename Function>
 void forEachThree(const VariantKey& key, const Function& call)
 {
-  const std::uint64_t bits = numberOf(key);
+  const std::uint64_t bits = key.bits();
   const auto bit = [bits](int i) { return std::size_t(bits >> i & 1u); };
   std::size_t three = 0;
-  for (int a = 0; a < VariantKey::NumberOfBits; ++a)
+  for (int a = 0; a < VariantKey::NumberOfFeatures; ++a)
   {
     for (int b = 0; b < a; ++b)
     {

@@ -17,41 +17,31 @@
 
 namespace tetmarch::testing
 {
-/// Bit i of the number is row i of VariantKey::bits().
-inline VariantKey keyOf(std::uint64_t number)
+/// The key with these features, and no others; of several values of a group it has the first.
+inline VariantKey keyOf(std::uint64_t bits)
 {
   VariantKey key;
-  std::uint64_t rest = number;
-  for (const VariantKey::Bit& bit : VariantKey::bits())
+  const auto& features = VariantKey::features();
+  for (auto feature = features.rbegin(); feature != features.rend(); ++feature)
   {
-    key.*bit.Member = (rest & 1u) != 0;
-    rest >>= 1;
+    feature->set(key, (bits & feature->Bit) != 0);
   }
   return key;
 }
 
-inline std::uint64_t numberOf(const VariantKey& key)
-{
-  std::uint64_t number = 0;
-  for (int i = 0; i < VariantKey::NumberOfBits; ++i)
-  {
-    number |= std::uint64_t(key.*VariantKey::bits()[i].Member ? 1 : 0) << i;
-  }
-  return number;
-}
-
-/// Names of the bits that are set.
+/// Names of the features that are on.
 inline std::string namesOf(const VariantKey& key)
 {
   std::string names;
-  for (const VariantKey::Bit& bit : VariantKey::bits())
+  for (const VariantKey::Feature& feature : VariantKey::features())
   {
-    names += key.*bit.Member ? (names.empty() ? "" : " ") + std::string(bit.Name) : std::string();
+    names +=
+      feature.isOn(key) ? (names.empty() ? "" : " ") + std::string(feature.Name) : std::string();
   }
   return names;
 }
 
-/// Any combination of bits, whether or not a scene makes it.
+/// Any combination of features, whether or not a scene makes it.
 inline VariantKey randomKey(std::mt19937& random)
 {
   const std::uint64_t high = random();
@@ -64,7 +54,7 @@ class DistinctKeys
 public:
   void add(const VariantKey& key)
   {
-    if (this->Found.insert(numberOf(key)).second)
+    if (this->Found.insert(key.bits()).second)
     {
       this->Keys.push_back(key);
     }
@@ -76,7 +66,7 @@ private:
 };
 
 /// Of the picture, for there are millions: that of the simplest scene, what it becomes by up to
-/// three changes of a bit, and many at random. Some scene makes each of them: the filter leaves
+/// three changes of a feature, and many at random. Some scene makes each of them: the filter leaves
 /// none that none could. The same at each call.
 inline std::vector<VariantKey> legalKeys()
 {
@@ -88,10 +78,10 @@ inline std::vector<VariantKey> legalKeys()
     const std::size_t end = legal.Keys.size();
     for (; begin < end; ++begin)
     {
-      for (const VariantKey::Bit& bit : VariantKey::bits())
+      for (const VariantKey::Feature& feature : VariantKey::features())
       {
         VariantKey key = legal.Keys[begin];
-        key.*bit.Member = !(key.*bit.Member);
+        feature.set(key, !feature.isOn(key));
         legal.add(key.filtered());
       }
     }
@@ -102,11 +92,11 @@ inline std::vector<VariantKey> legalKeys()
     VariantKey key = randomKey(random);
     if (i % 4 > 0) // else the volume itself would be seen in one of eight
     {
-      key.Extreme = key.Sum = key.Isosurfaces = false;
+      key.Blend = BlendGroup::Composite;
     }
     if (i % 4 != 1) // else seven of eight would have several scalars
     {
-      key.Independent = key.ColorAndOpacity = key.DirectColor = false;
+      key.Components = ComponentGroup::Single;
     }
     legal.add(key.filtered());
   }

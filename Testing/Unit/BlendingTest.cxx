@@ -125,20 +125,19 @@ TEST_F(BlendingTest, VersionsTellWhatIsShown)
 
 TEST_F(BlendingTest, ModesOfAKindShareAVariant)
 {
-  const auto bitsOf = [this](BlendMode mode)
+  const auto groupOf = [this](BlendMode mode)
   {
     this->make(mode);
     VariantKey key;
     this->Made.setBits(key);
-    return std::array<bool, 3>{ { key.Extreme, key.Sum, key.Isosurfaces } };
+    return key.Blend;
   };
-  using Bits = std::array<bool, 3>;
-  EXPECT_EQ(bitsOf(BlendMode::Composite), (Bits{ { false, false, false } }));
-  EXPECT_EQ(bitsOf(BlendMode::Maximum), (Bits{ { true, false, false } }));
-  EXPECT_EQ(bitsOf(BlendMode::Minimum), (Bits{ { true, false, false } }));
-  EXPECT_EQ(bitsOf(BlendMode::Average), (Bits{ { false, true, false } }));
-  EXPECT_EQ(bitsOf(BlendMode::Additive), (Bits{ { false, true, false } }));
-  EXPECT_EQ(bitsOf(BlendMode::IsoSurface), (Bits{ { false, false, true } }));
+  EXPECT_EQ(groupOf(BlendMode::Composite), BlendGroup::Composite);
+  EXPECT_EQ(groupOf(BlendMode::Maximum), BlendGroup::Extreme);
+  EXPECT_EQ(groupOf(BlendMode::Minimum), BlendGroup::Extreme);
+  EXPECT_EQ(groupOf(BlendMode::Average), BlendGroup::Sum);
+  EXPECT_EQ(groupOf(BlendMode::Additive), BlendGroup::Sum);
+  EXPECT_EQ(groupOf(BlendMode::IsoSurface), BlendGroup::Isosurfaces);
 }
 
 // The table has the opacity as it is, whatever the law, and for sums the intensity as the colour.

@@ -41,12 +41,14 @@ std::array<double, 4> alongRay(
   kernel.errorTolerance = Real(tolerance);
   kernel.mostTrials = 1 << 20;
   auto radiance = kernel.noRadiance();
-  const auto position = [&](int i)
-  { return Real(0.05 + 0.9 * i / segments) * kernel.tableScale + kernel.tableOffset; };
-  auto at = kernel.tablePoint(position(0));
+  const auto scalar = [&](int i) { return Real(0.05 + 0.9 * i / segments); };
+  typename Kernel::CellInterval cell{};
+  cell.at = kernel.tablePoint(scalar(0) * kernel.tableScale + kernel.tableOffset);
   for (int i = 0; i < segments && !kernel.isOpaque(radiance); ++i)
   {
-    kernel.integrateSegment(position(i), position(i + 1), Real(length / segments), at, radiance);
+    const typename Kernel::Segment segment{ { Real(i), scalar(i) },
+      { Real(i + 1), scalar(i + 1) } };
+    kernel.integrateSegment(segment, Real(length / segments), cell, radiance);
   }
   return { { double(radiance.color.x), double(radiance.color.y), double(radiance.color.z),
     1.0 - double(radiance.transmittance) } };

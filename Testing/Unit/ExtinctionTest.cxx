@@ -77,7 +77,7 @@ void compareRaysFromInside(RandomVolume<Kernel>& volume, Tally& tally)
     const auto direction = volume.nextDirection();
     const double length = volume.nextLength();
     const double distance = i % 2 == 0 ? uniform(volume.Random) : 1e30;
-    const double found = kernel.transmittanceTowards(tet, point, direction, distance);
+    const double found = kernel.transmittanceTo(tet, point, direction, distance);
     const auto ray = kernel.rayThrough(point, direction);
     const double begin = glsl::dot(point - ray.origin, ray.direction);
     ASSERT_NO_FATAL_FAILURE(

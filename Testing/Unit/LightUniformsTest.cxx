@@ -133,7 +133,7 @@ TEST_F(LightUniformsOf, LightInTheWorld)
 // The diagonal of the mesh's box is two radii.
 TEST_F(LightUniformsOf, Reach)
 {
-  EXPECT_NEAR(built(jitteredLattice(2)).Radius, std::sqrt(0.75), 1e-12);
+  EXPECT_NEAR(built(jitteredLattice(2)).Frame.Radius, std::sqrt(0.75), 1e-12);
   this->Answers.Lights = { headlight() };
   const double cases[][2] = { { 0.0, 0.0 }, { 1.0, 2.0 },
     { 0.5, 2.0 * (1.0 - std::pow(0.5, 0.33)) }, { 0.9, 2.0 * (1.0 - std::pow(0.1, 0.33)) } };

@@ -118,9 +118,9 @@ void expectSameMesh(const TetMesh& moved, const TetMesh& anew)
   EXPECT_EQ(neighboursOf(moved), neighboursOf(anew));
   EXPECT_EQ(facesOf(moved), facesOf(anew));
   EXPECT_EQ(positionsOf(moved), positionsOf(anew));
-  EXPECT_EQ(moved.Center, anew.Center);
-  EXPECT_EQ(moved.Radius, anew.Radius);
-  EXPECT_EQ(moved.HalfExtent, anew.HalfExtent);
+  EXPECT_EQ(moved.Frame.Center, anew.Frame.Center);
+  EXPECT_EQ(moved.Frame.Radius, anew.Frame.Radius);
+  EXPECT_EQ(moved.Frame.HalfExtent, anew.Frame.HalfExtent);
   EXPECT_EQ(moved.NeedsHierarchy, anew.NeedsHierarchy);
   EXPECT_EQ(moved.Hierarchy.empty(), anew.Hierarchy.empty());
   EXPECT_EQ(moved.ReentryFaces, anew.ReentryFaces);

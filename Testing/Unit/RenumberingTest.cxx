@@ -129,16 +129,16 @@ TEST(Renumbering, FrameIsThatOfTheBoundingBox)
     renumbered(withOffsetAndScale(jitteredLattice(3), { 10.0, 20.0, 30.0 }, 2.0));
   for (int k = 0; k < 3; ++k)
   {
-    EXPECT_DOUBLE_EQ(cube.Center[k], 10.0 * (k + 1) + 1.0);
-    EXPECT_DOUBLE_EQ(cube.HalfExtent[k], std::sqrt(1.0 / 3.0));
+    EXPECT_DOUBLE_EQ(cube.Frame.Center[k], 10.0 * (k + 1) + 1.0);
+    EXPECT_DOUBLE_EQ(cube.Frame.HalfExtent[k], std::sqrt(1.0 / 3.0));
   }
-  EXPECT_DOUBLE_EQ(cube.Radius, std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(cube.Frame.Radius, std::sqrt(3.0));
 
   const TetMesh tet = renumbered(singleTet());
   EXPECT_EQ(tet.Tets.size(), 1u);
   EXPECT_EQ(tet.Vertices.size(), 4u);
-  EXPECT_DOUBLE_EQ(tet.Radius, std::sqrt(0.75));
-  EXPECT_DOUBLE_EQ(tet.Center[2], 0.5);
+  EXPECT_DOUBLE_EQ(tet.Frame.Radius, std::sqrt(0.75));
+  EXPECT_DOUBLE_EQ(tet.Frame.Center[2], 0.5);
 }
 
 TEST(Renumbering, NeighboursInSpaceAreNeighboursInMemory)

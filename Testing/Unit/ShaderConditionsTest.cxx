@@ -3,6 +3,7 @@
 // Conditions in shaders against what a preprocessor makes of them, and the files put together.
 #include "Variants/ShaderConditions.h"
 #include "Variants/ShaderSource.h"
+#include "Variants/VariantKey.h"
 
 #include <gtest/gtest.h>
 #include <string>
@@ -13,7 +14,8 @@ using tetmarch::ShaderConditions;
 using tetmarch::shaderSource;
 using tetmarch::withFileNames;
 
-const std::string Defines = "#define YES 1\n#define NO 0\n#define YESTERDAY 0\n";
+const std::string Defines = "#define YES 1\n#define NO 0\n#define YESTERDAY 0\n"
+                            "#define FIRST 0\n#define SECOND 0\n#define THIRD 0\n";
 
 // What is left of the lines, without their breaks.
 std::string left(const std::string& lines)
@@ -41,13 +43,24 @@ bool isTrue(const std::string& expression)
   return left("#if " + expression + "\n1\n#else\n0\n#endif\n") == "1";
 }
 
+// What is wrong with an expression, or nothing.
+std::string errorOf(const std::string& expression)
+{
+  ShaderConditions conditions(Defines);
+  EXPECT_TRUE(conditions.take("#if " + expression + "\n"));
+  return conditions.error();
+}
+
 // By a file for those that it includes; other words are the GL's own.
 TEST(ShaderConditions, SymbolsOfFiles)
 {
   EXPECT_EQ(left("#define TETMARCH_IT 1\n#if TETMARCH_IT\n1\n#endif\n"), "1");
-  EXPECT_EQ(left("#if TETMARCH_IT\n1\n#endif\n#define TETMARCH_IT 1\n2\n"), "2");
-  EXPECT_EQ(
-    left("#if NO\n#define TETMARCH_IT 1\n#endif\n#if TETMARCH_IT\n1\n#else\n2\n#endif\n"), "2");
+  EXPECT_EQ(left("#define TETMARCH_IT 0\n#if TETMARCH_IT\n1\n#endif\n#define TETMARCH_IT 1\n"
+                 "#if TETMARCH_IT\n2\n#endif\n"),
+    "2");
+  EXPECT_EQ(left("#define TETMARCH_IT 0\n#if NO\n#define TETMARCH_IT 1\n#endif\n"
+                 "#if TETMARCH_IT\n1\n#else\n2\n#endif\n"),
+    "2");
   EXPECT_EQ(left("#define IT 1\n#if IT\n1\n#endif\n"), "#define IT 1");
 }
 
@@ -79,6 +92,8 @@ TEST(ShaderConditions, Expressions)
         EXPECT_EQ(isTrue(a + " && " + b + " || " + c), (p && q) || r);
         EXPECT_EQ(isTrue(a + " || " + b + " || " + c), p || q || r);
         EXPECT_EQ(isTrue(a + " && " + b + " && " + c), p && q && r);
+        EXPECT_EQ(isTrue("(" + a + " || " + b + ") && " + c), (p || q) && r);
+        EXPECT_EQ(isTrue(a + " && (" + b + " || !(" + c + "))"), p && (q || !r));
       }
     }
   }
@@ -87,10 +102,40 @@ TEST(ShaderConditions, Expressions)
 TEST(ShaderConditions, NamesAreWhole)
 {
   EXPECT_FALSE(isTrue("YESTERDAY"));
-  EXPECT_FALSE(isTrue("YE"));
-  EXPECT_FALSE(isTrue("ES"));
-  EXPECT_FALSE(isTrue("UNKNOWN"));
-  EXPECT_TRUE(isTrue("!UNKNOWN"));
+  EXPECT_EQ(errorOf("YE"), "unknown symbol YE");
+  EXPECT_EQ(errorOf("ES"), "unknown symbol ES");
+}
+
+// A condition that cannot be settled is an error, and not false.
+TEST(ShaderConditions, FaultsAreErrors)
+{
+  EXPECT_EQ(errorOf("YES"), "");
+  EXPECT_EQ(errorOf("UNKNOWN"), "unknown symbol UNKNOWN");
+  EXPECT_EQ(errorOf("!UNKNOWN"), "unknown symbol UNKNOWN");
+  EXPECT_EQ(errorOf("YES || UNKNOWN"), "unknown symbol UNKNOWN");
+  EXPECT_EQ(errorOf("NO && UNKNOWN"), "unknown symbol UNKNOWN");
+  EXPECT_EQ(errorOf("(YES"), "missing )");
+  EXPECT_EQ(errorOf("YES)"), "unexpected )\n");
+  EXPECT_EQ(errorOf("YES NO"), "unexpected NO\n");
+  EXPECT_EQ(errorOf("YES == NO"), "unexpected == NO\n");
+  EXPECT_NE(errorOf("YES &&"), "");
+  EXPECT_NE(errorOf(""), "");
+  // Of the line that was taken last.
+  ShaderConditions conditions(Defines);
+  conditions.take("#if UNKNOWN\n");
+  conditions.take("#else\n");
+  EXPECT_EQ(conditions.error(), "");
+}
+
+TEST(ShaderConditions, SymbolsMayBeConditions)
+{
+  ShaderConditions conditions("#define LATER (FIRST || !SECOND)\n#define FIRST 0\n"
+                              "#define SECOND (YES && NO)\n#define YES 1\n#define NO 0\n");
+  EXPECT_TRUE(conditions.take("#if LATER\n"));
+  EXPECT_TRUE(conditions.isActive());
+  EXPECT_TRUE(conditions.take("#elif SECOND\n"));
+  EXPECT_FALSE(conditions.isActive());
+  EXPECT_EQ(conditions.error(), "");
 }
 
 TEST(ShaderConditions, OneBranch)
@@ -162,12 +207,22 @@ TEST(ShaderSource, LinesAreThoseOfTheFile)
   EXPECT_EQ(text.find("//VTK::System::Dec\n#line "), 0u);
   const std::size_t digits = std::string("//VTK::System::Dec\n#line ").size();
   const int line = std::stoi(text.substr(digits)) + 1;
-  EXPECT_EQ(
-    withFileNames("0:" + std::to_string(line) + "(5): error: e"), "ray_cast.glsl:1(5): error: e");
+  EXPECT_EQ(withFileNames("0:" + std::to_string(line) + "(5): error: e"),
+    "march/ray_cast.glsl:1(5): error: e");
   EXPECT_EQ(withFileNames("ERROR: 0:" + std::to_string(line + 8) + ": e\nand so on"),
     "ERROR: march/ray_cast.glsl:9: e\nand so on");
-  EXPECT_EQ(withFileNames("0(" + std::to_string(line) + ") : error"), "ray_cast.glsl:1 : error");
+  EXPECT_EQ(
+    withFileNames("0(" + std::to_string(line) + ") : error"), "march/ray_cast.glsl:1 : error");
   EXPECT_EQ(withFileNames("no place 7:12"), "no place 7:12");
+}
+
+// The symbols of the march's files are unknown without the defines of a key.
+TEST(ShaderSource, UnknownSymbolsAreErrors)
+{
+  const std::string text = shaderSource("march/march.glsl");
+  EXPECT_NE(text.find("\n#error unknown symbol TETMARCH_SAMPLED_SHADOWS\n"), std::string::npos);
+  EXPECT_EQ(shaderSource("march/march.glsl", tetmarch::VariantKey().defines()).find("#error"),
+    std::string::npos);
 }
 
 TEST(ShaderSource, UnknownFilesAreEmpty)

@@ -21,7 +21,8 @@ bool followsLight(const Key& key, MarchShader shader)
   return isLight(shader) || key.SampledShadows;
 }
 
-bool isLit(const Key& key) { return key.Shading || key.ShowGradients; }
+bool isIndependent(const Key& key) { return key.Components == ComponentGroup::Independent; }
+bool isIsosurfaces(const Key& key) { return key.Blend == BlendGroup::Isosurfaces; }
 } // namespace
 
 const char* const UnusedInSome =
@@ -38,66 +39,58 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "portable predicate", [](const Key& k, MarchShader) { return !k.HasFma; }, "wrapped turns" },
     { "march of the picture", [](const Key&, MarchShader s) { return gathers(s); },
       "Radiance March CellInterval Segment visibleSegment beginCellInterval gatherSegment pixelOf "
-      "isOpaque "
-      "marchToExit "
-      "marchOn" },
+      "isOpaque marchToExit marchOn passCell" },
     { "composites", [](const Key& k, MarchShader s) { return gathers(s) && k.isComposite(); },
-      "Absorption absorption absorb" },
+      "Absorption absorption absorb addSubsegment integrateSegment thicknessWithin" },
     { "composites of volumes or surfaces",
-      [](const Key& k, MarchShader s) { return gathers(s) && (k.isComposite() || k.Isosurfaces); },
-      "emission" },
-    { "tolerance", [](const Key& k, MarchShader) { return k.isComposite() || k.Isosurfaces; },
+      [](const Key& k, MarchShader s) { return gathers(s) && k.accumulatesOpacity(); },
+      "emission placeShades" },
+    { "tolerance", [](const Key& k, MarchShader) { return k.accumulatesOpacity(); },
       "errorTolerance" },
     { "segments of the picture",
       [](const Key& k, MarchShader s) { return gathers(s) && k.PointScalars && k.isComposite(); },
-      "integrateSegment" },
+      "SegmentEnds segmentEnds Subsegment subsegmentFrom SubsegmentMean meanOfSubsegment isLoaded "
+      "keepTablePoint trials" },
     { "cells of the picture",
       [](const Key& k, MarchShader s) { return gathers(s) && !k.PointScalars && k.isComposite(); },
-      "integrateConstant" },
-    { "tables", [](const Key& k, MarchShader) { return !k.Isosurfaces; },
+      "constantMean" },
+    { "tables", [](const Key& k, MarchShader) { return !isIsosurfaces(k); },
       "tableValueBuffer tableIntegralBuffer "
       "fetchTableValue fetchTableIntegral TablePoint tableBin tableValue tablePoint linearMean "
       "meanBetween" },
-    { "one table", [](const Key& k, MarchShader) { return !k.Isosurfaces && !k.hasComponents(); },
+    { "one table",
+      [](const Key& k, MarchShader) { return !isIsosurfaces(k) && !k.hasComponents(); },
       "tableSize tableIntegralUnit" },
     { "table of the first scalar",
-      [](const Key& k, MarchShader) { return !k.Isosurfaces && !k.Independent; },
+      [](const Key& k, MarchShader) { return !isIsosurfaces(k) && !isIndependent(k); },
       "tableScale tableOffset" },
     { "components", [](const Key& k, MarchShader) { return k.hasComponents(); },
       "furtherScalarBuffer fetchFurtherScalars TableSpan tableSpan tableFirst tableSizes "
       "tableIntegralUnits tablePlace fetchTableFirst fetchTableSize fetchTableIntegralUnit "
       "fetchTablePlace" },
-    { "components of points",
-      [](const Key& k, MarchShader) { return k.hasComponents() && k.PointScalars; },
-      "furtherA furtherB furtherC furtherAt furtherEnter furtherLeave" },
     { "components along pieces",
       [](const Key& k, MarchShader s) { return gathers(s) && k.hasComponents() && k.PointScalars; },
-      "furtherBetween furtherEnd" },
-    { "independent components", [](const Key& k, MarchShader) { return k.Independent; },
+      "furtherAt furtherEnd" },
+    { "independent components", [](const Key& k, MarchShader) { return isIndependent(k); },
       "componentCount componentFactor scalarsOf componentOf" },
     { "independent components of points",
-      [](const Key& k, MarchShader) { return k.Independent && k.PointScalars; },
-      "IndependentMean independentMeanBetween" },
-    { "independent components of cells",
-      [](const Key& k, MarchShader) { return k.Independent && !k.PointScalars; },
-      "independentMeanAt" },
-    { "dependent components", [](const Key& k, MarchShader) { return k.isDependent(); },
-      "withDependentColor" },
+      [](const Key& k, MarchShader) { return isIndependent(k) && k.PointScalars; },
+      "independentMeanBetween" },
     { "dependent components of points",
       [](const Key& k, MarchShader) { return k.isDependent() && k.PointScalars; },
       "DependentColor dependentColorBetween" },
     { "dependent components of cells",
       [](const Key& k, MarchShader) { return k.isDependent() && !k.PointScalars; },
       "dependentColorOf" },
-    { "extreme scalars", [](const Key& k, MarchShader) { return k.Extreme; },
-      "extremeSign extreme" },
-    { "sums of scalars", [](const Key& k, MarchShader) { return k.Sum; },
-      "averages averageRange counted" },
-    { "surfaces", [](const Key& k, MarchShader) { return k.Isosurfaces; },
+    { "extreme scalars", [](const Key& k, MarchShader) { return k.Blend == BlendGroup::Extreme; },
+      "extremeSign extreme extremeScalar" },
+    { "sums of scalars", [](const Key& k, MarchShader) { return k.Blend == BlendGroup::Sum; },
+      "averages averageRange counted countedFraction countedLength" },
+    { "surfaces", [](const Key& k, MarchShader) { return isIsosurfaces(k); },
       "isoSurfaceCount isoValue isoColor fetchIsoValue fetchIsoColor valuesReached crossesSurface "
-      "drawn" },
-    { "light on surfaces", [](const Key& k, MarchShader) { return k.Isosurfaces && isLit(k); },
-      "shareOfSurface" },
+      "surfaceEmission gatheredEnd drawn" },
+    { "light on surfaces", [](const Key& k, MarchShader) { return isIsosurfaces(k) && k.isLit(); },
+      "fractionOfValue" },
     { "scalars of cells", [](const Key& k, MarchShader) { return !k.PointScalars; },
       "cellScalarBuffer fetchCellScalar" },
     { "hierarchy", [](const Key& k, MarchShader) { return k.Hierarchy; },
@@ -120,22 +113,22 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "parts between translucent geometry", [](const Key& k, MarchShader) { return k.Peeled; },
       "peeledRay initializeRayCast castRay g_opacityThreshold in_inverseWindowSize" },
     { "error bound", [](const Key& k, MarchShader) { return k.hasErrorBound(); },
-      "tableVariationBuffer variation orderErrorFactor" },
+      "tableVariationBuffer variation orderErrorFactor subsegmentError" },
     { "error bound of one scalar",
       [](const Key& k, MarchShader) { return k.hasErrorBound() && !k.hasComponents(); },
-      "fetchTableVariation subsegmentError" },
+      "fetchTableVariation" },
     { "error bound of several",
       [](const Key& k, MarchShader) { return k.hasErrorBound() && k.hasComponents(); },
       "fetchTableVariations extinctionVariation" },
     { "error bound of independent components",
-      [](const Key& k, MarchShader) { return k.hasErrorBound() && k.Independent; }, "greatestOf" },
+      [](const Key& k, MarchShader) { return k.hasErrorBound() && isIndependent(k); },
+      "greatestOf" },
     { "error bound of dependent components",
       [](const Key& k, MarchShader) { return k.hasErrorBound() && k.isDependent(); },
-      "dependentError" },
+      "covariance" },
     { "adaptive", [](const Key& k, MarchShader) { return k.Adaptive; },
       "mostTrials errorBudget TOLERANCE_AT_ONCE TOLERANCE_BY_ABSORPTION budget" },
-    { "diagnostics", [](const Key& k, MarchShader) { return k.Diagnostics; },
-      "lookups lost guarded met" },
+    { "diagnostics", [](const Key& k, MarchShader) { return k.Diagnostics; }, "lost guarded met" },
     { "transparent ranges", [](const Key& k, MarchShader) { return k.TransparentRanges; },
       "transparentRanges isTransparentBetween" },
     { "colour of what is not finite", [](const Key& k, MarchShader) { return k.NanShown; },
@@ -151,25 +144,29 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "clippingPlaneCount clippingPlane fetchClippingPlane clippedRange" },
     { "cropping", [](const Key& k, MarchShader) { return k.Cropped; },
       "croppingLow croppingHigh croppingFlags lowDepth highDepth depthAlong planeDepths "
-      "nextPlane planesBelow isLeft nextSegment rest cropping" },
+      "nextPlane planesBelow isInRegionLeft nextRange nextRangeOfCell rest cropping" },
     { "rays of pixels", [](const Key&, MarchShader s) { return !isLight(s); }, "viewport eye" },
     { "one march a ray",
       [](const Key& k, MarchShader s)
-      { return (isPicture(s) && !k.SampledShadows) || (isPick(s) && (k.Extreme || k.Sum)); },
+      { return (isPicture(s) && !k.SampledShadows) || (isPick(s) && k.isKnownAtEnd()); },
       "castPlainRay" },
+    { "lookups counted", [](const Key&, MarchShader s) { return isPicture(s); }, "countLookups" },
     { "pick", [](const Key&, MarchShader s) { return isPick(s); },
-      "Pick PICK_STEPS noPick isPicked gathered gatheredUpTo pickSegment pickOn "
+      "Pick PICK_STEPS noPick isPicked gathered gatheredUpTo pickInterval pickedScalar pickOn "
       "transmittanceLeft" },
-    { "pick of scalars",
-      [](const Key& k, MarchShader s) { return isPick(s) && (k.Extreme || k.Sum); },
+    { "pick of scalars", [](const Key& k, MarchShader s) { return isPick(s) && k.isKnownAtEnd(); },
       "PICK_ROUNDING" },
     // Gradients.
     { "gradients", [](const Key& k, MarchShader) { return k.hasGradients(); }, "gradientBuffer" },
     { "shades", [](const Key& k, MarchShader s) { return gathers(s) && k.hasGradients(); },
-      "Shade CellShades FacePoint shadeOf mixShade facePoint beginShades beginCell shadeCell "
-      "incomingAt shadeWithin shareOf" },
+      "Shade CellShades FacePoint shadeOf leavePoint shades incomingAt fractionOfCell "
+      "rangeWithin" },
     { "gradients at vertices", [](const Key& k, MarchShader) { return k.hasVertexGradients(); },
-      "fetchGradient gradientA gradientB gradientC gradientAt" },
+      "fetchGradient" },
+    { "shades where rays enter cells",
+      [](const Key& k, MarchShader s)
+      { return gathers(s) && k.hasGradients() && (!k.hasVertexGradients() || k.passesCells()); },
+      "enterPoint" },
     { "shades at faces",
       [](const Key& k, MarchShader s) { return gathers(s) && k.hasVertexGradients(); },
       "shadeAtFace" },
@@ -179,40 +176,49 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "enterKnown missing" },
     { "gradients of cells", [](const Key& k, MarchShader) { return k.CellGradients; },
       "fetchCellGradient" },
-    { "values at corners",
+    { "attributes of vertices",
       [](const Key& k, MarchShader) {
         return k.hasVertexGradients() || k.hasVertexLight() ||
                (k.hasComponents() && k.PointScalars);
       },
-      "fetchCorners barycentricsOf" },
+      "VertexAttributes fetchAttributes selectAttributes interpolateAttributes attributesAt "
+      "attributesA attributesB attributesC barycentricsOf" },
+    { "attributes of vertices along the ray",
+      [](const Key& k, MarchShader s)
+      {
+        return gathers(s) && (k.hasVertexGradients() || k.hasVertexLight() ||
+                               (k.hasComponents() && k.PointScalars));
+      },
+      "enterAttributes leaveAttributes" },
     { "opacity by gradients", [](const Key& k, MarchShader) { return k.GradientOpacity; },
       "gradientOpacityBuffer gradientOpacitySize gradientOpacityScale fetchGradientOpacity "
       "gradientOpacity" },
     { "density of shades",
-      [](const Key& k, MarchShader s) { return gathers(s) && k.GradientOpacity; }, "density" },
+      [](const Key& k, MarchShader s) { return gathers(s) && k.GradientOpacity; },
+      "density densityWithin" },
     { "gradients shown", [](const Key& k, MarchShader) { return k.ShowGradients; },
       "gradientColor" },
     // Light.
-    { "light", [](const Key& k, MarchShader) { return isLit(k); },
+    { "light", [](const Key& k, MarchShader) { return k.isLit(); },
       "Light Illumination lit direct diffuse specular noLight addLight dimLight mixLight "
-      "noIllumination mixIllumination reflection" },
-    { "light of pieces", [](const Key& k, MarchShader) { return isLit(k) && k.isComposite(); },
+      "noIllumination mixIllumination illuminationWithin reflection" },
+    { "light of pieces", [](const Key& k, MarchShader) { return k.isLit() && k.isComposite(); },
       "litEmission" },
     { "error of light",
       [](const Key& k, MarchShader)
-      { return isLit(k) && (k.hasErrorBound() || (k.Diagnostics && k.isComposite())); },
+      { return k.isLit() && (k.hasErrorBound() || (k.Diagnostics && k.isComposite())); },
       "greatest" },
-    { "brightness", [](const Key& k, MarchShader) { return isLit(k) && k.hasErrorBound(); },
+    { "brightness", [](const Key& k, MarchShader) { return k.isLit() && k.hasErrorBound(); },
       "brightness bright" },
     { "change of light",
-      [](const Key& k, MarchShader) { return isLit(k) && k.Diagnostics && k.isComposite(); },
+      [](const Key& k, MarchShader) { return k.isLit() && k.Diagnostics && k.isComposite(); },
       "lightError changeOf lightErrorOf" },
     { "error of light between vertices",
-      [](const Key& k, MarchShader) { return isLit(k) && k.Diagnostics && k.hasVertexLight(); },
-      "unsure unsureLight" },
+      [](const Key& k, MarchShader) { return k.isLit() && k.Diagnostics && k.hasVertexLight(); },
+      "interpolationError lightInterpolationError" },
     { "shading", [](const Key& k, MarchShader) { return k.Shading; },
       "twoSided ambientColor specularPower lightDiffuse lightSpecular fetchLightDiffuse "
-      "fetchLightSpecular toEye lightTowards LIGHT_COUNT diffuseOf specularOf illuminate" },
+      "fetchLightSpecular toEye directionOfLight LIGHT_COUNT diffuseOf specularOf illuminate" },
     { "lights elsewhere", [](const Key& k, MarchShader) { return k.Shading && !k.HeadlightOnly; },
       "lightPlace fetchLightPlace" },
     { "several lights",
@@ -223,14 +229,15 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "fetchLightAttenuation "
       "fetchLightCone spot" },
     { "scattering", [](const Key& k, MarchShader) { return k.Scattering; },
-      "scatteringBlending gradientUnit scatteredShare scattered" },
+      "scatteringBlending gradientUnit scatteredFraction scattered" },
     { "shadows", [](const Key& k, MarchShader) { return k.hasShadows(); },
       "shadowStrength shadowChannel fetchShadowStrength fetchShadowChannel addShadowed" },
     { "shadows of headlights", [](const Key& k, MarchShader) { return k.HeadlightShadows; },
       "head" },
     { "sampled shadows", [](const Key& k, MarchShader) { return k.SampledShadows; },
-      "jitterTexture jitter keepPending addPending paused nextSample sampleLight "
-      "marchAndSample castSampledRay seenShare seenDepth SAMPLED_SHARE FIRST_SAMPLE" },
+      "jitterTexture jitter keepPending addPending SamplePause noPause pause due nextSample "
+      "sampleLight marchAndSample castSampledRay seenFraction seenDepth SAMPLE_SPACING "
+      "FIRST_SAMPLE" },
     { "light past the volume or opaque geometry",
       [](const Key& k, MarchShader s)
       { return isPicture(s) && k.CastShadows && (!k.SampledShadows || k.OpaqueShadows); },
@@ -239,18 +246,19 @@ const std::vector<ShaderFeature>& shaderFeatures()
       [](const Key& k, MarchShader s) { return isLight(s) && k.OpaqueShadows; },
       "opaqueShadowBuffer fetchOpaqueShadows isShadowed" },
     { "light kept at vertices", [](const Key& k, MarchShader) { return k.hasVertexLight(); },
-      "vertexLightTexture fetchVertexLight lightA lightB lightC" },
+      "vertexLightTexture fetchVertexLight" },
     { "where light of vertices is kept",
       [](const Key& k, MarchShader s) { return isLight(s) || k.hasVertexLight(); },
       "texelOfVertex vertexOfTexel" },
     { "rays to lights", followsLight,
-      "shadowSourceCount shadowSource lightReach fetchShadowSource thicknessPerDepthAlong "
+      "shadowSourceCount shadowSource lightReach fetchShadowSource "
       "INSIDE_FACE "
-      "transmittanceTowards" },
+      "transmittanceTo" },
     { "march of extinction", followsLight,
-      "Tet seenAt entersTet ExtinctionMarch marchExtinctionToExit marchExtinction transmittanceOn "
+      "Tet projectedVertex entersTet ExtinctionMarch marchExtinctionToExit marchExtinction "
+      "transmittanceOn "
       "darkDepth "
-      "countedExtinction" },
+      "cellExtinction" },
     { "extinction of what is not finite",
       [](const Key& k, MarchShader s) { return followsLight(k, s) && k.NanShown; }, "isFinite" },
     { "extinction along a segment",

@@ -12,13 +12,19 @@
 namespace
 {
 using namespace tetmarch::testing;
+using tetmarch::BlendGroup;
+using tetmarch::ComponentGroup;
 using tetmarch::VariantKey;
 
-constexpr int Count = VariantKey::NumberOfBits;
+constexpr int Count = VariantKey::NumberOfFeatures;
 
-// Whether each bit of the key changes something; in the words of the members, one by one.
+// Whether each feature of the key changes something; in the words of the members, one by one.
 bool isSensible(const VariantKey& k)
 {
+  const bool composite = k.Blend == BlendGroup::Composite;
+  const bool ofScalars = k.Blend == BlendGroup::Extreme || k.Blend == BlendGroup::Sum;
+  const bool several = k.Components != ComponentGroup::Single;
+  const bool independent = k.Components == ComponentGroup::Independent;
   const bool ofLight = k.HeadlightOnly || k.SingleLight || k.WorldLights || k.Scattering ||
                        k.CastShadows || k.SampledShadows || k.SeveralShadows || k.OpaqueShadows ||
                        k.HeadlightShadows || k.Occlusion;
@@ -29,18 +35,15 @@ bool isSensible(const VariantKey& k)
          // What is cropped may be clipped, too.
          (k.Clipped || !k.Cropped) &&
          // Of surfaces alone light and gradients are seen, of scalars alone nothing but they.
-         k.Extreme + k.Sum + k.Isosurfaces <= 1 &&
-         !(!k.isComposite() && (k.Adaptive || k.TransparentRanges || k.ConstantColor ||
-                                 k.NanShown || k.GradientOpacity || k.Scattering || k.CastShadows ||
-                                 k.HeadlightShadows || k.Occlusion)) &&
-         !((k.Extreme || k.Sum) && (k.Shading || k.ShowIllumination || k.ShowGradients)) &&
+         !(!composite && (k.Adaptive || k.TransparentRanges || k.ConstantColor || k.NanShown ||
+                           k.GradientOpacity || k.Scattering || k.CastShadows ||
+                           k.HeadlightShadows || k.Occlusion)) &&
+         !(ofScalars && (k.Shading || k.ShowIllumination || k.ShowGradients)) &&
          // Several scalars are mixed in one way, where there is a volume of several colours;
          // independent ones in no light, and cells that one of them doesn't show another may.
-         k.Independent + k.ColorAndOpacity + k.DirectColor <= 1 &&
-         !((k.Independent || k.ColorAndOpacity || k.DirectColor) &&
-           (!k.isComposite() || k.ConstantColor)) &&
-         !(k.Independent && (k.TransparentRanges || k.GradientOpacity || k.Shading ||
-                              k.ShowIllumination || k.ShowGradients)) &&
+         !(several && (!composite || k.ConstantColor)) &&
+         !(independent && (k.TransparentRanges || k.GradientOpacity || k.Shading ||
+                            k.ShowIllumination || k.ShowGradients)) &&
          // What is constant is integrated exactly, and has no gradient in a cell.
          !(!k.PointScalars && (k.Adaptive || k.CellGradients)) &&
          !(k.ConstantColor && k.Adaptive) &&
@@ -68,26 +71,52 @@ TEST(VariantKey, KeysAreEqualIfAllBitsAre)
   for (int i = 0; i < 2000; ++i)
   {
     const VariantKey key = randomKey(random);
-    const std::uint64_t a = numberOf(key);
-    EXPECT_TRUE(key == keyOf(a));
-    for (int bit = 0; bit < Count; ++bit)
+    EXPECT_TRUE(key == keyOf(key.bits()));
+    for (const VariantKey::Feature& feature : VariantKey::features())
     {
-      const VariantKey other = keyOf(a ^ std::uint64_t(1) << bit);
+      VariantKey other = key;
+      feature.set(other, !feature.isOn(key));
+      EXPECT_EQ(feature.isOn(other), !feature.isOn(key));
       EXPECT_FALSE(key == other);
       EXPECT_NE(key.defines(), other.defines());
     }
   }
 }
 
-TEST(VariantKey, MembersAreBits)
+TEST(VariantKey, MembersAreFeatures)
 {
   std::set<std::string> names;
-  for (const VariantKey::Bit& bit : VariantKey::bits())
+  std::uint64_t bits = 0;
+  std::size_t members = 2; // the groups
+  for (const VariantKey::Feature& feature : VariantKey::features())
   {
-    EXPECT_TRUE(names.insert(bit.Name).second) << bit.Name;
+    EXPECT_TRUE(names.insert(feature.Name).second) << feature.Name;
+    EXPECT_EQ(bits & feature.Bit, 0u) << feature.Name;
+    bits |= feature.Bit;
+    members += feature.Value.index() == 0 ? 1 : 0;
   }
-  // A member without a row would be lost between a key and its number.
-  EXPECT_EQ(sizeof(VariantKey), static_cast<std::size_t>(Count));
+  // A member without a row would be lost between a key and its bits.
+  EXPECT_EQ(sizeof(VariantKey), members);
+}
+
+// A group has one value at a time.
+TEST(VariantKey, GroupsHaveOneValue)
+{
+  for (const VariantKey::Feature& feature : VariantKey::features())
+  {
+    for (const VariantKey::Feature& other : VariantKey::features())
+    {
+      VariantKey key;
+      other.set(key, true);
+      feature.set(key, true);
+      EXPECT_TRUE(feature.isOn(key)) << feature.Name;
+      const bool replaced = &feature != &other && feature.Value.index() > 0 &&
+                            feature.Value.index() == other.Value.index();
+      EXPECT_EQ(other.isOn(key), !replaced) << feature.Name << " after " << other.Name;
+      feature.set(key, false);
+      EXPECT_FALSE(feature.isOn(key)) << feature.Name;
+    }
+  }
 }
 
 TEST(VariantKey, FilterDropsWhatChangesNothing)
@@ -102,17 +131,19 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
     ASSERT_EQ(got == asked, isSensible(asked)) << namesOf(asked);
     for (int i = 0; i < Count; ++i)
     {
-      const VariantKey::Bit& bit = VariantKey::bits()[i];
-      if (got.*bit.Member && !(asked.*bit.Member))
+      const VariantKey::Feature& feature = VariantKey::features()[i];
+      const std::string name = feature.Name;
+      if (feature.isOn(got) && !feature.isOn(asked))
       {
-        const bool searched = bit.Member == &VariantKey::Hierarchy && !asked.RasterEntry;
-        const bool cut = bit.Member == &VariantKey::Clipped && asked.Cropped;
-        ASSERT_TRUE(searched || cut) << namesOf(asked) << ": " << bit.Name;
+        const bool searched = name == "BVH" && !asked.RasterEntry;
+        const bool cut = name == "CLIPPED" && asked.Cropped;
+        ASSERT_TRUE(searched || cut) << namesOf(asked) << ": " << name;
       }
-      if (asked.*bit.Member && !(got.*bit.Member))
+      if (feature.isOn(asked) && !feature.isOn(got))
       {
-        ASSERT_FALSE(isSensible(keyOf(numberOf(got) | std::uint64_t(1) << i)))
-          << namesOf(asked) << " has lost " << bit.Name;
+        VariantKey more = got;
+        feature.set(more, true);
+        ASSERT_FALSE(isSensible(more)) << namesOf(asked) << " has lost " << name;
       }
     }
   }
@@ -168,12 +199,15 @@ TEST(VariantKey, PicksKnowNoLight)
     ASSERT_EQ(pick.PointScalars, picture.PointScalars);
     ASSERT_EQ(pick.GradientOpacity, picture.GradientOpacity);
     ASSERT_EQ(pick.CellGradients, picture.CellGradients && picture.GradientOpacity);
-    ASSERT_EQ(pick.Independent, picture.Independent);
+    const bool independent = picture.Components == ComponentGroup::Independent;
+    ASSERT_EQ(pick.Components, independent ? ComponentGroup::Independent : ComponentGroup::Single);
+    ASSERT_EQ(pick.Blend, picture.Blend);
     pick.PointScalars = true;
-    pick.GradientOpacity = pick.CellGradients = pick.Independent = false;
-    for (bool VariantKey::*same :
-      { &VariantKey::Clipped, &VariantKey::Cropped, &VariantKey::HiddenCells, &VariantKey::NanShown,
-        &VariantKey::Extreme, &VariantKey::Sum, &VariantKey::Isosurfaces })
+    pick.GradientOpacity = pick.CellGradients = false;
+    pick.Components = ComponentGroup::Single;
+    pick.Blend = BlendGroup::Composite;
+    for (bool VariantKey::*same : { &VariantKey::Clipped, &VariantKey::Cropped,
+           &VariantKey::HiddenCells, &VariantKey::NanShown })
     {
       ASSERT_EQ(pick.*same, picture.*same) << namesOf(picture);
       pick.*same = false;

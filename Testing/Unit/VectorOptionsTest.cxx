@@ -74,12 +74,14 @@ TEST_F(VectorOptionCases, TheColourFunctionsOtherwise)
   EXPECT_EQ(this->chosen(VectorMode::Disabled, 1), Magnitude);
 }
 
-TEST_F(VectorOptionCases, TheFirstOfDependentComponents)
+TEST_F(VectorOptionCases, DependentComponentsUnlessAsked)
 {
   this->Colors->SetVectorModeToMagnitude();
   this->Property->IndependentComponentsOff();
-  EXPECT_EQ(this->chosen(), 0);
+  EXPECT_EQ(this->chosen(), Missing); // three of them
+  this->expectInError({ "\"velocity\"", "3 components", "dependent" });
   EXPECT_EQ(this->chosen(VectorMode::Magnitude), Magnitude);
+  EXPECT_EQ(this->chosen(VectorMode::Component, 1), 1);
 }
 
 TEST_F(VectorOptionCases, AGrayFunctionHasNone)

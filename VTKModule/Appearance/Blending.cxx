@@ -86,9 +86,10 @@ std::string addIsoSurfaces(vtkVolumeProperty* property, const ScalarRange& range
 
 void Blending::setBits(VariantKey& key) const
 {
-  key.Extreme = this->Mode == BlendMode::Maximum || this->Mode == BlendMode::Minimum;
-  key.Sum = this->isSum();
-  key.Isosurfaces = this->isIsoSurface();
+  key.Blend = this->isComposite()    ? BlendGroup::Composite
+              : this->isSum()        ? BlendGroup::Sum
+              : this->isIsoSurface() ? BlendGroup::Isosurfaces
+                                     : BlendGroup::Extreme;
 }
 
 std::string makeBlending(const BlendOptions& options, vtkVolumeProperty* property,

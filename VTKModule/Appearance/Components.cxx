@@ -77,12 +77,7 @@ IntegralTable colorTable(
 
 } // namespace
 
-void Components::setBits(VariantKey& key) const
-{
-  key.Independent = this->isIndependent();
-  key.ColorAndOpacity = this->Mix == ComponentMix::ColorAndOpacity;
-  key.DirectColor = this->Mix == ComponentMix::DirectColor;
-}
+void Components::setBits(VariantKey& key) const { key.Components = this->Mix; }
 
 std::vector<TablePlace> Components::places(
   const IntegralTable& first, const ScalarRange& range) const

@@ -12,16 +12,16 @@ namespace tetmarch
 
 void bindBlending(vtkShaderProgram* program, const Blending& blending, const VariantKey& key)
 {
-  if (key.Extreme)
+  if (key.Blend == BlendGroup::Extreme)
   {
     program->SetUniformf("extremeSign", blending.extremeSign());
   }
-  if (key.Sum)
+  if (key.Blend == BlendGroup::Sum)
   {
     program->SetUniformi("averages", blending.Mode == BlendMode::Average ? 1 : 0);
     program->SetUniform2f("averageRange", blending.AverageRange.data());
   }
-  if (key.Isosurfaces)
+  if (key.Blend == BlendGroup::Isosurfaces)
   {
     const int count = static_cast<int>(blending.IsoValues.size());
     program->SetUniformi("isoSurfaceCount", count);

@@ -108,6 +108,18 @@ void EffectTextures::bind(vtkShaderProgram* program, const EffectData& data, con
   }
 }
 
+void EffectTextures::bindVertexRays(
+  vtkShaderProgram* program, const EffectData& data, const VariantKey& key)
+{
+  program->SetUniformi("occlusionDirectionCount", data.Lights.OcclusionDirections);
+  program->SetUniformf("occlusionRadius", static_cast<float>(data.Lights.OcclusionRadius));
+  this->Starts.bind(program, "vertexStartBuffer");
+  if (key.OpaqueShadows)
+  {
+    this->OpaqueShadows.bind(program, "opaqueShadowBuffer");
+  }
+}
+
 void EffectTextures::bindJitter(vtkShaderProgram* program)
 {
   this->Jitter->Activate();

@@ -18,18 +18,14 @@ namespace tetmarch
 class EffectTextures
 {
 public:
-  /** Upload what has changed, and free what the key does not need. Returns an empty string, or what
-   * is wrong. */
+  /** Uploads what has changed, and frees what the key does not use. Returns an empty string, or
+   * what is wrong. */
   std::string update(
     vtkOpenGLRenderWindow* window, const EffectStage& stage, const VariantKey& key);
-  /** For every march: gradients and what depends on them. */
+  /** What Shaders/light/gradient_buffers.glsl declares. */
   void bind(vtkShaderProgram* program, const EffectData& data, const VariantKey& key);
-  /** For rays from vertices. */
-  void bindStarts(vtkShaderProgram* program) { this->Starts.bind(program, "vertexStartBuffer"); }
-  void bindOpaqueShadows(vtkShaderProgram* program)
-  {
-    this->OpaqueShadows.bind(program, "opaqueShadowBuffer");
-  }
+  /** What Shaders/light/vertex_ray_buffers.glsl declares. */
+  void bindVertexRays(vtkShaderProgram* program, const EffectData& data, const VariantKey& key);
   /** For samples along rays. */
   void bindJitter(vtkShaderProgram* program);
   void unbind();

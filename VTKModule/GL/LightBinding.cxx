@@ -29,24 +29,6 @@ std::vector<float> gather(
   return values;
 }
 
-void bindSources(vtkShaderProgram* program, const LightUniforms& lights, int count)
-{
-  std::vector<float> sources;
-  for (const std::array<double, 4>& source : lights.ShadowSources)
-  {
-    for (double x : source)
-    {
-      sources.push_back(static_cast<float>(x));
-    }
-  }
-  program->SetUniformi("shadowSourceCount", count);
-  if (count > 0)
-  {
-    program->SetUniform4fv("shadowSource", count, sources.data());
-  }
-  program->SetUniformf("lightReach", static_cast<float>(lights.Reach));
-}
-
 } // namespace
 
 void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const VariantKey& key)
@@ -97,16 +79,23 @@ void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const Va
   }
 }
 
-void bindSampledRays(vtkShaderProgram* program, const LightUniforms& lights)
+void bindLightRays(vtkShaderProgram* program, const LightUniforms& lights, bool toLights)
 {
-  bindSources(program, lights, static_cast<int>(lights.ShadowSources.size()));
-}
-
-void bindVertexRays(vtkShaderProgram* program, const LightUniforms& lights, bool toLights)
-{
-  bindSources(program, lights, toLights ? static_cast<int>(lights.ShadowSources.size()) : 0);
-  program->SetUniformi("occlusionDirectionCount", lights.OcclusionDirections);
-  program->SetUniformf("occlusionRadius", static_cast<float>(lights.OcclusionRadius));
+  std::vector<float> sources;
+  for (const std::array<double, 4>& source : lights.ShadowSources)
+  {
+    for (double x : source)
+    {
+      sources.push_back(static_cast<float>(x));
+    }
+  }
+  const int count = toLights ? static_cast<int>(lights.ShadowSources.size()) : 0;
+  program->SetUniformi("shadowSourceCount", count);
+  if (count > 0)
+  {
+    program->SetUniform4fv("shadowSource", count, sources.data());
+  }
+  program->SetUniformf("lightReach", static_cast<float>(lights.Reach));
 }
 
 } // namespace tetmarch

@@ -12,15 +12,12 @@ namespace tetmarch
 struct LightUniforms;
 struct VariantKey;
 
-/** What Shaders/light/effect_buffers.glsl declares of lights. */
+/** What Shaders/light/light_buffers.glsl declares. */
 void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const VariantKey& key);
 
-/** What Shaders/light/light_buffers.glsl declares of rays along those of the picture. */
-void bindSampledRays(vtkShaderProgram* program, const LightUniforms& lights);
-
-/** What it declares of rays from vertices: to the lights, unless shadows are sampled, and for the
- * occlusion. */
-void bindVertexRays(vtkShaderProgram* program, const LightUniforms& lights, bool toLights);
+/** What Shaders/light/light_ray_buffers.glsl declares; toLights: rays are marched towards the
+ * lights that cast shadows, else towards none. */
+void bindLightRays(vtkShaderProgram* program, const LightUniforms& lights, bool toLights);
 
 } // namespace tetmarch
 

@@ -11,6 +11,7 @@
 #include "GL/PixelRays.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
+#include "GL/ThicknessBinding.h"
 #include "GL/TileCorners.h"
 #include "GL/Uniforms.h"
 #include "Rays/View.h"
@@ -96,7 +97,7 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   }
   if (key.SampledShadows)
   {
-    bindSampledRays(program, inputs.EffectValues->Lights);
+    bindLightRays(program, inputs.EffectValues->Lights, true);
     inputs.Effects->bindJitter(program);
   }
   bindPixelRays(program, inputs, target);
@@ -108,7 +109,7 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   {
     bindClipping(program, *inputs.Cut, key);
   }
-  setUniform(program, "thicknessMatrix", inputs.Camera->ThicknessMatrix);
+  bindThickness(program, *inputs.Camera);
 
   drawCorners(program, this->Draw, target, tile);
 

@@ -9,9 +9,8 @@
 #include "GL/PixelRays.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
+#include "GL/ThicknessBinding.h"
 #include "GL/TileCorners.h"
-#include "GL/Uniforms.h"
-#include "Rays/View.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 
@@ -79,7 +78,7 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
   {
     bindClipping(program, *inputs.Cut, inputs.Key);
   }
-  setUniform(program, "thicknessMatrix", inputs.Camera->ThicknessMatrix);
+  bindThickness(program, *inputs.Camera);
   program->SetUniformf("transmittanceLeft", static_cast<float>(inputs.Level.ErrorTolerance));
   drawCorners(program, this->Draw, { 0, 0, part.Width, part.Height }, tile);
   inputs.Source->unbind();

@@ -108,11 +108,11 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
   const ScalarRange& range, const Components& components, const AccuracyLevel& level,
   const VariantKey& key)
 {
-  if (key.isComposite() || key.Isosurfaces)
+  if (key.accumulatesOpacity())
   {
     program->SetUniformf("errorTolerance", static_cast<float>(level.ErrorTolerance));
   }
-  if (key.Isosurfaces)
+  if (!key.usesTables())
   {
     return;
   }
@@ -125,7 +125,7 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
   {
     program->SetUniformi("tableSize", table.size());
   }
-  if (key.Independent)
+  if (!key.hasOpacityTable())
   {
     bindFactors(program, components);
   }

@@ -7,9 +7,9 @@
 #include "GL/MarchSource.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
+#include "GL/ThicknessBinding.h"
 #include "GL/TileCorners.h"
-#include "GL/Uniforms.h"
-#include "Rays/View.h"
+#include "Light/VertexLightLayout.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 
@@ -23,8 +23,8 @@ namespace
 
 // So few blocks that one draw of them fits into the time that a frame can spare.
 constexpr int BlocksOfPart = 8;
-constexpr std::size_t VerticesOfBlock = VertexLightPass::BlockSide * VertexLightPass::BlockSide;
-constexpr std::size_t BlocksOfRow = VertexLightPass::RowLength / VertexLightPass::BlockSide;
+constexpr std::size_t VerticesOfBlock = VertexLightBlockSide * VertexLightBlockSide;
+constexpr std::size_t BlocksOfRow = VertexLightRow / VertexLightBlockSide;
 
 using Clock = std::chrono::steady_clock;
 
@@ -68,8 +68,9 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   }
   const Clock::time_point begin = Clock::now();
   constexpr std::size_t rowOfBlocks = BlocksOfRow * VerticesOfBlock;
-  const int rows = BlockSide * static_cast<int>((vertices + rowOfBlocks - 1) / rowOfBlocks);
-  Work work{ inputs, { 0, 0, RowLength, rows }, vertices, !inputs.Key.SampledShadows };
+  const int rows =
+    VertexLightBlockSide * static_cast<int>((vertices + rowOfBlocks - 1) / rowOfBlocks);
+  Work work{ inputs, { 0, 0, VertexLightRow, rows }, vertices, !inputs.Key.SampledShadows };
   work.Inputs.Key = inputs.Key.ofVertexLight();
   work.Inputs.Level = LightAccuracy;
   StateScope state(window);
@@ -124,8 +125,8 @@ std::string VertexLightPass::showSomething(
 std::string VertexLightPass::makeAll(
   vtkOpenGLRenderWindow* window, const Work& work, const Progress& progress, bool& stopped)
 {
-  const int first = BlockSide * static_cast<int>(this->Made / VerticesOfBlock /
-                                                 BlocksOfRow); // the first row to make
+  const int first = VertexLightBlockSide * static_cast<int>(this->Made / VerticesOfBlock /
+                                                            BlocksOfRow); // the first row to make
   const Viewport rest{ 0, first, work.All.Width, work.All.Height - first };
   const std::string error = drawInTiles(window, rest, work.Inputs.MostSecondsPerDraw, this->Tiles,
     progress, stopped, [&](const Viewport& tile) { return this->drawTile(window, work, tile); });
@@ -142,9 +143,10 @@ std::string VertexLightPass::makePart(vtkOpenGLRenderWindow* window, const Work&
   do
   {
     const std::size_t block = this->Made / VerticesOfBlock;
-    const int x = BlockSide * static_cast<int>(block % BlocksOfRow);
-    const int y = BlockSide * static_cast<int>(block / BlocksOfRow);
-    error = this->drawTile(window, work, { x, y, BlockSide * BlocksOfPart, BlockSide });
+    const int x = VertexLightBlockSide * static_cast<int>(block % BlocksOfRow);
+    const int y = VertexLightBlockSide * static_cast<int>(block / BlocksOfRow);
+    error = this->drawTile(
+      window, work, { x, y, VertexLightBlockSide * BlocksOfPart, VertexLightBlockSide });
     glFinish();
     this->Made += error.empty() ? BlocksOfPart * VerticesOfBlock : 0;
   } while (error.empty() && this->Made < work.Vertices &&
@@ -167,13 +169,9 @@ std::string VertexLightPass::drawTile(
   inputs.Tables->bind(
     program, *inputs.Table, inputs.Range, *inputs.Parts, inputs.Level, inputs.Key);
   inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
-  inputs.Effects->bindStarts(program);
-  if (inputs.Key.OpaqueShadows)
-  {
-    inputs.Effects->bindOpaqueShadows(program);
-  }
-  bindVertexRays(program, inputs.EffectValues->Lights, work.ToLights);
-  setUniform(program, "thicknessMatrix", inputs.Camera->ThicknessMatrix);
+  inputs.Effects->bindVertexRays(program, *inputs.EffectValues, inputs.Key);
+  bindLightRays(program, inputs.EffectValues->Lights, work.ToLights);
+  bindThickness(program, *inputs.Camera);
   program->SetUniformi("vertexCount", static_cast<int>(work.Vertices));
   drawCorners(program, this->Draw, work.All, tile);
   inputs.Source->unbind();

@@ -18,11 +18,6 @@ namespace tetmarch
 class VertexLightPass
 {
 public:
-  /** VERTEX_LIGHT_ROW of Shaders/language.glsl: the texels of a row. */
-  static constexpr int RowLength = 4096;
-  /** Successive vertices fill square blocks of texels (Shaders/light/vertex_light_layout.glsl). */
-  static constexpr int BlockSide = 8;
-
   /**
    * Make the light of so many vertices, unless this version of it is there. The first word of a
    * version is that of the geometry. Returns an empty string, or what is wrong; `stopped` becomes

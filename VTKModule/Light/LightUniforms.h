@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lights in the terms of the march: what Shaders/light/effect_buffers.glsl and
-// light/light_buffers.glsl have as uniforms.
+// Lights in the terms of the march: what Shaders/light/light_buffers.glsl, light_ray_buffers.glsl
+// and vertex_ray_buffers.glsl have as uniforms.
 #ifndef TetMarchLightLightUniforms_h
 #define TetMarchLightLightUniforms_h
 

@@ -1,31 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Reference/BlendImage.h"
-
 #include "Reference/BlendKernel.h"
+#include "Reference/ImageGroups.h"
 #include "Reference/ImageMaker.h"
 
 namespace tetmarch
 {
+
 namespace
 {
-
-template <typename Kernel, typename Real>
-ReferenceImage make(const ReferenceScene& scene, const AccuracyLevel& level)
-{
-  ImageMaker<Kernel, Real> maker(scene, level);
-  maker.kernel().useBlending(*scene.Blend);
-  return maker.make();
-}
-
-template <typename Kernel, typename Real>
-ReferenceImage makeLit(const ReferenceScene& scene, const AccuracyLevel& level)
-{
-  ImageMaker<Kernel, Real> maker(scene, level);
-  maker.kernel().useBlending(*scene.Blend);
-  maker.kernel().useEffects(*scene.Effects);
-  return maker.make();
-}
 
 template <typename Real>
 ReferenceImage renderIsosurfaces(const ReferenceScene& scene, const AccuracyLevel& level)
@@ -33,16 +16,12 @@ ReferenceImage renderIsosurfaces(const ReferenceScene& scene, const AccuracyLeve
   const bool lit = scene.Effects && !scene.Effects->Lights.Sources.empty();
   if (scene.CellScalars)
   {
-    return lit ? makeLit<LitIsosurfaceCellKernel<Real>, Real>(scene, level)
-               : make<IsosurfaceCellKernel<Real>, Real>(scene, level);
+    return lit ? makeImage<LitIsosurfaceCellKernel, Real>(scene, level)
+               : makeImage<IsosurfaceCellKernel, Real>(scene, level);
   }
-  if (!lit)
-  {
-    return make<IsosurfacePointKernel<Real>, Real>(scene, level);
-  }
-  return scene.Effects->CellGradients
-           ? makeLit<LitIsosurfaceGradientKernel<Real>, Real>(scene, level)
-           : makeLit<LitIsosurfacePointKernel<Real>, Real>(scene, level);
+  return !lit                           ? makeImage<IsosurfacePointKernel, Real>(scene, level)
+         : scene.Effects->CellGradients ? makeImage<LitIsosurfaceGradientKernel, Real>(scene, level)
+                                        : makeImage<LitIsosurfacePointKernel, Real>(scene, level);
 }
 
 } // namespace
@@ -56,11 +35,11 @@ ReferenceImage renderBlended(const ReferenceScene& scene, const AccuracyLevel& l
   }
   if (scene.Blend->isSum())
   {
-    return scene.CellScalars ? make<SumCellKernel<Real>, Real>(scene, level)
-                             : make<SumPointKernel<Real>, Real>(scene, level);
+    return scene.CellScalars ? makeImage<SumCellKernel, Real>(scene, level)
+                             : makeImage<SumPointKernel, Real>(scene, level);
   }
-  return scene.CellScalars ? make<ExtremeCellKernel<Real>, Real>(scene, level)
-                           : make<ExtremePointKernel<Real>, Real>(scene, level);
+  return scene.CellScalars ? makeImage<ExtremeCellKernel, Real>(scene, level)
+                           : makeImage<ExtremePointKernel, Real>(scene, level);
 }
 
 template ReferenceImage renderBlended<float>(const ReferenceScene&, const AccuracyLevel&);

@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Casts the rays of a whole image, in parallel.
+// Casts the rays of a whole image, in parallel, by one kernel.
 #ifndef TetMarchReferenceImageMaker_h
 #define TetMarchReferenceImageMaker_h
 
-#include "Reference/Kernel.h"
 #include "Reference/MakeKernel.h"
 #include "Reference/ReferenceImage.h"
 #include "Reference/ThicknessPerDepth.h"
+#include "Reference/VolumeLight.h"
 
 #include "vtkSMPTools.h"
 
+#include <memory>
 #include <mutex>
+#include <vector>
 
 namespace tetmarch
 {
@@ -22,22 +24,27 @@ glsl::Vec3<Real> toVec(const std::array<double, 3>& v)
   return { Real(v[0]), Real(v[1]), Real(v[2]) };
 }
 
-template <typename Kernel, typename Real>
+template <template <typename> class KernelOf, typename Real>
 class ImageMaker
 {
+  using Kernel = KernelOf<Real>;
+
 public:
   ImageMaker(const ReferenceScene& scene, const AccuracyLevel& level)
     : Scene(scene)
     , March(makeKernel<Kernel, Real>(*scene.Mesh, *scene.Table, scene.Range, level))
   {
-    this->March.useClipping(scene.Cut);
-    useScalars(scene, this->March);
+    this->March.useScene(scene);
+    // An adaptive kernel serves for a level that is not adaptive, if it tries no segment again.
+    this->March.mostTrials = level.Adaptive ? level.MostTrials : 0;
+    if constexpr (Kernel::HasVolumeLight)
+    {
+      this->useVolumeLight();
+    }
     const std::size_t pixels = std::size_t(scene.Width) * scene.Height;
     this->Image.Pixels.assign(4 * pixels, 0.0f);
     this->Image.ErrorBounds.assign(pixels, 0.0f);
   }
-
-  Kernel& kernel() { return this->March; }
 
   ReferenceImage make()
   {
@@ -70,6 +77,24 @@ private:
     this->castPixel(this->March, trace.X, trace.Y, this->Image.Counters);
   }
 
+  void useVolumeLight()
+  {
+    if (!this->Scene.Effects->Lights.hasVolumeLight())
+    {
+      return;
+    }
+    if (this->Scene.ExactLight)
+    {
+      this->Exact = exactLight<Real>(this->Scene);
+      this->March.Incoming = this->Exact.get();
+    }
+    else
+    {
+      this->AtVertices = lightAtVertices<Real>(this->Scene);
+      this->March.VertexLight = this->AtVertices.data();
+    }
+  }
+
   void castPixel(Kernel& kernel, int column, int row, MarchCounters& counters)
   {
     const View& view = this->Scene.Camera;
@@ -81,23 +106,23 @@ private:
     const auto farthest = toVec<double>(view.unproject(x, y, 2 * depth - 1));
     const glsl::Vec3<double> eye{ view.Eye[0], view.Eye[1], view.Eye[2] };
     const auto away = glsl::normalize(nearest * view.Eye[3] - eye);
-    // Of the points of the line the one nearest the centre rounds best.
+    // The point of the ray nearest the centre has the least rounding error.
     const auto near0 = nearest - away * glsl::dot(nearest, away);
     const auto ray = kernel.rayThrough({ Real(near0.x), Real(near0.y), Real(near0.z) },
       { Real(away.x), Real(away.y), Real(away.z) });
     const auto seen =
       kernel.clippedRange(ray, { Real(glsl::dot(nearest, away)), Real(glsl::dot(farthest, away)) });
-    const Real length = thicknessPerDepth<Real>(view, ray.direction);
-    kernel.beginTrace(nearest, away, seen, length);
+    const Real thickness = thicknessPerDepth<Real>(view, ray.direction);
+    kernel.beginTrace(nearest, away, seen, thickness);
     if (!(seen.x < seen.y))
     {
       return;
     }
-    const auto march = kernel.castPlainRay(ray, -1, length, seen.x, seen.y);
+    const auto march = kernel.castPlainRay(ray, -1, thickness, seen.x, seen.y);
     kernel.endTrace(march);
 
     float* rgba = &this->Image.Pixels[4 * pixel];
-    const auto color = kernel.pixelOf(march.radiance, length);
+    const auto color = kernel.pixelOf(march.radiance, thickness);
     rgba[0] = float(color.x);
     rgba[1] = float(color.y);
     rgba[2] = float(color.z);
@@ -115,9 +140,17 @@ private:
 
   const ReferenceScene& Scene;
   Kernel March;
+  std::unique_ptr<IncomingLight<Real>> Exact;
+  std::vector<Real> AtVertices; // the light there
   ReferenceImage Image;
   std::mutex Mutex;
 };
+
+template <template <typename> class KernelOf, typename Real>
+ReferenceImage makeImage(const ReferenceScene& scene, const AccuracyLevel& level)
+{
+  return ImageMaker<KernelOf, Real>(scene, level).make();
+}
 
 } // namespace tetmarch
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The march of the shaders, compiled for the CPU: in float it is the arithmetic of the GPU, in
-// double the yardstick. Both are made of the very files that the GPU compiles.
+// double the ground truth is made of it. Both are made of the very files that the GPU compiles.
+// These kernels march a volume of one scalar without effects.
 #ifndef TetMarchReferenceKernel_h
 #define TetMarchReferenceKernel_h
 
@@ -11,6 +12,7 @@
 #include "Optics/IntegralTable.h"
 #include "Rays/Clipping.h"
 #include "Reference/GlslLanguage.h"
+#include "Reference/KernelFeatures.h"
 #include "Reference/RayTrace.h"
 
 #include <cmath>
@@ -36,71 +38,44 @@ struct NumberRange<double>
   static double projectionFlush() { return 1e-120; }
 };
 
+/** Words of the shaders: behind every depth, and a number that keeps divisors from 0. */
+constexpr double NoDepth = 3e38;
+constexpr double Tiny = 1e-30;
+
 using namespace glsl;
 
-#define TETMARCH_HAS_FMA 1
-#define TETMARCH_BVH 1
-#define TETMARCH_DIAGNOSTICS 1
-#define TETMARCH_COMPOSITE 1
-#define TETMARCH_TRANSPARENT_RANGES 1
-#define TETMARCH_CLIPPED 1
-#define TETMARCH_CROPPED 1
-#define TETMARCH_NAN_SHOWN 1
-#define TETMARCH_HIDDEN_CELLS 1
-#define TETMARCH_PASSES_CELLS 1
-
-#define TETMARCH_POINT_SCALARS 1
-#define TETMARCH_ERROR_BOUND 1
-#define TETMARCH_ADAPTIVE 1
+#define TETMARCH_VARIANT                                                                           \
+  (TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE)
 template <typename Real>
 struct PointKernel
 {
 #include "KernelBody.h"
 };
 
-#undef TETMARCH_HAS_FMA
-#define TETMARCH_HAS_FMA 0
+#define TETMARCH_VARIANT                                                                           \
+  ((TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE) &        \
+    ~TETMARCH_WITH_HAS_FMA)
 /** With the predicate for GLSL 1.50 without fused multiply-add; meant for float. */
 template <typename Real>
 struct PortablePointKernel
 {
 #include "KernelBody.h"
 };
-#undef TETMARCH_HAS_FMA
-#define TETMARCH_HAS_FMA 1
 
-#undef TETMARCH_ADAPTIVE
-#define TETMARCH_ADAPTIVE 0
-/** Takes segments as they are. */
+#define TETMARCH_VARIANT (TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_POINT_SCALARS)
+/** Does not split segments. */
 template <typename Real>
 struct FastPointKernel
 {
 #include "KernelBody.h"
 };
 
-#undef TETMARCH_POINT_SCALARS
-#undef TETMARCH_ERROR_BOUND
-#define TETMARCH_POINT_SCALARS 0
-#define TETMARCH_ERROR_BOUND 0
+#define TETMARCH_VARIANT (TETMARCH_ONE_OPACITY_FEATURES)
 template <typename Real>
 struct CellKernel
 {
 #include "KernelBody.h"
 };
-#undef TETMARCH_POINT_SCALARS
-#undef TETMARCH_ERROR_BOUND
-#undef TETMARCH_ADAPTIVE
-
-#undef TETMARCH_HAS_FMA
-#undef TETMARCH_BVH
-#undef TETMARCH_DIAGNOSTICS
-#undef TETMARCH_COMPOSITE
-#undef TETMARCH_TRANSPARENT_RANGES
-#undef TETMARCH_CLIPPED
-#undef TETMARCH_CROPPED
-#undef TETMARCH_NAN_SHOWN
-#undef TETMARCH_HIDDEN_CELLS
-#undef TETMARCH_PASSES_CELLS
 
 } // namespace tetmarch
 

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Included in a class template over Real: the shared files of Shaders/ as member functions, and
-// what the GPU has as uniforms and texture buffers as data members. No include guard: each variant
-// includes it anew.
+// what the GPU has as uniforms and texture buffers as data members. TETMARCH_VARIANT says which
+// features the kernel has; it is undefined behind it. No include guard: each kernel includes it
+// anew.
 
-// What one variant has a use for, another has none.
+// Some variants do not use all parameters.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
@@ -19,7 +20,7 @@ using uvec4 = glsl::Vec4<uint>;
 const TetMesh* Mesh = nullptr;
 const float* CellScalars = nullptr;
 const IntegralTable* Table = nullptr;
-const uint* HiddenCells = nullptr; // a bit a tetrahedron; nullptr: none is hidden
+const uint* HiddenCells = nullptr; // a bit a tetrahedron; nullptr: no cell is hidden
 
 uint tetCount = 0;
 int bvhNodeCount = 0;
@@ -34,27 +35,6 @@ vec4 tableIntegralUnit{ 0, 0, 0, 0 };
 vec4 nanColor{ 0, 0, 0, 0 }; // not shown
 int mostTrials = 0;
 Real errorTolerance = 0;
-const Blending* Blend = nullptr; // unless composite
-Real extremeSign = 1;
-bool averages = false;
-vec2 averageRange{ 0, 0 };
-int isoSurfaceCount = 0;
-
-void useBlending(const Blending& blending)
-{
-  Blend = &blending;
-  extremeSign = Real(blending.extremeSign());
-  averages = blending.Mode == BlendMode::Average;
-  averageRange = { Real(blending.AverageRange[0]), Real(blending.AverageRange[1]) };
-  isoSurfaceCount = static_cast<int>(blending.IsoValues.size());
-}
-Real fetchIsoValue(int surface) const { return Real(Blend->IsoValues[surface]); }
-vec4 fetchIsoColor(int surface) const
-{
-  const auto& c = Blend->IsoColors[surface];
-  return vec4(Real(c[0]), Real(c[1]), Real(c[2]), Real(c[3]));
-}
-
 vec4 fetchVertex(uint i) const
 {
   const Vertex& v = Mesh->Vertices[i];
@@ -94,6 +74,10 @@ Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 Real fetchCellScalar(uint tet) const { return Real(CellScalars[tet]); }
 uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] : 0u; }
 
+#if !TETMARCH_COMPOSITE
+#include "Reference/KernelBlending.h"
+#endif
+
 #if TETMARCH_CLIPPED
 #include "Reference/KernelClipping.h"
 #endif
@@ -106,8 +90,39 @@ uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] 
 #include "Reference/KernelLightRays.h"
 #endif
 
-// A march that counts can be recorded.
-#define TETMARCH_TRACED TETMARCH_DIAGNOSTICS
+/** What a ReferenceScene has for this kernel. */
+template <typename Scene>
+void useScene(const Scene& scene)
+{
+  CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
+  HiddenCells = scene.Hidden && !scene.Hidden->empty() ? scene.Hidden->data() : nullptr;
+  if (scene.NanShown)
+  {
+    const auto& color = scene.Table->NanColor;
+    nanColor = { Real(color[0]), Real(color[1]), Real(color[2]), Real(color[3]) };
+  }
+#if !TETMARCH_COMPOSITE
+  useBlending(*scene.Blend);
+#endif
+#if TETMARCH_COMPONENTS
+  useComponents(*scene.Parts, *scene.Further, scene.Range);
+#endif
+#if TETMARCH_CLIPPED
+  useClipping(scene.Cut);
+#endif
+#if TETMARCH_EFFECTS
+  useEffects(*scene.Effects);
+#endif
+#if TETMARCH_LIGHT_RAYS
+  useLightRays(scene.Effects->Lights, scene.Camera);
+#endif
+}
+
+#if TETMARCH_EXACT_LIGHT
+static constexpr bool HasVolumeLight = true;
+#else
+static constexpr bool HasVolumeLight = false;
+#endif
 
 #define real Real
 #define OUT(T) T&
@@ -116,11 +131,12 @@ uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] 
 #define precise
 #define PROJECTION_SCALE NumberRange<Real>::projectionScale()
 #define PROJECTION_FLUSH NumberRange<Real>::projectionFlush()
-#define NO_DEPTH Real(3e38)
-#define TINY Real(1e-30)
+#define NO_DEPTH Real(NoDepth)
+#define TINY Real(Tiny)
 #define UNDRAWN_SCALAR Real(UndrawnScalar)
 #define LINK_OUTSIDE LinkOutside
 #define BVH_STACK MostHierarchyDepth
+#define MOST_SHADOW_SOURCES LightUniforms::MostShadowSources
 
 #include "march/march_files.glsl"
 
@@ -156,6 +172,8 @@ uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] 
 #undef UNDRAWN_SCALAR
 #undef LINK_OUTSIDE
 #undef BVH_STACK
-#undef TETMARCH_TRACED
+#undef MOST_SHADOW_SOURCES
+
+#undef TETMARCH_VARIANT
 
 #pragma GCC diagnostic pop

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What cuts the volume, as members of a kernel of the picture; part of KernelBody.h. Unless
-// useClipping() says otherwise, nothing does.
+// What cuts the volume, as members of a kernel; part of KernelBody.h. Unless useClipping() is
+// called, nothing is cut away.
 
 const Clipping* Clip = nullptr;
 int clippingPlaneCount = 0;

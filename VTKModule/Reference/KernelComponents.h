@@ -36,7 +36,7 @@ vec3 fetchFurtherScalars(uint i) const
   const float* s = &Further->Values[count * i];
   return vec3(Real(s[0]), count > 1 ? Real(s[1]) : Real(0), count > 2 ? Real(s[2]) : Real(0));
 }
-// The table that an entry of all belongs to; it becomes the entry of that.
+// The table to which an entry of all tables belongs; the entry becomes that of this table.
 const IntegralTable& tableAt(int& entry) const
 {
   std::size_t k = Places.size() - 1;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the effects read, as members of a kernel that has them; part of KernelBody.h. What is not
-// there is such that it changes nothing.
+// What gradients and light read, as members of a kernel; part of KernelBody.h. Data that a scene
+// lacks have values that change nothing.
 
 const EffectData* Effects = nullptr;
 Real gradientOpacityScale = 0;
@@ -34,9 +34,10 @@ void useEffects(const EffectData& effects)
 
 #if TETMARCH_SHADING
 const LightUniforms* Lights = nullptr;
-const Real* VertexLight = nullptr; // 4 a vertex; nullptr: all light comes
-const IncomingLight<Real>* Incoming =
-  nullptr; // looked for where it is needed; nullptr: VertexLight
+/** Four a vertex; nullptr: every transmittance is 1. */
+const Real* VertexLight = nullptr;
+/** The exact light; nullptr: VertexLight is interpolated. */
+const IncomingLight<Real>* Incoming = nullptr;
 bool twoSided = true;
 vec3 ambientColor{ 0, 0, 0 };
 Real specularPower = 1;
@@ -48,7 +49,7 @@ void useLights(const LightUniforms& lights)
 {
   Lights = &lights;
   twoSided = lights.TwoSided;
-  // Where nothing shines, the volume's own colour is seen.
+  // Without lights the volume has its own colour.
   ambientColor = lights.Sources.empty() ? vec3(1, 1, 1) : toVec3(lights.Ambient);
   specularPower = Real(lights.SpecularPower);
   scatteringBlending = Real(lights.ScatteringBlending);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What rays towards the light read, as members of a kernel that marches them; part of KernelBody.h.
+// What rays towards the light read, as members of a kernel; part of KernelBody.h.
 
 const LightUniforms* Lights = nullptr;
 const View* Camera = nullptr;
@@ -21,7 +21,7 @@ void useLightRays(const LightUniforms& lights, const View& view)
 
 vec4 fetchShadowSource(int i) const
 {
-  // The shader reads what isn't there, and doesn't use it.
+  // The shader reads a source even if there is none, and does not use it.
   const auto& v =
     Lights->ShadowSources.empty()
       ? std::array<double, 4>{}

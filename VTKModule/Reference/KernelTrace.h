@@ -63,7 +63,7 @@ void completeCell(const March& march)
     last.ErrorBound = double(errorBound(march.radiance));
     last.Lookups = march.lookups - TracedLookups;
     TracedLookups = march.lookups;
-#if TETMARCH_COMPOSITE || TETMARCH_ISOSURFACES
+#if TETMARCH_ACCUMULATES_OPACITY
     last.Opacity = double(Real(1) - march.radiance.transmittance / TracedTransmittance);
     TracedTransmittance = march.radiance.transmittance;
 #else
@@ -117,8 +117,8 @@ void traceScalars(const CellInterval& cell, TracedCell& traced)
   traced.ScalarEnter[0] = traced.ScalarLeave[0] = double(cell.scalar);
 #endif
 #if TETMARCH_COMPONENTS
-#if TETMARCH_POINT_SCALARS
-  const vec3 enter = cell.furtherEnter, leave = cell.furtherLeave;
+#if TETMARCH_FURTHER_VERTEX_SCALARS
+  const vec3 enter = cell.enterAttributes.further, leave = cell.leaveAttributes.further;
 #else
   const vec3 enter = fetchFurtherScalars(cell.tet), leave = enter;
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A kernel of Kernel.h with all that the GPU has as uniforms and buffers.
+// A kernel with what every march reads; useScene() adds the rest.
 #ifndef TetMarchReferenceMakeKernel_h
 #define TetMarchReferenceMakeKernel_h
 
@@ -35,20 +35,6 @@ Kernel makeKernel(const TetMesh& mesh, const IntegralTable& table, const ScalarR
   kernel.mostTrials = level.MostTrials;
   kernel.errorTolerance = Real(level.ErrorTolerance);
   return kernel;
-}
-
-/** What a scene has of cells, and of scalars that are not finite. */
-template <typename Scene, typename Kernel>
-void useScalars(const Scene& scene, Kernel& kernel)
-{
-  using Real = decltype(kernel.tableScale);
-  kernel.CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
-  kernel.HiddenCells = scene.Hidden && !scene.Hidden->empty() ? scene.Hidden->data() : nullptr;
-  if (scene.NanShown)
-  {
-    const auto& color = scene.Table->NanColor;
-    kernel.nanColor = { Real(color[0]), Real(color[1]), Real(color[2]), Real(color[3]) };
-  }
 }
 
 } // namespace tetmarch

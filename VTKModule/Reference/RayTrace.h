@@ -8,7 +8,7 @@
 #include "Diagnostics/MarchCounters.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/AccuracyLevel.h"
-#include "Scalars/FurtherScalars.h"
+#include "Scalars/DrawnScalars.h"
 
 #include <array>
 #include <vector>

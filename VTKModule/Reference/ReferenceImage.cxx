@@ -2,32 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/ReferenceImage.h"
 
-#include "Reference/BlendImage.h"
-#include "Reference/ComponentImage.h"
-#include "Reference/LitComponentImage.h"
-#include "Reference/LitImageMaker.h"
+#include "Reference/ImageGroups.h"
 
 namespace tetmarch
 {
-namespace
-{
-
-template <typename Real>
-ReferenceImage renderLit(const ReferenceScene& scene, const AccuracyLevel& level)
-{
-  if (scene.CellScalars)
-  {
-    return LitImageMaker<LitCellKernel<Real>, Real>(scene, level).make();
-  }
-  if (scene.Effects->CellGradients)
-  {
-    return LitImageMaker<LitCellGradientKernel<Real>, Real>(scene, level).make();
-  }
-  return level.Adaptive ? LitImageMaker<LitPointKernel<Real>, Real>(scene, level).make()
-                        : LitImageMaker<LitFastPointKernel<Real>, Real>(scene, level).make();
-}
-
-} // namespace
 
 template <typename Real>
 ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel& level)
@@ -41,16 +19,7 @@ ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel&
   {
     return lit ? renderLitComponents<Real>(scene, level) : renderComponents<Real>(scene, level);
   }
-  if (lit)
-  {
-    return renderLit<Real>(scene, level);
-  }
-  if (scene.CellScalars)
-  {
-    return ImageMaker<CellKernel<Real>, Real>(scene, level).make();
-  }
-  return level.Adaptive ? ImageMaker<PointKernel<Real>, Real>(scene, level).make()
-                        : ImageMaker<FastPointKernel<Real>, Real>(scene, level).make();
+  return lit ? renderLit<Real>(scene, level) : renderVolume<Real>(scene, level);
 }
 
 template ReferenceImage renderReference<float>(const ReferenceScene&, const AccuracyLevel&);

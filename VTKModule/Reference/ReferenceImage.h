@@ -37,13 +37,13 @@ struct ReferenceScene
   int Width = 0; // of the viewport, in pixels
   int Height = 0;
   const float* WindowDepths = nullptr; // 0..1, one a pixel, of opaque geometry; nullptr: none
-  Clipping Cut;                        // nothing unless said
+  Clipping Cut;                        // by default nothing is cut away
   const EffectData* Effects = nullptr;
   const Blending* Blend = nullptr;   // nullptr: composite; else the table is that of blendedTable()
   const Components* Parts = nullptr; // nullptr or single: one scalar; independent: without effects
   const FurtherScalars* Further = nullptr; // of several components
-  /** Light that comes through the volume is looked for wherever a ray crosses a face, by brute
-   * force; else interpolated between vertices as in the picture. */
+  /** The transmittance towards the lights is marched wherever a ray crosses a face; else it is
+   * interpolated between vertices as in the picture. */
   bool ExactLight = true;
   /** Records its pixel's ray, and no other is cast; nullptr: all rays are, and none is recorded. */
   RayTrace* Trace = nullptr;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How thick the volume is along a direction.
+// Thickness of a unit of depth along a direction.
 #ifndef TetMarchReferenceThicknessPerDepth_h
 #define TetMarchReferenceThicknessPerDepth_h
 

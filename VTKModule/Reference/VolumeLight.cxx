@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/VolumeLight.h"
 
+#include "Reference/LitKernel.h"
 #include "Reference/MakeKernel.h"
 #include "Reference/ReferenceImage.h"
 
@@ -16,9 +17,7 @@ template <typename Kernel, typename Real>
 Kernel lightRayKernel(const ReferenceScene& scene)
 {
   Kernel kernel = makeKernel<Kernel, Real>(*scene.Mesh, *scene.Table, scene.Range, LightAccuracy);
-  useScalars(scene, kernel);
-  kernel.useEffects(*scene.Effects);
-  kernel.useLightRays(scene.Effects->Lights, scene.Camera);
+  kernel.useScene(scene);
   return kernel;
 }
 
@@ -34,18 +33,18 @@ std::vector<Real> atVertices(const ReferenceScene& scene)
       Kernel kernel = prototype;
       for (vtkIdType v = first; v < last; ++v)
       {
-        const auto comes = kernel.lightAtVertex(static_cast<Id>(v));
-        light[4 * v] = comes.x;
-        light[4 * v + 1] = comes.y;
-        light[4 * v + 2] = comes.z;
-        light[4 * v + 3] = comes.w;
+        const auto found = kernel.lightAtVertex(static_cast<Id>(v));
+        light[4 * v] = found.x;
+        light[4 * v + 1] = found.y;
+        light[4 * v + 2] = found.z;
+        light[4 * v + 3] = found.w;
       }
     });
   return light;
 }
 
 // Vertices are rounded to float: a point of the mesh's boundary may lie this far behind an opaque
-// surface that is the same.
+// surface at the same place.
 constexpr double OpaqueMargin = 1e-6;
 
 template <typename Kernel, typename Real>
@@ -67,22 +66,23 @@ public:
     const int directions = this->Lights.OcclusionDirections;
     for (int k = 0; k < directions; ++k)
     {
-      ambient += this->towards(
+      ambient += this->transmittanceFrom(
         point, this->March.sphereDirection(k, directions), Real(this->Lights.OcclusionRadius));
     }
-    std::array<Real, 3> comes{ { 1, 1, 1 } };
+    std::array<Real, 3> light{ { 1, 1, 1 } };
     for (std::size_t i = 0; i < this->Lights.ShadowSources.size(); ++i)
     {
       const auto& source = this->Lights.ShadowSources[i];
       const Vec3 place{ Real(source[0]), Real(source[1]), Real(source[2]) };
-      const Vec3 way = place - point * Real(source[3]);
-      const Real far = std::sqrt(glsl::dot(way, way));
+      const Vec3 toLight = place - point * Real(source[3]);
+      const Real far = std::sqrt(glsl::dot(toLight, toLight));
       const Real reach = Real(this->Lights.Reach);
-      comes[i] = this->isShadowed(point, i) ? Real(0)
-                                            : this->towards(point, way * (Real(1) / far),
-                                                source[3] > 0 ? std::min(far, reach) : reach);
+      light[i] = this->isShadowed(point, i)
+                   ? Real(0)
+                   : this->transmittanceFrom(point, toLight * (Real(1) / far),
+                       source[3] > 0 ? std::min(far, reach) : reach);
     }
-    return { directions > 0 ? ambient / Real(directions) : Real(1), comes[0], comes[1], comes[2] };
+    return { directions > 0 ? ambient / Real(directions) : Real(1), light[0], light[1], light[2] };
   }
 
 private:
@@ -92,8 +92,8 @@ private:
       { { double(point.x), double(point.y), double(point.z) } }, source, OpaqueMargin);
   }
 
-  // From the light to the point.
-  Real towards(Vec3 point, Vec3 direction, Real distance) const
+  // Marches from the light to the point.
+  Real transmittanceFrom(Vec3 point, Vec3 direction, Real distance) const
   {
     Kernel kernel = this->March;
     const auto ray = kernel.rayThrough(point, direction * Real(-1));

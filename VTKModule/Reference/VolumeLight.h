@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Light that comes through the volume, on the CPU: kept at vertices like on the GPU, or looked for
-// by brute force.
+// The transmittance towards the lights, on the CPU: at the vertices like on the GPU, or from any
+// point by brute force.
 #ifndef TetMarchReferenceVolumeLight_h
 #define TetMarchReferenceVolumeLight_h
 
-#include "Reference/LitKernel.h"
+#include "Reference/IncomingLight.h"
 
 #include <memory>
 #include <vector>
@@ -20,8 +20,8 @@ struct ReferenceScene;
 template <typename Real>
 std::vector<Real> lightAtVertices(const ReferenceScene& scene);
 
-/** The same for any point. Rays come from the light, find their way into the mesh by its hierarchy,
- * and are marched as those of the picture are: what is tested by it shares the step through a
+/** The same from any point. Rays start at the light, enter the mesh by its hierarchy, and are
+ * marched as those of the picture are: they share with the light at vertices the step through a
  * tetrahedron and the tables, and no more. */
 template <typename Real>
 std::unique_ptr<IncomingLight<Real>> exactLight(const ReferenceScene& scene);

@@ -70,8 +70,7 @@ std::string chooseIndependent(DrawnScalars& drawn)
 // Asking for a colour function where there is a gray one would put it in its place.
 bool followsColors(const VectorOptions& options, vtkVolumeProperty* property)
 {
-  return options.Mode == VectorMode::Disabled && property->GetColorChannels() == 3 &&
-         property->GetIndependentComponents();
+  return options.Mode == VectorMode::Disabled && property->GetColorChannels() == 3;
 }
 
 VectorOptions optionsOf(vtkColorTransferFunction* colors)

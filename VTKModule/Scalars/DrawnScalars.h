@@ -6,6 +6,7 @@
 
 #include "Caching/Fingerprint.h"
 #include "Scalars/TupleScalar.h"
+#include "Variants/VariantKey.h"
 
 #include <string>
 #include <vector>
@@ -36,13 +37,8 @@ struct VectorOptions
   int Component = 0;
 };
 
-enum class ComponentMix
-{
-  Single,          // one scalar
-  Independent,     // each has a colour and an opacity function, and all fill the same space
-  ColorAndOpacity, // the first by the colour function, the second by the opacity function
-  DirectColor      // red, green, blue, and a fourth by the opacity function
-};
+/** Which components are drawn, and how they are drawn together. */
+using ComponentMix = ComponentGroup;
 
 struct DrawnScalars
 {

@@ -6,6 +6,8 @@
 #ifndef TetMarchVariantsShaderConditions_h
 #define TetMarchVariantsShaderConditions_h
 
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,17 +18,20 @@ namespace tetmarch
 class ShaderConditions
 {
 public:
-  /** Lines "#define NAME 1" or "#define NAME 0"; names that they lack are taken for 0. The text is
-   * referred to, not copied. */
-  explicit ShaderConditions(std::string_view defines)
-    : Defines(defines)
-  {
-  }
+  /** Lines "#define NAME CONDITION". A condition has 0, 1, names, parentheses, !, && and ||. Names
+   * may be defined later than they are used, and the last line of a name counts. */
+  explicit ShaderConditions(std::string_view defines) { this->define(defines); }
+
+  /** Further lines of that kind; all others are ignored. */
+  void define(std::string_view text);
 
   /** Whether the line, which ends with its line break, is a condition, or defines a symbol that
-   * begins with TETMARCH_; if so it is taken account of, and is no part of the text. */
+   * begins with TETMARCH_; if so it is obeyed, and is no part of the text. */
   bool take(std::string_view line);
-  /** Whether what stands here is part of the variant. */
+  /** What is wrong with the condition in the line that was taken last: an unknown symbol, or
+   * another fault in it. Empty if nothing is. */
+  const std::string& error() const { return this->Error; }
+  /** Whether the lines at this place are part of the variant. */
   bool isActive() const { return this->Levels.empty() || this->Levels.back().Active; }
   /** Whether each #if has had its #endif. */
   bool isClosed() const { return this->Levels.empty(); }
@@ -34,16 +39,20 @@ public:
 private:
   struct Level
   {
-    bool Outer;  // what is around it is active
-    bool Done;   // some branch was taken
-    bool Active; // that is the one at hand
+    bool Outer;  // the lines around it are active
+    bool Done;   // one of its branches was active
+    bool Active; // the present one is
   };
 
-  bool value(std::string_view expression) const;
+  // These parse a condition from its begin, and leave the rest.
+  bool parsedValue(std::string_view& rest);
+  bool parsedAnd(std::string_view& rest);
+  bool parsedOr(std::string_view& rest);
+  bool value(std::string_view condition);
 
-  std::string_view Defines;
-  std::string DefinedByFiles;
+  std::map<std::string, std::string, std::less<>> Symbols;
   std::vector<Level> Levels;
+  std::string Error;
 };
 
 } // namespace tetmarch

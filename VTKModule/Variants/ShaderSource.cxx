@@ -17,8 +17,8 @@ namespace tetmarch
 namespace
 {
 
-// Lines of all files are numbered on, a thousand a file. There are source numbers for that, but
-// Mesa says 0 of most errors.
+// Lines are numbered on from file to file, a thousand a file. GLSL has source numbers for that, but
+// Mesa reports the number 0 for most errors.
 constexpr int NumbersPerFile = 1000;
 
 int numberOf(const std::string& file)
@@ -35,7 +35,7 @@ int numberOf(const std::string& file)
   return -1;
 }
 
-// Not by way of streams: where memory is scarce these lose text, and say nothing.
+// Without streams, which lose text silently where memory is scarce.
 void append(const std::string& file, ShaderConditions& conditions, std::set<std::string>& included,
   std::string& text)
 {
@@ -46,7 +46,7 @@ void append(const std::string& file, ShaderConditions& conditions, std::set<std:
   }
   // In GLSL 1.50 the line behind a #line directive has the number after the one it names.
   int line = (number + 1) * NumbersPerFile;
-  bool numbered = false; // the text goes on from the line before
+  bool numbered = false; // the line follows the last one of the text
   const std::string_view include = "#include \"";
   std::string_view rest = ShaderFiles[number].Text;
   while (!rest.empty())
@@ -57,6 +57,9 @@ void append(const std::string& file, ShaderConditions& conditions, std::set<std:
     rest.remove_prefix(end);
     if (conditions.take(words) || !conditions.isActive())
     {
+      text += conditions.error().empty()
+                ? std::string()
+                : "#line " + std::to_string(line - 1) + "\n#error " + conditions.error() + "\n";
       numbered = false;
     }
     else if (words.substr(0, include.size()) == include)
@@ -84,6 +87,7 @@ std::string shaderSource(const std::string& file, const std::string& defines)
   std::string text = "//VTK::System::Dec\n";
   std::set<std::string> included;
   ShaderConditions conditions(defines);
+  conditions.define(ShaderFiles[numberOf("derived_conditions.glsl")].Text);
   append(file, conditions, included, text);
   return text;
 }

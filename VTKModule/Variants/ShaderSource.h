@@ -12,7 +12,8 @@ namespace tetmarch
 /**
  * The text of a shader file for vtkOpenGLShaderCache: the version tag, the file with
  * its #include lines replaced by the files, each once, and without what its conditions leave out
- * (ShaderConditions.h), under #line directives with numbers that withFileNames() knows.
+ * (ShaderConditions.h), under #line directives with numbers that withFileNames() knows. A faulty
+ * condition, as one of a symbol that neither the defines nor the files know, becomes an #error.
  */
 std::string shaderSource(const std::string& file, const std::string& defines = {});
 

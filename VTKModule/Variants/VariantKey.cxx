@@ -2,64 +2,102 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Variants/VariantKey.h"
 
-#include <algorithm>
+#include "Variants/Features.h"
 
 namespace tetmarch
 {
 
-const std::array<VariantKey::Bit, VariantKey::NumberOfBits>& VariantKey::bits()
+const std::array<VariantKey::Feature, VariantKey::NumberOfFeatures>& VariantKey::features()
 {
-  static const std::array<Bit, NumberOfBits> rows{ {
-    { "POINT_SCALARS", &VariantKey::PointScalars },
-    { "RASTER_ENTRY", &VariantKey::RasterEntry },
-    { "BVH", &VariantKey::Hierarchy },
-    { "OPAQUE_DEPTH", &VariantKey::OpaqueDepth },
-    { "HAS_FMA", &VariantKey::HasFma },
-    { "ADAPTIVE", &VariantKey::Adaptive },
-    { "DIAGNOSTICS", &VariantKey::Diagnostics },
-    { "PEELED", &VariantKey::Peeled },
-    { "TRANSPARENT_RANGES", &VariantKey::TransparentRanges },
-    { "CONSTANT_COLOR", &VariantKey::ConstantColor },
-    { "CLIPPED", &VariantKey::Clipped },
-    { "CROPPED", &VariantKey::Cropped },
-    { "NAN_SHOWN", &VariantKey::NanShown },
-    { "HIDDEN_CELLS", &VariantKey::HiddenCells },
-    { "EXTREME", &VariantKey::Extreme },
-    { "SUM", &VariantKey::Sum },
-    { "ISOSURFACES", &VariantKey::Isosurfaces },
-    { "INDEPENDENT", &VariantKey::Independent },
-    { "COLOR_AND_OPACITY", &VariantKey::ColorAndOpacity },
-    { "DIRECT_COLOR", &VariantKey::DirectColor },
-    { "CELL_GRADIENTS", &VariantKey::CellGradients },
-    { "GRADIENT_OPACITY", &VariantKey::GradientOpacity },
-    { "SHADING", &VariantKey::Shading },
-    { "HEADLIGHT_ONLY", &VariantKey::HeadlightOnly },
-    { "SINGLE_LIGHT", &VariantKey::SingleLight },
-    { "WORLD_LIGHTS", &VariantKey::WorldLights },
-    { "SCATTERING", &VariantKey::Scattering },
-    { "CAST_SHADOWS", &VariantKey::CastShadows },
-    { "SEVERAL_SHADOWS", &VariantKey::SeveralShadows },
-    { "SAMPLED_SHADOWS", &VariantKey::SampledShadows },
-    { "OPAQUE_SHADOWS", &VariantKey::OpaqueShadows },
-    { "HEADLIGHT_SHADOWS", &VariantKey::HeadlightShadows },
-    { "OCCLUSION", &VariantKey::Occlusion },
-    { "SHOW_ILLUMINATION", &VariantKey::ShowIllumination },
-    { "SHOW_GRADIENTS", &VariantKey::ShowGradients },
+  static const std::array<Feature, NumberOfFeatures> rows{ {
+    { "POINT_SCALARS", TETMARCH_WITH_POINT_SCALARS, &VariantKey::PointScalars },
+    { "RASTER_ENTRY", TETMARCH_WITH_RASTER_ENTRY, &VariantKey::RasterEntry },
+    { "BVH", TETMARCH_WITH_BVH, &VariantKey::Hierarchy },
+    { "OPAQUE_DEPTH", TETMARCH_WITH_OPAQUE_DEPTH, &VariantKey::OpaqueDepth },
+    { "HAS_FMA", TETMARCH_WITH_HAS_FMA, &VariantKey::HasFma },
+    { "ADAPTIVE", TETMARCH_WITH_ADAPTIVE, &VariantKey::Adaptive },
+    { "DIAGNOSTICS", TETMARCH_WITH_DIAGNOSTICS, &VariantKey::Diagnostics },
+    { "PEELED", TETMARCH_WITH_PEELED, &VariantKey::Peeled },
+    { "TRANSPARENT_RANGES", TETMARCH_WITH_TRANSPARENT_RANGES, &VariantKey::TransparentRanges },
+    { "CONSTANT_COLOR", TETMARCH_WITH_CONSTANT_COLOR, &VariantKey::ConstantColor },
+    { "CLIPPED", TETMARCH_WITH_CLIPPED, &VariantKey::Clipped },
+    { "CROPPED", TETMARCH_WITH_CROPPED, &VariantKey::Cropped },
+    { "NAN_SHOWN", TETMARCH_WITH_NAN_SHOWN, &VariantKey::NanShown },
+    { "HIDDEN_CELLS", TETMARCH_WITH_HIDDEN_CELLS, &VariantKey::HiddenCells },
+    { "EXTREME", TETMARCH_WITH_EXTREME, BlendGroup::Extreme },
+    { "SUM", TETMARCH_WITH_SUM, BlendGroup::Sum },
+    { "ISOSURFACES", TETMARCH_WITH_ISOSURFACES, BlendGroup::Isosurfaces },
+    { "INDEPENDENT", TETMARCH_WITH_INDEPENDENT, ComponentGroup::Independent },
+    { "COLOR_AND_OPACITY", TETMARCH_WITH_COLOR_AND_OPACITY, ComponentGroup::ColorAndOpacity },
+    { "DIRECT_COLOR", TETMARCH_WITH_DIRECT_COLOR, ComponentGroup::DirectColor },
+    { "CELL_GRADIENTS", TETMARCH_WITH_CELL_GRADIENTS, &VariantKey::CellGradients },
+    { "GRADIENT_OPACITY", TETMARCH_WITH_GRADIENT_OPACITY, &VariantKey::GradientOpacity },
+    { "SHADING", TETMARCH_WITH_SHADING, &VariantKey::Shading },
+    { "HEADLIGHT_ONLY", TETMARCH_WITH_HEADLIGHT_ONLY, &VariantKey::HeadlightOnly },
+    { "SINGLE_LIGHT", TETMARCH_WITH_SINGLE_LIGHT, &VariantKey::SingleLight },
+    { "WORLD_LIGHTS", TETMARCH_WITH_WORLD_LIGHTS, &VariantKey::WorldLights },
+    { "SCATTERING", TETMARCH_WITH_SCATTERING, &VariantKey::Scattering },
+    { "CAST_SHADOWS", TETMARCH_WITH_CAST_SHADOWS, &VariantKey::CastShadows },
+    { "SEVERAL_SHADOWS", TETMARCH_WITH_SEVERAL_SHADOWS, &VariantKey::SeveralShadows },
+    { "SAMPLED_SHADOWS", TETMARCH_WITH_SAMPLED_SHADOWS, &VariantKey::SampledShadows },
+    { "OPAQUE_SHADOWS", TETMARCH_WITH_OPAQUE_SHADOWS, &VariantKey::OpaqueShadows },
+    { "HEADLIGHT_SHADOWS", TETMARCH_WITH_HEADLIGHT_SHADOWS, &VariantKey::HeadlightShadows },
+    { "OCCLUSION", TETMARCH_WITH_OCCLUSION, &VariantKey::Occlusion },
+    { "SHOW_ILLUMINATION", TETMARCH_WITH_SHOW_ILLUMINATION, &VariantKey::ShowIllumination },
+    { "SHOW_GRADIENTS", TETMARCH_WITH_SHOW_GRADIENTS, &VariantKey::ShowGradients },
   } };
   return rows;
 }
 
-bool VariantKey::operator==(const VariantKey& other) const
+bool VariantKey::Feature::isOn(const VariantKey& key) const
 {
-  return std::all_of(bits().begin(), bits().end(),
-    [&](const Bit& bit) { return this->*bit.Member == other.*bit.Member; });
+  if (const auto* member = std::get_if<bool VariantKey::*>(&this->Value))
+  {
+    return key.**member;
+  }
+  if (const auto* blend = std::get_if<BlendGroup>(&this->Value))
+  {
+    return key.Blend == *blend;
+  }
+  return key.Components == std::get<ComponentGroup>(this->Value);
 }
+
+void VariantKey::Feature::set(VariantKey& key, bool on) const
+{
+  if (const auto* member = std::get_if<bool VariantKey::*>(&this->Value))
+  {
+    key.** member = on;
+  }
+  else if (on != this->isOn(key))
+  {
+    if (const auto* blend = std::get_if<BlendGroup>(&this->Value))
+    {
+      key.Blend = on ? *blend : BlendGroup::Composite;
+    }
+    else
+    {
+      key.Components = on ? std::get<ComponentGroup>(this->Value) : ComponentGroup::Single;
+    }
+  }
+}
+
+std::uint64_t VariantKey::bits() const
+{
+  std::uint64_t bits = 0;
+  for (const Feature& feature : features())
+  {
+    bits |= feature.isOn(*this) ? feature.Bit : 0;
+  }
+  return bits;
+}
+
+bool VariantKey::operator==(const VariantKey& other) const { return this->bits() == other.bits(); }
 
 VariantKey VariantKey::filtered() const
 {
   VariantKey key = *this;
   key.Hierarchy = key.Hierarchy || !key.RasterEntry;
-  // Who asks for parts knows where opaque geometry ends them, and takes no counters.
+  // A pass that peels ends parts of rays at opaque geometry itself, and reads no counters.
   key.OpaqueDepth = key.OpaqueDepth && !key.Peeled;
   key.Diagnostics = key.Diagnostics && !key.Peeled;
   key.Clipped = key.Clipped || key.Cropped;
@@ -68,7 +106,7 @@ VariantKey VariantKey::filtered() const
   key.ShowIllumination = key.ShowIllumination && !key.ShowGradients;
   key.ConstantColor = key.ConstantColor && !key.ShowIllumination && !key.ShowGradients;
   key.Adaptive = key.Adaptive && key.PointScalars && !key.ConstantColor;
-  // Gradients are shown as they are, in no light.
+  // Gradients are shown without light.
   key.Shading = key.Shading && !key.ShowGradients;
   key.WorldLights = key.WorldLights && key.Shading;
   key.HeadlightOnly = key.HeadlightOnly && key.Shading && !key.WorldLights;
@@ -80,22 +118,17 @@ VariantKey VariantKey::filtered() const
   key.OpaqueShadows = key.OpaqueShadows && key.CastShadows;
   key.HeadlightShadows = key.HeadlightShadows && key.Shading && !key.SingleLight;
   key.Occlusion = key.Occlusion && key.Shading;
-  // Inside of its cells, a scalar of cells has none.
+  // A scalar of cells has no gradient inside its cells.
   key.CellGradients = key.CellGradients && key.PointScalars && key.hasGradients();
   return key;
 }
 
-// What a blend mode has no use for: of surfaces, light on them and gradients are seen, of scalars
-// nothing but they.
+// Of surfaces, light on them and gradients are seen; of scalars nothing but they.
 void VariantKey::dropWhatIsNotBlended()
 {
-  this->Sum = this->Sum && !this->Extreme;
-  this->Isosurfaces = this->Isosurfaces && !this->Extreme && !this->Sum;
   if (!this->isComposite())
   {
-    this->Independent = false;
-    this->ColorAndOpacity = false;
-    this->DirectColor = false;
+    this->Components = ComponentGroup::Single;
     this->Adaptive = false;
     this->TransparentRanges = false;
     this->NanShown = false;
@@ -106,7 +139,7 @@ void VariantKey::dropWhatIsNotBlended()
     this->HeadlightShadows = false;
     this->Occlusion = false;
   }
-  if (this->Extreme || this->Sum)
+  if (this->isKnownAtEnd())
   {
     this->Shading = false;
     this->ShowIllumination = false;
@@ -114,14 +147,12 @@ void VariantKey::dropWhatIsNotBlended()
   }
 }
 
-// Independent scalars have a gradient each, of which none is the volume's; the colours of several
-// are where the table of one doesn't tell.
+// Independent scalars have a gradient each, none of which is the volume's. Where there are several
+// tables, that of the opacity does not tell whether all that is seen has one colour.
 void VariantKey::dropWhatComponentsLack()
 {
-  this->ColorAndOpacity = this->ColorAndOpacity && !this->Independent;
-  this->DirectColor = this->DirectColor && !this->Independent && !this->ColorAndOpacity;
   this->ConstantColor = this->ConstantColor && !this->hasComponents();
-  if (this->Independent)
+  if (this->Components == ComponentGroup::Independent)
   {
     this->TransparentRanges = false;
     this->GradientOpacity = false;
@@ -156,10 +187,10 @@ VariantKey VariantKey::ofPick() const
   key.Cropped = this->Cropped;
   key.NanShown = this->NanShown;
   key.HiddenCells = this->HiddenCells;
-  key.Extreme = this->Extreme;
-  key.Sum = this->Sum;
-  key.Isosurfaces = this->Isosurfaces;
-  key.Independent = this->Independent; // of dependent ones the scalar is that of the opacity
+  key.Blend = this->Blend;
+  // Dependent components are picked by the scalar of the opacity.
+  key.Components =
+    this->Components == ComponentGroup::Independent ? this->Components : ComponentGroup::Single;
   key.GradientOpacity = this->GradientOpacity;
   key.CellGradients = this->CellGradients;
   return key.filtered();
@@ -181,23 +212,15 @@ std::string VariantKey::defines() const
   std::string text;
   const auto define = [&text](const char* name, bool value)
   { text += std::string("#define TETMARCH_") + name + (value ? " 1\n" : " 0\n"); };
-  for (const Bit& bit : bits())
+  for (const Feature& feature : features())
   {
-    define(bit.Name, this->*bit.Member);
+    define(feature.Name, feature.isOn(*this));
   }
-  const bool lit = this->Shading || this->ShowGradients;
-  define("COMPOSITE", this->isComposite());
-  define("DEPENDENT", this->isDependent());
-  define("COMPONENTS", this->hasComponents());
-  define("PASSES_CELLS", this->passesCells());
-  define("ERROR_BOUND", this->hasErrorBound());
-  define("EFFECTS", this->hasGradients());
-  define("LIT", lit);
-  define("LIGHT_ERROR", lit && this->Diagnostics && this->isComposite());
-  define("VERTEX_GRADIENTS", this->hasVertexGradients());
-  define("VERTEX_LIGHT", this->hasVertexLight());
-  define("SHADOWS", this->hasShadows());
-  define("EXACT_LIGHT", false); // the reference has it
+  // Unless the driver or a file defines them behind these lines.
+  define("PICKED", false);
+  define("SKIPS_HELPERS", false);
+  define("EXACT_LIGHT", false);
+  define("TRACED", false);
   return text;
 }
 

@@ -5,15 +5,35 @@
 #define TetMarchVariantsVariantKey_h
 
 #include <array>
+#include <cstdint>
 #include <string>
+#include <variant>
 
 namespace tetmarch
 {
 
+/** What a ray gathers: one of these. */
+enum class BlendGroup : unsigned char
+{
+  Composite,  // the volume: emission and absorption
+  Extreme,    // the greatest or the least scalar
+  Sum,        // the sum or the average of the scalars
+  Isosurfaces // surfaces of constant scalar
+};
+
+/** Which scalars a volume has: one of these. */
+enum class ComponentGroup : unsigned char
+{
+  Single,          // one scalar
+  Independent,     // several, each with functions of its own, fill one space
+  ColorAndOpacity, // one gives the colour, another the opacity
+  DirectColor      // three are the colour, a fourth gives the opacity
+};
+
 /**
- * Each member is a preprocessor symbol of the shader. Values that change without recompiling are
- * uniforms, not bits. Each has a row in bits() and, where it can be irrelevant, a line in
- * filtered().
+ * Each feature is a preprocessor symbol of the shader: a member, or a value of a group. Values that
+ * change without recompiling are uniforms, not features. Each has a row in features() and, where it
+ * can be irrelevant, a line in filtered().
  */
 struct VariantKey
 {
@@ -30,84 +50,90 @@ struct VariantKey
   bool ConstantColor = false;     // whatever is seen has the same colour
 
   bool Clipped = false;  // rays begin and end at clipping planes, or at the faces of a cropped box
-  bool Cropped = false;  // and pieces of them are left out, region by region
+  bool Cropped = false;  // and ranges of them are left out, region by region
   bool NanShown = false; // what touches a scalar that is not finite has a colour of its own
   bool HiddenCells = false; // some tetrahedra are passed as if nothing was in them
-  bool Extreme = false;     // the greatest or least scalar of a ray is shown
-  bool Sum = false;         // sums or averages of the scalars of a ray are shown
-  bool Isosurfaces = false; // surfaces of constant scalar are; without these three: the volume
+  BlendGroup Blend = BlendGroup::Composite;
+  ComponentGroup Components = ComponentGroup::Single;
 
-  bool Independent = false;     // several scalars, each with functions of its own, fill one space
-  bool ColorAndOpacity = false; // one scalar gives the colour, another the opacity
-  bool DirectColor = false;     // three scalars are the colour, a fourth gives the opacity
-
-  bool CellGradients = false;    // that of each cell as it is; else interpolated between vertices
-  bool GradientOpacity = false;  // extinction depends on the gradient
-  bool Shading = false;          // lights shine on surfaces of constant scalar
-  bool HeadlightOnly = false;    // one light, at the eye, and not in world coordinates
-  bool SingleLight = false;      // one light, elsewhere
-  bool WorldLights = false;      // light is reckoned in world coordinates: see LightUniforms
-  bool Scattering = false;       // the volume scatters light without regard to surfaces
-  bool CastShadows = false;      // the volume keeps light from itself, but for that from the eye
-  bool SeveralShadows = false;   // and more than one light does
-  bool SampledShadows = false;   // how much is looked for along each ray; else kept at vertices
-  bool OpaqueShadows = false;    // opaque geometry keeps light from the volume, too
-  bool HeadlightShadows = false; // the volume keeps light from itself that comes from the eye
-  bool Occlusion = false;        // the volume keeps ambient light from its inside
+  bool CellGradients = false;   // that of each cell as it is; else interpolated between vertices
+  bool GradientOpacity = false; // extinction depends on the gradient
+  bool Shading = false;         // lights shine on surfaces of constant scalar
+  bool HeadlightOnly = false;   // one light, at the eye, and not in world coordinates
+  bool SingleLight = false;     // one light, elsewhere
+  bool WorldLights = false;     // light is computed in world coordinates: see LightUniforms
+  bool Scattering = false;      // the volume scatters light without regard to surfaces
+  bool CastShadows = false; // the volume absorbs the light that it gets, but for that from the eye
+  bool SeveralShadows = false;   // that of more than one light
+  bool SampledShadows = false;   // sampled along each ray; else it is kept at the vertices
+  bool OpaqueShadows = false;    // opaque geometry casts shadows on the volume, too
+  bool HeadlightShadows = false; // the volume absorbs light from the eye
+  bool Occlusion = false;        // the volume absorbs ambient light
   bool ShowIllumination = false; // the light without the volume's own colour
   bool ShowGradients = false;    // directions of gradients as colours
 
+  // What follows from these, by Shaders/derived_conditions.glsl.
   /** Emission and absorption are integrated. */
-  bool isComposite() const { return !this->Extreme && !this->Sum && !this->Isosurfaces; }
-  /** Colour and extinction come from different scalars. */
-  bool isDependent() const { return this->ColorAndOpacity || this->DirectColor; }
-  /** More than one scalar is drawn. */
-  bool hasComponents() const { return this->Independent || this->isDependent(); }
+  bool isComposite() const;
+  /** A ray gathers opacity front to back, so that it may end where it is opaque. */
+  bool accumulatesOpacity() const;
+  /** What is shown is known only at the end of a ray. */
+  bool isKnownAtEnd() const;
+  /** Transfer functions are looked up in tables. */
+  bool usesTables() const;
+  /** A single one. */
+  bool hasOneTable() const;
+  /** The first table is that of the opacity. */
+  bool hasOpacityTable() const;
   /** Cells in which nothing is seen are passed in a loop of their own. */
-  bool passesCells() const { return this->TransparentRanges || this->Isosurfaces; }
-  bool hasGradients() const
-  {
-    return this->GradientOpacity || this->Shading || this->ShowGradients;
-  }
-  bool hasShadows() const { return this->CastShadows || this->HeadlightShadows; }
-  bool hasVertexGradients() const { return this->hasGradients() && !this->CellGradients; }
-  bool hasVertexLight() const
-  {
-    return this->Occlusion || (this->CastShadows && (!this->SampledShadows || this->OpaqueShadows));
-  }
-  /** Whether the error of the integration is bounded along the way; that of a constant is 0. */
-  bool hasErrorBound() const
-  {
-    return this->PointScalars && !this->ConstantColor && this->isComposite() &&
-           (this->Adaptive || this->Diagnostics);
-  }
+  bool passesCells() const;
+  /** Colour and extinction come from different scalars. */
+  bool isDependent() const;
+  /** More than one scalar is drawn. */
+  bool hasComponents() const;
+  /** Something depends on the gradient. */
+  bool hasGradients() const;
+  bool hasVertexGradients() const;
+  /** Light, or the colour of gradients, makes what is seen. */
+  bool isLit() const;
+  bool hasShadows() const;
+  /** Light is kept at the vertices. */
+  bool hasVertexLight() const;
+  /** The error of the integration is bounded along the ray; that of a constant is 0. */
+  bool hasErrorBound() const;
 
   bool operator==(const VariantKey& other) const;
 
-  /** The key without bits that change nothing, and with those that others imply. */
+  /** The key without features that change nothing, and with those that others imply. */
   VariantKey filtered() const;
-  /** The key of what looks for entries alone; the variant that marches makes no difference. */
+  /** The key of a pass that searches entries alone: it does not depend on what is gathered. */
   VariantKey ofEntries() const;
 
-  /** The variant that marches from the vertices towards the light: extinction alone, and whatever
-   * opaque geometry there is. */
+  /** The variant that marches from the vertices towards the light: it knows extinction alone, and
+   * the shadows of opaque geometry. */
   VariantKey ofVertexLight() const;
 
-  /** The variant that looks where rays are picked: what they gather, but no light, up to whatever
-   * else is there. */
+  /** The variant that finds where rays are picked: they gather as in the picture, but without
+   * light, up to opaque geometry. */
   VariantKey ofPick() const;
 
   /** The preprocessor lines that select the variant in the shader text. */
   std::string defines() const;
 
-  /** Symbol (behind TETMARCH_) and member of each bit. */
-  struct Bit
+  struct Feature
   {
-    const char* Name;
-    bool VariantKey::*Member;
+    const char* Name;  // symbol, behind TETMARCH_
+    std::uint64_t Bit; // Variants/Features.h
+    std::variant<bool VariantKey::*, BlendGroup, ComponentGroup> Value;
+    bool isOn(const VariantKey& key) const;
+    /** A value of a group takes the place of the one there was; where it is switched off, the
+     * group's first value takes its place. */
+    void set(VariantKey& key, bool on) const;
   };
-  static constexpr int NumberOfBits = 35;
-  static const std::array<Bit, NumberOfBits>& bits();
+  static constexpr int NumberOfFeatures = 35;
+  static const std::array<Feature, NumberOfFeatures>& features();
+  /** The bits of all features that are on. */
+  std::uint64_t bits() const;
 
 private:
   void dropWhatIsNotBlended();

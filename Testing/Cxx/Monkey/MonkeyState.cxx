@@ -46,6 +46,26 @@ MonkeyState mended(const MonkeyState& state)
   return sound;
 }
 
+namespace
+{
+BlendGroup blendGroupOf(int mode)
+{
+  switch (mode)
+  {
+    case Mapper::MAXIMUM_INTENSITY_BLEND:
+    case Mapper::MINIMUM_INTENSITY_BLEND:
+      return BlendGroup::Extreme;
+    case Mapper::AVERAGE_INTENSITY_BLEND:
+    case Mapper::ADDITIVE_BLEND:
+      return BlendGroup::Sum;
+    case Mapper::ISOSURFACE_BLEND:
+      return BlendGroup::Isosurfaces;
+    default:
+      return BlendGroup::Composite;
+  }
+}
+} // namespace
+
 VariantKey variantOf(const MonkeyState& state)
 {
   const MonkeyTraits& traits = traitsOf(state.Dataset);
@@ -63,11 +83,7 @@ VariantKey variantOf(const MonkeyState& state)
   key.Cropped = state.Cropping && state.CroppingFlags != VTK_CROP_SUBVOLUME;
   key.NanShown = state.DrawNan && traits.HasNan;
   key.HiddenCells = traits.HasHidden;
-  key.Extreme = state.BlendMode == Mapper::MAXIMUM_INTENSITY_BLEND ||
-                state.BlendMode == Mapper::MINIMUM_INTENSITY_BLEND;
-  key.Sum =
-    state.BlendMode == Mapper::AVERAGE_INTENSITY_BLEND || state.BlendMode == Mapper::ADDITIVE_BLEND;
-  key.Isosurfaces = state.BlendMode == Mapper::ISOSURFACE_BLEND;
+  key.Blend = blendGroupOf(state.BlendMode);
   key.CellGradients = state.GradientType == Mapper::CELL_GRADIENTS;
   key.GradientOpacity = state.GradientOpacity;
   key.Shading = state.Shade && state.Lights != MonkeyState::NoLight;

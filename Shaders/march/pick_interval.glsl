@@ -1,7 +1,7 @@
-// The point by which a ray is picked: the first one up to which it has gathered as much as is asked for, of whatever
+// The point at which a ray is picked: the first one up to which it has gathered as much as is asked for, of whatever
 // the blend mode gathers.
 
-CONSTANT int PICK_STEPS = 32; // halvings of the piece that the point is in
+CONSTANT int PICK_STEPS = 32; // halvings of the interval that the point is in
 
 struct Pick
 {
@@ -26,25 +26,30 @@ bool isPicked(Radiance radiance, real target)
   return gathered(radiance) >= target && gathered(radiance) > gathered(noRadiance());
 }
 
-// With what is seen of the tetrahedron up to a depth.
+// What the ray has gathered when the cell is gathered up to a depth.
 Radiance gatheredUpTo(real depth, real thicknessPerDepth, CellInterval cell, Radiance radiance)
 {
   cell.end = depth;
-#if TETMARCH_NAN_SHOWN
-  if (!cell.finite)
-  {
-    absorbNan(radiance, (depth - cell.begin) * thicknessPerDepth);
-  }
-  else
-#endif
-  {
-    gatherSegment(visibleSegment(cell), thicknessPerDepth, cell, radiance);
-  }
+  gatherCell(thicknessPerDepth, cell, radiance);
   return radiance;
 }
 
-// In the place of gatherSegment().
-void pickSegment(real thicknessPerDepth, real target, CellInterval cell, INOUT(Radiance) radiance, INOUT(Pick) pick)
+// The stored scalar at a depth in the cell.
+real pickedScalar(CellInterval cell, real depth)
+{
+#if TETMARCH_POINT_SCALARS
+  real scalar = scalarAt(cell.enter, cell.leave, depth);
+#else
+  real scalar = cell.scalar;
+#endif
+#if TETMARCH_NAN_SHOWN
+  scalar = cell.finite ? scalar : UNDRAWN_SCALAR;
+#endif
+  return scalar;
+}
+
+// Gathers the cell's interval, and finds the point if it is in it.
+void pickInterval(real thicknessPerDepth, real target, CellInterval cell, INOUT(Radiance) radiance, INOUT(Pick) pick)
 {
   Radiance before = radiance;
   radiance = gatheredUpTo(cell.end, thicknessPerDepth, cell, before);
@@ -62,13 +67,6 @@ void pickSegment(real thicknessPerDepth, real target, CellInterval cell, INOUT(R
     pick.hit = true;
     pick.tet = cell.tet;
     pick.depth = high;
-#if TETMARCH_POINT_SCALARS
-    pick.scalar = scalarAt(cell.enter, cell.leave, high);
-#else
-    pick.scalar = cell.scalar;
-#endif
-#if TETMARCH_NAN_SHOWN
-    pick.scalar = cell.finite ? pick.scalar : UNDRAWN_SCALAR;
-#endif
+    pick.scalar = pickedScalar(cell, high);
   }
 }

@@ -1,0 +1,54 @@
+// One scalar gives colour and extinction.
+
+#if TETMARCH_POINT_SCALARS
+// Positions in the table at both ends of a segment.
+struct SegmentEnds
+{
+  real begin;
+  real end;
+};
+
+SegmentEnds segmentEnds(Segment segment)
+{
+  SegmentEnds ends;
+  ends.begin = segment.begin.y * tableScale + tableOffset;
+  ends.end = segment.end.y * tableScale + tableOffset;
+  return ends;
+}
+
+// Whether the table at the begin was read by the last lookup, as it mostly was.
+bool isLoaded(SegmentEnds ends, CellInterval cell) { return cell.at.x == ends.begin; }
+
+struct SubsegmentMean
+{
+  vec4 mean;       // of C tau and tau
+  TablePoint next; // the table at the subsegment's end
+};
+
+// Unless loaded, of the begin alone.
+SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, CellInterval cell)
+{
+  SubsegmentMean found;
+  real target = part.last ? ends.end : ends.begin + (ends.end - ends.begin) * part.end;
+  found.next = tablePoint(loaded ? target : ends.begin);
+  found.mean = meanBetween(cell.at, found.next);
+  return found;
+}
+
+void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) { cell.at = found.next; }
+
+#if TETMARCH_ERROR_BOUND
+// What a subsegment loses (gather/order_error.glsl), seen through that transmittance.
+real subsegmentError(SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
+{
+  return transmittance * (min(abs(found.next.variation - cell.at.variation), real(1)) * orderErrorFactor(by.depth));
+}
+#endif
+#else
+// C tau and tau where the scalar is constant.
+vec4 constantMean(Segment segment)
+{
+  vec4 value = tableValue(segment.begin.y * tableScale + tableOffset);
+  return vec4(value.x * value.w, value.y * value.w, value.z * value.w, value.w);
+}
+#endif

@@ -1,0 +1,51 @@
+// A part of a segment that is integrated at once.
+
+#if TETMARCH_POINT_SCALARS
+struct Subsegment
+{
+  real begin;    // where in the segment, 0..1
+  real end;      // 1 or more if it reaches the end
+  real fraction; // of the segment
+  bool last;     // it reaches the end
+};
+
+Subsegment subsegmentFrom(real position, real step)
+{
+  Subsegment part;
+  part.begin = position;
+  part.end = position + step;
+  part.last = !(part.end < real(1)); // also if it is NaN: the loop ends whatever the input
+  part.fraction = part.last ? real(1) - position : step;
+  return part;
+}
+#endif
+
+// A thickness times the factor that gradients give the extinction at a fraction of the segment.
+real thicknessWithin(CellInterval cell, real fraction, real thickness)
+{
+#if TETMARCH_GRADIENT_OPACITY
+  return thickness * densityWithin(cell.shades, fraction);
+#else
+  return thickness;
+#endif
+}
+
+// Adds a subsegment to what the ray has gathered. mean: of C tau and tau; middle: where in the segment the middle of the
+// subsegment lies; fraction: how much of the segment it is.
+void addSubsegment(
+  vec4 mean, Absorption by, real middle, real fraction, CellInterval cell, INOUT(Radiance) radiance)
+{
+#if TETMARCH_LIGHT_ERROR
+  radiance.lightError =
+    radiance.lightError + radiance.transmittance * by.absorbed * fraction * lightErrorOf(cell.shades);
+#endif
+#if TETMARCH_LIT
+  Illumination lit = illuminationWithin(cell.shades, middle);
+#if TETMARCH_SAMPLED_SHADOWS
+  keepPending(radiance, mean, lit, by);
+#endif
+  absorb(radiance, litEmission(mean, lit, radiance, by), by);
+#else
+  absorb(radiance, emission(mean), by);
+#endif
+}

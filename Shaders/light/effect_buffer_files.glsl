@@ -1,0 +1,8 @@
+// What gradients and light read.
+#include "light/gradient_buffers.glsl"
+#if TETMARCH_SHADING
+#include "light/light_buffers.glsl"
+#endif
+#if TETMARCH_VERTEX_LIGHT
+#include "light/vertex_light_buffers.glsl"
+#endif

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Khronos' reference compiler takes the texts of the variants that VariantBuildTest builds, and
+// those of all other passes, as GLSL 4.50 core: a second opinion beside the GL at hand, which may
+// take what the language does not have.
+#include "CoveringKeys.h"
+#include "Variants/ShaderSource.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace
+{
+using namespace tetmarch::testing;
+using tetmarch::shaderSource;
+using tetmarch::VariantKey;
+using tetmarch::withFileNames;
+
+namespace fs = std::filesystem;
+
+void replaceAll(std::string& text, const std::string& tag, const std::string& by)
+{
+  for (std::size_t at = text.find(tag); at != std::string::npos;
+       at = text.find(tag, at + by.size()))
+  {
+    text.replace(at, tag.size(), by);
+  }
+}
+
+// With what VTK puts in the place of the tags, and outputs that GLSL 4.50 has.
+std::string asCore(std::string text)
+{
+  std::string outputs;
+  for (int i = 0; i < 3; ++i)
+  {
+    const std::string number = std::to_string(i);
+    const std::string old = "gl_FragData[" + number + "]";
+    if (text.find(old) != std::string::npos)
+    {
+      outputs += "layout(location = " + number + ") out vec4 fragOutput" + number + ";\n";
+      replaceAll(text, old, "fragOutput" + number);
+    }
+  }
+  // What these add to GLSL 1.50 is part of 4.50.
+  replaceAll(text, "#extension GL_ARB_gpu_shader5 : require\n", "\n");
+  replaceAll(text, "#extension GL_ARB_ES3_1_compatibility : require\n", "\n");
+  replaceAll(text, "//VTK::System::Dec", "#version 450 core");
+  replaceAll(text, "//VTK::Output::Dec", outputs);
+  replaceAll(text, "//VTK::DepthPeeling::Dec", "layout(location = 0) out vec4 peeled;");
+  replaceAll(text, "//VTK::CallWorker::Impl",
+    "initializeRayCast();\n  peeled = castRay(0.0, 1.0) + vec4(in_inverseWindowSize, "
+    "g_opacityThreshold, 0.0);");
+  return text;
+}
+
+class GlslValidator : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    if (std::string(TETMARCH_GLSLANG_VALIDATOR).empty())
+    {
+      GTEST_SKIP() << "CMake found no glslangValidator (Debian's glslang-tools)";
+    }
+    this->Folder =
+      fs::temp_directory_path() / ("tetmarch-glsl-" + std::to_string(std::random_device()()));
+    fs::create_directory(this->Folder);
+  }
+
+  void TearDown() override
+  {
+    if (!this->Folder.empty())
+    {
+      fs::remove_all(this->Folder);
+    }
+  }
+
+  void add(const std::string& file, const std::string& defines, const std::string& variant)
+  {
+    const std::string stage = file.find(".vert.") != std::string::npos ? ".vert" : ".frag";
+    const std::string name = std::to_string(this->Variants.size()) + stage;
+    std::ofstream(this->Folder / name) << asCore(shaderSource(file, defines));
+    this->Variants[name] = file + " of " + variant;
+  }
+
+  // In one run of the validator, which names each file before what it says of it.
+  void expectValid() const
+  {
+    ASSERT_FALSE(this->Variants.empty());
+    const std::string command =
+      "cd '" + this->Folder.string() + "' && '" TETMARCH_GLSLANG_VALIDATOR "' * 2>&1";
+    std::unique_ptr<FILE, int (*)(FILE*)> output(popen(command.c_str(), "r"), pclose);
+    ASSERT_TRUE(output);
+    std::string variant;
+    std::set<std::string> read;
+    int messages = 0;
+    char line[4096];
+    while (fgets(line, sizeof(line), output.get()) && messages < 20)
+    {
+      std::string text = line;
+      text.erase(text.find_last_not_of("\r\n") + 1);
+      if (this->Variants.count(text) > 0)
+      {
+        variant = this->Variants.at(text);
+        read.insert(text);
+      }
+      else if (!text.empty())
+      {
+        ADD_FAILURE() << withFileNames(text) << "\n  in " << variant;
+        ++messages;
+      }
+    }
+    EXPECT_TRUE(messages >= 20 || read.size() == this->Variants.size());
+  }
+
+  void expectVariants(const char* file, const std::vector<VariantKey>& keys)
+  {
+    for (const VariantKey& key : keys)
+    {
+      this->add(file, key.defines(), namesOf(key));
+    }
+    this->expectValid();
+    std::cout << "[ MEASURED ] " << file << ": " << keys.size() << " variants\n";
+  }
+
+  fs::path Folder;
+  std::map<std::string, std::string> Variants; // by file
+};
+
+TEST_F(GlslValidator, TakesThePicture)
+{
+  this->expectVariants("passes/march.frag.glsl", coveringKeys(legalKeys()));
+}
+
+TEST_F(GlslValidator, TakesTheLightAtVertices)
+{
+  this->expectVariants("passes/vertex_light.frag.glsl", legalLightKeys());
+}
+
+TEST_F(GlslValidator, TakesPicks)
+{
+  this->expectVariants("passes/pick.frag.glsl", coveringKeys(legalPickKeys()));
+}
+
+TEST_F(GlslValidator, TakesTheOtherPasses)
+{
+  for (const VariantKey& picture : coveringKeys(legalPickKeys()))
+  {
+    const VariantKey key = picture.ofEntries();
+    this->add("passes/boundary_view.frag.glsl", key.defines(), namesOf(key));
+  }
+  const std::string driver = "#define TETMARCH_SKIPS_HELPERS 1\n";
+  this->add("passes/march.frag.glsl", VariantKey().defines() + driver, "a driver that needs it");
+  int others = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(TETMARCH_SHADER_DIR) / "passes"))
+  {
+    const std::string name = entry.path().filename().string();
+    const std::set<std::string> ofVariants{ "march.frag.glsl", "vertex_light.frag.glsl",
+      "pick.frag.glsl", "boundary_view.frag.glsl" };
+    const bool entryPoint =
+      name.find(".frag.") != std::string::npos || name.find(".vert.") != std::string::npos;
+    if (entryPoint && ofVariants.count(name) == 0)
+    {
+      this->add("passes/" + name, "", "all");
+      ++others;
+    }
+  }
+  EXPECT_GT(others, 6);
+  this->expectValid();
+}
+
+// A check of the check.
+TEST_F(GlslValidator, RefusesWhatIsNoGlsl)
+{
+  std::ofstream(this->Folder / "wrong.frag")
+    << "#version 450 core\nvoid main() { float x = length; }\n";
+  const std::string command = "cd '" + this->Folder.string() +
+                              "' && '" TETMARCH_GLSLANG_VALIDATOR "' wrong.frag > /dev/null 2>&1";
+  EXPECT_NE(std::system(command.c_str()), 0);
+}
+} // namespace

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Light that comes to a point through the volume.
+#ifndef TetMarchReferenceIncomingLight_h
+#define TetMarchReferenceIncomingLight_h
+
+#include "Reference/GlslLanguage.h"
+
+namespace tetmarch
+{
+
+/** The transmittance from a point of the normalised frame towards ambient light, then towards up to
+ * three lights. */
+template <typename Real>
+class IncomingLight
+{
+public:
+  virtual ~IncomingLight() = default;
+  virtual glsl::Vec4<Real> at(glsl::Vec3<Real> point) const = 0;
+};
+
+} // namespace tetmarch
+
+#endif

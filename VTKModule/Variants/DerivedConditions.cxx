@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What follows from the features of a key: answered by the list that the shaders have, too.
+#include "Variants/Features.h"
+#include "Variants/VariantKey.h"
+
+namespace tetmarch
+{
+
+#define TETMARCH_VARIANT this->bits()
+
+bool VariantKey::isComposite() const { return TETMARCH_COMPOSITE; }
+bool VariantKey::accumulatesOpacity() const { return TETMARCH_ACCUMULATES_OPACITY; }
+bool VariantKey::isKnownAtEnd() const { return TETMARCH_KNOWN_AT_END; }
+bool VariantKey::usesTables() const { return TETMARCH_USES_TABLES; }
+bool VariantKey::hasOneTable() const { return TETMARCH_ONE_TABLE; }
+bool VariantKey::hasOpacityTable() const { return TETMARCH_OPACITY_TABLE; }
+bool VariantKey::passesCells() const { return TETMARCH_PASSES_CELLS; }
+bool VariantKey::isDependent() const { return TETMARCH_DEPENDENT; }
+bool VariantKey::hasComponents() const { return TETMARCH_COMPONENTS; }
+bool VariantKey::hasGradients() const { return TETMARCH_EFFECTS; }
+bool VariantKey::hasVertexGradients() const { return TETMARCH_VERTEX_GRADIENTS; }
+bool VariantKey::isLit() const { return TETMARCH_LIT; }
+bool VariantKey::hasShadows() const { return TETMARCH_SHADOWS; }
+bool VariantKey::hasVertexLight() const { return TETMARCH_VERTEX_LIGHT; }
+bool VariantKey::hasErrorBound() const { return TETMARCH_ERROR_BOUND; }
+
+} // namespace tetmarch
