@@ -5,6 +5,7 @@
 #define TetMarchReferenceImageMaker_h
 
 #include "Reference/MakeKernel.h"
+#include "Reference/RayTrace.h"
 #include "Reference/ReferenceImage.h"
 #include "Reference/ThicknessPerDepth.h"
 #include "Reference/VolumeLight.h"
