@@ -27,6 +27,7 @@ NOT_PASTED = {  # by regular expression
     "cmake --install build --prefix PREFIX": "the test PackageInstall does it",
     "cmake -S . -B build-plugin -DTETMARCH_PARAVIEW_PLUGIN=ON -DParaView_DIR=.../lib/cmake/paraview-5.11":
         "./tetmarch paraview does it",
+    "python3 Testing/Benchmark/compare_.*": "Testing/Benchmark/ComparisonTest.py runs them",
     "PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 example.py": "ExamplesTest.py pastes it",
 }
 # Of Google Benchmark, not of ours.
