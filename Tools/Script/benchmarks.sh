@@ -1,0 +1,52 @@
+# shellcheck shell=bash
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+# For ./tetmarch: times, errors and pictures beside those of other mappers and other commits.
+
+bench() {
+  prepare_machine
+  install_packages "${CHART_PACKAGES[@]}"
+  configure "$BUILD" -DBUILD_TESTING=ON
+  [[ "${1:-}" == against ]] || build tetmarch-bench
+  case "${1:-}" in
+    accuracy | effects | against) "bench_$1" "${@:2}" ;;
+    *) "$BUILD/bin/tetmarch-bench" "$@" ;;
+  esac
+}
+
+bench_accuracy() {
+  local folder="$BUILD/accuracy"
+  mkdir -p "$folder"
+  "$BUILD/bin/tetmarch-bench" refinement --output "$folder/refinement.json" --markdown "$folder/refinement.md"
+  "$BUILD/bin/tetmarch-bench" accuracy --output "$folder/accuracy.json" --markdown "$folder/accuracy.md" "$@"
+  "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/make_accuracy_page.py" \
+    "$folder/accuracy.json" "$folder/refinement.json" "$folder"
+}
+
+bench_effects() {
+  local folder="$BUILD/effects" against=()
+  mkdir -p "$folder"
+  "$BUILD/bin/tetmarch-bench" effects --output "$folder/effects.json" --markdown "$folder/effects.md" "$@"
+  if [[ -f "$BUILD/against/against.json" ]]; then against=(--against "$BUILD/against/against.json"); fi
+  "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/make_effects_page.py" "$folder/effects.json" "$folder" "${against[@]}"
+}
+
+# bench_against COMMIT [OPTION]...: the times, then the pictures, whose differences are an error. The other commit is
+# configured and built by its own script, but for the Python package, by which both are drawn.
+bench_against() {
+  local commit folder="$BUILD/against" other compare="$ROOT/Testing/Benchmark/compare_pictures.py"
+  commit="$(git -C "$ROOT" rev-parse --verify --short "${1:-}^{commit}")" || die "bench against takes a commit"
+  other="$folder/$commit/build"
+  if [[ ! -x "$folder/$commit/tetmarch" ]]; then
+    mkdir -p "$folder/$commit"
+    git -C "$ROOT" archive "$commit" | tar -x -C "$folder/$commit"
+  fi
+  { "$folder/$commit/tetmarch" bench --help && cmake --build "$other" --target vtkRenderingTetMarchPython; } \
+    >"$folder/build.log" 2>&1 || die "$commit couldn't be built, see $folder/build.log"
+  build vtkRenderingTetMarchPython
+  build tetmarch-variants
+  "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/compare_times.py" "$BUILD" "$other" --output "$folder/against.json" "${@:2}"
+  "$SYSTEM_PYTHON" "$compare" draw "$BUILD" "$folder/these.npz" --check
+  "$SYSTEM_PYTHON" "$compare" draw "$other" "$folder/others.npz" --variants "$BUILD/bin/tetmarch-variants"
+  "$SYSTEM_PYTHON" "$compare" compare "$folder/others.npz" "$folder/these.npz"
+}

@@ -1,0 +1,55 @@
+# shellcheck shell=bash
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+# For ./tetmarch: ParaView 5.11 and the plugin for it.
+
+readonly PARAVIEW_ROOT="$BUILD/paraview-root"
+readonly PARAVIEW_BUILD="$BUILD/paraview"
+readonly PARAVIEW_PACKAGES=(paraview paraview-dev openmpi-bin)
+
+# python3-paraview and python3-vtk9 can't both be installed, so ParaView is unpacked into a folder of its own
+# and only what it depends on comes by apt.
+unpack_paraview() {
+  [[ -d "$PARAVIEW_ROOT" ]] && return
+  local part="$PARAVIEW_ROOT.part" package
+  rm -rf "$part"
+  mkdir -p "$part"
+  (cd "$part" && apt-get -q -o APT::Sandbox::User=root download paraview paraview-dev python3-paraview) ||
+    die "failed: apt-get download paraview; run apt-get update and try again"
+  for package in "$part"/*.deb; do
+    dpkg -x "$package" "$part"
+    rm "$package"
+  done
+  mv "$part" "$PARAVIEW_ROOT"
+}
+
+prepare_paraview() {
+  on_debian bookworm || die "only Debian 12's ParaView is prepared here; elsewhere configure with" \
+    "-DTETMARCH_PARAVIEW_PLUGIN=ON -DParaView_DIR=..."
+  install_packages "${PARAVIEW_PACKAGES[@]}"
+  unpack_paraview
+}
+
+explain_plugin() {
+  local plugin="$1" bin="$PARAVIEW_ROOT/usr/bin"
+  cat <<TEXT
+The plugin is $plugin
+To load it: in ParaView by Tools > Manage Plugins > Load New, in Python by
+  paraview.simple.LoadPlugin("$plugin", remote=False)
+or from the start with this ParaView:
+  LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu) $bin/paraview --plugins=$plugin
+TEXT
+}
+
+paraview() {
+  local plugins
+  prepare_machine
+  prepare_paraview
+  configure "$PARAVIEW_BUILD" -DTETMARCH_PARAVIEW_PLUGIN=ON -DBUILD_TESTING=ON \
+    "-DParaView_DIR=$(echo "$PARAVIEW_ROOT"/usr/lib/*/cmake/paraview-*)"
+  cmake --build "$PARAVIEW_BUILD"
+  rm -f "$PARAVIEW_BUILD/test-results.xml"
+  run_ctest "$PARAVIEW_BUILD"
+  plugins=("$PARAVIEW_BUILD"/lib/*/plugins/TetMarch/TetMarch.so)
+  explain_plugin "${plugins[0]}"
+}
