@@ -203,7 +203,7 @@ TEST(RayTrace, EndsWithThePixelOfLitScenes)
     EffectData effects;
     effects.Gradients = scalars == ScalarsOf::Points
                           ? vertexGradients(marched.Mesh)
-                          : vertexGradients(marched.Mesh, marched.CellScalars);
+                          : vertexGradients(marched.Mesh, marched.Scalars.OfCells);
     LightUniforms::Light sun;
     sun.Diffuse = { { 0.8, 0.6, 0.4 } };
     sun.Place = { { 0.6, 0.0, 0.8, 0.0 } };
@@ -227,14 +227,17 @@ TEST(RayTrace, EndsWithThePixelOfSeveralComponents)
       setComponentFunctions(marched.Property, 4);
       vtkDataArray* array =
         cells ? shot.Data->GetCellData()->GetScalars() : shot.Data->GetPointData()->GetScalars();
-      std::string error;
-      const DrawnComponents drawn =
-        drawnComponents({ VectorMode::AllComponents, 0 }, marched.Property, array, error);
-      ASSERT_EQ(error, "");
+      DrawnScalars drawn;
+      ASSERT_EQ(chooseScalars(shot.Data, array, cells, { VectorMode::AllComponents, 0 },
+                  marched.Property, drawn),
+        "");
+      marched.Scalars = readScalars(shot.Data, drawn, marched.Mesh);
       ReferenceScene& scene = marched.Scene;
       Components parts;
-      scene.Range =
-        readComponents(shot.Data, array, cells, drawn, marched.Mesh, marched.CellScalars, parts);
+      parts.Mix = drawn.Mix;
+      parts.FurtherRanges = marched.Scalars.Further.Ranges;
+      scene.Range = marched.Scalars.Range;
+      scene.Further = &marched.Scalars.Further;
       marched.Table = componentTables(
         marched.Property, tetmarch::OpacityLaw::Unstructured, scene.Range, DefaultAccuracy, parts);
       ASSERT_EQ(setFactors(marched.Property, parts), "");

@@ -6,9 +6,9 @@
 #include "Light/Lighting.h"
 #include "Light/VertexLightLayout.h"
 #include "Mesh/BoundaryHierarchy.h"
-#include "Mesh/FurtherScalars.h"
 #include "Rays/Clipping.h"
 #include "Reference/Kernel.h"
+#include "Scalars/DrawnScalars.h"
 
 #include <cstdlib>
 #include <filesystem>

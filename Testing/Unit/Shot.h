@@ -7,6 +7,7 @@
 #ifndef tetmarch_testing_Shot_h
 #define tetmarch_testing_Shot_h
 
+#include "Mesh/MeshScalars.h"
 #include "Optics/AccuracyLevel.h"
 #include "Reference/ReferenceImage.h"
 

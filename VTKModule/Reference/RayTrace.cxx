@@ -29,9 +29,9 @@ void describe(const ReferenceScene& scene, TracedCell& cell)
 {
   cell.Cell = scene.Mesh->TetCells[cell.Tet];
   std::vector<ScalarRange> ranges{ scene.Range };
-  if (scene.Further)
+  if (scene.Parts)
   {
-    const auto& further = scene.Further->Ranges;
+    const auto& further = scene.Parts->FurtherRanges;
     ranges.insert(ranges.end(), further.begin(), further.end());
   }
   for (std::size_t k = 0; k < ranges.size(); ++k)
