@@ -14,14 +14,14 @@ namespace tetmarch
 template <typename Real>
 struct ExtremePointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_PICTURE_FEATURES | TETMARCH_WITH_EXTREME)
 template <typename Real>
 struct ExtremeCellKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -29,14 +29,14 @@ struct ExtremeCellKernel
 template <typename Real>
 struct SumPointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_PICTURE_FEATURES | TETMARCH_WITH_SUM)
 template <typename Real>
 struct SumCellKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -44,21 +44,21 @@ struct SumCellKernel
 template <typename Real>
 struct IsosurfacePointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_PICTURE_FEATURES | TETMARCH_WITH_ISOSURFACES)
 template <typename Real>
 struct IsosurfaceCellKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_LIT_SURFACE_FEATURES | TETMARCH_WITH_POINT_SCALARS)
 template <typename Real>
 struct LitIsosurfacePointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -66,14 +66,14 @@ struct LitIsosurfacePointKernel
 template <typename Real>
 struct LitIsosurfaceGradientKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_LIT_SURFACE_FEATURES)
 template <typename Real>
 struct LitIsosurfaceCellKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 } // namespace tetmarch

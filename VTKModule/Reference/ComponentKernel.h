@@ -19,7 +19,7 @@ namespace tetmarch
 template <typename Real>
 struct IndependentPointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -27,14 +27,14 @@ struct IndependentPointKernel
 template <typename Real>
 struct FastIndependentPointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_VOLUME_FEATURES | TETMARCH_WITH_INDEPENDENT)
 template <typename Real>
 struct IndependentCellKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -43,7 +43,7 @@ struct IndependentCellKernel
 template <typename Real>
 struct ColorAndOpacityPointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -51,14 +51,14 @@ struct ColorAndOpacityPointKernel
 template <typename Real>
 struct FastColorAndOpacityPointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_COLOR_AND_OPACITY)
 template <typename Real>
 struct ColorAndOpacityCellKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -67,7 +67,7 @@ struct ColorAndOpacityCellKernel
 template <typename Real>
 struct DirectColorPointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -75,14 +75,14 @@ struct DirectColorPointKernel
 template <typename Real>
 struct FastDirectColorPointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_DIRECT_COLOR)
 template <typename Real>
 struct DirectColorCellKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 } // namespace tetmarch

@@ -49,7 +49,7 @@ using namespace glsl;
 template <typename Real>
 struct PointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -59,7 +59,7 @@ struct PointKernel
 template <typename Real>
 struct PortablePointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_POINT_SCALARS)
@@ -67,14 +67,14 @@ struct PortablePointKernel
 template <typename Real>
 struct FastPointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_ONE_OPACITY_FEATURES)
 template <typename Real>
 struct CellKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 } // namespace tetmarch

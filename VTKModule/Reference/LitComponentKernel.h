@@ -19,7 +19,7 @@ namespace tetmarch
 template <typename Real>
 struct LitColorAndOpacityPointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -28,14 +28,14 @@ struct LitColorAndOpacityPointKernel
 template <typename Real>
 struct LitColorAndOpacityCellGradientKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_LIT_FEATURES | TETMARCH_WITH_COLOR_AND_OPACITY)
 template <typename Real>
 struct LitColorAndOpacityCellKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -44,7 +44,7 @@ struct LitColorAndOpacityCellKernel
 template <typename Real>
 struct LitDirectColorPointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -53,14 +53,14 @@ struct LitDirectColorPointKernel
 template <typename Real>
 struct LitDirectColorCellGradientKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_LIT_FEATURES | TETMARCH_WITH_DIRECT_COLOR)
 template <typename Real>
 struct LitDirectColorCellKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 } // namespace tetmarch

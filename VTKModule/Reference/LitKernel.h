@@ -19,14 +19,14 @@ namespace tetmarch
 template <typename Real>
 struct LightRayKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_LIGHT_RAY_FEATURES)
 template <typename Real>
 struct LightRayCellKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -34,7 +34,7 @@ struct LightRayCellKernel
 template <typename Real>
 struct LightRayCellGradientKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 // Rays of the picture.
@@ -44,7 +44,7 @@ struct LightRayCellGradientKernel
 template <typename Real>
 struct LitPointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT                                                                           \
@@ -53,21 +53,21 @@ struct LitPointKernel
 template <typename Real>
 struct LitCellGradientKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_LIT_FEATURES | TETMARCH_WITH_POINT_SCALARS)
 template <typename Real>
 struct LitFastPointKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 #define TETMARCH_VARIANT (TETMARCH_LIT_FEATURES)
 template <typename Real>
 struct LitCellKernel
 {
-#include "KernelBody.h"
+#include "Reference/KernelBody.h"
 };
 
 } // namespace tetmarch
