@@ -123,6 +123,8 @@ class CommandsTest(unittest.TestCase):
             if not (BUILD / "bin" / program).exists():
                 self.skipTest(f"{program} isn't built")
             known += self.paste(f"build/bin/{program} --help")
+        for script in ("compare_pictures.py draw", "compare_times.py"):
+            known += self.paste(f"/usr/bin/python3 {PROJECT}/Testing/Benchmark/{script} --help")
         for page in pages():
             for word in code_words(page.read_text(encoding="utf-8")):
                 if word.startswith(("--", "tetmarch-", "build/bin/tetmarch")):

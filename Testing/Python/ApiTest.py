@@ -100,21 +100,6 @@ class ApiTest(unittest.TestCase):
         self.assertEqual(mapper.GetViewRange(), (2.0, 30.0))
         self.assertEqual(mapper.GetViewLookupTable().GetNumberOfTableValues(), 256)
 
-    def test_deprecated_names(self):
-        mapper = vtkTetMarchVolumeMapper()
-        self.assertEqual((mapper.VIEW_SHELL_FACES, mapper.VIEW_SHELL_COORDINATES),
-                         (mapper.VIEW_BOUNDARY_FACES, mapper.VIEW_BOUNDARY_COORDINATES))
-        mapper.SetViewModeToShellFaces()
-        self.assertEqual(mapper.GetViewMode(), mapper.VIEW_BOUNDARY_FACES)
-        mapper.SetViewModeToShellCoordinates()
-        self.assertEqual(mapper.GetViewMode(), mapper.VIEW_BOUNDARY_COORDINATES)
-        self.assertEqual(mapper.GetNumberOfEvaluations(), mapper.GetNumberOfLookups())
-        errors = []
-        mapper.AddObserver("ErrorEvent", lambda *_: errors.append(True))
-        self.assertIs(mapper.RenderReference(None, vtk.vtkFloatArray()), False)
-        self.assertIs(mapper.CompareWithReference(None), False)
-        self.assertEqual(len(errors), 2)  # there is no frame yet
-
     def test_the_choice_of_a_component(self):
         mapper = vtkTetMarchVolumeMapper()
         self.assertEqual((mapper.GetVectorMode(), mapper.GetVectorComponent()), (mapper.DISABLED, 0))

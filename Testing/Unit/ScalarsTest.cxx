@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Arrays of every type become 0..1 and a range.
-#include "Mesh/MeshScalars.h"
-
-#include "UnitMeshes.h"
+#include "StoredScalars.h"
 
 #include "vtkAngularPeriodicDataArray.h"
 #include "vtkDataArray.h"
@@ -20,45 +18,6 @@ namespace
 {
 using namespace tetmarch;
 using namespace tetmarch::testing;
-
-void setComponent(vtkDataArray* array, int component, const std::vector<double>& values)
-{
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->SetComponent(static_cast<vtkIdType>(i), component, values[i]);
-  }
-}
-
-vtkSmartPointer<vtkDataArray> arrayOf(
-  int type, const std::vector<double>& values, int components = 1, int component = 0)
-{
-  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  array->Fill(77.0);
-  setComponent(array, component, values);
-  return array;
-}
-
-DrawnScalars pointScalars(vtkDataArray* array, const TupleScalar& scalar)
-{
-  return { array, false, ComponentMix::Single, scalar };
-}
-
-// The stored scalar of every point of a single tetrahedron.
-std::array<float, 4> storedOf(
-  vtkDataArray* array, ScalarRange& range, const TupleScalar& scalar = {})
-{
-  const Grid grid = singleTet();
-  TetMesh mesh = built(grid);
-  range = readScalars(grid, pointScalars(array, scalar), mesh).Range;
-  std::array<float, 4> stored{};
-  for (std::size_t v = 0; v < 4; ++v)
-  {
-    stored[mesh.VertexPoints[v]] = mesh.Vertices[v].Scalar;
-  }
-  return stored;
-}
 
 constexpr int Types[] = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
   VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,

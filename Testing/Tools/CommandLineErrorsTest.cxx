@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Arguments that tetmarch-render refuses, and what it says of them.
+#include "CommandLineErrors.h"
+
+TEST(CommandLine, RefusesWhatItDoesNotKnow)
+{
+  EXPECT_EQ(GetError({}), "no input file is given");
+  EXPECT_EQ(GetError({ "" }), "no input file is given");
+  EXPECT_EQ(GetError({ "a.vtu", "b.vtu" }), "more than one input: 'a.vtu' and 'b.vtu'");
+  EXPECT_EQ(GetError({ "a.vtu", "--bogus" }), "unknown option '--bogus'");
+  EXPECT_EQ(GetError({ "a.vtu", "--bogus=3" }), "unknown option '--bogus'");
+  EXPECT_EQ(GetError({ "a.vtu", "-x" }), "unknown option '-x'");
+  EXPECT_EQ(GetError({ "a.vtu", "--size" }), "option --size needs a value");
+  EXPECT_EQ(GetError({ "a.vtu", "--array", "--size", "3x3" }), "option --array needs a value");
+  EXPECT_EQ(GetError({ "a.vtu", "--array=" }), "bad value '' of --array: the value is empty");
+}
+
+TEST(CommandLine, RefusesBadSizes)
+{
+  for (const char* size :
+    { "10", "x", "10x", "0x10", "10x0", "-5x5", "1x16385", "10x10x10", "1e2x5", " 10x10", "3.5x2" })
+  {
+    ExpectBadValue("--size", size, "expected WIDTHxHEIGHT, each from 1 to 16384");
+  }
+}
+
+TEST(CommandLine, RefusesBadNumbers)
+{
+  for (const char* number : { "0", "-1", "nan", "inf", "1e999", "3m", "one", "1,2" })
+  {
+    ExpectBadValue("--unit-distance", number, "expected a number above 0");
+    ExpectBadValue("--parallel-scale", number, "expected a number above 0");
+  }
+  for (const char* number : { "-1", "1.5", "x", "99999999999" })
+  {
+    ExpectBadValue("--frames", number, "expected a whole number, 0 or more");
+    ExpectBadValue("--time-step", number, "expected a whole number, 0 or more");
+  }
+}
+
+TEST(CommandLine, RefusesBadLists)
+{
+  const std::string three = "expected 3 finite numbers separated by commas";
+  for (const char* list : { "1", "1,1", "1,1,1,1", "1,,1", "1,1,", ",1,1", "a,b,c", "nan,1,1" })
+  {
+    ExpectBadValue("--background", list, three);
+  }
+  ExpectBadValue("--background", "0,0,1.01", "expected three numbers from 0 to 1");
+  ExpectBadValue("--background", "-0.1,0,1", "expected three numbers from 0 to 1");
+  ExpectBadValue("--range", "1", "expected 2 finite numbers separated by commas");
+  ExpectBadValue("--range", "2,1", "the first number must be below the second");
+  ExpectBadValue("--range", "1,1", "the first number must be below the second");
+}
+
+TEST(CommandLine, RefusesBadCameras)
+{
+  ExpectBadValue("--camera", "1,2,3", "expected 9 or 10 finite numbers separated by commas");
+  ExpectBadValue(
+    "--camera", "0,0,5,0,0,0,0,1,0,180", "the view angle must be above 0 and below 180 degrees");
+  ExpectBadValue(
+    "--camera", "0,0,5,0,0,0,0,1,0,0", "the view angle must be above 0 and below 180 degrees");
+  const std::string degenerate = "position and focal point coincide, or the view-up vector is zero "
+                                 "or parallel to the line of sight";
+  ExpectBadValue("--camera", "0,0,5,0,0,5,0,1,0", degenerate);
+  ExpectBadValue("--camera", "0,0,5,0,0,0,0,0,0", degenerate);
+  ExpectBadValue("--camera", "0,0,5,0,0,0,0,0,2", degenerate);
+}
+
+TEST(CommandLine, RefusesBadChoices)
+{
+  ExpectBadValue("--opacity-law", "linear", "expected structured or unstructured");
+  ExpectBadValue("--accuracy", "best", "expected fast, default, accurate or reference");
+  ExpectBadValue("--view", "bound",
+    "expected picture, error, cells, lookups, illumination, gradients, faces or coordinates");
+  ExpectBadValue(
+    "--blend", "slice", "expected composite, maximum, minimum, average, additive or isosurface");
+  ExpectBadValue("--isovalues", "1,x", "expected finite numbers separated by commas");
+  ExpectBadValue("--shadows", "on", "expected off, automatic, vertices or rays");
+  ExpectBadValue("--tolerance", "0.0000001", "expected a number from 1e-6 to 1");
+  ExpectBadValue("--error", "1.5", "expected a number from 1e-6 to 1");
+  ExpectBadValue("--frame-time", "0", "expected a number above 0");
+  ExpectBadValue("--association", "point", "expected points or cells");
+}
+
+TEST(CommandLine, RefusesBadLight)
+{
+  for (const char* number : { "-0.1", "1.01", "nan", "x", "0.1,0.2" })
+  {
+    for (const char* option : { "--ambient", "--diffuse", "--specular", "--reach", "--occlusion" })
+    {
+      ExpectBadValue(option, number, "expected a number from 0 to 1");
+    }
+  }
+  ExpectBadValue("--scattering", "2.1", "expected a number from 0 to 2");
+  ExpectBadValue("--specular-power", "0", "expected a number above 0");
+  for (const char* light : { "headlights", "headlight,", "headlight,x", "headlight,1,2" })
+  {
+    ExpectBadValue("--light", light, "expected headlight or headlight,INTENSITY");
+  }
+  for (const char* light : { "head", "1,2", "1,2,3,4,5", "1,2,x" })
+  {
+    ExpectBadValue("--light", light, "expected 3 or 4 finite numbers separated by commas");
+  }
+  ExpectBadValue("--light", "0,0,0,1", "a light that shines from 0,0,0 has no direction");
+  ExpectBadValue("--light", "0,0,1,-1", "the intensity must be 0 or more");
+  ExpectBadValue("--light", "headlight,-1", "the intensity must be 0 or more");
+}
+
+TEST(CommandLine, RefusesBadPixels)
+{
+  for (const char* pixel : { "5", "5,", ",5", "5,5,5", "-1,5", "5,-1", "1.5,2", "a,b", "5 ,5" })
+  {
+    ExpectBadValue("--pixel", pixel, "expected X,Y, two whole numbers, 0 or more");
+  }
+  const std::string outside =
+    "the pixel of --pixel is outside the picture: columns are 0 to 1023, rows 0 to 767";
+  EXPECT_EQ(GetError({ "a.vtu", "--pixel", "1024,0" }), outside);
+  EXPECT_EQ(GetError({ "a.vtu", "--pixel", "0,768" }), outside);
+  EXPECT_EQ(GetError({ "a.vtu", "--pixel-json", "p.json" }),
+    "--pixel-json writes the ray of --pixel, which is missing");
+}
