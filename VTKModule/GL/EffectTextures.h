@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the effects read, on the GPU: only what the variant at hand calls for.
+// What gradients and light read, on the GPU: only what the variant needs.
 #ifndef TetMarchGLEffectTextures_h
 #define TetMarchGLEffectTextures_h
 

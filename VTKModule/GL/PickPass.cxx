@@ -47,7 +47,7 @@ std::string PickPass::march(vtkOpenGLRenderWindow* window, const MarchInputs& in
   state->vtkglViewport(0, 0, part.Width, part.Height);
   state->vtkglClearColor(0, 0, 0, 0);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  this->Tiles.expectChange(); // the last part may have been another
+  this->Tiles.expectChange(); // the part may differ from the last one
   return drawInTiles(window, { 0, 0, part.Width, part.Height }, inputs.MostSecondsPerDraw,
     this->Tiles, progress, stopped,
     [&](const Viewport& tile) { return this->drawTile(window, inputs, part, tile); });
@@ -71,7 +71,7 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
   {
     inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
   }
-  // Where the whole area would lie, were the part's corner that of the target.
+  // The position of the whole area, if the part's corner is that of the target.
   const Viewport& area = inputs.Area;
   bindPixelRays(program, inputs, { area.X - part.X, area.Y - part.Y, area.Width, area.Height });
   if (inputs.Key.Clipped)

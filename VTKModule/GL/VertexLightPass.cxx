@@ -21,7 +21,7 @@ namespace tetmarch
 namespace
 {
 
-// So few that one draw of them fits into what a frame can spare.
+// Few enough for one draw to fit into the time that a frame can spare.
 constexpr int BlocksOfPart = 8;
 constexpr std::size_t VerticesOfBlock = VertexLightBlockSide * VertexLightBlockSide;
 constexpr std::size_t BlocksOfRow = VertexLightRow / VertexLightBlockSide;
@@ -83,7 +83,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   }
   else if (this->Made == 0)
   {
-    // What was shown won't be any more, and its place can be used.
+    // The light that was shown is out of date, so that its texture can be used.
     std::swap(this->Shown, this->Next);
     this->ShownVersion.clear();
   }
@@ -104,7 +104,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   return error;
 }
 
-// Light of before, as long as it is of the vertices of this mesh; else all that comes.
+// The light before, if it is that of the vertices of this mesh; else every transmittance is 1.
 std::string VertexLightPass::showSomething(
   vtkOpenGLRenderWindow* window, const Viewport& all, std::uintptr_t mesh)
 {
@@ -125,19 +125,19 @@ std::string VertexLightPass::showSomething(
 std::string VertexLightPass::makeAll(
   vtkOpenGLRenderWindow* window, const Work& work, const Progress& progress, bool& stopped)
 {
-  const int first = VertexLightBlockSide * static_cast<int>(this->Made / VerticesOfBlock /
-                                                            BlocksOfRow); // of the rows to make
+  const int rowsMade = static_cast<int>(this->Made / VerticesOfBlock / BlocksOfRow);
+  const int first = VertexLightBlockSide * rowsMade;
   const Viewport rest{ 0, first, work.All.Width, work.All.Height - first };
   const std::string error = drawInTiles(window, rest, work.Inputs.MostSecondsPerDraw, this->Tiles,
     progress, stopped, [&](const Viewport& tile) { return this->drawTile(window, work, tile); });
-  glFinish(); // what it took is told
+  glFinish(); // the time is to include the work of the GPU
   this->Made = error.empty() && !stopped ? work.Vertices : this->Made;
   return error;
 }
 
 std::string VertexLightPass::makePart(vtkOpenGLRenderWindow* window, const Work& work)
 {
-  glFinish(); // what was drawn before takes none of the time
+  glFinish(); // the time is not to include what was drawn before
   const Clock::time_point begin = Clock::now();
   std::string error;
   do

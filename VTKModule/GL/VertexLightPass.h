@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Marches from each vertex towards the light, and keeps how much comes.
+// Marches from each vertex towards the light, and keeps the transmittance.
 #ifndef TetMarchGLVertexLightPass_h
 #define TetMarchGLVertexLightPass_h
 
@@ -24,13 +24,13 @@ public:
    * asked to stop between two tiles.
    *
    * If the inputs limit its time, a part is made and the rest left to the next calls: until all of
-   * it is there, the light that was there before is shown, or none is kept off.
+   * it is there, the light before is shown, or every transmittance is 1.
    */
   std::string update(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::size_t vertices,
     const Fingerprint& version, const Progress& progress, bool& stopped);
   /** Blocks of RGBA: ambient light, then that of up to three lights. */
   vtkTextureObject* texture() const { return this->Shown.color(0); }
-  /** Whether texture() is what the last update() was asked for. */
+  /** Whether texture() has the light that the last update() asked for. */
   bool isComplete() const { return this->Complete; }
   /** A run is what makes all of the light, over however many frames. */
   const StageRecord& record() const { return this->Record; }
@@ -43,7 +43,7 @@ private:
     MarchInputs Inputs;
     Viewport All; // of the texture
     std::size_t Vertices;
-    bool ToLights; // or ambient light alone
+    bool ToLights; // else ambient light alone
   };
 
   std::string showSomething(
@@ -55,11 +55,11 @@ private:
 
   ShaderDraw Draw;
   FloatTarget Shown;
-  FloatTarget Next; // while it is being made
+  FloatTarget Next; // the light that is being made
   Fingerprint ShownVersion;
   Fingerprint NextVersion;
-  std::size_t Made = 0; // vertices of it
-  double Seconds = 0;   // that it took as yet
+  std::size_t Made = 0; // vertices whose light is made
+  double Seconds = 0;   // that this has taken so far
   bool Complete = false;
   TileSchedule Tiles;
   StageRecord Record;
