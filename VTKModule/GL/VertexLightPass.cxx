@@ -21,7 +21,7 @@ namespace tetmarch
 namespace
 {
 
-// So few blocks that one draw of them fits into the time that a frame can spare.
+// Few enough for one draw to fit into the time that a frame can spare.
 constexpr int BlocksOfPart = 8;
 constexpr std::size_t VerticesOfBlock = VertexLightBlockSide * VertexLightBlockSide;
 constexpr std::size_t BlocksOfRow = VertexLightRow / VertexLightBlockSide;
@@ -83,7 +83,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   }
   else if (this->Made == 0)
   {
-    // The light that was shown is out of date, and its texture can be used.
+    // The light that was shown is out of date, so that its texture can be used.
     std::swap(this->Shown, this->Next);
     this->ShownVersion.clear();
   }
@@ -104,7 +104,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   return error;
 }
 
-// Show the light of before if it is of the vertices of this mesh, or else full light.
+// The light before, if it is that of the vertices of this mesh; else every transmittance is 1.
 std::string VertexLightPass::showSomething(
   vtkOpenGLRenderWindow* window, const Viewport& all, std::uintptr_t mesh)
 {
@@ -125,19 +125,19 @@ std::string VertexLightPass::showSomething(
 std::string VertexLightPass::makeAll(
   vtkOpenGLRenderWindow* window, const Work& work, const Progress& progress, bool& stopped)
 {
-  const int first = VertexLightBlockSide * static_cast<int>(this->Made / VerticesOfBlock /
-                                                            BlocksOfRow); // the first row to make
+  const int rowsMade = static_cast<int>(this->Made / VerticesOfBlock / BlocksOfRow);
+  const int first = VertexLightBlockSide * rowsMade;
   const Viewport rest{ 0, first, work.All.Width, work.All.Height - first };
   const std::string error = drawInTiles(window, rest, work.Inputs.MostSecondsPerDraw, this->Tiles,
     progress, stopped, [&](const Viewport& tile) { return this->drawTile(window, work, tile); });
-  glFinish(); // so that its time is known
+  glFinish(); // the time is to include the work of the GPU
   this->Made = error.empty() && !stopped ? work.Vertices : this->Made;
   return error;
 }
 
 std::string VertexLightPass::makePart(vtkOpenGLRenderWindow* window, const Work& work)
 {
-  glFinish(); // so that earlier draws take none of the time
+  glFinish(); // the time is not to include what was drawn before
   const Clock::time_point begin = Clock::now();
   std::string error;
   do

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Marches from each vertex towards the lights, and keeps how much light comes.
+// Marches from each vertex towards the light, and keeps the transmittance.
 #ifndef TetMarchGLVertexLightPass_h
 #define TetMarchGLVertexLightPass_h
 
@@ -23,14 +23,14 @@ public:
    * version is that of the geometry. Returns an empty string, or what is wrong; `stopped` becomes
    * true if progress asked to stop between two tiles.
    *
-   * If the inputs limit its time, a part is made and the rest is left to the next calls. Until all
-   * of it is there, the light of before is shown, or full light if there was none.
+   * If the inputs limit its time, a part is made and the rest left to the next calls: until all of
+   * it is there, the light before is shown, or every transmittance is 1.
    */
   std::string update(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::size_t vertices,
     const Fingerprint& version, const Progress& progress, bool& stopped);
   /** Blocks of RGBA: ambient light, then that of up to three lights. */
   vtkTextureObject* texture() const { return this->Shown.color(0); }
-  /** Whether texture() is the version that the last update() asked for. */
+  /** Whether texture() has the light that the last update() asked for. */
   bool isComplete() const { return this->Complete; }
   /** A run makes all of the light, in one or several frames. */
   const StageRecord& record() const { return this->Record; }
@@ -43,7 +43,7 @@ private:
     MarchInputs Inputs;
     Viewport All; // all texels of the texture
     std::size_t Vertices;
-    bool ToLights; // false: ambient light only
+    bool ToLights; // else ambient light alone
   };
 
   std::string showSomething(
@@ -55,11 +55,11 @@ private:
 
   ShaderDraw Draw;
   FloatTarget Shown;
-  FloatTarget Next; // while it is being made
+  FloatTarget Next; // the light that is being made
   Fingerprint ShownVersion;
   Fingerprint NextVersion;
-  std::size_t Made = 0; // so many vertices of Next
-  double Seconds = 0;   // the time that Next took so far
+  std::size_t Made = 0; // vertices whose light is made
+  double Seconds = 0;   // that this has taken so far
   bool Complete = false;
   TileSchedule Tiles;
   StageRecord Record;

@@ -15,6 +15,7 @@
     TETMARCH_WITH_CLIPPED | TETMARCH_WITH_CROPPED)
 // Of a volume: emission and absorption.
 #define TETMARCH_VOLUME_FEATURES (TETMARCH_PICTURE_FEATURES | TETMARCH_WITH_NAN_SHOWN)
+// Of a volume with one table of opacity, which tells where it is transparent.
 #define TETMARCH_ONE_OPACITY_FEATURES (TETMARCH_VOLUME_FEATURES | TETMARCH_WITH_TRANSPARENT_RANGES)
 // Of a volume with gradient opacity and in any light.
 #define TETMARCH_LIT_FEATURES                                                                      \
