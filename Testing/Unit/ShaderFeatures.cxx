@@ -68,7 +68,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
       "furtherScalarBuffer fetchFurtherScalars TableSpan tableSpan tableFirst tableSizes "
       "tableIntegralUnits tablePlace fetchTableFirst fetchTableSize fetchTableIntegralUnit "
       "fetchTablePlace" },
-    { "components along pieces",
+    { "components along segments",
       [](const Key& k, MarchShader s) { return gathers(s) && k.hasComponents() && k.PointScalars; },
       "furtherAt furtherEnd" },
     { "independent components", [](const Key& k, MarchShader) { return isIndependent(k); },
@@ -202,7 +202,7 @@ const std::vector<ShaderFeature>& shaderFeatures()
     { "light", [](const Key& k, MarchShader) { return k.isLit(); },
       "Light Illumination lit direct diffuse specular noLight addLight dimLight mixLight "
       "noIllumination mixIllumination illuminationWithin reflection" },
-    { "light of pieces", [](const Key& k, MarchShader) { return k.isLit() && k.isComposite(); },
+    { "light of segments", [](const Key& k, MarchShader) { return k.isLit() && k.isComposite(); },
       "litEmission" },
     { "error of light",
       [](const Key& k, MarchShader)
