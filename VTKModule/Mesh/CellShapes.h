@@ -11,7 +11,9 @@ namespace tetmarch
 
 using Polygon = std::vector<int>;
 
-/** A part of a cell, bounded by polygons, that is to be cut into tetrahedra. */
+/** A part of a cell, bounded by polygons, that is to be cut into tetrahedra. A piece that is cut
+ * from one of its points contains the mean of the cell's points: CellCutter tells by that point
+ * which side of a face is inside. */
 struct CellPiece
 {
   std::vector<Polygon> Faces;
