@@ -3,7 +3,7 @@
 """How long frames of one build take beside those of another: compare_times.py BUILD OTHER [OPTION]...
 
 Both are build folders with a Python package, so that all that they have to have in common is the public API. Each
-dataset is drawn without light and in the light of one lamp with shadows. Both builds draw by turns, a frame each of the
+dataset is drawn without light and in the light of one light source with shadows. Both builds draw by turns, a frame each of the
 same view; each round has new processes, lest the luck of one count for all, and the other build begins.
 """
 import argparse

@@ -3,7 +3,7 @@
 """Draws frames of a dataset with the vtktetmarch that Python finds: time_frames.py DATASET off|on WIDTHxHEIGHT
 
 compare_times.py runs this for each build. It prints "ready", then for each line of its input, the number of a view, the
-seconds that a frame of that view took. Light is that of one lamp of the scene, with shadows at vertices.
+seconds that a frame of that view took. Light is that of one light source of the scene, with shadows at vertices.
 """
 import json
 import pathlib
