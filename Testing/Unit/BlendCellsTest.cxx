@@ -32,14 +32,14 @@ bool isBesideASide(double x) { return std::abs(4 * x - std::round(4 * x)) < 1e-4
 TEST(Blend, ScalarsOfCells)
 {
   BlendedRays rays(slabs(), true);
-  const auto sure = [](const Chord& c)
+  const auto sure = [](const ScalarChord& c)
   {
     const bool ends = (c.First < 1e-4 || c.First > 1 - 1e-4 || !isBesideASide(c.First)) &&
                       (c.Last < 1e-4 || c.Last > 1 - 1e-4 || !isBesideASide(c.Last));
     return ends && std::abs(c.First - c.Last) > 1e-3;
   };
   rays.use(BlendMode::Maximum);
-  const auto maximum = [&](const Chord& c, Rgba& known)
+  const auto maximum = [&](const ScalarChord& c, Rgba& known)
   {
     known = BlendedRays::premultiplied(scalarOfSlab(std::max(c.First, c.Last)));
     return sure(c);
@@ -48,7 +48,7 @@ TEST(Blend, ScalarsOfCells)
   expectRays<ExtremeCellKernel<float>, float>(rays, AlongX, maximum);
 
   rays.use(BlendMode::Average, { { 0.3, 0.9 } });
-  const auto average = [&](const Chord& c, Rgba& known)
+  const auto average = [&](const ScalarChord& c, Rgba& known)
   {
     double sum = 0, length = 0;
     for (int slab = 1; slab < 3; ++slab)
@@ -70,9 +70,9 @@ TEST(Blend, ScalarsOfCells)
   // Values between the scalars of two slabs, which are 0, 1/3, 2/3 and 1.
   const std::vector<double> values{ 0.1, 0.2, 0.5, 0.9 };
   rays.useSurfaces(values);
-  const auto surfaces = [&](const Chord& c, Rgba& known)
+  const auto surfaces = [&](const ScalarChord& c, Rgba& known)
   {
-    Chord stepped = c;
+    ScalarChord stepped = c;
     stepped.First = scalarOfSlab(c.First);
     stepped.Last = scalarOfSlab(c.Last);
     known = composited(crossed(values, stepped));

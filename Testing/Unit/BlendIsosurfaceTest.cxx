@@ -20,7 +20,7 @@ TEST(Blend, IsosurfacesInTheOrderOfDepth)
       std::vector<double>{ 0.9, -1.0, 3.0 }, std::vector<double>{} })
   {
     EXPECT_EQ(rays.useSurfaces(values), "");
-    const auto expected = [&](const Chord& c, Rgba& known)
+    const auto expected = [&](const ScalarChord& c, Rgba& known)
     {
       known = composited(crossed(values, c));
       return std::none_of(values.begin(), values.end(),
@@ -37,7 +37,7 @@ TEST(Blend, AValueOnFacesCountsOnce)
 {
   BlendedRays rays(jitteredLattice(4, 0.0, 1, AlongX));
   rays.useSurfaces({ 0.25, 0.5 });
-  const auto expected = [&](const Chord& c, Rgba& known)
+  const auto expected = [&](const ScalarChord& c, Rgba& known)
   {
     known = composited(crossed({ 0.25, 0.5 }, c));
     const double nearest = std::min(std::min(std::abs(c.First - 0.25), std::abs(c.First - 0.5)),
@@ -56,7 +56,7 @@ TEST(Blend, NoSurfaceAcrossAGap)
     BlendedRays points(grid);
     points.useSurfaces({ 0.5 });
     expectRays<IsosurfacePointKernel<double>, double>(points, AlongX,
-      [](const Chord&, Rgba& known)
+      [](const ScalarChord&, Rgba& known)
       {
         known = {};
         return true;
@@ -64,7 +64,7 @@ TEST(Blend, NoSurfaceAcrossAGap)
     BlendedRays cells(grid, true);
     cells.useSurfaces({ 0.5 });
     expectRays<IsosurfaceCellKernel<double>, double>(cells, AlongX,
-      [](const Chord&, Rgba& known)
+      [](const ScalarChord&, Rgba& known)
       {
         known = {};
         return true;

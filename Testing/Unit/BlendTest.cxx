@@ -27,7 +27,7 @@ TEST(Blend, MaximumAndMinimum)
   for (const bool greatest : { true, false })
   {
     rays.use(greatest ? BlendMode::Maximum : BlendMode::Minimum);
-    const auto expected = [greatest](const Chord& c, Rgba& known)
+    const auto expected = [greatest](const ScalarChord& c, Rgba& known)
     {
       known = BlendedRays::premultiplied(
         greatest ? std::max(c.First, c.Last) : std::min(c.First, c.Last));
@@ -43,7 +43,7 @@ TEST(Blend, AdditiveIsTheIntegralUpToOne)
   BlendedRays rays(jitteredLattice(5, 0.15, 1, linearField()));
   rays.use(BlendMode::Additive, { { 0.5, 0.6 } }); // the range is used by averages alone
   int clamped = 0;
-  const auto expected = [&](const Chord& c, Rgba& known)
+  const auto expected = [&](const ScalarChord& c, Rgba& known)
   {
     const double sum = meanIntensity(c.First, c.Last) * c.Optical;
     clamped += sum > 1 ? 1 : 0;
@@ -62,7 +62,7 @@ TEST(Blend, AverageOverTheRange)
          std::array<double, 2>{ { 0.4, 0.55 } }, std::array<double, 2>{ { 0.5, 7.0 } } })
   {
     rays.use(BlendMode::Average, range);
-    const auto expected = [&](const Chord& c, Rgba& known)
+    const auto expected = [&](const ScalarChord& c, Rgba& known)
     {
       const double low = std::max(std::min(c.First, c.Last), range[0]);
       const double high = std::min(std::max(c.First, c.Last), range[1]);
@@ -85,7 +85,7 @@ TEST(Blend, AverageOfNothingIsNothing)
   {
     rays.use(BlendMode::Average, range);
     expectRays<SumPointKernel<float>, float>(rays, linearField(),
-      [](const Chord&, Rgba& known)
+      [](const ScalarChord&, Rgba& known)
       {
         known = {};
         return true;
@@ -105,7 +105,7 @@ TEST(Blend, ScalarsThatAreNotFiniteDoNotCount)
   BlendedRays rays(grid);
   rays.use(BlendMode::Maximum);
   expectRays<ExtremePointKernel<double>, double>(rays, AlongX,
-    [](const Chord& c, Rgba& known)
+    [](const ScalarChord& c, Rgba& known)
     {
       const double low = std::min(c.First, c.Last);
       known =

@@ -33,7 +33,7 @@ void expectRays(const BlendedRays& rays, const Field& field, const Expected& exp
   auto kernel = rays.kernel<Kernel, Real>();
   int count = 0;
   rays.forEachRay<Kernel, Real>(kernel, field,
-    [&](const typename Kernel::Ray& ray, const Chord& chord)
+    [&](const typename Kernel::Ray& ray, const ScalarChord& chord)
     {
       Rgba known{};
       if (!expected(chord, known))
@@ -51,7 +51,7 @@ void expectRays(const BlendedRays& rays, const Field& field, const Expected& exp
 }
 
 /// The values that lie between two scalars, in the order in which they are met.
-inline std::vector<double> crossed(std::vector<double> values, const Chord& c)
+inline std::vector<double> crossed(std::vector<double> values, const ScalarChord& c)
 {
   std::sort(values.begin(), values.end());
   if (c.Last < c.First)

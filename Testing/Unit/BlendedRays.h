@@ -32,7 +32,7 @@ namespace tetmarch::testing
 using Rgba = std::array<double, 4>;
 
 /// The part of a ray in the cube.
-struct Chord
+struct ScalarChord
 {
   double Begin = 0; ///< depths
   double End = 0;
@@ -107,7 +107,7 @@ public:
   }
 
   template <typename Kernel, typename Real>
-  static Rgba cast(Kernel& kernel, const typename Kernel::Ray& ray, const Chord& chord)
+  static Rgba cast(Kernel& kernel, const typename Kernel::Ray& ray, const ScalarChord& chord)
   {
     const Real length = Real(chord.Optical / (chord.End - chord.Begin));
     const auto march = kernel.castPlainRay(ray, -1, length, Real(chord.Begin), Real(chord.End));
@@ -117,13 +117,13 @@ public:
 
   /// The chord of the cube, enlarged by so much; empty (End <= Begin) if the ray misses it.
   template <typename Ray>
-  Chord chordOf(const Ray& ray, const Field& field, double enlarged = 0.0) const
+  ScalarChord chordOf(const Ray& ray, const Field& field, double enlarged = 0.0) const
   {
     const std::array<double, 3> o{ { double(ray.origin.x), double(ray.origin.y),
       double(ray.origin.z) } };
     const std::array<double, 3> d{ { double(ray.direction.x), double(ray.direction.y),
       double(ray.direction.z) } };
-    Chord chord{ -1e3, 1e3, 0, 0, 0 };
+    ScalarChord chord{ -1e3, 1e3, 0, 0, 0 };
     for (int k = 0; k < 3; ++k)
     {
       const double side = this->Mesh.Frame.HalfExtent[k] + enlarged;
@@ -152,13 +152,14 @@ public:
     for (int i = 0; i < count; ++i)
     {
       const auto ray = rays.template next<Kernel, Real>(kernel, this->Mesh);
-      const Chord inner = this->chordOf(ray, field, -1e-5), outer = this->chordOf(ray, field, 1e-5);
+      const ScalarChord inner = this->chordOf(ray, field, -1e-5),
+                        outer = this->chordOf(ray, field, 1e-5);
       if (inner.End - inner.Begin < 0.05 ||
           outer.End - outer.Begin > inner.End - inner.Begin + 0.01)
       {
         continue;
       }
-      Chord chord = this->chordOf(ray, field);
+      ScalarChord chord = this->chordOf(ray, field);
       if (i % 3 == 0)
       {
         const double a = rays.uniformBetween(0.0, 0.4), b = rays.uniformBetween(0.6, 1.0);

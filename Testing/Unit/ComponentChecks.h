@@ -23,7 +23,7 @@ ErrorTally tallyRays(const ComponentRays& rays, Kernel kernel, const Expected& e
   ErrorTally tally;
   rays.Rays.forEachRay<Kernel, Real>(
     kernel, rays.Fields[0],
-    [&](const typename Kernel::Ray& ray, const Chord& chord)
+    [&](const typename Kernel::Ray& ray, const ScalarChord& chord)
     {
       double bound = 0;
       const Rgba seen = pixelOf(kernel, ray, chord, bound);

@@ -18,7 +18,7 @@ template <typename Kernel, typename Real>
 ErrorTally tallyOf(const ComponentRays& rays)
 {
   return tallyRays<Kernel, Real>(rays, rays.kernel<Kernel, Real>(),
-    [&](const auto& ray, const Chord& chord) { return rays.byQuadrature(ray, chord); });
+    [&](const auto& ray, const ScalarChord& chord) { return rays.byQuadrature(ray, chord); });
 }
 
 template <template <typename> class Kernel>
@@ -89,13 +89,13 @@ TEST(ComponentMarch, ColorsThatAreLinearInAnEvenFog)
   auto kernel = rays.kernel<DirectColorPointKernel<double>, double>();
   int checked = 0;
   rays.Rays.forEachRay<DirectColorPointKernel<double>, double>(kernel, rays.Fields[0],
-    [&](const auto& ray, const Chord& chord)
+    [&](const auto& ray, const ScalarChord& chord)
     {
       const Rgba seen =
         BlendedRays::cast<DirectColorPointKernel<double>, double>(kernel, ray, chord);
       for (int k = 0; k < 3; ++k)
       {
-        const Chord whole = rays.Rays.chordOf(ray, rays.Fields[k]);
+        const ScalarChord whole = rays.Rays.chordOf(ray, rays.Fields[k]);
         const double expected =
           slabColour(whole.scalarAt(chord.Begin), whole.scalarAt(chord.End), 0.7, chord.Optical);
         EXPECT_NEAR(seen[k], expected, 3e-6);

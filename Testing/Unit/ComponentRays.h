@@ -65,9 +65,9 @@ public:
   /// Premultiplied colour and opacity of a part of a ray, in steps of the colour and extinction of
   /// their middles.
   template <typename Ray>
-  Rgba byQuadrature(const Ray& ray, const Chord& chord, int steps = 2000) const
+  Rgba byQuadrature(const Ray& ray, const ScalarChord& chord, int steps = 2000) const
   {
-    std::vector<Chord> wholes;
+    std::vector<ScalarChord> wholes;
     for (const Field& field : this->Fields)
     {
       wholes.push_back(this->Rays.chordOf(ray, field));
@@ -78,7 +78,7 @@ public:
     {
       const double depth = chord.Begin + (chord.End - chord.Begin) * (i + 0.5) / steps;
       std::vector<double> scalars;
-      for (const Chord& whole : wholes)
+      for (const ScalarChord& whole : wholes)
       {
         scalars.push_back(whole.scalarAt(depth));
       }

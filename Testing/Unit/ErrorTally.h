@@ -49,7 +49,8 @@ inline std::ostream& operator<<(std::ostream& out, const ErrorTally& tally)
 
 /// Premultiplied colour and opacity of a part of a ray, and the kernel's bound of their error.
 template <typename Kernel>
-Rgba pixelOf(Kernel& kernel, const typename Kernel::Ray& ray, const Chord& chord, double& bound)
+Rgba pixelOf(
+  Kernel& kernel, const typename Kernel::Ray& ray, const ScalarChord& chord, double& bound)
 {
   const auto length = decltype(kernel.tableScale)(chord.Optical / (chord.End - chord.Begin));
   const auto march = kernel.castPlainRay(

@@ -20,7 +20,7 @@ template <typename Kernel, typename Real>
 ErrorTally tallyOf(LitComponentRays& rays, double density = 1.0, bool cellGradients = false)
 {
   return tallyRays<Kernel, Real>(rays, rays.litKernel<Kernel, Real>(cellGradients),
-    [&](const auto& ray, Chord chord)
+    [&](const auto& ray, ScalarChord chord)
     {
       chord.Optical *= density;
       return rays.lightOn(ray).of(rays.byQuadrature(ray, chord));
@@ -113,7 +113,7 @@ void expectBoundOfChangingLight(int components)
     auto kernel = rays.litKernel<Kernel<double>, double>();
     rays.Rays.forEachRay<Kernel<double>, double>(
       kernel, rays.Fields[0],
-      [&](const auto& ray, const Chord& chord)
+      [&](const auto& ray, const ScalarChord& chord)
       {
         double bound = 0;
         const Rgba seen = pixelOf(kernel, ray, chord, bound);

@@ -25,7 +25,7 @@ struct Expected
   double Share = 0; // of the chord
 };
 
-using Rule = std::function<Expected(const Chord& chord, double threshold)>;
+using Rule = std::function<Expected(const ScalarChord& chord, double threshold)>;
 
 // The depth follows from the scalar, which may hardly change along the chord: then it is uncertain.
 template <typename Kernel, typename Real>
@@ -35,7 +35,7 @@ void expectPicks(const BlendedRays& rays, const Rule& rule, double tolerance, co
   int hits = 0, misses = 0, count = 0;
   double worst = 0.0;
   rays.forEachRay<Kernel, Real>(kernel, linearField(),
-    [&](const typename Kernel::Ray& ray, const Chord& chord)
+    [&](const typename Kernel::Ray& ray, const ScalarChord& chord)
     {
       const double threshold = std::array<double, 5>{ { 0.0, 0.3, 0.5, 0.8, 1.0 } }[count++ % 5];
       const Expected expected = rule(chord, threshold);
@@ -89,7 +89,7 @@ TEST_F(PickBlend, Extremes)
     this->Rays.use(greatest ? BlendMode::Maximum : BlendMode::Minimum);
     expectBoth<PickExtremeKernel>(
       this->Rays,
-      [greatest](const Chord& c, double threshold)
+      [greatest](const ScalarChord& c, double threshold)
       {
         const bool atEnd = (c.Last > c.First) == greatest;
         const double opacity = BlendedRays::opacity(atEnd ? c.Last : c.First);
@@ -113,7 +113,7 @@ TEST_F(PickBlend, Sums)
         mode == BlendMode::Average ? range : std::array<double, 2>{ { -1e38, 1e38 } };
       expectBoth<PickSumKernel>(
         this->Rays,
-        [counts](const Chord& c, double threshold)
+        [counts](const ScalarChord& c, double threshold)
         {
           const auto counted = [&](double s) { return std::clamp(s, counts[0], counts[1]); };
           const double from = gatheredTo(counted(c.First)), to = gatheredTo(counted(c.Last));
@@ -141,7 +141,7 @@ TEST_F(PickBlend, Surfaces)
   this->Rays.useSurfaces(values);
   expectBoth<PickIsosurfaceKernel>(
     this->Rays,
-    [&](const Chord& c, double threshold)
+    [&](const ScalarChord& c, double threshold)
     {
       std::vector<double> ordered = values;
       if (c.Last < c.First)
