@@ -12,10 +12,9 @@ import pathlib
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 
-from pages import PROJECT, code_words, indented_blocks, name_of, pages, text_of
+from pages import PROJECT, code_words, folder_of_a_user, indented_blocks, name_of, pages, text_of
 
 BUILD = None
 
@@ -58,11 +57,7 @@ def inline_commands():
 
 class CommandsTest(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        (self.folder / "build").symlink_to(BUILD)
-        (self.folder / "Data").symlink_to(PROJECT / "Data")
+        self.folder = folder_of_a_user(self, BUILD)
 
     def paste(self, text):
         result = subprocess.run(["bash", "-euc", text], cwd=self.folder, text=True, capture_output=True, timeout=600)

@@ -6,12 +6,11 @@ import pathlib
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import vtkmodules.all as vtk
 
-from pages import PROJECT, fenced_blocks, indented_blocks, name_of, pages, text_of
+from pages import fenced_blocks, folder_of_a_user, indented_blocks, name_of, pages, text_of
 
 BUILD = None
 MOST_LINES = 15
@@ -41,11 +40,7 @@ class ExamplesTest(unittest.TestCase):
         cls.command = command.replace("/usr/bin/python3", sys.executable)
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        (self.folder / "build").symlink_to(BUILD)
-        (self.folder / "Data").symlink_to(PROJECT / "Data")
+        self.folder = folder_of_a_user(self, BUILD)
 
     def run_example(self, text):
         """As the README says; returns what is printed."""

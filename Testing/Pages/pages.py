@@ -3,6 +3,7 @@
 """The project's pages: which there are, and what they are made of."""
 import pathlib
 import re
+import tempfile
 import textwrap
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
@@ -36,6 +37,16 @@ def name_of(page):
 
 def text_of(page):
     return (PROJECT / page).read_text(encoding="utf-8")
+
+
+def folder_of_a_user(test, build):
+    """A folder in which commands run as in the project's, and which goes with the test."""
+    folder = tempfile.TemporaryDirectory()
+    test.addCleanup(folder.cleanup)
+    path = pathlib.Path(folder.name)
+    (path / "build").symlink_to(build)
+    (path / "Data").symlink_to(PROJECT / "Data")
+    return path
 
 
 def fenced_blocks(text, language):

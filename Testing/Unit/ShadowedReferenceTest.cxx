@@ -6,9 +6,9 @@
 #include "Mesh/Gradients.h"
 #include "Mesh/VertexStarts.h"
 
+#include "Images.h"
 #include "Shot.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
 #include <iostream>
 
@@ -29,13 +29,9 @@ double meanRed(const ReferenceImage& image)
 
 double rmsBetween(const ReferenceImage& a, const ReferenceImage& b)
 {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.Pixels.size(); ++i)
-  {
-    const double difference = double(a.Pixels[i]) - double(b.Pixels[i]);
-    sum += difference * difference;
-  }
-  return std::sqrt(sum / static_cast<double>(a.Pixels.size()));
+  const auto imageOf = [](const ReferenceImage& reference)
+  { return Image::fromFloats(Shot::Size, Shot::Size, reference.Pixels.data()); };
+  return compare(imageOf(a), imageOf(b)).Rms;
 }
 
 TEST(ShadowedReference, AtVerticesIsNearMarchedEverywhere)

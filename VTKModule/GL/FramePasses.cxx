@@ -11,12 +11,12 @@ namespace tetmarch
 {
 
 std::string FramePasses::draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
-  const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, BoundaryView shell,
+  const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, BoundaryView boundary,
   double sampleDistance, const Progress& progress, bool& stopped)
 {
   this->clear();
   const bool coarse = sampleDistance > 1;
-  this->releaseUnused(window, inputs, diagnostics, view, shell, coarse);
+  this->releaseUnused(window, inputs, diagnostics, view, boundary, coarse);
   this->ChangedVariant = !(inputs.Key == this->LastKey);
   if (this->ChangedVariant)
   {
@@ -42,10 +42,11 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
       float(area.Height) / float(inputs.Area.Height) } };
   }
   error = this->findRays(window, inputs.Area, area, inputs);
-  if (shell != BoundaryView::None)
+  if (boundary != BoundaryView::None)
   {
-    error = error.empty() ? this->Shell.draw(window, inputs, shell, progress, stopped) : error;
-    this->Draws = error.empty() ? this->Shell.numberOfDraws() : 0;
+    error =
+      error.empty() ? this->Boundary.draw(window, inputs, boundary, progress, stopped) : error;
+    this->Draws = error.empty() ? this->Boundary.numberOfDraws() : 0;
     return error;
   }
   if (error.empty() && (diagnostics || view))
@@ -109,7 +110,7 @@ std::string FramePasses::pick(vtkOpenGLRenderWindow* window, MarchInputs inputs,
 }
 
 void FramePasses::releaseUnused(vtkWindow* window, const MarchInputs& inputs, bool diagnostics,
-  const MeasureView* view, BoundaryView shell, bool coarse)
+  const MeasureView* view, BoundaryView boundary, bool coarse)
 {
   const VariantKey& key = inputs.Key;
   if (!key.RasterEntry)
@@ -132,15 +133,15 @@ void FramePasses::releaseUnused(vtkWindow* window, const MarchInputs& inputs, bo
   {
     this->Shown.release(window);
   }
-  if (shell == BoundaryView::None)
+  if (boundary == BoundaryView::None)
   {
-    this->Shell.release();
+    this->Boundary.release();
   }
   else
   {
     this->March.release();
   }
-  if ((!view && !diagnostics) || shell != BoundaryView::None)
+  if ((!view && !diagnostics) || boundary != BoundaryView::None)
   {
     this->Counted.release(window);
   }
@@ -150,7 +151,7 @@ void FramePasses::expectChange()
 {
   this->Tiles.expectChange();
   this->Counted.expectChange();
-  this->Shell.expectChange();
+  this->Boundary.expectChange();
   this->Coarse.expectChange();
 }
 
@@ -167,7 +168,7 @@ void FramePasses::release(vtkWindow* window)
   this->March.release();
   this->Counted.release(window);
   this->Shown.release(window);
-  this->Shell.release();
+  this->Boundary.release();
   this->Coarse.release(window);
   this->Picking.release();
   this->expectChange();

@@ -28,8 +28,8 @@ public:
    * stop.
    */
   std::string draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
-    const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, BoundaryView shell,
-    double sampleDistance, const Progress& progress, bool& stopped);
+    const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view,
+    BoundaryView boundary, double sampleDistance, const Progress& progress, bool& stopped);
   /** Find the points at which the rays of a part of the inputs' area are picked (PickPass), for the
    * level's tolerance. The results of the last draw() are kept. */
   std::string pick(vtkOpenGLRenderWindow* window, MarchInputs inputs, const Viewport& part,
@@ -67,14 +67,14 @@ private:
   std::string findRays(vtkOpenGLRenderWindow* window, const Viewport& part, const Viewport& depths,
     MarchInputs& inputs);
   void releaseUnused(vtkWindow* window, const MarchInputs& inputs, bool diagnostics,
-    const MeasureView* view, BoundaryView shell, bool coarse);
+    const MeasureView* view, BoundaryView boundary, bool coarse);
 
   OpaqueDepth Opaque;
   VertexLightPass Light;
   MarchPass March;
   Diagnostics Counted;
   ViewPass Shown;
-  BoundaryViewPass Shell;
+  BoundaryViewPass Boundary;
   CoarsePicture Coarse;
   PickPass Picking;
   TileSchedule Tiles;

@@ -26,6 +26,10 @@ class vtkWindow;
 namespace tetmarch
 {
 
+/** From this transparent share on, a separate loop for cells in which nothing is seen is worth its
+ * cost: rays in lockstep wait for each other at its end. */
+constexpr double LeastShareToPass = 0.5;
+
 /** The entry points of shaders that march through the volume, or to it. */
 enum class SourcePass
 {

@@ -5,7 +5,6 @@
 #include "GL/BlockAttributes.h"
 #include "GL/FmaProbe.h"
 #include "GL/StateScope.h"
-#include "Volume/TransparentShare.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"

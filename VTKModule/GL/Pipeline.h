@@ -39,11 +39,11 @@ struct DrawOptions
 {
   AccuracyLevel Level = DefaultAccuracy;
   bool Diagnostics = false;
-  double MostSecondsPerDraw = 0;           // 0: no limit
-  double MostLightSeconds = 0;             // of a frame, for light at vertices; 0: no limit
-  const MeasureView* View = nullptr;       // drawn instead of the picture
-  BoundaryView Shell = BoundaryView::None; // the same
-  double SampleDistance = 1;               // between rays, in pixels; 1 with diagnostics or a view
+  double MostSecondsPerDraw = 0;              // 0: no limit
+  double MostLightSeconds = 0;                // of a frame, for light at vertices; 0: no limit
+  const MeasureView* View = nullptr;          // drawn instead of the picture
+  BoundaryView Boundary = BoundaryView::None; // the same
+  double SampleDistance = 1;          // between rays, in pixels; 1 with diagnostics or a view
   const PeelHooks* Peeling = nullptr; // only parts of rays are drawn, without diagnostics or a view
   double PickOpacity = 0.5;           // of a ray at the point where the volume is picked
 };

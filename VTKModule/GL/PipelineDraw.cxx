@@ -42,7 +42,7 @@ VariantKey Pipeline::keyOf(
   this->Blend.setBits(key);
   this->Tables.components().setBits(key);
   this->Effects.setBits(key, double(area.Width) * area.Height);
-  return options.Shell == BoundaryView::None ? key.filtered() : key.ofEntries();
+  return options.Boundary == BoundaryView::None ? key.filtered() : key.ofEntries();
 }
 
 // The version of the light at vertices. The first word is that of the geometry.
@@ -127,8 +127,9 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
       error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
       if (error.empty())
       {
-        error = this->Passes.draw(window, inputs, this->lightVersion(inputs.Key),
-          options.Diagnostics, options.View, options.Shell, options.SampleDistance, goOn, stopped);
+        error =
+          this->Passes.draw(window, inputs, this->lightVersion(inputs.Key), options.Diagnostics,
+            options.View, options.Boundary, options.SampleDistance, goOn, stopped);
       }
     });
   this->forgetErrorsOfReleasing(window);

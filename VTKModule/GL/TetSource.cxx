@@ -160,9 +160,8 @@ ReferenceImage TetSource::renderReference(ReferenceScene scene, const AccuracyLe
 RayTrace TetSource::traceRay(ReferenceScene scene, const TraceOptions& options) const
 {
   const ReferenceScene whole = this->withVolume(scene);
-  RayTrace (*const trace)(const ReferenceScene&, const AccuracyLevel&, int, int) =
-    options.InDouble ? tetmarch::traceRay<double> : tetmarch::traceRay<float>;
-  return trace(whole, options.Level, options.X, options.Y);
+  return options.InDouble ? tetmarch::traceRay<double>(whole, options.Level, options.X, options.Y)
+                          : tetmarch::traceRay<float>(whole, options.Level, options.X, options.Y);
 }
 
 } // namespace tetmarch

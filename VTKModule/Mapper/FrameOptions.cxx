@@ -77,12 +77,12 @@ FrameOptions::FrameOptions(Settings* settings, BlendMode blend, vtkRenderer* ren
   this->Draw.MostSecondsPerDraw = settings->GetMaxDrawTimeInSeconds();
   this->Draw.MostLightSeconds = interacting && !peeling ? settings->GetLightTimeBudget() : 0.0;
   this->Draw.View = isMeasure(viewMode) && !peeling ? &this->View : nullptr;
-  this->Draw.Shell = peeling ? BoundaryView::None : boundaryViewOf(viewMode);
+  this->Draw.Boundary = peeling ? BoundaryView::None : boundaryViewOf(viewMode);
   this->Draw.Peeling = peeling ? &hooks : nullptr;
   this->Draw.PickOpacity = settings->GetPickOpacityThreshold();
 
   this->MarchesPicture = !renderer->GetSelector() && !peeling && !this->Draw.View &&
-                         this->Draw.Shell == BoundaryView::None;
+                         this->Draw.Boundary == BoundaryView::None;
 }
 
 void FrameOptions::chooseSampleDistance(

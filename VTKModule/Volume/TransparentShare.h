@@ -13,10 +13,6 @@
 namespace tetmarch
 {
 
-/** From this share on, a separate loop for cells in which nothing is seen is worth its cost: rays
- * in lockstep wait for each other at its end. */
-constexpr double LeastShareToPass = 0.5;
-
 /** The share 0..1 of the cell scalars, or of those of the vertices if there are none, that lies in
  * the table's transparent ranges. */
 double transparentShare(const TetMesh& mesh, const std::vector<float>& cellScalars,
