@@ -53,11 +53,17 @@ std::array<int, 5> heldBy(MonkeyScene& scene)
 }
 } // namespace
 
-Monkey::Monkey(unsigned seed, int steps)
+Monkey::Monkey(unsigned seed, int steps, Shown shown)
   : Seed(seed)
   , Steps(steps)
   , Random(seed)
+  , ShownOf(shown)
 {
+}
+
+void Monkey::show(bool inPlace)
+{
+  this->Live.show(this->ShownOf ? this->ShownOf(this->State) : this->State, inPlace);
 }
 
 std::string Monkey::story() const
@@ -82,7 +88,7 @@ void Monkey::beginAgain()
   this->Random = MonkeyRandom(this->Seed);
   this->Built.clear();
   this->Last.clear();
-  this->Live.show(this->State);
+  this->show();
   this->Live.render();
 }
 
@@ -109,7 +115,7 @@ void Monkey::step()
   {
     name = "all is mended";
     this->State = mended(this->State);
-    this->Live.show(this->State);
+    this->show();
   }
   else if (this->Random.chance(DeedsShare))
   {
@@ -130,7 +136,7 @@ void Monkey::step()
       name = change.Name;
     } while (!this->mayBuild(next));
     this->State = next;
-    this->Live.show(this->State, this->Random.chance(2));
+    this->show(this->Random.chance(2));
   }
   this->Last.push_back(name);
   if (this->Last.size() > LastActions)
@@ -173,7 +179,7 @@ void Monkey::compareWithFresh(vtkRenderWindow* window)
     EXPECT_EQ(causeOf(fresh.Watch.Errors.back(), rest), causeOf(this->LastError, rest));
   }
   this->Live.Window->MakeCurrent();
-  this->Live.show(this->State);
+  this->show();
 }
 
 void Monkey::compareHeld(MonkeyScene& fresh, const MonkeyState& state)

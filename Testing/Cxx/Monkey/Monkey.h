@@ -19,7 +19,10 @@ namespace tetmarch::testing
 class Monkey
 {
 public:
-  Monkey(unsigned seed, int steps);
+  /// `shown` tells what a scene is shown of a state; without it, all.
+  using Shown = MonkeyState (*)(const MonkeyState& state);
+
+  Monkey(unsigned seed, int steps, Shown shown = nullptr);
 
   /// A change or a deed, and a frame: without an error but those that the state calls for.
   void step();
@@ -40,10 +43,12 @@ public:
   MonkeyScene Live{ makeWindow() };
 
 private:
+  void show(bool inPlace = false);
   bool mayBuild(const MonkeyState& state);
   void checkFrame();
   void compareHeld(MonkeyScene& fresh, const MonkeyState& state);
 
+  const Shown ShownOf;
   bool WasInside = false;
   int Comparisons = 0;
   std::set<std::string> Built;

@@ -16,6 +16,19 @@ MonkeyState atRest(const MonkeyState& state)
   return rest;
 }
 
+MonkeyState timeless(const MonkeyState& state)
+{
+  constexpr double LeastKept = 0.1; // seconds that some machine keeps
+  const auto budget = [](double seconds)
+  { return seconds > 0 ? (seconds < LeastKept ? 1e-12 : 1e6) : 0.0; };
+  MonkeyState same = state;
+  same.FrameTimeBudget = budget(state.FrameTimeBudget);
+  same.MaxDrawTime = budget(state.MaxDrawTime);
+  same.LightTimeBudget = budget(state.LightTimeBudget);
+  same.UpdateRate = 1.0 / budget(1.0 / state.UpdateRate);
+  return same;
+}
+
 MonkeyState mended(const MonkeyState& state)
 {
   MonkeyState sound = state;

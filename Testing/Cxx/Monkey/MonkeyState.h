@@ -165,6 +165,10 @@ struct MonkeyState
 /// The same state without what depends on the speed of frames: its picture is always the same.
 MonkeyState atRest(const MonkeyState& state);
 
+/// The same with budgets of time that every frame keeps, or none, however fast the machine is. So
+/// the controllers take the same levels and distances whenever the same steps are made.
+MonkeyState timeless(const MonkeyState& state);
+
 /// The same with all that is refused put right.
 MonkeyState mended(const MonkeyState& state);
 
