@@ -70,9 +70,15 @@ std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid,
       : tetmarch::findScalars(grid, selection),
     tetmarch::vectorOptionsOf(this), tetmarch::blendOptionsOf(this),
     tetmarch::clippingOptionsOf(this) };
-  tetmarch::MapperFrame frame({ this, window, renderer, volume }, internal.State, drawn.Blend);
-  frame.draw(internal.Pipeline, drawn, internal.Blocks.origins());
-  frame.end(internal.Pipeline, this->TimeToDraw);
+  const tetmarch::FrameConditions conditions{ window->GetDesiredUpdateRate() >= 1.0,
+    this->GetAutoAdjustSampleDistances() };
+  tetmarch::MapperFrame frame(
+    { this, window, renderer, volume }, internal.State, drawn.Blend, conditions);
+  if (drawn.Scalars.Array && frame.prepare(internal.Pipeline, drawn))
+  {
+    frame.draw(internal.Pipeline, internal.Blocks.origins());
+  }
+  frame.end(this->TimeToDraw);
   return drawn.Scalars.Array ? internal.Pipeline.error()
                              : tetmarch::describeMissingScalars(grid, selection);
 }

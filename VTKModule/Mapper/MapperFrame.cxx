@@ -13,7 +13,8 @@
 namespace tetmarch
 {
 
-MapperFrame::MapperFrame(const MapperScene& scene, MapperState& state, const BlendOptions& blend)
+MapperFrame::MapperFrame(const MapperScene& scene, MapperState& state, const BlendOptions& blend,
+  const FrameConditions& conditions)
   : Scene(scene)
   , State(state)
   , Report(
@@ -24,23 +25,14 @@ MapperFrame::MapperFrame(const MapperScene& scene, MapperState& state, const Ble
       })
   , Hooks(scene.Volume, scene.Mapper)
   , Options(state.Settings.get(), static_cast<BlendMode>(blend.Mode), scene.Renderer, state.Level,
-      this->Hooks, state.ViewTable)
+      this->Hooks, conditions, state.ViewTable)
 {
   this->Timer->StartTimer();
-  this->Options.chooseSampleDistance(
-    state.Settings.get(), state.Distance, scene.Volume->GetAllocatedRenderTime());
+  this->Options.chooseSampleDistance(state.Settings.get(), conditions.AdjustsDistances,
+    state.Distance, scene.Volume->GetAllocatedRenderTime());
 }
 
 MapperFrame::~MapperFrame() = default;
-
-void MapperFrame::draw(Pipeline& pipeline, const DrawnData& drawn, const CellOrigins& origins)
-{
-  vtkRenderer* renderer = this->Scene.Renderer;
-  this->Drawn = drawn.Scalars.Array && this->prepare(pipeline, drawn) &&
-                (renderer->GetSelector() ? this->select(pipeline, origins)
-                                         : pipeline.draw(this->Scene.Window, renderer,
-                                             this->Options.Draw, this->Report));
-}
 
 bool MapperFrame::prepare(Pipeline& pipeline, const DrawnData& drawn)
 {
@@ -58,56 +50,85 @@ bool MapperFrame::prepare(Pipeline& pipeline, const DrawnData& drawn)
          pipeline.upload(this->Scene.Window);
 }
 
+void MapperFrame::draw(Pipeline& pipeline, const CellOrigins& origins)
+{
+  vtkRenderer* renderer = this->Scene.Renderer;
+  const bool drawn = renderer->GetSelector() ? this->select(pipeline, origins)
+                                             : pipeline.draw(this->Scene.Window, renderer,
+                                                 this->Options.Draw, this->Report);
+  this->Failed = this->Failed || !drawn;
+  this->Pipelines.push_back(&pipeline);
+}
+
 bool MapperFrame::select(Pipeline& pipeline, const CellOrigins& origins)
 {
   std::vector<PickedPoint> points;
   const bool drawn = pipeline.select(
     this->Scene.Window, this->Scene.Renderer, this->Options.Draw, origins, this->Report, points);
   this->State.Picking.take(
-    drawn, points, this->Scene.Renderer, this->Scene.Volume, pipeline.source());
+    drawn, points, origins, this->Scene.Renderer, this->Scene.Volume, pipeline.source());
   return drawn;
 }
 
-void MapperFrame::end(Pipeline& pipeline, double& timeToDraw)
+void MapperFrame::end(double& timeToDraw)
 {
   if (this->Scene.Renderer->GetSelector())
   {
     return;
   }
-  if (this->Drawn)
+  int draws = 0;
+  for (Pipeline* pipeline : this->Pipelines)
   {
-    pipeline.finish();
-    if (pipeline.numberOfDraws() > 1)
+    draws += pipeline->numberOfDraws();
+  }
+  if (!this->Failed && !this->Pipelines.empty())
+  {
+    this->Pipelines.back()->finish();
+    if (draws > 1)
     {
       this->Scene.Mapper->UpdateProgress(1.0);
     }
   }
   this->Timer->StopTimer();
   timeToDraw = this->Timer->GetElapsedTime();
-  this->record(pipeline, timeToDraw);
+  this->record(timeToDraw);
 }
 
-void MapperFrame::record(const Pipeline& pipeline, double seconds)
+FrameResult MapperFrame::resultOf(double seconds) const
+{
+  FrameResult result;
+  result.Drawn = !this->Failed && !this->Pipelines.empty();
+  result.IsPicture = this->Options.MarchesPicture;
+  result.Seconds = seconds;
+  for (const Pipeline* pipeline : this->Pipelines)
+  {
+    result.Seconds -= this->Options.Draw.View ? 0.0 : pipeline->counted().seconds();
+    result.OnlyDrawn = result.OnlyDrawn && pipeline->onlyDrew();
+    result.Subject.insert(
+      result.Subject.end(), pipeline->subject().begin(), pipeline->subject().end());
+  }
+  return result;
+}
+
+void MapperFrame::record(double seconds)
 {
   vtkTetMarchFrameStatistics* statistics = this->State.Statistics;
-  const DrawOptions& options = this->Options.Draw;
-  const double aside = options.View ? 0.0 : pipeline.counted().seconds();
-  const double ownSeconds = seconds - aside;
-  if (this->Drawn)
+  FrameResult result = this->resultOf(seconds);
+  if (result.Drawn)
   {
-    takeMeasures(pipeline.counted(), statistics);
-    statistics->SetSeconds(ownSeconds);
+    takeMeasures(this->Pipelines.back()->counted(), statistics);
+    statistics->SetSeconds(result.Seconds);
+    result.ErrorBound = statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND);
   }
-  statistics->SetUsedImageSampleDistance(options.SampleDistance);
-  const bool isPicture = this->Options.MarchesPicture;
+  const double used = this->Options.Draw.SampleDistance;
+  statistics->SetUsedImageSampleDistance(used);
   SampleDistance& distance = this->State.Distance;
-  if (this->Drawn && isPicture && (pipeline.onlyDrew() || !distance.knowsTime()))
+  if (result.Drawn && result.IsPicture && (result.OnlyDrawn || !distance.knowsTime()))
   {
-    distance.drawn(options.SampleDistance, ownSeconds);
+    distance.drawn(used, result.Seconds);
   }
-  this->State.Accuracy.end(
-    { this->Drawn, isPicture && options.SampleDistance == 1, pipeline.onlyDrew(), ownSeconds,
-      statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND), pipeline.subject() });
+  result.IsPicture = result.IsPicture && used == 1;
+  this->State.Accuracy.end(result);
 }
 
 } // namespace tetmarch

@@ -4,12 +4,15 @@
 #ifndef TetMarchMapperMapperFrame_h
 #define TetMarchMapperMapperFrame_h
 
+#include "Budget/AccuracyController.h"
 #include "GL/PeelHooks.h"
 #include "GL/Pipeline.h"
 #include "Mapper/FrameOptions.h"
 #include "Mapper/MapperOptions.h"
 
 #include "vtkNew.h"
+
+#include <vector>
 
 class vtkAbstractVolumeMapper;
 class vtkOpenGLRenderWindow;
@@ -45,30 +48,35 @@ class MapperFrame
 {
 public:
   /** The state has begun a frame, or a selection if the renderer has a selector. */
-  MapperFrame(const MapperScene& scene, MapperState& state, const BlendOptions& blend);
+  MapperFrame(const MapperScene& scene, MapperState& state, const BlendOptions& blend,
+    const FrameConditions& conditions);
   ~MapperFrame();
   MapperFrame(const MapperFrame&) = delete;
   MapperFrame& operator=(const MapperFrame&) = delete;
 
-  /** All stages of a pipeline that has begun, up to the picture, or to what the selector reads:
-   * cells by their origins. What is wrong is the pipeline's error(). */
-  void draw(Pipeline& pipeline, const DrawnData& drawn, const CellOrigins& origins);
+  // What is wrong in these two is the pipeline's error().
+
+  /** All stages but the last of a pipeline that has begun. Whether there is something to draw. */
+  bool prepare(Pipeline& pipeline, const DrawnData& drawn);
+  /** The last stage: the picture, or what the selector reads: cells by their origins. */
+  void draw(Pipeline& pipeline, const CellOrigins& origins);
 
   /** What the frame took and counted goes to the state, and its seconds to timeToDraw. Nothing is
    * done after a selection. */
-  void end(Pipeline& pipeline, double& timeToDraw);
+  void end(double& timeToDraw);
 
 private:
-  bool prepare(Pipeline& pipeline, const DrawnData& drawn);
   bool select(Pipeline& pipeline, const CellOrigins& origins);
-  void record(const Pipeline& pipeline, double seconds);
+  FrameResult resultOf(double seconds) const;
+  void record(double seconds);
 
   MapperScene Scene;
   MapperState& State;
   Progress Report;
   PeelHooks Hooks;
   FrameOptions Options;
-  bool Drawn = false; // to the end
+  std::vector<Pipeline*> Pipelines; // that have drawn, back to front
+  bool Failed = false;              // one of the stages, or there was nothing to draw
   vtkNew<vtkTimerLog> Timer;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mapper/PickSession.h"
 
+#include "Blocks/CellOrigins.h"
 #include "GL/MarchSource.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -38,8 +39,8 @@ Pick::Pick()
 {
 }
 
-void PickSession::take(bool drawn, const std::vector<PickedPoint>& points, vtkRenderer* renderer,
-  vtkVolume* volume, const MarchSource& source)
+void PickSession::take(bool drawn, const std::vector<PickedPoint>& points,
+  const CellOrigins& origins, vtkRenderer* renderer, vtkVolume* volume, const MarchSource& source)
 {
   this->Failed = this->Failed || !drawn;
   if (renderer->GetSelector() == this->Selector && drawsLike(volume, this->Volume) &&
@@ -49,10 +50,16 @@ void PickSession::take(bool drawn, const std::vector<PickedPoint>& points, vtkRe
     const Vector3 data = source.frame().toData(point.Position);
     double place[4] = { data[0], data[1], data[2], 1 };
     volume->GetMatrix()->MultiplyPoint(place, place);
-    std::copy_n(place, 3, this->Found.Position.begin());
+    Pick found;
+    found.Hit = true;
+    std::copy_n(place, 3, found.Position.begin());
     const ScalarRange& range = source.range();
     const bool finite = point.Scalar < double(UndrawnScalar);
-    this->Found.Scalar = finite ? range.Low + range.width() * point.Scalar : vtkMath::Nan();
+    found.Scalar = finite ? range.Low + range.width() * point.Scalar : vtkMath::Nan();
+    const CellOrigin origin = origins.of(point.Cell);
+    found.Cell = origin.Cell;
+    found.Block = origin.Block;
+    this->Found.push_back(found);
   }
 }
 
@@ -86,6 +93,7 @@ Pick PickSession::capture(vtkRenderer* renderer, vtkVolume* volume, unsigned int
   this->Selector = selector;
   this->Volume = volume;
   this->Failed = false;
+  this->Found.clear();
   const bool captured = selector->CaptureBuffers();
   this->Selector = nullptr;
   this->Volume = nullptr;
@@ -95,11 +103,10 @@ Pick PickSession::capture(vtkRenderer* renderer, vtkVolume* volume, unsigned int
   {
     return {};
   }
-  Pick pick = this->Found;
-  pick.Hit = true;
-  pick.Cell = found.AttributeID;
-  pick.Block = found.CompositeID;
-  return pick;
+  const auto isFound = [&](const Pick& pick)
+  { return pick.Cell == found.AttributeID && pick.Block == found.CompositeID; };
+  const auto pick = std::find_if(this->Found.begin(), this->Found.end(), isFound);
+  return pick == this->Found.end() ? Pick() : *pick;
 }
 
 } // namespace tetmarch

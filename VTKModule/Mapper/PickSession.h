@@ -18,6 +18,7 @@ class vtkVolume;
 namespace tetmarch
 {
 
+class CellOrigins;
 class MarchSource;
 
 /** What is hit, and NaN, -1 and 0 if nothing is. */
@@ -41,8 +42,8 @@ public:
     std::string& error);
 
   /** Keep the hit if these points were found for the selector of pick(). */
-  void take(bool drawn, const std::vector<PickedPoint>& points, vtkRenderer* renderer,
-    vtkVolume* volume, const MarchSource& source);
+  void take(bool drawn, const std::vector<PickedPoint>& points, const CellOrigins& origins,
+    vtkRenderer* renderer, vtkVolume* volume, const MarchSource& source);
 
 private:
   Pick capture(vtkRenderer* renderer, vtkVolume* volume, unsigned int x, unsigned int y);
@@ -50,8 +51,8 @@ private:
   // Of the pick in progress.
   vtkHardwareSelector* Selector = nullptr;
   vtkVolume* Volume = nullptr;
-  bool Failed = false; // in one of the passes of the selector
-  Pick Found;
+  bool Failed = false;     // in one of the passes of the selector
+  std::vector<Pick> Found; // of each block that is hit, whatever is before it
 };
 
 } // namespace tetmarch
