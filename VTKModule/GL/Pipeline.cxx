@@ -229,4 +229,21 @@ void Pipeline::release(vtkWindow* window)
   this->Window = nullptr;
 }
 
+void Pipeline::releaseIfHeldBy(vtkWindow* window)
+{
+  if (this->Window && this->Window == window)
+  {
+    this->makeCurrent();
+    this->release(window);
+  }
+}
+
+void Pipeline::makeCurrent() const
+{
+  if (this->Window)
+  {
+    this->Window->MakeCurrent();
+  }
+}
+
 } // namespace tetmarch

@@ -99,6 +99,10 @@ public:
 
   /** Free what is held on the GPU. The context of the window that held it is current. */
   void release(vtkWindow* window);
+  /** The same in that window's own context, if it is the one that holds something. */
+  void releaseIfHeldBy(vtkWindow* window);
+  /** Make the context of the window that holds something current, if there is one. */
+  void makeCurrent() const;
   /** The window on whose GPU something may be held. */
   vtkOpenGLRenderWindow* window() const { return this->Window; }
 
