@@ -53,8 +53,8 @@ public:
     vtkDataSet* data, const OpticalModel& model, LatticeValues values, int component = 0);
 
   /// What is drawn of a ray between two lengths, front to back.
-  std::vector<ScalarSegment> segments(const Vec3& origin, const Vec3& direction,
-    double tMin = -Infinity, double tMax = Infinity) const;
+  std::vector<ScalarSegment> segments(
+    const Vec3& origin, const Vec3& direction, double tMin = 0.0, double tMax = Infinity) const;
 
   /// The length of what is drawn.
   double pathLength(const Vec3& origin, const Vec3& direction, double tMin = -Infinity,

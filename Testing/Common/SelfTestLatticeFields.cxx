@@ -124,23 +124,57 @@ TEST(LatticeTruth, ThreeCrossingsInACell)
 TEST(LatticeTruth, ASurfaceInFacesAndVerticesIsMetOnce)
 {
   std::mt19937 generator(32);
-  for (const auto& cube : cubesOf(linearFieldAlong(1.0, 1.0, 0.0), 10))
+  for (const auto& cube : cubesOf(linearFieldAlong(1.0, 1.0, 0.5), 10))
   {
     const LatticeTruth truth(cube, spiky(), LatticeValues::PointsLinear);
-    for (int i = 0; i < 2000; ++i)
+    for (int i = 0; i < 1000; ++i)
     {
-      // Through vertices, too.
+      // Every other ray begins in a vertex and follows an edge or a diagonal.
       const bool even = i % 2 == 0;
-      const double y = even ? (i / 2 % 10) / 10.0 : uniform(generator);
-      const double z = even ? (i / 20 % 10) / 10.0 : uniform(generator);
-      const double value = 0.5 * y + (i % 7 + 1) / 20.0;
-      ASSERT_EQ(truth.crossings({ -1.0, y, z }, { 1.0, 0.0, 0.0 }, { value }).size(), 1u);
-      ASSERT_EQ(truth.crossings({ 2.0, y, z }, { -1.0, 0.0, 0.0 }, { value }).size(), 1u);
+      const Vec3 o = even ? Vec3{ i / 2 % 4 / 10.0, i / 8 % 4 / 10.0, i / 32 % 4 / 10.0 }
+                          : randomPoint(generator, 0.0, 1.0);
+      const Vec3 d = even ? Vec3{ 1.0, i / 2 % 2 * 1.0, i / 4 % 2 * 1.0 }
+                          : Vec3{ uniform(generator), 0.2, uniform(generator) };
+      const std::vector<ScalarSegment> segments = truth.segments(o, d);
+      for (const ScalarSegment& segment : segments)
+      {
+        const double value = segment.Scalar.at(1.0);
+        const bool isAhead = value > segments.front().Scalar.at(0.0);
+        ASSERT_EQ(truth.crossings(o, d, { value }).size(), isAhead ? 1u : 0u);
+      }
     }
   }
   const LatticeTruth cells(
     imageOf(linearField(), unitCube(4)), spiky(), LatticeValues::CellsNearest);
   EXPECT_TRUE(cells.crossings(Zero, One, { 0.5 }).empty());
+}
+
+TEST(LatticeTruth, AFaceThatRoundsOtherwiseOnItsSidesHidesNoSurface)
+{
+  const LatticeTruth truth(
+    imageOf(noiseField(3, 20), unitCube(20)), spiky(), LatticeValues::PointsLinear);
+  std::mt19937 generator(36);
+  int rounded = 0;
+  for (int i = 0; i < 10000; ++i)
+  {
+    const Vec3 o = randomPoint(generator, 0.0, 1.0);
+    const Vec3 d = randomDirection(generator);
+    const std::vector<ScalarSegment> segments = truth.segments(o, d);
+    for (std::size_t k = 1; k < segments.size(); ++k)
+    {
+      const double before = segments[k - 1].Scalar.at(1.0);
+      const double behind = segments[k].Scalar.at(0.0);
+      if (before != behind)
+      {
+        ++rounded;
+        const double value = std::max(before, behind);
+        const bool reached = segments.front().Scalar.at(0.0) >= value;
+        const bool reachedLast = segments.back().Scalar.at(1.0) >= value;
+        ASSERT_EQ(truth.crossings(o, d, { value }).size() % 2, reached == reachedLast ? 0u : 1u);
+      }
+    }
+  }
+  EXPECT_GT(rounded, 5);
 }
 
 TEST(LatticeTruth, OfALinearFieldTetrahedraAreTheSame)
