@@ -87,6 +87,40 @@ Field radialField()
   };
 }
 
+Field linearFieldAlong(double dx, double dy, double dz)
+{
+  const double width = std::abs(dx) + std::abs(dy) + std::abs(dz);
+  return [=](double x, double y, double z)
+  { return 0.5 + (dx * (x - 0.5) + dy * (y - 0.5) + dz * (z - 0.5)) / width; };
+}
+
+Field productField()
+{
+  return [](double x, double y, double z) { return x * y * z; };
+}
+
+Field marschnerLobbField()
+{
+  return [](double x, double y, double z)
+  {
+    const double pi = vtkMath::Pi();
+    const double r = std::hypot(2.0 * x - 1.0, 2.0 * y - 1.0);
+    const double ripples = std::cos(2.0 * pi * 6.0 * std::cos(0.5 * pi * r));
+    return (1.0 - std::sin(0.5 * pi * (2.0 * z - 1.0)) + 0.25 * (1.0 + ripples)) / 2.5;
+  };
+}
+
+Field stepField()
+{
+  return [](double x, double, double) { return x < 0.5 ? 0.0 : 1.0; };
+}
+
+Field checkerboardField(int n)
+{
+  return [n](double x, double y, double z)
+  { return (std::lround(x * n) + std::lround(y * n) + std::lround(z * n)) % 2 == 0 ? 0.0 : 1.0; };
+}
+
 void attachFields(vtkUnstructuredGrid* grid, const Field& field)
 {
   vtkNew<vtkDoubleArray> atPoints;

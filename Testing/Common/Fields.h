@@ -29,6 +29,18 @@ Field sineField(double waves = 1.0);
 Field noiseField(unsigned seed = 1, int frequency = 16);
 /// The distance from the centre of the unit cube; 1 at its corners.
 Field radialField();
+/// 1/2 in the middle of the cube, from 0 to 1 along the direction (of any length) in which the cube
+/// is widest.
+Field linearFieldAlong(double dx, double dy, double dz);
+/// x y z: along the diagonal of the cube it is s^3.
+Field productField();
+/// The test signal of Marschner and Lobb, "An evaluation of reconstruction filters for volume
+/// rendering" (1994), with their frequency 6 and amplitude 0.25; [-1, 1]^3 is the unit cube here.
+Field marschnerLobbField();
+/// 0 up to half of the cube along x, then 1.
+Field stepField();
+/// 0 and 1 by turns at the points of a lattice of n cells along each edge.
+Field checkerboardField(int n);
 
 /// Give the grid the active point scalars "f", the field at every point, and the active cell
 /// scalars "c", the field at the mean of the points of every cell (both double).

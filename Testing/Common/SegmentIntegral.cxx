@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SegmentIntegral.h"
 
-#include "vtkMath.h"
+#include "GaussLegendre.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,73 +11,10 @@ namespace tetmarch::testing
 {
 namespace
 {
-constexpr int Order = 10;
+constexpr int Order = GaussLegendre::Order;
 constexpr double Tolerance = 1e-12;
 // Halving so often, a step between two nodes is found to within 2^-44 of its segment.
 constexpr int DeepestLevel = 44;
-
-// Nodes and weights on [0, 1], and the integrals of the Lagrange polynomials from 0 to each node:
-// exact for the polynomial through the nodes, hence the depth at each of them.
-struct Quadrature
-{
-  double Node[Order];
-  double Weight[Order];
-  double UpTo[Order][Order];
-
-  Quadrature()
-  {
-    for (int i = 0; i < Order; ++i)
-    {
-      // Newton's iteration on the Legendre polynomial from the usual guess (Abramowitz and
-      // Stegun 22.16.6).
-      double x = std::cos(vtkMath::Pi() * (i + 0.75) / (Order + 0.5));
-      double slope = 0.0;
-      for (int iteration = 0; iteration < 50; ++iteration)
-      {
-        double p = 1.0;
-        double before = 0.0;
-        for (int k = 1; k <= Order; ++k)
-        {
-          const double next = ((2.0 * k - 1.0) * x * p - (k - 1.0) * before) / k;
-          before = p;
-          p = next;
-        }
-        slope = Order * (x * p - before) / (x * x - 1.0);
-        x -= p / slope;
-      }
-      this->Node[i] = 0.5 * (1.0 - x);
-      this->Weight[i] = 1.0 / ((1.0 - x * x) * slope * slope);
-    }
-    for (int i = 0; i < Order; ++i)
-    {
-      for (int j = 0; j < Order; ++j)
-      {
-        this->UpTo[i][j] = 0.0;
-        for (int k = 0; k < Order; ++k)
-        {
-          this->UpTo[i][j] +=
-            this->Node[i] * this->Weight[k] * this->lagrange(j, this->Node[i] * this->Node[k]);
-        }
-      }
-    }
-  }
-
-  double lagrange(int j, double x) const
-  {
-    double product = 1.0;
-    for (int k = 0; k < Order; ++k)
-    {
-      product *= k == j ? 1.0 : (x - this->Node[k]) / (this->Node[j] - this->Node[k]);
-    }
-    return product;
-  }
-};
-
-const Quadrature& quadrature()
-{
-  static const Quadrature instance;
-  return instance;
-}
 
 // Nodes of a function as VTK gives them: position first, midpoint and sharpness last.
 template <std::size_t Size, typename Function>
@@ -98,6 +35,65 @@ void addBreaks(Function* function, bool isLog, std::vector<double>& breaks)
     }
     std::copy(node, node + Size, before);
   }
+}
+
+// From 0 to 1, cut where the scalar goes through one of the values.
+std::vector<double> smoothParts(const Cubic& scalar, const std::vector<double>& breaks)
+{
+  std::vector<double> cuts = { 0.0, 1.0 };
+  const double least = scalar.least();
+  const double greatest = scalar.greatest();
+  for (const double value : breaks)
+  {
+    if (value > least && value < greatest)
+    {
+      const std::vector<double> crossings = scalar.crossingsOf(value);
+      cuts.insert(cuts.end(), crossings.begin(), crossings.end());
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  return cuts;
+}
+
+double apart(const SegmentResult& a, const SegmentResult& b)
+{
+  double most = std::abs(std::exp(-a.Depth) - std::exp(-b.Depth));
+  for (int c = 0; c < 3; ++c)
+  {
+    most = std::max(most, std::abs(a.Colour[c] - b.Colour[c]));
+  }
+  return most;
+}
+
+double apart(const OpacitySums& a, const OpacitySums& b)
+{
+  // Scalars may be of any size.
+  const double apart = std::abs(a.OpacityTimesScalar - b.OpacityTimesScalar);
+  return std::max(std::abs(a.Opacity - b.Opacity), apart / (1.0 + std::abs(a.OpacityTimesScalar)));
+}
+
+// An integral over [u0, u1], halved until a part and its halves agree.
+template <typename Integral, typename Result>
+Result refined(
+  const Integral& over, double u0, double u1, const Result& whole, double tolerance, int level)
+{
+  const double middle = 0.5 * (u0 + u1);
+  const Result near = over(u0, middle);
+  const Result far = over(middle, u1);
+  const Result both = composed(near, far);
+  if (apart(both, whole) <= tolerance || level == DeepestLevel)
+  {
+    return both;
+  }
+  return composed(refined(over, u0, middle, near, tolerance, level + 1),
+    refined(over, middle, u1, far, tolerance, level + 1));
+}
+
+template <typename Integral>
+auto refined(const Integral& over, double u0, double u1)
+{
+  return refined(over, u0, u1, over(u0, u1), Tolerance, 0);
 }
 } // namespace
 
@@ -151,53 +147,66 @@ SegmentIntegral::SegmentIntegral(const OpticalModel& model)
 
 SegmentResult SegmentIntegral::integrate(double f0, double f1, double length) const
 {
-  std::vector<double> values = { f0 };
-  for (const double value : this->Breaks)
-  {
-    if (value > std::min(f0, f1) && value < std::max(f0, f1))
-    {
-      values.push_back(value);
-    }
-  }
-  if (f1 < f0)
-  {
-    std::reverse(values.begin() + 1, values.end());
-  }
-  values.push_back(f1);
+  return this->integrate(Cubic::linear(f0, f1), length);
+}
 
+SegmentResult SegmentIntegral::integrate(const Cubic& scalar, double length) const
+{
+  const std::vector<double> cuts = smoothParts(scalar, this->Breaks);
   SegmentResult result;
-  for (std::size_t i = 1; i < values.size(); ++i)
+  for (std::size_t i = 1; i < cuts.size(); ++i)
   {
-    const double fraction = f1 == f0 ? 1.0 : (values[i] - values[i - 1]) / (f1 - f0);
-    if (fraction > 0.0)
-    {
-      const double part = fraction * length;
-      const SegmentResult whole = this->quadratureOf(values[i - 1], values[i], part);
-      result = composed(result, this->refined(values[i - 1], values[i], part, whole, 0));
-    }
+    result = composed(result,
+      refined([&](double u0, double u1) { return this->quadratureOf(scalar, u0, u1, length); },
+        cuts[i - 1], cuts[i]));
   }
   return result;
 }
 
-SegmentResult SegmentIntegral::quadratureOf(double f0, double f1, double length) const
+OpacitySums SegmentIntegral::opacitySums(
+  const Cubic& scalar, double length, double low, double high) const
 {
-  const Quadrature& q = quadrature();
+  std::vector<double> breaks = this->Breaks;
+  breaks.push_back(low);
+  breaks.push_back(high);
+  const std::vector<double> cuts = smoothParts(scalar, breaks);
+  OpacitySums sums;
+  for (std::size_t i = 1; i < cuts.size(); ++i)
+  {
+    const double within = scalar.at(0.5 * (cuts[i - 1] + cuts[i]));
+    if (within >= low && within <= high)
+    {
+      sums = composed(
+        sums, refined([&](double u0, double u1) { return this->sumsOf(scalar, u0, u1, length); },
+                cuts[i - 1], cuts[i]));
+    }
+  }
+  return sums;
+}
+
+SegmentResult SegmentIntegral::quadratureOf(
+  const Cubic& scalar, double u0, double u1, double length) const
+{
+  const GaussLegendre& q = GaussLegendre::instance();
+  const double part = (u1 - u0) * length;
+  double values[Order];
   double extinction[Order];
   SegmentResult result;
   for (int i = 0; i < Order; ++i)
   {
-    extinction[i] = this->Model.extinction(f0 + q.Node[i] * (f1 - f0));
-    result.Depth += length * q.Weight[i] * extinction[i];
+    values[i] = scalar.at(u0 + q.Node[i] * (u1 - u0));
+    extinction[i] = this->Model.extinction(values[i]);
+    result.Depth += part * q.Weight[i] * extinction[i];
   }
   for (int i = 0; i < Order; ++i)
   {
     double depth = 0.0;
     for (int j = 0; j < Order; ++j)
     {
-      depth += length * q.UpTo[i][j] * extinction[j];
+      depth += part * q.UpTo[i][j] * extinction[j];
     }
-    const double weight = length * q.Weight[i] * extinction[i] * std::exp(-depth);
-    const Vec3 colour = this->Model.colour(f0 + q.Node[i] * (f1 - f0));
+    const double weight = part * q.Weight[i] * extinction[i] * std::exp(-depth);
+    const Vec3 colour = this->Model.colour(values[i]);
     for (int c = 0; c < 3; ++c)
     {
       result.Colour[c] += weight * colour[c];
@@ -206,24 +215,19 @@ SegmentResult SegmentIntegral::quadratureOf(double f0, double f1, double length)
   return result;
 }
 
-SegmentResult SegmentIntegral::refined(
-  double f0, double f1, double length, const SegmentResult& whole, int level) const
+OpacitySums SegmentIntegral::sumsOf(const Cubic& scalar, double u0, double u1, double length) const
 {
-  const double middle = 0.5 * (f0 + f1);
-  const SegmentResult near = this->quadratureOf(f0, middle, 0.5 * length);
-  const SegmentResult far = this->quadratureOf(middle, f1, 0.5 * length);
-  const SegmentResult both = composed(near, far);
-  double error = std::abs(std::exp(-both.Depth) - std::exp(-whole.Depth));
-  for (int c = 0; c < 3; ++c)
+  const GaussLegendre& q = GaussLegendre::instance();
+  OpacitySums sums;
+  sums.Length = (u1 - u0) * length;
+  for (int i = 0; i < Order; ++i)
   {
-    error = std::max(error, std::abs(both.Colour[c] - whole.Colour[c]));
+    const double value = scalar.at(u0 + q.Node[i] * (u1 - u0));
+    const double opacity = sums.Length * q.Weight[i] * this->Model.Opacity->GetValue(value);
+    sums.Opacity += opacity;
+    sums.OpacityTimesScalar += opacity * value;
   }
-  if (error <= Tolerance || level == DeepestLevel)
-  {
-    return both;
-  }
-  return composed(this->refined(f0, middle, 0.5 * length, near, level + 1),
-    this->refined(middle, f1, 0.5 * length, far, level + 1));
+  return sums;
 }
 
 SegmentResult composed(const SegmentResult& near, const SegmentResult& far)
@@ -235,5 +239,11 @@ SegmentResult composed(const SegmentResult& near, const SegmentResult& far)
     result.Colour[c] += std::exp(-near.Depth) * far.Colour[c];
   }
   return result;
+}
+
+OpacitySums composed(const OpacitySums& near, const OpacitySums& far)
+{
+  return { near.Length + far.Length, near.Opacity + far.Opacity,
+    near.OpacityTimesScalar + far.OpacityTimesScalar };
 }
 } // namespace tetmarch::testing

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The emission-absorption integral over one segment on which the scalar is linear
+ * @brief The integrals over one segment on which the scalar is linear or a cubic
  *
  * VTK's transfer functions are evaluated themselves, in double, at every quadrature point; there is
  * no table. A segment is cut where the scalar meets a node of a function or the midpoint between
@@ -13,6 +13,7 @@
 #ifndef tetmarch_testing_SegmentIntegral_h
 #define tetmarch_testing_SegmentIntegral_h
 
+#include "Cubic.h"
 #include "GridBuilder.h"
 
 #include "vtkColorTransferFunction.h"
@@ -48,6 +49,15 @@ struct SegmentResult
   Vec3 Colour = { 0.0, 0.0, 0.0 };
 };
 
+/// What sums and averages along a ray are made of: integrals over the part of it whose scalar is in
+/// a range.
+struct OpacitySums
+{
+  double Length = 0.0;
+  double Opacity = 0.0;
+  double OpacityTimesScalar = 0.0;
+};
+
 class SegmentIntegral
 {
 public:
@@ -56,11 +66,15 @@ public:
   /// The scalar goes from f0 at the near end to f1 at the far end. Not for several threads at once,
   /// since VTK's functions aren't.
   SegmentResult integrate(double f0, double f1, double length) const;
+  /// The same of a scalar that goes as a cubic from the near end (0) to the far one (1).
+  SegmentResult integrate(const Cubic& scalar, double length) const;
+
+  /// The opacity is that of the function, whatever the law and the unit distance.
+  OpacitySums opacitySums(const Cubic& scalar, double length, double low, double high) const;
 
 private:
-  SegmentResult quadratureOf(double f0, double f1, double length) const;
-  SegmentResult refined(
-    double f0, double f1, double length, const SegmentResult& whole, int level) const;
+  SegmentResult quadratureOf(const Cubic& scalar, double u0, double u1, double length) const;
+  OpacitySums sumsOf(const Cubic& scalar, double u0, double u1, double length) const;
 
   OpticalModel Model;
   std::vector<double> Breaks; // scalars where a function isn't smooth, sorted
@@ -68,6 +82,7 @@ private:
 
 /// Two segments as one.
 SegmentResult composed(const SegmentResult& near, const SegmentResult& far);
+OpacitySums composed(const OpacitySums& near, const OpacitySums& far);
 } // namespace tetmarch::testing
 
 #endif
