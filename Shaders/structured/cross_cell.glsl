@@ -45,7 +45,8 @@ ivec3 cubeEnd(ivec3 cell, int reach)
 void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
 {
   real from = place.position;
-  real to = min(place.extremes.x > from ? place.extremes.x : real(1), place.extremes.y > from ? place.extremes.y : real(1));
+  real next = place.extremes.x > from ? place.extremes.x : place.extremes.y;
+  real to = next > from ? min(next, real(1)) : real(1);
   real length = place.leave - place.depth;
   bool drawn = isDrawn(place.cubic.x);
   // The scalar where the last interval ended is the same but for rounding; then no table need be read there again.
