@@ -141,7 +141,10 @@ BlockDistances distancesTo(const BlockRanges& ranges, const IsSeen& isSeen)
 {
   BlockDistances made{ ranges.Blocks, markSeen(ranges, isSeen), 0 };
   made.EmptyShare = emptyShareOf(made.Distances);
-  ChessboardDistance(made.Blocks, made.Distances).find();
+  if (made.EmptyShare < 1)
+  {
+    ChessboardDistance(made.Blocks, made.Distances).find();
+  }
   return made;
 }
 
