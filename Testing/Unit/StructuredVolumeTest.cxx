@@ -6,11 +6,8 @@
 
 #include "StructuredGrids.h"
 
-#include "vtkCell.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
-#include "vtkPoints.h"
-#include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -135,6 +132,8 @@ TEST_F(StructuredVolumes, AnotherGeometryKeepsTheValues)
   this->expectRuns(3, 1, 3, this->drawn());
   this->Data->SetDirectionMatrix(0, 1, 0, -1, 0, 0, 0, 0, 1);
   this->expectRuns(4, 1, 4, this->drawn());
+  this->Data->SetExtent(1, 9, 0, 5, 0, 4);
+  this->expectRuns(5, 1, 5, this->drawn());
 }
 
 TEST_F(StructuredVolumes, TheCaseChangesTheLattice)
