@@ -148,11 +148,11 @@ std::array<long double, 3> latticePlace(
   return place;
 }
 
-// Far from 0, oblique, with spacings from 1e-3 to 250, some negative, and an extent that begins
-// anywhere: to double precision of the number of points.
-TEST(Lattices, ImagesFarFromZero)
+// An oblique image with steps from 1e-3 to 250, one of them backwards: its direction is turned
+// about x, z and y by 0.3, 1.1 and 2.0.
+Image obliqueImage(const std::array<int, 3>& first)
 {
-  vtkNew<vtkMatrix3x3> direction; // rotations about x, z and y by 0.3, 1.1 and 2.0
+  vtkNew<vtkMatrix3x3> direction;
   const auto turn = [&](int i, int j, double angle)
   {
     vtkNew<vtkMatrix3x3> rotation;
@@ -166,34 +166,46 @@ TEST(Lattices, ImagesFarFromZero)
   turn(0, 1, 1.1);
   turn(2, 0, 2.0);
   const auto image = Image::New();
-  image->SetExtent(-70, 29, 1000, 1015, 5, 44);
+  image->SetExtent(first[0], first[0] + 99, first[1], first[1] + 15, first[2], first[2] + 39);
   image->SetOrigin(1e6, -3e6, 2e6);
   image->SetSpacing(1e-3, -0.7, 250);
   image->SetDirectionMatrix(direction);
-  const Lattice lattice = latticeOf(image, { false, Interpolation::Linear });
-  const vtkMatrix4x4* matrix = image->GetIndexToPhysicalMatrix();
-  const std::array<double, 3> middle{ { -20.5, 1007.5, 24.5 } };
+  return image;
+}
+
+// As exact as double precision of a place in the box, however far from 0 this is, and wherever the
+// extent begins.
+TEST(Lattices, ImagesFarFromZero)
+{
   std::mt19937 random(8);
-  for (int n = 0; n < 1000; ++n)
+  for (const std::array<int, 3>& first :
+    { std::array<int, 3>{ { 0, 0, 0 } }, { { -70, 1000, 5 } }, { { 1 << 30, -70000, 12005 } } })
   {
-    const std::array<double, 3> place{ { uniform(random) * 99 - 49.5, uniform(random) * 15 - 7.5,
-      uniform(random) * 39 - 19.5 } };
-    std::array<long double, 3> data;
-    for (int k = 0; k < 3; ++k)
+    const Image image = obliqueImage(first);
+    const Lattice lattice = latticeOf(image, { false, Interpolation::Linear });
+    const vtkMatrix4x4* matrix = image->GetIndexToPhysicalMatrix();
+    for (int n = 0; n < 1000; ++n)
     {
-      data[k] = matrix->GetElement(k, 3);
+      const std::array<long double, 3> place{ { uniform(random) * 99 - 49.5,
+        uniform(random) * 15 - 7.5, uniform(random) * 39 - 19.5 } };
+      const std::array<long double, 3> numbers{ { first[0] + 49.5L + place[0],
+        first[1] + 7.5L + place[1], first[2] + 19.5L + place[2] } };
+      std::array<long double, 3> data;
+      for (int k = 0; k < 3; ++k)
+      {
+        data[k] = matrix->GetElement(k, 3);
+        for (int a = 0; a < 3; ++a)
+        {
+          data[k] += matrix->GetElement(k, a) * numbers[a];
+        }
+      }
+      const auto found = latticePlace(lattice, data);
       for (int a = 0; a < 3; ++a)
       {
-        data[k] += static_cast<long double>(matrix->GetElement(k, a)) *
-                   (middle[a] + (long double)(place[a]));
+        // The box is 39 steps of 250 long: so many steps along each axis.
+        const double size = 1e4 / std::abs(image->GetSpacing()[a]);
+        EXPECT_NEAR(static_cast<double>(found[a] - place[a]), 0, 2.3e-16 * (size + 100)) << a;
       }
-    }
-    const auto found = latticePlace(lattice, data);
-    for (int a = 0; a < 3; ++a)
-    {
-      // A place is a sum of three numbers, each as large as 5000 steps of 250 in steps of 1e-3.
-      const double size = 1e4 / std::abs(image->GetSpacing()[a]);
-      EXPECT_NEAR(static_cast<double>(found[a] - place[a]), 0, 2.3e-16 * (size + 100)) << a;
     }
   }
 }
