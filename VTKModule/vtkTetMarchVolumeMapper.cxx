@@ -46,7 +46,8 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const vtkOpenGLState::ScopedglActiveTexture unit(window->GetState()); // uploads choose others
   Internals& internal = *this->Internal;
   internal.State.begin(selector != nullptr);
-  internal.State.begin(internal.Pipeline, selector != nullptr);
+  const auto mostBytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
+  selector ? internal.Pipeline.beginPick(mostBytes) : internal.Pipeline.begin(mostBytes);
   std::string error;
   if (vtkUnstructuredGrid* grid = this->FindGrid(error))
   {

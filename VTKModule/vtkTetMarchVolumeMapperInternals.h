@@ -15,7 +15,7 @@ class vtkTetMarchVolumeMapper::Internals
 {
 public:
   explicit Internals(vtkTetMarchVolumeMapper* mapper)
-    : State(mapper)
+    : State(mapper, vtkTetMarchSettings::UNSTRUCTURED)
   {
   }
 

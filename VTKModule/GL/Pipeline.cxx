@@ -229,12 +229,20 @@ void Pipeline::release(vtkWindow* window)
   this->Window = nullptr;
 }
 
-void Pipeline::releaseIfHeldBy(vtkWindow* window)
+void Pipeline::releaseWhereHeld()
 {
-  if (this->Window && this->Window == window)
+  if (this->Window)
   {
     this->makeCurrent();
-    this->release(window);
+    this->release(this->Window);
+  }
+}
+
+void Pipeline::releaseIfHeldBy(vtkWindow* window)
+{
+  if (this->Window == window)
+  {
+    this->releaseWhereHeld();
   }
 }
 

@@ -99,7 +99,9 @@ public:
 
   /** Free what is held on the GPU. The context of the window that held it is current. */
   void release(vtkWindow* window);
-  /** The same in that window's own context, if it is the one that holds something. */
+  /** The same for the window that holds something, if there is one; its context becomes current. */
+  void releaseWhereHeld();
+  /** The same if it is that window. */
   void releaseIfHeldBy(vtkWindow* window);
   /** Make the context of the window that holds something current, if there is one. */
   void makeCurrent() const;

@@ -50,7 +50,7 @@ bool MapperFrame::prepare(Pipeline& pipeline, const DrawnData& drawn)
          pipeline.upload(this->Scene.Window);
 }
 
-void MapperFrame::draw(Pipeline& pipeline, const CellOrigins& origins)
+bool MapperFrame::draw(Pipeline& pipeline, const CellOrigins& origins)
 {
   vtkRenderer* renderer = this->Scene.Renderer;
   const bool drawn = renderer->GetSelector() ? this->select(pipeline, origins)
@@ -58,6 +58,7 @@ void MapperFrame::draw(Pipeline& pipeline, const CellOrigins& origins)
                                                  this->Options.Draw, this->Report);
   this->Failed = this->Failed || !drawn;
   this->Pipelines.push_back(&pipeline);
+  return drawn;
 }
 
 bool MapperFrame::select(Pipeline& pipeline, const CellOrigins& origins)

@@ -58,8 +58,9 @@ public:
 
   /** All stages but the last of a pipeline that has begun. Whether there is something to draw. */
   bool prepare(Pipeline& pipeline, const DrawnData& drawn);
-  /** The last stage: the picture, or what the selector reads: cells by their origins. */
-  void draw(Pipeline& pipeline, const CellOrigins& origins);
+  /** The last stage: the picture, or what the selector reads: cells by their origins. Whether it
+   * came to its end. */
+  bool draw(Pipeline& pipeline, const CellOrigins& origins);
 
   /** What the frame took and counted goes to the state, and its seconds to timeToDraw. Nothing is
    * done after a selection. */

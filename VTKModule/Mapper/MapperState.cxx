@@ -3,14 +3,13 @@
 #include "Mapper/MapperState.h"
 
 #include "Diagnostics/ViewColors.h"
-#include "GL/Pipeline.h"
 #include "Mapper/FrameOptions.h"
 
 namespace tetmarch
 {
 
-MapperState::MapperState(vtkObject* mapper)
-  : Settings(mapper)
+MapperState::MapperState(vtkObject* mapper, int opacityLaw)
+  : Settings(mapper, opacityLaw)
 {
   setViewColors(this->ViewTable);
 }
@@ -26,12 +25,6 @@ void MapperState::begin(bool selecting)
     this->Level = this->Accuracy.begin(accuracyOptionsOf(this->Settings.get()));
     this->Statistics->Clear();
   }
-}
-
-void MapperState::begin(Pipeline& pipeline, bool selecting) const
-{
-  const auto mostBytes = static_cast<std::uint64_t>(this->Settings.get()->GetMaxMemoryInBytes());
-  selecting ? pipeline.beginPick(mostBytes) : pipeline.begin(mostBytes);
 }
 
 } // namespace tetmarch

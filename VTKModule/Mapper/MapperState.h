@@ -17,16 +17,13 @@
 namespace tetmarch
 {
 
-class Pipeline;
-
 struct MapperState
 {
-  explicit MapperState(vtkObject* mapper);
+  /** The law of the mapper's own settings. */
+  MapperState(vtkObject* mapper, int opacityLaw);
 
   /** Begin a frame, or a selection: that keeps the figures and the level of the last frame. */
   void begin(bool selecting);
-  /** The same for a pipeline that is to draw. Its window's context is current. */
-  void begin(Pipeline& pipeline, bool selecting) const;
 
   SettingsLink Settings;
   AccuracyController Accuracy;
