@@ -3,9 +3,6 @@
 struct VertexAttributes
 {
   vec3 gradient; // of the scalar, in the normalised frame
-#if TETMARCH_VERTEX_LIGHT
-  vec4 light;    // transmittance towards ambient light and towards up to three lights that cast shadows
-#endif
 };
 
 #if TETMARCH_POINT_SCALARS
@@ -110,8 +107,5 @@ VertexAttributes attributesAt(Ray ray, ivec3 cell, real depth)
 {
   VertexAttributes attributes;
   attributes.gradient = gradientFromLattice(latticeGradientAt(cell, ray.start + ray.slope * depth));
-#if TETMARCH_VERTEX_LIGHT
-  attributes.light = vec4(real(1), real(1), real(1), real(1));
-#endif
   return attributes;
 }
