@@ -16,6 +16,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -39,6 +40,14 @@ bool isLit(vtkVolumeProperty* property, int components)
           (property->HasGradientOpacity(c) && !property->GetDisableGradientOpacity(c));
   }
   return lit;
+}
+
+// As vtkOpenGLGPUVolumeRayCastMapper: the window of 1 about the level 0.5 changes nothing.
+std::array<float, 2> colorWindowOf(float window, float level)
+{
+  constexpr float least = 1e-5f;
+  const float width = std::copysign(std::max(std::abs(window), least), window);
+  return { { 1 / width, 0.5f - level / width } };
 }
 
 tetmarch::Interpolation interpolationOf(vtkVolumeProperty* property)
@@ -198,8 +207,9 @@ std::string vtkTetMarchSmartVolumeMapper::DrawBlocks(
   const bool adjusts = this->InteractiveAdjustSampleDistances
                          ? interacting
                          : this->GetAutoAdjustSampleDistances() != 0;
-  tetmarch::MapperFrame frame(
-    { this, window, renderer, volume }, internal.State, blend, { interacting, adjusts, several });
+  tetmarch::MapperFrame frame({ this, window, renderer, volume }, internal.State, blend,
+    { interacting, adjusts, several,
+      colorWindowOf(this->FinalColorWindow, this->FinalColorLevel) });
   const auto mostBytes = static_cast<std::uint64_t>(
     double(this->GetMaxMemoryInBytes()) * double(this->MaxMemoryFraction));
   std::vector<tetmarch::StructuredBlock*> ready;
