@@ -62,16 +62,24 @@ tetmarch::Interpolation interpolationOf(vtkVolumeProperty* property)
 void vtkTetMarchSmartVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkDataObject* input = this->GetDataObjectInput();
-  if (!input)
-  {
-    return;
-  }
   tetmarch::StructuredBlocks& blocks = this->Internal->Blocks;
   const std::size_t before = blocks.all().size();
-  std::string error = blocks.update(input, tetmarch::selectionOf(this));
+  std::string error;
+  if (input)
+  {
+    error = blocks.update(input, tetmarch::selectionOf(this));
+  }
+  else
+  {
+    blocks.clear();
+  }
   if (blocks.all().size() < before) // they may have been in another window
   {
     renderer->GetRenderWindow()->MakeCurrent();
+  }
+  if (!input)
+  {
+    return;
   }
   const std::string reason = error.empty() ? this->FindReasonForVTK(volume) : std::string();
   if (!reason.empty() && !blocks.isTree())
