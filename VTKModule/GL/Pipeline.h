@@ -135,6 +135,7 @@ public:
 
 private:
   bool fail(const std::string& error);
+  AccuracyLevel levelFor(AccuracyLevel level) const;
   TableInput tableInput(OpacityLaw law) const;
   void updatePassing();
   void setSubject(vtkVolumeProperty* property, bool drawNan);
