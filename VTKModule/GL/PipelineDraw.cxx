@@ -83,6 +83,7 @@ MarchInputs Pipeline::inputsOf(
   inputs.Blend = &this->Blend;
   inputs.Effects = &this->EffectsOnGpu;
   inputs.EffectValues = &this->Effects.data();
+  inputs.ColorWindow = options.ColorWindow;
   inputs.Peeling = options.Peeling;
   inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
   inputs.MostLightSeconds = options.MostLightSeconds;
