@@ -5,6 +5,10 @@
 #define precise
 #endif
 
+#if TETMARCH_HAS_GATHER
+#extension GL_ARB_texture_gather : require
+#endif
+
 #define real float
 #define OUT(T) out T
 #define INOUT(T) inout T
@@ -23,4 +27,5 @@
 #define MOST_COMPONENTS 4 // Mesh/FurtherScalars.h
 #define VERTEX_LIGHT_BLOCK 8 // texels; Light/VertexLightLayout.h
 #define VERTEX_LIGHT_ROW 4096
+#define LEAP_BLOCK 4 // Structured/EmptySpace.h
 #define BVH_STACK 48 // Mesh/BoundaryHierarchy.h bounds the depth

@@ -22,7 +22,7 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" "$ORIGIN/${tetmarch
 
 set(tetmarch_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume)
+  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 if (TETMARCH_WRAP_PYTHON)
   list(APPEND tetmarch_vtk_components Python WrappingPythonCore)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
@@ -30,7 +30,7 @@ endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${tetmarch_vtk_components}
   OPTIONAL_COMPONENTS
     FiltersCore FiltersGeneral FiltersGeometry FiltersSources FiltersHybrid ImagingCore IOCGNSReader IOExodus
-    IOImage IOLegacy IOXML RenderingVolumeOpenGL2 TestingRendering)
+    IOImage IOLegacy IOXML TestingRendering)
 
 vtk_module_scan(
   MODULE_FILES "${PROJECT_SOURCE_DIR}/vtk.module"

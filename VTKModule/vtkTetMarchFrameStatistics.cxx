@@ -125,6 +125,7 @@ void vtkTetMarchFrameStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightComplete: " << (this->LightComplete ? "Yes" : "No") << "\n";
   os << indent << "NumberOfTetrahedra: " << this->NumberOfTetrahedra << "\n";
   os << indent << "NumberOfBoundaryFaces: " << this->NumberOfBoundaryFaces << "\n";
+  os << indent << "NumberOfLatticeCells: " << this->NumberOfLatticeCells << "\n";
   os << indent << "GPUMemoryBytes: " << this->GPUMemoryBytes << "\n";
   os << indent << "UploadedBytes: " << this->UploadedBytes << "\n";
   os << indent << "BlocksSeconds: " << this->BlocksSeconds << "\n";

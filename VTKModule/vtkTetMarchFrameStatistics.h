@@ -141,6 +141,14 @@ public:
 
   //@{
   /**
+   * Cells of images or rectilinear grids that were prepared for the last frame; 0 before the first.
+   * With point scalars drawn as constant cells there is one around each point.
+   */
+  vtkGetMacro(NumberOfLatticeCells, vtkTypeInt64);
+  //@}
+
+  //@{
+  /**
    * Bytes of buffers and textures that the mapper holds on the GPU now.
    */
   vtkGetMacro(GPUMemoryBytes, vtkTypeInt64);
@@ -156,8 +164,9 @@ public:
   //@{
   /**
    * Seconds that each stage took when it ran last: joining the blocks of composite input, mesh
-   * (decomposition, links, boundary), scalars, transfer function tables, gradients, shadows of
-   * opaque geometry, light at vertices, upload to the GPU.
+   * (decomposition, links, boundary; of images and rectilinear grids their lattice), scalars,
+   * transfer function tables, gradients, shadows of opaque geometry, light at vertices, upload to
+   * the GPU.
    */
   vtkGetMacro(BlocksSeconds, double);
   vtkGetMacro(MeshSeconds, double);
@@ -206,6 +215,7 @@ public:
   vtkSetMacro(LightComplete, bool);
   vtkSetMacro(NumberOfTetrahedra, vtkIdType);
   vtkSetMacro(NumberOfBoundaryFaces, vtkIdType);
+  vtkSetMacro(NumberOfLatticeCells, vtkTypeInt64);
   vtkSetMacro(GPUMemoryBytes, vtkTypeInt64);
   vtkSetMacro(UploadedBytes, vtkTypeInt64);
   vtkSetMacro(BlocksSeconds, double);
@@ -244,6 +254,7 @@ protected:
   bool LightComplete = true;
   vtkIdType NumberOfTetrahedra = 0;
   vtkIdType NumberOfBoundaryFaces = 0;
+  vtkTypeInt64 NumberOfLatticeCells = 0;
   vtkTypeInt64 GPUMemoryBytes = 0;
   vtkTypeInt64 UploadedBytes = 0;
   double BlocksSeconds = 0;

@@ -15,6 +15,13 @@
 
 #include "vtkTetMarchSettings.h"
 
+/** Getters of VTK may be const from 9.3 on, and so those that override them. */
+#ifdef VTK_FUTURE_CONST
+#define VTK_TETMARCH_FUTURE_CONST VTK_FUTURE_CONST
+#else
+#define VTK_TETMARCH_FUTURE_CONST
+#endif
+
 /** The settings' enumerators as those of this class. */
 #define vtkTetMarchSettingsEnumsMacro()                                                            \
   enum OpacityLawType                                                                              \
@@ -95,8 +102,9 @@
 #define vtkTetMarchForwardChoiceToMacro(name, choice)                                              \
   void Set##name##To##choice() { this->GetSettings()->Set##name##To##choice(); }
 
-/** All of the settings' enumerators and methods. */
-#define vtkTetMarchSettingsMethodsMacro()                                                          \
+/** The settings' enumerators and methods, but for those of which a vtkSmartVolumeMapper has some of
+ * that name. */
+#define vtkTetMarchOwnSettingsMethodsMacro()                                                       \
   vtkTetMarchSettingsEnumsMacro();                                                                 \
   vtkTetMarchForwardChoiceMacro(OpacityLaw);                                                       \
   vtkTetMarchForwardChoiceToMacro(OpacityLaw, Unstructured);                                       \
@@ -110,12 +118,10 @@
   vtkTetMarchForwardClampedMacro(ErrorTolerance, double);                                          \
   vtkTetMarchForwardClampedMacro(FrameTimeBudget, double);                                         \
   vtkTetMarchForwardClampedMacro(ErrorBudget, double);                                             \
-  vtkTetMarchForwardSwitchMacro(AutoAdjustSampleDistances);                                        \
   vtkTetMarchForwardClampedMacro(ImageSampleDistance, double);                                     \
   vtkTetMarchForwardClampedMacro(MinimumImageSampleDistance, double);                              \
   vtkTetMarchForwardClampedMacro(MaximumImageSampleDistance, double);                              \
   vtkTetMarchForwardClampedMacro(MaxDrawTimeInSeconds, double);                                    \
-  vtkTetMarchForwardClampedMacro(MaxMemoryInBytes, vtkIdType);                                     \
   vtkTetMarchForwardChoiceMacro(ViewMode);                                                         \
   vtkTetMarchForwardChoiceToMacro(ViewMode, Picture);                                              \
   vtkTetMarchForwardChoiceToMacro(ViewMode, ErrorBound);                                           \
@@ -136,13 +142,19 @@
   vtkTetMarchForwardChoiceToMacro(ShadowMethod, AtVertices);                                       \
   vtkTetMarchForwardChoiceToMacro(ShadowMethod, AlongRays);                                        \
   vtkTetMarchForwardSwitchMacro(OpaqueShadows);                                                    \
-  vtkTetMarchForwardClampedMacro(VolumetricScatteringBlending, float);                             \
-  vtkTetMarchForwardClampedMacro(GlobalIlluminationReach, float);                                  \
   vtkTetMarchForwardSwitchMacro(AmbientOcclusion);                                                 \
   vtkTetMarchForwardClampedMacro(AmbientOcclusionRadius, double);                                  \
   vtkTetMarchForwardClampedMacro(AmbientOcclusionDirections, int);                                 \
   vtkTetMarchForwardClampedMacro(LightTimeBudget, double);                                         \
   vtkTetMarchForwardClampedMacro(PickOpacityThreshold, double);                                    \
   vtkTetMarchForwardSwitchMacro(CollectDiagnostics)
+
+/** All of the settings' enumerators and methods. */
+#define vtkTetMarchSettingsMethodsMacro()                                                          \
+  vtkTetMarchOwnSettingsMethodsMacro();                                                            \
+  vtkTetMarchForwardSwitchMacro(AutoAdjustSampleDistances);                                        \
+  vtkTetMarchForwardClampedMacro(MaxMemoryInBytes, vtkIdType);                                     \
+  vtkTetMarchForwardClampedMacro(VolumetricScatteringBlending, float);                             \
+  vtkTetMarchForwardClampedMacro(GlobalIlluminationReach, float)
 
 #endif

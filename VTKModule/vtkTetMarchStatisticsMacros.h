@@ -38,6 +38,7 @@
   vtkTetMarchFactMacro(LightComplete);                                                             \
   vtkTetMarchFigureMacro(NumberOfTetrahedra, vtkIdType);                                           \
   vtkTetMarchFigureMacro(NumberOfBoundaryFaces, vtkIdType);                                        \
+  vtkTetMarchFigureMacro(NumberOfLatticeCells, vtkTypeInt64);                                      \
   vtkTetMarchFigureMacro(GPUMemoryBytes, vtkTypeInt64);                                            \
   vtkTetMarchFigureMacro(UploadedBytes, vtkTypeInt64);                                             \
   vtkTetMarchFigureMacro(BlocksSeconds, double);                                                   \

@@ -2,55 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchVolumeMapperInternals.h"
 
-#include "Blocks/MissingScalars.h"
-#include "Mapper/FrameOptions.h"
+#include "Mapper/GroundTruthPicture.h"
+#include "Mapper/MapperFrame.h"
+#include "Mapper/RecordStatistics.h"
+#include "Mapper/TraceTable.h"
 #include "Mesh/MeshReport.h"
 #include "Picking/SelectedCells.h"
 
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
-#include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
-
-namespace
-{
-tetmarch::ScalarSelection selectionOf(vtkTetMarchVolumeMapper* mapper)
-{
-  return { mapper->GetScalarMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
-    mapper->GetArrayName() };
-}
-
-tetmarch::VectorOptions vectorOptionsOf(vtkTetMarchVolumeMapper* mapper)
-{
-  return { static_cast<tetmarch::VectorMode>(mapper->GetVectorMode()),
-    mapper->GetVectorComponent() };
-}
-
-tetmarch::BlendOptions blendOptionsOf(vtkTetMarchVolumeMapper* mapper)
-{
-  const double* range = mapper->GetAverageIPScalarRange();
-  return { mapper->GetBlendMode(), { { range[0], range[1] } } };
-}
-
-tetmarch::ClippingOptions clippingOptionsOf(vtkTetMarchVolumeMapper* mapper)
-{
-  tetmarch::ClippingOptions options;
-  options.Planes = mapper->GetClippingPlanes();
-  options.Cropping = mapper->GetCropping();
-  mapper->GetCroppingRegionPlanes(options.CroppingPlanes.data());
-  options.CroppingFlags = mapper->GetCroppingRegionFlags();
-  return options;
-}
-} // namespace
 
 vtkStandardNewMacro(vtkTetMarchVolumeMapper);
 
@@ -76,66 +44,53 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return;
   }
   const vtkOpenGLState::ScopedglActiveTexture unit(window->GetState()); // uploads choose others
-  this->Internal->begin(selector != nullptr);
+  Internals& internal = *this->Internal;
+  internal.State.begin(selector != nullptr);
+  const auto mostBytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
+  selector ? internal.Pipeline.beginPick(mostBytes) : internal.Pipeline.begin(mostBytes);
   std::string error;
   if (vtkUnstructuredGrid* grid = this->FindGrid(error))
   {
     error = this->RenderGrid(grid, window, renderer, volume);
   }
-  this->Internal->recordStatistics();
-  this->ReportOnce(error);
-  this->ReportWarnings();
+  internal.recordStatistics();
+  internal.State.LastError.reportError(this, error);
+  internal.LastOmissions.reportWarning(this, internal.Blocks.omissions());
+  internal.LastMeshReport.reportWarning(this, tetmarch::describe(internal.Tets.mesh().Report));
 }
 
 //------------------------------------------------------------------------------
 std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid,
   vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
 {
-  vtkNew<vtkTimerLog> timer;
-  timer->StartTimer();
-
-  int cellScalars = 0;
-  vtkDataArray* scalars = this->FindScalars(grid, cellScalars);
-  const auto progress = [this, window](double share)
+  Internals& internal = *this->Internal;
+  const tetmarch::ScalarSelection selection = tetmarch::selectionOf(this);
+  const tetmarch::DrawnData drawn{ grid,
+    internal.hasBlocks()
+      ? tetmarch::FoundScalars{ internal.Blocks.scalars(), internal.Blocks.hasCellScalars() }
+      : tetmarch::findScalars(grid, selection),
+    tetmarch::vectorOptionsOf(this), tetmarch::blendOptionsOf(this),
+    tetmarch::clippingOptionsOf(this) };
+  const tetmarch::FrameConditions conditions{ window->GetDesiredUpdateRate() >= 1.0,
+    this->GetAutoAdjustSampleDistances() };
+  tetmarch::MapperFrame frame(
+    { this, window, renderer, volume }, internal.State, drawn.Blend, conditions);
+  if (drawn.Scalars.Array && frame.prepare(internal.Pipeline, drawn))
   {
-    this->UpdateProgress(share);
-    return !window->CheckAbortStatus();
-  };
-
-  tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
-  const tetmarch::AccuracyLevel& level = this->Internal->Level;
-  const tetmarch::BlendOptions blend = blendOptionsOf(this);
-  const tetmarch::PeelHooks hooks(volume, this);
-  tetmarch::FrameOptions options(this->GetSettings(), static_cast<tetmarch::BlendMode>(blend.Mode),
-    renderer, level, hooks, this->Internal->ViewTable);
-  options.chooseSampleDistance(
-    this->GetSettings(), this->Internal->Distance, volume->GetAllocatedRenderTime());
-  vtkVolumeProperty* property = volume->GetProperty();
-  const bool drawn =
-    scalars && pipeline.updateGeometry(grid, progress) &&
-    pipeline.updateScalars(grid, scalars, cellScalars == 1, vectorOptionsOf(this), property) &&
-    pipeline.updateBlending(property, blend) &&
-    pipeline.updateTables(property, options.Law, level, options.DrawNanCells) &&
-    pipeline.updateEffects(renderer, volume, options.Effects) &&
-    pipeline.updateView(renderer, volume) &&
-    pipeline.updateClipping(volume, clippingOptionsOf(this)) && pipeline.upload(window) &&
-    (renderer->GetSelector() ? this->Internal->select(renderer, volume, options.Draw, progress)
-                             : pipeline.draw(window, renderer, options.Draw, progress));
-  if (!renderer->GetSelector())
-  {
-    if (drawn)
-    {
-      pipeline.finish();
-      if (pipeline.numberOfDraws() > 1)
-      {
-        this->UpdateProgress(1.0);
-      }
-    }
-    timer->StopTimer();
-    this->TimeToDraw = timer->GetElapsedTime();
-    this->Internal->end(options, drawn, this->TimeToDraw);
+    frame.draw(internal.Pipeline, internal.Blocks.origins());
   }
-  return scalars ? pipeline.error() : tetmarch::describeMissingScalars(grid, selectionOf(this));
+  frame.end(this->TimeToDraw);
+  return drawn.Scalars.Array ? internal.Pipeline.error()
+                             : tetmarch::describeMissingScalars(grid, selection);
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::Internals::recordStatistics()
+{
+  tetmarch::recordBlocks(this->Blocks, this->State.Statistics);
+  tetmarch::recordPipeline(this->Pipeline, this->State.Statistics);
+  tetmarch::recordTetrahedra(this->Tets, this->State.Statistics);
+  tetmarch::recordAccuracy(this->State.Accuracy, this->State.Statistics);
 }
 
 //------------------------------------------------------------------------------
@@ -162,22 +117,25 @@ int vtkTetMarchVolumeMapper::FillInputPortInformation(int port, vtkInformation* 
 //------------------------------------------------------------------------------
 void vtkTetMarchVolumeMapper::SetSettings(vtkTetMarchSettings* settings)
 {
-  this->Internal->Settings.set(settings);
+  this->Internal->State.Settings.set(settings);
 }
 vtkTetMarchSettings* vtkTetMarchVolumeMapper::GetSettings() const
 {
-  return this->Internal->Settings.get();
+  return this->Internal->State.Settings.get();
 }
 
 //------------------------------------------------------------------------------
 vtkTetMarchFrameStatistics* vtkTetMarchVolumeMapper::GetLastFrameStatistics() const
 {
   this->Internal->recordStatistics();
-  return this->Internal->Statistics;
+  return this->Internal->State.Statistics;
 }
 
 //------------------------------------------------------------------------------
-vtkLookupTable* vtkTetMarchVolumeMapper::GetViewLookupTable() { return this->Internal->ViewTable; }
+vtkLookupTable* vtkTetMarchVolumeMapper::GetViewLookupTable()
+{
+  return this->Internal->State.ViewTable;
+}
 
 //------------------------------------------------------------------------------
 vtkUnstructuredGrid* vtkTetMarchVolumeMapper::FindGrid(std::string& error)
@@ -187,7 +145,7 @@ vtkUnstructuredGrid* vtkTetMarchVolumeMapper::FindGrid(std::string& error)
   tetmarch::JoinedBlocks& blocks = this->Internal->Blocks;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
-    error = blocks.update(composite, selectionOf(this));
+    error = blocks.update(composite, tetmarch::selectionOf(this));
     grid = blocks.grid();
   }
   else
@@ -202,51 +160,62 @@ vtkUnstructuredGrid* vtkTetMarchVolumeMapper::FindGrid(std::string& error)
 }
 
 //------------------------------------------------------------------------------
-vtkDataArray* vtkTetMarchVolumeMapper::FindScalars(vtkUnstructuredGrid* grid, int& cellFlag)
+bool vtkTetMarchVolumeMapper::Pick(vtkRenderer* renderer, vtkVolume* volume, int x, int y)
 {
-  if (grid == this->Internal->Blocks.grid())
-  {
-    cellFlag = this->Internal->Blocks.hasCellScalars() ? 1 : 0;
-    return this->Internal->Blocks.scalars();
-  }
-  vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
-    grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  return cellFlag == 2 || (scalars && scalars->GetNumberOfComponents() < 1) ? nullptr : scalars;
+  std::string error;
+  const tetmarch::Pick pick =
+    this->Internal->State.Picking.pick(this, renderer, volume, x, y, error);
+  this->Report(error);
+  std::copy_n(pick.Position.begin(), 3, this->PickedPosition);
+  this->PickedScalar = pick.Scalar;
+  this->PickedCellId = pick.Cell;
+  this->PickedBlock = this->Internal->hasBlocks() ? pick.Block : 0;
+  return pick.Hit;
 }
 
 //------------------------------------------------------------------------------
-void vtkTetMarchVolumeMapper::ReportOnce(const std::string& error)
+bool vtkTetMarchVolumeMapper::RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels)
 {
-  if (this->Internal->LastError.changesTo(error))
+  return this->Report(
+    tetmarch::renderGroundTruth(this->Internal->Pipeline, this->GetSettings(), volume, pixels));
+}
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchVolumeMapper::CompareWithGroundTruth(vtkVolume* volume)
+{
+  return this->Report(tetmarch::compareWithGroundTruth(
+    this->Internal->Pipeline, this->GetSettings(), volume, this->Internal->State.Statistics));
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::GetDiagnosticPixels(vtkFloatArray* pixels) const
+{
+  tetmarch::copyDiagnosticPixels(this->Internal->Pipeline, pixels);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchVolumeMapper::TraceRay(
+  vtkVolume* volume, int x, int y, int arithmetic, vtkTable* cells)
+{
+  Internals& internal = *this->Internal;
+  return this->Report(tetmarch::traceRay(internal.Pipeline, internal.State,
+    { volume, x, y, arithmetic }, internal.Blocks.origins(), internal.hasBlocks(), cells));
+}
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchVolumeMapper::Report(const std::string& error)
+{
+  if (!error.empty())
   {
     vtkErrorMacro(<< error);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkTetMarchVolumeMapper::ReportWarnings()
-{
-  const std::string& omissions = this->Internal->Blocks.omissions();
-  if (this->Internal->LastOmissions.changesTo(omissions))
-  {
-    vtkWarningMacro(<< omissions);
-  }
-  const std::string report = tetmarch::describe(this->Internal->Tets.mesh().Report);
-  if (this->Internal->LastMeshReport.changesTo(report))
-  {
-    vtkWarningMacro(<< report);
-  }
+  return error.empty();
 }
 
 //------------------------------------------------------------------------------
 void vtkTetMarchVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  vtkOpenGLRenderWindow* holder = this->Internal->Pipeline.window();
-  if (holder && holder == window)
-  {
-    holder->MakeCurrent();
-    this->Internal->Pipeline.release(holder);
-  }
+  this->Internal->Pipeline.releaseIfHeldBy(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -67,7 +67,6 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-class vtkDataArray;
 class vtkFloatArray;
 class vtkLookupTable;
 class vtkOpenGLRenderWindow;
@@ -405,11 +404,9 @@ private:
   class Internals;
 
   vtkUnstructuredGrid* FindGrid(std::string& error);
-  vtkDataArray* FindScalars(vtkUnstructuredGrid* grid, int& cellFlag);
   std::string RenderGrid(vtkUnstructuredGrid* grid, vtkOpenGLRenderWindow* window,
     vtkRenderer* renderer, vtkVolume* volume);
-  void ReportOnce(const std::string& error);
-  void ReportWarnings();
+  bool Report(const std::string& error); // whether there is none
 
   std::unique_ptr<Internals> Internal;
 };

@@ -90,7 +90,8 @@ void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) { cell.at = 
 // order of the colours (gather/order_error.glsl) is lost besides. And what is emitted has a mean of the subsegment's
 // colours, as the exact emission has, so that both together are no more than the variation of the colour times what is
 // absorbed.
-real subsegmentError(SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
+real subsegmentError(
+  SegmentEnds ends, Subsegment part, SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
 {
   real spread = abs(found.next.extinctionVariation - cell.at.extinctionVariation);
   real covariance = by.absorbed * real(0.25) * spread / max(found.mean.w, TINY);

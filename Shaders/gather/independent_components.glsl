@@ -97,7 +97,8 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
 
 #if TETMARCH_ERROR_BOUND
 // What a subsegment loses, seen through that transmittance.
-real subsegmentError(SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
+real subsegmentError(
+  SegmentEnds ends, Subsegment part, SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
 {
   return transmittance * found.change * orderErrorFactor(by.depth);
 }

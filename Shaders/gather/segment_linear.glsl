@@ -25,7 +25,7 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
     Absorption by =
       absorption(found.mean, thicknessWithin(cell, middle, loaded ? part.fraction * thickness : real(0)));
 #if TETMARCH_ERROR_BOUND
-    real error = loaded ? subsegmentError(found, by, cell, radiance.transmittance) : real(0);
+    real error = loaded ? subsegmentError(ends, part, found, by, cell, radiance.transmittance) : real(0);
 #if TETMARCH_LIT
     error = error * brightness(illuminationWithin(cell.shades, middle));
 #endif

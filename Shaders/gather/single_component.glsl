@@ -6,6 +6,9 @@ struct SegmentEnds
 {
   real begin;
   real end;
+#if TETMARCH_BENT
+  vec2 bend; // between them
+#endif
 };
 
 SegmentEnds segmentEnds(Segment segment)
@@ -13,7 +16,20 @@ SegmentEnds segmentEnds(Segment segment)
   SegmentEnds ends;
   ends.begin = segment.begin.y * tableScale + tableOffset;
   ends.end = segment.end.y * tableScale + tableOffset;
+#if TETMARCH_BENT
+  ends.bend = segment.bend * tableScale;
+#endif
   return ends;
+}
+
+// The position at a fraction of the segment.
+real positionWithin(SegmentEnds ends, real fraction)
+{
+#if TETMARCH_BENT
+  return bentScalar(ends.begin, ends.end, ends.bend, fraction);
+#else
+  return ends.begin + (ends.end - ends.begin) * fraction;
+#endif
 }
 
 // Whether the table at the begin was read by the last lookup, as it mostly was.
@@ -29,7 +45,7 @@ struct SubsegmentMean
 SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, CellInterval cell)
 {
   SubsegmentMean found;
-  real target = part.last ? ends.end : ends.begin + (ends.end - ends.begin) * part.end;
+  real target = part.last ? ends.end : positionWithin(ends, part.end);
   found.next = tablePoint(loaded ? target : ends.begin);
   found.mean = meanBetween(cell.at, found.next);
   return found;
@@ -39,9 +55,17 @@ void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) { cell.at = 
 
 #if TETMARCH_ERROR_BOUND
 // What a subsegment loses (gather/order_error.glsl), seen through that transmittance.
-real subsegmentError(SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
+real subsegmentError(
+  SegmentEnds ends, Subsegment part, SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
 {
-  return transmittance * (min(abs(found.next.variation - cell.at.variation), real(1)) * orderErrorFactor(by.depth));
+  real variation = abs(found.next.variation - cell.at.variation);
+#if TETMARCH_BENT
+  real bent = bendError(bendWithin(ends.bend, part.begin, part.begin + part.fraction), found.next.x - cell.at.x, by,
+    variation, abs(found.next.extinctionVariation - cell.at.extinctionVariation));
+  return transmittance * (min(variation, real(1)) * orderErrorFactor(by.depth) + bent);
+#else
+  return transmittance * (min(variation, real(1)) * orderErrorFactor(by.depth));
+#endif
 }
 #endif
 #else

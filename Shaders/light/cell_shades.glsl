@@ -1,7 +1,7 @@
-// Shades along the interval of a ray in a tetrahedron. Without effects nothing is done.
+// Shades along the interval of a ray in a cell. Without effects nothing is done.
 
 #if TETMARCH_EFFECTS && !TETMARCH_KEEPS_SHADE
-// The point where the ray enters the tetrahedron.
+// The point where the interval begins.
 FacePoint enterPoint(CellInterval cell)
 {
   FacePoint point;
@@ -11,7 +11,7 @@ FacePoint enterPoint(CellInterval cell)
 #else
   point.scalar = cell.scalar;
 #endif
-#if TETMARCH_VERTEX_ATTRIBUTES
+#if TETMARCH_CELL_ATTRIBUTES
   point.attributes = cell.enterAttributes;
 #endif
   return point;
@@ -19,41 +19,39 @@ FacePoint enterPoint(CellInterval cell)
 #endif
 
 #if TETMARCH_EFFECTS
-// The point where the ray leaves it.
+// The point where it ends.
 FacePoint leavePoint(CellInterval cell)
 {
   FacePoint point;
   point.depth = cell.leave.x;
   point.scalar = cell.scalar;
-#if TETMARCH_VERTEX_ATTRIBUTES
+#if TETMARCH_CELL_ATTRIBUTES
   point.attributes = cell.leaveAttributes;
 #endif
   return point;
 }
 #endif
 
-// Before the face by which the ray enters the mesh; next: the tetrahedron behind it.
-void beginShades(Ray ray, uint next, INOUT(CellInterval) cell)
-{
 #if TETMARCH_KEEPS_SHADE
-  cell.scalar = cellScalar(next, cell.leave);
-  cell.shades.leave = shadeAtFace(ray, leavePoint(cell));
+// Before the first cell, where the ray enters the mesh.
+void beginShades(Ray ray, INOUT(CellInterval) cell) { cell.shades.leave = shadeAtFace(ray, leavePoint(cell)); }
 #endif
-}
 
-// Before cell becomes the next tetrahedron.
+// Before cell becomes the next one.
 void advanceShades(INOUT(CellInterval) cell)
 {
-#if TETMARCH_VERTEX_GRADIENTS && TETMARCH_PASSES_CELLS
+#if TETMARCH_FINDS_SHADES && TETMARCH_CELL_GRADIENTS
+  cell.shades.enterKnown = false; // gradients of two cells differ where they meet
+#elif TETMARCH_FINDS_SHADES
   cell.shades.enterKnown = cell.seen;
 #endif
 }
 
-// Sets the shades at both ends of a tetrahedron; face: the one by which the ray leaves it.
-void shadeCell(Ray ray, FaceIntersection face, INOUT(CellInterval) cell)
+// Sets the shades at both ends of an interval; the place is that where it ends.
+void shadeCell(Ray ray, Place place, INOUT(CellInterval) cell)
 {
-#if TETMARCH_VERTEX_GRADIENTS && TETMARCH_PASSES_CELLS
-  // The shade where the ray enters is that where it left the last tetrahedron, unless that was passed unseen.
+#if TETMARCH_FINDS_SHADES
+  // The shade where the ray enters is that where it left the last cell, unless that was passed unseen.
   int missing = cell.shades.enterKnown ? 1 : 2;
   do
   {
@@ -62,6 +60,9 @@ void shadeCell(Ray ray, FaceIntersection face, INOUT(CellInterval) cell)
     {
       point = enterPoint(cell);
     }
+#if TETMARCH_STRUCTURED
+    point.attributes = attributesAt(ray, place.crossed, point.depth);
+#endif
     cell.shades.enter = cell.shades.leave;
     cell.shades.leave = shadeAtFace(ray, point);
     missing = missing - 1;
@@ -79,13 +80,13 @@ void shadeCell(Ray ray, FaceIntersection face, INOUT(CellInterval) cell)
     (incomingAt(ray, from) + incomingAt(ray, to)) * real(0.5));
   cell.shades.leave = cell.shades.enter;
 #endif
-#if TETMARCH_LIGHT_ERROR && TETMARCH_VERTEX_LIGHT
-  cell.shades.interpolationError = lightInterpolationError(face);
+#if TETMARCH_VERTEX_LIGHT_ERROR
+  cell.shades.interpolationError = lightInterpolationError(place.face);
 #endif
 }
 
 #if TETMARCH_ACCUMULATES_OPACITY
-// Before a segment of the tetrahedron is gathered.
+// Before a segment of the cell is gathered.
 void placeShades(Segment segment, INOUT(CellInterval) cell)
 {
 #if TETMARCH_EFFECTS

@@ -1,9 +1,9 @@
 // Gradients, and the gradient opacity; bound by GL/EffectTextures.
-#if TETMARCH_VERTEX_GRADIENTS
+#if TETMARCH_VERTEX_GRADIENTS && !TETMARCH_STRUCTURED
 uniform samplerBuffer gradientBuffer; // of the scalar, at the vertices
 vec3 fetchGradient(uint vertex) { return texelFetch(gradientBuffer, int(vertex)).xyz; }
 #endif
-#if TETMARCH_CELL_GRADIENTS
+#if TETMARCH_CELL_GRADIENTS && !TETMARCH_STRUCTURED
 uniform samplerBuffer gradientBuffer; // of the scalar, in the tetrahedra
 vec3 fetchCellGradient(uint tet) { return texelFetch(gradientBuffer, int(tet)).xyz; }
 #endif

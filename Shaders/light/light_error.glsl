@@ -19,13 +19,13 @@ real lightErrorOf(CellShades shades)
 #endif
 #endif
   real error = real(0.5) * change * (shades.within.y - shades.within.x);
-#if TETMARCH_VERTEX_LIGHT
+#if TETMARCH_VERTEX_LIGHT_ERROR
   error = error + shades.interpolationError;
 #endif
   return error;
 }
 
-#if TETMARCH_VERTEX_LIGHT
+#if TETMARCH_VERTEX_LIGHT_ERROR
 // Half of what the light of the corners differs by.
 real lightInterpolationError(FaceIntersection face)
 {

@@ -14,8 +14,13 @@ vec3 sampleLight(Ray ray, March march, real depth)
     vec4 source = fetchShadowSource(k);
     vec3 toLight = vec3(source.x, source.y, source.z) - point * source.w;
     real far = sqrt(dot(toLight, toLight));
+#if TETMARCH_STRUCTURED
+    real transmittance = transmittanceTo(point, toLight * (real(1) / max(far, TINY)),
+      min(source.w > real(0) ? far : NO_DEPTH, lightReach));
+#else
     real transmittance = transmittanceTo(march.pause.last, point, toLight * (real(1) / max(far, TINY)),
       min(source.w > real(0) ? far : NO_DEPTH, lightReach));
+#endif
     light.x = k == 0 ? transmittance : light.x;
     light.y = k == 1 ? transmittance : light.y;
     light.z = k == 2 ? transmittance : light.z;
@@ -65,7 +70,7 @@ March castSampledRay(
   Ray ray, int firstFace, real thicknessPerDepth, real depthBegin, real depthEnd, real jitter)
 {
   March march = beginMarch(depthBegin);
-  Traversal traversal = traversalFromBoundary(ray, firstFace);
+  Traversal traversal = traversalFrom(ray, firstFace, depthBegin);
   marchAndSample(ray, thicknessPerDepth, depthEnd, jitter, traversal, march);
   return march;
 }

@@ -35,7 +35,7 @@ Shade shadeOf(Ray ray, real depth, real scalar, vec3 gradient, vec4 incoming)
   return shade;
 }
 
-// The point in which the ray crosses a face.
+// A point of the ray: in which it crosses a face, or in which an interval ends.
 struct FacePoint
 {
   real depth;
@@ -74,10 +74,10 @@ struct CellShades
   Shade enter; // where the ray enters it
   Shade leave;
   vec2 within; // where in it the segment at hand begins and ends: 0 and 1 if that is all of it
-#if TETMARCH_VERTEX_GRADIENTS && TETMARCH_PASSES_CELLS
+#if TETMARCH_FINDS_SHADES
   bool enterKnown; // the shade where the ray enters is that where it left the tetrahedron before
 #endif
-#if TETMARCH_LIGHT_ERROR && TETMARCH_VERTEX_LIGHT
+#if TETMARCH_VERTEX_LIGHT_ERROR
   real interpolationError; // of the light that is interpolated between vertices
 #endif
 };

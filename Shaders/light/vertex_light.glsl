@@ -1,14 +1,7 @@
 // The light at a vertex: the transmittance towards ambient light, which is the mean over a few directions up to a radius,
 // and towards each light that casts shadows. It is marched once, and kept until light or volume change.
 
-// Direction k of n, evenly over the sphere: a Fibonacci lattice (Swinbank and Purser 2006), the same for all vertices.
-vec3 sphereDirection(int k, int n)
-{
-  real z = real(1) - real(2 * k + 1) / real(n);
-  real r = sqrt(max(real(1) - z * z, real(0)));
-  real turn = real(k) * real(2.3999632297286533); // the golden angle
-  return vec3(r * cos(turn), r * sin(turn), z);
-}
+#include "light/sphere_direction.glsl"
 
 #if TETMARCH_OPAQUE_SHADOWS
 // Whether opaque geometry stands between the vertex and light k.

@@ -1,11 +1,12 @@
-// The march: from where a ray enters the mesh, from tetrahedron to tetrahedron, to where it ends.
+// The march: from where a ray enters the volume, from cell to cell, to where it ends. What the cells are is the
+// business of tet/ or structured/: both have a Place, where a ray is, a Traversal, and crossCell().
 
 struct March
 {
   Radiance radiance;
   real done;     // depth up to which the ray has gathered; nothing is gathered twice
   bool finished; // the ray is opaque or picked, or past the last depth that is asked for
-  int cells;     // tetrahedra crossed
+  int cells;     // cells crossed
 #if TETMARCH_SAMPLED_SHADOWS
   SamplePause pause;
 #endif
@@ -16,7 +17,7 @@ struct March
 #if TETMARCH_DIAGNOSTICS
   int lookups;   // of the segment integral
   int refused;   // entry faces that refused the ray
-  int lost;      // tetrahedra without an exit
+  int lost;      // cells without an exit
   int guarded;   // marches stopped by the step guard
 #endif
 };
@@ -53,10 +54,10 @@ void countLookups(int lookups, INOUT(March) march)
 }
 #endif
 
-void countFaults(int exitFace, INOUT(March) march)
+void countFaults(bool lost, INOUT(March) march)
 {
 #if TETMARCH_DIAGNOSTICS
-  march.lost = march.lost + (exitFace < 0 ? 1 : 0);
+  march.lost = march.lost + (lost ? 1 : 0);
   march.guarded = march.guarded + (march.cells >= mostCells ? 1 : 0);
 #endif
 }
@@ -68,15 +69,11 @@ void countRefusal(bool entered, INOUT(March) march)
 #endif
 }
 
-// Keeps the tetrahedron behind the face as the one that was crossed last.
-void keepTet(FaceIntersection face, uvec2 link, INOUT(March) march)
+// Keeps the cell before which the ray is as the one that was crossed last: rays to the light may start in it.
+void keepCell(Place place, INOUT(March) march)
 {
-#if TETMARCH_SAMPLED_SHADOWS
-  march.pause.last.number = link.x;
-  march.pause.last.a = face.id.x;
-  march.pause.last.b = face.id.y;
-  march.pause.last.c = face.id.z;
-  march.pause.last.d = link.y;
+#if TETMARCH_SAMPLED_SHADOWS && !TETMARCH_STRUCTURED
+  march.pause.last = cellBehind(place);
 #endif
 }
 
@@ -101,18 +98,7 @@ bool goesOnAfter(CellInterval cell, bool onward, INOUT(March) march)
 #endif
 }
 
-// Before the face by which the ray enters the mesh; next: the tetrahedron behind it.
-CellInterval beginCellInterval(Ray ray, uint next, INOUT(FaceIntersection) face)
-{
-  CellInterval cell;
-  fetchCorners(face);
-  beginCell(face, cell);
-  beginLookups(cell);
-  beginShades(ray, next, cell);
-  return cell;
-}
-
-// The CPU reference can record each tetrahedron that a ray crosses (Reference/KernelTrace.h).
+// The CPU reference can record each cell that a ray crosses (Reference/KernelTrace.h).
 void recordCell(CellInterval cell, March march)
 {
 #if TETMARCH_TRACED
@@ -120,18 +106,13 @@ void recordCell(CellInterval cell, March march)
 #endif
 }
 
-// Steps through the tetrahedron behind the face. Returns whether the ray goes on behind it.
-bool passCell(Ray ray, real depthEnd, INOUT(FaceIntersection) face, INOUT(uvec2) link, INOUT(CellInterval) cell,
-  INOUT(March) march)
+// Crosses the cell before which the ray is. Returns whether the ray goes on behind it.
+bool passCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterval) cell, INOUT(March) march)
 {
-  keepTet(face, link, march);
-  uint tet = link.x;
-  vec4 apex = fetchVertex(link.y);
-  int exitFace = stepThrough(face, link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
+  keepCell(place, march);
   advanceShades(cell);
-  advanceCell(tet, face, cell);
-  link = fetchLink(4u * tet + uint(max(exitFace, 0)));
-  march.cells = march.cells + 1;
+  Crossing crossing = crossCell(ray, place, cell);
+  march.cells = march.cells + crossing.cells;
 
   // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
   cell.begin = max(cell.enter.x, march.done);
@@ -143,26 +124,25 @@ bool passCell(Ray ray, real depthEnd, INOUT(FaceIntersection) face, INOUT(uvec2)
   march.finished = max(cell.begin, cell.end) >= depthEnd;
   recordCell(cell, march);
   cropCell(ray, cell);
-  countFaults(exitFace, march);
-  return exitFace >= 0 && link.x < LINK_OUTSIDE && march.cells < mostCells && !march.finished;
+  countFaults(crossing.lost, march);
+  return crossing.onward && march.cells < mostCells && !march.finished;
 }
 
-// Steps through tetrahedra until something is seen of one, or through one if none is to be passed unseen. Returns whether
-// the ray goes on behind it. What is not seen has a loop of its own; Mesa 22.3 compiles it wrong as a do-while.
-bool passToSeenCell(Ray ray, real depthEnd, INOUT(FaceIntersection) face, INOUT(uvec2) link, INOUT(CellInterval) cell,
-  INOUT(March) march)
+// Crosses cells until something is seen of one, or one cell if none is to be passed unseen. Returns whether the ray goes
+// on behind it. What is not seen has a loop of its own; Mesa 22.3 compiles it wrong as a do-while.
+bool passToSeenCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterval) cell, INOUT(March) march)
 {
 #if TETMARCH_PASSES_CELLS
   bool onward = true;
   bool passing = true;
   while (passing)
   {
-    onward = passCell(ray, depthEnd, face, link, cell, march);
+    onward = passCell(ray, depthEnd, place, cell, march);
     passing = onward && !cell.seen;
   }
   return onward;
 #else
-  return passCell(ray, depthEnd, face, link, cell, march);
+  return passCell(ray, depthEnd, place, cell, march);
 #endif
 }
 
@@ -204,19 +184,17 @@ bool isFinished(March march)
 #endif
 }
 
-// Marches from a boundary face to the boundary face through which the ray leaves the mesh, whose intersection and link
-// take the place of the first one's. thicknessPerDepth is the thickness, in scalar opacity unit distances, of a unit of
-// depth.
-void marchToExit(
-  Ray ray, INOUT(FaceIntersection) face, INOUT(uvec2) link, real thicknessPerDepth, real depthEnd, INOUT(March) march)
+// Marches from where the ray has entered the volume to where it leaves it, which becomes the place. thicknessPerDepth is
+// the thickness, in scalar opacity unit distances, of a unit of depth.
+void marchToExit(Ray ray, INOUT(Place) place, real thicknessPerDepth, real depthEnd, INOUT(March) march)
 {
-  CellInterval cell = beginCellInterval(ray, link.x, face);
+  CellInterval cell = beginCellInterval(ray, place);
   bool onward = true;
   while (onward)
   {
-    onward = passToSeenCell(ray, depthEnd, face, link, cell, march);
+    onward = passToSeenCell(ray, depthEnd, place, cell, march);
     keepTransmittance(march);
-    shadeCell(ray, face, cell);
+    shadeCell(ray, place, cell);
     gatherIntervals(ray, thicknessPerDepth, cell, march);
     march.finished = isFinished(march);
     onward = onward && !march.finished;
@@ -229,7 +207,7 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
 {
   while (continuesBefore(traversal, depthEnd) && march.cells < mostCells)
   {
-    enterMesh(ray, traversal);
+    enterVolume(ray, traversal);
 #if TETMARCH_SAMPLED_SHADOWS
     bool onward = traversal.entered && !march.pause.ended;
 #else
@@ -237,7 +215,7 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
 #endif
     if (onward)
     {
-      marchToExit(ray, traversal.face, traversal.link, thicknessPerDepth, depthEnd, march);
+      marchToExit(ray, traversal.place, thicknessPerDepth, depthEnd, march);
     }
 #if TETMARCH_SAMPLED_SHADOWS
     if (march.pause.due)
@@ -247,6 +225,6 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
     march.pause.ended = false;
 #endif
     countRefusal(traversal.entered, march);
-    leaveMesh(ray, march.finished, traversal);
+    leaveVolume(ray, march.finished, traversal);
   }
 }

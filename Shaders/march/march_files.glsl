@@ -1,5 +1,5 @@
 // The march of the picture, in the order in which its files use each other.
-#include "tet/traversal_files.glsl"
+#include "march/traversal_files.glsl"
 #if TETMARCH_LIT
 #include "light/light.glsl"
 #endif
@@ -12,8 +12,11 @@
 #if TETMARCH_EFFECTS
 #include "light/effect_files.glsl"
 #endif
-#include "tet/segment.glsl"
-#include "tet/cell_interval.glsl"
+#if TETMARCH_BENT
+#include "structured/bend.glsl"
+#endif
+#include "march/segment.glsl"
+#include "march/cell_interval.glsl"
 #include "light/cell_shades.glsl"
 #include "gather/gather_files.glsl"
 #include "cuts/cropping.glsl"
@@ -22,7 +25,14 @@
 #include "march/pick_interval.glsl"
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
+#if !TETMARCH_STRUCTURED
 #include "tet/tet.glsl"
+#endif
 #include "march/sample_pause.glsl"
+#endif
+#if TETMARCH_STRUCTURED
+#include "structured/cross_cell.glsl"
+#else
+#include "tet/cross_cell.glsl"
 #endif
 #include "march/march.glsl"

@@ -27,7 +27,7 @@ Pick pickOn(
   real opacity = pixelOf(whole, thicknessPerDepth).w;
   march.target = opacity > real(0) && opacity + PICK_ROUNDING >= real(1) - left ? target : NO_DEPTH;
 #endif
-  Traversal traversal = traversalFromBoundary(ray, firstFace);
+  Traversal traversal = traversalFrom(ray, firstFace, depthBegin);
   marchOn(ray, thicknessPerDepth, depthEnd, traversal, march);
   return march.pick;
 }

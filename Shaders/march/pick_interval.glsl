@@ -38,7 +38,7 @@ Radiance gatheredUpTo(real depth, real thicknessPerDepth, CellInterval cell, Rad
 real pickedScalar(CellInterval cell, real depth)
 {
 #if TETMARCH_POINT_SCALARS
-  real scalar = scalarAt(cell.enter, cell.leave, depth);
+  real scalar = scalarIn(cell, depth);
 #else
   real scalar = cell.scalar;
 #endif

@@ -3,7 +3,7 @@
 March castPlainRay(Ray ray, int firstFace, real thicknessPerDepth, real depthBegin, real depthEnd)
 {
   March march = beginMarch(depthBegin);
-  Traversal traversal = traversalFromBoundary(ray, firstFace);
+  Traversal traversal = traversalFrom(ray, firstFace, depthBegin);
   marchOn(ray, thicknessPerDepth, depthEnd, traversal, march);
   return march;
 }

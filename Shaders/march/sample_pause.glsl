@@ -7,7 +7,9 @@ struct SamplePause
   bool ended;         // unless the ray had left the mesh or was finished
   real nextSample;    // the transmittance at which the next sample is due
   real transmittance; // before the last tetrahedron
+#if !TETMARCH_STRUCTURED
   Tet last;           // the tetrahedron that was crossed last
+#endif
   real seenDepth;     // the average depth of what is seen of it
 };
 

@@ -8,7 +8,9 @@
 #include "tet/edge_sign.glsl"
 #include "march/ray.glsl"
 #include "tet/vertex_attributes.glsl"
+#include "march/stored_scalar.glsl"
 #include "tet/face_intersection.glsl"
+#include "march/entry.glsl"
 #include "tet/boundary.glsl"
 #include "passes/pixel_ray.glsl"
 

@@ -7,7 +7,7 @@
 //VTK::DepthPeeling::Dec
 #endif
 
-#include "tet/mesh_buffers.glsl"
+#include "march/volume_buffers.glsl"
 #include "tables/table_buffers.glsl"
 #include "march/thickness_buffers.glsl"
 #if !TETMARCH_COMPOSITE

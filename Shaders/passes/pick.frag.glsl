@@ -5,7 +5,7 @@
 
 //VTK::Output::Dec
 
-#include "tet/mesh_buffers.glsl"
+#include "march/volume_buffers.glsl"
 #include "tables/table_buffers.glsl"
 #include "march/thickness_buffers.glsl"
 #if !TETMARCH_COMPOSITE

@@ -41,7 +41,7 @@ struct PixelRay
   float depthEnd;
 };
 
-#if TETMARCH_BVH
+#if TETMARCH_RAY_POINTS
 uniform mat4 rayPoints; // Rays/RayPoints.h
 
 vec3 rayPoint()

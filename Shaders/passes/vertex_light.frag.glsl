@@ -4,7 +4,7 @@
 
 //VTK::Output::Dec
 
-#include "tet/mesh_buffers.glsl"
+#include "march/volume_buffers.glsl"
 #include "tables/table_buffers.glsl"
 #if TETMARCH_EFFECTS
 #include "light/effect_buffer_files.glsl"
@@ -13,7 +13,7 @@
 #include "light/light_ray_buffers.glsl"
 #include "light/vertex_ray_buffers.glsl"
 #include "light/vertex_light_layout.glsl"
-#include "tet/traversal_files.glsl"
+#include "march/traversal_files.glsl"
 #include "light/light_ray_files.glsl"
 #include "light/vertex_light.glsl"
 

@@ -16,7 +16,7 @@ struct TablePoint
   vec4 binEnd;      // C, tau at entry bin + 1
 #if TETMARCH_ERROR_BOUND
   real variation;   // V at x
-#if TETMARCH_COMPONENTS
+#if TETMARCH_EXTINCTION_VARIATION
   real extinctionVariation; // the same of tau
 #endif
 #endif
@@ -113,7 +113,11 @@ TablePoint tablePoint(real x)
 #else
   p.integral = fetchTableIntegral(p.bin);
   p.integralEnd = fetchTableIntegral(p.bin + 1);
-#if TETMARCH_ERROR_BOUND
+#if TETMARCH_EXTINCTION_VARIATION
+  vec2 variation = fetchTableVariations(p.bin);
+  p.variation = variation.x + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * fraction;
+  p.extinctionVariation = variation.y + abs(rise.w) * fraction;
+#elif TETMARCH_ERROR_BOUND
   p.variation = fetchTableVariation(p.bin) + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * fraction;
 #endif
 #endif

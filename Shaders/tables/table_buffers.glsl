@@ -51,7 +51,7 @@ vec4 fetchTableIntegralUnit(int table) { return tableIntegralUnits[table]; }
 vec2 fetchTablePlace(int table) { return tablePlace[table]; }
 #endif
 #if TETMARCH_ERROR_BOUND
-#if TETMARCH_COMPONENTS
+#if TETMARCH_EXTINCTION_VARIATION
 vec2 fetchTableVariations(int i) { return texelFetch(tableVariationBuffer, i).xy; } // of colour and extinction
 #else
 float fetchTableVariation(int i) { return texelFetch(tableVariationBuffer, i).x; }

@@ -27,13 +27,6 @@ bool enters(Ray ray, uint boundaryFace, OUT(FaceIntersection) face)
   return entersFace(ray, fetchBoundaryFace(boundaryFace), face);
 }
 
-// Where a ray enters.
-struct Entry
-{
-  real depth;
-  int face; // -1: none
-};
-
 #if TETMARCH_BVH
 // Entries of a ray are ordered by depth, then by number of the face, so that each is found exactly once,
 // even where components touch or overlap.

@@ -20,7 +20,7 @@ real transmittanceTo(Tet tet, vec3 point, vec3 direction, real distance)
   do
   {
     ray = rayThrough(point + (centre - point) * pull, direction);
-    traversal.entered = entersTet(ray, tet, traversal.face, traversal.link);
+    traversal.entered = entersTet(ray, tet, traversal.place.face, traversal.place.link);
     pull = pull + real(0.25);
   } while (!traversal.entered && pull <= real(1));
   real begin = dot(point - ray.origin, ray.direction);

@@ -1,17 +1,24 @@
 // The traversal of the mesh: a ray enters it, leaves it, and may enter again.
 
-// The state of a ray: inside the mesh before a face, or at an entry, which may refuse it.
-struct Traversal
+// Where a ray is: before a face.
+struct Place
 {
   FaceIntersection face;
-  uvec2 link;     // of that face: the tetrahedron and the apex behind it
-  bool inside;    // face and link are set; else the entry tells them
+  uvec2 link; // of that face: the tetrahedron and the apex behind it
+};
+
+// The state of a ray: inside the mesh, or at an entry, which may refuse it.
+struct Traversal
+{
+  Place place;
+  bool inside;    // the place is set; else the entry tells it
   bool entered;   // the face at the entry accepted the ray
   Entry entry;
 };
 
-// From the boundary face that the rasteriser found; if it is -1, from the first one that a search finds.
-Traversal traversalFromBoundary(Ray ray, int firstFace)
+// From the boundary face that the rasteriser found; if it is -1, from the first one that a search finds, wherever the
+// ray begins to be seen.
+Traversal traversalFrom(Ray ray, int firstFace, real depthBegin)
 {
   Traversal traversal;
   traversal.inside = false;
@@ -34,27 +41,27 @@ bool continuesBefore(Traversal traversal, real depthEnd)
 }
 
 // Enters by the boundary face, unless the ray is inside already.
-void enterMesh(Ray ray, INOUT(Traversal) traversal)
+void enterVolume(Ray ray, INOUT(Traversal) traversal)
 {
   if (!traversal.inside)
   {
-    traversal.link = fetchLink(4u * tetCount + uint(traversal.entry.face));
-    traversal.entered = enters(ray, uint(traversal.entry.face), traversal.face);
+    traversal.place.link = fetchLink(4u * tetCount + uint(traversal.entry.face));
+    traversal.entered = enters(ray, uint(traversal.entry.face), traversal.place.face);
     traversal.inside = true;
   }
 }
 
 // From the face by which the ray has left the mesh, or which refused it, to the next entry; to none if the ray is
 // finished.
-void leaveMesh(Ray ray, bool finished, INOUT(Traversal) traversal)
+void leaveVolume(Ray ray, bool finished, INOUT(Traversal) traversal)
 {
   traversal.inside = false;
 #if TETMARCH_BVH
   // A ray that leaves the convex hull is finished. But along a flat side of the hull rounding makes bumps, which a ray
   // may leave before it enters the rest: then the faces of the hull are searched again.
   bool leftHull =
-    traversal.entered && traversal.link.x >= LINK_OUTSIDE && int(traversal.link.x - LINK_OUTSIDE) >= reentryFaceCount;
-  bool certain = isTurnedForSure(traversal.face);
+    traversal.entered && traversal.place.link.x >= LINK_OUTSIDE && int(traversal.place.link.x - LINK_OUTSIDE) >= reentryFaceCount;
+  bool certain = isTurnedForSure(traversal.place.face);
   if (finished || (leftHull && certain))
   {
     traversal.entry.face = -1;

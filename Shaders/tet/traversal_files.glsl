@@ -2,16 +2,12 @@
 #include "tet/edge_sign.glsl"
 #include "march/ray.glsl"
 #include "tet/vertex_attributes.glsl"
+#include "march/stored_scalar.glsl"
 #include "tet/face_intersection.glsl"
-#include "tet/linear_scalar.glsl"
+#include "march/linear_scalar.glsl"
 #if TETMARCH_HIDDEN_CELLS
-#include "tet/hidden_cells.glsl"
+#include "march/hidden_cells.glsl"
 #endif
+#include "march/entry.glsl"
 #include "tet/boundary.glsl"
 #include "tet/traversal.glsl"
-#if TETMARCH_USES_TABLES
-#include "tables/integral_table.glsl"
-#endif
-#if TETMARCH_GRADIENT_OPACITY
-#include "tables/gradient_opacity.glsl"
-#endif

@@ -175,7 +175,7 @@ TEST(Pick, InEvenExtinctionByFloats)
     const auto ray = rays.next<Kernel, float>(kernel, mesh);
     const float left = static_cast<float>(rays.uniformBetween(0.05, 0.95));
     const float length = static_cast<float>(rays.uniformBetween(1.0, 20.0));
-    const float entry = kernel.traversalFromBoundary(ray, -1).entry.depth;
+    const float entry = kernel.traversalFrom(ray, -1, 0).entry.depth;
     const auto pick = kernel.pickOn(ray, -1, length, -1e30f, 1e30f, left);
     if (pick.hit)
     {

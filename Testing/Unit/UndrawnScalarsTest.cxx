@@ -240,7 +240,7 @@ TEST(UndrawnScalars, AreAsHiddenCellsInExtinction)
       const auto ray = rays.next<Kernel, double>(whole.March, whole.Mesh);
       const auto cast = [&ray](RandomVolume<Kernel>& volume)
       {
-        auto traversal = volume.March.traversalFromBoundary(ray, -1);
+        auto traversal = volume.March.traversalFrom(ray, -1, 0);
         return volume.March.transmittanceOn(ray, 4.0, -1e30, 1e30, traversal);
       };
       ASSERT_EQ(cast(broken), cast(whole));

@@ -41,6 +41,7 @@ Fingerprint versionOf(vtkVolumeProperty* property, const TableInput& input)
   version.push_back(static_cast<std::uintptr_t>(law));
   version.push_back(input.Blend->isSum() ? 1 : 0);
   version.push_back(static_cast<std::uintptr_t>(input.Mix));
+  version.push_back(input.Bends ? 1 : 0);
   addRange(version, input.Range);
   for (const ScalarRange& range : input.FurtherRanges)
   {
@@ -55,9 +56,16 @@ IntegralTable makeTables(vtkVolumeProperty* property, const TableInput& input,
   const AccuracyLevel& level, Components& components)
 {
   components.Tables.clear();
-  return components.isSingle()
-           ? blendedTable(property, input.Law, *input.Blend, input.Range, level)
-           : componentTables(property, input.Law, input.Range, level, components);
+  if (!components.isSingle())
+  {
+    return componentTables(property, input.Law, input.Range, level, components);
+  }
+  IntegralTable table = blendedTable(property, input.Law, *input.Blend, input.Range, level);
+  if (input.Bends)
+  {
+    addExtinctionVariations(table);
+  }
+  return table;
 }
 
 std::string TransferTables::update(

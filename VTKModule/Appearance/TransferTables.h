@@ -23,6 +23,7 @@ struct TableInput
   ComponentMix Mix = ComponentMix::Single;
   ScalarRange Range;                      // of the first scalar
   std::vector<ScalarRange> FurtherRanges; // of those that are drawn with it
+  bool Bends = false; // the scalar bends along rays, so that error bounds need more of a table
 };
 
 class TransferTables

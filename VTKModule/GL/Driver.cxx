@@ -50,7 +50,9 @@ std::string driverDefines()
   const bool skipsHelpers = isLlvmpipe &&
                             std::atoi(version.data() + mesa + 5) > LastMesaWithoutCare &&
                             hasExtension("GL_ARB_ES3_1_compatibility");
-  return skipsHelpers ? "#define TETMARCH_SKIPS_HELPERS 1\n" : "";
+  std::string defines = skipsHelpers ? "#define TETMARCH_SKIPS_HELPERS 1\n" : "";
+  defines += hasExtension("GL_ARB_texture_gather") ? "#define TETMARCH_HAS_GATHER 1\n" : "";
+  return defines;
 }
 
 } // namespace tetmarch

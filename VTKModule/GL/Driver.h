@@ -11,7 +11,8 @@ namespace tetmarch
 
 bool hasExtension(const char* name);
 
-/** Shader defines that depend on the driver and not on the scene: see Shaders/passes/helper.glsl.
+/** Shader defines that depend on the driver and not on the scene: see Shaders/passes/helper.glsl
+ * and Shaders/structured/lattice_buffers.glsl.
  * Keep them as long as the context lives: each query goes through all of Mesa's extensions. */
 std::string driverDefines();
 

@@ -16,7 +16,9 @@ std::string EffectTextures::update(
   vtkOpenGLRenderWindow* window, const EffectStage& stage, const VariantKey& key)
 {
   const EffectData& data = stage.data();
-  std::string error = this->Gradients.update(window, key.hasGradients(), stage.gradientsVersion(),
+  const bool stored = key.hasGradients() && !key.Structured;
+  this->GradientUnit = stored ? this->GradientUnit : 1;
+  std::string error = this->Gradients.update(window, stored, stage.gradientsVersion(),
     [&](TextureBuffer& buffer)
     {
       const PackedGradients packed = packGradients(data.Gradients);
@@ -90,7 +92,7 @@ std::string EffectTextures::updateJitter(vtkOpenGLRenderWindow* window, bool nee
 
 void EffectTextures::bind(vtkShaderProgram* program, const EffectData& data, const VariantKey& key)
 {
-  if (key.hasGradients())
+  if (key.hasGradients() && !key.Structured)
   {
     this->Gradients.bind(program, "gradientBuffer");
   }

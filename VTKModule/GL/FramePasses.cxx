@@ -80,7 +80,7 @@ std::string FramePasses::findRays(
     error = inputs.Source->drawEntries(window, inputs.Area, part, *inputs.Camera);
     inputs.Entries = error.empty() ? inputs.Source->entries() : nullptr;
   }
-  if (inputs.Key.Hierarchy)
+  if (inputs.Key.needsRayPoints())
   {
     inputs.RayPoints = rayPoints(*inputs.Camera, inputs.Source->frame());
   }

@@ -52,6 +52,13 @@ public:
     vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) = 0;
   /** The scalars that are drawn. */
   virtual std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) = 0;
+  /** What of the volume can be seen by these functions; undrawnSeen: also scalars that are not finite.
+   * It tells what rays may leap over. */
+  virtual std::string updateVisibility(
+    const IntegralTable&, const Blending&, bool /*undrawnSeen*/)
+  {
+    return {};
+  }
   /** What rays need to find where they enter, if the rasteriser can't tell. */
   virtual std::string prepareEntrySearch() = 0;
 
@@ -64,6 +71,8 @@ public:
   virtual const ScalarRange& range() const = 0;
   /** Of the scalars that are drawn with it. */
   virtual const std::vector<ScalarRange>& furtherRanges() const = 0;
+  /** The scalar bends along a ray within a cell. */
+  virtual bool scalarBends() const { return false; }
   /** The share 0..1 of the volume whose scalars lie in the table's transparent ranges. */
   virtual double transparentShare(const IntegralTable& table) const = 0;
   virtual const EffectSource& effectSource() const = 0;

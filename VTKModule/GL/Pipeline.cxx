@@ -83,19 +83,24 @@ bool Pipeline::updateBlending(vtkVolumeProperty* property, const BlendOptions& o
 
 TableInput Pipeline::tableInput(OpacityLaw law) const
 {
-  return { law, &this->Blend, this->Mix, this->Source.range(), this->Source.furtherRanges() };
+  return { law, &this->Blend, this->Mix, this->Source.range(), this->Source.furtherRanges(),
+    this->Source.scalarBends() };
 }
 
 bool Pipeline::updateTables(
   vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, bool drawNan)
 {
-  const std::string error = this->Tables.update(property, this->tableInput(law), level);
+  std::string error = this->Tables.update(property, this->tableInput(law), level);
+  if (error.empty())
+  {
+    this->NanShown =
+      drawNan && !this->Source.range().AllFinite && this->Tables.first().NanColor[3] > 0;
+    error = this->Source.updateVisibility(this->Tables.first(), this->Blend, this->NanShown);
+  }
   if (!error.empty())
   {
     return this->fail(error);
   }
-  this->NanShown =
-    drawNan && !this->Source.range().AllFinite && this->Tables.first().NanColor[3] > 0;
   this->setSubject(property, drawNan);
   this->updatePassing();
   // Sums are shown even where they are 0.
@@ -222,6 +227,31 @@ void Pipeline::release(vtkWindow* window)
   this->Passes.release(window);
   this->Selected.release();
   this->Window = nullptr;
+}
+
+void Pipeline::releaseWhereHeld()
+{
+  if (this->Window)
+  {
+    this->makeCurrent();
+    this->release(this->Window);
+  }
+}
+
+void Pipeline::releaseIfHeldBy(vtkWindow* window)
+{
+  if (this->Window == window)
+  {
+    this->releaseWhereHeld();
+  }
+}
+
+void Pipeline::makeCurrent() const
+{
+  if (this->Window)
+  {
+    this->Window->MakeCurrent();
+  }
 }
 
 } // namespace tetmarch

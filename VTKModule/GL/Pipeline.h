@@ -99,6 +99,12 @@ public:
 
   /** Free what is held on the GPU. The context of the window that held it is current. */
   void release(vtkWindow* window);
+  /** The same for the window that holds something, if there is one; its context becomes current. */
+  void releaseWhereHeld();
+  /** The same if it is that window. */
+  void releaseIfHeldBy(vtkWindow* window);
+  /** Make the context of the window that holds something current, if there is one. */
+  void makeCurrent() const;
   /** The window on whose GPU something may be held. */
   vtkOpenGLRenderWindow* window() const { return this->Window; }
 

@@ -16,7 +16,7 @@ void bindPixelRays(vtkShaderProgram* program, const MarchInputs& inputs, const V
   const std::array<float, 4> area = target.asFloats();
   program->SetUniform4f("viewport", area.data());
   setUniform(program, "eye", view.Eye);
-  if (inputs.Key.Hierarchy)
+  if (inputs.Key.needsRayPoints())
   {
     setUniform(program, "rayPoints", inputs.RayPoints);
   }

@@ -37,6 +37,14 @@ void bindSeveral(vtkShaderProgram* program, const std::vector<TablePlace>& table
   program->SetUniform2fv("tablePlace", count, places.data());
 }
 
+void appendVariations(const IntegralTable& table, std::vector<std::array<float, 2>>& variations)
+{
+  for (std::size_t i = 0; i < table.Values.size(); ++i)
+  {
+    variations.push_back({ { table.Variations[i], table.ExtinctionVariations[i] } });
+  }
+}
+
 void bindFactors(vtkShaderProgram* program, const Components& components)
 {
   program->SetUniformi("componentCount", components.count());
@@ -55,10 +63,7 @@ std::string TableTextures::uploadSeveral(
   {
     values.insert(values.end(), one.Values.begin(), one.Values.end());
     integrals.insert(integrals.end(), one.Integrals.begin(), one.Integrals.end());
-    for (std::size_t i = 0; i < one.Values.size(); ++i)
-    {
-      variations.push_back({ { one.Variations[i], one.ExtinctionVariations[i] } });
-    }
+    appendVariations(one, variations);
   };
   append(table);
   std::for_each(components.Tables.begin(), components.Tables.end(), append);
@@ -81,11 +86,17 @@ std::string TableTextures::uploadFirst(vtkOpenGLRenderWindow* window, const Inte
   {
     error = this->Integrals.upload(window, TexelFormat::RGBA32UI, table.Integrals.data(), size);
   }
-  if (error.empty())
+  if (!error.empty())
   {
-    error = this->Variations.upload(window, TexelFormat::R32F, table.Variations.data(), size);
+    return error;
   }
-  return error;
+  if (table.ExtinctionVariations.empty())
+  {
+    return this->Variations.upload(window, TexelFormat::R32F, table.Variations.data(), size);
+  }
+  std::vector<std::array<float, 2>> variations;
+  appendVariations(table, variations);
+  return this->Variations.upload(window, TexelFormat::RG32F, variations.data(), size);
 }
 
 std::string TableTextures::upload(vtkOpenGLRenderWindow* window, const TransferTables& tables)

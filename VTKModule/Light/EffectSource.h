@@ -31,9 +31,12 @@ public:
   /** Equal as long as the scalars are the same, too. */
   virtual Fingerprint scalarsVersion() const = 0;
 
+  /** Whether gradients are stored; if not, the march takes them from the scalars. */
+  virtual bool storesGradients() const { return true; }
   /** Whether the scalar may change within a cell, so that the cell has a gradient of its own. */
   virtual bool hasCellGradients() const = 0;
-  /** Gradients of the stored scalar in the normalised frame: one a cell, or one a vertex. */
+  /** Gradients of the stored scalar in the normalised frame: one a cell, or one a vertex; none if they
+   * are not stored. */
   virtual std::vector<std::array<float, 3>> gradients(bool ofCells) const = 0;
 
   /** Starts of the rays from vertices to the light; empty if no light is kept at vertices. */

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tetmarch
 {
@@ -128,7 +129,9 @@ void EffectStage::updateGradients(const EffectInput& input, bool needed, bool of
     {
       this->Data.CellGradients = ofCells;
       this->Data.Gradients = input.Source->gradients(ofCells);
-      this->SteepestGradient = steepest(this->Data.Gradients);
+      this->SteepestGradient = input.Source->storesGradients()
+                                 ? steepest(this->Data.Gradients)
+                                 : std::numeric_limits<double>::infinity();
     });
 }
 

@@ -4,7 +4,6 @@
 
 #include "Budget/SampleDistance.h"
 
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTetMarchSettings.h"
 
@@ -61,23 +60,25 @@ AccuracyOptions accuracyOptionsOf(Settings* settings)
 }
 
 FrameOptions::FrameOptions(Settings* settings, BlendMode blend, vtkRenderer* renderer,
-  const AccuracyLevel& level, const PeelHooks& hooks, vtkLookupTable* viewColors)
+  const AccuracyLevel& level, const PeelHooks& hooks, const FrameConditions& conditions,
+  vtkLookupTable* viewColors)
   : Law(static_cast<OpacityLaw>(settings->GetOpacityLaw()))
   , DrawNanCells(settings->GetDrawNanCells())
   , Effects(effectOptionsOf(settings, blend))
   , View{ measureOf(settings->GetViewMode()), settings->GetAutomaticViewRange(),
     { { settings->GetViewRange()[0], settings->GetViewRange()[1] } }, viewColors }
 {
-  // Between translucent geometry the picture is drawn in parts, and nothing else is drawn.
+  // Between translucent geometry the picture is drawn in parts, too.
   const bool peeling = hooks.isPeeling();
-  const bool interacting = renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0;
+  const bool onlyParts = peeling || conditions.OnlyParts;
   const int viewMode = settings->GetViewMode();
   this->Draw.Level = level;
-  this->Draw.Diagnostics = settings->GetCollectDiagnostics() && !peeling;
+  this->Draw.Diagnostics = settings->GetCollectDiagnostics() && !onlyParts;
   this->Draw.MostSecondsPerDraw = settings->GetMaxDrawTimeInSeconds();
-  this->Draw.MostLightSeconds = interacting && !peeling ? settings->GetLightTimeBudget() : 0.0;
-  this->Draw.View = isMeasure(viewMode) && !peeling ? &this->View : nullptr;
-  this->Draw.Boundary = peeling ? BoundaryView::None : boundaryViewOf(viewMode);
+  this->Draw.MostLightSeconds =
+    conditions.Interacting && !peeling ? settings->GetLightTimeBudget() : 0.0;
+  this->Draw.View = isMeasure(viewMode) && !onlyParts ? &this->View : nullptr;
+  this->Draw.Boundary = onlyParts ? BoundaryView::None : boundaryViewOf(viewMode);
   this->Draw.Peeling = peeling ? &hooks : nullptr;
   this->Draw.PickOpacity = settings->GetPickOpacityThreshold();
 
@@ -86,15 +87,14 @@ FrameOptions::FrameOptions(Settings* settings, BlendMode blend, vtkRenderer* ren
 }
 
 void FrameOptions::chooseSampleDistance(
-  Settings* settings, SampleDistance& controller, double seconds)
+  Settings* settings, bool adjusts, SampleDistance& controller, double seconds)
 {
   if (this->MarchesPicture && !this->Draw.Diagnostics)
   {
     this->Draw.SampleDistance =
-      settings->GetAutoAdjustSampleDistances()
-        ? controller.choose(seconds, settings->GetMinimumImageSampleDistance(),
-            settings->GetMaximumImageSampleDistance())
-        : settings->GetImageSampleDistance();
+      adjusts ? controller.choose(seconds, settings->GetMinimumImageSampleDistance(),
+                  settings->GetMaximumImageSampleDistance())
+              : settings->GetImageSampleDistance();
   }
 }
 

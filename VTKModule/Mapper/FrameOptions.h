@@ -21,17 +21,27 @@ class SampleDistance;
 
 AccuracyOptions accuracyOptionsOf(vtkTetMarchSettings* settings);
 
+/** What a mapper knows of a frame beside its settings. */
+struct FrameConditions
+{
+  bool Interacting = false;      // somebody waits for the next frame
+  bool AdjustsDistances = false; // rays may be fewer, to keep the allocated time
+  bool OnlyParts = false; // several pipelines draw parts of the picture, and nothing else is drawn
+};
+
 struct FrameOptions
 {
   /** `hooks` and `viewColors`, the colours of measures, are referred to. */
   FrameOptions(vtkTetMarchSettings* settings, BlendMode blend, vtkRenderer* renderer,
-    const AccuracyLevel& level, const PeelHooks& hooks, vtkLookupTable* viewColors);
+    const AccuracyLevel& level, const PeelHooks& hooks, const FrameConditions& conditions,
+    vtkLookupTable* viewColors);
   FrameOptions(const FrameOptions&) = delete;
   void operator=(const FrameOptions&) = delete;
 
-  /** Take fewer rays if `settings` say so, or if `controller` needs them to keep the seconds. */
+  /** Take fewer rays if `settings` say so, or, if that `adjusts`, as `controller` needs to keep the
+   * seconds. */
   void chooseSampleDistance(
-    vtkTetMarchSettings* settings, SampleDistance& controller, double seconds);
+    vtkTetMarchSettings* settings, bool adjusts, SampleDistance& controller, double seconds);
 
   /**
    * Whether the frame is the picture, not a measure, the boundary, a part between translucent

@@ -6,6 +6,8 @@
 
 #include <string>
 
+class vtkObject;
+
 namespace tetmarch
 {
 
@@ -19,6 +21,10 @@ public:
     this->Text = text;
     return changes && !text.empty();
   }
+
+  /** Report `text` as an error or a warning of the mapper, if it changes to it. */
+  void reportError(vtkObject* mapper, const std::string& text);
+  void reportWarning(vtkObject* mapper, const std::string& text);
 
 private:
   std::string Text;

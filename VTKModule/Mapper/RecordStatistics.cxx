@@ -6,6 +6,7 @@
 #include "Budget/AccuracyController.h"
 #include "GL/Pipeline.h"
 #include "GL/TetSource.h"
+#include "Mapper/StructuredBlocks.h"
 
 #include "vtkTetMarchFrameStatistics.h"
 
@@ -14,40 +15,108 @@ namespace tetmarch
 namespace
 {
 
-void recordStages(const Pipeline& pipeline, vtkTetMarchFrameStatistics* statistics)
+using Pipelines = std::vector<const Pipeline*>;
+
+// The sum of a figure over all pipelines.
+template <typename Figure>
+auto sumOf(const Pipelines& pipelines, const Figure& figure)
 {
-  const EffectStage& effects = pipeline.effects();
-  statistics->SetTablesSeconds(pipeline.tablesRecord().Seconds);
-  statistics->SetTablesBuilds(pipeline.tablesRecord().Runs);
-  statistics->SetGradientsSeconds(effects.gradientsRecord().Seconds);
-  statistics->SetGradientsBuilds(effects.gradientsRecord().Runs);
-  statistics->SetOpaqueShadowsSeconds(effects.opaqueShadowsRecord().Seconds);
-  statistics->SetOpaqueShadowsBuilds(effects.opaqueShadowsRecord().Runs);
-  statistics->SetVertexLightSeconds(pipeline.vertexLightRecord().Seconds);
-  statistics->SetVertexLightBuilds(pipeline.vertexLightRecord().Runs);
-  statistics->SetUploadSeconds(pipeline.uploadRecord().Seconds);
+  decltype(figure(*pipelines.front())) sum{};
+  for (const Pipeline* pipeline : pipelines)
+  {
+    sum += figure(*pipeline);
+  }
+  return sum;
 }
 
-void recordCounters(const MarchCounters& counters, vtkTetMarchFrameStatistics* statistics)
+// Seconds and runs of a stage.
+template <typename RecordOf>
+StageRecord recordOf(const Pipelines& pipelines, const RecordOf& recordOfOne)
 {
-  statistics->SetNumberOfRays(counters.Rays);
-  statistics->SetNumberOfCrossedCells(counters.Cells);
-  statistics->SetNumberOfLookups(counters.Lookups);
-  statistics->SetNumberOfRefusedEntries(counters.Refused);
-  statistics->SetNumberOfLostRays(counters.Lost);
-  statistics->SetNumberOfGuardHits(counters.Guarded);
+  StageRecord record;
+  record.Seconds = sumOf(pipelines, [&](const Pipeline& p) { return recordOfOne(p).Seconds; });
+  record.Runs = sumOf(pipelines, [&](const Pipeline& p) { return recordOfOne(p).Runs; });
+  return record;
+}
+
+void recordStages(const Pipelines& pipelines, vtkTetMarchFrameStatistics* statistics)
+{
+  const StageRecord tables =
+    recordOf(pipelines, [](const Pipeline& p) { return p.tablesRecord(); });
+  statistics->SetTablesSeconds(tables.Seconds);
+  statistics->SetTablesBuilds(tables.Runs);
+  const StageRecord gradients =
+    recordOf(pipelines, [](const Pipeline& p) { return p.effects().gradientsRecord(); });
+  statistics->SetGradientsSeconds(gradients.Seconds);
+  statistics->SetGradientsBuilds(gradients.Runs);
+  const StageRecord shadows =
+    recordOf(pipelines, [](const Pipeline& p) { return p.effects().opaqueShadowsRecord(); });
+  statistics->SetOpaqueShadowsSeconds(shadows.Seconds);
+  statistics->SetOpaqueShadowsBuilds(shadows.Runs);
+  const StageRecord light =
+    recordOf(pipelines, [](const Pipeline& p) { return p.vertexLightRecord(); });
+  statistics->SetVertexLightSeconds(light.Seconds);
+  statistics->SetVertexLightBuilds(light.Runs);
+  const StageRecord upload =
+    recordOf(pipelines, [](const Pipeline& p) { return p.uploadRecord(); });
+  statistics->SetUploadSeconds(upload.Seconds);
+}
+
+void recordCounters(const Pipelines& pipelines, vtkTetMarchFrameStatistics* statistics)
+{
+  const auto count = [&](std::int64_t MarchCounters::*counter)
+  { return sumOf(pipelines, [=](const Pipeline& p) { return p.counted().counters().*counter; }); };
+  statistics->SetNumberOfRays(count(&MarchCounters::Rays));
+  statistics->SetNumberOfCrossedCells(count(&MarchCounters::Cells));
+  statistics->SetNumberOfLookups(count(&MarchCounters::Lookups));
+  statistics->SetNumberOfRefusedEntries(count(&MarchCounters::Refused));
+  statistics->SetNumberOfLostRays(count(&MarchCounters::Lost));
+  statistics->SetNumberOfGuardHits(count(&MarchCounters::Guarded));
+}
+
+void recordPipelines(const Pipelines& pipelines, vtkTetMarchFrameStatistics* statistics)
+{
+  recordStages(pipelines, statistics);
+  recordCounters(pipelines, statistics);
+  statistics->SetGPUMemoryBytes(
+    static_cast<vtkTypeInt64>(sumOf(pipelines, [](const Pipeline& p) { return p.gpuBytes(); })));
+  statistics->SetUploadedBytes(
+    sumOf(pipelines, [](const Pipeline& p) { return p.uploadedBytes(); }));
+  statistics->SetNumberOfDraws(
+    sumOf(pipelines, [](const Pipeline& p) { return p.numberOfDraws(); }));
+  statistics->SetLightComplete(
+    sumOf(pipelines, [](const Pipeline& p) { return p.isLightComplete() ? 0 : 1; }) == 0);
 }
 
 } // namespace
 
 void recordPipeline(const Pipeline& pipeline, vtkTetMarchFrameStatistics* statistics)
 {
-  recordStages(pipeline, statistics);
-  recordCounters(pipeline.counted().counters(), statistics);
-  statistics->SetGPUMemoryBytes(static_cast<vtkTypeInt64>(pipeline.gpuBytes()));
-  statistics->SetUploadedBytes(pipeline.uploadedBytes());
-  statistics->SetNumberOfDraws(pipeline.numberOfDraws());
-  statistics->SetLightComplete(pipeline.isLightComplete());
+  recordPipelines({ &pipeline }, statistics);
+}
+
+void recordStructured(const StructuredBlocks& blocks, vtkTetMarchFrameStatistics* statistics)
+{
+  Pipelines pipelines;
+  StageRecord lattices;
+  StageRecord values;
+  std::uint64_t cells = 0;
+  for (const auto& block : blocks.all())
+  {
+    pipelines.push_back(&block->Pipeline);
+    const StructuredVolume& volume = block->Source.volume();
+    lattices.Seconds += volume.latticeRecord().Seconds;
+    lattices.Runs += volume.latticeRecord().Runs;
+    values.Seconds += volume.valuesRecord().Seconds + volume.rangesRecord().Seconds;
+    values.Runs += volume.valuesRecord().Runs;
+    cells += volume.lattice().numberOfCells();
+  }
+  recordPipelines(pipelines, statistics);
+  statistics->SetMeshSeconds(lattices.Seconds);
+  statistics->SetMeshBuilds(lattices.Runs);
+  statistics->SetScalarsSeconds(values.Seconds);
+  statistics->SetScalarsBuilds(values.Runs);
+  statistics->SetNumberOfLatticeCells(static_cast<vtkTypeInt64>(cells));
 }
 
 void recordTetrahedra(const TetSource& source, vtkTetMarchFrameStatistics* statistics)

@@ -12,6 +12,7 @@ namespace tetmarch
 class AccuracyController;
 class JoinedBlocks;
 class Pipeline;
+class StructuredBlocks;
 class TetSource;
 
 /** Runs and seconds of the stages that every source has, memory, counts of the last frame. */
@@ -19,6 +20,9 @@ void recordPipeline(const Pipeline& pipeline, vtkTetMarchFrameStatistics* statis
 
 /** Runs and seconds of the stages of tetrahedra, and the size of the mesh. */
 void recordTetrahedra(const TetSource& source, vtkTetMarchFrameStatistics* statistics);
+
+/** The sums of both over the blocks. The lattice of cells counts as a mesh. */
+void recordStructured(const StructuredBlocks& blocks, vtkTetMarchFrameStatistics* statistics);
 
 void recordBlocks(const JoinedBlocks& blocks, vtkTetMarchFrameStatistics* statistics);
 

@@ -3,15 +3,15 @@
 #include "Mapper/SettingsLink.h"
 
 #include "vtkCommand.h"
-#include "vtkNew.h"
 
 namespace tetmarch
 {
 
-SettingsLink::SettingsLink(vtkObject* owner)
+SettingsLink::SettingsLink(vtkObject* owner, int opacityLaw)
   : Owner(owner)
+  , OpacityLaw(opacityLaw)
 {
-  this->attach(vtkNew<vtkTetMarchSettings>());
+  this->attach(this->makeSettings());
 }
 
 SettingsLink::~SettingsLink() { this->Settings->RemoveObserver(this->Observer); }
@@ -23,8 +23,15 @@ void SettingsLink::set(vtkTetMarchSettings* settings)
     return;
   }
   this->Settings->RemoveObserver(this->Observer);
-  this->attach(settings ? settings : vtkNew<vtkTetMarchSettings>().Get());
+  this->attach(settings ? settings : this->makeSettings().Get());
   this->Owner->Modified();
+}
+
+vtkSmartPointer<vtkTetMarchSettings> SettingsLink::makeSettings() const
+{
+  auto settings = vtkSmartPointer<vtkTetMarchSettings>::New();
+  settings->SetOpacityLaw(this->OpacityLaw);
+  return settings;
 }
 
 void SettingsLink::attach(vtkTetMarchSettings* settings)

@@ -14,21 +14,24 @@ namespace tetmarch
 class SettingsLink
 {
 public:
-  /** With settings of its own. */
-  explicit SettingsLink(vtkObject* owner);
+  /** With settings of its own, of which the opacity law (vtkTetMarchSettings::OpacityLawType) is
+   * that of the owner's kind of data. */
+  SettingsLink(vtkObject* owner, int opacityLaw);
   ~SettingsLink();
   SettingsLink(const SettingsLink&) = delete;
   SettingsLink& operator=(const SettingsLink&) = delete;
 
-  /** Null: new settings with the default values. */
+  /** Null: new settings, as at the start. */
   void set(vtkTetMarchSettings* settings);
   /** Never null. */
   vtkTetMarchSettings* get() const { return this->Settings; }
 
 private:
   void attach(vtkTetMarchSettings* settings);
+  vtkSmartPointer<vtkTetMarchSettings> makeSettings() const;
 
   vtkObject* Owner;
+  int OpacityLaw; // of new settings
   vtkSmartPointer<vtkTetMarchSettings> Settings;
   unsigned long Observer = 0;
 };

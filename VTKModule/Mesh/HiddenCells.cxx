@@ -3,7 +3,6 @@
 #include "Mesh/HiddenCells.h"
 
 #include "vtkCellArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
@@ -16,28 +15,6 @@ namespace tetmarch
 namespace
 {
 
-constexpr unsigned char HidingCell = vtkDataSetAttributes::DUPLICATECELL |
-                                     vtkDataSetAttributes::REFINEDCELL |
-                                     vtkDataSetAttributes::HIDDENCELL;
-
-vtkUnsignedCharArray* fitting(vtkUnsignedCharArray* ghosts, vtkIdType count)
-{
-  const bool fits =
-    ghosts && ghosts->GetNumberOfComponents() == 1 && ghosts->GetNumberOfTuples() == count;
-  return fits ? ghosts : nullptr;
-}
-
-bool hasAny(vtkUnsignedCharArray* ghosts, unsigned char bits)
-{
-  if (!ghosts)
-  {
-    return false;
-  }
-  const unsigned char* values = ghosts->GetPointer(0);
-  return std::any_of(values, values + ghosts->GetNumberOfValues(),
-    [bits](unsigned char value) { return (value & bits) != 0; });
-}
-
 // Whether some point of each cell is hidden.
 std::vector<bool> findCellsOfHiddenPoints(vtkCellArray* cells, vtkUnsignedCharArray* points)
 {
@@ -47,26 +24,19 @@ std::vector<bool> findCellsOfHiddenPoints(vtkCellArray* cells, vtkUnsignedCharAr
   {
     cells->GetCellAtId(static_cast<vtkIdType>(cell), corners);
     found[cell] = std::any_of(corners->begin(), corners->end(),
-      [points](vtkIdType p)
-      { return (points->GetValue(p) & vtkDataSetAttributes::HIDDENPOINT) != 0; });
+      [points](vtkIdType p) { return (points->GetValue(p) & HidingPoint) != 0; });
   }
   return found;
 }
 
 } // namespace
 
-GhostArrays ghostArraysOf(vtkUnstructuredGrid* grid)
-{
-  return { fitting(grid->GetCellGhostArray(), grid->GetNumberOfCells()),
-    fitting(grid->GetPointGhostArray(), grid->GetNumberOfPoints()) };
-}
-
 HiddenCells hiddenCells(vtkUnstructuredGrid* grid, const TetMesh& mesh)
 {
   const GhostArrays ghosts = ghostArraysOf(grid);
   const bool byCells = hasAny(ghosts.OfCells, HidingCell);
   std::vector<bool> byPoints;
-  if (hasAny(ghosts.OfPoints, vtkDataSetAttributes::HIDDENPOINT))
+  if (hasAny(ghosts.OfPoints, HidingPoint))
   {
     byPoints = findCellsOfHiddenPoints(grid->GetCells(), ghosts.OfPoints);
   }

@@ -5,8 +5,8 @@
 #define TetMarchMeshHiddenCells_h
 
 #include "Mesh/TetMesh.h"
+#include "Scalars/GhostArrays.h"
 
-class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 
 namespace tetmarch
@@ -14,15 +14,6 @@ namespace tetmarch
 
 /** One bit for each tetrahedron: bit t % 32 of word t / 32. Empty if none is hidden. */
 using HiddenCells = std::vector<std::uint32_t>;
-
-/** The arrays vtkGhostType of cells and of points. nullptr if there is none, if it is not of
- * unsigned char, or if it does not have one value for each cell or point. */
-struct GhostArrays
-{
-  vtkUnsignedCharArray* OfCells = nullptr;
-  vtkUnsignedCharArray* OfPoints = nullptr;
-};
-GhostArrays ghostArraysOf(vtkUnstructuredGrid* grid);
 
 /** Hidden are the tetrahedra of cells that are marked as hidden, as a duplicate (which another
  * process draws) or as refined by finer cells, and of cells with a hidden point. */

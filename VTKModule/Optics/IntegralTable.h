@@ -43,7 +43,8 @@ IntegralTable makeIntegralTable(const SampledFunctions& functions);
 /** Whether any entry has extinction. */
 bool hasExtinction(const IntegralTable& table);
 
-/** Add ExtinctionVariations, which the error bound of several tables needs. */
+/** Add ExtinctionVariations, which the error bounds of several tables and of scalars that bend along a
+ * ray need. */
 void addExtinctionVariations(IntegralTable& table);
 
 /** The number of samples for a table of so many entries. */

@@ -6,6 +6,7 @@ import vtkmodules.vtkRenderingAnnotation  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingVolume  # noqa: F401
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 
 from .vtkRenderingTetMarch import (
     vtkTetMarchFrameStatistics,
@@ -13,6 +14,7 @@ from .vtkRenderingTetMarch import (
     vtkTetMarchObjectFactory,
     vtkTetMarchProjectedTetrahedraMapper,
     vtkTetMarchSettings,
+    vtkTetMarchSmartVolumeMapper,
     vtkTetMarchVolumeMapper,
 )
 
@@ -22,5 +24,6 @@ __all__ = [
     "vtkTetMarchObjectFactory",
     "vtkTetMarchProjectedTetrahedraMapper",
     "vtkTetMarchSettings",
+    "vtkTetMarchSmartVolumeMapper",
     "vtkTetMarchVolumeMapper",
 ]

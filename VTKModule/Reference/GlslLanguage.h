@@ -61,6 +61,11 @@ struct Vec4
 };
 
 template <typename T>
+Vec2<T> operator*(Vec2<T> a, T s)
+{
+  return { a.x * s, a.y * s };
+}
+template <typename T>
 Vec3<T> operator+(Vec3<T> a, Vec3<T> b)
 {
   return { a.x + b.x, a.y + b.y, a.z + b.z };

@@ -33,7 +33,7 @@ class ImageMaker
 public:
   ImageMaker(const ReferenceScene& scene, const AccuracyLevel& level)
     : Scene(scene)
-    , March(makeKernel<Kernel, Real>(*scene.Mesh, *scene.Table, scene.Range, level))
+    , March(makeKernel<Kernel, Real>(*scene.Table, scene.Range, level))
   {
     this->March.useScene(scene);
     // An adaptive kernel serves for a level that is not adaptive, if it tries no segment again.

@@ -14,10 +14,16 @@
 #include "Reference/GlslLanguage.h"
 #include "Reference/KernelFeatures.h"
 #include "Reference/RayTrace.h"
+#include "Structured/EmptySpace.h"
+#include "Structured/Lattice.h"
+#include "Structured/StoredValues.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace tetmarch
 {

@@ -17,15 +17,11 @@ using uvec2 = glsl::Vec2<uint>;
 using uvec3 = glsl::Vec3<uint>;
 using uvec4 = glsl::Vec4<uint>;
 
-const TetMesh* Mesh = nullptr;
-const float* CellScalars = nullptr;
-const IntegralTable* Table = nullptr;
-const uint* HiddenCells = nullptr; // a bit a tetrahedron; nullptr: no cell is hidden
+using ivec3 = glsl::Vec3<int>;
 
-uint tetCount = 0;
-int bvhNodeCount = 0;
-int bvhReentryNodeCount = 0;
-int reentryFaceCount = 0;
+const IntegralTable* Table = nullptr;
+const uint* HiddenCells = nullptr; // a bit a cell; nullptr: no cell is hidden
+
 int mostCells = 0;
 int tableSize = 0;
 Real tableScale = 0;
@@ -35,27 +31,13 @@ vec4 tableIntegralUnit{ 0, 0, 0, 0 };
 vec4 nanColor{ 0, 0, 0, 0 }; // not shown
 int mostTrials = 0;
 Real errorTolerance = 0;
-vec4 fetchVertex(uint i) const
-{
-  const Vertex& v = Mesh->Vertices[i];
-  return vec4(Real(v.X), Real(v.Y), Real(v.Z), Real(v.Scalar));
-}
-uvec2 fetchLink(uint halfFace) const
-{
-  const Link& link = Mesh->Links[halfFace];
-  return uvec2(link.Tet, link.Apex);
-}
-uvec3 fetchBoundaryFace(uint face) const
-{
-  const auto& f = Mesh->BoundaryFaces[face];
-  return uvec3(f[0], f[1], f[2]);
-}
-vec4 fetchBvhNode(int i) const
-{
-  const HierarchyNode& n = Mesh->Hierarchy[i / 2];
-  const auto& v = i % 2 ? n.HalfSize : n.Center;
-  return vec4(Real(v[0]), Real(v[1]), Real(v[2]), Real(i % 2 ? n.FirstFace : n.Second));
-}
+
+#if TETMARCH_STRUCTURED
+#include "Reference/KernelLattice.h"
+#else
+#include "Reference/KernelMesh.h"
+#endif
+
 #if TETMARCH_COMPONENTS
 #include "Reference/KernelComponents.h"
 #else
@@ -70,8 +52,11 @@ uvec4 fetchTableIntegral(int i) const
   return uvec4(v[0], v[1], v[2], v[3]);
 }
 Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
+vec2 fetchTableVariations(int i) const
+{
+  return vec2(Real(Table->Variations[i]), Real(Table->ExtinctionVariations[i]));
+}
 #endif
-Real fetchCellScalar(uint tet) const { return Real(CellScalars[tet]); }
 uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] : 0u; }
 
 #if !TETMARCH_COMPOSITE
@@ -94,7 +79,12 @@ uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] 
 template <typename Scene>
 void useScene(const Scene& scene)
 {
+#if TETMARCH_STRUCTURED
+  useLattice(*scene.Cells, *scene.Values);
+#else
+  useMesh(*scene.Mesh);
   CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
+#endif
   HiddenCells = scene.Hidden && !scene.Hidden->empty() ? scene.Hidden->data() : nullptr;
   if (scene.NanShown)
   {
@@ -136,6 +126,7 @@ static constexpr bool HasVolumeLight = false;
 #define UNDRAWN_SCALAR Real(UndrawnScalar)
 #define LINK_OUTSIDE LinkOutside
 #define BVH_STACK MostHierarchyDepth
+#define LEAP_BLOCK BlockSide
 #define MOST_SHADOW_SOURCES LightUniforms::MostShadowSources
 
 #include "march/march_files.glsl"
@@ -157,7 +148,11 @@ static constexpr bool HasVolumeLight = false;
 #if TETMARCH_LIGHT_RAYS
 #include "light/light_ray_files.glsl"
 
+#if TETMARCH_STRUCTURED
+#include "light/sphere_direction.glsl"
+#else
 #include "light/vertex_light.glsl"
+#endif
 #endif
 
 #undef real
@@ -172,6 +167,7 @@ static constexpr bool HasVolumeLight = false;
 #undef UNDRAWN_SCALAR
 #undef LINK_OUTSIDE
 #undef BVH_STACK
+#undef LEAP_BLOCK
 #undef MOST_SHADOW_SOURCES
 
 #undef TETMARCH_VARIANT

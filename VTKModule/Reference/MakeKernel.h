@@ -12,19 +12,13 @@
 namespace tetmarch
 {
 
-/** The mesh and the table are referred to, not copied. */
+/** Without a volume. The table is referred to, not copied. */
 template <typename Kernel, typename Real>
-Kernel makeKernel(const TetMesh& mesh, const IntegralTable& table, const ScalarRange& range,
-  const AccuracyLevel& level)
+Kernel makeKernel(
+  const IntegralTable& table, const ScalarRange& range, const AccuracyLevel& level)
 {
   Kernel kernel;
-  kernel.Mesh = &mesh;
   kernel.Table = &table;
-  kernel.tetCount = mesh.numberOfTets();
-  kernel.bvhNodeCount = static_cast<int>(mesh.Hierarchy.size());
-  kernel.bvhReentryNodeCount = static_cast<int>(mesh.ReentryNodes);
-  kernel.reentryFaceCount = static_cast<int>(mesh.ReentryFaces);
-  kernel.mostCells = mostCellsOf(mesh.numberOfTets());
   kernel.tableSize = table.size();
   kernel.tableScale = Real(table.scale(range.width()));
   kernel.tableOffset = Real(table.offset(range.Low));
@@ -34,6 +28,16 @@ Kernel makeKernel(const TetMesh& mesh, const IntegralTable& table, const ScalarR
   kernel.tableIntegralUnit = { Real(unit[0]), Real(unit[1]), Real(unit[2]), Real(unit[3]) };
   kernel.mostTrials = level.MostTrials;
   kernel.errorTolerance = Real(level.ErrorTolerance);
+  return kernel;
+}
+
+/** The mesh is referred to, too. */
+template <typename Kernel, typename Real>
+Kernel makeKernel(const TetMesh& mesh, const IntegralTable& table, const ScalarRange& range,
+  const AccuracyLevel& level)
+{
+  auto kernel = makeKernel<Kernel, Real>(table, range, level);
+  kernel.useMesh(mesh);
   return kernel;
 }
 

@@ -27,7 +27,8 @@ bool areNeighbours(const TetMesh& mesh, Id a, Id b)
 // What the mesh and the data say of a cell, beside what the march knows.
 void describe(const ReferenceScene& scene, TracedCell& cell)
 {
-  cell.Cell = scene.Mesh->TetCells[cell.Tet];
+  // Of a lattice the caller knows the cell of the data.
+  cell.Cell = scene.Mesh ? scene.Mesh->TetCells[cell.Tet] : static_cast<Id>(cell.Tet);
   std::vector<ScalarRange> ranges{ scene.Range };
   if (scene.Parts)
   {
@@ -57,7 +58,8 @@ RayTrace traceRay(const ReferenceScene& scene, const AccuracyLevel& level, int x
   {
     TracedCell& cell = trace.Cells[i];
     describe(scene, cell);
-    cell.EntersMesh = i == 0 || !areNeighbours(*scene.Mesh, trace.Cells[i - 1].Tet, cell.Tet);
+    cell.EntersMesh =
+      i == 0 || (scene.Mesh && !areNeighbours(*scene.Mesh, trace.Cells[i - 1].Tet, cell.Tet));
   }
   return trace;
 }

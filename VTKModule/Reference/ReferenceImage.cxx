@@ -10,11 +10,16 @@ namespace tetmarch
 template <typename Real>
 ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel& level)
 {
+  const bool lit = scene.Effects && !scene.Effects->empty();
   if (scene.Blend && !scene.Blend->isComposite())
   {
-    return renderBlended<Real>(scene, level);
+    return scene.Cells ? renderBlendedStructured<Real>(scene, level)
+                       : renderBlended<Real>(scene, level);
   }
-  const bool lit = scene.Effects && !scene.Effects->empty();
+  if (scene.Cells)
+  {
+    return lit ? renderLitStructured<Real>(scene, level) : renderStructured<Real>(scene, level);
+  }
   if (scene.Parts && !scene.Parts->isSingle())
   {
     return lit ? renderLitComponents<Real>(scene, level) : renderComponents<Real>(scene, level);

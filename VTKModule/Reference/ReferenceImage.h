@@ -15,6 +15,8 @@
 #include "Rays/Clipping.h"
 #include "Rays/View.h"
 #include "Scalars/FurtherScalars.h"
+#include "Structured/Lattice.h"
+#include "Structured/StoredValues.h"
 
 #include <vector>
 
@@ -23,10 +25,13 @@ namespace tetmarch
 
 struct RayTrace;
 
-/** What a picture is made of. The mesh needs its hierarchy (ensureHierarchy). */
+/** What a picture is made of: tetrahedra, or the cells of a lattice with their values. The mesh needs
+ * its hierarchy (ensureHierarchy). */
 struct ReferenceScene
 {
   const TetMesh* Mesh = nullptr;
+  const Lattice* Cells = nullptr; // takes the place of the mesh
+  const StoredValues* Values = nullptr;
   const std::vector<float>* CellScalars =
     nullptr; // one a tetrahedron, or nullptr: those of the vertices
   ScalarRange Range;

@@ -5,6 +5,7 @@
 #include "Reference/LitKernel.h"
 #include "Reference/MakeKernel.h"
 #include "Reference/ReferenceImage.h"
+#include "Reference/StructuredKernel.h"
 
 #include "vtkSMPTools.h"
 
@@ -16,7 +17,7 @@ namespace
 template <typename Kernel, typename Real>
 Kernel lightRayKernel(const ReferenceScene& scene)
 {
-  Kernel kernel = makeKernel<Kernel, Real>(*scene.Mesh, *scene.Table, scene.Range, LightAccuracy);
+  Kernel kernel = makeKernel<Kernel, Real>(*scene.Table, scene.Range, LightAccuracy);
   kernel.useScene(scene);
   return kernel;
 }
@@ -121,6 +122,14 @@ std::vector<Real> lightAtVertices(const ReferenceScene& scene)
 template <typename Real>
 std::unique_ptr<IncomingLight<Real>> exactLight(const ReferenceScene& scene)
 {
+  if (scene.Cells && scene.Cells->Constant)
+  {
+    return std::make_unique<ExactLight<LightRayConstantKernel<Real>, Real>>(scene);
+  }
+  if (scene.Cells)
+  {
+    return std::make_unique<ExactLight<LightRayTrilinearKernel<Real>, Real>>(scene);
+  }
   if (scene.CellScalars)
   {
     return std::make_unique<ExactLight<LightRayCellKernel<Real>, Real>>(scene);

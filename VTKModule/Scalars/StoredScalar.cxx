@@ -2,38 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scalars/StoredScalar.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace tetmarch
 {
 
-ScalarRange finiteRange(const std::vector<double>& values)
+void FiniteRange::add(const FiniteRange& other)
 {
-  double low = std::numeric_limits<double>::max();
-  double high = std::numeric_limits<double>::lowest();
-  bool allFinite = true;
-  for (double value : values)
+  this->Low = std::min(this->Low, other.Low);
+  this->High = std::max(this->High, other.High);
+  this->AllFinite = this->AllFinite && other.AllFinite;
+}
+
+ScalarRange FiniteRange::range() const
+{
+  if (this->Low > this->High)
   {
-    if (std::isfinite(value))
-    {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-    else
-    {
-      allFinite = false;
-    }
-  }
-  if (low > high)
-  {
-    return { 0, 0, allFinite };
+    return { 0, 0, this->AllFinite };
   }
   // Where low and high differ by more than the greatest double, their difference must not overflow.
   const double limit = 0.25 * std::numeric_limits<double>::max();
   const auto clamped = [limit](double x) { return std::min(std::max(x, -limit), limit); };
-  return { clamped(low), clamped(high), allFinite };
+  return { clamped(this->Low), clamped(this->High), this->AllFinite };
+}
+
+ScalarRange finiteRange(const std::vector<double>& values)
+{
+  FiniteRange range;
+  for (double value : values)
+  {
+    range.add(value);
+  }
+  return range.range();
 }
 
 float storedScalar(double value, const ScalarRange& range)

@@ -4,6 +4,9 @@
 #ifndef TetMarchScalarsStoredScalar_h
 #define TetMarchScalarsStoredScalar_h
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace tetmarch
@@ -22,6 +25,33 @@ struct ScalarRange
   /** The difference of the values that stored scalars 1 and 0 stand for: never 0. */
   double width() const { return this->High > this->Low ? this->High - this->Low : 1; }
 };
+
+/** Collects the range of the values that are finite. */
+class FiniteRange
+{
+public:
+  void add(double value);
+  void add(const FiniteRange& other);
+  ScalarRange range() const;
+
+private:
+  double Low = std::numeric_limits<double>::max();
+  double High = std::numeric_limits<double>::lowest();
+  bool AllFinite = true;
+};
+
+inline void FiniteRange::add(double value)
+{
+  if (std::isfinite(value))
+  {
+    this->Low = std::min(this->Low, value);
+    this->High = std::max(this->High, value);
+  }
+  else
+  {
+    this->AllFinite = false;
+  }
+}
 
 /** The range of the values that are finite. */
 ScalarRange finiteRange(const std::vector<double>& values);

@@ -23,9 +23,10 @@ constexpr int BlockSide = 4;
 /** What the cells of each block can show: i fastest. */
 struct BlockRanges
 {
-  std::array<int, 3> Blocks{};               // along each axis
-  std::vector<std::array<float, 2>> Scalars; // least and greatest finite stored scalar of all values
-                                             // that cells of the block read; {1, 0} if there is none
+  std::array<int, 3> Blocks{}; // along each axis
+  std::vector<std::array<float, 2>>
+    Scalars;                         // least and greatest finite stored scalar of all values
+                                     // that cells of the block read; {1, 0} if there is none
   std::vector<std::uint8_t> Undrawn; // 1: some value is UndrawnScalar; empty: no value is anywhere
 };
 
@@ -45,11 +46,15 @@ struct BlockDistances
 
 /** By the table's extinction, to the exact entry: a block is seen if it is above 0 anywhere between
  * its least and its greatest scalar, or if undrawnSeen and some value of it is UndrawnScalar. */
-BlockDistances findBlockDistances(
-  const BlockRanges& ranges, const IntegralTable& table, const ScalarRange& range, bool undrawnSeen);
+BlockDistances findBlockDistances(const BlockRanges& ranges, const IntegralTable& table,
+  const ScalarRange& range, bool undrawnSeen);
 
 /** By surfaces of constant scalar (stored scalars, ascending). */
 BlockDistances findBlockDistances(const BlockRanges& ranges, const std::vector<float>& isoValues);
+
+/** The share 0..1 of the blocks of which the table shows nothing. */
+double transparentShare(
+  const BlockRanges& ranges, const IntegralTable& table, const ScalarRange& range);
 
 } // namespace tetmarch
 

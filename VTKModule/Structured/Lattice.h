@@ -65,6 +65,12 @@ struct Lattice
   }
 };
 
+/** No ray crosses more cells: each crosses a plane, and each plane is crossed once. */
+inline int mostCellsOf(const Lattice& lattice)
+{
+  return lattice.Axes[0].Cells + lattice.Axes[1].Cells + lattice.Axes[2].Cells;
+}
+
 } // namespace tetmarch
 
 #endif

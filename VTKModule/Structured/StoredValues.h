@@ -4,6 +4,7 @@
 #ifndef TetMarchStructuredStoredValues_h
 #define TetMarchStructuredStoredValues_h
 
+#include "Scalars/DrawnScalars.h"
 #include "Scalars/StoredScalar.h"
 
 #include "vtkDataArray.h"
@@ -11,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <variant>
 #include <vector>
 
 namespace tetmarch
@@ -26,9 +26,11 @@ enum class ValueType : unsigned char
 };
 
 /**
- * One scalar for each value of a lattice. Unsigned integers of 8 and 16 bits are kept as they are,
- * and where possible they are not copied; everything else is brought to 0..1 in double precision and
- * rounded to float, what is not finite to UndrawnScalar.
+ * One scalar for each value of a lattice. Integers of 8 and 16 bits are kept: an array of one
+ * unsigned component is not copied, unless its range is narrow and so far from 0 that Scale u +
+ * Offset would lose digits; of others the difference to their least value is stored. Everything
+ * else is brought to 0..1 in double precision and rounded to float, what is not finite to
+ * UndrawnScalar.
  *
  * The GPU reads an unsigned integer of n bits as u = value / (2^n - 1), a float as u = value. The
  * stored scalar is Scale u + Offset: 0 at Range.Low and 1 at Range.High.
@@ -80,6 +82,13 @@ struct StoredValues
     return this->Type == ValueType::Float32 ? u : u * this->Scale + this->Offset;
   }
 };
+
+/**
+ * The values of what is drawn: the first scalar, then the further ones. The array has one tuple for
+ * each value, in the order of VTK. Where the first or a further value is not finite the first one
+ * is UndrawnScalar, its range is not AllFinite, and a further one is 0.
+ */
+std::vector<StoredValues> storeValues(const DrawnScalars& drawn);
 
 } // namespace tetmarch
 

@@ -5,12 +5,14 @@
 #ifndef TetMarchStructuredStructuredVolume_h
 #define TetMarchStructuredStructuredVolume_h
 
-#include "Budget/ResourceLimits.h"
 #include "Caching/Fingerprint.h"
 #include "Caching/StageRecord.h"
 #include "Scalars/DrawnScalars.h"
 #include "Structured/EmptySpace.h"
+#include "Structured/GridGeometry.h"
+#include "Structured/HiddenLatticeStage.h"
 #include "Structured/Lattice.h"
+#include "Structured/LatticeBuilder.h"
 #include "Structured/StoredValues.h"
 
 #include <string>
@@ -21,13 +23,6 @@ class vtkDataSet;
 namespace tetmarch
 {
 
-/** How values are interpolated: that of a vtkVolumeProperty. */
-enum class Interpolation : unsigned char
-{
-  Nearest,
-  Linear
-};
-
 class StructuredVolume
 {
 public:
@@ -35,22 +30,29 @@ public:
   StructuredVolume(const StructuredVolume&) = delete;
   StructuredVolume& operator=(const StructuredVolume&) = delete;
 
-  /** The data's extent, coordinates and hidden cells. Returns an empty string, or what is wrong and
-   * what to do; takes a vtkImageData (vtkUniformGrid, too) or a vtkRectilinearGrid. */
+  /** The extent and the coordinates of the data, and the frame. Returns an empty string, or what is
+   * wrong and what to do; it is empty then. Takes a vtkImageData (vtkUniformGrid, too) or a
+   * vtkRectilinearGrid. Other data with the same coordinates keeps the lattice. */
   std::string updateGeometry(vtkDataSet* data);
-  /** The lattice that the array and the interpolation call for, and its stored values. */
+  /**
+   * The lattice that the array and the interpolation call for, its hidden cells, its values and
+   * their ranges. Returns an empty string, or what is wrong and what to do; there are no values
+   * then. Each is made again when its own input changed: a new array leaves the lattice, another
+   * interpolation leaves the values.
+   */
   std::string updateScalars(
     vtkDataSet* data, const DrawnScalars& drawn, Interpolation interpolation);
 
-  bool isEmpty() const { return this->Empty; }
+  bool isEmpty() const { return this->Geometry.isEmpty(); }
   /** Known from updateGeometry() on; the rest of the lattice from updateScalars() on. */
   const VolumeFrame& frame() const { return this->Frame; }
   const Lattice& lattice() const { return this->Made; }
   /** The first scalar, and those that are drawn with it. */
   const std::vector<StoredValues>& values() const { return this->Values; }
   const std::vector<ScalarRange>& furtherRanges() const { return this->FurtherRanges; }
-  /** One bit for each cell of the lattice: bit c % 32 of word c / 32. Empty if none is hidden. */
-  const std::vector<std::uint32_t>& hiddenCells() const { return this->Hidden; }
+  /** One bit for each cell of the lattice: bit c % 32 of word c / 32. Empty if none is hidden.
+   * Which are: see hiddenLatticeCells(). */
+  const std::vector<std::uint32_t>& hiddenCells() const { return this->Hidden.cells(); }
   const BlockRanges& blockRanges() const { return this->Ranges; }
   /** The cell of the data that a cell of the lattice is in, or the first one that it overlaps. */
   vtkIdType dataCellOf(std::uint32_t cell) const;
@@ -60,7 +62,8 @@ public:
   /** Equal as long as the lattice and its values are the same. The first word is that of the
    * lattice. */
   Fingerprint valuesVersion() const;
-  Fingerprint hiddenVersion() const;
+  /** Equal as long as the same cells of the same lattice are hidden; empty without ghost arrays. */
+  const Fingerprint& hiddenVersion() const { return this->Hidden.version(); }
 
   const StageRecord& latticeRecord() const { return this->LatticeRecord; }
   const StageRecord& valuesRecord() const { return this->ValuesRecord; }
@@ -68,16 +71,27 @@ public:
   /** Of all stages. */
   std::int64_t runs() const
   {
-    return this->LatticeRecord.Runs + this->ValuesRecord.Runs + this->RangesRecord.Runs;
+    return this->LatticeRecord.Runs + this->Hidden.record().Runs + this->ValuesRecord.Runs +
+           this->RangesRecord.Runs;
   }
 
 private:
-  bool Empty = true;
+  std::string updateLattice(const LatticeCase& lies);
+  std::string updateHidden(vtkDataSet* data);
+  std::string updateValues(const DrawnScalars& drawn);
+  std::string updateRanges();
+  void clearValues();
+
+  GridGeometry Geometry;
   VolumeFrame Frame;
+  Fingerprint LatticeInput; // beside the geometry
+  LatticeCase Case;
   Lattice Made;
+  HiddenLatticeStage Hidden;
+  Fingerprint ValuesInput;
   std::vector<StoredValues> Values;
   std::vector<ScalarRange> FurtherRanges;
-  std::vector<std::uint32_t> Hidden;
+  Fingerprint RangesInput;
   BlockRanges Ranges;
   StageRecord LatticeRecord;
   StageRecord ValuesRecord;

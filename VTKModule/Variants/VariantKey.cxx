@@ -45,6 +45,9 @@ const std::array<VariantKey::Feature, VariantKey::NumberOfFeatures>& VariantKey:
     { "OCCLUSION", TETMARCH_WITH_OCCLUSION, &VariantKey::Occlusion },
     { "SHOW_ILLUMINATION", TETMARCH_WITH_SHOW_ILLUMINATION, &VariantKey::ShowIllumination },
     { "SHOW_GRADIENTS", TETMARCH_WITH_SHOW_GRADIENTS, &VariantKey::ShowGradients },
+    { "STRUCTURED", TETMARCH_WITH_STRUCTURED, &VariantKey::Structured },
+    { "RECTILINEAR", TETMARCH_WITH_RECTILINEAR, &VariantKey::Rectilinear },
+    { "LEAPS", TETMARCH_WITH_LEAPS, &VariantKey::Leaps },
   } };
   return rows;
 }
@@ -96,7 +99,8 @@ bool VariantKey::operator==(const VariantKey& other) const { return this->bits()
 VariantKey VariantKey::filtered() const
 {
   VariantKey key = *this;
-  key.Hierarchy = key.Hierarchy || !key.RasterEntry;
+  key.dropWhatLatticesLack();
+  key.Hierarchy = key.Hierarchy || (!key.RasterEntry && !key.Structured);
   // A pass that peels ends parts of rays at opaque geometry itself, and reads no counters.
   key.OpaqueDepth = key.OpaqueDepth && !key.Peeled;
   key.Diagnostics = key.Diagnostics && !key.Peeled;
@@ -105,7 +109,8 @@ VariantKey VariantKey::filtered() const
   key.dropWhatComponentsLack();
   key.ShowIllumination = key.ShowIllumination && !key.ShowGradients;
   key.ConstantColor = key.ConstantColor && !key.ShowIllumination && !key.ShowGradients;
-  key.Adaptive = key.Adaptive && key.PointScalars && !key.ConstantColor;
+  // Where the scalar bends, the optical depth has an error even of one colour.
+  key.Adaptive = key.Adaptive && key.PointScalars && (!key.ConstantColor || key.Structured);
   // Gradients are shown without light.
   key.Shading = key.Shading && !key.ShowGradients;
   key.WorldLights = key.WorldLights && key.Shading;
@@ -121,6 +126,25 @@ VariantKey VariantKey::filtered() const
   // A scalar of cells has no gradient inside its cells.
   key.CellGradients = key.CellGradients && key.PointScalars && key.hasGradients();
   return key;
+}
+
+// A ray enters a lattice once, and the planes that it crosses tell where. Light is not kept at
+// vertices, and one scalar is drawn.
+void VariantKey::dropWhatLatticesLack()
+{
+  if (this->Structured)
+  {
+    this->RasterEntry = false;
+    this->Hierarchy = false;
+    this->HasFma = false;
+    this->Components = ComponentGroup::Single;
+    this->Occlusion = false;
+    this->OpaqueShadows = false;
+    this->SampledShadows = this->CastShadows;
+  }
+  this->Rectilinear = this->Rectilinear && this->Structured;
+  // The extremes of all that a ray meets count, and so do sums.
+  this->Leaps = this->Leaps && this->Structured && !this->isKnownAtEnd();
 }
 
 // Of surfaces, light on them and gradients are seen; of scalars nothing but they.
@@ -182,6 +206,7 @@ VariantKey VariantKey::ofPick() const
 {
   VariantKey key = this->ofEntries();
   key.OpaqueDepth = true;
+  key.Leaps = this->Leaps;
   key.PointScalars = this->PointScalars;
   key.Clipped = this->Clipped;
   key.Cropped = this->Cropped;
@@ -203,6 +228,8 @@ VariantKey VariantKey::ofEntries() const
   key.Hierarchy = this->Hierarchy;
   key.OpaqueDepth = this->OpaqueDepth;
   key.HasFma = this->HasFma;
+  key.Structured = this->Structured;
+  key.Rectilinear = this->Rectilinear;
   key.Adaptive = false;
   return key.filtered();
 }
@@ -219,6 +246,7 @@ std::string VariantKey::defines() const
   // Unless the driver or a file defines them behind these lines.
   define("PICKED", false);
   define("SKIPS_HELPERS", false);
+  define("HAS_GATHER", false);
   define("EXACT_LIGHT", false);
   define("TRACED", false);
   return text;

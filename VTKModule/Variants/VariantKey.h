@@ -72,9 +72,15 @@ struct VariantKey
   bool ShowIllumination = false; // the light without the volume's own colour
   bool ShowGradients = false;    // directions of gradients as colours
 
+  bool Structured = false;  // the cells are those of a lattice, else tetrahedra
+  bool Rectilinear = false; // whose planes are not evenly spaced
+  bool Leaps = false;       // rays leap over blocks of cells of which nothing can be seen
+
   // What follows from these, by Shaders/derived_conditions.glsl.
   /** Emission and absorption are integrated. */
   bool isComposite() const;
+  /** Rays are led through the points of pixels. */
+  bool needsRayPoints() const;
   /** A ray gathers opacity front to back, so that it may end where it is opaque. */
   bool accumulatesOpacity() const;
   /** What is shown is known only at the end of a ray. */
@@ -130,12 +136,13 @@ struct VariantKey
      * group's first value takes its place. */
     void set(VariantKey& key, bool on) const;
   };
-  static constexpr int NumberOfFeatures = 35;
+  static constexpr int NumberOfFeatures = 38;
   static const std::array<Feature, NumberOfFeatures>& features();
   /** The bits of all features that are on. */
   std::uint64_t bits() const;
 
 private:
+  void dropWhatLatticesLack();
   void dropWhatIsNotBlended();
   void dropWhatComponentsLack();
 };

@@ -134,12 +134,12 @@ ExtinctionMarch marchExtinction(
   march.cells = 0;
   while (continuesBefore(traversal, depthEnd) && march.cells < mostCells)
   {
-    enterMesh(ray, traversal);
+    enterVolume(ray, traversal);
     if (traversal.entered)
     {
-      marchExtinctionToExit(ray, traversal.face, traversal.link, thicknessPerDepth, depthEnd, march);
+      marchExtinctionToExit(ray, traversal.place.face, traversal.place.link, thicknessPerDepth, depthEnd, march);
     }
-    leaveMesh(ray, march.finished, traversal);
+    leaveVolume(ray, march.finished, traversal);
   }
   return march;
 }

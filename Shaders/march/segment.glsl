@@ -1,24 +1,26 @@
-// A segment is a part of a ray along which the scalar is linear in the depth. A tetrahedron with scalars at its vertices
-// yields one segment; so does a cell with a scalar of its own, which is constant in it.
+// A segment is a part of a ray along which the scalar is linear in the depth, or bends but rises or falls. A tetrahedron
+// with scalars at its vertices yields one linear segment; so does a cell with a scalar of its own, which is constant in it.
 //
 // Whatever a ray gathers relies on that linearity, and only in these places:
-//   scalarAt                          the scalar at a depth                       tet/linear_scalar.glsl
-//   furtherAt                         a further scalar at a depth                 tet/cell_interval.glsl
+//   scalarAt                          the scalar at a depth                       march/linear_scalar.glsl
+//   furtherAt                         a further scalar at a depth                 march/cell_interval.glsl
 //   isTransparentBetween              no scalar is beyond those at the ends       tables/integral_table.glsl
 //   extremeScalar                     the extremes are at the ends                below
 //   crossesSurface, fractionOfValue   a value is crossed once at most             below
 //   meanBetween                       a mean over the depth is one over scalars   tables/integral_table.glsl
 //   countedFraction                   scalars in a range are one interval         gather/sum.glsl
 //   subsegmentError                   the colour varies as the table does         gather/..._component(s).glsl
-// A source whose scalar bends along the ray (a trilinear cell makes it cubic) supplies segments that are nearly linear:
-// it cuts the cell where the scalar has an extreme or bends most. Then the scalars at the ends of each segment are right,
-// so that extremes and crossings are, too; and what the remaining bend changes of the colour is one more term of
-// subsegmentError.
+// A trilinear cell makes the scalar a cubic. Its segments end where that has an extreme, so that extremes and crossings are
+// right; the scalar at a depth is that of the cubic; subsegments end at scalars of the cubic, and what the bend between
+// them changes of the colour is one more term of subsegmentError (structured/bend.glsl).
 
 struct Segment
 {
   vec2 begin; // depth and scalar
   vec2 end;
+#if TETMARCH_BENT
+  vec2 bend;  // structured/bend.glsl
+#endif
 #if TETMARCH_COMPONENTS
   vec3 furtherBegin; // scalars beside the first
 #if TETMARCH_POINT_SCALARS

@@ -1,18 +1,25 @@
-// The interval of a ray in a tetrahedron, and what is known at its ends.
+// The interval of a ray in a cell, and what is known at its ends. A cell in which the scalar bends has several, one
+// behind the other, in each of which the scalar rises or falls.
 
 struct CellInterval
 {
-  uint tet;
-  vec2 enter;  // depth and scalar where the ray enters the tetrahedron
-  vec2 leave;  // and where it leaves it
+  uint tet;    // the number of the cell
+  vec2 enter;  // depth and scalar where the interval begins
+  vec2 leave;  // and where it ends
   real begin;  // depths between which the cell is gathered
   real end;
   real scalar; // of the cell, or where the ray leaves it
   bool seen;   // there is something to gather
+#if TETMARCH_BENT
+  vec2 bend;   // of the scalar from enter to leave; see structured/bend.glsl
+#endif
+#if TETMARCH_LEAPS
+  bool skipped; // a part of the ray of which nothing can be seen
+#endif
 #if TETMARCH_KEEPS_TABLE_POINT
   TablePoint at; // the table at the end of the last lookup
 #endif
-#if TETMARCH_VERTEX_ATTRIBUTES
+#if TETMARCH_CELL_ATTRIBUTES
   VertexAttributes enterAttributes; // interpolated
   VertexAttributes leaveAttributes;
 #endif
@@ -31,15 +38,17 @@ struct CellInterval
 #endif
 };
 
-// The scalar of a tetrahedron, or that at the point (depth, scalar) where the ray leaves it.
-real cellScalar(uint tet, vec2 leave)
-{
 #if TETMARCH_POINT_SCALARS
-  return leave.y;
+// The scalar at a depth in the interval.
+real scalarIn(CellInterval cell, real depth)
+{
+#if TETMARCH_BENT
+  return bentScalar(cell.enter.y, cell.leave.y, cell.bend, fractionAt(cell.enter, cell.leave, depth));
 #else
-  return fetchCellScalar(tet);
+  return scalarAt(cell.enter, cell.leave, depth);
 #endif
 }
+#endif
 
 #if TETMARCH_FURTHER_VERTEX_SCALARS
 vec3 furtherAt(CellInterval cell, real depth)
@@ -55,9 +64,13 @@ Segment visibleSegment(CellInterval cell)
   Segment segment;
 #if TETMARCH_POINT_SCALARS
   segment.begin = vec2(
-    cell.begin, cell.begin > cell.enter.x ? scalarAt(cell.enter, cell.leave, cell.begin) : cell.enter.y);
+    cell.begin, cell.begin > cell.enter.x ? scalarIn(cell, cell.begin) : cell.enter.y);
   segment.end =
-    vec2(cell.end, cell.end < cell.leave.x ? scalarAt(cell.enter, cell.leave, cell.end) : cell.leave.y);
+    vec2(cell.end, cell.end < cell.leave.x ? scalarIn(cell, cell.end) : cell.leave.y);
+#if TETMARCH_BENT
+  segment.bend = bendWithin(cell.bend, fractionAt(cell.enter, cell.leave, cell.begin),
+    fractionAt(cell.enter, cell.leave, cell.end));
+#endif
 #else
   segment.begin = vec2(cell.begin, cell.scalar);
   segment.end = vec2(cell.end, cell.scalar);
@@ -76,7 +89,7 @@ Segment visibleSegment(CellInterval cell)
 }
 
 #if TETMARCH_EFFECTS
-// Where in the tetrahedron a segment begins and ends: 0 and 1 if it is all of the interval.
+// Where in the interval a segment begins and ends: 0 and 1 if it is all of the interval.
 vec2 rangeWithin(CellInterval cell, Segment segment)
 {
   return vec2(segment.begin.x > cell.enter.x ? fractionAt(cell.enter, cell.leave, segment.begin.x) : real(0),
@@ -96,14 +109,10 @@ real gatheredEnd(CellInterval cell)
 }
 #endif
 
-// Before the face by which the ray enters the mesh.
-void beginCell(FaceIntersection face, INOUT(CellInterval) cell)
+// Before the volume: nothing has been crossed.
+void beginCell(INOUT(CellInterval) cell)
 {
-  cell.leave = intersectionPoint(face);
   cell.seen = false;
-#if TETMARCH_VERTEX_ATTRIBUTES
-  cell.leaveAttributes = attributesAt(face);
-#endif
 #if TETMARCH_ISOSURFACES
   cell.drawn = false;
   cell.before = vec2(-NO_DEPTH, real(0));
@@ -118,20 +127,12 @@ void beginLookups(INOUT(CellInterval) cell)
 #endif
 }
 
-// To the tetrahedron that has been stepped through; the face is the one by which the ray leaves it.
-void advanceCell(uint tet, FaceIntersection face, INOUT(CellInterval) cell)
+// Before cell becomes the next one.
+void keepLastDrawn(INOUT(CellInterval) cell)
 {
 #if TETMARCH_ISOSURFACES
   cell.before = cell.drawn ? vec2(gatheredEnd(cell), cell.scalar) : cell.before;
 #endif
-  cell.tet = tet;
-  cell.enter = cell.leave;
-  cell.leave = intersectionPoint(face);
-#if TETMARCH_VERTEX_ATTRIBUTES
-  cell.enterAttributes = cell.leaveAttributes;
-  cell.leaveAttributes = attributesAt(face);
-#endif
-  cell.scalar = cellScalar(tet, cell.leave);
 }
 
 // Decides whether anything is seen between cell.begin and cell.end, which is nothing unless the ray goes forward.
@@ -142,10 +143,12 @@ void decideVisibility(bool forward, INOUT(CellInterval) cell)
 #else
   real first = cell.scalar;
 #endif
-#if TETMARCH_HIDDEN_CELLS
-  bool open = forward && !isHidden(cell.tet);
-#else
   bool open = forward;
+#if TETMARCH_HIDDEN_CELLS
+  open = open && !isHidden(cell.tet);
+#endif
+#if TETMARCH_LEAPS
+  open = open && !cell.skipped;
 #endif
   cell.seen = open && isDrawn(first) && isDrawn(cell.scalar);
 #if TETMARCH_TRANSPARENT_RANGES

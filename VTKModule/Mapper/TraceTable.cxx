@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The ray of one pixel as a table.
-#include "vtkTetMarchVolumeMapperInternals.h"
+#include "Mapper/TraceTable.h"
 
+#include "GL/Pipeline.h"
+#include "Mapper/MapperState.h"
 #include "Reference/RayTrace.h"
 
 #include "vtkDataSetAttributes.h"
@@ -11,18 +12,17 @@
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkMatrix4x4.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkVolume.h"
 
 #include <cmath>
 
+namespace tetmarch
+{
 namespace
 {
-using tetmarch::CellOutcome;
-using tetmarch::RayTrace;
-using tetmarch::TracedCell;
+
 using Triple = std::array<double, 3>;
 
 const char* nameOf(CellOutcome outcome)
@@ -40,10 +40,10 @@ struct WorldRay
   double OriginDepth = 0;
   double LengthPerDepth = 0;
 
-  WorldRay(const RayTrace& trace, const tetmarch::VolumeFrame& frame, vtkVolume* volume)
+  WorldRay(const RayTrace& trace, const VolumeFrame& frame, vtkVolume* volume)
     : OriginDepth(trace.OriginDepth)
   {
-    const tetmarch::Vector3 origin = frame.toData(trace.Origin);
+    const Vector3 origin = frame.toData(trace.Origin);
     double point[4] = { origin[0], origin[1], origin[2], 1 };
     double direction[4] = { 0, 0, 0, 0 };
     for (int k = 0; k < 3; ++k)
@@ -118,8 +118,7 @@ void addPlaces(vtkTable* table, const RayTrace& trace, const WorldRay& ray)
   add("End", &TracedCell::End);
 }
 
-void addCells(
-  vtkTable* table, const RayTrace& trace, const tetmarch::CellOrigins& origins, bool hasBlocks)
+void addCells(vtkTable* table, const RayTrace& trace, const CellOrigins& origins, bool hasBlocks)
 {
   addColumn<vtkIdTypeArray>(
     table, trace, "CellId", [&](const TracedCell& cell) { return origins.of(cell.Cell).Cell; });
@@ -168,40 +167,40 @@ void addFacts(vtkTable* table, const RayTrace& trace, const WorldRay& ray)
   addCount("LostRays", counters.Lost);
   addCount("GuardHits", counters.Guarded);
 }
+
 } // namespace
 
-//------------------------------------------------------------------------------
-bool vtkTetMarchVolumeMapper::TraceRay(
-  vtkVolume* volume, int x, int y, int arithmetic, vtkTable* cells)
+std::string traceRay(Pipeline& pipeline, const MapperState& state, const TracedPixel& pixel,
+  const CellOrigins& origins, bool hasBlocks, vtkTable* cells)
 {
+  const std::string noRay = "No ray is traced: ";
   cells->Initialize();
-  if (!volume || arithmetic < TRACE_FLOAT || arithmetic > TRACE_GROUND_TRUTH)
+  if (!pixel.Volume)
   {
-    vtkErrorMacro("No ray is traced: " << (volume ? "the arithmetic is none of TraceArithmeticType."
-                                                  : "no volume was given."));
-    return false;
+    return noRay + "no volume was given.";
   }
-  tetmarch::Pipeline& pipeline = this->Internal->Pipeline;
-  if (vtkOpenGLRenderWindow* window = pipeline.window())
+  if (pixel.Arithmetic < 0 || pixel.Arithmetic > static_cast<int>(TraceArithmetic::GroundTruth))
   {
-    window->MakeCurrent();
+    return noRay + "the arithmetic is none of TraceArithmeticType.";
   }
-  const bool truth = arithmetic == TRACE_GROUND_TRUTH;
-  const tetmarch::TraceOptions options{ x, y,
-    truth ? tetmarch::GroundTruthAccuracy : this->Internal->Accuracy.used().level(),
-    arithmetic != TRACE_FLOAT, truth };
+  pipeline.makeCurrent();
+  const auto arithmetic = static_cast<TraceArithmetic>(pixel.Arithmetic);
+  const bool truth = arithmetic == TraceArithmetic::GroundTruth;
+  const TraceOptions options{ pixel.X, pixel.Y,
+    truth ? GroundTruthAccuracy : state.Accuracy.used().level(),
+    arithmetic != TraceArithmetic::Float, truth };
   RayTrace trace;
-  if (!pipeline.traceRay(volume->GetProperty(),
-        static_cast<tetmarch::OpacityLaw>(this->GetOpacityLaw()), options, trace))
+  if (!pipeline.traceRay(pixel.Volume->GetProperty(),
+        static_cast<OpacityLaw>(state.Settings.get()->GetOpacityLaw()), options, trace))
   {
-    vtkErrorMacro("No ray is traced: " << pipeline.error());
-    return false;
+    return noRay + pipeline.error();
   }
-  const WorldRay ray(trace, pipeline.source().frame(), volume);
-  addCells(
-    cells, trace, this->Internal->Blocks.origins(), this->Internal->Blocks.grid() != nullptr);
+  const WorldRay ray(trace, pipeline.source().frame(), pixel.Volume);
+  addCells(cells, trace, origins, hasBlocks);
   addPlaces(cells, trace, ray);
   addOptics(cells, trace);
   addFacts(cells, trace, ray);
-  return true;
+  return {};
 }
+
+} // namespace tetmarch

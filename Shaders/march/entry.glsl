@@ -1,0 +1,6 @@
+// Where a ray enters the volume.
+struct Entry
+{
+  real depth;
+  int face; // of the boundary of a mesh; -1: none
+};

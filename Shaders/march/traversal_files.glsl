@@ -1,0 +1,12 @@
+// What every march is made of: the traversal of what it marches through, and the transfer functions.
+#if TETMARCH_STRUCTURED
+#include "structured/traversal_files.glsl"
+#else
+#include "tet/traversal_files.glsl"
+#endif
+#if TETMARCH_USES_TABLES
+#include "tables/integral_table.glsl"
+#endif
+#if TETMARCH_GRADIENT_OPACITY
+#include "tables/gradient_opacity.glsl"
+#endif

@@ -1,0 +1,45 @@
+// Along a ray the scalar of a trilinear cell is a cubic polynomial of the depth (Parker et al. 1998). With x from 0 to 1
+// between two points of the ray it differs from the straight line between its ends by
+//   -x (1 - x) (b + c (1 + x)),
+// where b and c are the coefficients of x^2 and x^3: the bend.
+real bentScalar(real begin, real end, vec2 bend, real x)
+{
+  return begin + (end - begin) * x - x * (real(1) - x) * (bend.x + bend.y * (real(1) + x));
+}
+
+// The bend of the part from x = from to x = to.
+vec2 bendWithin(vec2 bend, real from, real to)
+{
+  real h = to - from;
+  return vec2((bend.x + real(3) * bend.y * from) * h * h, bend.y * h * h * h);
+}
+
+// No point of the cubic is farther from the straight line: x (1 - x) is a quarter at most, and b + c (1 + x) lies between
+// b + c and b + 2 c.
+real greatestBend(vec2 bend)
+{
+  return real(0.25) * max(abs(bend.x + bend.y), abs(bend.x + real(2) * bend.y));
+}
+
+#if TETMARCH_COMPOSITE
+// What the bend changes of the light of a subsegment in which the scalar rises or falls, and which is integrated as if
+// its table positions ran linearly. bend and rise: in table positions. by: of the subsegment; colorVariation and
+// extinctionVariation: the total variations of colour and extinction between its ends.
+//
+// Let g be the place, 0..1, at which the scalar has a value, and g0 that on the straight line: they differ by
+// r = bend / rise at most. The optical depth up to a value is the thickness L times the integral of tau dg; integrated by
+// parts it is off by at most L r (tau + V), with V the variation of tau, and at the end by L r V. Likewise dg lies between
+// 1 / (1 + q) and 1 / (1 - q) times dg0 where the slope of the cubic lies within q of that of the line, so that no optical
+// depth is off by more than a share q / (1 - q). The colour is the integral of C over the opacity: by parts it is off by
+// no more than the opacity is, times the variation of C.
+real bendError(vec2 bend, real rise, Absorption by, real colorVariation, real extinctionVariation)
+{
+  real perRise = real(1) / max(abs(rise), real(1e-20));
+  real r = min(greatestBend(bend) * perRise, real(1));
+  real q = (abs(bend.x) + real(2) * abs(bend.y)) * perRise;
+  real byShare = q < real(1) ? by.depth * q / (real(1) - q) : NO_DEPTH;
+  real byVariation = by.thickness * r * extinctionVariation;
+  real within = by.depth * r + real(2) * byVariation; // the least extinction is not above the mean
+  return min(min(byVariation, byShare), real(1)) + min(colorVariation, real(1)) * min(min(within, byShare), real(1));
+}
+#endif

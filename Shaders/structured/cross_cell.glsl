@@ -1,0 +1,129 @@
+// From cell to cell of a lattice. A trilinear cell is crossed in up to three parts, in each of which the scalar rises or
+// falls.
+
+// What crossing a cell has come to.
+struct Crossing
+{
+  int cells;   // that it took
+  bool lost;   // there was no exit
+  bool onward; // there is a part or a cell behind
+};
+
+CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
+{
+  CellInterval cell;
+  beginCell(cell);
+  cell.leave = vec2(place.leave, UNDRAWN_SCALAR);
+  beginLookups(cell);
+  return cell;
+}
+
+#if TETMARCH_LEAPS
+// The blocks by which the cube of which nothing can be seen reaches beyond the cell's own; 0: there is no such cube.
+int leapOf(ivec3 cell)
+{
+  ivec3 block = ivec3(cell.x / LEAP_BLOCK, cell.y / LEAP_BLOCK, cell.z / LEAP_BLOCK);
+  return fetchBlockDistance(block.x + blockCount.x * (block.y + blockCount.y * block.z));
+}
+
+// The first cell of the cube, or the one behind the last.
+ivec3 cubeBegin(ivec3 cell, int reach)
+{
+  return ivec3(max((cell.x / LEAP_BLOCK - reach + 1) * LEAP_BLOCK, 0), max((cell.y / LEAP_BLOCK - reach + 1) * LEAP_BLOCK, 0),
+    max((cell.z / LEAP_BLOCK - reach + 1) * LEAP_BLOCK, 0));
+}
+ivec3 cubeEnd(ivec3 cell, int reach)
+{
+  return ivec3(min((cell.x / LEAP_BLOCK + reach) * LEAP_BLOCK, latticeCells.x),
+    min((cell.y / LEAP_BLOCK + reach) * LEAP_BLOCK, latticeCells.y),
+    min((cell.z / LEAP_BLOCK + reach) * LEAP_BLOCK, latticeCells.z));
+}
+#endif
+
+// The scalar at the place where a part of the cell ends.
+#if TETMARCH_POINT_SCALARS
+void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
+{
+  real from = place.position;
+  real next = place.extremes.x > from ? place.extremes.x : place.extremes.y;
+  real to = next > from ? min(next, real(1)) : real(1);
+  real length = place.leave - place.depth;
+  bool drawn = isDrawn(place.cubic.x);
+  // The scalar where the last interval ended is the same but for rounding; then no table need be read there again.
+  real begin = isDrawn(cell.leave.y) ? cell.leave.y : cubicAt(place.cubic, from);
+  cell.enter = vec2(cell.leave.x, drawn ? begin : UNDRAWN_SCALAR);
+  cell.leave = vec2(
+    to < real(1) ? place.depth + length * to : place.leave, drawn ? cubicAt(place.cubic, to) : UNDRAWN_SCALAR);
+  cell.bend = bendWithin(vec2(place.cubic.z, place.cubic.w), from, to);
+  cell.scalar = cell.leave.y;
+  place.position = to;
+}
+#else
+void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
+{
+  cell.enter = vec2(place.depth, cell.scalar);
+  cell.leave = vec2(place.leave, cell.scalar);
+  place.position = real(1);
+}
+#endif
+
+Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
+{
+  Crossing crossing;
+  crossing.cells = 0;
+  crossing.lost = false;
+  keepLastDrawn(cell);
+#if TETMARCH_EFFECTS
+  place.crossed = place.cell;
+#endif
+  ivec3 ahead = planesAhead(ray, place.cell);
+#if TETMARCH_LEAPS
+  int reach = leapOf(place.cell);
+  ivec3 low = cubeBegin(place.cell, reach);
+  ivec3 high = cubeEnd(place.cell, reach);
+  ahead = reach > 0
+    ? ivec3(ray.steps.x > 0 ? high.x : low.x, ray.steps.y > 0 ? high.y : low.y, ray.steps.z > 0 ? high.z : low.z)
+    : ahead;
+  cell.skipped = reach > 0;
+#endif
+  vec3 next = crossingDepths(ray, ahead, NO_DEPTH);
+  if (!(place.position < real(1)))
+  {
+    place.depth = place.leave;
+    place.leave = leastOf(next);
+    place.position = real(0);
+    cell.tet = numberOfCell(place.cell);
+    crossing.cells = 1;
+#if TETMARCH_POINT_SCALARS
+    place.cubic = cubicAlong(ray, place.cell, place.depth, place.leave);
+#if TETMARCH_LEAPS
+    // Outside of the cell its cubic has no meaning.
+    place.cubic = reach > 0 ? vec4(UNDRAWN_SCALAR, real(0), real(0), real(0)) : place.cubic;
+#endif
+    place.extremes = extremesOf(place.cubic);
+#else
+    cell.scalar =
+      fetchValue(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
+#endif
+  }
+  takePart(place, cell);
+  // The axis whose plane comes first; of several the first one.
+  bool acrossX = next.x <= next.y && next.x <= next.z;
+  bool acrossY = !acrossX && next.y <= next.z;
+  bool acrossZ = !acrossX && !acrossY;
+  bool crossed = !(place.position < real(1));
+  ivec3 from = place.cell;
+#if TETMARCH_LEAPS
+  ivec3 landing =
+    cellBehindDepth(ray, place.leave, low, ivec3(high.x - 1, high.y - 1, high.z - 1));
+  from = reach > 0 ? landing : from;
+#endif
+  ivec3 to = ivec3(acrossX ? (ray.steps.x > 0 ? ahead.x : ahead.x - 1) : from.x,
+    acrossY ? (ray.steps.y > 0 ? ahead.y : ahead.y - 1) : from.y,
+    acrossZ ? (ray.steps.z > 0 ? ahead.z : ahead.z - 1) : from.z);
+  bool inside = to.x >= 0 && to.y >= 0 && to.z >= 0 && to.x < latticeCells.x && to.y < latticeCells.y &&
+    to.z < latticeCells.z;
+  crossing.onward = !crossed || inside;
+  place.cell = crossed && inside ? to : place.cell;
+  return crossing;
+}

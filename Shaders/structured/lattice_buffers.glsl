@@ -1,0 +1,62 @@
+// The cells of a structured volume and their values; Structured/Lattice.h and Structured/StoredValues.h have the
+// conventions.
+uniform sampler2DArray valueTexture; // layers along k
+uniform vec2 valueMap;               // scale and offset: from what is read to stored scalars
+uniform vec2 valueTexel;             // 1 over width and height of the texture
+uniform ivec3 latticeCells;          // along i, j, k
+uniform ivec3 firstValue;            // of cell 0, along i, j, k
+uniform ivec3 lastValue;
+uniform vec3 latticeShift;           // of uniform axes
+uniform vec3 latticeHalfLength;
+uniform mat4 latticeMatrix;          // from the normalised frame to lattice coordinates
+uniform int mostCells;               // the step guard: no ray crosses more cells
+
+vec3 toLattice(vec3 point) { return (latticeMatrix * vec4(point, 1.0)).xyz; }
+vec3 directionToLattice(vec3 direction) { return mat3(latticeMatrix) * direction; }
+#if TETMARCH_EFFECTS
+vec3 gradientFromLattice(vec3 gradient) { return gradient * mat3(latticeMatrix); }
+#endif
+
+#if TETMARCH_POINT_SCALARS
+// Four values of a layer: (i, j + 1), (i + 1, j + 1), (i + 1, j), (i, j).
+vec4 fetchValues(int i, int j, int k)
+{
+  vec3 place = vec3(vec2(float(i + 1), float(j + 1)) * valueTexel, float(clamp(k, 0, lastValue.z)));
+#if TETMARCH_HAS_GATHER
+  vec4 values = textureGather(valueTexture, place);
+#else
+  ivec3 size = textureSize(valueTexture, 0);
+  ivec2 low = clamp(ivec2(i, j), ivec2(0), size.xy - 1);
+  ivec2 high = clamp(ivec2(i + 1, j + 1), ivec2(0), size.xy - 1);
+  int layer = int(place.z);
+  vec4 values = vec4(texelFetch(valueTexture, ivec3(low.x, high.y, layer), 0).x,
+    texelFetch(valueTexture, ivec3(high, layer), 0).x, texelFetch(valueTexture, ivec3(high.x, low.y, layer), 0).x,
+    texelFetch(valueTexture, ivec3(low, layer), 0).x);
+#endif
+  return values * valueMap.x + vec4(valueMap.y);
+}
+#else
+float fetchValue(int i, int j, int k)
+{
+  return texelFetch(valueTexture, clamp(ivec3(i, j, k), ivec3(0), lastValue), 0).x * valueMap.x + valueMap.y;
+}
+#endif
+
+#if TETMARCH_RECTILINEAR
+uniform samplerBuffer planeBuffer; // those of i, of j, of k, one behind the other
+uniform ivec3 firstPlane;          // of each axis in the buffer
+float fetchPlane(int i) { return texelFetch(planeBuffer, i).x; }
+#elif TETMARCH_EFFECTS
+const ivec3 firstPlane = ivec3(0, 0, 0);
+#endif
+
+#if TETMARCH_LEAPS
+uniform usamplerBuffer blockDistanceBuffer; // Structured/EmptySpace.h
+uniform ivec3 blockCount;
+int fetchBlockDistance(int i) { return int(texelFetch(blockDistanceBuffer, i).x); }
+#endif
+
+#if TETMARCH_HIDDEN_CELLS
+uniform usamplerBuffer hiddenCellBuffer; // a bit a cell
+uint fetchHiddenCells(uint word) { return texelFetch(hiddenCellBuffer, int(word)).x; }
+#endif

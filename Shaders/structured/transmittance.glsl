@@ -1,0 +1,52 @@
+// The transmittance of a ray towards the light: it adds up the optical depth from cell to cell; the transmittance is one
+// exponential at the end. Each part of a cell is integrated as if the scalar ran straight between its ends.
+
+#if TETMARCH_POINT_SCALARS
+real meanExtinction(Segment segment)
+{
+  return meanBetween(tablePoint(segment.begin.y * tableScale + tableOffset),
+    tablePoint(segment.end.y * tableScale + tableOffset)).w;
+}
+#else
+real meanExtinction(Segment segment) { return tableValue(segment.begin.y * tableScale + tableOffset).w; }
+#endif
+
+// Optical depth of a unit of depth in what is seen of the cell.
+real cellExtinction(Ray ray, Place place, CellInterval cell)
+{
+  real extinction = meanExtinction(visibleSegment(cell));
+#if TETMARCH_GRADIENT_OPACITY
+  extinction =
+    extinction * gradientOpacity(attributesAt(ray, place.crossed, real(0.5) * (cell.begin + cell.end)).gradient);
+#endif
+#if TETMARCH_NAN_SHOWN
+  extinction = cell.finite ? extinction : nanColor.w;
+#endif
+  return extinction;
+}
+
+// From a point over that distance in that direction (unit length).
+real transmittanceTo(vec3 point, vec3 direction, real distance)
+{
+  Ray ray = rayThrough(point, direction);
+  real begin = dot(point - ray.origin, ray.direction);
+  real end = begin + distance;
+  real thicknessPerDepth = thicknessPerDepthAlong(direction);
+  real darkDepth = -log(errorTolerance);
+  Traversal traversal = traversalFrom(ray, 0, begin);
+  CellInterval cell = beginCellInterval(ray, traversal.place);
+  real opticalDepth = real(0);
+  bool onward = continuesBefore(traversal, end);
+  while (onward)
+  {
+    Crossing crossing = crossCell(ray, traversal.place, cell);
+    cell.begin = max(cell.enter.x, begin);
+    cell.end = min(cell.leave.x, end);
+    decideVisibility(cell.end > cell.begin, cell);
+    real extinction = cellExtinction(ray, traversal.place, cell);
+    opticalDepth =
+      opticalDepth + (cell.seen ? extinction * (cell.end - cell.begin) * thicknessPerDepth : real(0));
+    onward = crossing.onward && cell.leave.x < end && opticalDepth <= darkDepth;
+  }
+  return exp(-opticalDepth);
+}

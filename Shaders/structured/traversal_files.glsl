@@ -1,0 +1,16 @@
+// What every march is made of: the traversal of the lattice, and what the volume is there.
+#include "march/ray.glsl"
+#include "march/entry.glsl"
+#include "march/stored_scalar.glsl"
+#include "march/linear_scalar.glsl"
+#if TETMARCH_HIDDEN_CELLS
+#include "march/hidden_cells.glsl"
+#endif
+#include "structured/lattice.glsl"
+#if TETMARCH_POINT_SCALARS
+#include "structured/trilinear.glsl"
+#endif
+#if TETMARCH_EFFECTS
+#include "structured/attributes.glsl"
+#endif
+#include "structured/traversal.glsl"

@@ -1,0 +1,60 @@
+// From tetrahedron to tetrahedron.
+
+// What crossing a cell has come to.
+struct Crossing
+{
+  int cells;   // that it took
+  bool lost;   // there was no exit
+  bool onward; // there is a cell behind
+};
+
+// The scalar of a tetrahedron, or that at the point (depth, scalar) where the ray leaves it.
+real cellScalar(uint tet, vec2 leave)
+{
+#if TETMARCH_POINT_SCALARS
+  return leave.y;
+#else
+  return fetchCellScalar(tet);
+#endif
+}
+
+// Before the face by which the ray enters the mesh.
+CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
+{
+  CellInterval cell;
+  fetchCorners(place.face);
+  beginCell(cell);
+  cell.leave = intersectionPoint(place.face);
+#if TETMARCH_VERTEX_ATTRIBUTES
+  cell.leaveAttributes = attributesAt(place.face);
+#endif
+  beginLookups(cell);
+#if TETMARCH_KEEPS_SHADE
+  cell.scalar = cellScalar(place.link.x, cell.leave);
+  beginShades(ray, cell);
+#endif
+  return cell;
+}
+
+// Steps through the tetrahedron behind the face, which becomes the one by which the ray leaves it.
+Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
+{
+  uint tet = place.link.x;
+  vec4 apex = fetchVertex(place.link.y);
+  int exitFace = stepThrough(place.face, place.link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
+  keepLastDrawn(cell);
+  cell.tet = tet;
+  cell.enter = cell.leave;
+  cell.leave = intersectionPoint(place.face);
+#if TETMARCH_VERTEX_ATTRIBUTES
+  cell.enterAttributes = cell.leaveAttributes;
+  cell.leaveAttributes = attributesAt(place.face);
+#endif
+  cell.scalar = cellScalar(tet, cell.leave);
+  place.link = fetchLink(4u * tet + uint(max(exitFace, 0)));
+  Crossing crossing;
+  crossing.cells = 1;
+  crossing.lost = exitFace < 0;
+  crossing.onward = exitFace >= 0 && place.link.x < LINK_OUTSIDE;
+  return crossing;
+}

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Arrays of every type become the values of a lattice: what is kept, borrowed and copied, and that
+// each value comes back from what is stored.
+#include "ValuesOfArrays.h"
+
+#include "vtkAngularPeriodicDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkSOADataArrayTemplate.h"
+#include "vtkType.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <random>
+
+namespace
+{
+using namespace tetmarch;
+using namespace tetmarch::testing;
+
+constexpr int Types[] = { VTK_BIT, VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+  VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
+  VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE };
+
+ValueType expectedType(int type)
+{
+  const int bytes = vtkDataArray::GetDataTypeSize(type);
+  return type == VTK_BIT || bytes == 1 ? ValueType::UInt8
+         : bytes == 2                  ? ValueType::UInt16
+                                       : ValueType::Float32;
+}
+
+TEST(StoredValues, OfEveryType)
+{
+  std::mt19937 random(1);
+  for (const int type : Types)
+  {
+    for (const int components : { 1, 3 })
+    {
+      SCOPED_TRACE(vtkImageScalarTypeNameMacro(type));
+      const double low = std::max(vtkDataArray::GetDataTypeMin(type), -1e6);
+      const double high = std::min(vtkDataArray::GetDataTypeMax(type), 1e6);
+      std::vector<double> values{ low, high };
+      for (int i = 0; i < 500; ++i)
+      {
+        values.push_back(std::floor(low + uniform(random) * (high - low)));
+      }
+      const auto array = arrayOf(type, values, components, components - 1);
+      const StoredValues stored = storedOf(array, { false, components - 1 });
+      EXPECT_EQ(stored.Type, expectedType(type));
+      EXPECT_EQ(stored.Range.Low, low);
+      EXPECT_EQ(stored.Range.High, high);
+      EXPECT_TRUE(stored.Range.AllFinite);
+      expectValues(stored, values);
+    }
+  }
+}
+
+TEST(StoredValues, BytesAndWordsAreBorrowed)
+{
+  for (const int type : { VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT })
+  {
+    const std::vector<double> values{ 4, 20, 12, 16 };
+    const auto array = arrayOf(type, values);
+    StoredValues stored = storedOf(array);
+    EXPECT_EQ(stored.Data, array->GetVoidPointer(0));
+    EXPECT_EQ(stored.Borrowed, array);
+    EXPECT_TRUE(stored.Bytes.empty() && stored.Words.empty() && stored.Floats.empty());
+    expectValues(stored, values, 7e-7);
+    const StoredValues moved = std::move(stored);
+    EXPECT_EQ(moved.Data, array->GetVoidPointer(0));
+    // It lives as long as it is borrowed.
+    EXPECT_EQ(array->GetReferenceCount(), 2);
+  }
+}
+
+// All values of both types, in the order of the GPU's formula.
+TEST(StoredValues, WholeRangesAreWhatTheGpuReads)
+{
+  std::vector<double> words;
+  for (int i = 0; i < 65536; ++i)
+  {
+    words.push_back(i);
+  }
+  const std::vector<double> bytes(words.begin(), words.begin() + 256);
+  for (const auto& values : { bytes, words })
+  {
+    const StoredValues stored =
+      storedOf(arrayOf(values.size() == 256 ? VTK_UNSIGNED_CHAR : VTK_UNSIGNED_SHORT, values));
+    EXPECT_EQ(stored.Scale, 1.0f);
+    EXPECT_EQ(stored.Offset, 0.0f);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      EXPECT_EQ(stored.read<double>(i), values[i] / (double(values.size()) - 1)) << i;
+    }
+    expectValues(stored, values);
+  }
+}
+
+// Where Scale u + Offset would lose digits: 60000..60010 would be off by 4e-4.
+TEST(StoredValues, NarrowRangesFarFromZeroAreMoved)
+{
+  for (const double low : { 100.0, 245.0 })
+  {
+    const std::vector<double> values{ low, low + 10, low + 3, low + 7, low + 1 };
+    const auto array = arrayOf(VTK_UNSIGNED_CHAR, values);
+    const StoredValues stored = storedOf(array);
+    EXPECT_EQ(stored.Type, ValueType::UInt8);
+    EXPECT_NE(stored.Data, array->GetVoidPointer(0));
+    EXPECT_EQ(stored.Offset, 0.0f);
+    expectValues(stored, values);
+  }
+  const std::vector<double> values{ 60000, 60010, 60003 };
+  const StoredValues stored = storedOf(arrayOf(VTK_UNSIGNED_SHORT, values));
+  EXPECT_EQ(stored.Words, (std::vector<std::uint16_t>{ 0, 10, 3 }));
+  expectValues(stored, values);
+}
+
+TEST(StoredValues, SignedOnesAreMovedExactly)
+{
+  const StoredValues bytes = storedOf(arrayOf(VTK_SIGNED_CHAR, { -128, 127, -1, 0 }));
+  EXPECT_EQ(bytes.Bytes, (std::vector<std::uint8_t>{ 0, 255, 127, 128 }));
+  EXPECT_EQ(bytes.Scale, 1.0f);
+  const StoredValues words = storedOf(arrayOf(VTK_SHORT, { -1024, 3071, -32, 0 }));
+  EXPECT_EQ(words.Words, (std::vector<std::uint16_t>{ 0, 4095, 992, 1024 }));
+  expectValues(words, { -1024, 3071, -32, 0 });
+}
+
+TEST(StoredValues, MagnitudesAreFloats)
+{
+  for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_FLOAT, VTK_DOUBLE })
+  {
+    const auto array = arrayOf(type, { 3, 15, 9, 12 }, 2, 0);
+    setComponent(array, 1, { 4, 20, 12, 16 });
+    const StoredValues stored = storedOf(array, { true, 0 });
+    EXPECT_EQ(stored.Floats, (std::vector<float>{ 0.0f, 1.0f, 0.5f, 0.75f })) << type;
+    EXPECT_EQ(stored.Range.Low, 5.0);
+    EXPECT_EQ(stored.Range.High, 25.0);
+  }
+}
+
+// In double precision before they are rounded.
+TEST(StoredValues, SmallDifferencesOfLargeNumbers)
+{
+  expectValues(storedOf(arrayOf(VTK_DOUBLE, { 1e12, 1e12 + 1, 1e12 + 0.25 })),
+    { 1e12, 1e12 + 1, 1e12 + 0.25 });
+  expectValues(storedOf(arrayOf(VTK_INT, { 2e9, 2e9 + 3, 2e9 + 1 })), { 2e9, 2e9 + 3, 2e9 + 1 });
+}
+
+TEST(StoredValues, ConstantsAreZero)
+{
+  for (const int type : Types)
+  {
+    const StoredValues stored = storedOf(arrayOf(type, { 1, 1, 1 }));
+    EXPECT_EQ(stored.Range.Low, 1.0);
+    EXPECT_EQ(stored.Range.High, 1.0);
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_EQ(stored.scalar(i), 0.0f) << type;
+    }
+  }
+  EXPECT_EQ(storedOf(arrayOf(VTK_UNSIGNED_CHAR, { 200, 200 })).scalar(1), 0.0f);
+}
+
+TEST(StoredValues, WhatIsNotFiniteIsNotDrawn)
+{
+  const double nan = std::nan("");
+  const double inf = std::numeric_limits<double>::infinity();
+  const StoredValues stored = storedOf(arrayOf(VTK_FLOAT, { 1, nan, 3, inf, 2, -inf }));
+  EXPECT_EQ(stored.Floats,
+    (std::vector<float>{ 0.0f, UndrawnScalar, 1.0f, UndrawnScalar, 0.5f, UndrawnScalar }));
+  EXPECT_EQ(stored.Range.Low, 1.0);
+  EXPECT_EQ(stored.Range.High, 3.0);
+  EXPECT_FALSE(stored.Range.AllFinite);
+  const StoredValues nothing = storedOf(arrayOf(VTK_DOUBLE, { nan, nan }));
+  EXPECT_EQ(nothing.scalar(0), UndrawnScalar);
+  EXPECT_EQ(nothing.Range.Low, nothing.Range.High);
+}
+
+template <typename Value>
+void expectSOA(ValueType type)
+{
+  vtkNew<vtkSOADataArrayTemplate<Value>> array;
+  array->SetNumberOfComponents(2);
+  array->SetNumberOfTuples(4);
+  setComponent(array, 0, { 3, 15, 9, 12 });
+  setComponent(array, 1, { 4, 20, 12, 16 });
+  const StoredValues stored = storedOf(array, { false, 1 });
+  EXPECT_EQ(stored.Type, type);
+  EXPECT_EQ(stored.Range.High, 20.0);
+  expectValues(stored, { 4, 20, 12, 16 });
+  vtkNew<vtkSOADataArrayTemplate<Value>> single;
+  single->SetNumberOfComponents(1);
+  single->SetNumberOfTuples(4);
+  setComponent(single, 0, { 4, 20, 12, 16 });
+  expectValues(storedOf(single), { 4, 20, 12, 16 });
+}
+
+TEST(StoredValues, StructuresOfArrays)
+{
+  expectSOA<unsigned char>(ValueType::UInt8);
+  expectSOA<unsigned short>(ValueType::UInt16);
+  expectSOA<short>(ValueType::UInt16);
+  expectSOA<float>(ValueType::Float32);
+  expectSOA<unsigned long long>(ValueType::Float32);
+}
+
+// Turned by a quarter about z whenever someone asks.
+TEST(StoredValues, ArraysThatComputeTheirValues)
+{
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(4);
+  setComponent(vectors, 0, { 4, 20, 12, 16 });
+  setComponent(vectors, 1, { -3, -15, -9, -12 });
+  setComponent(vectors, 2, { 12, 60, 36, 48 });
+  vtkNew<vtkAngularPeriodicDataArray<double>> turned;
+  turned->InitializeArray(vectors);
+  turned->SetAxis(VTK_PERIODIC_ARRAY_AXIS_Z);
+  turned->SetAngle(90.0);
+  const std::vector<float> expected{ 0.0f, 1.0f, 0.5f, 0.75f };
+  EXPECT_EQ(storedOf(turned).Floats, expected);
+  EXPECT_EQ(storedOf(turned, { false, 1 }).Floats, expected);
+  EXPECT_EQ(storedOf(turned, { true, 0 }).Range.High, 65.0);
+}
+} // namespace

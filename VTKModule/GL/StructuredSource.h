@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The cells of an image or a rectilinear grid are what rays march through.
+#ifndef TetMarchGLStructuredSource_h
+#define TetMarchGLStructuredSource_h
+
+#include "GL/ArrayTexture.h"
+#include "GL/MarchSource.h"
+#include "GL/TextureBuffer.h"
+#include "Structured/EmptySpace.h"
+#include "Structured/StructuredVolume.h"
+#include "Volume/StructuredEffectSource.h"
+
+#include <optional>
+
+namespace tetmarch
+{
+
+class StructuredSource : public MarchSource
+{
+public:
+  /** How values are interpolated; before updateScalars(). */
+  void setInterpolation(Interpolation interpolation) { this->Interpolated = interpolation; }
+
+  const StructuredVolume& volume() const { return this->Volume; }
+  const BlockDistances& emptySpace() const { return this->Empty; }
+  const StageRecord& emptySpaceRecord() const { return this->EmptyRecord; }
+
+  std::string updateGeometry(
+    vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) override;
+  std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) override;
+  std::string prepareEntrySearch() override { return {}; }
+  std::string updateVisibility(
+    const IntegralTable& table, const Blending& blending, bool undrawnSeen) override;
+
+  bool isEmpty() const override { return this->Volume.isEmpty(); }
+  const VolumeFrame& frame() const override { return this->Volume.frame(); }
+  const ScalarRange& range() const override { return this->Volume.values().front().Range; }
+  const std::vector<ScalarRange>& furtherRanges() const override
+  {
+    return this->Volume.furtherRanges();
+  }
+  bool scalarBends() const override { return true; }
+  /** Cells of which nothing is seen are leapt over or passed, if there are blocks of them. */
+  double transparentShare(const IntegralTable&) const override { return this->Empty.EmptyShare; }
+  const EffectSource& effectSource() const override { return this->Effects; }
+  vtkIdType cellOf(std::uint32_t cell) const override { return this->Volume.dataCellOf(cell); }
+  void setBits(VariantKey& key, const View& camera) const override;
+  Fingerprint version() const override;
+  std::int64_t runs() const override { return this->Volume.runs() + this->EmptyRecord.Runs; }
+
+  std::vector<BufferSize> bufferSizes() const override;
+  bool isUploaded() const override;
+  std::string upload(vtkOpenGLRenderWindow* window) override;
+  void release(vtkWindow* window) override;
+  std::size_t bytes() const override;
+  std::int64_t uploadedBytes() const override { return this->UploadedBytes; }
+
+  const char* shaderOf(SourcePass pass) const override;
+  void bind(vtkShaderProgram* program, const VariantKey& key) override;
+  void unbind() override;
+
+  /** Rays enter a lattice by the planes of its sides, so that nothing is rasterised. */
+  std::string drawEntries(
+    vtkOpenGLRenderWindow*, const Viewport&, const Viewport&, const View&) override
+  {
+    return {};
+  }
+  vtkTextureObject* entries() const override { return nullptr; }
+  void releaseEntries(vtkWindow*) override {}
+
+  ReferenceImage renderReference(ReferenceScene scene, const AccuracyLevel& level) const override;
+  RayTrace traceRay(ReferenceScene scene, const TraceOptions& options) const override;
+
+private:
+  ReferenceScene withVolume(ReferenceScene scene) const;
+  bool leaps() const;
+  std::string uploadPlanes(vtkOpenGLRenderWindow* window);
+
+  /** The version of what the GPU has; none before it is uploaded. */
+  using Uploaded = std::optional<Fingerprint>;
+
+  Interpolation Interpolated = Interpolation::Linear;
+  StructuredVolume Volume;
+  StructuredEffectSource Effects{ Volume };
+  BlockDistances Empty;
+  Fingerprint EmptyInput;
+  StageRecord EmptyRecord;
+
+  ArrayTexture Values;
+  TextureBuffer Planes;
+  TextureBuffer Hidden;
+  TextureBuffer Distances;
+  Uploaded ValuesThere;
+  Uploaded PlanesThere;
+  Uploaded HiddenThere;
+  Uploaded DistancesThere;
+  std::int64_t UploadedBytes = 0;
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mapper/MapperFrame.h"
+
+#include "Mapper/FrameMeasures.h"
+#include "Mapper/MapperState.h"
+
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTimerLog.h"
+#include "vtkVolume.h"
+
+namespace tetmarch
+{
+
+MapperFrame::MapperFrame(const MapperScene& scene, MapperState& state, const BlendOptions& blend,
+  const FrameConditions& conditions)
+  : Scene(scene)
+  , State(state)
+  , Report(
+      [scene](double share)
+      {
+        scene.Mapper->UpdateProgress(share);
+        return !scene.Renderer->GetRenderWindow()->CheckAbortStatus();
+      })
+  , Hooks(scene.Volume, scene.Mapper)
+  , Options(state.Settings.get(), static_cast<BlendMode>(blend.Mode), scene.Renderer, state.Level,
+      this->Hooks, conditions, state.ViewTable)
+{
+  this->Timer->StartTimer();
+  this->Options.chooseSampleDistance(state.Settings.get(), conditions.AdjustsDistances,
+    state.Distance, scene.Volume->GetAllocatedRenderTime());
+}
+
+MapperFrame::~MapperFrame() = default;
+
+bool MapperFrame::prepare(Pipeline& pipeline, const DrawnData& drawn)
+{
+  vtkRenderer* renderer = this->Scene.Renderer;
+  vtkVolume* volume = this->Scene.Volume;
+  vtkVolumeProperty* property = volume->GetProperty();
+  const FrameOptions& options = this->Options;
+  return pipeline.updateGeometry(drawn.Data, this->Report) &&
+         pipeline.updateScalars(
+           drawn.Data, drawn.Scalars.Array, drawn.Scalars.OfCells, drawn.Vector, property) &&
+         pipeline.updateBlending(property, drawn.Blend) &&
+         pipeline.updateTables(property, options.Law, this->State.Level, options.DrawNanCells) &&
+         pipeline.updateEffects(renderer, volume, options.Effects) &&
+         pipeline.updateView(renderer, volume) && pipeline.updateClipping(volume, drawn.Cuts) &&
+         pipeline.upload(this->Scene.Window);
+}
+
+bool MapperFrame::draw(Pipeline& pipeline, const CellOrigins& origins)
+{
+  vtkRenderer* renderer = this->Scene.Renderer;
+  const bool drawn = renderer->GetSelector() ? this->select(pipeline, origins)
+                                             : pipeline.draw(this->Scene.Window, renderer,
+                                                 this->Options.Draw, this->Report);
+  this->Failed = this->Failed || !drawn;
+  this->Pipelines.push_back(&pipeline);
+  return drawn;
+}
+
+bool MapperFrame::select(Pipeline& pipeline, const CellOrigins& origins)
+{
+  std::vector<PickedPoint> points;
+  const bool drawn = pipeline.select(
+    this->Scene.Window, this->Scene.Renderer, this->Options.Draw, origins, this->Report, points);
+  this->State.Picking.take(
+    drawn, points, origins, this->Scene.Renderer, this->Scene.Volume, pipeline.source());
+  return drawn;
+}
+
+void MapperFrame::end(double& timeToDraw)
+{
+  if (this->Scene.Renderer->GetSelector())
+  {
+    return;
+  }
+  int draws = 0;
+  for (Pipeline* pipeline : this->Pipelines)
+  {
+    draws += pipeline->numberOfDraws();
+  }
+  if (!this->Failed && !this->Pipelines.empty())
+  {
+    this->Pipelines.back()->finish();
+    if (draws > 1)
+    {
+      this->Scene.Mapper->UpdateProgress(1.0);
+    }
+  }
+  this->Timer->StopTimer();
+  timeToDraw = this->Timer->GetElapsedTime();
+  this->record(timeToDraw);
+}
+
+FrameResult MapperFrame::resultOf(double seconds) const
+{
+  FrameResult result;
+  result.Drawn = !this->Failed && !this->Pipelines.empty();
+  result.IsPicture = this->Options.MarchesPicture;
+  result.Seconds = seconds;
+  for (const Pipeline* pipeline : this->Pipelines)
+  {
+    result.Seconds -= this->Options.Draw.View ? 0.0 : pipeline->counted().seconds();
+    result.OnlyDrawn = result.OnlyDrawn && pipeline->onlyDrew();
+    result.Subject.insert(
+      result.Subject.end(), pipeline->subject().begin(), pipeline->subject().end());
+  }
+  return result;
+}
+
+void MapperFrame::record(double seconds)
+{
+  vtkTetMarchFrameStatistics* statistics = this->State.Statistics;
+  FrameResult result = this->resultOf(seconds);
+  if (result.Drawn)
+  {
+    takeMeasures(this->Pipelines.back()->counted(), statistics);
+    statistics->SetSeconds(result.Seconds);
+    result.ErrorBound = statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND);
+  }
+  const double used = this->Options.Draw.SampleDistance;
+  statistics->SetUsedImageSampleDistance(used);
+  SampleDistance& distance = this->State.Distance;
+  if (result.Drawn && result.IsPicture && (result.OnlyDrawn || !distance.knowsTime()))
+  {
+    distance.drawn(used, result.Seconds);
+  }
+  result.IsPicture = result.IsPicture && used == 1;
+  this->State.Accuracy.end(result);
+}
+
+} // namespace tetmarch

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One frame of a mapper that has something to draw: the recipe that all our mappers share.
+#ifndef TetMarchMapperMapperFrame_h
+#define TetMarchMapperMapperFrame_h
+
+#include "Budget/AccuracyController.h"
+#include "GL/PeelHooks.h"
+#include "GL/Pipeline.h"
+#include "Mapper/FrameOptions.h"
+#include "Mapper/MapperOptions.h"
+
+#include "vtkNew.h"
+
+#include <vector>
+
+class vtkAbstractVolumeMapper;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTimerLog;
+class vtkVolume;
+
+namespace tetmarch
+{
+
+struct MapperState;
+
+/** An array of the data, and what is shown of it. */
+struct DrawnData
+{
+  vtkDataSet* Data = nullptr;
+  FoundScalars Scalars;
+  VectorOptions Vector;
+  BlendOptions Blend;
+  ClippingOptions Cuts;
+};
+
+/** Who draws, and where. */
+struct MapperScene
+{
+  vtkAbstractVolumeMapper* Mapper = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkRenderer* Renderer = nullptr;
+  vtkVolume* Volume = nullptr;
+};
+
+class MapperFrame
+{
+public:
+  /** The state has begun a frame, or a selection if the renderer has a selector. */
+  MapperFrame(const MapperScene& scene, MapperState& state, const BlendOptions& blend,
+    const FrameConditions& conditions);
+  ~MapperFrame();
+  MapperFrame(const MapperFrame&) = delete;
+  MapperFrame& operator=(const MapperFrame&) = delete;
+
+  // What is wrong in these two is the pipeline's error().
+
+  /** All stages but the last of a pipeline that has begun. Whether there is something to draw. */
+  bool prepare(Pipeline& pipeline, const DrawnData& drawn);
+  /** The last stage: the picture, or what the selector reads: cells by their origins. Whether it
+   * came to its end. */
+  bool draw(Pipeline& pipeline, const CellOrigins& origins);
+
+  /** What the frame took and counted goes to the state, and its seconds to timeToDraw. Nothing is
+   * done after a selection. */
+  void end(double& timeToDraw);
+
+private:
+  bool select(Pipeline& pipeline, const CellOrigins& origins);
+  FrameResult resultOf(double seconds) const;
+  void record(double seconds);
+
+  MapperScene Scene;
+  MapperState& State;
+  Progress Report;
+  PeelHooks Hooks;
+  FrameOptions Options;
+  std::vector<Pipeline*> Pipelines; // that have drawn, back to front
+  bool Failed = false;              // one of the stages, or there was nothing to draw
+  vtkNew<vtkTimerLog> Timer;
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The lattice that a kernel marches through, as its members; part of KernelBody.h.
+
+const Lattice* Cells = nullptr;
+const StoredValues* Values = nullptr;
+
+Real valueScale = 1;
+Real valueOffset = 0;
+ivec3 latticeCells{ 0, 0, 0 };
+ivec3 firstValue{ 0, 0, 0 };
+ivec3 lastValue{ 0, 0, 0 };
+ivec3 firstPlane{ 0, 0, 0 };
+vec3 latticeShift{ 0, 0, 0 };
+vec3 latticeHalfLength{ 0, 0, 0 };
+std::array<Real, 12> latticeMatrix{};
+std::vector<Real> latticePlanes; // those of i, of j, of k
+
+static vec3 rowsTimes(const std::array<Real, 12>& m, vec3 v, Real w)
+{
+  const auto row = [&](int r)
+  { return m[4 * r] * v.x + m[4 * r + 1] * v.y + m[4 * r + 2] * v.z + m[4 * r + 3] * w; };
+  return vec3(row(0), row(1), row(2));
+}
+vec3 toLattice(vec3 point) const { return rowsTimes(latticeMatrix, point, Real(1)); }
+vec3 directionToLattice(vec3 direction) const
+{
+  return rowsTimes(latticeMatrix, direction, Real(0));
+}
+vec3 gradientFromLattice(vec3 g) const
+{
+  const auto& m = latticeMatrix;
+  return vec3(m[0] * g.x + m[4] * g.y + m[8] * g.z, m[1] * g.x + m[5] * g.y + m[9] * g.z,
+    m[2] * g.x + m[6] * g.y + m[10] * g.z);
+}
+Real fetchPlane(int i) const { return latticePlanes[i]; }
+
+Real fetchValue(int i, int j, int k) const
+{
+  const std::size_t row = static_cast<std::size_t>(lastValue.x) + 1;
+  const std::size_t layer = row * (static_cast<std::size_t>(lastValue.y) + 1);
+  const Real read =
+    Values->read<Real>(std::clamp(i, 0, lastValue.x) + row * std::clamp(j, 0, lastValue.y) +
+                       layer * std::clamp(k, 0, lastValue.z));
+  return read * valueScale + valueOffset;
+}
+
+/** Four values of a layer, in the order of GLSL's textureGather(). */
+vec4 fetchValues(int i, int j, int k) const
+{
+  return vec4(fetchValue(i, j + 1, k), fetchValue(i + 1, j + 1, k), fetchValue(i + 1, j, k),
+    fetchValue(i, j, k));
+}
+
+void useLattice(const Lattice& lattice, const StoredValues& values)
+{
+  Cells = &lattice;
+  Values = &values;
+  valueScale = Real(values.Scale);
+  valueOffset = Real(values.Offset);
+  const auto& axes = lattice.Axes;
+  const auto toInts = [&](const auto& of) { return ivec3(of(axes[0]), of(axes[1]), of(axes[2])); };
+  const auto toReals = [&](const auto& of)
+  { return vec3(Real(of(axes[0])), Real(of(axes[1])), Real(of(axes[2]))); };
+  latticeCells = toInts([](const LatticeAxis& axis) { return axis.Cells; });
+  firstValue = toInts([](const LatticeAxis& axis) { return axis.FirstValue; });
+  lastValue = toInts([](const LatticeAxis& axis) { return axis.Values - 1; });
+  latticeShift = toReals([](const LatticeAxis& axis) { return axis.Shift; });
+  latticeHalfLength = toReals([](const LatticeAxis& axis) { return axis.HalfLength; });
+  std::transform(lattice.FromNormalized.begin(), lattice.FromNormalized.end(),
+    latticeMatrix.begin(), [](double m) { return Real(m); });
+  latticePlanes.clear();
+  for (const LatticeAxis& axis : axes)
+  {
+    for (int i = 0; i <= axis.Cells; ++i)
+    {
+      latticePlanes.push_back(Real(axis.plane(i)));
+    }
+  }
+  firstPlane = ivec3(0, latticeCells.x + 1, latticeCells.x + latticeCells.y + 2);
+  mostCells = mostCellsOf(lattice);
+}

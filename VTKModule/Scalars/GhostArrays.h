@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The arrays that keep cells of a data set from being drawn, and their bits.
+#ifndef TetMarchScalarsGhostArrays_h
+#define TetMarchScalarsGhostArrays_h
+
+#include "vtkDataSetAttributes.h"
+
+class vtkDataSet;
+class vtkUnsignedCharArray;
+
+namespace tetmarch
+{
+
+/** A cell with one of these is hidden: it is blanked, refined by finer cells, or drawn by another
+ * process. */
+constexpr unsigned char HidingCell = vtkDataSetAttributes::DUPLICATECELL |
+                                     vtkDataSetAttributes::REFINEDCELL |
+                                     vtkDataSetAttributes::HIDDENCELL;
+/** A cell with a point that has this is hidden. */
+constexpr unsigned char HidingPoint = vtkDataSetAttributes::HIDDENPOINT;
+
+/** The arrays vtkGhostType of cells and of points. nullptr if there is none, if it is not of
+ * unsigned char, or if it does not have one value for each cell or point. */
+struct GhostArrays
+{
+  vtkUnsignedCharArray* OfCells = nullptr;
+  vtkUnsignedCharArray* OfPoints = nullptr;
+};
+GhostArrays ghostArraysOf(vtkDataSet* data);
+
+/** Whether some value has one of the bits. */
+bool hasAny(vtkUnsignedCharArray* ghosts, unsigned char bits);
+
+} // namespace tetmarch
+
+#endif

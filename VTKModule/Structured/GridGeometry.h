@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the points of an image or a rectilinear grid are: read from VTK, and checked.
+#ifndef TetMarchStructuredGridGeometry_h
+#define TetMarchStructuredGridGeometry_h
+
+#include "Geometry/VolumeFrame.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+
+namespace tetmarch
+{
+
+/** Cheap to read and to compare, so that the same geometry in another data set is recognised. */
+struct GridGeometry
+{
+  std::array<int, 3> Points{}; // along i, j and k
+  /** Of a rectilinear grid the coordinates along x, y and z, else empty. */
+  std::array<std::vector<double>, 3> Coordinates;
+  /** Of an image: point (a, b, c) is at Origin + a Steps[0] + b Steps[1] + c Steps[2], where a, b
+   * and c count from the extent's First. */
+  std::array<int, 3> First{};
+  Vector3 Origin{};
+  std::array<Vector3, 3> Steps{};
+
+  bool isEmpty() const
+  {
+    return this->Points[0] <= 0 || this->Points[1] <= 0 || this->Points[2] <= 0;
+  }
+  bool isRectilinear() const { return !this->Coordinates[0].empty(); }
+  bool operator==(const GridGeometry& other) const;
+
+  /** The point with these numbers, counted from 0, in coordinates of the data. */
+  Vector3 point(const std::array<int, 3>& numbers) const;
+};
+
+/** Returns an empty string, or what is wrong with the data and what to do. Without data or points
+ * the geometry is empty, and nothing is wrong. */
+std::string readGeometry(vtkDataSet* data, GridGeometry& geometry);
+
+/** The frame of the box that the points span. Returns an empty string, or what is wrong. */
+std::string findFrame(const GridGeometry& geometry, VolumeFrame& frame);
+
+/**
+ * Row-major 3 x 4: from the normalised frame to lattice coordinates, which are 0 in the middle of
+ * each axis, ascend with the number of the point, and where 1 is the mean distance of points. Right
+ * to the rounding of its entries, however far from 0 the data is.
+ */
+std::array<double, 12> latticeFromNormalized(
+  const GridGeometry& geometry, const VolumeFrame& frame);
+
+} // namespace tetmarch
+
+#endif

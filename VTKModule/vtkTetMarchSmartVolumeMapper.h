@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTetMarchSmartVolumeMapper
+ * @brief   Volume rendering of images and rectilinear grids by marching rays from cell to cell
+ *
+ * It is a vtkSmartVolumeMapper, and can be used in the place of one. Where that takes samples along
+ * each ray, this mapper integrates the field in each cell: with the tolerance, the light, the views
+ * and the picks that vtkTetMarchVolumeMapper has for tetrahedra. The settings are in
+ * vtkTetMarchSettings and the figures in vtkTetMarchFrameStatistics; the mapper has the methods of
+ * both. Its own settings begin with vtkTetMarchSettings::STRUCTURED as the opacity law, which is
+ * that of vtkSmartVolumeMapper.
+ *
+ * The input is a vtkImageData (or vtkUniformGrid) or a vtkRectilinearGrid, with scalars of points
+ * or cells of any numeric type. vtkVolumeProperty::SetInterpolationTypeToLinear() makes cells
+ * trilinear; nearest, VTK's default, makes them constant. The scalars are drawn in their own
+ * precision; a rectilinear grid has its own coordinates, an image its direction matrix. Blanked
+ * cells and ghosts are left out.
+ *
+ * The input may also be a tree of blocks (vtkMultiBlockDataSet, vtkPartitionedDataSet,
+ * vtkPartitionedDataSetCollection; by SetInputConnection() or SetInputDataObject()) of such data.
+ * Blocks are not joined: each is drawn over those behind it. Blocks side by side look like one if
+ * they share the points between them. Where blocks overlap, they are not mixed: the one whose
+ * middle is farther away is drawn first. Several blocks are drawn with composite blending and as
+ * isosurfaces only, and then there are no diagnostics, no views of measures, and no ray to trace.
+ * Blocks without the chosen array are left out, with a warning. A block of another kind is an
+ * error: vtkTetMarchVolumeMapper draws blocks of any kind.
+ *
+ * What of vtkSmartVolumeMapper has which effect:
+ * - RequestedRenderMode: default and GPU are drawn here, and GetLastUsedRenderMode() is
+ *   GPURenderMode then. All others are drawn by vtkSmartVolumeMapper.
+ * - Also drawn by vtkSmartVolumeMapper, with one warning that says why: SLICE_BLEND; transfer
+ *   functions in 2D; cubic interpolation of the property; masks; ComputeNormalFromOpacity (VTK 9.2)
+ *   of a shaded volume; several independent components with light, with gradient opacity, or
+ *   without composite blending. VTK draws no blocks, so that these are errors for a tree.
+ * - VectorMode: DISABLED draws all components, independent or dependent as
+ *   vtkVolumeProperty::GetIndependentComponents() says; MAGNITUDE; COMPONENT draws VectorComponent
+ *   by the functions of component 0. The property is not changed. See
+ *   vtkTetMarchVolumeMapper::VectorModeType.
+ * - FinalColorWindow and FinalColorLevel map the colours of the picture, as in VTK. Error bounds,
+ *   diagnostics and the ground truth are those before that.
+ * - InteractiveAdjustSampleDistances (on by default): frames at InteractiveUpdateRate or above may
+ *   have fewer rays, others have ImageSampleDistance. Off: as AutoAdjustSampleDistances says.
+ * - MaxMemoryInBytes: see vtkTetMarchSettings; 0, the default here, is no limit. MaxMemoryFraction
+ *   is a factor of it.
+ * - SampleDistance, UseJittering (VTK 9.3), InterpolationMode and LowResMode (VTK 9.3) have no
+ *   effect: there are no samples, and the volume is never resampled. They hold for what
+ *   vtkSmartVolumeMapper draws, and so do the pictures of CreateCanonicalView().
+ *
+ * VolumeMapperRenderStartEvent and VolumeMapperRenderEndEvent are invoked about each frame. Errors
+ * are reported once, and the frame shows nothing of the volume.
+ *
+ * @sa vtkTetMarchVolumeMapper vtkTetMarchSettings vtkTetMarchFrameStatistics vtkSmartVolumeMapper
+ */
+#ifndef vtkTetMarchSmartVolumeMapper_h
+#define vtkTetMarchSmartVolumeMapper_h
+
+#include "vtkMath.h"                    // For vtkMath::Nan
+#include "vtkRenderingTetMarchModule.h" // For export macro
+#include "vtkSmartVolumeMapper.h"
+#include "vtkTetMarchSettingsMacros.h"   // For methods of the settings
+#include "vtkTetMarchStatisticsMacros.h" // For methods of the statistics
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkFloatArray;
+class vtkLookupTable;
+class vtkOpenGLRenderWindow;
+class vtkTable;
+class vtkVolumeProperty;
+
+class VTKRENDERINGTETMARCH_EXPORT vtkTetMarchSmartVolumeMapper : public vtkSmartVolumeMapper
+{
+public:
+  static vtkTetMarchSmartVolumeMapper* New();
+  vtkTypeMacro(vtkTetMarchSmartVolumeMapper, vtkSmartVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Render the volume into the renderer's viewport. Called by vtkVolume.
+   */
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
+  //@{
+  /**
+   * Bounding box of the input; of a tree, of all blocks but surfaces (vtkPolyData).
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  using Superclass::GetBounds;
+  //@}
+
+  /**
+   * Free every GL object of the given window's context. The next Render() makes them anew.
+   */
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  // Groups begin with two slashes: after three, VTK 9.1 tells Python of their first method only.
+  //@{
+  /**
+   * The settings: accuracy, budgets, light, views, picks, distances between rays. Each mapper has
+   * its own from the start; several mappers can share one object, also with a
+   * vtkTetMarchVolumeMapper. Setting null makes new settings, with default values but for the
+   * opacity law, STRUCTURED. A change of the settings modifies the mapper.
+   */
+  void SetSettings(vtkTetMarchSettings* settings);
+  vtkTetMarchSettings* GetSettings() const;
+  //@}
+
+  //@{
+  /**
+   * The method of that name of GetSettings(): see vtkTetMarchSettings.
+   */
+  vtkTetMarchOwnSettingsMethodsMacro();
+  //@}
+
+  //@{
+  /**
+   * Those that vtkSmartVolumeMapper has, too, some of them from VTK 9.2 on: set by either class,
+   * they are the ones of GetSettings().
+   */
+  void SetAutoAdjustSampleDistances(vtkTypeBool adjusts) override;
+  vtkTypeBool GetAutoAdjustSampleDistances() VTK_TETMARCH_FUTURE_CONST override;
+  void AutoAdjustSampleDistancesOn() override;
+  void AutoAdjustSampleDistancesOff() override;
+  void SetMaxMemoryInBytes(vtkIdType bytes) override;
+  vtkIdType GetMaxMemoryInBytes() VTK_TETMARCH_FUTURE_CONST override;
+  virtual vtkIdType GetMaxMemoryInBytesMinValue();
+  virtual vtkIdType GetMaxMemoryInBytesMaxValue();
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+  vtkTetMarchForwardClampedMacro(VolumetricScatteringBlending, float);
+  vtkTetMarchForwardClampedMacro(GlobalIlluminationReach, float);
+#else
+  void SetVolumetricScatteringBlending(float blending) override;
+  float GetVolumetricScatteringBlending() VTK_TETMARCH_FUTURE_CONST override;
+  void SetGlobalIlluminationReach(float reach) override;
+  float GetGlobalIlluminationReach() VTK_TETMARCH_FUTURE_CONST override;
+#endif
+  //@}
+
+  /**
+   * Errors, counts, times and memory, as they are now. The object stays the same; each frame and
+   * each call of this method brings it up to date. Times and memory are summed over blocks.
+   */
+  vtkTetMarchFrameStatistics* GetLastFrameStatistics() const;
+
+  //@{
+  /**
+   * The figure of that name of GetLastFrameStatistics(): see vtkTetMarchFrameStatistics.
+   * IsBudgetKept() is its GetBudgetKept(), IsLightComplete() its GetLightComplete().
+   */
+  vtkTetMarchStatisticsMethodsMacro();
+  //@}
+
+  //@{
+  /**
+   * Find what is hit in the middle of the pixel (x, y), counted from the lower left of the window:
+   * see vtkTetMarchVolumeMapper::Pick(). PickedBlock is the flat index of the block that has the
+   * cell, and 0 if the input is no tree.
+   */
+  bool Pick(vtkRenderer* renderer, vtkVolume* volume, int x, int y);
+  vtkGetVector3Macro(PickedPosition, double);
+  vtkGetMacro(PickedScalar, double);
+  vtkGetMacro(PickedCellId, vtkIdType);
+  vtkGetMacro(PickedBlock, unsigned int);
+  //@}
+
+  /**
+   * The colours of view modes that draw a measure: see vtkTetMarchVolumeMapper.
+   */
+  vtkLookupTable* GetViewLookupTable();
+
+  //@{
+  /**
+   * The picture of the last frame in double precision, and the true errors of that frame: see
+   * vtkTetMarchVolumeMapper::RenderGroundTruth().
+   */
+  bool RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels);
+  bool CompareWithGroundTruth(vtkVolume* volume);
+  //@}
+
+  enum TraceArithmeticType
+  {
+    TRACE_FLOAT = 0,       // the arithmetic of the GPU, at the accuracy of the last frame
+    TRACE_DOUBLE = 1,      // double precision, at the same accuracy
+    TRACE_GROUND_TRUTH = 2 // as RenderGroundTruth()
+  };
+  /**
+   * The ray of the last frame through a pixel, marched once more on the CPU: see
+   * vtkTetMarchVolumeMapper::TraceRay().
+   */
+  bool TraceRay(vtkVolume* volume, int x, int y, int arithmetic, vtkTable* cells);
+
+  /**
+   * The picture of the last frame with CollectDiagnostics on: see
+   * vtkTetMarchVolumeMapper::GetDiagnosticPixels().
+   */
+  void GetDiagnosticPixels(vtkFloatArray* pixels) const;
+
+protected:
+  vtkTetMarchSmartVolumeMapper();
+  ~vtkTetMarchSmartVolumeMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  double PickedPosition[3] = { vtkMath::Nan(), vtkMath::Nan(), vtkMath::Nan() };
+  double PickedScalar = vtkMath::Nan();
+  vtkIdType PickedCellId = -1;
+  unsigned int PickedBlock = 0;
+
+private:
+  vtkTetMarchSmartVolumeMapper(const vtkTetMarchSmartVolumeMapper&) = delete;
+  void operator=(const vtkTetMarchSmartVolumeMapper&) = delete;
+
+  class Internals;
+
+  // Why vtkSmartVolumeMapper has to draw; empty if it need not.
+  std::string FindReasonForVTK(vtkVolume* volume);
+  std::string FindReasonOfComponents(vtkVolumeProperty* property);
+  void RenderByVTK(vtkRenderer* renderer, vtkVolume* volume, const std::string& reason);
+  void March(vtkRenderer* renderer, vtkVolume* volume, std::string error);
+  std::string DrawBlocks(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
+  bool Report(const std::string& error); // whether there is none
+
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A frame of a vtkTetMarchSmartVolumeMapper: by marching, or by vtkSmartVolumeMapper.
+#include "vtkTetMarchSmartVolumeMapperInternals.h"
+
+#include "Mapper/MapperFrame.h"
+#include "Picking/SelectedCells.h"
+
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+// DISABLED means all components to a vtkSmartVolumeMapper.
+tetmarch::VectorOptions vectorOptionsOf(vtkSmartVolumeMapper* mapper)
+{
+  tetmarch::VectorOptions options = tetmarch::vectorOptionsOf(mapper);
+  if (options.Mode == tetmarch::VectorMode::Disabled)
+  {
+    options.Mode = tetmarch::VectorMode::AllComponents;
+  }
+  return options;
+}
+
+bool isLit(vtkVolumeProperty* property, int components)
+{
+  bool lit = false;
+  for (int c = 0; c < std::min(components, VTK_MAX_VRCOMP); ++c)
+  {
+    lit = lit || property->GetShade(c) ||
+          (property->HasGradientOpacity(c) && !property->GetDisableGradientOpacity(c));
+  }
+  return lit;
+}
+
+tetmarch::Interpolation interpolationOf(vtkVolumeProperty* property)
+{
+  return property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
+           ? tetmarch::Interpolation::Nearest
+           : tetmarch::Interpolation::Linear;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+void vtkTetMarchSmartVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkDataObject* input = this->GetDataObjectInput();
+  if (!input)
+  {
+    return;
+  }
+  tetmarch::StructuredBlocks& blocks = this->Internal->Blocks;
+  const std::size_t before = blocks.all().size();
+  std::string error = blocks.update(input, tetmarch::selectionOf(this));
+  if (blocks.all().size() < before) // they may have been in another window
+  {
+    renderer->GetRenderWindow()->MakeCurrent();
+  }
+  const std::string reason = error.empty() ? this->FindReasonForVTK(volume) : std::string();
+  if (!reason.empty() && !blocks.isTree())
+  {
+    this->RenderByVTK(renderer, volume, reason);
+    return;
+  }
+  if (!reason.empty())
+  {
+    error = "Blocks are marched only, but " + reason +
+            ", which is left to vtkSmartVolumeMapper, and that draws no blocks.";
+  }
+  this->March(renderer, volume, error);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTetMarchSmartVolumeMapper::FindReasonForVTK(vtkVolume* volume)
+{
+  switch (this->RequestedRenderMode)
+  {
+    case DefaultRenderMode:
+    case GPURenderMode:
+      break;
+    case RayCastRenderMode:
+      return "the requested render mode is ray cast";
+    case OSPRayRenderMode:
+      return "the requested render mode is OSPRay";
+    default:
+      return "the requested render mode is another than GPU"; // ANARI, from VTK 9.4 on
+  }
+  vtkVolumeProperty* property = volume->GetProperty();
+  if (this->BlendMode == SLICE_BLEND)
+  {
+    return "the blend mode is slice";
+  }
+  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
+  {
+    return "the transfer functions are two-dimensional";
+  }
+  if (this->GPUMapper->GetMaskInput())
+  {
+    return "there is a mask";
+  }
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  if (this->ComputeNormalFromOpacity && property->GetShade())
+  {
+    return "normals are computed from the opacity (ComputeNormalFromOpacity)";
+  }
+#endif
+  return this->FindReasonOfComponents(property);
+}
+
+//------------------------------------------------------------------------------
+// Several independent components have neither light nor other blend modes here.
+std::string vtkTetMarchSmartVolumeMapper::FindReasonOfComponents(vtkVolumeProperty* property)
+{
+  int components = 1;
+  for (const auto& block : this->Internal->Blocks.all())
+  {
+    components = std::max(components, block->Scalars.Array->GetNumberOfComponents());
+  }
+  if (components == 1 || this->VectorMode != DISABLED || !property->GetIndependentComponents())
+  {
+    return {};
+  }
+  return isLit(property, components)
+           ? "several independent components have light or gradient opacity"
+         : this->BlendMode != COMPOSITE_BLEND
+           ? "several independent components have another blend mode than composite"
+           : std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchSmartVolumeMapper::RenderByVTK(
+  vtkRenderer* renderer, vtkVolume* volume, const std::string& reason)
+{
+  this->Internal->LastReason.reportWarning(
+    this, "The volume is drawn by vtkSmartVolumeMapper, since " + reason + ".");
+  this->Internal->Blocks.clear();
+  this->Internal->State.Statistics->Clear();
+  renderer->GetRenderWindow()->MakeCurrent();
+  if (this->GetMaxMemoryInBytes() > 0)
+  {
+    this->Superclass::SetMaxMemoryInBytes(this->GetMaxMemoryInBytes());
+  }
+  this->Superclass::SetAutoAdjustSampleDistances(this->GetAutoAdjustSampleDistances());
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  this->Superclass::SetVolumetricScatteringBlending(this->GetVolumetricScatteringBlending());
+  this->Superclass::SetGlobalIlluminationReach(this->GetGlobalIlluminationReach());
+#endif
+  this->Superclass::Render(renderer, volume);
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchSmartVolumeMapper::March(
+  vtkRenderer* renderer, vtkVolume* volume, std::string error)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (!window || (selector && !tetmarch::asksForCells(selector)))
+  {
+    return;
+  }
+  const vtkOpenGLState::ScopedglActiveTexture unit(window->GetState()); // uploads choose others
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent);
+  Internals& internal = *this->Internal;
+  internal.State.begin(selector != nullptr);
+  this->CurrentRenderMode = GPURenderMode;
+  if (error.empty() && !internal.Blocks.all().empty())
+  {
+    error = this->DrawBlocks(window, renderer, volume);
+  }
+  internal.recordStatistics();
+  internal.State.LastError.reportError(this, error);
+  internal.LastOmissions.reportWarning(this, internal.Blocks.omissions());
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent);
+}
+
+//------------------------------------------------------------------------------
+// If a block can't be prepared, none is drawn.
+std::string vtkTetMarchSmartVolumeMapper::DrawBlocks(
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
+{
+  Internals& internal = *this->Internal;
+  const bool several = internal.Blocks.all().size() > 1;
+  const tetmarch::BlendOptions blend = tetmarch::blendOptionsOf(this);
+  if (several && blend.Mode != COMPOSITE_BLEND && blend.Mode != ISOSURFACE_BLEND)
+  {
+    return "Several blocks are drawn one over the other, which is for composite blending and "
+           "isosurfaces only, but the blend mode is another. vtkTetMarchVolumeMapper joins blocks.";
+  }
+  const bool interacting = window->GetDesiredUpdateRate() >= this->InteractiveUpdateRate;
+  const bool adjusts = this->InteractiveAdjustSampleDistances
+                         ? interacting
+                         : this->GetAutoAdjustSampleDistances() != 0;
+  tetmarch::MapperFrame frame(
+    { this, window, renderer, volume }, internal.State, blend, { interacting, adjusts, several });
+  const auto mostBytes = static_cast<std::uint64_t>(
+    double(this->GetMaxMemoryInBytes()) * double(this->MaxMemoryFraction));
+  std::vector<tetmarch::StructuredBlock*> ready;
+  std::string error;
+  for (tetmarch::StructuredBlock* block : internal.Blocks.backToFront(renderer, volume))
+  {
+    const std::uint64_t bytes = internal.bytesFor(*block, mostBytes);
+    renderer->GetSelector() ? block->Pipeline.beginPick(bytes) : block->Pipeline.begin(bytes);
+    block->Source.setInterpolation(interpolationOf(volume->GetProperty()));
+    const tetmarch::DrawnData drawn{ block->Data, block->Scalars, vectorOptionsOf(this), blend,
+      tetmarch::clippingOptionsOf(this) };
+    if (frame.prepare(block->Pipeline, drawn))
+    {
+      ready.push_back(block);
+    }
+    error = error.empty() ? block->Pipeline.error() : error;
+  }
+  for (std::size_t i = 0; error.empty() && i < ready.size(); ++i)
+  {
+    if (!frame.draw(ready[i]->Pipeline, ready[i]->Origins))
+    {
+      error = ready[i]->Pipeline.error();
+      break;
+    }
+  }
+  frame.end(this->TimeToDraw);
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t vtkTetMarchSmartVolumeMapper::Internals::bytesFor(
+  const tetmarch::StructuredBlock& block, std::uint64_t mostBytes) const
+{
+  std::uint64_t others = 0;
+  for (const auto& other : this->Blocks.all())
+  {
+    others += other.get() == &block ? 0 : other->Pipeline.gpuBytes();
+  }
+  return mostBytes == 0 ? 0 : mostBytes > others ? mostBytes - others : 1;
+}
