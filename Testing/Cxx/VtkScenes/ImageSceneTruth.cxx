@@ -27,43 +27,45 @@ Rgba over(const Rgba& front, const Rgba& back)
   return both;
 }
 
-// What is seen of each part, given where it begins and ends.
-template <typename See>
-Rgba composited(const PixelRay& ray, const See& see)
-{
-  Rgba seen{};
-  for (const auto& [from, to] : ray.Parts)
-  {
-    seen = over(seen, see(from, to));
-  }
-  return seen;
-}
-
 Rgba gray(double value) { return { value, value, value, 1.0 }; }
 
 double logarithmic(double opacity)
 {
   return -std::log1p(-std::min(opacity, OpticalModel().MostOpacity));
 }
-} // namespace
 
-ImageSceneTruth::ImageSceneTruth(const ImageStage& stage, vtkDataSet* data, int width, int height)
-  : Stage(stage)
-  , Rays(stage, width, height)
+OpticalModel modelOf(vtkVolumeProperty* property)
 {
-  vtkVolumeProperty* property = stage.Property;
+  OpticalModel model;
   if (property->GetColorChannels() == 3)
   {
-    this->Model.Colour = property->GetRGBTransferFunction();
+    model.Colour = property->GetRGBTransferFunction();
   }
   else
   {
-    this->Model.Gray = property->GetGrayTransferFunction();
+    model.Gray = property->GetGrayTransferFunction();
   }
-  this->Model.Opacity = property->GetScalarOpacity();
-  this->Model.UnitDistance = property->GetScalarOpacityUnitDistance();
-  this->Model.Law = OpacityLaw::Logarithmic;
+  model.Opacity = property->GetScalarOpacity();
+  model.UnitDistance = property->GetScalarOpacityUnitDistance();
+  model.Law = OpacityLaw::Logarithmic;
+  return model;
+}
+} // namespace
+
+ImageSceneTruth::ImageSceneTruth(
+  const ImageStage& stage, vtkDataSet* data, int width, int height, LengthsOf lengths)
+  : Stage(stage)
+  , Rays(stage, width, height)
+  , Lengths(lengths)
+  , Model(modelOf(stage.Property))
+  , Optics(Model)
+{
   this->readScalars(data);
+}
+
+double ImageSceneTruth::lengthScale(const PixelRay& ray) const
+{
+  return this->Lengths == LengthsOf::World ? ray.WorldLength : 1.0;
 }
 
 Rgba ImageSceneTruth::at(int x, int y) const
@@ -112,15 +114,24 @@ Rgba ImageSceneTruth::coloured(double scalar) const
 
 Rgba ImageSceneTruth::composite(const PixelRay& ray) const
 {
-  return composited(ray, [&](double from, double to)
-    { return this->Truths[0]->integrate(ray.Origin, ray.Direction, from, to); });
+  SegmentResult all;
+  for (const auto& [from, to] : ray.Parts)
+  {
+    for (const ScalarSegment& segment :
+      this->Truths[0]->segments(ray.Origin, ray.Direction, from, to))
+    {
+      const double length = (segment.T1 - segment.T0) * this->lengthScale(ray);
+      all = composed(all, this->Optics.integrate(segment.Scalar, length));
+    }
+  }
+  return { all.Colour[0], all.Colour[1], all.Colour[2], -std::expm1(-all.Depth) };
 }
 
 Rgba ImageSceneTruth::components(const PixelRay& ray) const
 {
   constexpr int Steps = 256;
   const std::size_t count = this->Truths.size();
-  const double unit = this->Stage.Property->GetScalarOpacityUnitDistance();
+  const double unit = this->Model.UnitDistance / this->lengthScale(ray);
   Rgba seen{};
   for (const auto& [from, to] : ray.Parts)
   {
@@ -187,7 +198,8 @@ Rgba ImageSceneTruth::sum(const PixelRay& ray, bool averages) const
   }
   const double sum =
     (sums.OpacityTimesScalar - this->Range[0] * sums.Opacity) / (this->Range[1] - this->Range[0]);
-  return gray(std::min(sum / (averages ? sums.Length : this->Model.UnitDistance), 1.0));
+  const double unit = this->Model.UnitDistance / this->lengthScale(ray);
+  return gray(std::min(sum / (averages ? sums.Length : unit), 1.0));
 }
 
 // The plane is one of the world.
@@ -225,8 +237,12 @@ Rgba ImageSceneTruth::surfaces(const PixelRay& ray) const
   vtkContourValues* contours = this->Stage.Property->GetIsoSurfaceValues();
   const std::vector<double> values(
     contours->GetValues(), contours->GetValues() + contours->GetNumberOfContours());
-  return composited(ray, [&](double from, double to)
-    { return this->Truths[0]->isosurfaces(ray.Origin, ray.Direction, values, from, to); });
+  Rgba seen{};
+  for (const auto& [from, to] : ray.Parts)
+  {
+    seen = over(seen, this->Truths[0]->isosurfaces(ray.Origin, ray.Direction, values, from, to));
+  }
+  return seen;
 }
 
 Difference differenceFrom(const ImageSceneTruth& truth, const Image& picture, int every)

@@ -241,7 +241,8 @@ std::vector<ImageScene> imageDataScenes()
   const RivalError neighbours = { 1.8, "it hides the neighbours of what is hidden, too" };
   return {
     { "SmartVolumeMapper", makeParaboloid, thinShell, {} },
-    { "SmartVolumeMapperWindowLevel", wavelet, windowLevel, {} },
+    { "SmartVolumeMapperWindowLevel", wavelet, windowLevel, {}, {}, true,
+      "window and level are not applied yet" },
     { "GPURayCastMapperSampleDistance", wavelet, waveletFunctions, {} },
     { "GPURayCastMapperRectilinearGrid", uneven, usual(0.1), { 30.0, besideItsPlace } },
     { "GPURayCastMapperRectilinearGrid, cells", uneven, ofCells(usual(0.1)),

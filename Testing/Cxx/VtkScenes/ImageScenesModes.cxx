@@ -108,7 +108,8 @@ std::vector<ImageScene> imageModeScenes()
         plane->SetNormal(0.707107, 0.0, 0.707107);
         stage.Property->SetSliceFunction(plane);
       },
-      { 15.0, "values of slices are up to half a voxel beside their place" } },
+      { 15.0, "values of slices are up to half a voxel beside their place" }, {}, true,
+      "VTK draws slices for it" },
     { "GPURayCastCropping, subvolume", shell, cropped(VTK_CROP_SUBVOLUME), steps },
     { "GPURayCastCropping, fence", shell, cropped(VTK_CROP_FENCE), steps },
     { "GPURayCastCropping, inverted cross", shell, cropped(VTK_CROP_INVERTED_CROSS), steps },
