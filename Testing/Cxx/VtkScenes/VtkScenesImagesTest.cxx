@@ -72,6 +72,24 @@ TEST_P(ByOurs, IsTheTruth)
   }
 }
 
+class InLight : public testing::TestWithParam<ImageScene>
+{
+};
+
+// There is no truth to compare with.
+TEST_P(InLight, OursIsLikeVtk)
+{
+  const ImageScene& scene = this->GetParam();
+  const auto draw = [&](vtkSmartVolumeMapper* mapper)
+  { return ImageSceneWindow(scene, mapper).drawInFloat(); };
+  const Image ours = draw(vtkSmartPointer<vtkTetMarchSmartVolumeMapper>::New());
+  const Image rivals = draw(makeFineSmartMapper(tenthOfAVoxel(scene.MakeData())));
+  const Difference difference = compare(ours, rivals, silhouette(ours, rivals), 0.0, Channels::Rgb);
+  std::cout << "[ MEASURED ] " << difference.text() << '\n';
+  EXPECT_LE(255.0 * difference.Rms, scene.Rival.Most)
+    << difference.text() << ", not but by this: " << scene.Rival.Because;
+}
+
 template <typename IsWanted>
 std::vector<ImageScene> scenesThat(const IsWanted& isWanted)
 {
@@ -102,4 +120,6 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ByOurs,
   testing::ValuesIn(
     scenesThat([](const ImageScene& scene) { return std::string(scene.NotMarched).empty(); })),
   nameOf);
+INSTANTIATE_TEST_SUITE_P(Scenes, InLight,
+  testing::ValuesIn(scenesThat([](const ImageScene& scene) { return !scene.HasTruth; })), nameOf);
 } // namespace
