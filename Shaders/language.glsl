@@ -22,13 +22,13 @@
 #define MOST_CLIPPING_PLANES 38 // Rays/Clipping.h
 #define MOST_ISOSURFACES 32 // Appearance/Blending.h
 #define MOST_COMPONENTS 4 // Mesh/FurtherScalars.h
+#define VERTEX_LIGHT_BLOCK 8 // texels; Light/VertexLightLayout.h
+#define VERTEX_LIGHT_ROW 4096
 #if TETMARCH_STRUCTURED
-#define LEAP_BLOCK 4 // Structured/EmptySpace.h
+#define LEAP_SHIFT 2 // a block has 1 << 2 cells along each side; Structured/EmptySpace.h
 #else
 #define PROJECTION_SCALE 65536.0
 #define PROJECTION_FLUSH 9.094947e-13 // 2^-40
 #define LINK_OUTSIDE 0x80000000u
 #define BVH_STACK 48 // Mesh/BoundaryHierarchy.h bounds the depth
-#define VERTEX_LIGHT_BLOCK 8 // texels; Light/VertexLightLayout.h
-#define VERTEX_LIGHT_ROW 4096
 #endif

@@ -3,6 +3,9 @@
 struct VertexAttributes
 {
   vec3 gradient; // of the scalar, in the normalised frame
+#if TETMARCH_VERTEX_LIGHT
+  vec4 light;    // transmittance towards ambient light and towards up to three lights that cast shadows
+#endif
 };
 
 #if TETMARCH_POINT_SCALARS
@@ -97,5 +100,8 @@ VertexAttributes attributesAt(Ray ray, ivec3 cell, real depth)
 {
   VertexAttributes attributes;
   attributes.gradient = gradientFromLattice(latticeGradientAt(cell, ray.start + ray.slope * depth));
+#if TETMARCH_VERTEX_LIGHT
+  attributes.light = keptLightAt(ray.start + ray.slope * depth);
+#endif
   return attributes;
 }

@@ -54,7 +54,7 @@ TEST(ShaderLimits, AreTheSameInGlslAndCxx)
     { "VERTEX_LIGHT_BLOCK", VertexLightBlockSide },
     { "VERTEX_LIGHT_ROW", VertexLightRow },
     { "BVH_STACK", MostHierarchyDepth },
-    { "LEAP_BLOCK", BlockSide },
+    { "LEAP_SHIFT", BlockShift },
     { "LINK_OUTSIDE", LinkOutside },
     { "UNDRAWN_SCALAR", UndrawnScalar },
     { "NO_DEPTH", NoDepth },
