@@ -218,7 +218,7 @@ public:
    * enter, each in a random colour that is the same in all frames. VIEW_BOUNDARY_COORDINATES: the
    * barycentric coordinates of the entry point in its face, as red, green and blue. If a ray begins
    * within the mesh, at the near plane, its face is the last one before that plane by which the ray
-   * entered.
+   * entered. Images and rectilinear grids have no such faces: there these two modes are an error.
    */
   enum ViewModeType
   {

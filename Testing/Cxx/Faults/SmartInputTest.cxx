@@ -215,6 +215,26 @@ TEST_F(SmartInput, BlendModesThatThereAreNot)
     [mapper] { mapper->SetBlendModeToComposite(); }, { "blend mode" });
 }
 
+// A lattice has no boundary faces to be shown. What the message names draws.
+TEST_F(SmartInput, ViewsOfBoundaryFaces)
+{
+  vtkTetMarchSmartVolumeMapper* mapper = this->Shown.Mapper;
+  for (int mode :
+    { vtkTetMarchSettings::VIEW_BOUNDARY_FACES, vtkTetMarchSettings::VIEW_BOUNDARY_COORDINATES })
+  {
+    const auto mend = [mapper] { mapper->SetViewModeToPicture(); };
+    this->expectError([=] { mapper->SetViewMode(mode); }, mend,
+      { "boundary faces", "has none", "SetViewModeToCells()" });
+  }
+  const ErrorWatch watch(mapper);
+  mapper->SetViewModeToBoundaryFaces();
+  this->expectEmpty();
+  EXPECT_EQ(mapper->GetNumberOfDraws(), 0);
+  mapper->SetViewModeToCells();
+  EXPECT_GT(compare(this->Shown.frame(), this->Empty).Max, 0.1);
+  EXPECT_EQ(watch.Errors.size(), 1u);
+}
+
 // A uniform grid is an image with hidden cells: without all of its cells nothing is left.
 TEST_F(SmartInput, AGridOfHiddenCells)
 {
