@@ -5,6 +5,7 @@
 #include "vtkLookupTable.h"
 #include "vtkObjectFactory.h"
 #include "vtkTetMarchFrameStatistics.h"
+#include "vtkTetMarchSmartVolumeMapper.h"
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkTextProperty.h"
 
@@ -15,15 +16,41 @@ const char* titleOf(int viewMode)
 {
   switch (viewMode)
   {
-    case vtkTetMarchVolumeMapper::VIEW_ERROR_BOUND:
+    case vtkTetMarchSettings::VIEW_ERROR_BOUND:
       return "Error bound";
-    case vtkTetMarchVolumeMapper::VIEW_CELLS:
+    case vtkTetMarchSettings::VIEW_CELLS:
       return "Cells crossed";
-    case vtkTetMarchVolumeMapper::VIEW_LOOKUPS:
+    case vtkTetMarchSettings::VIEW_LOOKUPS:
       return "Lookups";
     default:
       return nullptr;
   }
+}
+
+// What a mapper's last frame drew.
+struct DrawnView
+{
+  const char* Title = nullptr;
+  vtkLookupTable* Colors = nullptr;
+};
+
+template <typename Mapper>
+DrawnView viewOf(Mapper* mapper)
+{
+  const vtkIdType pixels =
+    mapper->GetLastFrameStatistics()->GetNumberOfPixels(vtkTetMarchFrameStatistics::CELLS);
+  return pixels > 0 ? DrawnView{ titleOf(mapper->GetViewMode()), mapper->GetViewLookupTable() }
+                    : DrawnView();
+}
+
+DrawnView viewOfAny(vtkAbstractVolumeMapper* mapper)
+{
+  if (auto* ofGrids = vtkTetMarchVolumeMapper::SafeDownCast(mapper))
+  {
+    return viewOf(ofGrids);
+  }
+  auto* ofImages = vtkTetMarchSmartVolumeMapper::SafeDownCast(mapper);
+  return ofImages ? viewOf(ofImages) : DrawnView();
 }
 } // namespace
 
@@ -51,7 +78,7 @@ vtkTetMarchLegend::vtkTetMarchLegend()
 vtkTetMarchLegend::~vtkTetMarchLegend() = default;
 
 //------------------------------------------------------------------------------
-void vtkTetMarchLegend::SetMapper(vtkTetMarchVolumeMapper* mapper)
+void vtkTetMarchLegend::SetMapper(vtkAbstractVolumeMapper* mapper)
 {
   if (this->Mapper != mapper)
   {
@@ -61,15 +88,10 @@ void vtkTetMarchLegend::SetMapper(vtkTetMarchVolumeMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-vtkTetMarchVolumeMapper* vtkTetMarchLegend::GetMapper() const { return this->Mapper; }
+vtkAbstractVolumeMapper* vtkTetMarchLegend::GetMapper() const { return this->Mapper; }
 
 //------------------------------------------------------------------------------
-bool vtkTetMarchLegend::IsShown() const
-{
-  return this->Mapper && titleOf(this->Mapper->GetViewMode()) &&
-         this->Mapper->GetLastFrameStatistics()->GetNumberOfPixels(
-           vtkTetMarchFrameStatistics::CELLS) > 0;
-}
+bool vtkTetMarchLegend::IsShown() const { return viewOfAny(this->Mapper).Title != nullptr; }
 
 //------------------------------------------------------------------------------
 int vtkTetMarchLegend::RenderOpaqueGeometry(vtkViewport*) { return 0; }
@@ -77,12 +99,13 @@ int vtkTetMarchLegend::RenderOpaqueGeometry(vtkViewport*) { return 0; }
 //------------------------------------------------------------------------------
 int vtkTetMarchLegend::RenderOverlay(vtkViewport* viewport)
 {
-  if (!this->IsShown())
+  const DrawnView view = viewOfAny(this->Mapper);
+  if (!view.Title)
   {
     return 0;
   }
-  this->SetTitle(titleOf(this->Mapper->GetViewMode()));
-  this->SetLookupTable(this->Mapper->GetViewLookupTable());
+  this->SetTitle(view.Title);
+  this->SetLookupTable(view.Colors);
   // The layout depends on this frame, so it is made here and not with opaque geometry.
   return this->RebuildLayoutIfNeeded(viewport) ? this->Superclass::RenderOverlay(viewport) : 0;
 }

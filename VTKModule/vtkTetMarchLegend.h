@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchLegend
- * @brief   Scalar bar for the view modes of vtkTetMarchVolumeMapper that draw a measure
+ * @brief   Scalar bar for the view modes of mappers of TetMarch that draw a measure
  *
  * Title, colours, scale and range are those of the last frame of the mapper. Add the legend to the
  * renderer of the volume. It is drawn after the volume, and so shows the same frame. It draws
@@ -21,7 +21,7 @@
 #include "vtkScalarBarActor.h"
 #include "vtkWeakPointer.h" // For the mapper
 
-class vtkTetMarchVolumeMapper;
+class vtkAbstractVolumeMapper;
 
 class VTKRENDERINGTETMARCH_EXPORT vtkTetMarchLegend : public vtkScalarBarActor
 {
@@ -32,10 +32,11 @@ public:
 
   //@{
   /**
-   * The mapper that draws the view; null by default. The legend does not keep the mapper alive.
+   * The mapper that draws the view, a vtkTetMarchVolumeMapper or a vtkTetMarchSmartVolumeMapper;
+   * null by default. The legend does not keep the mapper alive.
    */
-  void SetMapper(vtkTetMarchVolumeMapper* mapper);
-  vtkTetMarchVolumeMapper* GetMapper() const;
+  void SetMapper(vtkAbstractVolumeMapper* mapper);
+  vtkAbstractVolumeMapper* GetMapper() const;
   //@}
 
   /**
@@ -60,7 +61,7 @@ private:
   vtkTetMarchLegend(const vtkTetMarchLegend&) = delete;
   void operator=(const vtkTetMarchLegend&) = delete;
 
-  vtkWeakPointer<vtkTetMarchVolumeMapper> Mapper;
+  vtkWeakPointer<vtkAbstractVolumeMapper> Mapper;
 };
 
 #endif

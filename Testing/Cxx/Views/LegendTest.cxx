@@ -3,6 +3,7 @@
 // The legend of the view modes tells of the frame that it stands in.
 #include "ErrorWatch.h"
 #include "Scene.h"
+#include "SmartScene.h"
 #include "vtkTetMarchLegend.h"
 
 #include "vtkAutoInit.h"
@@ -139,6 +140,23 @@ TEST_F(Legend, IsNotSeenWithoutAView)
   this->Bar->SetMapper(nullptr);
   EXPECT_EQ(this->added(vtkTetMarchVolumeMapper::VIEW_CELLS).Max, 0.0);
   EXPECT_EQ(this->Watch.Errors, std::vector<std::string>());
+}
+
+// Measures of images have the same legend.
+TEST_F(Legend, OfStructuredData)
+{
+  SmartScene image(imageOf(sineField(), unitCube(5)), 300, 200);
+  image.Renderer->AddViewProp(this->Bar);
+  this->Bar->SetMapper(image.Mapper);
+  image.frame();
+  EXPECT_FALSE(this->Bar->IsShown());
+  image.Mapper->SetViewModeToCells();
+  image.frame();
+  EXPECT_TRUE(this->Bar->IsShown());
+  EXPECT_STREQ(this->Bar->GetTitle(), "Cells crossed");
+  EXPECT_EQ(this->Bar->GetLookupTable(), image.Mapper->GetViewLookupTable());
+  EXPECT_GE(this->Bar->GetLookupTable()->GetRange()[1],
+    image.Mapper->GetLastFrameStatistics()->GetMaximum(vtkTetMarchFrameStatistics::CELLS));
 }
 
 TEST_F(Legend, OutlivesTheMapper)
