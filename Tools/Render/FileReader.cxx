@@ -5,6 +5,8 @@
 #include "Failure.h"
 
 #include "vtkGenericDataObjectReader.h"
+#include "vtkMetaImageReader.h"
+#include "vtkNrrdReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
 #if TETMARCH_HAVE_EXODUS
 #include "vtkExodusIIReader.h"
@@ -24,14 +26,6 @@
 
 namespace
 {
-std::string GetEnding(const std::string& path)
-{
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
 template <typename Reader>
 vtkSmartPointer<Reader> MakeReaderOf(const std::string& path)
 {
@@ -99,7 +93,15 @@ vtkSmartPointer<vtkAlgorithm> MakeCGNSReader(const std::string& path)
 namespace tetmarch
 {
 
-vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
+std::string GetEnding(const std::string& path)
+{
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path, const RawOptions& rawOptions)
 {
   static const std::set<std::string> xml = { ".vtu", ".pvtu", ".vtm", ".vtmb", ".vtpd", ".vtpc",
     ".vtp", ".pvtp", ".vts", ".pvts", ".vtr", ".pvtr", ".vti", ".pvti" };
@@ -125,10 +127,23 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
   {
     return MakeCGNSReader(path);
   }
+  if (ending == ".mhd" || ending == ".mha")
+  {
+    return MakeReaderOf<vtkMetaImageReader>(path);
+  }
+  if (ending == ".nrrd" || ending == ".nhdr")
+  {
+    return MakeReaderOf<vtkNrrdReader>(path);
+  }
+  if (IsRawFile(path) && rawOptions.Dimensions && rawOptions.Type)
+  {
+    return MakeRawReader(path, rawOptions);
+  }
   throw Failure(
     "cannot read '" + path + "': no reader for the ending '" + ending +
-    "'; known are VTK's XML files (.vtu, .pvtu, .vtm, .vtpc, ...), legacy .vtk, Exodus (.ex2, .e, "
-    ".exo, .g) and CGNS (.cgns)");
+    "'; known are VTK's XML files (.vtu, .vti, .vtr, .pvtu, .vtm, .vtpc, ...), legacy .vtk, "
+    "MetaImage (.mhd, .mha), NRRD (.nrrd, .nhdr), raw images (.raw), Exodus (.ex2, .e, .exo, .g) "
+    "and CGNS (.cgns)");
 }
 
 } // namespace tetmarch

@@ -3,7 +3,7 @@
 // The ray of one pixel as JSON.
 #include "PixelTrace.h"
 
-#include "vtkTetMarchVolumeMapper.h"
+#include "vtkTetMarchFrameStatistics.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -79,7 +79,7 @@ Json DescribeDifference(const std::array<double, 4>& a, const std::array<double,
 } // namespace
 
 std::string FormatPixelJson(const CommandLine& commandLine, const ArraySelection& selection,
-  vtkTetMarchVolumeMapper* mapper, const PixelTrace& trace)
+  vtkTetMarchFrameStatistics* statistics, const PixelTrace& trace)
 {
   const auto inFloat = GetRayColor(trace.Float), inDouble = GetRayColor(trace.Double);
   const auto fact = [&trace](const char* name)
@@ -89,8 +89,8 @@ std::string FormatPixelJson(const CommandLine& commandLine, const ArraySelection
   json["pixel"] = *commandLine.Pixel;
   json["size"] = commandLine.Size;
   json["array"] = selection.Array->GetName();
-  json["accuracy"] = { { "level", mapper->GetUsedAccuracyLevelAsString() },
-    { "tolerance", mapper->GetUsedErrorTolerance() } };
+  json["accuracy"] = { { "level", statistics->GetUsedAccuracyLevelAsString() },
+    { "tolerance", statistics->GetUsedErrorTolerance() } };
   json["ray"] = { { "origin", fact("Origin") }, { "direction", fact("Direction") },
     { "range", fact("Range") }, { "thickness_per_length", fact("ThicknessPerLength") } };
   json["picture"] = { { "color", trace.Drawn } };
