@@ -65,3 +65,22 @@ TEST(ArraySelection, PointsComeBeforeCells)
   EXPECT_EQ(SelectArray({ grid }, "s", Association::CELLS).Where, Association::CELLS);
   EXPECT_EQ(SelectArray({ grid }, "s", Association::CELLS).Array->GetNumberOfTuples(), 1);
 }
+
+TEST(ArraySelection, OfSeveralBlocksTheFirstArrayOfAName)
+{
+  auto first = MakeVoxel(0.0), second = MakeVoxel(1.0);
+  AddArray<vtkDoubleArray>(first->GetPointData(), "p", 8);
+  AddArray<vtkDoubleArray>(second->GetPointData(), "p", 8);
+  AddArray<vtkDoubleArray>(second->GetPointData(), "q", 8);
+  second->GetPointData()->GetArray("p")->SetComponent(3, 0, -20.0);
+  EXPECT_EQ(
+    SelectArray({ first, second }, "p", std::nullopt).Array, first->GetPointData()->GetArray("p"));
+  const auto selection = SelectArray({ second, first }, "p", std::nullopt);
+  EXPECT_EQ(selection.Array, second->GetPointData()->GetArray("p"));
+  EXPECT_EQ(tetmarch::FindArray(first, selection), first->GetPointData()->GetArray("p"));
+  EXPECT_EQ(
+    tetmarch::GetRange({ first, second }, selection), (std::array<double, 2>{ { -20.0, 7.0 } }));
+  const auto q = SelectArray({ first, second }, "q", std::nullopt);
+  EXPECT_EQ(tetmarch::FindArray(first, q), nullptr);
+  EXPECT_EQ(tetmarch::GetRange({ first, second }, q), (std::array<double, 2>{ { 0.0, 7.0 } }));
+}

@@ -5,6 +5,7 @@
 #include "Failure.h"
 #include "FileReader.h"
 #include "GridMerging.h"
+#include "LibraryOutput.h"
 #include "Messages.h"
 #include "ProgressBar.h"
 
@@ -13,7 +14,9 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkGenericCell.h"
+#include "vtkImageReader2.h"
 #include "vtkInformation.h"
+#include "vtkMetaImageReader.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -65,22 +68,40 @@ void Update(vtkAlgorithm* reader, std::optional<int> timeStep)
   }
 }
 
+/// The same of a reader that leaves it to others to say that it failed: returns what they said, or
+/// an empty string.
+std::string UpdateAndListen(vtkAlgorithm* reader, std::optional<int> timeStep)
+{
+  const int warningsBefore = tetmarch::Messages::GetNumberOfWarningsOfNobody();
+  std::optional<tetmarch::LibraryOutput> output;
+  if (vtkMetaImageReader::SafeDownCast(reader))
+  {
+    output.emplace(); // MetaIO goes on after what it prints
+  }
+  Update(reader, timeStep);
+  const bool warned = vtkImageReader2::SafeDownCast(reader) &&
+                      tetmarch::Messages::GetNumberOfWarningsOfNobody() > warningsBefore;
+  return output ? output->GetFirstLine() : warned ? "see the warning" : std::string();
+}
+
 vtkSmartPointer<vtkDataObject> Read(
   const std::string& path, std::optional<int> timeStep, const tetmarch::RawOptions& raw = {})
 {
   CheckFile(path);
   const int errorsBefore = tetmarch::Messages::GetNumberOfErrors();
   vtkSmartPointer<vtkAlgorithm> reader = tetmarch::MakeReader(path, raw);
+  std::string complaint;
   {
     tetmarch::ProgressBar progress("reading", reader);
-    Update(reader, timeStep);
+    complaint = UpdateAndListen(reader, timeStep);
   }
   vtkDataObject* data = reader->GetOutputDataObject(0);
-  if (tetmarch::Messages::GetNumberOfErrors() > errorsBefore || !data ||
+  if (tetmarch::Messages::GetNumberOfErrors() > errorsBefore || !complaint.empty() || !data ||
       reader->GetErrorCode() != 0)
   {
-    throw Failure(
-      "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
+    throw Failure("cannot read '" + path +
+                  "': the file is damaged or not of the kind that its ending says" +
+                  (complaint.empty() ? "" : " (" + complaint + ")"));
   }
   return data;
 }

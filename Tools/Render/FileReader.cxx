@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <regex>
 #include <set>
 
 namespace
@@ -53,6 +54,21 @@ vtkSmartPointer<Reader> MakeReaderOf(const std::string& path)
 }
 
 [[maybe_unused]] constexpr const char* HDF5Beginning = "\x89HDF\r\n\x1a\n";
+
+/// vtkNrrdReader takes the header for the first values of a file of text.
+void CheckNrrdEncoding(const std::string& path)
+{
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line) && !line.empty() && line != "\r";)
+  {
+    static const std::regex text("encoding: *(ascii|text|txt)\\s*", std::regex::icase);
+    if (std::regex_match(line, text))
+    {
+      throw tetmarch::Failure(
+        "cannot read '" + path + "': its values are text; write them in the encoding raw or gzip");
+    }
+  }
+}
 
 vtkSmartPointer<vtkAlgorithm> MakeExodusReader(const std::string& path)
 {
@@ -133,6 +149,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path, const RawOptio
   }
   if (ending == ".nrrd" || ending == ".nhdr")
   {
+    CheckNrrdEncoding(path);
     return MakeReaderOf<vtkNrrdReader>(path);
   }
   if (IsRawFile(path) && rawOptions.Dimensions && rawOptions.Type)
