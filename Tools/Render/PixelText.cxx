@@ -48,12 +48,12 @@ void AppendColor(Row& row, const std::array<double, 4>& color)
   }
 }
 
-std::string DescribeCell(vtkTable* cells, vtkIdType row)
+std::string DescribeCell(vtkTable* cells, vtkIdType row, bool structured)
 {
   std::vector<std::string> notes;
   if (GetCellValue(cells, "EntersMesh", row) != 0.0)
   {
-    notes.push_back("enters the mesh");
+    notes.push_back(structured ? "enters the grid" : "enters the mesh");
   }
   const std::string outcome = cells->GetValueByName(row, "Outcome").ToString();
   const bool hasPart = outcome != "empty" && outcome != "out of range";
@@ -84,7 +84,7 @@ bool HasBlocks(vtkTable* cells)
 
 std::string FormatCells(vtkTable* cells, bool structured)
 {
-  std::vector<Row> rows{ { "row", "cell", structured ? "part" : "tet", "enter", "leave",
+  std::vector<Row> rows{ { "row", "cell", structured ? "lattice" : "tet", "enter", "leave",
     "scalar in", "scalar out", "opacity", "red", "green", "blue", "alpha", "bound", "lookups",
     "note" } };
   const bool blocks = HasBlocks(cells);
@@ -108,7 +108,8 @@ std::string FormatCells(vtkTable* cells, bool structured)
                             FormatScalars(cells, "ScalarLeave", i), value("Opacity", 4) });
     AppendColor(row, { { GetCellValue(cells, "Color", i, 0), GetCellValue(cells, "Color", i, 1),
                        GetCellValue(cells, "Color", i, 2), GetCellValue(cells, "Color", i, 3) } });
-    row.insert(row.end(), { value("ErrorBound", 3), integer("Lookups"), DescribeCell(cells, i) });
+    row.insert(row.end(),
+      { value("ErrorBound", 3), integer("Lookups"), DescribeCell(cells, i, structured) });
     rows.push_back(row);
   }
   return FormatTable(rows);
