@@ -90,7 +90,7 @@ inline std::vector<VariantKey> legalKeys()
     }
   }
   std::mt19937 random(5);
-  for (int i = 0; i < 120000; ++i)
+  for (int i = 0; i < 110000; ++i)
   {
     VariantKey key = randomKey(random);
     if (i % 4 > 0) // else the volume itself would be seen in one of eight
@@ -100,6 +100,10 @@ inline std::vector<VariantKey> legalKeys()
     if (i % 4 != 1) // else seven of eight would have several scalars
     {
       key.Components = ComponentGroup::Single;
+    }
+    if (i % 8 < 4) // else half would be of lattices, which have fewer features
+    {
+      key.Structured = false;
     }
     legal.add(key.filtered());
   }
