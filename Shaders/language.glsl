@@ -27,5 +27,5 @@
 #define MOST_COMPONENTS 4 // Mesh/FurtherScalars.h
 #define VERTEX_LIGHT_BLOCK 8 // texels; Light/VertexLightLayout.h
 #define VERTEX_LIGHT_ROW 4096
-#define LEAP_BLOCK 4 // Structured/EmptySpace.h
+#define LEAP_SHIFT 2 // a block has 1 << 2 cells along each side; Structured/EmptySpace.h
 #define BVH_STACK 48 // Mesh/BoundaryHierarchy.h bounds the depth

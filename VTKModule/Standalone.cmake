@@ -60,8 +60,11 @@ if (TETMARCH_WRAP_PYTHON)
     INSTALL_HEADERS OFF
     TARGET TetMarch::Python
     BUILD_STATIC OFF)
-  configure_file(VTKModule/Python/__init__.py "${CMAKE_BINARY_DIR}/${tetmarch_python_dir}/vtktetmarch/__init__.py" COPYONLY)
-  install(FILES VTKModule/Python/__init__.py DESTINATION "${tetmarch_python_dir}/vtktetmarch")
+  foreach (name IN ITEMS __init__ replacement)
+    configure_file("VTKModule/Python/${name}.py"
+      "${CMAKE_BINARY_DIR}/${tetmarch_python_dir}/vtktetmarch/${name}.py" COPYONLY)
+    install(FILES "VTKModule/Python/${name}.py" DESTINATION "${tetmarch_python_dir}/vtktetmarch")
+  endforeach ()
 endif ()
 set(CMAKE_SOURCE_DIR "${tetmarch_real_source_dir}")
 

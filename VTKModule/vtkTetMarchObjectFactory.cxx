@@ -3,6 +3,7 @@
 #include "vtkTetMarchObjectFactory.h"
 
 #include "vtkTetMarchProjectedTetrahedraMapper.h"
+#include "vtkTetMarchSmartVolumeMapper.h"
 
 #include "vtkCollection.h"
 #include "vtkCollectionIterator.h"
@@ -15,9 +16,20 @@
 
 namespace
 {
-const char* const Replaced = "vtkProjectedTetrahedraMapper";
-
 VTK_CREATE_CREATE_FUNCTION(vtkTetMarchProjectedTetrahedraMapper);
+VTK_CREATE_CREATE_FUNCTION(vtkTetMarchSmartVolumeMapper);
+
+// A class of VTK, the one of ours that can take its place, and what asks for that.
+struct Replacement
+{
+  const char* Replaced;
+  const char* Ours;
+  const char* Variable; // of the environment
+};
+constexpr Replacement ProjectedTetrahedra{ "vtkProjectedTetrahedraMapper",
+  "vtkTetMarchProjectedTetrahedraMapper", "TETMARCH_REPLACE_PROJECTED_TETRAHEDRA" };
+constexpr Replacement SmartVolume{ "vtkSmartVolumeMapper", "vtkTetMarchSmartVolumeMapper",
+  "TETMARCH_REPLACE_SMART_VOLUME" };
 
 vtkTetMarchObjectFactory* registeredFactory()
 {
@@ -34,17 +46,53 @@ vtkTetMarchObjectFactory* registeredFactory()
   return nullptr;
 }
 
-bool isWanted(const char* value) { return value && *value && std::string(value) != "0"; }
+bool replaces(const Replacement& which)
+{
+  vtkTetMarchObjectFactory* factory = registeredFactory();
+  return factory && factory->GetEnableFlag(which.Replaced, which.Ours);
+}
+
+// VTK uses the first factory that overrides the class, so the overrides of others are disabled.
+void setReplaces(const Replacement& which, bool wanted)
+{
+  vtkTetMarchObjectFactory* factory = registeredFactory();
+  if (wanted == replaces(which))
+  {
+    return;
+  }
+  if (!factory)
+  {
+    vtkNew<vtkTetMarchObjectFactory> made; // replaces nothing yet
+    vtkObjectFactory::RegisterFactory(made);
+    factory = made;
+  }
+  vtkObjectFactory::SetAllEnableFlags(wanted ? 0 : 1, which.Replaced);
+  factory->SetEnableFlag(wanted ? 1 : 0, which.Replaced, which.Ours);
+  if (!replaces(ProjectedTetrahedra) && !replaces(SmartVolume))
+  {
+    vtkObjectFactory::UnRegisterFactory(factory);
+  }
+}
+
+bool isWanted(const Replacement& which)
+{
+  const char* value = std::getenv(which.Variable);
+  return value && *value && std::string(value) != "0";
+}
 
 // Evaluated when the library is loaded.
 const bool IsAskedFor = []
 {
-  const bool wanted = isWanted(std::getenv("TETMARCH_REPLACE_PROJECTED_TETRAHEDRA"));
-  if (wanted)
+  bool any = false;
+  for (const Replacement& which : { ProjectedTetrahedra, SmartVolume })
   {
-    vtkTetMarchObjectFactory::SetReplacesProjectedTetrahedra(true);
+    if (isWanted(which))
+    {
+      setReplaces(which, true);
+      any = true;
+    }
   }
-  return wanted;
+  return any;
 }();
 } // namespace
 
@@ -53,37 +101,33 @@ vtkStandardNewMacro(vtkTetMarchObjectFactory);
 //------------------------------------------------------------------------------
 vtkTetMarchObjectFactory::vtkTetMarchObjectFactory()
 {
-  this->RegisterOverride(Replaced, "vtkTetMarchProjectedTetrahedraMapper",
-    "marches rays instead of projecting tetrahedra", 1,
+  this->RegisterOverride(ProjectedTetrahedra.Replaced, ProjectedTetrahedra.Ours,
+    "marches rays instead of projecting tetrahedra", 0,
     vtkObjectFactoryCreatevtkTetMarchProjectedTetrahedraMapper);
+  this->RegisterOverride(SmartVolume.Replaced, SmartVolume.Ours,
+    "integrates cells instead of sampling them", 0,
+    vtkObjectFactoryCreatevtkTetMarchSmartVolumeMapper);
 }
 
 //------------------------------------------------------------------------------
 vtkTetMarchObjectFactory::~vtkTetMarchObjectFactory() = default;
 
 //------------------------------------------------------------------------------
-// VTK uses the first factory that overrides the class, so the overrides of others are disabled.
-void vtkTetMarchObjectFactory::SetReplacesProjectedTetrahedra(bool replaces)
+void vtkTetMarchObjectFactory::SetReplacesProjectedTetrahedra(bool wanted)
 {
-  vtkTetMarchObjectFactory* present = registeredFactory();
-  if (replaces && !present)
-  {
-    vtkObjectFactory::SetAllEnableFlags(0, Replaced);
-    vtkNew<vtkTetMarchObjectFactory> factory;
-    vtkObjectFactory::RegisterFactory(factory);
-  }
-  else if (!replaces && present)
-  {
-    vtkObjectFactory::UnRegisterFactory(present);
-    vtkObjectFactory::SetAllEnableFlags(1, Replaced);
-  }
+  setReplaces(ProjectedTetrahedra, wanted);
+}
+bool vtkTetMarchObjectFactory::GetReplacesProjectedTetrahedra()
+{
+  return replaces(ProjectedTetrahedra);
 }
 
 //------------------------------------------------------------------------------
-bool vtkTetMarchObjectFactory::GetReplacesProjectedTetrahedra()
+void vtkTetMarchObjectFactory::SetReplacesSmartVolume(bool wanted)
 {
-  return registeredFactory() != nullptr;
+  setReplaces(SmartVolume, wanted);
 }
+bool vtkTetMarchObjectFactory::GetReplacesSmartVolume() { return replaces(SmartVolume); }
 
 //------------------------------------------------------------------------------
 const char* vtkTetMarchObjectFactory::GetVTKSourceVersion() { return VTK_SOURCE_VERSION; }
@@ -98,4 +142,5 @@ void vtkTetMarchObjectFactory::PrintSelf(ostream& os, vtkIndent indent)
   os << indent
      << "ReplacesProjectedTetrahedra: " << (GetReplacesProjectedTetrahedra() ? "On" : "Off")
      << "\n";
+  os << indent << "ReplacesSmartVolume: " << (GetReplacesSmartVolume() ? "On" : "Off") << "\n";
 }

@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchObjectFactory
- * @brief   Replaces vtkProjectedTetrahedraMapper by vtkTetMarchProjectedTetrahedraMapper
+ * @brief   Gives mappers of TetMarch to who asks for VTK's
  *
  * Off by default. After SetReplacesProjectedTetrahedra(true), vtkProjectedTetrahedraMapper::New()
  * returns a vtkTetMarchProjectedTetrahedraMapper to all callers: a user's code, VTK's or
  * ParaView's. The environment variable TETMARCH_REPLACE_PROJECTED_TETRAHEDRA does the same when
  * this library is loaded, unless it is empty or 0. Existing mappers stay as they are.
  *
- * @sa vtkTetMarchProjectedTetrahedraMapper vtkObjectFactory
+ * SetReplacesSmartVolume(true), or TETMARCH_REPLACE_SMART_VOLUME, does that for
+ * vtkSmartVolumeMapper and vtkTetMarchSmartVolumeMapper as far as VTK allows:
+ * vtkObjectFactory::CreateInstance() returns ours, but vtkSmartVolumeMapper::New() asks no factory
+ * in VTK 9.1 to 9.6. So code in C++ has to name our class, or call CreateInstance(). In Python,
+ * vtktetmarch.replace_smart_volume_mapper() puts our class in the place of VTK's.
+ *
+ * @sa vtkTetMarchProjectedTetrahedraMapper vtkTetMarchSmartVolumeMapper vtkObjectFactory
  */
 #ifndef vtkTetMarchObjectFactory_h
 #define vtkTetMarchObjectFactory_h
@@ -29,8 +35,17 @@ public:
    * Whether vtkProjectedTetrahedraMapper::New() returns a vtkTetMarchProjectedTetrahedraMapper. Off
    * by default.
    */
-  static void SetReplacesProjectedTetrahedra(bool replaces);
+  static void SetReplacesProjectedTetrahedra(bool wanted);
   static bool GetReplacesProjectedTetrahedra();
+  //@}
+
+  //@{
+  /**
+   * Whether vtkObjectFactory::CreateInstance("vtkSmartVolumeMapper") returns a
+   * vtkTetMarchSmartVolumeMapper. Off by default.
+   */
+  static void SetReplacesSmartVolume(bool wanted);
+  static bool GetReplacesSmartVolume();
   //@}
 
   /**

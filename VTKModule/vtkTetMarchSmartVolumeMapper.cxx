@@ -19,6 +19,7 @@ vtkStandardNewMacro(vtkTetMarchSmartVolumeMapper);
 vtkTetMarchSmartVolumeMapper::vtkTetMarchSmartVolumeMapper()
   : Internal(new Internals(this))
 {
+  this->VectorComponent = 0; // VTK 9.1 leaves it undefined
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -41,6 +42,14 @@ bool isLit(vtkVolumeProperty* property, int components)
   return lit;
 }
 
+// As vtkOpenGLGPUVolumeRayCastMapper: the window of 1 about the level 0.5 changes nothing.
+std::array<float, 2> colorWindowOf(float window, float level)
+{
+  constexpr float least = 1e-5f;
+  const float width = std::copysign(std::max(std::abs(window), least), window);
+  return { { 1 / width, 0.5f - level / width } };
+}
+
 tetmarch::Interpolation interpolationOf(vtkVolumeProperty* property)
 {
   return property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
@@ -53,16 +62,24 @@ tetmarch::Interpolation interpolationOf(vtkVolumeProperty* property)
 void vtkTetMarchSmartVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkDataObject* input = this->GetDataObjectInput();
-  if (!input)
-  {
-    return;
-  }
   tetmarch::StructuredBlocks& blocks = this->Internal->Blocks;
   const std::size_t before = blocks.all().size();
-  std::string error = blocks.update(input, tetmarch::selectionOf(this));
+  std::string error;
+  if (input)
+  {
+    error = blocks.update(input, tetmarch::selectionOf(this));
+  }
+  else
+  {
+    blocks.clear();
+  }
   if (blocks.all().size() < before) // they may have been in another window
   {
     renderer->GetRenderWindow()->MakeCurrent();
+  }
+  if (!input)
+  {
+    return;
   }
   const std::string reason = error.empty() ? this->FindReasonForVTK(volume) : std::string();
   if (!reason.empty() && !blocks.isTree())
@@ -198,8 +215,9 @@ std::string vtkTetMarchSmartVolumeMapper::DrawBlocks(
   const bool adjusts = this->InteractiveAdjustSampleDistances
                          ? interacting
                          : this->GetAutoAdjustSampleDistances() != 0;
-  tetmarch::MapperFrame frame(
-    { this, window, renderer, volume }, internal.State, blend, { interacting, adjusts, several });
+  tetmarch::MapperFrame frame({ this, window, renderer, volume }, internal.State, blend,
+    { interacting, adjusts, several,
+      colorWindowOf(this->FinalColorWindow, this->FinalColorLevel) });
   const auto mostBytes = static_cast<std::uint64_t>(
     double(this->GetMaxMemoryInBytes()) * double(this->MaxMemoryFraction));
   std::vector<tetmarch::StructuredBlock*> ready;

@@ -27,6 +27,9 @@
 #include "cuts/clipping.glsl"
 #endif
 #include "passes/pixel_ray.glsl"
+#if !TETMARCH_DIAGNOSTICS
+#include "passes/color_window.glsl"
+#endif
 #if TETMARCH_SAMPLED_SHADOWS
 #include "light/light_ray_files.glsl"
 #include "light/sampled_shadows.glsl"
@@ -51,7 +54,12 @@ March marchPixel(PixelRay pixel)
 
 vec4 colorOf(PixelRay pixel, March march)
 {
-  return pixelOf(march.radiance, thicknessPerDepthAlong(pixel.ray.direction));
+  vec4 color = pixelOf(march.radiance, thicknessPerDepthAlong(pixel.ray.direction));
+#if TETMARCH_DIAGNOSTICS
+  return color;
+#else
+  return windowed(color);
+#endif
 }
 
 #if TETMARCH_PEELED

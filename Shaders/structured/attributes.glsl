@@ -111,7 +111,7 @@ VertexAttributes attributesAt(Ray ray, ivec3 cell, real depth)
   VertexAttributes attributes;
   attributes.gradient = gradientFromLattice(latticeGradientAt(cell, ray.start + ray.slope * depth));
 #if TETMARCH_VERTEX_LIGHT
-  attributes.light = vec4(real(1), real(1), real(1), real(1));
+  attributes.light = keptLightAt(ray.start + ray.slope * depth);
 #endif
   return attributes;
 }

@@ -19,24 +19,30 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
 }
 
 #if TETMARCH_LEAPS
-// The blocks by which the cube of which nothing can be seen reaches beyond the cell's own; 0: there is no such cube.
-int leapOf(ivec3 cell)
+ivec3 blockOf(ivec3 cell) { return ivec3(cell.x >> LEAP_SHIFT, cell.y >> LEAP_SHIFT, cell.z >> LEAP_SHIFT); }
+
+// The blocks by which the cube of which nothing can be seen reaches beyond the given one; 0: there is no such cube.
+int leapOf(ivec3 block) { return fetchBlockDistance(block.x + blockCount.x * (block.y + blockCount.y * block.z)); }
+
+// The plane across an axis by which a ray leaves the cube around a block.
+int cubeEnd(int block, int direction, int reach, int cells)
 {
-  ivec3 block = ivec3(cell.x / LEAP_BLOCK, cell.y / LEAP_BLOCK, cell.z / LEAP_BLOCK);
-  return fetchBlockDistance(block.x + blockCount.x * (block.y + blockCount.y * block.z));
+  return direction > 0 ? min((block + reach) << LEAP_SHIFT, cells) : max((block - reach + 1) << LEAP_SHIFT, 0);
 }
 
-// The first cell of the cube, or the one behind the last.
-ivec3 cubeBegin(ivec3 cell, int reach)
+// Where a ray that leaves the cube lands, but for the axis whose plane it leaves by: between the cell that it has leapt
+// from and that plane. If that is the neighbour of the right cell by rounding, it is left again before anything of it is
+// gathered.
+int landingAlong(int cell, int from, int plane, int direction)
 {
-  return ivec3(max((cell.x / LEAP_BLOCK - reach + 1) * LEAP_BLOCK, 0), max((cell.y / LEAP_BLOCK - reach + 1) * LEAP_BLOCK, 0),
-    max((cell.z / LEAP_BLOCK - reach + 1) * LEAP_BLOCK, 0));
+  return direction > 0 ? clamp(cell, from, plane - 1) : clamp(cell, plane, from);
 }
-ivec3 cubeEnd(ivec3 cell, int reach)
+
+ivec3 landingOf(Ray ray, real depth, ivec3 from, ivec3 plane)
 {
-  return ivec3(min((cell.x / LEAP_BLOCK + reach) * LEAP_BLOCK, latticeCells.x),
-    min((cell.y / LEAP_BLOCK + reach) * LEAP_BLOCK, latticeCells.y),
-    min((cell.z / LEAP_BLOCK + reach) * LEAP_BLOCK, latticeCells.z));
+  ivec3 cell = cellAround(ray.start + ray.slope * depth);
+  return ivec3(landingAlong(cell.x, from.x, plane.x, ray.steps.x), landingAlong(cell.y, from.y, plane.y, ray.steps.y),
+    landingAlong(cell.z, from.z, plane.z, ray.steps.z));
 }
 #endif
 
@@ -78,12 +84,11 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
 #endif
   ivec3 ahead = planesAhead(ray, place.cell);
 #if TETMARCH_LEAPS
-  int reach = leapOf(place.cell);
-  ivec3 low = cubeBegin(place.cell, reach);
-  ivec3 high = cubeEnd(place.cell, reach);
-  ahead = reach > 0
-    ? ivec3(ray.steps.x > 0 ? high.x : low.x, ray.steps.y > 0 ? high.y : low.y, ray.steps.z > 0 ? high.z : low.z)
-    : ahead;
+  ivec3 block = blockOf(place.cell);
+  int reach = leapOf(block);
+  ivec3 far = ivec3(cubeEnd(block.x, ray.steps.x, reach, latticeCells.x),
+    cubeEnd(block.y, ray.steps.y, reach, latticeCells.y), cubeEnd(block.z, ray.steps.z, reach, latticeCells.z));
+  ahead = reach > 0 ? far : ahead;
   cell.skipped = reach > 0;
 #endif
   vec3 next = crossingDepths(ray, ahead, NO_DEPTH);
@@ -114,16 +119,14 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
   bool crossed = !(place.position < real(1));
   ivec3 from = place.cell;
 #if TETMARCH_LEAPS
-  ivec3 landing =
-    cellBehindDepth(ray, place.leave, low, ivec3(high.x - 1, high.y - 1, high.z - 1));
+  ivec3 landing = landingOf(ray, place.leave, place.cell, far);
   from = reach > 0 ? landing : from;
 #endif
   ivec3 to = ivec3(acrossX ? (ray.steps.x > 0 ? ahead.x : ahead.x - 1) : from.x,
     acrossY ? (ray.steps.y > 0 ? ahead.y : ahead.y - 1) : from.y,
     acrossZ ? (ray.steps.z > 0 ? ahead.z : ahead.z - 1) : from.z);
-  bool inside = to.x >= 0 && to.y >= 0 && to.z >= 0 && to.x < latticeCells.x && to.y < latticeCells.y &&
-    to.z < latticeCells.z;
-  crossing.onward = !crossed || inside;
-  place.cell = crossed && inside ? to : place.cell;
+  // The last plane of the lattice is the same for each cell before it, to the bit.
+  crossing.onward = !crossed || place.leave < place.end;
+  place.cell = crossing.onward && crossed ? to : place.cell;
   return crossing;
 }

@@ -7,6 +7,7 @@ struct Place
   ivec3 cell;
   real depth;    // where the ray enters the cell
   real leave;    // where it leaves it
+  real end;      // where it leaves the lattice
   real position; // up to where the cell is crossed, 0..1; 1: it is not yet entered
 #if TETMARCH_EFFECTS
   ivec3 crossed; // the cell that was crossed last
@@ -37,6 +38,7 @@ Traversal traversalFrom(Ray ray, int firstFace, real depthBegin)
   traversal.place.cell = cellBehindDepth(ray, depth, none, last);
   traversal.place.depth = greatestOf(crossingDepths(ray, planesPassed(ray, traversal.place.cell), -NO_DEPTH));
   traversal.place.leave = traversal.place.depth;
+  traversal.place.end = range.y;
   traversal.place.position = real(1);
 #if TETMARCH_POINT_SCALARS
   traversal.place.cubic = vec4(real(0), real(0), real(0), real(0));

@@ -71,7 +71,8 @@ vec2 extremesOf(vec4 cubic)
   real b = cubic.z;
   real c = cubic.y;
   real d = b * b - a * c;
-  real q = -(b + (b < real(0) ? -sqrt(max(d, real(0))) : sqrt(max(d, real(0)))));
+  real root = sqrt(max(d, real(0)));
+  real q = -(b + (b < real(0) ? -root : root));
   real first = q / a;
   real second = c / q;
   // A comparison with what is not a number is false.

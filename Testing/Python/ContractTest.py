@@ -7,13 +7,13 @@ import unittest
 import vtkmodules.all  # noqa: F401
 import vtktetmarch
 
-CLASSES = [getattr(vtktetmarch, name) for name in vtktetmarch.__all__]
+CLASSES = [getattr(vtktetmarch, name) for name in vtktetmarch.__all__ if name.startswith("vtk")]
 
 # What can't be found by trying numbers.
 OTHER_VALUES = {"Mapper": vtktetmarch.vtkTetMarchVolumeMapper(), "BlendMode": 3,
                 "Settings": vtktetmarch.vtkTetMarchSettings()}
 # Figures with an argument before the value, and what belongs to a class instead of an object.
-NO_PROPERTIES = {"Values", "ReplacesProjectedTetrahedra"}
+NO_PROPERTIES = {"Values", "ReplacesProjectedTetrahedra", "ReplacesSmartVolume"}
 # Their choices have other names now.
 DEPRECATED = {"SetViewModeToShellFaces", "SetViewModeToShellCoordinates"}
 
@@ -62,6 +62,7 @@ class ContractTest(unittest.TestCase):
         self.assertGreater(len(found["vtkTetMarchVolumeMapper"]), 30)
         self.assertGreater(len(found["vtkTetMarchSettings"]), 25)
         self.assertLess(set(found["vtkTetMarchSettings"]), set(found["vtkTetMarchVolumeMapper"]))
+        self.assertLess(set(found["vtkTetMarchSettings"]), set(found["vtkTetMarchSmartVolumeMapper"]))
         self.assertLess({"GPUMemoryBytes", "Seconds"}, set(found["vtkTetMarchFrameStatistics"]))
         self.assertEqual(found["vtkTetMarchLegend"], ["Mapper"])
 
@@ -114,12 +115,17 @@ class ContractTest(unittest.TestCase):
         mapper.GetMarchingMapper().AmbientOcclusionOn()
         self.assertGreater(mapper.GetMTime(), before)
 
-    def test_the_mapper_has_all_of_the_settings_and_the_figures(self):
-        mapper = vtktetmarch.vtkTetMarchVolumeMapper
+    def test_the_mappers_have_all_of_the_settings_and_the_figures(self):
+        for mapper in (vtktetmarch.vtkTetMarchVolumeMapper, vtktetmarch.vtkTetMarchSmartVolumeMapper):
+            with self.subTest(mapper=mapper.__name__):
+                self.check_settings_and_figures(mapper)
+
+    def check_settings_and_figures(self, mapper):
         own = {name for name in vars(vtktetmarch.vtkTetMarchSettings)
                if not name.startswith("__") and name != "EnumType"}
         self.assertGreater(len(own), 100)
-        self.assertLess(own, set(vars(mapper)))
+        # Least and greatest values of what VTK's class has, too, are that class's own.
+        self.assertLess(own, set(vars(mapper)) | {name for name in dir(mapper) if name.endswith(("MinValue", "MaxValue"))})
         of_frame = {name for name in vars(vtktetmarch.vtkTetMarchFrameStatistics)
                     if name.endswith(("Builds", "Bytes", "Rays", "Cells", "Lookups", "Entries", "Hits", "Draws"))
                     and name.startswith("Get")}
@@ -128,11 +134,13 @@ class ContractTest(unittest.TestCase):
 
     def test_the_factory_prints_what_it_replaces(self):
         factory = vtktetmarch.vtkTetMarchObjectFactory
-        self.assertEqual(line_of(factory(), "ReplacesProjectedTetrahedra"), "Off")
-        factory.SetReplacesProjectedTetrahedra(True)
-        line = line_of(factory(), "ReplacesProjectedTetrahedra")
-        factory.SetReplacesProjectedTetrahedra(False)
-        self.assertEqual(line, "On")
+        for name in ("ReplacesProjectedTetrahedra", "ReplacesSmartVolume"):
+            with self.subTest(name=name):
+                self.assertEqual(line_of(factory(), name), "Off")
+                getattr(factory, "Set" + name)(True)
+                line = line_of(factory(), name)
+                getattr(factory, "Set" + name)(False)
+                self.assertEqual(line, "On")
 
 
 if __name__ == "__main__":

@@ -110,6 +110,10 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
     bindClipping(program, *inputs.Cut, key);
   }
   bindThickness(program, *inputs.Camera);
+  if (!key.Diagnostics)
+  {
+    program->SetUniform2f("colorWindow", inputs.ColorWindow.data());
+  }
 
   drawCorners(program, this->Draw, target, tile);
 

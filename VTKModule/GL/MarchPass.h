@@ -48,6 +48,7 @@ struct MarchInputs
   vtkTextureObject* Entries = nullptr;     // if the key has RasterEntry
   vtkTextureObject* Depths = nullptr;      // if the key has OpaqueDepth: those of the viewport,
   std::array<float, 2> DepthsPerPixel{ { 1, 1 } }; // with so many for each pixel of the area
+  std::array<float, 2> ColorWindow{ { 1, 0 } };    // unless the key has Diagnostics
   const PeelHooks* Peeling = nullptr;              // if the key is Peeled
   double MostSecondsPerDraw = 0;                   // 0: no limit
   double MostLightSeconds = 0;                     // of a frame, for light at vertices; 0: no limit

@@ -43,7 +43,10 @@ struct DrawOptions
   double MostLightSeconds = 0;                // of a frame, for light at vertices; 0: no limit
   const MeasureView* View = nullptr;          // drawn instead of the picture
   BoundaryView Boundary = BoundaryView::None; // the same
-  double SampleDistance = 1;          // between rays, in pixels; 1 with diagnostics or a view
+  double SampleDistance = 1; // between rays, in pixels; 1 with diagnostics or a view
+  /** A factor of the picture's colours, and what is added to opaque ones; views and diagnostics
+   * have the colours before that. */
+  std::array<float, 2> ColorWindow{ { 1, 0 } };
   const PeelHooks* Peeling = nullptr; // only parts of rays are drawn, without diagnostics or a view
   double PickOpacity = 0.5;           // of a ray at the point where the volume is picked
 };
@@ -132,6 +135,7 @@ public:
 
 private:
   bool fail(const std::string& error);
+  AccuracyLevel levelFor(AccuracyLevel level) const;
   TableInput tableInput(OpacityLaw law) const;
   void updatePassing();
   void setSubject(vtkVolumeProperty* property, bool drawNan);

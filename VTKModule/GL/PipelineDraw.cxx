@@ -79,10 +79,11 @@ MarchInputs Pipeline::inputsOf(
   inputs.Table = &this->Tables.first();
   inputs.Range = this->Source.range();
   inputs.Parts = &this->Tables.components();
-  inputs.Level = options.Level;
+  inputs.Level = this->levelFor(options.Level);
   inputs.Blend = &this->Blend;
   inputs.Effects = &this->EffectsOnGpu;
   inputs.EffectValues = &this->Effects.data();
+  inputs.ColorWindow = options.ColorWindow;
   inputs.Peeling = options.Peeling;
   inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
   inputs.MostLightSeconds = options.MostLightSeconds;

@@ -6,6 +6,7 @@
 #include "Caching/WithinMemory.h"
 #include "GL/Uniforms.h"
 #include "Rays/View.h"
+#include "Structured/LightNodes.h"
 #include "Variants/VariantKey.h"
 
 #include "vtkDataSet.h"
@@ -49,6 +50,19 @@ void setInts(vtkShaderProgram* program, const char* name, const std::array<int, 
   {
     glUniform3i(location, values[0], values[1], values[2]);
   }
+}
+
+void bindLightNodes(vtkShaderProgram* program, const LightNodes& nodes)
+{
+  setInts(program, "lightNodes", nodes.Along);
+  program->SetUniform3f("lightLow", nodes.Low.data());
+  const std::array<double, 3> perStep{ { 1 / nodes.Step[0], 1 / nodes.Step[1],
+    1 / nodes.Step[2] } };
+  program->SetUniform3f("perLightStep", perStep.data());
+  std::array<double, 16> matrix{};
+  std::copy(nodes.ToNormalized.begin(), nodes.ToNormalized.end(), matrix.begin());
+  matrix[15] = 1;
+  setUniform(program, "lightNodeMatrix", matrix);
 }
 
 } // namespace
@@ -283,6 +297,7 @@ void StructuredSource::bind(vtkShaderProgram* program, const VariantKey& key)
   matrix[15] = 1;
   setUniform(program, "latticeMatrix", matrix);
   program->SetUniformi("mostCells", mostCellsOf(lattice));
+  bindLightNodes(program, lightNodesOf(lattice));
   if (key.Rectilinear)
   {
     this->Planes.bind(program, "planeBuffer");

@@ -80,6 +80,10 @@ FrameOptions::FrameOptions(Settings* settings, BlendMode blend, vtkRenderer* ren
   this->Draw.View = isMeasure(viewMode) && !onlyParts ? &this->View : nullptr;
   this->Draw.Boundary = onlyParts ? BoundaryView::None : boundaryViewOf(viewMode);
   this->Draw.Peeling = peeling ? &hooks : nullptr;
+  if (this->Effects.Shown == Subject::Picture)
+  {
+    this->Draw.ColorWindow = conditions.ColorWindow;
+  }
   this->Draw.PickOpacity = settings->GetPickOpacityThreshold();
 
   this->MarchesPicture = !renderer->GetSelector() && !peeling && !this->Draw.View &&

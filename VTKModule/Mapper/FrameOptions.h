@@ -27,6 +27,7 @@ struct FrameConditions
   bool Interacting = false;      // somebody waits for the next frame
   bool AdjustsDistances = false; // rays may be fewer, to keep the allocated time
   bool OnlyParts = false; // several pipelines draw parts of the picture, and nothing else is drawn
+  std::array<float, 2> ColorWindow{ { 1, 0 } }; // as in DrawOptions
 };
 
 struct FrameOptions

@@ -1,4 +1,4 @@
-"""TetMarch: volume rendering of unstructured grids by marching rays from tetrahedron to tetrahedron."""
+"""TetMarch: volume rendering by marching rays from cell to cell, of unstructured grids, images and rectilinear grids."""
 
 # VTK's own modules first: they register the base classes that ours derive from, and the factories of OpenGL and text.
 import vtkmodules.vtkCommonExecutionModel  # noqa: F401
@@ -8,6 +8,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingVolume  # noqa: F401
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 
+from .replacement import replace_smart_volume_mapper
 from .vtkRenderingTetMarch import (
     vtkTetMarchFrameStatistics,
     vtkTetMarchLegend,
@@ -19,6 +20,7 @@ from .vtkRenderingTetMarch import (
 )
 
 __all__ = [
+    "replace_smart_volume_mapper",
     "vtkTetMarchFrameStatistics",
     "vtkTetMarchLegend",
     "vtkTetMarchObjectFactory",

@@ -126,7 +126,7 @@ static constexpr bool HasVolumeLight = false;
 #define UNDRAWN_SCALAR Real(UndrawnScalar)
 #define LINK_OUTSIDE LinkOutside
 #define BVH_STACK MostHierarchyDepth
-#define LEAP_BLOCK BlockSide
+#define LEAP_SHIFT BlockShift
 #define MOST_SHADOW_SOURCES LightUniforms::MostShadowSources
 
 #include "march/march_files.glsl"
@@ -148,11 +148,7 @@ static constexpr bool HasVolumeLight = false;
 #if TETMARCH_LIGHT_RAYS
 #include "light/light_ray_files.glsl"
 
-#if TETMARCH_STRUCTURED
-#include "light/sphere_direction.glsl"
-#else
 #include "light/vertex_light.glsl"
-#endif
 #endif
 
 #undef real
@@ -167,7 +163,7 @@ static constexpr bool HasVolumeLight = false;
 #undef UNDRAWN_SCALAR
 #undef LINK_OUTSIDE
 #undef BVH_STACK
-#undef LEAP_BLOCK
+#undef LEAP_SHIFT
 #undef MOST_SHADOW_SOURCES
 
 #undef TETMARCH_VARIANT

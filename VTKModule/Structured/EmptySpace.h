@@ -18,7 +18,8 @@ namespace tetmarch
 {
 
 /** Cells along each side of a block. */
-constexpr int BlockSide = 4;
+constexpr int BlockShift = 2;
+constexpr int BlockSide = 1 << BlockShift;
 
 /** What the cells of each block can show: i fastest. */
 struct BlockRanges

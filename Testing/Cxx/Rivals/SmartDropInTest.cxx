@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Code that was written for vtkSmartVolumeMapper runs with ours, and gets the same picture.
+#include "Observer.h"
+#include "SmartScene.h"
+
+#include "vtkAutoInit.h"
+#include "vtkCommand.h"
+#include "vtkContourValues.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkTetMarchSettings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+VTK_MODULE_INIT(vtkRenderingVolumeOpenGL2);
+
+namespace
+{
+using namespace tetmarch::testing;
+
+// What a program does to a mapper of VTK's and to a property.
+struct Preparation
+{
+  const char* Name;
+  void (*Make)(vtkSmartVolumeMapper*, vtkVolumeProperty*);
+  double MostRms; // in units of 1/255
+};
+
+// VTK's rays begin and end up to a sample from the faces, which counts where the extreme is there.
+const Preparation preparations[] = {
+  { "Composite", [](vtkSmartVolumeMapper*, vtkVolumeProperty*) {}, 1.4 },
+  { "Maximum",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty*)
+    { mapper->SetBlendModeToMaximumIntensity(); },
+    3.5 },
+  { "Minimum",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty*)
+    { mapper->SetBlendModeToMinimumIntensity(); },
+    3.5 },
+  { "Average",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty*)
+    { mapper->SetBlendModeToAverageIntensity(); },
+    1 },
+  { "Additive",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty* property)
+    {
+      mapper->SetBlendModeToAdditive();
+      property->SetScalarOpacityUnitDistance(2);
+    },
+    0.5 },
+  { "IsoSurface",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty* property)
+    {
+      mapper->SetBlendModeToIsoSurface();
+      property->GetIsoSurfaceValues()->SetValue(0, 0.35);
+      property->GetIsoSurfaceValues()->SetValue(1, 0.7);
+    },
+    3.5 },
+  { "ColorWindow",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty*)
+    {
+      mapper->SetFinalColorWindow(0.6f);
+      mapper->SetFinalColorLevel(0.4f);
+    },
+    2 },
+  { "NegativeColorWindow",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty*) { mapper->SetFinalColorWindow(-1); },
+    1.3 },
+  { "ClippingPlane",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty*)
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetOrigin(0.5, 0.45, 0.5);
+      plane->SetNormal(1.0, 0.3, -0.2);
+      mapper->AddClippingPlane(plane);
+    },
+    1.5 },
+  { "Nearest",
+    [](vtkSmartVolumeMapper*, vtkVolumeProperty* property)
+    { property->SetInterpolationTypeToNearest(); },
+    1.7 },
+  { "CellScalars",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty*)
+    {
+      mapper->SetScalarModeToUseCellFieldData();
+      mapper->SelectScalarArray("c");
+    },
+    1 },
+  { "Magnitude",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty*)
+    {
+      mapper->SetScalarModeToUsePointFieldData();
+      mapper->SelectScalarArray("v");
+      mapper->SetVectorMode(vtkSmartVolumeMapper::MAGNITUDE);
+    },
+    0.7 },
+  { "Component",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty* property)
+    {
+      mapper->SetScalarModeToUsePointFieldData();
+      mapper->SelectScalarArray("v");
+      mapper->SetVectorMode(vtkSmartVolumeMapper::COMPONENT);
+      mapper->SetVectorComponent(1);
+      // VTK takes the functions of the first component, but not its unit distance.
+      property->SetScalarOpacityUnitDistance(1, property->GetScalarOpacityUnitDistance(0));
+    },
+    0.7 },
+};
+
+// With point vectors "v".
+vtkSmartPointer<vtkImageData> makeImage()
+{
+  auto image = imageOf(sineField(), unitCube(20));
+  vtkNew<vtkFloatArray> vectors;
+  vectors->SetName("v");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double f = image->GetPointData()->GetArray("f")->GetComponent(i, 0);
+    vectors->SetTuple3(i, 0.5 * f, 0.9 * f * f, 0.3 - 0.2 * f);
+  }
+  image->GetPointData()->AddArray(vectors);
+  return image;
+}
+
+class SmartDropIn : public testing::Test
+{
+protected:
+  SmartScene Shown{ makeImage() };
+};
+
+class SmartDropInOf
+  : public SmartDropIn
+  , public testing::WithParamInterface<Preparation>
+{
+};
+
+TEST_P(SmartDropInOf, LooksAsByVtk)
+{
+  const Preparation& preparation = this->GetParam();
+  vtkNew<vtkSmartVolumeMapper> stock;
+  sampleFinely(stock);
+  preparation.Make(stock, this->Shown.property());
+  const Image theirs = this->Shown.frameBy(stock);
+  preparation.Make(this->Shown.Mapper, this->Shown.property());
+  const Image ours = this->Shown.frame();
+  const Difference difference = compare(ours, theirs, {}, 2.0 / 255, Channels::Rgb);
+  std::printf("%s: %s\n", preparation.Name, difference.text().c_str());
+  EXPECT_LE(255 * difference.Rms, preparation.MostRms);
+  EXPECT_EQ(this->Shown.Mapper->GetLastUsedRenderMode(), vtkSmartVolumeMapper::GPURenderMode);
+}
+
+TEST_P(SmartDropInOf, IsNotThePlainPicture)
+{
+  const Preparation& preparation = this->GetParam();
+  const Image plain = this->Shown.frame();
+  preparation.Make(this->Shown.Mapper, this->Shown.property());
+  const bool changes = std::string(preparation.Name) != "Composite";
+  EXPECT_EQ(255 * compare(this->Shown.frame(), plain).Rms > 2 * preparation.MostRms, changes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Program, SmartDropInOf, testing::ValuesIn(preparations),
+  [](const auto& test) { return std::string(test.param.Name); });
+
+TEST(SmartDropInClass, IsAVtkSmartVolumeMapper)
+{
+  vtkNew<vtkTetMarchSmartVolumeMapper> mapper;
+  EXPECT_EQ(vtkSmartVolumeMapper::SafeDownCast(mapper), mapper.Get());
+  EXPECT_TRUE(mapper->IsA("vtkSmartVolumeMapper"));
+  EXPECT_EQ(mapper->GetOpacityLaw(), vtkTetMarchSettings::STRUCTURED);
+  mapper->SetSettings(vtkNew<vtkTetMarchSettings>());
+  EXPECT_EQ(mapper->GetOpacityLaw(), vtkTetMarchSettings::UNSTRUCTURED);
+  mapper->SetSettings(nullptr);
+  EXPECT_EQ(mapper->GetOpacityLaw(), vtkTetMarchSettings::STRUCTURED);
+}
+
+// What both classes have by the same name is one thing.
+TEST(SmartDropInClass, ItsSettingsAreSetByEitherClass)
+{
+  vtkNew<vtkTetMarchSmartVolumeMapper> mapper;
+  vtkSmartVolumeMapper* base = mapper;
+  vtkTetMarchSettings* settings = mapper->GetSettings();
+  EXPECT_EQ(base->GetMaxMemoryInBytes(), 0);
+  base->SetMaxMemoryInBytes(12345);
+  EXPECT_EQ(settings->GetMaxMemoryInBytes(), 12345);
+  settings->SetMaxMemoryInBytes(54321);
+  EXPECT_EQ(base->GetMaxMemoryInBytes(), 54321);
+  EXPECT_EQ(base->GetAutoAdjustSampleDistances(), 1);
+  base->AutoAdjustSampleDistancesOff();
+  EXPECT_FALSE(settings->GetAutoAdjustSampleDistances());
+  base->SetAutoAdjustSampleDistances(1);
+  EXPECT_TRUE(settings->GetAutoAdjustSampleDistances());
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  base->SetGlobalIlluminationReach(0.25f);
+  base->SetVolumetricScatteringBlending(1.5f);
+  EXPECT_EQ(settings->GetGlobalIlluminationReach(), 0.25f);
+  EXPECT_EQ(settings->GetVolumetricScatteringBlending(), 1.5f);
+#endif
+}
+
+TEST_F(SmartDropIn, ThePropertyIsNotWrittenTo)
+{
+  preparations[std::size(preparations) - 1].Make(this->Shown.Mapper, this->Shown.property());
+  const vtkMTimeType before = this->Shown.property()->GetMTime();
+  this->Shown.frame();
+  EXPECT_EQ(this->Shown.property()->GetMTime(), before);
+}
+
+// The window and level of each pixel's colour, of which the rounding is left.
+TEST_F(SmartDropIn, WindowAndLevelAreExact)
+{
+  const Image plain = this->Shown.floats();
+  for (const auto& [window, level] : { std::pair(0.3, 0.6), { 2.0, 0.1 }, { -0.5, 0.5 } })
+  {
+    this->Shown.Mapper->SetFinalColorWindow(static_cast<float>(window));
+    this->Shown.Mapper->SetFinalColorLevel(static_cast<float>(level));
+    const Image frame = this->Shown.frame();
+    const double scale = 1.0 / window;
+    const double shift = 0.5 - level / window;
+    double most = 0;
+    for (std::size_t i = 0; i < plain.Rgba.size(); ++i)
+    {
+      const double colour = plain.Rgba[i];
+      const double opacity = plain.Rgba[i - i % 4 + 3];
+      const double expected = i % 4 == 3 ? opacity : scale * colour + shift * opacity;
+      most = std::max(most, std::abs(std::clamp(expected, 0.0, 1.0) - double(frame.Rgba[i])));
+    }
+    EXPECT_LE(255 * most, 0.51) << window << ", " << level;
+    EXPECT_EQ(compare(this->Shown.floats(), plain).Max, 0.0);
+  }
+}
+
+TEST_F(SmartDropIn, EventsAndTimesOfAFrame)
+{
+  int begins = 0;
+  int ends = 0;
+  const Observer begun(
+    this->Shown.Mapper, vtkCommand::VolumeMapperRenderStartEvent, [&] { ++begins; });
+  const Observer ended(this->Shown.Mapper, vtkCommand::VolumeMapperRenderEndEvent,
+    [&]
+    {
+      EXPECT_EQ(++ends, begins);
+      EXPECT_GT(this->Shown.Mapper->GetTimeToDraw(), 0.0);
+    });
+  this->Shown.frame();
+  this->Shown.frame();
+  EXPECT_EQ(ends, 2);
+}
+
+TEST_F(SmartDropIn, RaysAreFewerInInteractionOnly)
+{
+  vtkTetMarchSmartVolumeMapper* mapper = this->Shown.Mapper;
+  const auto distanceAt = [&](double updateRate)
+  {
+    this->Shown.Window->SetDesiredUpdateRate(updateRate);
+    this->Shown.frame();
+    return mapper->GetUsedImageSampleDistance();
+  };
+  this->Shown.frame(); // whose time is known then
+  EXPECT_EQ(distanceAt(0.001), 1.0);
+  EXPECT_GT(distanceAt(1e5), 1.0);
+  mapper->SetInteractiveUpdateRate(1e6);
+  EXPECT_EQ(distanceAt(1e5), 1.0);
+  mapper->InteractiveAdjustSampleDistancesOff();
+  EXPECT_GT(distanceAt(1e5), 1.0);
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetImageSampleDistance(3.0);
+  EXPECT_EQ(distanceAt(1e5), 3.0);
+  EXPECT_EQ(distanceAt(0.001), 3.0);
+}
+
+// The fraction is one of the bytes.
+TEST_F(SmartDropIn, MemoryIsLimitedToTheFraction)
+{
+  vtkTetMarchSmartVolumeMapper* mapper = this->Shown.Mapper;
+  const Image sound = this->Shown.frame();
+  mapper->SetMaxMemoryInBytes(2 * mapper->GetGPUMemoryBytes());
+  mapper->SetMaxMemoryFraction(1.0f);
+  EXPECT_EQ(compare(this->Shown.frame(), sound).Max, 0.0);
+  mapper->AddObserver(vtkCommand::ErrorEvent, vtkNew<vtkCallbackCommand>().Get());
+  mapper->SetMaxMemoryFraction(0.1f);
+  EXPECT_GT(compare(this->Shown.frame(), sound).Max, 0.1);
+  mapper->SetMaxMemoryFraction(1.0f);
+  EXPECT_EQ(compare(this->Shown.frame(), sound).Max, 0.0);
+}
+} // namespace
