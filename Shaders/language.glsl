@@ -5,7 +5,7 @@
 #define precise
 #endif
 
-#if TETMARCH_HAS_GATHER
+#if TETMARCH_GATHERS
 #extension GL_ARB_texture_gather : require
 #endif
 
@@ -14,12 +14,9 @@
 #define INOUT(T) inout T
 #define CONSTANT const
 
-#define PROJECTION_SCALE 65536.0
-#define PROJECTION_FLUSH 9.094947e-13 // 2^-40
 #define NO_DEPTH 3.0e38
 #define TINY 1.0e-30
 #define UNDRAWN_SCALAR 1.0e30
-#define LINK_OUTSIDE 0x80000000u
 #define MOST_LIGHTS 16 // Light/Lighting.h
 #define MOST_SHADOW_SOURCES 3 // Light/LightUniforms.h
 #define MOST_CLIPPING_PLANES 38 // Rays/Clipping.h
@@ -27,5 +24,11 @@
 #define MOST_COMPONENTS 4 // Mesh/FurtherScalars.h
 #define VERTEX_LIGHT_BLOCK 8 // texels; Light/VertexLightLayout.h
 #define VERTEX_LIGHT_ROW 4096
+#if TETMARCH_STRUCTURED
 #define LEAP_SHIFT 2 // a block has 1 << 2 cells along each side; Structured/EmptySpace.h
+#else
+#define PROJECTION_SCALE 65536.0
+#define PROJECTION_FLUSH 9.094947e-13 // 2^-40
+#define LINK_OUTSIDE 0x80000000u
 #define BVH_STACK 48 // Mesh/BoundaryHierarchy.h bounds the depth
+#endif

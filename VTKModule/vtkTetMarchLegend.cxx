@@ -27,30 +27,28 @@ const char* titleOf(int viewMode)
   }
 }
 
-// What a mapper's last frame drew.
-struct DrawnView
+// What the legend asks of a mapper; all null of other classes than ours.
+struct Explained
 {
-  const char* Title = nullptr;
-  vtkLookupTable* Colors = nullptr;
+  vtkTetMarchSettings* Settings = nullptr;
+  vtkTetMarchFrameStatistics* Statistics = nullptr;
+  vtkLookupTable* Table = nullptr;
 };
 
 template <typename Mapper>
-DrawnView viewOf(Mapper* mapper)
+Explained explain(Mapper* mapper)
 {
-  const vtkIdType pixels =
-    mapper->GetLastFrameStatistics()->GetNumberOfPixels(vtkTetMarchFrameStatistics::CELLS);
-  return pixels > 0 ? DrawnView{ titleOf(mapper->GetViewMode()), mapper->GetViewLookupTable() }
-                    : DrawnView();
+  return { mapper->GetSettings(), mapper->GetLastFrameStatistics(), mapper->GetViewLookupTable() };
 }
 
-DrawnView viewOfAny(vtkAbstractVolumeMapper* mapper)
+Explained explained(vtkAbstractVolumeMapper* any)
 {
-  if (auto* ofGrids = vtkTetMarchVolumeMapper::SafeDownCast(mapper))
+  if (auto* mapper = vtkTetMarchVolumeMapper::SafeDownCast(any))
   {
-    return viewOf(ofGrids);
+    return explain(mapper);
   }
-  auto* ofImages = vtkTetMarchSmartVolumeMapper::SafeDownCast(mapper);
-  return ofImages ? viewOf(ofImages) : DrawnView();
+  auto* mapper = vtkTetMarchSmartVolumeMapper::SafeDownCast(any);
+  return mapper ? explain(mapper) : Explained();
 }
 } // namespace
 
@@ -91,7 +89,12 @@ void vtkTetMarchLegend::SetMapper(vtkAbstractVolumeMapper* mapper)
 vtkAbstractVolumeMapper* vtkTetMarchLegend::GetMapper() const { return this->Mapper; }
 
 //------------------------------------------------------------------------------
-bool vtkTetMarchLegend::IsShown() const { return viewOfAny(this->Mapper).Title != nullptr; }
+bool vtkTetMarchLegend::IsShown() const
+{
+  const Explained frame = explained(this->Mapper);
+  return frame.Settings && titleOf(frame.Settings->GetViewMode()) &&
+         frame.Statistics->GetNumberOfPixels(vtkTetMarchFrameStatistics::CELLS) > 0;
+}
 
 //------------------------------------------------------------------------------
 int vtkTetMarchLegend::RenderOpaqueGeometry(vtkViewport*) { return 0; }
@@ -99,13 +102,13 @@ int vtkTetMarchLegend::RenderOpaqueGeometry(vtkViewport*) { return 0; }
 //------------------------------------------------------------------------------
 int vtkTetMarchLegend::RenderOverlay(vtkViewport* viewport)
 {
-  const DrawnView view = viewOfAny(this->Mapper);
-  if (!view.Title)
+  if (!this->IsShown())
   {
     return 0;
   }
-  this->SetTitle(view.Title);
-  this->SetLookupTable(view.Colors);
+  const Explained frame = explained(this->Mapper);
+  this->SetTitle(titleOf(frame.Settings->GetViewMode()));
+  this->SetLookupTable(frame.Table);
   // The layout depends on this frame, so it is made here and not with opaque geometry.
   return this->RebuildLayoutIfNeeded(viewport) ? this->Superclass::RenderOverlay(viewport) : 0;
 }

@@ -76,7 +76,7 @@ void shadeCell(Ray ray, Place place, INOUT(CellInterval) cell)
   FacePoint to = leavePoint(cell);
   real depth = real(0.5) * (from.depth + to.depth);
   real scalar = real(0.5) * (from.scalar + to.scalar);
-  cell.shades.enter = shadeOf(ray, depth, scalar, fetchCellGradient(cell.tet),
+  cell.shades.enter = shadeOf(ray, depth, scalar, fetchCellGradient(cell.number),
     (incomingAt(ray, from) + incomingAt(ray, to)) * real(0.5));
   cell.shades.leave = cell.shades.enter;
 #endif

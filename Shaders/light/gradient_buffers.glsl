@@ -1,11 +1,11 @@
-// Gradients, and the gradient opacity; bound by GL/EffectTextures.
-#if TETMARCH_VERTEX_GRADIENTS && !TETMARCH_STRUCTURED
-uniform samplerBuffer gradientBuffer; // of the scalar, at the vertices
+// Gradients, and the gradient opacity; bound by GL/EffectTextures. Those of a lattice are differences of its values.
+#if !TETMARCH_STRUCTURED
+uniform samplerBuffer gradientBuffer; // of the scalar, at the vertices or in the tetrahedra
+#if TETMARCH_CELL_GRADIENTS
+vec3 fetchCellGradient(uint tet) { return texelFetch(gradientBuffer, int(tet)).xyz; }
+#else
 vec3 fetchGradient(uint vertex) { return texelFetch(gradientBuffer, int(vertex)).xyz; }
 #endif
-#if TETMARCH_CELL_GRADIENTS && !TETMARCH_STRUCTURED
-uniform samplerBuffer gradientBuffer; // of the scalar, in the tetrahedra
-vec3 fetchCellGradient(uint tet) { return texelFetch(gradientBuffer, int(tet)).xyz; }
 #endif
 
 #if TETMARCH_GRADIENT_OPACITY

@@ -1,4 +1,4 @@
-// The light at a vertex: the transmittance towards ambient light, which is the mean over a few directions up to a radius,
+// The light at a vertex of a mesh, or at a node of a structured volume: the transmittance towards ambient light, which is the mean over a few directions up to a radius,
 // and towards each light that casts shadows. It is marched once, and kept until light or volume change.
 
 #include "light/sphere_direction.glsl"
@@ -11,6 +11,11 @@ bool isShadowed(uint vertex, int k) { return (fetchOpaqueShadows(vertex) >> uint
 // The transmittance towards ambient light, then towards up to three lights; 0..1.
 vec4 lightAtVertex(uint vertex)
 {
+#if TETMARCH_STRUCTURED
+  vec4 light = vec4(real(1), real(1), real(1), real(1));
+  vec3 point = pointOfNode(uvec3(vertex % uint(lightNodes.x), vertex / uint(lightNodes.x) % uint(lightNodes.y),
+    vertex / uint(lightNodes.x) / uint(lightNodes.y)));
+#else
   uvec4 start = fetchVertexStart(vertex); // a tetrahedron at the vertex: its other vertices, its number
   Tet tet;
   tet.number = start.w;
@@ -29,6 +34,7 @@ vec4 lightAtVertex(uint vertex)
   vec3 inwards = vec3(others.x, others.y, others.z) * (real(1) / real(3)) - point;
   // A little inside the tetrahedron, so that the predicate finds the ray in it.
   point = point + inwards * (real(1) / real(64));
+#endif
   real ambient = real(0);
   for (int k = 0; k < shadowSourceCount + occlusionDirectionCount; ++k)
   {
@@ -44,7 +50,11 @@ vec4 lightAtVertex(uint vertex)
     // Light that opaque geometry keeps off needs no march.
     distance = fromLight && isShadowed(vertex, k) ? real(0) : distance;
 #endif
+#if TETMARCH_STRUCTURED
+    real transmittance = transmittanceTo(point, direction, distance);
+#else
     real transmittance = transmittanceTo(tet, point, direction, distance);
+#endif
     light.y = k == 0 && fromLight ? transmittance : light.y;
     light.z = k == 1 && fromLight ? transmittance : light.z;
     light.w = k == 2 && fromLight ? transmittance : light.w;

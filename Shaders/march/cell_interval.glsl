@@ -3,7 +3,7 @@
 
 struct CellInterval
 {
-  uint tet;    // the number of the cell
+  uint number; // of the cell
   vec2 enter;  // depth and scalar where the interval begins
   vec2 leave;  // and where it ends
   real begin;  // depths between which the cell is gathered
@@ -79,7 +79,7 @@ Segment visibleSegment(CellInterval cell)
   segment.furtherBegin = cell.begin > cell.enter.x ? furtherAt(cell, cell.begin) : cell.enterAttributes.further;
   segment.furtherEnd = cell.end < cell.leave.x ? furtherAt(cell, cell.end) : cell.leaveAttributes.further;
 #elif TETMARCH_COMPONENTS
-  segment.furtherBegin = fetchFurtherScalars(cell.tet);
+  segment.furtherBegin = fetchFurtherScalars(cell.number);
 #endif
 #if TETMARCH_ISOSURFACES
   // Scalars of cells change between two cells. Where rounding makes cells overlap, no value is crossed twice.
@@ -145,7 +145,7 @@ void decideVisibility(bool forward, INOUT(CellInterval) cell)
 #endif
   bool open = forward;
 #if TETMARCH_HIDDEN_CELLS
-  open = open && !isHidden(cell.tet);
+  open = open && !isHidden(cell.number);
 #endif
 #if TETMARCH_LEAPS
   open = open && !cell.skipped;

@@ -30,6 +30,7 @@
 #endif
 #include "march/sample_pause.glsl"
 #endif
+#include "march/crossing.glsl"
 #if TETMARCH_STRUCTURED
 #include "structured/cross_cell.glsl"
 #else

@@ -6,7 +6,7 @@ CONSTANT int PICK_STEPS = 32; // halvings of the interval that the point is in
 struct Pick
 {
   bool hit;
-  uint tet;
+  uint cell;   // its number
   real depth;  // along the ray
   real scalar; // as it is stored, also if it is not finite
 };
@@ -15,7 +15,7 @@ Pick noPick()
 {
   Pick pick;
   pick.hit = false;
-  pick.tet = 0u;
+  pick.cell = 0u;
   pick.depth = real(0);
   pick.scalar = real(0);
   return pick;
@@ -65,7 +65,7 @@ void pickInterval(real thicknessPerDepth, real target, CellInterval cell, INOUT(
       high = picked ? middle : high;
     }
     pick.hit = true;
-    pick.tet = cell.tet;
+    pick.cell = cell.number;
     pick.depth = high;
     pick.scalar = pickedScalar(cell, high);
   }

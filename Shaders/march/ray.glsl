@@ -1,4 +1,4 @@
-// A ray, and the projection of vertices along it, or its way through a lattice.
+// A ray.
 
 struct Ray
 {
@@ -22,22 +22,6 @@ struct Ray
 #endif
 };
 
-#if !TETMARCH_STRUCTURED
-// Position on the picture plane of the ray in xy, depth along the ray in z. Every vertex is projected by this function,
-// so that it gets the same bits each time.
-vec3 project(Ray ray, vec3 vertex)
-{
-  precise real x = vertex.x - ray.origin.x;
-  precise real y = vertex.y - ray.origin.y;
-  precise real z = vertex.z - ray.origin.z;
-  precise real right = x * ray.right.x + y * ray.right.y + z * ray.right.z;
-  precise real up = x * ray.up.x + y * ray.up.y + z * ray.up.z;
-  precise real depth = x * ray.direction.x + y * ray.direction.y + z * ray.direction.z;
-  vec2 p = snapToPredicate(vec2(right, up));
-  return vec3(p.x, p.y, depth);
-}
-#endif
-
 #if TETMARCH_CROPPED
 // Depth at which a ray has gone that far along an axis; NO_DEPTH if it runs across it.
 real depthAlong(real distance, real slope) { return abs(slope) > TINY ? distance / slope : NO_DEPTH; }
@@ -51,27 +35,9 @@ vec3 planeDepths(vec3 planes, vec3 origin, vec3 direction)
 #endif
 
 #if TETMARCH_STRUCTURED
-int stepAlong(real slope) { return abs(slope) > TINY ? (slope > real(0) ? 1 : -1) : 0; }
-real perSlopeOf(real slope) { return abs(slope) > TINY ? real(1) / slope : real(0); }
-
-void orient(INOUT(Ray) ray)
-{
-  ray.start = toLattice(ray.origin);
-  ray.slope = directionToLattice(ray.direction);
-  ray.perSlope = vec3(perSlopeOf(ray.slope.x), perSlopeOf(ray.slope.y), perSlopeOf(ray.slope.z));
-  ray.steps = ivec3(stepAlong(ray.slope.x), stepAlong(ray.slope.y), stepAlong(ray.slope.z));
-}
+#include "structured/ray_steps.glsl"
 #else
-// The axis along which the direction is least gives the best angle.
-void orient(INOUT(Ray) ray)
-{
-  vec3 direction = ray.direction;
-  vec3 size = vec3(abs(direction.x), abs(direction.y), abs(direction.z));
-  vec3 axis = size.x <= size.y && size.x <= size.z ? vec3(real(1), real(0), real(0))
-    : (size.y <= size.z ? vec3(real(0), real(1), real(0)) : vec3(real(0), real(0), real(1)));
-  ray.right = normalize(cross(direction, axis));
-  ray.up = cross(ray.right, direction);
-}
+#include "tet/projection.glsl"
 #endif
 
 // The ray through a point. However far away the eye is, the origin q - dir (q.dir) errs by a few 1e-7 radii of the volume;

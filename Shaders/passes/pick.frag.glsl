@@ -40,6 +40,6 @@ void main()
     discard;
   }
   // A float holds 24 bits of an integer.
-  gl_FragData[0] = vec4(float(pick.tet & 0xffffu), float(pick.tet >> 16u), pick.scalar, 1.0);
+  gl_FragData[0] = vec4(float(pick.cell & 0xffffu), float(pick.cell >> 16u), pick.scalar, 1.0);
   gl_FragData[1] = vec4(pixel.ray.origin + pixel.ray.direction * pick.depth, 0.0);
 }

@@ -16,9 +16,7 @@ real bilinear(vec4 values, vec3 place)
   real north = values.x + (values.y - values.x) * place.x;
   return south + (north - south) * place.y;
 }
-#endif
-
-#if !TETMARCH_POINT_SCALARS
+#else
 // Half of the difference between the values on both sides, in lattice coordinates; at the end of an axis that of one side
 // and the cell's own. Planes are taken for evenly spaced.
 vec3 latticeGradientAt(ivec3 cell, vec3 place)
@@ -30,7 +28,9 @@ vec3 latticeGradientAt(ivec3 cell, vec3 place)
   vec3 low = vec3(fetchValue(i - 1, j, k), fetchValue(i, j - 1, k), fetchValue(i, j, k - 1));
   return (high - low) * real(0.5);
 }
-#elif TETMARCH_CELL_GRADIENTS
+#endif
+
+#if TETMARCH_CELL_GRADIENTS
 // The gradient of the trilinear cell itself, in lattice coordinates.
 vec3 latticeGradientAt(ivec3 cell, vec3 place)
 {
@@ -46,27 +46,17 @@ vec3 latticeGradientAt(ivec3 cell, vec3 place)
   real dy = between.x - between.w + (between.y - between.z - (between.x - between.w)) * a.x;
   return vec3(dx, dy, bilinear(high - low, a)) * frame.perWidth;
 }
-#else
-// 1 over the distance between the neighbours of a value along an axis. At the end of the axis the value itself is one of
+#elif TETMARCH_POINT_SCALARS
+// 1 over the distance between the neighbours of a value along each axis. At the end of an axis the value itself is one of
 // them.
-#if TETMARCH_RECTILINEAR
-real perDistance(int value, int axisLast, int plane, int axisFirst)
+vec3 perDistances(ivec3 value)
 {
-  real low = fetchPlane(plane + clamp(value - 1, 0, axisLast) - axisFirst);
-  real high = fetchPlane(plane + clamp(value + 1, 0, axisLast) - axisFirst);
-  return real(1) / max(high - low, TINY);
-}
-#else
-real perDistance(int value, int axisLast, int plane, int axisFirst)
-{
-  return value <= 0 || value >= axisLast ? real(1) : real(0.5);
-}
-#endif
-
-// Of the values at both ends of a cell.
-vec2 perDistances(int value, int axisLast, int plane, int axisFirst)
-{
-  return vec2(perDistance(value, axisLast, plane, axisFirst), perDistance(value + 1, axisLast, plane, axisFirst));
+  ivec3 low = ivec3(clamp(value.x - 1, 0, lastValue.x), clamp(value.y - 1, 0, lastValue.y),
+    clamp(value.z - 1, 0, lastValue.z));
+  ivec3 high = ivec3(clamp(value.x + 1, 0, lastValue.x), clamp(value.y + 1, 0, lastValue.y),
+    clamp(value.z + 1, 0, lastValue.z));
+  vec3 d = planesAt(high - firstValue) - planesAt(low - firstValue);
+  return vec3(real(1) / max(d.x, TINY), real(1) / max(d.y, TINY), real(1) / max(d.z, TINY));
 }
 
 // In lattice coordinates: central differences at the corners of the cell (Hoehne and Bernstein, "Shading 3D-images from CT
@@ -93,15 +83,15 @@ vec3 latticeGradientAt(ivec3 cell, vec3 place)
   vec4 south = lowSouth + (fetchValues(i, j - 1, k + 1) - lowSouth) * a.z;
   vec4 lowNorth = fetchValues(i, j + 1, k);
   vec4 north = lowNorth + (fetchValues(i, j + 1, k + 1) - lowNorth) * a.z;
-  vec2 perX = perDistances(i, lastValue.x, firstPlane.x, firstValue.x);
-  vec2 perY = perDistances(j, lastValue.y, firstPlane.y, firstValue.y);
-  vec2 perZ = perDistances(k, lastValue.z, firstPlane.z, firstValue.z);
+  vec3 perLow = perDistances(ivec3(i, j, k));
+  vec3 perHigh = perDistances(ivec3(i + 1, j + 1, k + 1));
   // At the four corners, in the order of fetchValues().
-  vec4 dx = vec4((mid.y - west.x) * perX.x, (east.y - mid.x) * perX.y, (east.z - mid.w) * perX.y, (mid.z - west.w) * perX.x);
-  vec4 dy =
-    vec4((north.x - mid.w) * perY.y, (north.y - mid.z) * perY.y, (mid.y - south.z) * perY.x, (mid.x - south.w) * perY.x);
-  vec4 lowZ = (high - below) * perZ.x;
-  vec4 dz = lowZ + ((above - low) * perZ.y - lowZ) * a.z;
+  vec4 dx = vec4((mid.y - west.x) * perLow.x, (east.y - mid.x) * perHigh.x, (east.z - mid.w) * perHigh.x,
+    (mid.z - west.w) * perLow.x);
+  vec4 dy = vec4((north.x - mid.w) * perHigh.y, (north.y - mid.z) * perHigh.y, (mid.y - south.z) * perLow.y,
+    (mid.x - south.w) * perLow.y);
+  vec4 lowZ = (high - below) * perLow.z;
+  vec4 dz = lowZ + ((above - low) * perHigh.z - lowZ) * a.z;
   return vec3(bilinear(dx, a), bilinear(dy, a), bilinear(dz, a));
 }
 #endif
@@ -111,7 +101,7 @@ VertexAttributes attributesAt(Ray ray, ivec3 cell, real depth)
   VertexAttributes attributes;
   attributes.gradient = gradientFromLattice(latticeGradientAt(cell, ray.start + ray.slope * depth));
 #if TETMARCH_VERTEX_LIGHT
-  attributes.light = vec4(real(1), real(1), real(1), real(1));
+  attributes.light = keptLightAt(ray.start + ray.slope * depth);
 #endif
   return attributes;
 }

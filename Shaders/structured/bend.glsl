@@ -14,6 +14,7 @@ vec2 bendWithin(vec2 bend, real from, real to)
   return vec2((bend.x + real(3) * bend.y * from) * h * h, bend.y * h * h * h);
 }
 
+#if TETMARCH_ERROR_BOUND
 // No point of the cubic is farther from the straight line: x (1 - x) is a quarter at most, and b + c (1 + x) lies between
 // b + c and b + 2 c.
 real greatestBend(vec2 bend)
@@ -21,7 +22,6 @@ real greatestBend(vec2 bend)
   return real(0.25) * max(abs(bend.x + bend.y), abs(bend.x + real(2) * bend.y));
 }
 
-#if TETMARCH_COMPOSITE
 // What the bend changes of the light of a subsegment in which the scalar rises or falls, and which is integrated as if
 // its table positions ran linearly. bend and rise: in table positions. by: of the subsegment; colorVariation and
 // extinctionVariation: the total variations of colour and extinction between its ends.

@@ -1,14 +1,6 @@
 // From cell to cell of a lattice. A trilinear cell is crossed in up to three parts, in each of which the scalar rises or
 // falls.
 
-// What crossing a cell has come to.
-struct Crossing
-{
-  int cells;   // that it took
-  bool lost;   // there was no exit
-  bool onward; // there is a part or a cell behind
-};
-
 CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
 {
   CellInterval cell;
@@ -54,12 +46,12 @@ void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
   real next = place.extremes.x > from ? place.extremes.x : place.extremes.y;
   real to = next > from ? min(next, real(1)) : real(1);
   real length = place.leave - place.depth;
-  bool drawn = isDrawn(place.cubic.x);
+  bool hasScalar = isDrawn(place.cubic.x);
   // The scalar where the last interval ended is the same but for rounding; then no table need be read there again.
   real begin = isDrawn(cell.leave.y) ? cell.leave.y : cubicAt(place.cubic, from);
-  cell.enter = vec2(cell.leave.x, drawn ? begin : UNDRAWN_SCALAR);
+  cell.enter = vec2(cell.leave.x, hasScalar ? begin : UNDRAWN_SCALAR);
   cell.leave = vec2(
-    to < real(1) ? place.depth + length * to : place.leave, drawn ? cubicAt(place.cubic, to) : UNDRAWN_SCALAR);
+    to < real(1) ? place.depth + length * to : place.leave, hasScalar ? cubicAt(place.cubic, to) : UNDRAWN_SCALAR);
   cell.bend = bendWithin(vec2(place.cubic.z, place.cubic.w), from, to);
   cell.scalar = cell.leave.y;
   place.position = to;
@@ -97,7 +89,7 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
     place.depth = place.leave;
     place.leave = leastOf(next);
     place.position = real(0);
-    cell.tet = numberOfCell(place.cell);
+    cell.number = numberOfCell(place.cell);
     crossing.cells = 1;
 #if TETMARCH_POINT_SCALARS
     place.cubic = cubicAlong(ray, place.cell, place.depth, place.leave);

@@ -1,13 +1,10 @@
 // The cells of a structured volume and their values; Structured/Lattice.h and Structured/StoredValues.h have the
-// conventions.
+// conventions. Bound by GL/StructuredSource.
 uniform sampler2DArray valueTexture; // layers along k
 uniform vec2 valueMap;               // scale and offset: from what is read to stored scalars
-uniform vec2 valueTexel;             // 1 over width and height of the texture
 uniform ivec3 latticeCells;          // along i, j, k
 uniform ivec3 firstValue;            // of cell 0, along i, j, k
 uniform ivec3 lastValue;
-uniform vec3 latticeShift;           // of uniform axes
-uniform vec3 latticeHalfLength;
 uniform mat4 latticeMatrix;          // from the normalised frame to lattice coordinates
 uniform int mostCells;               // the step guard: no ray crosses more cells
 
@@ -17,22 +14,23 @@ vec3 directionToLattice(vec3 direction) { return mat3(latticeMatrix) * direction
 vec3 gradientFromLattice(vec3 gradient) { return gradient * mat3(latticeMatrix); }
 #endif
 
-#if TETMARCH_POINT_SCALARS
-// Four values of a layer: (i, j + 1), (i + 1, j + 1), (i + 1, j), (i, j).
+// Four values of a layer, as textureGather() has them: (i, j + 1), (i + 1, j + 1), (i + 1, j), (i, j).
+#if TETMARCH_GATHERS
+uniform vec2 valueTexel; // 1 over width and height of the texture
+
 vec4 fetchValues(int i, int j, int k)
 {
   vec3 place = vec3(vec2(float(i + 1), float(j + 1)) * valueTexel, float(clamp(k, 0, lastValue.z)));
-#if TETMARCH_HAS_GATHER
-  vec4 values = textureGather(valueTexture, place);
-#else
-  ivec3 size = textureSize(valueTexture, 0);
-  ivec2 low = clamp(ivec2(i, j), ivec2(0), size.xy - 1);
-  ivec2 high = clamp(ivec2(i + 1, j + 1), ivec2(0), size.xy - 1);
-  int layer = int(place.z);
-  vec4 values = vec4(texelFetch(valueTexture, ivec3(low.x, high.y, layer), 0).x,
-    texelFetch(valueTexture, ivec3(high, layer), 0).x, texelFetch(valueTexture, ivec3(high.x, low.y, layer), 0).x,
-    texelFetch(valueTexture, ivec3(low, layer), 0).x);
-#endif
+  return textureGather(valueTexture, place) * valueMap.x + vec4(valueMap.y);
+}
+#elif TETMARCH_POINT_SCALARS
+vec4 fetchValues(int i, int j, int k)
+{
+  ivec3 low = clamp(ivec3(i, j, k), ivec3(0), lastValue);
+  ivec2 high = clamp(ivec2(i + 1, j + 1), ivec2(0), lastValue.xy);
+  vec4 values = vec4(texelFetch(valueTexture, ivec3(low.x, high.y, low.z), 0).x,
+    texelFetch(valueTexture, ivec3(high, low.z), 0).x, texelFetch(valueTexture, ivec3(high.x, low.y, low.z), 0).x,
+    texelFetch(valueTexture, low, 0).x);
   return values * valueMap.x + vec4(valueMap.y);
 }
 #else
@@ -46,8 +44,9 @@ float fetchValue(int i, int j, int k)
 uniform samplerBuffer planeBuffer; // those of i, of j, of k, one behind the other
 uniform ivec3 firstPlane;          // of each axis in the buffer
 float fetchPlane(int i) { return texelFetch(planeBuffer, i).x; }
-#elif TETMARCH_EFFECTS
-const ivec3 firstPlane = ivec3(0, 0, 0);
+#else
+uniform vec3 latticeShift;      // plane i is at i + latticeShift, but not beyond
+uniform vec3 latticeHalfLength; // that
 #endif
 
 #if TETMARCH_LEAPS

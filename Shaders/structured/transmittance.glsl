@@ -1,5 +1,9 @@
-// The transmittance of a ray towards the light: it adds up the optical depth from cell to cell; the transmittance is one
-// exponential at the end. Each part of a cell is integrated as if the scalar ran straight between its ends.
+// The transmittance of a ray towards the light, from a point over a distance in a direction (unit length).
+
+#if TETMARCH_SAMPLED_SHADOWS
+// The march of the picture pauses for samples, so that rays towards the light have a march of their own. It adds up the
+// optical depth from cell to cell; the transmittance is one exponential at the end. Each part of a cell is integrated as
+// if the scalar ran straight between its ends.
 
 #if TETMARCH_POINT_SCALARS
 real meanExtinction(Segment segment)
@@ -25,7 +29,6 @@ real cellExtinction(Ray ray, Place place, CellInterval cell)
   return extinction;
 }
 
-// From a point over that distance in that direction (unit length).
 real transmittanceTo(vec3 point, vec3 direction, real distance)
 {
   Ray ray = rayThrough(point, direction);
@@ -50,3 +53,11 @@ real transmittanceTo(vec3 point, vec3 direction, real distance)
   }
   return exp(-opticalDepth);
 }
+#else
+real transmittanceTo(vec3 point, vec3 direction, real distance)
+{
+  Ray ray = rayThrough(point, direction);
+  real begin = dot(point - ray.origin, ray.direction);
+  return castPlainRay(ray, 0, thicknessPerDepthAlong(direction), begin, begin + distance).radiance.transmittance;
+}
+#endif

@@ -1,13 +1,5 @@
 // From tetrahedron to tetrahedron.
 
-// What crossing a cell has come to.
-struct Crossing
-{
-  int cells;   // that it took
-  bool lost;   // there was no exit
-  bool onward; // there is a cell behind
-};
-
 // The scalar of a tetrahedron, or that at the point (depth, scalar) where the ray leaves it.
 real cellScalar(uint tet, vec2 leave)
 {
@@ -43,7 +35,7 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
   vec4 apex = fetchVertex(place.link.y);
   int exitFace = stepThrough(place.face, place.link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
   keepLastDrawn(cell);
-  cell.tet = tet;
+  cell.number = tet;
   cell.enter = cell.leave;
   cell.leave = intersectionPoint(place.face);
 #if TETMARCH_VERTEX_ATTRIBUTES

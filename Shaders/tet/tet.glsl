@@ -39,6 +39,7 @@ bool entersTet(Ray ray, Tet tet, OUT(FaceIntersection) face, OUT(uvec2) link)
   return entersFace(ray, ids, face);
 }
 
+#if TETMARCH_SAMPLED_SHADOWS
 // The tetrahedron behind a face.
 Tet cellBehind(Place place)
 {
@@ -50,3 +51,4 @@ Tet cellBehind(Place place)
   tet.d = place.link.y;
   return tet;
 }
+#endif

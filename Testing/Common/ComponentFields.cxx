@@ -108,7 +108,8 @@ void setComponentFunctions(vtkVolumeProperty* property, int components)
   }
 }
 
-std::array<double, 4> mediumAt(vtkVolumeProperty* property, const std::vector<double>& scalars)
+std::array<double, 4> mediumAt(vtkVolumeProperty* property, const std::vector<double>& scalars,
+  const std::function<double(double)>& extinctionOf)
 {
   const int count = static_cast<int>(scalars.size());
   std::array<double, 4> medium{};
@@ -126,19 +127,20 @@ std::array<double, 4> mediumAt(vtkVolumeProperty* property, const std::vector<do
     for (int k = 0; k < count; ++k)
     {
       property->GetRGBTransferFunction(k)->GetColor(scalars[k], rgb);
-      add(rgb,
-        property->GetComponentWeight(k) * property->GetScalarOpacity(k)->GetValue(scalars[k]) *
-          property->GetScalarOpacityUnitDistance(0) / property->GetScalarOpacityUnitDistance(k));
+      add(rgb, property->GetComponentWeight(k) *
+                 extinctionOf(property->GetScalarOpacity(k)->GetValue(scalars[k])) *
+                 property->GetScalarOpacityUnitDistance(0) /
+                 property->GetScalarOpacityUnitDistance(k));
     }
   }
   else if (count == 2)
   {
     property->GetRGBTransferFunction()->GetColor(scalars[0], rgb);
-    add(rgb, property->GetScalarOpacity()->GetValue(scalars[1]));
+    add(rgb, extinctionOf(property->GetScalarOpacity()->GetValue(scalars[1])));
   }
   else
   {
-    add(scalars.data(), property->GetScalarOpacity()->GetValue(scalars[3]));
+    add(scalars.data(), extinctionOf(property->GetScalarOpacity()->GetValue(scalars[3])));
   }
   return medium;
 }

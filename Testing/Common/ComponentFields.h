@@ -10,6 +10,8 @@
 
 #include "GridBuilder.h"
 
+#include <functional>
+
 class vtkDataArray;
 class vtkVolumeProperty;
 
@@ -28,8 +30,11 @@ Grid withComponents(const Grid& grid, const std::vector<Field>& fields, int type
 void setComponentFunctions(vtkVolumeProperty* property, int components);
 
 /// Colour times extinction, and extinction, of a point with those scalars: by definition, with
-/// VTK's functions; opacity is extinction in unit distances of component 0.
-std::array<double, 4> mediumAt(vtkVolumeProperty* property, const std::vector<double>& scalars);
+/// VTK's functions; extinction is in unit distances of component 0. `extinctionOf` an opacity in a
+/// unit distance is that opacity itself, unless another law is given.
+std::array<double, 4> mediumAt(
+  vtkVolumeProperty* property, const std::vector<double>& scalars,
+  const std::function<double(double)>& extinctionOf = [](double opacity) { return opacity; });
 } // namespace tetmarch::testing
 
 #endif

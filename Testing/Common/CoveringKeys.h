@@ -29,7 +29,8 @@ template <typename Function>
 void forEachThree(const VariantKey& key, const Function& call)
 {
   const std::uint64_t bits = key.bits();
-  const auto bit = [bits](int i) { return std::size_t(bits >> i & 1u); };
+  const auto bit = [bits](int i)
+  { return std::size_t((bits & VariantKey::features()[i].Bit) != 0 ? 1 : 0); };
   std::size_t three = 0;
   for (int a = 0; a < VariantKey::NumberOfFeatures; ++a)
   {

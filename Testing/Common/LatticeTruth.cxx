@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace tetmarch::testing
@@ -35,7 +36,7 @@ LatticeTruth::LatticeTruth(
   : Chords(data, values)
   , Optics(model)
   , Model(model)
-  , IsContinuous(values == LatticeValues::PointsLinear || values == LatticeValues::CellsLinear)
+  , Kind(values)
 {
   this->readScalars(data,
     values == LatticeValues::PointsLinear || values == LatticeValues::PointsNearest, component);
@@ -56,32 +57,57 @@ void LatticeTruth::readScalars(vtkDataSet* data, bool ofPoints, int component)
   }
 }
 
+template <typename Found>
+void LatticeTruth::forCellsAround(vtkIdType point, const Found& found) const
+{
+  const vtkIdType nx = this->Chords.cells(0);
+  const vtkIdType ny = this->Chords.cells(1);
+  const vtkIdType at[3] = { point % (nx + 1), point / (nx + 1) % (ny + 1),
+    point / (nx + 1) / (ny + 1) };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    vtkIdType cell[3];
+    bool exists = true;
+    for (int a = 0; a < 3; ++a)
+    {
+      cell[a] = at[a] - (corner >> a & 1);
+      exists = exists && cell[a] >= 0 && cell[a] < this->Chords.cells(a);
+    }
+    if (exists)
+    {
+      found(cell[0] + nx * (cell[1] + ny * cell[2]));
+    }
+  }
+}
+
 void LatticeTruth::readHidden(vtkDataSet* data)
 {
-  this->Hidden = markedBy(data->GetCellData(), data->GetNumberOfCells(),
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<bool> marked = markedBy(data->GetCellData(), data->GetNumberOfCells(),
     vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL |
       vtkDataSetAttributes::REFINEDCELL);
   const std::vector<bool> points =
     markedBy(data->GetPointData(), data->GetNumberOfPoints(), vtkDataSetAttributes::HIDDENPOINT);
-  const vtkIdType nx = this->Chords.cells(0);
-  const vtkIdType ny = this->Chords.cells(1);
+  this->HiddenCells = marked;
   for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
   {
-    const vtkIdType at[3] = { p % (nx + 1), p / (nx + 1) % (ny + 1), p / (nx + 1) / (ny + 1) };
-    for (int corner = 0; points[p] && corner < 8; ++corner)
+    bool alone = true;
+    this->forCellsAround(p,
+      [&](vtkIdType cell)
+      {
+        alone = alone && marked[cell];
+        this->HiddenCells[cell] = this->HiddenCells[cell] || points[p];
+      });
+    if (this->Kind == LatticeValues::PointsNearest && (points[p] || alone))
     {
-      vtkIdType cell[3];
-      bool exists = true;
-      for (int a = 0; a < 3; ++a)
-      {
-        cell[a] = at[a] - (corner >> a & 1);
-        exists = exists && cell[a] >= 0 && cell[a] < this->Chords.cells(a);
-      }
-      if (exists)
-      {
-        this->Hidden[cell[0] + nx * (cell[1] + ny * cell[2])] = true;
-      }
+      this->Scalars[p] = nothing;
     }
+  }
+  const bool ofCells =
+    this->Kind == LatticeValues::CellsLinear || this->Kind == LatticeValues::CellsNearest;
+  for (vtkIdType cell = 0; ofCells && cell < data->GetNumberOfCells(); ++cell)
+  {
+    this->Scalars[cell] = this->HiddenCells[cell] ? nothing : this->Scalars[cell];
   }
 }
 
@@ -97,7 +123,7 @@ std::optional<Cubic> LatticeTruth::scalarAlong(const LatticeChord& chord) const
     slabs[0]->Cell +
     static_cast<std::size_t>(this->Chords.cells(0)) *
       (slabs[1]->Cell + static_cast<std::size_t>(this->Chords.cells(1)) * slabs[2]->Cell);
-  if (this->Hidden[cell])
+  if (this->Kind == LatticeValues::PointsLinear && this->HiddenCells[cell])
   {
     return {};
   }
@@ -214,6 +240,8 @@ OpacitySums LatticeTruth::opacitySums(const Vec3& origin, const Vec3& direction,
 std::vector<SurfaceCrossing> LatticeTruth::crossings(const Vec3& origin, const Vec3& direction,
   const std::vector<double>& values, double tMin, double tMax) const
 {
+  const bool isContinuous =
+    this->Kind == LatticeValues::PointsLinear || this->Kind == LatticeValues::CellsLinear;
   std::vector<SurfaceCrossing> found;
   const std::vector<ScalarSegment> segments = this->segments(origin, direction, tMin, tMax);
   for (const double value : values)
@@ -222,7 +250,7 @@ std::vector<SurfaceCrossing> LatticeTruth::crossings(const Vec3& origin, const V
     {
       const ScalarSegment& segment = segments[i];
       // In the face between two cells rounding may have it reached on one side alone.
-      if (i > 0 && this->IsContinuous && segments[i - 1].T1 == segment.T0 &&
+      if (i > 0 && isContinuous && segments[i - 1].T1 == segment.T0 &&
           (segments[i - 1].Scalar.at(1.0) < value) != (segment.Scalar.at(0.0) < value))
       {
         found.push_back({ segment.T0, value });

@@ -10,9 +10,10 @@
  * integrals are taken by adaptive quadrature of VTK's own functions (SegmentIntegral.h), and its
  * extremes and crossings are found.
  *
- * What is drawn: a cell of the data is not, if it is marked as hidden, as a duplicate or as
- * refined, or if one of its points is hidden; nor is a box that a value which is not finite has a
- * part in.
+ * What is drawn: a cell of the data is hidden if it is marked as hidden, as a duplicate or as
+ * refined, or if one of its points is marked as hidden. Not drawn is a box in which a value has a
+ * part that is not finite, or that is of a hidden cell, or, if it is alone there, of a point that
+ * is hidden or has marked cells alone about it; nor is a hidden cell between points.
  *
  * Rays and lengths are in coordinates of the data.
  */
@@ -88,15 +89,18 @@ public:
 private:
   void readScalars(vtkDataSet* data, bool ofPoints, int component);
   void readHidden(vtkDataSet* data);
+  /// Calls found(cell) with the cells of the data that have the point.
+  template <typename Found>
+  void forCellsAround(vtkIdType point, const Found& found) const;
   std::optional<Cubic> scalarAlong(const LatticeChord& chord) const;
   SegmentResult march(const Ray& ray, double tMin, double tMax) const;
 
   LatticeChords Chords;
   SegmentIntegral Optics;
   OpticalModel Model;
-  bool IsContinuous;
-  std::vector<double> Scalars;
-  std::vector<bool> Hidden; // for each cell of the data
+  LatticeValues Kind;
+  std::vector<double> Scalars;   // not a number where hidden
+  std::vector<bool> HiddenCells; // of the data
 };
 } // namespace tetmarch::testing
 

@@ -65,13 +65,16 @@ private:
   std::unordered_set<std::uint64_t> Found;
 };
 
-/// Of the picture, for there are millions: that of the simplest scene, what it becomes by up to
-/// three changes of a feature, and many at random. Some scene makes each of them: the filter leaves
-/// none that none could. The same at each call.
+/// Of the picture, for there are millions: those of the simplest scenes of tetrahedra and of a
+/// lattice, what they become by up to three changes of a feature, and many at random. Some scene
+/// makes each of them: the filter leaves none that none could. The same at each call.
 inline std::vector<VariantKey> legalKeys()
 {
   DistinctKeys legal;
-  legal.add(VariantKey().filtered());
+  VariantKey simplest;
+  legal.add(simplest.filtered());
+  simplest.Structured = true;
+  legal.add(simplest.filtered());
   std::size_t begin = 0;
   for (int changes = 0; changes < 3; ++changes)
   {
@@ -87,7 +90,7 @@ inline std::vector<VariantKey> legalKeys()
     }
   }
   std::mt19937 random(5);
-  for (int i = 0; i < 80000; ++i)
+  for (int i = 0; i < 110000; ++i)
   {
     VariantKey key = randomKey(random);
     if (i % 4 > 0) // else the volume itself would be seen in one of eight
@@ -97,6 +100,10 @@ inline std::vector<VariantKey> legalKeys()
     if (i % 4 != 1) // else seven of eight would have several scalars
     {
       key.Components = ComponentGroup::Single;
+    }
+    if (i % 8 < 4) // else half would be of lattices, which have fewer features
+    {
+      key.Structured = false;
     }
     legal.add(key.filtered());
   }

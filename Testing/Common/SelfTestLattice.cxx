@@ -6,7 +6,7 @@
 #include "Grids.h"
 #include "LatticeImages.h"
 #include "LatticeTruth.h"
-#include "SelfTestModels.h"
+#include "SelfTestPlacedRay.h"
 
 #include "vtkCellData.h"
 #include "vtkPointData.h"
@@ -20,75 +20,7 @@ namespace
 using namespace tetmarch::testing;
 
 constexpr double Infinity = LatticeTruth::Infinity;
-constexpr LatticeValues AllValues[] = { LatticeValues::PointsLinear, LatticeValues::PointsNearest,
-  LatticeValues::CellsLinear, LatticeValues::CellsNearest };
-const Vec3 Zero = { 0.0, 0.0, 0.0 };
 const Vec3 One = { 1.0, 1.0, 1.0 };
-
-Vec3 along(const Vec3& origin, const Vec3& direction, double t)
-{
-  const double length = std::hypot(direction[0], direction[1], direction[2]);
-  Vec3 point;
-  for (int a = 0; a < 3; ++a)
-  {
-    point[a] = origin[a] + t / length * direction[a];
-  }
-  return point;
-}
-
-// A line by a point of the unit cube and a direction, which the volume's own place is applied to.
-struct PlacedRay
-{
-  Vec3 Origin;
-  Vec3 Direction;
-  Vec3 CubeOrigin;
-  Vec3 CubeDirection;
-  double T0 = 0.0; // where it enters and leaves the volume
-  double T1 = 0.0;
-
-  // In the unit cube.
-  Vec3 at(double t) const
-  {
-    const double length = std::hypot(this->Direction[0], this->Direction[1], this->Direction[2]);
-    Vec3 point;
-    for (int a = 0; a < 3; ++a)
-    {
-      point[a] = this->CubeOrigin[a] + t / length * this->CubeDirection[a];
-    }
-    return point;
-  }
-};
-
-PlacedRay placedRay(vtkImageData* image, std::mt19937& generator)
-{
-  PlacedRay ray;
-  ray.CubeOrigin = randomPoint(generator, 0.0, 1.0);
-  ray.CubeDirection = randomDirection(generator);
-  const Vec3 through = along(ray.CubeOrigin, ray.CubeDirection, 1.0);
-  Vec3 ends[2];
-  for (int end = 0; end < 2; ++end)
-  {
-    const Vec3& p = end == 0 ? ray.CubeOrigin : through;
-    const int* extent = image->GetExtent();
-    double index[3];
-    for (int a = 0; a < 3; ++a)
-    {
-      index[a] = extent[2 * a] + p[a] * (extent[2 * a + 1] - extent[2 * a]);
-    }
-    image->TransformContinuousIndexToPhysicalPoint(index, ends[end].data());
-  }
-  ray.Origin = ends[0];
-  for (int a = 0; a < 3; ++a)
-  {
-    ray.Direction[a] = ends[1][a] - ends[0][a];
-    ray.CubeDirection[a] = through[a] - ray.CubeOrigin[a];
-  }
-  const double scale = std::hypot(ray.Direction[0], ray.Direction[1], ray.Direction[2]);
-  const Vec3 back = { -ray.CubeDirection[0], -ray.CubeDirection[1], -ray.CubeDirection[2] };
-  ray.T0 = -scale * boxChord(ray.CubeOrigin, back, Zero, One, 0.0);
-  ray.T1 = scale * boxChord(ray.CubeOrigin, ray.CubeDirection, Zero, One, 0.0);
-  return ray;
-}
 
 TEST(LatticeTruth, RefusesWhatIsNoVolume)
 {
@@ -248,47 +180,6 @@ TEST(LatticeTruth, LinearFieldInAnyDirectionIsOneSegment)
       const auto extremes = thick.extremes(ray.Origin, ray.Direction, -Infinity);
       ASSERT_NEAR((*extremes)[0], std::min(f(ray.T0), f(ray.T1)), 1e-9);
       ASSERT_NEAR((*extremes)[1], std::max(f(ray.T0), f(ray.T1)), 1e-9);
-    }
-  }
-}
-
-TEST(LatticeTruth, NotDrawnAreHiddenCellsAndNotANumber)
-{
-  std::mt19937 generator(24);
-  const auto box = [](const PlacedRay& ray, double low, double high) {
-    return boxChord(ray.Origin, ray.Direction, { low, low, low }, { high, high, high });
-  };
-  for (const LatticeValues values : AllValues)
-  {
-    // The middle cell of five along each edge, and a point of it.
-    const auto blanked = imageOf(linearField(), unitCube(5));
-    markCells(blanked, vtkDataSetAttributes::HIDDENCELL, [](vtkIdType id) { return id == 62; });
-    const auto pointless = imageOf(linearField(), unitCube(5));
-    markPoints(pointless, vtkDataSetAttributes::HIDDENPOINT, [](vtkIdType id) { return id == 86; });
-    const auto spoilt = imageOf(linearField(), unitCube(5));
-    spoilScalars(
-      spoilt, [](vtkIdType id) { return id == 86; }, [](vtkIdType id) { return id == 62; });
-    const LatticeTruth whole(imageOf(linearField(), unitCube(5)), spiky(), values);
-    const LatticeTruth noCell(blanked, spiky(), values);
-    const LatticeTruth noPoint(pointless, spiky(), values);
-    const LatticeTruth noValue(spoilt, spiky(), values);
-    // What of the cube has a part of the value: by point 86, or by cell 62.
-    const double low = values == LatticeValues::PointsNearest  ? 0.3
-                       : values == LatticeValues::CellsLinear  ? 0.3
-                       : values == LatticeValues::PointsLinear ? 0.2
-                                                               : 0.4;
-    const double high = values == LatticeValues::CellsLinear     ? 0.7
-                        : values == LatticeValues::PointsNearest ? 0.5
-                                                                 : 0.6;
-    for (int i = 0; i < 200; ++i)
-    {
-      const PlacedRay ray = placedRay(blanked, generator);
-      const double length = whole.pathLength(ray.Origin, ray.Direction);
-      ASSERT_NEAR(noCell.pathLength(ray.Origin, ray.Direction), length - box(ray, 0.4, 0.6), 1e-13);
-      ASSERT_NEAR(
-        noPoint.pathLength(ray.Origin, ray.Direction), length - box(ray, 0.2, 0.6), 1e-13);
-      ASSERT_NEAR(
-        noValue.pathLength(ray.Origin, ray.Direction), length - box(ray, low, high), 1e-13);
     }
   }
 }

@@ -108,11 +108,11 @@ void pickRays(RandomVolume<Kernel>& volume, Tally& tally)
       continue;
     }
     ++tally.Hits;
-    ASSERT_LT(pick.tet, volume.Mesh.numberOfTets());
+    ASSERT_LT(pick.cell, volume.Mesh.numberOfTets());
     ASSERT_GE(pick.depth, begin);
     ASSERT_LE(pick.depth, end);
     const auto point = ray.origin + ray.direction * pick.depth;
-    tally.Least = std::min(tally.Least, depthInside(volume.Mesh, pick.tet, point));
+    tally.Least = std::min(tally.Least, depthInside(volume.Mesh, pick.cell, point));
     tally.Worst = std::max(tally.Worst, std::abs(transmittanceTo(pick.depth) - left));
     // A little before it, for it may lie in a plane.
     const auto before = ray.origin + ray.direction * (pick.depth - 1e-9);

@@ -11,7 +11,7 @@
 
 namespace tetmarch::testing
 {
-/// The entry points that go through the mesh.
+/// The entry points that march.
 enum class MarchShader
 {
   Picture,       // passes/march.frag.glsl
@@ -29,6 +29,21 @@ struct ShaderFeature
 
 /// All features that not every variant has.
 const std::vector<ShaderFeature>& shaderFeatures();
+/// Among them: what rays march through, and gradients and light.
+std::vector<ShaderFeature> featuresOfVolumes();
+std::vector<ShaderFeature> featuresOfLight();
+
+inline bool isPicture(MarchShader shader) { return shader == MarchShader::Picture; }
+inline bool isLight(MarchShader shader) { return shader == MarchShader::LightAtVertex; }
+inline bool isPick(MarchShader shader) { return shader == MarchShader::Pick; }
+/// Gathers what the picture shows.
+inline bool gathers(MarchShader shader) { return isPicture(shader) || isPick(shader); }
+/// Marches rays towards lights.
+inline bool followsLight(const VariantKey& key, MarchShader shader)
+{
+  return isLight(shader) || key.SampledShadows;
+}
+inline bool isIsosurfaces(const VariantKey& key) { return key.Blend == BlendGroup::Isosurfaces; }
 
 /// Functions, divided by blanks, that some variants have without using them: those that stay beside
 /// what does use them, in one file, and two that VTK's own text calls. What they lead to is never

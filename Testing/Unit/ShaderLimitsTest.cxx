@@ -9,6 +9,7 @@
 #include "Rays/Clipping.h"
 #include "Reference/Kernel.h"
 #include "Scalars/DrawnScalars.h"
+#include "Structured/EmptySpace.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -53,6 +54,7 @@ TEST(ShaderLimits, AreTheSameInGlslAndCxx)
     { "VERTEX_LIGHT_BLOCK", VertexLightBlockSide },
     { "VERTEX_LIGHT_ROW", VertexLightRow },
     { "BVH_STACK", MostHierarchyDepth },
+    { "LEAP_SHIFT", BlockShift },
     { "LINK_OUTSIDE", LinkOutside },
     { "UNDRAWN_SCALAR", UndrawnScalar },
     { "NO_DEPTH", NoDepth },

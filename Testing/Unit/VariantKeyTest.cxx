@@ -28,8 +28,15 @@ bool isSensible(const VariantKey& k)
   const bool ofLight = k.HeadlightOnly || k.SingleLight || k.WorldLights || k.Scattering ||
                        k.CastShadows || k.SampledShadows || k.SeveralShadows || k.OpaqueShadows ||
                        k.HeadlightShadows || k.Occlusion;
-  // Who doesn't know where a ray comes in has to look for it.
-  return (k.RasterEntry || k.Hierarchy) &&
+  // Rays come into a lattice by its planes, of which no predicate is asked. One scalar is drawn,
+  // and light is kept nowhere.
+  const bool ofTetrahedra = k.RasterEntry || k.Hierarchy || k.HasFma || several || k.Occlusion ||
+                            k.OpaqueShadows || (k.CastShadows && !k.SampledShadows);
+  return !(k.Structured && ofTetrahedra) && !(!k.Structured && (k.Rectilinear || k.Leaps)) &&
+         // All that a ray meets counts.
+         !(k.Leaps && ofScalars) &&
+         // Who doesn't know where a ray comes into a mesh has to look for it.
+         (k.Structured || k.RasterEntry || k.Hierarchy) &&
          // Parts of rays end where they are asked to, and aren't counted.
          !(k.Peeled && (k.OpaqueDepth || k.Diagnostics)) &&
          // What is cropped may be clipped, too.
@@ -46,7 +53,7 @@ bool isSensible(const VariantKey& k)
                             k.ShowIllumination || k.ShowGradients)) &&
          // What is constant is integrated exactly, and has no gradient in a cell.
          !(!k.PointScalars && (k.Adaptive || k.CellGradients)) &&
-         !(k.ConstantColor && k.Adaptive) &&
+         !(k.ConstantColor && k.Adaptive && !k.Structured) &&
          // No colour of the volume is seen.
          !(k.ConstantColor && (k.ShowIllumination || k.ShowGradients)) &&
          // Nothing uses gradients.
@@ -137,7 +144,8 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
       {
         const bool searched = name == "BVH" && !asked.RasterEntry;
         const bool cut = name == "CLIPPED" && asked.Cropped;
-        ASSERT_TRUE(searched || cut) << namesOf(asked) << ": " << name;
+        const bool sampled = name == "SAMPLED_SHADOWS" && asked.Structured && asked.CastShadows;
+        ASSERT_TRUE(searched || cut || sampled) << namesOf(asked) << ": " << name;
       }
       if (feature.isOn(asked) && !feature.isOn(got))
       {
@@ -158,9 +166,12 @@ TEST(VariantKey, LegalKeysAreCounted)
   EXPECT_EQ(light, 2 * 2 * 2 * 2 * 2 * (3 + 2));
   // Of scalars at points or cells, clipped, cropped or whole, with hidden cells or not; of volumes
   // with opacity by gradients of either kind or without, or of independent components, with what is
-  // not finite or not; or in three other blend modes.
+  // not finite or not; or in three other blend modes. Of a lattice, whose planes are even or not,
+  // there is one scalar, and volumes and surfaces are leapt to or not.
   const std::size_t picked = legalPickKeys().size();
-  EXPECT_EQ(picked, 3 * 2 * 3 * 2 * ((3 + 2 + 2) * 2 + 3 * 2));
+  const std::size_t ofTetrahedra = 3 * 2 * 3 * 2 * ((3 + 2 + 2) * 2 + 3 * 2);
+  const std::size_t ofLattices = 2 * 3 * 2 * ((3 + 2) * 2 * 2 + 2 * 2 + 2 * 2);
+  EXPECT_EQ(picked, ofTetrahedra + ofLattices);
   std::cout << "[ MEASURED ] " << legalKeys().size() << " variants of the picture, " << light
             << " of the light at vertices, " << picked << " of what is picked\n";
 }
@@ -170,6 +181,12 @@ TEST(VariantKey, LightAtVerticesIsExtinctionAlone)
 {
   for (const VariantKey& picture : legalKeys())
   {
+    // Lattices have none.
+    ASSERT_FALSE(picture.Structured && picture.hasVertexLight()) << namesOf(picture);
+    if (picture.Structured)
+    {
+      continue;
+    }
     VariantKey light = picture.ofVertexLight();
     ASSERT_EQ(light.OpaqueShadows, picture.OpaqueShadows);
     light.OpaqueShadows = false;
@@ -202,12 +219,14 @@ TEST(VariantKey, PicksKnowNoLight)
     const bool independent = picture.Components == ComponentGroup::Independent;
     ASSERT_EQ(pick.Components, independent ? ComponentGroup::Independent : ComponentGroup::Single);
     ASSERT_EQ(pick.Blend, picture.Blend);
+    ASSERT_EQ(pick.Structured, picture.Structured);
+    ASSERT_EQ(pick.Rectilinear, picture.Rectilinear);
     pick.PointScalars = true;
     pick.GradientOpacity = pick.CellGradients = false;
     pick.Components = ComponentGroup::Single;
     pick.Blend = BlendGroup::Composite;
     for (bool VariantKey::*same : { &VariantKey::Clipped, &VariantKey::Cropped,
-           &VariantKey::HiddenCells, &VariantKey::NanShown })
+           &VariantKey::HiddenCells, &VariantKey::NanShown, &VariantKey::Leaps })
     {
       ASSERT_EQ(pick.*same, picture.*same) << namesOf(picture);
       pick.*same = false;
@@ -230,13 +249,19 @@ TEST(VariantKey, EntriesDependOnFewBits)
     other.Hierarchy = key.Hierarchy;
     other.OpaqueDepth = key.OpaqueDepth;
     other.HasFma = key.HasFma;
+    other.Structured = key.Structured;
+    other.Rectilinear = key.Rectilinear;
     const VariantKey entries = key.ofEntries();
     EXPECT_EQ(entries.defines(), other.ofEntries().defines());
     EXPECT_TRUE(entries == entries.filtered());
-    EXPECT_EQ(entries.RasterEntry, key.RasterEntry);
-    EXPECT_EQ(entries.Hierarchy, key.Hierarchy || !key.RasterEntry);
+    const bool ofMesh = !key.Structured;
+    EXPECT_EQ(entries.RasterEntry, ofMesh && key.RasterEntry);
+    EXPECT_EQ(entries.Hierarchy, ofMesh && (key.Hierarchy || !key.RasterEntry));
     EXPECT_EQ(entries.OpaqueDepth, key.OpaqueDepth);
-    EXPECT_EQ(entries.HasFma, key.HasFma);
+    EXPECT_EQ(entries.HasFma, ofMesh && key.HasFma);
+    EXPECT_EQ(entries.Structured, key.Structured);
+    EXPECT_EQ(entries.Rectilinear, key.Structured && key.Rectilinear);
+    EXPECT_FALSE(entries.Leaps);
     EXPECT_FALSE(entries.Clipped || entries.Cropped);
     EXPECT_FALSE(entries.hasGradients() || entries.hasErrorBound());
     EXPECT_FALSE(entries.NanShown || entries.HiddenCells || entries.hasComponents());

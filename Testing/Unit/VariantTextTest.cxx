@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The texts of variants: nothing of what is off is left in it, nothing is declared in vain, and no
 // two are the same.
-#include "LegalKeys.h"
+#include "CoveringKeys.h"
 #include "ShaderFeatures.h"
 #include "ShaderWords.h"
 #include "Variants/ShaderConditions.h"
@@ -155,6 +155,61 @@ TEST_F(VariantText, OfTheLightAtVertices)
 TEST_F(VariantText, OfWhatIsPicked)
 {
   this->expectClean(legalPickKeys(), MarchShader::Pick, "passes/pick.frag.glsl");
+}
+
+// Functions and uniforms of the files of one folder that no other folder has.
+std::set<int> ownWordsOf(const std::string& folder, ShaderWords& words)
+{
+  namespace fs = std::filesystem;
+  std::set<int> own;
+  std::set<int> others;
+  for (const auto& entry : fs::recursive_directory_iterator(TETMARCH_SHADER_DIR))
+  {
+    if (entry.path().extension() == ".glsl")
+    {
+      std::ifstream file(entry.path());
+      words.read(std::string(std::istreambuf_iterator<char>(file), {}));
+      std::set<int>& into = entry.path().parent_path().filename() == folder ? own : others;
+      into.insert(words.functions().begin(), words.functions().end());
+      into.insert(words.uniforms().begin(), words.uniforms().end());
+    }
+  }
+  for (int word : others)
+  {
+    own.erase(word);
+  }
+  return own;
+}
+
+TEST_F(VariantText, OfOneKindOfVolumeHasNothingOfAnother)
+{
+  const std::set<int> ofMeshes = ownWordsOf("tet", this->Words);
+  const std::set<int> ofLattices = ownWordsOf("structured", this->Words);
+  EXPECT_GT(ofMeshes.size(), 30u);
+  EXPECT_GT(ofLattices.size(), 30u);
+  std::set<int> found;
+  const auto expectOneKind = [&](const VariantKey& key, const char* file)
+  {
+    this->Words.read(shaderSource(file, key.defines()));
+    for (int word : key.Structured ? ofMeshes : ofLattices)
+    {
+      ASSERT_EQ(this->Words.count(word), 0) << this->Words.word(word) << ", in " << namesOf(key);
+    }
+    for (int word : key.Structured ? ofLattices : ofMeshes)
+    {
+      found.insert(this->Words.count(word) > 0 ? word : -1);
+    }
+  };
+  for (const VariantKey& key : coveringKeys(legalKeys()))
+  {
+    ASSERT_NO_FATAL_FAILURE(expectOneKind(key, "passes/march.frag.glsl"));
+  }
+  for (const VariantKey& key : legalPickKeys())
+  {
+    ASSERT_NO_FATAL_FAILURE(expectOneKind(key, "passes/pick.frag.glsl"));
+  }
+  // Else the words would not be those of the texts. fetchValues() is declared twice.
+  EXPECT_GE(found.size(), ofMeshes.size() + ofLattices.size());
 }
 
 // The tables of the test itself: words that no text has would let anything pass.

@@ -38,7 +38,9 @@ std::string EffectTextures::update(
   }
   if (error.empty())
   {
-    error = this->Starts.update(window, key.hasVertexLight(), stage.startsVersion(),
+    // The nodes of a lattice follow from their numbers.
+    const bool started = key.hasVertexLight() && !key.Structured;
+    error = this->Starts.update(window, started, stage.startsVersion(),
       [&](TextureBuffer& buffer)
       {
         const auto& starts = data.VertexStarts;
@@ -115,7 +117,10 @@ void EffectTextures::bindVertexRays(
 {
   program->SetUniformi("occlusionDirectionCount", data.Lights.OcclusionDirections);
   program->SetUniformf("occlusionRadius", static_cast<float>(data.Lights.OcclusionRadius));
-  this->Starts.bind(program, "vertexStartBuffer");
+  if (!key.Structured)
+  {
+    this->Starts.bind(program, "vertexStartBuffer");
+  }
   if (key.OpaqueShadows)
   {
     this->OpaqueShadows.bind(program, "opaqueShadowBuffer");

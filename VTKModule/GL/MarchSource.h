@@ -97,7 +97,7 @@ public:
   /** How many bytes were uploaded in all. */
   virtual std::int64_t uploadedBytes() const = 0;
 
-  /** The file of a pass's fragment shader. */
+  /** The file of a pass's fragment shader; nullptr if the volume has no such pass. */
   virtual const char* shaderOf(SourcePass pass) const = 0;
   /** What these shaders read of the volume. */
   virtual void bind(vtkShaderProgram* program, const VariantKey& key) = 0;

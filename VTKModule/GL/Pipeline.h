@@ -143,6 +143,7 @@ private:
   std::vector<BufferSize> bufferSizes() const;
   bool useReferenceScene(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level,
     const std::function<void(ReferenceScene&)>& use);
+  std::string describeBadView(const DrawOptions& options) const;
   Viewport currentViewport() const;
   MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;

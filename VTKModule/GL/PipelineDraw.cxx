@@ -100,6 +100,18 @@ void Pipeline::forgetErrorsOfReleasing(vtkOpenGLRenderWindow* window)
   }
 }
 
+// What is wrong with the view that is asked for instead of the picture, and what to choose.
+std::string Pipeline::describeBadView(const DrawOptions& options) const
+{
+  if (options.Boundary != BoundaryView::None && !this->Source.shaderOf(SourcePass::BoundaryView))
+  {
+    return "The view mode shows boundary faces, but an image or a rectilinear grid has none: rays "
+           "enter it by the six sides of its box. Choose another one, such as "
+           "SetViewModeToCells() or SetViewModeToPicture().";
+  }
+  return options.View ? describeBadRange(*options.View) : std::string();
+}
+
 bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const DrawOptions& options, const Progress& progress)
 {
@@ -108,10 +120,10 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   {
     return true;
   }
-  const std::string badRange = options.View ? describeBadRange(*options.View) : std::string();
-  if (!badRange.empty())
+  const std::string badView = this->describeBadView(options);
+  if (!badView.empty())
   {
-    return this->fail(badRange);
+    return this->fail(badView);
   }
   this->Subject.push_back(static_cast<std::uintptr_t>(area.Width));
   this->Subject.push_back(static_cast<std::uintptr_t>(area.Height));

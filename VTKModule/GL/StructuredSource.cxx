@@ -6,6 +6,7 @@
 #include "Caching/WithinMemory.h"
 #include "GL/Uniforms.h"
 #include "Rays/View.h"
+#include "Structured/LightNodes.h"
 #include "Variants/VariantKey.h"
 
 #include "vtkDataSet.h"
@@ -49,6 +50,19 @@ void setInts(vtkShaderProgram* program, const char* name, const std::array<int, 
   {
     glUniform3i(location, values[0], values[1], values[2]);
   }
+}
+
+void bindLightNodes(vtkShaderProgram* program, const LightNodes& nodes)
+{
+  setInts(program, "lightNodes", nodes.Along);
+  program->SetUniform3f("lightLow", nodes.Low.data());
+  const std::array<double, 3> perStep{ { 1 / nodes.Step[0], 1 / nodes.Step[1],
+    1 / nodes.Step[2] } };
+  program->SetUniform3f("perLightStep", perStep.data());
+  std::array<double, 16> matrix{};
+  std::copy(nodes.ToNormalized.begin(), nodes.ToNormalized.end(), matrix.begin());
+  matrix[15] = 1;
+  setUniform(program, "lightNodeMatrix", matrix);
 }
 
 } // namespace
@@ -254,8 +268,8 @@ const char* StructuredSource::shaderOf(SourcePass pass) const
       return "passes/pick.frag.glsl";
     case SourcePass::VertexLight:
       return "passes/vertex_light.frag.glsl";
-    default:
-      return "passes/boundary_view.frag.glsl";
+    default: // it has no boundary faces
+      return nullptr;
   }
 }
 
@@ -267,27 +281,34 @@ void StructuredSource::bind(vtkShaderProgram* program, const VariantKey& key)
   this->Values.bind(program, "valueTexture");
   const std::array<float, 2> map{ { values.Scale, values.Offset } };
   program->SetUniform2f("valueMap", map.data());
-  const std::array<float, 2> texel{ { 1.0f / static_cast<float>(along[0]),
-    1.0f / static_cast<float>(along[1]) } };
-  program->SetUniform2f("valueTexel", texel.data());
+  if (key.PointScalars)
+  {
+    const std::array<float, 2> texel{ { 1.0f / static_cast<float>(along[0]),
+      1.0f / static_cast<float>(along[1]) } };
+    program->SetUniform2f("valueTexel", texel.data());
+  }
   setInts(program, "lastValue", { { along[0] - 1, along[1] - 1, along[2] - 1 } });
   setInts(program, "latticeCells", intsOf(lattice, [](const LatticeAxis& a) { return a.Cells; }));
   setInts(
     program, "firstValue", intsOf(lattice, [](const LatticeAxis& a) { return a.FirstValue; }));
-  program->SetUniform3f(
-    "latticeShift", floatsOf(lattice, [](const LatticeAxis& a) { return a.Shift; }).data());
-  program->SetUniform3f("latticeHalfLength",
-    floatsOf(lattice, [](const LatticeAxis& a) { return a.HalfLength; }).data());
   std::array<double, 16> matrix{};
   std::copy(lattice.FromNormalized.begin(), lattice.FromNormalized.end(), matrix.begin());
   matrix[15] = 1;
   setUniform(program, "latticeMatrix", matrix);
   program->SetUniformi("mostCells", mostCellsOf(lattice));
+  bindLightNodes(program, lightNodesOf(lattice));
   if (key.Rectilinear)
   {
     this->Planes.bind(program, "planeBuffer");
     const int ofI = lattice.Axes[0].Cells + 1;
     setInts(program, "firstPlane", { { 0, ofI, ofI + lattice.Axes[1].Cells + 1 } });
+  }
+  else
+  {
+    program->SetUniform3f(
+      "latticeShift", floatsOf(lattice, [](const LatticeAxis& a) { return a.Shift; }).data());
+    program->SetUniform3f("latticeHalfLength",
+      floatsOf(lattice, [](const LatticeAxis& a) { return a.HalfLength; }).data());
   }
   if (key.Leaps)
   {

@@ -16,6 +16,7 @@
 #include "Reference/RayTrace.h"
 #include "Structured/EmptySpace.h"
 #include "Structured/Lattice.h"
+#include "Structured/LightNodes.h"
 #include "Structured/StoredValues.h"
 
 #include <algorithm>

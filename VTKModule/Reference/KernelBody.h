@@ -148,11 +148,7 @@ static constexpr bool HasVolumeLight = false;
 #if TETMARCH_LIGHT_RAYS
 #include "light/light_ray_files.glsl"
 
-#if TETMARCH_STRUCTURED
-#include "light/sphere_direction.glsl"
-#else
 #include "light/vertex_light.glsl"
-#endif
 #endif
 
 #undef real

@@ -5,6 +5,8 @@
 const Lattice* Cells = nullptr;
 const StoredValues* Values = nullptr;
 
+const BlockDistances* Empty = nullptr;
+
 Real valueScale = 1;
 Real valueOffset = 0;
 ivec3 latticeCells{ 0, 0, 0 };
@@ -15,6 +17,11 @@ vec3 latticeShift{ 0, 0, 0 };
 vec3 latticeHalfLength{ 0, 0, 0 };
 std::array<Real, 12> latticeMatrix{};
 std::vector<Real> latticePlanes; // those of i, of j, of k
+ivec3 blockCount{ 0, 0, 0 };
+ivec3 lightNodes{ 0, 0, 0 };
+vec3 lightLow{ 0, 0, 0 };
+vec3 perLightStep{ 0, 0, 0 };
+std::array<Real, 12> lightNodeMatrix{};
 
 static vec3 rowsTimes(const std::array<Real, 12>& m, vec3 v, Real w)
 {
@@ -33,7 +40,20 @@ vec3 gradientFromLattice(vec3 g) const
   return vec3(m[0] * g.x + m[4] * g.y + m[8] * g.z, m[1] * g.x + m[5] * g.y + m[9] * g.z,
     m[2] * g.x + m[6] * g.y + m[10] * g.z);
 }
+vec3 pointOfNode(uvec3 node) const
+{
+  return rowsTimes(lightNodeMatrix, vec3(Real(node.x), Real(node.y), Real(node.z)), Real(1));
+}
 Real fetchPlane(int i) const { return latticePlanes[i]; }
+
+int fetchBlockDistance(int i) const { return Empty->Distances[i]; }
+
+/** For kernels that leap. */
+void useEmptySpace(const BlockDistances& empty)
+{
+  Empty = &empty;
+  blockCount = ivec3(empty.Blocks[0], empty.Blocks[1], empty.Blocks[2]);
+}
 
 Real fetchValue(int i, int j, int k) const
 {
@@ -67,8 +87,15 @@ void useLattice(const Lattice& lattice, const StoredValues& values)
   lastValue = toInts([](const LatticeAxis& axis) { return axis.Values - 1; });
   latticeShift = toReals([](const LatticeAxis& axis) { return axis.Shift; });
   latticeHalfLength = toReals([](const LatticeAxis& axis) { return axis.HalfLength; });
-  std::transform(lattice.FromNormalized.begin(), lattice.FromNormalized.end(),
-    latticeMatrix.begin(), [](double m) { return Real(m); });
+  const auto toReal = [](double value) { return Real(value); };
+  std::transform(
+    lattice.FromNormalized.begin(), lattice.FromNormalized.end(), latticeMatrix.begin(), toReal);
+  const LightNodes nodes = lightNodesOf(lattice);
+  lightNodes = ivec3(nodes.Along[0], nodes.Along[1], nodes.Along[2]);
+  lightLow = vec3(Real(nodes.Low[0]), Real(nodes.Low[1]), Real(nodes.Low[2]));
+  perLightStep = vec3(Real(1 / nodes.Step[0]), Real(1 / nodes.Step[1]), Real(1 / nodes.Step[2]));
+  std::transform(
+    nodes.ToNormalized.begin(), nodes.ToNormalized.end(), lightNodeMatrix.begin(), toReal);
   latticePlanes.clear();
   for (const LatticeAxis& axis : axes)
   {

@@ -31,7 +31,7 @@ void traceCell(const CellInterval& cell, const March& march)
   {
     completeCell(march);
     TracedCell traced;
-    traced.Tet = cell.tet;
+    traced.Tet = cell.number;
     traced.Enter = double(cell.enter.x);
     traced.Leave = double(cell.leave.x);
     traced.Begin = double(cell.begin);
@@ -91,7 +91,7 @@ CellOutcome outcomeOf(const CellInterval& cell)
     return outside && cell.leave.x > cell.enter.x ? CellOutcome::OutOfRange : CellOutcome::Empty;
   }
 #if TETMARCH_HIDDEN_CELLS
-  if (isHidden(cell.tet))
+  if (isHidden(cell.number))
   {
     return CellOutcome::Hidden;
   }
@@ -120,7 +120,7 @@ void traceScalars(const CellInterval& cell, TracedCell& traced)
 #if TETMARCH_FURTHER_VERTEX_SCALARS
   const vec3 enter = cell.enterAttributes.further, leave = cell.leaveAttributes.further;
 #else
-  const vec3 enter = fetchFurtherScalars(cell.tet), leave = enter;
+  const vec3 enter = fetchFurtherScalars(cell.number), leave = enter;
 #endif
   const Real enters[] = { enter.x, enter.y, enter.z }, leaves[] = { leave.x, leave.y, leave.z };
   for (int k = 1; k < componentCount; ++k)

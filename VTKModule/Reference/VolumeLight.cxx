@@ -26,7 +26,8 @@ template <typename Kernel, typename Real>
 std::vector<Real> atVertices(const ReferenceScene& scene)
 {
   const auto prototype = lightRayKernel<Kernel, Real>(scene);
-  const auto count = static_cast<vtkIdType>(scene.Mesh->Vertices.size());
+  const auto count = scene.Cells ? static_cast<vtkIdType>(lightNodesOf(*scene.Cells).count())
+                                 : static_cast<vtkIdType>(scene.Mesh->Vertices.size());
   std::vector<Real> light(4 * static_cast<std::size_t>(count));
   vtkSMPTools::For(0, count,
     [&](vtkIdType first, vtkIdType last)
@@ -114,6 +115,11 @@ private:
 template <typename Real>
 std::vector<Real> lightAtVertices(const ReferenceScene& scene)
 {
+  if (scene.Cells)
+  {
+    return scene.Cells->Constant ? atVertices<LightRayConstantKernel<Real>, Real>(scene)
+                                 : atVertices<LightRayTrilinearKernel<Real>, Real>(scene);
+  }
   return scene.CellScalars              ? atVertices<LightRayCellKernel<Real>, Real>(scene)
          : scene.Effects->CellGradients ? atVertices<LightRayCellGradientKernel<Real>, Real>(scene)
                                         : atVertices<LightRayKernel<Real>, Real>(scene);

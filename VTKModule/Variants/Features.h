@@ -43,17 +43,17 @@
 #define TETMARCH_WITH_OCCLUSION (1ull << 32)
 #define TETMARCH_WITH_SHOW_ILLUMINATION (1ull << 33)
 #define TETMARCH_WITH_SHOW_GRADIENTS (1ull << 34)
-#define TETMARCH_WITH_STRUCTURED (1ull << 40)
-#define TETMARCH_WITH_RECTILINEAR (1ull << 41)
-#define TETMARCH_WITH_LEAPS (1ull << 42)
+#define TETMARCH_WITH_STRUCTURED (1ull << 35)
+#define TETMARCH_WITH_RECTILINEAR (1ull << 36)
+#define TETMARCH_WITH_LEAPS (1ull << 37)
 
 // Features that no key has: those of a pass, of a driver and of the CPU reference.
-#define TETMARCH_WITH_PICKED (1ull << 35)        // passes/pick.frag.glsl
-#define TETMARCH_WITH_SKIPS_HELPERS (1ull << 36) // GL/Driver
-#define TETMARCH_WITH_HAS_GATHER (1ull << 43)    // GL/Driver
-#define TETMARCH_WITH_EXACT_LIGHT (1ull << 37)   // the CPU reference
-#define TETMARCH_WITH_LIGHT_RAYS (1ull << 38)    // the CPU reference
-#define TETMARCH_WITH_TRACED (1ull << 39)        // the CPU reference
+#define TETMARCH_WITH_PICKED (1ull << 38)        // passes/pick.frag.glsl
+#define TETMARCH_WITH_SKIPS_HELPERS (1ull << 39) // GL/Driver
+#define TETMARCH_WITH_HAS_GATHER (1ull << 40)    // GL/Driver
+#define TETMARCH_WITH_EXACT_LIGHT (1ull << 41)   // the CPU reference
+#define TETMARCH_WITH_LIGHT_RAYS (1ull << 42)    // the CPU reference
+#define TETMARCH_WITH_TRACED (1ull << 43)        // the CPU reference
 
 #define TETMARCH_POINT_SCALARS (TETMARCH_VARIANT & TETMARCH_WITH_POINT_SCALARS)
 #define TETMARCH_RASTER_ENTRY (TETMARCH_VARIANT & TETMARCH_WITH_RASTER_ENTRY)

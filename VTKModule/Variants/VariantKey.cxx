@@ -128,8 +128,7 @@ VariantKey VariantKey::filtered() const
   return key;
 }
 
-// A ray enters a lattice once, and the planes that it crosses tell where. Light is not kept at
-// vertices, and one scalar is drawn.
+// A ray enters a lattice once, and the planes that it crosses tell where. One scalar is drawn.
 void VariantKey::dropWhatLatticesLack()
 {
   if (this->Structured)
@@ -138,9 +137,6 @@ void VariantKey::dropWhatLatticesLack()
     this->Hierarchy = false;
     this->HasFma = false;
     this->Components = ComponentGroup::Single;
-    this->Occlusion = false;
-    this->OpaqueShadows = false;
-    this->SampledShadows = this->CastShadows;
   }
   this->Rectilinear = this->Rectilinear && this->Structured;
   // The extremes of all that a ray meets count, and so do sums.
@@ -189,6 +185,9 @@ void VariantKey::dropWhatComponentsLack()
 VariantKey VariantKey::ofVertexLight() const
 {
   VariantKey key;
+  key.Structured = this->Structured;
+  key.Rectilinear = this->Rectilinear;
+  key.Leaps = this->Leaps;
   key.PointScalars = this->PointScalars;
   key.Hierarchy = this->Hierarchy;
   key.HasFma = this->HasFma;

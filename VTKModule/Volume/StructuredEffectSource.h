@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A structured volume as the effects of light and gradients see it. The march takes gradients from
-// the values; no light is kept at vertices.
+// the values; light is kept at nodes of a coarser lattice in place of vertices.
 #ifndef TetMarchVolumeStructuredEffectSource_h
 #define TetMarchVolumeStructuredEffectSource_h
 
@@ -27,8 +27,9 @@ public:
   bool storesGradients() const override { return false; }
   bool hasCellGradients() const override { return !this->Source.lattice().Constant; }
   std::vector<std::array<float, 3>> gradients(bool) const override { return {}; }
-  std::vector<VertexStart> vertexStarts() const override { return {}; }
-  bool startPoint(std::size_t, const VertexStart&, Vector3&) const override { return false; }
+  /** The numbers of the nodes along the axes. */
+  std::vector<VertexStart> vertexStarts() const override;
+  bool startPoint(std::size_t vertex, const VertexStart& start, Vector3& point) const override;
 
 private:
   const StructuredVolume& Source;

@@ -3,12 +3,16 @@
 // The legend of the view modes tells of the frame that it stands in.
 #include "ErrorWatch.h"
 #include "Scene.h"
-#include "SmartScene.h"
 #include "vtkTetMarchLegend.h"
 
 #include "vtkAutoInit.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkLookupTable.h"
+#include "vtkPointData.h"
+#include "vtkProjectedTetrahedraMapper.h"
 #include "vtkTetMarchFrameStatistics.h"
+#include "vtkTetMarchSmartVolumeMapper.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -142,21 +146,38 @@ TEST_F(Legend, IsNotSeenWithoutAView)
   EXPECT_EQ(this->Watch.Errors, std::vector<std::string>());
 }
 
-// Measures of images have the same legend.
-TEST_F(Legend, OfStructuredData)
+TEST_F(Legend, ExplainsFramesOfImages)
 {
-  SmartScene image(imageOf(sineField(), unitCube(5)), 300, 200);
-  image.Renderer->AddViewProp(this->Bar);
-  this->Bar->SetMapper(image.Mapper);
-  image.frame();
-  EXPECT_FALSE(this->Bar->IsShown());
-  image.Mapper->SetViewModeToCells();
-  image.frame();
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 4, 4);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  image->GetPointData()->GetScalars()->Fill(0.5);
+  vtkNew<vtkTetMarchSmartVolumeMapper> mapper;
+  mapper->SetInputData(image);
+  mapper->SetViewModeToCells();
+  this->Shown.Volume->SetMapper(mapper);
+  this->Shown.Renderer->ResetCamera();
+  this->Bar->SetMapper(mapper);
+  const Image without = this->frame();
+  this->Shown.Renderer->AddViewProp(this->Bar);
+  EXPECT_GT(compare(this->frame(), without).Over, 1000u);
   EXPECT_TRUE(this->Bar->IsShown());
   EXPECT_STREQ(this->Bar->GetTitle(), "Cells crossed");
-  EXPECT_EQ(this->Bar->GetLookupTable(), image.Mapper->GetViewLookupTable());
-  EXPECT_GE(this->Bar->GetLookupTable()->GetRange()[1],
-    image.Mapper->GetLastFrameStatistics()->GetMaximum(vtkTetMarchFrameStatistics::CELLS));
+  EXPECT_EQ(this->Bar->GetLookupTable(), mapper->GetViewLookupTable());
+  mapper->SetViewModeToPicture();
+  this->frame();
+  EXPECT_FALSE(this->Bar->IsShown());
+  EXPECT_EQ(this->Watch.Errors, std::vector<std::string>());
+}
+
+TEST_F(Legend, HasNothingToSayOfOtherMappers)
+{
+  vtkNew<vtkProjectedTetrahedraMapper> mapper;
+  this->Bar->SetMapper(mapper);
+  EXPECT_EQ(this->Bar->GetMapper(), mapper.Get());
+  EXPECT_FALSE(this->Bar->IsShown());
+  EXPECT_EQ(this->added(vtkTetMarchVolumeMapper::VIEW_CELLS).Max, 0.0);
+  EXPECT_EQ(this->Watch.Errors, std::vector<std::string>());
 }
 
 TEST_F(Legend, OutlivesTheMapper)

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes of VTK's tests about blend modes, cuts, cameras and light.
+#include "ImageScene.h"
+
+#include "VtkScene.h"
+
+#include "vtkContourValues.h"
+#include "vtkPlane.h"
+
+namespace tetmarch::testing
+{
+namespace
+{
+using Data = vtkSmartPointer<vtkDataSet>;
+
+Data wavelet() { return makeWavelet(); }
+Data shell() { return makeShell(); }
+
+void waveletFunctions(ImageStage& stage) { setFunctions(stage.Property, 40.0, 280.0, 0.15); }
+void shellFunctions(ImageStage& stage) { setFunctions(stage.Property, 50.0, 255.0, 0.4); }
+
+std::function<void(ImageStage&)> cropped(int flags)
+{
+  return [flags](ImageStage& stage)
+  {
+    shellFunctions(stage);
+    stage.Mapper->CroppingOn();
+    stage.Mapper->SetCroppingRegionPlanes(4.3, 14.7, 5.1, 15.4, 4.6, 14.2);
+    stage.Mapper->SetCroppingRegionFlags(flags);
+  };
+}
+
+// Colours of the values that VTK's tests of surfaces and slices have.
+void surfaceFunctions(ImageStage& stage)
+{
+  vtkNew<vtkColorTransferFunction> colours;
+  colours->AddRGBPoint(150.0, 1.0, 1.0, 1.0);
+  colours->AddRGBPoint(190.0, 0.0, 1.0, 1.0);
+  colours->AddRGBPoint(220.0, 0.0, 1.0, 0.0);
+  vtkNew<vtkPiecewiseFunction> opacities;
+  opacities->AddPoint(150.0, 0.2);
+  opacities->AddPoint(190.0, 0.6);
+  opacities->AddPoint(220.0, 1.0);
+  stage.Property->SetColor(colours);
+  stage.Property->SetScalarOpacity(opacities);
+  stage.Property->SetInterpolationTypeToLinear();
+}
+
+std::function<void(ImageStage&)> inMode(int mode)
+{
+  return [mode](ImageStage& stage)
+  {
+    setFunctions(stage.Property, 40.0, 280.0, 0.8);
+    stage.Property->SetScalarOpacityUnitDistance(8.0);
+    stage.Mapper->SetBlendMode(mode);
+    stage.Mapper->SetAverageIPScalarRange(100.0, 220.0);
+  };
+}
+
+std::function<void(ImageStage&)> fromWithin(const Vec3& from, const Vec3& at, double angle)
+{
+  return [=](ImageStage& stage)
+  {
+    vtkCamera* camera = stage.Renderer->GetActiveCamera();
+    camera->SetPosition(from.data());
+    camera->SetFocalPoint(at.data());
+    camera->SetViewAngle(angle);
+    camera->SetClippingRange(0.01, 60.0);
+  };
+}
+
+void inLight(ImageStage& stage)
+{
+  stage.Property->ShadeOn();
+  stage.Property->SetAmbient(0.2);
+  stage.Property->SetDiffuse(0.8);
+  stage.Property->SetSpecular(0.0); // before VTK 9.2 not as ours
+}
+} // namespace
+
+std::vector<ImageScene> imageModeScenes()
+{
+  // Ours, not VTK's: single pixels, up to 22/255.
+  const RivalError crest = { 2.5,
+    "ours has dark speckles on the crest of a shell, where gradients turn" };
+  const RivalError steps = { 2.0, "its steps miss the ends of short ways" };
+  return {
+    { "GPURayCastMIP", wavelet, inMode(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND), {} },
+    { "GPURayCastMinIP", wavelet, inMode(vtkVolumeMapper::MINIMUM_INTENSITY_BLEND), {} },
+    { "GPURayCastAdditive", wavelet, inMode(vtkVolumeMapper::ADDITIVE_BLEND), {} },
+    { "GPURayCastAverageIP", wavelet, inMode(vtkVolumeMapper::AVERAGE_INTENSITY_BLEND), {} },
+    { "GPURayCastIsosurface", wavelet,
+      [](ImageStage& stage)
+      {
+        surfaceFunctions(stage);
+        stage.Mapper->SetBlendModeToIsoSurface();
+        stage.Property->GetIsoSurfaceValues()->SetValue(0, 220.0);
+        stage.Property->GetIsoSurfaceValues()->SetValue(1, 150.0);
+        stage.Property->GetIsoSurfaceValues()->SetValue(2, 190.0);
+      },
+      { 4.5, "its steps miss surfaces next to the ends of a way" } },
+    { "GPURayCastSlicePlane", wavelet,
+      [](ImageStage& stage)
+      {
+        surfaceFunctions(stage);
+        stage.Mapper->SetBlendModeToSlice();
+        vtkNew<vtkPlane> plane;
+        plane->SetOrigin(1.0, 0.0, 0.0);
+        plane->SetNormal(0.707107, 0.0, 0.707107);
+        stage.Property->SetSliceFunction(plane);
+      },
+      { 15.0, "values of slices are up to half a voxel beside their place" }, {}, true,
+      "VTK draws slices for it" },
+    { "GPURayCastCropping, subvolume", shell, cropped(VTK_CROP_SUBVOLUME), steps },
+    { "GPURayCastCropping, fence", shell, cropped(VTK_CROP_FENCE), steps },
+    { "GPURayCastCropping, inverted cross", shell, cropped(VTK_CROP_INVERTED_CROSS), steps },
+    { "GPURayCastCropping, regions", shell, cropped(67117057), steps },
+    { "GPURayCastClipping", wavelet,
+      [](ImageStage& stage)
+      {
+        waveletFunctions(stage);
+        for (const Vec3& normal : { Vec3{ 1.0, 0.2, 0.1 }, Vec3{ -0.3, 1.0, -0.2 } })
+        {
+          vtkNew<vtkPlane> plane;
+          plane->SetOrigin(-4.0, -3.0, 0.0);
+          plane->SetNormal(normal.data());
+          stage.Mapper->AddClippingPlane(plane);
+        }
+      },
+      {} },
+    { "GPURayCastCameraInside", wavelet, waveletFunctions, {},
+      fromWithin({ 1.0, 2.0, 3.0 }, { 0.0, 1.0, -9.0 }, 60.0) },
+    { "GPURayCastCameraInside, wide", wavelet, waveletFunctions, {},
+      fromWithin({ -5.0, 2.0, 8.0 }, { 0.0, 1.0, 0.0 }, 140.0) },
+    { "GPURayCastPerspectiveParallel", wavelet, waveletFunctions, {},
+      [](ImageStage& stage)
+      {
+        vtkCamera* camera = stage.Renderer->GetActiveCamera();
+        camera->ParallelProjectionOn();
+        camera->Azimuth(20.0);
+        camera->Elevation(15.0);
+        stage.Renderer->ResetCamera();
+        camera->Zoom(1.4);
+      } },
+    { "GPURayCastPerspectiveParallel, along an axis", wavelet, waveletFunctions, {},
+      [](ImageStage& stage)
+      {
+        stage.Renderer->GetActiveCamera()->ParallelProjectionOn();
+        stage.Renderer->ResetCamera();
+        stage.Renderer->GetActiveCamera()->Zoom(1.4);
+      } },
+    { "GPURayCastShaded", shell,
+      [](ImageStage& stage)
+      {
+        shellFunctions(stage);
+        inLight(stage);
+      },
+      crest, {}, false },
+    { "GPURayCastGradientOpacity", shell,
+      [](ImageStage& stage)
+      {
+        shellFunctions(stage);
+        vtkNew<vtkPiecewiseFunction> gradient;
+        gradient->AddPoint(0.0, 0.0);
+        gradient->AddPoint(60.0, 1.0);
+        stage.Property->SetGradientOpacity(gradient);
+      },
+      crest, {}, false },
+    { "GPURayCastGradientOpacityLight", shell,
+      [](ImageStage& stage)
+      {
+        shellFunctions(stage);
+        inLight(stage);
+        vtkNew<vtkPiecewiseFunction> gradient;
+        gradient->AddPoint(0.0, 0.0);
+        gradient->AddPoint(60.0, 1.0);
+        stage.Property->SetGradientOpacity(gradient);
+      },
+      crest, {}, false },
+  };
+}
+} // namespace tetmarch::testing

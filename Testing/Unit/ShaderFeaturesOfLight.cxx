@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShaderFeatures.h"
+
+namespace tetmarch::testing
+{
+namespace
+{
+using Key = VariantKey;
+
+bool isTrilinear(const Key& key) { return key.Structured && key.PointScalars; }
+
+/// Shades are found where something is seen, and not at each face.
+bool findsShades(const Key& key) { return key.passesCells() || key.Structured; }
+
+bool hasAttributes(const Key& key)
+{
+  return key.hasVertexGradients() || key.hasVertexLight() ||
+         (key.hasComponents() && key.PointScalars);
+}
+} // namespace
+
+std::vector<ShaderFeature> featuresOfLight()
+{
+  return {
+    // Gradients.
+    { "gradients of a mesh",
+      [](const Key& k, MarchShader) { return k.hasGradients() && !k.Structured; },
+      "gradientBuffer" },
+    { "gradients of a lattice",
+      [](const Key& k, MarchShader) { return k.hasGradients() && k.Structured; },
+      "gradientFromLattice latticeGradientAt" },
+    { "gradients of cells of a lattice by their neighbours",
+      [](const Key& k, MarchShader)
+      { return k.hasGradients() && isTrilinear(k) && !k.CellGradients; },
+      "perDistances perLow perHigh" },
+    { "gradients of trilinear cells",
+      [](const Key& k, MarchShader) { return k.hasGradients() && isTrilinear(k); }, "bilinear" },
+    { "shades", [](const Key& k, MarchShader s) { return gathers(s) && k.hasGradients(); },
+      "Shade CellShades FacePoint shadeOf leavePoint shades incomingAt fractionOfCell "
+      "rangeWithin" },
+    { "gradients at vertices",
+      [](const Key& k, MarchShader) { return k.hasVertexGradients() && !k.Structured; },
+      "fetchGradient" },
+    { "shades where rays enter cells",
+      [](const Key& k, MarchShader s)
+      { return gathers(s) && k.hasGradients() && (!k.hasVertexGradients() || findsShades(k)); },
+      "enterPoint" },
+    { "shades at faces",
+      [](const Key& k, MarchShader s) { return gathers(s) && k.hasVertexGradients(); },
+      "shadeAtFace" },
+    { "shades where something is seen",
+      [](const Key& k, MarchShader s)
+      { return gathers(s) && k.hasVertexGradients() && findsShades(k); },
+      "enterKnown missing" },
+    { "shade of the face before",
+      [](const Key& k, MarchShader s)
+      { return gathers(s) && k.hasVertexGradients() && !findsShades(k); },
+      "beginShades" },
+    { "gradients of tetrahedra",
+      [](const Key& k, MarchShader) { return k.CellGradients && !k.Structured; },
+      "fetchCellGradient" },
+    { "attributes", [](const Key& k, MarchShader) { return hasAttributes(k); },
+      "VertexAttributes attributesAt" },
+    { "attributes of vertices",
+      [](const Key& k, MarchShader) { return hasAttributes(k) && !k.Structured; },
+      "fetchAttributes selectAttributes interpolateAttributes attributesA attributesB attributesC "
+      "barycentricsOf" },
+    { "attributes of vertices along the ray",
+      [](const Key& k, MarchShader s) { return gathers(s) && hasAttributes(k) && !k.Structured; },
+      "enterAttributes leaveAttributes" },
+    { "opacity by gradients", [](const Key& k, MarchShader) { return k.GradientOpacity; },
+      "gradientOpacityBuffer gradientOpacitySize gradientOpacityScale fetchGradientOpacity "
+      "gradientOpacity" },
+    { "density of shades",
+      [](const Key& k, MarchShader s) { return gathers(s) && k.GradientOpacity; },
+      "density densityWithin" },
+    { "gradients shown", [](const Key& k, MarchShader) { return k.ShowGradients; },
+      "gradientColor" },
+    // Light.
+    { "light", [](const Key& k, MarchShader) { return k.isLit(); },
+      "Light Illumination lit direct diffuse specular noLight addLight dimLight mixLight "
+      "noIllumination mixIllumination illuminationWithin reflection" },
+    { "light of segments", [](const Key& k, MarchShader) { return k.isLit() && k.isComposite(); },
+      "litEmission" },
+    { "error of light",
+      [](const Key& k, MarchShader)
+      { return k.isLit() && (k.hasErrorBound() || (k.Diagnostics && k.isComposite())); },
+      "greatest" },
+    { "brightness", [](const Key& k, MarchShader) { return k.isLit() && k.hasErrorBound(); },
+      "brightness bright" },
+    { "change of light",
+      [](const Key& k, MarchShader) { return k.isLit() && k.Diagnostics && k.isComposite(); },
+      "lightError changeOf lightErrorOf" },
+    { "error of light between vertices",
+      [](const Key& k, MarchShader) { return k.isLit() && k.Diagnostics && k.hasVertexLight(); },
+      "interpolationError lightInterpolationError" },
+    { "shading", [](const Key& k, MarchShader) { return k.Shading; },
+      "twoSided ambientColor specularPower lightDiffuse lightSpecular fetchLightDiffuse "
+      "fetchLightSpecular toEye directionOfLight LIGHT_COUNT diffuseOf specularOf illuminate" },
+    { "lights elsewhere", [](const Key& k, MarchShader) { return k.Shading && !k.HeadlightOnly; },
+      "lightPlace fetchLightPlace" },
+    { "several lights",
+      [](const Key& k, MarchShader) { return k.Shading && !k.HeadlightOnly && !k.SingleLight; },
+      "lightCount lightKind isHeadlight" },
+    { "lights in the world", [](const Key& k, MarchShader) { return k.WorldLights; },
+      "worldMatrix normalMatrix toWorld toWorldNormal lightAttenuation lightCone "
+      "fetchLightAttenuation "
+      "fetchLightCone spot" },
+    { "scattering", [](const Key& k, MarchShader) { return k.Scattering; },
+      "scatteringBlending gradientUnit scatteredFraction scattered" },
+    { "shadows", [](const Key& k, MarchShader) { return k.hasShadows(); },
+      "shadowStrength shadowChannel fetchShadowStrength fetchShadowChannel addShadowed" },
+    { "shadows of headlights", [](const Key& k, MarchShader) { return k.HeadlightShadows; },
+      "head" },
+    { "sampled shadows", [](const Key& k, MarchShader) { return k.SampledShadows; },
+      "jitterTexture jitter keepPending addPending SamplePause noPause pause due nextSample "
+      "sampleLight marchAndSample castSampledRay seenFraction seenDepth SAMPLE_SPACING "
+      "FIRST_SAMPLE" },
+    { "light past the volume or opaque geometry",
+      [](const Key& k, MarchShader s)
+      { return isPicture(s) && k.CastShadows && (!k.SampledShadows || k.OpaqueShadows); },
+      "incomingFrom" },
+    { "shadows of opaque geometry",
+      [](const Key& k, MarchShader s) { return isLight(s) && k.OpaqueShadows; },
+      "opaqueShadowBuffer fetchOpaqueShadows isShadowed" },
+    { "light kept at vertices", [](const Key& k, MarchShader) { return k.hasVertexLight(); },
+      "vertexLightTexture fetchVertexLight" },
+    { "where light of vertices is kept",
+      [](const Key& k, MarchShader s) { return isLight(s) || k.hasVertexLight(); },
+      "texelOfVertex vertexOfTexel" },
+    { "rays to lights", followsLight,
+      "shadowSourceCount shadowSource lightReach fetchShadowSource transmittanceTo darkDepth "
+      "cellExtinction" },
+    { "light of a vertex", [](const Key&, MarchShader s) { return isLight(s); },
+      "occlusionDirectionCount occlusionRadius vertexStartBuffer fetchVertexStart sphereDirection "
+      "lightAtVertex vertexCount" },
+  };
+}
+} // namespace tetmarch::testing

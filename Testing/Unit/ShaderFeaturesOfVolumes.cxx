@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShaderFeatures.h"
+
+namespace tetmarch::testing
+{
+namespace
+{
+using Key = VariantKey;
+
+bool isMesh(const Key& key) { return !key.Structured; }
+bool isTrilinear(const Key& key) { return key.Structured && key.PointScalars; }
+} // namespace
+
+std::vector<ShaderFeature> featuresOfVolumes()
+{
+  return {
+    // Tetrahedra.
+    { "tetrahedra", [](const Key& k, MarchShader) { return isMesh(k); },
+      "vertexBuffer linkBuffer boundaryBuffer numberOfTets tetCount fetchVertex fetchLink "
+      "fetchBoundaryFace project snapToPredicate projectionBlur edgeCross turnsLeft "
+      "isTurnedForSure FaceIntersection fetchCorners stepThrough intersectionPoint entersFace "
+      "enters "
+      "apex link LINK_OUTSIDE BVH_STACK PROJECTION_SCALE PROJECTION_FLUSH VERTEX_LIGHT_BLOCK "
+      "VERTEX_LIGHT_ROW" },
+    { "tetrahedra of the picture",
+      [](const Key& k, MarchShader s) { return gathers(s) && isMesh(k); }, "cellScalar" },
+    { "fused predicate", [](const Key& k, MarchShader) { return k.HasFma; },
+      "fma GL_ARB_gpu_shader5" },
+    { "portable predicate", [](const Key& k, MarchShader) { return isMesh(k) && !k.HasFma; },
+      "wrapped turns" },
+    { "scalars of tetrahedra",
+      [](const Key& k, MarchShader) { return isMesh(k) && !k.PointScalars; },
+      "cellScalarBuffer fetchCellScalar" },
+    { "hierarchy", [](const Key& k, MarchShader) { return k.Hierarchy; },
+      "hierarchyBuffer bvhNodeCount bvhReentryNodeCount reentryFaceCount fetchBvhNode isBefore "
+      "nextEntry" },
+    { "rasterised entries",
+      [](const Key& k, MarchShader s) { return !isLight(s) && k.RasterEntry; },
+      "entryTexture insideFace" },
+    { "search beside entries",
+      [](const Key& k, MarchShader s) { return !isLight(s) && k.RasterEntry && k.Hierarchy; },
+      "isBesideEntry known" },
+    { "rays to lights through tetrahedra",
+      [](const Key& k, MarchShader s) { return followsLight(k, s) && isMesh(k); },
+      "INSIDE_FACE Tet projectedVertex entersTet ExtinctionMarch marchExtinctionToExit "
+      "marchExtinction transmittanceOn" },
+    { "last tetrahedron before a sample",
+      [](const Key& k, MarchShader) { return k.SampledShadows && isMesh(k); }, "cellBehind" },
+    { "extinction of what is not finite",
+      [](const Key& k, MarchShader s) { return followsLight(k, s) && isMesh(k) && k.NanShown; },
+      "isFinite" },
+    { "extinction along a segment",
+      [](const Key& k, MarchShader s) { return followsLight(k, s) && isMesh(k) && k.PointScalars; },
+      "extinctionBetween" },
+    { "extinction of a tetrahedron",
+      [](const Key& k, MarchShader s)
+      { return followsLight(k, s) && isMesh(k) && !k.PointScalars; },
+      "extinctionOf" },
+    { "extinction by gradients at vertices",
+      [](const Key& k, MarchShader s)
+      { return followsLight(k, s) && isMesh(k) && k.GradientOpacity && k.hasVertexGradients(); },
+      "densityAt densityBetween" },
+    // Lattices.
+    { "lattice", [](const Key& k, MarchShader) { return k.Structured; },
+      "valueTexture valueMap latticeCells firstValue lastValue latticeMatrix toLattice "
+      "directionToLattice perSlope steps stepAlong perSlopeOf planesAt cellAround "
+      "planesAhead planesPassed crossingDepths leastOf depthsOfLattice corrected cellBehindDepth "
+      "numberOfCell takePart LEAP_BLOCK" },
+    { "even planes", [](const Key& k, MarchShader) { return k.Structured && !k.Rectilinear; },
+      "latticeShift latticeHalfLength planeAt" },
+    { "planes of their own", [](const Key& k, MarchShader) { return k.Rectilinear; },
+      "planeBuffer firstPlane fetchPlane planeBelow" },
+    { "trilinear cells", [](const Key& k, MarchShader) { return isTrilinear(k); },
+      "fetchValues CellFrame cellFrame cubic cubicAlong cubicAt NO_EXTREME extremesOf extremes "
+      "bend "
+      "bentScalar bendWithin" },
+    { "constant cells of a lattice",
+      [](const Key& k, MarchShader) { return k.Structured && !k.PointScalars; }, "fetchValue" },
+    { "error of the bend",
+      [](const Key& k, MarchShader) { return k.Structured && k.hasErrorBound(); },
+      "bendError greatestBend bent" },
+    { "leaps", [](const Key& k, MarchShader) { return k.Leaps; },
+      "blockDistanceBuffer blockCount fetchBlockDistance leapOf cubeBegin cubeEnd skipped "
+      "landing" },
+    { "rays to lights through lattices",
+      [](const Key& k, MarchShader s) { return followsLight(k, s) && k.Structured; },
+      "meanExtinction" },
+  };
+}
+} // namespace tetmarch::testing
