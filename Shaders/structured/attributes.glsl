@@ -75,16 +75,23 @@ vec4 fetchBeside(int i, int j, int k, vec4 own)
     finiteOr(values.w, own.w));
 }
 
+// The cell itself or, for the half cells at the ends of an axis, that between the values beside it. There the gradient is
+// that at the outermost values, as the scalar is.
+int innerCell(int cell, int axisFirst, int axisLast) { return max(min(cell, axisLast - 1 - axisFirst), -axisFirst); }
+
 // In lattice coordinates: central differences at the corners of the cell (Hoehne and Bernstein, "Shading 3D-images from CT
 // using gray-level gradients", 1986), trilinear between them. The values are those of two layers of 4 x 4 around the cell,
 // without their corners, and 2 x 2 below and above them.
 vec3 latticeGradientAt(ivec3 cell, vec3 place)
 {
-  int i = cell.x + firstValue.x;
-  int j = cell.y + firstValue.y;
-  int k = cell.z + firstValue.z;
-  CellFrame frame = cellFrame(cell);
-  vec3 a = (place - frame.begin) * frame.perWidth;
+  ivec3 inner = ivec3(innerCell(cell.x, firstValue.x, lastValue.x), innerCell(cell.y, firstValue.y, lastValue.y),
+    innerCell(cell.z, firstValue.z, lastValue.z));
+  int i = inner.x + firstValue.x;
+  int j = inner.y + firstValue.y;
+  int k = inner.z + firstValue.z;
+  CellFrame frame = cellFrame(inner);
+  vec3 at = (place - frame.begin) * frame.perWidth;
+  vec3 a = vec3(clamp(at.x, real(0), real(1)), clamp(at.y, real(0), real(1)), clamp(at.z, real(0), real(1)));
   vec4 low = fetchValues(i, j, k);
   vec4 high = fetchValues(i, j, k + 1);
   vec4 below = fetchBeside(i, j, k - 1, low);
