@@ -9,7 +9,7 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
   bool within = place.position < real(1);
   cell.leave =
     vec2(within ? place.depth + (place.leave - place.depth) * place.position : place.leave, UNDRAWN_SCALAR);
-  cell.tet = numberOfCell(place.cell);
+  cell.number = numberOfCell(place.cell);
   beginLookups(cell);
   return cell;
 }
