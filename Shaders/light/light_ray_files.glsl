@@ -1,8 +1,8 @@
 // Rays towards the light; to be included behind march/traversal_files.glsl.
+#include "light/light_start_files.glsl"
 #if TETMARCH_STRUCTURED
 #include "structured/transmittance.glsl"
 #else
 #include "tet/extinction.glsl"
-#include "tet/tet.glsl"
 #include "tet/inside.glsl"
 #endif

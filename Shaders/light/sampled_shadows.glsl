@@ -4,23 +4,19 @@
 CONSTANT real SAMPLE_SPACING = real(0.0625);    // opacity from sample to sample
 CONSTANT real FIRST_SAMPLE = real(0.001953125); // opacity before the first sample
 
-// The transmittance towards each light from a point in the tetrahedron behind which the march has paused.
+// The transmittance towards each light from a point in the cell behind which the march has paused.
 vec3 sampleLight(Ray ray, March march, real depth)
 {
-  vec3 point = ray.origin + ray.direction * depth;
+  LightStart start = march.pause.start;
+  start.point = ray.origin + ray.direction * depth;
   vec3 light = vec3(real(1), real(1), real(1));
   for (int k = 0; k < shadowSourceCount; ++k)
   {
     vec4 source = fetchShadowSource(k);
-    vec3 toLight = vec3(source.x, source.y, source.z) - point * source.w;
+    vec3 toLight = vec3(source.x, source.y, source.z) - start.point * source.w;
     real far = sqrt(dot(toLight, toLight));
-#if TETMARCH_STRUCTURED
-    real transmittance = transmittanceTo(point, toLight * (real(1) / max(far, TINY)),
-      min(source.w > real(0) ? far : NO_DEPTH, lightReach));
-#else
-    real transmittance = transmittanceTo(march.pause.last, point, toLight * (real(1) / max(far, TINY)),
-      min(source.w > real(0) ? far : NO_DEPTH, lightReach));
-#endif
+    real transmittance = transmittanceTo(
+      start, toLight * (real(1) / max(far, TINY)), min(source.w > real(0) ? far : NO_DEPTH, lightReach));
     light.x = k == 0 ? transmittance : light.x;
     light.y = k == 1 ? transmittance : light.y;
     light.z = k == 2 ? transmittance : light.z;

@@ -72,8 +72,8 @@ void countRefusal(bool entered, INOUT(March) march)
 // Keeps the cell before which the ray is as the one that was crossed last: rays to the light may start in it.
 void keepCell(Place place, INOUT(March) march)
 {
-#if TETMARCH_SAMPLED_SHADOWS && !TETMARCH_STRUCTURED
-  march.pause.last = cellBehind(place);
+#if TETMARCH_SAMPLED_SHADOWS
+  march.pause.start = startIn(place);
 #endif
 }
 

@@ -25,9 +25,7 @@
 #include "march/pick_interval.glsl"
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-#if !TETMARCH_STRUCTURED
-#include "tet/tet.glsl"
-#endif
+#include "light/light_start_files.glsl"
 #include "march/sample_pause.glsl"
 #endif
 #include "march/crossing.glsl"

@@ -1,4 +1,4 @@
-// A march that samples shadows along its ray pauses behind a tetrahedron whenever enough of the volume has been seen
+// A march that samples shadows along its ray pauses behind a cell whenever enough of the volume has been seen
 // since the last sample (light/sampled_shadows.glsl).
 
 struct SamplePause
@@ -6,10 +6,8 @@ struct SamplePause
   bool due;           // the march pauses; the next marchToExit() goes on from there,
   bool ended;         // unless the ray had left the mesh or was finished
   real nextSample;    // the transmittance at which the next sample is due
-  real transmittance; // before the last tetrahedron
-#if !TETMARCH_STRUCTURED
-  Tet last;           // the tetrahedron that was crossed last
-#endif
+  real transmittance; // before the last cell
+  LightStart start;   // in the cell that was crossed last, but for its point
   real seenDepth;     // the average depth of what is seen of it
 };
 

@@ -1,4 +1,4 @@
-// The light at the vertices: one pixel a vertex.
+// The light at the vertices of a mesh, or at the nodes of a lattice: one pixel each.
 #include "language.glsl"
 #include "passes/helper.glsl"
 

@@ -29,10 +29,10 @@ real cellExtinction(Ray ray, Place place, CellInterval cell)
   return extinction;
 }
 
-real transmittanceTo(vec3 point, vec3 direction, real distance)
+real transmittanceTo(LightStart start, vec3 direction, real distance)
 {
-  Ray ray = rayThrough(point, direction);
-  real begin = dot(point - ray.origin, ray.direction);
+  Ray ray = rayThrough(start.point, direction);
+  real begin = dot(start.point - ray.origin, ray.direction);
   real end = begin + distance;
   real thicknessPerDepth = thicknessPerDepthAlong(direction);
   real darkDepth = -log(errorTolerance);
@@ -54,10 +54,10 @@ real transmittanceTo(vec3 point, vec3 direction, real distance)
   return exp(-opticalDepth);
 }
 #else
-real transmittanceTo(vec3 point, vec3 direction, real distance)
+real transmittanceTo(LightStart start, vec3 direction, real distance)
 {
-  Ray ray = rayThrough(point, direction);
-  real begin = dot(point - ray.origin, ray.direction);
+  Ray ray = rayThrough(start.point, direction);
+  real begin = dot(start.point - ray.origin, ray.direction);
   return castPlainRay(ray, 0, thicknessPerDepthAlong(direction), begin, begin + distance).radiance.transmittance;
 }
 #endif

@@ -5,8 +5,10 @@ CONSTANT int INSIDE_FACE = 0x7fffffff;
 
 // The transmittance from a point in a tetrahedron over that distance in that direction (unit length). If rounding puts
 // the point outside, one nearer the centre is taken.
-real transmittanceTo(Tet tet, vec3 point, vec3 direction, real distance)
+real transmittanceTo(LightStart start, vec3 direction, real distance)
 {
+  Tet tet = start.tet;
+  vec3 point = start.point;
   vec4 a = fetchVertex(tet.a);
   vec4 b = fetchVertex(tet.b);
   vec4 c = fetchVertex(tet.c);

@@ -38,17 +38,3 @@ bool entersTet(Ray ray, Tet tet, OUT(FaceIntersection) face, OUT(uvec2) link)
   link = uvec2(tet.number, first ? tet.d : (second ? tet.c : (third ? tet.a : tet.b)));
   return entersFace(ray, ids, face);
 }
-
-#if TETMARCH_SAMPLED_SHADOWS
-// The tetrahedron behind a face.
-Tet cellBehind(Place place)
-{
-  Tet tet;
-  tet.number = place.link.x;
-  tet.a = place.face.id.x;
-  tet.b = place.face.id.y;
-  tet.c = place.face.id.z;
-  tet.d = place.link.y;
-  return tet;
-}
-#endif

@@ -67,19 +67,19 @@ void compareRaysFromInside(RandomVolume<Kernel>& volume, Tally& tally)
   {
     const Id vertex = static_cast<Id>(volume.Random() % volume.Mesh.Vertices.size());
     const auto& start = volume.Starts[vertex];
-    typename Kernel::Tet tet;
-    tet.number = start[3];
-    tet.a = vertex;
-    tet.b = start[0];
-    tet.c = start[1];
-    tet.d = start[2];
-    const auto point = volume.nextPoint({ { tet.a, tet.b, tet.c, tet.d } });
+    typename Kernel::LightStart from;
+    from.tet.number = start[3];
+    from.tet.a = vertex;
+    from.tet.b = start[0];
+    from.tet.c = start[1];
+    from.tet.d = start[2];
+    from.point = volume.nextPoint({ { from.tet.a, from.tet.b, from.tet.c, from.tet.d } });
     const auto direction = volume.nextDirection();
     const double length = volume.nextLength();
     const double distance = i % 2 == 0 ? uniform(volume.Random) : 1e30;
-    const double found = kernel.transmittanceTo(tet, point, direction, distance);
-    const auto ray = kernel.rayThrough(point, direction);
-    const double begin = glsl::dot(point - ray.origin, ray.direction);
+    const double found = kernel.transmittanceTo(from, direction, distance);
+    const auto ray = kernel.rayThrough(from.point, direction);
+    const double begin = glsl::dot(from.point - ray.origin, ray.direction);
     ASSERT_NO_FATAL_FAILURE(
       expectSame(found, kernel.castPlainRay(ray, -1, length, begin, begin + distance), tally));
   }

@@ -13,28 +13,31 @@ using Key = VariantKey;
 bool isIndependent(const Key& key) { return key.Components == ComponentGroup::Independent; }
 
 const ShaderFeature OfTheMarch[] = {
-  { "march of the picture", [](const Key&, MarchShader s) { return gathers(s); },
+  { "march of the picture", [](const Key& k, MarchShader s) { return gathers(k, s); },
     "Radiance March CellInterval Segment visibleSegment beginCellInterval gatherSegment pixelOf "
-    "isOpaque marchToExit marchOn passCell" },
-  { "composites", [](const Key& k, MarchShader s) { return gathers(s) && k.isComposite(); },
+    "isOpaque marchToExit marchOn passCell passToSeenCell beginMarch noRadiance beginCell "
+    "beginLookups keepLastDrawn decideVisibility advanceShades shadeCell cropCell gatherCell "
+    "gatherInterval gatherIntervals isFinished goesOnAfter keepCell keepTransmittance countFaults "
+    "countRefusal recordCell errorBound" },
+  { "composites", [](const Key& k, MarchShader s) { return gathers(k, s) && k.isComposite(); },
     "Absorption absorption absorb addSubsegment integrateSegment thicknessWithin" },
   { "composites of volumes or surfaces",
-    [](const Key& k, MarchShader s) { return gathers(s) && k.accumulatesOpacity(); },
+    [](const Key& k, MarchShader s) { return gathers(k, s) && k.accumulatesOpacity(); },
     "emission placeShades" },
   { "tolerance", [](const Key& k, MarchShader) { return k.accumulatesOpacity(); },
     "errorTolerance" },
   { "segments of the picture",
-    [](const Key& k, MarchShader s) { return gathers(s) && k.PointScalars && k.isComposite(); },
+    [](const Key& k, MarchShader s) { return gathers(k, s) && k.PointScalars && k.isComposite(); },
     "SegmentEnds segmentEnds Subsegment subsegmentFrom SubsegmentMean meanOfSubsegment isLoaded "
     "keepTablePoint trials" },
   { "segments of one scalar",
     [](const Key& k, MarchShader s)
-    { return gathers(s) && k.PointScalars && k.isComposite() && !k.hasComponents(); },
+    { return gathers(k, s) && k.PointScalars && k.isComposite() && !k.hasComponents(); },
     "positionWithin" },
   { "scalars along the picture's rays",
-    [](const Key& k, MarchShader s) { return gathers(s) && k.PointScalars; }, "scalarIn" },
+    [](const Key& k, MarchShader s) { return gathers(k, s) && k.PointScalars; }, "scalarIn" },
   { "cells of the picture",
-    [](const Key& k, MarchShader s) { return gathers(s) && !k.PointScalars && k.isComposite(); },
+    [](const Key& k, MarchShader s) { return gathers(k, s) && !k.PointScalars && k.isComposite(); },
     "constantMean" },
   { "tables", [](const Key& k, MarchShader) { return !isIsosurfaces(k); },
     "tableValueBuffer tableIntegralBuffer "
@@ -50,7 +53,8 @@ const ShaderFeature OfTheMarch[] = {
     "tableIntegralUnits tablePlace fetchTableFirst fetchTableSize fetchTableIntegralUnit "
     "fetchTablePlace" },
   { "components along segments",
-    [](const Key& k, MarchShader s) { return gathers(s) && k.hasComponents() && k.PointScalars; },
+    [](const Key& k, MarchShader s)
+    { return gathers(k, s) && k.hasComponents() && k.PointScalars; },
     "furtherAt furtherEnd" },
   { "independent components", [](const Key& k, MarchShader) { return isIndependent(k); },
     "componentCount componentFactor scalarsOf componentOf" },
@@ -106,10 +110,10 @@ const ShaderFeature OfTheMarch[] = {
   { "colour of what is not finite", [](const Key& k, MarchShader) { return k.NanShown; },
     "nanColor" },
   { "what is not finite in the picture",
-    [](const Key& k, MarchShader s) { return gathers(s) && k.NanShown; }, "absorbNan finite" },
+    [](const Key& k, MarchShader s) { return gathers(k, s) && k.NanShown; }, "absorbNan finite" },
   { "hidden cells", [](const Key& k, MarchShader) { return k.HiddenCells; },
     "hiddenCellBuffer fetchHiddenCells isHidden" },
-  { "crossing of cells", [](const Key&, MarchShader s) { return gathers(s); },
+  { "crossing of cells", [](const Key& k, MarchShader s) { return gathers(k, s); },
     "Crossing crossing crossCell" },
   { "cells passed", [](const Key& k, MarchShader) { return k.passesCells(); }, "passing" },
   { "constant colour", [](const Key& k, MarchShader) { return k.ConstantColor; }, "constantColor" },
@@ -121,9 +125,15 @@ const ShaderFeature OfTheMarch[] = {
   { "rays of pixels", [](const Key&, MarchShader s) { return !isLight(s); }, "viewport eye" },
   { "one march a ray",
     [](const Key& k, MarchShader s)
-    { return (isPicture(s) && !k.SampledShadows) || (isPick(s) && k.isKnownAtEnd()); },
+    {
+      return (isPicture(s) && !k.SampledShadows) || (isPick(s) && k.isKnownAtEnd()) ||
+             (isLight(s) && k.Structured);
+    },
     "castPlainRay" },
-  { "lookups counted", [](const Key&, MarchShader s) { return isPicture(s); }, "countLookups" },
+  { "lookups counted", [](const Key& k, MarchShader s) { return gathers(k, s) && !isPick(s); },
+    "countLookups" },
+  { "window of colours", [](const Key& k, MarchShader s) { return isPicture(s) && !k.Diagnostics; },
+    "colorWindow windowed" },
   { "pick", [](const Key&, MarchShader s) { return isPick(s); },
     "Pick PICK_STEPS noPick isPicked gathered gatheredUpTo pickInterval pickedScalar pickOn "
     "transmittanceLeft" },

@@ -6,7 +6,6 @@
 
 #include "Variants/VariantKey.h"
 
-#include <string>
 #include <vector>
 
 namespace tetmarch::testing
@@ -36,8 +35,11 @@ std::vector<ShaderFeature> featuresOfLight();
 inline bool isPicture(MarchShader shader) { return shader == MarchShader::Picture; }
 inline bool isLight(MarchShader shader) { return shader == MarchShader::LightAtVertex; }
 inline bool isPick(MarchShader shader) { return shader == MarchShader::Pick; }
-/// Gathers what the picture shows.
-inline bool gathers(MarchShader shader) { return isPicture(shader) || isPick(shader); }
+/// Gathers what the picture shows. Rays from the nodes of a lattice towards lights do so, too.
+inline bool gathers(const VariantKey& key, MarchShader shader)
+{
+  return !isLight(shader) || key.Structured;
+}
 /// Marches rays towards lights.
 inline bool followsLight(const VariantKey& key, MarchShader shader)
 {

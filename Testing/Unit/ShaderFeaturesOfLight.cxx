@@ -33,10 +33,14 @@ std::vector<ShaderFeature> featuresOfLight()
     { "gradients of cells of a lattice by their neighbours",
       [](const Key& k, MarchShader)
       { return k.hasGradients() && isTrilinear(k) && !k.CellGradients; },
-      "perDistances perLow perHigh" },
+      "perDistances perLow perHigh fetchBeside" },
+    { "values beside a cell",
+      [](const Key& k, MarchShader)
+      { return k.hasGradients() && k.Structured && !k.CellGradients; },
+      "finiteOr" },
     { "gradients of trilinear cells",
       [](const Key& k, MarchShader) { return k.hasGradients() && isTrilinear(k); }, "bilinear" },
-    { "shades", [](const Key& k, MarchShader s) { return gathers(s) && k.hasGradients(); },
+    { "shades", [](const Key& k, MarchShader s) { return gathers(k, s) && k.hasGradients(); },
       "Shade CellShades FacePoint shadeOf leavePoint shades incomingAt fractionOfCell "
       "rangeWithin" },
     { "gradients at vertices",
@@ -44,18 +48,18 @@ std::vector<ShaderFeature> featuresOfLight()
       "fetchGradient" },
     { "shades where rays enter cells",
       [](const Key& k, MarchShader s)
-      { return gathers(s) && k.hasGradients() && (!k.hasVertexGradients() || findsShades(k)); },
+      { return gathers(k, s) && k.hasGradients() && (!k.hasVertexGradients() || findsShades(k)); },
       "enterPoint" },
     { "shades at faces",
-      [](const Key& k, MarchShader s) { return gathers(s) && k.hasVertexGradients(); },
+      [](const Key& k, MarchShader s) { return gathers(k, s) && k.hasVertexGradients(); },
       "shadeAtFace" },
     { "shades where something is seen",
       [](const Key& k, MarchShader s)
-      { return gathers(s) && k.hasVertexGradients() && findsShades(k); },
+      { return gathers(k, s) && k.hasVertexGradients() && findsShades(k); },
       "enterKnown missing" },
     { "shade of the face before",
       [](const Key& k, MarchShader s)
-      { return gathers(s) && k.hasVertexGradients() && !findsShades(k); },
+      { return gathers(k, s) && k.hasVertexGradients() && !findsShades(k); },
       "beginShades" },
     { "gradients of tetrahedra",
       [](const Key& k, MarchShader) { return k.CellGradients && !k.Structured; },
@@ -67,13 +71,14 @@ std::vector<ShaderFeature> featuresOfLight()
       "fetchAttributes selectAttributes interpolateAttributes attributesA attributesB attributesC "
       "barycentricsOf" },
     { "attributes of vertices along the ray",
-      [](const Key& k, MarchShader s) { return gathers(s) && hasAttributes(k) && !k.Structured; },
+      [](const Key& k, MarchShader s)
+      { return gathers(k, s) && hasAttributes(k) && !k.Structured; },
       "enterAttributes leaveAttributes" },
     { "opacity by gradients", [](const Key& k, MarchShader) { return k.GradientOpacity; },
       "gradientOpacityBuffer gradientOpacitySize gradientOpacityScale fetchGradientOpacity "
       "gradientOpacity" },
     { "density of shades",
-      [](const Key& k, MarchShader s) { return gathers(s) && k.GradientOpacity; },
+      [](const Key& k, MarchShader s) { return gathers(k, s) && k.GradientOpacity; },
       "density densityWithin" },
     { "gradients shown", [](const Key& k, MarchShader) { return k.ShowGradients; },
       "gradientColor" },
@@ -93,7 +98,8 @@ std::vector<ShaderFeature> featuresOfLight()
       [](const Key& k, MarchShader) { return k.isLit() && k.Diagnostics && k.isComposite(); },
       "lightError changeOf lightErrorOf" },
     { "error of light between vertices",
-      [](const Key& k, MarchShader) { return k.isLit() && k.Diagnostics && k.hasVertexLight(); },
+      [](const Key& k, MarchShader)
+      { return k.isLit() && k.Diagnostics && k.hasVertexLight() && !k.Structured; },
       "interpolationError lightInterpolationError" },
     { "shading", [](const Key& k, MarchShader) { return k.Shading; },
       "twoSided ambientColor specularPower lightDiffuse lightSpecular fetchLightDiffuse "
@@ -130,11 +136,15 @@ std::vector<ShaderFeature> featuresOfLight()
       [](const Key& k, MarchShader s) { return isLight(s) || k.hasVertexLight(); },
       "texelOfVertex vertexOfTexel" },
     { "rays to lights", followsLight,
-      "shadowSourceCount shadowSource lightReach fetchShadowSource transmittanceTo darkDepth "
-      "cellExtinction" },
+      "shadowSourceCount shadowSource lightReach fetchShadowSource LightStart transmittanceTo" },
+    { "march of extinction",
+      [](const Key& k, MarchShader s) { return k.SampledShadows || (isLight(s) && !k.Structured); },
+      "darkDepth cellExtinction" },
+    { "rays to lights from samples", [](const Key& k, MarchShader) { return k.SampledShadows; },
+      "startIn" },
     { "light of a vertex", [](const Key&, MarchShader s) { return isLight(s); },
-      "occlusionDirectionCount occlusionRadius vertexStartBuffer fetchVertexStart sphereDirection "
-      "lightAtVertex vertexCount" },
+      "occlusionDirectionCount occlusionRadius sphereDirection startsAtVertex lightAtVertex "
+      "vertexCount" },
   };
 }
 } // namespace tetmarch::testing

@@ -21,10 +21,9 @@ std::vector<ShaderFeature> featuresOfVolumes()
       "fetchBoundaryFace project snapToPredicate projectionBlur edgeCross turnsLeft "
       "isTurnedForSure FaceIntersection fetchCorners stepThrough intersectionPoint entersFace "
       "enters "
-      "apex link LINK_OUTSIDE BVH_STACK PROJECTION_SCALE PROJECTION_FLUSH VERTEX_LIGHT_BLOCK "
-      "VERTEX_LIGHT_ROW" },
+      "apex link LINK_OUTSIDE BVH_STACK PROJECTION_SCALE PROJECTION_FLUSH" },
     { "tetrahedra of the picture",
-      [](const Key& k, MarchShader s) { return gathers(s) && isMesh(k); }, "cellScalar" },
+      [](const Key& k, MarchShader s) { return gathers(k, s) && isMesh(k); }, "cellScalar" },
     { "fused predicate", [](const Key& k, MarchShader) { return k.HasFma; },
       "fma GL_ARB_gpu_shader5" },
     { "portable predicate", [](const Key& k, MarchShader) { return isMesh(k) && !k.HasFma; },
@@ -45,8 +44,6 @@ std::vector<ShaderFeature> featuresOfVolumes()
       [](const Key& k, MarchShader s) { return followsLight(k, s) && isMesh(k); },
       "INSIDE_FACE Tet projectedVertex entersTet ExtinctionMarch marchExtinctionToExit "
       "marchExtinction transmittanceOn" },
-    { "last tetrahedron before a sample",
-      [](const Key& k, MarchShader) { return k.SampledShadows && isMesh(k); }, "cellBehind" },
     { "extinction of what is not finite",
       [](const Key& k, MarchShader s) { return followsLight(k, s) && isMesh(k) && k.NanShown; },
       "isFinite" },
@@ -66,7 +63,7 @@ std::vector<ShaderFeature> featuresOfVolumes()
       "valueTexture valueMap latticeCells firstValue lastValue latticeMatrix toLattice "
       "directionToLattice perSlope steps stepAlong perSlopeOf planesAt cellAround "
       "planesAhead planesPassed crossingDepths leastOf depthsOfLattice corrected cellBehindDepth "
-      "numberOfCell takePart LEAP_BLOCK" },
+      "numberOfCell takePart LEAP_SHIFT" },
     { "even planes", [](const Key& k, MarchShader) { return k.Structured && !k.Rectilinear; },
       "latticeShift latticeHalfLength planeAt" },
     { "planes of their own", [](const Key& k, MarchShader) { return k.Rectilinear; },
@@ -81,11 +78,23 @@ std::vector<ShaderFeature> featuresOfVolumes()
       [](const Key& k, MarchShader) { return k.Structured && k.hasErrorBound(); },
       "bendError greatestBend bent" },
     { "leaps", [](const Key& k, MarchShader) { return k.Leaps; },
-      "blockDistanceBuffer blockCount fetchBlockDistance leapOf cubeBegin cubeEnd skipped "
-      "landing" },
-    { "rays to lights through lattices",
-      [](const Key& k, MarchShader s) { return followsLight(k, s) && k.Structured; },
+      "blockDistanceBuffer blockCount fetchBlockDistance leapOf blockOf cubeEnd landingAlong "
+      "landingOf skipped" },
+    { "extinction along samples' rays through a lattice",
+      [](const Key& k, MarchShader) { return k.Structured && k.SampledShadows; },
       "meanExtinction" },
+    { "vertices with light", [](const Key& k, MarchShader s) { return isLight(s) && isMesh(k); },
+      "vertexStartBuffer fetchVertexStart" },
+    { "nodes of light",
+      [](const Key& k, MarchShader s)
+      { return k.Structured && (isLight(s) || k.hasVertexLight()); },
+      "lightNodes" },
+    { "nodes where light is made",
+      [](const Key& k, MarchShader s) { return k.Structured && isLight(s); },
+      "lightNodeMatrix pointOfNode" },
+    { "light between nodes",
+      [](const Key& k, MarchShader) { return k.Structured && k.hasVertexLight(); },
+      "lightLow perLightStep fetchNodeLight keptLightAt" },
   };
 }
 } // namespace tetmarch::testing

@@ -1,0 +1,7 @@
+// Where rays towards the light start; to be included behind march/traversal_files.glsl.
+#if TETMARCH_STRUCTURED
+#include "structured/light_start.glsl"
+#else
+#include "tet/tet.glsl"
+#include "tet/light_start.glsl"
+#endif
