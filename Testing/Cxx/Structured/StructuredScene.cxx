@@ -18,8 +18,9 @@ namespace
 {
 using Mapper = vtkTetMarchSmartVolumeMapper;
 
-// What the bound leaves out: the arithmetic of float, the entries of tables.
-constexpr double Rounding = 1e-4;
+// What the bound leaves out: the arithmetic of float, most of all where a ray grazes a plane
+// between two cells of different values.
+constexpr double Rounding = 0.1 / 255.0;
 
 Difference differenceAt(StructuredScene& scene, int level, const Image& truth)
 {
@@ -71,8 +72,7 @@ StructuredScene::StructuredScene(vtkDataSet* data, int width, int height)
 
 void StructuredScene::draw(LatticeValues values)
 {
-  const bool linear =
-    values == LatticeValues::PointsLinear || values == LatticeValues::CellsLinear;
+  const bool linear = values == LatticeValues::PointsLinear || values == LatticeValues::CellsLinear;
   const bool ofPoints =
     values == LatticeValues::PointsLinear || values == LatticeValues::PointsNearest;
   this->property()->SetInterpolationType(
@@ -145,8 +145,8 @@ Image StructuredScene::pixels() const
   this->Mapper->GetDiagnosticPixels(pixels);
   if (pixels->GetNumberOfTuples() != vtkIdType(size[0]) * size[1])
   {
-    throw std::runtime_error("the last frame left " + std::to_string(pixels->GetNumberOfTuples()) +
-                             " diagnostic pixels");
+    throw std::runtime_error(
+      "the last frame left " + std::to_string(pixels->GetNumberOfTuples()) + " diagnostic pixels");
   }
   return Image::fromFloats(size[0], size[1], pixels->GetPointer(0));
 }
@@ -171,7 +171,7 @@ void expectCounters(StructuredScene& scene)
   EXPECT_GT(scene.Mapper->GetNumberOfCrossedCells(), 0);
 }
 
-Worst expectParity(StructuredScene& scene)
+Worst expectParity(StructuredScene& scene, const Promises& promises)
 {
   scene.Mapper->SetAccuracyLevelToDefault();
   scene.Window->Render();
@@ -181,11 +181,17 @@ Worst expectParity(StructuredScene& scene)
   for (const int level : { Mapper::DEFAULT, Mapper::ACCURATE })
   {
     const Difference difference = differenceAt(scene, level, truth);
-    const double bound = scene.Mapper->GetLastFrameStatistics()->GetMaximum(
-      vtkTetMarchFrameStatistics::ERROR_BOUND);
-    EXPECT_LE(difference.Max, 2.0 / 255.0) << difference.text();
+    const double bound =
+      scene.Mapper->GetLastFrameStatistics()->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND);
+    if (level != Mapper::DEFAULT || promises.DefaultTolerance)
+    {
+      EXPECT_LE(difference.Max, 2.0 / 255.0) << difference.text();
+    }
     EXPECT_LE(difference.Rms, 0.3 / 255.0) << difference.text();
-    EXPECT_LE(difference.Max, bound + Rounding) << difference.text();
+    if (promises.Bound)
+    {
+      EXPECT_LE(difference.Max, bound + Rounding) << difference.text();
+    }
     worst.Max = std::max(worst.Max, difference.Max);
     worst.Rms = std::max(worst.Rms, difference.Rms);
     worst.OverBound = std::max(worst.OverBound, difference.Max - bound);
