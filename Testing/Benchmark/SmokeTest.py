@@ -280,7 +280,8 @@ class SmokeTest(unittest.TestCase):
     def test_help(self):
         result = self.run_benchmark("--help")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assertTrue(result.stdout.startswith("Usage: tetmarch-bench [accuracy|refinement|effects|structured] [options]"))
+        self.assertTrue(
+            result.stdout.startswith("Usage: tetmarch-bench [accuracy|refinement|effects|structured] [options]"))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes Structured.md out of StructuredPage.md, with tables and a chart of what tetmarch-bench structured has measured.
+"""Writes Structured.md out of StructuredPage.md, with tables and a chart of what tetmarch-bench structured measured.
 
     make_structured_page.py STRUCTURED.json FOLDER [--remark TEXT]
 
@@ -32,7 +32,7 @@ def figures_of(subject):
 
 
 def ratio(value):
-    return f"{value:.1f}" if value < 10 else f"{value:.0f}"
+    return f"{value:.2g}" if value < 10 else f"{value:.0f}"
 
 
 def against(figures, rival):
@@ -49,7 +49,7 @@ def on_front(figures):
 
 
 def rivals_table(report):
-    heads = [f"{head} than `{rival}`" for rival in RIVALS for head in ("times faster", "times more accurate")]
+    heads = [f"{head} as `{rival}`" for rival in RIVALS for head in ("times as fast", "times as accurate")]
     text = row(["volume", "functions", *heads, "rivals on the front"]) + "|---|---|" + "---:|" * len(heads) + "---|\n"
     for subject in report["datasets"]:
         figures = figures_of(subject)
