@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 #include <set>
 
@@ -192,15 +193,19 @@ public:
         record.FirstFrames.push_back(this->Shown.draw(volume));
       }
       record.Figures["class"] = volume->GetMapper()->GetClassName();
+      const std::clock_t before = std::clock();
       record.Frames.push_back(this->Shown.draw(volume));
+      record.Figures["cpu_seconds"].push_back(
+        static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
       contestant.Seconds += record.Frames.back();
       if (turn == 0)
       {
         record.Errors =
           errorsOnBlack(everyNth(this->Shown.picture(), this->Chosen.Stride), this->Reference);
       }
-      std::fprintf(stderr, "  %-20s turn %d: %.4f s%s\n", record.Mapper.c_str(), turn,
-        record.Frames.back(), turn == 0 ? (" " + record.Errors.dump()).c_str() : "");
+      std::fprintf(stderr, "  %-20s turn %d: %.4f s, %.4f s of the CPU %s\n", record.Mapper.c_str(),
+        turn, record.Frames.back(), record.Figures["cpu_seconds"].back().get<double>(),
+        turn == 0 ? record.Errors.dump().c_str() : "");
     }
     catch (const std::exception& error)
     {

@@ -18,6 +18,10 @@ Json describeMapper(const MapperRecord& record)
   json["class"] = record.Figures.is_null() ? Json(nullptr) : Json(record.Figures["class"]);
   json["failure"] = record.Failure.empty() ? Json(nullptr) : Json(record.Failure);
   json["frames"] = summarizeSeconds(record.Frames);
+  const auto cpuSeconds = record.Figures.is_null()
+                            ? std::vector<double>()
+                            : record.Figures["cpu_seconds"].get<std::vector<double>>();
+  json["cpu"] = summarizeSeconds(cpuSeconds); // of all threads, so that a busy machine matters less
   json["first_frame"] = summarizeSeconds(record.FirstFrames);
   if (!record.Errors.is_null())
   {
@@ -47,14 +51,18 @@ std::string error(const Json& mapper, const char* key)
   return mapper.contains("errors") ? format("%.1e", mapper["errors"][key]) : std::string();
 }
 
+std::string median(const Json& summary)
+{
+  return summary.is_null() ? std::string() : seconds(summary["median_seconds"]);
+}
+
 std::string mapperRow(const Json& volume, const Json& mapper)
 {
   const Json& frames = mapper["frames"];
-  const Json& first = mapper["first_frame"];
   return row({ volume["name"], volume["functions"], mapper["name"], timesOf(frames),
-    frames.is_null() ? "0" : std::to_string(frames["seconds"].size()),
-    first.is_null() ? std::string() : seconds(first["median_seconds"]), error(mapper, "rms"),
-    error(mapper, "p999"), error(mapper, "max"),
+    frames.is_null() ? "0" : std::to_string(frames["seconds"].size()), median(mapper["cpu"]),
+    median(mapper["first_frame"]), error(mapper, "rms"), error(mapper, "p999"),
+    error(mapper, "max"),
     mapper["failure"].is_null() ? std::string() : mapper["failure"].get<std::string>() });
 }
 } // namespace
@@ -64,6 +72,7 @@ nlohmann::ordered_json makeStructuredReport(
 {
   Json report = describeRun(options);
   report["stride"] = options.Stride;
+  report["enough_seconds"] = options.EnoughSeconds;
   report["datasets"] = Json::array();
   for (const StructuredRecord& record : records)
   {
@@ -76,9 +85,9 @@ nlohmann::ordered_json makeStructuredReport(
 std::string makeStructuredMarkdown(const nlohmann::ordered_json& report)
 {
   std::string text = heading(report) + "\n";
-  text += row({ "volume", "functions", "mapper", "frame, s (range)", "frames", "first frame, s",
-            "RMS error", "99.9 %", "max", "remark" }) +
-          "|---|---|---|---:|---:|---:|---:|---:|---:|---|\n";
+  text += row({ "volume", "functions", "mapper", "frame, s (range)", "frames", "CPU, s",
+            "first frame, s", "RMS error", "99.9 %", "max", "remark" }) +
+          "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---|\n";
   for (const Json& volume : report["datasets"])
   {
     for (const Json& mapper : volume["mappers"])
