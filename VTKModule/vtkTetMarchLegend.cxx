@@ -5,6 +5,7 @@
 #include "vtkLookupTable.h"
 #include "vtkObjectFactory.h"
 #include "vtkTetMarchFrameStatistics.h"
+#include "vtkTetMarchSmartVolumeMapper.h"
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkTextProperty.h"
 
@@ -15,15 +16,39 @@ const char* titleOf(int viewMode)
 {
   switch (viewMode)
   {
-    case vtkTetMarchVolumeMapper::VIEW_ERROR_BOUND:
+    case vtkTetMarchSettings::VIEW_ERROR_BOUND:
       return "Error bound";
-    case vtkTetMarchVolumeMapper::VIEW_CELLS:
+    case vtkTetMarchSettings::VIEW_CELLS:
       return "Cells crossed";
-    case vtkTetMarchVolumeMapper::VIEW_LOOKUPS:
+    case vtkTetMarchSettings::VIEW_LOOKUPS:
       return "Lookups";
     default:
       return nullptr;
   }
+}
+
+// What the legend asks of a mapper; all null of other classes than ours.
+struct Explained
+{
+  vtkTetMarchSettings* Settings = nullptr;
+  vtkTetMarchFrameStatistics* Statistics = nullptr;
+  vtkLookupTable* Table = nullptr;
+};
+
+template <typename Mapper>
+Explained explain(Mapper* mapper)
+{
+  return { mapper->GetSettings(), mapper->GetLastFrameStatistics(), mapper->GetViewLookupTable() };
+}
+
+Explained explained(vtkAbstractVolumeMapper* any)
+{
+  if (auto* mapper = vtkTetMarchVolumeMapper::SafeDownCast(any))
+  {
+    return explain(mapper);
+  }
+  auto* mapper = vtkTetMarchSmartVolumeMapper::SafeDownCast(any);
+  return mapper ? explain(mapper) : Explained();
 }
 } // namespace
 
@@ -51,7 +76,7 @@ vtkTetMarchLegend::vtkTetMarchLegend()
 vtkTetMarchLegend::~vtkTetMarchLegend() = default;
 
 //------------------------------------------------------------------------------
-void vtkTetMarchLegend::SetMapper(vtkTetMarchVolumeMapper* mapper)
+void vtkTetMarchLegend::SetMapper(vtkAbstractVolumeMapper* mapper)
 {
   if (this->Mapper != mapper)
   {
@@ -61,14 +86,14 @@ void vtkTetMarchLegend::SetMapper(vtkTetMarchVolumeMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-vtkTetMarchVolumeMapper* vtkTetMarchLegend::GetMapper() const { return this->Mapper; }
+vtkAbstractVolumeMapper* vtkTetMarchLegend::GetMapper() const { return this->Mapper; }
 
 //------------------------------------------------------------------------------
 bool vtkTetMarchLegend::IsShown() const
 {
-  return this->Mapper && titleOf(this->Mapper->GetViewMode()) &&
-         this->Mapper->GetLastFrameStatistics()->GetNumberOfPixels(
-           vtkTetMarchFrameStatistics::CELLS) > 0;
+  const Explained frame = explained(this->Mapper);
+  return frame.Settings && titleOf(frame.Settings->GetViewMode()) &&
+         frame.Statistics->GetNumberOfPixels(vtkTetMarchFrameStatistics::CELLS) > 0;
 }
 
 //------------------------------------------------------------------------------
@@ -81,8 +106,9 @@ int vtkTetMarchLegend::RenderOverlay(vtkViewport* viewport)
   {
     return 0;
   }
-  this->SetTitle(titleOf(this->Mapper->GetViewMode()));
-  this->SetLookupTable(this->Mapper->GetViewLookupTable());
+  const Explained frame = explained(this->Mapper);
+  this->SetTitle(titleOf(frame.Settings->GetViewMode()));
+  this->SetLookupTable(frame.Table);
   // The layout depends on this frame, so it is made here and not with opaque geometry.
   return this->RebuildLayoutIfNeeded(viewport) ? this->Superclass::RenderOverlay(viewport) : 0;
 }

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchLegend
- * @brief   Scalar bar for the view modes of vtkTetMarchVolumeMapper that draw a measure
+ * @brief   Scalar bar for the view modes that draw a measure
  *
- * Title, colours, scale and range are those of the last frame of the mapper. Add the legend to the
+ * It explains the frames of a vtkTetMarchVolumeMapper or a vtkTetMarchSmartVolumeMapper: title,
+ * colours, scale and range are those of its last frame. Add the legend to the
  * renderer of the volume. It is drawn after the volume, and so shows the same frame. It draws
- * nothing if the last frame drew no measure, or if no ray met the mesh. Place, size and text
+ * nothing if the last frame drew no measure, or if no ray met a cell. Place, size and text
  * properties are those of every vtkScalarBarActor.
  *
  * Its text needs VTK::RenderingFreeType: a C++ program names it in vtk_module_autoinit(); the
@@ -21,7 +22,7 @@
 #include "vtkScalarBarActor.h"
 #include "vtkWeakPointer.h" // For the mapper
 
-class vtkTetMarchVolumeMapper;
+class vtkAbstractVolumeMapper;
 
 class VTKRENDERINGTETMARCH_EXPORT vtkTetMarchLegend : public vtkScalarBarActor
 {
@@ -32,10 +33,11 @@ public:
 
   //@{
   /**
-   * The mapper that draws the view; null by default. The legend does not keep the mapper alive.
+   * The mapper that draws the view, of one of these two classes; null by default. Of another class
+   * there is nothing to explain, and no legend. The legend does not keep the mapper alive.
    */
-  void SetMapper(vtkTetMarchVolumeMapper* mapper);
-  vtkTetMarchVolumeMapper* GetMapper() const;
+  void SetMapper(vtkAbstractVolumeMapper* mapper);
+  vtkAbstractVolumeMapper* GetMapper() const;
   //@}
 
   /**
@@ -60,7 +62,7 @@ private:
   vtkTetMarchLegend(const vtkTetMarchLegend&) = delete;
   void operator=(const vtkTetMarchLegend&) = delete;
 
-  vtkWeakPointer<vtkTetMarchVolumeMapper> Mapper;
+  vtkWeakPointer<vtkAbstractVolumeMapper> Mapper;
 };
 
 #endif

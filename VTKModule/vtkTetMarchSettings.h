@@ -4,14 +4,15 @@
  * @class   vtkTetMarchSettings
  * @brief   How a mapper of TetMarch draws: accuracy, budgets, light, views, picks, ray distances
  *
- * Each mapper has settings of its own (vtkTetMarchVolumeMapper::GetSettings()) and has all of their
- * methods, too: `mapper->SetErrorTolerance(x)` is `mapper->GetSettings()->SetErrorTolerance(x)`.
- * Several mappers can share one object (SetSettings()). A change modifies all of them.
+ * Each mapper has settings of its own (vtkTetMarchVolumeMapper::GetSettings(),
+ * vtkTetMarchSmartVolumeMapper::GetSettings()) and has all of their methods, too:
+ * `mapper->SetErrorTolerance(x)` is `mapper->GetSettings()->SetErrorTolerance(x)`. Several mappers
+ * can share one object (SetSettings()). A change modifies all of them.
  *
  * Which data is drawn, and which part of it, belongs to the mapper: its arrays, components,
  * blend mode, cropping and clipping planes.
  *
- * @sa vtkTetMarchVolumeMapper
+ * @sa vtkTetMarchVolumeMapper vtkTetMarchSmartVolumeMapper
  */
 #ifndef vtkTetMarchSettings_h
 #define vtkTetMarchSettings_h
@@ -32,7 +33,8 @@ public:
    * How the extinction coefficient (per unit of world length) follows from the opacity alpha of the
    * transfer function and the unit distance d of
    * vtkVolumeProperty::GetScalarOpacityUnitDistance():
-   * UNSTRUCTURED: alpha / d, as in VTK's mappers of unstructured grids. The default.
+   * UNSTRUCTURED: alpha / d, as in VTK's mappers of unstructured grids. The default, but for the
+   * own settings of a vtkTetMarchSmartVolumeMapper.
    * STRUCTURED: -ln(1 - alpha) / d, as in vtkGPUVolumeRayCastMapper: a slab of thickness d has the
    * opacity alpha. An alpha above 1 - 2^-24 is taken as 1 - 2^-24.
    */

@@ -22,33 +22,34 @@
  * Blocks are not joined: each is drawn over those behind it. Blocks side by side look like one if
  * they share the points between them. Where blocks overlap, they are not mixed: the one whose
  * middle is farther away is drawn first. Several blocks are drawn with composite blending and as
- * isosurfaces only, and then there are no diagnostics, no views of measures, and no ray to trace; a
- * pick goes by the opacity that a ray gathers in one block.
- * Blocks without the chosen array are left out, with a warning. A block of another kind is an
- * error: vtkTetMarchVolumeMapper draws blocks of any kind.
+ * isosurfaces only. Then there are no diagnostics, no views of measures and no ray to trace, and a
+ * pick goes by the opacity that a ray gathers in one block. Between translucent surfaces
+ * (vtkRenderer::UseDepthPeelingForVolumes) several blocks are an error. Blocks without the chosen
+ * array are left out, with a warning. A block of another kind is an error: vtkTetMarchVolumeMapper
+ * draws blocks of any kind.
  *
  * What of vtkSmartVolumeMapper has which effect:
  * - RequestedRenderMode: default and GPU are drawn here, and GetLastUsedRenderMode() is
  *   GPURenderMode then. All others are drawn by vtkSmartVolumeMapper.
  * - Also drawn by vtkSmartVolumeMapper: SLICE_BLEND; transfer functions in 2D; masks;
  *   ComputeNormalFromOpacity (VTK 9.2) of a shaded volume; several independent components with
- *   light, with gradient opacity, or without composite blending. In all these cases one warning
- * says why. VTK draws no blocks, so that they are errors for a tree.
+ *   light, with gradient opacity, or without composite blending. One warning says why. VTK draws no
+ *   blocks, so these are errors for a tree.
  * - VectorMode: DISABLED draws all components, independent or dependent as
  *   vtkVolumeProperty::GetIndependentComponents() says; MAGNITUDE; COMPONENT draws VectorComponent
  *   by the functions and the unit distance of component 0. The property is not changed. See
  *   vtkTetMarchVolumeMapper::VectorModeType.
  * - FinalColorWindow and FinalColorLevel map the colours of the picture, as in VTK. Error bounds,
- *   diagnostics and the ground truth are those before that.
+ *   diagnostics and the ground truth are of the colours before that.
  * - InteractiveAdjustSampleDistances (on by default): frames at InteractiveUpdateRate or above may
  *   have fewer rays, others have ImageSampleDistance. Off: as AutoAdjustSampleDistances says.
  * - MaxMemoryInBytes: see vtkTetMarchSettings; 0, the default here, is no limit. MaxMemoryFraction
  *   is a factor of it.
- * - VolumetricScatteringBlending and GlobalIlluminationReach (VTK 9.2): see vtkTetMarchSettings.
- * The reach begins at 1, not at 0.
+ * - VolumetricScatteringBlending, GlobalIlluminationReach (VTK 9.2): see vtkTetMarchSettings. The
+ *   reach begins at 1, not at 0.
  * - SampleDistance, UseJittering (VTK 9.3), InterpolationMode and LowResMode (VTK 9.3) have no
  *   effect: there are no samples, and the volume is never resampled. They hold for what
- *   vtkSmartVolumeMapper draws, and so do the pictures of CreateCanonicalView().
+ *   vtkSmartVolumeMapper draws, and for the pictures of CreateCanonicalView(), which it draws, too.
  *
  * VolumeMapperRenderStartEvent and VolumeMapperRenderEndEvent are invoked about each frame. Errors
  * are reported once, and the frame shows nothing of the volume.
@@ -63,6 +64,7 @@
 #include "vtkSmartVolumeMapper.h"
 #include "vtkTetMarchSettingsMacros.h"   // For methods of the settings
 #include "vtkTetMarchStatisticsMacros.h" // For methods of the statistics
+#include "vtkVersionMacros.h"            // For what VTK has from which version on
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string

@@ -218,6 +218,12 @@ std::string vtkTetMarchSmartVolumeMapper::DrawBlocks(
   tetmarch::MapperFrame frame({ this, window, renderer, volume }, internal.State, blend,
     { interacting, adjusts, several,
       colorWindowOf(this->FinalColorWindow, this->FinalColorLevel) });
+  if (several && frame.isPeeled())
+  {
+    return "Several blocks can't be drawn between the peels of translucent surfaces. Draw one "
+           "block, "
+           "or switch vtkRenderer::UseDepthPeelingForVolumes off.";
+  }
   const auto mostBytes = static_cast<std::uint64_t>(
     double(this->GetMaxMemoryInBytes()) * double(this->MaxMemoryFraction));
   std::vector<tetmarch::StructuredBlock*> ready;

@@ -8,6 +8,11 @@ struct VertexAttributes
 #endif
 };
 
+#if !TETMARCH_CELL_GRADIENTS
+// The value, or another one where it is not finite.
+real finiteOr(real value, real otherwise) { return isDrawn(value) ? value : otherwise; }
+#endif
+
 #if TETMARCH_POINT_SCALARS
 // Between two places along x and y, of four values in the order of fetchValues().
 real bilinear(vec4 values, vec3 place)
@@ -24,8 +29,11 @@ vec3 latticeGradientAt(ivec3 cell, vec3 place)
   int i = cell.x + firstValue.x;
   int j = cell.y + firstValue.y;
   int k = cell.z + firstValue.z;
-  vec3 high = vec3(fetchValue(i + 1, j, k), fetchValue(i, j + 1, k), fetchValue(i, j, k + 1));
-  vec3 low = vec3(fetchValue(i - 1, j, k), fetchValue(i, j - 1, k), fetchValue(i, j, k - 1));
+  real own = fetchValue(i, j, k);
+  vec3 high = vec3(finiteOr(fetchValue(i + 1, j, k), own), finiteOr(fetchValue(i, j + 1, k), own),
+    finiteOr(fetchValue(i, j, k + 1), own));
+  vec3 low = vec3(finiteOr(fetchValue(i - 1, j, k), own), finiteOr(fetchValue(i, j - 1, k), own),
+    finiteOr(fetchValue(i, j, k - 1), own));
   return (high - low) * real(0.5);
 }
 #endif
@@ -59,30 +67,45 @@ vec3 perDistances(ivec3 value)
   return vec3(real(1) / max(d.x, TINY), real(1) / max(d.y, TINY), real(1) / max(d.z, TINY));
 }
 
+// Values beside the given ones; those in place of the ones that are not finite.
+vec4 fetchBeside(int i, int j, int k, vec4 own)
+{
+  vec4 values = fetchValues(i, j, k);
+  return vec4(finiteOr(values.x, own.x), finiteOr(values.y, own.y), finiteOr(values.z, own.z),
+    finiteOr(values.w, own.w));
+}
+
+// The cell itself or, for the half cells at the ends of an axis, that between the values beside it. There the gradient is
+// that at the outermost values, as the scalar is.
+int innerCell(int cell, int axisFirst, int axisLast) { return max(min(cell, axisLast - 1 - axisFirst), -axisFirst); }
+
 // In lattice coordinates: central differences at the corners of the cell (Hoehne and Bernstein, "Shading 3D-images from CT
 // using gray-level gradients", 1986), trilinear between them. The values are those of two layers of 4 x 4 around the cell,
 // without their corners, and 2 x 2 below and above them.
 vec3 latticeGradientAt(ivec3 cell, vec3 place)
 {
-  int i = cell.x + firstValue.x;
-  int j = cell.y + firstValue.y;
-  int k = cell.z + firstValue.z;
-  CellFrame frame = cellFrame(cell);
-  vec3 a = (place - frame.begin) * frame.perWidth;
+  ivec3 inner = ivec3(innerCell(cell.x, firstValue.x, lastValue.x), innerCell(cell.y, firstValue.y, lastValue.y),
+    innerCell(cell.z, firstValue.z, lastValue.z));
+  int i = inner.x + firstValue.x;
+  int j = inner.y + firstValue.y;
+  int k = inner.z + firstValue.z;
+  CellFrame frame = cellFrame(inner);
+  vec3 at = (place - frame.begin) * frame.perWidth;
+  vec3 a = vec3(clamp(at.x, real(0), real(1)), clamp(at.y, real(0), real(1)), clamp(at.z, real(0), real(1)));
   vec4 low = fetchValues(i, j, k);
   vec4 high = fetchValues(i, j, k + 1);
-  vec4 below = fetchValues(i, j, k - 1);
-  vec4 above = fetchValues(i, j, k + 2);
+  vec4 below = fetchBeside(i, j, k - 1, low);
+  vec4 above = fetchBeside(i, j, k + 2, high);
   // What differs between the layers is linear between them.
   vec4 mid = low + (high - low) * a.z;
-  vec4 lowWest = fetchValues(i - 1, j, k);
-  vec4 west = lowWest + (fetchValues(i - 1, j, k + 1) - lowWest) * a.z;
-  vec4 lowEast = fetchValues(i + 1, j, k);
-  vec4 east = lowEast + (fetchValues(i + 1, j, k + 1) - lowEast) * a.z;
-  vec4 lowSouth = fetchValues(i, j - 1, k);
-  vec4 south = lowSouth + (fetchValues(i, j - 1, k + 1) - lowSouth) * a.z;
-  vec4 lowNorth = fetchValues(i, j + 1, k);
-  vec4 north = lowNorth + (fetchValues(i, j + 1, k + 1) - lowNorth) * a.z;
+  vec4 lowWest = fetchBeside(i - 1, j, k, low);
+  vec4 west = lowWest + (fetchBeside(i - 1, j, k + 1, high) - lowWest) * a.z;
+  vec4 lowEast = fetchBeside(i + 1, j, k, low);
+  vec4 east = lowEast + (fetchBeside(i + 1, j, k + 1, high) - lowEast) * a.z;
+  vec4 lowSouth = fetchBeside(i, j - 1, k, low);
+  vec4 south = lowSouth + (fetchBeside(i, j - 1, k + 1, high) - lowSouth) * a.z;
+  vec4 lowNorth = fetchBeside(i, j + 1, k, low);
+  vec4 north = lowNorth + (fetchBeside(i, j + 1, k + 1, high) - lowNorth) * a.z;
   vec3 perLow = perDistances(ivec3(i, j, k));
   vec3 perHigh = perDistances(ivec3(i + 1, j + 1, k + 1));
   // At the four corners, in the order of fetchValues().

@@ -5,7 +5,11 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
 {
   CellInterval cell;
   beginCell(cell);
-  cell.leave = vec2(place.leave, UNDRAWN_SCALAR);
+  // A march that has paused may go on within a cell.
+  bool within = place.position < real(1);
+  cell.leave =
+    vec2(within ? place.depth + (place.leave - place.depth) * place.position : place.leave, UNDRAWN_SCALAR);
+  cell.number = numberOfCell(place.cell);
   beginLookups(cell);
   return cell;
 }

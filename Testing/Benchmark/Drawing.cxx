@@ -239,9 +239,11 @@ nlohmann::json Drawing::writeReference(const std::string& file)
   return { { "seconds", vtkTimerLog::GetUniversalTime() - begin } };
 }
 
-nlohmann::json Drawing::environment() const
+nlohmann::json Drawing::environment() const { return describeEnvironment(this->Window); }
+
+nlohmann::json describeEnvironment(vtkRenderWindow* window)
 {
-  const GLInformation gl = GetGLInformation(this->Window);
+  const GLInformation gl = GetGLInformation(window);
   return { { "gl", { { "backend", gl.Backend }, { "vendor", gl.Vendor },
                      { "renderer", gl.Renderer }, { "version", gl.Version } } },
     { "vtk_version", vtkVersion::GetVTKVersion() },

@@ -24,6 +24,9 @@ class vtkTetMarchVolumeMapper;
 
 namespace tetmarch::bench
 {
+/// The GL of a window that was rendered, VTK, and their threads.
+nlohmann::json describeEnvironment(vtkRenderWindow* window);
+
 class Drawing
 {
 public:

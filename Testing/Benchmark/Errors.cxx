@@ -37,6 +37,12 @@ Image over(const Image& premultiplied, float gray)
   return picture;
 }
 
+nlohmann::json inJson(const testing::Difference& difference)
+{
+  return { { "rms", difference.Rms }, { "p999", difference.Percentile999 },
+    { "max", difference.Max } };
+}
+
 std::streamsize bytesOf(const Image& picture)
 {
   return static_cast<std::streamsize>(sizeof(float) * picture.Rgba.size());
@@ -81,7 +87,19 @@ nlohmann::json errorsOf(const FloatPictures& pictures, const Image& reference)
   const testing::Difference difference =
     testing::compare(stacked(pictures.OnBlack, pictures.OnWhite),
       stacked(over(reference, 0.0F), over(reference, 1.0F)), twice, 0.0, testing::Channels::Rgb);
-  return { { "rms", difference.Rms }, { "p999", difference.Percentile999 },
-    { "max", difference.Max } };
+  return inJson(difference);
+}
+
+nlohmann::json errorsOnBlack(const Image& picture, const Image& reference)
+{
+  const float black[3] = { 0.0F, 0.0F, 0.0F };
+  testing::Mask covered = testing::silhouette(reference, reference);
+  const testing::Mask drawn = testing::differsFrom(picture, black);
+  for (std::size_t i = 0; i < covered.size(); ++i)
+  {
+    covered[i] = covered[i] || drawn[i];
+  }
+  return inJson(
+    testing::compare(picture, over(reference, 0.0F), covered, 0.0, testing::Channels::Rgb));
 }
 } // namespace tetmarch::bench

@@ -26,6 +26,9 @@ testing::Image readReference(const std::string& file, const testing::Image& othe
  * one pixel in a thousand has a channel that is off by more), "max".
  */
 nlohmann::json errorsOf(const FloatPictures& pictures, const testing::Image& reference);
+
+/// The same on black ground alone.
+nlohmann::json errorsOnBlack(const testing::Image& picture, const testing::Image& reference);
 } // namespace tetmarch::bench
 
 #endif

@@ -4,8 +4,6 @@
 
 #include "Failure.h"
 
-#include "vtkFramebufferPass.h"
-#include "vtkNew.h"
 #include "vtkPixelBufferObject.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
@@ -58,19 +56,31 @@ FloatPictures draw(
 }
 } // namespace
 
-FloatPictures drawInFloat(vtkRenderWindow* window, vtkRenderer* renderer)
+FloatFramebuffer::FloatFramebuffer(vtkRenderWindow* window, vtkRenderer* renderer)
+  : Window(window)
+  , Renderer(renderer)
 {
   vtkNew<vtkRenderStepsPass> steps;
-  vtkNew<vtkFramebufferPass> pass;
-  pass->SetDelegatePass(steps);
-  pass->SetColorFormat(vtkTextureObject::Float32);
-  pass->SetDepthFormat(vtkTextureObject::Float32);
-  renderer->SetPass(pass);
-  const FloatPictures pictures =
-    draw(window, renderer, [&] { return download(pass->GetColorTexture()); });
-  renderer->SetPass(nullptr);
-  pass->ReleaseGraphicsResources(window);
-  return pictures;
+  this->Pass->SetDelegatePass(steps);
+  this->Pass->SetColorFormat(vtkTextureObject::Float32);
+  // As VTK's GPU mapper wants it: it copies the depth into a texture of that format, and keeps what
+  // was there before if the GL can't convert.
+  this->Pass->SetDepthFormat(vtkTextureObject::Fixed32);
+  renderer->SetPass(this->Pass);
+}
+
+FloatFramebuffer::~FloatFramebuffer()
+{
+  this->Renderer->SetPass(nullptr);
+  this->Pass->ReleaseGraphicsResources(this->Window);
+}
+
+testing::Image FloatFramebuffer::read() const { return download(this->Pass->GetColorTexture()); }
+
+FloatPictures drawInFloat(vtkRenderWindow* window, vtkRenderer* renderer)
+{
+  const FloatFramebuffer framebuffer(window, renderer);
+  return draw(window, renderer, [&] { return framebuffer.read(); });
 }
 
 FloatPictures drawInBytes(vtkRenderWindow* window, vtkRenderer* renderer)

@@ -9,11 +9,32 @@
 
 #include "Images.h"
 
+#include "vtkFramebufferPass.h"
+#include "vtkNew.h"
+
 class vtkRenderWindow;
 class vtkRenderer;
 
 namespace tetmarch::bench
 {
+/// As long as it lives, the renderer draws into a framebuffer of floats.
+class FloatFramebuffer
+{
+public:
+  FloatFramebuffer(vtkRenderWindow* window, vtkRenderer* renderer);
+  ~FloatFramebuffer();
+  FloatFramebuffer(const FloatFramebuffer&) = delete;
+  FloatFramebuffer& operator=(const FloatFramebuffer&) = delete;
+
+  /// What was drawn last. Throws Failure if it can't be read.
+  testing::Image read() const;
+
+private:
+  vtkRenderWindow* Window;
+  vtkRenderer* Renderer;
+  vtkNew<vtkFramebufferPass> Pass;
+};
+
 /// The alpha channel of each is what the mapper left there; mappers differ in that.
 struct FloatPictures
 {

@@ -7,6 +7,8 @@
 #include "Mappers.h"
 #include "Numbers.h"
 #include "Scene.h"
+#include "StructuredFunctions.h"
+#include "StructuredMappers.h"
 
 #include <functional>
 #include <map>
@@ -83,6 +85,8 @@ Pair parsePair(const std::string& text)
   return { { names[0], names[1] }, names[2] };
 }
 
+bool isOfImages(const Options& options) { return options.Kind == StructuredKind; }
+
 const std::map<std::string, Setter>& settersByName()
 {
   static const std::map<std::string, Setter> setters = {
@@ -90,11 +94,13 @@ const std::map<std::string, Setter>& settersByName()
     { "--rounds", [](Options& o, const std::string& v) { o.Rounds = parseCount(v); } },
     { "--frames", [](Options& o, const std::string& v) { o.Frames = parseCount(v); } },
     { "--limit", [](Options& o, const std::string& v) { o.LimitSeconds = parseSeconds(v); } },
-    { "--datasets",
-      [](Options& o, const std::string& v) { o.Datasets = parseNames(v, isDataset); } },
-    { "--functions",
-      [](Options& o, const std::string& v) { o.Functions = parseNames(v, isFunctions); } },
-    { "--mappers", [](Options& o, const std::string& v) { o.Mappers = parseNames(v, isMapper); } },
+    { "--datasets", [](Options& o, const std::string& v)
+      { o.Datasets = parseNames(v, isOfImages(o) ? isStructuredVolume : isDataset); } },
+    { "--functions", [](Options& o, const std::string& v)
+      { o.Functions = parseNames(v, isOfImages(o) ? isStructuredFunctions : isFunctions); } },
+    { "--mappers", [](Options& o, const std::string& v)
+      { o.Mappers = parseNames(v, isOfImages(o) ? isStructuredMapper : isMapper); } },
+    { "--stride", [](Options& o, const std::string& v) { o.Stride = parseCount(v); } },
     { "--effects", [](Options& o, const std::string& v) { o.Effects = parseNames(v, isEffect); } },
     { "--against", [](Options& o, const std::string& v) { o.Against = v; } },
     { "--data", [](Options& o, const std::string& v) { o.Folders.Own = v; } },
@@ -153,10 +159,25 @@ void makeEffects(Options& options)
   options.Mappers = { "tetmarch" };
 }
 
+/// Images: every level, and VTK's mappers with ever more samples. Jitter and stored scalars are
+/// measured where they matter most, with few samples, since a frame with many takes long.
+void makeStructured(Options& options)
+{
+  options.Kind = StructuredKind;
+  options.Rounds = 1;
+  options.Frames = 3;
+  options.EnoughSeconds = 2.0;
+  options.Datasets = { "bonsai", "aneurism", "headsq", "carotid", "marschner-lobb:128" };
+  options.Functions = structuredFunctions();
+  options.Mappers = { "tetmarch-fast", "tetmarch", "tetmarch-accurate", "fixed-point", "gpu:1",
+    "gpu:2", "gpu:4", "gpu:10", "gpu-jitter:1", "gpu-jitter:2", "gpu-jitter:4", "gpu-stored:2" };
+}
+
 const std::map<std::string, Preset>& presetsByName()
 {
   static const std::map<std::string, Preset> presets = { { "accuracy", makeAccuracy },
-    { "refinement", makeRefinement }, { "effects", makeEffects } };
+    { "refinement", makeRefinement }, { "effects", makeEffects },
+    { StructuredKind, makeStructured } };
   return presets;
 }
 
@@ -165,10 +186,17 @@ void makeQuick(Options& options)
   options.Size = { { 64, 64 } };
   options.Rounds = 1;
   options.Frames = 2;
+  if (isOfImages(options))
+  {
+    options.Datasets = { "marschner-lobb:16" };
+    return;
+  }
   // VTK 9.1's projected tetrahedra draw nothing of a grid with fewer than some 1000 cells.
   options.Datasets = { "lattice:6", "lattice:8" };
 }
 } // namespace
+
+const std::string StructuredKind = "structured";
 
 Options parseOptions(const std::vector<std::string>& arguments)
 {
@@ -231,52 +259,5 @@ std::vector<std::string> workerArguments(const Options& options, const Pair& pai
     arguments.insert(arguments.end(), { "--cache", options.CacheFolder });
   }
   return arguments;
-}
-
-std::string helpText()
-{
-  return R"(Usage: tetmarch-bench [accuracy|refinement|effects] [options]
-
-Times vtkTetMarchVolumeMapper beside VTK's other ways to draw an unstructured grid, one frame each in turn,
-prints a table in Markdown and, if asked, writes every figure as JSON.
-
-  accuracy                  every level and tolerance, every rival, three transfer functions, and how far each
-                            picture is from that in double precision
-  refinement                the same of one field on finer and finer meshes, against the field itself
-  effects                   gradient opacity, shading, shadows and so on, each beside a frame without
-
-  --datasets A,B,...        of lattice162k, lattice1.3m, lattice6m, lattice:N (6 N^3 tetrahedra), golfball,
-                            front1.3m, front:N (a sharp front), refined:N (one smooth wave), and, if --more-data
-                            has them, golfball-medium, bluntfin, oxygen
-                            (default: the first three and golfball)
-  --functions A,B,...       of own (of lattices and golfball), smooth, ramp, spikes (default: own)
-  --mappers A,B,...         of tetmarch, tetmarch:1/N (tolerance), tetmarch-fast, tetmarch-accurate,
-                            tetmarch-reference, projected, bunyk, bunyk-homogeneous, bunyk-preintegration,
-                            bunyk-partial, bunyk-linear, zsweep, resample:N/K (N^3 points, K samples a spacing)
-                            (default: tetmarch, projected, bunyk)
-  --effects A,B,...         of gradient-opacity, headlight, one-light, five-lights, local-lights, cell-gradients,
-                            vertex-shadows, ray-shadows, headlight-shadows, occlusion, shadows-occlusion,
-                            scattering, illumination (default: all)
-  --against PROGRAM         of another build: its 'tetmarch' draws by turns with those of this one
-  --errors                  measure errors, too
-  --size WxH                of the window (default: 512x512)
-  --rounds N                how often each mapper starts in a new process (default: 2)
-  --frames N                frames of a mapper in a round, after the first (default: 5)
-  --limit SECONDS           a mapper that takes longer for a frame, or five times as long to get ready or
-                            for its first frame, is left out from there on (default: 60)
-  --enough SECONDS          a mapper whose frames of a round have taken so long together draws no more of them,
-                            but one beside the first (default: no end; accuracy: 10, effects: 20)
-  --quick                   tiny lattices, a small window and few frames; options after it still count
-  --data FOLDER             where golfball_small.vtu lies (default: Data/ of the sources)
-  --more-data FOLDER        where golfball/golfball_medium.vtu and others lie; datasets of 'accuracy' that are
-                            not there are left out (default: ../shared/data beside the sources)
-  --output FILE.json
-  --markdown FILE.md        the table that is printed
-  --cache FOLDER            where resampled scalars are kept with the time they took (default: a folder that is
-                            deleted at the end)
-  --help
-
-Environment: TETMARCH_GL=egl|osmesa as for tetmarch-render; LP_NUM_THREADS for Mesa's llvmpipe.
-)";
 }
 } // namespace tetmarch::bench

@@ -33,6 +33,7 @@ struct Options
   double LimitSeconds = 60.0;
   double EnoughSeconds = 1e9; // no more frames of a mapper in a round that took so long together
   bool Errors = false;        // measure them, too
+  int Stride = 4;             // of images: errors are those of every so manieth pixel and row
   std::vector<std::string> Datasets = { "lattice162k", "lattice1.3m", "lattice6m", "golfball" };
   std::vector<std::string> Functions = { OwnFunctions };
   std::vector<std::string> Mappers = { "tetmarch", "projected", "bunyk" };
@@ -44,6 +45,9 @@ struct Options
   std::string MarkdownFile;
   std::optional<Pair> Worker; // set in the processes that the benchmark starts
 };
+
+/// The Kind of the benchmark of images.
+extern const std::string StructuredKind;
 
 /// Throws UsageError. Names of datasets, functions and mappers are checked.
 Options parseOptions(const std::vector<std::string>& arguments);

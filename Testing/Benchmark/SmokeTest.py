@@ -210,6 +210,53 @@ class SmokeTest(unittest.TestCase):
             chart = (self.folder / "page" / link).read_bytes()
             self.assertTrue(chart.startswith((b"\x89PNG", b"<?xml")), link)
 
+    def test_images(self):
+        """Errors fall with samples and with levels; scalars in float have no row of their own for stored ones."""
+        mappers = ["tetmarch-fast", "tetmarch", "tetmarch-accurate", "fixed-point", "gpu:1", "gpu:4", "gpu-jitter:1"]
+        report, table = self.report_of("structured", "--quick", "--stride", "2", "--mappers",
+                                       ",".join([*mappers, "gpu-stored:2"]))
+        self.assertEqual([v["functions"] for v in report["datasets"]], ["ramp", "peaks", "smooth"])
+        for volume in report["datasets"]:
+            with self.subTest(functions=volume["functions"]):
+                self.assertEqual(volume["dimensions"], [16, 16, 16])
+                self.assertEqual([m["name"] for m in volume["mappers"]], mappers)
+                for mapper in volume["mappers"]:
+                    self.assertIsNone(mapper["failure"])
+                    self.assert_times(mapper["frames"], 2)
+                    self.assertIn(f"| marschner-lobb:16 | {volume['functions']} | {mapper['name']} |", table)
+                errors = {m["name"]: m["errors"] for m in volume["mappers"]}
+                self.assertLessEqual(errors["tetmarch"]["max"], 1 / 255)
+                self.assertLess(errors["tetmarch-accurate"]["rms"], errors["tetmarch"]["rms"])
+                self.assertLess(errors["tetmarch"]["rms"], errors["tetmarch-fast"]["rms"])
+                self.assertLess(errors["gpu:4"]["rms"], errors["gpu:1"]["rms"])
+                for rival in ("fixed-point", "gpu:1", "gpu:4", "gpu-jitter:1"):
+                    self.assertGreater(errors[rival]["rms"], errors["tetmarch"]["rms"], rival)
+                self.assertLess(errors["gpu:4"]["rms"], 0.3)  # of the same thing, at least
+        with_jitter, without = ({v["functions"]: v["mappers"][mappers.index(name)]["errors"] for v in
+                                 report["datasets"]} for name in ("gpu-jitter:1", "gpu:1"))
+        self.assertNotEqual(with_jitter, without)
+
+    def test_images_whose_files_are_absent_are_left_out(self):
+        result = self.run_benchmark("structured", "--quick", "--datasets", "bonsai,marschner-lobb:8", "--functions",
+                                    "ramp", "--mappers", "tetmarch", "--more-data", "no/such/folder")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("bonsai is left out: it is not in no/such/folder", result.stderr)
+        self.assertIn("| marschner-lobb:8 | ramp | tetmarch |", result.stdout)
+        self.assertNotIn("| bonsai |", result.stdout)
+
+    def test_page_and_chart_of_images(self):
+        if importlib.util.find_spec("matplotlib") is None:
+            self.skipTest("there is no matplotlib")
+        self.report_of("structured", "--quick", "--functions", "ramp", "--mappers", "tetmarch,gpu:2,fixed-point")
+        maker = pathlib.Path(__file__).resolve().parent / "make_structured_page.py"
+        subprocess.run([sys.executable, maker, "out.json", "page"], cwd=self.folder, check=True)
+        page = (self.folder / "page" / "Structured.md").read_text()
+        self.assertRegex(page, r"\| marschner-lobb:16 \| ramp \| [0-9.]+ \| [0-9.]+ \| [0-9.]+ \| [0-9.]+ \| [a-z]")
+        self.assertNotRegex(page, "@[a-z]+@")
+        for link in re.findall(r"\]\((Charts/[^)]*)\)", page):
+            chart = (self.folder / "page" / link).read_bytes()
+            self.assertTrue(chart.startswith((b"\x89PNG", b"<?xml")), link)
+
     def test_bad_command_lines(self):
         for message, *arguments in (("unknown option '--bogus'", "--bogus"),
                                     ("--size needs a value", "--size"),
@@ -221,6 +268,8 @@ class SmokeTest(unittest.TestCase):
                                     ("there is no 'tetmarch:1/0'", "--mappers", "tetmarch:1/0"),
                                     ("there is no 'resample:8'", "--mappers", "resample:8"),
                                     ("there is no 'grey'", "--functions", "smooth,grey"),
+                                    ("there is no 'golfball'", "structured", "--datasets", "golfball"),
+                                    ("there is no 'gpu:0'", "structured", "--mappers", "gpu:0"),
                                     ("there is no 'fog'", "effects", "--effects", "occlusion,fog"),
                                     ("unknown option 'accuracy'", "--quick", "accuracy")):
             with self.subTest(arguments=arguments):
@@ -231,7 +280,8 @@ class SmokeTest(unittest.TestCase):
     def test_help(self):
         result = self.run_benchmark("--help")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assertTrue(result.stdout.startswith("Usage: tetmarch-bench [accuracy|refinement|effects] [options]"))
+        self.assertTrue(
+            result.stdout.startswith("Usage: tetmarch-bench [accuracy|refinement|effects|structured] [options]"))
 
 
 if __name__ == "__main__":

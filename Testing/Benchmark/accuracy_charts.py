@@ -58,6 +58,8 @@ def front(points):
 
 
 def title(subject):
+    if "dimensions" in subject:
+        return f"{subject['name']} ({' x '.join(str(n) for n in subject['dimensions'])}), {subject['functions']}"
     cells = subject["tetrahedra"]
     count = f"{cells / 1e6:.1f} M" if cells >= 1e6 else f"{cells / 1e3:.0f} k"
     return f"{subject['name']} ({count} tets), {subject['functions']}"
@@ -69,9 +71,9 @@ def label_seconds(axes):
     axes.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
 
 
-def draw_subject(axes, subject):
+def draw_subject(axes, subject, families):
     points = [(name, seconds, max(errors["rms"], LEAST)) for name, seconds, errors in measured(subject)]
-    for label, (prefix, color, marker) in FAMILIES.items():
+    for label, (prefix, color, marker) in families.items():
         of_family = sorted((s, e) for name, s, e in points if name.startswith(prefix))
         if of_family:
             axes.plot(*zip(*of_family), marker, color=color, label=label, markersize=5)
@@ -94,7 +96,7 @@ def add_legend(figure, axes, columns):
     figure.legend(handles, labels, loc="lower center", ncol=columns, frameon=False, bbox_to_anchor=(0.5, 1.0))
 
 
-def draw_time(report, folder):
+def draw_time(report, folder, name="accuracy", families=FAMILIES):
     """Error over time of all subjects: a row a dataset, a column a set of functions."""
     datasets = list(dict.fromkeys(s["name"] for s in report["datasets"]))
     functions = list(dict.fromkeys(s["functions"] for s in report["datasets"]))
@@ -107,14 +109,14 @@ def draw_time(report, folder):
         axes = grid[datasets.index(subject["name"])][functions.index(subject["functions"])]
         axes.set_visible(bool(measured(subject)))
         if measured(subject):
-            draw_subject(axes, subject)
+            draw_subject(axes, subject, families)
     for axes in grid[-1]:
         axes.set_xlabel("seconds a frame")
     for row in grid:
         row[0].set_ylabel("RMS error")
     figure.tight_layout()
     add_legend(figure, grid[0][0], 3)
-    save(figure, folder, "accuracy")
+    save(figure, folder, name)
 
 
 def draw_overview(report, folder, wanted):
@@ -124,7 +126,7 @@ def draw_overview(report, folder, wanted):
         return
     figure, grid = plt.subplots(1, len(chosen), figsize=(3.6 * len(chosen), 3.1), squeeze=False)
     for axes, subject in zip(grid[0], chosen):
-        draw_subject(axes, subject)
+        draw_subject(axes, subject, FAMILIES)
         axes.set_xlabel("seconds a frame")
     grid[0][0].set_ylabel("RMS error of a channel, 0..1")
     figure.tight_layout()

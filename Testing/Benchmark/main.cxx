@@ -5,6 +5,8 @@
 #include "Measurement.h"
 #include "Report.h"
 #include "Statistics.h"
+#include "StructuredReport.h"
+#include "StructuredVolumes.h"
 #include "Worker.h"
 
 #include <cstdio>
@@ -22,7 +24,10 @@ std::vector<Subject> subjectsOf(const Options& options)
   std::vector<Subject> subjects;
   for (const std::string& dataset : options.Datasets)
   {
-    if (options.Kind == "accuracy" && !isPresent(dataset, options.Folders))
+    const bool isMissing = options.Kind == StructuredKind
+                             ? !isStructuredPresent(dataset, options.Folders)
+                             : options.Kind == "accuracy" && !isPresent(dataset, options.Folders);
+    if (isMissing)
     {
       std::fprintf(stderr, "%s is left out: it is not in %s\n", dataset.c_str(),
         options.Folders.Others.c_str());
@@ -98,6 +103,10 @@ void run(Options options)
   if (options.Kind == "effects")
   {
     measureAll(options, measureEffects, makeEffectReport, makeEffectMarkdown);
+  }
+  else if (options.Kind == StructuredKind)
+  {
+    measureAll(options, measureStructured, makeStructuredReport, makeStructuredMarkdown);
   }
   else
   {

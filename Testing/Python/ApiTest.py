@@ -7,7 +7,7 @@ import unittest
 
 import vtkmodules.all as vtk
 import vtktetmarch
-from vtktetmarch import vtkTetMarchLegend, vtkTetMarchVolumeMapper
+from vtktetmarch import vtkTetMarchLegend, vtkTetMarchSmartVolumeMapper, vtkTetMarchVolumeMapper
 
 CLASSES = [name for name in vtktetmarch.__all__ if name.startswith("vtk")]
 # What macros declare without a comment of their own, as in every class of VTK.
@@ -236,11 +236,11 @@ class ApiTest(unittest.TestCase):
     def test_the_legend(self):
         legend = vtkTetMarchLegend()
         self.assertIsInstance(legend, vtk.vtkScalarBarActor)
-        mapper = vtkTetMarchVolumeMapper()
-        legend.SetMapper(mapper)
-        self.assertIs(legend.GetMapper(), mapper)
-        mapper.SetViewModeToCells()
-        self.assertFalse(legend.IsShown())  # no frame yet
+        for mapper in (vtkTetMarchVolumeMapper(), vtkTetMarchSmartVolumeMapper()):
+            legend.SetMapper(mapper)
+            self.assertIs(legend.GetMapper(), mapper)
+            mapper.SetViewModeToCells()
+            self.assertFalse(legend.IsShown())  # no frame yet
         del mapper
         self.assertIsNone(legend.GetMapper())
 

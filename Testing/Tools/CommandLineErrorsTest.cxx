@@ -53,6 +53,45 @@ TEST(CommandLine, RefusesBadLists)
   ExpectBadValue("--range", "1,1", "the first number must be below the second");
 }
 
+TEST(CommandLine, RefusesBadDescriptionsOfRawFiles)
+{
+  for (const char* value : { "1", "1,2", "1,2,3,4", "1,2,", "0,1,1", "-1,2,3", "1.5,2,3", "1x2x3",
+         "65537,1,1", "1,2,99999999999" })
+  {
+    ExpectBadValue("--dimensions", value, "expected NX,NY,NZ, three whole numbers from 1 to 65536");
+  }
+  ExpectBadValue("--type", "uint12",
+    "expected uint8, int8, uint16, int16, uint32, int32, uint64, int64, float, double, float32 or "
+    "float64");
+  ExpectBadValue("--spacing", "1,2", "expected 3 finite numbers separated by commas");
+  ExpectBadValue("--spacing", "1,0,2", "expected three numbers above 0");
+  ExpectBadValue("--interpolation", "cubic", "expected nearest or linear");
+}
+
+TEST(CommandLine, RawFilesNeedADescription)
+{
+  const std::string why = "'a.raw' holds nothing but values: say what they are by ";
+  EXPECT_EQ(GetError({ "a.raw" }), why + "--dimensions NX,NY,NZ and --type TYPE");
+  EXPECT_EQ(GetError({ "a.raw", "--type", "uint8" }), why + "--dimensions NX,NY,NZ");
+  EXPECT_EQ(GetError({ "a.raw", "--dimensions", "2,2,2" }), why + "--type TYPE");
+  EXPECT_EQ(GetError({ "a.raw", "--dimensions", "2,2,2", "--type", "int8" }), "accepted");
+  for (const char* name : { "a_2x2_uint8.raw", "a_2x2x2_uint12.raw", "a_0x2x2_uint8.raw",
+         "a_2x2x2.raw", "2x2x2_uint8.raw", "a_2x2x2_uint8_.raw" })
+  {
+    EXPECT_NE(GetError({ name }).find("holds nothing but values"), std::string::npos) << name;
+  }
+  for (const std::vector<std::string>& options :
+    std::vector<std::vector<std::string>>{ { "--dimensions", "2,2,2" }, { "--type", "int8" },
+      { "--spacing", "1,1,1" }, { "--big-endian" } })
+  {
+    std::vector<std::string> arguments{ "a.vti" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_EQ(GetError(arguments),
+      "--dimensions, --type, --spacing and --big-endian tell of .raw files; 'a.vti' says these "
+      "things itself");
+  }
+}
+
 TEST(CommandLine, RefusesBadCameras)
 {
   ExpectBadValue("--camera", "1,2,3", "expected 9 or 10 finite numbers separated by commas");

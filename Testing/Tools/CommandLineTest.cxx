@@ -10,7 +10,7 @@ TEST(CommandLine, Defaults)
   EXPECT_EQ(c.Output, "mesh.part.png");
   EXPECT_EQ(c.Size, (std::array<int, 2>{ { 1024, 768 } }));
   EXPECT_EQ(c.Frames, 0);
-  EXPECT_FALSE(c.StructuredOpacityLaw || c.Compare);
+  EXPECT_FALSE(c.StructuredOpacityLaw || c.Nearest || c.Compare || c.Raw.AreGiven());
   EXPECT_EQ(c.AccuracyLevel, 1);
   EXPECT_EQ(c.ViewMode, 0);
   EXPECT_FALSE(
@@ -51,7 +51,7 @@ TEST(CommandLine, TakesEveryOption)
   EXPECT_EQ(c.Camera->ViewAngle, 45.0);
   EXPECT_EQ(c.ParallelScale, 1000.0);
   EXPECT_EQ(c.Background, (std::array<double, 3>{ { 0, 0.5, 1 } }));
-  EXPECT_TRUE(c.StructuredOpacityLaw);
+  EXPECT_EQ(c.StructuredOpacityLaw, true);
   EXPECT_EQ(c.ArrayAssociation, tetmarch::Association::CELLS);
   EXPECT_EQ(c.Stats, "s.json");
   EXPECT_EQ(c.Frames, 7);
@@ -65,6 +65,38 @@ TEST(CommandLine, TakesEveryOption)
   EXPECT_EQ(c.Range, (std::array<double, 2>{ { -1, 1 } }));
   EXPECT_EQ(c.Surfaces, (std::vector<std::string>{ "a.vtp", "b.vtk" }));
   EXPECT_FALSE(c.Light.Shade);
+}
+
+TEST(CommandLine, TakesAnInterpolation)
+{
+  EXPECT_EQ(ParseCommandLine({ "a.vti", "--interpolation", "nearest" }).Nearest, true);
+  EXPECT_EQ(ParseCommandLine({ "a.vti", "--interpolation=linear" }).Nearest, false);
+  EXPECT_EQ(
+    ParseCommandLine({ "a.vti", "--opacity-law", "unstructured" }).StructuredOpacityLaw, false);
+}
+
+TEST(CommandLine, TakesWhatARawFileHolds)
+{
+  const CommandLine c = ParseCommandLine({ "scan.RAW", "--dimensions", "64,32,16", "--type",
+    "int16", "--spacing", "1,1,2.5", "--big-endian" });
+  EXPECT_EQ(c.Raw.Dimensions, (std::array<int, 3>{ { 64, 32, 16 } }));
+  EXPECT_EQ(c.Raw.Type, VTK_SHORT);
+  EXPECT_EQ(c.Raw.Spacing, (std::array<double, 3>{ { 1, 1, 2.5 } }));
+  EXPECT_TRUE(c.Raw.BigEndian);
+  EXPECT_EQ(c.Output, "scan.png");
+}
+
+TEST(CommandLine, FindsInTheNameWhatARawFileHolds)
+{
+  const CommandLine c = ParseCommandLine({ "some/a_b_256x128x64_uint16.raw" });
+  EXPECT_EQ(c.Raw.Dimensions, (std::array<int, 3>{ { 256, 128, 64 } }));
+  EXPECT_EQ(c.Raw.Type, VTK_UNSIGNED_SHORT);
+  EXPECT_FALSE(c.Raw.Spacing || c.Raw.BigEndian);
+  const CommandLine other =
+    ParseCommandLine({ "a_256x128x64_float32.raw", "--dimensions", "2,3,4", "--type", "double" });
+  EXPECT_EQ(other.Raw.Dimensions, (std::array<int, 3>{ { 2, 3, 4 } }));
+  EXPECT_EQ(other.Raw.Type, VTK_DOUBLE);
+  EXPECT_EQ(ParseCommandLine({ "a_2x3x4_float64.raw" }).Raw.Type, VTK_DOUBLE);
 }
 
 TEST(CommandLine, TakesAPixel)

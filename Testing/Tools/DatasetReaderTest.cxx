@@ -1,68 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DatasetReader.h"
-#include "Failure.h"
-#include "FileReader.h"
+#include "ReaderCase.h"
 #include "TestGrids.h"
 
 #include "vtkCellArray.h"
-#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyDataWriter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGridWriter.h"
-#include "vtkXMLImageDataWriter.h"
 #include "vtkXMLMultiBlockDataWriter.h"
 #include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <fstream>
 
-namespace
-{
-class DatasetReader : public ::testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    this->Folder =
-      std::filesystem::temp_directory_path() /
-      ("tetmarch-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::create_directories(this->Folder);
-  }
-  void TearDown() override { std::filesystem::remove_all(this->Folder); }
-
-  std::string GetPath(const char* name) const { return (this->Folder / name).string(); }
-
-  template <typename Writer>
-  std::string Write(const char* name, vtkDataObject* data) const
-  {
-    vtkNew<Writer> writer;
-    writer->SetFileName(this->GetPath(name).c_str());
-    writer->SetInputDataObject(data);
-    EXPECT_EQ(writer->Write(), 1);
-    return this->GetPath(name);
-  }
-
-  static std::string GetError(const std::string& path, std::optional<int> timeStep = std::nullopt)
-  {
-    try
-    {
-      tetmarch::ReadUnstructuredGrid(path, timeStep);
-    }
-    catch (const tetmarch::Failure& failure)
-    {
-      return failure.what();
-    }
-    return "accepted";
-  }
-
-  std::filesystem::path Folder;
-};
-} // namespace
+using DatasetReader = ReaderCase;
 
 TEST_F(DatasetReader, RefusesWhatIsNoFile)
 {
@@ -201,16 +153,4 @@ TEST_F(DatasetReader, LeavesOutGhostCells)
   grid->GetCellGhostArray()->SetValue(1, vtkDataSetAttributes::DUPLICATECELL);
   const std::string path = this->Write<vtkXMLUnstructuredGridWriter>("ghosts.vtu", grid);
   EXPECT_EQ(tetmarch::ReadUnstructuredGrid(path, std::nullopt)->GetNumberOfCells(), 1);
-}
-
-TEST_F(DatasetReader, TakesImagesAsCells)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(3, 4, 5);
-  AddArray<vtkDoubleArray>(image->GetPointData(), "s", 60);
-  const std::string path = this->Write<vtkXMLImageDataWriter>("image.vti", image);
-  const auto grid = tetmarch::ReadUnstructuredGrid(path, std::nullopt);
-  EXPECT_EQ(grid->GetNumberOfCells(), 2 * 3 * 4);
-  EXPECT_EQ(grid->GetNumberOfPoints(), 60);
-  EXPECT_EQ(grid->GetCellType(0), VTK_VOXEL);
 }

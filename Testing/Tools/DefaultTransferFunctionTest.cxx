@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DefaultTransferFunction.h"
-#include "TestGrids.h"
 
 #include <gtest/gtest.h>
 
@@ -88,6 +87,36 @@ TEST(DefaultTransferFunction, RareValuesStillGiveARange)
   EXPECT_DOUBLE_EQ(statistics.Range[1], 8.0);
 }
 
+// As of a scan: air with noise, and a tenth of something in it.
+TEST(DefaultTransferFunction, OfImagesWhatIsNotAirGivesTheRange)
+{
+  std::mt19937 random(2);
+  std::vector<double> values;
+  for (int i = 0; i < 10000; ++i)
+  {
+    const double u = static_cast<double>(random()) / 4294967296.0;
+    values.push_back(i < 9000 ? 2.0 * u : 100.0 + 100.0 * u);
+  }
+  const auto statistics =
+    ComputeStatistics(MakeSamples(values), std::nullopt, tetmarch::DataKind::IMAGE);
+  EXPECT_NEAR(statistics.Range[0], 1.0, 1.0);
+  EXPECT_NEAR(statistics.Range[1], 198.0, 1.0);
+  EXPECT_NEAR(statistics.Background, 1.0, 1.0);
+  EXPECT_LT(MakeDefaultTransferFunctions(statistics).Opacity->GetValue(2.0), 1e-9);
+  EXPECT_NEAR(ComputeStatistics(MakeSamples(values)).Range[1], 180.0, 5.0);
+}
+
+TEST(DefaultTransferFunction, OfImagesWithoutAirTheRangeIsThatOfMeshes)
+{
+  EXPECT_EQ(ComputeStatistics(MakeRamp(), std::nullopt, tetmarch::DataKind::IMAGE).Range,
+    ComputeStatistics(MakeRamp()).Range);
+  const auto one =
+    ComputeStatistics(MakeSamples({ 7, 7 }), std::nullopt, tetmarch::DataKind::IMAGE);
+  EXPECT_DOUBLE_EQ(one.Range[0], 3.5);
+  const std::array<double, 2> given{ { -3.0, 2000.0 } };
+  EXPECT_EQ(ComputeStatistics(MakeRamp(), given, tetmarch::DataKind::IMAGE).Range, given);
+}
+
 TEST(DefaultTransferFunction, GivenRangeIsKept)
 {
   const auto statistics = ComputeStatistics(MakeRamp(), std::array<double, 2>{ { -3.0, 2000.0 } });
@@ -162,19 +191,4 @@ TEST(UnitDistance, StaysWithinItsLimits)
   EXPECT_NEAR(tetmarch::ChooseUnitDistance(samples, clear, diagonal), 0.1, 1e-12);
   EXPECT_NEAR(tetmarch::ChooseUnitDistance({}, clear, diagonal), 10.0, 1e-12);
   EXPECT_EQ(tetmarch::ChooseUnitDistance(samples, clear, 0.0), 1.0);
-}
-
-TEST(Samples, MeanOfTheCellsPoints)
-{
-  auto grid = MakeVoxel(0.0);
-  AddArray<vtkDoubleArray>(grid->GetPointData(), "p", 8);
-  AddArray<vtkDoubleArray>(grid->GetCellData(), "c", 1);
-  auto samples = tetmarch::TakeSamples(grid, tetmarch::SelectArray(grid, "p", std::nullopt));
-  ASSERT_EQ(samples.size(), 1u);
-  EXPECT_DOUBLE_EQ(samples[0].Value, 3.5);
-  EXPECT_DOUBLE_EQ(samples[0].Volume, 1.0);
-
-  auto* values = vtkDoubleArray::SafeDownCast(grid->GetPointData()->GetArray("p"));
-  values->SetValue(3, std::nan(""));
-  EXPECT_TRUE(tetmarch::TakeSamples(grid, tetmarch::SelectArray(grid, "p", std::nullopt)).empty());
 }

@@ -52,7 +52,7 @@ class RenderTest(RenderCase):
                             "--array", "x")
         self.expect_failure(1, "there is no array 'half' on cells", "cube.vtu", "--array", "half", "--association",
                             "cells")
-        self.expect_failure(1, "the grid has no array to draw", "bare.vtk")
+        self.expect_failure(1, "the data has no array to draw", "bare.vtk")
         self.expect_failure(1, "time step 2 does not exist: the file has no time steps", "cube.vtu", "--time-step", 2)
         self.assertEqual(list(self.folder.glob("*.png")), [])
 

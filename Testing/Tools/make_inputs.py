@@ -83,6 +83,75 @@ def plate():
             "2 -10 -10\n2 10 -10\n2 10 10\n2 -10 10\nPOLYGONS 1 5\n4 0 1 2 3\n")
 
 
+# Of the points of an image of a unit cube, 3 along each axis.
+LATTICE = [(0.5 * i, 0.5 * j, 0.5 * k) for k in range(3) for j in range(3) for i in range(3)]
+
+
+def image_arrays():
+    """Of points: a constant, a ramp along x, a vector of length 0.5. Of the 8 cells: 0 and 1 along x, no numbers."""
+    return f"""<PointData>{xml_array("half", "Float64", [0.5] * 27)}
+{xml_array("ramp", "Float64", [x for x, _, _ in LATTICE])}
+{binary_array("vector", [0.3, 0.4, 0] * 27, 3)}</PointData>
+<CellData>{xml_array("side", "UInt8", [0, 1] * 4)}
+{binary_array("unknown", [math.nan] * 8)}</CellData>"""
+
+
+def image_vti(x=0):
+    """A unit cube of 2 x 2 x 2 voxels, so far along x."""
+    return f"""<?xml version="1.0"?>
+<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
+<ImageData WholeExtent="0 2 0 2 0 2" Origin="{x} 0 0" Spacing="0.5 0.5 0.5"><Piece Extent="0 2 0 2 0 2">
+{image_arrays()}
+</Piece></ImageData></VTKFile>
+"""
+
+
+def rectilinear_vtr():
+    """The same cube; along z its cells are 0.1 and 0.9 long."""
+    return f"""<?xml version="1.0"?>
+<VTKFile type="RectilinearGrid" version="0.1" byte_order="LittleEndian">
+<RectilinearGrid WholeExtent="0 2 0 2 0 2"><Piece Extent="0 2 0 2 0 2">
+{image_arrays()}
+<Coordinates>{xml_array("x", "Float64", [0, 0.5, 1])}{xml_array("y", "Float64", [0, 0.5, 1])}
+{xml_array("z", "Float64", [0, 0.1, 1])}</Coordinates>
+</Piece></RectilinearGrid></VTKFile>
+"""
+
+
+def legacy_image(dimensions, with_array=True):
+    count = math.prod(dimensions)
+    return (f"# vtk DataFile Version 3.0\nimage\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS {numbers(dimensions)}\n"
+            f"ORIGIN 0 0 0\nSPACING 0.5 0.5 0.5\n" +
+            (f"POINT_DATA {count}\nSCALARS half float 1\nLOOKUP_TABLE default\n{numbers([0.5] * count)}\n"
+             if with_array else ""))
+
+
+def images_vtm():
+    """image.vti and the image beside it."""
+    return """<?xml version="1.0"?>
+<VTKFile type="vtkMultiBlockDataSet" version="1.0" byte_order="LittleEndian"><vtkMultiBlockDataSet>
+<DataSet index="0" file="image.vti"/><DataSet index="1" file="image_beside.vti"/>
+</vtkMultiBlockDataSet></VTKFile>
+"""
+
+
+def values_of_half(code, dimensions):
+    """The bytes of an image that is 0.5 all over, by a code of struct."""
+    count = math.prod(dimensions)
+    return struct.pack(f"{code[0]}{count}{code[1]}", *[0.5] * count)
+
+
+def meta_image():
+    """A unit cube, 11 values along x."""
+    return (b"ObjectType = Image\nNDims = 3\nDimSize = 11 3 3\nElementSpacing = 0.1 0.5 0.5\n"
+            b"ElementType = MET_FLOAT\nElementDataFile = LOCAL\n" + values_of_half("<f", (11, 3, 3)))
+
+
+def nrrd():
+    return (b"NRRD0004\ntype: double\ndimension: 3\nsizes: 11 3 3\nspacings: 0.1 0.5 0.5\nendian: big\n"
+            b"encoding: raw\n\n" + values_of_half(">d", (11, 3, 3)))
+
+
 def write_all(folder):
     hexahedron = (12, range(8))
     texts = {
@@ -99,6 +168,13 @@ def write_all(folder):
         "surface.vtk": legacy([(5, (0, 1, 2)), (9, (0, 1, 2, 3))]),
         "plate.vtk": plate(),
         "vectors.vtu": vectors_vtu(),
+        "image.vti": image_vti(),
+        "image_beside.vti": image_vti(1),
+        "images.vtm": images_vtm(),
+        "grid.vtr": rectilinear_vtr(),
+        "image.vtk": legacy_image((3, 3, 3)),
+        "flat.vtk": legacy_image((3, 3, 1)),
+        "bare_image.vtk": legacy_image((3, 3, 3), with_array=False),
         "garbage.ex2": "this is no Exodus file",
         "garbage.cgns": "this is no CGNS file",
         "notes.txt": "text",
@@ -113,3 +189,7 @@ def write_all(folder):
     }
     for name, text in texts.items():
         (folder / name).write_text(text)
+    files = {"image.mha": meta_image(), "image.nrrd": nrrd(), "image.raw": values_of_half(">f", (3, 3, 3)),
+             "image_3x3x3_float64.raw": values_of_half("<d", (3, 3, 3))}
+    for name, data in files.items():
+        (folder / name).write_bytes(data)

@@ -33,7 +33,11 @@ std::vector<ShaderFeature> featuresOfLight()
     { "gradients of cells of a lattice by their neighbours",
       [](const Key& k, MarchShader)
       { return k.hasGradients() && isTrilinear(k) && !k.CellGradients; },
-      "perDistances perLow perHigh" },
+      "perDistances perLow perHigh fetchBeside" },
+    { "values beside a cell",
+      [](const Key& k, MarchShader)
+      { return k.hasGradients() && k.Structured && !k.CellGradients; },
+      "finiteOr" },
     { "gradients of trilinear cells",
       [](const Key& k, MarchShader) { return k.hasGradients() && isTrilinear(k); }, "bilinear" },
     { "shades", [](const Key& k, MarchShader s) { return gathers(k, s) && k.hasGradients(); },

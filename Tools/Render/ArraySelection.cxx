@@ -5,29 +5,39 @@
 #include "Failure.h"
 
 #include "vtkCellData.h"
+#include "vtkDataSet.h"
 #include "vtkPointData.h"
-#include "vtkUnstructuredGrid.h"
 
-#include <vector>
+#include <algorithm>
+#include <set>
 
 namespace
 {
 using tetmarch::ArraySelection;
 using tetmarch::Association;
 
-/// Arrays of numbers with a name, without those that VTK uses itself.
-std::vector<ArraySelection> ListArrays(vtkUnstructuredGrid* grid, Association where)
+vtkDataSetAttributes* GetAttributes(vtkDataSet* block, Association where)
 {
-  vtkDataSetAttributes* attributes = where == Association::POINTS
-                                       ? static_cast<vtkDataSetAttributes*>(grid->GetPointData())
-                                       : grid->GetCellData();
+  return where == Association::POINTS ? static_cast<vtkDataSetAttributes*>(block->GetPointData())
+                                      : block->GetCellData();
+}
+
+/// Arrays of numbers with a name, without those that VTK uses itself. Of arrays of one name the
+/// first.
+std::vector<ArraySelection> ListArrays(const std::vector<vtkDataSet*>& blocks, Association where)
+{
   std::vector<ArraySelection> selections;
-  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  std::set<std::string> names{ "vtkGhostType" };
+  for (vtkDataSet* block : blocks)
   {
-    vtkDataArray* array = attributes->GetArray(i);
-    if (array && array->GetName() && std::string(array->GetName()) != "vtkGhostType")
+    vtkDataSetAttributes* attributes = GetAttributes(block, where);
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
     {
-      selections.push_back({ array, where, 0 });
+      vtkDataArray* array = attributes->GetArray(i);
+      if (array && array->GetName() && names.insert(array->GetName()).second)
+      {
+        selections.push_back({ array, where, 0 });
+      }
     }
   }
   return selections;
@@ -70,11 +80,11 @@ std::string Describe(const std::vector<ArraySelection>& selections)
 namespace tetmarch
 {
 
-ArraySelection SelectArray(vtkUnstructuredGrid* grid, const std::string& name,
+ArraySelection SelectArray(const std::vector<vtkDataSet*>& blocks, const std::string& name,
   std::optional<Association> where, int component)
 {
-  std::vector<ArraySelection> all = ListArrays(grid, Association::POINTS);
-  for (const ArraySelection& selection : ListArrays(grid, Association::CELLS))
+  std::vector<ArraySelection> all = ListArrays(blocks, Association::POINTS);
+  for (const ArraySelection& selection : ListArrays(blocks, Association::CELLS))
   {
     all.push_back(selection);
   }
@@ -96,7 +106,7 @@ ArraySelection SelectArray(vtkUnstructuredGrid* grid, const std::string& name,
     const std::string place = !where                          ? ""
                               : *where == Association::POINTS ? " on points"
                                                               : " on cells";
-    throw Failure((name.empty() ? "the grid has no array to draw" + place
+    throw Failure((name.empty() ? "the data has no array to draw" + place
                                 : "there is no array '" + name + "'" + place) +
                   " (" + Describe(all) + ")");
   }
@@ -110,6 +120,28 @@ ArraySelection SelectArray(vtkUnstructuredGrid* grid, const std::string& name,
   }
   selection.Component = components == 1 ? 0 : component;
   return selection;
+}
+
+vtkDataArray* FindArray(vtkDataSet* block, const ArraySelection& selection)
+{
+  return GetAttributes(block, selection.Where)->GetArray(selection.Array->GetName());
+}
+
+std::array<double, 2> GetRange(
+  const std::vector<vtkDataSet*>& blocks, const ArraySelection& selection)
+{
+  std::array<double, 2> range{ { VTK_DOUBLE_MAX, VTK_DOUBLE_MIN } };
+  for (vtkDataSet* block : blocks)
+  {
+    vtkDataArray* array = FindArray(block, selection);
+    if (array && selection.Component < array->GetNumberOfComponents())
+    {
+      double part[2];
+      array->GetRange(part, selection.Component);
+      range = { { std::min(range[0], part[0]), std::max(range[1], part[1]) } };
+    }
+  }
+  return range;
 }
 
 } // namespace tetmarch

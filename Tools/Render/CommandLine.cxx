@@ -67,6 +67,11 @@ CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
       commandLine.Light.Shade = true;
       continue;
     }
+    if (argument == "--big-endian")
+    {
+      commandLine.Raw.BigEndian = true;
+      continue;
+    }
     if (argument == "--opaque-shadows")
     {
       LightOf(commandLine).OpaqueShadows = true;
@@ -104,6 +109,7 @@ CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
                        : "no input file is given");
   }
   commandLine.Input = inputs[0];
+  commandLine.Raw = CompleteRawOptions(commandLine.Raw, commandLine.Input);
   if (commandLine.Output.empty() && !commandLine.Pixel)
   {
     commandLine.Output = std::filesystem::path(commandLine.Input).stem().string() + ".png";

@@ -9,6 +9,7 @@
 
 #include "CutOptions.h"
 #include "LightOptions.h"
+#include "RawImage.h"
 
 #include <array>
 #include <optional>
@@ -38,6 +39,7 @@ struct CommandLine
   bool Version = false;
 
   std::string Input;
+  RawOptions Raw;     // complete, if Input is a raw file
   std::string Output; // by default the base name of Input + .png; empty: none
   std::string Stats;  // empty: none
   std::string Preset; // empty: the default transfer function
@@ -52,17 +54,18 @@ struct CommandLine
   std::optional<double> ParallelScale;
   std::array<double, 3> Background{ { 0.08, 0.09, 0.12 } };
   std::array<int, 2> Size{ { 1024, 768 } };
-  bool StructuredOpacityLaw = false;
-  int AccuracyLevel = 1; // vtkTetMarchVolumeMapper::DEFAULT
+  std::optional<bool> StructuredOpacityLaw; // by default of images and rectilinear grids
+  std::optional<bool> Nearest;              // interpolation of these; linear by default
+  int AccuracyLevel = 1;                    // vtkTetMarchSettings::DEFAULT
   std::optional<double> Tolerance;
   double FrameTime = 0.0; // budgets; 0: none
   double Error = 0.0;
   CutOptions Cuts;
   LightOptions Light;
   std::vector<std::string> Surfaces; // files
-  int BlendMode = 0;                 // vtkTetMarchVolumeMapper::COMPOSITE_BLEND
+  int BlendMode = 0;                 // vtkVolumeMapper::COMPOSITE_BLEND
   std::vector<double> IsoValues;
-  int ViewMode = 0; // vtkTetMarchVolumeMapper::VIEW_PICTURE
+  int ViewMode = 0; // vtkTetMarchSettings::VIEW_PICTURE
   bool Compare = false;
   std::optional<std::array<int, 2>> Pixel; // column and row from the upper left, whose ray is shown
   std::string PixelJson;                   // empty: none

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CutOptions.h"
 
+#include "AnyMapper.h"
 #include "Failure.h"
 #include "OptionValues.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
-#include "vtkTetMarchVolumeMapper.h"
+#include "vtkVolumeMapper.h" // for VTK_CROP_SUBVOLUME
 
 namespace tetmarch
 {
@@ -38,22 +40,20 @@ int ParseCropRegions(const std::string& value)
   return ParseWord(value, { "middle", "fence", "inverted-fence", "cross", "inverted-cross" });
 }
 
-void SetUpCuts(const CutOptions& options, vtkTetMarchVolumeMapper* mapper)
+void SetUpCuts(const CutOptions& options, AnyMapper& mapper)
 {
   for (const ClippingPlaneOption& option : options.Planes)
   {
     vtkNew<vtkPlane> plane;
     plane->SetOrigin(option.Origin[0], option.Origin[1], option.Origin[2]);
     plane->SetNormal(option.Normal[0], option.Normal[1], option.Normal[2]);
-    mapper->AddClippingPlane(plane);
+    mapper.GetMapper()->AddClippingPlane(plane);
   }
   if (options.Crop)
   {
     constexpr int flags[] = { VTK_CROP_SUBVOLUME, VTK_CROP_FENCE, VTK_CROP_INVERTED_FENCE,
       VTK_CROP_CROSS, VTK_CROP_INVERTED_CROSS };
-    mapper->CroppingOn();
-    mapper->SetCroppingRegionPlanes(options.Crop->data());
-    mapper->SetCroppingRegionFlags(flags[options.CropRegions]);
+    mapper.SetCropping(options.Crop->data(), flags[options.CropRegions]);
   }
 }
 

@@ -12,10 +12,9 @@
 #include <string>
 #include <vector>
 
-class vtkTetMarchVolumeMapper;
-
 namespace tetmarch
 {
+class AnyMapper;
 
 struct ClippingPlaneOption
 {
@@ -35,7 +34,7 @@ ClippingPlaneOption ParseClippingPlane(const std::string& value);
 std::array<double, 6> ParseCrop(const std::string& value);
 int ParseCropRegions(const std::string& value);
 
-void SetUpCuts(const CutOptions& options, vtkTetMarchVolumeMapper* mapper);
+void SetUpCuts(const CutOptions& options, AnyMapper& mapper);
 
 } // namespace tetmarch
 

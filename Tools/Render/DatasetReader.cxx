@@ -4,25 +4,26 @@
 
 #include "Failure.h"
 #include "FileReader.h"
+#include "GridMerging.h"
+#include "LibraryOutput.h"
 #include "Messages.h"
 #include "ProgressBar.h"
 
-#include "vtkAppendFilter.h"
-#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkGenericCell.h"
+#include "vtkImageReader2.h"
 #include "vtkInformation.h"
+#include "vtkMetaImageReader.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <bitset>
 #include <filesystem>
-#include <map>
 #include <vector>
 
 namespace
@@ -67,112 +68,116 @@ void Update(vtkAlgorithm* reader, std::optional<int> timeStep)
   }
 }
 
-vtkSmartPointer<vtkDataObject> Read(const std::string& path, std::optional<int> timeStep)
+/// The same of a reader that leaves it to others to say that it failed: returns what they said, or
+/// an empty string.
+std::string UpdateAndListen(vtkAlgorithm* reader, std::optional<int> timeStep)
+{
+  const int warningsBefore = tetmarch::Messages::GetNumberOfWarningsOfNobody();
+  std::optional<tetmarch::LibraryOutput> output;
+  if (vtkMetaImageReader::SafeDownCast(reader))
+  {
+    output.emplace(); // MetaIO goes on after what it prints
+  }
+  Update(reader, timeStep);
+  const bool warned = vtkImageReader2::SafeDownCast(reader) &&
+                      tetmarch::Messages::GetNumberOfWarningsOfNobody() > warningsBefore;
+  return output ? output->GetFirstLine() : warned ? "see the warning" : std::string();
+}
+
+vtkSmartPointer<vtkDataObject> Read(
+  const std::string& path, std::optional<int> timeStep, const tetmarch::RawOptions& raw = {})
 {
   CheckFile(path);
   const int errorsBefore = tetmarch::Messages::GetNumberOfErrors();
-  vtkSmartPointer<vtkAlgorithm> reader = tetmarch::MakeReader(path);
+  vtkSmartPointer<vtkAlgorithm> reader = tetmarch::MakeReader(path, raw);
+  std::string complaint;
   {
     tetmarch::ProgressBar progress("reading", reader);
-    Update(reader, timeStep);
+    complaint = UpdateAndListen(reader, timeStep);
   }
   vtkDataObject* data = reader->GetOutputDataObject(0);
-  if (tetmarch::Messages::GetNumberOfErrors() > errorsBefore || !data ||
+  if (tetmarch::Messages::GetNumberOfErrors() > errorsBefore || !complaint.empty() || !data ||
       reader->GetErrorCode() != 0)
   {
     throw Failure("cannot read '" + path +
-                  "': the file is damaged or not of the kind that its ending "
-                  "says");
+                  "': the file is damaged or not of the kind that its ending says" +
+                  (complaint.empty() ? "" : " (" + complaint + ")"));
   }
   return data;
 }
 
-std::vector<vtkDataSet*> ListSolidBlocks(vtkDataObject* data)
+struct NamedBlock
 {
-  std::vector<vtkDataSet*> blocks;
-  const auto add = [&blocks](vtkDataObject* block)
+  vtkDataSet* Data;
+  const char* Name; // may be null
+};
+
+std::vector<NamedBlock> ListSolidBlocks(vtkDataObject* data)
+{
+  std::vector<NamedBlock> blocks;
+  const auto add = [&blocks](vtkDataObject* block, const char* name)
   {
     auto* dataSet = vtkDataSet::SafeDownCast(block);
     if (dataSet && !vtkPolyData::SafeDownCast(block) && tetmarch::HasSolidCells(dataSet))
     {
-      blocks.push_back(dataSet);
+      blocks.push_back({ dataSet, name });
     }
   };
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
   {
-    auto iterator = vtk::TakeSmartPointer(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    auto at = vtk::TakeSmartPointer(composite->NewIterator());
+    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
     {
-      add(iterator->GetCurrentDataObject());
+      add(at->GetCurrentDataObject(), at->HasCurrentMetaData()
+                                        ? at->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
+                                        : nullptr);
     }
   }
   else
   {
-    add(data);
+    add(data, nullptr);
   }
   return blocks;
 }
 
-/// vtkAppendFilter keeps the arrays that all blocks have.
-void WarnOfPartialArrays(const std::vector<vtkDataSet*>& blocks)
+std::string Describe(vtkDataObject* data)
 {
-  for (const bool cells : { false, true })
+  std::string text = data->GetClassName();
+  if (tetmarch::IsStructured(data))
   {
-    std::map<std::string, std::size_t> counts;
-    for (vtkDataSet* block : blocks)
-    {
-      vtkDataSetAttributes* arrays =
-        cells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData();
-      for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
-      {
-        const char* name = arrays->GetArrayName(i);
-        ++counts[name ? name : ""];
-      }
-    }
-    for (const auto& [name, count] : counts)
-    {
-      if (count < blocks.size())
-      {
-        tetmarch::PrintMessage("warning",
-          std::string(cells ? "cell" : "point") + " array '" + name + "' is left out: only " +
-            std::to_string(count) + " of " + std::to_string(blocks.size()) + " blocks have it");
-      }
-    }
+    int n[3];
+    tetmarch::GetDimensions(static_cast<vtkDataSet*>(data), n);
+    text += " of " + std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " +
+            std::to_string(n[2]) + " points";
   }
+  return text;
 }
 
-/// The first point of a grid with its arrays and no cell.
-vtkSmartPointer<vtkUnstructuredGrid> MakeFirstPoint(vtkUnstructuredGrid* grid)
+std::vector<NamedBlock> GetSolidBlocks(vtkDataObject* data, const std::string& path)
 {
-  auto first = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataType(grid->GetPoints()->GetDataType());
-  points->InsertNextPoint(grid->GetPoint(0));
-  first->SetPoints(points);
-  first->GetPointData()->CopyAllOn();
-  first->GetPointData()->CopyAllocate(grid->GetPointData(), 1);
-  first->GetPointData()->CopyData(grid->GetPointData(), vtkIdType(0), vtkIdType(0));
-  first->GetCellData()->CopyAllOn();
-  first->GetCellData()->CopyAllocate(grid->GetCellData(), 0);
-  return first;
+  auto blocks = ListSolidBlocks(data);
+  if (blocks.empty())
+  {
+    throw Failure(
+      "'" + path + "' has no 3D cells, so there is no volume to render (" + Describe(data) + ")");
+  }
+  return blocks;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& blocks)
+/// The blocks alone, without what else the file holds.
+vtkSmartPointer<vtkDataObject> MakeTree(const std::vector<NamedBlock>& blocks)
 {
-  auto append = vtkSmartPointer<vtkAppendFilter>::New();
-  append->MergePointsOn();
-  for (vtkDataSet* block : blocks)
+  auto tree = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (const NamedBlock& block : blocks)
   {
-    append->AddInputData(block);
+    const unsigned int number = tree->GetNumberOfBlocks();
+    tree->SetBlock(number, block.Data);
+    if (block.Name)
+    {
+      tree->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), block.Name);
+    }
   }
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(blocks[0]);
-  if (grid && blocks.size() == 1)
-  {
-    append->AddInputData(MakeFirstPoint(grid)); // one input alone would be passed through
-  }
-  tetmarch::ProgressBar progress("merging", append);
-  append->Update();
-  return append->GetOutput();
+  return tree;
 }
 
 /// Pieces of a parallel file repeat the points between them and their neighbours' cells.
@@ -181,6 +186,27 @@ bool HasPieces(const std::string& path)
   const std::string ending = std::filesystem::path(path).extension().string();
   return ending.size() > 1 && (ending[1] == 'p' || ending[1] == 'P');
 }
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
+  const std::vector<NamedBlock>& named, const std::string& path)
+{
+  std::vector<vtkDataSet*> blocks;
+  for (const NamedBlock& block : named)
+  {
+    blocks.push_back(block.Data);
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(block.Data))
+    {
+      grid->RemoveGhostCells(); // vtkAppendFilter merges no points where there are ghosts
+    }
+  }
+  tetmarch::WarnOfPartialArrays(blocks);
+  vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(blocks[0]);
+  if (blocks.size() > 1 || !grid || HasPieces(path))
+  {
+    grid = tetmarch::MergeBlocks(blocks);
+  }
+  return grid;
+}
 } // namespace
 
 namespace tetmarch
@@ -188,6 +214,12 @@ namespace tetmarch
 
 bool HasSolidCells(vtkDataSet* data)
 {
+  if (IsStructured(data)) // of a billion cells, maybe
+  {
+    int n[3];
+    GetDimensions(data, n);
+    return std::min({ n[0], n[1], n[2] }) > 1;
+  }
   std::bitset<256> types;
   for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
@@ -209,26 +241,34 @@ vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
   const std::string& path, std::optional<int> timeStep)
 {
   const vtkSmartPointer<vtkDataObject> data = Read(path, timeStep);
-  const auto blocks = ListSolidBlocks(data);
-  if (blocks.empty())
+  return MakeGrid(GetSolidBlocks(data, path), path);
+}
+
+VolumeData ReadVolume(
+  const std::string& path, std::optional<int> timeStep, const RawOptions& rawOptions)
+{
+  const vtkSmartPointer<vtkDataObject> data = Read(path, timeStep, rawOptions);
+  const auto blocks = GetSolidBlocks(data, path);
+  VolumeData volume;
+  volume.Structured = std::all_of(
+    blocks.begin(), blocks.end(), [](const NamedBlock& block) { return IsStructured(block.Data); });
+  if (volume.Structured && blocks.size() > 1)
   {
-    throw Failure("'" + path + "' has no 3D cells, so there is no volume to render (" +
-                  data->GetClassName() + ")");
-  }
-  for (vtkDataSet* block : blocks) // vtkAppendFilter merges no points where there are ghosts
-  {
-    if (auto* blockGrid = vtkUnstructuredGrid::SafeDownCast(block))
+    volume.Input = MakeTree(blocks);
+    for (const NamedBlock& block : blocks)
     {
-      blockGrid->RemoveGhostCells();
+      volume.Blocks.push_back(block.Data);
     }
+    return volume;
   }
-  WarnOfPartialArrays(blocks);
-  vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(blocks[0]);
-  if (blocks.size() > 1 || !grid || HasPieces(path))
+  vtkSmartPointer<vtkDataSet> whole = blocks[0].Data;
+  if (!volume.Structured)
   {
-    grid = Merge(blocks);
+    whole = MakeGrid(blocks, path);
   }
-  return grid;
+  volume.Input = whole;
+  volume.Blocks = { whole };
+  return volume;
 }
 
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path)

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One unstructured grid, or one surface, from whatever a file holds.
+ * One volume, or one surface, from whatever a file holds.
  */
 #ifndef tetmarch_DatasetReader_h
 #define tetmarch_DatasetReader_h
+
+#include "RawImage.h"
+#include "VolumeData.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -16,6 +19,14 @@
 
 namespace tetmarch
 {
+
+/**
+ * An image, a rectilinear grid or several of these as they are; else all blocks with 3D cells as
+ * ReadUnstructuredGrid() has them. Blocks that are surfaces, or have no 3D cells, are left out.
+ * Options of raw files must be complete. Throws Failure that says what is wrong with the file.
+ */
+VolumeData ReadVolume(
+  const std::string& path, std::optional<int> timeStep, const RawOptions& rawOptions = {});
 
 /**
  * All blocks with 3D cells, merged where their points coincide, without ghost cells; images and

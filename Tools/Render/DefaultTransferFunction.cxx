@@ -2,17 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DefaultTransferFunction.h"
 
-#include "vtkIdList.h"
-#include "vtkUnstructuredGrid.h"
-
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
 using tetmarch::Sample;
-
-constexpr vtkIdType MaximumSamples = 1 << 20;
 
 double GetWeight(const Sample& sample) { return std::cbrt(sample.Volume * sample.Volume); }
 
@@ -57,8 +53,18 @@ std::array<double, 2> ComputeRange(const std::vector<Sample>& samples, double to
   return range;
 }
 
-double FindBackground(
-  const std::vector<Sample>& samples, double total, const std::array<double, 2>& range)
+struct Mode
+{
+  double Value; // the middle of the fullest of 256 bins of a range
+  double Share; // of the weight that lies within a 50th of the range around it
+};
+
+bool IsNear(const Sample& sample, double value, const std::array<double, 2>& range)
+{
+  return std::abs(sample.Value - value) <= 0.02 * (range[1] - range[0]);
+}
+
+Mode FindMode(const std::vector<Sample>& samples, double total, const std::array<double, 2>& range)
 {
   constexpr int bins = 256;
   std::array<double, bins> sums{};
@@ -76,9 +82,35 @@ double FindBackground(
   double near = 0.0;
   for (const Sample& sample : samples)
   {
-    near += std::abs(sample.Value - mode) <= 0.02 * (range[1] - range[0]) ? GetWeight(sample) : 0.0;
+    near += IsNear(sample, mode, range) ? GetWeight(sample) : 0.0;
   }
-  return near >= 0.1 * total ? mode : range[0];
+  return { mode, near / total };
+}
+
+double FindBackground(
+  const std::vector<Sample>& samples, double total, const std::array<double, 2>& range)
+{
+  const Mode mode = FindMode(samples, total, range);
+  return mode.Share >= 0.1 ? mode.Value : range[0];
+}
+
+std::array<double, 2> ComputeRangeOfImage(const std::vector<Sample>& samples, double total)
+{
+  const std::array<double, 2> all = { { samples.front().Value, samples.back().Value } };
+  if (!(all[0] < all[1]))
+  {
+    return ComputeRange(samples, total);
+  }
+  const Mode mode = FindMode(samples, total, all);
+  std::vector<Sample> rest;
+  std::copy_if(samples.begin(), samples.end(), std::back_inserter(rest),
+    [&](const Sample& sample) { return !IsNear(sample, mode.Value, all); });
+  if (mode.Share < 0.5 || rest.empty())
+  {
+    return ComputeRange(samples, total);
+  }
+  const std::array<double, 2> range = ComputeRange(rest, SumWeights(rest));
+  return { { std::min(range[0], mode.Value), std::max(range[1], mode.Value) } };
 }
 
 void AddSequentialColors(vtkColorTransferFunction* color, const std::array<double, 2>& range)
@@ -105,63 +137,13 @@ void AddDivergingColors(vtkColorTransferFunction* color, double centre, double r
   color->AddRGBPoint(centre, 0.865, 0.865, 0.865);
   color->AddRGBPoint(centre + reach, 0.706, 0.016, 0.150);
 }
-
-double ValueOf(const tetmarch::ArraySelection& selection, vtkIdType tuple)
-{
-  if (selection.Component >= 0)
-  {
-    return selection.Array->GetComponent(tuple, selection.Component);
-  }
-  double square = 0.0;
-  for (int i = 0; i < selection.Array->GetNumberOfComponents(); ++i)
-  {
-    const double component = selection.Array->GetComponent(tuple, i);
-    square += component * component;
-  }
-  return std::sqrt(square);
-}
 } // namespace
 
 namespace tetmarch
 {
 
-std::vector<Sample> TakeSamples(vtkUnstructuredGrid* grid, const ArraySelection& selection)
-{
-  const vtkIdType count = grid->GetNumberOfCells();
-  const vtkIdType step = std::max<vtkIdType>(1, count / MaximumSamples);
-  vtkNew<vtkIdList> points;
-  std::vector<Sample> samples;
-  samples.reserve(static_cast<std::size_t>(count / step + 1));
-  for (vtkIdType cell = 0; cell < count; cell += step)
-  {
-    double value = 0.0;
-    if (selection.Where == Association::CELLS)
-    {
-      value = ValueOf(selection, cell);
-    }
-    else
-    {
-      grid->GetCellPoints(cell, points);
-      for (const vtkIdType point : *points)
-      {
-        value += ValueOf(selection, point);
-      }
-      value /= static_cast<double>(points->GetNumberOfIds());
-    }
-    double bounds[6];
-    grid->GetCellBounds(cell, bounds);
-    const double volume =
-      (bounds[1] - bounds[0]) * (bounds[3] - bounds[2]) * (bounds[5] - bounds[4]);
-    if (std::isfinite(value) && volume > 0.0)
-    {
-      samples.push_back({ value, volume });
-    }
-  }
-  return samples;
-}
-
 ValueStatistics ComputeStatistics(
-  std::vector<Sample> samples, const std::optional<std::array<double, 2>>& range)
+  std::vector<Sample> samples, const std::optional<std::array<double, 2>>& range, DataKind kind)
 {
   ValueStatistics statistics;
   if (range)
@@ -174,7 +156,9 @@ ValueStatistics ComputeStatistics(
     std::sort(samples.begin(), samples.end(),
       [](const Sample& a, const Sample& b) { return a.Value < b.Value; });
     const double total = SumWeights(samples);
-    statistics.Range = range ? *range : ComputeRange(samples, total);
+    statistics.Range = range                     ? *range
+                       : kind == DataKind::IMAGE ? ComputeRangeOfImage(samples, total)
+                                                 : ComputeRange(samples, total);
     statistics.Background = FindBackground(samples, total, statistics.Range);
   }
   return statistics;

@@ -5,6 +5,8 @@
 #include "Failure.h"
 
 #include "vtkGenericDataObjectReader.h"
+#include "vtkMetaImageReader.h"
+#include "vtkNrrdReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
 #if TETMARCH_HAVE_EXODUS
 #include "vtkExodusIIReader.h"
@@ -20,18 +22,11 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <regex>
 #include <set>
 
 namespace
 {
-std::string GetEnding(const std::string& path)
-{
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
 template <typename Reader>
 vtkSmartPointer<Reader> MakeReaderOf(const std::string& path)
 {
@@ -59,6 +54,21 @@ vtkSmartPointer<Reader> MakeReaderOf(const std::string& path)
 }
 
 [[maybe_unused]] constexpr const char* HDF5Beginning = "\x89HDF\r\n\x1a\n";
+
+/// vtkNrrdReader takes the header for the first values of a file of text.
+void CheckNrrdEncoding(const std::string& path)
+{
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line) && !line.empty() && line != "\r";)
+  {
+    static const std::regex text("encoding: *(ascii|text|txt)\\s*", std::regex::icase);
+    if (std::regex_match(line, text))
+    {
+      throw tetmarch::Failure(
+        "cannot read '" + path + "': its values are text; write them in the encoding raw or gzip");
+    }
+  }
+}
 
 vtkSmartPointer<vtkAlgorithm> MakeExodusReader(const std::string& path)
 {
@@ -99,7 +109,15 @@ vtkSmartPointer<vtkAlgorithm> MakeCGNSReader(const std::string& path)
 namespace tetmarch
 {
 
-vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
+std::string GetEnding(const std::string& path)
+{
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path, const RawOptions& rawOptions)
 {
   static const std::set<std::string> xml = { ".vtu", ".pvtu", ".vtm", ".vtmb", ".vtpd", ".vtpc",
     ".vtp", ".pvtp", ".vts", ".pvts", ".vtr", ".pvtr", ".vti", ".pvti" };
@@ -125,10 +143,24 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
   {
     return MakeCGNSReader(path);
   }
+  if (ending == ".mhd" || ending == ".mha")
+  {
+    return MakeReaderOf<vtkMetaImageReader>(path);
+  }
+  if (ending == ".nrrd" || ending == ".nhdr")
+  {
+    CheckNrrdEncoding(path);
+    return MakeReaderOf<vtkNrrdReader>(path);
+  }
+  if (IsRawFile(path) && rawOptions.Dimensions && rawOptions.Type)
+  {
+    return MakeRawReader(path, rawOptions);
+  }
   throw Failure(
     "cannot read '" + path + "': no reader for the ending '" + ending +
-    "'; known are VTK's XML files (.vtu, .pvtu, .vtm, .vtpc, ...), legacy .vtk, Exodus (.ex2, .e, "
-    ".exo, .g) and CGNS (.cgns)");
+    "'; known are VTK's XML files (.vtu, .vti, .vtr, .pvtu, .vtm, .vtpc, ...), legacy .vtk, "
+    "MetaImage (.mhd, .mha), NRRD (.nrrd, .nhdr), raw images (.raw), Exodus (.ex2, .e, .exo, .g) "
+    "and CGNS (.cgns)");
 }
 
 } // namespace tetmarch

@@ -7,6 +7,8 @@
 #ifndef tetmarch_FileReader_h
 #define tetmarch_FileReader_h
 
+#include "RawImage.h"
+
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -16,11 +18,15 @@ class vtkAlgorithm;
 namespace tetmarch
 {
 
+/// With its dot, in lower case.
+std::string GetEnding(const std::string& path);
+
 /**
- * A reader that is set up to read everything in the file. Throws Failure if no reader is known for
- * the ending or this build has none.
+ * A reader that is set up to read everything in the file. The options are those of a raw file, and
+ * complete. Throws Failure if no reader is known for the ending or this build has none.
  */
-vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path);
+vtkSmartPointer<vtkAlgorithm> MakeReader(
+  const std::string& path, const RawOptions& rawOptions = {});
 
 } // namespace tetmarch
 

@@ -6,26 +6,39 @@ std::string tetmarch::GetHelp()
 {
   return R"(Usage: tetmarch-render INPUT [options]
 
-Renders one array of an unstructured grid as a volume into a PNG file, by marching each ray from cell to
-cell. INPUT is a file of VTK (.vtu, .pvtu, .vtm, .vtpc, .vtk, ...), Exodus (.ex2, .e, .exo, .g) or CGNS
-(.cgns). Blocks are merged where their points coincide; images and structured grids are taken as hexahedra.
+Renders one array of an unstructured grid, an image or a rectilinear grid as a volume into a PNG file, by
+marching each ray from cell to cell. INPUT is a file of VTK (.vtu, .vti, .vtr, .pvtu, .pvti, .vtm, .vtpc,
+.vtk, ...), Exodus (.ex2, .e, .exo, .g), CGNS (.cgns), MetaImage (.mhd, .mha), NRRD (.nrrd, .nhdr), or of
+nothing but the values of an image (.raw). Blocks of images and rectilinear grids are drawn one over the
+other. Other blocks are merged where their points coincide; images among them and curvilinear grids are
+taken as hexahedra.
 
 Data
   --array NAME              the array to draw (default: the first floating-point array, points before cells)
   --component K             of several components the one to draw, counted from 0 (default: 0), or magnitude
   --association WHERE       points or cells: where to look for the array (default: points, then cells)
   --time-step K             the time step, counted from 0 (default: the last)
+  --interpolation HOW       of images and rectilinear grids: linear (default) between the values, or nearest:
+                            each value holds in a cell of its own
+  --dimensions NX,NY,NZ     of a .raw file: numbers of values along x, which vary fastest, y and z
+  --type TYPE               of its values: uint8, int8, uint16, int16, uint32, int32, uint64, int64, float or
+                            double (default for both: from names like NAME_256x256x128_uint8.raw)
+  --spacing SX,SY,SZ        the distances of its values (default: 1,1,1)
+  --big-endian              of each value the most significant byte comes first (default: last)
 
 Transfer function
   --preset FILE             colour and opacity points from a JSON preset as ParaView exports it
   --range LO,HI             spread the preset, or the default transfer function, over these values
-                            (default: the preset's own values; 2nd to 98th percentile of the data)
+                            (default: the preset's own values; 2nd to 98th percentile of the data, of
+                            images without what most of them is)
   --nan R,G,B[,OPACITY]     draw cells with values that are not finite in this colour, from 0 to 1 each
                             (default: they are not drawn; opacity: 1)
-  --unit-distance D         length over which an opacity of 1 gives an optical depth of 1
-                            (default: such that a ray across the mesh has an optical depth near 1)
+  --unit-distance D         the length that opacities are meant for (default: of images and rectilinear grids
+                            the mean distance of values; of others such that a ray across the mesh has an
+                            optical depth near 1)
   --opacity-law LAW         unstructured: extinction = opacity / D, as VTK's unstructured mappers (default);
-                            structured: -ln(1 - opacity) / D, as VTK's GPU mapper for images
+                            structured: -ln(1 - opacity) / D, as VTK's mappers for images (default of images
+                            and rectilinear grids)
 
 Accuracy
   --accuracy LEVEL          fast, default, accurate or reference (default: default)
@@ -51,20 +64,21 @@ Light (--shade, or any other option of these, has the volume lit)
   --reach R                 how far light, but for that of headlights, is followed for shadows, 0 to 1
                             (default: 1, all the way)
   --occlusion RADIUS        the volume keeps ambient light from its inside, over this share of the diagonal
-                            of the mesh's box, 0 to 1 (default: it does not)
+                            of the volume's box, 0 to 1 (default: it does not)
 
 View
   --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ[,ANGLE]
                             position, focal point, view up, view angle in degrees (default: oblique, all
-                            of the mesh in view, 30 degrees)
+                            of the volume in view, 30 degrees)
   --parallel-scale S        parallel projection; S is half of the picture's height in world units
   --blend MODE              composite (default), maximum, minimum, average, additive, or isosurface
   --isovalues V[,V...]      the surfaces of these scalars (--blend isosurface)
   --view WHAT               picture (default), or with a legend of the colours what its pixels cost or may
                             be off by: error (bound of a channel, 0 to 1), cells or lookups; or
                             illumination (light without the volume's colour), gradients (directions as
-                            colours), faces (the boundary faces by which rays enter, each in a colour of its
-                            own) or coordinates (barycentric ones in those faces as red, green and blue)
+                            colours), or of unstructured grids faces (the boundary faces by which rays enter,
+                            each in a colour of its own) or coordinates (barycentric ones in those faces as
+                            red, green and blue)
   --clip PX,PY,PZ,NX,NY,NZ  cut the volume at the plane through a point; what is on the side that the normal
                             points to is left. Several can be given
   --crop X0,X1,Y0,Y1,Z0,Z1  two planes across each axis divide the volume into 27 regions (in the data's
@@ -78,7 +92,7 @@ View
 
 Output
   --output FILE.png         (default: INPUT's base name + .png in the current folder; with --pixel: none)
-  --stats FILE.json         figures of the mesh, seconds of each stage and of a frame, the GL in use
+  --stats FILE.json         figures of the data, seconds of each stage and of a frame, the GL in use
   --compare                 add to the figures how far the picture is from one in double precision, and
                             what its pixels cost (takes seconds to minutes)
   --pixel X,Y               print the ray of one pixel, cell by cell, as the CPU marches it in float and in

@@ -9,7 +9,7 @@
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
-#include "vtkTetMarchVolumeMapper.h"
+#include "vtkTetMarchSettings.h"
 #include "vtkVolumeProperty.h"
 
 namespace
@@ -67,7 +67,7 @@ LightOption ParseLight(const std::string& value)
 }
 
 void SetUpLight(const LightOptions& options, vtkRenderer* renderer, vtkVolumeProperty* property,
-  vtkTetMarchVolumeMapper* mapper)
+  vtkTetMarchSettings* settings)
 {
   property->SetShade(options.Shade);
   property->SetAmbient(options.Ambient.value_or(property->GetAmbient()));
@@ -78,13 +78,13 @@ void SetUpLight(const LightOptions& options, vtkRenderer* renderer, vtkVolumePro
   {
     AddLight(light, renderer);
   }
-  mapper->SetShadowMethod(options.ShadowMethod);
-  mapper->SetOpaqueShadows(options.OpaqueShadows);
-  mapper->SetVolumetricScatteringBlending(static_cast<float>(options.Scattering));
-  mapper->SetGlobalIlluminationReach(static_cast<float>(options.Reach));
-  mapper->SetAmbientOcclusion(options.OcclusionRadius.has_value());
-  mapper->SetAmbientOcclusionRadius(
-    options.OcclusionRadius.value_or(mapper->GetAmbientOcclusionRadius()));
+  settings->SetShadowMethod(options.ShadowMethod);
+  settings->SetOpaqueShadows(options.OpaqueShadows);
+  settings->SetVolumetricScatteringBlending(static_cast<float>(options.Scattering));
+  settings->SetGlobalIlluminationReach(static_cast<float>(options.Reach));
+  settings->SetAmbientOcclusion(options.OcclusionRadius.has_value());
+  settings->SetAmbientOcclusionRadius(
+    options.OcclusionRadius.value_or(settings->GetAmbientOcclusionRadius()));
 }
 
 } // namespace tetmarch

@@ -13,7 +13,7 @@
 #include <vector>
 
 class vtkRenderer;
-class vtkTetMarchVolumeMapper;
+class vtkTetMarchSettings;
 class vtkVolumeProperty;
 
 namespace tetmarch
@@ -35,7 +35,7 @@ struct LightOptions
   std::optional<double> Diffuse;
   std::optional<double> Specular;
   std::optional<double> SpecularPower;
-  int ShadowMethod = 0; // vtkTetMarchVolumeMapper::SHADOWS_OFF
+  int ShadowMethod = 0; // vtkTetMarchSettings::SHADOWS_OFF
   bool OpaqueShadows = false;
   double Scattering = 0.0;
   double Reach = 1.0;
@@ -46,7 +46,7 @@ struct LightOptions
 LightOption ParseLight(const std::string& value);
 
 void SetUpLight(const LightOptions& options, vtkRenderer* renderer, vtkVolumeProperty* property,
-  vtkTetMarchVolumeMapper* mapper);
+  vtkTetMarchSettings* settings);
 
 } // namespace tetmarch
 

@@ -32,6 +32,7 @@ std::string CleanVTKMessage(const std::string& text)
 }
 
 int Messages::NumberOfErrors = 0;
+int Messages::NumberOfWarningsOfNobody = 0;
 
 vtkStandardNewMacro(Messages);
 
@@ -59,7 +60,11 @@ void Messages::DisplayWarningText(const char* text)
   PrintMessage("warning", CleanVTKMessage(text));
 }
 
-void Messages::DisplayGenericWarningText(const char* text) { this->DisplayWarningText(text); }
+void Messages::DisplayGenericWarningText(const char* text)
+{
+  ++NumberOfWarningsOfNobody;
+  this->DisplayWarningText(text);
+}
 
 void Messages::DisplayText(const char* text) { PrintMessage("note", CleanVTKMessage(text)); }
 

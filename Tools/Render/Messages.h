@@ -25,7 +25,7 @@ void PrintMessage(const std::string& kind, const std::string& text);
 std::string CleanVTKMessage(const std::string& text);
 
 /**
- * Takes over from vtkOutputWindow and vtkLogger. Errors are counted.
+ * Takes over from vtkOutputWindow and vtkLogger. Errors and some warnings are counted.
  */
 class Messages : public vtkOutputWindow
 {
@@ -35,6 +35,8 @@ public:
 
   static void Install();
   static int GetNumberOfErrors() { return NumberOfErrors; }
+  /// Of those that no object signs, by vtkGenericWarningMacro().
+  static int GetNumberOfWarningsOfNobody() { return NumberOfWarningsOfNobody; }
 
   void DisplayErrorText(const char* text) override;
   void DisplayWarningText(const char* text) override;
@@ -44,6 +46,7 @@ public:
 
 private:
   static int NumberOfErrors;
+  static int NumberOfWarningsOfNobody;
 };
 
 } // namespace tetmarch

@@ -162,11 +162,15 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
       [](CommandLine& c, const std::string& v) { c.Cuts.CropRegions = ParseCropRegions(v); } },
     { "--diffuse",
       [](CommandLine& c, const std::string& v) { LightOf(c).Diffuse = ParseWithin(v, "0", "1"); } },
+    { "--dimensions",
+      [](CommandLine& c, const std::string& v) { c.Raw.Dimensions = ParseDimensions(v); } },
     { "--error",
       [](CommandLine& c, const std::string& v) { c.Error = ParseWithin(v, "1e-6", "1"); } },
     { "--frame-time",
       [](CommandLine& c, const std::string& v) { c.FrameTime = ParsePositive(v); } },
     { "--frames", [](CommandLine& c, const std::string& v) { c.Frames = ParseCount(v); } },
+    { "--interpolation", [](CommandLine& c, const std::string& v)
+      { c.Nearest = ParseChoice(v, "nearest", "linear"); } },
     { "--isovalues",
       [](CommandLine& c, const std::string& v)
       {
@@ -194,6 +198,7 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
     { "--shadows",
       [](CommandLine& c, const std::string& v) { LightOf(c).ShadowMethod = ParseShadows(v); } },
     { "--size", [](CommandLine& c, const std::string& v) { c.Size = ParseSize(v); } },
+    { "--spacing", [](CommandLine& c, const std::string& v) { c.Raw.Spacing = ParseSpacing(v); } },
     { "--specular", [](CommandLine& c, const std::string& v)
       { LightOf(c).Specular = ParseWithin(v, "0", "1"); } },
     { "--specular-power",
@@ -203,6 +208,7 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
     { "--surface", [](CommandLine& c, const std::string& v) { c.Surfaces.push_back(v); } },
     { "--tolerance",
       [](CommandLine& c, const std::string& v) { c.Tolerance = ParseWithin(v, "1e-6", "1"); } },
+    { "--type", [](CommandLine& c, const std::string& v) { c.Raw.Type = ParseType(v); } },
     { "--unit-distance",
       [](CommandLine& c, const std::string& v) { c.UnitDistance = ParsePositive(v); } },
     { "--view", [](CommandLine& c, const std::string& v) { c.ViewMode = ParseView(v); } },

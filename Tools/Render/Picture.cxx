@@ -9,6 +9,7 @@
 #include "OffscreenWindow.h"
 #include "ProgressBar.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
 #include "vtkAutoInit.h"
 #include "vtkCamera.h"
@@ -17,72 +18,90 @@
 #include "vtkPNGWriter.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkTetMarchFrameStatistics.h"
+#include "vtkTetMarchSettings.h"
 #include "vtkTimerLog.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 #include "vtkWindowToImageFilter.h"
 
-#include <algorithm>
 #include <filesystem>
 
 // The text of the legend.
 VTK_MODULE_INIT(vtkRenderingFreeType);
 
+namespace
+{
+using namespace tetmarch;
+
+bool ShowsMeasure(int viewMode)
+{
+  return viewMode == vtkTetMarchSettings::VIEW_ERROR_BOUND ||
+         viewMode == vtkTetMarchSettings::VIEW_CELLS ||
+         viewMode == vtkTetMarchSettings::VIEW_LOOKUPS;
+}
+
+bool ShowsBoundary(int viewMode)
+{
+  return viewMode == vtkTetMarchSettings::VIEW_BOUNDARY_FACES ||
+         viewMode == vtkTetMarchSettings::VIEW_BOUNDARY_COORDINATES;
+}
+
+/// What a picture of several blocks has not, that are drawn one over the other; else nullptr.
+const char* FindOptionOfOneBlock(const CommandLine& commandLine)
+{
+  const int blend = commandLine.BlendMode;
+  return commandLine.Pixel                    ? "--pixel"
+         : commandLine.Compare                ? "--compare"
+         : ShowsMeasure(commandLine.ViewMode) ? "--view error, cells or lookups"
+         : blend != vtkVolumeMapper::COMPOSITE_BLEND && blend != vtkVolumeMapper::ISOSURFACE_BLEND
+           ? "--blend other than composite or isosurface"
+           : nullptr;
+}
+
+void CheckOptions(const VolumeData& data, const CommandLine& commandLine)
+{
+  const std::string input = "'" + commandLine.Input + "'";
+  if (!data.Structured && commandLine.Nearest)
+  {
+    throw Failure("--interpolation is for images and rectilinear grids, but " + input +
+                  " is drawn as an unstructured grid");
+  }
+  if (data.Structured && ShowsBoundary(commandLine.ViewMode))
+  {
+    throw Failure("--view faces and --view coordinates show the boundary of an unstructured grid, "
+                  "but " +
+                  input + " has images or rectilinear grids");
+  }
+  const char* ofOne = FindOptionOfOneBlock(commandLine);
+  if (data.Structured && data.Blocks.size() > 1 && ofOne)
+  {
+    throw Failure(std::string(ofOne) + " is for one image or rectilinear grid, but " + input +
+                  " has " + std::to_string(data.Blocks.size()) +
+                  ", which are drawn one over the other");
+  }
+}
+} // namespace
+
 namespace tetmarch
 {
 
-Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
+Picture::Picture(const VolumeData& data, const ArraySelection& selection,
   const TransferFunctions& functions, double unitDistance, const CommandLine& commandLine)
+  : Mapper(MakeMapper(data.Structured))
 {
+  CheckOptions(data, commandLine);
   std::string error;
   this->Window = MakeOffscreenWindow(commandLine.Size[0], commandLine.Size[1], &error);
   if (!this->Window)
   {
     throw Failure("no offscreen OpenGL: " + error);
   }
-
-  this->Mapper->SetInputData(grid);
-  this->Mapper->SetScalarMode(selection.Where == Association::POINTS
-                                ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
-                                : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
-  this->Mapper->SelectScalarArray(selection.Array->GetName());
-  this->Mapper->SetVectorMode(selection.Component < 0 ? vtkTetMarchVolumeMapper::MAGNITUDE
-                                                      : vtkTetMarchVolumeMapper::COMPONENT);
-  this->Mapper->SetVectorComponent(std::max(selection.Component, 0));
-  this->Mapper->SetOpacityLaw(commandLine.StructuredOpacityLaw
-                                ? vtkTetMarchVolumeMapper::STRUCTURED
-                                : vtkTetMarchVolumeMapper::UNSTRUCTURED);
-  this->Mapper->SetAccuracyLevel(commandLine.AccuracyLevel);
-  if (commandLine.Tolerance)
-  {
-    this->Mapper->SetErrorTolerance(*commandLine.Tolerance);
-  }
-  this->Mapper->SetFrameTimeBudget(commandLine.FrameTime);
-  this->Mapper->SetErrorBudget(commandLine.Error);
-  this->Mapper->SetBlendMode(commandLine.BlendMode);
-  this->Mapper->SetViewMode(commandLine.ViewMode);
-  SetUpCuts(commandLine.Cuts, this->Mapper);
-  this->Legend->SetMapper(this->Mapper);
-
-  this->Volume->SetMapper(this->Mapper);
-  this->Volume->GetProperty()->SetColor(functions.Color);
-  this->Volume->GetProperty()->SetScalarOpacity(functions.Opacity);
-  this->Volume->GetProperty()->SetScalarOpacityUnitDistance(unitDistance);
-  this->Volume->GetProperty()->SetInterpolationTypeToLinear();
-  vtkContourValues* surfaces = this->Volume->GetProperty()->GetIsoSurfaceValues();
-  surfaces->SetNumberOfContours(static_cast<int>(commandLine.IsoValues.size()));
-  for (std::size_t i = 0; i < commandLine.IsoValues.size(); ++i)
-  {
-    surfaces->SetValue(static_cast<int>(i), commandLine.IsoValues[i]);
-  }
-
-  if (!commandLine.NanColor.empty())
-  {
-    const std::vector<double>& rgba = commandLine.NanColor;
-    functions.Color->SetNanColorRGBA(rgba[0], rgba[1], rgba[2], rgba[3]);
-    this->Mapper->DrawNanCellsOn();
-  }
+  this->SetUpMapper(data, selection, commandLine);
+  this->Volume->SetMapper(this->Mapper->GetMapper());
+  this->SetUpProperty(functions, unitDistance, commandLine);
+  this->Legend->SetMapper(this->Mapper->GetMapper());
 
   const auto& background = commandLine.Background;
   this->Renderer->SetBackground(background[0], background[1], background[2]);
@@ -93,8 +112,57 @@ Picture::Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
     this->AddSurface(path);
   }
   this->Window->AddRenderer(this->Renderer);
-  SetUpLight(commandLine.Light, this->Renderer, this->Volume->GetProperty(), this->Mapper);
+  SetUpLight(
+    commandLine.Light, this->Renderer, this->Volume->GetProperty(), this->Mapper->GetSettings());
   this->PlaceCamera(commandLine);
+}
+
+void Picture::SetUpMapper(
+  const VolumeData& data, const ArraySelection& selection, const CommandLine& commandLine)
+{
+  this->Mapper->SetInput(data.Input);
+  this->Mapper->SetComponent(selection.Component);
+  this->Mapper->SetBlendMode(commandLine.BlendMode);
+  SetUpCuts(commandLine.Cuts, *this->Mapper);
+
+  vtkAbstractVolumeMapper* mapper = this->Mapper->GetMapper();
+  mapper->SetScalarMode(selection.Where == Association::POINTS
+                          ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
+                          : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
+  mapper->SelectScalarArray(selection.Array->GetName());
+
+  vtkTetMarchSettings* settings = this->Mapper->GetSettings();
+  settings->SetOpacityLaw(commandLine.StructuredOpacityLaw.value_or(data.Structured)
+                            ? vtkTetMarchSettings::STRUCTURED
+                            : vtkTetMarchSettings::UNSTRUCTURED);
+  settings->SetAccuracyLevel(commandLine.AccuracyLevel);
+  settings->SetErrorTolerance(commandLine.Tolerance.value_or(settings->GetErrorTolerance()));
+  settings->SetFrameTimeBudget(commandLine.FrameTime);
+  settings->SetErrorBudget(commandLine.Error);
+  settings->SetViewMode(commandLine.ViewMode);
+  settings->SetDrawNanCells(!commandLine.NanColor.empty());
+}
+
+void Picture::SetUpProperty(
+  const TransferFunctions& functions, double unitDistance, const CommandLine& commandLine)
+{
+  if (!commandLine.NanColor.empty())
+  {
+    const std::vector<double>& rgba = commandLine.NanColor;
+    functions.Color->SetNanColorRGBA(rgba[0], rgba[1], rgba[2], rgba[3]);
+  }
+  vtkVolumeProperty* property = this->Volume->GetProperty();
+  property->SetColor(functions.Color);
+  property->SetScalarOpacity(functions.Opacity);
+  property->SetScalarOpacityUnitDistance(unitDistance);
+  property->SetInterpolationType(
+    commandLine.Nearest.value_or(false) ? VTK_NEAREST_INTERPOLATION : VTK_LINEAR_INTERPOLATION);
+  vtkContourValues* surfaces = property->GetIsoSurfaceValues();
+  surfaces->SetNumberOfContours(static_cast<int>(commandLine.IsoValues.size()));
+  for (std::size_t i = 0; i < commandLine.IsoValues.size(); ++i)
+  {
+    surfaces->SetValue(static_cast<int>(i), commandLine.IsoValues[i]);
+  }
 }
 
 void Picture::AddSurface(const std::string& path)
@@ -122,7 +190,7 @@ void Picture::PlaceCamera(const CommandLine& commandLine)
   else
   {
     const double aspect = static_cast<double>(commandLine.Size[0]) / commandLine.Size[1];
-    PlaceDefaultCamera(camera, this->Mapper->GetBounds(), aspect);
+    PlaceDefaultCamera(camera, this->Mapper->GetMapper()->GetBounds(), aspect);
   }
   if (commandLine.ParallelScale)
   {
@@ -137,7 +205,7 @@ double Picture::Render()
   const int errorsBefore = Messages::GetNumberOfErrors();
   const double begin = vtkTimerLog::GetUniversalTime();
   {
-    ProgressBar progress("rendering", this->Mapper);
+    ProgressBar progress("rendering", this->Mapper->GetMapper());
     this->Window->Render();
     this->Window->WaitForCompletion();
   }
@@ -153,18 +221,18 @@ void Picture::Settle()
 {
   constexpr int longEnough = 12; // a better level is tried sooner
   constexpr int most = 200;
-  double tolerance = this->Mapper->GetUsedErrorTolerance();
+  double tolerance = this->Mapper->GetStatistics()->GetUsedErrorTolerance();
   for (int same = 0, i = 0; same < longEnough && i < most; ++i)
   {
     this->Render();
-    same = this->Mapper->GetUsedErrorTolerance() == tolerance ? same + 1 : 0;
-    tolerance = this->Mapper->GetUsedErrorTolerance();
+    same = this->Mapper->GetStatistics()->GetUsedErrorTolerance() == tolerance ? same + 1 : 0;
+    tolerance = this->Mapper->GetStatistics()->GetUsedErrorTolerance();
   }
 }
 
 void Picture::Compare()
 {
-  this->Mapper->CollectDiagnosticsOn();
+  this->Mapper->GetSettings()->CollectDiagnosticsOn();
   this->Render();
   if (!this->Mapper->CompareWithGroundTruth(this->Volume))
   {
@@ -174,7 +242,7 @@ void Picture::Compare()
 
 void Picture::Trace(const std::array<int, 2>& pixel, PixelTrace& trace)
 {
-  this->Mapper->CollectDiagnosticsOn();
+  this->Mapper->GetSettings()->CollectDiagnosticsOn();
   this->Render();
   const int* size = this->Window->GetSize();
   const int x = pixel[0];
@@ -187,9 +255,8 @@ void Picture::Trace(const std::array<int, 2>& pixel, PixelTrace& trace)
   }
   drawn->GetTuple(vtkIdType(y) * size[0] + x, trace.Drawn.data());
   for (const auto& [arithmetic, cells] :
-    { std::pair<int, vtkTable*>{ vtkTetMarchVolumeMapper::TRACE_FLOAT, trace.Float },
-      { vtkTetMarchVolumeMapper::TRACE_DOUBLE, trace.Double },
-      { vtkTetMarchVolumeMapper::TRACE_GROUND_TRUTH, trace.GroundTruth } })
+    { std::pair<TraceIn, vtkTable*>{ TraceIn::FLOAT, trace.Float },
+      { TraceIn::DOUBLE, trace.Double }, { TraceIn::GROUND_TRUTH, trace.GroundTruth } })
   {
     if (!this->Mapper->TraceRay(this->Volume, x, y, arithmetic, cells))
     {

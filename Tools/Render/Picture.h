@@ -7,19 +7,20 @@
 #ifndef tetmarch_Picture_h
 #define tetmarch_Picture_h
 
+#include "AnyMapper.h"
 #include "ArraySelection.h"
 #include "CommandLine.h"
 #include "PixelTrace.h"
 #include "TransferFunctions.h"
+#include "VolumeData.h"
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTetMarchLegend.h"
-#include "vtkTetMarchVolumeMapper.h"
 #include "vtkVolume.h"
 
-class vtkUnstructuredGrid;
+#include <memory>
 
 namespace tetmarch
 {
@@ -27,8 +28,9 @@ namespace tetmarch
 class Picture
 {
 public:
-  /// Throws Failure if no GL can be had or a surface can't be read.
-  Picture(vtkUnstructuredGrid* grid, const ArraySelection& selection,
+  /// Throws Failure if no GL can be had, a surface can't be read, or the command line asks for what
+  /// is not to be had of such data.
+  Picture(const VolumeData& data, const ArraySelection& selection,
     const TransferFunctions& functions, double unitDistance, const CommandLine& commandLine);
 
   /// Draws and waits until it is drawn; seconds. Throws Failure if VTK reported an error.
@@ -48,15 +50,19 @@ public:
   void Write(const std::string& path);
 
   vtkRenderWindow* GetWindow() { return this->Window; }
-  vtkTetMarchVolumeMapper* GetMapper() { return this->Mapper; }
+  AnyMapper& GetMapper() { return *this->Mapper; }
 
 private:
+  void SetUpMapper(
+    const VolumeData& data, const ArraySelection& selection, const CommandLine& commandLine);
+  void SetUpProperty(
+    const TransferFunctions& functions, double unitDistance, const CommandLine& commandLine);
   void AddSurface(const std::string& path);
   void PlaceCamera(const CommandLine& commandLine);
 
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkTetMarchVolumeMapper> Mapper;
+  std::unique_ptr<AnyMapper> Mapper;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkTetMarchLegend> Legend;
 };

@@ -3,7 +3,7 @@
 // The ray of one pixel as JSON.
 #include "PixelTrace.h"
 
-#include "vtkTetMarchVolumeMapper.h"
+#include "vtkTetMarchFrameStatistics.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -29,13 +29,13 @@ Json DescribeTuple(vtkDataArray* array, vtkIdType tuple)
   return numbers.size() == 1 ? numbers[0] : numbers;
 }
 
-Json DescribeCells(vtkTable* cells)
+Json DescribeCells(vtkTable* cells, bool structured)
 {
-  constexpr std::pair<const char*, const char*> columns[] = { { "cell", "CellId" },
-    { "block", "Block" }, { "tetrahedron", "Tetrahedron" }, { "enter", "Enter" },
-    { "leave", "Leave" }, { "begin", "Begin" }, { "end", "End" }, { "scalar_enter", "ScalarEnter" },
-    { "scalar_leave", "ScalarLeave" }, { "opacity", "Opacity" }, { "lookups", "Lookups" },
-    { "color", "Color" }, { "error_bound", "ErrorBound" } };
+  const std::pair<const char*, const char*> columns[] = { { "cell", "CellId" },
+    { "block", "Block" }, { structured ? "lattice_cell" : "tetrahedron", "Tetrahedron" },
+    { "enter", "Enter" }, { "leave", "Leave" }, { "begin", "Begin" }, { "end", "End" },
+    { "scalar_enter", "ScalarEnter" }, { "scalar_leave", "ScalarLeave" }, { "opacity", "Opacity" },
+    { "lookups", "Lookups" }, { "color", "Color" }, { "error_bound", "ErrorBound" } };
   Json json = Json::array();
   for (vtkIdType row = 0; row < cells->GetNumberOfRows(); ++row)
   {
@@ -51,7 +51,7 @@ Json DescribeCells(vtkTable* cells)
   return json;
 }
 
-Json DescribeRay(vtkTable* cells)
+Json DescribeRay(vtkTable* cells, bool structured)
 {
   constexpr std::pair<const char*, const char*> facts[] = { { "color", "Color" },
     { "error_bound", "ErrorBound" }, { "lookups", "Lookups" },
@@ -63,7 +63,7 @@ Json DescribeRay(vtkTable* cells)
     json[key] = DescribeTuple(cells->GetFieldData()->GetArray(name), 0);
   }
   json["opaque"] = GetRayValue(cells, "Opaque") != 0.0;
-  json["cells"] = DescribeCells(cells);
+  json["cells"] = DescribeCells(cells, structured);
   return json;
 }
 
@@ -79,7 +79,7 @@ Json DescribeDifference(const std::array<double, 4>& a, const std::array<double,
 } // namespace
 
 std::string FormatPixelJson(const CommandLine& commandLine, const ArraySelection& selection,
-  vtkTetMarchVolumeMapper* mapper, const PixelTrace& trace)
+  vtkTetMarchFrameStatistics* statistics, const PixelTrace& trace)
 {
   const auto inFloat = GetRayColor(trace.Float), inDouble = GetRayColor(trace.Double);
   const auto fact = [&trace](const char* name)
@@ -89,14 +89,14 @@ std::string FormatPixelJson(const CommandLine& commandLine, const ArraySelection
   json["pixel"] = *commandLine.Pixel;
   json["size"] = commandLine.Size;
   json["array"] = selection.Array->GetName();
-  json["accuracy"] = { { "level", mapper->GetUsedAccuracyLevelAsString() },
-    { "tolerance", mapper->GetUsedErrorTolerance() } };
+  json["accuracy"] = { { "level", statistics->GetUsedAccuracyLevelAsString() },
+    { "tolerance", statistics->GetUsedErrorTolerance() } };
   json["ray"] = { { "origin", fact("Origin") }, { "direction", fact("Direction") },
     { "range", fact("Range") }, { "thickness_per_length", fact("ThicknessPerLength") } };
   json["picture"] = { { "color", trace.Drawn } };
-  json["float"] = DescribeRay(trace.Float);
-  json["double"] = DescribeRay(trace.Double);
-  json["ground_truth"] = DescribeRay(trace.GroundTruth);
+  json["float"] = DescribeRay(trace.Float, trace.Structured);
+  json["double"] = DescribeRay(trace.Double, trace.Structured);
+  json["ground_truth"] = DescribeRay(trace.GroundTruth, trace.Structured);
   json["differences"] = { { "picture_float", DescribeDifference(trace.Drawn, inFloat) },
     { "float_double", DescribeDifference(inFloat, inDouble) },
     { "double_ground_truth", DescribeDifference(inDouble, GetRayColor(trace.GroundTruth)) } };

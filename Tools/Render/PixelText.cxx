@@ -5,7 +5,7 @@
 
 #include "TextTable.h"
 
-#include "vtkTetMarchVolumeMapper.h"
+#include "vtkTetMarchFrameStatistics.h"
 
 #include "vtkDataArray.h"
 
@@ -48,12 +48,12 @@ void AppendColor(Row& row, const std::array<double, 4>& color)
   }
 }
 
-std::string DescribeCell(vtkTable* cells, vtkIdType row)
+std::string DescribeCell(vtkTable* cells, vtkIdType row, bool structured)
 {
   std::vector<std::string> notes;
   if (GetCellValue(cells, "EntersMesh", row) != 0.0)
   {
-    notes.push_back("enters the mesh");
+    notes.push_back(structured ? "enters the grid" : "enters the mesh");
   }
   const std::string outcome = cells->GetValueByName(row, "Outcome").ToString();
   const bool hasPart = outcome != "empty" && outcome != "out of range";
@@ -82,10 +82,11 @@ bool HasBlocks(vtkTable* cells)
   return cells->GetNumberOfRows() > 0 && GetCellValue(cells, "Block", 0) != 0.0;
 }
 
-std::string FormatCells(vtkTable* cells)
+std::string FormatCells(vtkTable* cells, bool structured)
 {
-  std::vector<Row> rows{ { "row", "cell", "tet", "enter", "leave", "scalar in", "scalar out",
-    "opacity", "red", "green", "blue", "alpha", "bound", "lookups", "note" } };
+  std::vector<Row> rows{ { "row", "cell", structured ? "lattice" : "tet", "enter", "leave",
+    "scalar in", "scalar out", "opacity", "red", "green", "blue", "alpha", "bound", "lookups",
+    "note" } };
   const bool blocks = HasBlocks(cells);
   if (blocks)
   {
@@ -107,27 +108,29 @@ std::string FormatCells(vtkTable* cells)
                             FormatScalars(cells, "ScalarLeave", i), value("Opacity", 4) });
     AppendColor(row, { { GetCellValue(cells, "Color", i, 0), GetCellValue(cells, "Color", i, 1),
                        GetCellValue(cells, "Color", i, 2), GetCellValue(cells, "Color", i, 3) } });
-    row.insert(row.end(), { value("ErrorBound", 3), integer("Lookups"), DescribeCell(cells, i) });
+    row.insert(row.end(),
+      { value("ErrorBound", 3), integer("Lookups"), DescribeCell(cells, i, structured) });
     rows.push_back(row);
   }
   return FormatTable(rows);
 }
 
-std::string FormatRay(const char* title, vtkTable* cells)
+std::string FormatRay(const char* title, vtkTable* cells, bool structured)
 {
   std::ostringstream text;
   text << "\n" << title << ": ";
   if (cells->GetNumberOfRows() == 0)
   {
-    text << "the ray passes no tetrahedron.\n";
+    text << (structured ? "the ray passes no cell.\n" : "the ray passes no tetrahedron.\n");
     return text.str();
   }
-  text << "the ray passes " << cells->GetNumberOfRows() << " tetrahedra"
+  text << "the ray passes " << cells->GetNumberOfRows() << (structured ? " cells" : " tetrahedra")
        << (GetRayValue(cells, "Opaque") != 0.0 ? " and ends there, opaque" : "") << ".\n"
-       << FormatCells(cells);
+       << FormatCells(cells, structured);
   for (const auto& [name, what] :
     { std::pair<const char*, const char*>{ "RefusedEntries", "boundary faces refused the ray" },
-      { "LostRays", "tetrahedra had no exit" }, { "GuardHits", "times the step guard ended it" } })
+      { "LostRays", structured ? "cells had no exit" : "tetrahedra had no exit" },
+      { "GuardHits", "times the step guard ended it" } })
   {
     if (GetRayValue(cells, name) != 0.0)
     {
@@ -165,7 +168,8 @@ std::string FormatTotals(const PixelTrace& trace)
   AppendColor(drawn, trace.Drawn);
   drawn.insert(drawn.end(), { "", "", "", "" });
   const auto inFloat = GetRayColor(trace.Float);
-  return FormatTable({ { "", "red", "green", "blue", "alpha", "bound", "tets", "lookups", "" },
+  return FormatTable({ { "", "red", "green", "blue", "alpha", "bound",
+                         trace.Structured ? "cells" : "tets", "lookups", "" },
     drawn, FormatTotal("float", trace.Float), FormatTotal("double", trace.Double),
     FormatTotal("ground truth", trace.GroundTruth),
     FormatDifference("picture - float", trace.Drawn, inFloat),
@@ -177,14 +181,15 @@ std::string FormatTotals(const PixelTrace& trace)
 std::string FormatParting(const PixelTrace& trace)
 {
   const vtkIdType row = FindParting(trace.Float, trace.Double);
-  return row < 0 ? "In float and in double the ray passes the same tetrahedra.\n"
-                 : "In float and in double the ray passes different tetrahedra from row " +
+  const std::string cells = trace.Structured ? "cells" : "tetrahedra";
+  return row < 0 ? "In float and in double the ray passes the same " + cells + ".\n"
+                 : "In float and in double the ray passes different " + cells + " from row " +
                      std::to_string(row) + " on.\n";
 }
 } // namespace
 
 std::string FormatPixelText(const CommandLine& commandLine, const ArraySelection& selection,
-  vtkTetMarchVolumeMapper* mapper, const PixelTrace& trace)
+  vtkTetMarchFrameStatistics* statistics, const PixelTrace& trace)
 {
   const auto [x, y] = *commandLine.Pixel;
   vtkTable* ray = trace.Double;
@@ -202,14 +207,14 @@ std::string FormatPixelText(const CommandLine& commandLine, const ArraySelection
        << ", counted from the upper left (" << x << "," << commandLine.Size[1] - 1 - y
        << " from the lower left).\n"
        << "Array " << selection.Array->GetName() << ", accuracy "
-       << mapper->GetUsedAccuracyLevelAsString() << ", tolerance "
-       << FormatNumber(mapper->GetUsedErrorTolerance(), Digits) << ".\n"
+       << statistics->GetUsedAccuracyLevelAsString() << ", tolerance "
+       << FormatNumber(statistics->GetUsedErrorTolerance(), Digits) << ".\n"
        << "The ray starts on the near plane, in (" << list("Origin", 3) << "), towards ("
        << list("Direction", 3) << ").\n"
        << "Lengths are counted from there. It gathers from " << list("Range", 1) << " to "
        << FormatNumber(GetRayValue(ray, "Range", 1), Digits) << ".\n"
-       << FormatRay("In float, as on the GPU", trace.Float) << FormatRay("In double", trace.Double)
-       << "\n"
+       << FormatRay("In float, as on the GPU", trace.Float, trace.Structured)
+       << FormatRay("In double", trace.Double, trace.Structured) << "\n"
        << FormatTotals(trace) << FormatParting(trace);
   return text.str();
 }

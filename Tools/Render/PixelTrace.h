@@ -16,15 +16,16 @@
 #include <array>
 #include <string>
 
-class vtkTetMarchVolumeMapper;
+class vtkTetMarchFrameStatistics;
 
 namespace tetmarch
 {
 
 struct PixelTrace
 {
+  bool Structured = false;       // cells are those of an image, else tetrahedra
   std::array<double, 4> Drawn{}; // by the GPU: premultiplied red, green, blue, opacity
-  vtkNew<vtkTable> Float;        // by vtkTetMarchVolumeMapper::TraceRay()
+  vtkNew<vtkTable> Float;        // by TraceRay() of the mapper
   vtkNew<vtkTable> Double;
   vtkNew<vtkTable> GroundTruth;
 };
@@ -35,14 +36,14 @@ double GetCellValue(vtkTable* cells, const char* column, vtkIdType row, int comp
 double GetRayValue(vtkTable* cells, const char* name, int component = 0);
 std::array<double, 4> GetRayColor(vtkTable* cells);
 
-/// The first row in which two rays pass different tetrahedra, or -1 if there is none.
+/// The first row in which two rays pass different cells or tetrahedra, or -1 if there is none.
 vtkIdType FindParting(vtkTable* a, vtkTable* b);
 
 std::string FormatPixelText(const CommandLine& commandLine, const ArraySelection& selection,
-  vtkTetMarchVolumeMapper* mapper, const PixelTrace& trace);
+  vtkTetMarchFrameStatistics* statistics, const PixelTrace& trace);
 
 std::string FormatPixelJson(const CommandLine& commandLine, const ArraySelection& selection,
-  vtkTetMarchVolumeMapper* mapper, const PixelTrace& trace);
+  vtkTetMarchFrameStatistics* statistics, const PixelTrace& trace);
 
 } // namespace tetmarch
 

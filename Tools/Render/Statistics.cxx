@@ -6,9 +6,8 @@
 #include "Mesh/GridVersions.h"
 #include "OffscreenWindow.h"
 
+#include "vtkCellType.h"
 #include "vtkTetMarchFrameStatistics.h"
-#include "vtkTetMarchVolumeMapper.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkVersion.h"
 
 #include <nlohmann/json.hpp>
@@ -19,14 +18,53 @@
 
 namespace
 {
-std::map<std::string, vtkIdType> CountCells(vtkUnstructuredGrid* grid)
+using tetmarch::VolumeData;
+
+std::map<std::string, vtkIdType> CountCells(const VolumeData& data)
 {
   std::map<std::string, vtkIdType> counts;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  for (vtkDataSet* block : data.Blocks)
   {
-    ++counts[tetmarch::nameOfCellType(grid->GetCellType(cell))];
+    if (data.Structured)
+    {
+      counts[tetmarch::nameOfCellType(VTK_VOXEL)] += block->GetNumberOfCells();
+      continue;
+    }
+    for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell)
+    {
+      ++counts[tetmarch::nameOfCellType(block->GetCellType(cell))];
+    }
   }
   return counts;
+}
+
+vtkIdType CountPoints(const VolumeData& data)
+{
+  vtkIdType count = 0;
+  for (vtkDataSet* block : data.Blocks)
+  {
+    count += block->GetNumberOfPoints();
+  }
+  return count;
+}
+
+/// What rays march through.
+void AddSizes(
+  nlohmann::ordered_json& json, const VolumeData& data, vtkTetMarchFrameStatistics* statistics)
+{
+  json["cells"] = CountCells(data);
+  json["points"] = CountPoints(data);
+  if (data.Structured)
+  {
+    json["blocks"] = data.Blocks.size();
+    json["lattice_cells"] = statistics->GetNumberOfLatticeCells();
+  }
+  else
+  {
+    json["tetrahedra"] = statistics->GetNumberOfTetrahedra();
+    json["boundary_faces"] = statistics->GetNumberOfBoundaryFaces();
+  }
+  json["gpu_bytes"] = statistics->GetGPUMemoryBytes();
 }
 } // namespace
 
@@ -61,12 +99,10 @@ nlohmann::ordered_json DescribePixels(vtkTetMarchFrameStatistics* statistics)
   return json;
 }
 
-std::string FormatStatistics(const CommandLine& commandLine, vtkUnstructuredGrid* grid,
-  const ArraySelection& selection, double unitDistance, vtkTetMarchVolumeMapper* mapper,
+std::string FormatStatistics(const CommandLine& commandLine, const VolumeData& data,
+  const ArraySelection& selection, double unitDistance, vtkTetMarchFrameStatistics* statistics,
   vtkRenderWindow* window, const Timing& timing)
 {
-  double range[2];
-  selection.Array->GetRange(range, selection.Component);
   const GLInformation gl = GetGLInformation(window);
   nlohmann::ordered_json json;
   json["input"] = commandLine.Input;
@@ -77,34 +113,31 @@ std::string FormatStatistics(const CommandLine& commandLine, vtkUnstructuredGrid
     { "components", selection.Array->GetNumberOfComponents() },
     { "component",
       selection.Component < 0 ? nlohmann::json("magnitude") : nlohmann::json(selection.Component) },
-    { "range", { range[0], range[1] } } };
+    { "range", GetRange(data.Blocks, selection) } };
   json["unit_distance"] = unitDistance;
-  json["cells"] = CountCells(grid);
-  json["points"] = grid->GetNumberOfPoints();
-  json["tetrahedra"] = mapper->GetNumberOfTetrahedra();
-  json["boundary_faces"] = mapper->GetNumberOfBoundaryFaces();
-  json["gpu_bytes"] = mapper->GetGPUMemoryBytes();
-  json["seconds"] = { { "read", timing.Read }, { "mesh", mapper->GetMeshSeconds() },
-    { "scalars", mapper->GetScalarsSeconds() }, { "tables", mapper->GetTablesSeconds() },
-    { "upload", mapper->GetUploadSeconds() }, { "first_frame", timing.FirstFrame } };
+  AddSizes(json, data, statistics);
+  json["seconds"] = { { "read", timing.Read },
+    { data.Structured ? "lattice" : "mesh", statistics->GetMeshSeconds() },
+    { "scalars", statistics->GetScalarsSeconds() }, { "tables", statistics->GetTablesSeconds() },
+    { "upload", statistics->GetUploadSeconds() }, { "first_frame", timing.FirstFrame } };
   if (commandLine.Light.Shade)
   {
-    json["seconds"]["gradients"] = mapper->GetGradientsSeconds();
-    json["seconds"]["opaque_shadows"] = mapper->GetOpaqueShadowsSeconds();
-    json["seconds"]["vertex_light"] = mapper->GetVertexLightSeconds();
+    json["seconds"]["gradients"] = statistics->GetGradientsSeconds();
+    json["seconds"]["opaque_shadows"] = statistics->GetOpaqueShadowsSeconds();
+    json["seconds"]["vertex_light"] = statistics->GetVertexLightSeconds();
   }
   json["frames"] = { { "count", timing.Frames.size() },
     { "median_seconds", GetMedian(timing.Frames) }, { "seconds", timing.Frames } };
-  json["accuracy"] = { { "level", mapper->GetUsedAccuracyLevelAsString() },
-    { "tolerance", mapper->GetUsedErrorTolerance() } };
+  json["accuracy"] = { { "level", statistics->GetUsedAccuracyLevelAsString() },
+    { "tolerance", statistics->GetUsedErrorTolerance() } };
   if (commandLine.FrameTime > 0.0 || commandLine.Error > 0.0)
   {
     json["budget"] = { { "frame_time", commandLine.FrameTime }, { "error", commandLine.Error },
-      { "kept", mapper->IsBudgetKept() } };
+      { "kept", statistics->GetBudgetKept() } };
   }
   if (commandLine.Compare)
   {
-    json["pixels"] = DescribePixels(mapper->GetLastFrameStatistics());
+    json["pixels"] = DescribePixels(statistics);
   }
   json["gl"] = { { "backend", gl.Backend }, { "vendor", gl.Vendor }, { "renderer", gl.Renderer },
     { "version", gl.Version } };

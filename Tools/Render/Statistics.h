@@ -9,14 +9,13 @@
 
 #include "ArraySelection.h"
 #include "CommandLine.h"
-#include "TransferFunctions.h"
+#include "VolumeData.h"
 
 #include <string>
 #include <vector>
 
 class vtkRenderWindow;
-class vtkTetMarchVolumeMapper;
-class vtkUnstructuredGrid;
+class vtkTetMarchFrameStatistics;
 
 namespace tetmarch
 {
@@ -34,8 +33,8 @@ double GetMedian(std::vector<double> values);
 /**
  * The JSON text.
  */
-std::string FormatStatistics(const CommandLine& commandLine, vtkUnstructuredGrid* grid,
-  const ArraySelection& selection, double unitDistance, vtkTetMarchVolumeMapper* mapper,
+std::string FormatStatistics(const CommandLine& commandLine, const VolumeData& data,
+  const ArraySelection& selection, double unitDistance, vtkTetMarchFrameStatistics* statistics,
   vtkRenderWindow* window, const Timing& timing);
 
 /// Throws Failure if the file can't be written.

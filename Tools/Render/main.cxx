@@ -12,7 +12,6 @@
 #include "TransferFunctionPreset.h"
 
 #include "vtkTimerLog.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkVersion.h"
 
 #include <cstdio>
@@ -21,15 +20,17 @@ namespace
 {
 using namespace tetmarch;
 
-void ShowPixel(Picture& picture, const ArraySelection& selection, const CommandLine& commandLine)
+void ShowPixel(Picture& picture, const VolumeData& data, const ArraySelection& selection,
+  const CommandLine& commandLine)
 {
   PixelTrace trace;
+  trace.Structured = data.Structured;
   picture.Trace(*commandLine.Pixel, trace);
-  std::fputs(FormatPixelText(commandLine, selection, picture.GetMapper(), trace).c_str(), stdout);
+  vtkTetMarchFrameStatistics* statistics = picture.GetMapper().GetStatistics();
+  std::fputs(FormatPixelText(commandLine, selection, statistics, trace).c_str(), stdout);
   if (!commandLine.PixelJson.empty())
   {
-    WriteText(
-      commandLine.PixelJson, FormatPixelJson(commandLine, selection, picture.GetMapper(), trace));
+    WriteText(commandLine.PixelJson, FormatPixelJson(commandLine, selection, statistics, trace));
   }
 }
 
@@ -37,21 +38,23 @@ void Run(const CommandLine& commandLine)
 {
   Timing timing;
   const double begin = vtkTimerLog::GetUniversalTime();
-  const auto grid = ReadUnstructuredGrid(commandLine.Input, commandLine.TimeStep);
+  const VolumeData data = ReadVolume(commandLine.Input, commandLine.TimeStep, commandLine.Raw);
   timing.Read = vtkTimerLog::GetUniversalTime() - begin;
 
-  const ArraySelection selection =
-    SelectArray(grid, commandLine.Array, commandLine.ArrayAssociation, commandLine.Component);
-  const std::vector<Sample> samples = TakeSamples(grid, selection);
+  const ArraySelection selection = SelectArray(
+    data.Blocks, commandLine.Array, commandLine.ArrayAssociation, commandLine.Component);
+  const std::vector<Sample> samples = TakeSamples(data.Blocks, selection);
   const TransferFunctions functions =
     commandLine.Preset.empty()
-      ? MakeDefaultTransferFunctions(ComputeStatistics(samples, commandLine.Range))
+      ? MakeDefaultTransferFunctions(ComputeStatistics(
+          samples, commandLine.Range, data.Structured ? DataKind::IMAGE : DataKind::MESH))
       : ReadPreset(commandLine.Preset, commandLine.Range);
-  const double unitDistance = commandLine.UnitDistance
-                                ? *commandLine.UnitDistance
-                                : ChooseUnitDistance(samples, functions.Opacity, grid->GetLength());
+  const double unitDistance =
+    commandLine.UnitDistance ? *commandLine.UnitDistance
+    : data.Structured        ? GetMeanSpacing(data)
+                      : ChooseUnitDistance(samples, functions.Opacity, data.Blocks[0]->GetLength());
 
-  Picture picture(grid, selection, functions, unitDistance, commandLine);
+  Picture picture(data, selection, functions, unitDistance, commandLine);
   timing.FirstFrame = picture.Render();
   if (commandLine.FrameTime > 0.0)
   {
@@ -72,8 +75,9 @@ void Run(const CommandLine& commandLine)
     {
       picture.Compare();
     }
-    WriteText(commandLine.Stats, FormatStatistics(commandLine, grid, selection, unitDistance,
-                                   picture.GetMapper(), picture.GetWindow(), timing));
+    WriteText(
+      commandLine.Stats, FormatStatistics(commandLine, data, selection, unitDistance,
+                           picture.GetMapper().GetStatistics(), picture.GetWindow(), timing));
   }
   else if (commandLine.Frames > 0)
   {
@@ -81,7 +85,7 @@ void Run(const CommandLine& commandLine)
   }
   if (commandLine.Pixel)
   {
-    ShowPixel(picture, selection, commandLine);
+    ShowPixel(picture, data, selection, commandLine);
   }
 }
 } // namespace

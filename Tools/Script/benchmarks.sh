@@ -9,7 +9,7 @@ bench() {
   configure "$BUILD" -DBUILD_TESTING=ON
   [[ "${1:-}" == against ]] || build tetmarch-bench
   case "${1:-}" in
-    accuracy | effects | against) "bench_$1" "${@:2}" ;;
+    accuracy | effects | structured | against) "bench_$1" "${@:2}" ;;
     *) "$BUILD/bin/tetmarch-bench" "$@" ;;
   esac
 }
@@ -29,6 +29,13 @@ bench_effects() {
   "$BUILD/bin/tetmarch-bench" effects --output "$folder/effects.json" --markdown "$folder/effects.md" "$@"
   if [[ -f "$BUILD/against/against.json" ]]; then against=(--against "$BUILD/against/against.json"); fi
   "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/make_effects_page.py" "$folder/effects.json" "$folder" "${against[@]}"
+}
+
+bench_structured() {
+  local folder="$BUILD/structured"
+  mkdir -p "$folder"
+  "$BUILD/bin/tetmarch-bench" structured --output "$folder/structured.json" --markdown "$folder/structured.md" "$@"
+  "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/make_structured_page.py" "$folder/structured.json" "$folder"
 }
 
 # bench_against COMMIT [OPTION]...: the times, then the pictures, whose differences are an error. The other commit is

@@ -54,6 +54,9 @@ public:
   MapperFrame(const MapperFrame&) = delete;
   MapperFrame& operator=(const MapperFrame&) = delete;
 
+  /** Whether it is drawn between translucent surfaces, in parts. */
+  bool isPeeled() const { return this->Hooks.isPeeling(); }
+
   // What is wrong in these two is the pipeline's error().
 
   /** All stages but the last of a pipeline that has begun. Whether there is something to draw. */

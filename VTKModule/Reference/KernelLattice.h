@@ -5,6 +5,8 @@
 const Lattice* Cells = nullptr;
 const StoredValues* Values = nullptr;
 
+const BlockDistances* Empty = nullptr;
+
 Real valueScale = 1;
 Real valueOffset = 0;
 ivec3 latticeCells{ 0, 0, 0 };
@@ -15,6 +17,7 @@ vec3 latticeShift{ 0, 0, 0 };
 vec3 latticeHalfLength{ 0, 0, 0 };
 std::array<Real, 12> latticeMatrix{};
 std::vector<Real> latticePlanes; // those of i, of j, of k
+ivec3 blockCount{ 0, 0, 0 };
 ivec3 lightNodes{ 0, 0, 0 };
 vec3 lightLow{ 0, 0, 0 };
 vec3 perLightStep{ 0, 0, 0 };
@@ -42,6 +45,15 @@ vec3 pointOfNode(uvec3 node) const
   return rowsTimes(lightNodeMatrix, vec3(Real(node.x), Real(node.y), Real(node.z)), Real(1));
 }
 Real fetchPlane(int i) const { return latticePlanes[i]; }
+
+int fetchBlockDistance(int i) const { return Empty->Distances[i]; }
+
+/** For kernels that leap. */
+void useEmptySpace(const BlockDistances& empty)
+{
+  Empty = &empty;
+  blockCount = ivec3(empty.Blocks[0], empty.Blocks[1], empty.Blocks[2]);
+}
 
 Real fetchValue(int i, int j, int k) const
 {
@@ -76,13 +88,12 @@ void useLattice(const Lattice& lattice, const StoredValues& values)
   latticeShift = toReals([](const LatticeAxis& axis) { return axis.Shift; });
   latticeHalfLength = toReals([](const LatticeAxis& axis) { return axis.HalfLength; });
   const auto toReal = [](double value) { return Real(value); };
-  std::transform(lattice.FromNormalized.begin(), lattice.FromNormalized.end(),
-    latticeMatrix.begin(), toReal);
+  std::transform(
+    lattice.FromNormalized.begin(), lattice.FromNormalized.end(), latticeMatrix.begin(), toReal);
   const LightNodes nodes = lightNodesOf(lattice);
   lightNodes = ivec3(nodes.Along[0], nodes.Along[1], nodes.Along[2]);
   lightLow = vec3(Real(nodes.Low[0]), Real(nodes.Low[1]), Real(nodes.Low[2]));
-  perLightStep =
-    vec3(Real(1 / nodes.Step[0]), Real(1 / nodes.Step[1]), Real(1 / nodes.Step[2]));
+  perLightStep = vec3(Real(1 / nodes.Step[0]), Real(1 / nodes.Step[1]), Real(1 / nodes.Step[2]));
   std::transform(
     nodes.ToNormalized.begin(), nodes.ToNormalized.end(), lightNodeMatrix.begin(), toReal);
   latticePlanes.clear();

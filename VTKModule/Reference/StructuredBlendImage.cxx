@@ -14,9 +14,15 @@ template <typename Real>
 ReferenceImage renderIsosurfaces(const ReferenceScene& scene, const AccuracyLevel& level)
 {
   const bool lit = scene.Effects && !scene.Effects->Lights.Sources.empty();
-  return scene.Cells->Constant ? makeImage<IsosurfaceConstantKernel, Real>(scene, level)
-         : lit                 ? makeImage<LitIsosurfaceTrilinearKernel, Real>(scene, level)
-                               : makeImage<IsosurfaceTrilinearKernel, Real>(scene, level);
+  if (scene.Cells->Constant)
+  {
+    return lit ? makeImage<LitIsosurfaceConstantKernel, Real>(scene, level)
+               : makeImage<IsosurfaceConstantKernel, Real>(scene, level);
+  }
+  return !lit ? makeImage<IsosurfaceTrilinearKernel, Real>(scene, level)
+         : scene.Effects->CellGradients
+           ? makeImage<LitIsosurfaceTrilinearGradientKernel, Real>(scene, level)
+           : makeImage<LitIsosurfaceTrilinearKernel, Real>(scene, level);
 }
 
 } // namespace

@@ -74,6 +74,23 @@ struct LitIsosurfaceTrilinearKernel
 };
 
 #define TETMARCH_VARIANT                                                                           \
+  ((TETMARCH_LIT_SURFACE_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |          \
+    TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_CELL_GRADIENTS)
+template <typename Real>
+struct LitIsosurfaceTrilinearGradientKernel
+{
+#include "Reference/KernelBody.h"
+};
+
+#define TETMARCH_VARIANT                                                                           \
+  ((TETMARCH_LIT_SURFACE_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES)
+template <typename Real>
+struct LitIsosurfaceConstantKernel
+{
+#include "Reference/KernelBody.h"
+};
+
+#define TETMARCH_VARIANT                                                                           \
   ((TETMARCH_PICTURE_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |              \
     TETMARCH_WITH_ISOSURFACES | TETMARCH_WITH_POINT_SCALARS)
 template <typename Real>

@@ -1,107 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // An image in blocks looks like the image: blocks are drawn one over the other, back to front.
-#include "ErrorWatch.h"
-#include "SmartScene.h"
+#include "SmartBlocks.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCell.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkContourValues.h"
-#include "vtkDoubleArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationStringKey.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkPointData.h"
-#include "vtkTable.h"
-
-#include <gtest/gtest.h>
 
 namespace
 {
 using namespace tetmarch::testing;
-using Extent = std::array<int, 6>;
-
-constexpr int Cells = 12; // along each edge
-constexpr int Side = 96;
-
-vtkSmartPointer<vtkImageData> whole() { return imageOf(sineField(), unitCube(Cells)); }
-
-// The part of the image within an extent, with its points on the borders.
-vtkSmartPointer<vtkImageData> partOf(vtkImageData* image, const Extent& extent)
-{
-  auto part = vtkSmartPointer<vtkImageData>::New();
-  part->SetOrigin(image->GetOrigin());
-  part->SetSpacing(image->GetSpacing());
-  part->SetExtent(const_cast<int*>(extent.data()));
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("f");
-  vtkDataArray* all = image->GetPointData()->GetArray("f");
-  for (int k = extent[4]; k <= extent[5]; ++k)
-  {
-    for (int j = extent[2]; j <= extent[3]; ++j)
-    {
-      for (int i = extent[0]; i <= extent[1]; ++i)
-      {
-        int ijk[3] = { i, j, k };
-        values->InsertNextValue(all->GetComponent(image->ComputePointId(ijk), 0));
-      }
-    }
-  }
-  part->GetPointData()->SetScalars(values);
-  return part;
-}
-
-// Parts between planes across each axis, all but one in a tree of their own.
-vtkSmartPointer<vtkMultiBlockDataSet> inBlocks(
-  vtkImageData* image, const std::array<std::vector<int>, 3>& planes)
-{
-  auto tree = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  vtkNew<vtkMultiBlockDataSet> others;
-  tree->SetBlock(0, others);
-  unsigned int count = 0;
-  for (std::size_t k = 0; k + 1 < planes[2].size(); ++k)
-  {
-    for (std::size_t j = 0; j + 1 < planes[1].size(); ++j)
-    {
-      for (std::size_t i = 0; i + 1 < planes[0].size(); ++i)
-      {
-        const auto part = partOf(image, { { planes[0][i], planes[0][i + 1], planes[1][j],
-                                          planes[1][j + 1], planes[2][k], planes[2][k + 1] } });
-        count == 0 ? tree->SetBlock(1, part) : others->SetBlock(count, part);
-        ++count;
-      }
-    }
-  }
-  return tree;
-}
-
-struct Cut
-{
-  const char* Name;
-  std::array<std::vector<int>, 3> Planes;
-};
-const Cut cuts[] = {
-  { "Halves", { { { 0, 7, Cells }, { 0, Cells }, { 0, Cells } } } },
-  { "Eighths", { { { 0, 5, Cells }, { 0, 8, Cells }, { 0, 3, Cells } } } },
-  { "ThirtySix", { { { 0, 1, 6, Cells }, { 0, 4, 10, Cells }, { 0, 3, 6, 9, Cells } } } },
-};
-
-class SmartBlocks : public testing::Test
-{
-protected:
-  Image inParts(const std::array<std::vector<int>, 3>& planes)
-  {
-    this->Shown.Mapper->SetInputDataObject(inBlocks(this->Image0, planes));
-    const Image parts = this->Shown.frame();
-    this->Shown.Mapper->SetInputDataObject(this->Image0);
-    return parts;
-  }
-  vtkCamera* camera() { return this->Shown.Renderer->GetActiveCamera(); }
-
-  vtkSmartPointer<vtkImageData> Image0 = whole();
-  SmartScene Shown{ Image0, Side, Side };
-};
 
 class SmartBlocksOf
   : public SmartBlocks
@@ -199,13 +108,13 @@ TEST_P(SmartBlocksOf, PicksFindTheirCells)
 {
   vtkTetMarchSmartVolumeMapper* mapper = this->Shown.Mapper;
   mapper->SetPickOpacityThreshold(0);
-  const auto tree = inBlocks(this->Image0, this->GetParam().Planes);
+  const auto tree = inBlocks(this->Whole, this->GetParam().Planes);
   int hits = 0;
   for (int y = 5; y < Side; y += 12)
   {
     for (int x = 5; x < Side; x += 12)
     {
-      mapper->SetInputDataObject(this->Image0);
+      mapper->SetInputDataObject(this->Whole);
       const bool hit = mapper->Pick(this->Shown.Renderer, this->Shown.Volume, x, y);
       EXPECT_EQ(mapper->GetPickedBlock(), 0u);
       std::array<double, 3> point{};
@@ -244,7 +153,7 @@ TEST_P(SmartBlocksOf, FiguresAreSums)
   {
     blocks *= planes.size() - 1;
   }
-  mapper->SetInputDataObject(inBlocks(this->Image0, this->GetParam().Planes));
+  mapper->SetInputDataObject(inBlocks(this->Whole, this->GetParam().Planes));
   this->Shown.frame();
   EXPECT_EQ(mapper->GetNumberOfLatticeCells(), Cells * Cells * Cells);
   EXPECT_GT(mapper->GetGPUMemoryBytes(), bytes);
@@ -255,7 +164,7 @@ TEST_P(SmartBlocksOf, FiguresAreSums)
   EXPECT_EQ(mapper->GetMeshBuilds(), builds);
   EXPECT_EQ(mapper->GetNumberOfDraws(), static_cast<int>(blocks)) << "one tile each";
   // Blocks that are no more leave nothing behind.
-  mapper->SetInputDataObject(this->Image0);
+  mapper->SetInputDataObject(this->Whole);
   this->Shown.frame();
   EXPECT_EQ(mapper->GetGPUMemoryBytes(), bytes);
 }
@@ -263,7 +172,7 @@ TEST_P(SmartBlocksOf, FiguresAreSums)
 TEST_P(SmartBlocksOf, BoundsAreThoseOfAll)
 {
   std::array<double, 6> bounds{};
-  this->Shown.Mapper->SetInputDataObject(inBlocks(this->Image0, this->GetParam().Planes));
+  this->Shown.Mapper->SetInputDataObject(inBlocks(this->Whole, this->GetParam().Planes));
   this->Shown.Mapper->GetBounds(bounds.data());
   for (int i = 0; i < 6; ++i)
   {
@@ -271,74 +180,6 @@ TEST_P(SmartBlocksOf, BoundsAreThoseOfAll)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cut, SmartBlocksOf, testing::ValuesIn(cuts),
+INSTANTIATE_TEST_SUITE_P(Cut, SmartBlocksOf, testing::ValuesIn(Cuts),
   [](const auto& test) { return std::string(test.param.Name); });
-
-// What goes through the whole volume can't be drawn block by block.
-TEST_F(SmartBlocks, OtherBlendModesAreErrors)
-{
-  vtkTetMarchSmartVolumeMapper* mapper = this->Shown.Mapper;
-  mapper->SetInputDataObject(inBlocks(this->Image0, cuts[0].Planes));
-  const Image sound = this->Shown.frame();
-  ErrorWatch watch(mapper);
-  mapper->SetBlendModeToMaximumIntensity();
-  this->Shown.frame();
-  ASSERT_EQ(watch.Errors.size(), 1u);
-  EXPECT_NE(watch.Errors[0].find("blend mode"), std::string::npos) << watch.Errors[0];
-  mapper->SetBlendModeToComposite();
-  EXPECT_EQ(compare(this->Shown.frame(), sound).Max, 0.0);
-  EXPECT_EQ(watch.Errors.size(), 1u);
-}
-
-TEST_F(SmartBlocks, HaveNoDiagnostics)
-{
-  vtkTetMarchSmartVolumeMapper* mapper = this->Shown.Mapper;
-  mapper->SetInputDataObject(inBlocks(this->Image0, cuts[0].Planes));
-  const Image picture = this->Shown.frame();
-  mapper->CollectDiagnosticsOn();
-  mapper->SetViewModeToErrorBound();
-  EXPECT_EQ(compare(this->Shown.frame(), picture).Max, 0.0);
-  EXPECT_EQ(mapper->GetNumberOfRays(), 0);
-  const ErrorWatch watch(mapper);
-  EXPECT_FALSE(mapper->TraceRay(
-    this->Shown.Volume, 48, 48, vtkTetMarchSmartVolumeMapper::TRACE_FLOAT, vtkNew<vtkTable>()));
-  EXPECT_FALSE(mapper->RenderGroundTruth(this->Shown.Volume, vtkNew<vtkFloatArray>()));
-  EXPECT_EQ(watch.Errors.size(), 2u);
-}
-
-// A tree with one block is drawn as the block.
-TEST_F(SmartBlocks, OneHasAllOfIt)
-{
-  const Image alone = this->Shown.floats();
-  vtkNew<vtkMultiBlockDataSet> tree;
-  tree->SetBlock(3, this->Image0);
-  this->Shown.Mapper->SetInputDataObject(tree);
-  EXPECT_EQ(compare(this->Shown.floats(), alone).Max, 0.0);
-  this->Shown.Mapper->SetBlendModeToMaximumIntensity();
-  const ErrorWatch watch(this->Shown.Mapper);
-  this->Shown.frame();
-  EXPECT_EQ(watch.Errors, std::vector<std::string>());
-  EXPECT_TRUE(this->Shown.Mapper->Pick(this->Shown.Renderer, this->Shown.Volume, 48, 48));
-  EXPECT_EQ(this->Shown.Mapper->GetPickedBlock(), 4u);
-}
-
-TEST_F(SmartBlocks, ThoseWithoutTheArrayAreNamed)
-{
-  const auto tree = inBlocks(this->Image0, cuts[0].Planes);
-  vtkNew<vtkImageData> bare;
-  bare->CopyStructure(this->Image0);
-  tree->SetBlock(2, bare);
-  tree->GetMetaData(2u)->Set(vtkCompositeDataSet::NAME(), "bare one");
-  this->Shown.Mapper->SetInputDataObject(inBlocks(this->Image0, cuts[0].Planes));
-  const Image sound = this->Shown.frame();
-  const ErrorWatch watch(this->Shown.Mapper);
-  this->Shown.Mapper->SetInputDataObject(tree);
-  for (int i = 0; i < 2; ++i)
-  {
-    EXPECT_EQ(compare(this->Shown.frame(), sound).Max, 0.0);
-    ASSERT_EQ(watch.Warnings.size(), 1u);
-  }
-  EXPECT_NE(watch.Warnings[0].find("bare one"), std::string::npos) << watch.Warnings[0];
-  EXPECT_EQ(watch.Errors, std::vector<std::string>());
-}
 } // namespace

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Code that was written for vtkSmartVolumeMapper runs with ours, and gets the same picture.
-#include "Observer.h"
 #include "SmartScene.h"
 
+#include "vtkActor.h"
 #include "vtkAutoInit.h"
-#include "vtkCommand.h"
 #include "vtkContourValues.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
+#include "vtkProperty.h"
 #include "vtkTetMarchSettings.h"
 
 #include <algorithm>
@@ -234,57 +234,21 @@ TEST_F(SmartDropIn, WindowAndLevelAreExact)
   }
 }
 
-TEST_F(SmartDropIn, EventsAndTimesOfAFrame)
+// Between peels each part of a ray is mapped, which is the same: the map is linear in premultiplied
+// colour and opacity. A surface behind the volume is drawn before it without peeling, too.
+TEST_F(SmartDropIn, WindowAndLevelBetweenPeels)
 {
-  int begins = 0;
-  int ends = 0;
-  const Observer begun(
-    this->Shown.Mapper, vtkCommand::VolumeMapperRenderStartEvent, [&] { ++begins; });
-  const Observer ended(this->Shown.Mapper, vtkCommand::VolumeMapperRenderEndEvent,
-    [&]
-    {
-      EXPECT_EQ(++ends, begins);
-      EXPECT_GT(this->Shown.Mapper->GetTimeToDraw(), 0.0);
-    });
-  this->Shown.frame();
-  this->Shown.frame();
-  EXPECT_EQ(ends, 2);
-}
-
-TEST_F(SmartDropIn, RaysAreFewerInInteractionOnly)
-{
-  vtkTetMarchSmartVolumeMapper* mapper = this->Shown.Mapper;
-  const auto distanceAt = [&](double updateRate)
-  {
-    this->Shown.Window->SetDesiredUpdateRate(updateRate);
-    this->Shown.frame();
-    return mapper->GetUsedImageSampleDistance();
-  };
-  this->Shown.frame(); // whose time is known then
-  EXPECT_EQ(distanceAt(0.001), 1.0);
-  EXPECT_GT(distanceAt(1e5), 1.0);
-  mapper->SetInteractiveUpdateRate(1e6);
-  EXPECT_EQ(distanceAt(1e5), 1.0);
-  mapper->InteractiveAdjustSampleDistancesOff();
-  EXPECT_GT(distanceAt(1e5), 1.0);
-  mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetImageSampleDistance(3.0);
-  EXPECT_EQ(distanceAt(1e5), 3.0);
-  EXPECT_EQ(distanceAt(0.001), 3.0);
-}
-
-// The fraction is one of the bytes.
-TEST_F(SmartDropIn, MemoryIsLimitedToTheFraction)
-{
-  vtkTetMarchSmartVolumeMapper* mapper = this->Shown.Mapper;
-  const Image sound = this->Shown.frame();
-  mapper->SetMaxMemoryInBytes(2 * mapper->GetGPUMemoryBytes());
-  mapper->SetMaxMemoryFraction(1.0f);
-  EXPECT_EQ(compare(this->Shown.frame(), sound).Max, 0.0);
-  mapper->AddObserver(vtkCommand::ErrorEvent, vtkNew<vtkCallbackCommand>().Get());
-  mapper->SetMaxMemoryFraction(0.1f);
-  EXPECT_GT(compare(this->Shown.frame(), sound).Max, 0.1);
-  mapper->SetMaxMemoryFraction(1.0f);
-  EXPECT_EQ(compare(this->Shown.frame(), sound).Max, 0.0);
+  SmartScene& scene = this->Shown;
+  scene.Window->AlphaBitPlanesOn();
+  const auto plane = makePlane(-0.2, 0.3, { { 0.9, 0.2, 0.1 } });
+  plane->GetProperty()->SetOpacity(0.5);
+  scene.Renderer->AddActor(plane);
+  scene.Mapper->SetFinalColorWindow(0.6f);
+  scene.Mapper->SetFinalColorLevel(0.4f);
+  const Image whole = scene.frame();
+  scene.Renderer->SetUseDepthPeeling(true);
+  scene.Renderer->SetUseDepthPeelingForVolumes(true);
+  const Difference difference = compare(scene.frame(), whole, {}, 2.0 / 255, Channels::Rgb);
+  EXPECT_LE(255 * difference.Max, 2.01) << difference.text();
 }
 } // namespace

@@ -6,8 +6,13 @@
 #include "vtkTetMarchLegend.h"
 
 #include "vtkAutoInit.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkLookupTable.h"
+#include "vtkPointData.h"
+#include "vtkProjectedTetrahedraMapper.h"
 #include "vtkTetMarchFrameStatistics.h"
+#include "vtkTetMarchSmartVolumeMapper.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -137,6 +142,40 @@ TEST_F(Legend, IsNotSeenWithoutAView)
   this->Shown.Mapper->SetInputData(this->Shown.Data);
   EXPECT_GT(this->added(vtkTetMarchVolumeMapper::VIEW_CELLS).Max, 0.1);
   this->Bar->SetMapper(nullptr);
+  EXPECT_EQ(this->added(vtkTetMarchVolumeMapper::VIEW_CELLS).Max, 0.0);
+  EXPECT_EQ(this->Watch.Errors, std::vector<std::string>());
+}
+
+TEST_F(Legend, ExplainsFramesOfImages)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 4, 4);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  image->GetPointData()->GetScalars()->Fill(0.5);
+  vtkNew<vtkTetMarchSmartVolumeMapper> mapper;
+  mapper->SetInputData(image);
+  mapper->SetViewModeToCells();
+  this->Shown.Volume->SetMapper(mapper);
+  this->Shown.Renderer->ResetCamera();
+  this->Bar->SetMapper(mapper);
+  const Image without = this->frame();
+  this->Shown.Renderer->AddViewProp(this->Bar);
+  EXPECT_GT(compare(this->frame(), without).Over, 1000u);
+  EXPECT_TRUE(this->Bar->IsShown());
+  EXPECT_STREQ(this->Bar->GetTitle(), "Cells crossed");
+  EXPECT_EQ(this->Bar->GetLookupTable(), mapper->GetViewLookupTable());
+  mapper->SetViewModeToPicture();
+  this->frame();
+  EXPECT_FALSE(this->Bar->IsShown());
+  EXPECT_EQ(this->Watch.Errors, std::vector<std::string>());
+}
+
+TEST_F(Legend, HasNothingToSayOfOtherMappers)
+{
+  vtkNew<vtkProjectedTetrahedraMapper> mapper;
+  this->Bar->SetMapper(mapper);
+  EXPECT_EQ(this->Bar->GetMapper(), mapper.Get());
+  EXPECT_FALSE(this->Bar->IsShown());
   EXPECT_EQ(this->added(vtkTetMarchVolumeMapper::VIEW_CELLS).Max, 0.0);
   EXPECT_EQ(this->Watch.Errors, std::vector<std::string>());
 }

@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes Structured.md out of StructuredPage.md, with tables and a chart of what tetmarch-bench structured measured.
+
+    make_structured_page.py STRUCTURED.json FOLDER [--remark TEXT]
+
+Beside STRUCTURED.json its table in Markdown, STRUCTURED.md, is looked for. Structured.md and Charts/ go into FOLDER.
+"""
+import argparse
+import json
+import pathlib
+
+import accuracy_charts as charts
+from make_accuracy_page import machine, row
+
+TEMPLATE = pathlib.Path(__file__).resolve().parent / "StructuredPage.md"
+# Name of a family: how its mappers begin, colour, marker.
+FAMILIES = {
+    "TetMarch: Fast, Default, Accurate": ("tetmarch", "#d62728", "o"),
+    "VTK's GPU mapper, 1, 2, 4, 10 samples a voxel": ("gpu:", "#1f77b4", "s"),
+    "the same with jitter": ("gpu-jitter:", "#17becf", "^"),
+    "the same of stored scalars, 2 samples": ("gpu-stored:", "#9467bd", "v"),
+    "VTK's fixed-point mapper": ("fixed-point", "#7f7f7f", "D"),
+}
+OURS = "tetmarch"
+RIVALS = ("gpu:2", "fixed-point")
+
+
+def figures_of(subject):
+    """{mapper: (seconds, RMS error)}."""
+    return {name: (seconds, max(errors["rms"], charts.LEAST)) for name, seconds, errors in charts.measured(subject)}
+
+
+def ratio(value):
+    return f"{value:.2g}" if value < 10 else f"{value:.0f}"
+
+
+def against(figures, rival):
+    """Default beside a rival: times as fast, times as accurate."""
+    if OURS not in figures or rival not in figures:
+        return ["", ""]
+    return [ratio(figures[rival][i] / figures[OURS][i]) for i in (0, 1)]
+
+
+def on_front(figures):
+    """The mappers that are not ours and that nothing beats in both time and error."""
+    best = charts.front(list(figures.values()))
+    return ", ".join(name for name, point in figures.items() if point in best and not charts.is_ours(name)) or "none"
+
+
+def rivals_table(report):
+    heads = [f"{head} as `{rival}`" for rival in RIVALS for head in ("times as fast", "times as accurate")]
+    text = row(["volume", "functions", *heads, "rivals on the front"]) + "|---|---|" + "---:|" * len(heads) + "---|\n"
+    for subject in report["datasets"]:
+        figures = figures_of(subject)
+        ratios = [cell for rival in RIVALS for cell in against(figures, rival)]
+        text += row([subject["name"], subject["functions"], *ratios, on_front(figures)])
+    return text
+
+
+def volumes_table(report):
+    text = row(["volume", "points", "stored as"]) + "|---|---|---|\n"
+    shown = {s["name"]: s for s in report["datasets"]}
+    for name, subject in shown.items():
+        text += row([f"`{name}`", " x ".join(str(n) for n in subject["dimensions"]), subject["scalar_type"]])
+    return text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ("structured", "output"):
+        parser.add_argument(name, type=pathlib.Path)
+    parser.add_argument("--remark", default="", help="what to say of this run beside its machine")
+    arguments = parser.parse_args()
+    report = json.loads(arguments.structured.read_text())
+    folder = arguments.output / "Charts"
+    folder.mkdir(parents=True, exist_ok=True)
+    charts.draw_time(report, folder, "structured", FAMILIES)
+    table = arguments.structured.with_suffix(".md")
+    text = TEMPLATE.read_text()
+    for name, value in {
+        "machine": machine(report),
+        "remark": arguments.remark,
+        "size": " x ".join(str(n) for n in report["size"]),
+        "frames": str(report["frames"]),
+        "enough": f"{report['enough_seconds']:g}",
+        "stride": str(report["stride"]),
+        "volumes": volumes_table(report),
+        "rivals": rivals_table(report),
+        "everything": table.read_text().split("\n", 2)[2] if table.exists() else "",
+    }.items():
+        text = text.replace(f"@{name}@", value.rstrip("\n"))
+    (arguments.output / "Structured.md").write_text(text)
+    print(f"wrote {arguments.output / 'Structured.md'} and a chart beside it")
+
+
+if __name__ == "__main__":
+    main()

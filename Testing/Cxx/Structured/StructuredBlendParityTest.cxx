@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the GL draws of a structured volume in each blend mode, pixel by pixel against the CPU
+// reference.
+#include "StructuredScene.h"
+
+#include "vtkActor.h"
+#include "vtkDataSetAttributes.h"
+
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace
+{
+using namespace tetmarch::testing;
+using Mapper = vtkTetMarchSmartVolumeMapper;
+
+constexpr int BlendModes[] = { Mapper::COMPOSITE_BLEND, Mapper::MAXIMUM_INTENSITY_BLEND,
+  Mapper::MINIMUM_INTENSITY_BLEND, Mapper::AVERAGE_INTENSITY_BLEND, Mapper::ADDITIVE_BLEND,
+  Mapper::ISOSURFACE_BLEND };
+
+void prepare(StructuredScene& scene)
+{
+  // Not 0.5, the value of the field all over some sides of the cube.
+  scene.setSurfaces({ 0.35, 0.53, 0.72 });
+  scene.addLight(3.0, 4.0, 1.5);
+  setShading(scene.property());
+}
+
+void expectAllModes(StructuredScene& scene, const std::string& what)
+{
+  for (const int mode : BlendModes)
+  {
+    scene.Mapper->SetBlendMode(mode);
+    const std::string named = what + ", blend mode " + std::to_string(mode);
+    SCOPED_TRACE(named);
+    expectParityButForEdges(scene, named);
+  }
+}
+
+TEST(StructuredBlend, ImagesAndRectilinearGrids)
+{
+  const auto image = imageOf(sineField(), unitCube(9));
+  const auto grid = rectilinearOf(sineField(), unevenCube(9));
+  for (vtkDataSet* data : { (vtkDataSet*)image, (vtkDataSet*)grid })
+  {
+    StructuredScene scene(data, 40, 40);
+    prepare(scene);
+    for (const LatticeValues values : AllLatticeValues)
+    {
+      scene.draw(values);
+      expectAllModes(scene, std::string(data->GetClassName()) + ", " + nameOf(values));
+    }
+  }
+}
+
+TEST(StructuredBlend, Noise)
+{
+  StructuredScene scene(imageOf(scatteredField(1), unitCube(6)), 40, 40);
+  prepare(scene);
+  scene.property()->ShadeOff();
+  expectAllModes(scene, "noise");
+}
+
+TEST(StructuredBlend, GradientsOfCells)
+{
+  StructuredScene scene(imageOf(sineField(), unitCube(9)), 40, 40);
+  prepare(scene);
+  scene.Mapper->SetGradientTypeToCell();
+  scene.Mapper->SetBlendModeToIsoSurface();
+  expectParityButForEdges(scene, "gradients of cells");
+  scene.draw(LatticeValues::CellsLinear);
+  expectParityButForEdges(scene, "gradients of cells, cells linear");
+}
+
+TEST(StructuredBlend, AverageOverARange)
+{
+  StructuredScene scene(imageOf(sineField(), unitCube(9)), 40, 40);
+  scene.Mapper->SetBlendModeToAverageIntensity();
+  scene.Mapper->SetAverageIPScalarRange(0.45, 0.6);
+  const Image drawn = scene.render();
+  for (const LatticeValues values : AllLatticeValues)
+  {
+    scene.draw(values);
+    expectParityButForEdges(scene, std::string("average over a range, ") + nameOf(values));
+  }
+  scene.draw(LatticeValues::PointsLinear);
+  scene.Mapper->SetAverageIPScalarRange(VTK_FLOAT_MIN, VTK_FLOAT_MAX);
+  EXPECT_GT(compare(drawn, scene.render()).Rms, 10.0 / 255.0);
+}
+
+TEST(StructuredBlend, OpaqueGeometryAndCameraInside)
+{
+  StructuredScene scene(imageOf(sineField(), unitCube(9)), 40, 40);
+  prepare(scene);
+  scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 }));
+  expectAllModes(scene, "opaque geometry");
+  lookFromInside(scene.camera());
+  expectAllModes(scene, "camera inside");
+}
+
+TEST(StructuredBlend, HiddenAndNotFinite)
+{
+  const auto image = imageOf(sineField(), unitCube(9));
+  markCells(image, vtkDataSetAttributes::HIDDENCELL, [](vtkIdType id) { return id % 7 == 3; });
+  const auto isSpoilt = [](vtkIdType id) { return id % 37 == 5; };
+  spoilScalars(image, isSpoilt, isSpoilt);
+  StructuredScene scene(image, 40, 40);
+  prepare(scene);
+  scene.property()->ShadeOff();
+  for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsNearest })
+  {
+    scene.draw(values);
+    expectAllModes(scene, std::string("hidden and not finite, ") + nameOf(values));
+  }
+}
+} // namespace

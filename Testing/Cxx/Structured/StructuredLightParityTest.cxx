@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the GL draws of structured volumes with each effect of light, pixel by pixel against the CPU
+// reference.
+#include "StructuredScene.h"
+
+#include "vtkActor.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkTransform.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace tetmarch::testing;
+
+constexpr Promises Lit{ true, false };
+
+class StructuredLight : public testing::Test
+{
+protected:
+  StructuredLight() { setShading(this->Shown.property()); }
+  void addSun() { this->Shown.addLight(3.0, 4.0, 1.5); }
+
+  StructuredScene Shown{ imageOf(sineField(), unitCube(8)) };
+};
+
+TEST_F(StructuredLight, Headlight)
+{
+  for (const LatticeValues values : AllLatticeValues)
+  {
+    SCOPED_TRACE(nameOf(values));
+    this->Shown.draw(values);
+    report(std::string("headlight, ") + nameOf(values), expectParity(this->Shown, Lit));
+  }
+  this->Shown.Mapper->SetGradientTypeToCell();
+  report("headlight, cell gradients", expectParity(this->Shown, Lit));
+}
+
+TEST_F(StructuredLight, DimColouredHeadlight)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToHeadlight();
+  light->SetColor(1.0, 0.6, 0.3);
+  light->SetIntensity(0.8);
+  light->SetAmbientColor(0.2, 0.1, 0.0);
+  this->Shown.Renderer->AddLight(light);
+  this->Shown.camera()->ParallelProjectionOn();
+  this->Shown.camera()->SetParallelScale(0.9);
+  report("coloured headlight", expectParity(this->Shown, Lit));
+}
+
+TEST_F(StructuredLight, OneSideAndBothGradients)
+{
+  this->addSun();
+  this->Shown.Renderer->TwoSidedLightingOff();
+  for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsLinear })
+  {
+    this->Shown.draw(values);
+    this->Shown.Mapper->SetGradientTypeToVertex();
+    report(std::string("sun, ") + nameOf(values), expectParity(this->Shown, Lit));
+    this->Shown.Mapper->SetGradientTypeToCell();
+    report(std::string("sun, cell gradients, ") + nameOf(values), expectParity(this->Shown, Lit));
+  }
+}
+
+TEST_F(StructuredLight, LightsOfAllKinds)
+{
+  this->addSun();
+  vtkLight* point = this->Shown.addLight(-0.2, 1.4, 0.9);
+  point->PositionalOn();
+  point->SetConeAngle(180.0);
+  point->SetAttenuationValues(0.5, 0.3, 0.2);
+  point->SetDiffuseColor(0.2, 0.9, 0.4);
+  vtkLight* spot = this->Shown.addLight(1.5, 0.3, 2.0);
+  spot->PositionalOn();
+  spot->SetConeAngle(15.0);
+  spot->SetExponent(3.0);
+  vtkNew<vtkLight> camera;
+  camera->SetLightTypeToCameraLight();
+  camera->SetPosition(-1.0, 0.5, 1.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetSpecularColor(0.0, 0.0, 1.0);
+  this->Shown.Renderer->AddLight(camera);
+  report("lights of all kinds", expectParity(this->Shown, Lit));
+}
+
+// Light is computed in the frame of the world then.
+TEST_F(StructuredLight, StretchedAndTurnedVolume)
+{
+  vtkNew<vtkTransform> transform;
+  transform->Translate(0.1, 0.05, 0.0);
+  transform->RotateWXYZ(30.0, 1.0, 2.0, 3.0);
+  transform->Scale(1.0, 0.5, 0.8);
+  this->Shown.Volume->SetUserTransform(transform);
+  vtkLight* point = this->Shown.addLight(-0.2, 1.4, 0.9);
+  point->PositionalOn();
+  point->SetConeAngle(180.0);
+  report("stretched", expectParity(this->Shown, Lit));
+}
+
+TEST_F(StructuredLight, GradientOpacity)
+{
+  setGradientOpacity(this->Shown.property());
+  for (const bool shaded : { true, false })
+  {
+    this->Shown.property()->SetShade(shaded);
+    for (const LatticeValues values : AllLatticeValues)
+    {
+      const std::string what =
+        std::string(shaded ? "gradient opacity, " : "gradient opacity unlit, ") + nameOf(values);
+      SCOPED_TRACE(what);
+      this->Shown.draw(values);
+      // The bound knows of gradients by the light that they reflect.
+      report(what, expectParity(this->Shown, { shaded, false }));
+    }
+  }
+  this->Shown.draw(LatticeValues::PointsLinear);
+  this->Shown.Mapper->SetGradientTypeToCell();
+  report("gradient opacity of cells", expectParity(this->Shown, { false, false }));
+}
+
+TEST_F(StructuredLight, TransparentRangesOneColourAndOpaqueGeometry)
+{
+  this->addSun();
+  setTwoPeaks(this->Shown.property());
+  report("two peaks", expectParity(this->Shown, Lit));
+  this->Shown.Renderer->AddActor(makeBall({ 0.5, 0.5, 0.6 }, 0.25, { 1.0, 1.0, 1.0 }));
+  report("two peaks, opaque geometry", expectParity(this->Shown, Lit));
+  vtkColorTransferFunction* color = this->Shown.property()->GetRGBTransferFunction();
+  color->RemoveAllPoints();
+  color->AddRGBPoint(0.0, 0.9, 0.5, 0.1);
+  report("one colour", expectParity(this->Shown, Lit));
+  lookFromInside(this->Shown.camera());
+  report("camera inside", expectParity(this->Shown, Lit));
+}
+
+TEST_F(StructuredLight, RectilinearWithHiddenCells)
+{
+  const auto grid = rectilinearOf(sineField(), unevenCube(7));
+  markCells(grid, vtkDataSetAttributes::HIDDENCELL, [](vtkIdType id) { return id % 13 == 3; });
+  StructuredScene scene(grid);
+  setShading(scene.property());
+  scene.addLight(3.0, 4.0, 1.5);
+  for (const LatticeValues values : AllLatticeValues)
+  {
+    SCOPED_TRACE(nameOf(values));
+    scene.draw(values);
+    report(std::string("rectilinear, lit, ") + nameOf(values), expectParity(scene, Lit));
+  }
+}
+
+// These need no rays towards the light.
+TEST_F(StructuredLight, ShadowsOfTheHeadlight)
+{
+  const Image without = this->Shown.render();
+  this->Shown.Mapper->SetShadowMethodToAutomatic();
+  report("shadows of the headlight", expectParity(this->Shown, Lit));
+  EXPECT_GT(compare(without, this->Shown.pixels()).Max, 0.02);
+  this->Shown.Mapper->SetVolumetricScatteringBlending(1.5f);
+  report("scattering of the headlight", expectParity(this->Shown, Lit));
+}
+
+TEST_F(StructuredLight, ShadowsAlongRays)
+{
+  this->addSun();
+  this->Shown.property()->SetScalarOpacityUnitDistance(0.5);
+  for (const LatticeValues values :
+    { LatticeValues::PointsLinear, LatticeValues::PointsNearest, LatticeValues::CellsLinear })
+  {
+    this->Shown.draw(values);
+    this->Shown.Mapper->SetShadowMethodToOff();
+    const Image without = this->Shown.render();
+    this->Shown.Mapper->SetShadowMethodToAlongRays();
+    expectLightAlongRays(this->Shown, std::string("shadows, ") + nameOf(values));
+    EXPECT_GT(compare(without, this->Shown.pixels()).Max, 0.02) << nameOf(values);
+  }
+}
+
+TEST_F(StructuredLight, ShadowsOfThreeLightsThroughGradientOpacity)
+{
+  setGradientOpacity(this->Shown.property());
+  this->addSun();
+  vtkLight* inside = this->Shown.addLight(0.4, 0.55, 0.6);
+  inside->PositionalOn();
+  inside->SetConeAngle(180.0);
+  inside->SetDiffuseColor(1.0, 0.5, 0.1);
+  this->Shown.addLight(-2.0, 1.0, 0.0)->SetShadowAttenuation(0.4f);
+  this->Shown.Mapper->SetShadowMethodToAlongRays();
+  expectLightAlongRays(this->Shown, "three lights");
+  this->Shown.Mapper->SetGlobalIlluminationReach(0.3f);
+  expectLightAlongRays(this->Shown, "three lights, short reach");
+}
+
+TEST_F(StructuredLight, Scattering)
+{
+  this->addSun();
+  this->Shown.property()->SetScalarOpacityUnitDistance(0.5);
+  this->Shown.Mapper->SetShadowMethodToAlongRays();
+  for (const float blending : { 0.5f, 1.0f, 1.5f, 2.0f })
+  {
+    this->Shown.Mapper->SetVolumetricScatteringBlending(blending);
+    expectLightAlongRays(this->Shown, "scattering " + std::to_string(blending));
+  }
+}
+} // namespace

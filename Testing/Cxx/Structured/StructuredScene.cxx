@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StructuredScene.h"
+
+#include "vtkContourValues.h"
+#include "vtkFloatArray.h"
+#include "vtkTetMarchFrameStatistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <iostream>
+#include <stdexcept>
+
+namespace tetmarch::testing
+{
+namespace
+{
+using Mapper = vtkTetMarchSmartVolumeMapper;
+
+// What the bound leaves out: the arithmetic of float, most of all where a ray grazes a plane
+// between two cells of different values.
+constexpr double Rounding = 0.1 / 255.0;
+
+Difference differenceAt(StructuredScene& scene, int level, const Image& truth)
+{
+  scene.Mapper->SetAccuracyLevel(level);
+  const Image drawn = scene.render();
+  expectCounters(scene);
+  return compare(drawn, truth);
+}
+} // namespace
+
+const char* nameOf(LatticeValues values)
+{
+  switch (values)
+  {
+    case LatticeValues::PointsLinear:
+      return "points, linear";
+    case LatticeValues::PointsNearest:
+      return "points, nearest";
+    case LatticeValues::CellsLinear:
+      return "cells, linear";
+    default:
+      return "cells, nearest";
+  }
+}
+
+Field scatteredField(unsigned seed)
+{
+  return [seed](double x, double y, double z)
+  {
+    const double s = std::sin(12.9898 * x + 78.233 * y + 37.719 * z + seed) * 43758.5453;
+    return s - std::floor(s);
+  };
+}
+
+StructuredScene::StructuredScene(vtkDataSet* data, int width, int height)
+  : Data(data)
+  , Window(makeWindow(width, height))
+{
+  this->Mapper->SetInputDataObject(data);
+  this->Mapper->CollectDiagnosticsOn();
+  this->Volume->SetMapper(this->Mapper);
+  setBumpyFunctions(this->property());
+  this->property()->SetInterpolationTypeToLinear();
+  this->property()->SetScalarOpacityUnitDistance(0.25);
+  this->Renderer->AddVolume(this->Volume);
+  this->Window->AddRenderer(this->Renderer);
+  lookAtUnitCube(this->camera());
+}
+
+void StructuredScene::draw(LatticeValues values)
+{
+  const bool linear = values == LatticeValues::PointsLinear || values == LatticeValues::CellsLinear;
+  const bool ofPoints =
+    values == LatticeValues::PointsLinear || values == LatticeValues::PointsNearest;
+  this->property()->SetInterpolationType(
+    linear ? VTK_LINEAR_INTERPOLATION : VTK_NEAREST_INTERPOLATION);
+  this->Mapper->SetScalarMode(
+    ofPoints ? VTK_SCALAR_MODE_USE_POINT_DATA : VTK_SCALAR_MODE_USE_CELL_DATA);
+}
+
+void StructuredScene::lookAtAll(double unitDistance)
+{
+  this->property()->SetScalarOpacityUnitDistance(unitDistance * this->Data->GetLength());
+  this->Renderer->ResetCamera();
+  this->camera()->Azimuth(35.0);
+  this->camera()->Elevation(20.0);
+  this->camera()->Roll(7.0);
+  this->Renderer->ResetCamera();
+  this->camera()->Zoom(1.4);
+}
+
+void StructuredScene::stretchFunctions(double low, double high)
+{
+  vtkNew<vtkColorTransferFunction> colours;
+  vtkNew<vtkPiecewiseFunction> opacities;
+  for (int i = 0; i < this->property()->GetRGBTransferFunction()->GetSize(); ++i)
+  {
+    double node[6];
+    this->property()->GetRGBTransferFunction()->GetNodeValue(i, node);
+    colours->AddRGBPoint(low + node[0] * (high - low), node[1], node[2], node[3]);
+  }
+  for (int i = 0; i < this->property()->GetScalarOpacity()->GetSize(); ++i)
+  {
+    double node[4];
+    this->property()->GetScalarOpacity()->GetNodeValue(i, node);
+    opacities->AddPoint(low + node[0] * (high - low), node[1]);
+  }
+  this->property()->SetColor(colours);
+  this->property()->SetScalarOpacity(opacities);
+}
+
+void StructuredScene::setSurfaces(const std::vector<double>& values)
+{
+  vtkContourValues* contours = this->property()->GetIsoSurfaceValues();
+  contours->SetNumberOfContours(static_cast<int>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    contours->SetValue(static_cast<int>(i), values[i]);
+  }
+}
+
+vtkSmartPointer<vtkLight> StructuredScene::addLight(double x, double y, double z)
+{
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(0.5, 0.5, 0.5);
+  this->Renderer->AddLight(light);
+  return light;
+}
+
+Image StructuredScene::render()
+{
+  this->Window->Render();
+  return this->pixels();
+}
+
+Image StructuredScene::pixels() const
+{
+  const int* size = this->Renderer->GetSize();
+  vtkNew<vtkFloatArray> pixels;
+  this->Mapper->GetDiagnosticPixels(pixels);
+  if (pixels->GetNumberOfTuples() != vtkIdType(size[0]) * size[1])
+  {
+    throw std::runtime_error(
+      "the last frame left " + std::to_string(pixels->GetNumberOfTuples()) + " diagnostic pixels");
+  }
+  return Image::fromFloats(size[0], size[1], pixels->GetPointer(0));
+}
+
+Image StructuredScene::truth()
+{
+  vtkNew<vtkFloatArray> pixels;
+  if (!this->Mapper->RenderGroundTruth(this->Volume, pixels))
+  {
+    throw std::runtime_error("there is no ground truth of the last frame");
+  }
+  const int* size = this->Renderer->GetSize();
+  return Image::fromFloats(size[0], size[1], pixels->GetPointer(0));
+}
+
+void expectCounters(StructuredScene& scene)
+{
+  EXPECT_EQ(scene.Mapper->GetNumberOfLostRays(), 0);
+  EXPECT_EQ(scene.Mapper->GetNumberOfGuardHits(), 0);
+  EXPECT_EQ(scene.Mapper->GetNumberOfRefusedEntries(), 0);
+  EXPECT_GT(scene.Mapper->GetNumberOfRays(), 0);
+  EXPECT_GT(scene.Mapper->GetNumberOfCrossedCells(), 0);
+}
+
+Worst expectParity(StructuredScene& scene, const Promises& promises)
+{
+  scene.Mapper->SetAccuracyLevelToDefault();
+  scene.Window->Render();
+  const Image truth = scene.truth(); // is that of any level
+  EXPECT_GT(compare(truth, Image(truth.Width, truth.Height)).Max, 0.05) << "nothing is seen";
+  Worst worst;
+  for (const int level : { Mapper::DEFAULT, Mapper::ACCURATE })
+  {
+    const Difference difference = differenceAt(scene, level, truth);
+    const double bound =
+      scene.Mapper->GetLastFrameStatistics()->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND);
+    if (level != Mapper::DEFAULT || promises.DefaultTolerance)
+    {
+      EXPECT_LE(difference.Max, 2.0 / 255.0) << difference.text();
+    }
+    EXPECT_LE(difference.Rms, 0.3 / 255.0) << difference.text();
+    if (promises.Bound)
+    {
+      EXPECT_LE(difference.Max, bound + Rounding) << difference.text();
+    }
+    worst.Max = std::max(worst.Max, difference.Max);
+    worst.Rms = std::max(worst.Rms, difference.Rms);
+    worst.OverBound = std::max(worst.OverBound, difference.Max - bound);
+  }
+  return worst;
+}
+
+void report(const std::string& what, const Worst& worst)
+{
+  std::cout << "[ MEASURED ] " << what << ": max " << 255.0 * worst.Max << "/255, RMS "
+            << 255.0 * worst.Rms << "/255, over the bound by " << worst.OverBound << '\n';
+}
+
+void expectParityButForEdges(StructuredScene& scene, const std::string& what)
+{
+  const Image drawn = scene.render();
+  expectCounters(scene);
+  const Image truth = scene.truth();
+  const Difference difference = compare(drawn, truth);
+  std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
+  EXPECT_GT(compare(truth, Image(truth.Width, truth.Height)).Max, 0.05) << "nothing is seen";
+  EXPECT_LE(250 * difference.Over, difference.Pixels) << what << ": " << difference.text();
+}
+
+void expectLightAlongRays(StructuredScene& scene, const std::string& what)
+{
+  const Image drawn = scene.render();
+  expectCounters(scene);
+  const Difference difference = compare(drawn, scene.truth());
+  std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
+  EXPECT_LE(difference.Rms, 1.5 / 255.0) << what;
+}
+} // namespace tetmarch::testing

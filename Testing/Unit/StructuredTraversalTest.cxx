@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The traversal of lattices: no ray skips or repeats a cell, whatever it runs along, and leaps
+// leave out nothing that is seen.
+//
+// TETMARCH_RAYS in the environment takes the place of the number of rays of each test.
+#include "StructuredRays.h"
+
+#include "Fields.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
+namespace
+{
+using namespace tetmarch;
+using namespace tetmarch::testing;
+
+#define TETMARCH_UNIFORM_FEATURES                                                                  \
+  ((TETMARCH_ONE_OPACITY_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_WITH_STRUCTURED |           \
+    TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE)
+
+// The kernels of the CPU reference march evenly spaced planes as rectilinear ones; the GPU does
+// not.
+#define TETMARCH_VARIANT (TETMARCH_UNIFORM_FEATURES)
+template <typename Real>
+struct UniformKernel
+{
+#include "Reference/KernelBody.h"
+};
+
+#define TETMARCH_VARIANT (TETMARCH_UNIFORM_FEATURES | TETMARCH_WITH_LEAPS)
+template <typename Real>
+struct LeapingKernel
+{
+#include "Reference/KernelBody.h"
+};
+
+long numberOfRays(long otherwise)
+{
+  const char* value = std::getenv("TETMARCH_RAYS");
+  return value ? std::atol(value) : otherwise;
+}
+
+struct Faults
+{
+  long Gaps = 0;    // a cell does not begin where the last one ended
+  long Outside = 0; // the middle of an interval is not in its cell
+  long Early = 0;   // the ray left before the end of the lattice
+  long Endless = 0;
+  long Crossed = 0; // cells
+};
+
+// A ray whose points and directions tie: through lattice points, along axes, in planes of cells.
+template <typename Kernel, typename Real>
+typename Kernel::Ray hardRay(const StructuredRays& rays, Kernel& kernel, std::mt19937& random)
+{
+  tetmarch::testing::Vec3 point = rays.pointNear(random, 1.05);
+  const tetmarch::testing::Vec3 d = StructuredRays::direction(random);
+  if (random() % 2)
+  {
+    // Onto planes of the lattice, along some axes.
+    for (int k = 0; k < 3; ++k)
+    {
+      const LatticeAxis& axis = rays.Cells.Axes[k];
+      const double plane = axis.plane(static_cast<int>(random() % (axis.Cells + 1)));
+      const double half = axis.plane(axis.Cells);
+      point[k] = random() % 3 ? rays.Cells.Frame.HalfExtent[k] * plane / half : point[k];
+    }
+  }
+  return kernel.rayThrough(
+    { Real(point[0]), Real(point[1]), Real(point[2]) }, { Real(d[0]), Real(d[1]), Real(d[2]) });
+}
+
+template <typename Kernel, typename Real>
+Faults faultsOf(const StructuredRays& rays, long count, unsigned seed)
+{
+  auto kernel = rays.kernel<Kernel, Real>();
+  std::mt19937 random(seed);
+  Faults faults;
+  const double rounding = std::is_same_v<Real, float> ? 2e-4 : 1e-9; // of a cell
+  for (long n = 0; n < count; ++n)
+  {
+    const auto ray = hardRay<Kernel, Real>(rays, kernel, random);
+    const auto lattice = kernel.depthsOfLattice(ray);
+    auto traversal = kernel.traversalFrom(ray, -1, Real(-1e30));
+    if (!kernel.continuesBefore(traversal, Real(1e30)))
+    {
+      faults.Early += lattice.x < lattice.y ? 1 : 0;
+      continue;
+    }
+    auto cell = kernel.beginCellInterval(ray, traversal.place);
+    Real end = cell.leave.x;
+    bool onward = true;
+    int cells = 0;
+    while (onward && cells <= kernel.mostCells)
+    {
+      const auto number = traversal.place.cell;
+      const auto crossing = kernel.crossCell(ray, traversal.place, cell);
+      onward = crossing.onward;
+      cells += crossing.cells;
+      faults.Gaps += cell.enter.x == end ? 0 : 1;
+      end = std::max(end, cell.leave.x);
+      const Real middle = Real(0.5) * (cell.enter.x + cell.leave.x);
+      const double place[3] = { double(ray.start.x + ray.slope.x * middle),
+        double(ray.start.y + ray.slope.y * middle), double(ray.start.z + ray.slope.z * middle) };
+      const int numbers[3] = { number.x, number.y, number.z };
+      for (int k = 0; k < 3; ++k)
+      {
+        const LatticeAxis& axis = rays.Cells.Axes[k];
+        faults.Outside += place[k] < axis.plane(numbers[k]) - rounding ||
+                              place[k] > axis.plane(numbers[k] + 1) + rounding
+                            ? 1
+                            : 0;
+      }
+    }
+    faults.Endless += cells > kernel.mostCells ? 1 : 0;
+    faults.Early += end == lattice.y ? 0 : 1;
+    faults.Crossed += cells;
+  }
+  return faults;
+}
+
+template <typename Kernel, typename Real>
+void expectSound(const StructuredRays& rays, unsigned seed)
+{
+  const long count = numberOfRays(100000);
+  const Faults faults = faultsOf<Kernel, Real>(rays, count, seed);
+  EXPECT_EQ(faults.Gaps, 0);
+  EXPECT_EQ(faults.Outside, 0);
+  EXPECT_EQ(faults.Early, 0);
+  EXPECT_EQ(faults.Endless, 0);
+  EXPECT_GT(faults.Crossed, count);
+  std::cout << "[ MEASURED ] " << count << " rays, " << faults.Crossed << " cells\n";
+}
+
+TEST(StructuredTraversal, CrossesEachCellOnce)
+{
+  const OpticalModel model = rampAndPeak(0.1);
+  const StructuredRays cube(
+    imageOf(productField(), unitCube(16)), LatticeValues::PointsLinear, model);
+  expectSound<UniformKernel<float>, float>(cube, 1);
+  expectSound<UniformKernel<double>, double>(cube, 2);
+  expectSound<TrilinearKernel<float>, float>(cube, 3);
+  const StructuredRays centred(
+    imageOf(productField(), unitCube(7)), LatticeValues::CellsLinear, model);
+  expectSound<UniformKernel<float>, float>(centred, 4);
+}
+
+TEST(StructuredTraversal, CrossesEachCellOfUnevenGridsOnce)
+{
+  const StructuredRays uneven(
+    rectilinearOf(productField(), unevenCube(12)), LatticeValues::PointsLinear, rampAndPeak(0.1));
+  expectSound<TrilinearKernel<float>, float>(uneven, 5);
+  expectSound<TrilinearKernel<double>, double>(uneven, 6);
+}
+
+// A small ball in an empty volume.
+TEST(StructuredTraversal, LeapsLeaveOutNothing)
+{
+  const Field ball = [](double x, double y, double z)
+  { return std::max(0.0, 1.0 - 8.0 * std::hypot(x - 0.3, y - 0.6, z - 0.5)); };
+  OpticalModel model = rampAndPeak(0.02);
+  model.Opacity->RemoveAllPoints();
+  model.Opacity->AddPoint(0.1, 0.0);
+  model.Opacity->AddPoint(1.0, 0.9);
+  const StructuredRays rays(imageOf(ball, unitCube(40)), LatticeValues::PointsLinear, model);
+  const BlockDistances empty = findBlockDistances(
+    findBlockRanges(rays.Cells, rays.Values[0]), rays.Table, rays.Values[0].Range, false);
+  EXPECT_GT(empty.EmptyShare, 0.8);
+  auto leaping = rays.kernel<LeapingKernel<double>, double>();
+  leaping.useEmptySpace(empty);
+  auto stepping = rays.kernel<UniformKernel<double>, double>();
+  std::mt19937 random(7);
+  long leapt = 0, stepped = 0, seen = 0;
+  for (long n = 0; n < numberOfRays(20000); ++n)
+  {
+    const auto ray = hardRay<LeapingKernel<double>, double>(rays, leaping, random);
+    const auto same = stepping.rayThrough({ ray.origin.x, ray.origin.y, ray.origin.z },
+      { ray.direction.x, ray.direction.y, ray.direction.z });
+    const auto found = leaping.castPlainRay(ray, -1, rays.PerDepth, -1e30, 1e30);
+    const auto expected = stepping.castPlainRay(same, -1, rays.PerDepth, -1e30, 1e30);
+    // Rounding decides where subsegments end: they are the same but for the tolerance.
+    ASSERT_NEAR(found.radiance.transmittance, expected.radiance.transmittance, 1e-6);
+    ASSERT_NEAR(found.radiance.color.x, expected.radiance.color.x, 1e-6);
+    leapt += found.cells;
+    stepped += expected.cells;
+    seen += expected.radiance.transmittance < 0.5 ? 1 : 0;
+  }
+  EXPECT_GT(seen, 100);
+  EXPECT_LT(3 * leapt, stepped);
+}
+} // namespace

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AnyMapper.h"
+
+#include "vtkNew.h"
+#include "vtkTetMarchSmartVolumeMapper.h"
+#include "vtkTetMarchVolumeMapper.h"
+
+#include <algorithm>
+
+namespace
+{
+template <typename Mapper>
+class MapperOf : public tetmarch::AnyMapper
+{
+public:
+  vtkAbstractVolumeMapper* GetMapper() override { return this->Object; }
+  vtkTetMarchSettings* GetSettings() override { return this->Object->GetSettings(); }
+  vtkTetMarchFrameStatistics* GetStatistics() override
+  {
+    return this->Object->GetLastFrameStatistics();
+  }
+
+  void SetInput(vtkDataObject* data) override { this->Object->SetInputDataObject(data); }
+  void SetComponent(int component) override
+  {
+    this->Object->SetVectorMode(component < 0 ? Mapper::MAGNITUDE : Mapper::COMPONENT);
+    this->Object->SetVectorComponent(std::max(component, 0));
+  }
+  void SetBlendMode(int mode) override { this->Object->SetBlendMode(mode); }
+  void SetCropping(const double planes[6], int flags) override
+  {
+    this->Object->CroppingOn();
+    this->Object->SetCroppingRegionPlanes(
+      planes[0], planes[1], planes[2], planes[3], planes[4], planes[5]);
+    this->Object->SetCroppingRegionFlags(flags);
+  }
+
+  bool CompareWithGroundTruth(vtkVolume* volume) override
+  {
+    return this->Object->CompareWithGroundTruth(volume);
+  }
+  bool TraceRay(
+    vtkVolume* volume, int x, int y, tetmarch::TraceIn arithmetic, vtkTable* cells) override
+  {
+    return this->Object->TraceRay(volume, x, y, static_cast<int>(arithmetic), cells);
+  }
+  void GetDiagnosticPixels(vtkFloatArray* pixels) override
+  {
+    this->Object->GetDiagnosticPixels(pixels);
+  }
+
+private:
+  vtkNew<Mapper> Object;
+};
+} // namespace
+
+std::unique_ptr<tetmarch::AnyMapper> tetmarch::MakeMapper(bool structured)
+{
+  if (structured)
+  {
+    return std::make_unique<MapperOf<vtkTetMarchSmartVolumeMapper>>();
+  }
+  return std::make_unique<MapperOf<vtkTetMarchVolumeMapper>>();
+}

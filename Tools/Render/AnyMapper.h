@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The mapper for unstructured grids or that for images and rectilinear grids, to whoever need not
+ * know which of the two. What both classes inherit, or share as settings and statistics, is had
+ * from these; the rest is here.
+ */
+#ifndef tetmarch_AnyMapper_h
+#define tetmarch_AnyMapper_h
+
+#include <memory>
+
+class vtkAbstractVolumeMapper;
+class vtkDataObject;
+class vtkFloatArray;
+class vtkTable;
+class vtkTetMarchFrameStatistics;
+class vtkTetMarchSettings;
+class vtkVolume;
+
+namespace tetmarch
+{
+
+/// As vtkTetMarchVolumeMapper::TraceArithmeticType.
+enum class TraceIn
+{
+  FLOAT = 0,
+  DOUBLE = 1,
+  GROUND_TRUTH = 2
+};
+
+class AnyMapper
+{
+public:
+  virtual ~AnyMapper() = default;
+
+  virtual vtkAbstractVolumeMapper* GetMapper() = 0;
+  virtual vtkTetMarchSettings* GetSettings() = 0;
+  virtual vtkTetMarchFrameStatistics* GetStatistics() = 0;
+
+  virtual void SetInput(vtkDataObject* data) = 0;
+  /// -1: the magnitude.
+  virtual void SetComponent(int component) = 0;
+  /// As vtkVolumeMapper::BlendModes.
+  virtual void SetBlendMode(int mode) = 0;
+  virtual void SetCropping(const double planes[6], int flags) = 0;
+
+  /// As the methods of either class.
+  virtual bool CompareWithGroundTruth(vtkVolume* volume) = 0;
+  virtual bool TraceRay(vtkVolume* volume, int x, int y, TraceIn arithmetic, vtkTable* cells) = 0;
+  virtual void GetDiagnosticPixels(vtkFloatArray* pixels) = 0;
+};
+
+/// structured: of images and rectilinear grids.
+std::unique_ptr<AnyMapper> MakeMapper(bool structured);
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Blocks become one unstructured grid.
+ */
+#ifndef tetmarch_GridMerging_h
+#define tetmarch_GridMerging_h
+
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <vector>
+
+class vtkDataSet;
+
+namespace tetmarch
+{
+
+/// Only arrays that all blocks have are kept; a warning names the others.
+void WarnOfPartialArrays(const std::vector<vtkDataSet*>& blocks);
+
+/// Points of equal coordinates become one.
+vtkSmartPointer<vtkUnstructuredGrid> MergeBlocks(const std::vector<vtkDataSet*>& blocks);
+
+} // namespace tetmarch
+
+#endif

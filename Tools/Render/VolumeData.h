@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What of a file is drawn.
+ */
+#ifndef tetmarch_VolumeData_h
+#define tetmarch_VolumeData_h
+
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+namespace tetmarch
+{
+
+struct VolumeData
+{
+  /// Of the mapper: an unstructured grid, an image, a rectilinear grid, or a tree of the latter
+  /// two.
+  vtkSmartPointer<vtkDataObject> Input;
+  /// The blocks of the tree, or the only one.
+  std::vector<vtkDataSet*> Blocks;
+  /// Images and rectilinear grids.
+  bool Structured = false;
+};
+
+/// Of an image or a rectilinear grid.
+bool IsStructured(vtkDataObject* data);
+
+/// Samples along each axis of an image or a rectilinear grid.
+void GetDimensions(vtkDataSet* data, int dimensions[3]);
+
+/// The mean distance of samples over the axes, and over the blocks of images or rectilinear grids.
+double GetMeanSpacing(const VolumeData& volume);
+
+} // namespace tetmarch
+
+#endif
