@@ -106,10 +106,13 @@ class CommandsTest(unittest.TestCase):
                     self.paste(self.check(command))
 
     def test_demo(self):
-        """The picture of the README, by the line that the script has for it."""
-        arguments = re.search(r"^readonly DEMO=\((.*?)\)$", text_of("tetmarch"), re.MULTILINE | re.DOTALL).group(1)
-        self.paste(f"ROOT={PROJECT}\nbuild/bin/tetmarch-render {' '.join(arguments.split())} --output demo.png")
-        self.assertGreater((self.folder / "demo.png").stat().st_size, 100000)
+        """Its pictures, by the lines that the script has for them."""
+        for name in ("DEMO_MESH", "DEMO_IMAGE"):
+            with self.subTest(name=name):
+                arguments = re.search(rf"^readonly {name}=\((.*?)\)$", text_of("tetmarch"), re.MULTILINE | re.DOTALL)
+                words = " ".join(arguments.group(1).split())
+                self.paste(f"ROOT={PROJECT}\nbuild/bin/tetmarch-render {words} --output {name}.png")
+                self.assertGreater((self.folder / f"{name}.png").stat().st_size, 100000)
 
     def test_options_exist(self):
         """Those that pages name, of whatever program of ours."""
