@@ -46,18 +46,22 @@ TEST(StructuredCuts, ClippedByPlanes)
   }
 }
 
-// Each of the regions alone, and what is left without it.
+// Each of the regions alone, and of some what is left without them.
 TEST(StructuredCuts, TwentySevenRegions)
 {
-  StructuredScene image(imageOf(sineField(), unitCube(9)), 24, 24);
-  StructuredScene grid(rectilinearOf(sineField(), unevenCube(9)), 24, 24);
+  StructuredScene image(imageOf(sineField(), unitCube(6)), 20, 20);
+  StructuredScene grid(rectilinearOf(sineField(), unevenCube(6)), 20, 20);
   Worst worst;
   for (int region = 0; region < 27; ++region)
   {
     for (const bool alone : { true, false })
     {
+      if (!alone && region % 4 != 1)
+      {
+        continue;
+      }
       SCOPED_TRACE("region " + std::to_string(region) + (alone ? "" : " left out"));
-      StructuredScene& scene = region % 2 ? image : grid;
+      StructuredScene& scene = alone ? image : grid;
       crop(scene, alone ? 1 << region : 0x7ffffff & ~(1 << region));
       const Worst found = expectParity(scene);
       worst.Max = std::max(worst.Max, found.Max);
@@ -112,10 +116,10 @@ TEST(StructuredCuts, StretchedAndTurned)
 TEST(StructuredCuts, EmptySpace)
 {
   StructuredScene scene(imageOf(sineField(1.5), unitCube(32)));
-  setSpikyFunctions(scene.property());
+  setTwoPeaks(scene.property());
   scene.property()->SetScalarOpacityUnitDistance(0.05);
   crop(scene, VTK_CROP_FENCE);
   clip(scene, { 0.5, 0.45, 0.4 }, { -0.6, 0.3, -1.0 });
-  report("empty space", expectParity(scene, { false, true }));
+  report("empty space", expectParity(scene));
 }
 } // namespace

@@ -18,7 +18,7 @@ TEST(StructuredParity, ImagesInAllPlaces)
 {
   for (const ImagePlace& place : imagePlaces())
   {
-    StructuredScene scene(imageOf(scatteredField(1), place));
+    StructuredScene scene(imageOf(scatteredField(1), place), 20, 20);
     scene.lookAtAll();
     Worst worst;
     for (const LatticeValues values : AllLatticeValues)
@@ -38,7 +38,7 @@ TEST(StructuredParity, RectilinearGridsOfAllAxes)
 {
   for (const AxisCoordinates& axes : rectilinearAxes())
   {
-    StructuredScene scene(rectilinearOf(scatteredField(2), axes));
+    StructuredScene scene(rectilinearOf(scatteredField(2), axes), 20, 20);
     scene.lookAtAll();
     for (const LatticeValues values : AllLatticeValues)
     {
@@ -54,9 +54,9 @@ TEST(StructuredParity, AllTypesOfNumbers)
 {
   for (const int type : numberTypes())
   {
-    const auto image = imageOf(sineField(), unitCube(7));
+    const auto image = imageOf(sineField(), unitCube(5));
     convertScalars(image, type);
-    StructuredScene scene(image, 24, 24);
+    StructuredScene scene(image, 16, 16);
     scene.stretchFunctions(rangeInType(type)[0], rangeInType(type)[1]);
     for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsNearest })
     {
@@ -75,10 +75,10 @@ TEST(StructuredParity, SmoothAndScattered)
   for (const LatticeValues values : AllLatticeValues)
   {
     SCOPED_TRACE(nameOf(values));
-    StructuredScene smooth(imageOf(sineField(), unitCube(16)));
+    StructuredScene smooth(imageOf(sineField(), unitCube(10)));
     smooth.draw(values);
     report(std::string("smooth, ") + nameOf(values), expectParity(smooth));
-    StructuredScene scattered(imageOf(scatteredField(3), unitCube(16)));
+    StructuredScene scattered(imageOf(scatteredField(3), unitCube(10)));
     scattered.draw(values);
     report(std::string("scattered, ") + nameOf(values), expectParity(scattered));
   }
@@ -92,7 +92,7 @@ TEST(StructuredParity, ThickThinAndPeaks)
     SCOPED_TRACE(nameOf(values));
     scene.draw(values);
     setBumpyFunctions(scene.property());
-    for (const double unit : { 0.001, 10.0 })
+    for (const double unit : { 0.005, 10.0 })
     {
       scene.property()->SetScalarOpacityUnitDistance(unit);
       report("unit distance " + std::to_string(unit) + ", " + nameOf(values), expectParity(scene));

@@ -37,6 +37,7 @@ TEST(StructuredView, AlongAxesAndInPlanesOfCells)
       StructuredScene scene(image(8), 28, 28);
       scene.camera()->ParallelProjectionOn();
       scene.camera()->SetParallelScale(0.4375);
+      scene.property()->SetScalarOpacityUnitDistance(0.6);
       const bool upright = d[2] == 0.0;
       const double up[3] = { 0.0, upright ? 0.0 : 1.0, upright ? 1.0 : d[1] != 0.0 ? 1.0 : 0.0 };
       const double x = d[0] == 0.0 ? shift : 0.0;
@@ -57,7 +58,7 @@ TEST(StructuredView, AlongAxesAndInPlanesOfCells)
 // In perspective the middle ray alone is along the axis; those of its row and column lie in planes.
 TEST(StructuredView, PerspectiveInPlanesOfCells)
 {
-  StructuredScene scene(image(8), 41, 41);
+  StructuredScene scene(image(8), 25, 25);
   for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsLinear })
   {
     scene.draw(values);
