@@ -39,7 +39,9 @@ PROGRAM_OF_TESTS = r"\bbuild/bin/TetMarch\w*Tests?\b"
 
 
 def is_shell(block):
-    return not block.startswith(NO_SHELL) and re.match(r"[\w./]+[ =]", block) is not None
+    """Lines of Python that are no whole example begin with an assignment."""
+    return (not block.startswith(NO_SHELL) and re.match(r"\w+ = ", block) is None
+            and re.match(r"[\w./][\w./-]*[ =]", block) is not None)
 
 
 def commands(block):
