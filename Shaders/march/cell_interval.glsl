@@ -13,9 +13,6 @@ struct CellInterval
 #if TETMARCH_BENT
   vec2 bend;   // of the scalar from enter to leave; see structured/bend.glsl
 #endif
-#if TETMARCH_LEAPS
-  bool skipped; // a part of the ray of which nothing can be seen
-#endif
 #if TETMARCH_KEEPS_TABLE_POINT
   TablePoint at; // the table at the end of the last lookup
 #endif
@@ -146,9 +143,6 @@ void decideVisibility(bool forward, INOUT(CellInterval) cell)
   bool open = forward;
 #if TETMARCH_HIDDEN_CELLS
   open = open && !isHidden(cell.number);
-#endif
-#if TETMARCH_LEAPS
-  open = open && !cell.skipped;
 #endif
   cell.seen = open && isDrawn(first) && isDrawn(cell.scalar);
 #if TETMARCH_TRANSPARENT_RANGES

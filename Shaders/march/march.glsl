@@ -110,8 +110,8 @@ void recordCell(CellInterval cell, March march)
 bool passCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterval) cell, INOUT(March) march)
 {
   keepCell(place, march);
-  advanceShades(cell);
   Crossing crossing = crossCell(ray, place, cell);
+  advanceShades(cell);
   march.cells = march.cells + crossing.cells;
 
   // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.

@@ -14,6 +14,18 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
   return cell;
 }
 
+// The number of the cell behind the plane that the ray crosses first, of those across the axes; of several the first one.
+// beside: along the other axes.
+ivec3 cellBehind(Ray ray, ivec3 plane, vec3 crossings, ivec3 beside)
+{
+  bool acrossX = crossings.x <= crossings.y && crossings.x <= crossings.z;
+  bool acrossY = !acrossX && crossings.y <= crossings.z;
+  bool acrossZ = !acrossX && !acrossY;
+  return ivec3(acrossX ? (ray.steps.x > 0 ? plane.x : plane.x - 1) : beside.x,
+    acrossY ? (ray.steps.y > 0 ? plane.y : plane.y - 1) : beside.y,
+    acrossZ ? (ray.steps.z > 0 ? plane.z : plane.z - 1) : beside.z);
+}
+
 #if TETMARCH_LEAPS
 ivec3 blockOf(ivec3 cell) { return ivec3(cell.x >> LEAP_SHIFT, cell.y >> LEAP_SHIFT, cell.z >> LEAP_SHIFT); }
 
@@ -39,6 +51,27 @@ ivec3 landingOf(Ray ray, real depth, ivec3 from, ivec3 plane)
   ivec3 cell = cellAround(ray.start + ray.slope * depth);
   return ivec3(landingAlong(cell.x, from.x, plane.x, ray.steps.x), landingAlong(cell.y, from.y, plane.y, ray.steps.y),
     landingAlong(cell.z, from.z, plane.z, ray.steps.z));
+}
+
+// Before a cell in a cube of which nothing can be seen, the ray leaps out of the cube, unless it is within that cell.
+// Returns whether it is still in the lattice then. The cell that it lands before is crossed in the same turn of the march's loop, which costs the same for
+// either and for both.
+bool leap(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
+{
+  ivec3 block = blockOf(place.cell);
+  int reach = leapOf(block);
+  bool leaps = reach > 0 && !(place.position < real(1));
+  ivec3 far = ivec3(cubeEnd(block.x, ray.steps.x, reach, latticeCells.x),
+    cubeEnd(block.y, ray.steps.y, reach, latticeCells.y), cubeEnd(block.z, ray.steps.z, reach, latticeCells.z));
+  vec3 crossings = crossingDepths(ray, far, NO_DEPTH);
+  real depth = leastOf(crossings);
+  bool inside = depth < place.end;
+  ivec3 landing = cellBehind(ray, far, crossings, landingOf(ray, depth, place.cell, far));
+  place.cell = leaps && inside ? landing : place.cell;
+  place.leave = leaps ? depth : place.leave;
+  cell.leave = leaps ? vec2(depth, UNDRAWN_SCALAR) : cell.leave;
+  cell.seen = cell.seen && !leaps;
+  return inside || !leaps;
 }
 #endif
 
@@ -75,32 +108,25 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
   crossing.cells = 0;
   crossing.lost = false;
   keepLastDrawn(cell);
+#if TETMARCH_LEAPS
+  bool inside = leap(ray, place, cell);
+#else
+  bool inside = true;
+#endif
 #if TETMARCH_EFFECTS
   place.crossed = place.cell;
 #endif
   ivec3 ahead = planesAhead(ray, place.cell);
-#if TETMARCH_LEAPS
-  ivec3 block = blockOf(place.cell);
-  int reach = leapOf(block);
-  ivec3 far = ivec3(cubeEnd(block.x, ray.steps.x, reach, latticeCells.x),
-    cubeEnd(block.y, ray.steps.y, reach, latticeCells.y), cubeEnd(block.z, ray.steps.z, reach, latticeCells.z));
-  ahead = reach > 0 ? far : ahead;
-  cell.skipped = reach > 0;
-#endif
-  vec3 next = crossingDepths(ray, ahead, NO_DEPTH);
+  vec3 crossings = crossingDepths(ray, ahead, NO_DEPTH);
   if (!(place.position < real(1)))
   {
     place.depth = place.leave;
-    place.leave = leastOf(next);
+    place.leave = inside ? leastOf(crossings) : place.depth;
     place.position = real(0);
     cell.number = numberOfCell(place.cell);
     crossing.cells = 1;
 #if TETMARCH_POINT_SCALARS
     place.cubic = cubicAlong(ray, place.cell, place.depth, place.leave);
-#if TETMARCH_LEAPS
-    // Outside of the cell its cubic has no meaning.
-    place.cubic = reach > 0 ? vec4(UNDRAWN_SCALAR, real(0), real(0), real(0)) : place.cubic;
-#endif
     place.extremes = extremesOf(place.cubic);
 #else
     cell.scalar =
@@ -108,21 +134,10 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
 #endif
   }
   takePart(place, cell);
-  // The axis whose plane comes first; of several the first one.
-  bool acrossX = next.x <= next.y && next.x <= next.z;
-  bool acrossY = !acrossX && next.y <= next.z;
-  bool acrossZ = !acrossX && !acrossY;
   bool crossed = !(place.position < real(1));
-  ivec3 from = place.cell;
-#if TETMARCH_LEAPS
-  ivec3 landing = landingOf(ray, place.leave, place.cell, far);
-  from = reach > 0 ? landing : from;
-#endif
-  ivec3 to = ivec3(acrossX ? (ray.steps.x > 0 ? ahead.x : ahead.x - 1) : from.x,
-    acrossY ? (ray.steps.y > 0 ? ahead.y : ahead.y - 1) : from.y,
-    acrossZ ? (ray.steps.z > 0 ? ahead.z : ahead.z - 1) : from.z);
   // The last plane of the lattice is the same for each cell before it, to the bit.
   crossing.onward = !crossed || place.leave < place.end;
-  place.cell = crossing.onward && crossed ? to : place.cell;
+  ivec3 next = cellBehind(ray, ahead, crossings, place.cell);
+  place.cell = crossing.onward && crossed ? next : place.cell;
   return crossing;
 }
