@@ -41,17 +41,20 @@ Radiance noRadiance()
 }
 
 #if TETMARCH_ADAPTIVE
-// A quarter of a pixel's tolerance may be used up at once, half of it in proportion to what the ray absorbs; the rest is
-// for what lies behind the end of the ray.
+// A quarter of a pixel's tolerance may be used up from the begin, half of it in proportion to what the ray absorbs; the
+// rest is for what lies behind the end of the ray. No subsegment uses more than a quarter of what there is: those behind
+// it, with little left, would have to be shorter than it has gained.
 CONSTANT real TOLERANCE_AT_ONCE = real(0.25);
 CONSTANT real TOLERANCE_BY_ABSORPTION = real(0.5);
+CONSTANT real SHARE_OF_A_SUBSEGMENT = real(0.25);
 
 // How far the next subsegment may be off, which absorbs that much of the pixel's light.
 real errorBudget(Radiance radiance, real absorbed)
 {
   real earned = TOLERANCE_AT_ONCE + TOLERANCE_BY_ABSORPTION * (real(1) - radiance.transmittance + absorbed);
   // Rounding may have used a little more than there was.
-  return max(errorTolerance * earned - radiance.error, errorTolerance * TOLERANCE_BY_ABSORPTION * absorbed);
+  return max(SHARE_OF_A_SUBSEGMENT * (errorTolerance * earned - radiance.error),
+    errorTolerance * TOLERANCE_BY_ABSORPTION * absorbed);
 }
 #endif
 

@@ -44,17 +44,16 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #endif
       pending = !(loaded && part.last) && !isOpaque(radiance);
       position = loaded ? position + part.fraction : position;
-      step = loaded ? real(2) * step : step;
       keepTablePoint(found, cell);
-      loaded = true;
     }
 #if TETMARCH_ADAPTIVE
-    else
-    {
-      // The error grows with the third power of the step, what it earns with the first.
-      step = part.fraction * clamp(real(0.9) * sqrt(budget / error), real(0.1), real(0.5));
-    }
+    // The error grows with the third power of the step, what it earns with the first. What remains is cut evenly.
+    real change = real(0.8) * sqrt(budget / error);
+    step = part.fraction * (accepted ? clamp(change, real(1), real(2)) : clamp(change, real(0.1), real(0.5)));
+    real remaining = real(1) - position;
+    step = remaining / -floor(-remaining / step);
 #endif
+    loaded = loaded || accepted;
     trials = trials + 1;
   } while (pending);
   return trials;

@@ -39,7 +39,36 @@ struct SubsegmentMean
 {
   vec4 mean;       // of C tau and tau
   TablePoint next; // the table at the subsegment's end
+#if TETMARCH_BENT
+  vec2 bend;       // of the scalar in it
+#endif
+#if TETMARCH_SLOPE_VARIATION
+  real bentError;  // how far the light of a unit of thickness is off, if the mean takes the bend into account; else -1
+#endif
 };
+
+#if TETMARCH_SLOPE_VARIATION
+vec4 weightedByExtinction(vec4 value)
+{
+  return vec4(value.x * value.w, value.y * value.w, value.z * value.w, value.w);
+}
+
+// Takes the bend into account where the functions are straight enough for it to be known what that leaves.
+void bendMean(TablePoint from, INOUT(SubsegmentMean) found)
+{
+  real rise = found.next.x - from.x;
+  real ofExtinction = abs(found.next.slopeVariation.x - from.slopeVariation.x);
+  real ofEmission = abs(found.next.slopeVariation.y - from.slopeVariation.y);
+  // An error of the optical depth changes the opacity and, as that of C tau, the colour.
+  real error = bentMeanError(found.bend, rise) * (real(2) * ofExtinction + ofEmission);
+  bool straight =
+    error < greatestShift(found.bend, rise) * abs(found.next.extinctionVariation - from.extinctionVariation);
+  vec4 bent = bentMean(
+    found.mean, weightedByExtinction(from.value), weightedByExtinction(found.next.value), found.bend, rise);
+  found.mean = straight ? bent : found.mean;
+  found.bentError = straight ? error : real(-1);
+}
+#endif
 
 // Unless loaded, of the begin alone.
 SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, CellInterval cell)
@@ -48,6 +77,12 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
   real target = part.last ? ends.end : positionWithin(ends, part.end);
   found.next = tablePoint(loaded ? target : ends.begin);
   found.mean = meanBetween(cell.at, found.next);
+#if TETMARCH_BENT
+  found.bend = bendWithin(ends.bend, part.begin, part.begin + part.fraction);
+#endif
+#if TETMARCH_SLOPE_VARIATION
+  bendMean(cell.at, found);
+#endif
   return found;
 }
 
@@ -60,8 +95,9 @@ real subsegmentError(
 {
   real variation = abs(found.next.variation - cell.at.variation);
 #if TETMARCH_BENT
-  real bent = bendError(bendWithin(ends.bend, part.begin, part.begin + part.fraction), found.next.x - cell.at.x, by,
-    variation, abs(found.next.extinctionVariation - cell.at.extinctionVariation));
+  real unbent = bendError(found.bend, found.next.x - cell.at.x, by, variation,
+    abs(found.next.extinctionVariation - cell.at.extinctionVariation));
+  real bent = found.bentError < real(0) ? unbent : min(by.thickness * found.bentError, real(1));
   return transmittance * (min(variation, real(1)) * orderErrorFactor(by.depth) + bent);
 #else
   return transmittance * (min(variation, real(1)) * orderErrorFactor(by.depth));

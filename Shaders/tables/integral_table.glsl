@@ -1,6 +1,6 @@
 // Colour C and extinction tau as functions of the scalar, linear between the n entries of a table, and their integrals
 // T(x) = integral of tau, K(x) = integral of C tau. V(x) is the total variation of C up to x, of the channel that changes
-// most in each bin.
+// most in each bin; likewise for the slopes.
 //
 // x counts entries. The first and the last bin are constant, so that the formulas hold for any x beyond the table as
 // well. Integrals up to an entry are 32-bit fixed-point numbers: their differences are exact, so that a mean over a small
@@ -16,9 +16,12 @@ struct TablePoint
   vec4 binEnd;      // C, tau at entry bin + 1
 #if TETMARCH_ERROR_BOUND
   real variation;   // V at x
+#endif
 #if TETMARCH_EXTINCTION_VARIATION
   real extinctionVariation; // the same of tau
 #endif
+#if TETMARCH_SLOPE_VARIATION
+  vec2 slopeVariation;      // the same of the slopes of tau and of C tau, an entry
 #endif
   uvec4 integral;   // K, T at entry bin
   uvec4 integralEnd; // K, T at entry bin + 1
@@ -115,8 +118,16 @@ TablePoint tablePoint(real x)
   p.integralEnd = fetchTableIntegral(p.bin + 1);
 #if TETMARCH_EXTINCTION_VARIATION
   vec2 variation = fetchTableVariations(p.bin);
+#if TETMARCH_ERROR_BOUND
   p.variation = variation.x + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * fraction;
+#endif
   p.extinctionVariation = variation.y + abs(rise.w) * fraction;
+#if TETMARCH_SLOPE_VARIATION
+  // In a bin tau is straight, and C tau a parabola.
+  vec2 slopeVariation = fetchTableSlopeVariations(p.bin);
+  p.slopeVariation = vec2(slopeVariation.x,
+    slopeVariation.y + real(2) * abs(rise.w) * max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * fraction);
+#endif
 #elif TETMARCH_ERROR_BOUND
   p.variation = fetchTableVariation(p.bin) + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * fraction;
 #endif

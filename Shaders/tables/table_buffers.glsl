@@ -33,7 +33,7 @@ uniform vec3 constantColor; // takes the place of the table's
 #if TETMARCH_NAN_SHOWN
 uniform vec4 nanColor; // of scalars that are not finite, and their extinction
 #endif
-#if TETMARCH_ERROR_BOUND
+#if TETMARCH_VARIATIONS
 uniform samplerBuffer tableVariationBuffer;
 #endif
 #if TETMARCH_ADAPTIVE
@@ -50,9 +50,12 @@ int fetchTableSize(int table) { return tableSizes[table]; }
 vec4 fetchTableIntegralUnit(int table) { return tableIntegralUnits[table]; }
 vec2 fetchTablePlace(int table) { return tablePlace[table]; }
 #endif
-#if TETMARCH_ERROR_BOUND
+#if TETMARCH_VARIATIONS
 #if TETMARCH_EXTINCTION_VARIATION
 vec2 fetchTableVariations(int i) { return texelFetch(tableVariationBuffer, i).xy; } // of colour and extinction
+#if TETMARCH_SLOPE_VARIATION
+vec2 fetchTableSlopeVariations(int i) { return texelFetch(tableVariationBuffer, i).zw; } // of extinction and of C tau
+#endif
 #else
 float fetchTableVariation(int i) { return texelFetch(tableVariationBuffer, i).x; }
 #endif

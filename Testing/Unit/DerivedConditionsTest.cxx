@@ -37,6 +37,7 @@ const Derived Conditions[] = {
   { "SHADOWS", &VariantKey::hasShadows },
   { "VERTEX_LIGHT", &VariantKey::hasVertexLight },
   { "ERROR_BOUND", &VariantKey::hasErrorBound },
+  { "VARIATIONS", &VariantKey::needsVariations },
 };
 
 bool isTrue(ShaderConditions& conditions, const std::string& symbol)

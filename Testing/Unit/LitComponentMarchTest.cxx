@@ -122,14 +122,14 @@ void expectBoundOfChangingLight(int components)
       400);
   };
   forEach(GroundTruthAccuracy, [&](const Rgba& seen, double) { exact.push_back(seen); });
-  AccuracyLevel level = levelOf(Accuracy::Default, 1.0 / 32.0);
+  AccuracyLevel level = levelOf(Accuracy::Default, 1.0 / 64.0);
   level.LeastTableEntries = 16384;
   ErrorTally tally;
   forEach(
     level, [&](const Rgba& seen, double bound) { tally.add(seen, exact[tally.Rays], bound); });
   std::cout << "[ MEASURED ] " << tally << '\n';
   EXPECT_GT(tally.Rays, 150);
-  EXPECT_GT(tally.Worst, 1.0 / 32.0);
+  EXPECT_GT(tally.Worst, 1.0 / 64.0);
   EXPECT_LE(tally.BeyondBound, Rounding);
 }
 

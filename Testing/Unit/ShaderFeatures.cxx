@@ -87,14 +87,16 @@ const ShaderFeature OfTheMarch[] = {
   { "parts between translucent geometry", [](const Key& k, MarchShader) { return k.Peeled; },
     "peeledRay initializeRayCast castRay g_opacityThreshold in_inverseWindowSize" },
   { "error bound", [](const Key& k, MarchShader) { return k.hasErrorBound(); },
-    "tableVariationBuffer variation orderErrorFactor subsegmentError" },
+    "orderErrorFactor subsegmentError" },
+  { "variations of the functions", [](const Key& k, MarchShader) { return k.needsVariations(); },
+    "tableVariationBuffer variation" },
   { "error bound of one scalar that is linear",
     [](const Key& k, MarchShader)
     { return k.hasErrorBound() && !k.hasComponents() && !k.Structured; },
     "fetchTableVariation" },
-  { "error bound of several, or of one that bends",
+  { "error bound of several, or one that bends",
     [](const Key& k, MarchShader)
-    { return k.hasErrorBound() && (k.hasComponents() || k.Structured); },
+    { return k.needsVariations() && (k.hasComponents() || k.Structured); },
     "fetchTableVariations extinctionVariation" },
   { "error bound of independent components, or the planes that a ray crosses",
     [](const Key& k, MarchShader)
@@ -103,7 +105,8 @@ const ShaderFeature OfTheMarch[] = {
   { "error bound of dependent components",
     [](const Key& k, MarchShader) { return k.hasErrorBound() && k.isDependent(); }, "covariance" },
   { "adaptive", [](const Key& k, MarchShader) { return k.Adaptive; },
-    "mostTrials errorBudget TOLERANCE_AT_ONCE TOLERANCE_BY_ABSORPTION budget" },
+    "mostTrials errorBudget TOLERANCE_AT_ONCE TOLERANCE_BY_ABSORPTION SHARE_OF_A_SUBSEGMENT "
+    "budget" },
   { "diagnostics", [](const Key& k, MarchShader) { return k.Diagnostics; }, "guarded met" },
   { "transparent ranges", [](const Key& k, MarchShader) { return k.TransparentRanges; },
     "transparentRanges isTransparentBetween" },

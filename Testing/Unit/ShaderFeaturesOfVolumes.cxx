@@ -63,7 +63,7 @@ std::vector<ShaderFeature> featuresOfVolumes()
       "valueTexture valueMap latticeCells firstValue lastValue latticeMatrix toLattice "
       "directionToLattice perSlope steps stepAlong perSlopeOf planesAt cellAround "
       "planesAhead planesPassed crossingDepths leastOf depthsOfLattice corrected cellBehindDepth "
-      "numberOfCell takePart LEAP_SHIFT" },
+      "numberOfCell takePart cellBehind LEAP_SHIFT" },
     { "even planes", [](const Key& k, MarchShader) { return k.Structured && !k.Rectilinear; },
       "latticeShift latticeHalfLength planeAt" },
     { "planes of their own", [](const Key& k, MarchShader) { return k.Rectilinear; },
@@ -76,10 +76,19 @@ std::vector<ShaderFeature> featuresOfVolumes()
       [](const Key& k, MarchShader) { return k.Structured && !k.PointScalars; }, "fetchValue" },
     { "error of the bend",
       [](const Key& k, MarchShader) { return k.Structured && k.hasErrorBound(); },
-      "bendError greatestBend bent" },
+      "bendError unbent" },
+    { "bend within a table",
+      [](const Key& k, MarchShader) { return k.Structured && k.needsVariations(); },
+      "greatestBend greatestShift bent" },
+    { "bend of one scalar",
+      [](const Key& k, MarchShader)
+      { return k.Structured && k.needsVariations() && !k.hasComponents(); },
+      "fetchTableSlopeVariations slopeVariation bentShare bentMean bentMeanError bendMean "
+      "bentError "
+      "weightedByExtinction" },
     { "leaps", [](const Key& k, MarchShader) { return k.Leaps; },
       "blockDistanceBuffer blockCount fetchBlockDistance leapOf blockOf cubeEnd landingAlong "
-      "landingOf skipped" },
+      "landingOf leap leaps" },
     { "extinction along samples' rays through a lattice",
       [](const Key& k, MarchShader) { return k.Structured && k.SampledShadows; },
       "meanExtinction" },

@@ -66,6 +66,7 @@ public:
                                                : tetmarch::OpacityLaw::Structured,
       this->Blend, this->Values[0].Range, level);
     addExtinctionVariations(this->Table);
+    addSlopeVariations(this->Table);
     this->PerDepth = frame.Radius / model.UnitDistance;
   }
 

@@ -64,6 +64,7 @@ IntegralTable makeTables(vtkVolumeProperty* property, const TableInput& input,
   if (input.Bends)
   {
     addExtinctionVariations(table);
+    addSlopeVariations(table);
   }
   return table;
 }

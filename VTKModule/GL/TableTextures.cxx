@@ -94,9 +94,14 @@ std::string TableTextures::uploadFirst(vtkOpenGLRenderWindow* window, const Inte
   {
     return this->Variations.upload(window, TexelFormat::R32F, table.Variations.data(), size);
   }
-  std::vector<std::array<float, 2>> variations;
-  appendVariations(table, variations);
-  return this->Variations.upload(window, TexelFormat::RG32F, variations.data(), size);
+  std::vector<std::array<float, 4>> variations;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const std::array<float, 2>& slopes = table.SlopeVariations[i];
+    variations.push_back(
+      { { table.Variations[i], table.ExtinctionVariations[i], slopes[0], slopes[1] } });
+  }
+  return this->Variations.upload(window, TexelFormat::RGBA32F, variations.data(), size);
 }
 
 std::string TableTextures::upload(vtkOpenGLRenderWindow* window, const TransferTables& tables)
@@ -165,7 +170,7 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
   {
     setUniform(program, "tableIntegralUnit", table.IntegralUnit);
   }
-  if (key.hasErrorBound())
+  if (key.needsVariations())
   {
     this->Variations.bind(program, "tableVariationBuffer");
   }

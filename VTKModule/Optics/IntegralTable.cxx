@@ -135,4 +135,49 @@ void addExtinctionVariations(IntegralTable& table)
   }
 }
 
+void addSlopeVariations(IntegralTable& table)
+{
+  using Slopes = std::array<double, 4>; // of C tau and tau
+  // At the begin of a bin (end 0) or at its end (end 1), of the parabola that C tau is in it.
+  const auto slopesAt = [&](std::size_t bin, int end)
+  {
+    const std::array<float, 4>& from = table.Values[bin];
+    const std::array<float, 4>& to = table.Values[bin + 1];
+    const std::array<float, 4>& at = end == 0 ? from : to;
+    const double rise = double(to[3]) - double(from[3]);
+    Slopes slopes{};
+    for (int k = 0; k < 3; ++k)
+    {
+      slopes[k] = (double(to[k]) - double(from[k])) * double(at[3]) + double(at[k]) * rise;
+    }
+    slopes[3] = rise;
+    return slopes;
+  };
+  double ofExtinction = 0;
+  double ofEmission = 0;
+  const auto add = [&](const Slopes& before, const Slopes& behind)
+  {
+    double most = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      most = std::max(most, std::abs(behind[k] - before[k]));
+    }
+    ofEmission += most;
+    ofExtinction += std::abs(behind[3] - before[3]);
+  };
+  table.SlopeVariations.assign(1, {});
+  Slopes before{}; // all is constant before the first bin
+  for (std::size_t bin = 0; bin + 1 < table.Values.size(); ++bin)
+  {
+    const Slopes begin = slopesAt(bin, 0);
+    add(before, begin);
+    // The sums up to a bin hold the jump at its begin.
+    table.SlopeVariations[bin] = { { static_cast<float>(ofExtinction),
+      static_cast<float>(ofEmission) } };
+    before = slopesAt(bin, 1);
+    add(begin, before);
+    table.SlopeVariations.push_back(table.SlopeVariations.back());
+  }
+}
+
 } // namespace tetmarch

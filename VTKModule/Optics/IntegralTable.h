@@ -21,6 +21,8 @@ struct IntegralTable
   std::vector<std::array<std::uint32_t, 4>> Integrals; // of C tau and tau up to each entry
   std::vector<float> Variations;                       // total variation of C up to each entry
   std::vector<float> ExtinctionVariations;             // the same of tau, if it was asked for
+  /** The same of the slopes of tau and of C tau, an entry, if it was asked for. */
+  std::vector<std::array<float, 2>> SlopeVariations;
   std::array<double, 4> IntegralUnit{};                // what 1 in Integrals stands for, in bins
   TableTraits Traits;
   /** r, g, b, extinction of scalars that are not finite. */
@@ -46,6 +48,9 @@ bool hasExtinction(const IntegralTable& table);
 /** Add ExtinctionVariations, which the error bounds of several tables and of scalars that bend along a
  * ray need. */
 void addExtinctionVariations(IntegralTable& table);
+
+/** Add SlopeVariations, which the error bounds of scalars that bend along a ray need. */
+void addSlopeVariations(IntegralTable& table);
 
 /** The number of samples for a table of so many entries. */
 constexpr int samplesOfTable(int entries) { return entries - 4; }

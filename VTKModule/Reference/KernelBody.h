@@ -56,6 +56,11 @@ vec2 fetchTableVariations(int i) const
 {
   return vec2(Real(Table->Variations[i]), Real(Table->ExtinctionVariations[i]));
 }
+vec2 fetchTableSlopeVariations(int i) const
+{
+  const auto& v = Table->SlopeVariations[i];
+  return vec2(Real(v[0]), Real(v[1]));
+}
 #endif
 uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] : 0u; }
 

@@ -25,5 +25,6 @@ bool VariantKey::isLit() const { return TETMARCH_LIT; }
 bool VariantKey::hasShadows() const { return TETMARCH_SHADOWS; }
 bool VariantKey::hasVertexLight() const { return TETMARCH_VERTEX_LIGHT; }
 bool VariantKey::hasErrorBound() const { return TETMARCH_ERROR_BOUND; }
+bool VariantKey::needsVariations() const { return TETMARCH_VARIATIONS; }
 
 } // namespace tetmarch

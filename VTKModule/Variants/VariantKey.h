@@ -107,6 +107,9 @@ struct VariantKey
   bool hasVertexLight() const;
   /** The error of the integration is bounded along the ray; that of a constant is 0. */
   bool hasErrorBound() const;
+  /** Total variations of the transfer functions are read: for error bounds, or for scalars that
+   * bend along the ray. */
+  bool needsVariations() const;
 
   bool operator==(const VariantKey& other) const;
 
