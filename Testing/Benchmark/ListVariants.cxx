@@ -26,18 +26,13 @@ struct Pass
   std::vector<VariantKey> Keys;
 };
 
-/// The variants that scenes of tetrahedra can ask for: surfaces that cast shadows are seen as well,
-/// and whether there is fma is the driver's choice. Pictures of images are held against the CPU
-/// reference alone (Testing/Cxx/Structured).
+/// The variants that scenes can ask for: surfaces that cast shadows are seen as well, and whether
+/// there is fma is the driver's choice.
 std::vector<VariantKey> ofScenes(const std::vector<VariantKey>& keys)
 {
   DistinctKeys distinct;
   for (VariantKey key : keys)
   {
-    if (key.Structured)
-    {
-      continue;
-    }
     key.OpaqueDepth = key.OpaqueDepth || key.OpaqueShadows;
     key.HasFma = false;
     distinct.add(key.filtered());
