@@ -33,7 +33,7 @@ std::vector<ShaderFeature> featuresOfLight()
     { "gradients of cells of a lattice by their neighbours",
       [](const Key& k, MarchShader)
       { return k.hasGradients() && isTrilinear(k) && !k.CellGradients; },
-      "perDistances perLow perHigh fetchBeside" },
+      "perDistances perLow perHigh fetchBeside innerCell" },
     { "values beside a cell",
       [](const Key& k, MarchShader)
       { return k.hasGradients() && k.Structured && !k.CellGradients; },
