@@ -17,7 +17,8 @@ FEATURES = frozenset("""
     """.split())
 ARRAY = "field"
 CUBES = 4
-CELLS_TO_LEAP = 16  # four blocks along each axis
+CELLS = 16  # of a lattice, along each axis: four blocks or more
+CELLS_OF_BLOCK = 3  # one block, also if half cells are added at both ends
 HIDDEN_CELL = 32  # vtkDataSetAttributes::HIDDENCELL
 
 
@@ -80,7 +81,9 @@ class VariantScene:
 
     def set_lattice(self):
         """Points or cells; interpolated, or one scalar a cell."""
-        cells = CELLS_TO_LEAP if self.has("LEAPS") else CUBES
+        # Where no surface is to be leapt to, no block may be without one; between constant cells rays never leap to one.
+        may_leap = self.has("ISOSURFACES") and self.has("POINT_SCALARS")
+        cells = CELLS_OF_BLOCK if may_leap and not self.has("LEAPS") else CELLS
         of_points, even = self.one_of(True, False), not self.has("RECTILINEAR")
         # From a tenth of empty blocks on rays leap; from a half on they pass what is transparent.
         unseen = 0.8 if self.has("TRANSPARENT_RANGES") else 0.35 if self.has("LEAPS") else 0.0
