@@ -26,6 +26,9 @@ NOT_PASTED = {  # by regular expression
     "cmake --install build --prefix PREFIX": "the test PackageInstall does it",
     "cmake -S . -B build-plugin -DTETMARCH_PARAVIEW_PLUGIN=ON -DParaView_DIR=.../lib/cmake/paraview-5.11":
         "./tetmarch paraview does it",
+    r"/usr/bin/python3 Data/make_image\.py 1024 waves_\S*": "takes 1 GB; RenderImageTest.py makes a smaller one",
+    r"build/bin/tetmarch-render waves_\S* .*": "takes 2.5 GB; RenderImageTest.py draws a smaller one",
+    r"build/bin/tetmarch-render lobster_\S* .*": "the file is to be downloaded",
     "python3 Testing/Benchmark/compare_.*": "Testing/Benchmark/ComparisonTest.py runs them",
     "PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 example.py": "ExamplesTest.py pastes it",
 }
@@ -36,7 +39,9 @@ PROGRAM_OF_TESTS = r"\bbuild/bin/TetMarch\w*Tests?\b"
 
 
 def is_shell(block):
-    return not block.startswith(NO_SHELL) and re.match(r"[\w./]+[ =]", block) is not None
+    """Lines of Python that are no whole example begin with an assignment."""
+    return (not block.startswith(NO_SHELL) and re.match(r"\w+ = ", block) is None
+            and re.match(r"[\w./][\w./-]*[ =]", block) is not None)
 
 
 def commands(block):

@@ -11,7 +11,7 @@ MOST_COLUMNS = 120
 MOST_LINES_OF_README = 115
 FILE_ENDINGS = "cmake|cxx|glsl|h|json|md|png|py|sh|svg|txt|vtu|xml|module|plugin"
 # Files that a page tells of and that aren't ours, or are made by who follows the page.
-OTHER_FILES = {"vtkAOSDataArrayTemplate.h", "example.py", "TetMarch.so"}
+OTHER_FILES = {"vtkAOSDataArrayTemplate.h", "example.py", "TetMarch.so", "data/vti/bonsai.vti"}
 # Folders that a page tells of and that aren't ours.
 OTHER_FOLDERS = {"Remote/", "Remote/TetMarch"}
 # Stand for any name: `concept_buffers.glsl`.

@@ -139,7 +139,7 @@ class RenderImageTest(RenderCase):
         self.assertEqual(stats["accuracy"], {"level": "Default", "tolerance": 0.01})
 
     def test_light(self):
-        """From where the eye is, light makes what faces it no darker than ambient light alone."""
+        """Ambient light alone, of all of the colour, is no light; shadows take some away."""
         scene = ("image.vti", "--array", "ramp", *RAMP, "--size", "80x60")
         plain, _ = self.render(*scene)
         ambient, _ = self.render(*scene, "--ambient", 1, "--diffuse", 0, "--specular", 0)
@@ -149,8 +149,7 @@ class RenderImageTest(RenderCase):
         self.assertIn("vertex_light", stats["seconds"])
         shadowed, _ = self.render(*scene, "--light", "1,0,0", "--ambient", 0, "--shadows", "rays")
         unshadowed, _ = self.render(*scene, "--light", "1,0,0", "--ambient", 0)
-        brightness = [sum(map(sum, row)) for row in shadowed]
-        self.assertLess(sum(brightness), sum(sum(map(sum, row)) for row in unshadowed))
+        self.assertLess(*(sum(sum(map(sum, row)) for row in pixels) for pixels in (shadowed, unshadowed)))
 
     def test_views(self):
         picture, _ = self.render("image.vti", "--array", "ramp", "--size", "320x240")
@@ -205,6 +204,27 @@ class RenderImageTest(RenderCase):
         self.expect_failure(2, "--dimensions, --type, --spacing and --big-endian tell of .raw files", "image.vti",
                             "--type", "float")
         self.assertEqual(list(self.folder.glob("*.png")), [])
+
+    def test_the_large_image_of_the_pages(self):
+        """But smaller."""
+        name = "waves_48x48x48_uint8.raw"
+        script = self.project / "Data" / "make_image.py"
+        subprocess.run(["/usr/bin/python3", script, "48", name], cwd=self.folder, check=True)
+        pixels, stats = self.render(name, "--unit-distance", 10, "--size", "64x64")
+        self.assertEqual(stats["points"], 48 ** 3)
+        self.assertGreater(len({pixel for row in pixels for pixel in row}), 100)
+        self.assertEqual(pixels[0][0], pixels[63][63])  # nothing is drawn there
+        self.expect_failure(1, "it has 110592 bytes, but 48 x 48 x 47 values of uint8 are 108288", name, "--dimensions",
+                            "48,48,47")
+
+    def test_the_small_scan(self):
+        data = self.project / "Data"
+        pixels, stats = self.render(data / "bonsai_small.vti", "--preset", data / "bonsai.json", "--size", "96x96")
+        self.assertEqual((stats["points"], stats["array"]["name"]), (128 ** 3, "density"))
+        self.assertEqual(stats["array"]["range"], [0, 255])
+        self.assertEqual(stats["unit_distance"], 2)
+        greens = sum(g > r + 10 and g > b + 10 for row in pixels for r, g, b in row)
+        self.assertGreater(greens, 200)  # leaves
 
     def test_memory(self):
         """A raw file of bytes is held once here and once by the GL, which is this process, too."""
