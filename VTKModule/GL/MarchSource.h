@@ -53,7 +53,7 @@ public:
   /** The scalars that are drawn. */
   virtual std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) = 0;
   /** What of the volume can be seen by these functions; undrawnSeen: also scalars that are not finite.
-   * It tells what rays may leap over. */
+   * It tells what rays may leap over. It is called when any of them, or version(), has changed. */
   virtual std::string updateVisibility(
     const IntegralTable&, const Blending&, bool /*undrawnSeen*/)
   {

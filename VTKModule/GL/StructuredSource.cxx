@@ -93,24 +93,7 @@ std::string StructuredSource::updateScalars(vtkDataSet* data, const DrawnScalars
 std::string StructuredSource::updateVisibility(
   const IntegralTable& table, const Blending& blending, bool undrawnSeen)
 {
-  Fingerprint input = this->Volume.valuesVersion();
-  add(input, versionOf(blending));
-  input.push_back(undrawnSeen ? 1 : 0);
-  if (blending.isComposite())
-  {
-    for (const std::array<float, 4>& value : table.Values)
-    {
-      add(input, static_cast<double>(value[3]));
-    }
-    add(input, table.Begin);
-    add(input, table.End);
-  }
-  if (input == this->EmptyInput)
-  {
-    return {};
-  }
-  this->EmptyInput.clear();
-  const std::string shortage = withinMemory("the distances to what is seen",
+  return withinMemory("the distances to what is seen",
     [&]
     {
       const StageRecorder recorder(this->EmptyRecord);
@@ -126,11 +109,11 @@ std::string StructuredSource::updateVisibility(
         this->Empty = findBlockDistances(ranges, table, this->range(), undrawnSeen);
       }
     });
-  if (shortage.empty())
-  {
-    this->EmptyInput = input;
-  }
-  return shortage;
+}
+
+Fingerprint StructuredSource::emptyVersion() const
+{
+  return { static_cast<std::uintptr_t>(this->EmptyRecord.Runs) };
 }
 
 bool StructuredSource::leaps() const { return this->Empty.EmptyShare >= LeastShareToLeap; }
@@ -164,7 +147,7 @@ bool StructuredSource::isUploaded() const
   return this->ValuesThere == this->Volume.valuesVersion() &&
          this->PlanesThere == this->Volume.latticeVersion() &&
          this->HiddenThere == this->Volume.hiddenVersion() &&
-         this->DistancesThere == this->EmptyInput;
+         this->DistancesThere == this->emptyVersion();
 }
 
 std::string StructuredSource::uploadPlanes(vtkOpenGLRenderWindow* window)
@@ -225,7 +208,7 @@ std::string StructuredSource::upload(vtkOpenGLRenderWindow* window)
                 : this->Hidden.upload(window, TexelFormat::R32UI, hidden.data(), hidden.size());
       return this->Hidden.bytes();
     });
-  update(this->DistancesThere, this->EmptyInput,
+  update(this->DistancesThere, this->emptyVersion(),
     [&]
     {
       this->Distances.release(window);

@@ -75,6 +75,7 @@ public:
 private:
   ReferenceScene withVolume(ReferenceScene scene) const;
   bool leaps() const;
+  Fingerprint emptyVersion() const;
   std::string uploadPlanes(vtkOpenGLRenderWindow* window);
 
   /** The version of what the GPU has; none before it is uploaded. */
@@ -84,7 +85,6 @@ private:
   StructuredVolume Volume;
   StructuredEffectSource Effects{ Volume };
   BlockDistances Empty;
-  Fingerprint EmptyInput;
   StageRecord EmptyRecord;
 
   ArrayTexture Values;
