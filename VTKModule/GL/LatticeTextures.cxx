@@ -3,7 +3,6 @@
 #include "GL/LatticeTextures.h"
 
 #include "GL/Uniforms.h"
-#include "Structured/LightNodes.h"
 
 #include "vtkOpenGLRenderUtilities.h" // the GL
 #include "vtkOpenGLRenderWindow.h"
@@ -177,7 +176,7 @@ void LatticeTextures::bind(vtkShaderProgram* program, const VariantKey& key,
   setInts(program, "latticeCells", intsOf(lattice, [](const LatticeAxis& a) { return a.Cells; }));
   setAffine(program, "latticeMatrix", lattice.FromNormalized);
   program->SetUniformi("mostCells", mostCellsOf(lattice));
-  bindLightNodes(program, lightNodesOf(lattice));
+  bindLightNodes(program, volume.lightNodes());
   if (key.Leaps)
   {
     this->Distances.bind(program, "blockDistanceBuffer");

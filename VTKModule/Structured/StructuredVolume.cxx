@@ -101,6 +101,7 @@ std::string StructuredVolume::updateLattice(const LatticeCase& lies)
   if (wrong.empty())
   {
     this->Case = lies;
+    this->Nodes = lightNodesOf(this->Made);
     this->LatticeInput = input;
   }
   return wrong;

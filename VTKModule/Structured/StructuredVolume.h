@@ -13,6 +13,7 @@
 #include "Structured/HiddenLatticeStage.h"
 #include "Structured/Lattice.h"
 #include "Structured/LatticeBuilder.h"
+#include "Structured/LightNodes.h"
 #include "Structured/StoredValues.h"
 
 #include <string>
@@ -47,6 +48,8 @@ public:
   /** Known from updateGeometry() on; the rest of the lattice from updateScalars() on. */
   const VolumeFrame& frame() const { return this->Frame; }
   const Lattice& lattice() const { return this->Made; }
+  /** Of the lattice. */
+  const LightNodes& lightNodes() const { return this->Nodes; }
   /** The first scalar, and those that are drawn with it. */
   const std::vector<StoredValues>& values() const { return this->Values; }
   const std::vector<ScalarRange>& furtherRanges() const { return this->FurtherRanges; }
@@ -87,6 +90,7 @@ private:
   Fingerprint LatticeInput; // beside the geometry
   LatticeCase Case;
   Lattice Made;
+  LightNodes Nodes;
   HiddenLatticeStage Hidden;
   Fingerprint ValuesInput;
   std::vector<StoredValues> Values;
