@@ -41,7 +41,10 @@ public:
   /** Cells of which nothing is seen are leapt over or passed, if there are blocks of them. */
   double transparentShare(const IntegralTable&) const override { return this->Empty.EmptyShare; }
   const EffectSource& effectSource() const override { return this->Effects; }
-  vtkIdType cellOf(std::uint32_t cell) const override { return this->Volume.dataCellOf(cell); }
+  vtkIdType cellOf(std::uint32_t cell, const Vector3& point) const override
+  {
+    return this->Volume.dataCellOf(cell, point);
+  }
   void setBits(VariantKey& key, const View& camera) const override;
   Fingerprint version() const override;
   std::int64_t runs() const override { return this->Volume.runs() + this->EmptyRecord.Runs; }

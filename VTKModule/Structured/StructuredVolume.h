@@ -57,8 +57,9 @@ public:
    * Which are: see hiddenLatticeCells(). */
   const std::vector<std::uint32_t>& hiddenCells() const { return this->Hidden.cells(); }
   const BlockRanges& blockRanges() const { return this->Ranges; }
-  /** The cell of the data that a cell of the lattice is in, or the first one that it overlaps. */
-  vtkIdType dataCellOf(std::uint32_t cell) const;
+  /** The cell of the data in which a point of a cell of the lattice lies, which may overlap eight
+   * of them. The point is one of the normalised frame. */
+  vtkIdType dataCellOf(std::uint32_t cell, const Vector3& point) const;
 
   /** Equal as long as the lattice is the same; one word. */
   Fingerprint latticeVersion() const;
