@@ -218,6 +218,8 @@ TEST(VariantKey, PicksKnowNoLight)
     ASSERT_EQ(pick.Blend, picture.Blend);
     ASSERT_EQ(pick.Structured, picture.Structured);
     ASSERT_EQ(pick.Rectilinear, picture.Rectilinear);
+    ASSERT_EQ(pick.Adaptive, pick.Structured && pick.PointScalars && pick.isComposite());
+    pick.Adaptive = false;
     pick.PointScalars = true;
     pick.GradientOpacity = pick.CellGradients = false;
     pick.Components = ComponentGroup::Single;

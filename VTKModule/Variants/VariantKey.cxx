@@ -211,6 +211,8 @@ VariantKey VariantKey::ofPick() const
   key.OpaqueDepth = true;
   key.Leaps = this->Leaps;
   key.PointScalars = this->PointScalars;
+  // Where the scalar is linear, the optical depth of a segment is exact.
+  key.Adaptive = this->Structured;
   key.Clipped = this->Clipped;
   key.Cropped = this->Cropped;
   key.NanShown = this->NanShown;

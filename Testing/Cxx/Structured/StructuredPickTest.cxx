@@ -120,12 +120,9 @@ TEST(StructuredPick, AgainstTheGroundTruth)
 {
   for (const double threshold : { 0.1, 0.6 })
   {
-    for (const LatticeValues values : { LatticeValues::PointsNearest, LatticeValues::CellsNearest })
-    {
-      expectPicks(imageOf(scatteredField(1), unitCube(6)), values, threshold);
-    }
     for (const LatticeValues values : AllLatticeValues)
     {
+      expectPicks(imageOf(scatteredField(1), unitCube(6)), values, threshold);
       expectPicks(imageOf(linearField(), unitCube(6)), values, threshold);
     }
     for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsLinear })
