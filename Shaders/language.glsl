@@ -24,6 +24,9 @@
 #define MOST_COMPONENTS 4 // Mesh/FurtherScalars.h
 #define VERTEX_LIGHT_BLOCK 8 // texels; Light/VertexLightLayout.h
 #define VERTEX_LIGHT_ROW 4096
+#if TETMARCH_PICKED && TETMARCH_ADAPTIVE
+#define PICK_TOLERANCE 3.90625e-3 // 1/256; Optics/AccuracyLevel.h
+#endif
 #if TETMARCH_STRUCTURED
 #define LEAP_SHIFT 2 // a block has 1 << 2 cells along each side; Structured/EmptySpace.h
 #else

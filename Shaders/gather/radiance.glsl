@@ -51,17 +51,22 @@ CONSTANT real SHARE_OF_A_SUBSEGMENT = real(0.25);
 // How far the next subsegment may be off, which absorbs that much of the pixel's light.
 real errorBudget(Radiance radiance, real absorbed)
 {
+#if TETMARCH_PICKED
+  real tolerance = PICK_TOLERANCE; // the other one is what is left of the light at the point that is picked
+#else
+  real tolerance = errorTolerance;
+#endif
   real earned = TOLERANCE_AT_ONCE + TOLERANCE_BY_ABSORPTION * (real(1) - radiance.transmittance + absorbed);
   // Rounding may have used a little more than there was.
-  return max(SHARE_OF_A_SUBSEGMENT * (errorTolerance * earned - radiance.error),
-    errorTolerance * TOLERANCE_BY_ABSORPTION * absorbed);
+  return max(SHARE_OF_A_SUBSEGMENT * (tolerance * earned - radiance.error),
+    tolerance * TOLERANCE_BY_ABSORPTION * absorbed);
 }
 #endif
 
 // Whether what lies behind cannot change a channel by more than is left of the tolerance.
 bool isOpaque(Radiance radiance)
 {
-#if TETMARCH_ADAPTIVE
+#if TETMARCH_ADAPTIVE && !TETMARCH_PICKED
   return radiance.transmittance + radiance.error < errorTolerance;
 #else
   return radiance.transmittance < errorTolerance;

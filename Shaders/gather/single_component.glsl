@@ -93,7 +93,11 @@ void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) { cell.at = 
 real subsegmentError(
   SegmentEnds ends, Subsegment part, SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
 {
+#if TETMARCH_PICKED
+  real variation = real(0); // of the colour, by which nothing is picked
+#else
   real variation = abs(found.next.variation - cell.at.variation);
+#endif
 #if TETMARCH_BENT
   real unbent = bendError(found.bend, found.next.x - cell.at.x, by, variation,
     abs(found.next.extinctionVariation - cell.at.extinctionVariation));

@@ -49,10 +49,12 @@ real pickedScalar(CellInterval cell, real depth)
 }
 
 // Gathers the cell's interval, and finds the point if it is in it.
-void pickInterval(real thicknessPerDepth, real target, CellInterval cell, INOUT(Radiance) radiance, INOUT(Pick) pick)
+void pickInterval(
+  real thicknessPerDepth, real target, INOUT(CellInterval) cell, INOUT(Radiance) radiance, INOUT(Pick) pick)
 {
   Radiance before = radiance;
-  radiance = gatheredUpTo(cell.end, thicknessPerDepth, cell, before);
+  CellInterval searched = cell;
+  gatherCell(thicknessPerDepth, cell, radiance);
   if (!pick.hit && isPicked(radiance, target))
   {
     real low = cell.begin;
@@ -60,9 +62,18 @@ void pickInterval(real thicknessPerDepth, real target, CellInterval cell, INOUT(
     for (int i = 0; i < PICK_STEPS; ++i)
     {
       real middle = low + (high - low) * real(0.5);
-      bool picked = isPicked(gatheredUpTo(middle, thicknessPerDepth, cell, before), target);
+      Radiance there = gatheredUpTo(middle, thicknessPerDepth, searched, before);
+      bool picked = isPicked(there, target);
       low = picked ? low : middle;
       high = picked ? middle : high;
+#if TETMARCH_BENT
+      // What lies before the point is split into subsegments once, not in each step.
+      if (!picked)
+      {
+        searched.begin = middle;
+        before = there;
+      }
+#endif
     }
     pick.hit = true;
     pick.cell = cell.number;

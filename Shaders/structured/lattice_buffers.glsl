@@ -1,5 +1,5 @@
 // The cells of a structured volume and their values; Structured/Lattice.h and Structured/StoredValues.h have the
-// conventions. Bound by GL/StructuredSource.
+// conventions. Bound by GL/LatticeTextures.
 uniform sampler2DArray valueTexture; // layers along k
 uniform vec2 valueMap;               // scale and offset: from what is read to stored scalars
 uniform ivec3 latticeCells;          // along i, j, k

@@ -1,4 +1,4 @@
-// The nodes at which the light of a structured volume is kept; Structured/LightNodes.h. Bound by GL/StructuredSource.
+// The nodes at which the light of a structured volume is kept; Structured/LightNodes.h. Bound by GL/LatticeTextures.
 uniform ivec3 lightNodes; // along i, j, k
 #if TETMARCH_VERTEX_LIGHT
 // Where light is read.

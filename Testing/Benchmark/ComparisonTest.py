@@ -74,7 +74,7 @@ class ComparisonTest(unittest.TestCase):
         for name in ("texts", "captures"):
             (self.folder / name).mkdir()
         for number, body in enumerate(("a();", "b();", "c();")):
-            for kind, word in (("portable", "slow();"), ("fma", "fast();")):
+            for kind, word in (("portable", "slow();"), ("extended", "fast();")):
                 (self.folder / f"texts/{number}-{kind}.frag").write_text(
                     f"//VTK::System::Dec\n#line 7\n{word}\n{body}\ngl_FragData[0] = x;\n")
         begin = "[vertex shader]\nvoid main();\n[fragment shader]\n#version 150\n#line 7\nout vec4 fragOutput0;\n"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints the variants whose scenes compare_pictures.py draws: a line each, "picture" or "pick" and
 // the names of its features but HAS_FMA. With a folder, the shader texts of these variants are
-// written into it: 0-portable.frag of the first line, 0-fma.frag with HAS_FMA.
+// written into it: 0-portable.frag of the first line, and 0-extended.frag with what only some
+// drivers have: fused multiply-add for meshes, gathers for lattices.
 #include "CoveringKeys.h"
 #include "LegalKeys.h"
 
@@ -26,18 +27,13 @@ struct Pass
   std::vector<VariantKey> Keys;
 };
 
-/// The variants that scenes of tetrahedra can ask for: surfaces that cast shadows are seen as well,
-/// and whether there is fma is the driver's choice. Pictures of images are held against the CPU
-/// reference alone (Testing/Cxx/Structured).
+/// The variants that scenes can ask for: surfaces that cast shadows are seen as well, and whether
+/// there is fma is the driver's choice.
 std::vector<VariantKey> ofScenes(const std::vector<VariantKey>& keys)
 {
   DistinctKeys distinct;
   for (VariantKey key : keys)
   {
-    if (key.Structured)
-    {
-      continue;
-    }
     key.OpaqueDepth = key.OpaqueDepth || key.OpaqueShadows;
     key.HasFma = false;
     distinct.add(key.filtered());
@@ -45,20 +41,21 @@ std::vector<VariantKey> ofScenes(const std::vector<VariantKey>& keys)
   return distinct.Keys;
 }
 
-void writeText(const std::string& file, const Pass& pass, const VariantKey& key)
+void writeText(const std::string& file, const Pass& pass, const std::string& defines)
 {
   std::ofstream text;
   text.exceptions(std::ios::failbit | std::ios::badbit);
   text.open(file);
-  text << tetmarch::shaderSource(pass.Shader, key.defines());
+  text << tetmarch::shaderSource(pass.Shader, defines);
   text.close();
 }
 
 void writeTexts(const std::string& begin, const Pass& pass, VariantKey key)
 {
-  writeText(begin + "-portable.frag", pass, key);
-  key.HasFma = true;
-  writeText(begin + "-fma.frag", pass, key);
+  writeText(begin + "-portable.frag", pass, key.defines());
+  key.HasFma = !key.Structured;
+  const std::string gather = key.Structured ? "#define TETMARCH_HAS_GATHER 1\n" : "";
+  writeText(begin + "-extended.frag", pass, key.defines() + gather);
 }
 } // namespace
 

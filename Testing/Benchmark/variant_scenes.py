@@ -4,7 +4,8 @@
 import numpy as np
 import vtkmodules.all as vtk
 import made_grids as grids
-from vtktetmarch import vtkTetMarchVolumeMapper
+import made_images as images
+from vtktetmarch import vtkTetMarchSmartVolumeMapper, vtkTetMarchVolumeMapper
 
 # What a variant may have; TETMARCH_HAS_FMA is the driver's choice.
 FEATURES = frozenset("""
@@ -12,9 +13,12 @@ FEATURES = frozenset("""
     CLIPPED CROPPED NAN_SHOWN HIDDEN_CELLS EXTREME SUM ISOSURFACES INDEPENDENT COLOR_AND_OPACITY DIRECT_COLOR
     CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT WORLD_LIGHTS SCATTERING CAST_SHADOWS
     SEVERAL_SHADOWS SAMPLED_SHADOWS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION SHOW_ILLUMINATION SHOW_GRADIENTS
+    STRUCTURED RECTILINEAR LEAPS
     """.split())
 ARRAY = "field"
 CUBES = 4
+CELLS = 16  # of a lattice, along each axis: four blocks or more
+CELLS_OF_BLOCK = 3  # one block, also if half cells are added at both ends
 HIDDEN_CELL = 32  # vtkDataSetAttributes::HIDDENCELL
 
 
@@ -29,7 +33,11 @@ class VariantScene:
         if unknown:
             raise ValueError(f"no scene is known for {sorted(unknown)}")
         self.features, self.number = features, number
-        self.mapper = vtkTetMarchVolumeMapper()
+        if self.has("STRUCTURED"):
+            self.mapper = vtkTetMarchSmartVolumeMapper()
+            self.mapper.InteractiveAdjustSampleDistancesOff()
+        else:
+            self.mapper = vtkTetMarchVolumeMapper()
         self.mapper.AutoAdjustSampleDistancesOff()
         self.volume = vtk.vtkVolume()
         self.volume.SetMapper(self.mapper)
@@ -39,7 +47,8 @@ class VariantScene:
         self.renderer.SetBackground(0.2, 0.3, 0.1)
         self.renderer.AutomaticLightCreationOff()
         self.renderer.AddVolume(self.volume)
-        for step in (self.set_grid, self.set_functions, self.set_blending, self.set_surfaces, self.set_cuts,
+        set_data = self.set_lattice if self.has("STRUCTURED") else self.set_grid
+        for step in (set_data, self.set_functions, self.set_blending, self.set_surfaces, self.set_cuts,
                      self.set_effects, self.set_lights, self.set_quality, self.set_camera):
             step()
 
@@ -68,6 +77,31 @@ class VariantScene:
         if self.has("NAN_SHOWN"):
             values[5::29] = np.nan
         grids.add_array(data, ARRAY, values)
+        self.show_data(grid)
+
+    def set_lattice(self):
+        """Points or cells; interpolated, or one scalar a cell."""
+        # Where no surface is to be leapt to, no block may be without one; between constant cells rays never leap to one.
+        may_leap = self.has("ISOSURFACES") and self.has("POINT_SCALARS")
+        cells = CELLS_OF_BLOCK if may_leap and not self.has("LEAPS") else CELLS
+        of_points, even = self.one_of(True, False), not self.has("RECTILINEAR")
+        # From a tenth of empty blocks on rays leap; from a half on they pass what is transparent.
+        unseen = 0.8 if self.has("TRANSPARENT_RANGES") else 0.35 if self.has("LEAPS") else 0.0
+        low = 0.6 if self.has("LEAPS") and not self.has("ISOSURFACES") else 0.0
+        grid = images.lattice(cells, even)
+        if of_points:
+            self.mapper.SetScalarModeToUsePointFieldData()
+        else:
+            self.mapper.SetScalarModeToUseCellFieldData()
+        if self.has("POINT_SCALARS"):
+            self.property.SetInterpolationTypeToLinear()
+        else:
+            self.property.SetInterpolationTypeToNearest()
+        values = images.values_of(cells, even, of_points, low, unseen, self.has("NAN_SHOWN"))
+        grids.add_array(grid.GetPointData() if of_points else grid.GetCellData(), ARRAY, values)
+        self.show_data(grid)
+
+    def show_data(self, grid):
         if self.has("HIDDEN_CELLS"):
             marks = np.zeros(grid.GetNumberOfCells(), dtype=np.uint8)
             marks[::5] = HIDDEN_CELL
@@ -98,7 +132,10 @@ class VariantScene:
 
     def make_opacities(self):
         opacities = vtk.vtkPiecewiseFunction()
-        if self.has("TRANSPARENT_RANGES"):
+        if self.has("LEAPS"):
+            for scalar, opacity in ((0.3, 0.0), (0.4, 0.1), (0.7, 0.6), (0.8, 0.2), (1.0, 0.9)):
+                opacities.AddPoint(scalar, opacity)
+        elif self.has("TRANSPARENT_RANGES"):
             # Half of the waves' values are below 0.5 by far, and few are above 0.9.
             for scalar, opacity in ((0.55, 0.0), (0.6, 0.7), (0.75, 0.2), (0.85, 0.9), (0.9, 0.0)):
                 opacities.AddPoint(scalar, opacity)
@@ -236,7 +273,7 @@ class VariantScene:
     def set_camera(self):
         camera = self.renderer.GetActiveCamera()
         camera.SetViewUp(0, 0, 1)
-        if self.has("RASTER_ENTRY"):
+        if self.has("RASTER_ENTRY") or (self.has("STRUCTURED") and self.one_of(True, False, True)):
             camera.SetPosition(1.5, -2.2, 1.6)
             camera.SetFocalPoint(0.5, 0.5, 0.45)
             if self.one_of(False, False, True):

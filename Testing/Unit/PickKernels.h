@@ -57,6 +57,15 @@ struct PickIsosurfaceKernel
 {
 #include "Reference/KernelBody.h"
 };
+
+#define TETMARCH_VARIANT                                                                           \
+  (TETMARCH_IN_LATTICES(TETMARCH_PICK_FEATURES) | TETMARCH_WITH_NAN_SHOWN |                        \
+    TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE)
+template <typename Real>
+struct PickTrilinearKernel
+{
+#include "Reference/KernelBody.h"
+};
 } // namespace tetmarch::testing
 
 #endif

@@ -140,6 +140,8 @@ const ShaderFeature OfTheMarch[] = {
   { "pick", [](const Key&, MarchShader s) { return isPick(s); },
     "Pick PICK_STEPS noPick isPicked gathered gatheredUpTo pickInterval pickedScalar pickOn "
     "transmittanceLeft" },
+  { "pick where the scalar bends",
+    [](const Key& k, MarchShader s) { return isPick(s) && k.Adaptive; }, "PICK_TOLERANCE" },
   { "pick of scalars", [](const Key& k, MarchShader s) { return isPick(s) && k.isKnownAtEnd(); },
     "PICK_ROUNDING" },
 };

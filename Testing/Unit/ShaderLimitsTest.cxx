@@ -6,6 +6,7 @@
 #include "Light/Lighting.h"
 #include "Light/VertexLightLayout.h"
 #include "Mesh/BoundaryHierarchy.h"
+#include "Optics/AccuracyLevel.h"
 #include "Rays/Clipping.h"
 #include "Reference/Kernel.h"
 #include "Scalars/DrawnScalars.h"
@@ -54,6 +55,7 @@ TEST(ShaderLimits, AreTheSameInGlslAndCxx)
     { "VERTEX_LIGHT_BLOCK", VertexLightBlockSide },
     { "VERTEX_LIGHT_ROW", VertexLightRow },
     { "BVH_STACK", MostHierarchyDepth },
+    { "PICK_TOLERANCE", PickAccuracy.ErrorTolerance },
     { "LEAP_SHIFT", BlockShift },
     { "LINK_OUTSIDE", LinkOutside },
     { "UNDRAWN_SCALAR", UndrawnScalar },

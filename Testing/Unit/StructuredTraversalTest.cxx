@@ -18,7 +18,7 @@ using namespace tetmarch;
 using namespace tetmarch::testing;
 
 #define TETMARCH_UNIFORM_FEATURES                                                                  \
-  ((TETMARCH_ONE_OPACITY_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_WITH_STRUCTURED |           \
+  ((TETMARCH_IN_LATTICES(TETMARCH_ONE_OPACITY_FEATURES) & ~TETMARCH_WITH_RECTILINEAR) |            \
     TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE)
 
 // The kernels of the CPU reference march evenly spaced planes as rectilinear ones; the GPU does

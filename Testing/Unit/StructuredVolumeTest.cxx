@@ -8,10 +8,13 @@
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
+#include "vtkMatrix4x4.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace
 {
@@ -231,33 +234,62 @@ TEST_F(StructuredVolumes, WithoutPointsThereIsNothing)
   EXPECT_TRUE(this->Volume.values().empty());
 }
 
-// The middle of each cell of the lattice lies in the cell of the data, or on its far side.
-TEST_F(StructuredVolumes, CellsOfTheLatticeKnowThoseOfTheData)
+// Points here and there in each cell of the lattice, and the cell of the data whose planes they lie
+// between.
+void expectCellsOfPoints(const StructuredVolume& volume, vtkDataSet* data, std::mt19937& random)
 {
-  for (const bool ofCells : { false, true })
+  const Lattice& lattice = volume.lattice();
+  std::array<double, 16> toLattice{}, toNormalized{};
+  std::copy(lattice.FromNormalized.begin(), lattice.FromNormalized.end(), toLattice.begin());
+  toLattice[15] = 1;
+  vtkMatrix4x4::Invert(toLattice.data(), toNormalized.data());
+  for (std::uint32_t cell = 0; cell < lattice.numberOfCells(); ++cell)
   {
-    for (const Interpolation interpolation : { Linear, Nearest })
+    for (int n = 0; n < 8; ++n)
     {
-      EXPECT_EQ(this->update(this->drawn(ofCells), interpolation), "");
-      const Lattice& lattice = this->Volume.lattice();
-      std::uint32_t cell = 0;
-      for (int k = 0; k < lattice.Axes[2].Cells; ++k)
+      std::array<double, 4> place{ { 0, 0, 0, 1 } };
+      std::uint32_t rest = cell;
+      for (int a = 0; a < 3; ++a)
       {
-        for (int j = 0; j < lattice.Axes[1].Cells; ++j)
-        {
-          for (int i = 0; i < lattice.Axes[0].Cells; ++i, ++cell)
-          {
-            // The first cell of the data that it overlaps has a place just inside of its planes.
-            const auto numberOf = [&](int axis, int c)
-            {
-              const LatticeAxis& along = lattice.Axes[axis];
-              return static_cast<int>(std::floor(along.plane(c) + 1e-6 + along.HalfLength));
-            };
-            EXPECT_EQ(this->Volume.dataCellOf(cell),
-              (numberOf(2, k) * 5 + numberOf(1, j)) * 8 + numberOf(0, i));
-          }
-        }
+        const LatticeAxis& axis = lattice.Axes[a];
+        const int i = static_cast<int>(rest % axis.Cells);
+        rest /= axis.Cells;
+        const double share = 0.01 + 0.98 * (double(random()) / 4294967296.0);
+        place[a] = axis.plane(i) + share * (axis.plane(i + 1) - axis.plane(i));
       }
+      std::array<double, 4> point;
+      vtkMatrix4x4::MultiplyPoint(toNormalized.data(), place.data(), point.data());
+      const Vector3 normalized{ { point[0], point[1], point[2] } };
+      const Vector3 there = lattice.Frame.toData(normalized);
+      double bounds[6];
+      data->GetCellBounds(volume.dataCellOf(cell, normalized), bounds);
+      for (int a = 0; a < 3; ++a)
+      {
+        ASSERT_GT(there[a], bounds[2 * a] - 1e-6) << cell << ", axis " << a;
+        ASSERT_LT(there[a], bounds[2 * a + 1] + 1e-6) << cell << ", axis " << a;
+      }
+    }
+  }
+}
+
+TEST_F(StructuredVolumes, PointsOfTheLatticeKnowTheirCellOfTheData)
+{
+  const Rectilinear uneven =
+    rectilinearOf({ { { 0, 1, 3, 3.5, 7 }, { 5, 4, 2, -1 }, { -1, 2, 2.25, 9 } } });
+  std::mt19937 random(7);
+  uneven->GetPointData()->SetScalars(randomArray(VTK_FLOAT, 80, 1, 0, 200, random));
+  uneven->GetCellData()->SetScalars(randomArray(VTK_FLOAT, 36, 1, 0, 200, random));
+  this->Data->SetOrigin(-7, 3, 2);
+  for (vtkDataSet* data : std::initializer_list<vtkDataSet*>{ this->Data, uneven })
+  {
+    for (const LatticeCase& lies : latticeCases())
+    {
+      SCOPED_TRACE(nameOf(lies));
+      vtkDataArray* array =
+        lies.OfCells ? data->GetCellData()->GetScalars() : data->GetPointData()->GetScalars();
+      ASSERT_EQ(this->Volume.updateGeometry(data), "");
+      ASSERT_EQ(this->Volume.updateScalars(data, { array, lies.OfCells }, lies.Between), "");
+      ASSERT_NO_FATAL_FAILURE(expectCellsOfPoints(this->Volume, data, random));
     }
   }
 }

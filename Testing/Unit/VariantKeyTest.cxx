@@ -31,8 +31,10 @@ bool isSensible(const VariantKey& k)
   // Rays come into a lattice by its planes, of which no predicate is asked. One scalar is drawn.
   const bool ofTetrahedra = k.RasterEntry || k.Hierarchy || k.HasFma || several;
   return !(k.Structured && ofTetrahedra) && !(!k.Structured && (k.Rectilinear || k.Leaps)) &&
-         // All that a ray meets counts.
-         !(k.Leaps && ofScalars) &&
+         // All that a ray meets counts; and so do surfaces between cells. Most is transparent where
+         // there are blocks of it.
+         !(k.Leaps && (ofScalars || (!composite && !k.PointScalars))) &&
+         !(k.Structured && k.TransparentRanges && !k.Leaps) &&
          // Who doesn't know where a ray comes into a mesh has to look for it.
          (k.Structured || k.RasterEntry || k.Hierarchy) &&
          // Parts of rays end where they are asked to, and aren't counted.
@@ -165,10 +167,10 @@ TEST(VariantKey, LegalKeysAreCounted)
   // Of scalars at points or cells, clipped, cropped or whole, with hidden cells or not; of volumes
   // with opacity by gradients of either kind or without, or of independent components, with what is
   // not finite or not; or in three other blend modes. Of a lattice, whose planes are even or not,
-  // there is one scalar, and volumes and surfaces are leapt to or not.
+  // there is one scalar; volumes are leapt to or not, and so are surfaces in trilinear cells.
   const std::size_t picked = legalPickKeys().size();
   const std::size_t ofTetrahedra = 3 * 2 * 3 * 2 * ((3 + 2 + 2) * 2 + 3 * 2);
-  const std::size_t ofLattices = 2 * 3 * 2 * ((3 + 2) * 2 * 2 + 2 * 2 + 2 * 2);
+  const std::size_t ofLattices = 2 * 3 * 2 * ((3 + 2) * 2 * 2 + (2 + 1) + 2 * 2);
   EXPECT_EQ(picked, ofTetrahedra + ofLattices);
   std::cout << "[ MEASURED ] " << legalKeys().size() << " variants of the picture, " << light
             << " of the light at vertices, " << picked << " of what is picked\n";
@@ -216,6 +218,8 @@ TEST(VariantKey, PicksKnowNoLight)
     ASSERT_EQ(pick.Blend, picture.Blend);
     ASSERT_EQ(pick.Structured, picture.Structured);
     ASSERT_EQ(pick.Rectilinear, picture.Rectilinear);
+    ASSERT_EQ(pick.Adaptive, pick.Structured && pick.PointScalars && pick.isComposite());
+    pick.Adaptive = false;
     pick.PointScalars = true;
     pick.GradientOpacity = pick.CellGradients = false;
     pick.Components = ComponentGroup::Single;

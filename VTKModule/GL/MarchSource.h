@@ -52,10 +52,10 @@ public:
     vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) = 0;
   /** The scalars that are drawn. */
   virtual std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) = 0;
-  /** What of the volume can be seen by these functions; undrawnSeen: also scalars that are not finite.
-   * It tells what rays may leap over. */
-  virtual std::string updateVisibility(
-    const IntegralTable&, const Blending&, bool /*undrawnSeen*/)
+  /** What of the volume can be seen by these functions; undrawnSeen: also scalars that are not
+   * finite. It tells what rays may leap over. It is called when any of them, or version(), has
+   * changed. */
+  virtual std::string updateVisibility(const IntegralTable&, const Blending&, bool /*undrawnSeen*/)
   {
     return {};
   }
@@ -76,8 +76,9 @@ public:
   /** The share 0..1 of the volume whose scalars lie in the table's transparent ranges. */
   virtual double transparentShare(const IntegralTable& table) const = 0;
   virtual const EffectSource& effectSource() const = 0;
-  /** The cell of the data that the shaders call by this number. */
-  virtual vtkIdType cellOf(std::uint32_t marched) const = 0;
+  /** The cell of the data in which a point lies, of the normalised frame, in what the shaders call
+   * by this number. */
+  virtual vtkIdType cellOf(std::uint32_t marched, const Vector3& point) const = 0;
   /** Set the bits of the key that say how rays of the camera enter, and what they march through. */
   virtual void setBits(VariantKey& key, const View& camera) const = 0;
   /** Equal as long as geometry, scalars and hidden cells are the same. The first word is that of

@@ -100,12 +100,13 @@ std::vector<PickedPoint> PickPass::read(
     const float* place = &places[4 * i];
     points[i].Hit = hit[3] > 0;
     points[i].Scalar = hit[2];
+    points[i].Position = { { place[0], place[1], place[2] } };
     if (points[i].Hit)
     {
-      points[i].Cell = source.cellOf(
-        static_cast<std::uint32_t>(hit[0]) | static_cast<std::uint32_t>(hit[1]) << 16);
+      points[i].Cell =
+        source.cellOf(static_cast<std::uint32_t>(hit[0]) | static_cast<std::uint32_t>(hit[1]) << 16,
+          points[i].Position);
     }
-    points[i].Position = { { place[0], place[1], place[2] } };
   }
   return points;
 }

@@ -99,19 +99,18 @@ TableInput Pipeline::tableInput(OpacityLaw law) const
 bool Pipeline::updateTables(
   vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, bool drawNan)
 {
-  std::string error = this->Tables.update(property, this->tableInput(law), level);
-  if (error.empty())
-  {
-    this->NanShown =
-      drawNan && !this->Source.range().AllFinite && this->Tables.first().NanColor[3] > 0;
-    error = this->Source.updateVisibility(this->Tables.first(), this->Blend, this->NanShown);
-  }
+  const std::string error = this->Tables.update(property, this->tableInput(law), level);
   if (!error.empty())
   {
     return this->fail(error);
   }
+  this->NanShown =
+    drawNan && !this->Source.range().AllFinite && this->Tables.first().NanColor[3] > 0;
+  if (!this->updatePassing())
+  {
+    return false;
+  }
   this->setSubject(property, drawNan);
-  this->updatePassing();
   // Sums are shown even where they are 0.
   return this->Tables.isVisible() || this->NanShown || this->Blend.isSum();
 }
@@ -125,15 +124,26 @@ void Pipeline::setSubject(vtkVolumeProperty* property, bool drawNan)
   add(this->Subject, versionOf(this->Blend));
 }
 
-void Pipeline::updatePassing()
+bool Pipeline::updatePassing()
 {
   Fingerprint input = this->Source.version();
   input.push_back(static_cast<std::uintptr_t>(this->Tables.record().Runs));
-  if (input != this->PassingInput)
+  input.push_back(this->NanShown ? 1 : 0);
+  add(input, versionOf(this->Blend));
+  if (input == this->PassingInput)
   {
-    this->PassingInput = input;
-    this->PassesCells = this->Source.transparentShare(this->Tables.first()) >= LeastShareToPass;
+    return true;
   }
+  this->PassingInput.clear();
+  const std::string error =
+    this->Source.updateVisibility(this->Tables.first(), this->Blend, this->NanShown);
+  if (!error.empty())
+  {
+    return this->fail(error);
+  }
+  this->PassesCells = this->Source.transparentShare(this->Tables.first()) >= LeastShareToPass;
+  this->PassingInput = input;
+  return true;
 }
 
 bool Pipeline::updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options)

@@ -137,7 +137,7 @@ private:
   bool fail(const std::string& error);
   AccuracyLevel levelFor(AccuracyLevel level) const;
   TableInput tableInput(OpacityLaw law) const;
-  void updatePassing();
+  bool updatePassing();
   void setSubject(vtkVolumeProperty* property, bool drawNan);
   void moveTo(vtkOpenGLRenderWindow* window);
   std::vector<BufferSize> bufferSizes() const;

@@ -52,6 +52,7 @@ bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
       // What the picture needs stays on the GPU.
       error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
       inputs.Key = inputs.Key.ofPick();
+      inputs.Level = PickAccuracy;
       inputs.Level.ErrorTolerance = std::max(1 - options.PickOpacity, LeastFloatShare);
       if (error.empty())
       {

@@ -4,14 +4,11 @@
 #ifndef TetMarchGLStructuredSource_h
 #define TetMarchGLStructuredSource_h
 
-#include "GL/ArrayTexture.h"
+#include "GL/LatticeTextures.h"
 #include "GL/MarchSource.h"
-#include "GL/TextureBuffer.h"
 #include "Structured/EmptySpace.h"
 #include "Structured/StructuredVolume.h"
 #include "Volume/StructuredEffectSource.h"
-
-#include <optional>
 
 namespace tetmarch
 {
@@ -44,21 +41,30 @@ public:
   /** Cells of which nothing is seen are leapt over or passed, if there are blocks of them. */
   double transparentShare(const IntegralTable&) const override { return this->Empty.EmptyShare; }
   const EffectSource& effectSource() const override { return this->Effects; }
-  vtkIdType cellOf(std::uint32_t cell) const override { return this->Volume.dataCellOf(cell); }
+  vtkIdType cellOf(std::uint32_t cell, const Vector3& point) const override
+  {
+    return this->Volume.dataCellOf(cell, point);
+  }
   void setBits(VariantKey& key, const View& camera) const override;
   Fingerprint version() const override;
   std::int64_t runs() const override { return this->Volume.runs() + this->EmptyRecord.Runs; }
 
   std::vector<BufferSize> bufferSizes() const override;
-  bool isUploaded() const override;
-  std::string upload(vtkOpenGLRenderWindow* window) override;
-  void release(vtkWindow* window) override;
-  std::size_t bytes() const override;
-  std::int64_t uploadedBytes() const override { return this->UploadedBytes; }
+  bool isUploaded() const override
+  {
+    return this->Textures.isCurrent(this->Volume, this->distances());
+  }
+  std::string upload(vtkOpenGLRenderWindow* window) override
+  {
+    return this->Textures.upload(window, this->Volume, this->distances());
+  }
+  void release(vtkWindow* window) override { this->Textures.release(window); }
+  std::size_t bytes() const override { return this->Textures.bytes(); }
+  std::int64_t uploadedBytes() const override { return this->Textures.uploadedBytes(); }
 
   const char* shaderOf(SourcePass pass) const override;
   void bind(vtkShaderProgram* program, const VariantKey& key) override;
-  void unbind() override;
+  void unbind() override { this->Textures.unbind(); }
 
   /** Rays enter a lattice by the planes of its sides, so that nothing is rasterised. */
   std::string drawEntries(
@@ -74,28 +80,14 @@ public:
 
 private:
   ReferenceScene withVolume(ReferenceScene scene) const;
-  bool leaps() const;
-  std::string uploadPlanes(vtkOpenGLRenderWindow* window);
-
-  /** The version of what the GPU has; none before it is uploaded. */
-  using Uploaded = std::optional<Fingerprint>;
+  VersionedDistances distances() const;
 
   Interpolation Interpolated = Interpolation::Linear;
   StructuredVolume Volume;
   StructuredEffectSource Effects{ Volume };
   BlockDistances Empty;
-  Fingerprint EmptyInput;
   StageRecord EmptyRecord;
-
-  ArrayTexture Values;
-  TextureBuffer Planes;
-  TextureBuffer Hidden;
-  TextureBuffer Distances;
-  Uploaded ValuesThere;
-  Uploaded PlanesThere;
-  Uploaded HiddenThere;
-  Uploaded DistancesThere;
-  std::int64_t UploadedBytes = 0;
+  LatticeTextures Textures;
 };
 
 } // namespace tetmarch

@@ -35,7 +35,10 @@ public:
   }
   double transparentShare(const IntegralTable& table) const override;
   const EffectSource& effectSource() const override { return this->Volume.effectSource(); }
-  vtkIdType cellOf(std::uint32_t tet) const override { return this->mesh().TetCells[tet]; }
+  vtkIdType cellOf(std::uint32_t tet, const Vector3&) const override
+  {
+    return this->mesh().TetCells[tet];
+  }
   void setBits(VariantKey& key, const View& camera) const override;
   Fingerprint version() const override;
 

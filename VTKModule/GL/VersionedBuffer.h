@@ -40,6 +40,11 @@ public:
     }
     return error;
   }
+  /** Whether update() has nothing to do. */
+  bool isCurrent(bool needed, const Fingerprint& version) const
+  {
+    return needed ? this->bytes() > 0 && version == this->Version : this->bytes() == 0;
+  }
   void bind(vtkShaderProgram* program, const char* sampler) { this->Buffer.bind(program, sampler); }
   void unbind() { this->Buffer.unbind(); }
   void release(vtkWindow* window)

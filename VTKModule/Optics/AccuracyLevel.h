@@ -56,6 +56,9 @@ constexpr AccuracyLevel GroundTruthAccuracy{ true, 1e-6, 1000000, 4096, 262144 }
 /** For rays towards the light: only their transmittance is needed, which is exact. */
 constexpr AccuracyLevel LightAccuracy{ false, 1.0 / 1024.0, 1, 1024, 65536 };
 
+/** For picks where the scalar bends: of the opacity up to the point that is picked. */
+constexpr AccuracyLevel PickAccuracy{ true, 1.0 / 256.0, 512, 1024, 65536 };
+
 /** The level, with the tolerance of the user if it is one that keeps a tolerance. */
 inline AccuracyLevel levelOf(Accuracy accuracy, double tolerance)
 {

@@ -131,6 +131,7 @@ static constexpr bool HasVolumeLight = false;
 #define UNDRAWN_SCALAR Real(UndrawnScalar)
 #define LINK_OUTSIDE LinkOutside
 #define BVH_STACK MostHierarchyDepth
+#define PICK_TOLERANCE Real(PickAccuracy.ErrorTolerance)
 #define LEAP_SHIFT BlockShift
 #define MOST_SHADOW_SOURCES LightUniforms::MostShadowSources
 
@@ -168,6 +169,7 @@ static constexpr bool HasVolumeLight = false;
 #undef UNDRAWN_SCALAR
 #undef LINK_OUTSIDE
 #undef BVH_STACK
+#undef PICK_TOLERANCE
 #undef LEAP_SHIFT
 #undef MOST_SHADOW_SOURCES
 

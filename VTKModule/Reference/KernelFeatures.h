@@ -9,9 +9,10 @@
 // Of every march.
 #define TETMARCH_MARCH_FEATURES                                                                    \
   (TETMARCH_WITH_HAS_FMA | TETMARCH_WITH_BVH | TETMARCH_WITH_HIDDEN_CELLS)
-// Of marches through lattices, in place of those of tetrahedra.
-#define TETMARCH_TET_FEATURES (TETMARCH_WITH_HAS_FMA | TETMARCH_WITH_BVH)
-#define TETMARCH_LATTICE_FEATURES (TETMARCH_WITH_STRUCTURED | TETMARCH_WITH_RECTILINEAR)
+// The same features of a march through lattices, in place of one through tetrahedra.
+#define TETMARCH_IN_LATTICES(features)                                                             \
+  (((features) & ~(TETMARCH_WITH_HAS_FMA | TETMARCH_WITH_BVH)) | TETMARCH_WITH_STRUCTURED |        \
+    TETMARCH_WITH_RECTILINEAR)
 // Of every picture; unless useClipping() says otherwise, nothing is cut away.
 #define TETMARCH_PICTURE_FEATURES                                                                  \
   (TETMARCH_MARCH_FEATURES | TETMARCH_WITH_DIAGNOSTICS | TETMARCH_WITH_TRACED |                    \

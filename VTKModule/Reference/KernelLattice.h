@@ -16,7 +16,6 @@ ivec3 firstPlane{ 0, 0, 0 };
 vec3 latticeShift{ 0, 0, 0 };
 vec3 latticeHalfLength{ 0, 0, 0 };
 std::array<Real, 12> latticeMatrix{};
-std::vector<Real> latticePlanes; // those of i, of j, of k
 ivec3 blockCount{ 0, 0, 0 };
 ivec3 lightNodes{ 0, 0, 0 };
 vec3 lightLow{ 0, 0, 0 };
@@ -44,7 +43,13 @@ vec3 pointOfNode(uvec3 node) const
 {
   return rowsTimes(lightNodeMatrix, vec3(Real(node.x), Real(node.y), Real(node.z)), Real(1));
 }
-Real fetchPlane(int i) const { return latticePlanes[i]; }
+/** Those of i, of j, of k, one behind the other. */
+Real fetchPlane(int i) const
+{
+  const int axis = i < firstPlane.y ? 0 : (i < firstPlane.z ? 1 : 2);
+  const int first = axis == 0 ? firstPlane.x : (axis == 1 ? firstPlane.y : firstPlane.z);
+  return Real(Cells->Axes[axis].plane(i - first));
+}
 
 int fetchBlockDistance(int i) const { return Empty->Distances[i]; }
 
@@ -96,14 +101,6 @@ void useLattice(const Lattice& lattice, const StoredValues& values)
   perLightStep = vec3(Real(1 / nodes.Step[0]), Real(1 / nodes.Step[1]), Real(1 / nodes.Step[2]));
   std::transform(
     nodes.ToNormalized.begin(), nodes.ToNormalized.end(), lightNodeMatrix.begin(), toReal);
-  latticePlanes.clear();
-  for (const LatticeAxis& axis : axes)
-  {
-    for (int i = 0; i <= axis.Cells; ++i)
-    {
-      latticePlanes.push_back(Real(axis.plane(i)));
-    }
-  }
   firstPlane = ivec3(0, latticeCells.x + 1, latticeCells.x + latticeCells.y + 2);
   mostCells = mostCellsOf(lattice);
 }

@@ -12,16 +12,15 @@ namespace tetmarch
 {
 
 #define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_ONE_OPACITY_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |          \
-    TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE)
+  (TETMARCH_IN_LATTICES(TETMARCH_ONE_OPACITY_FEATURES) | TETMARCH_WITH_POINT_SCALARS |             \
+    TETMARCH_WITH_ADAPTIVE)
 template <typename Real>
 struct TrilinearKernel
 {
 #include "Reference/KernelBody.h"
 };
 
-#define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_ONE_OPACITY_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES)
+#define TETMARCH_VARIANT TETMARCH_IN_LATTICES(TETMARCH_ONE_OPACITY_FEATURES)
 template <typename Real>
 struct ConstantCellKernel
 {
@@ -29,17 +28,15 @@ struct ConstantCellKernel
 };
 
 #define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_PICTURE_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |              \
-    TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_EXTREME)
+  (TETMARCH_IN_LATTICES(TETMARCH_PICTURE_FEATURES) | TETMARCH_WITH_POINT_SCALARS |                 \
+    TETMARCH_WITH_EXTREME)
 template <typename Real>
 struct ExtremeTrilinearKernel
 {
 #include "Reference/KernelBody.h"
 };
 
-#define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_PICTURE_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |              \
-    TETMARCH_WITH_EXTREME)
+#define TETMARCH_VARIANT (TETMARCH_IN_LATTICES(TETMARCH_PICTURE_FEATURES) | TETMARCH_WITH_EXTREME)
 template <typename Real>
 struct ExtremeConstantKernel
 {
@@ -47,17 +44,15 @@ struct ExtremeConstantKernel
 };
 
 #define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_PICTURE_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |              \
-    TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_SUM)
+  (TETMARCH_IN_LATTICES(TETMARCH_PICTURE_FEATURES) | TETMARCH_WITH_POINT_SCALARS |                 \
+    TETMARCH_WITH_SUM)
 template <typename Real>
 struct SumTrilinearKernel
 {
 #include "Reference/KernelBody.h"
 };
 
-#define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_PICTURE_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |              \
-    TETMARCH_WITH_SUM)
+#define TETMARCH_VARIANT (TETMARCH_IN_LATTICES(TETMARCH_PICTURE_FEATURES) | TETMARCH_WITH_SUM)
 template <typename Real>
 struct SumConstantKernel
 {
@@ -65,8 +60,7 @@ struct SumConstantKernel
 };
 
 #define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_LIT_SURFACE_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |          \
-    TETMARCH_WITH_POINT_SCALARS)
+  (TETMARCH_IN_LATTICES(TETMARCH_LIT_SURFACE_FEATURES) | TETMARCH_WITH_POINT_SCALARS)
 template <typename Real>
 struct LitIsosurfaceTrilinearKernel
 {
@@ -74,16 +68,15 @@ struct LitIsosurfaceTrilinearKernel
 };
 
 #define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_LIT_SURFACE_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |          \
-    TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_CELL_GRADIENTS)
+  (TETMARCH_IN_LATTICES(TETMARCH_LIT_SURFACE_FEATURES) | TETMARCH_WITH_POINT_SCALARS |             \
+    TETMARCH_WITH_CELL_GRADIENTS)
 template <typename Real>
 struct LitIsosurfaceTrilinearGradientKernel
 {
 #include "Reference/KernelBody.h"
 };
 
-#define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_LIT_SURFACE_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES)
+#define TETMARCH_VARIANT TETMARCH_IN_LATTICES(TETMARCH_LIT_SURFACE_FEATURES)
 template <typename Real>
 struct LitIsosurfaceConstantKernel
 {
@@ -91,8 +84,8 @@ struct LitIsosurfaceConstantKernel
 };
 
 #define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_PICTURE_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |              \
-    TETMARCH_WITH_ISOSURFACES | TETMARCH_WITH_POINT_SCALARS)
+  (TETMARCH_IN_LATTICES(TETMARCH_PICTURE_FEATURES) | TETMARCH_WITH_ISOSURFACES |                   \
+    TETMARCH_WITH_POINT_SCALARS)
 template <typename Real>
 struct IsosurfaceTrilinearKernel
 {
@@ -100,8 +93,7 @@ struct IsosurfaceTrilinearKernel
 };
 
 #define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_PICTURE_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |              \
-    TETMARCH_WITH_ISOSURFACES)
+  (TETMARCH_IN_LATTICES(TETMARCH_PICTURE_FEATURES) | TETMARCH_WITH_ISOSURFACES)
 template <typename Real>
 struct IsosurfaceConstantKernel
 {
@@ -112,16 +104,14 @@ struct IsosurfaceConstantKernel
 // picture is.
 
 #define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_LIGHT_RAY_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |            \
-    TETMARCH_WITH_POINT_SCALARS)
+  (TETMARCH_IN_LATTICES(TETMARCH_LIGHT_RAY_FEATURES) | TETMARCH_WITH_POINT_SCALARS)
 template <typename Real>
 struct LightRayTrilinearKernel
 {
 #include "Reference/KernelBody.h"
 };
 
-#define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_LIGHT_RAY_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES)
+#define TETMARCH_VARIANT TETMARCH_IN_LATTICES(TETMARCH_LIGHT_RAY_FEATURES)
 template <typename Real>
 struct LightRayConstantKernel
 {
@@ -129,8 +119,8 @@ struct LightRayConstantKernel
 };
 
 #define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_LIT_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |                  \
-    TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE)
+  (TETMARCH_IN_LATTICES(TETMARCH_LIT_FEATURES) | TETMARCH_WITH_POINT_SCALARS |                     \
+    TETMARCH_WITH_ADAPTIVE)
 template <typename Real>
 struct LitTrilinearKernel
 {
@@ -138,16 +128,15 @@ struct LitTrilinearKernel
 };
 
 #define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_LIT_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES |                  \
-    TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE | TETMARCH_WITH_CELL_GRADIENTS)
+  (TETMARCH_IN_LATTICES(TETMARCH_LIT_FEATURES) | TETMARCH_WITH_POINT_SCALARS |                     \
+    TETMARCH_WITH_ADAPTIVE | TETMARCH_WITH_CELL_GRADIENTS)
 template <typename Real>
 struct LitTrilinearGradientKernel
 {
 #include "Reference/KernelBody.h"
 };
 
-#define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_LIT_FEATURES & ~TETMARCH_TET_FEATURES) | TETMARCH_LATTICE_FEATURES)
+#define TETMARCH_VARIANT TETMARCH_IN_LATTICES(TETMARCH_LIT_FEATURES)
 template <typename Real>
 struct LitConstantKernel
 {

@@ -45,6 +45,9 @@ struct BlockDistances
   double EmptyShare = 0; // of the blocks, 0..1
 };
 
+/** Whether leaps are worth what asking for them costs a ray: from a tenth of empty blocks on. */
+inline bool isWorthLeaping(const BlockDistances& distances) { return distances.EmptyShare >= 0.1; }
+
 /** By the table's extinction, to the exact entry: a block is seen if it is above 0 anywhere between
  * its least and its greatest scalar, or if undrawnSeen and some value of it is UndrawnScalar. */
 BlockDistances findBlockDistances(const BlockRanges& ranges, const IntegralTable& table,

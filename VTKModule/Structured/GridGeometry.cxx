@@ -282,4 +282,16 @@ std::array<double, 12> latticeFromNormalized(const GridGeometry& geometry, const
   return matrix;
 }
 
+double latticePlace(const GridGeometry& geometry, int axis, int number)
+{
+  const int last = geometry.Points[axis] - 1;
+  if (!geometry.isRectilinear())
+  {
+    return number - 0.5 * last;
+  }
+  const std::vector<double>& places = geometry.Coordinates[axis];
+  const double mean = (places.back() - places.front()) / last;
+  return 0.5 * ((places[number] - places.front()) + (places[number] - places.back())) / mean;
+}
+
 } // namespace tetmarch

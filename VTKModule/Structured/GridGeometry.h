@@ -54,6 +54,10 @@ std::string findFrame(const GridGeometry& geometry, VolumeFrame& frame);
 std::array<double, 12> latticeFromNormalized(
   const GridGeometry& geometry, const VolumeFrame& frame);
 
+/** Where the points of that number along an axis, counted from 0, are on it, in lattice
+ * coordinates. */
+double latticePlace(const GridGeometry& geometry, int axis, int number);
+
 } // namespace tetmarch
 
 #endif

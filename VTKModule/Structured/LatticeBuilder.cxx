@@ -33,38 +33,23 @@ LatticeAxis axisOf(int points, const LatticeCase& lies)
   return axis;
 }
 
-// Lattice coordinates of points, in double precision.
-std::vector<double> pointsOf(const std::vector<double>& coordinates)
+std::vector<float> planesOf(const GridGeometry& geometry, int axis, const LatticeCase& lies)
 {
-  const double first = coordinates.front();
-  const double last = coordinates.back();
-  const double mean = (last - first) / static_cast<double>(coordinates.size() - 1);
-  std::vector<double> points;
-  for (const double x : coordinates)
+  const int last = geometry.Points[axis] - 1;
+  const auto place = [&](int number) { return latticePlace(geometry, axis, number); };
+  std::vector<float> planes{ static_cast<float>(-0.5 * last) };
+  for (int i = 1; i <= last; ++i)
   {
-    points.push_back(0.5 * ((x - first) + (x - last)) / mean);
-  }
-  return points;
-}
-
-std::vector<float> planesOf(const std::vector<double>& coordinates, const LatticeCase& lies)
-{
-  const std::vector<double> points = pointsOf(coordinates);
-  const double half = 0.5 * static_cast<double>(points.size() - 1);
-  std::vector<float> planes{ static_cast<float>(-half) };
-  for (std::size_t i = 1; i < points.size(); ++i)
-  {
-    const bool isInner = i + 1 < points.size();
     if (lies.isShifted())
     {
-      planes.push_back(static_cast<float>(0.5 * (points[i - 1] + points[i])));
+      planes.push_back(static_cast<float>(0.5 * (place(i - 1) + place(i))));
     }
-    else if (isInner)
+    else if (i < last)
     {
-      planes.push_back(static_cast<float>(points[i]));
+      planes.push_back(static_cast<float>(place(i)));
     }
   }
-  planes.push_back(static_cast<float>(half));
+  planes.push_back(static_cast<float>(0.5 * last));
   return planes;
 }
 
@@ -108,7 +93,7 @@ std::string makeLattice(
     made.Axes[a] = axisOf(geometry.Points[a], lies);
     if (geometry.isRectilinear())
     {
-      made.Axes[a].Planes = planesOf(geometry.Coordinates[a], lies);
+      made.Axes[a].Planes = planesOf(geometry, a, lies);
       const std::string wrong = checkPlanes(Names[a], made.Axes[a]);
       if (!wrong.empty())
       {

@@ -101,6 +101,7 @@ std::string StructuredVolume::updateLattice(const LatticeCase& lies)
   if (wrong.empty())
   {
     this->Case = lies;
+    this->Nodes = lightNodesOf(this->Made);
     this->LatticeInput = input;
   }
   return wrong;
@@ -167,17 +168,27 @@ void StructuredVolume::clearValues()
   this->Ranges = {};
 }
 
-vtkIdType StructuredVolume::dataCellOf(std::uint32_t cell) const
+vtkIdType StructuredVolume::dataCellOf(std::uint32_t cell, const Vector3& point) const
 {
+  const auto& m = this->Made.FromNormalized;
   vtkIdType number = 0;
   vtkIdType stride = 1; // of data cells
   for (int a = 0; a < 3; ++a)
   {
     const auto cells = static_cast<std::uint32_t>(this->Made.Axes[a].Cells);
-    const auto along = static_cast<vtkIdType>(cell % cells);
+    auto along = static_cast<int>(cell % cells);
     cell /= cells;
-    number += stride * (this->Case.isShifted() ? std::max<vtkIdType>(along - 1, 0) : along);
-    stride *= this->Geometry.Points[a] - 1;
+    const int dataCells = this->Geometry.Points[a] - 1;
+    if (this->Case.isShifted())
+    {
+      // A cell from centre to centre has the data's plane of the same number in it.
+      const double place =
+        m[4 * a] * point[0] + m[4 * a + 1] * point[1] + m[4 * a + 2] * point[2] + m[4 * a + 3];
+      along -= place < latticePlace(this->Geometry, a, along) ? 1 : 0;
+      along = std::clamp(along, 0, dataCells - 1);
+    }
+    number += stride * along;
+    stride *= dataCells;
   }
   return number;
 }

@@ -13,6 +13,7 @@
 #include "Structured/HiddenLatticeStage.h"
 #include "Structured/Lattice.h"
 #include "Structured/LatticeBuilder.h"
+#include "Structured/LightNodes.h"
 #include "Structured/StoredValues.h"
 
 #include <string>
@@ -47,6 +48,8 @@ public:
   /** Known from updateGeometry() on; the rest of the lattice from updateScalars() on. */
   const VolumeFrame& frame() const { return this->Frame; }
   const Lattice& lattice() const { return this->Made; }
+  /** Of the lattice. */
+  const LightNodes& lightNodes() const { return this->Nodes; }
   /** The first scalar, and those that are drawn with it. */
   const std::vector<StoredValues>& values() const { return this->Values; }
   const std::vector<ScalarRange>& furtherRanges() const { return this->FurtherRanges; }
@@ -54,8 +57,9 @@ public:
    * Which are: see hiddenLatticeCells(). */
   const std::vector<std::uint32_t>& hiddenCells() const { return this->Hidden.cells(); }
   const BlockRanges& blockRanges() const { return this->Ranges; }
-  /** The cell of the data that a cell of the lattice is in, or the first one that it overlaps. */
-  vtkIdType dataCellOf(std::uint32_t cell) const;
+  /** The cell of the data in which a point of a cell of the lattice lies, which may overlap eight
+   * of them. The point is one of the normalised frame. */
+  vtkIdType dataCellOf(std::uint32_t cell, const Vector3& point) const;
 
   /** Equal as long as the lattice is the same; one word. */
   Fingerprint latticeVersion() const;
@@ -87,6 +91,7 @@ private:
   Fingerprint LatticeInput; // beside the geometry
   LatticeCase Case;
   Lattice Made;
+  LightNodes Nodes;
   HiddenLatticeStage Hidden;
   Fingerprint ValuesInput;
   std::vector<StoredValues> Values;

@@ -139,8 +139,12 @@ void VariantKey::dropWhatLatticesLack()
     this->Components = ComponentGroup::Single;
   }
   this->Rectilinear = this->Rectilinear && this->Structured;
-  // The extremes of all that a ray meets count, and so do sums.
-  this->Leaps = this->Leaps && this->Structured && !this->isKnownAtEnd();
+  // The extremes of all that a ray meets count, and so do sums. Surfaces between constant cells are
+  // in none of them.
+  this->Leaps = this->Leaps && this->Structured && !this->isKnownAtEnd() &&
+                (this->isComposite() || this->PointScalars);
+  // Where most is transparent there are blocks of it.
+  this->TransparentRanges = this->TransparentRanges && (this->Leaps || !this->Structured);
 }
 
 // Of surfaces, light on them and gradients are seen; of scalars nothing but they.
@@ -207,6 +211,8 @@ VariantKey VariantKey::ofPick() const
   key.OpaqueDepth = true;
   key.Leaps = this->Leaps;
   key.PointScalars = this->PointScalars;
+  // Where the scalar is linear, the optical depth of a segment is exact.
+  key.Adaptive = this->Structured;
   key.Clipped = this->Clipped;
   key.Cropped = this->Cropped;
   key.NanShown = this->NanShown;

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volume/StructuredEffectSource.h"
 
-#include "Structured/LightNodes.h"
-
 namespace tetmarch
 {
 
 std::vector<EffectSource::VertexStart> StructuredEffectSource::vertexStarts() const
 {
-  const LightNodes nodes = lightNodesOf(this->Source.lattice());
+  const LightNodes& nodes = this->Source.lightNodes();
   std::vector<VertexStart> starts(nodes.count());
   for (std::uint32_t i = 0; i < nodes.count(); ++i)
   {
@@ -19,10 +17,9 @@ std::vector<EffectSource::VertexStart> StructuredEffectSource::vertexStarts() co
   return starts;
 }
 
-bool StructuredEffectSource::startPoint(
-  std::size_t, const VertexStart& start, Vector3& point) const
+bool StructuredEffectSource::startPoint(std::size_t, const VertexStart& start, Vector3& point) const
 {
-  point = lightNodesOf(this->Source.lattice()).point({ { start[0], start[1], start[2] } });
+  point = this->Source.lightNodes().point({ { start[0], start[1], start[2] } });
   return true;
 }
 

@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Images and rectilinear grids over the unit cube, the same on every machine, and scalars for them."""
+import numpy as np
+import vtkmodules.all as vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk
+
+from made_grids import waves
+
+UNSEEN = 0.2  # a scalar of its own for parts of which nothing is to be seen
+
+
+def coordinates(cells, even):
+    """Of the points along each axis, from 0 to 1."""
+    t = np.linspace(0, 1, cells + 1)
+    return t if even else t + 0.1 * np.sin(2 * np.pi * t)
+
+
+def lattice(cells, even):
+    """An image, or a rectilinear grid of uneven coordinates, of that many cells along each axis."""
+    if even:
+        image = vtk.vtkImageData()
+        image.SetDimensions(*[cells + 1] * 3)
+        image.SetSpacing(*[1 / cells] * 3)
+        return image
+    grid = vtk.vtkRectilinearGrid()
+    grid.SetDimensions(*[cells + 1] * 3)
+    for method in (grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates):
+        method(numpy_to_vtk(coordinates(cells, even), deep=True))
+    return grid
+
+
+def values_of(cells, even, of_points, low=0.0, unseen=0.0, nans=False):
+    """Waves from `low` to 1, i fastest; in the first share `unseen` of cells along x the scalar is UNSEEN, and `nans` puts
+    some that are not finite into the rest."""
+    t = coordinates(cells, even)
+    t = t if of_points else (t[1:] + t[:-1]) / 2
+    z, y, x = np.meshgrid(t, t, t, indexing="ij")
+    values = low + (1 - low) * waves(np.stack([x.ravel(), y.ravel(), z.ravel()], axis=1), 0.8)
+    seen = np.tile(np.linspace(0, 1, len(t)) >= unseen, len(t) ** 2)
+    if nans:
+        values[np.flatnonzero(seen)[5::29]] = np.nan
+    return np.where(seen, values, UNSEEN)

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/LatticeTextures.h"
+
+#include "GL/Uniforms.h"
+
+#include "vtkOpenGLRenderUtilities.h" // the GL
+#include "vtkOpenGLRenderWindow.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace tetmarch
+{
+namespace
+{
+
+template <typename Of>
+std::array<int, 3> intsOf(const Lattice& lattice, const Of& of)
+{
+  return { { of(lattice.Axes[0]), of(lattice.Axes[1]), of(lattice.Axes[2]) } };
+}
+
+template <typename Of>
+std::array<float, 3> floatsOf(const Lattice& lattice, const Of& of)
+{
+  return { { static_cast<float>(of(lattice.Axes[0])), static_cast<float>(of(lattice.Axes[1])),
+    static_cast<float>(of(lattice.Axes[2])) } };
+}
+
+std::array<int, 3> valuesAlong(const Lattice& lattice)
+{
+  return intsOf(lattice, [](const LatticeAxis& axis) { return axis.Values; });
+}
+
+// A vtkShaderProgram sets no vector of integers.
+void setInts(vtkShaderProgram* program, const char* name, const std::array<int, 3>& values)
+{
+  const int location = glGetUniformLocation(program->GetHandle(), name);
+  if (location >= 0)
+  {
+    glUniform3i(location, values[0], values[1], values[2]);
+  }
+}
+
+// Of three rows; the fourth one is that of an affine map.
+void setAffine(vtkShaderProgram* program, const char* name, const std::array<double, 12>& rows)
+{
+  std::array<double, 16> matrix{};
+  std::copy(rows.begin(), rows.end(), matrix.begin());
+  matrix[15] = 1;
+  setUniform(program, name, matrix);
+}
+
+// Those of i, of j, of k.
+std::vector<float> planesOf(const Lattice& lattice)
+{
+  std::vector<float> planes;
+  for (const LatticeAxis& axis : lattice.Axes)
+  {
+    for (int i = 0; i <= axis.Cells; ++i)
+    {
+      planes.push_back(static_cast<float>(axis.plane(i)));
+    }
+  }
+  return planes;
+}
+
+void bindLightNodes(vtkShaderProgram* program, const LightNodes& nodes)
+{
+  setInts(program, "lightNodes", nodes.Along);
+  program->SetUniform3f("lightLow", nodes.Low.data());
+  const std::array<double, 3> perStep{ { 1 / nodes.Step[0], 1 / nodes.Step[1],
+    1 / nodes.Step[2] } };
+  program->SetUniform3f("perLightStep", perStep.data());
+  setAffine(program, "lightNodeMatrix", nodes.ToNormalized);
+}
+
+} // namespace
+
+bool LatticeTextures::isCurrent(
+  const StructuredVolume& volume, const VersionedDistances& distances) const
+{
+  return this->ValuesThere == volume.valuesVersion() &&
+         this->Planes.isCurrent(!volume.lattice().isUniform(), volume.latticeVersion()) &&
+         this->Hidden.isCurrent(!volume.hiddenCells().empty(), volume.hiddenVersion()) &&
+         this->Distances.isCurrent(isWorthLeaping(distances.Empty), distances.Version);
+}
+
+std::string LatticeTextures::uploadValues(
+  vtkOpenGLRenderWindow* window, const StructuredVolume& volume)
+{
+  if (this->ValuesThere == volume.valuesVersion())
+  {
+    return {};
+  }
+  this->ValuesThere.reset();
+  std::string error =
+    this->Values.upload(window, valuesAlong(volume.lattice()), volume.values().front());
+  if (error.empty())
+  {
+    this->ValuesThere = volume.valuesVersion();
+    this->UploadedBytes += static_cast<std::int64_t>(this->Values.bytes());
+  }
+  return error;
+}
+
+std::string LatticeTextures::upload(vtkOpenGLRenderWindow* window, const StructuredVolume& volume,
+  const VersionedDistances& distances)
+{
+  std::string error = this->uploadValues(window, volume);
+  const auto update =
+    [&](VersionedBuffer& there, bool needed, const Fingerprint& version, const auto& upload)
+  { error = error.empty() ? there.update(window, needed, version, upload) : error; };
+  update(this->Planes, !volume.lattice().isUniform(), volume.latticeVersion(),
+    [&](TextureBuffer& buffer)
+    {
+      const std::vector<float> planes = planesOf(volume.lattice());
+      return buffer.upload(window, TexelFormat::R32F, planes.data(), planes.size());
+    });
+  const std::vector<std::uint32_t>& hidden = volume.hiddenCells();
+  update(this->Hidden, !hidden.empty(), volume.hiddenVersion(),
+    [&](TextureBuffer& buffer)
+    { return buffer.upload(window, TexelFormat::R32UI, hidden.data(), hidden.size()); });
+  const std::vector<std::uint8_t>& blocks = distances.Empty.Distances;
+  update(this->Distances, isWorthLeaping(distances.Empty), distances.Version,
+    [&](TextureBuffer& buffer)
+    { return buffer.upload(window, TexelFormat::R8UI, blocks.data(), blocks.size()); });
+  return error;
+}
+
+void LatticeTextures::bindValues(
+  vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume)
+{
+  const Lattice& lattice = volume.lattice();
+  const StoredValues& values = volume.values().front();
+  const std::array<int, 3> along = valuesAlong(lattice);
+  this->Values.bind(program, "valueTexture");
+  const std::array<float, 2> map{ { values.Scale, values.Offset } };
+  program->SetUniform2f("valueMap", map.data());
+  if (key.PointScalars)
+  {
+    const std::array<float, 2> texel{ { 1.0f / static_cast<float>(along[0]),
+      1.0f / static_cast<float>(along[1]) } };
+    program->SetUniform2f("valueTexel", texel.data());
+  }
+  setInts(program, "lastValue", { { along[0] - 1, along[1] - 1, along[2] - 1 } });
+  setInts(
+    program, "firstValue", intsOf(lattice, [](const LatticeAxis& a) { return a.FirstValue; }));
+}
+
+void LatticeTextures::bindPlanes(
+  vtkShaderProgram* program, const VariantKey& key, const Lattice& lattice)
+{
+  if (key.Rectilinear)
+  {
+    this->Planes.bind(program, "planeBuffer");
+    const int ofI = lattice.Axes[0].Cells + 1;
+    setInts(program, "firstPlane", { { 0, ofI, ofI + lattice.Axes[1].Cells + 1 } });
+  }
+  else
+  {
+    program->SetUniform3f(
+      "latticeShift", floatsOf(lattice, [](const LatticeAxis& a) { return a.Shift; }).data());
+    program->SetUniform3f("latticeHalfLength",
+      floatsOf(lattice, [](const LatticeAxis& a) { return a.HalfLength; }).data());
+  }
+}
+
+void LatticeTextures::bind(vtkShaderProgram* program, const VariantKey& key,
+  const StructuredVolume& volume, const BlockDistances& empty)
+{
+  const Lattice& lattice = volume.lattice();
+  this->bindValues(program, key, volume);
+  this->bindPlanes(program, key, lattice);
+  setInts(program, "latticeCells", intsOf(lattice, [](const LatticeAxis& a) { return a.Cells; }));
+  setAffine(program, "latticeMatrix", lattice.FromNormalized);
+  program->SetUniformi("mostCells", mostCellsOf(lattice));
+  bindLightNodes(program, volume.lightNodes());
+  if (key.Leaps)
+  {
+    this->Distances.bind(program, "blockDistanceBuffer");
+    setInts(program, "blockCount", empty.Blocks);
+  }
+  if (key.HiddenCells)
+  {
+    this->Hidden.bind(program, "hiddenCellBuffer");
+  }
+}
+
+void LatticeTextures::unbind()
+{
+  this->Values.unbind();
+  for (VersionedBuffer* buffer : { &this->Planes, &this->Hidden, &this->Distances })
+  {
+    buffer->unbind();
+  }
+}
+
+void LatticeTextures::release(vtkWindow* window)
+{
+  this->Values.release(window);
+  this->ValuesThere.reset();
+  for (VersionedBuffer* buffer : { &this->Planes, &this->Hidden, &this->Distances })
+  {
+    buffer->release(window);
+  }
+}
+
+std::size_t LatticeTextures::bytes() const
+{
+  return this->Values.bytes() + this->Planes.bytes() + this->Hidden.bytes() +
+         this->Distances.bytes();
+}
+
+std::int64_t LatticeTextures::uploadedBytes() const
+{
+  return this->UploadedBytes + this->Planes.uploadedBytes() + this->Hidden.uploadedBytes() +
+         this->Distances.uploadedBytes();
+}
+
+} // namespace tetmarch
