@@ -22,6 +22,7 @@ real greatestBend(vec2 bend)
   return real(0.25) * max(abs(bend.x + bend.y), abs(bend.x + real(2) * bend.y));
 }
 
+#if !TETMARCH_INDEPENDENT
 // What the bend changes of the light of a subsegment in which the scalar rises or falls, and which is integrated as if
 // its table positions ran linearly. bend and rise: in table positions. by: of the subsegment; colorVariation and
 // extinctionVariation: the total variations of colour and extinction between its ends.
@@ -42,4 +43,5 @@ real bendError(vec2 bend, real rise, Absorption by, real colorVariation, real ex
   real within = by.depth * r + real(2) * byVariation; // the least extinction is not above the mean
   return min(min(byVariation, byShare), real(1)) + min(colorVariation, real(1)) * min(min(within, byShare), real(1));
 }
+#endif
 #endif

@@ -52,10 +52,10 @@ public:
     vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) = 0;
   /** The scalars that are drawn. */
   virtual std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) = 0;
-  /** What of the volume can be seen by these functions; undrawnSeen: also scalars that are not finite.
-   * It tells what rays may leap over. */
+  /** What of the volume can be seen by these functions; undrawnSeen: also scalars that are not
+   * finite. It tells what rays may leap over. */
   virtual std::string updateVisibility(
-    const IntegralTable&, const Blending&, bool /*undrawnSeen*/)
+    const IntegralTable& /*first*/, const Components&, const Blending&, bool /*undrawnSeen*/)
   {
     return {};
   }

@@ -104,7 +104,8 @@ bool Pipeline::updateTables(
   {
     this->NanShown =
       drawNan && !this->Source.range().AllFinite && this->Tables.first().NanColor[3] > 0;
-    error = this->Source.updateVisibility(this->Tables.first(), this->Blend, this->NanShown);
+    error = this->Source.updateVisibility(
+      this->Tables.first(), this->Tables.components(), this->Blend, this->NanShown);
   }
   if (!error.empty())
   {

@@ -82,28 +82,40 @@ std::string StructuredSource::updateGeometry(
 
 std::string StructuredSource::updateScalars(vtkDataSet* data, const DrawnScalars& drawn)
 {
-  if (drawn.Mix != ComponentMix::Single)
-  {
-    return "Several components of a structured volume can't be drawn together yet. Choose one of "
-           "them by VectorMode and VectorComponent.";
-  }
   return this->Volume.updateScalars(data, drawn, this->Interpolated);
 }
 
-std::string StructuredSource::updateVisibility(
-  const IntegralTable& table, const Blending& blending, bool undrawnSeen)
+// Of dependent components the first one is that of the opacity: the others show nothing without it.
+std::vector<ShownScalar> StructuredSource::shownScalars(
+  const IntegralTable& first, const Components& parts) const
 {
+  const std::vector<BlockRanges>& ranges = this->Volume.blockRanges();
+  std::vector<ShownScalar> shown{ { &ranges.front(), &first, this->range() } };
+  for (std::size_t k = 1; k < ranges.size(); ++k)
+  {
+    shown.push_back({ &ranges[k], &parts.Tables[k - 1], this->furtherRanges()[k - 1] });
+  }
+  return shown;
+}
+
+std::string StructuredSource::updateVisibility(
+  const IntegralTable& first, const Components& parts, const Blending& blending, bool undrawnSeen)
+{
+  const std::vector<ShownScalar> shown = this->shownScalars(first, parts);
   Fingerprint input = this->Volume.valuesVersion();
   add(input, versionOf(blending));
   input.push_back(undrawnSeen ? 1 : 0);
   if (blending.isComposite())
   {
-    for (const std::array<float, 4>& value : table.Values)
+    for (const ShownScalar& scalar : shown)
     {
-      add(input, static_cast<double>(value[3]));
+      for (const std::array<float, 4>& value : scalar.Table->Values)
+      {
+        add(input, static_cast<double>(value[3]));
+      }
+      add(input, scalar.Table->Begin);
+      add(input, scalar.Table->End);
     }
-    add(input, table.Begin);
-    add(input, table.End);
   }
   if (input == this->EmptyInput)
   {
@@ -114,16 +126,15 @@ std::string StructuredSource::updateVisibility(
     [&]
     {
       const StageRecorder recorder(this->EmptyRecord);
-      const BlockRanges& ranges = this->Volume.blockRanges();
       this->Empty = {};
       // Surfaces between constant cells lie between blocks, too, whose ranges do not tell of them.
       if (blending.isIsoSurface() && !this->Volume.lattice().Constant)
       {
-        this->Empty = findBlockDistances(ranges, blending.IsoValues);
+        this->Empty = findBlockDistances(*shown.front().Ranges, blending.IsoValues);
       }
       else if (blending.isComposite())
       {
-        this->Empty = findBlockDistances(ranges, table, this->range(), undrawnSeen);
+        this->Empty = findBlockDistances(shown, undrawnSeen);
       }
     });
   if (shortage.empty())
@@ -186,6 +197,32 @@ std::string StructuredSource::uploadPlanes(vtkOpenGLRenderWindow* window)
   return this->Planes.upload(window, TexelFormat::R32F, planes.data(), planes.size());
 }
 
+std::string StructuredSource::uploadValues(vtkOpenGLRenderWindow* window)
+{
+  const std::array<int, 3> along = valuesAlong(this->Volume.lattice());
+  const std::vector<StoredValues>& values = this->Volume.values();
+  std::string error = this->Values.upload(window, along, values.front());
+  for (std::size_t k = 0; k < this->Further.size(); ++k)
+  {
+    this->Further[k].release(window);
+    if (error.empty() && k + 1 < values.size())
+    {
+      error = this->Further[k].upload(window, along, values[k + 1]);
+    }
+  }
+  return error;
+}
+
+std::size_t StructuredSource::valueBytes() const
+{
+  std::size_t bytes = this->Values.bytes();
+  for (const ArrayTexture& further : this->Further)
+  {
+    bytes += further.bytes();
+  }
+  return bytes;
+}
+
 std::string StructuredSource::upload(vtkOpenGLRenderWindow* window)
 {
   std::string error;
@@ -205,9 +242,8 @@ std::string StructuredSource::upload(vtkOpenGLRenderWindow* window)
   update(this->ValuesThere, this->Volume.valuesVersion(),
     [&]
     {
-      error =
-        this->Values.upload(window, valuesAlong(this->Volume.lattice()), this->Volume.values()[0]);
-      return this->Values.bytes();
+      error = this->uploadValues(window);
+      return this->valueBytes();
     });
   update(this->PlanesThere, this->Volume.latticeVersion(),
     [&]
@@ -241,6 +277,10 @@ std::string StructuredSource::upload(vtkOpenGLRenderWindow* window)
 void StructuredSource::release(vtkWindow* window)
 {
   this->Values.release(window);
+  for (ArrayTexture& further : this->Further)
+  {
+    further.release(window);
+  }
   for (TextureBuffer* buffer : { &this->Planes, &this->Hidden, &this->Distances })
   {
     buffer->release(window);
@@ -254,8 +294,7 @@ void StructuredSource::release(vtkWindow* window)
 
 std::size_t StructuredSource::bytes() const
 {
-  return this->Values.bytes() + this->Planes.bytes() + this->Hidden.bytes() +
-         this->Distances.bytes();
+  return this->valueBytes() + this->Planes.bytes() + this->Hidden.bytes() + this->Distances.bytes();
 }
 
 const char* StructuredSource::shaderOf(SourcePass pass) const
@@ -273,6 +312,23 @@ const char* StructuredSource::shaderOf(SourcePass pass) const
   }
 }
 
+// A sampler of a scalar that is not drawn, which is never read, has the values of another one.
+void StructuredSource::bindFurther(vtkShaderProgram* program, const VariantKey& key)
+{
+  const std::vector<StoredValues>& values = this->Volume.values();
+  const std::array<const char*, MostComponents - 1> samplers{ { "furtherTextureA",
+    "furtherTextureB", "furtherTextureC" } };
+  const std::size_t count = key.Components == ComponentGroup::ColorAndOpacity ? 1 : samplers.size();
+  std::array<std::array<float, 2>, MostComponents - 1> maps{};
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const std::size_t drawn = std::min(k, values.size() - 2);
+    this->Further[drawn].bind(program, samplers[k]);
+    maps[k] = { { values[drawn + 1].Scale, values[drawn + 1].Offset } };
+  }
+  program->SetUniform2fv("furtherMap", MostComponents - 1, maps.front().data());
+}
+
 void StructuredSource::bind(vtkShaderProgram* program, const VariantKey& key)
 {
   const Lattice& lattice = this->Volume.lattice();
@@ -281,6 +337,10 @@ void StructuredSource::bind(vtkShaderProgram* program, const VariantKey& key)
   this->Values.bind(program, "valueTexture");
   const std::array<float, 2> map{ { values.Scale, values.Offset } };
   program->SetUniform2f("valueMap", map.data());
+  if (key.hasComponents())
+  {
+    this->bindFurther(program, key);
+  }
   if (key.PointScalars)
   {
     const std::array<float, 2> texel{ { 1.0f / static_cast<float>(along[0]),
@@ -324,6 +384,10 @@ void StructuredSource::bind(vtkShaderProgram* program, const VariantKey& key)
 void StructuredSource::unbind()
 {
   this->Values.unbind();
+  for (ArrayTexture& further : this->Further)
+  {
+    further.unbind();
+  }
   for (TextureBuffer* buffer : { &this->Planes, &this->Hidden, &this->Distances })
   {
     buffer->unbind();

@@ -11,7 +11,10 @@
 #include "Structured/StructuredVolume.h"
 #include "Volume/StructuredEffectSource.h"
 
+#include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace tetmarch
 {
@@ -30,8 +33,8 @@ public:
     vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) override;
   std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) override;
   std::string prepareEntrySearch() override { return {}; }
-  std::string updateVisibility(
-    const IntegralTable& table, const Blending& blending, bool undrawnSeen) override;
+  std::string updateVisibility(const IntegralTable& first, const Components& parts,
+    const Blending& blending, bool undrawnSeen) override;
 
   bool isEmpty() const override { return this->Volume.isEmpty(); }
   const VolumeFrame& frame() const override { return this->Volume.frame(); }
@@ -73,6 +76,10 @@ public:
   RayTrace traceRay(ReferenceScene scene, const TraceOptions& options) const override;
 
 private:
+  std::vector<ShownScalar> shownScalars(const IntegralTable& first, const Components& parts) const;
+  std::string uploadValues(vtkOpenGLRenderWindow* window);
+  std::size_t valueBytes() const;
+  void bindFurther(vtkShaderProgram* program, const VariantKey& key);
   ReferenceScene withVolume(ReferenceScene scene) const;
   bool leaps() const;
   std::string uploadPlanes(vtkOpenGLRenderWindow* window);
@@ -88,6 +95,7 @@ private:
   StageRecord EmptyRecord;
 
   ArrayTexture Values;
+  std::array<ArrayTexture, MostComponents - 1> Further; // of the scalars drawn with the first
   TextureBuffer Planes;
   TextureBuffer Hidden;
   TextureBuffer Distances;
