@@ -47,6 +47,7 @@ void expectTolerance(int components, bool independent)
   {
     AccuracyLevel level = levelOf(Accuracy::Default, tolerance);
     level.LeastTableEntries = 16384; // what is between entries is no part of the bound
+    level.MostTrials *= 8;           // as Pipeline::levelFor() has it where scalars bend
     ASSERT_NO_FATAL_FAILURE(rays.use(level));
     for (const double unit : { 0.03, 0.2, 1.0 })
     {
