@@ -55,6 +55,8 @@ struct ImageScene
   std::function<void(ImageStage&)> Look = {};
   /// Light and gradient opacity are not in the ground truth.
   bool HasTruth = true;
+  /// Why vtkTetMarchSmartVolumeMapper doesn't march it; empty if it does.
+  const char* NotMarched = "";
 };
 
 /// All: those of the next three.
