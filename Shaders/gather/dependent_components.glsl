@@ -9,6 +9,10 @@ struct SegmentEnds
   real end;
   vec3 furtherBegin;
   vec3 furtherEnd;
+#if TETMARCH_BENT
+  vec2 bend; // between the positions
+  FurtherBend furtherBend;
+#endif
 };
 
 SegmentEnds segmentEnds(Segment segment)
@@ -18,6 +22,10 @@ SegmentEnds segmentEnds(Segment segment)
   ends.end = segment.end.y * tableScale + tableOffset;
   ends.furtherBegin = segment.furtherBegin;
   ends.furtherEnd = segment.furtherEnd;
+#if TETMARCH_BENT
+  ends.bend = segment.bend * tableScale;
+  ends.furtherBend = segment.furtherBend;
+#endif
   return ends;
 }
 
@@ -30,17 +38,34 @@ struct DependentColor
   vec3 color; // mean over the depth
 #if TETMARCH_ERROR_BOUND
   real change; // total variation of the channel that changes most
+#if TETMARCH_BENT
+  real bendRatio; // of what gives the colour, unless the mean is exact
+#endif
 #endif
 };
 
+#if TETMARCH_BENT
+DependentColor dependentColorBetween(vec3 from, vec3 to, FurtherBend bend)
+#else
 DependentColor dependentColorBetween(vec3 from, vec3 to)
+#endif
 {
   DependentColor found;
 #if TETMARCH_DIRECT_COLOR
   found.color = (from + to) * real(0.5);
+#if TETMARCH_BENT
+  found.color = found.color - bend.square * (real(1) / real(6)) - bend.cube * real(0.25);
+#endif
 #if TETMARCH_ERROR_BOUND
   vec3 rise = to - from;
+#if TETMARCH_BENT
+  found.change = max(
+    bentVariation(rise.x, bend.square.x, bend.cube.x), max(bentVariation(rise.y, bend.square.y, bend.cube.y),
+    bentVariation(rise.z, bend.square.z, bend.cube.z)));
+  found.bendRatio = real(0);
+#else
   found.change = max(abs(rise.x), max(abs(rise.y), abs(rise.z)));
+#endif
 #endif
 #else
   TableSpan table = tableSpan(1);
@@ -50,6 +75,9 @@ DependentColor dependentColorBetween(vec3 from, vec3 to)
   found.color = vec3(mean.x, mean.y, mean.z);
 #if TETMARCH_ERROR_BOUND
   found.change = min(abs(q.variation - p.variation), real(1));
+#if TETMARCH_BENT
+  found.bendRatio = bendRatio(vec2(bend.square.x, bend.cube.x), to.x - from.x);
+#endif
 #endif
 #endif
   return found;
@@ -61,6 +89,9 @@ struct SubsegmentMean
   TablePoint next; // the opacity's table at the subsegment's end
 #if TETMARCH_ERROR_BOUND
   real change; // of the colour
+#if TETMARCH_BENT
+  real bendRatio;
+#endif
 #endif
 };
 
@@ -68,16 +99,31 @@ struct SubsegmentMean
 SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, CellInterval cell)
 {
   SubsegmentMean found;
+#if TETMARCH_BENT
+  real target = part.last ? ends.end : bentScalar(ends.begin, ends.end, ends.bend, part.end);
+#else
   real target = part.last ? ends.end : ends.begin + (ends.end - ends.begin) * part.end;
+#endif
   found.next = tablePoint(loaded ? target : ends.begin);
   vec4 mean = meanBetween(cell.at, found.next);
+#if TETMARCH_BENT
+  real until = part.begin + part.fraction;
+  DependentColor dependent =
+    dependentColorBetween(bentScalars(ends.furtherBegin, ends.furtherEnd, ends.furtherBend, part.begin),
+      bentScalars(ends.furtherBegin, ends.furtherEnd, ends.furtherBend, until),
+      furtherBendWithin(ends.furtherBend, part.begin, until));
+#else
   vec3 rise = ends.furtherEnd - ends.furtherBegin;
   DependentColor dependent = dependentColorBetween(
     ends.furtherBegin + rise * part.begin, ends.furtherBegin + rise * (part.begin + part.fraction));
+#endif
   vec3 color = dependent.color;
   found.mean = vec4(color.x * mean.w, color.y * mean.w, color.z * mean.w, mean.w);
 #if TETMARCH_ERROR_BOUND
   found.change = dependent.change;
+#if TETMARCH_BENT
+  found.bendRatio = dependent.bendRatio;
+#endif
 #endif
   return found;
 }
@@ -89,13 +135,20 @@ void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) { cell.at = 
 // C by the covariance of both over the mean of tau: at most a quarter of the product of their ranges (Gruess 1935). The
 // order of the colours (gather/order_error.glsl) is lost besides. And what is emitted has a mean of the subsegment's
 // colours, as the exact emission has, so that both together are no more than the variation of the colour times what is
-// absorbed.
+// absorbed. What the scalars' bends add is in structured/component_bend.glsl.
 real subsegmentError(
   SegmentEnds ends, Subsegment part, SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
 {
   real spread = abs(found.next.extinctionVariation - cell.at.extinctionVariation);
   real covariance = by.absorbed * real(0.25) * spread / max(found.mean.w, TINY);
+#if TETMARCH_BENT
+  DependentBend bent =
+    dependentBend(bendWithin(ends.bend, part.begin, part.begin + part.fraction), found.next.x - cell.at.x, by, spread);
+  return transmittance * (bent.opacity + min(found.change, real(1)) * min(by.absorbed,
+    orderErrorFactor(by.depth) + covariance + bent.light + found.bendRatio * bent.perRatio));
+#else
   return transmittance * (found.change * min(by.absorbed, orderErrorFactor(by.depth) + covariance));
+#endif
 }
 #endif
 #else

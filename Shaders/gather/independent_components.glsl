@@ -11,6 +11,10 @@ struct SegmentEnds
 {
   vec4 begin;
   vec4 end;
+#if TETMARCH_BENT
+  vec4 square; // their bends: structured/bend.glsl
+  vec4 cube;
+#endif
 };
 
 SegmentEnds segmentEnds(Segment segment)
@@ -18,8 +22,32 @@ SegmentEnds segmentEnds(Segment segment)
   SegmentEnds ends;
   ends.begin = scalarsOf(segment.begin.y, segment.furtherBegin);
   ends.end = scalarsOf(segment.end.y, segment.furtherEnd);
+#if TETMARCH_BENT
+  ends.square = scalarsOf(segment.bend.x, segment.furtherBend.square);
+  ends.cube = scalarsOf(segment.bend.y, segment.furtherBend.cube);
+#endif
   return ends;
 }
+
+#if TETMARCH_BENT
+// The scalars at a fraction of the segment.
+vec4 scalarsWithin(SegmentEnds ends, real x)
+{
+  return ends.begin + (ends.end - ends.begin) * x - (ends.square + ends.cube * (real(1) + x)) * (x * (real(1) - x));
+}
+
+// The ends of a part of a segment.
+SegmentEnds endsWithin(SegmentEnds ends, Subsegment part)
+{
+  real h = part.fraction;
+  SegmentEnds within;
+  within.begin = scalarsWithin(ends, part.begin);
+  within.end = part.last ? ends.end : scalarsWithin(ends, part.end);
+  within.square = (ends.square + ends.cube * (real(3) * part.begin)) * (h * h);
+  within.cube = ends.cube * (h * h * h);
+  return within;
+}
+#endif
 
 // Each lookup reads both ends of all tables.
 bool isLoaded(SegmentEnds ends, CellInterval cell) { return true; }
@@ -29,12 +57,15 @@ struct SubsegmentMean
   vec4 mean; // of C tau and tau, summed over the components
 #if TETMARCH_ERROR_BOUND
   real change; // the colour of the mixture changes by no more
+#if TETMARCH_BENT
+  IndependentBend bent;
+#endif
 #endif
 };
 
 void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) {}
 
-#if TETMARCH_ERROR_BOUND
+#if TETMARCH_ERROR_BOUND && !TETMARCH_STRUCTURED
 real greatestOf(vec3 v) { return max(v.x, max(v.y, v.z)); }
 #endif
 
@@ -50,8 +81,15 @@ real greatestOf(vec3 v) { return max(v.x, max(v.y, v.z)); }
 // the proportions change by no more than 2 sum(E_i) / (sum(t_i) - sum(E_i)), and never by more than 1. A function that
 // goes from p to q with the total variation V stays within V / 2 of (p + q) / 2, so these are the middles, and R_i
 // = V_i.
+#if TETMARCH_BENT
+SubsegmentMean independentMeanBetween(SegmentEnds part)
+{
+  vec4 from = part.begin;
+  vec4 to = part.end;
+#else
 SubsegmentMean independentMeanBetween(vec4 from, vec4 to)
 {
+#endif
   SubsegmentMean found;
   found.mean = vec4(real(0), real(0), real(0), real(0));
 #if TETMARCH_ERROR_BOUND
@@ -60,6 +98,9 @@ SubsegmentMean independentMeanBetween(vec4 from, vec4 to)
   real range = real(0);      // max(R_i)
   vec3 low = vec3(real(1), real(1), real(1));
   vec3 high = vec3(real(0), real(0), real(0));
+#if TETMARCH_BENT
+  found.bent = noBend();
+#endif
 #endif
   for (int k = 0; k < componentCount; ++k)
   {
@@ -79,6 +120,10 @@ SubsegmentMean independentMeanBetween(vec4 from, vec4 to)
       seen ? min(low.z, middle.z) : low.z);
     high = vec3(seen ? max(high.x, middle.x) : high.x, seen ? max(high.y, middle.y) : high.y,
       seen ? max(high.z, middle.z) : high.z);
+#if TETMARCH_BENT
+    addBend(p, q, bendRatio(vec2(componentOf(part.square, k), componentOf(part.cube, k)),
+      componentOf(to, k) - componentOf(from, k)), factor, found.bent);
+#endif
 #endif
   }
 #if TETMARCH_ERROR_BOUND
@@ -91,8 +136,12 @@ SubsegmentMean independentMeanBetween(vec4 from, vec4 to)
 
 SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, CellInterval cell)
 {
+#if TETMARCH_BENT
+  return independentMeanBetween(endsWithin(ends, part));
+#else
   vec4 target = part.last ? ends.end : ends.begin + (ends.end - ends.begin) * part.end;
   return independentMeanBetween(ends.begin + (ends.end - ends.begin) * part.begin, target);
+#endif
 }
 
 #if TETMARCH_ERROR_BOUND
@@ -100,7 +149,11 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
 real subsegmentError(
   SegmentEnds ends, Subsegment part, SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
 {
+#if TETMARCH_BENT
+  return transmittance * min(found.change * orderErrorFactor(by.depth) + independentBend(found.bent, by), real(1));
+#else
   return transmittance * found.change * orderErrorFactor(by.depth);
+#endif
 }
 #endif
 #else

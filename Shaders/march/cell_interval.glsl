@@ -13,6 +13,13 @@ struct CellInterval
 #if TETMARCH_BENT
   vec2 bend;   // of the scalar from enter to leave; see structured/bend.glsl
 #endif
+#if TETMARCH_BENT_COMPONENTS
+  vec3 furtherEnter; // further scalars where the interval begins
+  vec3 furtherLeave;
+  FurtherBend furtherBend;
+#elif TETMARCH_COMPONENTS && TETMARCH_STRUCTURED
+  vec3 further; // scalars of the cell beside the first
+#endif
 #if TETMARCH_KEEPS_TABLE_POINT
   TablePoint at; // the table at the end of the last lookup
 #endif
@@ -55,6 +62,14 @@ vec3 furtherAt(CellInterval cell, real depth)
 }
 #endif
 
+#if TETMARCH_BENT_COMPONENTS
+vec3 furtherAt(CellInterval cell, real depth)
+{
+  return bentScalars(
+    cell.furtherEnter, cell.furtherLeave, cell.furtherBend, fractionAt(cell.enter, cell.leave, depth));
+}
+#endif
+
 // The segment between cell.begin and cell.end.
 Segment visibleSegment(CellInterval cell)
 {
@@ -75,6 +90,13 @@ Segment visibleSegment(CellInterval cell)
 #if TETMARCH_FURTHER_VERTEX_SCALARS
   segment.furtherBegin = cell.begin > cell.enter.x ? furtherAt(cell, cell.begin) : cell.enterAttributes.further;
   segment.furtherEnd = cell.end < cell.leave.x ? furtherAt(cell, cell.end) : cell.leaveAttributes.further;
+#elif TETMARCH_BENT_COMPONENTS
+  segment.furtherBegin = cell.begin > cell.enter.x ? furtherAt(cell, cell.begin) : cell.furtherEnter;
+  segment.furtherEnd = cell.end < cell.leave.x ? furtherAt(cell, cell.end) : cell.furtherLeave;
+  segment.furtherBend = furtherBendWithin(cell.furtherBend, fractionAt(cell.enter, cell.leave, cell.begin),
+    fractionAt(cell.enter, cell.leave, cell.end));
+#elif TETMARCH_COMPONENTS && TETMARCH_STRUCTURED
+  segment.furtherBegin = cell.further;
 #elif TETMARCH_COMPONENTS
   segment.furtherBegin = fetchFurtherScalars(cell.number);
 #endif

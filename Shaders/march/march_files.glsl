@@ -15,6 +15,9 @@
 #if TETMARCH_BENT
 #include "structured/bend.glsl"
 #endif
+#if TETMARCH_BENT_COMPONENTS && TETMARCH_ERROR_BOUND
+#include "structured/component_bend.glsl"
+#endif
 #include "march/segment.glsl"
 #include "march/cell_interval.glsl"
 #include "light/cell_shades.glsl"

@@ -26,6 +26,9 @@ struct Segment
 #if TETMARCH_POINT_SCALARS
   vec3 furtherEnd;
 #endif
+#if TETMARCH_BENT
+  FurtherBend furtherBend; // structured/further_cubics.glsl
+#endif
 #endif
 };
 

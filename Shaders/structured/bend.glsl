@@ -58,7 +58,7 @@ real bentMeanError(vec2 bend, real rise)
 }
 #endif
 
-#if TETMARCH_ERROR_BOUND
+#if TETMARCH_ERROR_BOUND && !TETMARCH_INDEPENDENT
 // What the bend changes of the light of a subsegment in which the scalar rises or falls, and which is integrated as if
 // its table positions ran linearly. bend and rise: in table positions. by: of the subsegment; colorVariation and
 // extinctionVariation: the total variations of colour and extinction between its ends.

@@ -1,5 +1,5 @@
 // From cell to cell of a lattice. A trilinear cell is crossed in up to three parts, in each of which the scalar rises or
-// falls.
+// falls; of several components in up to nine, in each of which each scalar that has a table does.
 
 CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
 {
@@ -82,6 +82,9 @@ void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
   real from = place.position;
   real next = place.extremes.x > from ? place.extremes.x : place.extremes.y;
   real to = next > from ? min(next, real(1)) : real(1);
+#if TETMARCH_BENT_COMPONENTS && !TETMARCH_DIRECT_COLOR
+  to = min(to, nextFurtherExtreme(place.further, from));
+#endif
   real length = place.leave - place.depth;
   bool hasScalar = isDrawn(place.cubic.x);
   // The scalar where the last interval ended is the same but for rounding; then no table need be read there again.
@@ -90,6 +93,11 @@ void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
   cell.leave = vec2(
     to < real(1) ? place.depth + length * to : place.leave, hasScalar ? cubicAt(place.cubic, to) : UNDRAWN_SCALAR);
   cell.bend = bendWithin(vec2(place.cubic.z, place.cubic.w), from, to);
+#if TETMARCH_BENT_COMPONENTS
+  cell.furtherEnter = furtherCubicsAt(place.further, from);
+  cell.furtherLeave = furtherCubicsAt(place.further, to);
+  cell.furtherBend = furtherBendWithin(place.further.bend, from, to);
+#endif
   cell.scalar = cell.leave.y;
   place.position = to;
 }
@@ -128,9 +136,22 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
 #if TETMARCH_POINT_SCALARS
     place.cubic = cubicAlong(ray, place.cell, place.depth, place.leave);
     place.extremes = extremesOf(place.cubic);
+#if TETMARCH_BENT_COMPONENTS
+    place.further = furtherCubicsAlong(ray, place.cell, place.depth, place.leave);
+#if TETMARCH_LEAPS
+    if (reach > 0)
+    {
+      place.further = noFurtherCubics();
+    }
+#endif
+#endif
 #else
     cell.scalar =
       fetchValue(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
+#if TETMARCH_COMPONENTS
+    cell.further =
+      fetchFurtherValues(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
+#endif
 #endif
   }
   takePart(place, cell);

@@ -40,6 +40,62 @@ float fetchValue(int i, int j, int k)
 }
 #endif
 
+#if TETMARCH_COMPONENTS
+// Values of the scalars beside the first, as many as are drawn. Samplers that are not needed are never read.
+uniform sampler2DArray furtherTextureA;
+#if !TETMARCH_COLOR_AND_OPACITY
+uniform sampler2DArray furtherTextureB;
+uniform sampler2DArray furtherTextureC;
+#endif
+uniform vec2 furtherMap[MOST_COMPONENTS - 1]; // as valueMap
+
+#if TETMARCH_POINT_SCALARS
+#if TETMARCH_GATHERS
+vec4 readValues(sampler2DArray values, int i, int j, int k)
+{
+  return textureGather(values, vec3(vec2(float(i + 1), float(j + 1)) * valueTexel, float(clamp(k, 0, lastValue.z))));
+}
+#else
+vec4 readValues(sampler2DArray values, int i, int j, int k)
+{
+  ivec3 low = clamp(ivec3(i, j, k), ivec3(0), lastValue);
+  ivec2 high = clamp(ivec2(i + 1, j + 1), ivec2(0), lastValue.xy);
+  return vec4(texelFetch(values, ivec3(low.x, high.y, low.z), 0).x, texelFetch(values, ivec3(high, low.z), 0).x,
+    texelFetch(values, ivec3(high.x, low.y, low.z), 0).x, texelFetch(values, low, 0).x);
+}
+#endif
+
+// Four values of a component, in the order of fetchValues(), which are those of component 0.
+vec4 fetchValuesOf(int component, int i, int j, int k)
+{
+  if (component == 0)
+  {
+    return fetchValues(i, j, k);
+  }
+#if TETMARCH_COLOR_AND_OPACITY
+  vec4 values = readValues(furtherTextureA, i, j, k);
+#else
+  vec4 values = component == 1 ? readValues(furtherTextureA, i, j, k)
+    : (component == 2 ? readValues(furtherTextureB, i, j, k) : readValues(furtherTextureC, i, j, k));
+#endif
+  vec2 map = furtherMap[component - 1];
+  return values * map.x + vec4(map.y);
+}
+#else
+// The values of a cell beside its first one.
+vec3 fetchFurtherValues(int i, int j, int k)
+{
+  ivec3 place = clamp(ivec3(i, j, k), ivec3(0), lastValue);
+  vec3 values = vec3(texelFetch(furtherTextureA, place, 0).x, 0.0, 0.0) * furtherMap[0].x + vec3(furtherMap[0].y);
+#if !TETMARCH_COLOR_AND_OPACITY
+  values.y = texelFetch(furtherTextureB, place, 0).x * furtherMap[1].x + furtherMap[1].y;
+  values.z = texelFetch(furtherTextureC, place, 0).x * furtherMap[2].x + furtherMap[2].y;
+#endif
+  return values;
+}
+#endif
+#endif
+
 #if TETMARCH_RECTILINEAR
 uniform samplerBuffer planeBuffer; // those of i, of j, of k, one behind the other
 uniform ivec3 firstPlane;          // of each axis in the buffer

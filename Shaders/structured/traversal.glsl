@@ -16,6 +16,9 @@ struct Place
   vec4 cubic;    // the scalar along the ray in it
   vec2 extremes;
 #endif
+#if TETMARCH_BENT_COMPONENTS
+  FurtherCubics further; // of the scalars beside it
+#endif
 };
 
 // The state of a ray: it enters a lattice once.
@@ -43,6 +46,9 @@ Traversal traversalFrom(Ray ray, int firstFace, real depthBegin)
 #if TETMARCH_POINT_SCALARS
   traversal.place.cubic = vec4(real(0), real(0), real(0), real(0));
   traversal.place.extremes = vec2(NO_EXTREME, NO_EXTREME);
+#endif
+#if TETMARCH_BENT_COMPONENTS
+  traversal.place.further = noFurtherCubics();
 #endif
 #if TETMARCH_EFFECTS
   traversal.place.crossed = traversal.place.cell;

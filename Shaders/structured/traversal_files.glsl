@@ -10,6 +10,9 @@
 #if TETMARCH_POINT_SCALARS
 #include "structured/trilinear.glsl"
 #endif
+#if TETMARCH_BENT_COMPONENTS
+#include "structured/further_cubics.glsl"
+#endif
 #if TETMARCH_VERTEX_LIGHT
 #include "structured/light_nodes.glsl"
 #endif

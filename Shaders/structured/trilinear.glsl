@@ -23,13 +23,22 @@ CellFrame cellFrame(ivec3 cell)
 
 // As a polynomial of x = 0..1 between two depths: the coefficients of 1, x, x^2, x^3. The first one is UNDRAWN_SCALAR if
 // some value of the cell is not finite.
+#if TETMARCH_COMPONENTS
+vec4 cubicOfComponent(int component, Ray ray, ivec3 cell, real enter, real leave)
+#else
 vec4 cubicAlong(Ray ray, ivec3 cell, real enter, real leave)
+#endif
 {
   int i = cell.x + firstValue.x;
   int j = cell.y + firstValue.y;
   int k = cell.z + firstValue.z;
+#if TETMARCH_COMPONENTS
+  vec4 low = fetchValuesOf(component, i, j, k);
+  vec4 high = fetchValuesOf(component, i, j, k + 1);
+#else
   vec4 low = fetchValues(i, j, k);
   vec4 high = fetchValues(i, j, k + 1);
+#endif
   CellFrame frame = cellFrame(cell);
   vec3 a = (ray.start + ray.slope * enter - frame.begin) * frame.perWidth;
   vec3 e = ray.slope * frame.perWidth * (leave - enter);
@@ -58,6 +67,11 @@ vec4 cubicAlong(Ray ray, ivec3 cell, real enter, real leave)
   cubic.x = isDrawn(most) ? cubic.x : UNDRAWN_SCALAR;
   return cubic;
 }
+
+#if TETMARCH_COMPONENTS
+// That of the first scalar.
+vec4 cubicAlong(Ray ray, ivec3 cell, real enter, real leave) { return cubicOfComponent(0, ray, cell, enter, leave); }
+#endif
 
 real cubicAt(vec4 cubic, real x) { return cubic.x + x * (cubic.y + x * (cubic.z + x * cubic.w)); }
 

@@ -5,6 +5,8 @@
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -36,7 +38,7 @@ vtkSmartPointer<vtkDataArray> makeArray(
   return array;
 }
 
-Vec3 centreOf(vtkUnstructuredGrid* grid, vtkIdType cell)
+Vec3 centreOf(vtkDataSet* grid, vtkIdType cell)
 {
   vtkNew<vtkIdList> points;
   grid->GetCellPoints(cell, points);
@@ -63,20 +65,25 @@ std::vector<Field> componentFields(int count)
   return { fields.begin(), fields.begin() + count };
 }
 
-Grid withComponents(const Grid& grid, const std::vector<Field>& fields, int type)
+void setComponents(vtkDataSet* data, const std::vector<Field>& fields, int type)
 {
   std::vector<Vec3> points, centres;
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    const double* p = grid->GetPoint(i);
+    const double* p = data->GetPoint(i);
     points.push_back({ p[0], p[1], p[2] });
   }
-  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
-    centres.push_back(centreOf(grid, i));
+    centres.push_back(centreOf(data, i));
   }
-  grid->GetPointData()->SetScalars(makeArray(fields, type, points));
-  grid->GetCellData()->SetScalars(makeArray(fields, type, centres));
+  data->GetPointData()->SetScalars(makeArray(fields, type, points));
+  data->GetCellData()->SetScalars(makeArray(fields, type, centres));
+}
+
+Grid withComponents(const Grid& grid, const std::vector<Field>& fields, int type)
+{
+  setComponents(grid, fields, type);
   return grid;
 }
 

@@ -13,6 +13,7 @@
 #include <functional>
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkVolumeProperty;
 
 namespace tetmarch::testing
@@ -24,6 +25,8 @@ std::vector<Field> componentFields(int count);
 /// The grid itself, with the active scalars of points and cells made of fields, one a component, in
 /// arrays of that type of VTK, named "components". In arrays of integers they are times 255.
 Grid withComponents(const Grid& grid, const std::vector<Field>& fields, int type);
+/// The same of a data set of any kind.
+void setComponents(vtkDataSet* data, const std::vector<Field>& fields, int type);
 
 /// For 1 to 4 components: colour and opacity functions over 0..1, different for each and none
 /// linear, unit distances and weights.

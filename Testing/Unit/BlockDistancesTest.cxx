@@ -90,6 +90,33 @@ TEST(BlockDistances, AgainstAllPairs)
   }
 }
 
+// Of several scalars a block is empty where none of them shows anything.
+TEST(BlockDistances, OfSeveralScalars)
+{
+  const IntegralTable table = upperHalf();
+  std::mt19937 random(7);
+  const std::array<int, 3> size{ { 7, 5, 6 } };
+  const BlockRanges first = randomBlocks(size, 8, random);
+  const BlockRanges second = randomBlocks(size, 8, random);
+  const BlockDistances one = findBlockDistances(first, table, Unit, false);
+  const BlockDistances other = findBlockDistances(second, table, Unit, false);
+  const BlockDistances both =
+    findBlockDistances({ { &first, &table, Unit }, { &second, &table, Unit } }, false);
+  int hiddenByOne = 0;
+  for (std::size_t b = 0; b < both.Distances.size(); ++b)
+  {
+    ASSERT_EQ(both.Distances[b], std::min(one.Distances[b], other.Distances[b])) << b;
+    hiddenByOne += one.Distances[b] > 0 && other.Distances[b] == 0 ? 1 : 0;
+  }
+  EXPECT_GT(hiddenByOne, 3);
+  // What is not drawn is known of the first one.
+  BlockRanges undrawn = first;
+  undrawn.Undrawn.assign(undrawn.Scalars.size(), 1);
+  EXPECT_EQ(
+    findBlockDistances({ { &undrawn, &table, Unit }, { &second, &table, Unit } }, true).EmptyShare,
+    0.0);
+}
+
 TEST(BlockDistances, AreAtMost255)
 {
   for (int axis = 0; axis < 3; ++axis)

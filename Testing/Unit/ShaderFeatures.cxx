@@ -49,9 +49,12 @@ const ShaderFeature OfTheMarch[] = {
     [](const Key& k, MarchShader) { return !isIsosurfaces(k) && !isIndependent(k); },
     "tableScale tableOffset" },
   { "components", [](const Key& k, MarchShader) { return k.hasComponents(); },
-    "furtherScalarBuffer fetchFurtherScalars TableSpan tableSpan tableFirst tableSizes "
+    "TableSpan tableSpan tableFirst tableSizes "
     "tableIntegralUnits tablePlace fetchTableFirst fetchTableSize fetchTableIntegralUnit "
     "fetchTablePlace" },
+  { "components of tetrahedra",
+    [](const Key& k, MarchShader) { return k.hasComponents() && !k.Structured; },
+    "furtherScalarBuffer fetchFurtherScalars" },
   { "components along segments",
     [](const Key& k, MarchShader s)
     { return gathers(k, s) && k.hasComponents() && k.PointScalars; },

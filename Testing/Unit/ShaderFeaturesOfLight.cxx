@@ -16,7 +16,7 @@ bool findsShades(const Key& key) { return key.passesCells() || key.Structured; }
 bool hasAttributes(const Key& key)
 {
   return key.hasVertexGradients() || key.hasVertexLight() ||
-         (key.hasComponents() && key.PointScalars);
+         (key.hasComponents() && key.PointScalars && !key.Structured);
 }
 } // namespace
 

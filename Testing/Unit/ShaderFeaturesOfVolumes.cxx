@@ -10,6 +10,7 @@ using Key = VariantKey;
 
 bool isMesh(const Key& key) { return !key.Structured; }
 bool isTrilinear(const Key& key) { return key.Structured && key.PointScalars; }
+bool bendsTogether(const Key& key) { return isTrilinear(key) && key.hasComponents(); }
 } // namespace
 
 std::vector<ShaderFeature> featuresOfVolumes()
@@ -75,17 +76,62 @@ std::vector<ShaderFeature> featuresOfVolumes()
     { "constant cells of a lattice",
       [](const Key& k, MarchShader) { return k.Structured && !k.PointScalars; }, "fetchValue" },
     { "error of the bend",
-      [](const Key& k, MarchShader) { return k.Structured && k.hasErrorBound(); },
-      "bendError unbent" },
+      [](const Key& k, MarchShader) { return k.Structured && k.hasErrorBound(); }, "bent" },
     { "bend within a table",
       [](const Key& k, MarchShader) { return k.Structured && k.needsVariations(); },
-      "greatestBend greatestShift bent" },
+      "greatestBend greatestShift" },
     { "bend of one scalar",
       [](const Key& k, MarchShader)
       { return k.Structured && k.needsVariations() && !k.hasComponents(); },
       "fetchTableSlopeVariations slopeVariation bentShare bentMean bentMeanError bendMean "
       "bentError "
       "weightedByExtinction" },
+    { "error of the bend of the scalar that gives the opacity",
+      [](const Key& k, MarchShader)
+      { return k.Structured && k.hasErrorBound() && k.Components != ComponentGroup::Independent; },
+      "bendError unbent" },
+    // Of several components.
+    { "components of lattices",
+      [](const Key& k, MarchShader) { return k.Structured && k.hasComponents(); },
+      "furtherTextureA furtherMap" },
+    { "components of lattices beyond two",
+      [](const Key& k, MarchShader) {
+        return k.Structured && k.hasComponents() && k.Components != ComponentGroup::ColorAndOpacity;
+      },
+      "furtherTextureB furtherTextureC" },
+    { "components of constant cells",
+      [](const Key& k, MarchShader)
+      { return k.Structured && !k.PointScalars && k.hasComponents(); },
+      "fetchFurtherValues" },
+    { "components of trilinear cells", [](const Key& k, MarchShader) { return bendsTogether(k); },
+      "readValues fetchValuesOf cubicOfComponent FurtherBend FurtherCubics noFurtherCubics "
+      "furtherCubicsAt furtherCubicsAlong furtherBendWithin bentScalars furtherEnter furtherLeave "
+      "furtherBend" },
+    { "extremes of components",
+      [](const Key& k, MarchShader)
+      { return bendsTogether(k) && k.Components != ComponentGroup::DirectColor; },
+      "nextOf nextFurtherExtreme firstExtremes secondExtremes" },
+    { "independent components that bend",
+      [](const Key& k, MarchShader)
+      { return bendsTogether(k) && k.Components == ComponentGroup::Independent; },
+      "scalarsWithin endsWithin" },
+    { "error of the bends of components",
+      [](const Key& k, MarchShader) { return bendsTogether(k) && k.hasErrorBound(); },
+      "bendRatio" },
+    { "error of the bends of independent components",
+      [](const Key& k, MarchShader) {
+        return bendsTogether(k) && k.hasErrorBound() && k.Components == ComponentGroup::Independent;
+      },
+      "IndependentBend noBend addBend independentBend" },
+    { "error of the bends of dependent components",
+      [](const Key& k, MarchShader)
+      { return bendsTogether(k) && k.hasErrorBound() && k.isDependent(); },
+      "DependentBend dependentBend" },
+    { "error of direct colours that bend",
+      [](const Key& k, MarchShader) {
+        return bendsTogether(k) && k.hasErrorBound() && k.Components == ComponentGroup::DirectColor;
+      },
+      "bentVariation" },
     { "leaps", [](const Key& k, MarchShader) { return k.Leaps; },
       "blockDistanceBuffer blockCount fetchBlockDistance leapOf blockOf cubeEnd landingAlong "
       "landingOf leap leaps" },

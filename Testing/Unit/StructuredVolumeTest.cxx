@@ -80,7 +80,7 @@ TEST_F(StructuredVolumes, AreMadeOnce)
   ASSERT_EQ(this->Volume.values().size(), 1u);
   EXPECT_EQ(
     this->Volume.values()[0].Data, this->Data->GetPointData()->GetScalars()->GetVoidPointer(0));
-  EXPECT_EQ(this->Volume.blockRanges().Blocks, (std::array<int, 3>{ { 2, 2, 1 } }));
+  EXPECT_EQ(this->Volume.blockRanges().front().Blocks, (std::array<int, 3>{ { 2, 2, 1 } }));
 }
 
 // A step of a time series.

@@ -95,14 +95,32 @@ std::string LatticeTextures::uploadValues(
     return {};
   }
   this->ValuesThere.reset();
-  std::string error =
-    this->Values.upload(window, valuesAlong(volume.lattice()), volume.values().front());
+  const std::vector<StoredValues>& values = volume.values();
+  std::string error;
+  for (std::size_t k = 0; k < this->Values.size(); ++k)
+  {
+    this->Values[k].release(window);
+    if (error.empty() && k < values.size())
+    {
+      error = this->Values[k].upload(window, valuesAlong(volume.lattice()), values[k]);
+    }
+  }
   if (error.empty())
   {
     this->ValuesThere = volume.valuesVersion();
-    this->UploadedBytes += static_cast<std::int64_t>(this->Values.bytes());
+    this->UploadedBytes += static_cast<std::int64_t>(this->valueBytes());
   }
   return error;
+}
+
+std::size_t LatticeTextures::valueBytes() const
+{
+  std::size_t bytes = 0;
+  for (const ArrayTexture& values : this->Values)
+  {
+    bytes += values.bytes();
+  }
+  return bytes;
 }
 
 std::string LatticeTextures::upload(vtkOpenGLRenderWindow* window, const StructuredVolume& volume,
@@ -129,15 +147,37 @@ std::string LatticeTextures::upload(vtkOpenGLRenderWindow* window, const Structu
   return error;
 }
 
+// A sampler of a scalar that is not drawn, which is never read, has the values of another one.
+void LatticeTextures::bindFurther(
+  vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume)
+{
+  const std::vector<StoredValues>& values = volume.values();
+  const std::array<const char*, MostComponents - 1> samplers{ { "furtherTextureA",
+    "furtherTextureB", "furtherTextureC" } };
+  const std::size_t count = key.Components == ComponentGroup::ColorAndOpacity ? 1 : samplers.size();
+  std::array<std::array<float, 2>, MostComponents - 1> maps{};
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const std::size_t drawn = std::min(k + 1, values.size() - 1);
+    this->Values[drawn].bind(program, samplers[k]);
+    maps[k] = { { values[drawn].Scale, values[drawn].Offset } };
+  }
+  program->SetUniform2fv("furtherMap", MostComponents - 1, maps.front().data());
+}
+
 void LatticeTextures::bindValues(
   vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume)
 {
   const Lattice& lattice = volume.lattice();
   const StoredValues& values = volume.values().front();
   const std::array<int, 3> along = valuesAlong(lattice);
-  this->Values.bind(program, "valueTexture");
+  this->Values.front().bind(program, "valueTexture");
   const std::array<float, 2> map{ { values.Scale, values.Offset } };
   program->SetUniform2f("valueMap", map.data());
+  if (key.hasComponents())
+  {
+    this->bindFurther(program, key, volume);
+  }
   if (key.PointScalars)
   {
     const std::array<float, 2> texel{ { 1.0f / static_cast<float>(along[0]),
@@ -190,7 +230,10 @@ void LatticeTextures::bind(vtkShaderProgram* program, const VariantKey& key,
 
 void LatticeTextures::unbind()
 {
-  this->Values.unbind();
+  for (ArrayTexture& values : this->Values)
+  {
+    values.unbind();
+  }
   for (VersionedBuffer* buffer : { &this->Planes, &this->Hidden, &this->Distances })
   {
     buffer->unbind();
@@ -199,7 +242,10 @@ void LatticeTextures::unbind()
 
 void LatticeTextures::release(vtkWindow* window)
 {
-  this->Values.release(window);
+  for (ArrayTexture& values : this->Values)
+  {
+    values.release(window);
+  }
   this->ValuesThere.reset();
   for (VersionedBuffer* buffer : { &this->Planes, &this->Hidden, &this->Distances })
   {
@@ -209,8 +255,7 @@ void LatticeTextures::release(vtkWindow* window)
 
 std::size_t LatticeTextures::bytes() const
 {
-  return this->Values.bytes() + this->Planes.bytes() + this->Hidden.bytes() +
-         this->Distances.bytes();
+  return this->valueBytes() + this->Planes.bytes() + this->Hidden.bytes() + this->Distances.bytes();
 }
 
 std::int64_t LatticeTextures::uploadedBytes() const

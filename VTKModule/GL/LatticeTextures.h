@@ -9,6 +9,7 @@
 #include "Structured/StructuredVolume.h"
 #include "Variants/VariantKey.h"
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -43,12 +44,15 @@ public:
 
 private:
   std::string uploadValues(vtkOpenGLRenderWindow* window, const StructuredVolume& volume);
+  std::size_t valueBytes() const;
+  void bindFurther(
+    vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume);
   void bindValues(vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume);
   void bindPlanes(vtkShaderProgram* program, const VariantKey& key, const Lattice& lattice);
 
-  ArrayTexture Values;
-  std::optional<Fingerprint> ValuesThere; // none before they are uploaded
-  std::int64_t UploadedBytes = 0;         // of the values
+  std::array<ArrayTexture, MostComponents> Values; // of the first scalar and of those drawn with it
+  std::optional<Fingerprint> ValuesThere;          // none before they are uploaded
+  std::int64_t UploadedBytes = 0;                  // of the values
   VersionedBuffer Planes;
   VersionedBuffer Hidden;
   VersionedBuffer Distances;

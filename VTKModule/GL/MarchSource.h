@@ -55,7 +55,8 @@ public:
   /** What of the volume can be seen by these functions; undrawnSeen: also scalars that are not
    * finite. It tells what rays may leap over. It is called when any of them, or version(), has
    * changed. */
-  virtual std::string updateVisibility(const IntegralTable&, const Blending&, bool /*undrawnSeen*/)
+  virtual std::string updateVisibility(
+    const IntegralTable& /*first*/, const Components&, const Blending&, bool /*undrawnSeen*/)
   {
     return {};
   }

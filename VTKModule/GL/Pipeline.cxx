@@ -135,8 +135,8 @@ bool Pipeline::updatePassing()
     return true;
   }
   this->PassingInput.clear();
-  const std::string error =
-    this->Source.updateVisibility(this->Tables.first(), this->Blend, this->NanShown);
+  const std::string error = this->Source.updateVisibility(
+    this->Tables.first(), this->Tables.components(), this->Blend, this->NanShown);
   if (!error.empty())
   {
     return this->fail(error);

@@ -29,31 +29,39 @@ std::string StructuredSource::updateGeometry(
 
 std::string StructuredSource::updateScalars(vtkDataSet* data, const DrawnScalars& drawn)
 {
-  if (drawn.Mix != ComponentMix::Single)
-  {
-    return "Several components of a structured volume can't be drawn together yet. Choose one of "
-           "them by VectorMode and VectorComponent.";
-  }
   return this->Volume.updateScalars(data, drawn, this->Interpolated);
 }
 
+// Of dependent components the first one is that of the opacity: the others show nothing without it.
+std::vector<ShownScalar> StructuredSource::shownScalars(
+  const IntegralTable& first, const Components& parts) const
+{
+  const std::vector<BlockRanges>& ranges = this->Volume.blockRanges();
+  std::vector<ShownScalar> shown{ { &ranges.front(), &first, this->range() } };
+  for (std::size_t k = 1; k < ranges.size(); ++k)
+  {
+    shown.push_back({ &ranges[k], &parts.Tables[k - 1], this->furtherRanges()[k - 1] });
+  }
+  return shown;
+}
+
 std::string StructuredSource::updateVisibility(
-  const IntegralTable& table, const Blending& blending, bool undrawnSeen)
+  const IntegralTable& first, const Components& parts, const Blending& blending, bool undrawnSeen)
 {
   return withinMemory("the distances to what is seen",
     [&]
     {
       const StageRecorder recorder(this->EmptyRecord);
-      const BlockRanges& ranges = this->Volume.blockRanges();
+      const std::vector<ShownScalar> shown = this->shownScalars(first, parts);
       this->Empty = {};
       // Surfaces between constant cells lie between blocks, too, whose ranges do not tell of them.
       if (blending.isIsoSurface() && !this->Volume.lattice().Constant)
       {
-        this->Empty = findBlockDistances(ranges, blending.IsoValues);
+        this->Empty = findBlockDistances(*shown.front().Ranges, blending.IsoValues);
       }
       else if (blending.isComposite())
       {
-        this->Empty = findBlockDistances(ranges, table, this->range(), undrawnSeen);
+        this->Empty = findBlockDistances(shown, undrawnSeen);
       }
     });
 }

@@ -27,8 +27,8 @@ public:
     vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) override;
   std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) override;
   std::string prepareEntrySearch() override { return {}; }
-  std::string updateVisibility(
-    const IntegralTable& table, const Blending& blending, bool undrawnSeen) override;
+  std::string updateVisibility(const IntegralTable& first, const Components& parts,
+    const Blending& blending, bool undrawnSeen) override;
 
   bool isEmpty() const override { return this->Volume.isEmpty(); }
   const VolumeFrame& frame() const override { return this->Volume.frame(); }
@@ -79,6 +79,7 @@ public:
   RayTrace traceRay(ReferenceScene scene, const TraceOptions& options) const override;
 
 private:
+  std::vector<ShownScalar> shownScalars(const IntegralTable& first, const Components& parts) const;
   ReferenceScene withVolume(ReferenceScene scene) const;
   VersionedDistances distances() const;
 

@@ -29,13 +29,20 @@ ReferenceImage renderLitComponents(const ReferenceScene& scene, const AccuracyLe
 template <typename Real>
 ReferenceImage renderBlended(const ReferenceScene& scene, const AccuracyLevel& level);
 
-// The same of structured volumes, of one scalar.
+// The same of structured volumes.
 
 template <typename Real>
 ReferenceImage renderStructured(const ReferenceScene& scene, const AccuracyLevel& level);
 
 template <typename Real>
 ReferenceImage renderLitStructured(const ReferenceScene& scene, const AccuracyLevel& level);
+
+template <typename Real>
+ReferenceImage renderStructuredComponents(const ReferenceScene& scene, const AccuracyLevel& level);
+
+template <typename Real>
+ReferenceImage renderLitStructuredComponents(
+  const ReferenceScene& scene, const AccuracyLevel& level);
 
 template <typename Real>
 ReferenceImage renderBlendedStructured(const ReferenceScene& scene, const AccuracyLevel& level);

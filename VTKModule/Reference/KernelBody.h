@@ -99,7 +99,9 @@ void useScene(const Scene& scene)
 #if !TETMARCH_COMPOSITE
   useBlending(*scene.Blend);
 #endif
-#if TETMARCH_COMPONENTS
+#if TETMARCH_COMPONENTS && TETMARCH_STRUCTURED
+  useComponentTables(*scene.Parts, scene.Range);
+#elif TETMARCH_COMPONENTS
   useComponents(*scene.Parts, *scene.Further, scene.Range);
 #endif
 #if TETMARCH_CLIPPED

@@ -3,16 +3,14 @@
 // What the march of several components reads, as members of a kernel; part of KernelBody.h.
 
 const Components* Parts = nullptr;
-const FurtherScalars* Further = nullptr;
 std::vector<TablePlace> Places;
 int componentCount = 0;
 vec4 componentFactor{ 1, 1, 1, 1 };
 
-void useComponents(
-  const Components& components, const FurtherScalars& further, const ScalarRange& range)
+/** Beside the scalars. */
+void useComponentTables(const Components& components, const ScalarRange& range)
 {
   Parts = &components;
-  Further = &further;
   Places = components.places(*Table, range);
   componentCount = components.count();
   const auto& f = components.Factors;
@@ -30,12 +28,29 @@ vec2 fetchTablePlace(int table) const
 {
   return vec2(Real(Places[table].Scale), Real(Places[table].Offset));
 }
+#if TETMARCH_STRUCTURED
+vec3 fetchFurtherValues(int i, int j, int k) const
+{
+  const auto value = [&](int component)
+  { return component < componentCount ? fetchValueOf(component, i, j, k) : Real(0); };
+  return vec3(value(1), value(2), value(3));
+}
+#else
+const FurtherScalars* Further = nullptr;
+
+void useComponents(
+  const Components& components, const FurtherScalars& further, const ScalarRange& range)
+{
+  useComponentTables(components, range);
+  Further = &further;
+}
 vec3 fetchFurtherScalars(uint i) const
 {
   const std::size_t count = Further->count();
   const float* s = &Further->Values[count * i];
   return vec3(Real(s[0]), count > 1 ? Real(s[1]) : Real(0), count > 2 ? Real(s[2]) : Real(0));
 }
+#endif
 // The table to which an entry of all tables belongs; the entry becomes that of this table.
 const IntegralTable& tableAt(int& entry) const
 {

@@ -3,12 +3,10 @@
 // The lattice that a kernel marches through, as its members; part of KernelBody.h.
 
 const Lattice* Cells = nullptr;
-const StoredValues* Values = nullptr;
+const StoredValues* Values = nullptr; // of the first scalar, then of those drawn with it
 
 const BlockDistances* Empty = nullptr;
 
-Real valueScale = 1;
-Real valueOffset = 0;
 ivec3 latticeCells{ 0, 0, 0 };
 ivec3 firstValue{ 0, 0, 0 };
 ivec3 lastValue{ 0, 0, 0 };
@@ -60,29 +58,31 @@ void useEmptySpace(const BlockDistances& empty)
   blockCount = ivec3(empty.Blocks[0], empty.Blocks[1], empty.Blocks[2]);
 }
 
-Real fetchValue(int i, int j, int k) const
+Real fetchValueOf(int component, int i, int j, int k) const
 {
+  const StoredValues& values = Values[component];
   const std::size_t row = static_cast<std::size_t>(lastValue.x) + 1;
   const std::size_t layer = row * (static_cast<std::size_t>(lastValue.y) + 1);
   const Real read =
-    Values->read<Real>(std::clamp(i, 0, lastValue.x) + row * std::clamp(j, 0, lastValue.y) +
-                       layer * std::clamp(k, 0, lastValue.z));
-  return read * valueScale + valueOffset;
+    values.read<Real>(std::clamp(i, 0, lastValue.x) + row * std::clamp(j, 0, lastValue.y) +
+                      layer * std::clamp(k, 0, lastValue.z));
+  return read * Real(values.Scale) + Real(values.Offset);
 }
+Real fetchValue(int i, int j, int k) const { return fetchValueOf(0, i, j, k); }
 
 /** Four values of a layer, in the order of GLSL's textureGather(). */
-vec4 fetchValues(int i, int j, int k) const
+vec4 fetchValuesOf(int component, int i, int j, int k) const
 {
-  return vec4(fetchValue(i, j + 1, k), fetchValue(i + 1, j + 1, k), fetchValue(i + 1, j, k),
-    fetchValue(i, j, k));
+  return vec4(fetchValueOf(component, i, j + 1, k), fetchValueOf(component, i + 1, j + 1, k),
+    fetchValueOf(component, i + 1, j, k), fetchValueOf(component, i, j, k));
 }
+vec4 fetchValues(int i, int j, int k) const { return fetchValuesOf(0, i, j, k); }
 
+/** Of several components the values are the first of an array. */
 void useLattice(const Lattice& lattice, const StoredValues& values)
 {
   Cells = &lattice;
   Values = &values;
-  valueScale = Real(values.Scale);
-  valueOffset = Real(values.Offset);
   const auto& axes = lattice.Axes;
   const auto toInts = [&](const auto& of) { return ivec3(of(axes[0]), of(axes[1]), of(axes[2])); };
   const auto toReals = [&](const auto& of)

@@ -119,6 +119,10 @@ void traceScalars(const CellInterval& cell, TracedCell& traced)
 #if TETMARCH_COMPONENTS
 #if TETMARCH_FURTHER_VERTEX_SCALARS
   const vec3 enter = cell.enterAttributes.further, leave = cell.leaveAttributes.further;
+#elif TETMARCH_BENT_COMPONENTS
+  const vec3 enter = cell.furtherEnter, leave = cell.furtherLeave;
+#elif TETMARCH_STRUCTURED
+  const vec3 enter = cell.further, leave = enter;
 #else
   const vec3 enter = fetchFurtherScalars(cell.number), leave = enter;
 #endif

@@ -16,11 +16,15 @@ ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel&
     return scene.Cells ? renderBlendedStructured<Real>(scene, level)
                        : renderBlended<Real>(scene, level);
   }
+  const bool several = scene.Parts && !scene.Parts->isSingle();
   if (scene.Cells)
   {
-    return lit ? renderLitStructured<Real>(scene, level) : renderStructured<Real>(scene, level);
+    return several && lit ? renderLitStructuredComponents<Real>(scene, level)
+           : several      ? renderStructuredComponents<Real>(scene, level)
+           : lit          ? renderLitStructured<Real>(scene, level)
+                          : renderStructured<Real>(scene, level);
   }
-  if (scene.Parts && !scene.Parts->isSingle())
+  if (several)
   {
     return lit ? renderLitComponents<Real>(scene, level) : renderComponents<Real>(scene, level);
   }

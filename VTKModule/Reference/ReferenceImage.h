@@ -25,13 +25,13 @@ namespace tetmarch
 
 struct RayTrace;
 
-/** What a picture is made of: tetrahedra, or the cells of a lattice with their values. The mesh needs
- * its hierarchy (ensureHierarchy). */
+/** What a picture is made of: tetrahedra, or the cells of a lattice with their values. The mesh
+ * needs its hierarchy (ensureHierarchy). */
 struct ReferenceScene
 {
   const TetMesh* Mesh = nullptr;
-  const Lattice* Cells = nullptr; // takes the place of the mesh
-  const StoredValues* Values = nullptr;
+  const Lattice* Cells = nullptr;       // takes the place of the mesh
+  const StoredValues* Values = nullptr; // one for each scalar that is drawn
   const std::vector<float>* CellScalars =
     nullptr; // one a tetrahedron, or nullptr: those of the vertices
   ScalarRange Range;

@@ -198,10 +198,29 @@ private:
 BlockDistances findBlockDistances(
   const BlockRanges& ranges, const IntegralTable& table, const ScalarRange& range, bool undrawnSeen)
 {
-  const SeenOfTable seen(table, range);
-  const bool undrawn = undrawnSeen && !ranges.Undrawn.empty();
-  return distancesTo(ranges,
-    [&](vtkIdType b) { return seen(ranges.Scalars[b]) || (undrawn && ranges.Undrawn[b] != 0); });
+  return findBlockDistances({ { &ranges, &table, range } }, undrawnSeen);
+}
+
+BlockDistances findBlockDistances(const std::vector<ShownScalar>& scalars, bool undrawnSeen)
+{
+  std::vector<SeenOfTable> seen;
+  seen.reserve(scalars.size());
+  for (const ShownScalar& scalar : scalars)
+  {
+    seen.emplace_back(*scalar.Table, scalar.Range);
+  }
+  const BlockRanges& first = *scalars.front().Ranges;
+  const bool undrawn = undrawnSeen && !first.Undrawn.empty();
+  return distancesTo(first,
+    [&](vtkIdType b)
+    {
+      bool any = undrawn && first.Undrawn[b] != 0;
+      for (std::size_t k = 0; k < seen.size() && !any; ++k)
+      {
+        any = seen[k](scalars[k].Ranges->Scalars[b]);
+      }
+      return any;
+    });
 }
 
 BlockDistances findBlockDistances(const BlockRanges& ranges, const std::vector<float>& isoValues)

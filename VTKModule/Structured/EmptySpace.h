@@ -53,6 +53,18 @@ inline bool isWorthLeaping(const BlockDistances& distances) { return distances.E
 BlockDistances findBlockDistances(const BlockRanges& ranges, const IntegralTable& table,
   const ScalarRange& range, bool undrawnSeen);
 
+/** A scalar of several that are drawn together, each with a table of its own. */
+struct ShownScalar
+{
+  const BlockRanges* Ranges = nullptr;
+  const IntegralTable* Table = nullptr;
+  ScalarRange Range;
+};
+
+/** The same of several: a block is seen if one of them shows something of it. That some value is
+ * not drawn is known of the first one. */
+BlockDistances findBlockDistances(const std::vector<ShownScalar>& scalars, bool undrawnSeen);
+
 /** By surfaces of constant scalar (stored scalars, ascending). */
 BlockDistances findBlockDistances(const BlockRanges& ranges, const std::vector<float>& isoValues);
 

@@ -72,7 +72,7 @@ std::string StructuredVolume::updateScalars(
   wrong = wrong.empty() ? checkScalars(data, drawn.Array, drawn.OfCells) : wrong;
   wrong = wrong.empty() ? this->updateHidden(data) : wrong;
   wrong = wrong.empty() ? this->updateValues(drawn) : wrong;
-  wrong = wrong.empty() ? this->updateRanges() : wrong;
+  wrong = wrong.empty() ? this->updateRanges(drawn.Mix) : wrong;
   if (!wrong.empty())
   {
     this->clearValues();
@@ -137,7 +137,7 @@ std::string StructuredVolume::updateValues(const DrawnScalars& drawn)
   return shortage;
 }
 
-std::string StructuredVolume::updateRanges()
+std::string StructuredVolume::updateRanges(ComponentMix mix)
 {
   const Fingerprint input = this->valuesVersion();
   if (input == this->RangesInput)
@@ -149,8 +149,12 @@ std::string StructuredVolume::updateRanges()
     [&]
     {
       const StageRecorder recorder(this->RangesRecord);
-      this->Ranges = {};
-      this->Ranges = findBlockRanges(this->Made, this->Values.front());
+      const std::size_t count = mix == ComponentMix::Independent ? this->Values.size() : 1;
+      this->Ranges.clear();
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        this->Ranges.push_back(findBlockRanges(this->Made, this->Values[k]));
+      }
     });
   if (shortage.empty())
   {
@@ -165,7 +169,7 @@ void StructuredVolume::clearValues()
   this->RangesInput.clear();
   this->Values.clear();
   this->FurtherRanges.clear();
-  this->Ranges = {};
+  this->Ranges.clear();
 }
 
 vtkIdType StructuredVolume::dataCellOf(std::uint32_t cell, const Vector3& point) const

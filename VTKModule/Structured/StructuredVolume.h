@@ -56,7 +56,9 @@ public:
   /** One bit for each cell of the lattice: bit c % 32 of word c / 32. Empty if none is hidden.
    * Which are: see hiddenLatticeCells(). */
   const std::vector<std::uint32_t>& hiddenCells() const { return this->Hidden.cells(); }
-  const BlockRanges& blockRanges() const { return this->Ranges; }
+  /** Of the first scalar and, if they are independent, of those that are drawn with it: of others
+   * nothing is seen where the first one has no opacity. */
+  const std::vector<BlockRanges>& blockRanges() const { return this->Ranges; }
   /** The cell of the data in which a point of a cell of the lattice lies, which may overlap eight
    * of them. The point is one of the normalised frame. */
   vtkIdType dataCellOf(std::uint32_t cell, const Vector3& point) const;
@@ -83,7 +85,7 @@ private:
   std::string updateLattice(const LatticeCase& lies);
   std::string updateHidden(vtkDataSet* data);
   std::string updateValues(const DrawnScalars& drawn);
-  std::string updateRanges();
+  std::string updateRanges(ComponentMix mix);
   void clearValues();
 
   GridGeometry Geometry;
@@ -97,7 +99,7 @@ private:
   std::vector<StoredValues> Values;
   std::vector<ScalarRange> FurtherRanges;
   Fingerprint RangesInput;
-  BlockRanges Ranges;
+  std::vector<BlockRanges> Ranges;
   StageRecord LatticeRecord;
   StageRecord ValuesRecord;
   StageRecord RangesRecord;

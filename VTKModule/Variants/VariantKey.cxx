@@ -128,7 +128,7 @@ VariantKey VariantKey::filtered() const
   return key;
 }
 
-// A ray enters a lattice once, and the planes that it crosses tell where. One scalar is drawn.
+// A ray enters a lattice once, and the planes that it crosses tell where.
 void VariantKey::dropWhatLatticesLack()
 {
   if (this->Structured)
@@ -136,7 +136,6 @@ void VariantKey::dropWhatLatticesLack()
     this->RasterEntry = false;
     this->Hierarchy = false;
     this->HasFma = false;
-    this->Components = ComponentGroup::Single;
   }
   this->Rectilinear = this->Rectilinear && this->Structured;
   // The extremes of all that a ray meets count, and so do sums. Surfaces between constant cells are

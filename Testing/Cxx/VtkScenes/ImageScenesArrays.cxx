@@ -184,7 +184,6 @@ ImageScene typed(const char* test, int type, int mode, int interpolation, RivalE
 
 std::vector<ImageScene> imageArrayScenes()
 {
-  const char* notYet = "several components are not drawn together yet";
   std::vector<ImageScene> scenes = {
     { "GPURayCastIndependentVectorMode, magnitude", makeVectors,
       vectors(vtkSmartVolumeMapper::MAGNITUDE, 0),
@@ -192,18 +191,14 @@ std::vector<ImageScene> imageArrayScenes()
     { "GPURayCastIndependentVectorMode, component", makeVectors,
       vectors(vtkSmartVolumeMapper::COMPONENT, 1),
       { 2.0, "its steps miss the ends of short ways" } },
-    { "GPURayCastTwoComponentsIndependent", [] { return makeApart(2); }, apart(2), {}, {}, true,
-      notYet },
-    { "GPURayCastThreeComponentsIndependent", [] { return makeApart(3); }, apart(3), {}, {}, true,
-      notYet },
-    { "GPURayCastFourComponentsIndependent", [] { return makeApart(4); }, apart(4), {}, {}, true,
-      notYet },
+    { "GPURayCastTwoComponentsIndependent", [] { return makeApart(2); }, apart(2), {} },
+    { "GPURayCastThreeComponentsIndependent", [] { return makeApart(3); }, apart(3), {} },
+    { "GPURayCastFourComponentsIndependent", [] { return makeApart(4); }, apart(4), {} },
     { "GPURayCastFourComponentsIndependent, mixed", [] { return Data(makeWaves(4)); },
-      components(4, true), { 60.0, "where two meet, it absorbs less than it sends out" }, {}, true,
-      notYet },
+      components(4, true), { 60.0, "where two meet, it absorbs less than it sends out" } },
     { "GPURayCastTwoComponentsDependent", [] { return Data(makeWaves(2)); }, components(2, false),
-      {}, {}, true, notYet },
-    { "GPURayCastFourComponentsComposite", makeColours, rgba, {}, {}, true, notYet },
+      {} },
+    { "GPURayCastFourComponentsComposite", makeColours, rgba, {} },
   };
   const char* steps = "its steps miss what short ways have";
   for (const int type : numberTypes())

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the GL draws of several components of an image or a rectilinear grid, pixel by pixel against
+// the CPU reference.
+#include "StructuredComponents.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPlane.h"
+
+#include <cmath>
+
+namespace
+{
+using namespace tetmarch::testing;
+
+class StructuredComponents : public ComponentsTest
+{
+};
+
+TEST_P(StructuredComponents, ImagesAndGrids)
+{
+  const auto image = imageWith(wavy(), 9, VTK_DOUBLE);
+  const auto grid = rectilinearOf(constantField(0.0), unevenCube(8));
+  setComponents(grid, wavy(), VTK_FLOAT);
+  for (vtkDataSet* data : { static_cast<vtkDataSet*>(image), static_cast<vtkDataSet*>(grid) })
+  {
+    StructuredScene scene(data);
+    setFunctions(scene);
+    for (const LatticeValues values : AllLatticeValues)
+    {
+      const std::string what =
+        std::string(GetParam().Name) + ", " + data->GetClassName() + ", " + nameOf(values);
+      SCOPED_TRACE(what);
+      scene.draw(values);
+      report(what, expectParity(scene));
+    }
+  }
+}
+
+TEST_P(StructuredComponents, ScatteredThinAndThick)
+{
+  const auto image = imageWith(scatteredFields(GetParam().Components), 8, VTK_DOUBLE);
+  StructuredScene scene(image);
+  setFunctions(scene);
+  for (const double unit : { 0.02, 0.25, 5.0 })
+  {
+    scene.property()->SetScalarOpacityUnitDistance(unit);
+    report("scattered, unit " + std::to_string(unit), expectParity(scene));
+  }
+  scene.Mapper->SetOpacityLawToUnstructured();
+  report("the other law", expectParity(scene));
+  scene.property()->SetScalarOpacityUnitDistance(1e-9); // beyond the range of float
+  const Image opaque = scene.render();
+  EXPECT_GT(compare(opaque, Image(opaque.Width, opaque.Height)).Max, 0.2);
+}
+
+TEST_P(StructuredComponents, BytesAndWords)
+{
+  for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT })
+  {
+    const auto image = imageWith(wavy(), 7, type);
+    StructuredScene scene(image);
+    setFunctions(scene);
+    for (int k = 0; k < GetParam().Components; ++k)
+    {
+      vtkNew<vtkColorTransferFunction> colours;
+      vtkNew<vtkPiecewiseFunction> opacities;
+      colours->AddRGBPoint(0.0, 0.2 * k, 0.9, 0.1);
+      colours->AddRGBPoint(255.0, 0.9, 0.1, 1.0 - 0.2 * k);
+      opacities->AddPoint(0.0, 0.1);
+      opacities->AddPoint(130.0 + 20.0 * k, 0.8);
+      opacities->AddPoint(255.0, 0.2);
+      scene.property()->SetColor(k, colours);
+      scene.property()->SetScalarOpacity(k, opacities);
+    }
+    for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsNearest })
+    {
+      const std::string what = image->GetPointData()->GetScalars()->GetDataTypeAsString() +
+                               std::string(", ") + nameOf(values);
+      SCOPED_TRACE(what);
+      scene.draw(values);
+      report(what, expectParity(scene));
+    }
+  }
+}
+
+TEST_P(StructuredComponents, HiddenAndNotFinite)
+{
+  const auto image = imageWith(wavy(), 8, VTK_DOUBLE);
+  for (const auto& scalars :
+    { image->GetPointData()->GetScalars(), image->GetCellData()->GetScalars() })
+  {
+    const int last = scalars->GetNumberOfComponents() - 1;
+    for (vtkIdType i = 5; i < scalars->GetNumberOfTuples(); i += 37)
+    {
+      scalars->SetComponent(i, i % 2 ? 0 : last, std::nan(""));
+    }
+  }
+  markCells(image, vtkDataSetAttributes::HIDDENCELL, [](vtkIdType id) { return id % 11 == 3; });
+  StructuredScene scene(image);
+  setFunctions(scene);
+  for (const bool shown : { false, true })
+  {
+    scene.Mapper->SetDrawNanCells(shown);
+    scene.property()->GetRGBTransferFunction()->SetNanColorRGBA(0.9, 0.2, 0.7, 0.4);
+    for (const LatticeValues values : AllLatticeValues)
+    {
+      const std::string what = std::string(shown ? "shown, " : "not shown, ") + nameOf(values);
+      SCOPED_TRACE(what);
+      scene.draw(values);
+      report(what, expectParity(scene));
+    }
+  }
+}
+
+TEST_P(StructuredComponents, CutBeforeOpaqueGeometryAndFromInside)
+{
+  const auto image = imageWith(wavy(), 9, VTK_DOUBLE);
+  StructuredScene scene(image);
+  setFunctions(scene);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.5, 0.45, 0.4);
+  plane->SetNormal(-0.6, 0.3, -1.0);
+  scene.Mapper->AddClippingPlane(plane);
+  scene.Mapper->CroppingOn();
+  scene.Mapper->SetCroppingRegionPlanes(0.237, 0.711, 0.313, 0.564, 0.159, 0.823);
+  scene.Mapper->SetCroppingRegionFlagsToFence();
+  report("cut", expectParity(scene));
+  scene.Mapper->RemoveAllClippingPlanes();
+  scene.Mapper->CroppingOff();
+  const auto ball = makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 });
+  scene.Renderer->AddActor(ball);
+  expectParityButForEdges(scene, "before a ball");
+  scene.Renderer->RemoveActor(ball);
+  lookFromInside(scene.camera());
+  report("inside", expectParity(scene));
+}
+
+// Most of the volume is transparent, and rays leap over it: of independent components only where
+// none of them shows anything.
+TEST_P(StructuredComponents, MuchEmptySpace)
+{
+  const auto image = imageWith(wavy(), 36, VTK_FLOAT);
+  StructuredScene scene(image);
+  setFunctions(scene);
+  for (int k = 0; k < GetParam().Components; ++k)
+  {
+    vtkPiecewiseFunction* opacity = scene.property()->GetScalarOpacity(k);
+    opacity->RemoveAllPoints();
+    opacity->AddPoint(0.8 + 0.02 * k, 0.0);
+    opacity->AddPoint(0.85 + 0.02 * k, 0.9);
+  }
+  report(std::string(GetParam().Name) + ", empty space", expectParity(scene));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, StructuredComponents, testing::ValuesIn(Mixes),
+  [](const auto& of) { return std::string(of.param.Name); });
+
+} // namespace
