@@ -1,6 +1,6 @@
 // One scalar gives colour and extinction.
 
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_POINT_SCALARS && !TETMARCH_POINT_SAMPLED
 // Positions in the table at both ends of a segment.
 struct SegmentEnds
 {

@@ -11,6 +11,9 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
     vec2(within ? place.depth + (place.leave - place.depth) * place.position : place.leave, UNDRAWN_SCALAR);
   cell.number = numberOfCell(place.cell);
   beginLookups(cell);
+#if TETMARCH_POINT_SAMPLED
+  cell.ray = ray;
+#endif
   return cell;
 }
 

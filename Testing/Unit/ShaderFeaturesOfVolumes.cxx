@@ -80,6 +80,15 @@ std::vector<ShaderFeature> featuresOfVolumes()
     { "leaps", [](const Key& k, MarchShader) { return k.Leaps; },
       "blockDistanceBuffer blockCount fetchBlockDistance leapOf blockOf cubeEnd landingAlong "
       "landingOf skipped" },
+    { "samples", [](const Key& k, MarchShader) { return k.PointSampled; },
+      "sampleStep samplesPerDepth sampleShift firstSample placeSamples shiftSamples samplesBefore "
+      "stepThickness SAMPLE_SHIFT" },
+    { "places of samples",
+      [](const Key& k, MarchShader)
+      { return k.PointSampled && (k.PointScalars || k.hasGradients()); },
+      "depthOfSample" },
+    { "samples in light",
+      [](const Key& k, MarchShader) { return k.PointSampled && k.hasGradients(); }, "shadeSample" },
     { "extinction along samples' rays through a lattice",
       [](const Key& k, MarchShader) { return k.Structured && k.SampledShadows; },
       "meanExtinction" },

@@ -52,10 +52,9 @@ public:
     vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) = 0;
   /** The scalars that are drawn. */
   virtual std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) = 0;
-  /** What of the volume can be seen by these functions; undrawnSeen: also scalars that are not finite.
-   * It tells what rays may leap over. */
-  virtual std::string updateVisibility(
-    const IntegralTable&, const Blending&, bool /*undrawnSeen*/)
+  /** What of the volume can be seen by these functions; undrawnSeen: also scalars that are not
+   * finite. It tells what rays may leap over. */
+  virtual std::string updateVisibility(const IntegralTable&, const Blending&, bool /*undrawnSeen*/)
   {
     return {};
   }
@@ -99,6 +98,8 @@ public:
 
   /** The file of a pass's fragment shader; nullptr if the volume has no such pass. */
   virtual const char* shaderOf(SourcePass pass) const = 0;
+  /** Why the volume can't be sampled at even distances, and what to do; empty: it can. */
+  virtual std::string describeBadSamples() const = 0;
   /** What these shaders read of the volume. */
   virtual void bind(vtkShaderProgram* program, const VariantKey& key) = 0;
   virtual void unbind() = 0;

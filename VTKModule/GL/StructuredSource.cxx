@@ -273,6 +273,11 @@ const char* StructuredSource::shaderOf(SourcePass pass) const
   }
 }
 
+std::string StructuredSource::describeBadSamples() const
+{
+  return describeBadDistance(this->Samples, this->frame());
+}
+
 void StructuredSource::bind(vtkShaderProgram* program, const VariantKey& key)
 {
   const Lattice& lattice = this->Volume.lattice();
@@ -310,6 +315,13 @@ void StructuredSource::bind(vtkShaderProgram* program, const VariantKey& key)
     program->SetUniform3f("latticeHalfLength",
       floatsOf(lattice, [](const LatticeAxis& a) { return a.HalfLength; }).data());
   }
+  if (key.PointSampled)
+  {
+    const double step = this->Samples.step(this->frame());
+    program->SetUniformf("sampleStep", static_cast<float>(step));
+    program->SetUniformf("samplesPerDepth", static_cast<float>(1 / step));
+    program->SetUniform2f("sampleShift", this->Samples.shift().data());
+  }
   if (key.Leaps)
   {
     this->Distances.bind(program, "blockDistanceBuffer");
@@ -336,6 +348,7 @@ ReferenceScene StructuredSource::withVolume(ReferenceScene scene) const
   scene.Values = &this->Volume.values().front();
   scene.Range = this->range();
   scene.Hidden = &this->Volume.hiddenCells();
+  scene.Samples = this->Samples;
   return scene;
 }
 

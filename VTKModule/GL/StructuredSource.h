@@ -7,6 +7,7 @@
 #include "GL/ArrayTexture.h"
 #include "GL/MarchSource.h"
 #include "GL/TextureBuffer.h"
+#include "Rays/RaySamples.h"
 #include "Structured/EmptySpace.h"
 #include "Structured/StructuredVolume.h"
 #include "Volume/StructuredEffectSource.h"
@@ -21,6 +22,8 @@ class StructuredSource : public MarchSource
 public:
   /** How values are interpolated; before updateScalars(). */
   void setInterpolation(Interpolation interpolation) { this->Interpolated = interpolation; }
+  /** Where rays sample the volume at a level that does. */
+  void setSamples(const RaySamples& samples) { this->Samples = samples; }
 
   const StructuredVolume& volume() const { return this->Volume; }
   const BlockDistances& emptySpace() const { return this->Empty; }
@@ -57,6 +60,7 @@ public:
   std::int64_t uploadedBytes() const override { return this->UploadedBytes; }
 
   const char* shaderOf(SourcePass pass) const override;
+  std::string describeBadSamples() const override;
   void bind(vtkShaderProgram* program, const VariantKey& key) override;
   void unbind() override;
 
@@ -81,6 +85,7 @@ private:
   using Uploaded = std::optional<Fingerprint>;
 
   Interpolation Interpolated = Interpolation::Linear;
+  RaySamples Samples;
   StructuredVolume Volume;
   StructuredEffectSource Effects{ Volume };
   BlockDistances Empty;

@@ -17,6 +17,8 @@ vec3 latticeShift{ 0, 0, 0 };
 vec3 latticeHalfLength{ 0, 0, 0 };
 std::array<Real, 12> latticeMatrix{};
 std::vector<Real> latticePlanes; // those of i, of j, of k
+Real sampleStep = 1;
+Real samplesPerDepth = 1;
 ivec3 blockCount{ 0, 0, 0 };
 ivec3 lightNodes{ 0, 0, 0 };
 vec3 lightLow{ 0, 0, 0 };
@@ -53,6 +55,13 @@ void useEmptySpace(const BlockDistances& empty)
 {
   Empty = &empty;
   blockCount = ivec3(empty.Blocks[0], empty.Blocks[1], empty.Blocks[2]);
+}
+
+/** For kernels that take samples. */
+void useSamples(const RaySamples& samples, const VolumeFrame& frame)
+{
+  sampleStep = Real(samples.step(frame));
+  samplesPerDepth = Real(1 / samples.step(frame));
 }
 
 Real fetchValue(int i, int j, int k) const
