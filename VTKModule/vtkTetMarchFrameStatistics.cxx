@@ -97,7 +97,7 @@ void vtkTetMarchFrameStatistics::Clear()
 //------------------------------------------------------------------------------
 const char* vtkTetMarchFrameStatistics::GetUsedAccuracyLevelAsString() const
 {
-  constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference" };
+  constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference", "Sampled" };
   return names[this->UsedAccuracyLevel];
 }
 

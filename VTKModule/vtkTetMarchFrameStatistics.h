@@ -208,7 +208,7 @@ public:
   vtkSetMacro(NumberOfGuardHits, vtkTypeInt64);
   vtkSetMacro(Seconds, double);
   vtkSetMacro(NumberOfDraws, int);
-  vtkSetClampMacro(UsedAccuracyLevel, int, 0, 3);
+  vtkSetClampMacro(UsedAccuracyLevel, int, 0, 4);
   vtkSetMacro(UsedErrorTolerance, double);
   vtkSetMacro(UsedImageSampleDistance, double);
   vtkSetMacro(BudgetKept, bool);

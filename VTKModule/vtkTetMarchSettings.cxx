@@ -26,7 +26,7 @@ const char* vtkTetMarchSettings::GetOpacityLawAsString() const
 //------------------------------------------------------------------------------
 const char* vtkTetMarchSettings::GetAccuracyLevelAsString() const
 {
-  constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference" };
+  constexpr const char* names[] = { "Fast", "Default", "Accurate", "Reference", "Sampled" };
   return names[this->AccuracyLevel];
 }
 

@@ -80,6 +80,11 @@ public:
    * transmittance is part of that error.
    * ACCURATE: as DEFAULT, with a tolerance of 1/4096, or ErrorTolerance if that is less.
    * REFERENCE: as DEFAULT, with a tolerance of 1e-5, which is near the precision of float.
+   * SAMPLED: nothing is integrated. Images and rectilinear grids are sampled at even distances
+   * along each ray, for the look of vtkGPUVolumeRayCastMapper; the distance and jitter are those of
+   * the vtkTetMarchSmartVolumeMapper. No error is promised or bounded. Blend modes other than
+   * composite, picks and light kept at nodes stay as exact as at other levels. Unstructured grids
+   * have no samples: for them this level is an error.
    *
    * The tolerance does not cover light: gradients and light are interpolated between vertices, and
    * their change along a cell is taken as linear. The error bound
@@ -95,14 +100,16 @@ public:
     FAST = 0,
     DEFAULT = 1,
     ACCURATE = 2,
-    REFERENCE = 3
+    REFERENCE = 3,
+    SAMPLED = 4
   };
-  vtkSetClampMacro(AccuracyLevel, int, FAST, REFERENCE);
+  vtkSetClampMacro(AccuracyLevel, int, FAST, SAMPLED);
   vtkGetMacro(AccuracyLevel, int);
   void SetAccuracyLevelToFast() { this->SetAccuracyLevel(FAST); }
   void SetAccuracyLevelToDefault() { this->SetAccuracyLevel(DEFAULT); }
   void SetAccuracyLevelToAccurate() { this->SetAccuracyLevel(ACCURATE); }
   void SetAccuracyLevelToReference() { this->SetAccuracyLevel(REFERENCE); }
+  void SetAccuracyLevelToSampled() { this->SetAccuracyLevel(SAMPLED); }
   const char* GetAccuracyLevelAsString() const;
   //@}
 

@@ -34,7 +34,8 @@
     FAST = vtkTetMarchSettings::FAST,                                                              \
     DEFAULT = vtkTetMarchSettings::DEFAULT,                                                        \
     ACCURATE = vtkTetMarchSettings::ACCURATE,                                                      \
-    REFERENCE = vtkTetMarchSettings::REFERENCE                                                     \
+    REFERENCE = vtkTetMarchSettings::REFERENCE,                                                    \
+    SAMPLED = vtkTetMarchSettings::SAMPLED                                                         \
   };                                                                                               \
   enum ViewModeType                                                                                \
   {                                                                                                \
@@ -115,6 +116,7 @@
   vtkTetMarchForwardChoiceToMacro(AccuracyLevel, Default);                                         \
   vtkTetMarchForwardChoiceToMacro(AccuracyLevel, Accurate);                                        \
   vtkTetMarchForwardChoiceToMacro(AccuracyLevel, Reference);                                       \
+  vtkTetMarchForwardChoiceToMacro(AccuracyLevel, Sampled);                                         \
   vtkTetMarchForwardClampedMacro(ErrorTolerance, double);                                          \
   vtkTetMarchForwardClampedMacro(FrameTimeBudget, double);                                         \
   vtkTetMarchForwardClampedMacro(ErrorBudget, double);                                             \

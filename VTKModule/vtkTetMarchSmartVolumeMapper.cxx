@@ -229,6 +229,9 @@ bool vtkTetMarchSmartVolumeMapper::Report(const std::string& error)
 void vtkTetMarchSmartVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "LockSampleDistanceToInputSpacing: " << this->LockSampleDistanceToInputSpacing
+     << "\n";
+  os << indent << "UseJittering: " << this->UseJittering << "\n";
   os << indent << "PickedPosition: " << this->PickedPosition[0] << ", " << this->PickedPosition[1]
      << ", " << this->PickedPosition[2] << "\n";
   os << indent << "PickedScalar: " << this->PickedScalar << "\n";

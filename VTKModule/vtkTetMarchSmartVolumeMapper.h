@@ -47,9 +47,11 @@
  *   is a factor of it.
  * - VolumetricScatteringBlending, GlobalIlluminationReach (VTK 9.2): see vtkTetMarchSettings. The
  *   reach begins at 1, not at 0.
- * - SampleDistance, UseJittering (VTK 9.3), InterpolationMode and LowResMode (VTK 9.3) have no
- *   effect: there are no samples, and the volume is never resampled. They hold for what
- *   vtkSmartVolumeMapper draws, and for the pictures of CreateCanonicalView(), which it draws, too.
+ * - SampleDistance, LockSampleDistanceToInputSpacing and UseJittering have an effect at the
+ * accuracy level SAMPLED alone: at others there are no samples.
+ * - InterpolationMode and LowResMode (VTK 9.3) have no effect: the volume is never resampled. They
+ *   hold for what vtkSmartVolumeMapper draws, and for the pictures of CreateCanonicalView(), which
+ * it draws, too.
  *
  * VolumeMapperRenderStartEvent and VolumeMapperRenderEndEvent are invoked about each frame. Errors
  * are reported once, and the frame shows nothing of the volume.
@@ -69,6 +71,7 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+class vtkDataSet;
 class vtkFloatArray;
 class vtkLookupTable;
 class vtkOpenGLRenderWindow;
@@ -143,6 +146,39 @@ public:
 #endif
   //@}
 
+  //@{
+  /**
+   * Samples along rays, at the accuracy level SAMPLED with composite blending; SetSampleDistance()
+   * is that of vtkSmartVolumeMapper. They lie where vtkGPUVolumeRayCastMapper has them: the first
+   * one a step behind the side of the volume's box, the clipping plane or the near plane where the
+   * ray begins or, with UseJittering (off by default), a fraction of a step, which differs from
+   * pixel to pixel and is the same in each frame. Without jitter a ray has one sample at least.
+   *
+   * The step, in units of the data, is the least spacing times the distance between rays in frames
+   * for which distances are adjusted (AutoAdjustSampleDistances, InteractiveAdjustSampleDistances).
+   * Otherwise it is SampleDistance, unless that is negative, as it is by default, or
+   * LockSampleDistanceToInputSpacing is on (off by default, and on in vtkSmartVolumeMapper, where
+   * SampleDistance has no effect therefore). Then it is what vtkSmartVolumeMapper takes: half of
+   * the mean spacing, and less below a million cells
+   * (vtkVolumeMapper::SpacingAdjustedSampleDistance()). A step of less than a millionth of the
+   * volume's diagonal is an error.
+   *
+   * Each sample is interpolated in float, classified and composited with the opacity
+   * 1 - exp(-extinction step), and light is that of the gradient there. There is no error bound:
+   * ERROR_BOUND is 1, and VIEW_ERROR_BOUND an error. RenderGroundTruth() is the exact picture, and
+   * CompareWithGroundTruth() tells how far samples are from it. What is picked, and light kept at
+   * nodes, is exact as at other levels.
+   */
+  vtkSetClampMacro(LockSampleDistanceToInputSpacing, vtkTypeBool, 0, 1);
+  vtkGetMacro(LockSampleDistanceToInputSpacing, vtkTypeBool);
+  vtkBooleanMacro(LockSampleDistanceToInputSpacing, vtkTypeBool);
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+  vtkSetClampMacro(UseJittering, vtkTypeBool, 0, 1);
+  vtkGetMacro(UseJittering, vtkTypeBool);
+  vtkBooleanMacro(UseJittering, vtkTypeBool);
+#endif
+  //@}
+
   /**
    * Errors, counts, times and memory, as they are now. The object stays the same; each frame and
    * each call of this method brings it up to date. Times and memory are summed over blocks.
@@ -212,6 +248,10 @@ protected:
   double PickedScalar = vtkMath::Nan();
   vtkIdType PickedCellId = -1;
   unsigned int PickedBlock = 0;
+  vtkTypeBool LockSampleDistanceToInputSpacing = 0;
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+  vtkTypeBool UseJittering = 0;
+#endif
 
 private:
   vtkTetMarchSmartVolumeMapper(const vtkTetMarchSmartVolumeMapper&) = delete;
@@ -222,6 +262,8 @@ private:
   // Why vtkSmartVolumeMapper has to draw; empty if it need not.
   std::string FindReasonForVTK(vtkVolume* volume);
   std::string FindReasonOfComponents(vtkVolumeProperty* property);
+  // In units of the data. rayDistance: between rays, in pixels, if distances are adjusted; else 0.
+  double FindSampleDistance(vtkDataSet* data, double rayDistance);
   void RenderByVTK(vtkRenderer* renderer, vtkVolume* volume, const std::string& reason);
   void March(vtkRenderer* renderer, vtkVolume* volume, std::string error);
   std::string DrawBlocks(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);

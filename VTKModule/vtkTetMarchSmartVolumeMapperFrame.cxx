@@ -166,6 +166,9 @@ void vtkTetMarchSmartVolumeMapper::RenderByVTK(
     this->Superclass::SetMaxMemoryInBytes(this->GetMaxMemoryInBytes());
   }
   this->Superclass::SetAutoAdjustSampleDistances(this->GetAutoAdjustSampleDistances());
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+  this->GPUMapper->SetUseJittering(this->UseJittering);
+#endif
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
   this->Superclass::SetVolumetricScatteringBlending(this->GetVolumetricScatteringBlending());
   this->Superclass::SetGlobalIlluminationReach(this->GetGlobalIlluminationReach());
@@ -233,6 +236,9 @@ std::string vtkTetMarchSmartVolumeMapper::DrawBlocks(
     const std::uint64_t bytes = internal.bytesFor(*block, mostBytes);
     renderer->GetSelector() ? block->Pipeline.beginPick(bytes) : block->Pipeline.begin(bytes);
     block->Source.setInterpolation(interpolationOf(volume->GetProperty()));
+    block->Source.setSamples(
+      { this->FindSampleDistance(block->Data, adjusts ? frame.rayDistance() : 0.0),
+        this->UseJittering != 0 });
     const tetmarch::DrawnData drawn{ block->Data, block->Scalars, vectorOptionsOf(this), blend,
       tetmarch::clippingOptionsOf(this) };
     if (frame.prepare(block->Pipeline, drawn))

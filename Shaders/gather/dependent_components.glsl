@@ -39,7 +39,7 @@ struct DependentColor
 #if TETMARCH_ERROR_BOUND
   real change; // total variation of the channel that changes most
 #if TETMARCH_BENT
-  real bendRatio; // of what gives the colour, unless the mean is exact
+  real bendShift; // of what gives the colour, unless the mean is exact
 #endif
 #endif
 };
@@ -62,7 +62,7 @@ DependentColor dependentColorBetween(vec3 from, vec3 to)
   found.change = max(
     bentVariation(rise.x, bend.square.x, bend.cube.x), max(bentVariation(rise.y, bend.square.y, bend.cube.y),
     bentVariation(rise.z, bend.square.z, bend.cube.z)));
-  found.bendRatio = real(0);
+  found.bendShift = real(0);
 #else
   found.change = max(abs(rise.x), max(abs(rise.y), abs(rise.z)));
 #endif
@@ -76,7 +76,7 @@ DependentColor dependentColorBetween(vec3 from, vec3 to)
 #if TETMARCH_ERROR_BOUND
   found.change = min(abs(q.variation - p.variation), real(1));
 #if TETMARCH_BENT
-  found.bendRatio = bendRatio(vec2(bend.square.x, bend.cube.x), to.x - from.x);
+  found.bendShift = greatestShift(vec2(bend.square.x, bend.cube.x), to.x - from.x);
 #endif
 #endif
 #endif
@@ -90,7 +90,7 @@ struct SubsegmentMean
 #if TETMARCH_ERROR_BOUND
   real change; // of the colour
 #if TETMARCH_BENT
-  real bendRatio;
+  real bendShift;
 #endif
 #endif
 };
@@ -122,7 +122,7 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
 #if TETMARCH_ERROR_BOUND
   found.change = dependent.change;
 #if TETMARCH_BENT
-  found.bendRatio = dependent.bendRatio;
+  found.bendShift = dependent.bendShift;
 #endif
 #endif
   return found;
@@ -145,7 +145,7 @@ real subsegmentError(
   DependentBend bent =
     dependentBend(bendWithin(ends.bend, part.begin, part.begin + part.fraction), found.next.x - cell.at.x, by, spread);
   return transmittance * (bent.opacity + min(found.change, real(1)) * min(by.absorbed,
-    orderErrorFactor(by.depth) + covariance + bent.light + found.bendRatio * bent.perRatio));
+    orderErrorFactor(by.depth) + covariance + bent.light + found.bendShift * bent.perRatio));
 #else
   return transmittance * (found.change * min(by.absorbed, orderErrorFactor(by.depth) + covariance));
 #endif

@@ -17,7 +17,9 @@
 #else
 #include "gather/single_component.glsl"
 #endif
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_POINT_SAMPLED
+#include "gather/segment_sampled.glsl"
+#elif TETMARCH_POINT_SCALARS
 #include "gather/segment_linear.glsl"
 #else
 #include "gather/segment_constant.glsl"

@@ -121,7 +121,7 @@ SubsegmentMean independentMeanBetween(vec4 from, vec4 to)
     high = vec3(seen ? max(high.x, middle.x) : high.x, seen ? max(high.y, middle.y) : high.y,
       seen ? max(high.z, middle.z) : high.z);
 #if TETMARCH_BENT
-    addBend(p, q, bendRatio(vec2(componentOf(part.square, k), componentOf(part.cube, k)),
+    addBend(p, q, greatestShift(vec2(componentOf(part.square, k), componentOf(part.cube, k)),
       componentOf(to, k) - componentOf(from, k)), factor, found.bent);
 #endif
 #endif

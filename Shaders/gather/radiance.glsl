@@ -76,6 +76,9 @@ bool isOpaque(Radiance radiance)
 // No channel of the pixel is off by more, if the ray ends here.
 real errorBound(Radiance radiance)
 {
+#if TETMARCH_POINT_SAMPLED
+  return real(1); // what lies between samples may be anything
+#else
   real bound = isOpaque(radiance) ? radiance.transmittance : real(0);
 #if TETMARCH_ERROR_BOUND
   bound = bound + radiance.error;
@@ -84,6 +87,7 @@ real errorBound(Radiance radiance)
   bound = bound + radiance.lightError;
 #endif
   return bound;
+#endif
 }
 
 #if TETMARCH_PICKED

@@ -1,6 +1,6 @@
 // One scalar gives colour and extinction.
 
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_POINT_SCALARS && !TETMARCH_POINT_SAMPLED
 // Positions in the table at both ends of a segment.
 struct SegmentEnds
 {
@@ -63,9 +63,9 @@ void bendMean(TablePoint from, INOUT(SubsegmentMean) found)
   real error = bentMeanError(found.bend, rise) * (real(2) * ofExtinction + ofEmission);
   bool straight =
     error < greatestShift(found.bend, rise) * abs(found.next.extinctionVariation - from.extinctionVariation);
-  vec4 bent = bentMean(
+  vec4 alongCubic = bentMean(
     found.mean, weightedByExtinction(from.value), weightedByExtinction(found.next.value), found.bend, rise);
-  found.mean = straight ? bent : found.mean;
+  found.mean = straight ? alongCubic : found.mean;
   found.bentError = straight ? error : real(-1);
 }
 #endif

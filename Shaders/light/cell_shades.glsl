@@ -1,6 +1,6 @@
 // Shades along the interval of a ray in a cell. Without effects nothing is done.
 
-#if TETMARCH_EFFECTS && !TETMARCH_KEEPS_SHADE
+#if TETMARCH_EFFECTS && !TETMARCH_KEEPS_SHADE && !TETMARCH_POINT_SAMPLED
 // The point where the interval begins.
 FacePoint enterPoint(CellInterval cell)
 {
@@ -18,7 +18,7 @@ FacePoint enterPoint(CellInterval cell)
 }
 #endif
 
-#if TETMARCH_EFFECTS
+#if TETMARCH_EFFECTS && !TETMARCH_POINT_SAMPLED
 // The point where it ends.
 FacePoint leavePoint(CellInterval cell)
 {
@@ -40,7 +40,9 @@ void beginShades(Ray ray, INOUT(CellInterval) cell) { cell.shades.leave = shadeA
 // Before cell becomes the next one.
 void advanceShades(INOUT(CellInterval) cell)
 {
-#if TETMARCH_FINDS_SHADES && TETMARCH_CELL_GRADIENTS
+#if TETMARCH_POINT_SAMPLED
+  // There are none at the ends of an interval.
+#elif TETMARCH_FINDS_SHADES && TETMARCH_CELL_GRADIENTS
   cell.shades.enterKnown = false; // gradients of two cells differ where they meet
 #elif TETMARCH_FINDS_SHADES
   cell.shades.enterKnown = cell.seen;
@@ -50,7 +52,9 @@ void advanceShades(INOUT(CellInterval) cell)
 // Sets the shades at both ends of an interval; the place is that where it ends.
 void shadeCell(Ray ray, Place place, INOUT(CellInterval) cell)
 {
-#if TETMARCH_FINDS_SHADES
+#if TETMARCH_POINT_SAMPLED && TETMARCH_EFFECTS
+  cell.crossed = place.crossed; // each sample has a shade of its own
+#elif TETMARCH_FINDS_SHADES
   // The shade where the ray enters is that where it left the last cell, unless that was passed unseen.
   int missing = cell.shades.enterKnown ? 1 : 2;
   do

@@ -36,6 +36,12 @@ struct CellInterval
 #if TETMARCH_NAN_SHOWN
   bool finite; // the scalar is finite
 #endif
+#if TETMARCH_POINT_SAMPLED
+  Ray ray;     // that crosses the cell
+#if TETMARCH_EFFECTS
+  ivec3 crossed; // the cell's numbers along the axes
+#endif
+#endif
 #if TETMARCH_ISOSURFACES
   bool drawn;  // the cell has a scalar and is not hidden, whether or not a surface crosses it
   vec2 before; // depth and scalar where the ray left the last cell that is drawn

@@ -8,6 +8,9 @@ struct Ray
   vec3 slope;    // lattice coordinates a unit of depth
   vec3 perSlope; // 1 over that; 0 along an axis that the ray runs across
   ivec3 steps;   // 1 or -1: the direction along each axis; 0 across it
+#if TETMARCH_POINT_SAMPLED
+  real firstSample; // depth; structured/ray_samples.glsl
+#endif
 #else
   vec3 right;  // right, up, -direction: an orthonormal basis, as the viewer sees it
   vec3 up;

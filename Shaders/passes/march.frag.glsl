@@ -37,13 +37,16 @@
 #include "march/ray_cast.glsl"
 #endif
 
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLED_SHADOWS || TETMARCH_POINT_SAMPLED
 uniform sampler2D jitterTexture; // a tile of 64 x 64 pixels, Optics/BlueNoise.h
 #endif
 
 March marchPixel(PixelRay pixel)
 {
   float thicknessPerDepth = thicknessPerDepthAlong(pixel.ray.direction);
+#if TETMARCH_POINT_SAMPLED
+  shiftSamples(texelFetch(jitterTexture, pixel.at & 63, 0).x * sampleShift.x + sampleShift.y, pixel.ray);
+#endif
 #if TETMARCH_SAMPLED_SHADOWS
   float jitter = texelFetch(jitterTexture, pixel.at & 63, 0).x;
   return castSampledRay(pixel.ray, pixel.firstFace, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd, jitter);

@@ -155,6 +155,9 @@ PixelRay pixelRay()
   found.depthBegin = left.x;
   found.depthEnd = left.y;
 #endif
+#if TETMARCH_POINT_SAMPLED
+  placeSamples(found.depthBegin, ray);
+#endif
   found.ray = ray;
   found.firstFace = firstFace;
   return found;

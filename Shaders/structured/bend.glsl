@@ -36,8 +36,8 @@ real bentShare(vec2 bend, real rise)
 
 vec4 bentMean(vec4 mean, vec4 begin, vec4 end, vec2 bend, real rise)
 {
-  vec4 bent = mean + (end - begin) * bentShare(bend, rise);
-  return vec4(max(bent.x, real(0)), max(bent.y, real(0)), max(bent.z, real(0)), max(bent.w, real(0)));
+  vec4 along = mean + (end - begin) * bentShare(bend, rise);
+  return vec4(max(along.x, real(0)), max(along.y, real(0)), max(along.z, real(0)), max(along.w, real(0)));
 }
 
 // How far the mean of a function is off that is made by bentMean(), for a total variation of 1 of the function's slope, a

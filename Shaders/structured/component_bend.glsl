@@ -14,9 +14,6 @@
 // straight lines. Light from behind, B, is part of what is seen, so that errors of D need no account of their own. B and
 // colours C lie in 0..1.
 
-// How far r is off: a share of the rise, 1 at most.
-real bendRatio(vec2 bend, real rise) { return min(greatestBend(bend) / max(abs(rise), real(1e-20)), real(1)); }
-
 #if TETMARCH_INDEPENDENT
 // Independent components: with e = sum(tau_k C_k) the picture is the integral of L e exp(-u), plus B exp(-D). It is off by
 //   integral of L (e - e0) exp(-u)  +  integral of L e0 (exp(-u) - exp(-u0)) + B (exp(-D) - exp(-D0)).
@@ -83,7 +80,7 @@ DependentBend dependentBend(vec2 bend, real rise, Absorption by, real extinction
   real variation = by.thickness * extinctionVariation;
   DependentBend bent;
   bent.opacity = bendError(bend, rise, by, real(0), extinctionVariation);
-  bent.light = bendRatio(bend, rise) * variation;
+  bent.light = greatestShift(bend, rise) * variation;
   bent.perRatio = real(2) * by.depth + real(3) * variation;
   return bent;
 }

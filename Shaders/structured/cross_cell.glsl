@@ -11,6 +11,9 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
     vec2(within ? place.depth + (place.leave - place.depth) * place.position : place.leave, UNDRAWN_SCALAR);
   cell.number = numberOfCell(place.cell);
   beginLookups(cell);
+#if TETMARCH_POINT_SAMPLED
+  cell.ray = ray;
+#endif
   return cell;
 }
 
@@ -138,12 +141,6 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
     place.extremes = extremesOf(place.cubic);
 #if TETMARCH_BENT_COMPONENTS
     place.further = furtherCubicsAlong(ray, place.cell, place.depth, place.leave);
-#if TETMARCH_LEAPS
-    if (reach > 0)
-    {
-      place.further = noFurtherCubics();
-    }
-#endif
 #endif
 #else
     cell.scalar =

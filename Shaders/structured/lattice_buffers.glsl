@@ -105,6 +105,12 @@ uniform vec3 latticeShift;      // plane i is at i + latticeShift, but not beyon
 uniform vec3 latticeHalfLength; // that
 #endif
 
+#if TETMARCH_POINT_SAMPLED
+uniform float sampleStep;      // depth from sample to sample
+uniform float samplesPerDepth; // 1 over that
+uniform vec2 sampleShift;      // of the first sample, in steps: scale of the pixel's jitter and offset
+#endif
+
 #if TETMARCH_LEAPS
 uniform usamplerBuffer blockDistanceBuffer; // Structured/EmptySpace.h
 uniform ivec3 blockCount;

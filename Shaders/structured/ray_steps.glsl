@@ -10,4 +10,7 @@ void orient(INOUT(Ray) ray)
   ray.slope = directionToLattice(ray.direction);
   ray.perSlope = vec3(perSlopeOf(ray.slope.x), perSlopeOf(ray.slope.y), perSlopeOf(ray.slope.z));
   ray.steps = ivec3(stepAlong(ray.slope.x), stepAlong(ray.slope.y), stepAlong(ray.slope.z));
+#if TETMARCH_POINT_SAMPLED
+  ray.firstSample = NO_DEPTH; // until placeSamples()
+#endif
 }

@@ -62,6 +62,26 @@ def picture(mapper_class, prepare, components=1):
 
 
 class SmartTest(unittest.TestCase):
+    def test_samples_are_those_of_a_script_that_sets_them(self):
+        def sampled(mapper, volume_property):
+            set_everything(mapper, volume_property)
+            mapper.SetAccuracyLevelToSampled()
+            mapper.SetSampleDistance(0.25)
+
+        def jittered(mapper, volume_property):
+            sampled(mapper, volume_property)
+            mapper.UseJitteringOn()
+
+        exact, _ = picture(vtkTetMarchSmartVolumeMapper, set_everything)
+        coarse, mapper = picture(vtkTetMarchSmartVolumeMapper, sampled)
+        self.assertEqual(mapper.GetUsedAccuracyLevelAsString(), "Sampled")
+        self.assertEqual(mapper.GetUsedAccuracyLevel(), mapper.SAMPLED)
+        self.assertFalse(mapper.GetUseJittering())
+        self.assertGreater(scenes.mean_difference(coarse, exact), 2)
+        noisy, mapper = picture(vtkTetMarchSmartVolumeMapper, jittered)
+        self.assertTrue(mapper.GetUseJittering())
+        self.assertGreater(scenes.mean_difference(noisy, coarse), 2)
+
     def test_the_picture_stays(self):
         theirs, stock = picture(vtk.vtkSmartVolumeMapper, set_everything)
         ours, mapper = picture(vtkTetMarchSmartVolumeMapper, set_everything)

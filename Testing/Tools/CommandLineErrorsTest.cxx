@@ -109,7 +109,7 @@ TEST(CommandLine, RefusesBadCameras)
 TEST(CommandLine, RefusesBadChoices)
 {
   ExpectBadValue("--opacity-law", "linear", "expected structured or unstructured");
-  ExpectBadValue("--accuracy", "best", "expected fast, default, accurate or reference");
+  ExpectBadValue("--accuracy", "best", "expected fast, default, accurate, reference or sampled");
   ExpectBadValue("--view", "bound",
     "expected picture, error, cells, lookups, illumination, gradients, faces or coordinates");
   ExpectBadValue(

@@ -67,6 +67,18 @@ TEST(CommandLine, TakesEveryOption)
   EXPECT_FALSE(c.Light.Shade);
 }
 
+TEST(CommandLine, TakesSamples)
+{
+  const CommandLine sampled = ParseCommandLine({ "a.vti", "--accuracy", "sampled" });
+  EXPECT_EQ(sampled.AccuracyLevel, 4);
+  EXPECT_FALSE(sampled.SampleDistance);
+  EXPECT_FALSE(sampled.Jitter);
+  const CommandLine distant = ParseCommandLine({ "a.vti", "--sample-distance", "0.5", "--jitter" });
+  EXPECT_EQ(distant.AccuracyLevel, 4);
+  EXPECT_EQ(distant.SampleDistance, 0.5);
+  EXPECT_TRUE(distant.Jitter);
+}
+
 TEST(CommandLine, TakesAnInterpolation)
 {
   EXPECT_EQ(ParseCommandLine({ "a.vti", "--interpolation", "nearest" }).Nearest, true);

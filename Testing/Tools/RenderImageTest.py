@@ -78,6 +78,18 @@ class RenderImageTest(RenderCase):
         self.expect_failure(1, "--interpolation is for images and rectilinear grids, but 'cube.vtu' is drawn as an "
                             "unstructured grid", "cube.vtu", "--interpolation", "nearest")
 
+    def test_samples(self):
+        """Of one scalar: four samples, the last of them on the far side; or half of the way beyond it."""
+        for distance, depth in ((0.25, 1), (0.8, 0.8), (0.125, 1)):
+            with self.subTest(distance=distance):
+                pixels, _ = self.render("image.vti", *CONSTANT, *UNIT, *ALONG_Z, "--sample-distance", distance)
+                self.check(pixels[24][32], opacity_of(0.7, depth))
+        pixels, stats = self.render("image.vti", *CONSTANT, *UNIT, *ALONG_Z, "--accuracy", "sampled", "--jitter",
+                                    "--compare")
+        self.assertEqual(stats["accuracy"]["level"], "Sampled")
+        self.expect_failure(1, "--accuracy sampled and --sample-distance are for images and rectilinear grids, but "
+                            "'cube.vtu' is drawn as an unstructured grid", "cube.vtu", "--accuracy", "sampled")
+
     def test_what_is_cut_away(self):
         for depth, cuts in ((0.6, ("--clip", "0,0,0.6,0,0,-1")), (0.3, ("--crop", "0,1,0,1,0.2,0.5")),
                             (0.7, ("--crop=-1,2,5,6,0.2,0.5", "--crop-regions", "inverted-cross"))):

@@ -27,17 +27,22 @@ const ShaderFeature OfTheMarch[] = {
   { "tolerance", [](const Key& k, MarchShader) { return k.accumulatesOpacity(); },
     "errorTolerance" },
   { "segments of the picture",
-    [](const Key& k, MarchShader s) { return gathers(k, s) && k.PointScalars && k.isComposite(); },
+    [](const Key& k, MarchShader s)
+    { return gathers(k, s) && k.PointScalars && k.isComposite() && !k.PointSampled; },
     "SegmentEnds segmentEnds Subsegment subsegmentFrom SubsegmentMean meanOfSubsegment isLoaded "
     "keepTablePoint trials" },
   { "segments of one scalar",
     [](const Key& k, MarchShader s)
-    { return gathers(k, s) && k.PointScalars && k.isComposite() && !k.hasComponents(); },
+    {
+      return gathers(k, s) && k.PointScalars && k.isComposite() && !k.hasComponents() &&
+             !k.PointSampled;
+    },
     "positionWithin" },
   { "scalars along the picture's rays",
     [](const Key& k, MarchShader s) { return gathers(k, s) && k.PointScalars; }, "scalarIn" },
-  { "cells of the picture",
-    [](const Key& k, MarchShader s) { return gathers(k, s) && !k.PointScalars && k.isComposite(); },
+  { "cells and samples of the picture",
+    [](const Key& k, MarchShader s)
+    { return gathers(k, s) && (!k.PointScalars || k.PointSampled) && k.isComposite(); },
     "constantMean" },
   { "tables", [](const Key& k, MarchShader) { return !isIsosurfaces(k); },
     "tableValueBuffer tableIntegralBuffer "

@@ -41,14 +41,21 @@ std::vector<ShaderFeature> featuresOfLight()
     { "gradients of trilinear cells",
       [](const Key& k, MarchShader) { return k.hasGradients() && isTrilinear(k); }, "bilinear" },
     { "shades", [](const Key& k, MarchShader s) { return gathers(k, s) && k.hasGradients(); },
-      "Shade CellShades FacePoint shadeOf leavePoint shades incomingAt fractionOfCell "
+      "Shade CellShades FacePoint shadeOf shades incomingAt fractionOfCell "
       "rangeWithin" },
+    { "shades where rays leave cells",
+      [](const Key& k, MarchShader s)
+      { return gathers(k, s) && k.hasGradients() && !k.PointSampled; },
+      "leavePoint" },
     { "gradients at vertices",
       [](const Key& k, MarchShader) { return k.hasVertexGradients() && !k.Structured; },
       "fetchGradient" },
     { "shades where rays enter cells",
       [](const Key& k, MarchShader s)
-      { return gathers(k, s) && k.hasGradients() && (!k.hasVertexGradients() || findsShades(k)); },
+      {
+        return gathers(k, s) && k.hasGradients() && (!k.hasVertexGradients() || findsShades(k)) &&
+               !k.PointSampled;
+      },
       "enterPoint" },
     { "shades at faces",
       [](const Key& k, MarchShader s) { return gathers(k, s) && k.hasVertexGradients(); },
@@ -56,7 +63,11 @@ std::vector<ShaderFeature> featuresOfLight()
     { "shades where something is seen",
       [](const Key& k, MarchShader s)
       { return gathers(k, s) && k.hasVertexGradients() && findsShades(k); },
-      "enterKnown missing" },
+      "enterKnown" },
+    { "shades at the ends of what is seen",
+      [](const Key& k, MarchShader s)
+      { return gathers(k, s) && k.hasVertexGradients() && findsShades(k) && !k.PointSampled; },
+      "missing" },
     { "shade of the face before",
       [](const Key& k, MarchShader s)
       { return gathers(k, s) && k.hasVertexGradients() && !findsShades(k); },
@@ -90,12 +101,16 @@ std::vector<ShaderFeature> featuresOfLight()
       "litEmission" },
     { "error of light",
       [](const Key& k, MarchShader)
-      { return k.isLit() && (k.hasErrorBound() || (k.Diagnostics && k.isComposite())); },
+      {
+        return k.isLit() &&
+               (k.hasErrorBound() || (k.Diagnostics && k.isComposite() && !k.PointSampled));
+      },
       "greatest" },
     { "brightness", [](const Key& k, MarchShader) { return k.isLit() && k.hasErrorBound(); },
       "brightness bright" },
     { "change of light",
-      [](const Key& k, MarchShader) { return k.isLit() && k.Diagnostics && k.isComposite(); },
+      [](const Key& k, MarchShader)
+      { return k.isLit() && k.Diagnostics && k.isComposite() && !k.PointSampled; },
       "lightError changeOf lightErrorOf" },
     { "error of light between vertices",
       [](const Key& k, MarchShader)
@@ -120,9 +135,12 @@ std::vector<ShaderFeature> featuresOfLight()
     { "shadows of headlights", [](const Key& k, MarchShader) { return k.HeadlightShadows; },
       "head" },
     { "sampled shadows", [](const Key& k, MarchShader) { return k.SampledShadows; },
-      "jitterTexture jitter keepPending addPending SamplePause noPause pause due nextSample "
+      "jitter keepPending addPending SamplePause noPause pause due nextSample "
       "sampleLight marchAndSample castSampledRay seenFraction seenDepth SAMPLE_SPACING "
       "FIRST_SAMPLE" },
+    { "offsets of pixels",
+      [](const Key& k, MarchShader) { return k.SampledShadows || k.PointSampled; },
+      "jitterTexture" },
     { "light past the volume or opaque geometry",
       [](const Key& k, MarchShader s)
       { return isPicture(s) && k.CastShadows && (!k.SampledShadows || k.OpaqueShadows); },

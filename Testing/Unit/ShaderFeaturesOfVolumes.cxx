@@ -115,9 +115,6 @@ std::vector<ShaderFeature> featuresOfVolumes()
       [](const Key& k, MarchShader)
       { return bendsTogether(k) && k.Components == ComponentGroup::Independent; },
       "scalarsWithin endsWithin" },
-    { "error of the bends of components",
-      [](const Key& k, MarchShader) { return bendsTogether(k) && k.hasErrorBound(); },
-      "bendRatio" },
     { "error of the bends of independent components",
       [](const Key& k, MarchShader) {
         return bendsTogether(k) && k.hasErrorBound() && k.Components == ComponentGroup::Independent;
@@ -126,7 +123,7 @@ std::vector<ShaderFeature> featuresOfVolumes()
     { "error of the bends of dependent components",
       [](const Key& k, MarchShader)
       { return bendsTogether(k) && k.hasErrorBound() && k.isDependent(); },
-      "DependentBend dependentBend" },
+      "DependentBend dependentBend bendShift" },
     { "error of direct colours that bend",
       [](const Key& k, MarchShader) {
         return bendsTogether(k) && k.hasErrorBound() && k.Components == ComponentGroup::DirectColor;
@@ -135,6 +132,15 @@ std::vector<ShaderFeature> featuresOfVolumes()
     { "leaps", [](const Key& k, MarchShader) { return k.Leaps; },
       "blockDistanceBuffer blockCount fetchBlockDistance leapOf blockOf cubeEnd landingAlong "
       "landingOf leap leaps" },
+    { "samples", [](const Key& k, MarchShader) { return k.PointSampled; },
+      "sampleStep samplesPerDepth sampleShift firstSample placeSamples shiftSamples samplesBefore "
+      "stepThickness SAMPLE_SHIFT" },
+    { "places of samples",
+      [](const Key& k, MarchShader)
+      { return k.PointSampled && (k.PointScalars || k.hasGradients()); },
+      "depthOfSample" },
+    { "samples in light",
+      [](const Key& k, MarchShader) { return k.PointSampled && k.hasGradients(); }, "shadeSample" },
     { "extinction along samples' rays through a lattice",
       [](const Key& k, MarchShader) { return k.Structured && k.SampledShadows; },
       "meanExtinction" },

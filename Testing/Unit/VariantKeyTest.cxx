@@ -68,6 +68,8 @@ bool isSensible(const VariantKey& k)
          !((k.SampledShadows || k.SeveralShadows) && !k.CastShadows) &&
          // No light that opaque geometry could keep off.
          !(k.OpaqueShadows && !k.CastShadows) &&
+         // What is sampled is a lattice of one scalar, by one blend mode and with no tolerance.
+         !(k.PointSampled && (!k.Structured || !composite || several || k.Adaptive)) &&
          // Gradients are shown instead of the light.
          !(k.ShowGradients && (k.Shading || k.ShowIllumination));
 }

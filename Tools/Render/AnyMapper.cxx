@@ -7,6 +7,7 @@
 #include "vtkTetMarchVolumeMapper.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace
 {
@@ -34,6 +35,18 @@ public:
     this->Object->SetCroppingRegionPlanes(
       planes[0], planes[1], planes[2], planes[3], planes[4], planes[5]);
     this->Object->SetCroppingRegionFlags(flags);
+  }
+
+  void SetSamples(double distance, bool jitter) override
+  {
+    if constexpr (std::is_same_v<Mapper, vtkTetMarchSmartVolumeMapper>)
+    {
+      this->Object->SetSampleDistance(static_cast<float>(distance));
+      this->Object->SetUseJittering(jitter);
+      // As far apart in each frame, whatever time it takes.
+      this->Object->InteractiveAdjustSampleDistancesOff();
+      this->Object->AutoAdjustSampleDistancesOff();
+    }
   }
 
   bool CompareWithGroundTruth(vtkVolume* volume) override

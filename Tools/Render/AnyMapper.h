@@ -45,6 +45,8 @@ public:
   /// As vtkVolumeMapper::BlendModes.
   virtual void SetBlendMode(int mode) = 0;
   virtual void SetCropping(const double planes[6], int flags) = 0;
+  /// Of images and rectilinear grids; a negative distance is chosen by the mapper.
+  virtual void SetSamples(double distance, bool jitter) = 0;
 
   /// As the methods of either class.
   virtual bool CompareWithGroundTruth(vtkVolume* volume) = 0;

@@ -62,6 +62,11 @@ CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
       commandLine.Compare = true;
       continue;
     }
+    if (argument == "--jitter")
+    {
+      commandLine.Jitter = true;
+      continue;
+    }
     if (argument == "--shade")
     {
       commandLine.Light.Shade = true;

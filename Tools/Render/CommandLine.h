@@ -57,6 +57,8 @@ struct CommandLine
   std::optional<bool> StructuredOpacityLaw; // by default of images and rectilinear grids
   std::optional<bool> Nearest;              // interpolation of these; linear by default
   int AccuracyLevel = 1;                    // vtkTetMarchSettings::DEFAULT
+  std::optional<double> SampleDistance;     // of the level Sampled; by default that of the mapper
+  bool Jitter = false;                      // of its first samples
   std::optional<double> Tolerance;
   double FrameTime = 0.0; // budgets; 0: none
   double Error = 0.0;

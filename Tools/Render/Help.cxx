@@ -41,7 +41,11 @@ Transfer function
                             and rectilinear grids)
 
 Accuracy
-  --accuracy LEVEL          fast, default, accurate or reference (default: default)
+  --accuracy LEVEL          fast, default, accurate or reference (default: default); or sampled: images and
+                            rectilinear grids by samples along each ray, with the look of VTK's mapper
+  --sample-distance D       --accuracy sampled at this distance, in units of the data (default: half of the
+                            mean spacing, less in volumes of less than a million cells)
+  --jitter                  the first sample of each pixel's ray lies elsewhere (--accuracy sampled)
   --tolerance T             greatest error of a channel, 1e-6 to 1 (default: 1/255); fast promises none
   --frame-time SECONDS      find the best level whose frames keep this time, by drawing some, and use it
   --error E                 the cheapest level that keeps this error, 1e-6 to 1; with --frame-time, the least

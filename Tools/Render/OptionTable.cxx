@@ -117,7 +117,7 @@ int ParseComponent(const std::string& value)
 
 int ParseLevel(const std::string& value)
 {
-  return ParseWord(value, { "fast", "default", "accurate", "reference" });
+  return ParseWord(value, { "fast", "default", "accurate", "reference", "sampled" });
 }
 
 int ParseBlend(const std::string& value)
@@ -193,6 +193,12 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
     { "--range", [](CommandLine& c, const std::string& v) { c.Range = ParseRange(v); } },
     { "--reach",
       [](CommandLine& c, const std::string& v) { LightOf(c).Reach = ParseWithin(v, "0", "1"); } },
+    { "--sample-distance",
+      [](CommandLine& c, const std::string& v)
+      {
+        c.SampleDistance = ParsePositive(v);
+        c.AccuracyLevel = ParseLevel("sampled");
+      } },
     { "--scattering", [](CommandLine& c, const std::string& v)
       { LightOf(c).Scattering = ParseWithin(v, "0", "2"); } },
     { "--shadows",

@@ -68,6 +68,12 @@ void CheckOptions(const VolumeData& data, const CommandLine& commandLine)
     throw Failure("--interpolation is for images and rectilinear grids, but " + input +
                   " is drawn as an unstructured grid");
   }
+  if (!data.Structured && commandLine.AccuracyLevel == vtkTetMarchSettings::SAMPLED)
+  {
+    throw Failure("--accuracy sampled and --sample-distance are for images and rectilinear grids, "
+                  "but " +
+                  input + " is drawn as an unstructured grid");
+  }
   if (data.Structured && ShowsBoundary(commandLine.ViewMode))
   {
     throw Failure("--view faces and --view coordinates show the boundary of an unstructured grid, "
@@ -124,6 +130,11 @@ void Picture::SetUpMapper(
   this->Mapper->SetComponent(selection.Component);
   this->Mapper->SetBlendMode(commandLine.BlendMode);
   SetUpCuts(commandLine.Cuts, *this->Mapper);
+
+  if (commandLine.AccuracyLevel == vtkTetMarchSettings::SAMPLED)
+  {
+    this->Mapper->SetSamples(commandLine.SampleDistance.value_or(-1.0), commandLine.Jitter);
+  }
 
   vtkAbstractVolumeMapper* mapper = this->Mapper->GetMapper();
   mapper->SetScalarMode(selection.Where == Association::POINTS

@@ -208,7 +208,7 @@ void LatticeTextures::bindPlanes(
 }
 
 void LatticeTextures::bind(vtkShaderProgram* program, const VariantKey& key,
-  const StructuredVolume& volume, const BlockDistances& empty)
+  const StructuredVolume& volume, const BlockDistances& empty, const RaySamples& samples)
 {
   const Lattice& lattice = volume.lattice();
   this->bindValues(program, key, volume);
@@ -217,6 +217,13 @@ void LatticeTextures::bind(vtkShaderProgram* program, const VariantKey& key,
   setAffine(program, "latticeMatrix", lattice.FromNormalized);
   program->SetUniformi("mostCells", mostCellsOf(lattice));
   bindLightNodes(program, volume.lightNodes());
+  if (key.PointSampled)
+  {
+    const double step = samples.step(volume.frame());
+    program->SetUniformf("sampleStep", static_cast<float>(step));
+    program->SetUniformf("samplesPerDepth", static_cast<float>(1 / step));
+    program->SetUniform2f("sampleShift", samples.shift().data());
+  }
   if (key.Leaps)
   {
     this->Distances.bind(program, "blockDistanceBuffer");

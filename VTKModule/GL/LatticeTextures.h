@@ -6,6 +6,7 @@
 
 #include "GL/ArrayTexture.h"
 #include "GL/VersionedBuffer.h"
+#include "Rays/RaySamples.h"
 #include "Structured/StructuredVolume.h"
 #include "Variants/VariantKey.h"
 
@@ -35,7 +36,7 @@ public:
 
   /** The textures, and all else that shaders read of a lattice and of its light nodes. */
   void bind(vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume,
-    const BlockDistances& empty);
+    const BlockDistances& empty, const RaySamples& samples);
   void unbind();
   void release(vtkWindow* window);
   std::size_t bytes() const;

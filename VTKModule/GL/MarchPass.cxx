@@ -98,6 +98,9 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   if (key.SampledShadows)
   {
     bindLightRays(program, inputs.EffectValues->Lights, true);
+  }
+  if (key.SampledShadows || key.PointSampled)
+  {
     inputs.Effects->bindJitter(program);
   }
   bindPixelRays(program, inputs, target);

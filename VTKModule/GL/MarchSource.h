@@ -101,6 +101,8 @@ public:
 
   /** The file of a pass's fragment shader; nullptr if the volume has no such pass. */
   virtual const char* shaderOf(SourcePass pass) const = 0;
+  /** Why the volume can't be sampled at even distances, and what to do; empty: it can. */
+  virtual std::string describeBadSamples() const = 0;
   /** What these shaders read of the volume. */
   virtual void bind(vtkShaderProgram* program, const VariantKey& key) = 0;
   virtual void unbind() = 0;

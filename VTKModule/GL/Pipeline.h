@@ -144,6 +144,7 @@ private:
   bool useReferenceScene(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level,
     const std::function<void(ReferenceScene&)>& use);
   std::string describeBadView(const DrawOptions& options) const;
+  std::string describeBadSamples(const DrawOptions& options) const;
   Viewport currentViewport() const;
   MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;

@@ -34,6 +34,7 @@ VariantKey Pipeline::keyOf(
   key.HasFma = this->HasFma;
   key.Peeled = options.Peeling != nullptr;
   key.Adaptive = options.Level.Adaptive;
+  key.PointSampled = options.Level.Sampled;
   key.TransparentRanges = this->PassesCells;
   key.ConstantColor = this->Tables.first().Traits.ConstantColor;
   key.Clipped = this->Cut.cuts();
@@ -109,7 +110,26 @@ std::string Pipeline::describeBadView(const DrawOptions& options) const
            "enter it by the six sides of its box. Choose another one, such as "
            "SetViewModeToCells() or SetViewModeToPicture().";
   }
+  if (options.View && options.View->What == Measure::ErrorBound && options.Level.Sampled &&
+      this->Blend.isComposite())
+  {
+    return "The view mode shows error bounds, but the accuracy level is Sampled, and what lies "
+           "between samples has none. Choose another level, such as SetAccuracyLevelToDefault(), "
+           "or another view mode; CompareWithGroundTruth() measures the errors of samples.";
+  }
   return options.View ? describeBadRange(*options.View) : std::string();
+}
+
+std::string Pipeline::describeBadSamples(const DrawOptions& options) const
+{
+  if (options.Level.Sampled && this->Mix != ComponentMix::Single)
+  {
+    return "The accuracy level is Sampled, which draws one component, but several are drawn "
+           "together. Choose one by VectorMode and VectorComponent, or another accuracy level, "
+           "such "
+           "as SetAccuracyLevelToDefault().";
+  }
+  return options.Level.Sampled ? this->Source.describeBadSamples() : std::string();
 }
 
 bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
@@ -124,6 +144,11 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   if (!badView.empty())
   {
     return this->fail(badView);
+  }
+  const std::string badSamples = this->describeBadSamples(options);
+  if (!badSamples.empty())
+  {
+    return this->fail(badSamples);
   }
   this->Subject.push_back(static_cast<std::uintptr_t>(area.Width));
   this->Subject.push_back(static_cast<std::uintptr_t>(area.Height));

@@ -110,9 +110,14 @@ const char* StructuredSource::shaderOf(SourcePass pass) const
   }
 }
 
+std::string StructuredSource::describeBadSamples() const
+{
+  return describeBadDistance(this->Samples, this->frame());
+}
+
 void StructuredSource::bind(vtkShaderProgram* program, const VariantKey& key)
 {
-  this->Textures.bind(program, key, this->Volume, this->Empty);
+  this->Textures.bind(program, key, this->Volume, this->Empty, this->Samples);
 }
 
 ReferenceScene StructuredSource::withVolume(ReferenceScene scene) const
@@ -121,6 +126,7 @@ ReferenceScene StructuredSource::withVolume(ReferenceScene scene) const
   scene.Values = &this->Volume.values().front();
   scene.Range = this->range();
   scene.Hidden = &this->Volume.hiddenCells();
+  scene.Samples = this->Samples;
   return scene;
 }
 

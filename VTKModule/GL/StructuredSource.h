@@ -6,6 +6,7 @@
 
 #include "GL/LatticeTextures.h"
 #include "GL/MarchSource.h"
+#include "Rays/RaySamples.h"
 #include "Structured/EmptySpace.h"
 #include "Structured/StructuredVolume.h"
 #include "Volume/StructuredEffectSource.h"
@@ -18,6 +19,8 @@ class StructuredSource : public MarchSource
 public:
   /** How values are interpolated; before updateScalars(). */
   void setInterpolation(Interpolation interpolation) { this->Interpolated = interpolation; }
+  /** Where rays sample the volume at a level that does. */
+  void setSamples(const RaySamples& samples) { this->Samples = samples; }
 
   const StructuredVolume& volume() const { return this->Volume; }
   const BlockDistances& emptySpace() const { return this->Empty; }
@@ -63,6 +66,7 @@ public:
   std::int64_t uploadedBytes() const override { return this->Textures.uploadedBytes(); }
 
   const char* shaderOf(SourcePass pass) const override;
+  std::string describeBadSamples() const override;
   void bind(vtkShaderProgram* program, const VariantKey& key) override;
   void unbind() override { this->Textures.unbind(); }
 
@@ -84,6 +88,7 @@ private:
   VersionedDistances distances() const;
 
   Interpolation Interpolated = Interpolation::Linear;
+  RaySamples Samples;
   StructuredVolume Volume;
   StructuredEffectSource Effects{ Volume };
   BlockDistances Empty;

@@ -115,6 +115,12 @@ void TetSource::release(vtkWindow* window)
   this->HiddenCells.reset();
 }
 
+std::string TetSource::describeBadSamples() const
+{
+  return "The accuracy level is Sampled, which is for images and rectilinear grids alone. Choose "
+         "another one, such as SetAccuracyLevelToDefault().";
+}
+
 const char* TetSource::shaderOf(SourcePass pass) const
 {
   switch (pass)

@@ -52,6 +52,7 @@ public:
   std::int64_t uploadedBytes() const override { return this->UploadedBytes; }
 
   const char* shaderOf(SourcePass pass) const override;
+  std::string describeBadSamples() const override;
   void bind(vtkShaderProgram* program, const VariantKey& key) override;
   void unbind() override { this->Textures.unbind(); }
 

@@ -57,6 +57,9 @@ public:
   /** Whether it is drawn between translucent surfaces, in parts. */
   bool isPeeled() const { return this->Hooks.isPeeling(); }
 
+  /** Between rays, in pixels. */
+  double rayDistance() const { return this->Options.Draw.SampleDistance; }
+
   // What is wrong in these two is the pipeline's error().
 
   /** All stages but the last of a pipeline that has begun. Whether there is something to draw. */

@@ -24,6 +24,9 @@ struct AccuracyLevel
    * (FittingTable.h). */
   int LeastTableEntries;
   int MostTableEntries;
+  /** The volume is sampled at even distances (Shaders/gather/segment_sampled.glsl), with no bound
+   * of the error; otherwise it is integrated. */
+  bool Sampled = false;
 };
 
 /**
@@ -42,7 +45,8 @@ enum class Accuracy
   Fast,
   Default,
   Accurate,
-  Reference
+  Reference,
+  Sampled
 };
 
 constexpr AccuracyLevel FastAccuracy{ false, 1.0 / 512.0, 1, 1024, 1024 };
@@ -50,6 +54,8 @@ constexpr AccuracyLevel DefaultAccuracy{ true, 1.0 / 255.0, 64, 1024, 65536 };
 constexpr AccuracyLevel AccurateAccuracy{ true, 1.0 / 4096.0, 256, 1024, 65536 };
 /** As accurate as float allows. */
 constexpr AccuracyLevel ReferenceAccuracy{ true, 1e-5, 1265, 4096, 65536 };
+/** As vtkGPUVolumeRayCastMapper, which ends rays at an opacity of 254/255. */
+constexpr AccuracyLevel SampledAccuracy{ false, 1.0 / 255.0, 1, 1024, 65536, true };
 /** The ground truth, in double precision. */
 constexpr AccuracyLevel GroundTruthAccuracy{ true, 1e-6, 1000000, 4096, 262144 };
 
@@ -63,7 +69,7 @@ constexpr AccuracyLevel PickAccuracy{ true, 1.0 / 256.0, 512, 1024, 65536 };
 inline AccuracyLevel levelOf(Accuracy accuracy, double tolerance)
 {
   constexpr AccuracyLevel levels[] = { FastAccuracy, DefaultAccuracy, AccurateAccuracy,
-    ReferenceAccuracy };
+    ReferenceAccuracy, SampledAccuracy };
   AccuracyLevel level = levels[static_cast<int>(accuracy)];
   if (accuracy == Accuracy::Default)
   {

@@ -19,6 +19,12 @@ constexpr int BlueNoiseSide = 64;
  */
 const std::vector<float>& blueNoiseTile();
 
+/** Of a pixel, counted from 0. */
+inline float blueNoiseAt(int column, int row)
+{
+  return blueNoiseTile()[column % BlueNoiseSide + BlueNoiseSide * (row % BlueNoiseSide)];
+}
+
 } // namespace tetmarch
 
 #endif

@@ -37,6 +37,10 @@ ReferenceImage renderStructured(const ReferenceScene& scene, const AccuracyLevel
 template <typename Real>
 ReferenceImage renderLitStructured(const ReferenceScene& scene, const AccuracyLevel& level);
 
+/** By samples at even distances, with and without effects. */
+template <typename Real>
+ReferenceImage renderSampledStructured(const ReferenceScene& scene, const AccuracyLevel& level);
+
 template <typename Real>
 ReferenceImage renderStructuredComponents(const ReferenceScene& scene, const AccuracyLevel& level);
 

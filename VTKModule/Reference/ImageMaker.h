@@ -4,6 +4,7 @@
 #ifndef TetMarchReferenceImageMaker_h
 #define TetMarchReferenceImageMaker_h
 
+#include "Optics/BlueNoise.h"
 #include "Reference/MakeKernel.h"
 #include "Reference/RayTrace.h"
 #include "Reference/ReferenceImage.h"
@@ -109,7 +110,7 @@ private:
     const auto away = glsl::normalize(nearest * view.Eye[3] - eye);
     // The point of the ray nearest the centre has the least rounding error.
     const auto near0 = nearest - away * glsl::dot(nearest, away);
-    const auto ray = kernel.rayThrough({ Real(near0.x), Real(near0.y), Real(near0.z) },
+    auto ray = kernel.rayThrough({ Real(near0.x), Real(near0.y), Real(near0.z) },
       { Real(away.x), Real(away.y), Real(away.z) });
     const auto seen =
       kernel.clippedRange(ray, { Real(glsl::dot(nearest, away)), Real(glsl::dot(farthest, away)) });
@@ -118,6 +119,13 @@ private:
     if (!(seen.x < seen.y))
     {
       return;
+    }
+    if constexpr (Kernel::TakesSamples)
+    {
+      const auto shift = this->Scene.Samples.shift();
+      const float noise = blueNoiseAt(column, row);
+      kernel.placeSamples(seen.x, ray);
+      kernel.shiftSamples(Real(noise * shift[0] + shift[1]), ray);
     }
     const auto march = kernel.castPlainRay(ray, -1, thickness, seen.x, seen.y);
     kernel.endTrace(march);

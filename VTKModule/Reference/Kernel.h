@@ -11,6 +11,7 @@
 #include "Mesh/TetMesh.h"
 #include "Optics/IntegralTable.h"
 #include "Rays/Clipping.h"
+#include "Rays/RaySamples.h"
 #include "Reference/GlslLanguage.h"
 #include "Reference/KernelFeatures.h"
 #include "Reference/RayTrace.h"

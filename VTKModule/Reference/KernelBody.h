@@ -86,6 +86,9 @@ void useScene(const Scene& scene)
 {
 #if TETMARCH_STRUCTURED
   useLattice(*scene.Cells, *scene.Values);
+#if TETMARCH_POINT_SAMPLED
+  useSamples(scene.Samples, scene.Cells->Frame);
+#endif
 #else
   useMesh(*scene.Mesh);
   CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
@@ -119,6 +122,12 @@ void useScene(const Scene& scene)
 static constexpr bool HasVolumeLight = true;
 #else
 static constexpr bool HasVolumeLight = false;
+#endif
+
+#if TETMARCH_POINT_SAMPLED
+static constexpr bool TakesSamples = true;
+#else
+static constexpr bool TakesSamples = false;
 #endif
 
 #define real Real

@@ -14,6 +14,8 @@ ivec3 firstPlane{ 0, 0, 0 };
 vec3 latticeShift{ 0, 0, 0 };
 vec3 latticeHalfLength{ 0, 0, 0 };
 std::array<Real, 12> latticeMatrix{};
+Real sampleStep = 1;
+Real samplesPerDepth = 1;
 ivec3 blockCount{ 0, 0, 0 };
 ivec3 lightNodes{ 0, 0, 0 };
 vec3 lightLow{ 0, 0, 0 };
@@ -56,6 +58,13 @@ void useEmptySpace(const BlockDistances& empty)
 {
   Empty = &empty;
   blockCount = ivec3(empty.Blocks[0], empty.Blocks[1], empty.Blocks[2]);
+}
+
+/** For kernels that take samples. */
+void useSamples(const RaySamples& samples, const VolumeFrame& frame)
+{
+  sampleStep = Real(samples.step(frame));
+  samplesPerDepth = Real(1 / samples.step(frame));
 }
 
 Real fetchValueOf(int component, int i, int j, int k) const

@@ -14,8 +14,7 @@ namespace tetmarch
 
 /** Without a volume. The table is referred to, not copied. */
 template <typename Kernel, typename Real>
-Kernel makeKernel(
-  const IntegralTable& table, const ScalarRange& range, const AccuracyLevel& level)
+Kernel makeKernel(const IntegralTable& table, const ScalarRange& range, const AccuracyLevel& level)
 {
   Kernel kernel;
   kernel.Table = &table;

@@ -16,6 +16,10 @@ ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel&
     return scene.Cells ? renderBlendedStructured<Real>(scene, level)
                        : renderBlended<Real>(scene, level);
   }
+  if (scene.Cells && level.Sampled)
+  {
+    return renderSampledStructured<Real>(scene, level);
+  }
   const bool several = scene.Parts && !scene.Parts->isSingle();
   if (scene.Cells)
   {

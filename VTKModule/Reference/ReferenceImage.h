@@ -13,6 +13,7 @@
 #include "Optics/AccuracyLevel.h"
 #include "Optics/IntegralTable.h"
 #include "Rays/Clipping.h"
+#include "Rays/RaySamples.h"
 #include "Rays/View.h"
 #include "Scalars/FurtherScalars.h"
 #include "Structured/Lattice.h"
@@ -43,6 +44,7 @@ struct ReferenceScene
   int Height = 0;
   const float* WindowDepths = nullptr; // 0..1, one a pixel, of opaque geometry; nullptr: none
   Clipping Cut;                        // by default nothing is cut away
+  RaySamples Samples;                  // for levels that sample the cells of a lattice
   const EffectData* Effects = nullptr;
   const Blending* Blend = nullptr;   // nullptr: composite; else the table is that of blendedTable()
   const Components* Parts = nullptr; // nullptr or single: one scalar; independent: without effects

@@ -100,6 +100,50 @@ struct IsosurfaceConstantKernel
 #include "Reference/KernelBody.h"
 };
 
+// By samples at even distances.
+
+#define TETMARCH_VARIANT                                                                           \
+  (TETMARCH_IN_LATTICES(TETMARCH_ONE_OPACITY_FEATURES) | TETMARCH_WITH_POINT_SCALARS |             \
+    TETMARCH_WITH_POINT_SAMPLED)
+template <typename Real>
+struct SampledTrilinearKernel
+{
+#include "Reference/KernelBody.h"
+};
+
+#define TETMARCH_VARIANT                                                                           \
+  (TETMARCH_IN_LATTICES(TETMARCH_ONE_OPACITY_FEATURES) | TETMARCH_WITH_POINT_SAMPLED)
+template <typename Real>
+struct SampledConstantKernel
+{
+#include "Reference/KernelBody.h"
+};
+
+#define TETMARCH_VARIANT                                                                           \
+  (TETMARCH_IN_LATTICES(TETMARCH_LIT_FEATURES) | TETMARCH_WITH_POINT_SCALARS |                     \
+    TETMARCH_WITH_POINT_SAMPLED)
+template <typename Real>
+struct LitSampledTrilinearKernel
+{
+#include "Reference/KernelBody.h"
+};
+
+#define TETMARCH_VARIANT                                                                           \
+  (TETMARCH_IN_LATTICES(TETMARCH_LIT_FEATURES) | TETMARCH_WITH_POINT_SCALARS |                     \
+    TETMARCH_WITH_CELL_GRADIENTS | TETMARCH_WITH_POINT_SAMPLED)
+template <typename Real>
+struct LitSampledTrilinearGradientKernel
+{
+#include "Reference/KernelBody.h"
+};
+
+#define TETMARCH_VARIANT (TETMARCH_IN_LATTICES(TETMARCH_LIT_FEATURES) | TETMARCH_WITH_POINT_SAMPLED)
+template <typename Real>
+struct LitSampledConstantKernel
+{
+#include "Reference/KernelBody.h"
+};
+
 // In light. Rays towards the light gather extinction alone; castPlainRay() marches them as the
 // picture is.
 

@@ -48,6 +48,7 @@ const std::array<VariantKey::Feature, VariantKey::NumberOfFeatures>& VariantKey:
     { "STRUCTURED", TETMARCH_WITH_STRUCTURED, &VariantKey::Structured },
     { "RECTILINEAR", TETMARCH_WITH_RECTILINEAR, &VariantKey::Rectilinear },
     { "LEAPS", TETMARCH_WITH_LEAPS, &VariantKey::Leaps },
+    { "POINT_SAMPLED", TETMARCH_WITH_POINT_SAMPLED, &VariantKey::PointSampled },
   } };
   return rows;
 }
@@ -128,7 +129,8 @@ VariantKey VariantKey::filtered() const
   return key;
 }
 
-// A ray enters a lattice once, and the planes that it crosses tell where.
+// A ray enters a lattice once, and the planes that it crosses tell where. Only lattices are
+// sampled.
 void VariantKey::dropWhatLatticesLack()
 {
   if (this->Structured)
@@ -144,6 +146,10 @@ void VariantKey::dropWhatLatticesLack()
                 (this->isComposite() || this->PointScalars);
   // Where most is transparent there are blocks of it.
   this->TransparentRanges = this->TransparentRanges && (this->Leaps || !this->Structured);
+  // Other blend modes are exact whatever the level, and samples have one scalar.
+  this->PointSampled = this->PointSampled && this->Structured && this->isComposite() &&
+                       this->Components == ComponentGroup::Single;
+  this->Adaptive = this->Adaptive && !this->PointSampled;
 }
 
 // Of surfaces, light on them and gradients are seen; of scalars nothing but they.

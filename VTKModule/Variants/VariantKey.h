@@ -72,9 +72,10 @@ struct VariantKey
   bool ShowIllumination = false; // the light without the volume's own colour
   bool ShowGradients = false;    // directions of gradients as colours
 
-  bool Structured = false;  // the cells are those of a lattice, else tetrahedra
-  bool Rectilinear = false; // whose planes are not evenly spaced
-  bool Leaps = false;       // rays leap over blocks of cells of which nothing can be seen
+  bool Structured = false;   // the cells are those of a lattice, else tetrahedra
+  bool Rectilinear = false;  // whose planes are not evenly spaced
+  bool Leaps = false;        // rays leap over blocks of cells of which nothing can be seen
+  bool PointSampled = false; // the volume is sampled at even distances, not integrated
 
   // What follows from these, by Shaders/derived_conditions.glsl.
   /** Emission and absorption are integrated. */
@@ -139,7 +140,7 @@ struct VariantKey
      * group's first value takes its place. */
     void set(VariantKey& key, bool on) const;
   };
-  static constexpr int NumberOfFeatures = 38;
+  static constexpr int NumberOfFeatures = 39;
   static const std::array<Feature, NumberOfFeatures>& features();
   /** The bits of all features that are on. */
   std::uint64_t bits() const;

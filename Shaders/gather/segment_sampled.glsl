@@ -1,0 +1,47 @@
+// Emission and absorption along a segment by samples of a fixed step (Levoy, "Display of surfaces from volume data",
+// 1988), as vtkGPUVolumeRayCastMapper has it. A sample stands for the step in front of it: the scalar there is
+// interpolated, then classified, and a length of one step emits and absorbs by that alone. What lies between samples is
+// not seen, and no error is bounded.
+
+#if TETMARCH_EFFECTS
+// The shade of a sample takes the place of those at the ends of the interval.
+void shadeSample(real depth, real scalar, INOUT(CellInterval) cell)
+{
+  FacePoint point;
+  point.depth = depth;
+  point.scalar = scalar;
+  point.attributes = attributesAt(cell.ray, cell.crossed, depth);
+  cell.shades.enter = shadeAtFace(cell.ray, point);
+  cell.shades.leave = cell.shades.enter;
+}
+#endif
+
+// Returns the number of samples.
+int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
+{
+  int k = samplesBefore(cell.ray, segment.begin.x);
+  int behind = samplesBefore(cell.ray, segment.end.x);
+  real stepThickness = thickness * (sampleStep / (segment.end.x - segment.begin.x));
+  int samples = 0;
+  bool pending = k < behind;
+  while (pending)
+  {
+    Segment point = segment;
+#if TETMARCH_POINT_SCALARS || TETMARCH_EFFECTS
+    real depth = clamp(depthOfSample(cell.ray, k), segment.begin.x, segment.end.x);
+#endif
+#if TETMARCH_POINT_SCALARS
+    point.begin.y = scalarIn(cell, depth);
+#endif
+#if TETMARCH_EFFECTS
+    shadeSample(depth, point.begin.y, cell);
+#endif
+    vec4 value = constantMean(point);
+    Absorption by = absorption(value, thicknessWithin(cell, real(0.5), stepThickness));
+    addSubsegment(value, by, real(0.5), real(1), cell, radiance);
+    k = k + 1;
+    samples = samples + 1;
+    pending = k < behind && !isOpaque(radiance);
+  }
+  return samples;
+}
