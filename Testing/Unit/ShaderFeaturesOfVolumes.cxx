@@ -86,10 +86,14 @@ std::vector<ShaderFeature> featuresOfVolumes()
       "fetchTableSlopeVariations slopeVariation bentShare bentMean bentMeanError bendMean "
       "bentError "
       "weightedByExtinction" },
+    { "error of the bend of one scalar",
+      [](const Key& k, MarchShader)
+      { return k.Structured && k.hasErrorBound() && !k.hasComponents(); },
+      "unbent" },
     { "error of the bend of the scalar that gives the opacity",
       [](const Key& k, MarchShader)
       { return k.Structured && k.hasErrorBound() && k.Components != ComponentGroup::Independent; },
-      "bendError unbent" },
+      "bendError" },
     // Of several components.
     { "components of lattices",
       [](const Key& k, MarchShader) { return k.Structured && k.hasComponents(); },
