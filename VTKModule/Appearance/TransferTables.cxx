@@ -58,7 +58,12 @@ IntegralTable makeTables(vtkVolumeProperty* property, const TableInput& input,
   components.Tables.clear();
   if (!components.isSingle())
   {
-    return componentTables(property, input.Law, input.Range, level, components);
+    IntegralTable first = componentTables(property, input.Law, input.Range, level, components);
+    if (input.Bends)
+    {
+      addSlopeVariations(first); // for rays towards the light, which see it alone
+    }
+    return first;
   }
   IntegralTable table = blendedTable(property, input.Law, *input.Blend, input.Range, level);
   if (input.Bends)

@@ -37,12 +37,33 @@ void bindSeveral(vtkShaderProgram* program, const std::vector<TablePlace>& table
   program->SetUniform2fv("tablePlace", count, places.data());
 }
 
-void appendVariations(const IntegralTable& table, std::vector<std::array<float, 2>>& variations)
+using VariationTexels = std::vector<std::array<float, 4>>;
+
+// Of colour, extinction and the two slopes; 0 for slopes that were not asked for.
+void appendVariations(const IntegralTable& table, VariationTexels& variations)
 {
   for (std::size_t i = 0; i < table.Values.size(); ++i)
   {
-    variations.push_back({ { table.Variations[i], table.ExtinctionVariations[i] } });
+    const std::array<float, 2> slopes =
+      table.SlopeVariations.empty() ? std::array<float, 2>{} : table.SlopeVariations[i];
+    variations.push_back(
+      { { table.Variations[i], table.ExtinctionVariations[i], slopes[0], slopes[1] } });
   }
+}
+
+std::string uploadVariations(vtkOpenGLRenderWindow* window, const VariationTexels& variations,
+  bool withSlopes, TextureBuffer& buffer)
+{
+  if (withSlopes)
+  {
+    return buffer.upload(window, TexelFormat::RGBA32F, variations.data(), variations.size());
+  }
+  std::vector<std::array<float, 2>> without;
+  for (const std::array<float, 4>& texel : variations)
+  {
+    without.push_back({ { texel[0], texel[1] } });
+  }
+  return buffer.upload(window, TexelFormat::RG32F, without.data(), without.size());
 }
 
 void bindFactors(vtkShaderProgram* program, const Components& components)
@@ -58,7 +79,7 @@ std::string TableTextures::uploadSeveral(
 {
   std::vector<std::array<float, 4>> values;
   std::vector<std::array<std::uint32_t, 4>> integrals;
-  std::vector<std::array<float, 2>> variations;
+  VariationTexels variations;
   const auto append = [&](const IntegralTable& one)
   {
     values.insert(values.end(), one.Values.begin(), one.Values.end());
@@ -74,7 +95,7 @@ std::string TableTextures::uploadSeveral(
     error = this->Integrals.upload(window, TexelFormat::RGBA32UI, integrals.data(), size);
   }
   return error.empty()
-           ? this->Variations.upload(window, TexelFormat::RG32F, variations.data(), size)
+           ? uploadVariations(window, variations, !table.SlopeVariations.empty(), this->Variations)
            : error;
 }
 
@@ -94,14 +115,9 @@ std::string TableTextures::uploadFirst(vtkOpenGLRenderWindow* window, const Inte
   {
     return this->Variations.upload(window, TexelFormat::R32F, table.Variations.data(), size);
   }
-  std::vector<std::array<float, 4>> variations;
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    const std::array<float, 2>& slopes = table.SlopeVariations[i];
-    variations.push_back(
-      { { table.Variations[i], table.ExtinctionVariations[i], slopes[0], slopes[1] } });
-  }
-  return this->Variations.upload(window, TexelFormat::RGBA32F, variations.data(), size);
+  VariationTexels variations;
+  appendVariations(table, variations);
+  return uploadVariations(window, variations, !table.SlopeVariations.empty(), this->Variations);
 }
 
 std::string TableTextures::upload(vtkOpenGLRenderWindow* window, const TransferTables& tables)

@@ -93,7 +93,7 @@ TEST(Accuracy, ToleranceIsClamped)
   mapper->SetErrorTolerance(7.0);
   EXPECT_EQ(mapper->GetErrorTolerance(), 1.0);
   mapper->SetAccuracyLevel(9);
-  EXPECT_STREQ(mapper->GetAccuracyLevelAsString(), "Reference");
+  EXPECT_STREQ(mapper->GetAccuracyLevelAsString(), "Sampled");
 }
 using Statistics = vtkTetMarchFrameStatistics;
 

@@ -167,7 +167,10 @@ TEST_P(LitStructuredComponents, LightIsThatOfTheOpacity)
 {
   this->Shown.addLight(3.0, 4.0, 1.5);
   this->Shown.Mapper->SetViewModeToIllumination();
-  this->Shown.Mapper->SetAccuracyLevelToFast();
+  // At Fast only the mean of one scalar takes the bend of trilinear cells into account. At this
+  // level both keep a tolerance of 1/4096, beside which light varies within subsegments, which
+  // differ.
+  this->Shown.Mapper->SetAccuracyLevelToAccurate();
   for (const LatticeValues values : AllLatticeValues)
   {
     const bool nearest =
@@ -180,7 +183,7 @@ TEST_P(LitStructuredComponents, LightIsThatOfTheOpacity)
       this->Shown.Mapper->SetVectorMode(vtkSmartVolumeMapper::COMPONENT);
       this->Shown.Mapper->SetVectorComponent(GetParam().Components - 1);
       const Difference difference = compare(together, this->Shown.render());
-      EXPECT_LE(difference.Max, 0.01 / 255.0) << nameOf(values) << ": " << difference.text();
+      EXPECT_LE(difference.Max, 1.0 / 255.0) << nameOf(values) << ": " << difference.text();
     }
   }
 }
