@@ -99,10 +99,13 @@ std::string LatticeTextures::uploadValues(
   std::string error;
   for (std::size_t k = 0; k < this->Values.size(); ++k)
   {
-    this->Values[k].release(window);
     if (error.empty() && k < values.size())
     {
       error = this->Values[k].upload(window, valuesAlong(volume.lattice()), values[k]);
+    }
+    else
+    {
+      this->Values[k].release(window);
     }
   }
   if (error.empty())
