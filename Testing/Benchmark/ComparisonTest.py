@@ -10,7 +10,7 @@ import unittest
 
 import numpy as np
 from drawn_variants import missing_variants
-from variant_scenes import FEATURES
+from variant_scenes import FEATURES, VariantScene
 
 BUILD = None
 HERE = pathlib.Path(__file__).resolve().parent
@@ -65,6 +65,11 @@ class ComparisonTest(unittest.TestCase):
     def test_there_is_a_scene_for_each_feature(self):
         lines = self.run_variants()
         self.assertEqual({word for line in lines for word in line.split()[1:]}, FEATURES)
+
+    def test_a_scene_is_made_for_each_variant(self):
+        for number, line in enumerate(self.run_variants()):
+            with self.subTest(variant=line):
+                VariantScene(frozenset(line.split()[1:]), number)
 
     def run_variants(self):
         program = pathlib.Path(BUILD) / "bin/tetmarch-variants"

@@ -30,14 +30,16 @@ def lattice(cells, even):
     return grid
 
 
-def values_of(cells, even, of_points, low=0.0, unseen=0.0, nans=False):
-    """Waves from `low` to 1, i fastest; in the first share `unseen` of cells along x the scalar is UNSEEN, and `nans` puts
-    some that are not finite into the rest."""
+def values_of(cells, even, of_points, low=0.0, unseen=0.0, nans=False, components=1):
+    """Waves from `low` to 1, i fastest, a column for each component; in the first share `unseen` of cells along x the scalars
+    are UNSEEN, and `nans` puts some that are not finite into the rest."""
     t = coordinates(cells, even)
     t = t if of_points else (t[1:] + t[:-1]) / 2
     z, y, x = np.meshgrid(t, t, t, indexing="ij")
-    values = low + (1 - low) * waves(np.stack([x.ravel(), y.ravel(), z.ravel()], axis=1), 0.8)
+    places = np.stack([x.ravel(), y.ravel(), z.ravel()], axis=1)
+    values = np.stack([low + (1 - low) * waves(places, 0.8 + 0.2 * k, k) for k in range(components)], axis=1)
     seen = np.tile(np.linspace(0, 1, len(t)) >= unseen, len(t) ** 2)
     if nans:
         values[np.flatnonzero(seen)[5::29]] = np.nan
-    return np.where(seen, values, UNSEEN)
+    values[~seen] = UNSEEN
+    return values

@@ -13,12 +13,13 @@ FEATURES = frozenset("""
     CLIPPED CROPPED NAN_SHOWN HIDDEN_CELLS EXTREME SUM ISOSURFACES INDEPENDENT COLOR_AND_OPACITY DIRECT_COLOR
     CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT WORLD_LIGHTS SCATTERING CAST_SHADOWS
     SEVERAL_SHADOWS SAMPLED_SHADOWS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION SHOW_ILLUMINATION SHOW_GRADIENTS
-    STRUCTURED RECTILINEAR LEAPS
+    STRUCTURED RECTILINEAR LEAPS POINT_SAMPLED
     """.split())
 ARRAY = "field"
 CUBES = 4
 CELLS = 16  # of a lattice, along each axis: four blocks or more
 CELLS_OF_BLOCK = 3  # one block, also if half cells are added at both ends
+SAMPLE_DISTANCE = 0.02
 HIDDEN_CELL = 32  # vtkDataSetAttributes::HIDDENCELL
 
 
@@ -97,7 +98,7 @@ class VariantScene:
             self.property.SetInterpolationTypeToLinear()
         else:
             self.property.SetInterpolationTypeToNearest()
-        values = images.values_of(cells, even, of_points, low, unseen, self.has("NAN_SHOWN"))
+        values = images.values_of(cells, even, of_points, low, unseen, self.has("NAN_SHOWN"), self.components())
         grids.add_array(grid.GetPointData() if of_points else grid.GetCellData(), ARRAY, values)
         self.show_data(grid)
 
@@ -117,7 +118,8 @@ class VariantScene:
             self.property.SetScalarOpacityUnitDistance(component, 0.3 + 0.1 * component)
         if self.components() > 1:
             self.property.SetIndependentComponents(self.has("INDEPENDENT"))
-            self.mapper.SetVectorModeToAllComponents()
+            if not self.has("STRUCTURED"):  # there all is drawn where no vector mode is set
+                self.mapper.SetVectorModeToAllComponents()
 
     def make_colors(self, component):
         colors = vtk.vtkColorTransferFunction()
@@ -268,6 +270,10 @@ class VariantScene:
     def set_quality(self):
         # Scalars of cells and constant colours have nothing to adapt: whatever the level.
         self.mapper.SetAccuracyLevel(self.mapper.DEFAULT if self.has("ADAPTIVE") else self.mapper.FAST)
+        if self.has("POINT_SAMPLED"):
+            self.mapper.SetAccuracyLevelToSampled()
+            self.mapper.SetSampleDistance(SAMPLE_DISTANCE)
+            self.mapper.SetUseJittering(self.one_of(False, True))
         self.mapper.SetCollectDiagnostics(self.has("DIAGNOSTICS"))
 
     def set_camera(self):
