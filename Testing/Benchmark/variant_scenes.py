@@ -155,7 +155,7 @@ class VariantScene:
             self.mapper.SetAverageIPScalarRange(*self.one_of((0.3, 0.8), (0.0, 1.0)))
         elif self.has("ISOSURFACES"):
             self.mapper.SetBlendModeToIsoSurface()
-            for i, value in enumerate((0.36, 0.58, 0.8)):
+            for i, value in enumerate((0.36, 0.47, 0.58, 0.8)):
                 self.property.GetIsoSurfaceValues().SetValue(i, value)
         if self.has("NAN_SHOWN"):
             self.mapper.DrawNanCellsOn()
