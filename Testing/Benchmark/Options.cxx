@@ -167,7 +167,7 @@ void makeStructured(Options& options)
   options.Rounds = 1;
   options.Frames = 3;
   options.EnoughSeconds = 2.0;
-  options.Datasets = { "bonsai", "aneurism", "headsq", "carotid", "marschner-lobb:128" };
+  options.Datasets = { "bonsai", "aneurism", "headsq", "carotid", "marschner-lobb:512" };
   options.Functions = structuredFunctions();
   options.Mappers = { "tetmarch-fast", "tetmarch", "tetmarch-accurate", "fixed-point", "gpu:1",
     "gpu:2", "gpu:4", "gpu:10", "gpu-jitter:1", "gpu-jitter:2", "gpu-jitter:4", "gpu-stored:2" };
