@@ -3,10 +3,14 @@
 // The traversal of lattices: no ray skips or repeats a cell, whatever it runs along, and leaps
 // leave out nothing that is seen.
 //
-// TETMARCH_RAYS in the environment takes the place of the number of rays of each test.
+// TETMARCH_RAYS in the environment takes the place of the number of rays through each lattice by
+// each kernel, as in ./tetmarch stress.
 #include "StructuredRays.h"
 
 #include "Fields.h"
+
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -43,6 +47,29 @@ long numberOfRays(long otherwise)
   return value ? std::atol(value) : otherwise;
 }
 
+// The sum of what becomes of rays, by threads: `march(random, rays)` for each chunk of them.
+template <typename Totals, typename March>
+Totals sumOfRays(long count, unsigned seed, const March& march)
+{
+  constexpr long chunkRays = 4096;
+  vtkSMPThreadLocal<Totals> ofThreads;
+  vtkSMPTools::For(0, (count + chunkRays - 1) / chunkRays,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType chunk = begin; chunk < end; ++chunk)
+      {
+        std::mt19937 random(2654435761u * static_cast<unsigned>(chunk) + seed);
+        ofThreads.Local() += march(random, std::min<long>(chunkRays, count - chunk * chunkRays));
+      }
+    });
+  Totals sum;
+  for (const Totals& totals : ofThreads)
+  {
+    sum += totals;
+  }
+  return sum;
+}
+
 struct Faults
 {
   long Gaps = 0;    // a cell does not begin where the last one ended
@@ -50,6 +77,16 @@ struct Faults
   long Early = 0;   // the ray left before the end of the lattice
   long Endless = 0;
   long Crossed = 0; // cells
+
+  Faults& operator+=(const Faults& other)
+  {
+    this->Gaps += other.Gaps;
+    this->Outside += other.Outside;
+    this->Early += other.Early;
+    this->Endless += other.Endless;
+    this->Crossed += other.Crossed;
+    return *this;
+  }
 };
 
 // A ray whose points and directions tie: through lattice points, along axes, in planes of cells.
@@ -74,10 +111,9 @@ typename Kernel::Ray hardRay(const StructuredRays& rays, Kernel& kernel, std::mt
 }
 
 template <typename Kernel, typename Real>
-Faults faultsOf(const StructuredRays& rays, long count, unsigned seed)
+Faults faultsOf(const StructuredRays& rays, std::mt19937& random, long count)
 {
   auto kernel = rays.kernel<Kernel, Real>();
-  std::mt19937 random(seed);
   Faults faults;
   const double rounding = std::is_same_v<Real, float> ? 2e-4 : 1e-9; // of a cell
   for (long n = 0; n < count; ++n)
@@ -126,7 +162,9 @@ template <typename Kernel, typename Real>
 void expectSound(const StructuredRays& rays, unsigned seed)
 {
   const long count = numberOfRays(100000);
-  const Faults faults = faultsOf<Kernel, Real>(rays, count, seed);
+  const auto faults = sumOfRays<Faults>(count, seed,
+    [&rays](std::mt19937& random, long some)
+    { return faultsOf<Kernel, Real>(rays, random, some); });
   EXPECT_EQ(faults.Gaps, 0);
   EXPECT_EQ(faults.Outside, 0);
   EXPECT_EQ(faults.Early, 0);
@@ -156,6 +194,50 @@ TEST(StructuredTraversal, CrossesEachCellOfUnevenGridsOnce)
   expectSound<TrilinearKernel<double>, double>(uneven, 6);
 }
 
+struct Leaps
+{
+  long Different = 0; // rays
+  long Seen = 0;      // rays that most light is taken from
+  long Leapt = 0;     // cells that were crossed with leaps
+  long Stepped = 0;   // and without
+
+  Leaps& operator+=(const Leaps& other)
+  {
+    this->Different += other.Different;
+    this->Seen += other.Seen;
+    this->Leapt += other.Leapt;
+    this->Stepped += other.Stepped;
+    return *this;
+  }
+};
+
+Leaps leapsOf(
+  const StructuredRays& rays, const BlockDistances& empty, std::mt19937& random, long count)
+{
+  auto leaping = rays.kernel<LeapingKernel<double>, double>();
+  leaping.useEmptySpace(empty);
+  auto stepping = rays.kernel<UniformKernel<double>, double>();
+  Leaps leaps;
+  for (long n = 0; n < count; ++n)
+  {
+    const auto ray = hardRay<LeapingKernel<double>, double>(rays, leaping, random);
+    const auto same = stepping.rayThrough({ ray.origin.x, ray.origin.y, ray.origin.z },
+      { ray.direction.x, ray.direction.y, ray.direction.z });
+    const auto found = leaping.castPlainRay(ray, -1, rays.PerDepth, -1e30, 1e30);
+    const auto expected = stepping.castPlainRay(same, -1, rays.PerDepth, -1e30, 1e30);
+    // Rounding decides where subsegments end: they are the same but for the tolerance.
+    const auto alike = [](double a, double b) { return std::abs(a - b) <= 1e-6; };
+    leaps.Different += alike(found.radiance.transmittance, expected.radiance.transmittance) &&
+                           alike(found.radiance.color.x, expected.radiance.color.x)
+                         ? 0
+                         : 1;
+    leaps.Seen += expected.radiance.transmittance < 0.5 ? 1 : 0;
+    leaps.Leapt += found.cells;
+    leaps.Stepped += expected.cells;
+  }
+  return leaps;
+}
+
 // A small ball in an empty volume.
 TEST(StructuredTraversal, LeapsLeaveOutNothing)
 {
@@ -169,26 +251,10 @@ TEST(StructuredTraversal, LeapsLeaveOutNothing)
   const BlockDistances empty = findBlockDistances(
     findBlockRanges(rays.Cells, rays.Values[0]), rays.Table, rays.Values[0].Range, false);
   EXPECT_GT(empty.EmptyShare, 0.8);
-  auto leaping = rays.kernel<LeapingKernel<double>, double>();
-  leaping.useEmptySpace(empty);
-  auto stepping = rays.kernel<UniformKernel<double>, double>();
-  std::mt19937 random(7);
-  long leapt = 0, stepped = 0, seen = 0;
-  for (long n = 0; n < numberOfRays(20000); ++n)
-  {
-    const auto ray = hardRay<LeapingKernel<double>, double>(rays, leaping, random);
-    const auto same = stepping.rayThrough({ ray.origin.x, ray.origin.y, ray.origin.z },
-      { ray.direction.x, ray.direction.y, ray.direction.z });
-    const auto found = leaping.castPlainRay(ray, -1, rays.PerDepth, -1e30, 1e30);
-    const auto expected = stepping.castPlainRay(same, -1, rays.PerDepth, -1e30, 1e30);
-    // Rounding decides where subsegments end: they are the same but for the tolerance.
-    ASSERT_NEAR(found.radiance.transmittance, expected.radiance.transmittance, 1e-6);
-    ASSERT_NEAR(found.radiance.color.x, expected.radiance.color.x, 1e-6);
-    leapt += found.cells;
-    stepped += expected.cells;
-    seen += expected.radiance.transmittance < 0.5 ? 1 : 0;
-  }
-  EXPECT_GT(seen, 100);
-  EXPECT_LT(3 * leapt, stepped);
+  const auto leaps = sumOfRays<Leaps>(numberOfRays(20000), 7,
+    [&](std::mt19937& random, long some) { return leapsOf(rays, empty, random, some); });
+  EXPECT_EQ(leaps.Different, 0);
+  EXPECT_GT(leaps.Seen, 100);
+  EXPECT_LT(3 * leaps.Leapt, leaps.Stepped);
 }
 } // namespace

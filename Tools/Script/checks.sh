@@ -14,11 +14,24 @@ while read -r floor room _; do
 done <"$ROOT/VTKModule/floors.txt"
 readonly COVERED_FOLDERS
 
+# stress [OPTION]... | stress lattices [RAYS]: options are those of the hard cases, and mean these alone.
 stress() {
   prepare_machine
   configure "$BUILD" -DBUILD_TESTING=ON
+  if [[ "${1:-}" == lattices ]]; then
+    stress_lattices "${@:2}"
+    return
+  fi
   build tetmarch-hard-cases
   "$BUILD/bin/tetmarch-hard-cases" stress --file "$BUILD/stress.json" --table "$BUILD/stress.md" "$@"
+  (($# > 0)) || stress_lattices
+}
+
+stress_lattices() {
+  local rays="${1:-100000000}"
+  [[ "$rays" =~ ^[1-9][0-9]*$ ]] || die "stress lattices takes a number of rays, not $rays"
+  build TetMarchUnitTests
+  TETMARCH_RAYS="$rays" "$BUILD/bin/TetMarchUnitTests" --gtest_filter='StructuredTraversal.*'
 }
 
 hard_cases() {
