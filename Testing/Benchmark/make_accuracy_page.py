@@ -6,19 +6,13 @@
 
 Beside ACCURACY.json its table in Markdown, ACCURACY.md, is looked for. Accuracy.md and Charts/ go into FOLDER.
 """
-import argparse
 import json
-import pathlib
 
 import accuracy_charts as charts
+from measured_page import charts_folder, measured_table, parser_of, row, write_page
 
-TEMPLATE = pathlib.Path(__file__).resolve().parent / "AccuracyPage.md"
 # Shown in the README: one subject of each kind of functions, from a small mesh to a large one.
 OVERVIEW = {("golfball", "smooth"), ("front1.3m", "spikes"), ("golfball-medium", "ramp")}
-
-
-def row(cells):
-    return "| " + " | ".join(cells) + " |\n"
 
 
 def least(ratios):
@@ -88,44 +82,21 @@ def orders_table(report):
     return text
 
 
-def machine(report):
-    environment = report["environment"] or {"vtk_version": "?", "gl": {"renderer": "?", "backend": "?"}}
-    return (
-        f"{report['date']}, TetMarch {report['tetmarch_version']}, VTK {environment['vtk_version']}, "
-        f"{environment['gl']['renderer']} by {environment['gl']['backend']}; {report['cpu']}, "
-        f"{report['cpu_threads']} threads"
-    )
-
-
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("accuracy", "refinement", "output"):
-        parser.add_argument(name, type=pathlib.Path)
-    parser.add_argument("--remark", default="", help="what to say of this run beside its machine")
-    arguments = parser.parse_args()
+    arguments = parser_of(__doc__, "accuracy", "refinement", "output").parse_args()
     accuracy = json.loads(arguments.accuracy.read_text())
     refinement = json.loads(arguments.refinement.read_text())
-    folder = arguments.output / "Charts"
-    folder.mkdir(parents=True, exist_ok=True)
+    folder = charts_folder(arguments.output)
     charts.draw_time(accuracy, folder)
     charts.draw_overview(accuracy, folder, OVERVIEW)
     charts.draw_lookups(accuracy, folder)
     charts.draw_refinement(refinement, folder)
-    table = arguments.accuracy.with_suffix(".md")
-    text = TEMPLATE.read_text()
-    for name, value in {
-        "machine": machine(accuracy),
-        "remark": arguments.remark,
-        "size": " x ".join(str(n) for n in accuracy["size"]),
-        "frames": str(accuracy["frames"]),
+    write_page(arguments.output / "Accuracy.md", accuracy, arguments.remark, {
         "rivals": rivals_table(accuracy),
         "levels": levels_table(accuracy),
         "orders": orders_table(refinement),
-        "everything": table.read_text().split("\n", 2)[2] if table.exists() else "",
-    }.items():
-        text = text.replace(f"@{name}@", value.rstrip("\n"))
-    (arguments.output / "Accuracy.md").write_text(text)
-    print(f"wrote {arguments.output / 'Accuracy.md'} and charts beside it")
+        "everything": measured_table(arguments.accuracy),
+    })
 
 
 if __name__ == "__main__":

@@ -6,14 +6,12 @@
 
 AGAINST.json is of tetmarch-bench --against. Effects.md and Charts/ go into FOLDER.
 """
-import argparse
 import json
 import pathlib
 
 import effects_charts as charts
-from make_accuracy_page import machine, row
+from measured_page import charts_folder, parser_of, row, write_page
 
-TEMPLATE = pathlib.Path(__file__).resolve().parent / "EffectsPage.md"
 # What was aimed at: effect, figure, at most so many times, in words.
 TARGETS = (
     ("headlight", "base_ratio", 1.5, "shading by the headlight, base frames"),
@@ -104,32 +102,19 @@ def what_table(report):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("effects", "output"):
-        parser.add_argument(name, type=pathlib.Path)
+    parser = parser_of(__doc__, "effects", "output")
     parser.add_argument("--against", type=pathlib.Path)
-    parser.add_argument("--remark", default="", help="what to say of this run beside its machine")
     arguments = parser.parse_args()
     report = json.loads(arguments.effects.read_text())
     against = json.loads(arguments.against.read_text()) if arguments.against else None
-    folder = arguments.output / "Charts"
-    folder.mkdir(parents=True, exist_ok=True)
-    charts.draw_effects(report, folder)
-    text = TEMPLATE.read_text()
-    for name, value in {
-        "machine": machine(report),
-        "remark": arguments.remark,
-        "size": " x ".join(str(n) for n in report["size"]),
+    charts.draw_effects(report, charts_folder(arguments.output))
+    write_page(arguments.output / "Effects.md", report, arguments.remark, {
         "rounds": str(report["rounds"]),
-        "frames": str(report["frames"]),
         "what": what_table(report),
         "targets": targets_table(report, against),
         "effects": effects_table(report),
         "against": against_table(against),
-    }.items():
-        text = text.replace(f"@{name}@", value.rstrip("\n"))
-    (arguments.output / "Effects.md").write_text(text)
-    print(f"wrote {arguments.output / 'Effects.md'} and a chart beside it")
+    })
 
 
 if __name__ == "__main__":

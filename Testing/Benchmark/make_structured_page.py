@@ -6,14 +6,11 @@
 
 Beside STRUCTURED.json its table in Markdown, STRUCTURED.md, is looked for. Structured.md and Charts/ go into FOLDER.
 """
-import argparse
 import json
-import pathlib
 
 import accuracy_charts as charts
-from make_accuracy_page import machine, row
+from measured_page import charts_folder, measured_table, parser_of, row, write_page
 
-TEMPLATE = pathlib.Path(__file__).resolve().parent / "StructuredPage.md"
 # Name of a family: how its mappers begin, colour, marker.
 FAMILIES = {
     "TetMarch: Fast, Default, Accurate": ("tetmarch", "#d62728", "o"),
@@ -67,31 +64,16 @@ def volumes_table(report):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("structured", "output"):
-        parser.add_argument(name, type=pathlib.Path)
-    parser.add_argument("--remark", default="", help="what to say of this run beside its machine")
-    arguments = parser.parse_args()
+    arguments = parser_of(__doc__, "structured", "output").parse_args()
     report = json.loads(arguments.structured.read_text())
-    folder = arguments.output / "Charts"
-    folder.mkdir(parents=True, exist_ok=True)
-    charts.draw_time(report, folder, "structured", FAMILIES)
-    table = arguments.structured.with_suffix(".md")
-    text = TEMPLATE.read_text()
-    for name, value in {
-        "machine": machine(report),
-        "remark": arguments.remark,
-        "size": " x ".join(str(n) for n in report["size"]),
-        "frames": str(report["frames"]),
+    charts.draw_time(report, charts_folder(arguments.output), "structured", FAMILIES)
+    write_page(arguments.output / "Structured.md", report, arguments.remark, {
         "enough": f"{report['enough_seconds']:g}",
         "stride": str(report["stride"]),
         "volumes": volumes_table(report),
         "rivals": rivals_table(report),
-        "everything": table.read_text().split("\n", 2)[2] if table.exists() else "",
-    }.items():
-        text = text.replace(f"@{name}@", value.rstrip("\n"))
-    (arguments.output / "Structured.md").write_text(text)
-    print(f"wrote {arguments.output / 'Structured.md'} and a chart beside it")
+        "everything": measured_table(arguments.structured),
+    })
 
 
 if __name__ == "__main__":
