@@ -3,11 +3,7 @@
 // Arrays of every type become 0..1 and a range.
 #include "StoredScalars.h"
 
-#include "vtkAngularPeriodicDataArray.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkNew.h"
-#include "vtkSOADataArrayTemplate.h"
 #include "vtkType.h"
 
 #include <cmath>
@@ -64,11 +60,7 @@ TEST(Scalars, AnyComponentAndMagnitudesOfAllTypes)
 template <typename Value>
 void expectSOA()
 {
-  vtkNew<vtkSOADataArrayTemplate<Value>> array;
-  array->SetNumberOfComponents(2);
-  array->SetNumberOfTuples(4);
-  setComponent(array, 0, { 3, 15, 9, 12 });
-  setComponent(array, 1, { 4, 20, 12, 16 });
+  const auto array = pairsApart<Value>();
   expectStored(array, {}, 3.0, 15.0, array->GetClassName());
   expectStored(array, { false, 1 }, 4.0, 20.0, array->GetClassName());
   expectStored(array, { true, 0 }, 5.0, 25.0, array->GetClassName());
@@ -82,19 +74,9 @@ TEST(Scalars, StructuresOfArrays)
   expectSOA<unsigned long long>();
 }
 
-// Turned by a quarter about z whenever someone asks.
 TEST(Scalars, ArraysThatComputeTheirValues)
 {
-  vtkNew<vtkDoubleArray> vectors;
-  vectors->SetNumberOfComponents(3);
-  vectors->SetNumberOfTuples(4);
-  setComponent(vectors, 0, { 4, 20, 12, 16 });
-  setComponent(vectors, 1, { -3, -15, -9, -12 });
-  setComponent(vectors, 2, { 12, 60, 36, 48 });
-  vtkNew<vtkAngularPeriodicDataArray<double>> turned;
-  turned->InitializeArray(vectors);
-  turned->SetAxis(VTK_PERIODIC_ARRAY_AXIS_Z);
-  turned->SetAngle(90.0);
+  const auto turned = turnedVectors();
   expectStored(turned, {}, 3.0, 15.0, "x");
   expectStored(turned, { false, 1 }, 4.0, 20.0, "y");
   expectStored(turned, { true, 0 }, 13.0, 65.0, "magnitude");

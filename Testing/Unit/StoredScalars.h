@@ -11,7 +11,11 @@
 
 #include "UnitMeshes.h"
 
+#include "vtkAngularPeriodicDataArray.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkSOADataArrayTemplate.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -36,6 +40,35 @@ inline vtkSmartPointer<vtkDataArray> arrayOf(
   array->Fill(77.0);
   setComponent(array, component, values);
   return array;
+}
+
+/// Pairs of (3, 4), (15, 20), (9, 12) and (12, 16), each component in memory of its own.
+template <typename Value>
+vtkSmartPointer<vtkSOADataArrayTemplate<Value>> pairsApart()
+{
+  auto array = vtkSmartPointer<vtkSOADataArrayTemplate<Value>>::New();
+  array->SetNumberOfComponents(2);
+  array->SetNumberOfTuples(4);
+  setComponent(array, 0, { 3, 15, 9, 12 });
+  setComponent(array, 1, { 4, 20, 12, 16 });
+  return array;
+}
+
+/// (3, 4, 12) times 1, 5, 3 and 4: an array that computes its values whenever someone asks, by a
+/// quarter turn about z.
+inline vtkSmartPointer<vtkDataArray> turnedVectors()
+{
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(4);
+  setComponent(vectors, 0, { 4, 20, 12, 16 });
+  setComponent(vectors, 1, { -3, -15, -9, -12 });
+  setComponent(vectors, 2, { 12, 60, 36, 48 });
+  auto turned = vtkSmartPointer<vtkAngularPeriodicDataArray<double>>::New();
+  turned->InitializeArray(vectors);
+  turned->SetAxis(VTK_PERIODIC_ARRAY_AXIS_Z);
+  turned->SetAngle(90.0);
+  return turned;
 }
 
 inline DrawnScalars pointScalars(vtkDataArray* array, const TupleScalar& scalar)

@@ -4,8 +4,6 @@
 // each value comes back from what is stored.
 #include "ValuesOfArrays.h"
 
-#include "vtkAngularPeriodicDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkType.h"
@@ -182,12 +180,7 @@ TEST(StoredValues, WhatIsNotFiniteIsNotDrawn)
 template <typename Value>
 void expectSOA(ValueType type)
 {
-  vtkNew<vtkSOADataArrayTemplate<Value>> array;
-  array->SetNumberOfComponents(2);
-  array->SetNumberOfTuples(4);
-  setComponent(array, 0, { 3, 15, 9, 12 });
-  setComponent(array, 1, { 4, 20, 12, 16 });
-  const StoredValues stored = storedOf(array, { false, 1 });
+  const StoredValues stored = storedOf(pairsApart<Value>(), { false, 1 });
   EXPECT_EQ(stored.Type, type);
   EXPECT_EQ(stored.Range.High, 20.0);
   expectValues(stored, { 4, 20, 12, 16 });
@@ -207,19 +200,9 @@ TEST(StoredValues, StructuresOfArrays)
   expectSOA<unsigned long long>(ValueType::Float32);
 }
 
-// Turned by a quarter about z whenever someone asks.
 TEST(StoredValues, ArraysThatComputeTheirValues)
 {
-  vtkNew<vtkDoubleArray> vectors;
-  vectors->SetNumberOfComponents(3);
-  vectors->SetNumberOfTuples(4);
-  setComponent(vectors, 0, { 4, 20, 12, 16 });
-  setComponent(vectors, 1, { -3, -15, -9, -12 });
-  setComponent(vectors, 2, { 12, 60, 36, 48 });
-  vtkNew<vtkAngularPeriodicDataArray<double>> turned;
-  turned->InitializeArray(vectors);
-  turned->SetAxis(VTK_PERIODIC_ARRAY_AXIS_Z);
-  turned->SetAngle(90.0);
+  const auto turned = turnedVectors();
   const std::vector<float> expected{ 0.0f, 1.0f, 0.5f, 0.75f };
   EXPECT_EQ(storedOf(turned).Floats, expected);
   EXPECT_EQ(storedOf(turned, { false, 1 }).Floats, expected);
