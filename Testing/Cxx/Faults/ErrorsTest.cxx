@@ -50,45 +50,22 @@ TEST_F(Errors, NoArraysAtAll)
 
 TEST_F(Errors, ArrayThatIsNotThere)
 {
-  auto* mapper = this->Shown.Mapper.Get();
-  const auto mend = [mapper] { mapper->SetScalarModeToDefault(); };
-  this->expectError(
-    [mapper]
-    {
-      mapper->SetScalarModeToUsePointFieldData();
-      mapper->SelectScalarArray("temperature");
-    },
-    mend, { "\"temperature\"", "in the point data", "f" });
-  this->expectError(
-    [mapper]
-    {
-      mapper->SetScalarModeToUseCellFieldData();
-      mapper->SelectScalarArray("f");
-    },
-    mend, { "\"f\"", "in the cell data", "c" });
-  this->expectError(
-    [mapper]
-    {
-      mapper->SetScalarModeToUseCellFieldData();
-      mapper->SelectScalarArray(7);
-    },
-    mend, { "number 7", "in the cell data" });
+  this->expectErrorOfArray(VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, "temperature",
+    { "\"temperature\"", "in the point data", "f" });
+  this->expectErrorOfArray(
+    VTK_SCALAR_MODE_USE_CELL_FIELD_DATA, "f", { "\"f\"", "in the cell data", "c" });
+  this->expectErrorOfArray(
+    VTK_SCALAR_MODE_USE_CELL_FIELD_DATA, 7, { "number 7", "in the cell data" });
 }
 
 TEST_F(Errors, FieldData)
 {
-  auto* mapper = this->Shown.Mapper.Get();
   vtkNew<vtkDoubleArray> array;
   array->SetName("field");
   array->InsertNextValue(1.0);
   this->Shown.Data->GetFieldData()->AddArray(array);
-  this->expectError(
-    [mapper]
-    {
-      mapper->SetScalarMode(VTK_SCALAR_MODE_USE_FIELD_DATA);
-      mapper->SelectScalarArray("field");
-    },
-    [mapper] { mapper->SetScalarModeToDefault(); }, { "Field data", "point or cell data" });
+  this->expectErrorOfArray(
+    VTK_SCALAR_MODE_USE_FIELD_DATA, "field", { "Field data", "point or cell data" });
 }
 
 TEST_F(Errors, ArrayOfWrongLength)

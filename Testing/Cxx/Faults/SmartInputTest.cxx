@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Structured data that can't be drawn are one error with what is wrong and what helps, and leave no
 // trace when they are put right.
-#include "ErrorWatch.h"
+#include "ErrorScene.h"
 #include "SmartScene.h"
 
 #include "vtkCellData.h"
@@ -15,71 +15,34 @@
 #include "vtkPolyData.h"
 #include "vtkUniformGrid.h"
 
-#include <functional>
 #include <gtest/gtest.h>
 
 namespace
 {
 using namespace tetmarch::testing;
-using Words = std::vector<std::string>;
 
-class SmartInput : public testing::Test
+class SmartInput : public ErrorsIn<SmartScene>
 {
 protected:
   SmartInput()
+    : ErrorsIn(imageOf(sineField(), unitCube(6)))
   {
-    this->Shown.Renderer->SetBackground(0.2, 0.4, 0.6);
-    this->Sound = this->Shown.frame();
-    this->Shown.Volume->VisibilityOff();
-    this->Empty = this->Shown.frame();
-    this->Shown.Volume->VisibilityOn();
-    EXPECT_GT(compare(this->Sound, this->Empty).Max, 0.1);
   }
 
-  void show(vtkDataObject* data) { this->Shown.Mapper->SetInputDataObject(data); }
-  void expectEmpty() { EXPECT_EQ(compare(this->Shown.frame(), this->Empty).Max, 0.0); }
-  void expectSound() { EXPECT_EQ(compare(this->Shown.frame(), this->Sound).Max, 0.0); }
-
-  void expectError(
-    const std::function<void()>& spoil, const std::function<void()>& mend, const Words& words)
-  {
-    const ErrorWatch watch(this->Shown.Mapper);
-    for (std::size_t round = 1; round <= 2; ++round)
-    {
-      spoil();
-      for (int i = 0; i < 3; ++i)
-      {
-        this->expectEmpty();
-        ASSERT_EQ(watch.Errors.size(), round);
-      }
-      for (const std::string& word : words)
-      {
-        EXPECT_NE(watch.Errors.back().find(word), std::string::npos)
-          << '"' << word << "\" is not in: " << watch.Errors.back();
-      }
-      mend();
-      this->expectSound();
-      EXPECT_EQ(watch.Errors.size(), round);
-    }
-  }
-  void expectErrorOf(vtkDataObject* data, const Words& words)
-  {
-    this->expectError([=] { this->show(data); }, [this] { this->show(this->Shown.Data); }, words);
-  }
-  void expectEmptyWithoutErrors(vtkDataObject* data)
+  void expectDrawnWithoutErrors(vtkDataObject* data)
   {
     const ErrorWatch watch(this->Shown.Mapper);
     this->show(data);
-    this->expectEmpty();
+    this->expectSound();
     EXPECT_EQ(watch.Errors, Words());
-    EXPECT_EQ(watch.Warnings, Words());
-    this->show(this->Shown.Data);
+  }
+  void expectNothingOf(vtkDataObject* data)
+  {
+    this->show(data);
+    this->expectEmptyWithoutErrors();
+    this->showSound();
     this->expectSound();
   }
-
-  SmartScene Shown{ imageOf(sineField(), unitCube(6)), 64, 64 };
-  Image Sound;
-  Image Empty;
 };
 
 TEST_F(SmartInput, NoneIsNoError)
@@ -93,9 +56,9 @@ TEST_F(SmartInput, NoneIsNoError)
 
 TEST_F(SmartInput, EmptyDataIsNoError)
 {
-  this->expectEmptyWithoutErrors(vtkNew<vtkImageData>());
-  this->expectEmptyWithoutErrors(vtkNew<vtkRectilinearGrid>());
-  this->expectEmptyWithoutErrors(vtkNew<vtkMultiBlockDataSet>());
+  this->expectNothingOf(vtkNew<vtkImageData>());
+  this->expectNothingOf(vtkNew<vtkRectilinearGrid>());
+  this->expectNothingOf(vtkNew<vtkMultiBlockDataSet>());
 }
 
 TEST_F(SmartInput, FlatData)
@@ -122,29 +85,11 @@ TEST_F(SmartInput, NoScalars)
 
 TEST_F(SmartInput, ArraysThatAreNotThere)
 {
-  vtkTetMarchSmartVolumeMapper* mapper = this->Shown.Mapper;
-  const auto mend = [mapper] { mapper->SetScalarModeToDefault(); };
-  this->expectError(
-    [mapper]
-    {
-      mapper->SetScalarModeToUsePointFieldData();
-      mapper->SelectScalarArray("temperature");
-    },
-    mend, { "\"temperature\"", "in the point data", "f" });
-  this->expectError(
-    [mapper]
-    {
-      mapper->SetScalarModeToUseCellFieldData();
-      mapper->SelectScalarArray(7);
-    },
-    mend, { "number 7", "in the cell data" });
-  this->expectError(
-    [mapper]
-    {
-      mapper->SetScalarMode(VTK_SCALAR_MODE_USE_FIELD_DATA);
-      mapper->SelectScalarArray("f");
-    },
-    mend, { "Field data" });
+  this->expectErrorOfArray(VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, "temperature",
+    { "\"temperature\"", "in the point data", "f" });
+  this->expectErrorOfArray(
+    VTK_SCALAR_MODE_USE_CELL_FIELD_DATA, 7, { "number 7", "in the cell data" });
+  this->expectErrorOfArray(VTK_SCALAR_MODE_USE_FIELD_DATA, "f", { "Field data" });
 }
 
 TEST_F(SmartInput, ArraysOfAnotherLength)
@@ -192,10 +137,7 @@ TEST_F(SmartInput, SurfacesAmongTheBlocks)
   vtkNew<vtkMultiBlockDataSet> tree;
   tree->SetBlock(0, vtkNew<vtkPolyData>());
   tree->SetBlock(1, this->Shown.Data);
-  const ErrorWatch watch(this->Shown.Mapper);
-  this->show(tree);
-  this->expectSound();
-  EXPECT_EQ(watch.Errors, Words());
+  this->expectDrawnWithoutErrors(tree);
 }
 
 TEST_F(SmartInput, PlacesThatAreNone)
@@ -240,12 +182,9 @@ TEST_F(SmartInput, AGridOfHiddenCells)
 {
   const auto image = imageOf(sineField(), unitCube(6));
   markCells(image, vtkDataSetAttributes::HIDDENCELL, [](vtkIdType) { return true; });
-  this->expectEmptyWithoutErrors(image);
+  this->expectNothingOf(image);
   vtkNew<vtkUniformGrid> grid;
   grid->ShallowCopy(this->Shown.Data);
-  const ErrorWatch watch(this->Shown.Mapper);
-  this->show(grid);
-  this->expectSound();
-  EXPECT_EQ(watch.Errors, Words());
+  this->expectDrawnWithoutErrors(grid);
 }
 } // namespace

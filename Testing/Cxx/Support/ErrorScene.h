@@ -17,15 +17,17 @@
 
 namespace tetmarch::testing
 {
-class ErrorScene : public ::testing::Test
-{
-public:
-  static Grid soundGrid() { return jitteredLattice(4, 0.15, 1, sineField()); }
+using Words = std::vector<std::string>;
 
+/// Of a Scene or a SmartScene.
+template <typename SceneType>
+class ErrorsIn : public ::testing::Test
+{
 protected:
   static constexpr int Side = 64;
 
-  ErrorScene()
+  explicit ErrorsIn(decltype(SceneType::Data) sound)
+    : Shown(sound, Side, Side)
   {
     this->Shown.Renderer->SetBackground(0.2, 0.4, 0.6);
     this->Sound = this->frame();
@@ -38,23 +40,24 @@ protected:
   Image frame()
   {
     this->Shown.Window->Render();
-    return this->Shown.frame();
+    return framePictureOf(this->Shown.Window);
   }
 
   void expectEmpty() { EXPECT_EQ(compare(this->frame(), this->Empty).Max, 0.0); }
   void expectSound() { EXPECT_EQ(compare(this->frame(), this->Sound).Max, 0.0); }
 
-  // Nothing is drawn, and there is no error.
+  /// Nothing is drawn, and there is no error.
   void expectEmptyWithoutErrors()
   {
     const ErrorWatch watch(this->Shown.Mapper);
     this->expectEmpty();
-    EXPECT_EQ(watch.Errors, std::vector<std::string>());
+    EXPECT_EQ(watch.Errors, Words());
+    EXPECT_EQ(watch.Warnings, Words());
   }
 
-  // The bad input gives one error that says these words, once until it has been put right.
-  void expectError(const std::function<void()>& spoil, const std::function<void()>& mend,
-    const std::vector<std::string>& words)
+  /// The bad input gives one error that says these words, once until it has been put right.
+  void expectError(
+    const std::function<void()>& spoil, const std::function<void()>& mend, const Words& words)
   {
     ErrorWatch watch(this->Shown.Mapper);
     for (std::size_t round = 1; round <= 2; ++round)
@@ -76,16 +79,41 @@ protected:
     }
   }
 
-  void show(vtkUnstructuredGridBase* grid) { this->Shown.Mapper->SetInputData(grid); }
+  void show(vtkDataObject* data) { this->Shown.Mapper->SetInputDataObject(data); }
   void showSound() { this->show(this->Shown.Data); }
-  void expectErrorOf(vtkUnstructuredGridBase* grid, const std::vector<std::string>& words)
+  void expectErrorOf(vtkDataObject* data, const Words& words)
   {
-    this->expectError([=] { this->show(grid); }, [this] { this->showSound(); }, words);
+    this->expectError([=] { this->show(data); }, [this] { this->showSound(); }, words);
+  }
+  /// Of an array that is chosen by VTK_SCALAR_MODE_... and by name or number.
+  template <typename NameOrNumber>
+  void expectErrorOfArray(int scalarMode, NameOrNumber array, const Words& words)
+  {
+    auto* mapper = this->Shown.Mapper.Get();
+    this->expectError(
+      [=]
+      {
+        mapper->SetScalarMode(scalarMode);
+        mapper->SelectScalarArray(array);
+      },
+      [=] { mapper->SetScalarModeToDefault(); }, words);
   }
 
-  Scene Shown{ soundGrid(), Side, Side };
+  SceneType Shown;
   Image Sound;
   Image Empty;
+};
+
+class ErrorScene : public ErrorsIn<Scene>
+{
+public:
+  static Grid soundGrid() { return jitteredLattice(4, 0.15, 1, sineField()); }
+
+protected:
+  ErrorScene()
+    : ErrorsIn(soundGrid())
+  {
+  }
 };
 } // namespace tetmarch::testing
 
