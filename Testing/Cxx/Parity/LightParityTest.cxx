@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the GL draws with each effect of light, pixel by pixel against the CPU reference.
 #include "CpuReference.h"
+#include "Lights.h"
 
 #include "vtkActor.h"
 #include "vtkLight.h"
@@ -33,12 +34,7 @@ TEST_F(LightParity, Headlight) { expectParity(*this->Shown); }
 
 TEST_F(LightParity, DimColouredHeadlight)
 {
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToHeadlight();
-  light->SetColor(1.0, 0.6, 0.3);
-  light->SetIntensity(0.8);
-  light->SetAmbientColor(0.2, 0.1, 0.0);
-  this->Shown->Renderer->AddLight(light);
+  addDimColouredHeadlight(this->Shown->Renderer);
   expectParity(*this->Shown);
 }
 
@@ -60,25 +56,10 @@ TEST_F(LightParity, LightsOfAllKinds)
 {
   Scene& scene = *this->Shown;
   this->addSun();
-  vtkLight* point = addLight(scene, -0.2, 1.4, 0.9);
-  point->PositionalOn();
-  point->SetConeAngle(180.0);
-  point->SetAttenuationValues(0.5, 0.3, 0.2);
-  point->SetDiffuseColor(0.2, 0.9, 0.4);
-  vtkLight* spot = addLight(scene, 1.5, 0.3, 2.0);
-  spot->PositionalOn();
-  spot->SetConeAngle(15.0);
-  spot->SetExponent(3.0);
-  vtkNew<vtkLight> camera;
-  camera->SetLightTypeToCameraLight();
-  camera->SetPosition(-1.0, 0.5, 1.0);
-  camera->SetFocalPoint(0.0, 0.0, 0.0);
-  camera->SetSpecularColor(0.0, 0.0, 1.0);
-  scene.Renderer->AddLight(camera);
-  vtkNew<vtkLight> head;
-  head->SetLightTypeToHeadlight();
-  head->SetIntensity(0.3);
-  scene.Renderer->AddLight(head);
+  addFadingLight(scene.Renderer);
+  addSpotlight(scene.Renderer);
+  addCameraLight(scene.Renderer);
+  addFillLight(scene.Renderer);
   vtkLight* off = addLight(scene, 0.0, 9.0, 0.0);
   off->SwitchOff();
   expectParity(scene);
@@ -91,9 +72,7 @@ TEST_F(LightParity, StretchedAndTurnedVolume)
   transform->RotateWXYZ(30.0, 1.0, 2.0, 3.0);
   transform->Scale(1.0, 0.5, 0.8);
   this->Shown->Volume->SetUserTransform(transform);
-  vtkLight* point = addLight(*this->Shown, -0.2, 1.4, 0.9);
-  point->PositionalOn();
-  point->SetConeAngle(180.0);
+  addPointLight(this->Shown->Renderer, -0.2, 1.4, 0.9);
   this->Shown->Mapper->SetShadowMethodToAtVertices();
   expectParity(*this->Shown);
 }
@@ -209,12 +188,7 @@ TEST_F(LightParity, ShadowsOfThreeLightsAndThroughGradientOpacity)
   Scene& scene = *this->Shown;
   setGradientOpacity(scene.property());
   this->addSun();
-  vtkLight* inside = addLight(scene, 0.4, 0.55, 0.6);
-  inside->PositionalOn();
-  inside->SetConeAngle(180.0);
-  inside->SetDiffuseColor(1.0, 0.5, 0.1);
-  vtkLight* weak = addLight(scene, -2.0, 1.0, 0.0);
-  weak->SetShadowAttenuation(0.4f);
+  addLightsThatCastShadows(scene.Renderer);
   scene.Mapper->SetShadowMethodToAtVertices();
   expectParity(scene);
 }

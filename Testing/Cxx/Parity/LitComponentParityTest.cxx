@@ -6,6 +6,7 @@
 #include "CpuReference.h"
 #include "CutScene.h"
 #include "GapScene.h"
+#include "Lights.h"
 
 #include "vtkActor.h"
 #include "vtkLight.h"
@@ -81,15 +82,8 @@ TEST_P(LitComponentParity, LightsOfAllKindsBeforeOpaqueGeometry)
 {
   LitComponentScene scene(GetParam());
   scene.addSun();
-  vtkLight* point = addLight(scene, -0.2, 1.4, 0.9);
-  point->PositionalOn();
-  point->SetConeAngle(180.0);
-  point->SetAttenuationValues(0.5, 0.3, 0.2);
-  point->SetDiffuseColor(0.2, 0.9, 0.4);
-  vtkNew<vtkLight> head;
-  head->SetLightTypeToHeadlight();
-  head->SetIntensity(0.3);
-  scene.Renderer->AddLight(head);
+  addFadingLight(scene.Renderer);
+  addFillLight(scene.Renderer);
   scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 }));
   expectParityWithOpaque(scene);
 }

@@ -33,28 +33,9 @@ protected:
     apply(this->Lattice);
   }
 
-  // At the silhouette the rasteriser decides which pixels see tetrahedra.
   void expectSame(const std::string& what)
   {
-    const Image mesh = this->Mesh.render();
-    const Image lattice = this->Lattice.render();
-    Mask inside(std::size_t(Side) * Side, false);
-    for (int y = 1; y + 1 < Side; ++y)
-    {
-      for (int x = 1; x + 1 < Side; ++x)
-      {
-        bool all = true;
-        for (int n = 0; n < 9; ++n)
-        {
-          all = all && lattice.pixel(x + n % 3 - 1, y + n / 3 - 1)[3] > 0.0f;
-        }
-        inside[std::size_t(y) * Side + x] = all;
-      }
-    }
-    const Difference difference = compare(mesh, lattice, inside, 0.5 / 255.0);
-    std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
-    EXPECT_GT(difference.Pixels, 400u) << what;
-    EXPECT_LE(difference.Max, 0.5 / 255.0) << what << ": " << difference.text();
+    expectPictureOfMesh(this->Lattice.render(), this->Mesh.render(), what);
   }
 
   static constexpr int Side = 96;

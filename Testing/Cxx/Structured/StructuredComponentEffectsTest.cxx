@@ -6,7 +6,6 @@
 #include "Unprojection.h"
 
 #include <cmath>
-#include <iostream>
 
 namespace
 {
@@ -84,26 +83,7 @@ TEST_P(StructuredComponentsOf, ThoseOfAMesh)
   StructuredScene lattice(image, side, side);
   setFunctions(lattice);
   lattice.Mapper->SetAccuracyLevelToAccurate();
-  const Image ofMesh = mesh.render();
-  const Image ofLattice = lattice.render();
-  // At the silhouette the rasteriser decides which pixels see tetrahedra.
-  Mask inside(std::size_t(side) * side, false);
-  for (int y = 1; y + 1 < side; ++y)
-  {
-    for (int x = 1; x + 1 < side; ++x)
-    {
-      bool all = true;
-      for (int n = 0; n < 9; ++n)
-      {
-        all = all && ofLattice.pixel(x + n % 3 - 1, y + n / 3 - 1)[3] > 0.0f;
-      }
-      inside[std::size_t(y) * side + x] = all;
-    }
-  }
-  const Difference difference = compare(ofMesh, ofLattice, inside, 0.5 / 255.0);
-  std::cout << "[ MEASURED ] " << GetParam().Name << ": " << difference.text() << '\n';
-  EXPECT_GT(difference.Pixels, 400u);
-  EXPECT_LE(difference.Max, 0.5 / 255.0) << difference.text();
+  expectPictureOfMesh(lattice.render(), mesh.render(), GetParam().Name);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, StructuredComponentsOf, testing::ValuesIn(Mixes),
@@ -128,12 +108,8 @@ protected:
 
 TEST_P(LitStructuredComponents, EachEffect)
 {
-  for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsNearest })
-  {
-    SCOPED_TRACE(nameOf(values));
-    this->Shown.draw(values);
-    report("headlight", expectParity(this->Shown, Lit));
-  }
+  expectParityOf(
+    { LatticeValues::PointsLinear, LatticeValues::CellsNearest }, this->Shown, "headlight", Lit);
   this->Shown.draw(LatticeValues::PointsLinear);
   this->Shown.addLight(3.0, 4.0, 1.5);
   this->Shown.Mapper->SetGradientTypeToCell();
@@ -149,15 +125,7 @@ TEST_P(LitStructuredComponents, Shadows)
   this->Shown.Mapper->SetShadowMethodToAutomatic();
   report("shadows of the headlight", expectParity(this->Shown, Lit));
   this->Shown.addLight(3.0, 4.0, 1.5);
-  for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsLinear })
-  {
-    this->Shown.draw(values);
-    this->Shown.Mapper->SetShadowMethodToOff();
-    const Image without = this->Shown.render();
-    this->Shown.Mapper->SetShadowMethodToAlongRays();
-    expectLightAlongRays(this->Shown, std::string("shadows, ") + nameOf(values));
-    EXPECT_GT(compare(without, this->Shown.pixels()).Max, 0.02) << nameOf(values);
-  }
+  expectShadowsAlongRays({ LatticeValues::PointsLinear, LatticeValues::CellsLinear }, this->Shown);
 }
 
 // The light is that of the component that gives the opacity, which has the same illumination if it

@@ -28,14 +28,8 @@ TEST_P(StructuredComponents, ImagesAndGrids)
   {
     StructuredScene scene(data);
     setFunctions(scene);
-    for (const LatticeValues values : AllLatticeValues)
-    {
-      const std::string what =
-        std::string(GetParam().Name) + ", " + data->GetClassName() + ", " + nameOf(values);
-      SCOPED_TRACE(what);
-      scene.draw(values);
-      report(what, expectParity(scene));
-    }
+    expectParityOf(
+      AllLatticeValues, scene, std::string(GetParam().Name) + ", " + data->GetClassName());
   }
 }
 
@@ -75,14 +69,8 @@ TEST_P(StructuredComponents, BytesAndWords)
       scene.property()->SetColor(k, colours);
       scene.property()->SetScalarOpacity(k, opacities);
     }
-    for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsNearest })
-    {
-      const std::string what = image->GetPointData()->GetScalars()->GetDataTypeAsString() +
-                               std::string(", ") + nameOf(values);
-      SCOPED_TRACE(what);
-      scene.draw(values);
-      report(what, expectParity(scene));
-    }
+    expectParityOf({ LatticeValues::PointsLinear, LatticeValues::CellsNearest }, scene,
+      image->GetPointData()->GetScalars()->GetDataTypeAsString());
   }
 }
 
@@ -105,13 +93,7 @@ TEST_P(StructuredComponents, HiddenAndNotFinite)
   {
     scene.Mapper->SetDrawNanCells(shown);
     scene.property()->GetRGBTransferFunction()->SetNanColorRGBA(0.9, 0.2, 0.7, 0.4);
-    for (const LatticeValues values : AllLatticeValues)
-    {
-      const std::string what = std::string(shown ? "shown, " : "not shown, ") + nameOf(values);
-      SCOPED_TRACE(what);
-      scene.draw(values);
-      report(what, expectParity(scene));
-    }
+    expectParityOf(AllLatticeValues, scene, shown ? "shown" : "not shown");
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the GL draws of structured volumes with each effect of light, pixel by pixel against the CPU
 // reference.
+#include "Lights.h"
 #include "StructuredScene.h"
 
 #include "vtkActor.h"
@@ -27,24 +28,14 @@ protected:
 
 TEST_F(StructuredLight, Headlight)
 {
-  for (const LatticeValues values : AllLatticeValues)
-  {
-    SCOPED_TRACE(nameOf(values));
-    this->Shown.draw(values);
-    report(std::string("headlight, ") + nameOf(values), expectParity(this->Shown, Lit));
-  }
+  expectParityOf(AllLatticeValues, this->Shown, "headlight", Lit);
   this->Shown.Mapper->SetGradientTypeToCell();
   report("headlight, cell gradients", expectParity(this->Shown, Lit));
 }
 
 TEST_F(StructuredLight, DimColouredHeadlight)
 {
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToHeadlight();
-  light->SetColor(1.0, 0.6, 0.3);
-  light->SetIntensity(0.8);
-  light->SetAmbientColor(0.2, 0.1, 0.0);
-  this->Shown.Renderer->AddLight(light);
+  addDimColouredHeadlight(this->Shown.Renderer);
   this->Shown.camera()->ParallelProjectionOn();
   this->Shown.camera()->SetParallelScale(0.9);
   report("coloured headlight", expectParity(this->Shown, Lit));
@@ -67,21 +58,9 @@ TEST_F(StructuredLight, OneSideAndBothGradients)
 TEST_F(StructuredLight, LightsOfAllKinds)
 {
   this->addSun();
-  vtkLight* point = this->Shown.addLight(-0.2, 1.4, 0.9);
-  point->PositionalOn();
-  point->SetConeAngle(180.0);
-  point->SetAttenuationValues(0.5, 0.3, 0.2);
-  point->SetDiffuseColor(0.2, 0.9, 0.4);
-  vtkLight* spot = this->Shown.addLight(1.5, 0.3, 2.0);
-  spot->PositionalOn();
-  spot->SetConeAngle(15.0);
-  spot->SetExponent(3.0);
-  vtkNew<vtkLight> camera;
-  camera->SetLightTypeToCameraLight();
-  camera->SetPosition(-1.0, 0.5, 1.0);
-  camera->SetFocalPoint(0.0, 0.0, 0.0);
-  camera->SetSpecularColor(0.0, 0.0, 1.0);
-  this->Shown.Renderer->AddLight(camera);
+  addFadingLight(this->Shown.Renderer);
+  addSpotlight(this->Shown.Renderer);
+  addCameraLight(this->Shown.Renderer);
   report("lights of all kinds", expectParity(this->Shown, Lit));
 }
 
@@ -93,9 +72,7 @@ TEST_F(StructuredLight, StretchedAndTurnedVolume)
   transform->RotateWXYZ(30.0, 1.0, 2.0, 3.0);
   transform->Scale(1.0, 0.5, 0.8);
   this->Shown.Volume->SetUserTransform(transform);
-  vtkLight* point = this->Shown.addLight(-0.2, 1.4, 0.9);
-  point->PositionalOn();
-  point->SetConeAngle(180.0);
+  addPointLight(this->Shown.Renderer, -0.2, 1.4, 0.9);
   report("stretched", expectParity(this->Shown, Lit));
 }
 
@@ -105,15 +82,9 @@ TEST_F(StructuredLight, GradientOpacity)
   for (const bool shaded : { true, false })
   {
     this->Shown.property()->SetShade(shaded);
-    for (const LatticeValues values : AllLatticeValues)
-    {
-      const std::string what =
-        std::string(shaded ? "gradient opacity, " : "gradient opacity unlit, ") + nameOf(values);
-      SCOPED_TRACE(what);
-      this->Shown.draw(values);
-      // The bound knows of gradients by the light that they reflect.
-      report(what, expectParity(this->Shown, { shaded, false }));
-    }
+    // The bound knows of gradients by the light that they reflect.
+    expectParityOf(AllLatticeValues, this->Shown,
+      shaded ? "gradient opacity" : "gradient opacity unlit", { shaded, false });
   }
   this->Shown.draw(LatticeValues::PointsLinear);
   this->Shown.Mapper->SetGradientTypeToCell();
@@ -142,12 +113,7 @@ TEST_F(StructuredLight, RectilinearWithHiddenCells)
   StructuredScene scene(grid);
   setShading(scene.property());
   scene.addLight(3.0, 4.0, 1.5);
-  for (const LatticeValues values : AllLatticeValues)
-  {
-    SCOPED_TRACE(nameOf(values));
-    scene.draw(values);
-    report(std::string("rectilinear, lit, ") + nameOf(values), expectParity(scene, Lit));
-  }
+  expectParityOf(AllLatticeValues, scene, "rectilinear, lit", Lit);
 }
 
 // These need no rays towards the light.
@@ -165,27 +131,16 @@ TEST_F(StructuredLight, ShadowsAlongRays)
 {
   this->addSun();
   this->Shown.property()->SetScalarOpacityUnitDistance(0.5);
-  for (const LatticeValues values :
-    { LatticeValues::PointsLinear, LatticeValues::PointsNearest, LatticeValues::CellsLinear })
-  {
-    this->Shown.draw(values);
-    this->Shown.Mapper->SetShadowMethodToOff();
-    const Image without = this->Shown.render();
-    this->Shown.Mapper->SetShadowMethodToAlongRays();
-    expectLightAlongRays(this->Shown, std::string("shadows, ") + nameOf(values));
-    EXPECT_GT(compare(without, this->Shown.pixels()).Max, 0.02) << nameOf(values);
-  }
+  expectShadowsAlongRays(
+    { LatticeValues::PointsLinear, LatticeValues::PointsNearest, LatticeValues::CellsLinear },
+    this->Shown);
 }
 
 TEST_F(StructuredLight, ShadowsOfThreeLightsThroughGradientOpacity)
 {
   setGradientOpacity(this->Shown.property());
   this->addSun();
-  vtkLight* inside = this->Shown.addLight(0.4, 0.55, 0.6);
-  inside->PositionalOn();
-  inside->SetConeAngle(180.0);
-  inside->SetDiffuseColor(1.0, 0.5, 0.1);
-  this->Shown.addLight(-2.0, 1.0, 0.0)->SetShadowAttenuation(0.4f);
+  addLightsThatCastShadows(this->Shown.Renderer);
   this->Shown.Mapper->SetShadowMethodToAlongRays();
   expectLightAlongRays(this->Shown, "three lights");
   this->Shown.Mapper->SetGlobalIlluminationReach(0.3f);

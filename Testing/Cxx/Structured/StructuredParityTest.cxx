@@ -40,13 +40,7 @@ TEST(StructuredParity, RectilinearGridsOfAllAxes)
   {
     StructuredScene scene(rectilinearOf(scatteredField(2), axes), 20, 20);
     scene.lookAtAll();
-    for (const LatticeValues values : AllLatticeValues)
-    {
-      const std::string what = axes.Name + ", " + nameOf(values);
-      SCOPED_TRACE(what);
-      scene.draw(values);
-      report(what, expectParity(scene));
-    }
+    expectParityOf(AllLatticeValues, scene, axes.Name);
   }
 }
 
@@ -58,30 +52,18 @@ TEST(StructuredParity, AllTypesOfNumbers)
     convertScalars(image, type);
     StructuredScene scene(image, 16, 16);
     scene.stretchFunctions(rangeInType(type)[0], rangeInType(type)[1]);
-    for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsNearest })
-    {
-      const std::string what = image->GetPointData()->GetScalars()->GetDataTypeAsString() +
-                               std::string(", ") + nameOf(values);
-      SCOPED_TRACE(what);
-      scene.draw(values);
-      report(what, expectParity(scene));
-    }
+    expectParityOf({ LatticeValues::PointsLinear, LatticeValues::CellsNearest }, scene,
+      image->GetPointData()->GetScalars()->GetDataTypeAsString());
   }
 }
 
 // Over larger volumes: smooth, and with noise of which cells show all of the functions.
 TEST(StructuredParity, SmoothAndScattered)
 {
-  for (const LatticeValues values : AllLatticeValues)
-  {
-    SCOPED_TRACE(nameOf(values));
-    StructuredScene smooth(imageOf(sineField(), unitCube(10)));
-    smooth.draw(values);
-    report(std::string("smooth, ") + nameOf(values), expectParity(smooth));
-    StructuredScene scattered(imageOf(scatteredField(3), unitCube(10)));
-    scattered.draw(values);
-    report(std::string("scattered, ") + nameOf(values), expectParity(scattered));
-  }
+  StructuredScene smooth(imageOf(sineField(), unitCube(10)));
+  expectParityOf(AllLatticeValues, smooth, "smooth");
+  StructuredScene scattered(imageOf(scatteredField(3), unitCube(10)));
+  expectParityOf(AllLatticeValues, scattered, "scattered");
 }
 
 TEST(StructuredParity, ThickThinAndPeaks)
@@ -150,14 +132,8 @@ TEST(StructuredParity, HiddenCellsAndPoints)
                    [](vtkIdType id) { return id % 31 == 3; })
                : markCells(data, vtkDataSetAttributes::HIDDENCELL, isSome);
       StructuredScene scene(data);
-      for (const LatticeValues values : AllLatticeValues)
-      {
-        const std::string what = std::string(ofPoints ? "points of " : "cells of ") +
-                                 data->GetClassName() + " hidden, " + nameOf(values);
-        SCOPED_TRACE(what);
-        scene.draw(values);
-        report(what, expectParity(scene));
-      }
+      expectParityOf(AllLatticeValues, scene,
+        std::string(ofPoints ? "points of " : "cells of ") + data->GetClassName() + " hidden");
     }
   }
 }
@@ -172,13 +148,7 @@ TEST(StructuredParity, ScalarsThatAreNotFinite)
   for (const bool shown : { false, true })
   {
     scene.Mapper->SetDrawNanCells(shown);
-    for (const LatticeValues values : AllLatticeValues)
-    {
-      const std::string what = std::string(shown ? "shown, " : "not shown, ") + nameOf(values);
-      SCOPED_TRACE(what);
-      scene.draw(values);
-      report(what, expectParity(scene));
-    }
+    expectParityOf(AllLatticeValues, scene, shown ? "shown" : "not shown");
   }
 }
 
@@ -200,15 +170,10 @@ TEST(StructuredParity, MuchEmptySpace)
       opacity->AddPoint(nodes[1], 0.9);
       opacity->AddPoint(nodes[2], 0.0);
       scene.property()->SetScalarOpacityUnitDistance(0.05);
-      for (const LatticeValues values : AllLatticeValues)
-      {
-        const std::string what = std::string(data->GetClassName()) + " at " +
-                                 std::to_string(nodes[1]) + ", " + nameOf(values);
-        SCOPED_TRACE(what);
-        scene.draw(values);
-        // A narrow peak lies between few entries of the tables, which the bound leaves out.
-        report(what, expectParity(scene, { nodes[2] - nodes[0] > 0.02, true }));
-      }
+      // A narrow peak lies between few entries of the tables, which the bound leaves out.
+      expectParityOf(AllLatticeValues, scene,
+        std::string(data->GetClassName()) + " at " + std::to_string(nodes[1]),
+        { nodes[2] - nodes[0] > 0.02, true });
     }
   }
 }

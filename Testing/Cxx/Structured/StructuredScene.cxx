@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StructuredScene.h"
 
+#include "Lights.h"
+
 #include "vtkContourValues.h"
 #include "vtkFloatArray.h"
 #include "vtkTetMarchFrameStatistics.h"
@@ -124,12 +126,7 @@ void StructuredScene::setSurfaces(const std::vector<double>& values)
 
 vtkSmartPointer<vtkLight> StructuredScene::addLight(double x, double y, double z)
 {
-  auto light = vtkSmartPointer<vtkLight>::New();
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(x, y, z);
-  light->SetFocalPoint(0.5, 0.5, 0.5);
-  this->Renderer->AddLight(light);
-  return light;
+  return tetmarch::testing::addLight(this->Renderer, x, y, z);
 }
 
 Image StructuredScene::render()
@@ -205,6 +202,18 @@ void report(const std::string& what, const Worst& worst)
             << 255.0 * worst.Rms << "/255, over the bound by " << worst.OverBound << '\n';
 }
 
+void expectParityOf(
+  KindsOfValues kinds, StructuredScene& scene, const std::string& what, const Promises& promises)
+{
+  for (const LatticeValues values : kinds)
+  {
+    const std::string each = what + ", " + nameOf(values);
+    SCOPED_TRACE(each);
+    scene.draw(values);
+    report(each, expectParity(scene, promises));
+  }
+}
+
 void expectParityButForEdges(StructuredScene& scene, const std::string& what)
 {
   const Image drawn = scene.render();
@@ -216,6 +225,27 @@ void expectParityButForEdges(StructuredScene& scene, const std::string& what)
   EXPECT_LE(250 * difference.Over, difference.Pixels) << what << ": " << difference.text();
 }
 
+void expectPictureOfMesh(const Image& lattice, const Image& mesh, const std::string& what)
+{
+  Mask inside(std::size_t(lattice.Width) * lattice.Height, false);
+  for (int y = 1; y + 1 < lattice.Height; ++y)
+  {
+    for (int x = 1; x + 1 < lattice.Width; ++x)
+    {
+      bool all = true;
+      for (int n = 0; n < 9; ++n)
+      {
+        all = all && lattice.pixel(x + n % 3 - 1, y + n / 3 - 1)[3] > 0.0f;
+      }
+      inside[std::size_t(y) * lattice.Width + x] = all;
+    }
+  }
+  const Difference difference = compare(mesh, lattice, inside, 0.5 / 255.0);
+  std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
+  EXPECT_GT(difference.Pixels, 400u) << what;
+  EXPECT_LE(difference.Max, 0.5 / 255.0) << what << ": " << difference.text();
+}
+
 void expectLightAlongRays(StructuredScene& scene, const std::string& what)
 {
   const Image drawn = scene.render();
@@ -223,5 +253,18 @@ void expectLightAlongRays(StructuredScene& scene, const std::string& what)
   const Difference difference = compare(drawn, scene.truth());
   std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
   EXPECT_LE(difference.Rms, 1.5 / 255.0) << what;
+}
+
+void expectShadowsAlongRays(KindsOfValues kinds, StructuredScene& scene)
+{
+  for (const LatticeValues values : kinds)
+  {
+    scene.draw(values);
+    scene.Mapper->SetShadowMethodToOff();
+    const Image without = scene.render();
+    scene.Mapper->SetShadowMethodToAlongRays();
+    expectLightAlongRays(scene, std::string("shadows, ") + nameOf(values));
+    EXPECT_GT(compare(without, scene.pixels()).Max, 0.02) << nameOf(values);
+  }
 }
 } // namespace tetmarch::testing

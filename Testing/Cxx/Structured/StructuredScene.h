@@ -14,6 +14,7 @@
 #include "LatticeTruth.h"
 #include "Scene.h"
 
+#include <initializer_list>
 #include <string>
 
 namespace tetmarch::testing
@@ -22,7 +23,8 @@ namespace tetmarch::testing
 /// is one of its own.
 constexpr int StructuredSize = 28;
 
-constexpr LatticeValues AllLatticeValues[] = { LatticeValues::PointsLinear,
+using KindsOfValues = std::initializer_list<LatticeValues>;
+constexpr KindsOfValues AllLatticeValues = { LatticeValues::PointsLinear,
   LatticeValues::PointsNearest, LatticeValues::CellsLinear, LatticeValues::CellsNearest };
 const char* nameOf(LatticeValues values);
 
@@ -91,13 +93,22 @@ struct Promises
 Worst expectParity(StructuredScene& scene, const Promises& promises = {});
 /// Prints the figures.
 void report(const std::string& what, const Worst& worst);
+/// Both for each of these kinds of values.
+void expectParityOf(KindsOfValues kinds, StructuredScene& scene, const std::string& what,
+  const Promises& promises = {});
 
 /// What jumps from pixel to pixel has edges, where rounding decides which side a pixel sees: at
 /// most one in 250 pixels is off by more than 2/255.
 void expectParityButForEdges(StructuredScene& scene, const std::string& what);
 
+/// That a lattice and a mesh of the same field look the same to 0.5/255, but for the silhouette:
+/// there the rasteriser decides which pixels see tetrahedra.
+void expectPictureOfMesh(const Image& lattice, const Image& mesh, const std::string& what);
+
 /// Light that is sampled at random points of rays is that of the reference to 1.5/255 RMS.
 void expectLightAlongRays(StructuredScene& scene, const std::string& what);
+/// That there are shadows then, and that they are those of the reference.
+void expectShadowsAlongRays(KindsOfValues kinds, StructuredScene& scene);
 } // namespace tetmarch::testing
 
 #endif

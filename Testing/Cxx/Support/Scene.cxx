@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene.h"
 
+#include "Lights.h"
+
 #include "OffscreenWindow.h"
 
 #include "vtkActor.h"
@@ -251,11 +253,6 @@ std::vector<float> Scene::windowDepths()
 
 vtkSmartPointer<vtkLight> addLight(Scene& scene, double x, double y, double z)
 {
-  auto light = vtkSmartPointer<vtkLight>::New();
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(x, y, z);
-  light->SetFocalPoint(0.5, 0.5, 0.5);
-  scene.Renderer->AddLight(light);
-  return light;
+  return addLight(scene.Renderer, x, y, z);
 }
 } // namespace tetmarch::testing
