@@ -4,6 +4,7 @@
 import argparse
 
 from paraview import simple
+from paraview.vtk import vtkRenderingVolumeOpenGL2  # noqa: F401, for methods of mappers
 
 REPRESENTATION = "Tet Marching"
 # Share of the picture's pixels.
@@ -32,8 +33,8 @@ def open_view():
     return view
 
 
-def show(source, view, array, association="POINTS"):
-    display = simple.Show(source, view, "UnstructuredGridRepresentation")
+def show(source, view, array, association="POINTS", kind="UnstructuredGridRepresentation"):
+    display = simple.Show(source, view, kind)
     simple.ColorBy(display, (association, array))
     available = display.GetProperty("Representation").Available
     assert REPRESENTATION in available, f"{REPRESENTATION} is not among {available}"
@@ -42,7 +43,7 @@ def show(source, view, array, association="POINTS"):
 
 
 def mapper_of(display):
-    return display.GetClientSideObject().GetActiveRepresentation().GetActiveVolumeMapper()
+    return display.GetClientSideObject().GetActiveRepresentation().GetActor().GetMapper()
 
 
 def figures_of(display, name):
