@@ -22,7 +22,7 @@
 
 namespace
 {
-// As the default of the property SelectMapper in TetMarch.xml.
+// As the default of the property SelectMapper in TetMarch.xml.in.
 constexpr const char* MapperName = "Tet marching";
 } // namespace
 

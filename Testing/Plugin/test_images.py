@@ -152,7 +152,8 @@ def check_light(watch):
     watch.expect_same(matt, VolumetricScatteringBlending=0)
     # What "Volume" has of these names is its own.
     for name, value, default in (("VolumetricScatteringBlending", 1.0, 0.0), ("GlobalIlluminationReach", 0.5, 0.0),
-                                 ("BlendMode", "Isosurface", "Composite"), ("UseCropping", 1, 0), ("UseTransfer2D", 1, 0)):
+                                 ("BlendMode", "Isosurface", "Composite"), ("UseCropping", 1, 0),
+                                 ("UseTransfer2D", 1, 0)):
         setattr(watch.display, name, value)
         watch.expect_same(matt)
         setattr(watch.display, name, default)
