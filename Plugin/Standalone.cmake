@@ -1,5 +1,5 @@
-# TetMarch as a ParaView plugin: the module is compiled against ParaView's own VTK, beside the representation
-# that shows it. Nothing of this build may meet the VTK of the system in one process.
+# TetMarch as a ParaView plugin: the module is compiled against ParaView's own VTK, beside the representations
+# that show it. Nothing of this build may meet the VTK of the system in one process.
 include(GNUInstallDirs)
 include(CTest)
 include("${PROJECT_SOURCE_DIR}/VTKModule/CompileOptions.cmake")

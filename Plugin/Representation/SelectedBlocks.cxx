@@ -19,12 +19,11 @@ namespace
 using FlatIndices = std::set<unsigned int>;
 
 // Of blocks, and of vtkPartitionedDataSets instead of their partitions.
-bool findSelected(vtkDataObjectTree* tree, const std::string& assembly,
-  const std::set<std::string>& selectors, FlatIndices& selected)
+bool findSelected(vtkDataObjectTree* tree, const BlockSelection& selection, FlatIndices& selected)
 {
-  const std::vector<std::string> paths(selectors.begin(), selectors.end());
+  const std::vector<std::string> paths(selection.Selectors.begin(), selection.Selectors.end());
   std::vector<unsigned int> indices;
-  if (assembly == vtkDataAssemblyUtilities::HierarchyName())
+  if (selection.Assembly == vtkDataAssemblyUtilities::HierarchyName())
   {
     vtkNew<vtkDataAssembly> hierarchy;
     if (!vtkDataAssemblyUtilities::GenerateHierarchy(tree, hierarchy))
@@ -51,12 +50,12 @@ bool findSelected(vtkDataObjectTree* tree, const std::string& assembly,
 } // namespace
 
 vtkSmartPointer<vtkDataObjectTree> selectBlocks(
-  vtkDataObjectTree* tree, const std::string& assembly, const std::set<std::string>& selectors)
+  vtkDataObjectTree* tree, const BlockSelection& selection)
 {
   auto result = vtkSmartPointer<vtkDataObjectTree>::Take(tree->NewInstance());
   result->ShallowCopy(tree);
   FlatIndices selected;
-  if (!findSelected(tree, assembly, selectors, selected))
+  if (!findSelected(tree, selection, selected))
   {
     return result;
   }

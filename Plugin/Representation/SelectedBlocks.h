@@ -15,13 +15,22 @@ namespace tetmarch
 {
 
 /**
- * The tree with its blocks that one of the selectors names (vtkDataAssembly::SelectNodes), by
- * themselves or by a block above them. Others are null, so that all keep their flat indices.
- * `assembly` is "Hierarchy", or the name of the assembly of a vtkPartitionedDataSetCollection. A
- * tree without either is taken whole.
+ * Those that one of the selectors names (vtkDataAssembly::SelectNodes), by themselves or by a block
+ * above them. `Assembly` is "Hierarchy", or the name of the assembly of a
+ * vtkPartitionedDataSetCollection. By default all blocks.
+ */
+struct BlockSelection
+{
+  std::string Assembly = "Hierarchy";
+  std::set<std::string> Selectors{ "/" };
+};
+
+/**
+ * The tree with its blocks that are selected. Others are null, so that all keep their flat indices.
+ * A tree without hierarchy and assembly is taken whole.
  */
 vtkSmartPointer<vtkDataObjectTree> selectBlocks(
-  vtkDataObjectTree* tree, const std::string& assembly, const std::set<std::string>& selectors);
+  vtkDataObjectTree* tree, const BlockSelection& selection);
 
 } // namespace tetmarch
 

@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchVolumeRepresentation.h"
 
-#include "SelectedBlocks.h"
+#include "DrawnData.h"
+#include "VolumeInView.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDataAssemblyUtilities.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkInformation.h"
-#include "vtkLODProp3D.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
@@ -21,82 +18,21 @@
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
-#include <tuple>
+#include <functional>
 
 namespace
 {
-// As the default of the property SelectMapper in TetMarch.xml.
+// As the default of the property SelectMapper in TetMarch.xml.in.
 constexpr const char* MapperName = "Tet marching";
-
-// ParaView's volume draws nothing whose mapper has no single grid, but blocks have none.
-class BlocksVolume : public vtkPVLODVolume
-{
-public:
-  static BlocksVolume* New();
-  vtkTypeMacro(BlocksVolume, vtkPVLODVolume);
-
-  int RenderVolumetricGeometry(vtkViewport* viewport) override
-  {
-    const int drawn = this->LODProp->RenderVolumetricGeometry(viewport);
-    this->EstimatedRenderTime = this->LODProp->GetEstimatedRenderTime();
-    return drawn;
-  }
-};
-vtkStandardNewMacro(BlocksVolume);
-
-vtkBoundingBox boundsOf(vtkDataObject* data)
-{
-  double bounds[6];
-  vtkMath::UninitializeBounds(bounds);
-  if (auto* tree = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    tree->GetBounds(bounds);
-  }
-  else if (auto* grid = vtkDataSet::SafeDownCast(data))
-  {
-    grid->GetBounds(bounds);
-  }
-  return vtkBoundingBox(bounds);
-}
-
-// Around the boxes of all processes; each has to call it.
-vtkBoundingBox boundsOfAll(const vtkBoundingBox& box)
-{
-  auto* controller = vtkMultiProcessController::GetGlobalController();
-  if (!controller || controller->GetNumberOfProcesses() < 2)
-  {
-    return box;
-  }
-  double low[3];
-  double high[3];
-  box.GetMinPoint(low[0], low[1], low[2]);
-  box.GetMaxPoint(high[0], high[1], high[2]);
-  double lowest[3];
-  double highest[3];
-  controller->AllReduce(low, lowest, 3, vtkCommunicator::MIN_OP);
-  controller->AllReduce(high, highest, 3, vtkCommunicator::MAX_OP);
-  return vtkBoundingBox(lowest[0], highest[0], lowest[1], highest[1], lowest[2], highest[2]);
-}
-
-// A copy that shares the arrays, but has its own lists of them.
-template <typename Data>
-vtkSmartPointer<Data> shallowCopy(Data* data)
-{
-  auto copy = vtkSmartPointer<Data>::Take(data->NewInstance());
-  copy->ShallowCopy(data);
-  return copy;
-}
 } // namespace
 
 vtkStandardNewMacro(vtkTetMarchVolumeRepresentation);
 
 vtkTetMarchVolumeRepresentation::vtkTetMarchVolumeRepresentation()
-  : ActiveAssembly(vtkDataAssemblyUtilities::HierarchyName())
 {
   this->AddVolumeMapper(MapperName, this->TetMarchMapper);
   this->SetActiveVolumeMapper(MapperName);
-  this->Actor = vtkSmartPointer<BlocksVolume>::New();
+  this->Actor = vtkSmartPointer<tetmarch::BlocksVolume>::New();
   this->Actor->SetProperty(this->Property);
   this->Actor->SetMapper(this->TetMarchMapper);
   this->Legend->SetMapper(this->TetMarchMapper);
@@ -104,65 +40,31 @@ vtkTetMarchVolumeRepresentation::vtkTetMarchVolumeRepresentation()
 
 vtkTetMarchVolumeRepresentation::~vtkTetMarchVolumeRepresentation() = default;
 
-void vtkTetMarchVolumeRepresentation::SetActiveAssembly(const char* name)
-{
-  this->ActiveAssembly = name ? name : "";
-  this->MarkModified();
-}
-
-void vtkTetMarchVolumeRepresentation::AddBlockSelector(const char* selector)
-{
-  this->BlockSelectors.insert(selector);
-  this->MarkModified();
-}
-
-void vtkTetMarchVolumeRepresentation::RemoveAllBlockSelectors()
-{
-  this->BlockSelectors.clear();
-  this->MarkModified();
-}
-
 // Where the data lies, when it or the blocks to be seen have changed.
 int vtkTetMarchVolumeRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
-  if (auto* tree = vtkDataObjectTree::SafeDownCast(input))
+  if (vtkUnstructuredGrid::SafeDownCast(input) || vtkDataObjectTree::SafeDownCast(input))
   {
-    auto selected = tetmarch::selectBlocks(tree, this->ActiveAssembly, this->BlockSelectors);
-    const auto at = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(selected->NewTreeIterator());
-    for (at->InitTraversal(); this->UseSeparateOpacityArray && !at->IsDoneWithTraversal();
-         at->GoToNextItem())
-    {
-      if (auto* block = vtkDataSet::SafeDownCast(at->GetCurrentDataObject()))
-      {
-        const auto copy = shallowCopy(block);
-        this->AppendOpacityComponent(copy);
-        selected->SetDataSet(at, copy);
-      }
-    }
-    this->Drawn = selected;
-  }
-  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(input))
-  {
-    const auto copy = shallowCopy(grid);
+    std::function<void(vtkDataSet*)> change;
     if (this->UseSeparateOpacityArray)
     {
-      this->AppendOpacityComponent(copy);
+      change = [this](vtkDataSet* block) { this->AppendOpacityComponent(block); };
     }
-    this->Drawn = copy;
+    this->Drawn = tetmarch::copyToDraw(input, this->Blocks, change);
   }
   else
   {
     this->Drawn = vtkSmartPointer<vtkUnstructuredGrid>::New();
   }
-  const vtkBoundingBox bounds = boundsOf(this->Drawn);
+  const vtkBoundingBox bounds = tetmarch::boundsOf(this->Drawn);
   vtkMath::UninitializeBounds(this->DataBounds);
   if (bounds.IsValid())
   {
     bounds.GetBounds(this->DataBounds);
   }
-  this->WholeBounds = input ? boundsOfAll(bounds) : bounds;
+  this->WholeBounds = input ? tetmarch::boundsOfAll(bounds) : bounds;
   return this->vtkVolumeRepresentation::RequestData(request, inputVector, outputVector);
 }
 
@@ -231,21 +133,14 @@ void vtkTetMarchVolumeRepresentation::UpdateMapperParameters()
     return;
   }
   // Another process may have read the data that this one draws.
-  vtkBoundingBox box = boundsOf(this->TetMarchMapper->GetDataObjectInput());
+  vtkBoundingBox box = tetmarch::boundsOf(this->TetMarchMapper->GetDataObjectInput());
   auto* controller = vtkMultiProcessController::GetGlobalController();
   if (controller && controller->GetNumberOfProcesses() > 1)
   {
     box.AddBox(this->WholeBounds);
   }
-  double planes[6];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double origin = this->CroppingOrigin[axis];
-    const double scale = this->CroppingScale[axis]; // may be negative
-    std::tie(planes[2 * axis], planes[2 * axis + 1]) = std::minmax(
-      { origin + scale * box.GetBound(2 * axis), origin + scale * box.GetBound(2 * axis + 1) });
-  }
-  this->TetMarchMapper->SetCroppingRegionPlanes(planes);
+  this->TetMarchMapper->SetCroppingRegionPlanes(
+    tetmarch::croppingPlanes(box, this->CroppingOrigin, this->CroppingScale).data());
 }
 
 void vtkTetMarchVolumeRepresentation::SetVisibility(bool visible)
@@ -254,15 +149,13 @@ void vtkTetMarchVolumeRepresentation::SetVisibility(bool visible)
   this->Legend->SetVisibility(visible);
 }
 
-// Not composited: each process composites its own piece of the volume, but only the one that shows
-// the picture may add a legend. It draws after the others.
 bool vtkTetMarchVolumeRepresentation::AddToView(vtkView* view)
 {
   if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
   {
-    renderView->GetNonCompositedRenderer()->AddViewProp(this->Legend);
     renderView->RegisterPropForHardwareSelection(this, this->Actor);
   }
+  tetmarch::addLegend(view, this->Legend);
   return this->Superclass::AddToView(view);
 }
 
@@ -270,9 +163,9 @@ bool vtkTetMarchVolumeRepresentation::RemoveFromView(vtkView* view)
 {
   if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
   {
-    renderView->GetNonCompositedRenderer()->RemoveViewProp(this->Legend);
     renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
   }
+  tetmarch::removeLegend(view, this->Legend);
   return this->Superclass::RemoveFromView(view);
 }
 

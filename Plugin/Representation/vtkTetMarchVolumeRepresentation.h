@@ -15,13 +15,11 @@
 #ifndef vtkTetMarchVolumeRepresentation_h
 #define vtkTetMarchVolumeRepresentation_h
 
+#include "SelectedBlocks.h"                  // For the selection of blocks
 #include "vtkBoundingBox.h"                  // For WholeBounds
+#include "vtkTetMarchRepresentationMacros.h" // For methods of both representations
 #include "vtkTetMarchRepresentationModule.h" // For export macro
-#include "vtkTetMarchSettingsMacros.h"       // For methods of the settings
 #include "vtkUnstructuredGridVolumeRepresentation.h"
-
-#include <set>    // For std::set
-#include <string> // For std::string
 
 class vtkDataObject;
 class vtkTetMarchLegend;
@@ -40,12 +38,9 @@ public:
 
   //@{
   /**
-   * Which blocks are drawn of composite input: those that one of the selectors names in the
-   * assembly, or that lie below one. By default all.
+   * Which blocks are drawn of composite input: see tetmarch::BlockSelection.
    */
-  void SetActiveAssembly(const char* name);
-  void AddBlockSelector(const char* selector);
-  void RemoveAllBlockSelectors();
+  vtkTetMarchBlocksMethodsMacro();
   //@}
 
   /**
@@ -59,6 +54,23 @@ public:
    */
   vtkTetMarchSettingsMethodsMacro();
   //@}
+
+  /**
+   * What its mapper says of the last frame, in the process that is asked.
+   */
+  vtkTetMarchFrameStatistics* GetLastFrameStatistics() const;
+
+  //@{
+  /**
+   * The figure of that name of GetLastFrameStatistics(): see vtkTetMarchFrameStatistics.
+   */
+  vtkTetMarchStatisticsMethodsMacro();
+  //@}
+
+  /**
+   * Seconds that it took.
+   */
+  double GetTimeToDraw() const;
 
   //@{
   /**
@@ -119,8 +131,7 @@ private:
 
   vtkSmartPointer<vtkDataObject> Drawn; // of this process
   vtkBoundingBox WholeBounds;           // of that of all processes
-  std::string ActiveAssembly;
-  std::set<std::string> BlockSelectors{ "/" };
+  tetmarch::BlockSelection Blocks;
   double CroppingOrigin[3] = { 0, 0, 0 };
   double CroppingScale[3] = { 1, 1, 1 };
   vtkNew<vtkTetMarchVolumeMapper> TetMarchMapper;

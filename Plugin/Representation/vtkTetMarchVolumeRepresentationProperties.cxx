@@ -12,6 +12,16 @@ vtkTetMarchSettings* vtkTetMarchVolumeRepresentation::GetSettings() const
   return this->TetMarchMapper->GetSettings();
 }
 
+vtkTetMarchFrameStatistics* vtkTetMarchVolumeRepresentation::GetLastFrameStatistics() const
+{
+  return this->TetMarchMapper->GetLastFrameStatistics();
+}
+
+double vtkTetMarchVolumeRepresentation::GetTimeToDraw() const
+{
+  return this->TetMarchMapper->GetTimeToDraw();
+}
+
 void vtkTetMarchVolumeRepresentation::SetBlendMode(int mode)
 {
   this->TetMarchMapper->SetBlendMode(mode);

@@ -10,7 +10,7 @@ import unittest
 
 import vtkmodules.all as vtk
 
-from pages import fenced_blocks, folder_of_a_user, indented_blocks, name_of, pages, text_of
+from pages import PROJECT, fenced_blocks, folder_of_a_user, indented_blocks, name_of, pages, text_of
 
 BUILD = None
 MOST_LINES = 15
@@ -77,7 +77,9 @@ class ExamplesTest(unittest.TestCase):
     def test_properties_of_the_plugins_are_its_own(self):
         """That example needs ParaView; here its properties and their values are looked up in what ParaView reads."""
         (block,) = fenced_blocks(text_of("Plugin/README.md"), "python")
-        properties = text_of("Plugin/Representation/TetMarch.xml")
+        files = sorted(PROJECT.glob("Plugin/Representation/*.xml.in"))
+        self.assertTrue(files)
+        properties = "".join(map(text_of, files))
         for line in block.splitlines():
             for name, value in re.findall(r"display\.(TetMarch\w+) = (.*)", line):
                 with self.subTest(property=name):

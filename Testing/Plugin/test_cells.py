@@ -8,7 +8,7 @@ import tempfile
 from lattices import ARRAY, blocks, lattice, source_of
 from paraview import simple
 from paraview.vtk.vtkIOXML import vtkXMLUnstructuredGridWriter
-from views import figure_of, load_plugin, open_view, parse_arguments, picture_of, set_all, show
+from views import figure_of, load_plugin, open_view, parse_arguments, picture_of, selected, set_all, show
 
 N = 4  # cubes along each axis
 PIXELS = 40  # along each of them
@@ -48,27 +48,6 @@ def open_display(view, data, unit_distance=2.0):
 def cubes_across(first, last):
     """Pixels of cubes in x, all of them in y, but for their outermost pixels: left, bottom, right, top."""
     return [first * PIXELS + 2, 2, (last + 1) * PIXELS - 3, N * PIXELS - 3]
-
-
-def selected(source, view, rectangle):
-    """Of the source's first port: {(block, cell), ...}, None for the block of what has none."""
-    simple.ClearSelection(source)
-    simple.SelectSurfaceCells(Rectangle=rectangle, View=view)
-    combined = source.SMProxy.GetSelectionInput(0)
-    if combined is None:
-        return set()
-    found = set()
-    inputs = combined.GetProperty("Input")
-    for i in range(inputs.GetNumberOfProxies()):
-        selection = inputs.GetProxy(i)
-        ids = selection.GetProperty("IDs")
-        values = [ids.GetElement(k) for k in range(ids.GetNumberOfElements())]
-        composite = selection.GetXMLName() == "CompositeDataIDSelectionSource"
-        assert composite or selection.GetXMLName() == "IDSelectionSource", selection.GetXMLName()
-        step = 3 if composite else 2
-        for k in range(0, len(values), step):
-            found.add((values[k] if composite else None, values[k + step - 1]))
-    return found
 
 
 def layer(z, sizes=(N, N)):

@@ -1,17 +1,28 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Blend modes, cropping, NaN and the distance of rays, on cubes of which the picture is known."""
+"""Blend modes, cropping, NaN and the distance of rays, on cubes of which the picture is known.
+
+They are hexahedra, an image or a rectilinear grid, as --grid says: properties and pictures are the same.
+"""
 import math
 
-from lattices import ARRAY, lattice, source_of
+from lattices import ARRAY, image, lattice, rectilinear, source_of
 from paraview import simple
-from views import figure_of, figures_of, load_plugin, open_view, parse_arguments, picture_of, set_all, show
+from views import (figure_of, figures_of, load_plugin, mapper_of, open_view, parse_arguments, picture_of, set_all,
+                   show)
 
 N = 4  # cubes along each axis
 PIXELS = 40  # along each of them
 OPACITY = 0.5
 UNIT_DISTANCE = 8.0
 ROUNDING = 1  # of 255
+PLANES = [0.0, 1.25, 2.0, 2.75, 4.0]  # of a rectilinear grid, along each axis
+
+GRIDS = {
+    "unstructured": (lambda value: lattice((N, N, N), value), "UnstructuredGridRepresentation"),
+    "image": (lambda value: image((N, N, N), value), "UniformGridRepresentation"),
+    "rectilinear": (lambda value: rectilinear([PLANES] * 3, value), "UniformGridRepresentation"),
+}
 
 
 def look_along(view, axis):
@@ -42,11 +53,17 @@ class Cubes:
     def __init__(self, arguments):
         self.folder = arguments.pictures
         self.view = open_view()
-        self.source = source_of(lattice((N, N, N), lambda x, y, z: x))
-        self.display = show(self.source, self.view, ARRAY)
-        self.display.ScalarOpacityUnitDistance = UNIT_DISTANCE
+        self.grid, self.kind = GRIDS[arguments.grid]
+        self.source, self.display = self.show(lambda x, y, z: x)
         use_functions()
         look_along(self.view, 0)
+
+    def show(self, value):
+        source = source_of(self.grid(value))
+        display = show(source, self.view, ARRAY, kind=self.kind)
+        display.ScalarOpacityUnitDistance = UNIT_DISTANCE
+        display.TetMarchOpacityLaw = "Unstructured"
+        return source, display
 
     def set(self, **properties):
         set_all(self.display, properties)
@@ -106,7 +123,10 @@ def check_cropping(cubes):
     cubes.expect_share(0.5, True, CroppingOrigin=[1.0, 0.0, 0.0])
     cubes.expect_share(0.25, False, CroppingScale=[0.25, 1.0, 1.0], CroppingOrigin=[3.0, 0.0, 0.0])
     cubes.expect_share(0.25, False, CroppingScale=[-0.25, 1.0, 1.0], CroppingOrigin=[1.0, 0.0, 0.0])
-    assert figures_of(cubes.display, "CroppingRegionPlanes") == [0, 1, 0, N, 0, N]
+    mapper = mapper_of(cubes.display)
+    by_vtk = hasattr(mapper, "GetCroppingRegionPlanes")  # whose mapper of images has them
+    planes = list(mapper.GetCroppingRegionPlanes()) if by_vtk else figures_of(cubes.display, "CroppingRegionPlanes")
+    assert planes == [0, 1, 0, N, 0, N], planes
     cubes.expect_share(0.25, True, CroppingScale=[0.5] * 3, CroppingOrigin=[1.0] * 3)
     # Along z, what regions there are seen through each other.
     cubes.expect_share(1.0, True, CroppingRegionFlags="Fence")
@@ -119,17 +139,15 @@ def check_cropping(cubes):
 
 def check_nan(cubes):
     """A point in the corner of eight cubes that has no value."""
-    odd = source_of(lattice((N, N, N), lambda x, y, z: math.nan if x == y == z == N / 2 else x))
     cubes.display.Visibility = 0
-    display = show(odd, cubes.view, ARRAY)
-    display.ScalarOpacityUnitDistance = UNIT_DISTANCE
+    odd, display = cubes.show(lambda x, y, z: math.nan if x == y == z == N / 2 else x)
     picture = picture_of(cubes.view)
     assert not any(pixel[2] for pixel in picture), "cells without a value are drawn, and not asked for"
     display.TetMarchDrawNanCells = 1
     drawn = picture_of(cubes.view)
     share = sum(pixel[2] > 0 for pixel in drawn) / len(drawn)
     print(f"NaN cells: {share:.4f} of the picture")
-    # Of the squares around it, what the tetrahedra that touch it cover.
+    # Of the squares around it, what the cells or the tetrahedra that touch it cover.
     assert 2 / N**2 <= share <= 4 / N**2, "cells around a NaN don't have the colour of NaN"
     simple.Delete(odd)
     cubes.display.Visibility = 1
@@ -183,7 +201,7 @@ def check_limits(cubes):
 
 
 def main():
-    arguments = parse_arguments(__doc__)
+    arguments = parse_arguments(__doc__, "grid")
     load_plugin(arguments)
     cubes = Cubes(arguments)
     check_blend_modes(cubes)

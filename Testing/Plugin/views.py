@@ -4,6 +4,7 @@
 import argparse
 
 from paraview import simple
+from paraview.vtk import vtkRenderingVolumeOpenGL2  # noqa: F401, for methods of mappers
 
 REPRESENTATION = "Tet Marching"
 # Share of the picture's pixels.
@@ -32,8 +33,8 @@ def open_view():
     return view
 
 
-def show(source, view, array, association="POINTS"):
-    display = simple.Show(source, view, "UnstructuredGridRepresentation")
+def show(source, view, array, association="POINTS", kind="UnstructuredGridRepresentation"):
+    display = simple.Show(source, view, kind)
     simple.ColorBy(display, (association, array))
     available = display.GetProperty("Representation").Available
     assert REPRESENTATION in available, f"{REPRESENTATION} is not among {available}"
@@ -42,7 +43,7 @@ def show(source, view, array, association="POINTS"):
 
 
 def mapper_of(display):
-    return display.GetClientSideObject().GetActiveRepresentation().GetActiveVolumeMapper()
+    return display.GetClientSideObject().GetActiveRepresentation().GetActor().GetMapper()
 
 
 def figures_of(display, name):
@@ -58,7 +59,10 @@ def figure_of(display, name):
 
 
 def picture_of(view):
-    image = view.SMProxy.CaptureWindow(1)
+    return pixels_of(view.SMProxy.CaptureWindow(1))
+
+
+def pixels_of(image):
     values = memoryview(image.GetPointData().GetScalars()).tobytes()
     channels = image.GetPointData().GetScalars().GetNumberOfComponents()
     return [values[i : i + 3] for i in range(0, len(values), channels)]
@@ -85,6 +89,27 @@ def set_all(display, properties):
     """Properties of the representation, whose prefix is left out."""
     for name, value in properties.items():
         setattr(display, "TetMarch" + name, value)
+
+
+def selected(source, view, rectangle):
+    """Of the source's first port: {(block, cell), ...}, None for the block of what has none."""
+    simple.ClearSelection(source)
+    simple.SelectSurfaceCells(Rectangle=rectangle, View=view)
+    combined = source.SMProxy.GetSelectionInput(0)
+    if combined is None:
+        return set()
+    found = set()
+    inputs = combined.GetProperty("Input")
+    for i in range(inputs.GetNumberOfProxies()):
+        selection = inputs.GetProxy(i)
+        ids = selection.GetProperty("IDs")
+        values = [ids.GetElement(k) for k in range(ids.GetNumberOfElements())]
+        composite = selection.GetXMLName() == "CompositeDataIDSelectionSource"
+        assert composite or selection.GetXMLName() == "IDSelectionSource", selection.GetXMLName()
+        step = 3 if composite else 2
+        for k in range(0, len(values), step):
+            found.add((values[k] if composite else None, values[k + step - 1]))
+    return found
 
 
 class Watch:

@@ -1,0 +1,22 @@
+# What ParaView is told of the representations. Its XML has no way to include a file, so that what both have in common
+# is put in here: properties, and where they are in the panel.
+set(tetmarch_server_manager_xml)
+function (tetmarch_add_server_manager_xml name TETMARCH_OPACITY_LAW)
+  foreach (part IN ITEMS Settings MainGroup OtherGroups)
+    set(file "${CMAKE_CURRENT_SOURCE_DIR}/Representation/${part}.xml.in")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+    file(READ "${file}" text)
+    string(CONFIGURE "${text}" text @ONLY)
+    string(REGEX REPLACE "\n$" "" text "${text}")
+    string(REGEX REPLACE "([a-z])([A-Z])" "\\1_\\2" variable "${part}")
+    string(TOUPPER "TETMARCH_${variable}" variable)
+    set("${variable}" "${text}")
+  endforeach ()
+  set(xml "${CMAKE_CURRENT_BINARY_DIR}/${name}.xml")
+  configure_file("Representation/${name}.xml.in" "${xml}" @ONLY)
+  set(tetmarch_server_manager_xml ${tetmarch_server_manager_xml} "${xml}" PARENT_SCOPE)
+endfunction ()
+
+# With the value of the opacity law by default: that of ParaView's own volume rendering of such data.
+tetmarch_add_server_manager_xml(TetMarch 0)
+tetmarch_add_server_manager_xml(TetMarchImage 1)
