@@ -6,7 +6,7 @@
 #elif TETMARCH_ISOSURFACES
 #include "gather/isosurfaces.glsl"
 #else
-#if TETMARCH_ERROR_BOUND
+#if TETMARCH_ERROR_BOUND && !TETMARCH_EVEN_CUTS
 #include "gather/order_error.glsl"
 #endif
 #include "gather/subsegment.glsl"
@@ -19,6 +19,8 @@
 #endif
 #if TETMARCH_POINT_SAMPLED
 #include "gather/segment_sampled.glsl"
+#elif TETMARCH_EVEN_CUTS
+#include "gather/segment_even.glsl"
 #elif TETMARCH_POINT_SCALARS
 #include "gather/segment_linear.glsl"
 #else

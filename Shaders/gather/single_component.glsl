@@ -1,6 +1,6 @@
 // One scalar gives colour and extinction.
 
-#if TETMARCH_POINT_SCALARS && !TETMARCH_POINT_SAMPLED
+#if TETMARCH_POINT_SCALARS && !TETMARCH_POINT_SAMPLED && !TETMARCH_EVEN_CUTS
 // Positions in the table at both ends of a segment.
 struct SegmentEnds
 {
@@ -108,7 +108,7 @@ real subsegmentError(
 #endif
 }
 #endif
-#else
+#elif !TETMARCH_EVEN_CUTS
 // C tau and tau where the scalar is constant.
 vec4 constantMean(Segment segment)
 {

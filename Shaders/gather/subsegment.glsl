@@ -1,6 +1,6 @@
 // A part of a segment that is integrated at once.
 
-#if TETMARCH_POINT_SCALARS && !TETMARCH_POINT_SAMPLED
+#if TETMARCH_POINT_SCALARS && !TETMARCH_POINT_SAMPLED && !TETMARCH_EVEN_CUTS
 struct Subsegment
 {
   real begin;    // where in the segment, 0..1

@@ -48,7 +48,7 @@ struct CellInterval
 #endif
 };
 
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_POINT_SCALARS && !TETMARCH_WHOLE_INTERVALS
 // The scalar at a depth in the interval.
 real scalarIn(CellInterval cell, real depth)
 {
@@ -68,7 +68,7 @@ vec3 furtherAt(CellInterval cell, real depth)
 }
 #endif
 
-#if TETMARCH_BENT_COMPONENTS
+#if TETMARCH_BENT_COMPONENTS && !TETMARCH_WHOLE_INTERVALS
 vec3 furtherAt(CellInterval cell, real depth)
 {
   return bentScalars(
@@ -80,7 +80,11 @@ vec3 furtherAt(CellInterval cell, real depth)
 Segment visibleSegment(CellInterval cell)
 {
   Segment segment;
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_WHOLE_INTERVALS
+  segment.begin = cell.enter;
+  segment.end = cell.leave;
+  segment.bend = cell.bend;
+#elif TETMARCH_POINT_SCALARS
   segment.begin = vec2(
     cell.begin, cell.begin > cell.enter.x ? scalarIn(cell, cell.begin) : cell.enter.y);
   segment.end =
@@ -96,6 +100,10 @@ Segment visibleSegment(CellInterval cell)
 #if TETMARCH_FURTHER_VERTEX_SCALARS
   segment.furtherBegin = cell.begin > cell.enter.x ? furtherAt(cell, cell.begin) : cell.enterAttributes.further;
   segment.furtherEnd = cell.end < cell.leave.x ? furtherAt(cell, cell.end) : cell.leaveAttributes.further;
+#elif TETMARCH_BENT_COMPONENTS && TETMARCH_WHOLE_INTERVALS
+  segment.furtherBegin = cell.furtherEnter;
+  segment.furtherEnd = cell.furtherLeave;
+  segment.furtherBend = cell.furtherBend;
 #elif TETMARCH_BENT_COMPONENTS
   segment.furtherBegin = cell.begin > cell.enter.x ? furtherAt(cell, cell.begin) : cell.furtherEnter;
   segment.furtherEnd = cell.end < cell.leave.x ? furtherAt(cell, cell.end) : cell.furtherLeave;
@@ -117,8 +125,12 @@ Segment visibleSegment(CellInterval cell)
 // Where in the interval a segment begins and ends: 0 and 1 if it is all of the interval.
 vec2 rangeWithin(CellInterval cell, Segment segment)
 {
+#if TETMARCH_WHOLE_INTERVALS
+  return vec2(real(0), real(1));
+#else
   return vec2(segment.begin.x > cell.enter.x ? fractionAt(cell.enter, cell.leave, segment.begin.x) : real(0),
     segment.end.x < cell.leave.x ? fractionAt(cell.enter, cell.leave, segment.end.x) : real(1));
+#endif
 }
 #endif
 
@@ -173,7 +185,12 @@ void decideVisibility(bool forward, INOUT(CellInterval) cell)
   open = open && !isHidden(cell.number);
 #endif
   cell.seen = open && isDrawn(first) && isDrawn(cell.scalar);
-#if TETMARCH_TRANSPARENT_RANGES
+#if TETMARCH_TRANSPARENT_RANGES && TETMARCH_EVEN_CUTS
+  real reach = greatestBend(cell.bend);
+  cell.seen = cell.seen &&
+    !isTransparentBetween((min(first, cell.scalar) - reach) * tableScale + tableOffset,
+      (max(first, cell.scalar) + reach) * tableScale + tableOffset);
+#elif TETMARCH_TRANSPARENT_RANGES
   cell.seen = cell.seen &&
     !isTransparentBetween(first * tableScale + tableOffset, cell.scalar * tableScale + tableOffset);
 #elif TETMARCH_ISOSURFACES

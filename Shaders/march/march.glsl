@@ -207,7 +207,7 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
 {
   while (continuesBefore(traversal, depthEnd) && march.cells < mostCells)
   {
-    enterVolume(ray, traversal);
+    enterVolume(ray, depthEnd, traversal);
 #if TETMARCH_SAMPLED_SHADOWS
     bool onward = traversal.entered && !march.pause.ended;
 #else

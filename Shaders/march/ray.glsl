@@ -7,6 +7,7 @@ struct Ray
   vec3 start;    // the origin in lattice coordinates
   vec3 slope;    // lattice coordinates a unit of depth
   vec3 perSlope; // 1 over that; 0 along an axis that the ray runs across
+  vec3 never;    // 1 along an axis that the ray runs across, else 0
   ivec3 steps;   // 1 or -1: the direction along each axis; 0 across it
 #if TETMARCH_POINT_SAMPLED
   real firstSample; // depth; structured/ray_samples.glsl

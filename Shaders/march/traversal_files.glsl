@@ -6,6 +6,9 @@
 #endif
 #if TETMARCH_USES_TABLES
 #include "tables/integral_table.glsl"
+#if TETMARCH_EVEN_CUTS
+#include "tables/mean_by_difference.glsl"
+#endif
 #endif
 #if TETMARCH_GRADIENT_OPACITY
 #include "tables/gradient_opacity.glsl"

@@ -14,7 +14,7 @@ vec2 bendWithin(vec2 bend, real from, real to)
   return vec2((bend.x + real(3) * bend.y * from) * h * h, bend.y * h * h * h);
 }
 
-#if TETMARCH_VARIATIONS
+#if TETMARCH_VARIATIONS || TETMARCH_EVEN_CUTS
 // No point of the cubic is farther from the straight line: x (1 - x) is a quarter at most, and b + c (1 + x) lies between
 // b + c and b + 2 c.
 real greatestBend(vec2 bend)
@@ -22,11 +22,14 @@ real greatestBend(vec2 bend)
   return real(0.25) * max(abs(bend.x + bend.y), abs(bend.x + real(2) * bend.y));
 }
 
+#endif
+
+#if TETMARCH_VARIATIONS && !TETMARCH_EVEN_CUTS
 // The greatest distance r of the place, 0..1, at which the scalar has a value, from that on the straight line.
 real greatestShift(vec2 bend, real rise) { return min(greatestBend(bend) / max(abs(rise), real(1e-20)), real(1)); }
 #endif
 
-#if TETMARCH_SLOPE_VARIATION
+#if TETMARCH_SLOPE_VARIATION || TETMARCH_EVEN_CUTS
 // What is added to the mean of a function of the scalar over the straight line, times its rise from end to end: for a
 // function whose slope is constant that makes it the mean along the cubic. rise: of the scalar.
 real bentShare(vec2 bend, real rise)
@@ -34,6 +37,9 @@ real bentShare(vec2 bend, real rise)
   return -(bend.x / real(6) + bend.y / real(4)) / (rise < real(0) ? min(rise, -TINY) : max(rise, TINY));
 }
 
+#endif
+
+#if TETMARCH_SLOPE_VARIATION
 vec4 bentMean(vec4 mean, vec4 begin, vec4 end, vec2 bend, real rise)
 {
   vec4 along = mean + (end - begin) * bentShare(bend, rise);
@@ -58,7 +64,7 @@ real bentMeanError(vec2 bend, real rise)
 }
 #endif
 
-#if TETMARCH_ERROR_BOUND && !TETMARCH_INDEPENDENT
+#if TETMARCH_ERROR_BOUND && !TETMARCH_INDEPENDENT && !TETMARCH_EVEN_CUTS
 // What the bend changes of the light of a subsegment in which the scalar rises or falls, and which is integrated as if
 // its table positions ran linearly. bend and rise: in table positions. by: of the subsegment; colorVariation and
 // extinctionVariation: the total variations of colour and extinction between its ends.

@@ -5,10 +5,13 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
 {
   CellInterval cell;
   beginCell(cell);
+#if TETMARCH_CELL_PARTS
   // A march that has paused may go on within a cell.
-  bool within = place.position < real(1);
-  cell.leave =
-    vec2(within ? place.depth + (place.leave - place.depth) * place.position : place.leave, UNDRAWN_SCALAR);
+  real begin = isWithinCell(place) ? place.depth + (place.leave - place.depth) * place.position : place.leave;
+#else
+  real begin = place.leave;
+#endif
+  cell.leave = vec2(begin, UNDRAWN_SCALAR);
   cell.number = numberOfCell(place.cell);
   beginLookups(cell);
 #if TETMARCH_POINT_SAMPLED
@@ -17,8 +20,18 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
   return cell;
 }
 
-// The number of the cell behind the plane that the ray crosses first, of those across the axes; of several the first one.
-// beside: along the other axes.
+// The cell behind the plane that the ray crosses first, of those across the axes; of several the first one.
+ivec3 nextCell(Ray ray, ivec3 cell, vec3 crossings)
+{
+  bool acrossX = crossings.x <= crossings.y && crossings.x <= crossings.z;
+  bool acrossY = !acrossX && crossings.y <= crossings.z;
+  bool acrossZ = !acrossX && !acrossY;
+  return ivec3(cell.x + (acrossX ? ray.steps.x : 0), cell.y + (acrossY ? ray.steps.y : 0),
+    cell.z + (acrossZ ? ray.steps.z : 0));
+}
+
+#if TETMARCH_LEAPS
+// The same of any planes. beside: along the other axes.
 ivec3 cellBehind(Ray ray, ivec3 plane, vec3 crossings, ivec3 beside)
 {
   bool acrossX = crossings.x <= crossings.y && crossings.x <= crossings.z;
@@ -29,7 +42,6 @@ ivec3 cellBehind(Ray ray, ivec3 plane, vec3 crossings, ivec3 beside)
     acrossZ ? (ray.steps.z > 0 ? plane.z : plane.z - 1) : beside.z);
 }
 
-#if TETMARCH_LEAPS
 ivec3 blockOf(ivec3 cell) { return ivec3(cell.x >> LEAP_SHIFT, cell.y >> LEAP_SHIFT, cell.z >> LEAP_SHIFT); }
 
 // The blocks by which the cube of which nothing can be seen reaches beyond the given one; 0: there is no such cube.
@@ -63,7 +75,7 @@ bool leap(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
 {
   ivec3 block = blockOf(place.cell);
   int reach = leapOf(block);
-  bool leaps = reach > 0 && !(place.position < real(1));
+  bool leaps = reach > 0 && !isWithinCell(place);
   ivec3 far = ivec3(cubeEnd(block.x, ray.steps.x, reach, latticeCells.x),
     cubeEnd(block.y, ray.steps.y, reach, latticeCells.y), cubeEnd(block.z, ray.steps.z, reach, latticeCells.z));
   vec3 crossings = crossingDepths(ray, far, NO_DEPTH);
@@ -78,8 +90,8 @@ bool leap(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
 }
 #endif
 
-// The scalar at the place where a part of the cell ends.
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_CELL_PARTS
+// The part of the cell up to the next extreme of the scalar.
 void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
 {
   real from = place.position;
@@ -104,19 +116,48 @@ void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
   cell.scalar = cell.leave.y;
   place.position = to;
 }
-#else
-void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
+#elif TETMARCH_POINT_SCALARS
+// All of the cell.
+void takeCell(Place place, vec4 cubic, INOUT(CellInterval) cell)
 {
-  cell.enter = vec2(place.depth, cell.scalar);
-  cell.leave = vec2(place.leave, cell.scalar);
-  place.position = real(1);
+  bool hasScalar = isDrawn(cubic.x);
+  cell.enter = vec2(place.depth, cubic.x);
+  cell.leave = vec2(place.leave, hasScalar ? cubicAt(cubic, real(1)) : UNDRAWN_SCALAR);
+  cell.bend = vec2(cubic.z, cubic.w);
+  cell.scalar = cell.leave.y;
 }
 #endif
+
+// The ray enters the cell before which it is.
+void enterCell(Ray ray, real leave, INOUT(Place) place, INOUT(CellInterval) cell)
+{
+  place.depth = place.leave;
+  place.leave = leave;
+  cell.number = numberOfCell(place.cell);
+#if TETMARCH_CELL_PARTS
+  place.position = real(0);
+  place.cubic = cubicAlong(ray, place.cell, place.depth, place.leave);
+  place.extremes = extremesOf(place.cubic);
+#if TETMARCH_BENT_COMPONENTS
+  place.further = furtherCubicsAlong(ray, place.cell, place.depth, place.leave);
+#endif
+#elif TETMARCH_POINT_SCALARS
+  takeCell(place, cubicAlong(ray, place.cell, place.depth, place.leave), cell);
+#else
+  cell.scalar =
+    fetchValue(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
+#if TETMARCH_COMPONENTS
+  cell.further =
+    fetchFurtherValues(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
+#endif
+  cell.enter = vec2(place.depth, cell.scalar);
+  cell.leave = vec2(place.leave, cell.scalar);
+#endif
+}
 
 Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
 {
   Crossing crossing;
-  crossing.cells = 0;
   crossing.lost = false;
   keepLastDrawn(cell);
 #if TETMARCH_LEAPS
@@ -127,35 +168,21 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
 #if TETMARCH_EFFECTS
   place.crossed = place.cell;
 #endif
-  ivec3 ahead = planesAhead(ray, place.cell);
-  vec3 crossings = crossingDepths(ray, ahead, NO_DEPTH);
-  if (!(place.position < real(1)))
+  vec3 crossings = crossingDepths(ray, planesAhead(ray, place.cell), NO_DEPTH);
+  crossing.cells = isWithinCell(place) ? 0 : 1;
+#if TETMARCH_CELL_PARTS
+  if (!isWithinCell(place))
   {
-    place.depth = place.leave;
-    place.leave = inside ? leastOf(crossings) : place.depth;
-    place.position = real(0);
-    cell.number = numberOfCell(place.cell);
-    crossing.cells = 1;
-#if TETMARCH_POINT_SCALARS
-    place.cubic = cubicAlong(ray, place.cell, place.depth, place.leave);
-    place.extremes = extremesOf(place.cubic);
-#if TETMARCH_BENT_COMPONENTS
-    place.further = furtherCubicsAlong(ray, place.cell, place.depth, place.leave);
-#endif
-#else
-    cell.scalar =
-      fetchValue(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
-#if TETMARCH_COMPONENTS
-    cell.further =
-      fetchFurtherValues(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
-#endif
-#endif
+    enterCell(ray, inside ? min(leastOf(crossings), place.end) : place.leave, place, cell);
   }
   takePart(place, cell);
-  bool crossed = !(place.position < real(1));
+#else
+  enterCell(ray, inside ? min(leastOf(crossings), place.end) : place.leave, place, cell);
+#endif
+  bool crossed = !isWithinCell(place);
   // The last plane of the lattice is the same for each cell before it, to the bit.
   crossing.onward = !crossed || place.leave < place.end;
-  ivec3 next = cellBehind(ray, ahead, crossings, place.cell);
+  ivec3 next = nextCell(ray, place.cell, crossings);
   place.cell = crossing.onward && crossed ? next : place.cell;
   return crossing;
 }

@@ -60,8 +60,7 @@ ivec3 planesPassed(Ray ray, ivec3 cell)
 // Depths at which the ray crosses a plane across each axis; none along an axis that it runs across.
 vec3 crossingDepths(Ray ray, ivec3 plane, real none)
 {
-  vec3 t = (planesAt(plane) - ray.start) * ray.perSlope;
-  return vec3(ray.steps.x == 0 ? none : t.x, ray.steps.y == 0 ? none : t.y, ray.steps.z == 0 ? none : t.z);
+  return (planesAt(plane) - ray.start) * ray.perSlope + ray.never * none;
 }
 
 real leastOf(vec3 v) { return min(v.x, min(v.y, v.z)); }

@@ -37,6 +37,7 @@ real transmittanceTo(LightStart start, vec3 direction, real distance)
   real thicknessPerDepth = thicknessPerDepthAlong(direction);
   real darkDepth = -log(errorTolerance);
   Traversal traversal = traversalFrom(ray, 0, begin);
+  enterVolume(ray, end, traversal);
   CellInterval cell = beginCellInterval(ray, traversal.place);
   real opticalDepth = real(0);
   bool onward = continuesBefore(traversal, end);

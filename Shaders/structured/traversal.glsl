@@ -1,18 +1,18 @@
 // The traversal of a lattice from cell to cell (Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing",
 // 1987), with leaps over blocks of cells of which nothing can be seen.
 
-// Where a ray is: before a cell or, in a cell in which the scalar bends, before the next part of it.
+// Where a ray is: before a cell or, in a cell that is crossed in parts, before the next one of them.
 struct Place
 {
   ivec3 cell;
   real depth;    // where the ray enters the cell
   real leave;    // where it leaves it
-  real end;      // where it leaves the lattice
-  real position; // up to where the cell is crossed, 0..1; 1: it is not yet entered
+  real end;      // where it leaves the lattice, or is to end
 #if TETMARCH_EFFECTS
   ivec3 crossed; // the cell that was crossed last
 #endif
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_CELL_PARTS
+  real position; // up to where the cell is crossed, 0..1; 1: it is not yet entered
   vec4 cubic;    // the scalar along the ray in it
   vec2 extremes;
 #endif
@@ -20,6 +20,12 @@ struct Place
   FurtherCubics further; // of the scalars beside it
 #endif
 };
+
+#if TETMARCH_CELL_PARTS
+bool isWithinCell(Place place) { return place.position < real(1); }
+#else
+bool isWithinCell(Place place) { return false; }
+#endif
 
 // The state of a ray: it enters a lattice once.
 struct Traversal
@@ -39,11 +45,11 @@ Traversal traversalFrom(Ray ray, int firstFace, real depthBegin)
   ivec3 last = ivec3(latticeCells.x - 1, latticeCells.y - 1, latticeCells.z - 1);
   Traversal traversal;
   traversal.place.cell = cellBehindDepth(ray, depth, none, last);
-  traversal.place.depth = greatestOf(crossingDepths(ray, planesPassed(ray, traversal.place.cell), -NO_DEPTH));
-  traversal.place.leave = traversal.place.depth;
+  traversal.place.depth = depth;
+  traversal.place.leave = depth;
   traversal.place.end = range.y;
+#if TETMARCH_CELL_PARTS
   traversal.place.position = real(1);
-#if TETMARCH_POINT_SCALARS
   traversal.place.cubic = vec4(real(0), real(0), real(0), real(0));
   traversal.place.extremes = vec2(NO_EXTREME, NO_EXTREME);
 #endif
@@ -65,6 +71,10 @@ bool continuesBefore(Traversal traversal, real depthEnd)
   return traversal.entry.face >= 0 && traversal.entry.depth < depthEnd;
 }
 
-void enterVolume(Ray ray, INOUT(Traversal) traversal) {}
+// Nothing is asked for behind the given depth.
+void enterVolume(Ray ray, real depthEnd, INOUT(Traversal) traversal)
+{
+  traversal.place.end = min(traversal.place.end, depthEnd);
+}
 
 void leaveVolume(Ray ray, bool finished, INOUT(Traversal) traversal) { traversal.entry.face = -1; }

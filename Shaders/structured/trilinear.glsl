@@ -63,8 +63,9 @@ vec4 cubicAlong(Ray ray, ivec3 cell, real enter, real leave)
   cubic.y = valueRise + slopeRise * a.x + slope * e.x;
   cubic.z = valueBend + slopeBend * a.x + slopeRise * e.x;
   cubic.w = slopeBend * e.x;
-  real most = max(max(max(low.x, low.y), max(low.z, low.w)), max(max(high.x, high.y), max(high.z, high.w)));
-  cubic.x = isDrawn(most) ? cubic.x : UNDRAWN_SCALAR;
+  // In the mean, one that isn't finite outweighs all others.
+  vec4 sums = low + high;
+  cubic.x = isDrawn(real(0.125) * ((sums.x + sums.y) + (sums.z + sums.w))) ? cubic.x : UNDRAWN_SCALAR;
   return cubic;
 }
 
@@ -75,6 +76,7 @@ vec4 cubicAlong(Ray ray, ivec3 cell, real enter, real leave) { return cubicOfCom
 
 real cubicAt(vec4 cubic, real x) { return cubic.x + x * (cubic.y + x * (cubic.z + x * cubic.w)); }
 
+#if TETMARCH_CELL_PARTS
 CONSTANT real NO_EXTREME = real(2);
 
 // Where the cubic has extremes between 0 and 1, in ascending order; NO_EXTREME where there is none. The roots of the
@@ -94,3 +96,4 @@ vec2 extremesOf(vec4 cubic)
   second = d > real(0) && second > real(0) && second < real(1) ? second : NO_EXTREME;
   return vec2(min(first, second), max(first, second));
 }
+#endif

@@ -41,7 +41,7 @@ bool continuesBefore(Traversal traversal, real depthEnd)
 }
 
 // Enters by the boundary face, unless the ray is inside already.
-void enterVolume(Ray ray, INOUT(Traversal) traversal)
+void enterVolume(Ray ray, real depthEnd, INOUT(Traversal) traversal)
 {
   if (!traversal.inside)
   {

@@ -27,19 +27,23 @@ const ShaderFeature OfTheMarch[] = {
   { "tolerance", [](const Key& k, MarchShader) { return k.accumulatesOpacity(); },
     "errorTolerance" },
   { "segments of the picture",
-    [](const Key& k, MarchShader s)
-    { return gathers(k, s) && k.PointScalars && k.isComposite() && !k.PointSampled; },
+    [](const Key& k, MarchShader s) {
+      return gathers(k, s) && k.PointScalars && k.isComposite() && !k.PointSampled &&
+             !cutsEvenly(k);
+    },
     "SegmentEnds segmentEnds Subsegment subsegmentFrom SubsegmentMean meanOfSubsegment isLoaded "
     "keepTablePoint trials" },
   { "segments of one scalar",
     [](const Key& k, MarchShader s)
     {
       return gathers(k, s) && k.PointScalars && k.isComposite() && !k.hasComponents() &&
-             !k.PointSampled;
+             !k.PointSampled && !cutsEvenly(k);
     },
     "positionWithin" },
   { "scalars along the picture's rays",
-    [](const Key& k, MarchShader s) { return gathers(k, s) && k.PointScalars; }, "scalarIn" },
+    [](const Key& k, MarchShader s)
+    { return gathers(k, s) && k.PointScalars && (!k.Structured || k.Cropped || isPick(s)); },
+    "scalarIn" },
   { "cells and samples of the picture",
     [](const Key& k, MarchShader s)
     { return gathers(k, s) && (!k.PointScalars || k.PointSampled) && k.isComposite(); },
@@ -63,7 +67,14 @@ const ShaderFeature OfTheMarch[] = {
   { "components along segments",
     [](const Key& k, MarchShader s)
     { return gathers(k, s) && k.hasComponents() && k.PointScalars; },
-    "furtherAt furtherEnd" },
+    "furtherEnd" },
+  { "components where rays are cut",
+    [](const Key& k, MarchShader s)
+    {
+      return gathers(k, s) && k.hasComponents() && k.PointScalars &&
+             (!k.Structured || k.Cropped || isPick(s));
+    },
+    "furtherAt" },
   { "independent components", [](const Key& k, MarchShader) { return isIndependent(k); },
     "componentCount componentFactor scalarsOf componentOf" },
   { "independent components of points",
@@ -94,7 +105,7 @@ const ShaderFeature OfTheMarch[] = {
     "cutsFarPlane clipToNormalized unproject depthAt windowDepth" },
   { "parts between translucent geometry", [](const Key& k, MarchShader) { return k.Peeled; },
     "peeledRay initializeRayCast castRay g_opacityThreshold in_inverseWindowSize" },
-  { "error bound", [](const Key& k, MarchShader) { return k.hasErrorBound(); },
+  { "error bound", [](const Key& k, MarchShader) { return k.hasErrorBound() && !cutsEvenly(k); },
     "orderErrorFactor subsegmentError" },
   { "variations of the functions", [](const Key& k, MarchShader) { return k.needsVariations(); },
     "tableVariationBuffer variation" },
@@ -155,10 +166,10 @@ const ShaderFeature OfTheMarch[] = {
 };
 } // namespace
 
-const char* const UnusedInSome =
-  "main addLight castRay dimLight errorBound initializeRayCast insideFace isOpaque "
-  "isTurnedForSure meanBetween pixelOf scalarAt tablePoint "
-  "tableValue texelOfVertex vertexOfTexel traversalFrom";
+const char* const UnusedInSome = "main addLight bentScalar bentScalars castRay dimLight errorBound "
+                                 "initializeRayCast insideFace isOpaque "
+                                 "isTurnedForSure meanBetween pixelOf scalarAt tablePoint "
+                                 "tableValue texelOfVertex vertexOfTexel traversalFrom";
 
 const std::vector<ShaderFeature>& shaderFeatures()
 {

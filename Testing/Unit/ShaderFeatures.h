@@ -45,6 +45,12 @@ inline bool followsLight(const VariantKey& key, MarchShader shader)
 {
   return isLight(shader) || key.SampledShadows;
 }
+/// Cuts trilinear cells evenly instead of by the error.
+inline bool cutsEvenly(const VariantKey& key)
+{
+  return key.Structured && key.PointScalars && key.isComposite() && !key.Adaptive &&
+         !key.hasComponents() && !key.PointSampled;
+}
 inline bool isIsosurfaces(const VariantKey& key) { return key.Blend == BlendGroup::Isosurfaces; }
 
 /// Functions, divided by blanks, that some variants have without using them: those that stay beside

@@ -10,6 +10,10 @@ using Key = VariantKey;
 
 bool isMesh(const Key& key) { return !key.Structured; }
 bool isTrilinear(const Key& key) { return key.Structured && key.PointScalars; }
+bool bendsWithError(const Key& key)
+{
+  return key.Structured && key.hasErrorBound() && !cutsEvenly(key);
+}
 bool bendsTogether(const Key& key) { return isTrilinear(key) && key.hasComponents(); }
 } // namespace
 
@@ -64,35 +68,49 @@ std::vector<ShaderFeature> featuresOfVolumes()
       "valueTexture valueMap latticeCells firstValue lastValue latticeMatrix toLattice "
       "directionToLattice perSlope steps stepAlong perSlopeOf planesAt cellAround "
       "planesAhead planesPassed crossingDepths leastOf depthsOfLattice corrected cellBehindDepth "
-      "numberOfCell takePart cellBehind LEAP_SHIFT" },
+      "numberOfCell never neverAlong nextCell enterCell isWithinCell LEAP_SHIFT" },
     { "even planes", [](const Key& k, MarchShader) { return k.Structured && !k.Rectilinear; },
       "latticeShift latticeHalfLength planeAt" },
     { "planes of their own", [](const Key& k, MarchShader) { return k.Rectilinear; },
       "planeBuffer firstPlane fetchPlane planeBelow" },
     { "trilinear cells", [](const Key& k, MarchShader) { return isTrilinear(k); },
-      "fetchValues CellFrame cellFrame cubic cubicAlong cubicAt NO_EXTREME extremesOf extremes "
-      "bend "
+      "fetchValues CellFrame cellFrame cubic cubicAlong cubicAt bend "
       "bentScalar bendWithin" },
+    { "parts of trilinear cells",
+      [](const Key& k, MarchShader) { return isTrilinear(k) && !cutsEvenly(k); },
+      "takePart NO_EXTREME extremesOf extremes" },
+    { "trilinear cells cut evenly", [](const Key& k, MarchShader) { return cutsEvenly(k); },
+      "takeCell IntegralPoint integralPoint meanByDifference LEAST_RISE GREATEST_BEND MOST_PIECES "
+      "piecesOf meanOfPiece" },
+    { "error of pieces",
+      [](const Key& k, MarchShader) { return cutsEvenly(k) && k.hasErrorBound(); },
+      "errorOfPiece" },
     { "constant cells of a lattice",
       [](const Key& k, MarchShader) { return k.Structured && !k.PointScalars; }, "fetchValue" },
-    { "error of the bend",
-      [](const Key& k, MarchShader) { return k.Structured && k.hasErrorBound(); }, "bent" },
+    { "error of the bend", [](const Key& k, MarchShader) { return bendsWithError(k); }, "bent" },
     { "bend within a table",
-      [](const Key& k, MarchShader) { return k.Structured && k.needsVariations(); },
-      "greatestBend greatestShift" },
+      [](const Key& k, MarchShader)
+      { return k.Structured && (k.needsVariations() || cutsEvenly(k)); },
+      "greatestBend" },
+    { "shift of a scalar's place",
+      [](const Key& k, MarchShader)
+      { return k.Structured && k.needsVariations() && !cutsEvenly(k); },
+      "greatestShift" },
+    { "shift of the mean",
+      [](const Key& k, MarchShader)
+      { return k.Structured && !k.hasComponents() && (k.needsVariations() || cutsEvenly(k)); },
+      "bentShare" },
     { "bend of one scalar",
       [](const Key& k, MarchShader)
-      { return k.Structured && k.needsVariations() && !k.hasComponents(); },
-      "fetchTableSlopeVariations slopeVariation bentShare bentMean bentMeanError bendMean "
+      { return k.Structured && k.needsVariations() && !k.hasComponents() && !cutsEvenly(k); },
+      "fetchTableSlopeVariations slopeVariation bentMean bentMeanError bendMean "
       "bentError "
       "weightedByExtinction" },
     { "error of the bend of one scalar",
-      [](const Key& k, MarchShader)
-      { return k.Structured && k.hasErrorBound() && !k.hasComponents(); },
-      "unbent" },
+      [](const Key& k, MarchShader) { return bendsWithError(k) && !k.hasComponents(); }, "unbent" },
     { "error of the bend of the scalar that gives the opacity",
       [](const Key& k, MarchShader)
-      { return k.Structured && k.hasErrorBound() && k.Components != ComponentGroup::Independent; },
+      { return bendsWithError(k) && k.Components != ComponentGroup::Independent; },
       "bendError" },
     // Of several components.
     { "components of lattices",
@@ -135,7 +153,7 @@ std::vector<ShaderFeature> featuresOfVolumes()
       "bentVariation" },
     { "leaps", [](const Key& k, MarchShader) { return k.Leaps; },
       "blockDistanceBuffer blockCount fetchBlockDistance leapOf blockOf cubeEnd landingAlong "
-      "landingOf leap leaps" },
+      "landingOf leap leaps cellBehind" },
     { "samples", [](const Key& k, MarchShader) { return k.PointSampled; },
       "sampleStep samplesPerDepth sampleShift firstSample placeSamples shiftSamples samplesBefore "
       "stepThickness SAMPLE_SHIFT" },

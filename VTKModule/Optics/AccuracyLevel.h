@@ -13,7 +13,7 @@ namespace tetmarch
 struct AccuracyLevel
 {
   /** Segments are split until a pixel keeps the tolerance (Shaders/gather/segment_linear.glsl);
-   * otherwise none is split. */
+   * otherwise none is split, or evenly where the scalar bends (segment_even.glsl). */
   bool Adaptive;
   /** The tolerance of each channel of a pixel, 0..1, for integration and early end together. If not
    * adaptive: the transmittance below which a ray ends. */
@@ -59,7 +59,8 @@ constexpr AccuracyLevel SampledAccuracy{ false, 1.0 / 255.0, 1, 1024, 65536, tru
 /** The ground truth, in double precision. */
 constexpr AccuracyLevel GroundTruthAccuracy{ true, 1e-6, 1000000, 4096, 262144 };
 
-/** For rays towards the light: only their transmittance is needed, which is exact. */
+/** For rays towards the light: only their transmittance is needed, which is exact where the scalar
+ * is linear. */
 constexpr AccuracyLevel LightAccuracy{ false, 1.0 / 1024.0, 1, 1024, 65536 };
 
 /** For picks where the scalar bends: of the opacity up to the point that is picked. */

@@ -37,6 +37,11 @@ ReferenceImage renderStructured(const ReferenceScene& scene, const AccuracyLevel
 template <typename Real>
 ReferenceImage renderLitStructured(const ReferenceScene& scene, const AccuracyLevel& level);
 
+/** Of trilinear cells that are cut evenly, with and without effects: by a level that isn't
+ * adaptive. */
+template <typename Real>
+ReferenceImage renderEvenStructured(const ReferenceScene& scene, const AccuracyLevel& level);
+
 /** By samples at even distances, with and without effects. */
 template <typename Real>
 ReferenceImage renderSampledStructured(const ReferenceScene& scene, const AccuracyLevel& level);

@@ -21,6 +21,10 @@ ReferenceImage renderReference(const ReferenceScene& scene, const AccuracyLevel&
     return renderSampledStructured<Real>(scene, level);
   }
   const bool several = scene.Parts && !scene.Parts->isSingle();
+  if (scene.Cells && !several && !scene.Cells->Constant && !level.Adaptive)
+  {
+    return renderEvenStructured<Real>(scene, level);
+  }
   if (scene.Cells)
   {
     return several && lit ? renderLitStructuredComponents<Real>(scene, level)

@@ -20,6 +20,15 @@ struct TrilinearKernel
 #include "Reference/KernelBody.h"
 };
 
+// Trilinear cells that are cut evenly: of a level that keeps no tolerance.
+#define TETMARCH_VARIANT                                                                           \
+  (TETMARCH_IN_LATTICES(TETMARCH_ONE_OPACITY_FEATURES) | TETMARCH_WITH_POINT_SCALARS)
+template <typename Real>
+struct EvenTrilinearKernel
+{
+#include "Reference/KernelBody.h"
+};
+
 #define TETMARCH_VARIANT TETMARCH_IN_LATTICES(TETMARCH_ONE_OPACITY_FEATURES)
 template <typename Real>
 struct ConstantCellKernel
@@ -176,6 +185,22 @@ struct LitTrilinearKernel
     TETMARCH_WITH_ADAPTIVE | TETMARCH_WITH_CELL_GRADIENTS)
 template <typename Real>
 struct LitTrilinearGradientKernel
+{
+#include "Reference/KernelBody.h"
+};
+
+#define TETMARCH_VARIANT (TETMARCH_IN_LATTICES(TETMARCH_LIT_FEATURES) | TETMARCH_WITH_POINT_SCALARS)
+template <typename Real>
+struct LitEvenTrilinearKernel
+{
+#include "Reference/KernelBody.h"
+};
+
+#define TETMARCH_VARIANT                                                                           \
+  (TETMARCH_IN_LATTICES(TETMARCH_LIT_FEATURES) | TETMARCH_WITH_POINT_SCALARS |                     \
+    TETMARCH_WITH_CELL_GRADIENTS)
+template <typename Real>
+struct LitEvenTrilinearGradientKernel
 {
 #include "Reference/KernelBody.h"
 };

@@ -1,0 +1,69 @@
+// Emission and absorption along a segment of a trilinear cell, cut evenly by how far its scalar bends. It promises no
+// tolerance: what falls between the cuts, such as an extreme of the scalar, is not looked for.
+
+// How far the scalar, 0..1, may be from the straight line in a piece, unless there are most pieces.
+CONSTANT real GREATEST_BEND = real(1) / real(256);
+CONSTANT real MOST_PIECES = real(8);
+
+// The bend of a piece falls with the square of their number.
+real piecesOf(vec2 bend)
+{
+  return clamp(-floor(-sqrt(greatestBend(bend) / GREATEST_BEND)), real(1), MOST_PIECES);
+}
+
+// What the bend changes of the mean where the function is straight. Across a narrow peak it tells nothing: so no more is
+// added than half of the difference of the ends.
+vec4 meanOfPiece(IntegralPoint from, IntegralPoint to, vec2 bend)
+{
+  real share = clamp(bentShare(bend, to.x - from.x), real(-0.5), real(0.5));
+  vec4 mean = meanByDifference(from, to) + (to.rise - from.rise) * tableIntegralUnit * share;
+  return vec4(max(mean.x, real(0)), max(mean.y, real(0)), max(mean.z, real(0)), max(mean.w, real(0)));
+}
+
+#if TETMARCH_ERROR_BOUND
+// No more than this is lost, seen through that transmittance. Both the piece's true mean extinction and that of the table
+// are among those of the scalars that the piece reaches, and so are the colours; the correction adds half of what the
+// extinctions differ by at most.
+real errorOfPiece(IntegralPoint from, IntegralPoint to, vec2 bend, Absorption by, real transmittance)
+{
+  real reach = greatestBend(bend);
+  vec2 low = fetchTableVariations(tableBin(min(from.x, to.x) - reach));
+  vec2 high = fetchTableVariations(tableBin(max(from.x, to.x) + reach) + 1);
+  return transmittance *
+    (min(real(1.5) * by.thickness * (high.y - low.y), real(1)) + min(high.x - low.x, real(1)) * by.absorbed);
+}
+#endif
+
+// Along a thickness in scalar opacity unit distances. Returns the number of pieces.
+int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
+{
+  real begin = segment.begin.y * tableScale + tableOffset;
+  real end = segment.end.y * tableScale + tableOffset;
+  vec2 bend = segment.bend * tableScale;
+  real step = real(1) / piecesOf(segment.bend);
+  IntegralPoint from = integralPoint(begin);
+  int pieces = 0;
+  bool pending = true;
+  do
+  {
+    real position = real(pieces) * step;
+    real next = position + step;
+    bool last = !(next < real(0.999)); // also if it is NaN: the loop ends whatever the input
+    IntegralPoint to = integralPoint(last ? end : bentScalar(begin, end, bend, next));
+    vec4 mean = meanOfPiece(from, to, bendWithin(bend, position, next));
+    real middle = position + real(0.5) * step;
+    Absorption by = absorption(mean, thicknessWithin(cell, middle, step * thickness));
+#if TETMARCH_ERROR_BOUND
+    real error = errorOfPiece(from, to, bendWithin(bend, position, next), by, radiance.transmittance);
+#if TETMARCH_LIT
+    error = error * brightness(illuminationWithin(cell.shades, middle));
+#endif
+    radiance.error = radiance.error + error;
+#endif
+    addSubsegment(mean, by, middle, step, cell, radiance);
+    from = to;
+    pieces = pieces + 1;
+    pending = !last;
+  } while (pending);
+  return pieces;
+}
