@@ -37,8 +37,8 @@
  *   blocks, so these are errors for a tree.
  * - VectorMode: DISABLED draws all components, independent or dependent as
  *   vtkVolumeProperty::GetIndependentComponents() says; MAGNITUDE; COMPONENT draws VectorComponent
- *   by the functions and the unit distance of component 0. The property is not changed. See
- *   vtkTetMarchVolumeMapper::VectorModeType.
+ *   by the functions and the unit distance of component 0, and all components if they are
+ *   dependent. The property is not changed. See vtkTetMarchVolumeMapper::VectorModeType.
  * - FinalColorWindow and FinalColorLevel map the colours of the picture, as in VTK. Error bounds,
  *   diagnostics and the ground truth are of the colours before that.
  * - InteractiveAdjustSampleDistances (on by default): frames at InteractiveUpdateRate or above may

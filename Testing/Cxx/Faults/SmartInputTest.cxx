@@ -116,6 +116,22 @@ TEST_F(SmartInput, ComponentsThatAreNotThere)
     { "no component 2", "VectorComponent" });
 }
 
+// Of dependent components none is chosen, as by vtkSmartVolumeMapper, and there are no three of
+// them.
+TEST_F(SmartInput, ThreeDependentComponents)
+{
+  const auto image = imageOf(sineField(), unitCube(6));
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("v");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(image->GetNumberOfPoints());
+  vectors->Fill(0.5);
+  image->GetPointData()->SetScalars(vectors);
+  this->Shown.Mapper->SetVectorMode(vtkSmartVolumeMapper::COMPONENT);
+  this->Shown.property()->IndependentComponentsOff();
+  this->expectErrorOf(image, { "has 3 components", "IndependentComponents on", "VectorMode" });
+}
+
 TEST_F(SmartInput, UnstructuredGrids)
 {
   this->expectErrorOf(jitteredLattice(2, 0.1, 1, sineField()),
