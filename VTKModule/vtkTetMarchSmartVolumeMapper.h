@@ -25,8 +25,9 @@
  * isosurfaces only. Then there are no diagnostics, no views of measures and no ray to trace, and a
  * pick goes by the opacity that a ray gathers in one block. Between translucent surfaces
  * (vtkRenderer::UseDepthPeelingForVolumes) several blocks are an error. Blocks without the chosen
- * array are left out, with a warning. A block of another kind is an error: vtkTetMarchVolumeMapper
- * draws blocks of any kind.
+ * array are left out, with a warning, and so are blocks of another kind, such as unstructured
+ * grids; a tree of nothing but these is an error. vtkTetMarchVolumeMapper draws a mixed tree as a
+ * whole, with its images cut into tetrahedra, or the other blocks alone in a volume of their own.
  *
  * What of vtkSmartVolumeMapper has which effect:
  * - RequestedRenderMode: default and GPU are drawn here, and GetLastUsedRenderMode() is
