@@ -78,7 +78,7 @@ public:
   bool updateTables(
     vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, bool drawNan);
   bool updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options);
-  bool updateView(vtkRenderer* renderer, vtkVolume* volume);
+  bool updateView(vtkRenderer* renderer, vtkVolume* volume, OpacityLaw law);
   bool updateClipping(vtkVolume* volume, const ClippingOptions& options);
   bool upload(vtkOpenGLRenderWindow* window);
   bool draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
