@@ -24,6 +24,7 @@ void Pipeline::begin(std::uint64_t mostBytes)
 {
   this->Error.clear();
   this->Passes.clear();
+  this->Found.clear();
   this->Area = {};
   this->RunsBefore = this->stageRuns();
   this->Subject.clear();
