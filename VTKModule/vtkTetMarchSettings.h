@@ -30,13 +30,14 @@ public:
   // Groups begin with two slashes: after three, VTK 9.1 tells Python of their first method only.
   //@{
   /**
-   * How the extinction coefficient (per unit of world length) follows from the opacity alpha of the
-   * transfer function and the unit distance d of
-   * vtkVolumeProperty::GetScalarOpacityUnitDistance():
-   * UNSTRUCTURED: alpha / d, as in VTK's mappers of unstructured grids. The default, but for the
-   * own settings of a vtkTetMarchSmartVolumeMapper.
+   * How the extinction coefficient follows from the opacity alpha of the transfer function and the
+   * unit distance d of vtkVolumeProperty::GetScalarOpacityUnitDistance():
+   * UNSTRUCTURED: alpha / d, as in VTK's mappers of unstructured grids; d is a length in the world.
+   * The default, but for the own settings of a vtkTetMarchSmartVolumeMapper.
    * STRUCTURED: -ln(1 - alpha) / d, as in vtkGPUVolumeRayCastMapper: a slab of thickness d has the
-   * opacity alpha. An alpha above 1 - 2^-24 is taken as 1 - 2^-24.
+   * opacity alpha. An alpha above 1 - 2^-24 is taken as 1 - 2^-24. d is a length in the data's own
+   * coordinates: the scale of a vtkVolume makes it neither denser nor thinner.
+   * What d is a length of holds for each blend mode, the formulas for COMPOSITE_BLEND only.
    */
   enum OpacityLawType
   {

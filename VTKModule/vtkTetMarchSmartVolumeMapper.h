@@ -25,8 +25,9 @@
  * isosurfaces only. Then there are no diagnostics, no views of measures and no ray to trace, and a
  * pick goes by the opacity that a ray gathers in one block. Between translucent surfaces
  * (vtkRenderer::UseDepthPeelingForVolumes) several blocks are an error. Blocks without the chosen
- * array are left out, with a warning. A block of another kind is an error: vtkTetMarchVolumeMapper
- * draws blocks of any kind.
+ * array are left out, with a warning, and so are blocks of another kind, such as unstructured
+ * grids; a tree of nothing but these is an error. vtkTetMarchVolumeMapper draws a mixed tree as a
+ * whole, with its images cut into tetrahedra, or the other blocks alone in a volume of their own.
  *
  * What of vtkSmartVolumeMapper has which effect:
  * - RequestedRenderMode: default and GPU are drawn here, and GetLastUsedRenderMode() is
@@ -37,8 +38,8 @@
  *   blocks, so these are errors for a tree.
  * - VectorMode: DISABLED draws all components, independent or dependent as
  *   vtkVolumeProperty::GetIndependentComponents() says; MAGNITUDE; COMPONENT draws VectorComponent
- *   by the functions and the unit distance of component 0. The property is not changed. See
- *   vtkTetMarchVolumeMapper::VectorModeType.
+ *   by the functions and the unit distance of component 0, and all components if they are
+ *   dependent. The property is not changed. See vtkTetMarchVolumeMapper::VectorModeType.
  * - FinalColorWindow and FinalColorLevel map the colours of the picture, as in VTK. Error bounds,
  *   diagnostics and the ground truth are of the colours before that.
  * - InteractiveAdjustSampleDistances (on by default): frames at InteractiveUpdateRate or above may

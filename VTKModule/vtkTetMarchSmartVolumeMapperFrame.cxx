@@ -20,11 +20,14 @@
 
 namespace
 {
-// DISABLED means all components to a vtkSmartVolumeMapper.
-tetmarch::VectorOptions vectorOptionsOf(vtkSmartVolumeMapper* mapper)
+// DISABLED means all components to a vtkSmartVolumeMapper, and so does COMPONENT of dependent ones:
+// it chooses among independent components by their weights, which dependent ones don't have.
+tetmarch::VectorOptions vectorOptionsOf(vtkSmartVolumeMapper* mapper, vtkVolumeProperty* property)
 {
   tetmarch::VectorOptions options = tetmarch::vectorOptionsOf(mapper);
-  if (options.Mode == tetmarch::VectorMode::Disabled)
+  const bool dependent = !property->GetIndependentComponents();
+  if (options.Mode == tetmarch::VectorMode::Disabled ||
+      (dependent && options.Mode == tetmarch::VectorMode::Component))
   {
     options.Mode = tetmarch::VectorMode::AllComponents;
   }
@@ -239,8 +242,8 @@ std::string vtkTetMarchSmartVolumeMapper::DrawBlocks(
     block->Source.setSamples(
       { this->FindSampleDistance(block->Data, adjusts ? frame.rayDistance() : 0.0),
         this->UseJittering != 0 });
-    const tetmarch::DrawnData drawn{ block->Data, block->Scalars, vectorOptionsOf(this), blend,
-      tetmarch::clippingOptionsOf(this) };
+    const tetmarch::DrawnData drawn{ block->Data, block->Scalars,
+      vectorOptionsOf(this, volume->GetProperty()), blend, tetmarch::clippingOptionsOf(this) };
     if (frame.prepare(block->Pipeline, drawn))
     {
       ready.push_back(block);

@@ -34,13 +34,14 @@
  *
  * The input is a vtkUnstructuredGrid or a tree of blocks (vtkMultiBlockDataSet,
  * vtkPartitionedDataSet, vtkPartitionedDataSetCollection; by SetInputConnection() or
- * SetInputDataObject()). Blocks, which may be any data sets with 3D cells, are joined into one
- * grid, so that rays go on from one block to the next. Points of different blocks are the same if
- * they have the same global id, if all blocks have global point ids, else if they have the same
- * coordinates to the last bit. If such points have different scalars, the first block counts in
- * which the point is no duplicate by vtkGhostType. Blocks without the chosen array are left out
- * with a warning that names them. The joined grid is made when blocks have changed and takes memory
- * beside them. GetInput() is null for composite input; GetDataObjectInput() is not.
+ * SetInputDataObject()). Blocks, which may be any data sets with 3D cells, also images and
+ * rectilinear grids, whose cells are cut into tetrahedra, are joined into one grid, so that rays go
+ * on from one block to the next. Points of different blocks are the same if they have the same
+ * global id, if all blocks have global point ids, else if they have the same coordinates to the
+ * last bit. If such points have different scalars, the first block counts in which the point is no
+ * duplicate by vtkGhostType. Blocks without the chosen array are left out with a warning that names
+ * them. The joined grid is made when blocks have changed and takes memory beside them. GetInput()
+ * is null for composite input; GetDataObjectInput() is not.
  *
  * The stages (mesh, scalars, transfer function tables, camera) run again only when their own input
  * has changed; the Get...Builds() counters tell. A mesh in new arrays is compared by the values of

@@ -94,10 +94,6 @@ void vtkTetMarchImageVolumeRepresentation::UpdateMapperParameters()
     return;
   }
   this->Superclass::UpdateMapperParameters();
-  if (!this->Property->GetIndependentComponents())
-  {
-    this->TetMarchMapper->SetVectorMode(vtkSmartVolumeMapper::DISABLED); // all of them
-  }
   if (this->TetMarchMapper->GetCropping())
   {
     this->TetMarchMapper->SetCroppingRegionPlanes(

@@ -133,7 +133,8 @@ ReferenceScene PictureCheck::sceneOf(const TetMesh& mesh, const IntegralTable& t
   scene.Table = &table;
   scene.Width = scene.Height = this->Size;
   if (!makeView(this->Renderer.Get(), this->Volume.Get(), mesh.Frame,
-        this->Volume->GetProperty()->GetScalarOpacityUnitDistance(), scene.Camera))
+        this->Volume->GetProperty()->GetScalarOpacityUnitDistance(), OpacityLaw::Unstructured,
+        scene.Camera))
   {
     throw std::runtime_error(this->Case.Name + " has no view");
   }

@@ -24,7 +24,8 @@ View viewOf(const Shot& shot, const TetMesh& mesh)
   volume->SetUserTransform(shot.Transform);
   renderer->SetActiveCamera(shot.Camera);
   View view;
-  EXPECT_TRUE(makeView(renderer, volume, mesh.Frame, 1.0, view));
+  EXPECT_TRUE(
+    makeView(renderer, volume, mesh.Frame, 1.0, tetmarch::OpacityLaw::Unstructured, view));
   return view;
 }
 

@@ -165,6 +165,7 @@ TEST(View, SingularMatricesShowNothing)
   flat->Scale(1.0, 0.0, 1.0);
   volume->SetUserTransform(flat);
   View view;
-  EXPECT_FALSE(makeView(renderer, volume, mesh.Frame, 1.0, view));
+  EXPECT_FALSE(
+    makeView(renderer, volume, mesh.Frame, 1.0, tetmarch::OpacityLaw::Unstructured, view));
 }
 } // namespace

@@ -148,7 +148,8 @@ MarchedShot::MarchedShot(const Shot& shot, const AccuracyLevel& level)
   renderer->SetActiveCamera(shot.Camera);
   vtkNew<vtkVolume> volume;
   volume->SetUserTransform(shot.Transform);
-  EXPECT_TRUE(makeView(renderer, volume, this->Mesh.Frame, shot.UnitDistance, scene.Camera));
+  EXPECT_TRUE(makeView(renderer, volume, this->Mesh.Frame, shot.UnitDistance,
+    tetmarch::OpacityLaw::Unstructured, scene.Camera));
   EXPECT_EQ(makeClipping(shot.Cut, volume, this->Mesh.Frame, scene.Cut), "");
   scene.Mesh = &this->Mesh;
   scene.Table = &this->Table;

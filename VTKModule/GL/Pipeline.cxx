@@ -24,6 +24,7 @@ void Pipeline::begin(std::uint64_t mostBytes)
 {
   this->Error.clear();
   this->Passes.clear();
+  this->Found.clear();
   this->Area = {};
   this->RunsBefore = this->stageRuns();
   this->Subject.clear();
@@ -161,7 +162,7 @@ bool Pipeline::updateEffects(vtkRenderer* renderer, vtkVolume* volume, const Eff
   return error.empty() || this->fail(error);
 }
 
-bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume)
+bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume, OpacityLaw law)
 {
   const double unit = volume->GetProperty()->GetScalarOpacityUnitDistance();
   if (!(unit > 0))
@@ -169,7 +170,7 @@ bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume)
     return this->fail("The scalar opacity unit distance is " + std::to_string(unit) +
                       "; it must be above 0 (vtkVolumeProperty::SetScalarOpacityUnitDistance).");
   }
-  if (!makeView(renderer, volume, this->Source.frame(), unit, this->Camera))
+  if (!makeView(renderer, volume, this->Source.frame(), unit, law, this->Camera))
   {
     return this->fail("The matrix of the volume or of the camera is singular or not finite.");
   }

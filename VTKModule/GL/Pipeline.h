@@ -13,6 +13,7 @@
 #include "GL/MarchSource.h"
 #include "GL/SelectionPass.h"
 #include "GL/TableTextures.h"
+#include "Picking/SelectionPoints.h"
 #include "Rays/Clipping.h"
 #include "Rays/View.h"
 
@@ -78,7 +79,7 @@ public:
   bool updateTables(
     vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level, bool drawNan);
   bool updateEffects(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options);
-  bool updateView(vtkRenderer* renderer, vtkVolume* volume);
+  bool updateView(vtkRenderer* renderer, vtkVolume* volume, OpacityLaw law);
   bool updateClipping(vtkVolume* volume, const ClippingOptions& options);
   bool upload(vtkOpenGLRenderWindow* window);
   bool draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
@@ -149,6 +150,7 @@ private:
   MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;
   Fingerprint lightVersion(const VariantKey& key) const;
+  Fingerprint pickVersion(const MarchInputs& inputs, const Viewport& part) const;
   std::int64_t stageRuns() const;
   void forgetErrorsOfReleasing(vtkOpenGLRenderWindow* window);
 
@@ -177,6 +179,7 @@ private:
   StageRecord UploadRecord;
   FramePasses Passes;
   SelectionPass Selected;
+  SelectionPoints Found; // by the first pass of the selection in progress
 };
 
 } // namespace tetmarch

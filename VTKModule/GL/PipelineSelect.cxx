@@ -32,6 +32,30 @@ Viewport selectedPart(vtkHardwareSelector* selector, const Viewport& viewport)
 
 } // namespace
 
+// What the picked points of the pixels in a part of the inputs' area are found by, but for opaque
+// geometry: a selector draws what it needs of that in each of its passes.
+Fingerprint Pipeline::pickVersion(const MarchInputs& inputs, const Viewport& part) const
+{
+  Fingerprint version = this->Subject;
+  version.push_back(static_cast<std::uintptr_t>(this->stageRuns()));
+  version.push_back(static_cast<std::uintptr_t>(inputs.Key.bits()));
+  addAll(version, this->Camera.NormalizedToClip);
+  addAll(version, this->Camera.ThicknessMatrix);
+  for (const auto& plane : this->Cut.Planes)
+  {
+    addAll(version, plane);
+  }
+  addAll(version, this->Cut.CroppingLow);
+  addAll(version, this->Cut.CroppingHigh);
+  version.push_back(static_cast<std::uintptr_t>(this->Cut.CroppingFlags));
+  for (const Viewport& place : { inputs.Area, part })
+  {
+    addAll(version, std::array<int, 4>{ { place.X, place.Y, place.Width, place.Height } });
+  }
+  add(version, inputs.Level.ErrorTolerance);
+  return version;
+}
+
 bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const DrawOptions& options, const CellOrigins& origins, const Progress& progress,
   std::vector<PickedPoint>& points)
@@ -43,25 +67,38 @@ bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
     return true;
   }
   MarchInputs inputs = this->inputsOf(options, renderer, area);
+  inputs.Level = PickAccuracy;
+  inputs.Level.ErrorTolerance = std::max(1 - options.PickOpacity, LeastFloatShare);
+  vtkHardwareSelector* selector = renderer->GetSelector();
   const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
   bool stopped = false;
   std::string error;
   const std::string shortage = withinMemory("what is selected",
     [&]
     {
-      // What the picture needs stays on the GPU.
-      error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
-      inputs.Key = inputs.Key.ofPick();
-      inputs.Level = PickAccuracy;
-      inputs.Level.ErrorTolerance = std::max(1 - options.PickOpacity, LeastFloatShare);
-      if (error.empty())
+      const Fingerprint version = this->pickVersion(inputs, part);
+      if (const std::vector<PickedPoint>* found = this->Found.find(selector, version))
       {
-        error = this->Passes.pick(window, inputs, part, goOn, stopped, points);
+        points = *found;
+      }
+      else
+      {
+        // What the picture needs stays on the GPU.
+        error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
+        inputs.Key = inputs.Key.ofPick();
+        if (error.empty())
+        {
+          error = this->Passes.pick(window, inputs, part, goOn, stopped, points);
+        }
+        if (error.empty() && !stopped)
+        {
+          this->Found.keep(selector, version, points);
+        }
       }
       if (error.empty() && !stopped)
       {
-        error = this->Selected.draw(window, area, part,
-          selectionTexels(renderer->GetSelector(), points, origins, this->Camera));
+        error = this->Selected.draw(
+          window, area, part, selectionTexels(selector, points, origins, this->Camera));
       }
     });
   this->forgetErrorsOfReleasing(window);

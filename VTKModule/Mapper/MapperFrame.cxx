@@ -46,8 +46,8 @@ bool MapperFrame::prepare(Pipeline& pipeline, const DrawnData& drawn)
          pipeline.updateBlending(property, drawn.Blend) &&
          pipeline.updateTables(property, options.Law, this->State.Level, options.DrawNanCells) &&
          pipeline.updateEffects(renderer, volume, options.Effects) &&
-         pipeline.updateView(renderer, volume) && pipeline.updateClipping(volume, drawn.Cuts) &&
-         pipeline.upload(this->Scene.Window);
+         pipeline.updateView(renderer, volume, options.Law) &&
+         pipeline.updateClipping(volume, drawn.Cuts) && pipeline.upload(this->Scene.Window);
 }
 
 bool MapperFrame::draw(Pipeline& pipeline, const CellOrigins& origins)

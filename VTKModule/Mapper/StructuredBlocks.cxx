@@ -15,6 +15,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace tetmarch
 {
@@ -32,6 +33,20 @@ std::string describeOther(vtkDataObject* data)
          ", but only images (vtkImageData, vtkUniformGrid) and rectilinear grids "
          "(vtkRectilinearGrid) can be drawn. vtkTetMarchVolumeMapper draws unstructured grids, and "
          "trees of blocks of any kind.";
+}
+
+// Blocks that are left out; empty if there are none.
+std::string describeOthers(
+  std::vector<Block>::const_iterator first, std::vector<Block>::const_iterator last)
+{
+  const auto count = std::distance(first, last);
+  return count == 0
+           ? std::string()
+           : std::to_string(count) + (count == 1 ? " block is" : " blocks are") +
+               " not drawn, since only images and rectilinear grids are: " +
+               (count == 1 ? "" : "the first is ") + "block " + first->Name + ", a " +
+               first->Data->GetClassName() +
+               ". A vtkTetMarchVolumeMapper draws such blocks, and trees of blocks of any kind.";
 }
 
 // The eye in the coordinates of the volume's data: (point, 1) or (direction towards it, 0).
@@ -79,13 +94,15 @@ std::string StructuredBlocks::find(
   found.erase(std::remove_if(found.begin(), found.end(),
                 [](const Block& block) { return block.Data->GetNumberOfCells() == 0; }),
     found.end());
-  for (const Block& block : found)
+  const auto others = std::stable_partition(
+    found.begin(), found.end(), [](const Block& block) { return isStructured(block.Data); });
+  if (others == found.begin() && others != found.end())
   {
-    if (!isStructured(block.Data))
-    {
-      return "Block " + block.Name + " is " + describeOther(block.Data);
-    }
+    return "Block " + others->Name + " is " + describeOther(others->Data) +
+           " No other block is one of these.";
   }
+  this->Omissions = describeOthers(others, found.end());
+  found.erase(others, found.end());
   return {};
 }
 
@@ -108,17 +125,15 @@ std::string StructuredBlocks::update(vtkDataObject* input, const ScalarSelection
     return describeMissingScalars(
       found.front().Data, selection, this->OfTree ? "No block has " : "The input has no ");
   }
+  std::string bare;
   for (const Block& block : found)
   {
-    if (!block.Scalars)
-    {
-      this->Omissions += (this->Omissions.empty() ? "" : ", ") + block.Name;
-    }
+    bare += block.Scalars ? "" : (bare.empty() ? "" : ", ") + block.Name;
   }
-  if (!this->Omissions.empty())
+  if (!bare.empty())
   {
-    this->Omissions =
-      "Blocks without " + describe(selection) + " are not drawn: " + this->Omissions + ".";
+    this->Omissions += (this->Omissions.empty() ? "" : " ") + std::string("Blocks without ") +
+                       describe(selection) + " are not drawn: " + bare + ".";
   }
   this->keep(drawn.size());
   for (std::size_t i = 0; i < drawn.size(); ++i)

@@ -36,15 +36,15 @@ struct StructuredBlock
 class StructuredBlocks
 {
 public:
-  /** Find what there is to draw of the input: the blocks that have the chosen array. Returns an
-   * empty string, or what is wrong and what to do. What the GPU held for blocks that are no more is
-   * freed, in the context of its window. */
+  /** Find what there is to draw of the input: of a tree the images and rectilinear grids that have
+   * the chosen array. Returns an empty string, or what is wrong and what to do. What the GPU held
+   * for blocks that are no more is freed, in the context of its window. */
   std::string update(vtkDataObject* input, const ScalarSelection& selection);
 
   /** In the order of the input. */
   const std::vector<std::unique_ptr<StructuredBlock>>& all() const { return this->Blocks; }
   bool isTree() const { return this->OfTree; }
-  /** Empty, or which blocks lack the array and are left out. */
+  /** Empty, or which blocks are left out, since they are others or lack the array. */
   const std::string& omissions() const { return this->Omissions; }
 
   /** In the order in which they are drawn (Blocks/BlockOrder.h). */

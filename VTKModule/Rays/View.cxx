@@ -3,6 +3,7 @@
 #include "Rays/View.h"
 
 #include "Geometry/VolumeFrame.h"
+#include "Optics/TransferFunctions.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -85,7 +86,7 @@ std::array<double, 3> View::unproject(double x, double y, double z) const
 }
 
 bool makeView(vtkRenderer* renderer, vtkVolume* volume, const VolumeFrame& frame,
-  double unitDistance, View& view)
+  double unitDistance, OpacityLaw law, View& view)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> normalized; // from the normalised frame to the data
@@ -99,6 +100,7 @@ bool makeView(vtkRenderer* renderer, vtkVolume* volume, const VolumeFrame& frame
   vtkMatrix4x4::Invert(toClip, inverse);
   vtkMatrix4x4::Invert(toView, eyeInverse);
 
+  vtkMatrix4x4* toLengths = law == OpacityLaw::Structured ? normalized : toWorld;
   view = {};
   bool usable = true;
   for (int r = 0; r < 4; ++r)
@@ -117,7 +119,7 @@ bool makeView(vtkRenderer* renderer, vtkVolume* volume, const VolumeFrame& frame
     {
       // Beyond an optical depth of 1e15 everything is opaque, and squares of it leave the range of
       // float.
-      const double length = toWorld->GetElement(r, c) / unitDistance;
+      const double length = toLengths->GetElement(r, c) / unitDistance;
       view.ThicknessMatrix[3 * r + c] = std::min(std::max(length, -1e15), 1e15);
     }
   }

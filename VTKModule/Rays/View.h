@@ -13,14 +13,14 @@ namespace tetmarch
 {
 
 struct VolumeFrame;
+enum class OpacityLaw; // Optics/TransferFunctions.h
 
 /** Row-major matrices, applied to column vectors; clip coordinates as in OpenGL. */
 struct View
 {
   std::array<double, 16> NormalizedToClip{};
   std::array<double, 16> ClipToNormalized{};
-  std::array<double, 9>
-    ThicknessMatrix{};         // normalised direction -> world, in scalar opacity unit distances
+  std::array<double, 9> ThicknessMatrix{}; // normalised direction -> scalar opacity unit distances
   std::array<double, 4> Eye{}; // (eye, 1) or, for parallel projection, (direction towards it, 0)
   bool Mirrored = false;       // counter-clockwise faces are clockwise on the screen
   bool CutsNearPlane = false;  // a part of the volume lies before the near plane
@@ -39,9 +39,13 @@ struct View
   std::array<double, 3> unproject(double x, double y, double z) const;
 };
 
-/** Returns false if a matrix is singular or not finite: then nothing can be seen. */
+/**
+ * The unit distance is a length of the data by the structured law, so that the volume's matrix
+ * makes it no denser, and of the world by the other. Returns false if a matrix is singular or not
+ * finite: then nothing can be seen.
+ */
 bool makeView(vtkRenderer* renderer, vtkVolume* volume, const VolumeFrame& frame,
-  double unitDistance, View& view);
+  double unitDistance, OpacityLaw law, View& view);
 
 } // namespace tetmarch
 

@@ -49,7 +49,7 @@ std::string chooseDependent(DrawnScalars& drawn)
   return describe(drawn.Array) + std::to_string(count) +
          " components, but dependent ones (vtkVolumeProperty::IndependentComponentsOff()) are "
          "either 2, for colour and opacity, or 4, for red, green, blue and opacity. Switch "
-         "IndependentComponents on, or choose what is drawn by VectorMode.";
+         "IndependentComponents on; then VectorMode can choose one.";
 }
 
 std::string chooseIndependent(DrawnScalars& drawn)

@@ -116,19 +116,65 @@ TEST_F(SmartInput, ComponentsThatAreNotThere)
     { "no component 2", "VectorComponent" });
 }
 
+// Of dependent components none is chosen, as by vtkSmartVolumeMapper, and there are no three of
+// them.
+TEST_F(SmartInput, ThreeDependentComponents)
+{
+  const auto image = imageOf(sineField(), unitCube(6));
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("v");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(image->GetNumberOfPoints());
+  vectors->Fill(0.5);
+  image->GetPointData()->SetScalars(vectors);
+  this->Shown.Mapper->SetVectorMode(vtkSmartVolumeMapper::COMPONENT);
+  this->Shown.property()->IndependentComponentsOff();
+  this->expectErrorOf(image, { "has 3 components", "IndependentComponents on", "VectorMode" });
+}
+
 TEST_F(SmartInput, UnstructuredGrids)
 {
   this->expectErrorOf(jitteredLattice(2, 0.1, 1, sineField()),
     { "The input is a vtkUnstructuredGrid", "vtkTetMarchVolumeMapper" });
 }
 
-TEST_F(SmartInput, UnstructuredBlocks)
+TEST_F(SmartInput, NothingButUnstructuredBlocks)
 {
   vtkNew<vtkMultiBlockDataSet> tree;
-  tree->SetBlock(0, this->Shown.Data);
-  tree->SetBlock(1, jitteredLattice(2, 0.1, 1, sineField()));
-  tree->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "wing");
-  this->expectErrorOf(tree, { "Block \"wing\"", "vtkUnstructuredGrid", "vtkTetMarchVolumeMapper" });
+  tree->SetBlock(0, jitteredLattice(2, 0.1, 1, sineField()));
+  tree->SetBlock(1, vtkNew<vtkPolyData>());
+  tree->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "wing");
+  this->expectErrorOf(
+    tree, { "Block \"wing\"", "vtkUnstructuredGrid", "vtkTetMarchVolumeMapper", "No other block" });
+}
+
+// In a mixed tree images are drawn as without the others, which one warning counts.
+TEST_F(SmartInput, UnstructuredBlocksAmongImages)
+{
+  vtkNew<vtkMultiBlockDataSet> tree;
+  tree->SetBlock(0, jitteredLattice(2, 0.1, 1, sineField()));
+  tree->SetBlock(1, this->Shown.Data);
+  tree->SetBlock(2, jitteredLattice(3, 0.1, 1, sineField()));
+  tree->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "wing");
+  const ErrorWatch watch(this->Shown.Mapper);
+  this->show(tree);
+  for (int i = 0; i < 3; ++i)
+  {
+    this->expectSound();
+  }
+  EXPECT_EQ(watch.Errors, Words());
+  ASSERT_EQ(watch.Warnings.size(), 1u);
+  for (const char* word : { "2 blocks", "\"wing\"", "vtkUnstructuredGrid", "TetMarchVolumeMapper" })
+  {
+    EXPECT_NE(watch.Warnings[0].find(word), std::string::npos) << watch.Warnings[0];
+  }
+  EXPECT_TRUE(
+    this->Shown.Mapper->Pick(this->Shown.Renderer, this->Shown.Volume, Side / 2, Side / 2));
+  EXPECT_EQ(this->Shown.Mapper->GetPickedBlock(), 2u);
+  tree->SetBlock(0, nullptr);
+  tree->SetBlock(2, nullptr);
+  this->expectSound();
+  EXPECT_EQ(watch.Warnings.size(), 1u);
 }
 
 // Surfaces beside the blocks are no volume, and no error.

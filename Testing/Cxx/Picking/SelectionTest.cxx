@@ -3,9 +3,12 @@
 // A selection among other props, and what it leaves behind.
 #include "ErrorWatch.h"
 #include "Held.h"
+#include "Observer.h"
 #include "PickScene.h"
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkProperty.h"
 #include "vtkTetMarchFrameStatistics.h"
@@ -134,6 +137,76 @@ TEST_F(Selection, HoldsNothing)
   EXPECT_TRUE(this->Shown.pick(Middle, Middle));
   this->Shown.selectAll();
   EXPECT_TRUE(Held(this->Shown) == held);
+}
+
+// Counts marches of picks by the mapper's progress, which grows from tile to tile of each.
+class MarchCount
+{
+public:
+  explicit MarchCount(vtkTetMarchVolumeMapper* mapper)
+    : Watch(mapper, vtkCommand::ProgressEvent,
+        [this, mapper]
+        {
+          const double share = mapper->GetProgress();
+          const bool ofTiles = share > 0.0 && share < 1.0; // else of the mapper's Update()
+          this->Marches += ofTiles && share <= this->Last;
+          this->Last = ofTiles ? share : this->Last;
+        })
+  {
+    mapper->SetMaxDrawTimeInSeconds(1e-9); // the smallest tiles
+  }
+
+  int Marches = 0;
+
+private:
+  double Last = 1.0;
+  Observer Watch;
+};
+
+// A selector renders the props, the blocks and the cells, the blocks twice.
+TEST_F(Selection, MarchesOnceForAllPasses)
+{
+  this->Shown.render();
+  const Selected expected = this->Shown.selectAll();
+  ASSERT_GT(expected.at(this->volume()).size(), 8u);
+  MarchCount count(this->Shown.Mapper);
+  EXPECT_EQ(this->Shown.selectAll(), expected);
+  EXPECT_EQ(count.Marches, 1);
+  EXPECT_EQ(this->Shown.selectAll(), expected);
+  EXPECT_EQ(count.Marches, 2) << "nothing is kept from one selection to the next";
+}
+
+TEST_F(Selection, SeesWhatHasChangedSinceTheLast)
+{
+  const Selected before = this->Shown.selectAll();
+  vtkCamera* camera = this->Shown.camera();
+  camera->Azimuth(100.0);
+  camera->Elevation(30.0);
+  const Selected after = this->Shown.selectAll();
+  EXPECT_NE(after, before);
+  this->Shown.property()->SetScalarOpacityUnitDistance(1e-3);
+  EXPECT_NE(this->Shown.selectAll(), after);
+  camera->Elevation(-30.0);
+  camera->Azimuth(-100.0);
+  this->Shown.property()->SetScalarOpacityUnitDistance(0.1);
+  EXPECT_EQ(this->Shown.selectAll(), before);
+}
+
+// An observer may turn the camera between the passes of one selection.
+TEST_F(Selection, MarchesAgainIfAPassHasAnotherCamera)
+{
+  this->Shown.render();
+  MarchCount count(this->Shown.Mapper);
+  int passes = 0;
+  const Observer turn(this->Shown.Renderer, vtkCommand::StartEvent,
+    [&]
+    {
+      this->Shown.camera()->Azimuth(5.0);
+      ++passes;
+    });
+  this->Shown.selectAll();
+  ASSERT_GT(passes, 3);
+  EXPECT_GT(count.Marches, 3);
 }
 
 // A budget chooses levels by the time of past frames; selections don't count as frames.

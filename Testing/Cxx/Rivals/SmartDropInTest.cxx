@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <vector>
 
 VTK_MODULE_INIT(vtkRenderingVolumeOpenGL2);
 
@@ -28,6 +29,19 @@ struct Preparation
   void (*Make)(vtkSmartVolumeMapper*, vtkVolumeProperty*);
   double MostRms; // in units of 1/255
 };
+
+// As ParaView's representation of images does: dependent components are all drawn.
+void chooseDependent(vtkSmartVolumeMapper* mapper, vtkVolumeProperty* property, const char* array)
+{
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectScalarArray(array);
+  mapper->SetVectorMode(vtkSmartVolumeMapper::COMPONENT);
+  mapper->SetVectorComponent(0);
+  property->IndependentComponentsOff();
+  // VTK takes the functions of the first component, but the unit distance of that of the opacity.
+  property->SetScalarOpacityUnitDistance(1, property->GetScalarOpacityUnitDistance(0));
+  property->SetScalarOpacityUnitDistance(3, property->GetScalarOpacityUnitDistance(0));
+}
 
 // VTK's rays begin and end up to a sample from the faces, which counts where the extreme is there.
 const Preparation preparations[] = {
@@ -97,6 +111,20 @@ const Preparation preparations[] = {
       mapper->SetVectorMode(vtkSmartVolumeMapper::MAGNITUDE);
     },
     0.7 },
+  { "ComponentOfTwoDependent",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty* property)
+    { chooseDependent(mapper, property, "colour and opacity"); },
+    1 },
+  { "ComponentOfFourDependent",
+    [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty* property)
+    {
+      chooseDependent(mapper, property, "rgba");
+      vtkNew<vtkPiecewiseFunction> opacities; // of bytes
+      opacities->AddPoint(20, 0);
+      opacities->AddPoint(255, 0.7);
+      property->SetScalarOpacity(opacities);
+    },
+    1 },
   { "Component",
     [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty* property)
     {
@@ -110,20 +138,38 @@ const Preparation preparations[] = {
     0.7 },
 };
 
-// With point vectors "v".
-vtkSmartPointer<vtkImageData> makeImage()
+// For each point a tuple of what the scalar "f" there and the function make of it.
+void addTuples(
+  vtkImageData* image, const char* name, int type, std::vector<double> (*tupleOf)(double))
 {
-  auto image = imageOf(sineField(), unitCube(20));
-  vtkNew<vtkFloatArray> vectors;
-  vectors->SetName("v");
-  vectors->SetNumberOfComponents(3);
-  vectors->SetNumberOfTuples(image->GetNumberOfPoints());
+  const auto tuples = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  tuples->SetName(name);
+  tuples->SetNumberOfComponents(static_cast<int>(tupleOf(0).size()));
+  tuples->SetNumberOfTuples(image->GetNumberOfPoints());
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
     const double f = image->GetPointData()->GetArray("f")->GetComponent(i, 0);
-    vectors->SetTuple3(i, 0.5 * f, 0.9 * f * f, 0.3 - 0.2 * f);
+    tuples->SetTuple(i, tupleOf(f).data());
   }
-  image->GetPointData()->AddArray(vectors);
+  image->GetPointData()->AddArray(tuples);
+}
+
+vtkSmartPointer<vtkImageData> makeImage()
+{
+  using Tuple = std::vector<double>;
+  auto image = imageOf(sineField(), unitCube(20));
+  addTuples(image, "v", VTK_FLOAT,
+    [](double f) {
+      return Tuple{ 0.5 * f, 0.9 * f * f, 0.3 - 0.2 * f };
+    });
+  addTuples(image, "colour and opacity", VTK_FLOAT,
+    [](double f) {
+      return Tuple{ 1 - f, 0.2 + 0.6 * f };
+    });
+  addTuples(image, "rgba", VTK_UNSIGNED_CHAR, // of the whole range: VTK stretches others to it
+    [](double f) {
+      return Tuple{ 255 * f, 255 - 255 * f, 255 * f * f, 255 * f };
+    });
   return image;
 }
 

@@ -64,6 +64,36 @@ TEST_F(OnePath, SamePictureByTheOtherLawAndOfARectilinearGrid)
   this->expectSame("rectilinear");
 }
 
+// By the structured law lengths are those of the data, by the other those of the world.
+TEST_F(OnePath, SamePictureOfAScaledVolume)
+{
+  this->Mesh.Mapper->SetOpacityLawToStructured();
+  for (const double scale : { 1.0, 40.0 })
+  {
+    this->change(
+      [scale](auto& scene)
+      {
+        scene.Volume->SetScale(1.5 * scale, 0.6 * scale, scale);
+        scene.Volume->SetOrientation(10.0, 20.0, 30.0);
+        scene.Renderer->ResetCamera();
+      });
+    this->expectSame("scaled by " + std::to_string(scale));
+  }
+  const Image large = this->Lattice.render();
+  this->change([](auto& scene) { scene.Mapper->SetOpacityLawToUnstructured(); });
+  this->expectSame("by the other law");
+  this->change(
+    [](auto& scene)
+    {
+      scene.Mapper->SetOpacityLawToStructured();
+      scene.Volume->SetScale(1.5, 0.6, 1.0);
+      scene.Renderer->ResetCamera();
+    });
+  const Difference difference = compare(this->Lattice.render(), large);
+  std::cout << "[ MEASURED ] small and large: " << difference.text() << '\n';
+  EXPECT_LE(difference.Max, 0.5 / 255.0) << "the same but for its size";
+}
+
 TEST_F(OnePath, SamePictureInLight)
 {
   this->change(

@@ -3,6 +3,7 @@
 #include "BoundaryReference.h"
 
 #include "Mesh/TetMeshBuilder.h"
+#include "Optics/TransferFunctions.h"
 #include "Rays/View.h"
 
 #include <cmath>
@@ -101,7 +102,7 @@ BoundaryReference boundaryViewOf(Scene& scene, const std::vector<float>& depths)
   std::string error;
   View view;
   if (buildTetMesh(scene.Data, {}, mesh, error) != BuildStatus::Done ||
-      !makeView(scene.Renderer, scene.Volume, mesh.Frame, 1.0, view))
+      !makeView(scene.Renderer, scene.Volume, mesh.Frame, 1.0, OpacityLaw::Unstructured, view))
   {
     throw std::runtime_error("the scene has no mesh or no view: " + error);
   }

@@ -80,7 +80,7 @@ public:
       this->Table = blendedTable(property, law, this->Blend, made.Range, this->Level);
     }
     if (!makeView(scene.Renderer, scene.Volume, this->Mesh.Frame,
-          property->GetScalarOpacityUnitDistance(), made.Camera))
+          property->GetScalarOpacityUnitDistance(), law, made.Camera))
     {
       throw std::runtime_error("the scene has no view");
     }

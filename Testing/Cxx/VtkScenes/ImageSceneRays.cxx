@@ -69,8 +69,6 @@ PixelRay ImageSceneRays::at(int x, int y) const
   {
     d /= length;
   }
-  ray.WorldLength =
-    std::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1], ends[1][2] - ends[0][2]) / length;
   if (from < to)
   {
     ray.Parts.push_back({ from * length, to * length });

@@ -18,7 +18,6 @@ struct PixelRay
   Vec3 Origin;
   Vec3 Direction;                           ///< of length 1
   std::vector<std::array<double, 2>> Parts; ///< lengths, front to back
-  double WorldLength = 1.0;                 ///< of a length of 1
 };
 
 /// Reads camera, matrix, clipping planes and cropping of a scene that has been drawn.

@@ -52,20 +52,13 @@ OpticalModel modelOf(vtkVolumeProperty* property)
 }
 } // namespace
 
-ImageSceneTruth::ImageSceneTruth(
-  const ImageStage& stage, vtkDataSet* data, int width, int height, LengthsOf lengths)
+ImageSceneTruth::ImageSceneTruth(const ImageStage& stage, vtkDataSet* data, int width, int height)
   : Stage(stage)
   , Rays(stage, width, height)
-  , Lengths(lengths)
   , Model(modelOf(stage.Property))
   , Optics(Model)
 {
   this->readScalars(data);
-}
-
-double ImageSceneTruth::lengthScale(const PixelRay& ray) const
-{
-  return this->Lengths == LengthsOf::World ? ray.WorldLength : 1.0;
 }
 
 Rgba ImageSceneTruth::at(int x, int y) const
@@ -120,7 +113,7 @@ Rgba ImageSceneTruth::composite(const PixelRay& ray) const
     for (const ScalarSegment& segment :
       this->Truths[0]->segments(ray.Origin, ray.Direction, from, to))
     {
-      const double length = (segment.T1 - segment.T0) * this->lengthScale(ray);
+      const double length = segment.T1 - segment.T0;
       all = composed(all, this->Optics.integrate(segment.Scalar, length));
     }
   }
@@ -131,7 +124,7 @@ Rgba ImageSceneTruth::components(const PixelRay& ray) const
 {
   constexpr int Steps = 256;
   const std::size_t count = this->Truths.size();
-  const double unit = this->Model.UnitDistance / this->lengthScale(ray);
+  const double unit = this->Model.UnitDistance;
   Rgba seen{};
   for (const auto& [from, to] : ray.Parts)
   {
@@ -198,7 +191,7 @@ Rgba ImageSceneTruth::sum(const PixelRay& ray, bool averages) const
   }
   const double sum =
     (sums.OpacityTimesScalar - this->Range[0] * sums.Opacity) / (this->Range[1] - this->Range[0]);
-  const double unit = this->Model.UnitDistance / this->lengthScale(ray);
+  const double unit = this->Model.UnitDistance;
   return gray(std::min(sum / (averages ? sums.Length : unit), 1.0));
 }
 

@@ -14,20 +14,13 @@
 
 namespace tetmarch::testing
 {
-/// What a scalar opacity unit distance is a length of.
-enum class LengthsOf
-{
-  Data, ///< vtkGPUVolumeRayCastMapper
-  World ///< our mappers
-};
-
 /// Reads data, property, mapper, matrix and camera of a scene that has been drawn: all blend modes,
 /// all components, cropping, clipping planes, window and level. No light and no gradient opacity.
+/// Lengths are those of the data, whatever the matrix is.
 class ImageSceneTruth
 {
 public:
-  ImageSceneTruth(
-    const ImageStage& stage, vtkDataSet* data, int width, int height, LengthsOf lengths);
+  ImageSceneTruth(const ImageStage& stage, vtkDataSet* data, int width, int height);
 
   /// Premultiplied, in the middle of the pixel. A part of a segment of several components is 1/256
   /// of it.
@@ -37,7 +30,6 @@ private:
   using Rgba = std::array<double, 4>;
 
   void readScalars(vtkDataSet* data);
-  double lengthScale(const PixelRay& ray) const;
   Rgba coloured(double scalar) const;
   Rgba composite(const PixelRay& ray) const;
   Rgba components(const PixelRay& ray) const;
@@ -48,7 +40,6 @@ private:
 
   ImageStage Stage;
   ImageSceneRays Rays;
-  LengthsOf Lengths;
   OpticalModel Model;
   SegmentIntegral Optics;
   std::vector<std::unique_ptr<LatticeTruth>> Truths; // one a component that is drawn

@@ -40,8 +40,7 @@ TEST_P(ByVtk, IsTheTruthWithinItsError)
   expectSomething(picture);
   if (scene.HasTruth)
   {
-    const ImageSceneTruth truth(
-      window.stage(), window.data(), picture.Width, picture.Height, LengthsOf::Data);
+    const ImageSceneTruth truth(window.stage(), window.data(), picture.Width, picture.Height);
     const Difference difference = differenceFrom(truth, picture);
     std::cout << "[ MEASURED ] " << difference.text() << '\n';
     EXPECT_GT(difference.Pixels, 30u);
@@ -63,8 +62,7 @@ TEST_P(ByOurs, IsTheTruth)
   expectSomething(picture);
   if (scene.HasTruth)
   {
-    const ImageSceneTruth truth(
-      window.stage(), window.data(), picture.Width, picture.Height, LengthsOf::World);
+    const ImageSceneTruth truth(window.stage(), window.data(), picture.Width, picture.Height);
     const Difference difference = differenceFrom(truth, picture);
     std::cout << "[ MEASURED ] " << difference.text() << '\n';
     EXPECT_LE(255.0 * difference.Rms, 0.3) << difference.text();
