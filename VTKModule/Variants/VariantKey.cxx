@@ -49,6 +49,8 @@ const std::array<VariantKey::Feature, VariantKey::NumberOfFeatures>& VariantKey:
     { "RECTILINEAR", TETMARCH_WITH_RECTILINEAR, &VariantKey::Rectilinear },
     { "LEAPS", TETMARCH_WITH_LEAPS, &VariantKey::Leaps },
     { "POINT_SAMPLED", TETMARCH_WITH_POINT_SAMPLED, &VariantKey::PointSampled },
+    { "SLABS", TETMARCH_WITH_SLABS, &VariantKey::Slabs },
+    { "MANY_SLABS", TETMARCH_WITH_MANY_SLABS, &VariantKey::ManySlabs },
   } };
   return rows;
 }
@@ -140,6 +142,8 @@ void VariantKey::dropWhatLatticesLack()
     this->HasFma = false;
   }
   this->Rectilinear = this->Rectilinear && this->Structured;
+  this->Slabs = this->Slabs && this->Structured;
+  this->ManySlabs = this->ManySlabs && this->Slabs;
   // The extremes of all that a ray meets count, and so do sums. Surfaces between constant cells are
   // in none of them.
   this->Leaps = this->Leaps && this->Structured && !this->isKnownAtEnd() &&
@@ -196,6 +200,8 @@ VariantKey VariantKey::ofVertexLight() const
   VariantKey key;
   key.Structured = this->Structured;
   key.Rectilinear = this->Rectilinear;
+  key.Slabs = this->Slabs;
+  key.ManySlabs = this->ManySlabs;
   key.Leaps = this->Leaps;
   key.PointScalars = this->PointScalars;
   key.Hierarchy = this->Hierarchy;
@@ -240,6 +246,8 @@ VariantKey VariantKey::ofEntries() const
   key.HasFma = this->HasFma;
   key.Structured = this->Structured;
   key.Rectilinear = this->Rectilinear;
+  key.Slabs = this->Slabs;
+  key.ManySlabs = this->ManySlabs;
   key.Adaptive = false;
   return key.filtered();
 }
