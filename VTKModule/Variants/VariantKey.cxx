@@ -110,6 +110,8 @@ VariantKey VariantKey::filtered() const
   key.Clipped = key.Clipped || key.Cropped;
   key.dropWhatIsNotBlended();
   key.dropWhatComponentsLack();
+  // Of several scalars each has two textures or more.
+  key.ManySlabs = key.Slabs && (key.ManySlabs || key.hasComponents());
   key.ShowIllumination = key.ShowIllumination && !key.ShowGradients;
   key.ConstantColor = key.ConstantColor && !key.ShowIllumination && !key.ShowGradients;
   // Where the scalar bends, the optical depth has an error even of one colour.
@@ -143,7 +145,6 @@ void VariantKey::dropWhatLatticesLack()
   }
   this->Rectilinear = this->Rectilinear && this->Structured;
   this->Slabs = this->Slabs && this->Structured;
-  this->ManySlabs = this->ManySlabs && this->Slabs;
   // The extremes of all that a ray meets count, and so do sums. Surfaces between constant cells are
   // in none of them.
   this->Leaps = this->Leaps && this->Structured && !this->isKnownAtEnd() &&
