@@ -1,12 +1,11 @@
 // The cells of a structured volume and their values; Structured/Lattice.h and Structured/StoredValues.h have the
 // conventions. Bound by GL/LatticeTextures.
-uniform sampler2DArray valueTexture; // layers along k
-uniform vec2 valueMap;               // scale and offset: from what is read to stored scalars
-uniform ivec3 latticeCells;          // along i, j, k
-uniform ivec3 firstValue;            // of cell 0, along i, j, k
+uniform vec2 valueMap;      // scale and offset: from what is read to stored scalars
+uniform ivec3 latticeCells; // along i, j, k
+uniform ivec3 firstValue;   // of cell 0, along i, j, k
 uniform ivec3 lastValue;
-uniform mat4 latticeMatrix;          // from the normalised frame to lattice coordinates
-uniform int mostCells;               // the step guard: no ray crosses more cells
+uniform mat4 latticeMatrix; // from the normalised frame to lattice coordinates
+uniform int mostCells;      // the step guard: no ray crosses more cells
 
 vec3 toLattice(vec3 point) { return (latticeMatrix * vec4(point, 1.0)).xyz; }
 vec3 directionToLattice(vec3 direction) { return mat3(latticeMatrix) * direction; }
@@ -14,10 +13,20 @@ vec3 directionToLattice(vec3 direction) { return mat3(latticeMatrix) * direction
 vec3 gradientFromLattice(vec3 gradient) { return gradient * mat3(latticeMatrix); }
 #endif
 
+#if TETMARCH_GATHERS
+uniform vec2 valueTexel; // 1 over width and height of a texture
+#endif
+#if TETMARCH_COMPONENTS
+uniform vec2 furtherMap[MOST_COMPONENTS - 1]; // as valueMap, of the scalars beside the first
+#endif
+
+#if TETMARCH_SLABS
+#include "structured/slab_buffers.glsl"
+#else
+uniform sampler2DArray valueTexture; // layers along k
+
 // Four values of a layer, as textureGather() has them: (i, j + 1), (i + 1, j + 1), (i + 1, j), (i, j).
 #if TETMARCH_GATHERS
-uniform vec2 valueTexel; // 1 over width and height of the texture
-
 vec4 fetchValues(int i, int j, int k)
 {
   vec3 place = vec3(vec2(float(i + 1), float(j + 1)) * valueTexel, float(clamp(k, 0, lastValue.z)));
@@ -47,7 +56,6 @@ uniform sampler2DArray furtherTextureA;
 uniform sampler2DArray furtherTextureB;
 uniform sampler2DArray furtherTextureC;
 #endif
-uniform vec2 furtherMap[MOST_COMPONENTS - 1]; // as valueMap
 
 #if TETMARCH_POINT_SCALARS
 #if TETMARCH_GATHERS
@@ -93,6 +101,7 @@ vec3 fetchFurtherValues(int i, int j, int k)
 #endif
   return values;
 }
+#endif
 #endif
 #endif
 

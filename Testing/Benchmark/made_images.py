@@ -17,28 +17,28 @@ def coordinates(cells, even):
 
 
 def lattice(cells, even):
-    """An image, or a rectilinear grid of uneven coordinates, of that many cells along each axis."""
+    """An image, or a rectilinear grid of uneven coordinates, of that many cells along x, y and z."""
     if even:
         image = vtk.vtkImageData()
-        image.SetDimensions(*[cells + 1] * 3)
-        image.SetSpacing(*[1 / cells] * 3)
+        image.SetDimensions(*[n + 1 for n in cells])
+        image.SetSpacing(*[1 / n for n in cells])
         return image
     grid = vtk.vtkRectilinearGrid()
-    grid.SetDimensions(*[cells + 1] * 3)
-    for method in (grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates):
-        method(numpy_to_vtk(coordinates(cells, even), deep=True))
+    grid.SetDimensions(*[n + 1 for n in cells])
+    for method, n in zip((grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates), cells):
+        method(numpy_to_vtk(coordinates(n, even), deep=True))
     return grid
 
 
 def values_of(cells, even, of_points, low=0.0, unseen=0.0, nans=False, components=1):
     """Waves from `low` to 1, i fastest, a column for each component; in the first share `unseen` of cells along x the scalars
     are UNSEEN, and `nans` puts some that are not finite into the rest."""
-    t = coordinates(cells, even)
-    t = t if of_points else (t[1:] + t[:-1]) / 2
-    z, y, x = np.meshgrid(t, t, t, indexing="ij")
+    axes = [coordinates(n, even) for n in cells]
+    axes = axes if of_points else [(t[1:] + t[:-1]) / 2 for t in axes]
+    z, y, x = np.meshgrid(*reversed(axes), indexing="ij")
     places = np.stack([x.ravel(), y.ravel(), z.ravel()], axis=1)
     values = np.stack([low + (1 - low) * waves(places, 0.8 + 0.2 * k, k) for k in range(components)], axis=1)
-    seen = np.tile(np.linspace(0, 1, len(t)) >= unseen, len(t) ** 2)
+    seen = np.tile(np.linspace(0, 1, len(axes[0])) >= unseen, len(axes[1]) * len(axes[2]))
     if nans:
         values[np.flatnonzero(seen)[5::29]] = np.nan
     values[~seen] = UNSEEN

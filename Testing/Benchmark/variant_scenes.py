@@ -13,12 +13,13 @@ FEATURES = frozenset("""
     CLIPPED CROPPED NAN_SHOWN HIDDEN_CELLS EXTREME SUM ISOSURFACES INDEPENDENT COLOR_AND_OPACITY DIRECT_COLOR
     CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT WORLD_LIGHTS SCATTERING CAST_SHADOWS
     SEVERAL_SHADOWS SAMPLED_SHADOWS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION SHOW_ILLUMINATION SHOW_GRADIENTS
-    STRUCTURED RECTILINEAR LEAPS POINT_SAMPLED
+    STRUCTURED RECTILINEAR LEAPS POINT_SAMPLED SLABS MANY_SLABS
     """.split())
 ARRAY = "field"
 CUBES = 4
 CELLS = 16  # of a lattice, along each axis: four blocks or more
 CELLS_OF_BLOCK = 3  # one block, also if half cells are added at both ends
+MOST_LAYERS = 2048  # of a texture of Mesa: more make two textures a component
 SAMPLE_DISTANCE = 0.02
 HIDDEN_CELL = 32  # vtkDataSetAttributes::HIDDENCELL
 
@@ -85,6 +86,11 @@ class VariantScene:
         # Where no surface is to be leapt to, no block may be without one; between constant cells rays never leap to one.
         may_leap = self.has("ISOSURFACES") and self.has("POINT_SCALARS")
         cells = CELLS_OF_BLOCK if may_leap and not self.has("LEAPS") else CELLS
+        if self.has("SLABS"):
+            full = 2 if self.has("MANY_SLABS") and self.components() == 1 else 1
+            cells = (cells, cells, full * MOST_LAYERS + 50)
+        else:
+            cells = (cells, cells, cells)
         of_points, even = self.one_of(True, False), not self.has("RECTILINEAR")
         # From a tenth of empty blocks on rays leap; from a half on they pass what is transparent.
         unseen = 0.8 if self.has("TRANSPARENT_RANGES") else 0.35 if self.has("LEAPS") else 0.0

@@ -110,14 +110,19 @@ inline std::vector<VariantKey> legalKeys()
   return legal.Keys;
 }
 
-/// Of the light at vertices, for the pictures that have it.
+/// Of the light at vertices, for the pictures that have it; in whatever number of slabs.
 inline std::vector<VariantKey> legalLightKeys()
 {
   DistinctKeys legal;
-  for (const VariantKey& key : legalKeys())
+  for (VariantKey key : legalKeys())
   {
     if (key.hasVertexLight())
     {
+      legal.add(key.ofVertexLight());
+      key.Slabs = key.Structured;
+      key.ManySlabs = false;
+      legal.add(key.ofVertexLight());
+      key.ManySlabs = key.Structured;
       legal.add(key.ofVertexLight());
     }
   }

@@ -42,7 +42,10 @@ const ShaderFeature OfTheMarch[] = {
     "positionWithin" },
   { "scalars along the picture's rays",
     [](const Key& k, MarchShader s)
-    { return gathers(k, s) && k.PointScalars && (!k.Structured || k.Cropped || isPick(s)); },
+    {
+      return gathers(k, s) && k.PointScalars &&
+             (!k.Structured || k.Cropped || k.PointSampled || isPick(s));
+    },
     "scalarIn" },
   { "cells and samples of the picture",
     [](const Key& k, MarchShader s)
@@ -72,7 +75,7 @@ const ShaderFeature OfTheMarch[] = {
     [](const Key& k, MarchShader s)
     {
       return gathers(k, s) && k.hasComponents() && k.PointScalars &&
-             (!k.Structured || k.Cropped || isPick(s));
+             (!k.Structured || k.Cropped || k.PointSampled || isPick(s));
     },
     "furtherAt" },
   { "independent components", [](const Key& k, MarchShader) { return isIndependent(k); },

@@ -65,10 +65,14 @@ std::vector<ShaderFeature> featuresOfVolumes()
       "densityAt densityBetween" },
     // Lattices.
     { "lattice", [](const Key& k, MarchShader) { return k.Structured; },
-      "valueTexture valueMap latticeCells firstValue lastValue latticeMatrix toLattice "
+      "valueMap latticeCells firstValue lastValue latticeMatrix toLattice "
       "directionToLattice perSlope steps stepAlong perSlopeOf planesAt cellAround "
       "planesAhead planesPassed crossingDepths leastOf depthsOfLattice corrected cellBehindDepth "
       "numberOfCell never neverAlong nextCell enterCell isWithinCell LEAP_SHIFT" },
+    { "values in one texture", [](const Key& k, MarchShader) { return k.Structured && !k.Slabs; },
+      "valueTexture" },
+    { "values in slabs", [](const Key& k, MarchShader) { return k.Slabs; },
+      "slabTextures slabLayers readSlab readSlabs" },
     { "even planes", [](const Key& k, MarchShader) { return k.Structured && !k.Rectilinear; },
       "latticeShift latticeHalfLength planeAt" },
     { "planes of their own", [](const Key& k, MarchShader) { return k.Rectilinear; },
@@ -114,21 +118,29 @@ std::vector<ShaderFeature> featuresOfVolumes()
       "bendError" },
     // Of several components.
     { "components of lattices",
-      [](const Key& k, MarchShader) { return k.Structured && k.hasComponents(); },
-      "furtherTextureA furtherMap" },
-    { "components of lattices beyond two",
-      [](const Key& k, MarchShader) {
-        return k.Structured && k.hasComponents() && k.Components != ComponentGroup::ColorAndOpacity;
+      [](const Key& k, MarchShader) { return k.Structured && k.hasComponents(); }, "furtherMap" },
+    { "components in one texture each",
+      [](const Key& k, MarchShader) { return k.Structured && k.hasComponents() && !k.Slabs; },
+      "furtherTextureA" },
+    { "components in one texture each, beyond two",
+      [](const Key& k, MarchShader)
+      {
+        return k.Structured && k.hasComponents() && !k.Slabs &&
+               k.Components != ComponentGroup::ColorAndOpacity;
       },
       "furtherTextureB furtherTextureC" },
+    { "components in slabs", [](const Key& k, MarchShader) { return k.Slabs && k.hasComponents(); },
+      "furtherLayers" },
     { "components of constant cells",
       [](const Key& k, MarchShader)
       { return k.Structured && !k.PointScalars && k.hasComponents(); },
       "fetchFurtherValues" },
     { "components of trilinear cells", [](const Key& k, MarchShader) { return bendsTogether(k); },
-      "readValues fetchValuesOf cubicOfComponent FurtherBend FurtherCubics noFurtherCubics "
+      "fetchValuesOf cubicOfComponent FurtherBend FurtherCubics noFurtherCubics "
       "furtherCubicsAt furtherCubicsAlong furtherBendWithin bentScalars furtherEnter furtherLeave "
       "furtherBend" },
+    { "components of trilinear cells in one texture each",
+      [](const Key& k, MarchShader) { return bendsTogether(k) && !k.Slabs; }, "readValues" },
     { "extremes of components",
       [](const Key& k, MarchShader)
       { return bendsTogether(k) && k.Components != ComponentGroup::DirectColor; },

@@ -70,6 +70,10 @@ bool isSensible(const VariantKey& k)
          !(k.OpaqueShadows && !k.CastShadows) &&
          // What is sampled is a lattice of one scalar, by one blend mode and with no tolerance.
          !(k.PointSampled && (!k.Structured || !composite || several || k.Adaptive)) &&
+         // Only values of a lattice lie in several textures, and many are several; so are those of
+         // several scalars.
+         !(k.Slabs && !k.Structured) && !(k.ManySlabs && !k.Slabs) &&
+         !(k.Slabs && several && !k.ManySlabs) &&
          // Gradients are shown instead of the light.
          !(k.ShowGradients && (k.Shading || k.ShowIllumination));
 }
@@ -146,7 +150,8 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
       {
         const bool searched = name == "BVH" && !asked.RasterEntry;
         const bool cut = name == "CLIPPED" && asked.Cropped;
-        ASSERT_TRUE(searched || cut) << namesOf(asked) << ": " << name;
+        const bool many = name == "MANY_SLABS" && asked.Slabs && got.hasComponents();
+        ASSERT_TRUE(searched || cut || many) << namesOf(asked) << ": " << name;
       }
       if (feature.isOn(asked) && !feature.isOn(got))
       {
@@ -161,19 +166,22 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 // Rays towards the light: of scalars at points or of cells, with what is not finite and with hidden
 // cells or without; past opaque geometry or not, and with gradient opacity of points in two ways,
 // of cells in one, or without. Through a mesh in one part or several, fused or not; through a
-// lattice whose planes are even or not, with leaps or without.
+// lattice whose planes are even or not, with leaps or without, and whose values are in one texture,
+// in two or in many.
 TEST(VariantKey, LegalKeysAreCounted)
 {
   const std::size_t light = legalLightKeys().size();
-  EXPECT_EQ(light, 2 * (2 * 2 * 2 * 2 * 2 * (3 + 2)));
+  const std::size_t ofVolumes = 2 * 2 * 2 * 2 * 2 * (3 + 2);
+  EXPECT_EQ(light, ofVolumes + 3 * ofVolumes);
   // Of scalars at points or cells, clipped, cropped or whole, with hidden cells or not; of volumes
   // with opacity by gradients of either kind or without, or of independent components, with what is
   // not finite or not; or in three other blend modes. Of a lattice, whose planes are even or not,
-  // volumes are leapt to or not, and so are surfaces in trilinear cells.
+  // volumes are leapt to or not, and so are surfaces in trilinear cells; in one texture, two, many.
   const std::size_t picked = legalPickKeys().size();
   const std::size_t ofTetrahedra = 3 * 2 * 3 * 2 * ((3 + 2 + 2) * 2 + 3 * 2);
   const std::size_t ofLattices = 2 * 3 * 2 * ((3 + 2 + 2) * 2 * 2 + (2 + 1) + 2 * 2);
-  EXPECT_EQ(picked, ofTetrahedra + ofLattices);
+  const std::size_t ofTwoComponents = 2 * 3 * 2 * (2 * 2 * 2); // or more: never in two textures
+  EXPECT_EQ(picked, ofTetrahedra + 3 * ofLattices - ofTwoComponents);
   std::cout << "[ MEASURED ] " << legalKeys().size() << " variants of the picture, " << light
             << " of the light at vertices, " << picked << " of what is picked\n";
 }
@@ -220,6 +228,8 @@ TEST(VariantKey, PicksKnowNoLight)
     ASSERT_EQ(pick.Blend, picture.Blend);
     ASSERT_EQ(pick.Structured, picture.Structured);
     ASSERT_EQ(pick.Rectilinear, picture.Rectilinear);
+    ASSERT_EQ(pick.Slabs, picture.Slabs);
+    ASSERT_EQ(pick.ManySlabs, picture.ManySlabs);
     ASSERT_EQ(pick.Adaptive, pick.Structured && pick.PointScalars && pick.isComposite());
     pick.Adaptive = false;
     pick.PointScalars = true;
@@ -252,6 +262,8 @@ TEST(VariantKey, EntriesDependOnFewBits)
     other.HasFma = key.HasFma;
     other.Structured = key.Structured;
     other.Rectilinear = key.Rectilinear;
+    other.Slabs = key.Slabs;
+    other.ManySlabs = key.ManySlabs;
     const VariantKey entries = key.ofEntries();
     EXPECT_EQ(entries.defines(), other.ofEntries().defines());
     EXPECT_TRUE(entries == entries.filtered());

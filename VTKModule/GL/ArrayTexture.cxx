@@ -9,7 +9,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
 
-#include <string>
+#include <algorithm>
 
 namespace tetmarch
 {
@@ -29,25 +29,23 @@ FormatRow rowOf(ValueType type)
                                      : FormatRow{ GL_R32F, GL_FLOAT };
 }
 
-std::string describe(const std::array<int, 3>& sizes)
+// Whether the GL would make a texture of that size; it is asked, and nothing is allocated.
+bool takes(int width, int height, int layers, const FormatRow& row)
 {
-  return std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]) + " x " +
-         std::to_string(sizes[2]);
+  glTexImage3D(GL_PROXY_TEXTURE_2D_ARRAY, 0, row.InternalFormat, width, height, layers, 0, GL_RED,
+    row.Type, nullptr);
+  int taken = 0;
+  glGetTexLevelParameteriv(GL_PROXY_TEXTURE_2D_ARRAY, 0, GL_TEXTURE_WIDTH, &taken);
+  return taken == width;
 }
 
 } // namespace
 
-std::string ArrayTexture::upload(
-  vtkOpenGLRenderWindow* window, const std::array<int, 3>& sizes, const StoredValues& values)
+bool ArrayTexture::upload(vtkOpenGLRenderWindow* window, const std::array<int, 3>& sizes,
+  ValueType type, const void* values)
 {
   this->release(window);
-  const std::array<int, 3> most = mostLayers();
-  if (sizes[0] > most[0] || sizes[1] > most[1] || sizes[2] > most[2])
-  {
-    return "The volume has " + describe(sizes) + " values, but the GPU takes " + describe(most) +
-           " at most. Extract a part of it, or coarsen it.";
-  }
-  const FormatRow row = rowOf(values.Type);
+  const FormatRow row = rowOf(type);
   vtkOpenGLState* state = window->GetState();
   clearErrors();
   glGenTextures(1, &this->Handle);
@@ -65,7 +63,7 @@ std::string ArrayTexture::upload(
   glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, row.InternalFormat, sizes[0], sizes[1], sizes[2], 0, GL_RED,
-    row.Type, values.Data);
+    row.Type, values);
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
   const bool sound = glGetError() == GL_NO_ERROR;
   int width = 0; // 0 if a VTK that reports errors has taken the error from the queue
@@ -74,14 +72,19 @@ std::string ArrayTexture::upload(
   if (!sound || width != sizes[0])
   {
     this->release(window);
-    return "The GPU has no room for a texture of " + std::to_string(values.bytes()) +
-           " bytes. Close what else uses it, or extract or coarsen a part of the volume.";
+    return false;
   }
-  this->Bytes = values.bytes();
-  return {};
+  this->Bytes = StoredValues::sizeOf(type) * static_cast<std::size_t>(sizes[0]) *
+                static_cast<std::size_t>(sizes[1]) * static_cast<std::size_t>(sizes[2]);
+  return true;
 }
 
 void ArrayTexture::bind(vtkShaderProgram* program, const char* sampler)
+{
+  program->SetUniformi(sampler, this->activate());
+}
+
+int ArrayTexture::activate()
 {
   if (this->Unit < 0)
   {
@@ -89,7 +92,7 @@ void ArrayTexture::bind(vtkShaderProgram* program, const char* sampler)
   }
   this->Window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Unit));
   glBindTexture(GL_TEXTURE_2D_ARRAY, this->Handle);
-  program->SetUniformi(sampler, this->Unit);
+  return this->Unit;
 }
 
 void ArrayTexture::unbind()
@@ -122,6 +125,21 @@ std::array<int, 3> mostLayers()
   most[1] = most[0];
   glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most[2]);
   return most;
+}
+
+int layersTaken(const std::array<int, 3>& sizes, ValueType type)
+{
+  const FormatRow row = rowOf(type);
+  int taken = 0;
+  int refused = std::min(sizes[2], mostLayers()[2]) + 1;
+  // Most volumes are taken as they are.
+  for (int layers = refused - 1; refused - taken > 1; layers = taken + (refused - taken) / 2)
+  {
+    int& bound = takes(sizes[0], sizes[1], layers, row) ? taken : refused;
+    bound = layers;
+  }
+  clearErrors();
+  return taken;
 }
 
 } // namespace tetmarch

@@ -11,7 +11,6 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -27,12 +26,14 @@ public:
   ArrayTexture(const ArrayTexture&) = delete;
   ArrayTexture& operator=(const ArrayTexture&) = delete;
 
-  /** Replace the contents: width, height and number of layers. Returns an empty string, or why it
-   * can't be done. */
-  std::string upload(
-    vtkOpenGLRenderWindow* window, const std::array<int, 3>& sizes, const StoredValues& values);
+  /** Replace the contents: width, height and number of layers, which the GL takes. False if it has
+   * no room for them. */
+  bool upload(vtkOpenGLRenderWindow* window, const std::array<int, 3>& sizes, ValueType type,
+    const void* values);
   /** Bind to a sampler of the program that is in use. */
   void bind(vtkShaderProgram* program, const char* sampler);
+  /** Bind to a texture unit, and return which. */
+  int activate();
   void unbind();
   /** The window's context is current. */
   void release(vtkWindow* window);
@@ -47,6 +48,10 @@ private:
 
 /** The greatest width, height and number of layers in the current context. */
 std::array<int, 3> mostLayers();
+
+/** How many layers of that width and height a texture takes in the current context: all of them,
+ * or fewer if the GL says so. */
+int layersTaken(const std::array<int, 3>& sizes, ValueType type);
 
 } // namespace tetmarch
 

@@ -95,35 +95,14 @@ std::string LatticeTextures::uploadValues(
     return {};
   }
   this->ValuesThere.reset();
-  const std::vector<StoredValues>& values = volume.values();
-  std::string error;
-  for (std::size_t k = 0; k < this->Values.size(); ++k)
-  {
-    if (error.empty() && k < values.size())
-    {
-      error = this->Values[k].upload(window, valuesAlong(volume.lattice()), values[k]);
-    }
-    else
-    {
-      this->Values[k].release(window);
-    }
-  }
+  const std::string error =
+    this->Values.upload(window, valuesAlong(volume.lattice()), volume.values());
   if (error.empty())
   {
     this->ValuesThere = volume.valuesVersion();
-    this->UploadedBytes += static_cast<std::int64_t>(this->valueBytes());
+    this->UploadedBytes += static_cast<std::int64_t>(this->Values.bytes());
   }
   return error;
-}
-
-std::size_t LatticeTextures::valueBytes() const
-{
-  std::size_t bytes = 0;
-  for (const ArrayTexture& values : this->Values)
-  {
-    bytes += values.bytes();
-  }
-  return bytes;
 }
 
 std::string LatticeTextures::upload(vtkOpenGLRenderWindow* window, const StructuredVolume& volume,
@@ -162,7 +141,10 @@ void LatticeTextures::bindFurther(
   for (std::size_t k = 0; k < count; ++k)
   {
     const std::size_t drawn = std::min(k + 1, values.size() - 1);
-    this->Values[drawn].bind(program, samplers[k]);
+    if (!key.Slabs)
+    {
+      this->Values.bind(program, drawn, samplers[k]);
+    }
     maps[k] = { { values[drawn].Scale, values[drawn].Offset } };
   }
   program->SetUniform2fv("furtherMap", MostComponents - 1, maps.front().data());
@@ -174,7 +156,14 @@ void LatticeTextures::bindValues(
   const Lattice& lattice = volume.lattice();
   const StoredValues& values = volume.values().front();
   const std::array<int, 3> along = valuesAlong(lattice);
-  this->Values.front().bind(program, "valueTexture");
+  if (key.Slabs)
+  {
+    this->Values.bindSlabs(program, key);
+  }
+  else
+  {
+    this->Values.bind(program, 0, "valueTexture");
+  }
   const std::array<float, 2> map{ { values.Scale, values.Offset } };
   program->SetUniform2f("valueMap", map.data());
   if (key.hasComponents())
@@ -240,10 +229,7 @@ void LatticeTextures::bind(vtkShaderProgram* program, const VariantKey& key,
 
 void LatticeTextures::unbind()
 {
-  for (ArrayTexture& values : this->Values)
-  {
-    values.unbind();
-  }
+  this->Values.unbind();
   for (VersionedBuffer* buffer : { &this->Planes, &this->Hidden, &this->Distances })
   {
     buffer->unbind();
@@ -252,10 +238,7 @@ void LatticeTextures::unbind()
 
 void LatticeTextures::release(vtkWindow* window)
 {
-  for (ArrayTexture& values : this->Values)
-  {
-    values.release(window);
-  }
+  this->Values.release(window);
   this->ValuesThere.reset();
   for (VersionedBuffer* buffer : { &this->Planes, &this->Hidden, &this->Distances })
   {
@@ -265,7 +248,8 @@ void LatticeTextures::release(vtkWindow* window)
 
 std::size_t LatticeTextures::bytes() const
 {
-  return this->valueBytes() + this->Planes.bytes() + this->Hidden.bytes() + this->Distances.bytes();
+  return this->Values.bytes() + this->Planes.bytes() + this->Hidden.bytes() +
+         this->Distances.bytes();
 }
 
 std::int64_t LatticeTextures::uploadedBytes() const

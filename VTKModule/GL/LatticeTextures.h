@@ -4,13 +4,12 @@
 #ifndef TetMarchGLLatticeTextures_h
 #define TetMarchGLLatticeTextures_h
 
-#include "GL/ArrayTexture.h"
+#include "GL/ValueTextures.h"
 #include "GL/VersionedBuffer.h"
 #include "Rays/RaySamples.h"
 #include "Structured/StructuredVolume.h"
 #include "Variants/VariantKey.h"
 
-#include <array>
 #include <optional>
 #include <string>
 
@@ -34,6 +33,8 @@ public:
   std::string upload(vtkOpenGLRenderWindow* window, const StructuredVolume& volume,
     const VersionedDistances& distances);
 
+  /** In how many textures the values are. */
+  void setBits(VariantKey& key) const { this->Values.setBits(key); }
   /** The textures, and all else that shaders read of a lattice and of its light nodes. */
   void bind(vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume,
     const BlockDistances& empty, const RaySamples& samples);
@@ -45,15 +46,14 @@ public:
 
 private:
   std::string uploadValues(vtkOpenGLRenderWindow* window, const StructuredVolume& volume);
-  std::size_t valueBytes() const;
   void bindFurther(
     vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume);
   void bindValues(vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume);
   void bindPlanes(vtkShaderProgram* program, const VariantKey& key, const Lattice& lattice);
 
-  std::array<ArrayTexture, MostComponents> Values; // of the first scalar and of those drawn with it
-  std::optional<Fingerprint> ValuesThere;          // none before they are uploaded
-  std::int64_t UploadedBytes = 0;                  // of the values
+  ValueTextures Values;                   // of the first scalar and of those drawn with it
+  std::optional<Fingerprint> ValuesThere; // none before they are uploaded
+  std::int64_t UploadedBytes = 0;         // of the values
   VersionedBuffer Planes;
   VersionedBuffer Hidden;
   VersionedBuffer Distances;

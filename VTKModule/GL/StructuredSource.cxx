@@ -79,6 +79,7 @@ void StructuredSource::setBits(VariantKey& key, const View&) const
   key.Rectilinear = !lattice.isUniform();
   key.HiddenCells = !this->Volume.hiddenCells().empty();
   key.Leaps = isWorthLeaping(this->Empty);
+  this->Textures.setBits(key);
 }
 
 Fingerprint StructuredSource::version() const

@@ -49,6 +49,8 @@ const std::array<VariantKey::Feature, VariantKey::NumberOfFeatures>& VariantKey:
     { "RECTILINEAR", TETMARCH_WITH_RECTILINEAR, &VariantKey::Rectilinear },
     { "LEAPS", TETMARCH_WITH_LEAPS, &VariantKey::Leaps },
     { "POINT_SAMPLED", TETMARCH_WITH_POINT_SAMPLED, &VariantKey::PointSampled },
+    { "SLABS", TETMARCH_WITH_SLABS, &VariantKey::Slabs },
+    { "MANY_SLABS", TETMARCH_WITH_MANY_SLABS, &VariantKey::ManySlabs },
   } };
   return rows;
 }
@@ -108,6 +110,8 @@ VariantKey VariantKey::filtered() const
   key.Clipped = key.Clipped || key.Cropped;
   key.dropWhatIsNotBlended();
   key.dropWhatComponentsLack();
+  // Of several scalars each has two textures or more.
+  key.ManySlabs = key.Slabs && (key.ManySlabs || key.hasComponents());
   key.ShowIllumination = key.ShowIllumination && !key.ShowGradients;
   key.ConstantColor = key.ConstantColor && !key.ShowIllumination && !key.ShowGradients;
   // Where the scalar bends, the optical depth has an error even of one colour.
@@ -140,6 +144,7 @@ void VariantKey::dropWhatLatticesLack()
     this->HasFma = false;
   }
   this->Rectilinear = this->Rectilinear && this->Structured;
+  this->Slabs = this->Slabs && this->Structured;
   // The extremes of all that a ray meets count, and so do sums. Surfaces between constant cells are
   // in none of them.
   this->Leaps = this->Leaps && this->Structured && !this->isKnownAtEnd() &&
@@ -196,6 +201,8 @@ VariantKey VariantKey::ofVertexLight() const
   VariantKey key;
   key.Structured = this->Structured;
   key.Rectilinear = this->Rectilinear;
+  key.Slabs = this->Slabs;
+  key.ManySlabs = this->ManySlabs;
   key.Leaps = this->Leaps;
   key.PointScalars = this->PointScalars;
   key.Hierarchy = this->Hierarchy;
@@ -240,6 +247,8 @@ VariantKey VariantKey::ofEntries() const
   key.HasFma = this->HasFma;
   key.Structured = this->Structured;
   key.Rectilinear = this->Rectilinear;
+  key.Slabs = this->Slabs;
+  key.ManySlabs = this->ManySlabs;
   key.Adaptive = false;
   return key.filtered();
 }

@@ -76,6 +76,8 @@ struct VariantKey
   bool Rectilinear = false;  // whose planes are not evenly spaced
   bool Leaps = false;        // rays leap over blocks of cells of which nothing can be seen
   bool PointSampled = false; // the volume is sampled at even distances, not integrated
+  bool Slabs = false;        // the values lie in several textures
+  bool ManySlabs = false;    // more than two
 
   // What follows from these, by Shaders/derived_conditions.glsl.
   /** Emission and absorption are integrated. */
@@ -140,7 +142,7 @@ struct VariantKey
      * group's first value takes its place. */
     void set(VariantKey& key, bool on) const;
   };
-  static constexpr int NumberOfFeatures = 39;
+  static constexpr int NumberOfFeatures = 41;
   static const std::array<Feature, NumberOfFeatures>& features();
   /** The bits of all features that are on. */
   std::uint64_t bits() const;

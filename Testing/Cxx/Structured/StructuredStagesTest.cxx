@@ -8,9 +8,7 @@
 #include "vtkActor.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
-#include "vtkTextureUnitManager.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -24,18 +22,6 @@ constexpr int Cells = 12;
 constexpr vtkTypeInt64 ValueBytes = 4 * (Cells + 1) * (Cells + 1) * (Cells + 1);
 
 vtkSmartPointer<vtkImageData> image() { return imageOf(sineField(), unitCube(Cells)); }
-
-int unitsInUse(vtkRenderWindow* window)
-{
-  vtkTextureUnitManager* units =
-    vtkOpenGLRenderWindow::SafeDownCast(window)->GetTextureUnitManager();
-  int count = 0;
-  for (int unit = 0; unit < units->GetNumberOfTextureUnits(); ++unit)
-  {
-    count += units->IsAllocated(unit) ? 1 : 0;
-  }
-  return count;
-}
 
 class StructuredStages : public testing::Test
 {

@@ -8,6 +8,8 @@
 #define tetmarch_testing_GLObjects_h
 
 #include "vtkOpenGLRenderUtilities.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkTextureUnitManager.h"
 
 #include <algorithm>
 #include <array>
@@ -47,6 +49,18 @@ inline int countShaders()
   return countNames([](GLsizei, GLuint* name) { *name = glCreateProgram(); },
     [](GLsizei, const GLuint* name) { glDeleteProgram(*name); },
     [](GLuint name) { return glIsShader(name) + glIsProgram(name); });
+}
+/// Units of textures that VTK counts as taken.
+inline int unitsInUse(vtkRenderWindow* window)
+{
+  vtkTextureUnitManager* units =
+    vtkOpenGLRenderWindow::SafeDownCast(window)->GetTextureUnitManager();
+  int count = 0;
+  for (int unit = 0; unit < units->GetNumberOfTextureUnits(); ++unit)
+  {
+    count += units->IsAllocated(unit) ? 1 : 0;
+  }
+  return count;
 }
 } // namespace tetmarch::testing
 
