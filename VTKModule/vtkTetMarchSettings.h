@@ -76,7 +76,9 @@ public:
    * this is V D^2 / 8.
    *
    * FAST: each cell is one segment, and a ray ends at a transmittance of 1/512. No error is
-   * promised: colours are wrong where they change within cells of large optical depth.
+   * promised: colours are wrong where they change within cells of large optical depth. Cells of
+   * images and rectilinear grids in which the scalar bends are cut evenly into up to eight segments
+   * instead; their optical depth is nearly exact.
    * DEFAULT: segments are split until the pixel keeps ErrorTolerance. The end of the ray at a low
    * transmittance is part of that error.
    * ACCURATE: as DEFAULT, with a tolerance of 1/4096, or ErrorTolerance if that is less.

@@ -10,7 +10,8 @@
 //   meanBetween                       a mean over the depth is one over scalars   tables/integral_table.glsl
 //   countedFraction                   scalars in a range are one interval         gather/sum.glsl
 //   subsegmentError                   the colour varies as the table does         gather/..._component(s).glsl
-// A trilinear cell makes the scalar a cubic. Its segments end where that has an extreme, so that extremes and crossings are
+// A trilinear cell that is cut evenly is one segment (gather/segment_even.glsl). Others make the scalar a cubic, too: their
+// segments end where that has an extreme, so that extremes and crossings are
 // right; the scalar at a depth is that of the cubic; subsegments end at scalars of the cubic, and what the bend between
 // them changes of the colour is one more term of subsegmentError (structured/bend.glsl).
 
