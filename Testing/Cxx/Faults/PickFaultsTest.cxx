@@ -101,7 +101,8 @@ TEST_F(PickFaults, EveryCallOfAPick)
   }
 }
 
-// The fault is in one of the selector's passes alone; some of them draw nothing of the volume.
+// The fault is in one of the selector's passes alone. One of them marches; the others draw what it
+// has found, without a framebuffer of their own.
 TEST_F(PickFaults, InOnePassOfAPick)
 {
   int failed = 0;
@@ -124,7 +125,7 @@ TEST_F(PickFaults, InOnePassOfAPick)
     EXPECT_EQ(this->Mapper->GetPickedCellId(), hit ? this->Hit : -1);
     failed += met ? 1 : 0;
   }
-  EXPECT_GT(failed, 1);
+  EXPECT_EQ(failed, 1);
 }
 
 TEST_F(PickFaults, AreReportedOnce)
