@@ -63,10 +63,10 @@ void marchAndSample(
 }
 
 March castSampledRay(
-  Ray ray, int firstFace, real thicknessPerDepth, real depthBegin, real depthEnd, real jitter)
+  Ray ray, real thicknessPerDepth, real depthBegin, real depthEnd, real jitter)
 {
   March march = beginMarch(depthBegin);
-  Traversal traversal = traversalFrom(ray, firstFace, depthBegin);
+  Traversal traversal = traversalFrom(ray, depthBegin);
   marchAndSample(ray, thicknessPerDepth, depthEnd, jitter, traversal, march);
   return march;
 }

@@ -8,7 +8,7 @@ CONSTANT real PICK_ROUNDING = real(1e-6); // of scalars, 0..1, and of a sum in p
 // the ray is known, and are picked if their opacity is as much: an extreme at its first point, a sum where that
 // proportion of it has been gathered.
 Pick pickOn(
-  Ray ray, int firstFace, real thicknessPerDepth, real depthBegin, real depthEnd, real left)
+  Ray ray, real thicknessPerDepth, real depthBegin, real depthEnd, real left)
 {
   March march = beginMarch(depthBegin);
 #if TETMARCH_COMPOSITE
@@ -17,7 +17,7 @@ Pick pickOn(
   // The opacity of a surface may be exactly what is asked for, but for rounding: 2^-22.
   march.target = -left - real(2.384185791015625e-7);
 #else
-  Radiance whole = castPlainRay(ray, firstFace, thicknessPerDepth, depthBegin, depthEnd).radiance;
+  Radiance whole = castPlainRay(ray, thicknessPerDepth, depthBegin, depthEnd).radiance;
   // Rounding may make the second march gather a little less.
 #if TETMARCH_SUM
   real target = gathered(whole) * min(real(1) - left, real(1) - PICK_ROUNDING);
@@ -27,7 +27,7 @@ Pick pickOn(
   real opacity = pixelOf(whole, thicknessPerDepth).w;
   march.target = opacity > real(0) && opacity + PICK_ROUNDING >= real(1) - left ? target : NO_DEPTH;
 #endif
-  Traversal traversal = traversalFrom(ray, firstFace, depthBegin);
+  Traversal traversal = traversalFrom(ray, depthBegin);
   marchOn(ray, thicknessPerDepth, depthEnd, traversal, march);
   return march.pick;
 }

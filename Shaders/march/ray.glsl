@@ -15,6 +15,11 @@ struct Ray
 #else
   vec3 right;  // right, up, -direction: an orthonormal basis, as the viewer sees it
   vec3 up;
+#if TETMARCH_ENTRY_LISTS
+  int firstCandidate;  // of a ray of a pixel: the faces by which it may enter are those from this one
+  int endOfCandidates; // to before that one
+  uint pixelInTile;    // x and y, 4 bits each
+#endif
 #endif
   vec3 direction; // unit length
 #if TETMARCH_SHADING

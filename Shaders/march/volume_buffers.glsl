@@ -3,4 +3,7 @@
 #include "structured/lattice_buffers.glsl"
 #else
 #include "tet/mesh_buffers.glsl"
+#if TETMARCH_ENTRY_LISTS
+#include "tet/entry_list_buffers.glsl"
+#endif
 #endif

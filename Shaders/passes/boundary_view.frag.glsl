@@ -4,7 +4,7 @@
 
 //VTK::Output::Dec
 
-#include "tet/mesh_buffers.glsl"
+#include "march/volume_buffers.glsl"
 #include "tet/edge_sign.glsl"
 #include "march/ray.glsl"
 #include "tet/vertex_attributes.glsl"
@@ -12,14 +12,29 @@
 #include "tet/face_intersection.glsl"
 #include "march/entry.glsl"
 #include "tet/boundary.glsl"
+#if TETMARCH_ENTRY_LISTS
+#include "tet/entry_lists.glsl"
+#endif
 #include "passes/pixel_ray.glsl"
 
 uniform bool showsCoordinates; // shows the barycentrics of the entry, else the face
 
-#if !TETMARCH_RASTER_ENTRY
-// The entry into the part of the mesh in which the ray is at a depth; if it is outside there, its next entry.
-Entry entryAt(Ray ray, float depth)
+#if TETMARCH_ENTRY_LISTS
+// The first entry.
+Entry entryOf(PixelRay pixel)
 {
+  Entry before;
+  before.depth = -NO_DEPTH;
+  before.face = -1;
+  int candidate = pixel.ray.firstCandidate;
+  return nextCandidate(pixel.ray, before, candidate);
+}
+#else
+// The entry into the part of the mesh in which the ray is at a depth; if it is outside there, its next entry.
+Entry entryOf(PixelRay pixel)
+{
+  Ray ray = pixel.ray;
+  float depth = pixel.depthBegin;
   Entry before;
   before.depth = -NO_DEPTH;
   before.face = -1;
@@ -46,27 +61,10 @@ Entry entryAt(Ray ray, float depth)
 }
 #endif
 
-// Like in the march, a search finds the entry where the rasteriser's face refuses the ray.
 bool crossesBoundary(PixelRay pixel, out FaceIntersection intersection)
 {
-  int face = pixel.firstFace;
-#if TETMARCH_RASTER_ENTRY
-  bool entered = face >= 0 && enters(pixel.ray, uint(face), intersection);
-#if TETMARCH_BVH
-  if (!entered)
-  {
-    Entry refused;
-    refused.depth = -NO_DEPTH;
-    refused.face = face;
-    face = nextEntry(pixel.ray, refused, true).face;
-    entered = face >= 0 && enters(pixel.ray, uint(face), intersection);
-  }
-#endif
-  return entered;
-#else
-  face = entryAt(pixel.ray, pixel.depthBegin).face;
+  int face = entryOf(pixel).face;
   return face >= 0 && enters(pixel.ray, uint(face), intersection);
-#endif
 }
 
 // PCG-RXS-M-XS by M. O'Neill, as M. Jarzynski and M. Olano have it in "Hash Functions for GPU Rendering", Journal of

@@ -49,9 +49,9 @@ March marchPixel(PixelRay pixel)
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
   float jitter = texelFetch(jitterTexture, pixel.at & 63, 0).x;
-  return castSampledRay(pixel.ray, pixel.firstFace, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd, jitter);
+  return castSampledRay(pixel.ray, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd, jitter);
 #else
-  return castPlainRay(pixel.ray, pixel.firstFace, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd);
+  return castPlainRay(pixel.ray, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd);
 #endif
 }
 

@@ -34,7 +34,7 @@ void main()
   PixelRay pixel = pixelRay();
   float thicknessPerDepth = thicknessPerDepthAlong(pixel.ray.direction);
   Pick pick =
-    pickOn(pixel.ray, pixel.firstFace, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd, transmittanceLeft);
+    pickOn(pixel.ray, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd, transmittanceLeft);
   if (!pick.hit)
   {
     discard;

@@ -36,7 +36,7 @@ real transmittanceTo(LightStart start, vec3 direction, real distance)
   real end = begin + distance;
   real thicknessPerDepth = thicknessPerDepthAlong(direction);
   real darkDepth = -log(errorTolerance);
-  Traversal traversal = traversalFrom(ray, 0, begin);
+  Traversal traversal = traversalFrom(ray, begin);
   enterVolume(ray, end, traversal);
   CellInterval cell = beginCellInterval(ray, traversal.place);
   real opticalDepth = real(0);
@@ -59,6 +59,6 @@ real transmittanceTo(LightStart start, vec3 direction, real distance)
 {
   Ray ray = rayThrough(start.point, direction);
   real begin = dot(start.point - ray.origin, ray.direction);
-  return castPlainRay(ray, 0, thicknessPerDepthAlong(direction), begin, begin + distance).radiance.transmittance;
+  return castPlainRay(ray, thicknessPerDepthAlong(direction), begin, begin + distance).radiance.transmittance;
 }
 #endif

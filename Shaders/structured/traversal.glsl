@@ -36,7 +36,7 @@ struct Traversal
 };
 
 // From the first cell that the ray meets behind a depth.
-Traversal traversalFrom(Ray ray, int firstFace, real depthBegin)
+Traversal traversalFrom(Ray ray, real depthBegin)
 {
   vec2 range = depthsOfLattice(ray);
   bool meets = range.x < range.y;

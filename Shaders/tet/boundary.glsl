@@ -27,14 +27,16 @@ bool enters(Ray ray, uint boundaryFace, OUT(FaceIntersection) face)
   return entersFace(ray, fetchBoundaryFace(boundaryFace), face);
 }
 
-#if TETMARCH_BVH
+#if TETMARCH_BVH || TETMARCH_ENTRY_LISTS
 // Entries of a ray are ordered by depth, then by number of the face, so that each is found exactly once,
 // even where components touch or overlap.
 bool isBefore(real depth, int face, Entry other)
 {
   return depth < other.depth || (depth == other.depth && face < other.face);
 }
+#endif
 
+#if TETMARCH_BVH
 // The first entry after the given one, among the faces by which a ray can enter again, or among all. The bounding volume
 // hierarchy is walked near child first, so that what is found early cuts off what lies behind. Boxes are tested by the
 // separating axes of a line and a box, without a division.

@@ -139,7 +139,7 @@ ExtinctionMarch marchExtinction(
     {
       marchExtinctionToExit(ray, traversal.place.face, traversal.place.link, thicknessPerDepth, depthEnd, march);
     }
-    leaveVolume(ray, march.finished, traversal);
+    leaveBySearch(ray, march.finished, traversal);
   }
   return march;
 }

@@ -14,25 +14,29 @@ struct Traversal
   bool inside;    // the place is set; else the entry tells it
   bool entered;   // the face at the entry accepted the ray
   Entry entry;
+#if TETMARCH_ENTRY_LISTS
+  int candidate;  // of the entries behind this one none comes before it in the ray's list
+#endif
 };
 
-// From the boundary face that the rasteriser found; if it is -1, from the first one that a search finds, wherever the
-// ray begins to be seen.
-Traversal traversalFrom(Ray ray, int firstFace, real depthBegin)
+#if TETMARCH_ENTRY_LISTS || TETMARCH_BVH
+// From the first entry of the ray, wherever it begins to be seen.
+Traversal traversalFrom(Ray ray, real depthBegin)
 {
   Traversal traversal;
   traversal.inside = false;
   traversal.entered = false;
   traversal.entry.depth = -NO_DEPTH;
-  traversal.entry.face = firstFace;
-#if TETMARCH_BVH
-  if (firstFace < 0)
-  {
-    traversal.entry = nextEntry(ray, traversal.entry, true);
-  }
+  traversal.entry.face = -1;
+#if TETMARCH_ENTRY_LISTS
+  traversal.candidate = ray.firstCandidate;
+  traversal.entry = nextCandidate(ray, traversal.entry, traversal.candidate);
+#else
+  traversal.entry = nextEntry(ray, traversal.entry, true);
 #endif
   return traversal;
 }
+#endif
 
 // Whether the ray enters the mesh before that depth.
 bool continuesBefore(Traversal traversal, real depthEnd)
@@ -51,9 +55,10 @@ void enterVolume(Ray ray, real depthEnd, INOUT(Traversal) traversal)
   }
 }
 
-// From the face by which the ray has left the mesh, or which refused it, to the next entry; to none if the ray is
-// finished.
-void leaveVolume(Ray ray, bool finished, INOUT(Traversal) traversal)
+#if TETMARCH_BVH || TETMARCH_SAMPLED_SHADOWS || !TETMARCH_ENTRY_LISTS
+// From the face by which a ray has left the mesh, which need not be one of a pixel, to the next entry, which is searched
+// for in the hierarchy; to none if the ray is finished, or if the mesh is convex and has no hierarchy.
+void leaveBySearch(Ray ray, bool finished, INOUT(Traversal) traversal)
 {
   traversal.inside = false;
 #if TETMARCH_BVH
@@ -68,11 +73,28 @@ void leaveVolume(Ray ray, bool finished, INOUT(Traversal) traversal)
   }
   else
   {
-    // If the face refused the ray, even the first entry is yet to be found. The rasteriser knows the depth of its entry
-    // no better than its depth buffer does, so that all entries behind it are searched.
-    traversal.entry = nextEntry(ray, traversal.entry, !traversal.entered || leftHull);
+    traversal.entry = nextEntry(ray, traversal.entry, leftHull);
   }
 #else
   traversal.entry.face = -1;
+#endif
+}
+#endif
+
+// From the face by which the ray of a pixel has left the mesh to its next entry; to none if the ray is finished.
+void leaveVolume(Ray ray, bool finished, INOUT(Traversal) traversal)
+{
+#if TETMARCH_ENTRY_LISTS
+  traversal.inside = false;
+  if (finished)
+  {
+    traversal.entry.face = -1;
+  }
+  else
+  {
+    traversal.entry = nextCandidate(ray, traversal.entry, traversal.candidate);
+  }
+#else
+  leaveBySearch(ray, finished, traversal);
 #endif
 }

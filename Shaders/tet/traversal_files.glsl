@@ -10,4 +10,7 @@
 #endif
 #include "march/entry.glsl"
 #include "tet/boundary.glsl"
+#if TETMARCH_ENTRY_LISTS
+#include "tet/entry_lists.glsl"
+#endif
 #include "tet/traversal.glsl"

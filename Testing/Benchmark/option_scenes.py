@@ -8,7 +8,7 @@ from picture_window import call
 from variant_scenes import ARRAY, VariantScene
 from vtktetmarch import vtkTetMarchProjectedTetrahedraMapper
 
-PLAIN = "POINT_SCALARS RASTER_ENTRY ADAPTIVE"
+PLAIN = "POINT_SCALARS ENTRY_LISTS ADAPTIVE"
 LIT = PLAIN + " SHADING SINGLE_LIGHT CAST_SHADOWS OPAQUE_DEPTH"
 CELL_TYPES = {"hexahedra": vtk.VTK_HEXAHEDRON, "wedges": vtk.VTK_WEDGE, "pyramids": vtk.VTK_PYRAMID,
               "quadratic": vtk.VTK_QUADRATIC_TETRA}

@@ -9,7 +9,7 @@ from vtktetmarch import vtkTetMarchSmartVolumeMapper, vtkTetMarchVolumeMapper
 
 # What a variant may have; TETMARCH_HAS_FMA is the driver's choice.
 FEATURES = frozenset("""
-    POINT_SCALARS RASTER_ENTRY BVH OPAQUE_DEPTH ADAPTIVE DIAGNOSTICS PEELED TRANSPARENT_RANGES CONSTANT_COLOR
+    POINT_SCALARS ENTRY_LISTS BVH OPAQUE_DEPTH ADAPTIVE DIAGNOSTICS PEELED TRANSPARENT_RANGES CONSTANT_COLOR
     CLIPPED CROPPED NAN_SHOWN HIDDEN_CELLS EXTREME SUM ISOSURFACES INDEPENDENT COLOR_AND_OPACITY DIRECT_COLOR
     CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT WORLD_LIGHTS SCATTERING CAST_SHADOWS
     SEVERAL_SHADOWS SAMPLED_SHADOWS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION SHOW_ILLUMINATION SHOW_GRADIENTS
@@ -285,7 +285,7 @@ class VariantScene:
     def set_camera(self):
         camera = self.renderer.GetActiveCamera()
         camera.SetViewUp(0, 0, 1)
-        if self.has("RASTER_ENTRY") or (self.has("STRUCTURED") and self.one_of(True, False, True)):
+        if self.has("ENTRY_LISTS") or (self.has("STRUCTURED") and self.one_of(True, False, True)):
             camera.SetPosition(1.5, -2.2, 1.6)
             camera.SetFocalPoint(0.5, 0.5, 0.45)
             if self.one_of(False, False, True):

@@ -75,7 +75,7 @@ void marchRays(const TetMesh& mesh, Kernel kernel, unsigned seed)
   for (int i = 0; i < RaysOfEachKernel; ++i)
   {
     const auto ray = random.next<Kernel, Real>(kernel, mesh);
-    const auto march = kernel.castPlainRay(ray, -1, Real(1 << (i % 20)), Real(-3e38f), Real(3e38f));
+    const auto march = kernel.castPlainRay(ray, Real(1 << (i % 20)), Real(-3e38f), Real(3e38f));
     require(march.lost == 0, "no ray is lost");
     require(march.refused == 0, "no entry is refused");
     require(march.guarded == 0, "no ray goes round in circles");

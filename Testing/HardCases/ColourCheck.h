@@ -41,7 +41,7 @@ public:
     for (int i = 0; i < rays; ++i)
     {
       const auto ray = this->Random.template next<Kernel, float>(this->March, this->Check.Mesh);
-      const auto marched = this->March.castPlainRay(ray, -1, perUnit, -3e38f, 3e38f);
+      const auto marched = this->March.castPlainRay(ray, perUnit, -3e38f, 3e38f);
       const auto& c = marched.radiance.color;
       const float t = marched.radiance.transmittance;
       const auto inRange = [](float x) { return x >= -1e-6f && x <= 1.0f + 1e-5f; };

@@ -41,7 +41,7 @@ public:
     const typename Kernel::Ray& ray, Real depthBegin = Real(-3e38f), Real depthEnd = Real(3e38f))
   {
     const Real unit = std::ldexp(Real(1), -std::numeric_limits<Real>::digits - 8);
-    const auto result = this->March.castPlainRay(ray, -1, unit, depthBegin, depthEnd);
+    const auto result = this->March.castPlainRay(ray, unit, depthBegin, depthEnd);
     return { double(result.radiance.color.x) / double(unit), result.cells, result.refused,
       result.lost, result.guarded };
   }

@@ -31,7 +31,7 @@ typename Kernel::March alongX(
   const auto ray =
     kernel.rayThrough({ Real(0), Real(0.0123), Real(-0.0071) }, { Real(1), Real(0), Real(0) });
   return kernel.castPlainRay(
-    ray, -1, Real(depthPerCube * mesh.Frame.Radius), Real(-1e30f), Real(1e30f));
+    ray, Real(depthPerCube * mesh.Frame.Radius), Real(-1e30f), Real(1e30f));
 }
 
 const Field AlongX = [](double x, double, double) { return x; };
@@ -148,7 +148,7 @@ TEST(Analytic, TransmittanceNeverGrows)
       float before = 1.0f;
       for (float end = -1.0f; end < 1.1f; end += 0.07f)
       {
-        const auto march = kernel.castPlainRay(ray, -1, thickness, -1e30f, end);
+        const auto march = kernel.castPlainRay(ray, thickness, -1e30f, end);
         const float now = march.radiance.transmittance;
         // Where the ray ends, segments end: a few roundings. Below the level's tolerance a
         // ray is opaque, and it may get there later if its last segment was cut short.
@@ -198,7 +198,7 @@ TEST(Analytic, CellScalars)
   kernel.errorTolerance = 0.0;
   const double thickness = 2.0;
   const auto march =
-    kernel.castPlainRay(kernel.rayThrough({ 0.0, 0.013, 0.021 }, { 1.0, 0.0, 0.0 }), -1,
+    kernel.castPlainRay(kernel.rayThrough({ 0.0, 0.013, 0.021 }, { 1.0, 0.0, 0.0 }),
       thickness * mesh.Frame.Radius, -1e30, 1e30);
   double depth = 0.0, green = 0.0;
   for (int i = 0; i < 4; ++i)

@@ -110,7 +110,7 @@ public:
   static Rgba cast(Kernel& kernel, const typename Kernel::Ray& ray, const ScalarChord& chord)
   {
     const Real length = Real(chord.Optical / (chord.End - chord.Begin));
-    const auto march = kernel.castPlainRay(ray, -1, length, Real(chord.Begin), Real(chord.End));
+    const auto march = kernel.castPlainRay(ray, length, Real(chord.Begin), Real(chord.End));
     const auto color = kernel.pixelOf(march.radiance, length);
     return { { double(color.x), double(color.y), double(color.z), double(color.w) } };
   }

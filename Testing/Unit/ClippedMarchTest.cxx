@@ -62,7 +62,7 @@ public:
       {
         const auto range = this->March.clippedRange(ray, { Real(-3e38f), Real(3e38f) });
         const auto march = this->March.castPlainRay(
-          ray, -1, Real(Thickness * this->Mesh.Frame.Radius), range.x, range.y);
+          ray, Real(Thickness * this->Mesh.Frame.Radius), range.x, range.y);
         const double length =
           std::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1], ends[1][2] - ends[0][2]) *
           fractionLeft(options, { ends[0], ends[0] }, { ends[1], ends[1] });
@@ -201,10 +201,10 @@ TEST(ClippedMarch, WhatCutsNothingChangesNoBit)
   for (int i = 0; i < 300; ++i)
   {
     const auto ray = plain.Random.next<PointKernel<float>, float>(plain.March, plain.Mesh);
-    const auto whole = plain.March.castPlainRay(ray, -1, 1.0f, -3e38f, 3e38f);
+    const auto whole = plain.March.castPlainRay(ray, 1.0f, -3e38f, 3e38f);
     const auto same = cube.Random.next<PointKernel<float>, float>(cube.March, cube.Mesh);
     const auto range = cube.March.clippedRange(same, { -3e38f, 3e38f });
-    const auto cut = cube.March.castPlainRay(same, -1, 1.0f, range.x, range.y);
+    const auto cut = cube.March.castPlainRay(same, 1.0f, range.x, range.y);
     ASSERT_EQ(whole.radiance.transmittance, cut.radiance.transmittance);
     ASSERT_EQ(whole.radiance.color.x, cut.radiance.color.x);
     ASSERT_EQ(whole.cells, cut.cells);

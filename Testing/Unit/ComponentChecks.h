@@ -68,7 +68,7 @@ void expectColorsOfCells(
   {
     const auto ray = random.next<Kernel, double>(kernel, rays.Rays.Mesh);
     // A unit of depth is three scalar opacity unit distances.
-    const auto march = kernel.castPlainRay(ray, -1, 3.0, -3.0, 3.0);
+    const auto march = kernel.castPlainRay(ray, 3.0, -3.0, 3.0);
     const auto color = kernel.pixelOf(march.radiance, 3.0);
     const auto isOfCell = [&](int cell)
     {

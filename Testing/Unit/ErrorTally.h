@@ -54,7 +54,7 @@ Rgba pixelOf(
 {
   const auto length = decltype(kernel.tableScale)(chord.Optical / (chord.End - chord.Begin));
   const auto march = kernel.castPlainRay(
-    ray, -1, length, decltype(length)(chord.Begin), decltype(length)(chord.End));
+    ray, length, decltype(length)(chord.Begin), decltype(length)(chord.End));
   const auto color = kernel.pixelOf(march.radiance, length);
   bound = double(kernel.errorBound(march.radiance));
   return { { double(color.x), double(color.y), double(color.z), double(color.w) } };

@@ -50,10 +50,10 @@ void compareRays(RandomVolume<Kernel>& volume, Tally& tally)
     const double length = volume.nextLength();
     const double begin = i % 3 == 0 ? rays.uniformBetween(-1.0, 0.5) : -1e30;
     const double end = i % 4 == 0 ? rays.uniformBetween(-0.5, 1.0) : 1e30;
-    auto traversal = kernel.traversalFrom(ray, -1, 0);
+    auto traversal = kernel.traversalFrom(ray, 0);
     const double found = kernel.transmittanceOn(ray, length, begin, end, traversal);
     ASSERT_NO_FATAL_FAILURE(
-      expectSame(found, kernel.castPlainRay(ray, -1, length, begin, end), tally));
+      expectSame(found, kernel.castPlainRay(ray, length, begin, end), tally));
   }
 }
 
@@ -81,7 +81,7 @@ void compareRaysFromInside(RandomVolume<Kernel>& volume, Tally& tally)
     const auto ray = kernel.rayThrough(from.point, direction);
     const double begin = glsl::dot(from.point - ray.origin, ray.direction);
     ASSERT_NO_FATAL_FAILURE(
-      expectSame(found, kernel.castPlainRay(ray, -1, length, begin, begin + distance), tally));
+      expectSame(found, kernel.castPlainRay(ray, length, begin, begin + distance), tally));
   }
 }
 

@@ -180,7 +180,7 @@ struct Layers
     kernel.CellScalars = this->Scalars.data();
     kernel.HiddenCells = hide && !this->Hidden.empty() ? this->Hidden.data() : nullptr;
     kernel.errorTolerance = 0.0;
-    return kernel.castPlainRay(kernel.rayThrough({ 0.0, 0.0123, -0.0071 }, { 1.0, 0.0, 0.0 }), -1,
+    return kernel.castPlainRay(kernel.rayThrough({ 0.0, 0.0123, -0.0071 }, { 1.0, 0.0, 0.0 }),
       thickness * this->Mesh.Frame.Radius, -1e30, 1e30);
   }
 
@@ -232,7 +232,7 @@ TEST(HiddenCells, MayBeOfScalarsThatAreNotFinite)
   kernel.CellScalars = layers.Scalars.data();
   const auto ray = kernel.rayThrough({ 0.0, 0.0123, -0.0071 }, { 1.0, 0.0, 0.0 });
   const double length = layers.Mesh.Frame.Radius;
-  const auto cast = [&] { return kernel.castPlainRay(ray, -1, length, -1e30, 1e30).radiance; };
+  const auto cast = [&] { return kernel.castPlainRay(ray, length, -1e30, 1e30).radiance; };
   EXPECT_EQ(cast().transmittance, 1.0);
   kernel.nanColor = { 0.2, 0.5, 0.9, 0.6 };
   EXPECT_NEAR(1.0 - cast().transmittance, slabOpacity(0.6, 1.0), 2e-7);

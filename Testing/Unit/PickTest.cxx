@@ -93,10 +93,10 @@ void pickRays(RandomVolume<Kernel>& volume, Tally& tally)
     const double begin = i % 3 == 0 ? rays.uniformBetween(-1.0, 0.5) : -1e30;
     const double end = i % 4 == 0 ? rays.uniformBetween(-0.5, 1.0) : 1e30;
     const auto transmittanceTo = [&](double depth)
-    { return kernel.castPlainRay(ray, -1, length, begin, depth).radiance.transmittance; };
+    { return kernel.castPlainRay(ray, length, begin, depth).radiance.transmittance; };
     const double all = transmittanceTo(end);
     kernel.errorTolerance = left; // as the mapper has it
-    const auto pick = kernel.pickOn(ray, -1, length, begin, end, left);
+    const auto pick = kernel.pickOn(ray, length, begin, end, left);
     kernel.errorTolerance = 1e-9;
     if (std::abs(all - left) > 1e-6)
     {
@@ -175,8 +175,8 @@ TEST(Pick, InEvenExtinctionByFloats)
     const auto ray = rays.next<Kernel, float>(kernel, mesh);
     const float left = static_cast<float>(rays.uniformBetween(0.05, 0.95));
     const float length = static_cast<float>(rays.uniformBetween(1.0, 20.0));
-    const float entry = kernel.traversalFrom(ray, -1, 0).entry.depth;
-    const auto pick = kernel.pickOn(ray, -1, length, -1e30f, 1e30f, left);
+    const float entry = kernel.traversalFrom(ray, 0).entry.depth;
+    const auto pick = kernel.pickOn(ray, length, -1e30f, 1e30f, left);
     if (pick.hit)
     {
       const double expected = -std::log(double(left)) / (0.5 * double(length));

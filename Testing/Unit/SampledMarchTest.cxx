@@ -129,7 +129,7 @@ Worst compareWithBruteForce(
     kernel.placeSamples(begin, ray);
     kernel.shiftSamples(Real(sampled.Shift), ray);
     const auto march =
-      kernel.castPlainRay(ray, -1, Real(rays.PerDepth), begin, Real(sampled.End + offset));
+      kernel.castPlainRay(ray, Real(rays.PerDepth), begin, Real(sampled.End + offset));
     const Sampling truth = bruteForce(rays, model, sampled, step);
     const Rgba color{ { double(march.radiance.color.x), double(march.radiance.color.y),
       double(march.radiance.color.z), 1.0 - double(march.radiance.transmittance) } };

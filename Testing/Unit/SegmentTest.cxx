@@ -150,7 +150,7 @@ void compareSegments(Shape shape, const AccuracyLevel& level, double length, Tal
     for (int j = 0; j < 4; ++j)
     {
       const auto ray = rays.next<PointKernel<Real>, Real>(kernel, mesh);
-      const auto march = kernel.castPlainRay(ray, -1, Real(length), Real(-1e30f), Real(1e30f));
+      const auto march = kernel.castPlainRay(ray, Real(length), Real(-1e30f), Real(1e30f));
       if (rays.LastKind != RandomRays::Kind::Generic || march.cells == 0)
       {
         continue;

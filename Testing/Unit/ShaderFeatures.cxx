@@ -101,7 +101,7 @@ const ShaderFeature OfTheMarch[] = {
   { "ray points", [](const Key& k, MarchShader s) { return !isLight(s) && k.needsRayPoints(); },
     "rayPoints rayPoint" },
   { "entries that are not rasterised",
-    [](const Key& k, MarchShader s) { return !isLight(s) && !k.RasterEntry; }, "cutsNearPlane" },
+    [](const Key& k, MarchShader s) { return !isLight(s) && !k.EntryLists; }, "cutsNearPlane" },
   { "opaque depth", [](const Key& k, MarchShader) { return k.OpaqueDepth; },
     "opaqueDepthTexture depthsPerPixel" },
   { "depths of the window", [](const Key& k, MarchShader) { return k.OpaqueDepth || k.Peeled; },

@@ -40,10 +40,10 @@ std::vector<ShaderFeature> featuresOfVolumes()
       "hierarchyBuffer bvhNodeCount bvhReentryNodeCount reentryFaceCount fetchBvhNode isBefore "
       "nextEntry" },
     { "rasterised entries",
-      [](const Key& k, MarchShader s) { return !isLight(s) && k.RasterEntry; },
+      [](const Key& k, MarchShader s) { return !isLight(s) && k.EntryLists; },
       "entryTexture insideFace" },
     { "search beside entries",
-      [](const Key& k, MarchShader s) { return !isLight(s) && k.RasterEntry && k.Hierarchy; },
+      [](const Key& k, MarchShader s) { return !isLight(s) && k.EntryLists && k.Hierarchy; },
       "isBesideEntry known" },
     { "rays to lights through tetrahedra",
       [](const Key& k, MarchShader s) { return followsLight(k, s) && isMesh(k); },

@@ -115,7 +115,7 @@ public:
       { Real(point[0]), Real(point[1]), Real(point[2]) }, { Real(d[0]), Real(d[1]), Real(d[2]) });
     const double offset = point[0] * d[0] + point[1] * d[1] + point[2] * d[2];
     const auto march =
-      kernel.castPlainRay(ray, -1, Real(this->perDepth()), Real(offset - 4), Real(offset + 4));
+      kernel.castPlainRay(ray, Real(this->perDepth()), Real(offset - 4), Real(offset + 4));
     errors.Lost += march.lost + march.guarded;
     errors.Lookups += march.lookups;
     ++errors.Rays;

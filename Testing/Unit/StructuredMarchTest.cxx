@@ -49,7 +49,7 @@ Errors errorsOf(const StructuredRays& rays, int count, unsigned seed)
       { Real(point[0]), Real(point[1]), Real(point[2]) }, { Real(d[0]), Real(d[1]), Real(d[2]) });
     const double offset = point[0] * d[0] + point[1] * d[1] + point[2] * d[2];
     const auto march =
-      kernel.castPlainRay(ray, -1, Real(rays.PerDepth), Real(begin + offset), Real(4.0 + offset));
+      kernel.castPlainRay(ray, Real(rays.PerDepth), Real(begin + offset), Real(4.0 + offset));
     const Rgba truth = rays.truth(point, d, begin, 4.0);
     const Rgba found{ { double(march.radiance.color.x), double(march.radiance.color.y),
       double(march.radiance.color.z), 1.0 - double(march.radiance.transmittance) } };

@@ -73,7 +73,7 @@ void pickRays(const StructuredRays& rays, int count, unsigned seed, Tally& tally
     const Real left = Real(1.0 - threshold);
     kernel.errorTolerance = left; // as the mapper has it
     const auto pick =
-      kernel.pickOn(ray, -1, Real(rays.PerDepth), Real(begin + offset), Real(4.0 + offset), left);
+      kernel.pickOn(ray, Real(rays.PerDepth), Real(begin + offset), Real(4.0 + offset), left);
     const double all = rays.truth(point, d, begin, 4.0)[3];
     if (std::abs(all - threshold) > Tolerance)
     {

@@ -120,7 +120,7 @@ Faults faultsOf(const StructuredRays& rays, std::mt19937& random, long count)
   {
     const auto ray = hardRay<Kernel, Real>(rays, kernel, random);
     const auto lattice = kernel.depthsOfLattice(ray);
-    auto traversal = kernel.traversalFrom(ray, -1, Real(-1e30));
+    auto traversal = kernel.traversalFrom(ray, Real(-1e30));
     if (!kernel.continuesBefore(traversal, Real(1e30)))
     {
       faults.Early += lattice.x < lattice.y ? 1 : 0;
@@ -223,8 +223,8 @@ Leaps leapsOf(
     const auto ray = hardRay<LeapingKernel<double>, double>(rays, leaping, random);
     const auto same = stepping.rayThrough({ ray.origin.x, ray.origin.y, ray.origin.z },
       { ray.direction.x, ray.direction.y, ray.direction.z });
-    const auto found = leaping.castPlainRay(ray, -1, rays.PerDepth, -1e30, 1e30);
-    const auto expected = stepping.castPlainRay(same, -1, rays.PerDepth, -1e30, 1e30);
+    const auto found = leaping.castPlainRay(ray, rays.PerDepth, -1e30, 1e30);
+    const auto expected = stepping.castPlainRay(same, rays.PerDepth, -1e30, 1e30);
     // Rounding decides where subsegments end: they are the same but for the tolerance.
     const auto alike = [](double a, double b) { return std::abs(a - b) <= 1e-6; };
     leaps.Different += alike(found.radiance.transmittance, expected.radiance.transmittance) &&

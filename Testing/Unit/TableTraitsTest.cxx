@@ -102,8 +102,8 @@ TEST(TableTraits, PassedCellsChangeNoBit)
   for (int i = 0; i < 3000; ++i)
   {
     const auto ray = rays.next<PointKernel<float>, float>(knowing, mesh);
-    const auto found = knowing.castPlainRay(ray, -1, 1.0f, -1e30f, 1e30f);
-    const auto expected = unknowing.castPlainRay(ray, -1, 1.0f, -1e30f, 1e30f);
+    const auto found = knowing.castPlainRay(ray, 1.0f, -1e30f, 1e30f);
+    const auto expected = unknowing.castPlainRay(ray, 1.0f, -1e30f, 1e30f);
     ASSERT_EQ(found.radiance.color.x, expected.radiance.color.x);
     ASSERT_EQ(found.radiance.color.y, expected.radiance.color.y);
     ASSERT_EQ(found.radiance.color.z, expected.radiance.color.z);

@@ -60,7 +60,7 @@ int expectSamePictures(Kernel& undrawn, Kernel& hidden, const TetMesh& mesh)
     const auto ray = rays.next<Kernel, Real>(undrawn, mesh);
     const auto cast = [&ray](Kernel& kernel)
     {
-      const auto march = kernel.castPlainRay(ray, -1, Real(3), Real(-1e30f), Real(1e30f));
+      const auto march = kernel.castPlainRay(ray, Real(3), Real(-1e30f), Real(1e30f));
       return kernel.pixelOf(march.radiance, Real(3));
     };
     const auto found = cast(undrawn);
@@ -172,7 +172,7 @@ void expectNothingAlongEdges()
       {
         const auto ray = kernel.rayThrough({ Real(through.X), Real(through.Y), Real(through.Z) },
           { Real(axis == 0), Real(axis == 1), Real(axis == 2) });
-        const auto march = kernel.castPlainRay(ray, -1, Real(9), Real(-1e30f), Real(1e30f));
+        const auto march = kernel.castPlainRay(ray, Real(9), Real(-1e30f), Real(1e30f));
         ASSERT_EQ(march.radiance.transmittance, Real(1)) << "beside vertex " << broken;
       }
     }
@@ -206,8 +206,8 @@ TEST(UndrawnScalars, ShownAsTheRestAreNotSeen)
     for (int i = 0; i < 200; ++i)
     {
       const auto ray = rays.next<Kernel, double>(found, whole);
-      const auto a = expected.castPlainRay(ray, -1, 2.0, -1e30, 1e30).radiance;
-      const auto b = found.castPlainRay(ray, -1, 2.0, -1e30, 1e30).radiance;
+      const auto a = expected.castPlainRay(ray, 2.0, -1e30, 1e30).radiance;
+      const auto b = found.castPlainRay(ray, 2.0, -1e30, 1e30).radiance;
       ASSERT_NEAR(b.transmittance, a.transmittance, 1e-6);
       ASSERT_NEAR(b.color.x, a.color.x, 1e-6);
     }
@@ -240,7 +240,7 @@ TEST(UndrawnScalars, AreAsHiddenCellsInExtinction)
       const auto ray = rays.next<Kernel, double>(whole.March, whole.Mesh);
       const auto cast = [&ray](RandomVolume<Kernel>& volume)
       {
-        auto traversal = volume.March.traversalFrom(ray, -1, 0);
+        auto traversal = volume.March.traversalFrom(ray, 0);
         return volume.March.transmittanceOn(ray, 4.0, -1e30, 1e30, traversal);
       };
       ASSERT_EQ(cast(broken), cast(whole));

@@ -29,14 +29,14 @@ bool isSensible(const VariantKey& k)
                        k.CastShadows || k.SampledShadows || k.SeveralShadows || k.OpaqueShadows ||
                        k.HeadlightShadows || k.Occlusion;
   // Rays come into a lattice by its planes, of which no predicate is asked.
-  const bool ofTetrahedra = k.RasterEntry || k.Hierarchy || k.HasFma;
+  const bool ofTetrahedra = k.EntryLists || k.Hierarchy || k.HasFma;
   return !(k.Structured && ofTetrahedra) && !(!k.Structured && (k.Rectilinear || k.Leaps)) &&
          // All that a ray meets counts; and so do surfaces between cells. Most is transparent where
          // there are blocks of it.
          !(k.Leaps && (ofScalars || (!composite && !k.PointScalars))) &&
          !(k.Structured && k.TransparentRanges && !k.Leaps) &&
          // Who doesn't know where a ray comes into a mesh has to look for it.
-         (k.Structured || k.RasterEntry || k.Hierarchy) &&
+         (k.Structured || k.EntryLists || k.Hierarchy) &&
          // Parts of rays end where they are asked to, and aren't counted.
          !(k.Peeled && (k.OpaqueDepth || k.Diagnostics)) &&
          // What is cropped may be clipped, too.
@@ -148,7 +148,7 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
       const std::string name = feature.Name;
       if (feature.isOn(got) && !feature.isOn(asked))
       {
-        const bool searched = name == "BVH" && !asked.RasterEntry;
+        const bool searched = name == "BVH" && !asked.EntryLists;
         const bool cut = name == "CLIPPED" && asked.Cropped;
         const bool many = name == "MANY_SLABS" && asked.Slabs && got.hasComponents();
         ASSERT_TRUE(searched || cut || many) << namesOf(asked) << ": " << name;
@@ -256,7 +256,7 @@ TEST(VariantKey, EntriesDependOnFewBits)
   {
     const VariantKey key = randomKey(random);
     VariantKey other = randomKey(random);
-    other.RasterEntry = key.RasterEntry;
+    other.EntryLists = key.EntryLists;
     other.Hierarchy = key.Hierarchy;
     other.OpaqueDepth = key.OpaqueDepth;
     other.HasFma = key.HasFma;
@@ -268,8 +268,8 @@ TEST(VariantKey, EntriesDependOnFewBits)
     EXPECT_EQ(entries.defines(), other.ofEntries().defines());
     EXPECT_TRUE(entries == entries.filtered());
     const bool ofMesh = !key.Structured;
-    EXPECT_EQ(entries.RasterEntry, ofMesh && key.RasterEntry);
-    EXPECT_EQ(entries.Hierarchy, ofMesh && (key.Hierarchy || !key.RasterEntry));
+    EXPECT_EQ(entries.EntryLists, ofMesh && key.EntryLists);
+    EXPECT_EQ(entries.Hierarchy, ofMesh && (key.Hierarchy || !key.EntryLists));
     EXPECT_EQ(entries.OpaqueDepth, key.OpaqueDepth);
     EXPECT_EQ(entries.HasFma, ofMesh && key.HasFma);
     EXPECT_EQ(entries.Structured, key.Structured);

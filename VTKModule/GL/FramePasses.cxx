@@ -75,15 +75,11 @@ std::string FramePasses::findRays(
   vtkOpenGLRenderWindow* window, const Viewport& part, const Viewport& depths, MarchInputs& inputs)
 {
   std::string error;
-  if (inputs.Key.RasterEntry)
+  if (inputs.Key.EntryLists)
   {
-    error = inputs.Source->drawEntries(window, inputs.Area, part, *inputs.Camera);
-    inputs.Entries = error.empty() ? inputs.Source->entries() : nullptr;
+    error = inputs.Source->listEntries(window, inputs.Area, part, *inputs.Camera);
   }
-  if (inputs.Key.needsRayPoints())
-  {
-    inputs.RayPoints = rayPoints(*inputs.Camera, inputs.Source->frame());
-  }
+  inputs.RayPoints = rayPoints(*inputs.Camera, inputs.Source->frame());
   if (error.empty() && inputs.Key.OpaqueDepth)
   {
     error = this->Opaque.capture(window, depths);
@@ -95,9 +91,7 @@ std::string FramePasses::findRays(
 std::string FramePasses::pick(vtkOpenGLRenderWindow* window, MarchInputs inputs,
   const Viewport& part, const Progress& progress, bool& stopped, std::vector<PickedPoint>& points)
 {
-  // Rays also look at the entries of neighbouring pixels.
-  const Viewport around{ part.X - 1, part.Y - 1, part.Width + 2, part.Height + 2 };
-  std::string error = this->findRays(window, around, inputs.Area, inputs);
+  std::string error = this->findRays(window, part, inputs.Area, inputs);
   if (error.empty())
   {
     error = this->Picking.pick(window, inputs, part, progress, stopped, points);
@@ -113,7 +107,7 @@ void FramePasses::releaseUnused(vtkWindow* window, const MarchInputs& inputs, bo
   const MeasureView* view, BoundaryView boundary, bool coarse)
 {
   const VariantKey& key = inputs.Key;
-  if (!key.RasterEntry)
+  if (!key.EntryLists)
   {
     inputs.Source->releaseEntries(window);
   }

@@ -20,7 +20,6 @@
 class vtkDataSet;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWindow;
 
 namespace tetmarch
@@ -60,7 +59,7 @@ public:
   {
     return {};
   }
-  /** What rays need to find where they enter, if the rasteriser can't tell. */
+  /** What rays need to find where they enter if there are no lists of that. */
   virtual std::string prepareEntrySearch() = 0;
 
   // What the stages that follow know of it.
@@ -107,13 +106,14 @@ public:
   virtual void bind(vtkShaderProgram* program, const VariantKey& key) = 0;
   virtual void unbind() = 0;
 
+  /** A ray may leave the volume and enter it again. */
+  virtual bool mayReenter() const = 0;
   /**
-   * Draw where the rays of pixels in a part of the viewport enter, into entries(). It is called if
-   * the key has RasterEntry. Returns an empty string, or what is wrong.
+   * List where the rays of pixels in a part of the viewport may enter. It is called if the key has
+   * EntryLists, before any pass of that key. Returns an empty string, or what is wrong.
    */
-  virtual std::string drawEntries(vtkOpenGLRenderWindow* window, const Viewport& viewport,
+  virtual std::string listEntries(vtkOpenGLRenderWindow* window, const Viewport& viewport,
     const Viewport& part, const View& camera) = 0;
-  virtual vtkTextureObject* entries() const = 0;
   virtual void releaseEntries(vtkWindow* window) = 0;
 
   /** The CPU reference in double precision, of a scene that has everything but the volume. */

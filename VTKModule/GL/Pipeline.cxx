@@ -175,7 +175,7 @@ bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume, OpacityLaw l
     return this->fail("The matrix of the volume or of the camera is singular or not finite.");
   }
   const std::string error =
-    this->Camera.rastersEntries() ? std::string() : this->Source.prepareEntrySearch();
+    this->Camera.CutsNearPlane ? this->Source.prepareEntrySearch() : std::string();
   return error.empty() || this->fail(error);
 }
 

@@ -16,15 +16,8 @@ void bindPixelRays(vtkShaderProgram* program, const MarchInputs& inputs, const V
   const std::array<float, 4> area = target.asFloats();
   program->SetUniform4f("viewport", area.data());
   setUniform(program, "eye", view.Eye);
-  if (inputs.Key.needsRayPoints())
-  {
-    setUniform(program, "rayPoints", inputs.RayPoints);
-  }
-  if (inputs.Key.RasterEntry)
-  {
-    bindImage(program, "entryTexture", inputs.Entries);
-  }
-  else
+  setUniform(program, "rayPoints", inputs.RayPoints);
+  if (!inputs.Key.EntryLists)
   {
     program->SetUniformi("cutsNearPlane", view.CutsNearPlane ? 1 : 0);
   }
@@ -42,10 +35,6 @@ void bindPixelRays(vtkShaderProgram* program, const MarchInputs& inputs, const V
 
 void unbindPixelRays(const MarchInputs& inputs)
 {
-  if (inputs.Entries)
-  {
-    inputs.Entries->Deactivate();
-  }
   if (inputs.Depths)
   {
     inputs.Depths->Deactivate();

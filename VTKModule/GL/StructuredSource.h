@@ -70,13 +70,13 @@ public:
   void bind(vtkShaderProgram* program, const VariantKey& key) override;
   void unbind() override { this->Textures.unbind(); }
 
-  /** Rays enter a lattice by the planes of its sides, so that nothing is rasterised. */
-  std::string drawEntries(
+  bool mayReenter() const override { return false; }
+  /** Rays enter a lattice by the planes of its sides, so that nothing is listed. */
+  std::string listEntries(
     vtkOpenGLRenderWindow*, const Viewport&, const Viewport&, const View&) override
   {
     return {};
   }
-  vtkTextureObject* entries() const override { return nullptr; }
   void releaseEntries(vtkWindow*) override {}
 
   ReferenceImage renderReference(ReferenceScene scene, const AccuracyLevel& level) const override;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/TetSource.h"
 
+#include "Caching/WithinMemory.h"
 #include "Mesh/MeshSizes.h"
 #include "Rays/View.h"
 #include "Variants/VariantKey.h"
@@ -32,8 +33,8 @@ double TetSource::transparentShare(const IntegralTable& table) const
 void TetSource::setBits(VariantKey& key, const View& camera) const
 {
   key.PointScalars = this->Volume.scalars().OfCells.empty();
-  key.RasterEntry = camera.rastersEntries();
-  key.Hierarchy = this->mesh().NeedsHierarchy;
+  key.EntryLists = !camera.CutsNearPlane;
+  key.Hierarchy = this->mayReenter();
   key.HiddenCells = !this->Volume.hiddenCells().empty();
 }
 
@@ -109,7 +110,7 @@ std::string TetSource::upload(vtkOpenGLRenderWindow* window)
 void TetSource::release(vtkWindow* window)
 {
   this->Textures.release(window);
-  this->Entry.release(window);
+  this->Entries.release(window);
   this->Links.reset();
   this->Scalars.reset();
   this->HiddenCells.reset();
@@ -139,12 +140,32 @@ const char* TetSource::shaderOf(SourcePass pass) const
 void TetSource::bind(vtkShaderProgram* program, const VariantKey& key)
 {
   this->Textures.bind(program, key);
+  if (key.EntryLists)
+  {
+    this->Entries.bind(program);
+  }
 }
 
-std::string TetSource::drawEntries(
+void TetSource::unbind()
+{
+  this->Textures.unbind();
+  this->Entries.unbind();
+}
+
+std::string TetSource::listEntries(
   vtkOpenGLRenderWindow* window, const Viewport& viewport, const Viewport& part, const View& camera)
 {
-  return this->Entry.draw(window, viewport, part, camera, this->mesh(), this->Textures);
+  const int left = part.X - viewport.X;
+  const int bottom = part.Y - viewport.Y;
+  std::string error;
+  const std::string shortage = withinMemory("the lists of entries",
+    [&]
+    {
+      error = this->Entries.upload(window,
+        makeEntryLists(this->mesh(), camera, viewport.Width, viewport.Height,
+          { left, bottom, left + part.Width, bottom + part.Height }));
+    });
+  return shortage.empty() ? error : shortage;
 }
 
 ReferenceScene TetSource::withVolume(ReferenceScene scene) const

@@ -4,7 +4,7 @@
 #ifndef TetMarchGLTetSource_h
 #define TetMarchGLTetSource_h
 
-#include "GL/EntryPass.h"
+#include "GL/EntryListTextures.h"
 #include "GL/MarchSource.h"
 #include "GL/MeshTextures.h"
 #include "Volume/TetVolume.h"
@@ -48,18 +48,18 @@ public:
   bool isUploaded() const override;
   std::string upload(vtkOpenGLRenderWindow* window) override;
   void release(vtkWindow* window) override;
-  std::size_t bytes() const override { return this->Textures.bytes() + this->Entry.bytes(); }
+  std::size_t bytes() const override { return this->Textures.bytes() + this->Entries.bytes(); }
   std::int64_t uploadedBytes() const override { return this->UploadedBytes; }
 
   const char* shaderOf(SourcePass pass) const override;
   std::string describeBadSamples() const override;
   void bind(vtkShaderProgram* program, const VariantKey& key) override;
-  void unbind() override { this->Textures.unbind(); }
+  void unbind() override;
 
-  std::string drawEntries(vtkOpenGLRenderWindow* window, const Viewport& viewport,
+  bool mayReenter() const override { return this->mesh().NeedsHierarchy; }
+  std::string listEntries(vtkOpenGLRenderWindow* window, const Viewport& viewport,
     const Viewport& part, const View& camera) override;
-  vtkTextureObject* entries() const override { return this->Entry.entries(); }
-  void releaseEntries(vtkWindow* window) override { this->Entry.release(window); }
+  void releaseEntries(vtkWindow* window) override { this->Entries.release(window); }
 
   ReferenceImage renderReference(ReferenceScene scene, const AccuracyLevel& level) const override;
   RayTrace traceRay(ReferenceScene scene, const TraceOptions& options) const override;
@@ -76,7 +76,7 @@ private:
   Uploaded Scalars;
   Uploaded HiddenCells;
   std::int64_t UploadedBytes = 0;
-  EntryPass Entry;
+  EntryListTextures Entries;
 };
 
 } // namespace tetmarch

@@ -71,7 +71,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   const int rows =
     VertexLightBlockSide * static_cast<int>((vertices + rowOfBlocks - 1) / rowOfBlocks);
   Work work{ inputs, { 0, 0, VertexLightRow, rows }, vertices, !inputs.Key.SampledShadows };
-  work.Inputs.Key = inputs.Key.ofVertexLight();
+  work.Inputs.Key = inputs.Key.ofVertexLight(inputs.Source->mayReenter());
   work.Inputs.Level = LightAccuracy;
   StateScope state(window);
   allowAllPixels(state, work.All);

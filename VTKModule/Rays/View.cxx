@@ -19,9 +19,6 @@ namespace tetmarch
 namespace
 {
 
-// 24 bits of a float: 1/16 of a pixel where a picture is 2000 pixels wide.
-constexpr double MostSpread = 1024;
-
 // Find where the bounding box of the volume lies in clip coordinates.
 void classify(const VolumeFrame& frame, View& view)
 {
@@ -39,10 +36,10 @@ void classify(const VolumeFrame& frame, View& view)
         clip[r] += m[4 * r + k] * p[k];
       }
     }
-    const auto [x, y, z, w] = clip;
+    const double z = clip[2];
+    const double w = clip[3];
     view.CutsNearPlane = view.CutsNearPlane || z <= -w;
     view.CutsFarPlane = view.CutsFarPlane || z >= w;
-    view.Spread = std::max({ view.Spread, std::abs(x / w), std::abs(y / w) });
   }
 }
 
@@ -68,8 +65,6 @@ std::array<double, 4> eyeOf(vtkMatrix4x4* viewToClip)
 }
 
 } // namespace
-
-bool View::rastersEntries() const { return !this->CutsNearPlane && this->Spread <= MostSpread; }
 
 std::array<double, 3> View::unproject(double x, double y, double z) const
 {

@@ -25,15 +25,6 @@ struct View
   bool Mirrored = false;       // counter-clockwise faces are clockwise on the screen
   bool CutsNearPlane = false;  // a part of the volume lies before the near plane
   bool CutsFarPlane = false;   // a part of the volume lies behind the far plane
-  double Spread = 0; // of the mesh on the picture: 1 reaches its border, 2 as far beyond; before
-                     // the near plane no number
-
-  /**
-   * Whether the rasteriser can tell where rays enter the volume: all of it lies before the eye,
-   * and it reaches not so far beyond the picture's border that its float coordinates lose
-   * precision.
-   */
-  bool rastersEntries() const;
 
   /** The point of clip coordinates (x, y, z), each in -1..1, in the normalised frame. */
   std::array<double, 3> unproject(double x, double y, double z) const;

@@ -127,7 +127,7 @@ private:
       kernel.placeSamples(seen.x, ray);
       kernel.shiftSamples(Real(noise * shift[0] + shift[1]), ray);
     }
-    const auto march = kernel.castPlainRay(ray, -1, thickness, seen.x, seen.y);
+    const auto march = kernel.castPlainRay(ray, thickness, seen.x, seen.y);
     kernel.endTrace(march);
 
     float* rgba = &this->Image.Pixels[4 * pixel];

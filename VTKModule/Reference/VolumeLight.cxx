@@ -101,7 +101,7 @@ private:
     const auto ray = kernel.rayThrough(point, direction * Real(-1));
     const Real end = glsl::dot(point - ray.origin, ray.direction);
     const auto march =
-      kernel.castPlainRay(ray, -1, kernel.thicknessPerDepthAlong(direction), end - distance, end);
+      kernel.castPlainRay(ray, kernel.thicknessPerDepthAlong(direction), end - distance, end);
     return march.radiance.transmittance;
   }
 

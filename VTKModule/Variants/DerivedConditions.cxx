@@ -10,7 +10,6 @@ namespace tetmarch
 #define TETMARCH_VARIANT this->bits()
 
 bool VariantKey::isComposite() const { return TETMARCH_COMPOSITE; }
-bool VariantKey::needsRayPoints() const { return TETMARCH_RAY_POINTS; }
 bool VariantKey::accumulatesOpacity() const { return TETMARCH_ACCUMULATES_OPACITY; }
 bool VariantKey::isKnownAtEnd() const { return TETMARCH_KNOWN_AT_END; }
 bool VariantKey::usesTables() const { return TETMARCH_USES_TABLES; }

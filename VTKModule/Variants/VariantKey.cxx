@@ -11,7 +11,7 @@ const std::array<VariantKey::Feature, VariantKey::NumberOfFeatures>& VariantKey:
 {
   static const std::array<Feature, NumberOfFeatures> rows{ {
     { "POINT_SCALARS", TETMARCH_WITH_POINT_SCALARS, &VariantKey::PointScalars },
-    { "RASTER_ENTRY", TETMARCH_WITH_RASTER_ENTRY, &VariantKey::RasterEntry },
+    { "ENTRY_LISTS", TETMARCH_WITH_ENTRY_LISTS, &VariantKey::EntryLists },
     { "BVH", TETMARCH_WITH_BVH, &VariantKey::Hierarchy },
     { "OPAQUE_DEPTH", TETMARCH_WITH_OPAQUE_DEPTH, &VariantKey::OpaqueDepth },
     { "HAS_FMA", TETMARCH_WITH_HAS_FMA, &VariantKey::HasFma },
@@ -103,7 +103,6 @@ VariantKey VariantKey::filtered() const
 {
   VariantKey key = *this;
   key.dropWhatLatticesLack();
-  key.Hierarchy = key.Hierarchy || (!key.RasterEntry && !key.Structured);
   // A pass that peels ends parts of rays at opaque geometry itself, and reads no counters.
   key.OpaqueDepth = key.OpaqueDepth && !key.Peeled;
   key.Diagnostics = key.Diagnostics && !key.Peeled;
@@ -125,6 +124,8 @@ VariantKey VariantKey::filtered() const
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
   key.SeveralShadows = key.SeveralShadows && key.CastShadows && !key.SingleLight;
   key.SampledShadows = key.SampledShadows && key.CastShadows;
+  // The rays of pixels have lists, those towards the light have none.
+  key.Hierarchy = !key.Structured && (!key.EntryLists || (key.Hierarchy && key.SampledShadows));
   key.OpaqueShadows = key.OpaqueShadows && key.CastShadows;
   key.HeadlightShadows = key.HeadlightShadows && key.Shading && !key.SingleLight;
   key.Occlusion = key.Occlusion && key.Shading;
@@ -139,7 +140,7 @@ void VariantKey::dropWhatLatticesLack()
 {
   if (this->Structured)
   {
-    this->RasterEntry = false;
+    this->EntryLists = false;
     this->Hierarchy = false;
     this->HasFma = false;
   }
@@ -196,7 +197,7 @@ void VariantKey::dropWhatComponentsLack()
   }
 }
 
-VariantKey VariantKey::ofVertexLight() const
+VariantKey VariantKey::ofVertexLight(bool reenters) const
 {
   VariantKey key;
   key.Structured = this->Structured;
@@ -205,7 +206,6 @@ VariantKey VariantKey::ofVertexLight() const
   key.ManySlabs = this->ManySlabs;
   key.Leaps = this->Leaps;
   key.PointScalars = this->PointScalars;
-  key.Hierarchy = this->Hierarchy;
   key.HasFma = this->HasFma;
   key.Adaptive = false;
   key.NanShown = this->NanShown;
@@ -213,6 +213,8 @@ VariantKey VariantKey::ofVertexLight() const
   key.GradientOpacity = this->GradientOpacity;
   key.CellGradients = this->CellGradients;
   key = key.filtered();
+  key.EntryLists = false;
+  key.Hierarchy = reenters && !key.Structured;
   key.OpaqueShadows = this->OpaqueShadows;
   return key;
 }
@@ -241,7 +243,7 @@ VariantKey VariantKey::ofPick() const
 VariantKey VariantKey::ofEntries() const
 {
   VariantKey key;
-  key.RasterEntry = this->RasterEntry;
+  key.EntryLists = this->EntryLists;
   key.Hierarchy = this->Hierarchy;
   key.OpaqueDepth = this->OpaqueDepth;
   key.HasFma = this->HasFma;

@@ -38,9 +38,8 @@ enum class ComponentGroup : unsigned char
 struct VariantKey
 {
   bool PointScalars = true; // else one scalar a cell
-  bool RasterEntry =
-    true; // entries from the rasterised boundary; else searched for in the hierarchy
-  bool Hierarchy = false;   // rays can enter more than once, or are not rasterised
+  bool EntryLists = true; // entries from lists by pixels; else searched for in the hierarchy
+  bool Hierarchy = false; // rays that have no list can enter, or enter again
   bool OpaqueDepth = false; // rays end at opaque geometry or the far plane
   bool HasFma = true;       // the exact predicate by fused multiply-add; else the portable one
   bool Adaptive = true;     // segments are split until the pixel keeps the error tolerance
@@ -82,8 +81,6 @@ struct VariantKey
   // What follows from these, by Shaders/derived_conditions.glsl.
   /** Emission and absorption are integrated. */
   bool isComposite() const;
-  /** Rays are led through the points of pixels. */
-  bool needsRayPoints() const;
   /** A ray gathers opacity front to back, so that it may end where it is opaque. */
   bool accumulatesOpacity() const;
   /** What is shown is known only at the end of a ray. */
@@ -122,8 +119,8 @@ struct VariantKey
   VariantKey ofEntries() const;
 
   /** The variant that marches from the vertices towards the light: it knows extinction alone, and
-   * the shadows of opaque geometry. */
-  VariantKey ofVertexLight() const;
+   * the shadows of opaque geometry. reenters: rays may leave the volume and enter it again. */
+  VariantKey ofVertexLight(bool reenters) const;
 
   /** The variant that finds where rays are picked: they gather as in the picture, but without
    * light, up to opaque geometry. */

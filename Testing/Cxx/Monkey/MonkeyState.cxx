@@ -84,7 +84,7 @@ VariantKey variantOf(const MonkeyState& state)
   const MonkeyTraits& traits = traitsOf(state.Dataset);
   VariantKey key;
   key.PointScalars = state.Array != MonkeyState::OfCells;
-  key.RasterEntry = !state.isInside();
+  key.EntryLists = !state.isInside();
   key.Hierarchy = !traits.Convex;
   key.OpaqueDepth = state.Ball;
   key.Adaptive = state.Accuracy != Mapper::FAST || state.ErrorBudget > 0;

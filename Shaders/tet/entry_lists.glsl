@@ -1,0 +1,49 @@
+// Entries of a pixel's ray, from the list of its tile of pixels. The list has all faces by which the ray may enter, by
+// ascending depth; the predicate decides by which of them it does. So the ray enters where a search would find it to.
+
+// Whether the ray's pixel is among those that a candidate is for.
+bool isForPixel(Ray ray, uint where)
+{
+  uint x = ray.pixelInTile & 15u;
+  uint y = ray.pixelInTile >> 4u;
+  return x >= (where & 15u) && x <= (where >> 4u & 15u) && y >= (where >> 8u & 15u) && y <= (where >> 12u & 15u);
+}
+
+// The first entry after the given one, among the candidates from that one on, which becomes the first that can be an
+// entry after this.
+Entry nextCandidate(Ray ray, Entry after, INOUT(int) candidate)
+{
+  Entry best;
+  best.depth = NO_DEPTH;
+  best.face = -1;
+  // The depths of candidates are those of a plane: that many units at the ray's origin, and so many a unit of depth.
+  vec3 plane = vec3(entryDepthPlane.x, entryDepthPlane.y, entryDepthPlane.z);
+  real unitsAtOrigin = dot(plane, ray.origin) + entryDepthPlane.w;
+  real unitsPerDepth = dot(plane, ray.direction);
+  int end = ray.endOfCandidates;
+  int bestAt = end;
+  int kept = end;
+  int i = candidate;
+  bool searching = i < end;
+  while (searching)
+  {
+    uvec2 found = fetchEntryCandidate(i);
+    bool isNear = best.face < 0 || real(found.y >> 16u) <= unitsAtOrigin + unitsPerDepth * best.depth;
+    bool isTried = isNear && isForPixel(ray, found.y);
+    int face = int(found.x);
+    FaceIntersection intersection;
+    bool entered = enters(ray, found.x, intersection) && isTried;
+    real depth = intersectionPoint(intersection).x;
+    bool isAfter = entered && face != after.face && !isBefore(depth, face, after);
+    bool isBest = isAfter && isBefore(depth, face, best);
+    // What is entered behind the best is tried again when the ray has left that.
+    kept = min(kept, isBest ? bestAt : (isAfter ? i : end));
+    bestAt = isBest ? i : bestAt;
+    best.depth = isBest ? depth : best.depth;
+    best.face = isBest ? face : best.face;
+    i = isNear ? i + 1 : i;
+    searching = isNear && i < end;
+  }
+  candidate = min(kept, i);
+  return best;
+}

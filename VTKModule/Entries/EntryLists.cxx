@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Entries/EntryLists.h"
+
+#include "Entries/Footprint.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+// More tiles would take more memory than a picture.
+constexpr std::int64_t MostTiles = std::int64_t(1) << 20;
+
+vtkIdType numberOf(std::size_t count) { return static_cast<vtkIdType>(count); }
+
+// What a tile keeps of a footprint.
+EntryCandidate candidateOf(std::uint32_t face, std::uint32_t nearest, const PixelRange& inTile)
+{
+  const auto left = static_cast<std::uint32_t>(inTile.Left);
+  const auto right = static_cast<std::uint32_t>(inTile.Right - 1);
+  const auto bottom = static_cast<std::uint32_t>(inTile.Bottom);
+  const auto top = static_cast<std::uint32_t>(inTile.Top - 1);
+  return { face, nearest << 16 | top << 12 | bottom << 8 | right << 4 | left };
+}
+
+class ListMaker
+{
+public:
+  ListMaker(const TetMesh& mesh, const View& view, int width, int height, const PixelRange& part)
+    : Projection(mesh.Frame, view, width, height, part)
+    , Mesh(mesh)
+    , Width(width)
+    , Height(height)
+  {
+  }
+
+  EntryLists make()
+  {
+    this->Lists.DepthPlane = this->Projection.depthPlane();
+    this->findFootprints();
+    this->chooseTiles();
+    this->countCandidates();
+    this->fillCandidates();
+    this->sortTiles();
+    return std::move(this->Lists);
+  }
+
+private:
+  int tilesAlong(int pixels) const
+  {
+    const int edge = 1 << this->Lists.TileShift;
+    return (pixels + edge - 1) / edge;
+  }
+
+  void findFootprints()
+  {
+    this->Footprints.resize(this->Mesh.BoundaryFaces.size());
+    vtkSMPTools::For(0, numberOf(this->Footprints.size()),
+      [this](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType face = begin; face < end; ++face)
+        {
+          this->Footprints[face] = this->Projection.footprintOf(this->cornersOf(face));
+        }
+      });
+  }
+
+  // A tile is about as large as the footprint of a face: then lists are short, and faces are in
+  // few of them.
+  void chooseTiles()
+  {
+    double pixels = 0;
+    double faces = 0;
+    for (const Footprint& footprint : this->Footprints)
+    {
+      pixels += footprint.pixels();
+      faces += footprint.isEmpty() ? 0 : 1;
+    }
+    int& shift = this->Lists.TileShift;
+    while (shift < MostEntryTileShift && std::ldexp(2.0, 2 * shift) * faces < pixels)
+    {
+      ++shift;
+    }
+    while (shift < MostEntryTileShift &&
+           std::int64_t(this->tilesAlong(this->Width)) * this->tilesAlong(this->Height) > MostTiles)
+    {
+      ++shift;
+    }
+    this->Lists.TilesPerRow = this->tilesAlong(this->Width);
+  }
+
+  // Call visit(tile, pixels) for each tile that has pixels of a face; the pixels are counted from
+  // the tile's lower left.
+  template <typename Visit>
+  void visitTiles(vtkIdType face, const Visit& visit) const
+  {
+    const Footprint& footprint = this->Footprints[face];
+    if (footprint.isEmpty())
+    {
+      return;
+    }
+    const int shift = this->Lists.TileShift;
+    const int last = (1 << shift) - 1;
+    const bool isSmall = (footprint.Left >> shift) == (footprint.Right >> shift) ||
+                         (footprint.Bottom >> shift) == (footprint.Top >> shift);
+    const ProjectedFace projected =
+      isSmall ? ProjectedFace() : this->Projection.project(this->cornersOf(face));
+    for (int row = footprint.Bottom >> shift; row <= footprint.Top >> shift; ++row)
+    {
+      const int bottom = std::max<int>(footprint.Bottom, row << shift);
+      const int top = std::min<int>(footprint.Top, (row << shift) + last);
+      int left = footprint.Left;
+      int right = footprint.Right;
+      if (!isSmall)
+      {
+        projected.narrow(bottom, top, left, right);
+      }
+      for (int column = left >> shift; column <= right >> shift && left <= right; ++column)
+      {
+        const int x = column << shift;
+        const int y = row << shift;
+        visit(static_cast<std::size_t>(row) * this->Lists.TilesPerRow + column,
+          PixelRange{ std::max(left - x, 0), bottom - y, std::min(right - x, last) + 1,
+            top - y + 1 });
+      }
+    }
+  }
+
+  template <typename Visit>
+  void visitAllTiles(const Visit& visit) const
+  {
+    vtkSMPTools::For(0, numberOf(this->Footprints.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType face = begin; face < end; ++face)
+        {
+          this->visitTiles(face,
+            [&](std::size_t tile, const PixelRange& pixels) { visit(face, tile, pixels); });
+        }
+      });
+  }
+
+  void countCandidates()
+  {
+    const std::size_t tiles =
+      static_cast<std::size_t>(this->Lists.TilesPerRow) * this->tilesAlong(this->Height);
+    this->Next = std::vector<std::atomic<std::uint32_t>>(tiles);
+    this->visitAllTiles([this](vtkIdType, std::size_t tile, const PixelRange&)
+      { this->Next[tile].fetch_add(1, std::memory_order_relaxed); });
+    this->Lists.First.resize(tiles + 1);
+    std::uint32_t sum = 0;
+    for (std::size_t tile = 0; tile < tiles; ++tile)
+    {
+      this->Lists.First[tile] = sum;
+      sum += this->Next[tile].exchange(sum, std::memory_order_relaxed);
+    }
+    this->Lists.First[tiles] = sum;
+  }
+
+  void fillCandidates()
+  {
+    this->Lists.Candidates.resize(this->Lists.First.back());
+    this->visitAllTiles(
+      [this](vtkIdType face, std::size_t tile, const PixelRange& pixels)
+      {
+        const std::uint32_t at = this->Next[tile].fetch_add(1, std::memory_order_relaxed);
+        this->Lists.Candidates[at] = candidateOf(
+          static_cast<std::uint32_t>(face), this->Footprints[face].Nearest, pixels);
+      });
+  }
+
+  // By depth; those of one depth by number, so that the order does not depend on the threads.
+  void sortTiles()
+  {
+    const auto isNearer = [](const EntryCandidate& a, const EntryCandidate& b)
+    {
+      const std::uint32_t depthA = a.Where >> 16;
+      const std::uint32_t depthB = b.Where >> 16;
+      return depthA != depthB ? depthA < depthB : a.Face < b.Face;
+    };
+    vtkSMPTools::For(0, numberOf(this->Lists.First.size()) - 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType tile = begin; tile < end; ++tile)
+        {
+          std::sort(this->Lists.Candidates.begin() + this->Lists.First[tile],
+            this->Lists.Candidates.begin() + this->Lists.First[tile + 1], isNearer);
+        }
+      });
+  }
+
+  FaceCorners cornersOf(vtkIdType face) const
+  {
+    const std::array<Id, 4>& ids = this->Mesh.BoundaryFaces[face];
+    return { { &this->Mesh.Vertices[ids[0]], &this->Mesh.Vertices[ids[1]],
+      &this->Mesh.Vertices[ids[2]] } };
+  }
+
+  FaceProjection Projection;
+  const TetMesh& Mesh;
+  int Width;
+  int Height;
+  EntryLists Lists;
+  std::vector<Footprint> Footprints;
+  std::vector<std::atomic<std::uint32_t>> Next; // where the next candidate of a tile goes
+};
+
+} // namespace
+
+EntryLists makeEntryLists(
+  const TetMesh& mesh, const View& view, int width, int height, const PixelRange& part)
+{
+  return ListMaker(mesh, view, width, height, part).make();
+}
+
+} // namespace tetmarch

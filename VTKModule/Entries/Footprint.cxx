@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Entries/Footprint.h"
+
+#include "Mesh/BoundaryHierarchy.h"
+#include "Rays/View.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tetmarch
+{
+namespace
+{
+
+// What rounding of a pixel's clip coordinates to float may move its ray by, in pixels.
+constexpr double PixelMargin = 1.0 / 64;
+constexpr double MostDepth = 65535;
+
+using Row = std::array<double, 4>;
+
+Row rowOf(const View& view, int row)
+{
+  const auto& m = view.NormalizedToClip;
+  return { { m[4 * row], m[4 * row + 1], m[4 * row + 2], m[4 * row + 3] } };
+}
+
+double product(const Row& row, const Vertex& v)
+{
+  return row[0] * v.X + row[1] * v.Y + row[2] * v.Z + row[3];
+}
+
+double lengthOf(const Row& row) { return std::hypot(row[0], row[1], row[2]); }
+
+// From clip coordinates, a row and that of w, to pixels.
+Row toPixels(const Row& row, const Row& w, int pixels)
+{
+  Row result{};
+  for (int k = 0; k < 4; ++k)
+  {
+    result[k] = 0.5 * pixels * (row[k] + w[k]);
+  }
+  return result;
+}
+
+// The depth 0..65535 of points of the volume: by the distance from the eye along the line of sight
+// or, in parallel projection, by that from the near plane.
+Row depthRow(const VolumeFrame& frame, const View& view)
+{
+  const Row w = rowOf(view, 3);
+  Row row = lengthOf(w) > 0 ? w : rowOf(view, 2);
+  double reach = std::numeric_limits<double>::min();
+  for (int k = 0; k < 3; ++k)
+  {
+    reach += std::abs(row[k]) * frame.HalfExtent[k];
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    row[k] *= 0.5 * MostDepth / reach;
+  }
+  row[3] = 0.5 * MostDepth; // of the volume's centre
+  return row;
+}
+
+int pixelFrom(double x, int least, int most)
+{
+  return static_cast<int>(std::min(std::max(x, double(least)), double(most)));
+}
+
+} // namespace
+
+// Pixel i is hit at i + 1/2. Where the face is cut by the lines of the first and the last row, each
+// edge contributes what lies between the lines.
+void ProjectedFace::narrow(int bottom, int top, int& left, int& right) const
+{
+  const double low = bottom + 0.5 - this->Margin;
+  const double high = top + 0.5 + this->Margin;
+  double least = std::numeric_limits<double>::max();
+  double most = std::numeric_limits<double>::lowest();
+  for (int i = 0; i < 3; ++i)
+  {
+    const int j = (i + 1) % 3;
+    const int from = this->Y[i] <= this->Y[j] ? i : j;
+    const int to = from == i ? j : i;
+    if (this->Y[to] >= low && this->Y[from] <= high)
+    {
+      const double rise = this->Y[to] - this->Y[from];
+      const double slope = rise > 0 ? (this->X[to] - this->X[from]) / rise : 0.0;
+      const double first =
+        this->Y[from] >= low ? this->X[from] : this->X[from] + (low - this->Y[from]) * slope;
+      const double last =
+        this->Y[to] <= high ? this->X[to] : this->X[from] + (high - this->Y[from]) * slope;
+      least = std::min({ least, first, last });
+      most = std::max({ most, first, last });
+    }
+  }
+  const int first = left;
+  const int last = right;
+  left = std::max(first, pixelFrom(std::ceil(least - this->Margin - 0.5), first, last + 1));
+  right = std::min(last, pixelFrom(std::floor(most + this->Margin - 0.5), first - 1, last));
+}
+
+FaceProjection::FaceProjection(
+  const VolumeFrame& frame, const View& view, int width, int height, const PixelRange& part)
+  : ToX(toPixels(rowOf(view, 0), rowOf(view, 3), width))
+  , ToY(toPixels(rowOf(view, 1), rowOf(view, 3), height))
+  , ToW(rowOf(view, 3))
+  , Depth(depthRow(frame, view))
+  , LengthX(lengthOf(this->ToX))
+  , LengthY(lengthOf(this->ToY))
+  , LengthW(lengthOf(this->ToW))
+  , Mirrored(view.Mirrored)
+  , Left(std::max(part.Left, 0))
+  , Bottom(std::max(part.Bottom, 0))
+  , Right(std::min(part.Right, width) - 1)
+  , Top(std::min(part.Top, height) - 1)
+{
+}
+
+std::array<float, 4> FaceProjection::depthPlane() const
+{
+  std::array<float, 4> plane;
+  std::transform(this->Depth.begin(), this->Depth.end(), plane.begin(),
+    [](double d) { return static_cast<float>(d); });
+  return plane;
+}
+
+double FaceProjection::depthOf(const Vertex& v) const { return product(this->Depth, v); }
+
+ProjectedFace FaceProjection::project(const FaceCorners& corners) const
+{
+  ProjectedFace face;
+  double nearest = std::numeric_limits<double>::max();
+  double reach = 0; // of the pixels from the lower left
+  for (int i = 0; i < 3; ++i)
+  {
+    const double w = product(this->ToW, *corners[i]);
+    face.X[i] = product(this->ToX, *corners[i]) / w;
+    face.Y[i] = product(this->ToY, *corners[i]) / w;
+    nearest = std::min(nearest, w);
+    reach = std::max({ reach, std::abs(face.X[i]), std::abs(face.Y[i]) });
+  }
+  const double slope = std::max(this->LengthX, this->LengthY) + reach * this->LengthW;
+  face.Margin = PixelMargin + HierarchyMargin * slope / nearest;
+  return face;
+}
+
+Footprint FaceProjection::footprintOf(const FaceCorners& corners) const
+{
+  const ProjectedFace face = this->project(corners);
+  const auto [left, right] = std::minmax({ face.X[0], face.X[1], face.X[2] });
+  const auto [bottom, top] = std::minmax({ face.Y[0], face.Y[1], face.Y[2] });
+  const double area = (face.X[1] - face.X[0]) * (face.Y[2] - face.Y[0]) -
+    (face.X[2] - face.X[0]) * (face.Y[1] - face.Y[0]);
+  Footprint footprint;
+  if (this->Left > this->Right || this->Bottom > this->Top ||
+    (this->Mirrored ? -area : area) < -2 * face.Margin * (right - left + top - bottom))
+  {
+    return footprint;
+  }
+  const double margin = face.Margin + 0.5;
+  const double first[2] = { std::ceil(left - margin), std::ceil(bottom - margin) };
+  const double last[2] = { std::floor(right + margin - 1), std::floor(top + margin - 1) };
+  if (first[0] > last[0] || first[1] > last[1] || first[0] > this->Right || first[1] > this->Top ||
+    last[0] < this->Left || last[1] < this->Bottom)
+  {
+    return footprint;
+  }
+  const auto pixel = [](double x, int least, int most)
+  { return static_cast<std::uint16_t>(pixelFrom(x, least, most)); };
+  footprint.Left = pixel(first[0], this->Left, this->Right);
+  footprint.Right = pixel(last[0], this->Left, this->Right);
+  footprint.Bottom = pixel(first[1], this->Bottom, this->Top);
+  footprint.Top = pixel(last[1], this->Bottom, this->Top);
+  const double nearest = std::min(
+    { this->depthOf(*corners[0]), this->depthOf(*corners[1]), this->depthOf(*corners[2]) });
+  // One less, since the shader rounds depths.
+  footprint.Nearest =
+    static_cast<std::uint16_t>(std::min(std::max(std::floor(nearest) - 1, 0.0), MostDepth));
+  return footprint;
+}
+
+} // namespace tetmarch

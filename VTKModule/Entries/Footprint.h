@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which pixels' rays may enter a mesh by a face. Rays and vertices are rounded where they are
+// marched: a footprint is larger than the face by what that may come to.
+#ifndef TetMarchEntriesFootprint_h
+#define TetMarchEntriesFootprint_h
+
+#include "Entries/PixelRange.h"
+#include "Mesh/TetMesh.h"
+
+#include <array>
+#include <cstdint>
+
+namespace tetmarch
+{
+
+struct View;
+
+/** The vertices of a face, counter-clockwise seen from outside. */
+using FaceCorners = std::array<const Vertex*, 3>;
+
+/** A rectangle of pixels, from Left to Right and from Bottom to Top, and the least depth. */
+struct Footprint
+{
+  std::uint16_t Left = 1; // empty: Left > Right
+  std::uint16_t Right = 0;
+  std::uint16_t Bottom = 0;
+  std::uint16_t Top = 0;
+  std::uint16_t Nearest = 0;
+
+  bool isEmpty() const { return this->Left > this->Right; }
+  double pixels() const
+  {
+    return this->isEmpty() ? 0.0
+                           : double(this->Right - this->Left + 1) * (this->Top - this->Bottom + 1);
+  }
+};
+
+/** A face on the picture, in pixels. */
+struct ProjectedFace
+{
+  std::array<double, 3> X{}, Y{};
+  double Margin = 0; // a ray may miss the face by so much, and enter by it after rounding
+
+  /** Narrow the columns from left to right to those in which the face has a pixel of the rows from
+   * bottom to top; left > right if there is none. */
+  void narrow(int bottom, int top, int& left, int& right) const;
+};
+
+/** Projects the faces of a volume. */
+class FaceProjection
+{
+public:
+  /** Onto a picture of width x height pixels, of which a part is wanted. */
+  FaceProjection(const VolumeFrame& frame, const View& view, int width, int height,
+    const PixelRange& part);
+
+  /** EntryLists::DepthPlane. */
+  std::array<float, 4> depthPlane() const;
+  ProjectedFace project(const FaceCorners& corners) const;
+  /** Empty if the viewer sees the face from inside, or no pixel of the part sees it. */
+  Footprint footprintOf(const FaceCorners& corners) const;
+
+private:
+  double depthOf(const Vertex& v) const;
+
+  std::array<double, 4> ToX{}, ToY{}, ToW{}; // (x, y, z, 1) . row: pixels times w, and w
+  std::array<double, 4> Depth{};
+  double LengthX = 0, LengthY = 0, LengthW = 0; // of the rows
+  bool Mirrored = false;
+  int Left, Bottom, Right, Top; // of the part, all inclusive
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/EntryListTextures.h"
+
+#include "vtkShaderProgram.h"
+
+namespace tetmarch
+{
+
+static_assert(sizeof(EntryCandidate) == 8, "arrays are uploaded as they are");
+
+std::string EntryListTextures::upload(vtkOpenGLRenderWindow* window, const EntryLists& lists)
+{
+  this->TileShift = lists.TileShift;
+  this->TilesPerRow = lists.TilesPerRow;
+  this->DepthPlane = lists.DepthPlane;
+  std::string error =
+    this->Tiles.upload(window, TexelFormat::R32UI, lists.First.data(), lists.First.size());
+  if (error.empty())
+  {
+    // A texture has a texel at least.
+    const EntryCandidate none{};
+    const bool isEmpty = lists.Candidates.empty();
+    error = this->Candidates.upload(window, TexelFormat::RG32UI,
+      isEmpty ? &none : lists.Candidates.data(), isEmpty ? 1 : lists.Candidates.size());
+  }
+  return error;
+}
+
+void EntryListTextures::bind(vtkShaderProgram* program)
+{
+  this->Tiles.bind(program, "entryTileBuffer");
+  this->Candidates.bind(program, "entryCandidateBuffer");
+  program->SetUniformi("entryTileShift", this->TileShift);
+  program->SetUniformi("entryTilesPerRow", this->TilesPerRow);
+  program->SetUniform4f("entryDepthPlane", this->DepthPlane.data());
+}
+
+void EntryListTextures::unbind()
+{
+  this->Tiles.unbind();
+  this->Candidates.unbind();
+}
+
+void EntryListTextures::release(vtkWindow* window)
+{
+  this->Tiles.release(window);
+  this->Candidates.release(window);
+}
+
+} // namespace tetmarch

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The lists of the faces by which rays of a picture may enter, on the GPU.
+#ifndef TetMarchGLEntryListTextures_h
+#define TetMarchGLEntryListTextures_h
+
+#include "Entries/EntryLists.h"
+#include "GL/TextureBuffer.h"
+
+namespace tetmarch
+{
+
+class EntryListTextures
+{
+public:
+  /** Returns an empty string, or what is wrong. */
+  std::string upload(vtkOpenGLRenderWindow* window, const EntryLists& lists);
+  void bind(vtkShaderProgram* program);
+  void unbind();
+  void release(vtkWindow* window);
+  std::size_t bytes() const { return this->Tiles.bytes() + this->Candidates.bytes(); }
+
+private:
+  TextureBuffer Tiles;
+  TextureBuffer Candidates;
+  int TileShift = 0;
+  int TilesPerRow = 0;
+  std::array<float, 4> DepthPlane{};
+};
+
+} // namespace tetmarch
+
+#endif
