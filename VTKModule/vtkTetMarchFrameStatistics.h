@@ -36,7 +36,8 @@ public:
    * picture in float, before it is blended and rounded to the bytes of the window. It leaves out
    * rounding and what transfer functions do between the entries of their tables. See
    * vtkTetMarchSettings::AccuracyLevelType for its formula.
-   * CELLS: cells that the ray crossed (tetrahedra of an unstructured grid).
+   * CELLS: cells that the ray crossed (tetrahedra of an unstructured grid). Rays need not cross
+   * cells of which the functions show nothing.
    * LOOKUPS: lookups of the segment integral.
    * TRUE_ERROR: largest error of a channel against the ground truth. Measured by
    * vtkTetMarchVolumeMapper::CompareWithGroundTruth() only.
@@ -69,8 +70,9 @@ public:
 
   //@{
   /**
-   * Sums over the pixels of the last frame: rays that entered the mesh, cells crossed, and lookups
-   * of the segment integral. 0 if they were not counted.
+   * Sums over the pixels of the last frame: rays that entered the mesh, or the part of it of which
+   * something may be seen, cells crossed, and lookups of the segment integral. 0 if they were not
+   * counted.
    */
   vtkGetMacro(NumberOfRays, vtkTypeInt64);
   vtkGetMacro(NumberOfCrossedCells, vtkTypeInt64);
@@ -79,9 +81,9 @@ public:
 
   //@{
   /**
-   * Sums over the pixels of the last frame: rays that entered by another face than the rasteriser
-   * named, which a search had to find (few), rays that came to a face without exit (lost), and rays
-   * that the step guard stopped. The last two are 0 unless something is wrong.
+   * Sums over the pixels of the last frame: entries that refused their ray, rays that came to a
+   * face without exit (lost), and rays that the step guard stopped. All are 0 unless something is
+   * wrong.
    */
   vtkGetMacro(NumberOfRefusedEntries, vtkTypeInt64);
   vtkGetMacro(NumberOfLostRays, vtkTypeInt64);

@@ -5,8 +5,9 @@
  * @brief   Volume rendering of unstructured grids by marching rays from tetrahedron to tetrahedron
  *
  * It replaces vtkProjectedTetrahedraMapper and vtkUnstructuredGridVolumeRayCastMapper. Each ray
- * enters the mesh through its rasterised boundary and goes from cell to cell by links between
- * faces, in a GLSL shader. Cells are not sorted, and the data is not resampled. All linear 3D cells
+ * enters the mesh, or the part of it of which something may be seen, by a face of its boundary and
+ * goes from cell to cell by links between faces, in a GLSL shader. Cells are not sorted, and the
+ * data is not resampled. All linear 3D cells
  * are drawn (tetrahedron, hexahedron, voxel, wedge, pyramid, pentagonal and hexagonal prism,
  * polyhedron), and quadratic ones by linear pieces. Other cells are left out with a warning that
  * counts them.

@@ -6,4 +6,7 @@
 #if TETMARCH_ENTRY_LISTS
 #include "tet/entry_list_buffers.glsl"
 #endif
+#if TETMARCH_VISIBLE_PART
+#include "tet/visible_part_buffers.glsl"
+#endif
 #endif

@@ -48,5 +48,9 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
   crossing.cells = 1;
   crossing.lost = exitFace < 0;
   crossing.onward = exitFace >= 0 && place.link.x < LINK_OUTSIDE;
+#if TETMARCH_VISIBLE_PART
+  // What lies behind need not be marched through if nothing can be seen of it.
+  crossing.onward = crossing.onward && isInVisiblePart(min(place.link.x, tetCount - 1u));
+#endif
   return crossing;
 }

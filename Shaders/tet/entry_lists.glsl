@@ -1,6 +1,24 @@
 // Entries of a pixel's ray, from the list of its tile of pixels. The list has all faces by which the ray may enter, by
 // ascending depth; the predicate decides by which of them it does. So the ray enters where a search would find it to.
 
+// Listed are boundary faces of the mesh or, if not all of it is seen, those of the part that is.
+
+#if TETMARCH_VISIBLE_PART
+bool entersListed(Ray ray, uint face, OUT(FaceIntersection) intersection)
+{
+  uvec4 listed = fetchVisibleFace(face);
+  return entersFace(ray, uvec3(listed.x, listed.y, listed.z), intersection);
+}
+
+// The half-face by which a listed face leads inside.
+uint halfFaceOfListed(uint face) { return fetchVisibleFace(face).w; }
+
+bool isInVisiblePart(uint tet) { return (fetchVisibleTets(tet >> 5u) >> (tet & 31u) & 1u) != 0u; }
+#else
+bool entersListed(Ray ray, uint face, OUT(FaceIntersection) intersection) { return enters(ray, face, intersection); }
+uint halfFaceOfListed(uint face) { return 4u * tetCount + face; }
+#endif
+
 // Whether the ray's pixel is among those that a candidate is for.
 bool isForPixel(Ray ray, uint where)
 {
@@ -22,7 +40,7 @@ Entry nextCandidate(Ray ray, Entry after, INOUT(int) candidate)
   real unitsPerDepth = dot(plane, ray.direction);
   int end = ray.endOfCandidates;
   int bestAt = end;
-  int kept = end;
+  int later = end;
   int i = candidate;
   bool searching = i < end;
   while (searching)
@@ -32,18 +50,18 @@ Entry nextCandidate(Ray ray, Entry after, INOUT(int) candidate)
     bool isTried = isNear && isForPixel(ray, found.y);
     int face = int(found.x);
     FaceIntersection intersection;
-    bool entered = enters(ray, found.x, intersection) && isTried;
+    bool entered = entersListed(ray, found.x, intersection) && isTried;
     real depth = intersectionPoint(intersection).x;
     bool isAfter = entered && face != after.face && !isBefore(depth, face, after);
     bool isBest = isAfter && isBefore(depth, face, best);
     // What is entered behind the best is tried again when the ray has left that.
-    kept = min(kept, isBest ? bestAt : (isAfter ? i : end));
+    later = min(later, isBest ? bestAt : (isAfter ? i : end));
     bestAt = isBest ? i : bestAt;
     best.depth = isBest ? depth : best.depth;
     best.face = isBest ? face : best.face;
     i = isNear ? i + 1 : i;
     searching = isNear && i < end;
   }
-  candidate = min(kept, i);
+  candidate = min(later, i);
   return best;
 }

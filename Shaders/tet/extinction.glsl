@@ -134,7 +134,7 @@ ExtinctionMarch marchExtinction(
   march.cells = 0;
   while (continuesBefore(traversal, depthEnd) && march.cells < mostCells)
   {
-    enterVolume(ray, depthEnd, traversal);
+    enterBySearch(ray, traversal);
     if (traversal.entered)
     {
       marchExtinctionToExit(ray, traversal.place.face, traversal.place.link, thicknessPerDepth, depthEnd, march);

@@ -44,8 +44,9 @@ bool continuesBefore(Traversal traversal, real depthEnd)
   return traversal.entry.face >= 0 && traversal.entry.depth < depthEnd;
 }
 
+#if TETMARCH_BVH || TETMARCH_SAMPLED_SHADOWS || !TETMARCH_ENTRY_LISTS
 // Enters by the boundary face, unless the ray is inside already.
-void enterVolume(Ray ray, real depthEnd, INOUT(Traversal) traversal)
+void enterBySearch(Ray ray, INOUT(Traversal) traversal)
 {
   if (!traversal.inside)
   {
@@ -53,6 +54,22 @@ void enterVolume(Ray ray, real depthEnd, INOUT(Traversal) traversal)
     traversal.entered = enters(ray, uint(traversal.entry.face), traversal.place.face);
     traversal.inside = true;
   }
+}
+#endif
+
+// The ray of a pixel enters by the face of its entry, unless it is inside already.
+void enterVolume(Ray ray, real depthEnd, INOUT(Traversal) traversal)
+{
+#if TETMARCH_ENTRY_LISTS
+  if (!traversal.inside)
+  {
+    traversal.place.link = fetchLink(halfFaceOfListed(uint(traversal.entry.face)));
+    traversal.entered = entersListed(ray, uint(traversal.entry.face), traversal.place.face);
+    traversal.inside = true;
+  }
+#else
+  enterBySearch(ray, traversal);
+#endif
 }
 
 #if TETMARCH_BVH || TETMARCH_SAMPLED_SHADOWS || !TETMARCH_ENTRY_LISTS

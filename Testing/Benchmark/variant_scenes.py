@@ -13,7 +13,7 @@ FEATURES = frozenset("""
     CLIPPED CROPPED NAN_SHOWN HIDDEN_CELLS EXTREME SUM ISOSURFACES INDEPENDENT COLOR_AND_OPACITY DIRECT_COLOR
     CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT WORLD_LIGHTS SCATTERING CAST_SHADOWS
     SEVERAL_SHADOWS SAMPLED_SHADOWS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION SHOW_ILLUMINATION SHOW_GRADIENTS
-    STRUCTURED RECTILINEAR LEAPS POINT_SAMPLED SLABS MANY_SLABS
+    STRUCTURED RECTILINEAR LEAPS POINT_SAMPLED SLABS MANY_SLABS VISIBLE_PART
     """.split())
 ARRAY = "field"
 CUBES = 4
@@ -76,6 +76,13 @@ class VariantScene:
             data, places = grid.GetCellData(), grids.cell_centres_of(grid)
             self.mapper.SetScalarModeToUseCellFieldData()
         values = np.stack([grids.waves(places, 0.8 + 0.2 * k, k) for k in range(self.components())], axis=1)
+        if self.has("VISIBLE_PART"):
+            # Of more than half of the mesh nothing is seen, and all of the rest is.
+            values = np.where(places[:, :1] < 0.55, 0.2, 0.6 + 0.28 * values)
+        elif self.has("TRANSPARENT_RANGES") or self.has("ISOSURFACES"):
+            # Next to each value of which nothing is seen there is one that is seen.
+            unseen = np.arange(len(values))[:, np.newaxis] % 2 == 0
+            values = np.where(unseen, 0.2 + 0.1 * values, 0.6 + 0.28 * values)
         if self.has("NAN_SHOWN"):
             values[5::29] = np.nan
         grids.add_array(data, ARRAY, values)
@@ -143,8 +150,8 @@ class VariantScene:
         if self.has("LEAPS"):
             for scalar, opacity in ((0.3, 0.0), (0.4, 0.1), (0.7, 0.6), (0.8, 0.2), (1.0, 0.9)):
                 opacities.AddPoint(scalar, opacity)
-        elif self.has("TRANSPARENT_RANGES"):
-            # Half of the waves' values are below 0.5 by far, and few are above 0.9.
+        elif self.has("TRANSPARENT_RANGES") or self.has("VISIBLE_PART"):
+            # Half of the values, or more, are below 0.5 by far, and few are above 0.9.
             for scalar, opacity in ((0.55, 0.0), (0.6, 0.7), (0.75, 0.2), (0.85, 0.9), (0.9, 0.0)):
                 opacities.AddPoint(scalar, opacity)
         else:

@@ -118,12 +118,15 @@ inline std::vector<VariantKey> legalLightKeys()
   {
     if (key.hasVertexLight())
     {
-      legal.add(key.ofVertexLight());
-      key.Slabs = key.Structured;
-      key.ManySlabs = false;
-      legal.add(key.ofVertexLight());
-      key.ManySlabs = key.Structured;
-      legal.add(key.ofVertexLight());
+      for (const bool reenters : { false, true })
+      {
+        legal.add(key.ofVertexLight(reenters));
+        key.Slabs = key.Structured;
+        key.ManySlabs = false;
+        legal.add(key.ofVertexLight(reenters));
+        key.ManySlabs = key.Structured;
+        legal.add(key.ofVertexLight(reenters));
+      }
     }
   }
   return legal.Keys;

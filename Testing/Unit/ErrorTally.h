@@ -53,8 +53,8 @@ Rgba pixelOf(
   Kernel& kernel, const typename Kernel::Ray& ray, const ScalarChord& chord, double& bound)
 {
   const auto length = decltype(kernel.tableScale)(chord.Optical / (chord.End - chord.Begin));
-  const auto march = kernel.castPlainRay(
-    ray, length, decltype(length)(chord.Begin), decltype(length)(chord.End));
+  const auto march =
+    kernel.castPlainRay(ray, length, decltype(length)(chord.Begin), decltype(length)(chord.End));
   const auto color = kernel.pixelOf(march.radiance, length);
   bound = double(kernel.errorBound(march.radiance));
   return { { double(color.x), double(color.y), double(color.z), double(color.w) } };

@@ -52,8 +52,7 @@ void compareRays(RandomVolume<Kernel>& volume, Tally& tally)
     const double end = i % 4 == 0 ? rays.uniformBetween(-0.5, 1.0) : 1e30;
     auto traversal = kernel.traversalFrom(ray, 0);
     const double found = kernel.transmittanceOn(ray, length, begin, end, traversal);
-    ASSERT_NO_FATAL_FAILURE(
-      expectSame(found, kernel.castPlainRay(ray, length, begin, end), tally));
+    ASSERT_NO_FATAL_FAILURE(expectSame(found, kernel.castPlainRay(ray, length, begin, end), tally));
   }
 }
 

@@ -46,8 +46,7 @@ void expectPicks(const BlendedRays& rays, const Rule& rule, double tolerance, co
       }
       const Real length = Real(chord.Optical / (chord.End - chord.Begin));
       const double left = std::max(1.0 - threshold, 1.0 / (1 << 24));
-      const auto pick =
-        kernel.pickOn(ray, length, Real(chord.Begin), Real(chord.End), Real(left));
+      const auto pick = kernel.pickOn(ray, length, Real(chord.Begin), Real(chord.End), Real(left));
       ASSERT_EQ(pick.hit, expected.Hit) << "ray " << count << ", threshold " << threshold;
       hits += pick.hit ? 1 : 0;
       misses += pick.hit ? 0 : 1;

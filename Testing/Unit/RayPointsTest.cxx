@@ -164,24 +164,4 @@ TEST(RayPoints, LieOnTheNearPlaneThatCutsTheMesh)
     }
   }
 }
-
-TEST(View, HowFarTheMeshSpreadsOverThePicture)
-{
-  const TetMesh mesh = built(jitteredLattice(3, 0.0));
-  Shot shot;
-  shot.Camera->SetFocalPoint(0.5, 0.5, 0.5);
-  shot.Camera->SetPosition(0.5, 0.5, 5.0);
-  shot.Camera->SetViewUp(0.0, 1.0, 0.0);
-  shot.Camera->ParallelProjectionOn();
-  for (const double scale : { 4.0, 0.5, 1e-2, 1e-4 })
-  {
-    shot.Camera->SetParallelScale(scale);
-    const View view = viewOf(shot, mesh);
-    EXPECT_NEAR(view.Spread, 0.5 / scale, 1e-9 / scale);
-    EXPECT_EQ(view.rastersEntries(), scale > 1e-3) << scale;
-  }
-  shot.Camera->SetParallelScale(4.0);
-  shot.Camera->SetPosition(0.5, 0.5, 0.9);
-  EXPECT_FALSE(viewOf(shot, mesh).rastersEntries());
-}
 } // namespace

@@ -98,9 +98,11 @@ const ShaderFeature OfTheMarch[] = {
     "surfaceEmission gatheredEnd drawn" },
   { "light on surfaces", [](const Key& k, MarchShader) { return isIsosurfaces(k) && k.isLit(); },
     "fractionOfValue" },
-  { "ray points", [](const Key& k, MarchShader s) { return !isLight(s) && k.needsRayPoints(); },
-    "rayPoints rayPoint" },
-  { "entries that are not rasterised",
+  { "rays of pixels", [](const Key&, MarchShader s) { return !isLight(s); }, "rayPoints rayPoint" },
+  { "first entries",
+    [](const Key& k, MarchShader s) { return !isLight(s) || k.Structured || k.Hierarchy; },
+    "traversalFrom" },
+  { "entries that are not listed",
     [](const Key& k, MarchShader s) { return !isLight(s) && !k.EntryLists; }, "cutsNearPlane" },
   { "opaque depth", [](const Key& k, MarchShader) { return k.OpaqueDepth; },
     "opaqueDepthTexture depthsPerPixel" },
@@ -170,7 +172,7 @@ const ShaderFeature OfTheMarch[] = {
 } // namespace
 
 const char* const UnusedInSome = "main addLight bentScalar bentScalars castRay dimLight errorBound "
-                                 "initializeRayCast insideFace isOpaque "
+                                 "enters enterVolume initializeRayCast isOpaque leaveVolume "
                                  "isTurnedForSure meanBetween pixelOf scalarAt tablePoint "
                                  "tableValue texelOfVertex vertexOfTexel traversalFrom";
 

@@ -37,14 +37,19 @@ std::vector<ShaderFeature> featuresOfVolumes()
       [](const Key& k, MarchShader) { return isMesh(k) && !k.PointScalars; },
       "cellScalarBuffer fetchCellScalar" },
     { "hierarchy", [](const Key& k, MarchShader) { return k.Hierarchy; },
-      "hierarchyBuffer bvhNodeCount bvhReentryNodeCount reentryFaceCount fetchBvhNode isBefore "
-      "nextEntry" },
-    { "rasterised entries",
-      [](const Key& k, MarchShader s) { return !isLight(s) && k.EntryLists; },
-      "entryTexture insideFace" },
-    { "search beside entries",
-      [](const Key& k, MarchShader s) { return !isLight(s) && k.EntryLists && k.Hierarchy; },
-      "isBesideEntry known" },
+      "hierarchyBuffer bvhNodeCount bvhReentryNodeCount reentryFaceCount fetchBvhNode nextEntry" },
+    { "entry lists", [](const Key& k, MarchShader) { return k.EntryLists; },
+      "entryTileBuffer entryCandidateBuffer entryTileShift entryTilesPerRow entryDepthPlane "
+      "fetchEntryCandidate fetchCandidateRange pixelInTile firstCandidate endOfCandidates "
+      "isForPixel nextCandidate bestAt entersListed halfFaceOfListed" },
+    { "visible part", [](const Key& k, MarchShader) { return k.VisiblePart; },
+      "visibleTetBuffer visibleFaceBuffer fetchVisibleTets fetchVisibleFace isInVisiblePart" },
+    { "ways out of the mesh that are searched",
+      [](const Key& k, MarchShader s)
+      { return isMesh(k) && (isLight(s) || !k.EntryLists || k.SampledShadows); },
+      "enterBySearch leaveBySearch" },
+    { "order of entries", [](const Key& k, MarchShader) { return k.EntryLists || k.Hierarchy; },
+      "isBefore" },
     { "rays to lights through tetrahedra",
       [](const Key& k, MarchShader s) { return followsLight(k, s) && isMesh(k); },
       "INSIDE_FACE Tet projectedVertex entersTet ExtinctionMarch marchExtinctionToExit "

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table knows which scalars are transparent and whether there is one colour: that spares work
 // and changes no picture.
-#include "Volume/TransparentShare.h"
 #include "Reference/Kernel.h"
+#include "Volume/TransparentShare.h"
 
 #include "RandomRays.h"
 #include "UnitMeshes.h"

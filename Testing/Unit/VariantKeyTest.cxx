@@ -35,8 +35,10 @@ bool isSensible(const VariantKey& k)
          // there are blocks of it.
          !(k.Leaps && (ofScalars || (!composite && !k.PointScalars))) &&
          !(k.Structured && k.TransparentRanges && !k.Leaps) &&
-         // Who doesn't know where a ray comes into a mesh has to look for it.
+         // Who has no list of where a ray comes into a mesh has to look for it; who has one looks
+         // on the way to lights alone.
          (k.Structured || k.EntryLists || k.Hierarchy) &&
+         !(k.EntryLists && k.Hierarchy && !k.SampledShadows) &&
          // Parts of rays end where they are asked to, and aren't counted.
          !(k.Peeled && (k.OpaqueDepth || k.Diagnostics)) &&
          // What is cropped may be clipped, too.
@@ -74,6 +76,10 @@ bool isSensible(const VariantKey& k)
          // several scalars.
          !(k.Slabs && !k.Structured) && !(k.ManySlabs && !k.Slabs) &&
          !(k.Slabs && several && !k.ManySlabs) &&
+         // What is seen of a mesh is told by one table or by the values of surfaces, and rays come
+         // into that part by lists. What is left of it that isn't seen is little.
+         !(k.VisiblePart && (!k.EntryLists || ofScalars || (!composite && !k.PointScalars) ||
+                              independent || k.TransparentRanges)) &&
          // Gradients are shown instead of the light.
          !(k.ShowGradients && (k.Shading || k.ShowIllumination));
 }
@@ -173,12 +179,15 @@ TEST(VariantKey, LegalKeysAreCounted)
   const std::size_t light = legalLightKeys().size();
   const std::size_t ofVolumes = 2 * 2 * 2 * 2 * 2 * (3 + 2);
   EXPECT_EQ(light, ofVolumes + 3 * ofVolumes);
-  // Of scalars at points or cells, clipped, cropped or whole, with hidden cells or not; of volumes
-  // with opacity by gradients of either kind or without, or of independent components, with what is
-  // not finite or not; or in three other blend modes. Of a lattice, whose planes are even or not,
-  // volumes are leapt to or not, and so are surfaces in trilinear cells; in one texture, two, many.
+  // Entries are listed or searched for. Of scalars at points or cells, clipped, cropped or whole,
+  // with hidden cells or not; of volumes with opacity by gradients of either kind or without, or of
+  // independent components, with what is not finite or not; or in three other blend modes. Of a
+  // lattice, whose planes are even or not, volumes are leapt to or not, and so are surfaces in
+  // trilinear cells; in one texture, two, many.
   const std::size_t picked = legalPickKeys().size();
-  const std::size_t ofTetrahedra = 3 * 2 * 3 * 2 * ((3 + 2 + 2) * 2 + 3 * 2);
+  const std::size_t searched = (3 + 2 + 2) * 2 + 3 * 2;
+  const std::size_t visible = (3 + 2) * 2 + 1; // of a part of the mesh, or of all of it
+  const std::size_t ofTetrahedra = 2 * 3 * 2 * (searched + searched + visible);
   const std::size_t ofLattices = 2 * 3 * 2 * ((3 + 2 + 2) * 2 * 2 + (2 + 1) + 2 * 2);
   const std::size_t ofTwoComponents = 2 * 3 * 2 * (2 * 2 * 2); // or more: never in two textures
   EXPECT_EQ(picked, ofTetrahedra + 3 * ofLattices - ofTwoComponents);
@@ -191,15 +200,16 @@ TEST(VariantKey, LightAtVerticesIsExtinctionAlone)
 {
   for (const VariantKey& picture : legalKeys())
   {
-    VariantKey light = picture.ofVertexLight();
+    VariantKey light = picture.ofVertexLight(true);
     ASSERT_EQ(light.OpaqueShadows, picture.OpaqueShadows);
+    ASSERT_EQ(light.Hierarchy, !picture.Structured);
+    ASSERT_FALSE(picture.ofVertexLight(false).Hierarchy);
     light.OpaqueShadows = false;
     ASSERT_TRUE(light == light.filtered());
     ASSERT_EQ(light.PointScalars, picture.PointScalars);
     ASSERT_EQ(light.Structured, picture.Structured);
     ASSERT_EQ(light.Rectilinear, picture.Rectilinear);
     ASSERT_EQ(light.Leaps, picture.Leaps);
-    ASSERT_EQ(light.Hierarchy, picture.Hierarchy);
     ASSERT_EQ(light.HasFma, picture.HasFma);
     ASSERT_EQ(light.NanShown, picture.NanShown);
     ASSERT_EQ(light.HiddenCells, picture.HiddenCells);
@@ -236,8 +246,9 @@ TEST(VariantKey, PicksKnowNoLight)
     pick.GradientOpacity = pick.CellGradients = false;
     pick.Components = ComponentGroup::Single;
     pick.Blend = BlendGroup::Composite;
-    for (bool VariantKey::*same : { &VariantKey::Clipped, &VariantKey::Cropped,
-           &VariantKey::HiddenCells, &VariantKey::NanShown, &VariantKey::Leaps })
+    for (bool VariantKey::*same :
+      { &VariantKey::Clipped, &VariantKey::Cropped, &VariantKey::HiddenCells, &VariantKey::NanShown,
+        &VariantKey::Leaps, &VariantKey::VisiblePart })
     {
       ASSERT_EQ(pick.*same, picture.*same) << namesOf(picture);
       pick.*same = false;
@@ -269,7 +280,7 @@ TEST(VariantKey, EntriesDependOnFewBits)
     EXPECT_TRUE(entries == entries.filtered());
     const bool ofMesh = !key.Structured;
     EXPECT_EQ(entries.EntryLists, ofMesh && key.EntryLists);
-    EXPECT_EQ(entries.Hierarchy, ofMesh && (key.Hierarchy || !key.EntryLists));
+    EXPECT_EQ(entries.Hierarchy, ofMesh && !key.EntryLists);
     EXPECT_EQ(entries.OpaqueDepth, key.OpaqueDepth);
     EXPECT_EQ(entries.HasFma, ofMesh && key.HasFma);
     EXPECT_EQ(entries.Structured, key.Structured);

@@ -20,22 +20,33 @@ constexpr std::int64_t MostTiles = std::int64_t(1) << 20;
 
 vtkIdType numberOf(std::size_t count) { return static_cast<vtkIdType>(count); }
 
+// Pixels of a tile, from its lower left; first and last.
+struct PixelRange
+{
+  int Left;
+  int Right;
+  int Bottom;
+  int Top;
+};
+
 // What a tile keeps of a footprint.
 EntryCandidate candidateOf(std::uint32_t face, std::uint32_t nearest, const PixelRange& inTile)
 {
   const auto left = static_cast<std::uint32_t>(inTile.Left);
-  const auto right = static_cast<std::uint32_t>(inTile.Right - 1);
+  const auto right = static_cast<std::uint32_t>(inTile.Right);
   const auto bottom = static_cast<std::uint32_t>(inTile.Bottom);
-  const auto top = static_cast<std::uint32_t>(inTile.Top - 1);
+  const auto top = static_cast<std::uint32_t>(inTile.Top);
   return { face, nearest << 16 | top << 12 | bottom << 8 | right << 4 | left };
 }
 
 class ListMaker
 {
 public:
-  ListMaker(const TetMesh& mesh, const View& view, int width, int height, const PixelRange& part)
-    : Projection(mesh.Frame, view, width, height, part)
-    , Mesh(mesh)
+  ListMaker(const TetMesh& mesh, const std::vector<std::array<Id, 4>>& faces, const View& view,
+    int width, int height)
+    : Projection(mesh.Frame, view, width, height)
+    , Vertices(mesh.Vertices)
+    , Faces(faces)
     , Width(width)
     , Height(height)
   {
@@ -61,7 +72,7 @@ private:
 
   void findFootprints()
   {
-    this->Footprints.resize(this->Mesh.BoundaryFaces.size());
+    this->Footprints.resize(this->Faces.size());
     vtkSMPTools::For(0, numberOf(this->Footprints.size()),
       [this](vtkIdType begin, vtkIdType end)
       {
@@ -127,8 +138,7 @@ private:
         const int x = column << shift;
         const int y = row << shift;
         visit(static_cast<std::size_t>(row) * this->Lists.TilesPerRow + column,
-          PixelRange{ std::max(left - x, 0), bottom - y, std::min(right - x, last) + 1,
-            top - y + 1 });
+          PixelRange{ std::max(left - x, 0), std::min(right - x, last), bottom - y, top - y });
       }
     }
   }
@@ -141,8 +151,8 @@ private:
       {
         for (vtkIdType face = begin; face < end; ++face)
         {
-          this->visitTiles(face,
-            [&](std::size_t tile, const PixelRange& pixels) { visit(face, tile, pixels); });
+          this->visitTiles(
+            face, [&](std::size_t tile, const PixelRange& pixels) { visit(face, tile, pixels); });
         }
       });
   }
@@ -171,8 +181,8 @@ private:
       [this](vtkIdType face, std::size_t tile, const PixelRange& pixels)
       {
         const std::uint32_t at = this->Next[tile].fetch_add(1, std::memory_order_relaxed);
-        this->Lists.Candidates[at] = candidateOf(
-          static_cast<std::uint32_t>(face), this->Footprints[face].Nearest, pixels);
+        this->Lists.Candidates[at] =
+          candidateOf(static_cast<std::uint32_t>(face), this->Footprints[face].Nearest, pixels);
       });
   }
 
@@ -198,13 +208,13 @@ private:
 
   FaceCorners cornersOf(vtkIdType face) const
   {
-    const std::array<Id, 4>& ids = this->Mesh.BoundaryFaces[face];
-    return { { &this->Mesh.Vertices[ids[0]], &this->Mesh.Vertices[ids[1]],
-      &this->Mesh.Vertices[ids[2]] } };
+    const std::array<Id, 4>& ids = this->Faces[face];
+    return { { &this->Vertices[ids[0]], &this->Vertices[ids[1]], &this->Vertices[ids[2]] } };
   }
 
   FaceProjection Projection;
-  const TetMesh& Mesh;
+  const std::vector<Vertex>& Vertices;
+  const std::vector<std::array<Id, 4>>& Faces;
   int Width;
   int Height;
   EntryLists Lists;
@@ -214,10 +224,10 @@ private:
 
 } // namespace
 
-EntryLists makeEntryLists(
-  const TetMesh& mesh, const View& view, int width, int height, const PixelRange& part)
+EntryLists makeEntryLists(const TetMesh& mesh, const std::vector<std::array<Id, 4>>& faces,
+  const View& view, int width, int height)
 {
-  return ListMaker(mesh, view, width, height, part).make();
+  return ListMaker(mesh, faces, view, width, height).make();
 }
 
 } // namespace tetmarch

@@ -7,7 +7,6 @@
 #ifndef TetMarchEntriesEntryLists_h
 #define TetMarchEntriesEntryLists_h
 
-#include "Entries/PixelRange.h"
 #include "Mesh/TetMesh.h"
 
 #include <array>
@@ -33,9 +32,9 @@ struct EntryLists
 {
   int TileShift = 0; // tiles are squares of 1, 2, 4, 8 or 16 pixels: 2 to this power
   int TilesPerRow = 0;
-  std::array<float, 4> DepthPlane{};     // (x, y, z, 1) . plane is the depth of a point of the mesh
-                                         // in the units of Where; it grows along each ray
-  std::vector<std::uint32_t> First;      // the first candidate of each tile, row by row, and the end
+  std::array<float, 4> DepthPlane{}; // (x, y, z, 1) . plane is the depth of a point of the mesh
+                                     // in the units of Where; it grows along each ray
+  std::vector<std::uint32_t> First;  // the first candidate of each tile, row by row, and the end
   std::vector<EntryCandidate> Candidates; // those of each tile by ascending depth
 };
 
@@ -43,12 +42,13 @@ struct EntryLists
 constexpr int MostEntryTileShift = 4;
 
 /**
- * The lists of a picture of width x height pixels; those of pixels outside the part may be empty.
- * All of the mesh lies before the eye (not View::CutsNearPlane). Faces are boundary faces, by
- * number. In parallel, in time proportional to the faces and to the candidates.
+ * The lists of a picture of width x height pixels, of faces by number; each begins with three
+ * vertices of the mesh, counter-clockwise seen from where rays come. All of the mesh lies before
+ * the eye (not View::CutsNearPlane). In parallel, in time proportional to the faces and to the
+ * candidates.
  */
-EntryLists makeEntryLists(
-  const TetMesh& mesh, const View& view, int width, int height, const PixelRange& part);
+EntryLists makeEntryLists(const TetMesh& mesh, const std::vector<std::array<Id, 4>>& faces,
+  const View& view, int width, int height);
 
 } // namespace tetmarch
 

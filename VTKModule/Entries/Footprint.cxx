@@ -28,7 +28,7 @@ Row rowOf(const View& view, int row)
 
 double product(const Row& row, const Vertex& v)
 {
-  return row[0] * v.X + row[1] * v.Y + row[2] * v.Z + row[3];
+  return row[0] * double(v.X) + row[1] * double(v.Y) + row[2] * double(v.Z) + row[3];
 }
 
 double lengthOf(const Row& row) { return std::hypot(row[0], row[1], row[2]); }
@@ -101,8 +101,7 @@ void ProjectedFace::narrow(int bottom, int top, int& left, int& right) const
   right = std::min(last, pixelFrom(std::floor(most + this->Margin - 0.5), first - 1, last));
 }
 
-FaceProjection::FaceProjection(
-  const VolumeFrame& frame, const View& view, int width, int height, const PixelRange& part)
+FaceProjection::FaceProjection(const VolumeFrame& frame, const View& view, int width, int height)
   : ToX(toPixels(rowOf(view, 0), rowOf(view, 3), width))
   , ToY(toPixels(rowOf(view, 1), rowOf(view, 3), height))
   , ToW(rowOf(view, 3))
@@ -111,10 +110,8 @@ FaceProjection::FaceProjection(
   , LengthY(lengthOf(this->ToY))
   , LengthW(lengthOf(this->ToW))
   , Mirrored(view.Mirrored)
-  , Left(std::max(part.Left, 0))
-  , Bottom(std::max(part.Bottom, 0))
-  , Right(std::min(part.Right, width) - 1)
-  , Top(std::min(part.Top, height) - 1)
+  , LastX(width - 1)
+  , LastY(height - 1)
 {
 }
 
@@ -142,7 +139,7 @@ ProjectedFace FaceProjection::project(const FaceCorners& corners) const
     reach = std::max({ reach, std::abs(face.X[i]), std::abs(face.Y[i]) });
   }
   const double slope = std::max(this->LengthX, this->LengthY) + reach * this->LengthW;
-  face.Margin = PixelMargin + HierarchyMargin * slope / nearest;
+  face.Margin = PixelMargin + double(HierarchyMargin) * slope / nearest;
   return face;
 }
 
@@ -152,27 +149,26 @@ Footprint FaceProjection::footprintOf(const FaceCorners& corners) const
   const auto [left, right] = std::minmax({ face.X[0], face.X[1], face.X[2] });
   const auto [bottom, top] = std::minmax({ face.Y[0], face.Y[1], face.Y[2] });
   const double area = (face.X[1] - face.X[0]) * (face.Y[2] - face.Y[0]) -
-    (face.X[2] - face.X[0]) * (face.Y[1] - face.Y[0]);
+                      (face.X[2] - face.X[0]) * (face.Y[1] - face.Y[0]);
   Footprint footprint;
-  if (this->Left > this->Right || this->Bottom > this->Top ||
-    (this->Mirrored ? -area : area) < -2 * face.Margin * (right - left + top - bottom))
+  if ((this->Mirrored ? -area : area) < -2 * face.Margin * (right - left + top - bottom))
   {
     return footprint;
   }
   const double margin = face.Margin + 0.5;
   const double first[2] = { std::ceil(left - margin), std::ceil(bottom - margin) };
   const double last[2] = { std::floor(right + margin - 1), std::floor(top + margin - 1) };
-  if (first[0] > last[0] || first[1] > last[1] || first[0] > this->Right || first[1] > this->Top ||
-    last[0] < this->Left || last[1] < this->Bottom)
+  if (first[0] > last[0] || first[1] > last[1] || first[0] > this->LastX ||
+      first[1] > this->LastY || last[0] < 0 || last[1] < 0)
   {
     return footprint;
   }
-  const auto pixel = [](double x, int least, int most)
-  { return static_cast<std::uint16_t>(pixelFrom(x, least, most)); };
-  footprint.Left = pixel(first[0], this->Left, this->Right);
-  footprint.Right = pixel(last[0], this->Left, this->Right);
-  footprint.Bottom = pixel(first[1], this->Bottom, this->Top);
-  footprint.Top = pixel(last[1], this->Bottom, this->Top);
+  const auto pixel = [](double x, int most)
+  { return static_cast<std::uint16_t>(pixelFrom(x, 0, most)); };
+  footprint.Left = pixel(first[0], this->LastX);
+  footprint.Right = pixel(last[0], this->LastX);
+  footprint.Bottom = pixel(first[1], this->LastY);
+  footprint.Top = pixel(last[1], this->LastY);
   const double nearest = std::min(
     { this->depthOf(*corners[0]), this->depthOf(*corners[1]), this->depthOf(*corners[2]) });
   // One less, since the shader rounds depths.

@@ -5,7 +5,6 @@
 #ifndef TetMarchEntriesFootprint_h
 #define TetMarchEntriesFootprint_h
 
-#include "Entries/PixelRange.h"
 #include "Mesh/TetMesh.h"
 
 #include <array>
@@ -51,14 +50,13 @@ struct ProjectedFace
 class FaceProjection
 {
 public:
-  /** Onto a picture of width x height pixels, of which a part is wanted. */
-  FaceProjection(const VolumeFrame& frame, const View& view, int width, int height,
-    const PixelRange& part);
+  /** Onto a picture of width x height pixels. */
+  FaceProjection(const VolumeFrame& frame, const View& view, int width, int height);
 
   /** EntryLists::DepthPlane. */
   std::array<float, 4> depthPlane() const;
   ProjectedFace project(const FaceCorners& corners) const;
-  /** Empty if the viewer sees the face from inside, or no pixel of the part sees it. */
+  /** Empty if the viewer sees the face from inside, or no pixel sees it. */
   Footprint footprintOf(const FaceCorners& corners) const;
 
 private:
@@ -68,7 +66,7 @@ private:
   std::array<double, 4> Depth{};
   double LengthX = 0, LengthY = 0, LengthW = 0; // of the rows
   bool Mirrored = false;
-  int Left, Bottom, Right, Top; // of the part, all inclusive
+  int LastX, LastY; // pixels
 };
 
 } // namespace tetmarch

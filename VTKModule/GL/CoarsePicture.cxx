@@ -26,8 +26,8 @@ std::string CoarsePicture::draw(vtkOpenGLRenderWindow* window, const Viewport& a
   std::string error;
   {
     StateScope state(window);
-    error = this->Target.bind(
-      window, inputs.Area.Width, inputs.Area.Height, 1, false, TargetFormat::Share16);
+    error =
+      this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 1, TargetFormat::Share16);
     if (error.empty())
     {
       error = march.drawApart(window, inputs, this->Tiles, progress, stopped);

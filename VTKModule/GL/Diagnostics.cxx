@@ -14,7 +14,7 @@ std::string Diagnostics::collect(vtkOpenGLRenderWindow* window, MarchPass& march
   const StageRecorder recorder(this->Record);
   inputs.Key.Diagnostics = true;
   StateScope state(window);
-  std::string error = this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 3, false);
+  std::string error = this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 3);
   if (error.empty())
   {
     error = march.drawApart(window, inputs, this->Tiles, progress, stopped);

@@ -9,8 +9,10 @@ namespace tetmarch
 
 static_assert(sizeof(EntryCandidate) == 8, "arrays are uploaded as they are");
 
-std::string EntryListTextures::upload(vtkOpenGLRenderWindow* window, const EntryLists& lists)
+std::string EntryListTextures::upload(
+  vtkOpenGLRenderWindow* window, const EntryLists& lists, const Fingerprint& version)
 {
+  this->Version.clear();
   this->TileShift = lists.TileShift;
   this->TilesPerRow = lists.TilesPerRow;
   this->DepthPlane = lists.DepthPlane;
@@ -23,6 +25,10 @@ std::string EntryListTextures::upload(vtkOpenGLRenderWindow* window, const Entry
     const bool isEmpty = lists.Candidates.empty();
     error = this->Candidates.upload(window, TexelFormat::RG32UI,
       isEmpty ? &none : lists.Candidates.data(), isEmpty ? 1 : lists.Candidates.size());
+  }
+  if (error.empty())
+  {
+    this->Version = version;
   }
   return error;
 }
@@ -44,6 +50,7 @@ void EntryListTextures::unbind()
 
 void EntryListTextures::release(vtkWindow* window)
 {
+  this->Version.clear();
   this->Tiles.release(window);
   this->Candidates.release(window);
 }

@@ -4,6 +4,7 @@
 #ifndef TetMarchGLEntryListTextures_h
 #define TetMarchGLEntryListTextures_h
 
+#include "Caching/Fingerprint.h"
 #include "Entries/EntryLists.h"
 #include "GL/TextureBuffer.h"
 
@@ -13,14 +14,17 @@ namespace tetmarch
 class EntryListTextures
 {
 public:
+  bool isCurrent(const Fingerprint& version) const { return this->Version == version; }
   /** Returns an empty string, or what is wrong. */
-  std::string upload(vtkOpenGLRenderWindow* window, const EntryLists& lists);
+  std::string upload(
+    vtkOpenGLRenderWindow* window, const EntryLists& lists, const Fingerprint& version);
   void bind(vtkShaderProgram* program);
   void unbind();
   void release(vtkWindow* window);
   std::size_t bytes() const { return this->Tiles.bytes() + this->Candidates.bytes(); }
 
 private:
+  Fingerprint Version; // empty: there are none
   TextureBuffer Tiles;
   TextureBuffer Candidates;
   int TileShift = 0;

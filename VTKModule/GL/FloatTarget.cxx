@@ -16,17 +16,16 @@ namespace tetmarch
 namespace
 {
 
-std::string describe(int width, int height, int colors, bool depth, bool wide)
+std::string describe(int width, int height, int colors, bool wide)
 {
   return std::to_string(colors) + (wide ? " float" : " 16-bit") + " texture(s) of " +
-         std::to_string(width) + " x " + std::to_string(height) + " pixels" +
-         (depth ? " with depths" : "");
+         std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
 
 } // namespace
 
 std::string FloatTarget::bind(
-  vtkOpenGLRenderWindow* window, int width, int height, int colors, bool depth, TargetFormat format)
+  vtkOpenGLRenderWindow* window, int width, int height, int colors, TargetFormat format)
 {
   const bool wide = format == TargetFormat::Float32;
   if (width != this->Width || height != this->Height || !this->Framebuffer)
@@ -46,22 +45,13 @@ std::string FloatTarget::bind(
       this->Framebuffer->AddColorAttachment(i, color);
       this->Colors.emplace_back(color);
     }
-    if (depth)
-    {
-      this->Depth = vtkSmartPointer<vtkTextureObject>::New();
-      this->Depth->SetContext(window);
-      this->Depth->AllocateDepth(width, height, vtkTextureObject::Float32);
-      this->Framebuffer->AddDepthAttachment(this->Depth);
-    }
     this->Width = width;
     this->Height = height;
-    this->Bytes =
-      static_cast<std::size_t>(width) * height * ((wide ? 16 : 8) * colors + (depth ? 4 : 0));
-    if (!std::all_of(this->Colors.begin(), this->Colors.end(), hasRoom) ||
-        (depth && !hasRoom(this->Depth)))
+    this->Bytes = static_cast<std::size_t>(width) * height * (wide ? 16 : 8) * colors;
+    if (!std::all_of(this->Colors.begin(), this->Colors.end(), hasRoom))
     {
       this->release(window);
-      return "The GPU has no room for " + describe(width, height, colors, depth, wide) +
+      return "The GPU has no room for " + describe(width, height, colors, wide) +
              ". Close what else uses it, or make the window smaller.";
     }
   }
@@ -70,7 +60,7 @@ std::string FloatTarget::bind(
   if (!this->Framebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER))
   {
     this->release(window);
-    return "The GL can't draw into " + describe(width, height, colors, depth, wide) +
+    return "The GL can't draw into " + describe(width, height, colors, wide) +
            ": its framebuffer is incomplete.";
   }
   return {};
@@ -101,11 +91,6 @@ void FloatTarget::release(vtkWindow* window)
     color->ReleaseGraphicsResources(window);
   }
   this->Colors.clear();
-  if (this->Depth)
-  {
-    this->Depth->ReleaseGraphicsResources(window);
-    this->Depth = nullptr;
-  }
   this->Width = this->Height = 0;
   this->Bytes = 0;
 }

@@ -31,7 +31,7 @@ public:
    * colours. The caller restores framebuffer bindings (StateScope). Returns an empty string, or
    * what is wrong.
    */
-  std::string bind(vtkOpenGLRenderWindow* window, int width, int height, int colors, bool depth,
+  std::string bind(vtkOpenGLRenderWindow* window, int width, int height, int colors,
     TargetFormat format = TargetFormat::Float32);
   vtkTextureObject* color(int i) const { return this->Colors[i]; }
   /** The pixels of colour i, rows from the bottom. */
@@ -42,7 +42,6 @@ public:
 private:
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   std::vector<vtkSmartPointer<vtkTextureObject>> Colors;
-  vtkSmartPointer<vtkTextureObject> Depth;
   int Width = 0;
   int Height = 0;
   std::size_t Bytes = 0;

@@ -25,7 +25,7 @@ bool hasFusedMultiplyAdd(vtkOpenGLRenderWindow* window)
   float rest = 0;
   {
     StateScope state(window);
-    error = target.bind(window, 1, 1, 1, false);
+    error = target.bind(window, 1, 1, 1);
     vtkShaderProgram* program = error.empty() ? draw.use(window, "passes/full_view.vert.glsl",
                                                   "passes/fma_probe.frag.glsl", {}, error)
                                               : nullptr;

@@ -41,7 +41,7 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
     inputs.DepthsPerPixel = { { float(area.Width) / float(inputs.Area.Width),
       float(area.Height) / float(inputs.Area.Height) } };
   }
-  error = this->findRays(window, inputs.Area, area, inputs);
+  error = this->findRays(window, area, inputs);
   if (boundary != BoundaryView::None)
   {
     error =
@@ -69,15 +69,14 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
   return error;
 }
 
-// Find where the rays of the pixels in a part of the area begin, and where they end by the depths
-// of the window.
+// Find where the rays of pixels may enter, and where they end by the depths of the window.
 std::string FramePasses::findRays(
-  vtkOpenGLRenderWindow* window, const Viewport& part, const Viewport& depths, MarchInputs& inputs)
+  vtkOpenGLRenderWindow* window, const Viewport& depths, MarchInputs& inputs)
 {
   std::string error;
   if (inputs.Key.EntryLists)
   {
-    error = inputs.Source->listEntries(window, inputs.Area, part, *inputs.Camera);
+    error = inputs.Source->listEntries(window, inputs.Key, inputs.Area, *inputs.Camera);
   }
   inputs.RayPoints = rayPoints(*inputs.Camera, inputs.Source->frame());
   if (error.empty() && inputs.Key.OpaqueDepth)
@@ -91,7 +90,7 @@ std::string FramePasses::findRays(
 std::string FramePasses::pick(vtkOpenGLRenderWindow* window, MarchInputs inputs,
   const Viewport& part, const Progress& progress, bool& stopped, std::vector<PickedPoint>& points)
 {
-  std::string error = this->findRays(window, part, inputs.Area, inputs);
+  std::string error = this->findRays(window, inputs.Area, inputs);
   if (error.empty())
   {
     error = this->Picking.pick(window, inputs, part, progress, stopped, points);

@@ -64,8 +64,7 @@ public:
   }
 
 private:
-  std::string findRays(vtkOpenGLRenderWindow* window, const Viewport& part, const Viewport& depths,
-    MarchInputs& inputs);
+  std::string findRays(vtkOpenGLRenderWindow* window, const Viewport& depths, MarchInputs& inputs);
   void releaseUnused(vtkWindow* window, const MarchInputs& inputs, bool diagnostics,
     const MeasureView* view, BoundaryView boundary, bool coarse);
 

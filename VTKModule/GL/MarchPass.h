@@ -45,7 +45,7 @@ struct MarchInputs
   const Clipping* Cut = nullptr;           // if the key is Clipped
   vtkTextureObject* VertexLight = nullptr; // if the key has it
   std::array<double, 16> RayPoints{};
-  vtkTextureObject* Depths = nullptr;      // if the key has OpaqueDepth: those of the viewport,
+  vtkTextureObject* Depths = nullptr; // if the key has OpaqueDepth: those of the viewport,
   std::array<float, 2> DepthsPerPixel{ { 1, 1 } }; // with so many for each pixel of the area
   std::array<float, 2> ColorWindow{ { 1, 0 } };    // unless the key has Diagnostics
   const PeelHooks* Peeling = nullptr;              // if the key is Peeled

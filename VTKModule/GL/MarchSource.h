@@ -109,11 +109,12 @@ public:
   /** A ray may leave the volume and enter it again. */
   virtual bool mayReenter() const = 0;
   /**
-   * List where the rays of pixels in a part of the viewport may enter. It is called if the key has
-   * EntryLists, before any pass of that key. Returns an empty string, or what is wrong.
+   * List where the rays of the viewport's pixels may enter, for passes of a key that has
+   * EntryLists, unless it is listed already. It is called before these. Returns an empty string, or
+   * what is wrong.
    */
-  virtual std::string listEntries(vtkOpenGLRenderWindow* window, const Viewport& viewport,
-    const Viewport& part, const View& camera) = 0;
+  virtual std::string listEntries(vtkOpenGLRenderWindow* window, const VariantKey& key,
+    const Viewport& viewport, const View& camera) = 0;
   virtual void releaseEntries(vtkWindow* window) = 0;
 
   /** The CPU reference in double precision, of a scene that has everything but the volume. */

@@ -34,7 +34,7 @@ std::string PickPass::march(vtkOpenGLRenderWindow* window, const MarchInputs& in
   const Viewport& part, const Progress& progress, bool& stopped)
 {
   StateScope state(window);
-  const std::string error = this->Target.bind(window, part.Width, part.Height, 2, false);
+  const std::string error = this->Target.bind(window, part.Width, part.Height, 2);
   if (!error.empty())
   {
     return error;

@@ -73,7 +73,7 @@ public:
   bool mayReenter() const override { return false; }
   /** Rays enter a lattice by the planes of its sides, so that nothing is listed. */
   std::string listEntries(
-    vtkOpenGLRenderWindow*, const Viewport&, const Viewport&, const View&) override
+    vtkOpenGLRenderWindow*, const VariantKey&, const Viewport&, const View&) override
   {
     return {};
   }

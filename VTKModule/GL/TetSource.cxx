@@ -24,6 +24,13 @@ std::string TetSource::updateScalars(vtkDataSet* data, const DrawnScalars& drawn
   return this->Volume.updateScalars(vtkUnstructuredGrid::SafeDownCast(data), drawn);
 }
 
+std::string TetSource::updateVisibility(
+  const IntegralTable& first, const Components& parts, const Blending& blending, bool undrawnSeen)
+{
+  return this->Volume.updateVisiblePart(
+    parts.isIndependent() ? nullptr : &first, blending, undrawnSeen);
+}
+
 double TetSource::transparentShare(const IntegralTable& table) const
 {
   const MeshScalars& scalars = this->Volume.scalars();
@@ -36,6 +43,7 @@ void TetSource::setBits(VariantKey& key, const View& camera) const
   key.EntryLists = !camera.CutsNearPlane;
   key.Hierarchy = this->mayReenter();
   key.HiddenCells = !this->Volume.hiddenCells().empty();
+  key.VisiblePart = isWorthEntering(this->Volume.visiblePart());
 }
 
 Fingerprint TetSource::version() const
@@ -50,6 +58,8 @@ std::vector<BufferSize> TetSource::bufferSizes() const
   const MeshScalars& scalars = this->Volume.scalars();
   std::vector<BufferSize> sizes =
     tetmarch::bufferSizes(this->mesh(), scalars.OfCells.size(), this->Volume.hiddenCells().size());
+  const VisiblePart& visible = this->Volume.visiblePart();
+  sizes.push_back({ "faces of what is visible", visible.Faces.size(), sizeof(visible.Faces[0]) });
   if (const std::size_t count = scalars.Further.count())
   {
     sizes.push_back({ "further scalars", scalars.Further.Values.size() / count,
@@ -62,7 +72,8 @@ bool TetSource::isUploaded() const
 {
   return this->Links == this->Volume.linksVersion() &&
          this->Scalars == this->Volume.scalarsVersion() &&
-         this->HiddenCells == this->Volume.hiddenVersion();
+         this->HiddenCells == this->Volume.hiddenVersion() &&
+         this->VisibleTets == this->Volume.visibleVersion();
 }
 
 std::string TetSource::upload(vtkOpenGLRenderWindow* window)
@@ -104,6 +115,12 @@ std::string TetSource::upload(vtkOpenGLRenderWindow* window)
       error = this->Textures.uploadHiddenCells(window, hidden);
       return sizeof(std::uint32_t) * hidden.size();
     });
+  update(this->VisibleTets, this->Volume.visibleVersion(),
+    [&]
+    {
+      error = this->Visible.upload(window, this->Volume.visiblePart());
+      return this->Visible.bytes();
+    });
   return error;
 }
 
@@ -113,7 +130,9 @@ void TetSource::release(vtkWindow* window)
   this->Entries.release(window);
   this->Links.reset();
   this->Scalars.reset();
+  this->Visible.release(window);
   this->HiddenCells.reset();
+  this->VisibleTets.reset();
 }
 
 std::string TetSource::describeBadSamples() const
@@ -144,26 +163,41 @@ void TetSource::bind(vtkShaderProgram* program, const VariantKey& key)
   {
     this->Entries.bind(program);
   }
+  if (key.VisiblePart)
+  {
+    this->Visible.bind(program);
+  }
 }
 
 void TetSource::unbind()
 {
   this->Textures.unbind();
+  this->Visible.unbind();
   this->Entries.unbind();
 }
 
-std::string TetSource::listEntries(
-  vtkOpenGLRenderWindow* window, const Viewport& viewport, const Viewport& part, const View& camera)
+std::string TetSource::listEntries(vtkOpenGLRenderWindow* window, const VariantKey& key,
+  const Viewport& viewport, const View& camera)
 {
-  const int left = part.X - viewport.X;
-  const int bottom = part.Y - viewport.Y;
+  Fingerprint version =
+    key.VisiblePart ? this->Volume.visibleVersion() : this->Volume.linksVersion();
+  add(version, key.VisiblePart ? 1 : 0);
+  addAll(version, camera.NormalizedToClip);
+  add(version, viewport.Width);
+  add(version, viewport.Height);
+  if (this->Entries.isCurrent(version))
+  {
+    return {};
+  }
   std::string error;
   const std::string shortage = withinMemory("the lists of entries",
     [&]
     {
-      error = this->Entries.upload(window,
-        makeEntryLists(this->mesh(), camera, viewport.Width, viewport.Height,
-          { left, bottom, left + part.Width, bottom + part.Height }));
+      const auto& faces =
+        key.VisiblePart ? this->Volume.visiblePart().Faces : this->mesh().BoundaryFaces;
+      const EntryLists lists =
+        makeEntryLists(this->mesh(), faces, camera, viewport.Width, viewport.Height);
+      error = this->Entries.upload(window, lists, version);
     });
   return shortage.empty() ? error : shortage;
 }

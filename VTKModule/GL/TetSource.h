@@ -7,6 +7,7 @@
 #include "GL/EntryListTextures.h"
 #include "GL/MarchSource.h"
 #include "GL/MeshTextures.h"
+#include "GL/VisiblePartTextures.h"
 #include "Volume/TetVolume.h"
 
 #include <optional>
@@ -24,6 +25,8 @@ public:
   std::string updateGeometry(
     vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) override;
   std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) override;
+  std::string updateVisibility(const IntegralTable& first, const Components& parts,
+    const Blending& blending, bool undrawnSeen) override;
   std::string prepareEntrySearch() override { return this->Volume.ensureHierarchy(); }
 
   bool isEmpty() const override { return this->mesh().Tets.empty(); }
@@ -48,7 +51,10 @@ public:
   bool isUploaded() const override;
   std::string upload(vtkOpenGLRenderWindow* window) override;
   void release(vtkWindow* window) override;
-  std::size_t bytes() const override { return this->Textures.bytes() + this->Entries.bytes(); }
+  std::size_t bytes() const override
+  {
+    return this->Textures.bytes() + this->Visible.bytes() + this->Entries.bytes();
+  }
   std::int64_t uploadedBytes() const override { return this->UploadedBytes; }
 
   const char* shaderOf(SourcePass pass) const override;
@@ -57,8 +63,8 @@ public:
   void unbind() override;
 
   bool mayReenter() const override { return this->mesh().NeedsHierarchy; }
-  std::string listEntries(vtkOpenGLRenderWindow* window, const Viewport& viewport,
-    const Viewport& part, const View& camera) override;
+  std::string listEntries(vtkOpenGLRenderWindow* window, const VariantKey& key,
+    const Viewport& viewport, const View& camera) override;
   void releaseEntries(vtkWindow* window) override { this->Entries.release(window); }
 
   ReferenceImage renderReference(ReferenceScene scene, const AccuracyLevel& level) const override;
@@ -75,7 +81,9 @@ private:
   Uploaded Links;
   Uploaded Scalars;
   Uploaded HiddenCells;
+  Uploaded VisibleTets;
   std::int64_t UploadedBytes = 0;
+  VisiblePartTextures Visible;
   EntryListTextures Entries;
 };
 

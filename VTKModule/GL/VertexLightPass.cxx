@@ -45,7 +45,7 @@ void allowAllPixels(StateScope& state, const Viewport& all)
 
 std::string bindRows(vtkOpenGLRenderWindow* window, FloatTarget& target, const Viewport& all)
 {
-  return target.bind(window, all.Width, all.Height, 1, false, TargetFormat::Share16);
+  return target.bind(window, all.Width, all.Height, 1, TargetFormat::Share16);
 }
 
 } // namespace

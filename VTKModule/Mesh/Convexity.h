@@ -10,11 +10,10 @@ namespace tetmarch
 {
 
 /**
- * Whether every ray crosses the mesh in one piece, and hits any boundary face that the rasteriser
- * names as its entry. That is so if the boundary is one closed surface, each edge has two faces, no
- * edge is concave or a fold by more than the rounding of positions to float (2^-22 mesh radii), and
- * no face is a needle, which rounding lets a ray miss: less than 2^-18 mesh radii high, or 64 times
- * as long as high. False is always safe.
+ * Whether every ray crosses the mesh in one piece. That is so if the boundary is one closed
+ * surface, each edge has two faces, no edge is concave or a fold by more than the rounding of
+ * positions to float (2^-22 mesh radii), and no face is a needle, which rounding lets a ray miss:
+ * less than 2^-18 mesh radii high, or 64 times as long as high. False is always safe.
  */
 bool isConvex(const TetMesh& mesh);
 

@@ -69,7 +69,7 @@ struct TetMesh
   std::vector<Link> Links;                      // 4 a tetrahedron, then 1 a boundary face
   std::vector<std::array<Id, 4>> BoundaryFaces; // three vertices and the tetrahedron inside
   std::vector<HierarchyNode> Hierarchy;         // may be empty if no ray needs it
-  bool NeedsHierarchy = false;  // rays may enter again, or be refused by a needle face
+  bool NeedsHierarchy = false;                  // rays may enter again
   std::size_t ReentryNodes = 0; // so many nodes, the first, are of faces that are not on the hull,
   std::size_t ReentryFaces = 0; // which are so many
   std::vector<Vertex> Vertices;
@@ -89,7 +89,7 @@ struct TetMesh
 };
 
 /** The most cells that a ray can cross: it passes each tetrahedron once, or twice where a search
- * finds the rasterised entry again. A march that goes beyond has gone wrong and ends. */
+ * finds an entry again. A march that goes beyond has gone wrong and ends. */
 inline int mostCellsOf(int tets) { return tets < (1 << 30) - 1 ? 2 * tets + 2 : 0x7fffffff; }
 
 } // namespace tetmarch

@@ -29,8 +29,7 @@ enum class BuildStatus
 BuildStatus buildTetMesh(
   vtkUnstructuredGrid* grid, const Progress& progress, TetMesh& mesh, std::string& error);
 
-/** Build the hierarchy of a convex mesh too: rays that the rasteriser finds no entry for need it.
- */
+/** Build the hierarchy of a convex mesh too: rays that have no list of entries need it. */
 void ensureHierarchy(TetMesh& mesh);
 
 } // namespace tetmarch

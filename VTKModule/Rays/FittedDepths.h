@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The range of depths in which the volume alone is rasterised.
+// Clip coordinates whose depths span the volume alone.
 #ifndef TetMarchRaysFittedDepths_h
 #define TetMarchRaysFittedDepths_h
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A point on each pixel's ray that float can represent, for rays without a rasterised entry.
+// A point on each pixel's ray that float can represent.
 #ifndef TetMarchRaysRayPoints_h
 #define TetMarchRaysRayPoints_h
 

@@ -7,6 +7,8 @@
 #define TetMarchReferenceKernel_h
 
 #include "Appearance/Blending.h"
+#include "Entries/EntryLists.h"
+#include "Entries/VisiblePart.h"
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/IntegralTable.h"

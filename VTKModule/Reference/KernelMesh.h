@@ -40,3 +40,30 @@ void useMesh(const TetMesh& mesh)
   reentryFaceCount = static_cast<int>(mesh.ReentryFaces);
   mostCells = mostCellsOf(mesh.numberOfTets());
 }
+
+#if TETMARCH_ENTRY_LISTS
+const EntryLists* Entries = nullptr;
+vec4 entryDepthPlane{ 0, 0, 0, 0 };
+uvec2 fetchEntryCandidate(int i) const
+{
+  const EntryCandidate& candidate = Entries->Candidates[i];
+  return uvec2(candidate.Face, candidate.Where);
+}
+
+void useEntryLists(const EntryLists& lists)
+{
+  Entries = &lists;
+  const auto& plane = lists.DepthPlane;
+  entryDepthPlane = vec4(Real(plane[0]), Real(plane[1]), Real(plane[2]), Real(plane[3]));
+}
+#endif
+
+#if TETMARCH_VISIBLE_PART
+const VisiblePart* Part = nullptr;
+uint fetchVisibleTets(uint word) const { return Part->Tets[word]; }
+uvec4 fetchVisibleFace(uint face) const
+{
+  const auto& f = Part->Faces[face];
+  return uvec4(f[0], f[1], f[2], f[3]);
+}
+#endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Structured/EmptySpace.h"
 
+#include "Scalars/SeenScalars.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -14,9 +16,6 @@ namespace
 {
 
 constexpr std::uint8_t MostDistance = 255;
-
-// By how much stored scalars and their positions in a table may be rounded, as a share of them.
-constexpr double Rounding = 1e-6;
 
 using Distances = std::vector<std::uint8_t>;
 
@@ -148,51 +147,6 @@ BlockDistances distancesTo(const BlockRanges& ranges, const IsSeen& isSeen)
   return made;
 }
 
-// Whether a table shows something between two stored scalars.
-class SeenOfTable
-{
-public:
-  SeenOfTable(const IntegralTable& table, const ScalarRange& range)
-    : Scale(table.scale(range.width()))
-    , Offset(table.offset(range.Low))
-    , Before(table.Values.size() + 1)
-  {
-    for (std::size_t i = 0; i < table.Values.size(); ++i)
-    {
-      this->Before[i + 1] = this->Before[i] + (table.Values[i][3] > 0 ? 1 : 0);
-    }
-  }
-
-  // Between entries the extinction is linear: it is above 0 less than one entry away from one that
-  // has some, and there alone. Scalars may be off by a rounding, but for 0 and 1, the ends of the
-  // range: these are exact, and what is transparent there stays so.
-  bool operator()(const std::array<float, 2>& scalars) const
-  {
-    const double low = scalars[0];
-    const double high = scalars[1];
-    if (!(low <= high))
-    {
-      return false;
-    }
-    const double from = std::floor(this->positionOf(low - roundingOf(low)));
-    const double to = std::ceil(this->positionOf(high + roundingOf(high)));
-    return this->Before[this->entryOf(to) + 1] > this->Before[this->entryOf(from)];
-  }
-
-private:
-  static double roundingOf(double scalar) { return Rounding * std::min(scalar, 1 - scalar); }
-  double positionOf(double scalar) const { return this->Scale * scalar + this->Offset; }
-  std::size_t entryOf(double position) const
-  {
-    return static_cast<std::size_t>(
-      std::clamp(position, 0.0, static_cast<double>(this->Before.size() - 2)));
-  }
-
-  double Scale;
-  double Offset;
-  std::vector<std::uint32_t> Before; // how many entries before each one have extinction
-};
-
 } // namespace
 
 BlockDistances findBlockDistances(
@@ -203,7 +157,7 @@ BlockDistances findBlockDistances(
 
 BlockDistances findBlockDistances(const std::vector<ShownScalar>& scalars, bool undrawnSeen)
 {
-  std::vector<SeenOfTable> seen;
+  std::vector<SeenScalars> seen;
   seen.reserve(scalars.size());
   for (const ShownScalar& scalar : scalars)
   {
@@ -217,7 +171,8 @@ BlockDistances findBlockDistances(const std::vector<ShownScalar>& scalars, bool 
       bool any = undrawn && first.Undrawn[b] != 0;
       for (std::size_t k = 0; k < seen.size() && !any; ++k)
       {
-        any = seen[k](scalars[k].Ranges->Scalars[b]);
+        const auto& range = scalars[k].Ranges->Scalars[b];
+        any = seen[k].between(range[0], range[1]);
       }
       return any;
     });
@@ -225,21 +180,16 @@ BlockDistances findBlockDistances(const std::vector<ShownScalar>& scalars, bool 
 
 BlockDistances findBlockDistances(const BlockRanges& ranges, const std::vector<float>& isoValues)
 {
-  return distancesTo(ranges,
-    [&](vtkIdType b)
-    {
-      const auto& scalars = ranges.Scalars[b];
-      const auto first = std::lower_bound(isoValues.begin(), isoValues.end(),
-        double(scalars[0]) - Rounding, [](float v, double limit) { return double(v) < limit; });
-      return first != isoValues.end() && double(*first) <= double(scalars[1]) + Rounding;
-    });
+  return distancesTo(ranges, [&](vtkIdType b)
+    { return isAnyBetween(isoValues, ranges.Scalars[b][0], ranges.Scalars[b][1]); });
 }
 
 double transparentShare(
   const BlockRanges& ranges, const IntegralTable& table, const ScalarRange& range)
 {
-  const SeenOfTable seen(table, range);
-  return emptyShareOf(markSeen(ranges, [&](vtkIdType b) { return seen(ranges.Scalars[b]); }));
+  const SeenScalars seen(table, range);
+  return emptyShareOf(markSeen(
+    ranges, [&](vtkIdType b) { return seen.between(ranges.Scalars[b][0], ranges.Scalars[b][1]); }));
 }
 
 } // namespace tetmarch

@@ -51,6 +51,7 @@ const std::array<VariantKey::Feature, VariantKey::NumberOfFeatures>& VariantKey:
     { "POINT_SAMPLED", TETMARCH_WITH_POINT_SAMPLED, &VariantKey::PointSampled },
     { "SLABS", TETMARCH_WITH_SLABS, &VariantKey::Slabs },
     { "MANY_SLABS", TETMARCH_WITH_MANY_SLABS, &VariantKey::ManySlabs },
+    { "VISIBLE_PART", TETMARCH_WITH_VISIBLE_PART, &VariantKey::VisiblePart },
   } };
   return rows;
 }
@@ -124,6 +125,11 @@ VariantKey VariantKey::filtered() const
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
   key.SeveralShadows = key.SeveralShadows && key.CastShadows && !key.SingleLight;
   key.SampledShadows = key.SampledShadows && key.CastShadows;
+  // All of several scalars, and all that a ray meets, may be seen.
+  key.VisiblePart = key.VisiblePart && key.EntryLists && !key.isKnownAtEnd() &&
+                    (key.isComposite() || key.PointScalars) &&
+                    key.Components != ComponentGroup::Independent;
+  key.TransparentRanges = key.TransparentRanges && !key.VisiblePart;
   // The rays of pixels have lists, those towards the light have none.
   key.Hierarchy = !key.Structured && (!key.EntryLists || (key.Hierarchy && key.SampledShadows));
   key.OpaqueShadows = key.OpaqueShadows && key.CastShadows;
@@ -224,6 +230,7 @@ VariantKey VariantKey::ofPick() const
   VariantKey key = this->ofEntries();
   key.OpaqueDepth = true;
   key.Leaps = this->Leaps;
+  key.VisiblePart = this->VisiblePart;
   key.PointScalars = this->PointScalars;
   // Where the scalar is linear, the optical depth of a segment is exact.
   key.Adaptive = this->Structured;

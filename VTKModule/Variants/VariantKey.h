@@ -38,8 +38,8 @@ enum class ComponentGroup : unsigned char
 struct VariantKey
 {
   bool PointScalars = true; // else one scalar a cell
-  bool EntryLists = true; // entries from lists by pixels; else searched for in the hierarchy
-  bool Hierarchy = false; // rays that have no list can enter, or enter again
+  bool EntryLists = true;   // entries from lists by pixels; else searched for in the hierarchy
+  bool Hierarchy = false;   // rays that have no list can enter, or enter again
   bool OpaqueDepth = false; // rays end at opaque geometry or the far plane
   bool HasFma = true;       // the exact predicate by fused multiply-add; else the portable one
   bool Adaptive = true;     // segments are split until the pixel keeps the error tolerance
@@ -77,6 +77,9 @@ struct VariantKey
   bool PointSampled = false; // the volume is sampled at even distances, not integrated
   bool Slabs = false;        // the values lie in several textures
   bool ManySlabs = false;    // more than two
+
+  bool VisiblePart =
+    false; // rays enter and leave those tetrahedra alone of which something is seen
 
   // What follows from these, by Shaders/derived_conditions.glsl.
   /** Emission and absorption are integrated. */
@@ -139,7 +142,7 @@ struct VariantKey
      * group's first value takes its place. */
     void set(VariantKey& key, bool on) const;
   };
-  static constexpr int NumberOfFeatures = 41;
+  static constexpr int NumberOfFeatures = 42;
   static const std::array<Feature, NumberOfFeatures>& features();
   /** The bits of all features that are on. */
   std::uint64_t bits() const;

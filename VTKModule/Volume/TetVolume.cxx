@@ -51,9 +51,31 @@ std::string TetVolume::updateScalars(vtkUnstructuredGrid* grid, const DrawnScala
   return shortage;
 }
 
+std::string TetVolume::updateVisiblePart(
+  const IntegralTable* table, const Blending& blending, bool undrawnSeen)
+{
+  return withinMemory("what is visible",
+    [&]
+    {
+      const StageRecorder recorder(this->VisibleRecord);
+      this->Visible = {};
+      if (table && (blending.isComposite() || blending.isIsoSurface()))
+      {
+        this->Visible = findVisiblePart(
+          this->mesh(), { &this->Scalars, table, &blending, &this->hiddenCells(), undrawnSeen });
+      }
+    });
+}
+
 std::string TetVolume::ensureHierarchy()
 {
   return this->mesh().hasHierarchy() ? std::string() : this->Meshed.addHierarchy();
+}
+
+Fingerprint TetVolume::visibleVersion() const
+{
+  return { static_cast<std::uintptr_t>(this->meshRecord().Runs),
+    static_cast<std::uintptr_t>(this->VisibleRecord.Runs) };
 }
 
 Fingerprint TetVolume::linksVersion() const

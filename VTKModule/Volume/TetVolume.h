@@ -5,6 +5,7 @@
 #ifndef TetMarchVolumeTetVolume_h
 #define TetMarchVolumeTetVolume_h
 
+#include "Entries/VisiblePart.h"
 #include "Mesh/HiddenCellStage.h"
 #include "Mesh/MeshScalars.h"
 #include "Mesh/MeshStage.h"
@@ -28,13 +29,20 @@ public:
     vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress);
   /** The stored scalars. Returns an empty string, or what is wrong. */
   std::string updateScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn);
-  /** The hierarchy of the boundary, for rays that the rasteriser finds no entry for. Returns an
-   * empty string, or what is wrong. */
+  /** The tetrahedra of which something may be seen by the table of the opacity, or of surfaces. All
+   * may be seen in other blend modes, and if there is no one table (nullptr). Returns an empty
+   * string, or what is wrong. */
+  std::string updateVisiblePart(
+    const IntegralTable* table, const Blending& blending, bool undrawnSeen);
+  /** The hierarchy of the boundary, for rays that have no list of entries. Returns an empty string,
+   * or what is wrong. */
   std::string ensureHierarchy();
 
   const TetMesh& mesh() const { return this->Meshed.mesh(); }
   const HiddenCells& hiddenCells() const { return this->Hidden.cells(); }
   const MeshScalars& scalars() const { return this->Scalars; }
+  /** Without faces if all of the mesh may be seen, or nothing. */
+  const VisiblePart& visiblePart() const { return this->Visible; }
   const EffectSource& effectSource() const { return this->Effects; }
 
   /** Versions of what is uploaded: equal as long as it is the same. */
@@ -42,13 +50,16 @@ public:
   /** The first word is that of the mesh. */
   const Fingerprint& scalarsVersion() const { return this->ScalarsVersion; }
   const Fingerprint& hiddenVersion() const { return this->Hidden.version(); }
+  Fingerprint visibleVersion() const;
 
   const StageRecord& meshRecord() const { return this->Meshed.record(); }
   const StageRecord& scalarsRecord() const { return this->ScalarsRecord; }
+  const StageRecord& visibleRecord() const { return this->VisibleRecord; }
   /** Of all stages. */
   std::int64_t runs() const
   {
-    return this->meshRecord().Runs + this->Hidden.record().Runs + this->ScalarsRecord.Runs;
+    return this->meshRecord().Runs + this->Hidden.record().Runs + this->ScalarsRecord.Runs +
+           this->VisibleRecord.Runs;
   }
 
 private:
@@ -58,6 +69,8 @@ private:
   MeshScalars Scalars;
   Fingerprint ScalarsVersion{ 0, 0 };
   StageRecord ScalarsRecord;
+  VisiblePart Visible;
+  StageRecord VisibleRecord;
   TetEffectSource Effects{ Meshed.mesh(), Scalars.OfCells, Scalars.Range, ScalarsVersion };
 };
 

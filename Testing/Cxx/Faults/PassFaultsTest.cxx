@@ -28,11 +28,11 @@ TEST_F(CoarseFaults, EveryCall)
 {
   const auto releaseData = [this] { this->release(false); };
   const auto releaseAll = [this] { this->release(true); };
-  this->expectEveryCallIsMet(Fault::FramebufferStatus, releaseData, 3);
+  this->expectEveryCallIsMet(Fault::FramebufferStatus, releaseData, 2);
   this->expectEveryCallIsMet(Fault::TexImage, releaseData, 3);
   this->expectEveryCallIsMet(Fault::Blit, releaseData, 1);
-  this->expectEveryCallIsMet(Fault::CompileStatus, releaseAll, 6);
-  this->expectEveryCallIsMet(Fault::LinkStatus, releaseAll, 3);
+  this->expectEveryCallIsMet(Fault::CompileStatus, releaseAll, 4);
+  this->expectEveryCallIsMet(Fault::LinkStatus, releaseAll, 2);
   EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
 }
 
@@ -82,7 +82,7 @@ TEST_F(BlendFaults, EveryCallInEachMode)
     this->expectEveryCallIsMet(
       Fault::BufferData, [this] { this->release(false); }, 6);
     this->expectEveryCallIsMet(
-      Fault::LinkStatus, [this] { this->release(true); }, 2);
+      Fault::LinkStatus, [this] { this->release(true); }, 1);
   }
 }
 

@@ -91,6 +91,7 @@ VariantKey variantOf(const MonkeyState& state)
   key.Diagnostics = state.Diagnostics || state.showsMeasure();
   key.Peeled = state.peels();
   key.TransparentRanges = state.Functions == MonkeyState::Spiky;
+  key.VisiblePart = key.TransparentRanges; // mostly
   key.ConstantColor = state.Functions == MonkeyState::OneColor;
   key.Clipped = !state.Planes.empty() || state.Cropping;
   key.Cropped = state.Cropping && state.CroppingFlags != VTK_CROP_SUBVOLUME;

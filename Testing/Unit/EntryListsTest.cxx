@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// By its list each pixel's ray finds the entries that a search in the hierarchy finds: all of them,
+// each once, in the same order.
+#include "Entries/EntryLists.h"
+
+#include "Rays/RayPoints.h"
+#include "Reference/Kernel.h"
+
+#include "Shot.h"
+#include "UnitMeshes.h"
+
+#include "vtkVolume.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace
+{
+using namespace tetmarch;
+using namespace tetmarch::testing;
+
+#define TETMARCH_VARIANT                                                                           \
+  (TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE |          \
+    TETMARCH_WITH_ENTRY_LISTS)
+struct ListKernel
+{
+  using Real = float;
+#include "Reference/KernelBody.h"
+};
+
+#define TETMARCH_VARIANT                                                                           \
+  ((TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE |         \
+     TETMARCH_WITH_ENTRY_LISTS) &                                                                  \
+    ~TETMARCH_WITH_HAS_FMA)
+struct PortableListKernel
+{
+  using Real = float;
+#include "Reference/KernelBody.h"
+};
+
+constexpr int Width = 97;
+constexpr int Height = 71;
+
+struct Scene
+{
+  const char* Name;
+  std::function<void(vtkCamera*, vtkTransform*)> Set;
+};
+
+// Of meshes within the unit cube, or about as large.
+const Scene Scenes[] = {
+  { "from afar", [](vtkCamera* camera, vtkTransform*) { camera->SetPosition(2.1, 1.4, 2.9); } },
+  { "from nearby, at a wide angle",
+    [](vtkCamera* camera, vtkTransform*)
+    {
+      camera->SetPosition(1.3, 1.6, 1.9);
+      camera->SetViewAngle(110.0);
+    } },
+  { "a small part, from near a side",
+    [](vtkCamera* camera, vtkTransform*)
+    {
+      camera->SetPosition(0.47, 2.4, 0.52);
+      camera->SetViewAngle(2.0);
+    } },
+  { "along an axis, parallel",
+    [](vtkCamera* camera, vtkTransform*)
+    {
+      camera->SetPosition(0.5, 0.5, 5.0);
+      camera->ParallelProjectionOn();
+      camera->SetParallelScale(0.6);
+    } },
+  { "at a million times its size",
+    [](vtkCamera* camera, vtkTransform*)
+    {
+      camera->SetPosition(1e6, 2e6, 3e6);
+      camera->SetViewAngle(3e-5);
+    } },
+  { "sheared, as for an eye of a stereo picture",
+    [](vtkCamera* camera, vtkTransform*)
+    {
+      camera->SetPosition(2.1, 1.4, 2.9);
+      camera->SetViewShear(0.2, -0.1, 1.0);
+    } },
+  { "turned and mirrored",
+    [](vtkCamera* camera, vtkTransform* transform)
+    {
+      camera->SetPosition(4.0, -5.0, 7.0);
+      transform->RotateWXYZ(50.0, 0.3, 1.0, -0.2);
+      transform->Scale(1.0, -2.0, 3.0);
+    } },
+};
+
+// All of the mesh lies before the eye, but that is what the lists need, and no near plane.
+View viewOf(const Scene& scene, const TetMesh& mesh)
+{
+  Shot shot;
+  shot.Camera->SetFocalPoint(0.5, 0.5, 0.5);
+  shot.Camera->SetViewUp(0.1, 1.0, 0.2);
+  scene.Set(shot.Camera, shot.Transform);
+  shot.Camera->SetClippingRange(1e-3, 1e9);
+  vtkNew<WindowlessRenderer> renderer;
+  vtkNew<vtkVolume> volume;
+  volume->SetUserTransform(shot.Transform);
+  renderer->SetActiveCamera(shot.Camera);
+  View view;
+  EXPECT_TRUE(
+    makeView(renderer, volume, mesh.Frame, 1.0, tetmarch::OpacityLaw::Unstructured, view));
+  return view;
+}
+
+// The ray of a pixel in the arithmetic of the shader (passes/pixel_ray.glsl).
+template <typename Kernel>
+typename Kernel::Ray rayOf(
+  Kernel& kernel, const View& view, const std::array<double, 16>& points, int column, int row)
+{
+  const float x = (float(column) + 0.5f) / float(Width) * 2.0f - 1.0f;
+  const float y = (float(row) + 0.5f) / float(Height) * 2.0f - 1.0f;
+  float p[4];
+  for (int r = 0; r < 4; ++r)
+  {
+    const auto m = [&](int c) { return static_cast<float>(points[4 * r + c]); };
+    p[r] = m(0) * x + m(1) * y + m(3);
+  }
+  const glsl::Vec3<float> point(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
+  const glsl::Vec3<float> eye(float(view.Eye[0]), float(view.Eye[1]), float(view.Eye[2]));
+  return kernel.rayThrough(point, glsl::normalize(point * float(view.Eye[3]) - eye));
+}
+
+template <typename Kernel>
+void useList(
+  Kernel& kernel, const EntryLists& lists, int column, int row, typename Kernel::Ray& ray)
+{
+  const int shift = lists.TileShift;
+  const int tile = (row >> shift) * lists.TilesPerRow + (column >> shift);
+  const int last = (1 << shift) - 1;
+  kernel.useEntryLists(lists);
+  ray.firstCandidate = static_cast<int>(lists.First[tile]);
+  ray.endOfCandidates = static_cast<int>(lists.First[tile + 1]);
+  ray.pixelInTile = static_cast<std::uint32_t>((row & last) << 4 | (column & last));
+}
+
+struct Found
+{
+  int Entries = 0;
+  int Most = 0; // of a ray
+  std::size_t Candidates = 0;
+  std::size_t Views = 0;
+};
+
+template <typename Kernel>
+void expectSameEntries(const TetMesh& mesh, const View& view, Found& found)
+{
+  Kernel kernel;
+  kernel.useMesh(mesh);
+  const EntryLists lists = makeEntryLists(mesh, mesh.BoundaryFaces, view, Width, Height);
+  const std::array<double, 16> points = rayPoints(view, mesh.Frame);
+  found.Candidates += lists.Candidates.size();
+  for (int row = 0; row < Height; ++row)
+  {
+    for (int column = 0; column < Width; ++column)
+    {
+      auto ray = rayOf(kernel, view, points, column, row);
+      useList(kernel, lists, column, row, ray);
+      typename Kernel::Entry listed{ -float(NoDepth), -1 };
+      typename Kernel::Entry searched = listed;
+      int candidate = ray.firstCandidate;
+      int entries = 0;
+      do
+      {
+        listed = kernel.nextCandidate(ray, listed, candidate);
+        searched = kernel.nextEntry(ray, searched, true);
+        ASSERT_EQ(listed.face, searched.face) << column << ", " << row << ": entry " << entries;
+        ASSERT_EQ(listed.depth, searched.depth) << column << ", " << row << ": entry " << entries;
+        ++entries;
+      } while (searched.face >= 0);
+      found.Entries += entries - 1;
+      found.Most = std::max(found.Most, entries - 1);
+    }
+  }
+}
+
+TEST(EntryLists, HaveWhatASearchFinds)
+{
+  for (const Scene& scene : Scenes)
+  {
+    Found found;
+    for (const NamedGrid& named : everyGrid())
+    {
+      SCOPED_TRACE(std::string(scene.Name) + ", " + named.Name);
+      const TetMesh mesh = builtWithHierarchy(named.Make());
+      const View view = viewOf(scene, mesh);
+      if (!view.CutsNearPlane)
+      {
+        ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel>(mesh, view, found));
+        ASSERT_NO_FATAL_FAILURE(expectSameEntries<PortableListKernel>(mesh, view, found));
+        ++found.Views;
+      }
+    }
+    std::cout << "[ MEASURED ] " << scene.Name << ": " << found.Entries << " entries, "
+              << found.Most << " of a ray; " << found.Candidates << " candidates\n";
+    EXPECT_GT(found.Entries, 5000) << scene.Name;
+    EXPECT_GT(found.Most, 1) << scene.Name;
+    EXPECT_GE(found.Views, everyGrid().size() - 2) << scene.Name;
+  }
+}
+
+// Faces of a fraction of a pixel, and of several pixels: tiles of all sizes.
+TEST(EntryLists, InTilesOfAnySize)
+{
+  std::set<int> shifts;
+  for (const int cubes : { 3, 6, 12, 24 })
+  {
+    const TetMesh mesh = builtWithHierarchy(latticeWithTunnel(cubes));
+    for (const double angle : { 60.0, 20.0, 6.0, 2.0, 0.2 })
+    {
+      const Scene scene{ "", [angle](vtkCamera* camera, vtkTransform*)
+        {
+          camera->SetPosition(2.1, 1.4, 2.9);
+          camera->SetViewAngle(angle);
+        } };
+      const View view = viewOf(scene, mesh);
+      shifts.insert(makeEntryLists(mesh, mesh.BoundaryFaces, view, Width, Height).TileShift);
+      Found found;
+      ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel>(mesh, view, found));
+      EXPECT_GT(found.Entries, 0);
+    }
+  }
+  EXPECT_EQ(shifts, (std::set<int>{ 0, 1, 2, 3, 4 }));
+}
+
+// Whoever sees a convex mesh has one entry; a list has few candidates that are in vain.
+TEST(EntryLists, AreShort)
+{
+  const TetMesh mesh = builtWithHierarchy(jitteredLattice(20));
+  const View view = viewOf(Scenes[0], mesh);
+  Found found;
+  ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel>(mesh, view, found));
+  EXPECT_EQ(found.Most, 1);
+  EXPECT_LT(found.Candidates, 4u * Width * Height);
+}
+
+// The order of candidates does not depend on which thread is quicker.
+TEST(EntryLists, AreTheSameEachTime)
+{
+  const TetMesh mesh = builtWithHierarchy(latticeWithTunnel(12));
+  const View view = viewOf(Scenes[1], mesh);
+  const EntryLists first = makeEntryLists(mesh, mesh.BoundaryFaces, view, 300, 200);
+  for (int i = 0; i < 5; ++i)
+  {
+    const EntryLists again = makeEntryLists(mesh, mesh.BoundaryFaces, view, 300, 200);
+    ASSERT_EQ(again.First, first.First);
+    for (std::size_t k = 0; k < first.Candidates.size(); ++k)
+    {
+      ASSERT_EQ(again.Candidates[k].Face, first.Candidates[k].Face);
+      ASSERT_EQ(again.Candidates[k].Where, first.Candidates[k].Where);
+    }
+  }
+}
+
+TEST(EntryLists, OfOnePixel)
+{
+  const TetMesh mesh = builtWithHierarchy(jitteredLattice(3));
+  const EntryLists lists = makeEntryLists(mesh, mesh.BoundaryFaces, viewOf(Scenes[0], mesh), 1, 1);
+  EXPECT_GE(lists.Candidates.size(), 1u);
+  EXPECT_EQ(lists.First, (std::vector<std::uint32_t>{ 0, std::uint32_t(lists.Candidates.size()) }));
+}
+
+TEST(EntryLists, AreEmptyBesideThePicture)
+{
+  const TetMesh mesh = builtWithHierarchy(jitteredLattice(3));
+  const Scene beside{ "", [](vtkCamera* camera, vtkTransform*)
+    {
+      camera->SetPosition(2.1, 1.4, 2.9);
+      camera->SetFocalPoint(2.1, 8.0, -9.0);
+    } };
+  EXPECT_TRUE(
+    makeEntryLists(mesh, mesh.BoundaryFaces, viewOf(beside, mesh), 8, 8).Candidates.empty());
+}
+} // namespace

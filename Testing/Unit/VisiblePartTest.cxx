@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Rays that enter and leave the visible part alone see what they see of the whole mesh.
+#include "Entries/VisiblePart.h"
+
+#include "Entries/EntryLists.h"
+#include "Reference/Kernel.h"
+
+#include "RandomRays.h"
+#include "UnitMeshes.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace
+{
+using namespace tetmarch;
+using namespace tetmarch::testing;
+
+#define TETMARCH_VARIANT                                                                           \
+  ((TETMARCH_ONE_OPACITY_FEATURES & ~TETMARCH_WITH_TRANSPARENT_RANGES) |                           \
+    TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE | TETMARCH_WITH_ENTRY_LISTS |             \
+    TETMARCH_WITH_VISIBLE_PART)
+template <typename Real>
+struct PartKernel
+{
+#include "Reference/KernelBody.h"
+};
+
+bool bitOf(const std::vector<std::uint32_t>& bits, Id tet)
+{
+  return (bits[tet / 32] >> (tet % 32) & 1u) != 0;
+}
+
+// Colours everywhere, extinction above 0.8.
+IntegralTable highTable()
+{
+  return tableOf(
+    [](double f) {
+      return std::array<double, 4>{ { f, 1.0 - f, 0.5, std::max(0.0, 40.0 * (f - 0.8)) } };
+    });
+}
+
+// Two waves along each axis.
+void setWaves(TetMesh& mesh)
+{
+  for (Vertex& v : mesh.Vertices)
+  {
+    v.Scalar = 0.5f + 0.5f * std::sin(5.0f * v.X + 0.3f) * std::sin(4.0f * v.Y + 0.9f) *
+                        std::cos(3.0f * v.Z);
+  }
+}
+
+struct Part
+{
+  explicit Part(const TetMesh& mesh, const IntegralTable& table)
+  {
+    this->Scalars.Range = { 0, 1, true };
+    this->Found = findVisiblePart(
+      mesh, { &this->Scalars, &table, &this->Blend, &this->Hidden, this->UndrawnSeen });
+  }
+
+  MeshScalars Scalars;
+  Blending Blend;
+  HiddenCells Hidden;
+  bool UndrawnSeen = false;
+  VisiblePart Found;
+};
+
+// For any ray: each face is a candidate.
+EntryLists allOf(const VisiblePart& part)
+{
+  EntryLists lists;
+  for (std::size_t face = 0; face < part.Faces.size(); ++face)
+  {
+    lists.Candidates.push_back({ static_cast<std::uint32_t>(face), 0xf0f0u });
+  }
+  return lists;
+}
+
+// Tetrahedra by what their vertices show, and all faces between them and others.
+TEST(VisiblePart, HasTheFacesOfWhatIsSeen)
+{
+  const IntegralTable table = highTable();
+  int parts = 0;
+  for (const NamedGrid& named : everyGrid())
+  {
+    SCOPED_TRACE(named.Name);
+    TetMesh mesh = builtWithHierarchy(named.Make());
+    setWaves(mesh);
+    const VisiblePart part = Part(mesh, table).Found;
+    std::size_t seen = 0;
+    std::size_t faces = 0;
+    for (Id tet = 0; tet < mesh.numberOfTets(); ++tet)
+    {
+      bool isSeen = false;
+      for (const Id id : mesh.Tets[tet])
+      {
+        isSeen = isSeen || mesh.Vertices[id].Scalar > 0.8005f;
+        ASSERT_TRUE(bitOf(part.Tets, tet) || mesh.Vertices[id].Scalar <= 0.8005f);
+      }
+      seen += bitOf(part.Tets, tet) ? 1 : 0;
+      for (Id i = 0; i < 4; ++i)
+      {
+        const Id behind = mesh.Links[4 * tet + i].Tet;
+        faces +=
+          bitOf(part.Tets, tet) && (behind >= LinkOutside || !bitOf(part.Tets, behind)) ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(part.NumberOfTets, seen);
+    if (seen == 0 || seen == mesh.Tets.size())
+    {
+      EXPECT_TRUE(part.Faces.empty());
+      continue;
+    }
+    ++parts;
+    ASSERT_EQ(part.Faces.size(), faces);
+    for (const auto& face : part.Faces)
+    {
+      // The half-face leads into the part, to the vertex that the face lacks.
+      const Link& link = mesh.Links[face[3]];
+      ASSERT_LT(link.Tet, mesh.numberOfTets());
+      ASSERT_TRUE(bitOf(part.Tets, link.Tet));
+      const auto& ids = mesh.Tets[link.Tet];
+      for (int i = 0; i < 3; ++i)
+      {
+        ASSERT_NE(std::find(ids.begin(), ids.end(), face[i]), ids.end());
+        ASSERT_NE(face[i], link.Apex);
+      }
+    }
+  }
+  EXPECT_GT(parts, 10);
+}
+
+// Every kind of ray through every grid, in both arithmetics.
+template <typename Real>
+void expectSameOnEveryRay(const TetMesh& mesh, const IntegralTable& table, const VisiblePart& part,
+  Real tolerance, std::array<std::int64_t, 2>& cells)
+{
+  auto whole = kernelOf<PointKernel<Real>, Real>(mesh, table, DefaultAccuracy);
+  const auto& none = TableTraits::NothingTransparent;
+  whole.transparentRanges = { none[0], none[1], none[2], none[3] };
+  auto kernel = kernelOf<PartKernel<Real>, Real>(mesh, table, DefaultAccuracy);
+  const EntryLists lists = allOf(part);
+  kernel.useEntryLists(lists);
+  kernel.Part = &part;
+  RandomRays random(5);
+  for (int i = 0; i < 1500; ++i)
+  {
+    const auto ray = random.next<PointKernel<Real>, Real>(whole, mesh);
+    auto same = kernel.rayThrough(ray.origin, ray.direction);
+    same.origin = ray.origin;
+    same.firstCandidate = 0;
+    same.endOfCandidates = static_cast<int>(lists.Candidates.size());
+    same.pixelInTile = 0;
+    const auto expected = whole.castPlainRay(ray, Real(3), Real(-3e38f), Real(3e38f));
+    const auto found = kernel.castPlainRay(same, Real(3), Real(-3e38f), Real(3e38f));
+    ASSERT_NEAR(found.radiance.color.x, expected.radiance.color.x, tolerance) << i;
+    ASSERT_NEAR(found.radiance.color.y, expected.radiance.color.y, tolerance) << i;
+    ASSERT_NEAR(found.radiance.transmittance, expected.radiance.transmittance, tolerance) << i;
+    ASSERT_EQ(found.lost, 0) << i;
+    ASSERT_EQ(found.refused, 0) << i;
+    ASSERT_LE(found.cells, expected.cells) << i;
+    cells[0] += found.cells;
+    cells[1] += expected.cells;
+  }
+}
+
+TEST(VisiblePart, ShowsWhatTheWholeMeshShows)
+{
+  const IntegralTable table = highTable();
+  std::array<std::int64_t, 2> cells{};
+  for (const NamedGrid& named : everyGrid())
+  {
+    SCOPED_TRACE(named.Name);
+    TetMesh mesh = builtWithHierarchy(named.Make());
+    setWaves(mesh);
+    const VisiblePart part = Part(mesh, table).Found;
+    if (!part.Faces.empty())
+    {
+      ASSERT_NO_FATAL_FAILURE(expectSameOnEveryRay<float>(mesh, table, part, 1e-4f, cells));
+      ASSERT_NO_FATAL_FAILURE(expectSameOnEveryRay<double>(mesh, table, part, 1e-9, cells));
+    }
+  }
+  std::cout << "[ MEASURED ] " << cells[0] << " cells instead of " << cells[1] << '\n';
+  EXPECT_GT(cells[0], 10000);
+  EXPECT_LT(2 * cells[0], cells[1]);
+}
+
+// What is hidden is not visible, what is not finite only if it has a colour.
+TEST(VisiblePart, OfHiddenAndUndrawnCells)
+{
+  TetMesh mesh = builtWithHierarchy(jitteredLattice(4));
+  for (Vertex& v : mesh.Vertices)
+  {
+    v.Scalar = 0.9f;
+  }
+  const IntegralTable table = highTable();
+  Part part(mesh, table);
+  EXPECT_EQ(part.Found.NumberOfTets, mesh.Tets.size());
+  EXPECT_TRUE(part.Found.Faces.empty());
+
+  part.Hidden.assign((mesh.Tets.size() + 31) / 32, 0x80000001u);
+  const auto find = [&]
+  {
+    return findVisiblePart(
+      mesh, { &part.Scalars, &table, &part.Blend, &part.Hidden, part.UndrawnSeen });
+  };
+  EXPECT_EQ(find().NumberOfTets, mesh.Tets.size() - 2 * part.Hidden.size());
+  part.Hidden.clear();
+
+  const Id spoilt = mesh.Tets[7][2];
+  mesh.Vertices[spoilt].Scalar = UndrawnScalar;
+  std::size_t touching = 0;
+  for (const auto& tet : mesh.Tets)
+  {
+    touching += std::find(tet.begin(), tet.end(), spoilt) != tet.end() ? 1 : 0;
+  }
+  EXPECT_EQ(find().NumberOfTets, mesh.Tets.size() - touching);
+  part.UndrawnSeen = true;
+  EXPECT_EQ(find().NumberOfTets, mesh.Tets.size());
+}
+
+TEST(VisiblePart, OfSurfacesAndOfCells)
+{
+  TetMesh mesh = builtWithHierarchy(jitteredLattice(4));
+  for (Vertex& v : mesh.Vertices)
+  {
+    v.Scalar = v.X > 0 ? 0.7f : 0.2f;
+  }
+  const IntegralTable table = highTable();
+  Part part(mesh, table);
+  EXPECT_EQ(part.Found.NumberOfTets, 0u);
+  part.Blend.Mode = BlendMode::IsoSurface;
+  part.Blend.IsoValues = { 0.5f };
+  const auto find = [&]
+  {
+    return findVisiblePart(
+      mesh, { &part.Scalars, &table, &part.Blend, &part.Hidden, part.UndrawnSeen });
+  };
+  std::size_t crossed = 0;
+  for (const auto& tet : mesh.Tets)
+  {
+    int high = 0;
+    for (const Id id : tet)
+    {
+      high += mesh.Vertices[id].Scalar > 0.5f ? 1 : 0;
+    }
+    crossed += high > 0 && high < 4 ? 1 : 0;
+  }
+  EXPECT_GT(crossed, 0u);
+  EXPECT_EQ(find().NumberOfTets, crossed);
+
+  part.Blend.Mode = BlendMode::Composite;
+  part.Scalars.OfCells.assign(mesh.Tets.size(), 0.1f);
+  part.Scalars.OfCells[3] = part.Scalars.OfCells[40] = 0.95f;
+  EXPECT_EQ(find().NumberOfTets, 2u);
+}
+
+// A half of the cells beside each other is worth entering, every other one isn't.
+TEST(VisiblePart, IsWorthEnteringIfGapsAreLong)
+{
+  TetMesh mesh = builtWithHierarchy(jitteredLattice(8));
+  const IntegralTable table = highTable();
+  for (Vertex& v : mesh.Vertices)
+  {
+    v.Scalar = v.X > 0 ? 0.9f : 0.2f;
+  }
+  EXPECT_TRUE(isWorthEntering(Part(mesh, table).Found));
+  Part scattered(mesh, table);
+  scattered.Scalars.OfCells.resize(mesh.Tets.size());
+  for (std::size_t tet = 0; tet < mesh.Tets.size(); ++tet)
+  {
+    scattered.Scalars.OfCells[tet] = tet % 2 == 0 ? 0.9f : 0.1f;
+  }
+  EXPECT_FALSE(isWorthEntering(findVisiblePart(
+    mesh, { &scattered.Scalars, &table, &scattered.Blend, &scattered.Hidden, false })));
+}
+} // namespace

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The tetrahedra of which something may be seen. Rays enter and leave these alone: what a transfer
+// function hides is not marched through.
+#ifndef TetMarchEntriesVisiblePart_h
+#define TetMarchEntriesVisiblePart_h
+
+#include "Appearance/Blending.h"
+#include "Mesh/HiddenCells.h"
+#include "Mesh/MeshScalars.h"
+#include "Mesh/TetMesh.h"
+#include "Optics/IntegralTable.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace tetmarch
+{
+
+struct VisiblePart
+{
+  /** A bit a tetrahedron, as in HiddenCells: 1 if something may be seen of it. */
+  std::vector<std::uint32_t> Tets;
+  std::size_t NumberOfTets = 0; // that have the bit
+  /** The faces between such a tetrahedron and another one, or the outside: three vertices,
+   * counter-clockwise seen from there, and the half-face that leads into the part. */
+  std::vector<std::array<Id, 4>> Faces;
+  /** How many tetrahedra between two entries a ray crosses without seeing anything, about. */
+  double CellsOfGap = 0;
+};
+
+/** What decides which tetrahedra are seen. */
+struct VisibleScalars
+{
+  const MeshScalars* Scalars = nullptr;
+  const IntegralTable* Table = nullptr; // of the first scalar, which is that of the opacity
+  const Blending* Blend = nullptr;      // composite, or surfaces
+  const HiddenCells* Hidden = nullptr;
+  bool UndrawnSeen = false; // what touches a scalar that is not finite is seen
+};
+
+/** In parallel, at about the speed of memory. */
+VisiblePart findVisiblePart(const TetMesh& mesh, const VisibleScalars& shown);
+
+/** Whether it takes less time to look for the next entry than to march through a gap: from four
+ * cells on (measured, Testing/Benchmark/README.md). */
+inline bool isWorthEntering(const VisiblePart& part) { return part.CellsOfGap >= 4; }
+
+} // namespace tetmarch
+
+#endif
