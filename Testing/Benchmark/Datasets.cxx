@@ -5,12 +5,14 @@
 #include "DatasetReader.h"
 #include "Failure.h"
 #include "Grids.h"
+#include "KeptCells.h"
 #include "Numbers.h"
 #include "TransferFunctionPreset.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -90,6 +92,44 @@ Dataset read(const std::string& name, const File& file, const DataFolders& folde
   return dataset;
 }
 
+Dataset readGolfBall(const DataFolders& folders)
+{
+  return read("golfball", filesByName().at("golfball"), folders);
+}
+
+/// A slab of the golf ball's flow, a few cells thick: most of its cells are at the boundary.
+Dataset readSlab(const DataFolders& folders)
+{
+  constexpr double halfThickness = 0.06;
+  Dataset dataset = readGolfBall(folders);
+  dataset.Grid = keepCells(dataset.Grid, [grid = dataset.Grid](vtkIdList* points)
+    { return std::abs(centerOf(grid, points)[2]) < halfThickness; });
+  return dataset;
+}
+
+/// The cells of the golf ball's flow in which the vorticity reaches 1: the wake, in ragged parts.
+Dataset readWake(const DataFolders& folders)
+{
+  Dataset dataset = readGolfBall(folders);
+  vtkDataArray* vorticity = dataset.Grid->GetPointData()->GetArray(dataset.Array.c_str());
+  dataset.Grid = keepCells(dataset.Grid,
+    [vorticity](vtkIdList* points)
+    {
+      return std::any_of(points->begin(), points->end(),
+        [&](vtkIdType point) { return vorticity->GetTuple1(point) >= 1.0; });
+    });
+  return dataset;
+}
+
+/// Meshes that are parts of the golf ball's.
+const std::map<std::string, Dataset (*)(const DataFolders&)>& partsByName()
+{
+  static const std::map<std::string, Dataset (*)(const DataFolders&)> parts = {
+    { "golfball-slab", readSlab }, { "golfball-wake", readWake }
+  };
+  return parts;
+}
+
 /// Translucent throughout, so that no ray may end early: a ray through the unit cube is absorbed by
 /// about three quarters.
 vtkSmartPointer<vtkVolumeProperty> latticeProperty(double unitDistance)
@@ -121,6 +161,23 @@ Dataset makeWaves(int size)
   constexpr double waves = 2.5;
   Dataset dataset = makeLattice(size, testing::sineField(waves));
   dataset.Own = latticeProperty(dataset.Range.UnitDistance);
+  return dataset;
+}
+
+/// The same with 216 holes, each about a third of what lies around it: rays leave and enter again
+/// many times.
+Dataset makeCheese(int size)
+{
+  constexpr double holes = 6.0; // along an edge
+  constexpr double radius = 0.42 / holes;
+  Dataset dataset = makeWaves(size);
+  dataset.Grid = keepCells(dataset.Grid,
+    [grid = dataset.Grid](vtkIdList* points)
+    {
+      const auto p = centerOf(grid, points);
+      const auto along = [&](int k) { return p[k] - (std::floor(holes * p[k]) + 0.5) / holes; };
+      return std::hypot(along(0), along(1), along(2)) > radius;
+    });
   return dataset;
 }
 
@@ -159,7 +216,7 @@ std::optional<Lattice> latticeOf(const std::string& name)
 {
   static const std::map<std::string, Lattice> named = { { "lattice162k", { makeWaves, 30 } },
     { "lattice1.3m", { makeWaves, 60 } }, { "lattice6m", { makeWaves, 100 } },
-    { "front1.3m", { makeFront, 60 } } };
+    { "front1.3m", { makeFront, 60 } }, { "cheese", { makeCheese, 60 } } };
   static const std::map<std::string, Dataset (*)(int)> families = { { "lattice", makeWaves },
     { "front", makeFront }, { "refined", makeRefined } };
   const auto found = named.find(name);
@@ -180,7 +237,8 @@ std::optional<Lattice> latticeOf(const std::string& name)
 
 bool isDataset(const std::string& name)
 {
-  return filesByName().count(name) > 0 || latticeOf(name).has_value();
+  return filesByName().count(name) > 0 || partsByName().count(name) > 0 ||
+         latticeOf(name).has_value();
 }
 
 bool isPresent(const std::string& name, const DataFolders& folders)
@@ -192,6 +250,11 @@ bool isPresent(const std::string& name, const DataFolders& folders)
 Dataset makeDataset(const std::string& name, const DataFolders& folders)
 {
   const auto lattice = latticeOf(name);
+  const auto part = partsByName().find(name);
+  if (part != partsByName().end())
+  {
+    return part->second(folders);
+  }
   return lattice ? lattice->Make(lattice->Size) : read(name, filesByName().at(name), folders);
 }
 } // namespace tetmarch::bench

@@ -18,9 +18,10 @@ prints a table in Markdown and, if asked, writes every figure as JSON.
   structured                images: vtkTetMarchSmartVolumeMapper beside VTK's mappers, with errors
 
   --datasets A,B,...        of lattice162k, lattice1.3m, lattice6m, lattice:N (6 N^3 tetrahedra), golfball,
-                            front1.3m, front:N (a sharp front), refined:N (one smooth wave), and, if --more-data
-                            has them, golfball-medium, bluntfin, oxygen
-                            (default: the first three and golfball)
+                            golfball-slab, golfball-wake, cheese (not convex), front1.3m, front:N (a sharp front),
+                            refined:N (one smooth wave), and, if --more-data has them, golfball-medium, bluntfin,
+                            oxygen
+                            (default: the first three, golfball, golfball-slab, golfball-wake, cheese)
   --functions A,B,...       of own (of lattices and golfball), smooth, ramp, spikes (default: own)
   --mappers A,B,...         of tetmarch, tetmarch:1/N (tolerance), tetmarch-fast, tetmarch-accurate,
                             tetmarch-reference, projected, bunyk, bunyk-homogeneous, bunyk-preintegration,

@@ -34,7 +34,8 @@ struct Options
   double EnoughSeconds = 1e9; // no more frames of a mapper in a round that took so long together
   bool Errors = false;        // measure them, too
   int Stride = 4;             // of images: errors are those of every so manieth pixel and row
-  std::vector<std::string> Datasets = { "lattice162k", "lattice1.3m", "lattice6m", "golfball" };
+  std::vector<std::string> Datasets = { "lattice162k", "lattice1.3m", "lattice6m", "golfball",
+    "golfball-slab", "golfball-wake", "cheese" };
   std::vector<std::string> Functions = { OwnFunctions };
   std::vector<std::string> Mappers = { "tetmarch", "projected", "bunyk" };
   std::vector<std::string> Effects; // empty: all

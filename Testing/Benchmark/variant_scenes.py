@@ -84,7 +84,9 @@ class VariantScene:
             unseen = np.arange(len(values))[:, np.newaxis] % 2 == 0
             values = np.where(unseen, 0.2 + 0.1 * values, 0.6 + 0.28 * values)
         if self.has("NAN_SHOWN"):
-            values[5::29] = np.nan
+            # Of odd numbers, which are those that are seen above; and in the part that is visible.
+            spoilt = np.arange(len(values)) % 28 == 5
+            values[spoilt & (places[:, 0] > 0.55) if self.has("VISIBLE_PART") else spoilt] = np.nan
         grids.add_array(data, ARRAY, values)
         self.show_data(grid)
 
@@ -118,7 +120,9 @@ class VariantScene:
     def show_data(self, grid):
         if self.has("HIDDEN_CELLS"):
             marks = np.zeros(grid.GetNumberOfCells(), dtype=np.uint8)
-            marks[::5] = HIDDEN_CELL
+            # A layer, or here and there: then rays march through what is hidden.
+            hidden = slice(len(marks) // 5) if self.has("VISIBLE_PART") else slice(None, None, 5)
+            marks[hidden] = HIDDEN_CELL
             grids.add_array(grid.GetCellData(), "vtkGhostType", marks)
         self.mapper.SelectScalarArray(ARRAY)
         self.mapper.SetInputData(grid)

@@ -4,6 +4,7 @@
 #include "Entries/VisiblePart.h"
 
 #include "Entries/EntryLists.h"
+#include "Mesh/TetMeshBuilder.h"
 #include "Reference/Kernel.h"
 
 #include "RandomRays.h"
@@ -186,6 +187,22 @@ TEST(VisiblePart, ShowsWhatTheWholeMeshShows)
   std::cout << "[ MEASURED ] " << cells[0] << " cells instead of " << cells[1] << '\n';
   EXPECT_GT(cells[0], 10000);
   EXPECT_LT(2 * cells[0], cells[1]);
+}
+
+// The hierarchy of a convex mesh is built when it is needed, and gives boundary faces new numbers.
+TEST(VisiblePart, FollowsTheNumbersOfTheBoundary)
+{
+  TetMesh mesh = built(jitteredLattice(6));
+  ASSERT_FALSE(mesh.hasHierarchy());
+  setWaves(mesh);
+  const IntegralTable table = highTable();
+  VisiblePart part = Part(mesh, table).Found;
+  const auto before = mesh.BoundaryFaces;
+  ensureHierarchy(mesh);
+  ASSERT_NE(mesh.BoundaryFaces, before);
+  EXPECT_NE(part.Faces, Part(mesh, table).Found.Faces);
+  renumberBoundary(mesh, before, part);
+  EXPECT_EQ(part.Faces, Part(mesh, table).Found.Faces);
 }
 
 // What is hidden is not visible, what is not finite only if it has a colour.

@@ -231,11 +231,39 @@ private:
   std::vector<std::int8_t> Signs; // outsideSigns(); empty: those of volumes
 };
 
+// The half-face of a tetrahedron that a boundary face is.
+std::size_t halfFaceOf(const TetMesh& mesh, const std::array<Id, 4>& boundaryFace)
+{
+  const auto& ids = mesh.Tets[boundaryFace[3]];
+  const auto opposite = std::find_if(ids.begin(), ids.end(),
+    [&](Id id)
+    {
+      return std::find(boundaryFace.begin(), boundaryFace.begin() + 3, id) ==
+             boundaryFace.begin() + 3;
+    });
+  return 4 * static_cast<std::size_t>(boundaryFace[3]) +
+         static_cast<std::size_t>(opposite - ids.begin());
+}
+
 } // namespace
 
 VisiblePart findVisiblePart(const TetMesh& mesh, const VisibleScalars& shown)
 {
   return PartMaker(mesh).make(shown);
+}
+
+void renumberBoundary(
+  const TetMesh& mesh, const std::vector<std::array<Id, 4>>& before, VisiblePart& part)
+{
+  const Id outside = 4 * mesh.numberOfTets();
+  for (auto& face : part.Faces)
+  {
+    if (face[3] >= outside)
+    {
+      const Link& link = mesh.Links[halfFaceOf(mesh, before[face[3] - outside])];
+      face[3] = outside + (link.Tet - LinkOutside);
+    }
+  }
 }
 
 } // namespace tetmarch

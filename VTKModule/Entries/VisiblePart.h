@@ -42,6 +42,10 @@ struct VisibleScalars
 /** In parallel, at about the speed of memory. */
 VisiblePart findVisiblePart(const TetMesh& mesh, const VisibleScalars& shown);
 
+/** The boundary faces of the mesh, which were these, have got other numbers. */
+void renumberBoundary(
+  const TetMesh& mesh, const std::vector<std::array<Id, 4>>& before, VisiblePart& part);
+
 /** Whether it takes less time to look for the next entry than to march through a gap: from four
  * cells on (measured, Testing/Benchmark/README.md). */
 inline bool isWorthEntering(const VisiblePart& part) { return part.CellsOfGap >= 4; }

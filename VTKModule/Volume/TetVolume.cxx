@@ -69,13 +69,29 @@ std::string TetVolume::updateVisiblePart(
 
 std::string TetVolume::ensureHierarchy()
 {
-  return this->mesh().hasHierarchy() ? std::string() : this->Meshed.addHierarchy();
+  if (this->mesh().hasHierarchy())
+  {
+    return {};
+  }
+  std::string error;
+  const std::string shortage = withinMemory("the hierarchy of the boundary",
+    [&]
+    {
+      const auto before = this->mesh().BoundaryFaces;
+      error = this->Meshed.addHierarchy();
+      if (error.empty())
+      {
+        renumberBoundary(this->mesh(), before, this->Visible);
+      }
+    });
+  return shortage.empty() ? error : shortage;
 }
 
 Fingerprint TetVolume::visibleVersion() const
 {
-  return { static_cast<std::uintptr_t>(this->meshRecord().Runs),
-    static_cast<std::uintptr_t>(this->VisibleRecord.Runs) };
+  Fingerprint version = this->linksVersion();
+  version.push_back(static_cast<std::uintptr_t>(this->VisibleRecord.Runs));
+  return version;
 }
 
 Fingerprint TetVolume::linksVersion() const

@@ -171,7 +171,11 @@ void Monkey::compareWithFresh(vtkRenderWindow* window)
   const Image expected = fresh.render();
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   const Difference difference = compare(found, expected);
-  EXPECT_EQ(difference.Max, 0.0) << difference.text();
+  // By which of two faces a ray enters through their edge is told by the numbers of vertices, which
+  // stay where points move; it is seen in views of faces alone.
+  const bool showsFaces = rest.ViewMode >= vtkTetMarchVolumeMapper::VIEW_BOUNDARY_FACES;
+  EXPECT_LE(100 * difference.Over, showsFaces ? difference.Pixels : 0) << difference.text();
+  EXPECT_TRUE(showsFaces || difference.Max == 0.0) << difference.text();
   this->compareHeld(fresh, rest);
   expectDue(fresh.Watch.Errors, rest);
   if (!fresh.Watch.Errors.empty())

@@ -60,9 +60,11 @@ TEST(HiddenCells, LeaveTheOpacityOfTheRest)
         ASSERT_NEAR(picture.Rgba[i + 1], 0.5 * alpha, 2e-5) << c.Seen;
         ASSERT_NEAR(picture.Rgba[i + 3], alpha, 2e-5) << c.Seen;
       }
-      // Rays go on as if nothing was hidden.
+      // What is hidden may be crossed, but need not be.
       crossed = crossed > 0 ? crossed : scene.Mapper->GetNumberOfCrossedCells();
-      EXPECT_EQ(scene.Mapper->GetNumberOfCrossedCells(), crossed);
+      const auto cells = static_cast<double>(scene.Mapper->GetNumberOfCrossedCells());
+      EXPECT_LE(cells, static_cast<double>(crossed));
+      EXPECT_GE(cells, 0.99 * c.Seen * static_cast<double>(crossed));
       EXPECT_EQ(scene.Mapper->GetNumberOfRays(), Side * Side);
       EXPECT_EQ(scene.Mapper->GetNumberOfRefusedEntries(), 0);
       EXPECT_EQ(scene.Mapper->GetNumberOfLostRays(), 0);
@@ -247,9 +249,8 @@ TEST(HiddenCells, AbsorbNoLight)
   EXPECT_EQ(scene.Mapper->GetVertexLightBuilds(), 2);
   EXPECT_EQ(scene.Mapper->GetMeshBuilds(), 1);
   EXPECT_EQ(scene.Mapper->GetGradientsBuilds(), 1);
-  // Only a bit for each tetrahedron is uploaded.
-  EXPECT_EQ(scene.Mapper->GetUploadedBytes() - bytes,
-    4 * ((scene.Mapper->GetNumberOfTetrahedra() + 31) / 32));
+  // A bit for each tetrahedron is uploaded, and what rays enter the visible ones by; no mesh.
+  EXPECT_LT(scene.Mapper->GetUploadedBytes() - bytes, 4 * scene.Mapper->GetNumberOfTetrahedra());
   scene.render();
   EXPECT_EQ(scene.Mapper->GetVertexLightBuilds(), 2);
 
