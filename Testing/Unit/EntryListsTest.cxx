@@ -7,10 +7,9 @@
 #include "Rays/RayPoints.h"
 #include "Reference/Kernel.h"
 
+#include "NamedCamera.h"
 #include "Shot.h"
 #include "UnitMeshes.h"
-
-#include "vtkVolume.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -43,14 +42,8 @@ struct PortableListKernel
 constexpr int Width = 97;
 constexpr int Height = 71;
 
-struct Scene
-{
-  const char* Name;
-  std::function<void(vtkCamera*, vtkTransform*)> Set;
-};
-
 // Of meshes within the unit cube, or about as large.
-const Scene Scenes[] = {
+const NamedCamera Cameras[] = {
   { "from afar", [](vtkCamera* camera, vtkTransform*) { camera->SetPosition(2.1, 1.4, 2.9); } },
   { "from nearby, at a wide angle",
     [](vtkCamera* camera, vtkTransform*)
@@ -93,21 +86,14 @@ const Scene Scenes[] = {
 };
 
 // All of the mesh lies before the eye, but that is what the lists need, and no near plane.
-View viewOf(const Scene& scene, const TetMesh& mesh)
+View viewOf(const NamedCamera& camera, const TetMesh& mesh)
 {
   Shot shot;
   shot.Camera->SetFocalPoint(0.5, 0.5, 0.5);
   shot.Camera->SetViewUp(0.1, 1.0, 0.2);
-  scene.Set(shot.Camera, shot.Transform);
+  camera.Set(shot.Camera, shot.Transform);
   shot.Camera->SetClippingRange(1e-3, 1e9);
-  vtkNew<WindowlessRenderer> renderer;
-  vtkNew<vtkVolume> volume;
-  volume->SetUserTransform(shot.Transform);
-  renderer->SetActiveCamera(shot.Camera);
-  View view;
-  EXPECT_TRUE(
-    makeView(renderer, volume, mesh.Frame, 1.0, tetmarch::OpacityLaw::Unstructured, view));
-  return view;
+  return viewOf(shot, mesh);
 }
 
 // The ray of a pixel in the arithmetic of the shader (passes/pixel_ray.glsl).
@@ -183,14 +169,14 @@ void expectSameEntries(const TetMesh& mesh, const View& view, Found& found)
 
 TEST(EntryLists, HaveWhatASearchFinds)
 {
-  for (const Scene& scene : Scenes)
+  for (const NamedCamera& camera : Cameras)
   {
     Found found;
     for (const NamedGrid& named : everyGrid())
     {
-      SCOPED_TRACE(std::string(scene.Name) + ", " + named.Name);
+      SCOPED_TRACE(std::string(camera.Name) + ", " + named.Name);
       const TetMesh mesh = builtWithHierarchy(named.Make());
-      const View view = viewOf(scene, mesh);
+      const View view = viewOf(camera, mesh);
       if (!view.CutsNearPlane)
       {
         ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel>(mesh, view, found));
@@ -198,11 +184,11 @@ TEST(EntryLists, HaveWhatASearchFinds)
         ++found.Views;
       }
     }
-    std::cout << "[ MEASURED ] " << scene.Name << ": " << found.Entries << " entries, "
+    std::cout << "[ MEASURED ] " << camera.Name << ": " << found.Entries << " entries, "
               << found.Most << " of a ray; " << found.Candidates << " candidates\n";
-    EXPECT_GT(found.Entries, 5000) << scene.Name;
-    EXPECT_GT(found.Most, 1) << scene.Name;
-    EXPECT_GE(found.Views, everyGrid().size() - 2) << scene.Name;
+    EXPECT_GT(found.Entries, 5000) << camera.Name;
+    EXPECT_GT(found.Most, 1) << camera.Name;
+    EXPECT_GE(found.Views, everyGrid().size() - 2) << camera.Name;
   }
 }
 
@@ -215,12 +201,12 @@ TEST(EntryLists, InTilesOfAnySize)
     const TetMesh mesh = builtWithHierarchy(latticeWithTunnel(cubes));
     for (const double angle : { 60.0, 20.0, 6.0, 2.0, 0.2 })
     {
-      const Scene scene{ "", [angle](vtkCamera* camera, vtkTransform*)
+      const NamedCamera narrow{ "", [angle](vtkCamera* camera, vtkTransform*)
         {
           camera->SetPosition(2.1, 1.4, 2.9);
           camera->SetViewAngle(angle);
         } };
-      const View view = viewOf(scene, mesh);
+      const View view = viewOf(narrow, mesh);
       shifts.insert(makeEntryLists(mesh, mesh.BoundaryFaces, view, Width, Height).TileShift);
       Found found;
       ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel>(mesh, view, found));
@@ -234,7 +220,7 @@ TEST(EntryLists, InTilesOfAnySize)
 TEST(EntryLists, AreShort)
 {
   const TetMesh mesh = builtWithHierarchy(jitteredLattice(20));
-  const View view = viewOf(Scenes[0], mesh);
+  const View view = viewOf(Cameras[0], mesh);
   Found found;
   ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel>(mesh, view, found));
   EXPECT_EQ(found.Most, 1);
@@ -245,7 +231,7 @@ TEST(EntryLists, AreShort)
 TEST(EntryLists, AreTheSameEachTime)
 {
   const TetMesh mesh = builtWithHierarchy(latticeWithTunnel(12));
-  const View view = viewOf(Scenes[1], mesh);
+  const View view = viewOf(Cameras[1], mesh);
   const EntryLists first = makeEntryLists(mesh, mesh.BoundaryFaces, view, 300, 200);
   for (int i = 0; i < 5; ++i)
   {
@@ -262,7 +248,7 @@ TEST(EntryLists, AreTheSameEachTime)
 TEST(EntryLists, OfOnePixel)
 {
   const TetMesh mesh = builtWithHierarchy(jitteredLattice(3));
-  const EntryLists lists = makeEntryLists(mesh, mesh.BoundaryFaces, viewOf(Scenes[0], mesh), 1, 1);
+  const EntryLists lists = makeEntryLists(mesh, mesh.BoundaryFaces, viewOf(Cameras[0], mesh), 1, 1);
   EXPECT_GE(lists.Candidates.size(), 1u);
   EXPECT_EQ(lists.First, (std::vector<std::uint32_t>{ 0, std::uint32_t(lists.Candidates.size()) }));
 }
@@ -270,7 +256,7 @@ TEST(EntryLists, OfOnePixel)
 TEST(EntryLists, AreEmptyBesideThePicture)
 {
   const TetMesh mesh = builtWithHierarchy(jitteredLattice(3));
-  const Scene beside{ "", [](vtkCamera* camera, vtkTransform*)
+  const NamedCamera beside{ "", [](vtkCamera* camera, vtkTransform*)
     {
       camera->SetPosition(2.1, 1.4, 2.9);
       camera->SetFocalPoint(2.1, 8.0, -9.0);

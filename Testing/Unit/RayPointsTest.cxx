@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points of rays in the arithmetic of the GPU, against lines in double.
 #include "Rays/RayPoints.h"
-#include "Rays/View.h"
 
+#include "NamedCamera.h"
 #include "Shot.h"
 #include "UnitMeshes.h"
 
 #include "vtkMath.h"
-#include "vtkVolume.h"
 
 #include <gtest/gtest.h>
 
@@ -16,18 +15,6 @@ namespace
 {
 using namespace tetmarch;
 using namespace tetmarch::testing;
-
-View viewOf(const Shot& shot, const TetMesh& mesh)
-{
-  vtkNew<WindowlessRenderer> renderer;
-  vtkNew<vtkVolume> volume;
-  volume->SetUserTransform(shot.Transform);
-  renderer->SetActiveCamera(shot.Camera);
-  View view;
-  EXPECT_TRUE(
-    makeView(renderer, volume, mesh.Frame, 1.0, tetmarch::OpacityLaw::Unstructured, view));
-  return view;
-}
 
 // The point of a ray as the shader computes it.
 Vec3 pointOf(const std::array<double, 16>& matrix, double x, double y)
@@ -55,13 +42,7 @@ double distanceFromRay(const View& view, const Vec3& q, const Vec3& point)
   return vtkMath::Norm(across.data()) / vtkMath::Norm(along.data());
 }
 
-struct Scene
-{
-  const char* Name;
-  std::function<void(vtkCamera*, vtkTransform*)> Set;
-};
-
-const Scene Scenes[] = {
+const NamedCamera Cameras[] = {
   { "near", [](vtkCamera* camera, vtkTransform*) { camera->SetPosition(2.1, 1.4, 2.9); } },
   { "beside the mesh",
     [](vtkCamera* camera, vtkTransform*)
@@ -113,10 +94,10 @@ const Scene Scenes[] = {
 TEST(RayPoints, LieOnTheirRaysNearTheMesh)
 {
   const TetMesh mesh = built(jitteredLattice(3));
-  for (const Scene& scene : Scenes)
+  for (const NamedCamera& camera : Cameras)
   {
     Shot shot;
-    scene.Set(shot.Camera, shot.Transform);
+    camera.Set(shot.Camera, shot.Transform);
     shot.Camera->SetClippingRange(1e-3, 1e9);
     View view = viewOf(shot, mesh);
     view.CutsNearPlane = false; // of the clipping range nothing is used
@@ -140,8 +121,8 @@ TEST(RayPoints, LieOnTheirRaysNearTheMesh)
         continue; // beside the picture
       }
       const Vec3 point = pointOf(matrix, clip[0] / clip[3], clip[1] / clip[3]);
-      EXPECT_LE(vtkMath::Norm(point.data()), 2.0) << scene.Name;
-      EXPECT_LT(distanceFromRay(view, q, point), 1e-6) << scene.Name;
+      EXPECT_LE(vtkMath::Norm(point.data()), 2.0) << camera.Name;
+      EXPECT_LT(distanceFromRay(view, q, point), 1e-6) << camera.Name;
     }
   }
 }

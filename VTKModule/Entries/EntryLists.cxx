@@ -15,8 +15,9 @@ namespace tetmarch
 namespace
 {
 
-// More tiles would take more memory than a picture.
+// More tiles, or candidates, would take more memory than a picture, and longer to upload.
 constexpr std::int64_t MostTiles = std::int64_t(1) << 20;
+constexpr std::int64_t MostCandidates = std::int64_t(1) << 22;
 
 vtkIdType numberOf(std::size_t count) { return static_cast<vtkIdType>(count); }
 
@@ -100,11 +101,30 @@ private:
       ++shift;
     }
     while (shift < MostEntryTileShift &&
-           std::int64_t(this->tilesAlong(this->Width)) * this->tilesAlong(this->Height) > MostTiles)
+           (this->numberOfTiles() > MostTiles || this->mostCandidates() > MostCandidates))
     {
       ++shift;
     }
     this->Lists.TilesPerRow = this->tilesAlong(this->Width);
+  }
+
+  std::int64_t numberOfTiles() const
+  {
+    return std::int64_t(this->tilesAlong(this->Width)) * this->tilesAlong(this->Height);
+  }
+
+  // How many there are at most with the present tiles.
+  std::int64_t mostCandidates() const
+  {
+    const int shift = this->Lists.TileShift;
+    std::int64_t sum = 0;
+    for (const Footprint& f : this->Footprints)
+    {
+      sum += f.isEmpty() ? 0
+                         : std::int64_t((f.Right >> shift) - (f.Left >> shift) + 1) *
+                             ((f.Top >> shift) - (f.Bottom >> shift) + 1);
+    }
+    return sum;
   }
 
   // Call visit(tile, pixels) for each tile that has pixels of a face; the pixels are counted from
@@ -159,8 +179,7 @@ private:
 
   void countCandidates()
   {
-    const std::size_t tiles =
-      static_cast<std::size_t>(this->Lists.TilesPerRow) * this->tilesAlong(this->Height);
+    const auto tiles = static_cast<std::size_t>(this->numberOfTiles());
     this->Next = std::vector<std::atomic<std::uint32_t>>(tiles);
     this->visitAllTiles([this](vtkIdType, std::size_t tile, const PixelRange&)
       { this->Next[tile].fetch_add(1, std::memory_order_relaxed); });
