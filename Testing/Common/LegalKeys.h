@@ -114,12 +114,13 @@ inline std::vector<VariantKey> legalKeys()
 inline std::vector<VariantKey> legalLightKeys()
 {
   DistinctKeys legal;
-  for (VariantKey key : legalKeys())
+  for (const VariantKey& picture : legalKeys())
   {
-    if (key.hasVertexLight())
+    if (picture.hasVertexLight())
     {
       for (const bool reenters : { false, true })
       {
+        VariantKey key = picture;
         legal.add(key.ofVertexLight(reenters));
         key.Slabs = key.Structured;
         key.ManySlabs = false;

@@ -3,10 +3,10 @@
 // What a hardware selector reads in each of its passes, without a window.
 #include "Picking/SelectedCells.h"
 
+#include "PassSelector.h"
+
 #include "vtkDataObject.h"
-#include "vtkHardwareSelector.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 
 #include <array>
 #include <cmath>
@@ -15,25 +15,7 @@
 namespace
 {
 using namespace tetmarch;
-
-/// A selector that is in a pass that the test chooses.
-class PassSelector : public vtkHardwareSelector
-{
-public:
-  static PassSelector* New();
-  vtkTypeMacro(PassSelector, vtkHardwareSelector);
-  void enter(int pass) { this->CurrentPass = pass; }
-  vtkIdType greatestCell() const { return this->MaximumCellId; }
-  void BeginRenderProp() override { ++this->Begun; }
-  void EndRenderProp() override { ++this->Ended; }
-  int Begun = 0;
-  int Ended = 0;
-
-protected:
-  void BeginRenderProp(vtkRenderWindow*) override {}
-  void EndRenderProp(vtkRenderWindow*) override {}
-};
-vtkStandardNewMacro(PassSelector);
+using tetmarch::testing::PassSelector;
 
 // Clip coordinates are those of the normalised frame.
 View identity()
@@ -55,7 +37,7 @@ PickedPoint hit(vtkIdType cell, double z)
   return point;
 }
 
-class SelectedCells : public testing::Test
+class SelectedCells : public ::testing::Test
 {
 protected:
   std::vector<float> texels(int pass, const std::vector<PickedPoint>& points)

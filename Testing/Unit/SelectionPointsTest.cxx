@@ -3,9 +3,9 @@
 // Which passes of a selection find the points of an earlier one, without a window.
 #include "Picking/SelectionPoints.h"
 
+#include "PassSelector.h"
+
 #include "vtkCommand.h"
-#include "vtkHardwareSelector.h"
-#include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 
 #include <gtest/gtest.h>
@@ -14,22 +14,9 @@
 namespace
 {
 using namespace tetmarch;
+using tetmarch::testing::PassSelector;
 
-/// A selector that is in a pass that the test chooses.
-class PassSelector : public vtkHardwareSelector
-{
-public:
-  static PassSelector* New();
-  vtkTypeMacro(PassSelector, vtkHardwareSelector);
-  void enter(int pass) { this->CurrentPass = pass; }
-
-protected:
-  void BeginRenderProp(vtkRenderWindow*) override {}
-  void EndRenderProp(vtkRenderWindow*) override {}
-};
-vtkStandardNewMacro(PassSelector);
-
-class KeptPoints : public testing::Test
+class KeptPoints : public ::testing::Test
 {
 protected:
   KeptPoints()

@@ -3,6 +3,7 @@
 #include "Entries/Footprint.h"
 
 #include "Mesh/BoundaryHierarchy.h"
+#include "Rays/FittedDepths.h"
 #include "Rays/View.h"
 
 #include <algorithm>
@@ -50,11 +51,7 @@ Row depthRow(const VolumeFrame& frame, const View& view)
 {
   const Row w = rowOf(view, 3);
   Row row = lengthOf(w) > 0 ? w : rowOf(view, 2);
-  double reach = std::numeric_limits<double>::min();
-  for (int k = 0; k < 3; ++k)
-  {
-    reach += std::abs(row[k]) * frame.HalfExtent[k];
-  }
+  const double reach = std::numeric_limits<double>::min() + reachOf(row.data(), frame);
   for (int k = 0; k < 3; ++k)
   {
     row[k] *= 0.5 * MostDepth / reach;

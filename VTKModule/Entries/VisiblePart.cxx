@@ -132,14 +132,6 @@ private:
     return link.Tet >= LinkOutside || !bitOf(this->Part.Tets, link.Tet);
   }
 
-  // The half-face of the tetrahedron behind a link by which it leads back.
-  Id backOf(const Link& link) const
-  {
-    const auto& ids = this->Mesh.Tets[link.Tet];
-    const auto corner = std::find(ids.begin(), ids.end(), link.Apex) - ids.begin();
-    return 4 * link.Tet + static_cast<Id>(corner);
-  }
-
   template <typename Visit>
   void visitEntries(std::size_t chunk, const Visit& visit) const
   {
@@ -202,7 +194,8 @@ private:
                             static_cast<double>(halfFaces.size());
   }
 
-  // Where no tetrahedron may be flat or turned inside out, its volume tells how it is turned.
+  // Where no tetrahedron may be flat or turned inside out, its volume tells how it is turned; the
+  // signs of all would take most of the time.
   void findSigns(const std::vector<Id>& halfFaces)
   {
     if (this->Mesh.HasCutCells || this->Mesh.Report.FoldedFaces > 0 ||
@@ -215,13 +208,11 @@ private:
 
   std::array<Id, 4> faceOf(Id halfFace) const
   {
-    const Id tet = halfFace / 4;
-    std::array<Id, 4> face = outwardFace(
-      this->Mesh, halfFace, this->Signs.empty() ? volumeSign(this->Mesh, tet) : this->Signs[tet]);
+    std::array<Id, 4> face = outwardFace(this->Mesh, halfFace,
+      this->Signs.empty() ? volumeSign(this->Mesh, halfFace / 4) : this->Signs[halfFace / 4]);
     const Link& link = this->Mesh.Links[halfFace];
-    const bool fromOutside = link.Tet >= LinkOutside;
-    face[3] =
-      fromOutside ? 4 * this->Mesh.numberOfTets() + (link.Tet - LinkOutside) : this->backOf(link);
+    face[3] = link.Tet >= LinkOutside ? 4 * this->Mesh.numberOfTets() + (link.Tet - LinkOutside)
+                                      : 4 * link.Tet + rankOf(this->Mesh.Tets[link.Tet], link.Apex);
     return face;
   }
 
@@ -230,20 +221,6 @@ private:
   VisiblePart Part;
   std::vector<std::int8_t> Signs; // outsideSigns(); empty: those of volumes
 };
-
-// The half-face of a tetrahedron that a boundary face is.
-std::size_t halfFaceOf(const TetMesh& mesh, const std::array<Id, 4>& boundaryFace)
-{
-  const auto& ids = mesh.Tets[boundaryFace[3]];
-  const auto opposite = std::find_if(ids.begin(), ids.end(),
-    [&](Id id)
-    {
-      return std::find(boundaryFace.begin(), boundaryFace.begin() + 3, id) ==
-             boundaryFace.begin() + 3;
-    });
-  return 4 * static_cast<std::size_t>(boundaryFace[3]) +
-         static_cast<std::size_t>(opposite - ids.begin());
-}
 
 } // namespace
 

@@ -39,15 +39,15 @@ struct VisibleScalars
   bool UndrawnSeen = false; // what touches a scalar that is not finite is seen
 };
 
-/** In parallel, at about the speed of memory. */
+/** In parallel, in a few passes over the tetrahedra. */
 VisiblePart findVisiblePart(const TetMesh& mesh, const VisibleScalars& shown);
 
 /** The boundary faces of the mesh, which were these, have got other numbers. */
 void renumberBoundary(
   const TetMesh& mesh, const std::vector<std::array<Id, 4>>& before, VisiblePart& part);
 
-/** Whether it takes less time to look for the next entry than to march through a gap: from four
- * cells on (measured, Testing/Benchmark/README.md). */
+/** Whether it may take less time to look for the next entry than to march through a gap: from four
+ * cells on, an estimate. An entry takes the tests of a few faces, each about the work of a cell. */
 inline bool isWorthEntering(const VisiblePart& part) { return part.CellsOfGap >= 4; }
 
 } // namespace tetmarch

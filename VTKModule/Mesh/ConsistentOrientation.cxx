@@ -54,12 +54,7 @@ private:
   // The sign that the tetrahedron behind face i of one with sign 1 must have.
   int signBehind(Id i, const Link& link) const
   {
-    Id j = 0;
-    while (this->Mesh.Tets[link.Tet][j] != link.Apex)
-    {
-      ++j;
-    }
-    return -parity(i) * parity(j);
+    return -parity(i) * parity(rankOf(this->Mesh.Tets[link.Tet], link.Apex));
   }
 
   bool isFold(Id tet, Id i) const

@@ -96,15 +96,10 @@ void linkBoundary(TetMesh& mesh)
   mesh.Links.resize(4 * mesh.Tets.size() + mesh.BoundaryFaces.size());
   for (std::size_t b = 0; b < mesh.BoundaryFaces.size(); ++b)
   {
-    const auto& face = mesh.BoundaryFaces[b];
-    const auto& tet = mesh.Tets[face[3]];
-    int i = 0;
-    while (tet[i] == face[0] || tet[i] == face[1] || tet[i] == face[2])
-    {
-      ++i;
-    }
-    mesh.Links[4 * std::size_t(face[3]) + i] = { LinkOutside + static_cast<Id>(b), 0 };
-    mesh.Links[4 * mesh.Tets.size() + b] = { face[3], tet[i] };
+    const Id halfFace = halfFaceOf(mesh, mesh.BoundaryFaces[b]);
+    const Id tet = halfFace / 4;
+    mesh.Links[halfFace] = { LinkOutside + static_cast<Id>(b), 0 };
+    mesh.Links[4 * mesh.Tets.size() + b] = { tet, mesh.Tets[tet][halfFace % 4] };
   }
 }
 

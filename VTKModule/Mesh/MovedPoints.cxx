@@ -58,11 +58,6 @@ bool moveVertices(vtkPoints* points, TetMesh& mesh)
 
 int sideOf(const std::vector<std::int8_t>& signs, Id tet, Id i) { return signs[tet] * parity(i); }
 
-Id indexOf(const std::array<Id, 4>& tet, Id vertex)
-{
-  return static_cast<Id>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());
-}
-
 // Whether the two tetrahedra of each link lie on opposite sides of their face.
 bool agree(const TetMesh& mesh, const std::vector<std::int8_t>& signs)
 {
@@ -76,11 +71,10 @@ bool agree(const TetMesh& mesh, const std::vector<std::int8_t>& signs)
         for (Id i = 0; i < 4; ++i)
         {
           const Link& link = mesh.Links[4 * std::size_t(t) + i];
-          opposite =
-            opposite && (link.Tet >= LinkOutside ||
-                          sideOf(signs, t, i) *
-                              sideOf(signs, link.Tet, indexOf(mesh.Tets[link.Tet], link.Apex)) <
-                            0);
+          opposite = opposite && (link.Tet >= LinkOutside ||
+                                   sideOf(signs, t, i) * sideOf(signs, link.Tet,
+                                                           rankOf(mesh.Tets[link.Tet], link.Apex)) <
+                                     0);
         }
         if (!opposite)
         {
@@ -101,7 +95,7 @@ void turnBoundary(const std::vector<std::int8_t>& signs, TetMesh& mesh)
   {
     const Link& inside = mesh.Links[4 * mesh.Tets.size() + b];
     const auto& tet = mesh.Tets[inside.Tet];
-    const Id i = indexOf(tet, inside.Apex);
+    const Id i = rankOf(tet, inside.Apex);
     halfFaces.emplace_back(tet[i == 0 ? 1 : 0], 4 * inside.Tet + i);
   }
   std::sort(halfFaces.begin(), halfFaces.end());

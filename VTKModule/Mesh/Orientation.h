@@ -6,6 +6,8 @@
 
 #include "Mesh/TetMesh.h"
 
+#include <algorithm>
+
 namespace tetmarch
 {
 
@@ -17,6 +19,15 @@ double signedVolume(const TetMesh& mesh, Id tet);
 
 /** Its sign; 0 if the tetrahedron is flat to within the rounding of positions. */
 int volumeSign(const TetMesh& mesh, Id tet);
+
+/** Which vertex of a tetrahedron it is, 0 to 3. */
+inline Id rankOf(const std::array<Id, 4>& tet, Id vertex)
+{
+  return static_cast<Id>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());
+}
+
+/** The half-face that a boundary face is: three vertices, and the tetrahedron inside. */
+Id halfFaceOf(const TetMesh& mesh, const std::array<Id, 4>& boundaryFace);
 
 /** The parity, +1 or -1, of the permutation that moves vertex i of a tetrahedron to the end. */
 inline int parity(Id i) { return i % 2 == 1 ? 1 : -1; }

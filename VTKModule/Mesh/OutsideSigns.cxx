@@ -38,11 +38,6 @@ public:
 private:
   const Link& linkOf(Id tet, Id i) const { return this->Mesh.Links[4 * std::size_t(tet) + i]; }
 
-  static Id rankOf(const std::array<Id, 4>& tet, Id vertex)
-  {
-    return static_cast<Id>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());
-  }
-
   // The sign of the tetrahedron behind face i of one with this sign.
   std::int8_t signBehind(int sign, Id i, const Link& link) const
   {
@@ -52,14 +47,7 @@ private:
 
   std::int8_t signInside(const std::array<Id, 4>& boundaryFace) const
   {
-    const auto& tet = this->Mesh.Tets[boundaryFace[3]];
-    Id i = 0;
-    while (
-      std::find(boundaryFace.begin(), boundaryFace.begin() + 3, tet[i]) != boundaryFace.begin() + 3)
-    {
-      ++i;
-    }
-    const auto ifPositive = outwardFace(this->Mesh, 4 * boundaryFace[3] + i, 1);
+    const auto ifPositive = outwardFace(this->Mesh, halfFaceOf(this->Mesh, boundaryFace), 1);
     // The same vertices in the same order round about, or in the other one.
     const auto at = std::find(boundaryFace.begin(), boundaryFace.begin() + 3, ifPositive[0]);
     const auto next = at + 1 == boundaryFace.begin() + 3 ? boundaryFace.begin() : at + 1;

@@ -10,11 +10,7 @@
 
 namespace tetmarch
 {
-namespace
-{
 
-// How much the product with a row of the matrix differs from row[3] over the volume's bounding box,
-// at most.
 double reachOf(const double* row, const VolumeFrame& frame)
 {
   double reach = 0;
@@ -24,8 +20,6 @@ double reachOf(const double* row, const VolumeFrame& frame)
   }
   return reach;
 }
-
-} // namespace
 
 std::array<double, 16> fittedDepths(const View& view, const VolumeFrame& frame)
 {

@@ -12,6 +12,10 @@ namespace tetmarch
 struct VolumeFrame;
 struct View;
 
+/** How much the product of points with a row of a matrix differs from row[3] over the volume's
+ * bounding box, at most. */
+double reachOf(const double* row, const VolumeFrame& frame);
+
 /**
  * view.NormalizedToClip with other depths: -1..1 spans the volume instead of the camera's clipping
  * range, however wide that is. The order of depths stays. The volume must lie behind the near
