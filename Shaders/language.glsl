@@ -15,6 +15,12 @@
 #define CONSTANT const
 
 #define NO_DEPTH 3.0e38
+
+// What a loop reads of a uniform, as a global variable: an expression, not a copy, which compilers would undo. A software
+// renderer reads uniforms lane by lane, in each turn of a loop.
+#define KEPT(uniform_value) max(uniform_value, -NO_DEPTH)
+#define KEPT_INT(uniform_value) max(uniform_value, -0x7fffffff)
+
 #define TINY 1.0e-30
 #define UNDRAWN_SCALAR 1.0e30
 #define MOST_LIGHTS 16 // Light/Lighting.h

@@ -16,7 +16,7 @@ Absorption absorption(vec4 mean, real thickness)
   found.thickness = thickness;
   real depth = mean.w * thickness;
   real series = real(1) -
-    depth * (real(0.5) - depth * (real(1) / real(6) - depth * (real(1) / real(24) - depth / real(120))));
+    depth * (real(0.5) - depth * (real(1) / real(6) - depth * (real(1) / real(24) - depth * (real(1) / real(120)))));
   found.depth = depth;
   found.evenly = depth < real(0.125) ? series : (real(1) - exp(-depth)) / depth;
   found.absorbed = depth * found.evenly;

@@ -10,6 +10,7 @@
 // At least 1 - phi + phi ln(phi), by at most 4 % for D < 10; without cancellation, and 1 for infinite depth.
 real orderErrorFactor(real depth)
 {
-  real r = real(1) / max(depth, real(1e-15));
-  return real(1) / (real(1) + r * (real(3.7) + real(8) * r));
+  real d = min(depth, real(1e15));
+  real square = d * d;
+  return square / (square + real(3.7) * d + real(8));
 }

@@ -14,12 +14,12 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
   SegmentEnds ends = segmentEnds(segment);
   bool loaded = isLoaded(ends, cell);
   real position = real(0); // how far the segment is integrated, 0..1
-  real step = real(1);     // the fraction to try
+  real pieces = real(1);   // into which the rest is cut; the first is tried
   int trials = 0;
   bool pending = true;
   do
   {
-    Subsegment part = subsegmentFrom(position, step);
+    Subsegment part = subsegmentFrom(position, pieces);
     SubsegmentMean found = meanOfSubsegment(ends, part, loaded, cell);
     real middle = position + real(0.5) * part.fraction;
     Absorption by =
@@ -47,11 +47,10 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
       keepTablePoint(found, cell);
     }
 #if TETMARCH_ADAPTIVE
-    // The error grows with the third power of the step, what it earns with the first. What remains is cut evenly.
-    real change = real(0.8) * sqrt(budget / error);
-    step = part.fraction * (accepted ? clamp(change, real(1), real(2)) : clamp(change, real(0.1), real(0.5)));
-    real remaining = real(1) - position;
-    step = remaining / -floor(-remaining / step);
+    // The error grows with the third power of a piece, what it earns with the first. The rest is cut evenly.
+    real finer = real(1.25) * sqrt(error / budget);
+    real left = loaded && accepted ? pieces - real(1) : pieces;
+    pieces = -floor(-left * (accepted ? clamp(finer, real(0.5), real(1)) : clamp(finer, real(2), real(10))));
 #endif
     loaded = loaded || accepted;
     trials = trials + 1;

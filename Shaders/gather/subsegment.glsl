@@ -9,13 +9,14 @@ struct Subsegment
   bool last;     // it reaches the end
 };
 
-Subsegment subsegmentFrom(real position, real step)
+// The first of so many equal pieces of what is left of the segment.
+Subsegment subsegmentFrom(real position, real pieces)
 {
   Subsegment part;
   part.begin = position;
-  part.end = position + step;
-  part.last = !(part.end < real(1)); // also if it is NaN: the loop ends whatever the input
-  part.fraction = part.last ? real(1) - position : step;
+  part.last = !(pieces > real(1)); // also if it is NaN: the loop ends whatever the input
+  part.fraction = (real(1) - position) / (part.last ? real(1) : pieces);
+  part.end = position + part.fraction;
   return part;
 }
 #endif

@@ -3,8 +3,10 @@
 // most in each bin; likewise for the slopes.
 //
 // x counts entries. The first and the last bin are constant, so that the formulas hold for any x beyond the table as
-// well. Integrals up to an entry are 32-bit fixed-point numbers: their differences are exact, so that a mean over a small
-// interval loses no digits, and spikes between its ends are never missed.
+// well. Integrals up to an entry are fixed-point numbers: their differences are exact. That at x is the one up to the
+// entry next to x and the area from there to x. Of two points with the same entry next to them the integrals cancel, and
+// what the areas of others have too much is at most some times as large as what lies between the points. So a mean over a
+// small interval loses no digits, and spikes between its ends are never missed.
 
 // The table at x: one end of an interval.
 struct TablePoint
@@ -12,8 +14,9 @@ struct TablePoint
   real x;
   int bin;          // the bin x lies in, from entry bin to entry bin + 1
   vec4 value;       // C, tau at x
-  vec4 binBegin;    // C, tau at entry bin
-  vec4 binEnd;      // C, tau at entry bin + 1
+  ivec4 integral;   // K, T at the entry next to x
+  vec4 area;        // and what there is from it to x, less than 0 if x is before it
+  vec4 rise;        // of C, tau in the bin
 #if TETMARCH_ERROR_BOUND
   real variation;   // V at x
 #endif
@@ -23,8 +26,6 @@ struct TablePoint
 #if TETMARCH_SLOPE_VARIATION
   vec2 slopeVariation;      // the same of the slopes of tau and of C tau, an entry
 #endif
-  uvec4 integral;   // K, T at entry bin
-  uvec4 integralEnd; // K, T at entry bin + 1
 };
 
 #if TETMARCH_COMPONENTS
@@ -84,57 +85,6 @@ vec4 tableValue(real x)
   return begin + (end - begin) * clamp(x - real(bin), real(0), real(1));
 }
 
-#if TETMARCH_COMPONENTS
-TablePoint tablePoint(TableSpan table, real x)
-{
-  TablePoint p;
-  p.x = x;
-  p.bin = tableBin(table, x);
-  int entry = table.first + p.bin;
-  p.binBegin = fetchTableValue(entry);
-  p.binEnd = fetchTableValue(entry + 1);
-#else
-TablePoint tablePoint(real x)
-{
-  TablePoint p;
-  p.x = x;
-  p.bin = tableBin(x);
-  p.binBegin = fetchTableValue(p.bin);
-  p.binEnd = fetchTableValue(p.bin + 1);
-#endif
-  vec4 rise = p.binEnd - p.binBegin;
-  real fraction = clamp(x - real(p.bin), real(0), real(1));
-  p.value = p.binBegin + rise * fraction;
-#if TETMARCH_COMPONENTS
-  p.integral = fetchTableIntegral(entry);
-  p.integralEnd = fetchTableIntegral(entry + 1);
-#if TETMARCH_ERROR_BOUND
-  vec2 variation = fetchTableVariations(entry);
-  p.variation = variation.x + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * fraction;
-  p.extinctionVariation = variation.y + abs(rise.w) * fraction;
-#endif
-#else
-  p.integral = fetchTableIntegral(p.bin);
-  p.integralEnd = fetchTableIntegral(p.bin + 1);
-#if TETMARCH_EXTINCTION_VARIATION
-  vec2 variation = fetchTableVariations(p.bin);
-#if TETMARCH_ERROR_BOUND
-  p.variation = variation.x + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * fraction;
-#endif
-  p.extinctionVariation = variation.y + abs(rise.w) * fraction;
-#if TETMARCH_SLOPE_VARIATION
-  // In a bin tau is straight, and C tau a parabola.
-  vec2 slopeVariation = fetchTableSlopeVariations(p.bin);
-  p.slopeVariation = vec2(slopeVariation.x,
-    slopeVariation.y + real(2) * abs(rise.w) * max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * fraction);
-#endif
-#elif TETMARCH_ERROR_BOUND
-  p.variation = fetchTableVariation(p.bin) + max(abs(rise.x), max(abs(rise.y), abs(rise.z))) * fraction;
-#endif
-#endif
-  return p;
-}
-
 // Means of C tau and tau where both C and tau run linearly from p to q (Engel, Kraus and Ertl 2001).
 vec4 linearMean(vec4 p, vec4 q)
 {
@@ -144,29 +94,84 @@ vec4 linearMean(vec4 p, vec4 q)
   return vec4(p.x * wp + q.x * wq, p.y * wp + q.y * wq, p.z * wp + q.z * wq, real(0.5) * (p.w + q.w));
 }
 
+// The point x in a bin whose first entry is given.
+TablePoint pointInBin(real x, int bin, int entry)
+{
+  TablePoint p;
+  p.x = x;
+  p.bin = bin;
+  vec4 begin = fetchTableValue(entry);
+  vec4 end = fetchTableValue(entry + 1);
+  p.rise = end - begin;
+  real distance = x - real(bin);
+  real fraction = clamp(distance, real(0), real(1));
+  p.value = begin + p.rise * fraction;
+  bool nextToEnd = distance > real(0.5);
+  p.integral = fetchTableIntegral(nextToEnd ? entry + 1 : entry);
+  p.area = linearMean(nextToEnd ? end : begin, p.value) * (nextToEnd ? distance - real(1) : distance);
+  return p;
+}
+
+// How much of its bin lies before the point, 0..1.
+real fractionOfBin(TablePoint p) { return clamp(p.x - real(p.bin), real(0), real(1)); }
+
+#if TETMARCH_ERROR_BOUND || TETMARCH_EXTINCTION_VARIATION
+// The greatest change of a channel of C in the point's bin.
+real colorRise(TablePoint p) { return max(abs(p.rise.x), max(abs(p.rise.y), abs(p.rise.z))); }
+#endif
+
+#if TETMARCH_COMPONENTS
+TablePoint tablePoint(TableSpan table, real x)
+{
+  int bin = tableBin(table, x);
+  int entry = table.first + bin;
+  TablePoint p = pointInBin(x, bin, entry);
+#if TETMARCH_ERROR_BOUND
+  vec2 variation = fetchTableVariations(entry);
+  p.variation = variation.x + colorRise(p) * fractionOfBin(p);
+  p.extinctionVariation = variation.y + abs(p.rise.w) * fractionOfBin(p);
+#endif
+  return p;
+}
+#else
+TablePoint tablePoint(real x)
+{
+  int bin = tableBin(x);
+  TablePoint p = pointInBin(x, bin, bin);
+#if TETMARCH_EXTINCTION_VARIATION
+  vec2 variation = fetchTableVariations(bin);
+#if TETMARCH_ERROR_BOUND
+  p.variation = variation.x + colorRise(p) * fractionOfBin(p);
+#endif
+  p.extinctionVariation = variation.y + abs(p.rise.w) * fractionOfBin(p);
+#if TETMARCH_SLOPE_VARIATION
+  // In a bin tau is straight, and C tau a parabola.
+  vec2 slopeVariation = fetchTableSlopeVariations(bin);
+  p.slopeVariation = vec2(slopeVariation.x,
+    slopeVariation.y + real(2) * abs(p.rise.w) * colorRise(p) * fractionOfBin(p));
+#endif
+#elif TETMARCH_ERROR_BOUND
+  p.variation = fetchTableVariation(bin) + colorRise(p) * fractionOfBin(p);
+#endif
+  return p;
+}
+#endif
+
 // Means of C tau and tau over the scalars between two points of the table.
 #if TETMARCH_COMPONENTS
 vec4 meanBetween(TableSpan table, TablePoint p, TablePoint q)
+{
+  vec4 integralUnit = table.integralUnit;
 #else
 vec4 meanBetween(TablePoint p, TablePoint q)
-#endif
 {
-  bool ascending = p.bin <= q.bin;
-  real low = ascending ? p.x : q.x;
-  real high = ascending ? q.x : p.x;
-  int lowBin = ascending ? p.bin : q.bin;
-  int highBin = ascending ? q.bin : p.bin;
-  vec4 right = linearMean(ascending ? p.value : q.value, ascending ? p.binEnd : q.binEnd);
-  vec4 left = linearMean(ascending ? q.binBegin : p.binBegin, ascending ? q.value : p.value);
-  vec4 between = vec4((ascending ? q.integral : p.integral) - (ascending ? p.integralEnd : q.integralEnd));
-#if TETMARCH_COMPONENTS
-  vec4 sum = right * (real(lowBin + 1) - low) + between * table.integralUnit + left * (high - real(highBin));
-#else
-  vec4 sum = right * (real(lowBin + 1) - low) + between * tableIntegralUnit + left * (high - real(highBin));
+  vec4 integralUnit = tableIntegralUnit;
 #endif
-  vec4 acrossBins = sum * (real(1) / max(high - low, TINY));
+  bool sameBin = p.bin == q.bin;
+  vec4 sum = vec4(q.integral - p.integral) * integralUnit + (q.area - p.area);
+  vec4 acrossBins = sum * (real(1) / (sameBin ? real(1) : q.x - p.x));
   vec4 withinBin = linearMean(p.value, q.value);
-  return p.bin == q.bin ? withinBin : acrossBins;
+  return sameBin ? withinBin : acrossBins;
 }
 
 #if TETMARCH_DEPENDENT

@@ -1,11 +1,12 @@
 // The transfer functions in texture buffers; see tables/integral_table.glsl.
 #if TETMARCH_USES_TABLES
 uniform samplerBuffer tableValueBuffer;
-uniform usamplerBuffer tableIntegralBuffer;
+uniform isamplerBuffer tableIntegralBuffer;
 #endif
 #if TETMARCH_ONE_TABLE
 uniform int tableSize;
-uniform vec4 tableIntegralUnit;
+uniform vec4 givenIntegralUnit;
+vec4 tableIntegralUnit = KEPT(givenIntegralUnit);
 #endif
 #if TETMARCH_OPACITY_TABLE
 uniform float tableScale; // from a stored scalar to a position in the table
@@ -22,10 +23,13 @@ uniform int componentCount;
 uniform vec4 componentFactor; // of their extinctions
 #endif
 #if TETMARCH_ACCUMULATES_OPACITY
-uniform float errorTolerance; // of a channel of a pixel
+uniform float givenTolerance;
+float errorTolerance = KEPT(givenTolerance); // of a channel of a pixel
 #endif
 #if TETMARCH_TRANSPARENT_RANGES
-uniform vec4 transparentRanges; // positions in the table: below x, above y, and from z to w
+uniform vec4 givenTransparentRanges;
+// Positions in the table: below x, above y, and from z to w.
+vec4 transparentRanges = KEPT(givenTransparentRanges);
 #endif
 #if TETMARCH_CONSTANT_COLOR
 uniform vec3 constantColor; // takes the place of the table's
@@ -37,12 +41,13 @@ uniform vec4 nanColor; // of scalars that are not finite, and their extinction
 uniform samplerBuffer tableVariationBuffer;
 #endif
 #if TETMARCH_ADAPTIVE
-uniform int mostTrials; // of subsegments of a segment, before any is accepted
+uniform int givenTrials;
+int mostTrials = KEPT_INT(givenTrials); // of subsegments of a segment, before any is accepted
 #endif
 
 #if TETMARCH_USES_TABLES
 vec4 fetchTableValue(int i) { return texelFetch(tableValueBuffer, i); }
-uvec4 fetchTableIntegral(int i) { return texelFetch(tableIntegralBuffer, i); }
+ivec4 fetchTableIntegral(int i) { return texelFetch(tableIntegralBuffer, i); }
 #endif
 #if TETMARCH_COMPONENTS
 int fetchTableFirst(int table) { return tableFirst[table]; }

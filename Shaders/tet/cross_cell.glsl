@@ -50,7 +50,7 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
   crossing.onward = exitFace >= 0 && place.link.x < LINK_OUTSIDE;
 #if TETMARCH_VISIBLE_PART
   // What lies behind need not be marched through if nothing can be seen of it.
-  crossing.onward = crossing.onward && isInVisiblePart(min(place.link.x, tetCount - 1u));
+  crossing.onward = crossing.onward && isInVisiblePart(crossing.onward ? place.link.x : 0u);
 #endif
   return crossing;
 }

@@ -1,8 +1,9 @@
 // The predicate that makes the traversal watertight: around which side of the ray two projected vertices turn.
 //
 // The sign is that of the exact cross product of the given bits, the same for every caller, with ties broken as by one
-// infinitesimal perturbation of the vertices (Edelsbrunner and Muecke, "Simulation of Simplicity", 1990). Then a ray
-// crosses 0 or 2 faces of a tetrahedron, and cannot get lost.
+// infinitesimal perturbation (Edelsbrunner and Muecke, "Simulation of Simplicity", 1990): the ray is shifted by
+// (e, e^2), and then each vertex turns around it by e^3 times its number. Then a ray crosses 0 or 2 faces of a
+// tetrahedron, and cannot get lost. The numbers matter only where two vertices are projected to the same point.
 
 // Projected coordinates are multiplied by PROJECTION_SCALE, and those nearer to 0 than PROJECTION_FLUSH become 0, so that
 // no product below leaves the range of normal numbers, even if denormal numbers are flushed to 0.
@@ -51,11 +52,7 @@ real edgeCross(vec2 p, vec2 q)
 // Whether vertex i at p, then vertex j at q turn counter-clockwise around the ray; c is edgeCross(p, q).
 bool turnsLeft(real c, vec2 p, uint i, vec2 q, uint j)
 {
-  bool swapped = i > j;
-  vec2 first = swapped ? q : p;
-  vec2 second = swapped ? p : q;
-  real tie = second.x != real(0)
-    ? -second.x
-    : (second.y != real(0) ? second.y : (first.x != real(0) ? first.x : real(1)));
-  return c != real(0) ? c > real(0) : (tie > real(0)) != swapped;
+  vec2 d = q - p;
+  real turn = c != real(0) ? c : (d.y != real(0) ? -d.y : d.x);
+  return turn > real(0) || (turn == real(0) && i < j);
 }

@@ -78,7 +78,7 @@ std::string TableTextures::uploadSeveral(
   vtkOpenGLRenderWindow* window, const IntegralTable& table, const Components& components)
 {
   std::vector<std::array<float, 4>> values;
-  std::vector<std::array<std::uint32_t, 4>> integrals;
+  std::vector<std::array<std::int32_t, 4>> integrals;
   VariationTexels variations;
   const auto append = [&](const IntegralTable& one)
   {
@@ -92,7 +92,7 @@ std::string TableTextures::uploadSeveral(
   std::string error = this->Values.upload(window, TexelFormat::RGBA32F, values.data(), size);
   if (error.empty())
   {
-    error = this->Integrals.upload(window, TexelFormat::RGBA32UI, integrals.data(), size);
+    error = this->Integrals.upload(window, TexelFormat::RGBA32I, integrals.data(), size);
   }
   return error.empty()
            ? uploadVariations(window, variations, !table.SlopeVariations.empty(), this->Variations)
@@ -105,7 +105,7 @@ std::string TableTextures::uploadFirst(vtkOpenGLRenderWindow* window, const Inte
   std::string error = this->Values.upload(window, TexelFormat::RGBA32F, table.Values.data(), size);
   if (error.empty())
   {
-    error = this->Integrals.upload(window, TexelFormat::RGBA32UI, table.Integrals.data(), size);
+    error = this->Integrals.upload(window, TexelFormat::RGBA32I, table.Integrals.data(), size);
   }
   if (!error.empty())
   {
@@ -142,7 +142,7 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
 {
   if (key.accumulatesOpacity())
   {
-    program->SetUniformf("errorTolerance", static_cast<float>(level.ErrorTolerance));
+    program->SetUniformf("givenTolerance", static_cast<float>(level.ErrorTolerance));
   }
   if (!key.usesTables())
   {
@@ -168,7 +168,7 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
   }
   if (key.TransparentRanges)
   {
-    program->SetUniform4f("transparentRanges", table.Traits.Transparent.data());
+    program->SetUniform4f("givenTransparentRanges", table.Traits.Transparent.data());
   }
   if (key.ConstantColor)
   {
@@ -184,7 +184,7 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
   }
   if (key.PointScalars && !key.hasComponents())
   {
-    setUniform(program, "tableIntegralUnit", table.IntegralUnit);
+    setUniform(program, "givenIntegralUnit", table.IntegralUnit);
   }
   if (key.needsVariations())
   {
@@ -192,7 +192,7 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
   }
   if (key.Adaptive)
   {
-    program->SetUniformi("mostTrials", level.MostTrials);
+    program->SetUniformi("givenTrials", level.MostTrials);
   }
 }
 

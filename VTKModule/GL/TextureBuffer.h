@@ -27,6 +27,7 @@ enum class TexelFormat
   RGBA32F,
   R32UI,
   RG32UI,
+  RGBA32I,
   RGBA32UI
 };
 
