@@ -24,7 +24,8 @@ bool entersFace(Ray ray, uvec3 ids, OUT(FaceIntersection) face)
 
 bool enters(Ray ray, uint boundaryFace, OUT(FaceIntersection) face)
 {
-  return entersFace(ray, fetchBoundaryFace(boundaryFace), face);
+  uvec4 found = fetchBoundaryFace(boundaryFace);
+  return entersFace(ray, uvec3(found.x, found.y, found.z), face);
 }
 
 #if TETMARCH_BVH || TETMARCH_ENTRY_LISTS

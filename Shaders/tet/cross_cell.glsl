@@ -22,7 +22,7 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
 #endif
   beginLookups(cell);
 #if TETMARCH_KEEPS_SHADE
-  cell.scalar = cellScalar(place.link.x, cell.leave);
+  cell.scalar = cellScalar(place.side.ahead >> 2u, cell.leave);
   beginShades(ray, cell);
 #endif
   return cell;
@@ -31,9 +31,9 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
 // Steps through the tetrahedron behind the face, which becomes the one by which the ray leaves it.
 Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
 {
-  uint tet = place.link.x;
-  vec4 apex = fetchVertex(place.link.y);
-  int exitFace = stepThrough(place.face, place.link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
+  uint tet = place.side.ahead >> 2u;
+  uvec4 packed = fetchCell(tet);
+  int exitFace = stepThrough(ray, packed, place);
   keepLastDrawn(cell);
   cell.number = tet;
   cell.enter = cell.leave;
@@ -43,14 +43,13 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
   cell.leaveAttributes = attributesAt(place.face);
 #endif
   cell.scalar = cellScalar(tet, cell.leave);
-  place.link = fetchLink(4u * tet + uint(max(exitFace, 0)));
   Crossing crossing;
   crossing.cells = 1;
   crossing.lost = exitFace < 0;
-  crossing.onward = exitFace >= 0 && place.link.x < LINK_OUTSIDE;
+  crossing.onward = exitFace >= 0 && !isOutside(place.side.ahead);
 #if TETMARCH_VISIBLE_PART
   // What lies behind need not be marched through if nothing can be seen of it.
-  crossing.onward = crossing.onward && isInVisiblePart(crossing.onward ? place.link.x : 0u);
+  crossing.onward = crossing.onward && isInVisiblePart(crossing.onward ? place.side.ahead >> 2u : 0u);
 #endif
   return crossing;
 }

@@ -10,13 +10,12 @@ bool entersListed(Ray ray, uint face, OUT(FaceIntersection) intersection)
   return entersFace(ray, uvec3(listed.x, listed.y, listed.z), intersection);
 }
 
-// The half-face by which a listed face leads inside.
-uint halfFaceOfListed(uint face) { return fetchVisibleFace(face).w; }
+Side sideOfListed(uint face) { return sideFrom(fetchVisibleLink(face), fetchVisibleFace(face).w); }
 
 bool isInVisiblePart(uint tet) { return (fetchVisibleTets(tet >> 5u) >> (tet & 31u) & 1u) != 0u; }
 #else
 bool entersListed(Ray ray, uint face, OUT(FaceIntersection) intersection) { return enters(ray, face, intersection); }
-uint halfFaceOfListed(uint face) { return 4u * tetCount + face; }
+Side sideOfListed(uint face) { return sideFrom(LINK_OUTSIDE + face, fetchBoundaryFace(face).w); }
 #endif
 
 // Whether the ray's pixel is among those that a candidate is for.

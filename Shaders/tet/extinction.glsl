@@ -77,26 +77,24 @@ real cellExtinction(real extinction, uint tet, vec2 enter, vec2 leave)
 }
 
 // Marches from a face to the boundary face through which the ray leaves the mesh, like marchToExit().
-void marchExtinctionToExit(Ray ray, INOUT(FaceIntersection) face, INOUT(uvec2) link, real thicknessPerDepth,
-  real depthEnd, INOUT(ExtinctionMarch) march)
+void marchExtinctionToExit(
+  Ray ray, INOUT(Place) place, real thicknessPerDepth, real depthEnd, INOUT(ExtinctionMarch) march)
 {
   real darkDepth = -log(errorTolerance);
-  vec2 enter = intersectionPoint(face);
+  vec2 enter = intersectionPoint(place.face);
 #if TETMARCH_POINT_SCALARS
   TablePoint at = tablePoint(isDrawn(enter.y) ? enter.y * tableScale + tableOffset : tableOffset);
 #endif
-  fetchCorners(face);
+  fetchCorners(place.face);
 #if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
-  real densityEnter = densityAt(face);
+  real densityEnter = densityAt(place.face);
 #endif
   bool onward = true;
   while (onward)
   {
-    uint tet = link.x;
-    vec4 apex = fetchVertex(link.y);
-    int exitFace = stepThrough(face, link.y, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
-    vec2 leave = intersectionPoint(face);
-    link = fetchLink(4u * tet + uint(max(exitFace, 0)));
+    uint tet = place.side.ahead >> 2u;
+    int exitFace = stepThrough(ray, fetchCell(tet), place);
+    vec2 leave = intersectionPoint(place.face);
     march.cells = march.cells + 1;
 
     // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
@@ -108,7 +106,7 @@ void marchExtinctionToExit(Ray ray, INOUT(FaceIntersection) face, INOUT(uvec2) l
     real extinction = extinctionOf(tet);
 #endif
 #if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
-    real densityLeave = densityAt(face);
+    real densityLeave = densityAt(place.face);
     extinction = extinction * densityBetween(enter, leave, range, densityEnter, densityLeave);
     densityEnter = densityLeave;
 #elif TETMARCH_GRADIENT_OPACITY
@@ -119,7 +117,7 @@ void marchExtinctionToExit(Ray ray, INOUT(FaceIntersection) face, INOUT(uvec2) l
     march.done = forward ? range.y : march.done;
     march.finished = march.opticalDepth > darkDepth || max(range.x, range.y) >= depthEnd;
     enter = leave;
-    onward = exitFace >= 0 && link.x < LINK_OUTSIDE && march.cells < mostCells && !march.finished;
+    onward = exitFace >= 0 && !isOutside(place.side.ahead) && march.cells < mostCells && !march.finished;
   }
 }
 
@@ -137,7 +135,7 @@ ExtinctionMarch marchExtinction(
     enterBySearch(ray, traversal);
     if (traversal.entered)
     {
-      marchExtinctionToExit(ray, traversal.place.face, traversal.place.link, thicknessPerDepth, depthEnd, march);
+      marchExtinctionToExit(ray, traversal.place, thicknessPerDepth, depthEnd, march);
     }
     leaveBySearch(ray, march.finished, traversal);
   }

@@ -10,7 +10,7 @@ struct FaceIntersection
   vec3 scalar; // their scalars
   vec3 weight; // cross(b, c), cross(c, a), cross(a, b): barycentrics of the ray's point, not normalised
 #if TETMARCH_VERTEX_ATTRIBUTES
-  VertexAttributes attributesA; // of the vertices; set by fetchCorners(), then kept by stepThrough()
+  VertexAttributes attributesA; // of the vertices; set by fetchCorners(), then kept by replaceByExit()
   VertexAttributes attributesB;
   VertexAttributes attributesC;
 #endif
@@ -80,7 +80,7 @@ bool isTurnedForSure(FaceIntersection face)
 // Replaces the intersection by that of the face through which the ray leaves the tetrahedron whose fourth vertex is
 // given. Returns the number of that face in the tetrahedron, which is the rank by id of the vertex it leaves out; -1 if
 // there is none, which cannot happen with four real points.
-int stepThrough(INOUT(FaceIntersection) face, uint apexId, vec3 apex, real apexScalar)
+int replaceByExit(INOUT(FaceIntersection) face, uint apexId, vec3 apex, real apexScalar)
 {
   vec2 d = vec2(apex.x, apex.y);
   real crossA = edgeCross(face.a, d);

@@ -7,7 +7,7 @@ CONSTANT int INSIDE_FACE = 0x7fffffff;
 // the point outside, one nearer the centre is taken.
 real transmittanceTo(LightStart start, vec3 direction, real distance)
 {
-  Tet tet = start.tet;
+  Tet tet = tetBehind(start.side, start.ids);
   vec3 point = start.point;
   vec4 a = fetchVertex(tet.a);
   vec4 b = fetchVertex(tet.b);
@@ -22,7 +22,7 @@ real transmittanceTo(LightStart start, vec3 direction, real distance)
   do
   {
     ray = rayThrough(point + (centre - point) * pull, direction);
-    traversal.entered = entersTet(ray, tet, traversal.place.face, traversal.place.link);
+    traversal.entered = entersTet(ray, tet, traversal.place);
     pull = pull + real(0.25);
   } while (!traversal.entered && pull <= real(1));
   real begin = dot(point - ray.origin, ray.direction);

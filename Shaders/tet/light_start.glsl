@@ -1,7 +1,8 @@
 // Where rays towards the light start: from a point in a tetrahedron.
 struct LightStart
 {
-  Tet tet;
+  Side side; // of one of its faces
+  uvec3 ids; // three of its vertices, of a face that turns counter-clockwise seen from outside
   vec3 point;
 };
 
@@ -10,11 +11,8 @@ struct LightStart
 LightStart startIn(Place place)
 {
   LightStart start;
-  start.tet.number = place.link.x;
-  start.tet.a = place.face.id.x;
-  start.tet.b = place.face.id.y;
-  start.tet.c = place.face.id.z;
-  start.tet.d = place.link.y;
+  start.side = place.side;
+  start.ids = place.face.id;
   start.point = vec3(real(0), real(0), real(0));
   return start;
 }

@@ -1,15 +1,15 @@
 // The mesh in texture buffers; Mesh/TetMesh.h has the conventions.
 uniform samplerBuffer vertexBuffer;    // position, scalar
-uniform usamplerBuffer linkBuffer;     // tetrahedron and apex behind each half-face
-uniform usamplerBuffer boundaryBuffer; // three vertices counter-clockwise from outside, tetrahedron inside
+uniform usamplerBuffer cellBuffer;     // tetrahedra; see tet/packed_cells.glsl
+uniform usamplerBuffer boundaryBuffer; // three vertices counter-clockwise from outside, half-face inside
 uniform int numberOfTets;
 uniform int mostCells;                 // the step guard: no ray crosses more tetrahedra
 
 #define tetCount uint(numberOfTets)
 
 vec4 fetchVertex(uint i) { return texelFetch(vertexBuffer, int(i)); }
-uvec2 fetchLink(uint halfFace) { return texelFetch(linkBuffer, int(halfFace)).xy; }
-uvec3 fetchBoundaryFace(uint face) { return texelFetch(boundaryBuffer, int(face)).xyz; }
+uvec4 fetchCell(uint tet) { return texelFetch(cellBuffer, int(tet)); }
+uvec4 fetchBoundaryFace(uint face) { return texelFetch(boundaryBuffer, int(face)); }
 
 #if TETMARCH_BVH
 uniform samplerBuffer hierarchyBuffer; // two texels a node, see tet/boundary.glsl

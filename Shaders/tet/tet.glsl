@@ -1,12 +1,32 @@
-// A tetrahedron: face (a, b, c) turns counter-clockwise seen from outside, and d lies behind it.
+// A tetrahedron: face (a, b, c) turns counter-clockwise seen from outside, and d lies behind it. The side is that of any
+// of its faces.
 struct Tet
 {
-  uint number;
+  Side side;
   uint a;
   uint b;
   uint c;
   uint d;
 };
+
+// Vertex d is the one that is left over.
+Tet tetBehind(Side side, uvec3 ids)
+{
+  Tet tet;
+  tet.side = side;
+  tet.a = ids.x;
+  tet.b = ids.y;
+  tet.c = ids.z;
+  tet.d = apexOf(fetchCell(side.ahead >> 2u), ids);
+  return tet;
+}
+
+// The side of the face of three vertices, which a tetrahedron has beside the apex.
+Side sideOpposite(Side side, uvec3 ids, uint apex)
+{
+  uint face = (apex > ids.x ? 1u : 0u) + (apex > ids.y ? 1u : 0u) + (apex > ids.z ? 1u : 0u);
+  return sideFrom(linkOf(fetchCell(side.ahead >> 2u), side, face), (side.ahead & ~3u) + face);
+}
 
 // A vertex on the picture plane of the ray.
 vec2 projectedVertex(Ray ray, uint vertex)
@@ -16,9 +36,9 @@ vec2 projectedVertex(Ray ray, uint vertex)
   return vec2(p.x, p.y);
 }
 
-// Finds the face by which the line of the ray enters the tetrahedron, and its link. A line enters a tetrahedron of four
+// Finds the place before the tetrahedron where the line of the ray enters it. A line enters a tetrahedron of four
 // real points by one face or by none. Returns false if there is none, since rounding leaves the origin outside.
-bool entersTet(Ray ray, Tet tet, OUT(FaceIntersection) face, OUT(uvec2) link)
+bool entersTet(Ray ray, Tet tet, OUT(Place) place)
 {
   vec2 a = projectedVertex(ray, tet.a);
   vec2 b = projectedVertex(ray, tet.b);
@@ -35,6 +55,6 @@ bool entersTet(Ray ray, Tet tet, OUT(FaceIntersection) face, OUT(uvec2) link)
   bool third = bd && !bc && !first && !second && turnsLeft(edgeCross(d, c), d, tet.d, c, tet.c);
   uvec3 ids = uvec3(third ? tet.b : (first || second ? tet.a : tet.c), first ? tet.b : tet.d,
     second ? tet.b : (first || third ? tet.c : tet.a));
-  link = uvec2(tet.number, first ? tet.d : (second ? tet.c : (third ? tet.a : tet.b)));
-  return entersFace(ray, ids, face);
+  place.side = sideOpposite(tet.side, ids, first ? tet.d : (second ? tet.c : (third ? tet.a : tet.b)));
+  return entersFace(ray, ids, place.face);
 }

@@ -4,8 +4,19 @@
 struct Place
 {
   FaceIntersection face;
-  uvec2 link; // of that face: the tetrahedron and the apex behind it
+  Side side; // of that face
 };
+
+// Steps through the tetrahedron ahead: the place becomes that before the face by which the ray leaves it. Returns the
+// number of that face in the tetrahedron, or -1 as replaceByExit() does.
+int stepThrough(Ray ray, uvec4 cell, INOUT(Place) place)
+{
+  uint apexId = apexOf(cell, place.face.id);
+  vec4 apex = fetchVertex(apexId);
+  int exitFace = replaceByExit(place.face, apexId, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
+  place.side = sideBehind(cell, place.side, uint(max(exitFace, 0)));
+  return exitFace;
+}
 
 // The state of a ray: inside the mesh, or at an entry, which may refuse it.
 struct Traversal
@@ -50,8 +61,9 @@ void enterBySearch(Ray ray, INOUT(Traversal) traversal)
 {
   if (!traversal.inside)
   {
-    traversal.place.link = fetchLink(4u * tetCount + uint(traversal.entry.face));
-    traversal.entered = enters(ray, uint(traversal.entry.face), traversal.place.face);
+    uint face = uint(traversal.entry.face);
+    traversal.place.side = sideFrom(LINK_OUTSIDE + face, fetchBoundaryFace(face).w);
+    traversal.entered = enters(ray, face, traversal.place.face);
     traversal.inside = true;
   }
 }
@@ -63,7 +75,7 @@ void enterVolume(Ray ray, real depthEnd, INOUT(Traversal) traversal)
 #if TETMARCH_ENTRY_LISTS
   if (!traversal.inside)
   {
-    traversal.place.link = fetchLink(halfFaceOfListed(uint(traversal.entry.face)));
+    traversal.place.side = sideOfListed(uint(traversal.entry.face));
     traversal.entered = entersListed(ray, uint(traversal.entry.face), traversal.place.face);
     traversal.inside = true;
   }
@@ -81,8 +93,8 @@ void leaveBySearch(Ray ray, bool finished, INOUT(Traversal) traversal)
 #if TETMARCH_BVH
   // A ray that leaves the convex hull is finished. But along a flat side of the hull rounding makes bumps, which a ray
   // may leave before it enters the rest: then the faces of the hull are searched again.
-  bool leftHull =
-    traversal.entered && traversal.place.link.x >= LINK_OUTSIDE && int(traversal.place.link.x - LINK_OUTSIDE) >= reentryFaceCount;
+  uint ahead = traversal.place.side.ahead;
+  bool leftHull = traversal.entered && isOutside(ahead) && int(ahead - LINK_OUTSIDE) >= reentryFaceCount;
   bool certain = isTurnedForSure(traversal.place.face);
   if (finished || (leftHull && certain))
   {

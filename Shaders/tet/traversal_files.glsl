@@ -1,4 +1,5 @@
 // What every march is made of: the traversal of the mesh, and what the volume is there.
+#include "tet/packed_cells.glsl"
 #include "tet/edge_sign.glsl"
 #include "march/ray.glsl"
 #include "tet/vertex_attributes.glsl"

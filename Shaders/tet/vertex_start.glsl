@@ -3,19 +3,17 @@
 // Returns false if the vertex belongs to no tetrahedron.
 bool startsAtVertex(uint vertex, OUT(LightStart) start)
 {
-  uvec4 others = fetchVertexStart(vertex); // of a tetrahedron at the vertex: its other vertices, its number
-  start.tet.number = others.w;
-  start.tet.a = vertex;
-  start.tet.b = others.x;
-  start.tet.c = others.y;
-  start.tet.d = others.z;
+  uvec4 found = fetchVertexStart(vertex); // of a tetrahedron at the vertex: two others, the link of face 3, its number
+  start.side = sideFrom(found.z, 4u * found.w + 3u);
+  start.ids = uvec3(vertex, found.x, found.y);
   start.point = vec3(real(0), real(0), real(0));
-  if (others.w >= tetCount)
+  if (found.w >= tetCount)
   {
     return false;
   }
+  uint last = apexOf(fetchCell(found.w), start.ids);
   vec4 place = fetchVertex(vertex);
-  vec4 sum = fetchVertex(start.tet.b) + fetchVertex(start.tet.c) + fetchVertex(start.tet.d);
+  vec4 sum = fetchVertex(start.ids.y) + fetchVertex(start.ids.z) + fetchVertex(last);
   start.point = vec3(place.x, place.y, place.z);
   vec3 inwards = vec3(sum.x, sum.y, sum.z) * (real(1) / real(3)) - start.point;
   // A little inside the tetrahedron, so that the predicate finds the ray in it.

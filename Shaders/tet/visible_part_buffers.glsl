@@ -1,6 +1,8 @@
 // The tetrahedra of which something may be seen, and the faces by which rays enter these; Entries/VisiblePart.h.
 uniform usamplerBuffer visibleTetBuffer;  // a bit a tetrahedron
-uniform usamplerBuffer visibleFaceBuffer; // three vertices counter-clockwise from outside, half-face that leads inside
+uniform usamplerBuffer visibleFaceBuffer; // three vertices counter-clockwise from outside, half-face inside
+uniform usamplerBuffer visibleLinkBuffer; // the link of that half-face
 
 uint fetchVisibleTets(uint word) { return texelFetch(visibleTetBuffer, int(word)).x; }
 uvec4 fetchVisibleFace(uint face) { return texelFetch(visibleFaceBuffer, int(face)); }
+uint fetchVisibleLink(uint face) { return texelFetch(visibleLinkBuffer, int(face)).x; }

@@ -39,26 +39,19 @@ void require(bool holds, const char* what)
 void checkLinks(const TetMesh& mesh)
 {
   const Id tets = mesh.numberOfTets();
-  require(mesh.Links.size() == 4 * mesh.Tets.size() + mesh.BoundaryFaces.size(),
-    "each half-face has a link");
+  require(mesh.Links.size() == 4 * mesh.Tets.size(), "each half-face has a link");
   for (Id halfFace = 0; halfFace < 4 * tets; ++halfFace)
   {
-    const Link& link = mesh.Links[halfFace];
-    if (link.Tet >= LinkOutside)
+    const Id link = mesh.Links[halfFace];
+    if (link >= LinkOutside)
     {
-      const Id face = link.Tet - LinkOutside;
-      require(face < mesh.BoundaryFaces.size() && mesh.BoundaryFaces[face][3] == halfFace / 4,
-        "a link to the outside leads to the tetrahedron's boundary face");
+      const Id face = link - LinkOutside;
+      require(face < mesh.BoundaryFaces.size() && mesh.BoundaryFaces[face][3] == halfFace,
+        "a link to the outside leads to the half-face's boundary face");
       continue;
     }
-    require(link.Tet < tets && link.Tet != halfFace / 4, "a link leads to another tetrahedron");
-    bool back = false;
-    for (Id i = 0; i < 4; ++i)
-    {
-      back = back || (mesh.Tets[link.Tet][i] == link.Apex &&
-                       mesh.Links[4 * link.Tet + i].Tet == halfFace / 4);
-    }
-    require(back, "what lies behind a face has the link back");
+    require(link < 4 * tets && link / 4 != halfFace / 4, "a link leads to another tetrahedron");
+    require(mesh.Links[link] == halfFace, "what lies behind a face has the link back");
   }
   for (const Vertex& v : mesh.Vertices)
   {

@@ -67,12 +67,10 @@ void compareRaysFromInside(RandomVolume<Kernel>& volume, Tally& tally)
     const Id vertex = static_cast<Id>(volume.Random() % volume.Mesh.Vertices.size());
     const auto& start = volume.Starts[vertex];
     typename Kernel::LightStart from;
-    from.tet.number = start[3];
-    from.tet.a = vertex;
-    from.tet.b = start[0];
-    from.tet.c = start[1];
-    from.tet.d = start[2];
-    from.point = volume.nextPoint({ { from.tet.a, from.tet.b, from.tet.c, from.tet.d } });
+    from.side = { 4 * start[3] + 3, start[2] };
+    from.ids = { vertex, start[0], start[1] };
+    from.point = volume.nextPoint(
+      { { vertex, start[0], start[1], fourthVertex(volume.Mesh, vertex, start) } });
     const auto direction = volume.nextDirection();
     const double length = volume.nextLength();
     const double distance = i % 2 == 0 ? uniform(volume.Random) : 1e30;

@@ -69,11 +69,11 @@ std::multimap<Points4, Points4> neighboursOf(const TetMesh& mesh)
     std::set<Points4> behind;
     for (Id i = 0; i < 4; ++i)
     {
-      const Link& link = mesh.Links[4 * std::size_t(t) + i];
-      if (link.Tet < LinkOutside)
+      const Id link = mesh.Links[4 * std::size_t(t) + i];
+      if (link < LinkOutside)
       {
-        behind.insert(pointsOf(mesh, link.Tet));
-        EXPECT_EQ(std::count(mesh.Tets[link.Tet].begin(), mesh.Tets[link.Tet].end(), link.Apex), 1);
+        behind.insert(pointsOf(mesh, link / 4));
+        EXPECT_EQ(mesh.Links[link], 4 * t + i);
       }
     }
     for (const Points4& points : behind)
@@ -95,9 +95,9 @@ std::set<Points4> facesOf(const TetMesh& mesh)
       mesh.VertexPoints[face[2]], 0 } };
     std::rotate(
       points.begin(), std::min_element(points.begin(), points.begin() + 3), points.begin() + 3);
-    points[3] = mesh.TetCells[face[3]];
+    points[3] = mesh.TetCells[face[3] / 4];
     faces.insert(points);
-    EXPECT_EQ(mesh.Links[4 * mesh.Tets.size() + b].Tet, face[3]);
+    EXPECT_EQ(mesh.Links[face[3]], LinkOutside + b);
   }
   return faces;
 }

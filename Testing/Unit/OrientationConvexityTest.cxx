@@ -60,7 +60,7 @@ TEST(Orientation, FacesTurnOutwards)
     for (std::size_t b = 0; b < mesh.BoundaryFaces.size(); ++b)
     {
       const auto& face = mesh.BoundaryFaces[b];
-      const Id apex = mesh.Links[4 * mesh.Tets.size() + b].Apex;
+      const Id apex = mesh.Tets[face[3] / 4][face[3] % 4];
       ASSERT_LE(sixVolumes(mesh, { { face[0], face[1], face[2], apex } }), 0.0);
     }
     if (named.Name != std::string("defectiveTets"))

@@ -57,22 +57,22 @@ TEST(ResourceLimits, LowerBoundsSaySo)
 {
   const ResourceLimits limits{ Texels, 5000 };
   const std::uint64_t most = mostTetrahedra(limits);
-  EXPECT_EQ(most, 5000u / 32u);
+  EXPECT_EQ(most, 5000u / 16u);
   EXPECT_EQ(excess(leastBufferSizes(most), limits, SizesAre::LowerBounds), "");
   expectWords(excess(leastBufferSizes(most + 1), limits, SizesAre::LowerBounds),
-    { "at least 5024 bytes", "allowed are 5000" });
+    { "at least 5008 bytes", "allowed are 5000" });
   const ResourceLimits loose{ Texels, 0 };
-  EXPECT_EQ(mostTetrahedra(loose), 250u);
-  EXPECT_EQ(excess(leastBufferSizes(250), loose, SizesAre::LowerBounds), "");
+  EXPECT_EQ(mostTetrahedra(loose), 1000u);
+  EXPECT_EQ(excess(leastBufferSizes(1000), loose, SizesAre::LowerBounds), "");
   expectWords(
-    excess(leastBufferSizes(251), loose, SizesAre::LowerBounds), { "at least 1004 texels" });
+    excess(leastBufferSizes(1001), loose, SizesAre::LowerBounds), { "at least 1001 texels" });
 }
 
 TEST(ResourceLimits, SizesPastAnyInteger)
 {
   const std::uint64_t tets = std::uint64_t(1) << 40;
   expectWords(excess(leastBufferSizes(tets), { std::uint64_t(1) << 27, 0 }, SizesAre::LowerBounds),
-    { std::to_string(4 * tets), std::to_string(1 << 27) });
+    { std::to_string(tets), std::to_string(1 << 27) });
 }
 
 TEST(ResourceLimits, OfAMesh)
@@ -83,7 +83,7 @@ TEST(ResourceLimits, OfAMesh)
   {
     bytes += size.Texels * size.BytesPerTexel;
   }
-  EXPECT_EQ(bytes, 8 * mesh.Links.size() + 16 * mesh.BoundaryFaces.size() +
+  EXPECT_EQ(bytes, 16 * mesh.Tets.size() + 16 * mesh.BoundaryFaces.size() +
                      32 * mesh.Hierarchy.size() + 16 * mesh.Vertices.size() + 7 * 4 + 5 * 4);
 }
 

@@ -22,8 +22,9 @@ std::vector<ShaderFeature> featuresOfVolumes()
   return {
     // Tetrahedra.
     { "tetrahedra", [](const Key& k, MarchShader) { return isMesh(k); },
-      "vertexBuffer linkBuffer boundaryBuffer numberOfTets tetCount fetchVertex fetchLink "
+      "vertexBuffer cellBuffer boundaryBuffer numberOfTets tetCount fetchVertex fetchCell "
       "fetchBoundaryFace project snapToPredicate projectionBlur edgeCross turnsLeft "
+      "Side sideFrom isOutside linkDifference apexOf linkOf sideBehind replaceByExit "
       "isTurnedForSure FaceIntersection fetchCorners stepThrough intersectionPoint entersFace "
       "enters "
       "apex link LINK_OUTSIDE BVH_STACK PROJECTION_SCALE PROJECTION_FLUSH" },
@@ -41,9 +42,10 @@ std::vector<ShaderFeature> featuresOfVolumes()
     { "entry lists", [](const Key& k, MarchShader) { return k.EntryLists; },
       "entryTileBuffer entryCandidateBuffer entryTileShift entryTilesPerRow entryDepthPlane "
       "fetchEntryCandidate fetchCandidateRange pixelInTile firstCandidate endOfCandidates "
-      "isForPixel nextCandidate bestAt entersListed halfFaceOfListed" },
+      "isForPixel nextCandidate bestAt entersListed sideOfListed" },
     { "visible part", [](const Key& k, MarchShader) { return k.VisiblePart; },
-      "visibleTetBuffer visibleFaceBuffer fetchVisibleTets fetchVisibleFace isInVisiblePart" },
+      "visibleTetBuffer visibleFaceBuffer visibleLinkBuffer fetchVisibleTets fetchVisibleFace "
+      "fetchVisibleLink isInVisiblePart" },
     { "ways out of the mesh that are searched",
       [](const Key& k, MarchShader s)
       { return isMesh(k) && (isLight(s) || !k.EntryLists || k.SampledShadows); },
@@ -52,7 +54,8 @@ std::vector<ShaderFeature> featuresOfVolumes()
       "isBefore" },
     { "rays to lights through tetrahedra",
       [](const Key& k, MarchShader s) { return followsLight(k, s) && isMesh(k); },
-      "INSIDE_FACE Tet projectedVertex entersTet ExtinctionMarch marchExtinctionToExit "
+      "INSIDE_FACE Tet tetBehind sideOpposite projectedVertex entersTet ExtinctionMarch "
+      "marchExtinctionToExit "
       "marchExtinction transmittanceOn" },
     { "extinction of what is not finite",
       [](const Key& k, MarchShader s) { return followsLight(k, s) && isMesh(k) && k.NanShown; },

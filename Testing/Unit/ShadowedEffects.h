@@ -36,9 +36,10 @@ protected:
   {
     const auto& start = this->Stage.data().VertexStarts[vertex];
     Vector3 others{};
-    for (int i = 0; i < 3; ++i)
+    for (const Id other :
+      { start[0], start[1], fourthVertex(this->Mesh, static_cast<Id>(vertex), start) })
     {
-      add(1.0 / 3.0, position(this->Mesh.Vertices[start[i]]), others);
+      add(1.0 / 3.0, position(this->Mesh.Vertices[other]), others);
     }
     const Vector3 place = position(this->Mesh.Vertices[vertex]);
     double p[4] = { 0.0, 0.0, 0.0, 1.0 };

@@ -63,18 +63,16 @@ TEST(OutsideSigns, AreThoseOfTheBoundaryAndOfAllLinks)
     ASSERT_EQ(signs.size(), mesh.Tets.size());
     for (Id h = 0; h < 4 * mesh.numberOfTets(); ++h)
     {
-      const Link link = mesh.Links[h];
+      const Id link = mesh.Links[h];
       Face behind;
-      if (link.Tet >= LinkOutside)
+      if (link >= LinkOutside)
       {
-        const auto& face = mesh.BoundaryFaces[link.Tet - LinkOutside];
+        const auto& face = mesh.BoundaryFaces[link - LinkOutside];
         behind = rotated({ { face[0], face[1], face[2] } });
       }
       else
       {
-        const auto& tet = mesh.Tets[link.Tet];
-        const auto j = static_cast<Id>(std::find(tet.begin(), tet.end(), link.Apex) - tet.begin());
-        const Face other = outward(mesh, 4 * link.Tet + j, signs[link.Tet]);
+        const Face other = outward(mesh, link, signs[link / 4]);
         behind = rotated({ { other[0], other[2], other[1] } });
       }
       ASSERT_EQ(outward(mesh, h, signs[h / 4]), behind) << h;
@@ -103,7 +101,8 @@ TEST(VertexStarts, TurnTheirFacesOutwards)
         continue;
       }
       ASSERT_LT(t, mesh.numberOfTets());
-      const Id a = v, b = starts[v][0], c = starts[v][1], d = starts[v][2];
+      const Id a = v, b = starts[v][0], c = starts[v][1], d = fourthVertex(mesh, v, starts[v]);
+      ASSERT_EQ(starts[v][2], mesh.Links[4 * t + 3]) << v;
       std::array<Id, 4> members{ { a, b, c, d } };
       std::sort(members.begin(), members.end());
       ASSERT_EQ(members, mesh.Tets[t]) << v;
@@ -129,7 +128,8 @@ TEST(VertexStarts, LieBehindTheirFacesInSoundMeshes)
     const auto starts = vertexStarts(mesh);
     for (Id v = 0; v < starts.size(); ++v)
     {
-      EXPECT_LT(sixVolumes(mesh, { { v, starts[v][0], starts[v][1], starts[v][2] } }), 0.0) << v;
+      const Id last = fourthVertex(mesh, v, starts[v]);
+      EXPECT_LT(sixVolumes(mesh, { { v, starts[v][0], starts[v][1], last } }), 0.0) << v;
     }
   }
 }

@@ -104,9 +104,9 @@ TEST(VisiblePart, HasTheFacesOfWhatIsSeen)
       seen += bitOf(part.Tets, tet) ? 1 : 0;
       for (Id i = 0; i < 4; ++i)
       {
-        const Id behind = mesh.Links[4 * tet + i].Tet;
+        const Id link = mesh.Links[4 * tet + i];
         faces +=
-          bitOf(part.Tets, tet) && (behind >= LinkOutside || !bitOf(part.Tets, behind)) ? 1 : 0;
+          bitOf(part.Tets, tet) && (link >= LinkOutside || !bitOf(part.Tets, link / 4)) ? 1 : 0;
       }
     }
     EXPECT_EQ(part.NumberOfTets, seen);
@@ -119,15 +119,15 @@ TEST(VisiblePart, HasTheFacesOfWhatIsSeen)
     ASSERT_EQ(part.Faces.size(), faces);
     for (const auto& face : part.Faces)
     {
-      // The half-face leads into the part, to the vertex that the face lacks.
-      const Link& link = mesh.Links[face[3]];
-      ASSERT_LT(link.Tet, mesh.numberOfTets());
-      ASSERT_TRUE(bitOf(part.Tets, link.Tet));
-      const auto& ids = mesh.Tets[link.Tet];
+      // The half-face is that of a tetrahedron of the part, opposite the vertex that the face
+      // lacks.
+      ASSERT_LT(face[3], 4 * mesh.numberOfTets());
+      ASSERT_TRUE(bitOf(part.Tets, face[3] / 4));
+      const auto& ids = mesh.Tets[face[3] / 4];
       for (int i = 0; i < 3; ++i)
       {
         ASSERT_NE(std::find(ids.begin(), ids.end(), face[i]), ids.end());
-        ASSERT_NE(face[i], link.Apex);
+        ASSERT_NE(face[i], ids[face[3] % 4]);
       }
     }
   }
@@ -200,8 +200,9 @@ TEST(VisiblePart, FollowsTheNumbersOfTheBoundary)
   const auto before = mesh.BoundaryFaces;
   ensureHierarchy(mesh);
   ASSERT_NE(mesh.BoundaryFaces, before);
-  EXPECT_NE(part.Faces, Part(mesh, table).Found.Faces);
-  renumberBoundary(mesh, before, part);
+  EXPECT_NE(part.Links, Part(mesh, table).Found.Links);
+  linkVisiblePart(mesh, part);
+  EXPECT_EQ(part.Links, Part(mesh, table).Found.Links);
   EXPECT_EQ(part.Faces, Part(mesh, table).Found.Faces);
 }
 

@@ -128,8 +128,8 @@ private:
   // A half-face of a tetrahedron that is seen, with nothing to be seen behind it.
   bool isEntry(std::size_t halfFace) const
   {
-    const Link& link = this->Mesh.Links[halfFace];
-    return link.Tet >= LinkOutside || !bitOf(this->Part.Tets, link.Tet);
+    const Id link = this->Mesh.Links[halfFace];
+    return link >= LinkOutside || !bitOf(this->Part.Tets, link / 4);
   }
 
   template <typename Visit>
@@ -188,6 +188,7 @@ private:
           this->Part.Faces[i] = this->faceOf(halfFaces[i]);
         }
       });
+    linkVisiblePart(this->Mesh, this->Part);
     // A line in any direction crosses cells and faces in proportion to their surfaces: four faces
     // of each cell for two crossings.
     this->Part.CellsOfGap = 4.0 * static_cast<double>(this->Tets - this->Part.NumberOfTets) /
@@ -208,12 +209,8 @@ private:
 
   std::array<Id, 4> faceOf(Id halfFace) const
   {
-    std::array<Id, 4> face = outwardFace(this->Mesh, halfFace,
+    return outwardFace(this->Mesh, halfFace,
       this->Signs.empty() ? volumeSign(this->Mesh, halfFace / 4) : this->Signs[halfFace / 4]);
-    const Link& link = this->Mesh.Links[halfFace];
-    face[3] = link.Tet >= LinkOutside ? 4 * this->Mesh.numberOfTets() + (link.Tet - LinkOutside)
-                                      : 4 * link.Tet + rankOf(this->Mesh.Tets[link.Tet], link.Apex);
-    return face;
   }
 
   const TetMesh& Mesh;
@@ -229,17 +226,12 @@ VisiblePart findVisiblePart(const TetMesh& mesh, const VisibleScalars& shown)
   return PartMaker(mesh).make(shown);
 }
 
-void renumberBoundary(
-  const TetMesh& mesh, const std::vector<std::array<Id, 4>>& before, VisiblePart& part)
+void linkVisiblePart(const TetMesh& mesh, VisiblePart& part)
 {
-  const Id outside = 4 * mesh.numberOfTets();
-  for (auto& face : part.Faces)
+  part.Links.resize(part.Faces.size());
+  for (std::size_t i = 0; i < part.Faces.size(); ++i)
   {
-    if (face[3] >= outside)
-    {
-      const Link& link = mesh.Links[halfFaceOf(mesh, before[face[3] - outside])];
-      face[3] = outside + (link.Tet - LinkOutside);
-    }
+    part.Links[i] = mesh.Links[part.Faces[i][3]];
   }
 }
 

@@ -23,8 +23,9 @@ struct VisiblePart
   std::vector<std::uint32_t> Tets;
   std::size_t NumberOfTets = 0; // that have the bit
   /** The faces between such a tetrahedron and another one, or the outside: three vertices,
-   * counter-clockwise seen from there, and the half-face that leads into the part. */
+   * counter-clockwise seen from there, and the half-face inside. */
   std::vector<std::array<Id, 4>> Faces;
+  std::vector<Id> Links; // of those half-faces
   /** How many tetrahedra between two entries a ray crosses without seeing anything, about. */
   double CellsOfGap = 0;
 };
@@ -42,9 +43,8 @@ struct VisibleScalars
 /** In parallel, in a few passes over the tetrahedra. */
 VisiblePart findVisiblePart(const TetMesh& mesh, const VisibleScalars& shown);
 
-/** The boundary faces of the mesh, which were these, have got other numbers. */
-void renumberBoundary(
-  const TetMesh& mesh, const std::vector<std::array<Id, 4>>& before, VisiblePart& part);
+/** Set the links anew: the boundary faces of the mesh have got other numbers. */
+void linkVisiblePart(const TetMesh& mesh, VisiblePart& part);
 
 /** Whether it may take less time to look for the next entry than to march through a gap: from four
  * cells on, an estimate. An entry takes the tests of a few faces, each about the work of a cell. */

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/MeshTextures.h"
 
+#include "Mesh/PackedCells.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
@@ -10,15 +12,15 @@ namespace tetmarch
 namespace
 {
 
-static_assert(sizeof(Vertex) == 16 && sizeof(Link) == 8 && sizeof(HierarchyNode) == 32,
+static_assert(sizeof(Vertex) == 16 && sizeof(PackedCell) == 16 && sizeof(HierarchyNode) == 32,
   "arrays are uploaded as they are");
 
 } // namespace
 
-std::string MeshTextures::uploadLinks(vtkOpenGLRenderWindow* window, const TetMesh& mesh)
+std::string MeshTextures::uploadCells(vtkOpenGLRenderWindow* window, const TetMesh& mesh)
 {
-  std::string error =
-    this->Links.upload(window, TexelFormat::RG32UI, mesh.Links.data(), mesh.Links.size());
+  const std::vector<PackedCell> cells = packCells(mesh);
+  std::string error = this->Cells.upload(window, TexelFormat::RGBA32UI, cells.data(), cells.size());
   if (error.empty())
   {
     error = this->Boundary.upload(
@@ -97,7 +99,7 @@ std::string MeshTextures::uploadHiddenCells(
 void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
 {
   this->bindBoundary(program);
-  this->Links.bind(program, "linkBuffer");
+  this->Cells.bind(program, "cellBuffer");
   program->SetUniformi("numberOfTets", this->NumberOfTets);
   program->SetUniformi("mostCells", mostCellsOf(this->NumberOfTets));
   if (key.Hierarchy)
@@ -129,7 +131,7 @@ void MeshTextures::bindBoundary(vtkShaderProgram* program)
 
 void MeshTextures::unbind()
 {
-  for (TextureBuffer* buffer : { &this->Links, &this->Boundary, &this->Hierarchy, &this->Vertices,
+  for (TextureBuffer* buffer : { &this->Cells, &this->Boundary, &this->Hierarchy, &this->Vertices,
          &this->CellScalars, &this->Further, &this->HiddenCellBits })
   {
     buffer->unbind();
@@ -138,7 +140,7 @@ void MeshTextures::unbind()
 
 void MeshTextures::release(vtkWindow* window)
 {
-  for (TextureBuffer* buffer : { &this->Links, &this->Boundary, &this->Hierarchy, &this->Vertices,
+  for (TextureBuffer* buffer : { &this->Cells, &this->Boundary, &this->Hierarchy, &this->Vertices,
          &this->CellScalars, &this->Further, &this->HiddenCellBits })
   {
     buffer->release(window);
@@ -147,7 +149,7 @@ void MeshTextures::release(vtkWindow* window)
 
 std::size_t MeshTextures::bytes() const
 {
-  return this->Links.bytes() + this->Boundary.bytes() + this->Hierarchy.bytes() +
+  return this->Cells.bytes() + this->Boundary.bytes() + this->Hierarchy.bytes() +
          this->Vertices.bytes() + this->CellScalars.bytes() + this->Further.bytes() +
          this->HiddenCellBits.bytes();
 }

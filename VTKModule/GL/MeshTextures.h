@@ -19,7 +19,7 @@ class MeshTextures
 {
 public:
   /** Each returns an empty string, or what is wrong and what to do. */
-  std::string uploadLinks(vtkOpenGLRenderWindow* window, const TetMesh& mesh);
+  std::string uploadCells(vtkOpenGLRenderWindow* window, const TetMesh& mesh);
   /** Vertices with their scalars, cell scalars and further scalars. Buffers of what is not drawn
    * are freed. */
   std::string uploadScalars(
@@ -42,7 +42,7 @@ private:
   std::string uploadCellScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
   std::string uploadFurtherScalars(vtkOpenGLRenderWindow* window, const FurtherScalars& further);
 
-  TextureBuffer Links;
+  TextureBuffer Cells;
   TextureBuffer Boundary;
   TextureBuffer Hierarchy;
   TextureBuffer Vertices;

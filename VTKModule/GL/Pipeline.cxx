@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/Pipeline.h"
 
+#include "Caching/WithinMemory.h"
 #include "GL/BlockAttributes.h"
 #include "GL/FmaProbe.h"
 #include "GL/StateScope.h"
@@ -174,9 +175,16 @@ bool Pipeline::updateView(vtkRenderer* renderer, vtkVolume* volume, OpacityLaw l
   {
     return this->fail("The matrix of the volume or of the camera is singular or not finite.");
   }
-  const std::string error =
-    this->Camera.CutsNearPlane ? this->Source.prepareEntrySearch() : std::string();
+  const std::string error = this->Camera.CutsNearPlane ? this->prepareEntrySearch() : std::string();
   return error.empty() || this->fail(error);
+}
+
+std::string Pipeline::prepareEntrySearch()
+{
+  const std::string error = this->Source.prepareEntrySearch();
+  const std::string shortage = withinMemory("the starts of rays towards the light",
+    [&] { this->Effects.refreshStarts(this->Source.effectSource()); });
+  return error.empty() ? shortage : error;
 }
 
 bool Pipeline::updateClipping(vtkVolume* volume, const ClippingOptions& options)

@@ -144,6 +144,7 @@ private:
   std::vector<BufferSize> bufferSizes() const;
   bool useReferenceScene(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level,
     const std::function<void(ReferenceScene&)>& use);
+  std::string prepareEntrySearch();
   std::string describeBadView(const DrawOptions& options) const;
   std::string describeBadSamples(const DrawOptions& options) const;
   Viewport currentViewport() const;

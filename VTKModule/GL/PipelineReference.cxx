@@ -22,7 +22,7 @@ bool Pipeline::useReferenceScene(vtkVolumeProperty* property, OpacityLaw law,
     return this->fail("There is no frame to compare with: render the window first, with a ray "
                       "a pixel and without peels of translucent geometry.");
   }
-  const std::string error = this->Source.prepareEntrySearch();
+  const std::string error = this->prepareEntrySearch();
   if (!error.empty())
   {
     return this->fail(error);

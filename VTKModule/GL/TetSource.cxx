@@ -4,6 +4,7 @@
 
 #include "Caching/WithinMemory.h"
 #include "Mesh/MeshSizes.h"
+#include "Mesh/PackedCells.h"
 #include "Rays/View.h"
 #include "Variants/VariantKey.h"
 #include "Volume/TransparentShare.h"
@@ -98,8 +99,8 @@ std::string TetSource::upload(vtkOpenGLRenderWindow* window)
   update(this->Links, this->Volume.linksVersion(),
     [&]
     {
-      error = this->Textures.uploadLinks(window, mesh);
-      return sizeof(Link) * mesh.Links.size() + 16 * mesh.BoundaryFaces.size() +
+      error = this->Textures.uploadCells(window, mesh);
+      return sizeof(PackedCell) * mesh.Tets.size() + 16 * mesh.BoundaryFaces.size() +
              sizeof(HierarchyNode) * mesh.Hierarchy.size();
     });
   update(this->Scalars, this->Volume.scalarsVersion(),

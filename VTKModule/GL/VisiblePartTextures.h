@@ -19,11 +19,15 @@ public:
   void bind(vtkShaderProgram* program);
   void unbind();
   void release(vtkWindow* window);
-  std::size_t bytes() const { return this->Tets.bytes() + this->Faces.bytes(); }
+  std::size_t bytes() const
+  {
+    return this->Tets.bytes() + this->Faces.bytes() + this->Links.bytes();
+  }
 
 private:
   TextureBuffer Tets;
   TextureBuffer Faces;
+  TextureBuffer Links;
 };
 
 } // namespace tetmarch

@@ -35,10 +35,12 @@ public:
   virtual bool storesGradients() const { return true; }
   /** Whether the scalar may change within a cell, so that the cell has a gradient of its own. */
   virtual bool hasCellGradients() const = 0;
-  /** Gradients of the stored scalar in the normalised frame: one a cell, or one a vertex; none if they
-   * are not stored. */
+  /** Gradients of the stored scalar in the normalised frame: one a cell, or one a vertex; none if
+   * they are not stored. */
   virtual std::vector<std::array<float, 3>> gradients(bool ofCells) const = 0;
 
+  /** Equal as long as vertexStarts() are the same. */
+  virtual Fingerprint startsVersion() const { return this->geometryVersion(); }
   /** Starts of the rays from vertices to the light; empty if no light is kept at vertices. */
   virtual std::vector<VertexStart> vertexStarts() const = 0;
   /** The point that a ray from the vertex starts at, in the normalised frame. False if it has none.

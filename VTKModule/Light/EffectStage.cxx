@@ -95,7 +95,7 @@ std::string EffectStage::update(
       this->updateGradients(
         input, needed, options.CellGradients && input.Source->hasCellGradients());
       this->updateGradientOpacity(volume, input, byGradient);
-      this->updateStarts(input, this->Data.Lights.hasVolumeLight());
+      this->updateStarts(*input.Source, this->Data.Lights.hasVolumeLight());
       this->updateOpaqueShadows(renderer, volume, input);
     });
   if (!shortage.empty())
@@ -155,16 +155,21 @@ void EffectStage::updateGradientOpacity(vtkVolume* volume, const EffectInput& in
     });
 }
 
-void EffectStage::updateStarts(const EffectInput& input, bool needed)
+void EffectStage::refreshStarts(const EffectSource& source)
+{
+  this->updateStarts(source, !this->Starts.input().empty());
+}
+
+void EffectStage::updateStarts(const EffectSource& source, bool needed)
 {
   Fingerprint which;
   if (needed)
   {
-    which = input.Source->geometryVersion();
+    which = source.startsVersion();
   }
   this->Starts.update(
     which, [this] { std::vector<EffectSource::VertexStart>().swap(this->Data.VertexStarts); },
-    [&] { this->Data.VertexStarts = input.Source->vertexStarts(); });
+    [&] { this->Data.VertexStarts = source.vertexStarts(); });
 }
 
 void EffectStage::updateOpaqueShadows(

@@ -33,6 +33,8 @@ public:
   std::string update(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options,
     const EffectInput& input);
   void clear();
+  /** The boundary faces of a mesh may have got other numbers since the update. */
+  void refreshStarts(const EffectSource& source);
 
   const EffectData& data() const { return this->Data; }
   /** Set the bits of the key that say which effects there are. If it is left open where shadows are
@@ -54,7 +56,7 @@ public:
 private:
   void updateGradients(const EffectInput& input, bool needed, bool ofCells);
   void updateGradientOpacity(vtkVolume* volume, const EffectInput& input, bool needed);
-  void updateStarts(const EffectInput& input, bool needed);
+  void updateStarts(const EffectSource& source, bool needed);
   void updateOpaqueShadows(vtkRenderer* renderer, vtkVolume* volume, const EffectInput& input);
   bool samplesShadows(double pixels) const;
 

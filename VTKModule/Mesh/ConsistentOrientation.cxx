@@ -48,20 +48,17 @@ public:
 
 private:
   Id numberOfTets() const { return this->Mesh.numberOfTets(); }
-  const Link& linkOf(Id tet, Id i) const { return this->Mesh.Links[4 * std::size_t(tet) + i]; }
-  static bool leadsOutside(const Link& link) { return link.Tet >= LinkOutside; }
+  Id linkOf(Id tet, Id i) const { return this->Mesh.Links[4 * std::size_t(tet) + i]; }
+  static bool leadsOutside(Id link) { return link >= LinkOutside; }
 
   // The sign that the tetrahedron behind face i of one with sign 1 must have.
-  int signBehind(Id i, const Link& link) const
-  {
-    return -parity(i) * parity(rankOf(this->Mesh.Tets[link.Tet], link.Apex));
-  }
+  static int signBehind(Id i, Id link) { return -parity(i) * parity(link % 4); }
 
   bool isFold(Id tet, Id i) const
   {
-    const Link& link = this->linkOf(tet, i);
+    const Id link = this->linkOf(tet, i);
     return !leadsOutside(link) &&
-           this->Signs[tet] * this->Signs[link.Tet] == -this->signBehind(i, link);
+           this->Signs[tet] * this->Signs[link / 4] == -this->signBehind(i, link);
   }
 
   void decideCutCells()
@@ -72,7 +69,7 @@ private:
     {
       for (Id i = 0; i < 4; ++i)
       {
-        if (this->isFold(t, i) && sameCell(t, this->linkOf(t, i).Tet))
+        if (this->isFold(t, i) && sameCell(t, this->linkOf(t, i) / 4))
         {
           this->decideTogether(t, sameCell);
         }
@@ -87,11 +84,11 @@ private:
     {
       for (Id i = 0; i < 4 && this->Signs[flat] == 0; ++i)
       {
-        const Link& link = this->linkOf(flat, i);
-        if (!leadsOutside(link) && this->Signs[link.Tet] != 0)
+        const Id link = this->linkOf(flat, i);
+        if (!leadsOutside(link) && this->Signs[link / 4] != 0)
         {
           this->Signs[flat] =
-            static_cast<std::int8_t>(this->Signs[link.Tet] * this->signBehind(i, link));
+            static_cast<std::int8_t>(this->Signs[link / 4] * this->signBehind(i, link));
           asked.push_back(flat);
         }
       }
@@ -107,10 +104,10 @@ private:
     {
       for (Id i = 0; i < 4; ++i)
       {
-        const Link& link = this->linkOf(asked[next], i);
-        if (!leadsOutside(link) && this->Signs[link.Tet] == 0)
+        const Id link = this->linkOf(asked[next], i);
+        if (!leadsOutside(link) && this->Signs[link / 4] == 0)
         {
-          ask(link.Tet);
+          ask(link / 4);
         }
       }
     }
@@ -142,12 +139,12 @@ private:
       volume += this->Relative[tet] * signedVolume(this->Mesh, tet);
       for (Id i = 0; i < 4; ++i)
       {
-        const Link& link = this->linkOf(tet, i);
-        if (!leadsOutside(link) && this->Relative[link.Tet] == 0 && mayFollow(tet, link.Tet))
+        const Id link = this->linkOf(tet, i);
+        if (!leadsOutside(link) && this->Relative[link / 4] == 0 && mayFollow(tet, link / 4))
         {
-          this->Relative[link.Tet] =
+          this->Relative[link / 4] =
             static_cast<std::int8_t>(this->Relative[tet] * this->signBehind(i, link));
-          tets.push_back(link.Tet);
+          tets.push_back(link / 4);
         }
       }
     }

@@ -75,7 +75,7 @@ public:
 
   bool match(const Progress& progress)
   {
-    this->Mesh.Links.assign(4 * this->Mesh.Tets.size(), { Unlinked, Unlinked });
+    this->Mesh.Links.assign(4 * this->Mesh.Tets.size(), Unlinked);
     return parallelFor(static_cast<vtkIdType>(this->Mesh.Vertices.size()), progress,
       [this](vtkIdType first, vtkIdType last) { this->matchRange(first, last); });
   }
@@ -232,11 +232,9 @@ private:
 
   void join(Id a, Id b)
   {
-    this->link(a, b);
-    this->link(b, a);
+    this->Mesh.Links[a] = b;
+    this->Mesh.Links[b] = a;
   }
-
-  void link(Id from, Id to) { this->Mesh.Links[from] = { to / 4, apexOf(this->Mesh, to) }; }
 
   TetMesh& Mesh;
   FaceMatching& Found;

@@ -51,7 +51,7 @@ void unlinkFolds(FaceMatching& found, TetMesh& mesh)
   const std::vector<Id> folds = agreeOnSigns(mesh, found.Signs);
   for (const Id halfFace : folds)
   {
-    mesh.Links[halfFace] = { Unlinked, Unlinked };
+    mesh.Links[halfFace] = Unlinked;
     found.Boundary.emplace_back(mesh.Tets[halfFace / 4][halfFace % 4 == 0 ? 1 : 0], halfFace);
   }
   mesh.Report.FoldedFaces = static_cast<vtkIdType>(folds.size() / 2);
@@ -93,13 +93,9 @@ bool linkHalfFaces(const Progress& progress, TetMesh& mesh)
 
 void linkBoundary(TetMesh& mesh)
 {
-  mesh.Links.resize(4 * mesh.Tets.size() + mesh.BoundaryFaces.size());
   for (std::size_t b = 0; b < mesh.BoundaryFaces.size(); ++b)
   {
-    const Id halfFace = halfFaceOf(mesh, mesh.BoundaryFaces[b]);
-    const Id tet = halfFace / 4;
-    mesh.Links[halfFace] = { LinkOutside + static_cast<Id>(b), 0 };
-    mesh.Links[4 * mesh.Tets.size() + b] = { tet, mesh.Tets[tet][halfFace % 4] };
+    mesh.Links[mesh.BoundaryFaces[b][3]] = LinkOutside + static_cast<Id>(b);
   }
 }
 

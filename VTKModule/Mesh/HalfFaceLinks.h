@@ -21,7 +21,7 @@ namespace tetmarch
 bool linkHalfFaces(const Progress& progress, TetMesh& mesh);
 
 /**
- * Set the links between the boundary faces, in their present order, and the tetrahedra.
+ * Set the links to the boundary faces, in their present order.
  */
 void linkBoundary(TetMesh& mesh);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MeshSizes.h"
 
-#include "Mesh/TetMesh.h"
+#include "Mesh/PackedCells.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace tetmarch
 std::vector<BufferSize> bufferSizes(
   const TetMesh& mesh, std::uint64_t cellScalars, std::uint64_t hiddenCellWords)
 {
-  return { { "links", mesh.Links.size(), sizeof(Link) },
+  return { { "tetrahedra", mesh.Tets.size(), sizeof(PackedCell) },
     { "boundary faces", mesh.BoundaryFaces.size(), 16 },
     { "nodes of the hierarchy", 2 * mesh.Hierarchy.size(), sizeof(HierarchyNode) / 2 },
     { "vertices", mesh.Vertices.size(), sizeof(Vertex) },
@@ -22,14 +22,13 @@ std::vector<BufferSize> bufferSizes(
 
 std::vector<BufferSize> leastBufferSizes(std::uint64_t tetrahedra)
 {
-  return { { "links", 4 * tetrahedra, sizeof(Link) } };
+  return { { "tetrahedra", tetrahedra, sizeof(PackedCell) } };
 }
 
 std::uint64_t mostTetrahedra(const ResourceLimits& limits)
 {
-  const std::uint64_t byTexels = limits.TexelsPerBuffer / 4;
-  return limits.Bytes > 0 ? std::min<std::uint64_t>(byTexels, limits.Bytes / (4 * sizeof(Link)))
-                          : byTexels;
+  const std::uint64_t most = std::min<std::uint64_t>(limits.TexelsPerBuffer, MostTetsOfLinks);
+  return limits.Bytes > 0 ? std::min<std::uint64_t>(most, limits.Bytes / sizeof(PackedCell)) : most;
 }
 
 } // namespace tetmarch

@@ -70,11 +70,9 @@ bool agree(const TetMesh& mesh, const std::vector<std::int8_t>& signs)
         bool opposite = signs[t] != 0;
         for (Id i = 0; i < 4; ++i)
         {
-          const Link& link = mesh.Links[4 * std::size_t(t) + i];
-          opposite = opposite && (link.Tet >= LinkOutside ||
-                                   sideOf(signs, t, i) * sideOf(signs, link.Tet,
-                                                           rankOf(mesh.Tets[link.Tet], link.Apex)) <
-                                     0);
+          const Id link = mesh.Links[4 * std::size_t(t) + i];
+          opposite = opposite && (link >= LinkOutside ||
+                                   sideOf(signs, t, i) * sideOf(signs, link / 4, link % 4) < 0);
         }
         if (!opposite)
         {
@@ -91,12 +89,10 @@ void turnBoundary(const std::vector<std::int8_t>& signs, TetMesh& mesh)
 {
   std::vector<std::pair<Id, Id>> halfFaces;
   halfFaces.reserve(mesh.BoundaryFaces.size());
-  for (std::size_t b = 0; b < mesh.BoundaryFaces.size(); ++b)
+  for (const auto& face : mesh.BoundaryFaces)
   {
-    const Link& inside = mesh.Links[4 * mesh.Tets.size() + b];
-    const auto& tet = mesh.Tets[inside.Tet];
-    const Id i = rankOf(tet, inside.Apex);
-    halfFaces.emplace_back(tet[i == 0 ? 1 : 0], 4 * inside.Tet + i);
+    const Id halfFace = face[3];
+    halfFaces.emplace_back(mesh.Tets[halfFace / 4][halfFace % 4 == 0 ? 1 : 0], halfFace);
   }
   std::sort(halfFaces.begin(), halfFaces.end());
   for (std::size_t b = 0; b < halfFaces.size(); ++b)

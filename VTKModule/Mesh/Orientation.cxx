@@ -53,18 +53,6 @@ int volumeSign(const TetMesh& mesh, Id tet)
   return std::abs(volume.Value) <= volume.Rounding ? 0 : (volume.Value > 0 ? 1 : -1);
 }
 
-Id halfFaceOf(const TetMesh& mesh, const std::array<Id, 4>& boundaryFace)
-{
-  const auto end = boundaryFace.begin() + 3;
-  const auto& tet = mesh.Tets[boundaryFace[3]];
-  Id i = 0;
-  while (std::find(boundaryFace.begin(), end, tet[i]) != end)
-  {
-    ++i;
-  }
-  return 4 * boundaryFace[3] + i;
-}
-
 std::array<Id, 4> outwardFace(const TetMesh& mesh, Id halfFace, int sign)
 {
   const Id tet = halfFace / 4;
@@ -82,7 +70,7 @@ std::array<Id, 4> outwardFace(const TetMesh& mesh, Id halfFace, int sign)
   {
     std::swap(face[1], face[2]);
   }
-  face[3] = tet;
+  face[3] = halfFace;
   return face;
 }
 

@@ -26,9 +26,6 @@ inline Id rankOf(const std::array<Id, 4>& tet, Id vertex)
   return static_cast<Id>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());
 }
 
-/** The half-face that a boundary face is: three vertices, and the tetrahedron inside. */
-Id halfFaceOf(const TetMesh& mesh, const std::array<Id, 4>& boundaryFace);
-
 /** The parity, +1 or -1, of the permutation that moves vertex i of a tetrahedron to the end. */
 inline int parity(Id i) { return i % 2 == 1 ? 1 : -1; }
 

@@ -36,18 +36,17 @@ public:
   }
 
 private:
-  const Link& linkOf(Id tet, Id i) const { return this->Mesh.Links[4 * std::size_t(tet) + i]; }
+  Id linkOf(Id tet, Id i) const { return this->Mesh.Links[4 * std::size_t(tet) + i]; }
 
   // The sign of the tetrahedron behind face i of one with this sign.
-  std::int8_t signBehind(int sign, Id i, const Link& link) const
+  static std::int8_t signBehind(int sign, Id i, Id link)
   {
-    const Id j = rankOf(this->Mesh.Tets[link.Tet], link.Apex);
-    return static_cast<std::int8_t>(-sign * parity(i) * parity(j));
+    return static_cast<std::int8_t>(-sign * parity(i) * parity(link % 4));
   }
 
   std::int8_t signInside(const std::array<Id, 4>& boundaryFace) const
   {
-    const auto ifPositive = outwardFace(this->Mesh, halfFaceOf(this->Mesh, boundaryFace), 1);
+    const auto ifPositive = outwardFace(this->Mesh, boundaryFace[3], 1);
     // The same vertices in the same order round about, or in the other one.
     const auto at = std::find(boundaryFace.begin(), boundaryFace.begin() + 3, ifPositive[0]);
     const auto next = at + 1 == boundaryFace.begin() + 3 ? boundaryFace.begin() : at + 1;
@@ -58,11 +57,11 @@ private:
   {
     for (Id i = 0; i < 4; ++i)
     {
-      const Link& link = this->linkOf(tet, i);
+      const Id link = this->linkOf(tet, i);
       const bool same =
-        link.Tet >= LinkOutside
-          ? this->Signs[tet] == this->signInside(this->Mesh.BoundaryFaces[link.Tet - LinkOutside])
-          : this->Signs[link.Tet] == this->signBehind(this->Signs[tet], i, link);
+        link >= LinkOutside
+          ? this->Signs[tet] == this->signInside(this->Mesh.BoundaryFaces[link - LinkOutside])
+          : this->Signs[link / 4] == this->signBehind(this->Signs[tet], i, link);
       if (!same)
       {
         return false;
@@ -93,7 +92,7 @@ private:
     std::fill(this->Signs.begin(), this->Signs.end(), std::int8_t(0));
     for (const auto& face : this->Mesh.BoundaryFaces)
     {
-      this->carryFrom(face[3], this->signInside(face));
+      this->carryFrom(face[3] / 4, this->signInside(face));
     }
     for (Id t = 0; t < this->Mesh.numberOfTets(); ++t)
     {
@@ -115,11 +114,11 @@ private:
       this->Waiting.pop_back();
       for (Id i = 0; i < 4; ++i)
       {
-        const Link& link = this->linkOf(tet, i);
-        if (link.Tet < LinkOutside && this->Signs[link.Tet] == 0)
+        const Id link = this->linkOf(tet, i);
+        if (link < LinkOutside && this->Signs[link / 4] == 0)
         {
-          this->Signs[link.Tet] = this->signBehind(this->Signs[tet], i, link);
-          this->Waiting.push_back(link.Tet);
+          this->Signs[link / 4] = this->signBehind(this->Signs[tet], i, link);
+          this->Waiting.push_back(link / 4);
         }
       }
     }

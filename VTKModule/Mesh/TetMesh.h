@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mesh as the march needs it. Conventions that everything else relies on:
 //  - The vertices of a tetrahedron are stored by ascending id. Face i is opposite vertex i.
-//  - Half-face 4 t + i is face i of tetrahedron t. Its link says what lies behind it.
-//  - The half-faces of the outside follow those of the T tetrahedra: half-face 4 T + b is boundary
-//    face b seen from outside, and its link leads into the mesh.
+//  - Half-face 4 t + i is face i of tetrahedron t. Its link is the half-face that it is from the
+//    other side or, behind the boundary, LinkOutside + the number of the boundary face.
 //  - Boundary faces turn counter-clockwise seen from outside.
 #ifndef TetMarchMeshTetMesh_h
 #define TetMarchMeshTetMesh_h
@@ -25,16 +24,12 @@ namespace tetmarch
 
 using Id = std::uint32_t;
 
-/** What lies behind a half-face: a tetrahedron and its vertex opposite the face. */
-struct Link
-{
-  Id Tet;
-  Id Apex;
-};
-
-/** Added to the number of a boundary face in Link::Tet: what lies behind the half-face is outside
- * the mesh, behind that boundary face. */
+/** Added to the number of a boundary face in a link: what lies behind the half-face is outside the
+ * mesh. */
 constexpr Id LinkOutside = 0x80000000u;
+
+/** So many tetrahedra have half-faces that are less than that. */
+constexpr std::uint64_t MostTetsOfLinks = LinkOutside / 4;
 
 /** One texel on the GPU: the position in the normalised frame (VolumeFrame), and the stored scalar.
  */
@@ -66,8 +61,8 @@ struct HierarchyNode
 struct TetMesh
 {
   std::vector<std::array<Id, 4>> Tets;
-  std::vector<Link> Links;                      // 4 a tetrahedron, then 1 a boundary face
-  std::vector<std::array<Id, 4>> BoundaryFaces; // three vertices and the tetrahedron inside
+  std::vector<Id> Links;                        // of each half-face
+  std::vector<std::array<Id, 4>> BoundaryFaces; // three vertices and the half-face inside
   std::vector<HierarchyNode> Hierarchy;         // may be empty if no ray needs it
   bool NeedsHierarchy = false;                  // rays may enter again
   std::size_t ReentryNodes = 0; // so many nodes, the first, are of faces that are not on the hull,

@@ -71,6 +71,7 @@ std::array<Id, 4> startIn(const TetMesh& mesh, Id vertex, Id t, int sign)
   {
     std::swap(start[1], start[2]);
   }
+  start[2] = mesh.Links[4 * std::size_t(t) + 3];
   return start;
 }
 
@@ -113,9 +114,9 @@ bool startPoint(
     return false;
   }
   point = scaled(1 - 1.0 / 64, position(mesh.Vertices[vertex]));
-  for (int i = 0; i < 3; ++i)
+  for (const Id v : { start[0], start[1], fourthVertex(mesh, static_cast<Id>(vertex), start) })
   {
-    add(1.0 / (3 * 64), position(mesh.Vertices[start[i]]), point);
+    add(1.0 / (3 * 64), position(mesh.Vertices[v]), point);
   }
   return true;
 }

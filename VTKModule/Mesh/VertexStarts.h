@@ -13,13 +13,21 @@ namespace tetmarch
 constexpr Id NoTet = 0xffffffffu;
 
 /**
- * For each vertex v three others and the tetrahedron of the four: {x, y, z, tet}. With a = v, b =
- * x, c = y, d = z the faces (a, b, c), (a, d, b), (b, d, c) and (c, d, a) turn counter-clockwise
- * seen from outside of the tetrahedron, as outsideSigns() says. Of the tetrahedra around the vertex
- * it is the one with the largest inscribed sphere (the first of equals): there, rounding of the ray
- * does the least harm. {0, 0, 0, NoTet} for a vertex of no tetrahedron.
+ * For each vertex v a tetrahedron around it, two other vertices and the link of its face 3: {x, y,
+ * link, tet}. With a = v, b = x, c = y and d the fourth vertex the faces (a, b, c), (a, d, b), (b,
+ * d, c) and (c, d, a) turn counter-clockwise seen from outside of the tetrahedron, as
+ * outsideSigns() says. Of the tetrahedra around the vertex it is the one with the largest inscribed
+ * sphere (the first of equals): there, rounding of the ray does the least harm. {0, 0, 0, NoTet}
+ * for a vertex of no tetrahedron.
  */
 std::vector<std::array<Id, 4>> vertexStarts(const TetMesh& mesh);
+
+/** Vertex d. */
+inline Id fourthVertex(const TetMesh& mesh, Id vertex, const std::array<Id, 4>& start)
+{
+  const auto& tet = mesh.Tets[start[3]];
+  return tet[0] ^ tet[1] ^ tet[2] ^ tet[3] ^ vertex ^ start[0] ^ start[1];
+}
 
 /**
  * The point, a little within the tetrahedron, at which rays from a vertex start. Like

@@ -13,15 +13,15 @@ vec4 fetchVertex(uint i) const
   const Vertex& v = Mesh->Vertices[i];
   return vec4(Real(v.X), Real(v.Y), Real(v.Z), Real(v.Scalar));
 }
-uvec2 fetchLink(uint halfFace) const
+uvec4 fetchCell(uint tet) const
 {
-  const Link& link = Mesh->Links[halfFace];
-  return uvec2(link.Tet, link.Apex);
+  const PackedCell cell = packedCell(*Mesh, tet);
+  return uvec4(cell[0], cell[1], cell[2], cell[3]);
 }
-uvec3 fetchBoundaryFace(uint face) const
+uvec4 fetchBoundaryFace(uint face) const
 {
   const auto& f = Mesh->BoundaryFaces[face];
-  return uvec3(f[0], f[1], f[2]);
+  return uvec4(f[0], f[1], f[2], f[3]);
 }
 vec4 fetchBvhNode(int i) const
 {
@@ -66,4 +66,5 @@ uvec4 fetchVisibleFace(uint face) const
   const auto& f = Part->Faces[face];
   return uvec4(f[0], f[1], f[2], f[3]);
 }
+uint fetchVisibleLink(uint face) const { return Part->Links[face]; }
 #endif

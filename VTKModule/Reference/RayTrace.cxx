@@ -20,8 +20,8 @@ double inData(double stored, const ScalarRange& range)
 
 bool areNeighbours(const TetMesh& mesh, Id a, Id b)
 {
-  const Link* links = &mesh.Links[4 * std::size_t(a)];
-  return std::any_of(links, links + 4, [b](const Link& link) { return link.Tet == b; });
+  const Id* links = &mesh.Links[4 * std::size_t(a)];
+  return std::any_of(links, links + 4, [b](Id link) { return link / 4 == b; });
 }
 
 // What the mesh and the data say of a cell, beside what the march knows.

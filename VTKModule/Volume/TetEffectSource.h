@@ -29,6 +29,11 @@ public:
   const ScalarRange& range() const override { return this->Range; }
   Fingerprint geometryVersion() const override { return { this->Version.front() }; }
   Fingerprint scalarsVersion() const override { return this->Version; }
+  Fingerprint startsVersion() const override
+  {
+    // The hierarchy renumbers boundary faces.
+    return { this->Version.front(), this->Mesh.hasHierarchy() ? std::uintptr_t(1) : 0 };
+  }
   bool hasCellGradients() const override { return this->CellScalars.empty(); }
   std::vector<std::array<float, 3>> gradients(bool ofCells) const override;
   std::vector<VertexStart> vertexStarts() const override;

@@ -77,11 +77,10 @@ std::string TetVolume::ensureHierarchy()
   const std::string shortage = withinMemory("the hierarchy of the boundary",
     [&]
     {
-      const auto before = this->mesh().BoundaryFaces;
       error = this->Meshed.addHierarchy();
       if (error.empty())
       {
-        renumberBoundary(this->mesh(), before, this->Visible);
+        linkVisiblePart(this->mesh(), this->Visible);
       }
     });
   return shortage.empty() ? error : shortage;

@@ -1,0 +1,40 @@
+// Tetrahedra in 16 bytes (Mesh/PackedCells.h): what a ray knows of the face by which it enters one gives the rest.
+
+// A face from the side on which the ray is. Half-face 4 t + i is face i of tetrahedron t; LINK_OUTSIDE + b is boundary
+// face b. A half-face's link is the half-face that the face is from the other side.
+struct Side
+{
+  uint ahead; // half-face of the tetrahedron that the ray enters
+  uint link;  // of that half-face: the one by which the ray has left what lies before
+};
+
+Side sideFrom(uint link, uint ahead)
+{
+  Side side;
+  side.ahead = ahead;
+  side.link = link;
+  return side;
+}
+
+bool isOutside(uint halfFace) { return halfFace >= LINK_OUTSIDE; }
+
+// What the links of a face of the tetrahedron and of its face 3 differ in.
+uint linkDifference(uvec4 cell, uint face)
+{
+  return face == 0u ? cell.y : (face == 1u ? cell.z : (face == 2u ? cell.w : 0u));
+}
+
+// The fourth vertex of a tetrahedron.
+uint apexOf(uvec4 cell, uvec3 ids) { return cell.x ^ ids.x ^ ids.y ^ ids.z; }
+
+// The link of a face of the tetrahedron ahead.
+uint linkOf(uvec4 cell, Side side, uint face)
+{
+  return side.link ^ linkDifference(cell, side.ahead & 3u) ^ linkDifference(cell, face);
+}
+
+// The other side of a face of the tetrahedron ahead, where the ray leaves it.
+Side sideBehind(uvec4 cell, Side side, uint face)
+{
+  return sideFrom((side.ahead & ~3u) + face, linkOf(cell, side, face));
+}

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Tetrahedra in 16 bytes, as the march reads them (Aman, Demirci and Gudukbay, "Compact
+// tetrahedralization-based acceleration structures for ray tracing", 2021): a ray that enters by a
+// known face needs no more than differences.
+#ifndef TetMarchMeshPackedCells_h
+#define TetMarchMeshPackedCells_h
+
+#include "Mesh/TetMesh.h"
+
+namespace tetmarch
+{
+
+/** The exclusive or of the four vertices; then, for faces 0, 1 and 2, that of the face's link and
+ * the link of face 3. Shaders/tet/packed_cells.glsl takes it apart. */
+using PackedCell = std::array<Id, 4>;
+
+inline PackedCell packedCell(const TetMesh& mesh, std::size_t tet)
+{
+  const auto& v = mesh.Tets[tet];
+  const Id* links = &mesh.Links[4 * tet];
+  return { { v[0] ^ v[1] ^ v[2] ^ v[3], links[0] ^ links[3], links[1] ^ links[3],
+    links[2] ^ links[3] } };
+}
+
+/** Of all tetrahedra, in parallel. */
+std::vector<PackedCell> packCells(const TetMesh& mesh);
+
+} // namespace tetmarch
+
+#endif
