@@ -32,8 +32,7 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
 Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
 {
   uint tet = place.side.ahead >> 2u;
-  uvec4 packed = fetchCell(tet);
-  int exitFace = stepThrough(ray, packed, place);
+  int exitFace = stepThrough(ray, fetchCell(tet), place);
   keepLastDrawn(cell);
   cell.number = tet;
   cell.enter = cell.leave;

@@ -52,7 +52,7 @@ real edgeCross(vec2 p, vec2 q)
 // Whether vertex i at p, then vertex j at q turn counter-clockwise around the ray; c is edgeCross(p, q).
 bool turnsLeft(real c, vec2 p, uint i, vec2 q, uint j)
 {
-  vec2 d = q - p;
+  vec2 d = vec2(q.x - p.x, q.y - p.y);
   real turn = c != real(0) ? c : (d.y != real(0) ? -d.y : d.x);
   return turn > real(0) || (turn == real(0) && i < j);
 }

@@ -7,6 +7,7 @@
 #ifndef tetmarch_testing_ShadowedEffects_h
 #define tetmarch_testing_ShadowedEffects_h
 
+#include "Mesh/VertexStarts.h"
 #include "OpaqueProps.h"
 #include "StagedEffects.h"
 
