@@ -3,6 +3,7 @@
 // Khronos' reference compiler takes the texts of the variants that VariantBuildTest builds, and
 // those of all other passes, as GLSL 4.50 core: a second opinion beside the GL at hand, which may
 // take what the language does not have.
+#include "CoreGlsl.h"
 #include "CoveringKeys.h"
 #include "Variants/ShaderSource.h"
 
@@ -23,42 +24,6 @@ using tetmarch::VariantKey;
 using tetmarch::withFileNames;
 
 namespace fs = std::filesystem;
-
-void replaceAll(std::string& text, const std::string& tag, const std::string& by)
-{
-  for (std::size_t at = text.find(tag); at != std::string::npos;
-       at = text.find(tag, at + by.size()))
-  {
-    text.replace(at, tag.size(), by);
-  }
-}
-
-// With what VTK puts in the place of the tags, and outputs that GLSL 4.50 has.
-std::string asCore(std::string text)
-{
-  std::string outputs;
-  for (int i = 0; i < 3; ++i)
-  {
-    const std::string number = std::to_string(i);
-    const std::string old = "gl_FragData[" + number + "]";
-    if (text.find(old) != std::string::npos)
-    {
-      outputs += "layout(location = " + number + ") out vec4 fragOutput" + number + ";\n";
-      replaceAll(text, old, "fragOutput" + number);
-    }
-  }
-  // What these add to GLSL 1.50 is part of 4.50.
-  replaceAll(text, "#extension GL_ARB_gpu_shader5 : require\n", "\n");
-  replaceAll(text, "#extension GL_ARB_ES3_1_compatibility : require\n", "\n");
-  replaceAll(text, "#extension GL_ARB_texture_gather : require\n", "\n");
-  replaceAll(text, "//VTK::System::Dec", "#version 450 core");
-  replaceAll(text, "//VTK::Output::Dec", outputs);
-  replaceAll(text, "//VTK::DepthPeeling::Dec", "layout(location = 0) out vec4 peeled;");
-  replaceAll(text, "//VTK::CallWorker::Impl",
-    "initializeRayCast();\n  peeled = castRay(0.0, 1.0) + vec4(in_inverseWindowSize, "
-    "g_opacityThreshold, 0.0);");
-  return text;
-}
 
 class GlslValidator : public testing::Test
 {
@@ -86,7 +51,7 @@ protected:
   {
     const std::string stage = file.find(".vert.") != std::string::npos ? ".vert" : ".frag";
     const std::string name = std::to_string(this->Variants.size()) + stage;
-    std::ofstream(this->Folder / name) << asCore(shaderSource(file, defines));
+    std::ofstream(this->Folder / name) << asCoreGlsl(shaderSource(file, defines));
     this->Variants[name] = file + " of " + variant;
   }
 

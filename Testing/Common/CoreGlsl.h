@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The text of a shader as GLSL 4.50 core, for compilers that are no GL's
+ */
+#ifndef tetmarch_testing_CoreGlsl_h
+#define tetmarch_testing_CoreGlsl_h
+
+#include <string>
+
+namespace tetmarch::testing
+{
+inline void replaceAll(std::string& text, const std::string& tag, const std::string& by)
+{
+  for (std::size_t at = text.find(tag); at != std::string::npos;
+       at = text.find(tag, at + by.size()))
+  {
+    text.replace(at, tag.size(), by);
+  }
+}
+
+/// What shaderSource() made, with what VTK puts in the place of the tags, and outputs that
+/// GLSL 4.50 has. Of a peeled picture VTK's text calls castRay() for one or two parts of a ray:
+/// here for one.
+inline std::string asCoreGlsl(std::string text)
+{
+  std::string outputs;
+  for (int i = 0; i < 3; ++i)
+  {
+    const std::string number = std::to_string(i);
+    const std::string old = "gl_FragData[" + number + "]";
+    if (text.find(old) != std::string::npos)
+    {
+      outputs += "layout(location = " + number + ") out vec4 fragOutput" + number + ";\n";
+      replaceAll(text, old, "fragOutput" + number);
+    }
+  }
+  // What these add to GLSL 1.50 is part of 4.50.
+  replaceAll(text, "#extension GL_ARB_gpu_shader5 : require\n", "\n");
+  replaceAll(text, "#extension GL_ARB_ES3_1_compatibility : require\n", "\n");
+  replaceAll(text, "#extension GL_ARB_texture_gather : require\n", "\n");
+  replaceAll(text, "//VTK::System::Dec", "#version 450 core");
+  replaceAll(text, "//VTK::Output::Dec", outputs);
+  replaceAll(text, "//VTK::DepthPeeling::Dec", "layout(location = 0) out vec4 peeled;");
+  replaceAll(text, "//VTK::CallWorker::Impl",
+    "initializeRayCast();\n  peeled = castRay(0.0, 1.0) + vec4(in_inverseWindowSize, "
+    "g_opacityThreshold, 0.0);");
+  return text;
+}
+} // namespace tetmarch::testing
+
+#endif
