@@ -24,6 +24,7 @@ using tetmarch::VariantKey;
 constexpr const char* Usage = R"(usage: tetmarch-gpu-shaders COMMAND
 
   list           the variants that the tests have the GL build, and the passes without variants
+  legal          the lines of the standard input that are variants which a scene can make
   write FOLDER   the text of each line of the standard input: 0.frag, 1.frag and so on as GLSL 4.50,
                  and pass.vert for all of them
 )";
@@ -130,6 +131,22 @@ int list()
   return 0;
 }
 
+int listLegal()
+{
+  for (std::string line; std::getline(std::cin, line);)
+  {
+    try
+    {
+      textOf(line);
+      std::cout << line << '\n';
+    }
+    catch (const std::runtime_error&) // of a feature that was given up, for instance
+    {
+    }
+  }
+  return 0;
+}
+
 int writeAll(const std::string& folder)
 {
   int number = 0;
@@ -149,6 +166,10 @@ try
   if (arguments.size() == 1 && arguments[0] == "list")
   {
     return list();
+  }
+  if (arguments.size() == 1 && arguments[0] == "legal")
+  {
+    return listLegal();
   }
   if (arguments.size() == 2 && arguments[0] == "write")
   {

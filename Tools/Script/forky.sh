@@ -50,6 +50,7 @@ make_forky_root() {
   apt-config dump | grep -E '^Acquire::(http|https|Check-Date|Check-Valid-Until)\b' \
     >"$FORKY_ROOT/etc/apt/apt.conf.d/machine" || true
   apt_get in_forky update
-  apt_get in_forky install --no-install-recommends "${PACKAGES[@]}" "${CHART_PACKAGES[@]}"
+  apt_get in_forky install --no-install-recommends "${PACKAGES[@]}" "${CHART_PACKAGES[@]}" \
+    "${GPU_COMPILE_PACKAGES[@]}"
   touch "$finished"
 }
