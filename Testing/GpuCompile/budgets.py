@@ -54,8 +54,8 @@ def write_kept(file, version, figures):
 def worse(budgets, kept, figures):
     """A sentence for each variant that is worse than it was kept.
 
-    The compiler may take more registers than the code demands, to hide latency, as long as that costs no wave. So more
-    registers are worse only where the code demands more as well, or where a wave is lost.
+    The compiler may take more registers than the code demands, to hide latency. So more of them are worse only where
+    the code demands more as well, or where a wave is lost.
     """
     found = []
     for line, now in figures.items():

@@ -21,7 +21,7 @@ class NotCompiled(Exception):
 class Figures:
     """Of one shader, as the driver tells them."""
     registers: int  # vector registers, one value for each ray of a wave
-    demand: int  # of these, before the compiler takes more to hide latency, as long as no wave is lost
+    demand: int  # of these, before the compiler orders instructions to hide latency, and takes more
     scalar_registers: int
     waves: int  # that a SIMD can hold at a time
     spills: int  # registers that don't fit, vector and scalar ones

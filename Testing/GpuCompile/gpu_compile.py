@@ -15,6 +15,7 @@ import report
 from compiled_shaders import NotCompiled, Toolchain
 
 HERE = pathlib.Path(__file__).resolve().parent
+PAGE = HERE.parents[1] / "Documentation/GpuCompile.md"
 ICDS = ("radeon_icd.x86_64.json", "radeon_icd.json")
 ICD_FOLDERS = ("/usr/share/vulkan/icd.d", "/usr/local/share/vulkan/icd.d", "/etc/vulkan/icd.d")
 
@@ -38,7 +39,7 @@ def arguments_of(words):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=lambda text: pathlib.Path(text).resolve())
     parser.add_argument("--named", action="store_true", help="only the variants that variants.json has names for")
-    parser.add_argument("--update", action="store_true", help="write kept.json anew instead of comparing with it")
+    parser.add_argument("--update", action="store_true", help="write kept.json and the tables of the page anew instead of comparing")
     parser.add_argument("--family", type=rdna, default="navi21", help="of AMD's GPUs of RDNA (%(default)s)")
     parser.add_argument("--jobs", type=int, default=2, help="processes at a time (%(default)s)")
     parser.add_argument("--markdown", type=pathlib.Path, metavar="FILE.md", help="write the tables there, too")
@@ -95,15 +96,18 @@ def main(words):
         sys.exit(f"gpu_compile.py: {error}")
     version = budgets_of.version_of(driver)
     text = f"{driver['device']}, {driver['driver']}, compiled by {version['compiler']}\n\n"
+    tables = [report.table_of_named(budgets, figures), report.table_of_targets(budgets, figures)]
     if not arguments.named:
-        text += report.table_of_variants(budgets, figures) + "\n" + report.table_of_groups(figures) + "\n"
-    text += report.table_of_named(budgets, figures) + "\n" + "\n".join(report.targets(budgets, figures)) + "\n"
+        tables.insert(0, report.table_of_groups(figures))
+        text += report.table_of_variants(budgets, figures) + "\n"
+    text += "\n".join(tables)
     print(text)
     if arguments.markdown:
         arguments.markdown.write_text(text)
     if arguments.update:
         budgets_of.write_kept(arguments.kept, version, figures)
-        print(f"wrote {arguments.kept}")
+        PAGE.write_text(report.with_tables(PAGE.read_text(encoding="utf-8"), *tables), encoding="utf-8")
+        print(f"wrote {arguments.kept} and the tables of {PAGE}")
         return 0
     lines, status = compare(budgets, kept_version, kept, version, figures)
     print("\n".join(lines))

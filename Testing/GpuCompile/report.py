@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of what variants take."""
+import re
 import statistics
 
 FEW_WAVES = 4  # below that a SIMD has little to do while others wait for memory
@@ -64,8 +65,11 @@ def table_of_variants(budgets, figures):
 
 
 def table_of_named(budgets, figures):
-    return table(("variant", *COLUMNS), [(name, *row_of(budgets, line, figures[line]))
-                                         for name, line in budgets.named.items() if line in figures])
+    """In short, as the page has it."""
+    head = ("scene", "VGPRs", "demand", "waves", "spills", "code", "latency", "target")
+    rows = [(name, f.registers, f.demand, f.waves, f.spills, f.bytes, f.latency, target(budgets, line, f))
+            for name, line in budgets.named.items() for f in [figures.get(line)] if f]
+    return table(head, rows)
 
 
 def median(numbers):
@@ -88,14 +92,21 @@ def summary(figures):
             sum(f.spills > 0 for f in figures), sum(f.scratch > 0 for f in figures))
 
 
-def targets(budgets, figures):
-    """A sentence for each rule."""
-    lines = []
+def table_of_targets(budgets, figures):
+    rows = []
     for rule in budgets.rules:
         of_rule = [line for line in figures if budgets.rule_of(line) is rule]
         met = [line for line in of_rule if budgets.is_met(line, figures[line].registers, figures[line].spills)]
-        lines.append(f"target of {rule['name']} variants, {rule['registers']} VGPRs and no spills: "
-                     f"met by {len(met)} of {len(of_rule)}")
-    spilling = sum(f.spills > budgets.most_spills for f in figures.values())
-    lines.append(f"target of all, no spills: missed by {spilling} of {len(figures)}")
-    return lines
+        rows.append((f"{rule['name']}: {rule['registers']} VGPRs, no spills", len(of_rule), len(met)))
+    rows.append(("all: no spills", len(figures), sum(f.spills <= budgets.most_spills for f in figures.values())))
+    return table(("target", "variants", "met by"), rows)
+
+
+def with_tables(page, *tables):
+    """The text of a page with these in the place of its tables that begin with the same cell."""
+    for new in tables:
+        first = new.split("|")[1].strip()
+        page, count = re.subn(rf"^\| {first} .*\n(?:\|.*\n)+", lambda _: new, page, flags=re.MULTILINE)
+        if count != 1:
+            raise ValueError(f"the page has {count} tables that begin with {first}")
+    return page
