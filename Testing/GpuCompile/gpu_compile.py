@@ -15,7 +15,9 @@ import report
 from compiled_shaders import NotCompiled, Toolchain
 
 HERE = pathlib.Path(__file__).resolve().parent
+KEPT = HERE / "kept.json"
 PAGE = HERE.parents[1] / "Documentation/GpuCompile.md"
+KEPT_FAMILY = "navi21"
 ICDS = ("radeon_icd.x86_64.json", "radeon_icd.json")
 ICD_FOLDERS = ("/usr/share/vulkan/icd.d", "/usr/local/share/vulkan/icd.d", "/etc/vulkan/icd.d")
 
@@ -40,17 +42,17 @@ def arguments_of(words):
     parser.add_argument("build", type=lambda text: pathlib.Path(text).resolve())
     parser.add_argument("--named", action="store_true", help="only the variants that variants.json has names for")
     parser.add_argument("--update", action="store_true", help="write kept.json and the tables of the page anew instead of comparing")
-    parser.add_argument("--family", type=rdna, default="navi21", help="of AMD's GPUs of RDNA (%(default)s)")
+    parser.add_argument("--family", type=rdna, default=KEPT_FAMILY, help="of AMD's GPUs of RDNA (%(default)s)")
     parser.add_argument("--jobs", type=int, default=2, help="processes at a time (%(default)s)")
     parser.add_argument("--markdown", type=pathlib.Path, metavar="FILE.md", help="write the tables there, too")
     parser.add_argument("--variants", type=pathlib.Path, default=HERE / "variants.json", metavar="FILE.json",
                         help="budgets and names")
-    parser.add_argument("--kept", type=pathlib.Path, default=HERE / "kept.json", metavar="FILE.json")
+    parser.add_argument("--kept", type=pathlib.Path, default=KEPT, metavar="FILE.json")
     parser.add_argument("--icd", metavar="FILE.json", help="of the driver")
     parser.add_argument("--validator", default="glslangValidator", help="Khronos' compiler")
     arguments = parser.parse_args(words)
-    if arguments.update and arguments.named:
-        parser.error("--update writes the figures of all variants, not of those with names alone")
+    if arguments.update and (arguments.named or arguments.family != KEPT_FAMILY):
+        parser.error(f"--update writes the figures of all variants, for {KEPT_FAMILY}")
     return arguments
 
 
@@ -106,8 +108,10 @@ def main(words):
         arguments.markdown.write_text(text)
     if arguments.update:
         budgets_of.write_kept(arguments.kept, version, figures)
-        PAGE.write_text(report.with_tables(PAGE.read_text(encoding="utf-8"), *tables), encoding="utf-8")
-        print(f"wrote {arguments.kept} and the tables of {PAGE}")
+        print(f"wrote {arguments.kept}")
+        if arguments.kept == KEPT:
+            PAGE.write_text(report.with_tables(PAGE.read_text(encoding="utf-8"), *tables), encoding="utf-8")
+            print(f"wrote the tables of {PAGE}")
         return 0
     lines, status = compare(budgets, kept_version, kept, version, figures)
     print("\n".join(lines))
