@@ -10,7 +10,7 @@
 // At least 1 - phi + phi ln(phi), by at most 4 % for D < 10; without cancellation, and 1 for infinite depth.
 real orderErrorFactor(real depth)
 {
-  real d = min(depth, real(1e15));
+  real d = min(depth, real(1e18));
   real square = d * d;
   return square / (square + real(3.7) * d + real(8));
 }

@@ -49,7 +49,7 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #if TETMARCH_ADAPTIVE
     // The error grows with the third power of a piece, what it earns with the first. The rest is cut evenly.
     real finer = real(1.25) * sqrt(error / budget);
-    real left = loaded && accepted ? pieces - real(1) : pieces;
+    real left = loaded && accepted ? part.pieces - real(1) : part.pieces;
     pieces = -floor(-left * (accepted ? clamp(finer, real(0.5), real(1)) : clamp(finer, real(2), real(10))));
 #endif
     loaded = loaded || accepted;

@@ -4,8 +4,9 @@
 struct Subsegment
 {
   real begin;    // where in the segment, 0..1
-  real end;      // 1 or more if it reaches the end
+  real end;
   real fraction; // of the segment
+  real pieces;   // as large as this one into which the segment is cut from here on
   bool last;     // it reaches the end
 };
 
@@ -15,7 +16,8 @@ Subsegment subsegmentFrom(real position, real pieces)
   Subsegment part;
   part.begin = position;
   part.last = !(pieces > real(1)); // also if it is NaN: the loop ends whatever the input
-  part.fraction = (real(1) - position) / (part.last ? real(1) : pieces);
+  part.pieces = part.last ? real(1) : pieces;
+  part.fraction = (real(1) - position) / part.pieces;
   part.end = position + part.fraction;
   return part;
 }

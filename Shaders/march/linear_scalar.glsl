@@ -1,11 +1,7 @@
 // Between two points of a ray within a cell the scalar is linear in the depth; march/segment.glsl has the consequences.
 
 // How far a depth is from the first of two points (depth, scalar) of a ray to the second, 0..1.
-// The reciprocal is the same for all depths.
-real fractionAt(vec2 first, vec2 second, real depth)
-{
-  return (depth - first.x) * (real(1) / max(second.x - first.x, TINY));
-}
+real fractionAt(vec2 first, vec2 second, real depth) { return (depth - first.x) / (second.x - first.x); }
 
 // Scalar at a depth between two points (depth, scalar).
 real scalarAt(vec2 first, vec2 second, real depth)

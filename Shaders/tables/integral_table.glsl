@@ -3,10 +3,9 @@
 // most in each bin; likewise for the slopes.
 //
 // x counts entries. The first and the last bin are constant, so that the formulas hold for any x beyond the table as
-// well. Integrals up to an entry are fixed-point numbers: their differences are exact. That at x is the one up to the
-// entry next to x and the area from there to x. Of two points with the same entry next to them the integrals cancel, and
-// what the areas of others have too much is at most some times as large as what lies between the points. So a mean over a
-// small interval loses no digits, and spikes between its ends are never missed.
+// well. Integrals up to an entry are 32-bit fixed-point numbers: their differences are exact. That at x is the one up to
+// the entry next to x and the area from there to x, of which no more lies outside of an interval than some times what
+// lies inside. So a mean loses no digits, and spikes between the ends are never missed.
 
 // The table at x: one end of an interval.
 struct TablePoint
@@ -14,9 +13,10 @@ struct TablePoint
   real x;
   int bin;          // the bin x lies in, from entry bin to entry bin + 1
   vec4 value;       // C, tau at x
-  ivec4 integral;   // K, T at the entry next to x
-  vec4 area;        // and what there is from it to x, less than 0 if x is before it
-  vec4 rise;        // of C, tau in the bin
+  vec4 binBegin;    // C, tau at entry bin
+  vec4 binEnd;      // C, tau at entry bin + 1
+  uvec4 integral;   // K, T at the entry next to x
+  vec4 area;        // what there is from it to x, less than 0 if x is before it
 #if TETMARCH_ERROR_BOUND
   real variation;   // V at x
 #endif
@@ -100,24 +100,28 @@ TablePoint pointInBin(real x, int bin, int entry)
   TablePoint p;
   p.x = x;
   p.bin = bin;
-  vec4 begin = fetchTableValue(entry);
-  vec4 end = fetchTableValue(entry + 1);
-  p.rise = end - begin;
+  p.binBegin = fetchTableValue(entry);
+  p.binEnd = fetchTableValue(entry + 1);
   real distance = x - real(bin);
-  real fraction = clamp(distance, real(0), real(1));
-  p.value = begin + p.rise * fraction;
+  p.value = p.binBegin + (p.binEnd - p.binBegin) * clamp(distance, real(0), real(1));
   bool nextToEnd = distance > real(0.5);
   p.integral = fetchTableIntegral(nextToEnd ? entry + 1 : entry);
-  p.area = linearMean(nextToEnd ? end : begin, p.value) * (nextToEnd ? distance - real(1) : distance);
+  p.area = linearMean(nextToEnd ? p.binEnd : p.binBegin, p.value) * (nextToEnd ? distance - real(1) : distance);
   return p;
 }
 
+#if TETMARCH_ERROR_BOUND || TETMARCH_EXTINCTION_VARIATION
 // How much of its bin lies before the point, 0..1.
 real fractionOfBin(TablePoint p) { return clamp(p.x - real(p.bin), real(0), real(1)); }
+#endif
 
-#if TETMARCH_ERROR_BOUND || TETMARCH_EXTINCTION_VARIATION
-// The greatest change of a channel of C in the point's bin.
-real colorRise(TablePoint p) { return max(abs(p.rise.x), max(abs(p.rise.y), abs(p.rise.z))); }
+#if TETMARCH_ERROR_BOUND || TETMARCH_SLOPE_VARIATION
+// How much the channel of C that changes most changes in the point's bin.
+real colorRise(TablePoint p)
+{
+  vec4 rise = p.binEnd - p.binBegin;
+  return max(abs(rise.x), max(abs(rise.y), abs(rise.z)));
+}
 #endif
 
 #if TETMARCH_COMPONENTS
@@ -129,7 +133,7 @@ TablePoint tablePoint(TableSpan table, real x)
 #if TETMARCH_ERROR_BOUND
   vec2 variation = fetchTableVariations(entry);
   p.variation = variation.x + colorRise(p) * fractionOfBin(p);
-  p.extinctionVariation = variation.y + abs(p.rise.w) * fractionOfBin(p);
+  p.extinctionVariation = variation.y + abs(p.binEnd.w - p.binBegin.w) * fractionOfBin(p);
 #endif
   return p;
 }
@@ -143,12 +147,12 @@ TablePoint tablePoint(real x)
 #if TETMARCH_ERROR_BOUND
   p.variation = variation.x + colorRise(p) * fractionOfBin(p);
 #endif
-  p.extinctionVariation = variation.y + abs(p.rise.w) * fractionOfBin(p);
+  p.extinctionVariation = variation.y + abs(p.binEnd.w - p.binBegin.w) * fractionOfBin(p);
 #if TETMARCH_SLOPE_VARIATION
   // In a bin tau is straight, and C tau a parabola.
   vec2 slopeVariation = fetchTableSlopeVariations(bin);
   p.slopeVariation = vec2(slopeVariation.x,
-    slopeVariation.y + real(2) * abs(p.rise.w) * colorRise(p) * fractionOfBin(p));
+    slopeVariation.y + real(2) * abs(p.binEnd.w - p.binBegin.w) * colorRise(p) * fractionOfBin(p));
 #endif
 #elif TETMARCH_ERROR_BOUND
   p.variation = fetchTableVariation(bin) + colorRise(p) * fractionOfBin(p);
@@ -157,7 +161,7 @@ TablePoint tablePoint(real x)
 }
 #endif
 
-// Means of C tau and tau over the scalars between two points of the table.
+// Means of C tau and tau over the scalars between two points of the table. What is between entries is read of q alone.
 #if TETMARCH_COMPONENTS
 vec4 meanBetween(TableSpan table, TablePoint p, TablePoint q)
 {
@@ -168,10 +172,20 @@ vec4 meanBetween(TablePoint p, TablePoint q)
   vec4 integralUnit = tableIntegralUnit;
 #endif
   bool sameBin = p.bin == q.bin;
-  vec4 sum = vec4(q.integral - p.integral) * integralUnit + (q.area - p.area);
-  vec4 acrossBins = sum * (real(1) / (sameBin ? real(1) : q.x - p.x));
-  vec4 withinBin = linearMean(p.value, q.value);
-  return sameBin ? withinBin : acrossBins;
+  bool ascending = p.bin < q.bin;
+  real perRise = real(1) / (sameBin ? real(1) : q.x - p.x);
+  // In one bin or in two side by side: straight to the entry between them, and on.
+  vec4 middle = sameBin ? q.value : (ascending ? q.binBegin : q.binEnd);
+  real entry = real(max(p.bin, q.bin));
+  real before = sameBin ? real(1) : (entry - p.x) * perRise;
+  real behind = sameBin ? real(0) : (q.x - entry) * perRise;
+  vec4 straight = linearMean(p.value, middle) * before + linearMean(middle, q.value) * behind;
+  // Otherwise the interval is longer than a bin. Where there is next to nothing, the steps of the integrals tell.
+  vec4 entries = vec4(ascending ? q.integral - p.integral : p.integral - q.integral) * integralUnit;
+  vec4 found = entries * abs(perRise) + (q.area - p.area) * perRise;
+  vec4 acrossBins =
+    vec4(max(found.x, real(0)), max(found.y, real(0)), max(found.z, real(0)), max(found.w, real(0)));
+  return abs(p.bin - q.bin) <= 1 ? straight : acrossBins;
 }
 
 #if TETMARCH_DEPENDENT

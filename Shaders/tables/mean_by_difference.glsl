@@ -5,7 +5,7 @@
 struct IntegralPoint
 {
   real x;
-  ivec4 integral; // K, T at the entry below x
+  uvec4 integral; // K, T at the entry below x
   vec4 rise;      // of K, T in the bin of x: C tau and tau there, in the units of the table
   vec4 part;      // of it up to x
 };
@@ -29,6 +29,7 @@ vec4 meanByDifference(IntegralPoint p, IntegralPoint q)
   real rise = q.x - p.x;
   bool narrow = abs(rise) < LEAST_RISE;
   real perRise = real(1) / (narrow ? real(1) : rise);
-  vec4 mean = (vec4(q.integral - p.integral) + (q.part - p.part)) * perRise;
+  vec4 entries = vec4(rise < real(0) ? p.integral - q.integral : q.integral - p.integral);
+  vec4 mean = entries * abs(perRise) + (q.part - p.part) * perRise;
   return (narrow ? q.rise : mean) * tableIntegralUnit;
 }

@@ -1,7 +1,7 @@
 // The transfer functions in texture buffers; see tables/integral_table.glsl.
 #if TETMARCH_USES_TABLES
 uniform samplerBuffer tableValueBuffer;
-uniform isamplerBuffer tableIntegralBuffer;
+uniform usamplerBuffer tableIntegralBuffer;
 #endif
 #if TETMARCH_ONE_TABLE
 uniform int tableSize;
@@ -47,7 +47,7 @@ int mostTrials = KEPT_INT(givenTrials); // of subsegments of a segment, before a
 
 #if TETMARCH_USES_TABLES
 vec4 fetchTableValue(int i) { return texelFetch(tableValueBuffer, i); }
-ivec4 fetchTableIntegral(int i) { return texelFetch(tableIntegralBuffer, i); }
+uvec4 fetchTableIntegral(int i) { return texelFetch(tableIntegralBuffer, i); }
 #endif
 #if TETMARCH_COMPONENTS
 int fetchTableFirst(int table) { return tableFirst[table]; }

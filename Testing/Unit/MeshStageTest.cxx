@@ -82,12 +82,12 @@ TEST(MeshStage, TooLargeIsNotEvenTried)
 {
   MeshStage stage;
   const Grid grid = jitteredLattice(3); // 162 tetrahedra
-  for (const ResourceLimits& tight : { ResourceLimits{ 647, 0 }, ResourceLimits{ 1 << 27, 5183 } })
+  for (const ResourceLimits& tight : { ResourceLimits{ 161, 0 }, ResourceLimits{ 1 << 27, 2591 } })
   {
     EXPECT_NE(stage.make(grid, tight, NoProgress).find("at least"), std::string::npos);
     EXPECT_EQ(stage.record().Runs, 0);
   }
-  EXPECT_EQ(stage.make(grid, { 648, 5184 }, NoProgress), "");
+  EXPECT_EQ(stage.make(grid, { 162, 2592 }, NoProgress), "");
   EXPECT_EQ(stage.record().Runs, 1);
 }
 

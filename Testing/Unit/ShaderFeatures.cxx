@@ -25,7 +25,7 @@ const ShaderFeature OfTheMarch[] = {
     [](const Key& k, MarchShader s) { return gathers(k, s) && k.accumulatesOpacity(); },
     "emission placeShades" },
   { "tolerance", [](const Key& k, MarchShader) { return k.accumulatesOpacity(); },
-    "errorTolerance" },
+    "givenTolerance errorTolerance" },
   { "segments of the picture",
     [](const Key& k, MarchShader s) {
       return gathers(k, s) && k.PointScalars && k.isComposite() && !k.PointSampled &&
@@ -54,9 +54,9 @@ const ShaderFeature OfTheMarch[] = {
   { "tables", [](const Key& k, MarchShader) { return !isIsosurfaces(k); },
     "tableValueBuffer tableIntegralBuffer "
     "fetchTableValue fetchTableIntegral TablePoint tableBin tableValue tablePoint linearMean "
-    "meanBetween" },
+    "pointInBin meanBetween" },
   { "one table", [](const Key& k, MarchShader) { return !isIsosurfaces(k) && !k.hasComponents(); },
-    "tableSize tableIntegralUnit" },
+    "tableSize givenIntegralUnit tableIntegralUnit" },
   { "table of the first scalar",
     [](const Key& k, MarchShader) { return !isIsosurfaces(k) && !isIndependent(k); },
     "tableScale tableOffset" },
@@ -113,7 +113,7 @@ const ShaderFeature OfTheMarch[] = {
   { "error bound", [](const Key& k, MarchShader) { return k.hasErrorBound() && !cutsEvenly(k); },
     "orderErrorFactor subsegmentError" },
   { "variations of the functions", [](const Key& k, MarchShader) { return k.needsVariations(); },
-    "tableVariationBuffer variation" },
+    "tableVariationBuffer variation fractionOfBin colorRise" },
   { "error bound of one scalar that is linear",
     [](const Key& k, MarchShader)
     { return k.hasErrorBound() && !k.hasComponents() && !k.Structured; },
@@ -129,11 +129,12 @@ const ShaderFeature OfTheMarch[] = {
   { "error bound of dependent components",
     [](const Key& k, MarchShader) { return k.hasErrorBound() && k.isDependent(); }, "covariance" },
   { "adaptive", [](const Key& k, MarchShader) { return k.Adaptive; },
-    "mostTrials errorBudget TOLERANCE_AT_ONCE TOLERANCE_BY_ABSORPTION SHARE_OF_A_SUBSEGMENT "
+    "givenTrials mostTrials errorBudget TOLERANCE_AT_ONCE TOLERANCE_BY_ABSORPTION "
+    "SHARE_OF_A_SUBSEGMENT "
     "budget" },
   { "diagnostics", [](const Key& k, MarchShader) { return k.Diagnostics; }, "guarded met" },
   { "transparent ranges", [](const Key& k, MarchShader) { return k.TransparentRanges; },
-    "transparentRanges isTransparentBetween" },
+    "givenTransparentRanges transparentRanges isTransparentBetween" },
   { "colour of what is not finite", [](const Key& k, MarchShader) { return k.NanShown; },
     "nanColor" },
   { "what is not finite in the picture",

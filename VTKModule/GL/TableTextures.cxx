@@ -78,7 +78,7 @@ std::string TableTextures::uploadSeveral(
   vtkOpenGLRenderWindow* window, const IntegralTable& table, const Components& components)
 {
   std::vector<std::array<float, 4>> values;
-  std::vector<std::array<std::int32_t, 4>> integrals;
+  std::vector<std::array<std::uint32_t, 4>> integrals;
   VariationTexels variations;
   const auto append = [&](const IntegralTable& one)
   {
@@ -92,7 +92,7 @@ std::string TableTextures::uploadSeveral(
   std::string error = this->Values.upload(window, TexelFormat::RGBA32F, values.data(), size);
   if (error.empty())
   {
-    error = this->Integrals.upload(window, TexelFormat::RGBA32I, integrals.data(), size);
+    error = this->Integrals.upload(window, TexelFormat::RGBA32UI, integrals.data(), size);
   }
   return error.empty()
            ? uploadVariations(window, variations, !table.SlopeVariations.empty(), this->Variations)
@@ -105,7 +105,7 @@ std::string TableTextures::uploadFirst(vtkOpenGLRenderWindow* window, const Inte
   std::string error = this->Values.upload(window, TexelFormat::RGBA32F, table.Values.data(), size);
   if (error.empty())
   {
-    error = this->Integrals.upload(window, TexelFormat::RGBA32I, table.Integrals.data(), size);
+    error = this->Integrals.upload(window, TexelFormat::RGBA32UI, table.Integrals.data(), size);
   }
   if (!error.empty())
   {

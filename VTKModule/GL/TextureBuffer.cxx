@@ -39,8 +39,6 @@ FormatRow rowOf(TexelFormat format)
       return { GL_R32UI, GL_RED_INTEGER, 4, 1, VTK_UNSIGNED_INT };
     case TexelFormat::RG32UI:
       return { GL_RG32UI, GL_RG_INTEGER, 8, 2, VTK_UNSIGNED_INT };
-    case TexelFormat::RGBA32I:
-      return { GL_RGBA32I, GL_RGBA_INTEGER, 16, 4, VTK_INT };
     default:
       return { GL_RGBA32UI, GL_RGBA_INTEGER, 16, 4, VTK_UNSIGNED_INT };
   }

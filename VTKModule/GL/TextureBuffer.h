@@ -27,7 +27,6 @@ enum class TexelFormat
   RGBA32F,
   R32UI,
   RG32UI,
-  RGBA32I,
   RGBA32UI
 };
 

@@ -87,7 +87,7 @@ IntegralTable makeIntegralTable(const SampledFunctions& functions)
   IntegralTable table;
   table.Begin = functions.Begin;
   table.End = functions.End;
-  constexpr double Most = 2147483647.0; // so that differences have a sign
+  constexpr double Most = 4294967295.0;
   Integral unit;
   for (int k = 0; k < 4; ++k)
   {
@@ -98,10 +98,10 @@ IntegralTable makeIntegralTable(const SampledFunctions& functions)
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
     std::array<float, 4> value;
-    std::array<std::int32_t, 4> fixed{};
+    std::array<std::uint32_t, 4> fixed{};
     for (int k = 0; k < 4; ++k)
     {
-      fixed[k] = unit[k] > 0 ? static_cast<std::int32_t>(
+      fixed[k] = unit[k] > 0 ? static_cast<std::uint32_t>(
                                  std::min(std::floor(integrals[i][k] / unit[k] + 0.5), Most))
                              : 0;
     }

@@ -18,7 +18,7 @@ namespace tetmarch
 struct IntegralTable
 {
   std::vector<std::array<float, 4>> Values;            // r, g, b, extinction at each entry
-  std::vector<std::array<std::int32_t, 4>> Integrals; // of C tau and tau up to each entry
+  std::vector<std::array<std::uint32_t, 4>> Integrals; // of C tau and tau up to each entry
   std::vector<float> Variations;                       // total variation of C up to each entry
   std::vector<float> ExtinctionVariations;             // the same of tau, if it was asked for
   /** The same of the slopes of tau and of C tau, an entry, if it was asked for. */

@@ -18,7 +18,6 @@ using uvec3 = glsl::Vec3<uint>;
 using uvec4 = glsl::Vec4<uint>;
 
 using ivec3 = glsl::Vec3<int>;
-using ivec4 = glsl::Vec4<int>;
 
 const IntegralTable* Table = nullptr;
 const uint* HiddenCells = nullptr; // a bit a cell; nullptr: no cell is hidden
@@ -47,10 +46,10 @@ vec4 fetchTableValue(int i) const
   const auto& v = Table->Values[i];
   return vec4(Real(v[0]), Real(v[1]), Real(v[2]), Real(v[3]));
 }
-ivec4 fetchTableIntegral(int i) const
+uvec4 fetchTableIntegral(int i) const
 {
   const auto& v = Table->Integrals[i];
-  return ivec4(v[0], v[1], v[2], v[3]);
+  return uvec4(v[0], v[1], v[2], v[3]);
 }
 Real fetchTableVariation(int i) const { return Real(Table->Variations[i]); }
 vec2 fetchTableVariations(int i) const

@@ -67,10 +67,10 @@ vec4 fetchTableValue(int i) const
   const auto& v = tableAt(i).Values[i];
   return vec4(Real(v[0]), Real(v[1]), Real(v[2]), Real(v[3]));
 }
-ivec4 fetchTableIntegral(int i) const
+uvec4 fetchTableIntegral(int i) const
 {
   const auto& v = tableAt(i).Integrals[i];
-  return ivec4(v[0], v[1], v[2], v[3]);
+  return uvec4(v[0], v[1], v[2], v[3]);
 }
 vec2 fetchTableVariations(int i) const
 {
