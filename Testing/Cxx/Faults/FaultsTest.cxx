@@ -194,13 +194,14 @@ TEST_F(Faults, MeshesOfMoreTexelsThanTheGLTakes)
   this->expectEmpty(this->frame());
   ASSERT_EQ(this->Watch.Errors.size(), 1u);
   for (const std::string& word :
-    { "at least " + std::to_string(tets) + " texels for its tetrahedra", std::to_string(tets - 1) })
+    { "needs " + std::to_string(tets) + " texels for its tetrahedra", std::to_string(tets - 1) })
   {
     EXPECT_NE(this->Watch.Errors[0].find(word), std::string::npos) << this->Watch.Errors[0];
   }
   EXPECT_EQ(this->Mapper->GetGPUMemoryBytes(), 0);
   claim(tets);
   this->expectSound(this->frame());
+  EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
   EXPECT_EQ(this->Mapper->GetUploadedBytes(), 2 * bytes);
   // The types of cells alone tell how many texels are needed.
   claim(tets - 1);

@@ -42,17 +42,17 @@ TEST_F(Resources, MemoryCapBeforeTheMeshIsMade)
   vtkNew<vtkTetMarchVolumeMapper> mapper;
   const ErrorWatch watch(mapper);
   mapper->SetInputData(soundGrid());
-  mapper->SetMaxMemoryInBytes(32 * 384 - 1);
+  mapper->SetMaxMemoryInBytes(16 * 384 - 1);
   this->Shown.Volume->SetMapper(mapper);
   this->expectEmpty();
   this->expectEmpty();
   ASSERT_EQ(watch.Errors.size(), 1u);
-  EXPECT_NE(watch.Errors[0].find("at least 12288 bytes"), std::string::npos) << watch.Errors[0];
+  EXPECT_NE(watch.Errors[0].find("at least 6144 bytes"), std::string::npos) << watch.Errors[0];
   EXPECT_EQ(mapper->GetMeshBuilds(), 0);
   EXPECT_EQ(mapper->GetUploadedBytes(), 0);
   EXPECT_EQ(mapper->GetGPUMemoryBytes(), 0);
   // The next bound needs the mesh, but nothing on the GPU.
-  mapper->SetMaxMemoryInBytes(32 * 384);
+  mapper->SetMaxMemoryInBytes(16 * 384);
   this->expectEmpty();
   ASSERT_EQ(watch.Errors.size(), 2u);
   EXPECT_EQ(watch.Errors[1].find("at least"), std::string::npos) << watch.Errors[1];
