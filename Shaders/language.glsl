@@ -16,10 +16,16 @@
 
 #define NO_DEPTH 3.0e38
 
-// What a loop reads of a uniform, as a global variable: an expression, not a copy, which compilers would undo. A software
-// renderer reads uniforms lane by lane, in each turn of a loop.
+// What a loop reads of a uniform, as a global variable. The software renderer, which has no fused multiply-add, reads
+// uniforms lane by lane in each turn of a loop: there it is an expression, since compilers undo a copy. On a GPU it would
+// take registers.
+#if TETMARCH_HAS_FMA || TETMARCH_STRUCTURED
+#define KEPT(uniform_value) uniform_value
+#define KEPT_INT(uniform_value) uniform_value
+#else
 #define KEPT(uniform_value) max(uniform_value, -NO_DEPTH)
 #define KEPT_INT(uniform_value) max(uniform_value, -0x7fffffff)
+#endif
 
 #define TINY 1.0e-30
 #define UNDRAWN_SCALAR 1.0e30

@@ -26,7 +26,7 @@ TEST_F(Stages, NewScalarsOnTheSameMeshKeepItsLinks)
   this->Shown.Data->GetPointData()->SetScalars(turned);
   this->expectRuns(0, 1, 0);
   EXPECT_GT(this->Changed, 0.05);
-  EXPECT_LT(this->Done.Bytes, this->bytesOfLinks());
+  EXPECT_LT(this->Done.Bytes, this->bytesOfTetrahedra());
 }
 
 TEST_F(Stages, AnotherComponentKeepsTheMesh)
@@ -49,7 +49,7 @@ TEST_F(Stages, AnotherComponentKeepsTheMesh)
   this->Shown.Mapper->SetVectorComponent(1);
   this->expectRuns(0, 1, 0);
   EXPECT_GT(this->Changed, 0.05);
-  EXPECT_LT(this->Done.Bytes, this->bytesOfLinks());
+  EXPECT_LT(this->Done.Bytes, this->bytesOfTetrahedra());
   this->Shown.Mapper->SetVectorModeToMagnitude();
   this->expectRuns(0, 1, 1);
   EXPECT_GT(this->Changed, 0.05);
@@ -75,7 +75,7 @@ TEST_F(Stages, AnArrayModifiedInPlace)
   this->scalars()->Modified();
   this->expectRuns(0, 1, 1); // another range, so the tables as well
   EXPECT_GT(this->Changed, 0.05);
-  EXPECT_LT(this->Done.Bytes, this->bytesOfLinks());
+  EXPECT_LT(this->Done.Bytes, this->bytesOfTetrahedra());
 }
 
 TEST_F(Stages, CellScalarsAndBack)

@@ -54,9 +54,9 @@ protected:
   }
 
   vtkDataArray* scalars() { return this->Shown.Data->GetPointData()->GetScalars(); }
-  vtkTypeInt64 bytesOfLinks() const
+  vtkTypeInt64 bytesOfTetrahedra() const
   {
-    return 32 * vtkTypeInt64(this->Shown.Mapper->GetNumberOfTetrahedra());
+    return 16 * vtkTypeInt64(this->Shown.Mapper->GetNumberOfTetrahedra());
   }
 
   Scene Shown{ jitteredLattice(8, 0.15, 1, sineField()), 96, 96 };

@@ -22,7 +22,7 @@ TEST_F(Stages, TheFirstFrameDoesAll)
   EXPECT_EQ(work.Tables, 1);
   EXPECT_EQ(this->Shown.Mapper->GetNumberOfTetrahedra(), 6 * 8 * 8 * 8);
   EXPECT_EQ(this->Shown.Mapper->GetNumberOfBoundaryFaces(), 6 * 2 * 8 * 8);
-  EXPECT_GT(work.Bytes, this->bytesOfLinks());
+  EXPECT_GT(work.Bytes, this->bytesOfTetrahedra());
   EXPECT_GE(this->Shown.Mapper->GetGPUMemoryBytes(), work.Bytes);
   EXPECT_GT(this->Shown.Mapper->GetTimeToDraw(), 0.0);
 }
