@@ -210,6 +210,25 @@ class SmokeTest(unittest.TestCase):
             chart = (self.folder / "page" / link).read_bytes()
             self.assertTrue(chart.startswith((b"\x89PNG", b"<?xml")), link)
 
+    def test_growth(self):
+        """Frames that take the cube root of the size: the exponent is of the sizes from 100,000 tetrahedra on."""
+        if importlib.util.find_spec("matplotlib") is None:
+            self.skipTest("there is no matplotlib")
+        datasets = [{"tetrahedra": n, "mappers": [
+            {"name": "tetmarch", "frames": {"median_seconds": 1e-3 * n ** (1 / 3) if n > 5e4 else 7.0}},
+            {"name": "bunyk", "frames": {"median_seconds": 1e-6 * n} if n < 5e6 else None},
+        ]} for n in (10_000, 100_000, 1_000_000, 10_000_000)]
+        report = {"date": "today", "tetmarch_version": "1", "environment": None, "cpu": "a CPU", "cpu_threads": 2,
+                  "datasets": datasets}
+        (self.folder / "growth.json").write_text(json.dumps(report))
+        maker = pathlib.Path(__file__).resolve().parent / "growth_chart.py"
+        subprocess.run([sys.executable, maker, "page", "growth.json"], cwd=self.folder, check=True)
+        page = (self.folder / "page" / "growth.md").read_text()
+        self.assertIn("| 100,000 | 0.0464 | 0.1 |\n", page)
+        self.assertIn("| 10,000,000 | 0.215 |  |\n", page)
+        self.assertIn("| exponent | 0.33 | 1.00 |\n", page)
+        self.assertTrue((self.folder / "page" / "growth.svg").read_bytes().startswith(b"<?xml"))
+
     def test_images(self):
         """Errors fall with samples and with levels; scalars in float have no row of their own for stored ones."""
         mappers = ["tetmarch-fast", "tetmarch", "tetmarch-accurate", "fixed-point", "gpu:1", "gpu:4", "gpu-jitter:1"]

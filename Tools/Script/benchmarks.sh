@@ -9,7 +9,7 @@ bench() {
   configure "$BUILD" -DBUILD_TESTING=ON
   [[ "${1:-}" == against ]] || build tetmarch-bench
   case "${1:-}" in
-    accuracy | effects | structured | against) "bench_$1" "${@:2}" ;;
+    accuracy | effects | structured | growth | against) "bench_$1" "${@:2}" ;;
     *) "$BUILD/bin/tetmarch-bench" "$@" ;;
   esac
 }
@@ -36,6 +36,18 @@ bench_structured() {
   mkdir -p "$folder"
   "$BUILD/bin/tetmarch-bench" structured --output "$folder/structured.json" --markdown "$folder/structured.md" "$@"
   "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/make_structured_page.py" "$folder/structured.json" "$folder"
+}
+
+# How the time of a frame grows with the mesh. The largest, of 40 million tetrahedra, is drawn by this mapper alone and
+# takes 24 GB of memory.
+bench_growth() {
+  local folder="$BUILD/growth"
+  mkdir -p "$folder"
+  "$BUILD/bin/tetmarch-bench" --datasets lattice:12,lattice:26,lattice:55,lattice:119 --rounds 1 \
+    --output "$folder/growth.json" --markdown "$folder/growth-frames.md" "$@"
+  "$BUILD/bin/tetmarch-bench" --datasets lattice:188 --mappers tetmarch --rounds 1 --limit 600 \
+    --output "$folder/largest.json" --markdown "$folder/largest.md" "$@"
+  "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/growth_chart.py" "$folder" "$folder/growth.json" "$folder/largest.json"
 }
 
 # bench_against COMMIT [OPTION]...: the times, then the pictures, whose differences are an error. The other commit is
