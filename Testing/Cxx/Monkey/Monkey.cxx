@@ -171,8 +171,8 @@ void Monkey::compareWithFresh(vtkRenderWindow* window)
   const Image expected = fresh.render();
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   const Difference difference = compare(found, expected);
-  // By which of two faces a ray enters through their edge is told by the numbers of vertices, which
-  // stay where points move; it is seen in views of faces alone.
+  // By which of two faces at one depth a ray enters is told by their numbers, which stay where
+  // points move; it is seen in views of faces alone.
   const bool showsFaces = rest.ViewMode >= vtkTetMarchVolumeMapper::VIEW_BOUNDARY_FACES;
   EXPECT_LE(100 * difference.Over, showsFaces ? difference.Pixels : 0) << difference.text();
   EXPECT_TRUE(showsFaces || difference.Max == 0.0) << difference.text();
