@@ -2,7 +2,7 @@
 //
 // The sign is that of the exact cross product of the given bits, the same for every caller, with ties broken as by one
 // infinitesimal perturbation (Edelsbrunner and Muecke, "Simulation of Simplicity", 1990): the ray is shifted by
-// (e, e^2), and then each vertex turns around it by e^3 times its number. Then a ray crosses 0 or 2 faces of a
+// (-e^2, -e), and then each vertex turns around it by e^3 times its number. Then a ray crosses 0 or 2 faces of a
 // tetrahedron, and cannot get lost. The numbers matter only where two vertices are projected to the same point.
 
 // Projected coordinates are multiplied by PROJECTION_SCALE, and those nearer to 0 than PROJECTION_FLUSH become 0, so that
@@ -53,6 +53,6 @@ real edgeCross(vec2 p, vec2 q)
 bool turnsLeft(real c, vec2 p, uint i, vec2 q, uint j)
 {
   vec2 d = vec2(q.x - p.x, q.y - p.y);
-  real turn = c != real(0) ? c : (d.y != real(0) ? -d.y : d.x);
+  real turn = c != real(0) ? c : (d.x != real(0) ? -d.x : d.y);
   return turn > real(0) || (turn == real(0) && i < j);
 }
