@@ -12,11 +12,10 @@ import json
 import math
 import pathlib
 
-from accuracy_charts import plt, save
+from accuracy_charts import FAMILIES, plt, save
 from measured_page import machine, row
 
-LINES = {"tetmarch": ("TetMarch", "#d62728", "o"), "projected": ("projected tetrahedra", "#1f77b4", "s"),
-         "bunyk": ("Bunyk ray caster", "#2ca02c", "^")}
+STYLES = {name: {"color": color, "marker": marker} for name, color, marker in FAMILIES.values()}
 LEAST_TETRAHEDRA = 1e5  # below, what each pixel costs whatever the mesh is counts more
 
 
@@ -44,8 +43,7 @@ def exponent(points):
 
 def label_of(name, points):
     power = exponent(points)
-    words = LINES.get(name, (name,))[0]
-    return words if power is None else f"{words}: $N^{{{power:.2f}}}$"
+    return name if power is None else f"{name}: $N^{{{power:.2f}}}$"
 
 
 def table_of(found):
@@ -61,8 +59,7 @@ def table_of(found):
 def draw(found, folder):
     figure, axes = plt.subplots(figsize=(6.5, 4.2))
     for name, points in found.items():
-        _, color, marker = LINES.get(name, (name, "#7f7f7f", "D"))
-        axes.plot(*zip(*points), marker=marker, color=color, label=label_of(name, points))
+        axes.plot(*zip(*points), label=label_of(name, points), **STYLES.get(name, {"marker": "D"}))
     axes.set(xscale="log", yscale="log", xlabel="tetrahedra, N", ylabel="a frame, s")
     axes.legend(fontsize=8)
     figure.tight_layout()

@@ -38,8 +38,7 @@ bench_structured() {
   "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/make_structured_page.py" "$folder/structured.json" "$folder"
 }
 
-# How the time of a frame grows with the mesh. The largest, of 40 million tetrahedra, is drawn by this mapper alone and
-# takes 24 GB of memory.
+# How the time of a frame grows with the mesh. The largest, of 40 million tetrahedra, is drawn by this mapper alone.
 bench_growth() {
   local folder="$BUILD/growth"
   mkdir -p "$folder"

@@ -229,10 +229,14 @@ VisiblePart findVisiblePart(const TetMesh& mesh, const VisibleScalars& shown)
 void linkVisiblePart(const TetMesh& mesh, VisiblePart& part)
 {
   part.Links.resize(part.Faces.size());
-  for (std::size_t i = 0; i < part.Faces.size(); ++i)
-  {
-    part.Links[i] = mesh.Links[part.Faces[i][3]];
-  }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(part.Faces.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        part.Links[i] = mesh.Links[part.Faces[i][3]];
+      }
+    });
 }
 
 } // namespace tetmarch

@@ -6,8 +6,6 @@
 
 #include "Mesh/TetMesh.h"
 
-#include <algorithm>
-
 namespace tetmarch
 {
 
@@ -19,12 +17,6 @@ double signedVolume(const TetMesh& mesh, Id tet);
 
 /** Its sign; 0 if the tetrahedron is flat to within the rounding of positions. */
 int volumeSign(const TetMesh& mesh, Id tet);
-
-/** Which vertex of a tetrahedron it is, 0 to 3. */
-inline Id rankOf(const std::array<Id, 4>& tet, Id vertex)
-{
-  return static_cast<Id>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());
-}
 
 /** The parity, +1 or -1, of the permutation that moves vertex i of a tetrahedron to the end. */
 inline int parity(Id i) { return i % 2 == 1 ? 1 : -1; }
