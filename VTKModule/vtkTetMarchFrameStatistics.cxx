@@ -102,6 +102,12 @@ const char* vtkTetMarchFrameStatistics::GetUsedAccuracyLevelAsString() const
 }
 
 //------------------------------------------------------------------------------
+const char* vtkTetMarchFrameStatistics::GetUsedShaderStageAsString() const
+{
+  return this->UsedShaderStage == 2 ? "Compute" : "Fragment";
+}
+
+//------------------------------------------------------------------------------
 void vtkTetMarchFrameStatistics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -120,6 +126,7 @@ void vtkTetMarchFrameStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfDraws: " << this->NumberOfDraws << "\n";
   os << indent << "UsedAccuracyLevel: " << this->GetUsedAccuracyLevelAsString() << "\n";
   os << indent << "UsedErrorTolerance: " << this->UsedErrorTolerance << "\n";
+  os << indent << "UsedShaderStage: " << this->GetUsedShaderStageAsString() << "\n";
   os << indent << "UsedImageSampleDistance: " << this->UsedImageSampleDistance << "\n";
   os << indent << "BudgetKept: " << (this->BudgetKept ? "Yes" : "No") << "\n";
   os << indent << "LightComplete: " << (this->LightComplete ? "Yes" : "No") << "\n";
@@ -132,6 +139,8 @@ void vtkTetMarchFrameStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeshSeconds: " << this->MeshSeconds << "\n";
   os << indent << "ScalarsSeconds: " << this->ScalarsSeconds << "\n";
   os << indent << "TablesSeconds: " << this->TablesSeconds << "\n";
+  os << indent << "VisiblePartSeconds: " << this->VisiblePartSeconds << "\n";
+  os << indent << "EntriesSeconds: " << this->EntriesSeconds << "\n";
   os << indent << "GradientsSeconds: " << this->GradientsSeconds << "\n";
   os << indent << "OpaqueShadowsSeconds: " << this->OpaqueShadowsSeconds << "\n";
   os << indent << "VertexLightSeconds: " << this->VertexLightSeconds << "\n";
@@ -140,6 +149,8 @@ void vtkTetMarchFrameStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeshBuilds: " << this->MeshBuilds << "\n";
   os << indent << "ScalarsBuilds: " << this->ScalarsBuilds << "\n";
   os << indent << "TablesBuilds: " << this->TablesBuilds << "\n";
+  os << indent << "VisiblePartBuilds: " << this->VisiblePartBuilds << "\n";
+  os << indent << "EntriesBuilds: " << this->EntriesBuilds << "\n";
   os << indent << "GradientsBuilds: " << this->GradientsBuilds << "\n";
   os << indent << "OpaqueShadowsBuilds: " << this->OpaqueShadowsBuilds << "\n";
   os << indent << "VertexLightBuilds: " << this->VertexLightBuilds << "\n";

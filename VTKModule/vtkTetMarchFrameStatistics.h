@@ -92,8 +92,8 @@ public:
 
   //@{
   /**
-   * Seconds of the last frame without diagnostics, and the number of draw calls in which it was
-   * marched, up to its end or to where it was aborted; 0 if nothing was drawn.
+   * Seconds of the last frame without diagnostics, and the number of draw calls or dispatches in
+   * which it was marched, up to its end or to where it was aborted; 0 if nothing was drawn.
    */
   vtkGetMacro(Seconds, double);
   vtkGetMacro(NumberOfDraws, int);
@@ -108,6 +108,15 @@ public:
   vtkGetMacro(UsedAccuracyLevel, int);
   const char* GetUsedAccuracyLevelAsString() const;
   vtkGetMacro(UsedErrorTolerance, double);
+  //@}
+
+  //@{
+  /**
+   * The shader stage in which the last frame was marched (vtkTetMarchSettings::ShaderStageType),
+   * set or chosen: FRAGMENT_STAGE or COMPUTE_STAGE. Before the first frame: FRAGMENT_STAGE.
+   */
+  vtkGetMacro(UsedShaderStage, int);
+  const char* GetUsedShaderStageAsString() const;
   //@}
 
   //@{
@@ -167,13 +176,16 @@ public:
   /**
    * Seconds that each stage took when it ran last: joining the blocks of composite input, mesh
    * (decomposition, links, boundary; of images and rectilinear grids their lattice), scalars,
-   * transfer function tables, gradients, shadows of opaque geometry, light at vertices, upload to
-   * the GPU.
+   * transfer function tables, what of the mesh the functions show (visible part), the lists of
+   * where rays may enter it (entries), gradients, shadows of opaque geometry, light at vertices,
+   * upload to the GPU. Images and rectilinear grids have no visible part and no entries.
    */
   vtkGetMacro(BlocksSeconds, double);
   vtkGetMacro(MeshSeconds, double);
   vtkGetMacro(ScalarsSeconds, double);
   vtkGetMacro(TablesSeconds, double);
+  vtkGetMacro(VisiblePartSeconds, double);
+  vtkGetMacro(EntriesSeconds, double);
   vtkGetMacro(GradientsSeconds, double);
   vtkGetMacro(OpaqueShadowsSeconds, double);
   vtkGetMacro(VertexLightSeconds, double);
@@ -182,14 +194,16 @@ public:
 
   //@{
   /**
-   * How often each stage ran since the mapper was created. A new camera raises none of these
-   * counts, new transfer functions only the tables', new scalars on the same mesh only the
-   * scalars'.
+   * How often each stage ran since the mapper was created. A new camera raises only the entries'
+   * count, new transfer functions those of the tables, the visible part and the entries,
+   * new scalars on the same mesh those of the scalars, the visible part and the entries.
    */
   vtkGetMacro(BlocksBuilds, vtkTypeInt64);
   vtkGetMacro(MeshBuilds, vtkTypeInt64);
   vtkGetMacro(ScalarsBuilds, vtkTypeInt64);
   vtkGetMacro(TablesBuilds, vtkTypeInt64);
+  vtkGetMacro(VisiblePartBuilds, vtkTypeInt64);
+  vtkGetMacro(EntriesBuilds, vtkTypeInt64);
   vtkGetMacro(GradientsBuilds, vtkTypeInt64);
   vtkGetMacro(OpaqueShadowsBuilds, vtkTypeInt64);
   vtkGetMacro(VertexLightBuilds, vtkTypeInt64);
@@ -211,6 +225,7 @@ public:
   vtkSetMacro(Seconds, double);
   vtkSetMacro(NumberOfDraws, int);
   vtkSetClampMacro(UsedAccuracyLevel, int, 0, 4);
+  vtkSetClampMacro(UsedShaderStage, int, 1, 2);
   vtkSetMacro(UsedErrorTolerance, double);
   vtkSetMacro(UsedImageSampleDistance, double);
   vtkSetMacro(BudgetKept, bool);
@@ -224,6 +239,8 @@ public:
   vtkSetMacro(MeshSeconds, double);
   vtkSetMacro(ScalarsSeconds, double);
   vtkSetMacro(TablesSeconds, double);
+  vtkSetMacro(VisiblePartSeconds, double);
+  vtkSetMacro(EntriesSeconds, double);
   vtkSetMacro(GradientsSeconds, double);
   vtkSetMacro(OpaqueShadowsSeconds, double);
   vtkSetMacro(VertexLightSeconds, double);
@@ -232,6 +249,8 @@ public:
   vtkSetMacro(MeshBuilds, vtkTypeInt64);
   vtkSetMacro(ScalarsBuilds, vtkTypeInt64);
   vtkSetMacro(TablesBuilds, vtkTypeInt64);
+  vtkSetMacro(VisiblePartBuilds, vtkTypeInt64);
+  vtkSetMacro(EntriesBuilds, vtkTypeInt64);
   vtkSetMacro(GradientsBuilds, vtkTypeInt64);
   vtkSetMacro(OpaqueShadowsBuilds, vtkTypeInt64);
   vtkSetMacro(VertexLightBuilds, vtkTypeInt64);
@@ -250,6 +269,7 @@ protected:
   double Seconds = 0;
   int NumberOfDraws = 0;
   int UsedAccuracyLevel;
+  int UsedShaderStage = 1;
   double UsedErrorTolerance = 1.0 / 255.0;
   double UsedImageSampleDistance = 1;
   bool BudgetKept = false;
@@ -263,6 +283,8 @@ protected:
   double MeshSeconds = 0;
   double ScalarsSeconds = 0;
   double TablesSeconds = 0;
+  double VisiblePartSeconds = 0;
+  double EntriesSeconds = 0;
   double GradientsSeconds = 0;
   double OpaqueShadowsSeconds = 0;
   double VertexLightSeconds = 0;
@@ -271,6 +293,8 @@ protected:
   vtkTypeInt64 MeshBuilds = 0;
   vtkTypeInt64 ScalarsBuilds = 0;
   vtkTypeInt64 TablesBuilds = 0;
+  vtkTypeInt64 VisiblePartBuilds = 0;
+  vtkTypeInt64 EntriesBuilds = 0;
   vtkTypeInt64 GradientsBuilds = 0;
   vtkTypeInt64 OpaqueShadowsBuilds = 0;
   vtkTypeInt64 VertexLightBuilds = 0;

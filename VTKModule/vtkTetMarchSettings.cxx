@@ -31,6 +31,13 @@ const char* vtkTetMarchSettings::GetAccuracyLevelAsString() const
 }
 
 //------------------------------------------------------------------------------
+const char* vtkTetMarchSettings::GetShaderStageAsString() const
+{
+  constexpr const char* names[] = { "Automatic", "Fragment", "Compute" };
+  return names[this->ShaderStage];
+}
+
+//------------------------------------------------------------------------------
 const char* vtkTetMarchSettings::GetViewModeAsString() const
 {
   constexpr const char* names[] = { "Picture", "ErrorBound", "Cells", "Lookups", "Illumination",
@@ -66,6 +73,7 @@ void vtkTetMarchSettings::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << "\n";
   os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << "\n";
   os << indent << "MaxDrawTimeInSeconds: " << this->MaxDrawTimeInSeconds << "\n";
+  os << indent << "ShaderStage: " << this->GetShaderStageAsString() << "\n";
   os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "ViewMode: " << this->GetViewModeAsString() << "\n";
   os << indent << "AutomaticViewRange: " << onOrOff(this->AutomaticViewRange) << "\n";

@@ -199,6 +199,30 @@ public:
 
   //@{
   /**
+   * The shader stage in which rays are marched. The picture is the same. Pictures that
+   * vtkDualDepthPeelingPass peels, picks and views of boundary faces are always made by fragments.
+   * AUTOMATIC_STAGE, the default: compute on GPUs for data centres of which few units take
+   * fragments, as the NVIDIA H100 and its successors (by GL_RENDERER), if they have OpenGL 4.3;
+   * else fragments. FRAGMENT_STAGE: each ray is a fragment. COMPUTE_STAGE: each ray is an
+   * invocation of a compute shader; an error where there is no OpenGL 4.3. It takes 16 bytes a
+   * pixel for the picture, which is then blended over that of the window.
+   */
+  enum ShaderStageType
+  {
+    AUTOMATIC_STAGE = 0,
+    FRAGMENT_STAGE = 1,
+    COMPUTE_STAGE = 2
+  };
+  vtkSetClampMacro(ShaderStage, int, AUTOMATIC_STAGE, COMPUTE_STAGE);
+  vtkGetMacro(ShaderStage, int);
+  void SetShaderStageToAutomatic() { this->SetShaderStage(AUTOMATIC_STAGE); }
+  void SetShaderStageToFragment() { this->SetShaderStage(FRAGMENT_STAGE); }
+  void SetShaderStageToCompute() { this->SetShaderStage(COMPUTE_STAGE); }
+  const char* GetShaderStageAsString() const;
+  //@}
+
+  //@{
+  /**
    * Most bytes that the mesh, its scalars and the tables may take on the GPU. 0, the default: no
    * limit but the GL's. A larger mesh is refused with an error before memory for it is allocated
    * there, and before it is prepared if its number of cells alone is too large.
@@ -440,6 +464,7 @@ protected:
   double MinimumImageSampleDistance = 1;
   double MaximumImageSampleDistance = 10;
   double MaxDrawTimeInSeconds = 0.25;
+  int ShaderStage = AUTOMATIC_STAGE;
   vtkIdType MaxMemoryInBytes = 0;
   int ViewMode = VIEW_PICTURE;
   bool AutomaticViewRange = true;

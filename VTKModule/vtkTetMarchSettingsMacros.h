@@ -48,6 +48,12 @@
     VIEW_BOUNDARY_FACES = vtkTetMarchSettings::VIEW_BOUNDARY_FACES,                                \
     VIEW_BOUNDARY_COORDINATES = vtkTetMarchSettings::VIEW_BOUNDARY_COORDINATES                     \
   };                                                                                               \
+  enum ShaderStageType                                                                             \
+  {                                                                                                \
+    AUTOMATIC_STAGE = vtkTetMarchSettings::AUTOMATIC_STAGE,                                        \
+    FRAGMENT_STAGE = vtkTetMarchSettings::FRAGMENT_STAGE,                                          \
+    COMPUTE_STAGE = vtkTetMarchSettings::COMPUTE_STAGE                                             \
+  };                                                                                               \
   enum GradientTypes                                                                               \
   {                                                                                                \
     VERTEX_GRADIENTS = vtkTetMarchSettings::VERTEX_GRADIENTS,                                      \
@@ -124,6 +130,10 @@
   vtkTetMarchForwardClampedMacro(MinimumImageSampleDistance, double);                              \
   vtkTetMarchForwardClampedMacro(MaximumImageSampleDistance, double);                              \
   vtkTetMarchForwardClampedMacro(MaxDrawTimeInSeconds, double);                                    \
+  vtkTetMarchForwardChoiceMacro(ShaderStage);                                                      \
+  vtkTetMarchForwardChoiceToMacro(ShaderStage, Automatic);                                         \
+  vtkTetMarchForwardChoiceToMacro(ShaderStage, Fragment);                                          \
+  vtkTetMarchForwardChoiceToMacro(ShaderStage, Compute);                                           \
   vtkTetMarchForwardChoiceMacro(ViewMode);                                                         \
   vtkTetMarchForwardChoiceToMacro(ViewMode, Picture);                                              \
   vtkTetMarchForwardChoiceToMacro(ViewMode, ErrorBound);                                           \

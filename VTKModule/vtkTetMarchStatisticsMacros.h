@@ -33,6 +33,8 @@
   vtkTetMarchFigureMacro(UsedAccuracyLevel, int);                                                  \
   vtkTetMarchFigureMacro(UsedAccuracyLevelAsString, const char*);                                  \
   vtkTetMarchFigureMacro(UsedErrorTolerance, double);                                              \
+  vtkTetMarchFigureMacro(UsedShaderStage, int);                                                    \
+  vtkTetMarchFigureMacro(UsedShaderStageAsString, const char*);                                    \
   vtkTetMarchFigureMacro(UsedImageSampleDistance, double);                                         \
   vtkTetMarchFactMacro(BudgetKept);                                                                \
   vtkTetMarchFactMacro(LightComplete);                                                             \
@@ -44,6 +46,8 @@
   vtkTetMarchFigureMacro(BlocksSeconds, double);                                                   \
   vtkTetMarchFigureMacro(MeshSeconds, double);                                                     \
   vtkTetMarchFigureMacro(ScalarsSeconds, double);                                                  \
+  vtkTetMarchFigureMacro(VisiblePartSeconds, double);                                              \
+  vtkTetMarchFigureMacro(EntriesSeconds, double);                                                  \
   vtkTetMarchFigureMacro(TablesSeconds, double);                                                   \
   vtkTetMarchFigureMacro(GradientsSeconds, double);                                                \
   vtkTetMarchFigureMacro(OpaqueShadowsSeconds, double);                                            \
@@ -52,6 +56,8 @@
   vtkTetMarchFigureMacro(BlocksBuilds, vtkTypeInt64);                                              \
   vtkTetMarchFigureMacro(MeshBuilds, vtkTypeInt64);                                                \
   vtkTetMarchFigureMacro(ScalarsBuilds, vtkTypeInt64);                                             \
+  vtkTetMarchFigureMacro(VisiblePartBuilds, vtkTypeInt64);                                         \
+  vtkTetMarchFigureMacro(EntriesBuilds, vtkTypeInt64);                                             \
   vtkTetMarchFigureMacro(TablesBuilds, vtkTypeInt64);                                              \
   vtkTetMarchFigureMacro(GradientsBuilds, vtkTypeInt64);                                           \
   vtkTetMarchFigureMacro(OpaqueShadowsBuilds, vtkTypeInt64);                                       \

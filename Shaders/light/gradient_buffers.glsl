@@ -1,7 +1,10 @@
 // Gradients, and the gradient opacity; bound by GL/EffectTextures. Those of a lattice are differences of its values.
 #if !TETMARCH_STRUCTURED
 uniform samplerBuffer gradientBuffer; // of the scalar, at the vertices or in the tetrahedra
-#if TETMARCH_CELL_GRADIENTS
+#if TETMARCH_CELL_GRADIENTS && TETMARCH_SPLIT_CELLS
+uniform samplerBuffer secondGradientBuffer;
+vec3 fetchCellGradient(uint tet) { return fetchOfCell(gradientBuffer, secondGradientBuffer, tet).xyz; }
+#elif TETMARCH_CELL_GRADIENTS
 vec3 fetchCellGradient(uint tet) { return texelFetch(gradientBuffer, int(tet)).xyz; }
 #else
 vec3 fetchGradient(uint vertex) { return texelFetch(gradientBuffer, int(vertex)).xyz; }

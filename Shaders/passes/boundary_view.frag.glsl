@@ -17,6 +17,7 @@
 #include "tet/entry_lists.glsl"
 #endif
 #include "passes/pixel_ray.glsl"
+#include "passes/fragment_ray.glsl"
 
 uniform bool showsCoordinates; // shows the barycentrics of the entry, else the face
 
@@ -90,7 +91,7 @@ vec3 colorOfFace(uvec3 ids)
 
 void main()
 {
-  PixelRay pixel = pixelRay();
+  PixelRay pixel = seenPixelRay();
   FaceIntersection intersection;
   if (!crossesBoundary(pixel, intersection) || intersectionPoint(intersection).x >= pixel.depthEnd)
   {

@@ -6,7 +6,7 @@ const float g_opacityThreshold = 1.0 - 1.0 / 255.0;
 
 PixelRay peeledRay;
 
-void initializeRayCast() { peeledRay = pixelRay(); }
+void initializeRayCast() { peeledRay = seenPixelRay(); }
 
 // Premultiplied colour and opacity between two depths of the window, 0..1.
 vec4 castRay(float begin, float end)
@@ -14,9 +14,9 @@ vec4 castRay(float begin, float end)
   PixelRay part = peeledRay;
   if (begin > 0.0)
   {
-    part.depthBegin = max(part.depthBegin, depthAt(part.ray, begin));
+    part.depthBegin = max(part.depthBegin, depthAt(part.center, part.ray, begin));
   }
-  part.depthEnd = min(part.depthEnd, depthAt(part.ray, end));
+  part.depthEnd = min(part.depthEnd, depthAt(part.center, part.ray, end));
   return colorOf(part, marchPixel(part));
 }
 

@@ -26,12 +26,13 @@
 #include "cuts/clipping.glsl"
 #endif
 #include "passes/pixel_ray.glsl"
+#include "passes/fragment_ray.glsl"
 
 uniform float transmittanceLeft; // of the ray at the point where it is picked, 0..1
 
 void main()
 {
-  PixelRay pixel = pixelRay();
+  PixelRay pixel = seenPixelRay();
   float thicknessPerDepth = thicknessPerDepthAlong(pixel.ray.direction);
   Pick pick =
     pickOn(pixel.ray, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd, transmittanceLeft);

@@ -23,53 +23,45 @@ vec3 unproject(vec2 pixel, float windowDepth)
 
 // Depth along a pixel's ray of its point at a depth of the window. If the far plane is a million times as far as the
 // near plane, its depth has no correct digit, and cutsFarPlane is false.
-float depthAt(Ray ray, float windowDepth)
+float depthAt(vec2 center, Ray ray, float windowDepth)
 {
-  return windowDepth < 1.0 || cutsFarPlane
-    ? dot(unproject(gl_FragCoord.xy, windowDepth) - ray.origin, ray.direction)
-    : NO_DEPTH;
+  return windowDepth < 1.0 || cutsFarPlane ? dot(unproject(center, windowDepth) - ray.origin, ray.direction) : NO_DEPTH;
 }
 #endif
 
 struct PixelRay
 {
+  vec2 center;      // of the pixel, in pixels of the window
   ivec2 at;         // pixel, from the corner of the viewport
   Ray ray;
   float depthBegin; // the part from here to depthEnd is seen
   float depthEnd;
+  bool seen;        // not beside the mesh, nor clipped away
 };
 
-vec3 rayPoint()
+vec3 rayPoint(vec2 center)
 {
-  vec2 xy = (gl_FragCoord.xy - viewport.xy) / viewport.zw * 2.0 - 1.0;
+  vec2 xy = (center - viewport.xy) / viewport.zw * 2.0 - 1.0;
   vec4 p = rayPoints * vec4(xy, 0.0, 1.0);
   return p.xyz / p.w;
 }
 
-// Discards helpers, pixels beside the mesh, and pixels whose ray is clipped away.
-PixelRay pixelRay()
+// Without branches around what follows, which would cost a GPU registers.
+PixelRay pixelRay(vec2 center)
 {
   PixelRay found;
-  ivec2 pixel = ivec2(gl_FragCoord.xy - viewport.xy);
+  ivec2 pixel = ivec2(center - viewport.xy);
+  found.center = center;
   found.at = pixel;
   found.depthBegin = -NO_DEPTH;
   found.depthEnd = NO_DEPTH;
+  found.seen = true;
 
-#if TETMARCH_ENTRY_LISTS
-  ivec2 candidates = fetchCandidateRange(pixel);
-  if (IS_HELPER || candidates.x >= candidates.y)
-  {
-    discard;
-  }
-#else
-  if (IS_HELPER)
-  {
-    discard;
-  }
-#endif
-  vec3 point = rayPoint();
+  vec3 point = rayPoint(center);
   Ray ray = rayThrough(point, normalize(point * eye.w - eye.xyz));
 #if TETMARCH_ENTRY_LISTS
+  ivec2 candidates = fetchCandidateRange(pixel);
+  found.seen = candidates.x < candidates.y;
   ray.firstCandidate = candidates.x;
   ray.endOfCandidates = candidates.y;
   ray.pixelInTile = pixelInTile(pixel);
@@ -81,14 +73,11 @@ PixelRay pixelRay()
 #endif
 #if TETMARCH_OPAQUE_DEPTH
   ivec2 depth = ivec2((vec2(pixel) + 0.5) * depthsPerPixel);
-  found.depthEnd = depthAt(ray, texelFetch(opaqueDepthTexture, depth, 0).x);
+  found.depthEnd = depthAt(center, ray, texelFetch(opaqueDepthTexture, depth, 0).x);
 #endif
 #if TETMARCH_CLIPPED
   vec2 left = clippedRange(ray, vec2(found.depthBegin, found.depthEnd));
-  if (!(left.x < left.y))
-  {
-    discard;
-  }
+  found.seen = found.seen && left.x < left.y;
   found.depthBegin = left.x;
   found.depthEnd = left.y;
 #endif

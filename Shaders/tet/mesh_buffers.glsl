@@ -8,7 +8,9 @@ uniform int mostCells;                 // the step guard: no ray crosses more te
 #define tetCount uint(numberOfTets)
 
 vec4 fetchVertex(uint i) { return texelFetch(vertexBuffer, int(i)); }
+#if !TETMARCH_SPLIT_CELLS
 uvec4 fetchCell(uint tet) { return texelFetch(cellBuffer, int(tet)); }
+#endif
 uvec4 fetchBoundaryFace(uint face) { return texelFetch(boundaryBuffer, int(face)); }
 
 #if TETMARCH_BVH
@@ -26,10 +28,18 @@ uint fetchHiddenCells(uint word) { return texelFetch(hiddenCellBuffer, int(word)
 
 #if !TETMARCH_POINT_SCALARS
 uniform samplerBuffer cellScalarBuffer;
+#if !TETMARCH_SPLIT_CELLS
 float fetchCellScalar(uint tet) { return texelFetch(cellScalarBuffer, int(tet)).x; }
+#endif
 #endif
 
 #if TETMARCH_COMPONENTS
 uniform samplerBuffer furtherScalarBuffer; // of a vertex or of a tetrahedron: up to three beside the first
+#if !TETMARCH_SPLIT_CELLS || TETMARCH_POINT_SCALARS
 vec3 fetchFurtherScalars(uint i) { return texelFetch(furtherScalarBuffer, int(i)).xyz; }
+#endif
+#endif
+
+#if TETMARCH_SPLIT_CELLS
+#include "tet/split_cell_buffers.glsl"
 #endif

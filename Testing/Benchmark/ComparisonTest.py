@@ -50,6 +50,11 @@ class ComparisonTest(unittest.TestCase):
                 self.assertGreater(len(colors), 10, name)
                 self.assertLess(counts.max(), 0.95 * len(pixels), name)
 
+    def test_both_shader_stages_draw_the_same(self):
+        for stage in ("Fragment", "Compute"):
+            self.run_script("compare_pictures.py", "draw", BUILD, f"{stage}.npz", "--every", str(EVERY), "--stage", stage)
+        self.assertIn("all equal", self.run_script("compare_pictures.py", "compare", "Fragment.npz", "Compute.npz"))
+
     def test_each_difference_is_told(self):
         floats = np.linspace(0, 1, 12, dtype=np.float32)
         with_nan = np.array([1.0, np.nan])

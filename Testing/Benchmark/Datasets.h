@@ -38,10 +38,12 @@ struct Dataset
 };
 
 bool isDataset(const std::string& name);
-/// Whether its file, if it has one, is there.
+/// Whether its file, if it has one among others' data, is there.
 bool isPresent(const std::string& name, const DataFolders& folders);
 /// Throws Failure if a file can't be read.
 Dataset makeDataset(const std::string& name, const DataFolders& folders);
+/// The grid with no array but that one of its points, as its scalars. Throws Failure without it.
+vtkSmartPointer<vtkUnstructuredGrid> withOnly(vtkUnstructuredGrid* grid, const std::string& array);
 } // namespace tetmarch::bench
 
 #endif

@@ -7,8 +7,10 @@
 #include "ExactPicture.h"
 #include "Failure.h"
 #include "FloatPicture.h"
+#include "GLDescription.h"
 #include "Mappers.h"
 #include "OffscreenWindow.h"
+#include "Parity.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkCallbackCommand.h"
@@ -78,20 +80,26 @@ nlohmann::json Drawing::drawFrame()
   return { { "seconds", seconds }, { "covered", this->coveredShare() } };
 }
 
-nlohmann::json Drawing::drawEffect(const std::string& effect, int view)
+vtkTetMarchVolumeMapper* Drawing::setEffect(const std::string& effect)
 {
-  this->setView(view);
   this->ensureVolume();
   vtkTetMarchVolumeMapper* mapper = this->ours();
   if (!mapper)
   {
-    throw Failure("no effects are measured of " + this->MapperName);
+    throw Failure(this->MapperName + " has no effects");
   }
   mapper->SetMaxDrawTimeInSeconds(EnoughForOneDraw);
   EffectScene scene{ this->Renderer, mapper, this->Shown.Property, {},
     this->Shown.Range.High - this->Shown.Range.Low };
   this->Shown.Grid->GetBounds(scene.Bounds.data());
   applyEffect(effect, scene);
+  return mapper;
+}
+
+nlohmann::json Drawing::drawEffect(const std::string& effect, int view)
+{
+  this->setView(view);
+  vtkTetMarchVolumeMapper* mapper = this->setEffect(effect);
   const vtkTypeInt64 gradients = mapper->GetGradientsBuilds();
   const vtkTypeInt64 light = mapper->GetVertexLightBuilds();
   const double first = this->timeFrame();
@@ -184,7 +192,8 @@ nlohmann::json Drawing::mapperFigures() const
   {
     figures["stages"] = { { "mesh", ours->GetMeshSeconds() },
       { "scalars", ours->GetScalarsSeconds() }, { "tables", ours->GetTablesSeconds() },
-      { "upload", ours->GetUploadSeconds() } };
+      { "visible_part", ours->GetVisiblePartSeconds() }, { "upload", ours->GetUploadSeconds() } };
+    figures["entries_seconds"] = ours->GetEntriesSeconds();
     figures["gpu_bytes"] = ours->GetGPUMemoryBytes();
     figures["uploaded_bytes"] = ours->GetUploadedBytes();
   }
@@ -215,6 +224,16 @@ nlohmann::json Drawing::compareFirstView(const std::string& file)
   return errors;
 }
 
+nlohmann::json Drawing::compareWithCpu(const std::string& effect)
+{
+  this->setView(0);
+  vtkTetMarchVolumeMapper* mapper = this->setEffect(effect);
+  this->timeFrame();
+  nlohmann::json parity = measureParity(this->Window, mapper, this->Volume);
+  this->failOnError();
+  return parity;
+}
+
 nlohmann::json Drawing::writeReference(const std::string& file)
 {
   const double begin = vtkTimerLog::GetUniversalTime();
@@ -238,6 +257,10 @@ nlohmann::json Drawing::writeReference(const std::string& file)
   }
   return { { "seconds", vtkTimerLog::GetUniversalTime() - begin } };
 }
+
+nlohmann::json Drawing::gl() const { return describeGL(this->Window); }
+
+nlohmann::json Drawing::driverProbes() const { return probeDriver(this->Window); }
 
 nlohmann::json Drawing::environment() const { return describeEnvironment(this->Window); }
 

@@ -45,6 +45,12 @@ public:
   /// Of the frames so far, but for their time.
   nlohmann::json mapperFigures() const;
   nlohmann::json environment() const;
+  /// See GLDescription.h.
+  nlohmann::json gl() const;
+  nlohmann::json driverProbes() const;
+
+  /// The first view with that effect beside what the CPU computes: see Parity.h.
+  nlohmann::json compareWithCpu(const std::string& effect);
 
   /// What the first view shows, in float, against the picture in a file: see Errors.h.
   nlohmann::json compareFirstView(const std::string& file);
@@ -54,6 +60,9 @@ public:
 private:
   /// Returns seconds to be added to what it took.
   double ensureVolume();
+  /// All effects but that one are off then, and a frame is one draw call. Throws Failure if the
+  /// mapper has no effects.
+  vtkTetMarchVolumeMapper* setEffect(const std::string& effect);
   void setView(int frame);
   /// Seconds of the view that is set.
   double timeFrame();

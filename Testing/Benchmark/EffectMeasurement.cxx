@@ -3,7 +3,7 @@
 #include "EffectMeasurement.h"
 
 #include "ChildProcess.h"
-#include "Failure.h"
+#include "WorkerAnswers.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -24,26 +24,16 @@ public:
     : Process(workerArguments(options, { record.Shown, "tetmarch" }))
     , LimitSeconds(TurnLimitFactor * options.LimitSeconds)
   {
-    record.Ready = this->receive();
+    record.Ready = receiveAnswer(this->Process, this->LimitSeconds);
   }
 
   nlohmann::json draw(const std::string& effect, int view)
   {
-    this->Process.send("effect " + effect + " " + std::to_string(view));
-    return this->receive();
+    return askWorker(
+      this->Process, "effect " + effect + " " + std::to_string(view), this->LimitSeconds);
   }
 
 private:
-  nlohmann::json receive()
-  {
-    nlohmann::json answer = nlohmann::json::parse(this->Process.receive(this->LimitSeconds));
-    if (answer.contains("error"))
-    {
-      throw Failure(answer["error"].get<std::string>());
-    }
-    return answer;
-  }
-
   ChildProcess Process;
   double LimitSeconds;
 };

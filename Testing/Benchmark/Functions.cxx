@@ -83,6 +83,31 @@ bool isFunctions(const std::string& name)
   return name == OwnFunctions || std::find(names.begin(), names.end(), name) != names.end();
 }
 
+vtkSmartPointer<vtkVolumeProperty> propertyOf(const TransferFunctions& functions, double unit)
+{
+  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+  property->SetColor(functions.Color);
+  property->SetScalarOpacity(functions.Opacity);
+  property->SetScalarOpacityUnitDistance(unit);
+  property->SetInterpolationTypeToLinear();
+  property->ShadeOff();
+  return property;
+}
+
+vtkSmartPointer<vtkVolumeProperty> wavesProperty(double unitDistance)
+{
+  TransferFunctions functions;
+  functions.Color->AddRGBPoint(0.0, 0.1, 0.2, 0.8);
+  functions.Color->AddRGBPoint(0.5, 0.9, 0.9, 0.9);
+  functions.Color->AddRGBPoint(1.0, 0.8, 0.1, 0.1);
+  functions.Opacity->AddPoint(0.0, 0.6);
+  functions.Opacity->AddPoint(0.3, 0.1);
+  functions.Opacity->AddPoint(0.5, 0.4);
+  functions.Opacity->AddPoint(0.7, 0.1);
+  functions.Opacity->AddPoint(1.0, 0.8);
+  return propertyOf(functions, unitDistance);
+}
+
 vtkSmartPointer<vtkVolumeProperty> makeFunctions(
   const std::string& name, const FunctionRange& range)
 {

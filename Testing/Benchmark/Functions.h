@@ -7,6 +7,8 @@
 #ifndef tetmarch_bench_Functions_h
 #define tetmarch_bench_Functions_h
 
+#include "TransferFunctions.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkVolumeProperty.h"
 
@@ -37,6 +39,12 @@ const std::vector<std::string>& commonFunctions();
 /// Any but OwnFunctions.
 vtkSmartPointer<vtkVolumeProperty> makeFunctions(
   const std::string& name, const FunctionRange& range);
+
+vtkSmartPointer<vtkVolumeProperty> propertyOf(const TransferFunctions& functions, double unit);
+
+/// For scalars from 0 to 1: translucent throughout, so that no ray may end early. Four unit
+/// distances absorb about three quarters of the light.
+vtkSmartPointer<vtkVolumeProperty> wavesProperty(double unitDistance);
 } // namespace tetmarch::bench
 
 #endif

@@ -18,15 +18,17 @@ prints a table in Markdown and, if asked, writes every figure as JSON.
   structured                images: vtkTetMarchSmartVolumeMapper beside VTK's mappers, with errors
 
   --datasets A,B,...        of lattice162k, lattice1.3m, lattice6m, lattice:N (6 N^3 tetrahedra), golfball,
-                            golfball-slab, golfball-wake, cheese (not convex), front1.3m, front:N (a sharp front),
-                            refined:N (one smooth wave), and, if --more-data has them, golfball-medium, bluntfin,
-                            oxygen
-                            (default: the first three, golfball, golfball-slab, golfball-wake, cheese)
-  --functions A,B,...       of own (of lattices and golfball), smooth, ramp, spikes (default: own)
+                            golfball-slab, golfball-wake, cheese, cheese:N (not convex), front1.3m, front:N (a sharp
+                            front), refined:N (one smooth wave), and, if --more-data has them, wheelset, crushed-can
+                            (solid parts), golfball-medium, bluntfin, oxygen
+                            (default: the first three, golfball, golfball-slab, golfball-wake, cheese, wheelset,
+                            crushed-can)
+  --functions A,B,...       of own (of all but front, refined and flows of others), smooth, ramp, spikes (default: own)
   --mappers A,B,...         of tetmarch, tetmarch:1/N (tolerance), tetmarch-fast, tetmarch-accurate,
-                            tetmarch-reference, projected, bunyk, bunyk-homogeneous, bunyk-preintegration,
-                            bunyk-partial, bunyk-linear, zsweep, resample:N/K (N^3 points, K samples a spacing)
-                            (default: tetmarch, projected, bunyk)
+                            tetmarch-reference, tetmarch-compute (by a compute shader), projected, bunyk,
+                            bunyk-homogeneous, bunyk-preintegration, bunyk-partial, bunyk-linear, zsweep,
+                            resample:N/K (N^3 points, K samples a spacing)
+                            (default: tetmarch, projected, bunyk; in a GPU's report tetmarch-compute, too)
   --effects A,B,...         of gradient-opacity, headlight, one-light, five-lights, local-lights, cell-gradients,
                             vertex-shadows, ray-shadows, headlight-shadows, occlusion, shadows-occlusion,
                             scattering, illumination (default: all)
@@ -47,10 +49,12 @@ prints a table in Markdown and, if asked, writes every figure as JSON.
                             structured: 2, and no more than one)
   --quick                   tiny lattices, a small window and few frames; options after it still count
   --data FOLDER             where golfball_small.vtu lies (default: Data/ of the sources)
-  --more-data FOLDER        where golfball/golfball_medium.vtu and others lie; datasets of 'accuracy' that are
-                            not there are left out (default: ../shared/data beside the sources)
+  --more-data FOLDER        where golfball/golfball_medium.vtu and others lie; datasets that are not there
+                            are left out (default: ../shared/data beside the sources)
   --output FILE.json
   --markdown FILE.md        the table that is printed
+  --gpu-report FILE.json    the figures with all that the GL says of itself, what its driver can do, and how far its
+                            pictures are from those of the CPU: to be sent to us, whatever fails
   --cache FOLDER            where resampled scalars are kept with the time they took (default: a folder that is
                             deleted at the end)
   --help

@@ -27,8 +27,8 @@ struct Pass
   std::vector<VariantKey> Keys;
 };
 
-/// The variants that scenes can ask for: surfaces that cast shadows are seen as well, and whether
-/// there is fma is the driver's choice.
+/// The variants that scenes can ask for: surfaces that cast shadows are seen as well, whether there
+/// is fma is the driver's choice, and a mesh that takes two buffers is too large.
 std::vector<VariantKey> ofScenes(const std::vector<VariantKey>& keys)
 {
   DistinctKeys distinct;
@@ -36,6 +36,7 @@ std::vector<VariantKey> ofScenes(const std::vector<VariantKey>& keys)
   {
     key.OpaqueDepth = key.OpaqueDepth || key.OpaqueShadows;
     key.HasFma = false;
+    key.SplitCells = false;
     distinct.add(key.filtered());
   }
   return distinct.Keys;

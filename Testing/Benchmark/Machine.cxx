@@ -2,14 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Machine.h"
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 
 #include <sched.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
 namespace tetmarch::bench
 {
+namespace
+{
+/// What follows the beginning on the first line of a file that has it; else the other text.
+std::string restOfLine(const char* file, const std::string& begin, const std::string& otherwise)
+{
+  std::ifstream lines(file);
+  for (std::string line; std::getline(lines, line);)
+  {
+    if (line.compare(0, begin.size(), begin) == 0)
+    {
+      return line.substr(begin.size());
+    }
+  }
+  return otherwise;
+}
+} // namespace
+
 std::string currentDate()
 {
   const std::time_t now = std::time(nullptr);
@@ -18,19 +37,16 @@ std::string currentDate()
   return text;
 }
 
-std::string cpuModel()
+std::string operatingSystem()
 {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-  {
-    const auto colon = line.find(": ");
-    if (line.compare(0, 10, "model name") == 0 && colon != std::string::npos)
-    {
-      return line.substr(colon + 2);
-    }
-  }
-  return "unknown CPU";
+  std::string name = restOfLine("/etc/os-release", "PRETTY_NAME=", "unknown system");
+  name.erase(std::remove(name.begin(), name.end(), '"'), name.end());
+  utsname kernel{};
+  uname(&kernel);
+  return name + ", " + kernel.sysname + " " + kernel.release + ", " + kernel.machine;
 }
+
+std::string cpuModel() { return restOfLine("/proc/cpuinfo", "model name\t: ", "unknown CPU"); }
 
 int hardwareThreads()
 {

@@ -12,7 +12,8 @@
 
 namespace tetmarch::bench
 {
-std::string currentDate(); // ISO 8601, UTC
+std::string currentDate();     // ISO 8601, UTC
+std::string operatingSystem(); // its name, the kernel and the machine
 std::string cpuModel();
 int hardwareThreads(); // that this process may use
 std::int64_t memoryBytes();

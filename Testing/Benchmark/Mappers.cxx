@@ -81,6 +81,13 @@ Maker ours(int level)
   };
 }
 
+PreparedVolume makeOursByCompute(const Scene& scene)
+{
+  const auto mapper = vtk::TakeSmartPointer(vtkTetMarchVolumeMapper::New());
+  mapper->SetShaderStageToCompute();
+  return volumeOf(mapper, scene);
+}
+
 Maker oursWithTolerance(int denominator)
 {
   return [denominator](const Scene& scene)
@@ -125,6 +132,7 @@ Maker makerOf(const std::string& name)
     { "tetmarch-fast", ours(vtkTetMarchVolumeMapper::FAST) },
     { "tetmarch-accurate", ours(vtkTetMarchVolumeMapper::ACCURATE) },
     { "tetmarch-reference", ours(vtkTetMarchVolumeMapper::REFERENCE) },
+    { "tetmarch-compute", makeOursByCompute },
     { "projected", makeProjected },
     { "bunyk", makeBunyk },
     { "bunyk-homogeneous", makeBunykWith<vtkUnstructuredGridHomogeneousRayIntegrator> },

@@ -3,7 +3,7 @@
 #include "Measurement.h"
 
 #include "ChildProcess.h"
-#include "Failure.h"
+#include "WorkerAnswers.h"
 
 #include <cstdio>
 #include <functional>
@@ -17,22 +17,6 @@ namespace
 constexpr double FirstLimitFactor = 5.0;
 // The reference is made by the CPU, with no regard to time.
 constexpr double ReferenceLimitSeconds = 1800.0;
-
-nlohmann::json receive(ChildProcess& child, double limitSeconds)
-{
-  nlohmann::json answer = nlohmann::json::parse(child.receive(limitSeconds));
-  if (answer.contains("error"))
-  {
-    throw Failure(answer["error"].get<std::string>());
-  }
-  return answer;
-}
-
-nlohmann::json ask(ChildProcess& child, const std::string& command, double limitSeconds)
-{
-  child.send(command);
-  return receive(child, limitSeconds);
-}
 
 /// One mapper's process, as long as it does what it is asked.
 struct Contestant
@@ -68,7 +52,7 @@ void start(Contestant& contestant, const Options& options, DatasetRecord& record
     workerArguments(options, { record.Shown, other ? "tetmarch" : contestant.Record.Mapper }),
     other ? options.Against : std::string());
   contestant.attempt("preparation", [&](ChildProcess& child)
-    { record.Ready = receive(child, FirstLimitFactor * options.LimitSeconds); });
+    { record.Ready = receiveAnswer(child, FirstLimitFactor * options.LimitSeconds); });
 }
 
 void drawFrame(Contestant& contestant, const Options& options, int frame)
@@ -77,7 +61,7 @@ void drawFrame(Contestant& contestant, const Options& options, int frame)
     [&](ChildProcess& child)
     {
       const double factor = frame == 0 ? FirstLimitFactor : 1.0;
-      const nlohmann::json answer = ask(child, "frame", factor * options.LimitSeconds);
+      const nlohmann::json answer = askWorker(child, "frame", factor * options.LimitSeconds);
       const double seconds = answer.at("seconds");
       MapperRecord& record = contestant.Record;
       (frame == 0 ? record.FirstFrames : record.Frames).push_back(seconds);
@@ -90,7 +74,7 @@ void drawFrame(Contestant& contestant, const Options& options, int frame)
 void askForFigures(Contestant& contestant, const Options& options)
 {
   contestant.attempt("figures", [&](ChildProcess& child)
-    { contestant.Record.Figures = ask(child, "figures", options.LimitSeconds); });
+    { contestant.Record.Figures = askWorker(child, "figures", options.LimitSeconds); });
 }
 
 void askForErrors(Contestant& contestant, const Options& options, const std::string& file)
@@ -99,7 +83,7 @@ void askForErrors(Contestant& contestant, const Options& options, const std::str
     [&](ChildProcess& child)
     {
       contestant.Record.Errors =
-        ask(child, "errors " + file, FirstLimitFactor * options.LimitSeconds);
+        askWorker(child, "errors " + file, FirstLimitFactor * options.LimitSeconds);
       std::fprintf(stderr, "  %-20s errors: %s\n", contestant.Record.Mapper.c_str(),
         contestant.Record.Errors.dump().c_str());
     });
@@ -111,9 +95,9 @@ void makeReference(const Options& options, DatasetRecord& record, const std::str
   try
   {
     ChildProcess child(workerArguments(options, { record.Shown, "tetmarch" }));
-    receive(child, FirstLimitFactor * options.LimitSeconds);
+    receiveAnswer(child, FirstLimitFactor * options.LimitSeconds);
     record.ReferenceSeconds =
-      ask(child, "reference " + file, ReferenceLimitSeconds).at("seconds").get<double>();
+      askWorker(child, "reference " + file, ReferenceLimitSeconds).at("seconds").get<double>();
     std::fprintf(stderr, "  reference: %.1f s\n", record.ReferenceSeconds);
   }
   catch (const std::exception& error)

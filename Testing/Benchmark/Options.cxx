@@ -109,6 +109,7 @@ const std::map<std::string, Setter>& settersByName()
     { "--enough", [](Options& o, const std::string& v) { o.EnoughSeconds = parseSeconds(v); } },
     { "--output", [](Options& o, const std::string& v) { o.JsonFile = v; } },
     { "--markdown", [](Options& o, const std::string& v) { o.MarkdownFile = v; } },
+    { "--gpu-report", [](Options& o, const std::string& v) { o.GpuReportFile = v; } },
     { "--worker", [](Options& o, const std::string& v) { o.Worker = parsePair(v); } },
   };
   return setters;
@@ -244,6 +245,10 @@ Options parseOptions(const std::vector<std::string>& arguments)
     {
       throw UsageError("bad value '" + value + "' of " + name + ": " + error.what());
     }
+  }
+  if (!options.GpuReportFile.empty() && options.Mappers == Options().Mappers)
+  {
+    options.Mappers.emplace(options.Mappers.begin() + 1, "tetmarch-compute");
   }
   return options;
 }

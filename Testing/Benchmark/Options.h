@@ -35,7 +35,7 @@ struct Options
   bool Errors = false;        // measure them, too
   int Stride = 4;             // of images: errors are those of every so manieth pixel and row
   std::vector<std::string> Datasets = { "lattice162k", "lattice1.3m", "lattice6m", "golfball",
-    "golfball-slab", "golfball-wake", "cheese" };
+    "golfball-slab", "golfball-wake", "cheese", "wheelset", "crushed-can" };
   std::vector<std::string> Functions = { OwnFunctions };
   std::vector<std::string> Mappers = { "tetmarch", "projected", "bunyk" };
   std::vector<std::string> Effects; // empty: all
@@ -44,6 +44,7 @@ struct Options
   std::string CacheFolder; // of workers, for what several make
   std::string JsonFile;
   std::string MarkdownFile;
+  std::string GpuReportFile;  // empty: none
   std::optional<Pair> Worker; // set in the processes that the benchmark starts
 };
 

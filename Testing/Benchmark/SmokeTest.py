@@ -8,34 +8,11 @@ import pathlib
 import re
 import subprocess
 import sys
-import tempfile
-import unittest
 
-EXECUTABLE = None
+from benchmark_case import BenchmarkCase, main
 
 
-class SmokeTest(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def run_benchmark(self, *arguments):
-        return subprocess.run([EXECUTABLE, *arguments], cwd=self.folder, text=True, timeout=300,
-                              capture_output=True)
-
-    def report_of(self, *arguments):
-        result = self.run_benchmark(*arguments, "--output", "out.json", "--markdown", "out.md")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual((self.folder / "out.md").read_text(), result.stdout)
-        return json.loads((self.folder / "out.json").read_text()), result.stdout
-
-    def assert_times(self, times, count):
-        self.assertEqual(len(times["seconds"]), count)
-        self.assertGreater(times["min_seconds"], 0)
-        self.assertLessEqual(times["min_seconds"], times["median_seconds"])
-        self.assertLessEqual(times["median_seconds"], times["max_seconds"])
-
+class SmokeTest(BenchmarkCase):
     def test_figures_of_the_quick_run(self):
         report, table = self.report_of("--quick", "--rounds", "2")
         self.assertEqual([dataset["tetrahedra"] for dataset in report["datasets"]], [6 * 6**3, 6 * 8**3])
@@ -181,7 +158,7 @@ class SmokeTest(unittest.TestCase):
     def test_against_another_build(self):
         """Here, itself; a program that is none is told of."""
         report, text = self.report_of("--quick", "--datasets", "lattice:8", "--mappers", "tetmarch", "--against",
-                                      EXECUTABLE)
+                                      self.executable)
         dataset = report["datasets"][0]
         self.assertEqual([m["name"] for m in dataset["mappers"]], ["tetmarch", "against"])
         self.assertEqual(dataset["against"]["count"], 2)
@@ -195,7 +172,7 @@ class SmokeTest(unittest.TestCase):
     def test_page_and_chart_of_effects(self):
         if importlib.util.find_spec("matplotlib") is None:
             self.skipTest("there is no matplotlib")
-        self.report_of("--quick", "--datasets", "lattice:8", "--mappers", "tetmarch", "--against", EXECUTABLE)
+        self.report_of("--quick", "--datasets", "lattice:8", "--mappers", "tetmarch", "--against", self.executable)
         (self.folder / "out.json").rename(self.folder / "against.json")
         self.report_of("effects", "--quick", "--datasets", "lattice:8", "--effects", "one-light,vertex-shadows")
         maker = pathlib.Path(__file__).resolve().parent / "make_effects_page.py"
@@ -304,5 +281,4 @@ class SmokeTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    EXECUTABLE = sys.argv.pop(1)
-    unittest.main(verbosity=2)
+    main()

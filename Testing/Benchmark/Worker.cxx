@@ -63,6 +63,18 @@ nlohmann::json answerTo(const std::string& command, Drawing& drawing)
     const std::size_t space = rest.find(' ');
     return drawing.drawEffect(rest.substr(0, space), std::stoi(rest.substr(space + 1)));
   }
+  if (word == "parity")
+  {
+    return drawing.compareWithCpu(rest);
+  }
+  if (word == "gl")
+  {
+    return drawing.gl();
+  }
+  if (word == "probes")
+  {
+    return drawing.driverProbes();
+  }
   return word == "errors" ? drawing.compareFirstView(rest) : drawing.drawFrame();
 }
 

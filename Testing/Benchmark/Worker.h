@@ -6,8 +6,9 @@
  *
  * Commands come line by line on standard input until it ends: "frame", "figures", "reference FILE"
  * (write the true picture of the first view), "errors FILE" (compare with it), "effect NAME VIEW"
- * (Drawing::drawEffect()). Every answer is one line of JSON on what was standard output; the first,
- * without a command, when the scene is ready. An answer {"error": text} is the last.
+ * (Drawing::drawEffect()), "gl", "probes" (GLDescription.h), "parity EFFECT"
+ * (Drawing::compareWithCpu()). Every answer is one line of JSON on what was standard output; the
+ * first, without a command, when the scene is ready. An answer {"error": text} is the last.
  */
 #ifndef tetmarch_bench_Worker_h
 #define tetmarch_bench_Worker_h

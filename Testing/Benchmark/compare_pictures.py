@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether two builds draw the same pictures, to the last bit.
+"""Whether two builds, or the two shader stages of one, draw the same pictures, to the last bit.
 
-    compare_pictures.py draw BUILD OUT.npz [--variants PROGRAM] [--check] [--every N] [--only WORDS]
+    compare_pictures.py draw BUILD OUT.npz [--variants PROGRAM] [--check] [--every N] [--only WORDS] [--stage STAGE]
     compare_pictures.py compare A.npz B.npz
 
 `draw` has the Python package of a build folder draw a scene for each variant of the shader, picks, and scenes of other
 options. Which variants there are is told by tetmarch-variants: that of BUILD, or of another build with --variants.
 --check makes sure, by the shaders that Mesa compiles, that these variants are drawn. --only WORDS draws the scenes with
-these words in their names, --every N one of N.
+these words in their names, --every N one of N. --stage Compute has rays marched by compute shaders.
 
 `compare` tells which pictures differ and by how much; the exit status is 1 if any does.
 """
@@ -38,7 +38,7 @@ def draw(build, program, arguments):
         if arguments.check:
             environment["MESA_SHADER_CAPTURE_PATH"] = str(captures)
         command = [sys.executable, HERE / "draw_pictures.py", folder / "variants.txt", arguments.output.resolve(),
-                   str(arguments.every), arguments.only]
+                   str(arguments.every), arguments.only, arguments.stage]
         drawing = subprocess.run(command, env=environment, stdout=subprocess.PIPE, text=True)
         names = drawing.stdout.splitlines()
         if drawing.returncode != 0:
@@ -100,6 +100,7 @@ def main():
     drawing.add_argument("--check", action="store_true")
     drawing.add_argument("--every", type=int, default=1, metavar="N")
     drawing.add_argument("--only", default="", metavar="WORDS")
+    drawing.add_argument("--stage", default="", choices=("Fragment", "Compute"))
     comparing = commands.add_parser("compare")
     comparing.add_argument("first", type=np.load)
     comparing.add_argument("second", type=np.load)

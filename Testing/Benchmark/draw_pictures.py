@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws all scenes with the vtktetmarch that Python finds: draw_pictures.py VARIANTS OUT.npz EVERY WORDS
+"""Draws all scenes with the vtktetmarch that Python finds: draw_pictures.py VARIANTS OUT.npz EVERY WORDS STAGE
 
 compare_pictures.py runs this with the build that is asked for. VARIANTS is a file of what tetmarch-variants printed; of
 every EVERY scenes with WORDS in their names one is drawn, and its name printed. A scene that the build refuses has the
-error instead of arrays.
+error instead of arrays. STAGE is the shader stage, or empty: as the mapper chooses.
 """
 import pathlib
 import sys
@@ -65,14 +65,14 @@ def all_scenes(variants):
 
 
 def main():
-    variants, output, every, words = sys.argv[1:]
+    variants, output, every, words, stage = sys.argv[1:]
     scenes = [(name, draw) for name, draw in all_scenes(pathlib.Path(variants)) if words in name]
     with PictureWindow() as window:
         arrays = {"driver": np.array(window.gl_renderer()), "build": np.array(str(vtktetmarch.__file__))}
     for name, draw in scenes[::int(every)]:
         print(name, flush=True)
         try:
-            with PictureWindow() as window:
+            with PictureWindow(stage) as window:
                 arrays.update({f"{name}: {kind}": array for kind, array in draw(window).items()})
         except (Refused, AttributeError, TypeError) as error:
             arrays[f"{name}: refused"] = np.array(str(error))

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EffectReport.h"
 #include "Failure.h"
+#include "GpuReport.h"
 #include "Measurement.h"
 #include "Report.h"
 #include "Statistics.h"
@@ -11,6 +12,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include <unistd.h>
 
@@ -26,7 +28,7 @@ std::vector<Subject> subjectsOf(const Options& options)
   {
     const bool isMissing = options.Kind == StructuredKind
                              ? !isStructuredPresent(dataset, options.Folders)
-                             : options.Kind == "accuracy" && !isPresent(dataset, options.Folders);
+                             : !isPresent(dataset, options.Folders);
     if (isMissing)
     {
       std::fprintf(stderr, "%s is left out: it is not in %s\n", dataset.c_str(),
@@ -78,7 +80,8 @@ void write(const Options& options, const nlohmann::ordered_json& report, const s
 
 /// Files are written after each dataset, so that a run which is cut short leaves what it has.
 template <typename Record>
-void measureAll(const Options& options, Record (*measure)(const Options&, const Subject&),
+void measureAll(const Options& options, std::optional<GpuReport>& gpu,
+  Record (*measure)(const Options&, const Subject&),
   nlohmann::ordered_json (*describe)(const Options&, const std::vector<Record>&),
   std::string (*makeText)(const nlohmann::ordered_json&))
 {
@@ -88,6 +91,10 @@ void measureAll(const Options& options, Record (*measure)(const Options&, const 
     records.push_back(measure(options, subject));
     const auto report = describe(options, records);
     write(options, report, makeText(report));
+    if (gpu)
+    {
+      gpu->setBenchmark(report);
+    }
   }
   std::fputs(makeText(describe(options, records)).c_str(), stdout);
 }
@@ -100,17 +107,23 @@ void run(Options options)
     options.CacheFolder = temporary.path();
   }
   std::filesystem::create_directories(options.CacheFolder);
+  std::optional<GpuReport> gpu;
+  if (!options.GpuReportFile.empty())
+  {
+    gpu.emplace(options);
+    gpu->measure();
+  }
   if (options.Kind == "effects")
   {
-    measureAll(options, measureEffects, makeEffectReport, makeEffectMarkdown);
+    measureAll(options, gpu, measureEffects, makeEffectReport, makeEffectMarkdown);
   }
   else if (options.Kind == StructuredKind)
   {
-    measureAll(options, measureStructured, makeStructuredReport, makeStructuredMarkdown);
+    measureAll(options, gpu, measureStructured, makeStructuredReport, makeStructuredMarkdown);
   }
   else
   {
-    measureAll(options, measureDataset, makeReport, makeMarkdown);
+    measureAll(options, gpu, measureDataset, makeReport, makeMarkdown);
   }
 }
 } // namespace

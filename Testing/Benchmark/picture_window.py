@@ -27,7 +27,8 @@ class Refused(Exception):
 class PictureWindow:
     """For a `with` statement, which ends its GL context: one scene a window bounds what a driver keeps of shaders."""
 
-    def __init__(self):
+    def __init__(self, stage=""):
+        self.stage = stage
         self.window = vtk.vtkRenderWindow()
         self.window.SetMultiSamples(0)
         self.window.AlphaBitPlanesOn()
@@ -51,6 +52,8 @@ class PictureWindow:
 
     def show(self, scene):
         self.window.AddRenderer(scene.renderer)
+        if self.stage:
+            call(scene.mapper, f"SetShaderStageTo{self.stage}")
         scene.mapper.AddObserver("ErrorEvent", self.remember_error)
 
     def remember_error(self, _caller, _event, text="unknown error"):

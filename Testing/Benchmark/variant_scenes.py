@@ -19,6 +19,7 @@ ARRAY = "field"
 CUBES = 4
 CELLS = 16  # of a lattice, along each axis: four blocks or more
 CELLS_OF_BLOCK = 3  # one block, also if half cells are added at both ends
+VISIBLE_FROM = 0.8  # along x of a mesh of which a part is visible: its last layer of cubes
 MOST_LAYERS = 2048  # of a texture of Mesa: more make two textures a component
 SAMPLE_DISTANCE = 0.02
 HIDDEN_CELL = 32  # vtkDataSetAttributes::HIDDENCELL
@@ -77,8 +78,8 @@ class VariantScene:
             self.mapper.SetScalarModeToUseCellFieldData()
         values = np.stack([grids.waves(places, 0.8 + 0.2 * k, k) for k in range(self.components())], axis=1)
         if self.has("VISIBLE_PART"):
-            # Of more than half of the mesh nothing is seen, and all of the rest is.
-            values = np.where(places[:, :1] < 0.55, 0.2, 0.6 + 0.28 * values)
+            # Of most of the mesh nothing is seen, and all of the rest is.
+            values = np.where(places[:, :1] < VISIBLE_FROM, 0.2, 0.6 + 0.28 * values)
         elif self.has("TRANSPARENT_RANGES") or self.has("ISOSURFACES"):
             # Next to each value of which nothing is seen there is one that is seen.
             unseen = np.arange(len(values))[:, np.newaxis] % 2 == 0
@@ -86,7 +87,7 @@ class VariantScene:
         if self.has("NAN_SHOWN"):
             # Of odd numbers, which are those that are seen above; and in the part that is visible.
             spoilt = np.arange(len(values)) % 28 == 5
-            values[spoilt & (places[:, 0] > 0.55) if self.has("VISIBLE_PART") else spoilt] = np.nan
+            values[spoilt & (places[:, 0] > VISIBLE_FROM) if self.has("VISIBLE_PART") else spoilt] = np.nan
         grids.add_array(data, ARRAY, values)
         self.show_data(grid)
 

@@ -110,7 +110,8 @@ inline std::vector<VariantKey> legalKeys()
   return legal.Keys;
 }
 
-/// Of the light at vertices, for the pictures that have it; in whatever number of slabs.
+/// Of the light at vertices, for the pictures that have it; in whatever number of slabs, or of
+/// buffers of tetrahedra.
 inline std::vector<VariantKey> legalLightKeys()
 {
   DistinctKeys legal;
@@ -127,19 +128,24 @@ inline std::vector<VariantKey> legalLightKeys()
         legal.add(key.ofVertexLight(reenters));
         key.ManySlabs = key.Structured;
         legal.add(key.ofVertexLight(reenters));
+        key.SplitCells = !key.SplitCells;
+        legal.add(key.ofVertexLight(reenters));
       }
     }
   }
   return legal.Keys;
 }
 
-/// Of what is picked.
+/// Of what is picked; in whatever number of buffers of tetrahedra.
 inline std::vector<VariantKey> legalPickKeys()
 {
   DistinctKeys legal;
   for (const VariantKey& key : legalKeys())
   {
     legal.add(key.ofPick());
+    VariantKey other = key;
+    other.SplitCells = !key.SplitCells;
+    legal.add(other.ofPick());
   }
   return legal.Keys;
 }

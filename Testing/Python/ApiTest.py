@@ -130,9 +130,11 @@ class ApiTest(unittest.TestCase):
         mapper.DrawNanCellsOff()
         self.assertFalse(mapper.GetDrawNanCells())
 
-    def test_the_choices_of_light(self):
+    def test_choices_of_light_and_of_the_stage(self):
         mapper = vtkTetMarchVolumeMapper()
         for option, constants, names in (
+                ("ShaderStage", ("AUTOMATIC_STAGE", "FRAGMENT_STAGE", "COMPUTE_STAGE"),
+                 ("Automatic", "Fragment", "Compute")),
                 ("GradientType", ("VERTEX_GRADIENTS", "CELL_GRADIENTS"), ("Vertex", "Cell")),
                 ("ShadowMethod", ("SHADOWS_OFF", "SHADOWS_AUTOMATIC", "SHADOWS_AT_VERTICES", "SHADOWS_ALONG_RAYS"),
                  ("Off", "Automatic", "AtVertices", "AlongRays"))):
@@ -275,7 +277,7 @@ class ApiTest(unittest.TestCase):
         text = str(mapper)
         for line in ("OpacityLaw: Structured", "VectorMode: Disabled", "VectorComponent: 0", "DrawNanCells: Off",
                      "CollectDiagnostics: Off", "NumberOfTetrahedra: 0",
-                     "MaxDrawTimeInSeconds: 0.25", "ViewMode: Picture", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0",
+                     "MaxDrawTimeInSeconds: 0.25", "ShaderStage: Automatic", "UsedShaderStage: Fragment", "ViewMode: Picture", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0",
                      "ErrorBudget: 0", "UsedAccuracyLevel: Default", "BudgetKept: No", "GradientType: Vertex",
                      "ShadowMethod: Off", "VolumetricScatteringBlending: 0", "GlobalIlluminationReach: 1",
                      "BlendMode: Composite", "AverageIPScalarRange: -1e+38, 1e+38",

@@ -156,7 +156,8 @@ class RenderTest(RenderCase):
         self.assertIn(stats["tetrahedra"], (5, 6))
         self.assertEqual(stats["boundary_faces"], 12)
         self.assertGreater(stats["gpu_bytes"], 0)
-        self.assertEqual(set(stats["seconds"]), {"read", "mesh", "scalars", "tables", "upload", "first_frame"})
+        self.assertEqual(set(stats["seconds"]), {"read", "mesh", "scalars", "tables", "visible_part", "entries", "upload",
+                                                 "first_frame"})
         self.assertGreater(stats["seconds"]["first_frame"], 0)
         frames = stats["frames"]
         self.assertEqual(frames["count"], 3)

@@ -7,6 +7,7 @@
 #include "CoveringKeys.h"
 #include "Variants/ShaderSource.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -49,7 +50,7 @@ protected:
 
   void add(const std::string& file, const std::string& defines, const std::string& variant)
   {
-    const std::string stage = file.find(".vert.") != std::string::npos ? ".vert" : ".frag";
+    const std::string stage = file.substr(file.find('.'), 5); // .vert, .frag or .comp
     const std::string name = std::to_string(this->Variants.size()) + stage;
     std::ofstream(this->Folder / name) << asCoreGlsl(shaderSource(file, defines));
     this->Variants[name] = file + " of " + variant;
@@ -111,9 +112,22 @@ TEST_F(GlslValidator, TakesThePicture)
   this->expectVariants("passes/march.frag.glsl", coveringKeys(legalKeys()));
 }
 
+TEST_F(GlslValidator, TakesThePictureByCompute)
+{
+  std::vector<VariantKey> keys = coveringKeys(legalKeys());
+  const auto isPeeled = [](const VariantKey& key) { return key.Peeled; };
+  keys.erase(std::remove_if(keys.begin(), keys.end(), isPeeled), keys.end());
+  this->expectVariants("passes/march.comp.glsl", keys);
+}
+
 TEST_F(GlslValidator, TakesTheLightAtVertices)
 {
   this->expectVariants("passes/vertex_light.frag.glsl", legalLightKeys());
+}
+
+TEST_F(GlslValidator, TakesTheLightAtVerticesByCompute)
+{
+  this->expectVariants("passes/vertex_light.comp.glsl", legalLightKeys());
 }
 
 TEST_F(GlslValidator, TakesPicks)

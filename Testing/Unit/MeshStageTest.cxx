@@ -81,13 +81,13 @@ TEST(MeshStage, AFailureIsMetOnce)
 TEST(MeshStage, TooLargeIsNotEvenTried)
 {
   MeshStage stage;
-  const Grid grid = jitteredLattice(3); // 162 tetrahedra
-  for (const ResourceLimits& tight : { ResourceLimits{ 161, 0 }, ResourceLimits{ 1 << 27, 2591 } })
+  const Grid grid = jitteredLattice(3); // 162 tetrahedra, in two buffers of 81
+  for (const ResourceLimits& tight : { ResourceLimits{ 80, 0 }, ResourceLimits{ 1 << 27, 2591 } })
   {
     EXPECT_NE(stage.make(grid, tight, NoProgress).find("at least"), std::string::npos);
     EXPECT_EQ(stage.record().Runs, 0);
   }
-  EXPECT_EQ(stage.make(grid, { 162, 2592 }, NoProgress), "");
+  EXPECT_EQ(stage.make(grid, { 81, 2592 }, NoProgress), "");
   EXPECT_EQ(stage.record().Runs, 1);
 }
 

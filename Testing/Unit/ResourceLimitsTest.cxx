@@ -45,6 +45,17 @@ TEST(ResourceLimits, ToTheLastTexel)
   EXPECT_EQ(error.find("at least"), std::string::npos);
 }
 
+TEST(ResourceLimits, ToTheLastTexelOfTheLastBuffer)
+{
+  const ResourceLimits limits{ Texels, 0 };
+  EXPECT_EQ(excess({ { "tetrahedra", 2 * Texels, 16, 2 } }, limits), "");
+  expectWords(excess({ { "tetrahedra", 2 * Texels + 1, 16, 2 } }, limits),
+    { "2001 texels", "tetrahedra", "takes 2000 (2 x GL_MAX_TEXTURE_BUFFER_SIZE)" });
+  expectWords(excess({ { "vertices", 2 * Texels, 16 } }, limits), { "takes 1000 (GL_MAX" });
+  // No limit is beyond any number.
+  EXPECT_EQ(excess({ { "tetrahedra", ~std::uint64_t(0) / 16, 16, 2 } }, {}), "");
+}
+
 TEST(ResourceLimits, ToTheLastByte)
 {
   const std::vector<BufferSize> sizes = { { "links", 100, 8 }, { "vertices", 10, 16 } };
@@ -62,22 +73,32 @@ TEST(ResourceLimits, LowerBoundsSaySo)
   expectWords(excess(leastBufferSizes(most + 1), limits, SizesAre::LowerBounds),
     { "at least 5008 bytes", "allowed are 5000" });
   const ResourceLimits loose{ Texels, 0 };
-  EXPECT_EQ(mostTetrahedra(loose), 1000u);
-  EXPECT_EQ(excess(leastBufferSizes(1000), loose, SizesAre::LowerBounds), "");
+  EXPECT_EQ(mostTetrahedra(loose), 2000u);
+  EXPECT_EQ(excess(leastBufferSizes(2000), loose, SizesAre::LowerBounds), "");
   expectWords(
-    excess(leastBufferSizes(1001), loose, SizesAre::LowerBounds), { "at least 1001 texels" });
+    excess(leastBufferSizes(2001), loose, SizesAre::LowerBounds), { "at least 2001 texels" });
+  // Half-faces have numbers of 32 bits, whatever the GL takes.
+  EXPECT_EQ(mostTetrahedra({}), std::uint64_t(1) << 29);
+  EXPECT_EQ(mostTetrahedra({ std::uint64_t(1) << 27, 0 }), std::uint64_t(1) << 28);
+  EXPECT_EQ(mostTetrahedra({ std::uint64_t(1) << 31, 0 }), std::uint64_t(1) << 29);
 }
 
 TEST(ResourceLimits, SizesPastAnyInteger)
 {
   const std::uint64_t tets = std::uint64_t(1) << 40;
   expectWords(excess(leastBufferSizes(tets), { std::uint64_t(1) << 27, 0 }, SizesAre::LowerBounds),
-    { std::to_string(tets), std::to_string(1 << 27) });
+    { std::to_string(tets), std::to_string(1 << 28) });
 }
 
 TEST(ResourceLimits, OfAMesh)
 {
   const TetMesh mesh = builtWithHierarchy(jitteredLattice(3));
+  const std::uint64_t tets = mesh.Tets.size();
+  // What each tetrahedron has a texel for may be in two buffers, and nothing else.
+  for (const BufferSize& size : bufferSizes(mesh, tets, 5))
+  {
+    EXPECT_EQ(size.MostBuffers, size.Texels == tets ? 2u : 1u) << size.Name;
+  }
   std::uint64_t bytes = 0;
   for (const BufferSize& size : bufferSizes(mesh, 7, 5))
   {

@@ -132,7 +132,8 @@ const ShaderFeature OfTheMarch[] = {
     "givenTrials mostTrials errorBudget TOLERANCE_AT_ONCE TOLERANCE_BY_ABSORPTION "
     "SHARE_OF_A_SUBSEGMENT "
     "budget" },
-  { "diagnostics", [](const Key& k, MarchShader) { return k.Diagnostics; }, "guarded met" },
+  { "diagnostics", [](const Key& k, MarchShader) { return k.Diagnostics; },
+    "guarded met measuresOf troubleOf" },
   { "transparent ranges", [](const Key& k, MarchShader) { return k.TransparentRanges; },
     "givenTransparentRanges transparentRanges isTransparentBetween" },
   { "colour of what is not finite", [](const Key& k, MarchShader) { return k.NanShown; },

@@ -29,7 +29,7 @@ bool isSensible(const VariantKey& k)
                        k.CastShadows || k.SampledShadows || k.SeveralShadows || k.OpaqueShadows ||
                        k.HeadlightShadows || k.Occlusion;
   // Rays come into a lattice by its planes, of which no predicate is asked.
-  const bool ofTetrahedra = k.EntryLists || k.Hierarchy || k.HasFma;
+  const bool ofTetrahedra = k.EntryLists || k.Hierarchy || k.HasFma || k.SplitCells;
   return !(k.Structured && ofTetrahedra) && !(!k.Structured && (k.Rectilinear || k.Leaps)) &&
          // All that a ray meets counts; and so do surfaces between cells. Most is transparent where
          // there are blocks of it.
@@ -171,26 +171,26 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 
 // Rays towards the light: of scalars at points or of cells, with what is not finite and with hidden
 // cells or without; past opaque geometry or not, and with gradient opacity of points in two ways,
-// of cells in one, or without. Through a mesh in one part or several, fused or not; through a
-// lattice whose planes are even or not, with leaps or without, and whose values are in one texture,
-// in two or in many.
+// of cells in one, or without. Through a mesh in one part or several, fused or not, in one buffer
+// or two; through a lattice whose planes are even or not, with leaps or without, and whose values
+// are in one texture, in two or in many.
 TEST(VariantKey, LegalKeysAreCounted)
 {
   const std::size_t light = legalLightKeys().size();
   const std::size_t ofVolumes = 2 * 2 * 2 * 2 * 2 * (3 + 2);
-  EXPECT_EQ(light, ofVolumes + 3 * ofVolumes);
+  EXPECT_EQ(light, 2 * ofVolumes + 3 * ofVolumes);
   // Entries are listed or searched for. Of scalars at points or cells, clipped, cropped or whole,
   // with hidden cells or not; of volumes with opacity by gradients of either kind or without, or of
   // independent components, with what is not finite or not; or in three other blend modes. Of a
-  // lattice, whose planes are even or not, volumes are leapt to or not, and so are surfaces in
-  // trilinear cells; in one texture, two, many.
+  // mesh in one buffer or two; or of a lattice, whose planes are even or not, volumes are leapt to
+  // or not, and so are surfaces in trilinear cells; in one texture, two, many.
   const std::size_t picked = legalPickKeys().size();
   const std::size_t searched = (3 + 2 + 2) * 2 + 3 * 2;
   const std::size_t visible = (3 + 2) * 2 + 1; // of a part of the mesh, or of all of it
   const std::size_t ofTetrahedra = 2 * 3 * 2 * (searched + searched + visible);
   const std::size_t ofLattices = 2 * 3 * 2 * ((3 + 2 + 2) * 2 * 2 + (2 + 1) + 2 * 2);
   const std::size_t ofTwoComponents = 2 * 3 * 2 * (2 * 2 * 2); // or more: never in two textures
-  EXPECT_EQ(picked, ofTetrahedra + 3 * ofLattices - ofTwoComponents);
+  EXPECT_EQ(picked, 2 * ofTetrahedra + 3 * ofLattices - ofTwoComponents);
   std::cout << "[ MEASURED ] " << legalKeys().size() << " variants of the picture, " << light
             << " of the light at vertices, " << picked << " of what is picked\n";
 }
@@ -211,6 +211,7 @@ TEST(VariantKey, LightAtVerticesIsExtinctionAlone)
     ASSERT_EQ(light.Rectilinear, picture.Rectilinear);
     ASSERT_EQ(light.Leaps, picture.Leaps);
     ASSERT_EQ(light.HasFma, picture.HasFma);
+    ASSERT_EQ(light.SplitCells, picture.SplitCells);
     ASSERT_EQ(light.NanShown, picture.NanShown);
     ASSERT_EQ(light.HiddenCells, picture.HiddenCells);
     ASSERT_EQ(light.GradientOpacity, picture.GradientOpacity);
@@ -248,7 +249,7 @@ TEST(VariantKey, PicksKnowNoLight)
     pick.Blend = BlendGroup::Composite;
     for (bool VariantKey::*same :
       { &VariantKey::Clipped, &VariantKey::Cropped, &VariantKey::HiddenCells, &VariantKey::NanShown,
-        &VariantKey::Leaps, &VariantKey::VisiblePart })
+        &VariantKey::Leaps, &VariantKey::VisiblePart, &VariantKey::SplitCells })
     {
       ASSERT_EQ(pick.*same, picture.*same) << namesOf(picture);
       pick.*same = false;
@@ -286,7 +287,7 @@ TEST(VariantKey, EntriesDependOnFewBits)
     EXPECT_EQ(entries.Structured, key.Structured);
     EXPECT_EQ(entries.Rectilinear, key.Structured && key.Rectilinear);
     EXPECT_FALSE(entries.Leaps);
-    EXPECT_FALSE(entries.Clipped || entries.Cropped);
+    EXPECT_FALSE(entries.Clipped || entries.Cropped || entries.SplitCells);
     EXPECT_FALSE(entries.hasGradients() || entries.hasErrorBound());
     EXPECT_FALSE(entries.NanShown || entries.HiddenCells || entries.hasComponents());
   }

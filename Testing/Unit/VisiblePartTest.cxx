@@ -276,6 +276,22 @@ TEST(VisiblePart, OfSurfacesAndOfCells)
   EXPECT_EQ(find().NumberOfTets, 2u);
 }
 
+TEST(VisiblePart, IsWorthEnteringIfItIsNothing)
+{
+  TetMesh mesh = builtWithHierarchy(jitteredLattice(3));
+  const IntegralTable table = highTable();
+  for (Vertex& v : mesh.Vertices)
+  {
+    v.Scalar = 0.1f;
+  }
+  const VisiblePart part = Part(mesh, table).Found;
+  EXPECT_TRUE(showsNothing(part));
+  EXPECT_TRUE(isWorthEntering(part));
+  EXPECT_TRUE(part.Faces.empty());
+  EXPECT_FALSE(showsNothing(VisiblePart())); // it was not found
+  EXPECT_FALSE(isWorthEntering(VisiblePart()));
+}
+
 // A half of the cells beside each other is worth entering, every other one isn't.
 TEST(VisiblePart, IsWorthEnteringIfGapsAreLong)
 {

@@ -120,6 +120,11 @@ std::string FormatStatistics(const CommandLine& commandLine, const VolumeData& d
     { data.Structured ? "lattice" : "mesh", statistics->GetMeshSeconds() },
     { "scalars", statistics->GetScalarsSeconds() }, { "tables", statistics->GetTablesSeconds() },
     { "upload", statistics->GetUploadSeconds() }, { "first_frame", timing.FirstFrame } };
+  if (!data.Structured)
+  {
+    json["seconds"]["visible_part"] = statistics->GetVisiblePartSeconds();
+    json["seconds"]["entries"] = statistics->GetEntriesSeconds();
+  }
   if (commandLine.Light.Shade)
   {
     json["seconds"]["gradients"] = statistics->GetGradientsSeconds();

@@ -4,6 +4,18 @@
 
 namespace tetmarch
 {
+namespace
+{
+
+std::string mostTexelsOf(const BufferSize& size, const ResourceLimits& limits)
+{
+  const std::string each = "GL_MAX_TEXTURE_BUFFER_SIZE";
+  return std::to_string(size.MostBuffers * limits.TexelsPerBuffer) +
+         (size.MostBuffers > 1 ? " (" + std::to_string(size.MostBuffers) + " x " + each + ")"
+                               : " (" + each + ")");
+}
+
+} // namespace
 
 std::string describeExcess(
   const std::vector<BufferSize>& sizes, const ResourceLimits& limits, SizesAre sizesAre)
@@ -13,12 +25,11 @@ std::string describeExcess(
   for (const BufferSize& size : sizes)
   {
     bytes += size.Texels * size.BytesPerTexel;
-    if (size.Texels > limits.TexelsPerBuffer)
+    if ((size.Texels + size.MostBuffers - 1) / size.MostBuffers > limits.TexelsPerBuffer)
     {
       return "The mesh is too large for this GL: it needs " + least + std::to_string(size.Texels) +
-             " texels for its " + size.Name + ", the GL takes " +
-             std::to_string(limits.TexelsPerBuffer) +
-             " (GL_MAX_TEXTURE_BUFFER_SIZE). Extract or coarsen a part of the grid.";
+             " texels for its " + size.Name + ", the GL takes " + mostTexelsOf(size, limits) +
+             ". Extract or coarsen a part of the grid.";
     }
   }
   if (limits.Bytes > 0 && bytes > limits.Bytes)

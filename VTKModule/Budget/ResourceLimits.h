@@ -23,6 +23,7 @@ struct BufferSize
   const char* Name; // plural
   std::uint64_t Texels;
   std::uint64_t BytesPerTexel;
+  std::uint64_t MostBuffers = 1; // that the texels may be in
 };
 
 enum class SizesAre

@@ -40,15 +40,25 @@ struct VisibleScalars
   bool UndrawnSeen = false; // what touches a scalar that is not finite is seen
 };
 
+/** Whether it was found and is nothing. */
+inline bool showsNothing(const VisiblePart& part)
+{
+  return !part.Tets.empty() && part.NumberOfTets == 0;
+}
+
 /** In parallel, in a few passes over the tetrahedra. */
 VisiblePart findVisiblePart(const TetMesh& mesh, const VisibleScalars& shown);
 
 /** Set the links anew: the boundary faces of the mesh have got other numbers. */
 void linkVisiblePart(const TetMesh& mesh, VisiblePart& part);
 
-/** Whether it may take less time to look for the next entry than to march through a gap: from four
- * cells on, an estimate. An entry takes the tests of a few faces, each about the work of a cell. */
-inline bool isWorthEntering(const VisiblePart& part) { return part.CellsOfGap >= 4; }
+/** Whether it may take less time to look for the next entry than to march through a gap, or all is
+ * one. An entry takes the tests of a few faces; Testing/Benchmark/README.md has times. */
+inline bool isWorthEntering(const VisiblePart& part)
+{
+  constexpr double leastGap = 5.0; // even from 4 to 13 cells on, depending on how far rays come
+  return showsNothing(part) || part.CellsOfGap >= leastGap;
+}
 
 } // namespace tetmarch
 

@@ -17,7 +17,7 @@ std::string Diagnostics::collect(vtkOpenGLRenderWindow* window, MarchPass& march
   std::string error = this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 3);
   if (error.empty())
   {
-    error = march.drawApart(window, inputs, this->Tiles, progress, stopped);
+    error = march.drawApart(window, this->Target, inputs, this->Tiles, progress, stopped);
   }
   if (!error.empty() || stopped)
   {

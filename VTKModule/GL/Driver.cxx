@@ -40,6 +40,14 @@ bool hasExtension(const char* name)
   return false;
 }
 
+bool hasVersion(int major, int minor)
+{
+  GLint here[2] = {};
+  glGetIntegerv(GL_MAJOR_VERSION, &here[0]);
+  glGetIntegerv(GL_MINOR_VERSION, &here[1]);
+  return here[0] > major || (here[0] == major && here[1] >= minor);
+}
+
 std::string driverDefines()
 {
   // Such as "4.5 (Core Profile) Mesa 26.1.6-1".

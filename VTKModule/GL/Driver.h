@@ -10,6 +10,8 @@ namespace tetmarch
 {
 
 bool hasExtension(const char* name);
+/** Whether the context is of this version of OpenGL, or a later one. */
+bool hasVersion(int major, int minor);
 
 /** Shader defines that depend on the driver and not on the scene: see Shaders/passes/helper.glsl
  * and Shaders/structured/lattice_buffers.glsl.

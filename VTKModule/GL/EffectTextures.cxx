@@ -19,12 +19,12 @@ std::string EffectTextures::update(
   const bool stored = key.hasGradients() && !key.Structured;
   this->GradientUnit = stored ? this->GradientUnit : 1;
   std::string error = this->Gradients.update(window, stored, stage.gradientsVersion(),
-    [&](TextureBuffer& buffer)
+    [&](CellBuffer& buffer)
     {
       const PackedGradients packed = packGradients(data.Gradients);
       this->GradientUnit = packed.Unit;
-      return buffer.upload(
-        window, TexelFormat::RGBA16F, packed.Texels.data(), packed.Texels.size());
+      return buffer.upload(window, TexelFormat::RGBA16F, packed.Texels.size(),
+        [&](std::size_t begin, std::size_t) { return &packed.Texels[begin]; });
     });
   if (error.empty())
   {
@@ -96,7 +96,7 @@ void EffectTextures::bind(vtkShaderProgram* program, const EffectData& data, con
 {
   if (key.hasGradients() && !key.Structured)
   {
-    this->Gradients.bind(program, "gradientBuffer");
+    this->Gradients.bind(program, "gradientBuffer", "secondGradientBuffer");
   }
   if (key.Scattering)
   {

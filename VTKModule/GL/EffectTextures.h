@@ -4,6 +4,7 @@
 #ifndef TetMarchGLEffectTextures_h
 #define TetMarchGLEffectTextures_h
 
+#include "GL/CellBuffer.h"
 #include "GL/VersionedBuffer.h"
 #include "Light/EffectStage.h"
 #include "Variants/VariantKey.h"
@@ -38,7 +39,7 @@ private:
   std::string updateJitter(vtkOpenGLRenderWindow* window, bool needed);
   void releaseJitter(vtkWindow* window);
 
-  VersionedBuffer Gradients;
+  Versioned<CellBuffer> Gradients; // of vertices or of cells
   VersionedBuffer GradientOpacity;
   VersionedBuffer Starts;
   VersionedBuffer OpaqueShadows;

@@ -20,11 +20,8 @@ std::string EntryListTextures::upload(
     this->Tiles.upload(window, TexelFormat::R32UI, lists.First.data(), lists.First.size());
   if (error.empty())
   {
-    // A texture has a texel at least.
-    const EntryCandidate none{};
-    const bool isEmpty = lists.Candidates.empty();
-    error = this->Candidates.upload(window, TexelFormat::RG32UI,
-      isEmpty ? &none : lists.Candidates.data(), isEmpty ? 1 : lists.Candidates.size());
+    error = this->Candidates.upload(
+      window, TexelFormat::RG32UI, lists.Candidates.data(), lists.Candidates.size());
   }
   if (error.empty())
   {

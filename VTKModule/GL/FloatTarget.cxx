@@ -28,7 +28,8 @@ std::string FloatTarget::bind(
   vtkOpenGLRenderWindow* window, int width, int height, int colors, TargetFormat format)
 {
   const bool wide = format == TargetFormat::Float32;
-  if (width != this->Width || height != this->Height || !this->Framebuffer)
+  if (width != this->Width || height != this->Height || format != this->Format ||
+      !this->Framebuffer)
   {
     this->release(window);
     clearErrors();
@@ -47,6 +48,7 @@ std::string FloatTarget::bind(
     }
     this->Width = width;
     this->Height = height;
+    this->Format = format;
     this->Bytes = static_cast<std::size_t>(width) * height * (wide ? 16 : 8) * colors;
     if (!std::all_of(this->Colors.begin(), this->Colors.end(), hasRoom))
     {
@@ -64,6 +66,24 @@ std::string FloatTarget::bind(
            ": its framebuffer is incomplete.";
   }
   return {};
+}
+
+void FloatTarget::bindImages() const
+{
+  const GLenum format = this->Format == TargetFormat::Float32 ? GL_RGBA32F : GL_RGBA16;
+  for (std::size_t i = 0; i < this->Colors.size(); ++i)
+  {
+    glBindImageTexture(
+      static_cast<GLuint>(i), this->Colors[i]->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY, format);
+  }
+}
+
+void FloatTarget::unbindImages() const
+{
+  for (std::size_t i = 0; i < this->Colors.size(); ++i)
+  {
+    glBindImageTexture(static_cast<GLuint>(i), 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R8);
+  }
 }
 
 std::vector<float> FloatTarget::read(vtkOpenGLRenderWindow* window, int i) const

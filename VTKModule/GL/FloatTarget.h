@@ -33,6 +33,9 @@ public:
    */
   std::string bind(vtkOpenGLRenderWindow* window, int width, int height, int colors,
     TargetFormat format = TargetFormat::Float32);
+  /** Let a compute shader write the colours, as images 0, 1 and so on. */
+  void bindImages() const;
+  void unbindImages() const;
   vtkTextureObject* color(int i) const { return this->Colors[i]; }
   /** The pixels of colour i, rows from the bottom. */
   std::vector<float> read(vtkOpenGLRenderWindow* window, int i) const;
@@ -44,6 +47,7 @@ private:
   std::vector<vtkSmartPointer<vtkTextureObject>> Colors;
   int Width = 0;
   int Height = 0;
+  TargetFormat Format = TargetFormat::Float32;
   std::size_t Bytes = 0;
 };
 

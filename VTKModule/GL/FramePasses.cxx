@@ -16,12 +16,20 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
 {
   this->clear();
   const bool coarse = sampleDistance > 1;
-  this->releaseUnused(window, inputs, diagnostics, view, boundary, coarse);
-  this->ChangedVariant = !(inputs.Key == this->LastKey);
+  const bool apart = coarse || inputs.ByCompute;
+  this->releaseUnused(window, inputs, diagnostics, view, boundary, apart);
+  const bool otherStage = inputs.ByCompute != this->LastByCompute;
+  if (otherStage)
+  {
+    this->March.release(); // what the other stage needs
+    this->Light.releasePrograms();
+  }
+  this->ChangedVariant = otherStage || !(inputs.Key == this->LastKey);
   if (this->ChangedVariant)
   {
     this->expectChange();
     this->LastKey = inputs.Key;
+    this->LastByCompute = inputs.ByCompute;
   }
   std::string error;
   if (inputs.Key.hasVertexLight())
@@ -63,9 +71,9 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
     fitTable(*view, this->Counted.measures());
     return this->Shown.draw(window, inputs.Area, this->Counted.measuresTexture(), *view);
   }
-  error = coarse ? this->Coarse.draw(window, area, this->March, inputs, progress, stopped)
-                 : this->March.draw(window, inputs, this->Tiles, progress, stopped);
-  this->Draws = coarse ? this->Coarse.numberOfDraws() : this->Tiles.numberOfTiles();
+  error = apart ? this->Apart.draw(window, area, this->March, inputs, progress, stopped)
+                : this->March.draw(window, inputs, this->Tiles, progress, stopped);
+  this->Draws = apart ? this->Apart.numberOfDraws() : this->Tiles.numberOfTiles();
   return error;
 }
 
@@ -103,7 +111,7 @@ std::string FramePasses::pick(vtkOpenGLRenderWindow* window, MarchInputs inputs,
 }
 
 void FramePasses::releaseUnused(vtkWindow* window, const MarchInputs& inputs, bool diagnostics,
-  const MeasureView* view, BoundaryView boundary, bool coarse)
+  const MeasureView* view, BoundaryView boundary, bool apart)
 {
   const VariantKey& key = inputs.Key;
   if (!key.EntryLists)
@@ -114,9 +122,9 @@ void FramePasses::releaseUnused(vtkWindow* window, const MarchInputs& inputs, bo
   {
     this->Opaque.release(window);
   }
-  if (!coarse)
+  if (!apart || view || boundary != BoundaryView::None)
   {
-    this->Coarse.release(window);
+    this->Apart.release(window);
   }
   if (!key.hasVertexLight())
   {
@@ -145,7 +153,7 @@ void FramePasses::expectChange()
   this->Tiles.expectChange();
   this->Counted.expectChange();
   this->Boundary.expectChange();
-  this->Coarse.expectChange();
+  this->Apart.expectChange();
 }
 
 void FramePasses::clear()
@@ -162,7 +170,7 @@ void FramePasses::release(vtkWindow* window)
   this->Counted.release(window);
   this->Shown.release(window);
   this->Boundary.release();
-  this->Coarse.release(window);
+  this->Apart.release(window);
   this->Picking.release();
   this->expectChange();
 }

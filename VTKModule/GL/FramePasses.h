@@ -6,11 +6,11 @@
 #define TetMarchGLFramePasses_h
 
 #include "GL/BoundaryViewPass.h"
-#include "GL/CoarsePicture.h"
 #include "GL/Diagnostics.h"
 #include "GL/MarchPass.h"
 #include "GL/OpaqueDepth.h"
 #include "GL/PickPass.h"
+#include "GL/PictureApart.h"
 #include "GL/VertexLightPass.h"
 #include "GL/ViewPass.h"
 
@@ -42,7 +42,8 @@ public:
 
   /** Whether the last picture was drawn by another variant of the shader than the one before. */
   bool changedVariant() const { return this->ChangedVariant; }
-  /** Draw calls of the picture, or of the march that a view shows. */
+  bool isByCompute() const { return this->LastByCompute; }
+  /** Draw calls, or dispatches, of the picture, or of the march that a view shows. */
   int numberOfDraws() const { return this->Draws; }
   bool isLightComplete() const
   {
@@ -60,13 +61,13 @@ public:
   std::size_t bytes() const
   {
     return this->Opaque.bytes() + this->Counted.bytes() + this->Shown.bytes() +
-           this->Light.bytes() + this->Coarse.bytes();
+           this->Light.bytes() + this->Apart.bytes();
   }
 
 private:
   std::string findRays(vtkOpenGLRenderWindow* window, const Viewport& depths, MarchInputs& inputs);
   void releaseUnused(vtkWindow* window, const MarchInputs& inputs, bool diagnostics,
-    const MeasureView* view, BoundaryView boundary, bool coarse);
+    const MeasureView* view, BoundaryView boundary, bool apart);
 
   OpaqueDepth Opaque;
   VertexLightPass Light;
@@ -74,10 +75,11 @@ private:
   Diagnostics Counted;
   ViewPass Shown;
   BoundaryViewPass Boundary;
-  CoarsePicture Coarse;
+  PictureApart Apart;
   PickPass Picking;
   TileSchedule Tiles;
   VariantKey LastKey;
+  bool LastByCompute = false;
   bool ChangedVariant = true;
   int Draws = 0;
 };

@@ -22,62 +22,12 @@
 namespace tetmarch
 {
 
-void blendPremultiplied(const StateScope& state)
+namespace
 {
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglDisable(GL_CULL_FACE);
-}
 
-std::string MarchPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-  TileSchedule& tiles, const Progress& progress, bool& stopped)
+// Everything that the march reads.
+void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const Viewport& target)
 {
-  return drawInTiles(window, inputs.Area, inputs.MostSecondsPerDraw, tiles, progress, stopped,
-    [&](const Viewport& tile)
-    {
-      StateScope state(window);
-      if (inputs.Key.Peeled)
-      {
-        state->vtkglDisable(GL_DEPTH_TEST);
-        state->vtkglDisable(GL_CULL_FACE);
-      }
-      else
-      {
-        blendPremultiplied(state);
-      }
-      return this->drawTile(window, inputs, inputs.Area, tile);
-    });
-}
-
-std::string MarchPass::drawApart(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-  TileSchedule& tiles, const Progress& progress, bool& stopped)
-{
-  const Viewport target{ 0, 0, inputs.Area.Width, inputs.Area.Height };
-  StateScope state(window);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglViewport(0, 0, target.Width, target.Height);
-  state->vtkglClearColor(0, 0, 0, 0);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  return drawInTiles(window, target, inputs.MostSecondsPerDraw, tiles, progress, stopped,
-    [&](const Viewport& tile) { return this->drawTile(window, inputs, target, tile); });
-}
-
-std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-  const Viewport& target, const Viewport& tile)
-{
-  std::string error;
-  vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
-    inputs.Source->shaderOf(SourcePass::March), inputs.Key.defines(), error, inputs.Peeling);
-  if (!program)
-  {
-    return error;
-  }
   const VariantKey& key = inputs.Key;
   inputs.Source->bind(program, inputs.Key);
   inputs.Tables->bind(
@@ -117,9 +67,10 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   {
     program->SetUniform2f("colorWindow", inputs.ColorWindow.data());
   }
+}
 
-  drawCorners(program, this->Draw, target, tile);
-
+void unbindInputs(const MarchInputs& inputs)
+{
   inputs.Source->unbind();
   inputs.Tables->unbind();
   if (inputs.Effects)
@@ -131,9 +82,96 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
     inputs.VertexLight->Deactivate();
   }
   unbindPixelRays(inputs);
+}
+
+} // namespace
+
+void blendPremultiplied(const StateScope& state)
+{
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDisable(GL_CULL_FACE);
+}
+
+std::string MarchPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+  TileSchedule& tiles, const Progress& progress, bool& stopped)
+{
+  return drawInTiles(window, inputs.Area, inputs.MostSecondsPerDraw, tiles, progress, stopped,
+    [&](const Viewport& tile)
+    {
+      StateScope state(window);
+      if (inputs.Key.Peeled)
+      {
+        state->vtkglDisable(GL_DEPTH_TEST);
+        state->vtkglDisable(GL_CULL_FACE);
+      }
+      else
+      {
+        blendPremultiplied(state);
+      }
+      return this->drawTile(window, inputs, inputs.Area, tile);
+    });
+}
+
+std::string MarchPass::drawApart(vtkOpenGLRenderWindow* window, const FloatTarget& images,
+  const MarchInputs& inputs, TileSchedule& tiles, const Progress& progress, bool& stopped)
+{
+  const Viewport target{ 0, 0, inputs.Area.Width, inputs.Area.Height };
+  StateScope state(window);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglViewport(0, 0, target.Width, target.Height);
+  state->vtkglClearColor(0, 0, 0, 0);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  return drawInTiles(window, target, inputs.MostSecondsPerDraw, tiles, progress, stopped,
+    [&](const Viewport& tile)
+    {
+      return inputs.ByCompute ? this->dispatchTile(window, inputs, images, tile)
+                              : this->drawTile(window, inputs, target, tile);
+    });
+}
+
+std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+  const Viewport& target, const Viewport& tile)
+{
+  std::string error;
+  vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
+    inputs.Source->shaderOf(SourcePass::March), inputs.Key.defines(), error, inputs.Peeling);
+  if (!program)
+  {
+    return error;
+  }
+  bindInputs(program, inputs, target);
+  drawCorners(program, this->Draw, target, tile);
+  unbindInputs(inputs);
   return {};
 }
 
-void MarchPass::release() { this->Draw.release(); }
+std::string MarchPass::dispatchTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+  const FloatTarget& images, const Viewport& tile)
+{
+  std::string error;
+  vtkShaderProgram* program = this->Dispatch.use(
+    window, inputs.Source->shaderOf(SourcePass::MarchByCompute), inputs.Key.defines(), error);
+  if (!program)
+  {
+    return error;
+  }
+  bindInputs(program, inputs, { 0, 0, inputs.Area.Width, inputs.Area.Height });
+  this->Dispatch.dispatch(program, images, tile);
+  unbindInputs(inputs);
+  return {};
+}
+
+void MarchPass::release()
+{
+  this->Draw.release();
+  this->Dispatch.release();
+}
 
 } // namespace tetmarch

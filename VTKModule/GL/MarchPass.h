@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Marches one ray a pixel and blends the result over the framebuffer.
+// Marches one ray a pixel, by fragments or by a compute shader.
 #ifndef TetMarchGLMarchPass_h
 #define TetMarchGLMarchPass_h
 
+#include "GL/ComputeDispatch.h"
+#include "GL/FloatTarget.h"
 #include "GL/ShaderDraw.h"
 #include "GL/TiledDraw.h"
 #include "GL/Viewport.h"
@@ -31,6 +33,7 @@ struct View;
 struct MarchInputs
 {
   VariantKey Key;
+  bool ByCompute = false; // by a compute shader; not if the key is Peeled
   Viewport Area;
   const View* Camera = nullptr;
   MarchSource* Source = nullptr;
@@ -60,23 +63,26 @@ class MarchPass
 {
 public:
   /**
-   * Draw premultiplied colours over the bound framebuffer; if the key is Peeled, with the blending
-   * that the peeling pass has set. Returns an empty string, or what is wrong; `stopped` becomes
-   * true if progress asked to stop between two tiles.
+   * Draw premultiplied colours over the bound framebuffer, by fragments; if the key is Peeled, with
+   * the blending that the peeling pass has set. Returns an empty string, or what is wrong;
+   * `stopped` becomes true if progress asked to stop between two tiles.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, TileSchedule& tiles,
     const Progress& progress, bool& stopped);
-  /** The same without blending, into a bound framebuffer of our own that has the size of the area.
-   */
-  std::string drawApart(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-    TileSchedule& tiles, const Progress& progress, bool& stopped);
+  /** The same without blending, into a bound target of our own that has the size of the area; if
+   * the inputs are ByCompute, by a compute shader. */
+  std::string drawApart(vtkOpenGLRenderWindow* window, const FloatTarget& target,
+    const MarchInputs& inputs, TileSchedule& tiles, const Progress& progress, bool& stopped);
   void release();
 
 private:
   std::string drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
     const Viewport& target, const Viewport& tile);
+  std::string dispatchTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+    const FloatTarget& images, const Viewport& tile);
 
   ShaderDraw Draw;
+  ComputeDispatch Dispatch;
 };
 
 } // namespace tetmarch

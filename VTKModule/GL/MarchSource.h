@@ -33,8 +33,10 @@ constexpr double LeastShareToPass = 0.5;
 enum class SourcePass
 {
   March,
+  MarchByCompute,
   Pick,
   VertexLight,
+  VertexLightByCompute,
   BoundaryView
 };
 
@@ -98,7 +100,7 @@ public:
   /** How many bytes were uploaded in all. */
   virtual std::int64_t uploadedBytes() const = 0;
 
-  /** The file of a pass's fragment shader; nullptr if the volume has no such pass. */
+  /** The file of a pass's fragment or compute shader; nullptr if the volume has no such pass. */
   virtual const char* shaderOf(SourcePass pass) const = 0;
   /** Why the volume can't be sampled at even distances, and what to do; empty: it can. */
   virtual std::string describeBadSamples() const = 0;

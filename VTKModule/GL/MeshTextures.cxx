@@ -19,8 +19,13 @@ static_assert(sizeof(Vertex) == 16 && sizeof(PackedCell) == 16 && sizeof(Hierarc
 
 std::string MeshTextures::uploadCells(vtkOpenGLRenderWindow* window, const TetMesh& mesh)
 {
-  const std::vector<PackedCell> cells = packCells(mesh);
-  std::string error = this->Cells.upload(window, TexelFormat::RGBA32UI, cells.data(), cells.size());
+  std::vector<PackedCell> cells;
+  std::string error = this->Cells.upload(window, TexelFormat::RGBA32UI, mesh.Tets.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      packCells(mesh, begin, end, cells);
+      return cells.data();
+    });
   if (error.empty())
   {
     error = this->Boundary.upload(
@@ -59,7 +64,8 @@ std::string MeshTextures::uploadCellScalars(
     this->CellScalars.release(window);
     return {};
   }
-  return this->CellScalars.upload(window, TexelFormat::R32F, scalars.data(), scalars.size());
+  return this->CellScalars.upload(window, TexelFormat::R32F, scalars.size(),
+    [&](std::size_t begin, std::size_t) { return &scalars[begin]; });
 }
 
 std::string MeshTextures::uploadFurtherScalars(
@@ -75,14 +81,21 @@ std::string MeshTextures::uploadFurtherScalars(
   if (count < 3)
   {
     return this->Further.upload(window, count == 1 ? TexelFormat::R32F : TexelFormat::RG32F,
-      values.data(), values.size() / count);
+      values.size() / count,
+      [&](std::size_t begin, std::size_t) { return &values[count * begin]; });
   }
-  std::vector<std::array<float, 4>> texels(values.size() / 3);
-  for (std::size_t i = 0; i < texels.size(); ++i)
-  {
-    texels[i] = { { values[3 * i], values[3 * i + 1], values[3 * i + 2], 0.0f } };
-  }
-  return this->Further.upload(window, TexelFormat::RGBA32F, texels.data(), texels.size());
+  std::vector<std::array<float, 4>> texels;
+  return this->Further.upload(window, TexelFormat::RGBA32F, values.size() / 3,
+    [&](std::size_t begin, std::size_t end)
+    {
+      texels.resize(end - begin);
+      for (std::size_t i = 0; i < texels.size(); ++i)
+      {
+        const float* value = &values[3 * (begin + i)];
+        texels[i] = { { value[0], value[1], value[2], 0.0f } };
+      }
+      return texels.data();
+    });
 }
 
 std::string MeshTextures::uploadHiddenCells(
@@ -99,9 +112,13 @@ std::string MeshTextures::uploadHiddenCells(
 void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
 {
   this->bindBoundary(program);
-  this->Cells.bind(program, "cellBuffer");
+  this->Cells.bind(program, "cellBuffer", "secondCellBuffer");
   program->SetUniformi("numberOfTets", this->NumberOfTets);
   program->SetUniformi("mostCells", mostCellsOf(this->NumberOfTets));
+  if (key.SplitCells)
+  {
+    program->SetUniformi("cellsOfFirstBuffer", static_cast<int>(this->Cells.texelsOfFirst()));
+  }
   if (key.Hierarchy)
   {
     this->Hierarchy.bind(program, "hierarchyBuffer");
@@ -111,11 +128,11 @@ void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
   }
   if (!key.PointScalars)
   {
-    this->CellScalars.bind(program, "cellScalarBuffer");
+    this->CellScalars.bind(program, "cellScalarBuffer", "secondCellScalarBuffer");
   }
   if (key.hasComponents())
   {
-    this->Further.bind(program, "furtherScalarBuffer");
+    this->Further.bind(program, "furtherScalarBuffer", "secondFurtherScalarBuffer");
   }
   if (key.HiddenCells)
   {
@@ -131,8 +148,12 @@ void MeshTextures::bindBoundary(vtkShaderProgram* program)
 
 void MeshTextures::unbind()
 {
-  for (TextureBuffer* buffer : { &this->Cells, &this->Boundary, &this->Hierarchy, &this->Vertices,
-         &this->CellScalars, &this->Further, &this->HiddenCellBits })
+  for (CellBuffer* buffer : { &this->Cells, &this->CellScalars, &this->Further })
+  {
+    buffer->unbind();
+  }
+  for (TextureBuffer* buffer :
+    { &this->Boundary, &this->Hierarchy, &this->Vertices, &this->HiddenCellBits })
   {
     buffer->unbind();
   }
@@ -140,8 +161,12 @@ void MeshTextures::unbind()
 
 void MeshTextures::release(vtkWindow* window)
 {
-  for (TextureBuffer* buffer : { &this->Cells, &this->Boundary, &this->Hierarchy, &this->Vertices,
-         &this->CellScalars, &this->Further, &this->HiddenCellBits })
+  for (CellBuffer* buffer : { &this->Cells, &this->CellScalars, &this->Further })
+  {
+    buffer->release(window);
+  }
+  for (TextureBuffer* buffer :
+    { &this->Boundary, &this->Hierarchy, &this->Vertices, &this->HiddenCellBits })
   {
     buffer->release(window);
   }

@@ -4,7 +4,7 @@
 #ifndef TetMarchGLMeshTextures_h
 #define TetMarchGLMeshTextures_h
 
-#include "GL/TextureBuffer.h"
+#include "GL/CellBuffer.h"
 #include "Mesh/HiddenCells.h"
 #include "Mesh/MeshScalars.h"
 #include "Variants/VariantKey.h"
@@ -27,6 +27,9 @@ public:
   /** Empty: no cell is hidden, and the buffer is freed. */
   std::string uploadHiddenCells(vtkOpenGLRenderWindow* window, const HiddenCells& hidden);
 
+  /** Of what is uploaded. */
+  void setBits(VariantKey& key) const { key.SplitCells = this->Cells.isSplit(); }
+
   /** Bind the buffers and sizes that the march needs; the entry pass needs bindBoundary() only. */
   void bind(vtkShaderProgram* program, const VariantKey& key);
   void bindBoundary(vtkShaderProgram* program);
@@ -42,12 +45,12 @@ private:
   std::string uploadCellScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
   std::string uploadFurtherScalars(vtkOpenGLRenderWindow* window, const FurtherScalars& further);
 
-  TextureBuffer Cells;
+  CellBuffer Cells;
   TextureBuffer Boundary;
   TextureBuffer Hierarchy;
   TextureBuffer Vertices;
-  TextureBuffer CellScalars;
-  TextureBuffer Further;
+  CellBuffer CellScalars;
+  CellBuffer Further;
   TextureBuffer HiddenCellBits;
   int NumberOfTets = 0;
   int NumberOfNodes = 0;

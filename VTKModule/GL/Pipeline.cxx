@@ -210,6 +210,7 @@ void Pipeline::moveTo(vtkOpenGLRenderWindow* window)
   this->Window = window;
   this->Watch.begin(window, [this](vtkWindow* ending) { this->release(ending); });
   this->HasFma = hasFusedMultiplyAdd(window);
+  this->Compute = computeSupport();
 }
 
 std::vector<BufferSize> Pipeline::bufferSizes() const

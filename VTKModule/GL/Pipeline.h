@@ -7,6 +7,7 @@
 
 #include "Appearance/TransferTables.h"
 #include "Blocks/CellOrigins.h"
+#include "Budget/ShaderStage.h"
 #include "GL/ContextWatch.h"
 #include "GL/EffectTextures.h"
 #include "GL/FramePasses.h"
@@ -40,6 +41,7 @@ struct DrawOptions
 {
   AccuracyLevel Level = DefaultAccuracy;
   bool Diagnostics = false;
+  ShaderStage Stage = ShaderStage::Automatic; // of what is not peeled
   double MostSecondsPerDraw = 0;              // 0: no limit
   double MostLightSeconds = 0;                // of a frame, for light at vertices; 0: no limit
   const MeasureView* View = nullptr;          // drawn instead of the picture
@@ -115,6 +117,7 @@ public:
   const std::string& error() const { return this->Error; }
   const MarchSource& source() const { return this->Source; }
   const Diagnostics& counted() const { return this->Passes.counted(); }
+  bool isByCompute() const { return this->Passes.isByCompute(); }
   int numberOfDraws() const { return this->Passes.numberOfDraws(); }
   /** Whether the last frame was nothing but drawn: no stage ran, and no shader was new. */
   bool onlyDrew() const;
@@ -150,7 +153,7 @@ private:
   Viewport currentViewport() const;
   MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;
-  Fingerprint lightVersion(const VariantKey& key) const;
+  Fingerprint lightVersion(const MarchInputs& inputs) const;
   Fingerprint pickVersion(const MarchInputs& inputs, const Viewport& part) const;
   std::int64_t stageRuns() const;
   void forgetErrorsOfReleasing(vtkOpenGLRenderWindow* window);
@@ -175,6 +178,7 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   ContextWatch Watch; // of that window
   bool HasFma = false;
+  ComputeSupport Compute;
   TableTextures TablesOnGpu;
   EffectTextures EffectsOnGpu;
   StageRecord UploadRecord;

@@ -47,8 +47,9 @@ VariantKey Pipeline::keyOf(
 }
 
 // The version of the light at vertices. The first word is that of the geometry.
-Fingerprint Pipeline::lightVersion(const VariantKey& key) const
+Fingerprint Pipeline::lightVersion(const MarchInputs& inputs) const
 {
+  const VariantKey& key = inputs.Key;
   const LightUniforms& lights = this->Effects.data().Lights;
   Fingerprint version = this->Source.version();
   version.push_back(static_cast<std::uintptr_t>(this->Tables.record().Runs));
@@ -62,6 +63,7 @@ Fingerprint Pipeline::lightVersion(const VariantKey& key) const
   version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
   version.push_back(key.SampledShadows ? 1 : 0); // sampled along rays, lights are not kept
   version.push_back(key.NanShown ? 1 : 0);
+  version.push_back(inputs.ByCompute ? 1 : 0);
   add(version, this->Effects.gradientOpacityVersion());
   add(version, this->Effects.opaqueShadowsVersion());
   return version;
@@ -71,6 +73,8 @@ MarchInputs Pipeline::inputsOf(
   const DrawOptions& options, vtkRenderer* renderer, const Viewport& area)
 {
   MarchInputs inputs;
+  inputs.ByCompute = !options.Peeling && options.Boundary == BoundaryView::None &&
+                     marchesByCompute(options.Stage, this->Compute);
   inputs.Area = area;
   inputs.Key = this->keyOf(options, renderer, area);
   inputs.Camera = &this->Camera;
@@ -150,6 +154,11 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   {
     return this->fail(badSamples);
   }
+  if (options.Stage == ShaderStage::Compute && !this->Compute.Exists)
+  {
+    return this->fail("The shader stage is Compute, but this GL has no compute shaders: they need "
+                      "OpenGL 4.3. Choose SetShaderStageToAutomatic().");
+  }
   this->Subject.push_back(static_cast<std::uintptr_t>(area.Width));
   this->Subject.push_back(static_cast<std::uintptr_t>(area.Height));
   const MarchInputs inputs = this->inputsOf(options, renderer, area);
@@ -165,9 +174,8 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
       error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
       if (error.empty())
       {
-        error =
-          this->Passes.draw(window, inputs, this->lightVersion(inputs.Key), options.Diagnostics,
-            options.View, options.Boundary, options.SampleDistance, goOn, stopped);
+        error = this->Passes.draw(window, inputs, this->lightVersion(inputs), options.Diagnostics,
+          options.View, options.Boundary, options.SampleDistance, goOn, stopped);
       }
     });
   this->forgetErrorsOfReleasing(window);

@@ -102,10 +102,14 @@ const char* StructuredSource::shaderOf(SourcePass pass) const
   {
     case SourcePass::March:
       return "passes/march.frag.glsl";
+    case SourcePass::MarchByCompute:
+      return "passes/march.comp.glsl";
     case SourcePass::Pick:
       return "passes/pick.frag.glsl";
     case SourcePass::VertexLight:
       return "passes/vertex_light.frag.glsl";
+    case SourcePass::VertexLightByCompute:
+      return "passes/vertex_light.comp.glsl";
     default: // it has no boundary faces
       return nullptr;
   }

@@ -9,6 +9,7 @@
 #include "Variants/VariantKey.h"
 #include "Volume/TransparentShare.h"
 
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace tetmarch
@@ -17,6 +18,7 @@ namespace tetmarch
 std::string TetSource::updateGeometry(
   vtkDataSet* data, const ResourceLimits& limits, const Progress& progress)
 {
+  this->Limits = limits;
   return this->Volume.updateGeometry(vtkUnstructuredGrid::SafeDownCast(data), limits, progress);
 }
 
@@ -38,13 +40,20 @@ double TetSource::transparentShare(const IntegralTable& table) const
   return tetmarch::transparentShare(this->mesh(), scalars.OfCells, scalars.Range, table);
 }
 
+bool TetSource::entersVisiblePart() const
+{
+  const VisiblePart& part = this->Volume.visiblePart();
+  return isWorthEntering(part) && part.Faces.size() <= this->Limits.TexelsPerBuffer;
+}
+
 void TetSource::setBits(VariantKey& key, const View& camera) const
 {
   key.PointScalars = this->Volume.scalars().OfCells.empty();
   key.EntryLists = !camera.CutsNearPlane;
   key.Hierarchy = this->mayReenter();
   key.HiddenCells = !this->Volume.hiddenCells().empty();
-  key.VisiblePart = isWorthEntering(this->Volume.visiblePart());
+  key.VisiblePart = this->entersVisiblePart();
+  this->Textures.setBits(key);
 }
 
 Fingerprint TetSource::version() const
@@ -59,12 +68,16 @@ std::vector<BufferSize> TetSource::bufferSizes() const
   const MeshScalars& scalars = this->Volume.scalars();
   std::vector<BufferSize> sizes =
     tetmarch::bufferSizes(this->mesh(), scalars.OfCells.size(), this->Volume.hiddenCells().size());
-  const VisiblePart& visible = this->Volume.visiblePart();
-  sizes.push_back({ "faces of what is visible", visible.Faces.size(), sizeof(visible.Faces[0]) });
+  if (this->entersVisiblePart())
+  {
+    const VisiblePart& visible = this->Volume.visiblePart();
+    sizes.push_back({ "faces of what is visible", visible.Faces.size(), sizeof(visible.Faces[0]) });
+  }
   if (const std::size_t count = scalars.Further.count())
   {
     sizes.push_back({ "further scalars", scalars.Further.Values.size() / count,
-      MeshTextures::furtherScalarsOfTexel(count) * sizeof(float) });
+      MeshTextures::furtherScalarsOfTexel(count) * sizeof(float),
+      scalars.OfCells.empty() ? 1 : MostCellBuffers });
   }
   return sizes;
 }
@@ -119,7 +132,9 @@ std::string TetSource::upload(vtkOpenGLRenderWindow* window)
   update(this->VisibleTets, this->Volume.visibleVersion(),
     [&]
     {
-      error = this->Visible.upload(window, this->Volume.visiblePart());
+      this->Visible.release(window);
+      error = this->entersVisiblePart() ? this->Visible.upload(window, this->Volume.visiblePart())
+                                        : std::string();
       return this->Visible.bytes();
     });
   return error;
@@ -148,10 +163,14 @@ const char* TetSource::shaderOf(SourcePass pass) const
   {
     case SourcePass::March:
       return "passes/march.frag.glsl";
+    case SourcePass::MarchByCompute:
+      return "passes/march.comp.glsl";
     case SourcePass::Pick:
       return "passes/pick.frag.glsl";
     case SourcePass::VertexLight:
       return "passes/vertex_light.frag.glsl";
+    case SourcePass::VertexLightByCompute:
+      return "passes/vertex_light.comp.glsl";
     default:
       return "passes/boundary_view.frag.glsl";
   }
@@ -194,6 +213,7 @@ std::string TetSource::listEntries(vtkOpenGLRenderWindow* window, const VariantK
   const std::string shortage = withinMemory("the lists of entries",
     [&]
     {
+      const StageRecorder recorder(this->EntriesRecord);
       const auto& faces =
         key.VisiblePart ? this->Volume.visiblePart().Faces : this->mesh().BoundaryFaces;
       const EntryLists lists =

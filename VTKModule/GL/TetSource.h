@@ -21,6 +21,8 @@ public:
   const TetMesh& mesh() const { return this->Volume.mesh(); }
   const StageRecord& meshRecord() const { return this->Volume.meshRecord(); }
   const StageRecord& scalarsRecord() const { return this->Volume.scalarsRecord(); }
+  const StageRecord& visibleRecord() const { return this->Volume.visibleRecord(); }
+  const StageRecord& entriesRecord() const { return this->EntriesRecord; }
 
   std::string updateGeometry(
     vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) override;
@@ -72,11 +74,15 @@ public:
 
 private:
   ReferenceScene withVolume(ReferenceScene scene) const;
+  /** Rays enter the visible part alone. Else, also if its faces are too many for a buffer, they
+   * march through the mesh. */
+  bool entersVisiblePart() const;
 
   /** The version of an array that the GPU has; none before it is uploaded. */
   using Uploaded = std::optional<Fingerprint>;
 
   TetVolume Volume;
+  ResourceLimits Limits;
   MeshTextures Textures;
   Uploaded Links;
   Uploaded Scalars;
@@ -85,6 +91,7 @@ private:
   std::int64_t UploadedBytes = 0;
   VisiblePartTextures Visible;
   EntryListTextures Entries;
+  StageRecord EntriesRecord;
 };
 
 } // namespace tetmarch

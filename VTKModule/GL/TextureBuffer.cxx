@@ -7,6 +7,9 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
+#include <array>
+#include <cstdint>
+
 namespace tetmarch
 {
 namespace
@@ -49,6 +52,11 @@ FormatRow rowOf(TexelFormat format)
 std::string TextureBuffer::upload(
   vtkOpenGLRenderWindow* window, TexelFormat format, const void* data, std::size_t texels)
 {
+  if (texels == 0) // a texture has a texel at least
+  {
+    const std::array<std::uint32_t, 4> none{};
+    return this->upload(window, format, none.data(), 1);
+  }
   const FormatRow row = rowOf(format);
   const std::size_t bytes = texels * row.Bytes;
   clearErrors();

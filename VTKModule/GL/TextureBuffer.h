@@ -33,7 +33,8 @@ enum class TexelFormat
 class TextureBuffer
 {
 public:
-  /** Replace the contents. Returns an empty string, or why it can't be done. */
+  /** Replace the contents; by one texel of zeros if there are none. Returns an empty string, or why
+   * it can't be done. */
   std::string upload(
     vtkOpenGLRenderWindow* window, TexelFormat format, const void* data, std::size_t texels);
   /** Bind to a sampler of the program that is in use. */

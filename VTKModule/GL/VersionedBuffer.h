@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // An array on the GPU that exists as long as something needs it, and is uploaded again when it
-// changed.
+// changed: in a TextureBuffer or a CellBuffer.
 #ifndef TetMarchGLVersionedBuffer_h
 #define TetMarchGLVersionedBuffer_h
 
@@ -15,7 +15,8 @@
 namespace tetmarch
 {
 
-class VersionedBuffer
+template <typename BufferType>
+class Versioned
 {
 public:
   /** Call `upload` if the array is needed and this version isn't on the GPU. It fills the buffer
@@ -45,7 +46,11 @@ public:
   {
     return needed ? this->bytes() > 0 && version == this->Version : this->bytes() == 0;
   }
-  void bind(vtkShaderProgram* program, const char* sampler) { this->Buffer.bind(program, sampler); }
+  template <typename... Samplers>
+  void bind(vtkShaderProgram* program, Samplers... samplers)
+  {
+    this->Buffer.bind(program, samplers...);
+  }
   void unbind() { this->Buffer.unbind(); }
   void release(vtkWindow* window)
   {
@@ -57,10 +62,12 @@ public:
   std::int64_t uploadedBytes() const { return this->UploadedBytes; }
 
 private:
-  TextureBuffer Buffer;
+  BufferType Buffer;
   Fingerprint Version;
   std::int64_t UploadedBytes = 0;
 };
+
+using VersionedBuffer = Versioned<TextureBuffer>;
 
 } // namespace tetmarch
 

@@ -154,13 +154,23 @@ std::string VertexLightPass::makePart(vtkOpenGLRenderWindow* window, const Work&
   return error;
 }
 
+vtkShaderProgram* VertexLightPass::useProgram(
+  vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::string& error)
+{
+  const MarchSource& source = *inputs.Source;
+  return inputs.ByCompute
+           ? this->Dispatch.use(window, source.shaderOf(SourcePass::VertexLightByCompute),
+               inputs.Key.defines(), error)
+           : this->Draw.use(window, "passes/tile.vert.glsl",
+               source.shaderOf(SourcePass::VertexLight), inputs.Key.defines(), error);
+}
+
 std::string VertexLightPass::drawTile(
   vtkOpenGLRenderWindow* window, const Work& work, const Viewport& tile)
 {
   const MarchInputs& inputs = work.Inputs;
   std::string error;
-  vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
-    inputs.Source->shaderOf(SourcePass::VertexLight), inputs.Key.defines(), error);
+  vtkShaderProgram* program = this->useProgram(window, inputs, error);
   if (!program)
   {
     return error;
@@ -173,16 +183,29 @@ std::string VertexLightPass::drawTile(
   bindLightRays(program, inputs.EffectValues->Lights, work.ToLights);
   bindThickness(program, *inputs.Camera);
   program->SetUniformi("vertexCount", static_cast<int>(work.Vertices));
-  drawCorners(program, this->Draw, work.All, tile);
+  if (inputs.ByCompute)
+  {
+    this->Dispatch.dispatch(program, this->Next, tile);
+  }
+  else
+  {
+    drawCorners(program, this->Draw, work.All, tile);
+  }
   inputs.Source->unbind();
   inputs.Tables->unbind();
   inputs.Effects->unbind();
   return {};
 }
 
-void VertexLightPass::release(vtkWindow* window)
+void VertexLightPass::releasePrograms()
 {
   this->Draw.release();
+  this->Dispatch.release();
+}
+
+void VertexLightPass::release(vtkWindow* window)
+{
+  this->releasePrograms();
   this->Shown.release(window);
   this->Next.release(window);
   this->Tiles.expectChange();

@@ -35,6 +35,7 @@ public:
   /** A run makes all of the light, in one or several frames. */
   const StageRecord& record() const { return this->Record; }
   std::size_t bytes() const { return this->Shown.bytes() + this->Next.bytes(); }
+  void releasePrograms();
   void release(vtkWindow* window);
 
 private:
@@ -51,9 +52,12 @@ private:
   std::string makeAll(
     vtkOpenGLRenderWindow* window, const Work& work, const Progress& progress, bool& stopped);
   std::string makePart(vtkOpenGLRenderWindow* window, const Work& work);
+  vtkShaderProgram* useProgram(
+    vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::string& error);
   std::string drawTile(vtkOpenGLRenderWindow* window, const Work& work, const Viewport& tile);
 
   ShaderDraw Draw;
+  ComputeDispatch Dispatch;
   FloatTarget Shown;
   FloatTarget Next; // the light that is being made
   Fingerprint ShownVersion;

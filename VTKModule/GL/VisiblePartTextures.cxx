@@ -10,10 +10,6 @@ namespace tetmarch
 std::string VisiblePartTextures::upload(vtkOpenGLRenderWindow* window, const VisiblePart& part)
 {
   this->release(window);
-  if (!isWorthEntering(part))
-  {
-    return {};
-  }
   std::string error =
     this->Tets.upload(window, TexelFormat::R32UI, part.Tets.data(), part.Tets.size());
   if (error.empty())

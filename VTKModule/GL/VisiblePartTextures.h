@@ -14,7 +14,7 @@ namespace tetmarch
 class VisiblePartTextures
 {
 public:
-  /** A part that isn't worth entering is not kept. Returns an empty string, or what is wrong. */
+  /** Returns an empty string, or what is wrong. */
   std::string upload(vtkOpenGLRenderWindow* window, const VisiblePart& part);
   void bind(vtkShaderProgram* program);
   void unbind();

@@ -74,6 +74,7 @@ FrameOptions::FrameOptions(Settings* settings, BlendMode blend, vtkRenderer* ren
   const int viewMode = settings->GetViewMode();
   this->Draw.Level = level;
   this->Draw.Diagnostics = settings->GetCollectDiagnostics() && !onlyParts;
+  this->Draw.Stage = static_cast<ShaderStage>(settings->GetShaderStage());
   this->Draw.MostSecondsPerDraw = settings->GetMaxDrawTimeInSeconds();
   this->Draw.MostLightSeconds =
     conditions.Interacting && !peeling ? settings->GetLightTimeBudget() : 0.0;

@@ -9,6 +9,7 @@
 #include "Mapper/StructuredBlocks.h"
 
 #include "vtkTetMarchFrameStatistics.h"
+#include "vtkTetMarchSettings.h"
 
 namespace tetmarch
 {
@@ -84,6 +85,10 @@ void recordPipelines(const Pipelines& pipelines, vtkTetMarchFrameStatistics* sta
     sumOf(pipelines, [](const Pipeline& p) { return p.uploadedBytes(); }));
   statistics->SetNumberOfDraws(
     sumOf(pipelines, [](const Pipeline& p) { return p.numberOfDraws(); }));
+  const bool byCompute =
+    sumOf(pipelines, [](const Pipeline& p) { return p.isByCompute() ? 1 : 0; }) > 0;
+  statistics->SetUsedShaderStage(
+    byCompute ? vtkTetMarchSettings::COMPUTE_STAGE : vtkTetMarchSettings::FRAGMENT_STAGE);
   statistics->SetLightComplete(
     sumOf(pipelines, [](const Pipeline& p) { return p.isLightComplete() ? 0 : 1; }) == 0);
 }
@@ -125,6 +130,10 @@ void recordTetrahedra(const TetSource& source, vtkTetMarchFrameStatistics* stati
   statistics->SetMeshBuilds(source.meshRecord().Runs);
   statistics->SetScalarsSeconds(source.scalarsRecord().Seconds);
   statistics->SetScalarsBuilds(source.scalarsRecord().Runs);
+  statistics->SetVisiblePartSeconds(source.visibleRecord().Seconds);
+  statistics->SetVisiblePartBuilds(source.visibleRecord().Runs);
+  statistics->SetEntriesSeconds(source.entriesRecord().Seconds);
+  statistics->SetEntriesBuilds(source.entriesRecord().Runs);
   statistics->SetNumberOfTetrahedra(source.mesh().numberOfTets());
   statistics->SetNumberOfBoundaryFaces(static_cast<vtkIdType>(source.mesh().BoundaryFaces.size()));
 }

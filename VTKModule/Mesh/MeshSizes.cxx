@@ -12,22 +12,23 @@ namespace tetmarch
 std::vector<BufferSize> bufferSizes(
   const TetMesh& mesh, std::uint64_t cellScalars, std::uint64_t hiddenCellWords)
 {
-  return { { "tetrahedra", mesh.Tets.size(), sizeof(PackedCell) },
+  return { { "tetrahedra", mesh.Tets.size(), sizeof(PackedCell), MostCellBuffers },
     { "boundary faces", mesh.BoundaryFaces.size(), 16 },
     { "nodes of the hierarchy", 2 * mesh.Hierarchy.size(), sizeof(HierarchyNode) / 2 },
     { "vertices", mesh.Vertices.size(), sizeof(Vertex) },
-    { "cell scalars", cellScalars, sizeof(float) },
+    { "cell scalars", cellScalars, sizeof(float), MostCellBuffers },
     { "words of hidden cells", hiddenCellWords, sizeof(std::uint32_t) } };
 }
 
 std::vector<BufferSize> leastBufferSizes(std::uint64_t tetrahedra)
 {
-  return { { "tetrahedra", tetrahedra, sizeof(PackedCell) } };
+  return { { "tetrahedra", tetrahedra, sizeof(PackedCell), MostCellBuffers } };
 }
 
 std::uint64_t mostTetrahedra(const ResourceLimits& limits)
 {
-  const std::uint64_t most = std::min<std::uint64_t>(limits.TexelsPerBuffer, MostTetsOfLinks);
+  const std::uint64_t most =
+    std::min(MostCellBuffers * std::min(limits.TexelsPerBuffer, MostTetsOfLinks), MostTetsOfLinks);
   return limits.Bytes > 0 ? std::min<std::uint64_t>(most, limits.Bytes / sizeof(PackedCell)) : most;
 }
 

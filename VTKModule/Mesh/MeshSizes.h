@@ -14,6 +14,9 @@ namespace tetmarch
 
 struct TetMesh;
 
+/** What has a texel for each tetrahedron may lie in so many texture buffers. */
+constexpr std::uint64_t MostCellBuffers = 2;
+
 /** Of a mesh, its cell scalars (0 if point scalars are drawn) and words of hidden cells (0 if there
  * are none). */
 std::vector<BufferSize> bufferSizes(

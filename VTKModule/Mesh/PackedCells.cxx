@@ -7,18 +7,18 @@
 namespace tetmarch
 {
 
-std::vector<PackedCell> packCells(const TetMesh& mesh)
+void packCells(
+  const TetMesh& mesh, std::size_t begin, std::size_t end, std::vector<PackedCell>& cells)
 {
-  std::vector<PackedCell> cells(mesh.Tets.size());
+  cells.resize(end - begin);
   vtkSMPTools::For(0, static_cast<vtkIdType>(cells.size()),
     [&](vtkIdType first, vtkIdType last)
     {
-      for (vtkIdType tet = first; tet < last; ++tet)
+      for (vtkIdType i = first; i < last; ++i)
       {
-        cells[tet] = packedCell(mesh, static_cast<std::size_t>(tet));
+        cells[i] = packedCell(mesh, begin + static_cast<std::size_t>(i));
       }
     });
-  return cells;
 }
 
 } // namespace tetmarch

@@ -23,8 +23,9 @@ inline PackedCell packedCell(const TetMesh& mesh, std::size_t tet)
     links[2] ^ links[3] } };
 }
 
-/** Of all tetrahedra, in parallel. */
-std::vector<PackedCell> packCells(const TetMesh& mesh);
+/** Fill the vector with the tetrahedra from begin to end, in parallel. */
+void packCells(
+  const TetMesh& mesh, std::size_t begin, std::size_t end, std::vector<PackedCell>& cells);
 
 } // namespace tetmarch
 

@@ -52,6 +52,7 @@ const std::array<VariantKey::Feature, VariantKey::NumberOfFeatures>& VariantKey:
     { "SLABS", TETMARCH_WITH_SLABS, &VariantKey::Slabs },
     { "MANY_SLABS", TETMARCH_WITH_MANY_SLABS, &VariantKey::ManySlabs },
     { "VISIBLE_PART", TETMARCH_WITH_VISIBLE_PART, &VariantKey::VisiblePart },
+    { "SPLIT_CELLS", TETMARCH_WITH_SPLIT_CELLS, &VariantKey::SplitCells },
   } };
   return rows;
 }
@@ -149,6 +150,7 @@ void VariantKey::dropWhatLatticesLack()
     this->EntryLists = false;
     this->Hierarchy = false;
     this->HasFma = false;
+    this->SplitCells = false;
   }
   this->Rectilinear = this->Rectilinear && this->Structured;
   this->Slabs = this->Slabs && this->Structured;
@@ -211,6 +213,7 @@ VariantKey VariantKey::ofVertexLight(bool reenters) const
   key.Slabs = this->Slabs;
   key.ManySlabs = this->ManySlabs;
   key.Leaps = this->Leaps;
+  key.SplitCells = this->SplitCells;
   key.PointScalars = this->PointScalars;
   key.HasFma = this->HasFma;
   key.Adaptive = false;
@@ -231,6 +234,7 @@ VariantKey VariantKey::ofPick() const
   key.OpaqueDepth = true;
   key.Leaps = this->Leaps;
   key.VisiblePart = this->VisiblePart;
+  key.SplitCells = this->SplitCells;
   key.PointScalars = this->PointScalars;
   // Where the scalar is linear, the optical depth of a segment is exact.
   key.Adaptive = this->Structured;

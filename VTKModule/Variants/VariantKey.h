@@ -79,7 +79,8 @@ struct VariantKey
   bool ManySlabs = false;    // more than two
 
   bool VisiblePart =
-    false; // rays enter and leave those tetrahedra alone of which something is seen
+    false;                 // rays enter and leave those tetrahedra alone of which something is seen
+  bool SplitCells = false; // the tetrahedra lie in two texture buffers
 
   // What follows from these, by Shaders/derived_conditions.glsl.
   /** Emission and absorption are integrated. */
@@ -142,7 +143,7 @@ struct VariantKey
      * group's first value takes its place. */
     void set(VariantKey& key, bool on) const;
   };
-  static constexpr int NumberOfFeatures = 42;
+  static constexpr int NumberOfFeatures = 43;
   static const std::array<Feature, NumberOfFeatures>& features();
   /** The bits of all features that are on. */
   std::uint64_t bits() const;

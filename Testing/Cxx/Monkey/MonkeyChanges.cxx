@@ -88,6 +88,7 @@ const std::vector<MonkeyChange>& monkeyChanges()
       [](State& s, Random& r) {
         s.MaxDrawTime = r.of<double>({ 0.0, 0.25, 1e-4 });
       } },
+    { "the shader stage", [](State& s, Random& r) { s.ShaderStage = r.below(3); } },
     { "diagnostics", [](State& s, Random&) { s.Diagnostics = !s.Diagnostics; } },
     { "the view mode",
       [](State& s, Random& r) { s.ViewMode = r.chance(2) ? Mapper::VIEW_PICTURE : r.below(8); } },

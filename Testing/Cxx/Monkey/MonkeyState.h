@@ -107,6 +107,7 @@ struct MonkeyState
   double FrameTimeBudget = 0.0;
   double ErrorBudget = 0.0;
   double MaxDrawTime = 0.25;
+  int ShaderStage = Mapper::AUTOMATIC_STAGE;
   bool Diagnostics = false;
   int ViewMode = Mapper::VIEW_PICTURE;
   bool AutomaticRange = true;

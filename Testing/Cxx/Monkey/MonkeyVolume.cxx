@@ -180,6 +180,7 @@ void MonkeyScene::showMapper(const MonkeyState& state)
   mapper->SetErrorBudget(state.ErrorBudget);
   mapper->SetMaxDrawTimeInSeconds(state.MaxDrawTime);
   mapper->SetCollectDiagnostics(state.Diagnostics);
+  mapper->SetShaderStage(state.ShaderStage);
   mapper->SetViewMode(state.ViewMode);
   mapper->SetAutomaticViewRange(state.AutomaticRange);
   mapper->SetViewRange(state.RangeLow, 50.0);

@@ -31,7 +31,7 @@ constexpr std::pair<bool, int> WaysToDraw[] = { { true, vtkTetMarchVolumeMapper:
   { false, vtkTetMarchVolumeMapper::VIEW_ERROR_BOUND },
   { false, vtkTetMarchVolumeMapper::VIEW_BOUNDARY_FACES } };
 
-void expectStateKept(Scene& scene)
+void expectStateKept(Scene& scene, int stage = vtkTetMarchVolumeMapper::AUTOMATIC_STAGE)
 {
   const bool multisampled = scene.Window->GetMultiSamples() > 1;
   for (const auto& [diagnostics, viewMode] : WaysToDraw)
@@ -40,6 +40,7 @@ void expectStateKept(Scene& scene)
     mapper->SetInputData(scene.Data);
     mapper->SetCollectDiagnostics(diagnostics);
     mapper->SetViewMode(viewMode);
+    mapper->SetShaderStage(stage);
     scene.Volume->SetMapper(mapper);
     scene.Window->Render();
     scene.Window->Render();
@@ -199,6 +200,17 @@ TEST(GLState, IsKeptWithSearchedEntriesAndCellScalars)
   expectStateKept(scene);
   scene.drawCellScalars();
   expectStateKept(scene);
+}
+
+TEST(GLState, IsKeptByComputeShaders)
+{
+  Scene scene(lattice());
+  scene.Renderer->SetViewport(0.2, 0.3, 0.7, 0.9);
+  scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 }));
+  scene.Mapper->SetShaderStageToCompute();
+  scene.render();
+  ASSERT_EQ(scene.Mapper->GetUsedShaderStage(), vtkTetMarchVolumeMapper::COMPUTE_STAGE);
+  expectStateKept(scene, vtkTetMarchVolumeMapper::COMPUTE_STAGE);
 }
 
 TEST(GLState, IsKeptByTilesAndWhenTheyAreAborted)

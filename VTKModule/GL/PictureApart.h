@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws a picture with fewer rays than the viewport has pixels.
-#ifndef TetMarchGLCoarsePicture_h
-#define TetMarchGLCoarsePicture_h
+// A picture that is marched into a target of its own, and then blended over the window's: with
+// fewer rays than the viewport has pixels, or by a compute shader.
+#ifndef TetMarchGLPictureApart_h
+#define TetMarchGLPictureApart_h
 
 #include "GL/FloatTarget.h"
 #include "GL/MarchPass.h"
@@ -14,13 +15,13 @@ namespace tetmarch
 /** The viewport in pixels that are sampleDistance apart: at least 1 x 1, in the same corner. */
 Viewport coarseArea(const Viewport& area, double sampleDistance);
 
-class CoarsePicture
+class PictureApart
 {
 public:
   /**
-   * March the coarse area of the inputs, and blend the picture, interpolated, over that of the
-   * window. Returns an empty string, or what is wrong; `stopped` becomes true if progress asked to
-   * stop, and nothing is blended then.
+   * March the area of the inputs, and blend the picture over that of the window; interpolated if
+   * the viewport, `area`, is larger. Returns an empty string, or what is wrong; `stopped` becomes
+   * true if progress asked to stop, and nothing is blended then.
    */
   std::string draw(vtkOpenGLRenderWindow* window, const Viewport& area, MarchPass& march,
     const MarchInputs& inputs, const Progress& progress, bool& stopped);
@@ -31,7 +32,7 @@ public:
   void release(vtkWindow* window);
 
 private:
-  std::string enlarge(vtkOpenGLRenderWindow* window, const Viewport& area);
+  std::string blend(vtkOpenGLRenderWindow* window, const Viewport& area, bool enlarged);
 
   FloatTarget Target;
   TileSchedule Tiles;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GL/CoarsePicture.h"
+#include "GL/PictureApart.h"
 
 #include "GL/StateScope.h"
 #include "GL/Uniforms.h"
@@ -20,23 +20,25 @@ Viewport coarseArea(const Viewport& area, double sampleDistance)
   return { 0, 0, fewer(area.Width), fewer(area.Height) };
 }
 
-std::string CoarsePicture::draw(vtkOpenGLRenderWindow* window, const Viewport& area,
+std::string PictureApart::draw(vtkOpenGLRenderWindow* window, const Viewport& area,
   MarchPass& march, const MarchInputs& inputs, const Progress& progress, bool& stopped)
 {
+  const bool sameSize = inputs.Area.Width == area.Width && inputs.Area.Height == area.Height;
+  const bool enlarged = !inputs.ByCompute || !sameSize;
   std::string error;
   {
     StateScope state(window);
-    error =
-      this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 1, TargetFormat::Share16);
+    error = this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 1,
+      enlarged ? TargetFormat::Share16 : TargetFormat::Float32);
     if (error.empty())
     {
-      error = march.drawApart(window, inputs, this->Tiles, progress, stopped);
+      error = march.drawApart(window, this->Target, inputs, this->Tiles, progress, stopped);
     }
   }
-  return error.empty() && !stopped ? this->enlarge(window, area) : error;
+  return error.empty() && !stopped ? this->blend(window, area, enlarged) : error;
 }
 
-std::string CoarsePicture::enlarge(vtkOpenGLRenderWindow* window, const Viewport& area)
+std::string PictureApart::blend(vtkOpenGLRenderWindow* window, const Viewport& area, bool enlarged)
 {
   StateScope state(window);
   std::string error;
@@ -48,8 +50,9 @@ std::string CoarsePicture::enlarge(vtkOpenGLRenderWindow* window, const Viewport
   }
   blendPremultiplied(state);
   vtkTextureObject* picture = this->Target.color(0);
-  picture->SetMinificationFilter(vtkTextureObject::Linear);
-  picture->SetMagnificationFilter(vtkTextureObject::Linear);
+  const int filter = enlarged ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+  picture->SetMinificationFilter(filter);
+  picture->SetMagnificationFilter(filter);
   picture->SetWrapS(vtkTextureObject::ClampToEdge);
   picture->SetWrapT(vtkTextureObject::ClampToEdge);
   const std::array<float, 4> viewport = area.asFloats();
@@ -60,7 +63,7 @@ std::string CoarsePicture::enlarge(vtkOpenGLRenderWindow* window, const Viewport
   return {};
 }
 
-void CoarsePicture::release(vtkWindow* window)
+void PictureApart::release(vtkWindow* window)
 {
   this->Draw.release();
   this->Target.release(window);

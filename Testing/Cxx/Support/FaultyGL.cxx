@@ -126,7 +126,7 @@ void GLAPIENTRY getIntegerv(GLenum name, GLint* value)
   if (name == GL_MAX_TEXTURE_BUFFER_SIZE && Plan.MostTexels > 0)
   {
     *value = Plan.MostTexels;
-    Plan.Happened = true;
+    Plan.Happened = Plan.Happened || !Plan.Active;
   }
 }
 void GLAPIENTRY texImage2D(GLenum target, GLint level, GLint internal, GLsizei width,
@@ -241,6 +241,12 @@ FaultyGL::FaultyGL(int mostTexels)
 {
   Plan.MostTexels = mostTexels;
   begin();
+}
+
+FaultyGL::FaultyGL(int mostTexels, Fault fault, int call)
+  : FaultyGL(fault, call)
+{
+  Plan.MostTexels = mostTexels;
 }
 
 FaultyGL::~FaultyGL()

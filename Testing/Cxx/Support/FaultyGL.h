@@ -39,6 +39,8 @@ public:
   explicit FaultyGL(const std::function<std::string(const std::string&)>& rewrite);
   /// The GL claims to take so many texels in a texture buffer.
   static FaultyGL withMostTexels(int texels) { return FaultyGL(texels); }
+  /// And a call fails.
+  FaultyGL(int mostTexels, Fault fault, int call);
   ~FaultyGL();
   FaultyGL(const FaultyGL&) = delete;
   FaultyGL& operator=(const FaultyGL&) = delete;

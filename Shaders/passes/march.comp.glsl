@@ -1,0 +1,47 @@
+// The picture by a compute shader: one ray a pixel, 8 x 8 of them a group. It writes what march.frag.glsl does, but 0 where
+// that discards.
+#include "language.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(binding = 0) writeonly uniform image2D pictureImage;
+#if TETMARCH_DIAGNOSTICS
+layout(binding = 1) writeonly uniform image2D measureImage;
+layout(binding = 2) writeonly uniform image2D troubleImage;
+#endif
+uniform vec4 tilePixels; // x, y, width, height in the images
+
+#include "passes/march_pixel.glsl"
+
+// Morton order, so that invocations in lockstep march side by side.
+ivec2 placeInGroup(uint i) { return ivec2(i & 1u | i >> 1u & 2u | i >> 2u & 4u, i >> 1u & 1u | i >> 2u & 2u | i >> 3u & 4u); }
+
+void main()
+{
+  ivec2 inTile = 8 * ivec2(gl_WorkGroupID.xy) + placeInGroup(gl_LocalInvocationIndex);
+  if (inTile.x >= int(tilePixels.z) || inTile.y >= int(tilePixels.w))
+  {
+    return;
+  }
+  ivec2 at = ivec2(tilePixels.xy) + inTile;
+  vec4 color = vec4(0.0);
+#if TETMARCH_DIAGNOSTICS
+  vec4 measures = vec4(0.0);
+  vec4 trouble = vec4(0.0);
+#endif
+  PixelRay pixel = pixelRay(viewport.xy + vec2(at) + 0.5);
+  if (pixel.seen)
+  {
+    March march = marchPixel(pixel);
+    color = colorOf(pixel, march);
+#if TETMARCH_DIAGNOSTICS
+    measures = measuresOf(pixel, march);
+    trouble = troubleOf(march);
+#endif
+  }
+  imageStore(pictureImage, at, color);
+#if TETMARCH_DIAGNOSTICS
+  imageStore(measureImage, at, measures);
+  imageStore(troubleImage, at, trouble);
+#endif
+}

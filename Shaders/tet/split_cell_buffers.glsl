@@ -1,0 +1,36 @@
+// What has a texel for each tetrahedron, of more tetrahedra than a texture buffer has texels: the second buffer has those
+// that the first one doesn't hold. Bound by GL/MeshTextures.
+uniform usamplerBuffer secondCellBuffer;
+uniform int cellsOfFirstBuffer;
+
+uvec4 fetchCell(uint tet)
+{
+  int i = int(tet);
+  if (i < cellsOfFirstBuffer)
+  {
+    return texelFetch(cellBuffer, i);
+  }
+  return texelFetch(secondCellBuffer, i - cellsOfFirstBuffer);
+}
+
+#if !TETMARCH_POINT_SCALARS || TETMARCH_CELL_GRADIENTS
+vec4 fetchOfCell(samplerBuffer first, samplerBuffer second, uint tet)
+{
+  int i = int(tet);
+  if (i < cellsOfFirstBuffer)
+  {
+    return texelFetch(first, i);
+  }
+  return texelFetch(second, i - cellsOfFirstBuffer);
+}
+#endif
+
+#if !TETMARCH_POINT_SCALARS
+uniform samplerBuffer secondCellScalarBuffer;
+float fetchCellScalar(uint tet) { return fetchOfCell(cellScalarBuffer, secondCellScalarBuffer, tet).x; }
+#endif
+
+#if TETMARCH_COMPONENTS && !TETMARCH_POINT_SCALARS
+uniform samplerBuffer secondFurtherScalarBuffer;
+vec3 fetchFurtherScalars(uint tet) { return fetchOfCell(furtherScalarBuffer, secondFurtherScalarBuffer, tet).xyz; }
+#endif
