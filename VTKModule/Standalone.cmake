@@ -21,7 +21,7 @@ file(RELATIVE_PATH tetmarch_lib_from_python "/${tetmarch_python_dir}/vtktetmarch
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" "$ORIGIN/${tetmarch_lib_from_python}")
 
 set(tetmarch_vtk_components
-  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms ParallelCore
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 if (TETMARCH_WRAP_PYTHON)
   list(APPEND tetmarch_vtk_components Python WrappingPythonCore)

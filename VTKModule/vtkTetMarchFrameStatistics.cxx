@@ -145,6 +145,13 @@ void vtkTetMarchFrameStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpaqueShadowsSeconds: " << this->OpaqueShadowsSeconds << "\n";
   os << indent << "VertexLightSeconds: " << this->VertexLightSeconds << "\n";
   os << indent << "UploadSeconds: " << this->UploadSeconds << "\n";
+  os << indent << "NumberOfVisits: " << this->NumberOfVisits << "\n";
+  os << indent << "SentBytes: " << this->SentBytes << "\n";
+  os << indent << "MarchSeconds: " << this->MarchSeconds << "\n";
+  os << indent << "ExchangeSeconds: " << this->ExchangeSeconds << "\n";
+  os << indent << "MergeSeconds: " << this->MergeSeconds << "\n";
+  os << indent << "SpreadSeconds: " << this->SpreadSeconds << "\n";
+  os << indent << "SharedErrorBound: " << this->SharedErrorBound << "\n";
   os << indent << "BlocksBuilds: " << this->BlocksBuilds << "\n";
   os << indent << "MeshBuilds: " << this->MeshBuilds << "\n";
   os << indent << "ScalarsBuilds: " << this->ScalarsBuilds << "\n";

@@ -53,6 +53,13 @@
   vtkTetMarchFigureMacro(OpaqueShadowsSeconds, double);                                            \
   vtkTetMarchFigureMacro(VertexLightSeconds, double);                                              \
   vtkTetMarchFigureMacro(UploadSeconds, double);                                                   \
+  vtkTetMarchFigureMacro(NumberOfVisits, vtkTypeInt64);                                            \
+  vtkTetMarchFigureMacro(SentBytes, vtkTypeInt64);                                                 \
+  vtkTetMarchFigureMacro(MarchSeconds, double);                                                    \
+  vtkTetMarchFigureMacro(ExchangeSeconds, double);                                                 \
+  vtkTetMarchFigureMacro(MergeSeconds, double);                                                    \
+  vtkTetMarchFigureMacro(SpreadSeconds, double);                                                   \
+  vtkTetMarchFigureMacro(SharedErrorBound, double);                                                \
   vtkTetMarchFigureMacro(BlocksBuilds, vtkTypeInt64);                                              \
   vtkTetMarchFigureMacro(MeshBuilds, vtkTypeInt64);                                                \
   vtkTetMarchFigureMacro(ScalarsBuilds, vtkTypeInt64);                                             \

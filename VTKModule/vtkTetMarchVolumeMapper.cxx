@@ -11,6 +11,7 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -49,39 +50,83 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const auto mostBytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
   selector ? internal.Pipeline.beginPick(mostBytes) : internal.Pipeline.begin(mostBytes);
   std::string error;
-  if (vtkUnstructuredGrid* grid = this->FindGrid(error))
+  vtkUnstructuredGrid* grid = this->FindGrid(error);
+  if (grid || internal.isShared())
   {
-    error = this->RenderGrid(grid, window, renderer, volume);
+    try
+    {
+      error = this->RenderGrid(grid, error, window, renderer, volume);
+    }
+    catch (const tetmarch::GroupFailure& failure)
+    {
+      error = failure.what();
+    }
   }
   internal.recordStatistics();
-  internal.State.LastError.reportError(this, error);
+  // What is wrong with any process is told by the first.
+  internal.State.LastError.reportError(
+    this, internal.Together.Processes.rank() == 0 || selector ? error : "");
   internal.LastOmissions.reportWarning(this, internal.Blocks.omissions());
   internal.LastMeshReport.reportWarning(this, tetmarch::describe(internal.Tets.mesh().Report));
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid,
+std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid, std::string found,
   vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
 {
   Internals& internal = *this->Internal;
   const tetmarch::ScalarSelection selection = tetmarch::selectionOf(this);
-  const tetmarch::DrawnData drawn{ grid,
-    internal.hasBlocks()
-      ? tetmarch::FoundScalars{ internal.Blocks.scalars(), internal.Blocks.hasCellScalars() }
-      : tetmarch::findScalars(grid, selection),
-    tetmarch::vectorOptionsOf(this), tetmarch::blendOptionsOf(this),
-    tetmarch::clippingOptionsOf(this) };
+  const tetmarch::DrawnData drawn = internal.drawnOf(this, grid);
+  found = found.empty() && grid && !drawn.Scalars.Array
+            ? tetmarch::describeMissingScalars(grid, selection)
+            : found;
   const tetmarch::FrameConditions conditions{ window->GetDesiredUpdateRate() >= 1.0,
     this->GetAutoAdjustSampleDistances() };
   tetmarch::MapperFrame frame(
     { this, window, renderer, volume }, internal.State, drawn.Blend, conditions);
-  if (drawn.Scalars.Array && frame.prepare(internal.Pipeline, drawn))
+  const bool together = internal.isShared() && !renderer->GetSelector();
+  internal.Pipeline.setPiece(internal.pieceAlone());
+  internal.Together.MostVisitBytes = static_cast<std::uint64_t>(this->MaxVisitMemoryInBytes);
+  if (together ? frame.prepareTogether(internal.Pipeline, drawn, found, internal.Together)
+               : found.empty() && grid && frame.prepare(internal.Pipeline, drawn))
   {
-    frame.draw(internal.Pipeline, internal.Blocks.origins());
+    frame.draw(internal.Pipeline, internal.origins());
   }
   frame.end(this->TimeToDraw);
-  return drawn.Scalars.Array ? internal.Pipeline.error()
-                             : tetmarch::describeMissingScalars(grid, selection);
+  return together || found.empty() ? internal.Pipeline.error() : found;
+}
+
+//------------------------------------------------------------------------------
+tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
+  vtkTetMarchVolumeMapper* mapper, vtkUnstructuredGrid* grid)
+{
+  tetmarch::FoundScalars scalars;
+  if (grid)
+  {
+    scalars = this->hasBlocks()
+                ? tetmarch::FoundScalars{ this->Blocks.scalars(), this->Blocks.hasCellScalars() }
+                : tetmarch::findScalars(grid, tetmarch::selectionOf(mapper));
+  }
+  vtkDataSet* data = grid ? grid : this->NoCells.Get();
+  if (grid && this->isShared())
+  {
+    this->Own.update(grid, scalars.Array, scalars.OfCells, this->Blocks.origins());
+    data = this->Own.grid();
+    scalars.Array = this->Own.scalars();
+  }
+  return { data, scalars, tetmarch::vectorOptionsOf(mapper), tetmarch::blendOptionsOf(mapper),
+    tetmarch::clippingOptionsOf(mapper), this->isShared() ? this->Together.Whole : WholeRanges() };
+}
+
+//------------------------------------------------------------------------------
+double* vtkTetMarchVolumeMapper::Internals::wholeBounds()
+{
+  if (!this->Together.WholeBox.IsValid())
+  {
+    return nullptr;
+  }
+  this->Together.WholeBox.GetBounds(this->WholeBounds.data());
+  return this->WholeBounds.data();
 }
 
 //------------------------------------------------------------------------------
@@ -90,11 +135,18 @@ void vtkTetMarchVolumeMapper::Internals::recordStatistics()
   tetmarch::recordBlocks(this->Blocks, this->State.Statistics);
   tetmarch::recordPipeline(this->Pipeline, this->State.Statistics);
   tetmarch::recordTetrahedra(this->Tets, this->State.Statistics);
+  tetmarch::recordShared(this->Together.Shared, this->State.Statistics);
   tetmarch::recordAccuracy(this->State.Accuracy, this->State.Statistics);
 }
 
 //------------------------------------------------------------------------------
 double* vtkTetMarchVolumeMapper::GetBounds()
+{
+  return this->Internal->isShared() ? this->Internal->wholeBounds() : this->GetOwnBounds();
+}
+
+//------------------------------------------------------------------------------
+double* vtkTetMarchVolumeMapper::GetOwnBounds()
 {
   auto* blocks = vtkCompositeDataSet::SafeDownCast(this->GetDataObjectInput());
   if (!blocks)
@@ -104,6 +156,48 @@ double* vtkTetMarchVolumeMapper::GetBounds()
   this->Update();
   tetmarch::boundBlocks(blocks, this->Bounds);
   return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Internal->Together = {};
+    this->Internal->Together.Processes = tetmarch::Group(controller);
+    this->Internal->Together.HasController = controller != nullptr;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkTetMarchVolumeMapper::GetController() const
+{
+  return this->Controller;
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::SetWholeBounds(const double bounds[6])
+{
+  this->Internal->Together.WholeBox = vtkBoundingBox(bounds);
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::ShareBounds()
+{
+  const double* bounds = this->GetDataObjectInput() ? this->GetOwnBounds() : nullptr;
+  const bool isBox = bounds && bounds[0] <= bounds[1];
+  tetmarch::GroupState& together = this->Internal->Together;
+  try
+  {
+    together.WholeBox =
+      tetmarch::wholeBox(together.Processes, isBox ? vtkBoundingBox(bounds) : vtkBoundingBox());
+  }
+  catch (const tetmarch::GroupFailure& failure)
+  {
+    this->Report(failure.what());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -199,7 +293,7 @@ bool vtkTetMarchVolumeMapper::TraceRay(
 {
   Internals& internal = *this->Internal;
   return this->Report(tetmarch::traceRay(internal.Pipeline, internal.State,
-    { volume, x, y, arithmetic }, internal.Blocks.origins(), internal.hasBlocks(), cells));
+    { volume, x, y, arithmetic }, internal.origins(), internal.hasBlocks(), cells));
 }
 
 //------------------------------------------------------------------------------
@@ -252,6 +346,8 @@ void vtkTetMarchVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
     os << ' ' << plane;
   }
   os << "\n" << indent << "CroppingRegionFlags: " << this->CroppingRegionFlags << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "MaxVisitMemoryInBytes: " << this->MaxVisitMemoryInBytes << "\n";
   os << indent << "PickedPosition: " << this->PickedPosition[0] << ", " << this->PickedPosition[1]
      << ", " << this->PickedPosition[2] << "\n";
   os << indent << "PickedScalar: " << this->PickedScalar << "\n";

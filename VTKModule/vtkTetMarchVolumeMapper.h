@@ -59,6 +59,7 @@
 #ifndef vtkTetMarchVolumeMapper_h
 #define vtkTetMarchVolumeMapper_h
 
+#include "vtkSmartPointer.h" // For vtkSmartPointer
 #include "vtkMath.h"                     // For vtkMath::Nan
 #include "vtkRenderingTetMarchModule.h"  // For export macro
 #include "vtkTetMarchSettingsMacros.h"   // For methods of the settings
@@ -71,6 +72,7 @@
 
 class vtkFloatArray;
 class vtkLookupTable;
+class vtkMultiProcessController;
 class vtkOpenGLRenderWindow;
 class vtkTable;
 class vtkUnstructuredGrid;
@@ -94,10 +96,59 @@ public:
   //@{
   /**
    * Bounding box of the points of the input; of composite input, of all blocks but surfaces
-   * (vtkPolyData).
+   * (vtkPolyData). With a Controller of several processes that of all their cells, as it was at the
+   * last ShareBounds() or Render(); null before.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   using Superclass::GetBounds;
+  //@}
+
+  //@{
+  /**
+   * The processes that have pieces of the volume, none by default. With a controller of several
+   * processes the frame shows the whole volume in each of them, exactly as one process would draw
+   * it, whatever shape the pieces have: they may interlock, lie within each other or be empty. Each
+   * process marches its own cells, and what rays have gathered at each of their visits to a piece
+   * is exchanged, put in order of depth and composited. Opaque geometry of any process hides what
+   * lies behind it. So that compositors of whole frames by depth (vtkCompositedSynchronizedRenderers,
+   * IceT) take these pixels, the volume has a depth where nothing opaque is seen: that just before
+   * the far plane.
+   *
+   * Render() is collective then: all processes call it in the same order, with windows of the same
+   * size and the same camera, property and settings, and each has an input, which may have no cells
+   * and no arrays. Accuracy and distances between rays are those of process 0, where budgets choose
+   * them. Points that pieces share have the same coordinates; if some pieces have floats and others
+   * doubles, all are rounded to float. Cells that vtkGhostType marks as DUPLICATECELL are left out.
+   * What is wrong with one process is an error of process 0, which names it, and no process draws
+   * the volume.
+   *
+   * Faces of cells with more than three corners are cut through their least corner by coordinates,
+   * x first, also by a controller of one process; without a controller through that with the
+   * smallest id.
+   *
+   * Gradients at points that pieces share are those of all pieces. Shadows and ambient occlusion
+   * are those within the piece of each process. View modes other than the picture, and peels, are
+   * errors; CollectDiagnostics, picks and traces see the piece of one process.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  //@}
+
+  //@{
+  /**
+   * The memory that each process may take for the visits of rays, in bytes, at least a million.
+   * Pictures with more are drawn in bands of rows, one after the other. Default: 2^30.
+   */
+  vtkSetClampMacro(MaxVisitMemoryInBytes, vtkTypeInt64, 1000000, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(MaxVisitMemoryInBytes, vtkTypeInt64);
+  //@}
+
+  //@{
+  /** Collective: tell all processes where the volume lies, for GetBounds() before the first frame,
+   * as vtkRenderer::ResetCamera() needs it. */
+  void ShareBounds();
+  /** The same by whoever knows it already; not collective. */
+  void SetWholeBounds(const double bounds[6]);
   //@}
 
   /**
@@ -398,6 +449,8 @@ protected:
   double PickedScalar = vtkMath::Nan();
   vtkIdType PickedCellId = -1;
   unsigned int PickedBlock = 0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  vtkTypeInt64 MaxVisitMemoryInBytes = vtkTypeInt64(1) << 30;
 
 private:
   vtkTetMarchVolumeMapper(const vtkTetMarchVolumeMapper&) = delete;
@@ -406,8 +459,9 @@ private:
   class Internals;
 
   vtkUnstructuredGrid* FindGrid(std::string& error);
-  std::string RenderGrid(vtkUnstructuredGrid* grid, vtkOpenGLRenderWindow* window,
-    vtkRenderer* renderer, vtkVolume* volume);
+  std::string RenderGrid(vtkUnstructuredGrid* grid, std::string found,
+    vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
+  double* GetOwnBounds();
   bool Report(const std::string& error); // whether there is none
 
   std::unique_ptr<Internals> Internal;

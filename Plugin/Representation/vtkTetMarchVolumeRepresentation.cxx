@@ -100,11 +100,18 @@ void vtkTetMarchVolumeRepresentation::OfferData(vtkInformation* inInfo, vtkInfor
   this->Actor->GetMatrix(place);
   RenderView::SetGeometryBounds(inInfo, this, this->DataBounds, place);
 
-  // Processes draw their volumes one behind the other.
-  outInfo->Set(RenderView::NEED_ORDERED_COMPOSITING(), 1);
+  if (this->ExactCompositing)
+  {
+    outInfo->Set(RenderView::RENDER_EMPTY_IMAGES(), 1); // each process takes part in each frame
+  }
+  else
+  {
+    // Processes draw their volumes one behind the other.
+    outInfo->Set(RenderView::NEED_ORDERED_COMPOSITING(), 1);
+  }
   RenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
   RenderView::SetOrderedCompositingConfiguration(inInfo, this,
-    this->UseDataPartitions
+    this->ExactCompositing || this->UseDataPartitions
       ? RenderView::USE_BOUNDS_FOR_REDISTRIBUTION
       : RenderView::DATA_IS_REDISTRIBUTABLE | RenderView::USE_DATA_FOR_LOAD_BALANCING);
 }
@@ -118,11 +125,33 @@ void vtkTetMarchVolumeRepresentation::PrepareToRender(vtkInformation* inInfo)
   const bool drawable =
     vtkUnstructuredGrid::SafeDownCast(data) || vtkDataObjectTree::SafeDownCast(data);
   this->TetMarchMapper->SetInputConnection(drawable ? producer : nullptr);
+  this->TetMarchMapper->SetController(this->FindPartners(inInfo));
+  if (this->WholeBounds.IsValid())
+  {
+    std::array<double, 6> bounds;
+    this->WholeBounds.GetBounds(bounds.data());
+    this->TetMarchMapper->SetWholeBounds(bounds.data());
+  }
   this->UpdateMapperParameters();
   const char* array = this->TetMarchMapper->GetArrayName();
   const bool visible = this->GetVisibility() && drawable && array && *array;
   this->Actor->SetVisibility(visible);
   this->Legend->SetVisibility(visible);
+}
+
+// The processes that draw the frame with this one; null if each draws its piece over the others.
+vtkMultiProcessController* vtkTetMarchVolumeRepresentation::FindPartners(
+  vtkInformation* inInfo) const
+{
+  auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
+  const bool distributed =
+    view && (inInfo->Has(vtkPVRenderView::USE_LOD()) ? view->GetUseDistributedRenderingForLODRender()
+                                                     : view->GetUseDistributedRenderingForRender());
+  auto* all = vtkMultiProcessController::GetGlobalController();
+  const bool alone = all && all->GetNumberOfProcesses() == 1;
+  const bool exact = this->ExactCompositing && view && (distributed || alone) &&
+                     !view->GetUseOrderedCompositing() && !view->InTileDisplayMode();
+  return exact ? all : nullptr;
 }
 
 void vtkTetMarchVolumeRepresentation::UpdateMapperParameters()

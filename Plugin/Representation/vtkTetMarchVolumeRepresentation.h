@@ -22,6 +22,7 @@
 #include "vtkUnstructuredGridVolumeRepresentation.h"
 
 class vtkDataObject;
+class vtkMultiProcessController;
 class vtkTetMarchLegend;
 class vtkTetMarchVolumeMapper;
 
@@ -96,6 +97,17 @@ public:
 
   //@{
   /**
+   * In parallel, what rays gather in the pieces of all processes is put in order of depth, pixel by
+   * pixel (vtkTetMarchVolumeMapper::SetController()). On by default. Off, on tile displays, and
+   * where the view composites translucent geometry in order, processes draw their pieces one over
+   * the other, as UseDataPartitions says.
+   */
+  vtkSetMacro(ExactCompositing, bool);
+  vtkGetMacro(ExactCompositing, bool);
+  //@}
+
+  //@{
+  /**
    * @sa vtkVolumeProperty
    */
   void SetShade(bool shade);
@@ -128,10 +140,12 @@ private:
 
   void OfferData(vtkInformation* inInfo, vtkInformation* outInfo);
   void PrepareToRender(vtkInformation* inInfo);
+  vtkMultiProcessController* FindPartners(vtkInformation* inInfo) const;
 
   vtkSmartPointer<vtkDataObject> Drawn; // of this process
   vtkBoundingBox WholeBounds;           // of that of all processes
   tetmarch::BlockSelection Blocks;
+  bool ExactCompositing = true;
   double CroppingOrigin[3] = { 0, 0, 0 };
   double CroppingScale[3] = { 1, 1, 1 };
   vtkNew<vtkTetMarchVolumeMapper> TetMarchMapper;

@@ -44,7 +44,12 @@ Radiance noRadiance()
 // A quarter of a pixel's tolerance may be used up from the begin, half of it in proportion to what the ray absorbs; the
 // rest is for what lies behind the end of the ray. No subsegment uses more than a quarter of what there is: those behind
 // it, with little left, would have to be shorter than it has gained.
+#if TETMARCH_VISITS
+uniform float toleranceAtOnce; // that quarter, shared by all processes, of which each has a part of the ray
+#define TOLERANCE_AT_ONCE toleranceAtOnce
+#else
 CONSTANT real TOLERANCE_AT_ONCE = real(0.25);
+#endif
 CONSTANT real TOLERANCE_BY_ABSORPTION = real(0.5);
 CONSTANT real SHARE_OF_A_SUBSEGMENT = real(0.25);
 

@@ -14,6 +14,9 @@ struct March
   real target;   // the ray is picked where it has gathered this much
   Pick pick;
 #endif
+#if TETMARCH_VISITS
+  real begin;    // depth at which the ray has entered what it has gathered
+#endif
 #if TETMARCH_DIAGNOSTICS
   int lookups;   // of the segment integral
   int refused;   // entry faces that refused the ray
@@ -35,6 +38,9 @@ March beginMarch(real depthBegin)
 #if TETMARCH_PICKED
   march.target = NO_DEPTH; // more than any ray gathers
   march.pick = noPick();
+#endif
+#if TETMARCH_VISITS
+  march.begin = depthBegin;
 #endif
 #if TETMARCH_DIAGNOSTICS
   march.lookups = 0;
@@ -202,11 +208,43 @@ void marchToExit(Ray ray, INOUT(Place) place, real thicknessPerDepth, real depth
   }
 }
 
-// Marches to the end of the ray, or up to where the march pauses.
+#if TETMARCH_VISITS
+bool hasSeen(March march)
+{
+#if TETMARCH_ACCUMULATES_OPACITY
+  return march.radiance.transmittance < real(1);
+#else
+  return false; // all that is on the ray is one visit
+#endif
+}
+#endif
+
+// Where a visit of the mesh begins; those of which nothing is seen are none.
+void beginVisit(Traversal traversal, INOUT(March) march)
+{
+#if TETMARCH_VISITS
+  bool begins = !traversal.inside && !hasSeen(march);
+  march.begin = begins ? max(traversal.entry.depth, march.done) : march.begin;
+#endif
+}
+
+// Whether the ray goes on to the next visit.
+bool goesOnAfterVisit(March march)
+{
+#if TETMARCH_VISITS
+  return !hasSeen(march);
+#else
+  return true;
+#endif
+}
+
+// Marches to the end of the ray or of a visit, or up to where the march pauses.
 void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) traversal, INOUT(March) march)
 {
-  while (continuesBefore(traversal, depthEnd) && march.cells < mostCells)
+  bool visiting = true;
+  while (visiting && continuesBefore(traversal, depthEnd) && march.cells < mostCells)
   {
+    beginVisit(traversal, march);
     enterVolume(ray, depthEnd, traversal);
 #if TETMARCH_SAMPLED_SHADOWS
     bool onward = traversal.entered && !march.pause.ended;
@@ -226,5 +264,6 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
 #endif
     countRefusal(traversal.entered, march);
     leaveVolume(ray, march.finished, traversal);
+    visiting = goesOnAfterVisit(march);
   }
 }

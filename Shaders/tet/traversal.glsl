@@ -30,6 +30,21 @@ struct Traversal
 #endif
 };
 
+#if TETMARCH_VISITS
+// From an entry that was found before.
+Traversal traversalAt(Ray ray, Entry entry)
+{
+  Traversal traversal;
+  traversal.inside = false;
+  traversal.entered = false;
+  traversal.entry = entry;
+#if TETMARCH_ENTRY_LISTS
+  traversal.candidate = ray.firstCandidate;
+#endif
+  return traversal;
+}
+#endif
+
 #if TETMARCH_ENTRY_LISTS || TETMARCH_BVH
 // From the first entry of the ray, wherever it begins to be seen.
 Traversal traversalFrom(Ray ray, real depthBegin)

@@ -7,6 +7,7 @@
 #include "vtkType.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace tetmarch
@@ -30,8 +31,12 @@ public:
     this->Ends.push_back((this->Ends.empty() ? 0 : this->Ends.back()) + numberOfCells);
   }
 
+  /** From now on cells are numbered as in this list of them. */
+  void keepOnly(std::vector<vtkIdType>&& cells) { this->Kept = std::move(cells); }
+
   CellOrigin of(vtkIdType cell) const
   {
+    cell = this->Kept.empty() ? cell : this->Kept[cell];
     const std::size_t b =
       std::upper_bound(this->Ends.begin(), this->Ends.end(), cell) - this->Ends.begin();
     return b == this->Ends.size()
@@ -42,6 +47,7 @@ public:
 private:
   std::vector<unsigned int> Blocks;
   std::vector<vtkIdType> Ends; // one past the last cell of each block
+  std::vector<vtkIdType> Kept; // cells that are left; empty: all
 };
 
 } // namespace tetmarch

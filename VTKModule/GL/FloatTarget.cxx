@@ -10,6 +10,7 @@
 #include "vtkOpenGLState.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace tetmarch
 {
@@ -59,6 +60,11 @@ std::string FloatTarget::bind(
   }
   this->Framebuffer->Bind();
   this->Framebuffer->ActivateDrawBuffers(colors);
+  // VTK's record of the state takes the buffers of the framebuffer that was bound before for those of
+  // this one, and sets none.
+  std::vector<GLenum> buffers(colors);
+  std::iota(buffers.begin(), buffers.end(), GLenum(GL_COLOR_ATTACHMENT0));
+  glDrawBuffers(colors, buffers.data());
   if (!this->Framebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER))
   {
     this->release(window);

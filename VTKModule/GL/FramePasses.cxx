@@ -10,6 +10,23 @@
 namespace tetmarch
 {
 
+namespace
+{
+
+// Take fewer rays than the area has pixels.
+void coarsen(double sampleDistance, MarchInputs& inputs)
+{
+  const Viewport area = inputs.Area;
+  if (sampleDistance > 1)
+  {
+    inputs.Area = coarseArea(area, sampleDistance);
+    inputs.DepthsPerPixel = { { float(area.Width) / float(inputs.Area.Width),
+      float(area.Height) / float(inputs.Area.Height) } };
+  }
+}
+
+} // namespace
+
 std::string FramePasses::draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
   const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, BoundaryView boundary,
   double sampleDistance, const Progress& progress, bool& stopped)
@@ -18,37 +35,15 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
   const bool coarse = sampleDistance > 1;
   const bool apart = coarse || inputs.ByCompute;
   this->releaseUnused(window, inputs, diagnostics, view, boundary, apart);
-  const bool otherStage = inputs.ByCompute != this->LastByCompute;
-  if (otherStage)
+  this->Pieces.release(window);
+  this->noteVariant(inputs);
+  std::string error = this->updateLight(window, lightVersion, progress, inputs, stopped);
+  if (!error.empty() || stopped)
   {
-    this->March.release(); // what the other stage needs
-    this->Light.releasePrograms();
-  }
-  this->ChangedVariant = otherStage || !(inputs.Key == this->LastKey);
-  if (this->ChangedVariant)
-  {
-    this->expectChange();
-    this->LastKey = inputs.Key;
-    this->LastByCompute = inputs.ByCompute;
-  }
-  std::string error;
-  if (inputs.Key.hasVertexLight())
-  {
-    error = this->Light.update(
-      window, inputs, inputs.EffectValues->VertexStarts.size(), lightVersion, progress, stopped);
-    if (!error.empty() || stopped)
-    {
-      return error;
-    }
-    inputs.VertexLight = this->Light.texture();
+    return error;
   }
   const Viewport area = inputs.Area;
-  if (coarse)
-  {
-    inputs.Area = coarseArea(area, sampleDistance);
-    inputs.DepthsPerPixel = { { float(area.Width) / float(inputs.Area.Width),
-      float(area.Height) / float(inputs.Area.Height) } };
-  }
+  coarsen(sampleDistance, inputs);
   error = this->findRays(window, area, inputs);
   if (boundary != BoundaryView::None)
   {
@@ -74,6 +69,77 @@ std::string FramePasses::draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
   error = apart ? this->Apart.draw(window, area, this->March, inputs, progress, stopped)
                 : this->March.draw(window, inputs, this->Tiles, progress, stopped);
   this->Draws = apart ? this->Apart.numberOfDraws() : this->Tiles.numberOfTiles();
+  return error;
+}
+
+std::string FramePasses::drawTogether(vtkOpenGLRenderWindow* window, MarchInputs inputs,
+  const Fingerprint& lightVersion, double sampleDistance, std::string before, SharedPicture& shared,
+  const Progress& progress, bool& stopped)
+{
+  this->clear();
+  this->releaseUnused(window, inputs, false, nullptr, BoundaryView::None, true);
+  this->noteVariant(inputs);
+  PartStatus own;
+  own.Error = std::move(before);
+  if (own.Error.empty() && shared.HasPiece)
+  {
+    own.Error = this->updateLight(window, lightVersion, progress, inputs, own.Stopped);
+  }
+  const Viewport area = inputs.Area;
+  coarsen(sampleDistance, inputs);
+  if (own.Error.empty())
+  {
+    own.Error = this->findRays(window, area, inputs);
+  }
+  if (inputs.Key.OpaqueDepth)
+  {
+    own.Error = this->shareDepths(window, area, *shared.Processes, own.Error);
+    inputs.Depths = this->Opaque.texture();
+  }
+  const std::string error = this->Pieces.draw(
+    window, area, this->March, inputs, own, shared, this->Apart, progress, stopped);
+  this->Draws = this->Pieces.numberOfDraws();
+  return error;
+}
+
+// Opaque geometry of any process ends the rays of all.
+std::string FramePasses::shareDepths(
+  vtkOpenGLRenderWindow* window, const Viewport& area, Group& group, std::string before)
+{
+  std::vector<float> depths = before.empty()
+                                ? this->Opaque.read(window)
+                                : std::vector<float>(std::size_t(area.Width) * area.Height, 1.0f);
+  group.keepLeast(depths);
+  return before.empty() ? this->Opaque.replace(window, depths) : before;
+}
+
+void FramePasses::noteVariant(const MarchInputs& inputs)
+{
+  const bool otherStage = inputs.ByCompute != this->LastByCompute;
+  if (otherStage)
+  {
+    this->March.release(); // what the other stage needs
+    this->Light.releasePrograms();
+  }
+  this->ChangedVariant = otherStage || !(inputs.Key == this->LastKey);
+  if (this->ChangedVariant)
+  {
+    this->expectChange();
+    this->LastKey = inputs.Key;
+    this->LastByCompute = inputs.ByCompute;
+  }
+}
+
+std::string FramePasses::updateLight(vtkOpenGLRenderWindow* window,
+  const Fingerprint& lightVersion, const Progress& progress, MarchInputs& inputs, bool& stopped)
+{
+  std::string error;
+  if (inputs.Key.hasVertexLight())
+  {
+    error = this->Light.update(
+      window, inputs, inputs.EffectValues->VertexStarts.size(), lightVersion, progress, stopped);
+    inputs.VertexLight = this->Light.texture();
+  }
   return error;
 }
 
@@ -154,6 +220,7 @@ void FramePasses::expectChange()
   this->Counted.expectChange();
   this->Boundary.expectChange();
   this->Apart.expectChange();
+  this->Pieces.expectChange();
 }
 
 void FramePasses::clear()
@@ -171,6 +238,7 @@ void FramePasses::release(vtkWindow* window)
   this->Shown.release(window);
   this->Boundary.release();
   this->Apart.release(window);
+  this->Pieces.release(window);
   this->Picking.release();
   this->expectChange();
 }

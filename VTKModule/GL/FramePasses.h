@@ -11,6 +11,7 @@
 #include "GL/OpaqueDepth.h"
 #include "GL/PickPass.h"
 #include "GL/PictureApart.h"
+#include "GL/PiecesPicture.h"
 #include "GL/VertexLightPass.h"
 #include "GL/ViewPass.h"
 
@@ -30,6 +31,13 @@ public:
   std::string draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
     const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view,
     BoundaryView boundary, double sampleDistance, const Progress& progress, bool& stopped);
+  /**
+   * The same by several processes, of the picture alone: collective, from before the depths of
+   * opaque geometry on. `before` is what has gone wrong in this process: it takes part then, too.
+   */
+  std::string drawTogether(vtkOpenGLRenderWindow* window, MarchInputs inputs,
+    const Fingerprint& lightVersion, double sampleDistance, std::string before,
+    SharedPicture& shared, const Progress& progress, bool& stopped);
   /** Find the points at which the rays of a part of the inputs' area are picked (PickPass), for the
    * level's tolerance. The results of the last draw() are kept. */
   std::string pick(vtkOpenGLRenderWindow* window, MarchInputs inputs, const Viewport& part,
@@ -61,10 +69,15 @@ public:
   std::size_t bytes() const
   {
     return this->Opaque.bytes() + this->Counted.bytes() + this->Shown.bytes() +
-           this->Light.bytes() + this->Apart.bytes();
+           this->Light.bytes() + this->Apart.bytes() + this->Pieces.bytes();
   }
 
 private:
+  std::string updateLight(vtkOpenGLRenderWindow* window, const Fingerprint& lightVersion,
+    const Progress& progress, MarchInputs& inputs, bool& stopped);
+  void noteVariant(const MarchInputs& inputs);
+  std::string shareDepths(
+    vtkOpenGLRenderWindow* window, const Viewport& area, Group& group, std::string before);
   std::string findRays(vtkOpenGLRenderWindow* window, const Viewport& depths, MarchInputs& inputs);
   void releaseUnused(vtkWindow* window, const MarchInputs& inputs, bool diagnostics,
     const MeasureView* view, BoundaryView boundary, bool apart);
@@ -76,6 +89,7 @@ private:
   ViewPass Shown;
   BoundaryViewPass Boundary;
   PictureApart Apart;
+  PiecesPicture Pieces;
   PickPass Picking;
   TileSchedule Tiles;
   VariantKey LastKey;

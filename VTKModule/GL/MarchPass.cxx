@@ -25,6 +25,17 @@ namespace tetmarch
 namespace
 {
 
+void bindVisits(vtkShaderProgram* program, const VisitInputs& visits, const VariantKey& key)
+{
+  if (key.Adaptive)
+  {
+    program->SetUniformf("toleranceAtOnce", visits.AtOnce);
+  }
+  program->SetUniformi("isFirstVisit", visits.IsFirst ? 1 : 0);
+  bindImage(program, "visitTexture", visits.Before);
+  bindImage(program, "nextEntryTexture", visits.NextEntry);
+}
+
 // Everything that the march reads.
 void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const Viewport& target)
 {
@@ -67,6 +78,10 @@ void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const View
   {
     program->SetUniform2f("colorWindow", inputs.ColorWindow.data());
   }
+  if (inputs.Visits)
+  {
+    bindVisits(program, *inputs.Visits, key);
+  }
 }
 
 void unbindInputs(const MarchInputs& inputs)
@@ -82,6 +97,11 @@ void unbindInputs(const MarchInputs& inputs)
     inputs.VertexLight->Deactivate();
   }
   unbindPixelRays(inputs);
+  if (inputs.Visits)
+  {
+    inputs.Visits->Before->Deactivate();
+    inputs.Visits->NextEntry->Deactivate();
+  }
 }
 
 } // namespace
@@ -128,6 +148,12 @@ std::string MarchPass::drawApart(vtkOpenGLRenderWindow* window, const FloatTarge
   state->vtkglViewport(0, 0, target.Width, target.Height);
   state->vtkglClearColor(0, 0, 0, 0);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  if (inputs.Visits)
+  {
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(0, inputs.Visits->FirstRow, target.Width,
+      inputs.Visits->EndRow - inputs.Visits->FirstRow);
+  }
   return drawInTiles(window, target, inputs.MostSecondsPerDraw, tiles, progress, stopped,
     [&](const Viewport& tile)
     {
@@ -141,7 +167,8 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
 {
   std::string error;
   vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
-    inputs.Source->shaderOf(SourcePass::March), inputs.Key.defines(), error, inputs.Peeling);
+    inputs.Source->shaderOf(inputs.Visits ? SourcePass::Visits : SourcePass::March),
+    inputs.Key.defines(), error, inputs.Peeling);
   if (!program)
   {
     return error;

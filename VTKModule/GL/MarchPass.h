@@ -29,6 +29,17 @@ struct EffectData;
 struct IntegralTable;
 struct View;
 
+/** What the march of one visit after another reads, beside the rest (passes/visit.frag.glsl). */
+struct VisitInputs
+{
+  float AtOnce = 0;                      // share of the tolerance that may be used up at the begin
+  bool IsFirst = true;                   // then these two textures have nothing to say
+  vtkTextureObject* Before = nullptr;    // colour of the visit before, and transmittance
+  vtkTextureObject* NextEntry = nullptr; // where the visit before has ended
+  int FirstRow = 0;                      // of the pixels that are marched
+  int EndRow = 0;
+};
+
 /** What the march reads. */
 struct MarchInputs
 {
@@ -52,6 +63,7 @@ struct MarchInputs
   std::array<float, 2> DepthsPerPixel{ { 1, 1 } }; // with so many for each pixel of the area
   std::array<float, 2> ColorWindow{ { 1, 0 } };    // unless the key has Diagnostics
   const PeelHooks* Peeling = nullptr;              // if the key is Peeled
+  const VisitInputs* Visits = nullptr;             // visits are marched, one after the other
   double MostSecondsPerDraw = 0;                   // 0: no limit
   double MostLightSeconds = 0;                     // of a frame, for light at vertices; 0: no limit
 };

@@ -9,6 +9,7 @@
 #include "Caching/Fingerprint.h"
 #include "GL/Viewport.h"
 #include "Light/EffectSource.h"
+#include "Mesh/PieceOptions.h"
 #include "Mesh/Progress.h"
 #include "Reference/RayTrace.h"
 #include "Reference/ReferenceImage.h"
@@ -25,6 +26,8 @@ class vtkWindow;
 namespace tetmarch
 {
 
+class Group;
+
 /** From this transparent share on, a separate loop for cells in which nothing is seen is worth its
  * cost: rays in lockstep wait for each other at its end. */
 constexpr double LeastShareToPass = 0.5;
@@ -34,6 +37,7 @@ enum class SourcePass
 {
   March,
   MarchByCompute,
+  Visits,
   Pick,
   VertexLight,
   VertexLightByCompute,
@@ -44,6 +48,12 @@ class MarchSource
 {
 public:
   virtual ~MarchSource() = default;
+
+  /** How the geometry is made from the next update on, if other processes may have the rest of the
+   * volume. */
+  virtual void setPiece(const PieceOptions& /*piece*/) {}
+  /** These processes have the rest; nullptr: none has. See TetEffectSource::setGroup(). */
+  virtual void setGroup(Group* /*group*/, std::uintptr_t /*generation*/) {}
 
   // The stages of a frame. Each returns an empty string, or what is wrong and what to do, and does
   // nothing if its input is the same as before.
@@ -58,6 +68,11 @@ public:
    * changed. */
   virtual std::string updateVisibility(
     const IntegralTable& /*first*/, const Components&, const Blending&, bool /*undrawnSeen*/)
+  {
+    return {};
+  }
+  /** The ranges of the scalars that would be drawn, the first and further ones: of this piece. */
+  virtual std::vector<FiniteRange> rangesOf(vtkDataSet* /*data*/, const DrawnScalars& /*drawn*/)
   {
     return {};
   }

@@ -30,8 +30,10 @@ public:
   /** Copy the depths of the viewport from the framebuffer that is drawn into, whatever its format
    * and number of samples. Returns an empty string, or what is wrong. */
   std::string capture(vtkOpenGLRenderWindow* window, const Viewport& viewport);
+  /** Have the texture show these depths instead of those that were captured: as many. */
+  std::string replace(vtkOpenGLRenderWindow* window, const std::vector<float>& depths);
   /** Window depths in 0..1 in red; nearest filter. */
-  vtkTextureObject* texture() const { return this->Depth; }
+  vtkTextureObject* texture() const { return this->Replaced ? this->Replaced : this->Depth; }
   /** One a pixel, rows from the bottom. */
   std::vector<float> read(vtkOpenGLRenderWindow* window) const;
   void release(vtkWindow* window);
@@ -56,6 +58,7 @@ private:
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSmartPointer<vtkTextureObject> Color;
   vtkSmartPointer<vtkTextureObject> Depth;
+  vtkSmartPointer<vtkTextureObject> Replaced;
   Format Present;
   int Width = 0;
   int Height = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/PictureApart.h"
 
+#include "GL/ErrorQueue.h"
 #include "GL/StateScope.h"
 #include "GL/Uniforms.h"
 
@@ -35,26 +36,70 @@ std::string PictureApart::draw(vtkOpenGLRenderWindow* window, const Viewport& ar
       error = march.drawApart(window, this->Target, inputs, this->Tiles, progress, stopped);
     }
   }
-  return error.empty() && !stopped ? this->blend(window, area, enlarged) : error;
+  return error.empty() && !stopped ? this->blend(window, area, this->Target.color(0), enlarged)
+                                    : error;
 }
 
-std::string PictureApart::blend(vtkOpenGLRenderWindow* window, const Viewport& area, bool enlarged)
+std::string PictureApart::show(vtkOpenGLRenderWindow* window, const Viewport& area, int width,
+  int height, const std::vector<float>& pixels)
 {
   StateScope state(window);
-  std::string error;
-  vtkShaderProgram* program =
-    this->Draw.use(window, "passes/full_view.vert.glsl", "passes/enlarge.frag.glsl", {}, error);
-  if (!program)
+  clearErrors();
+  if (!this->Shown)
   {
-    return error;
+    this->Shown = vtkSmartPointer<vtkTextureObject>::New();
   }
+  this->Shown->SetContext(window);
+  const bool made = this->Shown->Create2DFromRaw(static_cast<unsigned int>(width),
+    static_cast<unsigned int>(height), 4, VTK_FLOAT,
+    const_cast<float*>(pixels.data())); // VTK's signature; it is only read
+  if (!made || !hasRoom(this->Shown))
+  {
+    this->release(window);
+    return "The GPU has no room for a picture of " + std::to_string(width) + " x " +
+           std::to_string(height) + " pixels. Close what else uses it, or make the window smaller.";
+  }
+  this->ShownBytes = pixels.size() * sizeof(float);
+  const std::string error =
+    this->blend(window, area, this->Shown, width != area.Width || height != area.Height);
+  return error.empty() ? this->drawDepth(window, area, this->Shown) : error;
+}
+
+std::string PictureApart::drawDepth(
+  vtkOpenGLRenderWindow* window, const Viewport& area, vtkTextureObject* picture)
+{
+  StateScope state(window);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDisable(GL_CULL_FACE);
+  return this->drawOver(window, area, picture, "passes/picture_depth.frag.glsl");
+}
+
+std::string PictureApart::blend(vtkOpenGLRenderWindow* window, const Viewport& area,
+  vtkTextureObject* picture, bool enlarged)
+{
+  StateScope state(window);
   blendPremultiplied(state);
-  vtkTextureObject* picture = this->Target.color(0);
   const int filter = enlarged ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
   picture->SetMinificationFilter(filter);
   picture->SetMagnificationFilter(filter);
   picture->SetWrapS(vtkTextureObject::ClampToEdge);
   picture->SetWrapT(vtkTextureObject::ClampToEdge);
+  return this->drawOver(window, area, picture, "passes/enlarge.frag.glsl");
+}
+
+std::string PictureApart::drawOver(vtkOpenGLRenderWindow* window, const Viewport& area,
+  vtkTextureObject* picture, const char* shader)
+{
+  std::string error;
+  vtkShaderProgram* program =
+    this->Draw.use(window, "passes/full_view.vert.glsl", shader, {}, error);
+  if (!program)
+  {
+    return error;
+  }
   const std::array<float, 4> viewport = area.asFloats();
   program->SetUniform4f("viewport", viewport.data());
   bindImage(program, "pictureTexture", picture);
@@ -67,6 +112,12 @@ void PictureApart::release(vtkWindow* window)
 {
   this->Draw.release();
   this->Target.release(window);
+  if (this->Shown)
+  {
+    this->Shown->ReleaseGraphicsResources(window);
+    this->Shown = nullptr;
+  }
+  this->ShownBytes = 0;
 }
 
 } // namespace tetmarch

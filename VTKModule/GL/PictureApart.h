@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A picture that is marched into a target of its own, and then blended over the window's: with
-// fewer rays than the viewport has pixels, or by a compute shader.
+// fewer rays than the viewport has pixels, by a compute shader, or by several processes.
 #ifndef TetMarchGLPictureApart_h
 #define TetMarchGLPictureApart_h
 
@@ -25,16 +25,28 @@ public:
    */
   std::string draw(vtkOpenGLRenderWindow* window, const Viewport& area, MarchPass& march,
     const MarchInputs& inputs, const Progress& progress, bool& stopped);
+  /** Blend a picture of premultiplied colours and opacities, four floats a pixel, rows from the
+   * bottom, over that of the window; interpolated if the viewport is larger. Where it isn't
+   * transparent and nothing opaque is seen, it gets the depth just before the far plane. */
+  std::string show(vtkOpenGLRenderWindow* window, const Viewport& area, int width, int height,
+    const std::vector<float>& pixels);
   int numberOfDraws() const { return this->Tiles.numberOfTiles(); }
-  std::size_t bytes() const { return this->Target.bytes(); }
+  std::size_t bytes() const { return this->Target.bytes() + this->ShownBytes; }
   /** The next draw() may take much longer than the last. */
   void expectChange() { this->Tiles.expectChange(); }
   void release(vtkWindow* window);
 
 private:
-  std::string blend(vtkOpenGLRenderWindow* window, const Viewport& area, bool enlarged);
+  std::string blend(vtkOpenGLRenderWindow* window, const Viewport& area, vtkTextureObject* picture,
+    bool enlarged);
+  std::string drawDepth(
+    vtkOpenGLRenderWindow* window, const Viewport& area, vtkTextureObject* picture);
+  std::string drawOver(vtkOpenGLRenderWindow* window, const Viewport& area,
+    vtkTextureObject* picture, const char* shader);
 
   FloatTarget Target;
+  vtkSmartPointer<vtkTextureObject> Shown; // a picture that was made elsewhere
+  std::size_t ShownBytes = 0;
   TileSchedule Tiles;
   ShaderDraw Draw;
 };

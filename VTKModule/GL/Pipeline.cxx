@@ -59,16 +59,26 @@ bool Pipeline::updateGeometry(vtkDataSet* data, const Progress& progress)
   return error.empty() ? !this->Source.isEmpty() : this->fail(error);
 }
 
-bool Pipeline::updateScalars(vtkDataSet* data, vtkDataArray* array, bool ofCells,
-  const VectorOptions& options, vtkVolumeProperty* property)
+bool Pipeline::chooseScalars(vtkDataSet* data, vtkDataArray* array, bool ofCells,
+  const VectorOptions& options, vtkVolumeProperty* property, DrawnScalars& drawn)
 {
-  DrawnScalars drawn;
-  std::string error = chooseScalars(data, array, ofCells, options, property, drawn);
-  if (error.empty())
-  {
-    this->Mix = drawn.Mix;
-    error = this->Source.updateScalars(data, drawn);
-  }
+  const std::string error =
+    tetmarch::chooseScalars(data, array, ofCells, options, property, drawn);
+  return error.empty() || this->fail(error);
+}
+
+bool Pipeline::findRanges(
+  vtkDataSet* data, const DrawnScalars& drawn, std::vector<FiniteRange>& ranges)
+{
+  const std::string shortage =
+    withinMemory("the scalars", [&] { ranges = this->Source.rangesOf(data, drawn); });
+  return shortage.empty() || this->fail(shortage);
+}
+
+bool Pipeline::updateScalars(vtkDataSet* data, const DrawnScalars& drawn)
+{
+  this->Mix = drawn.Mix;
+  const std::string error = this->Source.updateScalars(data, drawn);
   return error.empty() || this->fail(error);
 }
 

@@ -51,6 +51,8 @@ struct DrawOptions
    * have the colours before that. */
   std::array<float, 2> ColorWindow{ { 1, 0 } };
   const PeelHooks* Peeling = nullptr; // only parts of rays are drawn, without diagnostics or a view
+  SharedPicture* Shared = nullptr; // of several processes; without diagnostics, a view or peels
+  bool RaysEnd = false;            // some process has opaque geometry
   double PickOpacity = 0.5;           // of a ray at the point where the volume is picked
 };
 
@@ -73,8 +75,9 @@ public:
    * says what is wrong, or is empty if there is nothing to draw or the user stopped it.
    */
   bool updateGeometry(vtkDataSet* data, const Progress& progress);
-  bool updateScalars(vtkDataSet* data, vtkDataArray* array, bool ofCells,
-    const VectorOptions& options, vtkVolumeProperty* property);
+  bool chooseScalars(vtkDataSet* data, vtkDataArray* array, bool ofCells,
+    const VectorOptions& options, vtkVolumeProperty* property, DrawnScalars& drawn);
+  bool updateScalars(vtkDataSet* data, const DrawnScalars& drawn);
   bool updateBlending(vtkVolumeProperty* property, const BlendOptions& options);
   /** drawNan: what touches a scalar that is not finite is drawn, in the colour that the colour
    * function has for it. */
@@ -89,6 +92,24 @@ public:
   /** Instead of draw(): what a selector reads from the pixels that it asks for. */
   bool select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
     const CellOrigins& origins, const Progress& progress, std::vector<PickedPoint>& points);
+
+  // If the volume is drawn by several processes, each has a piece of it, which may be empty. They go
+  // through the stages side by side, and agree between them (Mapper/MapperFrame.h).
+
+  void setGroup(Group* group, std::uintptr_t generation)
+  {
+    this->Source.setGroup(group, generation);
+  }
+  Fingerprint sourceVersion() const { return this->Source.version(); }
+  /** How the geometry of the piece is made from the next update on. */
+  void setPiece(const PieceOptions& piece) { this->Source.setPiece(piece); }
+  /** The ranges of the piece's scalars. False if the memory for it is lacking (error()). */
+  bool findRanges(vtkDataSet* data, const DrawnScalars& drawn, std::vector<FiniteRange>& ranges);
+  /** Whether this process has opaque geometry, or sees the far plane cut the volume. */
+  bool endsRays(vtkRenderer* renderer) const;
+  /** The processes have agreed that something is wrong: see error(). */
+  bool fail(const std::string& error);
+  Viewport currentViewport() const;
 
   /** Wait until the GPU has drawn the frame. */
   void finish() const;
@@ -138,7 +159,6 @@ public:
   const StageRecord& vertexLightRecord() const { return this->Passes.vertexLightRecord(); }
 
 private:
-  bool fail(const std::string& error);
   AccuracyLevel levelFor(AccuracyLevel level) const;
   TableInput tableInput(OpacityLaw law) const;
   bool updatePassing();
@@ -150,7 +170,6 @@ private:
   std::string prepareEntrySearch();
   std::string describeBadView(const DrawOptions& options) const;
   std::string describeBadSamples(const DrawOptions& options) const;
-  Viewport currentViewport() const;
   MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;
   Fingerprint lightVersion(const MarchInputs& inputs) const;

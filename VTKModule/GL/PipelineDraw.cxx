@@ -25,12 +25,17 @@ Viewport Pipeline::currentViewport() const
   return { area[0], area[1], area[2], area[3] };
 }
 
+bool Pipeline::endsRays(vtkRenderer* renderer) const
+{
+  return this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
+}
+
 VariantKey Pipeline::keyOf(
   const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const
 {
   VariantKey key;
   this->Source.setBits(key, this->Camera);
-  key.OpaqueDepth = this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
+  key.OpaqueDepth = options.RaysEnd || this->endsRays(renderer);
   key.HasFma = this->HasFma;
   key.Peeled = options.Peeling != nullptr;
   key.Adaptive = options.Level.Adaptive;
@@ -172,7 +177,12 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
     [&]
     {
       error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
-      if (error.empty())
+      if (options.Shared)
+      {
+        error = this->Passes.drawTogether(window, inputs, this->lightVersion(inputs),
+          options.SampleDistance, error, *options.Shared, goOn, stopped);
+      }
+      else if (error.empty())
       {
         error = this->Passes.draw(window, inputs, this->lightVersion(inputs), options.Diagnostics,
           options.View, options.Boundary, options.SampleDistance, goOn, stopped);
@@ -186,7 +196,8 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   }
   if (error.empty() && !stopped)
   {
-    this->Area = options.Peeling || options.SampleDistance > 1 ? Viewport() : inputs.Area;
+    const bool isWhole = !options.Peeling && !options.Shared && options.SampleDistance <= 1;
+    this->Area = isWhole ? inputs.Area : Viewport();
   }
   return error.empty() ? !stopped : this->fail(error);
 }

@@ -22,6 +22,11 @@ std::string TetSource::updateGeometry(
   return this->Volume.updateGeometry(vtkUnstructuredGrid::SafeDownCast(data), limits, progress);
 }
 
+std::vector<FiniteRange> TetSource::rangesOf(vtkDataSet* data, const DrawnScalars& drawn)
+{
+  return this->Volume.rangesOf(vtkUnstructuredGrid::SafeDownCast(data), drawn);
+}
+
 std::string TetSource::updateScalars(vtkDataSet* data, const DrawnScalars& drawn)
 {
   return this->Volume.updateScalars(vtkUnstructuredGrid::SafeDownCast(data), drawn);
@@ -165,6 +170,8 @@ const char* TetSource::shaderOf(SourcePass pass) const
       return "passes/march.frag.glsl";
     case SourcePass::MarchByCompute:
       return "passes/march.comp.glsl";
+    case SourcePass::Visits:
+      return "passes/visit.frag.glsl";
     case SourcePass::Pick:
       return "passes/pick.frag.glsl";
     case SourcePass::VertexLight:

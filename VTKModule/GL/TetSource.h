@@ -24,6 +24,12 @@ public:
   const StageRecord& visibleRecord() const { return this->Volume.visibleRecord(); }
   const StageRecord& entriesRecord() const { return this->EntriesRecord; }
 
+  void setGroup(Group* group, std::uintptr_t generation) override
+  {
+    this->Volume.setGroup(group, generation);
+  }
+  void setPiece(const PieceOptions& piece) override { this->Volume.setPiece(piece); }
+  std::vector<FiniteRange> rangesOf(vtkDataSet* data, const DrawnScalars& drawn) override;
   std::string updateGeometry(
     vtkDataSet* data, const ResourceLimits& limits, const Progress& progress) override;
   std::string updateScalars(vtkDataSet* data, const DrawnScalars& drawn) override;

@@ -50,6 +50,11 @@ std::string findFrame(const std::vector<Vector3>& points, VolumeFrame& frame)
       high[k] = std::max(high[k], point[k]);
     }
   }
+  return findFrame(low, high, frame);
+}
+
+std::string findFrame(const Vector3& low, const Vector3& high, VolumeFrame& frame)
+{
   Vector3 half;
   for (int k = 0; k < 3; ++k)
   {

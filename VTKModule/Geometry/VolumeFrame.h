@@ -26,7 +26,17 @@ struct VolumeFrame
   Vector3 toData(const Vector3& point) const;
   /** The same as a row-major matrix. */
   std::array<double, 16> matrixToData() const;
+
+  bool operator==(const VolumeFrame& other) const
+  {
+    return this->Center == other.Center && this->Radius == other.Radius &&
+           this->HalfExtent == other.HalfExtent;
+  }
 };
+
+/** The frame of a bounding box, from its lowest to its highest corner. Returns an empty string, or
+ * what is wrong with it. */
+std::string findFrame(const Vector3& low, const Vector3& high, VolumeFrame& frame);
 
 /** The frame of the bounding box of these points. Returns an empty string, or what is wrong with
  * them; without points the frame stays as it is. */

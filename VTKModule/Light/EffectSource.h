@@ -39,6 +39,9 @@ public:
    * they are not stored. */
   virtual std::vector<std::array<float, 3>> gradients(bool ofCells) const = 0;
 
+  /** The steepest gradient of the whole volume, of which that of this piece is given. */
+  virtual double steepestOf(double own) const { return own; }
+
   /** Equal as long as vertexStarts() are the same. */
   virtual Fingerprint startsVersion() const { return this->geometryVersion(); }
   /** Starts of the rays from vertices to the light; empty if no light is kept at vertices. */

@@ -130,7 +130,7 @@ void EffectStage::updateGradients(const EffectInput& input, bool needed, bool of
       this->Data.CellGradients = ofCells;
       this->Data.Gradients = input.Source->gradients(ofCells);
       this->SteepestGradient = input.Source->storesGradients()
-                                 ? steepest(this->Data.Gradients)
+                                 ? input.Source->steepestOf(steepest(this->Data.Gradients))
                                  : std::numeric_limits<double>::infinity();
     });
 }

@@ -36,16 +36,34 @@ MapperFrame::~MapperFrame() = default;
 
 bool MapperFrame::prepare(Pipeline& pipeline, const DrawnData& drawn)
 {
+  return pipeline.updateGeometry(drawn.Data, this->Report) &&
+         this->prepareScalars(pipeline, drawn) && this->prepareTables(pipeline, drawn) &&
+         this->prepareRays(pipeline, drawn);
+}
+
+bool MapperFrame::prepareScalars(Pipeline& pipeline, const DrawnData& drawn)
+{
+  DrawnScalars scalars;
+  scalars.Whole = drawn.Whole;
+  return pipeline.chooseScalars(drawn.Data, drawn.Scalars.Array, drawn.Scalars.OfCells,
+           drawn.Vector, this->Scene.Volume->GetProperty(), scalars) &&
+         pipeline.updateScalars(drawn.Data, scalars);
+}
+
+bool MapperFrame::prepareTables(Pipeline& pipeline, const DrawnData& drawn)
+{
+  vtkVolumeProperty* property = this->Scene.Volume->GetProperty();
+  const FrameOptions& options = this->Options;
+  return pipeline.updateBlending(property, drawn.Blend) &&
+         pipeline.updateTables(property, options.Law, this->State.Level, options.DrawNanCells);
+}
+
+bool MapperFrame::prepareRays(Pipeline& pipeline, const DrawnData& drawn)
+{
   vtkRenderer* renderer = this->Scene.Renderer;
   vtkVolume* volume = this->Scene.Volume;
-  vtkVolumeProperty* property = volume->GetProperty();
   const FrameOptions& options = this->Options;
-  return pipeline.updateGeometry(drawn.Data, this->Report) &&
-         pipeline.updateScalars(
-           drawn.Data, drawn.Scalars.Array, drawn.Scalars.OfCells, drawn.Vector, property) &&
-         pipeline.updateBlending(property, drawn.Blend) &&
-         pipeline.updateTables(property, options.Law, this->State.Level, options.DrawNanCells) &&
-         pipeline.updateEffects(renderer, volume, options.Effects) &&
+  return pipeline.updateEffects(renderer, volume, options.Effects) &&
          pipeline.updateView(renderer, volume, options.Law) &&
          pipeline.updateClipping(volume, drawn.Cuts) && pipeline.upload(this->Scene.Window);
 }

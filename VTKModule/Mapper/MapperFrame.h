@@ -9,6 +9,7 @@
 #include "GL/Pipeline.h"
 #include "Mapper/FrameOptions.h"
 #include "Mapper/MapperOptions.h"
+#include "Mapper/PieceAgreement.h"
 
 #include "vtkNew.h"
 
@@ -33,6 +34,7 @@ struct DrawnData
   VectorOptions Vector;
   BlendOptions Blend;
   ClippingOptions Cuts;
+  std::vector<FiniteRange> Whole{}; // as in DrawnScalars
 };
 
 /** Who draws, and where. */
@@ -64,6 +66,13 @@ public:
 
   /** All stages but the last of a pipeline that has begun. Whether there is something to draw. */
   bool prepare(Pipeline& pipeline, const DrawnData& drawn);
+  /**
+   * The same of a volume of which each process of a group has a piece: collective, stage by stage.
+   * `found` is what is wrong with the data of this process; a process without cells has a grid
+   * without cells. What is wrong with any process, and what is to be agreed on, stops all of them.
+   */
+  bool prepareTogether(
+    Pipeline& pipeline, const DrawnData& drawn, const std::string& found, GroupState& group);
   /** The last stage: the picture, or what the selector reads: cells by their origins. Whether it
    * came to its end. */
   bool draw(Pipeline& pipeline, const CellOrigins& origins);
@@ -74,6 +83,10 @@ public:
 
 private:
   bool select(Pipeline& pipeline, const CellOrigins& origins);
+  bool prepareScalars(Pipeline& pipeline, const DrawnData& drawn);
+  bool prepareTables(Pipeline& pipeline, const DrawnData& drawn);
+  bool prepareRays(Pipeline& pipeline, const DrawnData& drawn);
+  std::string describeBadForGroup() const;
   FrameResult resultOf(double seconds) const;
   void record(double seconds);
 

@@ -7,6 +7,7 @@
 #include "GL/Pipeline.h"
 #include "GL/TetSource.h"
 #include "Mapper/StructuredBlocks.h"
+#include "Processes/SharedPicture.h"
 
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchSettings.h"
@@ -122,6 +123,17 @@ void recordStructured(const StructuredBlocks& blocks, vtkTetMarchFrameStatistics
   statistics->SetScalarsSeconds(values.Seconds);
   statistics->SetScalarsBuilds(values.Runs);
   statistics->SetNumberOfLatticeCells(static_cast<vtkTypeInt64>(cells));
+}
+
+void recordShared(const SharedPicture& shared, vtkTetMarchFrameStatistics* statistics)
+{
+  statistics->SetNumberOfVisits(static_cast<vtkTypeInt64>(shared.Visits));
+  statistics->SetSentBytes(static_cast<vtkTypeInt64>(shared.SentBytes));
+  statistics->SetMarchSeconds(shared.MarchSeconds);
+  statistics->SetExchangeSeconds(shared.Exchange.ExchangeSeconds);
+  statistics->SetMergeSeconds(shared.Exchange.MergeSeconds);
+  statistics->SetSpreadSeconds(shared.Exchange.SpreadSeconds);
+  statistics->SetSharedErrorBound(shared.WorstError);
 }
 
 void recordTetrahedra(const TetSource& source, vtkTetMarchFrameStatistics* statistics)

@@ -14,6 +14,7 @@ class JoinedBlocks;
 class Pipeline;
 class StructuredBlocks;
 class TetSource;
+struct SharedPicture;
 
 /** Runs and seconds of the stages that every source has, memory, counts of the last frame. */
 void recordPipeline(const Pipeline& pipeline, vtkTetMarchFrameStatistics* statistics);
@@ -23,6 +24,9 @@ void recordTetrahedra(const TetSource& source, vtkTetMarchFrameStatistics* stati
 
 /** The sums of both over the blocks. The lattice of cells counts as a mesh. */
 void recordStructured(const StructuredBlocks& blocks, vtkTetMarchFrameStatistics* statistics);
+
+/** What drawing together with other processes took in the last frame. */
+void recordShared(const SharedPicture& shared, vtkTetMarchFrameStatistics* statistics);
 
 void recordBlocks(const JoinedBlocks& blocks, vtkTetMarchFrameStatistics* statistics);
 

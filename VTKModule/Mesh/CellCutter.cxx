@@ -29,8 +29,9 @@ double volume(const std::array<double, 3>& a, const std::array<double, 3>& b,
 
 } // namespace
 
-CellCutter::CellCutter(vtkUnstructuredGrid* grid)
+CellCutter::CellCutter(vtkUnstructuredGrid* grid, const PointOrder* order)
   : Grid(grid)
+  , Order(order)
   , CellArray(grid->GetCells())
   , Points(grid->GetPoints())
   , NumberOfPoints(grid->GetNumberOfPoints())
@@ -156,7 +157,9 @@ void CellCutter::fan()
 {
   const std::vector<Id>& face = this->Face;
   const std::size_t n = face.size();
-  const std::size_t s = std::min_element(face.begin(), face.end()) - face.begin();
+  const std::size_t s = std::min_element(face.begin(), face.end(),
+                          [this](Id a, Id b) { return this->isLess(a, b); }) -
+                        face.begin();
   for (std::size_t i = 1; i + 1 < n; ++i)
   {
     this->Triangles.push_back({ { face[s], face[(s + i) % n], face[(s + i + 1) % n] } });
@@ -176,12 +179,17 @@ void CellCutter::cone(vtkIdType cell, Id apex)
 
 void CellCutter::coneFromBestPoint(vtkIdType cell)
 {
-  Id smallest = std::numeric_limits<Id>::max();
+  if (this->Triangles.empty())
+  {
+    return;
+  }
+  const auto less = [this](Id a, Id b) { return this->isLess(a, b); };
+  Id least = this->Triangles.front()[0];
   for (const auto& t : this->Triangles)
   {
-    smallest = std::min({ smallest, t[0], t[1], t[2] });
+    least = std::min({ least, t[0], t[1], t[2] }, less);
   }
-  this->cone(cell, this->seesAllFaces(smallest) ? smallest : this->centerOf(cell));
+  this->cone(cell, this->seesAllFaces(least) ? least : this->centerOf(cell));
 }
 
 bool CellCutter::seesAllFaces(Id apex)

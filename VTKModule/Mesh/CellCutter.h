@@ -26,7 +26,8 @@ namespace tetmarch
 class CellCutter
 {
 public:
-  explicit CellCutter(vtkUnstructuredGrid* grid);
+  /** The order, if there is one, lives as long as the cutter. */
+  explicit CellCutter(vtkUnstructuredGrid* grid, const PointOrder* order = nullptr);
 
   Decomposition Result;
 
@@ -39,7 +40,7 @@ private:
   void cutPolyhedron(vtkIdType cell);
   void cutByVTK(vtkIdType cell, int type);
 
-  /** The face as triangles through its corner with the smallest id. */
+  /** The face as triangles through its least corner. */
   void fan();
   void cone(vtkIdType cell, Id apex);
   void coneFromBestPoint(vtkIdType cell);
@@ -51,10 +52,16 @@ private:
   void findMean();
   Id centerOf(vtkIdType cell);
 
+  /** Whether the point comes first, by its place or by its id. */
+  bool isLess(Id a, Id b) const
+  {
+    return this->Order ? (*this->Order)[a] < (*this->Order)[b] : a < b;
+  }
   Id point(vtkIdType i) const { return static_cast<Id>(this->PointIds->GetId(i)); }
   Point position(Id id) const;
 
   vtkUnstructuredGrid* Grid;
+  const PointOrder* Order;
   vtkCellArray* CellArray;
   vtkPoints* Points;
   vtkIdType NumberOfPoints;

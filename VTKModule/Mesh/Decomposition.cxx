@@ -7,16 +7,19 @@
 #include "Mesh/GridCheck.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace tetmarch
 {
 namespace
 {
 
-Decomposition decomposeRange(vtkUnstructuredGrid* grid, vtkIdType begin, vtkIdType end)
+Decomposition decomposeRange(
+  vtkUnstructuredGrid* grid, vtkIdType begin, vtkIdType end, const PointOrder* order)
 {
   const CellTypes types(grid);
-  CellCutter cutter(grid);
+  CellCutter cutter(grid, order);
   cutter.Result.Tets.reserve(end - begin);
   cutter.Result.Cells.reserve(end - begin);
   for (vtkIdType cell = begin; cell < end; ++cell)
@@ -58,8 +61,33 @@ void join(Decomposition& result, Decomposition&& part, Id numberOfPoints)
 
 } // namespace
 
-std::string decompose(
-  vtkUnstructuredGrid* grid, const Progress& progress, Decomposition& result, bool& stopped)
+PointOrder orderByCoordinates(vtkUnstructuredGrid* grid, bool inFloat)
+{
+  const vtkIdType count = grid->GetNumberOfPoints();
+  std::vector<Vector3> points(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    grid->GetPoint(i, points[i].data());
+    for (double& x : points[i])
+    {
+      x = inFloat ? double(static_cast<float>(x)) : x;
+      x = std::isfinite(x) ? x : 0;
+    }
+  }
+  std::vector<Id> sorted(count);
+  std::iota(sorted.begin(), sorted.end(), Id(0));
+  vtkSMPTools::Sort(sorted.begin(), sorted.end(),
+    [&](Id a, Id b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
+  PointOrder order(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    order[sorted[i]] = static_cast<Id>(i);
+  }
+  return order;
+}
+
+std::string decompose(vtkUnstructuredGrid* grid, const Progress& progress, Decomposition& result,
+  bool& stopped, const PointOrder* order)
 {
   stopped = false;
   result = {};
@@ -83,7 +111,7 @@ std::string decompose(
         for (vtkIdType range = first; range < last; ++range)
         {
           parts[range - begin] =
-            decomposeRange(grid, range * cells / ranges, (range + 1) * cells / ranges);
+            decomposeRange(grid, range * cells / ranges, (range + 1) * cells / ranges, order);
         }
       });
     for (Decomposition& part : parts)

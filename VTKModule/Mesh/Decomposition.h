@@ -14,6 +14,12 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
+/** The place of each point of a grid among all by their coordinates, x first. */
+using PointOrder = std::vector<Id>;
+
+/** inFloat: of the coordinates rounded to float. */
+PointOrder orderByCoordinates(vtkUnstructuredGrid* grid, bool inFloat);
+
 /** Tetrahedra over points of the grid; ids from the number of points on are centres of cells. */
 struct Decomposition
 {
@@ -31,13 +37,14 @@ struct Decomposition
  * The inside of a cell is cut from its own smallest point (pulling; Dompierre et al., "How to
  * subdivide pyramids, prisms and hexahedra into tetrahedra", 1999). Where that point doesn't see
  * all faces (non-convex or strongly warped cells), it is cut from the mean of the cell's points,
- * which becomes a vertex with the mean scalar.
+ * which becomes a vertex with the mean scalar. If an order of the points is given, their places in
+ * it stand for their ids.
  *
  * Returns an empty string, or what is wrong with the grid (GridCheck.h). `stopped` becomes true if
  * progress asked to stop.
  */
-std::string decompose(
-  vtkUnstructuredGrid* grid, const Progress& progress, Decomposition& result, bool& stopped);
+std::string decompose(vtkUnstructuredGrid* grid, const Progress& progress, Decomposition& result,
+  bool& stopped, const PointOrder* order = nullptr);
 
 } // namespace tetmarch
 

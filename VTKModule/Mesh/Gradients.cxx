@@ -4,6 +4,7 @@
 
 #include "Mesh/LinearFit.h"
 #include "Mesh/Orientation.h"
+#include "Mesh/SharedVertices.h"
 #include "Mesh/VertexScalars.h"
 
 #include "vtkSMPTools.h"
@@ -102,10 +103,70 @@ public:
       fit.add(1 / dot(step, step), step, this->Values.change(vertex, other));
     }
     Vector3 gradient;
-    return fit.solve(gradient) ? gradient : this->meanOfTets(vertex);
+    return fit.solve(gradient) ? gradient : this->weightedGradients(vertex).mean();
+  }
+
+  // What another process has to know of this piece about a vertex that it has, too.
+  Bytes recordOf(Id vertex, std::vector<Id>& neighbours) const
+  {
+    this->findNeighbours(vertex, neighbours);
+    const WeightedGradients weighted = this->weightedGradients(vertex);
+    std::vector<double> numbers{ weighted.Sum[0], weighted.Sum[1], weighted.Sum[2],
+      weighted.Volumes };
+    for (const Id other : neighbours)
+    {
+      const Vector3 there = position(this->Values.Mesh.Vertices[other]);
+      numbers.insert(numbers.end(), there.begin(), there.end());
+      numbers.push_back(this->Values.Scalars[other]);
+    }
+    return bytesOf(numbers);
+  }
+
+  // The same estimate from the records of all pieces.
+  Vector3 estimate(Id vertex, const std::vector<Bytes>& records) const
+  {
+    WeightedGradients weighted;
+    std::vector<std::array<double, 4>> neighbours; // positions and scalars
+    for (const Bytes& record : records)
+    {
+      std::vector<double> numbers;
+      appendValues(record, numbers);
+      add(1, { { numbers[0], numbers[1], numbers[2] } }, weighted.Sum);
+      weighted.Volumes += numbers[3];
+      for (std::size_t i = 4; i + 3 < numbers.size(); i += 4)
+      {
+        neighbours.push_back(
+          { { numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3] } });
+      }
+    }
+    const auto isSamePlace = [](const std::array<double, 4>& a, const std::array<double, 4>& b)
+    { return std::equal(a.begin(), a.begin() + 3, b.begin()); };
+    std::sort(neighbours.begin(), neighbours.end());
+    neighbours.erase(
+      std::unique(neighbours.begin(), neighbours.end(), isSamePlace), neighbours.end());
+    const Vector3 here = position(this->Values.Mesh.Vertices[vertex]);
+    FittedGradient fit;
+    for (const auto& other : neighbours)
+    {
+      const Vector3 step = Vector3{ { other[0], other[1], other[2] } } - here;
+      fit.add(1 / dot(step, step), step, other[3] - double(this->Values.Scalars[vertex]));
+    }
+    Vector3 gradient;
+    return fit.solve(gradient) ? gradient : weighted.mean();
   }
 
 private:
+  // Gradients in tetrahedra, weighted by their volumes.
+  struct WeightedGradients
+  {
+    Vector3 Sum{};
+    double Volumes = 0;
+    Vector3 mean() const
+    {
+      return this->Volumes > 0 ? scaled(1 / this->Volumes, this->Sum) : this->Sum;
+    }
+  };
+
   template <typename Visit>
   void forEachTet(Id vertex, Visit&& visit) const
   {
@@ -119,19 +180,17 @@ private:
       });
   }
 
-  // The mean of the gradients in the tetrahedra, weighted by their volumes.
-  Vector3 meanOfTets(Id vertex) const
+  WeightedGradients weightedGradients(Id vertex) const
   {
-    Vector3 sum{};
-    double volumes = 0;
+    WeightedGradients weighted;
     this->forEachTet(vertex,
       [&](Id t)
       {
         const double volume = std::abs(signedVolume(this->Values.Mesh, t));
-        add(volume, this->Values.gradientIn(t), sum);
-        volumes += volume;
+        add(volume, this->Values.gradientIn(t), weighted.Sum);
+        weighted.Volumes += volume;
       });
-    return volumes > 0 ? scaled(1 / volumes, sum) : sum;
+    return weighted;
   }
 
   // No other vertex is in the same place: each shares a tetrahedron with volume with this one.
@@ -169,6 +228,38 @@ std::vector<Gradient> atVertices(const Field& field, const VertexTets& around)
   return gradients;
 }
 
+// At vertices that pieces of several processes share, from what all of them have.
+void shareGradients(Group& group, const Field& field, const VertexTets& around,
+  std::vector<Gradient>& gradients)
+{
+  const VertexEstimator estimator(field, around);
+  const std::vector<Id> vertices = boundaryVertices(field.Mesh);
+  std::vector<Bytes> records;
+  std::vector<Id> neighbours;
+  for (const Id vertex : vertices)
+  {
+    records.push_back(estimator.recordOf(vertex, neighbours));
+  }
+  const auto shared = shareRecords(group, field.Mesh, vertices, records);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    if (!shared[i].empty())
+    {
+      gradients[vertices[i]] = rounded(estimator.estimate(vertices[i], shared[i]));
+    }
+  }
+}
+
+std::vector<Gradient> gradientsOf(const Field& field, const VertexTets& around, Group* group)
+{
+  std::vector<Gradient> gradients = atVertices(field, around);
+  if (group)
+  {
+    shareGradients(*group, field, around, gradients);
+  }
+  return gradients;
+}
+
 std::vector<float> scalarsOf(const TetMesh& mesh)
 {
   std::vector<float> scalars;
@@ -182,19 +273,20 @@ std::vector<float> scalarsOf(const TetMesh& mesh)
 
 } // namespace
 
-std::vector<Gradient> vertexGradients(const TetMesh& mesh)
+std::vector<Gradient> vertexGradients(const TetMesh& mesh, Group* group)
 {
   const auto takesPart = findWhatTakesPart(mesh);
   const auto scalars = scalarsOf(mesh);
-  return atVertices({ mesh, takesPart, scalars }, VertexTets(mesh));
+  return gradientsOf({ mesh, takesPart, scalars }, VertexTets(mesh), group);
 }
 
-std::vector<Gradient> vertexGradients(const TetMesh& mesh, const std::vector<float>& cellScalars)
+std::vector<Gradient> vertexGradients(
+  const TetMesh& mesh, const std::vector<float>& cellScalars, Group* group)
 {
   const VertexTets around(mesh);
   const auto takesPart = findWhatTakesPart(mesh, [&](Id t) { return isDrawn(cellScalars[t]); });
-  const auto scalars = vertexScalars(mesh, around, takesPart, cellScalars);
-  return atVertices({ mesh, takesPart, scalars }, around);
+  const auto scalars = vertexScalars(mesh, around, takesPart, cellScalars, group);
+  return gradientsOf({ mesh, takesPart, scalars }, around, group);
 }
 
 std::vector<Gradient> cellGradients(const TetMesh& mesh)

@@ -9,6 +9,8 @@
 namespace tetmarch
 {
 
+class Group;
+
 /** Of the stored scalar (0..1) in the normalised frame (mesh radius 1). */
 using Gradient = std::array<float, 3>;
 
@@ -39,12 +41,16 @@ using Gradient = std::array<float, 3>;
  *
  * Tetrahedra that touch UndrawnScalar, and those that are flat to within the rounding of positions
  * (volumeSign()), have no part in it; 0 at vertices of no others. Always finite.
+ *
+ * With a group, whose processes have pieces of the mesh, it is collective: at vertices that pieces
+ * share, edges and tetrahedra of all pieces count.
  */
-std::vector<Gradient> vertexGradients(const TetMesh& mesh);
+std::vector<Gradient> vertexGradients(const TetMesh& mesh, Group* group = nullptr);
 
 /** At each vertex, of cell scalars (one a tetrahedron): these become scalars of vertices
  * (VertexScalars.h), whose gradients are taken. */
-std::vector<Gradient> vertexGradients(const TetMesh& mesh, const std::vector<float>& cellScalars);
+std::vector<Gradient> vertexGradients(
+  const TetMesh& mesh, const std::vector<float>& cellScalars, Group* group = nullptr);
 
 /** In each tetrahedron, of point scalars. Exact, since the scalar is linear there. 0 where the
  * tetrahedron is flat or not drawn. */

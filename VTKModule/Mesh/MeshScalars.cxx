@@ -97,6 +97,14 @@ std::vector<double> vertexValues(
   return values;
 }
 
+// Of the vertices or of the tetrahedra.
+std::vector<double> drawnValues(vtkUnstructuredGrid* grid, const DrawnScalars& drawn,
+  const TetMesh& mesh, const TupleScalar& scalar)
+{
+  return drawn.OfCells ? scalarsOf(drawn.Array, mesh.TetCells, scalar)
+                       : vertexValues(grid, drawn.Array, mesh, scalar);
+}
+
 // Reads one scalar after the other into what is stored.
 class ScalarStore
 {
@@ -110,6 +118,11 @@ public:
 
   MeshScalars make()
   {
+    if (!this->Drawn.Array)
+    {
+      this->takeRanges();
+      return std::move(this->Made);
+    }
     this->addFirst();
     for (std::size_t k = 0; k < this->Drawn.Further.size(); ++k)
     {
@@ -119,10 +132,24 @@ public:
   }
 
 private:
+  // Nothing is drawn here, but elsewhere.
+  void takeRanges()
+  {
+    const std::vector<FiniteRange>& whole = this->Drawn.Whole;
+    for (std::size_t k = 0; k < whole.size(); ++k)
+    {
+      (k == 0 ? this->Made.Range : this->Made.Further.Ranges.emplace_back()) = whole[k].range();
+    }
+  }
+
+  ScalarRange rangeFor(std::size_t k, const std::vector<double>& values) const
+  {
+    return k < this->Drawn.Whole.size() ? this->Drawn.Whole[k].range() : finiteRange(values);
+  }
+
   std::vector<double> valuesOf(const TupleScalar& scalar) const
   {
-    return this->Drawn.OfCells ? scalarsOf(this->Drawn.Array, this->Mesh.TetCells, scalar)
-                               : vertexValues(this->Grid, this->Drawn.Array, this->Mesh, scalar);
+    return drawnValues(this->Grid, this->Drawn, this->Mesh, scalar);
   }
 
   float& first(std::size_t i)
@@ -133,7 +160,7 @@ private:
   void addFirst()
   {
     const std::vector<double> values = this->valuesOf(this->Drawn.First);
-    this->Made.Range = finiteRange(values);
+    this->Made.Range = this->rangeFor(0, values);
     this->Made.OfCells.resize(this->Drawn.OfCells ? values.size() : 0);
     for (std::size_t i = 0; i < values.size(); ++i)
     {
@@ -146,7 +173,7 @@ private:
     const std::size_t count = this->Drawn.Further.size();
     const std::vector<double> values = this->valuesOf({ false, this->Drawn.Further[k] });
     const double unit = this->Drawn.FurtherUnit;
-    const ScalarRange range = unit > 0 ? ScalarRange{ 0, unit } : finiteRange(values);
+    const ScalarRange range = unit > 0 ? ScalarRange{ 0, unit } : this->rangeFor(k + 1, values);
     FurtherScalars& further = this->Made.Further;
     further.Ranges.push_back(range);
     further.Values.resize(count * values.size());
@@ -165,7 +192,7 @@ private:
   vtkUnstructuredGrid* Grid;
   const DrawnScalars& Drawn;
   TetMesh& Mesh;
-  MeshScalars Made;
+  MeshScalars Made{};
 };
 
 } // namespace
@@ -173,6 +200,23 @@ private:
 MeshScalars readScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn, TetMesh& mesh)
 {
   return ScalarStore(grid, drawn, mesh).make();
+}
+
+std::vector<FiniteRange> rangesOf(
+  vtkUnstructuredGrid* grid, const DrawnScalars& drawn, const TetMesh& mesh)
+{
+  std::vector<FiniteRange> found{ rangeOf(drawnValues(grid, drawn, mesh, drawn.First)) };
+  for (const int component : drawn.Further)
+  {
+    const FiniteRange range = rangeOf(drawnValues(grid, drawn, mesh, { false, component }));
+    if (!range.isAllFinite())
+    {
+      found.front().addNotFinite();
+    }
+    found.push_back(drawn.FurtherUnit > 0 ? FiniteRange(0, drawn.FurtherUnit, range.isAllFinite())
+                                          : range);
+  }
+  return found;
 }
 
 } // namespace tetmarch

@@ -26,8 +26,16 @@ struct MeshScalars
  * array of points goes into Vertex::Scalar of the mesh. Values are brought to 0..1 in double
  * precision before they are rounded to float. Where the first or a further value is not finite or
  * not there, the first one becomes UndrawnScalar, and its range is not AllFinite.
+ *
+ * If the ranges of the whole are given (DrawnScalars::Whole), they take the place of those of the
+ * values. Without an array there is nothing but these.
  */
 MeshScalars readScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn, TetMesh& mesh);
+
+/** The ranges that readScalars() would find in the values: of the first scalar, then of further
+ * ones. */
+std::vector<FiniteRange> rangesOf(
+  vtkUnstructuredGrid* grid, const DrawnScalars& drawn, const TetMesh& mesh);
 
 } // namespace tetmarch
 

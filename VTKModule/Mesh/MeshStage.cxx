@@ -17,24 +17,30 @@ namespace
 {
 
 // Whoever repairs the values of an array may only call Modified() of the grid.
-Fingerprint attemptOf(vtkUnstructuredGrid* grid, const ResourceLimits& limits)
+Fingerprint attemptOf(
+  vtkUnstructuredGrid* grid, const ResourceLimits& limits, const PieceOptions& piece)
 {
   Fingerprint attempt = versionOf(grid);
   add(attempt, grid);
   attempt.push_back(limits.TexelsPerBuffer);
   attempt.push_back(limits.Bytes);
+  attempt.push_back(piece.ByCoordinates ? 1 : 0);
+  attempt.push_back(piece.IsPiece ? 1 : 0);
+  addAll(attempt, piece.Frame.Center);
+  add(attempt, piece.Frame.Radius);
+  attempt.push_back(piece.InFloat ? 1 : 0);
   return attempt;
 }
 
 } // namespace
 
-bool MeshStage::isCurrent(vtkUnstructuredGrid* grid)
+bool MeshStage::isCurrent(vtkUnstructuredGrid* grid, const PieceOptions& piece)
 {
   if (this->IsMade)
   {
     this->Asked.read(grid);
   }
-  return this->IsMade && this->Asked == this->MadeFrom;
+  return this->IsMade && this->MadeAs == piece && this->Asked == this->MadeFrom;
 }
 
 bool MeshStage::hasCellsOf(vtkUnstructuredGrid* grid)
@@ -42,15 +48,16 @@ bool MeshStage::hasCellsOf(vtkUnstructuredGrid* grid)
   return !this->isCurrent(grid) && this->IsMade && this->Asked.hasCellsOf(this->MadeFrom);
 }
 
-std::string MeshStage::make(
-  vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress)
+std::string MeshStage::make(vtkUnstructuredGrid* grid, const ResourceLimits& limits,
+  const Progress& progress, const PieceOptions& piece)
 {
-  const Fingerprint attempt = attemptOf(grid, limits);
+  const Fingerprint attempt = attemptOf(grid, limits, piece);
   if (attempt == this->FailedAttempt)
   {
     return this->Error;
   }
-  const bool cellsStay = this->hasCellsOf(grid);
+  // The frame of the moved points would be their own.
+  const bool cellsStay = !piece.IsPiece && !this->MadeAs.IsPiece && this->hasCellsOf(grid);
   this->IsMade = false;
   if (!cellsStay)
   {
@@ -67,7 +74,7 @@ std::string MeshStage::make(
       {
         status = cellsStay && movePoints(grid, this->Mesh)
                    ? BuildStatus::Done
-                   : buildTetMesh(grid, progress, this->Mesh, error);
+                   : buildTetMesh(grid, progress, this->Mesh, error, piece);
         if (status == BuildStatus::Done)
         {
           this->Asked.read(grid);
@@ -82,6 +89,7 @@ std::string MeshStage::make(
   if (status == BuildStatus::Done)
   {
     this->MadeFrom = this->Asked;
+    this->MadeAs = piece;
     this->IsMade = true;
     return {};
   }

@@ -8,6 +8,7 @@
 #include "Caching/Fingerprint.h"
 #include "Caching/StageRecord.h"
 #include "Mesh/GridContent.h"
+#include "Mesh/PieceOptions.h"
 #include "Mesh/Progress.h"
 #include "Mesh/TetMesh.h"
 
@@ -22,13 +23,13 @@ class MeshStage
 {
 public:
   /** Whether the mesh is that of the grid, or of another one with the same values. */
-  bool isCurrent(vtkUnstructuredGrid* grid);
+  bool isCurrent(vtkUnstructuredGrid* grid, const PieceOptions& piece = {});
   /**
    * Returns an empty string, or what is wrong and what to do. The mesh is empty then, and also if
    * progress asked to stop. What failed is not tried again as long as grid and limits stay.
    */
-  std::string make(
-    vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress);
+  std::string make(vtkUnstructuredGrid* grid, const ResourceLimits& limits,
+    const Progress& progress, const PieceOptions& piece = {});
   /** Add the hierarchy of a convex mesh. Returns an empty string, or why it failed; the mesh stays
    * as it was then. */
   std::string addHierarchy();
@@ -45,6 +46,7 @@ private:
   TetMesh Mesh;
   bool IsMade = false;
   GridContent MadeFrom;
+  PieceOptions MadeAs;
   GridContent Asked; // of the last grid that isCurrent() was asked about
   Fingerprint FailedAttempt;
   std::string Error; // of the failed attempt

@@ -140,8 +140,8 @@ bool orderTets(const Decomposition& from, const UsedPoints& used, const std::vec
 
 } // namespace
 
-std::string renumber(
-  vtkPoints* points, Decomposition&& tets, const Progress& progress, TetMesh& mesh, bool& stopped)
+std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& progress, TetMesh& mesh,
+  bool& stopped, const PieceOptions& piece)
 {
   const std::size_t pointCount = points ? points->GetNumberOfPoints() : 0;
   mesh.NumberOfPoints = static_cast<vtkIdType>(pointCount);
@@ -161,6 +161,10 @@ std::string renumber(
         if (p < pointCount)
         {
           points->GetPoint(p, positions[i].data());
+          for (double& x : positions[i])
+          {
+            x = piece.InFloat ? double(static_cast<float>(x)) : x;
+          }
         }
         else
         {
@@ -168,7 +172,8 @@ std::string renumber(
         }
       }
     });
-  std::string wrong = findFrame(positions, mesh.Frame);
+  mesh.Frame = piece.Frame;
+  std::string wrong = piece.IsPiece ? std::string() : findFrame(positions, mesh.Frame);
   if (!wrong.empty())
   {
     return wrong;

@@ -5,6 +5,7 @@
 #define TetMarchMeshRenumbering_h
 
 #include "Mesh/Decomposition.h"
+#include "Mesh/PieceOptions.h"
 #include "Mesh/TetMesh.h"
 
 #include <string>
@@ -22,8 +23,8 @@ namespace tetmarch
  *
  * Returns an empty string, or what is wrong with the points.
  */
-std::string renumber(
-  vtkPoints* points, Decomposition&& tets, const Progress& progress, TetMesh& mesh, bool& stopped);
+std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& progress, TetMesh& mesh,
+  bool& stopped, const PieceOptions& piece = {});
 
 } // namespace tetmarch
 

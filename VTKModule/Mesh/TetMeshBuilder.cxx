@@ -3,6 +3,7 @@
 #include "Mesh/TetMeshBuilder.h"
 
 #include "Mesh/BoundaryHierarchy.h"
+#include "Mesh/CellTypes.h"
 #include "Mesh/Convexity.h"
 #include "Mesh/Decomposition.h"
 #include "Mesh/HalfFaceLinks.h"
@@ -13,17 +14,39 @@
 namespace tetmarch
 {
 
-BuildStatus buildTetMesh(
-  vtkUnstructuredGrid* grid, const Progress& progress, TetMesh& mesh, std::string& error)
+namespace
+{
+
+// Tetrahedra alone have no faces to be cut.
+bool isCut(vtkUnstructuredGrid* grid)
+{
+  const CellTypes types(grid);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    if (types[cell] != VTK_TETRA)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+BuildStatus buildTetMesh(vtkUnstructuredGrid* grid, const Progress& progress, TetMesh& mesh,
+  std::string& error, const PieceOptions& piece)
 {
   mesh = {};
   Decomposition tets;
   bool stopped = false;
-  error = decompose(grid, subProgress(progress, 0, 0.2), tets, stopped);
+  const PointOrder order =
+    piece.ByCoordinates && isCut(grid) ? orderByCoordinates(grid, piece.InFloat) : PointOrder();
+  error = decompose(
+    grid, subProgress(progress, 0, 0.2), tets, stopped, order.empty() ? nullptr : &order);
   if (error.empty() && !stopped)
   {
-    error =
-      renumber(grid->GetPoints(), std::move(tets), subProgress(progress, 0.2, 0.5), mesh, stopped);
+    error = renumber(grid->GetPoints(), std::move(tets), subProgress(progress, 0.2, 0.5), mesh,
+      stopped, piece);
   }
   if (!error.empty())
   {

@@ -4,6 +4,7 @@
 #ifndef TetMarchMeshTetMeshBuilder_h
 #define TetMarchMeshTetMeshBuilder_h
 
+#include "Mesh/PieceOptions.h"
 #include "Mesh/Progress.h"
 #include "Mesh/TetMesh.h"
 
@@ -26,8 +27,8 @@ enum class BuildStatus
  * Scalars are left 0. On failure `error` says what is wrong and what to do; the mesh is then
  * unspecified.
  */
-BuildStatus buildTetMesh(
-  vtkUnstructuredGrid* grid, const Progress& progress, TetMesh& mesh, std::string& error);
+BuildStatus buildTetMesh(vtkUnstructuredGrid* grid, const Progress& progress, TetMesh& mesh,
+  std::string& error, const PieceOptions& piece = {});
 
 /** Build the hierarchy of a convex mesh too: rays that have no list of entries need it. */
 void ensureHierarchy(TetMesh& mesh);

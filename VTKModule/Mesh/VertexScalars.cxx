@@ -4,6 +4,7 @@
 
 #include "Mesh/LinearFit.h"
 #include "Mesh/Orientation.h"
+#include "Mesh/SharedVertices.h"
 
 #include "vtkSMPTools.h"
 
@@ -146,10 +147,38 @@ private:
   std::vector<Vector3> Centers; // of cells
 };
 
+// At vertices that pieces of several processes share, from the cells of all of them.
+void shareValues(
+  Group& group, const TetMesh& mesh, const CellFit& fit, std::vector<float>& values)
+{
+  const std::vector<Id> vertices = boundaryVertices(mesh);
+  std::vector<Bytes> records;
+  std::vector<Id> tets;
+  std::vector<Site> sites;
+  for (const Id vertex : vertices)
+  {
+    fit.findSites(vertex, tets, sites);
+    records.push_back(bytesOf(sites));
+  }
+  const auto shared = shareRecords(group, mesh, vertices, records);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    sites.clear();
+    for (const Bytes& record : shared[i])
+    {
+      appendValues(record, sites);
+    }
+    if (!shared[i].empty())
+    {
+      values[vertices[i]] = CellFit::valueOf(sites);
+    }
+  }
+}
+
 } // namespace
 
 std::vector<float> vertexScalars(const TetMesh& mesh, const VertexTets& around,
-  const std::vector<std::uint8_t>& takesPart, const std::vector<float>& cellScalars)
+  const std::vector<std::uint8_t>& takesPart, const std::vector<float>& cellScalars, Group* group)
 {
   const CellFit fit(mesh, around, takesPart, cellScalars);
   std::vector<float> values(mesh.Vertices.size());
@@ -164,6 +193,10 @@ std::vector<float> vertexScalars(const TetMesh& mesh, const VertexTets& around,
         values[v] = CellFit::valueOf(sites);
       }
     });
+  if (group)
+  {
+    shareValues(*group, mesh, fit, values);
+  }
   return values;
 }
 

@@ -9,6 +9,8 @@
 namespace tetmarch
 {
 
+class Group;
+
 /**
  * Scalars 0..1 at the vertices from one scalar a tetrahedron. At each vertex it is the value of the
  * linear function that fits the scalars in the centres of the cells around it best (least squares
@@ -19,9 +21,13 @@ namespace tetmarch
  *
  * Only tetrahedra that take part (not 0) are used. A cell that was cut into several tetrahedra
  * counts once. Vertices around which none takes part get UndrawnScalar.
+ *
+ * With a group, whose processes have pieces of the mesh, it is collective: at vertices that pieces
+ * share, cells of all pieces count.
  */
 std::vector<float> vertexScalars(const TetMesh& mesh, const VertexTets& around,
-  const std::vector<std::uint8_t>& takesPart, const std::vector<float>& cellScalars);
+  const std::vector<std::uint8_t>& takesPart, const std::vector<float>& cellScalars,
+  Group* group = nullptr);
 
 } // namespace tetmarch
 

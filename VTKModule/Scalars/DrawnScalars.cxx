@@ -147,6 +147,12 @@ Fingerprint versionOf(const DrawnScalars& drawn)
   version.push_back(static_cast<std::uintptr_t>(drawn.Mix));
   version.push_back(drawn.First.Magnitude ? 1 : 0);
   version.push_back(static_cast<std::uintptr_t>(drawn.First.Component));
+  for (const FiniteRange& range : drawn.Whole)
+  {
+    add(version, range.low());
+    add(version, range.high());
+    version.push_back(range.isAllFinite() ? 1 : 0);
+  }
   return version;
 }
 

@@ -5,6 +5,7 @@
 #define TetMarchScalarsDrawnScalars_h
 
 #include "Caching/Fingerprint.h"
+#include "Scalars/StoredScalar.h"
 #include "Scalars/TupleScalar.h"
 #include "Variants/VariantKey.h"
 
@@ -55,6 +56,9 @@ struct DrawnScalars
   /** Above 0: further values are divided by it and clamped to 0..1. 0: each further component is
    * brought to 0..1 by its own range. */
   double FurtherUnit = 0;
+  /** The ranges of the first and of further scalars, if other processes have parts of them; empty:
+   * those of the array. */
+  std::vector<FiniteRange> Whole{};
 };
 
 /** Returns an empty string if the array has one tuple for each point or cell of the data, or else

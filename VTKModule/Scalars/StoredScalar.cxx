@@ -24,14 +24,14 @@ ScalarRange FiniteRange::range() const
   return { clamped(this->Low), clamped(this->High), this->AllFinite };
 }
 
-ScalarRange finiteRange(const std::vector<double>& values)
+FiniteRange rangeOf(const std::vector<double>& values)
 {
   FiniteRange range;
   for (double value : values)
   {
     range.add(value);
   }
-  return range.range();
+  return range;
 }
 
 float storedScalar(double value, const ScalarRange& range)

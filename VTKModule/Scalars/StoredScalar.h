@@ -30,9 +30,24 @@ struct ScalarRange
 class FiniteRange
 {
 public:
+  FiniteRange() = default;
+  /** As low(), high() and isAllFinite() tell it. */
+  FiniteRange(double low, double high, bool allFinite)
+    : Low(low)
+    , High(high)
+    , AllFinite(allFinite)
+  {
+  }
+
   void add(double value);
   void add(const FiniteRange& other);
   ScalarRange range() const;
+
+  /** Above high() if no value is finite. */
+  double low() const { return this->Low; }
+  double high() const { return this->High; }
+  bool isAllFinite() const { return this->AllFinite; }
+  void addNotFinite() { this->AllFinite = false; }
 
 private:
   double Low = std::numeric_limits<double>::max();
@@ -54,7 +69,11 @@ inline void FiniteRange::add(double value)
 }
 
 /** The range of the values that are finite. */
-ScalarRange finiteRange(const std::vector<double>& values);
+FiniteRange rangeOf(const std::vector<double>& values);
+inline ScalarRange finiteRange(const std::vector<double>& values)
+{
+  return rangeOf(values).range();
+}
 
 /** 0..1, or UndrawnScalar. The value is scaled in double precision before it is rounded. */
 float storedScalar(double value, const ScalarRange& range);

@@ -277,6 +277,7 @@ std::string VariantKey::defines() const
   }
   // Unless the driver or a file defines them behind these lines.
   define("PICKED", false);
+  define("VISITS", false);
   define("SKIPS_HELPERS", false);
   define("HAS_GATHER", false);
   define("EXACT_LIGHT", false);

@@ -4,6 +4,7 @@
 
 #include "Mesh/Gradients.h"
 #include "Mesh/VertexStarts.h"
+#include "Processes/Group.h"
 
 namespace tetmarch
 {
@@ -11,8 +12,20 @@ namespace tetmarch
 std::vector<std::array<float, 3>> TetEffectSource::gradients(bool ofCells) const
 {
   return ofCells                     ? cellGradients(this->Mesh)
-         : this->CellScalars.empty() ? vertexGradients(this->Mesh)
-                                     : vertexGradients(this->Mesh, this->CellScalars);
+         : this->CellScalars.empty()
+           ? vertexGradients(this->Mesh, this->Processes)
+           : vertexGradients(this->Mesh, this->CellScalars, this->Processes);
+}
+
+double TetEffectSource::steepestOf(double own) const
+{
+  std::vector<float> least{ static_cast<float>(-own) };
+  if (this->Processes)
+  {
+    this->Processes->keepLeast(least);
+    return -double(least.front());
+  }
+  return own;
 }
 
 std::vector<EffectSource::VertexStart> TetEffectSource::vertexStarts() const

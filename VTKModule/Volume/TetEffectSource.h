@@ -10,6 +10,8 @@
 namespace tetmarch
 {
 
+class Group;
+
 /** Refers to what it is given. */
 class TetEffectSource : public EffectSource
 {
@@ -28,7 +30,20 @@ public:
   const VolumeFrame& frame() const override { return this->Mesh.Frame; }
   const ScalarRange& range() const override { return this->Range; }
   Fingerprint geometryVersion() const override { return { this->Version.front() }; }
-  Fingerprint scalarsVersion() const override { return this->Version; }
+  /** Other processes have pieces of the mesh. Gradients are then found by all of them or by none: the
+   * generation changes in all if the mesh or the scalars of one have changed. */
+  void setGroup(Group* group, std::uintptr_t generation)
+  {
+    this->Processes = group;
+    this->Generation = generation;
+  }
+
+  Fingerprint scalarsVersion() const override
+  {
+    Fingerprint version = this->Version;
+    version.push_back(this->Generation);
+    return version;
+  }
   Fingerprint startsVersion() const override
   {
     // The hierarchy renumbers boundary faces.
@@ -36,6 +51,7 @@ public:
   }
   bool hasCellGradients() const override { return this->CellScalars.empty(); }
   std::vector<std::array<float, 3>> gradients(bool ofCells) const override;
+  double steepestOf(double own) const override;
   std::vector<VertexStart> vertexStarts() const override;
   bool startPoint(std::size_t vertex, const VertexStart& start, Vector3& point) const override;
 
@@ -44,6 +60,8 @@ private:
   const std::vector<float>& CellScalars;
   const ScalarRange& Range;
   const Fingerprint& Version;
+  Group* Processes = nullptr;
+  std::uintptr_t Generation = 0;
 };
 
 } // namespace tetmarch

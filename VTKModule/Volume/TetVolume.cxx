@@ -10,21 +10,30 @@ namespace tetmarch
 std::string TetVolume::updateGeometry(
   vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress)
 {
-  if (!this->Meshed.isCurrent(grid))
+  if (!this->Meshed.isCurrent(grid, this->Piece))
   {
     this->ScalarsInput.clear();
-    const std::string error = this->Meshed.make(grid, limits, progress);
+    this->RangesInput.clear();
+    const std::string error = this->Meshed.make(grid, limits, progress, this->Piece);
     if (!error.empty())
     {
       return error;
     }
   }
-  if (this->mesh().Tets.empty())
-  {
-    return {};
-  }
   return withinMemory(
     "the hidden cells", [&] { this->Hidden.update(grid, this->mesh(), this->meshRecord().Runs); });
+}
+
+std::vector<FiniteRange> TetVolume::rangesOf(vtkUnstructuredGrid* grid, const DrawnScalars& drawn)
+{
+  const Fingerprint input = versionOf(drawn);
+  if (input != this->RangesInput)
+  {
+    this->RangesInput.clear();
+    this->Ranges = tetmarch::rangesOf(grid, drawn, this->mesh());
+    this->RangesInput = input;
+  }
+  return this->Ranges;
 }
 
 std::string TetVolume::updateScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn)

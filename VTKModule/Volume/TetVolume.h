@@ -23,6 +23,13 @@ public:
   TetVolume(const TetVolume&) = delete;
   TetVolume& operator=(const TetVolume&) = delete;
 
+  void setGroup(Group* group, std::uintptr_t generation)
+  {
+    this->Effects.setGroup(group, generation);
+  }
+  void setPiece(const PieceOptions& piece) { this->Piece = piece; }
+  /** Of the first and of further scalars; without any, or without memory, none. */
+  std::vector<FiniteRange> rangesOf(vtkUnstructuredGrid* grid, const DrawnScalars& drawn);
   /** The mesh of the grid, and which of its cells are hidden. Returns an empty string, or what is
    * wrong; the mesh is empty then, and if progress asked to stop. */
   std::string updateGeometry(
@@ -63,8 +70,11 @@ public:
   }
 
 private:
+  PieceOptions Piece;
   MeshStage Meshed;
   HiddenCellStage Hidden;
+  Fingerprint RangesInput;
+  std::vector<FiniteRange> Ranges;
   Fingerprint ScalarsInput;
   MeshScalars Scalars;
   Fingerprint ScalarsVersion{ 0, 0 };

@@ -1,0 +1,83 @@
+// What the ray of each pixel gathers of the mesh from entering it to leaving it (Processes/Visits.h), and where it enters
+// again. Each drawing shows the next visit of each ray.
+#define TETMARCH_VISITS 1
+#include "language.glsl"
+#include "passes/helper.glsl"
+
+//VTK::Output::Dec
+
+#include "passes/march_pixel.glsl"
+#include "passes/fragment_ray.glsl"
+
+uniform bool isFirstVisit;
+uniform sampler2D visitTexture;     // of the visit before: colour, and the transmittance of all visits
+uniform sampler2D nextEntryTexture; // depth and face of the entry, and the depth up to which the ray has gathered
+
+// A float holds 24 bits of an integer. 0: no entry.
+int faceOf(vec4 next) { return int(next.y) + (int(next.z) << 16) - 1; }
+
+March marchVisit(PixelRay pixel, real done, INOUT(Traversal) traversal)
+{
+  float thicknessPerDepth = thicknessPerDepthAlong(pixel.ray.direction);
+  March march = beginMarch(done);
+#if TETMARCH_SAMPLED_SHADOWS
+  float jitter = texelFetch(jitterTexture, pixel.at & 63, 0).x;
+  marchAndSample(pixel.ray, thicknessPerDepth, pixel.depthEnd, jitter, traversal, march);
+#else
+  marchOn(pixel.ray, thicknessPerDepth, pixel.depthEnd, traversal, march);
+#endif
+  return march;
+}
+
+#if TETMARCH_ACCUMULATES_OPACITY
+vec4 gatheredBy(March march, vec3 direction) { return vec4(march.radiance.color, march.radiance.transmittance); }
+#elif TETMARCH_EXTREME
+vec4 gatheredBy(March march, vec3 direction) { return vec4(march.radiance.extreme, 0.0, 0.0, 0.0); }
+#else
+vec4 gatheredBy(March march, vec3 direction)
+{
+  float perDepth = averages ? 1.0 : thicknessPerDepthAlong(direction);
+  return vec4(march.radiance.sum * perDepth, march.radiance.countedLength, 0.0, 0.0);
+}
+#endif
+
+void main()
+{
+  PixelRay pixel = seenPixelRay();
+  Traversal traversal;
+  float done = pixel.depthBegin;
+  float passed = 1.0; // transmittance of the visits before
+  if (isFirstVisit)
+  {
+    traversal = traversalFrom(pixel.ray, pixel.depthBegin);
+  }
+  else
+  {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    vec4 next = texelFetch(nextEntryTexture, at, 0);
+    Entry entry;
+    entry.depth = next.x;
+    entry.face = faceOf(next);
+    traversal = traversalAt(pixel.ray, entry);
+    done = next.w;
+    passed = texelFetch(visitTexture, at, 0).w;
+  }
+  if (traversal.entry.face < 0)
+  {
+    discard;
+  }
+  March march = marchVisit(pixel, done, traversal);
+  vec4 gathered = gatheredBy(march, pixel.ray.direction);
+  float error = errorBound(march.radiance);
+  bool goesOn = continuesBefore(traversal, pixel.depthEnd);
+#if TETMARCH_ACCUMULATES_OPACITY
+  passed *= gathered.w;
+  bool isHidden = passed < errorTolerance; // what is behind
+  error += isHidden && goesOn ? gathered.w : 0.0;
+  goesOn = goesOn && !isHidden;
+#endif
+  int face = goesOn ? traversal.entry.face + 1 : 0;
+  gl_FragData[0] = vec4(march.begin, march.done, gathered.w, error);
+  gl_FragData[1] = vec4(gathered.rgb, passed);
+  gl_FragData[2] = vec4(traversal.entry.depth, float(face & 0xffff), float(face >> 16), march.done);
+}

@@ -1,0 +1,118 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Something is wrong in one process: mpiexec -n N fail_pieces.py CASE
+
+Each process prints a line: its number, whether the frame shows the volume, and after the fault is mended once more.
+What process 0 tells of it is an error of VTK.
+"""
+import sys
+
+import numpy as np
+import vtkmodules.all as vtk
+from mpi4py import MPI  # noqa: F401, which begins MPI, and ends it
+from vtkmodules.vtkParallelMPI import vtkMPIController
+
+import draw_pieces
+import made_grids
+
+FAULTY = 1  # the process in which something is wrong
+
+
+def without_array(picture):
+    data = picture.mapper.GetInput().GetPointData()
+    array = data.GetArray(draw_pieces.SCALARS)
+    data.RemoveArray(draw_pieces.SCALARS)
+    return lambda: data.AddArray(array)
+
+
+def other_kind(picture):
+    """Of three components, of which the magnitude is drawn; then all of them."""
+    data = picture.mapper.GetInput().GetPointData()
+    array = data.GetArray(draw_pieces.SCALARS)
+    data.RemoveArray(draw_pieces.SCALARS)
+    made_grids.add_array(data, draw_pieces.SCALARS, np.random.RandomState(1).rand(array.GetNumberOfTuples(), 2))
+    picture.mapper.SetVectorModeToAllComponents()
+
+    def mend():
+        data.RemoveArray(draw_pieces.SCALARS)
+        data.AddArray(array)
+        picture.mapper.SetVectorModeToDisabled()
+    return mend
+
+
+def short_of_memory(picture):
+    picture.mapper.SetMaxMemoryInBytes(1000)
+    return lambda: picture.mapper.SetMaxMemoryInBytes(0)
+
+
+def bad_points(picture):
+    grid = picture.mapper.GetInput()
+    place = grid.GetPoint(0)
+    grid.GetPoints().SetPoint(0, float("nan"), 0, 0)
+    grid.GetPoints().Modified()
+
+    def mend():
+        grid.GetPoints().SetPoint(0, *place)
+        grid.GetPoints().Modified()
+        grid.Modified()
+    return mend
+
+
+def other_window(picture):
+    picture.window.SetSize(100, 80)
+    return lambda: picture.window.SetSize(*draw_pieces.SIZE)
+
+
+def aborted(picture):
+    """By an observer of progress, while the mesh is prepared."""
+    def stop(*_):
+        picture.window.SetAbortRender(1)
+    tag = picture.mapper.AddObserver("ProgressEvent", stop)
+
+    def mend():
+        picture.mapper.RemoveObserver(tag)
+        picture.window.SetAbortRender(0)
+    return mend
+
+
+def bad_view(picture):
+    picture.mapper.SetViewModeToCells()
+    return picture.mapper.SetViewModeToPicture
+
+
+CASES = {f.__name__: f for f in (without_array, other_kind, short_of_memory, bad_points, other_window, aborted, bad_view)}
+
+
+def shows_volume(pixels):
+    return len(np.unique(pixels.reshape(-1, 4), axis=0)) > 1
+
+
+def main():
+    controller = vtkMPIController()
+    controller.Initialize()
+    rank = controller.GetLocalProcessId()
+    picture = draw_pieces.Picture({}, controller)
+    fault = CASES[sys.argv[1]]
+    mend = fault(picture) if rank == FAULTY else lambda: None
+    broken = [shows_volume(draw(picture)) for _ in range(2)]
+    mend()
+    mended = shows_volume(draw(picture))
+    print(f"process {rank}: {broken[0]} {broken[1]} {mended}", flush=True)
+
+
+def draw(picture):
+    picture.window.Render()
+    grab = vtk.vtkWindowToImageFilter()
+    grab.SetInput(picture.window)
+    grab.SetInputBufferTypeToRGBA()
+    grab.ReadFrontBufferOff()
+    grab.ShouldRerenderOff()
+    grab.Update()
+    image = grab.GetOutput()
+    width, height, _ = image.GetDimensions()
+    scalars = draw_pieces.vtk_to_numpy(image.GetPointData().GetScalars())
+    return scalars.reshape(height, width, 4).copy()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,29 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs a script in several processes, for so long and no longer."""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+# More processes than cores, also as root, as in a container.
+ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+               "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_mpi_yield_when_idle": "1",
+               "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "LP_NUM_THREADS": "1"}
+
+
+def has_mpi():
+    return shutil.which("mpiexec") is not None
+
+
+def run(processes, script, *arguments, seconds=300):
+    """Returns what the processes wrote. A process that waits for ever is an error."""
+    paths = [str(HERE), str(HERE.parent / "Benchmark"), os.environ.get("PYTHONPATH", "")]
+    command = ["mpiexec", "-n", str(processes), sys.executable, str(HERE / script), *map(str, arguments)]
+    result = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=seconds,
+                            env={**os.environ, **ENVIRONMENT, "PYTHONPATH": os.pathsep.join(paths)})
+    if result.returncode != 0:
+        raise AssertionError(f"{' '.join(command)} ended with {result.returncode}:\n{result.stdout}")
+    return result.stdout

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The cells of a grid that this process draws, where several have pieces of a volume.
+#ifndef TetMarchBlocksOwnCells_h
+#define TetMarchBlocksOwnCells_h
+
+#include "Blocks/CellOrigins.h"
+#include "Caching/Fingerprint.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace tetmarch
+{
+
+/** A grid without the cells that vtkGhostType marks as duplicates, which another process draws:
+ * rays would meet them between the cells of that process. */
+class OwnCells
+{
+public:
+  /** scalars: of the cells or points of the grid; may be nullptr. */
+  void update(vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool ofCells,
+    const CellOrigins& origins);
+
+  /** The grid that was given if it has no duplicates. */
+  vtkUnstructuredGrid* grid() const { return this->Grid; }
+  vtkDataArray* scalars() const { return this->Scalars; }
+  /** As those that were given, of the cells that are left. */
+  const CellOrigins& origins() const { return this->Origins; }
+
+private:
+  Fingerprint MadeFrom;
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  vtkSmartPointer<vtkDataArray> Scalars;
+  CellOrigins Origins;
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/PiecesPicture.h"
+
+#include "Appearance/Blending.h"
+#include "Caching/WithinMemory.h"
+#include "Optics/IntegralTable.h"
+
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetmarch
+{
+namespace
+{
+
+// A quarter of a pixel's tolerance, as TOLERANCE_AT_ONCE in Shaders/gather/radiance.glsl.
+constexpr float ToleranceAtOnce = 0.25f;
+
+MergeRule ruleOf(BlendGroup blend)
+{
+  return blend == BlendGroup::Extreme ? MergeRule::Greatest
+         : blend == BlendGroup::Sum   ? MergeRule::Sum
+                                      : MergeRule::Over;
+}
+
+// As tableValue() in Shaders/tables/integral_table.glsl.
+std::array<float, 4> tableValue(const IntegralTable& table, double x)
+{
+  const double bin = std::max(0.0, std::min(std::floor(x), double(table.size() - 2)));
+  const auto i = static_cast<std::size_t>(bin);
+  const auto share = static_cast<float>(std::min(std::max(x - bin, 0.0), 1.0));
+  std::array<float, 4> value;
+  for (int k = 0; k < 4; ++k)
+  {
+    value[k] = table.Values[i][k] + (table.Values[i + 1][k] - table.Values[i][k]) * share;
+  }
+  return value;
+}
+
+// Premultiplied colour and opacity of what a pixel has gathered: pixelOf() of the blend modes in
+// Shaders/gather. Sums come in the lengths that count.
+void showColor(const MarchInputs& inputs, float* pixel)
+{
+  if (inputs.Key.Blend == BlendGroup::Extreme)
+  {
+    const bool found = pixel[0] > emptyPixel(MergeRule::Greatest).Gathered[0];
+    const double scalar = inputs.Blend->extremeSign() * pixel[0];
+    const IntegralTable& table = *inputs.Table;
+    const std::array<float, 4> value = tableValue(
+      table, scalar * table.scale(inputs.Range.width()) + table.offset(inputs.Range.Low));
+    pixel[3] = found ? value[3] : 0;
+    std::transform(
+      value.begin(), value.begin() + 3, pixel, [&](float color) { return color * pixel[3]; });
+  }
+  else if (inputs.Key.Blend == BlendGroup::Sum)
+  {
+    const bool counts = pixel[1] > 0;
+    const float divisor =
+      counts && inputs.Blend->Mode == BlendMode::Average ? pixel[1] : 1.0f;
+    const float gray = counts && pixel[0] > 0 ? std::min(pixel[0] / divisor, 1.0f) : 0.0f;
+    std::fill(pixel, pixel + 3, gray);
+    pixel[3] = counts ? 1.0f : 0.0f;
+  }
+  else
+  {
+    pixel[3] = 1 - pixel[3];
+  }
+}
+
+} // namespace
+
+// March a band in this process, and see where the others are.
+PartStatus PiecesPicture::march(vtkOpenGLRenderWindow* window, MarchPass& march,
+  const MarchInputs& inputs, const Band& band, const PartStatus& before, SharedPicture& shared,
+  const Progress& progress, VisitLists& lists)
+{
+  PartStatus own = before;
+  own.Width = inputs.Area.Width;
+  own.Height = inputs.Area.Height;
+  lists = VisitLists(own.Width, band.EndRow - band.FirstRow);
+  lists.finish();
+  const double begin = vtkTimerLog::GetUniversalTime();
+  if (own.Error.empty() && !own.Stopped && shared.HasPiece)
+  {
+    const float atOnce = ToleranceAtOnce / static_cast<float>(shared.Processes->size());
+    const std::string shortage = withinMemory("the visits of rays",
+      [&]
+      {
+        own.Error = this->Visits.collect(window, march, inputs, band, atOnce, shared.MostBytes,
+          progress, own.Stopped, own.TooMuch, lists);
+      });
+    own.Error = shortage.empty() ? own.Error : shortage;
+    this->Draws += this->Visits.takeDraws();
+  }
+  shared.MarchSeconds += vtkTimerLog::GetUniversalTime() - begin;
+  shared.Visits += own.TooMuch ? 0 : lists.size();
+  return agreeOn(*shared.Processes, own);
+}
+
+// Band by band, as many as the memory for the visits asks for.
+PartStatus PiecesPicture::drawInBands(vtkOpenGLRenderWindow* window, MarchPass& march,
+  const MarchInputs& inputs, const PartStatus& before, SharedPicture& shared,
+  const Progress& progress, MergedPicture& merged)
+{
+  const int height = inputs.Area.Height;
+  merged = {};
+  merged.Width = inputs.Area.Width;
+  merged.Height = height;
+  shared.Visits = 0;
+  PartStatus all;
+  for (int b = 0; b < this->Bands; ++b)
+  {
+    const Band band{ height * b / this->Bands, height * (b + 1) / this->Bands };
+    VisitLists lists;
+    all = this->march(window, march, inputs, band, before, shared, progress, lists);
+    if (!all.Error.empty() || all.Stopped || all.TooMuch)
+    {
+      return all;
+    }
+    const MergedPicture part = mergeTogether(*shared.Processes, lists, ruleOf(inputs.Key.Blend),
+      static_cast<float>(inputs.Level.ErrorTolerance), shared.Exchange);
+    merged.Gathered.insert(merged.Gathered.end(), part.Gathered.begin(), part.Gathered.end());
+    merged.WorstError = std::max(merged.WorstError, part.WorstError);
+  }
+  return all;
+}
+
+std::string PiecesPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& area,
+  MarchPass& march, const MarchInputs& inputs, const PartStatus& before, SharedPicture& shared,
+  PictureApart& picture, const Progress& progress, bool& stopped)
+{
+  this->Draws = 0;
+  this->Bands = std::min(this->Bands, inputs.Area.Height);
+  MergedPicture merged;
+  PartStatus all = this->drawInBands(window, march, inputs, before, shared, progress, merged);
+  while (all.TooMuch && all.Error.empty() && !all.Stopped && this->Bands < inputs.Area.Height)
+  {
+    this->Bands = std::min(2 * this->Bands, inputs.Area.Height);
+    all = this->drawInBands(window, march, inputs, before, shared, progress, merged);
+  }
+  stopped = all.Stopped;
+  shared.SentBytes = shared.Processes->sentBytes() - shared.SentBytesBefore;
+  shared.WorstError = merged.WorstError;
+  shared.Bands = this->Bands;
+  if (!all.Error.empty() || stopped)
+  {
+    return all.Error;
+  }
+  if (all.TooMuch)
+  {
+    return "The visits of the rays of one row of pixels to the mesh of a process take more than " +
+           std::to_string(shared.MostBytes >> 20) +
+           " MiB. Give each process cells that lie together.";
+  }
+  for (std::size_t i = 0; i < merged.Gathered.size(); i += 4)
+  {
+    showColor(inputs, &merged.Gathered[i]);
+  }
+  return picture.show(window, area, merged.Width, merged.Height, merged.Gathered);
+}
+
+} // namespace tetmarch

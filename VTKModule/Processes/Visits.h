@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What rays gather of one process's piece of a volume.
+#ifndef TetMarchProcessesVisits_h
+#define TetMarchProcessesVisits_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tetmarch
+{
+
+/** What a ray has gathered between entering a piece and leaving it. Depths are those along the ray
+ * in the normalised frame of the whole volume, so that those of all processes can be compared. */
+struct Visit
+{
+  float Begin, End;
+  /** Emission and absorption, or surfaces: premultiplied red, green, blue, and the transmittance
+   * 0..1 of this part alone. The greatest or least scalar: that and three zeros. Sums: the sum, the
+   * length that counts, and two zeros. */
+  std::array<float, 4> Gathered;
+  float Error; // no channel of this part is off by more
+};
+
+/** How visits become one. */
+enum class MergeRule
+{
+  Over,     // front to back
+  Greatest, // of the first number
+  Sum
+};
+
+/** The visits of the pixels of a picture, each pixel's front to back. */
+class VisitLists
+{
+public:
+  VisitLists() = default;
+  VisitLists(int width, int height)
+    : Width(width)
+    , Height(height)
+  {
+  }
+
+  int width() const { return this->Width; }
+  int height() const { return this->Height; }
+  /** Pixels are counted from the lower left, row by row. The visits of a pixel are added in their
+   * order, those of other pixels may come between them. */
+  void add(std::uint32_t pixel, const Visit& visit)
+  {
+    this->Pixels.push_back(pixel);
+    this->Added.push_back(visit);
+  }
+  /** What was added becomes the lists. */
+  void finish();
+
+  std::size_t size() const { return this->Added.size(); }
+  std::size_t bytes() const { return this->Added.size() * (sizeof(Visit) + sizeof(std::uint32_t)); }
+  const Visit* begin(std::uint32_t pixel) const
+  {
+    return this->Added.data() + this->Starts[pixel];
+  }
+  const Visit* end(std::uint32_t pixel) const
+  {
+    return this->Added.data() + this->Starts[pixel + 1];
+  }
+  std::uint32_t count(std::uint32_t pixel) const
+  {
+    return this->Starts[pixel + 1] - this->Starts[pixel];
+  }
+
+private:
+  int Width = 0;
+  int Height = 0;
+  std::vector<std::uint32_t> Pixels;
+  std::vector<Visit> Added;
+  std::vector<std::uint32_t> Starts; // of each pixel's list, and the end of the last
+};
+
+/** What of a pixel all processes have gathered together, in the form of Visit::Gathered, and how
+ * far it may be off. */
+struct MergedPixel
+{
+  std::array<float, 4> Gathered;
+  float Error;
+};
+
+/** A pixel that nothing was gathered in. */
+MergedPixel emptyPixel(MergeRule rule);
+
+/** Merge the visits of one pixel, which are sorted. What lies behind a transmittance below `opaque`
+ * is left out, and counts as error. */
+MergedPixel mergeVisits(std::vector<Visit>& visits, MergeRule rule, float opaque);
+
+} // namespace tetmarch
+
+#endif
