@@ -136,10 +136,10 @@ public:
 
   //@{
   /**
-   * The memory that each process may take for the visits of rays, in bytes, at least a million.
+   * The memory that each process may take for the visits of rays, in bytes, at least 100 000.
    * Pictures with more are drawn in bands of rows, one after the other. Default: 2^30.
    */
-  vtkSetClampMacro(MaxVisitMemoryInBytes, vtkTypeInt64, 1000000, VTK_TYPE_INT64_MAX);
+  vtkSetClampMacro(MaxVisitMemoryInBytes, vtkTypeInt64, 100000, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaxVisitMemoryInBytes, vtkTypeInt64);
   //@}
 

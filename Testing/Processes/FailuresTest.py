@@ -27,9 +27,9 @@ class FailuresTest(unittest.TestCase):
             self.assertIn(f"process {rank}: False False True", printed)
         if WORDS[case]:
             self.assertRegex(printed, WORDS[case])
-            self.assertEqual(printed.count("ERROR"), 1, printed)
+            self.assertEqual(printed.count("ERR|"), 1, printed)
         else:
-            self.assertNotIn("ERROR", printed)
+            self.assertNotIn("ERR|", printed)
 
 
 def add_test(case):

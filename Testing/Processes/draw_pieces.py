@@ -98,6 +98,8 @@ SCENES = {
     "fast": {"level": "Fast"},
     "coarse": {"distance": 2.0},
     "blocks": {"blocks": True},
+    "shadows": {"shaded": True, "shadows": True, "partition": "slabs"},
+    "bands": {"partition": "random_cells", "visit_bytes": 100000},
 }
 
 
@@ -117,7 +119,7 @@ def change_scalars(grid, scene):
 
 class Picture:
     def __init__(self, scene, controller):
-        self.controller = controller
+        self.controller, self.size = controller, SIZE
         rank, processes = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
         grid = scene.get("grid", tetrahedra)()
         change_scalars(grid, scene)
@@ -144,6 +146,8 @@ class Picture:
         self.window.AddRenderer(self.renderer)
         self.mapper.ShareBounds()
         self.set_camera(scene)
+        if scene.get("shadows"):
+            self.add_light()
 
     def set_input(self, piece, scene):
         if scene.get("scalars") == "of_cells":
@@ -179,6 +183,7 @@ class Picture:
         for i, value in enumerate((0.36, 0.47, 0.58)):
             prop.GetIsoSurfaceValues().SetValue(i, value)
         prop.SetShade(scene.get("shaded", False))
+        self.mapper.SetShadowMethod(self.mapper.SHADOWS_AT_VERTICES if scene.get("shadows") else 0)
         if scene.get("gradient_opacity"):
             opacities = vtk.vtkPiecewiseFunction()
             opacities.AddPoint(0.0, 0.1)
@@ -186,6 +191,7 @@ class Picture:
             prop.SetGradientOpacity(opacities)
         getattr(self.mapper, "SetAccuracyLevelTo" + scene.get("level", "Default"))()
         self.mapper.SetImageSampleDistance(scene.get("distance", 1.0))
+        self.mapper.SetMaxVisitMemoryInBytes(scene.get("visit_bytes", 1 << 30))
 
     def set_cuts(self, scene):
         if scene.get("clipped"):
@@ -207,6 +213,16 @@ class Picture:
         actor = vtk.vtkActor()
         actor.SetMapper(mapper)
         self.renderer.AddActor(actor)
+
+    def add_light(self):
+        """From the side, across the slabs: the pieces cast shadows on each other."""
+        self.renderer.AutomaticLightCreationOff()
+        light = vtk.vtkLight()
+        light.SetLightTypeToSceneLight()
+        light.SetPosition(5.0, 0.3, 1.0)
+        light.SetFocalPoint(0.5, 0.5, 0.5)
+        light.SetShadowAttenuation(1.0)
+        self.renderer.AddLight(light)
 
     def set_camera(self, scene):
         camera = self.renderer.GetActiveCamera()
@@ -233,7 +249,7 @@ class Picture:
         grab.ShouldRerenderOff()
         grab.Update()
         pixels = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
-        return pixels.reshape(SIZE[1], SIZE[0], 4).copy()
+        return pixels.reshape(self.size[1], self.size[0], 4).copy()
 
     def figures(self):
         """Of all processes, in process 0."""

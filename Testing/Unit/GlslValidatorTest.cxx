@@ -135,6 +135,15 @@ TEST_F(GlslValidator, TakesPicks)
   this->expectVariants("passes/pick.frag.glsl", coveringKeys(legalPickKeys()));
 }
 
+TEST_F(GlslValidator, TakesVisits)
+{
+  std::vector<VariantKey> keys = coveringKeys(legalKeys());
+  const auto hasNone = [](const VariantKey& key)
+  { return key.Structured || key.Peeled || key.Diagnostics; };
+  keys.erase(std::remove_if(keys.begin(), keys.end(), hasNone), keys.end());
+  this->expectVariants("passes/visit.frag.glsl", keys);
+}
+
 TEST_F(GlslValidator, TakesTheOtherPasses)
 {
   for (const VariantKey& picture : coveringKeys(legalPickKeys()))
@@ -152,7 +161,7 @@ TEST_F(GlslValidator, TakesTheOtherPasses)
   {
     const std::string name = entry.path().filename().string();
     const std::set<std::string> ofVariants{ "march.frag.glsl", "vertex_light.frag.glsl",
-      "pick.frag.glsl", "boundary_view.frag.glsl" };
+      "pick.frag.glsl", "boundary_view.frag.glsl", "visit.frag.glsl" };
     const bool entryPoint =
       name.find(".frag.") != std::string::npos || name.find(".vert.") != std::string::npos;
     if (entryPoint && ofVariants.count(name) == 0)

@@ -5,6 +5,7 @@
 #include "Mesh/CellCutter.h"
 #include "Mesh/CellTypes.h"
 #include "Mesh/GridCheck.h"
+#include "Mesh/PieceOptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +71,7 @@ PointOrder orderByCoordinates(vtkUnstructuredGrid* grid, bool inFloat)
     grid->GetPoint(i, points[i].data());
     for (double& x : points[i])
     {
-      x = inFloat ? double(static_cast<float>(x)) : x;
+      x = inFloat ? roundedToFloat(x) : x;
       x = std::isfinite(x) ? x : 0;
     }
   }

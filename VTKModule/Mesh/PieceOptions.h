@@ -28,6 +28,10 @@ struct PieceOptions
   }
 };
 
+/** The nearest float. Not inline: where GCC 12 unrolls a loop over three coordinates at -O3, it
+ * leaves the rounding of two of them out. */
+double roundedToFloat(double x);
+
 } // namespace tetmarch
 
 #endif

@@ -163,7 +163,7 @@ std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& pr
           points->GetPoint(p, positions[i].data());
           for (double& x : positions[i])
           {
-            x = piece.InFloat ? double(static_cast<float>(x)) : x;
+            x = piece.InFloat ? roundedToFloat(x) : x;
           }
         }
         else

@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws pieces of a grid in several processes: mpiexec -n N pvbatch draw_parallel.py --plugin ... --data F.pvtu
+
+The file has as many pieces as there are processes. Each scene's picture and how many cells were read go to FOLDER.
+"""
+import argparse
+import json
+import pathlib
+
+from paraview import servermanager, simple
+from views import load_plugin, open_view, show
+
+ARRAY = "field"
+
+# name: properties of the representation, and what else is in the view.
+SCENES = {
+    "composite": {},
+    "maximum": {"BlendMode": "Maximum Intensity"},
+    "minimum": {"BlendMode": "Minimum Intensity"},
+    "average": {"BlendMode": "Average Intensity"},
+    "additive": {"BlendMode": "Additive"},
+    "isosurface": {"BlendMode": "Isosurface", "IsosurfaceValues": [0.36, 0.47, 0.58]},
+    "shaded": {"Shade": 1, "Ambient": 0.2, "Diffuse": 0.8, "Specular": 0.3},
+    "cropped": {"UseCropping": 1, "CroppingScale": [0.5, 1.0, 1.0]},
+    "cells": {"array": ("CELLS", "of_cells")},
+    "inside": {"camera": ([0.35, 0.12, 0.41], [0.7, 0.9, 0.6])},
+    "surface": {"surface": True},
+    "moving": {"interactive": True},
+}
+
+
+def set_functions(name):
+    colors = simple.GetColorTransferFunction(name)
+    colors.RGBPoints = [0.1, 0.1, 0.2, 0.9, 0.4, 0.2, 0.9, 0.3, 0.7, 0.9, 0.8, 0.1]
+    opacities = simple.GetOpacityTransferFunction(name)
+    opacities.Points = [0.0, 0.1, 0.5, 0.0, 0.35, 0.1, 0.5, 0.0, 0.5, 0.6, 0.5, 0.0, 0.6, 0.1, 0.5, 0.0, 0.9, 0.8, 0.5, 0.0]
+
+
+def look_from(view, position, focus):
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = position, focus, [0, 0, 1]
+
+
+def draw(reader, name, scene, folder, exact):
+    view = open_view()
+    view.ViewSize = [200, 150]
+    view.UseFXAA = 0  # which ParaView applies in parallel alone
+    association, array = scene.get("array", ("POINTS", ARRAY))
+    display = show(reader, view, array, association)
+    set_functions(array)
+    display.ScalarOpacityUnitDistance = 0.25
+    display.TetMarchExactCompositing = exact
+    for key, value in scene.items():
+        if key[0].isupper():
+            setattr(display, "TetMarch" + key, value)
+    surface = None
+    if scene.get("surface"):
+        # Of all processes: each has a part of the slice.
+        surface = simple.Slice(Input=reader)
+        surface.SliceType.Origin, surface.SliceType.Normal = [0.5, 0.5, 0.5], [0.3, 1.0, 0.2]
+        simple.ColorBy(simple.Show(surface, view), None)
+    look_from(view, *scene.get("camera", ([1.5, -2.2, 1.6], [0.5, 0.5, 0.45])))
+    simple.Render(view)
+    if scene.get("interactive"):
+        view.SMProxy.InteractiveRender()
+    simple.SaveScreenshot(str(folder / f"{name}.png"), view, TransparentBackground=0)
+    if surface:
+        simple.Delete(surface)
+    simple.Delete(view)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ("plugin", "data", "folder"):
+        parser.add_argument("--" + name, required=True)
+    parser.add_argument("--scenes", nargs="*", default=list(SCENES))
+    parser.add_argument("--pieces", action="store_true", help="one over the other")
+    arguments = parser.parse_args()
+    load_plugin(arguments)
+    folder = pathlib.Path(arguments.folder)
+    reader = simple.XMLPartitionedUnstructuredGridReader(FileName=[arguments.data])
+    reader.UpdatePipeline()
+    for name in arguments.scenes:
+        draw(reader, name, SCENES[name], folder, 0 if arguments.pieces else 1)
+    cells = reader.GetDataInformation().GetNumberOfCells()
+    processes = servermanager.ActiveConnection.GetNumberOfDataPartitions()
+    (folder / "read.json").write_text(json.dumps({"cells": cells, "processes": processes}))
+
+
+main()
