@@ -43,24 +43,22 @@ vec4 gatheredBy(March march, vec3 direction)
 
 void main()
 {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  vec4 next = texelFetch(nextEntryTexture, at, 0);
+  Entry entry;
+  entry.depth = next.x;
+  entry.face = faceOf(next);
+  if (!isFirstVisit && entry.face < 0)
+  {
+    discard;
+  }
   PixelRay pixel = seenPixelRay();
-  Traversal traversal;
-  float done = pixel.depthBegin;
-  float passed = 1.0; // transmittance of the visits before
+  float done = isFirstVisit ? pixel.depthBegin : next.w;
+  float passed = isFirstVisit ? 1.0 : texelFetch(visitTexture, at, 0).w; // transmittance of the visits before
+  Traversal traversal = traversalAt(pixel.ray, entry);
   if (isFirstVisit)
   {
     traversal = traversalFrom(pixel.ray, pixel.depthBegin);
-  }
-  else
-  {
-    ivec2 at = ivec2(gl_FragCoord.xy);
-    vec4 next = texelFetch(nextEntryTexture, at, 0);
-    Entry entry;
-    entry.depth = next.x;
-    entry.face = faceOf(next);
-    traversal = traversalAt(pixel.ray, entry);
-    done = next.w;
-    passed = texelFetch(visitTexture, at, 0).w;
   }
   if (traversal.entry.face < 0)
   {

@@ -92,15 +92,17 @@ void FloatTarget::unbindImages() const
   }
 }
 
-std::vector<float> FloatTarget::read(vtkOpenGLRenderWindow* window, int i) const
+std::vector<float> FloatTarget::read(
+  vtkOpenGLRenderWindow* window, int i, const Viewport& part) const
 {
-  std::vector<float> pixels(4 * static_cast<std::size_t>(this->Width) * this->Height);
+  std::vector<float> pixels(4 * static_cast<std::size_t>(part.Width) * part.Height);
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
   this->Framebuffer->ActivateReadBuffer(i);
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, pixels.data());
+  glReadPixels(
+    part.X, part.Y, part.Width, part.Height, GL_RGBA, GL_FLOAT, pixels.data());
   state->PopFramebufferBindings();
   return pixels;
 }

@@ -4,6 +4,8 @@
 #ifndef TetMarchGLFloatTarget_h
 #define TetMarchGLFloatTarget_h
 
+#include "GL/Viewport.h"
+
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
@@ -38,7 +40,12 @@ public:
   void unbindImages() const;
   vtkTextureObject* color(int i) const { return this->Colors[i]; }
   /** The pixels of colour i, rows from the bottom. */
-  std::vector<float> read(vtkOpenGLRenderWindow* window, int i) const;
+  std::vector<float> read(vtkOpenGLRenderWindow* window, int i) const
+  {
+    return this->read(window, i, { 0, 0, this->Width, this->Height });
+  }
+  /** Those of a part. */
+  std::vector<float> read(vtkOpenGLRenderWindow* window, int i, const Viewport& part) const;
   void release(vtkWindow* window);
   std::size_t bytes() const { return this->Bytes; }
 

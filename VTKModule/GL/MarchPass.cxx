@@ -151,8 +151,8 @@ std::string MarchPass::drawApart(vtkOpenGLRenderWindow* window, const FloatTarge
   if (inputs.Visits)
   {
     state->vtkglEnable(GL_SCISSOR_TEST);
-    state->vtkglScissor(0, inputs.Visits->FirstRow, target.Width,
-      inputs.Visits->EndRow - inputs.Visits->FirstRow);
+    const Viewport& part = inputs.Visits->Part;
+    state->vtkglScissor(part.X, part.Y, part.Width, part.Height);
   }
   return drawInTiles(window, target, inputs.MostSecondsPerDraw, tiles, progress, stopped,
     [&](const Viewport& tile)

@@ -36,8 +36,7 @@ struct VisitInputs
   bool IsFirst = true;                   // then these two textures have nothing to say
   vtkTextureObject* Before = nullptr;    // colour of the visit before, and transmittance
   vtkTextureObject* NextEntry = nullptr; // where the visit before has ended
-  int FirstRow = 0;                      // of the pixels that are marched
-  int EndRow = 0;
+  Viewport Part;                         // of the target, which is marched
 };
 
 /** What the march reads. */

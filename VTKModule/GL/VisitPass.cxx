@@ -4,6 +4,8 @@
 
 #include "GL/StateScope.h"
 
+#include <algorithm>
+
 namespace tetmarch
 {
 namespace
@@ -25,6 +27,22 @@ bool showsSomething(const Visit& visit, BlendGroup blend)
   }
 }
 
+// The area grows so that it has the pixel.
+void addPixel(int x, int y, Viewport& area)
+{
+  if (area.Width == 0)
+  {
+    area = { x, y, 1, 1 };
+    return;
+  }
+  const int right = std::max(area.X + area.Width, x + 1);
+  const int top = std::max(area.Y + area.Height, y + 1);
+  area.X = std::min(area.X, x);
+  area.Y = std::min(area.Y, y);
+  area.Width = right - area.X;
+  area.Height = top - area.Y;
+}
+
 } // namespace
 
 std::string VisitPass::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
@@ -33,8 +51,8 @@ std::string VisitPass::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
 {
   lists = VisitLists(inputs.Area.Width, band.EndRow - band.FirstRow);
   StateScope state(window);
-  bool goesOn = true;
-  for (int visit = 0; goesOn; ++visit)
+  Viewport part{ 0, band.FirstRow, inputs.Area.Width, band.EndRow - band.FirstRow };
+  for (int visit = 0; part.Width > 0 && part.Height > 0; ++visit)
   {
     if (visit == MostVisits)
     {
@@ -54,8 +72,7 @@ std::string VisitPass::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
     }
     VisitInputs visits;
     visits.AtOnce = atOnce;
-    visits.FirstRow = band.FirstRow;
-    visits.EndRow = band.EndRow;
+    visits.Part = part;
     visits.IsFirst = visit == 0;
     visits.Before = before.color(1);
     visits.NextEntry = before.color(2);
@@ -68,7 +85,7 @@ std::string VisitPass::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
     {
       return error;
     }
-    goesOn = this->take(window, target, inputs, band, lists);
+    part = this->take(window, target, inputs, part, band, lists);
     if (lists.bytes() > mostBytes)
     {
       tooMuch = true;
@@ -79,29 +96,34 @@ std::string VisitPass::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
   return {};
 }
 
-// Whether some ray enters again.
-bool VisitPass::take(vtkOpenGLRenderWindow* window, const FloatTarget& target,
-  const MarchInputs& inputs, const Band& band, VisitLists& lists) const
+// Take the visits of a part. Returns the part in which rays enter again.
+Viewport VisitPass::take(vtkOpenGLRenderWindow* window, const FloatTarget& target,
+  const MarchInputs& inputs, const Viewport& part, const Band& band, VisitLists& lists) const
 {
-  const std::vector<float> depths = target.read(window, 0);
-  const std::vector<float> colors = target.read(window, 1);
-  const std::vector<float> next = target.read(window, 2);
-  const std::size_t row = 4 * static_cast<std::size_t>(inputs.Area.Width);
-  const std::size_t begin = row * band.FirstRow;
-  bool goesOn = false;
-  for (std::size_t i = begin; i < row * band.EndRow; i += 4)
+  const std::vector<float> depths = target.read(window, 0, part);
+  const std::vector<float> colors = target.read(window, 1, part);
+  const std::vector<float> next = target.read(window, 2, part);
+  Viewport again;
+  std::size_t i = 0;
+  for (int y = part.Y; y < part.Y + part.Height; ++y)
   {
-    // Begin and end, which are both 0 where nothing was drawn; transmittance; error.
-    const float* part = &depths[i];
-    const float* color = &colors[i];
-    const Visit visit{ part[0], part[1], { { color[0], color[1], color[2], part[2] } }, part[3] };
-    if (visit.End > visit.Begin && showsSomething(visit, inputs.Key.Blend))
+    for (int x = part.X; x < part.X + part.Width; ++x, i += 4)
     {
-      lists.add(static_cast<std::uint32_t>((i - begin) / 4), visit);
+      // Begin and end, which are both 0 where nothing was drawn; transmittance; error.
+      const float* of = &depths[i];
+      const float* color = &colors[i];
+      const Visit visit{ of[0], of[1], { { color[0], color[1], color[2], of[2] } }, of[3] };
+      if (visit.End > visit.Begin && showsSomething(visit, inputs.Key.Blend))
+      {
+        lists.add(static_cast<std::uint32_t>((y - band.FirstRow) * lists.width() + x), visit);
+      }
+      if (next[i + 1] > 0 || next[i + 2] > 0)
+      {
+        addPixel(x, y, again);
+      }
     }
-    goesOn = goesOn || next[i + 1] > 0 || next[i + 2] > 0;
   }
-  return goesOn;
+  return again;
 }
 
 void VisitPass::release(vtkWindow* window)
