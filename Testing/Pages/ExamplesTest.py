@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The pages' Python, word for word: ExamplesTest.py BUILD_FOLDER."""
+import importlib.util
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import unittest
@@ -74,6 +76,24 @@ class ExamplesTest(unittest.TestCase):
         self.assertTrue(0 <= float(true_error) < 1e-3, true_error)
         self.assertRegex(budget, r"^[0-3] [0-9.e-]+ (True|False)$")
 
+    def test_that_of_several_processes_draws_the_volume(self):
+        if not shutil.which("mpiexec") or not importlib.util.find_spec("mpi4py"):
+            self.skipTest("there is no MPI")
+        page = text_of("Documentation/Processes.md")
+        (block,) = fenced_blocks(page, "python")
+        (command,) = re.findall(r"^ +(PYTHONPATH=.*parallel\.py)$", page, re.MULTILINE)
+        (self.folder / "parallel.py").write_text(block, encoding="utf-8")
+        environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+        environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                           OMPI_MCA_rmaps_base_oversubscribe="1", LP_NUM_THREADS="1")
+        result = subprocess.run(["bash", "-c", command.replace("/usr/bin/python3", sys.executable)], cwd=self.folder,
+                                env=environment, text=True, capture_output=True, timeout=300)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertNotIn("ERR|", result.stderr)
+        pixels = read_pixels(self.folder / "parallel.png")
+        self.assertGreater(share(pixels, lambda r, g, b: r > 100 and r > 1.3 * b), 0.005)
+        self.assertGreater(share(pixels, lambda r, g, b: max(r, g, b) > 0), 0.1)
+
     def test_properties_of_the_plugins_are_its_own(self):
         """That example needs ParaView; here its properties and their values are looked up in what ParaView reads."""
         (block,) = fenced_blocks(text_of("Plugin/README.md"), "python")
@@ -89,7 +109,8 @@ class ExamplesTest(unittest.TestCase):
 
     def test_every_example_is_here(self):
         shown = [name_of(page) for page in pages() if fenced_blocks(page.read_text(encoding="utf-8"), "python")]
-        self.assertEqual(shown, ["Documentation/AccuracyLevels.md", "Plugin/README.md", "README.md"])
+        self.assertEqual(shown, ["Documentation/AccuracyLevels.md", "Documentation/Processes.md", "Plugin/README.md",
+                                 "README.md"])
 
 
 if __name__ == "__main__":

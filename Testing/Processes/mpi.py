@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a script in several processes, for so long and no longer."""
+import importlib.util
 import os
 import pathlib
 import shutil
@@ -15,7 +16,7 @@ ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": 
 
 
 def has_mpi():
-    return shutil.which("mpiexec") is not None
+    return shutil.which("mpiexec") is not None and importlib.util.find_spec("mpi4py") is not None
 
 
 def run(processes, script, *arguments, seconds=300):
