@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import socket
 import subprocess
 import sys
 import tempfile
@@ -112,6 +113,32 @@ class ParallelTest(unittest.TestCase):
                 for name, pixels in self.draw(partition, processes, scenes).items():
                     apart = np.abs(pixels - self.of_one[name])
                     self.assertLessEqual(apart.max(), MOST, f"{name}: {np.count_nonzero(apart > MOST)} values")
+
+    def test_a_client_shows_what_servers_draw(self):
+        """pvserver in two processes; pvpython is the client."""
+        with socket.socket() as free:
+            free.bind(("", 0))
+            port = free.getsockname()[1]
+        folder = self.folder / "client"
+        folder.mkdir()
+        data = write_pieces(self.grid, "spirals", 2, folder)
+        programs = pathlib.Path(PVBATCH).parent
+        environment = {**os.environ, **mpi.ENVIRONMENT, "PYTHONPATH": str(HERE)}
+        server = subprocess.Popen(["mpiexec", "-n", "2", programs / "pvserver", f"--server-port={port}"], env=environment,
+                                  text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.addCleanup(server.stdout.close)
+        self.addCleanup(server.wait, 30)
+        self.addCleanup(server.terminate)
+        while "Accepting" not in (line := server.stdout.readline()):
+            self.assertTrue(line, "pvserver ended")
+        result = subprocess.run([programs / "pvpython", HERE / "draw_parallel.py", "--plugin", PLUGIN, "--data", data,
+                                 "--folder", folder, "--server", str(port), "--scenes", "composite", "surface", "moving"],
+                                text=True, timeout=200, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment)
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertNotIn("ERR|", result.stdout)
+        for name in ("composite", "surface", "moving"):
+            apart = np.abs(picture(folder / f"{name}.png") - self.of_one[name])
+            self.assertLessEqual(apart.max(), MOST, f"{name}: {np.count_nonzero(apart > MOST)} values")
 
     def test_pieces_over_each_other_differ(self):
         """So the test above can fail."""

@@ -75,7 +75,11 @@ def main():
         parser.add_argument("--" + name, required=True)
     parser.add_argument("--scenes", nargs="*", default=list(SCENES))
     parser.add_argument("--pieces", action="store_true", help="one over the other")
+    parser.add_argument("--server", type=int, help="the port of a pvserver, which draws")
     arguments = parser.parse_args()
+    if arguments.server:
+        simple.Connect("localhost", arguments.server)
+        simple.LoadPlugin(arguments.plugin, remote=True, ns=globals())
     load_plugin(arguments)
     folder = pathlib.Path(arguments.folder)
     reader = simple.XMLPartitionedUnstructuredGridReader(FileName=[arguments.data])
