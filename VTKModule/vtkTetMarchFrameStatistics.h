@@ -197,8 +197,8 @@ public:
    * Of the last frame, if a controller has several processes draw the volume: visits of rays to the
    * piece of this process; bytes that it has sent to others; the seconds that it took to march its
    * piece, to exchange visits, to merge those of its part of the picture, and to spread the merged
-   * parts, with the time of waiting for others in each of the last three but merging; and a bound of
-   * the error of the worst pixel, 0..1 of a channel. Else 0.
+   * parts, with the time of waiting for others in each of the last three but merging; and a bound
+   * of the error of the worst pixel, 0..1 of a channel. Else 0.
    */
   vtkGetMacro(NumberOfVisits, vtkTypeInt64);
   vtkGetMacro(SentBytes, vtkTypeInt64);

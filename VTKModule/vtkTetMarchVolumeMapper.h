@@ -59,9 +59,9 @@
 #ifndef vtkTetMarchVolumeMapper_h
 #define vtkTetMarchVolumeMapper_h
 
-#include "vtkSmartPointer.h" // For vtkSmartPointer
 #include "vtkMath.h"                     // For vtkMath::Nan
 #include "vtkRenderingTetMarchModule.h"  // For export macro
+#include "vtkSmartPointer.h"             // For vtkSmartPointer
 #include "vtkTetMarchSettingsMacros.h"   // For methods of the settings
 #include "vtkTetMarchStatisticsMacros.h" // For methods of the statistics
 #include "vtkUnstructuredGridVolumeMapper.h"
@@ -110,9 +110,9 @@ public:
    * it, whatever shape the pieces have: they may interlock, lie within each other or be empty. Each
    * process marches its own cells, and what rays have gathered at each of their visits to a piece
    * is exchanged, put in order of depth and composited. Opaque geometry of any process hides what
-   * lies behind it. So that compositors of whole frames by depth (vtkCompositedSynchronizedRenderers,
-   * IceT) take these pixels, the volume has a depth where nothing opaque is seen: that just before
-   * the far plane.
+   * lies behind it. So that compositors of whole frames by depth
+   * (vtkCompositedSynchronizedRenderers, IceT) take these pixels, the volume has a depth where
+   * nothing opaque is seen: that just before the far plane.
    *
    * Render() is collective then: all processes call it in the same order, with windows of the same
    * size and the same camera, property and settings, and each has an input, which may have no cells

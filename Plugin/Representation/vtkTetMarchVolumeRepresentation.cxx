@@ -144,9 +144,9 @@ vtkMultiProcessController* vtkTetMarchVolumeRepresentation::FindPartners(
   vtkInformation* inInfo) const
 {
   auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
-  const bool distributed =
-    view && (inInfo->Has(vtkPVRenderView::USE_LOD()) ? view->GetUseDistributedRenderingForLODRender()
-                                                     : view->GetUseDistributedRenderingForRender());
+  const bool distributed = view && (inInfo->Has(vtkPVRenderView::USE_LOD())
+                                       ? view->GetUseDistributedRenderingForLODRender()
+                                       : view->GetUseDistributedRenderingForRender());
   auto* all = vtkMultiProcessController::GetGlobalController();
   const bool alone = all && all->GetNumberOfProcesses() == 1;
   const bool exact = this->ExactCompositing && view && (distributed || alone) &&

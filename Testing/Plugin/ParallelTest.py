@@ -99,6 +99,7 @@ class ParallelTest(unittest.TestCase):
         cells = cls.grid.GetNumberOfCells()
         if read["processes"] != processes or (read["cells"] <= cells if ghosts else read["cells"] != cells):
             raise AssertionError(f"{read} was read, but there are {cells} cells in {processes} pieces")
+        cls.figures = json.loads((folder / "figures.json").read_text())
         return {file.stem: picture(file) for file in folder.glob("*.png")}
 
     def test_one_process_shows_something(self):
@@ -113,6 +114,11 @@ class ParallelTest(unittest.TestCase):
                 for name, pixels in self.draw(partition, processes, scenes).items():
                     apart = np.abs(pixels - self.of_one[name])
                     self.assertLessEqual(apart.max(), MOST, f"{name}: {np.count_nonzero(apart > MOST)} values")
+
+    def test_figures_of_process_0(self):
+        self.draw("metis" if partitions.has_metis() else "slabs", 2, ("composite",))
+        for name, value in self.figures["composite"].items():
+            self.assertGreater(value, 0, name)
 
     def test_a_client_shows_what_servers_draw(self):
         """pvserver in two processes; pvpython is the client."""

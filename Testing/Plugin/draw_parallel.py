@@ -12,6 +12,7 @@ from paraview import servermanager, simple
 from views import load_plugin, open_view, show
 
 ARRAY = "field"
+FIGURES = ("NumberOfVisits", "SentBytes", "MarchSeconds", "ExchangeSeconds", "MergeSeconds", "SpreadSeconds")
 
 # name: properties of the representation, and what else is in the view.
 SCENES = {
@@ -64,9 +65,12 @@ def draw(reader, name, scene, folder, exact):
     if scene.get("interactive"):
         view.SMProxy.InteractiveRender()
     simple.SaveScreenshot(str(folder / f"{name}.png"), view, TransparentBackground=0)
+    display.UpdatePropertyInformation()
+    figures = {figure: display.GetPropertyValue("TetMarch" + figure) for figure in FIGURES}
     if surface:
         simple.Delete(surface)
     simple.Delete(view)
+    return figures
 
 
 def main():
@@ -84,8 +88,9 @@ def main():
     folder = pathlib.Path(arguments.folder)
     reader = simple.XMLPartitionedUnstructuredGridReader(FileName=[arguments.data])
     reader.UpdatePipeline()
-    for name in arguments.scenes:
-        draw(reader, name, SCENES[name], folder, 0 if arguments.pieces else 1)
+    figures = {name: draw(reader, name, SCENES[name], folder, 0 if arguments.pieces else 1)
+               for name in arguments.scenes}
+    (folder / "figures.json").write_text(json.dumps(figures))
     cells = reader.GetDataInformation().GetNumberOfCells()
     processes = servermanager.ActiveConnection.GetNumberOfDataPartitions()
     (folder / "read.json").write_text(json.dumps({"cells": cells, "processes": processes}))

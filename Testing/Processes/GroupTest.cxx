@@ -126,7 +126,8 @@ TEST(Group, TheFirstErrorIsThatOfAll)
         EXPECT_EQ(sharedError(group, ""), "");
         const int last = size - 1;
         const std::string error = sharedError(group, group.rank() == last ? "no memory." : "");
-        EXPECT_EQ(error, size > 1 ? "Process " + std::to_string(last) + ": no memory." : "no memory.");
+        EXPECT_EQ(
+          error, size > 1 ? "Process " + std::to_string(last) + ": no memory." : "no memory.");
         EXPECT_TRUE(anyOf(group, group.rank() == last));
         EXPECT_FALSE(anyOf(group, false));
       });

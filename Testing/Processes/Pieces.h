@@ -19,7 +19,8 @@ using Partition = std::function<int(vtkIdType cell)>;
 /** Each cell anywhere: the worst case. */
 Partition randomPartition(int processes, unsigned int seed);
 
-/** The cells of one process, with the points that they use, which have other numbers than in the grid. */
+/** The cells of one process, with the points that they use, which have other numbers than in the
+ * grid. */
 Grid pieceOf(vtkUnstructuredGrid* grid, const Partition& partition, int process);
 
 } // namespace testing

@@ -198,8 +198,7 @@ TEST(Pieces, HaveTheGradientsOfTheWhole)
           for (int k = 0; k < 3; ++k)
           {
             worst = std::max(worst, std::abs(double(together[v][k]) - double(right[k])));
-            worstAlone =
-              std::max(worstAlone, std::abs(double(alone[v][k]) - double(right[k])));
+            worstAlone = std::max(worstAlone, std::abs(double(alone[v][k]) - double(right[k])));
           }
         }
         EXPECT_LT(worst, 1e-5);

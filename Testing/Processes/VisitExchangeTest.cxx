@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Random lists of visits, exchanged and merged, against sorting everything in one place: to the last bit.
+// Random lists of visits, exchanged and merged, against sorting everything in one place: to the
+// last bit.
 #include "ThreadGroup.h"
 
 #include "Processes/VisitExchange.h"
@@ -46,7 +47,8 @@ struct Scene
           share(random) * (1 - transmittance), share(random) * (1 - transmittance),
           transmittance } };
         visit.Error = 0.001f * share(random);
-        pixel.emplace_back(static_cast<int>(random() % static_cast<unsigned int>(processes)), visit);
+        pixel.emplace_back(
+          static_cast<int>(random() % static_cast<unsigned int>(processes)), visit);
       }
     }
   }
@@ -151,8 +153,7 @@ TEST(VisitExchange, SmallPicturesAndProcessesWithoutVisits)
         }
         lists.finish();
         ExchangeFigures figures;
-        const MergedPicture picture =
-          mergeTogether(group, lists, MergeRule::Over, Opaque, figures);
+        const MergedPicture picture = mergeTogether(group, lists, MergeRule::Over, Opaque, figures);
         ASSERT_EQ(picture.Gathered.size(), static_cast<std::size_t>(4 * height));
         EXPECT_EQ(picture.Gathered[0], 0.5f);
         EXPECT_EQ(picture.Gathered[3], 0.5f);

@@ -117,9 +117,21 @@ def change_scalars(grid, scene):
         made_grids.add_array(grid.GetPointData(), SCALARS, values)
 
 
+def grab(window):
+    """What the window shows: an array of shape height, width, 4."""
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.SetInputBufferTypeToRGBA()
+    image.ReadFrontBufferOff()
+    image.ShouldRerenderOff()
+    image.Update()
+    width, height, _ = image.GetOutput().GetDimensions()
+    return vtk_to_numpy(image.GetOutput().GetPointData().GetScalars()).reshape(height, width, 4).copy()
+
+
 class Picture:
     def __init__(self, scene, controller):
-        self.controller, self.size = controller, SIZE
+        self.controller = controller
         rank, processes = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
         grid = scene.get("grid", tetrahedra)()
         change_scalars(grid, scene)
@@ -242,14 +254,7 @@ class Picture:
 
     def draw(self):
         self.window.Render()
-        grab = vtk.vtkWindowToImageFilter()
-        grab.SetInput(self.window)
-        grab.SetInputBufferTypeToRGBA()
-        grab.ReadFrontBufferOff()
-        grab.ShouldRerenderOff()
-        grab.Update()
-        pixels = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
-        return pixels.reshape(self.size[1], self.size[0], 4).copy()
+        return grab(self.window)
 
     def figures(self):
         """Of all processes, in process 0."""

@@ -8,7 +8,6 @@ What process 0 tells of it is an error of VTK.
 import sys
 
 import numpy as np
-import vtkmodules.all as vtk
 from mpi4py import MPI  # noqa: F401, which begins MPI, and ends it
 from vtkmodules.vtkParallelMPI import vtkMPIController
 
@@ -94,24 +93,10 @@ def main():
     picture = draw_pieces.Picture({}, controller)
     fault = CASES[sys.argv[1]]
     mend = fault(picture) if rank == FAULTY else lambda: None
-    broken = [shows_volume(draw(picture)) for _ in range(2)]
+    broken = [shows_volume(picture.draw()) for _ in range(2)]
     mend()
-    mended = shows_volume(draw(picture))
+    mended = shows_volume(picture.draw())
     print(f"process {rank}: {broken[0]} {broken[1]} {mended}", flush=True)
-
-
-def draw(picture):
-    picture.window.Render()
-    grab = vtk.vtkWindowToImageFilter()
-    grab.SetInput(picture.window)
-    grab.SetInputBufferTypeToRGBA()
-    grab.ReadFrontBufferOff()
-    grab.ShouldRerenderOff()
-    grab.Update()
-    image = grab.GetOutput()
-    width, height, _ = image.GetDimensions()
-    scalars = draw_pieces.vtk_to_numpy(image.GetPointData().GetScalars())
-    return scalars.reshape(height, width, 4).copy()
 
 
 if __name__ == "__main__":

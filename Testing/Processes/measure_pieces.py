@@ -30,8 +30,39 @@ def golf_ball():
     return reader.GetOutput()
 
 
-def draw(folder, partition, exact):
+def window_of(mapper, grid, least_opacity=0.0):
+    """The wake, seen from outside."""
     import vtkmodules.all as vtk
+    mapper.AutoAdjustSampleDistancesOff()
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectScalarArray("vorticity_mag")
+    mapper.SetInputData(grid)
+    volume = vtk.vtkVolume()
+    volume.SetMapper(mapper)
+    colors, opacities = vtk.vtkColorTransferFunction(), vtk.vtkPiecewiseFunction()
+    for point in ((0.2, 0.1, 0.2, 0.8), (2.0, 0.9, 0.9, 0.9), (6.0, 0.8, 0.1, 0.1)):
+        colors.AddRGBPoint(*point)
+    opacities.AddPoint(0.2, least_opacity)
+    opacities.AddPoint(6.0, 0.9)
+    volume.GetProperty().SetColor(colors)
+    volume.GetProperty().SetScalarOpacity(opacities)
+    volume.GetProperty().SetScalarOpacityUnitDistance(0.2)
+    renderer = vtk.vtkRenderer()
+    renderer.AddVolume(volume)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(0.3, -13.0, 4.5)
+    camera.SetFocalPoint(1.75, 0, -0.02)
+    camera.SetViewAngle(11.0)
+    camera.SetViewUp(0, 0, 1)
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(*SIZE)
+    window.AddRenderer(renderer)
+    return window
+
+
+def draw(folder, partition, exact):
     from mpi4py import MPI  # noqa: F401, which begins MPI, and ends it
     from vtkmodules.vtkParallelMPI import vtkMPIController
 
@@ -45,38 +76,12 @@ def draw(folder, partition, exact):
     mapper = draw_pieces.Mapper()
     if exact:
         mapper.SetController(controller)
-    mapper.AutoAdjustSampleDistancesOff()
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectScalarArray("vorticity_mag")
-    mapper.SetInputData(piece)
-    volume = vtk.vtkVolume()
-    volume.SetMapper(mapper)
-    colors = vtk.vtkColorTransferFunction()
-    for point in ((0.2, 0.1, 0.2, 0.8), (2.0, 0.9, 0.9, 0.9), (6.0, 0.8, 0.1, 0.1)):
-        colors.AddRGBPoint(*point)
-    opacities = vtk.vtkPiecewiseFunction()
-    for point in ((0.2, 0.0), (6.0, 0.9)):
-        opacities.AddPoint(*point)
-    volume.GetProperty().SetColor(colors)
-    volume.GetProperty().SetScalarOpacity(opacities)
-    volume.GetProperty().SetScalarOpacityUnitDistance(0.2)
-    renderer = vtk.vtkRenderer()
-    renderer.AddVolume(volume)
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(*SIZE)
-    window.AddRenderer(renderer)
+    window = window_of(mapper, piece)
     mapper.ShareBounds()
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(0.3, -13.0, 4.5)
-    camera.SetFocalPoint(1.75, 0, -0.02)
-    camera.SetViewAngle(11.0)
-    camera.SetViewUp(0, 0, 1)
-    renderer.ResetCameraClippingRange()
+    window.GetRenderers().GetFirstRenderer().ResetCameraClippingRange()
     figures = []
     picture = draw_pieces.Picture.__new__(draw_pieces.Picture)
-    picture.controller, picture.mapper, picture.window, picture.size = controller, mapper, window, SIZE
+    picture.controller, picture.mapper, picture.window = controller, mapper, window
     for _ in range(1 + (FRAMES_OF_RANDOM if partition == "random_cells" else FRAMES)):
         pixels = picture.draw()
         figures.append(picture.figures())

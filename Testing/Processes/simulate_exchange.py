@@ -17,48 +17,22 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path += [str(HERE), str(HERE.parent / "Benchmark")]
 
 import partitions  # noqa: E402
-from measure_pieces import SIZE, golf_ball  # noqa: E402
+from measure_pieces import SIZE, golf_ball, window_of  # noqa: E402
 from vtktetmarch import vtkTetMarchVolumeMapper  # noqa: E402
 
 COUNTS = (8, 64, 256, 1024)
+LEAST_OPACITY = 0.05  # of the stream: all of the mesh lets a little be seen
 VISIT_BYTES, COUNT_BYTES, SPAN_BYTES, PIXEL_BYTES = 32, 2, 8, 20  # of Visit, a count, a row's span, MergedPixel
-
-
-def scene(grid):
-    mapper = vtkTetMarchVolumeMapper()
-    mapper.AutoAdjustSampleDistancesOff()
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectScalarArray("vorticity_mag")
-    mapper.SetInputData(grid)
-    volume = vtk.vtkVolume()
-    volume.SetMapper(mapper)
-    colors, opacities = vtk.vtkColorTransferFunction(), vtk.vtkPiecewiseFunction()
-    colors.AddRGBPoint(0.2, 0.1, 0.2, 0.8)
-    colors.AddRGBPoint(6.0, 0.8, 0.1, 0.1)
-    opacities.AddPoint(0.2, 0.05)
-    opacities.AddPoint(6.0, 0.9)
-    volume.GetProperty().SetColor(colors)
-    volume.GetProperty().SetScalarOpacity(opacities)
-    volume.GetProperty().SetScalarOpacityUnitDistance(0.2)
-    renderer = vtk.vtkRenderer()
-    renderer.AddVolume(volume)
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetSize(*SIZE)
-    window.AddRenderer(renderer)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(0.3, -13.0, 4.5)
-    camera.SetFocalPoint(1.75, 0, -0.02)
-    camera.SetViewAngle(11.0)
-    camera.SetViewUp(0, 0, 1)
-    renderer.ResetCameraClippingRange()
-    window.Render()
-    return mapper, volume, window
 
 
 def trace(grid, stride):
     """Rows of pixels; of each pixel the cells that its ray crosses."""
-    mapper, volume, window = scene(grid)
+    mapper = vtkTetMarchVolumeMapper()
+    window = window_of(mapper, grid, LEAST_OPACITY)
+    renderer = window.GetRenderers().GetFirstRenderer()
+    renderer.ResetCameraClippingRange()
+    window.Render()
+    volume = renderer.GetVolumes().GetItemAsObject(0)
     table = vtk.vtkTable()
     rows = []
     for y in range(0, SIZE[1], stride):

@@ -19,8 +19,8 @@ class OwnCells
 {
 public:
   /** scalars: of the cells or points of the grid; may be nullptr. */
-  void update(vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool ofCells,
-    const CellOrigins& origins);
+  void update(
+    vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool ofCells, const CellOrigins& origins);
 
   /** The grid that was given if it has no duplicates. */
   vtkUnstructuredGrid* grid() const { return this->Grid; }

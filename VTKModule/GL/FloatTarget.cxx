@@ -60,8 +60,8 @@ std::string FloatTarget::bind(
   }
   this->Framebuffer->Bind();
   this->Framebuffer->ActivateDrawBuffers(colors);
-  // VTK's record of the state takes the buffers of the framebuffer that was bound before for those of
-  // this one, and sets none.
+  // VTK's record of the state takes the buffers of the framebuffer that was bound before for those
+  // of this one, and sets none.
   std::vector<GLenum> buffers(colors);
   std::iota(buffers.begin(), buffers.end(), GLenum(GL_COLOR_ATTACHMENT0));
   glDrawBuffers(colors, buffers.data());
@@ -101,8 +101,7 @@ std::vector<float> FloatTarget::read(
   this->Framebuffer->Bind();
   this->Framebuffer->ActivateReadBuffer(i);
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(
-    part.X, part.Y, part.Width, part.Height, GL_RGBA, GL_FLOAT, pixels.data());
+  glReadPixels(part.X, part.Y, part.Width, part.Height, GL_RGBA, GL_FLOAT, pixels.data());
   state->PopFramebufferBindings();
   return pixels;
 }

@@ -130,8 +130,8 @@ void FramePasses::noteVariant(const MarchInputs& inputs)
   }
 }
 
-std::string FramePasses::updateLight(vtkOpenGLRenderWindow* window,
-  const Fingerprint& lightVersion, const Progress& progress, MarchInputs& inputs, bool& stopped)
+std::string FramePasses::updateLight(vtkOpenGLRenderWindow* window, const Fingerprint& lightVersion,
+  const Progress& progress, MarchInputs& inputs, bool& stopped)
 {
   std::string error;
   if (inputs.Key.hasVertexLight())

@@ -37,7 +37,7 @@ std::string PictureApart::draw(vtkOpenGLRenderWindow* window, const Viewport& ar
     }
   }
   return error.empty() && !stopped ? this->blend(window, area, this->Target.color(0), enlarged)
-                                    : error;
+                                   : error;
 }
 
 std::string PictureApart::show(vtkOpenGLRenderWindow* window, const Viewport& area, int width,
@@ -77,8 +77,8 @@ std::string PictureApart::drawDepth(
   return this->drawOver(window, area, picture, "passes/picture_depth.frag.glsl");
 }
 
-std::string PictureApart::blend(vtkOpenGLRenderWindow* window, const Viewport& area,
-  vtkTextureObject* picture, bool enlarged)
+std::string PictureApart::blend(
+  vtkOpenGLRenderWindow* window, const Viewport& area, vtkTextureObject* picture, bool enlarged)
 {
   StateScope state(window);
   blendPremultiplied(state);

@@ -37,8 +37,8 @@ public:
   void release(vtkWindow* window);
 
 private:
-  std::string blend(vtkOpenGLRenderWindow* window, const Viewport& area, vtkTextureObject* picture,
-    bool enlarged);
+  std::string blend(
+    vtkOpenGLRenderWindow* window, const Viewport& area, vtkTextureObject* picture, bool enlarged);
   std::string drawDepth(
     vtkOpenGLRenderWindow* window, const Viewport& area, vtkTextureObject* picture);
   std::string drawOver(vtkOpenGLRenderWindow* window, const Viewport& area,

@@ -58,8 +58,7 @@ void showColor(const MarchInputs& inputs, float* pixel)
   else if (inputs.Key.Blend == BlendGroup::Sum)
   {
     const bool counts = pixel[1] > 0;
-    const float divisor =
-      counts && inputs.Blend->Mode == BlendMode::Average ? pixel[1] : 1.0f;
+    const float divisor = counts && inputs.Blend->Mode == BlendMode::Average ? pixel[1] : 1.0f;
     const float gray = counts && pixel[0] > 0 ? std::min(pixel[0] / divisor, 1.0f) : 0.0f;
     std::fill(pixel, pixel + 3, gray);
     pixel[3] = counts ? 1.0f : 0.0f;

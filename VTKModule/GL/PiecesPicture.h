@@ -34,9 +34,9 @@ private:
   PartStatus march(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
     const Band& band, const PartStatus& before, SharedPicture& shared, const Progress& progress,
     VisitLists& lists);
-  PartStatus drawInBands(vtkOpenGLRenderWindow* window, MarchPass& march,
-    const MarchInputs& inputs, const PartStatus& before, SharedPicture& shared,
-    const Progress& progress, MergedPicture& merged);
+  PartStatus drawInBands(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
+    const PartStatus& before, SharedPicture& shared, const Progress& progress,
+    MergedPicture& merged);
 
   VisitPass Visits;
   int Bands = 1; // of the last picture; what is drawn next may need as many

@@ -62,8 +62,7 @@ bool Pipeline::updateGeometry(vtkDataSet* data, const Progress& progress)
 bool Pipeline::chooseScalars(vtkDataSet* data, vtkDataArray* array, bool ofCells,
   const VectorOptions& options, vtkVolumeProperty* property, DrawnScalars& drawn)
 {
-  const std::string error =
-    tetmarch::chooseScalars(data, array, ofCells, options, property, drawn);
+  const std::string error = tetmarch::chooseScalars(data, array, ofCells, options, property, drawn);
   return error.empty() || this->fail(error);
 }
 

@@ -51,8 +51,8 @@ struct DrawOptions
    * have the colours before that. */
   std::array<float, 2> ColorWindow{ { 1, 0 } };
   const PeelHooks* Peeling = nullptr; // only parts of rays are drawn, without diagnostics or a view
-  SharedPicture* Shared = nullptr; // of several processes; without diagnostics, a view or peels
-  bool RaysEnd = false;            // some process has opaque geometry
+  SharedPicture* Shared = nullptr;    // of several processes; without diagnostics, a view or peels
+  bool RaysEnd = false;               // some process has opaque geometry
   double PickOpacity = 0.5;           // of a ray at the point where the volume is picked
 };
 
@@ -93,8 +93,8 @@ public:
   bool select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const DrawOptions& options,
     const CellOrigins& origins, const Progress& progress, std::vector<PickedPoint>& points);
 
-  // If the volume is drawn by several processes, each has a piece of it, which may be empty. They go
-  // through the stages side by side, and agree between them (Mapper/MapperFrame.h).
+  // If the volume is drawn by several processes, each has a piece of it, which may be empty. They
+  // go through the stages side by side, and agree between them (Mapper/MapperFrame.h).
 
   void setGroup(Group* group, std::uintptr_t generation)
   {

@@ -63,9 +63,8 @@ std::string VisitPass::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
     FloatTarget& target = this->Targets[visit % 2];
     FloatTarget& before = this->Targets[(visit + 1) % 2];
     std::string error = before.bind(window, inputs.Area.Width, inputs.Area.Height, Colors);
-    error = error.empty()
-              ? target.bind(window, inputs.Area.Width, inputs.Area.Height, Colors)
-              : error;
+    error =
+      error.empty() ? target.bind(window, inputs.Area.Width, inputs.Area.Height, Colors) : error;
     if (!error.empty())
     {
       return error;

@@ -41,8 +41,8 @@ public:
   void release(vtkWindow* window);
 
 private:
-  Viewport take(vtkOpenGLRenderWindow* window, const FloatTarget& target,
-    const MarchInputs& inputs, const Viewport& part, const Band& band, VisitLists& lists) const;
+  Viewport take(vtkOpenGLRenderWindow* window, const FloatTarget& target, const MarchInputs& inputs,
+    const Viewport& part, const Band& band, VisitLists& lists) const;
 
   std::array<FloatTarget, 2> Targets; // by turns: each visit goes on from the one before
   TileSchedule Tiles;

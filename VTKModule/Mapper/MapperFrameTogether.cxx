@@ -95,8 +95,7 @@ bool MapperFrame::prepareTogether(
   state.Whole = scalars.Whole;
   state.Shared.HasPiece = hasPiece;
 
-  bool goesOn =
-    pipeline.updateScalars(drawn.Data, scalars) && this->prepareTables(pipeline, drawn);
+  bool goesOn = pipeline.updateScalars(drawn.Data, scalars) && this->prepareTables(pipeline, drawn);
   if (!goOnTogether(group, pipeline, statusOf(pipeline, goesOn)))
   {
     return false;

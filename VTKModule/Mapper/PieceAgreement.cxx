@@ -152,8 +152,8 @@ std::string agreeOnWhole(
   whole.IsEmpty = all.isEmpty();
   if (!whole.IsEmpty)
   {
-    whole.Box = vtkBoundingBox(
-      all.Low[0], all.High[0], all.Low[1], all.High[1], all.Low[2], all.High[2]);
+    whole.Box =
+      vtkBoundingBox(all.Low[0], all.High[0], all.Low[1], all.High[1], all.Low[2], all.High[2]);
   }
   whole.Piece.ByCoordinates = true;
   whole.Piece.IsPiece = group.size() > 1;
@@ -182,8 +182,7 @@ PartStatus agreeOnScalars(Group& group, const PartStatus& own, bool hasPiece,
     bool draws = false, ofCells = false;
     int mix = 0, count = 0;
     said[p] >> part.Error >> part.Stopped >> draws >> ofCells >> mix >> count;
-    all.Error =
-      all.Error.empty() && !part.Error.empty() ? named(group, p, part.Error) : all.Error;
+    all.Error = all.Error.empty() && !part.Error.empty() ? named(group, p, part.Error) : all.Error;
     all.Stopped = all.Stopped || part.Stopped;
     if (!draws)
     {
@@ -196,8 +195,9 @@ PartStatus agreeOnScalars(Group& group, const PartStatus& own, bool hasPiece,
       drawn.OfCells = hasPiece ? drawn.OfCells : ofCells;
       drawn.Mix = hasPiece ? drawn.Mix : static_cast<ComponentMix>(mix);
     }
-    if (all.Error.empty() && (ofCells != drawn.OfCells || static_cast<ComponentMix>(mix) != drawn.Mix ||
-                               static_cast<std::size_t>(count) != drawn.Whole.size()))
+    if (all.Error.empty() &&
+        (ofCells != drawn.OfCells || static_cast<ComponentMix>(mix) != drawn.Mix ||
+          static_cast<std::size_t>(count) != drawn.Whole.size()))
     {
       all.Error = "The processes draw a volume together, but their scalars are of different kinds: "
                   "those of process " +

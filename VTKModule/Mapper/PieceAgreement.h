@@ -22,8 +22,8 @@ struct GroupState
   Group Processes;
   bool HasController = false; // the group may have more processes than one
   std::uint64_t MostVisitBytes = 0;
-  SharedPicture Shared; // of the last frame
-  PieceOptions Piece;   // likewise
+  SharedPicture Shared;           // of the last frame
+  PieceOptions Piece;             // likewise
   std::vector<FiniteRange> Whole; // ranges of its scalars
   vtkBoundingBox WholeBox;
   /** A number that is the same in all processes, and another one if the mesh or the scalars of one

@@ -157,9 +157,9 @@ void CellCutter::fan()
 {
   const std::vector<Id>& face = this->Face;
   const std::size_t n = face.size();
-  const std::size_t s = std::min_element(face.begin(), face.end(),
-                          [this](Id a, Id b) { return this->isLess(a, b); }) -
-                        face.begin();
+  const std::size_t s =
+    std::min_element(face.begin(), face.end(), [this](Id a, Id b) { return this->isLess(a, b); }) -
+    face.begin();
   for (std::size_t i = 1; i + 1 < n; ++i)
   {
     this->Triangles.push_back({ { face[s], face[(s + i) % n], face[(s + i + 1) % n] } });

@@ -135,8 +135,7 @@ public:
       weighted.Volumes += numbers[3];
       for (std::size_t i = 4; i + 3 < numbers.size(); i += 4)
       {
-        neighbours.push_back(
-          { { numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3] } });
+        neighbours.push_back({ { numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3] } });
       }
     }
     const auto isSamePlace = [](const std::array<double, 4>& a, const std::array<double, 4>& b)
@@ -229,8 +228,8 @@ std::vector<Gradient> atVertices(const Field& field, const VertexTets& around)
 }
 
 // At vertices that pieces of several processes share, from what all of them have.
-void shareGradients(Group& group, const Field& field, const VertexTets& around,
-  std::vector<Gradient>& gradients)
+void shareGradients(
+  Group& group, const Field& field, const VertexTets& around, std::vector<Gradient>& gradients)
 {
   const VertexEstimator estimator(field, around);
   const std::vector<Id> vertices = boundaryVertices(field.Mesh);

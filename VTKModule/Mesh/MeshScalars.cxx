@@ -213,8 +213,8 @@ std::vector<FiniteRange> rangesOf(
     {
       found.front().addNotFinite();
     }
-    found.push_back(drawn.FurtherUnit > 0 ? FiniteRange(0, drawn.FurtherUnit, range.isAllFinite())
-                                          : range);
+    found.push_back(
+      drawn.FurtherUnit > 0 ? FiniteRange(0, drawn.FurtherUnit, range.isAllFinite()) : range);
   }
   return found;
 }

@@ -140,8 +140,8 @@ bool orderTets(const Decomposition& from, const UsedPoints& used, const std::vec
 
 } // namespace
 
-std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& progress, TetMesh& mesh,
-  bool& stopped, const PieceOptions& piece)
+std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& progress,
+  TetMesh& mesh, bool& stopped, const PieceOptions& piece)
 {
   const std::size_t pointCount = points ? points->GetNumberOfPoints() : 0;
   mesh.NumberOfPoints = static_cast<vtkIdType>(pointCount);

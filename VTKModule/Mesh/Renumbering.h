@@ -23,8 +23,8 @@ namespace tetmarch
  *
  * Returns an empty string, or what is wrong with the points.
  */
-std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& progress, TetMesh& mesh,
-  bool& stopped, const PieceOptions& piece = {});
+std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& progress,
+  TetMesh& mesh, bool& stopped, const PieceOptions& piece = {});
 
 } // namespace tetmarch
 

@@ -41,12 +41,12 @@ BuildStatus buildTetMesh(vtkUnstructuredGrid* grid, const Progress& progress, Te
   bool stopped = false;
   const PointOrder order =
     piece.ByCoordinates && isCut(grid) ? orderByCoordinates(grid, piece.InFloat) : PointOrder();
-  error = decompose(
-    grid, subProgress(progress, 0, 0.2), tets, stopped, order.empty() ? nullptr : &order);
+  error =
+    decompose(grid, subProgress(progress, 0, 0.2), tets, stopped, order.empty() ? nullptr : &order);
   if (error.empty() && !stopped)
   {
-    error = renumber(grid->GetPoints(), std::move(tets), subProgress(progress, 0.2, 0.5), mesh,
-      stopped, piece);
+    error = renumber(
+      grid->GetPoints(), std::move(tets), subProgress(progress, 0.2, 0.5), mesh, stopped, piece);
   }
   if (!error.empty())
   {

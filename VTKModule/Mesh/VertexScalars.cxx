@@ -148,8 +148,7 @@ private:
 };
 
 // At vertices that pieces of several processes share, from the cells of all of them.
-void shareValues(
-  Group& group, const TetMesh& mesh, const CellFit& fit, std::vector<float>& values)
+void shareValues(Group& group, const TetMesh& mesh, const CellFit& fit, std::vector<float>& values)
 {
   const std::vector<Id> vertices = boundaryVertices(mesh);
   std::vector<Bytes> records;

@@ -110,8 +110,8 @@ std::vector<Bytes> Group::tellAll(const Bytes& own)
   std::vector<vtkIdType> starts(this->Size + 1, 0);
   std::partial_sum(counts.begin(), counts.end(), starts.begin() + 1);
   Bytes all(static_cast<std::size_t>(starts.back()));
-  this->check(this->Controller->AllGatherV(
-                own.data(), all.data(), count, counts.data(), starts.data()),
+  this->check(
+    this->Controller->AllGatherV(own.data(), all.data(), count, counts.data(), starts.data()),
     "gather");
   this->SentBytes += (sizeof(count) + own.size()) * static_cast<std::size_t>(this->Size - 1);
   std::vector<Bytes> said(this->Size);

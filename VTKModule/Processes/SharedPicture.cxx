@@ -42,7 +42,8 @@ PartStatus agreeOn(Group& group, const PartStatus& own)
     first = p == 0 ? part : first;
     if (all.Error.empty() && !part.Error.empty())
     {
-      all.Error = group.size() > 1 ? "Process " + std::to_string(p) + ": " + part.Error : part.Error;
+      all.Error =
+        group.size() > 1 ? "Process " + std::to_string(p) + ": " + part.Error : part.Error;
     }
     if (all.Error.empty() && (part.Width != first.Width || part.Height != first.Height))
     {

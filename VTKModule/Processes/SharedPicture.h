@@ -13,15 +13,15 @@ namespace tetmarch
 struct SharedPicture
 {
   Group* Processes = nullptr;
-  bool HasPiece = true;           // this process has cells of the volume
-  std::uint64_t MostBytes = 0;    // for the lists of visits
+  bool HasPiece = true;        // this process has cells of the volume
+  std::uint64_t MostBytes = 0; // for the lists of visits
   double MarchSeconds = 0;
   ExchangeFigures Exchange;
   std::uint64_t Visits = 0;
-  int Bands = 1; // of rows, drawn one after the other
+  int Bands = 1;                     // of rows, drawn one after the other
   std::uint64_t SentBytesBefore = 0; // by this process, before this frame
-  std::uint64_t SentBytes = 0; // by this process, in this frame
-  double WorstError = 0; // of all pixels: how far a channel may be off
+  std::uint64_t SentBytes = 0;       // by this process, in this frame
+  double WorstError = 0;             // of all pixels: how far a channel may be off
 };
 
 /** Collective: whether some process says so. */

@@ -176,7 +176,8 @@ Bytes packVisits(const VisitLists& lists, int merger, int processes)
     if (span.First < span.End)
     {
       packer.add(lists.begin(begin + span.First),
-        static_cast<std::size_t>(lists.end(begin + span.End - 1) - lists.begin(begin + span.First)));
+        static_cast<std::size_t>(
+          lists.end(begin + span.End - 1) - lists.begin(begin + span.First)));
     }
   }
   return std::move(packer.Packed);

@@ -93,8 +93,8 @@ MergedPixel mergeVisits(std::vector<Visit>& visits, MergeRule rule, float opaque
     for (int k = 0; k < 2; ++k)
     {
       float& value = merged.Gathered[k];
-      value = rule == MergeRule::Sum ? value + visit.Gathered[k]
-                                     : std::max(value, visit.Gathered[k]);
+      value =
+        rule == MergeRule::Sum ? value + visit.Gathered[k] : std::max(value, visit.Gathered[k]);
     }
   }
   return merged;

@@ -57,10 +57,7 @@ public:
 
   std::size_t size() const { return this->Added.size(); }
   std::size_t bytes() const { return this->Added.size() * (sizeof(Visit) + sizeof(std::uint32_t)); }
-  const Visit* begin(std::uint32_t pixel) const
-  {
-    return this->Added.data() + this->Starts[pixel];
-  }
+  const Visit* begin(std::uint32_t pixel) const { return this->Added.data() + this->Starts[pixel]; }
   const Visit* end(std::uint32_t pixel) const
   {
     return this->Added.data() + this->Starts[pixel + 1];

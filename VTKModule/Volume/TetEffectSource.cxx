@@ -11,7 +11,7 @@ namespace tetmarch
 
 std::vector<std::array<float, 3>> TetEffectSource::gradients(bool ofCells) const
 {
-  return ofCells                     ? cellGradients(this->Mesh)
+  return ofCells ? cellGradients(this->Mesh)
          : this->CellScalars.empty()
            ? vertexGradients(this->Mesh, this->Processes)
            : vertexGradients(this->Mesh, this->CellScalars, this->Processes);

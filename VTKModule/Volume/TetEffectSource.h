@@ -30,8 +30,8 @@ public:
   const VolumeFrame& frame() const override { return this->Mesh.Frame; }
   const ScalarRange& range() const override { return this->Range; }
   Fingerprint geometryVersion() const override { return { this->Version.front() }; }
-  /** Other processes have pieces of the mesh. Gradients are then found by all of them or by none: the
-   * generation changes in all if the mesh or the scalars of one have changed. */
+  /** Other processes have pieces of the mesh. Gradients are then found by all of them or by none:
+   * the generation changes in all if the mesh or the scalars of one have changed. */
   void setGroup(Group* group, std::uintptr_t generation)
   {
     this->Processes = group;
