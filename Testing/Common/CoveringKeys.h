@@ -73,6 +73,16 @@ inline std::vector<VariantKey> coveringKeys(std::vector<VariantKey> legal)
   }
   return chosen;
 }
+
+/// Of passes/visit.frag.glsl, which is for the picture of a mesh alone.
+inline std::vector<VariantKey> coveringVisitKeys()
+{
+  std::vector<VariantKey> keys = coveringKeys(legalKeys());
+  const auto hasNoVisits = [](const VariantKey& key)
+  { return key.Structured || key.Peeled || key.Diagnostics; };
+  keys.erase(std::remove_if(keys.begin(), keys.end(), hasNoVisits), keys.end());
+  return keys;
+}
 } // namespace tetmarch::testing
 
 #endif

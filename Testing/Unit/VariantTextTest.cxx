@@ -207,6 +207,7 @@ TEST_F(VariantText, OfOneKindOfVolumeHasNothingOfAnother)
   };
   expectOneKind(coveringKeys(legalKeys()), "passes/march.frag.glsl");
   expectOneKind(legalPickKeys(), "passes/pick.frag.glsl");
+  expectOneKind(coveringVisitKeys(), "passes/visit.frag.glsl");
   expectOneKind(legalLightKeys(), "passes/vertex_light.frag.glsl");
   for (const std::set<int>& words : { ofMeshes, ofLattices })
   {

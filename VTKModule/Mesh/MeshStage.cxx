@@ -24,11 +24,13 @@ Fingerprint attemptOf(
   add(attempt, grid);
   attempt.push_back(limits.TexelsPerBuffer);
   attempt.push_back(limits.Bytes);
-  attempt.push_back(piece.ByCoordinates ? 1 : 0);
-  attempt.push_back(piece.IsPiece ? 1 : 0);
-  addAll(attempt, piece.Frame.Center);
-  add(attempt, piece.Frame.Radius);
-  attempt.push_back(piece.InFloat ? 1 : 0);
+  if (piece.ByCoordinates)
+  {
+    attempt.push_back(piece.IsPiece ? 1 : 0);
+    addAll(attempt, piece.Frame.Center);
+    add(attempt, piece.Frame.Radius);
+    attempt.push_back(piece.InFloat ? 1 : 0);
+  }
   return attempt;
 }
 
