@@ -4,14 +4,14 @@
 import re
 import unittest
 
-import vtkmodules.all  # noqa: F401
+import vtkmodules.all
 import vtktetmarch
 
 CLASSES = [getattr(vtktetmarch, name) for name in vtktetmarch.__all__ if name.startswith("vtk")]
 
 # What can't be found by trying numbers.
 OTHER_VALUES = {"Mapper": vtktetmarch.vtkTetMarchVolumeMapper(), "BlendMode": 3,
-                "Settings": vtktetmarch.vtkTetMarchSettings()}
+                "Settings": vtktetmarch.vtkTetMarchSettings(), "Controller": vtkmodules.all.vtkDummyController()}
 # Figures with an argument before the value, and what belongs to a class instead of an object.
 NO_PROPERTIES = {"Values", "ReplacesProjectedTetrahedra", "ReplacesSmartVolume"}
 # Their choices have other names now.
