@@ -133,11 +133,14 @@ void FramePasses::noteVariant(const MarchInputs& inputs)
 std::string FramePasses::updateLight(vtkOpenGLRenderWindow* window, const Fingerprint& lightVersion,
   const Progress& progress, MarchInputs& inputs, bool& stopped)
 {
-  std::string error;
-  if (inputs.Key.hasVertexLight())
+  if (!inputs.Key.hasVertexLight())
   {
-    error = this->Light.update(
-      window, inputs, inputs.EffectValues->VertexStarts.size(), lightVersion, progress, stopped);
+    return {};
+  }
+  std::string error = this->Light.update(
+    window, inputs, inputs.EffectValues->VertexStarts.size(), lightVersion, progress, stopped);
+  if (error.empty() && !stopped)
+  {
     inputs.VertexLight = this->Light.texture();
   }
   return error;
