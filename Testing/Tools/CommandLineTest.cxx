@@ -3,6 +3,8 @@
 // What tetmarch-render understands of its arguments.
 #include "CommandLineErrors.h"
 
+#include "vtkTetMarchFirstPicture.h"
+
 TEST(CommandLine, Defaults)
 {
   const CommandLine c = ParseCommandLine({ "some/folder/mesh.part.vtu" });
@@ -15,7 +17,7 @@ TEST(CommandLine, Defaults)
   EXPECT_EQ(c.ViewMode, 0);
   EXPECT_FALSE(
     c.Tolerance || c.TimeStep || c.Range || c.UnitDistance || c.Camera || c.ParallelScale);
-  EXPECT_FALSE(c.ArrayAssociation);
+  EXPECT_EQ(c.ArrayAssociation, vtkTetMarchFirstPicture::ANY);
   EXPECT_EQ(c.FrameTime, 0.0);
   EXPECT_EQ(c.Error, 0.0);
   EXPECT_FALSE(c.Light.Shade);
@@ -52,7 +54,7 @@ TEST(CommandLine, TakesEveryOption)
   EXPECT_EQ(c.ParallelScale, 1000.0);
   EXPECT_EQ(c.Background, (std::array<double, 3>{ { 0, 0.5, 1 } }));
   EXPECT_EQ(c.StructuredOpacityLaw, true);
-  EXPECT_EQ(c.ArrayAssociation, tetmarch::Association::CELLS);
+  EXPECT_EQ(c.ArrayAssociation, vtkTetMarchFirstPicture::CELLS);
   EXPECT_EQ(c.Stats, "s.json");
   EXPECT_EQ(c.Frames, 7);
   EXPECT_EQ(c.TimeStep, 3);

@@ -19,12 +19,6 @@
 namespace tetmarch
 {
 
-enum class Association
-{
-  POINTS,
-  CELLS
-};
-
 struct CameraOption
 {
   std::array<double, 3> Position;
@@ -39,14 +33,14 @@ struct CommandLine
   bool Version = false;
 
   std::string Input;
-  RawOptions Raw;     // complete, if Input is a raw file
-  std::string Output; // by default the base name of Input + .png; empty: none
-  std::string Stats;  // empty: none
-  std::string Preset; // empty: the default transfer function
-  std::string Array;  // empty: chosen by SelectArray()
-  std::optional<Association> ArrayAssociation;
-  int Component = 0;           // of the array; -1: the magnitude
-  std::optional<int> TimeStep; // the last one by default
+  RawOptions Raw;               // complete, if Input is a raw file
+  std::string Output;           // by default the base name of Input + .png; empty: none
+  std::string Stats;            // empty: none
+  std::string Preset;           // empty: the default transfer function
+  std::string Array;            // empty: chosen by vtkTetMarchFirstPicture
+  int ArrayAssociation = -1;    // as vtkTetMarchFirstPicture::Associations
+  std::optional<int> Component; // of the array; -1: the magnitude
+  std::optional<int> TimeStep;  // the last one by default
   std::optional<std::array<double, 2>> Range;
   std::vector<double> NanColor; // r, g, b, opacity; empty: cells with NaN are not drawn
   std::optional<double> UnitDistance;

@@ -145,10 +145,8 @@ const std::map<std::string, Setter>& GetOptionsWithValue()
       [](CommandLine& c, const std::string& v) { LightOf(c).Ambient = ParseWithin(v, "0", "1"); } },
     { "--array", [](CommandLine& c, const std::string& v) { c.Array = v; } },
     { "--association",
-      [](CommandLine& c, const std::string& v)
-      {
-        c.ArrayAssociation =
-          ParseChoice(v, "points", "cells") ? Association::POINTS : Association::CELLS;
+      [](CommandLine& c, const std::string& v) {
+        c.ArrayAssociation = ParseWord(v, { "points", "cells" });
       } },
     { "--background", [](CommandLine& c, const std::string& v) { c.Background = ParseColor(v); } },
     { "--blend", [](CommandLine& c, const std::string& v) { c.BlendMode = ParseBlend(v); } },

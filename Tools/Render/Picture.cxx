@@ -3,7 +3,6 @@
 #include "Picture.h"
 
 #include "DatasetReader.h"
-#include "DefaultCamera.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "OffscreenWindow.h"
@@ -13,11 +12,13 @@
 #include "vtkActor.h"
 #include "vtkAutoInit.h"
 #include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
 #include "vtkFloatArray.h"
 #include "vtkPNGWriter.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkTetMarchFirstPicture.h"
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchSettings.h"
 #include "vtkTimerLog.h"
@@ -93,8 +94,8 @@ void CheckOptions(const VolumeData& data, const CommandLine& commandLine)
 namespace tetmarch
 {
 
-Picture::Picture(const VolumeData& data, const ArraySelection& selection,
-  const TransferFunctions& functions, double unitDistance, const CommandLine& commandLine)
+Picture::Picture(
+  const VolumeData& data, vtkTetMarchFirstPicture* choice, const CommandLine& commandLine)
   : Mapper(MakeMapper(data.Structured))
 {
   CheckOptions(data, commandLine);
@@ -104,9 +105,10 @@ Picture::Picture(const VolumeData& data, const ArraySelection& selection,
   {
     throw Failure("no offscreen OpenGL: " + error);
   }
-  this->SetUpMapper(data, selection, commandLine);
   this->Volume->SetMapper(this->Mapper->GetMapper());
-  this->SetUpProperty(functions, unitDistance, commandLine);
+  choice->ApplyTo(this->Volume);
+  this->SetUpMapper(data, commandLine);
+  this->SetUpProperty(commandLine);
   this->Legend->SetMapper(this->Mapper->GetMapper());
 
   const auto& background = commandLine.Background;
@@ -120,14 +122,12 @@ Picture::Picture(const VolumeData& data, const ArraySelection& selection,
   this->Window->AddRenderer(this->Renderer);
   SetUpLight(
     commandLine.Light, this->Renderer, this->Volume->GetProperty(), this->Mapper->GetSettings());
-  this->PlaceCamera(commandLine);
+  this->PlaceCamera(choice, commandLine);
 }
 
-void Picture::SetUpMapper(
-  const VolumeData& data, const ArraySelection& selection, const CommandLine& commandLine)
+void Picture::SetUpMapper(const VolumeData& data, const CommandLine& commandLine)
 {
   this->Mapper->SetInput(data.Input);
-  this->Mapper->SetComponent(selection.Component);
   this->Mapper->SetBlendMode(commandLine.BlendMode);
   SetUpCuts(commandLine.Cuts, *this->Mapper);
 
@@ -136,16 +136,7 @@ void Picture::SetUpMapper(
     this->Mapper->SetSamples(commandLine.SampleDistance.value_or(-1.0), commandLine.Jitter);
   }
 
-  vtkAbstractVolumeMapper* mapper = this->Mapper->GetMapper();
-  mapper->SetScalarMode(selection.Where == Association::POINTS
-                          ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
-                          : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
-  mapper->SelectScalarArray(selection.Array->GetName());
-
   vtkTetMarchSettings* settings = this->Mapper->GetSettings();
-  settings->SetOpacityLaw(commandLine.StructuredOpacityLaw.value_or(data.Structured)
-                            ? vtkTetMarchSettings::STRUCTURED
-                            : vtkTetMarchSettings::UNSTRUCTURED);
   settings->SetAccuracyLevel(commandLine.AccuracyLevel);
   settings->SetErrorTolerance(commandLine.Tolerance.value_or(settings->GetErrorTolerance()));
   settings->SetFrameTimeBudget(commandLine.FrameTime);
@@ -154,18 +145,14 @@ void Picture::SetUpMapper(
   settings->SetDrawNanCells(!commandLine.NanColor.empty());
 }
 
-void Picture::SetUpProperty(
-  const TransferFunctions& functions, double unitDistance, const CommandLine& commandLine)
+void Picture::SetUpProperty(const CommandLine& commandLine)
 {
+  vtkVolumeProperty* property = this->Volume->GetProperty();
   if (!commandLine.NanColor.empty())
   {
     const std::vector<double>& rgba = commandLine.NanColor;
-    functions.Color->SetNanColorRGBA(rgba[0], rgba[1], rgba[2], rgba[3]);
+    property->GetRGBTransferFunction()->SetNanColorRGBA(rgba[0], rgba[1], rgba[2], rgba[3]);
   }
-  vtkVolumeProperty* property = this->Volume->GetProperty();
-  property->SetColor(functions.Color);
-  property->SetScalarOpacity(functions.Opacity);
-  property->SetScalarOpacityUnitDistance(unitDistance);
   property->SetInterpolationType(
     commandLine.Nearest.value_or(false) ? VTK_NEAREST_INTERPOLATION : VTK_LINEAR_INTERPOLATION);
   vtkContourValues* surfaces = property->GetIsoSurfaceValues();
@@ -187,7 +174,7 @@ void Picture::AddSurface(const std::string& path)
   this->Renderer->AddActor(actor);
 }
 
-void Picture::PlaceCamera(const CommandLine& commandLine)
+void Picture::PlaceCamera(vtkTetMarchFirstPicture* choice, const CommandLine& commandLine)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   if (commandLine.Camera)
@@ -201,7 +188,7 @@ void Picture::PlaceCamera(const CommandLine& commandLine)
   else
   {
     const double aspect = static_cast<double>(commandLine.Size[0]) / commandLine.Size[1];
-    PlaceDefaultCamera(camera, this->Mapper->GetMapper()->GetBounds(), aspect);
+    choice->PlaceCamera(camera, aspect);
   }
   if (commandLine.ParallelScale)
   {

@@ -8,10 +8,8 @@
 #define tetmarch_Picture_h
 
 #include "AnyMapper.h"
-#include "ArraySelection.h"
 #include "CommandLine.h"
 #include "PixelTrace.h"
-#include "TransferFunctions.h"
 #include "VolumeData.h"
 
 #include "vtkNew.h"
@@ -22,6 +20,8 @@
 
 #include <memory>
 
+class vtkTetMarchFirstPicture;
+
 namespace tetmarch
 {
 
@@ -30,8 +30,7 @@ class Picture
 public:
   /// Throws Failure if no GL can be had, a surface can't be read, or the command line asks for what
   /// is not to be had of such data.
-  Picture(const VolumeData& data, const ArraySelection& selection,
-    const TransferFunctions& functions, double unitDistance, const CommandLine& commandLine);
+  Picture(const VolumeData& data, vtkTetMarchFirstPicture* choice, const CommandLine& commandLine);
 
   /// Draws and waits until it is drawn; seconds. Throws Failure if VTK reported an error.
   double Render();
@@ -53,12 +52,10 @@ public:
   AnyMapper& GetMapper() { return *this->Mapper; }
 
 private:
-  void SetUpMapper(
-    const VolumeData& data, const ArraySelection& selection, const CommandLine& commandLine);
-  void SetUpProperty(
-    const TransferFunctions& functions, double unitDistance, const CommandLine& commandLine);
+  void SetUpMapper(const VolumeData& data, const CommandLine& commandLine);
+  void SetUpProperty(const CommandLine& commandLine);
   void AddSurface(const std::string& path);
-  void PlaceCamera(const CommandLine& commandLine);
+  void PlaceCamera(vtkTetMarchFirstPicture* choice, const CommandLine& commandLine);
 
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;

@@ -78,7 +78,7 @@ Json DescribeDifference(const std::array<double, 4>& a, const std::array<double,
 }
 } // namespace
 
-std::string FormatPixelJson(const CommandLine& commandLine, const ArraySelection& selection,
+std::string FormatPixelJson(const CommandLine& commandLine, const std::string& arrayName,
   vtkTetMarchFrameStatistics* statistics, const PixelTrace& trace)
 {
   const auto inFloat = GetRayColor(trace.Float), inDouble = GetRayColor(trace.Double);
@@ -88,7 +88,7 @@ std::string FormatPixelJson(const CommandLine& commandLine, const ArraySelection
   json["input"] = commandLine.Input;
   json["pixel"] = *commandLine.Pixel;
   json["size"] = commandLine.Size;
-  json["array"] = selection.Array->GetName();
+  json["array"] = arrayName;
   json["accuracy"] = { { "level", statistics->GetUsedAccuracyLevelAsString() },
     { "tolerance", statistics->GetUsedErrorTolerance() } };
   json["ray"] = { { "origin", fact("Origin") }, { "direction", fact("Direction") },

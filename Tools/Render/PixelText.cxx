@@ -188,7 +188,7 @@ std::string FormatParting(const PixelTrace& trace)
 }
 } // namespace
 
-std::string FormatPixelText(const CommandLine& commandLine, const ArraySelection& selection,
+std::string FormatPixelText(const CommandLine& commandLine, const std::string& arrayName,
   vtkTetMarchFrameStatistics* statistics, const PixelTrace& trace)
 {
   const auto [x, y] = *commandLine.Pixel;
@@ -206,9 +206,8 @@ std::string FormatPixelText(const CommandLine& commandLine, const ArraySelection
   text << "Pixel " << x << "," << y << " of " << commandLine.Size[0] << "x" << commandLine.Size[1]
        << ", counted from the upper left (" << x << "," << commandLine.Size[1] - 1 - y
        << " from the lower left).\n"
-       << "Array " << selection.Array->GetName() << ", accuracy "
-       << statistics->GetUsedAccuracyLevelAsString() << ", tolerance "
-       << FormatNumber(statistics->GetUsedErrorTolerance(), Digits) << ".\n"
+       << "Array " << arrayName << ", accuracy " << statistics->GetUsedAccuracyLevelAsString()
+       << ", tolerance " << FormatNumber(statistics->GetUsedErrorTolerance(), Digits) << ".\n"
        << "The ray starts on the near plane, in (" << list("Origin", 3) << "), towards ("
        << list("Direction", 3) << ").\n"
        << "Lengths are counted from there. It gathers from " << list("Range", 1) << " to "

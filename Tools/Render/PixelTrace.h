@@ -7,7 +7,6 @@
 #ifndef tetmarch_PixelTrace_h
 #define tetmarch_PixelTrace_h
 
-#include "ArraySelection.h"
 #include "CommandLine.h"
 
 #include "vtkNew.h"
@@ -39,10 +38,10 @@ std::array<double, 4> GetRayColor(vtkTable* cells);
 /// The first row in which two rays pass different cells or tetrahedra, or -1 if there is none.
 vtkIdType FindParting(vtkTable* a, vtkTable* b);
 
-std::string FormatPixelText(const CommandLine& commandLine, const ArraySelection& selection,
+std::string FormatPixelText(const CommandLine& commandLine, const std::string& arrayName,
   vtkTetMarchFrameStatistics* statistics, const PixelTrace& trace);
 
-std::string FormatPixelJson(const CommandLine& commandLine, const ArraySelection& selection,
+std::string FormatPixelJson(const CommandLine& commandLine, const std::string& arrayName,
   vtkTetMarchFrameStatistics* statistics, const PixelTrace& trace);
 
 } // namespace tetmarch

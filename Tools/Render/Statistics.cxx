@@ -7,6 +7,8 @@
 #include "OffscreenWindow.h"
 
 #include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkTetMarchFirstPicture.h"
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkVersion.h"
 
@@ -100,21 +102,24 @@ nlohmann::ordered_json DescribePixels(vtkTetMarchFrameStatistics* statistics)
 }
 
 std::string FormatStatistics(const CommandLine& commandLine, const VolumeData& data,
-  const ArraySelection& selection, double unitDistance, vtkTetMarchFrameStatistics* statistics,
-  vtkRenderWindow* window, const Timing& timing)
+  vtkTetMarchFirstPicture* choice, vtkTetMarchFrameStatistics* statistics, vtkRenderWindow* window,
+  const Timing& timing)
 {
+  const int component = choice->GetChosenComponent();
+  std::array<double, 2> range;
+  choice->GetDataRange(range.data());
   const GLInformation gl = GetGLInformation(window);
   nlohmann::ordered_json json;
   json["input"] = commandLine.Input;
   json["output"] = commandLine.Output;
   json["size"] = commandLine.Size;
-  json["array"] = { { "name", selection.Array->GetName() },
-    { "association", selection.Where == Association::POINTS ? "points" : "cells" },
-    { "components", selection.Array->GetNumberOfComponents() },
-    { "component",
-      selection.Component < 0 ? nlohmann::json("magnitude") : nlohmann::json(selection.Component) },
-    { "range", GetRange(data.Blocks, selection) } };
-  json["unit_distance"] = unitDistance;
+  json["array"] = { { "name", choice->GetChosenArray()->GetName() },
+    { "association",
+      choice->GetChosenAssociation() == vtkTetMarchFirstPicture::POINTS ? "points" : "cells" },
+    { "components", choice->GetChosenArray()->GetNumberOfComponents() },
+    { "component", component < 0 ? nlohmann::json("magnitude") : nlohmann::json(component) },
+    { "range", range } };
+  json["unit_distance"] = choice->GetUnitDistance();
   AddSizes(json, data, statistics);
   json["seconds"] = { { "read", timing.Read },
     { data.Structured ? "lattice" : "mesh", statistics->GetMeshSeconds() },

@@ -7,7 +7,6 @@
 #ifndef tetmarch_Statistics_h
 #define tetmarch_Statistics_h
 
-#include "ArraySelection.h"
 #include "CommandLine.h"
 #include "VolumeData.h"
 
@@ -15,6 +14,7 @@
 #include <vector>
 
 class vtkRenderWindow;
+class vtkTetMarchFirstPicture;
 class vtkTetMarchFrameStatistics;
 
 namespace tetmarch
@@ -34,8 +34,8 @@ double GetMedian(std::vector<double> values);
  * The JSON text.
  */
 std::string FormatStatistics(const CommandLine& commandLine, const VolumeData& data,
-  const ArraySelection& selection, double unitDistance, vtkTetMarchFrameStatistics* statistics,
-  vtkRenderWindow* window, const Timing& timing);
+  vtkTetMarchFirstPicture* choice, vtkTetMarchFrameStatistics* statistics, vtkRenderWindow* window,
+  const Timing& timing);
 
 /// Throws Failure if the file can't be written.
 void WriteText(const std::string& path, const std::string& text);

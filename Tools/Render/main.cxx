@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ArraySelection.h"
+#include "Choice.h"
 #include "CommandLine.h"
 #include "DatasetReader.h"
-#include "DefaultTransferFunction.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "Picture.h"
 #include "PixelTrace.h"
 #include "Statistics.h"
-#include "TransferFunctionPreset.h"
 
+#include "vtkDataArray.h"
 #include "vtkTimerLog.h"
 #include "vtkVersion.h"
 
@@ -20,17 +19,17 @@ namespace
 {
 using namespace tetmarch;
 
-void ShowPixel(Picture& picture, const VolumeData& data, const ArraySelection& selection,
+void ShowPixel(Picture& picture, const VolumeData& data, const std::string& arrayName,
   const CommandLine& commandLine)
 {
   PixelTrace trace;
   trace.Structured = data.Structured;
   picture.Trace(*commandLine.Pixel, trace);
   vtkTetMarchFrameStatistics* statistics = picture.GetMapper().GetStatistics();
-  std::fputs(FormatPixelText(commandLine, selection, statistics, trace).c_str(), stdout);
+  std::fputs(FormatPixelText(commandLine, arrayName, statistics, trace).c_str(), stdout);
   if (!commandLine.PixelJson.empty())
   {
-    WriteText(commandLine.PixelJson, FormatPixelJson(commandLine, selection, statistics, trace));
+    WriteText(commandLine.PixelJson, FormatPixelJson(commandLine, arrayName, statistics, trace));
   }
 }
 
@@ -41,20 +40,8 @@ void Run(const CommandLine& commandLine)
   const VolumeData data = ReadVolume(commandLine.Input, commandLine.TimeStep, commandLine.Raw);
   timing.Read = vtkTimerLog::GetUniversalTime() - begin;
 
-  const ArraySelection selection = SelectArray(
-    data.Blocks, commandLine.Array, commandLine.ArrayAssociation, commandLine.Component);
-  const std::vector<Sample> samples = TakeSamples(data.Blocks, selection);
-  const TransferFunctions functions =
-    commandLine.Preset.empty()
-      ? MakeDefaultTransferFunctions(ComputeStatistics(
-          samples, commandLine.Range, data.Structured ? DataKind::IMAGE : DataKind::MESH))
-      : ReadPreset(commandLine.Preset, commandLine.Range);
-  const double unitDistance =
-    commandLine.UnitDistance ? *commandLine.UnitDistance
-    : data.Structured        ? GetMeanSpacing(data)
-                      : ChooseUnitDistance(samples, functions.Opacity, data.Blocks[0]->GetLength());
-
-  Picture picture(data, selection, functions, unitDistance, commandLine);
+  const auto choice = MakeChoice(data, commandLine);
+  Picture picture(data, choice, commandLine);
   timing.FirstFrame = picture.Render();
   if (commandLine.FrameTime > 0.0)
   {
@@ -76,7 +63,7 @@ void Run(const CommandLine& commandLine)
       picture.Compare();
     }
     WriteText(
-      commandLine.Stats, FormatStatistics(commandLine, data, selection, unitDistance,
+      commandLine.Stats, FormatStatistics(commandLine, data, choice,
                            picture.GetMapper().GetStatistics(), picture.GetWindow(), timing));
   }
   else if (commandLine.Frames > 0)
@@ -85,7 +72,7 @@ void Run(const CommandLine& commandLine)
   }
   if (commandLine.Pixel)
   {
-    ShowPixel(picture, data, selection, commandLine);
+    ShowPixel(picture, data, choice->GetChosenArray()->GetName(), commandLine);
   }
 }
 } // namespace

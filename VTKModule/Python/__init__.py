@@ -10,6 +10,7 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 
 from .replacement import replace_smart_volume_mapper
 from .vtkRenderingTetMarch import (
+    vtkTetMarchFirstPicture,
     vtkTetMarchFrameStatistics,
     vtkTetMarchLegend,
     vtkTetMarchObjectFactory,
@@ -21,6 +22,7 @@ from .vtkRenderingTetMarch import (
 
 __all__ = [
     "replace_smart_volume_mapper",
+    "vtkTetMarchFirstPicture",
     "vtkTetMarchFrameStatistics",
     "vtkTetMarchLegend",
     "vtkTetMarchObjectFactory",

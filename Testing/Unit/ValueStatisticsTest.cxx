@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DefaultTransferFunction.h"
+#include "FirstPicture/FirstFunctions.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +13,25 @@
 
 namespace
 {
-using tetmarch::ComputeStatistics;
-using tetmarch::MakeDefaultTransferFunctions;
 using tetmarch::Sample;
+using tetmarch::ValueStatistics;
+
+ValueStatistics statisticsOf(const std::vector<Sample>& samples, bool lattice = false)
+{
+  return tetmarch::computeStatistics(samples, std::nullopt, lattice);
+}
+
+struct Functions
+{
+  vtkNew<vtkColorTransferFunction> Color;
+  vtkNew<vtkPiecewiseFunction> Opacity;
+
+  explicit Functions(const ValueStatistics& statistics, double exponent = 2)
+  {
+    tetmarch::makeFirstColors(statistics, this->Color);
+    tetmarch::makeFirstOpacity(statistics, exponent, 1, this->Opacity);
+  }
+};
 
 std::vector<Sample> MakeSamples(const std::vector<double>& values)
 {
@@ -35,34 +55,34 @@ std::vector<Sample> MakeRamp()
 }
 } // namespace
 
-TEST(DefaultTransferFunction, NothingGivesAUsableRange)
+TEST(ValueStatistics, NothingGivesAUsableRange)
 {
-  const auto statistics = ComputeStatistics({});
+  const auto statistics = statisticsOf({});
   EXPECT_LT(statistics.Range[0], statistics.Range[1]);
-  EXPECT_NO_THROW(MakeDefaultTransferFunctions(statistics));
+  EXPECT_GT(Functions{ statistics }.Opacity->GetSize(), 1);
 }
 
-TEST(DefaultTransferFunction, EqualValuesGetARoundRange)
+TEST(ValueStatistics, EqualValuesGetARoundRange)
 {
-  const auto statistics = ComputeStatistics(MakeSamples({ 7, 7, 7 }));
+  const auto statistics = statisticsOf(MakeSamples({ 7, 7, 7 }));
   EXPECT_DOUBLE_EQ(statistics.Range[0], 3.5);
   EXPECT_DOUBLE_EQ(statistics.Range[1], 10.5);
-  const auto zero = ComputeStatistics(MakeSamples({ 0 }));
+  const auto zero = statisticsOf(MakeSamples({ 0 }));
   EXPECT_DOUBLE_EQ(zero.Range[0], -0.5);
   EXPECT_DOUBLE_EQ(zero.Range[1], 0.5);
 }
 
-TEST(DefaultTransferFunction, RangeLeavesOutTwoPercentAtEachEnd)
+TEST(ValueStatistics, RangeLeavesOutTwoPercentAtEachEnd)
 {
   auto samples = MakeRamp();
   samples[1000].Value = 1e9;
   samples[0].Value = -1e9;
-  const auto statistics = ComputeStatistics(samples);
+  const auto statistics = statisticsOf(samples);
   EXPECT_NEAR(statistics.Range[0], 20.0, 1.0);
   EXPECT_NEAR(statistics.Range[1], 980.0, 1.0);
 }
 
-TEST(DefaultTransferFunction, CellsCountByTheAreaTheyCover)
+TEST(ValueStatistics, CellsCountByTheAreaTheyCover)
 {
   // A thousand wall cells of 1e-6 of the volume of a hundred others: 1 % of the value range's
   // weight would be theirs by count, 1e-4 is by area.
@@ -75,20 +95,20 @@ TEST(DefaultTransferFunction, CellsCountByTheAreaTheyCover)
   {
     samples.push_back({ i * 0.01, 1.0 });
   }
-  EXPECT_LT(ComputeStatistics(samples).Range[1], 1.0);
+  EXPECT_LT(statisticsOf(samples).Range[1], 1.0);
 }
 
-TEST(DefaultTransferFunction, RareValuesStillGiveARange)
+TEST(ValueStatistics, RareValuesStillGiveARange)
 {
   std::vector<double> values(1000, 5.0);
   values[3] = 8.0;
-  const auto statistics = ComputeStatistics(MakeSamples(values));
+  const auto statistics = statisticsOf(MakeSamples(values));
   EXPECT_DOUBLE_EQ(statistics.Range[0], 5.0);
   EXPECT_DOUBLE_EQ(statistics.Range[1], 8.0);
 }
 
 // As of a scan: air with noise, and a tenth of something in it.
-TEST(DefaultTransferFunction, OfImagesWhatIsNotAirGivesTheRange)
+TEST(ValueStatistics, OfImagesWhatIsNotAirGivesTheRange)
 {
   std::mt19937 random(2);
   std::vector<double> values;
@@ -97,40 +117,38 @@ TEST(DefaultTransferFunction, OfImagesWhatIsNotAirGivesTheRange)
     const double u = static_cast<double>(random()) / 4294967296.0;
     values.push_back(i < 9000 ? 2.0 * u : 100.0 + 100.0 * u);
   }
-  const auto statistics =
-    ComputeStatistics(MakeSamples(values), std::nullopt, tetmarch::DataKind::IMAGE);
+  const auto statistics = statisticsOf(MakeSamples(values), true);
   EXPECT_NEAR(statistics.Range[0], 1.0, 1.0);
   EXPECT_NEAR(statistics.Range[1], 198.0, 1.0);
   EXPECT_NEAR(statistics.Background, 1.0, 1.0);
-  EXPECT_LT(MakeDefaultTransferFunctions(statistics).Opacity->GetValue(2.0), 1e-9);
-  EXPECT_NEAR(ComputeStatistics(MakeSamples(values)).Range[1], 180.0, 5.0);
+  EXPECT_LT(Functions(statistics).Opacity->GetValue(2.0), 1e-9);
+  EXPECT_NEAR(statisticsOf(MakeSamples(values)).Range[1], 180.0, 5.0);
 }
 
-TEST(DefaultTransferFunction, OfImagesWithoutAirTheRangeIsThatOfMeshes)
+TEST(ValueStatistics, OfImagesWithoutAirTheRangeIsThatOfMeshes)
 {
-  EXPECT_EQ(ComputeStatistics(MakeRamp(), std::nullopt, tetmarch::DataKind::IMAGE).Range,
-    ComputeStatistics(MakeRamp()).Range);
-  const auto one =
-    ComputeStatistics(MakeSamples({ 7, 7 }), std::nullopt, tetmarch::DataKind::IMAGE);
+  EXPECT_EQ(statisticsOf(MakeRamp(), true).Range, statisticsOf(MakeRamp()).Range);
+  const auto one = statisticsOf(MakeSamples({ 7, 7 }), true);
   EXPECT_DOUBLE_EQ(one.Range[0], 3.5);
   const std::array<double, 2> given{ { -3.0, 2000.0 } };
-  EXPECT_EQ(ComputeStatistics(MakeRamp(), given, tetmarch::DataKind::IMAGE).Range, given);
+  EXPECT_EQ(tetmarch::computeStatistics(MakeRamp(), given, true).Range, given);
 }
 
-TEST(DefaultTransferFunction, GivenRangeIsKept)
+TEST(ValueStatistics, GivenRangeIsKept)
 {
-  const auto statistics = ComputeStatistics(MakeRamp(), std::array<double, 2>{ { -3.0, 2000.0 } });
+  const auto statistics =
+    tetmarch::computeStatistics(MakeRamp(), std::array<double, 2>{ { -3.0, 2000.0 } }, false);
   EXPECT_EQ(statistics.Range[0], -3.0);
   EXPECT_EQ(statistics.Range[1], 2000.0);
 }
 
-TEST(DefaultTransferFunction, WithoutAModeTheLowEndIsBackground)
+TEST(ValueStatistics, WithoutAModeTheLowEndIsBackground)
 {
-  const auto statistics = ComputeStatistics(MakeRamp());
+  const auto statistics = statisticsOf(MakeRamp());
   EXPECT_EQ(statistics.Background, statistics.Range[0]);
 }
 
-TEST(DefaultTransferFunction, ModeIsBackgroundAndClear)
+TEST(ValueStatistics, ModeIsBackgroundAndClear)
 {
   std::mt19937 random(1);
   std::vector<double> values;
@@ -139,10 +157,10 @@ TEST(DefaultTransferFunction, ModeIsBackgroundAndClear)
     const double u = static_cast<double>(random()) / 4294967296.0;
     values.push_back(i < 4000 ? 0.4 + 0.001 * u : u);
   }
-  const auto statistics = ComputeStatistics(MakeSamples(values));
+  const auto statistics = statisticsOf(MakeSamples(values));
   EXPECT_NEAR(statistics.Background, 0.4005, 0.004);
 
-  const auto functions = MakeDefaultTransferFunctions(statistics);
+  const Functions functions(statistics);
   EXPECT_EQ(functions.Color->GetColorSpace(), VTK_CTF_DIVERGING);
   EXPECT_EQ(functions.Opacity->GetValue(statistics.Background), 0.0);
   EXPECT_LT(functions.Opacity->GetValue(0.4), 0.001);
@@ -157,38 +175,17 @@ TEST(DefaultTransferFunction, ModeIsBackgroundAndClear)
   EXPECT_NEAR(rgb[2], 0.865, 1e-3);
 }
 
-TEST(DefaultTransferFunction, BackgroundAtTheHighEndTurnsOpacityRound)
+TEST(ValueStatistics, BackgroundAtTheHighEndTurnsOpacityRound)
 {
   std::vector<double> values;
   for (int i = 0; i < 1000; ++i)
   {
     values.push_back(i < 500 ? 1.0 : i / 1000.0 - 0.4);
   }
-  const auto statistics = ComputeStatistics(MakeSamples(values));
+  const auto statistics = statisticsOf(MakeSamples(values));
   EXPECT_NEAR(statistics.Background, 1.0, 0.01);
-  const auto functions = MakeDefaultTransferFunctions(statistics);
+  const Functions functions(statistics);
   EXPECT_LT(functions.Opacity->GetValue(1.0), 0.001);
   EXPECT_DOUBLE_EQ(functions.Opacity->GetValue(statistics.Range[0]), 1.0);
   EXPECT_NE(functions.Color->GetColorSpace(), VTK_CTF_DIVERGING);
-}
-
-TEST(UnitDistance, MeanRayHasOpticalDepthOne)
-{
-  vtkNew<vtkPiecewiseFunction> opacity;
-  opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(1.0, 1.0);
-  // Half of the volume with opacity 0.5: extinction 0.25 / d on average, along a side of 10.
-  const std::vector<Sample> samples = { { 0.5, 4.0 }, { 0.0, 4.0 } };
-  EXPECT_NEAR(tetmarch::ChooseUnitDistance(samples, opacity, 10.0 * std::sqrt(3.0)), 2.5, 1e-12);
-}
-
-TEST(UnitDistance, StaysWithinItsLimits)
-{
-  vtkNew<vtkPiecewiseFunction> clear;
-  clear->AddPoint(0.0, 0.0);
-  const std::vector<Sample> samples = { { 0.5, 1.0 } };
-  const double diagonal = 10.0 * std::sqrt(3.0);
-  EXPECT_NEAR(tetmarch::ChooseUnitDistance(samples, clear, diagonal), 0.1, 1e-12);
-  EXPECT_NEAR(tetmarch::ChooseUnitDistance({}, clear, diagonal), 10.0, 1e-12);
-  EXPECT_EQ(tetmarch::ChooseUnitDistance(samples, clear, 0.0), 1.0);
 }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Samples.h"
+#include "FirstPicture/ArrayChoice.h"
+#include "FirstPicture/Samples.h"
+
 #include "TestGrids.h"
-#include "VolumeData.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -18,8 +19,9 @@ namespace
 std::vector<tetmarch::Sample> TakeAll(
   const std::vector<vtkDataSet*>& blocks, const char* name, int component = 0)
 {
-  return tetmarch::TakeSamples(
-    blocks, tetmarch::SelectArray(blocks, name, std::nullopt, component));
+  tetmarch::DrawnArray drawn;
+  EXPECT_EQ(tetmarch::chooseArray(blocks, { name, std::nullopt, component }, drawn), "");
+  return tetmarch::takeSamples(blocks, drawn);
 }
 
 vtkSmartPointer<vtkDoubleArray> MakeCoordinates(const std::vector<double>& values)
@@ -115,18 +117,4 @@ TEST(Samples, BlocksWithoutTheArrayHaveNone)
   AddArray<vtkDoubleArray>(image->GetCellData(), "c", 8, 2);
   EXPECT_EQ(TakeAll({ image, grid }, "c", 1).size(), 8u); // the other has no component 1
   EXPECT_EQ(TakeAll({ image, grid }, "c").size(), 14u);
-}
-
-TEST(VolumeData, MeanSpacing)
-{
-  const auto grid = MakeRectilinear();
-  const auto image = MakeImage(3);
-  const auto spacing = [](const std::vector<vtkDataSet*>& blocks) {
-    return tetmarch::GetMeanSpacing({ blocks[0], blocks, true });
-  };
-  EXPECT_DOUBLE_EQ(spacing({ image }), 2.0);
-  image->SetSpacing(-1, 2, 3);
-  EXPECT_DOUBLE_EQ(spacing({ image }), 2.0);
-  EXPECT_DOUBLE_EQ(spacing({ grid }), 5.0 / 3.0);
-  EXPECT_DOUBLE_EQ(spacing({ image, grid }), 11.0 / 6.0);
 }

@@ -27,6 +27,24 @@ inline vtkSmartPointer<vtkUnstructuredGrid> MakeVoxel(double x)
   return grid;
 }
 
+/// Two unit voxels side by side along x.
+inline vtkSmartPointer<vtkUnstructuredGrid> MakeTwoVoxels()
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 12; ++i)
+  {
+    points->InsertNextPoint(i % 3, i / 3 % 2, i / 6);
+  }
+  grid->SetPoints(points);
+  for (const vtkIdType x : { 0, 1 })
+  {
+    const vtkIdType ids[8] = { x, x + 1, x + 3, x + 4, x + 6, x + 7, x + 9, x + 10 };
+    grid->InsertNextCell(VTK_VOXEL, 8, ids);
+  }
+  return grid;
+}
+
 /// An array of the given type; tuple i is (i, i, ...) if it varies, else 0.
 template <typename Array>
 void AddArray(vtkDataSetAttributes* attributes, const char* name, vtkIdType tuples,

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Choice.h"
+
+#include "ErrorText.h"
+#include "Failure.h"
+#include "TransferFunctionPreset.h"
+
+namespace tetmarch
+{
+
+namespace
+{
+void TakePreset(
+  const VolumeData& data, const CommandLine& commandLine, vtkTetMarchFirstPicture* choice)
+{
+  const TransferFunctions preset = ReadPreset(commandLine.Preset, commandLine.Range);
+  choice->GetColor()->DeepCopy(preset.Color);
+  choice->GetOpacity()->DeepCopy(preset.Opacity);
+  if (commandLine.UnitDistance)
+  {
+    return;
+  }
+  if (data.Structured) // what presets of images are made for
+  {
+    choice->SetUnitDistance(GetMeanSpacing(data));
+  }
+  else
+  {
+    choice->ChooseUnitDistance(preset.Opacity);
+  }
+}
+} // namespace
+
+vtkSmartPointer<vtkTetMarchFirstPicture> MakeChoice(
+  const VolumeData& data, const CommandLine& commandLine)
+{
+  auto choice = vtkSmartPointer<vtkTetMarchFirstPicture>::New();
+  const ErrorText error(choice);
+  choice->SetInputData(data.Input);
+  choice->SetArrayName(commandLine.Array);
+  choice->SetArrayAssociation(commandLine.ArrayAssociation);
+  if (commandLine.Component)
+  {
+    choice->SetComponent(*commandLine.Component);
+  }
+  if (commandLine.Range)
+  {
+    choice->SetRange(commandLine.Range->data());
+  }
+  if (commandLine.StructuredOpacityLaw)
+  {
+    choice->SetOpacityLaw(*commandLine.StructuredOpacityLaw
+                            ? vtkTetMarchFirstPicture::STRUCTURED
+                            : vtkTetMarchFirstPicture::UNSTRUCTURED);
+  }
+  if (!choice->ChooseArray())
+  {
+    throw Failure(error.Get());
+  }
+  if (!commandLine.Preset.empty())
+  {
+    TakePreset(data, commandLine, choice);
+  }
+  else if (!choice->ChooseTransferFunctions())
+  {
+    throw Failure(error.Get());
+  }
+  if (commandLine.UnitDistance)
+  {
+    choice->SetUnitDistance(*commandLine.UnitDistance);
+  }
+  return choice;
+}
+
+} // namespace tetmarch

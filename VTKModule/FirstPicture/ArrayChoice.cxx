@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FirstPicture/ArrayChoice.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <tuple>
+
+namespace tetmarch
+{
+
+namespace
+{
+
+// The last word of a name, in small letters: "ids" of "vtkOriginalCellIds", "id" of "block_id".
+std::string lastWordOf(const std::string& name)
+{
+  std::string word;
+  for (std::size_t i = name.size(); i-- > 0;)
+  {
+    const auto letter = static_cast<unsigned char>(name[i]);
+    if (!std::isalpha(letter))
+    {
+      if (word.empty())
+      {
+        continue; // digits at the end
+      }
+      break;
+    }
+    word.insert(word.begin(), static_cast<char>(std::tolower(letter)));
+    const bool begins =
+      std::isupper(letter) && (i == 0 || !std::isupper(static_cast<unsigned char>(name[i - 1])));
+    if (begins)
+    {
+      break;
+    }
+  }
+  return word;
+}
+
+// Whether all finite values of the first component are whole; share: how many of those looked at
+// differ.
+bool isWhole(vtkDataArray* array, double& share)
+{
+  constexpr vtkIdType most = 1 << 16;
+  const vtkIdType count = array->GetNumberOfTuples();
+  const vtkIdType step = std::max<vtkIdType>(1, count / most);
+  std::set<double> different;
+  vtkIdType seen = 0;
+  for (vtkIdType i = 0; i < count; i += step, ++seen)
+  {
+    const double value = array->GetComponent(i, 0);
+    if (std::isfinite(value) && value != std::floor(value))
+    {
+      return false;
+    }
+    different.insert(std::isfinite(value) ? value : std::numeric_limits<double>::max());
+  }
+  share = seen > 0 ? double(different.size()) / double(seen) : 0;
+  return true;
+}
+
+ArrayKind kindOf(vtkDataArray* array, const std::array<double, 2>& range)
+{
+  if (!(range[0] < range[1]))
+  {
+    return ArrayKind::Constant;
+  }
+  constexpr double nearlyAll = 0.9;
+  constexpr vtkIdType few = 64; // of which all may differ by chance
+  double share = 0;
+  const bool numbers =
+    array->GetNumberOfComponents() == 1 && isWhole(array, share) &&
+    (namesNumbers(array->GetName()) || (share > nearlyAll && array->GetNumberOfTuples() > few));
+  return numbers ? ArrayKind::Numbers : ArrayKind::Physical;
+}
+
+// Less is better.
+std::tuple<int, bool, bool, bool, bool> rankOf(const FoundArray& found)
+{
+  const int type = found.Drawn.Array->GetDataType();
+  return { static_cast<int>(found.Kind), found.Drawn.OfCells,
+    type != VTK_FLOAT && type != VTK_DOUBLE, found.Drawn.Array->GetNumberOfComponents() > 1,
+    !found.Active };
+}
+
+std::string listOf(const std::vector<FoundArray>& all)
+{
+  std::string text;
+  for (const bool ofCells : { false, true })
+  {
+    std::string names;
+    for (const FoundArray& found : all)
+    {
+      if (found.Drawn.OfCells == ofCells)
+      {
+        names += (names.empty() ? "" : ", ") + std::string(found.Drawn.Array->GetName());
+      }
+    }
+    text +=
+      std::string(ofCells ? "; on cells: " : "on points: ") + (names.empty() ? "none" : names);
+  }
+  return text;
+}
+
+} // namespace
+
+bool namesNumbers(const std::string& name)
+{
+  static const std::set<std::string> words = { "id", "ids", "index", "indices", "number", "numbers",
+    "num", "rank", "material", "materials", "mat", "block", "blocks", "region", "part", "process",
+    "processor", "partition", "tag", "tags", "label", "labels", "type", "cellid", "cellids",
+    "pointid", "pointids", "nodeid", "nodeids", "elementid", "elementids", "globalid", "globalids",
+    "objectid", "blockid", "materialid", "regionid", "partid", "procid", "matid", "zoneid" };
+  return words.count(lastWordOf(name)) > 0;
+}
+
+std::vector<FoundArray> findArrays(const std::vector<vtkDataSet*>& blocks)
+{
+  std::vector<FoundArray> all;
+  for (const bool ofCells : { false, true })
+  {
+    std::set<std::string> names{ "vtkGhostType", "vtkValidPointMask" };
+    for (vtkDataSet* block : blocks)
+    {
+      vtkDataSetAttributes* attributes =
+        ofCells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData();
+      for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+      {
+        vtkDataArray* array = attributes->GetArray(i);
+        if (array && array->GetName() && names.insert(array->GetName()).second)
+        {
+          FoundArray found;
+          found.Drawn = { array, ofCells, array->GetNumberOfComponents() > 1 ? -1 : 0 };
+          found.Range = rangeOf(blocks, found.Drawn);
+          found.Kind = kindOf(array, found.Range);
+          found.Active = array == attributes->GetScalars();
+          all.push_back(found);
+        }
+      }
+    }
+  }
+  return all;
+}
+
+std::string chooseArray(
+  const std::vector<vtkDataSet*>& blocks, const ArrayWish& wish, DrawnArray& chosen)
+{
+  const std::vector<FoundArray> all = findArrays(blocks);
+  const FoundArray* best = nullptr;
+  for (const FoundArray& found : all)
+  {
+    if (wish.OfCells && found.Drawn.OfCells != *wish.OfCells)
+    {
+      continue;
+    }
+    if (wish.Name.empty() ? !best || rankOf(found) < rankOf(*best)
+                          : !best && wish.Name == found.Drawn.Array->GetName())
+    {
+      best = &found;
+    }
+  }
+  if (!best)
+  {
+    const std::string place = !wish.OfCells ? "" : *wish.OfCells ? " on cells" : " on points";
+    return (wish.Name.empty() ? "the data has no array to draw" + place
+                              : "there is no array '" + wish.Name + "'" + place) +
+           " (" + listOf(all) + ")";
+  }
+  DrawnArray drawn = best->Drawn;
+  const int components = drawn.Array->GetNumberOfComponents();
+  const int wished = wish.Component.value_or(wish.Name.empty() ? -1 : 0);
+  if (wished >= components)
+  {
+    return std::string("array '") + drawn.Array->GetName() + "' has no component " +
+           std::to_string(wished) + ": it has " + std::to_string(components) + ", counted from 0";
+  }
+  drawn.Component = components == 1 ? 0 : wished;
+  chosen = drawn;
+  return {};
+}
+
+} // namespace tetmarch

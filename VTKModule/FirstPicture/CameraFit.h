@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A camera from where the data just fits into the picture.
+#ifndef TetMarchFirstPictureCameraFit_h
+#define TetMarchFirstPictureCameraFit_h
+
+#include "FirstPicture/PicturePlane.h"
+
+class vtkCamera;
+
+namespace tetmarch
+{
+
+// The silhouette of the points fills the picture, but for a margin of a 20th, in perspective and in
+// parallel projection. aspect: width / height of the picture. VTK's ResetCamera() fits the sphere
+// around the box, which leaves long meshes small.
+void fitCamera(
+  const std::vector<Vector3>& points, const PicturePlane& plane, double aspect, vtkCamera* camera);
+
+} // namespace tetmarch
+
+#endif

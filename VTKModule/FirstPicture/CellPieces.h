@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells of any kind as tetrahedra, with values at their corners.
+#ifndef TetMarchFirstPictureCellPieces_h
+#define TetMarchFirstPictureCellPieces_h
+
+#include "FirstPicture/DrawnArray.h"
+#include "Geometry/Vector3.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace tetmarch
+{
+
+struct PieceCorner
+{
+  Vector3 Point;
+  double Value;
+};
+
+// A tetrahedron. Values are linear in it.
+struct CellPiece
+{
+  std::array<PieceCorner, 4> Corners;
+  double Volume;
+};
+
+// Cuts 3D cells of one block into tetrahedra: polyhedra by fans around their middle, others as
+// vtkCell::Triangulate() does.
+class CellCutting
+{
+public:
+  CellCutting(vtkDataSet* block, const DrawnValues& values);
+  ~CellCutting();
+  CellCutting(const CellCutting&) = delete;
+  CellCutting& operator=(const CellCutting&) = delete;
+
+  // None of flat cells, of ghosts and of hidden cells.
+  const std::vector<CellPiece>& cut(vtkIdType cell);
+
+private:
+  struct Scratch;
+
+  PieceCorner cornerAt(vtkIdType point, vtkIdType cell) const;
+  void addPiece(const std::array<PieceCorner, 4>& corners);
+  void cutPolyhedron(vtkIdType cell);
+
+  vtkDataSet* Block;
+  const DrawnValues& Values;
+  std::vector<CellPiece> Pieces;
+  std::unique_ptr<Scratch> Own;
+};
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FirstPicture/Crossings.h"
+
+#include "FirstPicture/CellPieces.h"
+
+#include "vtkDataSet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace tetmarch
+{
+
+namespace
+{
+
+constexpr int LongerSide = 96;              // of the picture, in pixels
+constexpr vtkIdType MostCells = 1 << 17;    // of a block
+constexpr double PointsOfAPixel = 4;        // of the cells before it, each
+constexpr double MostPointsOfAPiece = 4096; // however many pixels it covers
+
+struct PixelGrid
+{
+  PicturePlane Plane;
+  double Left = 0;
+  double Bottom = 0;
+  double Size = 1; // of a pixel in the world
+  int Width = 1;
+  int Height = 1;
+
+  int pixelOf(const Vector3& point) const
+  {
+    const double x = (dot(point, this->Plane.Right) - this->Left) / this->Size;
+    const double y = (dot(point, this->Plane.Up) - this->Bottom) / this->Size;
+    const int column = static_cast<int>(std::clamp(x, 0.0, this->Width - 1.0));
+    const int row = static_cast<int>(std::clamp(y, 0.0, this->Height - 1.0));
+    return row * this->Width + column;
+  }
+};
+
+PixelGrid gridOver(const std::vector<Vector3>& points, const PicturePlane& plane)
+{
+  double least[2] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
+  double most[2] = { VTK_DOUBLE_MIN, VTK_DOUBLE_MIN };
+  for (const Vector3& point : points)
+  {
+    const double place[2] = { dot(point, plane.Right), dot(point, plane.Up) };
+    for (int k = 0; k < 2; ++k)
+    {
+      least[k] = std::min(least[k], place[k]);
+      most[k] = std::max(most[k], place[k]);
+    }
+  }
+  PixelGrid grid;
+  grid.Plane = plane;
+  const double longer = points.empty() ? 0 : std::max(most[0] - least[0], most[1] - least[1]);
+  if (longer > 0)
+  {
+    grid.Left = least[0];
+    grid.Bottom = least[1];
+    grid.Size = longer / LongerSide;
+    grid.Width = std::max(1, static_cast<int>(std::ceil((most[0] - least[0]) / grid.Size)));
+    grid.Height = std::max(1, static_cast<int>(std::ceil((most[1] - least[1]) / grid.Size)));
+  }
+  return grid;
+}
+
+// The same everywhere, which std::uniform_real_distribution isn't.
+double fraction(std::mt19937& random) { return random() / 4294967296.0; }
+
+// Uniform in a tetrahedron: the gaps between three sorted uniform numbers (L. Devroye, Non-Uniform
+// Random Variate Generation, 1986).
+std::array<double, 4> barycentric(std::mt19937& random)
+{
+  std::array<double, 3> u{ { fraction(random), fraction(random), fraction(random) } };
+  std::sort(u.begin(), u.end());
+  return { { u[0], u[1] - u[0], u[2] - u[1], 1 - u[2] } };
+}
+
+class Spreading
+{
+public:
+  Spreading(const PixelGrid& grid, std::vector<Crossing>& list)
+    : Grid(grid)
+    , List(list)
+  {
+  }
+
+  // share: of how many cells this is one.
+  void spread(const CellPiece& piece, double share)
+  {
+    const double pixelArea = this->Grid.Size * this->Grid.Size;
+    const double covered = std::cbrt(piece.Volume * piece.Volume) / pixelArea;
+    const int count =
+      static_cast<int>(std::ceil(std::min(PointsOfAPixel * covered, MostPointsOfAPiece)));
+    const double length = share * piece.Volume / pixelArea / count;
+    for (int i = 0; i < count; ++i)
+    {
+      const std::array<double, 4> weights = barycentric(this->Random);
+      Vector3 point{};
+      double value = 0;
+      for (int k = 0; k < 4; ++k)
+      {
+        add(weights[k], piece.Corners[k].Point, point);
+        value += weights[k] * piece.Corners[k].Value;
+      }
+      if (std::isfinite(value))
+      {
+        this->List.push_back({ this->Grid.pixelOf(point), static_cast<float>(length), value });
+      }
+    }
+  }
+
+  void spreadAll(vtkDataSet* block, const DrawnValues& values)
+  {
+    CellCutting cutting(block, values);
+    const vtkIdType count = block->GetNumberOfCells();
+    const vtkIdType step = (count + MostCells - 1) / std::max<vtkIdType>(MostCells, 1);
+    for (vtkIdType first = 0; first < count; first += step)
+    {
+      const vtkIdType group = std::min(step, count - first);
+      const vtkIdType cell = first + static_cast<vtkIdType>(fraction(this->Random) * group);
+      for (const CellPiece& piece : cutting.cut(cell))
+      {
+        this->spread(piece, static_cast<double>(group));
+      }
+    }
+  }
+
+private:
+  const PixelGrid& Grid;
+  std::vector<Crossing>& List;
+  std::mt19937 Random{ 1 };
+};
+
+} // namespace
+
+std::vector<double> Crossings::opticalDepths(const std::function<double(double)>& extinction) const
+{
+  std::vector<double> depths(static_cast<std::size_t>(this->Width) * this->Height, 0.0);
+  for (const Crossing& crossing : this->List)
+  {
+    depths[crossing.Pixel] += double(crossing.Length) * extinction(crossing.Value);
+  }
+  return depths;
+}
+
+std::vector<double> Crossings::lengths() const
+{
+  return this->opticalDepths([](double) { return 1.0; });
+}
+
+Crossings findCrossings(const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn,
+  const std::vector<Vector3>& points, const PicturePlane& plane)
+{
+  const PixelGrid grid = gridOver(points, plane);
+  Crossings crossings;
+  crossings.Width = grid.Width;
+  crossings.Height = grid.Height;
+  Spreading spreading(grid, crossings.List);
+  for (vtkDataSet* block : blocks)
+  {
+    if (const DrawnValues values(block, drawn); values)
+    {
+      spreading.spreadAll(block, values);
+    }
+  }
+  return crossings;
+}
+
+} // namespace tetmarch

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FirstPicture/PicturePlane.h"
+
+#include "FirstPicture/DrawnArray.h"
+
+#include "vtkDataSet.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetmarch
+{
+
+namespace
+{
+
+const Vector3 Oblique{ { 0.5, -1.0, 0.45 } };
+
+Vector3 unit(Vector3 v)
+{
+  vtkMath::Normalize(v.data());
+  return v;
+}
+
+PicturePlane planeFacing(const Vector3& towards)
+{
+  PicturePlane plane;
+  plane.Back = unit(towards);
+  const bool fromAbove = std::abs(plane.Back[2]) > 0.9;
+  const Vector3 up = fromAbove ? Vector3{ { 0, 1, 0 } } : Vector3{ { 0, 0, 1 } };
+  plane.Right = unit(cross(up, plane.Back));
+  plane.Up = cross(plane.Back, plane.Right);
+  return plane;
+}
+
+struct Axis
+{
+  Vector3 Direction;
+  double Reach = 0;
+};
+
+double reachAlong(const std::vector<Vector3>& points, const Vector3& direction)
+{
+  double least = VTK_DOUBLE_MAX;
+  double most = VTK_DOUBLE_MIN;
+  for (const Vector3& point : points)
+  {
+    const double place = dot(point, direction);
+    least = std::min(least, place);
+    most = std::max(most, place);
+  }
+  return most - least;
+}
+
+// From the shortest to the longest.
+std::array<Axis, 3> principalAxes(const std::vector<Vector3>& points)
+{
+  Vector3 mean{};
+  for (const Vector3& point : points)
+  {
+    add(1.0 / double(points.size()), point, mean);
+  }
+  double covariance[3][3] = {};
+  for (const Vector3& point : points)
+  {
+    const Vector3 d = point - mean;
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        covariance[i][k] += d[i] * d[k];
+      }
+    }
+  }
+  double* rows[3] = { covariance[0], covariance[1], covariance[2] };
+  double vectors[3][3];
+  double* columns[3] = { vectors[0], vectors[1], vectors[2] };
+  double values[3];
+  vtkMath::Jacobi(rows, values, columns);
+  std::array<Axis, 3> axes;
+  for (int i = 0; i < 3; ++i)
+  {
+    axes[i].Direction = { { vectors[0][i], vectors[1][i], vectors[2][i] } };
+    axes[i].Reach = reachAlong(points, axes[i].Direction);
+  }
+  std::sort(
+    axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.Reach < b.Reach; });
+  return axes;
+}
+
+void addCorners(vtkDataSet* block, const int n[3], std::vector<Vector3>& points)
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const vtkIdType i = corner & 1 ? n[0] - 1 : 0;
+    const vtkIdType j = corner >> 1 & 1 ? n[1] - 1 : 0;
+    const vtkIdType k = corner >> 2 & 1 ? n[2] - 1 : 0;
+    Vector3 point;
+    block->GetPoint((k * n[1] + j) * n[0] + i, point.data());
+    points.push_back(point);
+  }
+}
+
+void addEveryNth(vtkDataSet* block, std::vector<Vector3>& points)
+{
+  constexpr vtkIdType most = 1 << 20;
+  const vtkIdType count = block->GetNumberOfPoints();
+  const vtkIdType step = std::max<vtkIdType>(1, count / most);
+  for (vtkIdType i = 0; i < count; i += step)
+  {
+    Vector3 point;
+    block->GetPoint(i, point.data());
+    if (std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]))
+    {
+      points.push_back(point);
+    }
+  }
+}
+
+} // namespace
+
+std::vector<Vector3> outlinePoints(const std::vector<vtkDataSet*>& blocks)
+{
+  std::vector<Vector3> points;
+  for (vtkDataSet* block : blocks)
+  {
+    int n[3];
+    if (!isLattice(block, n))
+    {
+      addEveryNth(block, points);
+    }
+    else if (block->GetNumberOfPoints() > 0)
+    {
+      addCorners(block, n, points);
+    }
+  }
+  return points;
+}
+
+PicturePlane choosePlane(const std::vector<Vector3>& points)
+{
+  if (points.empty())
+  {
+    return planeFacing(Oblique);
+  }
+  constexpr double flat = 0.25;
+  constexpr double tilt = 0.2;
+  const std::array<Axis, 3> axes = principalAxes(points);
+  if (!(axes[0].Reach < flat * axes[1].Reach))
+  {
+    return planeFacing(Oblique);
+  }
+  const double side = dot(axes[0].Direction, Oblique) < 0 ? -1 : 1;
+  Vector3 towards = scaled(side, axes[0].Direction);
+  add(-tilt * dot(towards, Oblique), towards, towards);
+  add(tilt, Oblique, towards);
+  return planeFacing(towards);
+}
+
+} // namespace tetmarch

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Of the values of the data: which are shown, and which of them are a background.
+//
+// Each cell counts by the area that it covers in a picture, volume^(2/3), with the volume of its
+// bounding box, since meshes are finest at walls, where values are extreme, and those few cells
+// would else decide.
+//
+// Range: the 2nd to the 98th percentile of the finite values. If these are equal, minimum to
+// maximum; if these are too, one unit around. Most of an image is often nothing: where half of the
+// weight lies within a 50th of the full range around one value, the percentiles are those of the
+// rest, and the range goes on to that value. Background: the value at the middle of the fullest of
+// 256 bins of that range, if at least a tenth of the weight lies within a 50th of the range around
+// it: a free stream, an untouched solid. Else the low end.
+#ifndef TetMarchFirstPictureValueStatistics_h
+#define TetMarchFirstPictureValueStatistics_h
+
+#include "FirstPicture/Samples.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace tetmarch
+{
+
+struct ValueStatistics
+{
+  std::array<double, 2> Range{ { 0.0, 1.0 } }; // low < high
+  double Background = 0.0;
+};
+
+// If range is given it replaces the percentiles. lattice: of images and rectilinear grids.
+ValueStatistics computeStatistics(
+  std::vector<Sample> samples, const std::optional<std::array<double, 2>>& range, bool lattice);
+
+} // namespace tetmarch
+
+#endif

@@ -1,0 +1,394 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTetMarchFirstPicture.h"
+
+#include "FirstPicture/ArrayChoice.h"
+#include "FirstPicture/CameraFit.h"
+#include "FirstPicture/Exposure.h"
+#include "FirstPicture/FirstFunctions.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkTetMarchSettings.h"
+#include "vtkTetMarchSmartVolumeMapper.h"
+#include "vtkTetMarchVolumeMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <sstream>
+#include <type_traits>
+
+vtkStandardNewMacro(vtkTetMarchFirstPicture);
+
+struct vtkTetMarchFirstPicture::Internals
+{
+  vtkSmartPointer<vtkDataObject> Data;
+  vtkMTimeType Time = 0; // of the data when its blocks were listed
+  std::vector<vtkDataSet*> Blocks;
+  bool Lattices = false; // images and rectilinear grids, all of them
+  std::vector<tetmarch::Vector3> Outline;
+  tetmarch::PicturePlane Plane;
+  tetmarch::DrawnArray Chosen;
+  bool HasCrossings = false;
+  tetmarch::Crossings Crossings; // of the chosen array
+  vtkNew<vtkColorTransferFunction> Color;
+  vtkNew<vtkPiecewiseFunction> Opacity;
+
+  void forget()
+  {
+    this->Blocks.clear();
+    this->Outline.clear();
+    this->Chosen = {};
+    this->HasCrossings = false;
+    this->Crossings = {};
+  }
+
+  void listBlocks()
+  {
+    const auto add = [this](vtkDataObject* block)
+    {
+      auto* dataSet = vtkDataSet::SafeDownCast(block);
+      if (dataSet && !vtkPolyData::SafeDownCast(dataSet) && dataSet->GetNumberOfCells() > 0)
+      {
+        this->Blocks.push_back(dataSet);
+      }
+    };
+    if (auto* tree = vtkCompositeDataSet::SafeDownCast(this->Data))
+    {
+      auto at = vtk::TakeSmartPointer(tree->NewIterator());
+      for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+      {
+        add(at->GetCurrentDataObject());
+      }
+    }
+    else
+    {
+      add(this->Data);
+    }
+    int n[3];
+    this->Lattices = std::all_of(this->Blocks.begin(), this->Blocks.end(),
+      [&n](vtkDataSet* block) { return tetmarch::isLattice(block, n); });
+  }
+};
+
+vtkTetMarchFirstPicture::vtkTetMarchFirstPicture()
+  : Found(std::make_unique<Internals>())
+{
+}
+
+vtkTetMarchFirstPicture::~vtkTetMarchFirstPicture() = default;
+
+void vtkTetMarchFirstPicture::SetInputData(vtkDataObject* data)
+{
+  if (this->Found->Data != data)
+  {
+    this->Found->Data = data;
+    this->Found->forget();
+    this->Modified();
+  }
+}
+
+vtkDataObject* vtkTetMarchFirstPicture::GetInputData() { return this->Found->Data; }
+
+void vtkTetMarchFirstPicture::SetArrayName(const std::string& name)
+{
+  if (this->ArrayName != name)
+  {
+    this->ArrayName = name;
+    this->Modified();
+  }
+}
+
+std::string vtkTetMarchFirstPicture::GetArrayName() const { return this->ArrayName; }
+
+bool vtkTetMarchFirstPicture::CheckInput()
+{
+  Internals& found = *this->Found;
+  if (!found.Data)
+  {
+    vtkErrorMacro("There is no data to choose for: call SetInputData() first.");
+    return false;
+  }
+  if (found.Data->GetMTime() != found.Time)
+  {
+    found.forget();
+    found.Time = found.Data->GetMTime();
+  }
+  if (found.Blocks.empty())
+  {
+    found.listBlocks();
+    found.Outline = tetmarch::outlinePoints(found.Blocks);
+    found.Plane = tetmarch::choosePlane(found.Outline);
+  }
+  if (found.Blocks.empty())
+  {
+    vtkErrorMacro("The data has no cells to draw (" << found.Data->GetClassName() << ").");
+    return false;
+  }
+  return true;
+}
+
+bool vtkTetMarchFirstPicture::ChooseArray()
+{
+  if (!this->CheckInput())
+  {
+    return false;
+  }
+  tetmarch::ArrayWish wish;
+  wish.Name = this->ArrayName;
+  if (this->ArrayAssociation != ANY)
+  {
+    wish.OfCells = this->ArrayAssociation == CELLS;
+  }
+  if (this->Component >= -1)
+  {
+    wish.Component = this->Component;
+  }
+  tetmarch::DrawnArray chosen;
+  const std::string error = tetmarch::chooseArray(this->Found->Blocks, wish, chosen);
+  this->Found->HasCrossings = false;
+  this->Found->Chosen = error.empty() ? chosen : tetmarch::DrawnArray();
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+  }
+  return error.empty();
+}
+
+bool vtkTetMarchFirstPicture::CheckChosenArray()
+{
+  return this->CheckInput() && (this->Found->Chosen.Array || this->ChooseArray());
+}
+
+bool vtkTetMarchFirstPicture::FindCrossings()
+{
+  if (!this->CheckChosenArray())
+  {
+    return false;
+  }
+  Internals& found = *this->Found;
+  if (!found.HasCrossings)
+  {
+    found.Crossings =
+      tetmarch::findCrossings(found.Blocks, found.Chosen, found.Outline, found.Plane);
+    found.HasCrossings = true;
+  }
+  return true;
+}
+
+bool vtkTetMarchFirstPicture::UsesStructuredLaw() const
+{
+  return this->OpacityLaw == OF_THE_DATA ? this->Found->Lattices : this->OpacityLaw == STRUCTURED;
+}
+
+bool vtkTetMarchFirstPicture::ChooseTransferFunctions()
+{
+  if (!this->FindCrossings())
+  {
+    return false;
+  }
+  Internals& found = *this->Found;
+  std::optional<std::array<double, 2>> range;
+  if (this->Range[0] < this->Range[1])
+  {
+    range = { { this->Range[0], this->Range[1] } };
+  }
+  const tetmarch::ValueStatistics statistics = tetmarch::computeStatistics(
+    tetmarch::takeSamples(found.Blocks, found.Chosen), range, found.Lattices);
+  std::copy(statistics.Range.begin(), statistics.Range.end(), this->ChosenRange);
+  this->Background = statistics.Background;
+  tetmarch::makeFirstColors(statistics, found.Color);
+  this->UnitDistance = tetmarch::exposeFirstOpacity(
+    statistics, found.Crossings, this->UsesStructuredLaw(), found.Opacity);
+  return true;
+}
+
+bool vtkTetMarchFirstPicture::Choose()
+{
+  return this->ChooseArray() && this->ChooseTransferFunctions();
+}
+
+bool vtkTetMarchFirstPicture::ChooseUnitDistance(vtkPiecewiseFunction* opacity)
+{
+  if (!opacity)
+  {
+    vtkErrorMacro("There is no opacity function to choose a unit distance for.");
+    return false;
+  }
+  if (!this->FindCrossings())
+  {
+    return false;
+  }
+  this->UnitDistance = tetmarch::exposedUnitDistance(
+    this->Found->Crossings, tetmarch::extinctionOf(opacity, this->UsesStructuredLaw()));
+  return true;
+}
+
+vtkDataArray* vtkTetMarchFirstPicture::GetChosenArray() { return this->Found->Chosen.Array; }
+
+int vtkTetMarchFirstPicture::GetChosenAssociation() const
+{
+  return this->Found->Chosen.OfCells ? CELLS : POINTS;
+}
+
+int vtkTetMarchFirstPicture::GetChosenComponent() const { return this->Found->Chosen.Component; }
+
+void vtkTetMarchFirstPicture::GetDataRange(double range[2])
+{
+  std::array<double, 2> all{ { 1.0, 0.0 } };
+  if (this->Found->Chosen.Array)
+  {
+    all = tetmarch::rangeOf(this->Found->Blocks, this->Found->Chosen);
+  }
+  std::copy(all.begin(), all.end(), range);
+}
+
+vtkColorTransferFunction* vtkTetMarchFirstPicture::GetColor() { return this->Found->Color; }
+
+vtkPiecewiseFunction* vtkTetMarchFirstPicture::GetOpacity() { return this->Found->Opacity; }
+
+std::string vtkTetMarchFirstPicture::Describe()
+{
+  const tetmarch::DrawnArray& chosen = this->Found->Chosen;
+  if (!chosen.Array)
+  {
+    return "no array";
+  }
+  double range[2];
+  this->GetDataRange(range);
+  std::ostringstream text;
+  text << (chosen.Component < 0 ? "magnitude of " : "");
+  if (chosen.Component >= 0 && chosen.Array->GetNumberOfComponents() > 1)
+  {
+    text << "component " << chosen.Component << " of ";
+  }
+  text << chosen.Array->GetName() << (chosen.OfCells ? " on cells, " : " on points, ") << range[0]
+       << " to " << range[1];
+  return text.str();
+}
+
+bool vtkTetMarchFirstPicture::ListArrays(vtkTable* arrays)
+{
+  if (!arrays)
+  {
+    vtkErrorMacro("There is no table to list the arrays in.");
+    return false;
+  }
+  arrays->Initialize();
+  if (!this->CheckInput())
+  {
+    return false;
+  }
+  vtkNew<vtkStringArray> names, places, types, kinds;
+  vtkNew<vtkIntArray> components;
+  vtkNew<vtkDoubleArray> least, most;
+  names->SetName("name");
+  places->SetName("association");
+  types->SetName("type");
+  components->SetName("components");
+  least->SetName("minimum");
+  most->SetName("maximum");
+  kinds->SetName("kind");
+  static const char* const kindNames[] = { "values", "numbers", "constant" };
+  for (const tetmarch::FoundArray& found : tetmarch::findArrays(this->Found->Blocks))
+  {
+    names->InsertNextValue(found.Drawn.Array->GetName());
+    places->InsertNextValue(found.Drawn.OfCells ? "cells" : "points");
+    types->InsertNextValue(found.Drawn.Array->GetDataTypeAsString());
+    components->InsertNextValue(found.Drawn.Array->GetNumberOfComponents());
+    least->InsertNextValue(found.Range[0]);
+    most->InsertNextValue(found.Range[1]);
+    kinds->InsertNextValue(kindNames[static_cast<int>(found.Kind)]);
+  }
+  for (vtkAbstractArray* column : { static_cast<vtkAbstractArray*>(names),
+         static_cast<vtkAbstractArray*>(places), static_cast<vtkAbstractArray*>(types),
+         static_cast<vtkAbstractArray*>(components), static_cast<vtkAbstractArray*>(least),
+         static_cast<vtkAbstractArray*>(most), static_cast<vtkAbstractArray*>(kinds) })
+  {
+    arrays->AddColumn(column);
+  }
+  return true;
+}
+
+bool vtkTetMarchFirstPicture::ApplyTo(vtkVolume* volume)
+{
+  if (!volume)
+  {
+    vtkErrorMacro("There is no volume to give the choice to.");
+    return false;
+  }
+  const tetmarch::DrawnArray& chosen = this->Found->Chosen;
+  if (!chosen.Array)
+  {
+    vtkErrorMacro("Nothing was chosen yet: call Choose() first.");
+    return false;
+  }
+  vtkVolumeProperty* property = volume->GetProperty();
+  property->SetColor(this->Found->Color);
+  property->SetScalarOpacity(this->Found->Opacity);
+  property->SetScalarOpacityUnitDistance(this->UnitDistance);
+  property->SetInterpolationTypeToLinear();
+  auto* mapper = vtkAbstractVolumeMapper::SafeDownCast(volume->GetMapper());
+  if (!mapper)
+  {
+    return true;
+  }
+  mapper->SetScalarMode(
+    chosen.OfCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  mapper->SelectScalarArray(chosen.Array->GetName());
+  const int law =
+    this->UsesStructuredLaw() ? vtkTetMarchSettings::STRUCTURED : vtkTetMarchSettings::UNSTRUCTURED;
+  const auto giveTo = [&chosen, law](auto* ours)
+  {
+    using Mapper = std::remove_pointer_t<decltype(ours)>;
+    if (ours)
+    {
+      ours->GetSettings()->SetOpacityLaw(law);
+      ours->SetVectorMode(chosen.Component < 0 ? Mapper::MAGNITUDE : Mapper::COMPONENT);
+      ours->SetVectorComponent(std::max(0, chosen.Component));
+    }
+  };
+  giveTo(vtkTetMarchVolumeMapper::SafeDownCast(mapper));
+  giveTo(vtkTetMarchSmartVolumeMapper::SafeDownCast(mapper));
+  return true;
+}
+
+bool vtkTetMarchFirstPicture::PlaceCamera(vtkCamera* camera, double aspect)
+{
+  if (!camera || !(aspect > 0.0))
+  {
+    vtkErrorMacro("A camera and the width / height of the picture, above 0, are needed.");
+    return false;
+  }
+  if (!this->CheckInput())
+  {
+    return false;
+  }
+  tetmarch::fitCamera(this->Found->Outline, this->Found->Plane, aspect, camera);
+  return true;
+}
+
+void vtkTetMarchFirstPicture::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ArrayName: " << this->ArrayName << "\n";
+  os << indent << "ArrayAssociation: " << this->ArrayAssociation << "\n";
+  os << indent << "Component: " << this->Component << "\n";
+  os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";
+  os << indent << "OpacityLaw: " << this->OpacityLaw << "\n";
+  os << indent << "ChosenRange: " << this->ChosenRange[0] << ", " << this->ChosenRange[1] << "\n";
+  os << indent << "Background: " << this->Background << "\n";
+  os << indent << "UnitDistance: " << this->UnitDistance << "\n";
+}
