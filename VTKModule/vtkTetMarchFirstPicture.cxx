@@ -32,6 +32,12 @@
 
 vtkStandardNewMacro(vtkTetMarchFirstPicture);
 
+namespace
+{
+// Fewer say little of how values are spread: those of points within them say more.
+constexpr std::size_t FewCells = 1000;
+} // namespace
+
 struct vtkTetMarchFirstPicture::Internals
 {
   vtkSmartPointer<vtkDataObject> Data;
@@ -42,7 +48,8 @@ struct vtkTetMarchFirstPicture::Internals
   tetmarch::PicturePlane Plane;
   tetmarch::DrawnArray Chosen;
   bool HasCrossings = false;
-  tetmarch::Crossings Crossings; // of the chosen array
+  tetmarch::Crossings Crossings;        // of the chosen array
+  std::vector<tetmarch::Vector3> Shown; // of images and rectilinear grids, by the chosen functions
   vtkNew<vtkColorTransferFunction> Color;
   vtkNew<vtkPiecewiseFunction> Opacity;
 
@@ -53,6 +60,7 @@ struct vtkTetMarchFirstPicture::Internals
     this->Chosen = {};
     this->HasCrossings = false;
     this->Crossings = {};
+    this->Shown.clear();
   }
 
   void listBlocks()
@@ -205,13 +213,24 @@ bool vtkTetMarchFirstPicture::ChooseTransferFunctions()
   {
     range = { { this->Range[0], this->Range[1] } };
   }
-  const tetmarch::ValueStatistics statistics = tetmarch::computeStatistics(
-    tetmarch::takeSamples(found.Blocks, found.Chosen), range, found.Lattices);
+  std::vector<tetmarch::Sample> samples = tetmarch::takeSamples(found.Blocks, found.Chosen);
+  if (samples.size() < FewCells)
+  {
+    samples = found.Crossings.samples();
+  }
+  const tetmarch::ValueStatistics statistics =
+    tetmarch::computeStatistics(std::move(samples), range, found.Lattices);
   std::copy(statistics.Range.begin(), statistics.Range.end(), this->ChosenRange);
   this->Background = statistics.Background;
   tetmarch::makeFirstColors(statistics, found.Color);
   this->UnitDistance = tetmarch::exposeFirstOpacity(
-    statistics, found.Crossings, this->UsesStructuredLaw(), found.Opacity);
+    statistics, found.Crossings, { this->UsesStructuredLaw(), !found.Lattices }, found.Opacity);
+  found.Shown.clear();
+  if (found.Lattices)
+  {
+    found.Shown =
+      found.Crossings.shownPlaces(tetmarch::extinctionOf(found.Opacity, this->UsesStructuredLaw()));
+  }
   return true;
 }
 
@@ -376,7 +395,9 @@ bool vtkTetMarchFirstPicture::PlaceCamera(vtkCamera* camera, double aspect)
   {
     return false;
   }
-  tetmarch::fitCamera(this->Found->Outline, this->Found->Plane, aspect, camera);
+  const Internals& found = *this->Found;
+  const bool fitsAll = this->FitWholeData || found.Shown.empty();
+  tetmarch::fitCamera(fitsAll ? found.Outline : found.Shown, found.Plane, aspect, camera);
   return true;
 }
 
@@ -388,6 +409,7 @@ void vtkTetMarchFirstPicture::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Component: " << this->Component << "\n";
   os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";
   os << indent << "OpacityLaw: " << this->OpacityLaw << "\n";
+  os << indent << "FitWholeData: " << this->FitWholeData << "\n";
   os << indent << "ChosenRange: " << this->ChosenRange[0] << ", " << this->ChosenRange[1] << "\n";
   os << indent << "Background: " << this->Background << "\n";
   os << indent << "UnitDistance: " << this->UnitDistance << "\n";

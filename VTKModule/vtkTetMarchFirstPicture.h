@@ -24,11 +24,11 @@
  * whose values are all equal; points come before cells, one component before several, of which the
  * magnitude is drawn.
  *
- * Range: the 2nd to the 98th percentile. Opacity: 0 near the background, which is the peak of the
- * histogram if there is one, else the low end of the range; from there to the ends of the range it
- * rises with a power of the distance, 2 or less. Unit distance: half of the pixels that show
- * anything are more than half opaque, and not more than one in 20 of them above 0.97. The power is
- * the greatest with which both can be had.
+ * Range: the 2nd to the 98th percentile. Opacity: nearly 0 at the background, which is the peak of
+ * the histogram if there is one, else the low end of the range, and in images 0; from there to the
+ * ends of the range it rises with a power of the distance, 2 or less. Unit distance: half of the
+ * pixels that show anything are more than half opaque, and not more than one in 20 of them above
+ * 0.97. The power is the greatest with which both can be had.
  *
  * Every method that returns a bool returns false after an error, which says what is wrong.
  */
@@ -186,11 +186,19 @@ public:
    */
   bool ApplyTo(vtkVolume* volume);
 
+  //@{
   /**
    * Look at the data from where its silhouette just fits into a picture of that width / height, in
-   * perspective and in parallel projection: obliquely, z up; what is flat from its broad side.
+   * perspective and in parallel projection: obliquely, z up; what is flat from its broad side. Of
+   * images and rectilinear grids, that are clear in most places, what is shown fits into the
+   * picture if transfer functions were chosen; all of their box if FitWholeData is on (off by
+   * default).
    */
   bool PlaceCamera(vtkCamera* camera, double aspect);
+  vtkSetMacro(FitWholeData, bool);
+  vtkGetMacro(FitWholeData, bool);
+  vtkBooleanMacro(FitWholeData, bool);
+  //@}
 
 protected:
   vtkTetMarchFirstPicture();
@@ -212,6 +220,7 @@ private:
   int Component = -2;
   double Range[2] = { 1.0, 0.0 };
   int OpacityLaw = OF_THE_DATA;
+  bool FitWholeData = false;
   double ChosenRange[2] = { 0.0, 1.0 };
   double Background = 0.0;
   double UnitDistance = 1.0;

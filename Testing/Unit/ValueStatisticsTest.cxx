@@ -26,10 +26,10 @@ struct Functions
   vtkNew<vtkColorTransferFunction> Color;
   vtkNew<vtkPiecewiseFunction> Opacity;
 
-  explicit Functions(const ValueStatistics& statistics, double exponent = 2)
+  explicit Functions(const ValueStatistics& statistics)
   {
     tetmarch::makeFirstColors(statistics, this->Color);
-    tetmarch::makeFirstOpacity(statistics, exponent, 1, this->Opacity);
+    tetmarch::makeFirstOpacity(statistics, {}, this->Opacity);
   }
 };
 

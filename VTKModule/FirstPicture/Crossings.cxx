@@ -108,7 +108,8 @@ public:
       }
       if (std::isfinite(value))
       {
-        this->List.push_back({ this->Grid.pixelOf(point), static_cast<float>(length), value });
+        this->List.push_back(
+          { this->Grid.pixelOf(point), static_cast<float>(length), value, point });
       }
     }
   }
@@ -150,6 +151,37 @@ std::vector<double> Crossings::opticalDepths(const std::function<double(double)>
 std::vector<double> Crossings::lengths() const
 {
   return this->opticalDepths([](double) { return 1.0; });
+}
+
+std::vector<Sample> Crossings::samples() const
+{
+  std::vector<Sample> samples;
+  samples.reserve(this->List.size());
+  for (const Crossing& crossing : this->List)
+  {
+    const auto length = double(crossing.Length);
+    samples.push_back({ crossing.Value, length * std::sqrt(length) });
+  }
+  return samples;
+}
+
+std::vector<Vector3> Crossings::shownPlaces(const std::function<double(double)>& extinction) const
+{
+  constexpr double shown = 0.01;
+  double most = 0;
+  for (const Crossing& crossing : this->List)
+  {
+    most = std::max(most, extinction(crossing.Value));
+  }
+  std::vector<Vector3> places;
+  for (const Crossing& crossing : this->List)
+  {
+    if (extinction(crossing.Value) > shown * most)
+    {
+      places.push_back(crossing.Place);
+    }
+  }
+  return places;
 }
 
 Crossings findCrossings(const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn,

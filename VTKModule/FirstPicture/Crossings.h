@@ -9,6 +9,7 @@
 
 #include "FirstPicture/DrawnArray.h"
 #include "FirstPicture/PicturePlane.h"
+#include "FirstPicture/Samples.h"
 
 #include <functional>
 #include <vector>
@@ -21,6 +22,7 @@ struct Crossing
   int Pixel;
   float Length;
   double Value;
+  Vector3 Place;
 };
 
 struct Crossings
@@ -34,6 +36,11 @@ struct Crossings
   std::vector<double> opticalDepths(const std::function<double(double)>& extinction) const;
   // Of each pixel, by the same sum: the length within the data.
   std::vector<double> lengths() const;
+
+  // Each as a cell that covers as much of a picture as it is long.
+  std::vector<Sample> samples() const;
+  // Where the extinction is more than a hundredth of the greatest.
+  std::vector<Vector3> shownPlaces(const std::function<double(double)>& extinction) const;
 };
 
 // Of a parallel projection in which the points fill the picture. Of each block about a hundred

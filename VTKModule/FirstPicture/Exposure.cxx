@@ -5,6 +5,7 @@
 #include "vtkPiecewiseFunction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tetmarch
@@ -27,6 +28,42 @@ void dropUpTo(double least, std::vector<double>& numbers)
   numbers.erase(std::remove_if(numbers.begin(), numbers.end(),
                   [least](double number) { return !(number > least); }),
     numbers.end());
+}
+
+// In bits, of the opacities of the pixels before the data, in 16 bins.
+double entropyOf(
+  const Crossings& crossings, const std::function<double(double)>& extinction, double unitDistance)
+{
+  constexpr int bins = 16;
+  std::array<double, bins> counts{};
+  double total = 0;
+  const std::vector<double> depths = crossings.opticalDepths(extinction);
+  const std::vector<double> lengths = crossings.lengths();
+  for (std::size_t i = 0; i < depths.size(); ++i)
+  {
+    if (lengths[i] > 0)
+    {
+      const double opacity = -std::expm1(-depths[i] / unitDistance);
+      counts[std::min(bins - 1, static_cast<int>(opacity * bins))] += 1;
+      total += 1;
+    }
+  }
+  double bits = 0;
+  for (const double count : counts)
+  {
+    bits -= count > 0 ? count / total * std::log2(count / total) : 0;
+  }
+  return bits;
+}
+
+// The opacity of the background. Both laws of opacity agree on what is as small.
+double veilOf(const Crossings& crossings, double unitDistance)
+{
+  constexpr double most = 0.05;
+  constexpr double depth = 0.128; // of an opacity of 0.12
+  std::vector<double> lengths = crossings.lengths();
+  dropUpTo(0.0, lengths);
+  return lengths.empty() ? 0.0 : std::min(most, depth * unitDistance / percentile(lengths, 0.5));
 }
 
 } // namespace
@@ -71,19 +108,35 @@ double exposedUnitDistance(
 }
 
 double exposeFirstOpacity(const ValueStatistics& statistics, const Crossings& crossings,
-  bool structuredLaw, vtkPiecewiseFunction* opacity)
+  const ExposureOptions& options, vtkPiecewiseFunction* opacity)
 {
-  const double most = structuredLaw ? 0.95 : 1.0;
+  const bool law = options.StructuredLaw;
+  OpacityShape shape;
+  shape.Most = law ? 0.95 : 1.0;
+  double unitDistance = 0;
+  double most = -1;
   for (const double exponent : { 2.0, 1.5, 1.0, 0.75, 0.5 })
   {
-    makeFirstOpacity(statistics, exponent, most, opacity);
-    const auto exposure = findExposure(crossings, extinctionOf(opacity, structuredLaw));
-    if (exposure && exposure->Even)
+    OpacityShape tried = shape;
+    tried.Exponent = exponent;
+    makeFirstOpacity(statistics, tried, opacity);
+    const auto extinction = extinctionOf(opacity, law);
+    const double distance = exposedUnitDistance(crossings, extinction);
+    const double entropy = entropyOf(crossings, extinction, distance);
+    if (entropy > most)
     {
-      return exposure->UnitDistance;
+      most = entropy;
+      shape = tried;
+      unitDistance = distance;
     }
   }
-  return exposedUnitDistance(crossings, extinctionOf(opacity, structuredLaw));
+  makeFirstOpacity(statistics, shape, opacity);
+  if (options.Veil)
+  {
+    shape.Least = veilOf(crossings, unitDistance);
+    makeFirstOpacity(statistics, shape, opacity);
+  }
+  return unitDistance;
 }
 
 } // namespace tetmarch

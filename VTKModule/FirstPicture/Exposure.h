@@ -39,11 +39,19 @@ std::optional<Exposure> findExposure(
 double exposedUnitDistance(
   const Crossings& crossings, const std::function<double(double)>& extinction);
 
+struct ExposureOptions
+{
+  bool StructuredLaw = false; // opacity ends at 0.95, since 1 means a wall
+  // A pixel that sees a median length of background has an opacity of 0.12: so the whole of a mesh
+  // is seen. The background's own opacity is 0.05 at most. Without it the background is clear, as
+  // the air of an image is.
+  bool Veil = false;
+};
+
 // The opacity of FirstFunctions.h with the greatest power up to 2 whose exposure is even, else the
-// least, a half. Returns the unit distance. By the structured law the opacity ends at 0.95, since 1
-// means a wall.
+// least, a half. Returns the unit distance.
 double exposeFirstOpacity(const ValueStatistics& statistics, const Crossings& crossings,
-  bool structuredLaw, vtkPiecewiseFunction* opacity);
+  const ExposureOptions& options, vtkPiecewiseFunction* opacity);
 
 } // namespace tetmarch
 

@@ -62,18 +62,18 @@ void makeFirstColors(const ValueStatistics& statistics, vtkColorTransferFunction
 }
 
 void makeFirstOpacity(
-  const ValueStatistics& statistics, double exponent, double most, vtkPiecewiseFunction* opacity)
+  const ValueStatistics& statistics, const OpacityShape& shape, vtkPiecewiseFunction* opacity)
 {
   constexpr int steps = 16;
   constexpr double clear = 0.05; // of the way to the end
   const double background = statistics.Background;
   opacity->RemoveAllPoints();
-  opacity->AddPoint(background, 0.0);
+  opacity->AddPoint(background, shape.Least);
   for (int i = 0; i <= steps; ++i)
   {
     const double t = static_cast<double>(i) / steps;
     const double distance = reachOf(statistics) * (clear + (1.0 - clear) * t);
-    const double value = most * std::pow(t, exponent);
+    const double value = shape.Least + (shape.Most - shape.Least) * std::pow(t, shape.Exponent);
     opacity->AddPoint(background - distance, value);
     opacity->AddPoint(background + distance, value);
   }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Transfer functions that leave the background clear and let what is far from it stand out.
 //
-// Opacity: 0 up to a 20th of the way from the background to the farther end of the range, from
-// there to that end it rises with a power of the distance. Colour: if the background lies in the
-// middle half of the range, Moreland's diverging map, cool to warm, with its neutral colour at the
-// background (K. Moreland, Diverging Color Maps for Scientific Visualization, 2009); else the
+// Opacity: nearly 0 up to a 20th of the way from the background to the farther end of the range,
+// from there to that end it rises with a power of the distance. Colour: if the background lies in
+// the middle half of the range, Moreland's diverging map, cool to warm, with its neutral colour at
+// the background (K. Moreland, Diverging Color Maps for Scientific Visualization, 2009); else the
 // perceptually uniform sequential map plasma (N. Smith and S. van der Walt, 2015).
 #ifndef TetMarchFirstPictureFirstFunctions_h
 #define TetMarchFirstPictureFirstFunctions_h
@@ -20,10 +20,15 @@ namespace tetmarch
 
 void makeFirstColors(const ValueStatistics& statistics, vtkColorTransferFunction* colors);
 
-// most: the opacity at the end of the range that is farther from the background, 0 to 1. exponent:
-// of the power.
+struct OpacityShape
+{
+  double Exponent = 2; // of the power
+  double Least = 0;    // the opacity of the background, 0 to 1
+  double Most = 1;     // at the end of the range that is farther from the background, 0 to 1
+};
+
 void makeFirstOpacity(
-  const ValueStatistics& statistics, double exponent, double most, vtkPiecewiseFunction* opacity);
+  const ValueStatistics& statistics, const OpacityShape& shape, vtkPiecewiseFunction* opacity);
 
 } // namespace tetmarch
 

@@ -4,8 +4,12 @@
 
 #include "FirstPicture/DrawnArray.h"
 
+#include "vtkCellTypes.h"
 #include "vtkDataSet.h"
+#include "vtkGenericCell.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,13 +107,61 @@ void addCorners(vtkDataSet* block, const int n[3], std::vector<Vector3>& points)
   }
 }
 
+// Which types of the grid's cells are three-dimensional.
+std::array<bool, 256> solidTypes(vtkUnstructuredGrid* grid)
+{
+  std::array<bool, 256> solid{};
+  vtkNew<vtkCellTypes> types;
+  grid->GetCellTypes(types);
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  {
+    const unsigned char type = types->GetCellType(i);
+    cell->SetCellType(type);
+    solid[type] = cell->GetCellDimension() == 3;
+  }
+  return solid;
+}
+
+// Of an unstructured grid the points of 3D cells, else all.
+std::vector<bool> drawnPoints(vtkDataSet* block)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(block);
+  std::vector<bool> drawn(static_cast<std::size_t>(block->GetNumberOfPoints()), grid == nullptr);
+  if (!grid)
+  {
+    return drawn;
+  }
+  const std::array<bool, 256> solid = solidTypes(grid);
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    if (solid[static_cast<unsigned char>(grid->GetCellType(i))])
+    {
+      vtkIdType count = 0;
+      const vtkIdType* corners = nullptr;
+      grid->GetCellPoints(i, count, corners);
+      for (vtkIdType k = 0; k < count; ++k)
+      {
+        drawn[corners[k]] = true;
+      }
+    }
+  }
+  return drawn;
+}
+
 void addEveryNth(vtkDataSet* block, std::vector<Vector3>& points)
 {
   constexpr vtkIdType most = 1 << 20;
-  const vtkIdType count = block->GetNumberOfPoints();
-  const vtkIdType step = std::max<vtkIdType>(1, count / most);
-  for (vtkIdType i = 0; i < count; i += step)
+  const std::vector<bool> drawn = drawnPoints(block);
+  const vtkIdType step = std::max<vtkIdType>(1, block->GetNumberOfPoints() / most);
+  vtkIdType left = 0; // to be passed by
+  for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
   {
+    if (!drawn[i] || left-- > 0)
+    {
+      continue;
+    }
+    left = step - 1;
     Vector3 point;
     block->GetPoint(i, point.data());
     if (std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]))

@@ -134,7 +134,9 @@ ValueStatistics computeStatistics(
     statistics.Range = range     ? *range
                        : lattice ? rangeOfLattice(samples, total)
                                  : rangeOfSamples(samples, total);
-    statistics.Background = findBackground(samples, total, statistics.Range);
+    const bool varies = samples.front().Value < samples.back().Value;
+    statistics.Background =
+      varies ? findBackground(samples, total, statistics.Range) : statistics.Range[0];
   }
   return statistics;
 }

@@ -11,7 +11,8 @@
 // weight lies within a 50th of the full range around one value, the percentiles are those of the
 // rest, and the range goes on to that value. Background: the value at the middle of the fullest of
 // 256 bins of that range, if at least a tenth of the weight lies within a 50th of the range around
-// it: a free stream, an untouched solid. Else the low end.
+// it: a free stream, an untouched solid. Else the low end, and so if
+// all values are equal.
 #ifndef TetMarchFirstPictureValueStatistics_h
 #define TetMarchFirstPictureValueStatistics_h
 

@@ -8,6 +8,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingVolume  # noqa: F401
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 
+from .first_picture import TransferFunctions, auto_transfer_functions
 from .replacement import replace_smart_volume_mapper
 from .vtkRenderingTetMarch import (
     vtkTetMarchFirstPicture,
@@ -21,6 +22,8 @@ from .vtkRenderingTetMarch import (
 )
 
 __all__ = [
+    "TransferFunctions",
+    "auto_transfer_functions",
     "replace_smart_volume_mapper",
     "vtkTetMarchFirstPicture",
     "vtkTetMarchFrameStatistics",

@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Transfer functions for data that nobody has seen yet."""
+from typing import NamedTuple
+
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
+
+from .vtkRenderingTetMarch import vtkTetMarchFirstPicture
+
+ASSOCIATIONS = {None: vtkTetMarchFirstPicture.ANY, "points": vtkTetMarchFirstPicture.POINTS,
+                "cells": vtkTetMarchFirstPicture.CELLS}
+
+
+class TransferFunctions(NamedTuple):
+    """What auto_transfer_functions() chose."""
+
+    color: vtkColorTransferFunction
+    opacity: vtkPiecewiseFunction
+    unit_distance: float  # in units of the data's coordinates, above 0
+    array: str
+    association: str  # "points" or "cells"
+    component: int  # -1: the magnitude
+    range: tuple  # of the values that are shown: (low, high), low < high
+
+
+def choose_first_picture(data, array=None, association=None, component=None, range=None, structured_law=None):
+    """A vtkTetMarchFirstPicture that has chosen; the parameters are those of auto_transfer_functions()."""
+    if association not in ASSOCIATIONS:
+        raise ValueError(f"association is 'points', 'cells' or None, not {association!r}")
+    first = vtkTetMarchFirstPicture()
+    first.SetInputData(data)
+    first.SetArrayName(array or "")
+    first.SetArrayAssociation(ASSOCIATIONS[association])
+    if component is not None:
+        first.SetComponent(-1 if component == "magnitude" else component)
+    if range is not None:
+        if not range[0] < range[1]:
+            raise ValueError(f"range is (low, high) with low < high, not {range!r}")
+        first.SetRange(*range)
+    if structured_law is not None:
+        first.SetOpacityLaw(first.STRUCTURED if structured_law else first.UNSTRUCTURED)
+    errors = []
+
+    def keep(_object, _event, text):
+        errors.append(text)
+
+    keep.CallDataType = "string0"
+    first.AddObserver("ErrorEvent", keep)
+    if not first.Choose():
+        message = errors[-1].strip().split("): ", 1)[-1] if errors else "there is nothing to choose"
+        raise ValueError(message)
+    return first
+
+
+def auto_transfer_functions(data, array=None, association=None, component=None, range=None, structured_law=None):
+    """Transfer functions and a unit distance with which a picture shows the data: neither empty nor a slab.
+
+    data: a vtkUnstructuredGrid, vtkImageData, vtkRectilinearGrid or vtkStructuredGrid, or a tree of such blocks.
+    array: its name; None: physical values before numbers of cells or blocks, points before cells.
+    association: "points", "cells" or None: points, then cells.
+    component: from 0, or "magnitude"; None: the first of an array with a name, else the magnitude.
+    range: (low, high) of the values to show; None: the 2nd to the 98th percentile.
+    structured_law: what opacity means, see vtkTetMarchSettings.SetOpacityLaw; None: as mappers for such data have it.
+
+    Needs no window and no OpenGL. The same data give the same functions. Raises ValueError if there is no such array.
+    The rule is that of vtkTetMarchFirstPicture. Returns a TransferFunctions.
+    """
+    first = choose_first_picture(data, array, association, component, range, structured_law)
+    color = vtkColorTransferFunction()
+    color.DeepCopy(first.GetColor())
+    opacity = vtkPiecewiseFunction()
+    opacity.DeepCopy(first.GetOpacity())
+    where = "cells" if first.GetChosenAssociation() == first.CELLS else "points"
+    return TransferFunctions(color, opacity, first.GetUnitDistance(), first.GetChosenArray().GetName(), where,
+                             first.GetChosenComponent(), first.GetChosenRange())
