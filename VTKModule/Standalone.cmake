@@ -60,7 +60,7 @@ if (TETMARCH_WRAP_PYTHON)
     INSTALL_HEADERS OFF
     TARGET TetMarch::Python
     BUILD_STATIC OFF)
-  foreach (name IN ITEMS __init__ replacement)
+  foreach (name IN ITEMS __init__ first_picture replacement)
     configure_file("VTKModule/Python/${name}.py"
       "${CMAKE_BINARY_DIR}/${tetmarch_python_dir}/vtktetmarch/${name}.py" COPYONLY)
     install(FILES "VTKModule/Python/${name}.py" DESTINATION "${tetmarch_python_dir}/vtktetmarch")

@@ -30,6 +30,7 @@ def image(dimensions, spacing=(1.0, 1.0, 1.0), origin=(0.0, 0.0, 0.0)):
 def unstructured(data):
     """The same cells as an unstructured grid."""
     append = vtk.vtkAppendFilter()
+    append.SetOutputPointsPrecision(append.DOUBLE_PRECISION)
     append.AddInputData(data)
     append.Update()
     return append.GetOutput()
