@@ -404,6 +404,7 @@ bool vtkTetMarchFirstPicture::PlaceCamera(vtkCamera* camera, double aspect)
 void vtkTetMarchFirstPicture::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "InputData: " << this->Found->Data.Get() << "\n";
   os << indent << "ArrayName: " << this->ArrayName << "\n";
   os << indent << "ArrayAssociation: " << this->ArrayAssociation << "\n";
   os << indent << "Component: " << this->Component << "\n";

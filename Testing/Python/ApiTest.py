@@ -34,7 +34,8 @@ class ApiTest(unittest.TestCase):
         self.assertIn("marching rays", vtkTetMarchVolumeMapper.__doc__)
         self.assertIn("marching rays", vtktetmarch.__doc__)
         self.assertEqual(CLASSES,
-                         ["vtkTetMarchFrameStatistics", "vtkTetMarchLegend", "vtkTetMarchObjectFactory",
+                         ["vtkTetMarchFirstPicture", "vtkTetMarchFrameStatistics", "vtkTetMarchLegend",
+                          "vtkTetMarchObjectFactory",
                           "vtkTetMarchProjectedTetrahedraMapper", "vtkTetMarchSettings",
                           "vtkTetMarchSmartVolumeMapper", "vtkTetMarchVolumeMapper"])
 

@@ -11,7 +11,8 @@ CLASSES = [getattr(vtktetmarch, name) for name in vtktetmarch.__all__ if name.st
 
 # What can't be found by trying numbers.
 OTHER_VALUES = {"Mapper": vtktetmarch.vtkTetMarchVolumeMapper(), "BlendMode": 3,
-                "Settings": vtktetmarch.vtkTetMarchSettings(), "Controller": vtkmodules.all.vtkDummyController()}
+                "Settings": vtktetmarch.vtkTetMarchSettings(), "ArrayName": "p",
+                "InputData": vtkmodules.all.vtkImageData(), "Controller": vtkmodules.all.vtkDummyController()}
 # Figures with an argument before the value, and what belongs to a class instead of an object.
 NO_PROPERTIES = {"Values", "ReplacesProjectedTetrahedra", "ReplacesSmartVolume"}
 # Their choices have other names now.
