@@ -101,7 +101,7 @@ def thin_plate():
 
 
 def values_over_many_sizes():
-    """As concentrations are: from 1e-9 to 1."""
+    """As concentrations are: from 4e-6 to 1."""
     return with_points(unstructured(image((25, 25, 25), (0.1, 0.1, 0.1), (-1.2, -1.2, -1.2))), "concentration",
                        lambda p: math.exp(-6 * radius(p)))
 
