@@ -4,7 +4,6 @@
 
 #include "FirstPicture/DrawnArray.h"
 
-#include "vtkCellTypes.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkMath.h"
@@ -107,21 +106,32 @@ void addCorners(vtkDataSet* block, const int n[3], std::vector<Vector3>& points)
   }
 }
 
-// Which types of the grid's cells are three-dimensional.
-std::array<bool, 256> solidTypes(vtkUnstructuredGrid* grid)
+// Which types of cells are three-dimensional, of those that are asked for: VTK complains of numbers
+// that are no type.
+class SolidTypes
 {
-  std::array<bool, 256> solid{};
-  vtkNew<vtkCellTypes> types;
-  grid->GetCellTypes(types);
-  vtkNew<vtkGenericCell> cell;
-  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+public:
+  bool operator()(int type)
   {
-    const unsigned char type = types->GetCellType(i);
-    cell->SetCellType(type);
-    solid[type] = cell->GetCellDimension() == 3;
+    Answer& answer = this->Answers[static_cast<unsigned char>(type)];
+    if (answer == Answer::Unknown)
+    {
+      this->Cell->SetCellType(type);
+      answer = this->Cell->GetCellDimension() == 3 ? Answer::Solid : Answer::Flat;
+    }
+    return answer == Answer::Solid;
   }
-  return solid;
-}
+
+private:
+  enum class Answer
+  {
+    Unknown,
+    Solid,
+    Flat
+  };
+  std::array<Answer, 256> Answers{};
+  vtkNew<vtkGenericCell> Cell;
+};
 
 // Of an unstructured grid the points of 3D cells, else all.
 std::vector<bool> drawnPoints(vtkDataSet* block)
@@ -132,10 +142,10 @@ std::vector<bool> drawnPoints(vtkDataSet* block)
   {
     return drawn;
   }
-  const std::array<bool, 256> solid = solidTypes(grid);
+  SolidTypes isSolid;
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
-    if (solid[static_cast<unsigned char>(grid->GetCellType(i))])
+    if (isSolid(grid->GetCellType(i)))
     {
       vtkIdType count = 0;
       const vtkIdType* corners = nullptr;
