@@ -30,19 +30,34 @@ prepare_paraview() {
   unpack_paraview
 }
 
+# ParaView 5.11 loads nothing by --plugins=PATH, without a word: it wants the folder and the name.
 explain_plugin() {
   local plugin="$1" bin="$PARAVIEW_ROOT/usr/bin"
   cat <<TEXT
 The plugin is $plugin
 To load it: in ParaView by Tools > Manage Plugins > Load New, in Python by
   paraview.simple.LoadPlugin("$plugin", remote=False)
-or from the start with this ParaView:
-  LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu) $bin/paraview --plugins=$plugin
+or from the start with this ParaView, as ./tetmarch paraview FILE does:
+  LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu) $bin/paraview --plugin-search-paths=$(dirname "$plugin") --plugins=TetMarch
 TEXT
 }
 
+# start_paraview PLUGIN FILE
+start_paraview() {
+  [[ -r "$2" ]] || die "there is no file $2 that can be read"
+  [[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]] ||
+    die "ParaView's window needs a display, and there is none: log in with ssh -X, or draw with pvbatch or tetmarch-render"
+  LD_LIBRARY_PATH="$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)" exec "$PARAVIEW_ROOT/usr/bin/paraview" \
+    --plugin-search-paths="$(dirname "$1")" --plugins=TetMarch "$2"
+}
+
+# paraview [FILE]
 paraview() {
   local plugins
+  plugins=("$PARAVIEW_BUILD"/lib/*/plugins/TetMarch/TetMarch.so)
+  if (($# > 0)) && [[ -r "${plugins[0]}" ]]; then
+    start_paraview "${plugins[0]}" "$1"
+  fi
   prepare_machine
   prepare_paraview
   configure "$PARAVIEW_BUILD" -DTETMARCH_PARAVIEW_PLUGIN=ON -DBUILD_TESTING=ON \
@@ -52,4 +67,5 @@ paraview() {
   run_ctest "$PARAVIEW_BUILD"
   plugins=("$PARAVIEW_BUILD"/lib/*/plugins/TetMarch/TetMarch.so)
   explain_plugin "${plugins[0]}"
+  if (($# > 0)); then start_paraview "${plugins[0]}" "$1"; fi
 }

@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The line that `./tetmarch paraview` prints starts ParaView's window with the plugin: WindowTest.py PROJECT PLUGIN ROOT
+
+ROOT is the folder in which ParaView was unpacked. Wants a display.
+"""
+import json
+import os
+import pathlib
+import shlex
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import vtkmodules.all as vtk
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROJECT = PLUGIN = ROOT = None
+LONGEST = 240  # seconds
+
+
+def printed_line():
+    """The last line of what the script explains: the environment and the command."""
+    explain = 'BUILD=$1; source "$2/Tools/Script/paraview.sh"; explain_plugin "$3"'
+    text = subprocess.run(["bash", "-c", explain, "-", str(pathlib.Path(ROOT).parent), PROJECT, PLUGIN],
+                          check=True, capture_output=True, text=True).stdout
+    return text.strip().splitlines()[-1].strip()
+
+
+def pixels(path):
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(float)
+
+
+class WindowTest(unittest.TestCase):
+    def test_the_printed_line_loads_the_plugin(self):
+        line = printed_line()
+        self.assertIn("--plugin-search-paths=", line)
+        with tempfile.TemporaryDirectory() as folder:
+            result = os.path.join(folder, "found.json")
+            command = f"{line} --dr --script={shlex.quote(str(HERE / 'gui_script.py'))}"
+            window = subprocess.Popen(["bash", "-c", "exec env " + command], env={**os.environ, "TETMARCH_GUI_RESULT": result},
+                                      stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            try:
+                end = time.monotonic() + LONGEST
+                while not os.path.exists(result) and window.poll() is None and time.monotonic() < end:
+                    time.sleep(0.5)
+                self.assertTrue(os.path.exists(result), f"ParaView said nothing (exit status {window.poll()})")
+                with open(result, encoding="utf-8") as file:
+                    found = json.load(file)
+                self.assertNotIn("error", found)
+                for name in ("image", "mesh"):
+                    with self.subTest(name):
+                        self.assertIn("Tet Marching", found[name]["representations"])
+                        self.assertGreater(found[name]["seconds"], 0)
+                        surface, volume = pixels(found[name]["surface"]), pixels(found[name]["volume"])
+                        self.assertGreater((abs(surface - volume).max(axis=1) > 20).mean(), 0.1)
+                        self.assertGreater(len({tuple(pixel) for pixel in volume}), 1000)
+            finally:
+                window.terminate()
+                try:
+                    window.wait(20)
+                except subprocess.TimeoutExpired:
+                    window.kill()
+                    window.wait()
+
+
+if __name__ == "__main__":
+    PROJECT, PLUGIN, ROOT = sys.argv[1:4]
+    unittest.main(argv=sys.argv[:1])
