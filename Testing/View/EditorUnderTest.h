@@ -14,8 +14,10 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkRenderWindow.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -33,6 +35,8 @@ struct EditorUnderTest
     this->Editor.SetHistogram({ 1000.0, 100.0, 10.0, 1.0, 0.0 }, 10.0, 20.0);
     this->Editor.resize(350, 420);
     this->Editor.show();
+    QApplication::setActiveWindow(&this->Editor);
+    this->Chart()->setFocus();
     this->Shown = QTest::qWaitForWindowExposed(&this->Editor);
     this->Draw();
   }
@@ -42,7 +46,7 @@ struct EditorUnderTest
   void Draw()
   {
     QCoreApplication::processEvents();
-    this->Chart()->grabFramebuffer();
+    this->Chart()->renderWindow()->Render(); // else VTK waits a moment
   }
 
   tetmarch::FunctionChart* Chart() { return this->Editor.GetChart(); }

@@ -12,6 +12,7 @@
 #include <QIcon>
 #include <QImage>
 #include <QPixmap>
+#include <QStylePainter>
 
 namespace
 {
@@ -42,7 +43,6 @@ ColorMapBox::ColorMapBox(QWidget* parent)
 {
   this->setIconSize(QSize(56, 12));
   this->setToolTip(tr("Colors by name, over the range of the present ones"));
-  this->setPlaceholderText(tr("Color map"));
   this->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   this->setMinimumContentsLength(8);
   this->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -69,6 +69,20 @@ void ColorMapBox::ShowMapOf(vtkColorTransferFunction* color)
     found = state.Colors == shown.Colors && state.ColorSpace == shown.ColorSpace ? i : -1;
   }
   this->setCurrentIndex(found);
+}
+
+void ColorMapBox::paintEvent(QPaintEvent*)
+{
+  // Qt 5 doesn't draw the placeholder of a box that can't be edited.
+  QStyleOptionComboBox option;
+  this->initStyleOption(&option);
+  if (this->currentIndex() < 0)
+  {
+    option.currentText = tr("Own colors");
+  }
+  QStylePainter painter(this);
+  painter.drawComplexControl(QStyle::CC_ComboBox, option);
+  painter.drawControl(QStyle::CE_ComboBoxLabel, option);
 }
 
 } // namespace tetmarch

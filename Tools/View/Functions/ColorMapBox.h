@@ -23,6 +23,9 @@ public:
 
 Q_SIGNALS:
   void MapChosen(const QString& name);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
 };
 
 } // namespace tetmarch

@@ -55,6 +55,7 @@ void FunctionChart::SetUpCharts()
   {
     chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
     chart->SetShowLegend(false);
+    chart->SetAutoAxes(false); // else axes come with plots
     chart->SetActionToButton(vtkChart::PAN, -1);
     chart->SetActionToButton(vtkChart::ZOOM, -1);
     chart->SetActionToButton(vtkChart::SELECT, -1);
@@ -162,7 +163,7 @@ void FunctionChart::FitAxes()
   this->ColorPoints->SetUserBounds(low, high, 0.0, 1.0);
   this->ColorPoints->SetValidBounds(low, high, 0.0, 1.0);
   this->IsoValues->SetLimits(low, high);
-  this->View->GetScene()->SetDirty(true);
+  this->PlaceCharts();
   this->update();
 }
 

@@ -47,7 +47,10 @@ void FunctionChart::PlaceCharts()
   this->BarChart->SetSize(vtkRectf(margin, bottom, width, bar));
   this->OpacityChart->SetSize(vtkRectf(margin, bottom + bar, width, std::max(1.0f, height)));
   this->OpacityPoints->SetScreenPointRadius(PointRadius * ratio);
-  this->ColorPoints->SetScreenPointRadius(PointRadius * ratio);
+  // The many points of a colour map are smaller, so that they stand apart.
+  const auto points = static_cast<float>(this->ColorPoints->GetNumberOfPoints());
+  this->ColorPoints->SetScreenPointRadius(
+    std::min(PointRadius * ratio, 0.3f * width / std::max(1.0f, points)));
   this->IsoValues->SetPixelRatio(static_cast<double>(ratio));
   this->View->GetScene()->SetDirty(true);
 }

@@ -14,8 +14,6 @@
 #include <QAction>
 #include <QLabel>
 
-#include <algorithm>
-
 namespace tetmarch
 {
 
@@ -133,15 +131,14 @@ void TransferFunctionEditor::FunctionsModified()
 
 void TransferFunctionEditor::TellOfChanges()
 {
-  FunctionState present = this->ReadPresent();
+  const FunctionState present = this->ReadPresent();
   if (present == this->Told)
   {
     return;
   }
   const bool linesMoved = present.IsoValues != this->Told.IsoValues;
-  std::swap(present.IsoValues, this->Told.IsoValues);
+  this->Told.IsoValues = present.IsoValues;
   const bool functionsChanged = present != this->Told;
-  std::swap(present.IsoValues, this->Told.IsoValues);
   this->Told = present;
   if (this->Pressed)
   {
