@@ -29,8 +29,8 @@ if (TETMARCH_WRAP_PYTHON)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${tetmarch_vtk_components}
   OPTIONAL_COMPONENTS
-    FiltersCore FiltersGeneral FiltersGeometry FiltersSources FiltersHybrid ImagingCore IOCGNSReader IOExodus
-    IOImage IOLegacy IOXML TestingRendering)
+    ChartsCore FiltersCore FiltersGeneral FiltersGeometry FiltersSources FiltersHybrid GUISupportQt ImagingCore
+    IOCGNSReader IOExodus IOImage IOLegacy IOXML RenderingContextOpenGL2 TestingRendering ViewsContext2D)
 
 vtk_module_scan(
   MODULE_FILES "${PROJECT_SOURCE_DIR}/vtk.module"

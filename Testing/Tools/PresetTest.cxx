@@ -142,3 +142,11 @@ TEST(Preset, LogScale)
     "p.json");
   EXPECT_NEAR(f.Color->GetRedValue(10.0), 0.5, 1e-12);
 }
+
+TEST(Preset, TellsWhetherItHasOpacity)
+{
+  EXPECT_FALSE(tetmarch::ParsePreset(std::string("{") + Colors + "}", "p").HasOpacityOfItsOwn);
+  EXPECT_TRUE(
+    tetmarch::ParsePreset(std::string("{") + Colors + R"(, "Points": [0, 0, 0.5, 0]})", "p")
+      .HasOpacityOfItsOwn);
+}

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -88,6 +89,30 @@ void SetColorSpace(vtkColorTransferFunction* color, const json& preset)
   color->SetHSVWrap(GetFlag(preset, "HSVWrap"));
 }
 
+/// Midpoint and sharpness of each colour point, which are ours alone; the usual ones if missing.
+std::vector<double> GetColorShape(const json& preset, std::size_t points)
+{
+  std::vector<double> shape;
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    shape.insert(shape.end(), { 0.5, 0.0 });
+  }
+  const auto found = preset.find("RGBPointsShape");
+  if (found == preset.end())
+  {
+    return shape;
+  }
+  const auto isShare = [](const json& element)
+  { return element.is_number() && element.get<double>() >= 0.0 && element.get<double>() <= 1.0; };
+  if (!found->is_array() || found->size() != shape.size() ||
+      !std::all_of(found->begin(), found->end(), isShare))
+  {
+    throw Failure(
+      "RGBPointsShape must be an array of numbers from 0 to 1, 2 for each point of RGBPoints");
+  }
+  return found->get<std::vector<double>>();
+}
+
 const json& GetFirstPreset(const json& document)
 {
   if (document.is_array() && document.empty())
@@ -117,7 +142,8 @@ tetmarch::TransferFunctions MakeFunctions(
   const double high = colors[colors.size() - 4];
   const auto place = [&](double x)
   {
-    return !range       ? x
+    // Where nothing is to be stretched, not a bit changes.
+    return !range || ((*range)[0] == low && (*range)[1] == high) ? x
            : high > low ? (*range)[0] + (x - low) / (high - low) * ((*range)[1] - (*range)[0])
                         : (*range)[0];
   };
@@ -126,9 +152,11 @@ tetmarch::TransferFunctions MakeFunctions(
   functions.Color->SetAllowDuplicateScalars(true); // as ParaView does
   functions.Opacity->SetAllowDuplicateScalars(true);
   SetColorSpace(functions.Color, preset);
+  const auto shape = GetColorShape(preset, colors.size() / 4);
   for (std::size_t i = 0; i < colors.size(); i += 4)
   {
-    functions.Color->AddRGBPoint(place(colors[i]), colors[i + 1], colors[i + 2], colors[i + 3]);
+    functions.Color->AddRGBPoint(place(colors[i]), colors[i + 1], colors[i + 2], colors[i + 3],
+      shape[i / 2], shape[i / 2 + 1]);
   }
   for (std::size_t i = 0; i < opacities.size(); i += 4)
   {
@@ -142,6 +170,7 @@ tetmarch::TransferFunctions MakeFunctions(
     functions.Opacity->AddPoint(
       place(opacities[i]), opacities[i + 1], opacities[i + 2], opacities[i + 3]);
   }
+  functions.HasOpacityOfItsOwn = !opacities.empty();
   if (opacities.empty())
   {
     functions.Opacity->AddPoint(place(low), 0.0);

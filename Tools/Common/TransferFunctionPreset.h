@@ -9,6 +9,8 @@
  * - ColorSpace: RGB, HSV, Lab, CIELAB, Diverging, Lab/CIEDE2000 or Step
  * - HSVWrap, UseLogScale
  * - RGBPoints: [x, r, g, b, ...], required
+ * - RGBPointsShape: [midpoint, sharpness, ...] of the colour points. ParaView has no such field and
+ *   ignores it; without it they are 0.5 and 0
  * - Points: [x, opacity, midpoint, sharpness, ...]; without it the opacity rises linearly from 0 to
  *   1 over the range of the colours
  * - NanColor: [r, g, b]
@@ -37,6 +39,13 @@ TransferFunctions ParsePreset(const std::string& text, const std::string& name,
 /// The same from a file.
 TransferFunctions ReadPreset(
   const std::string& path, const std::optional<std::array<double, 2>>& range = std::nullopt);
+
+/**
+ * Writes both functions as a preset that ReadPreset() and ParaView take. Throws Failure if the file
+ * can't be written or a function has no points; an older file is then left as it was.
+ */
+void WritePreset(const std::string& path, const std::string& name, vtkColorTransferFunction* color,
+  vtkPiecewiseFunction* opacity);
 
 } // namespace tetmarch
 

@@ -14,6 +14,8 @@ struct TransferFunctions
 {
   vtkNew<vtkColorTransferFunction> Color;
   vtkNew<vtkPiecewiseFunction> Opacity;
+  bool HasOpacityOfItsOwn =
+    true; ///< false if a preset has colours alone and its opacity is made up
 };
 
 } // namespace tetmarch

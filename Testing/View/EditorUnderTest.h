@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * An editor on the screen, with functions whose points a test knows, and a mouse for it.
+ */
+#ifndef EditorUnderTest_h
+#define EditorUnderTest_h
+
+#include "FunctionChart.h"
+#include "FunctionState.h"
+#include "TransferFunctionEditor.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderWindow.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QSignalSpy>
+#include <QtTest>
+
+struct EditorUnderTest
+{
+  EditorUnderTest()
+  {
+    this->Color->AddRGBPoint(10.0, 0.0, 0.0, 1.0);
+    this->Color->AddRGBPoint(14.0, 0.9, 0.9, 0.9, 0.25, 0.5);
+    this->Color->AddRGBPoint(20.0, 1.0, 0.0, 0.0);
+    this->Opacity->AddPoint(10.0, 0.0);
+    this->Opacity->AddPoint(13.0, 0.5);
+    this->Opacity->AddPoint(20.0, 1.0);
+    this->Editor.SetFunctions(this->Color, this->Opacity);
+    this->Editor.SetHistogram({ 1000.0, 100.0, 10.0, 1.0, 0.0 }, 10.0, 20.0);
+    this->Editor.resize(350, 420);
+    this->Editor.show();
+    QApplication::setActiveWindow(&this->Editor);
+    this->Chart()->setFocus();
+    this->Shown = QTest::qWaitForWindowExposed(&this->Editor);
+    this->Draw();
+  }
+
+  tetmarch::FunctionState Read() { return tetmarch::ReadState(this->Color, this->Opacity); }
+
+  void Draw()
+  {
+    QCoreApplication::processEvents();
+    this->Chart()->renderWindow()->Render(); // else VTK waits a moment
+  }
+
+  tetmarch::FunctionChart* Chart() { return this->Editor.GetChart(); }
+
+  void Trigger(const char* name)
+  {
+    auto* const action = this->Editor.findChild<QAction*>(name);
+    QVERIFY2(action && action->isEnabled(), name);
+    action->trigger();
+    this->Draw();
+  }
+
+  void Send(
+    QEvent::Type type, const QPoint& place, Qt::MouseButton button, Qt::MouseButtons buttons)
+  {
+    QMouseEvent event(
+      type, place, this->Chart()->mapToGlobal(place), button, buttons, Qt::NoModifier);
+    QCoreApplication::sendEvent(this->Chart(), &event);
+  }
+
+  void Click(const QPoint& place, Qt::MouseButton button = Qt::LeftButton)
+  {
+    this->Send(QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
+    this->Send(QEvent::MouseButtonPress, place, button, button);
+    this->Send(QEvent::MouseButtonRelease, place, button, Qt::NoButton);
+    this->Draw();
+  }
+
+  /// In ten moves, as a hand does it.
+  void Drag(const QPoint& from, const QPoint& to)
+  {
+    this->Send(QEvent::MouseMove, from, Qt::NoButton, Qt::NoButton);
+    this->Send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+    for (int i = 1; i <= 10; ++i)
+    {
+      this->Send(QEvent::MouseMove, from + (to - from) * i / 10, Qt::NoButton, Qt::LeftButton);
+    }
+    this->Send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+    this->Draw();
+  }
+
+  /// How many units of value a pixel is wide, and of opacity high.
+  double GetPixelWidth()
+  {
+    const int wide = this->Chart()->Locate(20.0, 0.0).x() - this->Chart()->Locate(10.0, 0.0).x();
+    return 10.0 / wide;
+  }
+  double GetPixelHeight()
+  {
+    return 1.0 / (this->Chart()->Locate(10.0, 0.0).y() - this->Chart()->Locate(10.0, 1.0).y());
+  }
+
+  vtkNew<vtkColorTransferFunction> Color;
+  vtkNew<vtkPiecewiseFunction> Opacity;
+  tetmarch::TransferFunctionEditor Editor;
+  QSignalSpy Changed{ &Editor, &tetmarch::TransferFunctionEditor::Changed };
+  QSignalSpy DragBegan{ &Editor, &tetmarch::TransferFunctionEditor::DragBegan };
+  QSignalSpy DragEnded{ &Editor, &tetmarch::TransferFunctionEditor::DragEnded };
+  QSignalSpy IsoValuesChanged{ &Editor, &tetmarch::TransferFunctionEditor::IsoValuesChanged };
+  bool Shown = false;
+};
+
+#endif

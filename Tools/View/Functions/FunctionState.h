@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * All that the editor changes, as plain numbers: what undo goes back to, and what tells whether
+ * anything has changed.
+ */
+#ifndef tetmarch_FunctionState_h
+#define tetmarch_FunctionState_h
+
+#include <array>
+#include <vector>
+
+class vtkColorTransferFunction;
+class vtkPiecewiseFunction;
+
+namespace tetmarch
+{
+
+struct FunctionState
+{
+  using ColorNode = std::array<double, 6>;   ///< value, red, green, blue, midpoint, sharpness
+  using OpacityNode = std::array<double, 4>; ///< value, opacity, midpoint, sharpness
+
+  std::vector<ColorNode> Colors;
+  std::vector<OpacityNode> Opacities;
+  std::vector<double> IsoValues;
+  std::array<double, 3> NanColor = {};
+  int ColorSpace = 0;
+  int Scale = 0;
+  int HSVWrap = 0;
+  int ColorDuplicates = 0; ///< whether several colour points may have the same value
+  int OpacityDuplicates = 0;
+
+  bool operator==(const FunctionState& other) const;
+  bool operator!=(const FunctionState& other) const { return !(*this == other); }
+};
+
+/// IsoValues are left empty: they are in neither function.
+FunctionState ReadState(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity);
+
+/// Makes the functions what they were when the state was read.
+void WriteState(
+  const FunctionState& state, vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity);
+
+} // namespace tetmarch
+
+#endif
