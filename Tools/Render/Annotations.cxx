@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Annotations.h"
 
+#include "AnnotationText.h"
+#include "Messages.h"
+
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkColorTransferFunction.h"
@@ -13,7 +16,6 @@
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
 #include "vtkTextProperty.h"
-#include "vtkTextRenderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,29 +46,10 @@ std::array<double, 3> GetForeground(const CommandLine& commandLine)
   return { { shade, shade, shade } };
 }
 
-int GetTextWidth(const std::string& text, vtkTextProperty* property)
-{
-  constexpr int dotsPerInch = 72;
-  int box[4] = {};
-  vtkTextRenderer* measure = vtkTextRenderer::GetInstance();
-  return measure && measure->GetBoundingBox(property, text, box, dotsPerInch) ? box[1] - box[0] + 1
-                                                                              : 0;
-}
-
-void SetUpText(vtkTextProperty* text, const std::array<double, 3>& color, double size)
-{
-  std::array<double, 3> rgb = color;
-  text->SetColor(rgb.data());
-  text->SetFontSize(static_cast<int>(std::lround(size)));
-  text->BoldOff();
-  text->ItalicOff();
-  text->ShadowOff();
-}
-
 void MakeSmallerUntilItFits(const std::string& text, int width, vtkTextProperty* property)
 {
   constexpr int least = 6;
-  while (property->GetFontSize() > least && GetTextWidth(text, property) > width)
+  while (property->GetFontSize() > least && MeasureText(text, property)[0] > width)
   {
     property->SetFontSize(property->GetFontSize() - 1);
   }
@@ -92,7 +75,9 @@ Annotations::Annotations(const CommandLine& commandLine, vtkRenderer* renderer)
   }
   if (commandLine.Annotations.Axes)
   {
-    this->AddAxes();
+    this->Axes = std::make_unique<BoxAxes>(
+      commandLine.Size, GetScale(commandLine), GetForeground(commandLine));
+    this->Axes->AddTo(renderer);
   }
 }
 
@@ -122,35 +107,7 @@ void Annotations::AddOutline()
   this->Renderer->AddActor(actor);
 }
 
-void Annotations::AddAxes()
-{
-  const std::array<double, 3> color = GetForeground(this->Options);
-  const double scale = GetScale(this->Options);
-  std::array<double, 3> rgb = color;
-  this->Axes->SetCamera(this->Renderer->GetActiveCamera());
-  this->Axes->SetFlyModeToOuterEdges();
-  this->Axes->SetXTitle("x");
-  this->Axes->SetYTitle("y");
-  this->Axes->SetZTitle("z");
-  this->Axes->XAxisMinorTickVisibilityOff();
-  this->Axes->YAxisMinorTickVisibilityOff();
-  this->Axes->ZAxisMinorTickVisibilityOff();
-  this->Axes->SetScreenSize(12.0 * scale);
-  for (vtkProperty* lines : { this->Axes->GetXAxesLinesProperty(),
-         this->Axes->GetYAxesLinesProperty(), this->Axes->GetZAxesLinesProperty() })
-  {
-    lines->SetColor(rgb.data());
-    lines->SetLineWidth(static_cast<float>(1.5 * scale));
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    SetUpText(this->Axes->GetTitleTextProperty(axis), color, 18 * scale);
-    SetUpText(this->Axes->GetLabelTextProperty(axis), color, 16 * scale);
-  }
-  this->Renderer->AddActor(this->Axes);
-}
-
-void Annotations::SetBounds(const double bounds[6])
+void Annotations::SetBounds(const std::array<double, 6>& bounds)
 {
   vtkNew<vtkPoints> corners;
   corners->SetDataTypeToDouble();
@@ -160,7 +117,16 @@ void Annotations::SetBounds(const double bounds[6])
       bounds[corner & 1 ? 1 : 0], bounds[corner & 2 ? 3 : 2], bounds[corner & 4 ? 5 : 4]);
   }
   this->Outline->SetPoints(corners);
-  this->Axes->SetBounds(bounds);
+  this->Bounds = bounds;
+}
+
+void Annotations::FollowCamera()
+{
+  if (this->Axes && !this->Axes->Place(this->Bounds, this->Renderer->GetActiveCamera()))
+  {
+    PrintMessage("warning",
+      "there are no axes, since some of the data's box is behind the camera, see --camera");
+  }
 }
 
 void Annotations::AddScalarBar(

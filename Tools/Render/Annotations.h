@@ -7,13 +7,14 @@
 #ifndef tetmarch_Annotations_h
 #define tetmarch_Annotations_h
 
+#include "BoxAxes.h"
 #include "CommandLine.h"
 
-#include "vtkCubeAxesActor.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <array>
+#include <memory>
 #include <string>
 
 class vtkColorTransferFunction;
@@ -28,11 +29,14 @@ double GetScalarBarShare(const CommandLine& commandLine);
 class Annotations
 {
 public:
-  /// Has the renderer draw what the command line asks for. The renderer's camera must be its last.
+  /// Has the renderer draw what the command line asks for.
   Annotations(const CommandLine& commandLine, vtkRenderer* renderer);
 
   /// The box of the data, which outline and axes show.
-  void SetBounds(const double bounds[6]);
+  void SetBounds(const std::array<double, 6>& bounds);
+
+  /// Before each frame: axes go where the camera sees the silhouette of the box.
+  void FollowCamera();
 
   /// What a scalar bar tells.
   void AddScalarBar(
@@ -40,12 +44,12 @@ public:
 
 private:
   void AddOutline();
-  void AddAxes();
 
   const CommandLine& Options;
   vtkRenderer* Renderer;
   vtkNew<vtkPolyData> Outline;
-  vtkNew<vtkCubeAxesActor> Axes;
+  std::array<double, 6> Bounds{};
+  std::unique_ptr<BoxAxes> Axes;
 };
 
 } // namespace tetmarch

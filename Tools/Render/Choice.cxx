@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Choice.h"
 
+#include "ColorMaps.h"
 #include "ErrorText.h"
 #include "Failure.h"
 #include "Messages.h"
@@ -76,6 +77,11 @@ vtkSmartPointer<vtkTetMarchFirstPicture> MakeChoice(
   else if (!choice->ChooseTransferFunctions())
   {
     throw Failure(error.Get());
+  }
+  if (!commandLine.Colors.empty())
+  {
+    const auto range = GetColorRange(choice, commandLine);
+    ApplyColorMap(commandLine.Colors, range[0], range[1], choice->GetColor());
   }
   if (commandLine.UnitDistance)
   {

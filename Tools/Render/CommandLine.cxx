@@ -105,6 +105,10 @@ CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
       i = TakeOption(arguments, i, words);
     }
   }
+  if (words.Result.ListColors)
+  {
+    return words.Result;
+  }
   CheckOptions(words.Result);
   Complete(words);
   return words.Result;

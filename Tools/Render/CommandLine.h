@@ -45,7 +45,8 @@ struct CommandLine
 {
   bool Help = false;
   bool Version = false;
-  bool List = false;  // the arrays, instead of a picture
+  bool List = false; // the arrays, instead of a picture
+  bool ListColors = false;
   bool Quiet = false; // no progress bar, no notes
   int Threads = 0;    // 0: as many as the libraries take
 
@@ -54,6 +55,7 @@ struct CommandLine
   std::string Output;           // by default the base name of Input + .png; empty: none
   std::string Stats;            // empty: none
   std::string Preset;           // empty: the default transfer function
+  std::string Colors;           // a map's name; empty: those of the transfer function
   std::string Array;            // empty: chosen by vtkTetMarchFirstPicture
   int ArrayAssociation = -1;    // as vtkTetMarchFirstPicture::Associations
   std::optional<int> Component; // of the array; -1: the magnitude

@@ -15,15 +15,15 @@ taken as hexahedra.
 
 Data
   --list                    print all arrays, which of them is drawn, and the time steps; draw nothing
-  --array NAME              the array to draw (default: one that looks like a physical value, of points before
-                            cells, of one component before several; a line on stderr says which)
+  --array NAME              the array to draw (default: one that looks like a physical value, points before
+                            cells, one component before several; a line on stderr says which)
   --component K             of several components the one to draw, counted from 0, or magnitude (default: 0,
                             and of an array that was not asked for magnitude)
   --association WHERE       points or cells: where to look for the array (default: points, then cells)
   --time-step K             the time step, counted from 0 (default: the last)
   --time all|FROM:TO        draw these time steps, each as --time-step does, into numbered files: out.png
-                            becomes out_0000.png and so on. Colours, opacities and camera are the same for all:
-                            they are chosen by the values and the boxes of all these steps
+                            becomes out_0000.png and so on. Colours, opacities and camera are the same for
+                            all, chosen by the values and the boxes of all these steps
   --interpolation HOW       of images and rectilinear grids: linear (default) between the values, or nearest:
                             each value holds in a cell of its own
   --dimensions NX,NY,NZ     of a .raw file: numbers of values along x, which vary fastest, y and z
@@ -34,14 +34,15 @@ Data
 
 Transfer function
   --preset FILE             colour and opacity points from a JSON preset as ParaView exports it
+  --colors NAME             a colour map, also in the place of a preset's colours; list prints the names
   --range LO,HI             spread the preset, or the default transfer function, over these values
                             (default: the preset's own values; 2nd to 98th percentile of the data, of
                             images without what most of them is; with --time, what holds those of all steps)
   --nan R,G,B[,OPACITY]     draw cells with values that are not finite in this colour, from 0 to 1 each
                             (default: they are not drawn; opacity: 1)
-  --unit-distance D         the length that opacities are meant for (default: such that half of the pixels that
-                            show anything are more than half opaque, and few are all but opaque; with --preset
-                            of images and rectilinear grids the mean distance of values)
+  --unit-distance D         the length that opacities are meant for (default: such that half of the pixels
+                            that show anything are more than half opaque, and few are all but opaque; with
+                            --preset of images and rectilinear grids the mean distance of values)
   --opacity-law LAW         unstructured: extinction = opacity / D, as VTK's unstructured mappers (default);
                             structured: -ln(1 - opacity) / D, as VTK's mappers for images (default of images
                             and rectilinear grids)
@@ -80,9 +81,9 @@ View
   --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ[,ANGLE]
                             position, focal point, view up, view angle in degrees (default: oblique, or from
                             the broad side of what is flat, all of the volume in view, 30 degrees)
-  --turntable N             draw N pictures from all around, into numbered files as --time does: the camera goes
-                            around the focal point, about its view up (default: the axis that is upwards, with
-                            the volume in view from all sides)
+  --turntable N             draw N pictures from all around, into numbered files as --time does: the camera
+                            goes around the focal point, about its view up (default: about the axis that is
+                            upwards, with all of the volume in view from all sides)
   --parallel-scale S        parallel projection; S is half of the picture's height in world units
   --blend MODE              composite (default), maximum, minimum, average, additive, or isosurface
   --isovalues V[,V...]      the surfaces of these scalars (--blend isosurface)

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionTable.h"
 
+#include "ColorMaps.h"
 #include "Failure.h"
 #include "OptionParsers.h"
 #include "OptionValues.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
 
 namespace
 {
@@ -52,6 +56,17 @@ void SetBackground(CommandLine& c, const std::string& v)
   }
 }
 
+void SetColors(CommandLine& c, const std::string& v)
+{
+  c.ListColors = v == "list";
+  vtkNew<vtkColorTransferFunction> tried;
+  if (!c.ListColors && !ApplyColorMap(v, 0.0, 1.0, tried))
+  {
+    throw UsageError(DescribeUnknownColorMap(v));
+  }
+  c.Colors = c.ListColors ? "" : v;
+}
+
 std::map<std::string, Option> MakeDataOptions()
 {
   return {
@@ -81,7 +96,10 @@ std::map<std::string, Option> MakeDataOptions()
 
 std::map<std::string, Option> MakeTransferFunctionOptions()
 {
+  Words colors = GetColorMapNames();
+  colors.push_back("list");
   return {
+    { "--colors", Value(SetColors, colors) },
     { "--nan", Value([](CommandLine& c, const std::string& v) { c.NanColor = ParseNanColor(v); }) },
     { "--opacity-law", Word({ "structured", "unstructured" },
                          [](CommandLine& c, int n) { c.StructuredOpacityLaw = n == 0; }) },

@@ -89,7 +89,7 @@ void Picture::SetUpWindow()
 void Picture::SetData(const VolumeData& data)
 {
   this->Mapper->SetInput(data.Input);
-  this->Beside->SetBounds(GetBounds(data).data());
+  this->Beside->SetBounds(GetBounds(data));
   this->Renderer->ResetCameraClippingRange();
 }
 
@@ -152,6 +152,7 @@ void Picture::AddSurface(const std::string& path)
 double Picture::Render()
 {
   const int errorsBefore = Messages::GetNumberOfErrors();
+  this->Beside->FollowCamera();
   const double begin = vtkTimerLog::GetUniversalTime();
   {
     ProgressBar progress("rendering", this->Mapper->GetMapper());
@@ -161,7 +162,7 @@ double Picture::Render()
     }
     else
     {
-      this->Assembled = this->Pieces.Draw(this->Window, this->Options.Transparent);
+      this->Assembled = this->Pieces.Draw(this->Window, this->Renderer, this->Options.Transparent);
     }
     this->Window->WaitForCompletion();
   }

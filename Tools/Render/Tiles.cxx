@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tiles.h"
 
+#include "vtkCamera.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -41,16 +43,43 @@ vtkSmartPointer<vtkImageData> Tiles::MakePicture(bool opacity) const
   return picture;
 }
 
-void Tiles::Copy(
-  vtkRenderWindow* window, const std::array<int, 2>& tile, vtkImageData* picture) const
+Tiles::Part Tiles::GetPart(const std::array<int, 2>& tile) const
 {
-  std::array<int, 2> begin;
-  std::array<int, 2> count;
+  Part part;
   for (int axis = 0; axis < 2; ++axis)
   {
-    begin[axis] = tile[axis] * this->TileSize[axis];
-    count[axis] = std::min(this->TileSize[axis], this->PictureSize[axis] - begin[axis]);
+    part.Begin[axis] = tile[axis] * this->TileSize[axis];
+    part.Count[axis] = std::min(this->TileSize[axis], this->PictureSize[axis] - part.Begin[axis]);
   }
+  return part;
+}
+
+// In the coordinates behind the projection the renderer has the part reach from -1 to 1 upwards,
+// and as far across as the part's aspect says. There, and in this order: make the part the whole
+// picture, as the camera's window centre shifts it; stretch the picture until the part fills it.
+void Tiles::LookAt(const Part& part, vtkCamera* camera) const
+{
+  const double* shift = camera->GetWindowCenter();
+  const double heights = static_cast<double>(this->PictureSize[1]) / part.Count[1];
+  vtkNew<vtkTransform> transform;
+  transform->PostMultiply();
+  transform->Translate(shift[0], shift[1], 0.0);
+  transform->Scale(static_cast<double>(part.Count[0]) / this->PictureSize[0] * heights, 1.0, 1.0);
+  transform->Translate(-shift[0], -shift[1], 0.0);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double size = this->PictureSize[axis];
+    const double middle = (2.0 * part.Begin[axis] + part.Count[axis]) / size - 1.0;
+    const double stretch = size / part.Count[axis];
+    transform->Translate(axis == 0 ? -middle : 0.0, axis == 1 ? -middle : 0.0, 0.0);
+    transform->Scale(axis == 0 ? stretch : 1.0, axis == 1 ? stretch : 1.0, 1.0);
+  }
+  camera->SetUserTransform(transform);
+}
+
+void Tiles::Copy(vtkRenderWindow* window, const Part& part, vtkImageData* picture) const
+{
+  const auto& [begin, count] = part;
   const int components = picture->GetNumberOfScalarComponents();
   vtkNew<vtkUnsignedCharArray> pixels;
   constexpr int backBuffer = 0;
@@ -71,27 +100,31 @@ void Tiles::Copy(
   }
 }
 
-vtkSmartPointer<vtkImageData> Tiles::Draw(vtkRenderWindow* window, bool opacity) const
+vtkSmartPointer<vtkImageData> Tiles::Draw(
+  vtkRenderWindow* window, vtkRenderer* renderer, bool opacity) const
 {
   auto picture = this->MakePicture(opacity);
-  const int count = this->Counts[0] * this->Counts[1];
-  for (int i = 0; i < count; ++i)
+  const double width = 1.0 / this->Counts[0];
+  const double height = 1.0 / this->Counts[1];
+  for (int y = 0; y < this->Counts[1]; ++y)
   {
-    const std::array<int, 2> tile = { { i % this->Counts[0], i / this->Counts[0] } };
-    const double width = 1.0 / this->Counts[0];
-    const double height = 1.0 / this->Counts[1];
-    window->SetTileViewport(
-      tile[0] * width, tile[1] * height, (tile[0] + 1) * width, (tile[1] + 1) * height);
-    window->Render();
-    this->Copy(window, tile, picture);
+    for (int x = 0; x < this->Counts[0]; ++x)
+    {
+      const Part part = this->GetPart({ { x, y } });
+      this->LookAt(part, renderer->GetActiveCamera());
+      window->SetTileViewport(x * width, y * height, (x + 1) * width, (y + 1) * height);
+      window->Render();
+      this->Copy(window, part, picture);
+    }
   }
+  renderer->GetActiveCamera()->SetUserTransform(nullptr);
   return picture;
 }
 
 vtkSmartPointer<vtkImageData> Tiles::Read(vtkRenderWindow* window, bool opacity) const
 {
   auto picture = this->MakePicture(opacity);
-  this->Copy(window, { { 0, 0 } }, picture);
+  this->Copy(window, this->GetPart({ { 0, 0 } }), picture);
   return picture;
 }
 

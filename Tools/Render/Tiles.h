@@ -12,6 +12,7 @@
 
 #include <array>
 
+class vtkCamera;
 class vtkRenderer;
 class vtkRenderWindow;
 
@@ -20,8 +21,9 @@ namespace tetmarch
 
 /**
  * All tiles are equally large. Together they are the picture, or up to some pixels larger at its
- * right and its top. The renderer's viewport is the picture, so every ray is the one that a window
- * as large as the picture would have, and 2D actors stand where they would stand there.
+ * right and its top. The renderer's viewport is the picture, so 2D actors stand where they would
+ * stand in a window as large as the picture. A transformation of the camera, behind its projection,
+ * does the same for all else, so every ray is the one of that window.
  */
 class Tiles
 {
@@ -34,18 +36,28 @@ public:
 
   bool IsOne() const { return this->Counts == std::array<int, 2>{ { 1, 1 } }; }
 
-  /// Before the renderer draws into the window, which must have the size of a tile.
+  /// Before anything is drawn into the window, which must have the size of a tile.
   void SetUp(vtkRenderWindow* window, vtkRenderer* renderer) const;
 
   /// Draws all tiles and puts them together: red, green, blue, or with opacity behind that.
-  vtkSmartPointer<vtkImageData> Draw(vtkRenderWindow* window, bool opacity) const;
+  vtkSmartPointer<vtkImageData> Draw(
+    vtkRenderWindow* window, vtkRenderer* renderer, bool opacity) const;
 
   /// The picture of the only tile, as it was drawn last.
   vtkSmartPointer<vtkImageData> Read(vtkRenderWindow* window, bool opacity) const;
 
 private:
+  /// What of a tile is picture, in pixels of the picture.
+  struct Part
+  {
+    std::array<int, 2> Begin;
+    std::array<int, 2> Count;
+  };
+
+  Part GetPart(const std::array<int, 2>& tile) const;
+  void LookAt(const Part& part, vtkCamera* camera) const;
   vtkSmartPointer<vtkImageData> MakePicture(bool opacity) const;
-  void Copy(vtkRenderWindow* window, const std::array<int, 2>& tile, vtkImageData* picture) const;
+  void Copy(vtkRenderWindow* window, const Part& part, vtkImageData* picture) const;
 
   std::array<int, 2> PictureSize;
   std::array<int, 2> Counts;

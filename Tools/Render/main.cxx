@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ArrayList.h"
 #include "Choice.h"
+#include "ColorMaps.h"
 #include "CommandLine.h"
 #include "DatasetReader.h"
 #include "Failure.h"
@@ -42,6 +43,14 @@ void ShowPixel(Picture& picture, const VolumeData& data, const std::string& arra
   if (!commandLine.PixelJson.empty())
   {
     WriteText(commandLine.PixelJson, FormatPixelJson(commandLine, arrayName, statistics, trace));
+  }
+}
+
+void ListColors()
+{
+  for (const std::string& name : GetColorMapNames())
+  {
+    std::printf("%s\n", name.c_str());
   }
 }
 
@@ -106,7 +115,11 @@ void Run(const CommandLine& commandLine)
   {
     LimitThreads(commandLine.Threads);
   }
-  if (commandLine.List)
+  if (commandLine.ListColors)
+  {
+    ListColors();
+  }
+  else if (commandLine.List)
   {
     ListArrays(commandLine);
   }
