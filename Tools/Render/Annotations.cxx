@@ -2,23 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Annotations.h"
 
-#include "AnnotationText.h"
 #include "Messages.h"
+#include "ScalarBar.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
-#include "vtkColorTransferFunction.h"
-#include "vtkLookupTable.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkProperty2D.h"
 #include "vtkRenderer.h"
-#include "vtkScalarBarActor.h"
-#include "vtkTextProperty.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tetmarch
 {
@@ -46,13 +40,11 @@ std::array<double, 3> GetForeground(const CommandLine& commandLine)
   return { { shade, shade, shade } };
 }
 
-void MakeSmallerUntilItFits(const std::string& text, int width, vtkTextProperty* property)
+/// Of the scalar bar, which has a dark plate if the background isn't known.
+std::array<double, 3> GetTextColor(const CommandLine& commandLine)
 {
-  constexpr int least = 6;
-  while (property->GetFontSize() > least && MeasureText(text, property)[0] > width)
-  {
-    property->SetFontSize(property->GetFontSize() - 1);
-  }
+  return commandLine.Transparent ? std::array<double, 3>{ { 1.0, 1.0, 1.0 } }
+                                 : GetForeground(commandLine);
 }
 
 } // namespace
@@ -68,16 +60,13 @@ double GetScalarBarShare(const CommandLine& commandLine)
 Annotations::Annotations(const CommandLine& commandLine, vtkRenderer* renderer)
   : Options(commandLine)
   , Renderer(renderer)
+  , AxesOverlay(commandLine.Size, GetForeground(commandLine), 1.5 * GetScale(commandLine), renderer)
+  , BarOverlay(commandLine.Size, GetTextColor(commandLine), 1.5 * GetScale(commandLine), renderer)
+  , Axes(this->AxesOverlay, GetScale(commandLine))
 {
   if (commandLine.Annotations.Outline)
   {
     this->AddOutline();
-  }
-  if (commandLine.Annotations.Axes)
-  {
-    this->Axes = std::make_unique<BoxAxes>(
-      commandLine.Size, GetScale(commandLine), GetForeground(commandLine));
-    this->Axes->AddTo(renderer);
   }
 }
 
@@ -122,7 +111,8 @@ void Annotations::SetBounds(const std::array<double, 6>& bounds)
 
 void Annotations::FollowCamera()
 {
-  if (this->Axes && !this->Axes->Place(this->Bounds, this->Renderer->GetActiveCamera()))
+  if (this->Options.Annotations.Axes &&
+      !this->Axes.Place(this->Bounds, this->Renderer->GetActiveCamera()))
   {
     PrintMessage("warning",
       "there are no axes, since some of the data's box is behind the camera, see --camera");
@@ -132,46 +122,9 @@ void Annotations::FollowCamera()
 void Annotations::AddScalarBar(
   vtkColorTransferFunction* colors, const std::array<double, 2>& range, const std::string& title)
 {
-  constexpr int steps = 256;
-  vtkNew<vtkLookupTable> table;
-  table->SetNumberOfTableValues(steps);
-  table->SetTableRange(range[0], range[1]);
-  for (int i = 0; i < steps; ++i)
-  {
-    double rgb[3];
-    colors->GetColor(range[0] + (range[1] - range[0]) * i / (steps - 1), rgb);
-    table->SetTableValue(i, rgb[0], rgb[1], rgb[2]);
-  }
-
-  const double share = GetScalarBarShare(this->Options);
-  const double scale = GetScale(this->Options);
-  vtkNew<vtkScalarBarActor> bar;
-  bar->SetLookupTable(table);
-  bar->SetMaximumNumberOfColors(steps);
-  bar->SetTitle(title.c_str());
-  bar->SetLabelFormat("%.4g");
-  bar->SetNumberOfLabels(5);
-  bar->UnconstrainedFontSizeOn();
-  bar->SetPosition(1.0 - share, 0.1);
-  bar->SetWidth(0.9 * share);
-  bar->SetHeight(0.8);
-  bar->SetBarRatio(0.2);
-  bar->SetVerticalTitleSeparation(static_cast<int>(10 * scale));
-  bar->SetTextPad(static_cast<int>(4 * scale));
-  const bool onPlate = this->Options.Transparent;
-  const std::array<double, 3> white = { { 1.0, 1.0, 1.0 } };
-  const std::array<double, 3> color = onPlate ? white : GetForeground(this->Options);
-  SetUpText(bar->GetTitleTextProperty(), color, 18 * scale);
-  SetUpText(bar->GetLabelTextProperty(), color, 16 * scale);
-  MakeSmallerUntilItFits(
-    title, static_cast<int>(0.9 * share * this->Options.Size[0]), bar->GetTitleTextProperty());
-  if (onPlate)
-  {
-    bar->DrawBackgroundOn();
-    bar->GetBackgroundProperty()->SetColor(0.1, 0.1, 0.1);
-    bar->GetBackgroundProperty()->SetOpacity(0.7);
-  }
-  this->Renderer->AddActor2D(bar);
+  const ScalarBar bar{ title, colors, range, GetScalarBarShare(this->Options),
+    GetScale(this->Options), this->Options.Transparent };
+  bar.AddTo(this->BarOverlay);
 }
 
 } // namespace tetmarch

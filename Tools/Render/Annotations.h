@@ -9,12 +9,12 @@
 
 #include "BoxAxes.h"
 #include "CommandLine.h"
+#include "Overlay.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <array>
-#include <memory>
 #include <string>
 
 class vtkColorTransferFunction;
@@ -49,7 +49,9 @@ private:
   vtkRenderer* Renderer;
   vtkNew<vtkPolyData> Outline;
   std::array<double, 6> Bounds{};
-  std::unique_ptr<BoxAxes> Axes;
+  Overlay AxesOverlay;
+  Overlay BarOverlay;
+  BoxAxes Axes;
 };
 
 } // namespace tetmarch

@@ -2,18 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoxAxes.h"
 
-#include "AnnotationText.h"
 #include "Ticks.h"
 
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
-#include "vtkCoordinate.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPoints.h"
-#include "vtkPolyDataMapper2D.h"
-#include "vtkProperty2D.h"
-#include "vtkRenderer.h"
-#include "vtkTextProperty.h"
+#include "vtkNew.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +29,7 @@ struct BoxAxes::Projection
   }
 
   /// None of a point behind the camera.
-  std::optional<Point> Project(const std::array<double, 3>& place) const
+  std::optional<Overlay::Point> Project(const std::array<double, 3>& place) const
   {
     const double world[4] = { place[0], place[1], place[2], 1.0 };
     double view[4];
@@ -45,7 +38,7 @@ struct BoxAxes::Projection
     {
       return std::nullopt;
     }
-    return Point{ { 0.5 * (view[0] / view[3] + 1.0) * this->Size[0],
+    return Overlay::Point{ { 0.5 * (view[0] / view[3] + 1.0) * this->Size[0],
       0.5 * (view[1] / view[3] + 1.0) * this->Size[1] } };
   }
 };
@@ -56,14 +49,14 @@ struct BoxAxes::Edge
   int Axis = 0;
   int Corner = 0;
   double Length = 0.0; // in pixels
-  Point Along{};
-  Point Outwards{}; // away from the box
+  Overlay::Point Along{};
+  Overlay::Point Outwards{}; // away from the box
 };
 
 namespace
 {
 
-using Point = std::array<double, 2>;
+using Point = Overlay::Point;
 
 Point Move(const Point& from, const Point& direction, double distance)
 {
@@ -88,50 +81,32 @@ int FindSide(const std::array<Point, 8>& points, const Point& from, const Point&
   return least > -tolerance ? 1 : most < tolerance ? -1 : 0;
 }
 
+/// How far text reaches from its middle, in a direction.
+double GetReach(const std::string& text, double size, const Point& direction)
+{
+  const auto [width, height] = Overlay::Measure(text, size);
+  return 0.5 * (width * std::abs(direction[0]) + height * std::abs(direction[1]));
+}
+
 /// Axes are looked for below the box, then on its left.
 double GetPreference(const Point& outwards) { return -outwards[1] - 0.5 * outwards[0]; }
 
 } // namespace
 
-BoxAxes::BoxAxes(
-  const std::array<int, 2>& pictureSize, double scale, const std::array<double, 3>& color)
-  : PictureSize(pictureSize)
+BoxAxes::BoxAxes(Overlay& overlay, double scale)
+  : Drawn(overlay)
   , Scale(scale)
-  , Color(color)
 {
-  vtkNew<vtkCoordinate> coordinate;
-  coordinate->SetCoordinateSystemToNormalizedViewport();
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(this->Lines);
-  mapper->SetTransformCoordinate(coordinate);
-  mapper->TransformCoordinateUseDoubleOn();
-  this->LineActor->SetMapper(mapper);
-  this->LineActor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  this->LineActor->GetProperty()->SetLineWidth(static_cast<float>(1.5 * scale));
-}
-
-void BoxAxes::AddTo(vtkRenderer* renderer)
-{
-  this->Renderer = renderer;
-  renderer->AddActor2D(this->LineActor);
 }
 
 bool BoxAxes::Place(const std::array<double, 6>& bounds, vtkCamera* camera)
 {
-  for (const auto& text : this->Texts)
-  {
-    this->Renderer->RemoveActor2D(text);
-  }
-  this->Texts.clear();
-  this->Lines->SetPoints(vtkNew<vtkPoints>());
-  this->Lines->GetPoints()->SetDataTypeToDouble();
-  this->Lines->SetLines(vtkNew<vtkCellArray>());
-
+  this->Drawn.Clear();
   Projection projection;
-  const double aspect = static_cast<double>(this->PictureSize[0]) / this->PictureSize[1];
+  projection.Size = this->Drawn.GetPictureSize();
+  const double aspect = static_cast<double>(projection.Size[0]) / projection.Size[1];
   projection.Matrix->DeepCopy(camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1));
   projection.Bounds = bounds;
-  projection.Size = this->PictureSize;
   std::array<Point, 8> corners;
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -193,58 +168,19 @@ void BoxAxes::AddAxis(const Projection& projection, const Edge& edge)
     return projection.Project(place).value();
   };
 
-  this->AddLine(at(least), at(most));
+  this->Drawn.AddLine(at(least), at(most));
   double reach = 0.0;
   for (const Tick& tick : MakeTicks(least, most, static_cast<int>(edge.Length / spacing)))
   {
     const Point point = at(tick.Value);
-    this->AddLine(point, Move(point, edge.Outwards, tickLength));
-    const double half = this->GetReach(tick.Label, labelSize, edge.Outwards);
-    this->AddText(tick.Label, labelSize, Move(point, edge.Outwards, tickLength + gap + half));
+    this->Drawn.AddLine(point, Move(point, edge.Outwards, tickLength));
+    const double half = GetReach(tick.Label, labelSize, edge.Outwards);
+    this->Drawn.AddText(tick.Label, labelSize, Move(point, edge.Outwards, tickLength + gap + half));
     reach = std::max(reach, 2.0 * half);
   }
   const Point middle = Move(at(least), edge.Along, 0.5 * edge.Length);
-  this->AddText(std::string(1, "xyz"[edge.Axis]), titleSize,
+  this->Drawn.AddText(std::string(1, "xyz"[edge.Axis]), titleSize,
     Move(middle, edge.Outwards, tickLength + reach + 2.0 * gap + 0.5 * titleSize));
-}
-
-void BoxAxes::AddLine(const Point& a, const Point& b)
-{
-  const auto insert = [this](const Point& point)
-  {
-    return this->Lines->GetPoints()->InsertNextPoint(
-      point[0] / this->PictureSize[0], point[1] / this->PictureSize[1], 0.0);
-  };
-  const vtkIdType from = insert(a);
-  this->Lines->GetLines()->InsertNextCell({ from, insert(b) });
-}
-
-void BoxAxes::SetUp(vtkTextActor* actor, const std::string& text, double fontSize)
-{
-  actor->SetInput(text.c_str());
-  actor->SetTextScaleModeToNone();
-  SetUpText(actor->GetTextProperty(), this->Color, fontSize);
-  actor->GetTextProperty()->SetJustificationToCentered();
-  actor->GetTextProperty()->SetVerticalJustificationToCentered();
-}
-
-// How far text reaches from its middle, in a direction.
-double BoxAxes::GetReach(const std::string& text, double fontSize, const Point& direction)
-{
-  vtkNew<vtkTextActor> actor;
-  this->SetUp(actor, text, fontSize);
-  const auto [width, height] = MeasureText(text, actor->GetTextProperty());
-  return 0.5 * (width * std::abs(direction[0]) + height * std::abs(direction[1]));
-}
-
-void BoxAxes::AddText(const std::string& text, double fontSize, const Point& center)
-{
-  auto actor = vtkSmartPointer<vtkTextActor>::New();
-  this->SetUp(actor, text, fontSize);
-  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  actor->SetPosition(center[0] / this->PictureSize[0], center[1] / this->PictureSize[1]);
-  this->Renderer->AddActor2D(actor);
-  this->Texts.push_back(actor);
 }
 
 } // namespace tetmarch
