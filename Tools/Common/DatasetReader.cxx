@@ -8,6 +8,7 @@
 #include "LibraryOutput.h"
 #include "Messages.h"
 #include "ProgressBar.h"
+#include "TimeSteps.h"
 
 #include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
@@ -19,7 +20,6 @@
 #include "vtkMetaImageReader.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <bitset>
@@ -47,10 +47,8 @@ void CheckFile(const std::string& path)
 /// Reads the chosen time step, by default the last.
 void Update(vtkAlgorithm* reader, std::optional<int> timeStep)
 {
-  reader->UpdateInformation();
-  vtkInformation* information = reader->GetOutputInformation(0);
-  auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
-  const int count = information->Has(key) ? information->Length(key) : 0;
+  const std::vector<double> times = tetmarch::GetTimeSteps(reader);
+  const int count = static_cast<int>(times.size());
   if (timeStep && *timeStep >= count)
   {
     throw Failure(
@@ -60,7 +58,7 @@ void Update(vtkAlgorithm* reader, std::optional<int> timeStep)
   }
   if (count > 0)
   {
-    reader->UpdateTimeStep(information->Get(key)[timeStep.value_or(count - 1)]);
+    reader->UpdateTimeStep(times[timeStep.value_or(count - 1)]);
   }
   else
   {

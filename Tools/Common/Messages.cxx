@@ -12,6 +12,11 @@
 #include <cstring>
 #include <regex>
 
+namespace
+{
+bool Quiet = false;
+}
+
 namespace tetmarch
 {
 
@@ -19,6 +24,20 @@ void PrintMessage(const std::string& kind, const std::string& text)
 {
   ProgressBar::Clear();
   std::fprintf(stderr, "tetmarch-render: %s: %s\n", kind.c_str(), text.c_str());
+}
+
+void PrintNote(const std::string& text)
+{
+  if (!Quiet)
+  {
+    PrintMessage("note", text);
+  }
+}
+
+void BeQuiet()
+{
+  Quiet = true;
+  ProgressBar::Hide();
 }
 
 std::string CleanVTKMessage(const std::string& text)
@@ -66,7 +85,7 @@ void Messages::DisplayGenericWarningText(const char* text)
   this->DisplayWarningText(text);
 }
 
-void Messages::DisplayText(const char* text) { PrintMessage("note", CleanVTKMessage(text)); }
+void Messages::DisplayText(const char* text) { PrintNote(CleanVTKMessage(text)); }
 
 void Messages::DisplayDebugText(const char* text) { this->DisplayText(text); }
 

@@ -20,6 +20,16 @@ namespace tetmarch
 void PrintMessage(const std::string& kind, const std::string& text);
 
 /**
+ * The same with the kind "note", which can be switched off.
+ */
+void PrintNote(const std::string& text);
+
+/**
+ * From now on no notes and no progress bars; errors and warnings stay.
+ */
+void BeQuiet();
+
+/**
  * VTK's text without source line and addresses: "vtkFoo: what happened".
  */
 std::string CleanVTKMessage(const std::string& text);

@@ -14,7 +14,9 @@
 namespace
 {
 bool Showing = false;
-}
+bool Hidden = false;
+bool Running = false; // there is a bar
+} // namespace
 
 namespace tetmarch
 {
@@ -32,10 +34,11 @@ ProgressBar::ProgressBar(std::string stage, vtkObject* source)
   : Stage(std::move(stage))
   , Source(source)
 {
-  if (!isatty(STDERR_FILENO))
+  if (Hidden || Running || !isatty(STDERR_FILENO))
   {
     return;
   }
+  Running = true;
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(this);
   command->SetCallback(
@@ -57,6 +60,7 @@ ProgressBar::~ProgressBar()
   {
     this->Source->RemoveObserver(this->Tag);
     this->Source->UnRegister(nullptr);
+    Running = false;
     Clear();
   }
 }
@@ -74,6 +78,12 @@ void ProgressBar::Clear()
     std::fprintf(stderr, "\r\033[K");
     Showing = false;
   }
+}
+
+void ProgressBar::Hide()
+{
+  Clear();
+  Hidden = true;
 }
 
 } // namespace tetmarch

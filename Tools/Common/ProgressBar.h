@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One line on stderr while a stage of the work runs; nothing if stderr is no terminal.
+ * One line on stderr while a stage of the work runs; nothing if stderr is no terminal. Within a
+ * stage that has a bar, other stages show none.
  */
 #ifndef tetmarch_ProgressBar_h
 #define tetmarch_ProgressBar_h
@@ -25,6 +26,9 @@ public:
 
   /// Wipe a bar that is showing, so that text can be printed.
   static void Clear();
+
+  /// From now on there are no bars.
+  static void Hide();
 
 private:
   void Show(double fraction) const;

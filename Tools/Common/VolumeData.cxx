@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeData.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkRectilinearGrid.h"
@@ -45,6 +46,18 @@ void GetDimensions(vtkDataSet* data, int dimensions[3])
   auto* image = vtkImageData::SafeDownCast(data);
   image ? image->GetDimensions(dimensions)
         : vtkRectilinearGrid::SafeDownCast(data)->GetDimensions(dimensions);
+}
+
+std::array<double, 6> GetBounds(const VolumeData& volume)
+{
+  vtkBoundingBox box;
+  for (vtkDataSet* block : volume.Blocks)
+  {
+    box.AddBounds(block->GetBounds());
+  }
+  std::array<double, 6> bounds;
+  box.GetBounds(bounds.data());
+  return bounds;
 }
 
 double GetMeanSpacing(const VolumeData& volume)

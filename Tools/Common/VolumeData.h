@@ -11,6 +11,7 @@
 #include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <vector>
 
 namespace tetmarch
@@ -32,6 +33,9 @@ bool IsStructured(vtkDataObject* data);
 
 /// Samples along each axis of an image or a rectilinear grid.
 void GetDimensions(vtkDataSet* data, int dimensions[3]);
+
+/// Of all blocks: xmin, xmax, ymin, ymax, zmin, zmax.
+std::array<double, 6> GetBounds(const VolumeData& volume);
 
 /// The mean distance of samples over the axes, and over the blocks of images or rectilinear grids.
 double GetMeanSpacing(const VolumeData& volume);

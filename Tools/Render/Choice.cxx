@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Choice.h"
 
+#include "ColorMaps.h"
 #include "ErrorText.h"
 #include "Failure.h"
+#include "Messages.h"
 #include "TransferFunctionPreset.h"
+
+#include "vtkDataArray.h"
 
 namespace tetmarch
 {
@@ -32,7 +36,7 @@ void TakePreset(
 }
 } // namespace
 
-vtkSmartPointer<vtkTetMarchFirstPicture> MakeChoice(
+vtkSmartPointer<vtkTetMarchFirstPicture> ChooseArray(
   const VolumeData& data, const CommandLine& commandLine)
 {
   auto choice = vtkSmartPointer<vtkTetMarchFirstPicture>::New();
@@ -58,6 +62,14 @@ vtkSmartPointer<vtkTetMarchFirstPicture> MakeChoice(
   {
     throw Failure(error.Get());
   }
+  return choice;
+}
+
+vtkSmartPointer<vtkTetMarchFirstPicture> MakeChoice(
+  const VolumeData& data, const CommandLine& commandLine)
+{
+  auto choice = ChooseArray(data, commandLine);
+  const ErrorText error(choice);
   if (!commandLine.Preset.empty())
   {
     TakePreset(data, commandLine, choice);
@@ -66,11 +78,48 @@ vtkSmartPointer<vtkTetMarchFirstPicture> MakeChoice(
   {
     throw Failure(error.Get());
   }
+  if (!commandLine.Colors.empty())
+  {
+    const auto range = GetColorRange(choice, commandLine);
+    ApplyColorMap(commandLine.Colors, range[0], range[1], choice->GetColor());
+  }
   if (commandLine.UnitDistance)
   {
     choice->SetUnitDistance(*commandLine.UnitDistance);
   }
   return choice;
+}
+
+std::string GetTitle(vtkTetMarchFirstPicture* choice)
+{
+  vtkDataArray* array = choice->GetChosenArray();
+  const int component = choice->GetChosenComponent();
+  const std::string part = array->GetNumberOfComponents() == 1 ? ""
+                           : component < 0                     ? " (magnitude)"
+                                           : " (component " + std::to_string(component) + ")";
+  return array->GetName() + part;
+}
+
+std::array<double, 2> GetColorRange(vtkTetMarchFirstPicture* choice, const CommandLine& commandLine)
+{
+  std::array<double, 2> range;
+  if (commandLine.Preset.empty())
+  {
+    choice->GetChosenRange(range.data());
+  }
+  else
+  {
+    choice->GetColor()->GetRange(range.data());
+  }
+  return range;
+}
+
+void TellChoice(vtkTetMarchFirstPicture* choice, const CommandLine& commandLine)
+{
+  if (commandLine.Array.empty())
+  {
+    PrintNote("drawing " + choice->Describe() + " (--list shows all arrays)");
+  }
 }
 
 } // namespace tetmarch

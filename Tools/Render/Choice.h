@@ -13,12 +13,28 @@
 #include "vtkSmartPointer.h"
 #include "vtkTetMarchFirstPicture.h"
 
+#include <array>
+
 namespace tetmarch
 {
 
-/// Throws Failure if there is no such array, or a preset can't be read.
+/// The array alone. Throws Failure if there is no such array.
+vtkSmartPointer<vtkTetMarchFirstPicture> ChooseArray(
+  const VolumeData& data, const CommandLine& commandLine);
+
+/// The array and its transfer functions. Throws Failure, also if a preset can't be read.
 vtkSmartPointer<vtkTetMarchFirstPicture> MakeChoice(
   const VolumeData& data, const CommandLine& commandLine);
+
+/// "velocity (magnitude)".
+std::string GetTitle(vtkTetMarchFirstPicture* choice);
+
+/// The range of scalars over which colours run.
+std::array<double, 2> GetColorRange(
+  vtkTetMarchFirstPicture* choice, const CommandLine& commandLine);
+
+/// Tells on stderr what was chosen, if the command line left it open.
+void TellChoice(vtkTetMarchFirstPicture* choice, const CommandLine& commandLine);
 
 } // namespace tetmarch
 

@@ -3,6 +3,7 @@
 #include "CommandLine.h"
 
 #include "Failure.h"
+#include "OptionChecks.h"
 #include "OptionTable.h"
 
 #include <filesystem>
@@ -11,102 +12,47 @@ namespace
 {
 using namespace tetmarch;
 
-void CheckPixel(const CommandLine& commandLine)
+struct Words
 {
-  const auto& [width, height] = commandLine.Size;
-  if (!commandLine.Pixel && !commandLine.PixelJson.empty())
+  CommandLine Result;
+  std::vector<std::string> Inputs;
+  bool FramesGiven = false;
+};
+
+/// Sets the option at a place; returns the place of its last word.
+std::size_t TakeOption(const std::vector<std::string>& arguments, std::size_t i, Words& words)
+{
+  const std::string& argument = arguments[i];
+  const auto equals = argument.find('=');
+  const std::string name = argument.substr(0, equals);
+  const auto option = GetOptions().find(name);
+  if (option == GetOptions().end())
   {
-    throw UsageError("--pixel-json writes the ray of --pixel, which is missing");
+    throw UsageError("unknown option '" + name + "'");
   }
-  if (commandLine.Pixel && ((*commandLine.Pixel)[0] >= width || (*commandLine.Pixel)[1] >= height))
+  words.FramesGiven = words.FramesGiven || name == "--frames";
+  const bool hasValue = option->second.Value != Option::NONE;
+  if (!hasValue && equals != std::string::npos)
   {
-    throw UsageError("the pixel of --pixel is outside the picture: columns are 0 to " +
-                     std::to_string(width - 1) + ", rows 0 to " + std::to_string(height - 1));
+    throw UsageError("option " + name + " has no value");
   }
+  if (!hasValue || equals != std::string::npos)
+  {
+    SetOption(words.Result, name, hasValue ? argument.substr(equals + 1) : "");
+    return i;
+  }
+  if (i + 1 == arguments.size() || arguments[i + 1].compare(0, 2, "--") == 0)
+  {
+    throw UsageError("option " + name + " needs a value");
+  }
+  SetOption(words.Result, name, arguments[i + 1]);
+  return i + 1;
 }
-} // namespace
 
-namespace tetmarch
+void Complete(Words& words)
 {
-
-CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
-{
-  CommandLine commandLine;
-  std::vector<std::string> inputs;
-  bool framesGiven = false;
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-  {
-    const std::string& argument = arguments[i];
-    if (argument.size() < 2 || argument[0] != '-')
-    {
-      inputs.push_back(argument);
-      continue;
-    }
-    if (argument == "--")
-    {
-      inputs.insert(inputs.end(), arguments.begin() + i + 1, arguments.end());
-      break;
-    }
-    if (argument == "--help" || argument == "-h")
-    {
-      commandLine.Help = true;
-      return commandLine;
-    }
-    if (argument == "--version")
-    {
-      commandLine.Version = true;
-      return commandLine;
-    }
-    if (argument == "--compare")
-    {
-      commandLine.Compare = true;
-      continue;
-    }
-    if (argument == "--jitter")
-    {
-      commandLine.Jitter = true;
-      continue;
-    }
-    if (argument == "--shade")
-    {
-      commandLine.Light.Shade = true;
-      continue;
-    }
-    if (argument == "--big-endian")
-    {
-      commandLine.Raw.BigEndian = true;
-      continue;
-    }
-    if (argument == "--opaque-shadows")
-    {
-      LightOf(commandLine).OpaqueShadows = true;
-      continue;
-    }
-    const auto equals = argument.find('=');
-    const std::string name = argument.substr(0, equals);
-    if (!IsOptionWithValue(name))
-    {
-      throw UsageError("unknown option '" + name + "'");
-    }
-    framesGiven = framesGiven || name == "--frames";
-    if (equals != std::string::npos)
-    {
-      SetOption(commandLine, name, argument.substr(equals + 1));
-    }
-    else if (i + 1 == arguments.size() || arguments[i + 1].compare(0, 2, "--") == 0)
-    {
-      throw UsageError("option " + name + " needs a value");
-    }
-    else
-    {
-      SetOption(commandLine, name, arguments[++i]);
-    }
-  }
-  if (commandLine.Compare && commandLine.Stats.empty())
-  {
-    throw UsageError("--compare adds to the figures of --stats, which is missing");
-  }
-  CheckPixel(commandLine);
+  CommandLine& commandLine = words.Result;
+  const std::vector<std::string>& inputs = words.Inputs;
   if (inputs.size() != 1 || inputs[0].empty())
   {
     throw UsageError(inputs.size() > 1
@@ -119,11 +65,53 @@ CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
   {
     commandLine.Output = std::filesystem::path(commandLine.Input).stem().string() + ".png";
   }
-  if (!framesGiven && !commandLine.Stats.empty())
+  if (!words.FramesGiven && !commandLine.Stats.empty())
   {
     commandLine.Frames = 5;
   }
-  return commandLine;
+}
+} // namespace
+
+namespace tetmarch
+{
+
+CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
+{
+  Words words;
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+  {
+    const std::string& argument = arguments[i];
+    if (argument.size() < 2 || argument[0] != '-')
+    {
+      words.Inputs.push_back(argument);
+    }
+    else if (argument == "--")
+    {
+      words.Inputs.insert(words.Inputs.end(), arguments.begin() + i + 1, arguments.end());
+      break;
+    }
+    else if (argument == "--help" || argument == "-h")
+    {
+      words.Result.Help = true;
+      return words.Result;
+    }
+    else if (argument == "--version")
+    {
+      words.Result.Version = true;
+      return words.Result;
+    }
+    else
+    {
+      i = TakeOption(arguments, i, words);
+    }
+  }
+  if (words.Result.ListColors)
+  {
+    return words.Result;
+  }
+  CheckOptions(words.Result);
+  Complete(words);
+  return words.Result;
 }
 
 } // namespace tetmarch

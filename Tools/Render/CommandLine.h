@@ -27,16 +27,35 @@ struct CameraOption
   std::optional<double> ViewAngle;
 };
 
+/// Time steps from the first to the last, both included.
+struct TimeRange
+{
+  int First = 0;
+  std::optional<int> Last; // none: the last of the file
+};
+
+struct AnnotationOptions
+{
+  bool ScalarBar = false;
+  bool Outline = false;
+  bool Axes = false;
+};
+
 struct CommandLine
 {
   bool Help = false;
   bool Version = false;
+  bool List = false; // the arrays, instead of a picture
+  bool ListColors = false;
+  bool Quiet = false; // no progress bar, no notes
+  int Threads = 0;    // 0: as many as the libraries take
 
   std::string Input;
   RawOptions Raw;               // complete, if Input is a raw file
   std::string Output;           // by default the base name of Input + .png; empty: none
   std::string Stats;            // empty: none
   std::string Preset;           // empty: the default transfer function
+  std::string Colors;           // a map's name; empty: those of the transfer function
   std::string Array;            // empty: chosen by vtkTetMarchFirstPicture
   int ArrayAssociation = -1;    // as vtkTetMarchFirstPicture::Associations
   std::optional<int> Component; // of the array; -1: the magnitude
@@ -47,7 +66,12 @@ struct CommandLine
   std::optional<CameraOption> Camera;
   std::optional<double> ParallelScale;
   std::array<double, 3> Background{ { 0.08, 0.09, 0.12 } };
+  bool Transparent = false; // no background
+  AnnotationOptions Annotations;
   std::array<int, 2> Size{ { 1024, 768 } };
+  std::optional<int> TileSize;   // of a picture in tiles; none: chosen by GetLargestTile()
+  std::optional<TimeRange> Time; // a picture of each
+  int Turntable = 0;             // pictures all around; 0: one picture
   std::optional<bool> StructuredOpacityLaw; // by default of images and rectilinear grids
   std::optional<bool> Nearest;              // interpolation of these; linear by default
   int AccuracyLevel = 1;                    // vtkTetMarchSettings::DEFAULT
@@ -72,6 +96,9 @@ struct CommandLine
  * Throws UsageError. The arguments are those after the program's name.
  */
 CommandLine ParseCommandLine(const std::vector<std::string>& arguments);
+
+/// Of each side, in pixels: a larger picture is drawn in tiles.
+int GetLargestTile(const CommandLine& commandLine);
 
 /**
  * What --help prints.

@@ -35,11 +35,6 @@ std::array<double, 6> ParseCrop(const std::string& value)
   return { { n[0], n[1], n[2], n[3], n[4], n[5] } };
 }
 
-int ParseCropRegions(const std::string& value)
-{
-  return ParseWord(value, { "middle", "fence", "inverted-fence", "cross", "inverted-cross" });
-}
-
 void SetUpCuts(const CutOptions& options, AnyMapper& mapper)
 {
   for (const ClippingPlaneOption& option : options.Planes)

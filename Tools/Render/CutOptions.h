@@ -26,13 +26,12 @@ struct CutOptions
 {
   std::vector<ClippingPlaneOption> Planes;
   std::optional<std::array<double, 6>> Crop; // xmin, xmax, ymin, ymax, zmin, zmax
-  int CropRegions = 0;                       // as ParseCropRegions() numbers them
+  int CropRegions = 0;                       // the place among the words of --crop-regions
 };
 
 /// Each throws UsageError.
 ClippingPlaneOption ParseClippingPlane(const std::string& value);
 std::array<double, 6> ParseCrop(const std::string& value);
-int ParseCropRegions(const std::string& value);
 
 void SetUpCuts(const CutOptions& options, AnyMapper& mapper);
 

@@ -14,10 +14,16 @@ other. Other blocks are merged where their points coincide; images among them an
 taken as hexahedra.
 
 Data
-  --array NAME              the array to draw (default: the first floating-point array, points before cells)
-  --component K             of several components the one to draw, counted from 0 (default: 0), or magnitude
+  --list                    print all arrays, which of them is drawn, and the time steps; draw nothing
+  --array NAME              the array to draw (default: one that looks like a physical value, points before
+                            cells, one component before several; a line on stderr says which)
+  --component K             of several components the one to draw, counted from 0, or magnitude (default: 0,
+                            and of an array that was not asked for magnitude)
   --association WHERE       points or cells: where to look for the array (default: points, then cells)
   --time-step K             the time step, counted from 0 (default: the last)
+  --time all|FROM:TO        draw these time steps, each as --time-step does, into numbered files: out.png
+                            becomes out_0000.png and so on. Colours, opacities and camera are the same for
+                            all, chosen by the values and the boxes of all these steps
   --interpolation HOW       of images and rectilinear grids: linear (default) between the values, or nearest:
                             each value holds in a cell of its own
   --dimensions NX,NY,NZ     of a .raw file: numbers of values along x, which vary fastest, y and z
@@ -28,14 +34,15 @@ Data
 
 Transfer function
   --preset FILE             colour and opacity points from a JSON preset as ParaView exports it
+  --colors NAME             a colour map, also in the place of a preset's colours; list prints the names
   --range LO,HI             spread the preset, or the default transfer function, over these values
                             (default: the preset's own values; 2nd to 98th percentile of the data, of
-                            images without what most of them is)
+                            images without what most of them is; with --time, what holds those of all steps)
   --nan R,G,B[,OPACITY]     draw cells with values that are not finite in this colour, from 0 to 1 each
                             (default: they are not drawn; opacity: 1)
-  --unit-distance D         the length that opacities are meant for (default: of images and rectilinear grids
-                            the mean distance of values; of others such that a ray across the mesh has an
-                            optical depth near 1)
+  --unit-distance D         the length that opacities are meant for (default: such that half of the pixels
+                            that show anything are more than half opaque, and few are all but opaque; with
+                            --preset of images and rectilinear grids the mean distance of values)
   --opacity-law LAW         unstructured: extinction = opacity / D, as VTK's unstructured mappers (default);
                             structured: -ln(1 - opacity) / D, as VTK's mappers for images (default of images
                             and rectilinear grids)
@@ -72,8 +79,11 @@ Light (--shade, or any other option of these, has the volume lit)
 
 View
   --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ[,ANGLE]
-                            position, focal point, view up, view angle in degrees (default: oblique, all
-                            of the volume in view, 30 degrees)
+                            position, focal point, view up, view angle in degrees (default: oblique, or from
+                            the broad side of what is flat, all of the volume in view, 30 degrees)
+  --turntable N             draw N pictures from all around, into numbered files as --time does: the camera
+                            goes around the focal point, about its view up (default: about the axis that is
+                            upwards, with all of the volume in view from all sides)
   --parallel-scale S        parallel projection; S is half of the picture's height in world units
   --blend MODE              composite (default), maximum, minimum, average, additive, or isosurface
   --isovalues V[,V...]      the surfaces of these scalars (--blend isosurface)
@@ -91,8 +101,15 @@ View
                             inverted-cross
   --surface FILE            draw the polygons of a .vtp or .vtk file, too, opaque and light grey. Several can
                             be given
-  --background R,G,B        from 0 to 1 each (default: 0.08,0.09,0.12)
-  --size WxH                in pixels (default: 1024x768)
+  --scalar-bar              a bar with the colours of values, and the array's name
+  --outline                 the box of the data, as lines that the volume hides as it hides surfaces
+  --axes                    axes with coordinates along edges of that box
+  --background R,G,B|none   from 0 to 1 each (default: 0.08,0.09,0.12), or none: the file has opacities, and
+                            can be laid over anything
+  --size WxH                in pixels, up to 16384x16384 (default: 1024x768)
+  --tile-size N             a picture with more pixels along a side is drawn in tiles, which need less of the
+                            GPU's memory (default: 4096; without limit for what looks at a frame as a whole:
+                            --stats, --frames, --frame-time, --pixel, --view error, cells or lookups)
 
 Output
   --output FILE.png         (default: INPUT's base name + .png in the current folder; with --pixel: none)
@@ -103,6 +120,8 @@ Output
                             double; X and Y are its column and row in the picture, from the upper left
   --pixel-json FILE.json    the same as JSON
   --frames N                render N more times for the frame time in the figures (default: 5 with --stats)
+  --quiet                   no progress bar on the terminal, and no notes; warnings and errors stay
+  --threads N               use so many threads, also those of Mesa's llvmpipe (default: one a processor)
 
   --help, --version
 

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture.h"
 
+#include "Choice.h"
 #include "DatasetReader.h"
 #include "Failure.h"
+#include "Framing.h"
 #include "Messages.h"
 #include "OffscreenWindow.h"
+#include "OptionChecks.h"
+#include "PngFile.h"
 #include "ProgressBar.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -15,7 +19,6 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
 #include "vtkFloatArray.h"
-#include "vtkPNGWriter.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTetMarchFirstPicture.h"
@@ -23,111 +26,82 @@
 #include "vtkTetMarchSettings.h"
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
-#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
-#include "vtkWindowToImageFilter.h"
 
-#include <filesystem>
-
-// The text of the legend.
+// The text of the legend and of what is beside the volume.
 VTK_MODULE_INIT(vtkRenderingFreeType);
-
-namespace
-{
-using namespace tetmarch;
-
-bool ShowsMeasure(int viewMode)
-{
-  return viewMode == vtkTetMarchSettings::VIEW_ERROR_BOUND ||
-         viewMode == vtkTetMarchSettings::VIEW_CELLS ||
-         viewMode == vtkTetMarchSettings::VIEW_LOOKUPS;
-}
-
-bool ShowsBoundary(int viewMode)
-{
-  return viewMode == vtkTetMarchSettings::VIEW_BOUNDARY_FACES ||
-         viewMode == vtkTetMarchSettings::VIEW_BOUNDARY_COORDINATES;
-}
-
-/// What a picture of several blocks has not, that are drawn one over the other; else nullptr.
-const char* FindOptionOfOneBlock(const CommandLine& commandLine)
-{
-  const int blend = commandLine.BlendMode;
-  return commandLine.Pixel                    ? "--pixel"
-         : commandLine.Compare                ? "--compare"
-         : ShowsMeasure(commandLine.ViewMode) ? "--view error, cells or lookups"
-         : blend != vtkVolumeMapper::COMPOSITE_BLEND && blend != vtkVolumeMapper::ISOSURFACE_BLEND
-           ? "--blend other than composite or isosurface"
-           : nullptr;
-}
-
-void CheckOptions(const VolumeData& data, const CommandLine& commandLine)
-{
-  const std::string input = "'" + commandLine.Input + "'";
-  if (!data.Structured && commandLine.Nearest)
-  {
-    throw Failure("--interpolation is for images and rectilinear grids, but " + input +
-                  " is drawn as an unstructured grid");
-  }
-  if (!data.Structured && commandLine.AccuracyLevel == vtkTetMarchSettings::SAMPLED)
-  {
-    throw Failure("--accuracy sampled and --sample-distance are for images and rectilinear grids, "
-                  "but " +
-                  input + " is drawn as an unstructured grid");
-  }
-  if (data.Structured && ShowsBoundary(commandLine.ViewMode))
-  {
-    throw Failure("--view faces and --view coordinates show the boundary of an unstructured grid, "
-                  "but " +
-                  input + " has images or rectilinear grids");
-  }
-  const char* ofOne = FindOptionOfOneBlock(commandLine);
-  if (data.Structured && data.Blocks.size() > 1 && ofOne)
-  {
-    throw Failure(std::string(ofOne) + " is for one image or rectilinear grid, but " + input +
-                  " has " + std::to_string(data.Blocks.size()) +
-                  ", which are drawn one over the other");
-  }
-}
-} // namespace
 
 namespace tetmarch
 {
 
-Picture::Picture(
-  const VolumeData& data, vtkTetMarchFirstPicture* choice, const CommandLine& commandLine)
-  : Mapper(MakeMapper(data.Structured))
+Picture::Picture(const VolumeData& data, const double bounds[6], vtkTetMarchFirstPicture* choice,
+  const CommandLine& commandLine)
+  : Options(commandLine)
+  , Pieces(commandLine.Size, GetLargestTile(commandLine))
+  , Mapper(MakeMapper(data.Structured))
 {
-  CheckOptions(data, commandLine);
-  std::string error;
-  this->Window = MakeOffscreenWindow(commandLine.Size[0], commandLine.Size[1], &error);
-  if (!this->Window)
-  {
-    throw Failure("no offscreen OpenGL: " + error);
-  }
+  CheckOptionsOfData(commandLine, data);
+  this->SetUpWindow();
   this->Volume->SetMapper(this->Mapper->GetMapper());
   choice->ApplyTo(this->Volume);
-  this->SetUpMapper(data, commandLine);
-  this->SetUpProperty(commandLine);
+  this->SetUpMapper();
+  this->SetUpProperty();
   this->Legend->SetMapper(this->Mapper->GetMapper());
-
-  const auto& background = commandLine.Background;
-  this->Renderer->SetBackground(background[0], background[1], background[2]);
   this->Renderer->AddVolume(this->Volume);
   this->Renderer->AddViewProp(this->Legend);
   for (const std::string& path : commandLine.Surfaces)
   {
     this->AddSurface(path);
   }
-  this->Window->AddRenderer(this->Renderer);
   SetUpLight(
     commandLine.Light, this->Renderer, this->Volume->GetProperty(), this->Mapper->GetSettings());
-  this->PlaceCamera(choice, commandLine);
+  PlaceCamera(commandLine, choice, bounds, this->Renderer->GetActiveCamera());
+  this->Beside = std::make_unique<Annotations>(commandLine, this->Renderer);
+  if (commandLine.Annotations.ScalarBar)
+  {
+    this->Beside->AddScalarBar(
+      choice->GetColor(), GetColorRange(choice, commandLine), GetTitle(choice));
+  }
+  this->SetData(data);
 }
 
-void Picture::SetUpMapper(const VolumeData& data, const CommandLine& commandLine)
+void Picture::SetUpWindow()
+{
+  const auto& [width, height] = this->Pieces.GetTileSize();
+  std::string error;
+  this->Window = MakeOffscreenWindow(width, height, &error);
+  if (!this->Window)
+  {
+    throw Failure("no offscreen OpenGL: " + error);
+  }
+  this->Window->SetAlphaBitPlanes(this->Options.Transparent);
+  this->Window->AddRenderer(this->Renderer);
+  this->Pieces.SetUp(this->Window, this->Renderer);
+  std::array<double, 3> background = this->Options.Background;
+  if (this->Options.Transparent)
+  {
+    background = {};
+  }
+  this->Renderer->SetBackground(background.data());
+  this->Renderer->SetBackgroundAlpha(this->Options.Transparent ? 0.0 : 1.0);
+}
+
+void Picture::SetData(const VolumeData& data)
 {
   this->Mapper->SetInput(data.Input);
+  this->Beside->SetBounds(GetBounds(data));
+  this->Renderer->ResetCameraClippingRange();
+}
+
+void Picture::Turn(double degrees)
+{
+  this->Renderer->GetActiveCamera()->Azimuth(degrees);
+  this->Renderer->ResetCameraClippingRange();
+}
+
+void Picture::SetUpMapper()
+{
+  const CommandLine& commandLine = this->Options;
   this->Mapper->SetBlendMode(commandLine.BlendMode);
   SetUpCuts(commandLine.Cuts, *this->Mapper);
 
@@ -145,8 +119,9 @@ void Picture::SetUpMapper(const VolumeData& data, const CommandLine& commandLine
   settings->SetDrawNanCells(!commandLine.NanColor.empty());
 }
 
-void Picture::SetUpProperty(const CommandLine& commandLine)
+void Picture::SetUpProperty()
 {
+  const CommandLine& commandLine = this->Options;
   vtkVolumeProperty* property = this->Volume->GetProperty();
   if (!commandLine.NanColor.empty())
   {
@@ -174,37 +149,21 @@ void Picture::AddSurface(const std::string& path)
   this->Renderer->AddActor(actor);
 }
 
-void Picture::PlaceCamera(vtkTetMarchFirstPicture* choice, const CommandLine& commandLine)
-{
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  if (commandLine.Camera)
-  {
-    const CameraOption& option = *commandLine.Camera;
-    camera->SetPosition(option.Position.data());
-    camera->SetFocalPoint(option.FocalPoint.data());
-    camera->SetViewUp(option.ViewUp.data());
-    camera->SetViewAngle(option.ViewAngle.value_or(30.0));
-  }
-  else
-  {
-    const double aspect = static_cast<double>(commandLine.Size[0]) / commandLine.Size[1];
-    choice->PlaceCamera(camera, aspect);
-  }
-  if (commandLine.ParallelScale)
-  {
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(*commandLine.ParallelScale);
-  }
-  this->Renderer->ResetCameraClippingRange();
-}
-
 double Picture::Render()
 {
   const int errorsBefore = Messages::GetNumberOfErrors();
+  this->Beside->FollowCamera();
   const double begin = vtkTimerLog::GetUniversalTime();
   {
     ProgressBar progress("rendering", this->Mapper->GetMapper());
-    this->Window->Render();
+    if (this->Pieces.IsOne())
+    {
+      this->Window->Render();
+    }
+    else
+    {
+      this->Assembled = this->Pieces.Draw(this->Window, this->Renderer, this->Options.Transparent);
+    }
     this->Window->WaitForCompletion();
   }
   const double seconds = vtkTimerLog::GetUniversalTime() - begin;
@@ -265,21 +224,14 @@ void Picture::Trace(const std::array<int, 2>& pixel, PixelTrace& trace)
 
 void Picture::Write(const std::string& path)
 {
-  vtkNew<vtkWindowToImageFilter> image;
-  image->SetInput(this->Window);
-  image->ShouldRerenderOff();
-  image->ReadFrontBufferOff();
-  image->SetInputBufferTypeToRGB();
-
-  const int errorsBefore = Messages::GetNumberOfErrors();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(path.c_str());
-  writer->SetInputConnection(image->GetOutputPort());
-  writer->Write();
-  if (Messages::GetNumberOfErrors() > errorsBefore || !std::filesystem::exists(path))
+  const vtkSmartPointer<vtkImageData> picture =
+    this->Pieces.IsOne() ? this->Pieces.Read(this->Window, this->Options.Transparent)
+                         : this->Assembled;
+  if (this->Options.Transparent)
   {
-    throw Failure("cannot write '" + path + "'");
+    DivideByOpacity(picture);
   }
+  WritePng(path, picture);
 }
 
 } // namespace tetmarch

@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The scene: one volume in one window, opaque surfaces, and a legend if a view mode wants one.
+ * The scene: one volume in one window, opaque surfaces, what is drawn beside it, and a legend if a
+ * view mode wants one.
  */
 #ifndef tetmarch_Picture_h
 #define tetmarch_Picture_h
 
+#include "Annotations.h"
 #include "AnyMapper.h"
 #include "CommandLine.h"
 #include "PixelTrace.h"
+#include "Tiles.h"
 #include "VolumeData.h"
 
 #include "vtkNew.h"
@@ -28,9 +31,16 @@ namespace tetmarch
 class Picture
 {
 public:
-  /// Throws Failure if no GL can be had, a surface can't be read, or the command line asks for what
-  /// is not to be had of such data.
-  Picture(const VolumeData& data, vtkTetMarchFirstPicture* choice, const CommandLine& commandLine);
+  /// `bounds` are what is to be in view. Throws Failure if no GL can be had, a surface can't be
+  /// read, or the command line asks for what is not to be had of such data.
+  Picture(const VolumeData& data, const double bounds[6], vtkTetMarchFirstPicture* choice,
+    const CommandLine& commandLine);
+
+  /// Other data of the same kind, as the next time step.
+  void SetData(const VolumeData& data);
+
+  /// Goes around the focal point, about the view-up vector.
+  void Turn(double degrees);
 
   /// Draws and waits until it is drawn; seconds. Throws Failure if VTK reported an error.
   double Render();
@@ -45,23 +55,27 @@ public:
   /// Draws once more, and marches the ray of a pixel, counted from the upper left. Throws Failure.
   void Trace(const std::array<int, 2>& pixel, PixelTrace& trace);
 
-  /// Throws Failure if the file can't be written.
+  /// What was drawn last. Throws Failure if the file can't be written.
   void Write(const std::string& path);
 
   vtkRenderWindow* GetWindow() { return this->Window; }
   AnyMapper& GetMapper() { return *this->Mapper; }
 
 private:
-  void SetUpMapper(const VolumeData& data, const CommandLine& commandLine);
-  void SetUpProperty(const CommandLine& commandLine);
+  void SetUpWindow();
+  void SetUpMapper();
+  void SetUpProperty();
   void AddSurface(const std::string& path);
-  void PlaceCamera(vtkTetMarchFirstPicture* choice, const CommandLine& commandLine);
 
+  const CommandLine& Options;
+  const Tiles Pieces;
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   std::unique_ptr<AnyMapper> Mapper;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkTetMarchLegend> Legend;
+  std::unique_ptr<Annotations> Beside;
+  vtkSmartPointer<vtkImageData> Assembled; // of tiles
 };
 
 } // namespace tetmarch

@@ -1,23 +1,36 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ArrayList.h"
 #include "Choice.h"
+#include "ColorMaps.h"
 #include "CommandLine.h"
 #include "DatasetReader.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "Picture.h"
 #include "PixelTrace.h"
+#include "Series.h"
 #include "Statistics.h"
+#include "TimeSteps.h"
 
 #include "vtkDataArray.h"
+#include "vtkSMPTools.h"
 #include "vtkTimerLog.h"
 #include "vtkVersion.h"
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace
 {
 using namespace tetmarch;
+
+/// Before a GL is made: Mesa's llvmpipe reads the variable then.
+void LimitThreads(int count)
+{
+  setenv("LP_NUM_THREADS", std::to_string(count).c_str(), 1);
+  vtkSMPTools::Initialize(count);
+}
 
 void ShowPixel(Picture& picture, const VolumeData& data, const std::string& arrayName,
   const CommandLine& commandLine)
@@ -33,7 +46,22 @@ void ShowPixel(Picture& picture, const VolumeData& data, const std::string& arra
   }
 }
 
-void Run(const CommandLine& commandLine)
+void ListColors()
+{
+  for (const std::string& name : GetColorMapNames())
+  {
+    std::printf("%s\n", name.c_str());
+  }
+}
+
+void ListArrays(const CommandLine& commandLine)
+{
+  const VolumeData data = ReadVolume(commandLine.Input, commandLine.TimeStep, commandLine.Raw);
+  const auto times = GetTimeSteps(commandLine.Input, commandLine.Raw);
+  std::fputs(FormatArrayList(ChooseArray(data, commandLine), times).c_str(), stdout);
+}
+
+void DrawOne(const CommandLine& commandLine)
 {
   Timing timing;
   const double begin = vtkTimerLog::GetUniversalTime();
@@ -41,7 +69,8 @@ void Run(const CommandLine& commandLine)
   timing.Read = vtkTimerLog::GetUniversalTime() - begin;
 
   const auto choice = MakeChoice(data, commandLine);
-  Picture picture(data, choice, commandLine);
+  TellChoice(choice, commandLine);
+  Picture picture(data, GetBounds(data).data(), choice, commandLine);
   timing.FirstFrame = picture.Render();
   if (commandLine.FrameTime > 0.0)
   {
@@ -73,6 +102,38 @@ void Run(const CommandLine& commandLine)
   if (commandLine.Pixel)
   {
     ShowPixel(picture, data, choice->GetChosenArray()->GetName(), commandLine);
+  }
+}
+
+void Run(const CommandLine& commandLine)
+{
+  if (commandLine.Quiet)
+  {
+    BeQuiet();
+  }
+  if (commandLine.Threads > 0)
+  {
+    LimitThreads(commandLine.Threads);
+  }
+  if (commandLine.ListColors)
+  {
+    ListColors();
+  }
+  else if (commandLine.List)
+  {
+    ListArrays(commandLine);
+  }
+  else if (commandLine.Turntable > 0)
+  {
+    DrawTurntable(commandLine);
+  }
+  else if (commandLine.Time)
+  {
+    DrawTimeSteps(commandLine);
+  }
+  else
+  {
+    DrawOne(commandLine);
   }
 }
 } // namespace

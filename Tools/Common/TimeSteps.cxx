@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TimeSteps.h"
+
+#include "FileReader.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+namespace tetmarch
+{
+
+std::vector<double> GetTimeSteps(vtkAlgorithm* reader)
+{
+  reader->UpdateInformation();
+  vtkInformation* information = reader->GetOutputInformation(0);
+  auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+  if (!information->Has(key))
+  {
+    return {};
+  }
+  const double* times = information->Get(key);
+  return { times, times + information->Length(key) };
+}
+
+std::vector<double> GetTimeSteps(const std::string& path, const RawOptions& rawOptions)
+{
+  return GetTimeSteps(MakeReader(path, rawOptions));
+}
+
+} // namespace tetmarch

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ScalarBar.h"
+
+#include "Overlay.h"
+#include "Ticks.h"
+
+#include "vtkColorTransferFunction.h"
+
+#include <algorithm>
+
+namespace tetmarch
+{
+
+namespace
+{
+
+/// The wished one, or one with which text is no wider.
+double FindFontSize(const std::string& text, double wished, double width)
+{
+  constexpr double least = 6.0;
+  double size = wished;
+  while (size > least && Overlay::Measure(text, size)[0] > width)
+  {
+    size -= 1.0;
+  }
+  return size;
+}
+
+} // namespace
+
+void ScalarBar::AddTo(Overlay& overlay) const
+{
+  const double width = overlay.GetPictureSize()[0];
+  const double height = overlay.GetPictureSize()[1];
+  const double margin = 10.0 * this->Scale;
+  const double thickness = 22.0 * this->Scale;
+  const double tickLength = 5.0 * this->Scale;
+  const double titleSize = 18.0 * this->Scale;
+  const double labelSize = 15.0 * this->Scale;
+  const double left = (1.0 - this->Share) * width + margin;
+  const double right = width - margin;
+  const double bottom = 0.12 * height;
+  const double top = 0.84 * height;
+  const double titleHeight = top + 1.5 * titleSize;
+  if (this->HasPlate)
+  {
+    overlay.AddRectangle({ { left - margin, bottom - margin } },
+      { { width, titleHeight + titleSize } }, { { 0.1, 0.1, 0.1 } }, 0.75);
+  }
+
+  constexpr int steps = 256;
+  for (int i = 0; i < steps; ++i)
+  {
+    std::array<double, 3> color;
+    const double middle = (i + 0.5) / steps;
+    this->Colors->GetColor(
+      this->Range[0] + (this->Range[1] - this->Range[0]) * middle, color.data());
+    overlay.AddRectangle({ { left, bottom + (top - bottom) * i / steps } },
+      { { left + thickness, bottom + (top - bottom) * (i + 1) / steps } }, color);
+  }
+
+  const double spacing = std::max(3.0 * labelSize, (top - bottom) / 10);
+  for (const Tick& tick :
+    MakeTicks(this->Range[0], this->Range[1], static_cast<int>((top - bottom) / spacing)))
+  {
+    const double share = (tick.Value - this->Range[0]) / (this->Range[1] - this->Range[0]);
+    const double y = bottom + (top - bottom) * share;
+    overlay.AddLine({ { left + thickness, y } }, { { left + thickness + tickLength, y } });
+    overlay.AddText(
+      tick.Label, labelSize, { { left + thickness + 2.0 * tickLength, y } }, Overlay::LEFT);
+  }
+  overlay.AddText(this->Title, FindFontSize(this->Title, titleSize, right - left),
+    { { left, titleHeight } }, Overlay::LEFT);
+}
+
+} // namespace tetmarch

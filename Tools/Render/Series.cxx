@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Series.h"
+
+#include "Choice.h"
+#include "DatasetReader.h"
+#include "Failure.h"
+#include "Picture.h"
+#include "ProgressBar.h"
+#include "TimeSteps.h"
+#include "TimeSurvey.h"
+
+#include "vtkCommand.h"
+#include "vtkObject.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace tetmarch
+{
+
+namespace
+{
+
+/// One bar over all of a series.
+class SeriesProgress
+{
+public:
+  SeriesProgress(const std::string& stage, int count)
+    : Count(count)
+    , Bar(stage, this->Source)
+  {
+  }
+
+  void AddOne()
+  {
+    double fraction = static_cast<double>(++this->Done) / this->Count;
+    this->Source->InvokeEvent(vtkCommand::ProgressEvent, &fraction);
+  }
+
+private:
+  vtkNew<vtkObject> Source;
+  int Count;
+  int Done = 0;
+  ProgressBar Bar;
+};
+
+std::vector<int> ListTimeSteps(const CommandLine& commandLine)
+{
+  const int count = static_cast<int>(GetTimeSteps(commandLine.Input, commandLine.Raw).size());
+  if (count == 0)
+  {
+    throw Failure("'" + commandLine.Input + "' has no time steps for --time to draw");
+  }
+  const int last = commandLine.Time->Last.value_or(count - 1);
+  if (last >= count)
+  {
+    throw Failure("time step " + std::to_string(last) + " does not exist: the file has " +
+                  std::to_string(count) + ", counted from 0 to " + std::to_string(count - 1));
+  }
+  std::vector<int> steps;
+  for (int step = commandLine.Time->First; step <= last; ++step)
+  {
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+} // namespace
+
+std::string GetFrameName(const std::string& path, int frame, int count)
+{
+  const std::size_t digits = std::max<std::size_t>(4, std::to_string(count - 1).size());
+  const std::string number = std::to_string(frame);
+  const std::filesystem::path whole(path);
+  const std::string name = whole.stem().string() + "_" +
+                           std::string(digits - std::min(digits, number.size()), '0') + number +
+                           whole.extension().string();
+  return (whole.parent_path() / name).string();
+}
+
+void DrawTurntable(const CommandLine& commandLine)
+{
+  const VolumeData data = ReadVolume(commandLine.Input, commandLine.TimeStep, commandLine.Raw);
+  const auto choice = MakeChoice(data, commandLine);
+  TellChoice(choice, commandLine);
+  Picture picture(data, GetBounds(data).data(), choice, commandLine);
+  const int count = commandLine.Turntable;
+  SeriesProgress progress("rendering", count);
+  for (int frame = 0; frame < count; ++frame)
+  {
+    picture.Render();
+    picture.Write(GetFrameName(commandLine.Output, frame, count));
+    picture.Turn(360.0 / count);
+    progress.AddOne();
+  }
+}
+
+void DrawTimeSteps(const CommandLine& commandLine)
+{
+  const std::vector<int> steps = ListTimeSteps(commandLine);
+  const TimeSurvey survey = SurveyTimeSteps(commandLine, steps);
+  TellChoice(survey.Choice, commandLine);
+  std::unique_ptr<Picture> picture;
+  SeriesProgress progress("rendering", static_cast<int>(steps.size()));
+  for (const int step : steps)
+  {
+    const VolumeData data = ReadVolume(commandLine.Input, step, commandLine.Raw);
+    if (!picture)
+    {
+      picture = std::make_unique<Picture>(data, survey.Bounds.data(), survey.Choice, commandLine);
+    }
+    picture->SetData(data);
+    picture->Render();
+    picture->Write(GetFrameName(commandLine.Output, step, steps.back() + 1));
+    progress.AddOne();
+  }
+}
+
+} // namespace tetmarch

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TimeSurvey.h"
+
+#include "Choice.h"
+#include "DatasetReader.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkDataArray.h"
+
+#include <algorithm>
+
+namespace tetmarch
+{
+
+namespace
+{
+
+/// The same command line, which says by name what was chosen.
+CommandLine NameArray(const CommandLine& commandLine, vtkTetMarchFirstPicture* choice)
+{
+  CommandLine named = commandLine;
+  named.Array = choice->GetChosenArray()->GetName();
+  named.ArrayAssociation = choice->GetChosenAssociation();
+  named.Component = choice->GetChosenComponent();
+  return named;
+}
+
+} // namespace
+
+TimeSurvey SurveyTimeSteps(const CommandLine& commandLine, const std::vector<int>& steps)
+{
+  const VolumeData last = ReadVolume(commandLine.Input, steps.back(), commandLine.Raw);
+  CommandLine named = NameArray(commandLine, ChooseArray(last, commandLine));
+  vtkBoundingBox box;
+  std::array<double, 2> all = { { VTK_DOUBLE_MAX, VTK_DOUBLE_MIN } };
+  double widest = -1.0;
+  VolumeData chooser;
+  for (const int step : steps)
+  {
+    const VolumeData data =
+      step == steps.back() ? last : ReadVolume(commandLine.Input, step, commandLine.Raw);
+    box.AddBounds(GetBounds(data).data());
+    const auto range = GetColorRange(MakeChoice(data, named), named);
+    all = { { std::min(all[0], range[0]), std::max(all[1], range[1]) } };
+    if (range[1] - range[0] > widest)
+    {
+      widest = range[1] - range[0];
+      chooser = data;
+    }
+  }
+  if (commandLine.Preset.empty())
+  {
+    named.Range = all;
+  }
+  TimeSurvey survey;
+  survey.Choice = MakeChoice(chooser, named);
+  box.GetBounds(survey.Bounds.data());
+  return survey;
+}
+
+} // namespace tetmarch
