@@ -88,15 +88,59 @@ public:
   {
   }
 
-  // share: of how many cells this is one.
-  void spread(const CellPiece& piece, double share)
+  // share: of how many cells this is one. A cell that is small beside a pixel is one point of one
+  // of its pieces.
+  void spreadCell(const std::vector<CellPiece>& pieces, double share)
   {
-    const double pixelArea = this->Grid.Size * this->Grid.Size;
-    const double covered = std::cbrt(piece.Volume * piece.Volume) / pixelArea;
-    const int count =
-      static_cast<int>(std::ceil(std::min(PointsOfAPixel * covered, MostPointsOfAPiece)));
-    const double length = share * piece.Volume / pixelArea / count;
-    for (int i = 0; i < count; ++i)
+    double volume = 0;
+    for (const CellPiece& piece : pieces)
+    {
+      volume += piece.Volume;
+    }
+    if (this->pointsFor(volume) <= 1)
+    {
+      double left = fraction(this->Random) * volume;
+      for (const CellPiece& piece : pieces)
+      {
+        left -= piece.Volume;
+        if (left < 0)
+        {
+          this->spreadPiece(piece, 1, share * volume);
+          return;
+        }
+      }
+    }
+    for (const CellPiece& piece : pieces)
+    {
+      this->spreadPiece(piece, this->pointsFor(piece.Volume), share * piece.Volume);
+    }
+  }
+
+  void spreadAll(vtkDataSet* block, const DrawnValues& values)
+  {
+    CellCutting cutting(block, values);
+    const vtkIdType count = block->GetNumberOfCells();
+    const vtkIdType step = (count + MostCells - 1) / std::max<vtkIdType>(MostCells, 1);
+    for (vtkIdType first = 0; first < count; first += step)
+    {
+      const vtkIdType group = std::min(step, count - first);
+      const vtkIdType cell = first + static_cast<vtkIdType>(fraction(this->Random) * group);
+      this->spreadCell(cutting.cut(cell), static_cast<double>(group));
+    }
+  }
+
+private:
+  int pointsFor(double volume) const
+  {
+    const double covered = std::cbrt(volume * volume) / (this->Grid.Size * this->Grid.Size);
+    return static_cast<int>(std::ceil(std::min(PointsOfAPixel * covered, MostPointsOfAPiece)));
+  }
+
+  // volume: what the points stand for.
+  void spreadPiece(const CellPiece& piece, int points, double volume)
+  {
+    const double length = volume / (this->Grid.Size * this->Grid.Size) / points;
+    for (int i = 0; i < points; ++i)
     {
       const std::array<double, 4> weights = barycentric(this->Random);
       Vector3 point{};
@@ -114,23 +158,6 @@ public:
     }
   }
 
-  void spreadAll(vtkDataSet* block, const DrawnValues& values)
-  {
-    CellCutting cutting(block, values);
-    const vtkIdType count = block->GetNumberOfCells();
-    const vtkIdType step = (count + MostCells - 1) / std::max<vtkIdType>(MostCells, 1);
-    for (vtkIdType first = 0; first < count; first += step)
-    {
-      const vtkIdType group = std::min(step, count - first);
-      const vtkIdType cell = first + static_cast<vtkIdType>(fraction(this->Random) * group);
-      for (const CellPiece& piece : cutting.cut(cell))
-      {
-        this->spread(piece, static_cast<double>(group));
-      }
-    }
-  }
-
-private:
   const PixelGrid& Grid;
   std::vector<Crossing>& List;
   std::mt19937 Random{ 1 };
