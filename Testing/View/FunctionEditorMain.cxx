@@ -5,12 +5,15 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 int RunMouseTest(int argc, char** argv);
+int RunShownFunctionsTest(int argc, char** argv);
 int RunWholeFunctionsTest(int argc, char** argv);
 
 int main(int argc, char** argv)
 {
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
   QApplication application(argc, argv);
-  const int failures = RunMouseTest(argc, argv);
-  return failures + RunWholeFunctionsTest(argc, argv);
+  int failures = RunMouseTest(argc, argv);
+  failures += RunShownFunctionsTest(argc, argv);
+  failures += RunWholeFunctionsTest(argc, argv);
+  return failures > 0;
 }

@@ -20,6 +20,7 @@ private Q_SLOTS:
   void ColorPointsAreDraggedAddedAndDeleted();
   void ColorDialogIsOneStep();
   void UndoAndRedo();
+  void HandlesOfMidpointAndSharpness();
   void SpinBoxes();
 };
 
@@ -196,6 +197,27 @@ void FunctionEditorTest::UndoAndRedo()
   QVERIFY(!t.Editor.findChild<QAction*>("redo")->isEnabled());
   t.Trigger("undo");
   QVERIFY(t.Read() == states[2]);
+}
+
+void FunctionEditorTest::HandlesOfMidpointAndSharpness()
+{
+  EditorUnderTest t;
+  const auto before = t.Read();
+  const QPoint place = t.Chart()->Locate(13.0, 0.5);
+  t.Click(place);
+  t.Send(QEvent::MouseButtonDblClick, place, Qt::LeftButton, Qt::LeftButton);
+  t.Send(QEvent::MouseButtonRelease, place, Qt::LeftButton, Qt::NoButton);
+  t.Draw();
+  QVERIFY(t.Read() == before);
+  // The right handle is where the curve to the next point is half way.
+  t.Drag(t.Chart()->Locate(16.5, 0.5), t.Chart()->Locate(18.25, 0.5));
+  const auto midpoint = t.Read().Opacities[1];
+  QCOMPARE(midpoint[0], 13.0);
+  QVERIFY(std::abs(midpoint[2] - 0.75) < t.GetPixelWidth());
+  QVERIFY(t.Changed.count() >= 5);
+  QCOMPARE(t.DragEnded.count(), 1);
+  t.Trigger("undo");
+  QVERIFY(t.Read() == before);
 }
 
 void FunctionEditorTest::SpinBoxes()

@@ -1,17 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the editor does to whole functions: colour maps, buttons, presets; histogram and isovalues.
+// What the editor does to whole functions: colour maps, buttons, presets, and others.
 #include "EditorUnderTest.h"
 
 #include "ColorMapBox.h"
-#include "TransferFunctionPreset.h"
-
-#include "vtkPlotArea.h"
-#include "vtkTable.h"
-#include "vtkVariant.h"
 
 #include <QFile>
-#include <QImage>
 #include <QLabel>
 #include <QTemporaryDir>
 
@@ -22,12 +16,9 @@ class WholeFunctionsTest : public QObject
 private Q_SLOTS:
   void ColorMapChangesNoOpacity();
   void InvertFitReset();
-  void HistogramIsLogarithmicIfAsked();
-  void IsoValuesAreDragged();
   void PresetsAreSavedAndLoaded();
   void WhatIsWrongWithAPresetIsSaid();
   void FunctionsFromElsewhere();
-  void PaletteIsTheWidgets();
 };
 
 void WholeFunctionsTest::ColorMapChangesNoOpacity()
@@ -95,71 +86,6 @@ void WholeFunctionsTest::InvertFitReset()
   QVERIFY(!t.Editor.findChild<QAction*>("reset")->isEnabled());
   t.Trigger("undo");
   QVERIFY(t.Read() == fitted);
-}
-
-void WholeFunctionsTest::HistogramIsLogarithmicIfAsked()
-{
-  EditorUnderTest t;
-  const auto readTable = [&]
-  {
-    vtkTable* const table = t.Chart()->GetHistogram().GetPlot()->GetInput();
-    std::vector<double> heights;
-    for (vtkIdType row = 0; row < table->GetNumberOfRows(); row += 2)
-    {
-      heights.push_back(table->GetValue(row, 2).ToDouble());
-    }
-    return heights;
-  };
-  const std::vector<double> linear{ 1.0, 0.1, 0.01, 0.001, 0.0 };
-  QVERIFY(readTable() == linear);
-  const QImage before = t.Chart()->grabFramebuffer();
-  t.Trigger("logarithmic");
-  const auto heights = readTable();
-  QCOMPARE(heights[0], 1.0);
-  QCOMPARE(heights[1], std::log(101.0) / std::log(1001.0));
-  QCOMPARE(heights[4], 0.0);
-  QVERIFY(t.Chart()->grabFramebuffer() != before);
-  QCOMPARE(t.Changed.count(), 0);
-  t.Trigger("logarithmic");
-  QVERIFY(readTable() == linear);
-  QVERIFY(t.Chart()->grabFramebuffer() == before);
-  t.Editor.SetHistogram({}, 0.0, 1.0);
-  t.Draw();
-  QVERIFY(!t.Editor.findChild<QAction*>("logarithmic")->isEnabled());
-}
-
-void WholeFunctionsTest::IsoValuesAreDragged()
-{
-  EditorUnderTest t;
-  const auto before = t.Read();
-  t.Editor.SetIsoValues({ 12.0, 18.0 });
-  t.Draw();
-  QCOMPARE(t.IsoValuesChanged.count(), 0);
-  const QPoint from = t.Chart()->Locate(18.0, 0.3);
-  t.Drag(from, from - QPoint(60, 10));
-  const auto values = t.Editor.GetIsoValues();
-  QCOMPARE(values.size(), std::size_t(2));
-  QCOMPARE(values[0], 12.0);
-  QVERIFY(std::abs(values[1] - (18.0 - 60 * t.GetPixelWidth())) < 1.5 * t.GetPixelWidth());
-  QVERIFY(t.IsoValuesChanged.count() >= 10);
-  QCOMPARE(t.DragBegan.count(), 1);
-  QCOMPARE(t.DragEnded.count(), 1);
-  QCOMPARE(t.Changed.count(), 0);
-  QVERIFY(t.Read() == before); // no point was added
-  t.Trigger("undo");
-  QVERIFY((t.Editor.GetIsoValues() == std::vector<double>{ 12.0, 18.0 }));
-  // A point lies above a line.
-  t.Editor.SetIsoValues({ 13.0 });
-  t.Draw();
-  const QPoint point = t.Chart()->Locate(13.0, 0.5);
-  t.Drag(point, point + QPoint(30, 0));
-  QCOMPARE(t.Editor.GetIsoValues()[0], 13.0);
-  QVERIFY(t.Read().Opacities[1][0] > 13.2);
-  // Isovalues from elsewhere survive an undo.
-  t.Editor.SetIsoValues({ 15.0 });
-  t.Trigger("undo");
-  QCOMPARE(t.Editor.GetIsoValues()[0], 15.0);
-  QVERIFY(t.Read() == before);
 }
 
 void WholeFunctionsTest::PresetsAreSavedAndLoaded()
@@ -238,21 +164,20 @@ void WholeFunctionsTest::FunctionsFromElsewhere()
   QVERIFY(!t.Editor.findChild<QAction*>("undo")->isEnabled());
   t.Opacity->AddPoint(16.0, 0.1);
   QCOMPARE(t.Changed.count(), told);
-}
-
-void WholeFunctionsTest::PaletteIsTheWidgets()
-{
-  EditorUnderTest t;
-  for (const QColor& base : { QColor(20, 30, 40), QColor(250, 240, 230) })
-  {
-    QPalette palette;
-    palette.setColor(QPalette::Base, base);
-    t.Editor.setPalette(palette);
-    t.Draw();
-    const QColor corner = t.Chart()->grabFramebuffer().pixelColor(1, 1);
-    QVERIFY(std::abs(corner.red() - base.red()) <= 1);
-    QVERIFY(std::abs(corner.blue() - base.blue()) <= 1);
-  }
+  // A single colour becomes a map over the histogram, as do functions without points.
+  auto* const box = t.Editor.findChild<tetmarch::ColorMapBox*>();
+  Q_EMIT box->activated(0);
+  QCOMPARE(color->GetRange()[0], 10.0);
+  QCOMPARE(color->GetRange()[1], 20.0);
+  color->RemoveAllPoints();
+  opacity->RemoveAllPoints();
+  t.Draw();
+  QVERIFY(!t.Chart()->GetHistogram().IsEmpty());
+  Q_EMIT box->activated(0);
+  t.Draw();
+  QCOMPARE(color->GetSize(), 33);
+  t.Click(t.Chart()->Locate(15.0, 0.5));
+  QCOMPARE(opacity->GetSize(), 1);
 }
 
 int RunWholeFunctionsTest(int argc, char** argv)

@@ -111,9 +111,8 @@ void TransferFunctionEditor::MakeActions()
     [this](const QString& name)
     {
       this->Chart->ChoosePoint({});
-      const double* const range = this->Color->GetRange();
-      this->Edit([&, low = range[0], high = range[1]]
-        { ApplyColorMap(name.toStdString(), low, high, this->Color); });
+      const auto range = this->GetColorRange();
+      this->Edit([&] { ApplyColorMap(name.toStdString(), range[0], range[1], this->Color); });
     });
   QObject::connect(this->Panel, &PointPanel::NumberEdited, this,
     [this](int field, double number) { this->SetNumber(field, number); });

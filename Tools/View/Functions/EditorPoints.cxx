@@ -15,6 +15,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -25,8 +26,9 @@ template <typename Nodes>
 std::array<double, 2> GetLimits(const Nodes& nodes, int index)
 {
   const auto count = static_cast<int>(nodes.size());
-  const double width = std::max(nodes.back()[0] - nodes.front()[0], 1e-300);
   const double here = nodes[index][0];
+  const double all = nodes.back()[0] - nodes.front()[0];
+  const double width = all > 0.0 ? all : std::max(std::abs(here), 1.0);
   // The ends may be moved outwards, too, by as much as the functions are wide for each entry.
   return { { index > 0 ? nodes[index - 1][0] : here - width,
     index + 1 < count ? nodes[index + 1][0] : here + width } };
@@ -131,16 +133,23 @@ void TransferFunctionEditor::AskForFile(bool save)
   dialog->open();
 }
 
+std::array<double, 2> TransferFunctionEditor::GetColorRange()
+{
+  const double* const range = this->Color->GetRange();
+  const HistogramPlot& histogram = this->Chart->GetHistogram();
+  if (this->Color->GetSize() > 0 && (range[0] < range[1] || histogram.IsEmpty()))
+  {
+    return { { range[0], range[1] } };
+  }
+  return histogram.IsEmpty() ? std::array<double, 2>{ { 0.0, 1.0 } }
+                             : std::array<double, 2>{ { histogram.GetLow(), histogram.GetHigh() } };
+}
+
 void TransferFunctionEditor::LoadPreset(const QString& path)
 {
   try
   {
-    std::optional<std::array<double, 2>> range;
-    if (this->Color->GetSize() > 0)
-    {
-      range = { { this->Color->GetRange()[0], this->Color->GetRange()[1] } };
-    }
-    const auto read = ReadPreset(QFile::encodeName(path).toStdString(), range);
+    const auto read = ReadPreset(QFile::encodeName(path).toStdString(), this->GetColorRange());
     FunctionState state =
       ReadState(read.Color, read.HasOpacityOfItsOwn ? read.Opacity.Get() : this->Opacity.Get());
     state.IsoValues = this->GetIsoValues();

@@ -22,6 +22,7 @@ namespace
 {
 // Room beside 0 and 1, so that points there are whole.
 constexpr double Room = 0.06;
+constexpr double SideRoom = 0.025;
 } // namespace
 
 namespace tetmarch
@@ -68,6 +69,7 @@ void FunctionChart::SetUpCharts()
       axis->SetGridVisible(false);
       axis->SetTitle("");
     }
+    chart->GetAxis(vtkAxis::BOTTOM)->SetRange(-SideRoom, 1.0 + SideRoom);
     this->View->GetScene()->AddItem(chart);
   }
   this->OpacityChart->GetAxis(vtkAxis::LEFT)->SetRange(-Room, 1.0 + Room);
@@ -97,6 +99,16 @@ void FunctionChart::AddPlots()
   this->BarChart->AddPlot(this->ColorPoints->GetAddPointItem());
   this->BarChart->AddPlot(this->Bar);
   this->BarChart->AddPlot(this->ColorPoints);
+  this->Curve->SetColorTransferFunction(this->Functions.GetColors());
+  this->Curve->SetOpacityFunction(this->Functions.GetOpacity());
+  this->OpacityPoints->SetColorTransferFunction(this->Functions.GetColors());
+  this->OpacityPoints->SetOpacityFunction(this->Functions.GetOpacity());
+  this->Bar->SetColorTransferFunction(this->Functions.GetColors());
+  this->ColorPoints->SetColorTransferFunction(this->Functions.GetColorPoints());
+  this->OpacityPoints->SetUserBounds(0.0, 1.0, 0.0, 1.0);
+  this->OpacityPoints->SetValidBounds(0.0, 1.0, 0.0, 1.0);
+  this->ColorPoints->SetUserBounds(0.0, 1.0, 0.0, 1.0);
+  this->ColorPoints->SetValidBounds(0.0, 1.0, 0.0, 1.0);
   this->Curve->SetInteractive(false);
   this->Bar->SetInteractive(false);
 
@@ -113,12 +125,7 @@ void FunctionChart::SetFunctions(vtkColorTransferFunction* color, vtkPiecewiseFu
 {
   this->Color = color;
   this->Opacity = opacity;
-  this->Curve->SetColorTransferFunction(color);
-  this->Curve->SetOpacityFunction(opacity);
-  this->OpacityPoints->SetColorTransferFunction(color);
-  this->OpacityPoints->SetOpacityFunction(opacity);
-  this->Bar->SetColorTransferFunction(color);
-  this->ColorPoints->SetColorTransferFunction(color);
+  this->Functions.SetFunctions(color, opacity);
   this->ChoosePoint({});
   this->FitAxes();
 }
@@ -153,16 +160,10 @@ void FunctionChart::FitAxes()
     low -= some;
     high += some;
   }
-  const double room = 0.025 * (high - low);
-  for (vtkChartXY* const chart : { this->OpacityChart.Get(), this->BarChart.Get() })
-  {
-    chart->GetAxis(vtkAxis::BOTTOM)->SetRange(low - room, high + room);
-  }
-  this->OpacityPoints->SetUserBounds(low, high, 0.0, 1.0);
-  this->OpacityPoints->SetValidBounds(low, high, 0.0, 1.0);
-  this->ColorPoints->SetUserBounds(low, high, 0.0, 1.0);
-  this->ColorPoints->SetValidBounds(low, high, 0.0, 1.0);
-  this->IsoValues->SetLimits(low, high);
+  this->Functions.SetAxis(low, high);
+  this->Histogram.SetAxis(low, high);
+  this->IsoValues->SetAxis(low, high);
+  this->LabelAxis(low, high);
   this->PlaceCharts();
   this->update();
 }
@@ -224,16 +225,16 @@ void FunctionChart::DeleteChosenPoint()
   }
 }
 
-QPoint FunctionChart::ToWidget(vtkChartXY* chart, double x, double y) const
+QPoint FunctionChart::ToWidget(vtkChartXY* chart, double value, double y) const
 {
-  const auto along = [&](int side, double value)
+  const auto along = [&](int side, double place)
   {
     vtkAxis* const axis = chart->GetAxis(side);
-    return (value - axis->GetMinimum()) / (axis->GetMaximum() - axis->GetMinimum());
+    return (place - axis->GetMinimum()) / (axis->GetMaximum() - axis->GetMinimum());
   };
   const auto rect = chart->GetSize().Cast<double>(); // left, bottom, width, height
   const double ratio = this->devicePixelRatioF();
-  const double right = rect[0] + along(vtkAxis::BOTTOM, x) * rect[2];
+  const double right = rect[0] + along(vtkAxis::BOTTOM, this->Functions.ToAxis(value)) * rect[2];
   const double up = rect[1] + along(vtkAxis::LEFT, y) * rect[3];
   return { static_cast<int>(std::lround(right / ratio)),
     static_cast<int>(std::lround(this->height() - 1 - up / ratio)) };

@@ -5,6 +5,7 @@
 
 #include "HistogramPlot.h"
 #include "IsoValueItem.h"
+#include "ShownFunctions.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -92,8 +93,9 @@ private:
   void SetUpCharts();
   void AddPlots();
   void PlaceCharts();
+  void LabelAxis(double low, double high);
   void TakePalette();
-  QPoint ToWidget(vtkChartXY* chart, double x, double y) const;
+  QPoint ToWidget(vtkChartXY* chart, double value, double y) const;
   void OpacityPointChosen();
   void ColorPointChosen();
   void ColorPointEdited() { Q_EMIT this->ColorPointDoubleClicked(); }
@@ -108,6 +110,7 @@ private:
   vtkNew<vtkColorTransferControlPointsItem> ColorPoints;
   vtkNew<IsoValueItem> IsoValues;
   HistogramPlot Histogram;
+  ShownFunctions Functions;
   vtkSmartPointer<vtkColorTransferFunction> Color;
   vtkSmartPointer<vtkPiecewiseFunction> Opacity;
   ControlPoint::Kind LastChosen = ControlPoint::Kind::None;

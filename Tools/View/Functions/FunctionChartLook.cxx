@@ -11,16 +11,19 @@
 #include "vtkCompositeTransferFunctionItem.h"
 #include "vtkContextScene.h"
 #include "vtkContextView.h"
+#include "vtkDoubleArray.h"
 #include "vtkPen.h"
 #include "vtkRenderer.h"
+#include "vtkStringArray.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
 // In pixels of a screen that has 96 of them in an inch.
-constexpr float Margin = 8.0f;
+constexpr float Margin = 12.0f;
 constexpr float LabelHeight = 20.0f;
 constexpr float BarHeight = 22.0f;
 constexpr float PointRadius = 5.0f;
@@ -43,7 +46,7 @@ void FunctionChart::PlaceCharts()
   const float bottom = LabelHeight * ratio;
   const float bar = BarHeight * ratio;
   const float width = std::max(1.0f, static_cast<float>(this->width()) * ratio - 2 * margin);
-  const float height = static_cast<float>(this->height()) * ratio - bottom - bar - margin / 2;
+  const float height = static_cast<float>(this->height()) * ratio - bottom - bar - Margin * ratio / 3;
   this->BarChart->SetSize(vtkRectf(margin, bottom, width, bar));
   this->OpacityChart->SetSize(vtkRectf(margin, bottom + bar, width, std::max(1.0f, height)));
   this->OpacityPoints->SetScreenPointRadius(PointRadius * ratio);
@@ -53,6 +56,29 @@ void FunctionChart::PlaceCharts()
     std::min(PointRadius * ratio, 0.3f * width / std::max(1.0f, points)));
   this->IsoValues->SetPixelRatio(static_cast<double>(ratio));
   this->View->GetScene()->SetDirty(true);
+}
+
+void FunctionChart::LabelAxis(double low, double high)
+{
+  // Steps of 1, 2 or 5 times a power of ten, of which the chart has about four.
+  const double rough = (high - low) / 4.0;
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  const double step = (rough < 1.5 * power ? 1.0 : rough < 3.5 * power ? 2.0 : 5.0) * power;
+  const double most = std::max(std::abs(low), std::abs(high));
+  const bool isPlain = most < 1e7 && step > 1e-5;
+  const double order = std::floor(std::log10(step) + 1e-9);
+  const int decimals = static_cast<int>(std::max(0.0, -order));
+  const int digits = static_cast<int>(std::ceil(std::log10(most) - order)) + 1;
+  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkStringArray> labels;
+  for (double tick = std::ceil(low / step); tick * step <= high; tick += 1.0)
+  {
+    places->InsertNextValue(this->Functions.ToAxis(tick * step));
+    labels->InsertNextValue((isPlain ? QString::number(tick * step, 'f', decimals)
+                                     : QString::number(tick * step, 'g', std::clamp(digits, 1, 17)))
+                              .toStdString());
+  }
+  this->BarChart->GetAxis(vtkAxis::BOTTOM)->SetCustomTickPositions(places, labels);
 }
 
 void FunctionChart::TakePalette()

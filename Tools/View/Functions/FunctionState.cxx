@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FunctionState.h"
 
-#include "vtkColorTransferFunction.h"
-#include "vtkPiecewiseFunction.h"
+#include "FunctionNodes.h"
 
 #include <algorithm>
 #include <tuple>
@@ -28,16 +27,8 @@ bool FunctionState::operator==(const FunctionState& other) const
 FunctionState ReadState(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity)
 {
   FunctionState state;
-  state.Colors.resize(color->GetSize());
-  for (int i = 0; i < color->GetSize(); ++i)
-  {
-    color->GetNodeValue(i, state.Colors[i].data());
-  }
-  state.Opacities.resize(opacity->GetSize());
-  for (int i = 0; i < opacity->GetSize(); ++i)
-  {
-    opacity->GetNodeValue(i, state.Opacities[i].data());
-  }
+  state.Colors = GetNodes(color);
+  state.Opacities = GetNodes(opacity);
   std::copy_n(color->GetNanColor(), 3, state.NanColor.begin());
   state.ColorSpace = color->GetColorSpace();
   state.Scale = color->GetScale();
@@ -55,17 +46,9 @@ void WriteState(
   color->SetScale(state.Scale);
   color->SetHSVWrap(state.HSVWrap);
   color->SetNanColor(state.NanColor[0], state.NanColor[1], state.NanColor[2]);
-  color->RemoveAllPoints();
-  for (const auto& node : state.Colors)
-  {
-    color->AddRGBPoint(node[0], node[1], node[2], node[3], node[4], node[5]);
-  }
+  SetNodes(color, state.Colors);
   opacity->SetAllowDuplicateScalars(state.OpacityDuplicates);
-  opacity->RemoveAllPoints();
-  for (const auto& node : state.Opacities)
-  {
-    opacity->AddPoint(node[0], node[1], node[2], node[3]);
-  }
+  SetNodes(opacity, state.Opacities);
 }
 
 } // namespace tetmarch

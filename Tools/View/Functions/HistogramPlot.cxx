@@ -38,6 +38,16 @@ void HistogramPlot::SetCounts(const std::vector<double>& counts, double low, dou
   this->FillTable();
 }
 
+void HistogramPlot::SetAxis(double low, double high)
+{
+  if (low != this->AxisLow || high != this->AxisHigh)
+  {
+    this->AxisLow = low;
+    this->AxisHigh = high;
+    this->FillTable();
+  }
+}
+
 void HistogramPlot::SetLogarithmic(bool logarithmic)
 {
   this->Logarithmic = logarithmic;
@@ -77,7 +87,8 @@ void HistogramPlot::FillTable()
   {
     const double share =
       bins > 0 ? static_cast<double>((row + 1) / 2) / static_cast<double>(bins) : 0.0;
-    this->Table->SetValue(row, 0, this->Low + share * (this->High - this->Low));
+    const double value = this->Low + share * (this->High - this->Low);
+    this->Table->SetValue(row, 0, (value - this->AxisLow) / (this->AxisHigh - this->AxisLow));
     this->Table->SetValue(row, 1, 0.0);
     this->Table->SetValue(row, 2, bins > 0 ? heights[row / 2] : 0.0);
   }

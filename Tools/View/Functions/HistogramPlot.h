@@ -23,6 +23,9 @@ public:
   /// Counts of bins of equal width from low to high; none, or a range without width, shows nothing.
   void SetCounts(const std::vector<double>& counts, double low, double high);
 
+  /// The values at 0 and at 1 of the chart's axis.
+  void SetAxis(double low, double high);
+
   /// Whether heights are logarithms of one more than the counts. Else few cells are hard to see.
   void SetLogarithmic(bool logarithmic);
   bool GetLogarithmic() const { return this->Logarithmic; }
@@ -45,6 +48,8 @@ private:
   std::vector<double> Counts;
   double Low = 0.0;
   double High = 0.0;
+  double AxisLow = 0.0;
+  double AxisHigh = 1.0;
   bool Logarithmic = false;
   vtkNew<vtkTable> Table;
   vtkNew<vtkPlotArea> Plot;

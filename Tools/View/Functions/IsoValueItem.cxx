@@ -38,23 +38,20 @@ void IsoValueItem::SetIsoValues(const std::vector<double>& isoValues)
   }
 }
 
-void IsoValueItem::SetLimits(double low, double high)
+void IsoValueItem::SetAxis(double low, double high)
 {
-  this->Limits[0] = low;
-  this->Limits[1] = high;
+  this->Low = low;
+  this->High = high;
 }
 
 float IsoValueItem::ToScene(double value)
 {
-  // Charts shift and scale what single precision can't tell apart.
-  const vtkRectd shiftScale = this->GetShiftScale();
-  return static_cast<float>((value + shiftScale.GetX()) * shiftScale.GetWidth());
+  return static_cast<float>((value - this->Low) / (this->High - this->Low));
 }
 
 double IsoValueItem::FromScene(float x)
 {
-  const vtkRectd shiftScale = this->GetShiftScale();
-  return static_cast<double>(x) / shiftScale.GetWidth() - shiftScale.GetX();
+  return this->Low + static_cast<double>(x) * (this->High - this->Low);
 }
 
 bool IsoValueItem::Paint(vtkContext2D* painter)
@@ -72,16 +69,13 @@ bool IsoValueItem::Paint(vtkContext2D* painter)
   }
   const float half = HandleWidth / 2 * this->PixelRatio / this->PixelsPerUnit;
   const float height = HandleHeight * this->PixelRatio / pixelsUp;
-  const auto shift = this->GetShiftScale();
-  const auto up = [&](float y)
-  { return static_cast<float>((static_cast<double>(y) + shift.GetY()) * shift.GetHeight()); };
   painter->ApplyPen(this->Pen);
   painter->ApplyBrush(this->Brush);
   for (const double value : this->IsoValues)
   {
     const float x = this->ToScene(value);
-    painter->DrawLine(x, up(-1.0f), x, up(Top));
-    float triangle[] = { x - half, up(Top), x + half, up(Top), x, up(Top) - height };
+    painter->DrawLine(x, -1.0f, x, Top);
+    float triangle[] = { x - half, Top, x + half, Top, x, Top - height };
     painter->DrawPolygon(triangle, 3);
   }
   return true;
@@ -123,7 +117,7 @@ bool IsoValueItem::MouseMoveEvent(const vtkContextMouseEvent& mouse)
     return false;
   }
   this->IsoValues[this->Dragged] =
-    std::clamp(this->FromScene(mouse.GetPos().GetX()), this->Limits[0], this->Limits[1]);
+    std::clamp(this->FromScene(mouse.GetPos().GetX()), this->Low, this->High);
   this->Modified();
   this->GetScene()->SetDirty(true);
   this->InvokeEvent(vtkCommand::InteractionEvent);

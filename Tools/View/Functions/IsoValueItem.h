@@ -23,8 +23,8 @@ public:
   void SetIsoValues(const std::vector<double>& isoValues);
   const std::vector<double>& GetIsoValues() const { return this->IsoValues; }
 
-  /// A line can't be dragged beyond these values.
-  void SetLimits(double low, double high);
+  /// The values at 0 and at 1 of the chart's axis; a line can't be dragged beyond them.
+  void SetAxis(double low, double high);
 
   /// Twice as large where a pixel is half as wide.
   void SetPixelRatio(double ratio) { this->PixelRatio = static_cast<float>(ratio); }
@@ -51,7 +51,8 @@ private:
   int FindLine(const vtkContextMouseEvent& mouse);
 
   std::vector<double> IsoValues;
-  double Limits[2] = { 0.0, 1.0 };
+  double Low = 0.0;
+  double High = 1.0;
   float PixelRatio = 1.0f;
   float PixelsPerUnit = 0.0f; ///< as it was painted last
   int Dragged = -1;

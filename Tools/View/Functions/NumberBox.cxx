@@ -35,6 +35,8 @@ void NumberBox::SetLimits(double low, double high)
 {
   const QSignalBlocker blocker(this);
   this->setDecimals(CountDecimals(high - low));
+  const double ratio = std::max(std::abs(low), std::abs(high)) / (high - low);
+  this->Digits = high > low ? std::clamp(6 + static_cast<int>(std::log10(ratio)), 6, 17) : 6;
   this->setRange(low, high);
   const double step = (high - low) / 100.0;
   this->setSingleStep(step > 0.0 && std::isfinite(step) ? step : 1.0);
@@ -48,7 +50,7 @@ void NumberBox::ShowNumber(double number)
 
 QString NumberBox::textFromValue(double value) const
 {
-  return QLocale::c().toString(value, 'g', 6);
+  return QLocale::c().toString(value, 'g', this->Digits);
 }
 
 double NumberBox::valueFromText(const QString& text) const

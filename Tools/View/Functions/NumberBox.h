@@ -8,7 +8,8 @@
 namespace tetmarch
 {
 
-/// A spin box for numbers of any magnitude: six digits are shown, and 3e-7 can be typed.
+/// A spin box for numbers of any magnitude: as many digits are shown as tell a
+/// millionth of the limits' width, and 3e-7 can be typed.
 class NumberBox : public QDoubleSpinBox
 {
   Q_OBJECT
@@ -29,6 +30,9 @@ public:
   {
     return { 56, QDoubleSpinBox::minimumSizeHint().height() };
   }
+
+private:
+  int Digits = 6;
 };
 
 } // namespace tetmarch

@@ -9,6 +9,7 @@
 
 #include <QWidget>
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -87,6 +88,10 @@ private:
   void Refresh();
   void ShowChosenPoint();
   void SetNumber(int field, double number);
+
+  /// What new colours are to span: the range of the present ones or, if they have none, the data's.
+  std::array<double, 2> GetColorRange();
+
   void ChooseColor();
   void SetColor(int index, double red, double green, double blue, const std::string& kind);
   void AskForFile(bool save);
