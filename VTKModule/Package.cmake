@@ -9,4 +9,5 @@ write_basic_package_version_file(
 install(FILES
   "${CMAKE_BINARY_DIR}/${tetmarch_cmake_dir}/TetMarchConfig.cmake"
   "${CMAKE_BINARY_DIR}/${tetmarch_cmake_dir}/TetMarchConfigVersion.cmake"
-  DESTINATION "${tetmarch_cmake_dir}")
+  DESTINATION "${tetmarch_cmake_dir}"
+  COMPONENT development)

@@ -63,7 +63,9 @@ if (TETMARCH_WRAP_PYTHON)
   foreach (name IN ITEMS __init__ first_picture replacement)
     configure_file("VTKModule/Python/${name}.py"
       "${CMAKE_BINARY_DIR}/${tetmarch_python_dir}/vtktetmarch/${name}.py" COPYONLY)
-    install(FILES "VTKModule/Python/${name}.py" DESTINATION "${tetmarch_python_dir}/vtktetmarch")
+    install(FILES "VTKModule/Python/${name}.py"
+      DESTINATION "${tetmarch_python_dir}/vtktetmarch"
+      COMPONENT python)
   endforeach ()
 endif ()
 set(CMAKE_SOURCE_DIR "${tetmarch_real_source_dir}")
@@ -72,6 +74,7 @@ include(VTKModule/Package.cmake)
 if (TETMARCH_BUILD_TOOLS)
   add_subdirectory(Tools)
 endif ()
+include(VTKModule/DebianPackages.cmake)
 if (BUILD_TESTING)
   add_subdirectory(Testing)
 endif ()
