@@ -157,6 +157,9 @@ class RenderAnnotationsTest(RenderCase):
                     # A line's steps from pixel to pixel may be elsewhere.
                     self.assertLessEqual(len(differing(one, tiles, 1)), 6 if "--axes" in options else 0)
                     self.assertGreater(len({pixel for row in one for pixel in row}), 50)
+        # The noise of samples goes on from tile to tile.
+        scene = ("image.vti", "--array", "ramp", "--size", "241x181", "--sample-distance", 0.2, "--jitter")
+        self.assertEqual(differing(self.draw(*scene), self.draw(*scene, "--tile-size", 128), 1), [])
         scene = ("cube.vtu", "--array", "ramp", "--size", "241x181", "--outline")
         self.assertLess(len(differing(self.draw(*scene), self.draw(*scene, "--tile-size", 100), 1)), 20)
 

@@ -14,6 +14,13 @@
 namespace tetmarch
 {
 
+namespace
+{
+/// The noise of samples and shadows repeats itself after so many pixels. So it goes on from tile to
+/// tile.
+constexpr int NoisePeriod = 64;
+} // namespace
+
 Tiles::Tiles(const std::array<int, 2>& pictureSize, int largest)
   : PictureSize(pictureSize)
 {
@@ -25,7 +32,9 @@ Tiles::Tiles(const std::array<int, 2>& pictureSize, int largest)
       count *= 2;
     }
     this->Counts[axis] = count;
-    this->TileSize[axis] = (pictureSize[axis] + this->Counts[axis] - 1) / this->Counts[axis];
+    const int size = (pictureSize[axis] + count - 1) / count;
+    const int withNoise = (size + NoisePeriod - 1) / NoisePeriod * NoisePeriod;
+    this->TileSize[axis] = count > 1 && withNoise <= largest ? withNoise : size;
   }
 }
 
