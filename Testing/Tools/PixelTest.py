@@ -17,7 +17,7 @@ ALONG_X = ("--camera", "5,0.5,0.5,0.5,0.5,0.5,0,1,0", "--parallel-scale", 0.4)
 class PixelTest(RenderCase):
     def trace(self, name, pixel, *arguments):
         """The text and the JSON of a pixel."""
-        result = self.run_tool(name, "--pixel", pixel, "--pixel-json", "pixel.json", *arguments)
+        result = self.run_tool(name, "--pixel", pixel, "--pixel-json", "pixel.json", "--quiet", *arguments)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return result.stdout, json.loads((self.folder / "pixel.json").read_text())
 

@@ -183,7 +183,7 @@ class RenderTest(RenderCase):
     def test_output_goes_to_the_current_folder_by_default(self):
         (self.folder / "sub").mkdir()
         (self.folder / "cube.vtu").rename(self.folder / "sub" / "cube.vtu")
-        result = self.run_tool("sub/cube.vtu", "--size", "32x32")
+        result = self.run_tool("sub/cube.vtu", "--size", "32x32", "--quiet")
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
         self.assertTrue((self.folder / "cube.png").exists())
 

@@ -42,6 +42,22 @@ def cube_vtu(x=0):
 """
 
 
+def steps_vtu():
+    """A unit voxel at three time steps, which the reader of VTK numbers. Its ramp along x ends at 1, then 2, then 3."""
+    ramps = "".join(xml_array("ramp", "Float64", [(step + 1) * corner[0] for corner in CORNERS]).replace(
+        "<DataArray ", f'<DataArray TimeStep="{step}" ') for step in range(3))
+    return f"""<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">
+<UnstructuredGrid TimeValues="0 1 2"><Piece NumberOfPoints="8" NumberOfCells="1">
+<PointData>{ramps}</PointData>
+<Points>{xml_array("Points", "Float32", [x for corner in CORNERS for x in corner], 3)}</Points>
+<Cells>{xml_array("connectivity", "Int64", range(8))}
+{xml_array("offsets", "Int64", [8])}
+{xml_array("types", "UInt8", [12])}</Cells>
+</Piece></UnstructuredGrid></VTKFile>
+"""
+
+
 def blocks_vtm():
     """cube.vtu and the cube beside it."""
     return """<?xml version="1.0"?>
@@ -158,6 +174,7 @@ def write_all(folder):
         "cube.vtu": cube_vtu(),
         "beside.vtu": cube_vtu(1),
         "blocks.vtm": blocks_vtm(),
+        "steps.vtu": steps_vtu(),
         "truncated.vtu": cube_vtu()[:700],
         "garbage.vtu": "this is no XML",
         "empty.vtu": "",

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pixels of a PNG of 8-bit RGB without interlacing, with Python alone."""
+"""The pixels of a PNG of 8-bit RGB or RGBA without interlacing, with Python alone."""
 import struct
 import zlib
 
@@ -13,7 +13,7 @@ def predict(left, up, corner):
 
 
 def read_png(path):
-    """Rows from the top, each a list of (r, g, b)."""
+    """Rows from the top, each a list of (r, g, b) or (r, g, b, a)."""
     data = path.read_bytes()
     assert data[:8] == b"\x89PNG\r\n\x1a\n"
     position, compressed, header = 8, b"", None
@@ -24,17 +24,18 @@ def read_png(path):
         compressed += chunk if kind == b"IDAT" else b""
         position += length + 12
     width, height = header[:2]
-    assert header[2:] == (8, 2, 0, 0, 0), header
-    raw, stride = zlib.decompress(compressed), 3 * width
+    assert header[2:] in ((8, 2, 0, 0, 0), (8, 6, 0, 0, 0)), header
+    channels = 3 if header[3] == 2 else 4
+    raw, stride = zlib.decompress(compressed), channels * width
     above, rows = bytearray(stride), []
     for y in range(height):
         start = y * (stride + 1)
         method, line = raw[start], bytearray(raw[start + 1:start + 1 + stride])
         for i in range(stride):
-            left = line[i - 3] if i >= 3 else 0
-            corner = above[i - 3] if i >= 3 else 0
+            left = line[i - channels] if i >= channels else 0
+            corner = above[i - channels] if i >= channels else 0
             line[i] = (line[i] + (0, left, above[i], (left + above[i]) // 2,
                                   predict(left, above[i], corner))[method]) & 255
-        rows.append([tuple(line[i:i + 3]) for i in range(0, stride, 3)])
+        rows.append([tuple(line[i:i + channels]) for i in range(0, stride, channels)])
         above = line
     return rows

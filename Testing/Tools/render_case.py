@@ -38,9 +38,16 @@ class RenderCase(unittest.TestCase):
 
     def render(self, *arguments):
         """The pixels of out.png and the statistics."""
-        result = self.run_tool(*arguments, "--output", "out.png", "--stats", "out.json", "--frames", 3)
+        result = self.run_tool(*arguments, "--quiet", "--output", "out.png", "--stats", "out.json", "--frames", 3)
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
         return read_png(self.folder / "out.png"), json.loads((self.folder / "out.json").read_text())
+
+
+    def draw(self, *arguments):
+        """The pixels of out.png, which may be drawn in tiles."""
+        result = self.run_tool(*arguments, "--quiet", "--output", "out.png")
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        return read_png(self.folder / "out.png")
 
 
 def main():

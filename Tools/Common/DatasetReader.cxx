@@ -30,20 +30,6 @@ namespace
 {
 using tetmarch::Failure;
 
-void CheckFile(const std::string& path)
-{
-  std::error_code code;
-  const auto status = std::filesystem::status(path, code);
-  if (!std::filesystem::exists(status))
-  {
-    throw Failure("cannot read '" + path + "': there is no such file");
-  }
-  if (std::filesystem::is_directory(status))
-  {
-    throw Failure("cannot read '" + path + "': it is a folder");
-  }
-}
-
 /// Reads the chosen time step, by default the last.
 void Update(vtkAlgorithm* reader, std::optional<int> timeStep)
 {
@@ -85,7 +71,7 @@ std::string UpdateAndListen(vtkAlgorithm* reader, std::optional<int> timeStep)
 vtkSmartPointer<vtkDataObject> Read(
   const std::string& path, std::optional<int> timeStep, const tetmarch::RawOptions& raw = {})
 {
-  CheckFile(path);
+  tetmarch::CheckFile(path);
   const int errorsBefore = tetmarch::Messages::GetNumberOfErrors();
   vtkSmartPointer<vtkAlgorithm> reader = tetmarch::MakeReader(path, raw);
   std::string complaint;

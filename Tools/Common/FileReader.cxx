@@ -117,6 +117,20 @@ std::string GetEnding(const std::string& path)
   return ending;
 }
 
+void CheckFile(const std::string& path)
+{
+  std::error_code code;
+  const auto status = std::filesystem::status(path, code);
+  if (!std::filesystem::exists(status))
+  {
+    throw Failure("cannot read '" + path + "': there is no such file");
+  }
+  if (std::filesystem::is_directory(status))
+  {
+    throw Failure("cannot read '" + path + "': it is a folder");
+  }
+}
+
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path, const RawOptions& rawOptions)
 {
   static const std::set<std::string> xml = { ".vtu", ".pvtu", ".vtm", ".vtmb", ".vtpd", ".vtpc",

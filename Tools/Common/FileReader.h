@@ -21,6 +21,9 @@ namespace tetmarch
 /// With its dot, in lower case.
 std::string GetEnding(const std::string& path);
 
+/// Throws Failure if there is no such file.
+void CheckFile(const std::string& path);
+
 /**
  * A reader that is set up to read everything in the file. The options are those of a raw file, and
  * complete. Throws Failure if no reader is known for the ending or this build has none.

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeSteps.h"
 
+#include "Failure.h"
 #include "FileReader.h"
+#include "Messages.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkInformation.h"
@@ -26,7 +28,14 @@ std::vector<double> GetTimeSteps(vtkAlgorithm* reader)
 
 std::vector<double> GetTimeSteps(const std::string& path, const RawOptions& rawOptions)
 {
-  return GetTimeSteps(MakeReader(path, rawOptions));
+  CheckFile(path);
+  const int errorsBefore = Messages::GetNumberOfErrors();
+  std::vector<double> times = GetTimeSteps(MakeReader(path, rawOptions));
+  if (Messages::GetNumberOfErrors() > errorsBefore)
+  {
+    throw Failure("cannot read '" + path + "'");
+  }
+  return times;
 }
 
 } // namespace tetmarch

@@ -20,7 +20,7 @@ namespace tetmarch
 /// The times of a reader's file; none if the file tells of no time. Reads no values.
 std::vector<double> GetTimeSteps(vtkAlgorithm* reader);
 
-/// The same of a path. Throws Failure if there is no reader for it.
+/// The same of a path. Throws Failure if it can't be read.
 std::vector<double> GetTimeSteps(const std::string& path, const RawOptions& rawOptions = {});
 
 } // namespace tetmarch

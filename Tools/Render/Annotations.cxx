@@ -49,6 +49,8 @@ std::array<double, 3> GetTextColor(const CommandLine& commandLine)
 
 } // namespace
 
+double GetWidthOfLabels(const CommandLine& commandLine) { return 70.0 * GetScale(commandLine); }
+
 double GetScalarBarShare(const CommandLine& commandLine)
 {
   constexpr double pixels = 150.0; // of a picture of 1024 x 768

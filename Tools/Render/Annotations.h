@@ -23,6 +23,9 @@ class vtkRenderer;
 namespace tetmarch
 {
 
+/// How far labels of axes reach away from the box, in pixels.
+double GetWidthOfLabels(const CommandLine& commandLine);
+
 /// The scalar bar's share of the picture's width, 0 without one.
 double GetScalarBarShare(const CommandLine& commandLine);
 

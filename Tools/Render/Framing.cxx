@@ -107,6 +107,14 @@ void FitBox(const double bounds[6], double aspect, int views, vtkCamera* camera)
   camera->SetParallelScale(scale > 0.0 ? scale : 1.0);
 }
 
+/// What labels along two sides leave of the picture.
+double GetShareWithinAxes(const CommandLine& commandLine)
+{
+  const double width = (1.0 - GetScalarBarShare(commandLine)) * commandLine.Size[0];
+  const double shorter = std::min<double>(width, commandLine.Size[1]);
+  return std::max(0.2, 1.0 - 2.0 * GetWidthOfLabels(commandLine) / shorter);
+}
+
 void ChooseCamera(const CommandLine& commandLine, vtkTetMarchFirstPicture* choice,
   const double bounds[6], vtkCamera* camera)
 {
@@ -120,7 +128,7 @@ void ChooseCamera(const CommandLine& commandLine, vtkTetMarchFirstPicture* choic
   }
   if (commandLine.Turntable > 0 || commandLine.Time || shown.Outline || shown.Axes)
   {
-    const double room = shown.Axes ? 0.84 : 0.95; // the rest is for labels, or a margin
+    const double room = shown.Axes ? GetShareWithinAxes(commandLine) : 0.95;
     FitBox(bounds, aspect, std::max(1, commandLine.Turntable), camera);
     camera->Dolly(room);
     camera->SetParallelScale(camera->GetParallelScale() / room);

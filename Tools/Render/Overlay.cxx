@@ -28,6 +28,9 @@ void SetSize(vtkTextProperty* text, double size)
   text->SetFontSize(static_cast<int>(std::lround(size)));
 }
 
+/// VTK brings text to whole pixels. This is the same one, whether that is up or down.
+double WithinPixel(double place) { return std::floor(place) + 0.25; }
+
 unsigned char ToByte(double channel)
 {
   return static_cast<unsigned char>(std::lround(255.0 * channel));
@@ -120,7 +123,8 @@ void Overlay::AddText(const std::string& text, double size, const Point& place, 
   anchor == CENTER ? property->SetJustificationToCentered() : property->SetJustificationToLeft();
   SetSize(property, size);
   actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  actor->SetPosition(place[0] / this->PictureSize[0], place[1] / this->PictureSize[1]);
+  actor->SetPosition(
+    WithinPixel(place[0]) / this->PictureSize[0], WithinPixel(place[1]) / this->PictureSize[1]);
   this->Renderer->AddActor2D(actor);
   this->Texts.push_back(actor);
 }

@@ -40,8 +40,8 @@ void ScalarBar::AddTo(Overlay& overlay) const
   const double labelSize = 15.0 * this->Scale;
   const double left = (1.0 - this->Share) * width + margin;
   const double right = width - margin;
-  const double bottom = 0.12 * height;
-  const double top = 0.84 * height;
+  const double bottom = std::max(0.12 * height, 2.0 * margin);
+  const double top = std::max(bottom + 1.0, std::min(0.84 * height, height - 3.0 * titleSize));
   const double titleHeight = top + 1.5 * titleSize;
   if (this->HasPlate)
   {

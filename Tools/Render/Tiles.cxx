@@ -14,13 +14,27 @@
 namespace tetmarch
 {
 
+namespace
+{
+/// The noise of samples and shadows repeats itself after so many pixels. So it goes on from tile to
+/// tile.
+constexpr int NoisePeriod = 64;
+} // namespace
+
 Tiles::Tiles(const std::array<int, 2>& pictureSize, int largest)
   : PictureSize(pictureSize)
 {
   for (int axis = 0; axis < 2; ++axis)
   {
-    this->Counts[axis] = (pictureSize[axis] + largest - 1) / largest;
-    this->TileSize[axis] = (pictureSize[axis] + this->Counts[axis] - 1) / this->Counts[axis];
+    int count = 1;
+    while (count * largest < pictureSize[axis])
+    {
+      count *= 2;
+    }
+    this->Counts[axis] = count;
+    const int size = (pictureSize[axis] + count - 1) / count;
+    const int withNoise = (size + NoisePeriod - 1) / NoisePeriod * NoisePeriod;
+    this->TileSize[axis] = count > 1 && withNoise <= largest ? withNoise : size;
   }
 }
 
@@ -106,9 +120,9 @@ vtkSmartPointer<vtkImageData> Tiles::Draw(
   auto picture = this->MakePicture(opacity);
   const double width = 1.0 / this->Counts[0];
   const double height = 1.0 / this->Counts[1];
-  for (int y = 0; y < this->Counts[1]; ++y)
+  for (int y = 0; y * this->TileSize[1] < this->PictureSize[1]; ++y)
   {
-    for (int x = 0; x < this->Counts[0]; ++x)
+    for (int x = 0; x * this->TileSize[0] < this->PictureSize[0]; ++x)
     {
       const Part part = this->GetPart({ { x, y } });
       this->LookAt(part, renderer->GetActiveCamera());

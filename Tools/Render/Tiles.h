@@ -20,10 +20,11 @@ namespace tetmarch
 {
 
 /**
- * All tiles are equally large. Together they are the picture, or up to some pixels larger at its
- * right and its top. The renderer's viewport is the picture, so 2D actors stand where they would
- * stand in a window as large as the picture. A transformation of the camera, behind its projection,
- * does the same for all else, so every ray is the one of that window.
+ * All tiles are equally large, and along each side of the picture there is a power of two of them:
+ * by other shares VTK would round 2D actors to the pixel beside theirs. Together they are the
+ * picture, or larger at its right and its top. The renderer's viewport is the picture, so 2D actors
+ * stand where they would stand in a window as large as the picture. A transformation of the camera,
+ * behind its projection, does the same for all else, so every ray is the one of that window.
  */
 class Tiles
 {

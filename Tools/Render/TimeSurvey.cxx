@@ -26,6 +26,15 @@ CommandLine NameArray(const CommandLine& commandLine, vtkTetMarchFirstPicture* c
   return named;
 }
 
+/// That of the colours; of values that are all equal no more than these.
+std::array<double, 2> GetRangeOfStep(const VolumeData& data, const CommandLine& named)
+{
+  const auto choice = MakeChoice(data, named);
+  std::array<double, 2> values;
+  choice->GetDataRange(values.data());
+  return values[0] < values[1] ? GetColorRange(choice, named) : values;
+}
+
 } // namespace
 
 TimeSurvey SurveyTimeSteps(const CommandLine& commandLine, const std::vector<int>& steps)
@@ -41,7 +50,7 @@ TimeSurvey SurveyTimeSteps(const CommandLine& commandLine, const std::vector<int
     const VolumeData data =
       step == steps.back() ? last : ReadVolume(commandLine.Input, step, commandLine.Raw);
     box.AddBounds(GetBounds(data).data());
-    const auto range = GetColorRange(MakeChoice(data, named), named);
+    const auto range = GetRangeOfStep(data, named);
     all = { { std::min(all[0], range[0]), std::max(all[1], range[1]) } };
     if (range[1] - range[0] > widest)
     {
@@ -49,7 +58,7 @@ TimeSurvey SurveyTimeSteps(const CommandLine& commandLine, const std::vector<int
       chooser = data;
     }
   }
-  if (commandLine.Preset.empty())
+  if (commandLine.Preset.empty() && all[0] < all[1])
   {
     named.Range = all;
   }
