@@ -166,7 +166,8 @@ class Figure:
         width, height = self.size
         if not (0 <= x < width and 0 <= y < height):
             raise ValueError(f"the pixel ({x}, {y}) is outside of the picture of {width} x {height}")
-        self.render()
+        if self._window is None or tuple(self._window.GetSize()) != tuple(self.size):
+            self.render()
         with VtkErrors() as errors:
             hit = self.mapper.Pick(self.renderer, self.volume, int(x), height - 1 - int(y))
         if errors:
