@@ -39,13 +39,14 @@ def map_of_ours(name, low, high):
 def map_of_matplotlib(name, low, high):
     """A colour map of Matplotlib's."""
     try:
+        import matplotlib
         from matplotlib import cm
     except ImportError:
         raise ValueError(f"there is no colour map {name!r} here; with Matplotlib, which isn't installed, there are its "
                          "own. A list of colours or a vtkColorTransferFunction will do without") from None
     try:
-        colors = cm.get_cmap(name) if hasattr(cm, "get_cmap") else cm.ScalarMappable(cmap=name).cmap
-    except ValueError:
+        colors = matplotlib.colormaps[name] if hasattr(matplotlib, "colormaps") else cm.get_cmap(name)
+    except (KeyError, ValueError):
         raise ValueError(f"there is no colour map {name!r}: give a name of Matplotlib's ('viridis', 'plasma', "
                          "'coolwarm', ...), a list of colours or a vtkColorTransferFunction") from None
     return [colors(step / STEPS)[:3] for step in range(STEPS + 1)]

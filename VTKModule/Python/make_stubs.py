@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes types of VTK's wrapped classes, for editors and type checkers: make_stubs.py PACKAGE_FOLDER MODULE.pyi
 
-The types are those of the docstrings that VTK's wrappers write.
+The types are those of the docstrings that VTK's wrappers write. If VTK's own Python modules can't be imported, all names
+are known, but nothing of them.
 """
 import keyword
 import pathlib
@@ -105,9 +106,13 @@ def class_lines(made, types):
 
 def main(folder, path):
     sys.path.insert(0, str(pathlib.Path(folder).parent))
-    import vtkmodules.all as others
-    from vtktetmarch import vtkRenderingTetMarch as module
-
+    try:
+        import vtkmodules.all as others
+        from vtktetmarch import vtkRenderingTetMarch as module
+    except ImportError as error:
+        print(f"The types of the Python package know nothing of its classes: {error}")
+        pathlib.Path(path).write_text("from typing import Any\n\ndef __getattr__(name: str) -> Any: ...\n", encoding="utf-8")
+        return
     types = Types(module, others)
     body = []
     for name, made in sorted(vars(module).items()):
