@@ -5,6 +5,7 @@ import importlib
 import os
 import re
 
+from vtkmodules.vtkCommonCore import vtkObjectFactory
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from .errors import PrintedErrors, VtkErrors
@@ -82,6 +83,16 @@ def check_beginning(path, name):
         raise ValueError(f"{path!r} can't be read: its values are text; write them in the encoding raw or gzip")
 
 
+def make_reader(module, name):
+    """A reader of that class itself. In programs with MPI, VTK replaces vtkNrrdReader by one that reads nothing without."""
+    made = getattr(importlib.import_module("vtkmodules." + module), name)
+    vtkObjectFactory.SetAllEnableFlags(False, name, "vtkPNrrdReader")
+    try:
+        return made()
+    finally:
+        vtkObjectFactory.SetAllEnableFlags(True, name, "vtkPNrrdReader")
+
+
 def open_reader(path):
     """A reader of VTK's for a file, whose arrays are enabled and whose times are known."""
     path = os.fspath(path)
@@ -96,7 +107,7 @@ def open_reader(path):
         raise PermissionError(f"{path!r} may not be read")
     module, name = READERS[ending]
     try:
-        reader = getattr(importlib.import_module("vtkmodules." + module), name)()
+        reader = make_reader(module, name)
     except (ImportError, AttributeError):
         raise ValueError(f"{path!r} needs {name} of vtkmodules.{module}, which this VTK doesn't have") from None
     check_beginning(path, name)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """VTK's arrays over the memory of NumPy's."""
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type
 from vtkmodules.vtkCommonCore import vtkTypeInt32Array, vtkTypeInt64Array
 
 
@@ -33,7 +33,9 @@ def numeric_array(values, what):
 
 def shared_array(array, name=None):
     """A vtkDataArray over the memory of a NumPy array of one or two dimensions, which lives as long."""
-    made = numpy_to_vtk(array)
+    made = create_vtk_array(get_vtk_array_type(array.dtype))
+    made.SetNumberOfComponents(1 if array.ndim == 1 else array.shape[1])
+    made.SetVoidArray(array.reshape(-1), array.size, 1)
     keep_with(made, array)
     if name is not None:
         made.SetName(name)
