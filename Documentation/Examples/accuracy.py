@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 figure = vtktetmarch.figure("Data/golfball_small.vtu", "vorticity_mag", range=(0, 8), cmap="inferno",
                             opacity=[(0.5, 0), (8, 1)], unit_distance=0.3, size=(360, 240))
-levels = {"fast": dict(accuracy_level="fast")}
+levels: dict[str, dict] = {"fast": dict(accuracy_level="fast")}
 for power in (4, 6, 8, 10, 12, 14):
     levels[f"1/{2**power}"] = dict(accuracy_level="default", error_tolerance=2.0**-power)
 
