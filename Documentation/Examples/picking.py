@@ -23,10 +23,10 @@ def marker(position):
     return actor
 
 
-hits = [(x, figure.pick(x, 210)) for x in range(60, 900, 60)]
-print("  x  cell    vorticity  position")
-for x, hit in hits:
+hits = {x: figure.pick(x, 210) for x in range(60, 900, 60)}
+print("  x    cell  vorticity  position")
+for x, hit in hits.items():
     if hit:
-        print("{0:3}  {cell:6}  {value:9.2f}  ({position[0]:.2f}, {position[1]:.2f}, {position[2]:.2f})".format(x, **hit))
+        print(f"{x:3}  {hit['cell']:6}  {hit['value']:9.2f}  ({', '.join(f'{c:.2f}' for c in hit['position'])})")
         figure.add(marker(hit["position"]))
 figure.save("picking.png")

@@ -59,7 +59,7 @@ class CellsTest(unittest.TestCase):
                 ((POINTS, TETRAHEDRA, [10, 10]), ValueError, "there are 5 cells"),
                 ((POINTS, TETRAHEDRA, vtk.VTK_POLYHEDRON), ValueError, "polyhedra"),
                 ((POINTS, TETRAHEDRA[None], "tetra"), ValueError, r"the shape \(1, 5, 4\)"),
-                ((POINTS, [4, 0, 1, 2, 4, 4, 1, 2], "tetra"), ValueError, "ends within its last cell: a count of 4, and 2"),
+                ((POINTS, [4, 0, 1, 2, 4, 4, 1, 2], "tetra"), ValueError, "within its last cell: a count of 4, and 2"),
                 ((POINTS, [-3, 0, 1], "tetra"), ValueError, "count of -3 at 0"),
                 ((POINTS, ([0, 1, 2, 4], [0, 3]), "tetra"), ValueError, "end with the length of connectivity, 4"),
                 ((POINTS, ([0, 1, 2, 4], [0, 5, 4]), "tetra"), ValueError, "never fall")):
@@ -122,12 +122,12 @@ class MemoryTest(unittest.TestCase):
         gc.collect()
         self.assertEqual([reference() is not None for reference in alive], [True] * 6)
         grid = mapper.GetInputDataObject(0, 0)
-        for array, values in zip(
-                (grid.GetPoints().GetData(), grid.GetCells().GetConnectivityArray(), grid.GetCells().GetOffsetsArray(),
-                 grid.GetCellTypesArray(), grid.GetPointData().GetArray("a"), grid.GetCellData().GetArray("b")), expected):
+        found = (grid.GetPoints().GetData(), grid.GetCells().GetConnectivityArray(), grid.GetCells().GetOffsetsArray(),
+                 grid.GetCellTypesArray(), grid.GetPointData().GetArray("a"), grid.GetCellData().GetArray("b"))
+        for array, values in zip(found, expected):
             for i, tuple_ in enumerate(values.reshape(len(values), -1)):
                 self.assertEqual([array.GetComponent(i, k) for k in range(len(tuple_))], tuple_.tolist())
-        del array, grid
+        del array, grid, found
         mapper.RemoveAllInputs()
         gc.collect()
         self.assertEqual([reference() is None for reference in alive], [True] * 6)

@@ -57,7 +57,7 @@ class ScreenshotTest(unittest.TestCase):
         self.assertEqual(figure.screenshot(transparent=True).shape, (21, 33, 4))
 
     def test_the_first_row_is_the_uppermost(self):
-        figure = figure_of_tetrahedron(cmap=["white", "white"], opacity=1, unit_distance=1e-3, background="black", camera={
+        figure = figure_of_tetrahedron(cmap=["white"], opacity=1, unit_distance=1e-3, background="black", camera={
             "position": (0.2, -5, 0.4), "focal_point": (0.2, 0, 0.4), "view_up": (0, 0, 1), "parallel_scale": 0.7})
         widths = np.count_nonzero(figure.screenshot()[:, :, 0] > 128, axis=1)  # it is wide below, and pointed above
         rows = np.flatnonzero(widths)
@@ -121,7 +121,8 @@ class ScreenshotTest(unittest.TestCase):
         script = "import vtktetmarch, first_data; vtktetmarch.screenshot(first_data.one_tetrahedron())"
         for display in ("", ":4711"):
             environment = {**os.environ, "DISPLAY": display, "PYTHONPATH": os.pathsep.join(sys.path)}
-            run = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, timeout=60)
+            run = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True,
+                                 timeout=60)
             self.assertEqual(run.returncode, 1)
             self.assertRegex(run.stderr, "RuntimeError: VTK needs a display.*xvfb-run")
 
@@ -131,7 +132,8 @@ class CameraTest(unittest.TestCase):
         figure = figure_of_tetrahedron(camera={"position": (3, 0, 0), "focal_point": (0, 0, 0), "view_up": (0, 0, 1),
                                                "view_angle": 40})
         camera = figure.camera
-        self.assertEqual((camera.GetPosition(), camera.GetFocalPoint(), camera.GetViewAngle()), ((3, 0, 0), (0, 0, 0), 40))
+        self.assertEqual((camera.GetPosition(), camera.GetFocalPoint()), ((3, 0, 0), (0, 0, 0)))
+        self.assertEqual(camera.GetViewAngle(), 40)
         figure.look({"position": (3, 0, 0), "focal_point": (0, 0, 0), "view_up": (0, 0, 1), "azimuth": 90, "zoom": 2})
         np.testing.assert_allclose(figure.camera.GetPosition(), (0, 3, 0), atol=1e-9)
         figure.look({"parallel_scale": 5})

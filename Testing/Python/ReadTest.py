@@ -48,7 +48,8 @@ class ReadTest(unittest.TestCase):
         collection = vtk.vtkPartitionedDataSetCollection()
         collection.SetPartitionedDataSet(0, partitions)
         for writer, name, data in (
-                (vtk.vtkXMLUnstructuredGridWriter(), "a.vtu", grid), (vtk.vtkXMLPUnstructuredGridWriter(), "a.pvtu", grid),
+                (vtk.vtkXMLUnstructuredGridWriter(), "a.vtu", grid),
+                (vtk.vtkXMLPUnstructuredGridWriter(), "a.pvtu", grid),
                 (vtk.vtkXMLImageDataWriter(), "a.vti", image), (vtk.vtkXMLPImageDataWriter(), "a.pvti", image),
                 (vtk.vtkXMLRectilinearGridWriter(), "a.vtr", first_data.rectilinear()),
                 (vtk.vtkXMLStructuredGridWriter(), "a.vts", curvilinear()),
@@ -62,12 +63,8 @@ class ReadTest(unittest.TestCase):
                 found = vtktetmarch.read(self.write(writer, name, data))
                 kind = "vtkMultiBlockDataSet" if name == "a.ex2" else data.GetClassName()
                 self.assertTrue(found.IsA(kind) or data.IsA(found.GetClassName()), found.GetClassName())
-                self.assertEqual(found.GetNumberOfPoints() if name == "a.ex2" else self.points(found), self.points(data))
+                self.assertEqual(found.GetNumberOfPoints(), data.GetNumberOfPoints())
                 self.assertGreater(vtktetmarch.screenshot(found, size=(60, 50)).max(), 40)
-
-    @staticmethod
-    def points(data):
-        return data.GetNumberOfPoints()
 
     def test_all_arrays_of_a_legacy_file(self):
         grid = first_data.one_tetrahedron()
@@ -121,8 +118,8 @@ class ReadTest(unittest.TestCase):
         writer.Write()
         times = vtktetmarch.time_values(path)
         np.testing.assert_allclose(times, np.arange(10) / 9, rtol=1e-6)
-        values = [vtk_to_numpy(vtktetmarch.read(path, step).GetBlock(0).GetBlock(0).GetPointData().GetArray("Point Value"))
-                  for step in (0, 4, -1, None)]
+        grids = [vtktetmarch.read(path, step).GetBlock(0).GetBlock(0) for step in (0, 4, -1, None)]
+        values = [vtk_to_numpy(grid.GetPointData().GetArray("Point Value")) for grid in grids]
         self.assertFalse(np.array_equal(values[0], values[1]))
         self.assertTrue(np.array_equal(values[2], values[3]))
 
@@ -143,9 +140,12 @@ class ReadTest(unittest.TestCase):
         nrrd = b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nencoding: raw\n\nabc"
         legacy = b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n1 2"
         for name, content, text in (
-                ("a.vtu", mesh[:300000], 'Cannot read point data array "vorticity_mag"'), ("b.vtu", b"hello", "syntax error"),
-                ("a.vti", image[:3000], 'Cannot read point data array "density"'), ("a.vtk", legacy, "reading ascii data"),
-                ("b.vtk", b"", "."), ("a.mha", meta, "data not read completely"), ("a.nrrd", nrrd, "File operation failed"),
+                ("a.vtu", mesh[:300000], 'Cannot read point data array "vorticity_mag"'),
+                ("b.vtu", b"hello", "syntax error"),
+                ("a.vti", image[:3000], 'Cannot read point data array "density"'),
+                ("a.vtk", legacy, "reading ascii data"),
+                ("b.vtk", b"", "."), ("a.mha", meta, "data not read completely"),
+                ("a.nrrd", nrrd, "File operation failed"),
                 ("a.ex2", mesh, "damaged, or not what its ending says"), ("a.cgns", b"", "damaged"),
                 ("a.vtkhdf", b"x" * 600, "damaged"), ("a.case", b"hello", "."), ("a.nii", b"hello", ".")):
             with self.subTest(name=name):

@@ -11,7 +11,8 @@ import unittest
 
 import first_data
 
-NAMES = ("vtkProjectedTetrahedraMapper", "vtkUnstructuredGridVolumeRayCastMapper", "vtkUnstructuredGridVolumeZSweepMapper")
+NAMES = ("vtkProjectedTetrahedraMapper", "vtkUnstructuredGridVolumeRayCastMapper",
+         "vtkUnstructuredGridVolumeZSweepMapper")
 # Uses all that VTK's two ray casters have beside other mappers; prints the kind of its mapper and a pixel.
 SCRIPT = """
 import sys
@@ -52,8 +53,8 @@ class ReplaceUnstructuredTest(unittest.TestCase):
     def run_script(self, name, *options, before="", value=""):
         self.script.write_text(before + SCRIPT.format(name=name))
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "TETMARCH_REPLACE_UNSTRUCTURED": value}
-        run = subprocess.run([sys.executable, *options, str(self.script), "a", "b"], env=environment, capture_output=True,
-                             text=True, timeout=100)
+        run = subprocess.run([sys.executable, *options, str(self.script), "a", "b"], env=environment, text=True,
+                             capture_output=True, timeout=100)
         self.assertEqual(run.returncode, 0, run.stderr)
         kind, is_instance, pixel, *arguments = run.stdout.split()
         self.assertEqual((is_instance, arguments), ("True", ["a", "b"]))
@@ -72,11 +73,11 @@ class ReplaceUnstructuredTest(unittest.TestCase):
 
     def test_by_the_environment_and_by_a_call(self):
         name, module = NAMES[1], "import vtktetmarch\n"
+        replace = module + "vtktetmarch.replace_unstructured_mappers()\n"
         for before, value, expected in (
                 (module, "1", "marches"), (module, "0", "stock"), (module, "", "stock"),
-                (module + "vtktetmarch.replace_unstructured_mappers()\n", "", "marches"),
-                (module + "vtktetmarch.replace_unstructured_mappers(); vtktetmarch.replace_unstructured_mappers(False)\n",
-                 "", "stock")):
+                (replace, "", "marches"),
+                (replace + "vtktetmarch.replace_unstructured_mappers(False)\n", "", "stock")):
             with self.subTest(before=before, value=value):
                 self.assertEqual(self.run_script(name, before=before, value=value)[0], expected)
 

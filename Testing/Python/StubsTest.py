@@ -17,7 +17,7 @@ PACKAGE = pathlib.Path(vtktetmarch.__file__).parent
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "Examples"
 # Each line is an error, by these words of mypy.
 WRONG = {
-    'vtktetmarch.volume("a.vtu", rnge=3).SetPosition(1); number: int = vtktetmarch.screenshot("a.vtu", filename="a.png")':
+    'number: int = vtktetmarch.screenshot("a.vtu", filename="a.png")':
         "Incompatible types in assignment",
     "vtktetmarch.vtkTetMarchVolumeMapper().SetErrorTolerance('low')": 'expected "float"',
     'vtktetmarch.figure("a.vtu").sreenshot()': 'has no attribute "sreenshot"; maybe "screenshot"?',
@@ -106,8 +106,9 @@ class TypeCheckerTest(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def mypy(self, *files):
-        run = subprocess.run(["mypy", "--python-executable", sys.executable, "--ignore-missing-imports", "--check-untyped-defs",
-                              "--cache-dir", str(self.folder / "cache"), *map(str, files)], capture_output=True, text=True,
+        run = subprocess.run(["mypy", "--python-executable", sys.executable, "--ignore-missing-imports",
+                              "--check-untyped-defs", "--cache-dir", str(self.folder / "cache"), *map(str, files)],
+                             capture_output=True, text=True,
                              env={"PATH": "/usr/bin:/bin", "MYPYPATH": str(PACKAGE.parent)}, timeout=500)
         return run.returncode, run.stdout + run.stderr
 

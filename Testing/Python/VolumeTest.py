@@ -130,7 +130,8 @@ class MapperTest(unittest.TestCase):
         mapper = vtktetmarch.volume(first_data.vectors(), component="magnitude").GetMapper()
         self.assertEqual(mapper.GetVectorModeAsString(), "Magnitude")
         mapper = vtktetmarch.volume(first_data.hexahedra_with_cell_scalars(), "stress", association="cells").GetMapper()
-        self.assertEqual((mapper.GetArrayName(), mapper.GetScalarMode()), ("stress", vtk.VTK_SCALAR_MODE_USE_CELL_FIELD_DATA))
+        self.assertEqual(mapper.GetArrayName(), "stress")
+        self.assertEqual(mapper.GetScalarMode(), vtk.VTK_SCALAR_MODE_USE_CELL_FIELD_DATA)
 
 
 class FunctionsTest(unittest.TestCase):

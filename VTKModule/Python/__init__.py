@@ -1,4 +1,4 @@
-"""TetMarch: volume rendering by marching rays from cell to cell, of unstructured grids, images and rectilinear grids."""
+"""TetMarch: volume rendering by marching rays from cell to cell, of unstructured grids and images."""
 
 # VTK's own modules first: they register the base classes that ours derive from, and the factories of OpenGL and text.
 import vtkmodules.vtkCommonExecutionModel  # noqa: F401

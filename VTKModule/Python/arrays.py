@@ -33,8 +33,8 @@ def connectivity_and_offsets(cells):
         n, k = ids.shape
         return ids.reshape(-1), np.arange(0, n * k + 1, max(k, 1), dtype=ids.dtype)[:n + 1]
     if ids.ndim != 1:
-        raise ValueError(f"cells has the shape {ids.shape}; it is (cells, points of a cell), a flat array of a count and "
-                         "as many ids for each cell, or a tuple (connectivity, offsets)")
+        raise ValueError(f"cells has the shape {ids.shape}; it is (cells, points of a cell), a flat array of a count "
+                         "and as many ids for each cell, or a tuple (connectivity, offsets)")
     return split_flat(ids)
 
 
@@ -63,8 +63,8 @@ def types_of(cell_types, count):
         return np.full(count, cell_type_number(cell_types), np.uint8)
     types = np.asarray(cell_types)
     if types.shape != (count,):
-        raise ValueError(f"cell_types has the shape {types.shape}; there are {count} cells: give one type for all, or one "
-                         "a cell")
+        raise ValueError(f"cell_types has the shape {types.shape}; there are {count} cells: give one type for all, or "
+                         "one a cell")
     if types.dtype.kind in "US":
         types = np.array([cell_type_number(str(name)) for name in types], np.uint8)
     for number in np.unique(types):
@@ -77,8 +77,8 @@ def check_cells(connectivity, offsets, types, number_of_points):
     wrong = np.flatnonzero((connectivity < 0) | (connectivity >= number_of_points))
     if len(wrong):
         cell = int(np.searchsorted(offsets, wrong[0], "right")) - 1
-        raise ValueError(f"cell {cell} has the point {connectivity[wrong[0]]}; the {number_of_points} points are counted "
-                         "from 0")
+        raise ValueError(f"cell {cell} has the point {connectivity[wrong[0]]}; the {number_of_points} points are "
+                         "counted from 0")
     sizes = np.diff(offsets)
     for number in np.unique(types):
         points = POINTS.get(int(number))
@@ -112,9 +112,9 @@ def from_arrays(points, cells, cell_types, point_data=None, cell_data=None):
         "hexahedron", "wedge", "pyramid", "voxel", "tetra10", ...).
     point_data, cell_data: {name: array}, one value or a tuple of them for each point or cell.
 
-    Memory is shared, not copied, of: points, if float32 or float64; cells as int32 or int64 in the first two forms; data
-    of integers and floats of 8 to 64 bits; each if contiguous in C order. It lives as long as the grid needs it. All else
-    is copied. After a change in such an array call Modified() of what has changed, and of the grid:
+    Memory is shared, not copied, of: points, if float32 or float64; cells as int32 or int64 in the first two forms;
+    data of integers and floats of 8 to 64 bits; each if contiguous in C order. It lives as long as the grid needs it.
+    All else is copied. After a change in such an array call Modified() of what has changed, and of the grid:
     grid.GetPointData().GetArray("t").Modified(); grid.Modified().
 
     Raises ValueError for wrong shapes and ids, TypeError for other values than numbers.

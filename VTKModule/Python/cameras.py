@@ -21,10 +21,10 @@ def fit(camera, volume, aspect):
 def place_camera(camera, wish, volume, aspect):
     """Places a vtkCamera.
 
-    wish: "iso": obliquely, so that all that is shown just fits; a vtkCamera, which is copied; or a dict, of which what is
-        missing is as by "iso": position, focal_point, view_up (three numbers each, in the world), view_angle (degrees),
-        parallel_scale (half of the picture's height in the world; makes the projection parallel), azimuth, elevation
-        (degrees about the focal point) and zoom (above 1: nearer).
+    wish: "iso": obliquely, so that all that is shown just fits; a vtkCamera, which is copied; or a dict, of which what
+        is missing is as by "iso": position, focal_point, view_up (three numbers each, in the world), view_angle
+        (degrees), parallel_scale (half of the picture's height in the world; makes the projection parallel), azimuth,
+        elevation (degrees about the focal point) and zoom (above 1: nearer).
     volume: a vtkVolume with a mapper of ours. aspect: width / height.
     """
     if isinstance(wish, vtkCamera):

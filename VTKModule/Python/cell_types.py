@@ -32,7 +32,8 @@ def cell_type_number(cell_type):
         return CELL_TYPES[cell_type][0]
     number = int(cell_type)
     if number == model.VTK_POLYHEDRON:
-        raise ValueError("polyhedra have faces, which from_arrays() doesn't take: use vtkUnstructuredGrid.InsertNextCell()")
+        raise ValueError("polyhedra have faces, which from_arrays() doesn't take: use "
+                         "vtkUnstructuredGrid.InsertNextCell()")
     if not 0 < number <= 255:
         raise ValueError(f"a type of cell is a name or a number of VTK's, 1 to 255, not {cell_type!r}")
     return number

@@ -19,8 +19,8 @@ def plain(text):
 class VtkErrors:
     """Collects the errors of VTK's objects within a `with` block, those of objects inside of others as well.
 
-    texts: the errors, without places in source files, each once. warnings: likewise; if there are no errors, they become
-    Python's warnings.
+    texts: the errors, without places in source files, each once. warnings: likewise; if there are no errors, they
+    become Python's warnings.
     """
 
     def __init__(self):

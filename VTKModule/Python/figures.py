@@ -112,8 +112,8 @@ class Figure:
     def screenshot(self, filename=None, *, size=None, transparent=None):
         """Draws the scene: an array (height, width, 3) of uint8, the uppermost row first; 4 channels if transparent.
 
-        filename: written as PNG instead, and the path is returned. size, transparent: of this picture and the next ones;
-        None: as before. Opacity is not multiplied into the colours. Raises RuntimeError if something can't be drawn.
+        filename: written as PNG instead, and the path is returned. size, transparent: of this picture and the next
+        ones; None: as before. Opacity is not multiplied into the colours. Raises RuntimeError if something can't be drawn.
         """
         if size is not None:
             self.size = checked_size(size)
@@ -136,7 +136,7 @@ class Figure:
         return png_bytes(self.screenshot())
 
     def show(self, title="TetMarch"):
-        """Opens a window: the left button turns, the right one and the wheel zoom, q ends. Returns when it is closed."""
+        """Opens a window: the left button turns, the right one and the wheel zoom, q ends. Returns when closed."""
         check_display()
         if self._window is not None:
             self._window.RemoveRenderer(self.renderer)
@@ -160,8 +160,8 @@ class Figure:
     def pick(self, x, y):
         """What is seen in a pixel, x from the left and y from the top, as picture[y, x] of screenshot().
 
-        A dict: position (three numbers, in the world), value (in the array's unit), cell (its id), block (its flat index
-        in a tree, else 0); or None if the volume isn't hit, see vtkTetMarchSettings.SetPickOpacityThreshold().
+        A dict: position (three numbers, in the world), value (in the array's unit), cell (its id), block (its flat
+        index in a tree, else 0); or None if the volume isn't hit, see vtkTetMarchSettings.SetPickOpacityThreshold().
         """
         width, height = self.size
         if not (0 <= x < width and 0 <= y < height):
@@ -199,7 +199,7 @@ def figure(data, *arguments, **how):
 
 
 def screenshot(data, *arguments, filename=None, **how):
-    """A picture of what figure() takes: an array (height, width, 3 or 4) of uint8; or the path, if `filename` is given."""
+    """A picture of what figure() takes: an array (height, width, 3 or 4) of uint8; the path, if `filename` is given."""
     return figure_of(data, *arguments, **how).screenshot(filename)
 
 

@@ -98,7 +98,7 @@ def drawn_data(data):
             raise ValueError(f"the {data.GetClassName()} has no block with cells")
         return data
     if isinstance(data, vtkPolyData):
-        raise TypeError("a vtkPolyData is a surface, which has no inside to draw; vtkDelaunay3D makes tetrahedra of its "
-                        "points, and a vtkActor draws the surface")
-    raise TypeError(f"{type(data).__name__} is no data that can be drawn: give data of VTK's or PyVista's, an algorithm, "
-                    "the path of a file, a meshio.Mesh, or what from_arrays() makes")
+        raise TypeError("a vtkPolyData is a surface, which has no inside to draw; vtkDelaunay3D makes tetrahedra of "
+                        "its points, and a vtkActor draws the surface")
+    raise TypeError(f"{type(data).__name__} is no data that can be drawn: give data of VTK's or PyVista's, an "
+                    "algorithm, the path of a file, a meshio.Mesh, or what from_arrays() makes")

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes types of VTK's wrapped classes, for editors and type checkers: make_stubs.py PACKAGE_FOLDER MODULE.pyi
 
-The types are those of the docstrings that VTK's wrappers write. If VTK's own Python modules can't be imported, all names
-are known, but nothing of them.
+The types are those of the docstrings that VTK's wrappers write. If VTK's own Python modules can't be imported, all
+names are known, but nothing of them.
 """
 import keyword
 import pathlib
@@ -111,7 +111,8 @@ def main(folder, path):
         from vtktetmarch import vtkRenderingTetMarch as module
     except ImportError as error:
         print(f"The types of the Python package know nothing of its classes: {error}")
-        pathlib.Path(path).write_text("from typing import Any\n\ndef __getattr__(name: str) -> Any: ...\n", encoding="utf-8")
+        unknown = "from typing import Any\n\ndef __getattr__(name: str) -> Any: ...\n"
+        pathlib.Path(path).write_text(unknown, encoding="utf-8")
         return
     types = Types(module, others)
     body = []

@@ -33,11 +33,11 @@ def statistics(drawn):
     """All figures of the last frame of a Figure, a vtkVolume or a mapper, as a dict. See vtkTetMarchFrameStatistics.
 
     *_seconds, seconds: times, in seconds. *_bytes: memory. *_builds: how often a stage ran since the mapper was made.
-    number_of_*: counts. used_accuracy_level, used_shader_stage: words. used_error_tolerance: of a channel, 0 to 1; 0: none
-    is promised. used_image_sample_distance: between rays, in pixels. budget_kept, light_complete: bool.
+    number_of_*: counts. used_accuracy_level, used_shader_stage: words. used_error_tolerance: of a channel, 0 to 1; 0:
+    none is promised. used_image_sample_distance: between rays, in pixels. budget_kept, light_complete: bool.
     error_bound, cells, lookups, true_error: of the pixels whose ray met the volume, if they were measured, else None: a
-    dict with pixels (how many), minimum, mean, rms, max and percentiles ({50: ..., 90: ..., 99: ..., 99.9: ...}). Errors
-    are of a channel, 0 to 1. The first three are measured with collect_diagnostics=True, the last by compare().
+    dict with pixels (how many), minimum, mean, rms, max and percentiles ({50: ..., 90: ..., 99: ..., 99.9: ...}).
+    Errors are of a channel, 0 to 1. The first three are measured with collect_diagnostics=True, the last by compare().
     """
     frame = mapper_of(drawn).GetLastFrameStatistics()
     found = {}
@@ -57,9 +57,10 @@ def compare(data, *arguments, **how):
     """The error of a picture against the ground truth, which the CPU computes in double precision; that takes a while.
 
     data and the rest: as of figure(), or a Figure, of which a frame is drawn.
-    Returns a dict: rms, max, mean and minimum of the largest error of a channel, 0 to 1, over the pixels whose ray met the
-    volume; pixels: how many; percentiles: {50: ..., 90: ..., 99: ..., 99.9: ...}; error_bound: likewise what the frame
-    promised; statistics: the figures of that frame, see statistics(). Raises RuntimeError if there is nothing to compare.
+    Returns a dict: rms, max, mean and minimum of the largest error of a channel, 0 to 1, over the pixels whose ray met
+    the volume; pixels: how many; percentiles: {50: ..., 90: ..., 99: ..., 99.9: ...}; error_bound: likewise what the frame
+    promised; statistics: the figures of that frame, see statistics(). Raises RuntimeError if there is nothing to
+    compare.
     """
     from .figures import figure_of
 

@@ -7,7 +7,7 @@ from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 
 
 def piecewise_function(what, low, high, largest=1.0):
-    """A vtkPiecewiseFunction: as it is; a number, for all values; (value, opacity) pairs; "linear": 0 at low, 1 at high.
+    """A vtkPiecewiseFunction: as it is; a number, for all values; (value, opacity) pairs; "linear": from 0 to 1.
 
     Raises ValueError for an opacity below 0 or above `largest`, and for other words.
     """
@@ -16,7 +16,8 @@ def piecewise_function(what, low, high, largest=1.0):
     if what == "linear" and isinstance(what, str):
         pairs = [(low, 0.0), (high, 1.0)]
     elif isinstance(what, str):
-        raise ValueError(f"opacity is 'linear', a number, (value, opacity) pairs or a vtkPiecewiseFunction, not {what!r}")
+        raise ValueError(f"opacity is 'linear', a number, (value, opacity) pairs or a vtkPiecewiseFunction, "
+                         f"not {what!r}")
     elif isinstance(what, Real):
         pairs = [(low, what)]
     else:

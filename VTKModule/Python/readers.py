@@ -84,7 +84,7 @@ def check_beginning(path, name):
 
 
 def make_reader(module, name):
-    """A reader of that class itself. In programs with MPI, VTK replaces vtkNrrdReader by one that reads nothing without."""
+    """A reader of that class itself. In programs with MPI, VTK has a vtkNrrdReader that reads nothing without."""
     made = getattr(importlib.import_module("vtkmodules." + module), name)
     vtkObjectFactory.SetAllEnableFlags(False, name, "vtkPNrrdReader")
     try:
@@ -140,8 +140,8 @@ def time_values(path):
 def read(path, time_step=None):
     """The data of a file, by a reader of VTK's for its ending: a vtkDataSet, or a tree of such blocks.
 
-    time_step: which of time_values(), from 0, or from the end if below 0; None: the last. The whole file with all of its
-    arrays is read.
+    time_step: which of time_values(), from 0, or from the end if below 0; None: the last. The whole file with all of
+    its arrays is read.
 
     VTK's XML files (.vtu, .vti, .vtr, .vts, .vtp, .vtm, .vtpd, .vtpc, .pvtu, .pvti, ...), .vtk, .vtkhdf; Exodus (.ex2,
     .exo, .e, .g), CGNS, EnSight (.case), OpenFOAM (.foam), AVS (.inp); images: MetaImage (.mha, .mhd), NRRD, NIfTI;

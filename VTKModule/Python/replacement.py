@@ -13,8 +13,8 @@ from .vtkRenderingTetMarch import vtkTetMarchObjectFactory, vtkTetMarchSmartVolu
 class CastingMapper(vtkTetMarchVolumeMapper):
     """A vtkTetMarchVolumeMapper with what VTK's ray casters of unstructured grids have beside it.
 
-    What it has no use for is kept and has no effect: it has no threads, functions and integrators of its own, and opaque
-    geometry always intermixes.
+    What it has no use for is kept and has no effect: it has no threads, functions and integrators of its own, and
+    opaque geometry always intermixes.
     """
 
     def __init__(self):
@@ -84,8 +84,8 @@ def replace_smart_volume_mapper(replaces=True):
 
     A script that imports the name afterwards, or looks it up in a module (vtk.vtkSmartVolumeMapper), gets ours. What it
     imported before stays, and so do mappers that VTK makes inside. In C++, vtkObjectFactory::CreateInstance() follows
-    (see vtkTetMarchObjectFactory). The environment variable TETMARCH_REPLACE_SMART_VOLUME, unless it is empty or 0, does
-    this when vtktetmarch is imported.
+    (see vtkTetMarchObjectFactory). The environment variable TETMARCH_REPLACE_SMART_VOLUME, unless it is empty or 0,
+    does this when vtktetmarch is imported.
     """
     vtkTetMarchObjectFactory.SetReplacesSmartVolume(bool(replaces))
     replace(vtkSmartVolumeMapper, vtkTetMarchSmartVolumeMapper, replaces)

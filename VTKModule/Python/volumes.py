@@ -83,14 +83,14 @@ def volume(data, array=None, *, association=None, component=None, cmap=None, opa
     array: its name. association: "points" or "cells". component: from 0, or "magnitude".
     cmap: a vtkColorTransferFunction; the name of a colour map; a list of colours, spread evenly over the range, or of
         (value, colour). A colour is a name, "#rrggbb" or three numbers, 0 to 1.
-    opacity: a vtkPiecewiseFunction; a number, 0 to 1, for all values; pairs (value, opacity); or "linear": from 0 at the
-        low end of the range to 1 at the high one.
+    opacity: a vtkPiecewiseFunction; a number, 0 to 1, for all values; pairs (value, opacity); or "linear": from 0 at
+        the low end of the range to 1 at the high one.
     range: (low, high), low < high, in the array's unit.
     unit_distance: above 0, in units of the data's coordinates: the thickness in which an opacity counts as it is.
-    properties: any property of the mapper, its vtkTetMarchSettings, the vtkVolumeProperty or the vtkVolume, by VTK's name
-        in small letters: accuracy_level="accurate", error_tolerance=1e-3, shade=True, shadow_method="automatic",
-        blend_mode="maximum", pickable=False. Enumerations by a word or the beginning of one. Also clipping_planes: a list
-        of vtkPlane or (point, normal), whose normal shows to what is kept; isosurface_values: a list of values;
+    properties: any property of the mapper, its vtkTetMarchSettings, the vtkVolumeProperty or the vtkVolume, by VTK's
+        name in small letters: accuracy_level="accurate", error_tolerance=1e-3, shade=True, shadow_method="automatic",
+        blend_mode="maximum", pickable=False. Enumerations by a word or the beginning of one. Also clipping_planes: a
+        list of vtkPlane or (point, normal), whose normal shows to what is kept; isosurface_values: a list of values;
         gradient_opacity: as opacity, over the length of the gradient.
 
     Raises ValueError for what the data doesn't have (it lists what it has) and values out of range, TypeError for
