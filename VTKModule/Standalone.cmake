@@ -60,13 +60,23 @@ if (TETMARCH_WRAP_PYTHON)
     INSTALL_HEADERS OFF
     TARGET TetMarch::Python
     BUILD_STATIC OFF)
-  foreach (name IN ITEMS __init__ first_picture replacement)
-    configure_file("VTKModule/Python/${name}.py"
-      "${CMAKE_BINARY_DIR}/${tetmarch_python_dir}/vtktetmarch/${name}.py" COPYONLY)
-    install(FILES "VTKModule/Python/${name}.py"
+  set(tetmarch_package "${CMAKE_BINARY_DIR}/${tetmarch_python_dir}/vtktetmarch")
+  foreach (file IN ITEMS __init__.py __init__.pyi __main__.py arrays.py cameras.py cell_types.py colors.py display.py
+      errors.py figures.py first_picture.py inputs.py measures.py opacities.py pixels.py properties.py py.typed
+      readers.py replacement.py shared_arrays.py volumes.py)
+    configure_file("VTKModule/Python/${file}" "${tetmarch_package}/${file}" COPYONLY)
+    install(FILES "VTKModule/Python/${file}"
       DESTINATION "${tetmarch_python_dir}/vtktetmarch"
       COMPONENT python)
   endforeach ()
+  if (NOT CMAKE_CROSSCOMPILING AND NOT TETMARCH_SANITIZE AND NOT TETMARCH_FUZZ) # where Python can load the module
+    add_custom_command(TARGET vtkRenderingTetMarchPython POST_BUILD
+      COMMAND "${CMAKE_COMMAND}" -E env PYTHONDONTWRITEBYTECODE=1 "${Python3_EXECUTABLE}"
+        "${PROJECT_SOURCE_DIR}/VTKModule/Python/make_stubs.py"
+        "${tetmarch_package}" "${tetmarch_package}/vtkRenderingTetMarch.pyi"
+      VERBATIM)
+    install(FILES "${tetmarch_package}/vtkRenderingTetMarch.pyi" DESTINATION "${tetmarch_python_dir}/vtktetmarch")
+  endif ()
 endif ()
 set(CMAKE_SOURCE_DIR "${tetmarch_real_source_dir}")
 

@@ -32,6 +32,10 @@ NOT_PASTED = {  # by regular expression
     r"build/bin/tetmarch-render lobster_\S* .*": "the file is to be downloaded",
     "python3 Testing/Benchmark/compare_.*": "Testing/Benchmark/ComparisonTest.py runs them",
     "PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 example.py": "ExamplesTest.py pastes it",
+    r"PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Documentation/Examples/light\.py":
+        "Testing/Python/ExamplesTest.py runs all examples",
+    "PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 -m vtktetmarch script.py":
+        "Testing/Python/ReplaceUnstructuredTest.py runs one",
     "PYTHONPATH=build/lib/python3/dist-packages mpiexec -n 4 /usr/bin/python3 parallel.py": "ExamplesTest.py pastes it",
     r"python3 Testing/Processes/(measure_pieces\.py FOLDER|simulate_exchange\.py)": "takes ten minutes; PicturesTest.py draws smaller ones",
 }

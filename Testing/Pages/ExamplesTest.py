@@ -76,6 +76,14 @@ class ExamplesTest(unittest.TestCase):
         self.assertTrue(0 <= float(true_error) < 1e-3, true_error)
         self.assertRegex(budget, r"^[0-3] [0-9.e-]+ (True|False)$")
 
+    def test_that_of_python_prints_what_is_known_of_the_picture(self):
+        (block,) = fenced_blocks(text_of("Documentation/Python.md"), "python")
+        shape, known = self.run_example(block).splitlines()
+        self.assertEqual(shape, "(200, 300, 4) 271607")
+        self.assertRegex(known, r"^(None|\{'position': .*\}) True$")
+        pixels = read_pixels(self.folder / "speed.png")
+        self.assertGreater(share(pixels, lambda r, g, b: max(r, g, b) > 60), 0.05)
+
     def test_that_of_several_processes_draws_the_volume(self):
         if not shutil.which("mpiexec") or not importlib.util.find_spec("mpi4py"):
             self.skipTest("there is no MPI")
@@ -109,8 +117,8 @@ class ExamplesTest(unittest.TestCase):
 
     def test_every_example_is_here(self):
         shown = [name_of(page) for page in pages() if fenced_blocks(page.read_text(encoding="utf-8"), "python")]
-        self.assertEqual(shown, ["Documentation/AccuracyLevels.md", "Documentation/Processes.md", "Plugin/README.md",
-                                 "README.md"])
+        self.assertEqual(shown, ["Documentation/AccuracyLevels.md", "Documentation/Processes.md", "Documentation/Python.md",
+                                 "Plugin/README.md", "README.md"])
 
 
 if __name__ == "__main__":

@@ -74,3 +74,17 @@ def auto_transfer_functions(data, array=None, association=None, component=None, 
     where = "cells" if first.GetChosenAssociation() == first.CELLS else "points"
     return TransferFunctions(color, opacity, first.GetUnitDistance(), first.GetChosenArray().GetName(), where,
                              first.GetChosenComponent(), first.GetChosenRange())
+
+
+def first_picture_of(volume):
+    """A vtkTetMarchFirstPicture of a volume's data, with the array and the opacity that the volume has."""
+    mapper = volume.GetMapper()
+    if mapper.GetNumberOfInputConnections(0):
+        mapper.GetInputAlgorithm().Update()
+    data = mapper.GetInputDataObject(0, 0)
+    if data is None:
+        raise ValueError("the volume's mapper has no input")
+    named = mapper.GetArrayAccessMode() == 1  # VTK_GET_ARRAY_BY_NAME
+    first = choose_first_picture(data, mapper.GetArrayName() if named else None)
+    first.GetOpacity().DeepCopy(volume.GetProperty().GetScalarOpacity())
+    return first

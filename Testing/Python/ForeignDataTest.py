@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Data as other packages have it is drawn as it is."""
+import importlib.util
+import types
+import unittest
+
+import numpy as np
+import vtkmodules.all as vtk
+from vtkmodules.numpy_interface import dataset_adapter
+
+import first_data
+import vtktetmarch
+
+POINTS = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (2, 2, 2)], float)
+TETRAHEDRA = np.array([(0, 1, 2, 3), (1, 2, 3, 4)])
+TRIANGLES = np.array([(0, 1, 2)])
+PYRAMIDS = np.array([(0, 1, 4, 2, 5)])
+HEAT, STRESS = np.arange(6.0), [np.array([9.0]), np.array([1.0, 2.0]), np.array([3.0])]
+CELLS = [("triangle", TRIANGLES), ("tetra", TETRAHEDRA), ("pyramid", PYRAMIDS)]
+
+
+def like_meshio(cells, points=POINTS):
+    """An object with what is used of a meshio.Mesh."""
+    blocks = [types.SimpleNamespace(type=kind, data=ids) for kind, ids in cells]
+    return types.SimpleNamespace(points=points, cells=blocks, point_data={"heat": HEAT}, cell_data={"stress": STRESS})
+
+
+def grid_of(data, array):
+    return vtktetmarch.volume(data, array).GetMapper().GetInput()
+
+
+class MeshioTest(unittest.TestCase):
+    def check(self, mesh):
+        for array in ("heat", "stress"):
+            grid = grid_of(mesh, array)
+            self.assertEqual([grid.GetCellType(i) for i in range(3)], [vtk.VTK_TETRA, vtk.VTK_TETRA, vtk.VTK_PYRAMID])
+            self.assertEqual([grid.GetCell(2).GetPointId(i) for i in range(5)], PYRAMIDS[0].tolist())
+            self.assertEqual([grid.GetCellData().GetArray("stress").GetValue(i) for i in range(3)], [1, 2, 3])
+            self.assertEqual([grid.GetPointData().GetArray("heat").GetValue(i) for i in range(6)], HEAT.tolist())
+        self.assertGreater(vtktetmarch.screenshot(mesh, "heat", size=(60, 50)).max(), 40)
+
+    def test_one_that_looks_like_it(self):
+        self.check(like_meshio(CELLS))
+
+    def test_a_real_one(self):
+        if not importlib.util.find_spec("meshio"):
+            self.skipTest("meshio isn't installed")
+        import meshio
+
+        self.check(meshio.Mesh(POINTS, CELLS, point_data={"heat": HEAT}, cell_data={"stress": STRESS}))
+
+    def test_what_is_wrong_is_said(self):
+        with self.assertRaisesRegex(ValueError, "no solid cells: triangle"):
+            vtktetmarch.volume(like_meshio(CELLS[:1]))
+        with self.assertRaisesRegex(ValueError, "no solid cells: no cells at all"):
+            vtktetmarch.volume(like_meshio([]))
+        with self.assertRaisesRegex(ValueError, "polyhedra"):
+            vtktetmarch.volume(like_meshio([("polyhedron8", [[[0, 1, 2]]])]))
+        with self.assertRaisesRegex(ValueError, r"points has the shape \(6, 2\)"):
+            vtktetmarch.volume(like_meshio(CELLS, POINTS[:, :2]))
+
+
+class OfVtksClassesTest(unittest.TestCase):
+    def test_subclasses_as_pyvista_has_them(self):
+        class UnstructuredGrid(vtk.vtkUnstructuredGrid):
+            points = cells = point_data = cell_data = None  # PyVista's have these names, too
+
+        class StructuredGrid(vtk.vtkStructuredGrid):
+            pass
+
+        grid = UnstructuredGrid()
+        grid.ShallowCopy(first_data.one_tetrahedron())
+        self.assertIs(grid_of(grid, "z"), grid)
+        curvilinear = StructuredGrid()
+        curvilinear.SetDimensions(2, 2, 2)
+        points = vtk.vtkPoints()
+        for i in range(8):
+            points.InsertNextPoint(i & 1, i >> 1 & 1, i >> 2)
+        curvilinear.SetPoints(points)
+        first_data.with_points(curvilinear, "x", lambda p: p[0])
+        self.assertEqual(grid_of(curvilinear, "x").GetNumberOfCells(), 1)
+
+    def test_wrapped_for_numpy(self):
+        grid = first_data.one_tetrahedron()
+        self.assertIs(grid_of(dataset_adapter.WrapDataObject(grid), "z"), grid)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,231 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of figures: their shapes and values, and what is known of them."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+import vtkmodules.all as vtk
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import first_data
+import vtktetmarch
+
+SIZE = (160, 120)
+
+
+def pixels_of_png(path):
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)[::-1]
+
+
+def ball():
+    source = vtk.vtkSphereSource()
+    source.SetCenter(0.3, 0.3, 0.3)
+    source.SetRadius(0.2)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def figure_of_tetrahedron(**how):
+    """The corner at 0 is x, y and z from 0 to 1."""
+    return vtktetmarch.figure(first_data.one_tetrahedron(), **{"size": SIZE, **how})
+
+
+class ScreenshotTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_shape_and_background(self):
+        figure = figure_of_tetrahedron(background="#204060")
+        picture = figure.screenshot()
+        self.assertEqual((picture.shape, picture.dtype), ((120, 160, 3), np.uint8))
+        self.assertEqual(tuple(picture[0, 0]), (0x20, 0x40, 0x60))
+        self.assertEqual(figure.screenshot(size=(33, 21)).shape, (21, 33, 3))
+        self.assertEqual(figure.screenshot(transparent=True).shape, (21, 33, 4))
+
+    def test_the_first_row_is_the_uppermost(self):
+        figure = figure_of_tetrahedron(cmap=["white"], opacity=1, unit_distance=1e-3, background="black", camera={
+            "position": (0.2, -5, 0.4), "focal_point": (0.2, 0, 0.4), "view_up": (0, 0, 1), "parallel_scale": 0.7})
+        widths = np.count_nonzero(figure.screenshot()[:, :, 0] > 128, axis=1)  # it is wide below, and pointed above
+        rows = np.flatnonzero(widths)
+        self.assertGreater(widths[rows[-1]], 20 + widths[rows[0]])
+
+    def test_files(self):
+        figure = figure_of_tetrahedron()
+        for transparent, channels in ((False, 3), (True, 4)):
+            path = self.folder / f"{channels}.png"
+            self.assertEqual(figure.screenshot(path, transparent=transparent), path)
+            written = pixels_of_png(path)
+            self.assertEqual(written.shape, (120, 160, channels))
+            self.assertTrue(np.array_equal(written, figure.screenshot()))
+        self.assertEqual(figure.save(str(path)), str(path))
+        path.write_bytes(figure._repr_png_())
+        self.assertTrue(np.array_equal(pixels_of_png(path), figure.screenshot()))
+
+    def test_transparent_over_a_color_is_that_color_behind(self):
+        for behind in ((0, 0, 0), (1, 1, 1), (0.2, 0.7, 0.4)):
+            figure = figure_of_tetrahedron(background=behind).add(ball())
+            direct = figure.screenshot().astype(float)
+            over = figure.screenshot(transparent=True).astype(float)
+            opacity = over[:, :, 3:] / 255
+            composed = over[:, :, :3] * opacity + 255 * np.array(behind) * (1 - opacity)
+            self.assertLess(np.abs(composed - direct).max(), 1.6)
+            self.assertTrue(((0 < opacity) & (opacity < 1)).any() and (opacity == 0).any() and (opacity == 1).any())
+            self.assertTrue(np.array_equal(figure.screenshot(transparent=False), direct))
+
+    def test_functions_are_those_of_a_figure(self):
+        data = first_data.one_tetrahedron()
+        expected = vtktetmarch.figure(data, size=SIZE, cmap="plasma").screenshot()
+        self.assertTrue(np.array_equal(vtktetmarch.screenshot(data, size=SIZE, cmap="plasma"), expected))
+        path = vtktetmarch.screenshot(data, size=SIZE, cmap="plasma", filename=str(self.folder / "a.png"))
+        self.assertTrue(np.array_equal(pixels_of_png(path), expected))
+        self.assertTrue(np.array_equal(
+            vtktetmarch.screenshot(vtktetmarch.volume(data, cmap="plasma"), size=SIZE), expected))
+
+    def test_what_is_wrong_is_said(self):
+        figure = figure_of_tetrahedron()
+        with self.assertRaisesRegex(ValueError, "ends with .png, not as 'a.jpg'"):
+            figure.save("a.jpg")
+        with self.assertRaisesRegex(FileNotFoundError, "no_such_folder"):
+            figure.save(self.folder / "no_such_folder" / "a.png")
+        for size in ((0, 5), (5, 1e6), (2.5, 3)):
+            with self.assertRaisesRegex(ValueError, "width, height"):
+                figure.screenshot(size=size)
+        with self.assertRaisesRegex(TypeError, "go to volume"):
+            vtktetmarch.figure(figure.volume, cmap="plasma")
+        with self.assertRaisesRegex(ValueError, "has no mapper"):
+            vtktetmarch.figure(vtk.vtkVolume())
+
+    def test_an_error_of_the_mapper_is_raised_as_long_as_it_holds(self):
+        figure = figure_of_tetrahedron(accuracy_level="sampled")
+        for _ in range(3):
+            with self.assertRaisesRegex(RuntimeError, "^The accuracy level is Sampled"):
+                figure.screenshot()
+        vtktetmarch.configure(figure.volume, accuracy_level="default")
+        self.assertGreater(figure.screenshot().max(), 60)
+
+    def test_without_a_display_there_is_an_exception(self):
+        script = "import vtktetmarch, first_data; vtktetmarch.screenshot(first_data.one_tetrahedron())"
+        for display in ("", ":4711"):
+            environment = {**os.environ, "DISPLAY": display, "PYTHONPATH": os.pathsep.join(sys.path)}
+            run = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True,
+                                 timeout=60)
+            self.assertEqual(run.returncode, 1)
+            self.assertRegex(run.stderr, "RuntimeError: VTK needs a display.*xvfb-run")
+
+
+class CameraTest(unittest.TestCase):
+    def test_of_a_dict(self):
+        figure = figure_of_tetrahedron(camera={"position": (3, 0, 0), "focal_point": (0, 0, 0), "view_up": (0, 0, 1),
+                                               "view_angle": 40})
+        camera = figure.camera
+        self.assertEqual((camera.GetPosition(), camera.GetFocalPoint()), ((3, 0, 0), (0, 0, 0)))
+        self.assertEqual(camera.GetViewAngle(), 40)
+        figure.look({"position": (3, 0, 0), "focal_point": (0, 0, 0), "view_up": (0, 0, 1), "azimuth": 90, "zoom": 2})
+        np.testing.assert_allclose(figure.camera.GetPosition(), (0, 3, 0), atol=1e-9)
+        figure.look({"parallel_scale": 5})
+        self.assertEqual((figure.camera.GetParallelProjection(), figure.camera.GetParallelScale()), (1, 5))
+
+    def test_of_another_one(self):
+        camera = vtk.vtkCamera()
+        camera.SetPosition(1, 2, 3)
+        figure = figure_of_tetrahedron(camera=camera)
+        self.assertEqual(figure.camera.GetPosition(), (1, 2, 3))
+        self.assertIsNot(figure.camera, camera)
+
+    def test_iso_fits_wherever_the_volume_is_put(self):
+        stays = figure_of_tetrahedron().screenshot()
+        moved = figure_of_tetrahedron(position=(100, 20, 3), size=SIZE).screenshot()
+        self.assertLess(np.abs(stays.astype(int) - moved).mean(), 0.1)
+
+    def test_what_is_wrong_is_said(self):
+        with self.assertRaisesRegex(TypeError, "no 'positon'; it has position"):
+            figure_of_tetrahedron(camera={"positon": (1, 2, 3)})
+        with self.assertRaisesRegex(TypeError, "'iso', a dict or a vtkCamera"):
+            figure_of_tetrahedron(camera="top")
+
+
+class MeasuresTest(unittest.TestCase):
+    def test_statistics(self):
+        figure = figure_of_tetrahedron(accuracy_level="accurate")
+        figure.screenshot()
+        found = vtktetmarch.statistics(figure)
+        self.assertEqual((found["number_of_tetrahedra"], found["number_of_boundary_faces"]), (1, 4))
+        self.assertEqual((found["used_accuracy_level"], found["used_shader_stage"]), ("accurate", "fragment"))
+        self.assertGreater(found["seconds"], 0)
+        self.assertGreater(found["gpu_memory_bytes"], 0)
+        self.assertIsNone(found["cells"])
+        self.assertEqual(found.keys(), vtktetmarch.statistics(figure.volume).keys())
+        self.assertEqual(found.keys(), vtktetmarch.statistics(figure.mapper).keys())
+        vtktetmarch.configure(figure.volume, collect_diagnostics=True)
+        found = figure.render().statistics()
+        self.assertEqual((found["cells"]["minimum"], found["cells"]["max"]), (1, 1))
+        self.assertEqual(found["cells"]["pixels"], found["number_of_rays"])
+        with self.assertRaisesRegex(TypeError, "no mapper of TetMarch"):
+            vtktetmarch.statistics(vtk.vtkSmartVolumeMapper())
+
+    def test_every_figure_is_there(self):
+        found = vtktetmarch.statistics(vtktetmarch.vtkTetMarchVolumeMapper())
+        frame = vtktetmarch.vtkTetMarchFrameStatistics
+        self.assertEqual(len([name for name in vars(frame) if name.startswith("Set") and name != "SetValues"]) + 4,
+                         len(found))
+
+    def test_compare(self):
+        figure = figure_of_tetrahedron(error_tolerance=1e-4)
+        found = figure.compare()
+        self.assertEqual(list(found["percentiles"]), [50, 90, 99, 99.9])
+        self.assertTrue(0 < found["rms"] <= found["max"] < 1e-3)
+        self.assertLessEqual(found["error_bound"]["max"], 1e-4)
+        self.assertGreater(found["pixels"], 1000)
+        self.assertFalse(figure.mapper.GetCollectDiagnostics())
+        rougher = vtktetmarch.compare(first_data.one_tetrahedron(), size=SIZE, error_tolerance=0.1)
+        self.assertGreater(rougher["statistics"]["used_error_tolerance"], 0.09)
+        with self.assertRaisesRegex(RuntimeError, "can't be compared"):
+            figure_of_tetrahedron(camera={"position": (9, 9, 9), "focal_point": (20, 20, 20)}).compare()
+
+    def test_pick(self):
+        figure = figure_of_tetrahedron(opacity=1, unit_distance=1e-4, camera={
+            "position": (0.2, -5, 0.2), "focal_point": (0.2, 0, 0.2), "view_up": (0, 0, 1), "parallel_scale": 0.5})
+        hit = figure.pick(80, 30)  # a quarter from above: z = 0.2 + 0.25
+        self.assertEqual((hit["cell"], hit["block"]), (0, 0))
+        np.testing.assert_allclose(hit["position"], (0.2, 0, 0.45), atol=0.01)
+        self.assertAlmostEqual(hit["value"], hit["position"][2], 5)
+        self.assertIsNone(figure.pick(2, 2))
+        with self.assertRaisesRegex(ValueError, "outside of the picture"):
+            figure.pick(160, 0)
+
+
+class ShowTest(unittest.TestCase):
+    def test_opens_a_window_and_comes_back(self):
+        figure = figure_of_tetrahedron()
+        before = figure.screenshot()
+        seen = []
+
+        def close(_renderer, _event):
+            window = figure.renderer.GetRenderWindow()
+            if not seen and window.GetInteractor():
+                seen.append((window.GetSize(), window.GetShowWindow()))
+                window.GetInteractor().AddObserver("TimerEvent", lambda interactor, _: interactor.TerminateApp())
+                window.GetInteractor().CreateRepeatingTimer(20)
+
+        figure.renderer.AddObserver("EndEvent", close)
+        vtktetmarch.show(figure)
+        self.assertEqual(seen, [(SIZE, True)])
+        self.assertTrue(np.array_equal(figure.screenshot(), before))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

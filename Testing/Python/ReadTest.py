@@ -1,0 +1,167 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""read() and time_values(): files of every kind, and what is wrong with a file."""
+import pathlib
+import tempfile
+import unittest
+import warnings
+
+import numpy as np
+import vtkmodules.all as vtk
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import first_data
+import vtktetmarch
+
+MESH, IMAGE = (pathlib.Path(first_data.DATA) / name for name in ("golfball_small.vtu", "bonsai_small.vti"))
+
+
+def curvilinear():
+    grid = vtk.vtkStructuredGrid()
+    grid.SetDimensions(2, 2, 2)
+    points = vtk.vtkPoints()
+    for i in range(8):
+        points.InsertNextPoint(i & 1, i >> 1 & 1, i >> 2)
+    grid.SetPoints(points)
+    return first_data.with_points(grid, "x", lambda p: p[0])
+
+
+class ReadTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, writer, name, data):
+        path = self.folder / name
+        writer.SetFileName(str(path))
+        writer.SetInputData(data)
+        writer.Write()
+        return path
+
+    def test_data_of_every_kind(self):
+        grid, image = first_data.one_tetrahedron(), first_data.image((3, 4, 5))
+        first_data.with_points(image, "x", lambda p: p[0], vtk.vtkShortArray)
+        image.GetPointData().SetActiveScalars("x")
+        partitions = vtk.vtkPartitionedDataSet()
+        partitions.SetPartition(0, grid)
+        collection = vtk.vtkPartitionedDataSetCollection()
+        collection.SetPartitionedDataSet(0, partitions)
+        for writer, name, data in (
+                (vtk.vtkXMLUnstructuredGridWriter(), "a.vtu", grid),
+                (vtk.vtkXMLPUnstructuredGridWriter(), "a.pvtu", grid),
+                (vtk.vtkXMLImageDataWriter(), "a.vti", image), (vtk.vtkXMLPImageDataWriter(), "a.pvti", image),
+                (vtk.vtkXMLRectilinearGridWriter(), "a.vtr", first_data.rectilinear()),
+                (vtk.vtkXMLStructuredGridWriter(), "a.vts", curvilinear()),
+                (vtk.vtkXMLMultiBlockDataWriter(), "a.vtm", first_data.blocks()),
+                (vtk.vtkXMLPartitionedDataSetWriter(), "a.vtpd", partitions),
+                (vtk.vtkXMLPartitionedDataSetCollectionWriter(), "a.vtpc", collection),
+                (vtk.vtkUnstructuredGridWriter(), "a.vtk", grid), (vtk.vtkStructuredPointsWriter(), "b.VTK", image),
+                (vtk.vtkMetaImageWriter(), "a.mha", image), (vtk.vtkMetaImageWriter(), "a.mhd", image),
+                (vtk.vtkNIFTIImageWriter(), "a.nii", image), (vtk.vtkExodusIIWriter(), "a.ex2", grid)):
+            with self.subTest(name=name):
+                found = vtktetmarch.read(self.write(writer, name, data))
+                kind = "vtkMultiBlockDataSet" if name == "a.ex2" else data.GetClassName()
+                self.assertTrue(found.IsA(kind) or data.IsA(found.GetClassName()), found.GetClassName())
+                self.assertEqual(found.GetNumberOfPoints(), data.GetNumberOfPoints())
+                self.assertGreater(vtktetmarch.screenshot(found, size=(60, 50)).max(), 40)
+
+    def test_all_arrays_of_a_legacy_file(self):
+        grid = first_data.one_tetrahedron()
+        for name in ("second", "third"):
+            first_data.with_points(grid, name, lambda p: p[1])
+        path = self.write(vtk.vtkUnstructuredGridWriter(), "a.vtk", grid)
+        self.assertEqual(vtktetmarch.read(path).GetPointData().GetNumberOfArrays(), 3)
+
+    def test_nrrd(self):
+        path = self.folder / "a.nrrd"
+        values = np.arange(24, dtype=np.uint8)
+        head = b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 12 2 1\nencoding: "
+        path.write_bytes(head + b"raw\n\n" + values.tobytes())
+        image = vtktetmarch.read(path)
+        self.assertEqual(image.GetDimensions(), (12, 2, 1))
+        self.assertTrue(np.array_equal(vtk_to_numpy(image.GetPointData().GetScalars()), values))
+        path.write_bytes(head + b"ascii\n\n" + b" ".join(b"%d" % value for value in values))
+        with self.assertRaisesRegex(ValueError, "its values are text"):
+            vtktetmarch.read(path)
+
+    def test_time_steps(self):
+        grid = first_data.one_tetrahedron()
+        writer = vtk.vtkXMLUnstructuredGridWriter()
+        writer.SetFileName(str(self.folder / "a.vtu"))
+        writer.SetInputData(grid)
+        writer.SetNumberOfTimeSteps(3)
+        writer.Start()
+        for step in range(3):
+            vtk_to_numpy(grid.GetPointData().GetArray("z"))[:] = step
+            grid.GetPointData().GetArray("z").Modified()
+            writer.WriteNextTime(step)
+        writer.Stop()
+        path = self.folder / "a.vtu"
+        self.assertEqual(vtktetmarch.time_values(path), (0, 1, 2))
+        for step, expected in ((None, 2), (0, 0), (1, 1), (2, 2), (-1, 2), (-3, 0)):
+            self.assertEqual(vtktetmarch.read(path, step).GetPointData().GetArray("z").GetValue(0), expected, step)
+        for step in (3, -4):
+            with self.assertRaisesRegex(IndexError, "it has 3, from 0"):
+                vtktetmarch.read(path, step)
+        self.assertEqual(vtktetmarch.time_values(IMAGE), ())
+        with self.assertRaisesRegex(IndexError, "no time steps"):
+            vtktetmarch.read(IMAGE, time_step=0)
+
+    def test_time_values_of_exodus(self):
+        source = vtk.vtkTimeSourceExample()
+        writer = vtk.vtkExodusIIWriter()
+        path = self.folder / "a.ex2"
+        writer.SetFileName(str(path))
+        writer.SetInputConnection(source.GetOutputPort())
+        writer.WriteAllTimeStepsOn()
+        writer.Write()
+        times = vtktetmarch.time_values(path)
+        np.testing.assert_allclose(times, np.arange(10) / 9, rtol=1e-6)
+        grids = [vtktetmarch.read(path, step).GetBlock(0).GetBlock(0) for step in (0, 4, -1, None)]
+        values = [vtk_to_numpy(grid.GetPointData().GetArray("Point Value")) for grid in grids]
+        self.assertFalse(np.array_equal(values[0], values[1]))
+        self.assertTrue(np.array_equal(values[2], values[3]))
+
+    def test_what_is_wrong_is_said(self):
+        path = self.folder / "nothing.vtu"
+        with self.assertRaisesRegex(FileNotFoundError, "no file .*nothing.vtu"):
+            vtktetmarch.read(path)
+        (self.folder / "a.txt").write_text("a")
+        with self.assertRaisesRegex(ValueError, "the ending '.txt' .* .vtu, .vti"):
+            vtktetmarch.read(self.folder / "a.txt")
+        (self.folder / "folder.vtu").mkdir()
+        with self.assertRaises(IsADirectoryError):
+            vtktetmarch.read(self.folder / "folder.vtu")
+
+    def test_damaged_files(self):
+        mesh, image = MESH.read_bytes(), IMAGE.read_bytes()
+        meta = b"ObjectType = Image\nNDims = 3\nDimSize = 4 4 4\nElementType = MET_UCHAR\nElementDataFile = LOCAL\nabc"
+        nrrd = b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nencoding: raw\n\nabc"
+        legacy = b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n1 2"
+        for name, content, text in (
+                ("a.vtu", mesh[:300000], 'Cannot read point data array "vorticity_mag"'),
+                ("b.vtu", b"hello", "syntax error"),
+                ("a.vti", image[:3000], 'Cannot read point data array "density"'),
+                ("a.vtk", legacy, "reading ascii data"),
+                ("b.vtk", b"", "."), ("a.mha", meta, "data not read completely"),
+                ("a.nrrd", nrrd, "File operation failed"),
+                ("a.ex2", mesh, "damaged, or not what its ending says"), ("a.cgns", b"", "damaged"),
+                ("a.vtkhdf", b"x" * 600, "damaged"), ("a.case", b"hello", "."), ("a.nii", b"hello", ".")):
+            with self.subTest(name=name):
+                path = self.folder / name
+                path.write_bytes(content)
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    with self.assertRaisesRegex(ValueError, f"{name}' can't be read: .*{text}") as caught:
+                        vtktetmarch.read(path)
+                self.assertNotRegex(str(caught.exception), "0x|ERROR|\\.cxx")
+
+    def test_errors_go_where_they_went_before(self):
+        window = vtk.vtkOutputWindow.GetInstance()
+        self.test_damaged_files()
+        self.assertIs(vtk.vtkOutputWindow.GetInstance(), window)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

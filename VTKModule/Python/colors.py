@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Colours by name, as numbers or as a list, and the functions made of them."""
+from numbers import Real
+
+from vtkmodules.vtkCommonColor import vtkNamedColors
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
+
+from .vtkRenderingTetMarch import vtkTetMarchFirstPicture
+
+STEPS = 32  # pieces of a colour map of Matplotlib's, which has 256 colours
+
+
+def rgb(color):
+    """A colour as three numbers, 0 to 1: from a name ("slategray"), "#rrggbb", "#rgb" or three numbers."""
+    if isinstance(color, str):
+        names = vtkNamedColors()
+        if color.startswith("#"):
+            digits = color[1:]
+            if len(digits) in (3, 6) and all(digit in "0123456789abcdefABCDEF" for digit in digits):
+                width = len(digits) // 3
+                return tuple(int(digits[i:i + width] * (2 // width), 16) / 255 for i in range(0, len(digits), width))
+        elif names.ColorExists(color):
+            return tuple(names.GetColor3d(color))
+        raise ValueError(f"there is no colour {color!r}: give a name as in CSS, '#rrggbb' or three numbers, 0 to 1")
+    numbers = tuple(map(float, color))
+    if len(numbers) != 3 or not all(0 <= number <= 1 for number in numbers):
+        raise ValueError(f"a colour is three numbers, 0 to 1, not {color!r}")
+    return numbers
+
+
+def map_of_ours(name, low, high):
+    """A colour map that the library itself has, or None."""
+    apply = getattr(vtkTetMarchFirstPicture, "ApplyColorMap", None)
+    function = vtkColorTransferFunction()
+    return function if apply and apply(name, low, high, function) else None
+
+
+def map_of_matplotlib(name, low, high):
+    """A colour map of Matplotlib's."""
+    try:
+        import matplotlib
+        from matplotlib import cm
+    except ImportError:
+        raise ValueError(f"there is no colour map {name!r} here; with Matplotlib, which isn't installed, there are its "
+                         "own. A list of colours or a vtkColorTransferFunction will do without") from None
+    try:
+        colors = matplotlib.colormaps[name] if hasattr(matplotlib, "colormaps") else cm.get_cmap(name)
+    except (KeyError, ValueError):
+        raise ValueError(f"there is no colour map {name!r}: give a name of Matplotlib's ('viridis', 'plasma', "
+                         "'coolwarm', ...), a list of colours or a vtkColorTransferFunction") from None
+    return [colors(step / STEPS)[:3] for step in range(STEPS + 1)]
+
+
+def is_pair(item):
+    """Whether an item of a list is (value, colour), not a colour alone."""
+    return not isinstance(item, str) and len(item) == 2 and isinstance(item[0], Real)
+
+
+def color_function(cmap, low, high):
+    """A vtkColorTransferFunction: cmap as it is; by name; or of a list, from the value low to the value high.
+
+    A list has colours (see rgb()), spread evenly from low to high, or pairs (value, colour). Raises ValueError.
+    """
+    if isinstance(cmap, vtkColorTransferFunction):
+        return cmap
+    if isinstance(cmap, str):
+        ours = map_of_ours(cmap, low, high)
+        if ours is not None:
+            return ours
+        cmap = map_of_matplotlib(cmap, low, high)
+    items = list(cmap)
+    if not items:
+        raise ValueError("cmap has no colours")
+    function = vtkColorTransferFunction()
+    for i, item in enumerate(items):
+        if is_pair(item):
+            value, color = item
+        else:
+            value, color = low + (high - low) * i / max(len(items) - 1, 1), item
+        function.AddRGBPoint(float(value), *rgb(color))
+    return function

@@ -1,0 +1,29 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whether a window can be opened: VTK's own windows for X abort the whole process if not."""
+import ctypes
+import ctypes.util
+import os
+
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
+
+HELP = "start a server (`Xvfb :1 &`, then DISPLAY=:1), or put `xvfb-run -a` before the command"
+
+
+def check_display():
+    """Raises RuntimeError, which says what to do, where VTK's window needs an X server and there is none."""
+    if not vtkRenderWindow().IsA("vtkXOpenGLRenderWindow"):
+        return
+    name = os.environ.get("DISPLAY")
+    if not name:
+        raise RuntimeError(f"VTK needs a display to draw, and DISPLAY isn't set: {HELP}")
+    library = ctypes.util.find_library("X11")
+    if library is None:
+        return
+    x11 = ctypes.CDLL(library)
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
+    connection = x11.XOpenDisplay(name.encode())
+    if not connection:
+        raise RuntimeError(f"VTK needs a display to draw, and there is none at DISPLAY={name}: {HELP}")
+    x11.XCloseDisplay(connection)

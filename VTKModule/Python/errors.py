@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What VTK reports as text becomes a Python exception."""
+import os
+import re
+import sys
+import tempfile
+import warnings
+
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+
+
+def plain(text):
+    """A message of VTK without the place in VTK's source and the object's address."""
+    return re.sub(r"\s+", " ", re.split(r"\(0x[0-9a-f]+\): |\(nullptr\): |^(?:ERROR|(?:Generic )?Warning): In .*?\n",
+                                        text.strip())[-1]).strip()
+
+
+class VtkErrors:
+    """Collects the errors of VTK's objects within a `with` block, those of objects inside of others as well.
+
+    texts: the errors, without places in source files, each once. warnings: likewise; if there are no errors, they
+    become Python's warnings.
+    """
+
+    def __init__(self):
+        self.texts = []
+        self.warnings = []
+
+    def __enter__(self):
+        self._before = vtkOutputWindow.GetInstance()
+        self._window = vtkStringOutputWindow()
+        for event, texts in (("ErrorEvent", self.texts), ("WarningEvent", self.warnings)):
+            self._window.AddObserver(event, self._keeper(texts))
+        vtkOutputWindow.SetInstance(self._window)
+        self._verbosity = vtkLogger.ConvertToVerbosity(int(vtkLogger.GetCurrentVerbosityCutoff()))
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+        return self
+
+    def __exit__(self, *_):
+        vtkOutputWindow.SetInstance(self._before)
+        vtkLogger.SetStderrVerbosity(self._verbosity)
+        for text in () if self.texts else self.warnings:
+            warnings.warn(text, RuntimeWarning, stacklevel=3)
+        return False
+
+    @staticmethod
+    def _keeper(texts):
+        def keep(_object, _event, text):
+            shown = plain(text)
+            follows = texts and re.search(r"vtk\w*Pipeline \(0x", text)  # what a pipeline says of what failed before
+            if shown not in texts and not follows:
+                texts.append(shown)
+
+        keep.CallDataType = "string0"
+        return keep
+
+    def __bool__(self):
+        return bool(self.texts)
+
+    def __str__(self):
+        return "; ".join(self.texts)
+
+
+class PrintedErrors:
+    """What libraries below VTK print on standard error within a `with` block; text: the first line of it."""
+
+    def __enter__(self):
+        self.text = ""
+        sys.stderr.flush()
+        self._file = tempfile.TemporaryFile()
+        self._before = os.dup(2)
+        os.dup2(self._file.fileno(), 2)
+        return self
+
+    def __exit__(self, *_):
+        os.dup2(self._before, 2)
+        os.close(self._before)
+        self._file.seek(0)
+        self.text = self._file.readline().decode(errors="replace").strip()
+        self._file.close()
+        return False

@@ -1,0 +1,217 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A picture of a volume: in a file, as an array, in a notebook, in a window."""
+import os
+
+from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor, vtkVolume
+
+from . import measures
+from .cameras import place_camera
+from .colors import rgb
+from .display import check_display
+from .errors import VtkErrors
+from .pixels import pixels_of, png_bytes, write_png
+from .volumes import volume as make_volume
+
+SIZE = (900, 600)
+BACKGROUND = (0.03, 0.035, 0.05)
+
+
+def checked_size(size):
+    width, height = size
+    if not (width == int(width) and height == int(height) and 1 <= width <= 16384 and 1 <= height <= 16384):
+        raise ValueError(f"size is (width, height) in pixels, 1 to 16384 each, not {size!r}")
+    return int(width), int(height)
+
+
+class Figure:
+    """A volume, a renderer and a camera, drawn without a window on the screen unless show() is called.
+
+    renderer: a vtkRenderer; camera: its vtkCamera; volume: the vtkVolume; size: (width, height) in pixels; transparent:
+    whether pictures have an opacity instead of the background. All may be changed between pictures. In a notebook, a
+    figure shows its picture.
+    """
+
+    def __init__(self, data, *arguments, size=SIZE, background=BACKGROUND, camera="iso", transparent=False, **how):
+        """data: what volume() takes, and its further arguments; or a vtkVolume, alone. See figure()."""
+        if isinstance(data, vtkVolume):
+            if arguments or how:
+                raise TypeError("a vtkVolume is drawn as it is: arrays, functions and properties go to volume()")
+            self.volume = data
+        else:
+            self.volume = make_volume(data, *arguments, **how)
+        self.size = checked_size(size)
+        self.transparent = bool(transparent)
+        self.renderer = vtkRenderer()
+        self.renderer.SetBackground(*rgb(background))
+        self.renderer.AddVolume(self.volume)
+        self._window = None
+        self._error = ""
+        mapper = self.volume.GetMapper()
+        if mapper is None:
+            raise ValueError("the vtkVolume has no mapper: volume() makes one that has")
+        self.look(camera)
+
+    @property
+    def camera(self):
+        """The vtkCamera of the renderer."""
+        return self.renderer.GetActiveCamera()
+
+    @property
+    def mapper(self):
+        """The mapper of the volume, with all methods of VTK."""
+        return self.volume.GetMapper()
+
+    def add(self, *props):
+        """Adds actors or other props of VTK's to the scene. Returns the figure."""
+        for prop in props:
+            self.renderer.AddViewProp(prop)
+        return self
+
+    def look(self, camera):
+        """Places the camera: "iso", a dict or a vtkCamera, as of figure(). Returns the figure."""
+        place_camera(self.camera, camera, self.volume, self.size[0] / self.size[1])
+        self.renderer.ResetCameraClippingRange()
+        return self
+
+    def _hidden_window(self):
+        if self._window is None:
+            check_display()
+            self._window = vtkRenderWindow()
+            self._window.SetOffScreenRendering(True)
+            self._window.SetAlphaBitPlanes(1)
+            self._window.AddRenderer(self.renderer)
+        return self._window
+
+    def render(self):
+        """Draws a frame. Raises RuntimeError with VTK's errors; warnings become Python's."""
+        window = self._hidden_window()
+        window.SetSize(*self.size)
+        self.renderer.ResetCameraClippingRange()
+        background = self.renderer.GetBackground()
+        if self.transparent:
+            self.renderer.SetBackground(0, 0, 0)  # what is clear has no colour, either
+        self.renderer.SetBackgroundAlpha(0.0 if self.transparent else 1.0)
+        with VtkErrors() as errors:
+            window.Render()
+        self.renderer.SetBackground(background)
+        # A mapper tells of an error once, and draws nothing as long as it holds.
+        if errors:
+            self._error = str(errors)
+        elif not self._draws_nothing():
+            self._error = ""
+        if self._error:
+            raise RuntimeError(self._error)
+        return self
+
+    def _draws_nothing(self):
+        drawn = getattr(self.mapper, "GetNumberOfDraws", None)
+        return self.volume.GetVisibility() and drawn is not None and drawn() == 0
+
+    def screenshot(self, filename=None, *, size=None, transparent=None):
+        """Draws the scene: an array (height, width, 3) of uint8, the uppermost row first; 4 channels if transparent.
+
+        filename: written as PNG instead, and the path is returned. size, transparent: of this picture and the next
+        ones; None: as before. Opacity is not multiplied into the colours. Raises RuntimeError if something can't be drawn.
+        """
+        if size is not None:
+            self.size = checked_size(size)
+        if transparent is not None:
+            self.transparent = bool(transparent)
+        if filename is not None and os.path.splitext(os.fspath(filename))[1].lower() != ".png":
+            raise ValueError(f"a picture is written as PNG; the name ends with .png, not as {os.fspath(filename)!r}")
+        self.render()
+        pixels = pixels_of(self._window, self.transparent)
+        if filename is None:
+            return pixels
+        write_png(pixels, filename)
+        return filename
+
+    def save(self, path):
+        """screenshot() to a file. Returns the path."""
+        return self.screenshot(path)
+
+    def _repr_png_(self):
+        return png_bytes(self.screenshot())
+
+    def show(self, title="TetMarch"):
+        """Opens a window: the left button turns, the right one and the wheel zoom, q ends. Returns when closed."""
+        check_display()
+        if self._window is not None:
+            self._window.RemoveRenderer(self.renderer)
+            self._window.Finalize()
+            self._window = None
+        self.renderer.SetBackgroundAlpha(1.0)
+        window = vtkRenderWindow()
+        window.SetSize(*self.size)
+        window.AddRenderer(self.renderer)
+        interactor = vtkRenderWindowInteractor()
+        interactor.SetRenderWindow(window)
+        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
+        window.Render()
+        window.SetWindowName(title)
+        interactor.Initialize()
+        interactor.Start()
+        window.RemoveRenderer(self.renderer)
+        window.Finalize()
+        interactor.SetRenderWindow(None)
+
+    def pick(self, x, y):
+        """What is seen in a pixel, x from the left and y from the top, as picture[y, x] of screenshot().
+
+        A dict: position (three numbers, in the world), value (in the array's unit), cell (its id), block (its flat
+        index in a tree, else 0); or None if the volume isn't hit, see vtkTetMarchSettings.SetPickOpacityThreshold().
+        """
+        width, height = self.size
+        if not (0 <= x < width and 0 <= y < height):
+            raise ValueError(f"the pixel ({x}, {y}) is outside of the picture of {width} x {height}")
+        if self._window is None or tuple(self._window.GetSize()) != tuple(self.size):
+            self.render()
+        with VtkErrors() as errors:
+            hit = self.mapper.Pick(self.renderer, self.volume, int(x), height - 1 - int(y))
+        if errors:
+            raise RuntimeError(str(errors))
+        if not hit:
+            return None
+        return {"position": tuple(self.mapper.GetPickedPosition()), "value": self.mapper.GetPickedScalar(),
+                "cell": self.mapper.GetPickedCellId(), "block": self.mapper.GetPickedBlock()}
+
+    def statistics(self):
+        """The figures of the last frame: see vtktetmarch.statistics()."""
+        return measures.statistics(self)
+
+    def compare(self):
+        """The error of a frame against the ground truth: see vtktetmarch.compare()."""
+        return measures.compare(self)
+
+
+def figure(data, *arguments, **how):
+    """A Figure of what volume() takes, or of a vtkVolume.
+
+    Arguments are those of volume(), and
+    size: (width, height) in pixels. background: a colour: a name, "#rrggbb" or three numbers, 0 to 1.
+    camera: "iso": obliquely, so that all that is shown just fits; a vtkCamera; or a dict with any of position,
+        focal_point, view_up, view_angle (degrees), parallel_scale, azimuth, elevation (degrees), zoom.
+    transparent: whether pictures have an opacity instead of the background.
+    """
+    return Figure(data, *arguments, **how)
+
+
+def screenshot(data, *arguments, filename=None, **how):
+    """A picture of what figure() takes: an array (height, width, 3 or 4) of uint8; the path, if `filename` is given."""
+    return figure_of(data, *arguments, **how).screenshot(filename)
+
+
+def show(data, *arguments, **how):
+    """Opens a window with what figure() takes, or with a Figure. Returns when it is closed."""
+    figure_of(data, *arguments, **how).show()
+
+
+def figure_of(data, *arguments, **how):
+    """A Figure as it is, or one of what figure() takes."""
+    if isinstance(data, Figure):
+        if arguments or how:
+            raise TypeError("a Figure is drawn as it is: arguments go to figure()")
+        return data
+    return Figure(data, *arguments, **how)

@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whatever users call their data, as data of VTK's that a mapper draws."""
+import os
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkExplicitStructuredGrid,
+                                           vtkImageData, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid,
+                                           vtkUnstructuredGrid)
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+
+from .arrays import from_arrays
+from .cell_types import CELL_TYPES
+from .readers import read
+
+LATTICES = (vtkImageData, vtkRectilinearGrid)
+
+
+def is_meshio(data):
+    return all(hasattr(data, name) for name in ("points", "cells", "point_data", "cell_data"))
+
+
+def from_meshio(mesh):
+    """A grid of the solid cells of a meshio.Mesh; triangles, lines and vertices of its boundary are left out."""
+    known, points = [], np.asarray(mesh.points)
+    for number, block in enumerate(mesh.cells):
+        kind, ids = (block.type, block.data) if hasattr(block, "type") else block
+        if kind.startswith("polyhedron"):
+            raise ValueError("polyhedra of meshio can't be taken: write the mesh as VTK's file, and read() that")
+        if kind in CELL_TYPES:
+            known.append((number, kind, np.asarray(ids)))
+    if not known:
+        raise ValueError("the mesh has no solid cells: "
+                         + (", ".join(str(getattr(b, "type", None) or b[0]) for b in mesh.cells) or "no cells at all"))
+    connectivity = np.concatenate([ids.reshape(-1) for _, _, ids in known])
+    sizes = np.concatenate([np.full(len(ids), ids.shape[1]) for _, _, ids in known])
+    types = np.concatenate([np.full(len(ids), CELL_TYPES[kind][0]) for _, kind, ids in known])
+    cell_data = {name: np.concatenate([np.asarray(blocks[number]) for number, _, _ in known])
+                 for name, blocks in mesh.cell_data.items()}
+    offsets = np.append(0, np.cumsum(sizes))
+    return from_arrays(points, (connectivity, offsets), types, dict(mesh.point_data), cell_data)
+
+
+def unstructured(data):
+    """The same cells as a vtkUnstructuredGrid."""
+    append = vtkAppendFilter()
+    append.SetOutputPointsPrecision(append.DEFAULT_PRECISION)
+    append.AddInputData(data)
+    append.Update()
+    return append.GetOutput()
+
+
+def blocks_of(tree):
+    """The data sets of a tree with cells, surfaces left out."""
+    at = tree.NewIterator()
+    at.InitTraversal()
+    while not at.IsDoneWithTraversal():
+        block = at.GetCurrentDataObject()
+        if isinstance(block, vtkDataSet) and not isinstance(block, vtkPolyData) and block.GetNumberOfCells() > 0:
+            yield block
+        at.GoToNextItem()
+
+
+def is_structured(data):
+    """Whether all of it are images and rectilinear grids."""
+    if isinstance(data, vtkCompositeDataSet):
+        return all(isinstance(block, LATTICES) for block in blocks_of(data))
+    return isinstance(data, LATTICES)
+
+
+def vtk_data(data):
+    """A vtkDataObject of what `data` is: that itself, an algorithm's output, a file's path, a meshio.Mesh, ..."""
+    if isinstance(data, (str, os.PathLike)):
+        return read(data)
+    if isinstance(data, vtkAlgorithmOutput):
+        data.GetProducer().Update(data.GetIndex())
+        return data.GetProducer().GetOutputDataObject(data.GetIndex())
+    if isinstance(data, vtkAlgorithm):
+        data.Update()
+        return data.GetOutputDataObject(0)
+    if not isinstance(data, vtkDataObject) and isinstance(getattr(data, "VTKObject", None), vtkDataObject):
+        return data.VTKObject  # of vtkmodules.numpy_interface.dataset_adapter
+    if not isinstance(data, vtkDataObject) and is_meshio(data):
+        return from_meshio(data)
+    return data
+
+
+def drawn_data(data):
+    """Data of VTK's that a mapper of ours takes. Raises TypeError or ValueError, which say what to do."""
+    data = vtk_data(data)
+    if isinstance(data, (vtkUnstructuredGrid, *LATTICES)):
+        return data
+    if isinstance(data, (vtkStructuredGrid, vtkExplicitStructuredGrid)):
+        return unstructured(data)
+    if isinstance(data, vtkCompositeDataSet):
+        if not any(True for _ in blocks_of(data)):
+            raise ValueError(f"the {data.GetClassName()} has no block with cells")
+        return data
+    if isinstance(data, vtkPolyData):
+        raise TypeError("a vtkPolyData is a surface, which has no inside to draw; vtkDelaunay3D makes tetrahedra of "
+                        "its points, and a vtkActor draws the surface")
+    raise TypeError(f"{type(data).__name__} is no data that can be drawn: give data of VTK's or PyVista's, an "
+                    "algorithm, the path of a file, a meshio.Mesh, or what from_arrays() makes")

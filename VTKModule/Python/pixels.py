@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pixels of a window as arrays, and as PNG."""
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+
+
+def pixels_of(window, transparent):
+    """The rendered picture, (height, width, 3 or 4) bytes, the uppermost row first; opacity is not multiplied in."""
+    width, height = window.GetSize()
+    taken = vtkUnsignedCharArray()
+    read = window.GetRGBACharPixelData if transparent else window.GetPixelData
+    read(0, 0, width - 1, height - 1, 0, taken, 0)
+    pixels = vtk_to_numpy(taken).reshape(height, width, 4 if transparent else 3)[::-1]
+    return unmultiplied(pixels) if transparent else pixels.copy()
+
+
+def unmultiplied(pixels):
+    """Colours over nothing, which the window has multiplied by their opacity, as PNG wants them."""
+    opacity = pixels[:, :, 3:].astype(np.float64)
+    color = np.divide(255 * pixels[:, :, :3].astype(np.float64), opacity, where=opacity > 0,
+                      out=np.zeros(pixels.shape[:2] + (3,)))
+    return np.concatenate([np.minimum(np.rint(color), 255), opacity], axis=2).astype(np.uint8)
+
+
+def png_writer(pixels):
+    height, width, channels = pixels.shape
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    values = numpy_to_vtk(np.ascontiguousarray(pixels[::-1]).reshape(-1, channels), deep=True)
+    image.GetPointData().SetScalars(values)
+    writer = vtkPNGWriter()
+    writer.SetInputData(image)
+    return writer
+
+
+def png_bytes(pixels):
+    """A PNG file of such pixels."""
+    writer = png_writer(pixels)
+    writer.WriteToMemoryOn()
+    writer.Write()
+    return vtk_to_numpy(writer.GetResult()).tobytes()
+
+
+def write_png(pixels, path):
+    with open(path, "wb") as file:
+        file.write(png_bytes(pixels))

@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sets properties of VTK's objects by names as Python has them: accuracy_level="accurate"."""
+import difflib
+import math
+from numbers import Real
+
+
+def setters(target):
+    """The methods of an object that set one property each, by the property's name in small letters."""
+    return {name[3:].lower(): name[3:] for name in dir(target) if name.startswith("Set") and len(name) > 3}
+
+
+def snake_case(name):
+    """AverageIPScalarRange -> average_ip_scalar_range."""
+    letters = []
+    for i, letter in enumerate(name):
+        begins = letter.isupper() and i > 0 and (
+            not name[i - 1].isupper() or (i + 1 < len(name) and name[i + 1].islower()))
+        letters.append("_" + letter.lower() if begins else letter.lower())
+    return "".join(letters)
+
+
+def is_word_of(name, names):
+    """Whether a property's name is another one with a value: accuracyleveltofast."""
+    return any(name.startswith(other + "to") and name != other for other in names)
+
+
+def property_names(targets):
+    """The names that set_properties() takes for these objects."""
+    found = {}
+    for target in targets:
+        names = setters(target)
+        for small, name in names.items():
+            if not is_word_of(small, names) and hasattr(target, "Get" + name):
+                found.setdefault(small, snake_case(name))
+    return sorted(found.values())
+
+
+def words_of(target, name):
+    """The words of an enumeration: {"fast": "SetAccuracyLevelToFast", ...}."""
+    begin = f"Set{name}To"
+    return {method[len(begin):].lower(): method for method in dir(target) if method.startswith(begin)}
+
+
+def set_word(target, name, word, shown):
+    words = words_of(target, name)
+    wanted = word.lower().replace("_", "").replace(" ", "").replace("-", "")
+    fitting = [wanted] if wanted in words else [known for known in words if known.startswith(wanted)]
+    if len(fitting) == 1:
+        getattr(target, words[fitting[0]])()
+        return
+    if not words:
+        raise TypeError(f"{shown} takes no word; it was given {word!r}")
+    known = sorted(snake_case(method[len(f"Set{name}To"):]) for method in words.values())
+    raise ValueError(f"{shown} has no {word!r}; it has {', '.join(map(repr, known))}")
+
+
+def differs(wanted, got):
+    """Whether a property was clamped."""
+    if isinstance(wanted, Real) and isinstance(got, Real):
+        return not (math.isclose(wanted, got, rel_tol=1e-6, abs_tol=1e-12) or (wanted != wanted and got != got))
+    return False
+
+
+def set_property(target, name, value, shown):
+    if isinstance(value, str) and (words_of(target, name) or isinstance(getattr(target, "Get" + name)(), Real)):
+        set_word(target, name, value, shown)
+        return
+    before = getattr(target, "Get" + name)()
+    try:
+        getattr(target, "Set" + name)(value)
+    except TypeError as error:
+        raise TypeError(f"{shown} can't be {value!r}: {error}") from None
+    got = getattr(target, "Get" + name)()
+    if differs(value, got):
+        getattr(target, "Set" + name)(before)
+        raise ValueError(f"{shown} can't be {value!r}: the nearest is {got!r}")
+
+
+def set_properties(targets, properties):
+    """Sets each property on the first of the objects that has it.
+
+    properties: by the names of VTK in small letters with underscores. A value of an enumeration is a number, its word
+    or the beginning of it. Raises TypeError for an unknown name, with the nearest ones, and ValueError for a word or a
+    number that there isn't; what came before it in `properties` is set.
+    """
+    for shown, value in properties.items():
+        small = shown.replace("_", "").lower()
+        for target in targets:
+            name = setters(target).get(small)
+            if name is not None and hasattr(target, "Get" + name):
+                set_property(target, name, value, shown)
+                break
+        else:
+            near = difflib.get_close_matches(shown, property_names(targets), 3)
+            hint = f"; did you mean {' or '.join(map(repr, near))}?" if near else ""
+            raise TypeError(f"there is no property {shown!r}{hint}")

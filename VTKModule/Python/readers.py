@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads files by VTK's readers, with Python's exceptions."""
+import importlib
+import os
+import re
+
+from vtkmodules.vtkCommonCore import vtkObjectFactory
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+
+from .errors import PrintedErrors, VtkErrors
+
+# Ending: (VTK's module, class).
+READERS = {
+    ".vtu": ("vtkIOXML", "vtkXMLUnstructuredGridReader"),
+    ".vti": ("vtkIOXML", "vtkXMLImageDataReader"),
+    ".vtr": ("vtkIOXML", "vtkXMLRectilinearGridReader"),
+    ".vts": ("vtkIOXML", "vtkXMLStructuredGridReader"),
+    ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader"),
+    ".vtm": ("vtkIOXML", "vtkXMLMultiBlockDataReader"),
+    ".vtmb": ("vtkIOXML", "vtkXMLMultiBlockDataReader"),
+    ".vtpd": ("vtkIOXML", "vtkXMLPartitionedDataSetReader"),
+    ".vtpc": ("vtkIOXML", "vtkXMLPartitionedDataSetCollectionReader"),
+    ".pvtp": ("vtkIOXML", "vtkXMLPPolyDataReader"),
+    ".pvtu": ("vtkIOXML", "vtkXMLPUnstructuredGridReader"),
+    ".pvti": ("vtkIOXML", "vtkXMLPImageDataReader"),
+    ".pvtr": ("vtkIOXML", "vtkXMLPRectilinearGridReader"),
+    ".pvts": ("vtkIOXML", "vtkXMLPStructuredGridReader"),
+    ".vtk": ("vtkIOLegacy", "vtkGenericDataObjectReader"),
+    ".hdf": ("vtkIOHDF", "vtkHDFReader"),
+    ".vtkhdf": ("vtkIOHDF", "vtkHDFReader"),
+    ".ex2": ("vtkIOExodus", "vtkExodusIIReader"),
+    ".exo": ("vtkIOExodus", "vtkExodusIIReader"),
+    ".exoii": ("vtkIOExodus", "vtkExodusIIReader"),
+    ".e": ("vtkIOExodus", "vtkExodusIIReader"),
+    ".g": ("vtkIOExodus", "vtkExodusIIReader"),
+    ".cgns": ("vtkIOCGNSReader", "vtkCGNSReader"),
+    ".case": ("vtkIOEnSight", "vtkGenericEnSightReader"),
+    ".foam": ("vtkIOGeometry", "vtkOpenFOAMReader"),
+    ".inp": ("vtkIOGeometry", "vtkAVSucdReader"),
+    ".mha": ("vtkIOImage", "vtkMetaImageReader"),
+    ".mhd": ("vtkIOImage", "vtkMetaImageReader"),
+    ".nrrd": ("vtkIOImage", "vtkNrrdReader"),
+    ".nhdr": ("vtkIOImage", "vtkNrrdReader"),
+    ".nii": ("vtkIOImage", "vtkNIFTIImageReader"),
+    ".stl": ("vtkIOGeometry", "vtkSTLReader"),
+    ".obj": ("vtkIOGeometry", "vtkOBJReader"),
+    ".ply": ("vtkIOPLY", "vtkPLYReader"),
+}
+SET_NAME = {"vtkGenericEnSightReader": "SetCaseFileName"}
+HDF5 = b"\x89HDF\r\n\x1a\n"
+BEGINNINGS = {"vtkExodusIIReader": (b"CDF", HDF5), "vtkCGNSReader": (b"@(#)ADF", HDF5), "vtkHDFReader": (HDF5,)}
+
+
+def enable_all(reader):
+    """Readers of some formats read no arrays, or only some, unless told."""
+    if reader.IsA("vtkGenericDataObjectReader"):
+        for kind in ("Scalars", "Vectors", "Normals", "Tensors", "ColorScalars", "TCoords", "Fields"):
+            getattr(reader, f"ReadAll{kind}On")()
+        return
+    reader.UpdateInformation()
+    if reader.IsA("vtkExodusIIReader"):
+        reader.SetAllArrayStatus(reader.NODAL, 1)
+        reader.SetAllArrayStatus(reader.ELEM_BLOCK, 1)
+        reader.GenerateObjectIdCellArrayOff()
+    elif reader.IsA("vtkCGNSReader"):
+        reader.EnableAllBases()
+        reader.EnableAllFamilies()
+        reader.EnableAllPointArrays()
+        reader.EnableAllCellArrays()
+    elif reader.IsA("vtkOpenFOAMReader"):
+        reader.EnableAllCellArrays()
+        reader.EnableAllPointArrays()
+
+
+def check_beginning(path, name):
+    """The libraries below some readers print by themselves, or end the process, when they get another kind of file."""
+    with open(path, "rb") as file:
+        begin = file.read(512)
+    if name in BEGINNINGS and not begin.startswith(BEGINNINGS[name]):
+        raise damaged(path, "")
+    if name == "vtkNrrdReader" and re.search(rb"^encoding: *(ascii|text|txt)\s*$", begin, re.MULTILINE | re.IGNORECASE):
+        raise ValueError(f"{path!r} can't be read: its values are text; write them in the encoding raw or gzip")
+
+
+def make_reader(module, name):
+    """A reader of that class itself. In programs with MPI, VTK has a vtkNrrdReader that reads nothing without."""
+    made = getattr(importlib.import_module("vtkmodules." + module), name)
+    vtkObjectFactory.SetAllEnableFlags(False, name, "vtkPNrrdReader")
+    try:
+        return made()
+    finally:
+        vtkObjectFactory.SetAllEnableFlags(True, name, "vtkPNrrdReader")
+
+
+def open_reader(path):
+    """A reader of VTK's for a file, whose arrays are enabled and whose times are known."""
+    path = os.fspath(path)
+    if not os.path.exists(path):
+        raise FileNotFoundError(f"there is no file {path!r}")
+    ending = os.path.splitext(path)[1].lower()
+    if ending not in READERS:
+        raise ValueError(f"the ending {ending!r} of {path!r} is none that can be read: {', '.join(READERS)}")
+    if os.path.isdir(path):
+        raise IsADirectoryError(f"{path!r} is a folder")
+    if not os.access(path, os.R_OK):
+        raise PermissionError(f"{path!r} may not be read")
+    module, name = READERS[ending]
+    try:
+        reader = make_reader(module, name)
+    except (ImportError, AttributeError):
+        raise ValueError(f"{path!r} needs {name} of vtkmodules.{module}, which this VTK doesn't have") from None
+    check_beginning(path, name)
+    getattr(reader, SET_NAME.get(name, "SetFileName"))(path)
+    enable_all(reader)
+    return reader
+
+
+def times_of(reader):
+    information = reader.GetOutputInformation(0)
+    key = vtkStreamingDemandDrivenPipeline.TIME_STEPS()
+    return tuple(information.Get(key, i) for i in range(information.Length(key))) if information.Has(key) else ()
+
+
+def damaged(path, errors):
+    return ValueError(f"{os.fspath(path)!r} can't be read: {errors or 'it is damaged, or not what its ending says'}")
+
+
+def time_values(path):
+    """The times that a file has data of, in the file's unit, as a tuple; empty if it has none. Errors as of read()."""
+    with VtkErrors() as errors:
+        reader = open_reader(path)
+        reader.UpdateInformation()
+        times = times_of(reader)
+    if errors:
+        raise damaged(path, errors)
+    return times
+
+
+def read(path, time_step=None):
+    """The data of a file, by a reader of VTK's for its ending: a vtkDataSet, or a tree of such blocks.
+
+    time_step: which of time_values(), from 0, or from the end if below 0; None: the last. The whole file with all of
+    its arrays is read.
+
+    VTK's XML files (.vtu, .vti, .vtr, .vts, .vtp, .vtm, .vtpd, .vtpc, .pvtu, .pvti, ...), .vtk, .vtkhdf; Exodus (.ex2,
+    .exo, .e, .g), CGNS, EnSight (.case), OpenFOAM (.foam), AVS (.inp); images: MetaImage (.mha, .mhd), NRRD, NIfTI;
+    surfaces: .stl, .obj, .ply.
+
+    Raises FileNotFoundError, IsADirectoryError, PermissionError; ValueError for an ending that isn't known and a file
+    that can't be read, with what VTK said; IndexError for a time step that isn't there.
+    """
+    with VtkErrors() as errors:
+        reader = open_reader(path)
+        reader.UpdateInformation()
+        times = times_of(reader)
+        if time_step is not None and not -len(times) <= time_step < len(times):
+            raise IndexError(f"there is no time step {time_step} in {os.fspath(path)!r}: "
+                             + (f"it has {len(times)}, from 0" if times else "it has no time steps"))
+        if times:
+            reader.UpdateTimeStep(times[-1 if time_step is None else time_step])
+        elif reader.IsA("vtkMetaImageReader"):
+            with PrintedErrors() as printed:
+                reader.Update()
+            errors.texts += [printed.text] if printed.text else []
+        else:
+            reader.Update()
+        data = reader.GetOutputDataObject(0)
+        errors.texts += [text for text in errors.warnings  # some warn of a file that ends too soon, and go on
+                         if reader.IsA("vtkImageReader2") or text.startswith("Error")]
+    if errors or data is None or reader.GetErrorCode():
+        raise damaged(path, errors)
+    return data

@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""VTK's arrays over the memory of NumPy's."""
+import numpy as np
+from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type
+from vtkmodules.vtkCommonCore import vtkTypeInt32Array, vtkTypeInt64Array
+
+
+def keep_with(vtk_object, *kept):
+    """Python objects live at least as long as an object of VTK, wherever that is held."""
+
+    def holds(_object, _event, kept=kept):
+        """Nothing is done: the observer is what keeps them."""
+
+    vtk_object.AddObserver("DeleteEvent", holds)
+
+
+def numeric_array(values, what):
+    """A NumPy array of numbers that VTK can share: the array itself if it can be, else a copy.
+
+    Copied are: lists, arrays that aren't contiguous in C order, of another byte order, of booleans and of half floats.
+    Raises TypeError for what has no number of VTK's: complex numbers, texts, objects.
+    """
+    array = np.asarray(values)
+    if array.dtype == bool:
+        array = array.astype(np.uint8)
+    elif array.dtype == np.float16:
+        array = array.astype(np.float32)
+    if array.dtype.kind not in "iuf" or array.dtype.itemsize > 8:
+        raise TypeError(f"{what} has values of type {array.dtype}; VTK has integers and floats of up to 64 bits")
+    return np.ascontiguousarray(array, array.dtype.newbyteorder("="))
+
+
+def shared_array(array, name=None):
+    """A vtkDataArray over the memory of a NumPy array of one or two dimensions, which lives as long."""
+    made = create_vtk_array(get_vtk_array_type(array.dtype))
+    made.SetNumberOfComponents(1 if array.ndim == 1 else array.shape[1])
+    made.SetVoidArray(array.reshape(-1), array.size, 1)
+    keep_with(made, array)
+    if name is not None:
+        made.SetName(name)
+    return made
+
+
+def shared_ids(array):
+    """A vtkTypeInt32Array or vtkTypeInt64Array over the memory of a NumPy array of such integers."""
+    made = vtkTypeInt32Array() if array.dtype == np.int32 else vtkTypeInt64Array()
+    made.SetVoidArray(array, len(array), 1)
+    keep_with(made, array)
+    return made
+
+
+def add_arrays(attributes, arrays, count, what):
+    """Adds {name: array} to the attributes of points or cells: count values, or tuples, each."""
+    for name, values in (arrays or {}).items():
+        array = numeric_array(values, f"the array {name!r} of {what}")
+        if array.ndim not in (1, 2) or len(array) != count:
+            raise ValueError(f"the array {name!r} of {what} has the shape {array.shape}; it has to be ({count},) or "
+                             f"({count}, components)")
+        attributes.AddArray(shared_array(array, str(name)))

@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A volume that is ready to be drawn, in one call."""
+from numbers import Integral
+
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
+from vtkmodules.vtkRenderingCore import vtkVolume
+
+from .colors import color_function
+from .first_picture import choose_first_picture
+from .inputs import drawn_data, is_structured, vtk_data
+from .opacities import piecewise_function
+from .properties import set_properties
+from .vtkRenderingTetMarch import vtkTetMarchSmartVolumeMapper, vtkTetMarchVolumeMapper
+
+
+def connect(mapper, source, data):
+    """Gives the mapper its input: an algorithm's output stays connected, so that it follows what is upstream."""
+    if isinstance(source, vtkAlgorithm):
+        source = source.GetOutputPort()
+    if isinstance(source, vtkAlgorithmOutput) and vtk_data(source) is data:
+        mapper.SetInputConnection(source)
+    else:
+        mapper.SetInputDataObject(data)
+
+
+def plane_of(plane):
+    """A vtkPlane: itself, or of (a point on it, the normal to the side that is kept)."""
+    if isinstance(plane, vtkPlane):
+        return plane
+    try:
+        point, normal = plane
+        made = vtkPlane()
+        made.SetOrigin(*point)
+        made.SetNormal(*normal)
+        return made
+    except (TypeError, ValueError):
+        raise TypeError(f"a clipping plane is a vtkPlane or (point, normal), not {plane!r}") from None
+
+
+def set_special(drawn, name, value):
+    """Sets a property that VTK has no Set...() for; returns whether it is one."""
+    of_volume = drawn.GetProperty()
+    if name == "clipping_planes":
+        drawn.GetMapper().RemoveAllClippingPlanes()
+        for plane in value:
+            drawn.GetMapper().AddClippingPlane(plane_of(plane))
+    elif name == "isosurface_values":
+        values = [value] if isinstance(value, (int, float)) else list(value)
+        of_volume.GetIsoSurfaceValues().SetNumberOfContours(len(values))
+        for i, each in enumerate(values):
+            of_volume.GetIsoSurfaceValues().SetValue(i, float(each))
+    elif name == "gradient_opacity":
+        of_volume.SetGradientOpacity(piecewise_function(value, 0.0, 1.0))
+    else:
+        return False
+    return True
+
+
+def configure(drawn, **properties):
+    """Sets properties of a vtkVolume that volume() made, by the names that volume() takes. Returns the volume."""
+    mapper = drawn.GetMapper()
+    rest = {name: value for name, value in properties.items() if not set_special(drawn, name, value)}
+    set_properties((mapper, mapper.GetSettings(), drawn.GetProperty(), drawn), rest)
+    return drawn
+
+
+def check_component(component):
+    if component is None or component == "magnitude" or (isinstance(component, Integral) and component >= 0):
+        return component
+    raise ValueError(f"component is a number from 0, 'magnitude' or None, not {component!r}")
+
+
+def volume(data, array=None, *, association=None, component=None, cmap=None, opacity=None, range=None,
+           unit_distance=None, **properties):
+    """A vtkVolume that is ready to be drawn. What isn't said is chosen as by auto_transfer_functions().
+
+    data: unstructured grids, images, rectilinear and curvilinear grids, trees of such blocks; PyVista's data; a
+        meshio.Mesh; an algorithm of VTK's, which stays connected; or the path of a file, see read(). Images and
+        rectilinear grids, and trees of these alone, get a vtkTetMarchSmartVolumeMapper, all others a
+        vtkTetMarchVolumeMapper.
+    array: its name. association: "points" or "cells". component: from 0, or "magnitude".
+    cmap: a vtkColorTransferFunction; the name of a colour map; a list of colours, spread evenly over the range, or of
+        (value, colour). A colour is a name, "#rrggbb" or three numbers, 0 to 1.
+    opacity: a vtkPiecewiseFunction; a number, 0 to 1, for all values; pairs (value, opacity); or "linear": from 0 at
+        the low end of the range to 1 at the high one.
+    range: (low, high), low < high, in the array's unit.
+    unit_distance: above 0, in units of the data's coordinates: the thickness in which an opacity counts as it is.
+    properties: any property of the mapper, its vtkTetMarchSettings, the vtkVolumeProperty or the vtkVolume, by VTK's
+        name in small letters: accuracy_level="accurate", error_tolerance=1e-3, shade=True, shadow_method="automatic",
+        blend_mode="maximum", pickable=False. Enumerations by a word or the beginning of one. Also clipping_planes: a
+        list of vtkPlane or (point, normal), whose normal shows to what is kept; isosurface_values: a list of values;
+        gradient_opacity: as opacity, over the length of the gradient.
+
+    Raises ValueError for what the data doesn't have (it lists what it has) and values out of range, TypeError for
+    unknown properties (it names the nearest) and for data that has no volume.
+    """
+    drawn_from = drawn_data(data)
+    structured = is_structured(drawn_from)
+    mapper = vtkTetMarchSmartVolumeMapper() if structured else vtkTetMarchVolumeMapper()
+    connect(mapper, data, drawn_from)
+    made = vtkVolume()
+    made.SetMapper(mapper)
+    first = choose_first_picture(drawn_from, array, association, check_component(component), range)
+    first.ApplyTo(made)
+    shown = made.GetProperty()
+    low, high = first.GetChosenRange()
+    if opacity is not None:
+        function = piecewise_function(opacity, low, high)
+        shown.SetScalarOpacity(function)
+        if unit_distance is None and first.ChooseUnitDistance(function):
+            shown.SetScalarOpacityUnitDistance(first.GetUnitDistance())
+    if cmap is not None:
+        shown.SetColor(color_function(cmap, low, high))
+    if unit_distance is not None:
+        if not unit_distance > 0:
+            raise ValueError(f"unit_distance is above 0, not {unit_distance!r}")
+        shown.SetScalarOpacityUnitDistance(unit_distance)
+    return configure(made, **properties)
