@@ -6,7 +6,7 @@ include("${PROJECT_SOURCE_DIR}/VTKModule/Instrumentation.cmake")
 
 option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(TETMARCH_WRAP_PYTHON "Build the Python package vtktetmarch" ON)
-option(TETMARCH_BUILD_TOOLS "Build the command-line tool tetmarch-render" ON)
+option(TETMARCH_BUILD_TOOLS "Build the programs tetmarch-render and tetmarch-view" ON)
 
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "The type of build" FORCE)
@@ -29,8 +29,8 @@ if (TETMARCH_WRAP_PYTHON)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${tetmarch_vtk_components}
   OPTIONAL_COMPONENTS
-    FiltersCore FiltersGeneral FiltersGeometry FiltersSources FiltersHybrid ImagingCore IOCGNSReader IOExodus
-    IOImage IOLegacy IOXML TestingRendering)
+    FiltersCore FiltersGeneral FiltersGeometry FiltersSources FiltersHybrid GUISupportQt ImagingCore InteractionStyle
+    InteractionWidgets IOCGNSReader IOExodus IOImage IOLegacy IOXML TestingRendering)
 
 vtk_module_scan(
   MODULE_FILES "${PROJECT_SOURCE_DIR}/vtk.module"

@@ -3,6 +3,7 @@
 #include "FileReader.h"
 
 #include "Failure.h"
+#include "Messages.h"
 
 #include "vtkGenericDataObjectReader.h"
 #include "vtkMetaImageReader.h"
@@ -81,9 +82,8 @@ vtkSmartPointer<vtkAlgorithm> MakeExodusReader(const std::string& path)
   reader->SetGenerateObjectIdCellArray(0);
   return reader;
 #else
-  throw tetmarch::Failure(
-    "cannot read '" + path +
-    "': this tetmarch-render was built without VTK's Exodus reader (component IOExodus)");
+  throw tetmarch::Failure("cannot read '" + path + "': this " + tetmarch::GetProgramName() +
+                          " was built without VTK's Exodus reader (component IOExodus)");
 #endif
 }
 
@@ -99,9 +99,8 @@ vtkSmartPointer<vtkAlgorithm> MakeCGNSReader(const std::string& path)
   reader->EnableAllCellArrays();
   return reader;
 #else
-  throw tetmarch::Failure(
-    "cannot read '" + path +
-    "': this tetmarch-render was built without VTK's CGNS reader (component IOCGNSReader)");
+  throw tetmarch::Failure("cannot read '" + path + "': this " + tetmarch::GetProgramName() +
+                          " was built without VTK's CGNS reader (component IOCGNSReader)");
 #endif
 }
 } // namespace

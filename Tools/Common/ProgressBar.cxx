@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProgressBar.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
@@ -28,11 +29,12 @@ std::string FormatProgress(const std::string& stage, double fraction)
          std::to_string(static_cast<int>(std::lround(100.0 * clamped))) + " %";
 }
 
-ProgressBar::ProgressBar(std::string stage, vtkObject* source)
+ProgressBar::ProgressBar(std::string stage, vtkObject* source, ProgressReport report)
   : Stage(std::move(stage))
   , Source(source)
+  , Report(std::move(report))
 {
-  if (!isatty(STDERR_FILENO))
+  if (!this->Report && !isatty(STDERR_FILENO))
   {
     return;
   }
@@ -61,8 +63,18 @@ ProgressBar::~ProgressBar()
   }
 }
 
-void ProgressBar::Show(double fraction) const
+void ProgressBar::Show(double fraction)
 {
+  if (this->Report)
+  {
+    this->Stopped = this->Stopped || !this->Report(this->Stage, fraction);
+    auto* algorithm = vtkAlgorithm::SafeDownCast(this->Source);
+    if (this->Stopped && algorithm)
+    {
+      algorithm->SetAbortExecute(1);
+    }
+    return;
+  }
   std::fprintf(stderr, "\r%s\033[K", FormatProgress(this->Stage, fraction).c_str());
   Showing = true;
 }
