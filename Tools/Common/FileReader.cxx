@@ -9,6 +9,7 @@
 #include "vtkMetaImageReader.h"
 #include "vtkNrrdReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
+#include "vtkXMLReader.h"
 #if TETMARCH_HAVE_EXODUS
 #include "vtkExodusIIReader.h"
 #endif
@@ -52,6 +53,23 @@ vtkSmartPointer<Reader> MakeReaderOf(const std::string& path)
   }
   throw tetmarch::Failure(
     "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
+}
+
+/// The reader of the kind of data in the file: unlike vtkXMLGenericDataObjectReader it tells of its
+/// progress, and can be stopped.
+vtkSmartPointer<vtkAlgorithm> MakeXMLReader(const std::string& path)
+{
+  auto any = MakeReaderOf<vtkXMLGenericDataObjectReader>(path);
+  bool parallel = false;
+  const int type = any->ReadOutputType(path.c_str(), parallel);
+  const vtkSmartPointer<vtkXMLReader> own =
+    type < 0 ? nullptr : vtkXMLGenericDataObjectReader::CreateReader(type, parallel);
+  if (!own)
+  {
+    return any;
+  }
+  own->SetFileName(path.c_str());
+  return own;
 }
 
 [[maybe_unused]] constexpr const char* HDF5Beginning = "\x89HDF\r\n\x1a\n";
@@ -124,7 +142,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path, const RawOptio
   const std::string ending = GetEnding(path);
   if (xml.count(ending))
   {
-    return MakeReaderOf<vtkXMLGenericDataObjectReader>(path);
+    return MakeXMLReader(path);
   }
   if (ending == ".vtk")
   {

@@ -65,6 +65,7 @@ AccuracyPanel::AccuracyPanel(Model& model, QWidget* parent)
   layout->addWidget(MakeHeading(tr("Error against time")));
   this->Plot = new ErrorTimePlot;
   layout->addWidget(this->Plot, 1);
+  layout->addStretch(0);
   connect(&model, &Model::StateChanged, this, &AccuracyPanel::ShowState);
   connect(&model, &Model::Rendered, this, &AccuracyPanel::ShowTime);
   connect(&model, &Model::Measured, this, &AccuracyPanel::ShowFigures);

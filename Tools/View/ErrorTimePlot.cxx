@@ -61,7 +61,8 @@ namespace tetmarch
 ErrorTimePlot::ErrorTimePlot(QWidget* parent)
   : QWidget(parent)
 {
-  this->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  this->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  this->setMaximumHeight(260);
 }
 
 void ErrorTimePlot::Add(const Point& point)

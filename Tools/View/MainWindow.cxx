@@ -51,7 +51,7 @@ MainWindow::MainWindow(QWidget* parent)
 {
   this->setWindowTitle(QStringLiteral("TetMarch"));
   this->setAcceptDrops(true);
-  this->resize(1260, 860);
+  this->resize(1260, 900);
   this->Picture = new PictureWidget(this->Shown);
   this->setCentralWidget(this->Picture);
   this->Hint = new QLabel(tr("Drop a file here, or choose File, Open"));
@@ -145,19 +145,17 @@ void MainWindow::MakeDocks()
     this->Panels->addAction(dock->toggleViewAction());
     return dock;
   };
-  add(tr("Data"), "data", MakeScrolling(this->Data), Qt::LeftDockWidgetArea);
-  add(tr("Transfer functions"), "functions", new QWidget, Qt::LeftDockWidgetArea);
-  auto* accuracy = add(
-    tr("Accuracy and time"), "accuracy", MakeScrolling(this->Accuracy), Qt::RightDockWidgetArea);
-  auto* effects =
-    add(tr("Effects"), "effects", MakeScrolling(this->Effects), Qt::RightDockWidgetArea);
-  auto* cuts = add(tr("Cuts"), "cuts", MakeScrolling(this->Cuts), Qt::RightDockWidgetArea);
+  add(tr("Transfer functions"), "functions", new QWidget, Qt::BottomDockWidgetArea);
+  const auto right = Qt::RightDockWidgetArea;
+  add(tr("Data"), "data", MakeScrolling(this->Data), right);
+  auto* accuracy = add(tr("Accuracy and time"), "accuracy", MakeScrolling(this->Accuracy), right);
+  auto* effects = add(tr("Effects"), "effects", MakeScrolling(this->Effects), right);
+  auto* cuts = add(tr("Cuts"), "cuts", MakeScrolling(this->Cuts), right);
   this->tabifyDockWidget(accuracy, effects);
   this->tabifyDockWidget(effects, cuts);
   accuracy->raise();
-  this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  this->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  this->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  this->setTabPosition(right, QTabWidget::North);
+  this->setCorner(Qt::BottomRightCorner, right);
   this->Time = new TimeBar(this->Shown);
   this->addToolBar(Qt::BottomToolBarArea, this->Time);
 }
