@@ -116,6 +116,8 @@ void SessionTest::OpenScene()
 {
   QFETCH(int, change);
   this->OpenWindow(GetData(Changes[change].File));
+  this->Window->resize(860, 640);
+  this->Wait();
   this->GetModel().Edit(Changes[change].Make);
   this->Wait();
 }
@@ -190,6 +192,8 @@ void SessionTest::ASessionDrawsTheSamePicture()
   const QString path = this->Folder.filePath(QStringLiteral("session.json"));
   this->Window->SaveSession(path);
   this->OpenWindow(path); // a new window
+  this->Window->resize(860, 640);
+  this->Wait();
   QVERIFY(this->Window->SaveScreenshot(picture));
   CheckSame(before, picture);
 }

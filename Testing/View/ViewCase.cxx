@@ -67,10 +67,16 @@ Difference Compare(const Pixels& a, const Pixels& b)
 
 std::size_t CountDrawn(const Pixels& pixels)
 {
+  constexpr int clearly = 16;
   std::size_t count = 0;
   for (std::size_t i = 0; i < pixels.Bytes.size(); i += 3)
   {
-    count += std::memcmp(&pixels.Bytes[i], &pixels.Bytes[0], 3) != 0;
+    int most = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      most = std::max(most, std::abs(int(pixels.Bytes[i + k]) - int(pixels.Bytes[k])));
+    }
+    count += most > clearly;
   }
   return count;
 }

@@ -38,7 +38,7 @@ struct Difference
 };
 Difference Compare(const Pixels& a, const Pixels& b);
 
-/// Pixels that are not as the first one.
+/// Pixels that are clearly not as the first one, which is background.
 std::size_t CountDrawn(const Pixels& pixels);
 
 Pixels ReadPng(const QString& path);

@@ -66,7 +66,8 @@ vtkSmartPointer<vtkAlgorithm> MakeXMLReader(const std::string& path)
     type < 0 ? nullptr : vtkXMLGenericDataObjectReader::CreateReader(type, parallel);
   if (!own)
   {
-    return any;
+    throw tetmarch::Failure(
+      "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
   }
   own->SetFileName(path.c_str());
   return own;

@@ -100,9 +100,9 @@ std::string WriteData(const DataState& data, bool structured)
           "mapper.SelectScalarArray(" + Quote(data.Array) + ")\n";
   if (data.Component < 0)
   {
-    return text + "mapper.SetVectorModeToMagnitude()\n";
+    return text + "mapper.SetVectorMode(mapper.MAGNITUDE)\n";
   }
-  return text + "mapper.SetVectorModeToComponent()\nmapper.SetVectorComponent(" +
+  return text + "mapper.SetVectorMode(mapper.COMPONENT)\nmapper.SetVectorComponent(" +
          std::to_string(data.Component) + ")\n";
 }
 
