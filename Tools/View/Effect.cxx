@@ -24,6 +24,28 @@ template <int Method>
 void SetShadows(EffectState& s, bool on)
 {
   s.Shadows = on ? Method : s.Shadows == Method ? Off : s.Shadows;
+  s.Shading |= on;
+}
+
+/// Without shading there are none of the other effects of light.
+void SetShading(EffectState& s, bool on)
+{
+  s.Shading = on;
+  if (!on)
+  {
+    s.Shadows = Off;
+    s.Occlusion = false;
+    s.Scattering = false;
+    s.OpaqueShadows = false;
+  }
+}
+
+/// Of those that need it.
+template <bool EffectState::*Member>
+void SetLight(EffectState& s, bool on)
+{
+  s.*Member = on;
+  s.Shading |= on;
 }
 } // namespace
 
@@ -31,8 +53,7 @@ const std::vector<tetmarch::Effect>& tetmarch::GetEffects()
 {
   static const std::vector<Effect> effects = {
     { QT_TR_NOOP("Shading"), QT_TR_NOOP("Light on the surfaces of constant scalar"),
-      [](const EffectState& s) { return s.Shading; },
-      [](EffectState& s, bool on) { s.Shading = on; } },
+      [](const EffectState& s) { return s.Shading; }, SetShading },
     { QT_TR_NOOP("Gradient opacity"), QT_TR_NOOP("Less opaque where the scalar hardly changes"),
       [](const EffectState& s) { return s.GradientOpacity; },
       [](EffectState& s, bool on) { s.GradientOpacity = on; } },
@@ -43,15 +64,12 @@ const std::vector<tetmarch::Effect>& tetmarch::GetEffects()
       QT_TR_NOOP("The volume's shadows in itself, looked for along each ray in each frame"),
       HasShadows<AlongRays>, SetShadows<AlongRays> },
     { QT_TR_NOOP("Ambient occlusion"), QT_TR_NOOP("Ambient light is kept from the inside"),
-      [](const EffectState& s) { return s.Occlusion; },
-      [](EffectState& s, bool on) { s.Occlusion = on; } },
+      [](const EffectState& s) { return s.Occlusion; }, SetLight<&EffectState::Occlusion> },
     { QT_TR_NOOP("Scattering"), QT_TR_NOOP("Light is scattered where there is no clear surface"),
-      [](const EffectState& s) { return s.Scattering; },
-      [](EffectState& s, bool on) { s.Scattering = on; } },
-    { QT_TR_NOOP("Shadows of opaque surfaces"),
+      [](const EffectState& s) { return s.Scattering; }, SetLight<&EffectState::Scattering> },
+    { QT_TR_NOOP("Opaque shadows"),
       QT_TR_NOOP("The opaque surface casts shadows into the volume, where that casts some"),
-      [](const EffectState& s) { return s.OpaqueShadows; },
-      [](EffectState& s, bool on) { s.OpaqueShadows = on; } },
+      [](const EffectState& s) { return s.OpaqueShadows; }, SetLight<&EffectState::OpaqueShadows> },
   };
   return effects;
 }

@@ -25,10 +25,12 @@ EffectTimer::EffectTimer(Model& model, QObject* parent)
   : QObject(parent)
   , Timed(model)
 {
-  // Between turns the window stays alive.
+  // Between frames the window stays alive.
   this->Next.setSingleShot(true);
   this->Next.setInterval(0);
-  connect(&this->Next, &QTimer::timeout, this, &EffectTimer::TakeTurn);
+  connect(&this->Next, &QTimer::timeout, this, &EffectTimer::TakeFrame);
+  // What was begun is of another scene.
+  connect(&model, &Model::StateChanged, this, [this] { this->Turn.clear(); });
   connect(&model, &Model::DataChanged, this, &EffectTimer::Stop);
 }
 
@@ -46,63 +48,74 @@ void EffectTimer::Stop()
 {
   const bool busy = this->IsBusy();
   this->Waiting.clear();
+  this->Turn.clear();
   this->Added.clear();
   this->Once.clear();
   this->Next.stop();
   if (busy)
   {
+    this->ShowState();
     Q_EMIT this->Done();
   }
 }
 
-double EffectTimer::TimeFrame(const ViewState& state)
+void EffectTimer::TakeFrame()
 {
-  this->Timed.GetScene().Apply(state);
-  return this->Timed.Render();
-}
-
-void EffectTimer::TakeTurn()
-{
-  if (this->Waiting.empty() || this->Timed.IsDragging())
+  if (this->Waiting.empty())
   {
-    if (!this->Waiting.empty())
-    {
-      this->Next.start();
-    }
     return;
   }
-  const ViewState now = this->Timed.GetState();
-  const int number = this->Waiting.front();
-  const Effect& effect = GetEffects()[number];
-  ViewState without = now;
-  ViewState with = now;
-  effect.Set(without.Effects, false);
-  effect.Set(with.Effects, true);
-  with.Functions.GradientOpacity =
-    this->Timed.GetScene().MakeGradientOpacity(now.Effects.GradientStrength);
-  this->TimeFrame(without);
-  const double base = this->TimeFrame(without);
-  const double first = this->TimeFrame(with);
-  const double again = this->TimeFrame(with);
-  this->Added.push_back(again - base);
-  this->Once.push_back(std::max(first - again, 0.0));
-  if (!effect.IsOn(now.Effects))
+  this->Next.start();
+  if (this->Timed.IsDragging())
   {
-    this->TimeFrame(now);
+    this->Turn.clear();
+    return;
   }
-  if (this->Added.size() == Turns)
+  const Effect& effect = GetEffects()[this->Waiting.front()];
+  ViewState state = this->Timed.GetState();
+  effect.Set(state.Effects, false);
+  const bool with = this->Turn.size() >= 2;
+  if (with)
   {
-    Q_EMIT this->Measured(number, GetMedian(this->Added), GetMedian(this->Once));
-    this->Added.clear();
-    this->Once.clear();
-    this->Waiting.pop_front();
-    if (this->Waiting.empty())
+    effect.Set(state.Effects, true);
+    state.Functions.GradientOpacity =
+      this->Timed.GetScene().MakeGradientOpacity(state.Effects.GradientStrength);
+  }
+  this->Timed.GetScene().Apply(state);
+  this->Turn.push_back(this->Timed.Render());
+  if (this->Turn.size() == 4)
+  {
+    this->Added.push_back(this->Turn[3] - this->Turn[1]);
+    this->Once.push_back(std::max(this->Turn[2] - this->Turn[3], 0.0));
+    this->Turn.clear();
+    if (this->Added.size() == Turns)
     {
-      Q_EMIT this->Done();
-      return;
+      this->Finish();
     }
   }
-  this->Next.start();
+}
+
+void EffectTimer::ShowState()
+{
+  this->Timed.GetScene().Apply(this->Timed.GetState());
+  this->Timed.RequestRender();
+}
+
+void EffectTimer::Finish()
+{
+  const int number = this->Waiting.front();
+  this->Waiting.pop_front();
+  const double added = GetMedian(this->Added);
+  const double once = GetMedian(this->Once);
+  this->Added.clear();
+  this->Once.clear();
+  Q_EMIT this->Measured(number, added, once);
+  if (this->Waiting.empty())
+  {
+    this->Next.stop();
+    this->ShowState();
+    Q_EMIT this->Done();
+  }
 }
 
 } // namespace tetmarch

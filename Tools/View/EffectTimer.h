@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What one effect adds to a frame of the scene as it is: frames without and with it by turns, as
- * Documentation/Effects.md has it.
+ * What one effect adds to a frame of the scene as it is. A turn is four frames: without it, twice,
+ * then with it, twice; the second of both counts. Documentation/Effects.md says why.
  */
 #ifndef tetmarch_EffectTimer_h
 #define tetmarch_EffectTimer_h
@@ -29,6 +29,7 @@ public:
 
   /// Of GetEffects(). Those that are being measured go on; one that waits already isn't added.
   void Measure(int effect);
+  /// The picture is that of the state again.
   void Stop();
   bool IsBusy() const { return !this->Waiting.empty(); }
 
@@ -38,12 +39,14 @@ Q_SIGNALS:
   void Done();
 
 private:
-  void TakeTurn();
-  double TimeFrame(const ViewState& state);
+  void TakeFrame();
+  void Finish();
+  void ShowState();
 
   Model& Timed;
   QTimer Next;
   std::deque<int> Waiting;
+  std::vector<double> Turn; // seconds of its frames
   std::vector<double> Added;
   std::vector<double> Once;
 };

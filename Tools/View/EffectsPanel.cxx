@@ -57,7 +57,7 @@ QWidget* EffectsPanel::MakeEffects()
   {
     Row row{ new QCheckBox(tr(effects[i].Name)), new QLabel };
     row.Check->setToolTip(tr(effects[i].Help));
-    row.Cost->setToolTip(tr("Seconds that the effect adds to a frame; in parentheses what it took "
+    row.Cost->setToolTip(tr("Seconds that the effect adds to a frame; and what it took "
                             "once, when it was switched on"));
     row.Cost->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     grid->addWidget(row.Check, i, 0);
@@ -75,14 +75,13 @@ QWidget* EffectsPanel::MakeEffects()
   }
   this->MeasureAll = new QPushButton(tr("Measure what each adds"));
   this->MeasureAll->setToolTip(
-    tr("Draw this view without and with each effect by turns, 15 frames an effect"));
+    tr("Draw this view without and with each effect by turns, 12 frames an effect"));
   connect(this->MeasureAll, &QPushButton::clicked, this,
     [this]
     {
       if (this->Timer->IsBusy())
       {
         this->Timer->Stop();
-        this->Shown.Edit([](ViewState&) {});
         return;
       }
       for (std::size_t i = 0; i < this->Rows.size(); ++i)
@@ -171,7 +170,7 @@ void EffectsPanel::ShowCost(int effect, double added, double once)
 {
   const QString sign = added < 0.0 ? QStringLiteral("−") : QStringLiteral("+");
   this->Rows[effect].Cost->setText(
-    tr("%1%2 s (%3 s once)").arg(sign).arg(std::abs(added), 0, 'f', 3).arg(once, 0, 'f', 2));
+    tr("%1%2 s, once %3 s").arg(sign).arg(std::abs(added), 0, 'f', 3).arg(once, 0, 'f', 2));
 }
 
 } // namespace tetmarch

@@ -26,6 +26,8 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace
 {
 constexpr int MessageMilliseconds = 15000;
@@ -38,7 +40,7 @@ QScrollArea* MakeScrolling(QWidget* panel)
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setMinimumWidth(panel->minimumSizeHint().width() + 24);
+  area->setMinimumWidth(std::max(panel->minimumSizeHint().width() + 24, 370));
   return area;
 }
 } // namespace

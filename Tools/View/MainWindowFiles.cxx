@@ -3,6 +3,8 @@
 // What the window reads and writes: data, sessions, pictures, scripts.
 #include "MainWindow.h"
 
+#include "EffectTimer.h"
+#include "EffectsPanel.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "PythonScript.h"
@@ -65,6 +67,7 @@ void MainWindow::SaveSession(const QString& path)
 
 bool MainWindow::SaveScreenshot(const QString& path)
 {
+  this->Effects->GetTimer()->Stop();
   this->HideHandles();
   const int errorsBefore = Messages::GetNumberOfErrors();
   this->Shown.Render();

@@ -124,7 +124,7 @@ std::string WriteSettings(const ViewState& state, bool structured)
     text += "mapper.SetSampleDistance(-1)\nmapper.InteractiveAdjustSampleDistancesOff()\n"
             "mapper.AutoAdjustSampleDistancesOff()\n";
   }
-  if (effects.IsLit())
+  if (effects.Shading)
   {
     text += "mapper.SetShadowMethod(" + std::to_string(effects.Shadows) + ")  # " +
             ShadowWords.at(effects.Shadows) + "\nmapper.SetAmbientOcclusion(" +
@@ -185,7 +185,7 @@ std::string WriteProperty(const ViewState& state)
     text += "for i, value in enumerate([" + ToList(state.IsoValues) +
             "]):\n    property.GetIsoSurfaceValues().SetValue(i, value)\n";
   }
-  if (effects.IsLit())
+  if (effects.Shading)
   {
     text += "property.ShadeOn()\nproperty.SetAmbient(" + ToText(effects.Ambient) +
             ")\nproperty.SetDiffuse(" + ToText(effects.Diffuse) + ")\nproperty.SetSpecular(" +
@@ -197,7 +197,7 @@ std::string WriteProperty(const ViewState& state)
 
 std::string WriteLight(const EffectState& effects)
 {
-  if (!effects.IsLit())
+  if (!effects.Shading)
   {
     return {};
   }

@@ -96,7 +96,7 @@ void AddAccuracy(const AccuracyState& accuracy, Command& command)
 
 void AddLight(const EffectState& effects, Command& command)
 {
-  if (!effects.IsLit())
+  if (!effects.Shading)
   {
     return;
   }

@@ -183,13 +183,13 @@ void Scene::ApplySettings(const ViewState& state)
 void Scene::ApplyLight(const EffectState& effects)
 {
   vtkVolumeProperty* property = this->Volume->GetProperty();
-  property->SetShade(effects.IsLit());
+  property->SetShade(effects.Shading);
   property->SetAmbient(effects.Ambient);
   property->SetDiffuse(effects.Diffuse);
   property->SetSpecular(effects.Specular);
   property->SetSpecularPower(effects.SpecularPower);
-  this->Light->SetIntensity(effects.IsLit() ? effects.Intensity : 1.0);
-  if (effects.Headlight || !effects.IsLit())
+  this->Light->SetIntensity(effects.Shading ? effects.Intensity : 1.0);
+  if (effects.Headlight || !effects.Shading)
   {
     this->Light->SetLightTypeToHeadlight();
   }

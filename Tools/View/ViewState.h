@@ -62,9 +62,9 @@ struct AccuracyState
 
 struct EffectState
 {
-  bool Shading = false;
   bool GradientOpacity = false;
-  int Shadows = 0; // vtkTetMarchSettings::SHADOWS_OFF
+  bool Shading = false; // what follows is drawn with it only
+  int Shadows = 0;      // vtkTetMarchSettings::SHADOWS_OFF
   bool Occlusion = false;
   bool Scattering = false;
   bool OpaqueShadows = false;
@@ -80,13 +80,6 @@ struct EffectState
   double ScatteringStrength = 1.0;
   double Reach = 1.0;
   double GradientStrength = 0.5; // opacity where the scalar is constant is one minus this
-
-  /// All effects but gradient opacity are light.
-  bool IsLit() const
-  {
-    return this->Shading || this->Shadows != 0 || this->Occlusion || this->Scattering ||
-           this->OpaqueShadows;
-  }
 };
 
 struct CutState
