@@ -6,7 +6,7 @@ include("${PROJECT_SOURCE_DIR}/VTKModule/Instrumentation.cmake")
 
 option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(TETMARCH_WRAP_PYTHON "Build the Python package vtktetmarch" ON)
-option(TETMARCH_BUILD_TOOLS "Build the command-line tool tetmarch-render" ON)
+option(TETMARCH_BUILD_TOOLS "Build the programs tetmarch-render and tetmarch-view" ON)
 
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "The type of build" FORCE)
@@ -30,7 +30,8 @@ endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${tetmarch_vtk_components}
   OPTIONAL_COMPONENTS
     ChartsCore FiltersCore FiltersGeneral FiltersGeometry FiltersSources FiltersHybrid GUISupportQt ImagingCore
-    IOCGNSReader IOExodus IOImage IOLegacy IOXML RenderingContextOpenGL2 TestingRendering ViewsContext2D)
+    InteractionStyle InteractionWidgets IOCGNSReader IOExodus IOImage IOLegacy IOXML RenderingContextOpenGL2
+    TestingRendering ViewsContext2D)
 
 vtk_module_scan(
   MODULE_FILES "${PROJECT_SOURCE_DIR}/vtk.module"
@@ -75,7 +76,9 @@ if (TETMARCH_WRAP_PYTHON)
         "${PROJECT_SOURCE_DIR}/VTKModule/Python/make_stubs.py"
         "${tetmarch_package}" "${tetmarch_package}/vtkRenderingTetMarch.pyi"
       VERBATIM)
-    install(FILES "${tetmarch_package}/vtkRenderingTetMarch.pyi" DESTINATION "${tetmarch_python_dir}/vtktetmarch")
+    install(FILES "${tetmarch_package}/vtkRenderingTetMarch.pyi"
+      DESTINATION "${tetmarch_python_dir}/vtktetmarch"
+      COMPONENT python)
   endif ()
 endif ()
 set(CMAKE_SOURCE_DIR "${tetmarch_real_source_dir}")

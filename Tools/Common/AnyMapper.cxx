@@ -36,6 +36,7 @@ public:
       planes[0], planes[1], planes[2], planes[3], planes[4], planes[5]);
     this->Object->SetCroppingRegionFlags(flags);
   }
+  void SetCroppingOff() override { this->Object->CroppingOff(); }
 
   void SetSamples(double distance, bool jitter) override
   {
@@ -46,6 +47,14 @@ public:
       // As far apart in each frame, whatever time it takes.
       this->Object->InteractiveAdjustSampleDistancesOff();
       this->Object->AutoAdjustSampleDistancesOff();
+    }
+  }
+  void SetSamplesOff() override
+  {
+    if constexpr (std::is_same_v<Mapper, vtkTetMarchSmartVolumeMapper>)
+    {
+      this->Object->InteractiveAdjustSampleDistancesOn();
+      this->Object->AutoAdjustSampleDistancesOn();
     }
   }
 
@@ -61,6 +70,17 @@ public:
   void GetDiagnosticPixels(vtkFloatArray* pixels) override
   {
     this->Object->GetDiagnosticPixels(pixels);
+  }
+  std::optional<tetmarch::PickedPoint> Pick(
+    vtkRenderer* renderer, vtkVolume* volume, int x, int y) override
+  {
+    if (!this->Object->Pick(renderer, volume, x, y))
+    {
+      return std::nullopt;
+    }
+    const double* at = this->Object->GetPickedPosition();
+    return tetmarch::PickedPoint{ { { at[0], at[1], at[2] } }, this->Object->GetPickedScalar(),
+      this->Object->GetPickedCellId(), this->Object->GetPickedBlock() };
   }
 
 private:

@@ -9,11 +9,14 @@
 #ifndef tetmarch_AnyMapper_h
 #define tetmarch_AnyMapper_h
 
+#include <array>
 #include <memory>
+#include <optional>
 
 class vtkAbstractVolumeMapper;
 class vtkDataObject;
 class vtkFloatArray;
+class vtkRenderer;
 class vtkTable;
 class vtkTetMarchFrameStatistics;
 class vtkTetMarchSettings;
@@ -28,6 +31,15 @@ enum class TraceIn
   FLOAT = 0,
   DOUBLE = 1,
   GROUND_TRUTH = 2
+};
+
+/// What is hit in a pixel.
+struct PickedPoint
+{
+  std::array<double, 3> Position; // in the world
+  double Scalar;
+  long long Cell;
+  unsigned int Block; // flat index of the block that has this cell; 0 if there are no blocks
 };
 
 class AnyMapper
@@ -45,13 +57,19 @@ public:
   /// As vtkVolumeMapper::BlendModes.
   virtual void SetBlendMode(int mode) = 0;
   virtual void SetCropping(const double planes[6], int flags) = 0;
+  virtual void SetCroppingOff() = 0;
   /// Of images and rectilinear grids; a negative distance is chosen by the mapper.
   virtual void SetSamples(double distance, bool jitter) = 0;
+  /// As it is before SetSamples(): frames may have fewer rays while somebody interacts.
+  virtual void SetSamplesOff() = 0;
 
   /// As the methods of either class.
   virtual bool CompareWithGroundTruth(vtkVolume* volume) = 0;
   virtual bool TraceRay(vtkVolume* volume, int x, int y, TraceIn arithmetic, vtkTable* cells) = 0;
   virtual void GetDiagnosticPixels(vtkFloatArray* pixels) = 0;
+  /// Counted from the lower left of the window.
+  virtual std::optional<PickedPoint> Pick(
+    vtkRenderer* renderer, vtkVolume* volume, int x, int y) = 0;
 };
 
 /// structured: of images and rectilinear grids.

@@ -3,21 +3,16 @@
 #include "DatasetReader.h"
 
 #include "Failure.h"
-#include "FileReader.h"
+#include "FileContents.h"
 #include "GridMerging.h"
-#include "LibraryOutput.h"
 #include "Messages.h"
-#include "ProgressBar.h"
-#include "TimeSteps.h"
 
 #include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkGenericCell.h"
-#include "vtkImageReader2.h"
 #include "vtkInformation.h"
-#include "vtkMetaImageReader.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 
@@ -29,66 +24,6 @@
 namespace
 {
 using tetmarch::Failure;
-
-/// Reads the chosen time step, by default the last.
-void Update(vtkAlgorithm* reader, std::optional<int> timeStep)
-{
-  const std::vector<double> times = tetmarch::GetTimeSteps(reader);
-  const int count = static_cast<int>(times.size());
-  if (timeStep && *timeStep >= count)
-  {
-    throw Failure(
-      "time step " + std::to_string(*timeStep) + " does not exist: the file has " +
-      (count == 0 ? "no time steps"
-                  : std::to_string(count) + ", counted from 0 to " + std::to_string(count - 1)));
-  }
-  if (count > 0)
-  {
-    reader->UpdateTimeStep(times[timeStep.value_or(count - 1)]);
-  }
-  else
-  {
-    reader->Update();
-  }
-}
-
-/// The same of a reader that leaves it to others to say that it failed: returns what they said, or
-/// an empty string.
-std::string UpdateAndListen(vtkAlgorithm* reader, std::optional<int> timeStep)
-{
-  const int warningsBefore = tetmarch::Messages::GetNumberOfWarningsOfNobody();
-  std::optional<tetmarch::LibraryOutput> output;
-  if (vtkMetaImageReader::SafeDownCast(reader))
-  {
-    output.emplace(); // MetaIO goes on after what it prints
-  }
-  Update(reader, timeStep);
-  const bool warned = vtkImageReader2::SafeDownCast(reader) &&
-                      tetmarch::Messages::GetNumberOfWarningsOfNobody() > warningsBefore;
-  return output ? output->GetFirstLine() : warned ? "see the warning" : std::string();
-}
-
-vtkSmartPointer<vtkDataObject> Read(
-  const std::string& path, std::optional<int> timeStep, const tetmarch::RawOptions& raw = {})
-{
-  tetmarch::CheckFile(path);
-  const int errorsBefore = tetmarch::Messages::GetNumberOfErrors();
-  vtkSmartPointer<vtkAlgorithm> reader = tetmarch::MakeReader(path, raw);
-  std::string complaint;
-  {
-    tetmarch::ProgressBar progress("reading", reader);
-    complaint = UpdateAndListen(reader, timeStep);
-  }
-  vtkDataObject* data = reader->GetOutputDataObject(0);
-  if (tetmarch::Messages::GetNumberOfErrors() > errorsBefore || !complaint.empty() || !data ||
-      reader->GetErrorCode() != 0)
-  {
-    throw Failure("cannot read '" + path +
-                  "': the file is damaged or not of the kind that its ending says" +
-                  (complaint.empty() ? "" : " (" + complaint + ")"));
-  }
-  return data;
-}
 
 struct NamedBlock
 {
@@ -171,8 +106,8 @@ bool HasPieces(const std::string& path)
   return ending.size() > 1 && (ending[1] == 'p' || ending[1] == 'P');
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
-  const std::vector<NamedBlock>& named, const std::string& path)
+vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const std::vector<NamedBlock>& named,
+  const std::string& path, const tetmarch::ProgressReport& report)
 {
   std::vector<vtkDataSet*> blocks;
   for (const NamedBlock& block : named)
@@ -187,7 +122,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
   vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(blocks[0]);
   if (blocks.size() > 1 || !grid || HasPieces(path))
   {
-    grid = tetmarch::MergeBlocks(blocks);
+    grid = tetmarch::MergeBlocks(blocks, report);
   }
   return grid;
 }
@@ -224,16 +159,19 @@ bool HasSolidCells(vtkDataSet* data)
 vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
   const std::string& path, std::optional<int> timeStep)
 {
-  const vtkSmartPointer<vtkDataObject> data = Read(path, timeStep);
-  return MakeGrid(GetSolidBlocks(data, path), path);
+  const FileContents contents = ReadFile(path, timeStep, {}, {});
+  return MakeGrid(GetSolidBlocks(contents.Data, path), path, {});
 }
 
-VolumeData ReadVolume(
-  const std::string& path, std::optional<int> timeStep, const RawOptions& rawOptions)
+VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
+  const RawOptions& rawOptions, const ProgressReport& report)
 {
-  const vtkSmartPointer<vtkDataObject> data = Read(path, timeStep, rawOptions);
-  const auto blocks = GetSolidBlocks(data, path);
+  const FileContents contents = ReadFile(path, timeStep, rawOptions, report);
+  const auto blocks = GetSolidBlocks(contents.Data, path);
   VolumeData volume;
+  volume.Times = contents.Times;
+  volume.TimeStep =
+    timeStep.value_or(std::max<int>(static_cast<int>(contents.Times.size()) - 1, 0));
   volume.Structured = std::all_of(
     blocks.begin(), blocks.end(), [](const NamedBlock& block) { return IsStructured(block.Data); });
   if (volume.Structured && blocks.size() > 1)
@@ -248,16 +186,16 @@ VolumeData ReadVolume(
   vtkSmartPointer<vtkDataSet> whole = blocks[0].Data;
   if (!volume.Structured)
   {
-    whole = MakeGrid(blocks, path);
+    whole = MakeGrid(blocks, path, report);
   }
   volume.Input = whole;
   volume.Blocks = { whole };
   return volume;
 }
 
-vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path)
+vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, const ProgressReport& report)
 {
-  const vtkSmartPointer<vtkDataObject> data = Read(path, std::nullopt);
+  const vtkSmartPointer<vtkDataObject> data = ReadFile(path, std::nullopt, {}, report).Data;
   vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(data);
   if (!surface || surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
   {

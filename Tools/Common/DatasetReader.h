@@ -7,6 +7,7 @@
 #ifndef tetmarch_DatasetReader_h
 #define tetmarch_DatasetReader_h
 
+#include "ProgressBar.h"
 #include "RawImage.h"
 #include "VolumeData.h"
 
@@ -23,10 +24,11 @@ namespace tetmarch
 /**
  * An image, a rectilinear grid or several of these as they are; else all blocks with 3D cells as
  * ReadUnstructuredGrid() has them. Blocks that are surfaces, or have no 3D cells, are left out.
- * Options of raw files must be complete. Throws Failure that says what is wrong with the file.
+ * Options of raw files must be complete. Throws Failure that says what is wrong with the file, and
+ * Cancelled if the report asks to stop.
  */
-VolumeData ReadVolume(
-  const std::string& path, std::optional<int> timeStep, const RawOptions& rawOptions = {});
+VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
+  const RawOptions& rawOptions = {}, const ProgressReport& report = {});
 
 /**
  * All blocks with 3D cells, merged where their points coincide, without ghost cells; images and
@@ -36,8 +38,10 @@ VolumeData ReadVolume(
 vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
   const std::string& path, std::optional<int> timeStep);
 
-/// Polygons and triangle strips of polydata. Throws Failure that says what is wrong with the file.
-vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path);
+/// Polygons and triangle strips of polydata. Throws Failure that says what is wrong with the file,
+/// and Cancelled if the report asks to stop.
+vtkSmartPointer<vtkPolyData> ReadSurface(
+  const std::string& path, const ProgressReport& report = {});
 
 /// Whether any cell is three-dimensional.
 bool HasSolidCells(vtkDataSet* data);

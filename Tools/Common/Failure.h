@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The two ways in which tetmarch-render ends early; main() turns them into a message and an exit
- * status.
+ * The ways in which work ends early; programs turn them into a message and an exit status.
  */
 #ifndef tetmarch_Failure_h
 #define tetmarch_Failure_h
@@ -21,6 +20,12 @@ struct UsageError : std::runtime_error
 
 /// Something went wrong while doing what was asked: exit status 1.
 struct Failure : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// Whoever asked for the work wants it no more.
+struct Cancelled : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };

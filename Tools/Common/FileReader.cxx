@@ -3,11 +3,13 @@
 #include "FileReader.h"
 
 #include "Failure.h"
+#include "Messages.h"
 
 #include "vtkGenericDataObjectReader.h"
 #include "vtkMetaImageReader.h"
 #include "vtkNrrdReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
+#include "vtkXMLReader.h"
 #if TETMARCH_HAVE_EXODUS
 #include "vtkExodusIIReader.h"
 #endif
@@ -53,6 +55,24 @@ vtkSmartPointer<Reader> MakeReaderOf(const std::string& path)
     "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
 }
 
+/// The reader of the kind of data in the file: unlike vtkXMLGenericDataObjectReader it tells of its
+/// progress, and can be stopped.
+vtkSmartPointer<vtkAlgorithm> MakeXMLReader(const std::string& path)
+{
+  auto any = MakeReaderOf<vtkXMLGenericDataObjectReader>(path);
+  bool parallel = false;
+  const int type = any->ReadOutputType(path.c_str(), parallel);
+  const vtkSmartPointer<vtkXMLReader> own =
+    type < 0 ? nullptr : vtkXMLGenericDataObjectReader::CreateReader(type, parallel);
+  if (!own)
+  {
+    throw tetmarch::Failure(
+      "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
+  }
+  own->SetFileName(path.c_str());
+  return own;
+}
+
 [[maybe_unused]] constexpr const char* HDF5Beginning = "\x89HDF\r\n\x1a\n";
 
 /// vtkNrrdReader takes the header for the first values of a file of text.
@@ -81,9 +101,8 @@ vtkSmartPointer<vtkAlgorithm> MakeExodusReader(const std::string& path)
   reader->SetGenerateObjectIdCellArray(0);
   return reader;
 #else
-  throw tetmarch::Failure(
-    "cannot read '" + path +
-    "': this tetmarch-render was built without VTK's Exodus reader (component IOExodus)");
+  throw tetmarch::Failure("cannot read '" + path + "': this " + tetmarch::GetProgramName() +
+                          " was built without VTK's Exodus reader (component IOExodus)");
 #endif
 }
 
@@ -99,9 +118,8 @@ vtkSmartPointer<vtkAlgorithm> MakeCGNSReader(const std::string& path)
   reader->EnableAllCellArrays();
   return reader;
 #else
-  throw tetmarch::Failure(
-    "cannot read '" + path +
-    "': this tetmarch-render was built without VTK's CGNS reader (component IOCGNSReader)");
+  throw tetmarch::Failure("cannot read '" + path + "': this " + tetmarch::GetProgramName() +
+                          " was built without VTK's CGNS reader (component IOCGNSReader)");
 #endif
 }
 } // namespace
@@ -139,7 +157,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path, const RawOptio
   const std::string ending = GetEnding(path);
   if (xml.count(ending))
   {
-    return MakeReaderOf<vtkXMLGenericDataObjectReader>(path);
+    return MakeXMLReader(path);
   }
   if (ending == ".vtk")
   {

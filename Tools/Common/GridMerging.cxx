@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridMerging.h"
 
+#include "Failure.h"
 #include "Messages.h"
 #include "ProgressBar.h"
 
@@ -63,7 +64,8 @@ void WarnOfPartialArrays(const std::vector<vtkDataSet*>& blocks)
   }
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> MergeBlocks(const std::vector<vtkDataSet*>& blocks)
+vtkSmartPointer<vtkUnstructuredGrid> MergeBlocks(
+  const std::vector<vtkDataSet*>& blocks, const ProgressReport& report)
 {
   auto append = vtkSmartPointer<vtkAppendFilter>::New();
   append->MergePointsOn();
@@ -76,8 +78,12 @@ vtkSmartPointer<vtkUnstructuredGrid> MergeBlocks(const std::vector<vtkDataSet*>&
   {
     append->AddInputData(MakeFirstPoint(grid)); // one input alone would be passed through
   }
-  tetmarch::ProgressBar progress("merging", append);
+  tetmarch::ProgressBar progress("merging", append, report);
   append->Update();
+  if (progress.IsStopped())
+  {
+    throw Cancelled("merging the blocks was cancelled");
+  }
   return append->GetOutput();
 }
 

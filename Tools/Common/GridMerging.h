@@ -7,6 +7,8 @@
 #ifndef tetmarch_GridMerging_h
 #define tetmarch_GridMerging_h
 
+#include "ProgressBar.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -20,8 +22,9 @@ namespace tetmarch
 /// Only arrays that all blocks have are kept; a warning names the others.
 void WarnOfPartialArrays(const std::vector<vtkDataSet*>& blocks);
 
-/// Points of equal coordinates become one.
-vtkSmartPointer<vtkUnstructuredGrid> MergeBlocks(const std::vector<vtkDataSet*>& blocks);
+/// Points of equal coordinates become one. Throws Cancelled if the report asks to stop.
+vtkSmartPointer<vtkUnstructuredGrid> MergeBlocks(
+  const std::vector<vtkDataSet*>& blocks, const ProgressReport& report = {});
 
 } // namespace tetmarch
 

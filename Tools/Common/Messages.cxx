@@ -10,20 +10,43 @@
 
 #include <cstdio>
 #include <cstring>
+#include <mutex>
 #include <regex>
 
 namespace
 {
 bool Quiet = false;
-}
+std::string ProgramName = "tetmarch-render";
+
+struct
+{
+  std::mutex Mutex;
+  tetmarch::MessageListener Listener;
+} Listening;
+} // namespace
 
 namespace tetmarch
 {
 
+void SetProgramName(const std::string& name) { ProgramName = name; }
+
+const std::string& GetProgramName() { return ProgramName; }
+
+void SetMessageListener(MessageListener listener)
+{
+  const std::lock_guard<std::mutex> lock(Listening.Mutex);
+  Listening.Listener = std::move(listener);
+}
+
 void PrintMessage(const std::string& kind, const std::string& text)
 {
   ProgressBar::Clear();
-  std::fprintf(stderr, "tetmarch-render: %s: %s\n", kind.c_str(), text.c_str());
+  std::fprintf(stderr, "%s: %s: %s\n", ProgramName.c_str(), kind.c_str(), text.c_str());
+  const std::lock_guard<std::mutex> lock(Listening.Mutex);
+  if (Listening.Listener)
+  {
+    Listening.Listener(kind, text);
+  }
 }
 
 void PrintNote(const std::string& text)
@@ -50,8 +73,8 @@ std::string CleanVTKMessage(const std::string& text)
   return message;
 }
 
-int Messages::NumberOfErrors = 0;
-int Messages::NumberOfWarningsOfNobody = 0;
+thread_local int Messages::NumberOfErrors = 0;
+thread_local int Messages::NumberOfWarningsOfNobody = 0;
 
 vtkStandardNewMacro(Messages);
 

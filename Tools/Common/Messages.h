@@ -9,10 +9,19 @@
 
 #include "vtkOutputWindow.h"
 
+#include <functional>
 #include <string>
 
 namespace tetmarch
 {
+
+/// The program in whose name messages are printed: tetmarch-render, unless told.
+void SetProgramName(const std::string& name);
+const std::string& GetProgramName();
+
+/// Is told each message beside its being printed, in the thread of whoever has it.
+using MessageListener = std::function<void(const std::string& kind, const std::string& text)>;
+void SetMessageListener(MessageListener listener);
 
 /**
  * Print one message, "tetmarch-render: kind: text". Ends a progress bar's line first.
@@ -35,7 +44,8 @@ void BeQuiet();
 std::string CleanVTKMessage(const std::string& text);
 
 /**
- * Takes over from vtkOutputWindow and vtkLogger. Errors and some warnings are counted.
+ * Takes over from vtkOutputWindow and vtkLogger. Errors and some warnings are counted, each thread
+ * for itself.
  */
 class Messages : public vtkOutputWindow
 {
@@ -55,8 +65,8 @@ public:
   void DisplayDebugText(const char* text) override;
 
 private:
-  static int NumberOfErrors;
-  static int NumberOfWarningsOfNobody;
+  static thread_local int NumberOfErrors;
+  static thread_local int NumberOfWarningsOfNobody;
 };
 
 } // namespace tetmarch

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProgressBar.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
@@ -30,15 +31,16 @@ std::string FormatProgress(const std::string& stage, double fraction)
          std::to_string(static_cast<int>(std::lround(100.0 * clamped))) + " %";
 }
 
-ProgressBar::ProgressBar(std::string stage, vtkObject* source)
+ProgressBar::ProgressBar(std::string stage, vtkObject* source, ProgressReport report)
   : Stage(std::move(stage))
   , Source(source)
+  , Report(std::move(report))
 {
-  if (Hidden || Running || !isatty(STDERR_FILENO))
+  if (!this->Report && (Hidden || Running || !isatty(STDERR_FILENO)))
   {
     return;
   }
-  Running = true;
+  Running = Running || !this->Report;
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(this);
   command->SetCallback(
@@ -60,13 +62,23 @@ ProgressBar::~ProgressBar()
   {
     this->Source->RemoveObserver(this->Tag);
     this->Source->UnRegister(nullptr);
-    Running = false;
+    Running = Running && this->Report;
     Clear();
   }
 }
 
-void ProgressBar::Show(double fraction) const
+void ProgressBar::Show(double fraction)
 {
+  if (this->Report)
+  {
+    this->Stopped = this->Stopped || !this->Report(this->Stage, fraction);
+    auto* algorithm = vtkAlgorithm::SafeDownCast(this->Source);
+    if (this->Stopped && algorithm)
+    {
+      algorithm->SetAbortExecute(1);
+    }
+    return;
+  }
   std::fprintf(stderr, "\r%s\033[K", FormatProgress(this->Stage, fraction).c_str());
   Showing = true;
 }

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One line on stderr while a stage of the work runs; nothing if stderr is no terminal. Within a
- * stage that has a bar, other stages show none.
+ * How far a stage of the work is: told to whoever asked for it, else one line on stderr, if that is
+ * a terminal. Within a stage that has a line, other stages show none.
  */
 #ifndef tetmarch_ProgressBar_h
 #define tetmarch_ProgressBar_h
 
+#include <functional>
 #include <string>
 
 class vtkObject;
@@ -15,14 +16,21 @@ class vtkObject;
 namespace tetmarch
 {
 
+/// Is told the stage and how much of it is done, 0 to 1; returns false to stop the work.
+using ProgressReport = std::function<bool(const std::string& stage, double fraction)>;
+
 class ProgressBar
 {
 public:
-  /// Follows the ProgressEvents of source as long as both live.
-  ProgressBar(std::string stage, vtkObject* source);
+  /// Follows the ProgressEvents of source as long as both live. A source that is to stop is told so
+  /// by vtkAlgorithm::SetAbortExecute().
+  ProgressBar(std::string stage, vtkObject* source, ProgressReport report = {});
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
+
+  /// Whether the report has asked to stop.
+  bool IsStopped() const { return this->Stopped; }
 
   /// Wipe a bar that is showing, so that text can be printed.
   static void Clear();
@@ -31,10 +39,12 @@ public:
   static void Hide();
 
 private:
-  void Show(double fraction) const;
+  void Show(double fraction);
 
   std::string Stage;
   vtkObject* Source;
+  ProgressReport Report;
+  bool Stopped = false;
   unsigned long Tag = 0;
 };
 

@@ -26,6 +26,9 @@ struct VolumeData
   std::vector<vtkDataSet*> Blocks;
   /// Images and rectilinear grids.
   bool Structured = false;
+  /// Of the file, and the one that was read. No times: the file has no time steps.
+  std::vector<double> Times{};
+  int TimeStep = 0;
 };
 
 /// Of an image or a rectilinear grid.

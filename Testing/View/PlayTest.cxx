@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PlayTest.h"
+
+#include "AccuracyPanel.h"
+#include "Effect.h"
+#include "EffectTimer.h"
+#include "EffectsPanel.h"
+#include "ErrorTimePlot.h"
+#include "PictureWidget.h"
+#include "ValueSlider.h"
+
+#include "vtkCamera.h"
+#include "vtkTetMarchFrameStatistics.h"
+#include "vtkTetMarchSettings.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QtTest>
+
+#include <cmath>
+
+namespace
+{
+constexpr int Patience = 120000;
+using Statistics = vtkTetMarchFrameStatistics;
+} // namespace
+
+namespace tetmarch
+{
+
+void PlayTest::TheToleranceChangesTheStatistics()
+{
+  this->OpenWindow(GetData("golfball_small.vtu"));
+  Statistics* statistics = this->GetModel().GetScene().GetMapper().GetStatistics();
+  QSignalSpy measured(&this->GetModel(), &Model::Measured);
+  auto* tolerance = this->Window->findChild<ValueSlider*>(QStringLiteral("tolerance"));
+  auto* slider = tolerance->findChild<QSlider*>();
+  QTest::keyClick(slider, Qt::Key_End);
+  QTRY_VERIFY_WITH_TIMEOUT(
+    measured.count() > 0 && statistics->GetUsedErrorTolerance() > 0.09, Patience);
+  QTRY_VERIFY_WITH_TIMEOUT(statistics->GetNumberOfPixels(Statistics::LOOKUPS) > 0, Patience);
+  const double coarse = statistics->GetMean(Statistics::LOOKUPS);
+  measured.clear();
+  QTest::keyClick(slider, Qt::Key_Home);
+  QTRY_VERIFY_WITH_TIMEOUT(measured.count() > 0, Patience);
+  QCOMPARE(statistics->GetUsedErrorTolerance(), 1e-5);
+  QVERIFY(statistics->GetMean(Statistics::LOOKUPS) > coarse);
+  QVERIFY(statistics->GetMaximum(Statistics::ERROR_BOUND) <= 1e-5);
+}
+
+void PlayTest::EachSettingIsAPointOfThePlot()
+{
+  this->OpenWindow(GetData("golfball_small.vtu"));
+  ErrorTimePlot* plot = this->Window->GetAccuracy()->GetPlot();
+  QTRY_COMPARE_WITH_TIMEOUT(plot->GetPoints().size(), std::size_t(1), Patience);
+  auto* level = this->Window->findChild<QComboBox*>(QStringLiteral("level"));
+  QTest::keyClick(level, Qt::Key_Down); // accurate
+  QTRY_COMPARE_WITH_TIMEOUT(plot->GetPoints().size(), std::size_t(2), Patience);
+  QVERIFY(plot->GetPoints()[1].Error < plot->GetPoints()[0].Error);
+  QVERIFY(plot->GetPoints()[1].Error <= 1.0 / 4096.0);
+}
+
+void PlayTest::TheGroundTruthTellsTheTrueError()
+{
+  this->OpenWindow(GetData("golfball_small.vtu"));
+  this->Window->resize(700, 500);
+  this->Wait();
+  QVERIFY(this->GetModel().CompareWithGroundTruth());
+  Statistics* statistics = this->GetModel().GetScene().GetMapper().GetStatistics();
+  QVERIFY(statistics->GetNumberOfPixels(Statistics::TRUE_ERROR) > 1000);
+  QVERIFY(statistics->GetMaximum(Statistics::TRUE_ERROR) > 0.0);
+  QVERIFY(statistics->GetMaximum(Statistics::TRUE_ERROR) <= 1.0 / 255.0);
+}
+
+void PlayTest::ABudgetIsKept()
+{
+  this->OpenWindow(GetData("golfball_small.vtu"));
+  QSignalSpy frames(&this->GetModel(), &Model::Rendered);
+  this->GetModel().Edit([](ViewState& s) { s.Accuracy.FrameTime = 1e-6; });
+  QTRY_VERIFY_WITH_TIMEOUT(frames.count() > 3, Patience); // by themselves
+  Statistics* statistics = this->GetModel().GetScene().GetMapper().GetStatistics();
+  QCOMPARE(statistics->GetUsedAccuracyLevel(), int(vtkTetMarchSettings::FAST));
+}
+
+void PlayTest::EachEffectChangesThePicture()
+{
+  this->OpenWindow(GetData("golfball_small.vtu"));
+  EffectsPanel* panel = this->Window->GetEffects();
+  panel->window()->resize(900, 700);
+  this->Wait();
+  const Pixels plain = this->Draw();
+  for (int i = 0; i < static_cast<int>(GetEffects().size()); ++i)
+  {
+    const char* name = GetEffects()[i].Name;
+    QTest::keyClick(panel->GetCheck(i), Qt::Key_Space);
+    panel->GetTimer()->Stop();
+    QVERIFY2(panel->GetCheck(i)->isChecked(), name);
+    const Difference change = Compare(plain, this->Draw());
+    QVERIFY2(change.Bytes > 1000 && change.Most > 5, name);
+    QTest::keyClick(panel->GetCheck(i), Qt::Key_Space);
+    const Difference back = Compare(plain, this->Draw());
+    QVERIFY2(back.Bytes == 0, qPrintable(QString::fromLatin1(name) + QString::number(back.Most)));
+  }
+}
+
+void PlayTest::TheCostOfAnEffectIsMeasured()
+{
+  this->OpenWindow(GetData("golfball_small.vtu"));
+  this->Window->resize(600, 400);
+  this->Wait();
+  const Pixels plain = this->Draw();
+  EffectsPanel* panel = this->Window->GetEffects();
+  QSignalSpy measured(panel->GetTimer(), &EffectTimer::Measured);
+  panel->GetTimer()->Measure(0);
+  QTRY_COMPARE_WITH_TIMEOUT(measured.count(), 1, Patience);
+  QVERIFY(!panel->GetTimer()->IsBusy());
+  const double added = measured[0][1].toDouble();
+  const double once = measured[0][2].toDouble();
+  QVERIFY(added > 0.0 && added < 60.0); // light at each face of each ray takes time
+  QVERIFY(once >= 0.0 && once < 60.0);
+  QVERIFY(panel->GetCost(0)->text().contains(QString::number(added, 'f', 3)));
+  // The picture is what it was, without the effect.
+  QCOMPARE(Compare(plain, this->Draw()).Bytes, std::size_t(0));
+}
+
+void PlayTest::EachBlendModeAndViewIsDrawn()
+{
+  this->OpenWindow(GetData("golfball_small.vtu"));
+  for (const char* name : { "blend", "view" })
+  {
+    auto* choice = this->Window->findChild<QComboBox*>(QString::fromLatin1(name));
+    const Pixels plain = this->Draw();
+    for (int i = 1; i < choice->count(); ++i)
+    {
+      QTest::keyClick(choice, Qt::Key_Down);
+      QCOMPARE(choice->currentIndex(), i);
+      const Pixels drawn = this->Draw();
+      QVERIFY(Compare(plain, drawn).Bytes > 1000);
+      QVERIFY(CountDrawn(drawn) > 1000);
+    }
+    QTest::keyClick(choice, Qt::Key_Home);
+    QCOMPARE(Compare(plain, this->Draw()).Bytes, std::size_t(0));
+  }
+}
+
+void PlayTest::CutsTakeSomethingAway()
+{
+  this->OpenWindow(GetData("bonsai_small.vti"));
+  const std::size_t whole = CountDrawn(this->Draw());
+  for (const bool crop : { false, true })
+  {
+    this->GetModel().Edit(
+      [&](ViewState& s)
+      {
+        s.Cuts.Clip = !crop;
+        s.Cuts.Crop = crop;
+        if (crop) // the lower half
+        {
+          s.Cuts.Box[3] = (s.Cuts.Box[2] + s.Cuts.Box[3]) / 2.0;
+        }
+      });
+    const QString path = this->Folder.filePath(QStringLiteral("cut.png"));
+    QVERIFY(this->Window->SaveScreenshot(path)); // without handles
+    const std::size_t left = CountDrawn(ReadPng(path));
+    QVERIFY(left > 1000);
+    QVERIFY2(left < whole * 9 / 10, qPrintable(QStringLiteral("%1 of %2").arg(left).arg(whole)));
+    // The handles are in the picture on the screen.
+    this->Wait();
+    QVERIFY(Compare(ReadPng(path), this->Draw()).Bytes > 500);
+  }
+}
+
+void PlayTest::AClickFindsACell()
+{
+  this->OpenWindow(GetData("bonsai_small.vti"));
+  const Pixels before = this->Draw();
+  auto* text = this->Window->findChild<QLabel*>(QStringLiteral("pick"));
+  PictureWidget* picture = this->Window->GetPicture();
+  QTest::mouseClick(picture, Qt::LeftButton, {}, picture->rect().center());
+  QVERIFY2(QRegularExpression(QStringLiteral("^cell \\d+, position [-.\\de]+ [-.\\de]+ "
+                                             "[-.\\de]+, \\S+ [-.\\de]+$"))
+             .match(text->text())
+             .hasMatch(),
+    qPrintable(text->text()));
+  QTest::mouseClick(picture, Qt::LeftButton, {}, QPoint(3, 3));
+  QVERIFY(text->text().startsWith(QLatin1String("nothing")));
+  QCOMPARE(Compare(before, this->Draw()).Bytes, std::size_t(0));
+}
+
+void PlayTest::ADragTurnsAndIsExactAtItsEnd()
+{
+  this->OpenWindow(GetData("golfball_small.vtu"));
+  const Pixels before = this->Draw();
+  PictureWidget* picture = this->Window->GetPicture();
+  Statistics* statistics = this->GetModel().GetScene().GetMapper().GetStatistics();
+  const QPoint middle = picture->rect().center();
+  QTest::mousePress(picture, Qt::LeftButton, {}, middle);
+  double coarsest = 1.0;
+  for (int i = 1; i <= 10; ++i)
+  {
+    // QTest::mouseMove() has no button down.
+    QMouseEvent move(QEvent::MouseMove, middle + QPoint(8 * i, 3 * i), Qt::NoButton, Qt::LeftButton,
+      Qt::NoModifier);
+    QCoreApplication::sendEvent(picture, &move);
+    coarsest = std::max(coarsest, statistics->GetUsedImageSampleDistance());
+  }
+  QTest::mouseRelease(picture, Qt::LeftButton, {}, middle + QPoint(80, 30));
+  QVERIFY(coarsest > 1.0);
+  this->Wait();
+  QCOMPARE(statistics->GetUsedImageSampleDistance(), 1.0);
+  QVERIFY(Compare(before, this->Draw()).Bytes > 1000);
+  QVERIFY(this->Window->findChild<QLabel*>(QStringLiteral("pick"))->text().isEmpty());
+}
+
+void PlayTest::KeysLookAlongAxes()
+{
+  this->OpenWindow(GetData("golfball_small.vtu"));
+  PictureWidget* picture = this->Window->GetPicture();
+  const CameraState first = this->GetModel().GetState().Camera;
+  const char keys[] = { 'x', 'y', 'z' };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    QTest::keyClick(picture, keys[axis]);
+    const CameraState camera = this->GetModel().GetState().Camera;
+    for (int other = 0; other < 3; ++other)
+    {
+      const double along = camera.Position[other] - camera.FocalPoint[other];
+      QVERIFY(other == axis ? std::abs(along) > 1.0 : std::abs(along) < 1e-9);
+    }
+  }
+  QTest::keyClick(picture, '5');
+  QVERIFY(this->GetModel().GetState().Camera.Parallel);
+  QTest::keyClick(picture, '5');
+  QVERIFY(!this->GetModel().GetState().Camera.Parallel);
+  QTest::keyClick(picture, 'r');
+  const CameraState reset = this->GetModel().GetState().Camera;
+  for (int i = 0; i < 3; ++i)
+  {
+    QVERIFY(std::abs(reset.Position[i] - first.Position[i]) < 1e-9);
+  }
+  for (const char key : { 'q', 'e', '3' }) // neither ends the program nor breaks the picture
+  {
+    QTest::keyClick(picture, key);
+  }
+  QVERIFY(this->Window->isVisible());
+}
+
+} // namespace tetmarch

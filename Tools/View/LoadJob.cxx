@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LoadJob.h"
+
+#include "DatasetReader.h"
+#include "ErrorText.h"
+#include "Failure.h"
+#include "RawImage.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkNew.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+namespace
+{
+using namespace tetmarch;
+
+VolumeData ReadData(const DataState& wanted, const ProgressReport& report)
+{
+  const std::optional<int> step =
+    wanted.TimeStep >= 0 ? std::optional<int>(wanted.TimeStep) : std::nullopt;
+  const RawOptions raw =
+    IsRawFile(wanted.File) ? CompleteRawOptions({}, wanted.File) : RawOptions();
+  return ReadVolume(wanted.File, step, raw, report);
+}
+
+std::vector<ArrayName> ListArrays(vtkTetMarchFirstPicture* choice)
+{
+  std::vector<ArrayName> arrays;
+  vtkNew<vtkTable> table;
+  choice->ListArrays(table);
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    arrays.push_back({ table->GetValue(row, 0).ToString(),
+      table->GetValue(row, 1).ToString() == "cells" ? vtkTetMarchFirstPicture::CELLS
+                                                    : vtkTetMarchFirstPicture::POINTS,
+      table->GetValue(row, 3).ToInt() });
+  }
+  return arrays;
+}
+} // namespace
+
+tetmarch::LoadResult tetmarch::RunJob(const LoadJob& job, const ProgressReport& report)
+{
+  const DataState& wanted = job.Wanted;
+  LoadResult result;
+  Prepared& volume = result.Volume;
+  volume.Data = job.Read ? *job.Read : ReadData(wanted, report);
+  if (!wanted.Surface.empty())
+  {
+    result.Surface = ReadSurface(wanted.Surface, report);
+  }
+  if (!report("choosing what to show", 0.0))
+  {
+    throw Cancelled("the choice was cancelled");
+  }
+  volume.Choice = vtkSmartPointer<vtkTetMarchFirstPicture>::New();
+  const ErrorText error(volume.Choice);
+  volume.Choice->SetInputData(volume.Data.Input);
+  volume.Choice->SetArrayName(wanted.Array);
+  volume.Choice->SetArrayAssociation(wanted.Association);
+  volume.Choice->SetComponent(wanted.Component);
+  const bool chosen = job.ChooseFunctions ? volume.Choice->Choose() : volume.Choice->ChooseArray();
+  if (!chosen)
+  {
+    throw Failure(error.Get());
+  }
+  if (!report("counting values", 0.5))
+  {
+    throw Cancelled("the choice was cancelled");
+  }
+  volume.Arrays = ListArrays(volume.Choice);
+  volume.Values = CountValues(volume.Data, volume.Choice);
+  return result;
+}

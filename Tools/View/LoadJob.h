@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * From a file to data that is ready to be drawn. It needs no window, and may run in any thread.
+ */
+#ifndef tetmarch_LoadJob_h
+#define tetmarch_LoadJob_h
+
+#include "Prepared.h"
+#include "ProgressBar.h"
+#include "ViewState.h"
+
+#include <optional>
+
+namespace tetmarch
+{
+
+struct LoadJob
+{
+  DataState Wanted;
+  /// Data of that file and time step, if it was read already.
+  std::optional<VolumeData> Read;
+  /// Whether transfer functions are chosen. If not, the array alone is.
+  bool ChooseFunctions = true;
+};
+
+struct LoadResult
+{
+  Prepared Volume;
+  vtkSmartPointer<vtkPolyData> Surface; // null: none was asked for
+};
+
+/// Throws Failure that says what is wrong, and Cancelled if the report asks to stop.
+LoadResult RunJob(const LoadJob& job, const ProgressReport& report);
+
+} // namespace tetmarch
+
+#endif

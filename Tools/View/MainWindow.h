@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The window of tetmarch-view: picture, panels, menus.
+ */
+#ifndef tetmarch_MainWindow_h
+#define tetmarch_MainWindow_h
+
+#include "CutWidgets.h"
+#include "Model.h"
+
+#include <QMainWindow>
+
+#include <memory>
+
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QPushButton;
+class QTimer;
+
+namespace tetmarch
+{
+class AccuracyPanel;
+class CutsPanel;
+class DataPanel;
+class EffectsPanel;
+class PictureWidget;
+class TimeBar;
+
+class MainWindow : public QMainWindow
+{
+  Q_OBJECT
+
+public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Data, or a session.
+  void Open(const QString& path);
+  void SaveSession(const QString& path);
+  /// The picture as a PNG file, without handles of cuts. Returns whether that was done.
+  bool SaveScreenshot(const QString& path);
+  /// What draws the same picture, as text.
+  QString GetPythonScript();
+  QString GetCommandLine();
+
+  Model& GetModel() { return this->Shown; }
+  PictureWidget* GetPicture() { return this->Picture; }
+  AccuracyPanel* GetAccuracy() { return this->Accuracy; }
+  EffectsPanel* GetEffects() { return this->Effects; }
+  TimeBar* GetTimeBar() { return this->Time; }
+  /// The dock "Transfer functions" shows it, and owns it.
+  void SetFunctionEditor(QWidget* editor);
+
+protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+private:
+  void MakeDocks();
+  void MakeStatusBar();
+  void MakeFileMenu();
+  void MakeViewMenu();
+  void MakeHelpMenu();
+  void AskForFile();
+  void AskForSurface();
+  void AskForSession();
+  void AskForScreenshot();
+  void ShowRecent();
+  void AddRecent(const QString& path);
+  void ShowFailure(const QString& text);
+  void ShowLoading(bool busy);
+  void ShowPick(int x, int y);
+  void ShowHandles();
+  void HideHandles();
+
+  Model Shown;
+  PictureWidget* Picture;
+  QLabel* Hint;
+  DataPanel* Data;
+  AccuracyPanel* Accuracy;
+  EffectsPanel* Effects;
+  CutsPanel* Cuts;
+  TimeBar* Time;
+  QLabel* FrameText;
+  QLabel* PickText;
+  QProgressBar* Progress;
+  QPushButton* Cancel;
+  QMenu* Recent = nullptr;
+  QMenu* Panels = nullptr;
+  QString LastFile; // that was asked for
+  std::unique_ptr<CutWidgets> Handles;
+};
+
+} // namespace tetmarch
+
+#endif

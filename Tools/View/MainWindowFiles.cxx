@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the window reads and writes: data, sessions, pictures, scripts.
+#include "MainWindow.h"
+
+#include "EffectTimer.h"
+#include "EffectsPanel.h"
+#include "Failure.h"
+#include "Messages.h"
+#include "PythonScript.h"
+#include "RenderCommand.h"
+#include "ViewStateJson.h"
+
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkRenderWindow.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QSettings>
+#include <QStatusBar>
+
+namespace
+{
+constexpr int MostRecent = 8;
+constexpr int MessageMilliseconds = 5000;
+} // namespace
+
+namespace tetmarch
+{
+
+void MainWindow::Open(const QString& path)
+{
+  const QFileInfo file(path);
+  this->LastFile = file.absoluteFilePath();
+  if (file.suffix().toLower() != QLatin1String("json"))
+  {
+    this->Shown.Open(this->LastFile);
+    return;
+  }
+  try
+  {
+    this->Shown.OpenState(LoadSession(this->LastFile.toStdString()));
+    this->AddRecent(this->LastFile);
+  }
+  catch (const Failure& failure)
+  {
+    this->ShowFailure(QString::fromStdString(failure.what()));
+  }
+}
+
+void MainWindow::SaveSession(const QString& path)
+{
+  try
+  {
+    tetmarch::SaveSession(this->Shown.GetState(), path.toStdString());
+    this->AddRecent(QFileInfo(path).absoluteFilePath());
+    this->statusBar()->showMessage(tr("Saved %1").arg(path), MessageMilliseconds);
+  }
+  catch (const Failure& failure)
+  {
+    this->ShowFailure(QString::fromStdString(failure.what()));
+  }
+}
+
+bool MainWindow::SaveScreenshot(const QString& path)
+{
+  this->Effects->GetTimer()->Stop();
+  this->HideHandles();
+  const int errorsBefore = Messages::GetNumberOfErrors();
+  this->Shown.Render();
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(this->Shown.GetWindow());
+  image->ShouldRerenderOff();
+  image->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(path.toUtf8().constData());
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->Write();
+  this->ShowHandles();
+  this->Shown.RequestRender();
+  const bool written = Messages::GetNumberOfErrors() == errorsBefore && QFileInfo(path).isFile();
+  if (written)
+  {
+    this->statusBar()->showMessage(tr("Saved %1").arg(path), MessageMilliseconds);
+  }
+  else
+  {
+    this->ShowFailure(tr("'%1' could not be written.").arg(path));
+  }
+  return written;
+}
+
+QString MainWindow::GetPythonScript()
+{
+  const bool structured = this->Shown.HasData() && this->Shown.GetScene().GetData().Data.Structured;
+  return QString::fromStdString(WriteScript(this->Shown.GetState(), structured));
+}
+
+QString MainWindow::GetCommandLine()
+{
+  return QString::fromStdString(WriteCommand(this->Shown.GetState(), "picture.png"));
+}
+
+void MainWindow::AskForFile()
+{
+  const QString path = QFileDialog::getOpenFileName(this, tr("Open data or a session"), {},
+    tr("Data and sessions (*.vtu *.vti *.vtr *.vts *.pvtu *.pvti *.vtm *.vtpc *.vtk *.ex2 *.e "
+       "*.exo *.g *.cgns *.mhd *.mha *.nrrd *.nhdr *.raw *.json);;All files (*)"));
+  if (!path.isEmpty())
+  {
+    this->Open(path);
+  }
+}
+
+void MainWindow::AskForSurface()
+{
+  const QString path = QFileDialog::getOpenFileName(
+    this, tr("Open an opaque surface"), {}, tr("Surfaces (*.vtp *.pvtp *.vtk);;All files (*)"));
+  if (!path.isEmpty())
+  {
+    this->Shown.OpenSurface(path);
+  }
+}
+
+void MainWindow::AskForSession()
+{
+  const QString path = QFileDialog::getSaveFileName(
+    this, tr("Save the session"), QStringLiteral("session.json"), tr("Sessions (*.json)"));
+  if (!path.isEmpty())
+  {
+    this->SaveSession(path.endsWith(QLatin1String(".json")) ? path : path + ".json");
+  }
+}
+
+void MainWindow::AskForScreenshot()
+{
+  const QString path = QFileDialog::getSaveFileName(
+    this, tr("Save the picture"), QStringLiteral("picture.png"), tr("Pictures (*.png)"));
+  if (!path.isEmpty())
+  {
+    this->SaveScreenshot(path.endsWith(QLatin1String(".png")) ? path : path + ".png");
+  }
+}
+
+void MainWindow::AddRecent(const QString& path)
+{
+  QSettings settings;
+  QStringList recent = settings.value(QStringLiteral("recent")).toStringList();
+  recent.removeAll(path);
+  recent.prepend(path);
+  settings.setValue(QStringLiteral("recent"), QStringList(recent.mid(0, MostRecent)));
+}
+
+void MainWindow::ShowRecent()
+{
+  this->Recent->clear();
+  const QStringList recent = QSettings().value(QStringLiteral("recent")).toStringList();
+  for (const QString& path : recent)
+  {
+    this->Recent->addAction(path, this, [this, path] { this->Open(path); });
+  }
+  if (recent.isEmpty())
+  {
+    this->Recent->addAction(tr("None yet"))->setEnabled(false);
+  }
+}
+
+} // namespace tetmarch

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Arguments.h"
+#include "Failure.h"
+#include "MainWindow.h"
+#include "Messages.h"
+
+#include "vtkVersion.h"
+
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <cstdio>
+
+namespace
+{
+using namespace tetmarch;
+
+int Show(const std::string& file, int argc, char* argv[])
+{
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("TetMarch"));
+  QApplication::setApplicationName(QStringLiteral("tetmarch-view"));
+  MainWindow window;
+  window.show();
+  if (!file.empty())
+  {
+    window.Open(QString::fromStdString(file));
+  }
+  return QApplication::exec();
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  SetProgramName("tetmarch-view");
+  Messages::Install();
+  try
+  {
+    const Arguments arguments = ParseArguments({ argv + 1, argv + argc });
+    if (arguments.Help)
+    {
+      std::fputs(GetViewHelp().c_str(), stdout);
+      return 0;
+    }
+    if (arguments.Version)
+    {
+      std::printf("tetmarch-view %s (VTK %s, Qt %s)\n", TETMARCH_VERSION,
+        vtkVersion::GetVTKVersion(), qVersion());
+      return 0;
+    }
+    const std::string problem = FindDisplayProblem();
+    if (!problem.empty())
+    {
+      PrintMessage("error", problem);
+      return 1;
+    }
+    return Show(arguments.File, argc, argv);
+  }
+  catch (const UsageError& error)
+  {
+    PrintMessage("error", std::string(error.what()) + " (--help shows the usage)");
+    return 2;
+  }
+}
