@@ -8,7 +8,7 @@
 #define EditorUnderTest_h
 
 #include "FunctionChart.h"
-#include "FunctionState.h"
+#include "FunctionSnapshot.h"
 #include "TransferFunctionEditor.h"
 
 #include "vtkColorTransferFunction.h"
@@ -41,7 +41,7 @@ struct EditorUnderTest
     this->Draw();
   }
 
-  tetmarch::FunctionState Read() { return tetmarch::ReadState(this->Color, this->Opacity); }
+  tetmarch::FunctionSnapshot Read() { return tetmarch::ReadState(this->Color, this->Opacity); }
 
   void Draw()
   {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // All tests of tetmarch-view, in one program with one application.
+#include "FunctionsTest.h"
 #include "OpenTest.h"
 #include "PlayTest.h"
 #include "SessionTest.h"
@@ -27,12 +28,13 @@ int main(int argc, char* argv[])
     arguments.removeAt(1);
   }
   tetmarch::OpenTest open;
+  tetmarch::FunctionsTest functions;
   tetmarch::PlayTest play;
   tetmarch::SessionTest session;
   int failures = 0;
   bool found = false;
-  for (QObject* test :
-    { static_cast<QObject*>(&open), static_cast<QObject*>(&play), static_cast<QObject*>(&session) })
+  for (QObject* test : { static_cast<QObject*>(&open), static_cast<QObject*>(&functions),
+         static_cast<QObject*>(&play), static_cast<QObject*>(&session) })
   {
     const QString name = QString::fromLatin1(test->metaObject()->className()).section("::", -1);
     if (name == suite)
@@ -43,8 +45,9 @@ int main(int argc, char* argv[])
   }
   if (!found)
   {
-    std::fputs(
-      "usage: TetMarchViewerTest OpenTest|PlayTest|SessionTest [option of Qt Test]...\n", stderr);
+    std::fputs("usage: TetMarchViewerTest OpenTest|FunctionsTest|PlayTest|SessionTest [option of "
+               "Qt Test]...\n",
+      stderr);
     return 2;
   }
   return failures;

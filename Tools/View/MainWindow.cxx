@@ -6,9 +6,11 @@
 #include "CutsPanel.h"
 #include "DataPanel.h"
 #include "EffectsPanel.h"
+#include "FunctionDock.h"
 #include "Messages.h"
 #include "PictureWidget.h"
 #include "TimeBar.h"
+#include "TransferFunctionEditor.h"
 
 #include "vtkRenderWindowInteractor.h"
 
@@ -147,7 +149,8 @@ void MainWindow::MakeDocks()
     this->Panels->addAction(dock->toggleViewAction());
     return dock;
   };
-  add(tr("Transfer functions"), "functions", new QWidget, Qt::BottomDockWidgetArea);
+  this->Functions = MakeFunctionEditor(this->Shown);
+  add(tr("Transfer functions"), "functions", this->Functions, Qt::BottomDockWidgetArea);
   const auto right = Qt::RightDockWidgetArea;
   add(tr("Data"), "data", MakeScrolling(this->Data), right);
   auto* accuracy = add(tr("Accuracy and time"), "accuracy", MakeScrolling(this->Accuracy), right);
@@ -160,13 +163,6 @@ void MainWindow::MakeDocks()
   this->setCorner(Qt::BottomRightCorner, right);
   this->Time = new TimeBar(this->Shown);
   this->addToolBar(Qt::BottomToolBarArea, this->Time);
-}
-
-void MainWindow::SetFunctionEditor(QWidget* editor)
-{
-  auto* dock = this->findChild<QDockWidget*>(QStringLiteral("functions"));
-  delete dock->widget();
-  dock->setWidget(editor);
 }
 
 void MainWindow::MakeStatusBar()

@@ -28,6 +28,7 @@ class DataPanel;
 class EffectsPanel;
 class PictureWidget;
 class TimeBar;
+class TransferFunctionEditor;
 
 class MainWindow : public QMainWindow
 {
@@ -51,8 +52,7 @@ public:
   AccuracyPanel* GetAccuracy() { return this->Accuracy; }
   EffectsPanel* GetEffects() { return this->Effects; }
   TimeBar* GetTimeBar() { return this->Time; }
-  /// The dock "Transfer functions" shows it, and owns it.
-  void SetFunctionEditor(QWidget* editor);
+  TransferFunctionEditor* GetFunctions() { return this->Functions; }
 
 protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -80,6 +80,7 @@ private:
   Model Shown;
   PictureWidget* Picture;
   QLabel* Hint;
+  TransferFunctionEditor* Functions;
   DataPanel* Data;
   AccuracyPanel* Accuracy;
   EffectsPanel* Effects;

@@ -3,7 +3,7 @@
 #include "ColorMapBox.h"
 
 #include "ColorMaps.h"
-#include "FunctionState.h"
+#include "FunctionSnapshot.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
@@ -59,13 +59,13 @@ void ColorMapBox::ShowMapOf(vtkColorTransferFunction* color)
 {
   int found = -1;
   vtkNew<vtkPiecewiseFunction> none;
-  const FunctionState shown = ReadState(color, none);
+  const FunctionSnapshot shown = ReadState(color, none);
   for (int i = 0; i < this->count() && color->GetSize() > 0 && found < 0; ++i)
   {
     vtkNew<vtkColorTransferFunction> map;
     map->SetScale(color->GetScale());
     ApplyColorMap(this->itemText(i).toStdString(), color->GetRange()[0], color->GetRange()[1], map);
-    const FunctionState state = ReadState(map, none);
+    const FunctionSnapshot state = ReadState(map, none);
     found = state.Colors == shown.Colors && state.ColorSpace == shown.ColorSpace ? i : -1;
   }
   this->setCurrentIndex(found);

@@ -68,7 +68,7 @@ void TransferFunctionEditor::MakeActions()
     QObject::connect(action, &QAction::triggered, this,
       [this, change]
       {
-        const FunctionState state = change();
+        const FunctionSnapshot state = change();
         this->History.Record(state);
         this->Restore(state);
       });
@@ -85,7 +85,7 @@ void TransferFunctionEditor::MakeActions()
   edit(this->AddAction("reset", tr("Reset"), tr("Functions as they were at first"), NoIcon),
     [this]
     {
-      FunctionState first = this->History.GetFirst();
+      FunctionSnapshot first = this->History.GetFirst();
       first.IsoValues = this->Told.IsoValues;
       return first;
     });

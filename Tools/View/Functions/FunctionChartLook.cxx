@@ -46,7 +46,8 @@ void FunctionChart::PlaceCharts()
   const float bottom = LabelHeight * ratio;
   const float bar = BarHeight * ratio;
   const float width = std::max(1.0f, static_cast<float>(this->width()) * ratio - 2 * margin);
-  const float height = static_cast<float>(this->height()) * ratio - bottom - bar - Margin * ratio / 3;
+  const float height =
+    static_cast<float>(this->height()) * ratio - bottom - bar - Margin * ratio / 3;
   this->BarChart->SetSize(vtkRectf(margin, bottom, width, bar));
   this->OpacityChart->SetSize(vtkRectf(margin, bottom + bar, width, std::max(1.0f, height)));
   this->OpacityPoints->SetScreenPointRadius(PointRadius * ratio);

@@ -31,13 +31,13 @@ void Stretch(Nodes& nodes, double low, double high)
 namespace tetmarch
 {
 
-FunctionState InvertColors(FunctionState state)
+FunctionSnapshot InvertColors(FunctionSnapshot state)
 {
   if (state.Colors.size() < 2)
   {
     return state;
   }
-  const std::vector<FunctionState::ColorNode> old = state.Colors;
+  const std::vector<FunctionSnapshot::ColorNode> old = state.Colors;
   const double low = old.front()[0];
   const double high = old.back()[0];
   const bool logarithmic = state.Scale == VTK_CTF_LOG10 && low > 0.0;
@@ -57,7 +57,7 @@ FunctionState InvertColors(FunctionState state)
   return state;
 }
 
-FunctionState FitToRange(FunctionState state, double low, double high)
+FunctionSnapshot FitToRange(FunctionSnapshot state, double low, double high)
 {
   Stretch(state.Colors, low, high);
   Stretch(state.Opacities, low, high);

@@ -7,16 +7,16 @@
 #ifndef tetmarch_FunctionEdits_h
 #define tetmarch_FunctionEdits_h
 
-#include "FunctionState.h"
+#include "FunctionSnapshot.h"
 
 namespace tetmarch
 {
 
 /// The colours from right to left over the same range, with the curves between their points.
-FunctionState InvertColors(FunctionState state);
+FunctionSnapshot InvertColors(FunctionSnapshot state);
 
 /// Stretches the colours to span low to high, and the opacities, by themselves, likewise.
-FunctionState FitToRange(FunctionState state, double low, double high);
+FunctionSnapshot FitToRange(FunctionSnapshot state, double low, double high);
 
 } // namespace tetmarch
 

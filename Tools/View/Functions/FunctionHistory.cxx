@@ -11,14 +11,14 @@ constexpr std::size_t MaximumStates = 500;
 namespace tetmarch
 {
 
-void FunctionHistory::Start(const FunctionState& state)
+void FunctionHistory::Start(const FunctionSnapshot& state)
 {
   this->States = { state };
   this->Present = 0;
   this->LastKind.clear();
 }
 
-void FunctionHistory::Record(const FunctionState& state, const std::string& kind)
+void FunctionHistory::Record(const FunctionSnapshot& state, const std::string& kind)
 {
   if (state == this->GetPresent())
   {
@@ -43,20 +43,20 @@ void FunctionHistory::Record(const FunctionState& state, const std::string& kind
 
 void FunctionHistory::ReplaceIsoValues(const std::vector<double>& isoValues)
 {
-  for (FunctionState& state : this->States)
+  for (FunctionSnapshot& state : this->States)
   {
     state.IsoValues = isoValues;
   }
 }
 
-const FunctionState& FunctionHistory::Undo()
+const FunctionSnapshot& FunctionHistory::Undo()
 {
   --this->Present;
   this->LastKind.clear();
   return this->GetPresent();
 }
 
-const FunctionState& FunctionHistory::Redo()
+const FunctionSnapshot& FunctionHistory::Redo()
 {
   ++this->Present;
   this->LastKind.clear();

@@ -3,7 +3,7 @@
 #ifndef tetmarch_FunctionHistory_h
 #define tetmarch_FunctionHistory_h
 
-#include "FunctionState.h"
+#include "FunctionSnapshot.h"
 
 #include <string>
 #include <vector>
@@ -16,14 +16,14 @@ class FunctionHistory
 {
 public:
   /// Forgets all that was, and begins with a state.
-  void Start(const FunctionState& state);
+  void Start(const FunctionSnapshot& state);
 
   /**
    * A state after the present one; what was undone is forgotten. Nothing happens if the state is
    * the present one. Steps with the same kind that follow each other are one, so that a spin box
    * that runs through a hundred values is undone at once; a step without a kind stays alone.
    */
-  void Record(const FunctionState& state, const std::string& kind = "");
+  void Record(const FunctionSnapshot& state, const std::string& kind = "");
 
   /// For isovalues that somebody else has chosen: no step leads away from them.
   void ReplaceIsoValues(const std::vector<double>& isoValues);
@@ -32,14 +32,14 @@ public:
   bool CanRedo() const { return this->Present + 1 < this->States.size(); }
 
   /// The state before the present one, or after it. Call these only if there is such a state.
-  const FunctionState& Undo();
-  const FunctionState& Redo();
+  const FunctionSnapshot& Undo();
+  const FunctionSnapshot& Redo();
 
-  const FunctionState& GetPresent() const { return this->States[this->Present]; }
-  const FunctionState& GetFirst() const { return this->States.front(); }
+  const FunctionSnapshot& GetPresent() const { return this->States[this->Present]; }
+  const FunctionSnapshot& GetFirst() const { return this->States.front(); }
 
 private:
-  std::vector<FunctionState> States = { {} };
+  std::vector<FunctionSnapshot> States = { {} };
   std::size_t Present = 0;
   std::string LastKind;
 };

@@ -8,7 +8,7 @@
 #ifndef tetmarch_FunctionNodes_h
 #define tetmarch_FunctionNodes_h
 
-#include "FunctionState.h"
+#include "FunctionSnapshot.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
@@ -20,7 +20,7 @@ namespace tetmarch
 
 inline auto GetNodes(vtkColorTransferFunction* function)
 {
-  std::vector<FunctionState::ColorNode> nodes(function->GetSize());
+  std::vector<FunctionSnapshot::ColorNode> nodes(function->GetSize());
   for (int i = 0; i < function->GetSize(); ++i)
   {
     function->GetNodeValue(i, nodes[i].data());
@@ -30,7 +30,7 @@ inline auto GetNodes(vtkColorTransferFunction* function)
 
 inline auto GetNodes(vtkPiecewiseFunction* function)
 {
-  std::vector<FunctionState::OpacityNode> nodes(function->GetSize());
+  std::vector<FunctionSnapshot::OpacityNode> nodes(function->GetSize());
   for (int i = 0; i < function->GetSize(); ++i)
   {
     function->GetNodeValue(i, nodes[i].data());
@@ -38,12 +38,12 @@ inline auto GetNodes(vtkPiecewiseFunction* function)
   return nodes;
 }
 
-inline void AddNode(vtkColorTransferFunction* function, const FunctionState::ColorNode& node)
+inline void AddNode(vtkColorTransferFunction* function, const FunctionSnapshot::ColorNode& node)
 {
   function->AddRGBPoint(node[0], node[1], node[2], node[3], node[4], node[5]);
 }
 
-inline void AddNode(vtkPiecewiseFunction* function, const FunctionState::OpacityNode& node)
+inline void AddNode(vtkPiecewiseFunction* function, const FunctionSnapshot::OpacityNode& node)
 {
   function->AddPoint(node[0], node[1], node[2], node[3]);
 }

@@ -94,9 +94,9 @@ std::vector<double> TransferFunctionEditor::GetIsoValues() const
   return this->Chart->GetIsoValues()->GetIsoValues();
 }
 
-FunctionState TransferFunctionEditor::ReadPresent() const
+FunctionSnapshot TransferFunctionEditor::ReadPresent() const
 {
-  FunctionState state = ReadState(this->Color, this->Opacity);
+  FunctionSnapshot state = ReadState(this->Color, this->Opacity);
   state.IsoValues = this->GetIsoValues();
   return state;
 }
@@ -110,7 +110,7 @@ void TransferFunctionEditor::Edit(const std::function<void()>& change, const std
   this->TellOfChanges();
 }
 
-void TransferFunctionEditor::Restore(const FunctionState& state)
+void TransferFunctionEditor::Restore(const FunctionSnapshot& state)
 {
   this->Editing = true;
   // A chosen point would have the number of another one.
@@ -131,7 +131,7 @@ void TransferFunctionEditor::FunctionsModified()
 
 void TransferFunctionEditor::TellOfChanges()
 {
-  const FunctionState present = this->ReadPresent();
+  const FunctionSnapshot present = this->ReadPresent();
   if (present == this->Told)
   {
     return;

@@ -73,13 +73,13 @@ private:
   void MakeActions();
   void LayOut();
   QAction* AddAction(const char* name, const QString& text, const QString& tip, int icon);
-  FunctionState ReadPresent() const;
+  FunctionSnapshot ReadPresent() const;
 
   /// Changes the functions by a call, as one step of a kind (see FunctionHistory::Record()).
   void Edit(const std::function<void()>& change, const std::string& kind = "");
 
   /// Makes a state of the history, or one made of it, the present one.
-  void Restore(const FunctionState& state);
+  void Restore(const FunctionSnapshot& state);
 
   void FunctionsModified();
   void TellOfChanges();
@@ -103,7 +103,7 @@ private:
   unsigned long ColorObserver = 0;
   unsigned long OpacityObserver = 0;
   FunctionHistory History;
-  FunctionState Told;    ///< what listeners have been told of last
+  FunctionSnapshot Told; ///< what listeners have been told of last
   bool Editing = false;  ///< Edit() tells of all that it did when it is done
   bool Pressed = false;  ///< a mouse button is down in the chart
   bool Dragging = false; ///< and since then something has changed

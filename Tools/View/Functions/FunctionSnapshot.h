@@ -5,8 +5,8 @@
  * All that the editor changes, as plain numbers: what undo goes back to, and what tells whether
  * anything has changed.
  */
-#ifndef tetmarch_FunctionState_h
-#define tetmarch_FunctionState_h
+#ifndef tetmarch_FunctionSnapshot_h
+#define tetmarch_FunctionSnapshot_h
 
 #include <array>
 #include <vector>
@@ -17,7 +17,7 @@ class vtkPiecewiseFunction;
 namespace tetmarch
 {
 
-struct FunctionState
+struct FunctionSnapshot
 {
   using ColorNode = std::array<double, 6>;   ///< value, red, green, blue, midpoint, sharpness
   using OpacityNode = std::array<double, 4>; ///< value, opacity, midpoint, sharpness
@@ -32,16 +32,16 @@ struct FunctionState
   int ColorDuplicates = 0; ///< whether several colour points may have the same value
   int OpacityDuplicates = 0;
 
-  bool operator==(const FunctionState& other) const;
-  bool operator!=(const FunctionState& other) const { return !(*this == other); }
+  bool operator==(const FunctionSnapshot& other) const;
+  bool operator!=(const FunctionSnapshot& other) const { return !(*this == other); }
 };
 
 /// IsoValues are left empty: they are in neither function.
-FunctionState ReadState(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity);
+FunctionSnapshot ReadState(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity);
 
 /// Makes the functions what they were when the state was read.
 void WriteState(
-  const FunctionState& state, vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity);
+  const FunctionSnapshot& state, vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity);
 
 } // namespace tetmarch
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FunctionState.h"
+#include "FunctionSnapshot.h"
 
 #include "FunctionNodes.h"
 
@@ -9,7 +9,7 @@
 
 namespace
 {
-auto Tie(const tetmarch::FunctionState& state)
+auto Tie(const tetmarch::FunctionSnapshot& state)
 {
   return std::tie(state.Colors, state.Opacities, state.IsoValues, state.NanColor, state.ColorSpace,
     state.Scale, state.HSVWrap, state.ColorDuplicates, state.OpacityDuplicates);
@@ -19,14 +19,14 @@ auto Tie(const tetmarch::FunctionState& state)
 namespace tetmarch
 {
 
-bool FunctionState::operator==(const FunctionState& other) const
+bool FunctionSnapshot::operator==(const FunctionSnapshot& other) const
 {
   return Tie(*this) == Tie(other);
 }
 
-FunctionState ReadState(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity)
+FunctionSnapshot ReadState(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity)
 {
-  FunctionState state;
+  FunctionSnapshot state;
   state.Colors = GetNodes(color);
   state.Opacities = GetNodes(opacity);
   std::copy_n(color->GetNanColor(), 3, state.NanColor.begin());
@@ -39,7 +39,7 @@ FunctionState ReadState(vtkColorTransferFunction* color, vtkPiecewiseFunction* o
 }
 
 void WriteState(
-  const FunctionState& state, vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity)
+  const FunctionSnapshot& state, vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity)
 {
   color->SetAllowDuplicateScalars(state.ColorDuplicates);
   color->SetColorSpace(state.ColorSpace);
