@@ -93,6 +93,15 @@ class StubsTest(unittest.TestCase):
             if not name.startswith("_"):
                 self.assertGreater(len(member.__doc__ or ""), 20, name)
 
+    def test_names_are_those_of_the_package(self):
+        self.assertLessEqual(set(vtktetmarch.__all__), set(dir(vtktetmarch)))
+        with self.assertRaisesRegex(AttributeError, "no attribute 'volum'"):
+            vtktetmarch.volum
+
+    def test_the_classes_alone_need_no_numpy(self):
+        script = "import sys, vtktetmarch; vtktetmarch.vtkTetMarchVolumeMapper(); assert 'numpy' not in sys.modules"
+        subprocess.run([sys.executable, "-c", script], check=True, timeout=100)
+
     def test_the_package_says_that_it_has_types(self):
         self.assertTrue((PACKAGE / "py.typed").exists())
 

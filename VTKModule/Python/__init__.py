@@ -1,5 +1,7 @@
 """TetMarch: volume rendering by marching rays from cell to cell, of unstructured grids and images."""
 
+import importlib
+
 # VTK's own modules first: they register the base classes that ours derive from, and the factories of OpenGL and text.
 import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 import vtkmodules.vtkRenderingAnnotation  # noqa: F401
@@ -8,13 +10,8 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingVolume  # noqa: F401
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 
-from .arrays import from_arrays
-from .figures import Figure, figure, screenshot, show
 from .first_picture import TransferFunctions, auto_transfer_functions
-from .measures import compare, statistics
-from .readers import read, time_values
 from .replacement import replace_smart_volume_mapper, replace_unstructured_mappers
-from .volumes import configure, volume
 from .vtkRenderingTetMarch import (
     vtkTetMarchFirstPicture,
     vtkTetMarchFrameStatistics,
@@ -25,6 +22,21 @@ from .vtkRenderingTetMarch import (
     vtkTetMarchSmartVolumeMapper,
     vtkTetMarchVolumeMapper,
 )
+
+# Where the functions are that need NumPy and further modules of VTK: these are imported when one is asked for.
+HOMES = {
+    "Figure": "figures",
+    "compare": "measures",
+    "configure": "volumes",
+    "figure": "figures",
+    "from_arrays": "arrays",
+    "read": "readers",
+    "screenshot": "figures",
+    "show": "figures",
+    "statistics": "measures",
+    "time_values": "readers",
+    "volume": "volumes",
+}
 
 __all__ = [
     "Figure",
@@ -51,3 +63,14 @@ __all__ = [
     "vtkTetMarchSmartVolumeMapper",
     "vtkTetMarchVolumeMapper",
 ]
+
+
+def __getattr__(name):
+    if name not in HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    found = globals()[name] = getattr(importlib.import_module("." + HOMES[name], __name__), name)
+    return found
+
+
+def __dir__():
+    return sorted({*globals(), *HOMES})

@@ -6,6 +6,7 @@ from numbers import Real
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
+from .errors import VtkErrors
 from .vtkRenderingTetMarch import vtkTetMarchFirstPicture
 
 STEPS = 32  # pieces of a colour map of Matplotlib's, which has 256 colours
@@ -31,9 +32,11 @@ def rgb(color):
 
 def map_of_ours(name, low, high):
     """A colour map that the library itself has, or None."""
-    apply = getattr(vtkTetMarchFirstPicture, "ApplyColorMap", None)
+    maps = vtkTetMarchFirstPicture()
     function = vtkColorTransferFunction()
-    return function if apply and apply(name, low, high, function) else None
+    with VtkErrors():  # it may say that it has none of that name
+        known = hasattr(maps, "ApplyColorMap") and maps.ApplyColorMap(name, low, high, function)
+    return function if known else None
 
 
 def map_of_matplotlib(name, low, high):

@@ -113,7 +113,7 @@ class Figure:
         """Draws the scene: an array (height, width, 3) of uint8, the uppermost row first; 4 channels if transparent.
 
         filename: written as PNG instead, and the path is returned. size, transparent: of this picture and the next
-        ones; None: as before. Opacity is not multiplied into the colours. Raises RuntimeError if something can't be drawn.
+        ones; None: as before. Opacity is not multiplied into the colours. Raises RuntimeError for what can't be drawn.
         """
         if size is not None:
             self.size = checked_size(size)

@@ -58,7 +58,7 @@ def compare(data, *arguments, **how):
 
     data and the rest: as of figure(), or a Figure, of which a frame is drawn.
     Returns a dict: rms, max, mean and minimum of the largest error of a channel, 0 to 1, over the pixels whose ray met
-    the volume; pixels: how many; percentiles: {50: ..., 90: ..., 99: ..., 99.9: ...}; error_bound: likewise what the frame
+    the volume; pixels: how many; percentiles: {50: ..., 90: ..., 99: ..., 99.9: ...}; error_bound: likewise what it
     promised; statistics: the figures of that frame, see statistics(). Raises RuntimeError if there is nothing to
     compare.
     """
