@@ -10,7 +10,7 @@
 #include "PictureWidget.h"
 #include "ValueSlider.h"
 
-#include "vtkCamera.h"
+#include "vtkRenderer.h"
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchSettings.h"
 
@@ -102,6 +102,10 @@ void PlayTest::EachEffectChangesThePicture()
     const Difference change = Compare(plain, this->Draw());
     QVERIFY2(change.Bytes > 1000 && change.Most > 5, name);
     QTest::keyClick(panel->GetCheck(i), Qt::Key_Space);
+    if (panel->GetCheck(0)->isChecked()) // shading, which light needs
+    {
+      QTest::keyClick(panel->GetCheck(0), Qt::Key_Space);
+    }
     const Difference back = Compare(plain, this->Draw());
     QVERIFY2(back.Bytes == 0, qPrintable(QString::fromLatin1(name) + QString::number(back.Most)));
   }
@@ -160,7 +164,7 @@ void PlayTest::CutsTakeSomethingAway()
         s.Cuts.Crop = crop;
         if (crop) // the lower half
         {
-          s.Cuts.Box[3] = (s.Cuts.Box[2] + s.Cuts.Box[3]) / 2.0;
+          s.Cuts.Box[1] = (s.Cuts.Box[0] + s.Cuts.Box[1]) / 2.0;
         }
       });
     const QString path = this->Folder.filePath(QStringLiteral("cut.png"));
@@ -171,6 +175,42 @@ void PlayTest::CutsTakeSomethingAway()
     // The handles are in the picture on the screen.
     this->Wait();
     QVERIFY(Compare(ReadPng(path), this->Draw()).Bytes > 500);
+  }
+}
+
+void PlayTest::AHandleOfTheBoxIsDragged()
+{
+  this->OpenWindow(GetData("golfball_small.vtu"));
+  this->GetModel().Edit([](ViewState& s) { s.Cuts.Crop = true; });
+  this->Wait();
+  this->Draw();
+  const auto box = this->GetModel().GetState().Cuts.Box;
+  vtkRenderer* renderer = this->GetModel().GetScene().GetRenderer();
+  PictureWidget* picture = this->Window->GetPicture();
+  const auto place = [&](double x)
+  {
+    renderer->SetWorldPoint(x, (box[2] + box[3]) / 2.0, (box[4] + box[5]) / 2.0, 1.0);
+    renderer->WorldToDisplay();
+    const double* at = renderer->GetDisplayPoint();
+    return QPoint(int(at[0]), picture->height() - 1 - int(at[1]));
+  };
+  const QPoint handle = place(box[1]); // of the face at the end of x
+  const QPoint aim = place(0.4 * box[0] + 0.6 * box[1]);
+  QTest::mousePress(picture, Qt::LeftButton, {}, handle);
+  for (int i = 1; i <= 4; ++i)
+  {
+    QMouseEvent move(QEvent::MouseMove, handle + (aim - handle) * i / 4, Qt::NoButton,
+      Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(picture, &move);
+  }
+  QVERIFY(this->GetModel().IsDragging());
+  QTest::mouseRelease(picture, Qt::LeftButton, {}, aim);
+  QVERIFY(!this->GetModel().IsDragging());
+  const auto cut = this->GetModel().GetState().Cuts.Box;
+  QVERIFY(cut[1] < box[1] - 1.0 && cut[1] > box[0] + 1.0);
+  for (const int side : { 0, 2, 3, 4, 5 })
+  {
+    QVERIFY(std::abs(cut[side] - box[side]) < 1e-3 * (box[1] - box[0]));
   }
 }
 

@@ -22,6 +22,7 @@ private Q_SLOTS:
   void TheCostOfAnEffectIsMeasured();
   void EachBlendModeAndViewIsDrawn();
   void CutsTakeSomethingAway();
+  void AHandleOfTheBoxIsDragged();
   void AClickFindsACell();
   void ADragTurnsAndIsExactAtItsEnd();
   void KeysLookAlongAxes();

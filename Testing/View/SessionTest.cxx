@@ -200,9 +200,8 @@ void SessionTest::ASessionDrawsTheSamePicture()
 
 void SessionTest::TheCommandLineDrawsTheSamePicture_data() { AddScenes(); }
 
-void SessionTest::TheCommandLineDrawsTheSamePicture()
+void SessionTest::CheckCommand()
 {
-  this->OpenScene();
   const QString shown = this->Folder.filePath(QStringLiteral("shown.png"));
   QVERIFY(this->Window->SaveScreenshot(shown));
   const QString drawn = this->Folder.filePath(QStringLiteral("drawn.png"));
@@ -217,12 +216,17 @@ void SessionTest::TheCommandLineDrawsTheSamePicture()
   CheckSame(ReadPng(shown), drawn);
 }
 
+void SessionTest::TheCommandLineDrawsTheSamePicture()
+{
+  this->OpenScene();
+  this->CheckCommand();
+}
+
 void SessionTest::TheScriptDrawsTheSamePicture_data() { AddScenes(); }
 
-void SessionTest::TheScriptDrawsTheSamePicture()
+void SessionTest::CheckScript()
 {
 #ifdef TETMARCH_PYTHON
-  this->OpenScene();
   const QString shown = this->Folder.filePath(QStringLiteral("shown.png"));
   QVERIFY(this->Window->SaveScreenshot(shown));
   const QString drawn = this->Folder.filePath(QStringLiteral("script.png"));
@@ -237,6 +241,23 @@ void SessionTest::TheScriptDrawsTheSamePicture()
 #else
   QSKIP("the Python package is not built");
 #endif
+}
+
+void SessionTest::TheScriptDrawsTheSamePicture()
+{
+  this->OpenScene();
+  this->CheckScript();
+}
+
+void SessionTest::OddNamesAreQuoted()
+{
+  const QString path = this->Folder.filePath(QStringLiteral("it's a $HOME \\ \"tree\".vti"));
+  QVERIFY(QFile::copy(GetData("bonsai_small.vti"), path));
+  this->OpenWindow(path);
+  this->Window->resize(860, 640);
+  this->Wait();
+  this->CheckCommand();
+  this->CheckScript();
 }
 
 } // namespace tetmarch

@@ -21,12 +21,16 @@ private Q_SLOTS:
   void ASessionDrawsTheSamePicture();
   void TheCommandLineDrawsTheSamePicture_data();
   void TheCommandLineDrawsTheSamePicture();
+  void OddNamesAreQuoted();
   void TheScriptDrawsTheSamePicture_data();
   void TheScriptDrawsTheSamePicture();
 
 private:
   /// A scene that differs in everything from how a file is shown first.
   void OpenScene();
+  /// By tetmarch-render, and by Python; each draws what the window does.
+  void CheckCommand();
+  void CheckScript();
 };
 
 } // namespace tetmarch

@@ -50,6 +50,7 @@ CutWidgets::CutWidgets(vtkRenderWindowInteractor* interactor, vtkRenderer* rende
   {
     widget->SetInteractor(interactor);
     widget->SetDefaultRenderer(renderer);
+    widget->KeyPressActivationOff();
     widget->AddObserver(vtkCommand::InteractionEvent, command);
     widget->AddObserver(vtkCommand::EndInteractionEvent, command);
   }
@@ -76,6 +77,10 @@ void CutWidgets::SetBounds(const double bounds[6])
 
 void CutWidgets::Show(const CutState& cuts)
 {
+  if (this->Telling)
+  {
+    return;
+  }
   this->Shown = cuts;
   if (cuts.Clip)
   {
@@ -106,7 +111,9 @@ void CutWidgets::Tell(bool dragging)
     const double* box = this->Box->GetBounds();
     std::copy(box, box + 6, this->Shown.Box.begin());
   }
+  this->Telling = true;
   this->Moved(this->Shown, dragging);
+  this->Telling = false;
 }
 
 } // namespace tetmarch

@@ -35,7 +35,7 @@ public:
 
   /// Of the data: what surrounds the plane.
   void SetBounds(const double bounds[6]);
-  /// Show what of them is on, where it is.
+  /// Show what of them is on, where it is. What the user holds stays as it is.
   void Show(const CutState& cuts);
   void Hide();
 
@@ -48,6 +48,7 @@ private:
   vtkNew<vtkBoxRepresentation> Box;
   vtkNew<vtkBoxWidget2> BoxWidget;
   CutState Shown;
+  bool Telling = false;
 };
 
 } // namespace tetmarch

@@ -43,9 +43,12 @@ Decades GetTimes(const std::vector<tetmarch::ErrorTimePlot::Point>& points)
   return GetDecades(points, [](const auto& point) { return point.Seconds; }, { -2, 1 });
 }
 
+/// No error of a channel is above 1.
 Decades GetErrors(const std::vector<tetmarch::ErrorTimePlot::Point>& points)
 {
-  return GetDecades(points, [](const auto& point) { return point.Error; }, { -5, -1 });
+  const Decades decades =
+    GetDecades(points, [](const auto& point) { return point.Error; }, { -5, -1 });
+  return { std::min(decades.First, -2), std::min(decades.Last, 0) };
 }
 
 QString GetPower(int exponent)

@@ -33,7 +33,7 @@ public:
   const std::vector<Point>& GetPoints() const { return this->Points; }
 
   QSize sizeHint() const override { return { 260, 190 }; }
-  QSize minimumSizeHint() const override { return { 180, 140 }; }
+  QSize minimumSizeHint() const override { return { 180, 170 }; }
 
 protected:
   void paintEvent(QPaintEvent* event) override;
