@@ -70,6 +70,11 @@ if (TETMARCH_WRAP_PYTHON)
       DESTINATION "${tetmarch_python_dir}/vtktetmarch"
       COMPONENT python)
   endforeach ()
+  configure_file(Tools/Common/ColorMaps.json "${tetmarch_package}/color_maps.json" COPYONLY)
+  install(FILES Tools/Common/ColorMaps.json
+    RENAME color_maps.json
+    DESTINATION "${tetmarch_python_dir}/vtktetmarch"
+    COMPONENT python)
   if (NOT CMAKE_CROSSCOMPILING AND NOT TETMARCH_SANITIZE AND NOT TETMARCH_FUZZ) # where Python can load the module
     add_custom_command(TARGET vtkRenderingTetMarchPython POST_BUILD
       COMMAND "${CMAKE_COMMAND}" -E env PYTHONDONTWRITEBYTECODE=1 "${Python3_EXECUTABLE}"

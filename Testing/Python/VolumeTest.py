@@ -146,6 +146,13 @@ class FunctionsTest(unittest.TestCase):
         function = vtktetmarch.volume(self.data, cmap=cmap, range=(0, 2)).GetProperty().GetRGBTransferFunction()
         return lambda value: tuple(round(part, 3) for part in function.GetColor(value))
 
+    def test_maps_of_ours_by_name(self):
+        warm = vtktetmarch.volume(self.data, cmap="Cool to Warm", range=(0, 2)).GetProperty().GetRGBTransferFunction()
+        self.assertEqual(warm.GetColorSpace(), 3)  # VTK_CTF_DIVERGING
+        self.assertEqual(warm.GetRange(), (0, 2))
+        ours = vtktetmarch.volume(self.data, cmap="viridis", range=(0, 2)).GetProperty().GetRGBTransferFunction()
+        self.assertEqual([round(channel, 3) for channel in ours.GetColor(0)], [0.267, 0.005, 0.329])
+
     def test_opacity(self):
         self.assertEqual([self.opacity(0.25).GetValue(x) for x in (-1, 0, 2)], [0.25] * 3)
         self.assertEqual([self.opacity("linear", range=(1, 3)).GetValue(x) for x in (0, 1, 2, 3, 4)], [0, 0, 0.5, 1, 1])

@@ -7,6 +7,7 @@
 #ifndef EditorUnderTest_h
 #define EditorUnderTest_h
 
+#include "DragInChart.h"
 #include "FunctionChart.h"
 #include "FunctionSnapshot.h"
 #include "TransferFunctionEditor.h"
@@ -62,9 +63,7 @@ struct EditorUnderTest
   void Send(
     QEvent::Type type, const QPoint& place, Qt::MouseButton button, Qt::MouseButtons buttons)
   {
-    QMouseEvent event(
-      type, place, this->Chart()->mapToGlobal(place), button, buttons, Qt::NoModifier);
-    QCoreApplication::sendEvent(this->Chart(), &event);
+    tetmarch::SendMouse(this->Chart(), type, place, button, buttons);
   }
 
   void Click(const QPoint& place, Qt::MouseButton button = Qt::LeftButton)
@@ -75,16 +74,9 @@ struct EditorUnderTest
     this->Draw();
   }
 
-  /// In ten moves, as a hand does it.
   void Drag(const QPoint& from, const QPoint& to)
   {
-    this->Send(QEvent::MouseMove, from, Qt::NoButton, Qt::NoButton);
-    this->Send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
-    for (int i = 1; i <= 10; ++i)
-    {
-      this->Send(QEvent::MouseMove, from + (to - from) * i / 10, Qt::NoButton, Qt::LeftButton);
-    }
-    this->Send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+    tetmarch::DragInChart(this->Chart(), from, to);
     this->Draw();
   }
 

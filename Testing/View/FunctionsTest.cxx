@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FunctionsTest.h"
 
+#include "DragInChart.h"
 #include "FunctionChart.h"
 #include "TransferFunctionEditor.h"
 
+#include "vtkRenderWindow.h"
 #include "vtkVolumeMapper.h"
 
 #include <QAction>
@@ -23,11 +25,7 @@ void FunctionsTest::ADraggedPointChangesThePicture()
   opacity->GetNodeValue(opacity->GetSize() / 2, node);
   const QPoint from = chart->Locate(node[0], node[1]);
   const QPoint to = chart->Locate(node[0], 0.9);
-  QTest::mousePress(chart, Qt::LeftButton, Qt::NoModifier, from);
-  QVERIFY(this->GetModel().HasData());
-  QTest::mouseMove(chart, (from + to) / 2);
-  QTest::mouseMove(chart, to);
-  QTest::mouseRelease(chart, Qt::LeftButton, Qt::NoModifier, to);
+  DragInChart(chart, from, to);
   QVERIFY(!this->GetModel().IsDragging());
   QVERIFY(std::abs(opacity->GetValue(node[0]) - 0.9) < 0.05);
   const Pixels after = this->Draw();
@@ -78,14 +76,12 @@ void FunctionsTest::IsoValuesAreLinesOfTheChart()
   QCOMPARE(editor->GetIsoValues(), (std::vector<double>{ 0.5, 1.0 }));
   const Pixels before = this->Draw();
   FunctionChart* chart = editor->GetChart();
+  chart->renderWindow()->Render(); // with the lines, else VTK waits a moment
   // Away from the curve, whose points would be dragged instead.
   const double height = this->GetModel().GetScene().GetOpacity()->GetValue(0.5) > 0.5 ? 0.15 : 0.85;
   const QPoint from = chart->Locate(0.5, height);
   const QPoint to = chart->Locate(0.8, height);
-  QTest::mousePress(chart, Qt::LeftButton, Qt::NoModifier, from);
-  QTest::mouseMove(chart, (from + to) / 2);
-  QTest::mouseMove(chart, to);
-  QTest::mouseRelease(chart, Qt::LeftButton, Qt::NoModifier, to);
+  DragInChart(chart, from, to);
   const double moved = this->GetModel().GetState().IsoValues[0];
   QVERIFY(std::abs(moved - 0.8) < 0.05);
   QVERIFY(Compare(before, this->Draw()).Most > 10);

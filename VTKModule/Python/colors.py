@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Colours by name, as numbers or as a list, and the functions made of them."""
+import json
+import os
 from numbers import Real
 
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
-from .errors import VtkErrors
-from .vtkRenderingTetMarch import vtkTetMarchFirstPicture
 
 STEPS = 32  # pieces of a colour map of Matplotlib's, which has 256 colours
 
@@ -30,13 +30,26 @@ def rgb(color):
     return numbers
 
 
+def plain(name):
+    """What counts of a colour map's name."""
+    return name.lower().replace("(matplotlib)", "").replace(" ", "")
+
+
 def map_of_ours(name, low, high):
-    """A colour map that the library itself has, or None."""
-    maps = vtkTetMarchFirstPicture()
+    """A colour map that comes with the package, or None: the same ones that tetmarch-render has."""
+    with open(os.path.join(os.path.dirname(__file__), "color_maps.json"), encoding="utf-8") as file:
+        found = [each for each in json.load(file) if plain(each["Name"]) == plain(name)]
+    if not found:
+        return None
+    numbers = found[0]["RGBPoints"]
+    points = [numbers[i:i + 4] for i in range(0, len(numbers), 4)]
+    first, last = points[0][0], points[-1][0]
     function = vtkColorTransferFunction()
-    with VtkErrors():  # it may say that it has none of that name
-        known = hasattr(maps, "ApplyColorMap") and maps.ApplyColorMap(name, low, high, function)
-    return function if known else None
+    getattr(function, "SetColorSpaceTo" + found[0]["ColorSpace"])()
+    function.SetNanColor(found[0]["NanColor"])
+    for place, *color in points:
+        function.AddRGBPoint(low + (high - low) * (place - first) / (last - first), *color)
+    return function
 
 
 def map_of_matplotlib(name, low, high):
