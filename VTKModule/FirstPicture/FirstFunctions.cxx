@@ -64,18 +64,27 @@ void makeFirstColors(const ValueStatistics& statistics, vtkColorTransferFunction
 void makeFirstOpacity(
   const ValueStatistics& statistics, const OpacityShape& shape, vtkPiecewiseFunction* opacity)
 {
-  constexpr int steps = 16;
+  constexpr int steps = 8;
   constexpr double clear = 0.05; // of the way to the end
   const double background = statistics.Background;
+  const double reach = reachOf(statistics);
+  const bool below = background - statistics.Range[0] > clear * reach;
+  const bool above = statistics.Range[1] - background > clear * reach;
   opacity->RemoveAllPoints();
   opacity->AddPoint(background, shape.Least);
   for (int i = 0; i <= steps; ++i)
   {
     const double t = static_cast<double>(i) / steps;
-    const double distance = reachOf(statistics) * (clear + (1.0 - clear) * t);
+    const double distance = reach * (clear + (1.0 - clear) * t);
     const double value = shape.Least + (shape.Most - shape.Least) * std::pow(t, shape.Exponent);
-    opacity->AddPoint(background - distance, value);
-    opacity->AddPoint(background + distance, value);
+    if (below)
+    {
+      opacity->AddPoint(background - distance, value);
+    }
+    if (above)
+    {
+      opacity->AddPoint(background + distance, value);
+    }
   }
 }
 
