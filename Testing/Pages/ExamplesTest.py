@@ -84,6 +84,12 @@ class ExamplesTest(unittest.TestCase):
         pixels = read_pixels(self.folder / "speed.png")
         self.assertGreater(share(pixels, lambda r, g, b: max(r, g, b) > 60), 0.05)
 
+    def test_that_of_five_minutes_chooses(self):
+        (block,) = fenced_blocks(text_of("Documentation/FiveMinutes.md"), "python")
+        self.assertRegex(self.run_example(block), r"^speed \(0\.\d+, 1\.\d+\) 0\.\d+\n$")
+        pixels = read_pixels(self.folder / "first_of_python.png")
+        self.assertGreater(share(pixels, lambda r, g, b: max(r, g, b) > 30), 0.2)
+
     def test_that_of_several_processes_draws_the_volume(self):
         if not shutil.which("mpiexec") or not importlib.util.find_spec("mpi4py"):
             self.skipTest("there is no MPI")
@@ -117,8 +123,9 @@ class ExamplesTest(unittest.TestCase):
 
     def test_every_example_is_here(self):
         shown = [name_of(page) for page in pages() if fenced_blocks(page.read_text(encoding="utf-8"), "python")]
-        self.assertEqual(shown, ["Documentation/AccuracyLevels.md", "Documentation/Processes.md", "Documentation/Python.md",
-                                 "Plugin/README.md", "README.md"])
+        self.assertEqual(shown, ["Documentation/AccuracyLevels.md", "Documentation/FiveMinutes.md",
+                                 "Documentation/Processes.md", "Documentation/Python.md", "Plugin/README.md",
+                                 "README.md"])
 
 
 if __name__ == "__main__":
