@@ -3,22 +3,19 @@
 #include "vtkTetMarchFirstPicture.h"
 
 #include "FirstPicture/ArrayChoice.h"
+#include "FirstPicture/ArrayTable.h"
 #include "FirstPicture/CameraFit.h"
+#include "FirstPicture/DrawnBlocks.h"
 #include "FirstPicture/Exposure.h"
 #include "FirstPicture/FirstFunctions.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDoubleArray.h"
-#include "vtkIntArray.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTetMarchSettings.h"
 #include "vtkTetMarchSmartVolumeMapper.h"
@@ -27,7 +24,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <sstream>
 #include <type_traits>
 
 vtkStandardNewMacro(vtkTetMarchFirstPicture);
@@ -63,31 +59,14 @@ struct vtkTetMarchFirstPicture::Internals
     this->Shown.clear();
   }
 
-  void listBlocks()
+  void findBlocks()
   {
-    const auto add = [this](vtkDataObject* block)
-    {
-      auto* dataSet = vtkDataSet::SafeDownCast(block);
-      if (dataSet && !vtkPolyData::SafeDownCast(dataSet) && dataSet->GetNumberOfCells() > 0)
-      {
-        this->Blocks.push_back(dataSet);
-      }
-    };
-    if (auto* tree = vtkCompositeDataSet::SafeDownCast(this->Data))
-    {
-      auto at = vtk::TakeSmartPointer(tree->NewIterator());
-      for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
-      {
-        add(at->GetCurrentDataObject());
-      }
-    }
-    else
-    {
-      add(this->Data);
-    }
+    this->Blocks = tetmarch::drawnBlocks(this->Data);
     int n[3];
     this->Lattices = std::all_of(this->Blocks.begin(), this->Blocks.end(),
       [&n](vtkDataSet* block) { return tetmarch::isLattice(block, n); });
+    this->Outline = tetmarch::outlinePoints(this->Blocks);
+    this->Plane = tetmarch::choosePlane(this->Outline);
   }
 };
 
@@ -136,9 +115,7 @@ bool vtkTetMarchFirstPicture::CheckInput()
   }
   if (found.Blocks.empty())
   {
-    found.listBlocks();
-    found.Outline = tetmarch::outlinePoints(found.Blocks);
-    found.Plane = tetmarch::choosePlane(found.Outline);
+    found.findBlocks();
   }
   if (found.Blocks.empty())
   {
@@ -280,22 +257,7 @@ vtkPiecewiseFunction* vtkTetMarchFirstPicture::GetOpacity() { return this->Found
 
 std::string vtkTetMarchFirstPicture::Describe()
 {
-  const tetmarch::DrawnArray& chosen = this->Found->Chosen;
-  if (!chosen.Array)
-  {
-    return "no array";
-  }
-  double range[2];
-  this->GetDataRange(range);
-  std::ostringstream text;
-  text << (chosen.Component < 0 ? "magnitude of " : "");
-  if (chosen.Component >= 0 && chosen.Array->GetNumberOfComponents() > 1)
-  {
-    text << "component " << chosen.Component << " of ";
-  }
-  text << chosen.Array->GetName() << (chosen.OfCells ? " on cells, " : " on points, ") << range[0]
-       << " to " << range[1];
-  return text.str();
+  return tetmarch::describe(this->Found->Blocks, this->Found->Chosen);
 }
 
 bool vtkTetMarchFirstPicture::ListArrays(vtkTable* arrays)
@@ -310,34 +272,7 @@ bool vtkTetMarchFirstPicture::ListArrays(vtkTable* arrays)
   {
     return false;
   }
-  vtkNew<vtkStringArray> names, places, types, kinds;
-  vtkNew<vtkIntArray> components;
-  vtkNew<vtkDoubleArray> least, most;
-  names->SetName("name");
-  places->SetName("association");
-  types->SetName("type");
-  components->SetName("components");
-  least->SetName("minimum");
-  most->SetName("maximum");
-  kinds->SetName("kind");
-  static const char* const kindNames[] = { "values", "numbers", "constant" };
-  for (const tetmarch::FoundArray& found : tetmarch::findArrays(this->Found->Blocks))
-  {
-    names->InsertNextValue(found.Drawn.Array->GetName());
-    places->InsertNextValue(found.Drawn.OfCells ? "cells" : "points");
-    types->InsertNextValue(found.Drawn.Array->GetDataTypeAsString());
-    components->InsertNextValue(found.Drawn.Array->GetNumberOfComponents());
-    least->InsertNextValue(found.Range[0]);
-    most->InsertNextValue(found.Range[1]);
-    kinds->InsertNextValue(kindNames[static_cast<int>(found.Kind)]);
-  }
-  for (vtkAbstractArray* column : { static_cast<vtkAbstractArray*>(names),
-         static_cast<vtkAbstractArray*>(places), static_cast<vtkAbstractArray*>(types),
-         static_cast<vtkAbstractArray*>(components), static_cast<vtkAbstractArray*>(least),
-         static_cast<vtkAbstractArray*>(most), static_cast<vtkAbstractArray*>(kinds) })
-  {
-    arrays->AddColumn(column);
-  }
+  tetmarch::listArrays(this->Found->Blocks, arrays);
   return true;
 }
 

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The blocks of the data that can be drawn.
+#ifndef TetMarchFirstPictureDrawnBlocks_h
+#define TetMarchFirstPictureDrawnBlocks_h
+
+#include <vector>
+
+class vtkDataObject;
+class vtkDataSet;
+
+namespace tetmarch
+{
+
+// The data itself, or the leaves of a tree: those with cells that are no surfaces.
+std::vector<vtkDataSet*> drawnBlocks(vtkDataObject* data);
+
+} // namespace tetmarch
+
+#endif
