@@ -15,6 +15,11 @@ def differing(a, b, tolerance=0):
             if max(abs(i - j) for i, j in zip(p, q)) > tolerance]
 
 
+def on_black(picture):
+    """Without a background, colours of nearly clear pixels are known to a few steps only: what they add is compared."""
+    return [[tuple(c * p[3] / 255 for c in p[:3]) + (p[3],) if len(p) == 4 else p for p in row] for row in picture]
+
+
 class RenderAnnotationsTest(RenderCase):
     def test_what_is_drawn_is_told_unless_it_was_asked_for(self):
         def told(*arguments):
@@ -155,7 +160,7 @@ class RenderAnnotationsTest(RenderCase):
                     one, tiles = self.draw(*scene), self.draw(*scene, "--tile-size", tile)
                     self.assertEqual((len(one), len(one[0])), (len(tiles), len(tiles[0])))
                     # A line's steps from pixel to pixel may be elsewhere.
-                    self.assertLessEqual(len(differing(one, tiles, 1)), 6 if "--axes" in options else 0)
+                    self.assertLessEqual(len(differing(on_black(one), on_black(tiles), 1)), 6 if "--axes" in options else 0)
                     self.assertGreater(len({pixel for row in one for pixel in row}), 50)
         # The noise of samples goes on from tile to tile.
         scene = ("image.vti", "--array", "ramp", "--size", "241x181", "--sample-distance", 0.2, "--jitter")
