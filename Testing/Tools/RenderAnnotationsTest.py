@@ -16,8 +16,8 @@ def differing(a, b, tolerance=0):
 
 
 def on_black(picture):
-    """Without a background, colours of nearly clear pixels are known to a few steps only: what they add is compared."""
-    return [[tuple(c * p[3] / 255 for c in p[:3]) + (p[3],) if len(p) == 4 else p for p in row] for row in picture]
+    """Colours that a file without background has were divided by opacity: compared is what they add to a picture."""
+    return [[tuple(round(c * p[3] / 255) for c in p[:3]) + (p[3],) if len(p) == 4 else p for p in row] for row in picture]
 
 
 class RenderAnnotationsTest(RenderCase):
