@@ -24,11 +24,12 @@
  * whose values are all equal; points come before cells, one component before several, of which the
  * magnitude is drawn.
  *
- * Range: the 2nd to the 98th percentile. Opacity: nearly 0 at the background, which is the peak of
- * the histogram if there is one, else the low end of the range, and in images 0; from there to the
- * ends of the range it rises with a power of the distance, 2 or less. Unit distance: half of the
- * pixels that show anything are more than half opaque, and not more than one in 20 of them above
- * 0.97. The power is the greatest with which both can be had.
+ * Range: the 2nd to the 98th percentile. Background: the peak of the histogram if there is one,
+ * else the low end of the range. Opacity: 0 at the background of images, nearly 0 at that of
+ * meshes; from there to the ends of the range it rises with a power of the distance. Unit distance:
+ * half of the pixels that show anything are more than half opaque, and not more than one in 20 of
+ * them above 0.97. Power: from 0.5 to 2 the one whose picture shows most, for its opacities have
+ * the greatest entropy.
  *
  * Every method that returns a bool returns false after an error, which says what is wrong.
  */

@@ -9,8 +9,11 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <vector>
 
 /// One unit voxel with its lowest corner at (x, 0, 0).
 inline vtkSmartPointer<vtkUnstructuredGrid> MakeVoxel(double x)
@@ -42,6 +45,27 @@ inline vtkSmartPointer<vtkUnstructuredGrid> MakeTwoVoxels()
     const vtkIdType ids[8] = { x, x + 1, x + 3, x + 4, x + 6, x + 7, x + 9, x + 10 };
     grid->InsertNextCell(VTK_VOXEL, 8, ids);
   }
+  return grid;
+}
+
+inline vtkSmartPointer<vtkDoubleArray> MakeCoordinates(const std::vector<double>& values)
+{
+  auto coordinates = vtkSmartPointer<vtkDoubleArray>::New();
+  for (double value : values)
+  {
+    coordinates->InsertNextValue(value);
+  }
+  return coordinates;
+}
+
+/// Two cells along x, of widths 1 and 3, one along y of 2, three along z of 1.
+inline vtkSmartPointer<vtkRectilinearGrid> MakeThreeLayers()
+{
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  grid->SetDimensions(3, 2, 4);
+  grid->SetXCoordinates(MakeCoordinates({ 0, 1, 4 }));
+  grid->SetYCoordinates(MakeCoordinates({ -1, 1 }));
+  grid->SetZCoordinates(MakeCoordinates({ 3, 4, 5, 6 }));
   return grid;
 }
 

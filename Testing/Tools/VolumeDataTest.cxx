@@ -2,35 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeData.h"
 
-#include "vtkDoubleArray.h"
+#include "TestGrids.h"
+
 #include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkRectilinearGrid.h"
 
 #include <gtest/gtest.h>
 
 namespace
 {
-vtkSmartPointer<vtkDoubleArray> MakeCoordinates(const std::vector<double>& values)
-{
-  auto coordinates = vtkSmartPointer<vtkDoubleArray>::New();
-  for (double value : values)
-  {
-    coordinates->InsertNextValue(value);
-  }
-  return coordinates;
-}
-
-vtkSmartPointer<vtkRectilinearGrid> MakeRectilinear()
-{
-  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
-  grid->SetDimensions(3, 2, 4);
-  grid->SetXCoordinates(MakeCoordinates({ 0, 1, 4 }));
-  grid->SetYCoordinates(MakeCoordinates({ -1, 1 }));
-  grid->SetZCoordinates(MakeCoordinates({ 3, 4, 5, 6 }));
-  return grid;
-}
-
 vtkSmartPointer<vtkImageData> MakeImage()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -42,7 +21,7 @@ vtkSmartPointer<vtkImageData> MakeImage()
 
 TEST(VolumeData, MeanSpacing)
 {
-  const auto grid = MakeRectilinear();
+  const auto grid = MakeThreeLayers();
   const auto image = MakeImage();
   const auto spacing = [](const std::vector<vtkDataSet*>& blocks) {
     return tetmarch::GetMeanSpacing({ blocks[0], blocks, true });

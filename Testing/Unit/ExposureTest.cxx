@@ -37,8 +37,7 @@ TEST(Exposure, TheMedianIsHalfOpaque)
 {
   const auto exposure = findExposure(row({ 1, 2, 3, 4, 5 }), One);
   ASSERT_TRUE(exposure);
-  EXPECT_TRUE(exposure->Even);
-  EXPECT_NEAR(opacityOf(3, exposure->UnitDistance), 0.5, 1e-6);
+  EXPECT_NEAR(opacityOf(3, *exposure), 0.5, 1e-6);
 }
 
 TEST(Exposure, OneInTwentyIsSaturatedAtMost)
@@ -47,8 +46,7 @@ TEST(Exposure, OneInTwentyIsSaturatedAtMost)
   lengths.insert(lengths.end(), 20, 10.0);
   const auto exposure = findExposure(row(lengths), One);
   ASSERT_TRUE(exposure);
-  EXPECT_FALSE(exposure->Even);
-  EXPECT_NEAR(opacityOf(10, exposure->UnitDistance), 0.97, 1e-6);
+  EXPECT_NEAR(opacityOf(10, *exposure), 0.97, 1e-6);
 }
 
 // Three in four pixels see nearly nothing: the median is that of the others.
@@ -59,7 +57,7 @@ TEST(Exposure, PixelsThatShowNothingDoNotCount)
   lengths.insert(lengths.end(), 25, 0.0);
   const auto exposure = findExposure(row(lengths), One);
   ASSERT_TRUE(exposure);
-  EXPECT_NEAR(opacityOf(2, exposure->UnitDistance), 0.5, 1e-6);
+  EXPECT_NEAR(opacityOf(2, *exposure), 0.5, 1e-6);
 }
 
 TEST(Exposure, OfNothingThereIsNone)

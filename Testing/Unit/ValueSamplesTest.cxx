@@ -24,23 +24,9 @@ std::vector<tetmarch::Sample> TakeAll(
   return tetmarch::takeSamples(blocks, drawn);
 }
 
-vtkSmartPointer<vtkDoubleArray> MakeCoordinates(const std::vector<double>& values)
+vtkSmartPointer<vtkRectilinearGrid> MakeRectilinearWithCells()
 {
-  auto coordinates = vtkSmartPointer<vtkDoubleArray>::New();
-  for (double value : values)
-  {
-    coordinates->InsertNextValue(value);
-  }
-  return coordinates;
-}
-
-vtkSmartPointer<vtkRectilinearGrid> MakeRectilinear()
-{
-  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
-  grid->SetDimensions(3, 2, 4);
-  grid->SetXCoordinates(MakeCoordinates({ 0, 1, 4 }));
-  grid->SetYCoordinates(MakeCoordinates({ -1, 1 }));
-  grid->SetZCoordinates(MakeCoordinates({ 3, 4, 5, 6 }));
+  auto grid = MakeThreeLayers();
   AddArray<vtkDoubleArray>(grid->GetCellData(), "c", 6);
   return grid;
 }
@@ -79,7 +65,7 @@ TEST(Samples, MeanOfTheCellsPoints)
 
 TEST(Samples, CellsOfRectilinearGridsHaveTheirOwnVolume)
 {
-  const auto grid = MakeRectilinear();
+  const auto grid = MakeRectilinearWithCells();
   const auto samples = TakeAll({ grid }, "c");
   ASSERT_EQ(samples.size(), 6u);
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -110,7 +96,7 @@ TEST(Samples, OfLargeImagesComeFromAllOver)
 
 TEST(Samples, BlocksWithoutTheArrayHaveNone)
 {
-  const auto grid = MakeRectilinear();
+  const auto grid = MakeRectilinearWithCells();
   const auto image = MakeImage(3);
   EXPECT_EQ(TakeAll({ image, grid }, "c").size(), 6u);
   EXPECT_EQ(TakeAll({ image, grid }, "plane").size(), 8u);

@@ -77,7 +77,7 @@ std::function<double(double)> extinctionOf(vtkPiecewiseFunction* opacity, bool s
   };
 }
 
-std::optional<Exposure> findExposure(
+std::optional<double> findExposure(
   const Crossings& crossings, const std::function<double(double)>& extinction)
 {
   constexpr double shown = 0.05;
@@ -92,15 +92,15 @@ std::optional<Exposure> findExposure(
   dropUpTo(shown * percentile(depths, 0.95), depths);
   const double ofMedian = percentile(depths, 0.5) / half;
   const double ofMost = percentile(depths, 0.95) / most;
-  return Exposure{ std::max(ofMedian, ofMost), ofMost <= ofMedian };
+  return std::max(ofMedian, ofMost);
 }
 
 double exposedUnitDistance(
   const Crossings& crossings, const std::function<double(double)>& extinction)
 {
-  if (const std::optional<Exposure> exposure = findExposure(crossings, extinction))
+  if (const std::optional<double> exposed = findExposure(crossings, extinction))
   {
-    return exposure->UnitDistance;
+    return *exposed;
   }
   const std::vector<double> lengths = crossings.lengths();
   const double longest = lengths.empty() ? 0.0 : *std::max_element(lengths.begin(), lengths.end());

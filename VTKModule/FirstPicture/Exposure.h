@@ -24,14 +24,8 @@ namespace tetmarch
 // counts as 0.999.
 std::function<double(double value)> extinctionOf(vtkPiecewiseFunction* opacity, bool structuredLaw);
 
-struct Exposure
-{
-  double UnitDistance = 1;
-  bool Even = true; // half of the pixels can be half opaque, and few of them be saturated
-};
-
-// None if no pixel shows anything.
-std::optional<Exposure> findExposure(
+// The unit distance. None if no pixel shows anything.
+std::optional<double> findExposure(
   const Crossings& crossings, const std::function<double(double)>& extinction);
 
 // Of findExposure(); where nothing is shown, with which the longest way through the data has an
@@ -48,8 +42,8 @@ struct ExposureOptions
   bool Veil = false;
 };
 
-// The opacity of FirstFunctions.h with the greatest power up to 2 whose exposure is even, else the
-// least, a half. Returns the unit distance.
+// The opacity of FirstFunctions.h with the power, from 0.5 to 2, that shows most: exposed, its
+// pixels before the data have the opacities with the greatest entropy. Returns the unit distance.
 double exposeFirstOpacity(const ValueStatistics& statistics, const Crossings& crossings,
   const ExposureOptions& options, vtkPiecewiseFunction* opacity);
 
