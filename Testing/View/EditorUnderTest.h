@@ -7,7 +7,7 @@
 #ifndef EditorUnderTest_h
 #define EditorUnderTest_h
 
-#include "DragInChart.h"
+#include "DragMouse.h"
 #include "FunctionChart.h"
 #include "FunctionSnapshot.h"
 #include "TransferFunctionEditor.h"
@@ -76,7 +76,7 @@ struct EditorUnderTest
 
   void Drag(const QPoint& from, const QPoint& to)
   {
-    tetmarch::DragInChart(this->Chart(), from, to);
+    tetmarch::DragMouse(this->Chart(), from, to);
     this->Draw();
   }
 

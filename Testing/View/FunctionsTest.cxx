@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FunctionsTest.h"
 
-#include "DragInChart.h"
+#include "DragMouse.h"
 #include "FunctionChart.h"
 #include "TransferFunctionEditor.h"
 
@@ -25,7 +25,7 @@ void FunctionsTest::ADraggedPointChangesThePicture()
   opacity->GetNodeValue(opacity->GetSize() / 2, node);
   const QPoint from = chart->Locate(node[0], node[1]);
   const QPoint to = chart->Locate(node[0], 0.9);
-  DragInChart(chart, from, to);
+  DragMouse(chart, from, to);
   QVERIFY(!this->GetModel().IsDragging());
   QVERIFY(std::abs(opacity->GetValue(node[0]) - 0.9) < 0.05);
   const Pixels after = this->Draw();
@@ -81,7 +81,7 @@ void FunctionsTest::IsoValuesAreLinesOfTheChart()
   const double height = this->GetModel().GetScene().GetOpacity()->GetValue(0.5) > 0.5 ? 0.15 : 0.85;
   const QPoint from = chart->Locate(0.5, height);
   const QPoint to = chart->Locate(0.8, height);
-  DragInChart(chart, from, to);
+  DragMouse(chart, from, to);
   const double moved = this->GetModel().GetState().IsoValues[0];
   QVERIFY(std::abs(moved - 0.8) < 0.05);
   QVERIFY(Compare(before, this->Draw()).Most > 10);

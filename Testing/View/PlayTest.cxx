@@ -3,6 +3,7 @@
 #include "PlayTest.h"
 
 #include "AccuracyPanel.h"
+#include "DragMouse.h"
 #include "Effect.h"
 #include "EffectTimer.h"
 #include "EffectsPanel.h"
@@ -212,6 +213,39 @@ void PlayTest::AHandleOfTheBoxIsDragged()
   {
     QVERIFY(std::abs(cut[side] - box[side]) < 1e-3 * (box[1] - box[0]));
   }
+}
+
+void PlayTest::TheLightIsDragged()
+{
+  this->OpenWindow(GetData("golfball_small.vtu"));
+  this->GetModel().Edit([](ViewState& s) { s.Effects.Shading = true; });
+  const Pixels before = this->Draw();
+  this->Window->GetEffects()->GetHandle()->setChecked(true);
+  this->Wait();
+  QVERIFY(Compare(before, this->Draw()).Bytes > 100); // the ball
+  const Vector3 from = this->GetModel().GetState().Effects.LightFrom;
+  const auto bounds = this->GetModel().GetScene().GetBounds();
+  const double reach = 0.4 * this->GetModel().GetScene().GetDiagonal();
+  const double length = std::sqrt(from[0] * from[0] + from[1] * from[1] + from[2] * from[2]);
+  vtkRenderer* renderer = this->GetModel().GetScene().GetRenderer();
+  PictureWidget* picture = this->Window->GetPicture();
+  double ball[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    ball[i] = (bounds[2 * i] + bounds[2 * i + 1]) / 2.0 + reach * from[i] / length;
+  }
+  renderer->SetWorldPoint(ball[0], ball[1], ball[2], 1.0);
+  renderer->WorldToDisplay();
+  const double* at = renderer->GetDisplayPoint();
+  const QPoint place(int(at[0]), picture->height() - 1 - int(at[1]));
+  DragMouse(picture, place, place + QPoint(120, 60));
+  QVERIFY(!this->GetModel().IsDragging());
+  const Vector3 turned = this->GetModel().GetState().Effects.LightFrom;
+  const double cosine = (from[0] * turned[0] + from[1] * turned[1] + from[2] * turned[2]) / length;
+  QVERIFY2(cosine < 0.99, qPrintable(QString::number(cosine)));
+  this->Window->GetEffects()->GetHandle()->setChecked(false);
+  this->Wait();
+  QVERIFY(Compare(before, this->Draw()).Most > 10); // other light, without the ball
 }
 
 void PlayTest::AClickFindsACell()

@@ -23,6 +23,7 @@ private Q_SLOTS:
   void EachBlendModeAndViewIsDrawn();
   void CutsTakeSomethingAway();
   void AHandleOfTheBoxIsDragged();
+  void TheLightIsDragged();
   void AClickFindsACell();
   void ADragTurnsAndIsExactAtItsEnd();
   void KeysLookAlongAxes();

@@ -111,6 +111,10 @@ void EffectsPanel::MakeLight(QFormLayout* form)
     connect(slider, &ValueSlider::DragEnded, &this->Shown, &Model::EndDrag);
     connect(slider, &ValueSlider::Changed, this, &EffectsPanel::TurnLight);
   }
+  this->Handle = new QCheckBox(tr("Show it as a ball in the picture"));
+  this->Handle->setToolTip(tr("Drag the ball around the volume to turn the light"));
+  connect(this->Handle, &QCheckBox::toggled, this, &EffectsPanel::HandleChanged);
+  form->addRow(this->Handle);
   form->addRow(tr("Direction"), this->Azimuth);
   form->addRow(tr("Height"), this->Elevation);
   const auto add = [&](const QString& name, double most, double& (*value)(ViewState&))
@@ -135,6 +139,8 @@ void EffectsPanel::MakeStrengths(QFormLayout* form)
     [](ViewState& s) -> double& { return s.Effects.ScatteringStrength; });
 }
 
+bool EffectsPanel::IsHandleWanted() const { return this->Handle->isChecked(); }
+
 void EffectsPanel::ShowState()
 {
   const EffectState effects = this->Shown.GetState().Effects;
@@ -144,6 +150,7 @@ void EffectsPanel::ShowState()
     this->Rows[i].Check->setChecked(GetEffects()[i].IsOn(effects));
   }
   this->Azimuth->setEnabled(!effects.Headlight);
+  this->Handle->setEnabled(effects.Shading && !effects.Headlight);
   this->Elevation->setEnabled(!effects.Headlight);
   const auto& from = effects.LightFrom;
   const double level = std::hypot(from[0], from[1]);

@@ -31,7 +31,13 @@ public:
 
   EffectTimer* GetTimer() { return this->Timer; }
   QCheckBox* GetCheck(int effect) { return this->Rows[effect].Check; }
+  /// Whether the light is to have a handle in the picture.
+  bool IsHandleWanted() const;
+  QCheckBox* GetHandle() { return this->Handle; }
   QLabel* GetCost(int effect) { return this->Rows[effect].Cost; }
+
+Q_SIGNALS:
+  void HandleChanged();
 
 private:
   struct Row
@@ -50,6 +56,7 @@ private:
   Model& Shown;
   EffectTimer* Timer;
   std::vector<Row> Rows;
+  QCheckBox* Handle;
   ValueSlider* Azimuth;
   ValueSlider* Elevation;
   QPushButton* MeasureAll;

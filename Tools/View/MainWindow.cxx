@@ -12,8 +12,6 @@
 #include "TimeBar.h"
 #include "TransferFunctionEditor.h"
 
-#include "vtkRenderWindowInteractor.h"
-
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -70,16 +68,7 @@ MainWindow::MainWindow(QWidget* parent)
   this->MakeViewMenu();
   this->MakeHelpMenu();
 
-  this->Handles =
-    std::make_unique<CutWidgets>(this->Picture->interactor(), this->Shown.GetScene().GetRenderer(),
-      [this](const CutState& cuts, bool dragging)
-      {
-        if (dragging != this->Shown.IsDragging())
-        {
-          dragging ? this->Shown.BeginDrag() : this->Shown.EndDrag();
-        }
-        this->Shown.Edit([&](ViewState& s) { s.Cuts = cuts; });
-      });
+  this->MakeHandles();
   connect(&this->Shown, &Model::Failed, this, &MainWindow::ShowFailure);
   connect(&this->Shown, &Model::LoadingChanged, this, &MainWindow::ShowLoading);
   connect(&this->Shown, &Model::DataChanged, this,
@@ -87,16 +76,18 @@ MainWindow::MainWindow(QWidget* parent)
     {
       this->Hint->hide();
       this->Handles->SetBounds(this->Shown.GetScene().GetBounds().data());
+      this->LightBall->SetBounds(this->Shown.GetScene().GetBounds().data());
       this->setWindowTitle(
         tr("%1 – TetMarch").arg(QString::fromStdString(this->Shown.GetState().Data.File)));
     });
   connect(&this->Shown, &Model::StateChanged, this, &MainWindow::ShowHandles);
-  connect(this->Cuts, &CutsPanel::HandlesChanged, this,
-    [this]
-    {
-      this->ShowHandles();
-      this->Shown.RequestRender();
-    });
+  const auto showHandles = [this]
+  {
+    this->ShowHandles();
+    this->Shown.RequestRender();
+  };
+  connect(this->Cuts, &CutsPanel::HandlesChanged, this, showHandles);
+  connect(this->Effects, &EffectsPanel::HandleChanged, this, showHandles);
   connect(&this->Shown, &Model::Rendered, this,
     [this]
     {
@@ -129,6 +120,7 @@ MainWindow::~MainWindow()
   SetMessageListener({});
   this->hide(); // panels tell the model, which ends before them
   this->Handles.reset();
+  this->LightBall.reset();
   delete this->Picture;
 }
 
@@ -240,20 +232,6 @@ void MainWindow::ShowPick(int x, int y)
   this->statusBar()->clearMessage();
   this->Shown.RequestRender();
 }
-
-void MainWindow::ShowHandles()
-{
-  if (this->Shown.HasData() && this->Cuts->AreHandlesWanted())
-  {
-    this->Handles->Show(this->Shown.GetState().Cuts);
-  }
-  else
-  {
-    this->Handles->Hide();
-  }
-}
-
-void MainWindow::HideHandles() { this->Handles->Hide(); }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {

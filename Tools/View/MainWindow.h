@@ -8,6 +8,7 @@
 #define tetmarch_MainWindow_h
 
 #include "CutWidgets.h"
+#include "LightHandle.h"
 #include "Model.h"
 
 #include <QMainWindow>
@@ -61,6 +62,7 @@ protected:
 
 private:
   void MakeDocks();
+  void MakeHandles();
   void MakeStatusBar();
   void MakeFileMenu();
   void MakeViewMenu();
@@ -94,6 +96,7 @@ private:
   QMenu* Panels = nullptr;
   QString LastFile; // that was asked for
   std::unique_ptr<CutWidgets> Handles;
+  std::unique_ptr<LightHandle> LightBall;
 };
 
 } // namespace tetmarch
