@@ -42,7 +42,7 @@ struct EditorUnderTest
     this->Draw();
   }
 
-  tetmarch::FunctionSnapshot Read() { return tetmarch::ReadState(this->Color, this->Opacity); }
+  tetmarch::FunctionSnapshot Read() { return tetmarch::TakeSnapshot(this->Color, this->Opacity); }
 
   void Draw()
   {

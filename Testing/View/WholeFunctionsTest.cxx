@@ -59,7 +59,7 @@ void WholeFunctionsTest::InvertFitReset()
   t.Trigger("invert");
   vtkNew<vtkColorTransferFunction> color;
   vtkNew<vtkPiecewiseFunction> opacity;
-  tetmarch::WriteState(before, color, opacity);
+  tetmarch::ApplySnapshot(before, color, opacity);
   for (double x = 10.0; x <= 20.0; x += 0.125)
   {
     color->GetColor(x, old);

@@ -11,7 +11,6 @@
 #include "PixelTrace.h"
 #include "Series.h"
 #include "Statistics.h"
-#include "TimeSteps.h"
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"
@@ -57,8 +56,7 @@ void ListColors()
 void ListArrays(const CommandLine& commandLine)
 {
   const VolumeData data = ReadVolume(commandLine.Input, commandLine.TimeStep, commandLine.Raw);
-  const auto times = GetTimeSteps(commandLine.Input, commandLine.Raw);
-  std::fputs(FormatArrayList(ChooseArray(data, commandLine), times).c_str(), stdout);
+  std::fputs(FormatArrayList(ChooseArray(data, commandLine), data.Times).c_str(), stdout);
 }
 
 void DrawOne(const CommandLine& commandLine)

@@ -30,15 +30,22 @@ prepare_paraview() {
   unpack_paraview
 }
 
-# ParaView 5.11 loads nothing by --plugins=PATH, without a word: it wants the folder and the name.
+# name_paraview_command PLUGIN: sets PARAVIEW_COMMAND to the words of the command. ParaView 5.11 loads nothing by
+# --plugins=PATH, without a word: it wants the folder and the name.
+name_paraview_command() {
+  PARAVIEW_COMMAND=(env "LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)" "$PARAVIEW_ROOT/usr/bin/paraview"
+    "--plugin-search-paths=$(dirname "$1")" --plugins=TetMarch)
+}
+
 explain_plugin() {
-  local plugin="$1" bin="$PARAVIEW_ROOT/usr/bin"
+  local plugin="$1"
+  name_paraview_command "$plugin"
   cat <<TEXT
 The plugin is $plugin
 To load it: in ParaView by Tools > Manage Plugins > Load New, in Python by
   paraview.simple.LoadPlugin("$plugin", remote=False)
 or from the start with this ParaView, as ./tetmarch paraview FILE does:
-  LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu) $bin/paraview --plugin-search-paths=$(dirname "$plugin") --plugins=TetMarch
+  ${PARAVIEW_COMMAND[*]}
 TEXT
 }
 
@@ -47,8 +54,8 @@ start_paraview() {
   [[ -r "$2" ]] || die "there is no file $2 that can be read"
   [[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]] ||
     die "ParaView's window needs a display, and there is none: log in with ssh -X, or draw with pvbatch or tetmarch-render"
-  LD_LIBRARY_PATH="$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)" exec "$PARAVIEW_ROOT/usr/bin/paraview" \
-    --plugin-search-paths="$(dirname "$1")" --plugins=TetMarch "$2"
+  name_paraview_command "$1"
+  exec "${PARAVIEW_COMMAND[@]}" "$2"
 }
 
 # paraview [FILE]

@@ -120,7 +120,7 @@ public:
   {
     CellCutting cutting(block, values);
     const vtkIdType count = block->GetNumberOfCells();
-    const vtkIdType step = (count + MostCells - 1) / std::max<vtkIdType>(MostCells, 1);
+    const vtkIdType step = (count + MostCells - 1) / MostCells;
     for (vtkIdType first = 0; first < count; first += step)
     {
       const vtkIdType group = std::min(step, count - first);

@@ -32,13 +32,11 @@ void dropUpTo(double least, std::vector<double>& numbers)
 
 // In bits, of the opacities of the pixels before the data, in 16 bins.
 double entropyOf(
-  const Crossings& crossings, const std::function<double(double)>& extinction, double unitDistance)
+  const std::vector<double>& depths, const std::vector<double>& lengths, double unitDistance)
 {
   constexpr int bins = 16;
   std::array<double, bins> counts{};
   double total = 0;
-  const std::vector<double> depths = crossings.opticalDepths(extinction);
-  const std::vector<double> lengths = crossings.lengths();
   for (std::size_t i = 0; i < depths.size(); ++i)
   {
     if (lengths[i] > 0)
@@ -56,12 +54,39 @@ double entropyOf(
   return bits;
 }
 
+// As findExposure(), of optical depths at a unit distance of 1.
+std::optional<double> exposureOf(std::vector<double> depths)
+{
+  constexpr double shown = 0.05;
+  const double half = std::log(2.0);
+  const double most = -std::log1p(-0.97);
+  dropUpTo(0.0, depths);
+  if (depths.empty())
+  {
+    return std::nullopt;
+  }
+  dropUpTo(shown * percentile(depths, 0.95), depths);
+  const double ofMedian = percentile(depths, 0.5) / half;
+  const double ofMost = percentile(depths, 0.95) / most;
+  return std::max(ofMedian, ofMost);
+}
+
+// As exposedUnitDistance(), of optical depths and of lengths.
+double unitDistanceOf(std::vector<double> depths, const std::vector<double>& lengths)
+{
+  if (const std::optional<double> exposed = exposureOf(std::move(depths)))
+  {
+    return *exposed;
+  }
+  const double longest = lengths.empty() ? 0.0 : *std::max_element(lengths.begin(), lengths.end());
+  return longest > 0 ? longest : 1.0;
+}
+
 // The opacity of the background. Both laws of opacity agree on what is as small.
-double veilOf(const Crossings& crossings, double unitDistance)
+double veilOf(std::vector<double> lengths, double unitDistance)
 {
   constexpr double most = 0.05;
   constexpr double depth = 0.128; // of an opacity of 0.12
-  std::vector<double> lengths = crossings.lengths();
   dropUpTo(0.0, lengths);
   return lengths.empty() ? 0.0 : std::min(most, depth * unitDistance / percentile(lengths, 0.5));
 }
@@ -80,31 +105,13 @@ std::function<double(double)> extinctionOf(vtkPiecewiseFunction* opacity, bool s
 std::optional<double> findExposure(
   const Crossings& crossings, const std::function<double(double)>& extinction)
 {
-  constexpr double shown = 0.05;
-  const double half = std::log(2.0);
-  const double most = -std::log1p(-0.97);
-  std::vector<double> depths = crossings.opticalDepths(extinction);
-  dropUpTo(0.0, depths);
-  if (depths.empty())
-  {
-    return std::nullopt;
-  }
-  dropUpTo(shown * percentile(depths, 0.95), depths);
-  const double ofMedian = percentile(depths, 0.5) / half;
-  const double ofMost = percentile(depths, 0.95) / most;
-  return std::max(ofMedian, ofMost);
+  return exposureOf(crossings.opticalDepths(extinction));
 }
 
 double exposedUnitDistance(
   const Crossings& crossings, const std::function<double(double)>& extinction)
 {
-  if (const std::optional<double> exposed = findExposure(crossings, extinction))
-  {
-    return *exposed;
-  }
-  const std::vector<double> lengths = crossings.lengths();
-  const double longest = lengths.empty() ? 0.0 : *std::max_element(lengths.begin(), lengths.end());
-  return longest > 0 ? longest : 1.0;
+  return unitDistanceOf(crossings.opticalDepths(extinction), crossings.lengths());
 }
 
 double exposeFirstOpacity(const ValueStatistics& statistics, const Crossings& crossings,
@@ -113,6 +120,7 @@ double exposeFirstOpacity(const ValueStatistics& statistics, const Crossings& cr
   const bool law = options.StructuredLaw;
   OpacityShape shape;
   shape.Most = law ? 0.95 : 1.0;
+  const std::vector<double> lengths = crossings.lengths();
   double unitDistance = 0;
   double most = -1;
   for (const double exponent : { 2.0, 1.5, 1.0, 0.75, 0.5 })
@@ -120,9 +128,9 @@ double exposeFirstOpacity(const ValueStatistics& statistics, const Crossings& cr
     OpacityShape tried = shape;
     tried.Exponent = exponent;
     makeFirstOpacity(statistics, tried, opacity);
-    const auto extinction = extinctionOf(opacity, law);
-    const double distance = exposedUnitDistance(crossings, extinction);
-    const double entropy = entropyOf(crossings, extinction, distance);
+    const std::vector<double> depths = crossings.opticalDepths(extinctionOf(opacity, law));
+    const double distance = unitDistanceOf(depths, lengths);
+    const double entropy = entropyOf(depths, lengths, distance);
     if (entropy > most)
     {
       most = entropy;
@@ -133,7 +141,7 @@ double exposeFirstOpacity(const ValueStatistics& statistics, const Crossings& cr
   makeFirstOpacity(statistics, shape, opacity);
   if (options.Veil)
   {
-    shape.Least = veilOf(crossings, unitDistance);
+    shape.Least = veilOf(lengths, unitDistance);
     makeFirstOpacity(statistics, shape, opacity);
   }
   return unitDistance;

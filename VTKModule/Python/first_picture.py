@@ -6,6 +6,7 @@ from typing import NamedTuple
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
+from .errors import VtkErrors
 from .vtkRenderingTetMarch import vtkTetMarchFirstPicture
 
 ASSOCIATIONS = {None: vtkTetMarchFirstPicture.ANY, "points": vtkTetMarchFirstPicture.POINTS,
@@ -40,16 +41,10 @@ def choose_first_picture(data, array=None, association=None, component=None, ran
         first.SetRange(*range)
     if structured_law is not None:
         first.SetOpacityLaw(first.STRUCTURED if structured_law else first.UNSTRUCTURED)
-    errors = []
-
-    def keep(_object, _event, text):
-        errors.append(text)
-
-    keep.CallDataType = "string0"
-    first.AddObserver("ErrorEvent", keep)
-    if not first.Choose():
-        message = errors[-1].strip().split("): ", 1)[-1] if errors else "there is nothing to choose"
-        raise ValueError(message)
+    with VtkErrors() as errors:
+        chosen = first.Choose()
+    if not chosen:
+        raise ValueError(str(errors))
     return first
 
 

@@ -59,13 +59,13 @@ void ColorMapBox::ShowMapOf(vtkColorTransferFunction* color)
 {
   int found = -1;
   vtkNew<vtkPiecewiseFunction> none;
-  const FunctionSnapshot shown = ReadState(color, none);
+  const FunctionSnapshot shown = TakeSnapshot(color, none);
   for (int i = 0; i < this->count() && color->GetSize() > 0 && found < 0; ++i)
   {
     vtkNew<vtkColorTransferFunction> map;
     map->SetScale(color->GetScale());
     ApplyColorMap(this->itemText(i).toStdString(), color->GetRange()[0], color->GetRange()[1], map);
-    const FunctionSnapshot state = ReadState(map, none);
+    const FunctionSnapshot state = TakeSnapshot(map, none);
     found = state.Colors == shown.Colors && state.ColorSpace == shown.ColorSpace ? i : -1;
   }
   this->setCurrentIndex(found);

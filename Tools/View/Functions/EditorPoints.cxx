@@ -41,7 +41,7 @@ namespace tetmarch
 void TransferFunctionEditor::ShowChosenPoint()
 {
   const ControlPoint point = this->Chart->GetChosenPoint();
-  const FunctionSnapshot state = ReadState(this->Color, this->Opacity);
+  const FunctionSnapshot state = TakeSnapshot(this->Color, this->Opacity);
   if (point.Of == ControlPoint::Kind::Opacity)
   {
     const auto limits = GetLimits(state.Opacities, point.Index);
@@ -151,7 +151,7 @@ void TransferFunctionEditor::LoadPreset(const QString& path)
   {
     const auto read = ReadPreset(QFile::encodeName(path).toStdString(), this->GetColorRange());
     FunctionSnapshot state =
-      ReadState(read.Color, read.HasOpacityOfItsOwn ? read.Opacity.Get() : this->Opacity.Get());
+      TakeSnapshot(read.Color, read.HasOpacityOfItsOwn ? read.Opacity.Get() : this->Opacity.Get());
     state.IsoValues = this->GetIsoValues();
     this->History.Record(state);
     this->Restore(state);

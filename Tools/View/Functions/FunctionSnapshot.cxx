@@ -24,7 +24,7 @@ bool FunctionSnapshot::operator==(const FunctionSnapshot& other) const
   return Tie(*this) == Tie(other);
 }
 
-FunctionSnapshot ReadState(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity)
+FunctionSnapshot TakeSnapshot(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity)
 {
   FunctionSnapshot state;
   state.Colors = GetNodes(color);
@@ -38,7 +38,7 @@ FunctionSnapshot ReadState(vtkColorTransferFunction* color, vtkPiecewiseFunction
   return state;
 }
 
-void WriteState(
+void ApplySnapshot(
   const FunctionSnapshot& state, vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity)
 {
   color->SetAllowDuplicateScalars(state.ColorDuplicates);

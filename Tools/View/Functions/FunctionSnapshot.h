@@ -37,10 +37,10 @@ struct FunctionSnapshot
 };
 
 /// IsoValues are left empty: they are in neither function.
-FunctionSnapshot ReadState(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity);
+FunctionSnapshot TakeSnapshot(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity);
 
 /// Makes the functions what they were when the state was read.
-void WriteState(
+void ApplySnapshot(
   const FunctionSnapshot& state, vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity);
 
 } // namespace tetmarch

@@ -96,7 +96,7 @@ std::vector<double> TransferFunctionEditor::GetIsoValues() const
 
 FunctionSnapshot TransferFunctionEditor::ReadPresent() const
 {
-  FunctionSnapshot state = ReadState(this->Color, this->Opacity);
+  FunctionSnapshot state = TakeSnapshot(this->Color, this->Opacity);
   state.IsoValues = this->GetIsoValues();
   return state;
 }
@@ -115,7 +115,7 @@ void TransferFunctionEditor::Restore(const FunctionSnapshot& state)
   this->Editing = true;
   // A chosen point would have the number of another one.
   this->Chart->ChoosePoint({});
-  WriteState(state, this->Color, this->Opacity);
+  ApplySnapshot(state, this->Color, this->Opacity);
   this->Chart->GetIsoValues()->SetIsoValues(state.IsoValues);
   this->Editing = false;
   this->TellOfChanges();
