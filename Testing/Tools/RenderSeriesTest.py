@@ -1,9 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Series of pictures, and the threads that draw them: RenderSeriesTest.py EXECUTABLE PROJECT_FOLDER."""
-import os
 import pathlib
-import pty
 import subprocess
 
 from read_png import read_png
@@ -71,18 +69,7 @@ class RenderSeriesTest(RenderCase):
 
     def bars(self, *arguments):
         """What a terminal shows of a run."""
-        terminal, other_end = pty.openpty()
-        with subprocess.Popen([self.executable, *map(str, arguments)], cwd=self.folder, stderr=other_end) as process:
-            os.close(other_end)
-            text = b""
-            try:
-                while chunk := os.read(terminal, 4096):
-                    text += chunk
-            except OSError:  # how Linux says that the other end was closed
-                pass
-        os.close(terminal)
-        self.assertEqual(process.returncode, 0)
-        return text.decode().split("\r")
+        return self.run_on_terminal(*arguments).decode().split("\r")
 
     def test_one_progress_bar_for_all_frames(self):
         shown = [line for line in self.bars("cube.vtu", "--array", "ramp", "--size", "32x32", "--turntable", 4)

@@ -4,9 +4,7 @@
 import json
 import math
 import os
-import pty
 import re
-import subprocess
 
 from render_case import RenderCase, main
 
@@ -192,17 +190,7 @@ class RenderTest(RenderCase):
         self.assertRegex(result.stdout, r"^\d+\.\d+ s a frame \(median of 2\)\n$")
 
     def test_progress_bar_on_a_terminal_only(self):
-        terminal, other_end = pty.openpty()
-        with subprocess.Popen([self.executable, "cube.vtu"], cwd=self.folder, stderr=other_end) as process:
-            os.close(other_end)
-            text = b""
-            try:
-                while chunk := os.read(terminal, 4096):
-                    text += chunk
-            except OSError:  # how Linux says that the other end was closed
-                pass
-        os.close(terminal)
-        self.assertEqual(process.returncode, 0)
+        text = self.run_on_terminal("cube.vtu")
         self.assertIn(b"reading [", text)
         self.assertTrue(text.endswith(b"\r\x1b[K"), text[-80:])
 

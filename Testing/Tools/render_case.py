@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import pty
 import subprocess
 import sys
 import tempfile
@@ -26,6 +27,21 @@ class RenderCase(unittest.TestCase):
     def run_tool(self, *arguments, **environment):
         return subprocess.run([self.executable, *map(str, arguments)], cwd=self.folder, text=True, timeout=300,
                               capture_output=True, env={**os.environ, **environment})
+
+    def run_on_terminal(self, *arguments):
+        """What the terminal got on standard error, as bytes."""
+        terminal, other_end = pty.openpty()
+        with subprocess.Popen([self.executable, *map(str, arguments)], cwd=self.folder, stderr=other_end) as process:
+            os.close(other_end)
+            text = b""
+            try:
+                while chunk := os.read(terminal, 4096):
+                    text += chunk
+            except OSError:  # how Linux says that the other end was closed
+                pass
+        os.close(terminal)
+        self.assertEqual(process.returncode, 0)
+        return text
 
     def expect_failure(self, status, message, *arguments, **environment):
         with self.subTest(arguments=arguments):
