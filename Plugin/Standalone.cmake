@@ -29,6 +29,10 @@ paraview_plugin_build(
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
   PLUGINS_FILE_NAME "tetmarch.xml")
 
+if (CMAKE_SYSTEM_NAME STREQUAL "Linux")
+  add_subdirectory(Plugin/Expat)
+endif ()
+
 if (BUILD_TESTING)
   add_subdirectory(Testing/Plugin)
 endif ()

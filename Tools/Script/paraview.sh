@@ -31,10 +31,14 @@ prepare_paraview() {
 }
 
 # name_paraview_command PLUGIN: sets PARAVIEW_COMMAND to the words of the command. ParaView 5.11 loads nothing by
-# --plugins=PATH, without a word: it wants the folder and the name.
+# --plugins=PATH, without a word: it wants the folder and the name. What is loaded before its libraries lets it read
+# appended data with any libexpat: Plugin/README.md.
 name_paraview_command() {
-  PARAVIEW_COMMAND=(env "LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)" "$PARAVIEW_ROOT/usr/bin/paraview"
-    "--plugin-search-paths=$(dirname "$1")" --plugins=TetMarch)
+  local folder
+  folder="$(dirname "$1")"
+  PARAVIEW_COMMAND=(env "LD_PRELOAD=$folder/libTetMarchExpat.so"
+    "LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)" "$PARAVIEW_ROOT/usr/bin/paraview"
+    "--plugin-search-paths=$folder" --plugins=TetMarch)
 }
 
 explain_plugin() {
