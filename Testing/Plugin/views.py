@@ -26,11 +26,16 @@ def load_plugin(arguments):
 def open_view():
     simple._DisableFirstRenderCameraReset()
     view = simple.CreateView("RenderView")
+    make_plain(view)
+    return view
+
+
+def make_plain(view):
+    """Nothing but what is shown, on black."""
     view.ViewSize = [400, 300]
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.Background = [0.0, 0.0, 0.0]
-    return view
 
 
 def show(source, view, array, association="POINTS", kind="UnstructuredGridRepresentation"):
