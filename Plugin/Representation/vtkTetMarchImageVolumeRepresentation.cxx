@@ -43,6 +43,7 @@ int vtkTetMarchImageVolumeRepresentation::RequestData(
     change = [this](vtkDataSet* block) { this->AppendOpacityComponent(block); };
   }
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
+  this->InputProblem.lookAt(input);
   const auto drawn = tetmarch::copyToDraw(input, this->Blocks, change);
   if (!drawn)
   {
@@ -76,16 +77,14 @@ int vtkTetMarchImageVolumeRepresentation::ProcessViewRequest(
     vtkNew<vtkMatrix4x4> place; // which the superclass leaves out
     this->Actor->GetMatrix(place);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, this->DataBounds, place);
+    this->InputProblem.warn(this, tetmarch::arrayOf(this->GetInputArrayInformation(0)));
   }
   return 1;
 }
 
 void vtkTetMarchImageVolumeRepresentation::UpdateMapperParameters()
 {
-  vtkInformation* colors = this->GetInputArrayInformation(0);
-  const char* array = colors && colors->Has(vtkDataObject::FIELD_NAME())
-                        ? colors->Get(vtkDataObject::FIELD_NAME())
-                        : nullptr;
+  const char* array = tetmarch::arrayOf(this->GetInputArrayInformation(0));
   const bool visible = this->GetVisibility() && array && *array;
   this->Legend->SetVisibility(visible);
   if (!visible) // the superclass reads the name

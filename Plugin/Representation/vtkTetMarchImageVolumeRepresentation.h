@@ -17,6 +17,7 @@
 #ifndef vtkTetMarchImageVolumeRepresentation_h
 #define vtkTetMarchImageVolumeRepresentation_h
 
+#include "InputProblem.h"   // For InputProblem
 #include "SelectedBlocks.h" // For the selection of blocks
 #include "vtkBoundingBox.h" // For WholeBounds
 #include "vtkImageVolumeRepresentation.h"
@@ -104,6 +105,7 @@ private:
 
   vtkBoundingBox WholeBounds; // of the data of all processes
   tetmarch::BlockSelection Blocks;
+  tetmarch::InputProblem InputProblem;
   vtkNew<vtkTetMarchSmartVolumeMapper> TetMarchMapper;
   vtkNew<vtkTetMarchLegend> Legend;
 };

@@ -45,6 +45,7 @@ int vtkTetMarchVolumeRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
+  this->InputProblem.lookAt(input);
   if (vtkUnstructuredGrid::SafeDownCast(input) || vtkDataObjectTree::SafeDownCast(input))
   {
     std::function<void(vtkDataSet*)> change;
@@ -78,6 +79,7 @@ int vtkTetMarchVolumeRepresentation::ProcessViewRequest(
   if (type == vtkPVView::REQUEST_UPDATE())
   {
     this->OfferData(inInfo, outInfo);
+    this->InputProblem.warn(this, tetmarch::arrayOf(this->GetInputArrayInformation(0)));
   }
   else if (type == vtkPVView::REQUEST_UPDATE_LOD())
   {

@@ -15,6 +15,7 @@
 #ifndef vtkTetMarchVolumeRepresentation_h
 #define vtkTetMarchVolumeRepresentation_h
 
+#include "InputProblem.h"                    // For InputProblem
 #include "SelectedBlocks.h"                  // For the selection of blocks
 #include "vtkBoundingBox.h"                  // For WholeBounds
 #include "vtkTetMarchRepresentationMacros.h" // For methods of both representations
@@ -145,6 +146,7 @@ private:
   vtkSmartPointer<vtkDataObject> Drawn; // of this process
   vtkBoundingBox WholeBounds;           // of that of all processes
   tetmarch::BlockSelection Blocks;
+  tetmarch::InputProblem InputProblem;
   bool ExactCompositing = true;
   double CroppingOrigin[3] = { 0, 0, 0 };
   double CroppingScale[3] = { 1, 1, 1 };

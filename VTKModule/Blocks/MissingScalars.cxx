@@ -49,7 +49,8 @@ std::string describeMissingScalars(
   return hasNo + describe(selection) +
          ", so nothing is drawn. Point arrays: " + namesOf(data->GetPointData()) +
          "; cell arrays: " + namesOf(data->GetCellData()) +
-         ". Choose one with SelectScalarArray and SetScalarMode, or set active scalars.";
+         ". Choose one with SelectScalarArray and SetScalarMode, or set active scalars; in "
+         "ParaView, under Coloring.";
 }
 
 } // namespace tetmarch

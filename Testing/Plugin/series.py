@@ -1,0 +1,52 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files of time steps, with their data inline: Debian 12's ParaView reads them whatever libexpat it has."""
+from lattices import ARRAY, image, lattice
+from paraview import simple
+from paraview.vtk.vtkIOXML import vtkXMLImageDataWriter, vtkXMLUnstructuredGridWriter
+from views import open_view, show
+
+SIDE = 6
+# What makes the grid, what writes it, and how ParaView shows it.
+KINDS = {
+    "vtu": (lattice, vtkXMLUnstructuredGridWriter, "UnstructuredGridRepresentation"),
+    "vti": (image, vtkXMLImageDataWriter, "UniformGridRepresentation"),
+}
+
+
+def make_grid(kind, value):
+    return KINDS[kind][0]([SIDE] * 3, value)
+
+
+def write_steps(kind, folder, grids):
+    """The names of the files."""
+    names = []
+    for i, grid in enumerate(grids):
+        writer = KINDS[kind][1]()
+        writer.SetInputData(grid)
+        writer.SetDataModeToBinary()
+        names.append(f"{folder}/step{i}.{kind}")
+        writer.SetFileName(names[-1])
+        assert writer.Write() == 1
+    return names
+
+
+class Shown:
+    """A series in a view of its own."""
+
+    def __init__(self, kind, names):
+        self.reader = simple.OpenDataFile(names)
+        self.view = open_view()
+        self.view.ViewSize = [200, 160]
+        self.display = show(self.reader, self.view, ARRAY, kind=KINDS[kind][2])
+        self.scene = simple.GetAnimationScene()
+        self.scene.UpdateAnimationUsingDataTimeSteps()
+        simple.ResetCamera(self.view)
+
+    def figure(self, name):
+        self.display.UpdatePropertyInformation()
+        return self.display.GetPropertyValue("TetMarch" + name)
+
+    def close(self):
+        for proxy in (self.display, self.view, self.reader):
+            simple.Delete(proxy)
