@@ -25,15 +25,15 @@ def run(script, *arguments):
 class StateTest(unittest.TestCase):
     def test_states_restore_properties_and_pictures(self):
         with tempfile.TemporaryDirectory() as folder:
-            run("states.py", "--state", folder)
+            run("states.py", "--path", folder)
             for name in ("state.pvsm", "state.py"):
                 with self.subTest(name):
-                    run("states.py", "--state", str(pathlib.Path(folder) / name))
+                    run("states.py", "--path", str(pathlib.Path(folder) / name))
 
     def test_traces_run(self):
         with tempfile.TemporaryDirectory() as folder:
-            run("traces.py", "--trace", folder)
-            run("traces.py", "--trace", str(pathlib.Path(folder) / "trace.py"))
+            run("traces.py", "--path", folder)
+            run("traces.py", "--path", str(pathlib.Path(folder) / "trace.py"))
 
 
 if __name__ == "__main__":

@@ -1,17 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""For StateTest.py: writes the states of a scene and what it shows, or reads a state and looks for the same.
-
---state: of a folder, where to write; of a file in it, .pvsm or .py, what to read.
-"""
-import pathlib
-import pickle
-
+"""For StateTest.py: writes the states of a scene and what it shows, or reads a state, .pvsm or .py, and looks for the
+same."""
 from paraview import simple, smstate
 from state_values import STEPS, make_scene, set_values, values_of
-from views import load_plugin, parse_arguments, picture_of
-
-EXPECTED = "expected.pickle"
+from two_processes import displays_of, expect_values, keep, kept_beside, main, run_code
+from views import picture_of
 
 
 def look_at(scene):
@@ -38,39 +32,21 @@ def write(folder):
         assert not same and values_of(display) == values, f"the values of {same} are the defaults"
     simple.SaveState(str(folder / "state.pvsm"))
     (folder / "state.py").write_text(smstate.get_state())
-    found = look_at([(view, display) for view, display, _ in scene])
-    (folder / EXPECTED).write_bytes(pickle.dumps(found))
+    keep(folder, look_at([(view, display) for view, display, _ in scene]))
 
 
 def read(path):
     if path.suffix == ".py":
-        exec(compile(path.read_text(), str(path), "exec"), {"__name__": "__main__"})
+        run_code(path)
     else:
         simple.LoadState(str(path))
-    scene = []
-    for name in ("mesh", "wavelet"):
-        source = simple.FindSource(name)
-        shown = [(view, display) for view in simple.GetRenderViews() for display in view.Representations
-                 if getattr(display, "Input", None) == source]
-        assert len(shown) == 1, f"{name} is shown in {len(shown)} views"
-        scene += shown
-    expected = pickle.loads((path.parent / EXPECTED).read_bytes())
-    for (values, pictures), (wanted_values, wanted_pictures) in zip(look_at(scene), expected):
-        other = {name: (value, values.get(name)) for name, value in wanted_values.items() if values.get(name) != value}
-        assert not other, f"saved and restored: {other}"
+    expected = kept_beside(path)
+    found = look_at(displays_of("mesh", "wavelet"))
+    for (values, pictures), (wanted_values, wanted_pictures) in zip(found, expected):
+        expect_values(values, wanted_values)
         for step, (picture, wanted) in enumerate(zip(pictures, wanted_pictures)):
             assert picture == wanted, f"picture {step} of {len(wanted_pictures)} is another one"
     print(f"{path.name}: {[len(values) for values, _ in expected]} properties, {len(STEPS)} pictures of each")
 
 
-def main():
-    arguments = parse_arguments(__doc__, "state")
-    load_plugin(arguments)
-    path = pathlib.Path(arguments.state)
-    if path.is_dir():
-        write(path)
-    else:
-        read(path)
-
-
-main()
+main(__doc__, write, read)
