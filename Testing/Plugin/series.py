@@ -14,8 +14,8 @@ KINDS = {
 }
 
 
-def make_grid(kind, value):
-    return KINDS[kind][0]([SIDE] * 3, value)
+def make_grid(kind, value, origin=(0, 0, 0)):
+    return KINDS[kind][0]([SIDE] * 3, value, origin)
 
 
 def write_steps(kind, folder, grids):
@@ -32,13 +32,16 @@ def write_steps(kind, folder, grids):
 
 
 class Shown:
-    """A series in a view of its own."""
+    """Series of files in a view of their own."""
 
-    def __init__(self, kind, names):
-        self.reader = simple.OpenDataFile(names)
+    def __init__(self, kind, *series):
+        """Of several series, each is a block."""
+        self.sources = [simple.OpenDataFile(names) for names in series]
+        if len(series) > 1:
+            self.sources.append(simple.GroupDatasets(Input=self.sources))
         self.view = open_view()
         self.view.ViewSize = [200, 160]
-        self.display = show(self.reader, self.view, ARRAY, kind=KINDS[kind][2])
+        self.display = show(self.sources[-1], self.view, ARRAY, kind=KINDS[kind][2])
         self.scene = simple.GetAnimationScene()
         self.scene.UpdateAnimationUsingDataTimeSteps()
         simple.ResetCamera(self.view)
@@ -48,5 +51,5 @@ class Shown:
         return self.display.GetPropertyValue("TetMarch" + name)
 
     def close(self):
-        for proxy in (self.display, self.view, self.reader):
+        for proxy in (self.display, self.view, *reversed(self.sources)):
             simple.Delete(proxy)

@@ -3,6 +3,7 @@
 """Animations over the time steps of a mesh and of an image: where values alone change, only they are prepared and
 loaded."""
 import math
+import pathlib
 import tempfile
 
 from paraview import simple
@@ -63,6 +64,23 @@ def check_properties(shown):
     shown.close()
 
 
+def check_blocks(kind, folder):
+    """Those of a mesh are joined to one, those of images are prepared one by one: once either way."""
+    series = []
+    for name, origin in (("first", (0, 0, 0)), ("second", (SIDE, 0, 0))):
+        pathlib.Path(folder, name).mkdir(exist_ok=True)
+        grids = [make_grid(kind, wave(step), origin) for step in range(STEPS)]
+        series.append(write_steps(kind, f"{folder}/{name}", grids))
+    shown = Shown(kind, *series)
+    pictures = []
+    for step in range(STEPS):
+        shown.scene.AnimationTime = step
+        pictures.append(picture_of(shown.view))
+        assert shown.figure("MeshBuilds") == (1 if kind == "vtu" else 2), f"step {step} of {kind}: prepared again"
+    assert len(set(map(tuple, pictures))) == STEPS
+    shown.close()
+
+
 def check_points(folder):
     """Where points move, a mesh is prepared again, once a step. Of images ParaView takes all steps to lie alike."""
     grids = [make_grid("vtu", wave(0)) for _ in range(2)]
@@ -86,6 +104,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for kind in ("vtu", "vti"):
             check_values(kind, folder)
+            check_blocks(kind, folder)
         check_points(folder)
 
 
