@@ -5,7 +5,7 @@
 #include "DrawnData.h"
 #include "VolumeInView.h"
 
-#include "vtkAlgorithmOutput.h"
+#include "vtkDummyController.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -66,6 +66,7 @@ int vtkTetMarchVolumeRepresentation::RequestData(
     bounds.GetBounds(this->DataBounds);
   }
   this->WholeBounds = input ? tetmarch::boundsOfAll(bounds) : bounds;
+  this->AgreeOnMoves(input != nullptr);
   return this->vtkVolumeRepresentation::RequestData(request, inputVector, outputVector);
 }
 
@@ -91,69 +92,6 @@ int vtkTetMarchVolumeRepresentation::ProcessViewRequest(
     this->PrepareToRender(inInfo);
   }
   return 1;
-}
-
-void vtkTetMarchVolumeRepresentation::OfferData(vtkInformation* inInfo, vtkInformation* outInfo)
-{
-  using RenderView = vtkPVRenderView;
-  RenderView::SetPiece(inInfo, this, this->Drawn);
-  RenderView::SetRequiresDistributedRendering(inInfo, this, true);
-  vtkNew<vtkMatrix4x4> place;
-  this->Actor->GetMatrix(place);
-  RenderView::SetGeometryBounds(inInfo, this, this->DataBounds, place);
-
-  if (this->ExactCompositing)
-  {
-    outInfo->Set(RenderView::RENDER_EMPTY_IMAGES(), 1); // each process takes part in each frame
-  }
-  else
-  {
-    // Processes draw their volumes one behind the other.
-    outInfo->Set(RenderView::NEED_ORDERED_COMPOSITING(), 1);
-  }
-  RenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
-  RenderView::SetOrderedCompositingConfiguration(inInfo, this,
-    this->ExactCompositing || this->UseDataPartitions
-      ? RenderView::USE_BOUNDS_FOR_REDISTRIBUTION
-      : RenderView::DATA_IS_REDISTRIBUTABLE | RenderView::USE_DATA_FOR_LOAD_BALANCING);
-}
-
-void vtkTetMarchVolumeRepresentation::PrepareToRender(vtkInformation* inInfo)
-{
-  vtkAlgorithmOutput* producer = inInfo->Has(vtkPVRenderView::USE_LOD())
-                                   ? vtkPVRenderView::GetPieceProducerLOD(inInfo, this)
-                                   : vtkPVRenderView::GetPieceProducer(inInfo, this);
-  vtkDataObject* data = producer ? producer->GetProducer()->GetOutputDataObject(0) : nullptr;
-  const bool drawable =
-    vtkUnstructuredGrid::SafeDownCast(data) || vtkDataObjectTree::SafeDownCast(data);
-  this->TetMarchMapper->SetInputConnection(drawable ? producer : nullptr);
-  this->TetMarchMapper->SetController(this->FindPartners(inInfo));
-  if (this->WholeBounds.IsValid())
-  {
-    std::array<double, 6> bounds;
-    this->WholeBounds.GetBounds(bounds.data());
-    this->TetMarchMapper->SetWholeBounds(bounds.data());
-  }
-  this->UpdateMapperParameters();
-  const char* array = this->TetMarchMapper->GetArrayName();
-  const bool visible = this->GetVisibility() && drawable && array && *array;
-  this->Actor->SetVisibility(visible);
-  this->Legend->SetVisibility(visible);
-}
-
-// The processes that draw the frame with this one; null if each draws its piece over the others.
-vtkMultiProcessController* vtkTetMarchVolumeRepresentation::FindPartners(
-  vtkInformation* inInfo) const
-{
-  auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
-  const bool distributed = view && (inInfo->Has(vtkPVRenderView::USE_LOD())
-                                       ? view->GetUseDistributedRenderingForLODRender()
-                                       : view->GetUseDistributedRenderingForRender());
-  auto* all = vtkMultiProcessController::GetGlobalController();
-  const bool alone = all && all->GetNumberOfProcesses() == 1;
-  const bool exact = this->ExactCompositing && view && (distributed || alone) &&
-                     !view->GetUseOrderedCompositing() && !view->InTileDisplayMode();
-  return exact ? all : nullptr;
 }
 
 void vtkTetMarchVolumeRepresentation::UpdateMapperParameters()

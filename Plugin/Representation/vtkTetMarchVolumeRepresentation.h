@@ -22,10 +22,15 @@
 #include "vtkTetMarchRepresentationModule.h" // For export macro
 #include "vtkUnstructuredGridVolumeRepresentation.h"
 
+#include <string> // For std::string
+
 class vtkDataObject;
+class vtkDummyController;
 class vtkMultiProcessController;
+class vtkPVRenderView;
 class vtkTetMarchLegend;
 class vtkTetMarchVolumeMapper;
+class vtkUnstructuredGrid;
 
 class VTKTETMARCHREPRESENTATION_EXPORT vtkTetMarchVolumeRepresentation
   : public vtkUnstructuredGridVolumeRepresentation
@@ -101,7 +106,9 @@ public:
    * In parallel, what rays gather in the pieces of all processes is put in order of depth, pixel by
    * pixel (vtkTetMarchVolumeMapper::SetController()). On by default. Off, on tile displays, and
    * where the view composites translucent geometry in order, processes draw their pieces one over
-   * the other, as UseDataPartitions says.
+   * the other. With UseDataPartitions these are the pieces as they lie, in the order of their
+   * boxes. Without it the view redistributes cells by a k-d tree; a cell in several of its regions
+   * is moved to all of them, and each process ends its rays at the planes of its region.
    */
   vtkSetMacro(ExactCompositing, bool);
   vtkGetMacro(ExactCompositing, bool);
@@ -139,12 +146,30 @@ private:
   vtkTetMarchVolumeRepresentation(const vtkTetMarchVolumeRepresentation&) = delete;
   void operator=(const vtkTetMarchVolumeRepresentation&) = delete;
 
+  struct PieceReport
+  {
+    bool Drawable = true;
+    std::string Message; // empty if nothing is wrong
+  };
+
+  void AgreeOnMoves(bool hasInput);
+  bool MovesCells() const;
   void OfferData(vtkInformation* inInfo, vtkInformation* outInfo);
   void PrepareToRender(vtkInformation* inInfo);
-  vtkMultiProcessController* FindPartners(vtkInformation* inInfo) const;
+  bool DrawsPieces(vtkPVRenderView* view) const;
+  vtkMultiProcessController* FindPartners(vtkInformation* inInfo, vtkPVRenderView* view);
+  vtkDataObject* TakeArrived(vtkDataObject* delivered, vtkPVRenderView* view);
+  PieceReport CheckPieces(vtkPVRenderView* view) const;
+  void ReportOnce(const std::string& message);
 
   vtkSmartPointer<vtkDataObject> Drawn; // of this process
-  vtkBoundingBox WholeBounds;           // of that of all processes
+  std::string WhyNotMoved;              // the same in all processes; empty if cells can be moved
+  vtkSmartPointer<vtkDataObject> Delivered;
+  vtkMTimeType DeliveredTime = 0;
+  vtkSmartPointer<vtkUnstructuredGrid> Arrived; // made of what was delivered
+  std::string LastReport;
+  vtkNew<vtkDummyController> Alone;
+  vtkBoundingBox WholeBounds; // of that of all processes
   tetmarch::BlockSelection Blocks;
   tetmarch::InputProblem InputProblem;
   bool ExactCompositing = true;
