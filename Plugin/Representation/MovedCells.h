@@ -14,8 +14,8 @@ namespace tetmarch
 {
 
 /**
- * Empty, or why cells can't be moved between processes: found once, by a cell that is written and
- * read as VTK does it on the way (vtkDIYUtilities).
+ * Empty, or why cells can't be moved between processes: found once, by cells that are
+ * written and read as VTK does it on the way (vtkDIYUtilities).
  */
 const std::string& faultOfMoves();
 

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """ParaView in several processes shows the picture of one, whatever pieces they have: ParallelTest.py PVBATCH PLUGIN"""
 import json
-import os
 import pathlib
 import socket
 import subprocess
@@ -10,65 +9,20 @@ import sys
 import tempfile
 import unittest
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path += [str(HERE.parent / "Processes"), str(HERE.parent / "Benchmark")]
+import numpy as np
 
-import numpy as np  # noqa: E402
-import vtkmodules.all as vtk  # noqa: E402
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
-
-import made_grids  # noqa: E402
-import mpi  # noqa: E402
-import partitions  # noqa: E402
+from parallel_runs import HERE, environment, made_grid, mpi, partitions, picture, run_batch, write_pieces
 
 PVBATCH = PLUGIN = None
 MOST = 2  # of 255: how far a channel of a pixel may be off
-CUBES = 9
 # Partition, processes, and what of draw_parallel.py is drawn; all of it if nothing is said.
 RUNS = (("spirals", 2, ()), ("spirals", 4, ()), ("spirals", 8, ("composite", "shaded", "surface")),
         ("slabs", 4, ("composite", "surface")), ("metis", 4, ("composite", "isosurface", "inside")),
-        ("random_cells", 4, ("composite", "maximum")), ("only_last", 3, ("composite", "surface")),
+        ("random_cells", 4, ("composite", "maximum")), ("only_last", 3, ("composite", "surface", "reduced")),
         ("ghosts", 4, ("composite", "shaded", "cells", "inside")))
-
-
-def made_grid():
-    grid = made_grids.lattice(CUBES, made_grids.outside_a_hole)
-    made_grids.add_array(grid.GetPointData(), "field", made_grids.waves(made_grids.points_of(grid), 1.0, 0))
-    made_grids.add_array(grid.GetCellData(), "of_cells", made_grids.waves(made_grids.cell_centres_of(grid), 1.0, 0))
-    return grid
-
-
-def write_pieces(grid, partition, processes, folder):
-    """Inline, which Debian 12's ParaView reads whatever libexpat it has."""
-    ghosts = partition == "ghosts"
-    owner = partitions.PARTITIONS["random_cells" if ghosts else partition](grid, processes)
-    names = []
-    for process in range(processes):
-        piece = partitions.piece_of(grid, owner, process, ghosts)
-        writer = vtk.vtkXMLUnstructuredGridWriter()
-        writer.SetInputData(piece)
-        names.append(f"{process}.vtu")
-        writer.SetFileName(str(folder / names[-1]))
-        writer.SetDataModeToBinary()
-        writer.Write()
-    ghost_array = '<PDataArray type="UInt8" Name="vtkGhostType"/>' if ghosts else ""
-    (folder / "all.pvtu").write_text(f"""<VTKFile type="PUnstructuredGrid" version="1.0" byte_order="LittleEndian">
-<PUnstructuredGrid GhostLevel="0">
-<PPointData><PDataArray type="Float64" Name="field"/></PPointData>
-<PCellData><PDataArray type="Float64" Name="of_cells"/>{ghost_array}</PCellData>
-<PPoints><PDataArray type="Float64" Name="Points" NumberOfComponents="3"/></PPoints>
-{''.join(f'<Piece Source="{name}"/>' for name in names)}
-</PUnstructuredGrid></VTKFile>""")
-    return folder / "all.pvtu"
-
-
-def picture(file):
-    reader = vtk.vtkPNGReader()
-    reader.SetFileName(str(file))
-    reader.Update()
-    image = reader.GetOutput()
-    width, height, _ = image.GetDimensions()
-    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[:, :, :3].astype(int)
+# After redistribution pictures of bytes are put over each other, which rounds once for each process but one.
+REDISTRIBUTED = (("spirals", 2, ("composite", "isosurface", "surface", "hidden")),
+                 ("random_cells", 4, ("composite", "cells", "inside")), ("ghosts", 3, ("composite", "cropped")))
 
 
 class ParallelTest(unittest.TestCase):
@@ -83,17 +37,15 @@ class ParallelTest(unittest.TestCase):
         cls.of_one = cls.draw("slabs", 1, ())
 
     @classmethod
-    def draw(cls, partition, processes, scenes, *options):
-        folder = cls.folder / f"{partition}-{processes}{''.join(options)}"
+    def draw(cls, partition, processes, scenes, *options, may_fail=False):
+        folder = cls.folder / f"{partition}-{processes}{''.join(map(str, options))}"
         folder.mkdir()
         data = write_pieces(cls.grid, partition, processes, folder)
-        command = ["mpiexec", "-n", str(processes), PVBATCH, str(HERE / "draw_parallel.py"), "--plugin", PLUGIN,
-                   "--data", str(data), "--folder", str(folder), *options]
-        result = subprocess.run(command + (["--scenes", *scenes] if scenes else []), text=True, timeout=400,
-                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                env={**os.environ, **mpi.ENVIRONMENT, "PYTHONPATH": str(HERE)})
-        if result.returncode != 0 or "ERR|" in result.stdout:
-            raise AssertionError(f"{' '.join(command)} ended with {result.returncode}:\n{result.stdout}")
+        printed = run_batch(folder, PVBATCH, processes, "draw_parallel.py", "--plugin", PLUGIN, "--data", data,
+                            "--folder", folder, *options, *(["--scenes", *scenes] if scenes else []))
+        cls.errors = [line for line in printed.splitlines() if "ERR|" in line]
+        if cls.errors and not may_fail:
+            raise AssertionError(printed)
         read = json.loads((folder / "read.json").read_text())
         ghosts = partition == "ghosts"
         cells = cls.grid.GetNumberOfCells()
@@ -106,14 +58,48 @@ class ParallelTest(unittest.TestCase):
         for name, pixels in self.of_one.items():
             self.assertGreater(len(np.unique(pixels.reshape(-1, 3), axis=0)), 20, name)
 
+    def expect_same(self, pixels, of_one, most=MOST):
+        apart = np.abs(pixels - of_one)
+        self.assertLessEqual(apart.max(), most, f"{np.count_nonzero(apart > most)} values")
+
     def test_exact_pictures(self):
+        reduced = []
         for partition, processes, scenes in RUNS:
             if partition == "metis" and not partitions.has_metis():
                 continue
-            with self.subTest(partition=partition, processes=processes):
-                for name, pixels in self.draw(partition, processes, scenes).items():
-                    apart = np.abs(pixels - self.of_one[name])
-                    self.assertLessEqual(apart.max(), MOST, f"{name}: {np.count_nonzero(apart > MOST)} values")
+            pictures = self.draw(partition, processes, scenes)
+            reduced += [pictures.pop("reduced")] if "reduced" in pictures else []
+            for name, pixels in pictures.items():
+                with self.subTest(partition=partition, processes=processes, scene=name):
+                    self.expect_same(pixels, self.of_one[name])
+        with self.subTest("fewer pixels, which one process alone doesn't have"):
+            for pixels in reduced[1:]:
+                self.expect_same(pixels, reduced[0])
+            self.assertGreater(np.abs(reduced[0] - self.of_one["composite"]).max(), 5 * MOST)
+
+    def test_without_icet(self):
+        self.expect_same(self.draw("spirals", 2, ("composite",), "--without-icet")["composite"],
+                         self.of_one["composite"])
+
+    def test_redistributed_cells(self):
+        """Where VTK can move cells; else there is one error, and no crash."""
+        for partition, processes, scenes in REDISTRIBUTED:
+            pictures = self.draw(partition, processes, scenes, "--redistribute", may_fail=True)
+            if self.errors:
+                self.assertEqual(len(self.errors), len(scenes), self.errors)
+                for error in self.errors:
+                    self.assertIn("Cells were not redistributed: VTK loses the cells", error)
+                continue
+            for name, pixels in pictures.items():
+                with self.subTest(partition=partition, processes=processes, scene=name):
+                    self.expect_same(pixels, self.of_one[name], MOST + processes - 1)
+
+    def test_blend_modes_of_pieces(self):
+        """A greatest value can't be drawn over another one."""
+        pixels = self.draw("spirals", 2, ("maximum",), "--pieces", may_fail=True)["maximum"]
+        self.assertEqual(len(self.errors), 1, self.errors)
+        self.assertIn("in the blend mode MaximumIntensity", self.errors[0])
+        self.assertEqual(len(np.unique(pixels)), 1, "something was drawn")
 
     def test_figures_of_process_0(self):
         self.draw("metis" if partitions.has_metis() else "slabs", 2, ("composite",))
@@ -129,8 +115,8 @@ class ParallelTest(unittest.TestCase):
         folder.mkdir()
         data = write_pieces(self.grid, "spirals", 2, folder)
         programs = pathlib.Path(PVBATCH).parent
-        environment = {**os.environ, **mpi.ENVIRONMENT, "PYTHONPATH": str(HERE)}
-        server = subprocess.Popen(["mpiexec", "-n", "2", programs / "pvserver", f"--server-port={port}"], env=environment,
+        variables = environment(folder)
+        server = subprocess.Popen(["mpiexec", "-n", "2", programs / "pvserver", f"--server-port={port}"], env=variables,
                                   text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         self.addCleanup(server.stdout.close)
         self.addCleanup(server.wait, 30)
@@ -139,12 +125,12 @@ class ParallelTest(unittest.TestCase):
             self.assertTrue(line, "pvserver ended")
         result = subprocess.run([programs / "pvpython", HERE / "draw_parallel.py", "--plugin", PLUGIN, "--data", data,
                                  "--folder", folder, "--server", str(port), "--scenes", "composite", "surface", "moving"],
-                                text=True, timeout=200, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment)
+                                text=True, timeout=200, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=variables)
         self.assertEqual(result.returncode, 0, result.stdout)
         self.assertNotIn("ERR|", result.stdout)
         for name in ("composite", "surface", "moving"):
-            apart = np.abs(picture(folder / f"{name}.png") - self.of_one[name])
-            self.assertLessEqual(apart.max(), MOST, f"{name}: {np.count_nonzero(apart > MOST)} values")
+            with self.subTest(name):
+                self.expect_same(picture(folder / f"{name}.png"), self.of_one[name])
 
     def test_pieces_over_each_other_differ(self):
         """So the test above can fail."""

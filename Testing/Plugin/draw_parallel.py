@@ -28,6 +28,8 @@ SCENES = {
     "inside": {"camera": ([0.35, 0.12, 0.41], [0.7, 0.9, 0.6])},
     "surface": {"surface": True},
     "moving": {"interactive": True},
+    "reduced": {"reduction": 2},
+    "hidden": {"hidden": True},
 }
 
 
@@ -42,15 +44,28 @@ def look_from(view, position, focus):
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = position, focus, [0, 0, 1]
 
 
-def draw(reader, name, scene, folder, exact):
+def hide_cells(reader):
+    """Those of the upper half, as blanked cells are: by their centres, which no partition changes."""
+    centres = simple.PythonCalculator(Input=reader, ArrayAssociation="Cell Data", ArrayName="vtkGhostType",
+                                      Expression="numpy.where(of_cells > 0.5, 32, 0).astype('uint8')")
+    centres.UpdatePipeline()
+    return centres
+
+
+def draw(reader, name, scene, folder, arguments):
     view = open_view()
     view.ViewSize = [200, 150]
     view.UseFXAA = 0  # which ParaView applies in parallel alone
+    view.StillRenderImageReductionFactor = scene.get("reduction", 1)
+    view.ImageReductionFactor = 2  # while somebody moves the view
+    if scene.get("hidden"):
+        reader = hide_cells(reader)
     association, array = scene.get("array", ("POINTS", ARRAY))
     display = show(reader, view, array, association)
     set_functions(array)
     display.ScalarOpacityUnitDistance = 0.25
-    display.TetMarchExactCompositing = exact
+    display.TetMarchExactCompositing = 0 if arguments.pieces or arguments.redistribute else 1
+    display.TetMarchUseDataPartitions = 0 if arguments.redistribute else 1
     for key, value in scene.items():
         if key[0].isupper():
             setattr(display, "TetMarch" + key, value)
@@ -79,6 +94,8 @@ def main():
         parser.add_argument("--" + name, required=True)
     parser.add_argument("--scenes", nargs="*", default=list(SCENES))
     parser.add_argument("--pieces", action="store_true", help="one over the other")
+    parser.add_argument("--redistribute", action="store_true", help="pieces in regions of a k-d tree")
+    parser.add_argument("--without-icet", action="store_true")
     parser.add_argument("--server", type=int, help="the port of a pvserver, which draws")
     arguments = parser.parse_args()
     if arguments.server:
@@ -88,12 +105,16 @@ def main():
     folder = pathlib.Path(arguments.folder)
     reader = simple.XMLPartitionedUnstructuredGridReader(FileName=[arguments.data])
     reader.UpdatePipeline()
-    figures = {name: draw(reader, name, SCENES[name], folder, 0 if arguments.pieces else 1)
-               for name in arguments.scenes}
+    if arguments.without_icet:
+        settings = servermanager.ProxyManager().GetProxy("settings", "RenderViewSettings")
+        settings.GetProperty("DisableIceT").SetElement(0, 1)
+        settings.UpdateVTKObjects()
+    figures = {name: draw(reader, name, SCENES[name], folder, arguments) for name in arguments.scenes}
     (folder / "figures.json").write_text(json.dumps(figures))
     cells = reader.GetDataInformation().GetNumberOfCells()
     processes = servermanager.ActiveConnection.GetNumberOfDataPartitions()
     (folder / "read.json").write_text(json.dumps({"cells": cells, "processes": processes}))
 
 
-main()
+if __name__ == "__main__":
+    main()

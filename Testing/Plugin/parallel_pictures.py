@@ -9,17 +9,18 @@ import matplotlib
 import numpy as np
 
 import ParallelTest
+import parallel_runs
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
-SCENES = {"composite": "composite", "maximum": "maximum intensity"}
+SCENES = {"composite": "composite", "isosurface": "isosurfaces"}
 
 
 def main():
     ParallelTest.PVBATCH, ParallelTest.PLUGIN, output = sys.argv[1:]
     test = ParallelTest.ParallelTest
-    test.grid = ParallelTest.made_grid()
+    test.grid = parallel_runs.made_grid()
     with tempfile.TemporaryDirectory() as folder:
         test.folder = pathlib.Path(folder)
         one = test.draw("slabs", 1, tuple(SCENES))

@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A tile display of pvserver, two screens side by side, shows the volume: ParallelTilesTest.py PVBATCH PLUGIN"""
+import pathlib
+import shutil
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import numpy as np
+
+from parallel_runs import HERE, environment, made_grid, mpi, picture, run_batch, write_pieces
+
+PVBATCH = PLUGIN = None
+PROCESSES = 2
+# Of 255. After redistribution pictures of bytes are put over each other; before, boxes of slabs overlap by a cell.
+MOST_MOVED = 2
+MOST_LYING_RMS = 1.0
+BACKGROUND = [51, 76, 26]
+
+
+def read_screen(file):
+    """Of an X server with its frame buffer in a file (xwd): height, width, 3, rows from the bottom."""
+    content = file.read_bytes()
+    header = struct.unpack(">25I", content[:100])
+    size, width, height, line, colors = header[0], header[4], header[5], header[12], header[19]
+    pixels = np.frombuffer(content, np.uint8, offset=size + 12 * colors, count=line * height)
+    return pixels.reshape(height, line)[::-1, :4 * width].reshape(height, width, 4)[:, :, [2, 1, 0]].astype(int)
+
+
+class ParallelTilesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        if not mpi.has_mpi() or not shutil.which("Xvfb"):
+            raise unittest.SkipTest("there is no mpiexec, or no Xvfb")
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.grid = made_grid()
+        cls.screens = [cls.open_screen(tile) for tile in range(PROCESSES)]
+        one = cls.folder / "one"
+        one.mkdir()
+        run_batch(one, PVBATCH, 1, "draw_tiles.py", "--plugin", PLUGIN, "--data",
+                  write_pieces(cls.grid, "slabs", 1, one), "--folder", one)
+        cls.of_one = picture(one / "one.png")
+
+    @classmethod
+    def open_screen(cls, tile):
+        """The display's number, and the file of its frame buffer."""
+        folder = cls.folder / f"screen{tile}"
+        folder.mkdir()
+        server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-noreset", "-screen", "0", "320x240x24", "-fbdir", folder],
+                                  stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        cls.addClassCleanup(server.stdout.close)
+        cls.addClassCleanup(server.wait, 30)
+        cls.addClassCleanup(server.terminate)
+        return ":" + server.stdout.readline().strip(), folder / "Xvfb_screen0"
+
+    def show(self, partition):
+        """What the screens show, by scene, and what the server printed."""
+        folder = self.folder / partition
+        folder.mkdir()
+        data = write_pieces(self.grid, partition, PROCESSES, folder)
+        with socket.socket() as free:
+            free.bind(("", 0))
+            port = free.getsockname()[1]
+        programs = pathlib.Path(PVBATCH).parent
+        variables = environment(folder)
+        displays = ",".join(display for display, _ in self.screens)
+        printed = folder / "server.txt"
+        with printed.open("w") as output:
+            server = subprocess.Popen(
+                ["mpiexec", "-n", str(PROCESSES), programs / "pvserver", f"--server-port={port}", "--tdx=2", "--tdy=1",
+                 f"--displays={displays}"], env=variables, stdout=output, stderr=subprocess.STDOUT)
+        try:
+            end = time.monotonic() + 60
+            while "Accepting" not in printed.read_text():
+                self.assertTrue(server.poll() is None and time.monotonic() < end, printed.read_text())
+                time.sleep(0.1)
+            result = subprocess.run(
+                [programs / "pvpython", HERE / "draw_tiles.py", "--plugin", PLUGIN, "--data", data, "--folder", folder,
+                 "--server", str(port), "--screens", *(file for _, file in self.screens)],
+                text=True, timeout=200, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=variables)
+            self.assertEqual(result.returncode, 0, result.stdout + printed.read_text())
+            server.wait(60)
+        finally:
+            server.terminate()
+            server.wait(30)
+        return {name: np.hstack([read_screen(folder / f"{name}-{tile}.xwd") for tile in range(PROCESSES)])
+                for name in ("lying", "moved", "maximum")}, printed.read_text()
+
+    def test_tiles_are_parts_of_the_picture(self):
+        pictures, printed = self.show("slabs")
+        errors = [line for line in printed.splitlines() if "ERR|" in line]
+        lying = pictures["lying"] - self.of_one
+        self.assertLessEqual(np.sqrt((lying**2).mean()), MOST_LYING_RMS)
+        if any("Cells were not redistributed" in error for error in errors):
+            np.testing.assert_array_equal(pictures["moved"], pictures["lying"])
+        else:
+            self.assertLessEqual(np.abs(pictures["moved"] - self.of_one).max(), MOST_MOVED)
+        self.assertEqual(sum("in the blend mode MaximumIntensity" in error for error in errors), 1, printed)
+        self.assertTrue((pictures["maximum"] == BACKGROUND).all(), "pieces were drawn over each other")
+
+    def test_both_tiles_show_something(self):
+        """Of the picture of one process, by which the other test goes."""
+        for half in np.hsplit(self.of_one, PROCESSES):
+            self.assertGreater(len(np.unique(half.reshape(-1, 3), axis=0)), 100)
+
+
+if __name__ == "__main__":
+    PVBATCH, PLUGIN = sys.argv.pop(1), sys.argv.pop(1)
+    unittest.main(verbosity=2)
