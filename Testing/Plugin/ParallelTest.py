@@ -85,11 +85,10 @@ class ParallelTest(unittest.TestCase):
         """Where VTK can move cells; else there is one error, and no crash."""
         for partition, processes, scenes in REDISTRIBUTED:
             pictures = self.draw(partition, processes, scenes, "--redistribute", may_fail=True)
-            if self.errors:
-                self.assertEqual(len(self.errors), len(scenes), self.errors)
-                for error in self.errors:
-                    self.assertIn("Cells were not redistributed: VTK loses the cells", error)
-                continue
+            if tells_fault := [error for error in self.errors if "not redistributed: VTK loses the cells" in error]:
+                self.assertEqual(len(tells_fault), len(scenes), self.errors)
+                continue  # what ParaView's own surfaces lose is not ours
+            self.assertFalse(self.errors)
             for name, pixels in pictures.items():
                 with self.subTest(partition=partition, processes=processes, scene=name):
                     self.expect_same(pixels, self.of_one[name], MOST + processes - 1)
