@@ -15,13 +15,15 @@ from parallel_runs import HERE, environment, made_grid, mpi, partitions, picture
 
 PVBATCH = PLUGIN = None
 MOST = 2  # of 255: how far a channel of a pixel may be off
-# Partition, processes, and what of draw_parallel.py is drawn; all of it if nothing is said.
-RUNS = (("spirals", 2, ()), ("spirals", 4, ()), ("spirals", 8, ("composite", "shaded", "surface")),
+EXACT = ("composite", "maximum", "minimum", "average", "additive", "isosurface", "shaded", "cropped", "cells", "inside",
+         "surface", "moving", "reduced", "hidden")
+# Partition, processes, and what of draw_parallel.py is drawn.
+RUNS = (("spirals", 2, EXACT), ("spirals", 4, EXACT), ("spirals", 8, ("composite", "shaded", "surface")),
         ("slabs", 4, ("composite", "surface")), ("metis", 4, ("composite", "isosurface", "inside")),
         ("random_cells", 4, ("composite", "maximum")), ("only_last", 3, ("composite", "surface", "reduced")),
         ("ghosts", 4, ("composite", "shaded", "cells", "inside")))
 # After redistribution pictures of bytes are put over each other, which rounds once for each process but one.
-REDISTRIBUTED = (("spirals", 2, ("composite", "isosurface", "surface", "hidden")),
+REDISTRIBUTED = (("spirals", 2, ("composite", "isosurface", "surface", "translucent", "hidden")),
                  ("random_cells", 4, ("composite", "cells", "inside")), ("ghosts", 3, ("composite", "cropped")))
 
 

@@ -27,6 +27,7 @@ SCENES = {
     "cells": {"array": ("CELLS", "of_cells")},
     "inside": {"camera": ([0.35, 0.12, 0.41], [0.7, 0.9, 0.6])},
     "surface": {"surface": True},
+    "translucent": {"surface": True, "surface_opacity": 0.5},
     "moving": {"interactive": True},
     "reduced": {"reduction": 2},
     "hidden": {"hidden": True},
@@ -74,7 +75,9 @@ def draw(reader, name, scene, folder, arguments):
         # Of all processes: each has a part of the slice.
         surface = simple.Slice(Input=reader)
         surface.SliceType.Origin, surface.SliceType.Normal = [0.5, 0.5, 0.5], [0.3, 1.0, 0.2]
-        simple.ColorBy(simple.Show(surface, view), None)
+        shown = simple.Show(surface, view)
+        simple.ColorBy(shown, None)
+        shown.Opacity = scene.get("surface_opacity", 1.0)
     look_from(view, *scene.get("camera", ([1.5, -2.2, 1.6], [0.5, 0.5, 0.45])))
     simple.Render(view)
     if scene.get("interactive"):
