@@ -2,29 +2,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Blocks in several processes look as in one, whoever has which: ParallelBlocksTest.py PVBATCH PLUGIN"""
 import json
-import pathlib
 import sys
-import tempfile
 import unittest
 
 import numpy as np
 
-from parallel_runs import made_grid, mpi, partitions, picture, run_batch, write_inline
+from parallel_runs import ParallelCase, partitions, picture, run_batch, write_inline
 
 PVBATCH = PLUGIN = None
 MOST = 2  # of 255: how far a channel of a pixel may be off
 BLOCKS = 3
 
 
-class ParallelBlocksTest(unittest.TestCase):
+class ParallelBlocksTest(ParallelCase):
     @classmethod
     def setUpClass(cls):
-        if not mpi.has_mpi():
-            raise unittest.SkipTest("there is no mpiexec")
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
-        cls.grid = made_grid()
+        super().setUpClass()
         cls.block = partitions.slabs(cls.grid, BLOCKS)
         cls.of_one = cls.draw("one", np.zeros(cls.grid.GetNumberOfCells(), dtype=int), 1)
 

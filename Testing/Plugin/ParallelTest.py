@@ -6,12 +6,11 @@ import pathlib
 import socket
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import numpy as np
 
-from parallel_runs import HERE, environment, made_grid, mpi, partitions, picture, run_batch, write_pieces
+from parallel_runs import HERE, ParallelCase, environment, partitions, picture, run_batch, write_pieces
 
 PVBATCH = PLUGIN = None
 MOST = 2  # of 255: how far a channel of a pixel may be off
@@ -27,15 +26,10 @@ REDISTRIBUTED = (("spirals", 2, ("composite", "isosurface", "surface", "transluc
                  ("random_cells", 4, ("composite", "cells", "inside")), ("ghosts", 3, ("composite", "cropped")))
 
 
-class ParallelTest(unittest.TestCase):
+class ParallelTest(ParallelCase):
     @classmethod
     def setUpClass(cls):
-        if not mpi.has_mpi():
-            raise unittest.SkipTest("there is no mpiexec")
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
-        cls.grid = made_grid()
+        super().setUpClass()
         cls.of_one = cls.draw("slabs", 1, ())
 
     @classmethod

@@ -7,13 +7,12 @@ import socket
 import struct
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
 import numpy as np
 
-from parallel_runs import HERE, environment, made_grid, mpi, picture, run_batch, write_pieces
+from parallel_runs import HERE, ParallelCase, environment, picture, run_batch, write_pieces
 
 PVBATCH = PLUGIN = None
 PROCESSES = 2
@@ -32,15 +31,12 @@ def read_screen(file):
     return pixels.reshape(height, line)[::-1, :4 * width].reshape(height, width, 4)[:, :, [2, 1, 0]].astype(int)
 
 
-class ParallelTilesTest(unittest.TestCase):
+class ParallelTilesTest(ParallelCase):
     @classmethod
     def setUpClass(cls):
-        if not mpi.has_mpi() or not shutil.which("Xvfb"):
-            raise unittest.SkipTest("there is no mpiexec, or no Xvfb")
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
-        cls.grid = made_grid()
+        if not shutil.which("Xvfb"):
+            raise unittest.SkipTest("there is no Xvfb")
+        super().setUpClass()
         cls.screens = [cls.open_screen(tile) for tile in range(PROCESSES)]
         one = cls.folder / "one"
         one.mkdir()

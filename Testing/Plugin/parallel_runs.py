@@ -5,6 +5,8 @@ import os
 import pathlib
 import subprocess
 import sys
+import tempfile
+import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path += [str(HERE.parent / "Processes"), str(HERE.parent / "Benchmark")]
@@ -34,6 +36,19 @@ def run_batch(folder, pvbatch, processes, script, *arguments, seconds=300):
     if result.returncode != 0:
         raise AssertionError(f"{' '.join(command)} ended with {result.returncode}:\n{result.stdout}")
     return result.stdout
+
+
+class ParallelCase(unittest.TestCase):
+    """With a grid, and a folder for its pieces and pictures."""
+
+    @classmethod
+    def setUpClass(cls):
+        if not mpi.has_mpi():
+            raise unittest.SkipTest("there is no mpiexec")
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.grid = made_grid()
 
 
 def made_grid():

@@ -7,11 +7,10 @@ import unittest
 
 import numpy as np
 import vtkmodules.all as vtk
-from mpi4py import MPI  # noqa: F401, without which draw_pieces cannot be imported
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+import mpi
 import partitions
-from draw_pieces import SCENES, Picture
 
 # Bounds, nearest first: the cameras are at large x and small y.
 REGIONS = ((0.53, 1, 0, 0.41, 0, 1), (0.53, 1, 0.41, 1, 0, 1), (0, 0.53, 0, 0.62, 0, 1), (0, 0.53, 0.62, 1, 0, 1))
@@ -42,6 +41,8 @@ def add_planes(mapper, region):
 
 def draw(name, region=None):
     """Premultiplied red, green, blue and opacity, of 255, and the number of cells."""
+    from draw_pieces import SCENES, Picture  # which needs MPI
+
     picture = Picture({**SCENES[name], "partition": "slabs"}, vtk.vtkDummyController())
     picture.renderer.SetBackground(0, 0, 0)
     picture.window.SetAlphaBitPlanes(1)
@@ -56,6 +57,7 @@ def draw(name, region=None):
     return pixels, grid.GetNumberOfCells()
 
 
+@unittest.skipUnless(mpi.has_mpi(), "there is no MPI")
 class RegionsTest(unittest.TestCase):
     def test_regions_over_each_other_are_the_picture(self):
         for name in NAMES:
