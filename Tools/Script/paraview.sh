@@ -5,7 +5,9 @@
 
 readonly PARAVIEW_ROOT="$BUILD/paraview-root"
 readonly PARAVIEW_BUILD="$BUILD/paraview"
-readonly PARAVIEW_PACKAGES=(paraview paraview-dev openmpi-bin)
+# Debian's ParaView draws no icon in its toolbars without libqt5svg5, which it doesn't ask for. The last three are for
+# the tests of its window.
+readonly PARAVIEW_PACKAGES=(paraview paraview-dev openmpi-bin libqt5svg5 qtbase5-dev xdotool x11-apps)
 
 # python3-paraview and python3-vtk9 can't both be installed, so ParaView is unpacked into a folder of its own
 # and only what it depends on comes by apt.
@@ -30,15 +32,15 @@ prepare_paraview() {
   unpack_paraview
 }
 
-# name_paraview_command PLUGIN: sets PARAVIEW_COMMAND to the words of the command. ParaView 5.11 loads nothing by
-# --plugins=PATH, without a word: it wants the folder and the name. What is loaded before its libraries lets it read
-# appended data with any libexpat: Plugin/README.md.
+# name_paraview_command PLUGIN [FILE]: sets PARAVIEW_COMMAND to the words of the command. ParaView 5.11 loads nothing by
+# --plugins=PATH, without a word: it wants the folder and the name. A file after --plugins it takes for a plugin. What
+# is loaded before its libraries lets it read appended data with any libexpat: Plugin/README.md.
 name_paraview_command() {
-  local folder
+  local folder libraries
   folder="$(dirname "$1")"
-  PARAVIEW_COMMAND=(env "LD_PRELOAD=$folder/libTetMarchExpat.so"
-    "LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)" "$PARAVIEW_ROOT/usr/bin/paraview"
-    "--plugin-search-paths=$folder" --plugins=TetMarch)
+  libraries="$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)"
+  PARAVIEW_COMMAND=(env "LD_PRELOAD=$folder/libTetMarchExpat.so" "LD_LIBRARY_PATH=$libraries"
+    "$PARAVIEW_ROOT/usr/bin/paraview" "${@:2}" "--plugin-search-paths=$folder" --plugins=TetMarch)
 }
 
 explain_plugin() {
@@ -48,7 +50,7 @@ explain_plugin() {
 The plugin is $plugin
 To load it: in ParaView by Tools > Manage Plugins > Load New, in Python by
   paraview.simple.LoadPlugin("$plugin", remote=False)
-or from the start with this ParaView, as ./tetmarch paraview FILE does:
+or from the start with this ParaView, as ./tetmarch paraview FILE does (a file goes before the options):
   ${PARAVIEW_COMMAND[*]}
 TEXT
 }
@@ -58,8 +60,8 @@ start_paraview() {
   [[ -r "$2" ]] || die "there is no file $2 that can be read"
   [[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]] ||
     die "ParaView's window needs a display, and there is none: log in with ssh -X, or draw with pvbatch or tetmarch-render"
-  name_paraview_command "$1"
-  exec "${PARAVIEW_COMMAND[@]}" "$2"
+  name_paraview_command "$1" "$2"
+  exec "${PARAVIEW_COMMAND[@]}"
 }
 
 # paraview [FILE]

@@ -1,0 +1,133 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView's window by real events: EventsTest.py PROJECT PLUGIN ROOT PVPYTHON WATCH MESH
+
+`./tetmarch paraview FILE` opens it; mouse and keyboard choose the representation, edit the opacity function and save
+the state. What the view shows then must be what pvpython draws of that state. ROOT is the folder in which ParaView was
+unpacked, WATCH the library of WidgetWatch.cxx. Wants a display of its own.
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+import numpy as np
+import vtkmodules.all as vtk
+from paraview_window import Window, command, part, screen
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROJECT = PLUGIN = ROOT = PVPYTHON = WATCH = MESH = None
+CLOSE = 2  # of 255
+CHANGED = 0.05  # share of the view's pixels
+START = (0.5, 0.5)  # of the drag, in the editor of the opacity function
+
+
+def pixels(path):
+    """RGB from the top."""
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return values.reshape(height, width, -1)[::-1, :, :3]
+
+
+def draw(state, picture):
+    """By pvpython, in another process."""
+    library_path = next(word for word in command(PROJECT, PLUGIN, ROOT, state) if word.startswith("LD_LIBRARY_PATH="))
+    name, value = library_path.split("=", 1)
+    subprocess.run([PVPYTHON, str(HERE / "draw_state.py"), PLUGIN, state, picture], check=True,
+                   env={**os.environ, name: value}, stdout=subprocess.DEVNULL)
+    return pixels(picture)
+
+
+def apart(first, second):
+    """For each pixel the largest difference of a channel, of 255."""
+    return np.abs(first.astype(int) - second.astype(int)).max(axis=2)
+
+
+def opacity_points(state, array):
+    """(value, opacity) of each point of the array's opacity function in a state."""
+    root = xml.etree.ElementTree.parse(state).getroot()
+    functions = next(group for group in root.iter("ProxyCollection") if group.get("name") == "piecewise_functions")
+    name = array + ".PiecewiseFunction"
+    number = next(item.get("id") for item in functions.iter("Item") if item.get("name") == name)
+    function = next(proxy for proxy in root.iter("Proxy") if proxy.get("id") == number)
+    points = next(entry for entry in function.iter("Property") if entry.get("name") == "Points")
+    values = [float(element.get("value")) for element in points.iter("Element")]
+    return [(values[i], values[i + 1]) for i in range(0, len(values), 4)]
+
+
+class Session:
+    """A file in the window, as our volume, with the editor of its functions beside it."""
+
+    def __init__(self, file, array, folder):
+        self.folder = folder
+        self.window = Window(command(PROJECT, PLUGIN, ROOT, file), WATCH, folder)
+        try:
+            self.window.click(self.window.find("/propertiesPanel/Accept", enabled=True))
+            self.window.choose("/representationToolbar/displayRepresentation/comboBox", "Tet Marching")
+            self.window.choose("/variableToolbar/displayColor/Variables", array)
+            self.window.click(self.window.find("/variableToolbar/", text="Show Color Legend"))
+            self.window.click(self.window.find("/variableToolbar/", text="Edit Color Map"))
+        except BaseException:
+            self.window.close()
+            raise
+
+    def view(self):
+        return part(screen(), self.window.find("/Viewport", **{"class": "pqQVTKWidget"})["place"])
+
+    def edit_opacity(self, end):
+        """A click beside the points adds one, which follows the mouse."""
+        self.window.drag(self.window.find("/OpacityEditor/1QVTKWidget0"), START, end)
+
+    def save_state(self):
+        path = os.path.join(self.folder, "session.pvsm")
+        self.window.click(self.window.find("/MainControlsToolbar/", text="Save State"))
+        self.window.click(self.window.find("/EntityName"))
+        self.window.write(path)
+        self.window.press("Return")
+        self.window.wait(lambda: os.path.exists(path) and not self.window.seen("/EntityName"), "a saved state")
+        return path
+
+
+class EventsTest(unittest.TestCase):
+    def check(self, file, array, end):
+        with tempfile.TemporaryDirectory() as folder:
+            session = Session(file, array, folder)
+            try:
+                before = session.view()
+                session.edit_opacity(end)
+                after = session.view()
+                state = session.save_state()
+                with open(session.window.output, encoding="utf-8") as output:
+                    self.assertNotIn("ERR|", output.read())
+            finally:
+                session.window.close()
+            points = opacity_points(state, array)
+            self.assertEqual(3, len(points), "a point was added")
+            low, high = points[0][0], points[-1][0]
+            self.assertAlmostEqual(end[0], (points[1][0] - low) / (high - low), delta=0.05)
+            self.assertAlmostEqual(1 - end[1], points[1][1], delta=0.05)
+            drawn = draw(state, os.path.join(folder, "state.png"))
+        self.assertEqual(drawn.shape, after.shape)
+        difference = apart(drawn, after).max()
+        share = (apart(drawn, before) > CLOSE).mean()
+        print(f"{os.path.basename(file)}: at most {difference}/255 off, {100 * share:.1f} % of the pixels edited")
+        self.assertLessEqual(difference, CLOSE)
+        self.assertGreater(share, CHANGED)
+
+    def test_image(self):
+        self.check(os.path.join(PROJECT, "Data", "bonsai_small.vti"), "density", (0.35, 0.85))
+
+    def test_mesh(self):
+        self.check(MESH, "vorticity_mag", (0.1, 0.3))
+
+
+if __name__ == "__main__":
+    PROJECT, PLUGIN, ROOT, PVPYTHON, WATCH, MESH = sys.argv[1:7]
+    unittest.main(argv=sys.argv[:1])
