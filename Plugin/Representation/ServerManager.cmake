@@ -2,7 +2,7 @@
 # is put in here: properties, and where they are in the panel.
 set(tetmarch_server_manager_xml)
 function (tetmarch_add_server_manager_xml name TETMARCH_OPACITY_LAW)
-  foreach (part IN ITEMS Settings MainGroup OtherGroups)
+  foreach (part IN ITEMS Settings BlendGroup QualityGroup OtherGroups)
     set(file "${CMAKE_CURRENT_SOURCE_DIR}/Representation/${part}.xml.in")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
     file(READ "${file}" text)
