@@ -1,6 +1,6 @@
 # What ParaView is told of the representations. Its XML has no way to include a file, so that what both have in common
 # is put in here: properties, and where they are in the panel.
-set(tetmarch_server_manager_xml)
+set(tetmarch_server_manager_xml "${CMAKE_CURRENT_SOURCE_DIR}/Representation/LastFrame.xml")
 function (tetmarch_add_server_manager_xml name TETMARCH_OPACITY_LAW)
   foreach (part IN ITEMS Settings BlendGroup QualityGroup OtherGroups)
     set(file "${CMAKE_CURRENT_SOURCE_DIR}/Representation/${part}.xml.in")

@@ -12,6 +12,7 @@
 #include "vtkOutlineSource.h"
 #include "vtkPVRenderView.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkTetMarchLastFrame.h"
 #include "vtkTetMarchLegend.h"
 #include "vtkTetMarchSmartVolumeMapper.h"
 #include "vtkVolumeProperty.h"
@@ -128,14 +129,9 @@ vtkTetMarchSettings* vtkTetMarchImageVolumeRepresentation::GetSettings() const
   return this->TetMarchMapper->GetSettings();
 }
 
-vtkTetMarchFrameStatistics* vtkTetMarchImageVolumeRepresentation::GetLastFrameStatistics() const
+void vtkTetMarchImageVolumeRepresentation::SetLastFrame(vtkTetMarchLastFrame* frame)
 {
-  return this->TetMarchMapper->GetLastFrameStatistics();
-}
-
-double vtkTetMarchImageVolumeRepresentation::GetTimeToDraw() const
-{
-  return this->TetMarchMapper->GetTimeToDraw();
+  frame->Follow(this->TetMarchMapper, this->TetMarchMapper->GetLastFrameStatistics());
 }
 
 void vtkTetMarchImageVolumeRepresentation::SetAverageIPScalarRange(double low, double high)

@@ -24,6 +24,7 @@
 #include "vtkTetMarchRepresentationMacros.h" // For methods of both representations
 #include "vtkTetMarchRepresentationModule.h" // For export macro
 
+class vtkTetMarchLastFrame;
 class vtkTetMarchLegend;
 class vtkTetMarchSmartVolumeMapper;
 
@@ -58,21 +59,9 @@ public:
   //@}
 
   /**
-   * What its mapper says of the last frame, in the process that is asked.
+   * By this object ParaView asks for what the mapper says of the last frame.
    */
-  vtkTetMarchFrameStatistics* GetLastFrameStatistics() const;
-
-  //@{
-  /**
-   * The figure of that name of GetLastFrameStatistics(): see vtkTetMarchFrameStatistics.
-   */
-  vtkTetMarchStatisticsMethodsMacro();
-  //@}
-
-  /**
-   * Seconds that it took.
-   */
-  double GetTimeToDraw() const;
+  void SetLastFrame(vtkTetMarchLastFrame* frame);
 
   //@{
   /**

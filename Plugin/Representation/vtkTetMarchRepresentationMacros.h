@@ -9,7 +9,6 @@
 #define vtkTetMarchRepresentationMacros_h
 
 #include "vtkTetMarchSettingsMacros.h"
-#include "vtkTetMarchStatisticsMacros.h"
 
 /** The choice of blocks by ParaView's Multi-block Inspector, for classes with a
  * tetmarch::BlockSelection called Blocks. */

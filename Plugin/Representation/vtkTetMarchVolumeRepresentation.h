@@ -28,6 +28,7 @@ class vtkDataObject;
 class vtkDummyController;
 class vtkMultiProcessController;
 class vtkPVRenderView;
+class vtkTetMarchLastFrame;
 class vtkTetMarchLegend;
 class vtkTetMarchVolumeMapper;
 class vtkUnstructuredGrid;
@@ -63,21 +64,9 @@ public:
   //@}
 
   /**
-   * What its mapper says of the last frame, in the process that is asked.
+   * By this object ParaView asks for what the mapper says of the last frame.
    */
-  vtkTetMarchFrameStatistics* GetLastFrameStatistics() const;
-
-  //@{
-  /**
-   * The figure of that name of GetLastFrameStatistics(): see vtkTetMarchFrameStatistics.
-   */
-  vtkTetMarchStatisticsMethodsMacro();
-  //@}
-
-  /**
-   * Seconds that it took.
-   */
-  double GetTimeToDraw() const;
+  void SetLastFrame(vtkTetMarchLastFrame* frame);
 
   //@{
   /**

@@ -4,6 +4,7 @@
 #include "vtkTetMarchVolumeRepresentation.h"
 
 #include "vtkContourValues.h"
+#include "vtkTetMarchLastFrame.h"
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
@@ -12,14 +13,9 @@ vtkTetMarchSettings* vtkTetMarchVolumeRepresentation::GetSettings() const
   return this->TetMarchMapper->GetSettings();
 }
 
-vtkTetMarchFrameStatistics* vtkTetMarchVolumeRepresentation::GetLastFrameStatistics() const
+void vtkTetMarchVolumeRepresentation::SetLastFrame(vtkTetMarchLastFrame* frame)
 {
-  return this->TetMarchMapper->GetLastFrameStatistics();
-}
-
-double vtkTetMarchVolumeRepresentation::GetTimeToDraw() const
-{
-  return this->TetMarchMapper->GetTimeToDraw();
+  frame->Follow(this->TetMarchMapper, this->TetMarchMapper->GetLastFrameStatistics());
 }
 
 void vtkTetMarchVolumeRepresentation::SetBlendMode(int mode)
