@@ -12,6 +12,7 @@
 #include <QJsonObject>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSaveFile>
 #include <QTimer>
 
@@ -71,6 +72,20 @@ QJsonObject describe(const QWidget* widget)
     { "place", QJsonArray{ corner.x(), corner.y(), seen.width(), seen.height() } } };
 }
 
+// The entries of a menu are no widgets.
+void addEntries(const QMenu* menu, QJsonArray& widgets)
+{
+  for (QAction* action : menu->actions())
+  {
+    const QRect rect = menu->actionGeometry(action);
+    const QPoint corner = menu->mapToGlobal(rect.topLeft());
+    widgets.append(QJsonObject{ { "path", pathOf(menu) + "/" + action->text().remove('&') },
+      { "class", "QAction" }, { "text", action->text().remove('&') },
+      { "enabled", action->isEnabled() }, { "checked", action->isChecked() },
+      { "place", QJsonArray{ corner.x(), corner.y(), rect.width(), rect.height() } } });
+  }
+}
+
 void writeWidgets(const QString& path, int look)
 {
   QJsonArray widgets;
@@ -79,6 +94,10 @@ void writeWidgets(const QString& path, int look)
     if (widget->isVisible() && !widget->visibleRegion().isEmpty())
     {
       widgets.append(describe(widget));
+      if (auto* menu = qobject_cast<const QMenu*>(widget))
+      {
+        addEntries(menu, widgets);
+      }
     }
   }
   QSaveFile file(path);

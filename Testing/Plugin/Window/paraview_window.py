@@ -13,8 +13,13 @@ import time
 
 import numpy as np
 
+SIZE = (1120, 800)  # of the window
+# What the Light Inspector is told of a light, for a volume of 256 along each axis.
+LIGHT = {"worldPositionX": 20, "worldPositionY": 270, "worldPositionZ": 230,
+         "focalPointX": 128, "focalPointY": 128, "focalPointZ": 128}
 LONGEST = 120  # seconds to wait for anything
 STEPS = 8  # of the mouse in a drag
+CARET = 60  # pixels that may change while nothing happens: the blinking line where text is entered
 
 
 def command(project, plugin, root, file):
@@ -56,6 +61,14 @@ class Window:
             self.process = subprocess.Popen([*words, "--dr"], env=environment, stdout=output, stderr=output)
         self.wait(lambda: os.path.exists(self.places), "a window")
 
+    def resize(self, width, height):
+        """Without a window manager nobody else would."""
+        def main_windows():
+            words = ["xdotool", "search", "--onlyvisible", "--name", "^ParaView 5"]
+            return subprocess.run(words, check=False, capture_output=True, text=True).stdout.split()
+        xdotool("windowsize", self.wait(main_windows, "a main window")[0], width, height)
+        self.settle()
+
     def close(self):
         self.process.terminate()
         try:
@@ -90,7 +103,7 @@ class Window:
             time.sleep(0.3)
             now, last = screen(), before[0]
             before[0] = now
-            return np.array_equal(now, last)
+            return (now != last).any(axis=2).sum() <= CARET
         self.wait(stays, "a screen that stays")
 
     def seen(self, end, **others):
@@ -131,7 +144,7 @@ class Window:
         self.settle()
 
     def write(self, text):
-        xdotool("type", text)
+        xdotool("type", "--", text)
         self.settle()
 
     def choose(self, end, text):
@@ -142,3 +155,66 @@ class Window:
         steps = box["items"].index(text) - box["items"].index(box["text"])
         self.press(*["Down" if steps > 0 else "Up"] * abs(steps), "Return")
         self.find(end, text=text)
+
+    def enter(self, end, text):
+        """Into a field, instead of what it holds."""
+        self.click(self.find(end))
+        self.press("ctrl+a")
+        self.write(text)
+        self.press("Tab")
+
+    def tick(self, name):
+        """A check box of the panel, by the name of its property."""
+        self.click(self.reveal(f"/{name}/CheckBox"), at=(0.02, 0.5))
+
+    def show_as_volume(self, array):
+        """What has just been opened, applied."""
+        self.click(self.find("/propertiesPanel/Accept", enabled=True))
+        self.choose("/representationToolbar/displayRepresentation/comboBox", "Tet Marching")
+        self.choose("/variableToolbar/displayColor/Variables", array)
+
+    def view(self):
+        """The widget that shows the picture."""
+        return self.find("/Viewport", **{"class": "pqQVTKWidget"})
+
+    def add_light(self, coordinates):
+        """By the Light Inspector, which stays open; {name of a field: number}"""
+        self.menu("v/menu_View", "Light Inspector")
+        self.click(self.find("/lightInspectorPanel/addLight"))
+        for name, value in coordinates.items():
+            self.enter("/InteractiveLight/" + name, str(value))
+
+    def hide_light(self):
+        """What shows it in the view; and closes the Light Inspector."""
+        self.click(self.find("/InteractiveLight/show3DWidget"), at=(0.05, 0.5))
+        self.click(self.find("/lightInspectorDock/qt_dockwidget_closebutton"))
+
+    def drag_crop_face(self, share):
+        """That of the greatest x, of a cube seen along z after a reset of the camera in a view that is wider than high.
+
+        With its view angle of 30 degrees the handle is 0.278 heights of the view from its middle. `share` is the part
+        of the way to the middle by which the face is moved.
+        """
+        view = self.view()
+        handle = 0.278 * view["place"][3] / view["place"][2]
+        self.drag(view, (0.5 + handle, 0.5), (0.5 + (1 - share) * handle, 0.5))
+
+    def menu(self, name, entry):
+        """`name` is that of the menu in ParaView, with the letter that opens it before it: "v/menu_View"."""
+        letter, menu = name.split("/")
+        self.press("alt+" + letter)
+        self.click(self.find(f"/{menu}/{entry}"))
+
+    def reveal(self, end):
+        """Turns the wheel over the panel of properties until that is well inside it; hands it out."""
+        panel = self.find("/propertiesPanel/scrollArea")
+        x, y, _, height = panel["place"]
+        for button in [4] * 20 + [5] * 60:
+            found = self.seen(end)
+            if found and found[0]["place"][1] > y + 10 and sum(found[0]["place"][1::2]) < y + height - 20:
+                return found[0]
+            xdotool("mousemove", x + 3, y + height // 2)
+            xdotool("click", button)
+            look = self.read()["look"]
+            self.wait(lambda look=look: self.read()["look"] >= look + 2, "an answer to the wheel")
+        raise ValueError(f"{end} isn't in the panel")
