@@ -11,6 +11,7 @@ if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif ()
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME plugin)
 
 # Naming components keeps Qt out.
 find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager RemotingViews)
@@ -27,7 +28,11 @@ paraview_plugin_build(
   PLUGINS ${tetmarch_plugins}
   INSTALL_HEADERS OFF
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
-  PLUGINS_FILE_NAME "tetmarch.xml")
+  PLUGINS_FILE_NAME "tetmarch.xml"
+  AUTOLOAD ${tetmarch_plugins}
+  PLUGINS_COMPONENT plugin
+  TARGET_COMPONENT plugin)
+include(Plugin/DebianPackage.cmake)
 
 if (CMAKE_SYSTEM_NAME STREQUAL "Linux")
   add_subdirectory(Plugin/Expat)

@@ -1,28 +1,9 @@
 # Debian packages by CPack: `./tetmarch package` makes them, `./tetmarch package test` tries them in a clean root.
-set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_NAME tetmarch)
-set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
-set(CPACK_PACKAGE_CONTACT "The TetMarch authors <tetmarch@example.org>")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Volume rendering by marching rays from cell to cell")
-set(CPACK_PACKAGE_DIRECTORY "${CMAKE_BINARY_DIR}/packages")
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_STRIP_FILES ON)
-set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# The plugin's is made by its own build: Plugin/DebianPackage.cmake.
+include("${PROJECT_SOURCE_DIR}/VTKModule/DebianSettings.cmake")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
-set(CPACK_COMPONENTS_ALL runtime development)
-
-# tetmarch_package(COMPONENT NAME DEPENDS DESCRIPTION)
-macro (tetmarch_package component name depends description)
-  string(TOUPPER "${component}" tetmarch_upper)
-  set("CPACK_DEBIAN_${tetmarch_upper}_PACKAGE_NAME" "${name}")
-  set("CPACK_DEBIAN_${tetmarch_upper}_PACKAGE_DEPENDS" "${depends}")
-  set("CPACK_COMPONENT_${tetmarch_upper}_DESCRIPTION" "${description}")
-endmacro ()
 
 set(tetmarch_same "libtetmarch1 (= ${PROJECT_VERSION})")
 # llvmpipe draws where there is no GPU.
@@ -31,16 +12,13 @@ tetmarch_package(runtime libtetmarch1 "libgl1-mesa-dri"
 tetmarch_package(development libtetmarch-dev "${tetmarch_same}, libvtk9-dev"
   "Headers, and what find_package(TetMarch) reads.")
 if (TETMARCH_WRAP_PYTHON)
-  list(APPEND CPACK_COMPONENTS_ALL python)
   tetmarch_package(python python3-tetmarch "${tetmarch_same}, python3, python3-vtk9, python3-numpy"
     "The Python package vtktetmarch.")
 endif ()
 if (TARGET tetmarch-render)
-  list(APPEND CPACK_COMPONENTS_ALL tools)
   tetmarch_package(tools tetmarch "${tetmarch_same}, libegl1" "tetmarch-render draws a volume into a PNG file.")
 endif ()
 if (TARGET tetmarch-view)
-  list(APPEND CPACK_COMPONENTS_ALL view)
   tetmarch_package(view tetmarch-view "${tetmarch_same}" "tetmarch-view shows a volume in a window.")
 endif ()
 include(CPack)

@@ -59,11 +59,21 @@ require_tools() {
   done
 }
 
+# A compiler cache, where there is one, knows a file again in any clone.
+use_compiler_cache() {
+  command -v ccache >/dev/null || return 0
+  export CMAKE_C_COMPILER_LAUNCHER="${CMAKE_C_COMPILER_LAUNCHER-ccache}"
+  export CMAKE_CXX_COMPILER_LAUNCHER="${CMAKE_CXX_COMPILER_LAUNCHER-ccache}"
+  export CCACHE_BASEDIR="${CCACHE_BASEDIR-$ROOT}" CCACHE_NOHASHDIR=1
+}
+
 prepare_machine() {
   local packages=("${PACKAGES[@]}")
+  if in_ci; then packages+=(ccache); fi
   on_debian forky || packages+=("${OSMESA_PACKAGES[@]}")
   install_packages "${packages[@]}"
   require_tools cmake ninja c++
+  use_compiler_cache
 }
 
 # configure BUILD_FOLDER CMAKE_OPTION...

@@ -5,9 +5,7 @@
 
 readonly PARAVIEW_ROOT="$BUILD/paraview-root"
 readonly PARAVIEW_BUILD="$BUILD/paraview"
-# Debian's ParaView draws no icon in its toolbars without libqt5svg5, which it doesn't ask for. The last three are for
-# the tests of its window.
-readonly PARAVIEW_PACKAGES=(paraview paraview-dev openmpi-bin libqt5svg5 qtbase5-dev xdotool x11-apps)
+readonly PARAVIEW_PACKAGES=(paraview paraview-dev openmpi-bin)
 
 # python3-paraview and python3-vtk9 can't both be installed, so ParaView is unpacked into a folder of its own
 # and only what it depends on comes by apt.
@@ -32,15 +30,11 @@ prepare_paraview() {
   unpack_paraview
 }
 
-# name_paraview_command PLUGIN [FILE]: sets PARAVIEW_COMMAND to the words of the command. ParaView 5.11 loads nothing by
-# --plugins=PATH, without a word: it wants the folder and the name. A file after --plugins it takes for a plugin. What
-# is loaded before its libraries lets it read appended data with any libexpat: Plugin/README.md.
+# name_paraview_command PLUGIN: sets PARAVIEW_COMMAND to the words of the command. ParaView 5.11 loads nothing by
+# --plugins=PATH, without a word: it wants the folder and the name.
 name_paraview_command() {
-  local folder libraries
-  folder="$(dirname "$1")"
-  libraries="$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)"
-  PARAVIEW_COMMAND=(env "LD_PRELOAD=$folder/libTetMarchExpat.so" "LD_LIBRARY_PATH=$libraries"
-    "$PARAVIEW_ROOT/usr/bin/paraview" "${@:2}" "--plugin-search-paths=$folder" --plugins=TetMarch)
+  PARAVIEW_COMMAND=(env "LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)" "$PARAVIEW_ROOT/usr/bin/paraview"
+    "--plugin-search-paths=$(dirname "$1")" --plugins=TetMarch)
 }
 
 explain_plugin() {
@@ -50,35 +44,43 @@ explain_plugin() {
 The plugin is $plugin
 To load it: in ParaView by Tools > Manage Plugins > Load New, in Python by
   paraview.simple.LoadPlugin("$plugin", remote=False)
-or from the start with this ParaView, as ./tetmarch paraview FILE does (a file goes before the options):
+or from the start with this ParaView, as ./tetmarch paraview FILE does:
   ${PARAVIEW_COMMAND[*]}
 TEXT
 }
 
-# start_paraview PLUGIN FILE
-start_paraview() {
-  [[ -r "$2" ]] || die "there is no file $2 that can be read"
-  [[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]] ||
-    die "ParaView's window needs a display, and there is none: log in with ssh -X, or draw with pvbatch or tetmarch-render"
-  name_paraview_command "$1" "$2"
-  exec "${PARAVIEW_COMMAND[@]}"
+# The plugin of this build, if there is one.
+plugin_file() {
+  local files=("$PARAVIEW_BUILD"/lib/*/plugins/TetMarch/TetMarch.so)
+  echo "${files[0]}"
 }
 
-# paraview [FILE]
-paraview() {
-  local plugins
-  plugins=("$PARAVIEW_BUILD"/lib/*/plugins/TetMarch/TetMarch.so)
-  if (($# > 0)) && [[ -r "${plugins[0]}" ]]; then
-    start_paraview "${plugins[0]}" "$1"
-  fi
+build_plugin() {
   prepare_machine
   prepare_paraview
   configure "$PARAVIEW_BUILD" -DTETMARCH_PARAVIEW_PLUGIN=ON -DBUILD_TESTING=ON \
     "-DParaView_DIR=$(echo "$PARAVIEW_ROOT"/usr/lib/*/cmake/paraview-*)"
   cmake --build "$PARAVIEW_BUILD"
+}
+
+# start_paraview FILE: the plugin is built where that wasn't done before. Tests are for who asks for them.
+start_paraview() {
+  [[ -r "$1" ]] || die "there is no file $1 that can be read"
+  [[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]] ||
+    die "ParaView's window needs a display, and there is none: log in with ssh -X, or draw with pvbatch or tetmarch-render"
+  [[ -r "$(plugin_file)" ]] || build_plugin
+  name_paraview_command "$(plugin_file)"
+  exec "${PARAVIEW_COMMAND[@]}" "$1"
+}
+
+# paraview [FILE]
+paraview() {
+  (($# <= 1)) || die "paraview takes one file, not $*"
+  if (($# == 1)); then
+    start_paraview "$1"
+  fi
+  build_plugin
   rm -f "$PARAVIEW_BUILD/test-results.xml"
   run_ctest "$PARAVIEW_BUILD"
-  plugins=("$PARAVIEW_BUILD"/lib/*/plugins/TetMarch/TetMarch.so)
-  explain_plugin "${plugins[0]}"
-  if (($# > 0)); then start_paraview "${plugins[0]}" "$1"; fi
+  explain_plugin "$(plugin_file)"
 }

@@ -47,7 +47,8 @@ Corners cornersOf(vtkUnstructuredGrid* grid)
     return corners;
   }
   const vtkIdType points = grid->GetNumberOfPoints();
-  for (const auto point : vtk::DataArrayValueRange<1>(grid->GetCells()->GetConnectivityArray()))
+  vtkDataArray* connectivity = grid->GetCells()->GetConnectivityArray();
+  for (const auto point : vtk::DataArrayValueRange<1>(connectivity))
   {
     const auto id = static_cast<vtkIdType>(point);
     if (id >= 0 && id < points) // else GridCheck has words for it

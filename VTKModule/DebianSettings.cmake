@@ -1,0 +1,22 @@
+# What all Debian packages of this project have in common, whichever build makes them.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME tetmarch)
+set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
+set(CPACK_PACKAGE_CONTACT "The TetMarch authors <tetmarch@example.org>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Volume rendering by marching rays from cell to cell")
+set(CPACK_PACKAGE_DIRECTORY "${CMAKE_BINARY_DIR}/packages")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+
+# tetmarch_package(COMPONENT NAME DEPENDS DESCRIPTION): one more package.
+macro (tetmarch_package component name depends description)
+  list(APPEND CPACK_COMPONENTS_ALL "${component}")
+  string(TOUPPER "${component}" tetmarch_upper)
+  set("CPACK_DEBIAN_${tetmarch_upper}_PACKAGE_NAME" "${name}")
+  set("CPACK_DEBIAN_${tetmarch_upper}_PACKAGE_DEPENDS" "${depends}")
+  set("CPACK_COMPONENT_${tetmarch_upper}_DESCRIPTION" "${description}")
+endmacro ()
