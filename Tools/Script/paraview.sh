@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-# For ./tetmarch: ParaView 5.11 and the plugin for it.
+# For ./tetmarch: Debian's ParaView (5.11 in Debian 12, 6.1 in forky) and the plugin for it.
 
 readonly PARAVIEW_ROOT="$BUILD/paraview-root"
 readonly PARAVIEW_BUILD="$BUILD/paraview"
@@ -23,18 +23,36 @@ unpack_paraview() {
   mv "$part" "$PARAVIEW_ROOT"
 }
 
+# In forky ParaView uses Debian's VTK and goes with its Python. Its CMake files name ParaView's modules of Python otherwise
+# than the package does, and find_package(ParaView) fails where one is missing.
+name_python_modules() {
+  local module
+  while read -r module; do
+    as_root ln -sf "$(basename "$module")" "${module%.cpython-*}.so"
+  done < <(find /usr/lib/python3/dist-packages/paraview -name '*.cpython-*.so')
+}
+
 prepare_paraview() {
-  on_debian bookworm || die "only Debian 12's ParaView is prepared here; elsewhere configure with" \
-    "-DTETMARCH_PARAVIEW_PLUGIN=ON -DParaView_DIR=..."
-  install_packages "${PARAVIEW_PACKAGES[@]}"
-  unpack_paraview
+  if on_debian bookworm; then
+    install_packages "${PARAVIEW_PACKAGES[@]}"
+    unpack_paraview
+  elif on_debian forky; then
+    install_packages "${PARAVIEW_PACKAGES[@]}" python3-paraview
+    name_python_modules
+  else
+    die "only Debian's ParaView is prepared here; elsewhere configure with" \
+      "-DTETMARCH_PARAVIEW_PLUGIN=ON -DParaView_DIR=..."
+  fi
 }
 
 # name_paraview_command PLUGIN: sets PARAVIEW_COMMAND to the words of the command. ParaView 5.11 loads nothing by
 # --plugins=PATH, without a word: it wants the folder and the name.
 name_paraview_command() {
-  PARAVIEW_COMMAND=(env "LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)" "$PARAVIEW_ROOT/usr/bin/paraview"
-    "--plugin-search-paths=$(dirname "$1")" --plugins=TetMarch)
+  PARAVIEW_COMMAND=(paraview)
+  if [[ -d "$PARAVIEW_ROOT" ]]; then
+    PARAVIEW_COMMAND=(env "LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)" "$PARAVIEW_ROOT/usr/bin/paraview")
+  fi
+  PARAVIEW_COMMAND+=("--plugin-search-paths=$(dirname "$1")" --plugins=TetMarch)
 }
 
 explain_plugin() {
@@ -56,10 +74,13 @@ plugin_file() {
 }
 
 build_plugin() {
+  local options=(-DTETMARCH_PARAVIEW_PLUGIN=ON -DBUILD_TESTING=ON)
   prepare_machine
   prepare_paraview
-  configure "$PARAVIEW_BUILD" -DTETMARCH_PARAVIEW_PLUGIN=ON -DBUILD_TESTING=ON \
-    "-DParaView_DIR=$(echo "$PARAVIEW_ROOT"/usr/lib/*/cmake/paraview-*)"
+  if [[ -d "$PARAVIEW_ROOT" ]]; then
+    options+=("-DParaView_DIR=$(echo "$PARAVIEW_ROOT"/usr/lib/*/cmake/paraview-*)")
+  fi
+  configure "$PARAVIEW_BUILD" "${options[@]}"
   cmake --build "$PARAVIEW_BUILD"
 }
 
