@@ -192,12 +192,13 @@ def check_place(watch):
     simple.ResetCamera(watch.view)
     focus = list(watch.view.CameraFocalPoint)
     unmoved = picture_of(watch.view)
-    watch.display.Position = [100.0, 0.0, 0.0]
+    place = "Translation" if "Translation" in watch.display.ListProperties() else "Position"  # before 5.13
+    setattr(watch.display, place, [100.0, 0.0, 0.0])
     simple.ResetCamera(watch.view)
     moved = [a - b for a, b in zip(watch.view.CameraFocalPoint, focus)]
     assert max(abs(a - b) for a, b in zip(moved, [100.0, 0.0, 0.0])) < 1e-6, moved
     assert mean_difference(picture_of(watch.view), unmoved) < 0.2
-    watch.display.Position = [0.0, 0.0, 0.0]
+    setattr(watch.display, place, [0.0, 0.0, 0.0])
     assert brightness(before) > 0
 
 
