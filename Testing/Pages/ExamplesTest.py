@@ -99,7 +99,8 @@ class ExamplesTest(unittest.TestCase):
         (self.folder / "parallel.py").write_text(block, encoding="utf-8")
         environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
         environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                           OMPI_MCA_rmaps_base_oversubscribe="1", LP_NUM_THREADS="1")
+                           OMPI_MCA_rmaps_base_oversubscribe="1", LP_NUM_THREADS="1",
+                           PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe")
         result = subprocess.run(["bash", "-c", command.replace("/usr/bin/python3", sys.executable)], cwd=self.folder,
                                 env=environment, text=True, capture_output=True, timeout=300)
         self.assertEqual(result.returncode, 0, result.stderr)
