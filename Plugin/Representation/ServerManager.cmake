@@ -2,7 +2,7 @@
 # is put in here: properties, and where they are in the panel. BASE_PROPERTY... are those of them that the base proxy has,
 # too. ParaView 6.1 drops a property that says to override one of the base proxy, if there is none.
 set(tetmarch_server_manager_xml "${CMAKE_CURRENT_SOURCE_DIR}/Representation/LastFrame.xml")
-function (tetmarch_add_server_manager_xml name TETMARCH_OPACITY_LAW) # BASE_PROPERTY...
+function (tetmarch_add_server_manager_xml name TETMARCH_OPACITY_LAW)
   foreach (part IN ITEMS Settings BlendGroup QualityGroup OtherGroups)
     set(file "${CMAKE_CURRENT_SOURCE_DIR}/Representation/${part}.xml.in")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
