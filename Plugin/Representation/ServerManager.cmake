@@ -24,6 +24,7 @@ function (tetmarch_add_server_manager_xml name TETMARCH_OPACITY_LAW)
 endfunction ()
 
 # With the value of the opacity law by default: that of ParaView's own volume rendering of such data.
-tetmarch_add_server_manager_xml(TetMarch 0)
+tetmarch_add_server_manager_xml(TetMarch 0 ScalarOpacityUnitDistance)
 tetmarch_add_server_manager_xml(TetMarchImage 1 Ambient BlendMode CroppingOrigin CroppingScale Diffuse DummyInput
-  GlobalIlluminationReach IsosurfaceValues Shade Specular SpecularPower UseCropping VolumetricScatteringBlending)
+  GlobalIlluminationReach IsosurfaceValues ScalarOpacityUnitDistance Shade Specular SpecularPower UseCropping
+  VolumetricScatteringBlending)

@@ -37,7 +37,7 @@ prepare_paraview() {
     install_packages "${PARAVIEW_PACKAGES[@]}"
     unpack_paraview
   elif on_debian forky; then
-    install_packages "${PARAVIEW_PACKAGES[@]}" python3-paraview
+    install_packages paraview paraview-dev python3-paraview openmpi-bin
     name_python_modules
   else
     die "only Debian's ParaView is prepared here; elsewhere configure with" \
