@@ -16,11 +16,8 @@
 #include <dlfcn.h>
 #endif
 
-namespace
-{
-
 // The library of Plugin/Expat lies beside this one.
-std::string remedy()
+std::string tetmarch::remedyForAppendedData()
 {
   std::string text = "write such files with inline data";
 #ifdef __linux__
@@ -35,8 +32,6 @@ std::string remedy()
 #endif
   return text;
 }
-
-} // namespace
 
 bool tetmarch::findsAppendedData()
 {
@@ -69,5 +64,5 @@ void tetmarch::warnIfAppendedDataIsLost()
     "This ParaView loses data together with this version of libexpat: XML files of VTK with "
     "appended data (.vtu, .vti and others, as ParaView writes them by default) are read as 0 "
     "cells, and processes lose cells when data is redistributed. The remedy: "
-    << remedy() << ".");
+    << remedyForAppendedData() << ".");
 }

@@ -11,6 +11,8 @@
 
 #include "vtkTetMarchRepresentationModule.h"
 
+#include <string>
+
 namespace tetmarch
 {
 
@@ -18,6 +20,11 @@ namespace tetmarch
  * Whether the XML parser of this process finds appended data: it reads a document of ours.
  */
 VTKTETMARCHREPRESENTATION_EXPORT bool findsAppendedData();
+
+/**
+ * What its user can do where it doesn't: an imperative sentence without its full stop.
+ */
+std::string remedyForAppendedData();
 
 /**
  * A warning that names the remedy, if it doesn't: once in the first of all processes.

@@ -4,15 +4,9 @@
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkXMLUnstructuredGridReader.h"
-#include "vtkXMLUnstructuredGridWriter.h"
-
-#include <cmath>
 
 namespace tetmarch
 {
@@ -87,58 +81,7 @@ void dropEmptyFaces(vtkUnstructuredGrid* grid)
   }
 }
 
-// Too long for the first block that the reader takes, and hardly to be compressed.
-vtkSmartPointer<vtkUnstructuredGrid> sampleOfCells()
-{
-  constexpr int count = 1000;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->AllocateExact(count, 4 * count);
-  for (int cell = 0; cell < count; ++cell)
-  {
-    vtkIdType corners[4];
-    for (vtkIdType& corner : corners)
-    {
-      const double place = static_cast<double>(points->GetNumberOfPoints());
-      corner =
-        points->InsertNextPoint(std::sin(place), std::sin(1.7 * place), std::sin(2.3 * place));
-    }
-    grid->InsertNextCell(VTK_TETRA, 4, corners);
-  }
-  grid->SetPoints(points);
-  return grid;
-}
-
-std::string findFault()
-{
-  const auto sent = sampleOfCells();
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->WriteToOutputStringOn();
-  writer->SetCompressorTypeToLZ4();
-  writer->EncodeAppendedDataOff();
-  writer->SetInputData(sent);
-  writer->Write();
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(writer->GetOutputString());
-  const int displaysWarnings = vtkObject::GetGlobalWarningDisplay();
-  vtkObject::GlobalWarningDisplayOff(); // what is wrong is told by what is returned
-  reader->Update();
-  vtkObject::SetGlobalWarningDisplay(displaysWarnings);
-  return reader->GetOutput()->GetNumberOfCells() == sent->GetNumberOfCells()
-           ? ""
-           : "VTK loses the cells that it sends to another process, as that of ParaView 5.11 does "
-             "with the expat library of Debian 12 since 2.5.0-1+deb12u2.";
-}
-
 } // namespace
-
-const std::string& faultOfMoves()
-{
-  static const std::string fault = findFault();
-  return fault;
-}
 
 vtkSmartPointer<vtkUnstructuredGrid> packCells(vtkUnstructuredGrid* grid)
 {

@@ -6,18 +6,10 @@
 
 #include "vtkSmartPointer.h"
 
-#include <string>
-
 class vtkUnstructuredGrid;
 
 namespace tetmarch
 {
-
-/**
- * Empty, or why cells can't be moved between processes: found once, by cells that are
- * written and read as VTK does it on the way (vtkDIYUtilities).
- */
-const std::string& faultOfMoves();
 
 /**
  * A copy to be moved. VTK leaves out cells that are ghosts, and takes the array of ghost types away

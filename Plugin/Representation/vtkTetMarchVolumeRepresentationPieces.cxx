@@ -3,6 +3,7 @@
 // What of the volume a vtkTetMarchVolumeRepresentation gives to the view, and what it gets to draw.
 #include "vtkTetMarchVolumeRepresentation.h"
 
+#include "AppendedData.h"
 #include "MovedCells.h"
 #include "RegionPlanes.h"
 
@@ -50,7 +51,7 @@ void vtkTetMarchVolumeRepresentation::AgreeOnMoves(bool hasInput)
     return;
   }
   const int own[2] = { vtkDataObjectTree::SafeDownCast(this->Drawn) ? 1 : 0,
-    tetmarch::faultOfMoves().empty() ? 0 : 1 };
+    tetmarch::findsAppendedData() ? 0 : 1 };
   int any[2] = { 0, 0 };
   vtkMultiProcessController::GetGlobalController()->AllReduce(own, any, 2, vtkCommunicator::MAX_OP);
   if (any[0])
@@ -60,7 +61,9 @@ void vtkTetMarchVolumeRepresentation::AgreeOnMoves(bool hasInput)
   else if (any[1])
   {
     this->WhyNotMoved =
-      tetmarch::faultOfMoves().empty() ? "Another process loses cells." : tetmarch::faultOfMoves();
+      "VTK loses the cells that it sends to another process, together with this version of "
+      "libexpat. The remedy: " +
+      tetmarch::remedyForAppendedData() + ".";
   }
 }
 

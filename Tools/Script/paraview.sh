@@ -5,7 +5,9 @@
 
 readonly PARAVIEW_ROOT="$BUILD/paraview-root"
 readonly PARAVIEW_BUILD="$BUILD/paraview"
-readonly PARAVIEW_PACKAGES=(paraview paraview-dev openmpi-bin)
+# Debian 12's ParaView draws no icon in its toolbars without libqt5svg5, which it doesn't ask for. The last three are for
+# the tests of its window.
+readonly PARAVIEW_PACKAGES=(paraview paraview-dev openmpi-bin libqt5svg5 qtbase5-dev xdotool x11-apps)
 
 # python3-paraview and python3-vtk9 can't both be installed, so ParaView is unpacked into a folder of its own
 # and only what it depends on comes by apt.
@@ -45,14 +47,18 @@ prepare_paraview() {
   fi
 }
 
-# name_paraview_command PLUGIN: sets PARAVIEW_COMMAND to the words of the command. ParaView 5.11 loads nothing by
-# --plugins=PATH, without a word: it wants the folder and the name.
+# name_paraview_command PLUGIN [FILE]: sets PARAVIEW_COMMAND to the words of the command. ParaView 5.11 loads nothing by
+# --plugins=PATH, without a word: it wants the folder and the name. A file after --plugins it takes for a plugin. What
+# is loaded before its libraries lets it read appended data with any libexpat: Plugin/README.md.
 name_paraview_command() {
+  local folder
+  folder="$(dirname "$1")"
   PARAVIEW_COMMAND=(paraview)
   if [[ -d "$PARAVIEW_ROOT" ]]; then
-    PARAVIEW_COMMAND=(env "LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)" "$PARAVIEW_ROOT/usr/bin/paraview")
+    PARAVIEW_COMMAND=(env "LD_PRELOAD=$folder/libTetMarchExpat.so"
+      "LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)" "$PARAVIEW_ROOT/usr/bin/paraview")
   fi
-  PARAVIEW_COMMAND+=("--plugin-search-paths=$(dirname "$1")" --plugins=TetMarch)
+  PARAVIEW_COMMAND+=("${@:2}" "--plugin-search-paths=$folder" --plugins=TetMarch)
 }
 
 explain_plugin() {
@@ -62,7 +68,7 @@ explain_plugin() {
 The plugin is $plugin
 To load it: in ParaView by Tools > Manage Plugins > Load New, in Python by
   paraview.simple.LoadPlugin("$plugin", remote=False)
-or from the start with this ParaView, as ./tetmarch paraview FILE does:
+or from the start with this ParaView, as ./tetmarch paraview FILE does (a file goes before the options):
   ${PARAVIEW_COMMAND[*]}
 TEXT
 }
@@ -90,8 +96,8 @@ start_paraview() {
   [[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]] ||
     die "ParaView's window needs a display, and there is none: log in with ssh -X, or draw with pvbatch or tetmarch-render"
   [[ -r "$(plugin_file)" ]] || build_plugin
-  name_paraview_command "$(plugin_file)"
-  exec "${PARAVIEW_COMMAND[@]}" "$1"
+  name_paraview_command "$(plugin_file)" "$1"
+  exec "${PARAVIEW_COMMAND[@]}"
 }
 
 # paraview [FILE]
