@@ -3,6 +3,7 @@
 #include "vtkTetMarchSmartVolumeMapperInternals.h"
 
 #include "Blocks/BlockList.h"
+#include "Mapper/AlgorithmProgress.h"
 #include "Mapper/GroundTruthPicture.h"
 #include "Mapper/RecordStatistics.h"
 #include "Mapper/TraceTable.h"
@@ -173,23 +174,24 @@ tetmarch::StructuredBlock* vtkTetMarchSmartVolumeMapper::Internals::onlyBlock(
 bool vtkTetMarchSmartVolumeMapper::RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels)
 {
   std::string error;
-  if (tetmarch::StructuredBlock* block = this->Internal->onlyBlock(error))
-  {
-    error = tetmarch::renderGroundTruth(block->Pipeline, this->GetSettings(), volume, pixels);
-  }
-  return this->Report(error);
+  tetmarch::StructuredBlock* block = this->Internal->onlyBlock(error);
+  const bool done =
+    block && tetmarch::renderGroundTruth(
+               { block->Pipeline, this->GetSettings(), volume, tetmarch::beginProgressOf(this) },
+               pixels, error);
+  return this->Report(error) && done;
 }
 
 //------------------------------------------------------------------------------
 bool vtkTetMarchSmartVolumeMapper::CompareWithGroundTruth(vtkVolume* volume)
 {
   std::string error;
-  if (tetmarch::StructuredBlock* block = this->Internal->onlyBlock(error))
-  {
-    error = tetmarch::compareWithGroundTruth(
-      block->Pipeline, this->GetSettings(), volume, this->Internal->State.Statistics);
-  }
-  return this->Report(error);
+  tetmarch::StructuredBlock* block = this->Internal->onlyBlock(error);
+  const bool done =
+    block && tetmarch::compareWithGroundTruth(
+               { block->Pipeline, this->GetSettings(), volume, tetmarch::beginProgressOf(this) },
+               this->Internal->State.Statistics, error);
+  return this->Report(error) && done;
 }
 
 //------------------------------------------------------------------------------

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchVolumeMapperInternals.h"
 
-#include "Mapper/GroundTruthPicture.h"
 #include "Mapper/MapperFrame.h"
 #include "Mapper/RecordStatistics.h"
-#include "Mapper/TraceTable.h"
 #include "Mesh/MeshReport.h"
 #include "Picking/SelectedCells.h"
 
@@ -189,35 +187,6 @@ bool vtkTetMarchVolumeMapper::Pick(vtkRenderer* renderer, vtkVolume* volume, int
   this->PickedCellId = pick.Cell;
   this->PickedBlock = this->Internal->hasBlocks() ? pick.Block : 0;
   return pick.Hit;
-}
-
-//------------------------------------------------------------------------------
-bool vtkTetMarchVolumeMapper::RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels)
-{
-  return this->Report(
-    tetmarch::renderGroundTruth(this->Internal->Pipeline, this->GetSettings(), volume, pixels));
-}
-
-//------------------------------------------------------------------------------
-bool vtkTetMarchVolumeMapper::CompareWithGroundTruth(vtkVolume* volume)
-{
-  return this->Report(tetmarch::compareWithGroundTruth(
-    this->Internal->Pipeline, this->GetSettings(), volume, this->Internal->State.Statistics));
-}
-
-//------------------------------------------------------------------------------
-void vtkTetMarchVolumeMapper::GetDiagnosticPixels(vtkFloatArray* pixels) const
-{
-  tetmarch::copyDiagnosticPixels(this->Internal->Pipeline, pixels);
-}
-
-//------------------------------------------------------------------------------
-bool vtkTetMarchVolumeMapper::TraceRay(
-  vtkVolume* volume, int x, int y, int arithmetic, vtkTable* cells)
-{
-  Internals& internal = *this->Internal;
-  return this->Report(tetmarch::traceRay(internal.Pipeline, internal.State,
-    { volume, x, y, arithmetic }, internal.origins(), internal.hasBlocks(), cells));
 }
 
 //------------------------------------------------------------------------------

@@ -152,6 +152,15 @@ public:
   //@}
 
   /**
+   * Make the tetrahedra of the input with their links, which takes most of the time before the
+   * first frame of a large grid, ahead of it. This needs no window, and may run in any thread as
+   * long as no other one uses the mapper or changes its input. ProgressEvent is invoked, and an
+   * observer stops it by SetAbortExecute(1). Returns whether there is something to draw now; false
+   * with an error if something is wrong, without one if it was stopped or the input has no cells.
+   */
+  bool PrepareMesh();
+
+  /**
    * Free every GL object of the given window's context. The next Render() makes them anew.
    */
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -378,8 +387,9 @@ public:
    * with a tolerance of 1e-6 and tables of up to 262144 entries. Errors are measured against it.
    * `pixels` is filled as by GetDiagnosticPixels(); `volume` is the one that was drawn.
    * CompareWithGroundTruth(): the same, for vtkTetMarchFrameStatistics::TRUE_ERROR of the last
-   * frame, which needs CollectDiagnostics on. Both are slow. They return false, with an error, if
-   * there is no such frame.
+   * frame, which needs CollectDiagnostics on. Both are slow: they invoke ProgressEvent, and an
+   * observer stops them by SetAbortExecute(1). They return false if they were stopped, and, with an
+   * error, if there is no such frame.
    */
   bool RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels);
   bool CompareWithGroundTruth(vtkVolume* volume);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // All tests of tetmarch-view, in one program with one application.
+#include "AliveTest.h"
 #include "FunctionsTest.h"
 #include "OpenTest.h"
 #include "PlayTest.h"
@@ -28,13 +29,15 @@ int main(int argc, char* argv[])
     arguments.removeAt(1);
   }
   tetmarch::OpenTest open;
+  tetmarch::AliveTest alive;
   tetmarch::FunctionsTest functions;
   tetmarch::PlayTest play;
   tetmarch::SessionTest session;
   int failures = 0;
   bool found = false;
-  for (QObject* test : { static_cast<QObject*>(&open), static_cast<QObject*>(&functions),
-         static_cast<QObject*>(&play), static_cast<QObject*>(&session) })
+  for (QObject* test :
+    { static_cast<QObject*>(&open), static_cast<QObject*>(&functions), static_cast<QObject*>(&play),
+      static_cast<QObject*>(&session), static_cast<QObject*>(&alive) })
   {
     const QString name = QString::fromLatin1(test->metaObject()->className()).section("::", -1);
     if (name == suite)
@@ -45,8 +48,9 @@ int main(int argc, char* argv[])
   }
   if (!found)
   {
-    std::fputs("usage: TetMarchViewerTest OpenTest|FunctionsTest|PlayTest|SessionTest [option of "
-               "Qt Test]...\n",
+    std::fputs(
+      "usage: TetMarchViewerTest AliveTest|OpenTest|FunctionsTest|PlayTest|SessionTest [option "
+      "of Qt Test]...\n",
       stderr);
     return 2;
   }

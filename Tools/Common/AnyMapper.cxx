@@ -23,6 +23,14 @@ public:
   }
 
   void SetInput(vtkDataObject* data) override { this->Object->SetInputDataObject(data); }
+  bool PrepareMesh() override
+  {
+    if constexpr (std::is_same_v<Mapper, vtkTetMarchVolumeMapper>)
+    {
+      return this->Object->PrepareMesh();
+    }
+    return true;
+  }
   void SetComponent(int component) override
   {
     this->Object->SetVectorMode(component < 0 ? Mapper::MAGNITUDE : Mapper::COMPONENT);

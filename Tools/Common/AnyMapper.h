@@ -52,6 +52,9 @@ public:
   virtual vtkTetMarchFrameStatistics* GetStatistics() = 0;
 
   virtual void SetInput(vtkDataObject* data) = 0;
+  /// Ahead of frames, in any thread; images and rectilinear grids need none. False: stopped or
+  /// failed.
+  virtual bool PrepareMesh() = 0;
   /// -1: the magnitude.
   virtual void SetComponent(int component) = 0;
   /// As vtkVolumeMapper::BlendModes.

@@ -8,15 +8,16 @@
 #include "vtkObject.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <unistd.h>
 
 namespace
 {
-bool Showing = false;
-bool Hidden = false;
-bool Running = false; // there is a bar
+std::atomic<bool> Showing{ false };
+std::atomic<bool> Hidden{ false };
+std::atomic<bool> Running{ false }; // there is a bar
 } // namespace
 
 namespace tetmarch

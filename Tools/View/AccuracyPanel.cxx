@@ -9,7 +9,6 @@
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchSettings.h"
 
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
@@ -128,8 +127,10 @@ void AccuracyPanel::MakeFigures()
   add(tr("Error bound"), this->Bound);
   add(tr("True error"), this->TrueError);
   this->CompareButton = new QPushButton(tr("Compare with ground truth"));
+  this->CompareButton->setObjectName(QStringLiteral("compare"));
   this->CompareButton->setToolTip(
-    tr("Draw the picture once more on the CPU in double precision; takes seconds to minutes"));
+    tr("Draw the picture once more on the CPU in double precision. That takes seconds to minutes; "
+       "whatever you do meanwhile stops it."));
   connect(this->CompareButton, &QPushButton::clicked, this, &AccuracyPanel::Compare);
 }
 
@@ -203,12 +204,10 @@ void AccuracyPanel::ShowFigures()
 
 void AccuracyPanel::Compare()
 {
-  QApplication::setOverrideCursor(Qt::WaitCursor);
-  if (!this->Shown.CompareWithGroundTruth())
+  if (!this->Shown.CompareWithGroundTruth() && !this->Shown.WasStopped())
   {
     Q_EMIT this->Shown.Failed(tr("The picture could not be compared with the ground truth."));
   }
-  QApplication::restoreOverrideCursor();
 }
 
 } // namespace tetmarch

@@ -66,6 +66,10 @@ void EffectTimer::TakeFrame()
     return;
   }
   this->Next.start();
+  if (this->Timed.IsDrawing())
+  {
+    return;
+  }
   if (this->Timed.IsDragging())
   {
     this->Turn.clear();
@@ -82,7 +86,13 @@ void EffectTimer::TakeFrame()
       this->Timed.GetScene().MakeGradientOpacity(state.Effects.GradientStrength);
   }
   this->Timed.GetScene().Apply(state);
-  this->Turn.push_back(this->Timed.Render());
+  const double seconds = this->Timed.Render();
+  if (this->Timed.WasStopped())
+  {
+    this->Turn.clear();
+    return;
+  }
+  this->Turn.push_back(seconds);
   if (this->Turn.size() == 4)
   {
     this->Added.push_back(this->Turn[3] - this->Turn[1]);

@@ -6,8 +6,10 @@
 #include "ErrorText.h"
 #include "Failure.h"
 #include "RawImage.h"
+#include "SameMesh.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
@@ -38,6 +40,23 @@ std::vector<ArrayName> ListArrays(vtkTetMarchFirstPicture* choice)
       table->GetValue(row, 3).ToInt() });
   }
   return arrays;
+}
+
+std::shared_ptr<AnyMapper> PrepareMapper(const VolumeData& data, const ProgressReport& report)
+{
+  std::shared_ptr<AnyMapper> mapper = MakeMapper(false);
+  mapper->SetInput(data.Input);
+  const ErrorText error(mapper->GetMapper());
+  const ProgressBar bar("preparing the mesh", mapper->GetMapper(), report);
+  if (!mapper->PrepareMesh())
+  {
+    if (bar.IsStopped())
+    {
+      throw Cancelled("the preparation of the mesh was cancelled");
+    }
+    throw Failure(error.Get());
+  }
+  return mapper;
 }
 } // namespace
 
@@ -72,5 +91,9 @@ tetmarch::LoadResult tetmarch::RunJob(const LoadJob& job, const ProgressReport& 
   }
   volume.Arrays = ListArrays(volume.Choice);
   volume.Values = CountValues(volume.Data, volume.Choice);
+  if (!volume.Data.Structured && !HasSameMesh(job.Shown, volume.Data.Input))
+  {
+    result.Mapper = PrepareMapper(volume.Data, report);
+  }
   return result;
 }

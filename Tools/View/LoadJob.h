@@ -7,10 +7,12 @@
 #ifndef tetmarch_LoadJob_h
 #define tetmarch_LoadJob_h
 
+#include "AnyMapper.h"
 #include "Prepared.h"
 #include "ProgressBar.h"
 #include "ViewState.h"
 
+#include <memory>
 #include <optional>
 
 namespace tetmarch
@@ -23,12 +25,16 @@ struct LoadJob
   std::optional<VolumeData> Read;
   /// Whether transfer functions are chosen. If not, the array alone is.
   bool ChooseFunctions = true;
+  /// What is drawn now. Null: nothing.
+  vtkSmartPointer<vtkDataObject> Shown;
 };
 
 struct LoadResult
 {
   Prepared Volume;
   vtkSmartPointer<vtkPolyData> Surface; // null: none was asked for
+  /// Has prepared the mesh. Null: what was drawn has the same one, or there is none to prepare.
+  std::shared_ptr<AnyMapper> Mapper;
 };
 
 /// Throws Failure that says what is wrong, and Cancelled if the report asks to stop.

@@ -98,12 +98,8 @@ MainWindow::MainWindow(QWidget* parent)
                                  .arg(state.Size[1]));
     });
   connect(this->Picture, &PictureWidget::Clicked, this, &MainWindow::ShowPick);
-  connect(&this->Shown.GetLoader(), &Loader::Progressed, this,
-    [this](const QString& stage, double fraction)
-    {
-      this->Progress->setFormat(stage + QStringLiteral(" %p %"));
-      this->Progress->setValue(static_cast<int>(100.0 * fraction));
-    });
+  connect(&this->Shown.GetLoader(), &Loader::Progressed, this, &MainWindow::ShowProgress);
+  connect(&this->Shown, &Model::DrawingProgressed, this, &MainWindow::ShowDrawing);
   // What VTK says, in whichever thread.
   SetMessageListener(
     [this](const std::string& kind, const std::string& text)
@@ -177,6 +173,7 @@ void MainWindow::MakeStatusBar()
     [this]
     {
       this->Shown.GetLoader().Cancel();
+      this->Shown.CancelFrames();
       this->ShowLoading(false);
       this->statusBar()->showMessage(tr("Cancelled"), MessageMilliseconds);
     });
@@ -202,6 +199,24 @@ void MainWindow::ShowLoading(bool busy)
            this->LastFile == QString::fromStdString(this->Shown.GetState().Data.File))
   {
     this->AddRecent(this->LastFile);
+  }
+}
+
+void MainWindow::ShowProgress(const QString& stage, double fraction)
+{
+  this->Progress->setFormat(stage + QStringLiteral(" %p %"));
+  this->Progress->setValue(static_cast<int>(100.0 * fraction));
+}
+
+// What is being read is told first.
+void MainWindow::ShowDrawing(const QString& stage, double share)
+{
+  if (!this->Shown.GetLoader().IsBusy())
+  {
+    const bool busy = share <= 1.0;
+    this->Progress->setVisible(busy);
+    this->Cancel->setVisible(busy);
+    this->ShowProgress(stage, std::min(share, 1.0));
   }
 }
 

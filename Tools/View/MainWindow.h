@@ -75,6 +75,8 @@ private:
   void AddRecent(const QString& path);
   void ShowFailure(const QString& text);
   void ShowLoading(bool busy);
+  void ShowProgress(const QString& stage, double fraction);
+  void ShowDrawing(const QString& stage, double share);
   void ShowPick(int x, int y);
   void ShowHandles();
   void HideHandles();

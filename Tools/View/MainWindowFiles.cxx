@@ -70,7 +70,7 @@ bool MainWindow::SaveScreenshot(const QString& path)
   this->Effects->GetTimer()->Stop();
   this->HideHandles();
   const int errorsBefore = Messages::GetNumberOfErrors();
-  this->Shown.Render();
+  this->Shown.RenderWhole();
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(this->Shown.GetWindow());
   image->ShouldRerenderOff();

@@ -2,19 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Model.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkRenderWindow.h"
-#include "vtkTetMarchFrameStatistics.h"
-#include "vtkTetMarchSettings.h"
-#include "vtkTimerLog.h"
 
 namespace
 {
-constexpr double RateOfDrags = 15.0;  // frames a second
-constexpr double RateAtRest = 0.0001; // as interactors have it
+constexpr double RateOfDrags = 15.0; // frames a second
 constexpr int SettleMilliseconds = 250;
 constexpr int MeasureMilliseconds = 400;
-constexpr int MostFramesOfBudget = 40;
 } // namespace
 
 namespace tetmarch
@@ -31,7 +25,7 @@ Model::Model(QObject* parent)
   connect(&this->RenderSoon, &QTimer::timeout, this,
     [this]
     {
-      if (this->Window)
+      if (this->Window && !this->WaitsForFrame([this] { this->RequestRender(); }))
       {
         this->Window->Render();
       }
@@ -52,56 +46,6 @@ Model::~Model()
   }
 }
 
-void Model::SetWindow(vtkRenderWindow* window)
-{
-  this->Window = window;
-  window->AddRenderer(this->Drawn.GetRenderer());
-  window->SetDesiredUpdateRate(RateAtRest);
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(this);
-  command->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
-    { static_cast<Model*>(self)->NoteFrame(event == vtkCommand::StartEvent); });
-  this->Observers[0] = window->AddObserver(vtkCommand::StartEvent, command);
-  this->Observers[1] = window->AddObserver(vtkCommand::EndEvent, command);
-}
-
-bool Model::IsAtRest() const
-{
-  return this->Drags == 0 && this->Window && this->Window->GetDesiredUpdateRate() < 1.0;
-}
-
-void Model::NoteFrame(bool begins)
-{
-  if (begins)
-  {
-    this->Drawn.GetRenderer()->ResetCameraClippingRange();
-    this->FrameBegin = vtkTimerLog::GetUniversalTime();
-    return;
-  }
-  this->Window->WaitForCompletion();
-  if (this->InMeasure)
-  {
-    return;
-  }
-  this->LastSeconds = vtkTimerLog::GetUniversalTime() - this->FrameBegin;
-  Q_EMIT this->Rendered();
-  if (!this->HasData() || !this->IsAtRest())
-  {
-    this->MeasureSoon.stop();
-    return;
-  }
-  // The level that keeps a budget is found by drawing frames.
-  if (this->State.Accuracy.FrameTime > 0.0 && this->FramesOfBudget < MostFramesOfBudget)
-  {
-    ++this->FramesOfBudget;
-    this->RequestRender();
-  }
-  else if (this->Measuring)
-  {
-    this->MeasureSoon.start();
-  }
-}
-
 const ViewState& Model::GetState()
 {
   this->Drawn.Capture(this->State);
@@ -115,6 +59,10 @@ const ViewState& Model::GetState()
 
 void Model::Edit(const std::function<void(ViewState&)>& change)
 {
+  if (this->WaitsForFrame([this, change] { this->Edit(change); }))
+  {
+    return;
+  }
   this->Drawn.Capture(this->State);
   change(this->State);
   if (this->HasData() && this->State.Effects.GradientOpacity)
@@ -174,62 +122,9 @@ void Model::SwitchProjection()
   this->RequestRender();
 }
 
-double Model::Render()
-{
-  if (this->Window)
-  {
-    this->SettleSoon.stop();
-    this->Window->SetDesiredUpdateRate(RateAtRest);
-    this->Window->Render();
-  }
-  return this->LastSeconds;
-}
-
 void Model::RequestRender() { this->RenderSoon.start(0); }
 
 void Model::Settle() { this->SettleSoon.start(SettleMilliseconds); }
-
-void Model::Measure()
-{
-  if (!this->HasData() || !this->Window || !this->IsAtRest())
-  {
-    return;
-  }
-  vtkTetMarchSettings* settings = this->Drawn.GetMapper().GetSettings();
-  this->InMeasure = true;
-  settings->CollectDiagnosticsOn();
-  this->Window->Render();
-  Q_EMIT this->Measured();
-  settings->CollectDiagnosticsOff();
-  this->InMeasure = false;
-}
-
-void Model::SetMeasuring(bool measuring)
-{
-  this->Measuring = measuring;
-  if (measuring)
-  {
-    this->MeasureSoon.start();
-  }
-}
-
-bool Model::CompareWithGroundTruth()
-{
-  if (!this->HasData() || !this->Window)
-  {
-    return false;
-  }
-  vtkTetMarchSettings* settings = this->Drawn.GetMapper().GetSettings();
-  this->InMeasure = true;
-  this->Window->SetDesiredUpdateRate(RateAtRest);
-  settings->CollectDiagnosticsOn();
-  this->Window->Render();
-  const bool compared = this->Drawn.GetMapper().CompareWithGroundTruth(this->Drawn.GetVolume());
-  Q_EMIT this->Measured();
-  settings->CollectDiagnosticsOff();
-  this->InMeasure = false;
-  return compared;
-}
 
 double Model::GetAspect() const
 {

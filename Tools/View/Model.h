@@ -8,6 +8,7 @@
 #ifndef tetmarch_Model_h
 #define tetmarch_Model_h
 
+#include "FrameEvents.h"
 #include "Loader.h"
 #include "Scene.h"
 #include "ViewState.h"
@@ -61,8 +62,21 @@ public:
   void LookAlong(int axis);
   void SwitchProjection();
 
+  /// What tells of Qt's events during a frame; it is told which widget shows the picture.
+  FrameEvents& GetEvents() { return this->Events; }
+
+  // Long frames at rest tell of their progress, and handle events. Whatever the user does stops
+  // them, unless all of the frame is wanted.
+
   /// Draw now, at rest. Returns the seconds that it took.
   double Render();
+  /// The same; what the user does waits until the frame is complete.
+  void RenderWhole();
+  /// Whether the last frame was stopped. The picture is still that of the frame before.
+  bool WasStopped() const { return this->Stopped; }
+  bool IsDrawing() const { return this->Drawing; }
+  /// Stop, and draw no more until something changes.
+  void CancelFrames();
   /// Draw soon.
   void RequestRender();
   /// Draw at rest, some time after the last coarse frame.
@@ -73,7 +87,7 @@ public:
   void Measure();
   /// Whether that is done by itself after each frame at rest.
   void SetMeasuring(bool measuring);
-  /// Slow. Returns false if the frame could not be compared.
+  /// Slow. Returns false if the frame could not be compared, or if the user has stopped it.
   bool CompareWithGroundTruth();
 
 Q_SIGNALS:
@@ -85,6 +99,8 @@ Q_SIGNALS:
   void Measured();
   void Failed(const QString& text);
   void LoadingChanged(bool busy);
+  /// Of a frame or a comparison that takes long; the share is above 1 when it has ended.
+  void DrawingProgressed(const QString& stage, double share);
 
 private:
   enum class Purpose
@@ -100,14 +116,29 @@ private:
   void Take(const std::shared_ptr<LoadResult>& result, const QString& failure);
   void Show(const LoadResult& result);
   double GetAspect() const;
-  void NoteFrame(bool begins);
+  void NoteFrame(unsigned long event);
+  void BeginFrame();
+  void EndFrame();
+  void FollowFrame();
+  void TakeFrame();
+  void EndWork();
+  bool HandleEvents(const QString& stage);
+  /// Whether a frame is being drawn: it is stopped then, and what is to be done is done later.
+  bool WaitsForFrame(const std::function<void()>& later);
   bool IsAtRest() const;
 
   ViewState State;
   Scene Drawn;
   Loader Reading;
   vtkSmartPointer<vtkRenderWindow> Window;
-  unsigned long Observers[2] = { 0, 0 };
+  unsigned long Observers[3] = { 0, 0, 0 };
+  FrameEvents Events;
+  std::vector<std::function<void()>> AfterFrame;
+  bool Drawing = false;
+  bool Whole = false; // the frame isn't stopped
+  bool Stopping = false;
+  bool Stopped = false; // the last frame
+  bool Told = false;    // of its progress
   QTimer RenderSoon;
   QTimer SettleSoon;
   QTimer MeasureSoon;

@@ -10,8 +10,9 @@ void Model::Start(Purpose purpose, const LoadJob& job)
 {
   this->Why = purpose;
   this->Job = job;
+  this->Job.Shown = this->HasData() ? this->Drawn.GetData().Data.Input : nullptr;
   Q_EMIT this->LoadingChanged(true);
-  this->Reading.Start(job);
+  this->Reading.Start(this->Job);
 }
 
 void Model::Open(const QString& path)
@@ -69,6 +70,10 @@ void Model::ChooseTimeStep(int step)
 
 void Model::Take(const std::shared_ptr<LoadResult>& result, const QString& failure)
 {
+  if (this->WaitsForFrame([this, result, failure] { this->Take(result, failure); }))
+  {
+    return;
+  }
   if (result)
   {
     this->Show(*result);
@@ -90,7 +95,7 @@ void Model::Show(const LoadResult& result)
   else if (this->Why == Purpose::Session)
   {
     ViewState read = this->Wanted;
-    this->Drawn.SetData(result.Volume, false, this->GetAspect(), read);
+    this->Drawn.SetData(result.Volume, result.Mapper, false, this->GetAspect(), read);
     this->Drawn.SetSurface(result.Surface);
     this->State = read;
   }
@@ -99,7 +104,8 @@ void Model::Show(const LoadResult& result)
     this->Drawn.Capture(this->State);
     const ViewState before = this->State;
     this->State.Data.File = this->Job.Wanted.File;
-    this->Drawn.SetData(result.Volume, this->Job.ChooseFunctions, this->GetAspect(), this->State);
+    this->Drawn.SetData(
+      result.Volume, result.Mapper, this->Job.ChooseFunctions, this->GetAspect(), this->State);
     if (this->Why == Purpose::Array)
     {
       this->State.Camera = before.Camera;

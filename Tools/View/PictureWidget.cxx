@@ -15,6 +15,7 @@ namespace tetmarch
 
 PictureWidget::PictureWidget(Model& model, QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
+  , Shown(model)
 {
   // One sample a pixel, as tetmarch-render has it, so that both draw the same picture.
   this->Own->SetMultiSamples(0);
@@ -26,6 +27,23 @@ PictureWidget::PictureWidget(Model& model, QWidget* parent)
   style->SetModel(&model);
   this->interactor()->SetInteractorStyle(style);
   model.SetWindow(this->Own);
+  model.GetEvents().SetPicture(this);
+}
+
+// A frame handles events, which nobody may do while a widget is painted. So a frame for the new
+// size comes afterwards, and what was shown is stretched until then.
+void PictureWidget::resizeGL(int width, int height)
+{
+  QVTKOpenGLNativeWidget::resizeGL(width, height);
+  this->Shown.RequestRender();
+}
+
+void PictureWidget::paintGL()
+{
+  const bool later = this->Shown.HasData() && !this->Own->GetNeverRendered();
+  this->interactor()->SetEnableRender(!later);
+  QVTKOpenGLNativeWidget::paintGL();
+  this->interactor()->SetEnableRender(true);
 }
 
 void PictureWidget::mousePressEvent(QMouseEvent* event)

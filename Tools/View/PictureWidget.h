@@ -29,11 +29,14 @@ Q_SIGNALS:
   void Clicked(int x, int y);
 
 protected:
+  void paintGL() override;
+  void resizeGL(int width, int height) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
   vtkNew<vtkGenericOpenGLRenderWindow> Own;
+  Model& Shown;
   QPoint Pressed;
 };
 

@@ -56,17 +56,27 @@ double Scene::GetDiagonal() const
   return std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
 }
 
-void Scene::SetData(const Prepared& data, bool functionsChosen, double aspect, ViewState& state)
+void Scene::SetMapper(const std::shared_ptr<AnyMapper>& mapper)
+{
+  this->Mapper = mapper;
+  this->Volume->SetMapper(mapper->GetMapper());
+  this->Renderer->AddVolume(this->Volume);
+  this->Legend->SetMapper(mapper->GetMapper());
+}
+
+void Scene::SetData(const Prepared& data, const std::shared_ptr<AnyMapper>& mapper,
+  bool functionsChosen, double aspect, ViewState& state)
 {
   this->Data = data;
-  if (!this->Mapper || this->Structured != data.Data.Structured)
+  if (mapper)
   {
-    this->Structured = data.Data.Structured;
-    this->Mapper = MakeMapper(this->Structured);
-    this->Volume->SetMapper(this->Mapper->GetMapper());
-    this->Renderer->AddVolume(this->Volume);
-    this->Legend->SetMapper(this->Mapper->GetMapper());
+    this->SetMapper(mapper);
   }
+  else if (!this->Mapper || this->Structured != data.Data.Structured)
+  {
+    this->SetMapper(MakeMapper(data.Data.Structured));
+  }
+  this->Structured = data.Data.Structured;
   this->Mapper->SetInput(data.Data.Input);
 
   vtkTetMarchFirstPicture* choice = data.Choice;

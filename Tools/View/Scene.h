@@ -45,8 +45,9 @@ public:
   std::array<double, 6> GetBounds() const;
 
   /// Takes the data, and into the state its array, and, if they were chosen, functions and a
-  /// camera.
-  void SetData(const Prepared& data, bool functionsChosen, double aspect, ViewState& state);
+  /// camera. A mapper that isn't null takes the place of the one that has drawn.
+  void SetData(const Prepared& data, const std::shared_ptr<AnyMapper>& mapper, bool functionsChosen,
+    double aspect, ViewState& state);
   /// Null: none.
   void SetSurface(vtkPolyData* surface);
 
@@ -68,6 +69,7 @@ public:
   double GetDiagonal() const;
 
 private:
+  void SetMapper(const std::shared_ptr<AnyMapper>& mapper);
   void ApplyProperty(const ViewState& state);
   void ApplySettings(const ViewState& state);
   void ApplyLight(const EffectState& effects);
@@ -75,7 +77,7 @@ private:
   void ApplyCamera(const CameraState& camera);
 
   Prepared Data;
-  std::unique_ptr<AnyMapper> Mapper;
+  std::shared_ptr<AnyMapper> Mapper;
   bool Structured = false;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkVolume> Volume;

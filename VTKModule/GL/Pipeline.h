@@ -116,9 +116,10 @@ public:
 
   /**
    * The picture of the last frame in double precision, by the CPU. False if there was no frame, or
-   * if the memory for it is lacking (error()).
+   * if the memory for it is lacking (error()), or if progress asked to stop (no error()).
    */
-  bool renderReference(vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image);
+  bool renderReference(
+    vtkVolumeProperty* property, OpacityLaw law, const Progress& progress, ReferenceImage& image);
   /** The ray of one pixel of the last frame, marched by the CPU; false likewise, or if the pixel is
    * outside the frame. */
   bool traceRay(

@@ -49,11 +49,17 @@ bool Pipeline::useReferenceScene(vtkVolumeProperty* property, OpacityLaw law,
   return shortage.empty() || this->fail(shortage);
 }
 
-bool Pipeline::renderReference(vtkVolumeProperty* property, OpacityLaw law, ReferenceImage& image)
+bool Pipeline::renderReference(
+  vtkVolumeProperty* property, OpacityLaw law, const Progress& progress, ReferenceImage& image)
 {
-  return this->useReferenceScene(property, law, GroundTruthAccuracy,
+  this->Error.clear();
+  const bool done = this->useReferenceScene(property, law, GroundTruthAccuracy,
     [&](ReferenceScene& scene)
-    { image = this->Source.renderReference(scene, GroundTruthAccuracy); });
+    {
+      scene.Report = progress;
+      image = this->Source.renderReference(scene, GroundTruthAccuracy);
+    });
+  return done && !image.Stopped;
 }
 
 bool Pipeline::traceRay(

@@ -26,35 +26,43 @@ void copyPixels(const std::vector<float>& values, vtkFloatArray* pixels)
 
 } // namespace
 
-std::string renderGroundTruth(
-  Pipeline& pipeline, vtkTetMarchSettings* settings, vtkVolume* volume, vtkFloatArray* pixels)
+bool renderGroundTruth(const GroundTruthOf& frame, vtkFloatArray* pixels, std::string& error)
 {
   ReferenceImage image;
-  pipeline.makeCurrent();
-  if (!volume || !pipeline.renderReference(volume->GetProperty(),
-                   static_cast<OpacityLaw>(settings->GetOpacityLaw()), image))
+  error.clear();
+  frame.Drawn.makeCurrent();
+  if (!frame.Volume)
   {
-    return "No reference picture: " + (volume ? pipeline.error() : "no volume was given.");
+    error = "No reference picture: no volume was given.";
+    return false;
+  }
+  const auto law = static_cast<OpacityLaw>(frame.Settings->GetOpacityLaw());
+  if (!frame.Drawn.renderReference(frame.Volume->GetProperty(), law, frame.Report, image))
+  {
+    const std::string& reason = frame.Drawn.error();
+    error = reason.empty() ? reason : "No reference picture: " + reason;
+    return false;
   }
   copyPixels(image.Pixels, pixels);
-  return {};
+  return true;
 }
 
-std::string compareWithGroundTruth(Pipeline& pipeline, vtkTetMarchSettings* settings,
-  vtkVolume* volume, vtkTetMarchFrameStatistics* statistics)
+bool compareWithGroundTruth(
+  const GroundTruthOf& frame, vtkTetMarchFrameStatistics* statistics, std::string& error)
 {
-  const Diagnostics& counted = pipeline.counted();
+  const Diagnostics& counted = frame.Drawn.counted();
   if (counted.measures().empty())
   {
-    return "There is no frame to compare: switch CollectDiagnostics on and render first.";
+    error = "There is no frame to compare: switch CollectDiagnostics on and render first.";
+    return false;
   }
   vtkNew<vtkFloatArray> truth;
-  std::string error = renderGroundTruth(pipeline, settings, volume, truth);
-  if (error.empty())
+  const bool done = renderGroundTruth(frame, truth, error);
+  if (done)
   {
     takeTrueErrors(counted, truth, statistics);
   }
-  return error;
+  return done;
 }
 
 void copyDiagnosticPixels(const Pipeline& pipeline, vtkFloatArray* pixels)

@@ -4,6 +4,8 @@
 #ifndef TetMarchMapperGroundTruthPicture_h
 #define TetMarchMapperGroundTruthPicture_h
 
+#include "Mesh/Progress.h"
+
 #include <string>
 
 class vtkFloatArray;
@@ -16,14 +18,23 @@ namespace tetmarch
 
 class Pipeline;
 
-// Pixels are premultiplied red, green, blue and opacity, rows from the bottom. These two return an
-// empty string, or why there is no such picture.
+/** What is drawn once more, by whose settings; progress may ask to stop. */
+struct GroundTruthOf
+{
+  Pipeline& Drawn;
+  vtkTetMarchSettings* Settings;
+  vtkVolume* Volume;
+  Progress Report;
+};
 
-std::string renderGroundTruth(
-  Pipeline& pipeline, vtkTetMarchSettings* settings, vtkVolume* volume, vtkFloatArray* pixels);
+// Pixels are premultiplied red, green, blue and opacity, rows from the bottom. These two return
+// whether it was done. If not, the error says why there is no such picture; it is empty if progress
+// asked to stop.
+
+bool renderGroundTruth(const GroundTruthOf& frame, vtkFloatArray* pixels, std::string& error);
 /** The true errors of a frame that was counted go to the statistics. */
-std::string compareWithGroundTruth(Pipeline& pipeline, vtkTetMarchSettings* settings,
-  vtkVolume* volume, vtkTetMarchFrameStatistics* statistics);
+bool compareWithGroundTruth(
+  const GroundTruthOf& frame, vtkTetMarchFrameStatistics* statistics, std::string& error);
 
 /** Of the last frame that was counted; none if there was no such frame. */
 void copyDiagnosticPixels(const Pipeline& pipeline, vtkFloatArray* pixels);

@@ -8,10 +8,9 @@
 #include "Reference/MakeKernel.h"
 #include "Reference/RayTrace.h"
 #include "Reference/ReferenceImage.h"
+#include "Reference/RowPortions.h"
 #include "Reference/ThicknessPerDepth.h"
 #include "Reference/VolumeLight.h"
-
-#include "vtkSMPTools.h"
 
 #include <memory>
 #include <mutex>
@@ -55,24 +54,26 @@ public:
       this->tracePixel(*this->Scene.Trace);
       return std::move(this->Image);
     }
-    vtkSMPTools::For(0, this->Scene.Height, 1,
-      [this](vtkIdType first, vtkIdType last)
-      {
-        Kernel kernel = this->March;
-        MarchCounters counters;
-        for (vtkIdType row = first; row < last; ++row)
-        {
-          for (int column = 0; column < this->Scene.Width; ++column)
-          {
-            this->castPixel(kernel, column, static_cast<int>(row), counters);
-          }
-        }
-        this->add(counters);
-      });
+    this->Image.Stopped = !forRows(this->Scene.Height, this->Scene.Report,
+      [this](vtkIdType first, vtkIdType last) { this->castRows(first, last); });
     return std::move(this->Image);
   }
 
 private:
+  void castRows(vtkIdType first, vtkIdType last)
+  {
+    Kernel kernel = this->March;
+    MarchCounters counters;
+    for (vtkIdType row = first; row < last; ++row)
+    {
+      for (int column = 0; column < this->Scene.Width; ++column)
+      {
+        this->castPixel(kernel, column, static_cast<int>(row), counters);
+      }
+    }
+    this->add(counters);
+  }
+
   void tracePixel(RayTrace& trace)
   {
     this->March.Trace = &trace;

@@ -9,6 +9,7 @@
 #include "Diagnostics/MarchCounters.h"
 #include "Light/EffectData.h"
 #include "Mesh/HiddenCells.h"
+#include "Mesh/Progress.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/AccuracyLevel.h"
 #include "Optics/IntegralTable.h"
@@ -54,6 +55,8 @@ struct ReferenceScene
   bool ExactLight = true;
   /** Records its pixel's ray, and no other is cast; nullptr: all rays are, and none is recorded. */
   RayTrace* Trace = nullptr;
+  /** Told of the share of the rays that were cast, from the calling thread; may be empty. */
+  Progress Report;
 };
 
 struct ReferenceImage
@@ -61,6 +64,7 @@ struct ReferenceImage
   std::vector<float> Pixels;      // premultiplied r, g, b, alpha in 0..1; rows from the bottom
   std::vector<float> ErrorBounds; // of each pixel's channels, as the march has bounded it
   MarchCounters Counters;
+  bool Stopped = false; // by the scene's report: pixels are lacking
 };
 
 /** In parallel; Real is float (the GPU's arithmetic) or double. */

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the CPU does beside frames: it prepares the mesh ahead of them, and repeats the last one.
+#include "vtkTetMarchVolumeMapperInternals.h"
+
+#include "Mapper/AlgorithmProgress.h"
+#include "Mapper/GroundTruthPicture.h"
+#include "Mapper/TraceTable.h"
+
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchVolumeMapper::PrepareMesh()
+{
+  Internals& internal = *this->Internal;
+  if (!this->GetDataObjectInput())
+  {
+    return this->Report("There is no mesh to prepare: the mapper has no input.");
+  }
+  if (internal.isShared())
+  {
+    return this->Report("Several processes prepare their pieces together, by Render().");
+  }
+  this->Update();
+  const tetmarch::Progress progress = tetmarch::beginProgressOf(this);
+  std::string error;
+  vtkUnstructuredGrid* grid = this->FindGrid(error);
+  if (grid)
+  {
+    tetmarch::ResourceLimits limits; // what the GL can hold is checked by the frame
+    limits.Bytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
+    internal.Pipeline.setPiece(internal.pieceAlone());
+    error = internal.Tets.updateGeometry(grid, limits, progress);
+  }
+  return this->Report(error) && grid && !internal.Tets.isEmpty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchVolumeMapper::RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels)
+{
+  std::string error;
+  const bool done = tetmarch::renderGroundTruth(
+    { this->Internal->Pipeline, this->GetSettings(), volume, tetmarch::beginProgressOf(this) },
+    pixels, error);
+  return this->Report(error) && done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchVolumeMapper::CompareWithGroundTruth(vtkVolume* volume)
+{
+  std::string error;
+  const bool done = tetmarch::compareWithGroundTruth(
+    { this->Internal->Pipeline, this->GetSettings(), volume, tetmarch::beginProgressOf(this) },
+    this->Internal->State.Statistics, error);
+  return this->Report(error) && done;
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::GetDiagnosticPixels(vtkFloatArray* pixels) const
+{
+  tetmarch::copyDiagnosticPixels(this->Internal->Pipeline, pixels);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTetMarchVolumeMapper::TraceRay(
+  vtkVolume* volume, int x, int y, int arithmetic, vtkTable* cells)
+{
+  Internals& internal = *this->Internal;
+  return this->Report(tetmarch::traceRay(internal.Pipeline, internal.State,
+    { volume, x, y, arithmetic }, internal.origins(), internal.hasBlocks(), cells));
+}
