@@ -22,7 +22,8 @@ bool vtkTetMarchVolumeMapper::PrepareMesh()
   {
     return this->Report("Several processes prepare their pieces together, by Render().");
   }
-  this->Update();
+  int port = 0;
+  this->GetInputAlgorithm(0, 0, port)->Update(port); // this one would tell progress of its own
   const tetmarch::Progress progress = tetmarch::beginProgressOf(this);
   std::string error;
   vtkUnstructuredGrid* grid = this->FindGrid(error);

@@ -124,6 +124,7 @@ void AliveTest::CancelsPreparing()
 {
   const QString path = WriteLattice(this->Folder.filePath(QStringLiteral("big.vtu")), Cells);
   this->OpenWindow(GetData("bonsai_small.vti"));
+  this->GetModel().SetMeasuring(false); // nothing is drawn meanwhile
   const Pixels before = this->Draw();
   QSignalSpy shown(&this->GetModel(), &Model::DataChanged);
   bool cancelled = false;
@@ -138,7 +139,7 @@ void AliveTest::CancelsPreparing()
     });
   this->Window->Open(path);
   QTRY_VERIFY_WITH_TIMEOUT(cancelled, Patience);
-  QVERIFY(!FindCancel(*this->Window)->isVisible());
+  QTRY_VERIFY(!FindCancel(*this->Window)->isVisible());
   QVERIFY(!this->GetModel().GetLoader().IsBusy());
   QTest::qWait(1000);
   QCOMPARE(shown.count(), 0);
@@ -150,13 +151,18 @@ void AliveTest::ClosesWhileItPrepares()
 {
   const QString path = WriteLattice(this->Folder.filePath(QStringLiteral("big.vtu")), Cells);
   this->OpenWindow(GetData("bonsai_small.vti"));
+  this->GetModel().SetMeasuring(false); // nothing is drawn meanwhile
+  this->Draw();
   bool preparing = false;
   connect(&this->GetModel().GetLoader(), &Loader::Progressed, this,
     [&](const QString& stage, double)
     { preparing = stage == QLatin1String("preparing the mesh"); });
   this->Window->Open(path);
-  QTRY_VERIFY_WITH_TIMEOUT(preparing, Patience);
-  QVERIFY(this->GetModel().GetLoader().IsBusy());
+  while (!preparing)
+  {
+    QVERIFY(this->GetModel().GetLoader().IsBusy());
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  }
   this->Window->close();
   this->Window.reset();
 }
