@@ -113,7 +113,7 @@ void ViewCase::Wait()
 
 Pixels ViewCase::Draw()
 {
-  this->GetModel().Render();
+  this->GetModel().RenderWhole();
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(this->GetModel().GetWindow());
   image->ShouldRerenderOff();

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <bitset>
-#include <filesystem>
 #include <vector>
 
 namespace
@@ -99,15 +98,8 @@ vtkSmartPointer<vtkDataObject> MakeTree(const std::vector<NamedBlock>& blocks)
   return tree;
 }
 
-/// Pieces of a parallel file repeat the points between them and their neighbours' cells.
-bool HasPieces(const std::string& path)
-{
-  const std::string ending = std::filesystem::path(path).extension().string();
-  return ending.size() > 1 && (ending[1] == 'p' || ending[1] == 'P');
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const std::vector<NamedBlock>& named,
-  const std::string& path, const tetmarch::ProgressReport& report)
+vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
+  const std::vector<NamedBlock>& named, bool ofPieces, const tetmarch::ProgressReport& report)
 {
   std::vector<vtkDataSet*> blocks;
   for (const NamedBlock& block : named)
@@ -120,7 +112,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const std::vector<NamedBlock>& nam
   }
   tetmarch::WarnOfPartialArrays(blocks);
   vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(blocks[0]);
-  if (blocks.size() > 1 || !grid || HasPieces(path))
+  if (blocks.size() > 1 || !grid || ofPieces)
   {
     grid = tetmarch::MergeBlocks(blocks, report);
   }
@@ -160,7 +152,7 @@ vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
   const std::string& path, std::optional<int> timeStep)
 {
   const FileContents contents = ReadFile(path, timeStep, {}, {});
-  return MakeGrid(GetSolidBlocks(contents.Data, path), path, {});
+  return MakeGrid(GetSolidBlocks(contents.Data, path), contents.OfPieces, {});
 }
 
 VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
@@ -186,7 +178,7 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
   vtkSmartPointer<vtkDataSet> whole = blocks[0].Data;
   if (!volume.Structured)
   {
-    whole = MakeGrid(blocks, path, report);
+    whole = MakeGrid(blocks, contents.OfPieces, report);
   }
   volume.Input = whole;
   volume.Blocks = { whole };

@@ -4,21 +4,26 @@
 
 #include "Failure.h"
 #include "FileReader.h"
+#include "FileSeries.h"
 #include "LibraryOutput.h"
 #include "Messages.h"
 #include "TimeSteps.h"
 
 #include "vtkImageReader2.h"
+#include "vtkInformation.h"
 #include "vtkMetaImageReader.h"
+#include "vtkMultiBlockDataSet.h"
+
+#include <algorithm>
+#include <filesystem>
 
 namespace
 {
 using tetmarch::Failure;
 
-/// Reads the chosen time step, by default the last.
-void Update(vtkAlgorithm* reader, std::optional<int> timeStep)
+/// By default the last one; 0 if there are none.
+std::size_t ChooseStep(const std::vector<double>& times, std::optional<int> timeStep)
 {
-  const std::vector<double> times = tetmarch::GetTimeSteps(reader);
   const int count = static_cast<int>(times.size());
   if (timeStep && *timeStep >= count)
   {
@@ -27,9 +32,16 @@ void Update(vtkAlgorithm* reader, std::optional<int> timeStep)
       (count == 0 ? "no time steps"
                   : std::to_string(count) + ", counted from 0 to " + std::to_string(count - 1)));
   }
-  if (count > 0)
+  return static_cast<std::size_t>(timeStep.value_or(std::max(count - 1, 0)));
+}
+
+void Update(vtkAlgorithm* reader, std::optional<int> timeStep)
+{
+  const std::vector<double> times = tetmarch::GetTimeSteps(reader);
+  const std::size_t chosen = ChooseStep(times, timeStep);
+  if (!times.empty())
   {
-    reader->UpdateTimeStep(times[timeStep.value_or(count - 1)]);
+    reader->UpdateTimeStep(times[chosen]);
   }
   else
   {
@@ -37,8 +49,15 @@ void Update(vtkAlgorithm* reader, std::optional<int> timeStep)
   }
 }
 
-/// The same of a reader that leaves it to others to say that it failed: returns what they said, or
-/// an empty string.
+/// Pieces of a parallel file repeat the points between them and their neighbours' cells.
+bool HasPieces(const std::string& path)
+{
+  const std::string ending = tetmarch::GetEnding(path);
+  return ending.size() > 1 && ending[1] == 'p';
+}
+
+/// As Update(), of a reader that leaves it to others to say that it failed: returns what they said,
+/// or an empty string.
 std::string UpdateAndListen(vtkAlgorithm* reader, std::optional<int> timeStep)
 {
   const int warningsBefore = tetmarch::Messages::GetNumberOfWarningsOfNobody();
@@ -52,14 +71,11 @@ std::string UpdateAndListen(vtkAlgorithm* reader, std::optional<int> timeStep)
                       tetmarch::Messages::GetNumberOfWarningsOfNobody() > warningsBefore;
   return output ? output->GetFirstLine() : warned ? "see the warning" : std::string();
 }
-} // namespace
 
-namespace tetmarch
+tetmarch::FileContents ReadOneFile(const std::string& path, std::optional<int> timeStep,
+  const tetmarch::RawOptions& raw, const tetmarch::ProgressReport& report)
 {
-
-FileContents ReadFile(const std::string& path, std::optional<int> timeStep, const RawOptions& raw,
-  const ProgressReport& report)
-{
+  using namespace tetmarch;
   CheckFile(path);
   const int errorsBefore = Messages::GetNumberOfErrors();
   vtkSmartPointer<vtkAlgorithm> reader = MakeReader(path, raw);
@@ -80,7 +96,51 @@ FileContents ReadFile(const std::string& path, std::optional<int> timeStep, cons
                   "': the file is damaged or not of the kind that its ending says" +
                   (complaint.empty() ? "" : " (" + complaint + ")"));
   }
-  return { data, GetTimeSteps(reader) };
+  return { data, GetTimeSteps(reader), HasPieces(path) };
+}
+
+/// Several files are the blocks of a tree.
+tetmarch::FileContents ReadStep(
+  const std::string& list, std::optional<int> timeStep, const tetmarch::ProgressReport& report)
+{
+  using namespace tetmarch;
+  const FileSeries series = ReadSeries(list);
+  FileContents contents;
+  contents.Times = GetTimes(series);
+  const SeriesStep& step = series.Steps[ChooseStep(contents.Times, timeStep)];
+  auto tree = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (const SeriesPart& part : step.Parts)
+  {
+    if (!std::filesystem::exists(part.Path))
+    {
+      throw Failure("cannot read '" + list + "': it lists '" + part.Path + "', which isn't there");
+    }
+    const FileContents read = ReadOneFile(part.Path, std::nullopt, {}, report);
+    const unsigned int number = tree->GetNumberOfBlocks();
+    tree->SetBlock(number, read.Data);
+    if (!part.Name.empty())
+    {
+      tree->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), part.Name.c_str());
+    }
+    contents.OfPieces = contents.OfPieces || read.OfPieces;
+    contents.Data = read.Data;
+  }
+  if (step.Parts.size() > 1)
+  {
+    contents.Data = tree;
+  }
+  return contents;
+}
+} // namespace
+
+namespace tetmarch
+{
+
+FileContents ReadFile(const std::string& path, std::optional<int> timeStep, const RawOptions& raw,
+  const ProgressReport& report)
+{
+  return IsSeriesFile(path) ? ReadStep(path, timeStep, report)
+                            : ReadOneFile(path, timeStep, raw, report);
 }
 
 } // namespace tetmarch

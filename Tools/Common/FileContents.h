@@ -24,6 +24,8 @@ struct FileContents
 {
   vtkSmartPointer<vtkDataObject> Data;
   std::vector<double> Times; // of all time steps; empty if the file has none
+  /// Of a parallel file, which repeat the points between them and their neighbours' cells.
+  bool OfPieces = false;
 };
 
 /// By default of the last time step. Throws Failure that says what is wrong with the file, and

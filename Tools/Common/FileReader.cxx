@@ -190,7 +190,8 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path, const RawOptio
   }
   throw Failure(
     "cannot read '" + path + "': no reader for the ending '" + ending +
-    "'; known are VTK's XML files (.vtu, .vti, .vtr, .pvtu, .vtm, .vtpc, ...), legacy .vtk, "
+    "'; known are VTK's XML files (.vtu, .vti, .vtr, .pvtu, .vtm, .vtpc, ...), lists of files by "
+    "time (.pvd, .series), legacy .vtk, "
     "MetaImage (.mhd, .mha), NRRD (.nrrd, .nhdr), raw images (.raw), Exodus (.ex2, .e, .exo, .g) "
     "and CGNS (.cgns)");
 }

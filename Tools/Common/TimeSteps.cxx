@@ -4,6 +4,7 @@
 
 #include "Failure.h"
 #include "FileReader.h"
+#include "FileSeries.h"
 #include "Messages.h"
 
 #include "vtkAlgorithm.h"
@@ -28,6 +29,10 @@ std::vector<double> GetTimeSteps(vtkAlgorithm* reader)
 
 std::vector<double> GetTimeSteps(const std::string& path, const RawOptions& rawOptions)
 {
+  if (IsSeriesFile(path))
+  {
+    return GetTimes(ReadSeries(path));
+  }
   CheckFile(path);
   const int errorsBefore = Messages::GetNumberOfErrors();
   std::vector<double> times = GetTimeSteps(MakeReader(path, rawOptions));

@@ -119,6 +119,7 @@ void Model::EndFrame()
   this->Window->WaitForCompletion();
   this->Window->SwapBuffersOn();
   this->Stopped = this->Window->GetAbortRender() != 0;
+  this->Window->SetAbortRender(0); // picks ask for it, too
   this->Drawing = false;
   this->Events.End();
   if (!this->InMeasure)
