@@ -39,6 +39,58 @@ class ReadTest(unittest.TestCase):
         writer.Write()
         return path
 
+    def values(self, data):
+        return set(vtk_to_numpy(data.GetPointData().GetArray("v")))
+
+    def write_steps(self):
+        """Images a.vti, b.vti and c.vti, each of one value: 1, 2 and 3."""
+        for value, name in enumerate("abc", 1):
+            image = first_data.image((2, 2, 2))
+            first_data.with_points(image, "v", lambda p, value=value: value)
+            self.write(vtk.vtkXMLImageDataWriter(), f"{name}.vti", image)
+
+    def write_list(self, entries, name="list.pvd"):
+        (self.folder / name).write_text(f'<VTKFile type="Collection"><Collection>{entries}</Collection></VTKFile>')
+        return self.folder / name
+
+    def test_lists_of_files_by_time(self):
+        self.write_steps()
+        path = self.write_list('<DataSet timestep="2.5" file="b.vti"/><DataSet timestep="-1" file="a.vti"/>'
+                               '<DataSet timestep="2.5" part="1" name="third" file="c.vti"/>')
+        self.assertEqual(vtktetmarch.time_values(path), (-1.0, 2.5))
+        self.assertEqual(self.values(vtktetmarch.read(path, 0)), {1})
+        tree = vtktetmarch.read(path)
+        self.assertEqual([self.values(tree.GetBlock(k)) for k in range(2)], [{2}, {3}])
+        self.assertEqual(tree.GetMetaData(1).Get(vtk.vtkCompositeDataSet.NAME()), "third")
+        self.assertRaisesRegex(IndexError, "it has 2, from 0", vtktetmarch.read, path, 2)
+        series = self.folder / "x.vti.series"
+        series.write_text('{"files": [{"name": "c.vti", "time": 3}, {"name": "a.vti", "time": 0}]}')
+        self.assertEqual(vtktetmarch.time_values(series), (0.0, 3.0))
+        self.assertEqual(self.values(vtktetmarch.read(series, -1)), {3})
+        timeless = self.write_list('<DataSet file="a.vti"/><DataSet file="b.vti"/>', "timeless.pvd")
+        self.assertEqual(vtktetmarch.time_values(timeless), ())
+        self.assertEqual(vtktetmarch.read(timeless).GetNumberOfBlocks(), 2)
+
+    def test_bad_lists_of_files(self):
+        for text, reason in (("no list", "it is no XML"), ("<VTKFile/>", "no element <Collection>"),
+                             ("<V><Collection/></V>", "it lists no files"),
+                             ('<V><Collection><DataSet timestep="soon" file="a.vti"/></Collection></V>', "'soon' is no"),
+                             ('<V><Collection><DataSet file="b.pvd"/></Collection></V>', "which is a list of files"),
+                             ("<V><Collection><DataSet/></Collection></V>", "a file without a name")):
+            with self.subTest(text=text):
+                (self.folder / "bad.pvd").write_text(text)
+                self.assertRaisesRegex(ValueError, f"bad.pvd' can't be read: .*{reason}", vtktetmarch.read,
+                                       self.folder / "bad.pvd")
+        for text, reason in (("no list", "it is no JSON"), ("[]", 'no list "files"'), ('{"files": []}', "no files"),
+                             ('{"files": [7]}', "each entry"), ('{"files": [{"name": 1, "time": 2}]}', "without a name"),
+                             ('{"files": [{"name": "a.vti", "time": "x"}]}', "'x' is no time")):
+            with self.subTest(text=text):
+                (self.folder / "bad.series").write_text(text)
+                self.assertRaisesRegex(ValueError, reason, vtktetmarch.time_values, self.folder / "bad.series")
+        gone = self.write_list('<DataSet timestep="0" file="gone.vti"/>')
+        self.assertRaisesRegex(FileNotFoundError, "lists .*gone.vti', which isn't there", vtktetmarch.read, gone)
+        self.assertRaises(FileNotFoundError, vtktetmarch.time_values, self.folder / "none.pvd")
+
     def test_data_of_every_kind(self):
         grid, image = first_data.one_tetrahedron(), first_data.image((3, 4, 5))
         first_data.with_points(image, "x", lambda p: p[0], vtk.vtkShortArray)

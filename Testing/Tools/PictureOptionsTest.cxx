@@ -76,11 +76,6 @@ TEST(PictureOptions, BadValuesAreRefused)
 
 TEST(PictureOptions, WhatDoesNotGoTogetherIsRefused)
 {
-  EXPECT_EQ(GetError({ "a.ex2", "--time", "all", "--turntable", "9" }),
-    "--time and --turntable can't be had together: the one draws time steps, the other one time "
-    "step from all sides");
-  EXPECT_EQ(GetError({ "a.ex2", "--time", "all", "--time-step", "9" }),
-    "--time and --time-step both choose time steps; give one of them");
   EXPECT_EQ(GetError({ "a.vtu", "--turntable", "9", "--stats", "s.json" }),
     "--stats is for one picture, but --turntable draws a series of them");
   EXPECT_EQ(GetError({ "a.vtu", "--time", "all", "--pixel", "1,1" }),

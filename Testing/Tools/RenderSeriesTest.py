@@ -57,9 +57,32 @@ class RenderSeriesTest(RenderCase):
             self.assertEqual(pixels, self.draw(*scene, "--time-step", step))
         self.assertNotEqual(*frames.values())
 
+    def test_on_a_turntable_time_steps_go_by_evenly(self):
+        scene = ("steps.vtu", "--array", "ramp", "--preset", "ramp.json", "--range", "0,3", "--unit-distance", 1,
+                 "--size", "64x48", "--camera", "4.5,0.5,1.5,0.5,0.5,0.5,0,0,1")
+        for pictures, steps in ((4, (0, 0, 1, 2)), (2, (0, 1))):  # of three steps, with more or fewer pictures
+            name = f"turned{pictures}.png"
+            frames = self.series(*scene, "--time", "all", "--turntable", pictures, "--output", name)
+            self.assertEqual(list(frames), [f"turned{pictures}_{k:04}.png" for k in range(pictures)])
+            for number, (pixels, step) in enumerate(zip(frames.values(), steps)):
+                with self.subTest(pictures=pictures, number=number):
+                    turned = self.series(*scene, "--time-step", step, "--turntable", pictures, "--output",
+                                         f"of{pictures}_{number}_{step}.png")
+                    self.assertEqual(pixels, list(turned.values())[number])
+
+    def test_a_list_of_files_is_a_series(self):
+        files = "".join(f'<DataSet timestep="{k}.5" part="0" file="{name}"/>' for k, name in
+                        enumerate(("cube.vtu", "steps.vtu")))
+        (self.folder / "list.pvd").write_text(f'<VTKFile type="Collection"><Collection>{files}</Collection></VTKFile>')
+        scene = ("--array", "ramp", "--preset", "ramp.json", "--range", "0,3", "--unit-distance", 1, "--size", "64x48",
+                 "--camera", "0.5,-4,0.5,0.5,0.5,0.5,0,0,1")
+        frames = self.series("list.pvd", *scene, "--time", "all", "--output", "l.png")
+        self.assertEqual(list(frames), ["l_0000.png", "l_0001.png"])
+        for pixels, name in zip(frames.values(), ("cube.vtu", "steps.vtu")):
+            self.assertEqual(pixels, self.draw(name, *scene))
+        self.expect_failure(1, "time step 2 does not exist", "list.pvd", "--time-step", 2)
+
     def test_series_that_cannot_be_drawn(self):
-        self.expect_failure(2, "--time and --turntable can't be had together", "steps.vtu", "--time", "all",
-                            "--turntable", 3)
         self.expect_failure(1, "'cube.vtu' has no time steps for --time to draw", "cube.vtu", "--time", "all")
         self.expect_failure(1, "time step 3 does not exist: the file has 3, counted from 0 to 2", "steps.vtu",
                             "--time", "1:3")

@@ -4,14 +4,17 @@
 #include "EffectsPanel.h"
 #include "MainWindow.h"
 #include "Messages.h"
+#include "WriteKinds.h"
 
 #include "vtkTetMarchSettings.h"
 
 #include <QApplication>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QPainter>
 #include <QPixmap>
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 #include <QVTKOpenGLNativeWidget.h>
 
 namespace
@@ -53,6 +56,27 @@ bool Save(MainWindow& window, const QString& path)
   WaitFor(1000);
   return window.grab().save(path);
 }
+
+// Four kinds of data, each as it is first seen, in one picture.
+bool SaveKinds(const QString& path)
+{
+  const QTemporaryDir folder;
+  MainWindow window;
+  window.resize(1000, 700);
+  window.show();
+  QPixmap all(2 * window.size());
+  QPainter painter(&all);
+  int number = 0;
+  for (const auto& write : { WriteMixedCells, WriteCellScalars, WriteBlocks, WriteTimeSeries })
+  {
+    Open(window, write(folder.path()));
+    WaitFor(1000);
+    painter.drawPixmap(number % 2 * window.width(), number / 2 * window.height(), window.grab());
+    ++number;
+  }
+  painter.end();
+  return all.save(path);
+}
 } // namespace
 
 int main(int argc, char* argv[])
@@ -88,5 +112,7 @@ int main(int argc, char* argv[])
   window.GetModel().LookAlong(2);
   window.findChild<QDockWidget*>(QStringLiteral("effects"))->raise();
   saved = Save(window, pictures + QStringLiteral("window_effects.png")) && saved;
+  window.hide();
+  saved = SaveKinds(pictures + QStringLiteral("window_kinds.png")) && saved;
   return saved && Messages::GetNumberOfErrors() == 0 ? 0 : 1;
 }

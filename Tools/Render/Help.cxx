@@ -83,7 +83,8 @@ View
                             the broad side of what is flat, all of the volume in view, 30 degrees)
   --turntable N             draw N pictures from all around, into numbered files as --time does: the camera
                             goes around the focal point, about its view up (default: about the axis that is
-                            upwards, with all of the volume in view from all sides)
+                            upwards, with all of the volume in view from all sides). With --time the time
+                            steps go by evenly during the one turn, from the first to the last
   --parallel-scale S        parallel projection; S is half of the picture's height in world units
   --blend MODE              composite (default), maximum, minimum, average, additive, or isosurface
   --isovalues V[,V...]      the surfaces of these scalars (--blend isosurface)

@@ -51,11 +51,6 @@ void CheckSeries(const CommandLine& commandLine)
   const char* series = commandLine.Time            ? "--time"
                        : commandLine.Turntable > 0 ? "--turntable"
                                                    : nullptr;
-  if (commandLine.Time && commandLine.Turntable > 0)
-  {
-    throw UsageError("--time and --turntable can't be had together: the one draws time steps, the "
-                     "other one time step from all sides");
-  }
   if (commandLine.Time && commandLine.TimeStep)
   {
     throw UsageError("--time and --time-step both choose time steps; give one of them");

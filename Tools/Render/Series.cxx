@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <optional>
 
 namespace tetmarch
 {
@@ -66,6 +68,31 @@ std::vector<int> ListTimeSteps(const CommandLine& commandLine)
   return steps;
 }
 
+/// One picture of a time step.
+struct TimeFrame
+{
+  int Step;
+  int Number; // of its file
+};
+
+/// On a turntable the steps go by evenly during one turn; else each is drawn once, by its number.
+std::vector<TimeFrame> ListFrames(const std::vector<int>& steps, int turntable)
+{
+  std::vector<TimeFrame> frames;
+  if (turntable == 0)
+  {
+    for (const int step : steps)
+    {
+      frames.push_back({ step, step });
+    }
+  }
+  for (int frame = 0; frame < turntable; ++frame)
+  {
+    frames.push_back({ steps[steps.size() * static_cast<std::size_t>(frame) / turntable], frame });
+  }
+  return frames;
+}
+
 } // namespace
 
 std::string GetFrameName(const std::string& path, int frame, int count)
@@ -101,18 +128,28 @@ void DrawTimeSteps(const CommandLine& commandLine)
   const std::vector<int> steps = ListTimeSteps(commandLine);
   const TimeSurvey survey = SurveyTimeSteps(commandLine, steps);
   TellChoice(survey.Choice, commandLine);
+  const std::vector<TimeFrame> frames = ListFrames(steps, commandLine.Turntable);
   std::unique_ptr<Picture> picture;
-  SeriesProgress progress("rendering", static_cast<int>(steps.size()));
-  for (const int step : steps)
+  std::optional<int> read;
+  SeriesProgress progress("rendering", static_cast<int>(frames.size()));
+  for (const TimeFrame& frame : frames)
   {
-    const VolumeData data = ReadVolume(commandLine.Input, step, commandLine.Raw);
-    if (!picture)
+    if (read != frame.Step)
     {
-      picture = std::make_unique<Picture>(data, survey.Bounds.data(), survey.Choice, commandLine);
+      const VolumeData data = ReadVolume(commandLine.Input, frame.Step, commandLine.Raw);
+      if (!picture)
+      {
+        picture = std::make_unique<Picture>(data, survey.Bounds.data(), survey.Choice, commandLine);
+      }
+      picture->SetData(data);
+      read = frame.Step;
     }
-    picture->SetData(data);
     picture->Render();
-    picture->Write(GetFrameName(commandLine.Output, step, steps.back() + 1));
+    picture->Write(GetFrameName(commandLine.Output, frame.Number, frames.back().Number + 1));
+    if (commandLine.Turntable > 0)
+    {
+      picture->Turn(360.0 / commandLine.Turntable);
+    }
     progress.AddOne();
   }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pictures in numbered files: from all sides, or of time steps.
+ * Pictures in numbered files: from all sides, of time steps, or both.
  */
 #ifndef tetmarch_Series_h
 #define tetmarch_Series_h
@@ -19,6 +19,7 @@ std::string GetFrameName(const std::string& path, int frame, int count);
 
 /// Both throw Failure.
 void DrawTurntable(const CommandLine& commandLine);
+/// From all sides if there is a turntable, too.
 void DrawTimeSteps(const CommandLine& commandLine);
 
 } // namespace tetmarch

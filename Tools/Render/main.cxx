@@ -121,13 +121,13 @@ void Run(const CommandLine& commandLine)
   {
     ListArrays(commandLine);
   }
-  else if (commandLine.Turntable > 0)
-  {
-    DrawTurntable(commandLine);
-  }
   else if (commandLine.Time)
   {
     DrawTimeSteps(commandLine);
+  }
+  else if (commandLine.Turntable > 0)
+  {
+    DrawTurntable(commandLine);
   }
   else
   {

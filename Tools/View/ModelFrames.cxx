@@ -46,6 +46,10 @@ bool Model::IsAtRest() const
 
 void Model::NoteFrame(unsigned long event)
 {
+  if (this->Drawn.GetRenderer()->GetSelector())
+  {
+    return; // a pick renders, too, and shows nothing
+  }
   if (event == vtkCommand::StartEvent)
   {
     this->BeginFrame();
@@ -117,9 +121,12 @@ bool Model::WaitsForFrame(const std::function<void()>& later)
 void Model::EndFrame()
 {
   this->Window->WaitForCompletion();
-  this->Window->SwapBuffersOn();
   this->Stopped = this->Window->GetAbortRender() != 0;
-  this->Window->SetAbortRender(0); // picks ask for it, too
+  if (this->Stopped)
+  {
+    this->Window->SwapBuffersOn();
+    this->Window->SetAbortRender(0);
+  }
   this->Drawing = false;
   this->Events.End();
   if (!this->InMeasure)

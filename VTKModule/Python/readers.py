@@ -6,8 +6,10 @@ import os
 import re
 
 from vtkmodules.vtkCommonCore import vtkObjectFactory
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
+from . import file_lists
 from .errors import PrintedErrors, VtkErrors
 
 # Ending: (VTK's module, class).
@@ -93,18 +95,25 @@ def make_reader(module, name):
         vtkObjectFactory.SetAllEnableFlags(True, name, "vtkPNrrdReader")
 
 
-def open_reader(path):
-    """A reader of VTK's for a file, whose arrays are enabled and whose times are known."""
+def check_path(path):
     path = os.fspath(path)
     if not os.path.exists(path):
         raise FileNotFoundError(f"there is no file {path!r}")
     ending = os.path.splitext(path)[1].lower()
-    if ending not in READERS:
-        raise ValueError(f"the ending {ending!r} of {path!r} is none that can be read: {', '.join(READERS)}")
+    if ending not in READERS and ending not in file_lists.ENDINGS:
+        known = ", ".join([*READERS, *file_lists.ENDINGS])
+        raise ValueError(f"the ending {ending!r} of {path!r} is none that can be read: {known}")
     if os.path.isdir(path):
         raise IsADirectoryError(f"{path!r} is a folder")
     if not os.access(path, os.R_OK):
         raise PermissionError(f"{path!r} may not be read")
+    return path
+
+
+def open_reader(path):
+    """A reader of VTK's for a file, whose arrays are enabled and whose times are known."""
+    path = check_path(path)
+    ending = os.path.splitext(path)[1].lower()
     module, name = READERS[ending]
     try:
         reader = make_reader(module, name)
@@ -128,6 +137,8 @@ def damaged(path, errors):
 
 def time_values(path):
     """The times that a file has data of, in the file's unit, as a tuple; empty if it has none. Errors as of read()."""
+    if file_lists.is_list(path):
+        return file_lists.steps_of(check_path(path))[0]
     with VtkErrors() as errors:
         reader = open_reader(path)
         reader.UpdateInformation()
@@ -135,6 +146,30 @@ def time_values(path):
     if errors:
         raise damaged(path, errors)
     return times
+
+
+def check_step(path, times, time_step):
+    if time_step is not None and not -len(times) <= time_step < len(times):
+        raise IndexError(f"there is no time step {time_step} in {os.fspath(path)!r}: "
+                         + (f"it has {len(times)}, from 0" if times else "it has no time steps"))
+
+
+def read_list(path, time_step):
+    """One time step of a list of files: several of the same time are blocks."""
+    times, steps = file_lists.steps_of(check_path(path))
+    check_step(path, times, time_step)
+    files = steps[-1 if time_step is None else time_step]
+    for _, file in files:
+        if not os.path.exists(file):
+            raise FileNotFoundError(f"{os.fspath(path)!r} lists {file!r}, which isn't there")
+    if len(files) == 1:
+        return read(files[0][1])
+    tree = vtkMultiBlockDataSet()
+    for number, (name, file) in enumerate(files):
+        tree.SetBlock(number, read(file))
+        if name:
+            tree.GetMetaData(number).Set(vtkCompositeDataSet.NAME(), name)
+    return tree
 
 
 def read(path, time_step=None):
@@ -145,18 +180,18 @@ def read(path, time_step=None):
 
     VTK's XML files (.vtu, .vti, .vtr, .vts, .vtp, .vtm, .vtpd, .vtpc, .pvtu, .pvti, ...), .vtk, .vtkhdf; Exodus (.ex2,
     .exo, .e, .g), CGNS, EnSight (.case), OpenFOAM (.foam), AVS (.inp); images: MetaImage (.mha, .mhd), NRRD, NIfTI;
-    surfaces: .stl, .obj, .ply.
+    surfaces: .stl, .obj, .ply. Lists of such files by time: ParaView's .pvd and .series.
 
     Raises FileNotFoundError, IsADirectoryError, PermissionError; ValueError for an ending that isn't known and a file
     that can't be read, with what VTK said; IndexError for a time step that isn't there.
     """
+    if file_lists.is_list(path):
+        return read_list(path, time_step)
     with VtkErrors() as errors:
         reader = open_reader(path)
         reader.UpdateInformation()
         times = times_of(reader)
-        if time_step is not None and not -len(times) <= time_step < len(times):
-            raise IndexError(f"there is no time step {time_step} in {os.fspath(path)!r}: "
-                             + (f"it has {len(times)}, from 0" if times else "it has no time steps"))
+        check_step(path, times, time_step)
         if times:
             reader.UpdateTimeStep(times[-1 if time_step is None else time_step])
         elif reader.IsA("vtkMetaImageReader"):
