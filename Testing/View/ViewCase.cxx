@@ -97,6 +97,8 @@ QString ViewCase::GetData(const char* name)
 void ViewCase::OpenWindow(const QString& path)
 {
   this->Window = std::make_unique<MainWindow>();
+  // As many pixels on any screen.
+  this->Window->resize(this->Window->size() / this->Window->devicePixelRatioF());
   this->Window->show();
   QVERIFY(QTest::qWaitForWindowExposed(this->Window.get(), Patience));
   this->Window->Open(path);
