@@ -11,7 +11,6 @@
 #include "PictureWidget.h"
 #include "ValueSlider.h"
 
-#include "vtkRenderer.h"
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchSettings.h"
 
@@ -186,14 +185,9 @@ void PlayTest::AHandleOfTheBoxIsDragged()
   this->Wait();
   this->Draw();
   const auto box = this->GetModel().GetState().Cuts.Box;
-  vtkRenderer* renderer = this->GetModel().GetScene().GetRenderer();
   PictureWidget* picture = this->Window->GetPicture();
-  const auto place = [&](double x)
-  {
-    renderer->SetWorldPoint(x, (box[2] + box[3]) / 2.0, (box[4] + box[5]) / 2.0, 1.0);
-    renderer->WorldToDisplay();
-    const double* at = renderer->GetDisplayPoint();
-    return QPoint(int(at[0]), picture->height() - 1 - int(at[1]));
+  const auto place = [&](double x) {
+    return this->FindPlace({ { x, (box[2] + box[3]) / 2.0, (box[4] + box[5]) / 2.0 } });
   };
   const QPoint handle = place(box[1]); // of the face at the end of x
   const QPoint aim = place(0.4 * box[0] + 0.6 * box[1]);
@@ -227,17 +221,13 @@ void PlayTest::TheLightIsDragged()
   const auto bounds = this->GetModel().GetScene().GetBounds();
   const double reach = 0.4 * this->GetModel().GetScene().GetDiagonal();
   const double length = std::sqrt(from[0] * from[0] + from[1] * from[1] + from[2] * from[2]);
-  vtkRenderer* renderer = this->GetModel().GetScene().GetRenderer();
   PictureWidget* picture = this->Window->GetPicture();
-  double ball[3];
+  Vector3 ball;
   for (int i = 0; i < 3; ++i)
   {
     ball[i] = (bounds[2 * i] + bounds[2 * i + 1]) / 2.0 + reach * from[i] / length;
   }
-  renderer->SetWorldPoint(ball[0], ball[1], ball[2], 1.0);
-  renderer->WorldToDisplay();
-  const double* at = renderer->GetDisplayPoint();
-  const QPoint place(int(at[0]), picture->height() - 1 - int(at[1]));
+  const QPoint place = this->FindPlace(ball);
   DragMouse(picture, place, place + QPoint(120, 60));
   QVERIFY(!this->GetModel().IsDragging());
   const Vector3 turned = this->GetModel().GetState().Effects.LightFrom;

@@ -138,7 +138,7 @@ void ShownFunctionsTest::BarHasTheColorsOfTheVolume()
     for (const QPoint& place :
       { t.Chart()->LocateInBar(value) + QPoint(0, 8), t.Chart()->Locate(value, 0.5) })
     {
-      const QColor pixel = picture.pixelColor(place);
+      const QColor pixel = picture.pixelColor(place * picture.devicePixelRatio());
       QVERIFY2(std::abs(pixel.redF() - rgb[0]) < 0.03, qPrintable(QString::number(value)));
       QVERIFY2(std::abs(pixel.greenF() - rgb[1]) < 0.03, qPrintable(QString::number(value)));
     }

@@ -10,6 +10,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPNGReader.h"
 #include "vtkPointData.h"
+#include "vtkRenderer.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <QCoreApplication>
@@ -122,6 +123,17 @@ Pixels ViewCase::Draw()
   image->ReadFrontBufferOff();
   image->Update();
   return TakePixels(image->GetOutput());
+}
+
+QPoint ViewCase::FindPlace(const Vector3& point)
+{
+  vtkRenderer* renderer = this->GetModel().GetScene().GetRenderer();
+  renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
+  renderer->WorldToDisplay();
+  const double* at = renderer->GetDisplayPoint();
+  const double ratio = this->Window->devicePixelRatioF();
+  const int top = this->GetModel().GetWindow()->GetSize()[1] - 1;
+  return { int(at[0] / ratio), int((top - int(at[1])) / ratio) };
 }
 
 QString ViewCase::TakeMessage()

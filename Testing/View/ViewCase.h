@@ -57,6 +57,8 @@ protected:
   void Wait();
   /// A frame at rest.
   Pixels Draw();
+  /// Where the picture's widget shows a point of the world.
+  QPoint FindPlace(const Vector3& point);
   /// The box with a message that is open; its text is returned, and it is closed.
   QString TakeMessage();
   Model& GetModel() { return this->Window->GetModel(); }
