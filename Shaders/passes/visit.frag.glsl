@@ -10,11 +10,15 @@
 #include "passes/fragment_ray.glsl"
 
 uniform bool isFirstVisit;
-uniform sampler2D visitTexture;     // of the visit before: colour, and the transmittance of all visits
 uniform sampler2D nextEntryTexture; // depth and face of the entry, and the depth up to which the ray has gathered
+uniform sampler2D raySoFarTexture;  // transmittance of all visits, and the candidate from which entries are looked for
 
-// A float holds 24 bits of an integer. 0: no entry.
-int faceOf(vec4 next) { return int(next.y) + (int(next.z) << 16) - 1; }
+// A float holds 24 bits of an integer.
+vec2 halvesOf(int number) { return vec2(float(number & 0xffff), float(number >> 16)); }
+int wholeOf(vec2 halves) { return int(halves.x) + (int(halves.y) << 16); }
+
+// 0: no entry.
+int faceOf(vec4 next) { return wholeOf(next.yz) - 1; }
 
 March marchVisit(PixelRay pixel, real done, INOUT(Traversal) traversal)
 {
@@ -53,9 +57,10 @@ void main()
     discard;
   }
   PixelRay pixel = seenPixelRay();
+  vec4 soFar = texelFetch(raySoFarTexture, at, 0);
   float done = isFirstVisit ? pixel.depthBegin : next.w;
-  float passed = isFirstVisit ? 1.0 : texelFetch(visitTexture, at, 0).w; // transmittance of the visits before
-  Traversal traversal = traversalAt(pixel.ray, entry);
+  float passed = isFirstVisit ? 1.0 : soFar.x;
+  Traversal traversal = traversalAt(entry, wholeOf(soFar.yz));
   if (isFirstVisit)
   {
     traversal = traversalFrom(pixel.ray, pixel.depthBegin);
@@ -76,6 +81,7 @@ void main()
 #endif
   int face = goesOn ? traversal.entry.face + 1 : 0;
   gl_FragData[0] = vec4(march.begin, march.done, gathered.w, error);
-  gl_FragData[1] = vec4(gathered.rgb, passed);
-  gl_FragData[2] = vec4(traversal.entry.depth, float(face & 0xffff), float(face >> 16), march.done);
+  gl_FragData[1] = vec4(gathered.rgb, 0.0);
+  gl_FragData[2] = vec4(traversal.entry.depth, halvesOf(face), march.done);
+  gl_FragData[3] = vec4(passed, halvesOf(candidateOf(traversal)), 0.0);
 }

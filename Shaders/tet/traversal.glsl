@@ -31,17 +31,27 @@ struct Traversal
 };
 
 #if TETMARCH_VISITS
-// From an entry that was found before.
-Traversal traversalAt(Ray ray, Entry entry)
+// From an entry that was found before, and the candidate behind which the next one is looked for.
+Traversal traversalAt(Entry entry, int candidate)
 {
   Traversal traversal;
   traversal.inside = false;
   traversal.entered = false;
   traversal.entry = entry;
 #if TETMARCH_ENTRY_LISTS
-  traversal.candidate = ray.firstCandidate;
+  traversal.candidate = candidate;
 #endif
   return traversal;
+}
+
+// What that needs to know again.
+int candidateOf(Traversal traversal)
+{
+#if TETMARCH_ENTRY_LISTS
+  return traversal.candidate;
+#else
+  return 0;
+#endif
 }
 #endif
 

@@ -32,8 +32,8 @@ void bindVisits(vtkShaderProgram* program, const VisitInputs& visits, const Vari
     program->SetUniformf("toleranceAtOnce", visits.AtOnce);
   }
   program->SetUniformi("isFirstVisit", visits.IsFirst ? 1 : 0);
-  bindImage(program, "visitTexture", visits.Before);
   bindImage(program, "nextEntryTexture", visits.NextEntry);
+  bindImage(program, "raySoFarTexture", visits.RaySoFar);
 }
 
 // Everything that the march reads.
@@ -99,8 +99,8 @@ void unbindInputs(const MarchInputs& inputs)
   unbindPixelRays(inputs);
   if (inputs.Visits)
   {
-    inputs.Visits->Before->Deactivate();
     inputs.Visits->NextEntry->Deactivate();
+    inputs.Visits->RaySoFar->Deactivate();
   }
 }
 

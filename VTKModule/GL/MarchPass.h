@@ -34,8 +34,8 @@ struct VisitInputs
 {
   float AtOnce = 0;                      // share of the tolerance that may be used up at the begin
   bool IsFirst = true;                   // then these two textures have nothing to say
-  vtkTextureObject* Before = nullptr;    // colour of the visit before, and transmittance
   vtkTextureObject* NextEntry = nullptr; // where the visit before has ended
+  vtkTextureObject* RaySoFar = nullptr;  // what its ray has left of the light
   Viewport Part;                         // of the target, which is marched
 };
 

@@ -11,7 +11,7 @@ namespace tetmarch
 namespace
 {
 
-constexpr int Colors = 3;         // as passes/visit.frag.glsl writes them
+constexpr int Colors = 4;         // as passes/visit.frag.glsl writes them
 constexpr int MostVisits = 65535; // of a pixel, as they are sent
 
 bool showsSomething(const Visit& visit, BlendGroup blend)
@@ -73,8 +73,8 @@ std::string VisitPass::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
     visits.AtOnce = atOnce;
     visits.Part = part;
     visits.IsFirst = visit == 0;
-    visits.Before = before.color(1);
     visits.NextEntry = before.color(2);
+    visits.RaySoFar = before.color(3);
     MarchInputs marched = inputs;
     marched.Visits = &visits;
     marched.ByCompute = false;
