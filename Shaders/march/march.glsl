@@ -15,7 +15,8 @@ struct March
   Pick pick;
 #endif
 #if TETMARCH_VISITS
-  real begin;    // depth at which the ray has entered what it has gathered
+  real begin;      // depth at which the ray has entered what it has gathered
+  real hiddenFrom; // where it enters behind this depth nothing is seen
 #endif
 #if TETMARCH_DIAGNOSTICS
   int lookups;   // of the segment integral
@@ -41,6 +42,7 @@ March beginMarch(real depthBegin)
 #endif
 #if TETMARCH_VISITS
   march.begin = depthBegin;
+  march.hiddenFrom = NO_DEPTH;
 #endif
 #if TETMARCH_DIAGNOSTICS
   march.lookups = 0;
@@ -228,11 +230,11 @@ void beginVisit(Traversal traversal, INOUT(March) march)
 #endif
 }
 
-// Whether the ray goes on to the next visit.
-bool goesOnAfterVisit(March march)
+// Whether the ray marches through what it enters next, or goes on in what it has entered.
+bool goesOnThrough(Traversal traversal, March march)
 {
 #if TETMARCH_VISITS
-  return !hasSeen(march);
+  return traversal.inside || (!hasSeen(march) && traversal.entry.depth <= march.hiddenFrom);
 #else
   return true;
 #endif
@@ -241,8 +243,7 @@ bool goesOnAfterVisit(March march)
 // Marches to the end of the ray or of a visit, or up to where the march pauses.
 void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) traversal, INOUT(March) march)
 {
-  bool visiting = true;
-  while (visiting && continuesBefore(traversal, depthEnd) && march.cells < mostCells)
+  while (goesOnThrough(traversal, march) && continuesBefore(traversal, depthEnd) && march.cells < mostCells)
   {
     beginVisit(traversal, march);
     enterVolume(ray, depthEnd, traversal);
@@ -264,6 +265,5 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
 #endif
     countRefusal(traversal.entered, march);
     leaveVolume(ray, march.finished, traversal);
-    visiting = goesOnAfterVisit(march);
   }
 }

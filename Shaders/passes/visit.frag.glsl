@@ -1,5 +1,5 @@
 // What the ray of each pixel gathers of the mesh from entering it to leaving it (Processes/Visits.h), and where it enters
-// again. Each drawing shows the next visit of each ray.
+// again. Each drawing shows the next visit of each ray; where what it enters is hidden, it stays before that.
 #define TETMARCH_VISITS 1
 #include "language.glsl"
 #include "passes/helper.glsl"
@@ -13,6 +13,16 @@ uniform bool isFirstVisit;
 uniform sampler2D nextEntryTexture; // depth and face of the entry, and the depth up to which the ray has gathered
 uniform sampler2D raySoFarTexture;  // transmittance of all visits, and the candidate from which entries are looked for
 
+#if TETMARCH_ACCUMULATES_OPACITY
+uniform bool knowsHidden;
+uniform sampler2D hiddenTexture; // depths behind which nothing is seen, from the first row that is drawn
+uniform int firstRow;
+
+real hiddenFrom(ivec2 at) { return knowsHidden ? texelFetch(hiddenTexture, at - ivec2(0, firstRow), 0).x : NO_DEPTH; }
+#else
+real hiddenFrom(ivec2 at) { return NO_DEPTH; }
+#endif
+
 // A float holds 24 bits of an integer.
 vec2 halvesOf(int number) { return vec2(float(number & 0xffff), float(number >> 16)); }
 int wholeOf(vec2 halves) { return int(halves.x) + (int(halves.y) << 16); }
@@ -24,6 +34,7 @@ March marchVisit(PixelRay pixel, real done, INOUT(Traversal) traversal)
 {
   float thicknessPerDepth = thicknessPerDepthAlong(pixel.ray.direction);
   March march = beginMarch(done);
+  march.hiddenFrom = hiddenFrom(pixel.at);
 #if TETMARCH_SAMPLED_SHADOWS
   float jitter = texelFetch(jitterTexture, pixel.at & 63, 0).x;
   marchAndSample(pixel.ray, thicknessPerDepth, pixel.depthEnd, jitter, traversal, march);

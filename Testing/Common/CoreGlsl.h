@@ -26,7 +26,7 @@ inline void replaceAll(std::string& text, const std::string& tag, const std::str
 inline std::string asCoreGlsl(std::string text)
 {
   std::string outputs;
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 4; ++i)
   {
     const std::string number = std::to_string(i);
     const std::string old = "gl_FragData[" + number + "]";

@@ -37,7 +37,7 @@ NOT_PASTED = {  # by regular expression
     "PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 -m vtktetmarch script.py":
         "Testing/Python/ReplaceUnstructuredTest.py runs one",
     "PYTHONPATH=build/lib/python3/dist-packages mpiexec -n 4 /usr/bin/python3 parallel.py": "ExamplesTest.py pastes it",
-    r"python3 Testing/Processes/(measure_pieces\.py FOLDER|simulate_exchange\.py)": "takes ten minutes; PicturesTest.py draws smaller ones",
+    r"python3 Testing/Processes/(measure_(pieces|hidden)\.py FOLDER|simulate_exchange\.py)": "takes ten minutes; PicturesTest.py draws smaller ones",
 }
 # Pasted with the second in the place of the first: 133 million tetrahedra take three minutes.
 SMALLER = (("lattice:281,lattice:282", "lattice:11,lattice:12"),)

@@ -67,6 +67,21 @@ class PicturesTest(unittest.TestCase):
             bound = figures["SharedErrorBound"]
             self.assertEqual(max(bound), min(bound))
 
+    def test_what_is_hidden_by_other_processes_is_not_marched(self):
+        for count in PROCESSES:
+            figures = self.figures[count]["behind_crust"]
+            first, then = (sum(figures[name][1:]) for name in ("FirstVisits", "NumberOfVisits"))
+            self.assertLess(then, 0.2 * first)  # but for what is seen through the hole
+            figures = self.figures[count]["dense_random"]
+            # The first picture has saved some by its turns.
+            self.assertLess(sum(figures["NumberOfVisits"]), 0.9 * sum(figures["FirstVisits"]))
+
+    def test_of_what_is_seen_each_picture_has_the_same_visits(self):
+        for count in PROCESSES:
+            for name in ("composite", "random", "maximum", "minimum", "average"):
+                figures = self.figures[count][name]
+                self.assertEqual(figures["NumberOfVisits"], figures["FirstVisits"])
+
     def test_one_process_sends_nothing(self):
         for name in self.names:
             self.assertEqual(self.figures[1][name]["SentBytes"], [0])

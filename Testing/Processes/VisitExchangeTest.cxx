@@ -4,6 +4,7 @@
 // last bit.
 #include "ThreadGroup.h"
 
+#include "Processes/SentVisits.h"
 #include "Processes/VisitExchange.h"
 
 #include <algorithm>
@@ -76,7 +77,6 @@ MergedPixel expected(const std::vector<std::pair<int, Visit>>& pixel, MergeRule 
 {
   MergedPixel merged = emptyPixel(rule);
   auto& sum = merged.Gathered;
-  bool hidden = false;
   for (const auto& [by, visit] : pixel)
   {
     if (rule == MergeRule::Greatest)
@@ -89,12 +89,7 @@ MergedPixel expected(const std::vector<std::pair<int, Visit>>& pixel, MergeRule 
       sum[0] += visit.Gathered[0];
       sum[1] += visit.Gathered[1];
     }
-    else if (sum[3] < Opaque)
-    {
-      merged.Error += hidden ? 0 : sum[3];
-      hidden = true;
-    }
-    else
+    else if (sum[3] >= Opaque)
     {
       for (int k = 0; k < 3; ++k)
       {
@@ -102,6 +97,7 @@ MergedPixel expected(const std::vector<std::pair<int, Visit>>& pixel, MergeRule 
       }
       merged.Error += sum[3] * visit.Error;
       sum[3] *= visit.Gathered[3];
+      merged.Error += sum[3] < Opaque ? sum[3] : 0; // whatever lies behind
     }
   }
   return merged;
@@ -118,8 +114,9 @@ TEST(VisitExchange, GivesWhatSortingInOnePlaceGives)
         [&](Group& group)
         {
           ExchangeFigures figures;
-          const MergedPicture picture =
-            mergeTogether(group, scene.listsOf(group.rank()), rule, Opaque, figures);
+          VisitExchange exchange(group, scene.Width, scene.Height, rule, Opaque, figures);
+          exchange.add(scene.listsOf(group.rank()));
+          const MergedPicture picture = exchange.spread();
           ASSERT_EQ(picture.Width, scene.Width);
           ASSERT_EQ(picture.Height, scene.Height);
           float worst = 0;
@@ -138,6 +135,58 @@ TEST(VisitExchange, GivesWhatSortingInOnePlaceGives)
   }
 }
 
+// Processes that march turn by turn leave out what the others have told to be hidden, and get the
+// same picture.
+TEST(VisitExchange, WhatIsHiddenNeedNotBeAdded)
+{
+  for (const int processes : { 2, 3, 8 })
+  {
+    const Scene scene(37, 23, processes, static_cast<unsigned int>(processes));
+    runTogether(processes,
+      [&](Group& group)
+      {
+        const VisitLists all = scene.listsOf(group.rank());
+        ExchangeFigures figures;
+        const auto begin = [&]
+        { return VisitExchange(group, 37, 23, MergeRule::Over, Opaque, figures); };
+        VisitExchange atOnce = begin();
+        atOnce.add(all);
+        const MergedPicture expected = atOnce.spread();
+        ASSERT_FALSE(expected.Hidden.empty());
+
+        VisitExchange inTurns = begin();
+        HiddenDepths hidden(all.width() * all.height(), NothingHidden);
+        std::size_t added = 0;
+        for (std::uint32_t turn = 0; turn < 60; ++turn) // as many as a pixel has visits
+        {
+          VisitLists lists(all.width(), all.height());
+          for (std::uint32_t pixel = 0; pixel < hidden.size(); ++pixel)
+          {
+            const Visit* visit = all.begin(pixel) + turn;
+            if (turn < all.count(pixel) && visit->Begin <= hidden[pixel])
+            {
+              lists.add(pixel, *visit);
+              ++added;
+            }
+          }
+          lists.finish();
+          inTurns.add(lists);
+          hidden = inTurns.tellHidden();
+        }
+        EXPECT_LT(added, all.size());
+        const MergedPicture picture = inTurns.spread();
+        EXPECT_EQ(picture.Gathered, expected.Gathered);
+        EXPECT_EQ(picture.WorstError, expected.WorstError);
+        for (std::size_t pixel = 0; pixel < hidden.size(); ++pixel)
+        {
+          // Rows without hidden visits are not told at the end.
+          EXPECT_TRUE(
+            expected.Hidden[pixel] == hidden[pixel] || expected.Hidden[pixel] == NothingHidden);
+        }
+      });
+  }
+}
+
 TEST(VisitExchange, SmallPicturesAndProcessesWithoutVisits)
 {
   for (const int height : { 1, 2, 3 })
@@ -153,7 +202,9 @@ TEST(VisitExchange, SmallPicturesAndProcessesWithoutVisits)
         }
         lists.finish();
         ExchangeFigures figures;
-        const MergedPicture picture = mergeTogether(group, lists, MergeRule::Over, Opaque, figures);
+        VisitExchange exchange(group, 1, height, MergeRule::Over, Opaque, figures);
+        exchange.add(lists);
+        const MergedPicture picture = exchange.spread();
         ASSERT_EQ(picture.Gathered.size(), static_cast<std::size_t>(4 * height));
         EXPECT_EQ(picture.Gathered[0], 0.5f);
         EXPECT_EQ(picture.Gathered[3], 0.5f);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws scenes of which each process has a piece: mpiexec -n N draw_pieces.py OUT.npz [SCENE...]
 
-Process 0 writes the picture of each scene, 8-bit red, green, blue and opacity, and the figures of all processes.
+Process 0 writes two pictures of each scene, 8-bit red, green, blue and opacity, and the figures of all processes.
 """
 import json
 import sys
@@ -99,6 +99,11 @@ SCENES = {
     "coarse": {"distance": 2.0},
     "blocks": {"blocks": True},
     "shadows": {"shaded": True, "shadows": True, "partition": "slabs"},
+    "behind_crust": {"partition": "crust", "dense": True},
+    "behind_crust_turned": {"partition": "crust", "dense": True, "turn": 15.0},
+    "dense_random": {"partition": "random_cells", "dense": True},
+    "dense_random_turned": {"partition": "random_cells", "dense": True, "turn": 15.0},
+    "dense_bands": {"partition": "random_cells", "dense": True, "visit_bytes": 20000},
     "bands": {"partition": "random_cells", "visit_bytes": 100000},
 }
 
@@ -179,7 +184,7 @@ class Picture:
 
     def set_functions(self, scene):
         prop = self.volume.GetProperty()
-        prop.SetScalarOpacityUnitDistance(0.25)
+        prop.SetScalarOpacityUnitDistance(0.005 if scene.get("dense") else 0.25)
         for component in range(3 if scene.get("components") else 1):
             colors = vtk.vtkColorTransferFunction()
             for k, (scalar, *rgb) in enumerate(((0.1, 0.1, 0.2, 0.9), (0.4, 0.2, 0.9, 0.3), (0.7, 0.9, 0.8, 0.1))):
@@ -275,13 +280,17 @@ def main():
     controller.Initialize()
     vtk.vtkMultiProcessController.SetGlobalController(controller)
     output, names = sys.argv[1], sys.argv[2:] or list(SCENES)
-    results = {}
-    figures = {}
+    results, figures = {}, {}
     for name in names:
         picture = Picture(SCENES[name], controller)
-        results[name] = picture.draw()
-        picture.draw()  # a frame of nothing new has figures of drawing alone
+        frames = [picture.draw()]
+        first = picture.figures()
+        picture.renderer.GetActiveCamera().Azimuth(SCENES[name].get("turn", 0.0))
+        frames.append(picture.draw())  # by what the first has shown to be hidden; with figures of drawing alone
+        results[name] = np.stack(frames)
         figures[name] = picture.figures()
+        if figures[name]:
+            figures[name]["FirstVisits"] = first["NumberOfVisits"]
         picture.window.Finalize()
     if controller.GetLocalProcessId() == 0:
         np.savez(output, figures=json.dumps(figures), **results)

@@ -54,6 +54,18 @@ def random_cells(grid, processes):
     return np.random.RandomState(5).randint(0, processes, grid.GetNumberOfCells())
 
 
+def crust(grid, processes):
+    """Process 0 has what is seen of the sides towards a viewer in front, to the right and above, the others slabs
+    behind that."""
+    x, y, z = normalized_centres(grid).T
+    owner = np.zeros(len(x), dtype=int)
+    behind = np.flatnonzero((x < 0.8) & (y > 0.2) & (z < 0.8))
+    if processes > 1:
+        order = behind[np.argsort(x[behind], kind="stable")]
+        owner[order] = 1 + np.arange(len(order)) * (processes - 1) // len(order)
+    return owner
+
+
 def only_last(grid, processes):
     """All processes but the last are empty."""
     return np.full(grid.GetNumberOfCells(), processes - 1)
@@ -77,7 +89,7 @@ def metis(grid, processes):
         return np.loadtxt(f"{mesh}.epart.{processes}", dtype=int)
 
 
-PARTITIONS = {f.__name__: f for f in (slabs, spirals, shells, random_cells, only_last, metis)}
+PARTITIONS = {f.__name__: f for f in (slabs, spirals, shells, random_cells, crust, only_last, metis)}
 
 
 def neighbours_of(grid, own):

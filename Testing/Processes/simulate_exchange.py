@@ -3,7 +3,7 @@
 """What many processes would send each other, without running them: simulate_exchange.py [STRIDE]
 
 The cells that rays of one picture of the golf ball cross are traced once. For each number of processes the mesh is cut
-by METIS, and the cells of a ray by whose they are: so many visits, to so many bytes as Processes/VisitExchange.cxx
+by METIS, and the cells of a ray by whose they are: so many visits, to so many bytes as Processes/SentVisits.cxx
 packs. Every STRIDE-th pixel of every STRIDE-th row is traced.
 """
 import pathlib
@@ -22,7 +22,7 @@ from vtktetmarch import vtkTetMarchVolumeMapper  # noqa: E402
 
 COUNTS = (8, 64, 256, 1024)
 LEAST_OPACITY = 0.05  # of the stream: all of the mesh lets a little be seen
-VISIT_BYTES, COUNT_BYTES, SPAN_BYTES, PIXEL_BYTES = 32, 2, 8, 20  # of Visit, a count, a row's span, MergedPixel
+VISIT_BYTES, COUNT_BYTES, SPAN_BYTES, PIXEL_BYTES = 32, 2, 8, 16  # of Visit, a count, a row's span, four floats
 
 
 def trace(grid, stride):

@@ -18,7 +18,7 @@ const ShaderFeature OfTheMarch[] = {
     "isOpaque marchToExit marchOn passCell passToSeenCell beginMarch noRadiance beginCell "
     "beginLookups keepLastDrawn decideVisibility advanceShades shadeCell cropCell gatherCell "
     "gatherInterval gatherIntervals isFinished goesOnAfter keepCell keepTransmittance countFaults "
-    "countRefusal recordCell errorBound beginVisit goesOnAfterVisit" },
+    "countRefusal recordCell errorBound beginVisit goesOnThrough" },
   { "composites", [](const Key& k, MarchShader s) { return gathers(k, s) && k.isComposite(); },
     "Absorption absorption absorb addSubsegment integrateSegment thicknessWithin" },
   { "composites of volumes or surfaces",

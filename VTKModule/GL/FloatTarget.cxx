@@ -106,6 +106,19 @@ std::vector<float> FloatTarget::read(
   return pixels;
 }
 
+void FloatTarget::copy(
+  vtkOpenGLRenderWindow* window, int i, const FloatTarget& to, int j, const Viewport& part) const
+{
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->ActivateReadBuffer(i);
+  to.Colors[j]->Activate();
+  glCopyTexSubImage2D(GL_TEXTURE_2D, 0, part.X, part.Y, part.X, part.Y, part.Width, part.Height);
+  to.Colors[j]->Deactivate();
+  state->PopFramebufferBindings();
+}
+
 void FloatTarget::release(vtkWindow* window)
 {
   if (this->Framebuffer)

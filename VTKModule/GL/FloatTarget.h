@@ -46,6 +46,9 @@ public:
   }
   /** Those of a part. */
   std::vector<float> read(vtkOpenGLRenderWindow* window, int i, const Viewport& part) const;
+  /** Copy a part of colour i to colour j of another target of the same size. */
+  void copy(
+    vtkOpenGLRenderWindow* window, int i, const FloatTarget& to, int j, const Viewport& part) const;
   void release(vtkWindow* window);
   std::size_t bytes() const { return this->Bytes; }
 

@@ -34,6 +34,12 @@ void bindVisits(vtkShaderProgram* program, const VisitInputs& visits, const Vari
   program->SetUniformi("isFirstVisit", visits.IsFirst ? 1 : 0);
   bindImage(program, "nextEntryTexture", visits.NextEntry);
   bindImage(program, "raySoFarTexture", visits.RaySoFar);
+  if (key.accumulatesOpacity())
+  {
+    program->SetUniformi("knowsHidden", visits.KnowsHidden ? 1 : 0);
+    program->SetUniformi("firstRow", visits.FirstRow);
+    bindImage(program, "hiddenTexture", visits.Hidden);
+  }
 }
 
 // Everything that the march reads.
@@ -101,6 +107,7 @@ void unbindInputs(const MarchInputs& inputs)
   {
     inputs.Visits->NextEntry->Deactivate();
     inputs.Visits->RaySoFar->Deactivate();
+    inputs.Visits->Hidden->Deactivate();
   }
 }
 
@@ -146,14 +153,14 @@ std::string MarchPass::drawApart(vtkOpenGLRenderWindow* window, const FloatTarge
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglViewport(0, 0, target.Width, target.Height);
-  state->vtkglClearColor(0, 0, 0, 0);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT);
   if (inputs.Visits)
   {
     state->vtkglEnable(GL_SCISSOR_TEST);
     const Viewport& part = inputs.Visits->Part;
     state->vtkglScissor(part.X, part.Y, part.Width, part.Height);
   }
+  state->vtkglClearColor(0, 0, 0, 0);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
   return drawInTiles(window, target, inputs.MostSecondsPerDraw, tiles, progress, stopped,
     [&](const Viewport& tile)
     {

@@ -33,10 +33,13 @@ struct View;
 struct VisitInputs
 {
   float AtOnce = 0;                      // share of the tolerance that may be used up at the begin
-  bool IsFirst = true;                   // then these two textures have nothing to say
+  bool IsFirst = true;                   // then the next two textures have nothing to say
   vtkTextureObject* NextEntry = nullptr; // where the visit before has ended
   vtkTextureObject* RaySoFar = nullptr;  // what its ray has left of the light
-  Viewport Part;                         // of the target, which is marched
+  vtkTextureObject* Hidden = nullptr;    // depths behind which nothing is seen, from FirstRow on,
+  bool KnowsHidden = false;              // if they are known
+  int FirstRow = 0;
+  Viewport Part; // of the target, which is marched
 };
 
 /** What the march reads. */

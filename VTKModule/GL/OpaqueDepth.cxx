@@ -125,32 +125,18 @@ void OpaqueDepth::allocate(
 
 std::string OpaqueDepth::replace(vtkOpenGLRenderWindow* window, const std::vector<float>& depths)
 {
-  StateScope state(window);
-  clearErrors();
-  vtkNew<vtkTextureObject> texture;
-  texture->SetContext(window);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  const bool made = texture->Create2DFromRaw(static_cast<unsigned int>(this->Width),
-    static_cast<unsigned int>(this->Height), 1, VTK_FLOAT,
-    const_cast<float*>(depths.data())); // VTK's signature; it is only read
-  if (!made || !hasRoom(texture))
+  if (!this->Replaced.upload(window, this->Width, this->Height, 1, depths))
   {
     this->release(window);
     return "The GPU has no room for the depths of opaque geometry of all processes. Close what "
            "else uses it, or make the window smaller.";
   }
-  this->Replaced = texture;
   return {};
 }
 
 std::string OpaqueDepth::capture(vtkOpenGLRenderWindow* window, const Viewport& viewport)
 {
-  if (this->Replaced)
-  {
-    this->Replaced->ReleaseGraphicsResources(window);
-    this->Replaced = nullptr;
-  }
+  this->Replaced.release(window);
   StateScope state(window);
   int source = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
@@ -211,11 +197,7 @@ void OpaqueDepth::release(vtkWindow* window)
     this->Color->ReleaseGraphicsResources(window);
     this->Depth->ReleaseGraphicsResources(window);
   }
-  if (this->Replaced)
-  {
-    this->Replaced->ReleaseGraphicsResources(window);
-  }
-  this->Replaced = nullptr;
+  this->Replaced.release(window);
   this->Framebuffer = nullptr;
   this->Color = nullptr;
   this->Depth = nullptr;

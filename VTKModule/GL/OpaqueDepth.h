@@ -4,6 +4,7 @@
 #ifndef TetMarchGLOpaqueDepth_h
 #define TetMarchGLOpaqueDepth_h
 
+#include "GL/UploadedImage.h"
 #include "GL/Viewport.h"
 
 #include "vtkOpenGLFramebufferObject.h"
@@ -33,11 +34,14 @@ public:
   /** Have the texture show these depths instead of those that were captured: as many. */
   std::string replace(vtkOpenGLRenderWindow* window, const std::vector<float>& depths);
   /** Window depths in 0..1 in red; nearest filter. */
-  vtkTextureObject* texture() const { return this->Replaced ? this->Replaced : this->Depth; }
+  vtkTextureObject* texture() const
+  {
+    return this->Replaced.texture() ? this->Replaced.texture() : this->Depth.Get();
+  }
   /** One a pixel, rows from the bottom. */
   std::vector<float> read(vtkOpenGLRenderWindow* window) const;
   void release(vtkWindow* window);
-  std::size_t bytes() const { return this->Bytes; }
+  std::size_t bytes() const { return this->Bytes + this->Replaced.bytes(); }
 
 private:
   /** The storage format of a depth attachment: a blit needs the same format on both sides. */
@@ -58,7 +62,7 @@ private:
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSmartPointer<vtkTextureObject> Color;
   vtkSmartPointer<vtkTextureObject> Depth;
-  vtkSmartPointer<vtkTextureObject> Replaced;
+  UploadedImage Replaced;
   Format Present;
   int Width = 0;
   int Height = 0;

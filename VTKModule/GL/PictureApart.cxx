@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/PictureApart.h"
 
-#include "GL/ErrorQueue.h"
 #include "GL/StateScope.h"
 #include "GL/Uniforms.h"
 
@@ -43,26 +42,15 @@ std::string PictureApart::draw(vtkOpenGLRenderWindow* window, const Viewport& ar
 std::string PictureApart::show(vtkOpenGLRenderWindow* window, const Viewport& area, int width,
   int height, const std::vector<float>& pixels)
 {
-  StateScope state(window);
-  clearErrors();
-  if (!this->Shown)
-  {
-    this->Shown = vtkSmartPointer<vtkTextureObject>::New();
-  }
-  this->Shown->SetContext(window);
-  const bool made = this->Shown->Create2DFromRaw(static_cast<unsigned int>(width),
-    static_cast<unsigned int>(height), 4, VTK_FLOAT,
-    const_cast<float*>(pixels.data())); // VTK's signature; it is only read
-  if (!made || !hasRoom(this->Shown))
+  if (!this->Shown.upload(window, width, height, 4, pixels))
   {
     this->release(window);
     return "The GPU has no room for a picture of " + std::to_string(width) + " x " +
            std::to_string(height) + " pixels. Close what else uses it, or make the window smaller.";
   }
-  this->ShownBytes = pixels.size() * sizeof(float);
   const std::string error =
-    this->blend(window, area, this->Shown, width != area.Width || height != area.Height);
-  return error.empty() ? this->drawDepth(window, area, this->Shown) : error;
+    this->blend(window, area, this->Shown.texture(), width != area.Width || height != area.Height);
+  return error.empty() ? this->drawDepth(window, area, this->Shown.texture()) : error;
 }
 
 std::string PictureApart::drawDepth(
@@ -112,12 +100,7 @@ void PictureApart::release(vtkWindow* window)
 {
   this->Draw.release();
   this->Target.release(window);
-  if (this->Shown)
-  {
-    this->Shown->ReleaseGraphicsResources(window);
-    this->Shown = nullptr;
-  }
-  this->ShownBytes = 0;
+  this->Shown.release(window);
 }
 
 } // namespace tetmarch

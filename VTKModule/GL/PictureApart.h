@@ -8,6 +8,7 @@
 #include "GL/FloatTarget.h"
 #include "GL/MarchPass.h"
 #include "GL/ShaderDraw.h"
+#include "GL/UploadedImage.h"
 
 namespace tetmarch
 {
@@ -31,7 +32,7 @@ public:
   std::string show(vtkOpenGLRenderWindow* window, const Viewport& area, int width, int height,
     const std::vector<float>& pixels);
   int numberOfDraws() const { return this->Tiles.numberOfTiles(); }
-  std::size_t bytes() const { return this->Target.bytes() + this->ShownBytes; }
+  std::size_t bytes() const { return this->Target.bytes() + this->Shown.bytes(); }
   /** The next draw() may take much longer than the last. */
   void expectChange() { this->Tiles.expectChange(); }
   void release(vtkWindow* window);
@@ -45,8 +46,7 @@ private:
     vtkTextureObject* picture, const char* shader);
 
   FloatTarget Target;
-  vtkSmartPointer<vtkTextureObject> Shown; // a picture that was made elsewhere
-  std::size_t ShownBytes = 0;
+  UploadedImage Shown; // a picture that was made elsewhere
   TileSchedule Tiles;
   ShaderDraw Draw;
 };

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tetmarch
 {
@@ -18,6 +19,9 @@ namespace
 
 // A quarter of a pixel's tolerance, as TOLERANCE_AT_ONCE in Shaders/gather/radiance.glsl.
 constexpr float ToleranceAtOnce = 0.25f;
+
+// Rays with more visits wait for what the others hide, then go on through twice as many, and so on.
+constexpr int VisitsOfFirstTurn = 2;
 
 MergeRule ruleOf(BlendGroup blend)
 {
@@ -71,32 +75,82 @@ void showColor(const MarchInputs& inputs, float* pixel)
 
 } // namespace
 
-// March a band in this process, and see where the others are.
+// March a turn of a band in this process, and see where the others are.
 PartStatus PiecesPicture::march(vtkOpenGLRenderWindow* window, MarchPass& march,
-  const MarchInputs& inputs, const Band& band, const PartStatus& before, SharedPicture& shared,
+  const MarchInputs& inputs, const VisitTurn& turn, const PartStatus& before, SharedPicture& shared,
   const Progress& progress, VisitLists& lists)
 {
   PartStatus own = before;
   own.Width = inputs.Area.Width;
   own.Height = inputs.Area.Height;
-  lists = VisitLists(own.Width, band.EndRow - band.FirstRow);
-  lists.finish();
   const double begin = vtkTimerLog::GetUniversalTime();
-  if (own.Error.empty() && !own.Stopped && shared.HasPiece)
+  if (own.Error.empty() && !own.Stopped)
   {
     const float atOnce = ToleranceAtOnce / static_cast<float>(shared.Processes->size());
     const std::string shortage = withinMemory("the visits of rays",
       [&]
       {
-        own.Error = this->Visits.collect(window, march, inputs, band, atOnce, shared.MostBytes,
+        own.Error = this->Visits.collect(window, march, inputs, turn, atOnce, shared.MostBytes,
           progress, own.Stopped, own.TooMuch, lists);
       });
     own.Error = shortage.empty() ? own.Error : shortage;
+    own.Waits = this->Visits.waits();
     this->Draws += this->Visits.takeDraws();
   }
   shared.MarchSeconds += vtkTimerLog::GetUniversalTime() - begin;
   shared.Visits += own.TooMuch ? 0 : lists.size();
   return agreeOn(*shared.Processes, own);
+}
+
+// Turn by turn, until no ray of any process waits for what the others hide.
+PartStatus PiecesPicture::drawBand(vtkOpenGLRenderWindow* window, MarchPass& march,
+  const MarchInputs& inputs, const Band& band, const PartStatus& before, SharedPicture& shared,
+  const Progress& progress, MergedPicture& merged)
+{
+  Group& group = *shared.Processes;
+  const MergeRule rule = ruleOf(inputs.Key.Blend);
+  const int width = inputs.Area.Width;
+  const int height = band.EndRow - band.FirstRow;
+  VisitExchange exchange(
+    group, width, height, rule, static_cast<float>(inputs.Level.ErrorTolerance), shared.Exchange);
+  VisitTurn turn = this->firstTurn(band, rule == MergeRule::Over && group.size() > 1);
+  this->Visits.begin(inputs.Area, band, shared.HasPiece);
+  PartStatus all;
+  std::vector<VisitLists> lists; // of each turn
+  int visitsOfTurn = VisitsOfFirstTurn;
+  bool goesOn = true;
+  while (goesOn)
+  {
+    lists.emplace_back(width, height);
+    all = this->march(window, march, inputs, turn, before, shared, progress, lists.back());
+    if (!all.Error.empty() || all.Stopped || all.TooMuch)
+    {
+      return all;
+    }
+    exchange.add(lists.back());
+    goesOn = all.Waits;
+    if (goesOn)
+    {
+      visitsOfTurn *= 2;
+      turn = { visitsOfTurn, exchange.tellHidden(), true };
+      this->Visits.endHidden(turn.Hidden);
+      goesOn = anyOf(group, this->Visits.waits());
+    }
+  }
+  merged = exchange.spread();
+  this->Expected.learn(band.FirstRow, turn.HiddenIsSure ? turn.Hidden : HiddenDepths());
+  this->Expected.learn(band.FirstRow, merged.Hidden);
+  this->Expected.count(band.FirstRow, lists, this->Visits.numberOfEnded());
+  return all;
+}
+
+VisitTurn PiecesPicture::firstTurn(const Band& band, bool canHide) const
+{
+  VisitTurn turn;
+  turn.Hidden = canHide ? this->Expected.ofRows(band.FirstRow, band.EndRow) : HiddenDepths();
+  const bool asks = canHide && turn.Hidden.empty();
+  turn.MostVisits = asks ? VisitsOfFirstTurn : std::numeric_limits<int>::max();
+  return turn;
 }
 
 // Band by band, as many as the memory for the visits asks for.
@@ -113,14 +167,12 @@ PartStatus PiecesPicture::drawInBands(vtkOpenGLRenderWindow* window, MarchPass& 
   for (int b = 0; b < this->Bands; ++b)
   {
     const Band band{ height * b / this->Bands, height * (b + 1) / this->Bands };
-    VisitLists lists;
-    all = this->march(window, march, inputs, band, before, shared, progress, lists);
+    MergedPicture part;
+    all = this->drawBand(window, march, inputs, band, before, shared, progress, part);
     if (!all.Error.empty() || all.Stopped || all.TooMuch)
     {
       return all;
     }
-    const MergedPicture part = mergeTogether(*shared.Processes, lists, ruleOf(inputs.Key.Blend),
-      static_cast<float>(inputs.Level.ErrorTolerance), shared.Exchange);
     merged.Gathered.insert(merged.Gathered.end(), part.Gathered.begin(), part.Gathered.end());
     merged.WorstError = std::max(merged.WorstError, part.WorstError);
   }
@@ -133,6 +185,7 @@ std::string PiecesPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& a
 {
   this->Draws = 0;
   this->Bands = std::min(this->Bands, inputs.Area.Height);
+  this->Expected.begin(inputs.Area.Width, inputs.Area.Height);
   MergedPicture merged;
   PartStatus all = this->drawInBands(window, march, inputs, before, shared, progress, merged);
   while (all.TooMuch && all.Error.empty() && !all.Stopped && this->Bands < inputs.Area.Height)

@@ -7,6 +7,7 @@
 
 #include "GL/PictureApart.h"
 #include "GL/VisitPass.h"
+#include "Processes/ExpectedDepths.h"
 #include "Processes/SharedPicture.h"
 
 namespace tetmarch
@@ -32,13 +33,18 @@ public:
 
 private:
   PartStatus march(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
+    const VisitTurn& turn, const PartStatus& before, SharedPicture& shared,
+    const Progress& progress, VisitLists& lists);
+  PartStatus drawBand(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
     const Band& band, const PartStatus& before, SharedPicture& shared, const Progress& progress,
-    VisitLists& lists);
+    MergedPicture& merged);
+  VisitTurn firstTurn(const Band& band, bool canHide) const;
   PartStatus drawInBands(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
     const PartStatus& before, SharedPicture& shared, const Progress& progress,
     MergedPicture& merged);
 
   VisitPass Visits;
+  ExpectedDepths Expected;
   int Bands = 1; // of the last picture; what is drawn next may need as many
   int Draws = 0;
 };

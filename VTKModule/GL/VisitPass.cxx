@@ -11,8 +11,11 @@ namespace tetmarch
 namespace
 {
 
-constexpr int Colors = 4;         // as passes/visit.frag.glsl writes them
-constexpr int MostVisits = 65535; // of a pixel, as they are sent
+// As passes/visit.frag.glsl writes them.
+constexpr int ColorsOfTarget = 4;
+constexpr int FirstColorOfRays = 2;
+constexpr double ShareOfFewRays = 1.0 / 16; // of the pixels
+constexpr int MostVisits = 65535;           // of a pixel, as they are sent
 
 bool showsSomething(const Visit& visit, BlendGroup blend)
 {
@@ -27,110 +30,133 @@ bool showsSomething(const Visit& visit, BlendGroup blend)
   }
 }
 
-// The area grows so that it has the pixel.
-void addPixel(int x, int y, Viewport& area)
-{
-  if (area.Width == 0)
-  {
-    area = { x, y, 1, 1 };
-    return;
-  }
-  const int right = std::max(area.X + area.Width, x + 1);
-  const int top = std::max(area.Y + area.Height, y + 1);
-  area.X = std::min(area.X, x);
-  area.Y = std::min(area.Y, y);
-  area.Width = right - area.X;
-  area.Height = top - area.Y;
-}
-
 } // namespace
 
+void VisitPass::begin(const Viewport& area, const Band& band, bool hasPiece)
+{
+  this->Rows = band;
+  this->Next = hasPiece ? NextEntries(area.Width, band.EndRow - band.FirstRow) : NextEntries();
+  this->Visits = 0;
+  this->Bytes = 0;
+  this->Ended = 0;
+}
+
+// What is drawn into and read from.
+std::string VisitPass::bind(
+  vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const VisitTurn& turn)
+{
+  const int width = inputs.Area.Width;
+  if (!turn.Hidden.empty() &&
+      !this->Hidden.upload(window, width, this->Rows.EndRow - this->Rows.FirstRow, 1, turn.Hidden))
+  {
+    return "The GPU has no room for the depths at which pieces are hidden. Close what else uses "
+           "it, or make the window smaller.";
+  }
+  const std::string error =
+    this->Rays.bind(window, width, inputs.Area.Height, ColorsOfTarget - FirstColorOfRays);
+  return error.empty() ? this->Target.bind(window, width, inputs.Area.Height, ColorsOfTarget)
+                       : error;
+}
+
 std::string VisitPass::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
-  const MarchInputs& inputs, const Band& band, float atOnce, std::uint64_t mostBytes,
+  const MarchInputs& inputs, const VisitTurn& turn, float atOnce, std::uint64_t mostBytes,
   const Progress& progress, bool& stopped, bool& tooMuch, VisitLists& lists)
 {
-  lists = VisitLists(inputs.Area.Width, band.EndRow - band.FirstRow);
   StateScope state(window);
-  Viewport part{ 0, band.FirstRow, inputs.Area.Width, band.EndRow - band.FirstRow };
-  for (int visit = 0; part.Width > 0 && part.Height > 0; ++visit)
+  PixelBox box = this->Next.boxOfSeen(turn.Hidden);
+  std::string error = box.Pixels == 0 ? std::string() : this->bind(window, inputs, turn);
+  const double few = ShareOfFewRays * lists.width() * lists.height();
+  const auto goesOn = [&](int visits)
   {
-    if (visit == MostVisits)
+    const auto rays = static_cast<double>(box.Pixels);
+    return rays > 0 && (visits < turn.MostVisits || rays <= few);
+  };
+  for (int visits = 0; error.empty() && goesOn(visits); ++visits)
+  {
+    if (this->Visits == MostVisits)
     {
       return "A ray enters the mesh of a process more than 65535 times, which is more than can be "
              "told to the others. Give each process cells that lie together.";
     }
-    // The first visit reads nothing of the other target, but the GL wants textures to be bound.
-    FloatTarget& target = this->Targets[visit % 2];
-    FloatTarget& before = this->Targets[(visit + 1) % 2];
-    std::string error = before.bind(window, inputs.Area.Width, inputs.Area.Height, Colors);
-    error =
-      error.empty() ? target.bind(window, inputs.Area.Width, inputs.Area.Height, Colors) : error;
-    if (!error.empty())
-    {
-      return error;
-    }
-    VisitInputs visits;
-    visits.AtOnce = atOnce;
-    visits.Part = part;
-    visits.IsFirst = visit == 0;
-    visits.NextEntry = before.color(2);
-    visits.RaySoFar = before.color(3);
+    VisitInputs visit;
+    visit.AtOnce = atOnce;
+    visit.Part = { box.X, box.Y + this->Rows.FirstRow, box.Width, box.Height };
+    visit.IsFirst = this->Visits == 0;
+    visit.NextEntry = this->Rays.color(0);
+    visit.RaySoFar = this->Rays.color(1);
+    // The GL wants a texture to be bound, also if it has nothing to say.
+    visit.KnowsHidden = !turn.Hidden.empty();
+    visit.Hidden = visit.KnowsHidden ? this->Hidden.texture() : visit.RaySoFar;
+    visit.FirstRow = this->Rows.FirstRow;
     MarchInputs marched = inputs;
-    marched.Visits = &visits;
+    marched.Visits = &visit;
     marched.ByCompute = false;
-    error = march.drawApart(window, target, marched, this->Tiles, progress, stopped);
+    error = march.drawApart(window, this->Target, marched, this->Tiles, progress, stopped);
     this->Draws += this->Tiles.numberOfTiles();
     if (!error.empty() || stopped)
     {
       return error;
     }
-    part = this->take(window, target, inputs, part, band, lists);
-    if (lists.bytes() > mostBytes)
+    ++this->Visits;
+    this->take(window, inputs, visit.Part, lists);
+    tooMuch = this->Bytes + lists.bytes() > mostBytes;
+    if (tooMuch)
     {
-      tooMuch = true;
       return {};
     }
+    box = this->Next.boxOfSeen(turn.Hidden);
   }
+  if (turn.HiddenIsSure)
+  {
+    this->endHidden(turn.Hidden);
+  }
+  this->Bytes += lists.bytes();
   lists.finish();
-  return {};
+  return error;
 }
 
-// Take the visits of a part. Returns the part in which rays enter again.
-Viewport VisitPass::take(vtkOpenGLRenderWindow* window, const FloatTarget& target,
-  const MarchInputs& inputs, const Viewport& part, const Band& band, VisitLists& lists) const
+// Take the visits of a part, and where its rays enter again.
+void VisitPass::take(
+  vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part, VisitLists& lists)
 {
-  const std::vector<float> depths = target.read(window, 0, part);
-  const std::vector<float> colors = target.read(window, 1, part);
-  const std::vector<float> next = target.read(window, 2, part);
-  Viewport again;
+  const std::vector<float> depths = this->Target.read(window, 0, part);
+  const std::vector<float> colors = this->Target.read(window, 1, part);
+  const std::vector<float> next = this->Target.read(window, FirstColorOfRays, part);
+  for (int i = FirstColorOfRays; i < ColorsOfTarget; ++i)
+  {
+    this->Target.copy(window, i, this->Rays, i - FirstColorOfRays, part);
+  }
   std::size_t i = 0;
   for (int y = part.Y; y < part.Y + part.Height; ++y)
   {
     for (int x = part.X; x < part.X + part.Width; ++x, i += 4)
     {
+      const auto pixel = static_cast<std::uint32_t>((y - this->Rows.FirstRow) * lists.width() + x);
       // Begin and end, which are both 0 where nothing was drawn; transmittance; error.
       const float* of = &depths[i];
       const float* color = &colors[i];
       const Visit visit{ of[0], of[1], { { color[0], color[1], color[2], of[2] } }, of[3] };
       if (visit.End > visit.Begin && showsSomething(visit, inputs.Key.Blend))
       {
-        lists.add(static_cast<std::uint32_t>((y - band.FirstRow) * lists.width() + x), visit);
+        lists.add(pixel, visit);
       }
       if (next[i + 1] > 0 || next[i + 2] > 0)
       {
-        addPixel(x, y, again);
+        this->Next.set(pixel, next[i]);
+      }
+      else
+      {
+        this->Next.end(pixel);
       }
     }
   }
-  return again;
 }
 
 void VisitPass::release(vtkWindow* window)
 {
-  for (FloatTarget& target : this->Targets)
-  {
-    target.release(window);
-  }
+  this->Target.release(window);
+  this->Rays.release(window);
+  this->Hidden.release(window);
   this->expectChange();
 }
 

@@ -6,9 +6,9 @@
 #define TetMarchGLVisitPass_h
 
 #include "GL/MarchPass.h"
-#include "Processes/Visits.h"
+#include "GL/UploadedImage.h"
+#include "Processes/NextEntries.h"
 
-#include <array>
 #include <utility>
 
 namespace tetmarch
@@ -21,31 +21,58 @@ struct Band
   int EndRow;
 };
 
+/** How far rays go before the processes tell each other what they hide. */
+struct VisitTurn
+{
+  int MostVisits;            // of a ray; more if only few rays are left
+  HiddenDepths Hidden;       // of the band: rays don't enter there,
+  bool HiddenIsSure = false; // and end; else they wait
+};
+
 class VisitPass
 {
 public:
+  /** Begin with a band of an area: all rays, or none if this process has no piece. */
+  void begin(const Viewport& area, const Band& band, bool hasPiece);
   /**
-   * Collect the visits of a band of the inputs' area, whose pixels are counted from its first row.
-   * `atOnce` is the share of a pixel's tolerance that this process may use up from the begin.
-   * Returns an empty string, or what is wrong: also if a ray comes back more often than can be
-   * counted. `stopped` becomes true if progress asked to stop, `tooMuch` if the lists would take
-   * more than so many bytes: then they are not whole.
+   * Collect further visits of the band, whose pixels are counted from its first row. `atOnce` is
+   * the share of a pixel's tolerance that this process may use up from the begin. Returns an empty
+   * string, or what is wrong: also if a ray comes back more often than can be counted. `stopped`
+   * becomes true if progress asked to stop, `tooMuch` if all lists of the band would take more than
+   * so many bytes: then they are not whole.
    */
   std::string collect(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
-    const Band& band, float atOnce, std::uint64_t mostBytes, const Progress& progress,
+    const VisitTurn& turn, float atOnce, std::uint64_t mostBytes, const Progress& progress,
     bool& stopped, bool& tooMuch, VisitLists& lists);
+  /** Rays that enter where that is hidden end. */
+  void endHidden(const HiddenDepths& hidden) { this->Ended += this->Next.endHidden(hidden); }
+  /** Whether some rays have not ended. */
+  bool waits() const { return this->Next.any(); }
+  /** Rays of the band that have ended so. */
+  std::size_t numberOfEnded() const { return this->Ended; }
   /** Drawings since the last call. */
   int takeDraws() { return std::exchange(this->Draws, 0); }
-  std::size_t bytes() const { return this->Targets[0].bytes() + this->Targets[1].bytes(); }
+  std::size_t bytes() const
+  {
+    return this->Target.bytes() + this->Rays.bytes() + this->Hidden.bytes();
+  }
   void expectChange() { this->Tiles.expectChange(); }
   void release(vtkWindow* window);
 
 private:
-  Viewport take(vtkOpenGLRenderWindow* window, const FloatTarget& target, const MarchInputs& inputs,
-    const Viewport& part, const Band& band, VisitLists& lists) const;
+  std::string bind(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const VisitTurn& turn);
+  void take(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part,
+    VisitLists& lists);
 
-  std::array<FloatTarget, 2> Targets; // by turns: each visit goes on from the one before
+  FloatTarget Target; // of a drawing
+  FloatTarget Rays;   // where each ray is after its last visit
+  UploadedImage Hidden;
   TileSchedule Tiles;
+  Band Rows{ 0, 0 };
+  NextEntries Next;
+  int Visits = 0; // of a ray so far
+  std::size_t Bytes = 0;
+  std::size_t Ended = 0;
   int Draws = 0;
 };
 

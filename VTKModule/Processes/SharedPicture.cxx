@@ -31,14 +31,15 @@ bool anyOf(Group& group, bool own)
 PartStatus agreeOn(Group& group, const PartStatus& own)
 {
   vtkMultiProcessStream message;
-  message << own.Error << own.Stopped << own.TooMuch << own.Width << own.Height;
+  message << own.Error << own.Stopped << own.TooMuch << own.Waits << own.Width << own.Height;
   std::vector<vtkMultiProcessStream> said = group.tellAll(message);
   PartStatus all;
   PartStatus first;
   for (int p = 0; p < group.size(); ++p)
   {
     PartStatus part;
-    said[p] >> part.Error >> part.Stopped >> part.TooMuch >> part.Width >> part.Height;
+    said[p] >> part.Error >> part.Stopped >> part.TooMuch >> part.Waits >> part.Width >>
+      part.Height;
     first = p == 0 ? part : first;
     if (all.Error.empty() && !part.Error.empty())
     {
@@ -55,6 +56,7 @@ PartStatus agreeOn(Group& group, const PartStatus& own)
     }
     all.Stopped = all.Stopped || part.Stopped;
     all.TooMuch = all.TooMuch || part.TooMuch;
+    all.Waits = all.Waits || part.Waits;
   }
   all.Width = first.Width;
   all.Height = first.Height;

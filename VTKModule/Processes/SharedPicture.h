@@ -33,12 +33,13 @@ struct PartStatus
   std::string Error;
   bool Stopped = false;
   bool TooMuch = false; // the visits of the band take more memory than there is for them
+  bool Waits = false;   // rays may go on when all have told what they hide
   int Width = 0;
   int Height = 0;
 };
 
 /** Collective: the status of all. It has an error if some process has one, or if their pictures
- * differ in size; it is stopped, or too much, if one is. */
+ * differ in size; it is stopped, or too much, or waits, if one does. */
 PartStatus agreeOn(Group& group, const PartStatus& own);
 
 } // namespace tetmarch

@@ -2,109 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Processes/VisitExchange.h"
 
+#include "Processes/SentVisits.h"
+
 #include "vtkSMPTools.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace tetmarch
 {
 namespace
 {
 
-class Packer
+void mergeRow(
+  const std::vector<SentRow>& rows, int width, MergeRule rule, float opaque, MergedPixel* merged)
 {
-public:
-  template <typename T>
-  void add(const T* values, std::size_t count)
-  {
-    const auto* bytes = reinterpret_cast<const unsigned char*>(values);
-    this->Packed.insert(this->Packed.end(), bytes, bytes + count * sizeof(T));
-  }
-  Bytes Packed;
-};
-
-class Unpacker
-{
-public:
-  explicit Unpacker(const Bytes& bytes)
-    : Packed(bytes)
-  {
-  }
-  template <typename T>
-  void take(T* values, std::size_t count)
-  {
-    if (count * sizeof(T) > this->Packed.size() - this->At)
-    {
-      throw GroupFailure("What a process sent ends too early.");
-    }
-    if (count > 0)
-    {
-      std::memcpy(values, this->Packed.data() + this->At, count * sizeof(T));
-    }
-    this->At += count * sizeof(T);
-  }
-
-private:
-  const Bytes& Packed;
-  std::size_t At = 0;
-};
-
-// The pixels of a row from the first to before the last with visits.
-struct Span
-{
-  std::uint32_t First, End;
-};
-
-Span spanOf(const VisitLists& lists, int row)
-{
-  const auto width = static_cast<std::uint32_t>(lists.width());
-  const std::uint32_t begin = static_cast<std::uint32_t>(row) * width;
-  Span span{ 0, width };
-  while (span.First < span.End && lists.count(begin + span.First) == 0)
-  {
-    ++span.First;
-  }
-  while (span.End > span.First && lists.count(begin + span.End - 1) == 0)
-  {
-    --span.End;
-  }
-  return span;
-}
-
-// The visits that one process has sent, of one row at a time.
-struct SentRow
-{
-  Span Where{ 0, 0 };
-  std::vector<std::uint32_t> Starts; // in Visits, of each pixel of the span, and the end
-  std::vector<Visit> Visits;
-};
-
-SentRow takeRow(Unpacker& sent, std::uint32_t width)
-{
-  SentRow row;
-  sent.take(&row.Where, 1);
-  if (row.Where.First > row.Where.End || row.Where.End > width)
-  {
-    throw GroupFailure("What a process sent is no row of the picture.");
-  }
-  std::vector<std::uint16_t> counts(row.Where.End - row.Where.First);
-  sent.take(counts.data(), counts.size());
-  row.Starts.resize(counts.size() + 1, 0);
-  for (std::size_t i = 0; i < counts.size(); ++i)
-  {
-    row.Starts[i + 1] = row.Starts[i] + counts[i];
-  }
-  row.Visits.resize(row.Starts.back());
-  sent.take(row.Visits.data(), row.Visits.size());
-  return row;
-}
-
-void mergeRow(const std::vector<SentRow>& rows, std::uint32_t width, MergeRule rule, float opaque,
-  MergedPixel* merged)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(width), 64,
+  vtkSMPTools::For(0, width, 64,
     [&](vtkIdType first, vtkIdType last)
     {
       std::vector<Visit> visits;
@@ -113,35 +26,11 @@ void mergeRow(const std::vector<SentRow>& rows, std::uint32_t width, MergeRule r
         visits.clear();
         for (const SentRow& row : rows)
         {
-          if (x >= row.Where.First && x < row.Where.End)
-          {
-            const std::uint32_t at = static_cast<std::uint32_t>(x) - row.Where.First;
-            visits.insert(visits.end(), row.Visits.begin() + row.Starts[at],
-              row.Visits.begin() + row.Starts[at + 1]);
-          }
+          row.collect(static_cast<std::uint32_t>(x), visits);
         }
         merged[x] = mergeVisits(visits, rule, opaque);
       }
     });
-}
-
-// The rows that this process merges, one after the other.
-std::vector<MergedPixel> mergeOwnRows(const Group& group, const std::vector<Bytes>& incoming,
-  int width, int height, MergeRule rule, float opaque)
-{
-  std::vector<Unpacker> sent(incoming.begin(), incoming.end());
-  std::vector<MergedPixel> merged;
-  std::vector<SentRow> rows(sent.size());
-  for (int y = group.rank(); y < height; y += group.size())
-  {
-    for (std::size_t p = 0; p < sent.size(); ++p)
-    {
-      rows[p] = takeRow(sent[p], static_cast<std::uint32_t>(width));
-    }
-    merged.resize(merged.size() + width);
-    mergeRow(rows, static_cast<std::uint32_t>(width), rule, opaque, &merged[merged.size() - width]);
-  }
-  return merged;
 }
 
 double secondsSince(double& time)
@@ -154,71 +43,127 @@ double secondsSince(double& time)
 
 } // namespace
 
-Bytes packVisits(const VisitLists& lists, int merger, int processes)
+VisitExchange::VisitExchange(
+  Group& group, int width, int height, MergeRule rule, float opaque, ExchangeFigures& figures)
+  : Processes(group)
+  , Width(width)
+  , Height(height)
+  , Rule(rule)
+  , Opaque(opaque)
+  , Figures(figures)
 {
-  Packer packer;
-  std::vector<std::uint16_t> counts;
-  for (int y = merger; y < lists.height(); y += processes)
-  {
-    const std::uint32_t begin = static_cast<std::uint32_t>(y) * lists.width();
-    const Span span = spanOf(lists, y);
-    packer.add(&span, 1);
-    counts.clear();
-    for (std::uint32_t x = span.First; x < span.End; ++x)
-    {
-      if (lists.count(begin + x) > 0xffffu)
-      {
-        throw GroupFailure("A ray enters the piece of a process more than 65535 times.");
-      }
-      counts.push_back(static_cast<std::uint16_t>(lists.count(begin + x)));
-    }
-    packer.add(counts.data(), counts.size());
-    if (span.First < span.End)
-    {
-      packer.add(lists.begin(begin + span.First),
-        static_cast<std::size_t>(
-          lists.end(begin + span.End - 1) - lists.begin(begin + span.First)));
-    }
-  }
-  return std::move(packer.Packed);
+  const int rows = (height - group.rank() + group.size() - 1) / group.size();
+  this->Rows.resize(static_cast<std::size_t>(std::max(rows, 0)) * width, emptyPixel(rule));
 }
 
-MergedPicture mergeTogether(
-  Group& group, const VisitLists& own, MergeRule rule, float opaque, ExchangeFigures& figures)
+void VisitExchange::add(const VisitLists& own)
 {
   double time = vtkTimerLog::GetUniversalTime();
   std::vector<Bytes> outgoing;
-  for (int p = 0; p < group.size(); ++p)
+  for (int p = 0; p < this->Processes.size(); ++p)
   {
-    outgoing.push_back(packVisits(own, p, group.size()));
+    outgoing.push_back(packVisits(own, p, this->Processes.size()));
   }
-  const std::vector<Bytes> incoming = group.exchange(std::move(outgoing));
-  figures.ExchangeSeconds += secondsSince(time);
-
-  const std::vector<MergedPixel> rows =
-    mergeOwnRows(group, incoming, own.width(), own.height(), rule, opaque);
-  figures.MergeSeconds += secondsSince(time);
-
-  Packer packer;
-  packer.add(rows.data(), rows.size());
-  const std::vector<Bytes> all = group.tellAll(packer.Packed);
-  MergedPicture picture;
-  picture.Width = own.width();
-  picture.Height = own.height();
-  picture.Gathered.resize(std::size_t(4) * own.width() * own.height());
-  std::vector<MergedPixel> row(own.width());
-  std::vector<Unpacker> parts(all.begin(), all.end());
-  for (int y = 0; y < own.height(); ++y)
+  for (Bytes& incoming : this->Processes.exchange(std::move(outgoing)))
   {
-    parts[mergerOf(y, group.size())].take(row.data(), row.size());
-    float* to = &picture.Gathered[std::size_t(4) * y * own.width()];
-    for (const MergedPixel& pixel : row)
+    this->Received.push_back(std::move(incoming));
+  }
+  this->Figures.ExchangeSeconds += secondsSince(time);
+  this->mergeOwnRows();
+  this->Figures.MergeSeconds += secondsSince(time);
+}
+
+// One after the other.
+void VisitExchange::mergeOwnRows()
+{
+  std::vector<Unpacker> sent(this->Received.begin(), this->Received.end());
+  std::vector<SentRow> rows(sent.size());
+  for (int y = this->Processes.rank(); y < this->Height; y += this->Processes.size())
+  {
+    for (std::size_t i = 0; i < sent.size(); ++i)
     {
-      to = std::copy(pixel.Gathered.begin(), pixel.Gathered.end(), to);
-      picture.WorstError = std::max(picture.WorstError, pixel.Error);
+      rows[i] = takeRow(sent[i], static_cast<std::uint32_t>(this->Width));
+    }
+    mergeRow(rows, this->Width, this->Rule, this->Opaque, this->ownRow(y));
+  }
+}
+
+HiddenDepths VisitExchange::tellHidden()
+{
+  double time = vtkTimerLog::GetUniversalTime();
+  Packer packer;
+  for (int y = this->Processes.rank(); y < this->Height; y += this->Processes.size())
+  {
+    packHidden(this->ownRow(y), this->Width, packer);
+  }
+  const std::vector<Bytes> all = this->Processes.tellAll(packer.Packed);
+  std::vector<Unpacker> parts(all.begin(), all.end());
+  HiddenDepths hidden(std::size_t(this->Width) * this->Height, NothingHidden);
+  for (int y = 0; y < this->Height; ++y)
+  {
+    takeHidden(parts[mergerOf(y, this->Processes.size())], this->Width,
+      &hidden[std::size_t(y) * this->Width]);
+  }
+  this->Figures.ExchangeSeconds += secondsSince(time);
+  return hidden;
+}
+
+// Each process tells the worst error of its rows; then of each row the pixels, whether it had
+// hidden visits, and what is hidden if it had.
+MergedPicture VisitExchange::spread()
+{
+  double time = vtkTimerLog::GetUniversalTime();
+  Packer packer;
+  float worst = 0;
+  for (const MergedPixel& pixel : this->Rows)
+  {
+    worst = std::max(worst, pixel.Error);
+  }
+  packer.add(&worst, 1);
+  for (int y = this->Processes.rank(); y < this->Height; y += this->Processes.size())
+  {
+    const MergedPixel* row = this->ownRow(y);
+    std::for_each(row, row + this->Width,
+      [&](const MergedPixel& pixel) { packer.add(pixel.Gathered.data(), 4); });
+    const bool hides = std::any_of(
+      row, row + this->Width, [](const MergedPixel& pixel) { return pixel.HiddenVisits > 0; });
+    packer.add(&hides, 1);
+    if (hides)
+    {
+      packHidden(row, this->Width, packer);
     }
   }
-  figures.SpreadSeconds += secondsSince(time);
+  MergedPicture picture = this->unpack(this->Processes.tellAll(packer.Packed));
+  this->Figures.SpreadSeconds += secondsSince(time);
+  return picture;
+}
+
+MergedPicture VisitExchange::unpack(const std::vector<Bytes>& all) const
+{
+  const std::size_t width = this->Width;
+  MergedPicture picture;
+  picture.Width = this->Width;
+  picture.Height = this->Height;
+  picture.Gathered.resize(4 * width * this->Height);
+  std::vector<Unpacker> parts(all.begin(), all.end());
+  for (Unpacker& part : parts)
+  {
+    float worst = 0;
+    part.take(&worst, 1);
+    picture.WorstError = std::max(picture.WorstError, worst);
+  }
+  for (int y = 0; y < this->Height; ++y)
+  {
+    Unpacker& part = parts[mergerOf(y, this->Processes.size())];
+    part.take(&picture.Gathered[4 * width * y], 4 * width);
+    bool hides = false;
+    part.take(&hides, 1);
+    if (hides)
+    {
+      picture.Hidden.resize(width * this->Height, NothingHidden);
+      takeHidden(part, this->Width, &picture.Hidden[width * y]);
+    }
+  }
   return picture;
 }
 

@@ -8,6 +8,7 @@
 #define TetMarchProcessesVisitExchange_h
 
 #include "Processes/Group.h"
+#include "Processes/HiddenDepths.h"
 #include "Processes/Visits.h"
 
 namespace tetmarch
@@ -17,10 +18,6 @@ namespace tetmarch
  * by side, and so is shared out. */
 inline int mergerOf(int row, int processes) { return row % processes; }
 
-/** The visits of the rows that a process merges: of each row from the first to the last pixel with
- * visits a number of visits, then the visits. */
-Bytes packVisits(const VisitLists& lists, int merger, int processes);
-
 /** A picture of merged pixels, rows from the bottom. */
 struct MergedPicture
 {
@@ -28,6 +25,7 @@ struct MergedPicture
   int Height = 0;
   std::vector<float> Gathered; // four a pixel
   float WorstError = 0;        // of all pixels
+  HiddenDepths Hidden;         // of rows that have hidden visits; empty if none has
 };
 
 /** What the merging of a picture took. */
@@ -38,12 +36,38 @@ struct ExchangeFigures
   double SpreadSeconds = 0; // to tell all processes the merged rows
 };
 
-/**
- * Collective. Each process gives the visits of its piece, all of a picture of one size, and gets
- * the whole picture. `opaque` as in mergeVisits().
- */
-MergedPicture mergeTogether(
-  Group& group, const VisitLists& own, MergeRule rule, float opaque, ExchangeFigures& figures);
+/** All methods are collective. The picture does not depend on how many turns the visits are added
+ * in. */
+class VisitExchange
+{
+public:
+  /** `opaque` as in mergeVisits(). */
+  VisitExchange(
+    Group& group, int width, int height, MergeRule rule, float opaque, ExchangeFigures& figures);
+
+  /** Each process gives visits of its piece, all of a picture of that size. */
+  void add(const VisitLists& own);
+  /** What is hidden by all that was added. */
+  HiddenDepths tellHidden();
+  /** The whole picture. */
+  MergedPicture spread();
+
+private:
+  void mergeOwnRows();
+  MergedPicture unpack(const std::vector<Bytes>& all) const;
+  MergedPixel* ownRow(int y)
+  {
+    return &this->Rows[std::size_t(y / this->Processes.size()) * this->Width];
+  }
+
+  Group& Processes;
+  int Width, Height;
+  MergeRule Rule;
+  float Opaque;
+  ExchangeFigures& Figures;
+  std::vector<Bytes> Received;   // visits of the rows that this process merges, turn by turn
+  std::vector<MergedPixel> Rows; // that this process merges
+};
 
 } // namespace tetmarch
 

@@ -21,24 +21,29 @@ bool isBefore(const Visit& a, const Visit& b)
          std::tie(b.Begin, b.End, b.Gathered, b.Error);
 }
 
-// "Compositing digital images" (Porter and Duff, 1984), front to back.
+// "Compositing digital images" (Porter and Duff, 1984), front to back. Where it ends does not
+// depend on visits behind, and those that are missing only make it end later: no product grows by a
+// factor up to 1, nor by its rounding. So of any visits that hide a depth, all together hide it.
 MergedPixel mergeOver(const std::vector<Visit>& visits, float opaque)
 {
   MergedPixel merged = emptyPixel(MergeRule::Over);
   std::array<float, 4>& sum = merged.Gathered;
-  for (const Visit& visit : visits)
+  for (std::size_t i = 0; i < visits.size(); ++i)
   {
-    if (sum[3] < opaque)
-    {
-      merged.Error += sum[3];
-      break;
-    }
+    const Visit& visit = visits[i];
     for (int k = 0; k < 3; ++k)
     {
       sum[k] += sum[3] * visit.Gathered[k];
     }
     merged.Error += sum[3] * visit.Error;
     sum[3] *= visit.Gathered[3];
+    if (sum[3] < opaque)
+    {
+      merged.Error += sum[3];
+      merged.HiddenFrom = visit.Begin;
+      merged.HiddenVisits = static_cast<std::uint32_t>(visits.size() - i - 1);
+      break;
+    }
   }
   return merged;
 }

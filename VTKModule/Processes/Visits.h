@@ -75,19 +75,24 @@ private:
   std::vector<std::uint32_t> Starts; // of each pixel's list, and the end of the last
 };
 
+/** Deeper than any visit. */
+constexpr float NothingHidden = 3e38f;
+
 /** What of a pixel all processes have gathered together, in the form of Visit::Gathered, and how
  * far it may be off. */
 struct MergedPixel
 {
   std::array<float, 4> Gathered;
   float Error;
+  float HiddenFrom = NothingHidden; // what begins behind this depth is not seen, whatever it is
+  std::uint32_t HiddenVisits = 0;   // that were left out
 };
 
 /** A pixel that nothing was gathered in. */
 MergedPixel emptyPixel(MergeRule rule);
 
 /** Merge the visits of one pixel, which are sorted. What lies behind a transmittance below `opaque`
- * is left out, and counts as error. */
+ * is left out; whatever it is, the transmittance counts as error. */
 MergedPixel mergeVisits(std::vector<Visit>& visits, MergeRule rule, float opaque);
 
 } // namespace tetmarch

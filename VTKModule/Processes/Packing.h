@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers as bytes, to be sent.
+#ifndef TetMarchProcessesPacking_h
+#define TetMarchProcessesPacking_h
+
+#include "Processes/Group.h"
+
+#include <cstddef>
+#include <cstring>
+
+namespace tetmarch
+{
+
+class Packer
+{
+public:
+  template <typename T>
+  void add(const T* values, std::size_t count)
+  {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(values);
+    this->Packed.insert(this->Packed.end(), bytes, bytes + count * sizeof(T));
+  }
+  Bytes Packed;
+};
+
+/** Takes what was added, in the same order. Throws a GroupFailure if there is less. */
+class Unpacker
+{
+public:
+  explicit Unpacker(const Bytes& bytes)
+    : Packed(bytes)
+  {
+  }
+  template <typename T>
+  void take(T* values, std::size_t count)
+  {
+    if (count * sizeof(T) > this->Packed.size() - this->At)
+    {
+      throw GroupFailure("What a process sent ends too early.");
+    }
+    if (count > 0)
+    {
+      std::memcpy(values, this->Packed.data() + this->At, count * sizeof(T));
+    }
+    this->At += count * sizeof(T);
+  }
+
+private:
+  const Bytes& Packed;
+  std::size_t At = 0;
+};
+
+} // namespace tetmarch
+
+#endif
