@@ -74,7 +74,7 @@ class ReadTest(unittest.TestCase):
     def test_bad_lists_of_files(self):
         for text, reason in (("no list", "it is no XML"), ("<VTKFile/>", "no element <Collection>"),
                              ("<V><Collection/></V>", "it lists no files"),
-                             ('<V><Collection><DataSet timestep="soon" file="a.vti"/></Collection></V>', "'soon' is no"),
+                             ('<V><Collection><DataSet timestep="soon" file="a.vti"/></Collection></V>', "'soon'"),
                              ('<V><Collection><DataSet file="b.pvd"/></Collection></V>', "which is a list of files"),
                              ("<V><Collection><DataSet/></Collection></V>", "a file without a name")):
             with self.subTest(text=text):
@@ -82,7 +82,8 @@ class ReadTest(unittest.TestCase):
                 self.assertRaisesRegex(ValueError, f"bad.pvd' can't be read: .*{reason}", vtktetmarch.read,
                                        self.folder / "bad.pvd")
         for text, reason in (("no list", "it is no JSON"), ("[]", 'no list "files"'), ('{"files": []}', "no files"),
-                             ('{"files": [7]}', "each entry"), ('{"files": [{"name": 1, "time": 2}]}', "without a name"),
+                             ('{"files": [7]}', "each entry"),
+                             ('{"files": [{"name": 1, "time": 2}]}', "without a name"),
                              ('{"files": [{"name": "a.vti", "time": "x"}]}', "'x' is no time")):
             with self.subTest(text=text):
                 (self.folder / "bad.series").write_text(text)

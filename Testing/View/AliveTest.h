@@ -11,6 +11,8 @@
 
 #include <functional>
 
+class QPushButton;
+
 namespace tetmarch
 {
 
@@ -37,6 +39,7 @@ private Q_SLOTS:
 private:
   /// Draws in small tiles with much accuracy, so that a frame takes seconds.
   void MakeFramesLong();
+  QPushButton* FindCancel();
   /// Calls it as soon as a frame, or a comparison, tells of its progress.
   void During(const std::function<void()>& what);
 };

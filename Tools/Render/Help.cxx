@@ -9,9 +9,9 @@ std::string tetmarch::GetHelp()
 Renders one array of an unstructured grid, an image or a rectilinear grid as a volume into a PNG file, by
 marching each ray from cell to cell. INPUT is a file of VTK (.vtu, .vti, .vtr, .pvtu, .pvti, .vtm, .vtpc,
 .vtk, ...), Exodus (.ex2, .e, .exo, .g), CGNS (.cgns), MetaImage (.mhd, .mha), NRRD (.nrrd, .nhdr), of
-nothing but the values of an image (.raw), or a list of such files as time steps (.pvd, .series). Blocks of images and rectilinear grids are drawn one over the
-other. Other blocks are merged where their points coincide; images among them and curvilinear grids are
-taken as hexahedra.
+nothing but the values of an image (.raw), or a list of such files as time steps (.pvd, .series). Blocks of
+images and rectilinear grids are drawn one over the other. Other blocks are merged where their points
+coincide; images among them and curvilinear grids are taken as hexahedra.
 
 Data
   --list                    print all arrays, which of them is drawn, and the time steps; draw nothing
