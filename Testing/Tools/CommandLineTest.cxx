@@ -156,6 +156,9 @@ TEST(CommandLine, BlendModesAreThoseOfTheMapper)
     EXPECT_NE(tetmarch::GetHelp().find(name), std::string::npos) << name;
     ++mode;
   }
+  const CommandLine steep = ParseCommandLine({ "a.vtu", "--gradient-opacity", "0,0.25,10,1" });
+  EXPECT_EQ(
+    steep.GradientOpacity, (std::vector<std::array<double, 2>>{ { { 0, 0.25 } }, { { 10, 1 } } }));
   const CommandLine surfaces = ParseCommandLine({ "a.vtu", "--isovalues", "1,-2.5,3" });
   EXPECT_EQ(surfaces.IsoValues, (std::vector<double>{ 1, -2.5, 3 }));
   EXPECT_EQ(surfaces.BlendMode, 5);

@@ -78,6 +78,8 @@ constexpr Change Changes[] = { { "first", "golfball_small.vtu", DoNothing },
   { "lit image", "bonsai_small.vti", Light }, { "cut image", "bonsai_small.vti", Cut },
   { "sampled image", "bonsai_small.vti",
     [](ViewState& s) { s.Accuracy.Level = vtkTetMarchSettings::SAMPLED; } },
+  { "gradient opacity", "golfball_small.vtu",
+    [](ViewState& s) { s.Effects.GradientOpacity = true; } },
   { "voxels", "bonsai_small.vti", [](ViewState& s) { s.Data.Nearest = true; } } };
 
 void AddScenes()

@@ -62,6 +62,7 @@ struct CommandLine
   std::optional<int> TimeStep;  // the last one by default
   std::optional<std::array<double, 2>> Range;
   std::vector<double> NanColor; // r, g, b, opacity; empty: cells with NaN are not drawn
+  std::vector<std::array<double, 2>> GradientOpacity; // magnitudes and opacities; empty: none
   std::optional<double> UnitDistance;
   std::optional<CameraOption> Camera;
   std::optional<double> ParallelScale;

@@ -40,6 +40,10 @@ Transfer function
                             images without what most of them is; with --time, what holds those of all steps)
   --nan R,G,B[,OPACITY]     draw cells with values that are not finite in this colour, from 0 to 1 each
                             (default: they are not drawn; opacity: 1)
+  --gradient-opacity G,O[,G,O...]
+                            opacities, 0 to 1, of magnitudes of the scalar's gradient, in units of the
+                            scalar over those of the coordinates; they weaken what the preset says
+                            (default: 1 everywhere)
   --unit-distance D         the length that opacities are meant for (default: such that half of the pixels
                             that show anything are more than half opaque, and few are all but opaque; with
                             --preset of images and rectilinear grids the mean distance of values)

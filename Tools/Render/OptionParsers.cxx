@@ -109,6 +109,28 @@ std::vector<double> ParseNanColor(const std::string& value)
   return rgba;
 }
 
+std::vector<std::array<double, 2>> ParseGradientOpacity(const std::string& value)
+{
+  const auto numbers = ParseNumbers(value, ',');
+  if (!numbers || numbers->empty() || numbers->size() % 2 != 0)
+  {
+    throw UsageError("expected pairs of a gradient's magnitude and its opacity: finite numbers "
+                     "separated by commas");
+  }
+  std::vector<std::array<double, 2>> points;
+  for (std::size_t i = 0; i < numbers->size(); i += 2)
+  {
+    const double magnitude = (*numbers)[i];
+    const double opacity = (*numbers)[i + 1];
+    if (magnitude < 0.0 || opacity < 0.0 || opacity > 1.0)
+    {
+      throw UsageError("expected magnitudes of 0 or more, and opacities from 0 to 1");
+    }
+    points.push_back({ { magnitude, opacity } });
+  }
+  return points;
+}
+
 int ParseComponent(const std::string& value)
 {
   return value == "magnitude" ? -1 : ParseCount(value);

@@ -24,6 +24,8 @@ std::array<double, 2> ParseRange(const std::string& value);
 CameraOption ParseCamera(const std::string& value);
 /// Red, green, blue and opacity.
 std::vector<double> ParseNanColor(const std::string& value);
+/// Magnitudes and opacities.
+std::vector<std::array<double, 2>> ParseGradientOpacity(const std::string& value);
 /// -1: the magnitude.
 int ParseComponent(const std::string& value);
 TimeRange ParseTimeRange(const std::string& value);

@@ -100,6 +100,8 @@ std::map<std::string, Option> MakeTransferFunctionOptions()
   colors.push_back("list");
   return {
     { "--colors", Value(SetColors, colors) },
+    { "--gradient-opacity", Value([](CommandLine& c, const std::string& v)
+                              { c.GradientOpacity = ParseGradientOpacity(v); }) },
     { "--nan", Value([](CommandLine& c, const std::string& v) { c.NanColor = ParseNanColor(v); }) },
     { "--opacity-law", Word({ "structured", "unstructured" },
                          [](CommandLine& c, int n) { c.StructuredOpacityLaw = n == 0; }) },

@@ -19,6 +19,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
 #include "vtkFloatArray.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTetMarchFirstPicture.h"
@@ -130,6 +131,15 @@ void Picture::SetUpProperty()
   }
   property->SetInterpolationType(
     commandLine.Nearest.value_or(false) ? VTK_NEAREST_INTERPOLATION : VTK_LINEAR_INTERPOLATION);
+  if (!commandLine.GradientOpacity.empty())
+  {
+    vtkNew<vtkPiecewiseFunction> gradientOpacity;
+    for (const std::array<double, 2>& point : commandLine.GradientOpacity)
+    {
+      gradientOpacity->AddPoint(point[0], point[1]);
+    }
+    property->SetGradientOpacity(gradientOpacity);
+  }
   vtkContourValues* surfaces = property->GetIsoSurfaceValues();
   surfaces->SetNumberOfContours(static_cast<int>(commandLine.IsoValues.size()));
   for (std::size_t i = 0; i < commandLine.IsoValues.size(); ++i)

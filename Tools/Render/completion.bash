@@ -4,10 +4,10 @@
 
 _tetmarch_render_options="--accuracy --ambient --array --association --axes --background --big-endian --blend --camera
   --clip --colors --compare --component --crop --crop-regions --diffuse --dimensions --error --frame-time --frames
-  --help --interpolation --isovalues --jitter --light --list --nan --occlusion --opacity-law --opaque-shadows --outline
-  --output --parallel-scale --pixel --pixel-json --preset --quiet --range --reach --sample-distance --scalar-bar
-  --scattering --shade --shadows --size --spacing --specular --specular-power --stats --surface --threads --tile-size
-  --time --time-step --tolerance --turntable --type --unit-distance --version --view"
+  --gradient-opacity --help --interpolation --isovalues --jitter --light --list --nan --occlusion --opacity-law
+  --opaque-shadows --outline --output --parallel-scale --pixel --pixel-json --preset --quiet --range --reach
+  --sample-distance --scalar-bar --scattering --shade --shadows --size --spacing --specular --specular-power --stats
+  --surface --threads --tile-size --time --time-step --tolerance --turntable --type --unit-distance --version --view"
 
 # The values of an option, one a line.
 _tetmarch_render_values() {

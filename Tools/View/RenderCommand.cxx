@@ -78,6 +78,15 @@ void AddFunctions(const ViewState& state, Command& command)
   command.Add("--unit-distance", ToText(state.Functions.UnitDistance));
   command.Add(
     "--opacity-law", state.Functions.StructuredOpacityLaw ? "structured" : "unstructured");
+  if (state.Effects.GradientOpacity)
+  {
+    std::string points;
+    for (const auto& point : state.Functions.GradientOpacity)
+    {
+      points += (points.empty() ? "" : ",") + ToText(point[0]) + "," + ToText(point[1]);
+    }
+    command.Add("--gradient-opacity", points);
+  }
   if (state.Data.DrawNanCells)
   {
     command.Add("--nan", ToList(state.Functions.NanColor));
@@ -157,10 +166,6 @@ void AddView(const ViewState& state, Command& command)
 std::string ListUnsaid(const ViewState& state)
 {
   std::string text;
-  if (state.Effects.GradientOpacity)
-  {
-    text += "# tetmarch-render has no option for gradient opacity, so it is left out.\n";
-  }
   const auto& colors = state.Functions.Color;
   if (std::any_of(colors.begin(), colors.end(),
         [](const std::array<double, 6>& point) { return point[4] != 0.5 || point[5] != 0.0; }))
