@@ -114,12 +114,16 @@ TEST(CommandLine, RefusesBadChoices)
     "expected picture, error, cells, lookups, illumination, gradients, faces or coordinates");
   ExpectBadValue(
     "--blend", "slice", "expected composite, maximum, minimum, average, additive or isosurface");
-  for (const char* value : { "", "1", "0,0.5,1", "0,x" })
+  for (const char* value : { "1", "0,0.5,1", "0,x" })
   {
-    ExpectBadValue("--gradient-opacity", value, "expected pairs of a gradient's magnitude");
+    ExpectBadValue(
+      "--gradient-opacity", value, "expected finite numbers separated by commas, in pairs");
   }
-  ExpectBadValue("--gradient-opacity", "0,1.5", "opacities from 0 to 1");
-  ExpectBadValue("--gradient-opacity", "-1,0.5", "magnitudes of 0 or more");
+  for (const char* value : { "0,1.5", "-1,0.5" })
+  {
+    ExpectBadValue(
+      "--gradient-opacity", value, "expected magnitudes of 0 or more, and opacities from 0 to 1");
+  }
   ExpectBadValue("--isovalues", "1,x", "expected finite numbers separated by commas");
   ExpectBadValue("--shadows", "on", "expected off, automatic, vertices or rays");
   ExpectBadValue("--tolerance", "0.0000001", "expected a number from 1e-6 to 1");

@@ -114,8 +114,7 @@ std::vector<std::array<double, 2>> ParseGradientOpacity(const std::string& value
   const auto numbers = ParseNumbers(value, ',');
   if (!numbers || numbers->empty() || numbers->size() % 2 != 0)
   {
-    throw UsageError("expected pairs of a gradient's magnitude and its opacity: finite numbers "
-                     "separated by commas");
+    throw UsageError("expected finite numbers separated by commas, in pairs");
   }
   std::vector<std::array<double, 2>> points;
   for (std::size_t i = 0; i < numbers->size(); i += 2)
