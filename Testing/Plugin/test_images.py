@@ -9,7 +9,7 @@ from paraview.vtk.vtkCommonDataModel import vtkPiecewiseFunction
 from paraview.vtk.vtkRenderingCore import (vtkColorTransferFunction, vtkRenderer, vtkRenderWindow, vtkVolume,
                                            vtkVolumeProperty, vtkWindowToImageFilter)
 from views import (REPRESENTATION, Watch, brightness, difference, figure_of, load_plugin, mapper_of, mean_difference,
-                   parse_arguments, picture_of, pixels_of, set_all)
+                   parse_arguments, picture_of, pixels_of)
 
 ROUNDING = 1  # of 255
 # Mean over all channels, of 255. ParaView takes samples of 8 bits, and ends rays early.
