@@ -4,11 +4,11 @@
 import pathlib
 import tempfile
 
-from lattices import ARRAY, at_points, blocks, image, lattice, source_of
+from lattices import ARRAY, at_points, blocks, source_of
 from messages import Messages
 from paraview import simple
 from paraview.vtk import (VTK_QUAD, vtkImageData, vtkMultiBlockDataSet, vtkStringArray, vtkUnstructuredGrid)
-from series import KINDS, SIDE, Shown, make_grid, write_steps
+from series import KINDS, Shown, make_grid, write_steps
 from views import REPRESENTATION, load_plugin, make_plain, parse_arguments, picture_of, show
 
 N = 4

@@ -10,7 +10,7 @@ import sys
 import numpy as np
 import vtkmodules.all as vtk
 from mpi4py import MPI  # noqa: F401, which begins MPI, and ends it
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkParallelMPI import vtkMPIController
 
 import made_grids
