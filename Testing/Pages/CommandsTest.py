@@ -41,8 +41,8 @@ NOT_PASTED = {  # by regular expression
 }
 # Pasted with the second in the place of the first: 133 million tetrahedra take three minutes.
 SMALLER = (("lattice:281,lattice:282", "lattice:11,lattice:12"),)
-# Of Google Benchmark, not of ours.
-OTHER_OPTIONS = {"--benchmark_filter"}
+# Of Google Benchmark and of ParaView, not of ours.
+OTHER_OPTIONS = {"--benchmark_filter", "--tdx", "--tdy"}
 # Programs of tests run by themselves; here they are only asked which tests they would run.
 PROGRAM_OF_TESTS = r"\bbuild/bin/TetMarch\w*Tests?\b"
 
