@@ -6,6 +6,7 @@ import pathlib
 import socket
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import numpy as np
@@ -34,8 +35,7 @@ class ParallelTest(ParallelCase):
 
     @classmethod
     def draw(cls, partition, processes, scenes, *options, may_fail=False):
-        folder = cls.folder / f"{partition}-{processes}{''.join(map(str, options))}"
-        folder.mkdir()
+        folder = pathlib.Path(tempfile.mkdtemp(dir=cls.folder))
         data = write_pieces(cls.grid, partition, processes, folder)
         printed = run_batch(folder, PVBATCH, processes, "draw_parallel.py", "--plugin", PLUGIN, "--data", data,
                             "--folder", folder, *options, *(["--scenes", *scenes] if scenes else []))
