@@ -55,7 +55,7 @@ name_paraview_command() {
   folder="$(dirname "$1")"
   PARAVIEW_COMMAND=(paraview)
   if [[ -d "$PARAVIEW_ROOT" ]]; then
-    PARAVIEW_COMMAND=(env "LD_PRELOAD=$folder/libTetMarchExpat.so"
+    PARAVIEW_COMMAND=(env "LD_PRELOAD=$folder/libTetMarchExpat.so${LD_PRELOAD:+:$LD_PRELOAD}"
       "LD_LIBRARY_PATH=$(echo "$PARAVIEW_ROOT"/usr/lib/*-linux-gnu)" "$PARAVIEW_ROOT/usr/bin/paraview")
   fi
   PARAVIEW_COMMAND+=("${@:2}" "--plugin-search-paths=$folder" --plugins=TetMarch)

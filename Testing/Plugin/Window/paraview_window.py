@@ -50,16 +50,26 @@ def part(picture, place):
     return picture[y : y + height, x : x + width]
 
 
+def preload(words, library):
+    """The command with one more library before those of ParaView: an LD_PRELOAD of its own would hide ours."""
+    return [f"{word}:{library}" if word.startswith("LD_PRELOAD=") else word for word in words]
+
+
 class Window:
     """Started by these words; `folder` is for what it keeps: settings, the places of widgets, what it prints."""
 
     def __init__(self, words, watch, folder):
         self.places = os.path.join(folder, "widgets.json")
         self.output = os.path.join(folder, "output.txt")
-        environment = {**os.environ, "HOME": folder, "LD_PRELOAD": watch, "TETMARCH_WIDGETS": self.places}
+        environment = {**os.environ, "HOME": folder, "TETMARCH_WIDGETS": self.places}
         with open(self.output, "w", encoding="utf-8") as output:
-            self.process = subprocess.Popen([*words, "--dr"], env=environment, stdout=output, stderr=output)
-        self.wait(lambda: os.path.exists(self.places), "a window")
+            self.process = subprocess.Popen([*preload(words, watch), "--dr"], env=environment, stdout=output,
+                                            stderr=output)
+        try:
+            self.wait(lambda: os.path.exists(self.places), "a window")
+        except (RuntimeError, TimeoutError):
+            self.close()
+            raise
 
     def resize(self, width, height):
         """Without a window manager nobody else would."""
