@@ -1,6 +1,7 @@
 # TetMarch as a ParaView plugin: the module is compiled against ParaView's own VTK, beside the representations
 # that show it. Nothing of this build may meet the VTK of the system in one process.
 include(GNUInstallDirs)
+option(BUILD_TESTING "Build the tests" OFF)
 include(CTest)
 include("${PROJECT_SOURCE_DIR}/VTKModule/CompileOptions.cmake")
 

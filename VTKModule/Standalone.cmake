@@ -1,5 +1,6 @@
 # TetMarch as a project of its own: find VTK, build and wrap the module, the tools and the tests, install.
 include(GNUInstallDirs)
+option(BUILD_TESTING "Build the tests" OFF)
 include(CTest)
 include("${PROJECT_SOURCE_DIR}/VTKModule/CompileOptions.cmake")
 include("${PROJECT_SOURCE_DIR}/VTKModule/Instrumentation.cmake")
