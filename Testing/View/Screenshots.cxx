@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures of tetmarch-view for the pages: tetmarch-view-screenshots DATA_FOLDER PICTURE_FOLDER
+#include "Effect.h"
+#include "EffectTimer.h"
 #include "EffectsPanel.h"
 #include "MainWindow.h"
 #include "Messages.h"
@@ -48,6 +50,20 @@ void TryTolerances(MainWindow& window)
   {
     window.GetModel().Edit([tolerance](ViewState& state) { state.Accuracy.Tolerance = tolerance; });
     WaitFor(1500);
+  }
+}
+
+// What each effect adds to a frame.
+void MeasureEffects(MainWindow& window)
+{
+  EffectTimer* timer = window.findChild<EffectsPanel*>()->GetTimer();
+  for (std::size_t i = 0; i < GetEffects().size(); ++i)
+  {
+    timer->Measure(static_cast<int>(i));
+  }
+  while (timer->IsBusy())
+  {
+    WaitFor(50);
   }
 }
 
@@ -111,6 +127,8 @@ int main(int argc, char* argv[])
     });
   window.GetModel().LookAlong(2);
   window.findChild<QDockWidget*>(QStringLiteral("effects"))->raise();
+  WaitFor(1000);
+  MeasureEffects(window);
   saved = Save(window, pictures + QStringLiteral("window_effects.png")) && saved;
   window.hide();
   saved = SaveKinds(pictures + QStringLiteral("window_kinds.png")) && saved;
