@@ -33,7 +33,10 @@ std::string tetmarch::remedyForAppendedData()
   return text;
 }
 
-bool tetmarch::findsAppendedData()
+namespace
+{
+
+bool readsItsOwnDocument()
 {
   // VTK reads 4096 bytes at a time. A tag that was put off is parsed with the next ones, too late.
   const std::string data(3 * 4096, '0');
@@ -49,6 +52,14 @@ bool tetmarch::findsAppendedData()
   parser->SetStream(nullptr);
   vtkXMLDataElement* root = parser->GetRootElement();
   return parsed && root && root->FindNestedElementWithName("AppendedData");
+}
+
+} // namespace
+
+bool tetmarch::findsAppendedData()
+{
+  static const bool finds = readsItsOwnDocument(); // nothing in the process changes it
+  return finds;
 }
 
 void tetmarch::warnIfAppendedDataIsLost()

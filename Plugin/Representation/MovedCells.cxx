@@ -6,7 +6,6 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 namespace tetmarch
 {
@@ -100,6 +99,17 @@ vtkSmartPointer<vtkUnstructuredGrid> unpackCells(vtkUnstructuredGrid* grid)
   unpackHidden(unpacked->GetCellData(), unpacked->GetNumberOfCells());
   unpackHidden(unpacked->GetPointData(), unpacked->GetNumberOfPoints());
   return unpacked;
+}
+
+vtkUnstructuredGrid* MadeGrid::of(vtkUnstructuredGrid* grid)
+{
+  if (this->From != grid || this->Time != grid->GetMTime())
+  {
+    this->From = grid;
+    this->Time = grid->GetMTime();
+    this->Made = this->Make(grid);
+  }
+  return this->Made;
 }
 
 } // namespace tetmarch

@@ -5,8 +5,7 @@
 #define TetMarchMovedCells_h
 
 #include "vtkSmartPointer.h"
-
-class vtkUnstructuredGrid;
+#include "vtkUnstructuredGrid.h"
 
 namespace tetmarch
 {
@@ -22,6 +21,27 @@ vtkSmartPointer<vtkUnstructuredGrid> packCells(vtkUnstructuredGrid* grid);
  * several processes got is a ghost in none.
  */
 vtkSmartPointer<vtkUnstructuredGrid> unpackCells(vtkUnstructuredGrid* grid);
+
+/**
+ * What one of these makes of a grid. It is made again only of another grid, or of a modified one.
+ */
+class MadeGrid
+{
+public:
+  using Function = vtkSmartPointer<vtkUnstructuredGrid>(vtkUnstructuredGrid*);
+
+  explicit MadeGrid(Function* make)
+    : Make(make)
+  {
+  }
+  vtkUnstructuredGrid* of(vtkUnstructuredGrid* grid);
+
+private:
+  Function* Make;
+  vtkSmartPointer<vtkUnstructuredGrid> From;
+  vtkMTimeType Time = 0;
+  vtkSmartPointer<vtkUnstructuredGrid> Made;
+};
 
 } // namespace tetmarch
 

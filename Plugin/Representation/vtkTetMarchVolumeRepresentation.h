@@ -16,6 +16,7 @@
 #define vtkTetMarchVolumeRepresentation_h
 
 #include "InputProblem.h"                    // For InputProblem
+#include "MovedCells.h"                      // For MadeGrid
 #include "SelectedBlocks.h"                  // For the selection of blocks
 #include "vtkBoundingBox.h"                  // For WholeBounds
 #include "vtkTetMarchRepresentationMacros.h" // For methods of both representations
@@ -31,7 +32,6 @@ class vtkPVRenderView;
 class vtkTetMarchLastFrame;
 class vtkTetMarchLegend;
 class vtkTetMarchVolumeMapper;
-class vtkUnstructuredGrid;
 
 class VTKTETMARCHREPRESENTATION_EXPORT vtkTetMarchVolumeRepresentation
   : public vtkUnstructuredGridVolumeRepresentation
@@ -153,9 +153,8 @@ private:
 
   vtkSmartPointer<vtkDataObject> Drawn; // of this process
   std::string WhyNotMoved;              // the same in all processes; empty if cells can be moved
-  vtkSmartPointer<vtkDataObject> Delivered;
-  vtkMTimeType DeliveredTime = 0;
-  vtkSmartPointer<vtkUnstructuredGrid> Arrived; // made of what was delivered
+  tetmarch::MadeGrid Packed{ tetmarch::packCells };    // of Drawn
+  tetmarch::MadeGrid Arrived{ tetmarch::unpackCells }; // of what was delivered
   std::string LastReport;
   vtkNew<vtkDummyController> Alone;
   vtkBoundingBox WholeBounds; // of that of all processes

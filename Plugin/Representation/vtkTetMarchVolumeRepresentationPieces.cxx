@@ -4,7 +4,6 @@
 #include "vtkTetMarchVolumeRepresentation.h"
 
 #include "AppendedData.h"
-#include "MovedCells.h"
 #include "RegionPlanes.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -76,12 +75,8 @@ void vtkTetMarchVolumeRepresentation::OfferData(vtkInformation* inInfo, vtkInfor
 {
   using RenderView = vtkPVRenderView;
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Drawn);
-  vtkSmartPointer<vtkDataObject> offered = this->Drawn;
-  if (grid && this->MovesCells())
-  {
-    offered = tetmarch::packCells(grid);
-  }
-  RenderView::SetPiece(inInfo, this, offered);
+  RenderView::SetPiece(
+    inInfo, this, grid && this->MovesCells() ? this->Packed.of(grid) : this->Drawn.Get());
   RenderView::SetRequiresDistributedRendering(inInfo, this, true);
   vtkNew<vtkMatrix4x4> place;
   this->Actor->GetMatrix(place);
@@ -171,12 +166,6 @@ vtkDataObject* vtkTetMarchVolumeRepresentation::TakeArrived(
   {
     return delivered;
   }
-  if (this->Delivered != delivered || this->DeliveredTime != delivered->GetMTime())
-  {
-    this->Delivered = delivered;
-    this->DeliveredTime = delivered->GetMTime();
-    this->Arrived = tetmarch::unpackCells(grid);
-  }
   const std::vector<vtkBoundingBox> regions = regionsOf(view);
   const int process = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId();
   if (process < static_cast<int>(regions.size()))
@@ -187,7 +176,7 @@ vtkDataObject* vtkTetMarchVolumeRepresentation::TakeArrived(
     tetmarch::findRegionPlanes(regions, process, place, planes);
     this->TetMarchMapper->SetClippingPlanes(planes);
   }
-  return this->Arrived;
+  return this->Arrived.of(grid);
 }
 
 vtkTetMarchVolumeRepresentation::PieceReport vtkTetMarchVolumeRepresentation::CheckPieces(

@@ -7,7 +7,8 @@ import unittest
 
 import numpy as np
 
-from parallel_runs import ParallelCase, partitions, picture, run_batch, write_inline
+from parallel_runs import ParallelCase, partitions, run_batch, write_inline
+from pictures import read_png
 
 PVBATCH = PLUGIN = None
 MOST = 2  # of 255: how far a channel of a pixel may be off
@@ -38,7 +39,7 @@ class ParallelBlocksTest(ParallelCase):
         read = json.loads((folder / "read.json").read_text())
         if read != {"blocks": cells, "collection": cells, "processes": processes}:
             raise AssertionError(f"{read} was read, but there are {cells} cells in {processes} processes")
-        return {file.stem: picture(file) for file in folder.glob("*.png")}
+        return {file.stem: read_png(file) for file in folder.glob("*.png")}
 
     def expect_pictures_of_one(self, pictures):
         self.assertEqual(set(pictures), set(self.of_one))

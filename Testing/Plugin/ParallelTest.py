@@ -3,7 +3,6 @@
 """ParaView in several processes shows the picture of one, whatever pieces they have: ParallelTest.py PVBATCH PLUGIN"""
 import json
 import pathlib
-import socket
 import subprocess
 import sys
 import tempfile
@@ -11,7 +10,9 @@ import unittest
 
 import numpy as np
 
-from parallel_runs import HERE, ParallelCase, environment, partitions, picture, run_batch, write_pieces
+from parallel_runs import HERE, ParallelCase, environment, partitions, run_batch, write_pieces
+from pictures import read_png
+from programs import serving
 
 PVBATCH = PLUGIN = None
 MOST = 2  # of 255: how far a channel of a pixel may be off
@@ -48,7 +49,7 @@ class ParallelTest(ParallelCase):
         if read["processes"] != processes or (read["cells"] <= cells if ghosts else read["cells"] != cells):
             raise AssertionError(f"{read} was read, but there are {cells} cells in {processes} pieces")
         cls.figures = json.loads((folder / "figures.json").read_text())
-        return {file.stem: picture(file) for file in folder.glob("*.png")}
+        return {file.stem: read_png(file) for file in folder.glob("*.png")}
 
     def test_one_process_shows_something(self):
         for name, pixels in self.of_one.items():
@@ -103,29 +104,21 @@ class ParallelTest(ParallelCase):
 
     def test_a_client_shows_what_servers_draw(self):
         """pvserver in two processes; pvpython is the client."""
-        with socket.socket() as free:
-            free.bind(("", 0))
-            port = free.getsockname()[1]
         folder = self.folder / "client"
         folder.mkdir()
         data = write_pieces(self.grid, "spirals", 2, folder)
         programs = pathlib.Path(PVBATCH).parent
         variables = environment(folder)
-        server = subprocess.Popen(["mpiexec", "-n", "2", programs / "pvserver", f"--server-port={port}"], env=variables,
-                                  text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        self.addCleanup(server.stdout.close)
-        self.addCleanup(server.wait, 30)
-        self.addCleanup(server.terminate)
-        while "Accepting" not in (line := server.stdout.readline()):
-            self.assertTrue(line, "pvserver ended")
-        result = subprocess.run([programs / "pvpython", HERE / "draw_parallel.py", "--plugin", PLUGIN, "--data", data,
-                                 "--folder", folder, "--server", str(port), "--scenes", "composite", "surface", "moving"],
-                                text=True, timeout=200, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=variables)
+        with serving(["mpiexec", "-n", "2", programs / "pvserver"], folder / "server.txt", variables) as (_, port):
+            result = subprocess.run(
+                [programs / "pvpython", HERE / "draw_parallel.py", "--plugin", PLUGIN, "--data", data, "--folder", folder,
+                 "--server", str(port), "--scenes", "composite", "surface", "moving"],
+                text=True, timeout=200, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=variables)
         self.assertEqual(result.returncode, 0, result.stdout)
         self.assertNotIn("ERR|", result.stdout)
         for name in ("composite", "surface", "moving"):
             with self.subTest(name):
-                self.expect_same(picture(folder / f"{name}.png"), self.of_one[name])
+                self.expect_same(read_png(folder / f"{name}.png"), self.of_one[name])
 
     def test_pieces_over_each_other_differ(self):
         """So the test above can fail."""

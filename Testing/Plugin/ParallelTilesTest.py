@@ -3,16 +3,15 @@
 """A tile display of pvserver, two screens side by side, shows the volume: ParallelTilesTest.py PVBATCH PLUGIN"""
 import pathlib
 import shutil
-import socket
-import struct
 import subprocess
 import sys
-import time
 import unittest
 
 import numpy as np
 
-from parallel_runs import HERE, ParallelCase, environment, picture, run_batch, write_pieces
+from parallel_runs import HERE, ParallelCase, environment, run_batch, write_pieces
+from pictures import read_png, read_xwd
+from programs import serving
 
 PVBATCH = PLUGIN = None
 PROCESSES = 2
@@ -22,13 +21,9 @@ MOST_LYING_RMS = 1.0
 BACKGROUND = [51, 76, 26]
 
 
-def read_screen(file):
-    """Of an X server with its frame buffer in a file (xwd): height, width, 3, rows from the bottom."""
-    content = file.read_bytes()
-    header = struct.unpack(">25I", content[:100])
-    size, width, height, line, colors = header[0], header[4], header[5], header[12], header[19]
-    pixels = np.frombuffer(content, np.uint8, offset=size + 12 * colors, count=line * height)
-    return pixels.reshape(height, line)[::-1, :4 * width].reshape(height, width, 4)[:, :, [2, 1, 0]].astype(int)
+def screen_of(file):
+    """Rows from the bottom, as those of PNG files."""
+    return read_xwd(file.read_bytes())[::-1].astype(int)
 
 
 class ParallelTilesTest(ParallelCase):
@@ -42,7 +37,7 @@ class ParallelTilesTest(ParallelCase):
         one.mkdir()
         run_batch(one, PVBATCH, 1, "draw_tiles.py", "--plugin", PLUGIN, "--data",
                   write_pieces(cls.grid, "slabs", 1, one), "--folder", one)
-        cls.of_one = picture(one / "one.png")
+        cls.of_one = read_png(one / "one.png")
 
     @classmethod
     def open_screen(cls, tile):
@@ -61,32 +56,19 @@ class ParallelTilesTest(ParallelCase):
         folder = self.folder / partition
         folder.mkdir()
         data = write_pieces(self.grid, partition, PROCESSES, folder)
-        with socket.socket() as free:
-            free.bind(("", 0))
-            port = free.getsockname()[1]
         programs = pathlib.Path(PVBATCH).parent
         variables = environment(folder)
         displays = ",".join(display for display, _ in self.screens)
         printed = folder / "server.txt"
-        with printed.open("w") as output:
-            server = subprocess.Popen(
-                ["mpiexec", "-n", str(PROCESSES), programs / "pvserver", f"--server-port={port}", "--tdx=2", "--tdy=1",
-                 f"--displays={displays}"], env=variables, stdout=output, stderr=subprocess.STDOUT)
-        try:
-            end = time.monotonic() + 60
-            while "Accepting" not in printed.read_text():
-                self.assertTrue(server.poll() is None and time.monotonic() < end, printed.read_text())
-                time.sleep(0.1)
+        words = ["mpiexec", "-n", str(PROCESSES), programs / "pvserver", "--tdx=2", "--tdy=1", f"--displays={displays}"]
+        with serving(words, printed, variables) as (server, port):
             result = subprocess.run(
                 [programs / "pvpython", HERE / "draw_tiles.py", "--plugin", PLUGIN, "--data", data, "--folder", folder,
                  "--server", str(port), "--screens", *(file for _, file in self.screens)],
                 text=True, timeout=200, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=variables)
             self.assertEqual(result.returncode, 0, result.stdout + printed.read_text())
             server.wait(60)
-        finally:
-            server.terminate()
-            server.wait(30)
-        return {name: np.hstack([read_screen(folder / f"{name}-{tile}.xwd") for tile in range(PROCESSES)])
+        return {name: np.hstack([screen_of(folder / f"{name}-{tile}.xwd") for tile in range(PROCESSES)])
                 for name in ("lying", "moved", "maximum")}, printed.read_text()
 
     def test_tiles_are_parts_of_the_picture(self):

@@ -14,8 +14,8 @@ import tempfile
 import time
 import unittest
 
-import vtkmodules.all as vtk
-from vtkmodules.util.numpy_support import vtk_to_numpy
+import programs
+from pictures import read_png
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = PLUGIN = ROOT = None
@@ -28,13 +28,6 @@ def printed_line():
     text = subprocess.run(["bash", "-c", explain, "-", str(pathlib.Path(ROOT).parent), PROJECT, PLUGIN],
                           check=True, capture_output=True, text=True).stdout
     return text.strip().splitlines()[-1].strip()
-
-
-def pixels(path):
-    reader = vtk.vtkPNGReader()
-    reader.SetFileName(path)
-    reader.Update()
-    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(float)
 
 
 class WindowTest(unittest.TestCase):
@@ -58,16 +51,11 @@ class WindowTest(unittest.TestCase):
                     with self.subTest(name):
                         self.assertIn("Tet Marching", found[name]["representations"])
                         self.assertGreater(found[name]["seconds"], 0)
-                        surface, volume = pixels(found[name]["surface"]), pixels(found[name]["volume"])
+                        surface, volume = (read_png(found[name][what]).reshape(-1, 3) for what in ("surface", "volume"))
                         self.assertGreater((abs(surface - volume).max(axis=1) > 20).mean(), 0.1)
                         self.assertGreater(len({tuple(pixel) for pixel in volume}), 1000)
             finally:
-                window.terminate()
-                try:
-                    window.wait(20)
-                except subprocess.TimeoutExpired:
-                    window.kill()
-                    window.wait()
+                programs.end(window)
 
 
 if __name__ == "__main__":

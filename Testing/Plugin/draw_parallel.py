@@ -101,10 +101,7 @@ def main():
     parser.add_argument("--without-icet", action="store_true")
     parser.add_argument("--server", type=int, help="the port of a pvserver, which draws")
     arguments = parser.parse_args()
-    if arguments.server:
-        simple.Connect("localhost", arguments.server)
-        simple.LoadPlugin(arguments.plugin, remote=True, ns=globals())
-    load_plugin(arguments)
+    load_plugin(arguments, arguments.server)
     folder = pathlib.Path(arguments.folder)
     reader = simple.XMLPartitionedUnstructuredGridReader(FileName=[arguments.data])
     reader.UpdatePipeline()

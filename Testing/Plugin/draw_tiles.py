@@ -32,10 +32,7 @@ def main():
     parser.add_argument("--server", type=int)
     parser.add_argument("--screens", nargs="*", default=[])
     arguments = parser.parse_args()
-    if arguments.server:
-        simple.Connect("localhost", arguments.server)
-        simple.LoadPlugin(arguments.plugin, remote=True, ns=globals())
-    load_plugin(arguments)
+    load_plugin(arguments, arguments.server)
     folder = pathlib.Path(arguments.folder)
     reader = simple.XMLPartitionedUnstructuredGridReader(FileName=[arguments.data])
     view = open_view()

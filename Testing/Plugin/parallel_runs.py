@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tests of ParaView in several processes have in common: a grid in pieces, programs, pictures."""
+"""What tests of ParaView in several processes have in common: a grid in pieces, and runs of pvbatch."""
 import os
 import pathlib
 import subprocess
@@ -12,7 +12,6 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path += [str(HERE.parent / "Processes"), str(HERE.parent / "Benchmark")]
 
 import vtkmodules.all as vtk  # noqa: E402
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
 
 import made_grids  # noqa: E402
 import mpi  # noqa: E402
@@ -84,12 +83,3 @@ def write_pieces(grid, partition, processes, folder):
 {''.join(f'<Piece Source="{name}"/>' for name in names)}
 </PUnstructuredGrid></VTKFile>""")
     return folder / "all.pvtu"
-
-
-def picture(file):
-    reader = vtk.vtkPNGReader()
-    reader.SetFileName(str(file))
-    reader.Update()
-    image = reader.GetOutput()
-    width, height, _ = image.GetDimensions()
-    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[:, :, :3].astype(int)

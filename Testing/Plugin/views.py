@@ -19,7 +19,11 @@ def parse_arguments(description, *others):
     return parser.parse_args()
 
 
-def load_plugin(arguments):
+def load_plugin(arguments, port=None):
+    """With a port: in the pvserver there, too, whose client this process becomes."""
+    if port:
+        simple.Connect("localhost", port)
+        simple.LoadPlugin(arguments.plugin, remote=True, ns=globals())
     simple.LoadPlugin(arguments.plugin, remote=False, ns=globals())
 
 

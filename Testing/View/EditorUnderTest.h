@@ -36,10 +36,19 @@ struct EditorUnderTest
     this->Editor.SetHistogram({ 1000.0, 100.0, 10.0, 1.0, 0.0 }, 10.0, 20.0);
     this->Editor.resize(350, 420);
     this->Editor.show();
-    QApplication::setActiveWindow(&this->Editor);
+    this->Shown = QTest::qWaitForWindowExposed(&this->Editor) && this->Activate();
     this->Chart()->setFocus();
-    this->Shown = QTest::qWaitForWindowExposed(&this->Editor);
     this->Draw();
+  }
+
+  /**
+   * Asks for the keyboard and waits until the X server has given it: keys of actions reach the active
+   * window only. A window that isn't exposed yet may not ask, and the one before may lose it late.
+   */
+  bool Activate()
+  {
+    this->Editor.activateWindow();
+    return QTest::qWaitForWindowActive(&this->Editor);
   }
 
   tetmarch::FunctionSnapshot Read() { return tetmarch::TakeSnapshot(this->Color, this->Opacity); }

@@ -171,6 +171,7 @@ void FunctionEditorTest::ColorDialogIsOneStep()
 void FunctionEditorTest::UndoAndRedo()
 {
   EditorUnderTest t;
+  QVERIFY(t.Shown);
   std::vector<tetmarch::FunctionSnapshot> states = { t.Read() };
   const QPoint from = t.Chart()->Locate(13.0, 0.5);
   t.Drag(from, from + QPoint(-30, 20));

@@ -15,9 +15,8 @@ import unittest
 import xml.etree.ElementTree
 
 import numpy as np
-import vtkmodules.all as vtk
 from paraview_window import LIGHT, SIZE, Window, command, part, screen
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from pictures import read_png  # after paraview_window, which knows where it is
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = PLUGIN = ROOT = PVPYTHON = WATCH = MESH = None
@@ -30,23 +29,13 @@ def image():
     return os.path.join(PROJECT, "Data", "bonsai_small.vti")
 
 
-def pixels(path):
-    """RGB from the top."""
-    reader = vtk.vtkPNGReader()
-    reader.SetFileName(path)
-    reader.Update()
-    width, height, _ = reader.GetOutput().GetDimensions()
-    values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-    return values.reshape(height, width, -1)[::-1, :, :3]
-
-
 def draw(state, picture):
     """By pvpython, in another process."""
     library_path = next(word for word in command(PROJECT, PLUGIN, ROOT, state) if word.startswith("LD_LIBRARY_PATH="))
     name, value = library_path.split("=", 1)
     subprocess.run([PVPYTHON, str(HERE / "draw_state.py"), PLUGIN, state, picture], check=True,
                    env={**os.environ, name: value}, stdout=subprocess.DEVNULL)
-    return pixels(picture)
+    return read_png(picture)[::-1]
 
 
 def apart(first, second):

@@ -7,11 +7,14 @@ Where its widgets are it says itself, by the library of WidgetWatch.cxx.
 import json
 import os
 import pathlib
-import struct
 import subprocess
+import sys
 import time
 
-import numpy as np
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+
+from pictures import read_xwd  # noqa: E402
+from programs import end  # noqa: E402
 
 SIZE = (1120, 800)  # of the window
 # What the Light Inspector is told of a light, for a volume of 256 along each axis.
@@ -37,12 +40,7 @@ def xdotool(*words):
 
 def screen():
     """RGB of each pixel of the screen, from its top."""
-    data = subprocess.run(["xwd", "-root", "-silent"], check=True, capture_output=True).stdout
-    header = struct.unpack(">25I", data[:100])
-    width, height, stride, pixel = header[4], header[5], header[12], header[11] // 8
-    begin = header[0] + 12 * header[19]  # after the header and the colour map
-    lines = np.frombuffer(data, np.uint8, height * stride, begin).reshape(height, stride)
-    return lines[:, : width * pixel].reshape(height, width, pixel)[:, :, 2::-1]
+    return read_xwd(subprocess.run(["xwd", "-root", "-silent"], check=True, capture_output=True).stdout)
 
 
 def part(picture, place):
@@ -80,17 +78,12 @@ class Window:
         self.settle()
 
     def close(self):
-        self.process.terminate()
-        try:
-            self.process.wait(20)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            self.process.wait()
+        end(self.process)
 
     def wait(self, what_is, what):
         """Until what_is() is true; hands that out."""
-        end = time.monotonic() + LONGEST
-        while time.monotonic() < end:
+        last = time.monotonic() + LONGEST
+        while time.monotonic() < last:
             found = what_is()
             if found:
                 return found

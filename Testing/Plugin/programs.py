@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Programs that a test starts beside itself, and ends."""
+import contextlib
+import pathlib
+import socket
+import subprocess
+import time
+
+LONGEST = 60  # seconds until a server accepts connections
+PATIENCE = 30  # seconds for a program to end by itself
+
+
+def end(program):
+    program.terminate()
+    try:
+        program.wait(PATIENCE)
+    except subprocess.TimeoutExpired:
+        program.kill()
+        program.wait()
+
+
+def free_port():
+    with socket.socket() as made:
+        made.bind(("", 0))
+        return made.getsockname()[1]
+
+
+@contextlib.contextmanager
+def serving(words, printed, environment=None):
+    """A pvserver by these words, and its port, when it accepts connections; what it says goes to the file `printed`."""
+    port = free_port()
+    said = pathlib.Path(printed)
+    with said.open("w") as output:
+        server = subprocess.Popen([*words, f"--server-port={port}"], env=environment, stdout=output,
+                                  stderr=subprocess.STDOUT)
+    try:
+        last = time.monotonic() + LONGEST
+        while "Accepting" not in said.read_text():
+            if server.poll() is not None or time.monotonic() > last:
+                raise RuntimeError("pvserver accepts no connection:\n" + said.read_text())
+            time.sleep(0.1)
+        yield server, port
+    finally:
+        end(server)
