@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a command with a display: with_display.py COMMAND...
+"""Runs a command with a display: with_display.py [--own] COMMAND...
 
-Windows of VTK before 9.4 want one. If DISPLAY is unset, an X server of the command's own serves it.
+Windows of VTK before 9.4 want one. If DISPLAY is unset, an X server of the command's own serves it. With --own that is
+always so, for what needs the keyboard: of all windows of a display one has it.
 """
 import os
 import subprocess
@@ -28,4 +29,7 @@ def run_with_own_server(command):
 
 if __name__ == "__main__":
     arguments = sys.argv[1:]
-    sys.exit(subprocess.call(arguments) if os.environ.get("DISPLAY") else run_with_own_server(arguments))
+    own = arguments[:1] == ["--own"]
+    if own or not os.environ.get("DISPLAY"):
+        sys.exit(run_with_own_server(arguments[own:]))
+    sys.exit(subprocess.call(arguments))

@@ -118,7 +118,7 @@ class RenderTest(RenderCase):
 
     def test_values_that_are_not_finite(self):
         scene = ("vectors.vtu", "--array", "unknown", "--preset", "constant.json", *ALONG)
-        pixels, _ = self.render(*scene)
+        pixels = self.draw_with_warning("None of the scalars is a finite number", *scene)
         self.assertEqual(pixels[24][32], (0, 0, 0))
         for color, opacity in (("0.2,1,0.6", 1), ("0.2,1,0.6,0.3", 0.3)):
             with self.subTest(color=color):

@@ -58,11 +58,17 @@ class RenderCase(unittest.TestCase):
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
         return read_png(self.folder / "out.png"), json.loads((self.folder / "out.json").read_text())
 
-
     def draw(self, *arguments):
         """The pixels of out.png, which may be drawn in tiles."""
         result = self.run_tool(*arguments, "--quiet", "--output", "out.png")
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        return read_png(self.folder / "out.png")
+
+    def draw_with_warning(self, words, *arguments):
+        """The same where the tool has one warning, which says these words."""
+        result = self.run_tool(*arguments, "--quiet", "--output", "out.png")
+        self.assertEqual((result.returncode, result.stdout), (0, ""))
+        self.assertRegex(result.stderr, rf"^tetmarch-render: warning: .*{words}.*\n$")
         return read_png(self.folder / "out.png")
 
 

@@ -42,8 +42,9 @@ struct EditorUnderTest
   }
 
   /**
-   * Asks for the keyboard and waits until the X server has given it: keys of actions reach the active
-   * window only. A window that isn't exposed yet may not ask, and the one before may lose it late.
+   * Asks for the keyboard and waits until the X server has given it: keys of actions reach the
+   * active window only. A window that isn't exposed yet may not ask, and the one before may lose it
+   * late.
    */
   bool Activate()
   {

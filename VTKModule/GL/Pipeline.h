@@ -153,6 +153,8 @@ public:
            this->EffectsOnGpu.uploadedBytes();
   }
   const EffectStage& effects() const { return this->Effects; }
+  /** None of the scalars is finite, and such ones are not shown. */
+  bool showsNoScalar() const { return !this->Source.range().AnyFinite && !this->NanShown; }
   /** Whether the last frame showed all the light that it was asked for. */
   bool isLightComplete() const { return this->Passes.isLightComplete(); }
   const StageRecord& tablesRecord() const { return this->Tables.record(); }

@@ -10,6 +10,8 @@
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
 
+#include <algorithm>
+
 namespace tetmarch
 {
 
@@ -111,6 +113,21 @@ void MapperFrame::end(double& timeToDraw)
   this->Timer->StopTimer();
   timeToDraw = this->Timer->GetElapsedTime();
   this->record(timeToDraw);
+  this->State.LastUndrawn.reportWarning(this->Scene.Mapper, this->describeUndrawn());
+}
+
+// Of several processes the first one tells it.
+std::string MapperFrame::describeUndrawn() const
+{
+  const SharedPicture* shared = this->Options.Draw.Shared;
+  const bool tells = !this->Failed && !this->Pipelines.empty() &&
+                     (!shared || shared->Processes->rank() == 0) &&
+                     std::all_of(this->Pipelines.begin(), this->Pipelines.end(),
+                       [](const Pipeline* pipeline) { return pipeline->showsNoScalar(); });
+  return tells ? "None of the scalars is a finite number, so nothing is drawn. Choose another "
+                 "array, or have cells without such numbers drawn in the NaN color by "
+                 "SetDrawNanCells(true); in ParaView, by Draw Nan Cells."
+               : std::string();
 }
 
 FrameResult MapperFrame::resultOf(double seconds) const

@@ -89,6 +89,7 @@ private:
   std::string describeBadForGroup() const;
   FrameResult resultOf(double seconds) const;
   void record(double seconds);
+  std::string describeUndrawn() const;
 
   MapperScene Scene;
   MapperState& State;

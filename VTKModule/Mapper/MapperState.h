@@ -31,6 +31,7 @@ struct MapperState
   SampleDistance Distance;
   PickSession Picking;
   LastMessage LastError;
+  LastMessage LastUndrawn; // why a frame that went well shows nothing
   vtkNew<vtkTetMarchFrameStatistics> Statistics;
   vtkNew<vtkLookupTable> ViewTable; // the colours of measures
 };

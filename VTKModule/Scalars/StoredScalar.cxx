@@ -16,7 +16,7 @@ ScalarRange FiniteRange::range() const
 {
   if (this->Low > this->High)
   {
-    return { 0, 0, this->AllFinite };
+    return { 0, 0, this->AllFinite, this->AllFinite };
   }
   // Where low and high differ by more than the greatest double, their difference must not overflow.
   const double limit = 0.25 * std::numeric_limits<double>::max();

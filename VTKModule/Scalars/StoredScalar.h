@@ -22,6 +22,7 @@ struct ScalarRange
   double Low = 0;
   double High = 0;
   bool AllFinite = true; // no value was stored as UndrawnScalar
+  bool AnyFinite = true; // not every value was stored so, or there is none
   /** The difference of the values that stored scalars 1 and 0 stand for: never 0. */
   double width() const { return this->High > this->Low ? this->High - this->Low : 1; }
 };
