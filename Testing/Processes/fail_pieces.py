@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Something is wrong in one process: mpiexec -n N fail_pieces.py CASE
+"""Something is wrong in one process, or in all: mpiexec -n N fail_pieces.py CASE
 
 Each process prints a line: its number, whether the frame shows the volume, and after the fault is mended once more.
 What process 0 tells of it is an error of VTK.
@@ -74,12 +74,48 @@ def aborted(picture):
     return mend
 
 
+def aborted_while_marching(picture):
+    """Of a picture whose mesh is there: at the third visit of the rays, in their second turn."""
+    picture.mapper.SetMaxDrawTimeInSeconds(1e-9)  # many small tiles, between which it tells its progress
+    shares = []
+
+    def stop(*_):
+        shares.append(picture.mapper.GetProgress())
+        visits = 1 + sum(second < first for first, second in zip(shares, shares[1:]))
+        if visits > 2:
+            picture.window.SetAbortRender(1)
+    tag = picture.mapper.AddObserver("ProgressEvent", stop)
+
+    def mend():
+        if not picture.window.GetAbortRender():
+            raise AssertionError(f"the rays had no third visit: {shares}")
+        picture.mapper.RemoveObserver(tag)
+        picture.window.SetAbortRender(0)
+    return mend
+
+
+def nothing_finite(picture):
+    """In any process."""
+    data = picture.mapper.GetInput().GetPointData()
+    array = data.GetArray(draw_pieces.SCALARS)
+    data.RemoveArray(draw_pieces.SCALARS)
+    made_grids.add_array(data, draw_pieces.SCALARS, np.full(array.GetNumberOfTuples(), np.nan))
+
+    def mend():
+        data.RemoveArray(draw_pieces.SCALARS)
+        data.AddArray(array)
+    return mend
+
+
 def bad_view(picture):
     picture.mapper.SetViewModeToCells()
     return picture.mapper.SetViewModeToPicture
 
 
-CASES = {f.__name__: f for f in (without_array, other_kind, short_of_memory, bad_points, other_window, aborted, bad_view)}
+CASES = {f.__name__: f for f in (without_array, other_kind, short_of_memory, bad_points, other_window, aborted,
+                                 aborted_while_marching, nothing_finite, bad_view)}
+OF_ALL = ("nothing_finite",)
+OF_A_SECOND_PICTURE = ("aborted_while_marching",)
 
 
 def shows_volume(pixels):
@@ -91,8 +127,10 @@ def main():
     controller.Initialize()
     rank = controller.GetLocalProcessId()
     picture = draw_pieces.Picture({}, controller)
-    fault = CASES[sys.argv[1]]
-    mend = fault(picture) if rank == FAULTY else lambda: None
+    case = sys.argv[1]
+    if case in OF_A_SECOND_PICTURE:
+        picture.draw()
+    mend = CASES[case](picture) if rank == FAULTY or case in OF_ALL else lambda: None
     broken = [shows_volume(picture.draw()) for _ in range(2)]
     mend()
     mended = shows_volume(picture.draw())

@@ -23,7 +23,9 @@ def has_mpi():
 def run(processes, script, *arguments, seconds=300):
     """Returns what the processes wrote. A process that waits for ever is an error."""
     paths = [str(HERE), str(HERE.parent / "Benchmark"), os.environ.get("PYTHONPATH", "")]
-    command = ["mpiexec", "-n", str(processes), sys.executable, str(HERE / script), *map(str, arguments)]
+    # mpi4py's own runner ends all processes when one raises an exception; else the others wait for it.
+    command = ["mpiexec", "-n", str(processes), sys.executable, "-m", "mpi4py", str(HERE / script),
+               *map(str, arguments)]
     result = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=seconds,
                             env={**os.environ, **ENVIRONMENT, "PYTHONPATH": os.pathsep.join(paths)})
     if result.returncode != 0:
