@@ -6,6 +6,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVersionMacros.h"
 
 namespace tetmarch
 {
@@ -64,6 +65,7 @@ vtkSmartPointer<vtkUnstructuredGrid> copyOf(vtkUnstructuredGrid* grid)
   return copy;
 }
 
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
 // Readers of ParaView 5.11 at times leave arrays of the faces of polyhedra that are empty. Where
 // VTK picks the cells to be sent, it reads beyond their end.
 void dropEmptyFaces(vtkUnstructuredGrid* grid)
@@ -79,6 +81,10 @@ void dropEmptyFaces(vtkUnstructuredGrid* grid)
     grid->SetCells(types, grid->GetCells());
   }
 }
+#else
+// Faces of polyhedra are no arrays of numbers any more.
+void dropEmptyFaces(vtkUnstructuredGrid* /*grid*/) {}
+#endif
 
 } // namespace
 

@@ -147,7 +147,7 @@ real gatheredEnd(CellInterval cell)
 #endif
 
 // Before the volume: nothing has been crossed.
-void beginCell(INOUT(CellInterval) cell)
+void beginCell(OUT(CellInterval) cell)
 {
   cell.seen = false;
 #if TETMARCH_ISOSURFACES

@@ -39,6 +39,10 @@ class AppendedDataTest(unittest.TestCase):
 
     def test_a_parser_that_puts_off_is_said_once(self):
         cells, said = read(PUTTING_OFF)
+        if "ParaView 5\n" not in said:  # a later one tells the parser not to
+            self.assertEqual(cells, CELLS)
+            self.assertNotIn(WARNING, said)
+            return
         self.assertEqual(cells, 0)
         self.assertEqual(said.count(WARNING), 1, said)
         self.assertIn("LD_PRELOAD=" + self.remedy + " ", said)

@@ -24,10 +24,7 @@ LONGEST = 240  # seconds
 
 def printed_line():
     """The last line of what the script explains: the environment and the command."""
-    explain = 'BUILD=$1; source "$2/Tools/Script/paraview.sh"; explain_plugin "$3"'
-    text = subprocess.run(["bash", "-c", explain, "-", str(pathlib.Path(ROOT).parent), PROJECT, PLUGIN],
-                          check=True, capture_output=True, text=True).stdout
-    return text.strip().splitlines()[-1].strip()
+    return programs.printed_by_script('explain_plugin "$3"', PROJECT, ROOT, PLUGIN).strip().splitlines()[-1].strip()
 
 
 class WindowTest(unittest.TestCase):

@@ -20,6 +20,14 @@ def end(program):
         program.wait()
 
 
+def printed_by_script(words, project, root, *arguments):
+    """What words of bash print that know Tools/Script/paraview.sh; arguments are $3 and on. `root` is the folder in which
+    ParaView was unpacked."""
+    script = 'BUILD=$1; source "$2/Tools/Script/paraview.sh"; ' + words
+    return subprocess.run(["bash", "-c", script, "-", str(pathlib.Path(root).parent), project, *map(str, arguments)],
+                          check=True, capture_output=True, text=True).stdout
+
+
 def free_port():
     with socket.socket() as made:
         made.bind(("", 0))

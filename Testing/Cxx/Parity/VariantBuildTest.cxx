@@ -11,10 +11,12 @@
 #include "Variants/ShaderSource.h"
 
 #include "vtkLogger.h"
+#include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -38,6 +40,16 @@ vtkSmartPointer<vtkShader> makeShader(vtkShader::Type type, const std::string& t
   return shader;
 }
 
+// What the GL says of a shader that it has compiled. ParaView 6.1 tells its user each warning.
+std::string warningsOf(vtkShader* shader)
+{
+  std::string log(1000, '\0');
+  GLsizei length = 0;
+  glGetShaderInfoLog(shader->GetHandle(), static_cast<GLsizei>(log.size()), &length, &log[0]);
+  log.resize(static_cast<std::size_t>(std::max(0, length)));
+  return log;
+}
+
 class VariantBuild : public testing::Test
 {
 protected:
@@ -50,7 +62,8 @@ protected:
   }
   ~VariantBuild() override { vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO); }
 
-  // The GL's error about the variant, or nothing. It is built as VTK does, but not kept.
+  // The GL's error about the variant or its warnings, or nothing. It is built as VTK does, but not
+  // kept.
   std::string build(const char* file, const std::string& defines)
   {
     std::map<vtkShader::Type, vtkShader*> shaders;
@@ -66,10 +79,13 @@ protected:
     }
     vtkNew<vtkOpenGLShaderCache> cache;
     const bool built = cache->ReadyShaderProgram(shaders) != nullptr;
-    const std::string message = withFileNames(
-      shaders[vtkShader::Vertex]->GetError() + "\n" + shaders[vtkShader::Fragment]->GetError());
+    std::string message;
+    for (const vtkShader::Type type : { vtkShader::Vertex, vtkShader::Fragment })
+    {
+      message += built ? warningsOf(shaders[type]) : shaders[type]->GetError() + "\n";
+    }
     cache->ReleaseGraphicsResources(this->Window);
-    return built ? std::string() : "not built: " + message;
+    return built ? withFileNames(message) : "not built: " + withFileNames(message);
   }
 
   void expectBuilt(const char* file, const Keys& keys, std::size_t of)

@@ -14,7 +14,7 @@ import time
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 
 from pictures import read_xwd  # noqa: E402
-from programs import end  # noqa: E402
+from programs import end, printed_by_script  # noqa: E402
 
 SIZE = (1120, 800)  # of the window
 # What the Light Inspector is told of a light, for a volume of 256 along each axis.
@@ -27,11 +27,8 @@ CARET = 60  # pixels that may change while nothing happens: the blinking line wh
 
 def command(project, plugin, root, file):
     """The words by which `./tetmarch paraview FILE` starts ParaView; `root` is the folder in which it was unpacked."""
-    name = ('BUILD=$1; source "$2/Tools/Script/paraview.sh"; name_paraview_command "$3" "$4"; '
-            'printf "%s\\0" "${PARAVIEW_COMMAND[@]}"')
-    text = subprocess.run(["bash", "-c", name, "-", str(pathlib.Path(root).parent), project, plugin, str(file)],
-                          check=True, capture_output=True, text=True).stdout
-    return text.split("\0")[:-1]
+    name = 'name_paraview_command "$3" "$4"; printf "%s\\0" "${PARAVIEW_COMMAND[@]}"'
+    return printed_by_script(name, project, root, plugin, file).split("\0")[:-1]
 
 
 def xdotool(*words):
