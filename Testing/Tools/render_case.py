@@ -64,11 +64,15 @@ class RenderCase(unittest.TestCase):
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
         return read_png(self.folder / "out.png")
 
+    def check_warning(self, result, words):
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr, rf"^tetmarch-render: warning: .*{words}.*\n$")
+
     def draw_with_warning(self, words, *arguments):
         """The same where the tool has one warning, which says these words."""
         result = self.run_tool(*arguments, "--quiet", "--output", "out.png")
-        self.assertEqual((result.returncode, result.stdout), (0, ""))
-        self.assertRegex(result.stderr, rf"^tetmarch-render: warning: .*{words}.*\n$")
+        self.assertEqual(result.stdout, "")
+        self.check_warning(result, words)
         return read_png(self.folder / "out.png")
 
 
