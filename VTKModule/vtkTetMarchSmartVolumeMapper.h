@@ -266,7 +266,7 @@ private:
   // In units of the data. rayDistance: between rays, in pixels, if distances are adjusted; else 0.
   double FindSampleDistance(vtkDataSet* data, double rayDistance);
   void RenderByVTK(vtkRenderer* renderer, vtkVolume* volume, const std::string& reason);
-  void March(vtkRenderer* renderer, vtkVolume* volume, std::string error);
+  void March(vtkRenderer* renderer, vtkVolume* volume, const std::string& error);
   std::string DrawBlocks(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   bool Report(const std::string& error); // whether there is none
 

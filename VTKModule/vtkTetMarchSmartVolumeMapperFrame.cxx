@@ -70,7 +70,8 @@ void vtkTetMarchSmartVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volu
   std::string error;
   if (input)
   {
-    error = blocks.update(input, tetmarch::selectionOf(this));
+    error =
+      tetmarch::guardedPart([&] { return blocks.update(input, tetmarch::selectionOf(this)); });
   }
   else
   {
@@ -181,7 +182,7 @@ void vtkTetMarchSmartVolumeMapper::RenderByVTK(
 
 //------------------------------------------------------------------------------
 void vtkTetMarchSmartVolumeMapper::March(
-  vtkRenderer* renderer, vtkVolume* volume, std::string error)
+  vtkRenderer* renderer, vtkVolume* volume, const std::string& error)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkHardwareSelector* selector = renderer->GetSelector();
@@ -192,15 +193,22 @@ void vtkTetMarchSmartVolumeMapper::March(
   const vtkOpenGLState::ScopedglActiveTexture unit(window->GetState()); // uploads choose others
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent);
   Internals& internal = *this->Internal;
-  internal.State.begin(selector != nullptr);
   this->CurrentRenderMode = GPURenderMode;
-  if (error.empty() && !internal.Blocks.all().empty())
-  {
-    error = this->DrawBlocks(window, renderer, volume);
-  }
-  internal.recordStatistics();
-  internal.State.LastError.reportError(this, error);
-  internal.LastOmissions.reportWarning(this, internal.Blocks.omissions());
+  const std::string wrong = tetmarch::guardedPart(
+    [&]
+    {
+      internal.State.begin(selector != nullptr);
+      return error.empty() && !internal.Blocks.all().empty()
+               ? this->DrawBlocks(window, renderer, volume)
+               : error;
+    });
+  const std::string unrecorded = tetmarch::guardedRecords(
+    [&]
+    {
+      internal.recordStatistics();
+      internal.LastOmissions.reportWarning(this, internal.Blocks.omissions());
+    });
+  internal.State.LastError.reportError(this, wrong.empty() ? unrecorded : wrong);
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent);
 }
 
@@ -258,8 +266,8 @@ std::string vtkTetMarchSmartVolumeMapper::DrawBlocks(
       break;
     }
   }
-  frame.end(this->TimeToDraw);
-  return error;
+  const std::string unrecorded = tetmarch::guardedRecords([&] { frame.end(this->TimeToDraw); });
+  return error.empty() ? unrecorded : error;
 }
 
 //------------------------------------------------------------------------------

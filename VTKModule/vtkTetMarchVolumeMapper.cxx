@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchVolumeMapperInternals.h"
 
+#include "Caching/WithinMemory.h"
 #include "Mapper/MapperFrame.h"
 #include "Mapper/RecordStatistics.h"
 #include "Mesh/MeshReport.h"
@@ -43,28 +44,34 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   const vtkOpenGLState::ScopedglActiveTexture unit(window->GetState()); // uploads choose others
   Internals& internal = *this->Internal;
-  internal.State.begin(selector != nullptr);
-  const auto mostBytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
-  selector ? internal.Pipeline.beginPick(mostBytes) : internal.Pipeline.begin(mostBytes);
-  std::string error;
-  vtkUnstructuredGrid* grid = this->FindGrid(error);
-  if (grid || internal.isShared())
-  {
-    try
+  std::string error =
+    tetmarch::guardedPart([&] { return this->RenderInput(window, renderer, volume); });
+  const std::string unrecorded = tetmarch::guardedRecords(
+    [&]
     {
-      error = this->RenderGrid(grid, error, window, renderer, volume);
-    }
-    catch (const tetmarch::GroupFailure& failure)
-    {
-      error = failure.what();
-    }
-  }
-  internal.recordStatistics();
+      internal.recordStatistics();
+      internal.LastOmissions.reportWarning(this, internal.Blocks.omissions());
+      internal.LastMeshReport.reportWarning(this, tetmarch::describe(internal.Tets.mesh().Report));
+    });
+  error = error.empty() ? unrecorded : error;
   // What is wrong with any process is told by the first.
   internal.State.LastError.reportError(
     this, internal.Together.Processes.rank() == 0 || selector ? error : "");
-  internal.LastOmissions.reportWarning(this, internal.Blocks.omissions());
-  internal.LastMeshReport.reportWarning(this, tetmarch::describe(internal.Tets.mesh().Report));
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTetMarchVolumeMapper::RenderInput(
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
+{
+  Internals& internal = *this->Internal;
+  const bool selecting = renderer->GetSelector() != nullptr;
+  internal.State.begin(selecting);
+  const auto mostBytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
+  selecting ? internal.Pipeline.beginPick(mostBytes) : internal.Pipeline.begin(mostBytes);
+  std::string error;
+  vtkUnstructuredGrid* grid = this->FindGrid(error);
+  return grid || internal.isShared() ? this->RenderGrid(grid, error, window, renderer, volume)
+                                     : error;
 }
 
 //------------------------------------------------------------------------------
@@ -73,7 +80,10 @@ std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid, std::
 {
   Internals& internal = *this->Internal;
   const tetmarch::ScalarSelection selection = tetmarch::selectionOf(this);
-  const tetmarch::DrawnData drawn = internal.drawnOf(this, grid);
+  tetmarch::DrawnData drawn;
+  const std::string shortage = tetmarch::withinMemory(
+    "the cells of this process", [&] { drawn = internal.drawnOf(this, grid); });
+  found = found.empty() ? shortage : found;
   found = found.empty() && grid && !drawn.Scalars.Array
             ? tetmarch::describeMissingScalars(grid, selection)
             : found;
@@ -89,8 +99,9 @@ std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid, std::
   {
     frame.draw(internal.Pipeline, internal.origins());
   }
-  frame.end(this->TimeToDraw);
-  return together || found.empty() ? internal.Pipeline.error() : found;
+  const std::string unrecorded = tetmarch::guardedRecords([&] { frame.end(this->TimeToDraw); });
+  found = together || found.empty() ? internal.Pipeline.error() : found;
+  return found.empty() ? unrecorded : found;
 }
 
 //------------------------------------------------------------------------------

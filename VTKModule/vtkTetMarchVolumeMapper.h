@@ -469,6 +469,7 @@ private:
   class Internals;
 
   vtkUnstructuredGrid* FindGrid(std::string& error);
+  std::string RenderInput(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   std::string RenderGrid(vtkUnstructuredGrid* grid, std::string found,
     vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   double* GetOwnBounds();

@@ -21,12 +21,17 @@ class ScarceMemory
 public:
   explicit ScarceMemory(std::size_t bytes);
   ScarceMemory(std::size_t bytes, int successes);
+  /// The same of those alone that are called from the library that has the address: of what it
+  /// calls in turn, other libraries and the GL, none fails.
+  ScarceMemory(std::size_t bytes, int successes, const void* library);
   ~ScarceMemory();
   ScarceMemory(const ScarceMemory&) = delete;
   ScarceMemory& operator=(const ScarceMemory&) = delete;
 
   /// Allocations that failed so far.
   static int failures();
+  /// Allocations that could have failed so far, of a ScarceMemory with a number of successes.
+  static int tries();
 };
 } // namespace tetmarch::testing
 

@@ -5,6 +5,8 @@
 
 #include "Processes/SharedPicture.h"
 
+#include "vtkMultiProcessController.h"
+
 #include <gtest/gtest.h>
 #include <random>
 
@@ -103,6 +105,51 @@ TEST(Group, SentBytesAreCounted)
       group.exchange(outgoing);
       EXPECT_EQ(group.sentBytes(), 1008u); // with the size
     });
+}
+
+// What a damaged message says about its length takes no memory.
+TEST(Group, ALengthThatLies)
+{
+  for (const vtkTypeInt64 lie : { vtkTypeInt64(-1), vtkTypeInt64(1) << 60 })
+  {
+    runControllers(2,
+      [lie](vtkMultiProcessController* controller)
+      {
+        constexpr int tag = 20190; // of a group's messages
+        if (controller->GetLocalProcessId() == 0)
+        {
+          Group group(controller);
+          EXPECT_THROW(group.exchange({ {}, {} }), GroupFailure) << lie;
+        }
+        else
+        {
+          controller->Send(&lie, 1, 0, tag);
+          const std::vector<char> tooLong(std::size_t(1) << 27);
+          controller->Send(tooLong.data(), 1 << 27, 0, tag);
+        }
+      });
+  }
+}
+
+TEST(Group, LengthsThatLieToAll)
+{
+  for (const vtkIdType lie : { vtkIdType(-1), vtkIdType(1) << 40 })
+  {
+    runControllers(2,
+      [lie](vtkMultiProcessController* controller)
+      {
+        std::vector<vtkIdType> counts(2);
+        if (controller->GetLocalProcessId() == 0)
+        {
+          Group group(controller);
+          EXPECT_THROW(group.tellAll(Bytes{ 1 }), GroupFailure) << lie;
+        }
+        else
+        {
+          controller->AllGather(&lie, counts.data(), 1);
+        }
+      });
+  }
 }
 
 TEST(Group, AGroupWithoutControllerHasOneProcess)

@@ -132,6 +132,17 @@ vtkStandardNewMacro(ThreadController);
 
 void runTogether(int processes, const std::function<void(Group& group)>& work)
 {
+  runControllers(processes,
+    [&](vtkMultiProcessController* controller)
+    {
+      Group group(controller);
+      work(group);
+    });
+}
+
+void runControllers(
+  int processes, const std::function<void(vtkMultiProcessController* controller)>& work)
+{
   Post post;
   std::vector<std::thread> threads;
   std::vector<std::exception_ptr> thrown(processes);
@@ -144,8 +155,7 @@ void runTogether(int processes, const std::function<void(Group& group)>& work)
         {
           vtkNew<ThreadController> controller;
           controller->join(post, rank, processes);
-          Group group(controller);
-          work(group);
+          work(controller);
         }
         catch (...)
         {

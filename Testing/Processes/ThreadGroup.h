@@ -13,8 +13,11 @@ namespace tetmarch
 namespace testing
 {
 
-/** Run the work in so many threads at once, each of which has a controller to the others. Throws
- * what a thread has thrown. */
+/** Run the work in threads at once, each of which has a controller to the others. Throws what a
+ * thread has thrown. */
+void runControllers(
+  int processes, const std::function<void(vtkMultiProcessController* controller)>& work);
+/** The same with the group of each controller. */
 void runTogether(int processes, const std::function<void(Group& group)>& work);
 
 } // namespace testing

@@ -187,6 +187,21 @@ TEST(VisitExchange, WhatIsHiddenNeedNotBeAdded)
   }
 }
 
+// 20,000 pixels of 65,535 visits each would take 40 GB.
+TEST(VisitExchange, CountsThatLieTakeNoMemory)
+{
+  constexpr std::uint32_t width = 20000;
+  const PixelSpan span{ 0, width };
+  const std::vector<std::uint16_t> counts(width, 0xffff);
+  Packer packer;
+  packer.add(&span, 1);
+  Unpacker withoutCounts(packer.Packed);
+  EXPECT_THROW(takeRow(withoutCounts, width), GroupFailure);
+  packer.add(counts.data(), counts.size());
+  Unpacker withoutVisits(packer.Packed);
+  EXPECT_THROW(takeRow(withoutVisits, width), GroupFailure);
+}
+
 TEST(VisitExchange, SmallPicturesAndProcessesWithoutVisits)
 {
   for (const int height : { 1, 2, 3 })

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Caching/ContentHash.h"
 
+#include "Parallel/ParallelFor.h"
+
 #include "vtkDataArray.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -125,7 +126,7 @@ ContentHash hashOf(const Source& source, Hasher hasher)
   const std::size_t perPiece = std::max(LeastStripes, (stripes + MostPieces - 1) / MostPieces);
   const std::size_t pieces = (stripes + perPiece - 1) / perPiece;
   std::array<ContentHash, MostPieces> hashes;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(pieces), 1,
+  parallelFor(0, static_cast<vtkIdType>(pieces), 1,
     [&](vtkIdType first, vtkIdType last)
     {
       for (auto piece = static_cast<std::size_t>(first); piece < static_cast<std::size_t>(last);

@@ -12,9 +12,10 @@ namespace tetmarch
 {
 
 /** Run work that may need much memory. Returns an empty string, or the message that there is too
- * little. */
+ * little, and what follows from that. */
 template <typename Work>
-std::string withinMemory(const char* purpose, Work&& work)
+std::string withinMemory(
+  const char* purpose, Work&& work, const char* consequence = "so nothing is drawn")
 {
   try
   {
@@ -27,8 +28,8 @@ std::string withinMemory(const char* purpose, Work&& work)
   catch (const std::length_error&)
   {
   }
-  return std::string("The computer has too little memory for ") + purpose +
-         ", so nothing is drawn. Free some, or extract or coarsen a part of the grid.";
+  return std::string("The computer has too little memory for ") + purpose + ", " + consequence +
+         ". Free some, or extract or coarsen a part of the grid.";
 }
 
 } // namespace tetmarch

@@ -3,8 +3,7 @@
 #include "Entries/EntryLists.h"
 
 #include "Entries/Footprint.h"
-
-#include "vtkSMPTools.h"
+#include "Parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <atomic>
@@ -74,7 +73,7 @@ private:
   void findFootprints()
   {
     this->Footprints.resize(this->Faces.size());
-    vtkSMPTools::For(0, numberOf(this->Footprints.size()),
+    parallelFor(0, numberOf(this->Footprints.size()),
       [this](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType face = begin; face < end; ++face)
@@ -166,7 +165,7 @@ private:
   template <typename Visit>
   void visitAllTiles(const Visit& visit) const
   {
-    vtkSMPTools::For(0, numberOf(this->Footprints.size()),
+    parallelFor(0, numberOf(this->Footprints.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType face = begin; face < end; ++face)
@@ -214,7 +213,7 @@ private:
       const std::uint32_t depthB = b.Where >> 16;
       return depthA != depthB ? depthA < depthB : a.Face < b.Face;
     };
-    vtkSMPTools::For(0, numberOf(this->Lists.First.size()) - 1,
+    parallelFor(0, numberOf(this->Lists.First.size()) - 1,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType tile = begin; tile < end; ++tile)

@@ -4,9 +4,8 @@
 
 #include "Mesh/Orientation.h"
 #include "Mesh/OutsideSigns.h"
+#include "Parallel/ParallelFor.h"
 #include "Scalars/SeenScalars.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <numeric>
@@ -101,7 +100,7 @@ private:
   void mark(const SeenTets& isSeen)
   {
     this->Part.Tets.resize(static_cast<std::size_t>(chunksOf(this->Tets, BitsOfWord)));
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Part.Tets.size()),
+    parallelFor(0, static_cast<vtkIdType>(this->Part.Tets.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType word = begin; word < end; ++word)
@@ -154,7 +153,7 @@ private:
   template <typename Work>
   void forChunks(const Work& work) const
   {
-    vtkSMPTools::For(0, chunksOf(this->Tets, TetsOfChunk),
+    parallelFor(0, chunksOf(this->Tets, TetsOfChunk),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType chunk = begin; chunk < end; ++chunk)
@@ -180,7 +179,7 @@ private:
       });
     this->findSigns(halfFaces);
     this->Part.Faces.resize(halfFaces.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(halfFaces.size()),
+    parallelFor(0, static_cast<vtkIdType>(halfFaces.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
@@ -229,7 +228,7 @@ VisiblePart findVisiblePart(const TetMesh& mesh, const VisibleScalars& shown)
 void linkVisiblePart(const TetMesh& mesh, VisiblePart& part)
 {
   part.Links.resize(part.Faces.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(part.Faces.size()),
+  parallelFor(0, static_cast<vtkIdType>(part.Faces.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)

@@ -14,10 +14,11 @@ std::string CellBuffer::upload(
 {
   this->release(window);
   const std::size_t first = std::min(count, mostTexels());
-  std::string error = this->First.upload(window, format, texels(0, first), first);
+  std::string error = this->First.upload(window, format, first, texels);
   if (error.empty() && first < count)
   {
-    error = this->Second.upload(window, format, texels(first, count), count - first);
+    error = this->Second.upload(window, format, count - first,
+      [&](std::size_t begin, std::size_t end) { return texels(first + begin, first + end); });
   }
   if (!error.empty())
   {

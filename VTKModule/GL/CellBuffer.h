@@ -7,16 +7,13 @@
 
 #include "GL/TextureBuffer.h"
 
-#include <functional>
-
 namespace tetmarch
 {
 
 class CellBuffer
 {
 public:
-  /** The texels from begin to end; they stay until it is called again. */
-  using Texels = std::function<const void*(std::size_t begin, std::size_t end)>;
+  using Texels = TextureBuffer::Texels;
 
   /** Replace the contents. Returns an empty string, or why it can't be done. */
   std::string upload(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/FramePasses.h"
 
+#include "Caching/WithinMemory.h"
 #include "GL/MarchSource.h"
 #include "Rays/RayPoints.h"
 
@@ -81,16 +82,22 @@ std::string FramePasses::drawTogether(vtkOpenGLRenderWindow* window, MarchInputs
   this->noteVariant(inputs);
   PartStatus own;
   own.Error = std::move(before);
-  if (own.Error.empty() && shared.HasPiece)
-  {
-    own.Error = this->updateLight(window, lightVersion, progress, inputs, own.Stopped);
-  }
   const Viewport area = inputs.Area;
-  coarsen(sampleDistance, inputs);
-  if (own.Error.empty())
-  {
-    own.Error = this->findRays(window, area, inputs);
-  }
+  // The other processes wait for this one, whatever happens here.
+  const std::string shortage = withinMemory("drawing",
+    [&]
+    {
+      if (own.Error.empty() && shared.HasPiece)
+      {
+        own.Error = this->updateLight(window, lightVersion, progress, inputs, own.Stopped);
+      }
+      coarsen(sampleDistance, inputs);
+      if (own.Error.empty())
+      {
+        own.Error = this->findRays(window, area, inputs);
+      }
+    });
+  own.Error = shortage.empty() ? own.Error : shortage;
   if (inputs.Key.OpaqueDepth)
   {
     own.Error = this->shareDepths(window, area, *shared.Processes, own.Error);

@@ -66,12 +66,9 @@ bool Pipeline::chooseScalars(vtkDataSet* data, vtkDataArray* array, bool ofCells
   return error.empty() || this->fail(error);
 }
 
-bool Pipeline::findRanges(
-  vtkDataSet* data, const DrawnScalars& drawn, std::vector<FiniteRange>& ranges)
+std::vector<FiniteRange> Pipeline::findRanges(vtkDataSet* data, const DrawnScalars& drawn)
 {
-  const std::string shortage =
-    withinMemory("the scalars", [&] { ranges = this->Source.rangesOf(data, drawn); });
-  return shortage.empty() || this->fail(shortage);
+  return this->Source.rangesOf(data, drawn);
 }
 
 bool Pipeline::updateScalars(vtkDataSet* data, const DrawnScalars& drawn)
@@ -238,8 +235,13 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
   if (error.empty() && !current)
   {
     const StageRecorder recorder(this->UploadRecord);
-    error = this->Source.upload(window);
-    error = error.empty() ? this->TablesOnGpu.upload(window, this->Tables) : error;
+    const std::string shortage = withinMemory("what goes to the GPU",
+      [&]
+      {
+        error = this->Source.upload(window);
+        error = error.empty() ? this->TablesOnGpu.upload(window, this->Tables) : error;
+      });
+    error = shortage.empty() ? error : shortage;
     this->Passes.expectChange();
   }
   if (!error.empty())

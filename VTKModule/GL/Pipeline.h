@@ -8,6 +8,7 @@
 #include "Appearance/TransferTables.h"
 #include "Blocks/CellOrigins.h"
 #include "Budget/ShaderStage.h"
+#include "Caching/WithinMemory.h"
 #include "GL/ContextWatch.h"
 #include "GL/EffectTextures.h"
 #include "GL/FramePasses.h"
@@ -71,6 +72,17 @@ public:
   /** The same if something is picked instead: what the last frame counted is kept. */
   void beginPick(std::uint64_t mostBytes);
   /**
+   * Run one or more of the stages below. Returns what they return, or false if they lack memory
+   * (error()).
+   */
+  template <typename Stages>
+  bool guarded(Stages&& stages)
+  {
+    bool goesOn = false;
+    const std::string shortage = withinMemory("the frame", [&] { goesOn = stages(); });
+    return shortage.empty() ? goesOn : this->fail(shortage);
+  }
+  /**
    * The stages, in the order of a frame. Each returns whether the frame can go on; if not, error()
    * says what is wrong, or is empty if there is nothing to draw or the user stopped it.
    */
@@ -103,8 +115,8 @@ public:
   Fingerprint sourceVersion() const { return this->Source.version(); }
   /** How the geometry of the piece is made from the next update on. */
   void setPiece(const PieceOptions& piece) { this->Source.setPiece(piece); }
-  /** The ranges of the piece's scalars. False if the memory for it is lacking (error()). */
-  bool findRanges(vtkDataSet* data, const DrawnScalars& drawn, std::vector<FiniteRange>& ranges);
+  /** The ranges of the piece's scalars. */
+  std::vector<FiniteRange> findRanges(vtkDataSet* data, const DrawnScalars& drawn);
   /** Whether this process has opaque geometry, or sees the far plane cut the volume. */
   bool endsRays(vtkRenderer* renderer) const;
   /** The processes have agreed that something is wrong: see error(). */

@@ -173,10 +173,12 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
   bool stopped = false;
   std::string error;
-  const std::string shortage = withinMemory("drawing",
+  std::string shortage = withinMemory(
+    "drawing", [&] { error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key); });
+  error = shortage.empty() ? error : shortage;
+  shortage = withinMemory("drawing",
     [&]
     {
-      error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
       if (options.Shared)
       {
         error = this->Passes.drawTogether(window, inputs, this->lightVersion(inputs),

@@ -7,6 +7,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -47,25 +48,52 @@ FormatRow rowOf(TexelFormat format)
   }
 }
 
+constexpr std::size_t TexelsOfSlice = std::size_t(1) << 20;
+
 } // namespace
 
 std::string TextureBuffer::upload(
   vtkOpenGLRenderWindow* window, TexelFormat format, const void* data, std::size_t texels)
 {
-  if (texels == 0) // a texture has a texel at least
+  const std::array<std::uint32_t, 4> none{};
+  const auto* bytes = static_cast<const unsigned char*>(texels > 0 ? data : none.data());
+  return this->upload(window, format, std::max<std::size_t>(texels, 1),
+    [&](std::size_t begin, std::size_t) { return bytes + begin * rowOf(format).Bytes; });
+}
+
+// The storage of the buffer; what is in it is undefined.
+bool TextureBuffer::allocate(std::size_t bytes)
+{
+  if (!this->Buffer->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer) || !this->Buffer->Bind())
   {
-    const std::array<std::uint32_t, 4> none{};
-    return this->upload(window, format, none.data(), 1);
+    return false;
   }
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
+  // A VTK that is built to report errors has already taken the error from the queue.
+  GLint64 there = 0;
+  glGetBufferParameteri64v(GL_TEXTURE_BUFFER, GL_BUFFER_SIZE, &there);
+  return glGetError() == GL_NO_ERROR && there == static_cast<GLint64>(bytes);
+}
+
+std::string TextureBuffer::upload(
+  vtkOpenGLRenderWindow* window, TexelFormat format, std::size_t texels, const Texels& slice)
+{
   const FormatRow row = rowOf(format);
   const std::size_t bytes = texels * row.Bytes;
   clearErrors();
   // The texture refers to the storage of the buffer, which an upload may replace: make the texture
   // again.
   this->release(window);
-  const bool uploaded = this->Buffer->Upload(
-    static_cast<const unsigned char*>(data), bytes, vtkOpenGLBufferObject::TextureBuffer);
-  if (!uploaded || glGetError() != GL_NO_ERROR)
+  bool uploaded = this->allocate(bytes);
+  for (std::size_t begin = 0; uploaded && begin < texels; begin += TexelsOfSlice)
+  {
+    const std::size_t end = std::min(begin + TexelsOfSlice, texels);
+    const void* data = slice(begin, end);
+    glBufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(begin * row.Bytes),
+      static_cast<GLsizeiptr>((end - begin) * row.Bytes), data);
+    uploaded = glGetError() == GL_NO_ERROR;
+  }
+  if (!uploaded)
   {
     this->release(window);
     return "The GPU has no room for a buffer of " + std::to_string(bytes) +

@@ -9,6 +9,7 @@
 #include "vtkTextureObject.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 class vtkOpenGLRenderWindow;
@@ -33,8 +34,14 @@ enum class TexelFormat
 class TextureBuffer
 {
 public:
-  /** Replace the contents; by one texel of zeros if there are none. Returns an empty string, or why
-   * it can't be done. */
+  /** The texels from begin to end; they stay until it is called again. */
+  using Texels = std::function<const void*(std::size_t begin, std::size_t end)>;
+
+  /** Replace the contents by texels that are made and copied a million at a time, so that no second
+   * copy of the whole is needed. Returns an empty string, or why it can't be done. */
+  std::string upload(
+    vtkOpenGLRenderWindow* window, TexelFormat format, std::size_t count, const Texels& texels);
+  /** The same of an array; one texel of zeros if it is empty. */
   std::string upload(
     vtkOpenGLRenderWindow* window, TexelFormat format, const void* data, std::size_t texels);
   /** Bind to a sampler of the program that is in use. */
@@ -44,6 +51,7 @@ public:
   std::size_t bytes() const { return this->Bytes; }
 
 private:
+  bool allocate(std::size_t bytes);
   bool isAttached();
 
   vtkNew<vtkOpenGLBufferObject> Buffer;

@@ -3,10 +3,10 @@
 #include "Light/OpaqueShadows.h"
 
 #include "Geometry/VolumeFrame.h"
+#include "Parallel/ParallelFor.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -130,7 +130,7 @@ std::uint8_t OpaqueShadows::ofPoint(const Vector3& point) const
 std::vector<std::uint8_t> OpaqueShadows::ofPoints(std::size_t count, const PointOf& pointOf) const
 {
   std::vector<std::uint8_t> shadows(count);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+  parallelFor(0, static_cast<vtkIdType>(count),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Light/TriangleHierarchy.h"
 
-#include "vtkSMPTools.h"
+#include "Parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +133,7 @@ void TriangleHierarchy::sort()
   std::iota(order.begin(), order.end(), 0u);
   for (std::size_t level = 0; level < this->Levels; ++level)
   {
-    vtkSMPTools::For(0, vtkIdType(1) << level, 1,
+    parallelFor(0, vtkIdType(1) << level, 1,
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType node = first; node < last; ++node)
@@ -199,7 +199,7 @@ void TriangleHierarchy::fitBoxes()
 {
   const std::size_t leaves = std::size_t(1) << this->Levels;
   this->Boxes.resize(2 * leaves);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(leaves),
+  parallelFor(0, static_cast<vtkIdType>(leaves),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType leaf = first; leaf < last; ++leaf)

@@ -38,9 +38,13 @@ MapperFrame::~MapperFrame() = default;
 
 bool MapperFrame::prepare(Pipeline& pipeline, const DrawnData& drawn)
 {
-  return pipeline.updateGeometry(drawn.Data, this->Report) &&
-         this->prepareScalars(pipeline, drawn) && this->prepareTables(pipeline, drawn) &&
-         this->prepareRays(pipeline, drawn);
+  return pipeline.guarded(
+    [&]
+    {
+      return pipeline.updateGeometry(drawn.Data, this->Report) &&
+             this->prepareScalars(pipeline, drawn) && this->prepareTables(pipeline, drawn) &&
+             this->prepareRays(pipeline, drawn);
+    });
 }
 
 bool MapperFrame::prepareScalars(Pipeline& pipeline, const DrawnData& drawn)
@@ -73,11 +77,15 @@ bool MapperFrame::prepareRays(Pipeline& pipeline, const DrawnData& drawn)
 bool MapperFrame::draw(Pipeline& pipeline, const CellOrigins& origins)
 {
   vtkRenderer* renderer = this->Scene.Renderer;
-  const bool drawn = renderer->GetSelector() ? this->select(pipeline, origins)
-                                             : pipeline.draw(this->Scene.Window, renderer,
-                                                 this->Options.Draw, this->Report);
-  this->Failed = this->Failed || !drawn;
   this->Pipelines.push_back(&pipeline);
+  const bool drawn = pipeline.guarded(
+    [&]
+    {
+      return renderer->GetSelector()
+               ? this->select(pipeline, origins)
+               : pipeline.draw(this->Scene.Window, renderer, this->Options.Draw, this->Report);
+    });
+  this->Failed = this->Failed || !drawn;
   return drawn;
 }
 

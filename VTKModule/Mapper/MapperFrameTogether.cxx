@@ -78,14 +78,20 @@ bool MapperFrame::prepareTogether(
     stopped = stopped || !this->Report(share);
     return !stopped;
   };
-  const bool hasPiece = pipeline.updateGeometry(drawn.Data, progress);
+  const bool hasPiece =
+    pipeline.guarded([&] { return pipeline.updateGeometry(drawn.Data, progress); });
   DrawnScalars scalars;
   std::vector<FiniteRange> ranges;
   const bool hasScalars =
-    hasPiece &&
-    pipeline.chooseScalars(drawn.Data, drawn.Scalars.Array, drawn.Scalars.OfCells, drawn.Vector,
-      this->Scene.Volume->GetProperty(), scalars) &&
-    pipeline.findRanges(drawn.Data, scalars, ranges);
+    hasPiece && pipeline.guarded(
+                  [&]
+                  {
+                    const bool chosen =
+                      pipeline.chooseScalars(drawn.Data, drawn.Scalars.Array, drawn.Scalars.OfCells,
+                        drawn.Vector, this->Scene.Volume->GetProperty(), scalars);
+                    ranges = chosen ? pipeline.findRanges(drawn.Data, scalars) : ranges;
+                    return chosen;
+                  });
   const PartStatus all =
     agreeOnScalars(group, statusOf(pipeline, !stopped), hasScalars, ranges, scalars);
   if (!all.Error.empty() || all.Stopped)
@@ -95,7 +101,10 @@ bool MapperFrame::prepareTogether(
   state.Whole = scalars.Whole;
   state.Shared.HasPiece = hasPiece;
 
-  bool goesOn = pipeline.updateScalars(drawn.Data, scalars) && this->prepareTables(pipeline, drawn);
+  bool goesOn = pipeline.guarded(
+    [&] {
+      return pipeline.updateScalars(drawn.Data, scalars) && this->prepareTables(pipeline, drawn);
+    });
   if (!goOnTogether(group, pipeline, statusOf(pipeline, goesOn)))
   {
     return false;
@@ -107,7 +116,7 @@ bool MapperFrame::prepareTogether(
   }
   state.Version.clear();
   pipeline.setGroup(&group, state.Generation);
-  goesOn = this->prepareRays(pipeline, drawn);
+  goesOn = pipeline.guarded([&] { return this->prepareRays(pipeline, drawn); });
   PartStatus own = statusOf(pipeline, goesOn);
   if (goesOn)
   {

@@ -6,13 +6,17 @@
 
 #include "Budget/AccuracyController.h"
 #include "Budget/SampleDistance.h"
+#include "Caching/WithinMemory.h"
 #include "Mapper/LastMessage.h"
 #include "Mapper/PickSession.h"
 #include "Mapper/SettingsLink.h"
+#include "Processes/Group.h"
 
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkTetMarchFrameStatistics.h"
+
+#include <string>
 
 namespace tetmarch
 {
@@ -35,6 +39,38 @@ struct MapperState
   vtkNew<vtkTetMarchFrameStatistics> Statistics;
   vtkNew<vtkLookupTable> ViewTable; // the colours of measures
 };
+
+/** Run a part of Render(), which throws nothing. Returns what it says is wrong, a lack of memory or
+ * a process that can't be reached included. */
+template <typename Part>
+std::string guardedPart(
+  Part&& part, const char* purpose = "the frame", const char* consequence = "so nothing is drawn")
+{
+  std::string error;
+  try
+  {
+    const std::string shortage = withinMemory(
+      purpose, [&] { error = part(); }, consequence);
+    return shortage.empty() ? error : shortage;
+  }
+  catch (const GroupFailure& failure)
+  {
+    return failure.what();
+  }
+}
+
+/** The same of what comes after the picture: what the frame took and counted. */
+template <typename Part>
+std::string guardedRecords(Part&& part)
+{
+  return guardedPart(
+    [&]
+    {
+      part();
+      return std::string();
+    },
+    "the statistics of the frame", "so they are missing; the picture is complete");
+}
 
 } // namespace tetmarch
 

@@ -3,8 +3,7 @@
 #include "Mesh/ConsistentOrientation.h"
 
 #include "Mesh/Orientation.h"
-
-#include "vtkSMPTools.h"
+#include "Parallel/ParallelFor.h"
 
 namespace tetmarch
 {
@@ -166,7 +165,7 @@ private:
 std::vector<std::int8_t> volumeSigns(const TetMesh& mesh)
 {
   std::vector<std::int8_t> signs(mesh.Tets.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(signs.size()),
+  parallelFor(0, static_cast<vtkIdType>(signs.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType t = first; t < last; ++t)

@@ -6,6 +6,7 @@
 #include "Mesh/CellTypes.h"
 #include "Mesh/GridCheck.h"
 #include "Mesh/PieceOptions.h"
+#include "Parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +107,7 @@ std::string decompose(vtkUnstructuredGrid* grid, const Progress& progress, Decom
   {
     const vtkIdType end = std::min(begin + portion, ranges);
     std::vector<Decomposition> parts(end - begin);
-    vtkSMPTools::For(begin, end, 1,
+    parallelFor(begin, end, 1,
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType range = first; range < last; ++range)

@@ -6,8 +6,7 @@
 #include "Mesh/Orientation.h"
 #include "Mesh/SharedVertices.h"
 #include "Mesh/VertexScalars.h"
-
-#include "vtkSMPTools.h"
+#include "Parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +29,7 @@ template <typename IsKnown>
 std::vector<std::uint8_t> findWhatTakesPart(const TetMesh& mesh, IsKnown&& isKnown)
 {
   std::vector<std::uint8_t> takesPart(mesh.Tets.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(takesPart.size()),
+  parallelFor(0, static_cast<vtkIdType>(takesPart.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)
@@ -215,7 +214,7 @@ std::vector<Gradient> atVertices(const Field& field, const VertexTets& around)
 {
   const VertexEstimator estimator(field, around);
   std::vector<Gradient> gradients(field.Mesh.Vertices.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(gradients.size()),
+  parallelFor(0, static_cast<vtkIdType>(gradients.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       std::vector<Id> neighbours;
@@ -294,7 +293,7 @@ std::vector<Gradient> cellGradients(const TetMesh& mesh)
   const auto scalars = scalarsOf(mesh);
   const Field field{ mesh, takesPart, scalars };
   std::vector<Gradient> gradients(mesh.Tets.size(), Gradient{});
-  vtkSMPTools::For(0, static_cast<vtkIdType>(gradients.size()),
+  parallelFor(0, static_cast<vtkIdType>(gradients.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType t = first; t < last; ++t)

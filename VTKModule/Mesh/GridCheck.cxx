@@ -6,11 +6,11 @@
 #include "Mesh/CellTypes.h"
 #include "Mesh/HigherOrderCheck.h"
 #include "Mesh/PolyhedronCheck.h"
+#include "Parallel/ParallelFor.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ std::string firstError(vtkIdType count, const ErrorOf& errorOf)
   vtkIdType lowest = count;
   std::string error;
   std::mutex mutex;
-  vtkSMPTools::For(0, count,
+  parallelFor(0, count,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)
@@ -231,7 +231,7 @@ std::string checkPoints(vtkUnstructuredGrid* grid)
   vtkPoints* points = grid->GetPoints();
   const vtkIdType count = points->GetNumberOfPoints();
   std::vector<char> sound(count, 1);
-  vtkSMPTools::For(0, count,
+  parallelFor(0, count,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)

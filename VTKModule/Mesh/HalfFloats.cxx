@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/HalfFloats.h"
 
+#include "Parallel/ParallelFor.h"
+
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ std::uint32_t shiftedAndRounded(std::uint32_t bits, std::uint32_t shift)
 double largestComponent(const std::vector<Gradient>& gradients)
 {
   vtkSMPThreadLocal<float> largest(0.0f);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(gradients.size()),
+  parallelFor(0, static_cast<vtkIdType>(gradients.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       float& mine = largest.Local();
@@ -86,7 +87,7 @@ PackedGradients packGradients(const std::vector<Gradient>& gradients)
   const double largest = largestComponent(gradients);
   packed.Unit = largest > 0 ? largest / LargestStored : 1;
   packed.Texels.resize(gradients.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(gradients.size()),
+  parallelFor(0, static_cast<vtkIdType>(gradients.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)

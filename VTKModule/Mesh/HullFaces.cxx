@@ -5,8 +5,7 @@
 #include "Mesh/BoundaryEdges.h"
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/FacePlane.h"
-
-#include "vtkSMPTools.h"
+#include "Parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +119,7 @@ std::vector<bool> findHullFaces(const TetMesh& mesh)
 {
   const std::size_t count = mesh.BoundaryFaces.size();
   std::vector<char> places(count);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+  parallelFor(0, static_cast<vtkIdType>(count),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType f = first; f < last; ++f)

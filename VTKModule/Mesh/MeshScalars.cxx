@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MeshScalars.h"
 
+#include "Parallel/ParallelFor.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
@@ -45,7 +46,7 @@ struct ScalarReader
   template <typename Array>
   void operator()(Array* array)
   {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Tuples.size()),
+    parallelFor(0, static_cast<vtkIdType>(this->Tuples.size()),
       [&](vtkIdType first, vtkIdType last) { this->read(array, first, last); });
   }
 };

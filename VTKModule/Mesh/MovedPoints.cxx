@@ -8,9 +8,9 @@
 #include "Mesh/GridCheck.h"
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/Orientation.h"
+#include "Parallel/ParallelFor.h"
 
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ bool moveVertices(vtkPoints* points, TetMesh& mesh)
 {
   std::vector<Vector3> positions(mesh.Vertices.size());
   const auto count = static_cast<vtkIdType>(positions.size());
-  vtkSMPTools::For(0, count,
+  parallelFor(0, count,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)
@@ -45,7 +45,7 @@ bool moveVertices(vtkPoints* points, TetMesh& mesh)
   {
     return false;
   }
-  vtkSMPTools::For(0, count,
+  parallelFor(0, count,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)
@@ -62,7 +62,7 @@ int sideOf(const std::vector<std::int8_t>& signs, Id tet, Id i) { return signs[t
 bool agree(const TetMesh& mesh, const std::vector<std::int8_t>& signs)
 {
   std::atomic<bool> agrees(true);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Tets.size()),
+  parallelFor(0, static_cast<vtkIdType>(mesh.Tets.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       for (Id t = static_cast<Id>(first); t < static_cast<Id>(last); ++t)

@@ -4,8 +4,7 @@
 
 #include "Mesh/ConsistentOrientation.h"
 #include "Mesh/Orientation.h"
-
-#include "vtkSMPTools.h"
+#include "Parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <atomic>
@@ -73,7 +72,7 @@ private:
   bool volumesAgree() const
   {
     std::atomic<bool> agree(true);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Signs.size()),
+    parallelFor(0, static_cast<vtkIdType>(this->Signs.size()),
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType t = first; t < last && agree; ++t)

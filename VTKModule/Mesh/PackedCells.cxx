@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/PackedCells.h"
 
-#include "vtkSMPTools.h"
+#include "Parallel/ParallelFor.h"
 
 namespace tetmarch
 {
@@ -11,7 +11,7 @@ void packCells(
   const TetMesh& mesh, std::size_t begin, std::size_t end, std::vector<PackedCell>& cells)
 {
   cells.resize(end - begin);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(cells.size()),
+  parallelFor(0, static_cast<vtkIdType>(cells.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)

@@ -4,7 +4,8 @@
 #ifndef TetMarchMeshProgress_h
 #define TetMarchMeshProgress_h
 
-#include "vtkSMPTools.h"
+#include "Parallel/ParallelFor.h"
+
 #include "vtkType.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ bool parallelFor(vtkIdType count, const Progress& progress, Functor&& f)
   for (vtkIdType first = 0; first < count; first += portion)
   {
     const vtkIdType last = std::min(first + portion, count);
-    vtkSMPTools::For(first, last, std::max<vtkIdType>((last - first) / 64, 1024), f);
+    parallelFor(first, last, std::max<vtkIdType>((last - first) / 64, 1024), f);
     if (progress && !progress(static_cast<double>(last) / static_cast<double>(count)))
     {
       return false;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/Renumbering.h"
 
+#include "Parallel/ParallelFor.h"
+
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -152,7 +154,7 @@ std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& pr
   const UsedPoints used = findUsedPoints(tets, pointCount + tets.CenterCells.size());
   const std::size_t vertexCount = used.Points.size();
   std::vector<Vector3> positions(vertexCount);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(vertexCount),
+  parallelFor(0, static_cast<vtkIdType>(vertexCount),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)
@@ -181,7 +183,7 @@ std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& pr
 
   std::vector<Vertex> vertices(vertexCount);
   std::vector<std::uint64_t> codes(vertexCount);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(vertexCount),
+  parallelFor(0, static_cast<vtkIdType>(vertexCount),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)

@@ -5,8 +5,7 @@
 #include "Mesh/LinearFit.h"
 #include "Mesh/Orientation.h"
 #include "Mesh/SharedVertices.h"
-
-#include "vtkSMPTools.h"
+#include "Parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -181,7 +180,7 @@ std::vector<float> vertexScalars(const TetMesh& mesh, const VertexTets& around,
 {
   const CellFit fit(mesh, around, takesPart, cellScalars);
   std::vector<float> values(mesh.Vertices.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()),
+  parallelFor(0, static_cast<vtkIdType>(values.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       std::vector<Id> tets;

@@ -6,8 +6,7 @@
 #include "Mesh/Orientation.h"
 #include "Mesh/OutsideSigns.h"
 #include "Mesh/VertexTets.h"
-
-#include "vtkSMPTools.h"
+#include "Parallel/ParallelFor.h"
 
 #include <cmath>
 #include <utility>
@@ -36,7 +35,7 @@ double inscribedRadius(const TetMesh& mesh, Id t)
 std::vector<double> inscribedRadii(const TetMesh& mesh)
 {
   std::vector<double> radii(mesh.Tets.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(radii.size()),
+  parallelFor(0, static_cast<vtkIdType>(radii.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType t = first; t < last; ++t)
@@ -83,7 +82,7 @@ std::vector<std::array<Id, 4>> vertexStarts(const TetMesh& mesh)
   const std::vector<double> radii = inscribedRadii(mesh);
   const std::vector<std::int8_t> signs = outsideSigns(mesh);
   std::vector<std::array<Id, 4>> starts(mesh.Vertices.size(), { { 0, 0, 0, NoTet } });
-  vtkSMPTools::For(0, static_cast<vtkIdType>(starts.size()),
+  parallelFor(0, static_cast<vtkIdType>(starts.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Optics/BinAreas.h"
 
-#include "vtkSMPTools.h"
+#include "Parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,7 +129,7 @@ std::vector<OpticalSample> keepBinAreas(const std::vector<OpticalSample>& fine, 
   const std::size_t bins = (fine.size() - 1) / stride;
   std::vector<std::array<double, 4>> missing(bins);
   std::vector<unsigned char> isBent(bins + 2); // bin i at i + 1
-  vtkSMPTools::For(0, static_cast<vtkIdType>(bins),
+  parallelFor(0, static_cast<vtkIdType>(bins),
     [&](vtkIdType first, vtkIdType last)
     {
       for (std::size_t i = first; i < static_cast<std::size_t>(last); ++i)

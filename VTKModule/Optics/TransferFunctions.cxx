@@ -3,10 +3,10 @@
 #include "Optics/TransferFunctions.h"
 
 #include "Optics/BinAreas.h"
+#include "Parallel/ParallelFor.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkSMPTools.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -123,7 +123,7 @@ double deviation(const std::vector<OpticalSample>& fine, const std::vector<Optic
     return 0;
   }
   std::vector<double> ofBins(kept.size() - 1);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ofBins.size()),
+  parallelFor(0, static_cast<vtkIdType>(ofBins.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       for (std::size_t i = first; i < static_cast<std::size_t>(last); ++i)

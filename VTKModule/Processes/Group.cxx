@@ -6,7 +6,6 @@
 #include "vtkMultiProcessController.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace tetmarch
 {
@@ -14,8 +13,37 @@ namespace
 {
 
 constexpr int Tag = 20190; // of our messages
-// MPI counts in int.
-constexpr std::size_t MostBytesOfMessage = std::size_t(1) << 30;
+// Of one call: MPI counts in int. Memory for a message is taken part by part, as it arrives.
+constexpr std::size_t MostBytesOfPart = std::size_t(1) << 26;
+// That a picture's size may ask all processes to tell each other.
+constexpr std::size_t MostBytesOfAll = std::size_t(1) << 31;
+
+std::size_t checkedSize(vtkTypeInt64 count, int from)
+{
+  if (count < 0)
+  {
+    throw GroupFailure("Process " + std::to_string(from) + " announced a message of " +
+                       std::to_string(count) + " bytes.");
+  }
+  return static_cast<std::size_t>(count);
+}
+
+// Where the messages of all processes begin, one behind the other, and where the last one ends.
+std::vector<vtkIdType> startsOf(const std::vector<vtkIdType>& counts)
+{
+  std::vector<vtkIdType> starts{ 0 };
+  for (std::size_t p = 0; p < counts.size(); ++p)
+  {
+    const std::size_t count = checkedSize(counts[p], static_cast<int>(p));
+    if (count > MostBytesOfAll - static_cast<std::size_t>(starts.back()))
+    {
+      throw GroupFailure("The processes announced messages of more than " +
+                         std::to_string(MostBytesOfAll >> 30) + " GiB to all.");
+    }
+    starts.push_back(starts.back() + counts[p]);
+  }
+  return starts;
+}
 
 } // namespace
 
@@ -42,9 +70,9 @@ void Group::send(const Bytes& bytes, int to)
 {
   const auto count = static_cast<vtkTypeInt64>(bytes.size());
   this->check(this->Controller->Send(&count, 1, to, Tag), "send a size");
-  for (std::size_t at = 0; at < bytes.size(); at += MostBytesOfMessage)
+  for (std::size_t at = 0; at < bytes.size(); at += MostBytesOfPart)
   {
-    const std::size_t part = std::min(MostBytesOfMessage, bytes.size() - at);
+    const std::size_t part = std::min(MostBytesOfPart, bytes.size() - at);
     this->check(
       this->Controller->Send(bytes.data() + at, static_cast<vtkIdType>(part), to, Tag), "send");
   }
@@ -55,10 +83,12 @@ Bytes Group::receive(int from)
 {
   vtkTypeInt64 count = 0;
   this->check(this->Controller->Receive(&count, 1, from, Tag), "receive a size");
-  Bytes bytes(static_cast<std::size_t>(count));
-  for (std::size_t at = 0; at < bytes.size(); at += MostBytesOfMessage)
+  const std::size_t size = checkedSize(count, from);
+  Bytes bytes;
+  for (std::size_t at = 0; at < size; at += MostBytesOfPart)
   {
-    const std::size_t part = std::min(MostBytesOfMessage, bytes.size() - at);
+    const std::size_t part = std::min(MostBytesOfPart, size - at);
+    bytes.resize(at + part);
     this->check(
       this->Controller->Receive(bytes.data() + at, static_cast<vtkIdType>(part), from, Tag),
       "receive");
@@ -107,8 +137,7 @@ std::vector<Bytes> Group::tellAll(const Bytes& own)
   const auto count = static_cast<vtkIdType>(own.size());
   std::vector<vtkIdType> counts(this->Size);
   this->check(this->Controller->AllGather(&count, counts.data(), 1), "gather sizes");
-  std::vector<vtkIdType> starts(this->Size + 1, 0);
-  std::partial_sum(counts.begin(), counts.end(), starts.begin() + 1);
+  std::vector<vtkIdType> starts = startsOf(counts);
   Bytes all(static_cast<std::size_t>(starts.back()));
   this->check(
     this->Controller->AllGatherV(own.data(), all.data(), count, counts.data(), starts.data()),

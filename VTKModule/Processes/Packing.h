@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <vector>
 
 namespace tetmarch
 {
@@ -35,18 +36,33 @@ public:
   template <typename T>
   void take(T* values, std::size_t count)
   {
-    if (count * sizeof(T) > this->Packed.size() - this->At)
-    {
-      throw GroupFailure("What a process sent ends too early.");
-    }
+    this->check<T>(count);
     if (count > 0)
     {
       std::memcpy(values, this->Packed.data() + this->At, count * sizeof(T));
     }
     this->At += count * sizeof(T);
   }
+  /** As many as another process says that it sent: memory for them is taken if they are there. */
+  template <typename T>
+  std::vector<T> takeVector(std::size_t count)
+  {
+    this->check<T>(count);
+    std::vector<T> values(count);
+    this->take(values.data(), count);
+    return values;
+  }
 
 private:
+  template <typename T>
+  void check(std::size_t count) const
+  {
+    if (count > (this->Packed.size() - this->At) / sizeof(T))
+    {
+      throw GroupFailure("What a process sent ends too early.");
+    }
+  }
+
   const Bytes& Packed;
   std::size_t At = 0;
 };

@@ -40,15 +40,13 @@ SentRow takeRow(Unpacker& sent, std::uint32_t width)
 {
   SentRow row;
   row.Where = takeSpan(sent, width);
-  std::vector<std::uint16_t> counts(row.Where.size());
-  sent.take(counts.data(), counts.size());
+  const auto counts = sent.takeVector<std::uint16_t>(row.Where.size());
   row.Starts.resize(counts.size() + 1, 0);
   for (std::size_t i = 0; i < counts.size(); ++i)
   {
     row.Starts[i + 1] = row.Starts[i] + counts[i];
   }
-  row.Visits.resize(row.Starts.back());
-  sent.take(row.Visits.data(), row.Visits.size());
+  row.Visits = sent.takeVector<Visit>(row.Starts.back());
   return row;
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Processes/VisitExchange.h"
 
+#include "Parallel/ParallelFor.h"
 #include "Processes/SentVisits.h"
 
-#include "vtkSMPTools.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace
 void mergeRow(
   const std::vector<SentRow>& rows, int width, MergeRule rule, float opaque, MergedPixel* merged)
 {
-  vtkSMPTools::For(0, width, 64,
+  parallelFor(0, width, 64,
     [&](vtkIdType first, vtkIdType last)
     {
       std::vector<Visit> visits;

@@ -5,6 +5,7 @@
 #define TetMarchReferenceRowPortions_h
 
 #include "Mesh/Progress.h"
+#include "Parallel/ParallelFor.h"
 
 #include <chrono>
 
@@ -23,7 +24,7 @@ bool forRows(vtkIdType rows, const Progress& progress, Functor&& f)
   {
     const auto begin = Clock::now();
     const vtkIdType last = std::min(first + portion, rows);
-    vtkSMPTools::For(first, last, 1, f);
+    parallelFor(first, last, 1, f);
     if (progress && !progress(static_cast<double>(last) / static_cast<double>(rows)))
     {
       return false;

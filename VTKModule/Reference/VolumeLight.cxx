@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reference/VolumeLight.h"
 
+#include "Parallel/ParallelFor.h"
 #include "Reference/LitKernel.h"
 #include "Reference/MakeKernel.h"
 #include "Reference/ReferenceImage.h"
 #include "Reference/StructuredKernel.h"
-
-#include "vtkSMPTools.h"
 
 namespace tetmarch
 {
@@ -29,7 +28,7 @@ std::vector<Real> atVertices(const ReferenceScene& scene)
   const auto count = scene.Cells ? static_cast<vtkIdType>(lightNodesOf(*scene.Cells).count())
                                  : static_cast<vtkIdType>(scene.Mesh->Vertices.size());
   std::vector<Real> light(4 * static_cast<std::size_t>(count));
-  vtkSMPTools::For(0, count,
+  parallelFor(0, count,
     [&](vtkIdType first, vtkIdType last)
     {
       Kernel kernel = prototype;

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Parallel/ParallelFor.h"
 #include "Structured/EmptySpace.h"
 
 #include "Scalars/SeenScalars.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,7 @@ template <typename IsSeen>
 Distances markSeen(const BlockRanges& ranges, const IsSeen& isSeen)
 {
   Distances distances(ranges.Scalars.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(distances.size()),
+  parallelFor(0, static_cast<vtkIdType>(distances.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType b = first; b < last; ++b)
@@ -80,7 +79,7 @@ private:
   template <typename Work>
   void forRows(const Work& work)
   {
-    vtkSMPTools::For(0, vtkIdType(this->Blocks[1]) * this->Blocks[2],
+    parallelFor(0, vtkIdType(this->Blocks[1]) * this->Blocks[2],
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType row = first; row < last; ++row)

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Parallel/ParallelFor.h"
 #include "Structured/EmptySpace.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -118,7 +117,7 @@ public:
     this->Ranges.Scalars.resize(count);
     const bool undrawn = std::is_same<Value, float>::value && !this->Values.Range.AllFinite;
     this->Ranges.Undrawn.resize(undrawn ? count : 0);
-    vtkSMPTools::For(0, vtkIdType(blocks[1]) * blocks[2],
+    parallelFor(0, vtkIdType(blocks[1]) * blocks[2],
       [&](vtkIdType first, vtkIdType last)
       {
         RowExtremes<Value> rows(this->Made.Axes[0].Values, undrawn);

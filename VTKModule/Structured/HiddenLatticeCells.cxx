@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Structured/HiddenLatticeCells.h"
 
-#include "vtkSMPTools.h"
+#include "Parallel/ParallelFor.h"
+
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ std::vector<std::uint32_t> bitsOf(const Number& cells, const IsHidden& isHidden)
 {
   const std::size_t count = countOf(cells);
   std::vector<std::uint32_t> bits((count + 31) / 32, 0u);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(bits.size()),
+  parallelFor(0, static_cast<vtkIdType>(bits.size()),
     [&](vtkIdType first, vtkIdType last)
     {
       for (std::size_t c = std::size_t(first) * 32; c < std::min(std::size_t(last) * 32, count);

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Structured/StoredValues.h"
 
+#include "Parallel/ParallelFor.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <atomic>
 #include <cmath>
@@ -29,7 +30,7 @@ struct TupleVisitor
   void operator()(Array* array)
   {
     const auto tuples = vtk::DataArrayTupleRange(array);
-    vtkSMPTools::For(
+    parallelFor(
       0, tuples.size(), [&](vtkIdType first, vtkIdType last) { this->Do(tuples, first, last); });
   }
 };
@@ -49,7 +50,7 @@ template <typename Value>
 ScalarRange rangeOfIntegers(const Value* values, std::size_t count)
 {
   vtkSMPThreadLocal<FiniteRange> ranges;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+  parallelFor(0, static_cast<vtkIdType>(count),
     [&](vtkIdType first, vtkIdType last)
     {
       Value low = values[first];
@@ -221,7 +222,7 @@ StoredValues storeByUnit(vtkDataArray* array, const TupleScalar& scalar, double 
 void hideUndrawn(StoredValues& further, StoredValues& first)
 {
   std::atomic<bool> any{ false };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(further.Floats.size()),
+  parallelFor(0, static_cast<vtkIdType>(further.Floats.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
