@@ -164,6 +164,10 @@ TEST_F(BlockReader, BlocksWithoutTheArrayAreLeftOutWithAWarning)
   const auto image = MakeImage(3);
   const auto voxel = MakeVoxel(2.0);
   AddArrays(voxel, { "d other" });
+  for (vtkDataSet* block : { static_cast<vtkDataSet*>(image), static_cast<vtkDataSet*>(voxel) })
+  {
+    block->AllocatePointGhostArray(); // is an array of all blocks, but none to draw
+  }
   const auto tree = MakeBlocks({ image, voxel });
   const std::string path = this->Write<vtkXMLMultiBlockDataWriter>("blocks.vtm", tree);
   testing::internal::CaptureStderr();

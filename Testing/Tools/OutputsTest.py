@@ -67,7 +67,7 @@ class OutputsTest(RenderCase):
         self.assertEqual(self.contents(), self.inputs)
 
     def test_a_full_disk_leaves_the_old_file(self):
-        """A limit of the sizes of files fails writes as a full disk does, for everybody's account."""
+        """A limit of the size of files fails a write as a full disk does, for root as well."""
         for options, limit in (((), 500), (("--stats", "out.json"), 600), (("--turntable", 2), 500)):
             with self.subTest(options=options):
                 for name in ("out.png", "out.json", "out_0000.png"):

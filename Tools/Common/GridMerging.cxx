@@ -117,7 +117,9 @@ bool HaveCommonArray(const std::vector<vtkDataSet*>& blocks)
   {
     for (const auto& [array, part] : CountArrays(blocks, cells))
     {
-      if (part.Blocks == blocks.size())
+      const bool isDrawable = !array.first.empty() && part.Types.count(VTK_STRING) == 0 &&
+                              array.first != vtkDataSetAttributes::GhostArrayName();
+      if (isDrawable && part.Blocks == blocks.size())
       {
         return true;
       }
@@ -134,9 +136,12 @@ void WarnOfPartialArrays(const std::vector<vtkDataSet*>& blocks)
     {
       if (part.Blocks < blocks.size())
       {
-        PrintMessage("warning", std::string(cells ? "cell" : "point") + " array '" + array.first +
-                                  "' is left out: only " + std::to_string(part.Blocks) + " of " +
-                                  std::to_string(blocks.size()) + " blocks have it");
+        const auto& [name, components] = array;
+        PrintMessage("warning",
+          std::string(cells ? "cell" : "point") + " array '" + name + "' is left out: only " +
+            std::to_string(part.Blocks) + " of " + std::to_string(blocks.size()) +
+            " blocks have it" +
+            (components > 1 ? " with " + std::to_string(components) + " components" : ""));
       }
     }
   }

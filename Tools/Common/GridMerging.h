@@ -19,7 +19,7 @@ class vtkDataSet;
 namespace tetmarch
 {
 
-/// Whether an array of some name is in all blocks, with the same number of components.
+/// Whether all blocks have an array of numbers of the same name and number of components.
 bool HaveCommonArray(const std::vector<vtkDataSet*>& blocks);
 
 /// Only arrays that all blocks have, with the same number of components, are kept; a warning names

@@ -43,7 +43,8 @@ bool AreSame(const std::string& a, const std::string& b)
 std::vector<NamedFile> ListInputs(const CommandLine& commandLine)
 {
   std::vector<NamedFile> inputs{ { "the input", commandLine.Input } };
-  if (IsSeriesFile(commandLine.Input) && fs::exists(commandLine.Input))
+  std::error_code error;
+  if (IsSeriesFile(commandLine.Input) && fs::exists(commandLine.Input, error))
   {
     for (const SeriesStep& step : ReadSeries(commandLine.Input).Steps)
     {
