@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchFirstPicture.h"
 
+#include "Blocks/BlockList.h"
 #include "FirstPicture/ArrayChoice.h"
 #include "FirstPicture/ArrayTable.h"
 #include "FirstPicture/CameraFit.h"
@@ -24,6 +25,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <iterator>
 #include <type_traits>
 
 vtkStandardNewMacro(vtkTetMarchFirstPicture);
@@ -62,6 +64,11 @@ struct vtkTetMarchFirstPicture::Internals
   void findBlocks()
   {
     this->Blocks = tetmarch::drawnBlocks(this->Data);
+    // Those that mappers draw, unless there are none of them.
+    std::vector<vtkDataSet*> solid;
+    std::copy_if(
+      this->Blocks.begin(), this->Blocks.end(), std::back_inserter(solid), tetmarch::hasSolidCells);
+    this->Blocks = solid.empty() ? this->Blocks : solid;
     int n[3];
     this->Lattices = std::all_of(this->Blocks.begin(), this->Blocks.end(),
       [&n](vtkDataSet* block) { return tetmarch::isLattice(block, n); });

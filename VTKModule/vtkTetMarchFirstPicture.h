@@ -20,9 +20,9 @@
  * }
  * @endcode
  *
- * Array: physical values come before numbers of cells, blocks or materials, these before arrays
- * whose values are all equal; points come before cells, one component before several, of which the
- * magnitude is drawn.
+ * Array: of several blocks, arrays that all of them have come first. Of these, physical values come
+ * before numbers of cells, blocks or materials, these before arrays whose values are all equal;
+ * points come before cells, one component before several, of which the magnitude is drawn.
  *
  * Range: the 2nd to the 98th percentile. Background: the peak of the histogram if there is one,
  * else the low end of the range. Opacity: 0 at the background of images, nearly 0 at that of

@@ -6,7 +6,7 @@
 #include "Effects.h"
 #include "Failure.h"
 #include "Machine.h"
-#include "Statistics.h"
+#include "OutputFile.h"
 #include "WorkerAnswers.h"
 
 #include "vtkVersion.h"
@@ -166,6 +166,6 @@ void GpuReport::write() const
   {
     addFailures(report["benchmark"], report["failures"]);
   }
-  WriteText(this->Asked.GpuReportFile, report.dump(2) + "\n");
+  WriteFile(this->Asked.GpuReportFile, report.dump(2) + "\n");
 }
 } // namespace tetmarch::bench

@@ -4,8 +4,8 @@
 #include "Failure.h"
 #include "GpuReport.h"
 #include "Measurement.h"
+#include "OutputFile.h"
 #include "Report.h"
-#include "Statistics.h"
 #include "StructuredReport.h"
 #include "StructuredVolumes.h"
 #include "Worker.h"
@@ -70,11 +70,11 @@ void write(const Options& options, const nlohmann::ordered_json& report, const s
 {
   if (!options.JsonFile.empty())
   {
-    WriteText(options.JsonFile, report.dump(2) + "\n");
+    WriteFile(options.JsonFile, report.dump(2) + "\n");
   }
   if (!options.MarkdownFile.empty())
   {
-    WriteText(options.MarkdownFile, text);
+    WriteFile(options.MarkdownFile, text);
   }
 }
 

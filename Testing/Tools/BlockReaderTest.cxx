@@ -4,11 +4,14 @@
 #include "ReaderCase.h"
 #include "TestGrids.h"
 
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkTetMarchFirstPicture.h"
 #include "vtkXMLMultiBlockDataWriter.h"
 
 namespace
@@ -97,4 +100,78 @@ TEST_F(BlockReader, ImagesAmongOtherBlocksBecomeHexahedra)
   ASSERT_NE(grid, nullptr);
   EXPECT_EQ(grid->GetNumberOfCells(), 9);
   EXPECT_EQ(grid->GetNumberOfPoints(), 27 + 4);
+}
+
+namespace
+{
+using Arrays = std::vector<std::string>;
+
+/// Point arrays by their names: of ints "i NAME", floats "f NAME", doubles "d NAME",
+/// vectors "v NAME".
+void AddArrays(vtkDataSet* data, const Arrays& names)
+{
+  for (const std::string& name : names)
+  {
+    const vtkIdType count = data->GetNumberOfPoints();
+    const std::string bare = name.substr(name.find(' ') + 1);
+    name[0] == 'i'   ? AddArray<vtkIntArray>(data->GetPointData(), bare.c_str(), count)
+    : name[0] == 'f' ? AddArray<vtkFloatArray>(data->GetPointData(), bare.c_str(), count)
+    : name[0] == 'v' ? AddArray<vtkDoubleArray>(data->GetPointData(), bare.c_str(), count, 3)
+                     : AddArray<vtkDoubleArray>(data->GetPointData(), bare.c_str(), count);
+  }
+}
+
+std::string Choose(vtkDataObject* data)
+{
+  vtkNew<vtkTetMarchFirstPicture> choice;
+  choice->SetInputData(data);
+  return choice->ChooseArray() ? choice->Describe() : "nothing";
+}
+} // namespace
+
+// What vtkTetMarchFirstPicture is given by Python: the tree. By the programs: what they read of it.
+TEST_F(BlockReader, TheArrayIsThatOfTheTree)
+{
+  const struct
+  {
+    Arrays OfImage, OfGrid;
+    std::string Chosen;
+  } cases[] = {
+    { { "d a", "d b" }, { "d b", "d a" }, "a" }, { { "d only here", "d b" }, { "d b" }, "b" },
+    { { "d b" }, { "d only here", "d b" }, "b" }, { { "f a" }, { "d a" }, "a" }, // other types
+    { { "i a", "d b" }, { "d a", "d b" }, "a" },          // floating-point in one of them
+    { { "v a", "d b" }, { "d a", "d b" }, "b" },          // other numbers of components
+    { { "d only here" }, { "d or there" }, "only here" }, // no array in both
+  };
+  for (const auto& c : cases)
+  {
+    const auto image = MakeImage(3);
+    image->GetPointData()->RemoveArray("s");
+    const auto voxel = MakeVoxel(2.0);
+    AddArrays(image, c.OfImage);
+    AddArrays(voxel, c.OfGrid);
+    const auto flat = MakeImage(1); // is not drawn, so its arrays don't count
+    const auto tree = MakeBlocks({ flat, image, voxel });
+    const std::string path = this->Write<vtkXMLMultiBlockDataWriter>("blocks.vtm", tree);
+    const std::string chosen = Choose(tree);
+    EXPECT_EQ(chosen.substr(0, chosen.find(" on ")), c.Chosen);
+    EXPECT_EQ(Choose(ReadVolume(path, std::nullopt).Input), chosen) << c.Chosen;
+  }
+}
+
+TEST_F(BlockReader, BlocksWithoutTheArrayAreLeftOutWithAWarning)
+{
+  const auto image = MakeImage(3);
+  const auto voxel = MakeVoxel(2.0);
+  AddArrays(voxel, { "d other" });
+  for (vtkDataSet* block : { static_cast<vtkDataSet*>(image), static_cast<vtkDataSet*>(voxel) })
+  {
+    block->AllocatePointGhostArray(); // is an array of all blocks, but none to draw
+  }
+  const auto tree = MakeBlocks({ image, voxel });
+  const std::string path = this->Write<vtkXMLMultiBlockDataWriter>("blocks.vtm", tree);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(ReadVolume(path, std::nullopt).Input->GetNumberOfElements(vtkDataObject::CELL), 8);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+    "tetmarch-render: warning: no array is in all blocks: drawn are the 1 of 2 with array 's'\n");
 }

@@ -3,6 +3,8 @@
 // Arguments that tetmarch-render refuses, and what it says of them.
 #include "CommandLineErrors.h"
 
+#include <algorithm>
+
 TEST(CommandLine, RefusesWhatItDoesNotKnow)
 {
   EXPECT_EQ(GetError({}), "no input file is given");
@@ -166,6 +168,88 @@ TEST(CommandLine, RefusesBadPixels)
     "the pixel of --pixel is outside the picture: columns are 0 to 1023, rows 0 to 767";
   EXPECT_EQ(GetError({ "a.vtu", "--pixel", "1024,0" }), outside);
   EXPECT_EQ(GetError({ "a.vtu", "--pixel", "0,768" }), outside);
-  EXPECT_EQ(GetError({ "a.vtu", "--pixel-json", "p.json" }),
-    "--pixel-json writes the ray of --pixel, which is missing");
+}
+
+// Options that would be ignored without others, or because of others.
+TEST(CommandLine, RefusesWhatWouldBeIgnored)
+{
+  const std::string shading = " is for --blend composite and isosurface";
+  const std::string light = " is for --blend composite";
+  const std::string shadows = " needs shadows: --shadows, or --scattering above 0";
+  const std::string drawing = " is for a picture, but --list draws none";
+  const std::string samples = " is for --accuracy sampled or --sample-distance, which are missing";
+  using Words = std::vector<std::string>;
+  const struct
+  {
+    std::string Option;
+    Words With;        // others with which it is refused
+    std::string Error; // behind the option's name
+    Words Better;      // others with which it is accepted
+  } cases[] = {
+    { "--compare", {}, " adds to the figures of --stats, which is missing", { "--stats=s" } },
+    { "--pixel-json=p", {}, " writes the ray of --pixel, which is missing", { "--pixel=1,1" } },
+    { "--crop-regions=fence", {}, " chooses among the regions of --crop, which is missing",
+      { "--crop=0,1,0,1,0,1" } },
+    { "--jitter", {}, samples, { "--accuracy=sampled" } },
+    { "--jitter", { "--accuracy=fast" }, samples, { "--sample-distance=1" } },
+    { "--sample-distance=1", { "--accuracy=fast" },
+      " is for --accuracy sampled, not for another level", { "--accuracy=sampled" } },
+    { "--isovalues=1", { "--blend=maximum" }, " are for --blend isosurface, not for another mode",
+      { "--blend=isosurface" } },
+    { "--blend=isosurface", {}, " isosurface needs --isovalues, which is missing",
+      { "--isovalues=1" } },
+    { "--gradient-opacity=0,1", { "--blend=additive" }, light, { "--blend=composite" } },
+    { "--shade", { "--blend=maximum" }, shading, {} },
+    { "--light=1,0,0", { "--blend=minimum" }, shading, {} },
+    { "--ambient=1", { "--blend=average" }, shading, { "--isovalues=1" } },
+    { "--diffuse=1", { "--blend=average" }, shading, {} },
+    { "--specular=1", { "--blend=average" }, shading, {} },
+    { "--specular-power=1", { "--blend=average" }, shading, {} },
+    { "--shadows=rays", { "--isovalues=1" }, light, {} },
+    { "--scattering=1", { "--blend=maximum" }, light, {} },
+    { "--occlusion=1", { "--isovalues=1" }, light, {} },
+    { "--reach=0.5", {}, shadows, { "--shadows=automatic" } },
+    { "--reach=0.5", { "--shadows=off" }, shadows, { "--scattering=1" } },
+    { "--opaque-shadows", { "--surface=s" }, shadows, { "--surface=s", "--shadows=rays" } },
+    { "--opaque-shadows", { "--shadows=rays" }, " are those of --surface, which is missing",
+      { "--scattering=1", "--surface=s" } },
+    { "--output=o.png", { "--list" }, drawing, {} },
+    { "--stats=s", { "--list" }, drawing, {} },
+    { "--frames=1", { "--list" }, drawing, {} },
+    { "--pixel=1,1", { "--list" }, drawing, {} },
+    { "--time=all", { "--list" }, drawing, {} },
+    { "--turntable=3", { "--list" }, drawing, {} },
+  };
+  const auto errorOf = [](Words options)
+  {
+    options.emplace_back("a.vtu");
+    return GetError(options);
+  };
+  for (const auto& [option, with, error, better] : cases)
+  {
+    Words options = with;
+    options.push_back(option);
+    const std::string expected = option.substr(0, option.find('=')) + error;
+    EXPECT_EQ(errorOf(options), expected) << option;
+    std::reverse(options.begin(), options.end()); // whatever the order
+    EXPECT_EQ(errorOf(options), expected) << option;
+    options = better;
+    options.push_back(option);
+    EXPECT_EQ(errorOf(options), "accepted") << option;
+  }
+}
+
+TEST(CommandLine, RefusesPicturesOfOtherFormats)
+{
+  for (const char* name : { "o.jpg", "o.png.tif", "/tmp/o.PDF", "cube.vtu" })
+  {
+    ExpectBadValue(
+      "--output", name, "pictures are written as PNG alone; give a name that ends in .png");
+  }
+  for (const char* name : { "o.png", "O.PNG", "o", "-" })
+  {
+    EXPECT_EQ(ParseCommandLine({ "a.vtu", "--output", name }).Output, name);
+  }
+  EXPECT_EQ(ParseCommandLine({ "a.vtu", "--output", "/dev/stdout" }).Output, "-");
+  EXPECT_EQ(ParseCommandLine({ "a.vtu", "--stats", "/dev/stdout" }).Stats, "-");
 }

@@ -152,7 +152,12 @@ TEST(CommandLine, BlendModesAreThoseOfTheMapper)
   for (const char* name :
     { "composite", "maximum", "minimum", "average", "additive", "isosurface" })
   {
-    EXPECT_EQ(ParseCommandLine({ "a.vtu", "--blend", name }).BlendMode, mode) << name;
+    std::vector<std::string> arguments{ "a.vtu", "--blend", name };
+    if (mode == 5)
+    {
+      arguments.emplace_back("--isovalues=1");
+    }
+    EXPECT_EQ(ParseCommandLine(arguments).BlendMode, mode) << name;
     EXPECT_NE(tetmarch::GetHelp().find(name), std::string::npos) << name;
     ++mode;
   }
@@ -170,7 +175,7 @@ TEST(CommandLine, TakesEveryOptionOfLight)
     { "a.vtu", "--light", "-1,2,3", "--light=headlight", "--light", "0,0,2,0.5", "--light",
       "headlight,0.25", "--ambient", "0.1", "--diffuse", "0.2", "--specular", "0.3",
       "--specular-power", "40", "--shadows", "rays", "--scattering", "1.5", "--reach", "0.6",
-      "--occlusion", "0.7", "--opaque-shadows" })
+      "--occlusion", "0.7", "--opaque-shadows", "--surface", "s.vtp" })
                        .Light;
   ASSERT_EQ(light.Lights.size(), 4u);
   EXPECT_EQ(light.Lights[0].From, (std::array<double, 3>{ { -1, 2, 3 } }));
@@ -206,9 +211,8 @@ TEST(CommandLine, ShadowsAreThoseOfTheMapper)
 TEST(CommandLine, WhoAsksForLightHasShading)
 {
   EXPECT_TRUE(ParseCommandLine({ "a.vtu", "--shade" }).Light.Shade);
-  for (const char* option :
-    { "--light=1,0,0", "--ambient=0.3", "--diffuse=0.5", "--specular=0.3", "--specular-power=4",
-      "--shadows=off", "--scattering=0", "--reach=0.5", "--occlusion=0.1", "--opaque-shadows" })
+  for (const char* option : { "--light=1,0,0", "--ambient=0.3", "--diffuse=0.5", "--specular=0.3",
+         "--specular-power=4", "--shadows=off", "--scattering=0", "--occlusion=0.1" })
   {
     EXPECT_TRUE(ParseCommandLine({ "a.vtu", option }).Light.Shade) << option;
   }

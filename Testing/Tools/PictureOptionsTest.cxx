@@ -28,10 +28,11 @@ TEST(PictureOptions, AreOffByDefault)
 
 TEST(PictureOptions, AreTaken)
 {
-  const CommandLine c = ParseCommandLine(
-    { "a.vtu", "--scalar-bar", "--outline", "--axes", "--background", "none", "--tile-size", "512",
-      "--turntable", "36", "--threads=3", "--quiet", "--list", "--colors", "viridis" });
-  EXPECT_TRUE(c.List && c.Quiet && c.Transparent);
+  const CommandLine c =
+    ParseCommandLine({ "a.vtu", "--scalar-bar", "--outline", "--axes", "--background", "none",
+      "--tile-size", "512", "--turntable", "36", "--threads=3", "--quiet", "--colors", "viridis" });
+  EXPECT_TRUE(c.Quiet && c.Transparent);
+  EXPECT_TRUE(ParseCommandLine({ "a.vtu", "--list" }).List);
   EXPECT_TRUE(c.Annotations.ScalarBar && c.Annotations.Outline && c.Annotations.Axes);
   EXPECT_EQ(c.TileSize, 512);
   EXPECT_EQ(c.Turntable, 36);
@@ -166,6 +167,9 @@ TEST(Ticks, AreRoundNumbers)
   EXPECT_EQ(labels(1e-7, 3.1e-7, 4), "1e-07 2e-07 3e-07 ");
   EXPECT_EQ(labels(1000000.2, 1000001.4, 7), "1000000.2 1000000.4 1000000.6 1000000.8 1000001 "
                                              "1000001.2 1000001.4 ");
+  EXPECT_EQ(labels(1e9, 1e9 + 1.2, 4), "1000000000 1000000000.5 1000000001 ");
+  EXPECT_EQ(labels(101325.00001, 101325.00003, 3), "101325.00001 101325.00002 101325.00003 ");
+  EXPECT_EQ(labels(1.0, 1.0 + 6e-13, 4), "1 1.0000000000002 1.0000000000004 1.0000000000006 ");
   EXPECT_EQ(labels(-5e300, 5e300, 3), "-5e+300 0 5e+300 ");
   EXPECT_EQ(labels(1, 1, 5), "");
   EXPECT_EQ(labels(2, 1, 5), "");

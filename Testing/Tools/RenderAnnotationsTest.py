@@ -49,6 +49,23 @@ class RenderAnnotationsTest(RenderCase):
         self.expect_failure(1, "there is no array 'x'", "cube.vtu", "--list", "--array", "x")
         self.expect_failure(1, "the data has no array to draw", "bare.vtk", "--list")
 
+    def test_numbers_have_as_many_digits_as_tell_the_ends_apart(self):
+        cube = (self.folder / "cube.vtu").read_text()
+        for low, high, told in ((101324.9, 101325.4, "101324.9 to 101325.4"), (1, 1234567, "1 to 1234567"),
+                                (1e9, 1e9 + 1.5, "1000000000 to 1000000001.5")):
+            ramp = " ".join(str(low + (high - low) * x) for x in (0, 1, 1, 0) * 2)
+            (self.folder / "near.vtu").write_text(cube.replace("0 1 1 0 0 1 1 0", ramp))
+            with self.subTest(told=told):
+                result = self.run_tool("near.vtu", "--size", "16x16")
+                self.assertEqual(result.stderr, f"tetmarch-render: note: drawing ramp on points, {told} (--list shows all "
+                                                "arrays)\n")
+                listed = self.run_tool("near.vtu", "--list").stdout
+                self.assertRegex(listed, "ramp  points  double +1 +" + told.replace(" to ", " +") + "  values")
+                # Labels with many digits are beside the bar, not cut off.
+                pixels = self.draw("near.vtu", "--size", "320x240", "--axes", "--scalar-bar", "--range", f"{low},{high}")
+                border = {*pixels[0], *pixels[-1], *(row[0] for row in pixels), *(row[-1] for row in pixels)}
+                self.assertEqual(border, {(20, 23, 31)})
+
     def test_color_maps(self):
         result = self.run_tool("--colors", "list")
         self.assertEqual((result.returncode, result.stderr), (0, ""))

@@ -66,7 +66,6 @@ class RenderLightTest(RenderCase):
             self.expect(lambda x: 0.25, *light, *shadows, "--light", "1,0,0")
             # The plate is beyond reach.
             self.expect(lambda x: 1, *light, *shadows, "--light", "1,0,0", "--reach", 0)
-        self.expect(lambda x: 1, *light, "--opaque-shadows", "--light", "1,0,0")
         self.expect(lambda x: 0.25 + 0.75 * math.exp(-EXTINCTION * (1 - x)), *light, "--shadows", "rays",
                     "--light", "1,0,0", delta=2)
 

@@ -90,6 +90,22 @@ class RenderSeriesTest(RenderCase):
         self.expect_failure(1, "cannot write 'no/such/folder_0000.png'", "cube.vtu", "--turntable", 2, "--output",
                             "no/such/folder.png")
 
+    def test_a_step_without_the_array_is_named(self):
+        def series(*names):
+            files = "".join(f'<DataSet timestep="{k}" file="{name}"/>' for k, name in enumerate(names))
+            (self.folder / "list.pvd").write_text(
+                f'<VTKFile type="Collection"><Collection>{files}</Collection></VTKFile>')
+        series("cube.vtu", "vectors.vtu", "cube.vtu")
+        message = "time step 1 of 'list.pvd': there is no array 'ramp' on points (on points: vector; on cells: unknown)"
+        self.expect_failure(1, message, "list.pvd", "--time", "all")
+        self.expect_failure(1, message, "list.pvd", "--time", "all", "--array", "ramp")
+        self.expect_failure(1, "time step 1 of 'list.pvd': there is no array 'ramp' (", "list.pvd", "--time", "0:1",
+                            "--array", "ramp")
+        series("cube.vtu", "image.vti", "cube.vtu")
+        self.expect_failure(1, "time step 1 of 'list.pvd' has images or rectilinear grids, but the last step has not",
+                            "list.pvd", "--time", "all")
+        self.assertEqual(list(self.folder.glob("*.png")), [])
+
     def bars(self, *arguments):
         """What a terminal shows of a run."""
         return self.run_on_terminal(*arguments).decode().split("\r")

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics.h"
-#include "Failure.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +10,4 @@ TEST(Statistics, Median)
   EXPECT_EQ(tetmarch::GetMedian({ 3.0 }), 3.0);
   EXPECT_EQ(tetmarch::GetMedian({ 9.0, 1.0, 2.0 }), 2.0);
   EXPECT_EQ(tetmarch::GetMedian({ 8.0, 1.0, 2.0, 4.0 }), 3.0);
-}
-
-TEST(Statistics, UnwritableFileIsAFailure)
-{
-  EXPECT_THROW(tetmarch::WriteText("/no/such/folder/s.json", "x"), tetmarch::Failure);
 }

@@ -114,10 +114,6 @@ TEST_F(WritePreset, WhatCannotBeWrittenLeavesTheOlderFile)
   EXPECT_THROW(tetmarch::WritePreset((this->Folder / "none" / "preset.json").string(), "mine",
                  this->Color, this->Opacity),
     tetmarch::Failure);
-  // A folder is no file: the part beside it is removed again.
-  EXPECT_THROW(tetmarch::WritePreset(this->Folder.string(), "mine", this->Color, this->Opacity),
-    tetmarch::Failure);
-  EXPECT_FALSE(std::filesystem::exists(this->Folder.string() + ".part"));
 }
 
 TEST_F(WritePreset, NameOfAnyBytes)

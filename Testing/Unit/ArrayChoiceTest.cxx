@@ -85,6 +85,40 @@ TEST(ArrayChoice, OfSeveralBlocksTheFirstArrayOfAName)
   EXPECT_EQ(rangeOf({ first, second }, q), (std::array<double, 2>{ { 0.0, 7.0 } }));
 }
 
+// Blocks without the array are not drawn.
+TEST(ArrayChoice, WhatAllBlocksHaveComesFirst)
+{
+  auto first = MakeVoxel(0.0), second = MakeVoxel(1.0);
+  AddArray<vtkDoubleArray>(first->GetPointData(), "of one", 8);
+  AddArray<vtkDoubleArray>(first->GetPointData(), "other components", 8);
+  AddArray<vtkIntArray>(first->GetPointData(), "material", 8);
+  AddArray<vtkDoubleArray>(second->GetPointData(), "other components", 8, 3);
+  AddArray<vtkIntArray>(second->GetPointData(), "material", 8);
+  first->GetPointData()->SetActiveScalars("of one");
+  EXPECT_STREQ(choose({ first, second }, "").Array->GetName(), "material");
+  EXPECT_STREQ(choose({ second, first }, "").Array->GetName(), "material");
+  EXPECT_STREQ(choose({ first, second }, "of one").Array->GetName(), "of one");
+  AddArray<vtkDoubleArray>(first->GetCellData(), "s", 1);
+  AddArray<vtkDoubleArray>(second->GetCellData(), "s", 1);
+  second->GetCellData()->GetArray("s")->SetComponent(0, 0, 0.5);
+  EXPECT_STREQ(choose({ first, second }, "").Array->GetName(), "s");
+}
+
+// The first block's alone are all whole.
+TEST(ArrayChoice, TheKindIsThatOfTheValuesOfAllBlocks)
+{
+  auto first = MakeVoxel(0.0), second = MakeVoxel(1.0);
+  for (auto* block : { first.Get(), second.Get() })
+  {
+    AddArray<vtkDoubleArray>(block->GetPointData(), "index", 8);
+    AddArray<vtkDoubleArray>(block->GetCellData(), "s", 1);
+  }
+  second->GetCellData()->GetArray("s")->SetComponent(0, 0, 0.5);
+  EXPECT_STREQ(choose({ first, second }, "").Array->GetName(), "s");
+  second->GetPointData()->GetArray("index")->SetComponent(0, 0, 0.5);
+  EXPECT_STREQ(choose({ first, second }, "").Array->GetName(), "index");
+}
+
 TEST(ArrayChoice, NumbersComeAfterValuesAndBeforeConstants)
 {
   auto grid = MakeVoxel(0.0);

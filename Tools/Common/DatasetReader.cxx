@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DatasetReader.h"
 
+#include "ErrorText.h"
 #include "Failure.h"
 #include "FileContents.h"
 #include "GridMerging.h"
@@ -10,11 +11,14 @@
 #include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkFieldData.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkTetMarchFirstPicture.h"
 
 #include <algorithm>
 #include <bitset>
@@ -98,14 +102,53 @@ vtkSmartPointer<vtkDataObject> MakeTree(const std::vector<NamedBlock>& blocks)
   return tree;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
-  const std::vector<NamedBlock>& named, bool ofPieces, const tetmarch::ProgressReport& report)
+std::vector<vtkDataSet*> GetData(const std::vector<NamedBlock>& named)
 {
   std::vector<vtkDataSet*> blocks;
   for (const NamedBlock& block : named)
   {
     blocks.push_back(block.Data);
-    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(block.Data))
+  }
+  return blocks;
+}
+
+/// Blocks are merged with the arrays that all of them have. If there is none, those are kept that
+/// have the array which vtkTetMarchFirstPicture chooses of all, as mappers draw them.
+std::vector<vtkDataSet*> GetMergeable(const std::vector<NamedBlock>& named)
+{
+  std::vector<vtkDataSet*> blocks = GetData(named);
+  if (tetmarch::HaveCommonArray(blocks))
+  {
+    return blocks;
+  }
+  vtkNew<vtkTetMarchFirstPicture> choice;
+  const tetmarch::ErrorText error(choice);
+  choice->SetInputData(MakeTree(named));
+  if (!choice->ChooseArray())
+  {
+    return blocks; // it is said later that they have no array
+  }
+  vtkDataArray* array = choice->GetChosenArray();
+  const int association = choice->GetChosenAssociation();
+  const auto lacks = [&](vtkDataSet* block)
+  {
+    vtkDataArray* own = block->GetAttributesAsFieldData(association)->GetArray(array->GetName());
+    return !own || own->GetNumberOfComponents() != array->GetNumberOfComponents();
+  };
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(), lacks), blocks.end());
+  tetmarch::PrintMessage(
+    "warning", "no array is in all blocks: drawn are the " + std::to_string(blocks.size()) +
+                 " of " + std::to_string(named.size()) + " with array '" + array->GetName() + "'");
+  return blocks;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
+  const std::vector<NamedBlock>& named, bool ofPieces, const tetmarch::ProgressReport& report)
+{
+  const std::vector<vtkDataSet*> blocks = GetMergeable(named);
+  for (vtkDataSet* block : blocks)
+  {
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(block))
     {
       grid->RemoveGhostCells(); // vtkAppendFilter merges no points where there are ghosts
     }
@@ -169,10 +212,7 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
   if (volume.Structured && blocks.size() > 1)
   {
     volume.Input = MakeTree(blocks);
-    for (const NamedBlock& block : blocks)
-    {
-      volume.Blocks.push_back(block.Data);
-    }
+    volume.Blocks = GetData(blocks);
     return volume;
   }
   vtkSmartPointer<vtkDataSet> whole = blocks[0].Data;

@@ -8,11 +8,13 @@
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <map>
+#include <set>
 #include <string>
 
 namespace
@@ -32,33 +34,114 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeFirstPoint(vtkUnstructuredGrid* grid)
   first->GetCellData()->CopyAllocate(grid->GetCellData(), 0);
   return first;
 }
+
+vtkDataSetAttributes* GetAttributes(vtkDataSet* block, bool cells)
+{
+  return cells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData();
+}
+
+/// In how many blocks an array is, and of which types.
+struct ArrayCount
+{
+  std::size_t Blocks = 0;
+  std::set<int> Types;
+};
+
+/// By name and number of components.
+std::map<std::pair<std::string, int>, ArrayCount> CountArrays(
+  const std::vector<vtkDataSet*>& blocks, bool cells)
+{
+  std::map<std::pair<std::string, int>, ArrayCount> counts;
+  for (vtkDataSet* block : blocks)
+  {
+    vtkDataSetAttributes* arrays = GetAttributes(block, cells);
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = arrays->GetAbstractArray(i);
+      const char* name = array->GetName();
+      ArrayCount& count = counts[{ name ? name : "", array->GetNumberOfComponents() }];
+      ++count.Blocks;
+      count.Types.insert(array->GetDataType());
+    }
+  }
+  return counts;
+}
+
+/// vtkAppendFilter keeps arrays of one type. The block itself stays as it is.
+vtkSmartPointer<vtkDataSet> WithDoubles(
+  vtkDataSet* block, bool cells, const std::vector<std::string>& names)
+{
+  auto copy = vtk::TakeSmartPointer(block->NewInstance());
+  copy->ShallowCopy(block);
+  for (const std::string& name : names)
+  {
+    if (vtkDataArray* array = GetAttributes(block, cells)->GetArray(name.c_str()))
+    {
+      vtkNew<vtkDoubleArray> doubles;
+      doubles->DeepCopy(array);
+      doubles->SetName(name.c_str());
+      GetAttributes(copy, cells)->AddArray(doubles);
+    }
+  }
+  return copy;
+}
+
+std::vector<vtkSmartPointer<vtkDataSet>> WithEqualTypes(const std::vector<vtkDataSet*>& blocks)
+{
+  std::vector<vtkSmartPointer<vtkDataSet>> equal(blocks.begin(), blocks.end());
+  for (const bool cells : { false, true })
+  {
+    std::vector<std::string> names;
+    for (const auto& [array, count] : CountArrays(blocks, cells))
+    {
+      if (count.Blocks == blocks.size() && count.Types.size() > 1)
+      {
+        names.push_back(array.first);
+      }
+    }
+    for (vtkSmartPointer<vtkDataSet>& block : equal)
+    {
+      block = names.empty() ? block : WithDoubles(block, cells, names);
+    }
+  }
+  return equal;
+}
 } // namespace
 
 namespace tetmarch
 {
 
+bool HaveCommonArray(const std::vector<vtkDataSet*>& blocks)
+{
+  for (const bool cells : { false, true })
+  {
+    for (const auto& [array, part] : CountArrays(blocks, cells))
+    {
+      const bool isDrawable = !array.first.empty() && part.Types.count(VTK_STRING) == 0 &&
+                              array.first != vtkDataSetAttributes::GhostArrayName();
+      if (isDrawable && part.Blocks == blocks.size())
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 void WarnOfPartialArrays(const std::vector<vtkDataSet*>& blocks)
 {
   for (const bool cells : { false, true })
   {
-    std::map<std::string, std::size_t> counts;
-    for (vtkDataSet* block : blocks)
+    for (const auto& [array, part] : CountArrays(blocks, cells))
     {
-      vtkDataSetAttributes* arrays =
-        cells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData();
-      for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+      if (part.Blocks < blocks.size())
       {
-        const char* name = arrays->GetArrayName(i);
-        ++counts[name ? name : ""];
-      }
-    }
-    for (const auto& [name, count] : counts)
-    {
-      if (count < blocks.size())
-      {
-        tetmarch::PrintMessage("warning",
+        const auto& [name, components] = array;
+        PrintMessage("warning",
           std::string(cells ? "cell" : "point") + " array '" + name + "' is left out: only " +
-            std::to_string(count) + " of " + std::to_string(blocks.size()) + " blocks have it");
+            std::to_string(part.Blocks) + " of " + std::to_string(blocks.size()) +
+            " blocks have it" +
+            (components > 1 ? " with " + std::to_string(components) + " components" : ""));
       }
     }
   }
@@ -69,7 +152,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MergeBlocks(
 {
   auto append = vtkSmartPointer<vtkAppendFilter>::New();
   append->MergePointsOn();
-  for (vtkDataSet* block : blocks)
+  for (const auto& block : WithEqualTypes(blocks))
   {
     append->AddInputData(block);
   }

@@ -19,10 +19,15 @@ class vtkDataSet;
 namespace tetmarch
 {
 
-/// Only arrays that all blocks have are kept; a warning names the others.
+/// Whether all blocks have an array of numbers of the same name and number of components.
+bool HaveCommonArray(const std::vector<vtkDataSet*>& blocks);
+
+/// Only arrays that all blocks have, with the same number of components, are kept; a warning names
+/// the others.
 void WarnOfPartialArrays(const std::vector<vtkDataSet*>& blocks);
 
-/// Points of equal coordinates become one. Throws Cancelled if the report asks to stop.
+/// Points of equal coordinates become one. Arrays whose types differ from block to block become
+/// arrays of doubles. Throws Cancelled if the report asks to stop.
 vtkSmartPointer<vtkUnstructuredGrid> MergeBlocks(
   const std::vector<vtkDataSet*>& blocks, const ProgressReport& report = {});
 

@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Failure.h"
+#include "OutputFile.h"
 #include "TransferFunctionPreset.h"
 
 #include <nlohmann/json.hpp>
-
-#include <filesystem>
-#include <fstream>
 
 namespace
 {
@@ -77,23 +75,7 @@ void WritePreset(const std::string& path, const std::string& name, vtkColorTrans
   const auto presets = ordered_json::array({ DescribeFunctions(name, color, opacity) });
   // A name that isn't UTF-8 is no reason to lose the functions.
   const std::string text = presets.dump(2, ' ', false, ordered_json::error_handler_t::replace);
-  // Into a file beside it first, so that a full disk doesn't cost the older preset.
-  const std::string part = path + ".part";
-  std::ofstream file(part);
-  file << text << '\n';
-  file.close();
-  std::error_code error;
-  if (file)
-  {
-    std::filesystem::rename(part, path, error);
-  }
-  if (!file || error)
-  {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    throw Failure("preset '" + path + "' can't be written" +
-                  (error ? ": " + error.message() : "; is there such a folder, and room in it?"));
-  }
+  WriteFile(path, text + '\n');
 }
 
 } // namespace tetmarch

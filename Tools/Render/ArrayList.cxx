@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ArrayList.h"
 
+#include "FirstPicture/RangeText.h"
 #include "TextTable.h"
 
 #include "vtkDataArray.h"
@@ -10,19 +11,16 @@
 #include "vtkTetMarchFirstPicture.h"
 #include "vtkVariant.h"
 
-#include <sstream>
-
 namespace tetmarch
 {
 
 namespace
 {
 
-std::string ToText(double number)
+/// Of an array without finite values, which are not numbers, dashes.
+std::array<std::string, 2> ToTexts(double low, double high)
 {
-  std::ostringstream text;
-  text << number;
-  return text.str();
+  return low <= high ? rangeText(low, high) : std::array<std::string, 2>{ { "-", "-" } };
 }
 
 std::string FormatTimes(const std::vector<double>& times)
@@ -31,8 +29,9 @@ std::string FormatTimes(const std::vector<double>& times)
   {
     return "no time steps\n";
   }
-  return "time steps: 0 to " + std::to_string(times.size() - 1) + ", times " +
-         ToText(times.front()) + " to " + ToText(times.back()) + "\n";
+  const auto [first, last] = rangeText(times.front(), times.back());
+  return "time steps: 0 to " + std::to_string(times.size() - 1) + ", times " + first + " to " +
+         last + "\n";
 }
 
 } // namespace
@@ -52,10 +51,11 @@ std::string FormatArrayList(vtkTetMarchFirstPicture* choice, const std::vector<d
     const auto text = [&](const char* column)
     { return std::string(arrays->GetValueByName(row, column).ToString()); };
     const auto number = [&](const char* column)
-    { return ToText(arrays->GetValueByName(row, column).ToDouble()); };
+    { return arrays->GetValueByName(row, column).ToDouble(); };
+    const auto [low, high] = ToTexts(number("minimum"), number("maximum"));
     const bool drawn = text("name") == chosen && text("association") == place;
     rows.push_back({ drawn ? "*" : "", text("name"), text("association"), text("type"),
-      text("components"), number("minimum"), number("maximum"), text("kind") });
+      text("components"), low, high, text("kind") });
   }
   return FormatTable(rows) + "* is drawn unless --array says otherwise\n" + FormatTimes(times);
 }

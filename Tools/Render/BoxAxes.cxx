@@ -154,13 +154,14 @@ void BoxAxes::AddAxis(const Projection& projection, const Edge& edge)
 {
   const double tickLength = 6.0 * this->Scale;
   const double gap = 5.0 * this->Scale;
-  const double labelSize = 15.0 * this->Scale;
+  const double wishedSize = 15.0 * this->Scale;
   const double titleSize = 18.0 * this->Scale;
   const double least = projection.Bounds[2 * edge.Axis];
   const double most = projection.Bounds[2 * edge.Axis + 1];
-  // Labels are about four times as wide as their letters are high.
+  // Labels are up to four times as wide as their letters are high, or the letters are smaller.
+  const double labelWidth = 4.0 * wishedSize;
   const double spacing =
-    labelSize * (4.0 * std::abs(edge.Along[0]) + 2.0 * std::abs(edge.Along[1]));
+    labelWidth * std::abs(edge.Along[0]) + 2.0 * wishedSize * std::abs(edge.Along[1]);
   std::array<double, 3> place = projection.GetCorner(edge.Corner);
   const auto at = [&](double value)
   {
@@ -170,7 +171,9 @@ void BoxAxes::AddAxis(const Projection& projection, const Edge& edge)
 
   this->Drawn.AddLine(at(least), at(most));
   double reach = 0.0;
-  for (const Tick& tick : MakeTicks(least, most, static_cast<int>(edge.Length / spacing)))
+  const std::vector<Tick> ticks = MakeTicks(least, most, static_cast<int>(edge.Length / spacing));
+  const double labelSize = Overlay::FindSize(GetLabels(ticks), wishedSize, labelWidth);
+  for (const Tick& tick : ticks)
   {
     const Point point = at(tick.Value);
     this->Drawn.AddLine(point, Move(point, edge.Outwards, tickLength));

@@ -6,6 +6,9 @@
 #include "OptionChecks.h"
 #include "OptionTable.h"
 
+#include "vtkTetMarchSettings.h"
+#include "vtkVolumeMapper.h"
+
 #include <filesystem>
 
 namespace
@@ -16,7 +19,6 @@ struct Words
 {
   CommandLine Result;
   std::vector<std::string> Inputs;
-  bool FramesGiven = false;
 };
 
 /// Sets the option at a place; returns the place of its last word.
@@ -30,7 +32,7 @@ std::size_t TakeOption(const std::vector<std::string>& arguments, std::size_t i,
   {
     throw UsageError("unknown option '" + name + "'");
   }
-  words.FramesGiven = words.FramesGiven || name == "--frames";
+  words.Result.Given.insert(name);
   const bool hasValue = option->second.Value != Option::NONE;
   if (!hasValue && equals != std::string::npos)
   {
@@ -49,6 +51,23 @@ std::size_t TakeOption(const std::vector<std::string>& arguments, std::size_t i,
   return i + 1;
 }
 
+/// What some options imply, if the option that says it is missing.
+void Imply(CommandLine& commandLine)
+{
+  if (commandLine.SampleDistance && !commandLine.Given.count("--accuracy"))
+  {
+    commandLine.AccuracyLevel = vtkTetMarchSettings::SAMPLED;
+  }
+  if (!commandLine.IsoValues.empty() && !commandLine.Given.count("--blend"))
+  {
+    commandLine.BlendMode = vtkVolumeMapper::ISOSURFACE_BLEND;
+  }
+  if (!commandLine.Stats.empty() && !commandLine.Given.count("--frames"))
+  {
+    commandLine.Frames = 5;
+  }
+}
+
 void Complete(Words& words)
 {
   CommandLine& commandLine = words.Result;
@@ -64,10 +83,6 @@ void Complete(Words& words)
   if (commandLine.Output.empty() && !commandLine.Pixel)
   {
     commandLine.Output = std::filesystem::path(commandLine.Input).stem().string() + ".png";
-  }
-  if (!words.FramesGiven && !commandLine.Stats.empty())
-  {
-    commandLine.Frames = 5;
   }
 }
 } // namespace
@@ -109,6 +124,7 @@ CommandLine ParseCommandLine(const std::vector<std::string>& arguments)
   {
     return words.Result;
   }
+  Imply(words.Result);
   CheckOptions(words.Result);
   Complete(words);
   return words.Result;

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,7 @@ struct AnnotationOptions
 
 struct CommandLine
 {
+  std::set<std::string> Given; // names of options, with their dashes
   bool Help = false;
   bool Version = false;
   bool List = false; // the arrays, instead of a picture

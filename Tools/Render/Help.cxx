@@ -15,8 +15,8 @@ coincide; images among them and curvilinear grids are taken as hexahedra.
 
 Data
   --list                    print all arrays, which of them is drawn, and the time steps; draw nothing
-  --array NAME              the array to draw (default: one that looks like a physical value, points before
-                            cells, one component before several; a line on stderr says which)
+  --array NAME              the array to draw (default: one of all blocks that looks like a physical value,
+                            points before cells, one component before several; a line on stderr says which)
   --component K             of several components the one to draw, counted from 0, or magnitude (default: 0,
                             and of an array that was not asked for magnitude)
   --association WHERE       points or cells: where to look for the array (default: points, then cells)
@@ -125,6 +125,8 @@ Output
                             double; X and Y are its column and row in the picture, from the upper left
   --pixel-json FILE.json    the same as JSON
   --frames N                render N more times for the frame time in the figures (default: 5 with --stats)
+                            Each FILE may be -, standard output. A file gets its name when it is complete:
+                            a full disk or Ctrl-C leaves the file of before
   --quiet                   no progress bar on the terminal, and no notes; warnings and errors stay
   --threads N               use so many threads, also those of Mesa's llvmpipe (default: one a processor)
 

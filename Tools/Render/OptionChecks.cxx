@@ -32,13 +32,87 @@ const char* FindOptionOfOneFrame(const CommandLine& commandLine)
                                               : nullptr;
 }
 
+bool IsComposite(const CommandLine& c) { return c.BlendMode == vtkVolumeMapper::COMPOSITE_BLEND; }
+
+bool IsLit(const CommandLine& c)
+{
+  return IsComposite(c) || c.BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND;
+}
+
+bool IsSampled(const CommandLine& c) { return c.AccuracyLevel == vtkTetMarchSettings::SAMPLED; }
+
+bool HasShadows(const CommandLine& c)
+{
+  return c.Light.ShadowMethod != vtkTetMarchSettings::SHADOWS_OFF || c.Light.Scattering > 0.0;
+}
+
+bool Draws(const CommandLine& c) { return !c.List; }
+
+/// An option that would be ignored without others.
+struct Dependency
+{
+  const char* Option;
+  bool (*IsMet)(const CommandLine&);
+  const char* Message; // behind the name of the option
+};
+
+constexpr const char* OfDrawing = " is for a picture, but --list draws none";
+constexpr const char* OfShading = " is for --blend composite and isosurface";
+constexpr const char* OfLight = " is for --blend composite";
+constexpr const char* OfShadows = " needs shadows: --shadows, or --scattering above 0";
+
+const Dependency Dependencies[] = {
+  { "--compare", [](const CommandLine& c) { return !c.Stats.empty(); },
+    " adds to the figures of --stats, which is missing" },
+  { "--pixel-json", [](const CommandLine& c) { return c.Pixel.has_value(); },
+    " writes the ray of --pixel, which is missing" },
+  { "--crop-regions", [](const CommandLine& c) { return c.Cuts.Crop.has_value(); },
+    " chooses among the regions of --crop, which is missing" },
+  { "--jitter", IsSampled, " is for --accuracy sampled or --sample-distance, which are missing" },
+  { "--sample-distance", IsSampled, " is for --accuracy sampled, not for another level" },
+  { "--isovalues",
+    [](const CommandLine& c) { return c.BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND; },
+    " are for --blend isosurface, not for another mode" },
+  { "--blend",
+    [](const CommandLine& c)
+    { return c.BlendMode != vtkVolumeMapper::ISOSURFACE_BLEND || !c.IsoValues.empty(); },
+    " isosurface needs --isovalues, which is missing" },
+  { "--gradient-opacity", IsComposite, OfLight },
+  { "--shade", IsLit, OfShading },
+  { "--light", IsLit, OfShading },
+  { "--ambient", IsLit, OfShading },
+  { "--diffuse", IsLit, OfShading },
+  { "--specular", IsLit, OfShading },
+  { "--specular-power", IsLit, OfShading },
+  { "--shadows", IsComposite, OfLight },
+  { "--scattering", IsComposite, OfLight },
+  { "--occlusion", IsComposite, OfLight },
+  { "--reach", HasShadows, OfShadows },
+  { "--opaque-shadows", HasShadows, OfShadows },
+  { "--opaque-shadows", [](const CommandLine& c) { return !c.Surfaces.empty(); },
+    " are those of --surface, which is missing" },
+  { "--output", Draws, OfDrawing },
+  { "--stats", Draws, OfDrawing },
+  { "--frames", Draws, OfDrawing },
+  { "--pixel", Draws, OfDrawing },
+  { "--time", Draws, OfDrawing },
+  { "--turntable", Draws, OfDrawing },
+};
+
+void CheckDependencies(const CommandLine& commandLine)
+{
+  for (const Dependency& dependency : Dependencies)
+  {
+    if (commandLine.Given.count(dependency.Option) && !dependency.IsMet(commandLine))
+    {
+      throw UsageError(std::string(dependency.Option) + dependency.Message);
+    }
+  }
+}
+
 void CheckPixel(const CommandLine& commandLine)
 {
   const auto& [width, height] = commandLine.Size;
-  if (!commandLine.Pixel && !commandLine.PixelJson.empty())
-  {
-    throw UsageError("--pixel-json writes the ray of --pixel, which is missing");
-  }
   if (commandLine.Pixel && ((*commandLine.Pixel)[0] >= width || (*commandLine.Pixel)[1] >= height))
   {
     throw UsageError("the pixel of --pixel is outside the picture: columns are 0 to " +
@@ -104,10 +178,7 @@ bool ShowsMeasure(int viewMode)
 
 void CheckOptions(const CommandLine& commandLine)
 {
-  if (commandLine.Compare && commandLine.Stats.empty())
-  {
-    throw UsageError("--compare adds to the figures of --stats, which is missing");
-  }
+  CheckDependencies(commandLine);
   if (commandLine.Annotations.ScalarBar &&
       commandLine.ViewMode != vtkTetMarchSettings::VIEW_PICTURE)
   {

@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "OptionParsers.h"
 #include "OptionValues.h"
+#include "Outputs.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
@@ -14,9 +15,6 @@ namespace
 {
 using namespace tetmarch;
 using Words = std::vector<std::string>;
-
-constexpr int IsosurfaceBlend = 5;
-constexpr int SampledLevel = 4;
 
 Option Flag(void (*set)(CommandLine&))
 {
@@ -122,12 +120,8 @@ std::map<std::string, Option> MakeAccuracyOptions()
     { "--frame-time",
       Value([](CommandLine& c, const std::string& v) { c.FrameTime = ParsePositive(v); }) },
     { "--jitter", Flag([](CommandLine& c) { c.Jitter = true; }) },
-    { "--sample-distance", Value(
-                             [](CommandLine& c, const std::string& v)
-                             {
-                               c.SampleDistance = ParsePositive(v);
-                               c.AccuracyLevel = SampledLevel;
-                             }) },
+    { "--sample-distance",
+      Value([](CommandLine& c, const std::string& v) { c.SampleDistance = ParsePositive(v); }) },
     { "--tolerance", Value([](CommandLine& c, const std::string& v)
                        { c.Tolerance = ParseWithin(v, "1e-6", "1"); }) },
   };
@@ -173,12 +167,8 @@ std::map<std::string, Option> MakeViewOptions()
     { "--crop", Value([](CommandLine& c, const std::string& v) { c.Cuts.Crop = ParseCrop(v); }) },
     { "--crop-regions", Word({ "middle", "fence", "inverted-fence", "cross", "inverted-cross" },
                           [](CommandLine& c, int n) { c.Cuts.CropRegions = n; }) },
-    { "--isovalues", Value(
-                       [](CommandLine& c, const std::string& v)
-                       {
-                         c.IsoValues = ParseList(v);
-                         c.BlendMode = IsosurfaceBlend;
-                       }) },
+    { "--isovalues",
+      Value([](CommandLine& c, const std::string& v) { c.IsoValues = ParseList(v); }) },
     { "--outline", Flag([](CommandLine& c) { c.Annotations.Outline = true; }) },
     { "--parallel-scale",
       Value([](CommandLine& c, const std::string& v) { c.ParallelScale = ParsePositive(v); }) },
@@ -196,11 +186,13 @@ std::map<std::string, Option> MakeOutputOptions()
   return {
     { "--compare", Flag([](CommandLine& c) { c.Compare = true; }) },
     { "--frames", Value([](CommandLine& c, const std::string& v) { c.Frames = ParseCount(v); }) },
-    { "--output", File([](CommandLine& c, const std::string& v) { c.Output = v; }) },
+    { "--output",
+      File([](CommandLine& c, const std::string& v) { c.Output = ParsePictureName(v); }) },
     { "--pixel", Value([](CommandLine& c, const std::string& v) { c.Pixel = ParsePixel(v); }) },
-    { "--pixel-json", File([](CommandLine& c, const std::string& v) { c.PixelJson = v; }) },
+    { "--pixel-json",
+      File([](CommandLine& c, const std::string& v) { c.PixelJson = ParseOutputName(v); }) },
     { "--quiet", Flag([](CommandLine& c) { c.Quiet = true; }) },
-    { "--stats", File([](CommandLine& c, const std::string& v) { c.Stats = v; }) },
+    { "--stats", File([](CommandLine& c, const std::string& v) { c.Stats = ParseOutputName(v); }) },
     { "--threads", Value([](CommandLine& c, const std::string& v)
                      { c.Threads = ParseWholeWithin(v, 1, 1024); }) },
     { "--tile-size", Value([](CommandLine& c, const std::string& v)

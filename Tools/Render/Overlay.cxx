@@ -142,4 +142,18 @@ std::array<int, 2> Overlay::Measure(const std::string& text, double size)
   return { { box[1] - box[0] + 1, box[3] - box[2] + 1 } };
 }
 
+double Overlay::FindSize(const std::vector<std::string>& texts, double wished, double width)
+{
+  constexpr double least = 6.0;
+  double size = wished;
+  for (const std::string& text : texts)
+  {
+    while (size > least && Measure(text, size)[0] > width)
+    {
+      size -= 1.0;
+    }
+  }
+  return size;
+}
+
 } // namespace tetmarch

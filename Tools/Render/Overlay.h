@@ -49,6 +49,9 @@ public:
   /// Width and height of text in pixels.
   static std::array<int, 2> Measure(const std::string& text, double size);
 
+  /// The wished size, or a smaller one with which none of the texts is wider.
+  static double FindSize(const std::vector<std::string>& texts, double wished, double width);
+
 private:
   void AddActor(vtkPolyData* data, double lineWidth);
   vtkIdType AddPoint(vtkPolyData* data, const Point& point);

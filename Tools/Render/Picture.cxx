@@ -9,6 +9,7 @@
 #include "Messages.h"
 #include "OffscreenWindow.h"
 #include "OptionChecks.h"
+#include "Outputs.h"
 #include "PngFile.h"
 #include "ProgressBar.h"
 
@@ -232,7 +233,7 @@ void Picture::Trace(const std::array<int, 2>& pixel, PixelTrace& trace)
   }
 }
 
-void Picture::Write(const std::string& path)
+void Picture::Write(const std::string& name)
 {
   const vtkSmartPointer<vtkImageData> picture =
     this->Pieces.IsOne() ? this->Pieces.Read(this->Window, this->Options.Transparent)
@@ -241,7 +242,7 @@ void Picture::Write(const std::string& path)
   {
     DivideByOpacity(picture);
   }
-  WritePng(path, picture);
+  WriteOutput(name, GetBytes(EncodePng(picture)));
 }
 
 } // namespace tetmarch

@@ -55,8 +55,8 @@ public:
   /// Draws once more, and marches the ray of a pixel, counted from the upper left. Throws Failure.
   void Trace(const std::array<int, 2>& pixel, PixelTrace& trace);
 
-  /// What was drawn last. Throws Failure if the file can't be written.
-  void Write(const std::string& path);
+  /// What was drawn last, as WriteOutput() does. Throws Failure if that fails.
+  void Write(const std::string& name);
 
   vtkRenderWindow* GetWindow() { return this->Window; }
   AnyMapper& GetMapper() { return *this->Mapper; }

@@ -12,23 +12,6 @@
 namespace tetmarch
 {
 
-namespace
-{
-
-/// The wished one, or one with which text is no wider.
-double FindFontSize(const std::string& text, double wished, double width)
-{
-  constexpr double least = 6.0;
-  double size = wished;
-  while (size > least && Overlay::Measure(text, size)[0] > width)
-  {
-    size -= 1.0;
-  }
-  return size;
-}
-
-} // namespace
-
 void ScalarBar::AddTo(Overlay& overlay) const
 {
   const double width = overlay.GetPictureSize()[0];
@@ -37,7 +20,7 @@ void ScalarBar::AddTo(Overlay& overlay) const
   const double thickness = 22.0 * this->Scale;
   const double tickLength = 5.0 * this->Scale;
   const double titleSize = 18.0 * this->Scale;
-  const double labelSize = 15.0 * this->Scale;
+  const double wishedLabelSize = 15.0 * this->Scale;
   const double left = (1.0 - this->Share) * width + margin;
   const double right = width - margin;
   const double bottom = std::max(0.12 * height, 2.0 * margin);
@@ -60,17 +43,20 @@ void ScalarBar::AddTo(Overlay& overlay) const
       { { left + thickness, bottom + (top - bottom) * (i + 1) / steps } }, color);
   }
 
-  const double spacing = std::max(3.0 * labelSize, (top - bottom) / 10);
-  for (const Tick& tick :
-    MakeTicks(this->Range[0], this->Range[1], static_cast<int>((top - bottom) / spacing)))
+  const double spacing = std::max(3.0 * wishedLabelSize, (top - bottom) / 10);
+  const std::vector<Tick> ticks =
+    MakeTicks(this->Range[0], this->Range[1], static_cast<int>((top - bottom) / spacing));
+  const double labelLeft = left + thickness + 2.0 * tickLength;
+  const double labelSize =
+    Overlay::FindSize(GetLabels(ticks), wishedLabelSize, width - 0.5 * margin - labelLeft);
+  for (const Tick& tick : ticks)
   {
     const double share = (tick.Value - this->Range[0]) / (this->Range[1] - this->Range[0]);
     const double y = bottom + (top - bottom) * share;
     overlay.AddLine({ { left + thickness, y } }, { { left + thickness + tickLength, y } });
-    overlay.AddText(
-      tick.Label, labelSize, { { left + thickness + 2.0 * tickLength, y } }, Overlay::LEFT);
+    overlay.AddText(tick.Label, labelSize, { { labelLeft, y } }, Overlay::LEFT);
   }
-  overlay.AddText(this->Title, FindFontSize(this->Title, titleSize, right - left),
+  overlay.AddText(this->Title, Overlay::FindSize({ this->Title }, titleSize, right - left),
     { { left, titleHeight } }, Overlay::LEFT);
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics.h"
 
-#include "Failure.h"
 #include "Mesh/GridVersions.h"
 #include "OffscreenWindow.h"
 
@@ -15,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 
 namespace
@@ -154,17 +152,6 @@ std::string FormatStatistics(const CommandLine& commandLine, const VolumeData& d
   json["vtk_version"] = vtkVersion::GetVTKVersion();
   json["tetmarch_version"] = TETMARCH_VERSION;
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
-void WriteText(const std::string& path, const std::string& text)
-{
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file)
-  {
-    throw Failure("cannot write '" + path + "'");
-  }
 }
 
 } // namespace tetmarch

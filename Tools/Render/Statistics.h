@@ -37,9 +37,6 @@ std::string FormatStatistics(const CommandLine& commandLine, const VolumeData& d
   vtkTetMarchFirstPicture* choice, vtkTetMarchFrameStatistics* statistics, vtkRenderWindow* window,
   const Timing& timing);
 
-/// Throws Failure if the file can't be written.
-void WriteText(const std::string& path, const std::string& text);
-
 } // namespace tetmarch
 
 #endif

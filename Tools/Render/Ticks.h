@@ -19,9 +19,11 @@ struct Tick
   std::string Label;
 };
 
-/// From least to most, at most so many, at multiples of 1, 2 or 5 times a power of ten. None if the
-/// range is empty or there is no such number within it.
+/// From least to most, at most so many, at multiples of 1, 2 or 5 times a power of ten, with labels
+/// that differ. None if the range is empty or there is no such number within it.
 std::vector<Tick> MakeTicks(double least, double most, int atMost);
+
+std::vector<std::string> GetLabels(const std::vector<Tick>& ticks);
 
 } // namespace tetmarch
 

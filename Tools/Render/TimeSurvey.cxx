@@ -4,6 +4,7 @@
 
 #include "Choice.h"
 #include "DatasetReader.h"
+#include "Failure.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
@@ -26,10 +27,36 @@ CommandLine NameArray(const CommandLine& commandLine, vtkTetMarchFirstPicture* c
   return named;
 }
 
-/// That of the colours; of values that are all equal no more than these.
-std::array<double, 2> GetRangeOfStep(const VolumeData& data, const CommandLine& named)
+/// What ChooseArray() or MakeChoice() chooses. A failure names the step.
+template <typename Chooser>
+auto ChooseOfStep(Chooser choose, const VolumeData& data, const CommandLine& commandLine, int step)
 {
-  const auto choice = MakeChoice(data, named);
+  try
+  {
+    return choose(data, commandLine);
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure(
+      "time step " + std::to_string(step) + " of '" + commandLine.Input + "': " + failure.what());
+  }
+}
+
+/// One mapper draws all steps.
+void CheckKind(const VolumeData& data, int step, const VolumeData& last, const std::string& input)
+{
+  if (data.Structured != last.Structured)
+  {
+    throw Failure("time step " + std::to_string(step) + " of '" + input + "' has " +
+                  (data.Structured ? "images or rectilinear grids" : "an unstructured grid") +
+                  ", but the last step has not; --time draws steps of one kind");
+  }
+}
+
+/// That of the colours; of values that are all equal no more than these.
+std::array<double, 2> GetRangeOfStep(const VolumeData& data, const CommandLine& named, int step)
+{
+  const auto choice = ChooseOfStep(MakeChoice, data, named, step);
   std::array<double, 2> values;
   choice->GetDataRange(values.data());
   return values[0] < values[1] ? GetColorRange(choice, named) : values;
@@ -40,7 +67,8 @@ std::array<double, 2> GetRangeOfStep(const VolumeData& data, const CommandLine& 
 TimeSurvey SurveyTimeSteps(const CommandLine& commandLine, const std::vector<int>& steps)
 {
   const VolumeData last = ReadVolume(commandLine.Input, steps.back(), commandLine.Raw);
-  CommandLine named = NameArray(commandLine, ChooseArray(last, commandLine));
+  CommandLine named =
+    NameArray(commandLine, ChooseOfStep(ChooseArray, last, commandLine, steps.back()));
   vtkBoundingBox box;
   std::array<double, 2> all = { { VTK_DOUBLE_MAX, VTK_DOUBLE_MIN } };
   double widest = -1.0;
@@ -49,8 +77,9 @@ TimeSurvey SurveyTimeSteps(const CommandLine& commandLine, const std::vector<int
   {
     const VolumeData data =
       step == steps.back() ? last : ReadVolume(commandLine.Input, step, commandLine.Raw);
+    CheckKind(data, step, last, commandLine.Input);
     box.AddBounds(GetBounds(data).data());
-    const auto range = GetRangeOfStep(data, named);
+    const auto range = GetRangeOfStep(data, named, step);
     all = { { std::min(all[0], range[0]), std::max(all[1], range[1]) } };
     if (range[1] - range[0] > widest)
     {

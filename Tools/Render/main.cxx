@@ -7,17 +7,19 @@
 #include "DatasetReader.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "Outputs.h"
 #include "Picture.h"
 #include "PixelTrace.h"
 #include "Series.h"
+#include "StandardOutput.h"
 #include "Statistics.h"
+#include "TextTable.h"
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"
 #include "vtkTimerLog.h"
 #include "vtkVersion.h"
 
-#include <cstdio>
 #include <cstdlib>
 
 namespace
@@ -38,25 +40,29 @@ void ShowPixel(Picture& picture, const VolumeData& data, const std::string& arra
   trace.Structured = data.Structured;
   picture.Trace(*commandLine.Pixel, trace);
   vtkTetMarchFrameStatistics* statistics = picture.GetMapper().GetStatistics();
-  std::fputs(FormatPixelText(commandLine, arrayName, statistics, trace).c_str(), stdout);
-  if (!commandLine.PixelJson.empty())
+  const std::string text = FormatPixelText(commandLine, arrayName, statistics, trace);
+  const std::string json = FormatPixelJson(commandLine, arrayName, statistics, trace);
+  WriteOutput("-", commandLine.PixelJson == "-" ? json : text);
+  if (!commandLine.PixelJson.empty() && commandLine.PixelJson != "-")
   {
-    WriteText(commandLine.PixelJson, FormatPixelJson(commandLine, arrayName, statistics, trace));
+    WriteOutput(commandLine.PixelJson, json);
   }
 }
 
 void ListColors()
 {
+  std::string names;
   for (const std::string& name : GetColorMapNames())
   {
-    std::printf("%s\n", name.c_str());
+    names += name + "\n";
   }
+  PrintText(names);
 }
 
 void ListArrays(const CommandLine& commandLine)
 {
   const VolumeData data = ReadVolume(commandLine.Input, commandLine.TimeStep, commandLine.Raw);
-  std::fputs(FormatArrayList(ChooseArray(data, commandLine), data.Times).c_str(), stdout);
+  PrintText(FormatArrayList(ChooseArray(data, commandLine), data.Times));
 }
 
 void DrawOne(const CommandLine& commandLine)
@@ -89,17 +95,34 @@ void DrawOne(const CommandLine& commandLine)
     {
       picture.Compare();
     }
-    WriteText(
+    WriteOutput(
       commandLine.Stats, FormatStatistics(commandLine, data, choice,
                            picture.GetMapper().GetStatistics(), picture.GetWindow(), timing));
   }
   else if (commandLine.Frames > 0)
   {
-    std::printf("%.6f s a frame (median of %d)\n", GetMedian(timing.Frames), commandLine.Frames);
+    PrintText(FormatFixed(GetMedian(timing.Frames), 6) + " s a frame (median of " +
+              std::to_string(commandLine.Frames) + ")\n");
   }
   if (commandLine.Pixel)
   {
     ShowPixel(picture, data, choice->GetChosenArray()->GetName(), commandLine);
+  }
+}
+
+void Draw(const CommandLine& commandLine)
+{
+  if (commandLine.Time)
+  {
+    DrawTimeSteps(commandLine);
+  }
+  else if (commandLine.Turntable > 0)
+  {
+    DrawTurntable(commandLine);
+  }
+  else
+  {
+    DrawOne(commandLine);
   }
 }
 
@@ -121,17 +144,10 @@ void Run(const CommandLine& commandLine)
   {
     ListArrays(commandLine);
   }
-  else if (commandLine.Time)
-  {
-    DrawTimeSteps(commandLine);
-  }
-  else if (commandLine.Turntable > 0)
-  {
-    DrawTurntable(commandLine);
-  }
   else
   {
-    DrawOne(commandLine);
+    CheckOutputs(commandLine);
+    Draw(commandLine);
   }
 }
 } // namespace
@@ -144,11 +160,12 @@ int main(int argc, char* argv[])
     const CommandLine commandLine = ParseCommandLine({ argv + 1, argv + argc });
     if (commandLine.Help)
     {
-      std::fputs(GetHelp().c_str(), stdout);
+      PrintText(GetHelp());
     }
     else if (commandLine.Version)
     {
-      std::printf("tetmarch-render %s (VTK %s)\n", TETMARCH_VERSION, vtkVersion::GetVTKVersion());
+      PrintText(std::string("tetmarch-render ") + TETMARCH_VERSION + " (VTK " +
+                vtkVersion::GetVTKVersion() + ")\n");
     }
     else
     {

@@ -3,6 +3,7 @@
 #include "DataPanel.h"
 
 #include "Model.h"
+#include "NumberText.h"
 #include "Numbers.h"
 #include "PanelParts.h"
 
@@ -125,7 +126,7 @@ void DataPanel::ShowState()
   QStringList values;
   for (const double value : state.IsoValues)
   {
-    values << QString::number(value, 'g', 6);
+    values << QString::fromStdString(ToText(value)); // read back as the same number
   }
   if (!this->IsoValues->hasFocus())
   {

@@ -6,16 +6,17 @@
 #include "EffectTimer.h"
 #include "EffectsPanel.h"
 #include "Failure.h"
-#include "Messages.h"
+#include "OutputFile.h"
+#include "PngFile.h"
 #include "PythonScript.h"
 #include "RenderCommand.h"
 #include "ViewStateJson.h"
 
 #include "vtkNew.h"
-#include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -69,27 +70,25 @@ bool MainWindow::SaveScreenshot(const QString& path)
 {
   this->Effects->GetTimer()->Stop();
   this->HideHandles();
-  const int errorsBefore = Messages::GetNumberOfErrors();
   this->Shown.RenderWhole();
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(this->Shown.GetWindow());
   image->ShouldRerenderOff();
   image->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(path.toUtf8().constData());
-  writer->SetInputConnection(image->GetOutputPort());
-  writer->Write();
-  this->ShowHandles();
-  this->Shown.RequestRender();
-  const bool written = Messages::GetNumberOfErrors() == errorsBefore && QFileInfo(path).isFile();
-  if (written)
+  bool written = true;
+  try
   {
+    image->Update();
+    WriteFile(QFile::encodeName(path).toStdString(), GetBytes(EncodePng(image->GetOutput())));
     this->statusBar()->showMessage(tr("Saved %1").arg(path), MessageMilliseconds);
   }
-  else
+  catch (const Failure& failure)
   {
-    this->ShowFailure(tr("'%1' could not be written.").arg(path));
+    written = false;
+    this->ShowFailure(QString::fromStdString(failure.what()));
   }
+  this->ShowHandles();
+  this->Shown.RequestRender();
   return written;
 }
 

@@ -13,6 +13,9 @@ namespace
 {
 using namespace tetmarch;
 
+constexpr int Composite = 0; // among BlendWords
+constexpr int Isosurface = 5;
+
 std::string Quote(const std::string& text)
 {
   const bool plain =
@@ -78,7 +81,7 @@ void AddFunctions(const ViewState& state, Command& command)
   command.Add("--unit-distance", ToText(state.Functions.UnitDistance));
   command.Add(
     "--opacity-law", state.Functions.StructuredOpacityLaw ? "structured" : "unstructured");
-  if (state.Effects.GradientOpacity)
+  if (state.Effects.GradientOpacity && state.BlendMode == Composite)
   {
     std::string points;
     for (const auto& point : state.Functions.GradientOpacity)
@@ -103,9 +106,12 @@ void AddAccuracy(const AccuracyState& accuracy, Command& command)
   }
 }
 
-void AddLight(const EffectState& effects, Command& command)
+/// tetmarch-render refuses options that change nothing: modes of blending without light, and
+/// shadows that are not cast.
+void AddLight(const ViewState& state, Command& command)
 {
-  if (!effects.Shading)
+  const EffectState& effects = state.Effects;
+  if (!effects.Shading || (state.BlendMode != Composite && state.BlendMode != Isosurface))
   {
     return;
   }
@@ -115,8 +121,11 @@ void AddLight(const EffectState& effects, Command& command)
   command.Add("--diffuse", ToText(effects.Diffuse));
   command.Add("--specular", ToText(effects.Specular));
   command.Add("--specular-power", ToText(effects.SpecularPower));
+  if (state.BlendMode != Composite)
+  {
+    return;
+  }
   command.Add("--shadows", ShadowWords.at(effects.Shadows));
-  command.Add("--reach", ToText(effects.Reach));
   if (effects.Occlusion)
   {
     command.Add("--occlusion", ToText(effects.OcclusionRadius));
@@ -125,7 +134,12 @@ void AddLight(const EffectState& effects, Command& command)
   {
     command.Add("--scattering", ToText(effects.ScatteringStrength));
   }
-  if (effects.OpaqueShadows)
+  if (effects.Shadows == 0 && !(effects.Scattering && effects.ScatteringStrength > 0.0))
+  {
+    return;
+  }
+  command.Add("--reach", ToText(effects.Reach));
+  if (effects.OpaqueShadows && !state.Data.Surface.empty())
   {
     command.Flag("--opaque-shadows");
   }
@@ -148,8 +162,7 @@ void AddView(const ViewState& state, Command& command)
   {
     command.Add("--crop", ToList(state.Cuts.Box));
   }
-  constexpr int isosurface = 5;
-  if (state.BlendMode == isosurface)
+  if (state.BlendMode == Isosurface)
   {
     command.Add("--isovalues", ToList(state.IsoValues));
   }
@@ -208,7 +221,7 @@ std::string WriteCommand(const ViewState& state, const std::string& output)
   AddData(state.Data, command);
   AddFunctions(state, command);
   AddAccuracy(state.Accuracy, command);
-  AddLight(state.Effects, command);
+  AddLight(state, command);
   AddView(state, command);
   command.Add("--output", output);
   return command.Get() + " <<'END'\n" + WritePreset(state.Functions) + "\nEND\n";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeBar.h"
 
+#include "FirstPicture/RangeText.h"
 #include "Model.h"
 
 #include <QAction>
@@ -102,10 +103,13 @@ void TimeBar::GoOn()
 void TimeBar::ShowStep(int step)
 {
   const auto& times = this->Shown.GetScene().GetData().Data.Times;
-  this->Text->setText(tr("  step %1 of %2, time %3  ")
-                        .arg(step + 1)
-                        .arg(times.size())
-                        .arg(times.at(static_cast<std::size_t>(step)), 0, 'g', 5));
+  const double time = times.at(static_cast<std::size_t>(step));
+  const double between = (times.back() - times.front()) / static_cast<double>(times.size());
+  this->Text->setText(
+    tr("  step %1 of %2, time %3  ")
+      .arg(step + 1)
+      .arg(times.size())
+      .arg(QString::fromStdString(numberText(time, digitsWithin(time, between / 100.0)))));
 }
 
 } // namespace tetmarch

@@ -3,6 +3,7 @@
 #include "ViewStateJson.h"
 
 #include "Failure.h"
+#include "OutputFile.h"
 #include "StateWords.h"
 
 #include <nlohmann/json.hpp>
@@ -211,13 +212,7 @@ ViewState ReadState(const std::string& text)
 
 void SaveSession(const ViewState& state, const std::string& path)
 {
-  std::ofstream file(path);
-  file << WriteState(state);
-  file.close();
-  if (!file)
-  {
-    throw Failure("cannot write the session '" + path + "'");
-  }
+  WriteFile(path, WriteState(state));
 }
 
 ViewState LoadSession(const std::string& path)

@@ -4,14 +4,13 @@
 #include "Failure.h"
 #include "MainWindow.h"
 #include "Messages.h"
+#include "StandardOutput.h"
 
 #include "vtkVersion.h"
 
 #include <QApplication>
 #include <QSurfaceFormat>
 #include <QVTKOpenGLNativeWidget.h>
-
-#include <cstdio>
 
 namespace
 {
@@ -44,13 +43,13 @@ int main(int argc, char* argv[])
     const Arguments arguments = ParseArguments({ argv + 1, argv + argc });
     if (arguments.Help)
     {
-      std::fputs(GetViewHelp().c_str(), stdout);
+      PrintText(GetViewHelp());
       return 0;
     }
     if (arguments.Version)
     {
-      std::printf("tetmarch-view %s (VTK %s, Qt %s)\n", TETMARCH_VERSION,
-        vtkVersion::GetVTKVersion(), qVersion());
+      PrintText(std::string("tetmarch-view ") + TETMARCH_VERSION + " (VTK " +
+                vtkVersion::GetVTKVersion() + ", Qt " + qVersion() + ")\n");
       return 0;
     }
     const std::string problem = FindDisplayProblem();
@@ -65,5 +64,10 @@ int main(int argc, char* argv[])
   {
     PrintMessage("error", std::string(error.what()) + " (--help shows the usage)");
     return 2;
+  }
+  catch (const Failure& failure)
+  {
+    PrintMessage("error", failure.what());
+    return 1;
   }
 }

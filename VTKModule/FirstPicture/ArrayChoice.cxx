@@ -46,29 +46,78 @@ std::string lastWordOf(const std::string& name)
   return word;
 }
 
+vtkDataSetAttributes* attributesOf(vtkDataSet* block, bool ofCells)
+{
+  return ofCells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData();
+}
+
+// An array in all blocks that have it, with the same number of components.
+std::vector<vtkDataArray*> partsOf(const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn)
+{
+  std::vector<vtkDataArray*> parts;
+  for (vtkDataSet* block : blocks)
+  {
+    vtkDataArray* part = attributesOf(block, drawn.OfCells)->GetArray(drawn.Array->GetName());
+    if (part && part->GetNumberOfComponents() == drawn.Array->GetNumberOfComponents())
+    {
+      parts.push_back(part);
+    }
+  }
+  return parts;
+}
+
+bool isFloating(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+}
+
+// Whether it is the scalars of all blocks.
+bool isActive(const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn)
+{
+  return std::all_of(blocks.begin(), blocks.end(),
+    [&drawn](vtkDataSet* block)
+    {
+      vtkDataSetAttributes* attributes = attributesOf(block, drawn.OfCells);
+      vtkDataArray* array = attributes->GetArray(drawn.Array->GetName());
+      return array && array == attributes->GetScalars();
+    });
+}
+
+vtkIdType countTuples(const std::vector<vtkDataArray*>& parts)
+{
+  vtkIdType count = 0;
+  for (vtkDataArray* part : parts)
+  {
+    count += part->GetNumberOfTuples();
+  }
+  return count;
+}
+
 // Whether all finite values of the first component are whole; share: how many of those looked at
 // differ.
-bool isWhole(vtkDataArray* array, double& share)
+bool isWhole(const std::vector<vtkDataArray*>& parts, double& share)
 {
   constexpr vtkIdType most = 1 << 16;
-  const vtkIdType count = array->GetNumberOfTuples();
-  const vtkIdType step = std::max<vtkIdType>(1, count / most);
+  const vtkIdType step = std::max<vtkIdType>(1, countTuples(parts) / most);
   std::set<double> different;
   vtkIdType seen = 0;
-  for (vtkIdType i = 0; i < count; i += step, ++seen)
+  for (vtkDataArray* part : parts)
   {
-    const double value = array->GetComponent(i, 0);
-    if (std::isfinite(value) && value != std::floor(value))
+    for (vtkIdType i = 0; i < part->GetNumberOfTuples(); i += step, ++seen)
     {
-      return false;
+      const double value = part->GetComponent(i, 0);
+      if (std::isfinite(value) && value != std::floor(value))
+      {
+        return false;
+      }
+      different.insert(std::isfinite(value) ? value : std::numeric_limits<double>::max());
     }
-    different.insert(std::isfinite(value) ? value : std::numeric_limits<double>::max());
   }
   share = seen > 0 ? double(different.size()) / double(seen) : 0;
   return true;
 }
 
-ArrayKind kindOf(vtkDataArray* array, const std::array<double, 2>& range)
+ArrayKind kindOf(const std::vector<vtkDataArray*>& parts, const std::array<double, 2>& range)
 {
   if (!(range[0] < range[1]))
   {
@@ -78,18 +127,16 @@ ArrayKind kindOf(vtkDataArray* array, const std::array<double, 2>& range)
   constexpr vtkIdType few = 64; // of which all may differ by chance
   double share = 0;
   const bool numbers =
-    array->GetNumberOfComponents() == 1 && isWhole(array, share) &&
-    (namesNumbers(array->GetName()) || (share > nearlyAll && array->GetNumberOfTuples() > few));
+    parts[0]->GetNumberOfComponents() == 1 && isWhole(parts, share) &&
+    (namesNumbers(parts[0]->GetName()) || (share > nearlyAll && countTuples(parts) > few));
   return numbers ? ArrayKind::Numbers : ArrayKind::Physical;
 }
 
 // Less is better.
-std::tuple<int, bool, bool, bool, bool> rankOf(const FoundArray& found)
+std::tuple<bool, int, bool, bool, bool, bool> rankOf(const FoundArray& found)
 {
-  const int type = found.Drawn.Array->GetDataType();
-  return { static_cast<int>(found.Kind), found.Drawn.OfCells,
-    type != VTK_FLOAT && type != VTK_DOUBLE, found.Drawn.Array->GetNumberOfComponents() > 1,
-    !found.Active };
+  return { !found.Everywhere, static_cast<int>(found.Kind), found.Drawn.OfCells, !found.Floating,
+    found.Drawn.Array->GetNumberOfComponents() > 1, !found.Active };
 }
 
 std::string listOf(const std::vector<FoundArray>& all)
@@ -131,8 +178,7 @@ std::vector<FoundArray> findArrays(const std::vector<vtkDataSet*>& blocks)
     std::set<std::string> names{ "vtkGhostType", "vtkValidPointMask" };
     for (vtkDataSet* block : blocks)
     {
-      vtkDataSetAttributes* attributes =
-        ofCells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData();
+      vtkDataSetAttributes* attributes = attributesOf(block, ofCells);
       for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
       {
         vtkDataArray* array = attributes->GetArray(i);
@@ -141,8 +187,11 @@ std::vector<FoundArray> findArrays(const std::vector<vtkDataSet*>& blocks)
           FoundArray found;
           found.Drawn = { array, ofCells, array->GetNumberOfComponents() > 1 ? -1 : 0 };
           found.Range = rangeOf(blocks, found.Drawn);
-          found.Kind = kindOf(array, found.Range);
-          found.Active = array == attributes->GetScalars();
+          const std::vector<vtkDataArray*> parts = partsOf(blocks, found.Drawn);
+          found.Kind = kindOf(parts, found.Range);
+          found.Everywhere = parts.size() == blocks.size();
+          found.Floating = std::any_of(parts.begin(), parts.end(), isFloating);
+          found.Active = isActive(blocks, found.Drawn);
           all.push_back(found);
         }
       }

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which array of the data is drawn, if nobody says.
 //
-// Arrays of physical values come before numbers of cells, blocks or materials, and these before
-// arrays whose values are all equal. Among physical ones points come before cells; of points, and
-// of cells, those of one component before those of several, of which the magnitude is drawn, and
-// floating-point ones before integers. Of equals the one that the data calls its scalars is taken,
-// else the first.
+// Arrays that all blocks have, with the same number of components, come before arrays that some
+// blocks lack, since these blocks are not drawn. Among them, arrays of physical values come before
+// numbers of cells, blocks or materials, and these before arrays whose values are all equal. Among
+// physical ones points come before cells; of points, and of cells, those of one component before
+// those of several, of which the magnitude is drawn, and floating-point ones before integers. Of
+// equals the one that the data calls its scalars is taken, else the first.
 //
 // An array holds numbers rather than values if all its values are whole, and its name says so (Ids,
 // BlockId, material, vtkOriginalCellIds...), or nearly all of them differ.
@@ -34,7 +35,9 @@ struct FoundArray
   DrawnArray Drawn; // component 0, or the magnitude of several
   ArrayKind Kind = ArrayKind::Physical;
   std::array<double, 2> Range; // of all blocks
-  bool Active = false;         // the data's scalars
+  bool Everywhere = true;      // in all blocks, with the same number of components
+  bool Floating = true;        // in one of the blocks at least
+  bool Active = false;         // the scalars of all blocks
 };
 
 // Arrays of numbers with a name, but for those that VTK uses itself, those of points first. Of

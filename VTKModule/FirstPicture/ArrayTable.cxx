@@ -3,6 +3,7 @@
 #include "FirstPicture/ArrayTable.h"
 
 #include "FirstPicture/ArrayChoice.h"
+#include "FirstPicture/RangeText.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -55,14 +56,15 @@ std::string describe(const std::vector<vtkDataSet*>& blocks, const DrawnArray& d
     return "no array";
   }
   const std::array<double, 2> range = rangeOf(blocks, drawn);
+  const auto [low, high] = rangeText(range[0], range[1]);
   std::ostringstream text;
   text << (drawn.Component < 0 ? "magnitude of " : "");
   if (drawn.Component >= 0 && drawn.Array->GetNumberOfComponents() > 1)
   {
     text << "component " << drawn.Component << " of ";
   }
-  text << drawn.Array->GetName() << (drawn.OfCells ? " on cells, " : " on points, ") << range[0]
-       << " to " << range[1];
+  text << drawn.Array->GetName() << (drawn.OfCells ? " on cells, " : " on points, ") << low
+       << " to " << high;
   return text.str();
 }
 

@@ -10,7 +10,6 @@
 #include "vtkPNGWriter.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace tetmarch
 {
@@ -30,18 +29,25 @@ void DivideByOpacity(vtkImageData* rgba)
   }
 }
 
-void WritePng(const std::string& path, vtkImageData* picture)
+vtkSmartPointer<vtkUnsignedCharArray> EncodePng(vtkImageData* picture)
 {
   const int errorsBefore = Messages::GetNumberOfErrors();
   vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(path.c_str());
+  writer->WriteToMemoryOn();
   writer->SetInputData(picture);
   writer->Write();
-  if (Messages::GetNumberOfErrors() > errorsBefore || writer->GetErrorCode() != 0 ||
-      !std::filesystem::exists(path))
+  vtkSmartPointer<vtkUnsignedCharArray> bytes = writer->GetResult();
+  if (Messages::GetNumberOfErrors() > errorsBefore || writer->GetErrorCode() != 0 || !bytes)
   {
-    throw Failure("cannot write '" + path + "'");
+    throw Failure("the picture can't be encoded as PNG");
   }
+  return bytes;
+}
+
+std::string_view GetBytes(vtkUnsignedCharArray* bytes)
+{
+  return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
+    static_cast<std::size_t>(bytes->GetNumberOfValues()) };
 }
 
 } // namespace tetmarch

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pictures as files.
+ * Pictures as the bytes of files.
  */
 #ifndef tetmarch_PngFile_h
 #define tetmarch_PngFile_h
 
-#include <string>
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <string_view>
 
 class vtkImageData;
 
@@ -18,8 +21,10 @@ namespace tetmarch
 /// as they would be if they were opaque.
 void DivideByOpacity(vtkImageData* rgba);
 
-/// Throws Failure if the file can't be written.
-void WritePng(const std::string& path, vtkImageData* picture);
+/// The bytes of a PNG file. Throws Failure, of a picture that has no pixels.
+vtkSmartPointer<vtkUnsignedCharArray> EncodePng(vtkImageData* picture);
+
+std::string_view GetBytes(vtkUnsignedCharArray* bytes);
 
 } // namespace tetmarch
 
