@@ -200,7 +200,8 @@ std::vector<UnsoundData> unsoundArrays()
 
 std::vector<vtkSmartPointer<vtkDataSet>> soundData()
 {
-  return { withArray(hexLattice(2)), withArray(polyhedronLattice(2)), withArray(image()),
+  const auto bare = [](vtkUnstructuredGrid* grid) { return withArray(RawGrid(grid).grid()); };
+  return { bare(hexLattice(2)), bare(polyhedronLattice(2)), withArray(image()),
     withArray(rectilinear({ 0, 1, 2, 3, 4, 5 })), withArray(curvilinear()) };
 }
 } // namespace tetmarch::testing

@@ -70,7 +70,7 @@ class UnsoundDataTest(RenderCase):
         check("sound.vtu", 0, "no fault\n", "")
         check("ids.vtu", 1, POINT + "\n", "tetmarch-render: error: 'ids.vtu' has 1 fault\n")
         check("short.vtk", 1, SHORT + "\n", "tetmarch-render: error: 'short.vtk' has 1 fault\n")
-        check("tree.vtm", 1, f'Block "wall": {POINT}\nBlock number 4: {POINT}\n',
+        check("tree.vtm", 1, f'Block "wall": {POINT}\nBlock number 3: {POINT}\n',
               "tetmarch-render: error: 'tree.vtm' has 2 faults\n")
         self.expect_failure(1, "'surface.vtk' has no 3D cells", "surface.vtk", "--check")
         self.expect_failure(1, "cannot read 'none.vtu'", "none.vtu", "--check")

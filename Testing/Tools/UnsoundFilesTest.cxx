@@ -45,11 +45,13 @@ protected:
   }
 };
 
-/// VTK's writers trust the numbers of values.
+/// VTK's writers trust the numbers of values, and its reader takes an origin that is no number for
+/// 0.
 bool CanBeWritten(const UnsoundData& unsound)
 {
   const auto begins = [&unsound](const char* word) { return unsound.Name.find(word) == 0; };
-  return !begins("fewer") && !begins("five ghost") && !begins("a curvilinear grid of 40");
+  return !begins("fewer") && !begins("five ghost") && !begins("an image's origin") &&
+         !begins("a curvilinear grid of 40");
 }
 } // namespace
 
@@ -78,7 +80,7 @@ TEST_F(UnsoundFiles, AreRefusedWithWhatIsWrong)
       EXPECT_NE(error.find(tetmarch::ListFaults(path, std::nullopt)[0]), std::string::npos);
     }
   }
-  EXPECT_GE(said, 15);
+  EXPECT_GE(said, 13);
 }
 
 TEST_F(UnsoundFiles, SoundOnesHaveNoFault)

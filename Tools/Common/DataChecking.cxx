@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DataChecking.h"
 
+#include "DatasetReader.h"
 #include "ErrorText.h"
 #include "Failure.h"
 #include "Messages.h"
@@ -61,6 +62,10 @@ namespace tetmarch
 
 void CheckData(vtkDataObject* data, const std::string& path)
 {
+  if (IsStructured(data) && !HasSolidCells(static_cast<vtkDataSet*>(data)))
+  {
+    return; // a slice, which is no volume
+  }
   vtkNew<vtkTetMarchFirstPicture> check;
   const ErrorText error(check);
   check->SetInputData(data);
