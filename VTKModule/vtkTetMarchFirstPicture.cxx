@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchFirstPicture.h"
 
-#include "Blocks/BlockList.h"
+#include "Blocks/DataFaults.h"
 #include "FirstPicture/ArrayChoice.h"
 #include "FirstPicture/ArrayTable.h"
 #include "FirstPicture/CameraFit.h"
 #include "FirstPicture/DrawnBlocks.h"
 #include "FirstPicture/Exposure.h"
 #include "FirstPicture/FirstFunctions.h"
+#include "Input/SolidCells.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkCamera.h"
@@ -17,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTetMarchSettings.h"
 #include "vtkTetMarchSmartVolumeMapper.h"
@@ -39,9 +41,12 @@ constexpr std::size_t FewCells = 1000;
 struct vtkTetMarchFirstPicture::Internals
 {
   vtkSmartPointer<vtkDataObject> Data;
-  vtkMTimeType Time = 0; // of the data when its blocks were listed
-  std::vector<vtkDataSet*> Blocks;
-  bool Lattices = false; // images and rectilinear grids, all of them
+  vtkMTimeType Time = 0; // of the data when it was checked, and its blocks were listed
+  bool IsChecked = false;
+  std::string Fault; // of the data
+  std::vector<vtkSmartPointer<vtkDataSet>> Owned;
+  std::vector<vtkDataSet*> Blocks; // all of these
+  bool Lattices = false;           // images and rectilinear grids, all of them
   std::vector<tetmarch::Vector3> Outline;
   tetmarch::PicturePlane Plane;
   tetmarch::DrawnArray Chosen;
@@ -53,7 +58,10 @@ struct vtkTetMarchFirstPicture::Internals
 
   void forget()
   {
+    this->IsChecked = false;
+    this->Fault.clear();
     this->Blocks.clear();
+    this->Owned.clear();
     this->Outline.clear();
     this->Chosen = {};
     this->HasCrossings = false;
@@ -63,7 +71,8 @@ struct vtkTetMarchFirstPicture::Internals
 
   void findBlocks()
   {
-    this->Blocks = tetmarch::drawnBlocks(this->Data);
+    this->Owned = tetmarch::drawnBlocks(this->Data);
+    this->Blocks.assign(this->Owned.begin(), this->Owned.end());
     // Those that mappers draw, unless there are none of them.
     std::vector<vtkDataSet*> solid;
     std::copy_if(
@@ -107,7 +116,7 @@ void vtkTetMarchFirstPicture::SetArrayName(const std::string& name)
 
 std::string vtkTetMarchFirstPicture::GetArrayName() const { return this->ArrayName; }
 
-bool vtkTetMarchFirstPicture::CheckInput()
+bool vtkTetMarchFirstPicture::CheckData()
 {
   Internals& found = *this->Found;
   if (!found.Data)
@@ -115,11 +124,43 @@ bool vtkTetMarchFirstPicture::CheckInput()
     vtkErrorMacro("There is no data to choose for: call SetInputData() first.");
     return false;
   }
-  if (found.Data->GetMTime() != found.Time)
+  const vtkMTimeType time = tetmarch::timeOf(found.Data);
+  if (!found.IsChecked || time != found.Time)
   {
     found.forget();
-    found.Time = found.Data->GetMTime();
+    found.Time = time;
+    found.Fault = tetmarch::checkBlocks(found.Data);
+    found.IsChecked = true;
   }
+  if (!found.Fault.empty())
+  {
+    vtkErrorMacro(<< found.Fault);
+  }
+  return found.Fault.empty();
+}
+
+bool vtkTetMarchFirstPicture::ListFaults(vtkStringArray* faults)
+{
+  if (!faults || !this->Found->Data)
+  {
+    vtkErrorMacro("An array to list the faults in, and data (SetInputData()) are needed.");
+    return false;
+  }
+  faults->Initialize();
+  for (const std::string& fault : tetmarch::listFaults(this->Found->Data))
+  {
+    faults->InsertNextValue(fault);
+  }
+  return true;
+}
+
+bool vtkTetMarchFirstPicture::CheckInput()
+{
+  if (!this->CheckData())
+  {
+    return false;
+  }
+  Internals& found = *this->Found;
   if (found.Blocks.empty())
   {
     found.findBlocks();
@@ -253,7 +294,7 @@ void vtkTetMarchFirstPicture::GetDataRange(double range[2])
   std::array<double, 2> all{ { 1.0, 0.0 } };
   if (this->Found->Chosen.Array)
   {
-    all = tetmarch::rangeOf(this->Found->Blocks, this->Found->Chosen);
+    all = tetmarch::rangeOf(this->Found->Blocks, this->Found->Chosen).value_or(all);
   }
   std::copy(all.begin(), all.end(), range);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DatasetReader.h"
 
+#include "DataChecking.h"
 #include "ErrorText.h"
 #include "Failure.h"
 #include "FileContents.h"
@@ -195,6 +196,7 @@ vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
   const std::string& path, std::optional<int> timeStep)
 {
   const FileContents contents = ReadFile(path, timeStep, {}, {});
+  CheckData(contents.Data, path);
   return MakeGrid(GetSolidBlocks(contents.Data, path), contents.OfPieces, {});
 }
 
@@ -202,6 +204,7 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
   const RawOptions& rawOptions, const ProgressReport& report)
 {
   const FileContents contents = ReadFile(path, timeStep, rawOptions, report);
+  CheckData(contents.Data, path);
   const auto blocks = GetSolidBlocks(contents.Data, path);
   VolumeData volume;
   volume.Times = contents.Times;
@@ -223,6 +226,18 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
   volume.Input = whole;
   volume.Blocks = { whole };
   return volume;
+}
+
+std::vector<std::string> ListFaults(
+  const std::string& path, std::optional<int> timeStep, const RawOptions& rawOptions)
+{
+  const FileContents contents = ReadFile(path, timeStep, rawOptions, {});
+  std::vector<std::string> faults = ListFaults(contents.Data);
+  if (faults.empty())
+  {
+    GetSolidBlocks(contents.Data, path);
+  }
+  return faults;
 }
 
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, const ProgressReport& report)

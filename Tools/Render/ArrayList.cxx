@@ -11,6 +11,8 @@
 #include "vtkTetMarchFirstPicture.h"
 #include "vtkVariant.h"
 
+#include <cmath>
+
 namespace tetmarch
 {
 
@@ -52,7 +54,11 @@ std::string FormatArrayList(vtkTetMarchFirstPicture* choice, const std::vector<d
     { return std::string(arrays->GetValueByName(row, column).ToString()); };
     const auto number = [&](const char* column)
     { return arrays->GetValueByName(row, column).ToDouble(); };
-    const auto [low, high] = ToTexts(number("minimum"), number("maximum"));
+    auto [low, high] = ToTexts(number("minimum"), number("maximum"));
+    if (std::isnan(number("minimum")))
+    {
+      low = high = "-";
+    }
     const bool drawn = text("name") == chosen && text("association") == place;
     rows.push_back({ drawn ? "*" : "", text("name"), text("association"), text("type"),
       text("components"), low, high, text("kind") });

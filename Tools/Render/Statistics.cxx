@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics.h"
 
-#include "Mesh/GridVersions.h"
+#include "Failure.h"
+#include "Input/GridVersions.h"
 #include "OffscreenWindow.h"
 
 #include "vtkCellType.h"
@@ -116,7 +117,7 @@ std::string FormatStatistics(const CommandLine& commandLine, const VolumeData& d
       choice->GetChosenAssociation() == vtkTetMarchFirstPicture::POINTS ? "points" : "cells" },
     { "components", choice->GetChosenArray()->GetNumberOfComponents() },
     { "component", component < 0 ? nlohmann::json("magnitude") : nlohmann::json(component) },
-    { "range", range } };
+    { "range", range[0] <= range[1] ? nlohmann::json(range) : nlohmann::json() } };
   json["unit_distance"] = choice->GetUnitDistance();
   AddSizes(json, data, statistics);
   json["seconds"] = { { "read", timing.Read },

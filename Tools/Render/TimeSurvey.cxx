@@ -59,6 +59,10 @@ std::array<double, 2> GetRangeOfStep(const VolumeData& data, const CommandLine& 
   const auto choice = ChooseOfStep(MakeChoice, data, named, step);
   std::array<double, 2> values;
   choice->GetDataRange(values.data());
+  if (values[0] > values[1])
+  {
+    return { { VTK_DOUBLE_MAX, VTK_DOUBLE_MIN } };
+  }
   return values[0] < values[1] ? GetColorRange(choice, named) : values;
 }
 
@@ -72,7 +76,7 @@ TimeSurvey SurveyTimeSteps(const CommandLine& commandLine, const std::vector<int
   vtkBoundingBox box;
   std::array<double, 2> all = { { VTK_DOUBLE_MAX, VTK_DOUBLE_MIN } };
   double widest = -1.0;
-  VolumeData chooser;
+  VolumeData chooser = last;
   for (const int step : steps)
   {
     const VolumeData data =

@@ -3,8 +3,9 @@
 #include "Blocks/JoinedBlocks.h"
 
 #include "Caching/WithinMemory.h"
-#include "Mesh/GridCheck.h"
-#include "Mesh/HigherOrderCheck.h"
+#include "Input/DataCheck.h"
+#include "Input/HigherOrderCheck.h"
+#include "Input/SolidCells.h"
 #include "Scalars/DrawnScalars.h"
 
 #include "vtkCellData.h"
@@ -40,12 +41,10 @@ void addName(std::string& names, const std::string& name)
 
 std::string checkBlock(const Block& block)
 {
-  std::string error;
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(block.Data))
-  {
-    error = checkGrid(grid);
-  }
-  else if (vtkUnstructuredGridBase::SafeDownCast(block.Data))
+  std::string error = checkData(block.Data);
+  const bool computesCells = !vtkUnstructuredGrid::SafeDownCast(block.Data);
+  error = error.empty() && computesCells ? checkGhosts(block.Data) : error;
+  if (error.empty() && computesCells && vtkUnstructuredGridBase::SafeDownCast(block.Data))
   {
     error =
       std::string("It is a ") + block.Data->GetClassName() +

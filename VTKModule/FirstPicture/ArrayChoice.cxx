@@ -117,9 +117,14 @@ bool isWhole(const std::vector<vtkDataArray*>& parts, double& share)
   return true;
 }
 
-ArrayKind kindOf(const std::vector<vtkDataArray*>& parts, const std::array<double, 2>& range)
+ArrayKind kindOf(
+  const std::vector<vtkDataArray*>& parts, const std::optional<std::array<double, 2>>& range)
 {
-  if (!(range[0] < range[1]))
+  if (!range)
+  {
+    return ArrayKind::NotFinite;
+  }
+  if (!((*range)[0] < (*range)[1]))
   {
     return ArrayKind::Constant;
   }
@@ -158,6 +163,45 @@ std::string listOf(const std::vector<FoundArray>& all)
   return text;
 }
 
+// All that a place has, of all blocks; of arrays of one name the first.
+std::vector<DrawnArray> namedArrays(const std::vector<vtkDataSet*>& blocks, bool ofCells)
+{
+  std::vector<DrawnArray> all;
+  std::set<std::string> names{ "vtkGhostType", "vtkValidPointMask" };
+  for (vtkDataSet* block : blocks)
+  {
+    vtkDataSetAttributes* attributes =
+      ofCells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData();
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = attributes->GetArray(i);
+      if (array && array->GetName() && names.insert(array->GetName()).second)
+      {
+        all.push_back({ array, ofCells, array->GetNumberOfComponents() > 1 ? -1 : 0 });
+      }
+    }
+  }
+  return all;
+}
+
+// Why an array that was wished for is none of those that were found; empty if there is none.
+std::string describeMisfit(const std::vector<vtkDataSet*>& blocks, const ArrayWish& wish)
+{
+  for (const bool ofCells : { false, true })
+  {
+    for (const DrawnArray& drawn : namedArrays(blocks, ofCells))
+    {
+      const std::string wrong = checkLengths(blocks, drawn);
+      if (!wrong.empty() && (!wish.OfCells || *wish.OfCells == ofCells) &&
+          (wish.Name.empty() || wish.Name == drawn.Array->GetName()))
+      {
+        return wrong;
+      }
+    }
+  }
+  return {};
+}
+
 } // namespace
 
 bool namesNumbers(const std::string& name)
@@ -175,25 +219,19 @@ std::vector<FoundArray> findArrays(const std::vector<vtkDataSet*>& blocks)
   std::vector<FoundArray> all;
   for (const bool ofCells : { false, true })
   {
-    std::set<std::string> names{ "vtkGhostType", "vtkValidPointMask" };
-    for (vtkDataSet* block : blocks)
+    for (const DrawnArray& drawn : namedArrays(blocks, ofCells))
     {
-      vtkDataSetAttributes* attributes = attributesOf(block, ofCells);
-      for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+      if (checkLengths(blocks, drawn).empty())
       {
-        vtkDataArray* array = attributes->GetArray(i);
-        if (array && array->GetName() && names.insert(array->GetName()).second)
-        {
-          FoundArray found;
-          found.Drawn = { array, ofCells, array->GetNumberOfComponents() > 1 ? -1 : 0 };
-          found.Range = rangeOf(blocks, found.Drawn);
-          const std::vector<vtkDataArray*> parts = partsOf(blocks, found.Drawn);
-          found.Kind = kindOf(parts, found.Range);
-          found.Everywhere = parts.size() == blocks.size();
-          found.Floating = std::any_of(parts.begin(), parts.end(), isFloating);
-          found.Active = isActive(blocks, found.Drawn);
-          all.push_back(found);
-        }
+        FoundArray found;
+        found.Drawn = drawn;
+        found.Range = rangeOf(blocks, drawn);
+        const std::vector<vtkDataArray*> parts = partsOf(blocks, drawn);
+        found.Kind = kindOf(parts, found.Range);
+        found.Everywhere = parts.size() == blocks.size();
+        found.Floating = std::any_of(parts.begin(), parts.end(), isFloating);
+        found.Active = isActive(blocks, drawn);
+        all.push_back(found);
       }
     }
   }
@@ -219,6 +257,11 @@ std::string chooseArray(
   }
   if (!best)
   {
+    const std::string misfit = describeMisfit(blocks, wish);
+    if (!misfit.empty())
+    {
+      return misfit;
+    }
     const std::string place = !wish.OfCells ? "" : *wish.OfCells ? " on cells" : " on points";
     return (wish.Name.empty() ? "the data has no array to draw" + place
                               : "there is no array '" + wish.Name + "'" + place) +
