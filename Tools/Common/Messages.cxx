@@ -74,7 +74,6 @@ std::string CleanVTKMessage(const std::string& text)
 }
 
 thread_local int Messages::NumberOfErrors = 0;
-thread_local int Messages::NumberOfWarningsOfNobody = 0;
 
 vtkStandardNewMacro(Messages);
 
@@ -100,12 +99,6 @@ void Messages::DisplayErrorText(const char* text)
 void Messages::DisplayWarningText(const char* text)
 {
   PrintMessage("warning", CleanVTKMessage(text));
-}
-
-void Messages::DisplayGenericWarningText(const char* text)
-{
-  ++NumberOfWarningsOfNobody;
-  this->DisplayWarningText(text);
 }
 
 void Messages::DisplayText(const char* text) { PrintNote(CleanVTKMessage(text)); }

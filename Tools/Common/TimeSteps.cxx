@@ -6,6 +6,7 @@
 #include "FileReader.h"
 #include "FileSeries.h"
 #include "Messages.h"
+#include "ReaderCrash.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkInformation.h"
@@ -34,6 +35,7 @@ std::vector<double> GetTimeSteps(const std::string& path, const RawOptions& rawO
     return GetTimes(ReadSeries(path));
   }
   CheckFile(path);
+  const FileBeingRead reading(path);
   const int errorsBefore = Messages::GetNumberOfErrors();
   std::vector<double> times = GetTimeSteps(MakeReader(path, rawOptions));
   if (Messages::GetNumberOfErrors() > errorsBefore)

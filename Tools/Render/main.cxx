@@ -9,6 +9,7 @@
 #include "Messages.h"
 #include "Picture.h"
 #include "PixelTrace.h"
+#include "ReaderCrash.h"
 #include "Series.h"
 #include "Statistics.h"
 
@@ -139,6 +140,7 @@ void Run(const CommandLine& commandLine)
 int main(int argc, char* argv[])
 {
   Messages::Install();
+  TellCrashesOfReaders();
   try
   {
     const CommandLine commandLine = ParseCommandLine({ argv + 1, argv + argc });
