@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchFirstPicture.h"
 
+#include "Blocks/DataFaults.h"
 #include "FirstPicture/ArrayChoice.h"
 #include "FirstPicture/ArrayTable.h"
 #include "FirstPicture/CameraFit.h"
@@ -16,6 +17,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTetMarchSettings.h"
 #include "vtkTetMarchSmartVolumeMapper.h"
@@ -37,7 +39,9 @@ constexpr std::size_t FewCells = 1000;
 struct vtkTetMarchFirstPicture::Internals
 {
   vtkSmartPointer<vtkDataObject> Data;
-  vtkMTimeType Time = 0; // of the data when its blocks were listed
+  vtkMTimeType Time = 0; // of the data when it was checked, and its blocks were listed
+  bool IsChecked = false;
+  std::string Fault; // of the data
   std::vector<vtkDataSet*> Blocks;
   bool Lattices = false; // images and rectilinear grids, all of them
   std::vector<tetmarch::Vector3> Outline;
@@ -51,6 +55,8 @@ struct vtkTetMarchFirstPicture::Internals
 
   void forget()
   {
+    this->IsChecked = false;
+    this->Fault.clear();
     this->Blocks.clear();
     this->Outline.clear();
     this->Chosen = {};
@@ -100,7 +106,7 @@ void vtkTetMarchFirstPicture::SetArrayName(const std::string& name)
 
 std::string vtkTetMarchFirstPicture::GetArrayName() const { return this->ArrayName; }
 
-bool vtkTetMarchFirstPicture::CheckInput()
+bool vtkTetMarchFirstPicture::CheckData()
 {
   Internals& found = *this->Found;
   if (!found.Data)
@@ -108,11 +114,43 @@ bool vtkTetMarchFirstPicture::CheckInput()
     vtkErrorMacro("There is no data to choose for: call SetInputData() first.");
     return false;
   }
-  if (found.Data->GetMTime() != found.Time)
+  const vtkMTimeType time = tetmarch::timeOf(found.Data);
+  if (!found.IsChecked || time != found.Time)
   {
     found.forget();
-    found.Time = found.Data->GetMTime();
+    found.Time = time;
+    found.Fault = tetmarch::checkBlocks(found.Data);
+    found.IsChecked = true;
   }
+  if (!found.Fault.empty())
+  {
+    vtkErrorMacro(<< found.Fault);
+  }
+  return found.Fault.empty();
+}
+
+bool vtkTetMarchFirstPicture::ListFaults(vtkStringArray* faults)
+{
+  if (!faults || !this->Found->Data)
+  {
+    vtkErrorMacro("An array to list the faults in, and data (SetInputData()) are needed.");
+    return false;
+  }
+  faults->Initialize();
+  for (const std::string& fault : tetmarch::listFaults(this->Found->Data))
+  {
+    faults->InsertNextValue(fault);
+  }
+  return true;
+}
+
+bool vtkTetMarchFirstPicture::CheckInput()
+{
+  if (!this->CheckData())
+  {
+    return false;
+  }
+  Internals& found = *this->Found;
   if (found.Blocks.empty())
   {
     found.findBlocks();
@@ -246,7 +284,7 @@ void vtkTetMarchFirstPicture::GetDataRange(double range[2])
   std::array<double, 2> all{ { 1.0, 0.0 } };
   if (this->Found->Chosen.Array)
   {
-    all = tetmarch::rangeOf(this->Found->Blocks, this->Found->Chosen);
+    all = tetmarch::rangeOf(this->Found->Blocks, this->Found->Chosen).value_or(all);
   }
   std::copy(all.begin(), all.end(), range);
 }

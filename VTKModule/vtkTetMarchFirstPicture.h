@@ -47,6 +47,7 @@ class vtkColorTransferFunction;
 class vtkDataArray;
 class vtkDataObject;
 class vtkPiecewiseFunction;
+class vtkStringArray;
 class vtkTable;
 class vtkVolume;
 
@@ -79,6 +80,20 @@ public:
   void SetInputData(vtkDataObject* data);
   vtkDataObject* GetInputData();
   //@}
+
+  /**
+   * Whether the data can be read: cells name points that are there, coordinates are finite, arrays
+   * are as long as dimensions say, and so on. All methods that read the data ask this first. The
+   * error is the mapper's, and of a tree that of the first block with one. What was found out is
+   * kept until the data is modified.
+   */
+  bool CheckData();
+
+  /**
+   * All that is wrong with the data, one fault a value: of each block its points and cells, and
+   * each array that has not one tuple for each point or cell. No fault: no value.
+   */
+  bool ListFaults(vtkStringArray* faults);
 
   //@{
   /**
@@ -141,7 +156,7 @@ public:
   //@{
   /**
    * The array that was chosen, of the first block that has it, or null; POINTS or CELLS; its
-   * component, -1: the magnitude; its range over all blocks.
+   * component, -1: the magnitude; its range over all blocks, (1, 0) if no value is finite.
    */
   vtkDataArray* GetChosenArray();
   int GetChosenAssociation() const;
@@ -176,8 +191,10 @@ public:
 
   /**
    * All arrays that can be drawn, one a row: name, association ("points", "cells"), type,
-   * components, minimum and maximum (of the magnitude if there are several components), and kind
-   * ("values", "numbers" of cells, blocks or the like, or "constant").
+   * components, minimum and maximum (of the magnitude if there are several components; NaN if no
+   * value is finite), and kind ("values", "numbers" of cells, blocks or the like, "constant", or
+   * "not finite"). Arrays that have not one tuple for each point or cell are left out: see
+   * ListFaults().
    */
   bool ListArrays(vtkTable* arrays);
 

@@ -3,11 +3,11 @@
 // Each stage of the preprocessing alone, on jittered lattices of 6 N^3 tetrahedra: for finding what
 // to improve.
 #include "Grids.h"
+#include "Input/GridCheck.h"
+#include "Input/GridContent.h"
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/Convexity.h"
 #include "Mesh/Decomposition.h"
-#include "Mesh/GridCheck.h"
-#include "Mesh/GridContent.h"
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/MeshScalars.h"
 #include "Mesh/MovedPoints.h"

@@ -8,13 +8,13 @@
 #define tetmarch_testing_RawFaces_h
 
 #include "GridBuilder.h"
-#include "Mesh/GridVersions.h"
+#include "Input/GridVersions.h"
 
 class vtkUnsignedCharArray;
 
 namespace tetmarch::testing
 {
-/// The arrays need not fit together. Mesh/GridVersions.h says what they mean.
+/// The arrays need not fit together. Input/GridVersions.h says what they mean.
 struct RawFaces
 {
 #if TETMARCH_FACES_ARE_STREAMS

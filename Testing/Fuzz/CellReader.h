@@ -7,7 +7,7 @@
 #ifndef tetmarch_testing_CellReader_h
 #define tetmarch_testing_CellReader_h
 
-#include "Mesh/CellKind.h"
+#include "Input/CellKind.h"
 
 #include "ByteReader.h"
 #include "CellTypeCode.h"

@@ -3,7 +3,7 @@
 #include "CellTypeCode.h"
 #include "GridCode.h"
 
-#include "Mesh/CellKind.h"
+#include "Input/CellKind.h"
 
 #include "vtkIdList.h"
 #include "vtkNew.h"

@@ -4,7 +4,7 @@
 #include "HardCase.h"
 
 #include "Grids.h"
-#include "Mesh/GridVersions.h"
+#include "Input/GridVersions.h"
 #include "RayChords.h"
 
 #include "vtkCamera.h"

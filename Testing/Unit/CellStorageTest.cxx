@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells make the same mesh whatever they are kept in: from VTK 9.6 on that may be arrays that
 // compute their values, for cells of one type and of one size.
-#include "Blocks/BlockList.h"
-#include "Mesh/CellTypes.h"
-#include "Mesh/GridContent.h"
+#include "Input/CellTypes.h"
+#include "Input/GridContent.h"
+#include "Input/SolidCells.h"
 #include "Mesh/LeastTetrahedra.h"
 #include "UnitMeshes.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever the arrays of a grid hold, nothing is read that isn't there, and the error names the
 // array, the cell or point, the value and what it may be.
-#include "Mesh/GridCheck.h"
+#include "Input/GridCheck.h"
 
 #include "BrokenGrids.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The mesh of a grid is known again in another grid, unless anything that it depends on differs.
-#include "Mesh/GridContent.h"
+#include "Input/GridContent.h"
 
 #include "Grids.h"
 #include "Mesh/MeshStage.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Lagrange and Bezier cells whose points, degrees and weights don't go together.
-#include "Mesh/GridCheck.h"
+#include "Input/GridCheck.h"
 
 #include "BrokenGrids.h"
 

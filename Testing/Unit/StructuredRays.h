@@ -8,9 +8,9 @@
 #define tetmarch_testing_StructuredRays_h
 
 #include "Appearance/Blending.h"
+#include "Input/GridGeometry.h"
 #include "Reference/MakeKernel.h"
 #include "Reference/StructuredKernel.h"
-#include "Structured/GridGeometry.h"
 #include "Structured/LatticeBuilder.h"
 
 #include "LatticeImages.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DatasetReader.h"
 
+#include "DataChecking.h"
 #include "Failure.h"
 #include "FileContents.h"
 #include "GridMerging.h"
@@ -152,6 +153,7 @@ vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
   const std::string& path, std::optional<int> timeStep)
 {
   const FileContents contents = ReadFile(path, timeStep, {}, {});
+  CheckData(contents.Data, path);
   return MakeGrid(GetSolidBlocks(contents.Data, path), contents.OfPieces, {});
 }
 
@@ -159,6 +161,7 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
   const RawOptions& rawOptions, const ProgressReport& report)
 {
   const FileContents contents = ReadFile(path, timeStep, rawOptions, report);
+  CheckData(contents.Data, path);
   const auto blocks = GetSolidBlocks(contents.Data, path);
   VolumeData volume;
   volume.Times = contents.Times;

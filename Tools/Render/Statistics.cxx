@@ -3,7 +3,7 @@
 #include "Statistics.h"
 
 #include "Failure.h"
-#include "Mesh/GridVersions.h"
+#include "Input/GridVersions.h"
 #include "OffscreenWindow.h"
 
 #include "vtkCellType.h"

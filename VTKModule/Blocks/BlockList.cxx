@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blocks/BlockList.h"
 
-#include "Mesh/CellKind.h"
-#include "Mesh/CellTypes.h"
-#include "Mesh/GridContent.h"
+#include "Input/GridContent.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkBoundingBox.h"
@@ -17,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
 
 namespace tetmarch
 {
@@ -29,12 +28,6 @@ std::string nameOf(vtkCompositeDataIterator* at)
     at->HasCurrentMetaData() ? at->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) : nullptr;
   return name ? '"' + std::string(name) + '"'
               : "number " + std::to_string(at->GetCurrentFlatIndex());
-}
-
-bool isSolid(int type)
-{
-  const CellCut cut = cellKinds()[static_cast<unsigned char>(type)].Cut;
-  return cut != CellCut::Empty && cut != CellCut::LowDimensional;
 }
 
 } // namespace
@@ -75,30 +68,6 @@ void boundBlocks(vtkCompositeDataSet* input, double bounds[6])
   {
     box.GetBounds(bounds);
   }
-}
-
-bool hasSolidCells(vtkDataSet* data)
-{
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
-  {
-    const CellTypes types(grid);
-    for (vtkIdType i = 0; types.array() && i < types.array()->GetNumberOfTuples(); ++i)
-    {
-      if (isSolid(types[i]))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
-  {
-    if (isSolid(data->GetCellType(cell)))
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 Fingerprint shapeOf(const std::vector<Block>& blocks)

@@ -32,9 +32,6 @@ std::vector<Block> listBlocks(vtkCompositeDataSet* input, const ScalarSelection&
 /** The box of the points of these blocks; not initialised if there are none. */
 void boundBlocks(vtkCompositeDataSet* input, double bounds[6]);
 
-/** Whether the block has any 3D cell. */
-bool hasSolidCells(vtkDataSet* data);
-
 /** The version of what a grid without scalars is joined from. */
 Fingerprint shapeOf(const std::vector<Block>& blocks);
 /** The version of the scalars. */

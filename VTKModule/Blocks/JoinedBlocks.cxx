@@ -3,8 +3,9 @@
 #include "Blocks/JoinedBlocks.h"
 
 #include "Caching/WithinMemory.h"
-#include "Mesh/GridCheck.h"
-#include "Mesh/HigherOrderCheck.h"
+#include "Input/DataCheck.h"
+#include "Input/HigherOrderCheck.h"
+#include "Input/SolidCells.h"
 #include "Scalars/DrawnScalars.h"
 
 #include "vtkCellData.h"
@@ -40,12 +41,9 @@ void addName(std::string& names, const std::string& name)
 
 std::string checkBlock(const Block& block)
 {
-  std::string error;
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(block.Data))
-  {
-    error = checkGrid(grid);
-  }
-  else if (vtkUnstructuredGridBase::SafeDownCast(block.Data))
+  std::string error = checkData(block.Data);
+  if (error.empty() && !vtkUnstructuredGrid::SafeDownCast(block.Data) &&
+      vtkUnstructuredGridBase::SafeDownCast(block.Data))
   {
     error =
       std::string("It is a ") + block.Data->GetClassName() +

@@ -68,9 +68,13 @@ bool isWhole(vtkDataArray* array, double& share)
   return true;
 }
 
-ArrayKind kindOf(vtkDataArray* array, const std::array<double, 2>& range)
+ArrayKind kindOf(vtkDataArray* array, const std::optional<std::array<double, 2>>& range)
 {
-  if (!(range[0] < range[1]))
+  if (!range)
+  {
+    return ArrayKind::NotFinite;
+  }
+  if (!((*range)[0] < (*range)[1]))
   {
     return ArrayKind::Constant;
   }
@@ -111,6 +115,55 @@ std::string listOf(const std::vector<FoundArray>& all)
   return text;
 }
 
+// All that a place has, of all blocks; of arrays of one name the first.
+std::vector<DrawnArray> namedArrays(const std::vector<vtkDataSet*>& blocks, bool ofCells)
+{
+  std::vector<DrawnArray> all;
+  std::set<std::string> names{ "vtkGhostType", "vtkValidPointMask" };
+  for (vtkDataSet* block : blocks)
+  {
+    vtkDataSetAttributes* attributes =
+      ofCells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData();
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = attributes->GetArray(i);
+      if (array && array->GetName() && names.insert(array->GetName()).second)
+      {
+        all.push_back({ array, ofCells, array->GetNumberOfComponents() > 1 ? -1 : 0 });
+      }
+    }
+  }
+  return all;
+}
+
+bool isActive(const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn)
+{
+  return std::any_of(blocks.begin(), blocks.end(),
+    [&drawn](vtkDataSet* block)
+    {
+      return drawn.Array == (drawn.OfCells ? block->GetCellData()->GetScalars()
+                                           : block->GetPointData()->GetScalars());
+    });
+}
+
+// Why an array that was wished for is none of those that were found; empty if there is none.
+std::string describeMisfit(const std::vector<vtkDataSet*>& blocks, const ArrayWish& wish)
+{
+  for (const bool ofCells : { false, true })
+  {
+    for (const DrawnArray& drawn : namedArrays(blocks, ofCells))
+    {
+      const std::string wrong = checkLengths(blocks, drawn);
+      if (!wrong.empty() && (!wish.OfCells || *wish.OfCells == ofCells) &&
+          (wish.Name.empty() || wish.Name == drawn.Array->GetName()))
+      {
+        return wrong;
+      }
+    }
+  }
+  return {};
+}
+
 } // namespace
 
 bool namesNumbers(const std::string& name)
@@ -128,23 +181,12 @@ std::vector<FoundArray> findArrays(const std::vector<vtkDataSet*>& blocks)
   std::vector<FoundArray> all;
   for (const bool ofCells : { false, true })
   {
-    std::set<std::string> names{ "vtkGhostType", "vtkValidPointMask" };
-    for (vtkDataSet* block : blocks)
+    for (const DrawnArray& drawn : namedArrays(blocks, ofCells))
     {
-      vtkDataSetAttributes* attributes =
-        ofCells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData();
-      for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+      if (checkLengths(blocks, drawn).empty())
       {
-        vtkDataArray* array = attributes->GetArray(i);
-        if (array && array->GetName() && names.insert(array->GetName()).second)
-        {
-          FoundArray found;
-          found.Drawn = { array, ofCells, array->GetNumberOfComponents() > 1 ? -1 : 0 };
-          found.Range = rangeOf(blocks, found.Drawn);
-          found.Kind = kindOf(array, found.Range);
-          found.Active = array == attributes->GetScalars();
-          all.push_back(found);
-        }
+        const auto range = rangeOf(blocks, drawn);
+        all.push_back({ drawn, kindOf(drawn.Array, range), range, isActive(blocks, drawn) });
       }
     }
   }
@@ -170,6 +212,11 @@ std::string chooseArray(
   }
   if (!best)
   {
+    const std::string misfit = describeMisfit(blocks, wish);
+    if (!misfit.empty())
+    {
+      return misfit;
+    }
     const std::string place = !wish.OfCells ? "" : *wish.OfCells ? " on cells" : " on points";
     return (wish.Name.empty() ? "the data has no array to draw" + place
                               : "there is no array '" + wish.Name + "'" + place) +

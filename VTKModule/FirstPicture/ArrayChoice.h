@@ -3,10 +3,10 @@
 // Which array of the data is drawn, if nobody says.
 //
 // Arrays of physical values come before numbers of cells, blocks or materials, and these before
-// arrays whose values are all equal. Among physical ones points come before cells; of points, and
-// of cells, those of one component before those of several, of which the magnitude is drawn, and
-// floating-point ones before integers. Of equals the one that the data calls its scalars is taken,
-// else the first.
+// arrays whose values are all equal; arrays without a finite value come last. Among physical ones
+// points come before cells; of points, and of cells, those of one component before those of
+// several, of which the magnitude is drawn, and floating-point ones before integers. Of equals the
+// one that the data calls its scalars is taken, else the first.
 //
 // An array holds numbers rather than values if all its values are whole, and its name says so (Ids,
 // BlockId, material, vtkOriginalCellIds...), or nearly all of them differ.
@@ -26,19 +26,21 @@ enum class ArrayKind
 {
   Physical,
   Numbers,
-  Constant
+  Constant,
+  NotFinite // not one value is
 };
 
 struct FoundArray
 {
   DrawnArray Drawn; // component 0, or the magnitude of several
   ArrayKind Kind = ArrayKind::Physical;
-  std::array<double, 2> Range; // of all blocks
-  bool Active = false;         // the data's scalars
+  std::optional<std::array<double, 2>> Range; // of all blocks; none if no value is finite
+  bool Active = false;                        // the data's scalars
 };
 
 // Arrays of numbers with a name, but for those that VTK uses itself, those of points first. Of
-// arrays of one name and place the first.
+// arrays of one name and place the first. Arrays that don't fit their blocks (checkLengths) are
+// left out.
 std::vector<FoundArray> findArrays(const std::vector<vtkDataSet*>& blocks);
 
 struct ArrayWish
@@ -48,7 +50,8 @@ struct ArrayWish
   std::optional<int> Component; // none: the first of an array with a name, else the magnitude
 };
 
-// What is wrong, with a list of what there is; empty if an array was chosen.
+// What is wrong: no such array, with a list of what there is, or one that doesn't fit its blocks.
+// Empty if an array was chosen.
 std::string chooseArray(
   const std::vector<vtkDataSet*>& blocks, const ArrayWish& wish, DrawnArray& chosen);
 

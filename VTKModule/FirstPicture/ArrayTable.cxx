@@ -11,6 +11,7 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <cmath>
 #include <sstream>
 
 namespace tetmarch
@@ -28,15 +29,15 @@ void listArrays(const std::vector<vtkDataSet*>& blocks, vtkTable* arrays)
   least->SetName("minimum");
   most->SetName("maximum");
   kinds->SetName("kind");
-  static const char* const kindNames[] = { "values", "numbers", "constant" };
+  static const char* const kindNames[] = { "values", "numbers", "constant", "not finite" };
   for (const FoundArray& found : findArrays(blocks))
   {
     names->InsertNextValue(found.Drawn.Array->GetName());
     places->InsertNextValue(found.Drawn.OfCells ? "cells" : "points");
     types->InsertNextValue(found.Drawn.Array->GetDataTypeAsString());
     components->InsertNextValue(found.Drawn.Array->GetNumberOfComponents());
-    least->InsertNextValue(found.Range[0]);
-    most->InsertNextValue(found.Range[1]);
+    least->InsertNextValue(found.Range ? (*found.Range)[0] : std::nan(""));
+    most->InsertNextValue(found.Range ? (*found.Range)[1] : std::nan(""));
     kinds->InsertNextValue(kindNames[static_cast<int>(found.Kind)]);
   }
   for (vtkAbstractArray* column : { static_cast<vtkAbstractArray*>(names),
@@ -54,15 +55,22 @@ std::string describe(const std::vector<vtkDataSet*>& blocks, const DrawnArray& d
   {
     return "no array";
   }
-  const std::array<double, 2> range = rangeOf(blocks, drawn);
+  const std::optional<std::array<double, 2>> range = rangeOf(blocks, drawn);
   std::ostringstream text;
   text << (drawn.Component < 0 ? "magnitude of " : "");
   if (drawn.Component >= 0 && drawn.Array->GetNumberOfComponents() > 1)
   {
     text << "component " << drawn.Component << " of ";
   }
-  text << drawn.Array->GetName() << (drawn.OfCells ? " on cells, " : " on points, ") << range[0]
-       << " to " << range[1];
+  text << drawn.Array->GetName() << (drawn.OfCells ? " on cells, " : " on points, ");
+  if (range)
+  {
+    text << (*range)[0] << " to " << (*range)[1];
+  }
+  else
+  {
+    text << "no value is finite";
+  }
   return text.str();
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tetmarch
 {
@@ -14,11 +15,13 @@ namespace tetmarch
 namespace
 {
 
+using Limits = std::numeric_limits<double>;
+
 // The least interval that holds all that was put into it.
 struct Interval
 {
-  double Least = VTK_DOUBLE_MAX;
-  double Most = VTK_DOUBLE_MIN;
+  double Least = Limits::max();
+  double Most = Limits::lowest();
 
   void put(double value)
   {
@@ -36,8 +39,8 @@ struct Interval
 struct Pyramid
 {
   double Slope;
-  double High = VTK_DOUBLE_MIN; // of x + slope z
-  double Low = VTK_DOUBLE_MIN;  // of -x + slope z
+  double High = Limits::lowest(); // of x + slope z
+  double Low = Limits::lowest();  // of -x + slope z
 
   void put(double x, double z)
   {

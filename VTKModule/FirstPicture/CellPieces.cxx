@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FirstPicture/CellPieces.h"
 
+#include "Input/CellKind.h"
+#include "Input/GridVersions.h"
+
 #include "vtkCellType.h"
-#include "vtkDataSetAttributes.h"
+#include "vtkDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tetmarch
@@ -26,6 +29,7 @@ struct CellCutting::Scratch
 CellCutting::CellCutting(vtkDataSet* block, const DrawnValues& values)
   : Block(block)
   , Values(values)
+  , Ghosts(ghostArraysOf(block).OfCells)
   , Own(std::make_unique<Scratch>())
 {
 }
@@ -78,32 +82,44 @@ void CellCutting::cutPolyhedron(vtkIdType cell)
   }
 }
 
-const std::vector<CellPiece>& CellCutting::cut(vtkIdType cell)
+void CellCutting::cutByVTK(vtkIdType cell, int type)
 {
-  constexpr unsigned char gone =
-    vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
-  this->Pieces.clear();
-  vtkUnsignedCharArray* ghosts = this->Block->GetCellGhostArray();
-  if (ghosts && (ghosts->GetValue(cell) & gone))
-  {
-    return this->Pieces;
-  }
-  if (this->Block->GetCellType(cell) == VTK_POLYHEDRON)
-  {
-    this->cutPolyhedron(cell);
-    return this->Pieces;
-  }
+  vtkIdList* ids = this->Own->Ids;
   this->Block->GetCell(cell, this->Own->Cell);
-  if (this->Own->Cell->GetCellDimension() < 3)
+  this->Own->Cell->Triangulate(0, ids, this->Own->Points);
+  if (type == VTK_CONVEX_POINT_SET && ConvexPointSetsCountLocally)
   {
-    return this->Pieces;
+    std::transform(ids->begin(), ids->end(), ids->begin(),
+      [this](vtkIdType corner) { return this->Own->Cell->GetPointId(corner); });
   }
-  this->Own->Cell->Triangulate(0, this->Own->Ids, this->Own->Points);
-  const vtkIdType* at = this->Own->Ids->GetPointer(0);
-  for (vtkIdType i = 0; i + 4 <= this->Own->Ids->GetNumberOfIds(); i += 4)
+  const vtkIdType* at = ids->GetPointer(0);
+  for (vtkIdType i = 0; i + 4 <= ids->GetNumberOfIds(); i += 4)
   {
     this->addPiece({ { this->cornerAt(at[i], cell), this->cornerAt(at[i + 1], cell),
       this->cornerAt(at[i + 2], cell), this->cornerAt(at[i + 3], cell) } });
+  }
+}
+
+const std::vector<ValuedPiece>& CellCutting::cut(vtkIdType cell)
+{
+  this->Pieces.clear();
+  if (this->Ghosts && (this->Ghosts->GetValue(cell) & HidingCell) != 0)
+  {
+    return this->Pieces;
+  }
+  const int type = this->Block->GetCellType(cell);
+  switch (cellKinds()[static_cast<unsigned char>(type)].Cut)
+  {
+    case CellCut::Polyhedron:
+      this->cutPolyhedron(cell);
+      break;
+    case CellCut::Tetrahedron:
+    case CellCut::Pieces:
+    case CellCut::ByVTK:
+      this->cutByVTK(cell, type);
+      break;
+    default: // the mapper skips them
+      break;
   }
   return this->Pieces;
 }

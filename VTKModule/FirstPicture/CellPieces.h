@@ -6,6 +6,7 @@
 
 #include "FirstPicture/DrawnArray.h"
 #include "Geometry/Vector3.h"
+#include "Scalars/GhostArrays.h"
 
 #include <array>
 #include <memory>
@@ -20,15 +21,15 @@ struct PieceCorner
   double Value;
 };
 
-// A tetrahedron. Values are linear in it.
-struct CellPiece
+// A tetrahedron of a cell. Values are linear in it.
+struct ValuedPiece
 {
   std::array<PieceCorner, 4> Corners;
   double Volume;
 };
 
-// Cuts 3D cells of one block into tetrahedra: polyhedra by fans around their middle, others as
-// vtkCell::Triangulate() does.
+// Cuts 3D cells of one block, which is sound (checkData), into tetrahedra: polyhedra by fans around
+// their middle, others as vtkCell::Triangulate() does.
 class CellCutting
 {
 public:
@@ -38,7 +39,7 @@ public:
   CellCutting& operator=(const CellCutting&) = delete;
 
   // None of flat cells, of ghosts and of hidden cells.
-  const std::vector<CellPiece>& cut(vtkIdType cell);
+  const std::vector<ValuedPiece>& cut(vtkIdType cell);
 
 private:
   struct Scratch;
@@ -46,10 +47,12 @@ private:
   PieceCorner cornerAt(vtkIdType point, vtkIdType cell) const;
   void addPiece(const std::array<PieceCorner, 4>& corners);
   void cutPolyhedron(vtkIdType cell);
+  void cutByVTK(vtkIdType cell, int type);
 
   vtkDataSet* Block;
   const DrawnValues& Values;
-  std::vector<CellPiece> Pieces;
+  vtkUnsignedCharArray* Ghosts; // null without
+  std::vector<ValuedPiece> Pieces;
   std::unique_ptr<Scratch> Own;
 };
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace tetmarch
@@ -20,6 +21,7 @@ constexpr int LongerSide = 96;              // of the picture, in pixels
 constexpr vtkIdType MostCells = 1 << 17;    // of a block
 constexpr double PointsOfAPixel = 4;        // of the cells before it, each
 constexpr double MostPointsOfAPiece = 4096; // however many pixels it covers
+constexpr double MostDepth = 1e290;         // of a crossing: sums of them are finite
 
 struct PixelGrid
 {
@@ -34,16 +36,22 @@ struct PixelGrid
   {
     const double x = (dot(point, this->Plane.Right) - this->Left) / this->Size;
     const double y = (dot(point, this->Plane.Up) - this->Bottom) / this->Size;
-    const int column = static_cast<int>(std::clamp(x, 0.0, this->Width - 1.0));
-    const int row = static_cast<int>(std::clamp(y, 0.0, this->Height - 1.0));
-    return row * this->Width + column;
+    return pixelAt(y, this->Height) * this->Width + pixelAt(x, this->Width);
+  }
+
+private:
+  // 0 of what is not a number.
+  static int pixelAt(double place, int count)
+  {
+    return place > 0 ? static_cast<int>(std::min(place, count - 1.0)) : 0;
   }
 };
 
 PixelGrid gridOver(const std::vector<Vector3>& points, const PicturePlane& plane)
 {
-  double least[2] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
-  double most[2] = { VTK_DOUBLE_MIN, VTK_DOUBLE_MIN };
+  using Limits = std::numeric_limits<double>;
+  double least[2] = { Limits::max(), Limits::max() };
+  double most[2] = { Limits::lowest(), Limits::lowest() };
   for (const Vector3& point : points)
   {
     const double place[2] = { dot(point, plane.Right), dot(point, plane.Up) };
@@ -56,7 +64,7 @@ PixelGrid gridOver(const std::vector<Vector3>& points, const PicturePlane& plane
   PixelGrid grid;
   grid.Plane = plane;
   const double longer = points.empty() ? 0 : std::max(most[0] - least[0], most[1] - least[1]);
-  if (longer > 0)
+  if (longer > 0 && std::isfinite(longer))
   {
     grid.Left = least[0];
     grid.Bottom = least[1];
@@ -90,17 +98,17 @@ public:
 
   // share: of how many cells this is one. A cell that is small beside a pixel is one point of one
   // of its pieces.
-  void spreadCell(const std::vector<CellPiece>& pieces, double share)
+  void spreadCell(const std::vector<ValuedPiece>& pieces, double share)
   {
     double volume = 0;
-    for (const CellPiece& piece : pieces)
+    for (const ValuedPiece& piece : pieces)
     {
       volume += piece.Volume;
     }
     if (this->pointsFor(volume) <= 1)
     {
       double left = fraction(this->Random) * volume;
-      for (const CellPiece& piece : pieces)
+      for (const ValuedPiece& piece : pieces)
       {
         left -= piece.Volume;
         if (left < 0)
@@ -110,7 +118,7 @@ public:
         }
       }
     }
-    for (const CellPiece& piece : pieces)
+    for (const ValuedPiece& piece : pieces)
     {
       this->spreadPiece(piece, this->pointsFor(piece.Volume), share * piece.Volume);
     }
@@ -132,12 +140,13 @@ public:
 private:
   int pointsFor(double volume) const
   {
-    const double covered = std::cbrt(volume * volume) / (this->Grid.Size * this->Grid.Size);
-    return static_cast<int>(std::ceil(std::min(PointsOfAPixel * covered, MostPointsOfAPiece)));
+    const double side = std::cbrt(volume) / this->Grid.Size;
+    const double points = PointsOfAPixel * side * side;
+    return points > 0 ? static_cast<int>(std::ceil(std::min(points, MostPointsOfAPiece))) : 0;
   }
 
   // volume: what the points stand for.
-  void spreadPiece(const CellPiece& piece, int points, double volume)
+  void spreadPiece(const ValuedPiece& piece, int points, double volume)
   {
     const double length = volume / (this->Grid.Size * this->Grid.Size) / points;
     for (int i = 0; i < points; ++i)
@@ -152,8 +161,7 @@ private:
       }
       if (std::isfinite(value))
       {
-        this->List.push_back(
-          { this->Grid.pixelOf(point), static_cast<float>(length), value, point });
+        this->List.push_back({ this->Grid.pixelOf(point), length, value, point });
       }
     }
   }
@@ -170,7 +178,8 @@ std::vector<double> Crossings::opticalDepths(const std::function<double(double)>
   std::vector<double> depths(static_cast<std::size_t>(this->Width) * this->Height, 0.0);
   for (const Crossing& crossing : this->List)
   {
-    depths[crossing.Pixel] += double(crossing.Length) * extinction(crossing.Value);
+    const double depth = crossing.Length * extinction(crossing.Value);
+    depths[crossing.Pixel] += depth > 0 ? std::min(depth, MostDepth) : 0;
   }
   return depths;
 }
@@ -186,8 +195,7 @@ std::vector<Sample> Crossings::samples() const
   samples.reserve(this->List.size());
   for (const Crossing& crossing : this->List)
   {
-    const auto length = double(crossing.Length);
-    samples.push_back({ crossing.Value, length * std::sqrt(length) });
+    samples.push_back({ crossing.Value, crossing.Length * std::sqrt(crossing.Length) });
   }
   return samples;
 }

@@ -20,7 +20,7 @@ namespace tetmarch
 struct Crossing
 {
   int Pixel;
-  float Length;
+  double Length;
   double Value;
   Vector3 Place;
 };

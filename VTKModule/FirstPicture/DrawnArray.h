@@ -8,6 +8,8 @@
 #include "vtkType.h"
 
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -23,7 +25,8 @@ struct DrawnArray
   int Component = 0; // -1: the magnitude
 };
 
-// The values of one block; without an array if the block lacks it, or the component.
+// The values of one block; without an array if the block lacks it, or the component, or if the
+// array has not one tuple for each point or cell.
 class DrawnValues
 {
 public:
@@ -31,19 +34,26 @@ public:
 
   explicit operator bool() const { return this->Array != nullptr; }
   bool ofCells() const { return this->OfCells; }
-  std::array<double, 2> range() const; // of the finite ones
+  std::optional<std::array<double, 2>> range() const; // of the finite ones; none without
 
   // Of a point or a cell.
   double at(vtkIdType tuple) const;
 
 private:
+  double magnitudeOfExtremes(vtkIdType tuple) const;
+
   vtkDataArray* Array = nullptr;
   bool OfCells = false;
   int Component = 0;
 };
 
-// Of all blocks. The first is above the second if no block has a value.
-std::array<double, 2> rangeOf(const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn);
+// Of all blocks; none if no value is finite.
+std::optional<std::array<double, 2>> rangeOf(
+  const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn);
+
+// Empty, or why the array can't be drawn: a block has an array of this name that has not one tuple
+// for each point or cell.
+std::string checkLengths(const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn);
 
 // Whether the block is an image or a rectilinear grid; dimensions are its points along each axis.
 bool isLattice(vtkDataSet* block, int dimensions[3]);

@@ -2,39 +2,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FirstPicture/DrawnBlocks.h"
 
+#include "Input/SolidCells.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+
 namespace tetmarch
 {
 
-std::vector<vtkDataSet*> drawnBlocks(vtkDataObject* data)
+namespace
 {
-  std::vector<vtkDataSet*> blocks;
-  const auto add = [&blocks](vtkDataObject* block)
-  {
-    auto* dataSet = vtkDataSet::SafeDownCast(block);
-    if (dataSet && !vtkPolyData::SafeDownCast(dataSet) && dataSet->GetNumberOfCells() > 0)
-    {
-      blocks.push_back(dataSet);
-    }
-  };
+
+std::vector<vtkDataObject*> leavesOf(vtkDataObject* data)
+{
+  std::vector<vtkDataObject*> leaves;
   if (auto* tree = vtkCompositeDataSet::SafeDownCast(data))
   {
     auto at = vtk::TakeSmartPointer(tree->NewIterator());
     for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
     {
-      add(at->GetCurrentDataObject());
+      leaves.push_back(at->GetCurrentDataObject());
     }
   }
   else
   {
-    add(data);
+    leaves.push_back(data);
+  }
+  return leaves;
+}
+
+} // namespace
+
+std::vector<vtkDataSet*> drawnBlocks(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> blocks;
+  for (vtkDataObject* leaf : leavesOf(data))
+  {
+    auto* block = vtkDataSet::SafeDownCast(leaf);
+    if (block && !vtkPolyData::SafeDownCast(block) && block->GetNumberOfCells() > 0 &&
+        !isSlice(block))
+    {
+      blocks.push_back(block);
+    }
   }
   return blocks;
+}
+
+vtkMTimeType timeOf(vtkDataObject* data)
+{
+  vtkMTimeType time = data->GetMTime();
+  for (vtkDataObject* leaf : leavesOf(data))
+  {
+    time = std::max(time, leaf->GetMTime());
+  }
+  return time;
 }
 
 } // namespace tetmarch

@@ -4,6 +4,8 @@
 #ifndef TetMarchFirstPictureDrawnBlocks_h
 #define TetMarchFirstPictureDrawnBlocks_h
 
+#include "vtkType.h"
+
 #include <vector>
 
 class vtkDataObject;
@@ -14,6 +16,9 @@ namespace tetmarch
 
 // The data itself, or the leaves of a tree: those with cells that are no surfaces.
 std::vector<vtkDataSet*> drawnBlocks(vtkDataObject* data);
+
+// When the data, or a leaf of a tree, was last modified.
+vtkMTimeType timeOf(vtkDataObject* data);
 
 } // namespace tetmarch
 

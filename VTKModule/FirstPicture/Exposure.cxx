@@ -42,7 +42,8 @@ double entropyOf(
     if (lengths[i] > 0)
     {
       const double opacity = -std::expm1(-depths[i] / unitDistance);
-      counts[std::min(bins - 1, static_cast<int>(opacity * bins))] += 1;
+      const bool shown = opacity > 0; // and a number
+      counts[shown ? static_cast<int>(std::min(opacity * bins, bins - 1.0)) : 0] += 1;
       total += 1;
     }
   }

@@ -3,15 +3,15 @@
 #include "FirstPicture/PicturePlane.h"
 
 #include "FirstPicture/DrawnArray.h"
+#include "Input/SolidCells.h"
 
 #include "vtkDataSet.h"
-#include "vtkGenericCell.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tetmarch
 {
@@ -46,8 +46,8 @@ struct Axis
 
 double reachAlong(const std::vector<Vector3>& points, const Vector3& direction)
 {
-  double least = VTK_DOUBLE_MAX;
-  double most = VTK_DOUBLE_MIN;
+  double least = std::numeric_limits<double>::max();
+  double most = std::numeric_limits<double>::lowest();
   for (const Vector3& point : points)
   {
     const double place = dot(point, direction);
@@ -106,33 +106,6 @@ void addCorners(vtkDataSet* block, const int n[3], std::vector<Vector3>& points)
   }
 }
 
-// Which types of cells are three-dimensional, of those that are asked for: VTK complains of numbers
-// that are no type.
-class SolidTypes
-{
-public:
-  bool operator()(int type)
-  {
-    Answer& answer = this->Answers[static_cast<unsigned char>(type)];
-    if (answer == Answer::Unknown)
-    {
-      this->Cell->SetCellType(type);
-      answer = this->Cell->GetCellDimension() == 3 ? Answer::Solid : Answer::Flat;
-    }
-    return answer == Answer::Solid;
-  }
-
-private:
-  enum class Answer
-  {
-    Unknown,
-    Solid,
-    Flat
-  };
-  std::array<Answer, 256> Answers{};
-  vtkNew<vtkGenericCell> Cell;
-};
-
 // Of an unstructured grid the points of 3D cells, else all.
 std::vector<bool> drawnPoints(vtkDataSet* block)
 {
@@ -142,10 +115,9 @@ std::vector<bool> drawnPoints(vtkDataSet* block)
   {
     return drawn;
   }
-  SolidTypes isSolid;
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
-    if (isSolid(grid->GetCellType(i)))
+    if (isSolidType(grid->GetCellType(i)))
     {
       vtkIdType count = 0;
       const vtkIdType* corners = nullptr;

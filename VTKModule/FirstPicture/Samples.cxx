@@ -77,11 +77,11 @@ private:
     else
     {
       this->Block->GetCellPoints(cell, this->Points);
+      const auto count = static_cast<double>(this->Points->GetNumberOfIds());
       for (const vtkIdType point : *this->Points)
       {
-        value += this->Values.at(point);
+        value += this->Values.at(point) / count; // a sum might overflow
       }
-      value /= static_cast<double>(this->Points->GetNumberOfIds());
     }
     double bounds[6];
     this->Block->GetCellBounds(cell, bounds);

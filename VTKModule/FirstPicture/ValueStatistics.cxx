@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace tetmarch
 {
@@ -12,7 +13,21 @@ namespace tetmarch
 namespace
 {
 
-double weightOf(const Sample& sample) { return std::cbrt(sample.Volume * sample.Volume); }
+// Differences of values up to this one, and sums of a few, don't overflow. The mapper clamps the
+// ends of its range likewise (Scalars/StoredScalar.h).
+constexpr double MostValue = 0.25 * std::numeric_limits<double>::max();
+// Values that differ by less are equal here: a part of such a difference may be no normal number.
+constexpr double LeastDifference = 1e-290;
+
+double clamped(double value) { return std::clamp(value, -MostValue, MostValue); }
+
+bool differ(const std::array<double, 2>& range) { return range[1] - range[0] > LeastDifference; }
+
+double weightOf(const Sample& sample)
+{
+  const double length = std::cbrt(sample.Volume);
+  return length * length;
+}
 
 double sumOfWeights(const std::vector<Sample>& samples)
 {
@@ -43,11 +58,11 @@ std::array<double, 2> rangeOfSamples(const std::vector<Sample>& samples, double 
 {
   std::array<double, 2> range = { { percentileOf(samples, total, 0.02),
     percentileOf(samples, total, 0.98) } };
-  if (!(range[0] < range[1]))
+  if (!differ(range))
   {
     range = { { samples.front().Value, samples.back().Value } };
   }
-  if (!(range[0] < range[1]))
+  if (!differ(range))
   {
     const double half = 0.5 * std::max(1.0, std::abs(range[0]));
     range = { { range[0] - half, range[0] + half } };
@@ -92,6 +107,10 @@ Mode findMode(const std::vector<Sample>& samples, double total, const std::array
 double findBackground(
   const std::vector<Sample>& samples, double total, const std::array<double, 2>& range)
 {
+  if (!differ(range))
+  {
+    return range[0];
+  }
   const Mode mode = findMode(samples, total, range);
   return mode.Share >= 0.1 ? mode.Value : range[0];
 }
@@ -99,7 +118,7 @@ double findBackground(
 std::array<double, 2> rangeOfLattice(const std::vector<Sample>& samples, double total)
 {
   const std::array<double, 2> all = { { samples.front().Value, samples.back().Value } };
-  if (!(all[0] < all[1]))
+  if (!differ(all))
   {
     return rangeOfSamples(samples, total);
   }
@@ -123,18 +142,22 @@ ValueStatistics computeStatistics(
   ValueStatistics statistics;
   if (range)
   {
-    statistics.Range = *range;
-    statistics.Background = (*range)[0];
+    statistics.Range = { { clamped((*range)[0]), clamped((*range)[1]) } };
+    statistics.Background = statistics.Range[0];
   }
   if (!samples.empty())
   {
+    for (Sample& sample : samples)
+    {
+      sample.Value = clamped(sample.Value);
+    }
     std::sort(samples.begin(), samples.end(),
       [](const Sample& a, const Sample& b) { return a.Value < b.Value; });
     const double total = sumOfWeights(samples);
-    statistics.Range = range     ? *range
+    statistics.Range = range     ? statistics.Range
                        : lattice ? rangeOfLattice(samples, total)
                                  : rangeOfSamples(samples, total);
-    const bool varies = samples.front().Value < samples.back().Value;
+    const bool varies = differ({ { samples.front().Value, samples.back().Value } });
     statistics.Background =
       varies ? findBackground(samples, total, statistics.Range) : statistics.Range[0];
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/CellCutter.h"
 
-#include "Mesh/GridVersions.h"
+#include "Input/GridVersions.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

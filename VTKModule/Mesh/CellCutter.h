@@ -4,8 +4,8 @@
 #ifndef TetMarchMeshCellCutter_h
 #define TetMarchMeshCellCutter_h
 
-#include "Mesh/CellKind.h"
-#include "Mesh/CellShapes.h"
+#include "Input/CellKind.h"
+#include "Input/CellShapes.h"
 #include "Mesh/Decomposition.h"
 
 #include "vtkGenericCell.h"

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/Decomposition.h"
 
+#include "Input/CellTypes.h"
+#include "Input/DataCheck.h"
+#include "Input/GridCheck.h"
 #include "Mesh/CellCutter.h"
-#include "Mesh/CellTypes.h"
-#include "Mesh/GridCheck.h"
 #include "Mesh/PieceOptions.h"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ std::string decompose(vtkUnstructuredGrid* grid, const Progress& progress, Decom
 {
   stopped = false;
   result = {};
-  std::string wrong = checkGrid(grid);
+  std::string wrong = checkData(grid);
   const vtkIdType cells = grid->GetNumberOfCells();
   if (!wrong.empty() || cells == 0)
   {

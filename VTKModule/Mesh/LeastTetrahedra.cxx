@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/LeastTetrahedra.h"
 
-#include "Mesh/CellShapes.h"
-#include "Mesh/CellTypes.h"
+#include "Input/CellShapes.h"
+#include "Input/CellTypes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

@@ -7,7 +7,7 @@
 #include "Budget/ResourceLimits.h"
 #include "Caching/Fingerprint.h"
 #include "Caching/StageRecord.h"
-#include "Mesh/GridContent.h"
+#include "Input/GridContent.h"
 #include "Mesh/PieceOptions.h"
 #include "Mesh/Progress.h"
 #include "Mesh/TetMesh.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MovedPoints.h"
 
+#include "Input/PointCheck.h"
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/ConsistentOrientation.h"
 #include "Mesh/Convexity.h"
-#include "Mesh/GridCheck.h"
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/Orientation.h"
 
@@ -22,10 +22,9 @@ namespace tetmarch
 namespace
 {
 
-bool isSound(const Vector3& position)
+bool areSound(const Vector3& position)
 {
-  return std::all_of(
-    position.begin(), position.end(), [](double x) { return std::abs(x) <= MostCoordinate; });
+  return std::all_of(position.begin(), position.end(), [](double x) { return isSound(x); });
 }
 
 bool moveVertices(vtkPoints* points, TetMesh& mesh)
@@ -40,7 +39,7 @@ bool moveVertices(vtkPoints* points, TetMesh& mesh)
         points->GetPoint(mesh.VertexPoints[i], positions[i].data());
       }
     });
-  if (!std::all_of(positions.begin(), positions.end(), isSound) ||
+  if (!std::all_of(positions.begin(), positions.end(), areSound) ||
       !findFrame(positions, mesh.Frame).empty())
   {
     return false;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/TetMeshBuilder.h"
 
+#include "Input/CellTypes.h"
 #include "Mesh/BoundaryHierarchy.h"
-#include "Mesh/CellTypes.h"
 #include "Mesh/Convexity.h"
 #include "Mesh/Decomposition.h"
 #include "Mesh/HalfFaceLinks.h"

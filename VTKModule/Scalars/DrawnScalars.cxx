@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scalars/DrawnScalars.h"
 
+#include "Scalars/TupleCheck.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
-#include "vtkDataSet.h"
 #include "vtkVolumeProperty.h"
 
 #include <numeric>
@@ -109,13 +110,7 @@ std::string chooseSingle(
 
 std::string checkScalars(vtkDataSet* data, vtkDataArray* array, bool ofCells)
 {
-  const vtkIdType count = ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-  if (array->GetNumberOfTuples() == count)
-  {
-    return {};
-  }
-  return describe(array) + std::to_string(array->GetNumberOfTuples()) +
-         " tuples, but the grid has " + std::to_string(count) + (ofCells ? " cells." : " points.");
+  return checkTuples(data, array, ofCells);
 }
 
 std::string chooseScalars(vtkDataSet* data, vtkDataArray* array, bool ofCells,

@@ -4,7 +4,7 @@
 #ifndef TetMarchStructuredLatticeBuilder_h
 #define TetMarchStructuredLatticeBuilder_h
 
-#include "Structured/GridGeometry.h"
+#include "Input/GridGeometry.h"
 #include "Structured/Lattice.h"
 
 #include <string>

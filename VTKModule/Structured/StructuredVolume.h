@@ -7,9 +7,9 @@
 
 #include "Caching/Fingerprint.h"
 #include "Caching/StageRecord.h"
+#include "Input/GridGeometry.h"
 #include "Scalars/DrawnScalars.h"
 #include "Structured/EmptySpace.h"
-#include "Structured/GridGeometry.h"
 #include "Structured/HiddenLatticeStage.h"
 #include "Structured/Lattice.h"
 #include "Structured/LatticeBuilder.h"

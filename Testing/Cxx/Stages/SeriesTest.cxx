@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A series of grids, each new as a reader makes them: of the same mesh only scalars are redone.
-#include "Mesh/GridVersions.h"
+#include "Input/GridVersions.h"
 #include "Scene.h"
 
 #include "vtkCellArray.h"

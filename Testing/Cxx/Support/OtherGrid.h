@@ -7,7 +7,7 @@
 #ifndef tetmarch_testing_OtherGrid_h
 #define tetmarch_testing_OtherGrid_h
 
-#include "Mesh/GridVersions.h"
+#include "Input/GridVersions.h"
 
 #include "vtkCellIterator.h"
 #include "vtkCellType.h"

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/GridCheck.h"
+#include "Input/GridCheck.h"
 
-#include "Mesh/CellKind.h"
-#include "Mesh/CellTypes.h"
-#include "Mesh/HigherOrderCheck.h"
-#include "Mesh/PolyhedronCheck.h"
+#include "Input/CellKind.h"
+#include "Input/CellTypes.h"
+#include "Input/HigherOrderCheck.h"
+#include "Input/PointCheck.h"
+#include "Input/PolyhedronCheck.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArrayRange.h"
@@ -13,9 +14,8 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
-#include <sstream>
+#include <vector>
 
 namespace tetmarch
 {
@@ -23,13 +23,6 @@ namespace
 {
 
 std::string text(vtkIdType value) { return std::to_string(value); }
-
-std::string shortest(double value)
-{
-  std::ostringstream stream;
-  stream << value;
-  return stream.str();
-}
 
 // The error of the lowest i in 0..count for which errorOf(i) is not empty. In parallel.
 template <typename ErrorOf>
@@ -94,20 +87,15 @@ std::string checkSizes(vtkUnstructuredGrid* grid)
   return checkCounts(cells, points->GetNumberOfPoints());
 }
 
-// The cells of one grid, with its cell array as ranges of values.
+// A cell array as ranges of values.
 template <typename Offsets, typename Connectivity>
-class CellChecker
+struct CellIds
 {
-public:
-  CellChecker(vtkUnstructuredGrid* grid, const Offsets& offsets, const Connectivity& connectivity)
-    : Begins(offsets)
-    , Ids(connectivity)
-    , Types(grid)
-    , NumberOfPoints(grid->GetNumberOfPoints())
-    , Faces(grid)
-    , HigherOrder(grid)
-  {
-  }
+  const Offsets& Begins;
+  const Connectivity& Ids;
+  vtkIdType NumberOfPoints;
+
+  vtkIdType sizeOf(vtkIdType cell) const { return this->Begins[cell + 1] - this->Begins[cell]; }
 
   std::string errorOf(vtkIdType cell) const
   {
@@ -130,13 +118,38 @@ public:
                " points. Repair the grid's cell array.";
       }
     }
+    return {};
+  }
+};
+
+// The cells of one grid.
+template <typename Offsets, typename Connectivity>
+class CellChecker
+{
+public:
+  CellChecker(vtkUnstructuredGrid* grid, const Offsets& offsets, const Connectivity& connectivity)
+    : Cells{ offsets, connectivity, grid->GetNumberOfPoints() }
+    , Types(grid)
+    , Faces(grid)
+    , HigherOrder(grid)
+  {
+  }
+
+  std::string errorOf(vtkIdType cell) const
+  {
+    std::string error = this->Cells.errorOf(cell);
+    if (!error.empty())
+    {
+      return error;
+    }
     const int type = this->Types[cell];
     const CellKind& kind = this->Kinds[type];
-    if (kind.Cut == CellCut::Tetrahedron && end - begin == 4)
+    const vtkIdType size = this->Cells.sizeOf(cell);
+    if (kind.Cut == CellCut::Tetrahedron && size == 4)
     {
       return {};
     }
-    return this->errorOfKind(cell, type, kind, end - begin);
+    return this->errorOfKind(cell, type, kind, size);
   }
 
 private:
@@ -165,10 +178,8 @@ private:
     }
   }
 
-  const Offsets& Begins;
-  const Connectivity& Ids;
+  CellIds<Offsets, Connectivity> Cells;
   CellTypes Types;
-  vtkIdType NumberOfPoints;
   PolyhedronFaces Faces;
   HigherOrderArrays HigherOrder;
   const std::array<CellKind, 256>& Kinds = cellKinds();
@@ -205,41 +216,11 @@ std::string checkCells(vtkUnstructuredGrid* grid)
   return PolyhedronFaces(grid).errorOfSharing(CellTypes(grid), grid->GetNumberOfCells());
 }
 
-bool isSound(double coordinate) { return std::abs(coordinate) <= MostCoordinate; }
-
-bool isSound(vtkPoints* points, vtkIdType point)
-{
-  double p[3];
-  points->GetPoint(point, p);
-  return isSound(p[0]) && isSound(p[1]) && isSound(p[2]);
-}
-
-std::string describePoint(vtkPoints* points, vtkIdType point, vtkIdType cell)
-{
-  double p[3];
-  points->GetPoint(point, p);
-  const int wrong = isSound(p[0]) ? (isSound(p[1]) ? 2 : 1) : 0;
-  return "Coordinate " + text(wrong) + " of point " + text(point) + ", which cell " + text(cell) +
-         " has, is " + shortest(p[wrong]) +
-         (std::isfinite(p[wrong]) ? ", which is larger than 1e100" : ", not a finite number") +
-         ". Repair the grid's points.";
-}
-
 // Points of no 3D cell may have any coordinates.
 std::string checkPoints(vtkUnstructuredGrid* grid)
 {
-  vtkPoints* points = grid->GetPoints();
-  const vtkIdType count = points->GetNumberOfPoints();
-  std::vector<char> sound(count, 1);
-  vtkSMPTools::For(0, count,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        sound[i] = isSound(points, i);
-      }
-    });
-  if (std::find(sound.begin(), sound.end(), 0) == sound.end())
+  const std::vector<char> sound = findSoundPoints(grid->GetPoints());
+  if (sound.empty())
   {
     return {};
   }
@@ -262,7 +243,7 @@ std::string checkPoints(vtkUnstructuredGrid* grid)
       std::find_if(ids->begin(), ids->end(), [&sound](vtkIdType id) { return !sound[id]; });
     if (wrong != ids->end())
     {
-      return describePoint(points, *wrong, cell);
+      return describeUnsoundPoint(grid->GetPoints(), *wrong, cell);
     }
   }
   return {};
@@ -278,6 +259,28 @@ std::string checkCounts(vtkIdType cells, vtkIdType points)
   }
   return "The grid has " + text(cells) + " cells and " + text(points) + " points; less than " +
          text(MostPointsOrCells) + " of each can be rendered. Extract a part of it.";
+}
+
+std::string checkHexahedra(vtkCellArray* cells, vtkIdType count, vtkIdType points)
+{
+  if (!cells || cells->GetNumberOfCells() != count)
+  {
+    return "The grid has " + text(cells ? cells->GetNumberOfCells() : 0) +
+           " cells, but its dimensions call for " + text(count) + ". Repair the grid's cell array.";
+  }
+  const auto begins = vtk::DataArrayValueRange<1>(cells->GetOffsetsArray());
+  const auto ids = vtk::DataArrayValueRange<1>(cells->GetConnectivityArray());
+  const CellIds<decltype(begins), decltype(ids)> checked{ begins, ids, points };
+  return firstError(count,
+    [&checked](vtkIdType cell)
+    {
+      std::string error = checked.errorOf(cell);
+      return error.empty() && checked.sizeOf(cell) != 8
+               ? "The offsets of the cell array give cell " + text(cell) + ", a vtkHexahedron, " +
+                   text(checked.sizeOf(cell)) +
+                   " points; it must have 8. Repair the grid's cell array."
+               : error;
+    });
 }
 
 std::string checkGrid(vtkUnstructuredGrid* grid)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Differences between versions of VTK in unstructured grids.
-#ifndef TetMarchMeshGridVersions_h
-#define TetMarchMeshGridVersions_h
+#ifndef TetMarchInputGridVersions_h
+#define TetMarchInputGridVersions_h
 
 #include "vtkArrayDispatch.h"
 #include "vtkUnstructuredGrid.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/HigherOrderCheck.h"
+#include "Input/HigherOrderCheck.h"
 
-#include "Mesh/GridVersions.h"
+#include "Input/GridVersions.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What of a grid its mesh depends on, so that the same content in another grid is recognised.
-#ifndef TetMarchMeshGridContent_h
-#define TetMarchMeshGridContent_h
+#ifndef TetMarchInputGridContent_h
+#define TetMarchInputGridContent_h
 
 #include "Caching/ContentHash.h"
 #include "Caching/Fingerprint.h"

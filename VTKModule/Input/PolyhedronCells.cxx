@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks the faces of polyhedra as VTK keeps them from 9.4 on.
-#include "Mesh/PolyhedronCheck.h"
+#include "Input/PolyhedronCheck.h"
 
 #if !TETMARCH_FACES_ARE_STREAMS
 
-#include "Mesh/CellTypes.h"
+#include "Input/CellTypes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

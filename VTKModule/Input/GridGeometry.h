@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the points of an image or a rectilinear grid are: read from VTK, and checked.
-#ifndef TetMarchStructuredGridGeometry_h
-#define TetMarchStructuredGridGeometry_h
+#ifndef TetMarchInputGridGeometry_h
+#define TetMarchInputGridGeometry_h
 
 #include "Geometry/VolumeFrame.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether VTK can cut its Lagrange and Bezier cells of any order.
-#ifndef TetMarchMeshHigherOrderCheck_h
-#define TetMarchMeshHigherOrderCheck_h
+#ifndef TetMarchInputHigherOrderCheck_h
+#define TetMarchInputHigherOrderCheck_h
 
 #include "vtkType.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/GridContent.h"
+#include "Input/GridContent.h"
 
-#include "Mesh/GridVersions.h"
-#include "Mesh/HigherOrderCheck.h"
+#include "Input/GridVersions.h"
+#include "Input/HigherOrderCheck.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

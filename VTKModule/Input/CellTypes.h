@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The type of each cell.
-#ifndef TetMarchMeshCellTypes_h
-#define TetMarchMeshCellTypes_h
+#ifndef TetMarchInputCellTypes_h
+#define TetMarchInputCellTypes_h
 
-#include "Mesh/GridVersions.h"
+#include "Input/GridVersions.h"
 
 #include "vtkUnsignedCharArray.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The faces of VTK's cells, by local point numbers.
-#ifndef TetMarchMeshCellShapes_h
-#define TetMarchMeshCellShapes_h
+#ifndef TetMarchInputCellShapes_h
+#define TetMarchInputCellShapes_h
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/CellShapes.h"
+#include "Input/CellShapes.h"
 
 #include "vtkCellType.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sums of products as if in twice the precision of double (Dot2 in Ogita, Rump and Oishi, "Accurate
 // sum and dot product", 2005).
-#ifndef TetMarchStructuredPreciseSum_h
-#define TetMarchStructuredPreciseSum_h
+#ifndef TetMarchInputPreciseSum_h
+#define TetMarchInputPreciseSum_h
 
 #include <cmath>
 

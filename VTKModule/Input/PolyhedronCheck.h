@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether the faces of polyhedra can be read.
-#ifndef TetMarchMeshPolyhedronCheck_h
-#define TetMarchMeshPolyhedronCheck_h
+#ifndef TetMarchInputPolyhedronCheck_h
+#define TetMarchInputPolyhedronCheck_h
 
-#include "Mesh/GridVersions.h"
+#include "Input/GridVersions.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/PolyhedronCheck.h"
+#include "Input/PolyhedronCheck.h"
 
 namespace tetmarch
 {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Structured/GridGeometry.h"
+#include "Input/GridGeometry.h"
 
-#include "Structured/PreciseSum.h"
+#include "Input/PointCheck.h"
+#include "Input/PreciseSum.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace tetmarch
 {
@@ -47,7 +49,8 @@ void setPoints(const int extent[6], GridGeometry& geometry)
   for (int a = 0; a < 3; ++a)
   {
     geometry.First[a] = extent[2 * a];
-    geometry.Points[a] = extent[2 * a + 1] - extent[2 * a] + 1;
+    const std::int64_t count = std::int64_t(extent[2 * a + 1]) - extent[2 * a] + 1;
+    geometry.Points[a] = static_cast<int>(std::min<std::int64_t>(count, VTK_INT_MAX));
   }
 }
 
@@ -230,9 +233,12 @@ std::string findFrame(const GridGeometry& geometry, VolumeFrame& frame)
   {
     return wrong;
   }
-  if (!std::all_of(corners.begin(), corners.end(), isFinite) || !std::isfinite(frame.Radius))
+  const auto isNear = [](const Vector3& p)
+  { return isSound(p[0]) && isSound(p[1]) && isSound(p[2]); };
+  if (!std::all_of(corners.begin(), corners.end(), isNear))
   {
-    return "The grid is larger than double precision can tell. Scale it.";
+    return "The grid is larger than double precision can tell: coordinates must be within 1e100 of "
+           "0. Scale it.";
   }
   return {};
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/CellKind.h"
+#include "Input/CellKind.h"
 
-#include "Mesh/CellShapes.h"
+#include "Input/CellShapes.h"
 
 #include "vtkCellType.h"
 

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether the arrays of a grid fit together. It is checked before anything uses a value of one
 // array as an index into another.
-#ifndef TetMarchMeshGridCheck_h
-#define TetMarchMeshGridCheck_h
+#ifndef TetMarchInputGridCheck_h
+#define TetMarchInputGridCheck_h
 
 #include "vtkType.h"
 
 #include <string>
 
+class vtkCellArray;
 class vtkUnstructuredGrid;
 
 namespace tetmarch
@@ -18,8 +19,6 @@ namespace tetmarch
 constexpr vtkIdType MostPointsOrCells = vtkIdType(1) << 31;
 /** The number of every half-face, those of the outside included, fits in 32 bits. */
 constexpr vtkIdType MostTetrahedra = vtkIdType(1) << 29;
-/** The volume of a tetrahedron of such coordinates is in the range of double precision. */
-constexpr double MostCoordinate = 1e100;
 
 /**
  * Returns an empty string if the grid can be cut, or else what is wrong with it: which array,
@@ -29,6 +28,9 @@ constexpr double MostCoordinate = 1e100;
  * points that 3D cells name are finite. One pass in parallel over the raw arrays.
  */
 std::string checkGrid(vtkUnstructuredGrid* grid);
+
+/** The same of hexahedra of a grid of that many cells and points, which lists them all. */
+std::string checkHexahedra(vtkCellArray* cells, vtkIdType count, vtkIdType points);
 
 /** The checks that need only the numbers of cells and points. */
 std::string checkCounts(vtkIdType cells, vtkIdType points);

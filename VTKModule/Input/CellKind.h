@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How cells of each of VTK's types are cut, and how many points they must have.
-#ifndef TetMarchMeshCellKind_h
-#define TetMarchMeshCellKind_h
+#ifndef TetMarchInputCellKind_h
+#define TetMarchInputCellKind_h
 
 #include "vtkType.h"
 

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether a data set can be read. All that read one ask this before: mapper, first picture, tools.
+#ifndef TetMarchInputDataCheck_h
+#define TetMarchInputDataCheck_h
+
+#include <string>
+
+class vtkDataSet;
+
+namespace tetmarch
+{
+
+/**
+ * Returns an empty string, or what is wrong with the points, the cells and the ghost arrays of the
+ * data, and what to do. Data without cells is sound; so is data of a kind that computes its cells,
+ * but for those that are named here: unstructured grids (checkGrid), images and rectilinear grids
+ * (readGeometry, findFrame), curvilinear and explicit structured grids. Arrays of values are
+ * checked when they are chosen (checkTuples).
+ *
+ * The verdicts on unstructured grids are remembered for grids that were not modified since, so that
+ * it costs little to ask again. Can be called in any thread.
+ */
+std::string checkData(vtkDataSet* data);
+
+} // namespace tetmarch
+
+#endif

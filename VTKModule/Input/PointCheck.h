@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether the coordinates of points can be computed with.
+#ifndef TetMarchInputPointCheck_h
+#define TetMarchInputPointCheck_h
+
+#include "vtkType.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+class vtkPoints;
+
+namespace tetmarch
+{
+
+/** The volume of a tetrahedron of such coordinates is in the range of double precision. */
+constexpr double MostCoordinate = 1e100;
+
+/** Finite, and not too large. */
+inline bool isSound(double coordinate) { return std::abs(coordinate) <= MostCoordinate; }
+
+/** For each point whether all of its coordinates are sound; empty if those of all points are. */
+std::vector<char> findSoundPoints(vtkPoints* points);
+
+/** What is wrong with a point that is not sound and that this cell has. */
+std::string describeUnsoundPoint(vtkPoints* points, vtkIdType point, vtkIdType cell);
+
+} // namespace tetmarch
+
+#endif
