@@ -5,10 +5,14 @@
 
 #include "vtkCellArray.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyDataWriter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGridWriter.h"
 #include "vtkXMLMultiBlockDataWriter.h"
+#include "vtkXMLPartitionedDataSetCollectionWriter.h"
+#include "vtkXMLPartitionedDataSetWriter.h"
 #include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
@@ -92,6 +96,25 @@ TEST_F(DatasetReader, ReadsXMLAndLegacy)
     EXPECT_EQ(grid->GetNumberOfPoints(), 8) << path;
     EXPECT_TRUE(grid->GetPointData()->HasArray("a")) << path;
     EXPECT_TRUE(grid->GetPointData()->HasArray("b")) << path;
+  }
+}
+
+TEST_F(DatasetReader, ReadsPartitions)
+{
+  vtkNew<vtkPartitionedDataSet> partitions;
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  for (const unsigned i : { 0, 1 })
+  {
+    partitions->SetPartition(i, MakeVoxel(i));
+    collection->SetPartition(i, 0, MakeVoxel(i));
+  }
+  for (const std::string& path :
+    { this->Write<vtkXMLPartitionedDataSetWriter>("voxels.vtpd", partitions),
+      this->Write<vtkXMLPartitionedDataSetCollectionWriter>("voxels.vtpc", collection) })
+  {
+    const auto grid = tetmarch::ReadUnstructuredGrid(path, std::nullopt);
+    EXPECT_EQ(grid->GetNumberOfCells(), 2) << path;
+    EXPECT_EQ(grid->GetNumberOfPoints(), 12) << path;
   }
 }
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 
 namespace
 {
@@ -136,8 +137,15 @@ namespace tetmarch
 FileContents ReadFile(const std::string& path, std::optional<int> timeStep, const RawOptions& raw,
   const ProgressReport& report)
 {
-  return IsSeriesFile(path) ? ReadStep(path, timeStep, report)
-                            : ReadOneFile(path, timeStep, raw, report);
+  try
+  {
+    return IsSeriesFile(path) ? ReadStep(path, timeStep, report)
+                              : ReadOneFile(path, timeStep, raw, report);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Failure("cannot read '" + path + "': its sizes ask for more memory than there is");
+  }
 }
 
 } // namespace tetmarch

@@ -3,6 +3,7 @@
 #include "FileReader.h"
 
 #include "ErrorText.h"
+#include "ExodusCheck.h"
 #include "Failure.h"
 #include "Messages.h"
 
@@ -93,6 +94,7 @@ vtkSmartPointer<vtkAlgorithm> MakeExodusReader(const std::string& path)
 {
 #if TETMARCH_HAVE_EXODUS
   CheckBeginning(path, { "CDF", HDF5Beginning });
+  tetmarch::CheckExodus(path);
   auto reader = MakeReaderOf<vtkExodusIIReader>(path);
   reader->UpdateInformation();
   reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);

@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <unistd.h>
 
@@ -17,7 +18,8 @@ namespace
 std::array<char, 8192> Text;
 std::atomic<std::size_t> Length = 0; // 0: nothing is being read
 
-void EndWithMessage(int signal)
+/// Returns if no file is being read.
+void EndIfReading()
 {
   const std::size_t length = Length;
   if (length > 0)
@@ -25,6 +27,11 @@ void EndWithMessage(int signal)
     const auto written = write(STDERR_FILENO, Text.data(), length);
     _exit(written < 0 ? 2 : 1);
   }
+}
+
+void EndBySignal(int signal)
+{
+  EndIfReading();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -46,13 +53,14 @@ FileBeingRead::~FileBeingRead() { Length = 0; }
 
 void TellCrashesOfReaders()
 {
+  std::atexit(EndIfReading);            // which the library below the CGNS reader does
   static std::array<char, 65536> stack; // of the handler, where that of the program is full
   stack_t other{};
   other.ss_sp = stack.data();
   other.ss_size = stack.size();
   sigaltstack(&other, nullptr);
   struct sigaction action = {};
-  action.sa_handler = EndWithMessage;
+  action.sa_handler = EndBySignal;
   action.sa_flags = SA_ONSTACK;
   for (const int signal : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT })
   {

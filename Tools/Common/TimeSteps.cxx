@@ -40,7 +40,8 @@ std::vector<double> GetTimeSteps(const std::string& path, const RawOptions& rawO
   std::vector<double> times = GetTimeSteps(MakeReader(path, rawOptions));
   if (Messages::GetNumberOfErrors() > errorsBefore)
   {
-    throw Failure("cannot read '" + path + "'");
+    throw Failure(
+      "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
   }
   return times;
 }

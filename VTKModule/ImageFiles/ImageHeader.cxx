@@ -74,9 +74,8 @@ void setSteps(ImageHeader& header, std::vector<ImageVector> steps)
     const double length = std::hypot(step[0], step[1], step[2]);
     if (!std::isfinite(length) || !(length > 0))
     {
-      throw ImageFileError("its header says that values along axis " + std::to_string(axis) +
-                           " are " + std::to_string(length) +
-                           " apart; spacings and directions must be finite and not 0");
+      throw ImageFileError("its header says that the spacing along axis " + std::to_string(axis) +
+                           " is " + std::to_string(length) + "; it must be finite and not 0");
     }
     header.Spacing[axis] = length;
     for (double& coordinate : step)

@@ -36,8 +36,7 @@ int typeOf(const std::string& text)
   const auto type = types.find(lowered(text));
   if (type == types.end())
   {
-    throw ImageFileError("its values are of the type '" + shown(text) +
-                         "', which is none of numbers that can be read");
+    throw ImageFileError("its values are of the type '" + shown(text) + "', which isn't read");
   }
   return type->second;
 }

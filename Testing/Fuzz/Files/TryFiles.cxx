@@ -3,14 +3,16 @@
 // Reads files as the programs do, up to the choice of what to draw, each in a process of its own:
 // their names come from standard input, and a line for each goes to standard output:
 //   OUTCOME<tab>KIBIBYTES<tab>MESSAGE
-// where OUTCOME is "read", "refused" with a message, or one that must not be: "crashed", "hung",
-// "silent" (refused without a message), "unclear" (by an exception that names no file).
+// where OUTCOME is "read", "refused" with a message, "reader" (a reader of VTK crashed, and that
+// was told), or one that must not be: "crashed", "hung", "silent" (refused without a message),
+// "unclear" (by an exception that names no file).
 #include "ArrayList.h"
 #include "Choice.h"
 #include "DatasetReader.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "RawImage.h"
+#include "ReaderCrash.h"
 #include "TimeSteps.h"
 #include "TransferFunctionPreset.h"
 #include "ViewStateJson.h"
@@ -65,7 +67,7 @@ enum Status
 };
 
 // In the child process, which this ends.
-[[noreturn]] void runChild(const std::string& path, char* message)
+[[noreturn]] void runChild(const std::string& path, char* message, int errors)
 {
   const auto limit = [](auto resource, rlim_t most)
   {
@@ -78,9 +80,10 @@ enum Status
   alarm(20 * MostSeconds); // of a process that waits for what never comes
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
-  dup2(nowhere, STDERR_FILENO);
+  dup2(errors, STDERR_FILENO);
   vtkSMPTools::Initialize(1);
   Messages::Install();
+  TellCrashesOfReaders();
   int status = Read;
   std::string text;
   try
@@ -106,7 +109,15 @@ enum Status
   _exit(status);
 }
 
-std::string outcomeOf(int status, const char* message)
+std::string readAll(int file)
+{
+  std::string text(static_cast<std::size_t>(lseek(file, 0, SEEK_END)), ' ');
+  const ssize_t count = pread(file, text.data(), text.size(), 0);
+  text.resize(count < 0 ? 0 : static_cast<std::size_t>(count));
+  return text;
+}
+
+std::string outcomeOf(int status, const char* message, const std::string& errors)
 {
   if (WIFSIGNALED(status))
   {
@@ -114,17 +125,13 @@ std::string outcomeOf(int status, const char* message)
     const bool isTime = signal == SIGXCPU || signal == SIGALRM || signal == SIGKILL;
     return isTime ? "hung" : "crashed";
   }
-  switch (WEXITSTATUS(status))
+  if (*message)
   {
-    case Read:
-      return "read";
-    case Refused:
-      return *message ? "refused" : "silent";
-    case Unclear:
-      return "unclear";
-    default:
-      return "silent";
+    return WEXITSTATUS(status) == Unclear ? "unclear" : "refused";
   }
+  return WEXITSTATUS(status) == Read                                ? "read"
+         : errors.find("VTK's reader crashed") != std::string::npos ? "reader"
+                                                                    : "silent";
 }
 } // namespace
 
@@ -137,13 +144,18 @@ int main(int argc, char**)
   }
   auto* message = static_cast<char*>(
     mmap(nullptr, MessageSize, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+  const int errors = memfd_create("errors", 0);
   for (std::string path; std::getline(std::cin, path);)
   {
     std::memset(message, 0, MessageSize);
+    if (ftruncate(errors, 0) != 0 || lseek(errors, 0, SEEK_SET) != 0)
+    {
+      return 1;
+    }
     const pid_t child = fork();
     if (child == 0)
     {
-      runChild(path, message);
+      runChild(path, message, errors);
     }
     int status = 0;
     rusage usage{};
@@ -154,7 +166,8 @@ int main(int argc, char**)
     {
       line = strsignal(WTERMSIG(status));
     }
-    std::printf("%s\t%ld\t%s\n", outcomeOf(status, message).c_str(), usage.ru_maxrss, line.c_str());
+    std::printf("%s\t%ld\t%s\n", outcomeOf(status, message, readAll(errors)).c_str(),
+      usage.ru_maxrss, line.c_str());
     std::fflush(stdout);
   }
   return 0;

@@ -26,8 +26,8 @@ def add_arrays(data):
     return data
 
 
-def mesh():
-    """A hexahedron, and on its side a tetrahedron, a wedge and a polyhedron."""
+def mesh(polyhedron=True):
+    """A hexahedron, and beside it a tetrahedron, a wedge and maybe a polyhedron."""
     grid = vtk.vtkUnstructuredGrid()
     points = vtk.vtkPoints()
     for i in range(8):
@@ -38,6 +38,8 @@ def mesh():
     for kind, ids in ((vtk.VTK_VOXEL, range(8)), (vtk.VTK_TETRA, (1, 8, 3, 5)), (vtk.VTK_WEDGE, (1, 8, 5, 3, 9, 7))):
         grid.InsertNextCell(kind, len(ids), list(ids))
     faces = vtk.vtkIdList()
+    if not polyhedron:
+        return add_arrays(grid)
     for value in (4, 3, 8, 9, 10, 3, 8, 9, 11, 3, 9, 10, 11, 3, 8, 10, 11):
         faces.InsertNextId(value)
     grid.InsertNextCell(vtk.VTK_POLYHEDRON, faces)
@@ -142,7 +144,7 @@ def write_seeds(folder, session):
                             "</Collection></VTKFile>\n")
     seeds["series"].write_text('{"file-series-version": "1.0", "files": [{"name": "a.vti", "time": 0.0}, '
                                '{"name": "b.vtu", "time": 1.5}]}\n')
-    seeds["exodus"] = write(place("exodus"), "seed.ex2", vtk.vtkExodusIIWriter(), mesh())
+    seeds["exodus"] = write(place("exodus"), "seed.ex2", vtk.vtkExodusIIWriter(), mesh(polyhedron=False))
     seeds["metaimage"] = write(place("metaimage"), "seed.mha", vtk.vtkMetaImageWriter(), image(), SetCompression=(False,))
     seeds["metaimage-deflated"] = write(place("metaimage-deflated"), "seed.mha", vtk.vtkMetaImageWriter(), image())
     head = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 3 3\nspace: RAS\nspace directions: (1,0,0) (0,1,0) (0,0,2)\n"
