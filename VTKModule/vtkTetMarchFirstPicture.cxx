@@ -42,8 +42,9 @@ struct vtkTetMarchFirstPicture::Internals
   vtkMTimeType Time = 0; // of the data when it was checked, and its blocks were listed
   bool IsChecked = false;
   std::string Fault; // of the data
-  std::vector<vtkDataSet*> Blocks;
-  bool Lattices = false; // images and rectilinear grids, all of them
+  std::vector<vtkSmartPointer<vtkDataSet>> Owned;
+  std::vector<vtkDataSet*> Blocks; // all of these
+  bool Lattices = false;           // images and rectilinear grids, all of them
   std::vector<tetmarch::Vector3> Outline;
   tetmarch::PicturePlane Plane;
   tetmarch::DrawnArray Chosen;
@@ -58,6 +59,7 @@ struct vtkTetMarchFirstPicture::Internals
     this->IsChecked = false;
     this->Fault.clear();
     this->Blocks.clear();
+    this->Owned.clear();
     this->Outline.clear();
     this->Chosen = {};
     this->HasCrossings = false;
@@ -67,7 +69,8 @@ struct vtkTetMarchFirstPicture::Internals
 
   void findBlocks()
   {
-    this->Blocks = tetmarch::drawnBlocks(this->Data);
+    this->Owned = tetmarch::drawnBlocks(this->Data);
+    this->Blocks.assign(this->Owned.begin(), this->Owned.end());
     int n[3];
     this->Lattices = std::all_of(this->Blocks.begin(), this->Blocks.end(),
       [&n](vtkDataSet* block) { return tetmarch::isLattice(block, n); });

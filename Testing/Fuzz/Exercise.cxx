@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exercise.h"
 
+#include "Blocks/DataFaults.h"
+#include "FirstPicture/ArrayChoice.h"
+#include "FirstPicture/ArrayTable.h"
+#include "FirstPicture/CameraFit.h"
+#include "FirstPicture/DrawnBlocks.h"
+#include "FirstPicture/Exposure.h"
 #include "Mesh/LeastTetrahedra.h"
 #include "Mesh/MeshScalars.h"
 #include "Mesh/TetMeshBuilder.h"
@@ -13,10 +19,17 @@
 #include "MarchedMesh.h"
 #include "RandomRays.h"
 
+#include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkNew.h"
 #include "vtkObject.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkTable.h"
 #include "vtkVolumeProperty.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -117,16 +130,60 @@ void drawPicture(const TetMesh& mesh, const IntegralTable& table, const ScalarRa
     require(value >= 0 && value <= 1 + 1e-5f, "pixels are in 0..1");
   }
 }
+// All that vtkTetMarchFirstPicture does with data that checkBlocks() has found sound.
+void chooseFirstPicture(vtkDataObject* data)
+{
+  const auto owned = drawnBlocks(data);
+  const std::vector<vtkDataSet*> blocks(owned.begin(), owned.end());
+  const std::vector<Vector3> outline = outlinePoints(blocks);
+  const PicturePlane plane = choosePlane(outline);
+  vtkNew<vtkCamera> camera;
+  fitCamera(outline, plane, 1.5, camera);
+  vtkNew<vtkTable> arrays;
+  listArrays(blocks, arrays);
+  DrawnArray drawn;
+  if (!chooseArray(blocks, {}, drawn).empty())
+  {
+    return;
+  }
+  require(!describe(blocks, drawn).empty(), "what is drawn has a description");
+  const Crossings crossings = findCrossings(blocks, drawn, outline, plane);
+  for (const bool lattice : { false, true })
+  {
+    for (std::vector<Sample> samples : { takeSamples(blocks, drawn), crossings.samples() })
+    {
+      const ValueStatistics statistics =
+        computeStatistics(std::move(samples), std::nullopt, lattice);
+      const double width = statistics.Range[1] - statistics.Range[0];
+      require(width > 0 && std::isfinite(width), "a range can be divided by its width");
+      vtkNew<vtkPiecewiseFunction> opacity;
+      const double distance =
+        exposeFirstOpacity(statistics, crossings, { lattice, !lattice }, opacity);
+      require(distance > 0 && std::isfinite(distance), "a unit distance can be divided by");
+    }
+  }
+}
 } // namespace
 
 std::string exercise(const Bytes& bytes)
 {
   vtkObject::GlobalWarningDisplayOff();
   const FuzzInput input = decode(bytes);
+  vtkDataSetAttributes* attributes =
+    input.OfCells ? static_cast<vtkDataSetAttributes*>(input.Cells->GetCellData())
+                  : input.Cells->GetPointData();
+  attributes->AddArray(input.Scalars);
+  const std::string fault = checkBlocks(input.Cells);
+  listFaults(input.Cells);
+  if (fault.empty())
+  {
+    chooseFirstPicture(input.Cells);
+  }
   leastTetrahedra(input.Cells, 0); // comes before anything is checked
   TetMesh mesh;
   std::string error;
   const BuildStatus status = buildTetMesh(input.Cells, {}, mesh, error);
+  require(fault.empty() || error == fault, "what is checked first has the mapper's error");
   require(status != BuildStatus::Stopped, "a build that nobody stopped isn't stopped");
   require((status == BuildStatus::Failed) == !error.empty(), "failures come with an error");
   if (error.empty())

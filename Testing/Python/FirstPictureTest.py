@@ -154,6 +154,45 @@ class FirstPictureTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "association is"):
             vtktetmarch.auto_transfer_functions(grid, association="faces")
 
+    def test_what_the_data_contradicts_itself_in_is_said(self):
+        grid = first_data.constant()
+        short = vtk.vtkDoubleArray()
+        short.SetName("short")
+        short.SetNumberOfTuples(5)
+        grid.GetPointData().AddArray(short)
+        with self.assertRaisesRegex(ValueError, '"short" has 5 tuples, but the grid has .* points'):
+            vtktetmarch.auto_transfer_functions(grid, "short")
+        self.assertEqual(vtktetmarch.auto_transfer_functions(grid).array, "one")
+        tree = vtk.vtkMultiBlockDataSet()
+        tree.SetBlock(0, first_data.constant())
+        tree.SetBlock(1, grid)
+        first = chosen_for(tree)
+        faults = vtk.vtkStringArray()
+        self.assertTrue(first.ListFaults(faults))
+        self.assertEqual(faults.GetNumberOfValues(), 1)
+        self.assertIn('Block number 2: The scalar array "short" has 5 tuples', faults.GetValue(0))
+        vtk_to_numpy(grid.GetPoints().GetData())[:] = np.inf
+        grid.GetPoints().GetData().Modified()  # the tree itself is not told
+        with vtktetmarch.errors.VtkErrors() as errors:
+            self.assertFalse(first.CheckData())
+        self.assertRegex(str(errors), "Block number 2: Coordinate 0 of point .* is inf")
+        with self.assertRaisesRegex(ValueError, "Block number 2: Coordinate 0"):
+            vtktetmarch.auto_transfer_functions(tree)
+
+    def test_curvilinear_grids_are_checked_before_they_become_cells(self):
+        grid = vtk.vtkStructuredGrid()
+        grid.SetDimensions(6, 6, 6)
+        points = vtk.vtkPoints()
+        for i in range(216):
+            points.InsertNextPoint(np.inf if i == 77 else i % 6, i // 6 % 6, i // 36)
+        grid.SetPoints(points)
+        values = vtk.vtkDoubleArray()
+        values.SetName("f")
+        values.SetNumberOfTuples(5)
+        grid.GetPointData().AddArray(values)
+        with self.assertRaisesRegex(ValueError, 'point 77, which cell 54 has, is inf.* "f" has 5 tuples'):
+            vtktetmarch.volume(grid)
+
     def test_other_and_modified_data_are_chosen_anew(self):
         first = chosen_for(first_data.constant())
         self.assertEqual(first.GetChosenArray().GetName(), "one")

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FirstPicture/ArrayChoice.h"
+#include "FirstPicture/ArrayTable.h"
 
 #include "TestGrids.h"
 
@@ -9,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace
@@ -163,4 +166,69 @@ TEST(ArrayChoice, WholeValuesThatAllDifferAreNumbers)
   EXPECT_EQ(kinds["order"], ArrayKind::Numbers);
   EXPECT_EQ(kinds["counts"], ArrayKind::Physical);
   EXPECT_EQ(kinds["p"], ArrayKind::Physical);
+}
+
+TEST(ArrayChoice, ArraysThatDoNotFitAreNoneToChooseFrom)
+{
+  auto first = MakeVoxel(0.0), second = MakeVoxel(1.0);
+  AddArray<vtkDoubleArray>(first->GetPointData(), "p", 8);
+  AddArray<vtkDoubleArray>(second->GetPointData(), "p", 5); // fits in one block only
+  AddArray<vtkDoubleArray>(second->GetPointData(), "q", 8);
+  EXPECT_STREQ(choose({ first, second }, "").Array->GetName(), "q");
+  EXPECT_EQ(findArrays({ first, second }).size(), 1u);
+  EXPECT_STREQ(choose({ first }, "").Array->GetName(), "p");
+  const std::string wrong = "The scalar array \"p\" has 5 tuples, but the grid has 8 points.";
+  EXPECT_EQ(errorOf(second, "p", std::nullopt), wrong);
+  second->GetPointData()->RemoveArray("q");
+  EXPECT_EQ(errorOf(second, "", std::nullopt), wrong);
+  EXPECT_NE(errorOf(second, "p", true).find("there is no array 'p' on cells"), std::string::npos);
+}
+
+TEST(ArrayChoice, WithoutAFiniteValueComesLast)
+{
+  auto grid = MakeVoxel(0.0);
+  AddArray<vtkDoubleArray>(grid->GetPointData(), "nothing", 8);
+  AddArray<vtkDoubleArray>(grid->GetCellData(), "constant", 1, 1, false);
+  grid->GetPointData()->GetArray("nothing")->Fill(std::nan(""));
+  EXPECT_STREQ(choose({ grid }, "").Array->GetName(), "constant");
+  const DrawnArray nothing = choose({ grid }, "nothing");
+  EXPECT_EQ(rangeOf({ grid }, nothing), std::nullopt);
+  EXPECT_EQ(describe({ grid }, nothing), "nothing on points, no value is finite");
+  EXPECT_EQ(findArrays({ grid })[0].Kind, ArrayKind::NotFinite);
+}
+
+TEST(ArrayChoice, RangesAtTheEndsOfDoublePrecision)
+{
+  constexpr double most = std::numeric_limits<double>::max();
+  auto grid = MakeVoxel(0.0);
+  AddArray<vtkDoubleArray>(grid->GetPointData(), "p", 8);
+  AddArray<vtkDoubleArray>(grid->GetPointData(), "U", 8, 3);
+  vtkDataArray* p = grid->GetPointData()->GetArray("p");
+  vtkDataArray* u = grid->GetPointData()->GetArray("U");
+  const auto expectRange = [&grid](const char* name, int component, double low, double high)
+  {
+    DrawnArray drawn = choose({ grid }, name);
+    drawn.Component = component;
+    const auto range = rangeOf({ grid }, drawn);
+    ASSERT_TRUE(range);
+    EXPECT_NEAR((*range)[0] / low, 1, 1e-14);
+    EXPECT_NEAR((*range)[1] / high, 1, 1e-14);
+  };
+  p->Fill(0.5 * most);
+  p->SetComponent(3, 0, most);
+  p->Modified();
+  expectRange("p", 0, 0.5 * most, most);
+  for (const double unit : { 1e-200, 1e200 })
+  {
+    u->Fill(0);
+    for (vtkIdType i = 0; i < 8; ++i)
+    {
+      u->SetTuple3(i, 3 * unit, 4 * unit, i == 5 ? 12 * unit : 0);
+    }
+    u->Modified();
+    expectRange("U", -1, 5 * unit, 13 * unit);
+  }
+  u->SetTuple3(0, most, most, most);
+  u->Modified();
+  expectRange("U", -1, 5e200, most);
 }

@@ -8,14 +8,17 @@
 #include "SmallGrids.h"
 
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace
@@ -145,4 +148,56 @@ TEST(Crossings, WhatIsShownIsWhereItIsNotClear)
   {
     EXPECT_GT(place[0], 0.75);
   }
+}
+
+// The least and the largest that have a volume in double precision.
+TEST(Crossings, CubesOfAnySizeHaveTheirVolume)
+{
+  for (const double size : { 1e-100, 1e-45, 1e45, 1e100 })
+  {
+    SCOPED_TRACE(size);
+    const auto image = cube(9);
+    image->SetSpacing(0.125 * size, 0.125 * size, 0.125 * size);
+    const Crossings crossings = crossingsOf(image);
+    EXPECT_EQ(crossings.Width, 96);
+    EXPECT_NEAR(sum(crossings.lengths()) / size / (96 * 96), 1, 1e-5);
+  }
+}
+
+TEST(Crossings, WhatIsNoPlaceIsInSomePixel)
+{
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double size : { inf, std::nan(""), 1e200, 1e-200 })
+  {
+    SCOPED_TRACE(size);
+    const auto image = cube(3);
+    image->SetSpacing(size, 1, -size);
+    const Crossings crossings = crossingsOf(image);
+    EXPECT_EQ(crossings.lengths().size(), std::size_t(crossings.Width) * crossings.Height);
+  }
+}
+
+TEST(Crossings, ConvexPointSetsAreCutAtTheirOwnPoints)
+{
+  const Grid grid = singleTet();
+  const double before = sum(crossingsOf(grid).lengths());
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 5; ++i)
+  {
+    points->InsertNextPoint(7, 7, 7); // the cell's points are not the first of the grid
+  }
+  vtkIdType ids[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    ids[i] = points->InsertNextPoint(grid->GetPoint(i));
+  }
+  auto set = Grid::New();
+  set->SetPoints(points);
+  set->InsertNextCell(VTK_CONVEX_POINT_SET, 4, ids);
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("f");
+  array->SetNumberOfValues(9);
+  array->Fill(1);
+  set->GetPointData()->AddArray(array);
+  EXPECT_NEAR(sum(crossingsOf(set).lengths()), before, 1e-5 * before);
 }

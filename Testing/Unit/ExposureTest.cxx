@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -117,4 +118,21 @@ TEST(Exposure, ThePowerIsTheOneThatShowsMost)
   }
   exposeFirstOpacity(ValueStatistics(), crossings, {}, opacity);
   EXPECT_LT(opacity->GetValue(0.3), 0.1);
+}
+
+// Whatever the numbers, the unit distance is one that can be divided by.
+TEST(Exposure, OfLengthsAtTheEndsOfDoublePrecision)
+{
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double length : { 1e-320, 1e-100, 1e100, 1e308, inf, std::nan("") })
+  {
+    const Crossings crossings = row({ length, 2 * length, 3 * length }, 0.5);
+    vtkNew<vtkPiecewiseFunction> opacity;
+    const double distance =
+      exposeFirstOpacity(ValueStatistics(), crossings, { false, true }, opacity);
+    EXPECT_TRUE(distance > 0 && std::isfinite(distance)) << length << ": " << distance;
+    EXPECT_TRUE(std::isfinite(opacity->GetValue(0.5))) << length;
+  }
+  const auto unknown = [](double) { return std::nan(""); };
+  EXPECT_EQ(exposedUnitDistance(row({ 1, 2 }), unknown), 2);
 }

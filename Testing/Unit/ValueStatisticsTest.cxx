@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace
@@ -188,4 +189,47 @@ TEST(ValueStatistics, BackgroundAtTheHighEndTurnsOpacityRound)
   EXPECT_LT(functions.Opacity->GetValue(1.0), 0.001);
   EXPECT_DOUBLE_EQ(functions.Opacity->GetValue(statistics.Range[0]), 1.0);
   EXPECT_NE(functions.Color->GetColorSpace(), VTK_CTF_DIVERGING);
+}
+
+// Values whose differences overflow, or are parts of the least number that is no normal one.
+TEST(ValueStatistics, ValuesAtTheEndsOfDoublePrecision)
+{
+  constexpr double most = std::numeric_limits<double>::max();
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  for (const std::vector<double>& values :
+    { std::vector<double>{ -most, most }, { most, most }, { -most, 0, most / 2, most },
+      { 0, least, 2 * least, 3 * least }, { -least, least }, { 1e300, 1e300 + 1e284 } })
+  {
+    for (const bool lattice : { false, true })
+    {
+      const auto statistics = statisticsOf(MakeSamples(values), lattice);
+      EXPECT_LT(statistics.Range[0], statistics.Range[1]);
+      EXPECT_TRUE(std::isfinite(statistics.Range[1] - statistics.Range[0]));
+      EXPECT_GE(statistics.Background, statistics.Range[0]);
+      EXPECT_LE(statistics.Background, statistics.Range[1]);
+      const Functions functions(statistics);
+      for (const double value : values)
+      {
+        EXPECT_GE(functions.Opacity->GetValue(value), 0.0);
+        EXPECT_LE(functions.Opacity->GetValue(value), 1.0);
+      }
+    }
+  }
+  for (const std::array<double, 2>& given :
+    { std::array<double, 2>{ { -most, most } }, { { 0, least } } })
+  {
+    const auto statistics = tetmarch::computeStatistics(MakeRamp(), given, true);
+    EXPECT_LT(statistics.Range[0], statistics.Range[1]);
+    EXPECT_TRUE(std::isfinite(statistics.Range[1] - statistics.Range[0]));
+    EXPECT_TRUE(std::isfinite(statistics.Background));
+  }
+}
+
+TEST(ValueStatistics, CellsOfAnySizeCount)
+{
+  for (const double volume : { 1e-300, 1e300 })
+  {
+    const auto statistics = statisticsOf({ { 1, volume }, { 2, volume }, { 3, volume } });
+    EXPECT_EQ(statistics.Range, (std::array<double, 2>{ { 1, 3 } }));
+  }
 }

@@ -188,6 +188,18 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
   return volume;
 }
 
+std::vector<std::string> ListFaults(
+  const std::string& path, std::optional<int> timeStep, const RawOptions& rawOptions)
+{
+  const FileContents contents = ReadFile(path, timeStep, rawOptions, {});
+  std::vector<std::string> faults = ListFaults(contents.Data);
+  if (faults.empty())
+  {
+    GetSolidBlocks(contents.Data, path);
+  }
+  return faults;
+}
+
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, const ProgressReport& report)
 {
   const vtkSmartPointer<vtkDataObject> data = ReadFile(path, std::nullopt, {}, report).Data;

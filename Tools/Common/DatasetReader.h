@@ -17,6 +17,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tetmarch
 {
@@ -37,6 +38,11 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
  */
 vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
   const std::string& path, std::optional<int> timeStep);
+
+/// All that is wrong with what a file holds, one fault of a block or of an array each. Throws
+/// Failure if it can't be read, or holds no volume.
+std::vector<std::string> ListFaults(
+  const std::string& path, std::optional<int> timeStep, const RawOptions& rawOptions = {});
 
 /// Polygons and triangle strips of polydata. Throws Failure that says what is wrong with the file,
 /// and Cancelled if the report asks to stop.

@@ -10,8 +10,10 @@
 #include "vtkCellData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -31,6 +33,49 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeFirstPoint(vtkUnstructuredGrid* grid)
   first->GetCellData()->CopyAllOn();
   first->GetCellData()->CopyAllocate(grid->GetCellData(), 0);
   return first;
+}
+bool IsSound(const double point[3])
+{
+  constexpr double most = 1e100; // beyond it no cell is drawn
+  return std::abs(point[0]) <= most && std::abs(point[1]) <= most && std::abs(point[2]) <= most;
+}
+
+/// Points that no cell has may lie anywhere, even at infinity, but the search for equal points
+/// recurses without end among them. In a copy of such a block they all lie at its first other
+/// point.
+vtkSmartPointer<vtkDataSet> MoveStrayPoints(vtkDataSet* block)
+{
+  auto* set = vtkPointSet::SafeDownCast(block);
+  std::vector<vtkIdType> stray;
+  vtkIdType other = -1;
+  double point[3];
+  for (vtkIdType i = 0; set && i < set->GetNumberOfPoints(); ++i)
+  {
+    set->GetPoint(i, point);
+    if (!IsSound(point))
+    {
+      stray.push_back(i);
+    }
+    else if (other < 0)
+    {
+      other = i;
+    }
+  }
+  if (stray.empty() || other < 0)
+  {
+    return block;
+  }
+  auto copy = vtk::TakeSmartPointer(set->NewInstance());
+  copy->ShallowCopy(set);
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(set->GetPoints());
+  set->GetPoint(other, point);
+  for (const vtkIdType i : stray)
+  {
+    points->SetPoint(i, point);
+  }
+  copy->SetPoints(points);
+  return copy;
 }
 } // namespace
 
@@ -71,7 +116,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MergeBlocks(
   append->MergePointsOn();
   for (vtkDataSet* block : blocks)
   {
-    append->AddInputData(block);
+    append->AddInputData(MoveStrayPoints(block));
   }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(blocks[0]);
   if (grid && blocks.size() == 1)

@@ -10,6 +10,7 @@
 #include "vtkTetMarchFirstPicture.h"
 #include "vtkVariant.h"
 
+#include <cmath>
 #include <sstream>
 
 namespace tetmarch
@@ -52,7 +53,10 @@ std::string FormatArrayList(vtkTetMarchFirstPicture* choice, const std::vector<d
     const auto text = [&](const char* column)
     { return std::string(arrays->GetValueByName(row, column).ToString()); };
     const auto number = [&](const char* column)
-    { return ToText(arrays->GetValueByName(row, column).ToDouble()); };
+    {
+      const double value = arrays->GetValueByName(row, column).ToDouble();
+      return std::isnan(value) ? std::string("-") : ToText(value);
+    };
     const bool drawn = text("name") == chosen && text("association") == place;
     rows.push_back({ drawn ? "*" : "", text("name"), text("association"), text("type"),
       text("components"), number("minimum"), number("maximum"), text("kind") });

@@ -45,7 +45,8 @@ struct CommandLine
 {
   bool Help = false;
   bool Version = false;
-  bool List = false; // the arrays, instead of a picture
+  bool List = false;  // the arrays, instead of a picture
+  bool Check = false; // what is wrong with the file, instead of a picture
   bool ListColors = false;
   bool Quiet = false; // no progress bar, no notes
   int Threads = 0;    // 0: as many as the libraries take

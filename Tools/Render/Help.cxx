@@ -15,6 +15,8 @@ coincide; images among them and curvilinear grids are taken as hexahedra.
 
 Data
   --list                    print all arrays, which of them is drawn, and the time steps; draw nothing
+  --check                   print all that is wrong with the file, of each block and each array, and draw nothing;
+                            exit status 1 if anything is
   --array NAME              the array to draw (default: one that looks like a physical value, points before
                             cells, one component before several; a line on stderr says which)
   --component K             of several components the one to draw, counted from 0, or magnitude (default: 0,

@@ -74,6 +74,7 @@ std::map<std::string, Option> MakeDataOptions()
     { "--association",
       Word({ "points", "cells" }, [](CommandLine& c, int n) { c.ArrayAssociation = n; }) },
     { "--big-endian", Flag([](CommandLine& c) { c.Raw.BigEndian = true; }) },
+    { "--check", Flag([](CommandLine& c) { c.Check = true; }) },
     { "--component",
       Value([](CommandLine& c, const std::string& v) { c.Component = ParseComponent(v); },
         { "magnitude" }) },

@@ -118,7 +118,7 @@ std::string FormatStatistics(const CommandLine& commandLine, const VolumeData& d
       choice->GetChosenAssociation() == vtkTetMarchFirstPicture::POINTS ? "points" : "cells" },
     { "components", choice->GetChosenArray()->GetNumberOfComponents() },
     { "component", component < 0 ? nlohmann::json("magnitude") : nlohmann::json(component) },
-    { "range", range } };
+    { "range", range[0] <= range[1] ? nlohmann::json(range) : nlohmann::json() } };
   json["unit_distance"] = choice->GetUnitDistance();
   AddSizes(json, data, statistics);
   json["seconds"] = { { "read", timing.Read },

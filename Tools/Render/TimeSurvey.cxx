@@ -26,12 +26,17 @@ CommandLine NameArray(const CommandLine& commandLine, vtkTetMarchFirstPicture* c
   return named;
 }
 
-/// That of the colours; of values that are all equal no more than these.
+/// That of the colours; of values that are all equal no more than these. Of values that are not
+/// finite none, the first above the second.
 std::array<double, 2> GetRangeOfStep(const VolumeData& data, const CommandLine& named)
 {
   const auto choice = MakeChoice(data, named);
   std::array<double, 2> values;
   choice->GetDataRange(values.data());
+  if (values[0] > values[1])
+  {
+    return { { VTK_DOUBLE_MAX, VTK_DOUBLE_MIN } };
+  }
   return values[0] < values[1] ? GetColorRange(choice, named) : values;
 }
 
@@ -44,7 +49,7 @@ TimeSurvey SurveyTimeSteps(const CommandLine& commandLine, const std::vector<int
   vtkBoundingBox box;
   std::array<double, 2> all = { { VTK_DOUBLE_MAX, VTK_DOUBLE_MIN } };
   double widest = -1.0;
-  VolumeData chooser;
+  VolumeData chooser = last;
   for (const int step : steps)
   {
     const VolumeData data =

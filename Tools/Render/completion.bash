@@ -3,7 +3,7 @@
 # Completion of tetmarch-render for bash: options, and values where they are known.
 
 _tetmarch_render_options="--accuracy --ambient --array --association --axes --background --big-endian --blend --camera
-  --clip --colors --compare --component --crop --crop-regions --diffuse --dimensions --error --frame-time --frames
+  --check --clip --colors --compare --component --crop --crop-regions --diffuse --dimensions --error --frame-time --frames
   --gradient-opacity --help --interpolation --isovalues --jitter --light --list --nan --occlusion --opacity-law
   --opaque-shadows --outline --output --parallel-scale --pixel --pixel-json --preset --quiet --range --reach
   --sample-distance --scalar-bar --scattering --shade --shadows --size --spacing --specular --specular-power --stats
@@ -42,7 +42,7 @@ _tetmarch_render() {
       mapfile -t COMPREPLY < <(compgen -f -- "$word")
       return
       ;;
-    --axes | --big-endian | --compare | --jitter | --list | --opaque-shadows | --outline | --quiet) ;;
+    --axes | --big-endian | --check | --compare | --jitter | --list | --opaque-shadows | --outline | --quiet) ;;
     --scalar-bar | --shade | --help | --version) ;;
     --*)
       while IFS= read -r value; do

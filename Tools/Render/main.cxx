@@ -60,6 +60,22 @@ void ListArrays(const CommandLine& commandLine)
   std::fputs(FormatArrayList(ChooseArray(data, commandLine), data.Times).c_str(), stdout);
 }
 
+void CheckFile(const CommandLine& commandLine)
+{
+  const std::vector<std::string> faults =
+    ListFaults(commandLine.Input, commandLine.TimeStep, commandLine.Raw);
+  for (const std::string& fault : faults)
+  {
+    std::printf("%s\n", fault.c_str());
+  }
+  if (!faults.empty())
+  {
+    throw Failure("'" + commandLine.Input + "' has " + std::to_string(faults.size()) +
+                  (faults.size() == 1 ? " fault" : " faults"));
+  }
+  std::printf("no fault\n");
+}
+
 void DrawOne(const CommandLine& commandLine)
 {
   Timing timing;
@@ -117,6 +133,10 @@ void Run(const CommandLine& commandLine)
   if (commandLine.ListColors)
   {
     ListColors();
+  }
+  else if (commandLine.Check)
+  {
+    CheckFile(commandLine);
   }
   else if (commandLine.List)
   {

@@ -42,8 +42,9 @@ void addName(std::string& names, const std::string& name)
 std::string checkBlock(const Block& block)
 {
   std::string error = checkData(block.Data);
-  if (error.empty() && !vtkUnstructuredGrid::SafeDownCast(block.Data) &&
-      vtkUnstructuredGridBase::SafeDownCast(block.Data))
+  const bool computesCells = !vtkUnstructuredGrid::SafeDownCast(block.Data);
+  error = error.empty() && computesCells ? checkGhosts(block.Data) : error;
+  if (error.empty() && computesCells && vtkUnstructuredGridBase::SafeDownCast(block.Data))
   {
     error =
       std::string("It is a ") + block.Data->GetClassName() +

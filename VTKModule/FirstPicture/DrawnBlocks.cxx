@@ -3,12 +3,13 @@
 #include "FirstPicture/DrawnBlocks.h"
 
 #include "Input/SolidCells.h"
+#include "Scalars/GhostArrays.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 
@@ -36,18 +37,39 @@ std::vector<vtkDataObject*> leavesOf(vtkDataObject* data)
   return leaves;
 }
 
+vtkSmartPointer<vtkDataSet> withoutMisfits(vtkDataSet* block)
+{
+  const GhostArrays fitting = ghostArraysOf(block);
+  if (block->GetCellGhostArray() == fitting.OfCells &&
+      block->GetPointGhostArray() == fitting.OfPoints)
+  {
+    return block;
+  }
+  auto copy = vtk::TakeSmartPointer(block->NewInstance());
+  copy->ShallowCopy(block);
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  for (const int place : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    if (!(place == vtkDataObject::CELL ? fitting.OfCells : fitting.OfPoints))
+    {
+      copy->GetAttributes(place)->RemoveArray(name);
+    }
+  }
+  return copy;
+}
+
 } // namespace
 
-std::vector<vtkDataSet*> drawnBlocks(vtkDataObject* data)
+std::vector<vtkSmartPointer<vtkDataSet>> drawnBlocks(vtkDataObject* data)
 {
-  std::vector<vtkDataSet*> blocks;
+  std::vector<vtkSmartPointer<vtkDataSet>> blocks;
   for (vtkDataObject* leaf : leavesOf(data))
   {
     auto* block = vtkDataSet::SafeDownCast(leaf);
     if (block && !vtkPolyData::SafeDownCast(block) && block->GetNumberOfCells() > 0 &&
         !isSlice(block))
     {
-      blocks.push_back(block);
+      blocks.push_back(withoutMisfits(block));
     }
   }
   return blocks;

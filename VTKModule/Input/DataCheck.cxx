@@ -143,26 +143,7 @@ std::string checkExplicit(vtkExplicitStructuredGrid* grid)
   return wrong;
 }
 
-std::string checkGeometry(vtkDataSet* data)
-{
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
-  {
-    return checkUnstructured(grid);
-  }
-  if (vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data))
-  {
-    return checkLattice(data);
-  }
-  if (auto* grid = vtkStructuredGrid::SafeDownCast(data))
-  {
-    return checkCurvilinear(grid);
-  }
-  auto* grid = vtkExplicitStructuredGrid::SafeDownCast(data);
-  return grid ? checkExplicit(grid) : std::string();
-}
-
-// VTK reads them by the number of a cell or a point. Those of another type it doesn't take for
-// ghosts.
+// VTK takes no array of another type for ghosts.
 std::string checkGhosts(vtkDataSet* data, bool ofCells)
 {
   const char* name = vtkDataSetAttributes::GhostArrayName();
@@ -183,15 +164,36 @@ std::string checkGhosts(vtkDataSet* data, bool ofCells)
 
 } // namespace
 
+std::string checkGhosts(vtkDataSet* data)
+{
+  const std::string error = checkGhosts(data, true);
+  return error.empty() ? checkGhosts(data, false) : error;
+}
+
 std::string checkData(vtkDataSet* data)
 {
   if (!data || data->GetNumberOfCells() == 0)
   {
     return {};
   }
-  std::string error = checkGeometry(data);
-  error = error.empty() ? checkGhosts(data, true) : error;
-  return error.empty() ? checkGhosts(data, false) : error;
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    return checkUnstructured(grid);
+  }
+  if (vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data))
+  {
+    return checkLattice(data);
+  }
+  std::string error;
+  if (auto* curvilinear = vtkStructuredGrid::SafeDownCast(data))
+  {
+    error = checkCurvilinear(curvilinear);
+  }
+  else if (auto* listed = vtkExplicitStructuredGrid::SafeDownCast(data))
+  {
+    error = checkExplicit(listed);
+  }
+  return error.empty() ? checkGhosts(data) : error;
 }
 
 } // namespace tetmarch

@@ -34,6 +34,10 @@ bool hasSolidCells(vtkDataSet* data)
     }
     return false;
   }
+  if (vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data))
+  {
+    return !isSlice(data);
+  }
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
     if (isSolidType(data->GetCellType(cell)))

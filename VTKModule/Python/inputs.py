@@ -4,6 +4,7 @@
 import os
 
 import numpy as np
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkExplicitStructuredGrid,
                                            vtkImageData, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid,
                                            vtkUnstructuredGrid)
@@ -13,6 +14,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from .arrays import from_arrays
 from .cell_types import CELL_TYPES
 from .readers import read
+from .vtkRenderingTetMarch import vtkTetMarchFirstPicture
 
 LATTICES = (vtkImageData, vtkRectilinearGrid)
 
@@ -42,8 +44,19 @@ def from_meshio(mesh):
     return from_arrays(points, (connectivity, offsets), types, dict(mesh.point_data), cell_data)
 
 
+def check_faults(data):
+    """VTK's filters trust what data says of itself."""
+    first = vtkTetMarchFirstPicture()
+    first.SetInputData(data)
+    faults = vtkStringArray()
+    first.ListFaults(faults)
+    if faults.GetNumberOfValues() > 0:
+        raise ValueError(" ".join(faults.GetValue(i) for i in range(faults.GetNumberOfValues())))
+
+
 def unstructured(data):
     """The same cells as a vtkUnstructuredGrid."""
+    check_faults(data)
     append = vtkAppendFilter()
     append.SetOutputPointsPrecision(append.DEFAULT_PRECISION)
     append.AddInputData(data)

@@ -43,6 +43,26 @@ void classify(const VolumeFrame& frame, View& view)
   }
 }
 
+// Homogeneous coordinates mean the same times any factor. The entries of such a matrix are about as
+// large as the scene, which floats of the GL don't hold where it is larger than 1e36. A power of 2
+// changes no digit.
+void bringIntoFloatRange(vtkMatrix4x4* matrix)
+{
+  constexpr int leastExponent = 64;
+  double* entries = matrix->GetData();
+  double most = 0;
+  for (int i = 0; i < 16; ++i)
+  {
+    most = std::max(most, std::abs(entries[i]));
+  }
+  int exponent = 0;
+  std::frexp(most, &exponent);
+  for (int i = 0; i < 16 && std::abs(exponent) > leastExponent; ++i)
+  {
+    entries[i] = std::ldexp(entries[i], -exponent);
+  }
+}
+
 // The point that all lines of sight go through, in view coordinates: x = y = w = 0 in clip
 // coordinates. It is the origin or, for parallel projection, the direction +z, except for the eyes
 // of a stereo picture or a sheared view.
@@ -92,7 +112,9 @@ bool makeView(vtkRenderer* renderer, vtkVolume* volume, const VolumeFrame& frame
   vtkMatrix4x4* projection =
     camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1);
   vtkMatrix4x4::Multiply4x4(projection, toView, toClip);
+  bringIntoFloatRange(toClip);
   vtkMatrix4x4::Invert(toClip, inverse);
+  bringIntoFloatRange(inverse);
   vtkMatrix4x4::Invert(toView, eyeInverse);
 
   vtkMatrix4x4* toLengths = law == OpacityLaw::Structured ? normalized : toWorld;
