@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <new>
 
 namespace
 {
@@ -74,7 +73,6 @@ tetmarch::FileContents ReadOneFile(const std::string& path, std::optional<int> t
 {
   using namespace tetmarch;
   CheckFile(path);
-  const FileBeingRead reading(path);
   const int errorsBefore = Messages::GetNumberOfErrors();
   vtkSmartPointer<vtkAlgorithm> reader = MakeReader(path, raw);
   std::string complaint;
@@ -113,7 +111,8 @@ tetmarch::FileContents ReadStep(
     {
       throw Failure("cannot read '" + list + "': it lists '" + part.Path + "', which isn't there");
     }
-    const FileContents read = ReadOneFile(part.Path, std::nullopt, {}, report);
+    const FileContents read =
+      WhileReading(part.Path, [&] { return ReadOneFile(part.Path, std::nullopt, {}, report); });
     const unsigned int number = tree->GetNumberOfBlocks();
     tree->SetBlock(number, read.Data);
     if (!part.Name.empty())
@@ -137,15 +136,9 @@ namespace tetmarch
 FileContents ReadFile(const std::string& path, std::optional<int> timeStep, const RawOptions& raw,
   const ProgressReport& report)
 {
-  try
-  {
-    return IsSeriesFile(path) ? ReadStep(path, timeStep, report)
-                              : ReadOneFile(path, timeStep, raw, report);
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw Failure("cannot read '" + path + "': its sizes ask for more memory than there is");
-  }
+  return IsSeriesFile(path)
+           ? ReadStep(path, timeStep, report)
+           : WhileReading(path, [&] { return ReadOneFile(path, timeStep, raw, report); });
 }
 
 } // namespace tetmarch

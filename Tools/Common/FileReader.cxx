@@ -6,6 +6,7 @@
 #include "ExodusCheck.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "Numbers.h"
 
 #include "vtkGenericDataObjectReader.h"
 #include "vtkTetMarchImageReader.h"
@@ -57,6 +58,29 @@ vtkSmartPointer<Reader> MakeReaderOf(const std::string& path)
     "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
 }
 
+/// The readers of VTK's XML crash, or don't end, by numbers of components that are none. Looks at
+/// the first of the file, where all of them are unless values come between.
+void CheckComponents(const std::string& path)
+{
+  std::string begin(1 << 20, ' ');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  const std::string name = "NumberOfComponents=\"";
+  for (std::size_t at = begin.find(name); at != std::string::npos; at = begin.find(name, at))
+  {
+    at += name.size();
+    const std::string number = begin.substr(at, begin.find('"', at) - at);
+    constexpr int most = 1000000;
+    const int components = tetmarch::ParseInteger(number).value_or(-1);
+    if (components < 0 || components > most)
+    {
+      throw tetmarch::Failure(
+        "cannot read '" + path + "': an array has '" + number.substr(0, 40) + "' components");
+    }
+  }
+}
+
 /// The reader of the kind of data in the file: unlike vtkXMLGenericDataObjectReader it tells of its
 /// progress, and can be stopped.
 vtkSmartPointer<vtkAlgorithm> MakeXMLReader(const std::string& path)
@@ -71,6 +95,7 @@ vtkSmartPointer<vtkAlgorithm> MakeXMLReader(const std::string& path)
     throw tetmarch::Failure(
       "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
   }
+  CheckComponents(path);
   own->SetFileName(path.c_str());
   return own;
 }

@@ -98,7 +98,10 @@ void Messages::DisplayErrorText(const char* text)
 
 void Messages::DisplayWarningText(const char* text)
 {
-  PrintMessage("warning", CleanVTKMessage(text));
+  const std::string message = CleanVTKMessage(text);
+  // Readers of legacy files warn of errors, and go on with values that they have not read.
+  NumberOfErrors += message.find(": Error ") != std::string::npos ? 1 : 0;
+  PrintMessage("warning", message);
 }
 
 void Messages::DisplayText(const char* text) { PrintNote(CleanVTKMessage(text)); }

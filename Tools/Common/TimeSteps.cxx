@@ -35,9 +35,9 @@ std::vector<double> GetTimeSteps(const std::string& path, const RawOptions& rawO
     return GetTimes(ReadSeries(path));
   }
   CheckFile(path);
-  const FileBeingRead reading(path);
   const int errorsBefore = Messages::GetNumberOfErrors();
-  std::vector<double> times = GetTimeSteps(MakeReader(path, rawOptions));
+  std::vector<double> times =
+    WhileReading(path, [&] { return GetTimeSteps(MakeReader(path, rawOptions)); });
   if (Messages::GetNumberOfErrors() > errorsBefore)
   {
     throw Failure(
