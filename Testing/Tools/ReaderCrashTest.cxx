@@ -27,6 +27,7 @@ void CrashWhileReading(void (*crash)())
 
 TEST(ReaderCrash, IsToldAndEndsTheProgram)
 {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto ended = ::testing::ExitedWithCode(1);
   const std::string text = "^tetmarch-render: error: cannot read 'folder/a.vtu': VTK's reader "
                            "crashed, so the file is damaged\n$";
@@ -38,6 +39,7 @@ TEST(ReaderCrash, IsToldAndEndsTheProgram)
 
 TEST(ReaderCrash, IsNoneWhenNothingIsRead)
 {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(
     {
       tetmarch::TellCrashesOfReaders();

@@ -98,10 +98,14 @@ void Messages::DisplayErrorText(const char* text)
 
 void Messages::DisplayWarningText(const char* text)
 {
-  const std::string message = CleanVTKMessage(text);
+  PrintMessage("warning", CleanVTKMessage(text));
+}
+
+void Messages::DisplayGenericWarningText(const char* text)
+{
   // Readers of legacy files warn of errors, and go on with values that they have not read.
-  NumberOfErrors += message.find(": Error ") != std::string::npos ? 1 : 0;
-  PrintMessage("warning", message);
+  const bool isError = CleanVTKMessage(text).rfind("Error reading", 0) == 0;
+  isError ? this->DisplayErrorText(text) : this->DisplayWarningText(text);
 }
 
 void Messages::DisplayText(const char* text) { PrintNote(CleanVTKMessage(text)); }

@@ -57,6 +57,7 @@ public:
 
   void DisplayErrorText(const char* text) override;
   void DisplayWarningText(const char* text) override;
+  void DisplayGenericWarningText(const char* text) override;
   void DisplayText(const char* text) override;
   void DisplayDebugText(const char* text) override;
 
