@@ -34,10 +34,9 @@ class ApiTest(unittest.TestCase):
         self.assertIn("marching rays", vtkTetMarchVolumeMapper.__doc__)
         self.assertIn("marching rays", vtktetmarch.__doc__)
         self.assertEqual(CLASSES,
-                         ["vtkTetMarchFirstPicture", "vtkTetMarchFrameStatistics", "vtkTetMarchLegend",
-                          "vtkTetMarchObjectFactory",
-                          "vtkTetMarchProjectedTetrahedraMapper", "vtkTetMarchSettings",
-                          "vtkTetMarchSmartVolumeMapper", "vtkTetMarchVolumeMapper"])
+                         ["vtkTetMarchFirstPicture", "vtkTetMarchFrameStatistics", "vtkTetMarchImageReader",
+                          "vtkTetMarchLegend", "vtkTetMarchObjectFactory", "vtkTetMarchProjectedTetrahedraMapper",
+                          "vtkTetMarchSettings", "vtkTetMarchSmartVolumeMapper", "vtkTetMarchVolumeMapper"])
 
     def test_base_classes(self):
         mapper = vtkTetMarchVolumeMapper()

@@ -135,8 +135,7 @@ class ReadTest(unittest.TestCase):
         self.assertEqual(image.GetDimensions(), (12, 2, 1))
         self.assertTrue(np.array_equal(vtk_to_numpy(image.GetPointData().GetScalars()), values))
         path.write_bytes(head + b"ascii\n\n" + b" ".join(b"%d" % value for value in values))
-        with self.assertRaisesRegex(ValueError, "its values are text"):
-            vtktetmarch.read(path)
+        self.assertTrue(np.array_equal(vtk_to_numpy(vtktetmarch.read(path).GetPointData().GetScalars()), values))
 
     def test_time_steps(self):
         grid = first_data.one_tetrahedron()
@@ -197,8 +196,8 @@ class ReadTest(unittest.TestCase):
                 ("b.vtu", b"hello", "syntax error"),
                 ("a.vti", image[:3000], 'Cannot read point data array "density"'),
                 ("a.vtk", legacy, "reading ascii data"),
-                ("b.vtk", b"", "."), ("a.mha", meta, "data not read completely"),
-                ("a.nrrd", nrrd, "File operation failed"),
+                ("b.vtk", b"", "."), ("a.mha", meta, "64 bytes, but there are only 3"),
+                ("a.nrrd", nrrd, "64 bytes, but there are only 3"),
                 ("a.ex2", mesh, "damaged, or not what its ending says"), ("a.cgns", b"", "damaged"),
                 ("a.vtkhdf", b"x" * 600, "damaged"), ("a.case", b"hello", "."), ("a.nii", b"hello", ".")):
             with self.subTest(name=name):

@@ -77,11 +77,19 @@ TEST(CommandLine, RawFilesNeedADescription)
   EXPECT_EQ(GetError({ "a.raw", "--type", "uint8" }), why + "--dimensions NX,NY,NZ");
   EXPECT_EQ(GetError({ "a.raw", "--dimensions", "2,2,2" }), why + "--type TYPE");
   EXPECT_EQ(GetError({ "a.raw", "--dimensions", "2,2,2", "--type", "int8" }), "accepted");
-  for (const char* name : { "a_2x2_uint8.raw", "a_2x2x2_uint12.raw", "a_0x2x2_uint8.raw",
-         "a_2x2x2.raw", "2x2x2_uint8.raw", "a_2x2x2_uint8_.raw" })
+  for (const char* name :
+    { "a_2x2_uint8.raw", "a_2x2x2.raw", "2x2x2_uint8.raw", "a_2x2x2_uint8_.raw" })
   {
     EXPECT_NE(GetError({ name }).find("holds nothing but values"), std::string::npos) << name;
   }
+  EXPECT_EQ(GetError({ "a_2x2x2_uint12.raw" }),
+    "the name of 'a_2x2x2_uint12.raw' says that its type is uint12, but expected uint8, int8, "
+    "uint16, int16, uint32, int32, uint64, int64, float, double, float32 or float64; --type "
+    "overrides the name");
+  EXPECT_EQ(GetError({ "a_0x2x2_uint8.raw" }),
+    "the name of 'a_0x2x2_uint8.raw' says that its dimensions are 0,2,2, but expected NX,NY,NZ, "
+    "three whole numbers from 1 to 65536; --dimensions overrides the name");
+  EXPECT_EQ(GetError({ "a_2x2x2_uint12.raw", "--type", "uint16" }), "accepted");
   for (const std::vector<std::string>& options :
     std::vector<std::vector<std::string>>{ { "--dimensions", "2,2,2" }, { "--type", "int8" },
       { "--spacing", "1,1,1" }, { "--big-endian" } })

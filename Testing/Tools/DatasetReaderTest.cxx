@@ -95,6 +95,28 @@ TEST_F(DatasetReader, ReadsXMLAndLegacy)
   }
 }
 
+TEST_F(DatasetReader, ReadsPartitions)
+{
+  this->Write<vtkXMLUnstructuredGridWriter>("0.vtu", MakeVoxel(0.0));
+  this->Write<vtkXMLUnstructuredGridWriter>("1.vtu", MakeVoxel(1.0));
+  const auto text = [](const std::string& type, const std::string& inner)
+  {
+    return "<VTKFile type=\"" + type + "\" version=\"1.0\"><" + type + ">" + inner + "</" + type +
+           "></VTKFile>";
+  };
+  const std::string files =
+    "<DataSet index=\"0\" file=\"0.vtu\"/><DataSet index=\"1\" file=\"1.vtu\"/>";
+  for (const std::string& path :
+    { this->WriteText("voxels.vtpd", text("vtkPartitionedDataSet", files)),
+      this->WriteText("voxels.vtpc", text("vtkPartitionedDataSetCollection",
+                                       "<Partitions index=\"0\">" + files + "</Partitions>")) })
+  {
+    const auto grid = tetmarch::ReadUnstructuredGrid(path, std::nullopt);
+    EXPECT_EQ(grid->GetNumberOfCells(), 2) << path;
+    EXPECT_EQ(grid->GetNumberOfPoints(), 12) << path;
+  }
+}
+
 TEST_F(DatasetReader, MergesBlocksAtTheirCommonPoints)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -138,6 +160,43 @@ TEST_F(DatasetReader, MergesPiecesOfParallelFiles)
   EXPECT_EQ(grid->GetNumberOfPoints(), 12);
   EXPECT_TRUE(grid->GetPointData()->HasArray("p"));
   EXPECT_TRUE(grid->GetCellData()->HasArray("c"));
+}
+
+TEST_F(DatasetReader, RefusesNumbersOfComponentsThatAreNone)
+{
+  auto voxel = MakeVoxel(0.0);
+  AddArray<vtkDoubleArray>(voxel->GetPointData(), "p", 8);
+  this->Write<vtkXMLUnstructuredGridWriter>("0.vtu", voxel);
+  for (const std::string number :
+    { "-1", "1e30", "nan", "", "18446744073709551616", "2147483647", "1000001" })
+  {
+    const std::string path = this->WriteText("a.pvtu",
+      "<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\"><PUnstructuredGrid GhostLevel=\"0\">"
+      "<PPointData><PDataArray type=\"Float64\" Name=\"p\" NumberOfComponents=\"" +
+        number +
+        "\"/></PPointData><PPoints><PDataArray type=\"Float32\" NumberOfComponents=\"3\"/>"
+        "</PPoints><Piece Source=\"0.vtu\"/></PUnstructuredGrid></VTKFile>");
+    EXPECT_EQ(
+      GetError(path), "cannot read '" + path + "': an array has '" + number + "' components");
+  }
+}
+
+TEST_F(DatasetReader, RefusesLegacyFilesThatEndInTheirValues)
+{
+  auto voxel = MakeVoxel(0.0);
+  AddArray<vtkDoubleArray>(voxel->GetPointData(), "p", 8);
+  vtkNew<vtkUnstructuredGridWriter> writer;
+  writer->SetFileTypeToBinary();
+  writer->WriteToOutputStringOn();
+  writer->SetInputData(voxel);
+  writer->Write();
+  const std::string bytes = writer->GetOutputStdString();
+  EXPECT_EQ(GetError(this->WriteText("whole.vtk", bytes)), "accepted");
+  ::testing::internal::CaptureStderr();
+  const std::string path = this->WriteText("cut.vtk", bytes.substr(0, bytes.rfind("double") + 50));
+  EXPECT_EQ(GetError(path),
+    "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
+  ::testing::internal::GetCapturedStderr();
 }
 
 TEST_F(DatasetReader, LeavesOutGhostCells)

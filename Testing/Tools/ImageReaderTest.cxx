@@ -115,17 +115,6 @@ vtkImageData* ExpectImage(const VolumeData& volume, const std::string& path)
   return image;
 }
 
-std::string NrrdHeader(const std::string& encoding, const std::string& more)
-{
-  return "NRRD0004\ntype: ushort\ndimension: 3\nsizes: 12 4 5\nspacings: 1 2 3\nendian: little\n"
-         "encoding: " +
-         encoding + "\n" + more + "\n";
-}
-
-std::string BytesOf(vtkImageData* image)
-{
-  return { static_cast<const char*>(image->GetScalarPointer()), 2 * 240 };
-}
 } // namespace
 
 TEST_F(ImageReader, ReadsImagesOfVTK)
@@ -183,53 +172,6 @@ TEST_F(ImageReader, ReadsMetaImages)
   {
     ExpectImage(ReadVolume(path, std::nullopt), path);
   }
-}
-
-TEST_F(ImageReader, RefusesDamagedMetaImages)
-{
-  std::string text;
-  {
-    std::ifstream file(this->Write<vtkMetaImageWriter>("image.mha", MakeImage()), std::ios::binary);
-    text.assign(std::istreambuf_iterator<char>(file), {});
-  }
-  const std::string cut = this->WriteText("cut.mha", text.substr(0, text.size() - 1));
-  EXPECT_EQ(
-    GetError(cut), "cannot read '" + cut +
-                     "': the file is damaged or not of the kind that its ending says (MetaImage: "
-                     "M_ReadElementsData: data not read completely)");
-  const std::string garbage = this->WriteText("garbage.mhd", "this is no image");
-  ::testing::internal::CaptureStderr();
-  EXPECT_EQ(GetError(garbage).find("cannot read '" + garbage + "': the file is damaged"), 0u);
-  ::testing::internal::GetCapturedStderr();
-}
-
-TEST_F(ImageReader, ReadsNrrd)
-{
-  const auto image = MakeImage();
-  this->WriteText("values.bin", BytesOf(image));
-  for (const std::string& path :
-    { this->WriteText("image.nrrd", NrrdHeader("raw", "") + BytesOf(image)),
-      this->WriteText("image.nhdr", NrrdHeader("raw", "data file: values.bin\n")) })
-  {
-    ExpectImage(ReadVolume(path, std::nullopt), path);
-  }
-}
-
-TEST_F(ImageReader, RefusesDamagedNrrd)
-{
-  ::testing::internal::CaptureStderr();
-  for (const std::string& path :
-    { this->WriteText("cut.nrrd", NrrdHeader("raw", "") + std::string(479, 'x')),
-      this->WriteText("none.nhdr", NrrdHeader("raw", "data file: none.bin\n")),
-      this->WriteText("garbage.nrrd", "this is no image"),
-      this->WriteText("gzip.nrrd", NrrdHeader("gzip", "") + "not compressed") })
-  {
-    EXPECT_EQ(GetError(path).find("cannot read '" + path + "': the file is damaged"), 0u) << path;
-  }
-  ::testing::internal::GetCapturedStderr();
-  const std::string text = this->WriteText("text.nrrd", NrrdHeader("ascii", "") + "1 2 3");
-  EXPECT_EQ(GetError(text),
-    "cannot read '" + text + "': its values are text; write them in the encoding raw or gzip");
 }
 
 TEST_F(ImageReader, TellsOfImagesWithoutVolume)

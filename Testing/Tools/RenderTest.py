@@ -225,6 +225,13 @@ class RenderTest(RenderCase):
         _, stats = self.render("cube.vtu", "--array", "material", "--size", "32x32")
         self.assertEqual(stats["array"]["association"], "cells")
 
+    def test_a_reader_of_vtk_that_crashes(self):
+        """VTK 9.1's does, 9.6's says that the file is damaged."""
+        self.draw("polyhedron.vtu", "--size", "32x24")
+        for options in (("--list",), ("--size", "32x24", "--output", "crash.png")):
+            self.expect_failure(1, "cannot read 'lying_faces.vtu': ", "lying_faces.vtu", *options)
+            self.assertFalse((self.folder / "crash.png").exists())
+
     def test_golf_ball(self):
         path = self.project / "Data" / "golfball_small.vtu"
         if not path.exists():

@@ -82,6 +82,22 @@ def vectors_vtu():
 """
 
 
+def polyhedron_vtu(faces):
+    """A tetrahedron that is a polyhedron, and says how many faces it has."""
+    return f"""<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">
+<UnstructuredGrid><Piece NumberOfPoints="4" NumberOfCells="1">
+<PointData>{xml_array("half", "Float64", [0.5] * 4)}</PointData>
+<Points>{xml_array("Points", "Float32", [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], 3)}</Points>
+<Cells>{xml_array("connectivity", "Int64", range(4))}
+{xml_array("offsets", "Int64", [4])}
+{xml_array("types", "UInt8", [42])}
+{xml_array("faces", "Int64", [faces, 3, 0, 1, 2, 3, 0, 1, 3, 3, 1, 2, 3, 3, 0, 2, 3])}
+{xml_array("faceoffsets", "Int64", [17])}</Cells>
+</Piece></UnstructuredGrid></VTKFile>
+"""
+
+
 def legacy(cells, with_array=True):
     text = "# vtk DataFile Version 3.0\ncube\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n"
     text += "\n".join(map(numbers, CORNERS))
@@ -175,6 +191,8 @@ def write_all(folder):
         "beside.vtu": cube_vtu(1),
         "blocks.vtm": blocks_vtm(),
         "steps.vtu": steps_vtu(),
+        "polyhedron.vtu": polyhedron_vtu(4),
+        "lying_faces.vtu": polyhedron_vtu(2000000000),
         "truncated.vtu": cube_vtu()[:700],
         "garbage.vtu": "this is no XML",
         "empty.vtu": "",

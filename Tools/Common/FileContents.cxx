@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileContents.h"
 
+#include "ErrorText.h"
 #include "Failure.h"
 #include "FileReader.h"
 #include "FileSeries.h"
-#include "LibraryOutput.h"
 #include "Messages.h"
+#include "ReaderCrash.h"
 #include "TimeSteps.h"
 
-#include "vtkImageReader2.h"
 #include "vtkInformation.h"
-#include "vtkMetaImageReader.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkTetMarchImageReader.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -56,20 +56,16 @@ bool HasPieces(const std::string& path)
   return ending.size() > 1 && ending[1] == 'p';
 }
 
-/// As Update(), of a reader that leaves it to others to say that it failed: returns what they said,
-/// or an empty string.
+/// As Update(). Returns what our own reader said of the file, or an empty string.
 std::string UpdateAndListen(vtkAlgorithm* reader, std::optional<int> timeStep)
 {
-  const int warningsBefore = tetmarch::Messages::GetNumberOfWarningsOfNobody();
-  std::optional<tetmarch::LibraryOutput> output;
-  if (vtkMetaImageReader::SafeDownCast(reader))
+  std::optional<tetmarch::ErrorText> error;
+  if (vtkTetMarchImageReader::SafeDownCast(reader))
   {
-    output.emplace(); // MetaIO goes on after what it prints
+    error.emplace(reader);
   }
   Update(reader, timeStep);
-  const bool warned = vtkImageReader2::SafeDownCast(reader) &&
-                      tetmarch::Messages::GetNumberOfWarningsOfNobody() > warningsBefore;
-  return output ? output->GetFirstLine() : warned ? "see the warning" : std::string();
+  return error ? error->Get() : std::string();
 }
 
 tetmarch::FileContents ReadOneFile(const std::string& path, std::optional<int> timeStep,
@@ -92,9 +88,9 @@ tetmarch::FileContents ReadOneFile(const std::string& path, std::optional<int> t
   if (Messages::GetNumberOfErrors() > errorsBefore || !complaint.empty() || !data ||
       reader->GetErrorCode() != 0)
   {
-    throw Failure("cannot read '" + path +
-                  "': the file is damaged or not of the kind that its ending says" +
-                  (complaint.empty() ? "" : " (" + complaint + ")"));
+    throw Failure("cannot read '" + path + "': " +
+                  (complaint.empty() ? "the file is damaged or not of the kind that its ending says"
+                                     : complaint));
   }
   return { data, GetTimeSteps(reader), HasPieces(path) };
 }
@@ -115,7 +111,8 @@ tetmarch::FileContents ReadStep(
     {
       throw Failure("cannot read '" + list + "': it lists '" + part.Path + "', which isn't there");
     }
-    const FileContents read = ReadOneFile(part.Path, std::nullopt, {}, report);
+    const FileContents read =
+      WhileReading(part.Path, [&] { return ReadOneFile(part.Path, std::nullopt, {}, report); });
     const unsigned int number = tree->GetNumberOfBlocks();
     tree->SetBlock(number, read.Data);
     if (!part.Name.empty())
@@ -139,8 +136,9 @@ namespace tetmarch
 FileContents ReadFile(const std::string& path, std::optional<int> timeStep, const RawOptions& raw,
   const ProgressReport& report)
 {
-  return IsSeriesFile(path) ? ReadStep(path, timeStep, report)
-                            : ReadOneFile(path, timeStep, raw, report);
+  return IsSeriesFile(path)
+           ? ReadStep(path, timeStep, report)
+           : WhileReading(path, [&] { return ReadOneFile(path, timeStep, raw, report); });
 }
 
 } // namespace tetmarch

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileReader.h"
 
+#include "ErrorText.h"
+#include "ExodusCheck.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "Numbers.h"
 
 #include "vtkGenericDataObjectReader.h"
-#include "vtkMetaImageReader.h"
-#include "vtkNrrdReader.h"
+#include "vtkTetMarchImageReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
+#include "vtkXMLPartitionedDataSetCollectionReader.h"
+#include "vtkXMLPartitionedDataSetReader.h"
 #include "vtkXMLReader.h"
 #if TETMARCH_HAVE_EXODUS
 #include "vtkExodusIIReader.h"
@@ -24,7 +28,6 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
-#include <regex>
 #include <set>
 
 namespace
@@ -55,6 +58,29 @@ vtkSmartPointer<Reader> MakeReaderOf(const std::string& path)
     "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
 }
 
+/// The readers of VTK's XML crash, or don't end, by numbers of components that are none. Looks at
+/// the first of the file, where all of them are unless values come between.
+void CheckComponents(const std::string& path)
+{
+  std::string begin(1 << 20, ' ');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  const std::string name = "NumberOfComponents=\"";
+  for (std::size_t at = begin.find(name); at != std::string::npos; at = begin.find(name, at))
+  {
+    at += name.size();
+    const std::string number = begin.substr(at, begin.find('"', at) - at);
+    constexpr int most = 1000000;
+    const int components = tetmarch::ParseInteger(number).value_or(-1);
+    if (components < 0 || components > most)
+    {
+      throw tetmarch::Failure(
+        "cannot read '" + path + "': an array has '" + number.substr(0, 40) + "' components");
+    }
+  }
+}
+
 /// The reader of the kind of data in the file: unlike vtkXMLGenericDataObjectReader it tells of its
 /// progress, and can be stopped.
 vtkSmartPointer<vtkAlgorithm> MakeXMLReader(const std::string& path)
@@ -69,31 +95,31 @@ vtkSmartPointer<vtkAlgorithm> MakeXMLReader(const std::string& path)
     throw tetmarch::Failure(
       "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
   }
+  CheckComponents(path);
   own->SetFileName(path.c_str());
   return own;
 }
 
 [[maybe_unused]] constexpr const char* HDF5Beginning = "\x89HDF\r\n\x1a\n";
 
-/// vtkNrrdReader takes the header for the first values of a file of text.
-void CheckNrrdEncoding(const std::string& path)
+/// Whose header is checked.
+vtkSmartPointer<vtkAlgorithm> MakeImageReader(const std::string& path)
 {
-  std::ifstream file(path);
-  for (std::string line; std::getline(file, line) && !line.empty() && line != "\r";)
+  auto reader = MakeReaderOf<vtkTetMarchImageReader>(path);
+  const tetmarch::ErrorText error(reader);
+  reader->UpdateInformation();
+  if (!error.Get().empty())
   {
-    static const std::regex text("encoding: *(ascii|text|txt)\\s*", std::regex::icase);
-    if (std::regex_match(line, text))
-    {
-      throw tetmarch::Failure(
-        "cannot read '" + path + "': its values are text; write them in the encoding raw or gzip");
-    }
+    throw tetmarch::Failure("cannot read '" + path + "': " + error.Get());
   }
+  return reader;
 }
 
 vtkSmartPointer<vtkAlgorithm> MakeExodusReader(const std::string& path)
 {
 #if TETMARCH_HAVE_EXODUS
   CheckBeginning(path, { "CDF", HDF5Beginning });
+  tetmarch::CheckExodus(path);
   auto reader = MakeReaderOf<vtkExodusIIReader>(path);
   reader->UpdateInformation();
   reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
@@ -109,7 +135,11 @@ vtkSmartPointer<vtkAlgorithm> MakeExodusReader(const std::string& path)
 vtkSmartPointer<vtkAlgorithm> MakeCGNSReader(const std::string& path)
 {
 #if TETMARCH_HAVE_CGNS
-  CheckBeginning(path, { "@(#)ADF", HDF5Beginning });
+  // Newer files of ADF have the first four characters with their highest bit.
+  CheckBeginning(path, { "@(#)ADF",
+                         "\xC0\xA8\xA3\xA9"
+                         "ADF",
+                         HDF5Beginning });
   auto reader = MakeReaderOf<vtkCGNSReader>(path);
   reader->UpdateInformation();
   reader->EnableAllBases();
@@ -135,6 +165,12 @@ std::string GetEnding(const std::string& path)
   return ending;
 }
 
+bool IsImageFile(const std::string& path)
+{
+  const std::string ending = GetEnding(path);
+  return ending == ".mhd" || ending == ".mha" || ending == ".nrrd" || ending == ".nhdr";
+}
+
 void CheckFile(const std::string& path)
 {
   std::error_code code;
@@ -151,13 +187,21 @@ void CheckFile(const std::string& path)
 
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path, const RawOptions& rawOptions)
 {
-  static const std::set<std::string> xml = { ".vtu", ".pvtu", ".vtm", ".vtmb", ".vtpd", ".vtpc",
-    ".vtp", ".pvtp", ".vts", ".pvts", ".vtr", ".pvtr", ".vti", ".pvti" };
+  static const std::set<std::string> xml = { ".vtu", ".pvtu", ".vtm", ".vtmb", ".vtp", ".pvtp",
+    ".vts", ".pvts", ".vtr", ".pvtr", ".vti", ".pvti" };
   static const std::set<std::string> exodus = { ".ex2", ".ex2v2", ".exo", ".exoii", ".e", ".g" };
   const std::string ending = GetEnding(path);
   if (xml.count(ending))
   {
     return MakeXMLReader(path);
+  }
+  if (ending == ".vtpc") // which vtkXMLGenericDataObjectReader doesn't know
+  {
+    return MakeReaderOf<vtkXMLPartitionedDataSetCollectionReader>(path);
+  }
+  if (ending == ".vtpd")
+  {
+    return MakeReaderOf<vtkXMLPartitionedDataSetReader>(path);
   }
   if (ending == ".vtk")
   {
@@ -175,14 +219,9 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path, const RawOptio
   {
     return MakeCGNSReader(path);
   }
-  if (ending == ".mhd" || ending == ".mha")
+  if (IsImageFile(path))
   {
-    return MakeReaderOf<vtkMetaImageReader>(path);
-  }
-  if (ending == ".nrrd" || ending == ".nhdr")
-  {
-    CheckNrrdEncoding(path);
-    return MakeReaderOf<vtkNrrdReader>(path);
+    return MakeImageReader(path);
   }
   if (IsRawFile(path) && rawOptions.Dimensions && rawOptions.Type)
   {

@@ -21,6 +21,9 @@ namespace tetmarch
 /// With its dot, in lower case.
 std::string GetEnding(const std::string& path);
 
+/// Of MetaImage or NRRD, by the ending of its name.
+bool IsImageFile(const std::string& path);
+
 /// Throws Failure if there is no such file.
 void CheckFile(const std::string& path);
 

@@ -74,7 +74,6 @@ std::string CleanVTKMessage(const std::string& text)
 }
 
 thread_local int Messages::NumberOfErrors = 0;
-thread_local int Messages::NumberOfWarningsOfNobody = 0;
 
 vtkStandardNewMacro(Messages);
 
@@ -104,8 +103,9 @@ void Messages::DisplayWarningText(const char* text)
 
 void Messages::DisplayGenericWarningText(const char* text)
 {
-  ++NumberOfWarningsOfNobody;
-  this->DisplayWarningText(text);
+  // Readers of legacy files warn of errors, and go on with values that they have not read.
+  const bool isError = CleanVTKMessage(text).rfind("Error reading", 0) == 0;
+  isError ? this->DisplayErrorText(text) : this->DisplayWarningText(text);
 }
 
 void Messages::DisplayText(const char* text) { PrintNote(CleanVTKMessage(text)); }

@@ -44,8 +44,7 @@ void BeQuiet();
 std::string CleanVTKMessage(const std::string& text);
 
 /**
- * Takes over from vtkOutputWindow and vtkLogger. Errors and some warnings are counted, each thread
- * for itself.
+ * Takes over from vtkOutputWindow and vtkLogger. Errors are counted, each thread for itself.
  */
 class Messages : public vtkOutputWindow
 {
@@ -55,8 +54,6 @@ public:
 
   static void Install();
   static int GetNumberOfErrors() { return NumberOfErrors; }
-  /// Of those that no object signs, by vtkGenericWarningMacro().
-  static int GetNumberOfWarningsOfNobody() { return NumberOfWarningsOfNobody; }
 
   void DisplayErrorText(const char* text) override;
   void DisplayWarningText(const char* text) override;
@@ -66,7 +63,6 @@ public:
 
 private:
   static thread_local int NumberOfErrors;
-  static thread_local int NumberOfWarningsOfNobody;
 };
 
 } // namespace tetmarch

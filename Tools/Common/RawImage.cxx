@@ -53,17 +53,34 @@ void CompleteByName(RawOptions& options, const std::string& path)
   {
     return;
   }
-  try
+  const auto refuse = [&](const std::string& what, const std::string& text, const char* option,
+                        const UsageError& error)
   {
-    const auto dimensions =
-      tetmarch::ParseDimensions(parts[1].str() + "," + parts[2].str() + "," + parts[3].str());
-    const int type = tetmarch::ParseType(parts[4]);
-    options.Dimensions = options.Dimensions.value_or(dimensions);
-    options.Type = options.Type.value_or(type);
+    throw UsageError("the name of '" + path + "' says that its " + what + " " + text + ", but " +
+                     error.what() + "; " + option + " overrides the name");
+  };
+  if (!options.Dimensions)
+  {
+    const std::string text = parts[1].str() + "," + parts[2].str() + "," + parts[3].str();
+    try
+    {
+      options.Dimensions = tetmarch::ParseDimensions(text);
+    }
+    catch (const UsageError& error)
+    {
+      refuse("dimensions are", text, "--dimensions", error);
+    }
   }
-  catch (const UsageError&)
+  if (!options.Type)
   {
-    // A name that says something else.
+    try
+    {
+      options.Type = tetmarch::ParseType(parts[4]);
+    }
+    catch (const UsageError& error)
+    {
+      refuse("type is", parts[4], "--type", error);
+    }
   }
 }
 

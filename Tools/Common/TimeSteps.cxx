@@ -6,6 +6,7 @@
 #include "FileReader.h"
 #include "FileSeries.h"
 #include "Messages.h"
+#include "ReaderCrash.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkInformation.h"
@@ -35,10 +36,12 @@ std::vector<double> GetTimeSteps(const std::string& path, const RawOptions& rawO
   }
   CheckFile(path);
   const int errorsBefore = Messages::GetNumberOfErrors();
-  std::vector<double> times = GetTimeSteps(MakeReader(path, rawOptions));
+  std::vector<double> times =
+    WhileReading(path, [&] { return GetTimeSteps(MakeReader(path, rawOptions)); });
   if (Messages::GetNumberOfErrors() > errorsBefore)
   {
-    throw Failure("cannot read '" + path + "'");
+    throw Failure(
+      "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
   }
   return times;
 }

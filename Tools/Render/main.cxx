@@ -10,6 +10,7 @@
 #include "Outputs.h"
 #include "Picture.h"
 #include "PixelTrace.h"
+#include "ReaderCrash.h"
 #include "Series.h"
 #include "StandardOutput.h"
 #include "Statistics.h"
@@ -175,6 +176,7 @@ void Run(const CommandLine& commandLine)
 int main(int argc, char* argv[])
 {
   Messages::Install();
+  TellCrashesOfReaders();
   try
   {
     const CommandLine commandLine = ParseCommandLine({ argv + 1, argv + argc });

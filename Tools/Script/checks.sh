@@ -49,7 +49,29 @@ configure_instrumented() {
   configure "$@" -DBUILD_TESTING=ON -DTETMARCH_WRAP_PYTHON=OFF
 }
 
+# fuzz [SECONDS] | fuzz files [COUNT]: without arguments both.
 fuzz() {
+  if [[ "${1:-}" == files ]]; then
+    fuzz_files "${@:2}"
+    return
+  fi
+  fuzz_grids "$@"
+  (($# > 0)) || fuzz_files
+}
+
+# fuzz_files [COUNT]: of each kind of file
+fuzz_files() {
+  local count="${1:-200}"
+  [[ "$count" =~ ^[1-9][0-9]*$ ]] || die "fuzz files takes a number of files of each kind, not $count"
+  prepare_machine
+  configure "$BUILD" -DBUILD_TESTING=ON
+  build TetMarchTryFiles
+  build tetmarch-render
+  "$SYSTEM_PYTHON" "$ROOT/Testing/Fuzz/Files/fuzz_files.py" --driver "$BUILD/bin/TetMarchTryFiles" \
+    --render "$BUILD/bin/tetmarch-render" --each "$count" --drawn "$((2 * count))" --keep "$BUILD/fuzz/files"
+}
+
+fuzz_grids() {
   local seconds="${1:-600}" folder="$BUILD/fuzz" corpus="$BUILD/fuzz/corpus" finds="$BUILD/fuzz/finds" status=0
   [[ "$seconds" =~ ^[0-9]+$ ]] || die "fuzz takes a number of seconds, not $seconds"
   prepare_machine

@@ -64,12 +64,14 @@ std::string WriteReader(const DataState& data)
            ")\nreader.SetDataScalarType(" + std::to_string(*raw.Type) +
            ")\nreader.SetDataByteOrderToLittleEndian()\n";
   }
-  const bool meta = ending == ".mhd" || ending == ".mha";
-  const bool nrrd = ending == ".nrrd" || ending == ".nhdr";
+  if (IsImageFile(data.File))
+  {
+    return "reader = vtkTetMarchImageReader()\n" + name;
+  }
   return std::string("reader = vtk.") +
-         (meta    ? "vtkMetaImageReader"
-           : nrrd ? "vtkNrrdReader"
-                  : "vtkXMLGenericDataObjectReader") +
+         (ending == ".vtpc"    ? "vtkXMLPartitionedDataSetCollectionReader"
+           : ending == ".vtpd" ? "vtkXMLPartitionedDataSetReader"
+                               : "vtkXMLGenericDataObjectReader") +
          "()\n" + name;
 }
 
@@ -251,7 +253,9 @@ std::string WriteView(const ViewState& state)
 std::string tetmarch::WriteScript(const ViewState& state, bool structured)
 {
   return "import sys\n\nimport vtkmodules.all as vtk\n"
-         "from vtktetmarch import vtkTetMarchLegend, " +
+         "from vtktetmarch import " +
+         std::string(IsImageFile(state.Data.File) ? "vtkTetMarchImageReader, " : "") +
+         "vtkTetMarchLegend, " +
          std::string(structured ? "vtkTetMarchSmartVolumeMapper" : "vtkTetMarchVolumeMapper") +
          "\n\n" + WriteData(state.Data, structured) + WriteSettings(state, structured) +
          WriteProperty(state) + WriteView(state) +

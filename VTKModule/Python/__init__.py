@@ -15,6 +15,7 @@ from .replacement import replace_smart_volume_mapper, replace_unstructured_mappe
 from .vtkRenderingTetMarch import (
     vtkTetMarchFirstPicture,
     vtkTetMarchFrameStatistics,
+    vtkTetMarchImageReader,
     vtkTetMarchLegend,
     vtkTetMarchObjectFactory,
     vtkTetMarchProjectedTetrahedraMapper,
@@ -56,6 +57,7 @@ __all__ = [
     "volume",
     "vtkTetMarchFirstPicture",
     "vtkTetMarchFrameStatistics",
+    "vtkTetMarchImageReader",
     "vtkTetMarchLegend",
     "vtkTetMarchObjectFactory",
     "vtkTetMarchProjectedTetrahedraMapper",

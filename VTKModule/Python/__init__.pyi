@@ -12,6 +12,7 @@ from vtkmodules.vtkRenderingCore import (vtkAbstractVolumeMapper, vtkCamera, vtk
 from .vtkRenderingTetMarch import (
     vtkTetMarchFirstPicture as vtkTetMarchFirstPicture,
     vtkTetMarchFrameStatistics as vtkTetMarchFrameStatistics,
+    vtkTetMarchImageReader as vtkTetMarchImageReader,
     vtkTetMarchLegend as vtkTetMarchLegend,
     vtkTetMarchObjectFactory as vtkTetMarchObjectFactory,
     vtkTetMarchProjectedTetrahedraMapper as vtkTetMarchProjectedTetrahedraMapper,

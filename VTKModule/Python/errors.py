@@ -1,10 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What VTK reports as text becomes a Python exception."""
-import os
 import re
-import sys
-import tempfile
 import warnings
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
@@ -60,23 +57,3 @@ class VtkErrors:
 
     def __str__(self):
         return "; ".join(self.texts)
-
-
-class PrintedErrors:
-    """What libraries below VTK print on standard error within a `with` block; text: the first line of it."""
-
-    def __enter__(self):
-        self.text = ""
-        sys.stderr.flush()
-        self._file = tempfile.TemporaryFile()
-        self._before = os.dup(2)
-        os.dup2(self._file.fileno(), 2)
-        return self
-
-    def __exit__(self, *_):
-        os.dup2(self._before, 2)
-        os.close(self._before)
-        self._file.seek(0)
-        self.text = self._file.readline().decode(errors="replace").strip()
-        self._file.close()
-        return False

@@ -3,16 +3,14 @@
 """Reads files by VTK's readers, with Python's exceptions."""
 import importlib
 import os
-import re
 
-from vtkmodules.vtkCommonCore import vtkObjectFactory
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from . import file_lists
-from .errors import PrintedErrors, VtkErrors
+from .errors import VtkErrors
 
-# Ending: (VTK's module, class).
+# Ending: (module of VTK or our own, class).
 READERS = {
     ".vtu": ("vtkIOXML", "vtkXMLUnstructuredGridReader"),
     ".vti": ("vtkIOXML", "vtkXMLImageDataReader"),
@@ -40,10 +38,10 @@ READERS = {
     ".case": ("vtkIOEnSight", "vtkGenericEnSightReader"),
     ".foam": ("vtkIOGeometry", "vtkOpenFOAMReader"),
     ".inp": ("vtkIOGeometry", "vtkAVSucdReader"),
-    ".mha": ("vtkIOImage", "vtkMetaImageReader"),
-    ".mhd": ("vtkIOImage", "vtkMetaImageReader"),
-    ".nrrd": ("vtkIOImage", "vtkNrrdReader"),
-    ".nhdr": ("vtkIOImage", "vtkNrrdReader"),
+    ".mha": ("vtkRenderingTetMarch", "vtkTetMarchImageReader"),
+    ".mhd": ("vtkRenderingTetMarch", "vtkTetMarchImageReader"),
+    ".nrrd": ("vtkRenderingTetMarch", "vtkTetMarchImageReader"),
+    ".nhdr": ("vtkRenderingTetMarch", "vtkTetMarchImageReader"),
     ".nii": ("vtkIOImage", "vtkNIFTIImageReader"),
     ".stl": ("vtkIOGeometry", "vtkSTLReader"),
     ".obj": ("vtkIOGeometry", "vtkOBJReader"),
@@ -51,7 +49,8 @@ READERS = {
 }
 SET_NAME = {"vtkGenericEnSightReader": "SetCaseFileName"}
 HDF5 = b"\x89HDF\r\n\x1a\n"
-BEGINNINGS = {"vtkExodusIIReader": (b"CDF", HDF5), "vtkCGNSReader": (b"@(#)ADF", HDF5), "vtkHDFReader": (HDF5,)}
+BEGINNINGS = {"vtkExodusIIReader": (b"CDF", HDF5), "vtkHDFReader": (HDF5,),
+              "vtkCGNSReader": (b"@(#)ADF", b"\xc0\xa8\xa3\xa9ADF", HDF5)}
 
 
 def enable_all(reader):
@@ -81,18 +80,11 @@ def check_beginning(path, name):
         begin = file.read(512)
     if name in BEGINNINGS and not begin.startswith(BEGINNINGS[name]):
         raise damaged(path, "")
-    if name == "vtkNrrdReader" and re.search(rb"^encoding: *(ascii|text|txt)\s*$", begin, re.MULTILINE | re.IGNORECASE):
-        raise ValueError(f"{path!r} can't be read: its values are text; write them in the encoding raw or gzip")
 
 
 def make_reader(module, name):
-    """A reader of that class itself. In programs with MPI, VTK has a vtkNrrdReader that reads nothing without."""
-    made = getattr(importlib.import_module("vtkmodules." + module), name)
-    vtkObjectFactory.SetAllEnableFlags(False, name, "vtkPNrrdReader")
-    try:
-        return made()
-    finally:
-        vtkObjectFactory.SetAllEnableFlags(True, name, "vtkPNrrdReader")
+    package = __package__ if module == "vtkRenderingTetMarch" else "vtkmodules"
+    return getattr(importlib.import_module(f"{package}.{module}"), name)()
 
 
 def check_path(path):
@@ -194,10 +186,6 @@ def read(path, time_step=None):
         check_step(path, times, time_step)
         if times:
             reader.UpdateTimeStep(times[-1 if time_step is None else time_step])
-        elif reader.IsA("vtkMetaImageReader"):
-            with PrintedErrors() as printed:
-                reader.Update()
-            errors.texts += [printed.text] if printed.text else []
         else:
             reader.Update()
         data = reader.GetOutputDataObject(0)
