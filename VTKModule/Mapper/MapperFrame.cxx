@@ -30,8 +30,11 @@ MapperFrame::MapperFrame(const MapperScene& scene, MapperState& state, const Ble
       this->Hooks, conditions, state.ViewTable)
 {
   this->Timer->StartTimer();
-  this->Options.chooseSampleDistance(state.Settings.get(), conditions.AdjustsDistances,
-    state.Distance, scene.Volume->GetAllocatedRenderTime());
+  // At rest the time that VTK allocates is finite, too, but nobody waits for it.
+  const double seconds =
+    isInteractive(scene.Renderer->GetRenderWindow()) ? scene.Volume->GetAllocatedRenderTime() : 0.0;
+  this->Options.chooseSampleDistance(
+    state.Settings.get(), conditions.AdjustsDistances, state.Distance, seconds);
 }
 
 MapperFrame::~MapperFrame() = default;
