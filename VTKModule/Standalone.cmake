@@ -64,9 +64,9 @@ if (TETMARCH_WRAP_PYTHON)
     TARGET TetMarch::Python
     BUILD_STATIC OFF)
   set(tetmarch_package "${CMAKE_BINARY_DIR}/${tetmarch_python_dir}/vtktetmarch")
-  foreach (file IN ITEMS __init__.py __init__.pyi __main__.py arrays.py cameras.py cell_types.py colors.py display.py
-      errors.py figures.py file_lists.py first_picture.py inputs.py measures.py opacities.py pixels.py properties.py
-      py.typed readers.py replacement.py shared_arrays.py volumes.py)
+  foreach (file IN ITEMS __init__.py __init__.pyi __main__.py arrays.py cameras.py cell_types.py checks.py colors.py
+      display.py errors.py figures.py file_lists.py first_picture.py forks.py inputs.py measures.py opacities.py
+      pixels.py properties.py py.typed readers.py replacement.py shared_arrays.py volumes.py)
     configure_file("VTKModule/Python/${file}" "${tetmarch_package}/${file}" COPYONLY)
     install(FILES "VTKModule/Python/${file}"
       DESTINATION "${tetmarch_python_dir}/vtktetmarch"

@@ -380,7 +380,13 @@ bool vtkTetMarchFirstPicture::PlaceCamera(vtkCamera* camera, double aspect)
   }
   const Internals& found = *this->Found;
   const bool fitsAll = this->FitWholeData || found.Shown.empty();
-  tetmarch::fitCamera(fitsAll ? found.Outline : found.Shown, found.Plane, aspect, camera);
+  const std::vector<tetmarch::Vector3>& fitted = fitsAll ? found.Outline : found.Shown;
+  tetmarch::fitCamera(fitted, found.Plane, aspect, camera);
+  if (tetmarch::isTooNear(fitted, camera))
+  {
+    vtkWarningMacro("Nothing is visible, because the data is so small that a vtkCamera cuts all of "
+                    "it off: it sees nothing nearer than 1e-20. Scale the data.");
+  }
   return true;
 }
 

@@ -167,8 +167,9 @@ public:
    * frame keeps the render time that VTK allocates to the volume
    * (vtkRenderWindow::SetDesiredUpdateRate(), which interactors raise while the mouse is down). It
    * goes by the time of the last frame, from MinimumImageSampleDistance (default 1) to
-   * MaximumImageSampleDistance (default 10). When nobody interacts, there is time for all rays.
-   * When off, the distance is ImageSampleDistance (default 1).
+   * MaximumImageSampleDistance (default 10). At rest, which is below one frame a second, it is
+   * MinimumImageSampleDistance, however long a frame takes. When off, the distance is
+   * ImageSampleDistance (default 1).
    *
    * There is one ray a pixel between translucent surfaces, with CollectDiagnostics, and in view
    * modes that draw a measure or the boundary. Frames with fewer rays don't count for

@@ -230,7 +230,7 @@ std::string vtkTetMarchSmartVolumeMapper::DrawBlocks(
                          ? interacting
                          : this->GetAutoAdjustSampleDistances() != 0;
   tetmarch::MapperFrame frame({ this, window, renderer, volume }, internal.State, blend,
-    { interacting, adjusts, several,
+    { interacting && tetmarch::isInteractive(window), adjusts, several,
       colorWindowOf(this->FinalColorWindow, this->FinalColorLevel) });
   if (several && frame.isPeeled())
   {

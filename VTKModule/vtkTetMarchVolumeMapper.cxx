@@ -87,7 +87,7 @@ std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid, std::
   found = found.empty() && grid && !drawn.Scalars.Array
             ? tetmarch::describeMissingScalars(grid, selection)
             : found;
-  const tetmarch::FrameConditions conditions{ window->GetDesiredUpdateRate() >= 1.0,
+  const tetmarch::FrameConditions conditions{ tetmarch::isInteractive(window),
     this->GetAutoAdjustSampleDistances() };
   tetmarch::MapperFrame frame(
     { this, window, renderer, volume }, internal.State, drawn.Blend, conditions);

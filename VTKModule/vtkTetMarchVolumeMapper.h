@@ -324,7 +324,7 @@ public:
    * first planes. Off by default, with the planes 0, 1, 0, 1, 0, 1 and the flags
    * VTK_CROP_SUBVOLUME, the region in the middle. A region includes its lower planes. Cells are cut
    * where a plane crosses them. If a second plane isn't above the first one, or the flags are 0,
-   * nothing is drawn, without an error. A plane that is NaN is an error.
+   * nothing is drawn, which is a warning. A plane that is NaN is an error.
    *
    * Clipping planes (AddClippingPlane(), SetClippingPlanes(); in world coordinates) cut cells
    * likewise. The side that the normal points to is kept. More than 32 planes are an error, and so

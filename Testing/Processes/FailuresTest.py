@@ -13,7 +13,11 @@ ERRORS = {
     "other_window": "viewports of different sizes",
     "bad_view": "Process 1: .*view mode",
 }
-WARNINGS = {"nothing_finite": "None of the scalars is a finite number"}
+WARNINGS = {
+    "nothing_finite": "Nothing is visible, because none of the scalars is a finite number",
+    "no_opacity": "Nothing is visible, because the opacity is 0",
+    "clipped_away": "Nothing is visible, because clipping planes and cropping leave nothing",
+}
 SILENT = ("aborted", "aborted_while_marching")
 
 

@@ -9,6 +9,7 @@ import sys
 
 import numpy as np
 from mpi4py import MPI  # noqa: F401, which begins MPI, and ends it
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkPlane
 from vtkmodules.vtkParallelMPI import vtkMPIController
 
 import draw_pieces
@@ -107,14 +108,31 @@ def nothing_finite(picture):
     return mend
 
 
+def no_opacity(picture):
+    of_volume = picture.volume.GetProperty()
+    before = of_volume.GetScalarOpacity()
+    clear = vtkPiecewiseFunction()
+    clear.AddPoint(0, 0)
+    of_volume.SetScalarOpacity(clear)
+    return lambda: of_volume.SetScalarOpacity(before)
+
+
+def clipped_away(picture):
+    plane = vtkPlane()
+    plane.SetOrigin(1e3, 0, 0)
+    picture.mapper.AddClippingPlane(plane)
+    plane.SetNormal(1, 0, 0)
+    return picture.mapper.RemoveAllClippingPlanes
+
+
 def bad_view(picture):
     picture.mapper.SetViewModeToCells()
     return picture.mapper.SetViewModeToPicture
 
 
 CASES = {f.__name__: f for f in (without_array, other_kind, short_of_memory, bad_points, other_window, aborted,
-                                 aborted_while_marching, nothing_finite, bad_view)}
-OF_ALL = ("nothing_finite",)
+                                 aborted_while_marching, nothing_finite, no_opacity, clipped_away, bad_view)}
+OF_ALL = ("nothing_finite", "no_opacity", "clipped_away")
 OF_A_SECOND_PICTURE = ("aborted_while_marching",)
 
 

@@ -8,6 +8,7 @@ import unittest
 import numpy as np
 import vtkmodules.all as vtk
 from vtkmodules.numpy_interface import dataset_adapter
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import first_data
 import vtktetmarch
@@ -49,6 +50,17 @@ class MeshioTest(unittest.TestCase):
         import meshio
 
         self.check(meshio.Mesh(POINTS, CELLS, point_data={"heat": HEAT}, cell_data={"stress": STRESS}))
+
+    def test_masked_values_are_nan(self):
+        mesh = like_meshio(CELLS)
+        mesh.cell_data["stress"] = [np.ma.masked_equal(block, 2.0) for block in STRESS]
+        mesh.point_data["heat"] = np.ma.masked_equal(HEAT, 5.0)
+        grid = grid_of(mesh, "heat")
+        for array, values in ((grid.GetPointData().GetArray("heat"), [0, 1, 2, 3, 4, np.nan]),
+                              (grid.GetCellData().GetArray("stress"), [1, np.nan, 3])):
+            np.testing.assert_equal(vtk_to_numpy(array), values)
+        with self.assertRaisesRegex(ValueError, "points has 3 masked numbers"):
+            vtktetmarch.volume(like_meshio(CELLS, np.ma.masked_equal(POINTS, 2.0)))
 
     def test_what_is_wrong_is_said(self):
         with self.assertRaisesRegex(ValueError, "no solid cells: triangle"):

@@ -96,6 +96,60 @@ class DataTest(unittest.TestCase):
                 vtktetmarch.from_arrays(POINTS, TETRAHEDRA, "tetra", point_data, cell_data)
 
 
+class MaskedTest(unittest.TestCase):
+    """Of netCDF4 and others: a mask that hides values, over a number such as 1e20."""
+
+    def drawn(self, values, of="point_data"):
+        """What is made of values whose first one is hidden."""
+        mask = np.zeros(np.shape(values), bool)
+        mask.flat[0] = True
+        hidden = np.ma.array(values, mask=mask, fill_value=100)
+        grid = vtktetmarch.from_arrays(POINTS, TETRAHEDRA, "tetra", **{of: {"v": hidden}})
+        return vtk_to_numpy((grid.GetPointData() if of == "point_data" else grid.GetCellData()).GetArray("v"))
+
+    def test_hidden_values_are_nan(self):
+        for kind, made in ((np.int8, np.float32), (np.uint16, np.float32), (np.int32, np.float64), (bool, np.float32),
+                           (np.int64, np.float64), (np.float16, np.float32), (np.float32, np.float32),
+                           (np.float64, np.float64), (">f4", np.float32)):
+            values = np.arange(1, 9).astype(kind)
+            found = self.drawn(values)
+            self.assertEqual(found.dtype, made)
+            self.assertTrue(np.isnan(found[0]))
+            self.assertTrue(np.array_equal(found[1:], values[1:].astype(made)))
+        self.assertEqual(np.isnan(self.drawn(np.ones((5, 3)), "cell_data")).tolist(),
+                         [[True, False, False]] + 4 * [[False] * 3])
+
+    def test_nothing_hidden_is_shared(self):
+        for mask in (np.ma.nomask, np.zeros(8, bool)):
+            values = np.arange(8)
+            grid = vtktetmarch.from_arrays(np.ma.array(POINTS), np.ma.array(TETRAHEDRA), "tetra",
+                                           {"v": np.ma.array(values, mask=mask, copy=False)})
+            self.assertTrue(np.shares_memory(vtk_to_numpy(grid.GetPointData().GetArray("v")), values))
+
+    def test_cells_with_hidden_values_are_not_drawn(self):
+        values = np.ma.masked_values([1e20, 1, 2, 3, 4, 5, 6, 7], 1e20)
+        hidden = vtktetmarch.figure(vtktetmarch.from_arrays(POINTS, TETRAHEDRA, "tetra", {"v": values}), size=(90, 70))
+        low, high = vtktetmarch.auto_transfer_functions(hidden.mapper.GetInput()).range
+        self.assertTrue(1 <= low < high <= 7)
+        without = vtktetmarch.from_arrays(POINTS, TETRAHEDRA[1:], "tetra", {"v": np.arange(8.0)})
+        volume = vtktetmarch.volume(without, range=(low, high))
+        volume.SetProperty(hidden.volume.GetProperty())
+        of_the_others = vtktetmarch.figure(volume, size=(90, 70), camera=hidden.camera)
+        self.assertLessEqual(np.abs(hidden.screenshot().astype(int) - of_the_others.screenshot()).max(), 1)
+
+    def test_ids_and_points_may_not_be_hidden(self):
+        hidden = [np.ma.array(given, mask=np.arange(np.size(given)).reshape(np.shape(given)) == 4)
+                  for given in (POINTS, TETRAHEDRA, np.full(5, 10))]
+        for arguments, text in (
+                ((hidden[0], TETRAHEDRA, "tetra"), "points has 1 masked numbers; leave out the points"),
+                ((POINTS, hidden[1], "tetra"), "cells has 1 masked numbers; leave out the cells"),
+                ((POINTS, TETRAHEDRA, hidden[2]), "cell_types has 1 masked numbers; leave out the cells")):
+            with self.subTest(text=text), self.assertRaisesRegex(ValueError, text):
+                vtktetmarch.from_arrays(*arguments)
+        with self.assertRaisesRegex(TypeError, "complex128, and some are masked"):
+            self.drawn(np.zeros(8, complex))
+
+
 class MemoryTest(unittest.TestCase):
     def test_is_shared(self):
         for kind in (np.float32, np.float64):

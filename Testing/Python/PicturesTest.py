@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 
 import numpy as np
 import vtkmodules.all as vtk
@@ -109,6 +110,29 @@ class ScreenshotTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "has no mapper"):
             vtktetmarch.figure(vtk.vtkVolume())
 
+    def test_a_warning_says_that_nothing_is_visible(self):
+        """Once, until it has been visible; whether VTK displays messages or not."""
+        self.addCleanup(vtk.vtkObject.SetGlobalWarningDisplay, vtk.vtkObject.GetGlobalWarningDisplay())
+        for displayed in (0, 1):
+            vtk.vtkObject.SetGlobalWarningDisplay(displayed)
+            for how, text in (({"opacity": 0}, "the opacity is 0 for all of the values of the array, 0 to 1"),
+                              ({"opacity": [(5, 0), (7, 1)]}, "the opacity is 0 for all"),
+                              ({"blend_mode": "isosurface", "isosurface_values": 2}, "no isosurface value lies among"),
+                              ({"clipping_planes": [((0, 0, 2), (0, 0, 1))]}, "clipping planes and cropping leave"),
+                              ({"cropping": True, "cropping_region_planes": (3, 4, 0, 1, 0, 1)}, "cropping leave")):
+                figure = figure_of_tetrahedron(**how)
+                with self.subTest(how=how), self.assertWarnsRegex(RuntimeWarning, "Nothing is visible, because " + text):
+                    figure.screenshot()
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    figure.screenshot()
+
+    def test_what_is_too_small_for_cameras_is_said(self):
+        points = 1e-22 * np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], float)
+        grid = vtktetmarch.from_arrays(points, [[0, 1, 2, 3]], "tetra", {"v": range(4)})
+        with self.assertWarnsRegex(RuntimeWarning, "Nothing is visible, because the data is so small.*Scale the data"):
+            vtktetmarch.figure(grid, size=SIZE)
+
     def test_an_error_of_the_mapper_is_raised_as_long_as_it_holds(self):
         figure = figure_of_tetrahedron(accuracy_level="sampled")
         for _ in range(3):
@@ -116,6 +140,40 @@ class ScreenshotTest(unittest.TestCase):
                 figure.screenshot()
         vtktetmarch.configure(figure.volume, accuracy_level="default")
         self.assertGreater(figure.screenshot().max(), 60)
+
+    def test_errors_are_raised_whoever_else_hears_of_them(self):
+        """Scripts switch VTK's messages off, for all of VTK, or collect those of a mapper."""
+        collected = []
+        damaged = self.folder / "damaged.vtu"
+        damaged.write_text("<VTKFile>")
+        self.addCleanup(vtk.vtkObject.SetGlobalWarningDisplay, vtk.vtkObject.GetGlobalWarningDisplay())
+        for displayed in (0, 1):
+            for observed in (False, True):
+                vtk.vtkObject.SetGlobalWarningDisplay(displayed)
+                figure = figure_of_tetrahedron(accuracy_level="sampled")
+                if observed:
+                    figure.mapper.AddObserver("ErrorEvent", lambda *_: collected.append(1))
+                for call in (figure.screenshot, figure.show, figure.compare):
+                    with self.assertRaisesRegex(RuntimeError, "The accuracy level is Sampled"):
+                        call()
+                self.assertEqual(vtk.vtkObject.GetGlobalWarningDisplay(), displayed)
+                with self.assertRaisesRegex(ValueError, "damaged.vtu' can't be read: .*parsing"):
+                    vtktetmarch.read(damaged)
+        self.assertTrue(collected)
+
+    def test_an_error_that_nobody_heard_is_raised_later(self):
+        self.addCleanup(vtk.vtkObject.SetGlobalWarningDisplay, vtk.vtkObject.GetGlobalWarningDisplay())
+        vtk.vtkObject.GlobalWarningDisplayOff()
+        figure = figure_of_tetrahedron(accuracy_level="sampled")
+        window = vtk.vtkRenderWindow()
+        window.SetOffScreenRendering(True)
+        renderer = vtk.vtkRenderer()
+        renderer.AddVolume(figure.volume)
+        window.AddRenderer(renderer)
+        window.Render()
+        window.RemoveRenderer(renderer)
+        with self.assertRaisesRegex(RuntimeError, "The accuracy level is Sampled"):
+            figure.screenshot()
 
     def test_without_a_display_there_is_an_exception(self):
         script = "import vtktetmarch, first_data; vtktetmarch.screenshot(first_data.one_tetrahedron())"

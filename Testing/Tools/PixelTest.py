@@ -123,7 +123,7 @@ class PixelTest(RenderCase):
         outcomes = {cell["outcome"] for cell in trace["float"]["cells"]}
         self.assertLessEqual(outcomes, {"gathered", "out of range"})
         text, trace = self.trace("vectors.vtu", "32,24", "--array", "unknown", "--preset", "constant.json",
-                                 *BLACK, *ALONG_Z, warning="None of the scalars is a finite number")
+                                 *BLACK, *ALONG_Z, warning="none of the scalars is a finite number")
         self.assertEqual({cell["outcome"] for cell in trace["float"]["cells"]}, {"not finite"})
         self.assertIsNone(trace["float"]["cells"][0]["scalar_enter"])
         self.assertIn("not finite", text)

@@ -104,7 +104,7 @@ class RenderImageTest(RenderCase):
                 pixels, _ = self.render("image.vti", "--array", "vector", *RAMP, *UNIT, *ALONG_Z, *choice)
                 self.check(pixels[24][32], opacity_of(scalar, 1))
         scene = ("image.vti", "--array", "unknown", *CONSTANT, *UNIT, *ALONG_Z)
-        pixels = self.draw_with_warning("None of the scalars is a finite number", *scene)
+        pixels = self.draw_with_warning("none of the scalars is a finite number", *scene)
         self.assertEqual(pixels[24][32], (0, 0, 0))
         pixels, _ = self.render(*scene, "--nan", "0.2,1,0.6,0.3")
         for channel, part in zip(pixels[24][32], (0.2, 1, 0.6)):

@@ -116,9 +116,17 @@ class RenderTest(RenderCase):
         for value in ("-1", "length"):
             self.expect_failure(2, f"bad value '{value}' of --component: ", "vectors.vtu", "--component", value)
 
+    def test_a_warning_says_that_nothing_is_visible(self):
+        for cuts, words in ((("--clip", "0,0,7,0,0,1"), "clipping planes and cropping leave nothing"),
+                            (("--crop", "5,6,0,1,0,1"), "clipping planes and cropping leave nothing"),
+                            (("--blend", "isosurface", "--isovalues", "70,80"), "no isosurface value lies among the values of the array")):
+            with self.subTest(cuts=cuts):
+                pixels = self.draw_with_warning("Nothing is visible, because " + words, "cube.vtu", *SLAB, *cuts)
+                self.assertEqual({pixel for row in pixels for pixel in row}, {(0, 0, 0)})
+
     def test_values_that_are_not_finite(self):
         scene = ("vectors.vtu", "--array", "unknown", "--preset", "constant.json", *ALONG)
-        pixels = self.draw_with_warning("None of the scalars is a finite number", *scene)
+        pixels = self.draw_with_warning("none of the scalars is a finite number", *scene)
         self.assertEqual(pixels[24][32], (0, 0, 0))
         for color, opacity in (("0.2,1,0.6", 1), ("0.2,1,0.6,0.3", 0.3)):
             with self.subTest(color=color):

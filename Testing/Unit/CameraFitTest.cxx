@@ -123,6 +123,23 @@ TEST(CameraFit, NothingAndAPointHaveACamera)
   }
 }
 
+// A vtkCamera moves a near plane below 1e-20 to there.
+TEST(CameraFit, WhatIsTooSmallIsNearerThanAnyNearPlane)
+{
+  vtkNew<vtkCamera> camera;
+  for (const double size : { 1e-30, 1e-22, 2e-21, 1e-19, 1.0, 1e30 })
+  {
+    std::vector<Vector3> points;
+    for (int i = 0; i < 8; ++i)
+    {
+      points.push_back({ { size * (i & 1), size * (i >> 1 & 1), size * (i >> 2) } });
+    }
+    fitCamera(points, choosePlane(points), 1, camera);
+    EXPECT_EQ(isTooNear(points, camera), size < 1e-20) << size;
+  }
+  EXPECT_FALSE(isTooNear({}, camera));
+}
+
 TEST(CameraFit, PointsOfFlatCellsDoNotCount)
 {
   const Grid grid = mixedDimensions(2);

@@ -111,4 +111,19 @@ void fitCamera(
   camera->SetParallelScale(scale > 0.0 ? scale : 1.0);
 }
 
+bool isTooNear(const std::vector<Vector3>& points, vtkCamera* camera)
+{
+  // vtkCamera::SetClippingRange() moves a nearer plane to 1e-20; ResetCameraClippingRange() of a
+  // renderer makes 1.7e-20 of that.
+  constexpr double NearestPlane = 1.7e-20;
+  Vector3 eye;
+  camera->GetPosition(eye.data());
+  return !points.empty() && std::all_of(points.begin(), points.end(),
+                              [&eye](const Vector3& point)
+                              {
+                                const Vector3 sight = point - eye;
+                                return std::hypot(sight[0], sight[1], sight[2]) < NearestPlane;
+                              });
+}
+
 } // namespace tetmarch

@@ -17,6 +17,9 @@ namespace tetmarch
 void fitCamera(
   const std::vector<Vector3>& points, const PicturePlane& plane, double aspect, vtkCamera* camera);
 
+/** Whether all points are nearer to the camera than any near plane that a vtkCamera has. */
+bool isTooNear(const std::vector<Vector3>& points, vtkCamera* camera);
+
 } // namespace tetmarch
 
 #endif

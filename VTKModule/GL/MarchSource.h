@@ -83,6 +83,10 @@ public:
 
   /** Nothing can be marched through: the data has no such cells, or progress asked to stop. */
   virtual bool isEmpty() const = 0;
+  /** A ghost array hides every cell. */
+  virtual bool isHidden() const = 0;
+  /** By updateVisibility() nothing of the volume can be seen. False where that is not known. */
+  virtual bool showsNothing() const = 0;
   virtual const VolumeFrame& frame() const = 0;
   /** Of the first scalar. */
   virtual const ScalarRange& range() const = 0;

@@ -165,8 +165,12 @@ public:
            this->EffectsOnGpu.uploadedBytes();
   }
   const EffectStage& effects() const { return this->Effects; }
-  /** None of the scalars is finite, and such ones are not shown. */
-  bool showsNoScalar() const { return !this->Source.range().AnyFinite && !this->NanShown; }
+  // What the last frame showed of the scalars, and from where.
+  const Blending& blending() const { return this->Blend; }
+  const TransferTables& tables() const { return this->Tables; }
+  bool showsNan() const { return this->NanShown; }
+  const View& camera() const { return this->Camera; }
+  const Clipping& cuts() const { return this->Cut; }
   /** Whether the last frame showed all the light that it was asked for. */
   bool isLightComplete() const { return this->Passes.isLightComplete(); }
   const StageRecord& tablesRecord() const { return this->Tables.record(); }

@@ -7,6 +7,7 @@
 #include "GL/LatticeTextures.h"
 #include "GL/MarchSource.h"
 #include "Rays/RaySamples.h"
+#include "Scalars/HiddenBits.h"
 #include "Structured/EmptySpace.h"
 #include "Structured/StructuredVolume.h"
 #include "Volume/StructuredEffectSource.h"
@@ -34,6 +35,11 @@ public:
     const Blending& blending, bool undrawnSeen) override;
 
   bool isEmpty() const override { return this->Volume.isEmpty(); }
+  bool isHidden() const override
+  {
+    return areAllHidden(this->Volume.hiddenCells(), this->Volume.lattice().numberOfCells());
+  }
+  bool showsNothing() const override { return this->Empty.EmptyShare == 1; }
   const VolumeFrame& frame() const override { return this->Volume.frame(); }
   const ScalarRange& range() const override { return this->Volume.values().front().Range; }
   const std::vector<ScalarRange>& furtherRanges() const override

@@ -8,6 +8,7 @@
 #include "GL/MarchSource.h"
 #include "GL/MeshTextures.h"
 #include "GL/VisiblePartTextures.h"
+#include "Scalars/HiddenBits.h"
 #include "Volume/TetVolume.h"
 
 #include <optional>
@@ -38,6 +39,11 @@ public:
   std::string prepareEntrySearch() override { return this->Volume.ensureHierarchy(); }
 
   bool isEmpty() const override { return this->mesh().Tets.empty(); }
+  bool isHidden() const override
+  {
+    return areAllHidden(this->Volume.hiddenCells(), this->mesh().Tets.size());
+  }
+  bool showsNothing() const override { return tetmarch::showsNothing(this->Volume.visiblePart()); }
   const VolumeFrame& frame() const override { return this->mesh().Frame; }
   const ScalarRange& range() const override { return this->Volume.scalars().Range; }
   const std::vector<ScalarRange>& furtherRanges() const override

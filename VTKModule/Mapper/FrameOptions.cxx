@@ -4,6 +4,7 @@
 
 #include "Budget/SampleDistance.h"
 
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTetMarchSettings.h"
 
@@ -58,6 +59,8 @@ AccuracyOptions accuracyOptionsOf(Settings* settings)
   return { static_cast<Accuracy>(settings->GetAccuracyLevel()), settings->GetErrorTolerance(),
     settings->GetFrameTimeBudget(), settings->GetErrorBudget() };
 }
+
+bool isInteractive(vtkRenderWindow* window) { return window->GetDesiredUpdateRate() >= 1.0; }
 
 FrameOptions::FrameOptions(Settings* settings, BlendMode blend, vtkRenderer* renderer,
   const AccuracyLevel& level, const PeelHooks& hooks, const FrameConditions& conditions,

@@ -11,6 +11,7 @@
 #include "GL/Pipeline.h"
 #include "Light/EffectOptions.h"
 
+class vtkRenderWindow;
 class vtkRenderer;
 class vtkTetMarchSettings;
 
@@ -21,11 +22,15 @@ class SampleDistance;
 
 AccuracyOptions accuracyOptionsOf(vtkTetMarchSettings* settings);
 
+/** Whether somebody waits for the next frame: the window is to draw at least one a second. At rest
+ * interactors ask for 0.0001 a second, and ParaView asks for 0.002. */
+bool isInteractive(vtkRenderWindow* window);
+
 /** What a mapper knows of a frame beside its settings. */
 struct FrameConditions
 {
   bool Interacting = false;      // somebody waits for the next frame
-  bool AdjustsDistances = false; // rays may be fewer, to keep the allocated time
+  bool AdjustsDistances = false; // rays may be fewer, to keep the allocated time if there is one
   bool OnlyParts = false; // several pipelines draw parts of the picture, and nothing else is drawn
   std::array<float, 2> ColorWindow{ { 1, 0 } }; // as in DrawOptions
 };
@@ -40,7 +45,7 @@ struct FrameOptions
   void operator=(const FrameOptions&) = delete;
 
   /** Take fewer rays if `settings` say so, or, if that `adjusts`, as `controller` needs to keep the
-   * seconds. */
+   * seconds; 0: it may take as long as it does. */
   void chooseSampleDistance(
     vtkTetMarchSettings* settings, bool adjusts, SampleDistance& controller, double seconds);
 

@@ -7,9 +7,15 @@
 namespace tetmarch
 {
 
+bool LastMessage::isNews(const std::string& text)
+{
+  const bool isHeard = text.empty() || vtkObject::GetGlobalWarningDisplay() != 0;
+  return isHeard && this->changesTo(text);
+}
+
 void LastMessage::reportError(vtkObject* mapper, const std::string& text)
 {
-  if (this->changesTo(text))
+  if (this->isNews(text))
   {
     vtkErrorWithObjectMacro(mapper, << text);
   }
@@ -17,7 +23,7 @@ void LastMessage::reportError(vtkObject* mapper, const std::string& text)
 
 void LastMessage::reportWarning(vtkObject* mapper, const std::string& text)
 {
-  if (this->changesTo(text))
+  if (this->isNews(text))
   {
     vtkWarningWithObjectMacro(mapper, << text);
   }

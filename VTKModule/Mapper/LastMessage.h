@@ -27,6 +27,10 @@ public:
   void reportWarning(vtkObject* mapper, const std::string& text);
 
 private:
+  /** changesTo(), but what nobody hears, since VTK displays no warnings, is not reported by that.
+   */
+  bool isNews(const std::string& text);
+
   std::string Text;
 };
 

@@ -4,6 +4,7 @@
 
 #include "Mapper/FrameMeasures.h"
 #include "Mapper/MapperState.h"
+#include "Mapper/NothingVisible.h"
 
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -30,21 +31,27 @@ MapperFrame::MapperFrame(const MapperScene& scene, MapperState& state, const Ble
       this->Hooks, conditions, state.ViewTable)
 {
   this->Timer->StartTimer();
-  this->Options.chooseSampleDistance(state.Settings.get(), conditions.AdjustsDistances,
-    state.Distance, scene.Volume->GetAllocatedRenderTime());
+  // At rest the time that VTK allocates is finite, too, but nobody waits for it.
+  const double seconds =
+    isInteractive(scene.Renderer->GetRenderWindow()) ? scene.Volume->GetAllocatedRenderTime() : 0.0;
+  this->Options.chooseSampleDistance(
+    state.Settings.get(), conditions.AdjustsDistances, state.Distance, seconds);
 }
 
 MapperFrame::~MapperFrame() = default;
 
 bool MapperFrame::prepare(Pipeline& pipeline, const DrawnData& drawn)
 {
-  return pipeline.guarded(
-    [&]
-    {
-      return pipeline.updateGeometry(drawn.Data, this->Report) &&
-             this->prepareScalars(pipeline, drawn) && this->prepareTables(pipeline, drawn) &&
-             this->prepareRays(pipeline, drawn);
-    });
+  const bool ready = pipeline.guarded([&] { return this->prepareStages(pipeline, drawn); });
+  this->noteVisibility(pipeline.error().empty() ? whyNothingIsVisible(pipeline) : std::string());
+  return ready;
+}
+
+bool MapperFrame::prepareStages(Pipeline& pipeline, const DrawnData& drawn)
+{
+  return pipeline.updateGeometry(drawn.Data, this->Report) &&
+         this->prepareScalars(pipeline, drawn) && this->prepareTables(pipeline, drawn) &&
+         this->prepareRays(pipeline, drawn);
 }
 
 bool MapperFrame::prepareScalars(Pipeline& pipeline, const DrawnData& drawn)
@@ -121,21 +128,18 @@ void MapperFrame::end(double& timeToDraw)
   this->Timer->StopTimer();
   timeToDraw = this->Timer->GetElapsedTime();
   this->record(timeToDraw);
-  this->State.LastUndrawn.reportWarning(this->Scene.Mapper, this->describeUndrawn());
+  this->State.LastUndrawn.reportWarning(this->Scene.Mapper, this->describeNothingVisible());
 }
 
-// Of several processes the first one tells it.
-std::string MapperFrame::describeUndrawn() const
+// The boundary is drawn whatever the functions show. Blocks that show nothing may do so for
+// different reasons; the first one is told.
+std::string MapperFrame::describeNothingVisible() const
 {
-  const SharedPicture* shared = this->Options.Draw.Shared;
-  const bool tells = !this->Failed && !this->Pipelines.empty() &&
-                     (!shared || shared->Processes->rank() == 0) &&
-                     std::all_of(this->Pipelines.begin(), this->Pipelines.end(),
-                       [](const Pipeline* pipeline) { return pipeline->showsNoScalar(); });
-  return tells ? "None of the scalars is a finite number, so nothing is drawn. Choose another "
-                 "array, or have cells without such numbers drawn in the NaN color by "
-                 "SetDrawNanCells(true); in ParaView, by Draw Nan Cells."
-               : std::string();
+  const bool tells = !this->Failed && !this->Reasons.empty() &&
+                     this->Options.Draw.Boundary == BoundaryView::None &&
+                     std::none_of(this->Reasons.begin(), this->Reasons.end(),
+                       [](const std::string& why) { return why.empty(); });
+  return tells ? "Nothing is visible, because " + this->Reasons.front() : std::string();
 }
 
 FrameResult MapperFrame::resultOf(double seconds) const

@@ -13,6 +13,7 @@
 
 #include "vtkNew.h"
 
+#include <string>
 #include <vector>
 
 class vtkAbstractVolumeMapper;
@@ -83,13 +84,15 @@ public:
 
 private:
   bool select(Pipeline& pipeline, const CellOrigins& origins);
+  bool prepareStages(Pipeline& pipeline, const DrawnData& drawn);
   bool prepareScalars(Pipeline& pipeline, const DrawnData& drawn);
   bool prepareTables(Pipeline& pipeline, const DrawnData& drawn);
   bool prepareRays(Pipeline& pipeline, const DrawnData& drawn);
   std::string describeBadForGroup() const;
   FrameResult resultOf(double seconds) const;
   void record(double seconds);
-  std::string describeUndrawn() const;
+  void noteVisibility(const std::string& why) { this->Reasons.push_back(why); }
+  std::string describeNothingVisible() const;
 
   MapperScene Scene;
   MapperState& State;
@@ -97,7 +100,10 @@ private:
   PeelHooks Hooks;
   FrameOptions Options;
   std::vector<Pipeline*> Pipelines; // that have drawn, back to front
-  bool Failed = false;              // one of the stages, or there was nothing to draw
+  bool Failed = false;              // one of them
+  /** Of each pipeline that was prepared: why nothing of it is visible. Empty if something may be,
+   * or if something is wrong. */
+  std::vector<std::string> Reasons;
   vtkNew<vtkTimerLog> Timer;
 };
 

@@ -4,6 +4,7 @@
 #include "Mapper/MapperFrame.h"
 
 #include "Mapper/MapperState.h"
+#include "Mapper/NothingVisible.h"
 
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
@@ -105,8 +106,19 @@ bool MapperFrame::prepareTogether(
     [&] {
       return pipeline.updateScalars(drawn.Data, scalars) && this->prepareTables(pipeline, drawn);
     });
+  // Collective: process 0 tells why nothing is visible of all pieces.
+  const auto noteTogether = [&]
+  {
+    const std::string own = stopped ? std::string() : whyNothingIsVisible(pipeline);
+    const std::string why = agreeOnNothingVisible(group, hasPiece, own);
+    this->noteVisibility(group.rank() == 0 ? why : std::string());
+  };
   if (!goOnTogether(group, pipeline, statusOf(pipeline, goesOn)))
   {
+    if (pipeline.error().empty())
+    {
+      noteTogether();
+    }
     return false;
   }
   // What all make together is made anew if one has to, and what has failed is tried again by all.
@@ -124,7 +136,12 @@ bool MapperFrame::prepareTogether(
     own.Width = area.Width;
     own.Height = area.Height;
   }
-  if (!goOnTogether(group, pipeline, own))
+  const bool ready = goOnTogether(group, pipeline, own);
+  if (pipeline.error().empty())
+  {
+    noteTogether();
+  }
+  if (!ready)
   {
     return false;
   }

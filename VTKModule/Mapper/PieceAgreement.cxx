@@ -219,4 +219,21 @@ PartStatus agreeOnScalars(Group& group, const PartStatus& own, bool hasPiece,
   return all;
 }
 
+std::string agreeOnNothingVisible(Group& group, bool hasPiece, const std::string& own)
+{
+  Stream message;
+  message << hasPiece << own;
+  std::string why;
+  bool mayBeVisible = false;
+  for (Stream& said : group.tellAll(message))
+  {
+    bool has = false;
+    std::string other;
+    said >> has >> other;
+    mayBeVisible = mayBeVisible || (has && other.empty());
+    why = why.empty() ? other : why;
+  }
+  return mayBeVisible ? std::string() : why;
+}
+
 } // namespace tetmarch

@@ -57,6 +57,10 @@ std::string agreeOnWhole(
 PartStatus agreeOnScalars(Group& group, const PartStatus& own, bool hasPiece,
   const std::vector<FiniteRange>& ranges, DrawnScalars& drawn);
 
+/** Why nothing is visible of any piece, by the first process with a piece; empty if something may
+ * be visible. `own` is likewise of this process's piece. */
+std::string agreeOnNothingVisible(Group& group, bool hasPiece, const std::string& own);
+
 } // namespace tetmarch
 
 #endif

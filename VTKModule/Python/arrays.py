@@ -6,12 +6,12 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkUnstructuredGrid
 
 from .cell_types import POINTS, cell_type_number
-from .shared_arrays import add_arrays, keep_with, numeric_array, shared_array, shared_ids
+from .shared_arrays import add_arrays, keep_with, numeric_array, shared_array, shared_ids, unmasked
 
 
 def integers(values, what):
     """Ids as int32 or int64, without a copy if they are."""
-    array = numeric_array(values, what)
+    array = numeric_array(unmasked(values, what, "leave out the cells that have them"), what)
     if array.dtype.kind == "f":
         raise TypeError(f"{what} has values of type {array.dtype}; they are ids, which are integers")
     return array if array.dtype in (np.int32, np.int64) else array.astype(np.int64)
@@ -61,13 +61,13 @@ def types_of(cell_types, count):
     """An array of VTK's numbers, one a cell, as bytes."""
     if isinstance(cell_types, str) or np.ndim(cell_types) == 0:
         return np.full(count, cell_type_number(cell_types), np.uint8)
-    types = np.asarray(cell_types)
+    types = np.asarray(unmasked(cell_types, "cell_types", "leave out the cells that have them"))
     if types.shape != (count,):
         raise ValueError(f"cell_types has the shape {types.shape}; there are {count} cells: give one type for all, or "
                          "one a cell")
     if types.dtype.kind in "US":
         types = np.array([cell_type_number(str(name)) for name in types], np.uint8)
-    for number in np.unique(types):
+    for number in np.unique(types).tolist():
         cell_type_number(number)
     return np.ascontiguousarray(types, np.uint8)
 
@@ -88,7 +88,7 @@ def check_cells(connectivity, offsets, types, number_of_points):
 
 
 def points_of(points):
-    array = numeric_array(points, "points")
+    array = numeric_array(unmasked(points, "points", "leave out the points that have them, and their cells"), "points")
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"points has the shape {array.shape}; it has to be (points, 3)")
     if array.dtype not in (np.float32, np.float64):
@@ -116,6 +116,8 @@ def from_arrays(points, cells, cell_types, point_data=None, cell_data=None):
     data of integers and floats of 8 to 64 bits; each if contiguous in C order. It lives as long as the grid needs it.
     All else is copied. After a change in such an array call Modified() of what has changed, and of the grid:
     grid.GetPointData().GetArray("t").Modified(); grid.Modified().
+
+    Values that a masked array hides become NaN, of which nothing is drawn; points and ids may have none.
 
     Raises ValueError for wrong shapes and ids, TypeError for other values than numbers.
     """

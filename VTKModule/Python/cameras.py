@@ -4,6 +4,8 @@
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
+from .checks import checked_number, checked_numbers, checked_positive
+from .errors import VtkErrors
 from .first_picture import first_picture_of
 
 KEYS = ("position", "focal_point", "view_up", "view_angle", "parallel_scale", "zoom", "azimuth", "elevation")
@@ -11,7 +13,8 @@ KEYS = ("position", "focal_point", "view_up", "view_angle", "parallel_scale", "z
 
 def fit(camera, volume, aspect):
     """Looks obliquely at what is shown of the volume's data, wherever the volume is put in the world."""
-    first_picture_of(volume).PlaceCamera(camera, aspect)
+    with VtkErrors():
+        first_picture_of(volume).PlaceCamera(camera, aspect)
     if not volume.GetIsIdentity():
         transform = vtkTransform()
         transform.SetMatrix(volume.GetMatrix())
@@ -30,13 +33,11 @@ def place_camera(camera, wish, volume, aspect):
     if isinstance(wish, vtkCamera):
         camera.DeepCopy(wish)
         return
-    if wish != "iso" and not isinstance(wish, dict):
+    if not isinstance(wish, dict) and not (isinstance(wish, str) and wish == "iso"):
         raise TypeError(f"camera is 'iso', a dict or a vtkCamera, not {wish!r}")
-    fit(camera, volume, aspect)
     wish = {} if wish == "iso" else wish
-    unknown = set(wish) - set(KEYS)
-    if unknown:
-        raise TypeError(f"camera has no {sorted(unknown)[0]!r}; it has {', '.join(KEYS)}")
+    check_wish(wish)
+    fit(camera, volume, aspect)
     for name, method in (("position", camera.SetPosition), ("focal_point", camera.SetFocalPoint),
                          ("view_up", camera.SetViewUp)):
         if name in wish:
@@ -50,3 +51,18 @@ def place_camera(camera, wish, volume, aspect):
     camera.Elevation(wish.get("elevation", 0))
     camera.OrthogonalizeViewUp()
     camera.Zoom(wish.get("zoom", 1))
+
+
+def check_wish(wish):
+    """Raises what is wrong with the dict of place_camera()."""
+    unknown = set(wish) - set(KEYS)
+    if unknown:
+        raise TypeError(f"camera has no {sorted(unknown, key=str)[0]!r}; it has {', '.join(KEYS)}")
+    for name, value in wish.items():
+        what = f"camera's {name}"
+        if name in ("position", "focal_point", "view_up"):
+            checked_numbers(value, 3, what)
+        elif name in ("azimuth", "elevation"):
+            checked_number(value, what)
+        elif checked_positive(value, what) >= 180 and name == "view_angle":
+            raise ValueError(f"{what} is below 180 degrees, not {value!r}")

@@ -3,6 +3,8 @@
 """Types of cells by name, and how many points each has."""
 from vtkmodules import vtkCommonDataModel as model
 
+from .checks import checked_integer
+
 # Name: (VTK's number, points of a cell). The names are those of meshio, where it has one.
 CELL_TYPES = {
     "tetra": (model.VTK_TETRA, 4),
@@ -30,7 +32,7 @@ def cell_type_number(cell_type):
         if cell_type not in CELL_TYPES:
             raise ValueError(f"there is no type of cell {cell_type!r}; there are {', '.join(CELL_TYPES)}")
         return CELL_TYPES[cell_type][0]
-    number = int(cell_type)
+    number = checked_integer(cell_type, "a type of cell, unless it is a name,")
     if number == model.VTK_POLYHEDRON:
         raise ValueError("polyhedra have faces, which from_arrays() doesn't take: use "
                          "vtkUnstructuredGrid.InsertNextCell()")

@@ -3,11 +3,12 @@
 """Colours by name, as numbers or as a list, and the functions made of them."""
 import json
 import os
-from numbers import Real
+from collections.abc import Sequence
 
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
+from .checks import checked_items, checked_number, checked_numbers
 
 STEPS = 32  # pieces of a colour map of Matplotlib's, which has 256 colours
 
@@ -24,10 +25,10 @@ def rgb(color):
         elif names.ColorExists(color):
             return tuple(names.GetColor3d(color))
         raise ValueError(f"there is no colour {color!r}: give a name as in CSS, '#rrggbb' or three numbers, 0 to 1")
-    numbers = tuple(map(float, color))
-    if len(numbers) != 3 or not all(0 <= number <= 1 for number in numbers):
+    numbers = checked_numbers(color, 3, "a colour, unless it is a text,")
+    if not all(0 <= number <= 1 for number in numbers):
         raise ValueError(f"a colour is three numbers, 0 to 1, not {color!r}")
-    return numbers
+    return tuple(map(float, numbers))
 
 
 def plain(name):
@@ -70,7 +71,7 @@ def map_of_matplotlib(name, low, high):
 
 def is_pair(item):
     """Whether an item of a list is (value, colour), not a colour alone."""
-    return not isinstance(item, str) and len(item) == 2 and isinstance(item[0], Real)
+    return isinstance(item, Sequence) and not isinstance(item, str) and len(item) == 2
 
 
 def color_function(cmap, low, high):
@@ -85,13 +86,13 @@ def color_function(cmap, low, high):
         if ours is not None:
             return ours
         cmap = map_of_matplotlib(cmap, low, high)
-    items = list(cmap)
+    items = checked_items(cmap, "cmap is a name, a list of colours or a vtkColorTransferFunction")
     if not items:
         raise ValueError("cmap has no colours")
     function = vtkColorTransferFunction()
     for i, item in enumerate(items):
         if is_pair(item):
-            value, color = item
+            value, color = checked_number(item[0], "the value of a colour of cmap"), item[1]
         else:
             value, color = low + (high - low) * i / max(len(items) - 1, 1), item
         function.AddRGBPoint(float(value), *rgb(color))

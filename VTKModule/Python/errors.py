@@ -4,7 +4,7 @@
 import re
 import warnings
 
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonCore import vtkLogger, vtkObject, vtkOutputWindow, vtkStringOutputWindow
 
 
 def plain(text):
@@ -16,26 +16,36 @@ def plain(text):
 class VtkErrors:
     """Collects the errors of VTK's objects within a `with` block, those of objects inside of others as well.
 
-    texts: the errors, without places in source files, each once. warnings: likewise; if there are no errors, they
-    become Python's warnings.
+    That is so whether VTK displays them or not (vtkObject.GlobalWarningDisplayOff()), and of `observed`, whoever else
+    observes its errors. texts: the errors, without places in source files, each once. warnings: likewise; if there are
+    no errors, they become Python's warnings.
     """
 
-    def __init__(self):
+    def __init__(self, observed=None):
         self.texts = []
         self.warnings = []
+        self._observed = observed
+        self._observers = []
 
     def __enter__(self):
         self._before = vtkOutputWindow.GetInstance()
         self._window = vtkStringOutputWindow()
         for event, texts in (("ErrorEvent", self.texts), ("WarningEvent", self.warnings)):
             self._window.AddObserver(event, self._keeper(texts))
+            if self._observed is not None:
+                self._observers.append(self._observed.AddObserver(event, self._keeper(texts)))
         vtkOutputWindow.SetInstance(self._window)
+        self._displayed = vtkObject.GetGlobalWarningDisplay()
+        vtkObject.GlobalWarningDisplayOn()
         self._verbosity = vtkLogger.ConvertToVerbosity(int(vtkLogger.GetCurrentVerbosityCutoff()))
         vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
         return self
 
     def __exit__(self, *_):
+        vtkObject.SetGlobalWarningDisplay(self._displayed)
         vtkOutputWindow.SetInstance(self._before)
+        for observer in self._observers:
+            self._observed.RemoveObserver(observer)
         vtkLogger.SetStderrVerbosity(self._verbosity)
         for text in () if self.texts else self.warnings:
             warnings.warn(text, RuntimeWarning, stacklevel=3)

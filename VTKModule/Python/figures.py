@@ -8,21 +8,16 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderW
 
 from . import measures
 from .cameras import place_camera
+from .checks import checked_number, checked_size, checked_text
 from .colors import rgb
 from .display import check_display
 from .errors import VtkErrors
+from .forks import check_process, note_window
 from .pixels import pixels_of, png_bytes, write_png
 from .volumes import volume as make_volume
 
 SIZE = (900, 600)
 BACKGROUND = (0.03, 0.035, 0.05)
-
-
-def checked_size(size):
-    width, height = size
-    if not (width == int(width) and height == int(height) and 1 <= width <= 16384 and 1 <= height <= 16384):
-        raise ValueError(f"size is (width, height) in pixels, 1 to 16384 each, not {size!r}")
-    return int(width), int(height)
 
 
 class Figure:
@@ -35,16 +30,16 @@ class Figure:
 
     def __init__(self, data, *arguments, size=SIZE, background=BACKGROUND, camera="iso", transparent=False, **how):
         """data: what volume() takes, and its further arguments; or a vtkVolume, alone. See figure()."""
+        self.size = checked_size(size)
+        self.transparent = bool(transparent)
+        self.renderer = vtkRenderer()
+        self.renderer.SetBackground(*rgb(background))
         if isinstance(data, vtkVolume):
             if arguments or how:
                 raise TypeError("a vtkVolume is drawn as it is: arrays, functions and properties go to volume()")
             self.volume = data
         else:
             self.volume = make_volume(data, *arguments, **how)
-        self.size = checked_size(size)
-        self.transparent = bool(transparent)
-        self.renderer = vtkRenderer()
-        self.renderer.SetBackground(*rgb(background))
         self.renderer.AddVolume(self.volume)
         self._window = None
         self._error = ""
@@ -76,12 +71,14 @@ class Figure:
         return self
 
     def _hidden_window(self):
+        check_process(self._window)
         if self._window is None:
             check_display()
             self._window = vtkRenderWindow()
             self._window.SetOffScreenRendering(True)
             self._window.SetAlphaBitPlanes(1)
             self._window.AddRenderer(self.renderer)
+            note_window(self._window)
         return self._window
 
     def render(self):
@@ -93,7 +90,7 @@ class Figure:
         if self.transparent:
             self.renderer.SetBackground(0, 0, 0)  # what is clear has no colour, either
         self.renderer.SetBackgroundAlpha(0.0 if self.transparent else 1.0)
-        with VtkErrors() as errors:
+        with VtkErrors(self.mapper) as errors:
             window.Render()
         self.renderer.SetBackground(background)
         # A mapper tells of an error once, and draws nothing as long as it holds.
@@ -104,6 +101,14 @@ class Figure:
         if self._error:
             raise RuntimeError(self._error)
         return self
+
+    def _render_small(self):
+        """Draws a few pixels, for what is wrong whatever the size."""
+        size, self.size = self.size, (8, 8)
+        try:
+            self.render()
+        finally:
+            self.size = size
 
     def _draws_nothing(self):
         drawn = getattr(self.mapper, "GetNumberOfDraws", None)
@@ -119,8 +124,8 @@ class Figure:
             self.size = checked_size(size)
         if transparent is not None:
             self.transparent = bool(transparent)
-        if filename is not None and os.path.splitext(os.fspath(filename))[1].lower() != ".png":
-            raise ValueError(f"a picture is written as PNG; the name ends with .png, not as {os.fspath(filename)!r}")
+        if filename is not None and os.path.splitext(os.fsdecode(filename))[1].lower() != ".png":
+            raise ValueError(f"a picture is written as PNG; the name ends with .png, not as {os.fsdecode(filename)!r}")
         self.render()
         pixels = pixels_of(self._window, self.transparent)
         if filename is None:
@@ -136,16 +141,20 @@ class Figure:
         return png_bytes(self.screenshot())
 
     def show(self, title="TetMarch"):
-        """Opens a window: the left button turns, the right one and the wheel zoom, q ends. Returns when closed."""
-        check_display()
-        if self._window is not None:
-            self._window.RemoveRenderer(self.renderer)
-            self._window.Finalize()
-            self._window = None
+        """Opens a window: the left button turns, the right one and the wheel zoom, q ends. Returns when closed.
+
+        Raises RuntimeError for what can't be drawn.
+        """
+        checked_text(title, "the title is a text")
+        self._render_small()
+        self._window.RemoveRenderer(self.renderer)
+        self._window.Finalize()
+        self._window = None
         self.renderer.SetBackgroundAlpha(1.0)
         window = vtkRenderWindow()
         window.SetSize(*self.size)
         window.AddRenderer(self.renderer)
+        note_window(window)
         interactor = vtkRenderWindowInteractor()
         interactor.SetRenderWindow(window)
         interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
@@ -163,13 +172,15 @@ class Figure:
         A dict: position (three numbers, in the world), value (in the array's unit), cell (its id), block (its flat
         index in a tree, else 0); or None if the volume isn't hit, see vtkTetMarchSettings.SetPickOpacityThreshold().
         """
+        check_process(self._window)
         width, height = self.size
+        x, y = int(checked_number(x, "x")), int(checked_number(y, "y"))
         if not (0 <= x < width and 0 <= y < height):
             raise ValueError(f"the pixel ({x}, {y}) is outside of the picture of {width} x {height}")
         if self._window is None or tuple(self._window.GetSize()) != tuple(self.size):
             self.render()
-        with VtkErrors() as errors:
-            hit = self.mapper.Pick(self.renderer, self.volume, int(x), height - 1 - int(y))
+        with VtkErrors(self.mapper) as errors:
+            hit = self.mapper.Pick(self.renderer, self.volume, x, height - 1 - y)
         if errors:
             raise RuntimeError(str(errors))
         if not hit:

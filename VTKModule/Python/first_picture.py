@@ -1,16 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Transfer functions for data that nobody has seen yet."""
+from numbers import Integral
 from typing import NamedTuple
 
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
+from .checks import checked_range, checked_text, checked_word
 from .errors import VtkErrors
 from .vtkRenderingTetMarch import vtkTetMarchFirstPicture
 
-ASSOCIATIONS = {None: vtkTetMarchFirstPicture.ANY, "points": vtkTetMarchFirstPicture.POINTS,
-                "cells": vtkTetMarchFirstPicture.CELLS}
+ASSOCIATIONS = {"points": vtkTetMarchFirstPicture.POINTS, "cells": vtkTetMarchFirstPicture.CELLS,
+                None: vtkTetMarchFirstPicture.ANY}
 
 
 class TransferFunctions(NamedTuple):
@@ -25,20 +27,27 @@ class TransferFunctions(NamedTuple):
     range: tuple  # of the values that are shown: (low, high), low < high
 
 
+def component_number(component):
+    """Of a vtkTetMarchFirstPicture: -1 for the magnitude."""
+    if isinstance(component, str) and component == "magnitude":
+        return -1
+    if not isinstance(component, Integral) or isinstance(component, bool) or component < 0:
+        raise ValueError(f"component is a number from 0, 'magnitude' or None, not {component!r}")
+    return int(component)
+
+
 def choose_first_picture(data, array=None, association=None, component=None, range=None, structured_law=None):
     """A vtkTetMarchFirstPicture that has chosen; the parameters are those of auto_transfer_functions()."""
-    if association not in ASSOCIATIONS:
-        raise ValueError(f"association is 'points', 'cells' or None, not {association!r}")
     first = vtkTetMarchFirstPicture()
+    if data is not None and not isinstance(data, vtkDataObject):
+        raise TypeError(f"data is a vtkDataObject, not {data!r}")
     first.SetInputData(data)
-    first.SetArrayName(array or "")
-    first.SetArrayAssociation(ASSOCIATIONS[association])
+    first.SetArrayName("" if array is None else checked_text(array, "array is a name"))
+    first.SetArrayAssociation(ASSOCIATIONS[checked_word(association, ASSOCIATIONS, "association")])
     if component is not None:
-        first.SetComponent(-1 if component == "magnitude" else component)
+        first.SetComponent(component_number(component))
     if range is not None:
-        if not range[0] < range[1]:
-            raise ValueError(f"range is (low, high) with low < high, not {range!r}")
-        first.SetRange(*range)
+        first.SetRange(*checked_range(range))
     if structured_law is not None:
         first.SetOpacityLaw(first.STRUCTURED if structured_law else first.UNSTRUCTURED)
     with VtkErrors() as errors:

@@ -25,7 +25,7 @@ def is_meshio(data):
 
 def from_meshio(mesh):
     """A grid of the solid cells of a meshio.Mesh; triangles, lines and vertices of its boundary are left out."""
-    known, points = [], np.asarray(mesh.points)
+    known = []
     for number, block in enumerate(mesh.cells):
         kind, ids = (block.type, block.data) if hasattr(block, "type") else block
         if kind.startswith("polyhedron"):
@@ -38,10 +38,10 @@ def from_meshio(mesh):
     connectivity = np.concatenate([ids.reshape(-1) for _, _, ids in known])
     sizes = np.concatenate([np.full(len(ids), ids.shape[1]) for _, _, ids in known])
     types = np.concatenate([np.full(len(ids), CELL_TYPES[kind][0]) for _, kind, ids in known])
-    cell_data = {name: np.concatenate([np.asarray(blocks[number]) for number, _, _ in known])
+    cell_data = {name: np.ma.concatenate([blocks[number] for number, _, _ in known])
                  for name, blocks in mesh.cell_data.items()}
     offsets = np.append(0, np.cumsum(sizes))
-    return from_arrays(points, (connectivity, offsets), types, dict(mesh.point_data), cell_data)
+    return from_arrays(mesh.points, (connectivity, offsets), types, dict(mesh.point_data), cell_data)
 
 
 def check_faults(data):

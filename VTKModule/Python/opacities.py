@@ -5,28 +5,33 @@ from numbers import Real
 
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 
+from .checks import checked_items, checked_number, checked_numbers
 
-def piecewise_function(what, low, high, largest=1.0):
+FORMS = "'linear', a number, (value, opacity) pairs or a vtkPiecewiseFunction"
+
+
+def piecewise_function(what, low, high, name="opacity"):
     """A vtkPiecewiseFunction: as it is; a number, for all values; (value, opacity) pairs; "linear": from 0 to 1.
 
-    Raises ValueError for an opacity below 0 or above `largest`, and for other words.
+    name: that of the argument. Raises ValueError for an opacity below 0 or above 1, and for other words, TypeError for
+    what is none of these.
     """
     if isinstance(what, vtkPiecewiseFunction):
         return what
-    if what == "linear" and isinstance(what, str):
+    if isinstance(what, str):
+        if what != "linear":
+            raise ValueError(f"{name} is {FORMS}, not {what!r}")
         pairs = [(low, 0.0), (high, 1.0)]
-    elif isinstance(what, str):
-        raise ValueError(f"opacity is 'linear', a number, (value, opacity) pairs or a vtkPiecewiseFunction, "
-                         f"not {what!r}")
     elif isinstance(what, Real):
         pairs = [(low, what)]
     else:
-        pairs = [tuple(pair) for pair in what]
-    if not pairs or any(len(pair) != 2 for pair in pairs):
-        raise ValueError("opacity as a list has pairs (value, opacity), at least one")
+        pairs = checked_items(what, f"{name} is {FORMS}")
+        if not pairs:
+            raise ValueError(f"{name} as a list has pairs (value, opacity), at least one")
     function = vtkPiecewiseFunction()
-    for value, opacity in pairs:
-        if not 0 <= opacity <= largest:
-            raise ValueError(f"an opacity is 0 to {largest:g}, not {opacity!r}")
+    for pair in pairs:
+        value, opacity = checked_numbers(pair, 2, f"a pair (value, opacity) of {name}")
+        if not 0 <= checked_number(opacity, name) <= 1:
+            raise ValueError(f"{name} is 0 to 1, not {opacity!r}")
         function.AddPoint(float(value), float(opacity))
     return function

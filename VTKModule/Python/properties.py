@@ -3,6 +3,7 @@
 """Sets properties of VTK's objects by names as Python has them: accuracy_level="accurate"."""
 import difflib
 import math
+from collections.abc import Iterable
 from numbers import Real
 
 
@@ -56,10 +57,14 @@ def set_word(target, name, word, shown):
     raise ValueError(f"{shown} has no {word!r}; it has {', '.join(map(repr, known))}")
 
 
+def is_list(value):
+    return isinstance(value, Iterable) and not isinstance(value, (str, bytes))
+
+
 def differs(wanted, got):
     """Whether a property was clamped."""
     if isinstance(wanted, Real) and isinstance(got, Real):
-        return not (math.isclose(wanted, got, rel_tol=1e-6, abs_tol=1e-12) or (wanted != wanted and got != got))
+        return not math.isclose(wanted, got, rel_tol=1e-6, abs_tol=1e-12)
     return False
 
 
@@ -67,6 +72,8 @@ def set_property(target, name, value, shown):
     if isinstance(value, str) and (words_of(target, name) or isinstance(getattr(target, "Get" + name)(), Real)):
         set_word(target, name, value, shown)
         return
+    if any(isinstance(number, Real) and math.isnan(number) for number in (value if is_list(value) else [value])):
+        raise ValueError(f"{shown} can't be {value!r}: it is not a number")
     before = getattr(target, "Get" + name)()
     try:
         getattr(target, "Set" + name)(value)

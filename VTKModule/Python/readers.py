@@ -8,7 +8,8 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from . import file_lists
-from .errors import VtkErrors
+from .checks import checked_integer
+from .errors import PrintedErrors, VtkErrors
 
 # Ending: (module of VTK or our own, class).
 READERS = {
@@ -88,7 +89,7 @@ def make_reader(module, name):
 
 
 def check_path(path):
-    path = os.fspath(path)
+    path = os.fsdecode(path)
     if not os.path.exists(path):
         raise FileNotFoundError(f"there is no file {path!r}")
     ending = os.path.splitext(path)[1].lower()
@@ -141,7 +142,7 @@ def time_values(path):
 
 
 def check_step(path, times, time_step):
-    if time_step is not None and not -len(times) <= time_step < len(times):
+    if time_step is not None and not -len(times) <= checked_integer(time_step, "time_step") < len(times):
         raise IndexError(f"there is no time step {time_step} in {os.fspath(path)!r}: "
                          + (f"it has {len(times)}, from 0" if times else "it has no time steps"))
 

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """VTK's arrays over the memory of NumPy's."""
+from collections.abc import Mapping
+
 import numpy as np
 from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type
 from vtkmodules.vtkCommonCore import vtkTypeInt32Array, vtkTypeInt64Array
@@ -13,6 +15,23 @@ def keep_with(vtk_object, *kept):
         """Nothing is done: the observer is what keeps them."""
 
     vtk_object.AddObserver("DeleteEvent", holds)
+
+
+def with_nan(values, what):
+    """An array of floats with NaN for the values that a masked array hides; an array without such ones as it is."""
+    if not np.ma.is_masked(values):
+        return np.ma.getdata(values)
+    if values.dtype.kind not in "biuf":
+        raise TypeError(f"{what} has values of type {values.dtype}, and some are masked; those become NaN, which floats "
+                        "have")
+    return values.astype(np.promote_types(values.dtype, np.float32)).filled(np.nan)
+
+
+def unmasked(values, what, then):
+    """An array in which a masked array hides nothing. Raises ValueError, which says what to do."""
+    if np.ma.is_masked(values):
+        raise ValueError(f"{what} has {np.ma.count_masked(values)} masked numbers; {then}")
+    return np.ma.getdata(values)
 
 
 def numeric_array(values, what):
@@ -52,8 +71,11 @@ def shared_ids(array):
 
 def add_arrays(attributes, arrays, count, what):
     """Adds {name: array} to the attributes of points or cells: count values, or tuples, each."""
+    if arrays is not None and not isinstance(arrays, Mapping):
+        raise TypeError(f"the arrays of {what} are a dict {{name: array}}, not {arrays!r}")
     for name, values in (arrays or {}).items():
-        array = numeric_array(values, f"the array {name!r} of {what}")
+        shown = f"the array {name!r} of {what}"
+        array = numeric_array(with_nan(values, shown), shown)
         if array.ndim not in (1, 2) or len(array) != count:
             raise ValueError(f"the array {name!r} of {what} has the shape {array.shape}; it has to be ({count},) or "
                              f"({count}, components)")

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A volume that is ready to be drawn, in one call."""
-from numbers import Integral
+from numbers import Real
 
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 from vtkmodules.vtkRenderingCore import vtkVolume
 
+from .checks import checked_items, checked_number, checked_numbers, checked_positive
 from .colors import color_function
 from .first_picture import choose_first_picture
 from .inputs import drawn_data, is_structured, vtk_data
@@ -31,28 +32,33 @@ def plane_of(plane):
         return plane
     try:
         point, normal = plane
-        made = vtkPlane()
-        made.SetOrigin(*point)
-        made.SetNormal(*normal)
-        return made
     except (TypeError, ValueError):
         raise TypeError(f"a clipping plane is a vtkPlane or (point, normal), not {plane!r}") from None
+    made = vtkPlane()
+    made.SetOrigin(*checked_numbers(point, 3, "the point of a clipping plane"))
+    made.SetNormal(*checked_numbers(normal, 3, "the normal of a clipping plane"))
+    if not any(normal):
+        raise ValueError(f"the normal of a clipping plane has a direction, unlike {normal!r}")
+    return made
 
 
 def set_special(drawn, name, value):
     """Sets a property that VTK has no Set...() for; returns whether it is one."""
     of_volume = drawn.GetProperty()
     if name == "clipping_planes":
+        planes = [plane_of(plane) for plane in
+                  checked_items(value, "clipping_planes is a list of vtkPlane or (point, normal)")]
         drawn.GetMapper().RemoveAllClippingPlanes()
-        for plane in value:
-            drawn.GetMapper().AddClippingPlane(plane_of(plane))
+        for plane in planes:
+            drawn.GetMapper().AddClippingPlane(plane)
     elif name == "isosurface_values":
-        values = [value] if isinstance(value, (int, float)) else list(value)
+        values = [value] if isinstance(value, Real) else checked_items(value, "isosurface_values is a list of values")
+        values = [float(checked_number(each, "each of isosurface_values")) for each in values]
         of_volume.GetIsoSurfaceValues().SetNumberOfContours(len(values))
         for i, each in enumerate(values):
-            of_volume.GetIsoSurfaceValues().SetValue(i, float(each))
+            of_volume.GetIsoSurfaceValues().SetValue(i, each)
     elif name == "gradient_opacity":
-        of_volume.SetGradientOpacity(piecewise_function(value, 0.0, 1.0))
+        of_volume.SetGradientOpacity(piecewise_function(value, 0.0, 1.0, name))
     else:
         return False
     return True
@@ -60,16 +66,14 @@ def set_special(drawn, name, value):
 
 def configure(drawn, **properties):
     """Sets properties of a vtkVolume that volume() made, by the names that volume() takes. Returns the volume."""
+    if not isinstance(drawn, vtkVolume):
+        raise TypeError(f"configure() takes a vtkVolume that volume() made, not {drawn!r}")
     mapper = drawn.GetMapper()
+    if not hasattr(mapper, "GetSettings"):
+        raise TypeError("the vtkVolume has no mapper of TetMarch: volume() makes one that has")
     rest = {name: value for name, value in properties.items() if not set_special(drawn, name, value)}
     set_properties((mapper, mapper.GetSettings(), drawn.GetProperty(), drawn), rest)
     return drawn
-
-
-def check_component(component):
-    if component is None or component == "magnitude" or (isinstance(component, Integral) and component >= 0):
-        return component
-    raise ValueError(f"component is a number from 0, 'magnitude' or None, not {component!r}")
 
 
 def volume(data, array=None, *, association=None, component=None, cmap=None, opacity=None, range=None,
@@ -96,13 +100,15 @@ def volume(data, array=None, *, association=None, component=None, cmap=None, opa
     Raises ValueError for what the data doesn't have (it lists what it has) and values out of range, TypeError for
     unknown properties (it names the nearest) and for data that has no volume.
     """
+    if unit_distance is not None:
+        checked_positive(unit_distance, "unit_distance")
     drawn_from = drawn_data(data)
     structured = is_structured(drawn_from)
     mapper = vtkTetMarchSmartVolumeMapper() if structured else vtkTetMarchVolumeMapper()
     connect(mapper, data, drawn_from)
     made = vtkVolume()
     made.SetMapper(mapper)
-    first = choose_first_picture(drawn_from, array, association, check_component(component), range)
+    first = choose_first_picture(drawn_from, array, association, component, range)
     first.ApplyTo(made)
     shown = made.GetProperty()
     low, high = first.GetChosenRange()
@@ -114,7 +120,5 @@ def volume(data, array=None, *, association=None, component=None, cmap=None, opa
     if cmap is not None:
         shown.SetColor(color_function(cmap, low, high))
     if unit_distance is not None:
-        if not unit_distance > 0:
-            raise ValueError(f"unit_distance is above 0, not {unit_distance!r}")
         shown.SetScalarOpacityUnitDistance(unit_distance)
     return configure(made, **properties)

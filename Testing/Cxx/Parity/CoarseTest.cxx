@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Fewer rays than pixels, while somebody interacts.
+#include "ScarceTime.h"
 #include "Scene.h"
 
 #include "vtkActor.h"
@@ -114,6 +115,28 @@ TEST_F(Coarse, KeepsTheDesiredUpdateRate)
   EXPECT_EQ(this->used(), 1.0);
   EXPECT_EQ(this->Shown.Mapper->GetMeshBuilds(), 1);
   EXPECT_EQ(this->Shown.Mapper->GetTablesBuilds(), 1);
+}
+
+// VTK allocates time at rest, too: a part of what the still rate leaves. A frame may take longer.
+TEST_F(Coarse, AllRaysAtRestHoweverLongTheyTake)
+{
+  makeTimeScarce(this->Shown.Renderer);
+  for (const double atRest : { 0.0001, 0.002, 0.5 }) // of interactors, of ParaView
+  {
+    this->Shown.Window->SetDesiredUpdateRate(atRest);
+    const Image still = this->draw();
+    EXPECT_EQ(this->used(), 1.0);
+    EXPECT_LT(this->Shown.Volume->GetAllocatedRenderTime(), 1e-20);
+    EXPECT_EQ(compare(still, this->draw()).Max, 0.0);
+    EXPECT_EQ(this->used(), 1.0);
+    this->Shown.Window->SetDesiredUpdateRate(5.0);
+    this->draw();
+    EXPECT_EQ(this->used(), 10.0);
+  }
+  this->Shown.Mapper->SetMinimumImageSampleDistance(2.0);
+  this->Shown.Window->SetDesiredUpdateRate(0.002);
+  this->draw();
+  EXPECT_EQ(this->used(), 2.0) << "that is asked for";
 }
 
 TEST_F(Coarse, AllRaysWhereTheyAreCounted)

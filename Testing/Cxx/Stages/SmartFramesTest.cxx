@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What vtkSmartVolumeMapper does about a frame, ours does, too: events, times, fewer rays, memory.
 #include "Observer.h"
+#include "ScarceTime.h"
 #include "SmartScene.h"
 
 #include "vtkCallbackCommand.h"
@@ -56,6 +57,24 @@ TEST_F(SmartFrames, RaysAreFewerInInteractionOnly)
   mapper->SetImageSampleDistance(3.0);
   EXPECT_EQ(distanceAt(1e5), 3.0);
   EXPECT_EQ(distanceAt(0.001), 3.0);
+}
+
+// Whatever VTK allocates: by default a smart mapper takes every frame for interactive.
+TEST_F(SmartFrames, AllRaysAtRestHoweverLongTheyTake)
+{
+  vtkTetMarchSmartVolumeMapper* mapper = this->Shown.Mapper;
+  makeTimeScarce(this->Shown.Renderer);
+  for (const bool adjusts : { true, false })
+  {
+    mapper->SetInteractiveAdjustSampleDistances(adjusts);
+    for (const double updateRate : { 0.0001, 0.002, 5.0 })
+    {
+      this->Shown.Window->SetDesiredUpdateRate(updateRate);
+      this->Shown.frame();
+      this->Shown.frame(); // when the time of one is known
+      EXPECT_EQ(mapper->GetUsedImageSampleDistance(), updateRate < 1.0 ? 1.0 : 10.0);
+    }
+  }
 }
 
 // The fraction is one of the bytes.

@@ -54,6 +54,15 @@ protected:
     EXPECT_EQ(watch.Errors, Words());
     EXPECT_EQ(watch.Warnings, Words());
   }
+  /// The same, but a warning says that nothing is visible.
+  void expectNothingVisible()
+  {
+    const ErrorWatch watch(this->Shown.Mapper);
+    this->expectEmpty();
+    EXPECT_EQ(watch.Errors, Words());
+    ASSERT_EQ(watch.Warnings.size(), 1u);
+    EXPECT_NE(watch.Warnings[0].find("Nothing is visible"), std::string::npos);
+  }
 
   /// The bad input gives one error that says these words, once until it has been put right.
   void expectError(

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mapper/NothingVisible.h"
+
+#include "GL/Pipeline.h"
+#include "Rays/ClippedBox.h"
+#include "Scalars/SeenScalars.h"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+namespace tetmarch
+{
+namespace
+{
+
+// Two numbers in as few digits as tell them apart, 6 or more.
+std::string fromTo(double low, double high)
+{
+  std::string text;
+  for (int digits = 6; digits <= std::numeric_limits<double>::max_digits10; ++digits)
+  {
+    std::ostringstream first, second;
+    first.precision(digits);
+    second.precision(digits);
+    first << low;
+    second << high;
+    text = first.str() + " to " + second.str();
+    if (low == high || first.str() != second.str())
+    {
+      break;
+    }
+  }
+  return text;
+}
+
+std::string valuesOf(const ScalarRange& range)
+{
+  return "the values of the array, " + fromTo(range.Low, range.High);
+}
+
+bool showsAny(const IntegralTable& table, const ScalarRange& range)
+{
+  return SeenScalars(table, range).between(0, range.High > range.Low ? 1 : 0);
+}
+
+// Whether the functions have extinction at a scalar within its range.
+bool showAnyScalar(const Pipeline& pipeline)
+{
+  const TransferTables& tables = pipeline.tables();
+  const Components& parts = tables.components();
+  bool any = showsAny(tables.first(), pipeline.source().range());
+  for (std::size_t k = 0; parts.isIndependent() && k < parts.Tables.size(); ++k)
+  {
+    any = any || showsAny(parts.Tables[k], parts.FurtherRanges[k]);
+  }
+  return any;
+}
+
+std::string whyNoSurface(const Blending& blending, const ScalarRange& range)
+{
+  if (blending.IsoValues.empty())
+  {
+    return "there are no isosurface values. Set some (vtkVolumeProperty::GetIsoSurfaceValues()).";
+  }
+  const float high = range.High > range.Low ? 1.0f : 0.0f;
+  bool inRange = false, seen = false;
+  for (std::size_t i = 0; i < blending.IsoValues.size(); ++i)
+  {
+    const bool isIn = blending.IsoValues[i] >= 0 && blending.IsoValues[i] <= high;
+    inRange = inRange || isIn;
+    seen = seen || (isIn && blending.IsoColors[i][3] > 0);
+  }
+  return !inRange ? "no isosurface value lies among " + valuesOf(range) +
+                      ". Choose isosurface values between these."
+         : !seen ? "the opacity is 0 at the isosurface values. Change the scalar opacity function."
+                 : std::string();
+}
+
+// By the transfer functions and what the blend mode shows of them.
+std::string whyNoValue(const Pipeline& pipeline)
+{
+  const Blending& blending = pipeline.blending();
+  const ScalarRange& range = pipeline.source().range();
+  if (blending.Mode == BlendMode::Average &&
+      (blending.AverageRange[1] < 0 || blending.AverageRange[0] > 1))
+  {
+    return "the range of the values that are averaged (AverageIPScalarRange) has none of " +
+           valuesOf(range) + ". Choose a range with some.";
+  }
+  if (blending.isSum() || pipeline.showsNan())
+  {
+    return {};
+  }
+  const std::string noSurface =
+    blending.isIsoSurface() ? whyNoSurface(blending, range) : std::string();
+  if (!noSurface.empty())
+  {
+    return noSurface;
+  }
+  if (!blending.isIsoSurface() && !showAnyScalar(pipeline))
+  {
+    return "the opacity is 0 for all of " + valuesOf(range) +
+           ". Change the scalar opacity function, or choose another array.";
+  }
+  return pipeline.source().showsNothing()
+           ? "no cell has a value that is shown" +
+               std::string(range.AllFinite ? "" : " without one that is not a finite number") +
+               ": the transfer functions show nothing of what cells have of " + valuesOf(range) +
+               ". Change them."
+           : std::string();
+}
+
+std::string whyNothingIsLeft(const Pipeline& pipeline)
+{
+  const Clipping& cuts = pipeline.cuts();
+  const auto& box = pipeline.source().frame().HalfExtent;
+  return leavesNothing(cuts, box)
+           ? "clipping planes and cropping leave nothing of the volume. Move them, or remove them "
+             "(RemoveAllClippingPlanes(), CroppingOff())."
+           : std::string();
+}
+
+} // namespace
+
+std::string whyNothingIsVisible(const Pipeline& pipeline)
+{
+  const MarchSource& source = pipeline.source();
+  if (source.isEmpty())
+  {
+    return {};
+  }
+  if (source.isHidden())
+  {
+    return "every cell is hidden by an array of ghost cells or points (vtkGhostType). Change or "
+           "remove the array.";
+  }
+  if (!source.range().AnyFinite && !pipeline.showsNan())
+  {
+    return "none of the scalars is a finite number. Choose another array, or have cells without "
+           "such numbers drawn in the NaN color by SetDrawNanCells(true); in ParaView, by Draw Nan "
+           "Cells.";
+  }
+  const std::string why = whyNoValue(pipeline);
+  return why.empty() ? whyNothingIsLeft(pipeline) : why;
+}
+
+} // namespace tetmarch
