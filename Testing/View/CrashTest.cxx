@@ -73,7 +73,8 @@ QString CrashTest::AbandonSession(const char* data)
 {
   const QString folder = this->Folder.filePath(QString::fromLatin1(QTest::currentTestFunction()));
   QDir().mkpath(folder);
-  ViewState state;
+  this->OpenPicture(GetData("bonsai_small.vti"));
+  ViewState state = this->GetModel().GetState();
   state.Data.File = GetData(data).toStdString();
   state.Background = { { 0.9, 0.8, 0.7 } };
   SaveSession(state, (folder + QStringLiteral("/1-abandoned.json")).toStdString());
@@ -108,10 +109,13 @@ void CrashTest::AKilledProgramsSessionIsRestored()
   QCOMPARE(program.exitStatus(), QProcess::CrashExit);
 
   SessionKeeper keeper(*this->Window, kept);
-  QVERIFY(keeper.GetOffer() && keeper.GetOffer()->isVisible());
+  QVERIFY(keeper.GetOffer());
+  QVERIFY(
+    Reaches([&] { return keeper.GetOffer()->isVisible(); })); // a new bar is shown by an event
   QVERIFY(ReadText(keeper).contains(QLatin1String("bonsai_small.vti")));
   this->Press(keeper, "restore");
   QVERIFY(!keeper.GetOffer()->isVisible());
+  HidePanels(*this->Window); // the bar has made it wider
   this->Wait();
   const QString after = this->Folder.filePath(QStringLiteral("after.png"));
   QVERIFY(this->Window->SaveScreenshot(after));
@@ -173,6 +177,7 @@ void CrashTest::AnOfferLetsAFileBeOpened()
   this->Press(keeper, "restore");
   this->Wait();
   QVERIFY(this->Window->windowTitle().contains(QLatin1String("bonsai_small.vti")));
+  QVERIFY(FindSessions(kept).size() == 1); // the window's own
   QCOMPARE(this->GetModel().GetState().Background[0], 0.9);
 }
 

@@ -30,7 +30,7 @@ private Q_SLOTS:
   void AFolderThatIsNotWrittenTo();
 
 private:
-  /// A new folder with one session that nobody owns.
+  /// A new folder with one session that nobody owns: of a scan, as if it were in that file.
   QString AbandonSession(const char* data);
   void Press(SessionKeeper& keeper, const char* button);
 };
