@@ -18,7 +18,7 @@ class BenchmarkCase(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def run_benchmark(self, *arguments, **options):
-        return subprocess.run([self.executable, *arguments], cwd=self.folder, text=True, timeout=300,
+        return subprocess.run([self.executable, *arguments], cwd=self.folder, text=True, timeout=1000,
                               capture_output=True, **options)
 
     def report_of(self, *arguments):

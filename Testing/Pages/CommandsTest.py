@@ -74,7 +74,7 @@ class CommandsTest(unittest.TestCase):
         self.folder = folder_of_a_user(self, BUILD)
 
     def paste(self, text):
-        result = subprocess.run(["bash", "-euc", text], cwd=self.folder, text=True, capture_output=True, timeout=600)
+        result = subprocess.run(["bash", "-euc", text], cwd=self.folder, text=True, capture_output=True, timeout=1000)
         self.assertEqual(result.returncode, 0, f"{text}\n{result.stderr}")
         return result.stdout
 

@@ -49,7 +49,7 @@ class ExamplesTest(unittest.TestCase):
         (self.folder / "example.py").write_text(text, encoding="utf-8")
         environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
         result = subprocess.run(["bash", "-c", self.command], cwd=self.folder, env=environment, text=True,
-                                capture_output=True, timeout=600)
+                                capture_output=True, timeout=1000)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return result.stdout
 
@@ -102,7 +102,7 @@ class ExamplesTest(unittest.TestCase):
                            OMPI_MCA_rmaps_base_oversubscribe="1", LP_NUM_THREADS="1",
                            PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe")
         result = subprocess.run(["bash", "-c", command.replace("/usr/bin/python3", sys.executable)], cwd=self.folder,
-                                env=environment, text=True, capture_output=True, timeout=300)
+                                env=environment, text=True, capture_output=True, timeout=1000)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertNotIn("ERR|", result.stderr)
         pixels = read_pixels(self.folder / "parallel.png")

@@ -21,7 +21,7 @@ WARNING = "This ParaView loses data"
 def read(*before):
     """Cells that ParaView reads with these libraries loaded before its own, and what it says."""
     done = subprocess.run([PVPYTHON, str(HERE / "read_appended.py"), "--plugin", PLUGIN, "--data", DATA],
-                          env={**os.environ, "LD_PRELOAD": ":".join(before)}, timeout=120,
+                          env={**os.environ, "LD_PRELOAD": ":".join(before)}, timeout=1000,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     cells = re.search(r"^(\d+) cells$", done.stdout, re.M)
     assert done.returncode == 0 and cells, done.stdout

@@ -65,9 +65,9 @@ class ParallelTilesTest(ParallelCase):
             result = subprocess.run(
                 [programs / "pvpython", HERE / "draw_tiles.py", "--plugin", PLUGIN, "--data", data, "--folder", folder,
                  "--server", str(port), "--screens", *(file for _, file in self.screens)],
-                text=True, timeout=200, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=variables)
+                text=True, timeout=1000, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=variables)
             self.assertEqual(result.returncode, 0, result.stdout + printed.read_text())
-            server.wait(60)
+            server.wait(1000)
         return {name: np.hstack([screen_of(folder / f"{name}-{tile}.xwd") for tile in range(PROCESSES)])
                 for name in ("lying", "moved", "maximum")}, printed.read_text()
 

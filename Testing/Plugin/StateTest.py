@@ -15,7 +15,7 @@ PVPYTHON = PLUGIN = None
 
 
 def run(script, *arguments):
-    done = subprocess.run([PVPYTHON, str(HERE / script), "--plugin", PLUGIN, *arguments], timeout=200,
+    done = subprocess.run([PVPYTHON, str(HERE / script), "--plugin", PLUGIN, *arguments], timeout=1000,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     print(done.stdout, end="")
     assert done.returncode == 0, f"{script} {arguments} failed"

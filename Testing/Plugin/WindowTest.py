@@ -19,7 +19,7 @@ from pictures import read_png
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = PLUGIN = ROOT = None
-LONGEST = 240  # seconds
+LONGEST = 1000  # seconds
 
 
 def printed_line():

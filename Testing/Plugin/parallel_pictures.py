@@ -19,7 +19,7 @@ SCENES = {"composite": "composite", "isosurface": "isosurfaces"}
 
 def main():
     ParallelTest.PVBATCH, ParallelTest.PLUGIN, output = sys.argv[1:]
-    test = ParallelTest.ParallelTest
+    test = ParallelTest.DrawnCase
     test.grid = parallel_runs.made_grid()
     with tempfile.TemporaryDirectory() as folder:
         test.folder = pathlib.Path(folder)

@@ -27,7 +27,7 @@ def environment(folder):
             "XDG_CONFIG_HOME": str(folder)}
 
 
-def run_batch(folder, pvbatch, processes, script, *arguments, seconds=300):
+def run_batch(folder, pvbatch, processes, script, *arguments, seconds=1000):
     """Returns what was printed. A process that waits for ever, or fails, is an error."""
     command = ["mpiexec", "-n", str(processes), pvbatch, str(HERE / script), *map(str, arguments)]
     result = subprocess.run(command, text=True, timeout=seconds, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,

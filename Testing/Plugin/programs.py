@@ -7,7 +7,7 @@ import socket
 import subprocess
 import time
 
-LONGEST = 60  # seconds until a server accepts connections
+LONGEST = 600  # seconds until a server accepts connections
 PATIENCE = 30  # seconds for a program to end by itself
 
 

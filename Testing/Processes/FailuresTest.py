@@ -27,7 +27,7 @@ class FailuresTest(unittest.TestCase):
             self.skipTest("there is no mpiexec")
 
     def check(self, case):
-        printed = mpi.run(3, "fail_pieces.py", case, seconds=120)
+        printed = mpi.run(3, "fail_pieces.py", case)
         for rank in range(3):
             self.assertIn(f"process {rank}: False False True", printed)
         if case not in SILENT:

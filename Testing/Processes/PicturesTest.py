@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whatever pieces several processes have, the picture is that of one process."""
+"""Whatever pieces several processes have, the picture is that of one process: PicturesTest.py [PROCESSES...]"""
 import json
 import pathlib
+import sys
 import tempfile
 import unittest
 
@@ -12,7 +13,7 @@ import mpi
 import partitions
 from draw_pieces import SCENES
 
-PROCESSES = (2, 4, 8)
+PROCESSES = tuple(map(int, sys.argv[1:])) or (2, 4, 8)
 MOST = 2  # of 255: how far a channel of a pixel may be off
 MOST_OF = {"shadows": 40}  # each piece casts shadows in itself alone: Documentation/Processes.md
 
@@ -88,4 +89,4 @@ class PicturesTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(verbosity=2)
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -41,7 +41,7 @@ public:
   {
     std::unique_lock<std::mutex> lock(this->Mutex);
     auto& queue = this->Waiting[{ from, to, tag }];
-    if (!this->Arrived.wait_for(lock, std::chrono::seconds(30), [&] { return !queue.empty(); }))
+    if (!this->Arrived.wait_for(lock, std::chrono::seconds(1000), [&] { return !queue.empty(); }))
     {
       return false;
     }

@@ -20,7 +20,7 @@ def has_mpi():
     return shutil.which("mpiexec") is not None and importlib.util.find_spec("mpi4py") is not None
 
 
-def run(processes, script, *arguments, seconds=300):
+def run(processes, script, *arguments, seconds=1000):
     """Returns what the processes wrote. A process that waits for ever is an error."""
     paths = [str(HERE), str(HERE.parent / "Benchmark"), os.environ.get("PYTHONPATH", "")]
     # mpi4py's own runner ends all processes when one raises an exception; else the others wait for it.

@@ -30,7 +30,7 @@ class ExamplesTest(unittest.TestCase):
             folder = pathlib.Path(folder)
             (folder / "Data").symlink_to(PROJECT / "Data")
             run = subprocess.run([sys.executable, str(EXAMPLES / name)], cwd=folder, capture_output=True, text=True,
-                                 timeout=300)
+                                 timeout=1000)
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             self.assertEqual(sorted(path.name for path in folder.glob("*.png")), sorted(pictures))
             found = [pixels_of_png(folder / picture)[:, :, :3] / 255 for picture in pictures]

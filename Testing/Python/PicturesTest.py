@@ -180,7 +180,7 @@ class ScreenshotTest(unittest.TestCase):
         for display in ("", ":4711"):
             environment = {**os.environ, "DISPLAY": display, "PYTHONPATH": os.pathsep.join(sys.path)}
             run = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True,
-                                 timeout=60)
+                                 timeout=1000)
             self.assertEqual(run.returncode, 1)
             self.assertRegex(run.stderr, "RuntimeError: VTK needs a display.*xvfb-run")
 

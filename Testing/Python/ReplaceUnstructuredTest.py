@@ -54,7 +54,7 @@ class ReplaceUnstructuredTest(unittest.TestCase):
         self.script.write_text(before + SCRIPT.format(name=name))
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "TETMARCH_REPLACE_UNSTRUCTURED": value}
         run = subprocess.run([sys.executable, *options, str(self.script), "a", "b"], env=environment, text=True,
-                             capture_output=True, timeout=100)
+                             capture_output=True, timeout=1000)
         self.assertEqual(run.returncode, 0, run.stderr)
         kind, is_instance, pixel, *arguments = run.stdout.split()
         self.assertEqual((is_instance, arguments), ("True", ["a", "b"]))

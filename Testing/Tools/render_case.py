@@ -25,7 +25,7 @@ class RenderCase(unittest.TestCase):
         make_inputs.write_all(self.folder)
 
     def run_tool(self, *arguments, **environment):
-        return subprocess.run([self.executable, *map(str, arguments)], cwd=self.folder, text=True, timeout=300,
+        return subprocess.run([self.executable, *map(str, arguments)], cwd=self.folder, text=True, timeout=1000,
                               capture_output=True, env={**os.environ, **environment})
 
     def run_on_terminal(self, *arguments):

@@ -3,19 +3,21 @@
 // A mesh is prepared beside the window.
 #include "AliveTest.h"
 #include "Failure.h"
-#include "Rounds.h"
+#include "HeldJob.h"
 #include "WriteGrids.h"
 
 #include "vtkTetMarchFrameStatistics.h"
 
 #include <QPushButton>
+#include <QTimer>
 #include <QtTest>
+
+#include <algorithm>
 
 namespace
 {
-constexpr int Patience = 120000;
-constexpr int Cells = 60; // along an axis of a lattice whose mesh takes a while
-constexpr int Little = 5; // events that are handled at least during long work
+constexpr char Preparing[] = "preparing the mesh";
+constexpr int Few = 5;
 } // namespace
 
 namespace tetmarch
@@ -23,32 +25,31 @@ namespace tetmarch
 
 void AliveTest::PreparesBesideTheWindow()
 {
-  const QString path = WriteLattice(this->Folder.filePath(QStringLiteral("big.vtu")), Cells);
-  this->OpenWindow(GetData("bonsai_small.vti"));
-  const Rounds rounds;
-  int first = -1;
-  int reports = 0;
+  this->OpenPicture(GetData("bonsai_small.vti"));
+  std::vector<double> told;
   connect(&this->GetModel().GetLoader(), &Loader::Progressed, this,
     [&](const QString& stage, double fraction)
     {
-      if (stage == QLatin1String("preparing the mesh") && fraction > 0.0 && fraction < 1.0)
+      if (stage == QLatin1String(Preparing))
       {
-        first = first < 0 ? rounds.Count : first;
-        ++reports;
+        told.push_back(fraction);
       }
     });
-  int last = 0;
   std::int64_t builds = 0;
   connect(&this->GetModel(), &Model::DataChanged, this,
-    [&]
-    {
-      last = rounds.Count;
-      builds = this->GetModel().GetScene().GetMapper().GetStatistics()->GetMeshBuilds();
-    });
-  this->Window->Open(path);
+    [&] { builds = this->GetModel().GetScene().GetMapper().GetStatistics()->GetMeshBuilds(); });
+  HeldJob held(this->GetModel().GetLoader(), Preparing, 0.0);
+  this->Window->Open(GetData("golfball_small.vtu"));
+  QVERIFY(Reaches([&] { return held.Holds(); }));
+  // The window handles events, and is told how far the work is.
+  QTimer timer;
+  const QSignalSpy rounds(&timer, &QTimer::timeout);
+  timer.start(0);
+  QVERIFY(Reaches([&] { return rounds.count() >= Few && !told.empty() && told.back() > 0.0; }));
+  QVERIFY(held.Holds() && told.back() < 1.0);
+  held.LetGo();
   this->Wait();
-  QVERIFY(reports >= Little);
-  QVERIFY(last - first >= Little);
+  QVERIFY(told.size() >= Few && std::is_sorted(told.begin(), told.end()));
   QCOMPARE(builds, std::int64_t(1)); // before anything was drawn of it
   QVERIFY(CountDrawn(this->Draw()) > 1000);
   Model& model = this->GetModel();
@@ -62,7 +63,7 @@ void AliveTest::StopsPreparing()
   double last = -1.0;
   const auto report = [&](const std::string& stage, double fraction)
   {
-    const bool preparing = stage == "preparing the mesh";
+    const bool preparing = stage == Preparing;
     last = preparing ? fraction : last;
     return !preparing || fraction < 0.3;
   };
@@ -72,26 +73,18 @@ void AliveTest::StopsPreparing()
 
 void AliveTest::CancelsPreparing()
 {
-  const QString path = WriteLattice(this->Folder.filePath(QStringLiteral("big.vtu")), Cells);
-  this->OpenWindow(GetData("bonsai_small.vti"));
+  this->OpenPicture(GetData("bonsai_small.vti"));
   this->GetModel().SetMeasuring(false); // nothing is drawn meanwhile
   const Pixels before = this->Draw();
-  QSignalSpy shown(&this->GetModel(), &Model::DataChanged);
-  bool cancelled = false;
-  connect(&this->GetModel().GetLoader(), &Loader::Progressed, this,
-    [&](const QString& stage, double fraction)
-    {
-      if (stage == QLatin1String("preparing the mesh") && fraction > 0.0 && !cancelled)
-      {
-        cancelled = true;
-        QTest::mouseClick(this->FindCancel(), Qt::LeftButton);
-      }
-    });
-  this->Window->Open(path);
-  QTRY_VERIFY_WITH_TIMEOUT(cancelled, Patience);
-  QTRY_VERIFY(!this->FindCancel()->isVisible());
+  const QSignalSpy shown(&this->GetModel(), &Model::DataChanged);
+  HeldJob held(this->GetModel().GetLoader(), Preparing, 0.0);
+  this->Window->Open(GetData("golfball_small.vtu"));
+  QVERIFY(Reaches([&] { return held.Holds(); }));
+  QTest::mouseClick(this->FindCancel(), Qt::LeftButton);
+  QVERIFY(!this->FindCancel()->isVisible());
   QVERIFY(!this->GetModel().GetLoader().IsBusy());
-  QTest::qWait(1000);
+  held.LetGo();
+  QVERIFY(Reaches([this] { return !this->GetModel().GetLoader().IsStopping(); }));
   QCOMPARE(shown.count(), 0);
   QVERIFY(this->TakeMessage().isEmpty());
   QCOMPARE(Compare(before, this->Draw()).Bytes, std::size_t(0));
@@ -99,27 +92,18 @@ void AliveTest::CancelsPreparing()
 
 void AliveTest::ClosesWhileItPrepares()
 {
-  const QString path = WriteLattice(this->Folder.filePath(QStringLiteral("big.vtu")), Cells);
-  this->OpenWindow(GetData("bonsai_small.vti"));
-  this->GetModel().SetMeasuring(false); // nothing is drawn meanwhile
-  this->Draw();
-  bool preparing = false;
-  connect(&this->GetModel().GetLoader(), &Loader::Progressed, this,
-    [&](const QString& stage, double)
-    { preparing = stage == QLatin1String("preparing the mesh"); });
-  this->Window->Open(path);
-  while (!preparing)
-  {
-    QVERIFY(this->GetModel().GetLoader().IsBusy());
-    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-  }
+  this->OpenPicture(GetData("bonsai_small.vti"));
+  HeldJob held(this->GetModel().GetLoader(), Preparing, 0.0);
+  this->Window->Open(GetData("golfball_small.vtu"));
+  QVERIFY(Reaches([&] { return held.Holds(); }));
   this->Window->close();
+  held.LetGo();
   this->Window.reset();
 }
 
 void AliveTest::KeepsTheMeshOfTimeSteps()
 {
-  this->OpenWindow(WriteSteps(this->Folder.filePath(QStringLiteral("steps.vtu"))));
+  this->OpenPicture(WriteSteps(this->Folder.filePath(QStringLiteral("steps.vtu"))));
   const AnyMapper* mapper = &this->GetModel().GetScene().GetMapper();
   this->GetModel().ChooseTimeStep(0);
   this->Wait();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AliveTest.h"
 
+#include "HeldFrame.h"
 #include "PictureWidget.h"
-#include "Rounds.h"
 #include "WriteGrids.h"
 
 #include "vtkTetMarchFrameStatistics.h"
@@ -15,9 +15,8 @@
 
 namespace
 {
-constexpr int Patience = 120000;
-constexpr int Cells = 60; // along an axis of a lattice that takes a while
-constexpr int Little = 5; // events that are handled at least during long work
+constexpr int Cells = 12; // along an axis
+constexpr int Few = 3;    // events, and reports of progress
 } // namespace
 
 namespace tetmarch
@@ -28,41 +27,52 @@ QPushButton* AliveTest::FindCancel()
   return this->Window->findChild<QPushButton*>(QStringLiteral("cancel"));
 }
 
-void AliveTest::MakeFramesLong()
+void AliveTest::OpenLattice()
 {
-  this->GetModel().Edit(
-    [](ViewState& s)
-    {
-      s.Accuracy.Level = vtkTetMarchSettings::REFERENCE;
-      s.Effects.Shading = true;
-    });
-  this->GetModel().GetScene().GetMapper().GetSettings()->SetMaxDrawTimeInSeconds(0.02);
+  this->OpenPicture(WriteLattice(this->Folder.filePath(QStringLiteral("lattice.vtu")), Cells));
+}
+
+void AliveTest::MakeTiles()
+{
+  this->GetModel().GetScene().GetMapper().GetSettings()->SetMaxDrawTimeInSeconds(1e-9);
 }
 
 void AliveTest::During(const std::function<void()>& what)
 {
+  this->Happened = false;
   auto* once = new QObject(this);
   connect(&this->GetModel(), &Model::DrawingProgressed, once,
-    [once, what](const QString&, double share)
+    [this, once, what](const QString&, double share)
     {
       if (share <= 1.0)
       {
         delete once;
-        QTimer::singleShot(0, what);
+        QTimer::singleShot(0, this,
+          [this, what]
+          {
+            what();
+            this->Happened = true;
+          });
       }
     });
 }
 
 void AliveTest::HandlesEventsDuringAFrame()
 {
-  this->OpenWindow(WriteLattice(this->Folder.filePath(QStringLiteral("big.vtu")), Cells));
-  this->MakeFramesLong();
-  QSignalSpy told(&this->GetModel(), &Model::DrawingProgressed);
-  const Rounds rounds;
-  this->GetModel().Render();
+  this->OpenLattice();
+  this->MakeTiles();
+  const QSignalSpy told(&this->GetModel(), &Model::DrawingProgressed);
+  QTimer timer;
+  const QSignalSpy rounds(&timer, &QTimer::timeout);
+  timer.start(0);
+  {
+    const HeldFrame held(
+      this->GetModel(), [&] { return rounds.count() >= Few && told.count() >= Few; });
+    this->GetModel().Render();
+  }
   QVERIFY(!this->GetModel().WasStopped());
-  QVERIFY(rounds.Count >= Little);
-  QVERIFY(told.count() >= Little);
+  QVERIFY(rounds.count() >= Few);
+  QVERIFY(told.count() >= Few);
   QVERIFY(told.last()[1].toDouble() > 1.0);
   QVERIFY(!this->FindCancel()->isVisible());
   // The same picture as in one go.
@@ -73,21 +83,23 @@ void AliveTest::HandlesEventsDuringAFrame()
 
 void AliveTest::CancelsAFrame()
 {
-  this->OpenWindow(WriteLattice(this->Folder.filePath(QStringLiteral("big.vtu")), Cells));
+  this->OpenLattice();
   this->Draw();
   this->Wait();
   const QImage before = this->Window->GetPicture()->grabFramebuffer();
-  QSignalSpy frames(&this->GetModel(), &Model::Rendered);
+  const QSignalSpy frames(&this->GetModel(), &Model::Rendered);
+  this->MakeTiles();
+  const HeldFrame held(this->GetModel(), [] { return false; });
   this->During(
     [this]
     {
       QVERIFY(this->FindCancel()->isVisible());
       QTest::mouseClick(this->FindCancel(), Qt::LeftButton);
     });
-  this->MakeFramesLong();
-  QTRY_VERIFY_WITH_TIMEOUT(this->GetModel().WasStopped(), Patience);
-  QTRY_VERIFY(!this->FindCancel()->isVisible());
-  QTest::qWait(1500);
+  this->GetModel().Edit([](ViewState& s) { s.Effects.Shading = true; });
+  QVERIFY(Reaches([this] { return this->GetModel().WasStopped(); }));
+  this->Wait();
+  QVERIFY(!this->FindCancel()->isVisible());
   QCOMPARE(frames.count(), 0);
   QVERIFY(!this->GetModel().IsDrawing());
   QCOMPARE(this->Window->GetPicture()->grabFramebuffer(), before);
@@ -99,50 +111,48 @@ void AliveTest::CancelsAFrame()
 
 void AliveTest::ASettingStopsTheFrame()
 {
-  this->OpenWindow(WriteLattice(this->Folder.filePath(QStringLiteral("big.vtu")), Cells));
-  this->MakeFramesLong();
-  bool edited = false;
-  this->During(
-    [&]
-    {
-      this->GetModel().Edit([](ViewState& s) { s.Accuracy.Level = vtkTetMarchSettings::FAST; });
-      edited = true;
-    });
+  this->OpenLattice();
+  this->MakeTiles();
+  const HeldFrame held(this->GetModel(), [] { return false; });
+  this->During([this]
+    { this->GetModel().Edit([](ViewState& s) { s.Accuracy.Level = vtkTetMarchSettings::FAST; }); });
   this->GetModel().Render();
-  QVERIFY(edited);
+  QVERIFY(this->Happened);
   QVERIFY(this->GetModel().WasStopped());
-  QSignalSpy frames(&this->GetModel(), &Model::Rendered);
-  QTRY_VERIFY_WITH_TIMEOUT(frames.count() > 0, Patience);
+  const QSignalSpy frames(&this->GetModel(), &Model::Rendered);
+  QVERIFY(Reaches([&] { return frames.count() > 0; }));
   QCOMPARE(this->GetModel().GetState().Accuracy.Level, int(vtkTetMarchSettings::FAST));
 }
 
 void AliveTest::DataStopsTheFrame()
 {
-  this->OpenWindow(WriteLattice(this->Folder.filePath(QStringLiteral("big.vtu")), Cells));
-  this->MakeFramesLong();
-  this->During([this] { this->Window->Open(GetData("bonsai_small.vti")); });
-  this->GetModel().Render();
+  this->OpenLattice();
+  this->MakeTiles();
+  {
+    const HeldFrame held(this->GetModel(), [] { return false; });
+    this->During([this] { this->Window->Open(GetData("bonsai_small.vti")); });
+    this->GetModel().Render();
+  }
+  QVERIFY(this->Happened);
+  QVERIFY(this->GetModel().WasStopped());
+  QVERIFY(Reaches(
+    [this] { return this->Window->windowTitle().contains(QLatin1String("bonsai_small.vti")); }));
   this->Wait();
-  QTRY_VERIFY_WITH_TIMEOUT(
-    this->Window->windowTitle().contains(QLatin1String("bonsai_small.vti")), Patience);
   QVERIFY(CountDrawn(this->Draw()) > 1000);
 }
 
 void AliveTest::AScreenshotIsWhole()
 {
-  this->OpenWindow(WriteLattice(this->Folder.filePath(QStringLiteral("big.vtu")), Cells));
-  this->MakeFramesLong();
+  this->OpenLattice();
+  this->MakeTiles();
   const Pixels wanted = this->Draw();
-  bool pressed = false;
-  this->During(
-    [&]
-    {
-      pressed = true;
-      QTest::keyClick(this->Window->GetPicture(), Qt::Key_X);
-    });
   const QString path = this->Folder.filePath(QStringLiteral("shot.png"));
-  QVERIFY(this->Window->SaveScreenshot(path));
-  QVERIFY(pressed);
+  {
+    const HeldFrame held(this->GetModel(), [this] { return this->Happened; });
+    this->During([this] { QTest::keyClick(this->Window->GetPicture(), Qt::Key_X); });
+    QVERIFY(this->Window->SaveScreenshot(path));
+  }
+  QVERIFY(this->Happened);
   QCOMPARE(Compare(wanted, ReadPng(path)).Bytes, std::size_t(0));
   // What waited is done afterwards.
   this->Wait();
@@ -151,11 +161,13 @@ void AliveTest::AScreenshotIsWhole()
 
 void AliveTest::AResizedWindowIsDrawnAnew()
 {
-  this->OpenWindow(GetData("golfball_small.vtu"));
-  for (const QSize& size : { QSize(900, 700), QSize(1000, 800) })
+  this->OpenPicture(GetData("golfball_small.vtu"));
+  for (const QSize& size : { QSize(400, 300), QSize(500, 400) })
   {
+    const QSignalSpy frames(&this->GetModel(), &Model::Rendered);
     this->Window->resize(size);
-    QTest::qWait(1000);
+    QVERIFY(Reaches([&] { return frames.count() > 0; }));
+    this->Wait();
     const QImage seen = this->Window->GetPicture()->grabFramebuffer();
     this->Draw();
     QCOMPARE(this->Window->GetPicture()->grabFramebuffer(), seen);
@@ -165,34 +177,40 @@ void AliveTest::AResizedWindowIsDrawnAnew()
 
 void AliveTest::ClosesDuringAFrame()
 {
-  this->OpenWindow(WriteLattice(this->Folder.filePath(QStringLiteral("big.vtu")), Cells));
-  this->MakeFramesLong();
+  this->OpenLattice();
+  this->MakeTiles();
+  const HeldFrame held(this->GetModel(), [] { return false; });
   this->During([this] { this->Window->close(); });
   this->GetModel().Render();
   QVERIFY(this->GetModel().WasStopped());
-  QTRY_VERIFY(!this->Window->isVisible());
+  QVERIFY(Reaches([this] { return !this->Window->isVisible(); }));
 }
 
 void AliveTest::HandlesEventsDuringTheGroundTruth()
 {
-  this->OpenWindow(GetData("golfball_small.vtu"));
-  this->Window->resize(700, 500);
+  this->OpenLattice();
+  this->Window->resize(240, 200); // each pixel takes long
   this->Wait();
-  QSignalSpy told(&this->GetModel(), &Model::DrawingProgressed);
-  const Rounds rounds;
+  const QSignalSpy told(&this->GetModel(), &Model::DrawingProgressed);
+  QTimer timer;
+  const QSignalSpy rounds(&timer, &QTimer::timeout);
+  timer.start(0);
+  const HeldFrame held(
+    this->GetModel(), [&] { return rounds.count() >= Few && told.count() >= Few; });
   QVERIFY(this->GetModel().CompareWithGroundTruth());
-  QVERIFY(rounds.Count >= Little);
-  QVERIFY(told.count() >= Little);
+  QVERIFY(rounds.count() >= Few);
+  QVERIFY(told.count() >= Few);
 }
 
 void AliveTest::CancelsTheGroundTruth()
 {
-  this->OpenWindow(GetData("golfball_small.vtu"));
+  this->OpenLattice();
   this->Draw();
   auto* compare = this->Window->findChild<QPushButton*>(QStringLiteral("compare"));
   const QImage before = this->Window->GetPicture()->grabFramebuffer();
+  const HeldFrame held(this->GetModel(), [] { return false; });
   this->During([this] { QTest::mouseClick(this->FindCancel(), Qt::LeftButton); });
-  QTest::mouseClick(compare, Qt::LeftButton);
+  compare->click();
   QVERIFY(this->GetModel().WasStopped());
   this->Wait();
   QVERIFY(!this->FindCancel()->isVisible());

@@ -37,11 +37,15 @@ private Q_SLOTS:
   void CancelsTheGroundTruth();
 
 private:
-  /// Draws in small tiles with much accuracy, so that a frame takes seconds.
-  void MakeFramesLong();
+  /// A small lattice of hexahedra, at rest.
+  void OpenLattice();
+  /// Draws in the smallest tiles, so that a frame can be held between two of them.
+  void MakeTiles();
   QPushButton* FindCancel();
   /// Calls it as soon as a frame, or a comparison, tells of its progress.
   void During(const std::function<void()>& what);
+
+  bool Happened = false; // what During() was given
 };
 
 } // namespace tetmarch

@@ -22,6 +22,8 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+constexpr int Patience = 300000; // milliseconds: on any machine something is wrong then
+
 struct EditorUnderTest
 {
   EditorUnderTest()
@@ -36,7 +38,7 @@ struct EditorUnderTest
     this->Editor.SetHistogram({ 1000.0, 100.0, 10.0, 1.0, 0.0 }, 10.0, 20.0);
     this->Editor.resize(350, 420);
     this->Editor.show();
-    this->Shown = QTest::qWaitForWindowExposed(&this->Editor) && this->Activate();
+    this->Shown = QTest::qWaitForWindowExposed(&this->Editor, Patience) && this->Activate();
     this->Chart()->setFocus();
     this->Draw();
   }
@@ -49,7 +51,7 @@ struct EditorUnderTest
   bool Activate()
   {
     this->Editor.activateWindow();
-    return QTest::qWaitForWindowActive(&this->Editor);
+    return QTest::qWaitForWindowActive(&this->Editor, Patience);
   }
 
   tetmarch::FunctionSnapshot Read() { return tetmarch::TakeSnapshot(this->Color, this->Opacity); }

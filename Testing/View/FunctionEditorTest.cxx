@@ -161,7 +161,7 @@ void FunctionEditorTest::ColorDialogIsOneStep()
   t.Trigger("redo");
   t.Click(place);
   t.Editor.findChild<QToolButton*>("color")->click();
-  QTRY_COMPARE(t.Editor.findChildren<QColorDialog*>().count(), 1);
+  QTRY_COMPARE_WITH_TIMEOUT(t.Editor.findChildren<QColorDialog*>().count(), 1, Patience);
   dialog = t.Editor.findChild<QColorDialog*>();
   dialog->setCurrentColor(QColor(255, 255, 255));
   dialog->reject();

@@ -8,24 +8,28 @@
 #include "EffectTimer.h"
 #include "EffectsPanel.h"
 #include "ErrorTimePlot.h"
+#include "Observer.h"
 #include "PictureWidget.h"
 #include "ValueSlider.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchSettings.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
+#include <QThread>
 #include <QtTest>
 
 #include <cmath>
 
 namespace
 {
-constexpr int Patience = 120000;
 using Statistics = vtkTetMarchFrameStatistics;
 } // namespace
 
@@ -40,13 +44,16 @@ void PlayTest::TheToleranceChangesTheStatistics()
   auto* tolerance = this->Window->findChild<ValueSlider*>(QStringLiteral("tolerance"));
   auto* slider = tolerance->findChild<QSlider*>();
   QTest::keyClick(slider, Qt::Key_End);
-  QTRY_VERIFY_WITH_TIMEOUT(
-    measured.count() > 0 && statistics->GetUsedErrorTolerance() > 0.09, Patience);
-  QTRY_VERIFY_WITH_TIMEOUT(statistics->GetNumberOfPixels(Statistics::LOOKUPS) > 0, Patience);
+  QVERIFY(Reaches(
+    [&]
+    {
+      return measured.count() > 0 && statistics->GetUsedErrorTolerance() > 0.09 &&
+             statistics->GetNumberOfPixels(Statistics::LOOKUPS) > 0;
+    }));
   const double coarse = statistics->GetMean(Statistics::LOOKUPS);
   measured.clear();
   QTest::keyClick(slider, Qt::Key_Home);
-  QTRY_VERIFY_WITH_TIMEOUT(measured.count() > 0, Patience);
+  QVERIFY(Reaches([&] { return measured.count() > 0; }));
   QCOMPARE(statistics->GetUsedErrorTolerance(), 1e-5);
   QVERIFY(statistics->GetMean(Statistics::LOOKUPS) > coarse);
   QVERIFY(statistics->GetMaximum(Statistics::ERROR_BOUND) <= 1e-5);
@@ -56,10 +63,10 @@ void PlayTest::EachSettingIsAPointOfThePlot()
 {
   this->OpenWindow(GetData("golfball_small.vtu"));
   ErrorTimePlot* plot = this->Window->GetAccuracy()->GetPlot();
-  QTRY_COMPARE_WITH_TIMEOUT(plot->GetPoints().size(), std::size_t(1), Patience);
+  QVERIFY(Reaches([&] { return plot->GetPoints().size() == 1; }));
   auto* level = this->Window->findChild<QComboBox*>(QStringLiteral("level"));
   QTest::keyClick(level, Qt::Key_Down); // accurate
-  QTRY_COMPARE_WITH_TIMEOUT(plot->GetPoints().size(), std::size_t(2), Patience);
+  QVERIFY(Reaches([&] { return plot->GetPoints().size() == 2; }));
   QVERIFY(plot->GetPoints()[1].Error < plot->GetPoints()[0].Error);
   QVERIFY(plot->GetPoints()[1].Error <= 1.0 / 4096.0);
 }
@@ -81,7 +88,7 @@ void PlayTest::ABudgetIsKept()
   this->OpenWindow(GetData("golfball_small.vtu"));
   QSignalSpy frames(&this->GetModel(), &Model::Rendered);
   this->GetModel().Edit([](ViewState& s) { s.Accuracy.FrameTime = 1e-6; });
-  QTRY_VERIFY_WITH_TIMEOUT(frames.count() > 3, Patience); // by themselves
+  QVERIFY(Reaches([&] { return frames.count() > 3; })); // by themselves
   Statistics* statistics = this->GetModel().GetScene().GetMapper().GetStatistics();
   QCOMPARE(statistics->GetUsedAccuracyLevel(), int(vtkTetMarchSettings::FAST));
 }
@@ -118,14 +125,27 @@ void PlayTest::TheCostOfAnEffectIsMeasured()
   this->Wait();
   const Pixels plain = this->Draw();
   EffectsPanel* panel = this->Window->GetEffects();
-  QSignalSpy measured(panel->GetTimer(), &EffectTimer::Measured);
+  const QSignalSpy measured(panel->GetTimer(), &EffectTimer::Measured);
+  std::vector<bool> lit;
+  connect(&this->GetModel(), &Model::Rendered, this,
+    [&]
+    {
+      vtkVolume* volume = this->GetModel().GetScene().GetVolume();
+      lit.push_back(volume->GetProperty()->GetShade() != 0);
+    });
   panel->GetTimer()->Measure(0);
-  QTRY_COMPARE_WITH_TIMEOUT(measured.count(), 1, Patience);
+  QVERIFY(Reaches([&] { return measured.count() == 1; }));
   QVERIFY(!panel->GetTimer()->IsBusy());
+  // Three turns, each of two frames without it, the first with it, and another one.
+  std::vector<bool> turns;
+  for (int turn = 0; turn < 3; ++turn)
+  {
+    turns.insert(turns.end(), { false, false, true, true });
+  }
+  QCOMPARE(lit, turns);
   const double added = measured[0][1].toDouble();
-  const double once = measured[0][2].toDouble();
-  QVERIFY(added > 0.0 && added < 60.0); // light at each face of each ray takes time
-  QVERIFY(once >= 0.0 && once < 60.0);
+  QVERIFY(std::isfinite(added));
+  QVERIFY(measured[0][2].toDouble() >= 0.0); // once
   QVERIFY(panel->GetCost(0)->text().contains(QString::number(added, 'f', 3)));
   // The picture is what it was, without the effect.
   QCOMPARE(Compare(plain, this->Draw()).Bytes, std::size_t(0));
@@ -264,6 +284,12 @@ void PlayTest::ADragTurnsAndIsExactAtItsEnd()
   const QPoint middle = picture->rect().center();
   QTest::mousePress(picture, Qt::LeftButton, {}, middle);
   double coarsest = 1.0;
+  // On any machine frames take too long to follow.
+  this->GetModel().GetScene().GetMapper().GetSettings()->SetMaxDrawTimeInSeconds(1e-9);
+  auto slow =
+    std::make_unique<testing::Observer>(this->GetModel().GetScene().GetMapper().GetMapper(),
+      vtkCommand::ProgressEvent, [] { QThread::msleep(2); });
+  this->Draw();
   for (int i = 1; i <= 10; ++i)
   {
     // QTest::mouseMove() has no button down.
@@ -274,6 +300,7 @@ void PlayTest::ADragTurnsAndIsExactAtItsEnd()
   }
   QTest::mouseRelease(picture, Qt::LeftButton, {}, middle + QPoint(80, 30));
   QVERIFY(coarsest > 1.0);
+  slow.reset();
   this->Wait();
   QCOMPARE(statistics->GetUsedImageSampleDistance(), 1.0);
   QVERIFY(Compare(before, this->Draw()).Bytes > 1000);

@@ -15,22 +15,21 @@ class SessionTest : public ViewCase
 
 private Q_SLOTS:
   void AStateComesBackFromItsText();
-  void BadSessionsAreRefused_data();
   void BadSessionsAreRefused();
-  void ASessionDrawsTheSamePicture_data();
-  void ASessionDrawsTheSamePicture();
-  void TheCommandLineDrawsTheSamePicture_data();
-  void TheCommandLineDrawsTheSamePicture();
+  void WhatIsSavedDrawsTheSamePicture_data();
+  void WhatIsSavedDrawsTheSamePicture();
   void OddNamesAreQuoted();
-  void TheScriptDrawsTheSamePicture_data();
-  void TheScriptDrawsTheSamePicture();
 
 private:
-  /// A scene that differs in everything from how a file is shown first.
-  void OpenScene();
-  /// By tetmarch-render, and by Python; each draws what the window does.
+  /// Takes the picture that is shown, in which there is something.
+  void TakePicture();
+  /// By a session in a new window, by tetmarch-render, and by Python; each draws that picture.
+  void CheckSession();
   void CheckCommand();
   void CheckScript();
+  void CheckSame(const QString& path);
+
+  Pixels Shown;
 };
 
 } // namespace tetmarch

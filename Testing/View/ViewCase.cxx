@@ -14,10 +14,13 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <QCoreApplication>
+#include <QDockWidget>
+#include <QElapsedTimer>
 #include <QMessageBox>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QSettings>
+#include <QTimer>
 #include <QtTest>
 
 #include <algorithm>
@@ -26,7 +29,7 @@
 
 namespace
 {
-constexpr int Patience = 60000; // milliseconds
+constexpr int Patience = 300000; // milliseconds: on any machine something is wrong then
 
 tetmarch::Pixels TakePixels(vtkImageData* image)
 {
@@ -99,19 +102,61 @@ void ViewCase::OpenWindow(const QString& path)
 {
   this->Window = std::make_unique<MainWindow>();
   // As many pixels on any screen.
-  this->Window->resize(this->Window->size() / this->Window->devicePixelRatioF());
+  this->Window->resize(QSize(900, 640) / this->Window->devicePixelRatioF());
   this->Window->show();
   QVERIFY(QTest::qWaitForWindowExposed(this->Window.get(), Patience));
+  this->OpenFirst(path);
+}
+
+void ViewCase::HidePanels(MainWindow& window)
+{
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>())
+  {
+    dock->hide();
+  }
+  window.resize(480, 360);
+}
+
+void ViewCase::ShowEmptyWindow()
+{
+  this->Window = std::make_unique<MainWindow>();
+  HidePanels(*this->Window);
+  this->Window->show();
+  QVERIFY(QTest::qWaitForWindowExposed(this->Window.get(), Patience));
+}
+
+void ViewCase::OpenPicture(const QString& path)
+{
+  this->ShowEmptyWindow();
+  this->OpenFirst(path);
+}
+
+void ViewCase::OpenFirst(const QString& path)
+{
   this->Window->Open(path);
   this->Wait();
   QVERIFY(this->GetModel().HasData());
 }
 
+bool ViewCase::Reaches(const std::function<bool()>& condition)
+{
+  QTimer wakes; // for what other threads do
+  wakes.start(5);
+  QElapsedTimer timer;
+  timer.start();
+  QCoreApplication::processEvents();
+  while (!condition() && timer.elapsed() < Patience)
+  {
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  }
+  return condition();
+}
+
 void ViewCase::Wait()
 {
-  QTRY_VERIFY_WITH_TIMEOUT(!this->GetModel().GetLoader().IsBusy(), Patience);
-  // Frames are asked for by timers of no length.
-  QTest::qWait(50);
+  QVERIFY(Reaches([this]
+    { return !this->GetModel().GetLoader().IsBusy() && !this->GetModel().HasFramesToDraw(); }));
+  QCoreApplication::processEvents(); // the widget is painted
 }
 
 Pixels ViewCase::Draw()

@@ -17,6 +17,7 @@
 #include <QString>
 #include <QTemporaryDir>
 
+#include <functional>
 #include <memory>
 
 namespace tetmarch
@@ -53,6 +54,13 @@ protected:
 
   /// A window with that file; it is shown and has drawn it.
   void OpenWindow(const QString& path);
+  /// The same, small and without panels, which take time.
+  void OpenPicture(const QString& path);
+  /// A window like that, without a file.
+  void ShowEmptyWindow();
+  static void HidePanels(MainWindow& window);
+  /// Handles events until the condition holds. Returns false if it didn't for very long.
+  static bool Reaches(const std::function<bool()>& condition);
   /// Waits until nothing is read and nothing is to be drawn.
   void Wait();
   /// A frame at rest.
@@ -73,6 +81,8 @@ private Q_SLOTS:
   void cleanup();
 
 private:
+  void OpenFirst(const QString& path);
+
   int ErrorsBefore = 0;
 };
 

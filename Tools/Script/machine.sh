@@ -103,11 +103,11 @@ with_x_server() (
   DISPLAY=":$display" "$@"
 )
 
-# run_ctest BUILD_FOLDER CTEST_OPTION...
+# run_ctest BUILD_FOLDER CTEST_OPTION... A test may take two hours: on two idle cores the longest takes a few minutes.
 run_ctest() {
   local folder="$1"
   shift
-  with_x_server ctest --test-dir "$folder" --output-on-failure --no-tests=error -j2 \
+  with_x_server ctest --test-dir "$folder" --output-on-failure --no-tests=error -j2 --timeout 7200 \
     --output-junit "$folder/test-results.xml" "$@"
 }
 

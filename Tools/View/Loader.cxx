@@ -18,6 +18,7 @@ namespace tetmarch
 struct Loader::Run
 {
   LoadJob Job;
+  Watch Watching;
   std::atomic<bool> Stop{ false };
   std::shared_ptr<LoadResult> Result;
   QString Failed;
@@ -43,6 +44,7 @@ void Loader::Start(const LoadJob& job)
   this->Cancel();
   auto run = std::make_shared<Run>();
   run->Job = job;
+  run->Watching = this->Watching;
   this->Current = run;
   const auto work = [this, run]
   {
@@ -58,6 +60,10 @@ void Loader::Start(const LoadJob& job)
               Q_EMIT this->Progressed(QString::fromStdString(stage), fraction);
             }
           });
+      }
+      if (run->Watching)
+      {
+        run->Watching(stage, fraction);
       }
       return !run->Stop;
     };

@@ -32,6 +32,12 @@ public:
   /// Nothing more is heard of what runs.
   void Cancel();
   bool IsBusy() const { return this->Current != nullptr; }
+  /// Whether threads of jobs that were cancelled still run.
+  bool IsStopping() const { return !this->Stopping.empty(); }
+
+  /// Is called at each step of the jobs that begin from now on, in the thread of the job.
+  using Watch = std::function<void(const std::string& stage, double fraction)>;
+  void SetWatch(Watch watch) { this->Watching = std::move(watch); }
 
 Q_SIGNALS:
   void Progressed(const QString& stage, double fraction);
@@ -43,6 +49,7 @@ private:
 
   void Take(const std::shared_ptr<Run>& run);
 
+  Watch Watching;
   std::shared_ptr<Run> Current;
   std::vector<std::shared_ptr<Run>> Stopping;
 };

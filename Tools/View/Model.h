@@ -75,6 +75,11 @@ public:
   /// Whether the last frame was stopped. The picture is still that of the frame before.
   bool WasStopped() const { return this->Stopped; }
   bool IsDrawing() const { return this->Drawing; }
+  /// Whether a frame is being drawn, or comes soon.
+  bool HasFramesToDraw() const
+  {
+    return this->Drawing || this->RenderSoon.isActive() || this->SettleSoon.isActive();
+  }
   /// Stop, and draw no more until something changes.
   void CancelFrames();
   /// Draw soon.

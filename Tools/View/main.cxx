@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "MainWindow.h"
 #include "Messages.h"
+#include "SessionKeeper.h"
 #include "StandardOutput.h"
 
 #include "vtkVersion.h"
@@ -26,6 +27,7 @@ int Show(const std::string& file, int argc, char* argv[])
   QApplication::setApplicationName(QStringLiteral("tetmarch-view"));
   MainWindow window;
   window.show();
+  const SessionKeeper keeper(window, SessionKeeper::GetFolder());
   if (!file.empty())
   {
     window.Open(QString::fromStdString(file));

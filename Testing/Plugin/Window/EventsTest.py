@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView's window by real events: EventsTest.py PROJECT PLUGIN ROOT PVPYTHON WATCH MESH
+"""ParaView's window by real events: EventsTest.py PROJECT PLUGIN ROOT PVPYTHON WATCH MESH [TEST...]
 
 `./tetmarch paraview FILE` opens it; mouse and keyboard choose the representation, edit the opacity function, crop, set
 a light and save the state. What the view shows then must be what pvpython draws of that state. ROOT is the folder in
@@ -149,4 +149,4 @@ class EventsTest(unittest.TestCase):
 
 if __name__ == "__main__":
     PROJECT, PLUGIN, ROOT, PVPYTHON, WATCH, MESH = sys.argv[1:7]
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1] + sys.argv[7:])

@@ -20,7 +20,7 @@ SIZE = (1120, 800)  # of the window
 # What the Light Inspector is told of a light, for a volume of 256 along each axis.
 LIGHT = {"worldPositionX": 20, "worldPositionY": 270, "worldPositionZ": 230,
          "focalPointX": 128, "focalPointY": 128, "focalPointZ": 128}
-LONGEST = 120  # seconds to wait for anything
+LONGEST = 600  # seconds to wait for anything
 STEPS = 8  # of the mouse in a drag
 CARET = 60  # pixels that may change while nothing happens: the blinking line where text is entered
 
