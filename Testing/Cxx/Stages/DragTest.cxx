@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // While somebody drags a point of the opacity function to and fro, no shader is compiled, and the
-// picture is that of a mapper that draws it for the first time.
+// picture is the same as by the shader that would be compiled.
 #include "GLPointers.h"
 #include "SmartScene.h"
 
@@ -77,17 +77,19 @@ void expectNoCompilation(Data* data, const std::array<double, 2>& places)
     }
   }
   EXPECT_EQ(links.count(), 0);
+  // Of new data what is not worth its cost is not kept: another shader draws the same picture.
   const Image dragged = drawn(shown, places[1]);
-  AnyScene fresh(data, Size, Size);
-  fresh.Mapper->CollectDiagnosticsOff();
-  EXPECT_EQ(dragged.Rgba, drawn(fresh, places[1]).Rgba);
-  EXPECT_GT(links.count(), 0); // it is drawn by another shader there
+  vtkDataArray* scalars = data->GetPointData()->GetScalars();
+  scalars->Modified();
+  data->Modified();
+  EXPECT_EQ(dragged.Rgba, drawn(shown, places[1]).Rgba);
+  EXPECT_GT(links.count(), 0);
 }
 
 TEST(Drag, OverWhereRaysEnterWhatIsVisible)
 {
   expectNoCompilation<Scene>(
-    jitteredLattice(12, 0.1, 1, [](double x, double, double) { return x; }).Get(), { 0.2, 0.15 });
+    jitteredLattice(12, 0.1, 1, [](double x, double, double) { return x; }).Get(), { 0.3, 0.2 });
 }
 
 TEST(Drag, OverWhereHiddenCellsArePassed)
