@@ -189,8 +189,8 @@ public:
   //@{
   /**
    * Approximate limit of the time of one draw call, in seconds. 0: no limit. Default: 0.25, a
-   * little more than the 0.2 between two abort checks of a window. If the last frame of the same
-   * size took longer, the frame is drawn in tiles. Between two tiles,
+   * little more than the 0.2 between two abort checks of a window. A frame that may take longer,
+   * judged by those before, is drawn in tiles of up to twice the limit. Between two tiles,
    * vtkRenderWindow::CheckAbortStatus() is called and progress is reported. A frame that is aborted
    * ends there; the next one is drawn from the start. The limit does not change the picture.
    */

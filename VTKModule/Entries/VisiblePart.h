@@ -60,6 +60,13 @@ inline bool isWorthEntering(const VisiblePart& part)
   return showsNothing(part) || part.CellsOfGap >= leastGap;
 }
 
+/** Whether to look for entries takes hardly longer, if rays do so already. */
+inline bool staysWorthEntering(const VisiblePart& part)
+{
+  constexpr double leastGap = 3.0;
+  return showsNothing(part) || part.CellsOfGap >= leastGap;
+}
+
 } // namespace tetmarch
 
 #endif

@@ -15,7 +15,8 @@ namespace tetmarch
 std::string BoundaryViewPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
   BoundaryView what, const Progress& progress, bool& stopped)
 {
-  return drawInTiles(window, inputs.Area, inputs.MostSecondsPerDraw, this->Tiles, progress, stopped,
+  return drawInTiles(window, inputs.Area, inputs.MostSecondsPerDraw, inputs.Content, this->Tiles,
+    progress, stopped,
     [&](const Viewport& tile)
     {
       StateScope state(window);

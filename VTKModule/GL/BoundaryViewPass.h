@@ -20,8 +20,8 @@ public:
    */
   std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, BoundaryView what,
     const Progress& progress, bool& stopped);
-  /** The next frame may take much longer than the last. */
-  void expectChange() { this->Tiles.expectChange(); }
+  /** Nothing is known of how long the next frame takes. */
+  void forgetTimes() { this->Tiles.forget(); }
   void release() { this->Draw.release(); }
   int numberOfDraws() const { return this->Tiles.numberOfTiles(); }
 

@@ -53,12 +53,22 @@ vtkShaderProgram* ComputeDispatch::use(vtkOpenGLRenderWindow* window, const std:
   {
     this->Programs = ComputePrograms::of(window);
   }
-  const std::string text = withVersion(shaderSource(file, defines + *this->DriverDefines));
+  const std::string& text = this->Texts.of(file, defines + *this->DriverDefines);
   // The cache takes its last program for the one that is in use.
   window->GetShaderCache()->ReleaseCurrentShader();
+  const auto known = this->ByText.find(&text);
+  if (known != this->ByText.end())
+  {
+    glUseProgram(known->second->GetHandle());
+    return known->second;
+  }
   std::string log;
-  vtkShaderProgram* program = this->Programs->use(text, log);
-  if (!program)
+  vtkShaderProgram* program = this->Programs->use(withVersion(text), log);
+  if (program)
+  {
+    this->ByText[&text] = program;
+  }
+  else
   {
     error = "The compute shader " + file + " could not be built" +
             (log.empty() ? ", and the GL does not say why." : ":\n" + withFileNames(log));
@@ -84,6 +94,8 @@ void ComputeDispatch::dispatch(
 void ComputeDispatch::release()
 {
   this->Programs.reset();
+  this->ByText.clear();
+  this->Texts.clear();
   this->DriverDefines.reset();
 }
 

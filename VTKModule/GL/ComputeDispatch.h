@@ -5,7 +5,9 @@
 #define TetMarchGLComputeDispatch_h
 
 #include "Budget/ShaderStage.h"
+#include "Variants/ShaderTexts.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,6 +40,8 @@ public:
 private:
   std::shared_ptr<ComputePrograms> Programs;
   std::optional<std::string> DriverDefines; // as long as the context lives
+  ShaderTexts Texts;
+  std::map<const std::string*, vtkShaderProgram*> ByText; // of these programs
 };
 
 } // namespace tetmarch

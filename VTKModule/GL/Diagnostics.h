@@ -34,8 +34,8 @@ public:
   int numberOfDraws() const { return this->Tiles.numberOfTiles(); }
   std::size_t bytes() const { return this->Target.bytes(); }
   void clear();
-  /** The next collect() may take much longer than the last. */
-  void expectChange() { this->Tiles.expectChange(); }
+  /** Nothing is known of how long the next collect() takes. */
+  void forgetTimes() { this->Tiles.forget(); }
   void release(vtkWindow* window) { this->Target.release(window); }
 
 private:

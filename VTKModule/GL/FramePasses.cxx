@@ -131,7 +131,6 @@ void FramePasses::noteVariant(const MarchInputs& inputs)
   this->ChangedVariant = otherStage || !(inputs.Key == this->LastKey);
   if (this->ChangedVariant)
   {
-    this->expectChange();
     this->LastKey = inputs.Key;
     this->LastByCompute = inputs.ByCompute;
   }
@@ -224,13 +223,13 @@ void FramePasses::releaseUnused(vtkWindow* window, const MarchInputs& inputs, bo
   }
 }
 
-void FramePasses::expectChange()
+void FramePasses::forgetTimes()
 {
-  this->Tiles.expectChange();
-  this->Counted.expectChange();
-  this->Boundary.expectChange();
-  this->Apart.expectChange();
-  this->Pieces.expectChange();
+  this->Tiles.forget();
+  this->Counted.forgetTimes();
+  this->Boundary.forgetTimes();
+  this->Apart.forgetTimes();
+  this->Pieces.forgetTimes();
 }
 
 void FramePasses::clear()
@@ -250,7 +249,7 @@ void FramePasses::release(vtkWindow* window)
   this->Apart.release(window);
   this->Pieces.release(window);
   this->Picking.release();
-  this->expectChange();
+  this->forgetTimes();
 }
 
 } // namespace tetmarch

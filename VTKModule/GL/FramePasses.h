@@ -42,8 +42,8 @@ public:
    * level's tolerance. The results of the last draw() are kept. */
   std::string pick(vtkOpenGLRenderWindow* window, MarchInputs inputs, const Viewport& part,
     const Progress& progress, bool& stopped, std::vector<PickedPoint>& points);
-  /** The next frame may take much longer than the last. */
-  void expectChange();
+  /** Nothing is known of how long the next frame takes. */
+  void forgetTimes();
   /** Forget the results of the last draw(). */
   void clear();
   void release(vtkWindow* window);

@@ -84,7 +84,7 @@ bool LatticeTextures::isCurrent(
   return this->ValuesThere == volume.valuesVersion() &&
          this->Planes.isCurrent(!volume.lattice().isUniform(), volume.latticeVersion()) &&
          this->Hidden.isCurrent(!volume.hiddenCells().empty(), volume.hiddenVersion()) &&
-         this->Distances.isCurrent(isWorthLeaping(distances.Empty), distances.Version);
+         this->Distances.isCurrent(distances.Used, distances.Version);
 }
 
 std::string LatticeTextures::uploadValues(
@@ -123,7 +123,7 @@ std::string LatticeTextures::upload(vtkOpenGLRenderWindow* window, const Structu
     [&](TextureBuffer& buffer)
     { return buffer.upload(window, TexelFormat::R32UI, hidden.data(), hidden.size()); });
   const std::vector<std::uint8_t>& blocks = distances.Empty.Distances;
-  update(this->Distances, isWorthLeaping(distances.Empty), distances.Version,
+  update(this->Distances, distances.Used, distances.Version,
     [&](TextureBuffer& buffer)
     { return buffer.upload(window, TexelFormat::R8UI, blocks.data(), blocks.size()); });
   return error;

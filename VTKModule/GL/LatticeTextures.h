@@ -20,6 +20,7 @@ namespace tetmarch
 struct VersionedDistances
 {
   const BlockDistances& Empty;
+  bool Used;
   Fingerprint Version;
 };
 

@@ -125,7 +125,8 @@ void blendPremultiplied(const StateScope& state)
 std::string MarchPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
   TileSchedule& tiles, const Progress& progress, bool& stopped)
 {
-  return drawInTiles(window, inputs.Area, inputs.MostSecondsPerDraw, tiles, progress, stopped,
+  return drawInTiles(window, inputs.Area, inputs.MostSecondsPerDraw, inputs.Content, tiles,
+    progress, stopped,
     [&](const Viewport& tile)
     {
       StateScope state(window);
@@ -161,7 +162,8 @@ std::string MarchPass::drawApart(vtkOpenGLRenderWindow* window, const FloatTarge
   }
   state->vtkglClearColor(0, 0, 0, 0);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  return drawInTiles(window, target, inputs.MostSecondsPerDraw, tiles, progress, stopped,
+  return drawInTiles(window, target, inputs.MostSecondsPerDraw, inputs.Content, tiles, progress,
+    stopped,
     [&](const Viewport& tile)
     {
       return inputs.ByCompute ? this->dispatchTile(window, inputs, images, tile)

@@ -66,6 +66,7 @@ struct MarchInputs
   std::array<float, 2> ColorWindow{ { 1, 0 } };    // unless the key has Diagnostics
   const PeelHooks* Peeling = nullptr;              // if the key is Peeled
   const VisitInputs* Visits = nullptr;             // visits are marched, one after the other
+  PictureContent Content;                          // of the area
   double MostSecondsPerDraw = 0;                   // 0: no limit
   double MostLightSeconds = 0;                     // of a frame, for light at vertices; 0: no limit
 };

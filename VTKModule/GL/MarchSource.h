@@ -31,6 +31,8 @@ class Group;
 /** From this transparent share on, a separate loop for cells in which nothing is seen is worth its
  * cost: rays in lockstep wait for each other at its end. */
 constexpr double LeastShareToPass = 0.5;
+/** Down to this share it costs little. */
+constexpr double LeastShareToKeepPassing = 0.25;
 
 /** The entry points of shaders that march through the volume, or to it. */
 enum class SourcePass
@@ -105,6 +107,8 @@ public:
   /** Equal as long as geometry, scalars and hidden cells are the same. The first word is that of
    * the geometry. */
   virtual Fingerprint version() const = 0;
+  /** The same of the distances at which rays sample the volume. */
+  virtual Fingerprint samplesVersion() const { return {}; }
   /** How often any of the stages has run. */
   virtual std::int64_t runs() const = 0;
 

@@ -47,8 +47,9 @@ std::string PickPass::march(vtkOpenGLRenderWindow* window, const MarchInputs& in
   state->vtkglViewport(0, 0, part.Width, part.Height);
   state->vtkglClearColor(0, 0, 0, 0);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  this->Tiles.expectChange(); // the part may differ from the last one
-  return drawInTiles(window, { 0, 0, part.Width, part.Height }, inputs.MostSecondsPerDraw,
+  PictureContent content = inputs.Content;
+  content.Drawn = screenBoxOf(part, inputs.Area);
+  return drawInTiles(window, { 0, 0, part.Width, part.Height }, inputs.MostSecondsPerDraw, content,
     this->Tiles, progress, stopped,
     [&](const Viewport& tile) { return this->drawTile(window, inputs, part, tile); });
 }

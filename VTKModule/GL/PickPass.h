@@ -24,7 +24,11 @@ public:
    */
   std::string pick(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part,
     const Progress& progress, bool& stopped, std::vector<PickedPoint>& points);
-  void release() { this->Draw.release(); }
+  void release()
+  {
+    this->Draw.release();
+    this->Tiles.forget();
+  }
 
 private:
   std::string march(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part,

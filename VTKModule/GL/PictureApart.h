@@ -33,8 +33,8 @@ public:
     const std::vector<float>& pixels);
   int numberOfDraws() const { return this->Tiles.numberOfTiles(); }
   std::size_t bytes() const { return this->Target.bytes() + this->Shown.bytes(); }
-  /** The next draw() may take much longer than the last. */
-  void expectChange() { this->Tiles.expectChange(); }
+  /** Nothing is known of how long the next draw() takes. */
+  void forgetTimes() { this->Tiles.forget(); }
   void release(vtkWindow* window);
 
 private:

@@ -28,7 +28,7 @@ public:
     PictureApart& picture, const Progress& progress, bool& stopped);
   int numberOfDraws() const { return this->Draws; }
   std::size_t bytes() const { return this->Visits.bytes(); }
-  void expectChange() { this->Visits.expectChange(); }
+  void forgetTimes() { this->Visits.forgetTimes(); }
   void release(vtkWindow* window) { this->Visits.release(window); }
 
 private:

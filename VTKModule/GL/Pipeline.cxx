@@ -149,7 +149,9 @@ bool Pipeline::updatePassing()
   {
     return this->fail(error);
   }
-  this->PassesCells = this->Source.transparentShare(this->Tables.first()) >= LeastShareToPass;
+  const double share = this->Source.transparentShare(this->Tables.first());
+  this->PassesCells.update(
+    share >= LeastShareToPass, share >= LeastShareToKeepPassing, this->Source.version());
   this->PassingInput = input;
   return true;
 }
@@ -242,7 +244,6 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
         error = error.empty() ? this->TablesOnGpu.upload(window, this->Tables) : error;
       });
     error = shortage.empty() ? error : shortage;
-    this->Passes.expectChange();
   }
   if (!error.empty())
   {

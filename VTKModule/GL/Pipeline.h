@@ -8,6 +8,7 @@
 #include "Appearance/TransferTables.h"
 #include "Blocks/CellOrigins.h"
 #include "Budget/ShaderStage.h"
+#include "Caching/Switch.h"
 #include "Caching/WithinMemory.h"
 #include "GL/ContextWatch.h"
 #include "GL/EffectTextures.h"
@@ -207,7 +208,7 @@ private:
   TransferTables Tables;
   bool NanShown = false; // there are scalars that are not finite, and they are shown
   Fingerprint PassingInput;
-  bool PassesCells = false; // so much is transparent that cells without extinction are passed
+  Switch PassesCells; // so much is transparent that cells without extinction are passed
   EffectStage Effects;
   View Camera;
   Clipping Cut;

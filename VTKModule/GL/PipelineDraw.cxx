@@ -4,6 +4,7 @@
 #include "GL/Pipeline.h"
 
 #include "Caching/WithinMemory.h"
+#include "GL/ContentOf.h"
 #include "GL/ErrorQueue.h"
 #include "GL/FirstColorOnly.h"
 #include "Reference/RayTrace.h"
@@ -40,7 +41,7 @@ VariantKey Pipeline::keyOf(
   key.Peeled = options.Peeling != nullptr;
   key.Adaptive = options.Level.Adaptive;
   key.PointSampled = options.Level.Sampled;
-  key.TransparentRanges = this->PassesCells;
+  key.TransparentRanges = this->PassesCells.isOn();
   key.ConstantColor = this->Tables.first().Traits.ConstantColor;
   key.Clipped = this->Cut.cuts();
   key.Cropped = this->Cut.Cropped;
@@ -97,6 +98,7 @@ MarchInputs Pipeline::inputsOf(
   inputs.Peeling = options.Peeling;
   inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
   inputs.MostLightSeconds = options.MostLightSeconds;
+  inputs.Content = contentOf(this->Subject, inputs, renderer);
   return inputs;
 }
 
@@ -164,9 +166,9 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
     return this->fail("The shader stage is Compute, but this GL has no compute shaders: they need "
                       "OpenGL 4.3. Choose SetShaderStageToAutomatic().");
   }
+  const MarchInputs inputs = this->inputsOf(options, renderer, area);
   this->Subject.push_back(static_cast<std::uintptr_t>(area.Width));
   this->Subject.push_back(static_cast<std::uintptr_t>(area.Height));
-  const MarchInputs inputs = this->inputsOf(options, renderer, area);
 
   const FirstColorOnly picture(!options.Peeling); // peels are drawn into several colours on purpose
   // A progress observer may release graphics resources during the frame.

@@ -4,6 +4,7 @@
 #include "GL/Pipeline.h"
 
 #include "Caching/WithinMemory.h"
+#include "GL/ContentOf.h"
 #include "Picking/SelectedCells.h"
 
 #include "vtkHardwareSelector.h"
@@ -41,13 +42,7 @@ Fingerprint Pipeline::pickVersion(const MarchInputs& inputs, const Viewport& par
   version.push_back(static_cast<std::uintptr_t>(inputs.Key.bits()));
   addAll(version, this->Camera.NormalizedToClip);
   addAll(version, this->Camera.ThicknessMatrix);
-  for (const auto& plane : this->Cut.Planes)
-  {
-    addAll(version, plane);
-  }
-  addAll(version, this->Cut.CroppingLow);
-  addAll(version, this->Cut.CroppingHigh);
-  version.push_back(static_cast<std::uintptr_t>(this->Cut.CroppingFlags));
+  add(version, this->Cut);
   for (const Viewport& place : { inputs.Area, part })
   {
     addAll(version, std::array<int, 4>{ { place.X, place.Y, place.Width, place.Height } });

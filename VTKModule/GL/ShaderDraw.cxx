@@ -23,6 +23,33 @@ namespace
 
 using Shaders = std::map<vtkShader::Type, vtkShader*>;
 
+// VTK lists shaders of all types that it knows, most of them empty.
+class TypedShaders
+{
+public:
+  TypedShaders(std::string vertexText, std::string fragmentText, const PeelHooks* hooks)
+  {
+    for (int type = vtkShader::Vertex; type < vtkShader::Unknown; ++type)
+    {
+      this->Owned.push_back(vtkSmartPointer<vtkShader>::New());
+      this->Owned.back()->SetType(static_cast<vtkShader::Type>(type));
+      this->All[static_cast<vtkShader::Type>(type)] = this->Owned.back();
+    }
+    if (hooks)
+    {
+      hooks->edit(vertexText, fragmentText);
+    }
+    this->All[vtkShader::Vertex]->SetSource(vertexText);
+    this->All[vtkShader::Fragment]->SetSource(fragmentText);
+  }
+
+  const Shaders& all() const { return this->All; }
+
+private:
+  std::vector<vtkSmartPointer<vtkShader>> Owned;
+  Shaders All;
+};
+
 // What a cache keeps of a program that it could not build.
 class CacheAccess : public vtkOpenGLShaderCache
 {
@@ -59,33 +86,32 @@ vtkShaderProgram* ShaderDraw::use(vtkOpenGLRenderWindow* window, const std::stri
   const std::string& fragmentFile, const std::string& defines, std::string& error,
   const PeelHooks* hooks)
 {
-  // VTK lists shaders of all types that it knows, most of them empty.
-  std::vector<vtkSmartPointer<vtkShader>> owned;
-  Shaders shaders;
-  for (int type = vtkShader::Vertex; type < vtkShader::Unknown; ++type)
-  {
-    owned.push_back(vtkSmartPointer<vtkShader>::New());
-    owned.back()->SetType(static_cast<vtkShader::Type>(type));
-    shaders[static_cast<vtkShader::Type>(type)] = owned.back();
-  }
   if (!this->DriverDefines)
   {
     this->DriverDefines = driverDefines();
   }
-  const std::string allDefines = defines + *this->DriverDefines;
-  std::string vertexText = shaderSource(vertexFile, allDefines);
-  std::string fragmentText = shaderSource(fragmentFile, allDefines);
-  if (hooks)
-  {
-    hooks->edit(vertexText, fragmentText);
-  }
-  shaders[vtkShader::Vertex]->SetSource(vertexText);
-  shaders[vtkShader::Fragment]->SetSource(fragmentText);
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  vtkShaderProgram* program = cache->ReadyShaderProgram(shaders);
+  if (this->Cache != cache)
+  {
+    this->Programs.clear();
+    this->Cache = cache;
+  }
+  const std::string allDefines = defines + *this->DriverDefines;
+  const std::string& vertexText = this->Texts.of(vertexFile, allDefines);
+  const std::string& fragmentText = this->Texts.of(fragmentFile, allDefines);
+  const auto known = this->Programs.find({ &vertexText, &fragmentText });
+  if (!hooks && known != this->Programs.end())
+  {
+    if (vtkShaderProgram* program = cache->ReadyShaderProgram(known->second))
+    {
+      return program;
+    }
+  }
+  TypedShaders shaders(vertexText, fragmentText, hooks);
+  vtkShaderProgram* program = cache->ReadyShaderProgram(shaders.all());
   if (!program)
   {
-    vtkShaderProgram* failed = CacheAccess::find(cache, shaders);
+    vtkShaderProgram* failed = CacheAccess::find(cache, shaders.all());
     const std::string message = messageOf(failed);
     error = "The shader of " + vertexFile + " and " + fragmentFile + " could not be built" +
             (message.empty() ? ", and the GL does not say why."
@@ -93,6 +119,10 @@ vtkShaderProgram* ShaderDraw::use(vtkOpenGLRenderWindow* window, const std::stri
     // Else the half that did compile is taken for an error when it is tried again.
     failed->GetVertexShader()->Cleanup();
     failed->GetFragmentShader()->Cleanup();
+  }
+  else if (!hooks)
+  {
+    this->Programs[{ &vertexText, &fragmentText }] = program;
   }
   return program;
 }
@@ -108,6 +138,8 @@ void ShaderDraw::release()
 {
   this->VertexArray->ReleaseGraphicsResources();
   this->DriverDefines.reset();
+  this->Programs.clear();
+  this->Texts.clear();
 }
 
 } // namespace tetmarch

@@ -4,13 +4,20 @@
 #ifndef TetMarchGLShaderDraw_h
 #define TetMarchGLShaderDraw_h
 
+#include "Variants/ShaderTexts.h"
+
 #include "vtkNew.h"
 #include "vtkOpenGLVertexArrayObject.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 class vtkOpenGLRenderWindow;
+class vtkOpenGLShaderCache;
 class vtkShaderProgram;
 class vtkWindow;
 
@@ -23,7 +30,8 @@ class ShaderDraw
 {
 public:
   /** Compile the program, or find it in the window's cache, and use it. Hooks edit the text of both
-   * shaders before. Returns nullptr on failure, and `error` says which file is wrong. */
+   * shaders before. Returns nullptr on failure, and `error` says which file is wrong. What was used
+   * before is found without its text: VTK's cache edits and hashes all of that each time. */
   vtkShaderProgram* use(vtkOpenGLRenderWindow* window, const std::string& vertexFile,
     const std::string& fragmentFile, const std::string& defines, std::string& error,
     const PeelHooks* hooks = nullptr);
@@ -34,6 +42,10 @@ public:
 private:
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
   std::optional<std::string> DriverDefines; // as long as the context lives
+  ShaderTexts Texts;
+  vtkWeakPointer<vtkOpenGLShaderCache> Cache; // that has the programs
+  using TwoTexts = std::pair<const std::string*, const std::string*>;
+  std::map<TwoTexts, vtkSmartPointer<vtkShaderProgram>> Programs; // by their texts, without hooks
 };
 
 } // namespace tetmarch

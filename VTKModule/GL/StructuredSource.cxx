@@ -13,6 +13,13 @@
 
 namespace tetmarch
 {
+namespace
+{
+
+// Of the blocks, the empty ones: what leaps gain and what asking for them costs is much the same.
+constexpr double LeastShareToKeepLeaping = 0.05;
+
+} // namespace
 
 std::string StructuredSource::updateGeometry(
   vtkDataSet* data, const ResourceLimits& limits, const Progress&)
@@ -63,12 +70,15 @@ std::string StructuredSource::updateVisibility(
       {
         this->Empty = findBlockDistances(shown, undrawnSeen);
       }
+      this->Leaps.update(isWorthLeaping(this->Empty),
+        this->Empty.EmptyShare >= LeastShareToKeepLeaping, this->version());
     });
 }
 
 VersionedDistances StructuredSource::distances() const
 {
-  return { this->Empty, { static_cast<std::uintptr_t>(this->EmptyRecord.Runs) } };
+  return { this->Empty, this->Leaps.isOn(),
+    { static_cast<std::uintptr_t>(this->EmptyRecord.Runs) } };
 }
 
 void StructuredSource::setBits(VariantKey& key, const View&) const
@@ -78,7 +88,7 @@ void StructuredSource::setBits(VariantKey& key, const View&) const
   key.PointScalars = !lattice.Constant;
   key.Rectilinear = !lattice.isUniform();
   key.HiddenCells = !this->Volume.hiddenCells().empty();
-  key.Leaps = isWorthLeaping(this->Empty);
+  key.Leaps = this->Leaps.isOn();
   this->Textures.setBits(key);
 }
 
@@ -94,6 +104,13 @@ std::vector<BufferSize> StructuredSource::bufferSizes() const
   // The texture of values is no buffer; its sizes are checked where it is made.
   return { { "hidden cells", this->Volume.hiddenCells().size(), sizeof(std::uint32_t) },
     { "blocks", this->Empty.Distances.size(), 1 } };
+}
+
+Fingerprint StructuredSource::samplesVersion() const
+{
+  Fingerprint version;
+  add(version, this->Samples.Distance);
+  return version;
 }
 
 const char* StructuredSource::shaderOf(SourcePass pass) const

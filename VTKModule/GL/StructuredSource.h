@@ -4,6 +4,7 @@
 #ifndef TetMarchGLStructuredSource_h
 #define TetMarchGLStructuredSource_h
 
+#include "Caching/Switch.h"
 #include "GL/LatticeTextures.h"
 #include "GL/MarchSource.h"
 #include "Rays/RaySamples.h"
@@ -73,6 +74,7 @@ public:
 
   const char* shaderOf(SourcePass pass) const override;
   std::string describeBadSamples() const override;
+  Fingerprint samplesVersion() const override;
   void bind(vtkShaderProgram* program, const VariantKey& key) override;
   void unbind() override { this->Textures.unbind(); }
 
@@ -99,6 +101,7 @@ private:
   StructuredEffectSource Effects{ Volume };
   BlockDistances Empty;
   StageRecord EmptyRecord;
+  Switch Leaps;
   LatticeTextures Textures;
 };
 

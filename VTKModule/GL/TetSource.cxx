@@ -35,8 +35,11 @@ std::string TetSource::updateScalars(vtkDataSet* data, const DrawnScalars& drawn
 std::string TetSource::updateVisibility(
   const IntegralTable& first, const Components& parts, const Blending& blending, bool undrawnSeen)
 {
-  return this->Volume.updateVisiblePart(
-    parts.isIndependent() ? nullptr : &first, blending, undrawnSeen);
+  const std::string error =
+    this->Volume.updateVisiblePart(parts.isIndependent() ? nullptr : &first, blending, undrawnSeen);
+  const VisiblePart& part = this->Volume.visiblePart();
+  this->EntersVisible.update(isWorthEntering(part), staysWorthEntering(part), this->version());
+  return error;
 }
 
 double TetSource::transparentShare(const IntegralTable& table) const
@@ -48,7 +51,7 @@ double TetSource::transparentShare(const IntegralTable& table) const
 bool TetSource::entersVisiblePart() const
 {
   const VisiblePart& part = this->Volume.visiblePart();
-  return isWorthEntering(part) && part.Faces.size() <= this->Limits.TexelsPerBuffer;
+  return this->EntersVisible.isOn() && part.Faces.size() <= this->Limits.TexelsPerBuffer;
 }
 
 void TetSource::setBits(VariantKey& key, const View& camera) const

@@ -4,6 +4,7 @@
 #ifndef TetMarchGLTetSource_h
 #define TetMarchGLTetSource_h
 
+#include "Caching/Switch.h"
 #include "GL/EntryListTextures.h"
 #include "GL/MarchSource.h"
 #include "GL/MeshTextures.h"
@@ -104,6 +105,7 @@ private:
   VisiblePartTextures Visible;
   EntryListTextures Entries;
   StageRecord EntriesRecord;
+  Switch EntersVisible; // if its faces are not too many
 };
 
 } // namespace tetmarch

@@ -39,14 +39,28 @@ bool askToGoOn(vtkOpenGLRenderWindow* window, const Progress& progress, double s
 
 } // namespace
 
+ScreenBox screenBoxOf(const Viewport& part, const Viewport& whole)
+{
+  const auto onScreen = [](int pixel, int begin, int size)
+  { return 2.0 * (pixel - begin) / size - 1; };
+  return { { { onScreen(part.X, whole.X, whole.Width), onScreen(part.Y, whole.Y, whole.Height) } },
+    { { onScreen(part.X + part.Width, whole.X, whole.Width),
+      onScreen(part.Y + part.Height, whole.Y, whole.Height) } } };
+}
+
 std::string drawInTiles(vtkOpenGLRenderWindow* window, const Viewport& area, double mostSeconds,
-  TileSchedule& schedule, const Progress& progress, bool& stopped,
+  const PictureContent& content, TileSchedule& schedule, const Progress& progress, bool& stopped,
   const std::function<std::string(const Viewport& tile)>& draw)
 {
   using Clock = std::chrono::steady_clock;
   const bool measured = mostSeconds > 0;
   const Viewport visible = withinScissor(window->GetState(), area);
-  schedule.begin(visible.Width, visible.Height, mostSeconds);
+  PictureContent drawn = content;
+  if (visible.Width != area.Width || visible.Height != area.Height)
+  {
+    drawn.Drawn = screenBoxOf(visible, area);
+  }
+  schedule.begin(visible.Width, visible.Height, mostSeconds, drawn);
   if (measured)
   {
     glFinish(); // so that earlier draws are not measured

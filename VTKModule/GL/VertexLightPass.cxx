@@ -13,6 +13,7 @@
 
 #include "vtkOpenGLRenderUtilities.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -21,8 +22,6 @@ namespace tetmarch
 namespace
 {
 
-// Few enough for one draw to fit into the time that a frame can spare.
-constexpr int BlocksOfPart = 8;
 constexpr std::size_t VerticesOfBlock = VertexLightBlockSide * VertexLightBlockSide;
 constexpr std::size_t BlocksOfRow = VertexLightRow / VertexLightBlockSide;
 
@@ -50,6 +49,13 @@ std::string bindRows(vtkOpenGLRenderWindow* window, FloatTarget& target, const V
 
 } // namespace
 
+int VertexLightPass::Work::rays() const
+{
+  const LightUniforms& lights = this->Inputs.EffectValues->Lights;
+  const std::size_t ofLights = this->ToLights ? lights.ShadowSources.size() : 0;
+  return std::max(1, static_cast<int>(ofLights) + lights.OcclusionDirections);
+}
+
 std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
   std::size_t vertices, const Fingerprint& version, const Progress& progress, bool& stopped)
 {
@@ -65,6 +71,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
     this->NextVersion = version;
     this->Made = 0;
     this->Seconds = 0;
+    this->Started = false;
   }
   const Clock::time_point begin = Clock::now();
   constexpr std::size_t rowOfBlocks = BlocksOfRow * VerticesOfBlock;
@@ -128,8 +135,12 @@ std::string VertexLightPass::makeAll(
   const int rowsMade = static_cast<int>(this->Made / VerticesOfBlock / BlocksOfRow);
   const int first = VertexLightBlockSide * rowsMade;
   const Viewport rest{ 0, first, work.All.Width, work.All.Height - first };
-  const std::string error = drawInTiles(window, rest, work.Inputs.MostSecondsPerDraw, this->Tiles,
-    progress, stopped, [&](const Viewport& tile) { return this->drawTile(window, work, tile); });
+  PictureContent content;
+  content.Version = this->NextVersion;
+  content.RaysPerPixel = work.rays();
+  const std::string error =
+    drawInTiles(window, rest, work.Inputs.MostSecondsPerDraw, content, this->Tiles, progress,
+      stopped, [&](const Viewport& tile) { return this->drawTile(window, work, tile); });
   glFinish(); // the time is to include the work of the GPU
   this->Made = error.empty() && !stopped ? work.Vertices : this->Made;
   return error;
@@ -139,19 +150,44 @@ std::string VertexLightPass::makePart(vtkOpenGLRenderWindow* window, const Work&
 {
   glFinish(); // the time is not to include what was drawn before
   const Clock::time_point begin = Clock::now();
+  if (!this->Started)
+  {
+    this->Parts.begin(double(VerticesOfBlock) * work.rays(), work.Inputs.MostLightSeconds);
+    this->Started = true;
+  }
   std::string error;
   do
   {
-    const std::size_t block = this->Made / VerticesOfBlock;
-    const int x = VertexLightBlockSide * static_cast<int>(block % BlocksOfRow);
-    const int y = VertexLightBlockSide * static_cast<int>(block / BlocksOfRow);
-    error = this->drawTile(
-      window, work, { x, y, VertexLightBlockSide * BlocksOfPart, VertexLightBlockSide });
+    const Clock::time_point beginOfPart = Clock::now();
+    const Viewport part = this->nextPart(work.All);
+    error = this->drawTile(window, work, part);
     glFinish();
-    this->Made += error.empty() ? BlocksOfPart * VerticesOfBlock : 0;
+    if (error.empty())
+    {
+      const auto vertices = static_cast<std::size_t>(part.Width) * part.Height;
+      this->Made += vertices;
+      this->Parts.done(
+        static_cast<std::int64_t>(vertices / VerticesOfBlock), secondsSince(beginOfPart));
+    }
   } while (error.empty() && this->Made < work.Vertices &&
            secondsSince(begin) < work.Inputs.MostLightSeconds);
   return error;
+}
+
+// Whole rows of blocks, or what the row has left.
+Viewport VertexLightPass::nextPart(const Viewport& all) const
+{
+  const std::size_t block = this->Made / VerticesOfBlock;
+  const std::size_t column = block % BlocksOfRow;
+  const auto most = static_cast<std::size_t>(this->Parts.next());
+  const std::size_t row = block / BlocksOfRow;
+  const std::size_t rowsLeft = static_cast<std::size_t>(all.Height) / VertexLightBlockSide - row;
+  const std::size_t rows =
+    column > 0 || most < BlocksOfRow ? 1 : std::min(most / BlocksOfRow, rowsLeft);
+  const std::size_t columns = std::min(most, BlocksOfRow - column);
+  const auto texels = [](std::size_t blocks)
+  { return VertexLightBlockSide * static_cast<int>(blocks); };
+  return { texels(column), texels(row), texels(columns), texels(rows) };
 }
 
 vtkShaderProgram* VertexLightPass::useProgram(
@@ -208,7 +244,7 @@ void VertexLightPass::release(vtkWindow* window)
   this->releasePrograms();
   this->Shown.release(window);
   this->Next.release(window);
-  this->Tiles.expectChange();
+  this->Tiles.forget();
   this->ShownVersion.clear();
   this->NextVersion.clear();
 }

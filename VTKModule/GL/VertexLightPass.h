@@ -4,6 +4,7 @@
 #ifndef TetMarchGLVertexLightPass_h
 #define TetMarchGLVertexLightPass_h
 
+#include "Budget/GrowingParts.h"
 #include "Caching/Fingerprint.h"
 #include "Caching/StageRecord.h"
 #include "GL/FloatTarget.h"
@@ -41,6 +42,7 @@ public:
 private:
   struct Work
   {
+    int rays() const; // from a vertex
     MarchInputs Inputs;
     Viewport All; // all texels of the texture
     std::size_t Vertices;
@@ -52,6 +54,7 @@ private:
   std::string makeAll(
     vtkOpenGLRenderWindow* window, const Work& work, const Progress& progress, bool& stopped);
   std::string makePart(vtkOpenGLRenderWindow* window, const Work& work);
+  Viewport nextPart(const Viewport& all) const;
   vtkShaderProgram* useProgram(
     vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::string& error);
   std::string drawTile(vtkOpenGLRenderWindow* window, const Work& work, const Viewport& tile);
@@ -64,8 +67,10 @@ private:
   Fingerprint NextVersion;
   std::size_t Made = 0; // vertices whose light is made
   double Seconds = 0;   // that this has taken so far
+  bool Started = false; // parts of it
   bool Complete = false;
-  TileSchedule Tiles;
+  TileSchedule Tiles; // of light that is made at once
+  GrowingParts Parts; // of light that is spread over frames
   StageRecord Record;
 };
 

@@ -157,7 +157,7 @@ void VisitPass::release(vtkWindow* window)
   this->Target.release(window);
   this->Rays.release(window);
   this->Hidden.release(window);
-  this->expectChange();
+  this->forgetTimes();
 }
 
 } // namespace tetmarch

@@ -56,7 +56,7 @@ public:
   {
     return this->Target.bytes() + this->Rays.bytes() + this->Hidden.bytes();
   }
-  void expectChange() { this->Tiles.expectChange(); }
+  void forgetTimes() { this->Tiles.forget(); }
   void release(vtkWindow* window);
 
 private:

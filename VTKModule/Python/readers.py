@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from . import file_lists
 from .checks import checked_integer
-from .errors import PrintedErrors, VtkErrors
+from .errors import VtkErrors
 
 # Ending: (module of VTK or our own, class).
 READERS = {

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Texts of shaders that were built before: a text takes a millisecond to build, and each tile of a
+// picture asks for it.
+#ifndef TetMarchVariantsShaderTexts_h
+#define TetMarchVariantsShaderTexts_h
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace tetmarch
+{
+
+class ShaderTexts
+{
+public:
+  /** shaderSource(file, defines). The same text stays at the same address until clear(). */
+  const std::string& of(const std::string& file, const std::string& defines);
+  void clear() { this->Texts.clear(); }
+
+private:
+  std::map<std::pair<std::string, std::string>, std::string> Texts;
+};
+
+} // namespace tetmarch
+
+#endif
