@@ -15,9 +15,16 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
   bool loaded = isLoaded(ends, cell);
   real position = real(0); // how far the segment is integrated, 0..1
   real pieces = real(1);   // into which the rest is cut; the first is tried
+  // Numbers that are not finite do not keep the loop alive. Others never take as many turns: behind mostTrials pieces are
+  // accepted as they are, and grow. Where two turns are all, the bound is a uniform, so that the loop is not unrolled.
+#if TETMARCH_ADAPTIVE
+  int mostTurns = 16 * mostTrials + 2;
+#else
+  int mostTurns = mostSteps;
+#endif
   int trials = 0;
   bool pending = true;
-  do
+  while (pending && trials < mostTurns)
   {
     Subsegment part = subsegmentFrom(position, pieces);
     SubsegmentMean found = meanOfSubsegment(ends, part, loaded, cell);
@@ -54,6 +61,6 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #endif
     loaded = loaded || accepted;
     trials = trials + 1;
-  } while (pending);
+  }
   return trials;
 }
