@@ -4,6 +4,7 @@
 
 #include "Caching/WithinMemory.h"
 #include "GL/BlockAttributes.h"
+#include "GL/ErrorQueue.h"
 #include "GL/StateScope.h"
 
 #include "vtkOpenGLRenderUtilities.h"
@@ -245,6 +246,7 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
   if (!error.empty())
   {
     this->release(window);
+    clearErrors(); // VTK detaches shaders of programs that could not be linked twice
     return this->fail(error);
   }
   return true;

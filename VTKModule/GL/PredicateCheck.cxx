@@ -43,7 +43,8 @@ public:
       return "The GPU has no room for " + std::to_string(this->Cases.texels().size() * 4) +
              " bytes. Close what else uses it.";
     }
-    std::string error = this->draw(fused);
+    const StateScope state(this->Window);
+    std::string error = this->draw(fused, state);
     if (error.empty())
     {
       wrong = this->Cases.countWrong(
@@ -53,12 +54,11 @@ public:
   }
 
 private:
-  std::string draw(bool fused)
+  std::string draw(bool fused, const StateScope& state)
   {
     VariantKey key;
     key.EntryLists = false;
     key.HasFma = fused;
-    const StateScope state(this->Window);
     std::string error =
       this->Answers.bind(this->Window, PredicateCases::Side, PredicateCases::Side, 2);
     vtkShaderProgram* program =
