@@ -22,9 +22,9 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #else
   int mostTurns = mostSteps;
 #endif
-  int trials = 0;
+  int trials = 0; // from mostTrials on all are accepted
   bool pending = true;
-  while (pending && trials < mostTurns)
+  do
   {
     Subsegment part = subsegmentFrom(position, pieces);
     SubsegmentMean found = meanOfSubsegment(ends, part, loaded, cell);
@@ -49,7 +49,7 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #if TETMARCH_ERROR_BOUND
       radiance.error = radiance.error + error;
 #endif
-      pending = !(loaded && part.last) && !isOpaque(radiance);
+      pending = !(loaded && part.last) && !isOpaque(radiance) && trials < mostTurns;
       position = loaded ? position + part.fraction : position;
       keepTablePoint(found, cell);
     }
@@ -61,6 +61,6 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #endif
     loaded = loaded || accepted;
     trials = trials + 1;
-  }
+  } while (pending);
   return trials;
 }

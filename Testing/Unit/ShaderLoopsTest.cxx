@@ -80,6 +80,12 @@ protected:
         const std::size_t first = condition.find(';');
         condition = condition.substr(first + 2, condition.find(';', first + 1) - first - 2);
       }
+      std::smatch set;
+      const std::regex last("\\b" + condition + " = ([^;]* && [^;]*);");
+      if (std::regex_match(condition, std::regex("\\w+")) && std::regex_search(text, set, last))
+      {
+        condition = set[1]; // what the loop sets it to
+      }
       condition = std::regex_replace(condition, std::regex("\\s+"), " ");
       this->Loops.push_back({ name + ": " + condition, condition, &text });
     }
