@@ -1,5 +1,5 @@
 // The words in which the shared files are written, for GLSL; Reference/KernelBody.h has the same for C++.
-#if TETMARCH_HAS_FMA
+#if TETMARCH_HAS_FMA || TETMARCH_HAS_PRECISE
 #extension GL_ARB_gpu_shader5 : require
 #else
 #define precise

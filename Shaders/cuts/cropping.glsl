@@ -2,6 +2,9 @@
 // six of the planes, and is gathered from plane to plane.
 
 #if TETMARCH_CROPPED
+// Six planes lie between 7 ranges of a ray. The bound of loops is not constant, so that they are not unrolled.
+int mostRanges() { return max(7, mostSteps); }
+
 // The depth behind the given one at which the ray crosses the next plane.
 real nextPlane(Ray ray, real depth)
 {
@@ -31,8 +34,10 @@ vec2 nextRange(Ray ray, real depthBegin, real depthEnd)
 {
   vec2 range = vec2(depthBegin, depthBegin);
   bool searching = depthBegin < depthEnd;
-  while (searching)
+  int ranges = 0;
+  while (searching && ranges < mostRanges())
   {
+    ranges = ranges + 1;
     real begin = range.y;
     real end = min(nextPlane(ray, begin), depthEnd);
     bool left = isInRegionLeft(ray.origin + ray.direction * (real(0.5) * (begin + end)));

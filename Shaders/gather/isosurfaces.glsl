@@ -19,7 +19,8 @@ int gatherSegment(Segment segment, real thicknessPerDepth, INOUT(CellInterval) c
   int next = valuesReached(segment.begin.y);
   int last = valuesReached(segment.end.y);
   bool ascends = next < last;
-  while (next != last)
+  int crossed = ascends ? last - next : next - last;
+  while (crossed > 0)
   {
     int surface = ascends ? next : next - 1;
     vec4 color = fetchIsoColor(surface);
@@ -27,6 +28,7 @@ int gatherSegment(Segment segment, real thicknessPerDepth, INOUT(CellInterval) c
     radiance.color = radiance.color + emitted * radiance.transmittance;
     radiance.transmittance = radiance.transmittance * (real(1) - color.w);
     next = ascends ? next + 1 : next - 1;
+    crossed = crossed - 1;
   }
   return 1;
 }

@@ -5,10 +5,13 @@ struct Radiance
   vec3 color; // premultiplied
   real transmittance;
 #if TETMARCH_ERROR_BOUND
-  real error;      // no channel of color is off by more, but for rounding and for the resolution of the tables
+  real error;      // no channel of color is off by more, but for rounding, the steps of the integrals and the light
+#endif
+#if TETMARCH_TABLE_ERROR
+  real lookedUp;   // thickness along which means were looked up, seen through the transmittance
 #endif
 #if TETMARCH_LIGHT_ERROR
-  real lightError; // and for this error of the light
+  real lightError; // this error of the light
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
   vec3 pendingA; // colour by each light whose transmittance the next sample will tell
@@ -26,6 +29,9 @@ Radiance noRadiance()
   radiance.transmittance = real(1);
 #if TETMARCH_ERROR_BOUND
   radiance.error = real(0);
+#endif
+#if TETMARCH_TABLE_ERROR
+  radiance.lookedUp = real(0);
 #endif
 #if TETMARCH_LIGHT_ERROR
   radiance.lightError = real(0);
@@ -87,6 +93,9 @@ real errorBound(Radiance radiance)
   real bound = isOpaque(radiance) ? radiance.transmittance : real(0);
 #if TETMARCH_ERROR_BOUND
   bound = bound + radiance.error;
+#endif
+#if TETMARCH_TABLE_ERROR
+  bound = bound + min(radiance.lookedUp * errorOfSteps(), real(1));
 #endif
 #if TETMARCH_LIGHT_ERROR
   bound = bound + radiance.lightError;

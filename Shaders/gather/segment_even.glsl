@@ -3,12 +3,13 @@
 
 // How far the scalar, 0..1, may be from the straight line in a piece, unless there are most pieces.
 CONSTANT real GREATEST_BEND = real(1) / real(256);
-CONSTANT real MOST_PIECES = real(8);
+CONSTANT int MOST_PIECES = 8;
 
 // The bend of a piece falls with the square of their number.
-real piecesOf(vec2 bend)
+int piecesOf(vec2 bend)
 {
-  return clamp(-floor(-sqrt(greatestBend(bend) / GREATEST_BEND)), real(1), MOST_PIECES);
+  real pieces = -floor(-sqrt(greatestBend(bend) / GREATEST_BEND));
+  return clamp(int(max(real(1), min(pieces, real(MOST_PIECES)))), 1, MOST_PIECES);
 }
 
 // What the bend changes of the mean where the function is straight. Across a narrow peak it tells nothing: so no more is
@@ -40,15 +41,15 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
   real begin = segment.begin.y * tableScale + tableOffset;
   real end = segment.end.y * tableScale + tableOffset;
   vec2 bend = segment.bend * tableScale;
-  real step = real(1) / piecesOf(segment.bend);
+  int count = piecesOf(segment.bend);
+  real step = real(1) / real(count);
   IntegralPoint from = integralPoint(begin);
   int pieces = 0;
-  bool pending = true;
   do
   {
     real position = real(pieces) * step;
     real next = position + step;
-    bool last = !(next < real(0.999)); // also if it is NaN: the loop ends whatever the input
+    bool last = pieces + 1 >= count;
     IntegralPoint to = integralPoint(last ? end : bentScalar(begin, end, bend, next));
     vec4 mean = meanOfPiece(from, to, bendWithin(bend, position, next));
     real middle = position + real(0.5) * step;
@@ -63,7 +64,6 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
     addSubsegment(mean, by, middle, step, cell, radiance);
     from = to;
     pieces = pieces + 1;
-    pending = !last;
-  } while (pending);
+  } while (pieces < count);
   return pieces;
 }

@@ -15,7 +15,14 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
   bool loaded = isLoaded(ends, cell);
   real position = real(0); // how far the segment is integrated, 0..1
   real pieces = real(1);   // into which the rest is cut; the first is tried
-  int trials = 0;
+  // Numbers that are not finite do not keep the loop alive. Others never take as many turns: behind mostTrials pieces are
+  // accepted as they are, and grow. Where two turns are all, the bound is a uniform, so that the loop is not unrolled.
+#if TETMARCH_ADAPTIVE
+  int mostTurns = 16 * mostTrials + 2;
+#else
+  int mostTurns = mostSteps;
+#endif
+  int trials = 0; // from mostTrials on all are accepted
   bool pending = true;
   do
   {
@@ -42,7 +49,7 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #if TETMARCH_ERROR_BOUND
       radiance.error = radiance.error + error;
 #endif
-      pending = !(loaded && part.last) && !isOpaque(radiance);
+      pending = !(loaded && part.last) && !isOpaque(radiance) && trials < mostTurns;
       position = loaded ? position + part.fraction : position;
       keepTablePoint(found, cell);
     }

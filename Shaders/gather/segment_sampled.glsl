@@ -23,8 +23,8 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
   int behind = samplesBefore(cell.ray, segment.end.x);
   real stepThickness = thickness * (sampleStep / (segment.end.x - segment.begin.x));
   int samples = 0;
-  bool pending = k < behind;
-  while (pending)
+  bool pending = true;
+  while (pending && k < behind)
   {
     Segment point = segment;
 #if TETMARCH_POINT_SCALARS || TETMARCH_EFFECTS
@@ -41,7 +41,7 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
     addSubsegment(value, by, real(0.5), real(1), cell, radiance);
     k = k + 1;
     samples = samples + 1;
-    pending = k < behind && !isOpaque(radiance);
+    pending = !isOpaque(radiance);
   }
   return samples;
 }

@@ -15,7 +15,7 @@ Subsegment subsegmentFrom(real position, real pieces)
 {
   Subsegment part;
   part.begin = position;
-  part.last = !(pieces > real(1)); // also if it is NaN: the loop ends whatever the input
+  part.last = !(pieces > real(1));
   part.pieces = part.last ? real(1) : pieces;
   part.fraction = (real(1) - position) / part.pieces;
   part.end = position + part.fraction;
@@ -38,12 +38,19 @@ real thicknessWithin(CellInterval cell, real fraction, real thickness)
 void addSubsegment(
   vec4 mean, Absorption by, real middle, real fraction, CellInterval cell, INOUT(Radiance) radiance)
 {
+#if TETMARCH_TABLE_ERROR && !TETMARCH_LIT
+  radiance.lookedUp = radiance.lookedUp + radiance.transmittance * by.thickness;
+#endif
 #if TETMARCH_LIGHT_ERROR
   radiance.lightError =
     radiance.lightError + radiance.transmittance * by.absorbed * fraction * lightErrorOf(cell.shades);
 #endif
 #if TETMARCH_LIT
   Illumination lit = illuminationWithin(cell.shades, middle);
+#if TETMARCH_TABLE_ERROR
+  // What is behind and what is reflected as from white surfaces is taken for no brighter than 1.
+  radiance.lookedUp = radiance.lookedUp + radiance.transmittance * by.thickness * (real(1) + brightness(lit));
+#endif
 #if TETMARCH_SAMPLED_SHADOWS
   keepPending(radiance, mean, lit, by);
 #endif

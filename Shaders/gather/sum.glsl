@@ -2,36 +2,83 @@
 // is in a range (blend mode average). The tables have the intensity, a scalar's position in the range of the data, as
 // their colour, and the opacity as extinction: so their means of C tau are exactly the means of the product.
 
+// A sum of many terms, with what rounding has cut off it (Neumaier 1974): its error does not grow with their number.
+struct LongSum
+{
+  real rounded;
+  real cutOff;
+};
+
+LongSum emptySum()
+{
+  LongSum sum;
+  sum.rounded = real(0);
+  sum.cutOff = real(0);
+  return sum;
+}
+
+void addTo(INOUT(LongSum) sum, real term)
+{
+  // Knuth's sum of two numbers, whichever is greater, and its rounding error, which is exact.
+  precise real rounded = sum.rounded + term;
+  precise real added = rounded - sum.rounded;
+  precise real cutOff = (sum.rounded - (rounded - added)) + (term - added);
+  sum.rounded = rounded;
+  sum.cutOff = sum.cutOff + cutOff;
+}
+
+real valueOf(LongSum sum) { return sum.rounded + sum.cutOff; }
+
 // What a ray has gathered.
 struct Radiance
 {
-  real sum;           // integral over depths
-  real countedLength; // of the part whose scalar is in the range
+  LongSum sum;           // integral over depths
+  LongSum countedLength; // of the part whose scalar is in the range
+#if TETMARCH_DIAGNOSTICS
+  real error;            // of the sum
+#endif
 };
 
 Radiance noRadiance()
 {
   Radiance radiance;
-  radiance.sum = real(0);
-  radiance.countedLength = real(0);
+  radiance.sum = emptySum();
+  radiance.countedLength = emptySum();
+#if TETMARCH_DIAGNOSTICS
+  radiance.error = real(0);
+#endif
   return radiance;
 }
 
 #if TETMARCH_PICKED
-real gathered(Radiance radiance) { return radiance.sum; }
+real gathered(Radiance radiance) { return valueOf(radiance.sum); }
 #endif
 
 // Any cell behind adds to the sum.
 bool isOpaque(Radiance radiance) { return false; }
 
-real errorBound(Radiance radiance) { return real(0); }
+// What the sum is times to be shown: the length of what counts for an average, or the thickness.
+real factorOf(Radiance radiance, real thicknessPerDepth)
+{
+  return averages ? real(1) / max(valueOf(radiance.countedLength), TINY) : thicknessPerDepth;
+}
+
+// What the integrals' steps (tables/integral_table.glsl) and the rounding of terms may put the gray off.
+real errorBound(Radiance radiance)
+{
+#if TETMARCH_DIAGNOSTICS
+  return min(radiance.error * (averages ? factorOf(radiance, real(1)) : real(1)), real(1));
+#else
+  return real(0);
+#endif
+}
 
 // An opaque gray where anything counts.
 vec4 pixelOf(Radiance radiance, real thicknessPerDepth)
 {
-  bool counts = radiance.countedLength > real(0);
-  real factor = averages ? real(1) / max(radiance.countedLength, TINY) : thicknessPerDepth;
-  real gray = radiance.sum > real(0) ? min(radiance.sum * factor, real(1)) : real(0);
+  bool counts = radiance.countedLength.rounded > real(0);
+  real sum = valueOf(radiance.sum);
+  real gray = sum > real(0) ? min(sum * factorOf(radiance, thicknessPerDepth), real(1)) : real(0);
   return vec4(gray, gray, gray, counts ? real(1) : real(0));
 }
 
@@ -55,7 +102,16 @@ int gatherSegment(Segment segment, real thicknessPerDepth, INOUT(CellInterval) c
   vec4 value = tableValue(from * tableScale + tableOffset);
   real mean = value.x * value.w;
 #endif
-  radiance.sum = radiance.sum + mean * counted;
-  radiance.countedLength = radiance.countedLength + counted;
+  precise real term = mean * counted;
+  addTo(radiance.sum, term);
+  addTo(radiance.countedLength, counted);
+#if TETMARCH_DIAGNOSTICS
+  // A term, and the gray in the end, are rounded 16 times at most: 16 2^-24.
+  real rounding = mean * real(9.5367431640625e-7);
+#if TETMARCH_POINT_SCALARS
+  rounding = rounding + tableIntegralUnit.x; // over a bin or more, a mean is at most one step off
+#endif
+  radiance.error = radiance.error + rounding * counted * (averages ? real(1) : thicknessPerDepth);
+#endif
   return 1;
 }

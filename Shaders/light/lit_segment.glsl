@@ -29,7 +29,7 @@ void keepPending(INOUT(Radiance) radiance, vec4 mean, Illumination lit, Absorpti
 real greatest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 #endif
 
-#if TETMARCH_ERROR_BOUND
+#if TETMARCH_ERROR_BOUND || TETMARCH_TABLE_ERROR
 // How bright a colour of 1 can become.
 real brightness(Illumination lit)
 {

@@ -3,6 +3,7 @@
 
 CONSTANT real SAMPLE_SPACING = real(0.0625);    // opacity from sample to sample
 CONSTANT real FIRST_SAMPLE = real(0.001953125); // opacity before the first sample
+CONSTANT int MOST_LIGHT_SAMPLES = 20;           // of a ray: 1 / SAMPLE_SPACING, the first two, and some for rounding
 
 // The transmittance towards each light from a point in the cell behind which the march has paused.
 vec3 sampleLight(Ray ray, March march, real depth)
@@ -42,11 +43,14 @@ void marchAndSample(
 {
   vec3 light = vec3(real(1), real(1), real(1));
   bool sampled = false;
+  int samples = 0;
+  bool marching = true;
   march.pause.nextSample = real(1) - FIRST_SAMPLE;
   real spacing = SAMPLE_SPACING * (jitter + real(0.5));
-  do
+  while (marching && samples <= MOST_LIGHT_SAMPLES)
   {
     march.pause.due = false;
+    samples = samples + 1;
     marchOn(ray, thicknessPerDepth, depthEnd, traversal, march);
     if (march.pause.due)
     {
@@ -58,7 +62,8 @@ void marchAndSample(
       march.pause.nextSample = march.radiance.transmittance - spacing;
       spacing = SAMPLE_SPACING;
     }
-  } while (march.pause.due);
+    marching = march.pause.due;
+  }
   addPending(march.radiance, light);
 }
 

@@ -7,6 +7,7 @@ struct March
   real done;     // depth up to which the ray has gathered; nothing is gathered twice
   bool finished; // the ray is opaque or picked, or past the last depth that is asked for
   int cells;     // cells crossed
+  int stepsTaken; // the same, and parts of cells that were crossed: no ray takes more than mostSteps
 #if TETMARCH_SAMPLED_SHADOWS
   SamplePause pause;
 #endif
@@ -33,6 +34,7 @@ March beginMarch(real depthBegin)
   march.done = depthBegin;
   march.finished = false;
   march.cells = 0;
+  march.stepsTaken = 0;
 #if TETMARCH_SAMPLED_SHADOWS
   march.pause = noPause();
 #endif
@@ -66,7 +68,7 @@ void countFaults(bool lost, INOUT(March) march)
 {
 #if TETMARCH_DIAGNOSTICS
   march.lost = march.lost + (lost ? 1 : 0);
-  march.guarded = march.guarded + (march.cells >= mostCells ? 1 : 0);
+  march.guarded = march.guarded + (march.stepsTaken >= mostSteps ? 1 : 0);
 #endif
 }
 
@@ -121,6 +123,7 @@ bool passCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterval) ce
   Crossing crossing = crossCell(ray, place, cell);
   advanceShades(cell);
   march.cells = march.cells + crossing.cells;
+  march.stepsTaken = march.stepsTaken + 1;
 
   // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
   cell.begin = max(cell.enter.x, march.done);
@@ -133,7 +136,7 @@ bool passCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterval) ce
   recordCell(cell, march);
   cropCell(ray, cell);
   countFaults(crossing.lost, march);
-  return crossing.onward && march.cells < mostCells && !march.finished;
+  return crossing.onward && march.stepsTaken < mostSteps && !march.finished;
 }
 
 // Crosses cells until something is seen of one, or one cell if none is to be passed unseen. Returns whether the ray goes
@@ -143,7 +146,7 @@ bool passToSeenCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterv
 #if TETMARCH_PASSES_CELLS
   bool onward = true;
   bool passing = true;
-  while (passing)
+  while (passing && march.stepsTaken < mostSteps)
   {
     onward = passCell(ray, depthEnd, place, cell, march);
     passing = onward && !cell.seen;
@@ -172,8 +175,10 @@ void gatherIntervals(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, 
 {
 #if TETMARCH_CROPPED
   bool cropping = cell.seen;
-  while (cropping)
+  int ranges = 0;
+  while (cropping && ranges < mostRanges())
   {
+    ranges = ranges + 1;
     gatherInterval(thicknessPerDepth, cell, march);
     cropping = nextRangeOfCell(ray, cell);
   }
@@ -198,7 +203,7 @@ void marchToExit(Ray ray, INOUT(Place) place, real thicknessPerDepth, real depth
 {
   CellInterval cell = beginCellInterval(ray, place);
   bool onward = true;
-  while (onward)
+  while (onward && march.stepsTaken < mostSteps)
   {
     onward = passToSeenCell(ray, depthEnd, place, cell, march);
     keepTransmittance(march);
@@ -243,8 +248,11 @@ bool goesOnThrough(Traversal traversal, March march)
 // Marches to the end of the ray or of a visit, or up to where the march pauses.
 void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) traversal, INOUT(March) march)
 {
-  while (goesOnThrough(traversal, march) && continuesBefore(traversal, depthEnd) && march.cells < mostCells)
+  int entries = 0;
+  while (goesOnThrough(traversal, march) && continuesBefore(traversal, depthEnd) && march.stepsTaken < mostSteps &&
+    entries < mostSteps)
   {
+    entries = entries + 1;
     beginVisit(traversal, march);
     enterVolume(ray, depthEnd, traversal);
 #if TETMARCH_SAMPLED_SHADOWS

@@ -9,6 +9,9 @@
 #if TETMARCH_EVEN_CUTS
 #include "tables/mean_by_difference.glsl"
 #endif
+#if TETMARCH_TABLE_ERROR
+#include "tables/integral_steps.glsl"
+#endif
 #endif
 #if TETMARCH_GRADIENT_OPACITY
 #include "tables/gradient_opacity.glsl"

@@ -41,8 +41,10 @@ Entry entryOf(PixelRay pixel)
   before.depth = -NO_DEPTH;
   before.face = -1;
   Entry next = nextEntry(ray, before, true);
-  while (next.face >= 0 && next.depth <= depth)
+  int entries = 0;
+  while (next.face >= 0 && next.depth <= depth && entries < mostSteps)
   {
+    entries = entries + 1;
     before = next;
     next = nextEntry(ray, before, true);
   }

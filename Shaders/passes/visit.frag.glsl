@@ -52,7 +52,7 @@ vec4 gatheredBy(March march, vec3 direction) { return vec4(march.radiance.extrem
 vec4 gatheredBy(March march, vec3 direction)
 {
   float perDepth = averages ? 1.0 : thicknessPerDepthAlong(direction);
-  return vec4(march.radiance.sum * perDepth, march.radiance.countedLength, 0.0, 0.0);
+  return vec4(valueOf(march.radiance.sum) * perDepth, valueOf(march.radiance.countedLength), 0.0, 0.0);
 }
 #endif
 

@@ -5,7 +5,7 @@ uniform ivec3 latticeCells; // along i, j, k
 uniform ivec3 firstValue;   // of cell 0, along i, j, k
 uniform ivec3 lastValue;
 uniform mat4 latticeMatrix; // from the normalised frame to lattice coordinates
-uniform int mostCells;      // the step guard: no ray crosses more cells
+uniform int mostSteps;      // the step guard: no ray crosses more parts of cells
 
 vec3 toLattice(vec3 point) { return (latticeMatrix * vec4(point, 1.0)).xyz; }
 vec3 directionToLattice(vec3 direction) { return mat3(latticeMatrix) * direction; }

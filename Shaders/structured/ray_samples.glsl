@@ -18,11 +18,14 @@ void shiftSamples(real steps, INOUT(Ray) ray)
   ray.firstSample = steps < real(1) ? first : min(first, last);
 }
 
+// Depths, as floats, tell no more samples apart: 2^24.
+CONSTANT real MOST_SAMPLES = real(16777216);
+
 // How many samples lie in front of a depth. The same depth has the same number, whatever cell asks for it: so no sample
 // counts twice, and none is left out.
 int samplesBefore(Ray ray, real depth)
 {
-  return int(max(floor((depth - ray.firstSample) * samplesPerDepth) + real(1), real(0)));
+  return int(max(real(0), min(floor((depth - ray.firstSample) * samplesPerDepth) + real(1), MOST_SAMPLES)));
 }
 
 #if TETMARCH_POINT_SCALARS || TETMARCH_EFFECTS

@@ -41,8 +41,10 @@ real transmittanceTo(LightStart start, vec3 direction, real distance)
   CellInterval cell = beginCellInterval(ray, traversal.place);
   real opticalDepth = real(0);
   bool onward = continuesBefore(traversal, end);
-  while (onward)
+  int steps = 0;
+  while (onward && steps < mostSteps)
   {
+    steps = steps + 1;
     Crossing crossing = crossCell(ray, traversal.place, cell);
     cell.begin = max(cell.enter.x, begin);
     cell.end = min(cell.leave.x, end);

@@ -79,19 +79,19 @@ real cubicAt(vec4 cubic, real x) { return cubic.x + x * (cubic.y + x * (cubic.z 
 #if TETMARCH_CELL_PARTS
 CONSTANT real NO_EXTREME = real(2);
 
-// Where the cubic has extremes between 0 and 1, in ascending order; NO_EXTREME where there is none. The roots of the
-// derivative, without cancellation.
+// Where the cubic has extremes between 0 and 1, in ascending order; NO_EXTREME where there is none, or no scalar. The roots
+// of the derivative, without cancellation.
 vec2 extremesOf(vec4 cubic)
 {
   real a = real(3) * cubic.w;
   real b = cubic.z;
   real c = cubic.y;
-  real d = b * b - a * c;
+  real d = isDrawn(cubic.x) ? b * b - a * c : real(0);
   real root = sqrt(max(d, real(0)));
   real q = -(b + (b < real(0) ? -root : root));
   real first = q / a;
   real second = c / q;
-  // A comparison with what is not a number is false.
+  // Where d is 0 they may not be numbers.
   first = d > real(0) && first > real(0) && first < real(1) ? first : NO_EXTREME;
   second = d > real(0) && second > real(0) && second < real(1) ? second : NO_EXTREME;
   return vec2(min(first, second), max(first, second));

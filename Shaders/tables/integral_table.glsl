@@ -51,10 +51,13 @@ TableSpan tableSpan(int table)
   return span;
 }
 
-int tableBin(TableSpan table, real x) { return int(max(real(0), min(floor(x), real(table.size - 2)))); }
+int tableBin(TableSpan table, real x)
+{
+  return clamp(int(max(real(0), min(floor(x), real(table.size - 2)))), 0, table.size - 2);
+}
 #else
-// The first bin if x is not a number.
-int tableBin(real x) { return int(max(real(0), min(floor(x), real(tableSize - 2)))); }
+// Some bin of the table even if x is not a number.
+int tableBin(real x) { return clamp(int(max(real(0), min(floor(x), real(tableSize - 2)))), 0, tableSize - 2); }
 #endif
 
 #if TETMARCH_TRANSPARENT_RANGES

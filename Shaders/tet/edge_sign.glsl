@@ -15,7 +15,9 @@ vec2 snapToPredicate(vec2 p)
   return vec2(abs(x) < PROJECTION_FLUSH ? real(0) : x, abs(y) < PROJECTION_FLUSH ? real(0) : y);
 #else
   // Integers below 2^24 in magnitude: a bounding radius is 2^22.
-  return vec2(floor(p.x * real(4194304.0) + real(0.5)), floor(p.y * real(4194304.0) + real(0.5)));
+  precise real x = p.x * real(4194304.0) + real(0.5);
+  precise real y = p.y * real(4194304.0) + real(0.5);
+  return vec2(floor(x), floor(y));
 #endif
 }
 
@@ -43,9 +45,10 @@ real edgeCross(vec2 p, vec2 q)
   // The wrapped integer difference is the exact one but for a multiple of 2^32. The difference of the rounded products
   // tells which: with coordinates below 2^24 it is off by less than 2^26. The value is within 1 ulp.
   int wrapped = int(uint(int(p.x)) * uint(int(q.y)) - uint(int(q.x)) * uint(int(p.y)));
-  real rounded = p.x * q.y - q.x * p.y;
-  real turns = floor((rounded - real(wrapped)) * real(2.3283064365386962890625e-10) + real(0.5));
-  return real(wrapped) + turns * real(4294967296.0);
+  precise real rounded = p.x * q.y - q.x * p.y;
+  precise real turns = floor((rounded - real(wrapped)) * real(2.3283064365386962890625e-10) + real(0.5));
+  precise real c = real(wrapped) + turns * real(4294967296.0);
+  return c;
 #endif
 }
 

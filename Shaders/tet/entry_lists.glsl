@@ -41,8 +41,8 @@ Entry nextCandidate(Ray ray, Entry after, INOUT(int) candidate)
   int bestAt = end;
   int later = end;
   int i = candidate;
-  bool searching = i < end;
-  while (searching)
+  bool searching = true;
+  while (searching && i < end)
   {
     uvec2 found = fetchEntryCandidate(i);
     bool isNear = best.face < 0 || real(found.y >> 16u) <= unitsAtOrigin + unitsPerDepth * best.depth;
@@ -58,8 +58,8 @@ Entry nextCandidate(Ray ray, Entry after, INOUT(int) candidate)
     bestAt = isBest ? i : bestAt;
     best.depth = isBest ? depth : best.depth;
     best.face = isBest ? face : best.face;
-    i = isNear ? i + 1 : i;
-    searching = isNear && i < end;
+    i = i + (isNear ? 1 : 0);
+    searching = isNear;
   }
   candidate = min(later, i);
   return best;

@@ -11,25 +11,23 @@ struct ExtinctionMarch
 
 #if TETMARCH_POINT_SCALARS
 // Mean extinction between two depths in a tetrahedron that the ray enters and leaves at points (depth, scalar). `at` is
-// the table at the end of the last lookup, which mostly is this begin; where it is not, the first turn of the loop only
-// reads the table there.
+// the table at the end of the last lookup, which mostly is this begin; where it is not, the first of two turns of the loop
+// only reads the table there.
 real extinctionBetween(vec2 enter, vec2 leave, vec2 range, INOUT(TablePoint) at)
 {
   real scalarBegin = range.x > enter.x ? scalarAt(enter, leave, range.x) : enter.y;
   real scalarEnd = range.y < leave.x ? scalarAt(enter, leave, range.y) : leave.y;
   real begin = scalarBegin * tableScale + tableOffset;
   real end = scalarEnd * tableScale + tableOffset;
-  bool loaded = at.x == begin;
+  int unread = at.x == begin ? 1 : 2;
   real mean = real(0);
-  bool pending = true;
   do
   {
-    TablePoint next = tablePoint(loaded ? end : begin);
+    TablePoint next = tablePoint(unread > 1 ? begin : end);
     mean = meanBetween(at, next).w;
     at = next;
-    pending = !loaded;
-    loaded = true;
-  } while (pending);
+    unread = unread - 1;
+  } while (unread > 0);
   return isDrawn(enter.y) && isDrawn(leave.y) ? mean : real(0);
 }
 #else
@@ -90,7 +88,7 @@ void marchExtinctionToExit(
   real densityEnter = densityAt(place.face);
 #endif
   bool onward = true;
-  while (onward)
+  while (onward && march.cells < mostSteps)
   {
     uint tet = place.side.ahead >> 2u;
     int exitFace = stepThrough(ray, fetchCell(tet), place);
@@ -117,7 +115,7 @@ void marchExtinctionToExit(
     march.done = forward ? range.y : march.done;
     march.finished = march.opticalDepth > darkDepth || max(range.x, range.y) >= depthEnd;
     enter = leave;
-    onward = exitFace >= 0 && !isOutside(place.side.ahead) && march.cells < mostCells && !march.finished;
+    onward = exitFace >= 0 && !isOutside(place.side.ahead) && !march.finished;
   }
 }
 
@@ -130,8 +128,10 @@ ExtinctionMarch marchExtinction(
   march.done = depthBegin;
   march.finished = false;
   march.cells = 0;
-  while (continuesBefore(traversal, depthEnd) && march.cells < mostCells)
+  int entries = 0;
+  while (continuesBefore(traversal, depthEnd) && march.cells < mostSteps && entries < mostSteps)
   {
+    entries = entries + 1;
     enterBySearch(ray, traversal);
     if (traversal.entered)
     {

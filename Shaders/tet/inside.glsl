@@ -18,13 +18,14 @@ real transmittanceTo(LightStart start, vec3 direction, real distance)
   Ray ray;
   Traversal traversal;
   traversal.inside = true;
-  real pull = real(0);
-  do
+  traversal.entered = false;
+  int pulled = 0; // quarters of the way to the centre
+  while (!traversal.entered && pulled <= 4)
   {
-    ray = rayThrough(point + (centre - point) * pull, direction);
+    ray = rayThrough(point + (centre - point) * (real(0.25) * real(pulled)), direction);
     traversal.entered = entersTet(ray, tet, traversal.place);
-    pull = pull + real(0.25);
-  } while (!traversal.entered && pull <= real(1));
+    pulled = pulled + 1;
+  }
   real begin = dot(point - ray.origin, ray.direction);
   traversal.entry.depth = begin;
   traversal.entry.face = traversal.entered ? INSIDE_FACE : -1;

@@ -3,7 +3,7 @@ uniform samplerBuffer vertexBuffer;    // position, scalar
 uniform usamplerBuffer cellBuffer;     // tetrahedra; see tet/packed_cells.glsl
 uniform usamplerBuffer boundaryBuffer; // three vertices counter-clockwise from outside, half-face inside
 uniform int numberOfTets;
-uniform int mostCells;                 // the step guard: no ray crosses more tetrahedra
+uniform int mostSteps;                 // the step guard: no ray crosses more tetrahedra
 
 #define tetCount uint(numberOfTets)
 

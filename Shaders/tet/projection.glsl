@@ -12,7 +12,7 @@ void orient(INOUT(Ray) ray)
 }
 
 // Position on the picture plane of the ray in xy, depth along the ray in z. Every vertex is projected by this function,
-// so that it gets the same bits each time.
+// so that it gets the same bits each time; passes/predicate_check.frag.glsl checks that.
 vec3 project(Ray ray, vec3 vertex)
 {
   precise real x = vertex.x - ray.origin.x;

@@ -5,7 +5,7 @@
 #include "GL/ComputeDispatch.h"
 #include "GL/Driver.h"
 #include "GL/ErrorQueue.h"
-#include "GL/FmaProbe.h"
+#include "GL/PredicateCheck.h"
 #include "OffscreenWindow.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -151,9 +151,11 @@ Json probeDriver(vtkRenderWindow* window)
   gl->MakeCurrent();
   const std::string defines = driverDefines();
   const ComputeSupport compute = computeSupport();
+  bool fused = false;
+  const bool usable = findPredicate(gl, fused).empty();
   return { { "has_compute_shaders", compute.Exists },
-    { "chooses_compute_shaders", compute.IsFaster }, { "fma_rounds_once", hasFusedMultiplyAdd(gl) },
-    { "has_texture_gather", has(defines, "TETMARCH_HAS_GATHER") },
+    { "chooses_compute_shaders", compute.IsFaster }, { "predicate_is_right", usable },
+    { "predicate_by_fma", fused }, { "has_texture_gather", has(defines, "TETMARCH_HAS_GATHER") },
     { "skips_helper_invocations", has(defines, "TETMARCH_SKIPS_HELPERS") } };
 }
 } // namespace tetmarch::bench

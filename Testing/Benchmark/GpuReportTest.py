@@ -87,8 +87,8 @@ class GpuReportTest(BenchmarkCase):
             self.assertGreaterEqual(gl["limits"][key], least, key)
         self.assertEqual({type(answer) for answer in report["probes"].values()}, {bool})
         self.assertEqual(set(report["probes"]),
-                         {"has_compute_shaders", "chooses_compute_shaders", "fma_rounds_once", "has_texture_gather",
-                          "skips_helper_invocations"})
+                         {"has_compute_shaders", "chooses_compute_shaders", "predicate_is_right",
+                          "predicate_by_fma", "has_texture_gather", "skips_helper_invocations"})
         self.assertEqual(report["probes"]["has_compute_shaders"], "GL_ARB_compute_shader" in gl["extensions"])
         self.assertEqual(report["probes"]["has_texture_gather"], "GL_ARB_texture_gather" in gl["extensions"])
         for scene in report["parity"]:

@@ -152,12 +152,22 @@ TEST_F(GlslValidator, TakesTheOtherPasses)
   }
   const std::string driver = "#define TETMARCH_SKIPS_HELPERS 1\n";
   this->add("passes/march.frag.glsl", VariantKey().defines() + driver, "a driver that needs it");
+  for (const bool fused : { false, true })
+  {
+    VariantKey key;
+    key.EntryLists = false;
+    key.HasFma = fused;
+    const std::string defines = key.filtered().defines();
+    this->add("passes/predicate_check.frag.glsl", defines, namesOf(key));
+    this->add(
+      "passes/predicate_check.frag.glsl", defines + "#define TETMARCH_HAS_PRECISE 1\n", "precise");
+  }
   int others = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(TETMARCH_SHADER_DIR) / "passes"))
   {
     const std::string name = entry.path().filename().string();
     const std::set<std::string> ofVariants{ "march.frag.glsl", "vertex_light.frag.glsl",
-      "pick.frag.glsl", "boundary_view.frag.glsl", "visit.frag.glsl" };
+      "pick.frag.glsl", "boundary_view.frag.glsl", "visit.frag.glsl", "predicate_check.frag.glsl" };
     const bool entryPoint =
       name.find(".frag.") != std::string::npos || name.find(".vert.") != std::string::npos;
     if (entryPoint && ofVariants.count(name) == 0)

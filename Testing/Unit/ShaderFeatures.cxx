@@ -92,7 +92,8 @@ const ShaderFeature OfTheMarch[] = {
   { "extreme scalars", [](const Key& k, MarchShader) { return k.Blend == BlendGroup::Extreme; },
     "extremeSign extreme extremeScalar" },
   { "sums of scalars", [](const Key& k, MarchShader) { return k.Blend == BlendGroup::Sum; },
-    "averages averageRange counted countedFraction countedLength" },
+    "averages averageRange counted countedFraction countedLength LongSum emptySum addTo valueOf "
+    "factorOf" },
   { "surfaces", [](const Key& k, MarchShader) { return isIsosurfaces(k); },
     "isoSurfaceCount isoValue isoColor fetchIsoValue fetchIsoColor valuesReached crossesSurface "
     "surfaceEmission gatheredEnd drawn" },
@@ -134,6 +135,8 @@ const ShaderFeature OfTheMarch[] = {
     "budget" },
   { "diagnostics", [](const Key& k, MarchShader) { return k.Diagnostics; },
     "guarded met measuresOf troubleOf" },
+  { "error by the steps of integrals", [](const Key& k, MarchShader) { return hasStepError(k); },
+    "errorOfSteps lookedUp" },
   { "transparent ranges", [](const Key& k, MarchShader) { return k.TransparentRanges; },
     "givenTransparentRanges transparentRanges isTransparentBetween" },
   { "colour of what is not finite", [](const Key& k, MarchShader) { return k.NanShown; },
@@ -150,7 +153,7 @@ const ShaderFeature OfTheMarch[] = {
     "clippingPlaneCount clippingPlane fetchClippingPlane clippedRange" },
   { "cropping", [](const Key& k, MarchShader) { return k.Cropped; },
     "croppingLow croppingHigh croppingFlags lowDepth highDepth depthAlong planeDepths "
-    "nextPlane planesBelow isInRegionLeft nextRange nextRangeOfCell rest cropping" },
+    "mostRanges nextPlane planesBelow isInRegionLeft nextRange nextRangeOfCell rest cropping" },
   { "rays of pixels", [](const Key&, MarchShader s) { return !isLight(s); }, "viewport eye" },
   { "one march a ray",
     [](const Key& k, MarchShader s)

@@ -51,6 +51,11 @@ inline bool cutsEvenly(const VariantKey& key)
   return key.Structured && key.PointScalars && key.isComposite() && !key.Adaptive &&
          !key.hasComponents() && !key.PointSampled;
 }
+/// Bounds what the steps of the integrals of transfer functions put a composite off.
+inline bool hasStepError(const VariantKey& key)
+{
+  return key.Diagnostics && key.isComposite() && key.PointScalars && !key.PointSampled;
+}
 inline bool isIsosurfaces(const VariantKey& key) { return key.Blend == BlendGroup::Isosurfaces; }
 
 /// Functions, divided by blanks, that some variants have without using them: those that stay beside

@@ -106,7 +106,8 @@ std::vector<ShaderFeature> featuresOfLight()
                (k.hasErrorBound() || (k.Diagnostics && k.isComposite() && !k.PointSampled));
       },
       "greatest" },
-    { "brightness", [](const Key& k, MarchShader) { return k.isLit() && k.hasErrorBound(); },
+    { "brightness",
+      [](const Key& k, MarchShader) { return k.isLit() && (k.hasErrorBound() || hasStepError(k)); },
       "brightness bright" },
     { "change of light",
       [](const Key& k, MarchShader)

@@ -130,8 +130,10 @@ Faults faultsOf(const StructuredRays& rays, std::mt19937& random, long count)
     Real end = cell.leave.x;
     bool onward = true;
     int cells = 0;
-    while (onward && cells <= kernel.mostCells)
+    int steps = 0;
+    while (onward && steps <= kernel.mostSteps)
     {
+      ++steps;
       const auto number = traversal.place.cell;
       const auto crossing = kernel.crossCell(ray, traversal.place, cell);
       onward = crossing.onward;
@@ -151,7 +153,8 @@ Faults faultsOf(const StructuredRays& rays, std::mt19937& random, long count)
                             : 0;
       }
     }
-    faults.Endless += cells > kernel.mostCells ? 1 : 0;
+    // A cell has up to nine parts.
+    faults.Endless += steps > kernel.mostSteps || cells > kernel.mostSteps / 9 ? 1 : 0;
     faults.Early += end == lattice.y ? 0 : 1;
     faults.Crossed += cells;
   }

@@ -13,8 +13,8 @@ bool hasExtension(const char* name);
 /** Whether the context is of this version of OpenGL, or a later one. */
 bool hasVersion(int major, int minor);
 
-/** Shader defines that depend on the driver and not on the scene: see Shaders/passes/helper.glsl
- * and Shaders/structured/lattice_buffers.glsl.
+/** Shader defines that depend on the driver and not on the scene: see Shaders/passes/helper.glsl,
+ * Shaders/structured/lattice_buffers.glsl and Shaders/language.glsl.
  * Keep them as long as the context lives: each query goes through all of Mesa's extensions. */
 std::string driverDefines();
 

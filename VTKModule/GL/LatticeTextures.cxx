@@ -3,6 +3,7 @@
 #include "GL/LatticeTextures.h"
 
 #include "GL/Uniforms.h"
+#include "Structured/MostSteps.h"
 
 #include "vtkOpenGLRenderUtilities.h" // the GL
 #include "vtkOpenGLRenderWindow.h"
@@ -207,7 +208,7 @@ void LatticeTextures::bind(vtkShaderProgram* program, const VariantKey& key,
   this->bindPlanes(program, key, lattice);
   setInts(program, "latticeCells", intsOf(lattice, [](const LatticeAxis& a) { return a.Cells; }));
   setAffine(program, "latticeMatrix", lattice.FromNormalized);
-  program->SetUniformi("mostCells", mostCellsOf(lattice));
+  program->SetUniformi("mostSteps", mostStepsOf(lattice));
   bindLightNodes(program, volume.lightNodes());
   if (key.PointSampled)
   {

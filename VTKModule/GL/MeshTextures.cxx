@@ -114,7 +114,7 @@ void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
   this->bindBoundary(program);
   this->Cells.bind(program, "cellBuffer", "secondCellBuffer");
   program->SetUniformi("numberOfTets", this->NumberOfTets);
-  program->SetUniformi("mostCells", mostCellsOf(this->NumberOfTets));
+  program->SetUniformi("mostSteps", mostCellsOf(this->NumberOfTets));
   if (key.SplitCells)
   {
     program->SetUniformi("cellsOfFirstBuffer", static_cast<int>(this->Cells.texelsOfFirst()));

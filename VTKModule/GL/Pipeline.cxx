@@ -4,7 +4,7 @@
 
 #include "Caching/WithinMemory.h"
 #include "GL/BlockAttributes.h"
-#include "GL/FmaProbe.h"
+#include "GL/ErrorQueue.h"
 #include "GL/StateScope.h"
 
 #include "vtkOpenGLRenderUtilities.h"
@@ -217,7 +217,7 @@ void Pipeline::moveTo(vtkOpenGLRenderWindow* window)
   }
   this->Window = window;
   this->Watch.begin(window, [this](vtkWindow* ending) { this->release(ending); });
-  this->HasFma = hasFusedMultiplyAdd(window);
+  this->PredicateIsKnown = false;
   this->Compute = computeSupport();
 }
 
@@ -233,6 +233,7 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
 {
   this->moveTo(window);
   std::string error = describeExcess(this->bufferSizes(), this->Limits, SizesAre::Exact);
+  error = error.empty() ? this->findPredicate(window) : error;
   const bool current = this->Source.isUploaded() && this->TablesOnGpu.holds(this->Tables);
   if (error.empty() && !current)
   {
@@ -248,6 +249,7 @@ bool Pipeline::upload(vtkOpenGLRenderWindow* window)
   if (!error.empty())
   {
     this->release(window);
+    clearErrors(); // VTK detaches shaders of programs that could not be linked twice
     return this->fail(error);
   }
   return true;

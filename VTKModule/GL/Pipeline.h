@@ -184,6 +184,7 @@ private:
   bool updatePassing();
   void setSubject(vtkVolumeProperty* property, bool drawNan);
   void moveTo(vtkOpenGLRenderWindow* window);
+  std::string findPredicate(vtkOpenGLRenderWindow* window);
   std::vector<BufferSize> bufferSizes() const;
   bool useReferenceScene(vtkVolumeProperty* property, OpacityLaw law, const AccuracyLevel& level,
     const std::function<void(ReferenceScene&)>& use);
@@ -215,7 +216,8 @@ private:
   Viewport Area; // of the last frame; empty: there was none, or not a ray a pixel
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  ContextWatch Watch; // of that window
+  ContextWatch Watch;            // of that window
+  bool PredicateIsKnown = false; // in that window
   bool HasFma = false;
   ComputeSupport Compute;
   TableTextures TablesOnGpu;

@@ -7,6 +7,7 @@
 #include "GL/ContentOf.h"
 #include "GL/ErrorQueue.h"
 #include "GL/FirstColorOnly.h"
+#include "GL/PredicateCheck.h"
 #include "Reference/RayTrace.h"
 
 #include "vtkOpenGLRenderUtilities.h"
@@ -29,6 +30,20 @@ Viewport Pipeline::currentViewport() const
 bool Pipeline::endsRays(vtkRenderer* renderer) const
 {
   return this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
+}
+
+// Lattices are marched through without it.
+std::string Pipeline::findPredicate(vtkOpenGLRenderWindow* window)
+{
+  VariantKey key;
+  this->Source.setBits(key, this->Camera);
+  if (this->PredicateIsKnown || key.Structured)
+  {
+    return {};
+  }
+  const std::string error = tetmarch::findPredicate(window, this->HasFma);
+  this->PredicateIsKnown = error.empty();
+  return error;
 }
 
 VariantKey Pipeline::keyOf(

@@ -21,6 +21,7 @@
 #include "Structured/EmptySpace.h"
 #include "Structured/Lattice.h"
 #include "Structured/LightNodes.h"
+#include "Structured/MostSteps.h"
 #include "Structured/StoredValues.h"
 
 #include <algorithm>

@@ -22,7 +22,7 @@ using ivec3 = glsl::Vec3<int>;
 const IntegralTable* Table = nullptr;
 const uint* HiddenCells = nullptr; // a bit a cell; nullptr: no cell is hidden
 
-int mostCells = 0;
+int mostSteps = 0;
 int tableSize = 0;
 Real tableScale = 0;
 Real tableOffset = 0;

@@ -111,5 +111,5 @@ void useLattice(const Lattice& lattice, const StoredValues& values)
   std::transform(
     nodes.ToNormalized.begin(), nodes.ToNormalized.end(), lightNodeMatrix.begin(), toReal);
   firstPlane = ivec3(0, latticeCells.x + 1, latticeCells.x + latticeCells.y + 2);
-  mostCells = mostCellsOf(lattice);
+  mostSteps = mostStepsOf(lattice);
 }

@@ -38,7 +38,7 @@ void useMesh(const TetMesh& mesh)
   bvhNodeCount = static_cast<int>(mesh.Hierarchy.size());
   bvhReentryNodeCount = static_cast<int>(mesh.ReentryNodes);
   reentryFaceCount = static_cast<int>(mesh.ReentryFaces);
-  mostCells = mostCellsOf(mesh.numberOfTets());
+  mostSteps = mostCellsOf(mesh.numberOfTets());
 }
 
 #if TETMARCH_ENTRY_LISTS

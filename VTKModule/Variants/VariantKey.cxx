@@ -280,6 +280,7 @@ std::string VariantKey::defines() const
   define("VISITS", false);
   define("SKIPS_HELPERS", false);
   define("HAS_GATHER", false);
+  define("HAS_PRECISE", false);
   define("EXACT_LIGHT", false);
   define("TRACED", false);
   return text;
