@@ -121,7 +121,9 @@ void MapperFrame::end(double& timeToDraw)
   this->Timer->StopTimer();
   timeToDraw = this->Timer->GetElapsedTime();
   this->record(timeToDraw);
-  this->State.LastUndrawn.reportWarning(this->Scene.Mapper, this->describeUndrawn());
+  const std::string undrawn = this->describeUndrawn();
+  this->State.LastUndrawn.reportWarning(
+    this->Scene.Mapper, undrawn.empty() ? this->describeWrongRays() : undrawn);
 }
 
 // Of several processes the first one tells it.
@@ -136,6 +138,23 @@ std::string MapperFrame::describeUndrawn() const
                  "array, or have cells without such numbers drawn in the NaN color by "
                  "SetDrawNanCells(true); in ParaView, by Draw Nan Cells."
                : std::string();
+}
+
+// Where a frame counts. No ray ends so, unless the driver or the march is wrong.
+std::string MapperFrame::describeWrongRays() const
+{
+  MarchCounters all;
+  for (const Pipeline* pipeline : this->Pipelines)
+  {
+    all += pipeline->counted().counters();
+  }
+  const std::int64_t wrong = all.Lost + all.Guarded;
+  return wrong == 0 ? std::string()
+                    : "The picture is wrong in up to " + std::to_string(wrong) +
+                        " pixels: " + std::to_string(all.Lost) +
+                        " rays found no way out of a cell, and " + std::to_string(all.Guarded) +
+                        " were stopped since they crossed more cells than there are. Report this "
+                        "with the driver's name and version, and try another driver.";
 }
 
 FrameResult MapperFrame::resultOf(double seconds) const

@@ -90,6 +90,7 @@ private:
   FrameResult resultOf(double seconds) const;
   void record(double seconds);
   std::string describeUndrawn() const;
+  std::string describeWrongRays() const;
 
   MapperScene Scene;
   MapperState& State;
