@@ -14,9 +14,9 @@ ivec2 fetchCandidateRange(ivec2 pixel)
   return ivec2(int(texelFetch(entryTileBuffer, tile).x), int(texelFetch(entryTileBuffer, tile + 1).x));
 }
 
-// The number of a pixel in its tile: x, then y, 4 bits each.
+// The number of a pixel, or of its square of pixels, in its tile: x, then y, 4 bits each.
 uint pixelInTile(ivec2 pixel)
 {
-  int last = (1 << entryTileShift) - 1;
-  return uint((pixel.y & last) << 4 | (pixel.x & last));
+  ivec2 inTile = (pixel & ((1 << entryTileShift) - 1)) >> max(entryTileShift - 4, 0);
+  return uint(inTile.y << 4 | inTile.x);
 }

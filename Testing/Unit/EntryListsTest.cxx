@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // By its list each pixel's ray finds the entries that a search in the hierarchy finds: all of them,
 // each once, in the same order.
-#include "Entries/EntryLists.h"
+#include "Entries/EntryListLimit.h"
 
 #include "Rays/RayPoints.h"
 #include "Reference/Kernel.h"
@@ -41,6 +41,7 @@ struct PortableListKernel
 
 constexpr int Width = 97;
 constexpr int Height = 71;
+constexpr std::uint64_t NoLimit = std::uint64_t(1) << 32;
 
 // Of meshes within the unit cube, or about as large.
 const NamedCamera Cameras[] = {
@@ -124,7 +125,9 @@ void useList(
   kernel.useEntryLists(lists);
   ray.firstCandidate = static_cast<int>(lists.First[tile]);
   ray.endOfCandidates = static_cast<int>(lists.First[tile + 1]);
-  ray.pixelInTile = static_cast<std::uint32_t>((row & last) << 4 | (column & last));
+  const int ofSquare = std::max(shift - 4, 0);
+  ray.pixelInTile =
+    static_cast<std::uint32_t>(((row & last) >> ofSquare) << 4 | ((column & last) >> ofSquare));
 }
 
 struct Found
@@ -136,11 +139,15 @@ struct Found
 };
 
 template <typename Kernel>
-void expectSameEntries(const TetMesh& mesh, const View& view, Found& found)
+void expectSameEntries(
+  const TetMesh& mesh, const View& view, Found& found, std::uint64_t mostTexels = NoLimit)
 {
   Kernel kernel;
   kernel.useMesh(mesh);
-  const EntryLists lists = makeEntryLists(mesh, mesh.BoundaryFaces, view, Width, Height);
+  const EntryLists lists =
+    makeEntryListsWithin(mostTexels, mesh, mesh.BoundaryFaces, view, Width, Height);
+  ASSERT_LE(lists.First.size(), mostTexels);
+  ASSERT_LE(lists.Candidates.size(), mostTexels);
   const std::array<double, 16> points = rayPoints(view, mesh.Frame);
   found.Candidates += lists.Candidates.size();
   for (int row = 0; row < Height; ++row)
@@ -214,6 +221,29 @@ TEST(EntryLists, InTilesOfAnySize)
     }
   }
   EXPECT_EQ(shifts, (std::set<int>{ 0, 1, 2, 3, 4 }));
+}
+
+// A GL may take few texels in a buffer: tiles grow up to the whole picture.
+TEST(EntryLists, FitAnyLimit)
+{
+  std::set<int> shifts;
+  const TetMesh mesh = builtWithHierarchy(latticeWithTunnel(12));
+  for (const NamedCamera& camera : Cameras)
+  {
+    const View view = viewOf(camera, mesh);
+    const auto lists = [&](std::uint64_t most)
+    { return makeEntryListsWithin(most, mesh, mesh.BoundaryFaces, view, Width, Height); };
+    const std::uint64_t least = std::max<std::size_t>(lists(1).Candidates.size(), 2);
+    for (const std::uint64_t most : { least, 5 * least / 4, 3 * least / 2, 2 * least })
+    {
+      shifts.insert(lists(most).TileShift);
+      Found found;
+      ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel>(mesh, view, found, most))
+        << camera.Name << ", " << most;
+      EXPECT_GT(found.Entries, 0);
+    }
+  }
+  EXPECT_EQ(*shifts.rbegin(), 7) << "one tile, told apart by squares of 8 x 8 pixels";
 }
 
 // Whoever sees a convex mesh has one entry; a list has few candidates that are in vain.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Entries/EntryLists.h"
+#include "Entries/EntryListLimit.h"
 
 #include "Entries/Footprint.h"
 #include "Parallel/ParallelFor.h"
@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 namespace tetmarch
 {
@@ -15,8 +16,10 @@ namespace
 {
 
 // More tiles, or candidates, would take more memory than a picture, and longer to upload.
-constexpr std::int64_t MostTiles = std::int64_t(1) << 20;
-constexpr std::int64_t MostCandidates = std::int64_t(1) << 22;
+constexpr std::uint64_t MostTiles = std::uint64_t(1) << 20;
+constexpr std::uint64_t MostCandidates = std::uint64_t(1) << 22;
+
+constexpr int MostShift = 16; // one tile for the largest picture
 
 vtkIdType numberOf(std::size_t count) { return static_cast<vtkIdType>(count); }
 
@@ -29,13 +32,15 @@ struct PixelRange
   int Top;
 };
 
-// What a tile keeps of a footprint.
-EntryCandidate candidateOf(std::uint32_t face, std::uint32_t nearest, const PixelRange& inTile)
+// What a tile of that size keeps of a footprint.
+EntryCandidate candidateOf(
+  std::uint32_t face, std::uint32_t nearest, const PixelRange& inTile, int tileShift)
 {
-  const auto left = static_cast<std::uint32_t>(inTile.Left);
-  const auto right = static_cast<std::uint32_t>(inTile.Right);
-  const auto bottom = static_cast<std::uint32_t>(inTile.Bottom);
-  const auto top = static_cast<std::uint32_t>(inTile.Top);
+  const int shift = std::max(tileShift - MostEntryTileShift, 0);
+  const auto left = static_cast<std::uint32_t>(inTile.Left >> shift);
+  const auto right = static_cast<std::uint32_t>(inTile.Right >> shift);
+  const auto bottom = static_cast<std::uint32_t>(inTile.Bottom >> shift);
+  const auto top = static_cast<std::uint32_t>(inTile.Top >> shift);
   return { face, nearest << 16 | top << 12 | bottom << 8 | right << 4 | left };
 }
 
@@ -43,12 +48,13 @@ class ListMaker
 {
 public:
   ListMaker(const TetMesh& mesh, const std::vector<std::array<Id, 4>>& faces, const View& view,
-    int width, int height)
+    int width, int height, std::uint64_t mostTexels)
     : Projection(mesh.Frame, view, width, height)
     , Vertices(mesh.Vertices)
     , Faces(faces)
     , Width(width)
     , Height(height)
+    , MostTexels(mostTexels)
   {
   }
 
@@ -99,28 +105,36 @@ private:
     {
       ++shift;
     }
-    while (shift < MostEntryTileShift &&
-           (this->numberOfTiles() > MostTiles || this->mostCandidates() > MostCandidates))
+    while (shift < MostEntryTileShift && !this->fits(MostTiles, MostCandidates))
+    {
+      ++shift;
+    }
+    while (shift < MostShift && !this->fits(this->MostTexels - 1, this->MostTexels))
     {
       ++shift;
     }
     this->Lists.TilesPerRow = this->tilesAlong(this->Width);
   }
 
-  std::int64_t numberOfTiles() const
+  bool fits(std::uint64_t mostTiles, std::uint64_t mostCandidates) const
   {
-    return std::int64_t(this->tilesAlong(this->Width)) * this->tilesAlong(this->Height);
+    return this->numberOfTiles() <= mostTiles && this->mostCandidates() <= mostCandidates;
+  }
+
+  std::uint64_t numberOfTiles() const
+  {
+    return std::uint64_t(this->tilesAlong(this->Width)) * this->tilesAlong(this->Height);
   }
 
   // How many there are at most with the present tiles.
-  std::int64_t mostCandidates() const
+  std::uint64_t mostCandidates() const
   {
     const int shift = this->Lists.TileShift;
-    std::int64_t sum = 0;
+    std::uint64_t sum = 0;
     for (const Footprint& f : this->Footprints)
     {
       sum += f.isEmpty() ? 0
-                         : std::int64_t((f.Right >> shift) - (f.Left >> shift) + 1) *
+                         : std::uint64_t((f.Right >> shift) - (f.Left >> shift) + 1) *
                              ((f.Top >> shift) - (f.Bottom >> shift) + 1);
     }
     return sum;
@@ -199,8 +213,8 @@ private:
       [this](vtkIdType face, std::size_t tile, const PixelRange& pixels)
       {
         const std::uint32_t at = this->Next[tile].fetch_add(1, std::memory_order_relaxed);
-        this->Lists.Candidates[at] =
-          candidateOf(static_cast<std::uint32_t>(face), this->Footprints[face].Nearest, pixels);
+        this->Lists.Candidates[at] = candidateOf(static_cast<std::uint32_t>(face),
+          this->Footprints[face].Nearest, pixels, this->Lists.TileShift);
       });
   }
 
@@ -235,6 +249,7 @@ private:
   const std::vector<std::array<Id, 4>>& Faces;
   int Width;
   int Height;
+  std::uint64_t MostTexels;
   EntryLists Lists;
   std::vector<Footprint> Footprints;
   std::vector<std::atomic<std::uint32_t>> Next; // where the next candidate of a tile goes
@@ -245,7 +260,14 @@ private:
 EntryLists makeEntryLists(const TetMesh& mesh, const std::vector<std::array<Id, 4>>& faces,
   const View& view, int width, int height)
 {
-  return ListMaker(mesh, faces, view, width, height).make();
+  constexpr std::uint64_t any = std::numeric_limits<std::uint64_t>::max();
+  return makeEntryListsWithin(any, mesh, faces, view, width, height);
+}
+
+EntryLists makeEntryListsWithin(std::uint64_t mostTexels, const TetMesh& mesh,
+  const std::vector<std::array<Id, 4>>& faces, const View& view, int width, int height)
+{
+  return ListMaker(mesh, faces, view, width, height, mostTexels).make();
 }
 
 } // namespace tetmarch

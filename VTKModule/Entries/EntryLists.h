@@ -23,14 +23,14 @@ struct EntryCandidate
 {
   std::uint32_t Face;
   /** Bits 16 to 31: no point of the face is nearer than this depth. Bits 0 to 15, four each: the
-   * pixels whose rays may enter by it, from the tile's lower left: first and last in x, first and
-   * last in y. */
+   * pixels, or squares of pixels, whose rays may enter by it, from the tile's lower left: first and
+   * last in x, first and last in y. */
   std::uint32_t Where;
 };
 
 struct EntryLists
 {
-  int TileShift = 0; // tiles are squares of 1, 2, 4, 8 or 16 pixels: 2 to this power
+  int TileShift = 0; // tiles are squares with an edge of 2^TileShift pixels
   int TilesPerRow = 0;
   std::array<float, 4> DepthPlane{}; // (x, y, z, 1) . plane is the depth of a point of the mesh
                                      // in the units of Where; it grows along each ray
@@ -38,7 +38,7 @@ struct EntryLists
   std::vector<EntryCandidate> Candidates; // those of each tile by ascending depth
 };
 
-/** The tiles of a picture have at most so many pixels along an edge: 2 to this power. */
+/** Larger tiles, of more than 16 x 16 pixels, tell apart squares of a 16th of their edge. */
 constexpr int MostEntryTileShift = 4;
 
 /**

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/CellBuffer.h"
 
+#include "GL/Driver.h"
+
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>

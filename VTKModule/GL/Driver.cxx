@@ -4,6 +4,7 @@
 
 #include "vtkOpenGLRenderUtilities.h" // the GL
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
@@ -17,10 +18,26 @@ namespace
 // between were not tried.
 constexpr int LastMesaWithoutCare = 22;
 
+// Mesa's softpipe claims 65,536 texels, but reads the first ones again from byte 524,288 of a
+// buffer on (Mesa 22.3): its cache numbers tiles of 32 bytes by 14 bits.
+constexpr std::size_t MostTexelsOfSoftpipe = 524288 / 16;
+
 std::string_view textOf(GLenum name)
 {
   const auto* text = reinterpret_cast<const char*>(glGetString(name));
   return text ? text : "";
+}
+
+bool isSoftpipe() { return textOf(GL_RENDERER).find("softpipe") != std::string_view::npos; }
+
+// A proxy has no size if the GL can't make such a texture.
+bool hasDepthTextures()
+{
+  int width = 0;
+  glTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 1, 1, 0, GL_DEPTH_COMPONENT,
+    GL_UNSIGNED_INT, nullptr);
+  glGetTexLevelParameteriv(GL_PROXY_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+  return width > 0;
 }
 
 } // namespace
@@ -46,6 +63,47 @@ bool hasVersion(int major, int minor)
   glGetIntegerv(GL_MAJOR_VERSION, &here[0]);
   glGetIntegerv(GL_MINOR_VERSION, &here[1]);
   return here[0] > major || (here[0] == major && here[1] >= minor);
+}
+
+std::size_t mostTexels()
+{
+  int most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  const std::size_t claimed = most > 0 ? static_cast<std::size_t>(most) : 0;
+  return isSoftpipe() ? std::min(claimed, MostTexelsOfSoftpipe) : claimed;
+}
+
+bool writesArrays() { return !isSoftpipe(); }
+
+int textureUnits(bool ofCompute)
+{
+  int most = 0;
+  glGetIntegerv(ofCompute ? GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS : GL_MAX_TEXTURE_IMAGE_UNITS, &most);
+  return most;
+}
+
+std::string describeMissing()
+{
+  const bool isForEmbedded = textOf(GL_VERSION).substr(0, 9) == "OpenGL ES";
+  std::string missing;
+  if (isForEmbedded || !hasVersion(3, 2))
+  {
+    missing = "OpenGL 3.2 or later";
+  }
+  else if (mostTexels() == 0)
+  {
+    missing = "texture buffers";
+  }
+  else if (!hasDepthTextures())
+  {
+    missing = "textures of depths";
+  }
+  return missing.empty()
+           ? missing
+           : "Volumes need " + missing + ", but this GL has none: it is " +
+               std::string(textOf(GL_VERSION)) + ", " + std::string(textOf(GL_RENDERER)) +
+               ". Install a newer driver, or draw without the graphics card: with Mesa set "
+               "LIBGL_ALWAYS_SOFTWARE=1 in the environment.";
 }
 
 std::string driverDefines()

@@ -89,6 +89,28 @@ OpaqueDepth::Format OpaqueDepth::formatOf(unsigned int framebuffer)
   return format;
 }
 
+void OpaqueDepth::allocateDepth(const Viewport& viewport)
+{
+  const Format& format = this->Present;
+  if (format.StencilBits == 0)
+  {
+    const int kind = format.Float ? vtkTextureObject::Float32
+                                  : (format.DepthBits == 32    ? vtkTextureObject::Fixed32
+                                      : format.DepthBits == 16 ? vtkTextureObject::Fixed16
+                                                               : vtkTextureObject::Fixed24);
+    this->Depth->AllocateDepth(viewport.Width, viewport.Height, kind);
+    return;
+  }
+  this->Depth->AllocateDepthStencil(viewport.Width, viewport.Height); // of 24 bits
+  if (format.Float)
+  {
+    this->Depth->Activate();
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH32F_STENCIL8, viewport.Width, viewport.Height, 0,
+      GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, nullptr);
+    this->Depth->Deactivate();
+  }
+}
+
 void OpaqueDepth::allocate(
   vtkOpenGLRenderWindow* window, const Viewport& viewport, const Format& format)
 {
@@ -97,18 +119,8 @@ void OpaqueDepth::allocate(
   this->Depth->SetContext(window);
   this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
   this->Depth->SetMagnificationFilter(vtkTextureObject::Nearest);
-  if (format.StencilBits > 0)
-  {
-    this->Depth->AllocateDepthStencil(viewport.Width, viewport.Height);
-  }
-  else
-  {
-    const int kind = format.Float ? vtkTextureObject::Float32
-                                  : (format.DepthBits == 32    ? vtkTextureObject::Fixed32
-                                      : format.DepthBits == 16 ? vtkTextureObject::Fixed16
-                                                               : vtkTextureObject::Fixed24);
-    this->Depth->AllocateDepth(viewport.Width, viewport.Height, kind);
-  }
+  this->Present = format;
+  this->allocateDepth(viewport);
   this->Color = vtkSmartPointer<vtkTextureObject>::New();
   this->Color->SetContext(window);
   this->Color->Allocate2D(viewport.Width, viewport.Height, 4, VTK_UNSIGNED_CHAR);
@@ -117,7 +129,6 @@ void OpaqueDepth::allocate(
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
   this->Framebuffer->AddDepthAttachment(this->Depth);
   this->Framebuffer->AddColorAttachment(0, this->Color);
-  this->Present = format;
   this->Width = viewport.Width;
   this->Height = viewport.Height;
   this->Bytes = static_cast<std::size_t>(viewport.Width) * viewport.Height * 8;

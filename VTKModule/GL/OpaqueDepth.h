@@ -57,6 +57,7 @@ private:
     }
   };
   static Format formatOf(unsigned int framebuffer);
+  void allocateDepth(const Viewport& viewport);
   void allocate(vtkOpenGLRenderWindow* window, const Viewport& viewport, const Format& format);
 
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;

@@ -4,6 +4,7 @@
 
 #include "Caching/WithinMemory.h"
 #include "GL/BlockAttributes.h"
+#include "GL/Driver.h"
 #include "GL/ErrorQueue.h"
 #include "GL/StateScope.h"
 
@@ -55,7 +56,9 @@ bool Pipeline::onlyDrew() const
 
 bool Pipeline::updateGeometry(vtkDataSet* data, const Progress& progress)
 {
-  const std::string error = this->Source.updateGeometry(data, this->Limits, progress);
+  // The GL is looked at once: before anything is held in it.
+  std::string error = this->Window ? std::string() : describeMissing();
+  error = error.empty() ? this->Source.updateGeometry(data, this->Limits, progress) : error;
   return error.empty() ? !this->Source.isEmpty() : this->fail(error);
 }
 

@@ -190,6 +190,7 @@ private:
     const std::function<void(ReferenceScene&)>& use);
   std::string prepareEntrySearch();
   std::string describeBadView(const DrawOptions& options) const;
+  static std::string describeUnfit(const MarchInputs& inputs, int ofVisits);
   std::string describeBadSamples(const DrawOptions& options) const;
   MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;

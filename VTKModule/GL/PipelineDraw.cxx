@@ -5,10 +5,12 @@
 
 #include "Caching/WithinMemory.h"
 #include "GL/ContentOf.h"
+#include "GL/Driver.h"
 #include "GL/ErrorQueue.h"
 #include "GL/FirstColorOnly.h"
 #include "GL/PredicateCheck.h"
 #include "Reference/RayTrace.h"
+#include "Variants/SamplerCount.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -67,6 +69,28 @@ VariantKey Pipeline::keyOf(
   return options.Boundary == BoundaryView::None ? key.filtered() : key.ofEntries();
 }
 
+// What the GL can't do of a picture.
+std::string Pipeline::describeUnfit(const MarchInputs& inputs, int ofVisits)
+{
+  const VariantKey& key = inputs.Key;
+  const bool searches = key.Hierarchy || (key.hasVertexLight() && inputs.Source->mayReenter());
+  if (searches && !writesArrays())
+  {
+    return "Mesa's softpipe can't search for where rays enter a mesh: those from a camera inside "
+           "it, and those towards lights. Choose another driver, such as llvmpipe "
+           "(GALLIUM_DRIVER=llvmpipe), or draw from outside, without shadows and ambient "
+           "occlusion.";
+  }
+  const int needed = samplersOf(key) + ofVisits;
+  const int most = textureUnits(inputs.ByCompute);
+  return needed <= most
+           ? std::string()
+           : "This picture needs " + std::to_string(needed) +
+               " textures at once, but the GL lets a shader read " + std::to_string(most) +
+               ". Switch off one of these: depth peeling, shadows, gradient opacity, "
+               "shading; or draw fewer components.";
+}
+
 // The version of the light at vertices. The first word is that of the geometry.
 Fingerprint Pipeline::lightVersion(const MarchInputs& inputs) const
 {
@@ -97,7 +121,9 @@ MarchInputs Pipeline::inputsOf(
   inputs.ByCompute = !options.Peeling && options.Boundary == BoundaryView::None &&
                      marchesByCompute(options.Stage, this->Compute);
   inputs.Area = area;
-  inputs.Key = this->keyOf(options, renderer, area);
+  const int ofVisits = options.Shared ? SamplersOfVisits : 0;
+  inputs.Key =
+    fittedTo(textureUnits(inputs.ByCompute) - ofVisits, this->keyOf(options, renderer, area));
   inputs.Camera = &this->Camera;
   inputs.Cut = &this->Cut;
   inputs.Source = &this->Source;
@@ -189,9 +215,11 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   // A progress observer may release graphics resources during the frame.
   const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
   bool stopped = false;
-  std::string error;
-  std::string shortage = withinMemory(
-    "drawing", [&] { error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key); });
+  std::string error = describeUnfit(inputs, options.Shared ? SamplersOfVisits : 0);
+  std::string shortage = withinMemory("drawing",
+    [&] {
+      error = error.empty() ? this->EffectsOnGpu.update(window, this->Effects, inputs.Key) : error;
+    });
   error = shortage.empty() ? error : shortage;
   shortage = withinMemory("drawing",
     [&]

@@ -81,6 +81,7 @@ bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
         // What the picture needs stays on the GPU.
         error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
         inputs.Key = inputs.Key.ofPick();
+        error = error.empty() ? describeUnfit(inputs, 0) : error;
         if (error.empty())
         {
           error = this->Passes.pick(window, inputs, part, goOn, stopped, points);

@@ -3,6 +3,7 @@
 #include "GL/TetSource.h"
 
 #include "Caching/WithinMemory.h"
+#include "Entries/EntryListLimit.h"
 #include "Mesh/MeshSizes.h"
 #include "Mesh/PackedCells.h"
 #include "Rays/View.h"
@@ -226,8 +227,8 @@ std::string TetSource::listEntries(vtkOpenGLRenderWindow* window, const VariantK
       const StageRecorder recorder(this->EntriesRecord);
       const auto& faces =
         key.VisiblePart ? this->Volume.visiblePart().Faces : this->mesh().BoundaryFaces;
-      const EntryLists lists =
-        makeEntryLists(this->mesh(), faces, camera, viewport.Width, viewport.Height);
+      const EntryLists lists = makeEntryListsWithin(
+        this->Limits.TexelsPerBuffer, this->mesh(), faces, camera, viewport.Width, viewport.Height);
       error = this->Entries.upload(window, lists, version);
     });
   return shortage.empty() ? error : shortage;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/TextureBuffer.h"
 
+#include "GL/Driver.h"
 #include "GL/ErrorQueue.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -78,6 +79,11 @@ bool TextureBuffer::allocate(std::size_t bytes)
 std::string TextureBuffer::upload(
   vtkOpenGLRenderWindow* window, TexelFormat format, std::size_t texels, const Texels& slice)
 {
+  if (const std::size_t most = mostTexels(); texels > most)
+  {
+    return "The GL takes " + std::to_string(most) + " texels in a texture buffer, but " +
+           std::to_string(texels) + " are needed. Extract or coarsen a part of the grid.";
+  }
   const FormatRow row = rowOf(format);
   const std::size_t bytes = texels * row.Bytes;
   clearErrors();
@@ -113,14 +119,22 @@ std::string TextureBuffer::upload(
   return {};
 }
 
-// VTK may have taken the error from the queue.
+// VTK may have taken the error from the queue. Up to OpenGL 3.0 and its extension a context has the
+// answer, from 3.1 on a level of the texture; a query that a driver refuses leaves the value as it
+// is. A driver that refuses both is believed to have attached the buffer.
 bool TextureBuffer::isAttached()
 {
-  int handle = 0;
+  constexpr int unknown = -1;
+  int handle = unknown;
   this->Texture->Activate();
-  glGetIntegerv(GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &handle);
+  glGetTexLevelParameteriv(GL_TEXTURE_BUFFER, 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &handle);
+  if (handle == unknown)
+  {
+    glGetIntegerv(GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &handle);
+    clearErrors();
+  }
   this->Texture->Deactivate();
-  return handle == this->Buffer->GetHandle();
+  return handle == unknown || handle == this->Buffer->GetHandle();
 }
 
 void TextureBuffer::bind(vtkShaderProgram* program, const char* sampler)
@@ -136,13 +150,6 @@ void TextureBuffer::release(vtkWindow* window)
   this->Texture->ReleaseGraphicsResources(window);
   this->Buffer->ReleaseGraphicsResources();
   this->Bytes = 0;
-}
-
-std::size_t mostTexels()
-{
-  int most = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  return static_cast<std::size_t>(most);
 }
 
 } // namespace tetmarch

@@ -59,9 +59,6 @@ private:
   std::size_t Bytes = 0;
 };
 
-/** GL_MAX_TEXTURE_BUFFER_SIZE of the current context. */
-std::size_t mostTexels();
-
 } // namespace tetmarch
 
 #endif

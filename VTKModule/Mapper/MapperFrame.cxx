@@ -128,7 +128,9 @@ void MapperFrame::end(double& timeToDraw)
   this->Timer->StopTimer();
   timeToDraw = this->Timer->GetElapsedTime();
   this->record(timeToDraw);
-  this->State.LastUndrawn.reportWarning(this->Scene.Mapper, this->describeNothingVisible());
+  const std::string invisible = this->describeNothingVisible();
+  this->State.LastUndrawn.reportWarning(
+    this->Scene.Mapper, invisible.empty() ? this->describeWrongRays() : invisible);
 }
 
 // The boundary is drawn whatever the functions show. Blocks that show nothing may do so for
@@ -140,6 +142,23 @@ std::string MapperFrame::describeNothingVisible() const
                      std::none_of(this->Reasons.begin(), this->Reasons.end(),
                        [](const std::string& why) { return why.empty(); });
   return tells ? "Nothing is visible, because " + this->Reasons.front() : std::string();
+}
+
+// Where a frame counts. No ray ends so, unless the driver or the march is wrong.
+std::string MapperFrame::describeWrongRays() const
+{
+  MarchCounters all;
+  for (const Pipeline* pipeline : this->Pipelines)
+  {
+    all += pipeline->counted().counters();
+  }
+  const std::int64_t wrong = all.Lost + all.Guarded;
+  return wrong == 0 ? std::string()
+                    : "The picture is wrong in up to " + std::to_string(wrong) +
+                        " pixels: " + std::to_string(all.Lost) +
+                        " rays found no way out of a cell, and " + std::to_string(all.Guarded) +
+                        " were stopped since they crossed more cells than there are. Report this "
+                        "with the driver's name and version, and try another driver.";
 }
 
 FrameResult MapperFrame::resultOf(double seconds) const

@@ -93,6 +93,7 @@ private:
   void record(double seconds);
   void noteVisibility(const std::string& why) { this->Reasons.push_back(why); }
   std::string describeNothingVisible() const;
+  std::string describeWrongRays() const;
 
   MapperScene Scene;
   MapperState& State;

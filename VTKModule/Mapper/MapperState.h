@@ -35,7 +35,7 @@ struct MapperState
   SampleDistance Distance;
   PickSession Picking;
   LastMessage LastError;
-  LastMessage LastUndrawn; // why a frame that went well shows nothing
+  LastMessage LastUndrawn; // why a frame that went well shows nothing, or something wrong
   vtkNew<vtkTetMarchFrameStatistics> Statistics;
   vtkNew<vtkLookupTable> ViewTable; // the colours of measures
 };

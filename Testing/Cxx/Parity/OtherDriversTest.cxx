@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What other drivers of Mesa draw, pixel by pixel against the CPU reference, in tiny windows:
+// softpipe interprets shaders and takes few texels in a buffer, zink hands them to Vulkan.
+// GALLIUM_DRIVER names the one that is meant.
+#include "BlendScene.h"
+#include "ComponentScene.h"
+#include "CpuReference.h"
+#include "ErrorWatch.h"
+#include "Lights.h"
+#include "StructuredScene.h"
+
+#include "OffscreenWindow.h"
+
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace
+{
+using namespace tetmarch::testing;
+
+constexpr int Side = 24;
+
+std::string wantedDriver()
+{
+  const char* name = std::getenv("GALLIUM_DRIVER");
+  return name ? name : "";
+}
+
+class OtherDrivers : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    std::string error;
+    const auto window = tetmarch::MakeOffscreenWindow(8, 8, &error);
+    const std::string found = window ? tetmarch::GetGLInformation(window).Renderer : error;
+    if (wantedDriver().empty() || found.find(wantedDriver()) != 0)
+    {
+      GTEST_SKIP() << "GALLIUM_DRIVER is '" << wantedDriver() << "', but there is: " << found;
+    }
+  }
+  static bool isSoftpipe() { return wantedDriver() == "softpipe"; }
+};
+
+// Edges: one in so many pixels may be another's.
+void expectReference(Scene& scene, const std::string& what, std::size_t pixelsOfEdge = Side * Side)
+{
+  const Image drawn = scene.render();
+  const Regions regions = regionsOf(scene);
+  const Difference inside = compare(drawn, referenceOf(scene).Picture, regions.Inside);
+  std::cout << "[ MEASURED ] " << what << ": " << inside.text() << '\n';
+  EXPECT_GT(inside.Pixels, 100u) << what;
+  EXPECT_LE(inside.Over * pixelsOfEdge, inside.Pixels) << what << ": " << inside.text();
+  const Image nothing(drawn.Width, drawn.Height);
+  EXPECT_GT(compare(drawn, nothing, regions.Inside).Max, 0.05) << what << ": nothing inside";
+  EXPECT_EQ(compare(drawn, nothing, regions.Outside, 0.0).Over, 0u) << what;
+  EXPECT_EQ(scene.Mapper->GetNumberOfLostRays() + scene.Mapper->GetNumberOfGuardHits(), 0) << what;
+}
+
+TEST_F(OtherDrivers, MeshesOfAllKinds)
+{
+  const struct
+  {
+    const char* Name;
+    Grid Mesh;
+  } meshes[] = { { "lattice", jitteredLattice(6, 0.15, 1, sineField()) },
+    { "shuffled", shuffled(jitteredLattice(5, 0.15, 1, noiseField())) },
+    { "mixed cells", mixedCells(4, 1, 0.1, sineField()) },
+    { "quadratic", quadraticTetLattice(2, 0.1, sineField()) },
+    { "tunnel", latticeWithTunnel(6, 0.15, 1, sineField()) },
+    { "shells", nestedShells(8, 4, 0.15, 1, sineField()) } };
+  for (const auto& mesh : meshes)
+  {
+    Scene scene(mesh.Mesh, Side, Side);
+    expectReference(scene, mesh.Name);
+  }
+}
+
+TEST_F(OtherDrivers, ScalarsOfCellsAndTransparentRanges)
+{
+  Scene scene(jitteredLattice(6, 0.15, 1, sineField()), Side, Side);
+  scene.drawCellScalars();
+  expectReference(scene, "cells");
+  setTwoPeaks(scene.property());
+  expectReference(scene, "transparent ranges");
+}
+
+// A layer of the unit cube's lattice, a cube thick; seen from above. Most is at the boundary.
+Grid slab(int cubes)
+{
+  return maskedLattice(
+    cubes, 0.15, 1, sineField(), [cubes](int, int, int k) { return k == cubes / 2; });
+}
+
+// In softpipe's buffers 32,768 texels are read right, so that these tetrahedra lie in two. Entries
+// are listed within the limit, too.
+TEST_F(OtherDrivers, ManyTetrahedra)
+{
+  Scene scene(slab(77), Side, Side);
+  lookDownZ(scene.camera(), 0.45);
+  scene.property()->SetScalarOpacityUnitDistance(0.01);
+  scene.Renderer->ResetCameraClippingRange();
+  const ErrorWatch watch(scene.Mapper);
+  expectReference(scene, "slab");
+  EXPECT_EQ(watch.Errors, std::vector<std::string>());
+  EXPECT_EQ(scene.Mapper->GetNumberOfRays(), Side * Side);
+  EXPECT_LT(scene.Mapper->GetNumberOfCrossedCells(), 10 * Side * Side);
+}
+
+TEST_F(OtherDrivers, TooManyBoundaryFaces)
+{
+  if (!isSoftpipe())
+  {
+    GTEST_SKIP() << "there is room for them";
+  }
+  Scene scene(slab(100), Side, Side);
+  const ErrorWatch watch(scene.Mapper);
+  scene.Window->Render();
+  scene.Window->Render();
+  ASSERT_EQ(watch.Errors.size(), 1u);
+  EXPECT_NE(watch.Errors[0].find("needs 40800 texels for its boundary faces, the GL takes 32768"),
+    std::string::npos)
+    << watch.Errors[0];
+}
+
+TEST_F(OtherDrivers, BlendModes)
+{
+  BlendScene scene(jitteredLattice(5, 0.15, 1, noiseField(3, 4)), Side, Side);
+  for (const int mode : BlendModes)
+  {
+    scene.Mapper->SetBlendMode(mode);
+    expectReference(scene, scene.Mapper->GetBlendModeAsString(), 50);
+  }
+}
+
+TEST_F(OtherDrivers, Components)
+{
+  for (const Mix& mix : Mixes)
+  {
+    ComponentScene scene(jitteredLattice(4, 0.15, 1, sineField()), mix, Side, Side);
+    expectReference(scene, mix.Name, 50);
+  }
+}
+
+TEST_F(OtherDrivers, Light)
+{
+  LitScene scene(jitteredLattice(5, 0.15, 1, sineField()), Side, Side);
+  expectReference(scene, "a light");
+  scene.addGradientOpacity();
+  expectReference(scene, "gradient opacity");
+  addLightsThatCastShadows(scene.Renderer);
+  scene.Mapper->AmbientOcclusionOn();
+  expectReference(scene, "shadows and ambient light");
+}
+
+TEST_F(OtherDrivers, Views)
+{
+  LitScene scene(jitteredLattice(4, 0.15, 1, sineField()), Side, Side);
+  const ErrorWatch watch(scene.Mapper);
+  std::vector<Image> frames;
+  for (int view = scene.Mapper->VIEW_PICTURE; view <= scene.Mapper->VIEW_BOUNDARY_COORDINATES;
+       ++view)
+  {
+    scene.Mapper->SetViewMode(view);
+    scene.Window->Render();
+    frames.push_back(scene.frame());
+    for (int other = 0; other < view; ++other)
+    {
+      EXPECT_GT(compare(frames[other], frames[view]).Rms, 0.02) << view << " is " << other;
+    }
+  }
+  EXPECT_EQ(watch.Errors, std::vector<std::string>());
+}
+
+// A pixel writes to an array at a place of its own in the search for entries. Softpipe doesn't, and
+// would search for ever.
+TEST_F(OtherDrivers, SearchesForEntries)
+{
+  LitScene scene(latticeWithTunnel(5, 0.15, 1, sineField()), Side, Side);
+  const ErrorWatch watch(scene.Mapper);
+  const auto expectSearched = [&](const std::string& what)
+  {
+    if (!isSoftpipe())
+    {
+      expectReference(scene, what);
+      return;
+    }
+    scene.Window->Render();
+    ASSERT_EQ(watch.Errors.size(), 1u) << what;
+    EXPECT_NE(watch.Errors[0].find("softpipe can't search"), std::string::npos) << watch.Errors[0];
+  };
+  scene.Mapper->AmbientOcclusionOn();
+  expectSearched("ambient light");
+  scene.property()->ShadeOff();
+  lookFromInside(scene.camera());
+  expectSearched("from inside");
+}
+
+TEST_F(OtherDrivers, Images)
+{
+  for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsNearest })
+  {
+    StructuredScene scene(imageOf(sineField(), unitCube(6)), Side, Side);
+    scene.draw(values);
+    report(nameOf(values), expectParity(scene));
+  }
+}
+} // namespace
