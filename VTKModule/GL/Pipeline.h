@@ -166,11 +166,10 @@ public:
            this->EffectsOnGpu.uploadedBytes();
   }
   const EffectStage& effects() const { return this->Effects; }
-  // What the last frame showed of the scalars, and from where.
+  // What the last frame showed of the scalars, and what was cut away.
   const Blending& blending() const { return this->Blend; }
   const TransferTables& tables() const { return this->Tables; }
   bool showsNan() const { return this->NanShown; }
-  const View& camera() const { return this->Camera; }
   const Clipping& cuts() const { return this->Cut; }
   /** Whether the last frame showed all the light that it was asked for. */
   bool isLightComplete() const { return this->Passes.isLightComplete(); }

@@ -101,7 +101,7 @@ private:
   PeelHooks Hooks;
   FrameOptions Options;
   std::vector<Pipeline*> Pipelines; // that have drawn, back to front
-  bool Failed = false;              // one of them
+  bool Failed = false;              // one of them did not come to its end
   /** Of each pipeline that was prepared: why nothing of it is visible. Empty if something may be,
    * or if something is wrong. */
   std::vector<std::string> Reasons;
