@@ -102,7 +102,7 @@ void ViewCase::OpenWindow(const QString& path)
 {
   this->Window = std::make_unique<MainWindow>();
   // As many pixels on any screen.
-  this->Window->resize(QSize(900, 640) / this->Window->devicePixelRatioF());
+  this->Window->resize(this->Window->size() / this->Window->devicePixelRatioF());
   this->Window->show();
   QVERIFY(QTest::qWaitForWindowExposed(this->Window.get(), Patience));
   this->OpenFirst(path);
