@@ -281,16 +281,20 @@ void PlayTest::ADragTurnsAndIsExactAtItsEnd()
   const QPoint middle = picture->rect().center();
   QTest::mousePress(picture, Qt::LeftButton, {}, middle);
   double coarsest = 1.0;
+  double slowest = 0.0; // of frames with a ray for each pixel
   for (int i = 1; i <= 10; ++i)
   {
     // QTest::mouseMove() has no button down.
     QMouseEvent move(QEvent::MouseMove, middle + QPoint(8 * i, 3 * i), Qt::NoButton, Qt::LeftButton,
       Qt::NoModifier);
     QCoreApplication::sendEvent(picture, &move);
-    coarsest = std::max(coarsest, statistics->GetUsedImageSampleDistance());
+    const double distance = statistics->GetUsedImageSampleDistance();
+    coarsest = std::max(coarsest, distance);
+    slowest = distance == 1.0 ? std::max(slowest, statistics->GetSeconds()) : slowest;
   }
   QTest::mouseRelease(picture, Qt::LeftButton, {}, middle + QPoint(80, 30));
-  QVERIFY(coarsest > 1.0);
+  // A GPU is fast enough for all rays.
+  QVERIFY(coarsest > 1.0 || slowest < 0.2);
   this->Wait();
   QCOMPARE(statistics->GetUsedImageSampleDistance(), 1.0);
   QVERIFY(Compare(before, this->Draw()).Bytes > 1000);
