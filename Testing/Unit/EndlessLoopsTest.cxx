@@ -73,7 +73,8 @@ void expectSegmentsToEnd(const Bend& bend)
       auto radiance = kernel.noRadiance();
       most = std::max(most, kernel.integrateSegment(segment, thickness, cell, radiance));
     });
-  EXPECT_LE(most, 16 * DefaultAccuracy.MostTrials + 2);
+  // mostTurns of segment_linear.glsl, and the turn that finds them done.
+  EXPECT_LE(most, 16 * DefaultAccuracy.MostTrials + 2 + 1);
   EXPECT_GT(most, 4);
 }
 
