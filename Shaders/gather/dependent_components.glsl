@@ -130,6 +130,10 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
 
 void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) { cell.at = found.next; }
 
+#if TETMARCH_TABLE_ERROR
+real perBinsOf(SubsegmentMean found, CellInterval cell) { return perBinsBetween(cell.at, found.next); }
+#endif
+
 #if TETMARCH_ERROR_BOUND
 // What a subsegment loses, seen through that transmittance. The mean of C tau over that of tau differs from the mean of
 // C by the covariance of both over the mean of tau: at most a quarter of the product of their ranges (Gruess 1935). The

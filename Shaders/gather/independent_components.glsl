@@ -65,6 +65,11 @@ struct SubsegmentMean
 
 void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) {}
 
+#if TETMARCH_TABLE_ERROR
+// Each component has its own; none is taken over less than a bin.
+real perBinsOf(SubsegmentMean found, CellInterval cell) { return real(1); }
+#endif
+
 #if TETMARCH_ERROR_BOUND && !TETMARCH_STRUCTURED
 real greatestOf(vec3 v) { return max(v.x, max(v.y, v.z)); }
 #endif

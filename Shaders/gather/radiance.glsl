@@ -8,7 +8,7 @@ struct Radiance
   real error;      // no channel of color is off by more, but for rounding, the steps of the integrals and the light
 #endif
 #if TETMARCH_TABLE_ERROR
-  real lookedUp;   // thickness along which means were looked up, seen through the transmittance
+  real lookedUp;   // thickness over the number of bins of the mean that was looked up, seen through the transmittance
 #endif
 #if TETMARCH_LIGHT_ERROR
   real lightError; // this error of the light

@@ -61,6 +61,9 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #endif
     radiance.error = radiance.error + error;
 #endif
+#if TETMARCH_TABLE_ERROR
+    addLookup(perBinsBetween(from, to), by, middle, cell, radiance);
+#endif
     addSubsegment(mean, by, middle, step, cell, radiance);
     from = to;
     pieces = pieces + 1;

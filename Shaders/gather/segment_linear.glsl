@@ -45,6 +45,9 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #endif
     if (accepted)
     {
+#if TETMARCH_TABLE_ERROR
+      addLookup(loaded ? perBinsOf(found, cell) : real(0), by, middle, cell, radiance);
+#endif
       addSubsegment(found.mean, by, middle, part.fraction, cell, radiance);
 #if TETMARCH_ERROR_BOUND
       radiance.error = radiance.error + error;

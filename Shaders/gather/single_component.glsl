@@ -88,6 +88,10 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
 
 void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) { cell.at = found.next; }
 
+#if TETMARCH_TABLE_ERROR
+real perBinsOf(SubsegmentMean found, CellInterval cell) { return perBinsBetween(cell.at, found.next); }
+#endif
+
 #if TETMARCH_ERROR_BOUND
 // What a subsegment loses (gather/order_error.glsl), seen through that transmittance.
 real subsegmentError(

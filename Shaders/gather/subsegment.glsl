@@ -33,24 +33,30 @@ real thicknessWithin(CellInterval cell, real fraction, real thickness)
 #endif
 }
 
+#if TETMARCH_TABLE_ERROR
+// Notes that a mean was looked up over a number of bins.
+void addLookup(real perBins, Absorption by, real middle, CellInterval cell, INOUT(Radiance) radiance)
+{
+  real seen = radiance.transmittance * by.thickness * perBins;
+#if TETMARCH_LIT
+  // What is behind and what is reflected as from white surfaces is taken for no brighter than 1.
+  seen = seen * (real(1) + brightness(illuminationWithin(cell.shades, middle)));
+#endif
+  radiance.lookedUp = radiance.lookedUp + seen;
+}
+#endif
+
 // Adds a subsegment to what the ray has gathered. mean: of C tau and tau; middle: where in the segment the middle of the
 // subsegment lies; fraction: how much of the segment it is.
 void addSubsegment(
   vec4 mean, Absorption by, real middle, real fraction, CellInterval cell, INOUT(Radiance) radiance)
 {
-#if TETMARCH_TABLE_ERROR && !TETMARCH_LIT
-  radiance.lookedUp = radiance.lookedUp + radiance.transmittance * by.thickness;
-#endif
 #if TETMARCH_LIGHT_ERROR
   radiance.lightError =
     radiance.lightError + radiance.transmittance * by.absorbed * fraction * lightErrorOf(cell.shades);
 #endif
 #if TETMARCH_LIT
   Illumination lit = illuminationWithin(cell.shades, middle);
-#if TETMARCH_TABLE_ERROR
-  // What is behind and what is reflected as from white surfaces is taken for no brighter than 1.
-  radiance.lookedUp = radiance.lookedUp + radiance.transmittance * by.thickness * (real(1) + brightness(lit));
-#endif
 #if TETMARCH_SAMPLED_SHADOWS
   keepPending(radiance, mean, lit, by);
 #endif

@@ -136,7 +136,7 @@ const ShaderFeature OfTheMarch[] = {
   { "diagnostics", [](const Key& k, MarchShader) { return k.Diagnostics; },
     "guarded met measuresOf troubleOf" },
   { "error by the steps of integrals", [](const Key& k, MarchShader) { return hasStepError(k); },
-    "errorOfSteps lookedUp" },
+    "errorOfSteps lookedUp addLookup" },
   { "transparent ranges", [](const Key& k, MarchShader) { return k.TransparentRanges; },
     "givenTransparentRanges transparentRanges isTransparentBetween" },
   { "colour of what is not finite", [](const Key& k, MarchShader) { return k.NanShown; },
