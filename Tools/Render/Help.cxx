@@ -15,7 +15,7 @@ coincide; images among them and curvilinear grids are taken as hexahedra.
 
 Data
   --list                    print all arrays, which of them is drawn, and the time steps; draw nothing
-  --check                   print all that is wrong with the file, with each block and each array; draw nothing;
+  --check                   print all that is wrong with the file, its blocks and its arrays; draw nothing;
                             exit status 1 if anything is
   --array NAME              the array to draw (default: one of all blocks that looks like a physical value,
                             points before cells, one component before several; a line on stderr says which)
