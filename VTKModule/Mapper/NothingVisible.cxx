@@ -95,11 +95,12 @@ std::string whyNoValue(const Pipeline& pipeline)
   }
   const std::string noSurface =
     blending.isIsoSurface() ? whyNoSurface(blending, range) : std::string();
-  if (!noSurface.empty())
+  // Of scalars of cells surfaces lie between cells, none of which has a value that is shown.
+  if (blending.isIsoSurface())
   {
     return noSurface;
   }
-  if (!blending.isIsoSurface() && !showAnyScalar(pipeline))
+  if (!showAnyScalar(pipeline))
   {
     return "the opacity is 0 for all of " + valuesOf(range) +
            ". Change the scalar opacity function, or choose another array.";

@@ -92,7 +92,8 @@ TEST(BlendParity, ScalarsThatAreNotFinite)
   expectBlendParity(scene);
 }
 
-// No segment is split, and there is no error to be bounded.
+// No segment is split. An extreme has no error; a sum has that of rounding and of the steps of
+// integrals.
 TEST(BlendParity, CountersOfWhatIsExact)
 {
   BlendScene scene(lattice());
@@ -103,7 +104,9 @@ TEST(BlendParity, CountersOfWhatIsExact)
     EXPECT_LE(scene.Mapper->GetNumberOfLookups(), scene.Mapper->GetNumberOfCrossedCells());
     EXPECT_GT(scene.Mapper->GetNumberOfLookups(), scene.Mapper->GetNumberOfCrossedCells() * 9 / 10);
     const auto* statistics = scene.Mapper->GetLastFrameStatistics();
-    EXPECT_EQ(statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND), 0.0);
+    const double bound = statistics->GetMaximum(vtkTetMarchFrameStatistics::ERROR_BOUND);
+    const bool isSum = mode == Mapper::ADDITIVE_BLEND;
+    EXPECT_TRUE(isSum ? bound > 0 && bound < 1e-5 : bound == 0) << mode << ": " << bound;
   }
   // As many as there are cells with a surface in them.
   scene.Mapper->SetBlendModeToIsoSurface();
