@@ -33,12 +33,12 @@ public:
   /**
    * Quantities of the pixels whose ray met the mesh.
    * ERROR_BOUND: largest possible error of a channel (r, g, b, opacity; 0..1) of the volume's
-   * picture in float, before it is blended and rounded to the bytes of the window. It leaves out
-   * rounding and what transfer functions do between the entries of their tables. See
-   * vtkTetMarchSettings::AccuracyLevelType for its formula.
-   * CELLS: cells that the ray crossed (tetrahedra of an unstructured grid). Rays need not cross
-   * cells of which the functions show nothing.
-   * LOOKUPS: lookups of the segment integral.
+   * picture in float, before it is blended and rounded to the bytes of the window. It has the
+   * steps of the tables' integrals, 32-bit fixed-point numbers, which no tolerance makes smaller.
+   * It leaves out rounding, but for that of sums and averages, and what transfer functions do
+   * between the entries of their tables. See vtkTetMarchSettings::AccuracyLevelType for its
+   * formula. CELLS: cells that the ray crossed (tetrahedra of an unstructured grid). Rays need not
+   * cross cells of which the functions show nothing. LOOKUPS: lookups of the segment integral.
    * TRUE_ERROR: largest error of a channel against the ground truth. Measured by
    * vtkTetMarchVolumeMapper::CompareWithGroundTruth() only.
    */
