@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tetmarch
 {
@@ -241,7 +242,7 @@ void TileSchedule::complete()
   this->Past.Dearest = std::max(this->Dearest, kept * this->Past.Dearest);
   this->Past.Slowest = this->Slowest;
   this->Past.SecondsPerPixel = this->Seconds / static_cast<double>(this->Pixels);
-  this->Past.Content = this->Content;
+  this->Past.Content = std::move(this->Content); // without memory: the picture is there
   this->Past.Known = true;
 }
 

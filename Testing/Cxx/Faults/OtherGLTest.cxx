@@ -111,11 +111,11 @@ TEST_F(OtherGLs, LeadRaysAstray)
     const FaultyGL circles(
       [](const std::string& text)
       {
-        const std::string guard = "uniform int mostCells;";
+        const std::string guard = "uniform int mostSteps;";
         const std::size_t at = text.find(guard);
         return at == std::string::npos
                  ? text
-                 : std::string(text).replace(at, guard.size(), "const int mostCells = 2;");
+                 : std::string(text).replace(at, guard.size(), "const int mostSteps = 2;");
       });
     EXPECT_GT(compare(this->drawnAnew(), sound).Max, 0.0);
   }
