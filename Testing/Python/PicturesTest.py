@@ -119,7 +119,7 @@ class ScreenshotTest(unittest.TestCase):
                               ({"opacity": [(5, 0), (7, 1)]}, "the opacity is 0 for all"),
                               ({"blend_mode": "isosurface", "isosurface_values": 2}, "no isosurface value lies among"),
                               ({"clipping_planes": [((0, 0, 2), (0, 0, 1))]}, "clipping planes and cropping leave"),
-                              ({"cropping": True, "cropping_region_planes": (3, 4, 0, 1, 0, 1)}, "cropping leave")):
+                              ({"cropping": True, "cropping_region_planes": (3, 4, 0, 1, 0, 1)}, "clipping planes and cropping leave")):
                 figure = figure_of_tetrahedron(**how)
                 with self.subTest(how=how), self.assertWarnsRegex(RuntimeWarning, "Nothing is visible, because " + text):
                     figure.screenshot()
