@@ -3,7 +3,7 @@
 // Prints the variants whose scenes compare_pictures.py draws: a line each, "picture" or "pick" and
 // the names of its features but HAS_FMA. With a folder, the shader texts of these variants are
 // written into it: 0-portable.frag of the first line, and 0-extended.frag with what only some
-// drivers have: fused multiply-add for meshes, gathers for lattices.
+// drivers have: `precise`, fused multiply-add for meshes, gathers for lattices.
 #include "CoveringKeys.h"
 #include "LegalKeys.h"
 
@@ -56,7 +56,8 @@ void writeTexts(const std::string& begin, const Pass& pass, VariantKey key)
   writeText(begin + "-portable.frag", pass, key.defines());
   key.HasFma = !key.Structured;
   const std::string gather = key.Structured ? "#define TETMARCH_HAS_GATHER 1\n" : "";
-  writeText(begin + "-extended.frag", pass, key.defines() + gather);
+  writeText(
+    begin + "-extended.frag", pass, key.defines() + "#define TETMARCH_HAS_PRECISE 1\n" + gather);
 }
 } // namespace
 
