@@ -3,7 +3,8 @@
 // Prints the variants whose scenes compare_pictures.py draws: a line each, "picture" or "pick" and
 // the names of its features but HAS_FMA. With a folder, the shader texts of these variants are
 // written into it: 0-portable.frag of the first line, and 0-extended.frag with what only some
-// drivers have: `precise`, fused multiply-add for meshes, gathers for lattices.
+// drivers have: fused multiply-add for meshes, gathers for lattices. `precise` is in both, as most
+// drivers have it, llvmpipe among them.
 #include "CoveringKeys.h"
 #include "LegalKeys.h"
 
@@ -53,7 +54,8 @@ void writeText(const std::string& file, const Pass& pass, const std::string& def
 
 void writeTexts(const std::string& begin, const Pass& pass, VariantKey key)
 {
-  writeText(begin + "-portable.frag", pass, key.defines());
+  const std::string precise = "#define TETMARCH_HAS_PRECISE 1\n";
+  writeText(begin + "-portable.frag", pass, key.defines() + precise);
   key.HasFma = !key.Structured;
   const std::string gather = key.Structured ? "#define TETMARCH_HAS_GATHER 1\n" : "";
   writeText(
