@@ -58,8 +58,7 @@ void writeTexts(const std::string& begin, const Pass& pass, VariantKey key)
   writeText(begin + "-portable.frag", pass, key.defines() + precise);
   key.HasFma = !key.Structured;
   const std::string gather = key.Structured ? "#define TETMARCH_HAS_GATHER 1\n" : "";
-  writeText(
-    begin + "-extended.frag", pass, key.defines() + "#define TETMARCH_HAS_PRECISE 1\n" + gather);
+  writeText(begin + "-extended.frag", pass, key.defines() + precise + gather);
 }
 } // namespace
 
