@@ -71,7 +71,7 @@ class Figure:
         return self
 
     def _hidden_window(self):
-        check_process(self._window)
+        check_process()
         if self._window is None:
             check_display()
             self._window = vtkRenderWindow()
@@ -172,7 +172,7 @@ class Figure:
         A dict: position (three numbers, in the world), value (in the array's unit), cell (its id), block (its flat
         index in a tree, else 0); or None if the volume isn't hit, see vtkTetMarchSettings.SetPickOpacityThreshold().
         """
-        check_process(self._window)
+        check_process()
         width, height = self.size
         x, y = int(checked_number(x, "x")), int(checked_number(y, "y"))
         if not (0 <= x < width and 0 <= y < height):

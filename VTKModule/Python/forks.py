@@ -4,26 +4,30 @@
 import os
 import weakref
 
-PROCESSES = weakref.WeakKeyDictionary()  # window: the process that opened it
+PROCESSES = set()  # this one, if it opened a window, and those that it was forked from
+WINDOWS = weakref.WeakSet()
 
 
 def note_window(window):
     """A window was opened by this process."""
-    PROCESSES[window] = os.getpid()
+    PROCESSES.add(os.getpid())
+    WINDOWS.add(window)
 
 
-def check_process(window):
-    """Raises RuntimeError, which says what to do, if a window, or None, is of a process that this one was forked from.
+def check_process():
+    """Raises RuntimeError, which says what to do, if this process was forked from one that has opened a window.
+
+    Windows of the child alone are no way out: opening one lets go of the context that the parent left current, which
+    waits for threads that only the parent has, or for a lock that one of them held.
     """
-    if window is not None and PROCESSES[window] != os.getpid():
-        raise RuntimeError("this figure was drawn before its process was forked, and OpenGL does not work in such a "
-                           "child: make the figure in the child, or start the child by "
-                           "multiprocessing.get_context('spawn')")
+    if PROCESSES - {os.getpid()}:
+        raise RuntimeError("figures were drawn before this process was forked, and OpenGL does not work in such a "
+                           "child: start it by multiprocessing.get_context('spawn'), or before the first picture")
 
 
 def keep_windows():
     """In a child: windows are never deleted, since closing them would hang, or end the connection of the parent."""
-    for window in PROCESSES:
+    for window in WINDOWS:
         window.Register(None)
 
 
