@@ -9,7 +9,6 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import matplotlib.ticker  # noqa: E402
 
-matplotlib.rcParams["svg.hashsalt"] = "tetmarch"  # the same file from the same figures
 plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.25, "axes.axisbelow": True})
 
 OURS = "tetmarch"
@@ -85,9 +84,7 @@ def draw_subject(axes, subject, families):
 
 
 def save(figure, folder, name):
-    for ending in ("svg", "png"):
-        metadata = {"Date": None} if ending == "svg" else None
-        figure.savefig(folder / f"{name}.{ending}", dpi=110, metadata=metadata, bbox_inches="tight")
+    figure.savefig(folder / f"{name}.png", dpi=110, bbox_inches="tight")
     plt.close(figure)
 
 

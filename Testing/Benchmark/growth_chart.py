@@ -5,7 +5,7 @@
 
     growth_chart.py FOLDER REPORT.json...
 
-The reports are those of tetmarch-bench for lattices of several sizes. FOLDER gets growth.md, growth.svg and growth.png.
+The reports are those of tetmarch-bench for lattices of several sizes. FOLDER gets growth.md and growth.png.
 """
 import argparse
 import json

@@ -9,7 +9,7 @@ from pages import (GENERATED, PROJECT, code_words, fenced_blocks, name_of, pages
 
 MOST_COLUMNS = 120
 MOST_LINES_OF_README = 115
-FILE_ENDINGS = "cmake|cxx|glsl|h|json|md|png|py|sh|svg|txt|vtu|xml|module|plugin"
+FILE_ENDINGS = "cmake|cxx|glsl|h|json|md|png|py|sh|txt|vtu|xml|module|plugin"
 # Files that a page tells of and that aren't ours, or are made by who follows the page.
 OTHER_FILES = {"vtkAOSDataArrayTemplate.h", "example.py", "TetMarch.so", "data/vti/bonsai.vti"}
 # Folders that a page tells of and that aren't ours.
