@@ -3,6 +3,7 @@
 """Pictures of figures: their shapes and values, and what is known of them."""
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -75,6 +76,36 @@ class ScreenshotTest(unittest.TestCase):
         self.assertEqual(figure.save(str(path)), str(path))
         path.write_bytes(figure._repr_png_())
         self.assertTrue(np.array_equal(pixels_of_png(path), figure.screenshot()))
+
+    def test_a_full_disk_leaves_the_earlier_picture(self):
+        """A limit of the size of files fails a write as a full disk does."""
+        figure = figure_of_tetrahedron()
+        path = figure.save(self.folder / "a.png")
+        path.chmod(0o640)
+        (self.folder / "link.png").symlink_to("a.png")
+        before = path.read_bytes()
+        limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+        for name in ("a.png", "link.png", "new.png"):
+            resource.setrlimit(resource.RLIMIT_FSIZE, (500, limits[1]))
+            try:
+                with self.assertRaisesRegex(OSError, f"File too large: '.*{name}'"):
+                    figure.save(self.folder / name)
+            finally:
+                resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+            self.assertEqual(path.read_bytes(), before)
+            self.assertEqual(sorted(os.listdir(self.folder)), ["a.png", "link.png"])
+        figure.look({"azimuth": 90}).save(self.folder / "link.png")
+        self.assertNotEqual(path.read_bytes(), before)
+        self.assertTrue(np.array_equal(pixels_of_png(path), figure.screenshot()))
+        self.assertTrue((self.folder / "link.png").is_symlink())
+        self.assertEqual(path.stat().st_mode & 0o777, 0o640)
+
+    def test_what_is_no_file_is_not_replaced(self):
+        figure = figure_of_tetrahedron()
+        (self.folder / "folder.png").mkdir()
+        with self.assertRaisesRegex(IsADirectoryError, "folder.png"):
+            figure.save(self.folder / "folder.png")
+        self.assertEqual(os.listdir(self.folder), ["folder.png"])
 
     def test_transparent_over_a_color_is_that_color_behind(self):
         for behind in ((0, 0, 0), (1, 1, 1), (0.2, 0.7, 0.4)):

@@ -1,6 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Pixels of a window as arrays, and as PNG."""
+import contextlib
+import os
+import secrets
+import shutil
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
@@ -46,5 +51,22 @@ def png_bytes(pixels):
 
 
 def write_png(pixels, path):
-    with open(path, "wb") as file:
-        file.write(png_bytes(pixels))
+    """The file gets its name when it is complete: on a full disk the file that had it stays. OSError names the path."""
+    path = os.fsdecode(path)
+    target = os.path.realpath(path)  # a symbolic link stays one
+    temporary = os.path.join(os.path.dirname(target), f".tetmarch-{os.getpid()}-{secrets.token_hex(8)}")
+    try:
+        exists = os.path.exists(target)
+        if exists:
+            with open(target, "r+b"):  # which says why it may not be written
+                pass
+        with open(temporary, "xb") as file:
+            file.write(png_bytes(pixels))
+        if exists:
+            shutil.copymode(target, temporary)
+        os.replace(temporary, target)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, path) from None
+    finally:
+        with contextlib.suppress(FileNotFoundError):
+            os.remove(temporary)
