@@ -116,8 +116,7 @@ VariantKey variantOf(const MonkeyState& state)
   key.Occlusion = state.Occlusion;
   key.ShowIllumination = state.ViewMode == Mapper::VIEW_ILLUMINATION;
   key.ShowGradients = state.ViewMode == Mapper::VIEW_GRADIENTS;
-  return state.ViewMode >= Mapper::VIEW_BOUNDARY_FACES && !state.peels() ? key.ofEntries()
-                                                                         : key.filtered();
+  return state.showsBoundary() ? key.ofEntries() : key.filtered();
 }
 
 std::vector<std::string> refusalsOf(const MonkeyState& state)

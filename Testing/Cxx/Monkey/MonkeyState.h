@@ -156,6 +156,10 @@ struct MonkeyState
   bool peels() const { return this->Translucent > 0 && this->Peeling && this->PeelsVolume; }
   bool isInside() const { return this->View == Inside || this->View == NearPlaneInside; }
   bool isBlended() const { return this->BlendMode != Mapper::COMPOSITE_BLEND; }
+  bool showsBoundary() const
+  {
+    return !this->peels() && this->ViewMode >= Mapper::VIEW_BOUNDARY_FACES;
+  }
   bool showsMeasure() const
   {
     return !this->peels() && this->ViewMode >= Mapper::VIEW_ERROR_BOUND &&
