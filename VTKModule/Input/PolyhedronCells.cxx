@@ -5,10 +5,7 @@
 
 #if !TETMARCH_FACES_ARE_STREAMS
 
-#include "Input/CellTypes.h"
-
 #include "vtkCellArray.h"
-#include "vtkCellType.h"
 #include "vtkIdList.h"
 
 namespace tetmarch
@@ -143,30 +140,19 @@ std::string PolyhedronFaces::errorOfArrays(vtkIdType cell) const
   return {};
 }
 
-std::string PolyhedronFaces::errorOfSharing(const CellTypes& types, vtkIdType cells) const
+vtkIdType PolyhedronFaces::valuesNamedBy(vtkIdType cell) const
 {
+  const Lists locations(this->Locations);
+  const Lists faces(this->Faces);
   vtkIdType named = 0;
-  for (vtkIdType cell = 0; cell < cells; ++cell)
+  for (vtkIdType i = locations.begin(cell); i < locations.end(cell); ++i)
   {
-    if (types[cell] != VTK_POLYHEDRON)
-    {
-      continue;
-    }
-    const Lists locations(this->Locations);
-    const Lists faces(this->Faces);
-    for (vtkIdType i = locations.begin(cell); i < locations.end(cell); ++i)
-    {
-      named += faces.length(locations.Values[i]);
-    }
-    if (named > 2 * faces.Values.size())
-    {
-      return "The polyhedra up to cell " + text(cell) + " share too many faces: by their face " +
-             "locations they have " + text(named) + " corners of faces, of which there are " +
-             text(faces.Values.size()) + ". A face is that of two polyhedra at most." + Advice;
-    }
+    named += faces.length(locations.Values[i]);
   }
-  return {};
+  return named;
 }
+
+vtkIdType PolyhedronFaces::numberOfValues() const { return Lists(this->Faces).Values.size(); }
 
 void PolyhedronFaces::addPoints(vtkIdType cell, vtkIdList* points) const
 {

@@ -38,6 +38,10 @@ public:
 private:
   // Of arrays that are there; in PolyhedronStreams.cxx or PolyhedronCells.cxx.
   std::string errorOfArrays(vtkIdType cell) const;
+  vtkIdType valuesNamedBy(vtkIdType cell) const; // a sound polyhedron
+  vtkIdType numberOfValues() const;              // of faces
+
+  static constexpr int MostSharing = TETMARCH_FACES_ARE_STREAMS ? 1 : 2; // a face
   static constexpr const char* Advice = " Repair the grid's face arrays.";
 
   FaceArray* Faces;

@@ -5,9 +5,6 @@
 
 #if TETMARCH_FACES_ARE_STREAMS
 
-#include "Input/CellTypes.h"
-
-#include "vtkCellType.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 
@@ -63,31 +60,18 @@ std::string PolyhedronFaces::errorOfArrays(vtkIdType cell) const
   return {};
 }
 
-std::string PolyhedronFaces::errorOfSharing(const CellTypes& types, vtkIdType cells) const
+vtkIdType PolyhedronFaces::valuesNamedBy(vtkIdType cell) const
 {
-  vtkIdType named = 0;
-  for (vtkIdType cell = 0; cell < cells; ++cell)
+  const vtkIdType* begin = this->Faces->GetPointer(this->Locations->GetValue(cell));
+  const vtkIdType* at = begin + 1;
+  for (vtkIdType face = 0; face < *begin; ++face)
   {
-    if (types[cell] != VTK_POLYHEDRON)
-    {
-      continue;
-    }
-    const vtkIdType* begin = this->Faces->GetPointer(this->Locations->GetValue(cell));
-    const vtkIdType* at = begin + 1;
-    for (vtkIdType face = 0; face < *begin; ++face)
-    {
-      at += 1 + *at;
-    }
-    named += at - begin;
-    if (named > this->Faces->GetNumberOfValues())
-    {
-      return "The face locations of the polyhedra up to cell " + text(cell) +
-             " overlap: they name " + text(named) + " values of the faces, which have " +
-             text(this->Faces->GetNumberOfValues()) + "." + Advice;
-    }
+    at += 1 + *at;
   }
-  return {};
+  return at - begin;
 }
+
+vtkIdType PolyhedronFaces::numberOfValues() const { return this->Faces->GetNumberOfValues(); }
 
 void PolyhedronFaces::addPoints(vtkIdType cell, vtkIdList* points) const
 {
