@@ -1,23 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkTetMarchFirstPicture.h"
+#include "vtkTetMarchFirstPictureInternals.h"
 
 #include "Blocks/DataFaults.h"
-#include "FirstPicture/ArrayChoice.h"
 #include "FirstPicture/ArrayTable.h"
 #include "FirstPicture/CameraFit.h"
 #include "FirstPicture/DrawnBlocks.h"
-#include "FirstPicture/Exposure.h"
-#include "FirstPicture/FirstFunctions.h"
 #include "Input/SolidCells.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkCamera.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTetMarchSettings.h"
@@ -31,60 +25,6 @@
 #include <type_traits>
 
 vtkStandardNewMacro(vtkTetMarchFirstPicture);
-
-namespace
-{
-// Fewer say little of how values are spread: those of points within them say more.
-constexpr std::size_t FewCells = 1000;
-} // namespace
-
-struct vtkTetMarchFirstPicture::Internals
-{
-  vtkSmartPointer<vtkDataObject> Data;
-  vtkMTimeType Time = 0; // of the data when it was checked, and its blocks were listed
-  bool IsChecked = false;
-  std::string Fault; // of the data
-  std::vector<vtkSmartPointer<vtkDataSet>> Owned;
-  std::vector<vtkDataSet*> Blocks; // all of these
-  bool Lattices = false;           // images and rectilinear grids, all of them
-  std::vector<tetmarch::Vector3> Outline;
-  tetmarch::PicturePlane Plane;
-  tetmarch::DrawnArray Chosen;
-  bool HasCrossings = false;
-  tetmarch::Crossings Crossings;        // of the chosen array
-  std::vector<tetmarch::Vector3> Shown; // of images and rectilinear grids, by the chosen functions
-  vtkNew<vtkColorTransferFunction> Color;
-  vtkNew<vtkPiecewiseFunction> Opacity;
-
-  void forget()
-  {
-    this->IsChecked = false;
-    this->Fault.clear();
-    this->Blocks.clear();
-    this->Owned.clear();
-    this->Outline.clear();
-    this->Chosen = {};
-    this->HasCrossings = false;
-    this->Crossings = {};
-    this->Shown.clear();
-  }
-
-  void findBlocks()
-  {
-    this->Owned = tetmarch::drawnBlocks(this->Data);
-    this->Blocks.assign(this->Owned.begin(), this->Owned.end());
-    // Those that mappers draw, unless there are none of them.
-    std::vector<vtkDataSet*> solid;
-    std::copy_if(
-      this->Blocks.begin(), this->Blocks.end(), std::back_inserter(solid), tetmarch::hasSolidCells);
-    this->Blocks = solid.empty() ? this->Blocks : solid;
-    int n[3];
-    this->Lattices = std::all_of(this->Blocks.begin(), this->Blocks.end(),
-      [&n](vtkDataSet* block) { return tetmarch::isLattice(block, n); });
-    this->Outline = tetmarch::outlinePoints(this->Blocks);
-    this->Plane = tetmarch::choosePlane(this->Outline);
-  }
-};
 
 vtkTetMarchFirstPicture::vtkTetMarchFirstPicture()
   : Found(std::make_unique<Internals>())
@@ -154,6 +94,22 @@ bool vtkTetMarchFirstPicture::ListFaults(vtkStringArray* faults)
   return true;
 }
 
+void vtkTetMarchFirstPicture::Internals::findBlocks()
+{
+  this->Owned = tetmarch::drawnBlocks(this->Data);
+  this->Blocks.assign(this->Owned.begin(), this->Owned.end());
+  // Those that mappers draw, unless there are none of them.
+  std::vector<vtkDataSet*> solid;
+  std::copy_if(
+    this->Blocks.begin(), this->Blocks.end(), std::back_inserter(solid), tetmarch::hasSolidCells);
+  this->Blocks = solid.empty() ? this->Blocks : solid;
+  int n[3];
+  this->Lattices = std::all_of(this->Blocks.begin(), this->Blocks.end(),
+    [&n](vtkDataSet* block) { return tetmarch::isLattice(block, n); });
+  this->Outline = tetmarch::outlinePoints(this->Blocks);
+  this->Plane = tetmarch::choosePlane(this->Outline);
+}
+
 bool vtkTetMarchFirstPicture::CheckInput()
 {
   if (!this->CheckData())
@@ -170,113 +126,6 @@ bool vtkTetMarchFirstPicture::CheckInput()
     vtkErrorMacro("The data has no cells to draw (" << found.Data->GetClassName() << ").");
     return false;
   }
-  return true;
-}
-
-bool vtkTetMarchFirstPicture::ChooseArray()
-{
-  if (!this->CheckInput())
-  {
-    return false;
-  }
-  tetmarch::ArrayWish wish;
-  wish.Name = this->ArrayName;
-  if (this->ArrayAssociation != ANY)
-  {
-    wish.OfCells = this->ArrayAssociation == CELLS;
-  }
-  if (this->Component >= -1)
-  {
-    wish.Component = this->Component;
-  }
-  tetmarch::DrawnArray chosen;
-  const std::string error = tetmarch::chooseArray(this->Found->Blocks, wish, chosen);
-  this->Found->HasCrossings = false;
-  this->Found->Chosen = error.empty() ? chosen : tetmarch::DrawnArray();
-  if (!error.empty())
-  {
-    vtkErrorMacro(<< error);
-  }
-  return error.empty();
-}
-
-bool vtkTetMarchFirstPicture::CheckChosenArray()
-{
-  return this->CheckInput() && (this->Found->Chosen.Array || this->ChooseArray());
-}
-
-bool vtkTetMarchFirstPicture::FindCrossings()
-{
-  if (!this->CheckChosenArray())
-  {
-    return false;
-  }
-  Internals& found = *this->Found;
-  if (!found.HasCrossings)
-  {
-    found.Crossings =
-      tetmarch::findCrossings(found.Blocks, found.Chosen, found.Outline, found.Plane);
-    found.HasCrossings = true;
-  }
-  return true;
-}
-
-bool vtkTetMarchFirstPicture::UsesStructuredLaw() const
-{
-  return this->OpacityLaw == OF_THE_DATA ? this->Found->Lattices : this->OpacityLaw == STRUCTURED;
-}
-
-bool vtkTetMarchFirstPicture::ChooseTransferFunctions()
-{
-  if (!this->FindCrossings())
-  {
-    return false;
-  }
-  Internals& found = *this->Found;
-  std::optional<std::array<double, 2>> range;
-  if (this->Range[0] < this->Range[1])
-  {
-    range = { { this->Range[0], this->Range[1] } };
-  }
-  std::vector<tetmarch::Sample> samples = tetmarch::takeSamples(found.Blocks, found.Chosen);
-  if (samples.size() < FewCells)
-  {
-    samples = found.Crossings.samples();
-  }
-  const tetmarch::ValueStatistics statistics =
-    tetmarch::computeStatistics(std::move(samples), range, found.Lattices);
-  std::copy(statistics.Range.begin(), statistics.Range.end(), this->ChosenRange);
-  this->Background = statistics.Background;
-  tetmarch::makeFirstColors(statistics, found.Color);
-  this->UnitDistance = tetmarch::exposeFirstOpacity(
-    statistics, found.Crossings, { this->UsesStructuredLaw(), !found.Lattices }, found.Opacity);
-  found.Shown.clear();
-  if (found.Lattices)
-  {
-    found.Shown =
-      found.Crossings.shownPlaces(tetmarch::extinctionOf(found.Opacity, this->UsesStructuredLaw()));
-  }
-  return true;
-}
-
-bool vtkTetMarchFirstPicture::Choose()
-{
-  return this->ChooseArray() && this->ChooseTransferFunctions();
-}
-
-bool vtkTetMarchFirstPicture::ChooseUnitDistance(vtkPiecewiseFunction* opacity)
-{
-  if (!opacity)
-  {
-    vtkErrorMacro("There is no opacity function to choose a unit distance for.");
-    return false;
-  }
-  if (!this->FindCrossings())
-  {
-    return false;
-  }
-  this->UnitDistance = tetmarch::exposedUnitDistance(
-    this->Found->Crossings, tetmarch::extinctionOf(opacity, this->UsesStructuredLaw()));
   return true;
 }
 

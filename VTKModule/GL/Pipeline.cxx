@@ -24,13 +24,11 @@ bool Pipeline::fail(const std::string& error)
 
 void Pipeline::begin(std::uint64_t mostBytes)
 {
-  this->Error.clear();
+  this->beginPick(mostBytes);
   this->Passes.clear();
   this->Found.clear();
-  this->Area = {};
   this->RunsBefore = this->stageRuns();
   this->Subject.clear();
-  this->Limits = { mostTexels(), mostBytes };
 }
 
 void Pipeline::beginPick(std::uint64_t mostBytes)
@@ -214,8 +212,7 @@ void Pipeline::moveTo(vtkOpenGLRenderWindow* window)
   }
   if (this->Window)
   {
-    this->Window->MakeCurrent();
-    this->release(this->Window);
+    this->releaseWhereHeld();
     window->MakeCurrent();
   }
   this->Window = window;

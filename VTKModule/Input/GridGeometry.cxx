@@ -44,7 +44,8 @@ double boxOf(const std::array<Vector3, 3>& directions)
   return dot(directions[0], cross(directions[1], directions[2]));
 }
 
-void setPoints(const int extent[6], GridGeometry& geometry)
+// Reads how many points there are. If there are some, but too few, the text says so.
+std::string readPoints(const char* what, const int extent[6], GridGeometry& geometry)
 {
   for (int a = 0; a < 3; ++a)
   {
@@ -52,11 +53,8 @@ void setPoints(const int extent[6], GridGeometry& geometry)
     const std::int64_t count = std::int64_t(extent[2 * a + 1]) - extent[2 * a] + 1;
     geometry.Points[a] = static_cast<int>(std::min<std::int64_t>(count, VTK_INT_MAX));
   }
-}
-
-std::string checkThickness(const char* what, const std::array<int, 3>& points)
-{
-  if (std::all_of(points.begin(), points.end(), [](int n) { return n >= 2; }))
+  const std::array<int, 3>& points = geometry.Points;
+  if (geometry.isEmpty() || *std::min_element(points.begin(), points.end()) >= 2)
   {
     return {};
   }
@@ -68,13 +66,8 @@ std::string checkThickness(const char* what, const std::array<int, 3>& points)
 
 std::string readImage(vtkImageData* image, GridGeometry& geometry)
 {
-  setPoints(image->GetExtent(), geometry);
-  if (geometry.isEmpty())
-  {
-    return {};
-  }
-  const std::string thin = checkThickness("image", geometry.Points);
-  if (!thin.empty())
+  const std::string thin = readPoints("image", image->GetExtent(), geometry);
+  if (geometry.isEmpty() || !thin.empty())
   {
     return thin;
   }
@@ -134,13 +127,8 @@ std::string checkCoordinates(const char* name, const std::vector<double>& coordi
 
 std::string readRectilinear(vtkRectilinearGrid* grid, GridGeometry& geometry)
 {
-  setPoints(grid->GetExtent(), geometry);
-  if (geometry.isEmpty())
-  {
-    return {};
-  }
-  const std::string thin = checkThickness("rectilinear grid", geometry.Points);
-  if (!thin.empty())
+  const std::string thin = readPoints("rectilinear grid", grid->GetExtent(), geometry);
+  if (geometry.isEmpty() || !thin.empty())
   {
     return thin;
   }

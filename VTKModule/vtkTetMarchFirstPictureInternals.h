@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a vtkTetMarchFirstPicture has found of its data, and chosen.
+#ifndef vtkTetMarchFirstPictureInternals_h
+#define vtkTetMarchFirstPictureInternals_h
+
+#include "FirstPicture/Crossings.h"
+#include "FirstPicture/DrawnArray.h"
+#include "FirstPicture/PicturePlane.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkSmartPointer.h"
+#include "vtkTetMarchFirstPicture.h"
+
+#include <string>
+#include <vector>
+
+struct vtkTetMarchFirstPicture::Internals
+{
+  vtkSmartPointer<vtkDataObject> Data;
+  vtkMTimeType Time = 0; // of the data when it was checked, and its blocks were listed
+  bool IsChecked = false;
+  std::string Fault; // of the data
+  std::vector<vtkSmartPointer<vtkDataSet>> Owned;
+  std::vector<vtkDataSet*> Blocks; // all of these
+  bool Lattices = false;           // images and rectilinear grids, all of them
+  std::vector<tetmarch::Vector3> Outline;
+  tetmarch::PicturePlane Plane;
+  tetmarch::DrawnArray Chosen;
+  bool HasCrossings = false;
+  tetmarch::Crossings Crossings;        // of the chosen array
+  std::vector<tetmarch::Vector3> Shown; // of images and rectilinear grids, by the chosen functions
+  vtkNew<vtkColorTransferFunction> Color;
+  vtkNew<vtkPiecewiseFunction> Opacity;
+
+  void forget()
+  {
+    this->IsChecked = false;
+    this->Fault.clear();
+    this->Blocks.clear();
+    this->Owned.clear();
+    this->Outline.clear();
+    this->Chosen = {};
+    this->HasCrossings = false;
+    this->Crossings = {};
+    this->Shown.clear();
+  }
+
+  void findBlocks();
+};
+
+#endif
