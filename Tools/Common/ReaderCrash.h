@@ -17,7 +17,7 @@
 namespace tetmarch
 {
 
-/// As long as it lives the file is being read; one file at a time.
+/// As long as it lives the file is being read. Of several at a time the last one is named.
 class FileBeingRead
 {
 public:

@@ -61,14 +61,20 @@ fuzz() {
 
 # fuzz_files [COUNT]: of each kind of file
 fuzz_files() {
-  local count="${1:-200}"
+  local count="${1:-200}" window=()
   [[ "$count" =~ ^[1-9][0-9]*$ ]] || die "fuzz files takes a number of files of each kind, not $count"
   prepare_machine
   configure "$BUILD" -DBUILD_TESTING=ON
   build TetMarchTryFiles
   build tetmarch-render
-  "$SYSTEM_PYTHON" "$ROOT/Testing/Fuzz/Files/fuzz_files.py" --driver "$BUILD/bin/TetMarchTryFiles" \
-    --render "$BUILD/bin/tetmarch-render" --each "$count" --drawn "$((2 * count))" --keep "$BUILD/fuzz/files"
+  # One file in twenty is opened in the window, where it is built.
+  if ninja -C "$BUILD" -t targets all | grep '^TetMarchTryWindow: phony' >/dev/null; then
+    build TetMarchTryWindow
+    window=(--window "$BUILD/bin/TetMarchTryWindow" --opened "$(((count + 19) / 20))")
+  fi
+  with_x_server "$SYSTEM_PYTHON" "$ROOT/Testing/Fuzz/Files/fuzz_files.py" --driver "$BUILD/bin/TetMarchTryFiles" \
+    --render "$BUILD/bin/tetmarch-render" --each "$count" --drawn "$((2 * count))" --keep "$BUILD/fuzz/files" \
+    "${window[@]}"
 }
 
 fuzz_grids() {

@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "MainWindow.h"
 #include "Messages.h"
+#include "ReaderCrash.h"
 #include "SessionKeeper.h"
 #include "StandardOutput.h"
 
@@ -40,6 +41,7 @@ int main(int argc, char* argv[])
 {
   SetProgramName("tetmarch-view");
   Messages::Install();
+  TellCrashesOfReaders();
   try
   {
     const Arguments arguments = ParseArguments({ argv + 1, argv + argc });

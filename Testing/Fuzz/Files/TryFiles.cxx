@@ -135,11 +135,13 @@ std::string outcomeOf(int status, const char* message, const std::string& errors
 }
 } // namespace
 
-int main(int argc, char**)
+int main(int argc, char* argv[])
 {
-  if (argc > 1) // any option: print a session instead
+  if (argc == 3) // --session FILE: print a session with that file instead
   {
-    std::cout << WriteState(ViewState());
+    ViewState state;
+    state.Data.File = argv[2];
+    std::cout << WriteState(state);
     return 0;
   }
   auto* message = static_cast<char*>(

@@ -1,16 +1,20 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Damages files and has the programs read them: fuzz_files.py --driver TetMarchTryFiles --render tetmarch-render.
+"""Damages files and has the programs read them: fuzz_files.py --driver TetMarchTryFiles --render tetmarch-render
+[--window TetMarchTryWindow].
 
-Each file is read by the driver in a process of its own. A sample of them is drawn by tetmarch-render, too. What must
-not be: a crash, a hang, a failure without a message or success without a picture, or memory of more than ten times the
-file where no size in it asks for that. What was found is kept in the folder --keep. Exit status 1: something was.
+Each file is read by the driver in a process of its own. A sample of them is drawn by tetmarch-render, and another one
+opened in the window of tetmarch-view. What must not be: a crash, a hang, a failure without a message or success without
+a picture, or memory of more than ten times the file where no size in it asks for that. What was found is kept in the
+folder --keep. Exit status 1: something was.
 """
 import argparse
 import collections
+import os
 import pathlib
 import random
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -81,19 +85,45 @@ def draw(render, path, mesh):
     return None if "tetmarch-render: error: " in result.stderr and not drawn else "failure without a message"
 
 
+def open_in_window(window, paths, folder):
+    """(outcome, message) of each: one after the other in the same window. If it ends, the next file gets a new one."""
+    results = []
+    while len(results) < len(paths):
+        rest = paths[len(results):]
+        run = subprocess.run([window], input="".join(f"{path}\n" for path in rest), text=True, capture_output=True,
+                             errors="replace", cwd=folder)
+        results += [tuple(line.split("\t", 1)) for line in run.stdout.splitlines()]
+        if len(results) < len(paths):
+            told = run.stderr[-300:]
+            results.append(("reader" if run.returncode == 1 and "VTK's reader crashed" in told else
+                            "hung" if -run.returncode in (signal.SIGXCPU, signal.SIGALRM) else "crashed",
+                            f"the window ends with {run.returncode}: {told}"))
+        elif run.returncode != 0:
+            results[-1] = ("crashed", f"the window ends with {run.returncode} at its end: {run.stderr[-300:]}")
+    return results
+
+
+def is_sound_in_window(kind, outcome):
+    return outcome in ("read", "refused") or (outcome == "reader" and kind not in OURS) or (
+        outcome == "hung" and kind in HANGING)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--driver", required=True)
     parser.add_argument("--render", required=True)
+    parser.add_argument("--window", type=os.path.abspath, help="TetMarchTryWindow; it wants a display")
     parser.add_argument("--each", type=int, default=100, help="files of each kind")
     parser.add_argument("--drawn", type=int, default=30, help="how many in all tetmarch-render draws")
+    parser.add_argument("--opened", type=int, default=1, help="how many of each kind the window opens")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", nargs="*", help="kinds")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for what was found")
     arguments = parser.parse_args()
 
-    session = subprocess.run([arguments.driver, "--session"], text=True, capture_output=True, check=True).stdout
-    found, counts = [], collections.Counter()
+    session = subprocess.run([arguments.driver, "--session", "vtu-ascii/seed.vtu"], text=True, capture_output=True,
+                             check=True).stdout
+    found, counts, in_window = [], collections.Counter(), collections.Counter()
     with tempfile.TemporaryDirectory() as folder:
         originals = seeds.write_seeds(pathlib.Path(folder), session)
         kinds = [kind for kind in originals if not arguments.only or kind in arguments.only]
@@ -111,6 +141,19 @@ def main():
             wrong = draw(arguments.render, path, originals.get("vtu-ascii", path))
             if wrong:
                 found.append((kind, path, f"tetmarch-render {wrong}"))
+        if arguments.window:
+            chance = random.Random(f"{arguments.seed} window")
+            opened = [case for kind in kinds if kind != "preset"  # which no window opens
+                      for case in chance.sample([case for case in cases if case[0] == kind],
+                                                min(arguments.opened, arguments.each))]
+            sound = [originals[kind] for kind in kinds if kind != "preset"]
+            results = open_in_window(arguments.window, sound + [path for _, path in opened], folder)
+            for path, result in zip(sound, results):
+                assert result[0] == "read", f"the sound file {path} in the window: {result}"
+            for (kind, path), (outcome, message) in zip(opened, results[len(sound):]):
+                in_window[outcome] += 1
+                if not is_sound_in_window(kind, outcome):
+                    found.append((kind, path, f"tetmarch-view: {outcome}: {message}"))
         for kind, path, what in found:
             print(f"{kind}: {path.name}: {what}")
             if arguments.keep:
@@ -120,6 +163,9 @@ def main():
     print(f"{'kind':20}" + "".join(f"{outcome:>9}" for outcome in outcomes))
     for kind in kinds:
         print(f"{kind:20}" + "".join(f"{counts[kind, outcome]:9}" for outcome in outcomes))
+    if arguments.window:
+        print(f"{sum(in_window.values())} of them in the window: "
+              + ", ".join(f"{count} {outcome}" for outcome, count in sorted(in_window.items())))
     print(f"{len(cases)} files, {len(found)} findings")
     return 1 if found else 0
 
