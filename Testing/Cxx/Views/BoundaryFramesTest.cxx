@@ -3,6 +3,7 @@
 // Frames of the boundary views: what they do without, and what they leave behind.
 #include "BoundaryScene.h"
 #include "GLObjects.h"
+#include "SameFaces.h"
 
 #include "vtkTetMarchFrameStatistics.h"
 
@@ -37,6 +38,45 @@ TEST(BoundaryView, BackToThePictureNothingIsLeft)
   scene.Mapper->ReleaseGraphicsResources(scene.Window);
   EXPECT_EQ(countGLObjects(), released);
   EXPECT_EQ(scene.view(Mapper::VIEW_BOUNDARY_FACES).Rgba, view.Rgba);
+}
+
+// Turned by a quarter about the middle, the cells of a lattice are what they were, but vertices
+// that are numbered by their places have other numbers.
+Grid turned(vtkUnstructuredGrid* grid)
+{
+  auto result = Grid::New();
+  result->DeepCopy(grid);
+  for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    result->GetPoint(i, p);
+    result->GetPoints()->SetPoint(i, 1.0 - p[1], p[0], p[2]);
+  }
+  return result;
+}
+
+TEST(BoundaryView, FacesKeepTheirColorsWhilePointsMove)
+{
+  const Grid grid = boundaryLattice();
+  BoundaryScene moved(grid);
+  moved.view(Mapper::VIEW_BOUNDARY_FACES);
+  const Grid after = turned(grid);
+  moved.Mapper->SetInputData(after);
+  const Image kept = moved.view(Mapper::VIEW_BOUNDARY_FACES);
+  const Image keptPlaces = moved.view(Mapper::VIEW_BOUNDARY_COORDINATES);
+  BoundaryScene fresh(after);
+  const Image anew = fresh.view(Mapper::VIEW_BOUNDARY_FACES);
+  const Image anewPlaces = fresh.view(Mapper::VIEW_BOUNDARY_COORDINATES);
+  const std::size_t pixels = anew.Rgba.size() / 4;
+  EXPECT_GT(10 * compare(kept, anew).Over, pixels); // other colours
+  EXPECT_GT(10 * compare(keptPlaces, anewPlaces).Over, pixels);
+  EXPECT_LE(100 * countOtherFaces(kept, anew), pixels); // of the same faces
+  EXPECT_LE(100 * compare(withSortedColors(keptPlaces), withSortedColors(anewPlaces)).Over, pixels);
+  // Other faces are found.
+  EXPECT_GT(
+    10 * countOtherFaces(kept, BoundaryScene(grid).view(Mapper::VIEW_BOUNDARY_FACES)), pixels);
+  EXPECT_GT(10 * countOtherFaces(kept, Image(kept.Width, kept.Height)), pixels);
+  EXPECT_GT(10 * countOtherFaces(Image(kept.Width, kept.Height), kept), pixels);
 }
 
 // No ray is marched, neither for the picture nor for statistics.
