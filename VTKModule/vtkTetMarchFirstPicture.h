@@ -105,7 +105,8 @@ public:
 
   //@{
   /**
-   * Where to look for it: POINTS, CELLS or ANY, which is the default: points, then cells.
+   * Where to look for it: POINTS, CELLS or ANY, which is the default: points, then cells; but
+   * cells, if all blocks have it there and some lack it on points.
    */
   vtkSetClampMacro(ArrayAssociation, int, ANY, CELLS);
   vtkGetMacro(ArrayAssociation, int);

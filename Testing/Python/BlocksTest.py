@@ -3,8 +3,11 @@
 """A tree of blocks in place of a grid, from a script."""
 import unittest
 
+import first_data
+import numpy as np
 import scenes
 import vtkmodules.all as vtk
+import vtktetmarch
 from vtktetmarch import vtkTetMarchVolumeMapper
 
 
@@ -59,6 +62,20 @@ class BlocksTest(unittest.TestCase):
         self.assertEqual(self.mapper.GetBounds(), (0.5, 1, 0, 1, 0, 1))
         self.assertLess(scenes.covered(self.view.pixels()), scenes.covered(self.whole))
         self.assertIs(self.mapper.GetDataObjectInput(), self.halves)
+
+    def test_of_an_array_that_some_blocks_have(self):
+        """These are drawn, and a warning names the others. tetmarch-render does so, too."""
+        tree = first_data.blocks()
+        for number in (0, 2):
+            first_data.with_points(tree.GetBlock(number), "some", lambda p: p[0])
+        tree.GetMetaData(1).Set(vtk.vtkCompositeDataSet.NAME(), "middle")
+        how = {"size": (96, 64), "cmap": "viridis", "opacity": "linear", "range": (0, 6), "unit_distance": 0.5,
+               "camera": {"position": (3, -12, 3), "focal_point": (3, 1, 1), "view_up": (0, 0, 1)}}
+        with self.assertWarnsRegex(RuntimeWarning, 'Blocks without array named "some" .*are not drawn: "middle"'):
+            some = vtktetmarch.screenshot(tree, "some", **how)
+        tree.SetBlock(1, None)
+        self.assertTrue(np.array_equal(some, vtktetmarch.screenshot(tree, "some", **how)))
+        self.assertGreater(np.count_nonzero(some.max(axis=2) - some[0, 0].max() > 20), 200)
 
 
 if __name__ == "__main__":

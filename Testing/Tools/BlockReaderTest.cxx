@@ -14,6 +14,8 @@
 #include "vtkTetMarchFirstPicture.h"
 #include "vtkXMLMultiBlockDataWriter.h"
 
+#include <algorithm>
+
 namespace
 {
 using BlockReader = ReaderCase;
@@ -173,5 +175,62 @@ TEST_F(BlockReader, BlocksWithoutTheArrayAreLeftOutWithAWarning)
   testing::internal::CaptureStderr();
   EXPECT_EQ(ReadVolume(path, std::nullopt).Input->GetNumberOfElements(vtkDataObject::CELL), 8);
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-    "tetmarch-render: warning: no array is in all blocks: drawn are the 1 of 2 with array 's'\n");
+    "tetmarch-render: warning: blocks without point array 's' are not drawn: \"number 1\"\n");
+}
+
+// As mappers draw a tree, and so Python.
+TEST_F(BlockReader, TheWantedArrayChoosesTheBlocks)
+{
+  const std::vector<vtkSmartPointer<vtkUnstructuredGrid>> voxels = { MakeVoxel(0.0), MakeVoxel(2.0),
+    MakeVoxel(4.0) };
+  for (const auto& voxel : voxels)
+  {
+    AddArrays(voxel, { "d all" });
+  }
+  AddArrays(voxels[1], { "d some" });
+  AddArrays(voxels[2], { "d some", "v once" });
+  AddArray<vtkDoubleArray>(voxels[0]->GetCellData(), "some", 1);
+  const auto tree = MakeBlocks({ voxels[0], voxels[1], voxels[2] });
+  tree->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "left");
+  tree->GetMetaData(1u)->Remove(vtkCompositeDataSet::NAME());
+  const std::string path = this->Write<vtkXMLMultiBlockDataWriter>("blocks.vtm", tree);
+  using First = vtkTetMarchFirstPicture;
+  const struct
+  {
+    const char* Wanted;
+    int Association;
+    std::vector<double> Drawn; // where the blocks begin
+    const char* Warning;
+  } cases[] = {
+    { "all", First::ANY, { 0.0, 2.0, 4.0 }, "" },
+    { "some", First::ANY, { 2.0, 4.0 },
+      "blocks without point array 'some' are not drawn: \"left\"" },
+    { "some", First::CELLS, { 0.0 },
+      "blocks without cell array 'some' are not drawn: number 2, \"number 2\"" },
+    { "once", First::ANY, { 4.0 },
+      "blocks without point array 'once' are not drawn: \"left\", number 2" },
+    { "none", First::ANY, { 0.0, 2.0, 4.0 }, "" }, // refused later, with a list of what there is
+  };
+  for (const auto& c : cases)
+  {
+    testing::internal::CaptureStderr();
+    const auto volume = ReadVolume(path, std::nullopt, {}, { c.Wanted, c.Association });
+    const std::string told = testing::internal::GetCapturedStderr();
+    const std::size_t warning = told.find("blocks without");
+    const std::size_t end = std::min(told.find('\n', warning), told.size());
+    EXPECT_EQ(warning < end ? told.substr(warning, end - warning) : "", c.Warning);
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(volume.Input);
+    ASSERT_NE(grid, nullptr);
+    std::vector<double> drawn;
+    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    {
+      drawn.push_back(grid->GetCell(i)->GetBounds()[0]);
+    }
+    EXPECT_EQ(drawn, c.Drawn) << c.Wanted;
+    vtkNew<First> choice;
+    choice->SetInputData(volume.Input);
+    choice->SetArrayName(c.Wanted);
+    choice->SetArrayAssociation(c.Association);
+    EXPECT_EQ(choice->ChooseArray(), std::string(c.Wanted) != "none");
+  }
 }

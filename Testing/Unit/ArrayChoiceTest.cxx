@@ -88,6 +88,21 @@ TEST(ArrayChoice, OfSeveralBlocksTheFirstArrayOfAName)
   EXPECT_EQ(rangeOf({ first, second }, q), (std::array<double, 2>{ { 0.0, 7.0 } }));
 }
 
+TEST(ArrayChoice, CellsOfAllBlocksComeBeforePointsOfSome)
+{
+  auto first = MakeVoxel(0.0), second = MakeVoxel(1.0);
+  for (auto* block : { first.Get(), second.Get() })
+  {
+    AddArray<vtkDoubleArray>(block->GetCellData(), "s", 1);
+  }
+  AddArray<vtkDoubleArray>(first->GetPointData(), "s", 8);
+  EXPECT_TRUE(choose({ first, second }, "s").OfCells);
+  EXPECT_FALSE(choose({ first, second }, "s", false).OfCells);
+  EXPECT_FALSE(choose({ first }, "s").OfCells);
+  AddArray<vtkDoubleArray>(second->GetPointData(), "s", 8);
+  EXPECT_FALSE(choose({ first, second }, "s").OfCells);
+}
+
 // Blocks without the array are not drawn.
 TEST(ArrayChoice, WhatAllBlocksHaveComesFirst)
 {

@@ -32,18 +32,19 @@ using tetmarch::Failure;
 struct NamedBlock
 {
   vtkDataSet* Data;
-  const char* Name; // may be null
+  const char* Name;       // may be null
+  unsigned int FlatIndex; // in the tree
 };
 
 std::vector<NamedBlock> ListSolidBlocks(vtkDataObject* data)
 {
   std::vector<NamedBlock> blocks;
-  const auto add = [&blocks](vtkDataObject* block, const char* name)
+  const auto add = [&blocks](vtkDataObject* block, const char* name, unsigned int flatIndex)
   {
     auto* dataSet = vtkDataSet::SafeDownCast(block);
     if (dataSet && !vtkPolyData::SafeDownCast(block) && tetmarch::HasSolidCells(dataSet))
     {
-      blocks.push_back({ dataSet, name });
+      blocks.push_back({ dataSet, name, flatIndex });
     }
   };
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
@@ -51,14 +52,15 @@ std::vector<NamedBlock> ListSolidBlocks(vtkDataObject* data)
     auto at = vtk::TakeSmartPointer(composite->NewIterator());
     for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
     {
-      add(at->GetCurrentDataObject(), at->HasCurrentMetaData()
-                                        ? at->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
-                                        : nullptr);
+      add(at->GetCurrentDataObject(),
+        at->HasCurrentMetaData() ? at->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
+                                 : nullptr,
+        at->GetCurrentFlatIndex());
     }
   }
   else
   {
-    add(data, nullptr);
+    add(data, nullptr, 0);
   }
   return blocks;
 }
@@ -113,40 +115,59 @@ std::vector<vtkDataSet*> GetData(const std::vector<NamedBlock>& named)
   return blocks;
 }
 
-/// Blocks are merged with the arrays that all of them have. If there is none, those are kept that
-/// have the array which vtkTetMarchFirstPicture chooses of all, as mappers draw them.
-std::vector<vtkDataSet*> GetMergeable(const std::vector<NamedBlock>& named)
+/// Blocks are merged with the arrays that all of them have. If the wanted array is none of these,
+/// or if there is none, those blocks are kept that have the array which vtkTetMarchFirstPicture
+/// chooses of all, as mappers draw them.
+std::vector<vtkDataSet*> GetMergeable(
+  const std::vector<NamedBlock>& named, const tetmarch::WantedArray& wanted)
 {
-  std::vector<vtkDataSet*> blocks = GetData(named);
-  if (tetmarch::HaveCommonArray(blocks))
+  const std::vector<vtkDataSet*> all = GetData(named);
+  if (tetmarch::HaveCommonArray(all, wanted))
   {
-    return blocks;
+    return all;
   }
   vtkNew<vtkTetMarchFirstPicture> choice;
   const tetmarch::ErrorText error(choice);
   choice->SetInputData(MakeTree(named));
+  choice->SetArrayName(wanted.Name);
+  choice->SetArrayAssociation(wanted.Association);
   if (!choice->ChooseArray())
   {
-    return blocks; // it is said later that they have no array
+    return all; // it is said later that they have no such array
   }
   vtkDataArray* array = choice->GetChosenArray();
   const int association = choice->GetChosenAssociation();
-  const auto lacks = [&](vtkDataSet* block)
+  std::vector<vtkDataSet*> blocks;
+  std::string others;
+  for (const NamedBlock& block : named)
   {
-    vtkDataArray* own = block->GetAttributesAsFieldData(association)->GetArray(array->GetName());
-    return !own || own->GetNumberOfComponents() != array->GetNumberOfComponents();
-  };
-  blocks.erase(std::remove_if(blocks.begin(), blocks.end(), lacks), blocks.end());
-  tetmarch::PrintMessage(
-    "warning", "no array is in all blocks: drawn are the " + std::to_string(blocks.size()) +
-                 " of " + std::to_string(named.size()) + " with array '" + array->GetName() + "'");
+    vtkDataArray* own =
+      block.Data->GetAttributesAsFieldData(association)->GetArray(array->GetName());
+    if (own && own->GetNumberOfComponents() == array->GetNumberOfComponents())
+    {
+      blocks.push_back(block.Data);
+    }
+    else
+    {
+      others +=
+        (others.empty() ? "" : ", ") + (block.Name ? '"' + std::string(block.Name) + '"'
+                                                   : "number " + std::to_string(block.FlatIndex));
+    }
+  }
+  if (!others.empty())
+  {
+    tetmarch::PrintMessage(
+      "warning", std::string("blocks without ") +
+                   (association == vtkTetMarchFirstPicture::CELLS ? "cell" : "point") + " array '" +
+                   array->GetName() + "' are not drawn: " + others);
+  }
   return blocks;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
-  const std::vector<NamedBlock>& named, bool ofPieces, const tetmarch::ProgressReport& report)
+vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const std::vector<NamedBlock>& named, bool ofPieces,
+  const tetmarch::WantedArray& wanted, const tetmarch::ProgressReport& report)
 {
-  const std::vector<vtkDataSet*> blocks = GetMergeable(named);
+  const std::vector<vtkDataSet*> blocks = GetMergeable(named, wanted);
   for (vtkDataSet* block : blocks)
   {
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(block))
@@ -193,15 +214,15 @@ bool HasSolidCells(vtkDataSet* data)
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
-  const std::string& path, std::optional<int> timeStep)
+  const std::string& path, std::optional<int> timeStep, const WantedArray& wanted)
 {
   const FileContents contents = ReadFile(path, timeStep, {}, {});
   CheckData(contents.Data, path);
-  return MakeGrid(GetSolidBlocks(contents.Data, path), contents.OfPieces, {});
+  return MakeGrid(GetSolidBlocks(contents.Data, path), contents.OfPieces, wanted, {});
 }
 
 VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
-  const RawOptions& rawOptions, const ProgressReport& report)
+  const RawOptions& rawOptions, const WantedArray& wanted, const ProgressReport& report)
 {
   const FileContents contents = ReadFile(path, timeStep, rawOptions, report);
   CheckData(contents.Data, path);
@@ -221,7 +242,7 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
   vtkSmartPointer<vtkDataSet> whole = blocks[0].Data;
   if (!volume.Structured)
   {
-    whole = MakeGrid(blocks, contents.OfPieces, report);
+    whole = MakeGrid(blocks, contents.OfPieces, wanted, report);
   }
   volume.Input = whole;
   volume.Blocks = { whole };

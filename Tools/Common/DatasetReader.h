@@ -29,15 +29,17 @@ namespace tetmarch
  * Cancelled if the report asks to stop.
  */
 VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
-  const RawOptions& rawOptions = {}, const ProgressReport& report = {});
+  const RawOptions& rawOptions = {}, const WantedArray& wanted = {},
+  const ProgressReport& report = {});
 
 /**
  * All blocks with 3D cells, merged where their points coincide, without ghost cells; images and
- * structured grids as hexahedra. An array that some of the blocks lack is left out with a warning.
- * Throws Failure that says what is wrong with the file.
+ * structured grids as hexahedra. An array that some of the blocks lack is left out with a warning;
+ * if it is the wanted one, or if no array is in all blocks, these blocks are. Throws Failure that
+ * says what is wrong with the file.
  */
 vtkSmartPointer<vtkUnstructuredGrid> ReadUnstructuredGrid(
-  const std::string& path, std::optional<int> timeStep);
+  const std::string& path, std::optional<int> timeStep, const WantedArray& wanted = {});
 
 /// All that is wrong with what a file holds, one fault of a block or of an array each. Throws
 /// Failure if it can't be read, or holds no volume.

@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkTetMarchFirstPicture.h"
 
 #include <cmath>
 #include <map>
@@ -156,15 +157,22 @@ vtkSmartPointer<vtkDataSet> MoveStrayPoints(vtkDataSet* block)
 namespace tetmarch
 {
 
-bool HaveCommonArray(const std::vector<vtkDataSet*>& blocks)
+bool HaveCommonArray(const std::vector<vtkDataSet*>& blocks, const WantedArray& wanted)
 {
   for (const bool cells : { false, true })
   {
+    const int association =
+      cells ? vtkTetMarchFirstPicture::CELLS : vtkTetMarchFirstPicture::POINTS;
+    if (wanted.Association != vtkTetMarchFirstPicture::ANY && wanted.Association != association)
+    {
+      continue;
+    }
     for (const auto& [array, part] : CountArrays(blocks, cells))
     {
       const bool isDrawable = !array.first.empty() && part.Types.count(VTK_STRING) == 0 &&
                               array.first != vtkDataSetAttributes::GhostArrayName();
-      if (isDrawable && part.Blocks == blocks.size())
+      const bool isWanted = wanted.Name.empty() || wanted.Name == array.first;
+      if (isDrawable && isWanted && part.Blocks == blocks.size())
       {
         return true;
       }

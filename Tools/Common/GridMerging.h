@@ -8,6 +8,7 @@
 #define tetmarch_GridMerging_h
 
 #include "ProgressBar.h"
+#include "VolumeData.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
@@ -19,8 +20,9 @@ class vtkDataSet;
 namespace tetmarch
 {
 
-/// Whether all blocks have an array of numbers of the same name and number of components.
-bool HaveCommonArray(const std::vector<vtkDataSet*>& blocks);
+/// Whether all blocks have an array of numbers of the same name and number of components, which is
+/// the wanted one.
+bool HaveCommonArray(const std::vector<vtkDataSet*>& blocks, const WantedArray& wanted);
 
 /// Only arrays that all blocks have, with the same number of components, are kept; a warning names
 /// the others.

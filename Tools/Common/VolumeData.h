@@ -12,10 +12,18 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace tetmarch
 {
+
+/// The array that the user asks for.
+struct WantedArray
+{
+  std::string Name;     // empty: any
+  int Association = -1; // as vtkTetMarchFirstPicture::Associations
+};
 
 struct VolumeData
 {

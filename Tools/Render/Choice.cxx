@@ -3,6 +3,7 @@
 #include "Choice.h"
 
 #include "ColorMaps.h"
+#include "DatasetReader.h"
 #include "ErrorText.h"
 #include "Failure.h"
 #include "Messages.h"
@@ -35,6 +36,12 @@ void TakePreset(
   }
 }
 } // namespace
+
+VolumeData ReadInput(const CommandLine& commandLine, std::optional<int> timeStep)
+{
+  return ReadVolume(commandLine.Input, timeStep, commandLine.Raw,
+    { commandLine.Array, commandLine.ArrayAssociation });
+}
 
 vtkSmartPointer<vtkTetMarchFirstPicture> ChooseArray(
   const VolumeData& data, const CommandLine& commandLine)

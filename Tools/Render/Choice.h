@@ -14,9 +14,14 @@
 #include "vtkTetMarchFirstPicture.h"
 
 #include <array>
+#include <optional>
 
 namespace tetmarch
 {
+
+/// A time step of the input; none: the last. Of blocks those with the array that is asked for.
+/// Throws Failure that says what is wrong with the file.
+VolumeData ReadInput(const CommandLine& commandLine, std::optional<int> timeStep);
 
 /// The array alone. Throws Failure if there is no such array.
 vtkSmartPointer<vtkTetMarchFirstPicture> ChooseArray(

@@ -18,7 +18,8 @@ Data
   --check                   print all that is wrong with the file, its blocks and its arrays; draw nothing;
                             exit status 1 if anything is
   --array NAME              the array to draw (default: one of all blocks that looks like a physical value,
-                            points before cells, one component before several; a line on stderr says which)
+                            points before cells, one component before several; a line on stderr says which);
+                            blocks without it are not drawn
   --component K             of several components the one to draw, counted from 0, or magnitude (default: 0,
                             and of an array that was not asked for magnitude)
   --association WHERE       points or cells: where to look for the array (default: points, then cells)

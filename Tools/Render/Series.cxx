@@ -3,7 +3,6 @@
 #include "Series.h"
 
 #include "Choice.h"
-#include "DatasetReader.h"
 #include "Failure.h"
 #include "Picture.h"
 #include "ProgressBar.h"
@@ -108,7 +107,7 @@ std::string GetFrameName(const std::string& path, int frame, int count)
 
 void DrawTurntable(const CommandLine& commandLine)
 {
-  const VolumeData data = ReadVolume(commandLine.Input, commandLine.TimeStep, commandLine.Raw);
+  const VolumeData data = ReadInput(commandLine, commandLine.TimeStep);
   const auto choice = MakeChoice(data, commandLine);
   TellChoice(choice, commandLine);
   Picture picture(data, GetBounds(data).data(), choice, commandLine);
@@ -136,7 +135,7 @@ void DrawTimeSteps(const CommandLine& commandLine)
   {
     if (read != frame.Step)
     {
-      const VolumeData data = ReadVolume(commandLine.Input, frame.Step, commandLine.Raw);
+      const VolumeData data = ReadInput(commandLine, frame.Step);
       if (!picture)
       {
         picture = std::make_unique<Picture>(data, survey.Bounds.data(), survey.Choice, commandLine);

@@ -3,7 +3,6 @@
 #include "TimeSurvey.h"
 
 #include "Choice.h"
-#include "DatasetReader.h"
 #include "Failure.h"
 
 #include "vtkBoundingBox.h"
@@ -70,7 +69,7 @@ std::array<double, 2> GetRangeOfStep(const VolumeData& data, const CommandLine& 
 
 TimeSurvey SurveyTimeSteps(const CommandLine& commandLine, const std::vector<int>& steps)
 {
-  const VolumeData last = ReadVolume(commandLine.Input, steps.back(), commandLine.Raw);
+  const VolumeData last = ReadInput(commandLine, steps.back());
   CommandLine named =
     NameArray(commandLine, ChooseOfStep(ChooseArray, last, commandLine, steps.back()));
   vtkBoundingBox box;
@@ -79,8 +78,7 @@ TimeSurvey SurveyTimeSteps(const CommandLine& commandLine, const std::vector<int
   VolumeData chooser = last;
   for (const int step : steps)
   {
-    const VolumeData data =
-      step == steps.back() ? last : ReadVolume(commandLine.Input, step, commandLine.Raw);
+    const VolumeData data = step == steps.back() ? last : ReadInput(named, step);
     CheckKind(data, step, last, commandLine.Input);
     box.AddBounds(GetBounds(data).data());
     const auto range = GetRangeOfStep(data, named, step);

@@ -62,7 +62,7 @@ void ListColors()
 
 void ListArrays(const CommandLine& commandLine)
 {
-  const VolumeData data = ReadVolume(commandLine.Input, commandLine.TimeStep, commandLine.Raw);
+  const VolumeData data = ReadInput(commandLine, commandLine.TimeStep);
   PrintText(FormatArrayList(ChooseArray(data, commandLine), data.Times));
 }
 
@@ -86,7 +86,7 @@ void DrawOne(const CommandLine& commandLine)
 {
   Timing timing;
   const double begin = vtkTimerLog::GetUniversalTime();
-  const VolumeData data = ReadVolume(commandLine.Input, commandLine.TimeStep, commandLine.Raw);
+  const VolumeData data = ReadInput(commandLine, commandLine.TimeStep);
   timing.Read = vtkTimerLog::GetUniversalTime() - begin;
 
   const auto choice = MakeChoice(data, commandLine);

@@ -24,7 +24,7 @@ VolumeData ReadData(const DataState& wanted, const ProgressReport& report)
     wanted.TimeStep >= 0 ? std::optional<int>(wanted.TimeStep) : std::nullopt;
   const RawOptions raw =
     IsRawFile(wanted.File) ? CompleteRawOptions({}, wanted.File) : RawOptions();
-  return ReadVolume(wanted.File, step, raw, report);
+  return ReadVolume(wanted.File, step, raw, { wanted.Array, wanted.Association }, report);
 }
 
 std::vector<ArrayName> ListArrays(vtkTetMarchFirstPicture* choice)

@@ -249,8 +249,9 @@ std::string chooseArray(
     {
       continue;
     }
-    if (wish.Name.empty() ? !best || rankOf(found) < rankOf(*best)
-                          : !best && wish.Name == found.Drawn.Array->GetName())
+    const bool isBetter = !best || (wish.Name.empty() ? rankOf(found) < rankOf(*best)
+                                                      : found.Everywhere && !best->Everywhere);
+    if (isBetter && (wish.Name.empty() || wish.Name == found.Drawn.Array->GetName()))
     {
       best = &found;
     }

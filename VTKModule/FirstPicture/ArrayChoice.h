@@ -50,7 +50,7 @@ std::vector<FoundArray> findArrays(const std::vector<vtkDataSet*>& blocks);
 struct ArrayWish
 {
   std::string Name;             // empty: any
-  std::optional<bool> OfCells;  // none: points before cells
+  std::optional<bool> OfCells;  // none: what all blocks have before others, points before cells
   std::optional<int> Component; // none: the first of an array with a name, else the magnitude
 };
 
