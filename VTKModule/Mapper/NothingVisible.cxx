@@ -2,42 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mapper/NothingVisible.h"
 
+#include "FirstPicture/RangeText.h"
 #include "GL/Pipeline.h"
 #include "Rays/ClippedBox.h"
 #include "Scalars/SeenScalars.h"
 
 #include <algorithm>
-#include <limits>
-#include <sstream>
 
 namespace tetmarch
 {
 namespace
 {
 
-// Two numbers in as few digits as tell them apart, 6 or more.
-std::string fromTo(double low, double high)
-{
-  std::string text;
-  for (int digits = 6; digits <= std::numeric_limits<double>::max_digits10; ++digits)
-  {
-    std::ostringstream first, second;
-    first.precision(digits);
-    second.precision(digits);
-    first << low;
-    second << high;
-    text = first.str() + " to " + second.str();
-    if (low == high || first.str() != second.str())
-    {
-      break;
-    }
-  }
-  return text;
-}
-
 std::string valuesOf(const ScalarRange& range)
 {
-  return "the values of the array, " + fromTo(range.Low, range.High);
+  const auto [low, high] = rangeText(range.Low, range.High);
+  return "the values of the array, " + low + " to " + high;
 }
 
 bool showsAny(const IntegralTable& table, const ScalarRange& range)
