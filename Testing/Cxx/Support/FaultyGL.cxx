@@ -2,13 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaultyGL.h"
 
-#include "GLPointers.h"
-
-#if TETMARCH_GL_1_IS_LINKED
-#include "GLFunctions.h"
-#endif
-
-#include <cstring>
+#include "GLReplacements.h"
 
 namespace tetmarch::testing
 {
@@ -138,81 +132,22 @@ void GLAPIENTRY texImage2D(GLenum target, GLint level, GLint internal, GLsizei w
   }
 }
 
-// Puts a replacement or the original function behind the pointer.
-template <typename Function>
-void exchange(Function& kept, Function& pointer, Function replacement)
-{
-  if (pointer != replacement)
-  {
-    kept = pointer;
-    pointer = replacement;
-  }
-  else
-  {
-    pointer = kept;
-  }
-}
-
-void exchangePointers()
-{
-  exchange(GetShaderiv, TETMARCH_GL_POINTER(GetShaderiv), &getShaderiv);
-  exchange(GetProgramiv, TETMARCH_GL_POINTER(GetProgramiv), &getProgramiv);
-  exchange(ShaderSource, TETMARCH_GL_POINTER(ShaderSource), &shaderSource);
-  exchange(
-    CheckFramebufferStatus, TETMARCH_GL_POINTER(CheckFramebufferStatus), &checkFramebufferStatus);
-  exchange(BufferData, TETMARCH_GL_POINTER(BufferData), &bufferData);
-  exchange(TexBuffer, TETMARCH_GL_POINTER(TexBuffer), &texBuffer);
-  exchange(BlitFramebuffer, TETMARCH_GL_POINTER(BlitFramebuffer), &blitFramebuffer);
-}
-
-#if TETMARCH_GL_1_IS_LINKED
-
-GLFunctionLoader Loader = nullptr;
-
-template <typename Function>
-void load(Function& function, const char* name)
-{
-  function = reinterpret_cast<Function>(Loader(name));
-}
-
-GLFunction faultyFunction(const char* name)
-{
-  const auto is = [name](const char* other) { return std::strcmp(name, other) == 0; };
-  return is("glGetError")      ? reinterpret_cast<GLFunction>(&getError)
-         : is("glGetIntegerv") ? reinterpret_cast<GLFunction>(&getIntegerv)
-         : is("glTexImage2D")  ? reinterpret_cast<GLFunction>(&texImage2D)
-                               : Loader(name);
-}
-
-void replaceGL1()
-{
-  Loader = SetGLFunctionLoader(&faultyFunction);
-  load(GetError, "glGetError");
-  load(GetIntegerv, "glGetIntegerv");
-  load(TexImage2D, "glTexImage2D");
-}
-
-void restoreGL1() { SetGLFunctionLoader(Loader); }
-
-#else
-
-void replaceGL1()
-{
-  exchange(GetError, TETMARCH_GL_POINTER(GetError), &getError);
-  exchange(GetIntegerv, TETMARCH_GL_POINTER(GetIntegerv), &getIntegerv);
-  exchange(TexImage2D, TETMARCH_GL_POINTER(TexImage2D), &texImage2D);
-}
-
-void restoreGL1() { replaceGL1(); }
-
-#endif
+GLReplacements<FaultyGL> Replaced;
 
 void begin()
 {
   Plan.Happened = false;
   Plan.Error = GL_NO_ERROR;
-  exchangePointers();
-  replaceGL1();
+  TETMARCH_REPLACE_GL(Replaced, GetShaderiv, getShaderiv);
+  TETMARCH_REPLACE_GL(Replaced, GetProgramiv, getProgramiv);
+  TETMARCH_REPLACE_GL(Replaced, ShaderSource, shaderSource);
+  TETMARCH_REPLACE_GL(Replaced, CheckFramebufferStatus, checkFramebufferStatus);
+  TETMARCH_REPLACE_GL(Replaced, BufferData, bufferData);
+  TETMARCH_REPLACE_GL(Replaced, TexBuffer, texBuffer);
+  TETMARCH_REPLACE_GL(Replaced, BlitFramebuffer, blitFramebuffer);
+  TETMARCH_REPLACE_GL_1(Replaced, GetError, getError);
+  TETMARCH_REPLACE_GL_1(Replaced, GetIntegerv, getIntegerv);
+  TETMARCH_REPLACE_GL_1(Replaced, TexImage2D, texImage2D);
 }
 } // namespace
 
@@ -251,8 +186,7 @@ FaultyGL::FaultyGL(int mostTexels, Fault fault, int call)
 
 FaultyGL::~FaultyGL()
 {
-  restoreGL1();
-  exchangePointers();
+  Replaced.restore();
   Plan.Active = false;
   Plan.MostTexels = 0;
   Plan.Rewrite = nullptr;

@@ -3,9 +3,6 @@
 /**
  * @file
  * @brief Lets functions of the GL fail
- *
- * Their pointers are replaced (GLPointers.h), and functions of GL 1.1 that have none where
- * GLFunctions.h forwards them.
  */
 #ifndef tetmarch_testing_FaultyGL_h
 #define tetmarch_testing_FaultyGL_h

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OtherGL.h"
 
-#if TETMARCH_GL_1_IS_LINKED
-#include "GLFunctions.h"
-#endif
+#include "GLReplacements.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace tetmarch::testing
 {
@@ -107,68 +104,7 @@ void GLAPIENTRY texBuffer(GLenum target, GLenum format, GLuint buffer)
   most = std::max(most, static_cast<std::size_t>(bytes) / bytesOf(format));
 }
 
-#if TETMARCH_GL_1_IS_LINKED
-
-GLFunctionLoader Loader = nullptr;
-
-template <typename Function>
-void load(Function& function, const char* name)
-{
-  function = reinterpret_cast<Function>(Loader(name));
-}
-
-GLFunction answeringFunction(const char* name)
-{
-  const auto is = [name](const char* other) { return std::strcmp(name, other) == 0; };
-  return is("glGetString")                ? reinterpret_cast<GLFunction>(&getString)
-         : is("glGetError")               ? reinterpret_cast<GLFunction>(&getError)
-         : is("glGetIntegerv")            ? reinterpret_cast<GLFunction>(&getIntegerv)
-         : is("glGetTexLevelParameteriv") ? reinterpret_cast<GLFunction>(&getTexLevelParameteriv)
-         : is("glTexImage2D")             ? reinterpret_cast<GLFunction>(&texImage2D)
-                                          : Loader(name);
-}
-
-void replaceGL1()
-{
-  Loader = SetGLFunctionLoader(&answeringFunction);
-  load(GetString, "glGetString");
-  load(GetError, "glGetError");
-  load(GetIntegerv, "glGetIntegerv");
-  load(GetTexLevelParameteriv, "glGetTexLevelParameteriv");
-  load(TexImage2D, "glTexImage2D");
-}
-
-void restoreGL1() { SetGLFunctionLoader(Loader); }
-
-#else
-
-template <typename Function>
-void replace(Function& kept, Function& pointer, Function replacement)
-{
-  kept = pointer;
-  pointer = replacement;
-}
-
-void replaceGL1()
-{
-  replace(GetString, TETMARCH_GL_POINTER(GetString), &getString);
-  replace(GetError, TETMARCH_GL_POINTER(GetError), &getError);
-  replace(GetIntegerv, TETMARCH_GL_POINTER(GetIntegerv), &getIntegerv);
-  replace(
-    GetTexLevelParameteriv, TETMARCH_GL_POINTER(GetTexLevelParameteriv), &getTexLevelParameteriv);
-  replace(TexImage2D, TETMARCH_GL_POINTER(TexImage2D), &texImage2D);
-}
-
-void restoreGL1()
-{
-  TETMARCH_GL_POINTER(GetString) = GetString;
-  TETMARCH_GL_POINTER(GetError) = GetError;
-  TETMARCH_GL_POINTER(GetIntegerv) = GetIntegerv;
-  TETMARCH_GL_POINTER(GetTexLevelParameteriv) = GetTexLevelParameteriv;
-  TETMARCH_GL_POINTER(TexImage2D) = TexImage2D;
-}
-
-#endif
+GLReplacements<OtherGL> Replaced;
 } // namespace
 
 OtherGL::OtherGL(const GLAnswers& answers)
@@ -177,16 +113,15 @@ OtherGL::OtherGL(const GLAnswers& answers)
   MostTexels.clear();
   Refusals = 0;
   Error = GL_NO_ERROR;
-  TexBuffer = TETMARCH_GL_POINTER(TexBuffer);
-  TETMARCH_GL_POINTER(TexBuffer) = &texBuffer;
-  replaceGL1();
+  TETMARCH_REPLACE_GL(Replaced, TexBuffer, texBuffer);
+  TETMARCH_REPLACE_GL_1(Replaced, GetString, getString);
+  TETMARCH_REPLACE_GL_1(Replaced, GetError, getError);
+  TETMARCH_REPLACE_GL_1(Replaced, GetIntegerv, getIntegerv);
+  TETMARCH_REPLACE_GL_1(Replaced, GetTexLevelParameteriv, getTexLevelParameteriv);
+  TETMARCH_REPLACE_GL_1(Replaced, TexImage2D, texImage2D);
 }
 
-OtherGL::~OtherGL()
-{
-  restoreGL1();
-  TETMARCH_GL_POINTER(TexBuffer) = TexBuffer;
-}
+OtherGL::~OtherGL() { Replaced.restore(); }
 
 std::size_t OtherGL::mostTexelsMade(GLenum format) const { return MostTexels[format]; }
 

@@ -3,9 +3,6 @@
 /**
  * @file
  * @brief A GL that answers as another one does, as long as it lives
- *
- * The pointers by which the GL is called are replaced (GLPointers.h), and functions of GL 1.1 that
- * have none where GLFunctions.h forwards them.
  */
 #ifndef tetmarch_testing_OtherGL_h
 #define tetmarch_testing_OtherGL_h

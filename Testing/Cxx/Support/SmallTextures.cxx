@@ -2,14 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SmallTextures.h"
 
-#include "GLPointers.h"
-
-#if TETMARCH_GL_1_IS_LINKED
-#include "GLFunctions.h"
-#endif
+#include "GLReplacements.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace tetmarch::testing
 {
@@ -49,51 +44,18 @@ void GLAPIENTRY texImage3D(GLenum target, GLint level, GLint internal, GLsizei w
     target, level, internal, refused ? 1 << 24 : width, height, layers, border, format, type, data);
 }
 
-#if TETMARCH_GL_1_IS_LINKED
-
-GLFunctionLoader Loader = nullptr;
-
-GLFunction limitedFunction(const char* name)
-{
-  return std::strcmp(name, "glGetIntegerv") == 0 ? reinterpret_cast<GLFunction>(&getIntegerv)
-                                                 : Loader(name);
-}
-
-void limitIntegers()
-{
-  Loader = SetGLFunctionLoader(&limitedFunction);
-  GetIntegerv = reinterpret_cast<decltype(GetIntegerv)>(Loader("glGetIntegerv"));
-}
-
-void restoreIntegers() { SetGLFunctionLoader(Loader); }
-
-#else
-
-void limitIntegers()
-{
-  GetIntegerv = TETMARCH_GL_POINTER(GetIntegerv);
-  TETMARCH_GL_POINTER(GetIntegerv) = &getIntegerv;
-}
-
-void restoreIntegers() { TETMARCH_GL_POINTER(GetIntegerv) = GetIntegerv; }
-
-#endif
+GLReplacements<SmallTextures> Replaced;
 } // namespace
 
 SmallTextures::SmallTextures(const TextureLimits& limits)
 {
   Limits = limits;
   Made = 0;
-  TexImage3D = TETMARCH_GL_POINTER(TexImage3D);
-  TETMARCH_GL_POINTER(TexImage3D) = &texImage3D;
-  limitIntegers();
+  TETMARCH_REPLACE_GL(Replaced, TexImage3D, texImage3D);
+  TETMARCH_REPLACE_GL_1(Replaced, GetIntegerv, getIntegerv);
 }
 
-SmallTextures::~SmallTextures()
-{
-  restoreIntegers();
-  TETMARCH_GL_POINTER(TexImage3D) = TexImage3D;
-}
+SmallTextures::~SmallTextures() { Replaced.restore(); }
 
 int SmallTextures::made() const { return Made; }
 } // namespace tetmarch::testing

@@ -3,9 +3,6 @@
 /**
  * @file
  * @brief A GL that takes only small textures of layers, as long as it lives
- *
- * The pointers by which the GL is called are replaced (GLPointers.h), and functions of GL 1.1 that
- * have none where GLFunctions.h forwards them.
  */
 #ifndef tetmarch_testing_SmallTextures_h
 #define tetmarch_testing_SmallTextures_h
