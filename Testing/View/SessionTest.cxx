@@ -3,6 +3,7 @@
 #include "SessionTest.h"
 
 #include "Failure.h"
+#include "PythonScript.h"
 #include "RenderCommand.h"
 #include "ViewStateJson.h"
 
@@ -133,6 +134,9 @@ void SessionTest::AStateComesBackFromItsText()
   ShowCells(state);
   const std::string text = WriteState(state);
   QVERIFY(text != first);
+  state.Data.Array = "caf\xe9"; // a name of a file that knows no UTF-8
+  QCOMPARE(ReadState(WriteState(state)).Data.Array, std::string("caf\xef\xbf\xbd"));
+  QVERIFY(WriteScript(state, false).find("caf\xef\xbf\xbd") != std::string::npos);
   const ViewState read = ReadState(text);
   QCOMPARE(WriteState(read), text);
   QCOMPARE(read.Camera.Position[2], 1.0 / 7.0);

@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <mutex>
@@ -23,6 +24,42 @@ struct
   std::mutex Mutex;
   tetmarch::MessageListener Listener;
 } Listening;
+
+constexpr int MostTimes = 10;
+
+struct
+{
+  std::mutex Mutex;
+  std::string Text;
+  int Times = 0;
+} Last;
+
+// How often VTK has said this by now without saying anything else.
+int CountTimes(const char* text)
+{
+  const std::lock_guard<std::mutex> lock(Last.Mutex);
+  if (Last.Text != text)
+  {
+    Last.Text = text;
+    Last.Times = 0;
+  }
+  Last.Times = std::min(Last.Times + 1, MostTimes + 2);
+  return Last.Times;
+}
+
+// Readers say of some damaged files the same a million times.
+void PrintUnlessRepeated(const char* kind, const char* text)
+{
+  const int times = CountTimes(text);
+  if (times <= MostTimes)
+  {
+    tetmarch::PrintMessage(kind, tetmarch::CleanVTKMessage(text));
+  }
+  else if (times == MostTimes + 1)
+  {
+    tetmarch::PrintNote("VTK says the same more often");
+  }
+}
 } // namespace
 
 namespace tetmarch
@@ -93,18 +130,16 @@ void Messages::DisplayErrorText(const char* text)
   {
     return;
   }
-  PrintMessage("error", CleanVTKMessage(text));
+  PrintUnlessRepeated("error", text);
 }
 
-void Messages::DisplayWarningText(const char* text)
-{
-  PrintMessage("warning", CleanVTKMessage(text));
-}
+void Messages::DisplayWarningText(const char* text) { PrintUnlessRepeated("warning", text); }
 
 void Messages::DisplayGenericWarningText(const char* text)
 {
   // Readers of legacy files warn of errors, and go on with values that they have not read.
-  const bool isError = CleanVTKMessage(text).rfind("Error reading", 0) == 0;
+  const char* error = std::strstr(text, "Error reading");
+  const bool isError = error && (error == text || error[-1] == '\n');
   isError ? this->DisplayErrorText(text) : this->DisplayWarningText(text);
 }
 

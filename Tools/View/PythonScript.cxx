@@ -16,7 +16,10 @@ namespace
 using namespace tetmarch;
 
 /// Strings of JSON are strings of Python, too.
-std::string Quote(const std::string& text) { return nlohmann::json(text).dump(); }
+std::string Quote(const std::string& text)
+{
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
 
 std::string Bool(bool value) { return value ? "True" : "False"; }
 

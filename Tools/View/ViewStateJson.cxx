@@ -197,7 +197,7 @@ std::string WriteState(const ViewState& state)
   VisitEffects(Writer{ document["effects"] }, state.Effects);
   VisitCuts(Writer{ document["cuts"] }, state.Cuts);
   VisitPicture(Writer{ document["picture"] }, state);
-  return document.dump(2) + "\n";
+  return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 ViewState ReadState(const std::string& text)
