@@ -96,7 +96,7 @@ def draw(render, kind, path, mesh):
 
 
 def open_in_window(window, paths, folder):
-    """(outcome, message) of each: one after the other in the same window. If it ends, the next file gets a new one."""
+    """(outcome, message) of each, one after the other in the same window; in another one if that has ended."""
     results = []
     while len(results) < len(paths):
         rest = paths[len(results):]
@@ -152,10 +152,10 @@ def main():
                       for case in chance.sample([case for case in cases if case[0] == kind],
                                                 min(arguments.opened, arguments.each))]
             sound = [originals[kind] for kind in kinds if kind != "preset"]
-            results = open_in_window(arguments.window, sound + [path for _, path in opened], folder)
-            for path, result in zip(sound, results):
+            for path, result in zip(sound, open_in_window(arguments.window, sound, folder)):
                 assert result[0] == "read", f"the sound file {path} in the window: {result}"
-            for (kind, path), (outcome, message) in zip(opened, results[len(sound):]):
+            for kind, path in opened:  # a reader may leave a window behind that crashes later, so each has its own
+                (outcome, message), = open_in_window(arguments.window, [path], folder)
                 in_window[outcome] += 1
                 if outcome not in ("read", "refused") and not is_of_readers(kind, outcome):
                     found.append((kind, path, f"tetmarch-view: {outcome}: {message}"))
