@@ -157,27 +157,6 @@ std::string TetSource::describeBadSamples() const
          "another one, such as SetAccuracyLevelToDefault().";
 }
 
-const char* TetSource::shaderOf(SourcePass pass) const
-{
-  switch (pass)
-  {
-    case SourcePass::March:
-      return "passes/march.frag.glsl";
-    case SourcePass::MarchByCompute:
-      return "passes/march.comp.glsl";
-    case SourcePass::Visits:
-      return "passes/visit.frag.glsl";
-    case SourcePass::Pick:
-      return "passes/pick.frag.glsl";
-    case SourcePass::VertexLight:
-      return "passes/vertex_light.frag.glsl";
-    case SourcePass::VertexLightByCompute:
-      return "passes/vertex_light.comp.glsl";
-    default:
-      return "passes/boundary_view.frag.glsl";
-  }
-}
-
 void TetSource::bind(vtkShaderProgram* program, const VariantKey& key)
 {
   this->Textures.bind(program, key);

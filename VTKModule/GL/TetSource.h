@@ -75,7 +75,6 @@ public:
            this->VisibleTets.allBytes();
   }
 
-  const char* shaderOf(SourcePass pass) const override;
   std::string describeBadSamples() const override;
   void bind(vtkShaderProgram* program, const VariantKey& key) override;
   void unbind() override;
