@@ -133,4 +133,22 @@ HardView viewFrom(const std::string& name, const std::function<Vec3(vtkUnstructu
   };
   return view;
 }
+
+HardView inSmallWindow(const HardView& view, int pixels)
+{
+  HardView small = view;
+  small.Pixels = view.Pixels > 0 ? pixels - (view.Pixels - pixels) % 2 : pixels;
+  if (view.Pixels > 0)
+  {
+    small.Set = [large = view, side = small.Pixels](vtkCamera* camera, vtkUnstructuredGrid* grid)
+    {
+      large.Set(camera, grid);
+      camera->SetParallelScale(side * camera->GetParallelScale() / large.Pixels);
+      const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+      camera->SetViewAngle(
+        2.0 * vtkMath::DegreesFromRadians(std::atan(side * half / large.Pixels)));
+    };
+  }
+  return small;
+}
 } // namespace tetmarch::testing

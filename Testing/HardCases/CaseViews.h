@@ -37,6 +37,11 @@ HardView viewOnPixels(const std::string& name, int pixels, const Vec3& through, 
 /// The eye at a point, looking along the direction in perspective.
 HardView viewFrom(const std::string& name, const std::function<Vec3(vtkUnstructuredGrid*)>& eye,
   const Vec3& direction, const Vec3& up, double angle);
+
+/// The view in a window of pixels x pixels. Of a view that is meant for a larger window it is the
+/// middle, with the same rays: in a window that is one pixel smaller if else there were a ray
+/// between two of them.
+HardView inSmallWindow(const HardView& view, int pixels);
 } // namespace tetmarch::testing
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pixel centres that meet vertices by construction, and eyes that sit on them.
 #include "CaseAccess.h"
+#include "CaseViews.h"
 
 #include "vtkCamera.h"
 #include "vtkMath.h"
@@ -146,6 +147,29 @@ TEST(HardViews, NeedlesAreSeenEndOn)
     }
   }
   EXPECT_EQ(endOn, 3);
+}
+
+// The middle of a window has the same rays: what met a vertex still does.
+TEST(HardViews, SmallWindowsHaveTheSameRays)
+{
+  for (const char* name : { "pixels-on-vertices", "pixels-on-edges", "fan-through-vertices" })
+  {
+    const Grid grid = caseOf(name).Make();
+    for (const HardView& view : caseOf(name).Views)
+    {
+      SCOPED_TRACE(name + (": " + view.Name));
+      const HardView small = inSmallWindow(view, 17);
+      EXPECT_EQ(small.Pixels, view.Pixels == 64 ? 16 : 17);
+      const Hits hits = hitsOf(small, grid);
+      const Hits inLarge = hitsOf(view, grid);
+      EXPECT_EQ(hits.Columns, inLarge.Columns);
+      EXPECT_EQ(hits.Centres, inLarge.Centres);
+      EXPECT_GT(hits.InWindow, 0);
+      EXPECT_LT(hits.InWindow, inLarge.InWindow);
+    }
+  }
+  const HardView any = inSmallWindow(standardViews().front(), 17);
+  EXPECT_EQ(any.Pixels, 17);
 }
 
 TEST(HardViews, EyesSitOnLatticePoints)

@@ -105,6 +105,26 @@ TEST_F(Tables, FollowTheComponentsThatAreDrawn)
   EXPECT_EQ(sizes[0].BytesPerTexel, 36u);
 }
 
+// A step asks for as many entries as a table may have; of the least that any GL takes, too.
+TEST_F(Tables, TogetherFitTheBuffer)
+{
+  this->Property->GetScalarOpacity()->AddPoint(0.3, 0.7);
+  this->Property->GetScalarOpacity()->AddPoint(0.3 + 1e-9, 0.1);
+  this->drawThree();
+  this->expectRuns(1);
+  const std::size_t fine = this->Made.first().Values.size();
+  EXPECT_GT(fine, 65000u);
+  this->Input.MostEntries = 65536;
+  this->expectRuns(2);
+  std::size_t entries = this->Made.first().Values.size();
+  EXPECT_GT(entries, fine / 8);
+  for (const IntegralTable& table : this->Made.components().Tables)
+  {
+    entries += table.Values.size();
+  }
+  EXPECT_LE(entries, 65536u);
+}
+
 TEST_F(Tables, AreVisibleIfAnyComponentIs)
 {
   this->Property->GetScalarOpacity()->RemoveAllPoints();

@@ -8,6 +8,8 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
+
 namespace tetmarch
 {
 namespace
@@ -50,6 +52,15 @@ Fingerprint versionOf(vtkVolumeProperty* property, const TableInput& input)
   return version;
 }
 
+// All tables lie in one buffer of the GPU.
+AccuracyLevel fittedTo(const TableInput& input, AccuracyLevel level)
+{
+  const std::uint64_t mostOfOne = input.MostEntries / (1 + input.FurtherRanges.size());
+  level.MostTableEntries =
+    static_cast<int>(std::min<std::uint64_t>(level.MostTableEntries, mostOfOne));
+  return level;
+}
+
 } // namespace
 
 IntegralTable makeTables(vtkVolumeProperty* property, const TableInput& input,
@@ -75,8 +86,9 @@ IntegralTable makeTables(vtkVolumeProperty* property, const TableInput& input,
 }
 
 std::string TransferTables::update(
-  vtkVolumeProperty* property, const TableInput& input, const AccuracyLevel& level)
+  vtkVolumeProperty* property, const TableInput& input, const AccuracyLevel& wanted)
 {
+  const AccuracyLevel level = fittedTo(input, wanted);
   this->Parts.Mix = input.Mix;
   this->Parts.FurtherRanges = input.FurtherRanges;
   const std::string badUnit = setFactors(property, this->Parts);

@@ -24,6 +24,7 @@ struct TableInput
   ScalarRange Range;                      // of the first scalar
   std::vector<ScalarRange> FurtherRanges; // of those that are drawn with it
   bool Bends = false; // the scalar bends along rays, so that error bounds need more of a table
+  std::uint64_t MostEntries = std::numeric_limits<std::uint64_t>::max(); // of all tables together
 };
 
 class TransferTables

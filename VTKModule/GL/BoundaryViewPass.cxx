@@ -19,7 +19,8 @@ std::string BoundaryViewPass::draw(vtkOpenGLRenderWindow* window, const MarchInp
     progress, stopped,
     [&](const Viewport& tile)
     {
-      StateScope state(window);
+      // The shader compares depths along the rays, as the march does.
+      const ReplaceScope state(window);
       std::string error;
       vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
         inputs.Source->shaderOf(SourcePass::BoundaryView), inputs.Key.defines(), error);
@@ -27,12 +28,6 @@ std::string BoundaryViewPass::draw(vtkOpenGLRenderWindow* window, const MarchInp
       {
         return error;
       }
-      // The shader compares depths along the rays, as the march does.
-      state->vtkglDisable(GL_BLEND);
-      state->vtkglDisable(GL_DEPTH_TEST);
-      state->vtkglDepthMask(GL_FALSE);
-      state->vtkglDisable(GL_CULL_FACE);
-
       inputs.Source->bind(program, inputs.Key);
       bindPixelRays(program, inputs, inputs.Area);
       program->SetUniformi("showsCoordinates", what == BoundaryView::Coordinates ? 1 : 0);

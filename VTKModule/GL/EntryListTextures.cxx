@@ -12,22 +12,20 @@ static_assert(sizeof(EntryCandidate) == 8, "arrays are uploaded as they are");
 std::string EntryListTextures::upload(
   vtkOpenGLRenderWindow* window, const EntryLists& lists, const Fingerprint& version)
 {
-  this->Version.clear();
   this->TileShift = lists.TileShift;
   this->TilesPerRow = lists.TilesPerRow;
   this->DepthPlane = lists.DepthPlane;
-  std::string error =
-    this->Tiles.upload(window, TexelFormat::R32UI, lists.First.data(), lists.First.size());
-  if (error.empty())
-  {
-    error = this->Candidates.upload(
-      window, TexelFormat::RG32UI, lists.Candidates.data(), lists.Candidates.size());
-  }
-  if (error.empty())
-  {
-    this->Version = version;
-  }
-  return error;
+  return this->There.update(
+    version,
+    [&]
+    {
+      const std::string error =
+        this->Tiles.upload(window, TexelFormat::R32UI, lists.First.data(), lists.First.size());
+      return error.empty() ? this->Candidates.upload(window, TexelFormat::RG32UI,
+                               lists.Candidates.data(), lists.Candidates.size())
+                           : error;
+    },
+    [&] { return this->bytes(); });
 }
 
 void EntryListTextures::bind(vtkShaderProgram* program)
@@ -47,7 +45,7 @@ void EntryListTextures::unbind()
 
 void EntryListTextures::release(vtkWindow* window)
 {
-  this->Version.clear();
+  this->There.forget();
   this->Tiles.release(window);
   this->Candidates.release(window);
 }

@@ -4,9 +4,9 @@
 #ifndef TetMarchGLEntryListTextures_h
 #define TetMarchGLEntryListTextures_h
 
-#include "Caching/Fingerprint.h"
 #include "Entries/EntryLists.h"
 #include "GL/TextureBuffer.h"
+#include "GL/Uploaded.h"
 
 namespace tetmarch
 {
@@ -14,8 +14,8 @@ namespace tetmarch
 class EntryListTextures
 {
 public:
-  bool isCurrent(const Fingerprint& version) const { return this->Version == version; }
-  /** Returns an empty string, or what is wrong. */
+  bool holds(const Fingerprint& version) const { return this->There.holds(version); }
+  /** Unless holds(): upload the lists. Returns an empty string, or what is wrong. */
   std::string upload(
     vtkOpenGLRenderWindow* window, const EntryLists& lists, const Fingerprint& version);
   void bind(vtkShaderProgram* program);
@@ -24,7 +24,7 @@ public:
   std::size_t bytes() const { return this->Tiles.bytes() + this->Candidates.bytes(); }
 
 private:
-  Fingerprint Version; // empty: there are none
+  Uploaded There;
   TextureBuffer Tiles;
   TextureBuffer Candidates;
   int TileShift = 0;

@@ -82,34 +82,19 @@ void bindLightNodes(vtkShaderProgram* program, const LightNodes& nodes)
 bool LatticeTextures::isCurrent(
   const StructuredVolume& volume, const VersionedDistances& distances) const
 {
-  return this->ValuesThere == volume.valuesVersion() &&
+  return this->ValuesThere.holds(volume.valuesVersion()) &&
          this->Planes.isCurrent(!volume.lattice().isUniform(), volume.latticeVersion()) &&
          this->Hidden.isCurrent(!volume.hiddenCells().empty(), volume.hiddenVersion()) &&
          this->Distances.isCurrent(distances.Used, distances.Version);
 }
 
-std::string LatticeTextures::uploadValues(
-  vtkOpenGLRenderWindow* window, const StructuredVolume& volume)
-{
-  if (this->ValuesThere == volume.valuesVersion())
-  {
-    return {};
-  }
-  this->ValuesThere.reset();
-  const std::string error =
-    this->Values.upload(window, valuesAlong(volume.lattice()), volume.values());
-  if (error.empty())
-  {
-    this->ValuesThere = volume.valuesVersion();
-    this->UploadedBytes += static_cast<std::int64_t>(this->Values.bytes());
-  }
-  return error;
-}
-
 std::string LatticeTextures::upload(vtkOpenGLRenderWindow* window, const StructuredVolume& volume,
   const VersionedDistances& distances)
 {
-  std::string error = this->uploadValues(window, volume);
+  std::string error = this->ValuesThere.update(
+    volume.valuesVersion(),
+    [&] { return this->Values.upload(window, valuesAlong(volume.lattice()), volume.values()); },
+    [&] { return this->Values.bytes(); });
   const auto update =
     [&](VersionedBuffer& there, bool needed, const Fingerprint& version, const auto& upload)
   { error = error.empty() ? there.update(window, needed, version, upload) : error; };
@@ -240,7 +225,7 @@ void LatticeTextures::unbind()
 void LatticeTextures::release(vtkWindow* window)
 {
   this->Values.release(window);
-  this->ValuesThere.reset();
+  this->ValuesThere.forget();
   for (VersionedBuffer* buffer : { &this->Planes, &this->Hidden, &this->Distances })
   {
     buffer->release(window);
@@ -255,8 +240,8 @@ std::size_t LatticeTextures::bytes() const
 
 std::int64_t LatticeTextures::uploadedBytes() const
 {
-  return this->UploadedBytes + this->Planes.uploadedBytes() + this->Hidden.uploadedBytes() +
-         this->Distances.uploadedBytes();
+  return this->ValuesThere.allBytes() + this->Planes.uploadedBytes() +
+         this->Hidden.uploadedBytes() + this->Distances.uploadedBytes();
 }
 
 } // namespace tetmarch

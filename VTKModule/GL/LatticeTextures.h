@@ -10,7 +10,6 @@
 #include "Structured/StructuredVolume.h"
 #include "Variants/VariantKey.h"
 
-#include <optional>
 #include <string>
 
 namespace tetmarch
@@ -46,15 +45,13 @@ public:
   std::int64_t uploadedBytes() const;
 
 private:
-  std::string uploadValues(vtkOpenGLRenderWindow* window, const StructuredVolume& volume);
   void bindFurther(
     vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume);
   void bindValues(vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume);
   void bindPlanes(vtkShaderProgram* program, const VariantKey& key, const Lattice& lattice);
 
-  ValueTextures Values;                   // of the first scalar and of those drawn with it
-  std::optional<Fingerprint> ValuesThere; // none before they are uploaded
-  std::int64_t UploadedBytes = 0;         // of the values
+  ValueTextures Values; // of the first scalar and of those drawn with it
+  Uploaded ValuesThere;
   VersionedBuffer Planes;
   VersionedBuffer Hidden;
   VersionedBuffer Distances;

@@ -147,13 +147,7 @@ std::string MarchPass::drawApart(vtkOpenGLRenderWindow* window, const FloatTarge
   const MarchInputs& inputs, TileSchedule& tiles, const Progress& progress, bool& stopped)
 {
   const Viewport target{ 0, 0, inputs.Area.Width, inputs.Area.Height };
-  StateScope state(window);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglViewport(0, 0, target.Width, target.Height);
+  const TargetScope state(window, target.Width, target.Height);
   if (inputs.Visits)
   {
     state->vtkglEnable(GL_SCISSOR_TEST);

@@ -46,6 +46,29 @@ enum class SourcePass
   BoundaryView
 };
 
+/** The file of its shader. The compiler warns of a pass that has none here. */
+inline const char* fileOf(SourcePass pass)
+{
+  switch (pass)
+  {
+    case SourcePass::March:
+      return "passes/march.frag.glsl";
+    case SourcePass::MarchByCompute:
+      return "passes/march.comp.glsl";
+    case SourcePass::Visits:
+      return "passes/visit.frag.glsl";
+    case SourcePass::Pick:
+      return "passes/pick.frag.glsl";
+    case SourcePass::VertexLight:
+      return "passes/vertex_light.frag.glsl";
+    case SourcePass::VertexLightByCompute:
+      return "passes/vertex_light.comp.glsl";
+    case SourcePass::BoundaryView:
+      return "passes/boundary_view.frag.glsl";
+  }
+  return nullptr;
+}
+
 class MarchSource
 {
 public:
@@ -124,7 +147,7 @@ public:
   virtual std::int64_t uploadedBytes() const = 0;
 
   /** The file of a pass's fragment or compute shader; nullptr if the volume has no such pass. */
-  virtual const char* shaderOf(SourcePass pass) const = 0;
+  virtual const char* shaderOf(SourcePass pass) const { return fileOf(pass); }
   /** Why the volume can't be sampled at even distances, and what to do; empty: it can. */
   virtual std::string describeBadSamples() const = 0;
   /** What these shaders read of the volume. */

@@ -33,18 +33,12 @@ std::string PickPass::pick(vtkOpenGLRenderWindow* window, const MarchInputs& inp
 std::string PickPass::march(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
   const Viewport& part, const Progress& progress, bool& stopped)
 {
-  StateScope state(window);
+  const TargetScope state(window, part.Width, part.Height);
   const std::string error = this->Target.bind(window, part.Width, part.Height, 2);
   if (!error.empty())
   {
     return error;
   }
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglViewport(0, 0, part.Width, part.Height);
   state->vtkglClearColor(0, 0, 0, 0);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
   PictureContent content = inputs.Content;

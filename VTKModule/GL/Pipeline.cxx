@@ -102,7 +102,7 @@ AccuracyLevel Pipeline::levelFor(AccuracyLevel level) const
 TableInput Pipeline::tableInput(OpacityLaw law) const
 {
   return { law, &this->Blend, this->Mix, this->Source.range(), this->Source.furtherRanges(),
-    this->Source.scalarBends() };
+    this->Source.scalarBends(), this->Limits.TexelsPerBuffer };
 }
 
 bool Pipeline::updateTables(

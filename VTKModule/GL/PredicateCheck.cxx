@@ -43,8 +43,8 @@ public:
       return "The GPU has no room for " + std::to_string(this->Cases.texels().size() * 4) +
              " bytes. Close what else uses it.";
     }
-    const StateScope state(this->Window);
-    std::string error = this->draw(fused, state);
+    const TargetScope state(this->Window, PredicateCases::Side, PredicateCases::Side);
+    std::string error = this->draw(fused);
     if (error.empty())
     {
       wrong = this->Cases.countWrong(
@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  std::string draw(bool fused, const StateScope& state)
+  std::string draw(bool fused)
   {
     VariantKey key;
     key.EntryLists = false;
@@ -67,12 +67,6 @@ private:
                     : nullptr;
     if (program)
     {
-      state->vtkglViewport(0, 0, PredicateCases::Side, PredicateCases::Side);
-      state->vtkglDisable(GL_SCISSOR_TEST);
-      state->vtkglDisable(GL_DEPTH_TEST);
-      state->vtkglDisable(GL_BLEND);
-      state->vtkglDisable(GL_CULL_FACE);
-      state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
       this->Uploaded.texture()->Activate();
       program->SetUniformi("caseTexture", this->Uploaded.texture()->GetTextureUnit());
       program->SetUniformi("turns", 3);

@@ -30,6 +30,33 @@ private:
   vtkOpenGLState* State;
 };
 
+/** Triangles replace the pixels in the scissor box: no blending, tests of depth or culling. */
+class ReplaceScope : public StateScope
+{
+public:
+  explicit ReplaceScope(vtkOpenGLRenderWindow* window)
+    : StateScope(window)
+  {
+    for (const unsigned int capability : { GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE })
+    {
+      (*this)->vtkglDisable(capability);
+    }
+  }
+};
+
+/** The same for every pixel and channel of a target of our own, which has that size. */
+class TargetScope : public ReplaceScope
+{
+public:
+  TargetScope(vtkOpenGLRenderWindow* window, int width, int height)
+    : ReplaceScope(window)
+  {
+    (*this)->vtkglDisable(GL_SCISSOR_TEST);
+    (*this)->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    (*this)->vtkglViewport(0, 0, width, height);
+  }
+};
+
 /**
  * VTK's record of the state has the array buffers that were bound when it was last read from the
  * GL, as at a vtkHardwareSelector's begin. Pop() binds them again, though they may have been

@@ -115,21 +115,8 @@ Fingerprint StructuredSource::samplesVersion() const
 
 const char* StructuredSource::shaderOf(SourcePass pass) const
 {
-  switch (pass)
-  {
-    case SourcePass::March:
-      return "passes/march.frag.glsl";
-    case SourcePass::MarchByCompute:
-      return "passes/march.comp.glsl";
-    case SourcePass::Pick:
-      return "passes/pick.frag.glsl";
-    case SourcePass::VertexLight:
-      return "passes/vertex_light.frag.glsl";
-    case SourcePass::VertexLightByCompute:
-      return "passes/vertex_light.comp.glsl";
-    default: // it has no boundary faces
-      return nullptr;
-  }
+  // Rays enter it once, and not by boundary faces.
+  return pass == SourcePass::Visits || pass == SourcePass::BoundaryView ? nullptr : fileOf(pass);
 }
 
 std::string StructuredSource::describeBadSamples() const

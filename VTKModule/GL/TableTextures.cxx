@@ -122,18 +122,15 @@ std::string TableTextures::uploadFirst(vtkOpenGLRenderWindow* window, const Inte
 
 std::string TableTextures::upload(vtkOpenGLRenderWindow* window, const TransferTables& tables)
 {
-  if (this->holds(tables))
-  {
-    return {};
-  }
-  this->Run = 0;
   const Components& components = tables.components();
-  const std::string error = components.isSingle()
-                              ? this->uploadFirst(window, tables.first())
-                              : this->uploadSeveral(window, tables.first(), components);
-  this->Run = error.empty() ? tables.record().Runs : 0;
-  this->UploadedBytes += static_cast<std::int64_t>(this->bytes());
-  return error;
+  return this->There.update(
+    versionOf(tables),
+    [&]
+    {
+      return components.isSingle() ? this->uploadFirst(window, tables.first())
+                                   : this->uploadSeveral(window, tables.first(), components);
+    },
+    [&] { return this->bytes(); });
 }
 
 void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
@@ -208,7 +205,7 @@ void TableTextures::release(vtkWindow* window)
   this->Values.release(window);
   this->Integrals.release(window);
   this->Variations.release(window);
-  this->Run = 0;
+  this->There.forget();
 }
 
 std::size_t TableTextures::bytes() const

@@ -6,6 +6,7 @@
 
 #include "Appearance/TransferTables.h"
 #include "GL/TextureBuffer.h"
+#include "GL/Uploaded.h"
 #include "Optics/AccuracyLevel.h"
 #include "Optics/IntegralTable.h"
 #include "Scalars/StoredScalar.h"
@@ -18,7 +19,7 @@ class TableTextures
 {
 public:
   /** Whether the tables of this run are on the GPU. */
-  bool holds(const TransferTables& tables) const { return this->Run == tables.record().Runs; }
+  bool holds(const TransferTables& tables) const { return this->There.holds(versionOf(tables)); }
   /** Unless holds(): upload the table of the first scalar, and those of further components behind
    * it. Returns an empty string, or what is wrong. */
   std::string upload(vtkOpenGLRenderWindow* window, const TransferTables& tables);
@@ -28,9 +29,13 @@ public:
   void release(vtkWindow* window);
   std::size_t bytes() const;
   /** How many bytes were uploaded in all. */
-  std::int64_t uploadedBytes() const { return this->UploadedBytes; }
+  std::int64_t uploadedBytes() const { return this->There.allBytes(); }
 
 private:
+  static Fingerprint versionOf(const TransferTables& tables)
+  {
+    return { static_cast<std::uintptr_t>(tables.record().Runs) };
+  }
   std::string uploadFirst(vtkOpenGLRenderWindow* window, const IntegralTable& table);
   std::string uploadSeveral(
     vtkOpenGLRenderWindow* window, const IntegralTable& table, const Components& components);
@@ -38,8 +43,7 @@ private:
   TextureBuffer Values;
   TextureBuffer Integrals;
   TextureBuffer Variations;
-  std::int64_t Run = 0; // of the tables that are on the GPU; 0: none
-  std::int64_t UploadedBytes = 0;
+  Uploaded There;
 };
 
 } // namespace tetmarch

@@ -93,59 +93,50 @@ std::vector<BufferSize> TetSource::bufferSizes() const
 
 bool TetSource::isUploaded() const
 {
-  return this->Links == this->Volume.linksVersion() &&
-         this->Scalars == this->Volume.scalarsVersion() &&
-         this->HiddenCells == this->Volume.hiddenVersion() &&
-         this->VisibleTets == this->Volume.visibleVersion();
+  return this->Links.holds(this->Volume.linksVersion()) &&
+         this->Scalars.holds(this->Volume.scalarsVersion()) &&
+         this->HiddenCells.holds(this->Volume.hiddenVersion()) &&
+         this->VisibleTets.holds(this->Volume.visibleVersion());
 }
 
 std::string TetSource::upload(vtkOpenGLRenderWindow* window)
 {
   std::string error;
-  const auto update = [&](Uploaded& there, const Fingerprint& version, const auto& uploadAll)
-  {
-    if (error.empty() && there != version)
-    {
-      there.reset();
-      const std::size_t bytes = uploadAll();
-      if (error.empty())
-      {
-        there = version;
-      }
-      this->UploadedBytes += static_cast<std::int64_t>(bytes);
-    }
-  };
+  const auto update =
+    [&](Uploaded& part, const Fingerprint& version, const auto& upload, const auto& bytes)
+  { error = error.empty() ? part.update(version, upload, bytes) : error; };
   const TetMesh& mesh = this->mesh();
   const MeshScalars& scalars = this->Volume.scalars();
   const auto& hidden = this->Volume.hiddenCells();
-  update(this->Links, this->Volume.linksVersion(),
+  update(
+    this->Links, this->Volume.linksVersion(),
+    [&] { return this->Textures.uploadCells(window, mesh); },
     [&]
     {
-      error = this->Textures.uploadCells(window, mesh);
       return sizeof(PackedCell) * mesh.Tets.size() + 16 * mesh.BoundaryFaces.size() +
              sizeof(HierarchyNode) * mesh.Hierarchy.size();
     });
-  update(this->Scalars, this->Volume.scalarsVersion(),
+  update(
+    this->Scalars, this->Volume.scalarsVersion(),
+    [&] { return this->Textures.uploadScalars(window, mesh, scalars); },
     [&]
     {
-      error = this->Textures.uploadScalars(window, mesh, scalars);
       return sizeof(Vertex) * mesh.Vertices.size() + sizeof(float) * scalars.OfCells.size() +
              this->Textures.furtherBytes();
     });
-  update(this->HiddenCells, this->Volume.hiddenVersion(),
-    [&]
-    {
-      error = this->Textures.uploadHiddenCells(window, hidden);
-      return sizeof(std::uint32_t) * hidden.size();
-    });
-  update(this->VisibleTets, this->Volume.visibleVersion(),
+  update(
+    this->HiddenCells, this->Volume.hiddenVersion(),
+    [&] { return this->Textures.uploadHiddenCells(window, hidden); },
+    [&] { return sizeof(std::uint32_t) * hidden.size(); });
+  update(
+    this->VisibleTets, this->Volume.visibleVersion(),
     [&]
     {
       this->Visible.release(window);
-      error = this->entersVisiblePart() ? this->Visible.upload(window, this->Volume.visiblePart())
-                                        : std::string();
-      return this->Visible.bytes();
-    });
+      return this->entersVisiblePart() ? this->Visible.upload(window, this->Volume.visiblePart())
+                                       : std::string();
+    },
+    [&] { return this->Visible.bytes(); });
   return error;
 }
 
@@ -153,38 +144,17 @@ void TetSource::release(vtkWindow* window)
 {
   this->Textures.release(window);
   this->Entries.release(window);
-  this->Links.reset();
-  this->Scalars.reset();
   this->Visible.release(window);
-  this->HiddenCells.reset();
-  this->VisibleTets.reset();
+  for (Uploaded* part : { &this->Links, &this->Scalars, &this->HiddenCells, &this->VisibleTets })
+  {
+    part->forget();
+  }
 }
 
 std::string TetSource::describeBadSamples() const
 {
   return "The accuracy level is Sampled, which is for images and rectilinear grids alone. Choose "
          "another one, such as SetAccuracyLevelToDefault().";
-}
-
-const char* TetSource::shaderOf(SourcePass pass) const
-{
-  switch (pass)
-  {
-    case SourcePass::March:
-      return "passes/march.frag.glsl";
-    case SourcePass::MarchByCompute:
-      return "passes/march.comp.glsl";
-    case SourcePass::Visits:
-      return "passes/visit.frag.glsl";
-    case SourcePass::Pick:
-      return "passes/pick.frag.glsl";
-    case SourcePass::VertexLight:
-      return "passes/vertex_light.frag.glsl";
-    case SourcePass::VertexLightByCompute:
-      return "passes/vertex_light.comp.glsl";
-    default:
-      return "passes/boundary_view.frag.glsl";
-  }
 }
 
 void TetSource::bind(vtkShaderProgram* program, const VariantKey& key)
@@ -216,7 +186,7 @@ std::string TetSource::listEntries(vtkOpenGLRenderWindow* window, const VariantK
   addAll(version, camera.NormalizedToClip);
   add(version, viewport.Width);
   add(version, viewport.Height);
-  if (this->Entries.isCurrent(version))
+  if (this->Entries.holds(version))
   {
     return {};
   }

@@ -8,11 +8,10 @@
 #include "GL/EntryListTextures.h"
 #include "GL/MarchSource.h"
 #include "GL/MeshTextures.h"
+#include "GL/Uploaded.h"
 #include "GL/VisiblePartTextures.h"
 #include "Scalars/HiddenBits.h"
 #include "Volume/TetVolume.h"
-
-#include <optional>
 
 namespace tetmarch
 {
@@ -70,9 +69,12 @@ public:
   {
     return this->Textures.bytes() + this->Visible.bytes() + this->Entries.bytes();
   }
-  std::int64_t uploadedBytes() const override { return this->UploadedBytes; }
+  std::int64_t uploadedBytes() const override
+  {
+    return this->Links.allBytes() + this->Scalars.allBytes() + this->HiddenCells.allBytes() +
+           this->VisibleTets.allBytes();
+  }
 
-  const char* shaderOf(SourcePass pass) const override;
   std::string describeBadSamples() const override;
   void bind(vtkShaderProgram* program, const VariantKey& key) override;
   void unbind() override;
@@ -91,9 +93,6 @@ private:
    * march through the mesh. */
   bool entersVisiblePart() const;
 
-  /** The version of an array that the GPU has; none before it is uploaded. */
-  using Uploaded = std::optional<Fingerprint>;
-
   TetVolume Volume;
   ResourceLimits Limits;
   MeshTextures Textures;
@@ -101,7 +100,6 @@ private:
   Uploaded Scalars;
   Uploaded HiddenCells;
   Uploaded VisibleTets;
-  std::int64_t UploadedBytes = 0;
   VisiblePartTextures Visible;
   EntryListTextures Entries;
   StageRecord EntriesRecord;

@@ -5,8 +5,8 @@
 #ifndef TetMarchGLVersionedBuffer_h
 #define TetMarchGLVersionedBuffer_h
 
-#include "Caching/Fingerprint.h"
 #include "GL/TextureBuffer.h"
+#include "GL/Uploaded.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -23,28 +23,21 @@ public:
    * and returns an empty string, or what is wrong. */
   template <typename Upload>
   std::string update(
-    vtkOpenGLRenderWindow* window, bool needed, const Fingerprint& version, Upload&& upload)
+    vtkOpenGLRenderWindow* window, bool needed, const Fingerprint& version, const Upload& upload)
   {
-    if (!needed || version != this->Version)
+    if (!this->isCurrent(needed, version))
     {
       this->release(window);
     }
-    std::string error;
-    if (needed && this->Buffer.bytes() == 0)
-    {
-      error = upload(this->Buffer);
-      if (error.empty())
-      {
-        this->Version = version;
-        this->UploadedBytes += static_cast<std::int64_t>(this->Buffer.bytes());
-      }
-    }
-    return error;
+    return needed ? this->There.update(
+                      version, [&] { return upload(this->Buffer); },
+                      [&] { return this->Buffer.bytes(); })
+                  : std::string();
   }
   /** Whether update() has nothing to do. */
   bool isCurrent(bool needed, const Fingerprint& version) const
   {
-    return needed ? this->bytes() > 0 && version == this->Version : this->bytes() == 0;
+    return needed ? this->There.holds(version) : this->bytes() == 0;
   }
   template <typename... Samplers>
   void bind(vtkShaderProgram* program, Samplers... samplers)
@@ -55,16 +48,15 @@ public:
   void release(vtkWindow* window)
   {
     this->Buffer.release(window);
-    this->Version.clear();
+    this->There.forget();
   }
   std::size_t bytes() const { return this->Buffer.bytes(); }
   /** How many bytes were uploaded in all. */
-  std::int64_t uploadedBytes() const { return this->UploadedBytes; }
+  std::int64_t uploadedBytes() const { return this->There.allBytes(); }
 
 private:
   BufferType Buffer;
-  Fingerprint Version;
-  std::int64_t UploadedBytes = 0;
+  Uploaded There;
 };
 
 using VersionedBuffer = Versioned<TextureBuffer>;

@@ -32,16 +32,6 @@ double secondsSince(Clock::time_point begin)
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-void allowAllPixels(StateScope& state, const Viewport& all)
-{
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglViewport(0, 0, all.Width, all.Height);
-}
-
 std::string bindRows(vtkOpenGLRenderWindow* window, FloatTarget& target, const Viewport& all)
 {
   return target.bind(window, all.Width, all.Height, 1, TargetFormat::Share16);
@@ -80,8 +70,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   Work work{ inputs, { 0, 0, VertexLightRow, rows }, vertices, !inputs.Key.SampledShadows };
   work.Inputs.Key = inputs.Key.ofVertexLight(inputs.Source->mayReenter());
   work.Inputs.Level = LightAccuracy;
-  StateScope state(window);
-  allowAllPixels(state, work.All);
+  const TargetScope state(window, work.All.Width, work.All.Height);
   const bool spread = inputs.MostLightSeconds > 0;
   std::string error;
   if (spread)

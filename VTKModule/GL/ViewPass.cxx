@@ -17,7 +17,7 @@ namespace tetmarch
 std::string ViewPass::draw(vtkOpenGLRenderWindow* window, const Viewport& area,
   vtkTextureObject* measures, const MeasureView& view)
 {
-  StateScope state(window);
+  const ReplaceScope state(window);
   std::string error = this->upload(window, view.Table);
   vtkShaderProgram* program = error.empty() ? this->Draw.use(window, "passes/full_view.vert.glsl",
                                                 "passes/view.frag.glsl", {}, error)
@@ -26,11 +26,6 @@ std::string ViewPass::draw(vtkOpenGLRenderWindow* window, const Viewport& area,
   {
     return error;
   }
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglDisable(GL_CULL_FACE);
-
   const std::array<float, 4> viewport = area.asFloats();
   program->SetUniform4f("viewport", viewport.data());
   measures->Activate();

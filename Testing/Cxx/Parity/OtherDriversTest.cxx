@@ -3,61 +3,16 @@
 // What other drivers of Mesa draw, pixel by pixel against the CPU reference, in tiny windows:
 // softpipe interprets shaders and takes few texels in a buffer, zink hands them to Vulkan.
 // GALLIUM_DRIVER names the one that is meant.
+#include "OtherDrivers.h"
 #include "BlendScene.h"
 #include "ComponentScene.h"
-#include "CpuReference.h"
 #include "ErrorWatch.h"
 #include "Lights.h"
 #include "StructuredScene.h"
 
-#include "OffscreenWindow.h"
-
-#include <cstdlib>
-#include <gtest/gtest.h>
-#include <iostream>
-
 namespace
 {
 using namespace tetmarch::testing;
-
-constexpr int Side = 24;
-
-std::string wantedDriver()
-{
-  const char* name = std::getenv("GALLIUM_DRIVER");
-  return name ? name : "";
-}
-
-class OtherDrivers : public testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    std::string error;
-    const auto window = tetmarch::MakeOffscreenWindow(8, 8, &error);
-    const std::string found = window ? tetmarch::GetGLInformation(window).Renderer : error;
-    if (wantedDriver().empty() || found.find(wantedDriver()) != 0)
-    {
-      GTEST_SKIP() << "GALLIUM_DRIVER is '" << wantedDriver() << "', but there is: " << found;
-    }
-  }
-  static bool isSoftpipe() { return wantedDriver() == "softpipe"; }
-};
-
-// Edges: one in so many pixels may be another's.
-void expectReference(Scene& scene, const std::string& what, std::size_t pixelsOfEdge = Side * Side)
-{
-  const Image drawn = scene.render();
-  const Regions regions = regionsOf(scene);
-  const Difference inside = compare(drawn, referenceOf(scene).Picture, regions.Inside);
-  std::cout << "[ MEASURED ] " << what << ": " << inside.text() << '\n';
-  EXPECT_GT(inside.Pixels, 100u) << what;
-  EXPECT_LE(inside.Over * pixelsOfEdge, inside.Pixels) << what << ": " << inside.text();
-  const Image nothing(drawn.Width, drawn.Height);
-  EXPECT_GT(compare(drawn, nothing, regions.Inside).Max, 0.05) << what << ": nothing inside";
-  EXPECT_EQ(compare(drawn, nothing, regions.Outside, 0.0).Over, 0u) << what;
-  EXPECT_EQ(scene.Mapper->GetNumberOfLostRays() + scene.Mapper->GetNumberOfGuardHits(), 0) << what;
-}
 
 TEST_F(OtherDrivers, MeshesOfAllKinds)
 {
@@ -153,25 +108,6 @@ TEST_F(OtherDrivers, Light)
   addLightsThatCastShadows(scene.Renderer);
   scene.Mapper->AmbientOcclusionOn();
   expectReference(scene, "shadows and ambient light");
-}
-
-TEST_F(OtherDrivers, Views)
-{
-  LitScene scene(jitteredLattice(4, 0.15, 1, sineField()), Side, Side);
-  const ErrorWatch watch(scene.Mapper);
-  std::vector<Image> frames;
-  for (int view = scene.Mapper->VIEW_PICTURE; view <= scene.Mapper->VIEW_BOUNDARY_COORDINATES;
-       ++view)
-  {
-    scene.Mapper->SetViewMode(view);
-    scene.Window->Render();
-    frames.push_back(scene.frame());
-    for (int other = 0; other < view; ++other)
-    {
-      EXPECT_GT(compare(frames[other], frames[view]).Rms, 0.02) << view << " is " << other;
-    }
-  }
-  EXPECT_EQ(watch.Errors, std::vector<std::string>());
 }
 
 // A pixel writes to an array at a place of its own in the search for entries. Softpipe doesn't, and
