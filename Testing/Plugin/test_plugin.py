@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Load the plugin into pvpython, draw the golf ball, follow ParaView's own colour and opacity controls."""
+import tempfile
+
 from paraview import simple
-from views import (REPRESENTATION, Watch, difference, load_plugin, mapper_of, mean_difference, open_view,
-                   parse_arguments, picture_of, show)
+from views import (REPRESENTATION, Watch, difference, figure_of, load_plugin, mapper_of, mean_difference, open_view,
+                   parse_arguments, picture_in, picture_of, show, volume_of)
 
 CELLS = 271607
 ARRAY = "vorticity_mag"
@@ -184,6 +186,22 @@ def check_views(watch):
     watch.expect_same(fast, DrawNanCells=1)  # all values are finite
 
 
+def check_rest(watch):
+    """At rest each pixel has its own ray, however little time VTK allocates. Interactive frames have fewer rays."""
+    still = watch.picture
+    # Cullers would set the multiplier by what the volume covers.
+    watch.view.GetClientSideObject().GetRenderer().GetCullers().RemoveAllItems()
+    volume_of(watch.display).SetRenderTimeMultiplier(1e-30)
+    watch.view.SMProxy.InteractiveRender()
+    assert figure_of(watch.display, "UsedImageSampleDistance") > 1, "there is enough time"
+    watch.expect_same(still)
+    watch.view.SMProxy.InteractiveRender()
+    with tempfile.TemporaryDirectory() as folder:
+        simple.SaveScreenshot(folder + "/rest.png", watch.view, ImageResolution=list(watch.view.ViewSize))
+        assert picture_in(folder + "/rest.png") == still, "a saved picture has fewer rays"
+    volume_of(watch.display).SetRenderTimeMultiplier(1.0)
+
+
 def main():
     arguments = parse_arguments(__doc__, "data")
     load_plugin(arguments)
@@ -212,6 +230,7 @@ def main():
     check_colour_map(watch)
     check_accuracy(watch)
     check_views(watch)
+    check_rest(watch)
 
 
 main()

@@ -5,6 +5,7 @@ import argparse
 
 from paraview import simple
 from paraview.vtk import vtkRenderingVolumeOpenGL2  # noqa: F401, for methods of mappers
+from paraview.vtk.vtkIOImage import vtkPNGReader
 
 REPRESENTATION = "Tet Marching"
 # Share of the picture's pixels.
@@ -51,8 +52,12 @@ def show(source, view, array, association="POINTS", kind="UnstructuredGridRepres
     return display
 
 
+def volume_of(display):
+    return display.GetClientSideObject().GetActiveRepresentation().GetActor()
+
+
 def mapper_of(display):
-    return display.GetClientSideObject().GetActiveRepresentation().GetActor().GetMapper()
+    return volume_of(display).GetMapper()
 
 
 def figures_of(display, name):
@@ -69,6 +74,13 @@ def figure_of(display, name):
 
 def picture_of(view):
     return pixels_of(view.SMProxy.CaptureWindow(1))
+
+
+def picture_in(file):
+    reader = vtkPNGReader()
+    reader.SetFileName(file)
+    reader.Update()
+    return pixels_of(reader.GetOutput())
 
 
 def pixels_of(image):

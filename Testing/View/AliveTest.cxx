@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "AliveTest.h"
-
 #include "HeldFrame.h"
 #include "PictureWidget.h"
-#include "WriteGrids.h"
+#include "Programs.h"
+#include "ViewCase.h"
 
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchSettings.h"
@@ -15,21 +14,42 @@
 
 namespace
 {
-constexpr int Cells = 12; // along an axis
-constexpr int Few = 3;    // events, and reports of progress
+constexpr int Few = 3; // events, and reports of progress
 } // namespace
 
 namespace tetmarch
 {
 
+/// Nothing blocks the window: neither a long frame nor the ground truth.
+class AliveTest : public ViewCase
+{
+  Q_OBJECT
+
+private Q_SLOTS:
+  void HandlesEventsDuringAFrame();
+  void CancelsAFrame();
+  void ASettingStopsTheFrame();
+  void DataStopsTheFrame();
+  void AScreenshotIsWhole();
+  void AResizedWindowIsDrawnAnew();
+  void ClosesDuringAFrame();
+  void HandlesEventsDuringTheGroundTruth();
+  void CancelsTheGroundTruth();
+
+private:
+  /// Draws in the smallest tiles, so that a frame can be held between two of them.
+  void MakeTiles();
+  QPushButton* FindCancel();
+  /// Calls it as soon as a frame, or a comparison, tells of its progress.
+  void During(const std::function<void()>& what);
+
+  bool Happened = false; // what During() was given
+};
+TETMARCH_ADD_SUITE(AliveTest);
+
 QPushButton* AliveTest::FindCancel()
 {
   return this->Window->findChild<QPushButton*>(QStringLiteral("cancel"));
-}
-
-void AliveTest::OpenLattice()
-{
-  this->OpenPicture(WriteLattice(this->Folder.filePath(QStringLiteral("lattice.vtu")), Cells));
 }
 
 void AliveTest::MakeTiles()
@@ -222,3 +242,5 @@ void AliveTest::CancelsTheGroundTruth()
 }
 
 } // namespace tetmarch
+
+#include "AliveTest.moc"

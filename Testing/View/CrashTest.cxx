@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CrashTest.h"
-
+#include "Programs.h"
+#include "SessionKeeper.h"
+#include "ViewCase.h"
 #include "ViewStateJson.h"
 
 #include <QAction>
@@ -39,8 +40,38 @@ void EditScene(ViewState& s)
 namespace tetmarch
 {
 
-int CrashTest::ReadUntilKilled(const QString& folder)
+/// What is left of a session if the program dies, and what the next one does with it.
+class CrashTest : public ViewCase
 {
+  Q_OBJECT
+
+public:
+  /// A program with a session, whose picture it saves in a folder. Then it reads a file, says so,
+  /// and waits to be killed.
+  static int ReadUntilKilled(const QStringList& arguments);
+
+private Q_SLOTS:
+  void AKilledProgramsSessionIsRestored();
+  void ANormalEndLeavesNothing();
+  void OneWindowOffersIt();
+  void AnOfferIsDiscarded();
+  void AnOfferLetsAFileBeOpened();
+  void ASessionThatFailsIsOfferedAgain();
+  void WhatIsNoSessionIsNotOffered();
+  void AFolderThatIsNotWrittenTo();
+
+private:
+  /// A new folder with one session that nobody owns: of a scan, as if it were in that file.
+  QString AbandonSession(const char* data);
+  void Press(SessionKeeper& keeper, const char* button);
+};
+TETMARCH_ADD_SUITE(CrashTest);
+[[maybe_unused]] static const bool IsAdded =
+  AddProgram("--until-killed", CrashTest::ReadUntilKilled);
+
+int CrashTest::ReadUntilKilled(const QStringList& arguments)
+{
+  const QString folder = arguments.last();
   MainWindow window;
   HidePanels(window);
   window.show();
@@ -218,3 +249,5 @@ void CrashTest::AFolderThatIsNotWrittenTo()
 }
 
 } // namespace tetmarch
+
+#include "CrashTest.moc"

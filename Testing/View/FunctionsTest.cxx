@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FunctionsTest.h"
-
 #include "DragMouse.h"
 #include "FunctionChart.h"
+#include "Programs.h"
 #include "TransferFunctionEditor.h"
+#include "ViewCase.h"
 
 #include "vtkRenderWindow.h"
 #include "vtkVolumeMapper.h"
@@ -14,6 +14,19 @@
 
 namespace tetmarch
 {
+
+/// The editor of transfer functions, and the picture.
+class FunctionsTest : public ViewCase
+{
+  Q_OBJECT
+
+private Q_SLOTS:
+  void ADraggedPointChangesThePicture();
+  void UndoBringsThePictureBack();
+  void OtherDataHaveTheirOwnFunctions();
+  void IsoValuesAreLinesOfTheChart();
+};
+TETMARCH_ADD_SUITE(FunctionsTest);
 
 void FunctionsTest::ADraggedPointChangesThePicture()
 {
@@ -88,3 +101,5 @@ void FunctionsTest::IsoValuesAreLinesOfTheChart()
 }
 
 } // namespace tetmarch
+
+#include "FunctionsTest.moc"

@@ -4,6 +4,7 @@
 
 #include "Messages.h"
 #include "PictureWidget.h"
+#include "WriteGrids.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -101,8 +102,7 @@ QString ViewCase::GetData(const char* name)
 void ViewCase::OpenWindow(const QString& path)
 {
   this->Window = std::make_unique<MainWindow>();
-  // As many pixels on any screen.
-  this->Window->resize(this->Window->size() / this->Window->devicePixelRatioF());
+  this->Window->resize(900, 700);
   this->Window->show();
   QVERIFY(QTest::qWaitForWindowExposed(this->Window.get(), Patience));
   this->OpenFirst(path);
@@ -129,6 +129,12 @@ void ViewCase::OpenPicture(const QString& path)
 {
   this->ShowEmptyWindow();
   this->OpenFirst(path);
+}
+
+void ViewCase::OpenLattice()
+{
+  constexpr int cells = 12; // along an axis
+  this->OpenPicture(WriteLattice(this->Folder.filePath(QStringLiteral("lattice.vtu")), cells));
 }
 
 void ViewCase::OpenFirst(const QString& path)

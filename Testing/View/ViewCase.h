@@ -56,6 +56,8 @@ protected:
   void OpenWindow(const QString& path);
   /// The same, small and without panels, which take time.
   void OpenPicture(const QString& path);
+  /// The same of a small mesh, whose values are waves.
+  void OpenLattice();
   /// A window like that, without a file.
   void ShowEmptyWindow();
   static void HidePanels(MainWindow& window);

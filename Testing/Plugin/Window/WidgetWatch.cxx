@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// To be preloaded (LD_PRELOAD) into a program of Qt: it says which widgets are seen, and where, as
-// JSON into the file that TETMARCH_WIDGETS names. A test can then send real events of mouse and
-// keyboard there.
+// To be preloaded (LD_PRELOAD) into a program of Qt: it says which widgets are seen, and where, and
+// whether the program is at rest, as JSON into the file that TETMARCH_WIDGETS names. A test can
+// then send real events of mouse and keyboard there.
 #include <QAbstractButton>
+#include <QAbstractEventDispatcher>
 #include <QApplication>
 #include <QComboBox>
 #include <QGroupBox>
@@ -13,12 +14,24 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPaintEvent>
 #include <QSaveFile>
+#include <QThread>
 #include <QTimer>
+
+#include <algorithm>
+#include <mutex>
+#include <unordered_set>
+#include <utility>
+
+extern Q_CORE_EXPORT quintptr qtHookData[];
 
 namespace
 {
 constexpr int Interval = 100; // milliseconds
+constexpr int Soon = 5000;    // milliseconds
+// Pixels: a blinking caret repaints fewer.
+constexpr int Caret = 1000;
 
 QString pathOf(const QWidget* widget)
 {
@@ -86,7 +99,88 @@ void addEntries(const QMenu* menu, QJsonArray& widgets)
   }
 }
 
-void writeWidgets(const QString& path, int look)
+// All QObjects, which Qt's hooks for debuggers report: timers may have no parent.
+class Objects
+{
+public:
+  static void watch()
+  {
+    constexpr int addQObject = 3; // QHooks of Qt's private headers
+    constexpr int removeQObject = 4;
+    qtHookData[addQObject] = reinterpret_cast<quintptr>(&Objects::add);
+    qtHookData[removeQObject] = reinterpret_cast<quintptr>(&Objects::remove);
+  }
+
+  // Whether a single-shot timer of this thread will fire soon.
+  static bool putSomethingOff()
+  {
+    const std::lock_guard<std::mutex> lock(mutex());
+    return std::any_of(all().begin(), all().end(), isPutOff);
+  }
+
+private:
+  static bool isPutOff(QObject* object)
+  {
+    if (object->thread() != QThread::currentThread())
+    {
+      return false;
+    }
+    auto* timer = qobject_cast<QTimer*>(object);
+    // QTimer::singleShot() makes objects of the other class.
+    if (timer ? !timer->isSingleShot() : !object->inherits("QSingleShotTimer"))
+    {
+      return false;
+    }
+    const auto timers = QAbstractEventDispatcher::instance()->registeredTimers(object);
+    return std::any_of(
+      timers.begin(), timers.end(), [](const auto& info) { return info.interval < Soon; });
+  }
+  static void add(QObject* object)
+  {
+    const std::lock_guard<std::mutex> lock(mutex());
+    all().insert(object);
+  }
+  static void remove(QObject* object)
+  {
+    const std::lock_guard<std::mutex> lock(mutex());
+    all().erase(object);
+  }
+  // Never deleted: some objects end after the program's static ones.
+  static std::unordered_set<QObject*>& all()
+  {
+    static auto* objects = new std::unordered_set<QObject*>;
+    return *objects;
+  }
+  static std::mutex& mutex()
+  {
+    static auto* made = new std::mutex;
+    return *made;
+  }
+};
+
+// Notes that something was drawn.
+class Painting : public QObject
+{
+public:
+  bool takeSeen() { return std::exchange(this->Seen, false); }
+
+  bool eventFilter(QObject* object, QEvent* event) override
+  {
+    if (event->type() == QEvent::Paint)
+    {
+      const QSize size = static_cast<QPaintEvent*>(event)->rect().size();
+      this->Seen |= size.width() * size.height() > Caret;
+    }
+    // A window that the GL draws into.
+    this->Seen |= event->type() == QEvent::UpdateRequest && object->inherits("QPaintDeviceWindow");
+    return false;
+  }
+
+private:
+  bool Seen = false;
+};
+
+void writeWidgets(const QString& path, int look, int quiet)
 {
   QJsonArray widgets;
   for (const QWidget* widget : QApplication::allWidgets())
@@ -103,7 +197,8 @@ void writeWidgets(const QString& path, int look)
   QSaveFile file(path);
   if (file.open(QIODevice::WriteOnly))
   {
-    file.write(QJsonDocument({ { "look", look }, { "widgets", widgets } }).toJson());
+    file.write(
+      QJsonDocument({ { "look", look }, { "quiet", quiet }, { "widgets", widgets } }).toJson());
     file.commit();
   }
 }
@@ -116,9 +211,19 @@ void watchWidgets()
   {
     return;
   }
-  auto* timer = new QTimer(QCoreApplication::instance());
+  Objects::watch();
+  auto* painting = new Painting;
+  qApp->installEventFilter(painting);
+  auto* timer = new QTimer(qApp);
   int look = 0;
-  QObject::connect(timer, &QTimer::timeout, [path, look]() mutable { writeWidgets(path, ++look); });
+  int quiet = 0; // looks since something was drawn or put off
+  QObject::connect(timer, &QTimer::timeout,
+    [=]() mutable
+    {
+      const bool seen = painting->takeSeen();
+      quiet = seen || Objects::putSomethingOff() ? 0 : quiet + 1;
+      writeWidgets(path, ++look, quiet);
+    });
   timer->start(Interval);
 }
 } // namespace

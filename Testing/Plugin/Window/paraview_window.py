@@ -22,7 +22,7 @@ LIGHT = {"worldPositionX": 20, "worldPositionY": 270, "worldPositionZ": 230,
          "focalPointX": 128, "focalPointY": 128, "focalPointZ": 128}
 LONGEST = 600  # seconds to wait for anything
 STEPS = 8  # of the mouse in a drag
-CARET = 60  # pixels that may change while nothing happens: the blinking line where text is entered
+QUIET_LOOKS = 3  # looks of WidgetWatch.cxx at a window at rest
 
 
 def command(project, plugin, root, file):
@@ -94,17 +94,13 @@ class Window:
             return json.load(file)
 
     def settle(self):
-        """What was sent has been dealt with: ParaView has looked at its widgets again, and the screen stays."""
-        look = self.read()["look"]
-        self.wait(lambda: self.read()["look"] >= look + 3, "an answer to events")
-        before = [screen()]
+        """Returns when events have been handled: ParaView has drawn nothing in the last looks, and puts nothing off."""
+        before = self.read()["look"]
 
-        def stays():
-            time.sleep(0.3)
-            now, last = screen(), before[0]
-            before[0] = now
-            return (now != last).any(axis=2).sum() <= CARET
-        self.wait(stays, "a screen that stays")
+        def at_rest():
+            seen = self.read()
+            return min(seen["look"] - before, seen["quiet"]) >= QUIET_LOOKS
+        self.wait(at_rest, "a window at rest")
 
     def seen(self, end, **others):
         """The widgets whose path ends so, and whose other entries are these."""
