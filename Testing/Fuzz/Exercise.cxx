@@ -12,7 +12,8 @@
 #include "Mesh/MeshScalars.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "Optics/FittingTable.h"
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
+#include "Reference/PortablePointKernel.h"
 #include "Reference/ReferenceImage.h"
 
 #include "MarchedLength.h"

@@ -27,7 +27,7 @@
 #include "MarchedCase.h"
 #include "RayTotals.h"
 
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
 
 #include "DisplacedMesh.h"
 #include "GroundTruth.h"

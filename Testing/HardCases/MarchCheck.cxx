@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Reference/CellKernel.h"
+#include "Reference/PointKernel.h"
+#include "Reference/PortablePointKernel.h"
+
 #include "MarchCheck.h"
 
 #include "ColourCheck.h"

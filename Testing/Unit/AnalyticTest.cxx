@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Radiance through many cells where it has a closed form.
 #include "Mesh/MeshScalars.h"
-#include "Reference/Kernel.h"
+#include "Reference/CellKernel.h"
+#include "Reference/PointKernel.h"
 
 #include "ClosedForms.h"
 #include "RandomRays.h"

@@ -3,7 +3,7 @@
 // Means of colour and extinction along a cubic, and their bounds, against fine quadrature.
 #include "Optics/BinAreas.h"
 #include "Reference/MakeKernel.h"
-#include "Reference/StructuredKernel.h"
+#include "Reference/TrilinearKernel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The blend modes against closed forms where scalars are constant in cells.
+#include "Reference/ExtremeCellKernel.h"
+#include "Reference/IsosurfacesCellKernel.h"
+#include "Reference/SumCellKernel.h"
+
 #include "BlendedColors.h"
 
 #include <algorithm>
@@ -78,7 +82,7 @@ TEST(Blend, ScalarsOfCells)
     known = composited(crossed(values, stepped));
     return sure(c);
   };
-  expectRays<IsosurfaceCellKernel<double>, double>(rays, AlongX, surfaces);
-  expectRays<IsosurfaceCellKernel<float>, float>(rays, AlongX, surfaces);
+  expectRays<IsosurfacesCellKernel<double>, double>(rays, AlongX, surfaces);
+  expectRays<IsosurfacesCellKernel<float>, float>(rays, AlongX, surfaces);
 }
 } // namespace

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Isosurfaces against closed forms: in the order of depth, each counted once, none across a gap.
+#include "Reference/IsosurfacesCellKernel.h"
+#include "Reference/IsosurfacesPointKernel.h"
+
 #include "BlendedColors.h"
 
 #include <algorithm>
@@ -26,8 +29,8 @@ TEST(Blend, IsosurfacesInTheOrderOfDepth)
       return std::none_of(values.begin(), values.end(),
         [&](double v) { return std::abs(v - c.First) < 1e-5 || std::abs(v - c.Last) < 1e-5; });
     };
-    expectRays<IsosurfacePointKernel<double>, double>(rays, linearField(), expected);
-    expectRays<IsosurfacePointKernel<float>, float>(rays, linearField(), expected);
+    expectRays<IsosurfacesPointKernel<double>, double>(rays, linearField(), expected);
+    expectRays<IsosurfacesPointKernel<float>, float>(rays, linearField(), expected);
   }
 }
 
@@ -44,8 +47,8 @@ TEST(Blend, AValueOnFacesCountsOnce)
       std::min(std::abs(c.Last - 0.25), std::abs(c.Last - 0.5)));
     return nearest > 1e-5 && std::abs(c.First - c.Last) > 1e-5;
   };
-  expectRays<IsosurfacePointKernel<double>, double>(rays, AlongX, expected);
-  expectRays<IsosurfacePointKernel<float>, float>(rays, AlongX, expected);
+  expectRays<IsosurfacesPointKernel<double>, double>(rays, AlongX, expected);
+  expectRays<IsosurfacesPointKernel<float>, float>(rays, AlongX, expected);
 }
 
 // Between two parts of a mesh, or beyond cells without a scalar, the scalar passes no value.
@@ -55,7 +58,7 @@ TEST(Blend, NoSurfaceAcrossAGap)
   {
     BlendedRays points(grid);
     points.useSurfaces({ 0.5 });
-    expectRays<IsosurfacePointKernel<double>, double>(points, AlongX,
+    expectRays<IsosurfacesPointKernel<double>, double>(points, AlongX,
       [](const ScalarChord&, Rgba& known)
       {
         known = {};
@@ -63,7 +66,7 @@ TEST(Blend, NoSurfaceAcrossAGap)
       });
     BlendedRays cells(grid, true);
     cells.useSurfaces({ 0.5 });
-    expectRays<IsosurfaceCellKernel<double>, double>(cells, AlongX,
+    expectRays<IsosurfacesCellKernel<double>, double>(cells, AlongX,
       [](const ScalarChord&, Rgba& known)
       {
         known = {};

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extremes, sums and averages against closed forms: a linear field in the unit cube, rays of all
 // kinds.
+#include "Reference/ExtremePointKernel.h"
+#include "Reference/SumPointKernel.h"
+
 #include "BlendedColors.h"
 
 #include <algorithm>

@@ -10,7 +10,6 @@
 
 #include "Appearance/Blending.h"
 #include "Mesh/MeshScalars.h"
-#include "Reference/BlendKernel.h"
 
 #include "RandomRays.h"
 #include "UnitMeshes.h"

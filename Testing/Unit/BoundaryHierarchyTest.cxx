@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The hierarchy holds every boundary face once, and finds every entry that a search over all finds.
 #include "Mesh/BoundaryHierarchy.h"
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
+#include "Reference/PortablePointKernel.h"
 
 #include "RandomRays.h"
 #include "UnitMeshes.h"

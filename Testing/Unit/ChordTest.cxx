@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes that are boxes, or boxes with boxes taken away: the length of every ray in them has a
 // closed form.
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
+#include "Reference/PortablePointKernel.h"
 
 #include "ClosedForms.h"
 #include "MarchedLength.h"

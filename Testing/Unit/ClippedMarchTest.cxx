@@ -3,7 +3,7 @@
 // The march through a volume that is cut: lengths in closed form, pictures against the ground
 // truth.
 #include "Mesh/MeshScalars.h"
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
 
 #include "ClosedForms.h"
 #include "CutLine.h"

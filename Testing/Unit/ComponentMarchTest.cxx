@@ -2,6 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What rays see of several components, against closed forms and a quadrature by VTK's own
 // functions; and that they keep the tolerance, by a bound that holds.
+#include "Reference/ColorAndOpacityCellKernel.h"
+#include "Reference/ColorAndOpacityPointKernel.h"
+#include "Reference/DirectColorCellKernel.h"
+#include "Reference/DirectColorPointKernel.h"
+#include "Reference/FastColorAndOpacityPointKernel.h"
+#include "Reference/FastDirectColorPointKernel.h"
+#include "Reference/FastIndependentPointKernel.h"
+#include "Reference/IndependentCellKernel.h"
+#include "Reference/IndependentPointKernel.h"
+
 #include "ClosedForms.h"
 #include "ComponentChecks.h"
 

@@ -9,7 +9,6 @@
 #define tetmarch_testing_ComponentRays_h
 
 #include "Appearance/Components.h"
-#include "Reference/ComponentKernel.h"
 
 #include "BlendedRays.h"
 #include "ComponentFields.h"

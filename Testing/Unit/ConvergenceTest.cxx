@@ -3,7 +3,8 @@
 // How fast each part of the error falls, one varied at a time, against its theoretical order (the
 // method of Etiene, Kirby and Silva, "An introduction to verification of visualization techniques",
 // 2013).
-#include "Reference/Kernel.h"
+#include "Reference/FastPointKernel.h"
+#include "Reference/PointKernel.h"
 
 #include "UnitMeshes.h"
 

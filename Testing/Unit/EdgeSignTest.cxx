@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The predicate: exact signs, ties broken as one perturbation, 0 or 2 stabbed faces.
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
+#include "Reference/PortablePointKernel.h"
 
 #include <algorithm>
 #include <cmath>

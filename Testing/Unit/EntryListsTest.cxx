@@ -5,7 +5,8 @@
 #include "Entries/EntryListLimit.h"
 
 #include "Rays/RayPoints.h"
-#include "Reference/Kernel.h"
+#include "Reference/ListKernel.h"
+#include "Reference/PortableListKernel.h"
 
 #include "NamedCamera.h"
 #include "Shot.h"
@@ -19,25 +20,6 @@ namespace
 {
 using namespace tetmarch;
 using namespace tetmarch::testing;
-
-#define TETMARCH_VARIANT                                                                           \
-  (TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE |          \
-    TETMARCH_WITH_ENTRY_LISTS)
-struct ListKernel
-{
-  using Real = float;
-#include "Reference/KernelBody.h"
-};
-
-#define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE |         \
-     TETMARCH_WITH_ENTRY_LISTS) &                                                                  \
-    ~TETMARCH_WITH_HAS_FMA)
-struct PortableListKernel
-{
-  using Real = float;
-#include "Reference/KernelBody.h"
-};
 
 constexpr int Width = 97;
 constexpr int Height = 71;
@@ -186,8 +168,8 @@ TEST(EntryLists, HaveWhatASearchFinds)
       const View view = viewOf(camera, mesh);
       if (!view.CutsNearPlane)
       {
-        ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel>(mesh, view, found));
-        ASSERT_NO_FATAL_FAILURE(expectSameEntries<PortableListKernel>(mesh, view, found));
+        ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel<float>>(mesh, view, found));
+        ASSERT_NO_FATAL_FAILURE(expectSameEntries<PortableListKernel<float>>(mesh, view, found));
         ++found.Views;
       }
     }
@@ -216,7 +198,7 @@ TEST(EntryLists, InTilesOfAnySize)
       const View view = viewOf(narrow, mesh);
       shifts.insert(makeEntryLists(mesh, mesh.BoundaryFaces, view, Width, Height).TileShift);
       Found found;
-      ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel>(mesh, view, found));
+      ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel<float>>(mesh, view, found));
       EXPECT_GT(found.Entries, 0);
     }
   }
@@ -238,7 +220,7 @@ TEST(EntryLists, FitAnyLimit)
     {
       shifts.insert(lists(most).TileShift);
       Found found;
-      ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel>(mesh, view, found, most))
+      ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel<float>>(mesh, view, found, most))
         << camera.Name << ", " << most;
       EXPECT_GT(found.Entries, 0);
     }
@@ -252,7 +234,7 @@ TEST(EntryLists, AreShort)
   const TetMesh mesh = builtWithHierarchy(jitteredLattice(20));
   const View view = viewOf(Cameras[0], mesh);
   Found found;
-  ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel>(mesh, view, found));
+  ASSERT_NO_FATAL_FAILURE(expectSameEntries<ListKernel<float>>(mesh, view, found));
   EXPECT_EQ(found.Most, 1);
   EXPECT_LT(found.Candidates, 4u * Width * Height);
 }

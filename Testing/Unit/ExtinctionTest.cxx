@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The march that gathers extinction alone against the march of the picture.
+#include "Reference/LightRayCellKernel.h"
+#include "Reference/LightRayPointGradientKernel.h"
+#include "Reference/LightRayPointKernel.h"
+
 #include "RandomRays.h"
 #include "RandomVolume.h"
 #include "UnitMeshes.h"
@@ -122,8 +126,8 @@ void compareFromInside(bool cellGradients)
 
 TEST(Extinction, OfPointScalarsIsThatOfThePicture)
 {
-  compareMarches<LightRayKernel<double>>(false);
-  compareFromInside<LightRayKernel<double>>(false);
+  compareMarches<LightRayPointKernel<double>>(false);
+  compareFromInside<LightRayPointKernel<double>>(false);
 }
 
 TEST(Extinction, OfCellScalarsIsThatOfThePicture)
@@ -134,7 +138,7 @@ TEST(Extinction, OfCellScalarsIsThatOfThePicture)
 
 TEST(Extinction, WithGradientsOfCellsIsThatOfThePicture)
 {
-  compareMarches<LightRayCellGradientKernel<double>>(true);
-  compareFromInside<LightRayCellGradientKernel<double>>(true);
+  compareMarches<LightRayPointGradientKernel<double>>(true);
+  compareFromInside<LightRayPointGradientKernel<double>>(true);
 }
 } // namespace

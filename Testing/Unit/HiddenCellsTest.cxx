@@ -4,7 +4,9 @@
 #include "Mesh/HiddenCells.h"
 #include "Mesh/HiddenCellStage.h"
 #include "Mesh/MeshScalars.h"
-#include "Reference/Kernel.h"
+#include "Reference/CellKernel.h"
+#include "Reference/FastPointKernel.h"
+#include "Reference/PointKernel.h"
 
 #include "ClosedForms.h"
 #include "UnitMeshes.h"

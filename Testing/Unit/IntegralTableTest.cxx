@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Means over intervals of the table against integration bin by bin.
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
 
 #include "UnitMeshes.h"
 

@@ -2,6 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What rays see of dependent components in light, against a quadrature and the light in closed
 // form; and that they keep the tolerance, by a bound that holds.
+#include "Reference/LitColorAndOpacityCellKernel.h"
+#include "Reference/LitColorAndOpacityPointGradientKernel.h"
+#include "Reference/LitColorAndOpacityPointKernel.h"
+#include "Reference/LitDirectColorCellKernel.h"
+#include "Reference/LitDirectColorPointGradientKernel.h"
+#include "Reference/LitDirectColorPointKernel.h"
+
 #include "ComponentChecks.h"
 #include "LitComponentRays.h"
 
@@ -88,8 +95,8 @@ TEST(LitComponentMarch, GradientOpacityIsByTheComponentOfTheOpacity)
 {
   expectGradientOpacity<LitColorAndOpacityPointKernel>(2, false);
   expectGradientOpacity<LitDirectColorPointKernel>(4, false);
-  expectGradientOpacity<LitColorAndOpacityCellGradientKernel>(2, true);
-  expectGradientOpacity<LitDirectColorCellGradientKernel>(4, true);
+  expectGradientOpacity<LitColorAndOpacityPointGradientKernel>(2, true);
+  expectGradientOpacity<LitDirectColorPointGradientKernel>(4, true);
 }
 
 // Where each vertex has a gradient of its own, light changes along a segment: the bound of that is

@@ -11,7 +11,6 @@
 #define tetmarch_testing_LitComponentRays_h
 
 #include "Mesh/Gradients.h"
-#include "Reference/LitComponentKernel.h"
 
 #include "ComponentRays.h"
 

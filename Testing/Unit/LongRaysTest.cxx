@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What adds up along rays of many thousand segments is within the bound of the error: the rounding
 // of sums, and the steps of the integrals of transfer functions.
-#include "Reference/BlendKernel.h"
 #include "Reference/MakeKernel.h"
+#include "Reference/PointKernel.h"
+#include "Reference/SumPointKernel.h"
 
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The bound of what a segment loses by integrating its colours without their order.
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
 
 #include "LatticeGrids.h"
 

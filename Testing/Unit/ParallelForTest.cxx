@@ -4,6 +4,8 @@
 // end of VTK.
 #include "Parallel/ParallelFor.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <new>

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where rays are picked in the blend modes that show scalars or surfaces, in closed form: a linear
 // field in the unit cube.
+#include "Reference/PickExtremeKernel.h"
+#include "Reference/PickIsosurfacesKernel.h"
+#include "Reference/PickSumKernel.h"
+
 #include "BlendedRays.h"
-#include "PickKernels.h"
 
 #include <cmath>
 #include <functional>
@@ -138,7 +141,7 @@ TEST_F(PickBlend, Surfaces)
 {
   const std::vector<double> values{ 0.2, 0.35, 0.5, 0.55, 0.7 };
   this->Rays.useSurfaces(values);
-  expectBoth<PickIsosurfaceKernel>(
+  expectBoth<PickIsosurfacesKernel>(
     this->Rays,
     [&](const ScalarChord& c, double threshold)
     {

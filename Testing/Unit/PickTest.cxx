@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Where rays are picked, against the march of the picture that ends there.
+#include "Reference/PickCellKernel.h"
+#include "Reference/PickPointGradientKernel.h"
+#include "Reference/PickPointKernel.h"
+
 #include "CutLine.h"
-#include "PickKernels.h"
 #include "RandomRays.h"
 #include "RandomVolume.h"
 #include "UnitMeshes.h"
@@ -149,7 +152,7 @@ TEST(Pick, OfCellScalars) { pickIn<PickCellKernel<double>>(false, "cell scalars"
 
 TEST(Pick, WithGradientsOfCells)
 {
-  pickIn<PickCellGradientKernel<double>>(true, "gradients of cells");
+  pickIn<PickPointGradientKernel<double>>(true, "gradients of cells");
 }
 
 // In closed form, in float: a transmittance of `left` after a length of -ln(left) / extinction.

@@ -3,7 +3,8 @@
 // The cases by which a GL is checked: the CPU's arithmetic answers all of them right, and each way
 // in which a GL may round makes some of the answers wrong.
 #include "Variants/PredicateCases.h"
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
+#include "Reference/PortablePointKernel.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

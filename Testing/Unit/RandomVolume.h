@@ -6,7 +6,6 @@
 
 #include "Mesh/HiddenCells.h"
 #include "Mesh/VertexStarts.h"
-#include "Reference/LitKernel.h"
 
 #include "UnitMeshes.h"
 

@@ -5,6 +5,8 @@
 #include "StructuredRays.h"
 
 #include "Rays/RaySamples.h"
+#include "Reference/SampledConstantKernel.h"
+#include "Reference/SampledTrilinearKernel.h"
 
 #include <algorithm>
 #include <iostream>

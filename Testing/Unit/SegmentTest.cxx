@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What a ray gathers in one tetrahedron, thin or thick, against quadrature of VTK's functions.
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
 #include "Scalars/StoredScalar.h"
 
 #include "ClosedForms.h"

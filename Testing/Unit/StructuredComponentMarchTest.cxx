@@ -2,6 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The march of several components through structured volumes: against the ground truth, closed
 // forms and its own bound, with what is random and what is linear.
+#include "Reference/ColorAndOpacityConstantKernel.h"
+#include "Reference/ColorAndOpacityTrilinearKernel.h"
+#include "Reference/DirectColorConstantKernel.h"
+#include "Reference/DirectColorTrilinearKernel.h"
+#include "Reference/IndependentConstantKernel.h"
+#include "Reference/IndependentTrilinearKernel.h"
+
 #include "ClosedForms.h"
 #include "StructuredComponentRays.h"
 

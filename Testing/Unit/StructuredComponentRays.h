@@ -9,7 +9,6 @@
 #define tetmarch_testing_StructuredComponentRays_h
 
 #include "Appearance/Components.h"
-#include "Reference/StructuredComponentKernel.h"
 
 #include "ComponentFields.h"
 #include "ComponentTruth.h"

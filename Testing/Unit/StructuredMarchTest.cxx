@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The march through structured volumes against the ground truth.
+#include "Reference/ConstantKernel.h"
+#include "Reference/FastTrilinearKernel.h"
+#include "Reference/TrilinearKernel.h"
+
 #include "StructuredRays.h"
 
 #include "Fields.h"
@@ -70,7 +74,7 @@ Errors errorsOf(const StructuredRays& rays, int count, unsigned seed)
 template <typename Real>
 Errors errorsOf(const StructuredRays& rays, int count, unsigned seed)
 {
-  return rays.Cells.Constant ? errorsOf<ConstantCellKernel<Real>, Real>(rays, count, seed)
+  return rays.Cells.Constant ? errorsOf<ConstantKernel<Real>, Real>(rays, count, seed)
                              : errorsOf<TrilinearKernel<Real>, Real>(rays, count, seed);
 }
 
@@ -120,7 +124,7 @@ TEST(StructuredMarch, EvenCutsKeepTheirBound)
   {
     const StructuredRays rays(
       imageOf(noise(6), unitCube(6)), LatticeValues::PointsLinear, rampAndPeak(unit), level);
-    const Errors found = errorsOf<EvenTrilinearKernel<double>, double>(rays, 2000, 7);
+    const Errors found = errorsOf<FastTrilinearKernel<double>, double>(rays, 2000, 7);
     EXPECT_EQ(found.OverBound, 0) << unit;
     EXPECT_EQ(found.Lost, 0);
     std::cout << "[ MEASURED ] unit " << unit << ": " << 255 * found.Most << " of 255\n";
@@ -134,7 +138,7 @@ TEST(StructuredMarch, EvenCutsLoseLittleInALinearField)
   const Field linear = [](double x, double y, double z) { return 0.5 * x + 0.3 * y + 0.2 * z; };
   const StructuredRays rays(
     imageOf(linear, unitCube(6)), LatticeValues::PointsLinear, rampAndPeak(40), level);
-  const Errors found = errorsOf<EvenTrilinearKernel<double>, double>(rays, 1000, 8);
+  const Errors found = errorsOf<FastTrilinearKernel<double>, double>(rays, 1000, 8);
   // Half of what the extinction rises in a bin of the peak, along the longest ray.
   const double risePerBin = -std::log(1 - 0.9) / 20;
   EXPECT_LT(found.Most, 0.5 * risePerBin * std::sqrt(3.0) / 40);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Where rays are picked in trilinear cells, against the ground truth by brute force.
-#include "PickKernels.h"
+#include "Reference/PickTrilinearKernel.h"
+
 #include "StructuredRays.h"
 
 #include "Fields.h"

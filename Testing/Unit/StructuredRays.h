@@ -10,8 +10,9 @@
 #include "Appearance/Blending.h"
 #include "Input/GridGeometry.h"
 #include "Reference/MakeKernel.h"
-#include "Reference/StructuredKernel.h"
+#include "Scalars/DrawnScalars.h"
 #include "Structured/LatticeBuilder.h"
+#include "Structured/StoredValues.h"
 
 #include "LatticeImages.h"
 #include "LatticeTruth.h"

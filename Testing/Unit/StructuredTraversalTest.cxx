@@ -5,6 +5,10 @@
 //
 // TETMARCH_RAYS in the environment takes the place of the number of rays through each lattice by
 // each kernel, as in ./tetmarch stress.
+#include "Reference/LeapingKernel.h"
+#include "Reference/TrilinearKernel.h"
+#include "Reference/UniformKernel.h"
+
 #include "StructuredRays.h"
 
 #include "Fields.h"
@@ -20,26 +24,6 @@ namespace
 {
 using namespace tetmarch;
 using namespace tetmarch::testing;
-
-#define TETMARCH_UNIFORM_FEATURES                                                                  \
-  ((TETMARCH_IN_LATTICES(TETMARCH_ONE_OPACITY_FEATURES) & ~TETMARCH_WITH_RECTILINEAR) |            \
-    TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE)
-
-// The kernels of the CPU reference march evenly spaced planes as rectilinear ones; the GPU does
-// not.
-#define TETMARCH_VARIANT (TETMARCH_UNIFORM_FEATURES)
-template <typename Real>
-struct UniformKernel
-{
-#include "Reference/KernelBody.h"
-};
-
-#define TETMARCH_VARIANT (TETMARCH_UNIFORM_FEATURES | TETMARCH_WITH_LEAPS)
-template <typename Real>
-struct LeapingKernel
-{
-#include "Reference/KernelBody.h"
-};
 
 long numberOfRays(long otherwise)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table knows which scalars are transparent and whether there is one colour: that spares work
 // and changes no picture.
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
 #include "Volume/TransparentShare.h"
 
 #include "RandomRays.h"

@@ -3,7 +3,7 @@
 // Tetrahedra that are turned inside out, or flat: rays see the union of the cells all the same.
 #include "Mesh/ConsistentOrientation.h"
 #include "Mesh/Orientation.h"
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
 
 #include "ClosedForms.h"
 #include "GroundTruth.h"

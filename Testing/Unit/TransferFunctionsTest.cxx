@@ -4,7 +4,7 @@
 #include "Optics/TransferFunctions.h"
 
 #include "Optics/FittingTable.h"
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
 #include "Scalars/StoredScalar.h"
 
 #include "UnitMeshes.h"

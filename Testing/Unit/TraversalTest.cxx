@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // No ray is lost, and the length that it marches is that of the geometry.
-#include "Reference/Kernel.h"
+#include "Reference/PointKernel.h"
+#include "Reference/PortablePointKernel.h"
 
 #include "GroundTruth.h"
 #include "MarchedLength.h"

@@ -3,7 +3,12 @@
 // Vertices whose scalar isn't drawn take all tetrahedra around them out of the picture, however a
 // ray comes by: exactly as if these were hidden.
 #include "Mesh/HiddenCells.h"
-#include "Reference/LitKernel.h"
+#include "Reference/ExtremePointKernel.h"
+#include "Reference/IsosurfacesPointKernel.h"
+#include "Reference/LightRayPointKernel.h"
+#include "Reference/PointKernel.h"
+#include "Reference/PortablePointKernel.h"
+#include "Reference/SumPointKernel.h"
 
 #include "BlendedRays.h"
 #include "RandomRays.h"
@@ -139,7 +144,7 @@ void expectBlendModes()
   expectBlended<ExtremePointKernel, Real>(BlendMode::Minimum);
   expectBlended<SumPointKernel, Real>(BlendMode::Average);
   expectBlended<SumPointKernel, Real>(BlendMode::Additive);
-  expectBlended<IsosurfacePointKernel, Real>(BlendMode::IsoSurface);
+  expectBlended<IsosurfacesPointKernel, Real>(BlendMode::IsoSurface);
 }
 
 TEST(UndrawnScalars, AreAsHiddenCellsInBlendModes)
@@ -217,7 +222,7 @@ TEST(UndrawnScalars, ShownAsTheRestAreNotSeen)
 // The same for rays towards the light.
 TEST(UndrawnScalars, AreAsHiddenCellsInExtinction)
 {
-  using Kernel = LightRayKernel<double>;
+  using Kernel = LightRayPointKernel<double>;
   for (const NamedGrid& named : everyGrid())
   {
     SCOPED_TRACE(named.Name);

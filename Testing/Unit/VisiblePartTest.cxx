@@ -5,7 +5,8 @@
 
 #include "Entries/EntryLists.h"
 #include "Mesh/TetMeshBuilder.h"
-#include "Reference/Kernel.h"
+#include "Reference/PartKernel.h"
+#include "Reference/PointKernel.h"
 
 #include "RandomRays.h"
 #include "UnitMeshes.h"
@@ -18,16 +19,6 @@ namespace
 {
 using namespace tetmarch;
 using namespace tetmarch::testing;
-
-#define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_ONE_OPACITY_FEATURES & ~TETMARCH_WITH_TRANSPARENT_RANGES) |                           \
-    TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE | TETMARCH_WITH_ENTRY_LISTS |             \
-    TETMARCH_WITH_VISIBLE_PART)
-template <typename Real>
-struct PartKernel
-{
-#include "Reference/KernelBody.h"
-};
 
 bool bitOf(const std::vector<std::uint32_t>& bits, Id tet)
 {

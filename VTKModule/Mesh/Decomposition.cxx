@@ -9,6 +9,8 @@
 #include "Mesh/PieceOptions.h"
 #include "Parallel/ParallelFor.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>

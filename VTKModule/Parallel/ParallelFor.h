@@ -4,57 +4,21 @@
 #ifndef TetMarchParallelParallelFor_h
 #define TetMarchParallelParallelFor_h
 
-#include "vtkSMPTools.h"
 #include "vtkType.h"
 
-#include <atomic>
-#include <exception>
-#include <mutex>
+#include <type_traits>
 
 namespace tetmarch
 {
 
-/** Keeps the first exception of several threads. */
-class FirstException
-{
-public:
-  /** Run work, or skip it if some thread has thrown already. Throws nothing. */
-  template <typename Work>
-  void guard(Work&& work) noexcept
-  {
-    if (this->Thrown)
-    {
-      return;
-    }
-    try
-    {
-      work();
-    }
-    catch (...)
-    {
-      const std::lock_guard<std::mutex> lock(this->Mutex);
-      if (!this->Thrown)
-      {
-        this->First = std::current_exception();
-        this->Thrown = true;
-      }
-    }
-  }
+/** Of the loops below; at least 1. */
+int numberOfThreads();
 
-  /** Throw what was kept, if anything; the threads have ended. */
-  void rethrow() const
-  {
-    if (this->First)
-    {
-      std::rethrow_exception(this->First);
-    }
-  }
+/** Of a loop: called with it for each part of its range. */
+using CallLoop = void (*)(void* loop, vtkIdType first, vtkIdType last);
 
-private:
-  std::atomic<bool> Thrown{ false };
-  std::mutex Mutex;
-  std::exception_ptr First;
-};
+/** parallelFor() without the type of the loop, so that vtkSMPTools is compiled once. */
+void forParts(vtkIdType begin, vtkIdType end, vtkIdType grain, CallLoop call, void* loop);
 
 /**
  * Call f(first, last) in threads for parts of begin..end, as vtkSMPTools::For() does. The first
@@ -64,10 +28,10 @@ private:
 template <typename Functor>
 void parallelFor(vtkIdType begin, vtkIdType end, vtkIdType grain, Functor&& f)
 {
-  FirstException exception;
-  vtkSMPTools::For(begin, end, grain,
-    [&](vtkIdType first, vtkIdType last) { exception.guard([&] { f(first, last); }); });
-  exception.rethrow();
+  using Loop = std::remove_reference_t<Functor>;
+  const auto call = [](void* loop, vtkIdType first, vtkIdType last)
+  { (*static_cast<Loop*>(loop))(first, last); };
+  forParts(begin, end, grain, call, const_cast<std::remove_const_t<Loop>*>(&f));
 }
 
 /** The same with parts as large as the back end chooses. */

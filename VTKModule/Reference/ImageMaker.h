@@ -36,8 +36,6 @@ public:
     , March(makeKernel<Kernel, Real>(*scene.Table, scene.Range, level))
   {
     this->March.useScene(scene);
-    // An adaptive kernel serves for a level that is not adaptive, if it tries no segment again.
-    this->March.mostTrials = level.Adaptive ? level.MostTrials : 0;
     if constexpr (Kernel::HasVolumeLight)
     {
       this->useVolumeLight();

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The march of the shaders, compiled for the CPU: in float it is the arithmetic of the GPU, in
-// double the ground truth is made of it. Both are made of the very files that the GPU compiles.
-// These kernels march a volume of one scalar without effects.
+// What kernels have in common. A kernel is the march of the shaders, compiled for the CPU from the
+// very files that the GPU compiles: in float it is the arithmetic of the GPU, in double the ground
+// truth is made of it. Reference/Kernels.cmake writes one header for each kernel.
 #ifndef TetMarchReferenceKernel_h
 #define TetMarchReferenceKernel_h
 
 #include "Appearance/Blending.h"
+#include "Appearance/Components.h"
 #include "Entries/EntryLists.h"
 #include "Entries/VisiblePart.h"
+#include "Light/EffectData.h"
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/PackedCells.h"
 #include "Mesh/VertexStarts.h"
@@ -16,13 +18,16 @@
 #include "Rays/Clipping.h"
 #include "Rays/RaySamples.h"
 #include "Reference/GlslLanguage.h"
-#include "Reference/KernelFeatures.h"
+#include "Reference/IncomingLight.h"
 #include "Reference/RayTrace.h"
+#include "Reference/ThicknessPerDepth.h"
+#include "Scalars/FurtherScalars.h"
 #include "Structured/EmptySpace.h"
 #include "Structured/Lattice.h"
 #include "Structured/LightNodes.h"
 #include "Structured/MostSteps.h"
 #include "Structured/StoredValues.h"
+#include "Variants/Features.h"
 
 #include <algorithm>
 #include <array>
@@ -55,39 +60,6 @@ constexpr double NoDepth = 3e38;
 constexpr double Tiny = 1e-30;
 
 using namespace glsl;
-
-#define TETMARCH_VARIANT                                                                           \
-  (TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE)
-template <typename Real>
-struct PointKernel
-{
-#include "Reference/KernelBody.h"
-};
-
-#define TETMARCH_VARIANT                                                                           \
-  ((TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_POINT_SCALARS | TETMARCH_WITH_ADAPTIVE) &        \
-    ~TETMARCH_WITH_HAS_FMA)
-/** With the predicate for GLSL 1.50 without fused multiply-add; meant for float. */
-template <typename Real>
-struct PortablePointKernel
-{
-#include "Reference/KernelBody.h"
-};
-
-#define TETMARCH_VARIANT (TETMARCH_ONE_OPACITY_FEATURES | TETMARCH_WITH_POINT_SCALARS)
-/** Does not split segments. */
-template <typename Real>
-struct FastPointKernel
-{
-#include "Reference/KernelBody.h"
-};
-
-#define TETMARCH_VARIANT (TETMARCH_ONE_OPACITY_FEATURES)
-template <typename Real>
-struct CellKernel
-{
-#include "Reference/KernelBody.h"
-};
 
 } // namespace tetmarch
 

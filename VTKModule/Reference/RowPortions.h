@@ -7,6 +7,7 @@
 #include "Mesh/Progress.h"
 #include "Parallel/ParallelFor.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace tetmarch
@@ -19,7 +20,7 @@ bool forRows(vtkIdType rows, const Progress& progress, Functor&& f)
 {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds little(50);
-  vtkIdType portion = progress ? std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1) : rows;
+  vtkIdType portion = progress ? numberOfThreads() : rows;
   for (vtkIdType first = 0; first < rows;)
   {
     const auto begin = Clock::now();

@@ -3,10 +3,13 @@
 #include "Reference/VolumeLight.h"
 
 #include "Parallel/ParallelFor.h"
-#include "Reference/LitKernel.h"
+#include "Reference/LightRayCellKernel.h"
+#include "Reference/LightRayConstantKernel.h"
+#include "Reference/LightRayPointGradientKernel.h"
+#include "Reference/LightRayPointKernel.h"
+#include "Reference/LightRayTrilinearKernel.h"
 #include "Reference/MakeKernel.h"
 #include "Reference/ReferenceImage.h"
-#include "Reference/StructuredKernel.h"
 
 namespace tetmarch
 {
@@ -120,8 +123,8 @@ std::vector<Real> lightAtVertices(const ReferenceScene& scene)
                                  : atVertices<LightRayTrilinearKernel<Real>, Real>(scene);
   }
   return scene.CellScalars              ? atVertices<LightRayCellKernel<Real>, Real>(scene)
-         : scene.Effects->CellGradients ? atVertices<LightRayCellGradientKernel<Real>, Real>(scene)
-                                        : atVertices<LightRayKernel<Real>, Real>(scene);
+         : scene.Effects->CellGradients ? atVertices<LightRayPointGradientKernel<Real>, Real>(scene)
+                                        : atVertices<LightRayPointKernel<Real>, Real>(scene);
 }
 
 template <typename Real>
@@ -141,9 +144,9 @@ std::unique_ptr<IncomingLight<Real>> exactLight(const ReferenceScene& scene)
   }
   if (scene.Effects->CellGradients)
   {
-    return std::make_unique<ExactLight<LightRayCellGradientKernel<Real>, Real>>(scene);
+    return std::make_unique<ExactLight<LightRayPointGradientKernel<Real>, Real>>(scene);
   }
-  return std::make_unique<ExactLight<LightRayKernel<Real>, Real>>(scene);
+  return std::make_unique<ExactLight<LightRayPointKernel<Real>, Real>>(scene);
 }
 
 template std::vector<float> lightAtVertices<float>(const ReferenceScene&);

@@ -9,50 +9,9 @@ namespace tetmarch
 
 const std::array<VariantKey::Feature, VariantKey::NumberOfFeatures>& VariantKey::features()
 {
+  static_assert(NumberOfFeatures == TETMARCH_NUMBER_OF_KEY_FEATURES, "one for each row");
   static const std::array<Feature, NumberOfFeatures> rows{ {
-    { "POINT_SCALARS", TETMARCH_WITH_POINT_SCALARS, &VariantKey::PointScalars },
-    { "ENTRY_LISTS", TETMARCH_WITH_ENTRY_LISTS, &VariantKey::EntryLists },
-    { "BVH", TETMARCH_WITH_BVH, &VariantKey::Hierarchy },
-    { "OPAQUE_DEPTH", TETMARCH_WITH_OPAQUE_DEPTH, &VariantKey::OpaqueDepth },
-    { "HAS_FMA", TETMARCH_WITH_HAS_FMA, &VariantKey::HasFma },
-    { "ADAPTIVE", TETMARCH_WITH_ADAPTIVE, &VariantKey::Adaptive },
-    { "DIAGNOSTICS", TETMARCH_WITH_DIAGNOSTICS, &VariantKey::Diagnostics },
-    { "PEELED", TETMARCH_WITH_PEELED, &VariantKey::Peeled },
-    { "TRANSPARENT_RANGES", TETMARCH_WITH_TRANSPARENT_RANGES, &VariantKey::TransparentRanges },
-    { "CONSTANT_COLOR", TETMARCH_WITH_CONSTANT_COLOR, &VariantKey::ConstantColor },
-    { "CLIPPED", TETMARCH_WITH_CLIPPED, &VariantKey::Clipped },
-    { "CROPPED", TETMARCH_WITH_CROPPED, &VariantKey::Cropped },
-    { "NAN_SHOWN", TETMARCH_WITH_NAN_SHOWN, &VariantKey::NanShown },
-    { "HIDDEN_CELLS", TETMARCH_WITH_HIDDEN_CELLS, &VariantKey::HiddenCells },
-    { "EXTREME", TETMARCH_WITH_EXTREME, BlendGroup::Extreme },
-    { "SUM", TETMARCH_WITH_SUM, BlendGroup::Sum },
-    { "ISOSURFACES", TETMARCH_WITH_ISOSURFACES, BlendGroup::Isosurfaces },
-    { "INDEPENDENT", TETMARCH_WITH_INDEPENDENT, ComponentGroup::Independent },
-    { "COLOR_AND_OPACITY", TETMARCH_WITH_COLOR_AND_OPACITY, ComponentGroup::ColorAndOpacity },
-    { "DIRECT_COLOR", TETMARCH_WITH_DIRECT_COLOR, ComponentGroup::DirectColor },
-    { "CELL_GRADIENTS", TETMARCH_WITH_CELL_GRADIENTS, &VariantKey::CellGradients },
-    { "GRADIENT_OPACITY", TETMARCH_WITH_GRADIENT_OPACITY, &VariantKey::GradientOpacity },
-    { "SHADING", TETMARCH_WITH_SHADING, &VariantKey::Shading },
-    { "HEADLIGHT_ONLY", TETMARCH_WITH_HEADLIGHT_ONLY, &VariantKey::HeadlightOnly },
-    { "SINGLE_LIGHT", TETMARCH_WITH_SINGLE_LIGHT, &VariantKey::SingleLight },
-    { "WORLD_LIGHTS", TETMARCH_WITH_WORLD_LIGHTS, &VariantKey::WorldLights },
-    { "SCATTERING", TETMARCH_WITH_SCATTERING, &VariantKey::Scattering },
-    { "CAST_SHADOWS", TETMARCH_WITH_CAST_SHADOWS, &VariantKey::CastShadows },
-    { "SEVERAL_SHADOWS", TETMARCH_WITH_SEVERAL_SHADOWS, &VariantKey::SeveralShadows },
-    { "SAMPLED_SHADOWS", TETMARCH_WITH_SAMPLED_SHADOWS, &VariantKey::SampledShadows },
-    { "OPAQUE_SHADOWS", TETMARCH_WITH_OPAQUE_SHADOWS, &VariantKey::OpaqueShadows },
-    { "HEADLIGHT_SHADOWS", TETMARCH_WITH_HEADLIGHT_SHADOWS, &VariantKey::HeadlightShadows },
-    { "OCCLUSION", TETMARCH_WITH_OCCLUSION, &VariantKey::Occlusion },
-    { "SHOW_ILLUMINATION", TETMARCH_WITH_SHOW_ILLUMINATION, &VariantKey::ShowIllumination },
-    { "SHOW_GRADIENTS", TETMARCH_WITH_SHOW_GRADIENTS, &VariantKey::ShowGradients },
-    { "STRUCTURED", TETMARCH_WITH_STRUCTURED, &VariantKey::Structured },
-    { "RECTILINEAR", TETMARCH_WITH_RECTILINEAR, &VariantKey::Rectilinear },
-    { "LEAPS", TETMARCH_WITH_LEAPS, &VariantKey::Leaps },
-    { "POINT_SAMPLED", TETMARCH_WITH_POINT_SAMPLED, &VariantKey::PointSampled },
-    { "SLABS", TETMARCH_WITH_SLABS, &VariantKey::Slabs },
-    { "MANY_SLABS", TETMARCH_WITH_MANY_SLABS, &VariantKey::ManySlabs },
-    { "VISIBLE_PART", TETMARCH_WITH_VISIBLE_PART, &VariantKey::VisiblePart },
-    { "SPLIT_CELLS", TETMARCH_WITH_SPLIT_CELLS, &VariantKey::SplitCells },
+#include "Variants/FeatureRows.inc"
   } };
   return rows;
 }
@@ -276,13 +235,12 @@ std::string VariantKey::defines() const
     define(feature.Name, feature.isOn(*this));
   }
   // Unless the driver or a file defines them behind these lines.
-  define("PICKED", false);
-  define("VISITS", false);
-  define("SKIPS_HELPERS", false);
-  define("HAS_GATHER", false);
-  define("HAS_PRECISE", false);
-  define("EXACT_LIGHT", false);
-  define("TRACED", false);
+  for (const char* name : {
+#include "Variants/KeylessFeatures.inc"
+       })
+  {
+    define(name, false);
+  }
   return text;
 }
 

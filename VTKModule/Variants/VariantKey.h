@@ -32,8 +32,8 @@ enum class ComponentGroup : unsigned char
 
 /**
  * Each feature is a preprocessor symbol of the shader: a member, or a value of a group. Values that
- * change without recompiling are uniforms, not features. Each has a row in features() and, where it
- * can be irrelevant, a line in filtered().
+ * change without recompiling are uniforms, not features. Each has a line in Variants/features.txt
+ * and, where it can be irrelevant, one in filtered().
  */
 struct VariantKey
 {
@@ -136,7 +136,7 @@ struct VariantKey
   struct Feature
   {
     const char* Name;  // symbol, behind TETMARCH_
-    std::uint64_t Bit; // Variants/Features.h
+    std::uint64_t Bit; // TETMARCH_WITH_... of Variants/Features.h
     std::variant<bool VariantKey::*, BlendGroup, ComponentGroup> Value;
     bool isOn(const VariantKey& key) const;
     /** A value of a group takes the place of the one there was; where it is switched off, the
