@@ -76,13 +76,13 @@ prepare_machine() {
   use_compiler_cache
 }
 
-# configure BUILD_FOLDER CMAKE_OPTION...
+# configure BUILD_FOLDER CMAKE_OPTION... Of the sources in $SOURCES, if that is set.
 configure() {
   local folder="$1" warnings=OFF
   shift
   if in_ci; then warnings=ON; fi
   mkdir -p "$folder"
-  cmake -S "$ROOT" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DPython3_EXECUTABLE=$SYSTEM_PYTHON" \
+  cmake -S "${SOURCES:-$ROOT}" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DPython3_EXECUTABLE=$SYSTEM_PYTHON" \
     "-DTETMARCH_WARNINGS_AS_ERRORS=$warnings" "$@" >"$folder/configure.log" 2>&1 ||
     { cat "$folder/configure.log" >&2; die "CMake couldn't configure the build, see above"; }
 }
