@@ -15,6 +15,6 @@ mutants() {
   prepare_machine
   install_packages "${PROCESS_PACKAGES[@]}"
   "${program[@]}" "$folder" --copy
-  SOURCES="$folder/tree" configure "$folder/tree/build" -DBUILD_TESTING=ON
+  configure_from "$folder/tree" "$folder/tree/build" -DBUILD_TESTING=ON
   "${program[@]}" "$folder" "$@"
 }
