@@ -37,7 +37,7 @@ def arguments_of(words):
     parser.add_argument("--copy", action="store_true", help="only copy the sources")
     parser.add_argument("--list", action="store_true", help="only print the names")
     parser.add_argument("--seconds", type=float, metavar="N", help="begin no fault after that time")
-    parser.add_argument("--older", action="store_true", help="what was found with other sources counts, too")
+    parser.add_argument("--older", action="store_true", help="a fault that was noticed with other sources is not tried again")
     parser.add_argument("--page", action="store_true", help="write the table of all faults into the page")
     return parser.parse_intermixed_args(words)
 

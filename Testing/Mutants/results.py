@@ -16,9 +16,10 @@ class Results:
         self.kept = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {"faults": {}, "sound": {}}
 
     def of(self, fault, older=False):
-        """What was found with these sources; older: or with others."""
+        """What was found with these sources; older: or that it was noticed with others."""
         found = self.kept["faults"].get(fault.key())
-        return found if found and (older or found["tree"] == self.tree) else None
+        counts = found and (found["tree"] == self.tree or (older and found["status"] == NOTICED))
+        return found if counts else None
 
     def add(self, fault, status, by="", seconds=0.0):
         self.kept["faults"][fault.key()] = {"name": fault.name, "tree": self.tree, "status": status, "by": by,
