@@ -246,13 +246,14 @@ TEST(VisitExchange, RowsWithoutVisitsCostEightBytes)
 
 TEST(VisitExchange, VisitsThatBeginAtOneDepthAreInOrderOfTheirEnds)
 {
-  // An exit and an entry by the same face may differ by a rounding.
-  std::vector<Visit> visits{ { 0.5f, 0.75f, { { 0, 0.5f, 0, 0.5f } }, 0 },
-    { 0.25f, 0.5f, { { 0.5f, 0, 0, 0.5f } }, 0 }, { 0.5f, 0.5f, { { 0, 0, 0.25f, 0.75f } }, 0 } };
+  // An exit and an entry by the same face may differ by a rounding. By their colors the last two
+  // would be the other way round.
+  std::vector<Visit> visits{ { 0.5f, 0.75f, { { 0, 0, 0.5f, 0.5f } }, 0 },
+    { 0.25f, 0.5f, { { 0.5f, 0, 0, 0.5f } }, 0 }, { 0.5f, 0.5f, { { 0, 0.25f, 0, 0.75f } }, 0 } };
   const MergedPixel merged = mergeVisits(visits, MergeRule::Over, 0);
   EXPECT_EQ(merged.Gathered[0], 0.5f);
-  EXPECT_EQ(merged.Gathered[2], 0.5f * 0.25f);
-  EXPECT_EQ(merged.Gathered[1], 0.5f * 0.75f * 0.5f);
+  EXPECT_EQ(merged.Gathered[1], 0.5f * 0.25f);
+  EXPECT_EQ(merged.Gathered[2], 0.5f * 0.75f * 0.5f);
   EXPECT_EQ(merged.Gathered[3], 0.5f * 0.75f * 0.5f);
 }
 

@@ -33,6 +33,15 @@ class CellsTest(unittest.TestCase):
                 self.assertEqual(cells_of(grid), TETRAHEDRA.tolist())
                 self.assertEqual({grid.GetCellType(i) for i in range(5)}, {vtk.VTK_TETRA})
 
+    def test_names_are_those_of_vtks_cells(self):
+        for name, points, cell in (("tetra", 4, vtk.vtkTetra), ("voxel", 8, vtk.vtkVoxel),
+                                   ("hexahedron", 8, vtk.vtkHexahedron), ("wedge", 6, vtk.vtkWedge),
+                                   ("pyramid", 5, vtk.vtkPyramid), ("penta_prism", 10, vtk.vtkPentagonalPrism),
+                                   ("hexa_prism", 12, vtk.vtkHexagonalPrism), ("tetra10", 10, vtk.vtkQuadraticTetra)):
+            grid = vtktetmarch.from_arrays(np.zeros((points, 3)), [range(points)], name)
+            with self.subTest(name=name):
+                self.assertIs(type(grid.GetCell(0)), cell)
+
     def test_mixed_types(self):
         points = np.concatenate([POINTS, [(2.0, 0.5, 0.5)]])
         pyramid = [1, 3, 7, 5, 8]

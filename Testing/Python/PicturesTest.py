@@ -225,6 +225,7 @@ class CameraTest(unittest.TestCase):
         self.assertEqual(camera.GetViewAngle(), 40)
         figure.look({"position": (3, 0, 0), "focal_point": (0, 0, 0), "view_up": (0, 0, 1), "azimuth": 90, "zoom": 2})
         np.testing.assert_allclose(figure.camera.GetPosition(), (0, 3, 0), atol=1e-9)
+        self.assertEqual(figure.camera.GetViewAngle(), 30 / 2)
         figure.look({"parallel_scale": 5})
         self.assertEqual((figure.camera.GetParallelProjection(), figure.camera.GetParallelScale()), (1, 5))
 

@@ -54,3 +54,25 @@ TEST(CopiedCommand, IsAcceptedWhateverIsSwitchedOn)
     }
   }
 }
+
+TEST(CopiedCommand, HasTheArrayThatIsShown)
+{
+  tetmarch::ViewState state;
+  state.Data.File = "mesh.vtu";
+  state.Data.Array = "velocity";
+  state.Size = { { 640, 480 } };
+  for (const int association : { 0, 1 })
+  {
+    for (const int component : { -1, 2 })
+    {
+      state.Data.Association = association;
+      state.Data.Component = component;
+      const auto arguments = GetArguments(tetmarch::WriteCommand(state, "picture.png"));
+      ASSERT_EQ(GetError(arguments), "accepted");
+      const auto command = ParseCommandLine(arguments);
+      EXPECT_EQ(command.Array, "velocity");
+      EXPECT_EQ(command.ArrayAssociation, association);
+      EXPECT_EQ(command.Component, component);
+    }
+  }
+}

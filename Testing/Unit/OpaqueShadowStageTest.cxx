@@ -69,6 +69,8 @@ TEST_F(OpaqueShadowStage, LightAndVolumeRedoThemAndTheCameraDoesNot)
   expectRun(1);
   this->Volume->RotateX(30.0);
   expectRun(1);
+  this->Volume->AddPosition(0.0, 0.0, 0.1); // the direction to the light stays the same
+  expectRun(1);
   this->Options.Reach = 0.8;
   expectRun(1);
   this->Which = { 2, 2 };

@@ -193,4 +193,16 @@ TEST(Convexity, FoldedBoundariesAreNotConvex)
 {
   EXPECT_FALSE(isConvex(built(jitteredLattice(4, 0.45))));
 }
+
+// The two faces at each side of the square face away from each other, in one plane.
+TEST(Convexity, AFlatTetrahedronIsFolded)
+{
+  const Grid grid = singleTet();
+  const double square[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    grid->GetPoints()->SetPoint(i, square[i][0], square[i][1], 0.0);
+  }
+  EXPECT_FALSE(isConvex(built(grid)));
+}
 } // namespace

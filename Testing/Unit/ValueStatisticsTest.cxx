@@ -97,6 +97,17 @@ TEST(ValueStatistics, CellsCountByTheAreaTheyCover)
     samples.push_back({ i * 0.01, 1.0 });
   }
   EXPECT_LT(statisticsOf(samples).Range[1], 1.0);
+  // A hundred cells of a thousandth of the volume of twenty others: 5 % by area, 0.5 % by volume.
+  samples.clear();
+  for (int i = 0; i < 100; ++i)
+  {
+    samples.push_back({ 1000.0 + i, 1e-3 });
+  }
+  for (int i = 0; i < 20; ++i)
+  {
+    samples.push_back({ i * 0.01, 1.0 });
+  }
+  EXPECT_GT(statisticsOf(samples).Range[1], 1000.0);
 }
 
 TEST(ValueStatistics, RareValuesStillGiveARange)

@@ -77,12 +77,15 @@ prepare_machine() {
 }
 
 # configure BUILD_FOLDER CMAKE_OPTION...
-configure() {
-  local folder="$1" warnings=OFF
-  shift
+configure() { configure_from "$ROOT" "$@"; }
+
+# configure_from SOURCES BUILD_FOLDER CMAKE_OPTION...
+configure_from() {
+  local sources="$1" folder="$2" warnings=OFF
+  shift 2
   if in_ci; then warnings=ON; fi
   mkdir -p "$folder"
-  cmake -S "$ROOT" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DPython3_EXECUTABLE=$SYSTEM_PYTHON" \
+  cmake -S "$sources" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DPython3_EXECUTABLE=$SYSTEM_PYTHON" \
     "-DTETMARCH_WARNINGS_AS_ERRORS=$warnings" "$@" >"$folder/configure.log" 2>&1 ||
     { cat "$folder/configure.log" >&2; die "CMake couldn't configure the build, see above"; }
 }

@@ -76,6 +76,19 @@ TEST_F(StructuredLight, StretchedAndTurnedVolume)
   report("stretched", expectParity(this->Shown, Lit));
 }
 
+// Gradients of an image that its own directions turn.
+TEST_F(StructuredLight, ImagesInAllPlaces)
+{
+  for (const ImagePlace& place : imagePlaces())
+  {
+    SCOPED_TRACE(place.Name);
+    StructuredScene scene(imageOf(sineField(), place), 20, 20);
+    setShading(scene.property());
+    scene.lookAtAll();
+    report(place.Name + ", lit", expectParity(scene, Lit));
+  }
+}
+
 TEST_F(StructuredLight, GradientOpacity)
 {
   setGradientOpacity(this->Shown.property());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The GL state is after a frame of the mapper as it was before, both in the GL and in VTK's
 // records.
+#include "GLObjects.h"
 #include "Observer.h"
 #include "Scene.h"
 #include "WatchedMapper.h"
@@ -45,6 +46,7 @@ void expectStateKept(Scene& scene, int stage = vtkTetMarchVolumeMapper::AUTOMATI
     scene.Window->Render();
     scene.Window->Render();
     EXPECT_EQ(mapper->Frames, 2);
+    EXPECT_EQ(unitsInUse(scene.Window), 0);
     EXPECT_EQ(mapper->Samples > 1, multisampled);
     scene.Volume->SetMapper(scene.Mapper);
   }
