@@ -143,7 +143,8 @@ class CommandsTest(unittest.TestCase):
             known += self.paste(f"build/bin/{program} --help")
         for script in ("compare_pictures.py draw", "compare_times.py"):
             known += self.paste(f"/usr/bin/python3 {PROJECT}/Testing/Benchmark/{script} --help")
-        known += self.paste(f"/usr/bin/python3 -B {PROJECT}/Testing/GpuCompile/gpu_compile.py --help")
+        for script in ("GpuCompile/gpu_compile.py", "Mutants/mutants.py"):
+            known += self.paste(f"/usr/bin/python3 -B {PROJECT}/Testing/{script} --help")
         for page in pages():
             for word in code_words(page.read_text(encoding="utf-8")):
                 if word.startswith(("--", "tetmarch-", "build/bin/tetmarch")):
