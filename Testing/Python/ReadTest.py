@@ -207,7 +207,9 @@ class ReadTest(unittest.TestCase):
                     warnings.simplefilter("error")
                     with self.assertRaisesRegex(ValueError, f"{name}' can't be read: .*{text}") as caught:
                         vtktetmarch.read(path)
-                self.assertNotRegex(str(caught.exception), "0x|ERROR|\\.cxx")
+                # The folder's name is random, and may well have such letters.
+                said = str(caught.exception).replace(str(self.folder), "")
+                self.assertNotRegex(said, "0x|ERROR|\\.cxx")
 
     def test_errors_go_where_they_went_before(self):
         window = vtk.vtkOutputWindow.GetInstance()
