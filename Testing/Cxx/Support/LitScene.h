@@ -9,6 +9,7 @@
 
 #include "Scene.h"
 
+#include "vtkColorTransferFunction.h"
 #include "vtkLight.h"
 
 namespace tetmarch::testing
@@ -28,6 +29,17 @@ public:
   }
 
   void addGradientOpacity() { setGradientOpacity(this->property()); }
+
+  /// The picture of a white volume, which is what the view of the illumination shows.
+  Image renderWhite()
+  {
+    this->Mapper->SetViewModeToPicture();
+    vtkColorTransferFunction* colors = this->property()->GetRGBTransferFunction();
+    colors->RemoveAllPoints();
+    colors->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+    colors->SetNanColor(1.0, 1.0, 1.0);
+    return this->render();
+  }
 
   /// Of one frame, the sum over all pixels and channels.
   double brightness()
