@@ -42,11 +42,11 @@ void expectDue(const std::vector<std::string>& errors, const MonkeyState& state)
   }
 }
 
-// By which of two faces at one depth a ray enters is told by their numbers, which stay where points
-// move; it is seen in views of faces alone.
+// If two faces lie at the same depth, their numbers decide by which of them a ray enters. Numbers
+// stay when points move, so a new mapper may choose the other face. Only views of faces show this.
 void expectSameFaces(const Image& found, const Image& expected, int viewMode)
 {
-  constexpr std::size_t fewest = 100; // of so many pixels one
+  constexpr std::size_t fewest = 100; // one pixel in a hundred may differ
   const std::size_t others = viewMode == vtkTetMarchVolumeMapper::VIEW_BOUNDARY_FACES
                                ? countOtherFaces(found, expected)
                                : compare(withSortedColors(found), withSortedColors(expected)).Over;

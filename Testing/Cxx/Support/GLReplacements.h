@@ -23,8 +23,8 @@
 
 namespace tetmarch::testing
 {
-/// Those of one Owner, a class of which there is one object at a time. GLFunctions.h looks
-/// functions up again where it has another loader, so each Owner has its own.
+/// The replacements of one Owner, a class that has at most one object at a time. Each Owner has a
+/// loader of its own, because GLFunctions.h looks functions up again when the loader changes.
 template <typename Owner>
 class GLReplacements
 {

@@ -4,9 +4,9 @@
 [--window TetMarchTryWindow].
 
 Each file is read by the driver in a process of its own. A sample of them is drawn by tetmarch-render, and another one
-opened in the window of tetmarch-view. What must not be: a crash, a hang, a failure without a message or success without
-a picture, or memory of more than ten times the file where no size in it asks for that. What was found is kept in the
-folder --keep. Exit status 1: something was.
+opened in the window of tetmarch-view. These are findings: a crash, a hang, a failure without a message, success without
+a picture, and memory of more than ten times the file unless a size in the file requires it. Findings are kept in the
+folder --keep. The exit status is 1 if there are any.
 """
 import argparse
 import collections
