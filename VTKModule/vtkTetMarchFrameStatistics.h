@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchFrameStatistics
- * @brief   Errors, counts, times and memory of a mapper of TetMarch and of its last frame
+ * @brief   Errors, counts, times and memory of a TetMarch mapper and of its last frame
  *
- * The mapper brings it up to date with each frame, and whenever it is asked for it. The mapper has
- * the methods without an argument, too: `mapper->GetMeshSeconds()` is
+ * The mapper updates it with each frame, and when it is requested. The mapper also has the methods
+ * without an argument: `mapper->GetMeshSeconds()` is
  * `mapper->GetLastFrameStatistics()->GetMeshSeconds()`.
  *
  * Error bounds, cells, lookups and the counts of rays are measured with CollectDiagnostics on and
@@ -31,15 +31,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Quantities of the pixels whose ray met the mesh.
+   * Quantities of the pixels whose ray meets the mesh.
    * ERROR_BOUND: largest possible error of a channel (r, g, b, opacity; 0..1) of the volume's
-   * picture in float, before it is blended and rounded to the bytes of the window. It has the
-   * steps of the tables' integrals, 32-bit fixed-point numbers, which no tolerance makes smaller.
-   * It leaves out rounding, but for that of sums and averages, and what transfer functions do
-   * between the entries of their tables. See vtkTetMarchSettings::AccuracyLevelType for its
-   * formula. CELLS: cells that the ray crossed (tetrahedra of an unstructured grid). Rays need not
-   * cross cells of which the functions show nothing. LOOKUPS: lookups of the segment integral.
-   * TRUE_ERROR: largest error of a channel against the ground truth. Measured by
+   * picture in float, before it is blended and rounded to the bytes of the window. It includes the
+   * steps of the tables' integrals, 32-bit fixed-point numbers, which do not depend on the
+   * tolerance. It excludes rounding, except that of sums and averages, and the variation of
+   * transfer functions between the entries of their tables. See
+   * vtkTetMarchSettings::AccuracyLevelType for its formula. CELLS: cells that the ray crossed
+   * (tetrahedra of an unstructured grid). Rays may skip transparent cells. LOOKUPS: lookups of the
+   * segment integral. TRUE_ERROR: largest error of a channel against the ground truth. Measured by
    * vtkTetMarchVolumeMapper::CompareWithGroundTruth() only.
    */
   enum QuantityType
@@ -58,8 +58,8 @@ public:
 
   //@{
   /**
-   * The quantity over those pixels; 0 if there are none. Percent, 0..100: the least value that is
-   * not below those of this share of the pixels.
+   * The quantity over these pixels; 0 if there are none. Percent, 0..100: the smallest value that
+   * is not below those of this share of the pixels.
    */
   double GetMinimum(int quantity) const;
   double GetMean(int quantity) const;
@@ -70,9 +70,8 @@ public:
 
   //@{
   /**
-   * Sums over the pixels of the last frame: rays that entered the mesh, or the part of it of which
-   * something may be seen, cells crossed, and lookups of the segment integral. 0 if they were not
-   * counted.
+   * Sums over the pixels of the last frame: rays that entered the mesh or its visible part, cells
+   * crossed, and lookups of the segment integral. 0 if they were not counted.
    */
   vtkGetMacro(NumberOfRays, vtkTypeInt64);
   vtkGetMacro(NumberOfCrossedCells, vtkTypeInt64);
@@ -81,9 +80,8 @@ public:
 
   //@{
   /**
-   * Sums over the pixels of the last frame: entries that refused their ray, rays that came to a
-   * face without exit (lost), and rays that the step guard stopped. All are 0 unless something is
-   * wrong.
+   * Sums over the pixels of the last frame: entries that refused their ray, rays that reached a
+   * face without exit (lost), and rays that the step guard stopped. Normally all are 0.
    */
   vtkGetMacro(NumberOfRefusedEntries, vtkTypeInt64);
   vtkGetMacro(NumberOfLostRays, vtkTypeInt64);
@@ -92,8 +90,8 @@ public:
 
   //@{
   /**
-   * Seconds of the last frame without diagnostics, and the number of draw calls or dispatches in
-   * which it was marched, up to its end or to where it was aborted; 0 if nothing was drawn.
+   * Seconds of the last frame without diagnostics, and the number of its draw calls or dispatches,
+   * up to its end or abort; 0 if nothing was drawn.
    */
   vtkGetMacro(Seconds, double);
   vtkGetMacro(NumberOfDraws, int);
@@ -102,8 +100,8 @@ public:
   //@{
   /**
    * Accuracy level (vtkTetMarchSettings::AccuracyLevelType) and error tolerance of the last frame,
-   * set or chosen for a budget. A tolerance of 0 is that of FAST, which promises no error. Before
-   * the first frame: DEFAULT and 1/255.
+   * set or chosen for a budget. The tolerance is 0 at the level FAST, which guarantees no error.
+   * Before the first frame: DEFAULT and 1/255.
    */
   vtkGetMacro(UsedAccuracyLevel, int);
   const char* GetUsedAccuracyLevelAsString() const;
@@ -112,8 +110,8 @@ public:
 
   //@{
   /**
-   * The shader stage in which the last frame was marched (vtkTetMarchSettings::ShaderStageType),
-   * set or chosen: FRAGMENT_STAGE or COMPUTE_STAGE. Before the first frame: FRAGMENT_STAGE.
+   * The shader stage of the last frame (vtkTetMarchSettings::ShaderStageType), set or chosen:
+   * FRAGMENT_STAGE or COMPUTE_STAGE. Before the first frame: FRAGMENT_STAGE.
    */
   vtkGetMacro(UsedShaderStage, int);
   const char* GetUsedShaderStageAsString() const;
@@ -128,23 +126,24 @@ public:
 
   //@{
   /**
-   * Whether the last frame was drawn to its end and kept the budgets that are set: FrameTimeBudget
-   * by its time, whatever else was done in it; ErrorBudget by the tolerance it was drawn with, and
-   * with CollectDiagnostics also by the error bounds of its pixels.
+   * Whether the last frame was completed and kept its budgets: FrameTimeBudget by its total time;
+   * ErrorBudget by its tolerance, and with CollectDiagnostics also by the error bounds of its
+   * pixels.
    */
   vtkGetMacro(BudgetKept, bool);
   //@}
 
   //@{
   /**
-   * Whether the last frame showed all light at vertices as it is now; if not, further frames will.
+   * Whether the light at vertices was complete in the last frame; if not, further frames complete
+   * it.
    */
   vtkGetMacro(LightComplete, bool);
   //@}
 
   //@{
   /**
-   * Size of the mesh that was prepared for the last frame; 0 before the first.
+   * Size of the mesh of the last frame; 0 before the first.
    */
   vtkGetMacro(NumberOfTetrahedra, vtkIdType);
   vtkGetMacro(NumberOfBoundaryFaces, vtkIdType);
@@ -152,8 +151,8 @@ public:
 
   //@{
   /**
-   * Cells of images or rectilinear grids that were prepared for the last frame; 0 before the first.
-   * With point scalars drawn as constant cells there is one around each point.
+   * Number of cells of images or rectilinear grids in the last frame; 0 before the first. With
+   * point scalars drawn as constant cells there is one cell around each point.
    */
   vtkGetMacro(NumberOfLatticeCells, vtkTypeInt64);
   //@}
@@ -174,11 +173,11 @@ public:
 
   //@{
   /**
-   * Seconds that each stage took when it ran last: joining the blocks of composite input, mesh
-   * (decomposition, links, boundary; of images and rectilinear grids their lattice), scalars,
-   * transfer function tables, what of the mesh the functions show (visible part), the lists of
-   * where rays may enter it (entries), gradients, shadows of opaque geometry, light at vertices,
-   * upload to the GPU. Images and rectilinear grids have no visible part and no entries.
+   * Seconds of the last run of each stage: joining the blocks of composite input, mesh
+   * (decomposition, links, boundary; for images and rectilinear grids their lattice), scalars,
+   * transfer function tables, the visible part of the mesh, the lists of entry faces (entries),
+   * gradients, shadows of opaque geometry, light at vertices, upload to the GPU. Images and
+   * rectilinear grids have no visible part and no entries.
    */
   vtkGetMacro(BlocksSeconds, double);
   vtkGetMacro(MeshSeconds, double);
@@ -194,11 +193,11 @@ public:
 
   //@{
   /**
-   * Of the last frame, if a controller has several processes draw the volume: visits of rays to the
-   * piece of this process; bytes that it has sent to others; the seconds that it took to march its
-   * piece, to exchange visits, to merge those of its part of the picture, and to spread the merged
-   * parts, with the time of waiting for others in each of the last three but merging; and a bound
-   * of the error of the worst pixel, 0..1 of a channel. Else 0.
+   * Figures of the last frame if several processes draw the volume, else 0: visits of rays to the
+   * piece of this process; bytes sent to other processes; seconds of the march of its piece, of the
+   * exchange of visits, of the merge of its part of the picture, and of the distribution of the
+   * merged parts, where exchange and distribution include waiting for other processes; and a bound
+   * of the largest error of a pixel, 0..1 of a channel.
    */
   vtkGetMacro(NumberOfVisits, vtkTypeInt64);
   vtkGetMacro(SentBytes, vtkTypeInt64);
@@ -211,9 +210,9 @@ public:
 
   //@{
   /**
-   * How often each stage ran since the mapper was created. A new camera raises only the entries'
-   * count, new transfer functions those of the tables, the visible part and the entries,
-   * new scalars on the same mesh those of the scalars, the visible part and the entries.
+   * Number of runs of each stage since the mapper was created. A new camera increases only the
+   * count of the entries, new transfer functions those of the tables, the visible part and the
+   * entries, new scalars on the same mesh those of the scalars, the visible part and the entries.
    */
   vtkGetMacro(BlocksBuilds, vtkTypeInt64);
   vtkGetMacro(MeshBuilds, vtkTypeInt64);
@@ -228,8 +227,8 @@ public:
 
   //@{
   /**
-   * For the mapper. SetValues(): values of a quantity, one a pixel, negative where the ray met
-   * nothing. Clear(): forget what was measured of the pixels, and the seconds of the frame.
+   * For the mapper. SetValues(): values of a quantity, one per pixel, negative where the ray met
+   * nothing. Clear(): discard the quantities of the pixels and the seconds of the frame.
    */
   void SetValues(int quantity, vtkFloatArray* values);
   void Clear();
