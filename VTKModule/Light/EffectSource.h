@@ -35,11 +35,11 @@ public:
   virtual bool storesGradients() const { return true; }
   /** Whether the scalar may vary within a cell, so that cells have gradients. */
   virtual bool hasCellGradients() const = 0;
-  /** Gradients of the stored scalar in the normalised frame: one a cell, or one a vertex; none if
+  /** Gradients of the stored scalar in the normalised frame: one per cell or per vertex; none if
    * they are not stored. */
   virtual std::vector<std::array<float, 3>> gradients(bool ofCells) const = 0;
 
-  /** The steepest gradient of the whole volume, of which that of this piece is given. */
+  /** The steepest gradient of the whole volume, given that of this piece. */
   virtual double steepestOf(double own) const { return own; }
 
   /** Equal as long as vertexStarts() are the same. */
