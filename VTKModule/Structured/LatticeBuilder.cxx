@@ -18,6 +18,7 @@ namespace
 //   points     nearest        N         N       0            first point, centres, last point
 //   cells      nearest        C         C       0            points
 //   cells      linear         C + 1     C       -1           first point, centres, last point
+//
 // Linear cell values, as in VTK, are interpolated between centres, and are constant in the outer
 // half cells.
 LatticeAxis axisOf(int points, const LatticeCase& lies)
