@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-# For ./tetmarch: the window to play in.
+# For ./tetmarch: the interactive window.
 
 # Qt's widgets, and VTK's widget of Qt.
 readonly VIEW_PACKAGES=(libvtk9-qt-dev qtbase5-dev)
