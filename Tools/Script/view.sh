@@ -11,7 +11,7 @@ view() {
   (($# <= 1)) || die "view takes one file, not $*"
   if [[ -z "${DISPLAY:-}${WAYLAND_DISPLAY:-}${QT_QPA_PLATFORM:-}" ]]; then
     die "there is no display for a window. ./tetmarch demo and build/bin/tetmarch-render draw without one;" \
-      "ssh -X shows the window of another machine; xvfb-run -a ./tetmarch view runs where nobody sees it"
+      "ssh -X shows the window of another machine; xvfb-run -a ./tetmarch view runs it on an invisible display"
   fi
   prepare_machine
   install_packages "${VIEW_PACKAGES[@]}"
