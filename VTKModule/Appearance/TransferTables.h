@@ -23,10 +23,8 @@ struct TableInput
   ComponentMix Mix = ComponentMix::Single;
   ScalarRange Range;                      // of the first scalar
   std::vector<ScalarRange> FurtherRanges; // of further scalars
-  bool Bends =
-    false; // the scalar bends along rays, so that error bounds need further values of a table
-  std::uint64_t MostEntries =
-    std::numeric_limits<std::uint64_t>::max(); // maximum number of entries of all tables
+  bool Bends = false; // along rays, so that error bounds need further values of a table
+  std::uint64_t MostEntries = std::numeric_limits<std::uint64_t>::max(); // of all tables together
 };
 
 class TransferTables

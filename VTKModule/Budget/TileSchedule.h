@@ -90,8 +90,7 @@ private:
   double Seconds = 0;      // of the tiles that were measured
   std::int64_t Pixels = 0; // the same
   double Slowest = 0;      // seconds a ray of the slowest tile
-  double Dearest =
-    0; // the same for the pixels that the volume may cover in tiles other than probes
+  double Dearest = 0;      // the same for covered pixels of tiles other than probes
 
   struct
   {

@@ -21,9 +21,8 @@ struct EffectData
   std::vector<std::array<float, 3>> Gradients;
   bool CellGradients = false;
   GradientOpacityTable GradientOpacity; // may be empty
-  double GradientOpacityScale =
-    0;                  // factor from the magnitude of a gradient to a position in the table
-  LightUniforms Lights; // empty: unlit
+  double GradientOpacityScale = 0; // from the magnitude of a gradient to a position in the table
+  LightUniforms Lights;            // empty: unlit
   /** Starting points of rays from vertices, see Mesh/VertexStarts.h. */
   std::vector<std::array<std::uint32_t, 4>> VertexStarts; // if there are shadows or occlusion
   OpaqueShadows Opaque;

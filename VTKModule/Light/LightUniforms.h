@@ -42,8 +42,7 @@ struct LightUniforms
   static constexpr int MostShadowSources = 3;
 
   std::vector<Light> Sources;
-  bool InWorld =
-    false; // else in the normalised frame, from which the matrices transform to the world
+  bool InWorld = false; // else in the normalised frame; the matrices transform to the world
   std::array<double, 9> WorldMatrix{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } };  // of vectors
   std::array<double, 9> NormalMatrix{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }; // of gradients
   bool TwoSided = false;

@@ -26,7 +26,7 @@ std::vector<BoundaryEdge> sortedBoundaryEdges(const TetMesh& mesh);
 /** The relation of edges[i] and edges[i + 1]. */
 enum class EdgePair
 {
-  None,    // not the two edges of a pair of faces
+  None,    // not the common edge of exactly two faces
   Regular, // the faces traverse it in opposite directions, as on every orientable surface
   Folded   // the faces traverse it in the same direction: an inverted tetrahedron overlaps its
            // neighbour

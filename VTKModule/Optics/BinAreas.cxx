@@ -42,8 +42,7 @@ struct Span
 struct Node
 {
   OpticalSample Value;
-  bool IsFixed =
-    false; // the first and the last sample, which many points of the data may match exactly
+  bool IsFixed = false; // the first and the last sample: frequent values of the data
   Span Weighted;
   Span Seen; // colours with extinction
 };
