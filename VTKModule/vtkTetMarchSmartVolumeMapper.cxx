@@ -177,8 +177,7 @@ bool vtkTetMarchSmartVolumeMapper::RenderGroundTruth(vtkVolume* volume, vtkFloat
   tetmarch::StructuredBlock* block = this->Internal->onlyBlock(error);
   const bool done =
     block && tetmarch::renderGroundTruth(
-               { block->Pipeline, this->GetSettings(), volume, tetmarch::beginProgressOf(this) },
-               pixels, error);
+               { block->Pipeline, volume, tetmarch::beginProgressOf(this) }, pixels, error);
   return this->Report(error) && done;
 }
 
@@ -187,10 +186,9 @@ bool vtkTetMarchSmartVolumeMapper::CompareWithGroundTruth(vtkVolume* volume)
 {
   std::string error;
   tetmarch::StructuredBlock* block = this->Internal->onlyBlock(error);
-  const bool done =
-    block && tetmarch::compareWithGroundTruth(
-               { block->Pipeline, this->GetSettings(), volume, tetmarch::beginProgressOf(this) },
-               this->Internal->State.Statistics, error);
+  const bool done = block && tetmarch::compareWithGroundTruth(
+                               { block->Pipeline, volume, tetmarch::beginProgressOf(this) },
+                               this->Internal->State.Statistics, error);
   return this->Report(error) && done;
 }
 

@@ -246,23 +246,24 @@ std::string vtkTetMarchSmartVolumeMapper::DrawBlocks(
   {
     const std::uint64_t bytes = internal.bytesFor(*block, mostBytes);
     renderer->GetSelector() ? block->Pipeline.beginPick(bytes) : block->Pipeline.begin(bytes);
-    block->Source.setInterpolation(interpolationOf(volume->GetProperty()));
-    block->Source.setSamples(
+    const tetmarch::DrawnData drawn{ { block->Data, {}, interpolationOf(volume->GetProperty()) },
+      block->Scalars, vectorOptionsOf(this, volume->GetProperty()), blend,
+      tetmarch::clippingOptionsOf(this),
       { this->FindSampleDistance(block->Data, adjusts ? frame.rayDistance() : 0.0),
-        this->UseJittering != 0 });
-    const tetmarch::DrawnData drawn{ block->Data, block->Scalars,
-      vectorOptionsOf(this, volume->GetProperty()), blend, tetmarch::clippingOptionsOf(this) };
-    if (frame.prepare(block->Pipeline, drawn))
+        this->UseJittering != 0 } };
+    const tetmarch::StageResult result = frame.prepare(block->Pipeline, drawn);
+    if (result.isDone())
     {
       ready.push_back(block);
     }
-    error = error.empty() ? block->Pipeline.error() : error;
+    error = error.empty() ? result.Error : error;
   }
   for (std::size_t i = 0; error.empty() && i < ready.size(); ++i)
   {
-    if (!frame.draw(ready[i]->Pipeline, ready[i]->Origins))
+    const tetmarch::StageResult result = frame.draw(ready[i]->Pipeline, ready[i]->Origins);
+    error = result.Error;
+    if (!result.isDone())
     {
-      error = ready[i]->Pipeline.error();
       break;
     }
   }

@@ -91,17 +91,21 @@ std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid, std::
     this->GetAutoAdjustSampleDistances() };
   tetmarch::MapperFrame frame(
     { this, window, renderer, volume }, internal.State, drawn.Blend, conditions);
-  const bool together = internal.isShared() && !renderer->GetSelector();
-  internal.Pipeline.setPiece(internal.pieceAlone());
+  const bool distributed = internal.isShared() && !renderer->GetSelector();
   internal.Together.MostVisitBytes = static_cast<std::uint64_t>(this->MaxVisitMemoryInBytes);
-  if (together ? frame.prepareTogether(internal.Pipeline, drawn, found, internal.Together)
-               : found.empty() && grid && frame.prepare(internal.Pipeline, drawn))
+  tetmarch::StageResult result{ found, !grid };
+  if (distributed)
   {
-    frame.draw(internal.Pipeline, internal.origins());
+    result =
+      frame.prepareDistributed(internal.Tets, internal.Pipeline, drawn, found, internal.Together);
   }
+  else if (result.isDone())
+  {
+    result = frame.prepare(internal.Pipeline, drawn);
+  }
+  result = result.then([&] { return frame.draw(internal.Pipeline, internal.origins()); });
   const std::string unrecorded = tetmarch::guardedRecords([&] { frame.end(this->TimeToDraw); });
-  found = together || found.empty() ? internal.Pipeline.error() : found;
-  return found.empty() ? unrecorded : found;
+  return result.Error.empty() ? unrecorded : result.Error;
 }
 
 //------------------------------------------------------------------------------
@@ -109,7 +113,7 @@ void vtkTetMarchVolumeMapper::Internals::recordStatistics()
 {
   tetmarch::recordBlocks(this->Blocks, this->State.Statistics);
   tetmarch::recordPipeline(this->Pipeline, this->State.Statistics);
-  tetmarch::recordTetrahedra(this->Tets, this->State.Statistics);
+  tetmarch::recordTetrahedra(this->Tets, this->Textures, this->State.Statistics);
   tetmarch::recordShared(this->Together.Shared, this->State.Statistics);
   tetmarch::recordAccuracy(this->State.Accuracy, this->State.Statistics);
 }

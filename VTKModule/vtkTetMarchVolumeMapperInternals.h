@@ -7,9 +7,10 @@
 #include "Blocks/JoinedBlocks.h"
 #include "Blocks/OwnCells.h"
 #include "GL/Pipeline.h"
-#include "GL/TetSource.h"
+#include "GL/TetTextures.h"
 #include "Mapper/MapperFrame.h"
 #include "Mapper/MapperState.h"
+#include "Volume/TetVolume.h"
 
 #include "vtkTetMarchVolumeMapper.h"
 
@@ -44,8 +45,9 @@ public:
   bool hasBlocks() { return this->Blocks.grid() != nullptr; }
 
   tetmarch::MapperState State;
-  tetmarch::TetSource Tets;
-  tetmarch::Pipeline Pipeline{ Tets };
+  tetmarch::TetVolume Tets;
+  tetmarch::TetTextures Textures{ Tets };
+  tetmarch::Pipeline Pipeline{ Tets, Textures };
   tetmarch::JoinedBlocks Blocks; // of composite input
   tetmarch::OwnCells Own;        // of a piece of the volume
   tetmarch::GroupState Together;

@@ -31,8 +31,7 @@ bool vtkTetMarchVolumeMapper::PrepareMesh()
   {
     tetmarch::ResourceLimits limits; // what the GL can hold is checked by the frame
     limits.Bytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
-    internal.Pipeline.setPiece(internal.pieceAlone());
-    error = internal.Tets.updateGeometry(grid, limits, progress);
+    error = internal.Tets.updateGeometry({ grid, internal.pieceAlone() }, limits, progress);
   }
   return this->Report(error) && grid && !internal.Tets.isEmpty();
 }
@@ -42,8 +41,7 @@ bool vtkTetMarchVolumeMapper::RenderGroundTruth(vtkVolume* volume, vtkFloatArray
 {
   std::string error;
   const bool done = tetmarch::renderGroundTruth(
-    { this->Internal->Pipeline, this->GetSettings(), volume, tetmarch::beginProgressOf(this) },
-    pixels, error);
+    { this->Internal->Pipeline, volume, tetmarch::beginProgressOf(this) }, pixels, error);
   return this->Report(error) && done;
 }
 
@@ -52,7 +50,7 @@ bool vtkTetMarchVolumeMapper::CompareWithGroundTruth(vtkVolume* volume)
 {
   std::string error;
   const bool done = tetmarch::compareWithGroundTruth(
-    { this->Internal->Pipeline, this->GetSettings(), volume, tetmarch::beginProgressOf(this) },
+    { this->Internal->Pipeline, volume, tetmarch::beginProgressOf(this) },
     this->Internal->State.Statistics, error);
   return this->Report(error) && done;
 }

@@ -24,8 +24,9 @@ tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
     data = this->Own.grid();
     scalars.Array = this->Own.scalars();
   }
-  return { data, scalars, tetmarch::vectorOptionsOf(mapper), tetmarch::blendOptionsOf(mapper),
-    tetmarch::clippingOptionsOf(mapper), this->isShared() ? this->Together.Whole : WholeRanges() };
+  return { { data, this->pieceAlone() }, scalars, tetmarch::vectorOptionsOf(mapper),
+    tetmarch::blendOptionsOf(mapper), tetmarch::clippingOptionsOf(mapper), {},
+    this->isShared() ? this->Together.Whole : WholeRanges() };
 }
 
 //------------------------------------------------------------------------------

@@ -2,11 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureCheck.h"
 
-#include "Mesh/MeshScalars.h"
-#include "Mesh/TetMeshBuilder.h"
-#include "Optics/FittingTable.h"
-#include "Rays/View.h"
-
 #include "DisplacedMesh.h"
 
 #include "vtkCamera.h"
@@ -19,7 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <random>
 
 namespace tetmarch::testing
 {
@@ -94,57 +89,24 @@ std::int64_t PictureResult::failures() const
 }
 
 PictureCheck::PictureCheck(const HardCase& hard, const HardView& view)
-  : Case(hard)
-  , Size(sizeOf(view))
+  : Size(sizeOf(view))
   , Data(hard.Make())
 {
-  std::string error;
-  if (buildTetMesh(this->Data, {}, this->Mesh, error) != BuildStatus::Done)
-  {
-    throw std::runtime_error(hard.Name + ": " + error);
-  }
-  ensureHierarchy(this->Mesh);
   vtkDataArray* array = hard.CellScalars ? this->Data->GetCellData()->GetScalars()
                                          : this->Data->GetPointData()->GetScalars();
-  MeshScalars scalars = readScalars(this->Data, { array, hard.CellScalars }, this->Mesh);
-  this->Range = scalars.Range;
-  this->CellScalars = std::move(scalars.OfCells);
   setUpHardCase(hard, view, this->Data, this->Renderer, this->Volume);
-  vtkVolumeProperty* property = this->Volume->GetProperty();
-  const auto table = [&](const AccuracyLevel& level)
-  {
-    return fittingTable(
-      property, OpacityLaw::Unstructured, this->Range.Low, this->Range.High, level);
-  };
-  this->DefaultTable = table(DefaultAccuracy);
-  this->ReferenceTable = table(ReferenceAccuracy);
-
-  const ReferenceImage image =
-    renderReference<double>(this->sceneOf(this->Mesh, this->ReferenceTable), ReferenceAccuracy);
+  const FrameInput input{ { { this->Data }, { array, hard.CellScalars } }, this->Renderer,
+    this->Volume };
+  this->Frame = std::make_unique<FreshFrame>(input);
+  this->AtDefault = this->Frame->at(DefaultAccuracy, this->Size, this->Size);
+  this->AtReference = this->Frame->at(ReferenceAccuracy, this->Size, this->Size);
+  const ReferenceImage image = this->AtReference->render<double>();
   this->GroundTruth = Image::fromFloats(this->Size, this->Size, image.Pixels.data());
-}
-
-ReferenceScene PictureCheck::sceneOf(const TetMesh& mesh, const IntegralTable& table) const
-{
-  ReferenceScene scene;
-  scene.Mesh = &mesh;
-  scene.CellScalars = this->CellScalars.empty() ? nullptr : &this->CellScalars;
-  scene.Range = this->Range;
-  scene.Table = &table;
-  scene.Width = scene.Height = this->Size;
-  if (!makeView(this->Renderer.Get(), this->Volume.Get(), mesh.Frame,
-        this->Volume->GetProperty()->GetScalarOpacityUnitDistance(), OpacityLaw::Unstructured,
-        scene.Camera))
-  {
-    throw std::runtime_error(this->Case.Name + " has no view");
-  }
-  return scene;
 }
 
 Image PictureCheck::reference(MarchCounters& counters) const
 {
-  const ReferenceImage image =
-    renderReference<float>(this->sceneOf(this->Mesh, this->DefaultTable), DefaultAccuracy);
+  const ReferenceImage image = this->AtDefault->render<float>();
   counters = image.Counters;
   return Image::fromFloats(this->Size, this->Size, image.Pixels.data());
 }
@@ -154,9 +116,10 @@ Image PictureCheck::reference(MarchCounters& counters) const
 std::array<float, 4> PictureCheck::pixelOf(const TetMesh& mesh, int x, int y,
   const std::array<double, 2>& aside, const std::array<double, 2>& entries) const
 {
-  ReferenceScene scene = this->sceneOf(mesh, this->ReferenceTable);
-  const double entry =
-    (this->DefaultTable.End - this->DefaultTable.Begin) / (this->DefaultTable.size() - 5);
+  ReferenceScene scene = this->AtReference->scene();
+  scene.Mesh = &mesh;
+  const IntegralTable& table = *this->AtDefault->scene().Table;
+  const double entry = (table.End - table.Begin) / (table.size() - 5);
   scene.Range.Low += entries[0] * entry;
   scene.Range.High += entries[1] * entry;
   scene.Width = scene.Height = 1;
@@ -177,12 +140,13 @@ bool PictureCheck::isWithinBounds(const Image& picture, int x, int y, const Pict
 {
   if (this->Displaced.empty())
   {
+    const TetMesh& mesh = this->Frame->volume().mesh();
     for (int i = 0; i < 64; ++i)
     {
       this->Displaced.push_back(
         i < DisplacementsTogether
-          ? displacedTogether(this->Mesh, VertexDisplacement, i)
-          : displacedMesh(this->Mesh, VertexDisplacement, static_cast<unsigned>(i)));
+          ? displacedTogether(mesh, VertexDisplacement, i)
+          : displacedMesh(mesh, VertexDisplacement, static_cast<unsigned>(i)));
     }
   }
   const float* pixel = picture.pixel(x, y);

@@ -15,12 +15,7 @@
 
 #include "HardCase.h"
 
-#include "Diagnostics/MarchCounters.h"
-#include "Mesh/TetMesh.h"
-#include "Optics/IntegralTable.h"
-#include "Reference/ReferenceImage.h"
-#include "Scalars/StoredScalar.h"
-
+#include "FreshFrame.h"
 #include "Images.h"
 
 #include "vtkNew.h"
@@ -69,7 +64,7 @@ int sizeOf(const HardView& view);
 class PictureCheck
 {
 public:
-  /// Throws std::runtime_error if the mesh can't be built.
+  /// Throws std::runtime_error with what is wrong.
   PictureCheck(const HardCase& hard, const HardView& view);
 
   /// By the reference in float, at the default level.
@@ -80,20 +75,16 @@ public:
     const Image& picture, const MarchCounters& counters, const PictureBounds& bounds);
 
 private:
-  ReferenceScene sceneOf(const TetMesh& mesh, const IntegralTable& table) const;
   std::array<float, 4> pixelOf(const TetMesh& mesh, int x, int y,
     const std::array<double, 2>& aside, const std::array<double, 2>& entries) const;
   bool isWithinBounds(const Image& picture, int x, int y, const PictureBounds& bounds);
 
-  const HardCase& Case;
   int Size;
   Grid Data;
-  TetMesh Mesh;
-  std::vector<float> CellScalars;
-  ScalarRange Range;
-  IntegralTable DefaultTable, ReferenceTable;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkVolume> Volume;
+  std::unique_ptr<FreshFrame> Frame;
+  std::unique_ptr<FrameScene> AtDefault, AtReference;
   Image GroundTruth;
   std::vector<TetMesh> Displaced; // made when first needed
 };

@@ -99,7 +99,7 @@ class PagesTest(unittest.TestCase):
         listed = [[floor, f"`{room}`", what.strip()] for floor, room, what in rooms]
         self.assertEqual([row for row in table_rows(page) if row[0].isdigit()], listed)
         (drawing,) = fenced_blocks(page, "")
-        drawn = [(floor, room) for floor, names in re.findall(r"^ +(\d) +(\w[\w ]*)", drawing, re.MULTILINE)
+        drawn = [(floor, room) for floor, names in re.findall(r"^ +(\d+) +(\w[\w ]*)", drawing, re.MULTILINE)
                  for room in names.split()]
         self.assertEqual(drawn, [(floor, room) for floor, room, _ in rooms])
 

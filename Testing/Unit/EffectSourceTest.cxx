@@ -17,7 +17,7 @@ public:
   Fingerprint geometryVersion() const override { return { this->Geometry }; }
   Fingerprint scalarsVersion() const override { return { this->Geometry, this->Scalars }; }
   bool hasCellGradients() const override { return false; }
-  std::vector<std::array<float, 3>> gradients(bool ofCells) const override
+  std::vector<std::array<float, 3>> gradients(bool ofCells, Group*) const override
   {
     EXPECT_FALSE(ofCells);
     ++this->AskedForGradients;
@@ -72,7 +72,7 @@ TEST_F(EffectsOfAnyVolume, HaveItsGradients)
   EXPECT_EQ(this->Points.AskedForGradients, 1);
   EXPECT_EQ(this->Points.AskedForStarts, 0);
   const EffectData& data = this->Stage.data();
-  EXPECT_EQ(data.Gradients, this->Points.gradients(false));
+  EXPECT_EQ(data.Gradients, this->Points.gradients(false, nullptr));
   EXPECT_FALSE(data.CellGradients);
   // 20 of the data's units over a radius of 2.
   EXPECT_DOUBLE_EQ(data.GradientOpacityScale * data.GradientOpacity.Unit, 10.0);

@@ -135,9 +135,9 @@ TEST_F(Effects, NewScalarsAndMeshes)
   this->addSun();
   this->addGradientOpacity();
   this->expectRuns(1, 1, 1);
-  this->Which = { 1, 2 }; // scalars
+  this->touchScalars();
   this->expectRuns(2, 2, 1);
-  this->Which = { 2, 3 };
+  this->touchMesh();
   this->expectRuns(3, 3, 2);
 }
 
@@ -151,11 +151,7 @@ TEST_F(Effects, GradientsOfCells)
   EXPECT_EQ(this->Stage.data().Gradients.size(), this->Mesh.Tets.size());
   EXPECT_TRUE(this->key().CellGradients);
   // Scalars of cells have no gradient within a cell.
-  MeshScalars scalars =
-    readScalars(this->Data, { this->Data->GetCellData()->GetScalars(), true }, this->Mesh);
-  this->Range = scalars.Range;
-  this->CellScalars = std::move(scalars.OfCells);
-  this->Which = { 1, 2 };
+  this->readData(true);
   this->expectRuns(3, 0, 0);
   EXPECT_EQ(this->Stage.data().Gradients.size(), this->Mesh.Vertices.size());
   EXPECT_FALSE(this->key().CellGradients);
@@ -185,9 +181,7 @@ TEST_F(Effects, GradientOpacityIsOfTheDatasUnits)
   const double scale = 40.0;
   this->Data =
     withOffsetAndScale(jitteredLattice(3, 0.15, 1, linearField()), { 5.0, 6.0, 7.0 }, scale);
-  this->Mesh = built(this->Data);
-  this->Range =
-    readScalars(this->Data, { this->Data->GetPointData()->GetScalars() }, this->Mesh).Range;
+  this->readData();
   vtkPiecewiseFunction* function = this->addGradientOpacity();
   function->RemoveAllPoints();
   function->AddPoint(0.0, 0.0);
@@ -240,7 +234,7 @@ TEST_F(Effects, WithoutMemoryNothingIsLeft)
   this->addSun();
   this->Options.Shadows = ShadowMethod::AtVertices;
   this->expectRuns(1, 0, 1);
-  this->Which = { 2, 2 };
+  this->touchMesh();
   {
     const ScarceMemory scarce(16 * this->Mesh.Vertices.size());
     EXPECT_NE(this->update().find("too little memory for the effects"), std::string::npos);

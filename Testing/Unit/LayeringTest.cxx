@@ -15,7 +15,7 @@ namespace
 namespace fs = std::filesystem;
 
 const fs::path Module = TETMARCH_MODULE_DIR;
-constexpr int TopFloor = 8; // its rooms know the public classes
+constexpr int TopFloor = 10; // its rooms know the public classes
 
 std::map<std::string, int> readFloors()
 {

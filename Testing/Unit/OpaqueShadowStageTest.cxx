@@ -63,7 +63,7 @@ TEST_F(OpaqueShadowStage, LightAndVolumeRedoThemAndTheCameraDoesNot)
   this->property()->SetScalarOpacityUnitDistance(7.0);
   this->Options.Occlusion = true;
   this->Options.Shadows = ShadowMethod::AlongRays;
-  this->Which = { 1, 2 }; // scalars
+  this->touchScalars();
   expectRun(0);
   sun->SetPosition(0.1, 0.2, 1.0);
   expectRun(1);
@@ -73,7 +73,7 @@ TEST_F(OpaqueShadowStage, LightAndVolumeRedoThemAndTheCameraDoesNot)
   expectRun(1);
   this->Options.Reach = 0.8;
   expectRun(1);
-  this->Which = { 2, 2 };
+  this->touchMesh();
   expectRun(1);
   EXPECT_EQ(this->Stage.data().Opaque.numberOfHierarchies(), 1);
 }

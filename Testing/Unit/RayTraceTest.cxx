@@ -10,11 +10,9 @@
 #include "ComponentFields.h"
 #include "Shot.h"
 
-#include "vtkCellData.h"
 #include "vtkContourValues.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPointData.h"
 
 #include <gtest/gtest.h>
 #include <map>
@@ -154,12 +152,16 @@ TEST(RayTrace, TellsWhyNothingIsGathered)
   EXPECT_GT(expectPictures(marched.Scene).at(CellOutcome::Hidden), 100);
   marched.Scene.Hidden = nullptr;
 
-  for (std::size_t v = 0; v < marched.Mesh.Vertices.size(); v += 16)
+  TetMesh mesh = marched.Mesh;
+  for (std::size_t v = 0; v < mesh.Vertices.size(); v += 16)
   {
-    marched.Mesh.Vertices[v].Scalar = UndrawnScalar;
+    mesh.Vertices[v].Scalar = UndrawnScalar;
   }
+  marched.Scene.Mesh = &mesh;
   EXPECT_GT(expectPictures(marched.Scene).at(CellOutcome::NotFinite), 100);
-  marched.Table.NanColor = { { 1.0f, 0.0f, 0.0f, 0.5f } };
+  IntegralTable table = *marched.Scene.Table;
+  table.NanColor = { { 1.0f, 0.0f, 0.0f, 0.5f } };
+  marched.Scene.Table = &table;
   marched.Scene.NanShown = true;
   expectPictures(marched.Scene);
 
@@ -175,21 +177,20 @@ TEST(RayTrace, TellsWhyNothingIsGathered)
 TEST(RayTrace, EndsWithThePixelOfOtherBlendModes)
 {
   Shot shot;
-  MarchedShot marched(shot, DefaultAccuracy);
-  vtkContourValues* surfaces = marched.Property->GetIsoSurfaceValues();
-  surfaces->SetNumberOfContours(2);
-  surfaces->SetValue(0, 0.45);
-  surfaces->SetValue(1, 0.7);
-  const ScalarRange& range = marched.Scene.Range;
+  shot.Adjust = [](vtkVolumeProperty* property)
+  {
+    vtkContourValues* surfaces = property->GetIsoSurfaceValues();
+    surfaces->SetNumberOfContours(2);
+    surfaces->SetValue(0, 0.45);
+    surfaces->SetValue(1, 0.7);
+  };
   for (int mode = int(BlendMode::Maximum); mode <= int(BlendMode::IsoSurface); ++mode)
   {
-    Blending blend;
-    ASSERT_EQ(makeBlending({ mode, { { 0.2, 0.8 } } }, marched.Property, range, blend), "");
-    marched.Table = blendedTable(
-      marched.Property, tetmarch::OpacityLaw::Unstructured, blend, range, DefaultAccuracy);
-    marched.Scene.Blend = &blend;
+    shot.Blend = { mode, { { 0.2, 0.8 } } };
+    const MarchedShot marched(shot, DefaultAccuracy);
     const Outcomes outcomes = expectPictures(marched.Scene);
-    EXPECT_EQ(outcomes.count(CellOutcome::Transparent), blend.isIsoSurface() ? 1u : 0u);
+    EXPECT_EQ(
+      outcomes.count(CellOutcome::Transparent), marched.Scene.Blend->isIsoSurface() ? 1u : 0u);
   }
 }
 
@@ -222,28 +223,15 @@ TEST(RayTrace, EndsWithThePixelOfSeveralComponents)
       Shot shot;
       shot.Data = withComponents(shot.Data, componentFields(4), VTK_DOUBLE);
       shot.Scalars = cells ? ScalarsOf::Cells : ScalarsOf::Points;
-      MarchedShot marched(shot, DefaultAccuracy);
-      marched.Property->SetIndependentComponents(independent);
-      setComponentFunctions(marched.Property, 4);
-      vtkDataArray* array =
-        cells ? shot.Data->GetCellData()->GetScalars() : shot.Data->GetPointData()->GetScalars();
-      DrawnScalars drawn;
-      ASSERT_EQ(chooseScalars(shot.Data, array, cells, { VectorMode::AllComponents, 0 },
-                  marched.Property, drawn),
-        "");
-      marched.Scalars = readScalars(shot.Data, drawn, marched.Mesh);
-      ReferenceScene& scene = marched.Scene;
-      Components parts;
-      parts.Mix = drawn.Mix;
-      parts.FurtherRanges = marched.Scalars.Further.Ranges;
-      scene.Range = marched.Scalars.Range;
-      scene.Further = &marched.Scalars.Further;
-      marched.Table = componentTables(
-        marched.Property, tetmarch::OpacityLaw::Unstructured, scene.Range, DefaultAccuracy, parts);
-      ASSERT_EQ(setFactors(marched.Property, parts), "");
-      scene.Parts = &parts;
-      expectPictures(scene);
-      EXPECT_EQ(traceRay<double>(scene, DefaultAccuracy, 24, 24).Components, 4);
+      shot.Vector = { VectorMode::AllComponents, 0 };
+      shot.Adjust = [independent](vtkVolumeProperty* property)
+      {
+        property->SetIndependentComponents(independent);
+        setComponentFunctions(property, 4);
+      };
+      const MarchedShot marched(shot, DefaultAccuracy);
+      expectPictures(marched.Scene);
+      EXPECT_EQ(traceRay<double>(marched.Scene, DefaultAccuracy, 24, 24).Components, 4);
     }
   }
 }

@@ -24,9 +24,7 @@ protected:
   ShadowedEffects()
   {
     this->Data = jitteredLattice(9, 0.15, 1, sineField());
-    this->Mesh = built(this->Data);
-    this->Range =
-      readScalars(this->Data, { this->Data->GetPointData()->GetScalars() }, this->Mesh).Range;
+    this->readData();
     this->property()->ShadeOn();
     this->Options.Shadows = ShadowMethod::AtVertices;
     this->Options.OpaqueShadows = true;

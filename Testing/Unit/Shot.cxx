@@ -3,9 +3,6 @@
 #include "Shot.h"
 
 #include "CutLine.h"
-#include "Mesh/MeshScalars.h"
-#include "Optics/FittingTable.h"
-#include "Reference/ReferenceImage.h"
 
 #include "vtkCellData.h"
 #include "vtkMatrix4x4.h"
@@ -82,6 +79,28 @@ std::array<double, 4> integrateLeft(
   }
   return seen;
 }
+
+std::unique_ptr<FreshFrame> frameOf(const Shot& shot, vtkRenderer* renderer, vtkVolume* volume)
+{
+  const bool ofCells = shot.Scalars != ScalarsOf::Points;
+  vtkDataArray* array =
+    ofCells ? shot.Data->GetCellData()->GetScalars() : shot.Data->GetPointData()->GetScalars();
+  const OpticalModel model = modelOf(shot);
+  vtkVolumeProperty* property = volume->GetProperty();
+  property->SetColor(model.Colour);
+  property->SetScalarOpacity(model.Opacity);
+  property->SetScalarOpacityUnitDistance(model.UnitDistance);
+  if (shot.Adjust)
+  {
+    shot.Adjust(property);
+  }
+  renderer->SetActiveCamera(shot.Camera);
+  volume->SetUserTransform(shot.Transform);
+  FrameInput input{ { { shot.Data }, { array, ofCells }, shot.Vector, shot.Blend, shot.Cut },
+    renderer, volume };
+  input.Effects.Blend = static_cast<BlendMode>(shot.Blend.Mode);
+  return std::make_unique<FreshFrame>(input);
+}
 } // namespace
 
 vtkStandardNewMacro(WindowlessRenderer);
@@ -129,33 +148,13 @@ Image byGroundTruth(const Shot& shot)
 }
 
 MarchedShot::MarchedShot(const Shot& shot, const AccuracyLevel& level)
-  : Mesh(builtWithHierarchy(shot.Data))
+  : Frame(frameOf(shot, this->Renderer, this->Volume))
+  , Made(Frame->at(level, Shot::Size, Shot::Size))
+  , Mesh(Frame->volume().mesh())
+  , Scalars(Frame->volume().scalars())
+  , Scene(Made->scene())
 {
-  ReferenceScene& scene = this->Scene;
-  const bool ofCells = shot.Scalars != ScalarsOf::Points;
-  vtkDataArray* array =
-    ofCells ? shot.Data->GetCellData()->GetScalars() : shot.Data->GetPointData()->GetScalars();
-  this->Scalars = readScalars(shot.Data, { array, ofCells }, this->Mesh);
-  scene.Range = this->Scalars.Range;
-  scene.CellScalars = ofCells ? &this->Scalars.OfCells : nullptr;
-  const OpticalModel model = modelOf(shot);
-  this->Property->SetColor(model.Colour);
-  this->Property->SetScalarOpacity(model.Opacity);
-  this->Table = fittingTable(
-    this->Property, tetmarch::OpacityLaw::Unstructured, scene.Range.Low, scene.Range.High, level);
-
-  vtkNew<WindowlessRenderer> renderer;
-  renderer->SetActiveCamera(shot.Camera);
-  vtkNew<vtkVolume> volume;
-  volume->SetUserTransform(shot.Transform);
-  EXPECT_TRUE(makeView(renderer, volume, this->Mesh.Frame, shot.UnitDistance,
-    tetmarch::OpacityLaw::Unstructured, scene.Camera));
-  EXPECT_EQ(makeClipping(shot.Cut, volume, this->Mesh.Frame, scene.Cut), "");
-  scene.Mesh = &this->Mesh;
-  scene.Table = &this->Table;
-  scene.Width = Shot::Size;
-  scene.Height = Shot::Size;
-  scene.WindowDepths = shot.Depths.empty() ? nullptr : shot.Depths.data();
+  this->Scene.WindowDepths = shot.Depths.empty() ? nullptr : shot.Depths.data();
 }
 
 template <typename Real>

@@ -7,10 +7,7 @@
 #ifndef tetmarch_testing_Shot_h
 #define tetmarch_testing_Shot_h
 
-#include "Mesh/MeshScalars.h"
-#include "Optics/AccuracyLevel.h"
-#include "Reference/ReferenceImage.h"
-
+#include "FreshFrame.h"
 #include "GroundTruth.h"
 #include "Images.h"
 #include "UnitMeshes.h"
@@ -20,6 +17,9 @@
 #include "vtkRenderer.h"
 #include "vtkTransform.h"
 #include "vtkVolumeProperty.h"
+
+#include <functional>
+#include <memory>
 
 namespace tetmarch::testing
 {
@@ -44,20 +44,29 @@ struct Shot
   std::vector<float> Depths; ///< of opaque geometry, a pixel each; empty: none
   ClippingOptions Cut;
   double UnitDistance = 0.25;
+  VectorOptions Vector;
+  BlendOptions Blend;
+  std::function<void(vtkVolumeProperty*)> Adjust; ///< what Optics doesn't say; may be empty
 
   Shot();
 };
 
 /// What the CPU marches of a shot.
-struct MarchedShot
+class MarchedShot
 {
+public:
   MarchedShot(const Shot& shot, const AccuracyLevel& level);
 
-  TetMesh Mesh;
-  MeshScalars Scalars;
-  vtkNew<vtkVolumeProperty> Property;
-  IntegralTable Table;
-  ReferenceScene Scene; ///< refers to these, and to the shot's depths
+private:
+  vtkNew<WindowlessRenderer> Renderer;
+  vtkNew<vtkVolume> Volume;
+  std::unique_ptr<FreshFrame> Frame;
+  std::unique_ptr<FrameScene> Made;
+
+public:
+  const TetMesh& Mesh;
+  const MeshScalars& Scalars;
+  ReferenceScene& Scene; ///< refers to the shot's depths, too
 };
 
 /// In world coordinates, with VTK's own camera matrix.

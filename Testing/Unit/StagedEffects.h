@@ -9,11 +9,11 @@
 
 #include "Light/EffectStage.h"
 
-#include "Mesh/MeshScalars.h"
-#include "Volume/TetEffectSource.h"
+#include "Volume/TetVolume.h"
 
 #include "Shot.h"
 
+#include "vtkCellData.h"
 #include "vtkLight.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -31,8 +31,7 @@ protected:
   StagedEffects()
   {
     this->Renderer->SetActiveCamera(vtkNew<vtkCamera>());
-    this->Range =
-      readScalars(this->Data, { this->Data->GetPointData()->GetScalars() }, this->Mesh).Range;
+    this->readData();
   }
 
   vtkVolumeProperty* property() { return this->Volume->GetProperty(); }
@@ -54,6 +53,27 @@ protected:
     function->AddPoint(0.5, 0.9);
     this->property()->SetGradientOpacity(function);
     return this->property()->GetGradientOpacity();
+  }
+
+  // The volume of the data, whose scalars are drawn.
+  void readData(bool ofCells = false)
+  {
+    vtkDataArray* array =
+      ofCells ? this->Data->GetCellData()->GetScalars() : this->Data->GetPointData()->GetScalars();
+    EXPECT_EQ(this->Source.updateGeometry({ this->Data }, {}, {}), "");
+    EXPECT_EQ(this->Source.updateScalars({ this->Data }, { array, ofCells }), "");
+  }
+  // Another version of the same scalars, and of the same mesh.
+  void touchScalars()
+  {
+    this->Data->GetPointData()->GetScalars()->Modified();
+    this->readData();
+  }
+  void touchMesh()
+  {
+    const Grid none = Grid::New();
+    EXPECT_EQ(this->Source.updateGeometry({ none }, {}, {}), "");
+    this->readData();
   }
 
   std::string update()
@@ -90,11 +110,8 @@ protected:
   }
 
   Grid Data = jitteredLattice(3, 0.15, 1, sineField());
-  TetMesh Mesh = built(Data);
-  std::vector<float> CellScalars;
-  ScalarRange Range;
-  Fingerprint Which{ 1, 1 };
-  TetEffectSource Source{ Mesh, CellScalars, Range, Which };
+  TetVolume Source;
+  const TetMesh& Mesh = Source.mesh();
   vtkNew<WindowlessRenderer> Renderer;
   vtkNew<vtkVolume> Volume;
   EffectOptions Options;

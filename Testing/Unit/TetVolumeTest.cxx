@@ -28,8 +28,8 @@ protected:
   // So often in all after one more update.
   void expectRuns(int mesh, int scalars)
   {
-    EXPECT_EQ(this->Volume.updateGeometry(this->Data, {}, {}), "");
-    EXPECT_EQ(this->Volume.updateScalars(this->Data, this->Drawn), "");
+    EXPECT_EQ(this->Volume.updateGeometry({ this->Data }, {}, {}), "");
+    EXPECT_EQ(this->Volume.updateScalars({ this->Data }, this->Drawn), "");
     EXPECT_EQ(this->Volume.meshRecord().Runs, mesh);
     EXPECT_EQ(this->Volume.scalarsRecord().Runs, scalars);
   }
@@ -70,7 +70,7 @@ TEST_F(TetVolumes, OtherScalarsLeaveTheMesh)
   this->Drawn = { this->Data->GetCellData()->GetScalars(), true };
   this->expectRuns(1, 3);
   EXPECT_EQ(this->Volume.scalars().OfCells.size(), this->Volume.mesh().Tets.size());
-  EXPECT_FALSE(this->Volume.effectSource().hasCellGradients());
+  EXPECT_FALSE(this->Volume.hasCellGradients());
 }
 
 TEST_F(TetVolumes, AnotherMeshNeedsItsScalars)
@@ -83,8 +83,7 @@ TEST_F(TetVolumes, AnotherMeshNeedsItsScalars)
   this->expectRuns(2, 2);
   EXPECT_NE(this->Volume.linksVersion(), links);
   EXPECT_NE(this->Volume.scalarsVersion().front(), scalars.front());
-  EXPECT_EQ(
-    this->Volume.effectSource().gradients(false).size(), this->Volume.mesh().Vertices.size());
+  EXPECT_EQ(this->Volume.gradients(false, nullptr).size(), this->Volume.mesh().Vertices.size());
 }
 
 TEST_F(TetVolumes, TheHierarchyIsNewLinks)
@@ -94,10 +93,10 @@ TEST_F(TetVolumes, TheHierarchyIsNewLinks)
   this->expectRuns(1, 1);
   ASSERT_FALSE(this->Volume.mesh().hasHierarchy());
   const Fingerprint links = this->Volume.linksVersion();
-  EXPECT_EQ(this->Volume.ensureHierarchy(), "");
+  EXPECT_EQ(this->Volume.prepareEntrySearch(), "");
   EXPECT_TRUE(this->Volume.mesh().hasHierarchy());
   EXPECT_NE(this->Volume.linksVersion(), links);
-  EXPECT_EQ(this->Volume.ensureHierarchy(), "");
+  EXPECT_EQ(this->Volume.prepareEntrySearch(), "");
   this->expectRuns(1, 1);
 }
 
@@ -118,7 +117,7 @@ TEST_F(TetVolumes, WithoutCellsThereIsNothing)
 {
   this->expectRuns(1, 1);
   const Grid empty = Grid::New();
-  EXPECT_EQ(this->Volume.updateGeometry(empty, {}, {}), "");
+  EXPECT_EQ(this->Volume.updateGeometry({ empty }, {}, {}), "");
   EXPECT_TRUE(this->Volume.mesh().Tets.empty());
 }
 
@@ -127,7 +126,7 @@ TEST_F(TetVolumes, WhatIsWrongIsSaid)
   ResourceLimits limits;
   limits.TexelsPerBuffer = 10;
   EXPECT_NE(
-    this->Volume.updateGeometry(this->Data, limits, {}).find("too large"), std::string::npos);
+    this->Volume.updateGeometry({ this->Data }, limits, {}).find("too large"), std::string::npos);
   EXPECT_TRUE(this->Volume.mesh().Tets.empty());
   this->expectRuns(1, 1);
 }

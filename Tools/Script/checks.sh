@@ -10,7 +10,7 @@ readonly COVERAGE_PACKAGES=(gcovr)
 readonly LEAST_COVERAGE=90
 COVERED_FOLDERS=()
 while read -r floor room _; do
-  if [[ "$floor" == [1-6] ]]; then COVERED_FOLDERS+=("VTKModule/$room"); fi
+  if [[ "$floor" == [1-8] ]]; then COVERED_FOLDERS+=("VTKModule/$room"); fi
 done <"$ROOT/VTKModule/floors.txt"
 readonly COVERED_FOLDERS
 

@@ -64,8 +64,9 @@ AccuracyLevel fittedTo(const TableInput& input, AccuracyLevel level)
 } // namespace
 
 IntegralTable makeTables(vtkVolumeProperty* property, const TableInput& input,
-  const AccuracyLevel& level, Components& components)
+  const AccuracyLevel& wanted, Components& components)
 {
+  const AccuracyLevel level = fittedTo(input, wanted);
   components.Tables.clear();
   if (!components.isSingle())
   {

@@ -54,7 +54,8 @@ private:
   StageRecord Record;
 };
 
-/** The table of the first scalar; those of further scalars are stored in the components' Tables. */
+/** The table of the first scalar; those of further scalars are stored in the components' Tables.
+ * They have at most the input's number of entries. */
 IntegralTable makeTables(vtkVolumeProperty* property, const TableInput& input,
   const AccuracyLevel& level, Components& components);
 

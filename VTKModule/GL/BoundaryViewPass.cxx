@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/BoundaryViewPass.h"
 
-#include "GL/MarchSource.h"
 #include "GL/PixelRays.h"
 #include "GL/StateScope.h"
 #include "GL/TileCorners.h"
+#include "GL/VolumeTextures.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 
@@ -23,17 +23,17 @@ std::string BoundaryViewPass::draw(vtkOpenGLRenderWindow* window, const MarchInp
       const ReplaceScope state(window);
       std::string error;
       vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
-        inputs.Source->shaderOf(SourcePass::BoundaryView), inputs.Key.defines(), error);
+        fileOf(VolumePass::BoundaryView), inputs.Key.defines(), error);
       if (!program)
       {
         return error;
       }
-      inputs.Source->bind(program, inputs.Key);
+      inputs.Volume->bind(program, inputs.Key);
       bindPixelRays(program, inputs, inputs.Area);
       program->SetUniformi("showsCoordinates", what == BoundaryView::Coordinates ? 1 : 0);
       drawCorners(program, this->Draw, inputs.Area, tile);
       unbindPixelRays(inputs);
-      inputs.Source->unbind();
+      inputs.Volume->unbind();
       return error;
     });
 }

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/ContentOf.h"
 
+#include "Frame/FrameStages.h"
 #include "GL/MarchPass.h"
-#include "GL/MarchSource.h"
-#include "Light/EffectData.h"
-#include "Rays/Clipping.h"
-#include "Rays/View.h"
 
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
@@ -69,20 +66,19 @@ void add(Fingerprint& fingerprint, const Clipping& cut)
   fingerprint.push_back(static_cast<std::uintptr_t>(cut.CroppingFlags));
 }
 
-PictureContent contentOf(
-  const Fingerprint& subject, const MarchInputs& inputs, vtkRenderer* renderer)
+PictureContent contentOf(const Fingerprint& shown, const MarchInputs& inputs, vtkRenderer* renderer)
 {
   PictureContent content;
-  content.Version = subject;
+  content.Version = shown;
   content.Version.push_back(static_cast<std::uintptr_t>(inputs.Key.bits()));
   content.Version.push_back(inputs.ByCompute ? 1 : 0);
-  add(content.Version, *inputs.Cut);
-  add(content.Version, inputs.Source->samplesVersion());
+  add(content.Version, inputs.Stages->cuts());
+  add(content.Version, inputs.Stages->samples().Distance);
   add(content.Version, inputs.Level.ErrorTolerance);
   content.Version.push_back(static_cast<std::uintptr_t>(inputs.Level.MostTrials));
   if (inputs.Key.SampledShadows)
   {
-    const LightUniforms& lights = inputs.EffectValues->Lights;
+    const LightUniforms& lights = inputs.Stages->effects().data().Lights;
     for (const auto& source : lights.ShadowSources)
     {
       addAll(content.Version, source);
@@ -94,7 +90,7 @@ PictureContent contentOf(
     content.Surroundings = surroundingsIn(renderer);
   }
   content.IsLayer = inputs.Key.Peeled;
-  content.Corners = cornersOf(inputs.Source->frame(), *inputs.Camera);
+  content.Corners = cornersOf(inputs.Stages->volume().frame(), inputs.Stages->camera());
   return content;
 }
 

@@ -16,9 +16,9 @@ struct MarchInputs;
 
 void add(Fingerprint& fingerprint, const Clipping& cut);
 
-/** The subject is what changes with data, functions and lengths (Pipeline::subject()). */
+/** `shown` changes with data, functions and lengths (FrameStages::contentVersion()). */
 PictureContent contentOf(
-  const Fingerprint& subject, const MarchInputs& inputs, vtkRenderer* renderer);
+  const Fingerprint& shown, const MarchInputs& inputs, vtkRenderer* renderer);
 
 } // namespace tetmarch
 

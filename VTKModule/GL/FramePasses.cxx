@@ -3,7 +3,8 @@
 #include "GL/FramePasses.h"
 
 #include "Caching/WithinMemory.h"
-#include "GL/MarchSource.h"
+#include "Frame/FrameStages.h"
+#include "GL/VolumeTextures.h"
 #include "Rays/RayPoints.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -143,8 +144,8 @@ std::string FramePasses::updateLight(vtkOpenGLRenderWindow* window, const Finger
   {
     return {};
   }
-  std::string error = this->Light.update(
-    window, inputs, inputs.EffectValues->VertexStarts.size(), lightVersion, progress, stopped);
+  std::string error = this->Light.update(window, inputs,
+    inputs.Stages->effects().data().VertexStarts.size(), lightVersion, progress, stopped);
   if (error.empty() && !stopped)
   {
     inputs.VertexLight = this->Light.texture();
@@ -159,9 +160,9 @@ std::string FramePasses::findRays(
   std::string error;
   if (inputs.Key.EntryLists)
   {
-    error = inputs.Source->listEntries(window, inputs.Key, inputs.Area, *inputs.Camera);
+    error = inputs.Volume->listEntries(window, inputs.Key, inputs.Area, inputs.Stages->camera());
   }
-  inputs.RayPoints = rayPoints(*inputs.Camera, inputs.Source->frame());
+  inputs.RayPoints = rayPoints(inputs.Stages->camera(), inputs.Stages->volume().frame());
   if (error.empty() && inputs.Key.OpaqueDepth)
   {
     error = this->Opaque.capture(window, depths);
@@ -191,7 +192,7 @@ void FramePasses::releaseUnused(vtkWindow* window, const MarchInputs& inputs, bo
   const VariantKey& key = inputs.Key;
   if (!key.EntryLists)
   {
-    inputs.Source->releaseEntries(window);
+    inputs.Volume->releaseEntries(window);
   }
   if (!key.OpaqueDepth)
   {

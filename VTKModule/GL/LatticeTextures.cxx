@@ -4,6 +4,7 @@
 
 #include "GL/Uniforms.h"
 #include "Structured/MostSteps.h"
+#include "Volume/StructuredVolume.h"
 
 #include "vtkOpenGLRenderUtilities.h" // the GL
 #include "vtkOpenGLRenderWindow.h"
@@ -79,26 +80,32 @@ void bindLightNodes(vtkShaderProgram* program, const LightNodes& nodes)
 
 } // namespace
 
-bool LatticeTextures::isCurrent(
-  const StructuredVolume& volume, const VersionedDistances& distances) const
+std::vector<BufferSize> LatticeTextures::bufferSizes() const
 {
-  return this->ValuesThere.holds(volume.valuesVersion()) &&
-         this->Planes.isCurrent(!volume.lattice().isUniform(), volume.latticeVersion()) &&
-         this->Hidden.isCurrent(!volume.hiddenCells().empty(), volume.hiddenVersion()) &&
-         this->Distances.isCurrent(distances.Used, distances.Version);
+  return { { "hidden cells", this->Volume.hiddenCells().size(), sizeof(std::uint32_t) },
+    { "blocks", this->Volume.emptySpace().Distances.size(), 1 } };
 }
 
-std::string LatticeTextures::upload(vtkOpenGLRenderWindow* window, const StructuredVolume& volume,
-  const VersionedDistances& distances)
+bool LatticeTextures::isCurrent() const
 {
+  const StructuredVolume& volume = this->Volume;
+  return this->ValuesThere.holds(volume.scalarsVersion()) &&
+         this->Planes.isCurrent(!volume.lattice().isUniform(), volume.geometryVersion()) &&
+         this->Hidden.isCurrent(!volume.hiddenCells().empty(), volume.hiddenVersion()) &&
+         this->Distances.isCurrent(volume.leaps(), volume.emptySpaceVersion());
+}
+
+std::string LatticeTextures::upload(vtkOpenGLRenderWindow* window)
+{
+  const StructuredVolume& volume = this->Volume;
   std::string error = this->ValuesThere.update(
-    volume.valuesVersion(),
+    volume.scalarsVersion(),
     [&] { return this->Values.upload(window, valuesAlong(volume.lattice()), volume.values()); },
     [&] { return this->Values.bytes(); });
   const auto update =
     [&](VersionedBuffer& there, bool needed, const Fingerprint& version, const auto& upload)
   { error = error.empty() ? there.update(window, needed, version, upload) : error; };
-  update(this->Planes, !volume.lattice().isUniform(), volume.latticeVersion(),
+  update(this->Planes, !volume.lattice().isUniform(), volume.geometryVersion(),
     [&](TextureBuffer& buffer)
     {
       const std::vector<float> planes = planesOf(volume.lattice());
@@ -108,18 +115,17 @@ std::string LatticeTextures::upload(vtkOpenGLRenderWindow* window, const Structu
   update(this->Hidden, !hidden.empty(), volume.hiddenVersion(),
     [&](TextureBuffer& buffer)
     { return buffer.upload(window, TexelFormat::R32UI, hidden.data(), hidden.size()); });
-  const std::vector<std::uint8_t>& blocks = distances.Empty.Distances;
-  update(this->Distances, distances.Used, distances.Version,
+  const std::vector<std::uint8_t>& blocks = volume.emptySpace().Distances;
+  update(this->Distances, volume.leaps(), volume.emptySpaceVersion(),
     [&](TextureBuffer& buffer)
     { return buffer.upload(window, TexelFormat::R8UI, blocks.data(), blocks.size()); });
   return error;
 }
 
 // A sampler of a scalar that is not drawn, which is never read, has the values of another one.
-void LatticeTextures::bindFurther(
-  vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume)
+void LatticeTextures::bindFurther(vtkShaderProgram* program, const VariantKey& key)
 {
-  const std::vector<StoredValues>& values = volume.values();
+  const std::vector<StoredValues>& values = this->Volume.values();
   const std::array<const char*, MostComponents - 1> samplers{ { "furtherTextureA",
     "furtherTextureB", "furtherTextureC" } };
   const std::size_t count = key.Components == ComponentGroup::ColorAndOpacity ? 1 : samplers.size();
@@ -136,11 +142,10 @@ void LatticeTextures::bindFurther(
   program->SetUniform2fv("furtherMap", MostComponents - 1, maps.front().data());
 }
 
-void LatticeTextures::bindValues(
-  vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume)
+void LatticeTextures::bindValues(vtkShaderProgram* program, const VariantKey& key)
 {
-  const Lattice& lattice = volume.lattice();
-  const StoredValues& values = volume.values().front();
+  const Lattice& lattice = this->Volume.lattice();
+  const StoredValues& values = this->Volume.values().front();
   const std::array<int, 3> along = valuesAlong(lattice);
   if (key.Slabs)
   {
@@ -154,7 +159,7 @@ void LatticeTextures::bindValues(
   program->SetUniform2f("valueMap", map.data());
   if (key.hasComponents())
   {
-    this->bindFurther(program, key, volume);
+    this->bindFurther(program, key);
   }
   if (key.PointScalars)
   {
@@ -167,9 +172,9 @@ void LatticeTextures::bindValues(
     program, "firstValue", intsOf(lattice, [](const LatticeAxis& a) { return a.FirstValue; }));
 }
 
-void LatticeTextures::bindPlanes(
-  vtkShaderProgram* program, const VariantKey& key, const Lattice& lattice)
+void LatticeTextures::bindPlanes(vtkShaderProgram* program, const VariantKey& key)
 {
+  const Lattice& lattice = this->Volume.lattice();
   if (key.Rectilinear)
   {
     this->Planes.bind(program, "planeBuffer");
@@ -185,27 +190,19 @@ void LatticeTextures::bindPlanes(
   }
 }
 
-void LatticeTextures::bind(vtkShaderProgram* program, const VariantKey& key,
-  const StructuredVolume& volume, const BlockDistances& empty, const RaySamples& samples)
+void LatticeTextures::bind(vtkShaderProgram* program, const VariantKey& key)
 {
-  const Lattice& lattice = volume.lattice();
-  this->bindValues(program, key, volume);
-  this->bindPlanes(program, key, lattice);
+  const Lattice& lattice = this->Volume.lattice();
+  this->bindValues(program, key);
+  this->bindPlanes(program, key);
   setInts(program, "latticeCells", intsOf(lattice, [](const LatticeAxis& a) { return a.Cells; }));
   setAffine(program, "latticeMatrix", lattice.FromNormalized);
   program->SetUniformi("mostSteps", mostStepsOf(lattice));
-  bindLightNodes(program, volume.lightNodes());
-  if (key.PointSampled)
-  {
-    const double step = samples.step(volume.frame());
-    program->SetUniformf("sampleStep", static_cast<float>(step));
-    program->SetUniformf("samplesPerDepth", static_cast<float>(1 / step));
-    program->SetUniform2f("sampleShift", samples.shift().data());
-  }
+  bindLightNodes(program, this->Volume.lightNodes());
   if (key.Leaps)
   {
     this->Distances.bind(program, "blockDistanceBuffer");
-    setInts(program, "blockCount", empty.Blocks);
+    setInts(program, "blockCount", this->Volume.emptySpace().Blocks);
   }
   if (key.HiddenCells)
   {

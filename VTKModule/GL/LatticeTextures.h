@@ -6,50 +6,42 @@
 
 #include "GL/ValueTextures.h"
 #include "GL/VersionedBuffer.h"
-#include "Rays/RaySamples.h"
-#include "Structured/StructuredVolume.h"
-#include "Variants/VariantKey.h"
-
-#include <string>
+#include "GL/VolumeTextures.h"
 
 namespace tetmarch
 {
 
-/** What of a structured volume rays leap over, and the version of that. */
-struct VersionedDistances
-{
-  const BlockDistances& Empty;
-  bool Used;
-  Fingerprint Version;
-};
+class StructuredVolume;
 
-class LatticeTextures
+class LatticeTextures : public VolumeTextures
 {
 public:
-  /** Whether all of the volume, as it is now, is on the GPU. */
-  bool isCurrent(const StructuredVolume& volume, const VersionedDistances& distances) const;
-  /** What is new of the values, of uneven planes, of hidden cells and of the distances; what is not
-   * needed is freed. Returns an empty string, or what is wrong and what to do. */
-  std::string upload(vtkOpenGLRenderWindow* window, const StructuredVolume& volume,
-    const VersionedDistances& distances);
+  /** The volume lives longer than the textures. */
+  explicit LatticeTextures(const StructuredVolume& volume)
+    : Volume(volume)
+  {
+  }
 
-  /** In how many textures the values are. */
-  void setBits(VariantKey& key) const { this->Values.setBits(key); }
+  /** The texture of values is no buffer; its sizes are checked where it is made. */
+  std::vector<BufferSize> bufferSizes() const override;
+  bool isCurrent() const override;
+  /** What is new of the values, of uneven planes, of hidden cells and of the empty space. */
+  std::string upload(vtkOpenGLRenderWindow* window) override;
+  void release(vtkWindow* window) override;
+  std::size_t bytes() const override;
+  std::int64_t uploadedBytes() const override;
+
+  void setBits(VariantKey& key) const override { this->Values.setBits(key); }
   /** The textures, and all else that shaders read of a lattice and of its light nodes. */
-  void bind(vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume,
-    const BlockDistances& empty, const RaySamples& samples);
-  void unbind();
-  void release(vtkWindow* window);
-  std::size_t bytes() const;
-  /** How many bytes were uploaded in all. */
-  std::int64_t uploadedBytes() const;
+  void bind(vtkShaderProgram* program, const VariantKey& key) override;
+  void unbind() override;
 
 private:
-  void bindFurther(
-    vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume);
-  void bindValues(vtkShaderProgram* program, const VariantKey& key, const StructuredVolume& volume);
-  void bindPlanes(vtkShaderProgram* program, const VariantKey& key, const Lattice& lattice);
+  void bindFurther(vtkShaderProgram* program, const VariantKey& key);
+  void bindValues(vtkShaderProgram* program, const VariantKey& key);
+  void bindPlanes(vtkShaderProgram* program, const VariantKey& key);
 
+  const StructuredVolume& Volume;
   ValueTextures Values; // of the first scalar and of those drawn with it
   Uploaded ValuesThere;
   VersionedBuffer Planes;

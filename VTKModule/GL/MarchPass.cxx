@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/MarchPass.h"
 
+#include "Frame/FrameStages.h"
 #include "GL/BlendBinding.h"
 #include "GL/ClippingBinding.h"
 #include "GL/EffectTextures.h"
 #include "GL/LightBinding.h"
-#include "GL/MarchSource.h"
 #include "GL/PeelHooks.h"
 #include "GL/PixelRays.h"
 #include "GL/StateScope.h"
@@ -14,6 +14,7 @@
 #include "GL/ThicknessBinding.h"
 #include "GL/TileCorners.h"
 #include "GL/Uniforms.h"
+#include "GL/VolumeTextures.h"
 #include "Rays/View.h"
 
 #include "vtkOpenGLRenderUtilities.h"
@@ -42,21 +43,30 @@ void bindVisits(vtkShaderProgram* program, const VisitInputs& visits, const Vari
   }
 }
 
+void bindSamples(vtkShaderProgram* program, const FrameStages& stages)
+{
+  const RaySamples& samples = stages.samples();
+  const double step = samples.step(stages.volume().frame());
+  program->SetUniformf("sampleStep", static_cast<float>(step));
+  program->SetUniformf("samplesPerDepth", static_cast<float>(1 / step));
+  program->SetUniform2f("sampleShift", samples.shift().data());
+}
+
 // Everything that the march reads.
 void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const Viewport& target)
 {
   const VariantKey& key = inputs.Key;
-  inputs.Source->bind(program, inputs.Key);
-  inputs.Tables->bind(
-    program, *inputs.Table, inputs.Range, *inputs.Parts, inputs.Level, inputs.Key);
-  bindBlending(program, *inputs.Blend, key);
+  const FrameStages& stages = *inputs.Stages;
+  inputs.Volume->bind(program, inputs.Key);
+  inputs.Tables->bind(program, inputs);
+  bindBlending(program, stages.blending(), key);
   if (key.hasGradients())
   {
-    inputs.Effects->bind(program, *inputs.EffectValues, key);
+    inputs.Effects->bind(program, stages.effects().data(), key);
   }
   if (key.Shading)
   {
-    bindLights(program, inputs.EffectValues->Lights, key);
+    bindLights(program, stages.effects().data().Lights, key);
   }
   if (key.hasVertexLight())
   {
@@ -64,11 +74,15 @@ void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const View
   }
   if (key.SampledShadows)
   {
-    bindLightRays(program, inputs.EffectValues->Lights, true);
+    bindLightRays(program, stages.effects().data().Lights, true);
   }
   if (key.SampledShadows || key.PointSampled)
   {
     inputs.Effects->bindJitter(program);
+  }
+  if (key.PointSampled)
+  {
+    bindSamples(program, stages);
   }
   bindPixelRays(program, inputs, target);
   if (inputs.Peeling)
@@ -77,9 +91,9 @@ void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const View
   }
   if (key.Clipped)
   {
-    bindClipping(program, *inputs.Cut, key);
+    bindClipping(program, stages.cuts(), key);
   }
-  bindThickness(program, *inputs.Camera);
+  bindThickness(program, stages.camera());
   if (!key.Diagnostics)
   {
     program->SetUniform2f("colorWindow", inputs.ColorWindow.data());
@@ -92,7 +106,7 @@ void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const View
 
 void unbindInputs(const MarchInputs& inputs)
 {
-  inputs.Source->unbind();
+  inputs.Volume->unbind();
   inputs.Tables->unbind();
   if (inputs.Effects)
   {
@@ -170,8 +184,8 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
 {
   std::string error;
   vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
-    inputs.Source->shaderOf(inputs.Visits ? SourcePass::Visits : SourcePass::March),
-    inputs.Key.defines(), error, inputs.Peeling);
+    fileOf(inputs.Visits ? VolumePass::Visits : VolumePass::March), inputs.Key.defines(), error,
+    inputs.Peeling);
   if (!program)
   {
     return error;
@@ -186,8 +200,8 @@ std::string MarchPass::dispatchTile(vtkOpenGLRenderWindow* window, const MarchIn
   const FloatTarget& images, const Viewport& tile)
 {
   std::string error;
-  vtkShaderProgram* program = this->Dispatch.use(
-    window, inputs.Source->shaderOf(SourcePass::MarchByCompute), inputs.Key.defines(), error);
+  vtkShaderProgram* program =
+    this->Dispatch.use(window, fileOf(VolumePass::MarchByCompute), inputs.Key.defines(), error);
   if (!program)
   {
     return error;

@@ -10,7 +10,6 @@
 #include "GL/TiledDraw.h"
 #include "GL/Viewport.h"
 #include "Optics/AccuracyLevel.h"
-#include "Scalars/StoredScalar.h"
 #include "Variants/VariantKey.h"
 
 class vtkTextureObject;
@@ -19,15 +18,10 @@ namespace tetmarch
 {
 
 class EffectTextures;
-class MarchSource;
+class FrameStages;
 class StateScope;
 class TableTextures;
-struct Blending;
-struct Clipping;
-struct Components;
-struct EffectData;
-struct IntegralTable;
-struct View;
+class VolumeTextures;
 
 /** What the march of one visit after another reads, beside the rest (passes/visit.frag.glsl). */
 struct VisitInputs
@@ -48,17 +42,11 @@ struct MarchInputs
   VariantKey Key;
   bool ByCompute = false; // by a compute shader; not if the key is Peeled
   Viewport Area;
-  const View* Camera = nullptr;
-  MarchSource* Source = nullptr;
+  const FrameStages* Stages = nullptr; // of the frame, with all that needs no GL
+  VolumeTextures* Volume = nullptr;
   TableTextures* Tables = nullptr;
-  const IntegralTable* Table = nullptr;
-  ScalarRange Range;
-  const Components* Parts = nullptr; // tables of what is drawn with the scalar of that range
+  EffectTextures* Effects = nullptr;
   AccuracyLevel Level = DefaultAccuracy;
-  const Blending* Blend = nullptr;
-  EffectTextures* Effects = nullptr; // with EffectValues: if the key has gradients
-  const EffectData* EffectValues = nullptr;
-  const Clipping* Cut = nullptr;           // if the key is Clipped
   vtkTextureObject* VertexLight = nullptr; // if the key has it
   std::array<double, 16> RayPoints{};
   vtkTextureObject* Depths = nullptr; // if the key has OpaqueDepth: those of the viewport,

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/PickPass.h"
 
+#include "Frame/FrameStages.h"
 #include "GL/BlendBinding.h"
 #include "GL/ClippingBinding.h"
 #include "GL/EffectTextures.h"
-#include "GL/MarchSource.h"
 #include "GL/PixelRays.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
 #include "GL/ThicknessBinding.h"
 #include "GL/TileCorners.h"
+#include "GL/VolumeTextures.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 
@@ -23,7 +24,7 @@ std::string PickPass::pick(vtkOpenGLRenderWindow* window, const MarchInputs& inp
   std::string error = this->march(window, inputs, part, progress, stopped);
   if (error.empty() && !stopped)
   {
-    points = this->read(window, *inputs.Source);
+    points = this->read(window, inputs.Stages->volume());
   }
   this->Target.release(window);
   this->Draw.release();
@@ -52,31 +53,30 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
   const Viewport& part, const Viewport& tile)
 {
   std::string error;
-  vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
-    inputs.Source->shaderOf(SourcePass::Pick), inputs.Key.defines(), error);
+  vtkShaderProgram* program = this->Draw.use(
+    window, "passes/tile.vert.glsl", fileOf(VolumePass::Pick), inputs.Key.defines(), error);
   if (!program)
   {
     return error;
   }
-  inputs.Source->bind(program, inputs.Key);
-  inputs.Tables->bind(
-    program, *inputs.Table, inputs.Range, *inputs.Parts, inputs.Level, inputs.Key);
-  bindBlending(program, *inputs.Blend, inputs.Key);
+  inputs.Volume->bind(program, inputs.Key);
+  inputs.Tables->bind(program, inputs);
+  bindBlending(program, inputs.Stages->blending(), inputs.Key);
   if (inputs.Key.hasGradients())
   {
-    inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
+    inputs.Effects->bind(program, inputs.Stages->effects().data(), inputs.Key);
   }
   // The position of the whole area relative to the corner of the part, which is that of the target.
   const Viewport& area = inputs.Area;
   bindPixelRays(program, inputs, { area.X - part.X, area.Y - part.Y, area.Width, area.Height });
   if (inputs.Key.Clipped)
   {
-    bindClipping(program, *inputs.Cut, inputs.Key);
+    bindClipping(program, inputs.Stages->cuts(), inputs.Key);
   }
-  bindThickness(program, *inputs.Camera);
+  bindThickness(program, inputs.Stages->camera());
   program->SetUniformf("transmittanceLeft", static_cast<float>(inputs.Level.ErrorTolerance));
   drawCorners(program, this->Draw, { 0, 0, part.Width, part.Height }, tile);
-  inputs.Source->unbind();
+  inputs.Volume->unbind();
   inputs.Tables->unbind();
   inputs.Effects->unbind();
   unbindPixelRays(inputs);
@@ -84,7 +84,7 @@ std::string PickPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs&
 }
 
 std::vector<PickedPoint> PickPass::read(
-  vtkOpenGLRenderWindow* window, const MarchSource& source) const
+  vtkOpenGLRenderWindow* window, const MarchedVolume& volume) const
 {
   const std::vector<float> hits = this->Target.read(window, 0);
   const std::vector<float> places = this->Target.read(window, 1);
@@ -99,7 +99,7 @@ std::vector<PickedPoint> PickPass::read(
     if (points[i].Hit)
     {
       points[i].Cell =
-        source.cellOf(static_cast<std::uint32_t>(hit[0]) | static_cast<std::uint32_t>(hit[1]) << 16,
+        volume.cellOf(static_cast<std::uint32_t>(hit[0]) | static_cast<std::uint32_t>(hit[1]) << 16,
           points[i].Position);
     }
   }

@@ -13,6 +13,8 @@
 namespace tetmarch
 {
 
+class MarchedVolume;
+
 class PickPass
 {
 public:
@@ -35,7 +37,7 @@ private:
     const Progress& progress, bool& stopped);
   std::string drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
     const Viewport& part, const Viewport& tile);
-  std::vector<PickedPoint> read(vtkOpenGLRenderWindow* window, const MarchSource& source) const;
+  std::vector<PickedPoint> read(vtkOpenGLRenderWindow* window, const MarchedVolume& volume) const;
 
   FloatTarget Target;
   ShaderDraw Draw;

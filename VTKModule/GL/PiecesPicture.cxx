@@ -4,6 +4,7 @@
 
 #include "Appearance/Blending.h"
 #include "Caching/WithinMemory.h"
+#include "Frame/FrameStages.h"
 #include "Optics/IntegralTable.h"
 
 #include "vtkTimerLog.h"
@@ -48,13 +49,15 @@ std::array<float, 4> tableValue(const IntegralTable& table, double x)
 // Shaders/gather. Sums come in the lengths that count.
 void showColor(const MarchInputs& inputs, float* pixel)
 {
+  const FrameStages& stages = *inputs.Stages;
   if (inputs.Key.Blend == BlendGroup::Extreme)
   {
+    const ScalarRange& range = stages.volume().range();
     const bool found = pixel[0] > emptyPixel(MergeRule::Greatest).Gathered[0];
-    const double scalar = inputs.Blend->extremeSign() * pixel[0];
-    const IntegralTable& table = *inputs.Table;
-    const std::array<float, 4> value = tableValue(
-      table, scalar * table.scale(inputs.Range.width()) + table.offset(inputs.Range.Low));
+    const double scalar = stages.blending().extremeSign() * pixel[0];
+    const IntegralTable& table = stages.tables().first();
+    const std::array<float, 4> value =
+      tableValue(table, scalar * table.scale(range.width()) + table.offset(range.Low));
     pixel[3] = found ? value[3] : 0;
     std::transform(
       value.begin(), value.begin() + 3, pixel, [&](float color) { return color * pixel[3]; });
@@ -62,7 +65,7 @@ void showColor(const MarchInputs& inputs, float* pixel)
   else if (inputs.Key.Blend == BlendGroup::Sum)
   {
     const bool counts = pixel[1] > 0;
-    const float divisor = counts && inputs.Blend->Mode == BlendMode::Average ? pixel[1] : 1.0f;
+    const float divisor = counts && stages.blending().Mode == BlendMode::Average ? pixel[1] : 1.0f;
     const float gray = counts && pixel[0] > 0 ? std::min(pixel[0] / divisor, 1.0f) : 0.0f;
     std::fill(pixel, pixel + 3, gray);
     pixel[3] = counts ? 1.0f : 0.0f;

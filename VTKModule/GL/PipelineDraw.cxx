@@ -31,15 +31,13 @@ Viewport Pipeline::currentViewport() const
 
 bool Pipeline::endsRays(vtkRenderer* renderer) const
 {
-  return this->Camera.CutsFarPlane || mayHaveOpaqueGeometry(renderer);
+  return this->Stages.camera().CutsFarPlane || mayHaveOpaqueGeometry(renderer);
 }
 
 // Lattices are marched through without it.
 std::string Pipeline::findPredicate(vtkOpenGLRenderWindow* window)
 {
-  VariantKey key;
-  this->Source.setBits(key, this->Camera);
-  if (this->PredicateIsKnown || key.Structured)
+  if (this->PredicateIsKnown || this->Stages.volume().isStructured())
   {
     return {};
   }
@@ -52,20 +50,13 @@ VariantKey Pipeline::keyOf(
   const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const
 {
   VariantKey key;
-  this->Source.setBits(key, this->Camera);
+  this->Stages.setBits(key, double(area.Width) * area.Height);
+  this->Textures.setBits(key);
   key.OpaqueDepth = options.RaysEnd || this->endsRays(renderer);
   key.HasFma = this->HasFma;
   key.Peeled = options.Peeling != nullptr;
   key.Adaptive = options.Level.Adaptive;
   key.PointSampled = options.Level.Sampled;
-  key.TransparentRanges = this->PassesCells.isOn();
-  key.ConstantColor = this->Tables.first().Traits.ConstantColor;
-  key.Clipped = this->Cut.cuts();
-  key.Cropped = this->Cut.Cropped;
-  key.NanShown = this->NanShown;
-  this->Blend.setBits(key);
-  this->Tables.components().setBits(key);
-  this->Effects.setBits(key, double(area.Width) * area.Height);
   return options.Boundary == BoundaryView::None ? key.filtered() : key.ofEntries();
 }
 
@@ -73,7 +64,8 @@ VariantKey Pipeline::keyOf(
 std::string Pipeline::describeUnfit(const MarchInputs& inputs, int ofVisits)
 {
   const VariantKey& key = inputs.Key;
-  const bool searches = key.Hierarchy || (key.hasVertexLight() && inputs.Source->mayReenter());
+  const bool searches =
+    key.Hierarchy || (key.hasVertexLight() && inputs.Stages->volume().mayReenter());
   if (searches && !writesArrays())
   {
     return "Mesa's softpipe can't search for where rays enter a mesh: those from a camera inside "
@@ -91,26 +83,10 @@ std::string Pipeline::describeUnfit(const MarchInputs& inputs, int ofVisits)
                "shading; or draw fewer components.";
 }
 
-// The version of the light at vertices. The first word is that of the geometry.
 Fingerprint Pipeline::lightVersion(const MarchInputs& inputs) const
 {
-  const VariantKey& key = inputs.Key;
-  const LightUniforms& lights = this->Effects.data().Lights;
-  Fingerprint version = this->Source.version();
-  version.push_back(static_cast<std::uintptr_t>(this->Tables.record().Runs));
-  addAll(version, this->Camera.ThicknessMatrix);
-  for (const auto& source : lights.ShadowSources)
-  {
-    addAll(version, source);
-  }
-  add(version, lights.Reach);
-  add(version, lights.OcclusionRadius);
-  version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
-  version.push_back(key.SampledShadows ? 1 : 0); // sampled along rays, lights are not kept
-  version.push_back(key.NanShown ? 1 : 0);
+  Fingerprint version = this->Stages.lightVersion(inputs.Key);
   version.push_back(inputs.ByCompute ? 1 : 0);
-  add(version, this->Effects.gradientOpacityVersion());
-  add(version, this->Effects.opaqueShadowsVersion());
   return version;
 }
 
@@ -124,22 +100,16 @@ MarchInputs Pipeline::inputsOf(
   const int ofVisits = options.Shared ? SamplersOfVisits : 0;
   inputs.Key =
     fittedTo(textureUnits(inputs.ByCompute) - ofVisits, this->keyOf(options, renderer, area));
-  inputs.Camera = &this->Camera;
-  inputs.Cut = &this->Cut;
-  inputs.Source = &this->Source;
+  inputs.Stages = &this->Stages;
+  inputs.Volume = &this->Textures;
   inputs.Tables = &this->TablesOnGpu;
-  inputs.Table = &this->Tables.first();
-  inputs.Range = this->Source.range();
-  inputs.Parts = &this->Tables.components();
-  inputs.Level = this->levelFor(options.Level);
-  inputs.Blend = &this->Blend;
   inputs.Effects = &this->EffectsOnGpu;
-  inputs.EffectValues = &this->Effects.data();
+  inputs.Level = this->Stages.levelFor(options.Level);
   inputs.ColorWindow = options.ColorWindow;
   inputs.Peeling = options.Peeling;
   inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
   inputs.MostLightSeconds = options.MostLightSeconds;
-  inputs.Content = contentOf(this->Subject, inputs, renderer);
+  inputs.Content = contentOf(this->Stages.contentVersion(), inputs, renderer);
   return inputs;
 }
 
@@ -156,14 +126,14 @@ void Pipeline::forgetErrorsOfReleasing(vtkOpenGLRenderWindow* window)
 // What is wrong with the view that is asked for instead of the picture, and what to choose.
 std::string Pipeline::describeBadView(const DrawOptions& options) const
 {
-  if (options.Boundary != BoundaryView::None && !this->Source.shaderOf(SourcePass::BoundaryView))
+  if (options.Boundary != BoundaryView::None && this->Stages.volume().isStructured())
   {
     return "The view mode shows boundary faces, but an image or a rectilinear grid has none: rays "
            "enter it by the six sides of its box. Choose another one, such as "
            "SetViewModeToCells() or SetViewModeToPicture().";
   }
   if (options.View && options.View->What == Measure::ErrorBound && options.Level.Sampled &&
-      this->Blend.isComposite())
+      this->Stages.blending().isComposite())
   {
     return "The view mode shows error bounds, but the accuracy level is Sampled, and what lies "
            "between samples has none. Choose another level, such as SetAccuracyLevelToDefault(), "
@@ -172,44 +142,37 @@ std::string Pipeline::describeBadView(const DrawOptions& options) const
   return options.View ? describeBadRange(*options.View) : std::string();
 }
 
-std::string Pipeline::describeBadSamples(const DrawOptions& options) const
+// What is wrong with the options for a picture of this volume.
+std::string Pipeline::describeBadOptions(const DrawOptions& options) const
 {
-  if (options.Level.Sampled && this->Mix != ComponentMix::Single)
-  {
-    return "The accuracy level is Sampled, which draws one component, but several are drawn "
-           "together. Choose one by VectorMode and VectorComponent, or another accuracy level, "
-           "such "
-           "as SetAccuracyLevelToDefault().";
-  }
-  return options.Level.Sampled ? this->Source.describeBadSamples() : std::string();
+  const std::string badView = this->describeBadView(options);
+  const std::string badSamples =
+    options.Level.Sampled ? this->Stages.describeBadSamples() : std::string();
+  return !badView.empty()      ? badView
+         : !badSamples.empty() ? badSamples
+         : options.Stage == ShaderStage::Compute && !this->Compute.Exists
+           ? "The shader stage is Compute, but this GL has no compute shaders: they need OpenGL "
+             "4.3. Choose SetShaderStageToAutomatic()."
+           : std::string();
 }
 
-bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
+StageResult Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const DrawOptions& options, const Progress& progress)
 {
   const Viewport area = this->currentViewport();
+  this->Content = this->Stages.contentVersion();
   if (area.Width <= 0 || area.Height <= 0)
   {
-    return true;
+    return {};
   }
-  const std::string badView = this->describeBadView(options);
-  if (!badView.empty())
+  const std::string bad = this->describeBadOptions(options);
+  if (!bad.empty())
   {
-    return this->fail(badView);
-  }
-  const std::string badSamples = this->describeBadSamples(options);
-  if (!badSamples.empty())
-  {
-    return this->fail(badSamples);
-  }
-  if (options.Stage == ShaderStage::Compute && !this->Compute.Exists)
-  {
-    return this->fail("The shader stage is Compute, but this GL has no compute shaders: they need "
-                      "OpenGL 4.3. Choose SetShaderStageToAutomatic().");
+    return { bad };
   }
   const MarchInputs inputs = this->inputsOf(options, renderer, area);
-  this->Subject.push_back(static_cast<std::uintptr_t>(area.Width));
-  this->Subject.push_back(static_cast<std::uintptr_t>(area.Height));
+  this->Content.push_back(static_cast<std::uintptr_t>(area.Width));
+  this->Content.push_back(static_cast<std::uintptr_t>(area.Height));
 
   const FirstColorOnly picture(!options.Peeling); // peels are drawn into several colours on purpose
   // A progress observer may release graphics resources during the frame.
@@ -217,8 +180,10 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   bool stopped = false;
   std::string error = describeUnfit(inputs, options.Shared ? SamplersOfVisits : 0);
   std::string shortage = withinMemory("drawing",
-    [&] {
-      error = error.empty() ? this->EffectsOnGpu.update(window, this->Effects, inputs.Key) : error;
+    [&]
+    {
+      error = error.empty() ? this->EffectsOnGpu.update(window, this->Stages.effects(), inputs.Key)
+                            : error;
     });
   error = shortage.empty() ? error : shortage;
   shortage = withinMemory("drawing",
@@ -246,7 +211,7 @@ bool Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
     const bool isWhole = !options.Peeling && !options.Shared && options.SampleDistance <= 1;
     this->Area = isWhole ? inputs.Area : Viewport();
   }
-  return error.empty() ? !stopped : this->fail(error);
+  return { error, stopped };
 }
 
 void Pipeline::finish() const { glFinish(); }

@@ -13,57 +13,49 @@
 namespace tetmarch
 {
 
-// Calls `use` with what the last frame showed, but for the volume, and with tables for a level.
-bool Pipeline::useReferenceScene(vtkVolumeProperty* property, OpacityLaw law,
-  const AccuracyLevel& level, const std::function<void(ReferenceScene&)>& use)
+// Calls `use` with the last frame's scene, which has tables for a level.
+StageResult Pipeline::useReferenceScene(vtkVolumeProperty* property, const AccuracyLevel& level,
+  bool isTruth, const std::function<void(FrameScene&)>& use)
 {
   if (!this->Window || this->Area.Width <= 0 || this->Area.Height <= 0)
   {
-    return this->fail("There is no frame to compare with: render the window first, with a ray "
-                      "a pixel and without peels of translucent geometry.");
+    return { "There is no frame to compare with: render the window first, with a ray a pixel and "
+             "without peels of translucent geometry." };
   }
-  const std::string error = this->prepareEntrySearch();
+  const std::string error = this->Stages.prepareEntrySearch();
   if (!error.empty())
   {
-    return this->fail(error);
+    return { error };
   }
   const std::string shortage = withinMemory("the reference picture",
     [&]
     {
       const std::vector<float> depths = this->Passes.opaqueDepths(this->Window);
-      Components parts = this->Tables.components();
-      const IntegralTable table = makeTables(property, this->tableInput(law), level, parts);
-      ReferenceScene scene;
-      scene.NanShown = this->NanShown;
-      scene.Table = &table;
-      scene.Camera = this->Camera;
+      FrameScene made(this->Stages, property, level, isTruth);
+      ReferenceScene& scene = made.scene();
       scene.Width = this->Area.Width;
       scene.Height = this->Area.Height;
       scene.WindowDepths = depths.empty() ? nullptr : depths.data();
-      scene.Cut = this->Cut;
-      scene.Effects = &this->Effects.data();
-      scene.Blend = &this->Blend;
-      scene.Parts = &parts;
-      use(scene);
+      use(made);
     });
-  return shortage.empty() || this->fail(shortage);
+  return { shortage };
 }
 
-bool Pipeline::renderReference(
-  vtkVolumeProperty* property, OpacityLaw law, const Progress& progress, ReferenceImage& image)
+StageResult Pipeline::renderReference(
+  vtkVolumeProperty* property, const Progress& progress, ReferenceImage& image)
 {
-  this->Error.clear();
-  const bool done = this->useReferenceScene(property, law, GroundTruthAccuracy,
-    [&](ReferenceScene& scene)
+  StageResult result = this->useReferenceScene(property, GroundTruthAccuracy, true,
+    [&](FrameScene& made)
     {
-      scene.Report = progress;
-      image = this->Source.renderReference(scene, GroundTruthAccuracy);
+      made.scene().Report = progress;
+      image = made.render<double>();
     });
-  return done && !image.Stopped;
+  result.Stopped = image.Stopped;
+  return result;
 }
 
-bool Pipeline::traceRay(
-  vtkVolumeProperty* property, OpacityLaw law, const TraceOptions& options, RayTrace& trace)
+StageResult Pipeline::traceRay(
+  vtkVolumeProperty* property, const TraceOptions& options, RayTrace& trace)
 {
   const Viewport& area = this->Area;
   const bool drawn = area.Width > 0 && area.Height > 0;
@@ -77,13 +69,13 @@ bool Pipeline::traceRay(
     error << "The pixel (" << options.X << ", " << options.Y << ") is outside the last frame, of "
           << area.Width << " x " << area.Height << " pixels from (" << area.X << ", " << area.Y
           << ") on.";
-    return this->fail(error.str());
+    return { error.str() };
   }
-  return this->useReferenceScene(property, law, options.Level,
-    [&](ReferenceScene& scene)
+  return this->useReferenceScene(property, options.Level, options.ExactLight,
+    [&](FrameScene& made)
     {
-      scene.ExactLight = options.ExactLight || this->Passes.samplesShadows();
-      trace = this->Source.traceRay(scene, ofFrame);
+      made.scene().ExactLight = options.ExactLight || this->Passes.samplesShadows();
+      trace = made.trace(ofFrame);
     });
 }
 

@@ -37,12 +37,12 @@ Viewport selectedPart(vtkHardwareSelector* selector, const Viewport& viewport)
 // geometry: a selector draws what it needs of that in each of its passes.
 Fingerprint Pipeline::pickVersion(const MarchInputs& inputs, const Viewport& part) const
 {
-  Fingerprint version = this->Subject;
+  Fingerprint version = this->Stages.contentVersion();
   version.push_back(static_cast<std::uintptr_t>(this->stageRuns()));
   version.push_back(static_cast<std::uintptr_t>(inputs.Key.bits()));
-  addAll(version, this->Camera.NormalizedToClip);
-  addAll(version, this->Camera.ThicknessMatrix);
-  add(version, this->Cut);
+  addAll(version, this->Stages.camera().NormalizedToClip);
+  addAll(version, this->Stages.camera().ThicknessMatrix);
+  add(version, this->Stages.cuts());
   for (const Viewport& place : { inputs.Area, part })
   {
     addAll(version, std::array<int, 4>{ { place.X, place.Y, place.Width, place.Height } });
@@ -51,7 +51,7 @@ Fingerprint Pipeline::pickVersion(const MarchInputs& inputs, const Viewport& par
   return version;
 }
 
-bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
+StageResult Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const DrawOptions& options, const CellOrigins& origins, const Progress& progress,
   std::vector<PickedPoint>& points)
 {
@@ -59,7 +59,7 @@ bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const Viewport part = selectedPart(renderer->GetSelector(), area);
   if (part.Width <= 0 || part.Height <= 0)
   {
-    return true;
+    return {};
   }
   MarchInputs inputs = this->inputsOf(options, renderer, area);
   inputs.Level = PickAccuracy;
@@ -79,7 +79,7 @@ bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
       else
       {
         // What the picture needs stays on the GPU.
-        error = this->EffectsOnGpu.update(window, this->Effects, inputs.Key);
+        error = this->EffectsOnGpu.update(window, this->Stages.effects(), inputs.Key);
         inputs.Key = inputs.Key.ofPick();
         error = error.empty() ? describeUnfit(inputs, 0) : error;
         if (error.empty())
@@ -94,12 +94,11 @@ bool Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
       if (error.empty() && !stopped)
       {
         error = this->Selected.draw(
-          window, area, part, selectionTexels(selector, points, origins, this->Camera));
+          window, area, part, selectionTexels(selector, points, origins, this->Stages.camera()));
       }
     });
   this->forgetErrorsOfReleasing(window);
-  error = shortage.empty() ? error : shortage;
-  return error.empty() ? !stopped : this->fail(error);
+  return { shortage.empty() ? error : shortage, stopped };
 }
 
 } // namespace tetmarch

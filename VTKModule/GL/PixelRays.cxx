@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/PixelRays.h"
 
+#include "Frame/FrameStages.h"
 #include "GL/Uniforms.h"
 #include "Rays/View.h"
 
@@ -12,7 +13,7 @@ namespace tetmarch
 
 void bindPixelRays(vtkShaderProgram* program, const MarchInputs& inputs, const Viewport& target)
 {
-  const View& view = *inputs.Camera;
+  const View& view = inputs.Stages->camera();
   const std::array<float, 4> area = target.asFloats();
   program->SetUniform4f("viewport", area.data());
   setUniform(program, "eye", view.Eye);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/TableTextures.h"
 
+#include "Frame/FrameStages.h"
+#include "GL/MarchPass.h"
 #include "GL/Uniforms.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -133,13 +135,15 @@ std::string TableTextures::upload(vtkOpenGLRenderWindow* window, const TransferT
     [&] { return this->bytes(); });
 }
 
-void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
-  const ScalarRange& range, const Components& components, const AccuracyLevel& level,
-  const VariantKey& key)
+void TableTextures::bind(vtkShaderProgram* program, const MarchInputs& inputs)
 {
+  const VariantKey& key = inputs.Key;
+  const IntegralTable& table = inputs.Stages->tables().first();
+  const Components& components = inputs.Stages->tables().components();
+  const ScalarRange& range = inputs.Stages->volume().range();
   if (key.accumulatesOpacity())
   {
-    program->SetUniformf("givenTolerance", static_cast<float>(level.ErrorTolerance));
+    program->SetUniformf("givenTolerance", static_cast<float>(inputs.Level.ErrorTolerance));
   }
   if (!key.usesTables())
   {
@@ -189,7 +193,7 @@ void TableTextures::bind(vtkShaderProgram* program, const IntegralTable& table,
   }
   if (key.Adaptive)
   {
-    program->SetUniformi("givenTrials", level.MostTrials);
+    program->SetUniformi("givenTrials", inputs.Level.MostTrials);
   }
 }
 

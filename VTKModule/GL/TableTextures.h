@@ -7,13 +7,11 @@
 #include "Appearance/TransferTables.h"
 #include "GL/TextureBuffer.h"
 #include "GL/Uploaded.h"
-#include "Optics/AccuracyLevel.h"
-#include "Optics/IntegralTable.h"
-#include "Scalars/StoredScalar.h"
-#include "Variants/VariantKey.h"
 
 namespace tetmarch
 {
+
+struct MarchInputs;
 
 class TableTextures
 {
@@ -23,8 +21,7 @@ public:
   /** Unless holds(): upload the table of the first scalar, and those of further components behind
    * it. Returns an empty string, or what is wrong. */
   std::string upload(vtkOpenGLRenderWindow* window, const TransferTables& tables);
-  void bind(vtkShaderProgram* program, const IntegralTable& table, const ScalarRange& range,
-    const Components& components, const AccuracyLevel& level, const VariantKey& key);
+  void bind(vtkShaderProgram* program, const MarchInputs& inputs);
   void unbind();
   void release(vtkWindow* window);
   std::size_t bytes() const;

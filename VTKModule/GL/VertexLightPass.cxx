@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/VertexLightPass.h"
 
+#include "Frame/FrameStages.h"
 #include "GL/EffectTextures.h"
 #include "GL/LightBinding.h"
-#include "GL/MarchSource.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
 #include "GL/ThicknessBinding.h"
 #include "GL/TileCorners.h"
+#include "GL/VolumeTextures.h"
 #include "Light/VertexLightLayout.h"
 
 #include "vtkOpenGLRenderUtilities.h"
@@ -41,7 +42,7 @@ std::string bindRows(vtkOpenGLRenderWindow* window, FloatTarget& target, const V
 
 int VertexLightPass::Work::rays() const
 {
-  const LightUniforms& lights = this->Inputs.EffectValues->Lights;
+  const LightUniforms& lights = this->Inputs.Stages->effects().data().Lights;
   const std::size_t ofLights = this->ToLights ? lights.ShadowSources.size() : 0;
   return std::max(1, static_cast<int>(ofLights) + lights.OcclusionDirections);
 }
@@ -68,7 +69,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   const int rows =
     VertexLightBlockSide * static_cast<int>((vertices + rowOfBlocks - 1) / rowOfBlocks);
   Work work{ inputs, { 0, 0, VertexLightRow, rows }, vertices, !inputs.Key.SampledShadows };
-  work.Inputs.Key = inputs.Key.ofVertexLight(inputs.Source->mayReenter());
+  work.Inputs.Key = inputs.Key.ofVertexLight(inputs.Stages->volume().mayReenter());
   work.Inputs.Level = LightAccuracy;
   const TargetScope state(window, work.All.Width, work.All.Height);
   const bool spread = inputs.MostLightSeconds > 0;
@@ -182,12 +183,10 @@ Viewport VertexLightPass::nextPart(const Viewport& all) const
 vtkShaderProgram* VertexLightPass::useProgram(
   vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::string& error)
 {
-  const MarchSource& source = *inputs.Source;
-  return inputs.ByCompute
-           ? this->Dispatch.use(window, source.shaderOf(SourcePass::VertexLightByCompute),
-               inputs.Key.defines(), error)
-           : this->Draw.use(window, "passes/tile.vert.glsl",
-               source.shaderOf(SourcePass::VertexLight), inputs.Key.defines(), error);
+  return inputs.ByCompute ? this->Dispatch.use(window, fileOf(VolumePass::VertexLightByCompute),
+                              inputs.Key.defines(), error)
+                          : this->Draw.use(window, "passes/tile.vert.glsl",
+                              fileOf(VolumePass::VertexLight), inputs.Key.defines(), error);
 }
 
 std::string VertexLightPass::drawTile(
@@ -200,13 +199,12 @@ std::string VertexLightPass::drawTile(
   {
     return error;
   }
-  inputs.Source->bind(program, inputs.Key);
-  inputs.Tables->bind(
-    program, *inputs.Table, inputs.Range, *inputs.Parts, inputs.Level, inputs.Key);
-  inputs.Effects->bind(program, *inputs.EffectValues, inputs.Key);
-  inputs.Effects->bindVertexRays(program, *inputs.EffectValues, inputs.Key);
-  bindLightRays(program, inputs.EffectValues->Lights, work.ToLights);
-  bindThickness(program, *inputs.Camera);
+  inputs.Volume->bind(program, inputs.Key);
+  inputs.Tables->bind(program, inputs);
+  inputs.Effects->bind(program, inputs.Stages->effects().data(), inputs.Key);
+  inputs.Effects->bindVertexRays(program, inputs.Stages->effects().data(), inputs.Key);
+  bindLightRays(program, inputs.Stages->effects().data().Lights, work.ToLights);
+  bindThickness(program, inputs.Stages->camera());
   program->SetUniformi("vertexCount", static_cast<int>(work.Vertices));
   if (inputs.ByCompute)
   {
@@ -216,7 +214,7 @@ std::string VertexLightPass::drawTile(
   {
     drawCorners(program, this->Draw, work.All, tile);
   }
-  inputs.Source->unbind();
+  inputs.Volume->unbind();
   inputs.Tables->unbind();
   inputs.Effects->unbind();
   return {};

@@ -15,6 +15,8 @@
 namespace tetmarch
 {
 
+class Group;
+
 class EffectSource
 {
 public:
@@ -36,11 +38,8 @@ public:
   /** Whether the scalar may vary within a cell, so that cells have gradients. */
   virtual bool hasCellGradients() const = 0;
   /** Gradients of the stored scalar in the normalised frame: one per cell or per vertex; none if
-   * they are not stored. */
-  virtual std::vector<std::array<float, 3>> gradients(bool ofCells) const = 0;
-
-  /** The steepest gradient of the whole volume, given that of this piece. */
-  virtual double steepestOf(double own) const { return own; }
+   * they are not stored. Collective if other processes have pieces of the volume. */
+  virtual std::vector<std::array<float, 3>> gradients(bool ofCells, Group* processes) const = 0;
 
   /** Equal as long as vertexStarts() are the same. */
   virtual Fingerprint startsVersion() const { return this->geometryVersion(); }

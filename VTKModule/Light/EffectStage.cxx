@@ -3,6 +3,7 @@
 #include "Light/EffectStage.h"
 
 #include "Caching/WithinMemory.h"
+#include "Processes/Group.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkPiecewiseFunction.h"
@@ -27,6 +28,18 @@ double steepest(const std::vector<std::array<float, 3>>& gradients)
     most = std::max(most, std::hypot(double(g[0]), double(g[1]), double(g[2])));
   }
   return most;
+}
+
+// The steepest gradient of the whole volume, given that of this piece.
+double steepestOfAll(double own, Group* processes)
+{
+  std::vector<float> least{ static_cast<float>(-own) };
+  if (processes)
+  {
+    processes->keepLeast(least);
+    return -double(least.front());
+  }
+  return own;
 }
 
 // The getter of a missing function would create one.
@@ -121,6 +134,7 @@ void EffectStage::updateGradients(const EffectInput& input, bool needed, bool of
   if (needed)
   {
     which = input.Source->scalarsVersion();
+    which.push_back(input.Generation);
     which.push_back(ofCells ? 1 : 0);
   }
   this->Gradients.update(
@@ -128,9 +142,9 @@ void EffectStage::updateGradients(const EffectInput& input, bool needed, bool of
     [&]
     {
       this->Data.CellGradients = ofCells;
-      this->Data.Gradients = input.Source->gradients(ofCells);
+      this->Data.Gradients = input.Source->gradients(ofCells, input.Processes);
       this->SteepestGradient = input.Source->storesGradients()
-                                 ? input.Source->steepestOf(steepest(this->Data.Gradients))
+                                 ? steepestOfAll(steepest(this->Data.Gradients), input.Processes)
                                  : std::numeric_limits<double>::infinity();
     });
 }

@@ -24,6 +24,10 @@ struct EffectInput
 {
   const EffectSource* Source = nullptr;
   BlockAttributes Blocks = nullptr; // of opaque geometry; nullptr: all blocks are drawn alike
+  /** These have pieces of the volume; nullptr: there is one process. Gradients are then found by
+   * all of them or by none: the generation changes in all if the scalars of one have changed. */
+  Group* Processes = nullptr;
+  std::uintptr_t Generation = 0;
 };
 
 class EffectStage

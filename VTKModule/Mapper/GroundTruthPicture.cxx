@@ -7,7 +7,6 @@
 
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
-#include "vtkTetMarchSettings.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -36,11 +35,11 @@ bool renderGroundTruth(const GroundTruthOf& frame, vtkFloatArray* pixels, std::s
     error = "No reference picture: no volume was given.";
     return false;
   }
-  const auto law = static_cast<OpacityLaw>(frame.Settings->GetOpacityLaw());
-  if (!frame.Drawn.renderReference(frame.Volume->GetProperty(), law, frame.Report, image))
+  const StageResult result =
+    frame.Drawn.renderReference(frame.Volume->GetProperty(), frame.Report, image);
+  if (!result.isDone())
   {
-    const std::string& reason = frame.Drawn.error();
-    error = reason.empty() ? reason : "No reference picture: " + reason;
+    error = result.Error.empty() ? std::string() : "No reference picture: " + result.Error;
     return false;
   }
   copyPixels(image.Pixels, pixels);

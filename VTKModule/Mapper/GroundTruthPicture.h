@@ -10,7 +10,6 @@
 
 class vtkFloatArray;
 class vtkTetMarchFrameStatistics;
-class vtkTetMarchSettings;
 class vtkVolume;
 
 namespace tetmarch
@@ -18,11 +17,10 @@ namespace tetmarch
 
 class Pipeline;
 
-/** What is drawn once more, by whose settings; progress may ask to stop. */
+/** What is drawn once more, progress may ask to stop. */
 struct GroundTruthOf
 {
   Pipeline& Drawn;
-  vtkTetMarchSettings* Settings;
   vtkVolume* Volume;
   Progress Report;
 };

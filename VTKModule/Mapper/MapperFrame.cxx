@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mapper/MapperFrame.h"
 
+#include "Frame/NothingVisible.h"
+#include "GL/BlockAttributes.h"
 #include "Mapper/FrameMeasures.h"
 #include "Mapper/MapperState.h"
-#include "Mapper/NothingVisible.h"
 
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -40,70 +41,44 @@ MapperFrame::MapperFrame(const MapperScene& scene, MapperState& state, const Ble
 
 MapperFrame::~MapperFrame() = default;
 
-bool MapperFrame::prepare(Pipeline& pipeline, const DrawnData& drawn)
+FrameInput MapperFrame::inputOf(const DrawnData& drawn) const
 {
-  const bool ready = pipeline.guarded([&] { return this->prepareStages(pipeline, drawn); });
-  this->noteVisibility(pipeline.error().empty() ? whyNothingIsVisible(pipeline) : std::string());
-  return ready;
+  return { drawn, this->Scene.Renderer, this->Scene.Volume, this->Options.Law, this->State.Level,
+    this->Options.DrawNanCells, this->Options.Effects, blockAttributes };
 }
 
-bool MapperFrame::prepareStages(Pipeline& pipeline, const DrawnData& drawn)
+StageResult MapperFrame::prepare(Pipeline& pipeline, const DrawnData& drawn)
 {
-  return pipeline.updateGeometry(drawn.Data, this->Report) &&
-         this->prepareScalars(pipeline, drawn) && this->prepareTables(pipeline, drawn) &&
-         this->prepareRays(pipeline, drawn);
+  const StageResult result =
+    pipeline.update(this->Scene.Window, this->inputOf(drawn), this->Report);
+  this->noteVisibility(
+    result.Error.empty() ? whyNothingIsVisible(pipeline.stages()) : std::string());
+  return result;
 }
 
-bool MapperFrame::prepareScalars(Pipeline& pipeline, const DrawnData& drawn)
-{
-  DrawnScalars scalars;
-  scalars.Whole = drawn.Whole;
-  return pipeline.chooseScalars(drawn.Data, drawn.Scalars.Array, drawn.Scalars.OfCells,
-           drawn.Vector, this->Scene.Volume->GetProperty(), scalars) &&
-         pipeline.updateScalars(drawn.Data, scalars);
-}
-
-bool MapperFrame::prepareTables(Pipeline& pipeline, const DrawnData& drawn)
-{
-  vtkVolumeProperty* property = this->Scene.Volume->GetProperty();
-  const FrameOptions& options = this->Options;
-  return pipeline.updateBlending(property, drawn.Blend) &&
-         pipeline.updateTables(property, options.Law, this->State.Level, options.DrawNanCells);
-}
-
-bool MapperFrame::prepareRays(Pipeline& pipeline, const DrawnData& drawn)
-{
-  vtkRenderer* renderer = this->Scene.Renderer;
-  vtkVolume* volume = this->Scene.Volume;
-  const FrameOptions& options = this->Options;
-  return pipeline.updateEffects(renderer, volume, options.Effects) &&
-         pipeline.updateView(renderer, volume, options.Law) &&
-         pipeline.updateClipping(volume, drawn.Cuts) && pipeline.upload(this->Scene.Window);
-}
-
-bool MapperFrame::draw(Pipeline& pipeline, const CellOrigins& origins)
+StageResult MapperFrame::draw(Pipeline& pipeline, const CellOrigins& origins)
 {
   vtkRenderer* renderer = this->Scene.Renderer;
   this->Pipelines.push_back(&pipeline);
-  const bool drawn = pipeline.guarded(
+  const StageResult result = guarded(
     [&]
     {
       return renderer->GetSelector()
                ? this->select(pipeline, origins)
                : pipeline.draw(this->Scene.Window, renderer, this->Options.Draw, this->Report);
     });
-  this->Failed = this->Failed || !drawn;
-  return drawn;
+  this->Failed = this->Failed || !result.isDone();
+  return result;
 }
 
-bool MapperFrame::select(Pipeline& pipeline, const CellOrigins& origins)
+StageResult MapperFrame::select(Pipeline& pipeline, const CellOrigins& origins)
 {
   std::vector<PickedPoint> points;
-  const bool drawn = pipeline.select(
+  const StageResult result = pipeline.select(
     this->Scene.Window, this->Scene.Renderer, this->Options.Draw, origins, this->Report, points);
-  this->State.Picking.take(
-    drawn, points, origins, this->Scene.Renderer, this->Scene.Volume, pipeline.source());
-  return drawn;
+  this->State.Picking.take(result.isDone(), points, origins, this->Scene.Renderer,
+    this->Scene.Volume, pipeline.stages().volume());
+  return result;
 }
 
 void MapperFrame::end(double& timeToDraw)
@@ -171,8 +146,8 @@ FrameResult MapperFrame::resultOf(double seconds) const
   {
     result.Seconds -= this->Options.Draw.View ? 0.0 : pipeline->counted().seconds();
     result.OnlyDrawn = result.OnlyDrawn && pipeline->onlyDrew();
-    result.Subject.insert(
-      result.Subject.end(), pipeline->subject().begin(), pipeline->subject().end());
+    const Fingerprint& content = pipeline->contentVersion();
+    result.Subject.insert(result.Subject.end(), content.begin(), content.end());
   }
   return result;
 }

@@ -25,18 +25,8 @@ class vtkVolume;
 namespace tetmarch
 {
 
+class TetVolume;
 struct MapperState;
-
-/** An array of the data, and what is shown of it. */
-struct DrawnData
-{
-  vtkDataSet* Data = nullptr;
-  FoundScalars Scalars;
-  VectorOptions Vector;
-  BlendOptions Blend;
-  ClippingOptions Cuts;
-  std::vector<FiniteRange> Whole{}; // as in DrawnScalars
-};
 
 /** Who draws, and where. */
 struct MapperScene
@@ -63,31 +53,29 @@ public:
   /** Between rays, in pixels. */
   double rayDistance() const { return this->Options.Draw.SampleDistance; }
 
-  // What is wrong in these two is the pipeline's error().
-
-  /** All stages but the last of a pipeline that has begun. Whether there is something to draw. */
-  bool prepare(Pipeline& pipeline, const DrawnData& drawn);
+  /** All stages but the last of a pipeline that has begun. Done: there is something to draw. */
+  StageResult prepare(Pipeline& pipeline, const DrawnData& drawn);
   /**
-   * The same of a volume of which each process of a group has a piece: collective, stage by stage.
-   * `found` is what is wrong with the data of this process; a process without cells has a grid
-   * without cells. What is wrong with any process, and what is to be agreed on, stops all of them.
+   * The same of tetrahedra of which each process of a group has a piece: collective, stage by
+   * stage. `found` is what is wrong with the data of this process; a process without cells has a
+   * grid without cells. A failure of any process, and what is to be agreed on, stops all of them.
    */
-  bool prepareTogether(
-    Pipeline& pipeline, const DrawnData& drawn, const std::string& found, GroupState& group);
-  /** The last stage: the picture, or what the selector reads: cells by their origins. Whether it
-   * came to its end. */
-  bool draw(Pipeline& pipeline, const CellOrigins& origins);
+  StageResult prepareDistributed(TetVolume& piece, Pipeline& pipeline, const DrawnData& drawn,
+    const std::string& found, GroupState& group);
+  /** The last stage: the picture, or what the selector reads: cells by their origins. */
+  StageResult draw(Pipeline& pipeline, const CellOrigins& origins);
 
   /** What the frame took and counted goes to the state, and its seconds to timeToDraw. Nothing is
    * done after a selection. */
   void end(double& timeToDraw);
 
 private:
-  bool select(Pipeline& pipeline, const CellOrigins& origins);
-  bool prepareStages(Pipeline& pipeline, const DrawnData& drawn);
-  bool prepareScalars(Pipeline& pipeline, const DrawnData& drawn);
-  bool prepareTables(Pipeline& pipeline, const DrawnData& drawn);
-  bool prepareRays(Pipeline& pipeline, const DrawnData& drawn);
+  FrameInput inputOf(const DrawnData& drawn) const;
+  StageResult agreeOnFrame(const DrawnData& drawn, const std::string& found, GroupState& group);
+  StageResult prepareScalars(
+    TetVolume& piece, Pipeline& pipeline, FrameInput& input, GroupState& group);
+  void noteDistributed(const Pipeline& pipeline, GroupState& group);
+  StageResult select(Pipeline& pipeline, const CellOrigins& origins);
   std::string describeBadForGroup() const;
   FrameResult resultOf(double seconds) const;
   void record(double seconds);

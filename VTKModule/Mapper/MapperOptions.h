@@ -4,14 +4,11 @@
 #ifndef TetMarchMapperMapperOptions_h
 #define TetMarchMapperMapperOptions_h
 
-#include "Appearance/Blending.h"
 #include "Blocks/MissingScalars.h"
-#include "Rays/Clipping.h"
-#include "Scalars/DrawnScalars.h"
+#include "Frame/FrameInput.h"
 
 #include "vtkAbstractVolumeMapper.h"
 
-class vtkDataArray;
 class vtkDataSet;
 
 namespace tetmarch
@@ -46,13 +43,6 @@ ClippingOptions clippingOptionsOf(Mapper* mapper)
   options.CroppingFlags = mapper->GetCroppingRegionFlags();
   return options;
 }
-
-/** An array of the data. */
-struct FoundScalars
-{
-  vtkDataArray* Array = nullptr;
-  bool OfCells = false; // else of points
-};
 
 /** The array that the mapper selects; none if it isn't there or has no components. */
 FoundScalars findScalars(vtkDataSet* data, const ScalarSelection& selection);

@@ -3,7 +3,7 @@
 #include "Mapper/PickSession.h"
 
 #include "Blocks/CellOrigins.h"
-#include "GL/MarchSource.h"
+#include "Volume/MarchedVolume.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkHardwareSelector.h"
@@ -40,20 +40,21 @@ Pick::Pick()
 }
 
 void PickSession::take(bool drawn, const std::vector<PickedPoint>& points,
-  const CellOrigins& origins, vtkRenderer* renderer, vtkVolume* volume, const MarchSource& source)
+  const CellOrigins& origins, vtkRenderer* renderer, vtkVolume* volume,
+  const MarchedVolume& marched)
 {
   this->Failed = this->Failed || !drawn;
   if (renderer->GetSelector() == this->Selector && drawsLike(volume, this->Volume) &&
       !points.empty() && points.front().Hit)
   {
     const PickedPoint& point = points.front();
-    const Vector3 data = source.frame().toData(point.Position);
+    const Vector3 data = marched.frame().toData(point.Position);
     double place[4] = { data[0], data[1], data[2], 1 };
     volume->GetMatrix()->MultiplyPoint(place, place);
     Pick found;
     found.Hit = true;
     std::copy_n(place, 3, found.Position.begin());
-    const ScalarRange& range = source.range();
+    const ScalarRange& range = marched.range();
     const bool finite = point.Scalar < double(UndrawnScalar);
     found.Scalar = finite ? range.Low + range.width() * point.Scalar : vtkMath::Nan();
     const CellOrigin origin = origins.of(point.Cell);

@@ -19,7 +19,7 @@ namespace tetmarch
 {
 
 class CellOrigins;
-class MarchSource;
+class MarchedVolume;
 
 /** What is hit, and NaN, -1 and 0 if nothing is. */
 struct Pick
@@ -43,7 +43,7 @@ public:
 
   /** Keep the hit if these points were found for the selector of pick(). */
   void take(bool drawn, const std::vector<PickedPoint>& points, const CellOrigins& origins,
-    vtkRenderer* renderer, vtkVolume* volume, const MarchSource& source);
+    vtkRenderer* renderer, vtkVolume* volume, const MarchedVolume& marched);
 
 private:
   Pick capture(vtkRenderer* renderer, vtkVolume* volume, unsigned int x, unsigned int y);

@@ -5,9 +5,10 @@
 #include "Blocks/JoinedBlocks.h"
 #include "Budget/AccuracyController.h"
 #include "GL/Pipeline.h"
-#include "GL/TetSource.h"
+#include "GL/TetTextures.h"
 #include "Mapper/StructuredBlocks.h"
 #include "Processes/SharedPicture.h"
+#include "Volume/TetVolume.h"
 
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkTetMarchSettings.h"
@@ -44,15 +45,15 @@ StageRecord recordOf(const Pipelines& pipelines, const RecordOf& recordOfOne)
 void recordStages(const Pipelines& pipelines, vtkTetMarchFrameStatistics* statistics)
 {
   const StageRecord tables =
-    recordOf(pipelines, [](const Pipeline& p) { return p.tablesRecord(); });
+    recordOf(pipelines, [](const Pipeline& p) { return p.stages().tables().record(); });
   statistics->SetTablesSeconds(tables.Seconds);
   statistics->SetTablesBuilds(tables.Runs);
   const StageRecord gradients =
-    recordOf(pipelines, [](const Pipeline& p) { return p.effects().gradientsRecord(); });
+    recordOf(pipelines, [](const Pipeline& p) { return p.stages().effects().gradientsRecord(); });
   statistics->SetGradientsSeconds(gradients.Seconds);
   statistics->SetGradientsBuilds(gradients.Runs);
-  const StageRecord shadows =
-    recordOf(pipelines, [](const Pipeline& p) { return p.effects().opaqueShadowsRecord(); });
+  const StageRecord shadows = recordOf(
+    pipelines, [](const Pipeline& p) { return p.stages().effects().opaqueShadowsRecord(); });
   statistics->SetOpaqueShadowsSeconds(shadows.Seconds);
   statistics->SetOpaqueShadowsBuilds(shadows.Runs);
   const StageRecord light =
@@ -110,7 +111,7 @@ void recordStructured(const StructuredBlocks& blocks, vtkTetMarchFrameStatistics
   for (const auto& block : blocks.all())
   {
     pipelines.push_back(&block->Pipeline);
-    const StructuredVolume& volume = block->Source.volume();
+    const StructuredVolume& volume = block->Volume;
     lattices.Seconds += volume.latticeRecord().Seconds;
     lattices.Runs += volume.latticeRecord().Runs;
     values.Seconds += volume.valuesRecord().Seconds + volume.rangesRecord().Seconds;
@@ -136,18 +137,19 @@ void recordShared(const SharedPicture& shared, vtkTetMarchFrameStatistics* stati
   statistics->SetSharedErrorBound(shared.WorstError);
 }
 
-void recordTetrahedra(const TetSource& source, vtkTetMarchFrameStatistics* statistics)
+void recordTetrahedra(
+  const TetVolume& volume, const TetTextures& textures, vtkTetMarchFrameStatistics* statistics)
 {
-  statistics->SetMeshSeconds(source.meshRecord().Seconds);
-  statistics->SetMeshBuilds(source.meshRecord().Runs);
-  statistics->SetScalarsSeconds(source.scalarsRecord().Seconds);
-  statistics->SetScalarsBuilds(source.scalarsRecord().Runs);
-  statistics->SetVisiblePartSeconds(source.visibleRecord().Seconds);
-  statistics->SetVisiblePartBuilds(source.visibleRecord().Runs);
-  statistics->SetEntriesSeconds(source.entriesRecord().Seconds);
-  statistics->SetEntriesBuilds(source.entriesRecord().Runs);
-  statistics->SetNumberOfTetrahedra(source.mesh().numberOfTets());
-  statistics->SetNumberOfBoundaryFaces(static_cast<vtkIdType>(source.mesh().BoundaryFaces.size()));
+  statistics->SetMeshSeconds(volume.meshRecord().Seconds);
+  statistics->SetMeshBuilds(volume.meshRecord().Runs);
+  statistics->SetScalarsSeconds(volume.scalarsRecord().Seconds);
+  statistics->SetScalarsBuilds(volume.scalarsRecord().Runs);
+  statistics->SetVisiblePartSeconds(volume.visibleRecord().Seconds);
+  statistics->SetVisiblePartBuilds(volume.visibleRecord().Runs);
+  statistics->SetEntriesSeconds(textures.entriesRecord().Seconds);
+  statistics->SetEntriesBuilds(textures.entriesRecord().Runs);
+  statistics->SetNumberOfTetrahedra(volume.mesh().numberOfTets());
+  statistics->SetNumberOfBoundaryFaces(static_cast<vtkIdType>(volume.mesh().BoundaryFaces.size()));
 }
 
 void recordBlocks(const JoinedBlocks& blocks, vtkTetMarchFrameStatistics* statistics)

@@ -13,14 +13,16 @@ class AccuracyController;
 class JoinedBlocks;
 class Pipeline;
 class StructuredBlocks;
-class TetSource;
+class TetTextures;
+class TetVolume;
 struct SharedPicture;
 
-/** Runs and seconds of the stages that every source has, memory, counts of the last frame. */
+/** Runs and seconds of the stages that every volume has, memory, counts of the last frame. */
 void recordPipeline(const Pipeline& pipeline, vtkTetMarchFrameStatistics* statistics);
 
 /** Runs and seconds of the stages of tetrahedra, and the size of the mesh. */
-void recordTetrahedra(const TetSource& source, vtkTetMarchFrameStatistics* statistics);
+void recordTetrahedra(
+  const TetVolume& volume, const TetTextures& textures, vtkTetMarchFrameStatistics* statistics);
 
 /** The sums of both over the blocks. The lattice of cells counts as a mesh. */
 void recordStructured(const StructuredBlocks& blocks, vtkTetMarchFrameStatistics* statistics);

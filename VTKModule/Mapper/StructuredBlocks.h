@@ -5,9 +5,10 @@
 #define TetMarchMapperStructuredBlocks_h
 
 #include "Blocks/CellOrigins.h"
+#include "GL/LatticeTextures.h"
 #include "GL/Pipeline.h"
-#include "GL/StructuredSource.h"
 #include "Mapper/MapperOptions.h"
+#include "Volume/StructuredVolume.h"
 
 #include <memory>
 #include <string>
@@ -28,8 +29,9 @@ struct StructuredBlock
   vtkDataSet* Data = nullptr;
   FoundScalars Scalars;
   CellOrigins Origins; // of its cells in the input
-  StructuredSource Source;
-  tetmarch::Pipeline Pipeline{ Source };
+  StructuredVolume Volume;
+  LatticeTextures Textures{ Volume };
+  tetmarch::Pipeline Pipeline{ Volume, Textures };
 };
 
 /** Each block keeps what it has made as long as it has the same place among the others. */

@@ -190,12 +190,12 @@ std::string traceRay(Pipeline& pipeline, const MapperState& state, const TracedP
     truth ? GroundTruthAccuracy : state.Accuracy.used().level(),
     arithmetic != TraceArithmetic::Float, truth };
   RayTrace trace;
-  if (!pipeline.traceRay(pixel.Volume->GetProperty(),
-        static_cast<OpacityLaw>(state.Settings.get()->GetOpacityLaw()), options, trace))
+  const StageResult result = pipeline.traceRay(pixel.Volume->GetProperty(), options, trace);
+  if (!result.isDone())
   {
-    return noRay + pipeline.error();
+    return noRay + result.Error;
   }
-  const WorldRay ray(trace, pipeline.source().frame(), pixel.Volume);
+  const WorldRay ray(trace, pipeline.stages().volume().frame(), pixel.Volume);
   addCells(cells, trace, origins, hasBlocks);
   addPlaces(cells, trace, ray);
   addOptics(cells, trace);

@@ -2,19 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volume/TetVolume.h"
 
+#include "Appearance/Components.h"
 #include "Caching/WithinMemory.h"
+#include "Mesh/Gradients.h"
+#include "Mesh/VertexStarts.h"
+#include "Reference/ReferenceImage.h"
+#include "Variants/VariantKey.h"
+#include "Volume/TransparentShare.h"
+
+#include "vtkUnstructuredGrid.h"
 
 namespace tetmarch
 {
 
 std::string TetVolume::updateGeometry(
-  vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress)
+  const VolumeInput& input, const ResourceLimits& limits, const Progress& progress)
 {
-  if (!this->Meshed.isCurrent(grid, this->Piece))
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(input.Data);
+  this->Limits = limits;
+  if (!this->Meshed.isCurrent(grid, input.Piece))
   {
     this->ScalarsInput.clear();
     this->RangesInput.clear();
-    const std::string error = this->Meshed.make(grid, limits, progress, this->Piece);
+    const std::string error = this->Meshed.make(grid, limits, progress, input.Piece);
     if (!error.empty())
     {
       return error;
@@ -24,22 +34,22 @@ std::string TetVolume::updateGeometry(
     "the hidden cells", [&] { this->Hidden.update(grid, this->mesh(), this->meshRecord().Runs); });
 }
 
-std::vector<FiniteRange> TetVolume::rangesOf(vtkUnstructuredGrid* grid, const DrawnScalars& drawn)
+std::vector<FiniteRange> TetVolume::rangesOf(vtkDataSet* grid, const DrawnScalars& drawn)
 {
   const Fingerprint input = versionOf(drawn);
   if (input != this->RangesInput)
   {
     this->RangesInput.clear();
-    this->Ranges = tetmarch::rangesOf(grid, drawn, this->mesh());
+    this->Ranges = tetmarch::rangesOf(vtkUnstructuredGrid::SafeDownCast(grid), drawn, this->mesh());
     this->RangesInput = input;
   }
   return this->Ranges;
 }
 
-std::string TetVolume::updateScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn)
+std::string TetVolume::updateScalars(const VolumeInput& input, const DrawnScalars& drawn)
 {
-  const Fingerprint input = versionOf(drawn);
-  if (input == this->ScalarsInput)
+  const Fingerprint version = versionOf(drawn);
+  if (version == this->ScalarsInput)
   {
     return {};
   }
@@ -49,34 +59,38 @@ std::string TetVolume::updateScalars(vtkUnstructuredGrid* grid, const DrawnScala
     {
       const StageRecorder recorder(this->ScalarsRecord);
       this->Scalars = {};
-      this->Scalars = readScalars(grid, drawn, this->Meshed.mesh());
+      this->Scalars =
+        readScalars(vtkUnstructuredGrid::SafeDownCast(input.Data), drawn, this->Meshed.mesh());
     });
   if (shortage.empty())
   {
-    this->ScalarsInput = input;
+    this->ScalarsInput = version;
     this->ScalarsVersion = { static_cast<std::uintptr_t>(this->meshRecord().Runs),
       static_cast<std::uintptr_t>(this->ScalarsRecord.Runs) };
   }
   return shortage;
 }
 
-std::string TetVolume::updateVisiblePart(
-  const IntegralTable* table, const Blending& blending, bool undrawnSeen)
+std::string TetVolume::updateVisibility(
+  const IntegralTable& first, const Components& parts, const Blending& blending, bool undrawnSeen)
 {
-  return withinMemory("what is visible",
+  std::string shortage = withinMemory("what is visible",
     [&]
     {
       const StageRecorder recorder(this->VisibleRecord);
       this->Visible = {};
-      if (table && (blending.isComposite() || blending.isIsoSurface()))
+      if (!parts.isIndependent() && (blending.isComposite() || blending.isIsoSurface()))
       {
         this->Visible = findVisiblePart(
-          this->mesh(), { &this->Scalars, table, &blending, &this->hiddenCells(), undrawnSeen });
+          this->mesh(), { &this->Scalars, &first, &blending, &this->hiddenCells(), undrawnSeen });
       }
     });
+  this->EntersVisible.update(
+    isWorthEntering(this->Visible), staysWorthEntering(this->Visible), this->version());
+  return shortage;
 }
 
-std::string TetVolume::ensureHierarchy()
+std::string TetVolume::prepareEntrySearch()
 {
   if (this->mesh().hasHierarchy())
   {
@@ -93,6 +107,67 @@ std::string TetVolume::ensureHierarchy()
       }
     });
   return shortage.empty() ? error : shortage;
+}
+
+double TetVolume::transparentShare(const IntegralTable& table) const
+{
+  return tetmarch::transparentShare(
+    this->mesh(), this->Scalars.OfCells, this->Scalars.Range, table);
+}
+
+bool TetVolume::entersVisiblePart() const
+{
+  return this->EntersVisible.isOn() && this->Visible.Faces.size() <= this->Limits.TexelsPerBuffer;
+}
+
+void TetVolume::setBits(VariantKey& key) const
+{
+  key.PointScalars = this->Scalars.OfCells.empty();
+  key.Hierarchy = this->mayReenter();
+  key.HiddenCells = !this->hiddenCells().empty();
+  key.VisiblePart = this->entersVisiblePart();
+}
+
+void TetVolume::addTo(ReferenceScene& scene) const
+{
+  scene.Mesh = &this->mesh();
+  scene.CellScalars = this->Scalars.OfCells.empty() ? nullptr : &this->Scalars.OfCells;
+  scene.Further = &this->Scalars.Further;
+  scene.Range = this->Scalars.Range;
+  scene.Hidden = &this->hiddenCells();
+}
+
+std::vector<std::array<float, 3>> TetVolume::gradients(bool ofCells, Group* processes) const
+{
+  const std::vector<float>& cellScalars = this->Scalars.OfCells;
+  return ofCells               ? cellGradients(this->mesh())
+         : cellScalars.empty() ? vertexGradients(this->mesh(), processes)
+                               : vertexGradients(this->mesh(), cellScalars, processes);
+}
+
+std::vector<EffectSource::VertexStart> TetVolume::vertexStarts() const
+{
+  return tetmarch::vertexStarts(this->mesh());
+}
+
+bool TetVolume::startPoint(std::size_t vertex, const VertexStart& start, Vector3& point) const
+{
+  return tetmarch::startPoint(this->mesh(), vertex, start, point);
+}
+
+Fingerprint TetVolume::version() const
+{
+  Fingerprint version = this->ScalarsVersion;
+  add(version, this->hiddenVersion());
+  return version;
+}
+
+Fingerprint TetVolume::geometryVersion() const { return { this->ScalarsVersion.front() }; }
+
+// The hierarchy renumbers boundary faces.
+Fingerprint TetVolume::startsVersion() const
+{
+  return { this->ScalarsVersion.front(), this->mesh().hasHierarchy() ? std::uintptr_t(1) : 0 };
 }
 
 Fingerprint TetVolume::visibleVersion() const

@@ -1,76 +1,102 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The tetrahedra of a grid with what is drawn of them: the stages that make it, each of which runs
-// again only when its own input changed.
+// The tetrahedra of a vtkUnstructuredGrid with what is drawn of them: the stages that make it, each
+// of which runs again only when its own input changed.
 #ifndef TetMarchVolumeTetVolume_h
 #define TetMarchVolumeTetVolume_h
 
+#include "Caching/Switch.h"
 #include "Entries/VisiblePart.h"
 #include "Mesh/HiddenCellStage.h"
 #include "Mesh/MeshScalars.h"
 #include "Mesh/MeshStage.h"
-#include "Volume/TetEffectSource.h"
-
-#include <string>
+#include "Scalars/HiddenBits.h"
+#include "Volume/MarchedVolume.h"
 
 namespace tetmarch
 {
 
-class TetVolume
+class TetVolume : public MarchedVolume
 {
 public:
   TetVolume() = default;
   TetVolume(const TetVolume&) = delete;
   TetVolume& operator=(const TetVolume&) = delete;
 
-  void setGroup(Group* group, std::uintptr_t generation)
-  {
-    this->Effects.setGroup(group, generation);
-  }
-  void setPiece(const PieceOptions& piece) { this->Piece = piece; }
-  /** Of the first and of further scalars; without any, or without memory, none. */
-  std::vector<FiniteRange> rangesOf(vtkUnstructuredGrid* grid, const DrawnScalars& drawn);
-  /** The mesh of the grid, and which of its cells are hidden. Returns an empty string, or what is
-   * wrong; the mesh is empty then, and if progress asked to stop. */
+  /** The mesh of the grid, and which of its cells are hidden. The mesh is empty if something is
+   * wrong, and if progress asked to stop. */
   std::string updateGeometry(
-    vtkUnstructuredGrid* grid, const ResourceLimits& limits, const Progress& progress);
-  /** The stored scalars. Returns an empty string, or what is wrong. */
-  std::string updateScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn);
+    const VolumeInput& input, const ResourceLimits& limits, const Progress& progress) override;
+  std::string updateScalars(const VolumeInput& input, const DrawnScalars& drawn) override;
   /** The tetrahedra of which something may be seen by the table of the opacity, or of surfaces. All
-   * may be seen in other blend modes, and if there is no one table (nullptr). Returns an empty
-   * string, or what is wrong. */
-  std::string updateVisiblePart(
-    const IntegralTable* table, const Blending& blending, bool undrawnSeen);
-  /** The hierarchy of the boundary, for rays that have no list of entries. Returns an empty string,
-   * or what is wrong. */
-  std::string ensureHierarchy();
+   * may be seen in other blend modes, and if several tables show something. */
+  std::string updateVisibility(const IntegralTable& first, const Components& parts,
+    const Blending& blending, bool undrawnSeen) override;
+  /** The hierarchy of the boundary. */
+  std::string prepareEntrySearch() override;
+  /** The ranges of the scalars that would be drawn, the first and extra ones; without any, or
+   * without memory, none. */
+  std::vector<FiniteRange> rangesOf(vtkDataSet* grid, const DrawnScalars& drawn);
+
+  bool isEmpty() const override { return this->mesh().Tets.empty(); }
+  bool isHidden() const override
+  {
+    return areAllHidden(this->hiddenCells(), this->mesh().Tets.size());
+  }
+  bool showsNothing() const override { return tetmarch::showsNothing(this->Visible); }
+  bool isStructured() const override { return false; }
+  bool mayReenter() const override { return this->mesh().NeedsHierarchy; }
+  const std::vector<ScalarRange>& extraRanges() const override
+  {
+    return this->Scalars.Further.Ranges;
+  }
+  double transparentShare(const IntegralTable& table) const override;
+  vtkIdType cellOf(std::uint32_t tet, const Vector3&) const override
+  {
+    return this->mesh().TetCells[tet];
+  }
+  void setBits(VariantKey& key) const override;
+  Fingerprint version() const override;
+  std::int64_t runs() const override
+  {
+    return this->meshRecord().Runs + this->Hidden.record().Runs + this->ScalarsRecord.Runs +
+           this->VisibleRecord.Runs;
+  }
+  void addTo(ReferenceScene& scene) const override;
+
+  // As the effects of light and gradients see it.
+  const VolumeFrame& frame() const override { return this->mesh().Frame; }
+  const ScalarRange& range() const override { return this->Scalars.Range; }
+  Fingerprint geometryVersion() const override;
+  /** The first word is that of the mesh. */
+  Fingerprint scalarsVersion() const override { return this->ScalarsVersion; }
+  Fingerprint startsVersion() const override;
+  bool hasCellGradients() const override { return this->Scalars.OfCells.empty(); }
+  std::vector<std::array<float, 3>> gradients(bool ofCells, Group* processes) const override;
+  std::vector<VertexStart> vertexStarts() const override;
+  bool startPoint(std::size_t vertex, const VertexStart& start, Vector3& point) const override;
 
   const TetMesh& mesh() const { return this->Meshed.mesh(); }
   const HiddenCells& hiddenCells() const { return this->Hidden.cells(); }
   const MeshScalars& scalars() const { return this->Scalars; }
   /** Without faces if all of the mesh may be seen, or nothing. */
   const VisiblePart& visiblePart() const { return this->Visible; }
-  const EffectSource& effectSource() const { return this->Effects; }
+  /** Rays enter the visible part alone. Else, also if its faces are too many for a buffer, they
+   * march through the mesh. */
+  bool entersVisiblePart() const;
+  const ResourceLimits& limits() const { return this->Limits; }
 
-  /** Versions of what is uploaded: equal as long as it is the same. */
+  // Versions of what is uploaded: equal as long as it is the same.
   Fingerprint linksVersion() const;
-  /** The first word is that of the mesh. */
-  const Fingerprint& scalarsVersion() const { return this->ScalarsVersion; }
   const Fingerprint& hiddenVersion() const { return this->Hidden.version(); }
   Fingerprint visibleVersion() const;
 
   const StageRecord& meshRecord() const { return this->Meshed.record(); }
   const StageRecord& scalarsRecord() const { return this->ScalarsRecord; }
   const StageRecord& visibleRecord() const { return this->VisibleRecord; }
-  /** Of all stages. */
-  std::int64_t runs() const
-  {
-    return this->meshRecord().Runs + this->Hidden.record().Runs + this->ScalarsRecord.Runs +
-           this->VisibleRecord.Runs;
-  }
 
 private:
-  PieceOptions Piece;
+  ResourceLimits Limits;
   MeshStage Meshed;
   HiddenCellStage Hidden;
   Fingerprint RangesInput;
@@ -81,7 +107,7 @@ private:
   StageRecord ScalarsRecord;
   VisiblePart Visible;
   StageRecord VisibleRecord;
-  TetEffectSource Effects{ Meshed.mesh(), Scalars.OfCells, Scalars.Range, ScalarsVersion };
+  Switch EntersVisible; // if its faces are not too many
 };
 
 } // namespace tetmarch

@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CpuReference.h"
 
-#include "Appearance/Components.h"
-#include "Light/EffectStage.h"
-#include "Mesh/MeshScalars.h"
-#include "Mesh/TetMeshBuilder.h"
-#include "Reference/ReferenceImage.h"
-#include "Volume/TetEffectSource.h"
+#include "Mapper/MapperOptions.h"
+
+#include "FreshFrame.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
-#include <stdexcept>
 
 namespace tetmarch::testing
 {
@@ -31,123 +27,31 @@ EffectOptions optionsOf(vtkTetMarchVolumeMapper* mapper)
     static_cast<BlendMode>(mapper->GetBlendMode()) };
 }
 
-// The stages before the GL, for the scene as it stands.
-class ReferencePictureScene
+// The frame of a volume with the mapper's settings for the picture.
+FrameInput inputOf(Scene& scene, vtkVolume* volume)
 {
-public:
-  ReferencePictureScene(Scene& scene, vtkVolumeProperty* property, const std::vector<float>& depths)
-  {
-    std::string error;
-    if (buildTetMesh(scene.Data, {}, this->Mesh, error) != BuildStatus::Done)
-    {
-      throw std::runtime_error(error);
-    }
-    ensureHierarchy(this->Mesh);
-    int cellFlag = 0;
-    vtkDataArray* array = vtkAbstractMapper::GetScalars(scene.Data, scene.Mapper->GetScalarMode(),
-      scene.Mapper->GetArrayAccessMode(), scene.Mapper->GetArrayId(), scene.Mapper->GetArrayName(),
-      cellFlag);
-    this->Level = levelOf(
-      static_cast<Accuracy>(scene.Mapper->GetAccuracyLevel()), scene.Mapper->GetErrorTolerance());
-    ReferenceScene& made = this->Made;
-    DrawnScalars drawn;
-    error = chooseScalars(scene.Data, array, cellFlag == 1,
-      { VectorMode(scene.Mapper->GetVectorMode()), scene.Mapper->GetVectorComponent() },
-      scene.property(), drawn);
-    this->Scalars = readScalars(scene.Data, drawn, this->Mesh);
-    this->Parts.Mix = drawn.Mix;
-    this->Parts.FurtherRanges = this->Scalars.Further.Ranges;
-    made.Range = this->Scalars.Range;
-    made.CellScalars = cellFlag == 1 ? &this->Scalars.OfCells : nullptr;
-    made.NanShown = scene.Mapper->GetDrawNanCells();
-    this->Hidden = hiddenCells(scene.Data, this->Mesh);
-    made.Hidden = property == scene.property() ? &this->Hidden : nullptr;
-    const bool structured = scene.Mapper->GetOpacityLaw() == vtkTetMarchVolumeMapper::STRUCTURED;
-    if (property == scene.property())
-    {
-      this->addBlending(scene);
-    }
-    const auto law = structured ? OpacityLaw::Structured : OpacityLaw::Unstructured;
-    if (property == scene.property() && !this->Parts.isSingle())
-    {
-      this->Table = componentTables(property, law, made.Range, this->Level, this->Parts);
-      error = setFactors(property, this->Parts);
-      made.Parts = &this->Parts;
-      made.Further = &this->Scalars.Further;
-    }
-    else
-    {
-      this->Table = blendedTable(property, law, this->Blend, made.Range, this->Level);
-    }
-    if (!makeView(scene.Renderer, scene.Volume, this->Mesh.Frame,
-          property->GetScalarOpacityUnitDistance(), law, made.Camera))
-    {
-      throw std::runtime_error("the scene has no view");
-    }
-    error = makeClipping(clippingOf(scene.Mapper), scene.Volume, this->Mesh.Frame, made.Cut);
-    if (!error.empty())
-    {
-      throw std::runtime_error(error);
-    }
-    if (property == scene.property())
-    {
-      this->addEffects(scene);
-    }
-    made.Mesh = &this->Mesh;
-    made.Table = &this->Table;
-    made.Width = scene.Renderer->GetSize()[0];
-    made.Height = scene.Renderer->GetSize()[1];
-    made.WindowDepths = depths.empty() ? nullptr : depths.data();
-  }
+  vtkTetMarchVolumeMapper* mapper = scene.Mapper;
+  int cellFlag = 0;
+  vtkDataArray* array = vtkAbstractMapper::GetScalars(scene.Data, mapper->GetScalarMode(),
+    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
+  const bool structured = mapper->GetOpacityLaw() == vtkTetMarchVolumeMapper::STRUCTURED;
+  return { { { scene.Data }, { array, cellFlag == 1 }, vectorOptionsOf(mapper),
+             blendOptionsOf(mapper), clippingOptionsOf(mapper) },
+    scene.Renderer, volume, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
+    levelOf(static_cast<Accuracy>(mapper->GetAccuracyLevel()), mapper->GetErrorTolerance()),
+    mapper->GetDrawNanCells(), optionsOf(mapper) };
+}
 
-  // Light through the volume as the GL has it, or computed in all places.
-  ReferencePicture render(Precision precision, LightFrom light)
-  {
-    this->Made.ExactLight = light == LightFrom::Everywhere;
-    const ReferenceImage image = precision == Precision::Double
-                                   ? renderReference<double>(this->Made, this->Level)
-                                   : renderReference<float>(this->Made, this->Level);
-    return { Image::fromFloats(this->Made.Width, this->Made.Height, image.Pixels.data()),
-      image.ErrorBounds, image.Counters };
-  }
-
-private:
-  void addBlending(Scene& scene)
-  {
-    const double* range = scene.Mapper->GetAverageIPScalarRange();
-    const std::string error =
-      makeBlending({ scene.Mapper->GetBlendMode(), { { range[0], range[1] } } }, scene.property(),
-        this->Made.Range, this->Blend);
-    if (!error.empty())
-    {
-      throw std::runtime_error(error);
-    }
-    this->Made.Blend = &this->Blend;
-  }
-
-  void addEffects(Scene& scene)
-  {
-    const Fingerprint version{ 1 };
-    const TetEffectSource source(this->Mesh, this->Scalars.OfCells, this->Scalars.Range, version);
-    const std::string error =
-      this->Effects.update(scene.Renderer, scene.Volume, optionsOf(scene.Mapper), { &source });
-    if (!error.empty())
-    {
-      throw std::runtime_error(error);
-    }
-    this->Made.Effects = &this->Effects.data();
-  }
-
-  TetMesh Mesh;
-  MeshScalars Scalars;
-  HiddenCells Hidden;
-  IntegralTable Table;
-  Components Parts;
-  Blending Blend;
-  EffectStage Effects;
-  AccuracyLevel Level = DefaultAccuracy;
-  ReferenceScene Made;
-};
+std::unique_ptr<FrameScene> marchedBy(
+  const FreshFrame& frame, Scene& scene, const std::vector<float>& depths)
+{
+  const AccuracyLevel level = levelOf(
+    static_cast<Accuracy>(scene.Mapper->GetAccuracyLevel()), scene.Mapper->GetErrorTolerance());
+  const int* size = scene.Renderer->GetSize();
+  std::unique_ptr<FrameScene> made = frame.at(level, size[0], size[1]);
+  made->scene().WindowDepths = depths.empty() ? nullptr : depths.data();
+  return made;
+}
 
 Difference compareInside(
   const char* what, const Image& drawn, const Image& reference, const Mask& inside)
@@ -191,32 +95,38 @@ void expectAgreement(Scene& scene, const Image& drawn, const std::vector<float>&
 }
 } // namespace
 
-ClippingOptions clippingOf(vtkTetMarchVolumeMapper* mapper)
-{
-  ClippingOptions options;
-  options.Planes = mapper->GetClippingPlanes();
-  options.Cropping = mapper->GetCropping();
-  mapper->GetCroppingRegionPlanes(options.CroppingPlanes.data());
-  options.CroppingFlags = mapper->GetCroppingRegionFlags();
-  return options;
-}
-
 ReferencePicture referenceOf(
   Scene& scene, const std::vector<float>& depths, Precision precision, LightFrom light)
 {
-  return ReferencePictureScene(scene, scene.property(), depths).render(precision, light);
+  const FreshFrame frame(inputOf(scene, scene.Volume));
+  const auto made = marchedBy(frame, scene, depths);
+  made->scene().ExactLight = light == LightFrom::Everywhere;
+  const ReferenceImage image =
+    precision == Precision::Double ? made->render<double>() : made->render<float>();
+  const ReferenceScene& drawn = made->scene();
+  return { Image::fromFloats(drawn.Width, drawn.Height, image.Pixels.data()), image.ErrorBounds,
+    image.Counters };
 }
 
 Regions regionsOf(Scene& scene, const std::vector<float>& depths)
 {
   // Thin fog shows every chord, and nothing ends early in it.
-  vtkNew<vtkVolumeProperty> fog;
+  vtkNew<vtkVolume> shown;
+  shown->SetUserMatrix(scene.Volume->GetMatrix());
+  vtkVolumeProperty* fog = shown->GetProperty();
   setPlainFunctions(fog, { 1.0, 1.0, 1.0 }, 0.01);
   fog->GetRGBTransferFunction()->SetNanColorRGBA(1.0, 1.0, 1.0, 0.01);
   fog->SetScalarOpacityUnitDistance(scene.Data->GetLength());
-  const Image seen = ReferencePictureScene(scene, fog, depths)
-                       .render(Precision::Double, LightFrom::Vertices)
-                       .Picture;
+  FrameInput input = inputOf(scene, shown);
+  input.Drawn.Vector = { VectorMode::Component, 0 };
+  input.Drawn.Blend = {};
+  input.Effects = {};
+  const FreshFrame frame(input);
+  const auto made = marchedBy(frame, scene, depths);
+  made->scene().Hidden = nullptr;
+  const ReferenceScene& drawn = made->scene();
+  const Image seen =
+    Image::fromFloats(drawn.Width, drawn.Height, made->render<double>().Pixels.data());
 
   Regions regions;
   for (int y = 0; y < seen.Height; ++y)

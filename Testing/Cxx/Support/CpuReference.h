@@ -10,7 +10,6 @@
 #include "Scene.h"
 
 #include "Diagnostics/MarchCounters.h"
-#include "Rays/Clipping.h"
 
 namespace tetmarch::testing
 {
@@ -38,9 +37,6 @@ struct ReferencePicture
 /// effects. Depths of opaque geometry: one a pixel, or empty.
 ReferencePicture referenceOf(Scene& scene, const std::vector<float>& depths = {},
   Precision precision = Precision::Double, LightFrom light = LightFrom::Vertices);
-
-/// The clipping and cropping that are set at the mapper.
-ClippingOptions clippingOf(vtkTetMarchVolumeMapper* mapper);
 
 /// The pixels of a picture, by whether they and their eight neighbours see the mesh: all of them,
 /// none, or some. Near the silhouette a rasterised entry may be lost or won, or moved by a

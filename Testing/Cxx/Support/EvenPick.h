@@ -7,6 +7,8 @@
 #ifndef tetmarch_testing_EvenPick_h
 #define tetmarch_testing_EvenPick_h
 
+#include "Mapper/MapperOptions.h"
+
 #include "CpuReference.h"
 #include "CutLine.h"
 #include "PickScene.h"
@@ -92,8 +94,8 @@ inline void expectClosedForm(PickScene& scene, double threshold, double toleranc
     {
       const int column = origin[0] + x;
       const int row = origin[1] + y;
-      const ExpectedPick expected =
-        expectedOn(scene.lineOf(column, row), threshold, extinction, clippingOf(scene.Mapper));
+      const ExpectedPick expected = expectedOn(
+        scene.lineOf(column, row), threshold, extinction, clippingOptionsOf(scene.Mapper.Get()));
       if (expected.Kind == ExpectedPick::Unsure)
       {
         continue;

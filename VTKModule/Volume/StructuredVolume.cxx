@@ -1,19 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Structured/StructuredVolume.h"
+#include "Volume/StructuredVolume.h"
 
+#include "Appearance/Blending.h"
+#include "Appearance/Components.h"
 #include "Caching/WithinMemory.h"
+#include "Reference/ReferenceImage.h"
+#include "Variants/VariantKey.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace tetmarch
 {
 namespace
 {
+
+// Of the blocks, the empty ones: what leaps gain and what asking for them costs is much the same.
+constexpr double LeastShareToKeepLeaping = 0.05;
 
 // Values may be borrowed, so their address is included.
 Fingerprint inputOf(const DrawnScalars& drawn)
@@ -29,8 +38,10 @@ Fingerprint inputOf(const DrawnScalars& drawn)
 
 } // namespace
 
-std::string StructuredVolume::updateGeometry(vtkDataSet* data)
+std::string StructuredVolume::updateGeometry(
+  const VolumeInput& input, const ResourceLimits& limits, const Progress&)
 {
+  vtkDataSet* data = input.Data;
   GridGeometry geometry;
   VolumeFrame framed;
   std::string wrong;
@@ -57,20 +68,26 @@ std::string StructuredVolume::updateGeometry(vtkDataSet* data)
   if (this->isEmpty())
   {
     this->clearValues();
+    return wrong;
   }
-  return wrong;
+  // The least that any type of value takes, before any is read.
+  return describeExcess({ { "values", static_cast<std::uint64_t>(data->GetNumberOfPoints()), 1 } },
+    { std::numeric_limits<std::uint64_t>::max(), limits.Bytes }, SizesAre::LowerBounds);
 }
 
-std::string StructuredVolume::updateScalars(
-  vtkDataSet* data, const DrawnScalars& drawn, Interpolation interpolation)
+std::string StructuredVolume::updateScalars(const VolumeInput& input, const DrawnScalars& drawn)
 {
   if (this->isEmpty())
   {
     return {};
   }
-  std::string wrong = this->updateLattice({ drawn.OfCells, interpolation });
-  wrong = wrong.empty() ? checkScalars(data, drawn.Array, drawn.OfCells) : wrong;
-  wrong = wrong.empty() ? this->updateHidden(data) : wrong;
+  std::string wrong = this->updateLattice({ drawn.OfCells, input.Between });
+  wrong = wrong.empty() ? withinMemory("the hidden cells",
+                            [&] {
+                              this->Hidden.update(input.Data, this->Geometry.Points, this->Case,
+                                this->LatticeRecord.Runs);
+                            })
+                        : wrong;
   wrong = wrong.empty() ? this->updateValues(drawn) : wrong;
   wrong = wrong.empty() ? this->updateRanges(drawn.Mix) : wrong;
   if (!wrong.empty())
@@ -107,12 +124,6 @@ std::string StructuredVolume::updateLattice(const LatticeCase& lies)
   return wrong;
 }
 
-std::string StructuredVolume::updateHidden(vtkDataSet* data)
-{
-  return withinMemory("the hidden cells", [&]
-    { this->Hidden.update(data, this->Geometry.Points, this->Case, this->LatticeRecord.Runs); });
-}
-
 std::string StructuredVolume::updateValues(const DrawnScalars& drawn)
 {
   const Fingerprint input = inputOf(drawn);
@@ -127,7 +138,7 @@ std::string StructuredVolume::updateValues(const DrawnScalars& drawn)
       const StageRecorder recorder(this->ValuesRecord);
       this->Values = storeValues(drawn);
       std::transform(this->Values.begin() + 1, this->Values.end(),
-        std::back_inserter(this->FurtherRanges),
+        std::back_inserter(this->ExtraRanges),
         [](const StoredValues& values) { return values.Range; });
     });
   if (shortage.empty())
@@ -139,7 +150,7 @@ std::string StructuredVolume::updateValues(const DrawnScalars& drawn)
 
 std::string StructuredVolume::updateRanges(ComponentMix mix)
 {
-  const Fingerprint input = this->valuesVersion();
+  const Fingerprint input = this->scalarsVersion();
   if (input == this->RangesInput)
   {
     return {};
@@ -168,11 +179,80 @@ void StructuredVolume::clearValues()
   this->ValuesInput.clear();
   this->RangesInput.clear();
   this->Values.clear();
-  this->FurtherRanges.clear();
+  this->ExtraRanges.clear();
   this->Ranges.clear();
 }
 
-vtkIdType StructuredVolume::dataCellOf(std::uint32_t cell, const Vector3& point) const
+// Of dependent components the first one is that of the opacity: the others show nothing without it.
+std::vector<ShownScalar> StructuredVolume::shownScalars(
+  const IntegralTable& first, const Components& parts) const
+{
+  std::vector<ShownScalar> shown{ { &this->Ranges.front(), &first, this->range() } };
+  for (std::size_t k = 1; k < this->Ranges.size(); ++k)
+  {
+    shown.push_back({ &this->Ranges[k], &parts.Tables[k - 1], this->ExtraRanges[k - 1] });
+  }
+  return shown;
+}
+
+std::string StructuredVolume::updateVisibility(
+  const IntegralTable& first, const Components& parts, const Blending& blending, bool undrawnSeen)
+{
+  return withinMemory("the distances to what is seen",
+    [&]
+    {
+      const StageRecorder recorder(this->EmptyRecord);
+      const std::vector<ShownScalar> shown = this->shownScalars(first, parts);
+      this->Empty = {};
+      // Surfaces between constant cells lie between blocks, too, whose ranges do not tell of them.
+      if (blending.isIsoSurface() && !this->Made.Constant)
+      {
+        this->Empty = findBlockDistances(*shown.front().Ranges, blending.IsoValues);
+      }
+      else if (blending.isComposite())
+      {
+        this->Empty = findBlockDistances(shown, undrawnSeen);
+      }
+      this->Leaps.update(isWorthLeaping(this->Empty),
+        this->Empty.EmptyShare >= LeastShareToKeepLeaping, this->version());
+    });
+}
+
+void StructuredVolume::setBits(VariantKey& key) const
+{
+  key.Structured = true;
+  key.PointScalars = !this->Made.Constant;
+  key.Rectilinear = !this->Made.isUniform();
+  key.HiddenCells = !this->hiddenCells().empty();
+  key.Leaps = this->leaps();
+}
+
+void StructuredVolume::addTo(ReferenceScene& scene) const
+{
+  scene.Cells = &this->Made;
+  scene.Values = &this->Values.front();
+  scene.Range = this->range();
+  scene.Hidden = &this->hiddenCells();
+}
+
+std::vector<EffectSource::VertexStart> StructuredVolume::vertexStarts() const
+{
+  std::vector<VertexStart> starts(this->Nodes.count());
+  for (std::uint32_t i = 0; i < this->Nodes.count(); ++i)
+  {
+    const std::array<std::uint32_t, 3> numbers = this->Nodes.numbersOf(i);
+    starts[i] = { { numbers[0], numbers[1], numbers[2], 0 } };
+  }
+  return starts;
+}
+
+bool StructuredVolume::startPoint(std::size_t, const VertexStart& start, Vector3& point) const
+{
+  point = this->Nodes.point({ { start[0], start[1], start[2] } });
+  return true;
+}
+
+vtkIdType StructuredVolume::cellOf(std::uint32_t cell, const Vector3& point) const
 {
   const auto& m = this->Made.FromNormalized;
   vtkIdType number = 0;
@@ -197,12 +277,19 @@ vtkIdType StructuredVolume::dataCellOf(std::uint32_t cell, const Vector3& point)
   return number;
 }
 
-Fingerprint StructuredVolume::latticeVersion() const
+Fingerprint StructuredVolume::version() const
+{
+  Fingerprint version = this->scalarsVersion();
+  add(version, this->hiddenVersion());
+  return version;
+}
+
+Fingerprint StructuredVolume::geometryVersion() const
 {
   return { static_cast<std::uintptr_t>(this->LatticeRecord.Runs) };
 }
 
-Fingerprint StructuredVolume::valuesVersion() const
+Fingerprint StructuredVolume::scalarsVersion() const
 {
   return { static_cast<std::uintptr_t>(this->LatticeRecord.Runs),
     static_cast<std::uintptr_t>(this->ValuesRecord.Runs) };

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mapper/NothingVisible.h"
+#include "Frame/NothingVisible.h"
 
 #include "FirstPicture/RangeText.h"
-#include "GL/Pipeline.h"
+#include "Frame/FrameStages.h"
 #include "Rays/ClippedBox.h"
 #include "Scalars/SeenScalars.h"
 
@@ -26,11 +26,11 @@ bool showsAny(const IntegralTable& table, const ScalarRange& range)
 }
 
 // Whether the functions have extinction at a scalar within its range.
-bool showAnyScalar(const Pipeline& pipeline)
+bool showAnyScalar(const FrameStages& stages)
 {
-  const TransferTables& tables = pipeline.tables();
+  const TransferTables& tables = stages.tables();
   const Components& parts = tables.components();
-  bool any = showsAny(tables.first(), pipeline.source().range());
+  bool any = showsAny(tables.first(), stages.volume().range());
   for (std::size_t k = 0; parts.isIndependent() && k < parts.Tables.size(); ++k)
   {
     any = any || showsAny(parts.Tables[k], parts.FurtherRanges[k]);
@@ -59,17 +59,17 @@ std::string whyNoSurface(const Blending& blending, const ScalarRange& range)
 }
 
 // By the transfer functions and what the blend mode shows of them.
-std::string whyNoValue(const Pipeline& pipeline)
+std::string whyNoValue(const FrameStages& stages)
 {
-  const Blending& blending = pipeline.blending();
-  const ScalarRange& range = pipeline.source().range();
+  const Blending& blending = stages.blending();
+  const ScalarRange& range = stages.volume().range();
   if (blending.Mode == BlendMode::Average &&
       (blending.AverageRange[1] < 0 || blending.AverageRange[0] > 1))
   {
     return "the range of the values that are averaged (AverageIPScalarRange) has none of " +
            valuesOf(range) + ". Choose a range with some.";
   }
-  if (blending.isSum() || pipeline.showsNan())
+  if (blending.isSum() || stages.showsNan())
   {
     return {};
   }
@@ -80,12 +80,12 @@ std::string whyNoValue(const Pipeline& pipeline)
   {
     return noSurface;
   }
-  if (!showAnyScalar(pipeline))
+  if (!showAnyScalar(stages))
   {
     return "the opacity is 0 for all of " + valuesOf(range) +
            ". Change the scalar opacity function, or choose another array.";
   }
-  return pipeline.source().showsNothing()
+  return stages.volume().showsNothing()
            ? "no cell has a value that is shown" +
                std::string(range.AllFinite ? "" : " without one that is not a finite number") +
                ": the transfer functions show nothing of what cells have of " + valuesOf(range) +
@@ -93,10 +93,10 @@ std::string whyNoValue(const Pipeline& pipeline)
            : std::string();
 }
 
-std::string whyNothingIsLeft(const Pipeline& pipeline)
+std::string whyNothingIsLeft(const FrameStages& stages)
 {
-  const Clipping& cuts = pipeline.cuts();
-  const auto& box = pipeline.source().frame().HalfExtent;
+  const Clipping& cuts = stages.cuts();
+  const auto& box = stages.volume().frame().HalfExtent;
   return leavesNothing(cuts, box)
            ? "clipping planes and cropping leave nothing of the volume. Move them, or remove them "
              "(RemoveAllClippingPlanes(), CroppingOff())."
@@ -105,26 +105,26 @@ std::string whyNothingIsLeft(const Pipeline& pipeline)
 
 } // namespace
 
-std::string whyNothingIsVisible(const Pipeline& pipeline)
+std::string whyNothingIsVisible(const FrameStages& stages)
 {
-  const MarchSource& source = pipeline.source();
-  if (source.isEmpty())
+  const MarchedVolume& volume = stages.volume();
+  if (volume.isEmpty())
   {
     return {};
   }
-  if (source.isHidden())
+  if (volume.isHidden())
   {
     return "every cell is hidden by an array of ghost cells or points (vtkGhostType). Change or "
            "remove the array.";
   }
-  if (!source.range().AnyFinite && !pipeline.showsNan())
+  if (!volume.range().AnyFinite && !stages.showsNan())
   {
     return "none of the scalars is a finite number. Choose another array, or have cells without "
            "such numbers drawn in the NaN color by SetDrawNanCells(true); in ParaView, by Draw Nan "
            "Cells.";
   }
-  const std::string why = whyNoValue(pipeline);
-  return why.empty() ? whyNothingIsLeft(pipeline) : why;
+  const std::string why = whyNoValue(stages);
+  return why.empty() ? whyNothingIsLeft(stages) : why;
 }
 
 } // namespace tetmarch

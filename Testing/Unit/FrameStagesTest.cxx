@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages of a frame, of both kinds of volume: what runs again, what is said if something is
+// wrong or nothing is visible, and the scene that the CPU reference gets.
+#include "Frame/FrameScene.h"
+#include "Frame/NothingVisible.h"
+#include "Volume/StructuredVolume.h"
+#include "Volume/TetVolume.h"
+
+#include "ComponentFields.h"
+#include "Shot.h"
+
+#include "vtkContourValues.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace
+{
+using namespace tetmarch;
+using namespace tetmarch::testing;
+
+constexpr int Size = 24;
+
+// Scalars from 0 to 1 along x in the unit cube.
+vtkSmartPointer<vtkDataSet> dataOf(const TetVolume&)
+{
+  return jitteredLattice(4, 0.0, 1, [](double x, double, double) { return x; });
+}
+vtkSmartPointer<vtkDataSet> dataOf(const StructuredVolume&)
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(9, 9, 9);
+  image->SetSpacing(0.125, 0.125, 0.125);
+  vtkNew<vtkDoubleArray> scalars;
+  for (int i = 0; i < 9 * 9 * 9; ++i)
+  {
+    scalars->InsertNextValue(0.125 * (i % 9));
+  }
+  image->GetPointData()->SetScalars(scalars);
+  return image;
+}
+
+template <typename VolumeOf>
+class FrameStagesOf : public ::testing::Test
+{
+protected:
+  FrameStagesOf()
+  {
+    this->Renderer->SetActiveCamera(Shot().Camera);
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(0.0, 0.1);
+    opacity->AddPoint(1.0, 0.6);
+    vtkNew<vtkColorTransferFunction> colour;
+    colour->AddRGBPoint(0.0, 0.2, 0.4, 1.0);
+    colour->AddRGBPoint(1.0, 1.0, 0.3, 0.1);
+    this->property()->SetScalarOpacity(opacity);
+    this->property()->SetColor(colour);
+    this->Input.Drawn.Volume.Data = this->Data;
+    this->Input.Drawn.Volume.Between = Interpolation::Linear;
+    this->Input.Drawn.Scalars.Array = this->Data->GetPointData()->GetScalars();
+    this->Input.Renderer = this->Renderer;
+    this->Input.Volume = this->Volume;
+  }
+
+  vtkVolumeProperty* property() { return this->Volume->GetProperty(); }
+  StageResult update() { return this->Stages.update(this->Input, {}); }
+
+  // How many stages run in one more update.
+  std::int64_t newRuns()
+  {
+    const std::int64_t before = this->Stages.runs();
+    EXPECT_TRUE(this->update().isDone());
+    return this->Stages.runs() - before;
+  }
+
+  void show(double from, double to)
+  {
+    this->property()->GetScalarOpacity()->RemoveAllPoints();
+    this->property()->GetScalarOpacity()->AddPoint(0.0, from);
+    this->property()->GetScalarOpacity()->AddPoint(1.0, to);
+  }
+
+  // The error of an update, by its words; the next one without the fault is done.
+  template <typename Break, typename Mend>
+  void expectError(const char* words, const Break& fault, const Mend& mend)
+  {
+    fault();
+    const StageResult result = this->update();
+    EXPECT_NE(result.Error.find(words), std::string::npos) << words << ": " << result.Error;
+    mend();
+    EXPECT_TRUE(this->update().isDone()) << "after " << words;
+  }
+
+  // Why nothing is visible, by its words.
+  template <typename Hide, typename Unhide>
+  void expectInvisible(const char* words, const Hide& hide, const Unhide& unhide)
+  {
+    hide();
+    EXPECT_EQ(this->update().Error, "");
+    const std::string why = whyNothingIsVisible(this->Stages);
+    EXPECT_NE(why.find(words), std::string::npos) << words << ": " << why;
+    unhide();
+    EXPECT_TRUE(this->update().isDone()) << "after " << words;
+    EXPECT_EQ(whyNothingIsVisible(this->Stages), "") << "after " << words;
+  }
+
+  VolumeOf Marched;
+  vtkSmartPointer<vtkDataSet> Data = dataOf(Marched);
+  vtkNew<WindowlessRenderer> Renderer;
+  vtkNew<vtkVolume> Volume;
+  FrameInput Input;
+  FrameStages Stages{ Marched };
+};
+
+using Kinds = ::testing::Types<TetVolume, StructuredVolume>;
+TYPED_TEST_SUITE(FrameStagesOf, Kinds, );
+
+TYPED_TEST(FrameStagesOf, RunAgainWhenTheirInputChanged)
+{
+  EXPECT_GT(this->newRuns(), 0);
+  EXPECT_EQ(this->newRuns(), 0);
+  const Fingerprint content = this->Stages.contentVersion();
+  this->Renderer->GetActiveCamera()->SetPosition(3.0, 2.0, 1.0);
+  EXPECT_EQ(this->newRuns(), 0);
+  EXPECT_EQ(this->Stages.contentVersion(), content);
+  this->show(0.2, 0.5);
+  EXPECT_EQ(this->newRuns(), 2); // tables, and what they show
+  EXPECT_NE(this->Stages.contentVersion(), content);
+  this->property()->ShadeOn();
+  vtkNew<vtkLight> light;
+  this->Renderer->AddLight(light);
+  EXPECT_EQ(this->newRuns(), 1); // gradients
+  this->Input.Drawn.Scalars.Array->Modified();
+  EXPECT_GE(this->newRuns(), 3);
+}
+
+TYPED_TEST(FrameStagesOf, SayWhatIsWrong)
+{
+  auto& drawn = this->Input.Drawn;
+  vtkNew<vtkDoubleArray> few;
+  few->InsertNextValue(1.0);
+  this->expectError(
+    "1 tuple", [&] { drawn.Scalars.Array = few; },
+    [&] { drawn.Scalars.Array = this->Data->GetPointData()->GetScalars(); });
+  vtkNew<vtkDoubleArray> pairs;
+  pairs->SetNumberOfComponents(2);
+  pairs->SetNumberOfTuples(this->Data->GetNumberOfPoints());
+  pairs->Fill(0.5);
+  this->expectError(
+    "Several components",
+    [&]
+    {
+      drawn.Scalars.Array = pairs;
+      drawn.Vector.Mode = VectorMode::AllComponents;
+      drawn.Blend.Mode = static_cast<int>(BlendMode::Maximum);
+    },
+    [&] { drawn.Blend.Mode = static_cast<int>(BlendMode::Composite); });
+  EXPECT_NE(this->Stages.describeBadSamples().find("one component"), std::string::npos);
+  vtkNew<vtkLight> light;
+  this->Renderer->AddLight(light);
+  this->expectError(
+    "without light", [&] { this->property()->ShadeOn(); }, [&] { this->property()->ShadeOff(); });
+  drawn.Vector.Mode = VectorMode::Component;
+  drawn.Scalars.Array = this->Data->GetPointData()->GetScalars();
+  this->expectError(
+    "unit distance", [&] { this->property()->SetScalarOpacityUnitDistance(0.0); },
+    [&] { this->property()->SetScalarOpacityUnitDistance(1.0); });
+  this->expectError(
+    "singular", [&] { this->Volume->SetScale(1.0, 0.0, 1.0); },
+    [&] { this->Volume->SetScale(1.0); });
+  EXPECT_NE(this->Stages.describeBadSamples(), "");
+  drawn.Samples.Distance = 0.1;
+  EXPECT_TRUE(this->update().isDone());
+  EXPECT_EQ(this->Stages.describeBadSamples().empty(), this->Marched.isStructured());
+}
+
+TYPED_TEST(FrameStagesOf, TellWhyNothingIsVisible)
+{
+  auto& drawn = this->Input.Drawn;
+  const auto blend = [&](BlendMode mode)
+  {
+    drawn.Blend.Mode = static_cast<int>(mode);
+    this->Input.Effects.Blend = mode;
+  };
+  const auto composite = [&] { blend(BlendMode::Composite); };
+  this->expectInvisible(
+    "opacity is 0", [&] { this->show(0.0, 0.0); }, [&] { this->show(0.1, 0.6); });
+  vtkContourValues* surfaces = this->property()->GetIsoSurfaceValues();
+  surfaces->SetNumberOfContours(0);
+  this->expectInvisible(
+    "no isosurface values", [&] { blend(BlendMode::IsoSurface); }, composite);
+  this->expectInvisible(
+    "lies among",
+    [&]
+    {
+      blend(BlendMode::IsoSurface);
+      surfaces->SetValue(0, 7.0);
+    },
+    composite);
+  this->expectInvisible(
+    "at the isosurface values",
+    [&]
+    {
+      blend(BlendMode::IsoSurface);
+      surfaces->SetValue(0, 0.0);
+      this->show(0.0, 1.0);
+    },
+    composite);
+  this->expectInvisible(
+    "AverageIPScalarRange",
+    [&]
+    {
+      blend(BlendMode::Average);
+      drawn.Blend.AverageRange = { { 3.0, 4.0 } };
+    },
+    composite);
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(0.0, 0.0, 1.0);
+  plane->SetOrigin(0.0, 0.0, 9.0);
+  vtkNew<vtkPlaneCollection> planes;
+  planes->AddItem(plane);
+  this->expectInvisible(
+    "clipping planes", [&] { drawn.Cuts.Planes = planes; }, [&] { drawn.Cuts.Planes = nullptr; });
+  vtkNew<vtkDoubleArray> none;
+  none->SetNumberOfTuples(this->Data->GetNumberOfPoints());
+  none->Fill(std::numeric_limits<double>::quiet_NaN());
+  this->expectInvisible(
+    "finite number", [&] { drawn.Scalars.Array = none; },
+    [&] { drawn.Scalars.Array = this->Data->GetPointData()->GetScalars(); });
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName("vtkGhostType");
+  ghosts->SetNumberOfTuples(this->Data->GetNumberOfPoints());
+  ghosts->Fill(vtkDataSetAttributes::HIDDENPOINT);
+  this->expectInvisible(
+    "ghost", [&] { this->Data->GetPointData()->AddArray(ghosts); },
+    [&] { this->Data->GetPointData()->RemoveArray("vtkGhostType"); });
+}
+
+TYPED_TEST(FrameStagesOf, GiveTheirTablesToTheReference)
+{
+  constexpr std::uint64_t limit = 20000;
+  // A steep step needs the finest tables.
+  this->property()->GetScalarOpacity()->AddPoint(0.4, 0.1);
+  this->property()->GetScalarOpacity()->AddPoint(0.4 + 1e-9, 0.9);
+  ASSERT_TRUE(this->update().isDone());
+  this->Stages.setLimits({ limit, 0 });
+  ASSERT_EQ(this->update().Error, "");
+  const FrameScene asDrawn(this->Stages, this->property(), this->Input.Level, false);
+  const FrameScene truth(this->Stages, this->property(), this->Input.Level, true);
+  const auto& drawn = asDrawn.scene().Table->Values;
+  EXPECT_LE(drawn.size(), limit);
+  EXPECT_EQ(drawn, this->Stages.tables().first().Values);
+  EXPECT_GT(truth.scene().Table->Values.size(), drawn.size());
+}
+
+TYPED_TEST(FrameStagesOf, AreDrawnByTheReference)
+{
+  ASSERT_TRUE(this->update().isDone());
+  ASSERT_EQ(this->Stages.prepareEntrySearch(), "");
+  FrameScene made(this->Stages, this->property(), this->Input.Level, false);
+  made.scene().Width = made.scene().Height = Size;
+  const ReferenceImage image = made.render<double>();
+  TraceOptions options;
+  options.X = options.Y = Size / 2;
+  options.InDouble = true;
+  const RayTrace trace = made.trace(options);
+  const float* pixel = &image.Pixels[4 * (Size / 2 * Size + Size / 2)];
+  ASSERT_FALSE(trace.Cells.empty());
+  EXPECT_GT(pixel[3], 0.05f);
+  for (int k = 0; k < 4; ++k)
+  {
+    EXPECT_EQ(pixel[k], static_cast<float>(trace.Color[k]));
+  }
+  options.InDouble = false;
+  EXPECT_NEAR(made.trace(options).Color[3], trace.Color[3], 1e-4);
+}
+} // namespace

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/TetTextures.h"
+
+#include "Caching/WithinMemory.h"
+#include "Entries/EntryListLimit.h"
+#include "Mesh/MeshSizes.h"
+#include "Mesh/PackedCells.h"
+#include "Rays/View.h"
+#include "Volume/TetVolume.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+namespace tetmarch
+{
+
+std::vector<BufferSize> TetTextures::bufferSizes() const
+{
+  const MeshScalars& scalars = this->Volume.scalars();
+  std::vector<BufferSize> sizes = tetmarch::bufferSizes(
+    this->Volume.mesh(), scalars.OfCells.size(), this->Volume.hiddenCells().size());
+  if (this->Volume.entersVisiblePart())
+  {
+    const VisiblePart& visible = this->Volume.visiblePart();
+    sizes.push_back({ "faces of what is visible", visible.Faces.size(), sizeof(visible.Faces[0]) });
+  }
+  if (const std::size_t count = scalars.Further.count())
+  {
+    sizes.push_back({ "further scalars", scalars.Further.Values.size() / count,
+      MeshTextures::furtherScalarsOfTexel(count) * sizeof(float),
+      scalars.OfCells.empty() ? 1 : MostCellBuffers });
+  }
+  return sizes;
+}
+
+bool TetTextures::isCurrent() const
+{
+  return this->Links.holds(this->Volume.linksVersion()) &&
+         this->Scalars.holds(this->Volume.scalarsVersion()) &&
+         this->HiddenCells.holds(this->Volume.hiddenVersion()) &&
+         this->VisibleTets.holds(this->Volume.visibleVersion());
+}
+
+std::string TetTextures::upload(vtkOpenGLRenderWindow* window)
+{
+  std::string error;
+  const auto update =
+    [&](Uploaded& part, const Fingerprint& version, const auto& upload, const auto& bytes)
+  { error = error.empty() ? part.update(version, upload, bytes) : error; };
+  const TetMesh& mesh = this->Volume.mesh();
+  const MeshScalars& scalars = this->Volume.scalars();
+  const auto& hidden = this->Volume.hiddenCells();
+  update(
+    this->Links, this->Volume.linksVersion(), [&] { return this->Mesh.uploadCells(window, mesh); },
+    [&]
+    {
+      return sizeof(PackedCell) * mesh.Tets.size() + 16 * mesh.BoundaryFaces.size() +
+             sizeof(HierarchyNode) * mesh.Hierarchy.size();
+    });
+  update(
+    this->Scalars, this->Volume.scalarsVersion(),
+    [&] { return this->Mesh.uploadScalars(window, mesh, scalars); },
+    [&]
+    {
+      return sizeof(Vertex) * mesh.Vertices.size() + sizeof(float) * scalars.OfCells.size() +
+             this->Mesh.furtherBytes();
+    });
+  update(
+    this->HiddenCells, this->Volume.hiddenVersion(),
+    [&] { return this->Mesh.uploadHiddenCells(window, hidden); },
+    [&] { return sizeof(std::uint32_t) * hidden.size(); });
+  update(
+    this->VisibleTets, this->Volume.visibleVersion(),
+    [&]
+    {
+      this->Visible.release(window);
+      return this->Volume.entersVisiblePart()
+               ? this->Visible.upload(window, this->Volume.visiblePart())
+               : std::string();
+    },
+    [&] { return this->Visible.bytes(); });
+  return error;
+}
+
+void TetTextures::release(vtkWindow* window)
+{
+  this->Mesh.release(window);
+  this->Entries.release(window);
+  this->Visible.release(window);
+  for (Uploaded* part : { &this->Links, &this->Scalars, &this->HiddenCells, &this->VisibleTets })
+  {
+    part->forget();
+  }
+}
+
+void TetTextures::bind(vtkShaderProgram* program, const VariantKey& key)
+{
+  this->Mesh.bind(program, key);
+  if (key.EntryLists)
+  {
+    this->Entries.bind(program);
+  }
+  if (key.VisiblePart)
+  {
+    this->Visible.bind(program);
+  }
+}
+
+void TetTextures::unbind()
+{
+  this->Mesh.unbind();
+  this->Visible.unbind();
+  this->Entries.unbind();
+}
+
+std::string TetTextures::listEntries(vtkOpenGLRenderWindow* window, const VariantKey& key,
+  const Viewport& viewport, const View& camera)
+{
+  Fingerprint version =
+    key.VisiblePart ? this->Volume.visibleVersion() : this->Volume.linksVersion();
+  add(version, key.VisiblePart ? 1 : 0);
+  addAll(version, camera.NormalizedToClip);
+  add(version, viewport.Width);
+  add(version, viewport.Height);
+  if (this->Entries.holds(version))
+  {
+    return {};
+  }
+  std::string error;
+  const std::string shortage = withinMemory("the lists of entries",
+    [&]
+    {
+      const StageRecorder recorder(this->EntriesRecord);
+      const auto& faces =
+        key.VisiblePart ? this->Volume.visiblePart().Faces : this->Volume.mesh().BoundaryFaces;
+      const EntryLists lists = makeEntryListsWithin(this->Volume.limits().TexelsPerBuffer,
+        this->Volume.mesh(), faces, camera, viewport.Width, viewport.Height);
+      error = this->Entries.upload(window, lists, version);
+    });
+  return shortage.empty() ? error : shortage;
+}
+
+} // namespace tetmarch

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The tetrahedra of a volume on the GPU, and the lists of where rays may enter them.
+#ifndef TetMarchGLTetTextures_h
+#define TetMarchGLTetTextures_h
+
+#include "Caching/StageRecord.h"
+#include "GL/EntryListTextures.h"
+#include "GL/MeshTextures.h"
+#include "GL/Uploaded.h"
+#include "GL/VisiblePartTextures.h"
+#include "GL/VolumeTextures.h"
+
+namespace tetmarch
+{
+
+class TetVolume;
+
+class TetTextures : public VolumeTextures
+{
+public:
+  /** The volume lives longer than the textures. */
+  explicit TetTextures(const TetVolume& volume)
+    : Volume(volume)
+  {
+  }
+
+  std::vector<BufferSize> bufferSizes() const override;
+  bool isCurrent() const override;
+  std::string upload(vtkOpenGLRenderWindow* window) override;
+  void release(vtkWindow* window) override;
+  std::size_t bytes() const override
+  {
+    return this->Mesh.bytes() + this->Visible.bytes() + this->Entries.bytes();
+  }
+  std::int64_t uploadedBytes() const override
+  {
+    return this->Links.allBytes() + this->Scalars.allBytes() + this->HiddenCells.allBytes() +
+           this->VisibleTets.allBytes();
+  }
+
+  void setBits(VariantKey& key) const override { this->Mesh.setBits(key); }
+  void bind(vtkShaderProgram* program, const VariantKey& key) override;
+  void unbind() override;
+
+  std::string listEntries(vtkOpenGLRenderWindow* window, const VariantKey& key,
+    const Viewport& viewport, const View& camera) override;
+  void releaseEntries(vtkWindow* window) override { this->Entries.release(window); }
+  const StageRecord& entriesRecord() const { return this->EntriesRecord; }
+
+private:
+  const TetVolume& Volume;
+  MeshTextures Mesh;
+  Uploaded Links;
+  Uploaded Scalars;
+  Uploaded HiddenCells;
+  Uploaded VisibleTets;
+  VisiblePartTextures Visible;
+  EntryListTextures Entries;
+  StageRecord EntriesRecord;
+};
+
+} // namespace tetmarch
+
+#endif

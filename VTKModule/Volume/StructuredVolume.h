@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// An image or a rectilinear grid with what is drawn of it: the stages that make it, each of which
+// runs again only when its own input changed.
+#ifndef TetMarchVolumeStructuredVolume_h
+#define TetMarchVolumeStructuredVolume_h
+
+#include "Caching/StageRecord.h"
+#include "Caching/Switch.h"
+#include "Input/GridGeometry.h"
+#include "Scalars/HiddenBits.h"
+#include "Structured/EmptySpace.h"
+#include "Structured/HiddenLatticeStage.h"
+#include "Structured/Lattice.h"
+#include "Structured/LightNodes.h"
+#include "Structured/StoredValues.h"
+#include "Volume/MarchedVolume.h"
+
+namespace tetmarch
+{
+
+class StructuredVolume : public MarchedVolume
+{
+public:
+  StructuredVolume() = default;
+  StructuredVolume(const StructuredVolume&) = delete;
+  StructuredVolume& operator=(const StructuredVolume&) = delete;
+
+  /** The extent and the coordinates of the data, and the frame; the volume is empty if something
+   * is wrong. Takes a vtkImageData (vtkUniformGrid, too) or a vtkRectilinearGrid. Other data with
+   * the same coordinates keeps the lattice. */
+  std::string updateGeometry(
+    const VolumeInput& input, const ResourceLimits& limits, const Progress& progress) override;
+  /**
+   * The lattice that the array and the interpolation call for, its hidden cells, its values and
+   * their ranges; there are no values if something is wrong. Each is made again when its own input
+   * changed: a new array leaves the lattice, another interpolation leaves the values.
+   */
+  std::string updateScalars(const VolumeInput& input, const DrawnScalars& drawn) override;
+  /** The distances to the blocks of which something may be seen. */
+  std::string updateVisibility(const IntegralTable& first, const Components& parts,
+    const Blending& blending, bool undrawnSeen) override;
+  /** Rays enter a lattice by the planes of its sides. */
+  std::string prepareEntrySearch() override { return {}; }
+
+  bool isEmpty() const override { return this->Geometry.isEmpty(); }
+  bool isHidden() const override
+  {
+    return areAllHidden(this->hiddenCells(), this->Made.numberOfCells());
+  }
+  bool showsNothing() const override { return this->Empty.EmptyShare == 1; }
+  bool isStructured() const override { return true; }
+  bool mayReenter() const override { return false; }
+  const std::vector<ScalarRange>& extraRanges() const override { return this->ExtraRanges; }
+  /** Cells of which nothing is seen are leapt over or skipped, if there are blocks of them. */
+  double transparentShare(const IntegralTable&) const override { return this->Empty.EmptyShare; }
+  /** A cell of the lattice may overlap eight cells of the data. */
+  vtkIdType cellOf(std::uint32_t cell, const Vector3& point) const override;
+  void setBits(VariantKey& key) const override;
+  Fingerprint version() const override;
+  std::int64_t runs() const override
+  {
+    return this->LatticeRecord.Runs + this->Hidden.record().Runs + this->ValuesRecord.Runs +
+           this->RangesRecord.Runs + this->EmptyRecord.Runs;
+  }
+  void addTo(ReferenceScene& scene) const override;
+
+  // As the effects of light see it. The march takes gradients from the values; light is kept at the
+  // nodes of a coarser lattice in place of vertices.
+  /** Known from updateGeometry() on; the rest of the lattice from updateScalars() on. */
+  const VolumeFrame& frame() const override { return this->Frame; }
+  const ScalarRange& range() const override { return this->Values.front().Range; }
+  /** Equal as long as the lattice is the same. */
+  Fingerprint geometryVersion() const override;
+  /** Equal as long as the lattice and its values are the same. */
+  Fingerprint scalarsVersion() const override;
+  bool storesGradients() const override { return false; }
+  bool hasCellGradients() const override { return !this->Made.Constant; }
+  std::vector<std::array<float, 3>> gradients(bool, Group*) const override { return {}; }
+  /** The numbers of the nodes along the axes. */
+  std::vector<VertexStart> vertexStarts() const override;
+  bool startPoint(std::size_t vertex, const VertexStart& start, Vector3& point) const override;
+
+  const Lattice& lattice() const { return this->Made; }
+  /** Of the lattice. */
+  const LightNodes& lightNodes() const { return this->Nodes; }
+  /** The first scalar, and those that are drawn with it. */
+  const std::vector<StoredValues>& values() const { return this->Values; }
+  /** One bit for each cell of the lattice: bit c % 32 of word c / 32. Empty if none is hidden.
+   * Which are: see hiddenLatticeCells(). */
+  const std::vector<std::uint32_t>& hiddenCells() const { return this->Hidden.cells(); }
+  /** Of the first scalar and, if they are independent, of those that are drawn with it: of others
+   * nothing is seen where the first one has no opacity. */
+  const std::vector<BlockRanges>& blockRanges() const { return this->Ranges; }
+  const BlockDistances& emptySpace() const { return this->Empty; }
+  /** Whether rays leap over what is empty. */
+  bool leaps() const { return this->Leaps.isOn(); }
+  /** Equal as long as the empty space is the same. */
+  Fingerprint emptySpaceVersion() const
+  {
+    return { static_cast<std::uintptr_t>(this->EmptyRecord.Runs) };
+  }
+  /** Equal as long as the same cells of the same lattice are hidden; empty without ghost arrays. */
+  const Fingerprint& hiddenVersion() const { return this->Hidden.version(); }
+
+  const StageRecord& latticeRecord() const { return this->LatticeRecord; }
+  const StageRecord& valuesRecord() const { return this->ValuesRecord; }
+  const StageRecord& rangesRecord() const { return this->RangesRecord; }
+  const StageRecord& emptySpaceRecord() const { return this->EmptyRecord; }
+
+private:
+  std::string updateLattice(const LatticeCase& lies);
+  std::string updateValues(const DrawnScalars& drawn);
+  std::string updateRanges(ComponentMix mix);
+  std::vector<ShownScalar> shownScalars(const IntegralTable& first, const Components& parts) const;
+  void clearValues();
+
+  GridGeometry Geometry;
+  VolumeFrame Frame;
+  Fingerprint LatticeInput; // beside the geometry
+  LatticeCase Case;
+  Lattice Made;
+  LightNodes Nodes;
+  HiddenLatticeStage Hidden;
+  Fingerprint ValuesInput;
+  std::vector<StoredValues> Values;
+  std::vector<ScalarRange> ExtraRanges;
+  Fingerprint RangesInput;
+  std::vector<BlockRanges> Ranges;
+  BlockDistances Empty;
+  Switch Leaps;
+  StageRecord LatticeRecord;
+  StageRecord ValuesRecord;
+  StageRecord RangesRecord;
+  StageRecord EmptyRecord;
+};
+
+} // namespace tetmarch
+
+#endif
