@@ -12,11 +12,12 @@
 namespace tetmarch
 {
 
-std::string BoundaryViewPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-  BoundaryView what, const Progress& progress, bool& stopped)
+StageResult BoundaryViewPass::draw(
+  const DrawContext& context, const MarchInputs& inputs, BoundaryView what)
 {
-  return drawInTiles(window, inputs.Area, inputs.MostSecondsPerDraw, inputs.Content, this->Tiles,
-    progress, stopped,
+  vtkOpenGLRenderWindow* window = context.Window;
+  return drawInTiles(context, { inputs.Area, inputs.MostSecondsPerDraw, inputs.Content },
+    this->Tiles,
     [&](const Viewport& tile)
     {
       // The shader compares depths along the rays, as the march does.

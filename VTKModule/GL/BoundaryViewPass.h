@@ -15,11 +15,9 @@ class BoundaryViewPass
 public:
   /**
    * Draw opaque colours. Pixels whose ray meets nothing, or opaque geometry first, stay as they
-   * are. The key of the inputs is one ofEntries(). Returns an empty string, or what is wrong;
-   * `stopped` becomes true if progress asked to stop between two tiles.
+   * are. The key of the inputs is one ofEntries().
    */
-  std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, BoundaryView what,
-    const Progress& progress, bool& stopped);
+  StageResult draw(const DrawContext& context, const MarchInputs& inputs, BoundaryView what);
   /** Nothing is known of how long the next frame takes. */
   void forgetTimes() { this->Tiles.forget(); }
   void release() { this->Draw.release(); }

@@ -7,21 +7,18 @@
 namespace tetmarch
 {
 
-std::string Diagnostics::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
-  MarchInputs inputs, const Progress& progress, bool& stopped)
+StageResult Diagnostics::collect(const DrawContext& context, MarchPass& march, MarchInputs inputs)
 {
+  vtkOpenGLRenderWindow* window = context.Window;
   this->clear();
   const StageRecorder recorder(this->Record);
   inputs.Key.Diagnostics = true;
   StateScope state(window);
-  std::string error = this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 3);
-  if (error.empty())
+  StageResult result{ this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 3) };
+  result = result.then([&] { return march.drawApart(context, this->Target, inputs, this->Tiles); });
+  if (!result.isDone())
   {
-    error = march.drawApart(window, this->Target, inputs, this->Tiles, progress, stopped);
-  }
-  if (!error.empty() || stopped)
-  {
-    return error;
+    return result;
   }
   this->Pixels = this->Target.read(window, 0);
   this->Measures = this->Target.read(window, 1);

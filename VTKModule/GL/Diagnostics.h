@@ -17,10 +17,8 @@ namespace tetmarch
 class Diagnostics
 {
 public:
-  /** March once more with the counting variant. Returns an empty string, or what is wrong;
-   * `stopped` becomes true if progress asked to stop, and nothing is kept then. */
-  std::string collect(vtkOpenGLRenderWindow* window, MarchPass& march, MarchInputs inputs,
-    const Progress& progress, bool& stopped);
+  /** March once more with the counting variant. Nothing is kept unless it is done. */
+  StageResult collect(const DrawContext& context, MarchPass& march, MarchInputs inputs);
   const MarchCounters& counters() const { return this->Counters; }
   /** For each pixel: tetrahedra crossed (0: the ray met nothing), lookups, error bound, 0. */
   const std::vector<float>& measures() const { return this->Measures; }

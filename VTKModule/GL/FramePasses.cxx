@@ -29,85 +29,89 @@ void coarsen(double sampleDistance, MarchInputs& inputs)
 
 } // namespace
 
-std::string FramePasses::draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
-  const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view, BoundaryView boundary,
-  double sampleDistance, const Progress& progress, bool& stopped)
+StageResult FramePasses::draw(
+  const DrawContext& context, MarchInputs inputs, const DrawOptions& options)
 {
   this->clear();
-  const bool coarse = sampleDistance > 1;
-  const bool apart = coarse || inputs.ByCompute;
-  this->releaseUnused(window, inputs, diagnostics, view, boundary, apart);
-  this->Pieces.release(window);
+  const bool apart = options.SampleDistance > 1 || inputs.ByCompute;
+  this->releaseUnused(context.Window, inputs, options, apart);
+  this->Pieces.release(context.Window);
   this->noteVariant(inputs);
-  std::string error = this->updateLight(window, lightVersion, progress, inputs, stopped);
-  if (!error.empty() || stopped)
-  {
-    return error;
-  }
   const Viewport area = inputs.Area;
-  coarsen(sampleDistance, inputs);
-  error = this->findRays(window, area, inputs);
-  if (boundary != BoundaryView::None)
+  return this->updateLight(context, inputs)
+    .then(
+      [&]
+      {
+        coarsen(options.SampleDistance, inputs);
+        return StageResult{ this->findRays(context.Window, area, inputs) };
+      })
+    .then([&] { return this->drawSeen(context, area, inputs, options); });
+}
+
+// The picture, or a view instead.
+StageResult FramePasses::drawSeen(const DrawContext& context, const Viewport& area,
+  const MarchInputs& inputs, const DrawOptions& options)
+{
+  StageResult result;
+  if (options.Boundary != BoundaryView::None)
   {
-    error =
-      error.empty() ? this->Boundary.draw(window, inputs, boundary, progress, stopped) : error;
-    this->Draws = error.empty() ? this->Boundary.numberOfDraws() : 0;
-    return error;
+    result = this->Boundary.draw(context, inputs, options.Boundary);
+    this->Draws = result.Error.empty() ? this->Boundary.numberOfDraws() : 0;
+    return result;
   }
-  if (error.empty() && (diagnostics || view))
+  const MeasureView* view = options.View;
+  if (options.Diagnostics || view)
   {
-    error = this->Counted.collect(window, this->March, inputs, progress, stopped);
-    this->Draws = view && error.empty() ? this->Counted.numberOfDraws() : 0;
+    result = this->Counted.collect(context, this->March, inputs);
+    this->Draws = view && result.Error.empty() ? this->Counted.numberOfDraws() : 0;
   }
-  if (!error.empty() || stopped)
+  if (!result.isDone())
   {
-    return error;
+    return result;
   }
   if (view)
   {
     fitTable(*view, this->Counted.measures());
-    return this->Shown.draw(window, inputs.Area, this->Counted.measuresTexture(), *view);
+    return { this->Shown.draw(
+      context.Window, inputs.Area, this->Counted.measuresTexture(), *view) };
   }
-  error = apart ? this->Apart.draw(window, area, this->March, inputs, progress, stopped)
-                : this->March.draw(window, inputs, this->Tiles, progress, stopped);
+  const bool apart = options.SampleDistance > 1 || inputs.ByCompute;
+  result = apart ? this->Apart.draw(context, area, this->March, inputs)
+                 : this->March.draw(context, inputs, this->Tiles);
   this->Draws = apart ? this->Apart.numberOfDraws() : this->Tiles.numberOfTiles();
-  return error;
+  return result;
 }
 
-std::string FramePasses::drawTogether(vtkOpenGLRenderWindow* window, MarchInputs inputs,
-  const Fingerprint& lightVersion, double sampleDistance, std::string before, SharedPicture& shared,
-  const Progress& progress, bool& stopped)
+StageResult FramePasses::drawDistributed(const DrawContext& context, MarchInputs inputs,
+  const DrawOptions& options, const std::string& before)
 {
+  SharedPicture& shared = *options.Shared;
   this->clear();
-  this->releaseUnused(window, inputs, false, nullptr, BoundaryView::None, true);
+  this->releaseUnused(context.Window, inputs, options, true);
   this->noteVariant(inputs);
-  PartStatus own;
-  own.Error = std::move(before);
   const Viewport area = inputs.Area;
+  StageResult own{ before };
   // The other processes wait for this one, whatever happens here.
   const std::string shortage = withinMemory("drawing",
     [&]
     {
-      if (own.Error.empty() && shared.HasPiece)
+      if (shared.HasPiece)
       {
-        own.Error = this->updateLight(window, lightVersion, progress, inputs, own.Stopped);
+        own = own.then([&] { return this->updateLight(context, inputs); });
       }
-      coarsen(sampleDistance, inputs);
-      if (own.Error.empty())
-      {
-        own.Error = this->findRays(window, area, inputs);
-      }
+      coarsen(options.SampleDistance, inputs);
+      own.Error = own.Error.empty() ? this->findRays(context.Window, area, inputs) : own.Error;
     });
   own.Error = shortage.empty() ? own.Error : shortage;
   if (inputs.Key.OpaqueDepth)
   {
-    own.Error = this->shareDepths(window, area, *shared.Processes, own.Error);
+    own.Error = this->shareDepths(context.Window, area, *shared.Processes, own.Error);
     inputs.Depths = this->Opaque.texture();
   }
-  const std::string error = this->Pieces.draw(
-    window, area, this->March, inputs, own, shared, this->Apart, progress, stopped);
+  StageResult result =
+    this->Pieces.draw({ context, this->March, inputs, own, shared }, area, this->Apart);
   this->Draws = this->Pieces.numberOfDraws();
-  return error;
+  return result;
 }
 
 // Opaque geometry of any process ends the rays of all.
@@ -137,20 +141,18 @@ void FramePasses::noteVariant(const MarchInputs& inputs)
   }
 }
 
-std::string FramePasses::updateLight(vtkOpenGLRenderWindow* window, const Fingerprint& lightVersion,
-  const Progress& progress, MarchInputs& inputs, bool& stopped)
+StageResult FramePasses::updateLight(const DrawContext& context, MarchInputs& inputs)
 {
   if (!inputs.Key.hasVertexLight())
   {
     return {};
   }
-  std::string error = this->Light.update(window, inputs,
-    inputs.Stages->effects().data().VertexStarts.size(), lightVersion, progress, stopped);
-  if (error.empty() && !stopped)
+  StageResult result = this->Light.update(context, inputs);
+  if (result.isDone())
   {
     inputs.VertexLight = this->Light.texture();
   }
-  return error;
+  return result;
 }
 
 // Find where the rays of pixels may enter, and where they end by the depths of the window.
@@ -171,24 +173,22 @@ std::string FramePasses::findRays(
   return error;
 }
 
-std::string FramePasses::pick(vtkOpenGLRenderWindow* window, MarchInputs inputs,
-  const Viewport& part, const Progress& progress, bool& stopped, std::vector<PickedPoint>& points)
+StageResult FramePasses::pick(const DrawContext& context, MarchInputs inputs, const Viewport& part,
+  std::vector<PickedPoint>& points)
 {
-  std::string error = this->findRays(window, inputs.Area, inputs);
-  if (error.empty())
-  {
-    error = this->Picking.pick(window, inputs, part, progress, stopped, points);
-  }
+  StageResult result{ this->findRays(context.Window, inputs.Area, inputs) };
+  result = result.then([&] { return this->Picking.pick(context, inputs, part, points); });
   if (!this->LastKey.OpaqueDepth) // picks use depths even if the picture does not
   {
-    this->Opaque.release(window);
+    this->Opaque.release(context.Window);
   }
-  return error;
+  return result;
 }
 
-void FramePasses::releaseUnused(vtkWindow* window, const MarchInputs& inputs, bool diagnostics,
-  const MeasureView* view, BoundaryView boundary, bool apart)
+void FramePasses::releaseUnused(
+  vtkWindow* window, const MarchInputs& inputs, const DrawOptions& options, bool apart)
 {
+  const bool boundary = options.Boundary != BoundaryView::None;
   const VariantKey& key = inputs.Key;
   if (!key.EntryLists)
   {
@@ -198,7 +198,7 @@ void FramePasses::releaseUnused(vtkWindow* window, const MarchInputs& inputs, bo
   {
     this->Opaque.release(window);
   }
-  if (!apart || view || boundary != BoundaryView::None)
+  if (!apart || options.View || boundary)
   {
     this->Apart.release(window);
   }
@@ -206,19 +206,20 @@ void FramePasses::releaseUnused(vtkWindow* window, const MarchInputs& inputs, bo
   {
     this->Light.release(window);
   }
-  if (!view)
+  if (!options.View)
   {
     this->Shown.release(window);
   }
-  if (boundary == BoundaryView::None)
-  {
-    this->Boundary.release();
-  }
-  else
+  if (boundary)
   {
     this->March.release();
   }
-  if ((!view && !diagnostics) || boundary != BoundaryView::None)
+  else
+  {
+    this->Boundary.release();
+  }
+  const bool counts = options.View || (options.Diagnostics && !options.Shared);
+  if (!counts || boundary)
   {
     this->Counted.release(window);
   }

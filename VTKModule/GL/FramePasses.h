@@ -7,6 +7,7 @@
 
 #include "GL/BoundaryViewPass.h"
 #include "GL/Diagnostics.h"
+#include "GL/DrawOptions.h"
 #include "GL/MarchPass.h"
 #include "GL/OpaqueDepth.h"
 #include "GL/PickPass.h"
@@ -24,24 +25,19 @@ public:
   /**
    * Draw a frame. Entries and depths are added to the inputs. A view is drawn instead of the
    * picture, with or without diagnostics; with a view of the boundary nothing is marched or
-   * counted. Rays are sampleDistance pixels apart; it is 1 if anything but the picture is asked
-   * for. Returns an empty string, or what is wrong; `stopped` becomes true if progress asked to
-   * stop.
+   * counted.
    */
-  std::string draw(vtkOpenGLRenderWindow* window, MarchInputs inputs,
-    const Fingerprint& lightVersion, bool diagnostics, const MeasureView* view,
-    BoundaryView boundary, double sampleDistance, const Progress& progress, bool& stopped);
+  StageResult draw(const DrawContext& context, MarchInputs inputs, const DrawOptions& options);
   /**
    * The same by several processes, of the picture alone: collective, from before the depths of
    * opaque geometry on. `before` is what has gone wrong in this process: it takes part then, too.
    */
-  std::string drawTogether(vtkOpenGLRenderWindow* window, MarchInputs inputs,
-    const Fingerprint& lightVersion, double sampleDistance, std::string before,
-    SharedPicture& shared, const Progress& progress, bool& stopped);
+  StageResult drawDistributed(const DrawContext& context, MarchInputs inputs,
+    const DrawOptions& options, const std::string& before);
   /** Find the points at which the rays of a part of the inputs' area are picked (PickPass), for the
    * level's tolerance. The results of the last draw() are kept. */
-  std::string pick(vtkOpenGLRenderWindow* window, MarchInputs inputs, const Viewport& part,
-    const Progress& progress, bool& stopped, std::vector<PickedPoint>& points);
+  StageResult pick(const DrawContext& context, MarchInputs inputs, const Viewport& part,
+    std::vector<PickedPoint>& points);
   /** Nothing is known of how long the next frame takes. */
   void forgetTimes();
   /** Forget the results of the last draw(). */
@@ -73,14 +69,15 @@ public:
   }
 
 private:
-  std::string updateLight(vtkOpenGLRenderWindow* window, const Fingerprint& lightVersion,
-    const Progress& progress, MarchInputs& inputs, bool& stopped);
+  StageResult updateLight(const DrawContext& context, MarchInputs& inputs);
+  StageResult drawSeen(const DrawContext& context, const Viewport& area, const MarchInputs& inputs,
+    const DrawOptions& options);
   void noteVariant(const MarchInputs& inputs);
   std::string shareDepths(
     vtkOpenGLRenderWindow* window, const Viewport& area, Group& group, std::string before);
   std::string findRays(vtkOpenGLRenderWindow* window, const Viewport& depths, MarchInputs& inputs);
-  void releaseUnused(vtkWindow* window, const MarchInputs& inputs, bool diagnostics,
-    const MeasureView* view, BoundaryView boundary, bool apart);
+  void releaseUnused(
+    vtkWindow* window, const MarchInputs& inputs, const DrawOptions& options, bool apart);
 
   OpaqueDepth Opaque;
   VertexLightPass Light;

@@ -136,14 +136,13 @@ void blendPremultiplied(const StateScope& state)
   state->vtkglDisable(GL_CULL_FACE);
 }
 
-std::string MarchPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-  TileSchedule& tiles, const Progress& progress, bool& stopped)
+StageResult MarchPass::draw(
+  const DrawContext& context, const MarchInputs& inputs, TileSchedule& tiles)
 {
-  return drawInTiles(window, inputs.Area, inputs.MostSecondsPerDraw, inputs.Content, tiles,
-    progress, stopped,
+  return drawInTiles(context, { inputs.Area, inputs.MostSecondsPerDraw, inputs.Content }, tiles,
     [&](const Viewport& tile)
     {
-      StateScope state(window);
+      StateScope state(context.Window);
       if (inputs.Key.Peeled)
       {
         state->vtkglDisable(GL_DEPTH_TEST);
@@ -153,13 +152,14 @@ std::string MarchPass::draw(vtkOpenGLRenderWindow* window, const MarchInputs& in
       {
         blendPremultiplied(state);
       }
-      return this->drawTile(window, inputs, inputs.Area, tile);
+      return this->drawTile(context.Window, inputs, inputs.Area, tile);
     });
 }
 
-std::string MarchPass::drawApart(vtkOpenGLRenderWindow* window, const FloatTarget& images,
-  const MarchInputs& inputs, TileSchedule& tiles, const Progress& progress, bool& stopped)
+StageResult MarchPass::drawApart(const DrawContext& context, const FloatTarget& images,
+  const MarchInputs& inputs, TileSchedule& tiles)
 {
+  vtkOpenGLRenderWindow* window = context.Window;
   const Viewport target{ 0, 0, inputs.Area.Width, inputs.Area.Height };
   const TargetScope state(window, target.Width, target.Height);
   if (inputs.Visits)
@@ -170,8 +170,7 @@ std::string MarchPass::drawApart(vtkOpenGLRenderWindow* window, const FloatTarge
   }
   state->vtkglClearColor(0, 0, 0, 0);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  return drawInTiles(window, target, inputs.MostSecondsPerDraw, inputs.Content, tiles, progress,
-    stopped,
+  return drawInTiles(context, { target, inputs.MostSecondsPerDraw, inputs.Content }, tiles,
     [&](const Viewport& tile)
     {
       return inputs.ByCompute ? this->dispatchTile(window, inputs, images, tile)

@@ -5,6 +5,7 @@
 #define TetMarchGLMarchPass_h
 
 #include "GL/ComputeDispatch.h"
+#include "GL/DrawContext.h"
 #include "GL/FloatTarget.h"
 #include "GL/ShaderDraw.h"
 #include "GL/TiledDraw.h"
@@ -55,6 +56,7 @@ struct MarchInputs
   const PeelHooks* Peeling = nullptr;              // if the key is Peeled
   const VisitInputs* Visits = nullptr;             // visits are marched, one after the other
   PictureContent Content;                          // of the area
+  Fingerprint LightVersion;                        // of light at vertices, as in VertexLightPass
   double MostSecondsPerDraw = 0;                   // 0: no limit
   double MostLightSeconds = 0;                     // of a frame, for light at vertices; 0: no limit
 };
@@ -67,15 +69,13 @@ class MarchPass
 public:
   /**
    * Draw premultiplied colours over the bound framebuffer, by fragments; if the key is Peeled, with
-   * the blending that the peeling pass has set. Returns an empty string, or what is wrong;
-   * `stopped` becomes true if progress asked to stop between two tiles.
+   * the blending that the peeling pass has set.
    */
-  std::string draw(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, TileSchedule& tiles,
-    const Progress& progress, bool& stopped);
+  StageResult draw(const DrawContext& context, const MarchInputs& inputs, TileSchedule& tiles);
   /** The same without blending, into a bound target of our own that has the size of the area; if
    * the inputs are ByCompute, by a compute shader. */
-  std::string drawApart(vtkOpenGLRenderWindow* window, const FloatTarget& target,
-    const MarchInputs& inputs, TileSchedule& tiles, const Progress& progress, bool& stopped);
+  StageResult drawApart(const DrawContext& context, const FloatTarget& target,
+    const MarchInputs& inputs, TileSchedule& tiles);
   void release();
 
 private:

@@ -18,34 +18,35 @@
 namespace tetmarch
 {
 
-std::string PickPass::pick(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-  const Viewport& part, const Progress& progress, bool& stopped, std::vector<PickedPoint>& points)
+StageResult PickPass::pick(const DrawContext& context, const MarchInputs& inputs,
+  const Viewport& part, std::vector<PickedPoint>& points)
 {
-  std::string error = this->march(window, inputs, part, progress, stopped);
-  if (error.empty() && !stopped)
+  StageResult result = this->march(context, inputs, part);
+  if (result.isDone())
   {
-    points = this->read(window, inputs.Stages->volume());
+    points = this->read(context.Window, inputs.Stages->volume());
   }
-  this->Target.release(window);
+  this->Target.release(context.Window);
   this->Draw.release();
-  return error;
+  return result;
 }
 
-std::string PickPass::march(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-  const Viewport& part, const Progress& progress, bool& stopped)
+StageResult PickPass::march(
+  const DrawContext& context, const MarchInputs& inputs, const Viewport& part)
 {
+  vtkOpenGLRenderWindow* window = context.Window;
   const TargetScope state(window, part.Width, part.Height);
   const std::string error = this->Target.bind(window, part.Width, part.Height, 2);
   if (!error.empty())
   {
-    return error;
+    return { error };
   }
   state->vtkglClearColor(0, 0, 0, 0);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
   PictureContent content = inputs.Content;
   content.Drawn = screenBoxOf(part, inputs.Area);
-  return drawInTiles(window, { 0, 0, part.Width, part.Height }, inputs.MostSecondsPerDraw, content,
-    this->Tiles, progress, stopped,
+  return drawInTiles(context,
+    { { 0, 0, part.Width, part.Height }, inputs.MostSecondsPerDraw, content }, this->Tiles,
     [&](const Viewport& tile) { return this->drawTile(window, inputs, part, tile); });
 }
 

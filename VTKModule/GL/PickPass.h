@@ -21,11 +21,10 @@ public:
   /**
    * Find the picked points of the pixels in a part of the inputs' area, rows from the bottom. The
    * key of the inputs is one ofPick(). A ray is picked where its transmittance has fallen to the
-   * tolerance of the level. Returns an empty string, or what is wrong; `stopped` becomes true if
-   * progress asked to stop between two tiles. Only a program stays on the GPU.
+   * tolerance of the level. Only a program stays on the GPU.
    */
-  std::string pick(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part,
-    const Progress& progress, bool& stopped, std::vector<PickedPoint>& points);
+  StageResult pick(const DrawContext& context, const MarchInputs& inputs, const Viewport& part,
+    std::vector<PickedPoint>& points);
   void release()
   {
     this->Draw.release();
@@ -33,8 +32,7 @@ public:
   }
 
 private:
-  std::string march(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part,
-    const Progress& progress, bool& stopped);
+  StageResult march(const DrawContext& context, const MarchInputs& inputs, const Viewport& part);
   std::string drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
     const Viewport& part, const Viewport& tile);
   std::vector<PickedPoint> read(vtkOpenGLRenderWindow* window, const MarchedVolume& volume) const;

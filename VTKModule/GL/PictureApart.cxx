@@ -20,23 +20,22 @@ Viewport coarseArea(const Viewport& area, double sampleDistance)
   return { 0, 0, fewer(area.Width), fewer(area.Height) };
 }
 
-std::string PictureApart::draw(vtkOpenGLRenderWindow* window, const Viewport& area,
-  MarchPass& march, const MarchInputs& inputs, const Progress& progress, bool& stopped)
+StageResult PictureApart::draw(
+  const DrawContext& context, const Viewport& area, MarchPass& march, const MarchInputs& inputs)
 {
+  vtkOpenGLRenderWindow* window = context.Window;
   const bool sameSize = inputs.Area.Width == area.Width && inputs.Area.Height == area.Height;
   const bool enlarged = !inputs.ByCompute || !sameSize;
-  std::string error;
+  StageResult result;
   {
     StateScope state(window);
-    error = this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 1,
+    result.Error = this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 1,
       enlarged ? TargetFormat::Share16 : TargetFormat::Float32);
-    if (error.empty())
-    {
-      error = march.drawApart(window, this->Target, inputs, this->Tiles, progress, stopped);
-    }
+    result =
+      result.then([&] { return march.drawApart(context, this->Target, inputs, this->Tiles); });
   }
-  return error.empty() && !stopped ? this->blend(window, area, this->Target.color(0), enlarged)
-                                   : error;
+  return result.then(
+    [&] { return StageResult{ this->blend(window, area, this->Target.color(0), enlarged) }; });
 }
 
 std::string PictureApart::show(vtkOpenGLRenderWindow* window, const Viewport& area, int width,

@@ -21,11 +21,10 @@ class PictureApart
 public:
   /**
    * March the area of the inputs, and blend the picture over that of the window; interpolated if
-   * the viewport, `area`, is larger. Returns an empty string, or what is wrong; `stopped` becomes
-   * true if progress asked to stop, and nothing is blended then.
+   * the viewport, `area`, is larger. Nothing is blended if it is stopped.
    */
-  std::string draw(vtkOpenGLRenderWindow* window, const Viewport& area, MarchPass& march,
-    const MarchInputs& inputs, const Progress& progress, bool& stopped);
+  StageResult draw(
+    const DrawContext& context, const Viewport& area, MarchPass& march, const MarchInputs& inputs);
   /** Blend a picture of premultiplied colours and opacities, four floats a pixel, rows from the
    * bottom, over that of the window; interpolated if the viewport is larger. Where it isn't
    * transparent and nothing opaque is seen, it gets the depth just before the far plane. */

@@ -79,44 +79,41 @@ void showColor(const MarchInputs& inputs, float* pixel)
 } // namespace
 
 // March a turn of a band in this process, and see where the others are.
-PartStatus PiecesPicture::march(vtkOpenGLRenderWindow* window, MarchPass& march,
-  const MarchInputs& inputs, const VisitTurn& turn, const PartStatus& before, SharedPicture& shared,
-  const Progress& progress, VisitLists& lists)
+PartStatus PiecesPicture::march(const PiecesDraw& pieces, const VisitTurn& turn, VisitLists& lists)
 {
-  PartStatus own = before;
-  own.Width = inputs.Area.Width;
-  own.Height = inputs.Area.Height;
+  SharedPicture& shared = pieces.Shared;
+  PartStatus own;
+  own.Error = pieces.Before.Error;
+  own.Stopped = pieces.Before.Stopped;
   const double begin = vtkTimerLog::GetUniversalTime();
-  if (own.Error.empty() && !own.Stopped)
+  if (pieces.Before.isDone())
   {
-    const float atOnce = ToleranceAtOnce / static_cast<float>(shared.Processes->size());
-    const std::string shortage = withinMemory("the visits of rays",
-      [&]
-      {
-        own.Error = this->Visits.collect(window, march, inputs, turn, atOnce, shared.MostBytes,
-          progress, own.Stopped, own.TooMuch, lists);
-      });
+    const std::string shortage = withinMemory("the visits of rays", [&]
+      { own = this->Visits.collect(pieces.Context, pieces.March, pieces.Inputs, turn, lists); });
     own.Error = shortage.empty() ? own.Error : shortage;
     own.Waits = this->Visits.waits();
     this->Draws += this->Visits.takeDraws();
   }
+  own.Width = pieces.Inputs.Area.Width;
+  own.Height = pieces.Inputs.Area.Height;
   shared.MarchSeconds += vtkTimerLog::GetUniversalTime() - begin;
   shared.Visits += own.TooMuch ? 0 : lists.size();
   return agreeOn(*shared.Processes, own);
 }
 
 // Turn by turn, until no ray of any process waits for what the others hide.
-PartStatus PiecesPicture::drawBand(vtkOpenGLRenderWindow* window, MarchPass& march,
-  const MarchInputs& inputs, const Band& band, const PartStatus& before, SharedPicture& shared,
-  const Progress& progress, MergedPicture& merged)
+PartStatus PiecesPicture::drawBand(
+  const PiecesDraw& pieces, const Band& band, MergedPicture& merged)
 {
+  const MarchInputs& inputs = pieces.Inputs;
+  SharedPicture& shared = pieces.Shared;
   Group& group = *shared.Processes;
   const MergeRule rule = ruleOf(inputs.Key.Blend);
   const int width = inputs.Area.Width;
   const int height = band.EndRow - band.FirstRow;
   VisitExchange exchange(
     group, width, height, rule, static_cast<float>(inputs.Level.ErrorTolerance), shared.Exchange);
-  VisitTurn turn = this->firstTurn(band, rule == MergeRule::Over && group.size() > 1);
+  VisitTurn turn = this->firstTurn(pieces, band, rule == MergeRule::Over && group.size() > 1);
   this->Visits.begin(inputs.Area, band, shared.HasPiece);
   PartStatus all;
   std::vector<VisitLists> lists; // of each turn
@@ -125,7 +122,7 @@ PartStatus PiecesPicture::drawBand(vtkOpenGLRenderWindow* window, MarchPass& mar
   while (goesOn)
   {
     lists.emplace_back(width, height);
-    all = this->march(window, march, inputs, turn, before, shared, progress, lists.back());
+    all = this->march(pieces, turn, lists.back());
     if (!all.Error.empty() || all.Stopped || all.TooMuch)
     {
       return all;
@@ -135,7 +132,9 @@ PartStatus PiecesPicture::drawBand(vtkOpenGLRenderWindow* window, MarchPass& mar
     if (goesOn)
     {
       visitsOfTurn *= 2;
-      turn = { visitsOfTurn, exchange.tellHidden(), true };
+      turn.MostVisits = visitsOfTurn;
+      turn.Hidden = exchange.tellHidden();
+      turn.HiddenIsSure = true;
       this->Visits.endHidden(turn.Hidden);
       goesOn = anyOf(group, this->Visits.waits());
     }
@@ -147,31 +146,31 @@ PartStatus PiecesPicture::drawBand(vtkOpenGLRenderWindow* window, MarchPass& mar
   return all;
 }
 
-VisitTurn PiecesPicture::firstTurn(const Band& band, bool canHide) const
+VisitTurn PiecesPicture::firstTurn(const PiecesDraw& pieces, const Band& band, bool canHide) const
 {
   VisitTurn turn;
   turn.Hidden = canHide ? this->Expected.ofRows(band.FirstRow, band.EndRow) : HiddenDepths();
   const bool asks = canHide && turn.Hidden.empty();
   turn.MostVisits = asks ? VisitsOfFirstTurn : std::numeric_limits<int>::max();
+  turn.AtOnce = ToleranceAtOnce / static_cast<float>(pieces.Shared.Processes->size());
+  turn.MostBytes = pieces.Shared.MostBytes;
   return turn;
 }
 
 // Band by band, as many as the memory for the visits asks for.
-PartStatus PiecesPicture::drawInBands(vtkOpenGLRenderWindow* window, MarchPass& march,
-  const MarchInputs& inputs, const PartStatus& before, SharedPicture& shared,
-  const Progress& progress, MergedPicture& merged)
+PartStatus PiecesPicture::drawInBands(const PiecesDraw& pieces, MergedPicture& merged)
 {
-  const int height = inputs.Area.Height;
+  const int height = pieces.Inputs.Area.Height;
   merged = {};
-  merged.Width = inputs.Area.Width;
+  merged.Width = pieces.Inputs.Area.Width;
   merged.Height = height;
-  shared.Visits = 0;
+  pieces.Shared.Visits = 0;
   PartStatus all;
   for (int b = 0; b < this->Bands; ++b)
   {
     const Band band{ height * b / this->Bands, height * (b + 1) / this->Bands };
     MergedPicture part;
-    all = this->drawBand(window, march, inputs, band, before, shared, progress, part);
+    all = this->drawBand(pieces, band, part);
     if (!all.Error.empty() || all.Stopped || all.TooMuch)
     {
       return all;
@@ -182,39 +181,41 @@ PartStatus PiecesPicture::drawInBands(vtkOpenGLRenderWindow* window, MarchPass& 
   return all;
 }
 
-std::string PiecesPicture::draw(vtkOpenGLRenderWindow* window, const Viewport& area,
-  MarchPass& march, const MarchInputs& inputs, const PartStatus& before, SharedPicture& shared,
-  PictureApart& picture, const Progress& progress, bool& stopped)
+StageResult PiecesPicture::draw(
+  const PiecesDraw& pieces, const Viewport& area, PictureApart& picture)
 {
+  const MarchInputs& inputs = pieces.Inputs;
+  SharedPicture& shared = pieces.Shared;
   this->Draws = 0;
   this->Bands = std::min(this->Bands, inputs.Area.Height);
   this->Expected.begin(inputs.Area.Width, inputs.Area.Height);
   MergedPicture merged;
-  PartStatus all = this->drawInBands(window, march, inputs, before, shared, progress, merged);
+  PartStatus all = this->drawInBands(pieces, merged);
   while (all.TooMuch && all.Error.empty() && !all.Stopped && this->Bands < inputs.Area.Height)
   {
     this->Bands = std::min(2 * this->Bands, inputs.Area.Height);
-    all = this->drawInBands(window, march, inputs, before, shared, progress, merged);
+    all = this->drawInBands(pieces, merged);
   }
-  stopped = all.Stopped;
   shared.SentBytes = shared.Processes->sentBytes() - shared.SentBytesBefore;
   shared.WorstError = merged.WorstError;
   shared.Bands = this->Bands;
-  if (!all.Error.empty() || stopped)
+  if (!all.Error.empty() || all.Stopped)
   {
-    return all.Error;
+    return { all.Error, all.Stopped };
   }
   if (all.TooMuch)
   {
-    return "The visits of the rays of one row of pixels to the mesh of a process take more than " +
-           std::to_string(shared.MostBytes >> 20) +
-           " MiB. Give each process cells that lie together.";
+    return {
+      "The visits of the rays of one row of pixels to the mesh of a process take more than " +
+      std::to_string(shared.MostBytes >> 20) + " MiB. Give each process cells that lie together."
+    };
   }
   for (std::size_t i = 0; i < merged.Gathered.size(); i += 4)
   {
     showColor(inputs, &merged.Gathered[i]);
   }
-  return picture.show(window, area, merged.Width, merged.Height, merged.Gathered);
+  return { picture.show(
+    pieces.Context.Window, area, merged.Width, merged.Height, merged.Gathered) };
 }
 
 } // namespace tetmarch

@@ -13,35 +13,36 @@
 namespace tetmarch
 {
 
+/** A picture of pieces as this process draws it. */
+struct PiecesDraw
+{
+  const DrawContext& Context;
+  MarchPass& March;
+  const MarchInputs& Inputs;
+  const StageResult& Before; // how this process has got on so far
+  SharedPicture& Shared;
+};
+
 class PiecesPicture
 {
 public:
   /**
    * Collective. March the area of the inputs and blend the picture of all processes over that of
-   * the window; interpolated if the viewport, `area`, is larger. `before` is what has gone wrong in
-   * this process so far: then nothing is marched. Returns an empty string, or what is wrong with
-   * any process; `stopped` becomes true if progress asked one of them to stop. In both cases no
-   * process draws anything.
+   * the window; interpolated if the viewport, `area`, is larger. If something has gone wrong in
+   * this process before, nothing is marched. The result is that of all processes; unless it is
+   * done, no process draws anything.
    */
-  std::string draw(vtkOpenGLRenderWindow* window, const Viewport& area, MarchPass& march,
-    const MarchInputs& inputs, const PartStatus& before, SharedPicture& shared,
-    PictureApart& picture, const Progress& progress, bool& stopped);
+  StageResult draw(const PiecesDraw& pieces, const Viewport& area, PictureApart& picture);
   int numberOfDraws() const { return this->Draws; }
   std::size_t bytes() const { return this->Visits.bytes(); }
   void forgetTimes() { this->Visits.forgetTimes(); }
   void release(vtkWindow* window) { this->Visits.release(window); }
 
 private:
-  PartStatus march(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
-    const VisitTurn& turn, const PartStatus& before, SharedPicture& shared,
-    const Progress& progress, VisitLists& lists);
-  PartStatus drawBand(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
-    const Band& band, const PartStatus& before, SharedPicture& shared, const Progress& progress,
-    MergedPicture& merged);
-  VisitTurn firstTurn(const Band& band, bool canHide) const;
-  PartStatus drawInBands(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
-    const PartStatus& before, SharedPicture& shared, const Progress& progress,
-    MergedPicture& merged);
+  PartStatus march(const PiecesDraw& pieces, const VisitTurn& turn, VisitLists& lists);
+  PartStatus drawBand(const PiecesDraw& pieces, const Band& band, MergedPicture& merged);
+  VisitTurn firstTurn(const PiecesDraw& pieces, const Band& band, bool canHide) const;
+  PartStatus drawInBands(const PiecesDraw& pieces, MergedPicture& merged);
 
   VisitPass Visits;
   ExpectedDepths Expected;

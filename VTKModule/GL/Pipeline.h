@@ -5,7 +5,6 @@
 #define TetMarchGLPipeline_h
 
 #include "Blocks/CellOrigins.h"
-#include "Budget/ShaderStage.h"
 #include "Frame/FrameScene.h"
 #include "Frame/FrameStages.h"
 #include "GL/ContextWatch.h"
@@ -27,26 +26,6 @@ class vtkVolumeProperty;
 
 namespace tetmarch
 {
-
-/** How a frame is drawn. */
-struct DrawOptions
-{
-  AccuracyLevel Level = DefaultAccuracy;
-  bool Diagnostics = false;
-  ShaderStage Stage = ShaderStage::Automatic; // of what is not peeled
-  double MostSecondsPerDraw = 0;              // 0: no limit
-  double MostLightSeconds = 0;                // of a frame, for light at vertices; 0: no limit
-  const MeasureView* View = nullptr;          // drawn instead of the picture
-  BoundaryView Boundary = BoundaryView::None; // the same
-  double SampleDistance = 1; // between rays, in pixels; 1 with diagnostics or a view
-  /** A factor of the picture's colours, and what is added to opaque ones; views and diagnostics
-   * have the colours before that. */
-  std::array<float, 2> ColorWindow{ { 1, 0 } };
-  const PeelHooks* Peeling = nullptr; // only parts of rays are drawn, without diagnostics or a view
-  SharedPicture* Shared = nullptr;    // of several processes; without diagnostics, a view or peels
-  bool RaysEnd = false;               // some process has opaque geometry
-  double PickOpacity = 0.5;           // of a ray at the point where the volume is picked
-};
 
 class Pipeline
 {
@@ -140,6 +119,8 @@ private:
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;
   Fingerprint lightVersion(const MarchInputs& inputs) const;
   Fingerprint pickVersion(const MarchInputs& inputs, const Viewport& part) const;
+  StageResult findPicked(const DrawContext& context, MarchInputs inputs, const Viewport& part,
+    std::vector<PickedPoint>& points);
   std::int64_t stageRuns() const;
   void forgetErrorsOfReleasing(vtkOpenGLRenderWindow* window);
 

@@ -109,6 +109,7 @@ MarchInputs Pipeline::inputsOf(
   inputs.Peeling = options.Peeling;
   inputs.MostSecondsPerDraw = options.MostSecondsPerDraw;
   inputs.MostLightSeconds = options.MostLightSeconds;
+  inputs.LightVersion = this->lightVersion(inputs);
   inputs.Content = contentOf(this->Stages.contentVersion(), inputs, renderer);
   return inputs;
 }
@@ -177,41 +178,35 @@ StageResult Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const FirstColorOnly picture(!options.Peeling); // peels are drawn into several colours on purpose
   // A progress observer may release graphics resources during the frame.
   const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
-  bool stopped = false;
-  std::string error = describeUnfit(inputs, options.Shared ? SamplersOfVisits : 0);
+  const DrawContext context{ window, goOn };
+  StageResult result{ describeUnfit(inputs, options.Shared ? SamplersOfVisits : 0) };
   std::string shortage = withinMemory("drawing",
     [&]
     {
-      error = error.empty() ? this->EffectsOnGpu.update(window, this->Stages.effects(), inputs.Key)
-                            : error;
+      result.Error = result.Error.empty()
+                       ? this->EffectsOnGpu.update(window, this->Stages.effects(), inputs.Key)
+                       : result.Error;
     });
-  error = shortage.empty() ? error : shortage;
+  result.Error = shortage.empty() ? result.Error : shortage;
   shortage = withinMemory("drawing",
     [&]
     {
-      if (options.Shared)
-      {
-        error = this->Passes.drawTogether(window, inputs, this->lightVersion(inputs),
-          options.SampleDistance, error, *options.Shared, goOn, stopped);
-      }
-      else if (error.empty())
-      {
-        error = this->Passes.draw(window, inputs, this->lightVersion(inputs), options.Diagnostics,
-          options.View, options.Boundary, options.SampleDistance, goOn, stopped);
-      }
+      result = options.Shared
+                 ? this->Passes.drawDistributed(context, inputs, options, result.Error)
+                 : result.then([&] { return this->Passes.draw(context, inputs, options); });
     });
   this->forgetErrorsOfReleasing(window);
   if (!shortage.empty())
   {
     this->Passes.clear();
-    error = shortage;
+    result = { shortage };
   }
-  if (error.empty() && !stopped)
+  if (result.isDone())
   {
     const bool isWhole = !options.Peeling && !options.Shared && options.SampleDistance <= 1;
     this->Area = isWhole ? inputs.Area : Viewport();
   }
-  return { error, stopped };
+  return result;
 }
 
 void Pipeline::finish() const { glFinish(); }

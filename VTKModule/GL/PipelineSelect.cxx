@@ -51,6 +51,17 @@ Fingerprint Pipeline::pickVersion(const MarchInputs& inputs, const Viewport& par
   return version;
 }
 
+StageResult Pipeline::findPicked(const DrawContext& context, MarchInputs inputs,
+  const Viewport& part, std::vector<PickedPoint>& points)
+{
+  // What the picture needs stays on the GPU.
+  StageResult result{ this->EffectsOnGpu.update(
+    context.Window, this->Stages.effects(), inputs.Key) };
+  inputs.Key = inputs.Key.ofPick();
+  return result.then([&] { return StageResult{ describeUnfit(inputs, 0) }; })
+    .then([&] { return this->Passes.pick(context, inputs, part, points); });
+}
+
 StageResult Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const DrawOptions& options, const CellOrigins& origins, const Progress& progress,
   std::vector<PickedPoint>& points)
@@ -66,8 +77,7 @@ StageResult Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* rendere
   inputs.Level.ErrorTolerance = std::max(1 - options.PickOpacity, LeastFloatShare);
   vtkHardwareSelector* selector = renderer->GetSelector();
   const auto goOn = [&](double share) { return progress(share) && this->Window == window; };
-  bool stopped = false;
-  std::string error;
+  StageResult result;
   const std::string shortage = withinMemory("what is selected",
     [&]
     {
@@ -78,27 +88,21 @@ StageResult Pipeline::select(vtkOpenGLRenderWindow* window, vtkRenderer* rendere
       }
       else
       {
-        // What the picture needs stays on the GPU.
-        error = this->EffectsOnGpu.update(window, this->Stages.effects(), inputs.Key);
-        inputs.Key = inputs.Key.ofPick();
-        error = error.empty() ? describeUnfit(inputs, 0) : error;
-        if (error.empty())
-        {
-          error = this->Passes.pick(window, inputs, part, goOn, stopped, points);
-        }
-        if (error.empty() && !stopped)
+        result = this->findPicked({ window, goOn }, inputs, part, points);
+        if (result.isDone())
         {
           this->Found.keep(selector, version, points);
         }
       }
-      if (error.empty() && !stopped)
-      {
-        error = this->Selected.draw(
-          window, area, part, selectionTexels(selector, points, origins, this->Stages.camera()));
-      }
+      result = result.then(
+        [&]
+        {
+          return StageResult{ this->Selected.draw(window, area, part,
+            selectionTexels(selector, points, origins, this->Stages.camera())) };
+        });
     });
   this->forgetErrorsOfReleasing(window);
-  return { shortage.empty() ? error : shortage, stopped };
+  return shortage.empty() ? result : StageResult{ shortage };
 }
 
 } // namespace tetmarch

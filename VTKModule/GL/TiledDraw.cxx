@@ -29,11 +29,11 @@ Viewport withinScissor(vtkOpenGLState* state, const Viewport& area)
 }
 
 // Observers may change the GL state and draw in other windows.
-bool askToGoOn(vtkOpenGLRenderWindow* window, const Progress& progress, double share)
+bool askToGoOn(const DrawContext& context, double share)
 {
-  StateScope state(window);
-  const bool goOn = !progress || progress(share);
-  window->MakeCurrent();
+  StateScope state(context.Window);
+  const bool goOn = !context.Report || context.Report(share);
+  context.Window->MakeCurrent();
   return goOn;
 }
 
@@ -48,19 +48,19 @@ ScreenBox screenBoxOf(const Viewport& part, const Viewport& whole)
       onScreen(part.Y + part.Height, whole.Y, whole.Height) } } };
 }
 
-std::string drawInTiles(vtkOpenGLRenderWindow* window, const Viewport& area, double mostSeconds,
-  const PictureContent& content, TileSchedule& schedule, const Progress& progress, bool& stopped,
+StageResult drawInTiles(const DrawContext& context, const TiledArea& whole, TileSchedule& schedule,
   const std::function<std::string(const Viewport& tile)>& draw)
 {
   using Clock = std::chrono::steady_clock;
-  const bool measured = mostSeconds > 0;
-  const Viewport visible = withinScissor(window->GetState(), area);
-  PictureContent drawn = content;
+  const Viewport& area = whole.Pixels;
+  const bool measured = whole.MostSeconds > 0;
+  const Viewport visible = withinScissor(context.Window->GetState(), area);
+  PictureContent drawn = whole.Content;
   if (visible.Width != area.Width || visible.Height != area.Height)
   {
     drawn.Drawn = screenBoxOf(visible, area);
   }
-  schedule.begin(visible.Width, visible.Height, mostSeconds, drawn);
+  schedule.begin(visible.Width, visible.Height, whole.MostSeconds, drawn);
   if (measured)
   {
     glFinish(); // so that earlier draws are not measured
@@ -73,17 +73,16 @@ std::string drawInTiles(vtkOpenGLRenderWindow* window, const Viewport& area, dou
       draw({ visible.X + tile.X, visible.Y + tile.Y, tile.Width, tile.Height });
     if (!error.empty())
     {
-      return error;
+      return { error };
     }
     if (measured)
     {
       glFinish();
       schedule.drawn(std::chrono::duration<double>(Clock::now() - begin).count());
     }
-    if (!schedule.finished() && !askToGoOn(window, progress, schedule.share()))
+    if (!schedule.finished() && !askToGoOn(context, schedule.share()))
     {
-      stopped = true;
-      return {};
+      return stoppedUnless(false);
     }
   }
   return {};

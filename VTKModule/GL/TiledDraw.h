@@ -5,24 +5,28 @@
 #define TetMarchGLTiledDraw_h
 
 #include "Budget/TileSchedule.h"
+#include "GL/DrawContext.h"
 #include "GL/Viewport.h"
-#include "Mesh/Progress.h"
 
 #include <functional>
 #include <string>
 
-class vtkOpenGLRenderWindow;
-
 namespace tetmarch
 {
 
+struct TiledArea
+{
+  Viewport Pixels;
+  double MostSeconds; // of a tile; 0: no limit
+  const PictureContent& Content;
+};
+
 /**
  * Call `draw` once for each tile of the area, as far as the scissor box lets it through. It
- * returns an empty string, or what is wrong. Between tiles the GL state is as before, and progress
- * is asked; if it stops the picture, `stopped` becomes true. The content is that of the area.
+ * returns an empty string, or what is wrong. Between tiles the GL state is as before, and the
+ * report is asked, which may stop the picture.
  */
-std::string drawInTiles(vtkOpenGLRenderWindow* window, const Viewport& area, double mostSeconds,
-  const PictureContent& content, TileSchedule& schedule, const Progress& progress, bool& stopped,
+StageResult drawInTiles(const DrawContext& context, const TiledArea& area, TileSchedule& schedule,
   const std::function<std::string(const Viewport& tile)>& draw);
 
 /** A part of a picture, both in pixels. */

@@ -47,9 +47,11 @@ int VertexLightPass::Work::rays() const
   return std::max(1, static_cast<int>(ofLights) + lights.OcclusionDirections);
 }
 
-std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
-  std::size_t vertices, const Fingerprint& version, const Progress& progress, bool& stopped)
+StageResult VertexLightPass::update(const DrawContext& context, const MarchInputs& inputs)
 {
+  vtkOpenGLRenderWindow* window = context.Window;
+  const Fingerprint& version = inputs.LightVersion;
+  const std::size_t vertices = inputs.Stages->effects().data().VertexStarts.size();
   this->Complete = version == this->ShownVersion;
   if (this->Complete)
   {
@@ -73,10 +75,10 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
   work.Inputs.Level = LightAccuracy;
   const TargetScope state(window, work.All.Width, work.All.Height);
   const bool spread = inputs.MostLightSeconds > 0;
-  std::string error;
+  StageResult result;
   if (spread)
   {
-    error = this->showSomething(window, work.All, version.front());
+    result.Error = this->showSomething(window, work.All, version.front());
   }
   else if (this->Made == 0)
   {
@@ -84,13 +86,13 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
     std::swap(this->Shown, this->Next);
     this->ShownVersion.clear();
   }
-  error = error.empty() ? bindRows(window, this->Next, work.All) : error;
-  if (error.empty())
-  {
-    error = spread ? this->makePart(window, work) : this->makeAll(window, work, progress, stopped);
-  }
+  result = result.then([&] { return StageResult{ bindRows(window, this->Next, work.All) }; });
+  result = result.then(
+    [&] {
+      return spread ? StageResult{ this->makePart(window, work) } : this->makeAll(context, work);
+    });
   this->Seconds += secondsSince(begin);
-  if (error.empty() && this->Made >= vertices)
+  if (result.Error.empty() && this->Made >= vertices)
   {
     std::swap(this->Shown, this->Next);
     this->Next.release(window);
@@ -98,7 +100,7 @@ std::string VertexLightPass::update(vtkOpenGLRenderWindow* window, const MarchIn
     this->Complete = true;
     this->Record = { this->Seconds, this->Record.Runs + 1 };
   }
-  return error;
+  return result;
 }
 
 // The light before, if it is that of the vertices of this mesh; else every transmittance is 1.
@@ -119,8 +121,7 @@ std::string VertexLightPass::showSomething(
   return error;
 }
 
-std::string VertexLightPass::makeAll(
-  vtkOpenGLRenderWindow* window, const Work& work, const Progress& progress, bool& stopped)
+StageResult VertexLightPass::makeAll(const DrawContext& context, const Work& work)
 {
   const int rowsMade = static_cast<int>(this->Made / VerticesOfBlock / BlocksOfRow);
   const int first = VertexLightBlockSide * rowsMade;
@@ -128,12 +129,11 @@ std::string VertexLightPass::makeAll(
   PictureContent content;
   content.Version = this->NextVersion;
   content.RaysPerPixel = work.rays();
-  const std::string error =
-    drawInTiles(window, rest, work.Inputs.MostSecondsPerDraw, content, this->Tiles, progress,
-      stopped, [&](const Viewport& tile) { return this->drawTile(window, work, tile); });
+  StageResult result = drawInTiles(context, { rest, work.Inputs.MostSecondsPerDraw, content },
+    this->Tiles, [&](const Viewport& tile) { return this->drawTile(context.Window, work, tile); });
   glFinish(); // the time is to include the work of the GPU
-  this->Made = error.empty() && !stopped ? work.Vertices : this->Made;
-  return error;
+  this->Made = result.isDone() ? work.Vertices : this->Made;
+  return result;
 }
 
 std::string VertexLightPass::makePart(vtkOpenGLRenderWindow* window, const Work& work)

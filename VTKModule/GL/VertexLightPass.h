@@ -20,15 +20,13 @@ class VertexLightPass
 {
 public:
   /**
-   * Make the light of so many vertices, unless this version of it is there. The first word of a
-   * version is that of the geometry. Returns an empty string, or what is wrong; `stopped` becomes
-   * true if progress asked to stop between two tiles.
+   * Make the light of all vertices, unless this version of it is there. The first word of
+   * the version is that of the geometry.
    *
    * If the inputs limit its time, a part is made and the rest left to the next calls: until all of
    * it is there, the light before is shown, or every transmittance is 1.
    */
-  std::string update(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::size_t vertices,
-    const Fingerprint& version, const Progress& progress, bool& stopped);
+  StageResult update(const DrawContext& context, const MarchInputs& inputs);
   /** Blocks of RGBA: ambient light, then that of up to three lights. */
   vtkTextureObject* texture() const { return this->Shown.color(0); }
   /** Whether texture() has the light that the last update() asked for. */
@@ -51,8 +49,7 @@ private:
 
   std::string showSomething(
     vtkOpenGLRenderWindow* window, const Viewport& all, std::uintptr_t mesh);
-  std::string makeAll(
-    vtkOpenGLRenderWindow* window, const Work& work, const Progress& progress, bool& stopped);
+  StageResult makeAll(const DrawContext& context, const Work& work);
   std::string makePart(vtkOpenGLRenderWindow* window, const Work& work);
   Viewport nextPart(const Viewport& all) const;
   vtkShaderProgram* useProgram(

@@ -58,28 +58,31 @@ std::string VisitPass::bind(
                        : error;
 }
 
-std::string VisitPass::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
-  const MarchInputs& inputs, const VisitTurn& turn, float atOnce, std::uint64_t mostBytes,
-  const Progress& progress, bool& stopped, bool& tooMuch, VisitLists& lists)
+PartStatus VisitPass::collect(const DrawContext& context, MarchPass& march,
+  const MarchInputs& inputs, const VisitTurn& turn, VisitLists& lists)
 {
+  vtkOpenGLRenderWindow* window = context.Window;
   StateScope state(window);
   PixelBox box = this->Next.boxOfSeen(turn.Hidden);
-  std::string error = box.Pixels == 0 ? std::string() : this->bind(window, inputs, turn);
+  PartStatus own;
+  own.Error = box.Pixels == 0 ? std::string() : this->bind(window, inputs, turn);
   const double few = ShareOfFewRays * lists.width() * lists.height();
   const auto goesOn = [&](int visits)
   {
     const auto rays = static_cast<double>(box.Pixels);
     return rays > 0 && (visits < turn.MostVisits || rays <= few);
   };
-  for (int visits = 0; error.empty() && goesOn(visits); ++visits)
+  for (int visits = 0; own.Error.empty() && goesOn(visits); ++visits)
   {
     if (this->Visits == MostVisits)
     {
-      return "A ray enters the mesh of a process more than 65535 times, which is more than can be "
-             "told to the others. Give each process cells that lie together.";
+      own.Error =
+        "A ray enters the mesh of a process more than 65535 times, which is more than can be "
+        "told to the others. Give each process cells that lie together.";
+      return own;
     }
     VisitInputs visit;
-    visit.AtOnce = atOnce;
+    visit.AtOnce = turn.AtOnce;
     visit.Part = { box.X, box.Y + this->Rows.FirstRow, box.Width, box.Height };
     visit.IsFirst = this->Visits == 0;
     visit.NextEntry = this->Rays.color(0);
@@ -91,18 +94,20 @@ std::string VisitPass::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
     MarchInputs marched = inputs;
     marched.Visits = &visit;
     marched.ByCompute = false;
-    error = march.drawApart(window, this->Target, marched, this->Tiles, progress, stopped);
+    const StageResult drawn = march.drawApart(context, this->Target, marched, this->Tiles);
     this->Draws += this->Tiles.numberOfTiles();
-    if (!error.empty() || stopped)
+    if (!drawn.isDone())
     {
-      return error;
+      own.Error = drawn.Error;
+      own.Stopped = drawn.Stopped;
+      return own;
     }
     ++this->Visits;
     this->take(window, inputs, visit.Part, lists);
-    tooMuch = this->Bytes + lists.bytes() > mostBytes;
-    if (tooMuch)
+    own.TooMuch = this->Bytes + lists.bytes() > turn.MostBytes;
+    if (own.TooMuch)
     {
-      return {};
+      return own;
     }
     box = this->Next.boxOfSeen(turn.Hidden);
   }
@@ -112,7 +117,7 @@ std::string VisitPass::collect(vtkOpenGLRenderWindow* window, MarchPass& march,
   }
   this->Bytes += lists.bytes();
   lists.finish();
-  return error;
+  return own;
 }
 
 // Take the visits of a part, and where its rays enter again.

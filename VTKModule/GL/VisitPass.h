@@ -8,6 +8,7 @@
 #include "GL/MarchPass.h"
 #include "GL/UploadedImage.h"
 #include "Processes/NextEntries.h"
+#include "Processes/SharedPicture.h"
 
 #include <utility>
 
@@ -27,6 +28,8 @@ struct VisitTurn
   int MostVisits;            // of a ray; more if only few rays are left
   HiddenDepths Hidden;       // of the band: rays don't enter there,
   bool HiddenIsSure = false; // and end; else they wait
+  float AtOnce = 0;          // share of a pixel's tolerance that may be used up here from the begin
+  std::uint64_t MostBytes = 0; // of all lists of the band
 };
 
 class VisitPass
@@ -35,15 +38,12 @@ public:
   /** Begin with a band of an area: all rays, or none if this process has no piece. */
   void begin(const Viewport& area, const Band& band, bool hasPiece);
   /**
-   * Collect further visits of the band, whose pixels are counted from its first row. `atOnce` is
-   * the share of a pixel's tolerance that this process may use up from the begin. Returns an empty
-   * string, or what is wrong: also if a ray comes back more often than can be counted. `stopped`
-   * becomes true if progress asked to stop, `tooMuch` if all lists of the band would take more than
-   * so many bytes: then they are not whole.
+   * Collect further visits of the band, whose pixels are counted from its first row. It fails also
+   * if a ray comes back more often than can be counted. The lists are not whole if they would take
+   * too much memory, or if it is stopped.
    */
-  std::string collect(vtkOpenGLRenderWindow* window, MarchPass& march, const MarchInputs& inputs,
-    const VisitTurn& turn, float atOnce, std::uint64_t mostBytes, const Progress& progress,
-    bool& stopped, bool& tooMuch, VisitLists& lists);
+  PartStatus collect(const DrawContext& context, MarchPass& march, const MarchInputs& inputs,
+    const VisitTurn& turn, VisitLists& lists);
   /** Rays that enter where that is hidden end. */
   void endHidden(const HiddenDepths& hidden) { this->Ended += this->Next.endHidden(hidden); }
   /** Whether some rays have not ended. */
