@@ -56,7 +56,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   error = error.empty() ? unrecorded : error;
   // Process 0 reports errors of all processes.
   internal.State.LastError.reportError(
-    this, internal.Together.Processes.rank() == 0 || selector ? error : "");
+    this, internal.Distributed.Processes.rank() == 0 || selector ? error : "");
 }
 
 //------------------------------------------------------------------------------
@@ -92,12 +92,12 @@ std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid, std::
   tetmarch::MapperFrame frame(
     { this, window, renderer, volume }, internal.State, drawn.Blend, conditions);
   const bool distributed = internal.isShared() && !renderer->GetSelector();
-  internal.Together.MostVisitBytes = static_cast<std::uint64_t>(this->MaxVisitMemoryInBytes);
+  internal.Distributed.MostVisitBytes = static_cast<std::uint64_t>(this->MaxVisitMemoryInBytes);
   tetmarch::StageResult result{ found, !grid };
   if (distributed)
   {
-    result =
-      frame.prepareDistributed(internal.Tets, internal.Pipeline, drawn, found, internal.Together);
+    result = frame.prepareDistributed(
+      internal.Tets, internal.Pipeline, drawn, found, internal.Distributed);
   }
   else if (result.isDone())
   {
@@ -114,7 +114,7 @@ void vtkTetMarchVolumeMapper::Internals::recordStatistics()
   tetmarch::recordBlocks(this->Blocks, this->State.Statistics);
   tetmarch::recordPipeline(this->Pipeline, this->State.Statistics);
   tetmarch::recordTetrahedra(this->Tets, this->Textures, this->State.Statistics);
-  tetmarch::recordShared(this->Together.Shared, this->State.Statistics);
+  tetmarch::recordShared(this->Distributed.Shared, this->State.Statistics);
   tetmarch::recordAccuracy(this->State.Accuracy, this->State.Statistics);
 }
 

@@ -26,14 +26,14 @@ public:
 
   void recordStatistics();
   /** Whether other processes have pieces of the volume. */
-  bool isShared() const { return this->Together.Processes.size() > 1; }
+  bool isShared() const { return this->Distributed.Processes.size() > 1; }
   /** The drawn data of a grid, which may be nullptr. */
   tetmarch::DrawnData drawnOf(vtkTetMarchVolumeMapper* mapper, vtkUnstructuredGrid* grid);
   /** The options of the mesh without other processes: those of the last common frame. */
   tetmarch::PieceOptions pieceAlone() const
   {
-    tetmarch::PieceOptions piece = this->Together.Piece;
-    piece.ByCoordinates = this->Together.HasController;
+    tetmarch::PieceOptions piece = this->Distributed.Piece;
+    piece.ByCoordinates = this->Distributed.HasController;
     return piece;
   }
   const tetmarch::CellOrigins& origins() const
@@ -50,7 +50,7 @@ public:
   tetmarch::Pipeline Pipeline{ Tets, Textures };
   tetmarch::JoinedBlocks Blocks; // of composite input
   tetmarch::OwnCells Own;        // of a piece of the volume
-  tetmarch::GroupState Together;
+  tetmarch::GroupState Distributed;
   std::array<double, 6> WholeBounds{};
   vtkNew<vtkUnstructuredGrid> NoCells;
   tetmarch::LastMessage LastMeshReport;

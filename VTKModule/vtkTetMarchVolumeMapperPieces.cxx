@@ -26,17 +26,17 @@ tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
   }
   return { { data, this->pieceAlone() }, scalars, tetmarch::vectorOptionsOf(mapper),
     tetmarch::blendOptionsOf(mapper), tetmarch::clippingOptionsOf(mapper), {},
-    this->isShared() ? this->Together.Whole : WholeRanges() };
+    this->isShared() ? this->Distributed.Whole : WholeRanges() };
 }
 
 //------------------------------------------------------------------------------
 double* vtkTetMarchVolumeMapper::Internals::wholeBounds()
 {
-  if (!this->Together.WholeBox.IsValid())
+  if (!this->Distributed.WholeBox.IsValid())
   {
     return nullptr;
   }
-  this->Together.WholeBox.GetBounds(this->WholeBounds.data());
+  this->Distributed.WholeBox.GetBounds(this->WholeBounds.data());
   return this->WholeBounds.data();
 }
 
@@ -46,9 +46,9 @@ void vtkTetMarchVolumeMapper::SetController(vtkMultiProcessController* controlle
   if (this->Controller != controller)
   {
     this->Controller = controller;
-    this->Internal->Together = {};
-    this->Internal->Together.Processes = tetmarch::Group(controller);
-    this->Internal->Together.HasController = controller != nullptr;
+    this->Internal->Distributed = {};
+    this->Internal->Distributed.Processes = tetmarch::Group(controller);
+    this->Internal->Distributed.HasController = controller != nullptr;
     this->Modified();
   }
 }
@@ -62,7 +62,7 @@ vtkMultiProcessController* vtkTetMarchVolumeMapper::GetController() const
 //------------------------------------------------------------------------------
 void vtkTetMarchVolumeMapper::SetWholeBounds(const double bounds[6])
 {
-  this->Internal->Together.WholeBox = vtkBoundingBox(bounds);
+  this->Internal->Distributed.WholeBox = vtkBoundingBox(bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -70,11 +70,11 @@ void vtkTetMarchVolumeMapper::ShareBounds()
 {
   const double* bounds = this->GetDataObjectInput() ? this->GetOwnBounds() : nullptr;
   const bool isBox = bounds && bounds[0] <= bounds[1];
-  tetmarch::GroupState& together = this->Internal->Together;
+  tetmarch::GroupState& distributed = this->Internal->Distributed;
   try
   {
-    together.WholeBox =
-      tetmarch::wholeBox(together.Processes, isBox ? vtkBoundingBox(bounds) : vtkBoundingBox());
+    distributed.WholeBox =
+      tetmarch::wholeBox(distributed.Processes, isBox ? vtkBoundingBox(bounds) : vtkBoundingBox());
   }
   catch (const tetmarch::GroupFailure& failure)
   {

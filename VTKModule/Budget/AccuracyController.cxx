@@ -41,9 +41,9 @@ void AccuracyController::end(const FrameResult& frame)
   {
     this->Used = this->Ladder[this->Choice.level()];
     this->Kept = keeps(this->Options, this->Used, frame);
-    if (frame.Subject != this->Subject)
+    if (frame.ContentVersion != this->ContentVersion)
     {
-      this->Subject = frame.Subject;
+      this->ContentVersion = frame.ContentVersion;
       kind = FrameKind::Changed;
     }
   }

@@ -18,8 +18,8 @@ struct FrameResult
   bool IsPicture = true; // false: a view, whose time is not that of a picture
   bool OnlyDrawn = true; // no stage ran, and no shader was compiled
   double Seconds = 0;
-  double ErrorBound = 0; // maximum over the pixels; 0: not measured
-  Fingerprint Subject;   // version of the scene and size, without camera and accuracy
+  double ErrorBound = 0;      // maximum over the pixels; 0: not measured
+  Fingerprint ContentVersion; // of the scene and size, without camera and accuracy
 };
 
 class AccuracyController
@@ -38,7 +38,7 @@ private:
   AccuracyOptions Options;
   std::vector<Rung> Ladder;
   LevelController Choice;
-  Fingerprint Subject; // of the last drawn frame
+  Fingerprint ContentVersion; // of the last drawn frame
   Rung Used;
   bool Kept = false;
 };

@@ -17,17 +17,17 @@ namespace tetmarch
 class Switch
 {
 public:
-  /** keeps: it is not clearly worse. Ignored if the subject has changed. */
-  void update(bool isWorth, bool keeps, const Fingerprint& subject)
+  /** keeps: it is not clearly worse. Ignored if the version of the data has changed. */
+  void update(bool isWorth, bool keeps, const Fingerprint& version)
   {
-    this->Is = isWorth || (this->Is && keeps && subject == this->Subject);
-    this->Subject = subject;
+    this->Is = isWorth || (this->Is && keeps && version == this->Version);
+    this->Version = version;
   }
   bool isOn() const { return this->Is; }
 
 private:
   bool Is = false;
-  Fingerprint Subject;
+  Fingerprint Version;
 };
 
 } // namespace tetmarch

@@ -121,7 +121,7 @@ std::string EffectStage::update(
 void EffectStage::clear()
 {
   this->Data = {};
-  for (MadeFrom* made :
+  for (CachedStage* made :
     { &this->Gradients, &this->GradientOpacity, &this->Starts, &this->OpaqueShadows })
   {
     made->clear();

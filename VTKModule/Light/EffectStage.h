@@ -5,7 +5,7 @@
 #ifndef TetMarchLightEffectStage_h
 #define TetMarchLightEffectStage_h
 
-#include "Caching/MadeFrom.h"
+#include "Caching/CachedStage.h"
 #include "Light/EffectData.h"
 #include "Light/EffectOptions.h"
 #include "Light/EffectSource.h"
@@ -67,10 +67,10 @@ private:
   EffectOptions Options;
   EffectData Data;
   double SteepestGradient = 0; // in the normalised frame
-  MadeFrom Gradients;
-  MadeFrom GradientOpacity;
-  MadeFrom Starts;
-  MadeFrom OpaqueShadows;
+  CachedStage Gradients;
+  CachedStage GradientOpacity;
+  CachedStage Starts;
+  CachedStage OpaqueShadows;
   std::uintptr_t DistinctOpaqueShadows = 0;
 };
 

@@ -147,7 +147,7 @@ FrameResult MapperFrame::resultOf(double seconds) const
     result.Seconds -= this->Options.Draw.View ? 0.0 : pipeline->counted().seconds();
     result.OnlyDrawn = result.OnlyDrawn && pipeline->onlyDrew();
     const Fingerprint& content = pipeline->contentVersion();
-    result.Subject.insert(result.Subject.end(), content.begin(), content.end());
+    result.ContentVersion.insert(result.ContentVersion.end(), content.begin(), content.end());
   }
   return result;
 }

@@ -4,7 +4,7 @@
 #ifndef TetMarchMeshHiddenCellStage_h
 #define TetMarchMeshHiddenCellStage_h
 
-#include "Caching/MadeFrom.h"
+#include "Caching/CachedStage.h"
 #include "Mesh/HiddenCells.h"
 
 namespace tetmarch
@@ -24,7 +24,7 @@ public:
 
 private:
   HiddenCells Cells;
-  MadeFrom Made;
+  CachedStage Made;
 };
 
 } // namespace tetmarch

@@ -5,8 +5,8 @@
 #ifndef TetMarchStructuredHiddenLatticeStage_h
 #define TetMarchStructuredHiddenLatticeStage_h
 
+#include "Caching/CachedStage.h"
 #include "Caching/ContentHash.h"
-#include "Caching/MadeFrom.h"
 #include "Structured/HiddenLatticeCells.h"
 
 #include <array>
@@ -37,7 +37,7 @@ private:
   Fingerprint Read; // identities and times of change of the hashed arrays
   std::array<ContentHash, 2> Content{};
   std::vector<std::uint32_t> Cells;
-  MadeFrom Made;
+  CachedStage Made;
 };
 
 } // namespace tetmarch

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A cached result: it is made again when its input has changed, and freed when it is not needed.
-#ifndef TetMarchCachingMadeFrom_h
-#define TetMarchCachingMadeFrom_h
+#ifndef TetMarchCachingCachedStage_h
+#define TetMarchCachingCachedStage_h
 
 #include "Caching/Fingerprint.h"
 #include "Caching/StageRecord.h"
@@ -10,7 +10,7 @@
 namespace tetmarch
 {
 
-class MadeFrom
+class CachedStage
 {
 public:
   /** If the input differs from the last one, call free() and then, unless the input is empty,
