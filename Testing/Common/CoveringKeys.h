@@ -12,38 +12,71 @@
 #include "LegalKeys.h"
 
 #include <algorithm>
+#include <array>
+#include <bitset>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <vector>
 
 namespace tetmarch::testing
 {
-constexpr std::size_t NumberOfThrees = []
+/// Which settings of any three features there are among keys.
+class Threes
 {
-  constexpr std::size_t n = VariantKey::NumberOfFeatures;
-  return 8 * n * (n - 1) * (n - 2) / 6;
-}();
-
-/// Calls with a number for each three features of the key, by which of them are on.
-template <typename Function>
-void forEachThree(const VariantKey& key, const Function& call)
-{
-  const std::uint64_t bits = key.bits();
-  const auto bit = [bits](int i)
-  { return std::size_t((bits & VariantKey::features()[i].Bit) != 0 ? 1 : 0); };
-  std::size_t three = 0;
-  for (int a = 0; a < VariantKey::NumberOfFeatures; ++a)
+public:
+  /// How many of the key's are not among them.
+  int numberOfNew(const VariantKey& key) const
   {
-    for (int b = 0; b < a; ++b)
-    {
-      for (int c = 0; c < b; ++c)
+    int found = 0;
+    forEachPair(key,
+      [&](std::size_t pair, std::uint64_t on, std::uint64_t off)
       {
-        call(8 * three + 4 * bit(a) + 2 * bit(b) + bit(c));
-        ++three;
+        found += static_cast<int>(std::bitset<64>(on & ~this->On[pair]).count() +
+                                  std::bitset<64>(off & ~this->Off[pair]).count());
+      });
+    return found;
+  }
+  void add(const VariantKey& key)
+  {
+    forEachPair(key,
+      [&](std::size_t pair, std::uint64_t on, std::uint64_t off)
+      {
+        this->On[pair] |= on;
+        this->Off[pair] |= off;
+      });
+  }
+  bool operator==(const Threes& other) const
+  {
+    return this->On == other.On && this->Off == other.Off;
+  }
+
+private:
+  // Calls with a number for two features and which of them are on, and with the bits of those
+  // before them that are on and off.
+  template <typename Function>
+  static void forEachPair(const VariantKey& key, const Function& call)
+  {
+    std::uint64_t bits = 0;
+    for (int i = 0; i < VariantKey::NumberOfFeatures; ++i)
+    {
+      bits |= std::uint64_t(VariantKey::features()[i].isOn(key) ? 1 : 0) << i;
+    }
+    std::size_t pair = 0;
+    for (int a = 0; a < VariantKey::NumberOfFeatures; ++a)
+    {
+      for (int b = 0; b < a; ++b, pair += 4)
+      {
+        const std::uint64_t before = (std::uint64_t(1) << b) - 1;
+        call(pair + 2 * (bits >> a & 1) + (bits >> b & 1), bits & before, ~bits & before);
       }
     }
   }
-}
+  static constexpr std::size_t NumberOfPairs =
+    2 * VariantKey::NumberOfFeatures * (VariantKey::NumberOfFeatures - 1);
+  std::array<std::uint64_t, NumberOfPairs> On = {};
+  std::array<std::uint64_t, NumberOfPairs> Off = {};
+};
 
 /// Those that bring most first, not among all of them, and in the end whatever brings anything. The
 /// same at each call.
@@ -55,19 +88,17 @@ inline std::vector<VariantKey> coveringKeys(std::vector<VariantKey> legal)
     std::swap(legal[i - 1], legal[random() % i]);
   }
   std::vector<VariantKey> chosen;
-  std::vector<bool> covered(NumberOfThrees, false);
+  Threes covered;
   constexpr std::size_t few = 1000;
   for (int least = 4096; least > 0; least /= 2)
   {
     const std::size_t candidates = least > 1 ? std::min(few, legal.size()) : legal.size();
     for (std::size_t i = 0; i < candidates; ++i)
     {
-      int news = 0;
-      forEachThree(legal[i], [&](std::size_t three) { news += covered[three] ? 0 : 1; });
-      if (news >= least)
+      if (covered.numberOfNew(legal[i]) >= least)
       {
         chosen.push_back(legal[i]);
-        forEachThree(legal[i], [&](std::size_t three) { covered[three] = true; });
+        covered.add(legal[i]);
       }
     }
   }

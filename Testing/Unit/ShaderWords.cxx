@@ -3,6 +3,7 @@
 #include "ShaderWords.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace tetmarch::testing
 {
@@ -55,10 +56,17 @@ ShaderWords::Line ShaderWords::parsed(std::string_view text)
     }
     at = std::max(end, at + 1);
   }
-  if (!code.empty() && isOfWord(code[0]) && line.Words.size() > 1)
+  if (!code.empty() && (isOfWord(code[0]) || code[0] == '#') && line.Words.size() > 1)
   {
-    line.IsUniform = this->word(line.Words[0]) == "uniform" && line.Words.size() > 2;
-    line.IsFunction = !line.IsUniform && behindSecond == '(';
+    const std::string& first = this->word(line.Words[0]);
+    const bool isThird = (first == "uniform" || first == "const") && line.Words.size() > 2;
+    line.IsUniform = isThird && first == "uniform";
+    line.IsFunction = !isThird && first != "define" && behindSecond == '(';
+    line.IsStruct = first == "struct";
+    if (isThird || line.IsFunction || line.IsStruct || first == "define")
+    {
+      this->Declared.insert(line.Words[isThird ? 2 : 1]);
+    }
   }
   return line;
 }
@@ -70,6 +78,7 @@ void ShaderWords::read(std::string_view text)
   this->Functions.clear();
   this->Leftover = {};
   this->Fingerprint = 1;
+  bool inStruct = false;
   while (!text.empty())
   {
     const std::string_view words = text.substr(0, text.find('\n'));
@@ -80,9 +89,14 @@ void ShaderWords::read(std::string_view text)
       this->Texts.emplace_back(words);
       known = this->Lines.emplace(this->Texts.back(), this->parsed(words)).first;
       known->second.Number = this->Texts.size();
+      if (inStruct && known->second.Words.size() == 2)
+      {
+        this->Declared.insert(known->second.Words[1]);
+      }
       this->Counts.resize(this->Names.size(), 0);
     }
     const Line& line = known->second;
+    inStruct = line.IsStruct || (inStruct && words.substr(0, 1) != "}");
     this->Fingerprint = line.Words.empty()
                           ? this->Fingerprint
                           : (this->Fingerprint ^ line.Number) * 0x9E3779B97F4A7C15u + 1;
@@ -100,5 +114,13 @@ void ShaderWords::read(std::string_view text)
     }
     this->Leftover = line.IsLeftover ? known->first : this->Leftover;
   }
+}
+
+std::vector<int> ShaderWords::declared() const
+{
+  std::vector<int> present;
+  std::copy_if(this->Declared.begin(), this->Declared.end(), std::back_inserter(present),
+    [this](int word) { return this->count(word) > 0; });
+  return present;
 }
 } // namespace tetmarch::testing

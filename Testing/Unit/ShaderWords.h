@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -32,6 +33,9 @@ public:
   const std::vector<int>& functions() const { return this->Functions; }
   /// A line with a condition, or a symbol of one; empty if there is none.
   std::string_view leftover() const { return this->Leftover; }
+  /// What of the text some text declares, in ascending order: functions, uniforms, structs and
+  /// their members, constants and macros.
+  std::vector<int> declared() const;
   /// Equal if all lines are that have words.
   std::uint64_t fingerprint() const { return this->Fingerprint; }
 
@@ -42,12 +46,14 @@ private:
     std::vector<int> Words;
     bool IsUniform = false;
     bool IsFunction = false;
+    bool IsStruct = false;
     bool IsLeftover = false;
   };
   Line parsed(std::string_view text);
 
   std::map<std::string, int> Numbers;
   std::vector<std::string> Names;
+  std::set<int> Declared;
   std::deque<std::string> Texts; // of the lines
   std::unordered_map<std::string_view, Line> Lines;
 

@@ -1,20 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The texts of variants: nothing of what is off is left in it, nothing is declared in vain, and no
-// two are the same.
+// The texts of variants, and what of them changes when a feature is switched: nothing of what is
+// off is left, nothing is declared in vain, no two are the same, and each kind of volume has its
+// own. The words that come and go with features are listed in variant_words.txt.
 #include "CoveringKeys.h"
-#include "ShaderFeatures.h"
 #include "ShaderWords.h"
+#include "VariantWords.h"
 #include "Variants/ShaderSource.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <iterator>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace
 {
@@ -22,234 +24,214 @@ using namespace tetmarch::testing;
 using tetmarch::shaderSource;
 using tetmarch::VariantKey;
 
+constexpr char ListName[] = TETMARCH_SOURCE_DIR "/Testing/Unit/variant_words.txt";
+constexpr char Gather[] = "#define TETMARCH_HAS_GATHER 1\n";
+
+/// Any four features together and apart, as far as any variant has them so: of any three some key
+/// tells, and of each key the fourth is switched.
+std::vector<VariantKey> switchedKeys()
+{
+  DistinctKeys keys;
+  for (const VariantKey& key : coveringKeys(legalKeys()))
+  {
+    keys.add(key);
+    for (const VariantKey::Feature& feature : VariantKey::features())
+    {
+      VariantKey switched = key;
+      feature.set(switched, !feature.isOn(key));
+      keys.add(switched.filtered());
+    }
+  }
+  return keys.Keys;
+}
+
+/// The key that has the same text: where opaque geometry's shadows are part of the light at
+/// vertices, the picture knows nothing of them.
+VariantKey ofSameText(VariantKey key, const std::string& file)
+{
+  key.OpaqueShadows =
+    key.OpaqueShadows && (key.SampledShadows || file == "passes/vertex_light.frag.glsl");
+  return key;
+}
+
 class VariantText : public testing::Test
 {
 protected:
   VariantText()
+    : OfMeshes(this->ownWordsOf("tet"))
+    , OfLattices(this->ownWordsOf("structured"))
   {
-    for (const ShaderFeature& feature : shaderFeatures())
-    {
-      this->Features.push_back({ &feature, this->numbersOf(feature.Words) });
-      this->Claimed.insert(this->Features.back().Words.begin(), this->Features.back().Words.end());
-    }
-    const std::vector<int> unused = this->numbersOf(UnusedInSome);
-    this->MayBeUnused.insert(unused.begin(), unused.end());
+    EXPECT_GT(this->OfMeshes.size(), 30u);
+    EXPECT_GT(this->OfLattices.size(), 30u);
   }
 
-  std::vector<int> numbersOf(const char* words)
+  /// Functions and uniforms of the files of one folder that no other folder has.
+  std::set<int> ownWordsOf(const std::string& folder)
   {
-    std::vector<int> numbers;
-    std::istringstream stream(words);
-    for (std::string word; stream >> word;)
+    namespace fs = std::filesystem;
+    std::set<int> own;
+    std::set<int> others;
+    for (const auto& entry : fs::recursive_directory_iterator(TETMARCH_SHADER_DIR))
     {
-      numbers.push_back(this->Words.numberOf(word));
+      if (entry.path().extension() == ".glsl")
+      {
+        std::ifstream file(entry.path());
+        this->Words.read(std::string(std::istreambuf_iterator<char>(file), {}));
+        std::set<int>& into = entry.path().parent_path().filename() == folder ? own : others;
+        into.insert(this->Words.functions().begin(), this->Words.functions().end());
+        into.insert(this->Words.uniforms().begin(), this->Words.uniforms().end());
+      }
     }
-    return numbers;
+    for (const int word : others)
+    {
+      own.erase(word);
+    }
+    return own;
   }
 
-  // Texts of all variants of one shader.
-  void expectClean(const std::vector<VariantKey>& keys, MarchShader shader, const char* file)
+  /// Texts of one shader, and their words.
+  void read(const char* file, const std::vector<VariantKey>& keys, const std::string& defines,
+    VariantWords& found)
   {
-    std::set<std::uint64_t> texts;
+    std::map<std::uint64_t, std::uint64_t> keysOfTexts;
+    std::map<std::uint64_t, std::uint64_t> textsOfKeys;
     for (const VariantKey& key : keys)
     {
-      this->Words.read(shaderSource(file, key.defines()));
+      this->Words.read(shaderSource(file, key.defines() + defines));
       ASSERT_EQ(this->Words.leftover(), "") << namesOf(key);
-      ASSERT_NO_FATAL_FAILURE(this->expectFeatures(key, shader));
       ASSERT_NO_FATAL_FAILURE(this->expectUse(key));
-      ASSERT_TRUE(texts.insert(this->Words.fingerprint()).second)
+      ASSERT_NO_FATAL_FAILURE(this->expectOneKind(key));
+      found.add(key, this->Words.declared());
+      const std::uint64_t text = this->Words.fingerprint();
+      const std::uint64_t own = ofSameText(key, file).bits();
+      ASSERT_EQ(keysOfTexts.emplace(text, own).first->second, own)
         << namesOf(key) << " has the text of another variant";
-    }
-    // What only some variants declare belongs to a feature.
-    for (const auto& [word, times] : this->Declared)
-    {
-      EXPECT_TRUE(times == keys.size() || this->Claimed.count(word) == 1)
-        << this->Words.word(word) << " is declared in " << times << " of " << keys.size();
+      ASSERT_EQ(textsOfKeys.emplace(own, text).first->second, text)
+        << namesOf(key) << " has another text than without shadows of opaque geometry";
     }
   }
 
-  void expectFeatures(const VariantKey& key, MarchShader shader)
+  /// The same, and adds to the list on which features the words depend.
+  void list(const char* file, const std::vector<VariantKey>& keys)
   {
-    for (const auto& [feature, words] : this->Features)
+    VariantWords found;
+    ASSERT_NO_FATAL_FAILURE(this->read(file, keys, "", found));
+    this->List.emplace_back(file);
+    for (const auto& [features, words] : found.byFeatures())
     {
-      const bool on = feature->IsOn(key, shader);
-      for (int word : words)
-      {
-        ASSERT_EQ(this->Words.count(word) > 0, on)
-          << this->Words.word(word) << " of " << feature->Name << ", in " << namesOf(key);
-      }
+      this->addLines(features + ':', words);
     }
   }
 
   void expectUse(const VariantKey& key)
   {
-    for (int uniform : this->Words.uniforms())
+    for (const int uniform : this->Words.uniforms())
     {
-      ++this->Declared[uniform];
       ASSERT_GT(this->Words.count(uniform), 1)
         << this->Words.word(uniform) << ", in " << namesOf(key);
     }
-    for (int function : this->Words.functions())
+    for (const int function : this->Words.functions())
     {
-      ++this->Declared[function];
-      const bool used = this->Words.count(function) > 1;
-      ASSERT_TRUE(used || this->MayBeUnused.count(function) == 1)
-        << this->Words.word(function) << ", in " << namesOf(key);
-      if (!used)
+      if (this->Words.count(function) == 1)
       {
         this->Unused.insert(function);
       }
     }
   }
 
-  struct Feature
+  void expectOneKind(const VariantKey& key)
   {
-    const ShaderFeature* Row;
-    std::vector<int> Words;
-  };
+    for (const int word : key.Structured ? this->OfMeshes : this->OfLattices)
+    {
+      ASSERT_EQ(this->Words.count(word), 0) << this->Words.word(word) << ", in " << namesOf(key);
+    }
+    std::set<int>& unseen = key.Structured ? this->UnseenOfLattices : this->UnseenOfMeshes;
+    for (auto word = unseen.begin(); word != unseen.end();)
+    {
+      word = this->Words.count(*word) > 0 ? unseen.erase(word) : std::next(word);
+    }
+  }
+
+  /// Words in alphabetical order, in lines of a page's width.
+  void addLines(std::string line, const std::vector<int>& words)
+  {
+    std::set<std::string> sorted;
+    for (const int word : words)
+    {
+      sorted.insert(this->Words.word(word));
+    }
+    for (const std::string& word : sorted)
+    {
+      if (line.size() + word.size() > 118)
+      {
+        this->List.push_back(line);
+        line = "   ";
+      }
+      line += ' ' + word;
+    }
+    this->List.push_back(line);
+  }
 
   ShaderWords Words;
-  std::vector<Feature> Features;
-  std::set<int> Claimed;
-  std::set<int> MayBeUnused;
-  std::set<int> Unused;
-  std::map<int, std::size_t> Declared; // functions and uniforms, in how many texts
+  const std::set<int> OfMeshes;
+  const std::set<int> OfLattices;
+  std::set<int> UnseenOfMeshes = OfMeshes;
+  std::set<int> UnseenOfLattices = OfLattices;
+  std::set<int> Unused; // functions that stay beside those that are used, in one file
+  std::vector<std::string> List;
 };
 
-// Opaque geometry's shadows are part of the light at vertices. Where all light is, the picture
-// knows nothing of them.
-bool hasTextOfItsOwn(const VariantKey& picture)
+TEST_F(VariantText, ChangesWithItsFeatures)
 {
-  return !picture.OpaqueShadows || picture.SampledShadows;
-}
-
-TEST_F(VariantText, OfThePicture)
-{
-  std::vector<VariantKey> keys = legalKeys();
-  keys.erase(std::partition(keys.begin(), keys.end(), hasTextOfItsOwn), keys.end());
-  this->expectClean(keys, MarchShader::Picture, "passes/march.frag.glsl");
-}
-
-TEST_F(VariantText, OfOpaqueShadowsAtVertices)
-{
-  int compared = 0;
-  for (VariantKey key : legalKeys())
+  ASSERT_NO_FATAL_FAILURE(this->list("passes/march.frag.glsl", switchedKeys()));
+  ASSERT_NO_FATAL_FAILURE(this->list("passes/vertex_light.frag.glsl", legalLightKeys()));
+  ASSERT_NO_FATAL_FAILURE(this->list("passes/pick.frag.glsl", legalPickKeys()));
+  VariantWords further;
+  ASSERT_NO_FATAL_FAILURE(this->read("passes/visit.frag.glsl", coveringVisitKeys(), "", further));
+  std::vector<VariantKey> trilinear = coveringKeys(legalPickKeys());
+  trilinear.erase(std::remove_if(trilinear.begin(), trilinear.end(),
+                    [](const VariantKey& key) { return !key.Structured || !key.PointScalars; }),
+    trilinear.end());
+  ASSERT_NO_FATAL_FAILURE(this->read("passes/pick.frag.glsl", trilinear, Gather, further));
+  for (const std::set<int>* unseen : { &this->UnseenOfMeshes, &this->UnseenOfLattices })
   {
-    if (!hasTextOfItsOwn(key))
+    for (const int word : *unseen)
     {
-      const std::string text = shaderSource("passes/march.frag.glsl", key.defines());
-      key.OpaqueShadows = false;
-      ASSERT_EQ(text, shaderSource("passes/march.frag.glsl", key.defines())) << namesOf(key);
-      ++compared;
+      ADD_FAILURE() << this->Words.word(word) << " is in no text";
     }
   }
-  EXPECT_GT(compared, 1000);
-}
+  this->List.push_back("functions that some texts have in vain");
+  this->addLines("   ", { this->Unused.begin(), this->Unused.end() });
 
-TEST_F(VariantText, OfTheLightAtVertices)
-{
-  this->expectClean(legalLightKeys(), MarchShader::LightAtVertex, "passes/vertex_light.frag.glsl");
-}
-
-TEST_F(VariantText, OfWhatIsPicked)
-{
-  this->expectClean(legalPickKeys(), MarchShader::Pick, "passes/pick.frag.glsl");
-}
-
-// Functions and uniforms of the files of one folder that no other folder has.
-std::set<int> ownWordsOf(const std::string& folder, ShaderWords& words)
-{
-  namespace fs = std::filesystem;
-  std::set<int> own;
-  std::set<int> others;
-  for (const auto& entry : fs::recursive_directory_iterator(TETMARCH_SHADER_DIR))
+  if (std::getenv("TETMARCH_WRITE_VARIANT_WORDS"))
   {
-    if (entry.path().extension() == ".glsl")
+    std::ofstream file(ListName);
+    std::copy(this->List.begin(), this->List.end(), std::ostream_iterator<std::string>(file, "\n"));
+    return;
+  }
+  std::ifstream file(ListName);
+  std::multiset<std::string> listed;
+  for (std::string line; std::getline(file, line);)
+  {
+    listed.insert(line);
+  }
+  for (const std::string& line : this->List)
+  {
+    const auto same = listed.find(line);
+    EXPECT_TRUE(same != listed.end()) << "not in " << ListName << ":\n" << line;
+    if (same != listed.end())
     {
-      std::ifstream file(entry.path());
-      words.read(std::string(std::istreambuf_iterator<char>(file), {}));
-      std::set<int>& into = entry.path().parent_path().filename() == folder ? own : others;
-      into.insert(words.functions().begin(), words.functions().end());
-      into.insert(words.uniforms().begin(), words.uniforms().end());
+      listed.erase(same);
     }
   }
-  for (int word : others)
+  for (const std::string& line : listed)
   {
-    own.erase(word);
+    ADD_FAILURE() << "no longer so:\n" << line;
   }
-  return own;
-}
-
-TEST_F(VariantText, OfOneKindOfVolumeHasNothingOfAnother)
-{
-  const std::set<int> ofMeshes = ownWordsOf("tet", this->Words);
-  const std::set<int> ofLattices = ownWordsOf("structured", this->Words);
-  EXPECT_GT(ofMeshes.size(), 30u);
-  EXPECT_GT(ofLattices.size(), 30u);
-  std::set<int> found;
-  const auto expectOneKind = [&](const std::vector<VariantKey>& keys, const char* file)
+  if (testing::Test::HasFailure())
   {
-    for (const VariantKey& key : keys)
-    {
-      this->Words.read(shaderSource(file, key.defines() + "#define TETMARCH_HAS_GATHER 1\n"));
-      for (int word : key.Structured ? ofMeshes : ofLattices)
-      {
-        ASSERT_EQ(this->Words.count(word), 0) << this->Words.word(word) << ", in " << namesOf(key);
-      }
-      for (int word : key.Structured ? ofLattices : ofMeshes)
-      {
-        if (this->Words.count(word) > 0)
-        {
-          found.insert(word);
-        }
-      }
-    }
-  };
-  expectOneKind(coveringKeys(legalKeys()), "passes/march.frag.glsl");
-  expectOneKind(legalPickKeys(), "passes/pick.frag.glsl");
-  expectOneKind(coveringVisitKeys(), "passes/visit.frag.glsl");
-  expectOneKind(legalLightKeys(), "passes/vertex_light.frag.glsl");
-  for (const std::set<int>& words : { ofMeshes, ofLattices })
-  {
-    for (int word : words)
-    {
-      EXPECT_EQ(found.count(word), 1u) << this->Words.word(word) << " is in no text";
-    }
+    std::cout << "If that is meant, run the test with TETMARCH_WRITE_VARIANT_WORDS=1 in the "
+                 "environment and read what it has changed in the file.\n";
   }
-}
-
-// The tables of the test itself: words that no text has would let anything pass.
-TEST_F(VariantText, TablesAreOfWordsThatThereAre)
-{
-  std::set<int> found;
-  const auto look = [&](const VariantKey& key, const char* file)
-  {
-    this->Words.read(shaderSource(file, key.defines()));
-    this->expectUse(key);
-    for (int word : this->Claimed)
-    {
-      if (this->Words.count(word) > 0)
-      {
-        found.insert(word);
-      }
-    }
-  };
-  for (const VariantKey& key : legalKeys())
-  {
-    look(key, "passes/march.frag.glsl");
-  }
-  for (const VariantKey& key : legalLightKeys())
-  {
-    look(key, "passes/vertex_light.frag.glsl");
-  }
-  for (const VariantKey& key : legalPickKeys())
-  {
-    look(key, "passes/pick.frag.glsl");
-  }
-  for (int word : this->Claimed)
-  {
-    EXPECT_EQ(found.count(word), 1u) << this->Words.word(word);
-  }
-  EXPECT_EQ(this->Unused, this->MayBeUnused);
 }
 } // namespace
