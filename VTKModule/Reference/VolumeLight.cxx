@@ -7,6 +7,7 @@
 #include "Reference/LightRayConstantKernel.h"
 #include "Reference/LightRayPointGradientKernel.h"
 #include "Reference/LightRayPointKernel.h"
+#include "Reference/LightRayTrilinearGradientKernel.h"
 #include "Reference/LightRayTrilinearKernel.h"
 #include "Reference/MakeKernel.h"
 #include "Reference/ReferenceImage.h"
@@ -112,41 +113,39 @@ private:
   mutable Kernel March;
 };
 
+// Calls with an object of the kernel that marches rays towards the lights; its type is all that
+// counts.
+template <typename Real, typename Function>
+auto byKernel(const ReferenceScene& scene, const Function& call)
+{
+  const bool ofCells = scene.Cells ? scene.Cells->Constant : scene.CellScalars != nullptr;
+  const bool ofGradients = scene.Effects->CellGradients;
+  if (scene.Cells)
+  {
+    return ofCells       ? call(LightRayConstantKernel<Real>())
+           : ofGradients ? call(LightRayTrilinearGradientKernel<Real>())
+                         : call(LightRayTrilinearKernel<Real>());
+  }
+  return ofCells       ? call(LightRayCellKernel<Real>())
+         : ofGradients ? call(LightRayPointGradientKernel<Real>())
+                       : call(LightRayPointKernel<Real>());
+}
+
 } // namespace
 
 template <typename Real>
 std::vector<Real> lightAtVertices(const ReferenceScene& scene)
 {
-  if (scene.Cells)
-  {
-    return scene.Cells->Constant ? atVertices<LightRayConstantKernel<Real>, Real>(scene)
-                                 : atVertices<LightRayTrilinearKernel<Real>, Real>(scene);
-  }
-  return scene.CellScalars              ? atVertices<LightRayCellKernel<Real>, Real>(scene)
-         : scene.Effects->CellGradients ? atVertices<LightRayPointGradientKernel<Real>, Real>(scene)
-                                        : atVertices<LightRayPointKernel<Real>, Real>(scene);
+  return byKernel<Real>(
+    scene, [&scene](auto kernel) { return atVertices<decltype(kernel), Real>(scene); });
 }
 
 template <typename Real>
 std::unique_ptr<IncomingLight<Real>> exactLight(const ReferenceScene& scene)
 {
-  if (scene.Cells && scene.Cells->Constant)
-  {
-    return std::make_unique<ExactLight<LightRayConstantKernel<Real>, Real>>(scene);
-  }
-  if (scene.Cells)
-  {
-    return std::make_unique<ExactLight<LightRayTrilinearKernel<Real>, Real>>(scene);
-  }
-  if (scene.CellScalars)
-  {
-    return std::make_unique<ExactLight<LightRayCellKernel<Real>, Real>>(scene);
-  }
-  if (scene.Effects->CellGradients)
-  {
-    return std::make_unique<ExactLight<LightRayPointGradientKernel<Real>, Real>>(scene);
-  }
-  return std::make_unique<ExactLight<LightRayPointKernel<Real>, Real>>(scene);
+  return byKernel<Real>(scene,
+    [&scene](auto kernel) -> std::unique_ptr<IncomingLight<Real>>
+    { return std::make_unique<ExactLight<decltype(kernel), Real>>(scene); });
 }
 
 template std::vector<float> lightAtVertices<float>(const ReferenceScene&);

@@ -14,6 +14,8 @@ namespace
 {
 using namespace tetmarch::testing;
 
+constexpr int Side = 96;
+
 Grid lattice() { return jitteredLattice(10, 0.15, 1, sineField()); }
 
 enum class Cut
@@ -41,7 +43,7 @@ protected:
 
 TEST_P(ClippingParity, AtEveryLevel)
 {
-  Scene scene(lattice());
+  Scene scene(lattice(), Side, Side);
   this->cut(scene);
   for (int level = vtkTetMarchVolumeMapper::FAST; level <= vtkTetMarchVolumeMapper::REFERENCE;
        ++level)
@@ -54,7 +56,7 @@ TEST_P(ClippingParity, AtEveryLevel)
 
 TEST_P(ClippingParity, TransparentRangesAndOneColour)
 {
-  Scene scene(lattice());
+  Scene scene(lattice(), Side, Side);
   this->cut(scene);
   setSpikyFunctions(scene.property());
   expectParity(scene);
@@ -62,17 +64,9 @@ TEST_P(ClippingParity, TransparentRangesAndOneColour)
   expectParity(scene);
 }
 
-TEST_P(ClippingParity, CellScalars)
-{
-  Scene scene(lattice());
-  this->cut(scene);
-  scene.drawCellScalars();
-  expectParity(scene);
-}
-
 TEST_P(ClippingParity, OpaqueGeometry)
 {
-  Scene scene(lattice());
+  Scene scene(lattice(), Side, Side);
   this->cut(scene);
   scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.5 }, 0.35, { 1.0, 1.0, 1.0 }));
   scene.Renderer->AddActor(makePlane(0.2, 0.4, { 0.0, 0.0, 0.0 }));
@@ -84,7 +78,7 @@ TEST_P(ClippingParity, MeshesWithHolesAndOfSeveralParts)
   for (const Grid& grid : { latticeWithHole(9, 0.15, 1, sineField()),
          latticeWithTunnel(9, 0.15, 1, sineField()), nestedShells(10, 4, 0.15, 1, sineField()) })
   {
-    Scene scene(grid);
+    Scene scene(grid, Side, Side);
     this->cut(scene);
     expectParity(scene);
   }
@@ -92,7 +86,7 @@ TEST_P(ClippingParity, MeshesWithHolesAndOfSeveralParts)
 
 TEST_P(ClippingParity, CameraInside)
 {
-  Scene scene(nestedShells(10, 4, 0.15, 1, sineField()));
+  Scene scene(nestedShells(10, 4, 0.15, 1, sineField()), Side, Side);
   this->cut(scene);
   scene.camera()->SetPosition(0.81, 0.42, 0.87);
   scene.camera()->SetFocalPoint(0.2, 0.6, 0.1);
@@ -102,7 +96,7 @@ TEST_P(ClippingParity, CameraInside)
 
 TEST_P(ClippingParity, ParallelAlongAnAxisOfALattice)
 {
-  Scene scene(jitteredLattice(8, 0.0, 1, sineField()));
+  Scene scene(jitteredLattice(8, 0.0, 1, sineField()), Side, Side);
   this->cut(scene);
   lookDownZ(scene.camera(), 0.625);
   expectParity(scene);
@@ -111,7 +105,7 @@ TEST_P(ClippingParity, ParallelAlongAnAxisOfALattice)
 TEST_P(ClippingParity, StretchedVolumeFarFromTheOrigin)
 {
   const double far = 1e6;
-  Scene scene(withOffsetAndScale(lattice(), { far, -far, 2.0 * far }, 1.0));
+  Scene scene(withOffsetAndScale(lattice(), { far, -far, 2.0 * far }, 1.0), Side, Side);
   this->cut(scene);
   scene.Mapper->SetCroppingRegionPlanes(
     far + 0.237, far + 0.711, 0.313 - far, 0.564 - far, 2.0 * far + 0.159, 2.0 * far + 0.823);
@@ -121,28 +115,6 @@ TEST_P(ClippingParity, StretchedVolumeFarFromTheOrigin)
   transform->Scale(1.0, 0.7, -0.8);
   transform->Translate(-0.2 - far, 0.1 + far, -0.9 - 2.0 * far);
   scene.Volume->SetUserTransform(transform);
-  expectParity(scene);
-}
-
-TEST_P(ClippingParity, Shading)
-{
-  LitScene scene(lattice());
-  this->cut(scene);
-  expectParity(scene);
-  scene.addGradientOpacity();
-  expectParity(scene);
-  scene.Mapper->SetGradientTypeToCell();
-  expectParity(scene);
-}
-
-TEST_P(ClippingParity, ShadowsAtVertices)
-{
-  LitScene scene(lattice());
-  this->cut(scene);
-  scene.Mapper->SetShadowMethodToAtVertices();
-  scene.Mapper->AmbientOcclusionOn();
-  expectParity(scene);
-  scene.drawCellScalars();
   expectParity(scene);
 }
 

@@ -6,54 +6,31 @@
 #include "LitScene.h"
 
 #include "vtkFloatArray.h"
-#include "vtkPointData.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
 
 namespace
 {
 using namespace tetmarch::testing;
+
+constexpr int Side = 96;
 
 class HiddenParity : public testing::Test
 {
 protected:
   HiddenParity() { hide(this->Shown.Data, isCrumb); }
 
-  LitScene Shown{ jitteredLattice(9, 0.15, 1, sineField()) };
+  LitScene Shown{ jitteredLattice(9, 0.15, 1, sineField()), Side, Side };
 };
 
-TEST_F(HiddenParity, Unlit)
-{
-  this->Shown.property()->ShadeOff();
-  expectParity(this->Shown);
-  this->Shown.Mapper->SetAccuracyLevelToFast();
-  expectParity(this->Shown);
-}
-
 TEST_F(HiddenParity, Shaded) { expectParity(this->Shown); }
-
-TEST_F(HiddenParity, CellScalars)
-{
-  this->Shown.drawCellScalars();
-  this->Shown.Mapper->SetShadowMethodToAtVertices();
-  expectParity(this->Shown);
-}
 
 TEST_F(HiddenParity, TransparentRanges)
 {
   setSpikyFunctions(this->Shown.property());
   expectParity(this->Shown);
   this->Shown.property()->ShadeOff();
-  expectParity(this->Shown);
-}
-
-TEST_F(HiddenParity, ShadowsAndOcclusionAtVertices)
-{
-  this->Shown.Mapper->SetShadowMethodToAtVertices();
-  this->Shown.Mapper->AmbientOcclusionOn();
-  this->Shown.addGradientOpacity();
   expectParity(this->Shown);
 }
 
@@ -66,25 +43,12 @@ TEST_F(HiddenParity, CameraInside)
   expectParity(this->Shown);
 }
 
-TEST_F(HiddenParity, BesideWhatIsNotFinite)
-{
-  vtkDataArray* scalars = this->Shown.Data->GetPointData()->GetScalars();
-  for (vtkIdType i = 5; i < scalars->GetNumberOfTuples(); i += 23)
-  {
-    scalars->SetTuple1(i, std::numeric_limits<double>::quiet_NaN());
-  }
-  expectParity(this->Shown);
-  this->Shown.Mapper->DrawNanCellsOn();
-  this->Shown.property()->GetRGBTransferFunction()->SetNanColorRGBA(0.9, 0.2, 0.7, 0.4);
-  expectParity(this->Shown);
-}
-
 TEST_F(HiddenParity, TheReferencePicture)
 {
   vtkNew<vtkFloatArray> pixels;
   const Image drawn = this->Shown.render();
   ASSERT_TRUE(this->Shown.Mapper->RenderGroundTruth(this->Shown.Volume, pixels));
-  const Image reference = Image::fromFloats(SceneSize, SceneSize, pixels->GetPointer(0));
+  const Image reference = Image::fromFloats(Side, Side, pixels->GetPointer(0));
   const Difference difference = compare(drawn, reference, regionsOf(this->Shown).Inside);
   EXPECT_LE(difference.Rms, 1.0 / 255.0) << difference.text();
 }

@@ -14,13 +14,15 @@ namespace
 {
 using namespace tetmarch::testing;
 
+constexpr int Side = 80;
+
 // The bumpy functions, shaded by all of the property's numbers.
 class LightParity : public testing::Test
 {
 protected:
   void use(vtkUnstructuredGrid* grid)
   {
-    this->Shown = std::make_unique<Scene>(grid);
+    this->Shown = std::make_unique<Scene>(grid, Side, Side);
     setShading(this->Shown->property());
   }
   LightParity() { this->use(jitteredLattice(10, 0.15, 1, sineField())); }
@@ -114,43 +116,10 @@ TEST_F(LightParity, LightInTheWorldIsThatInTheMesh)
   }
 }
 
-TEST_F(LightParity, CellScalars)
-{
-  this->use(jitteredLattice(8, 0.15, 1, sineField()));
-  this->Shown->drawCellScalars();
-  this->addSun();
-  this->Shown->Mapper->SetShadowMethodToAtVertices();
-  expectParity(*this->Shown);
-}
-
-TEST_F(LightParity, GradientsOfCells)
-{
-  this->addSun();
-  this->Shown->Mapper->SetGradientTypeToCell();
-  expectParity(*this->Shown);
-}
-
-TEST_F(LightParity, FastLevel)
-{
-  this->addSun();
-  this->Shown->Mapper->SetAccuracyLevelToFast();
-  this->Shown->Mapper->SetShadowMethodToAtVertices();
-  expectParity(*this->Shown);
-}
-
 TEST_F(LightParity, GradientOpacityUnlit)
 {
   this->Shown->property()->ShadeOff();
   setGradientOpacity(this->Shown->property());
-  expectParity(*this->Shown);
-}
-
-TEST_F(LightParity, GradientOpacityOfCells)
-{
-  setGradientOpacity(this->Shown->property());
-  this->Shown->Mapper->SetGradientTypeToCell();
-  this->addSun();
-  this->Shown->Mapper->SetShadowMethodToAtVertices();
   expectParity(*this->Shown);
 }
 

@@ -4,8 +4,6 @@
 // that the light is that of the component which gives the opacity.
 #include "ComponentScene.h"
 #include "CpuReference.h"
-#include "CutScene.h"
-#include "GapScene.h"
 #include "Lights.h"
 
 #include "vtkActor.h"
@@ -13,7 +11,6 @@
 
 #include <gtest/gtest.h>
 #include <iostream>
-#include <limits>
 
 namespace
 {
@@ -26,7 +23,7 @@ Grid lattice(int cubes = 10) { return jitteredLattice(cubes, 0.15, 1, sineField(
 class LitComponentScene : public ComponentScene
 {
 public:
-  explicit LitComponentScene(const Mix& mix, int cubes = 10, int side = SceneSize)
+  explicit LitComponentScene(const Mix& mix, int cubes = 10, int side = 80)
     : ComponentScene(lattice(cubes), mix, side, side)
   {
     setShading(this->property());
@@ -45,36 +42,6 @@ class LitComponentParity : public ::testing::TestWithParam<Mix>
 TEST_P(LitComponentParity, HeadlightOnPoints)
 {
   LitComponentScene scene(GetParam());
-  expectParity(scene);
-}
-
-TEST_P(LitComponentParity, HeadlightOnCells)
-{
-  LitComponentScene scene(GetParam());
-  scene.drawCells();
-  expectParity(scene);
-}
-
-TEST_P(LitComponentParity, SunOnPoints)
-{
-  LitComponentScene scene(GetParam());
-  scene.addSun();
-  expectParity(scene);
-}
-
-TEST_P(LitComponentParity, SunOnCells)
-{
-  LitComponentScene scene(GetParam());
-  scene.drawCells();
-  scene.addSun();
-  expectParity(scene);
-}
-
-TEST_P(LitComponentParity, TakenAsTheyAre)
-{
-  LitComponentScene scene(GetParam());
-  scene.addSun();
-  scene.Mapper->SetAccuracyLevelToFast();
   expectParity(scene);
 }
 
@@ -106,17 +73,6 @@ TEST_P(LitComponentParity, GradientOpacity)
     scene.property()->ShadeOn();
     expectParity(scene);
   }
-}
-
-TEST_P(LitComponentParity, GradientsOfCells)
-{
-  LitComponentScene scene(GetParam());
-  scene.addSun();
-  setGradientOpacity(scene.property());
-  const Image ofVertices = scene.render();
-  scene.Mapper->SetGradientTypeToCell();
-  expectParity(scene);
-  EXPECT_GT(compare(scene.render(), ofVertices).Max, 0.02);
 }
 
 TEST_P(LitComponentParity, TransparentRanges)
@@ -207,35 +163,6 @@ TEST_P(LitComponentParity, ShadowsAlongRays)
     scene.Mapper->SetShadowMethodToAlongRays();
     const Image drawn = scene.render();
     expectLightAlongRays(scene, drawn, without);
-  }
-}
-
-TEST_P(LitComponentParity, ClippedCroppedAndWithGaps)
-{
-  for (const bool cells : { false, true })
-  {
-    LitComponentScene scene(GetParam());
-    scene.addSun();
-    vtkDataSetAttributes* data = scene.Data->GetPointData();
-    if (cells)
-    {
-      scene.drawCells();
-      data = scene.Data->GetCellData();
-    }
-    vtkDataArray* scalars = data->GetScalars();
-    for (vtkIdType i = 5; i < scalars->GetNumberOfTuples(); i += 97)
-    {
-      scalars->SetComponent(i, 0, std::numeric_limits<double>::quiet_NaN());
-    }
-    hide(scene.Data, isCrumb);
-    scene.Mapper->DrawNanCellsOn();
-    scene.property()->GetRGBTransferFunction()->SetNanColorRGBA(1.0, 0.0, 1.0, 0.9);
-    clipAndCropToFence(scene);
-    const Image cut = scene.render();
-    const Difference difference = compare(cut, referenceOf(scene).Picture, regionsOf(scene).Inside);
-    std::cout << "[ MEASURED ] " << difference.text() << '\n';
-    EXPECT_LE(difference.Percentile999, 2.0 / 255.0) << difference.text();
-    EXPECT_LE(difference.Rms, MostRms) << difference.text();
   }
 }
 

@@ -97,23 +97,6 @@ TEST(SampledParity, CutsAndCamerasInside)
   expectSampledParity(leaping, "leaps");
 }
 
-TEST(SampledParity, Light)
-{
-  for (const bool cellGradients : { false, true })
-  {
-    SampledScene scene(imageOf(sineField()));
-    setShading(scene.property());
-    setGradientOpacity(scene.property());
-    scene.Mapper->SetGradientType(cellGradients ? vtkTetMarchSmartVolumeMapper::CELL_GRADIENTS
-                                                : vtkTetMarchSmartVolumeMapper::VERTEX_GRADIENTS);
-    expectSampledParity(scene, cellGradients ? "light, gradients of cells" : "light");
-  }
-  SampledScene nearest(imageOf(sineField()));
-  nearest.draw(LatticeValues::PointsNearest);
-  setShading(nearest.property());
-  expectSampledParity(nearest, "light on constant cells");
-}
-
 // The first sample stands for the step in front of it: what a sum of rectangles is off by falls
 // with the distance. Halved four times it must be a tenth at most.
 TEST(SampledParity, ConvergesToTheExactPicture)

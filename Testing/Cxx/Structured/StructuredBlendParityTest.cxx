@@ -5,7 +5,6 @@
 #include "StructuredScene.h"
 
 #include "vtkActor.h"
-#include "vtkDataSetAttributes.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -38,39 +37,12 @@ void expectAllModes(StructuredScene& scene, const std::string& what)
   }
 }
 
-TEST(StructuredBlend, ImagesAndRectilinearGrids)
-{
-  const auto image = imageOf(sineField(), unitCube(9));
-  const auto grid = rectilinearOf(sineField(), unevenCube(9));
-  for (vtkDataSet* data : { (vtkDataSet*)image, (vtkDataSet*)grid })
-  {
-    StructuredScene scene(data, 40, 40);
-    prepare(scene);
-    for (const LatticeValues values : AllLatticeValues)
-    {
-      scene.draw(values);
-      expectAllModes(scene, std::string(data->GetClassName()) + ", " + nameOf(values));
-    }
-  }
-}
-
 TEST(StructuredBlend, Noise)
 {
   StructuredScene scene(imageOf(scatteredField(1), unitCube(6)), 40, 40);
   prepare(scene);
   scene.property()->ShadeOff();
   expectAllModes(scene, "noise");
-}
-
-TEST(StructuredBlend, GradientsOfCells)
-{
-  StructuredScene scene(imageOf(sineField(), unitCube(9)), 40, 40);
-  prepare(scene);
-  scene.Mapper->SetGradientTypeToCell();
-  scene.Mapper->SetBlendModeToIsoSurface();
-  expectParityButForEdges(scene, "gradients of cells");
-  scene.draw(LatticeValues::CellsLinear);
-  expectParityButForEdges(scene, "gradients of cells, cells linear");
 }
 
 TEST(StructuredBlend, AverageOverARange)
@@ -99,19 +71,4 @@ TEST(StructuredBlend, OpaqueGeometryAndCameraInside)
   expectAllModes(scene, "camera inside");
 }
 
-TEST(StructuredBlend, HiddenAndNotFinite)
-{
-  const auto image = imageOf(sineField(), unitCube(9));
-  markCells(image, vtkDataSetAttributes::HIDDENCELL, [](vtkIdType id) { return id % 7 == 3; });
-  const auto isSpoilt = [](vtkIdType id) { return id % 37 == 5; };
-  spoilScalars(image, isSpoilt, isSpoilt);
-  StructuredScene scene(image, 40, 40);
-  prepare(scene);
-  scene.property()->ShadeOff();
-  for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsNearest })
-  {
-    scene.draw(values);
-    expectAllModes(scene, std::string("hidden and not finite, ") + nameOf(values));
-  }
-}
 } // namespace

@@ -6,10 +6,7 @@
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkPlane.h"
-
-#include <cmath>
 
 namespace
 {
@@ -71,29 +68,6 @@ TEST_P(StructuredComponents, BytesAndWords)
     }
     expectParityOf({ LatticeValues::PointsLinear, LatticeValues::CellsNearest }, scene,
       image->GetPointData()->GetScalars()->GetDataTypeAsString());
-  }
-}
-
-TEST_P(StructuredComponents, HiddenAndNotFinite)
-{
-  const auto image = imageWith(wavy(), 8, VTK_DOUBLE);
-  for (const auto& scalars :
-    { image->GetPointData()->GetScalars(), image->GetCellData()->GetScalars() })
-  {
-    const int last = scalars->GetNumberOfComponents() - 1;
-    for (vtkIdType i = 5; i < scalars->GetNumberOfTuples(); i += 37)
-    {
-      scalars->SetComponent(i, i % 2 ? 0 : last, std::nan(""));
-    }
-  }
-  markCells(image, vtkDataSetAttributes::HIDDENCELL, [](vtkIdType id) { return id % 11 == 3; });
-  StructuredScene scene(image);
-  setFunctions(scene);
-  for (const bool shown : { false, true })
-  {
-    scene.Mapper->SetDrawNanCells(shown);
-    scene.property()->GetRGBTransferFunction()->SetNanColorRGBA(0.9, 0.2, 0.7, 0.4);
-    expectParityOf(AllLatticeValues, scene, shown ? "shown" : "not shown");
   }
 }
 

@@ -37,14 +37,6 @@ inline void crop(Scene& scene, int flags)
   scene.Mapper->SetCroppingRegionPlanes(0.237, 0.711, 0.313, 0.564, 0.159, 0.823);
   scene.Mapper->SetCroppingRegionFlags(flags);
 }
-/// Clips by another plane, and crops to the fence of another box.
-inline void clipAndCropToFence(Scene& scene)
-{
-  addClippingPlane(scene, { 0.45, 0.5, 0.5 }, { -0.7, 0.2, -0.5 });
-  scene.Mapper->CroppingOn();
-  scene.Mapper->SetCroppingRegionPlanes(0.2, 0.7, 0.3, 0.8, 0.25, 0.6);
-  scene.Mapper->SetCroppingRegionFlagsToFence();
-}
 } // namespace tetmarch::testing
 
 #endif
