@@ -10,6 +10,7 @@
 #   documentation  lines of the header; a row without it is told of in the row before
 #   inherited      true: vtkSmartVolumeMapper has methods of that name, so vtkTetMarchSmartVolumeMapper overrides them
 #   panel          of ParaView's property, if there is one: see Plugin/Representation/SettingsXml.cmake
+#   option         of tetmarch-render, if there is one: see Tools/Render/SettingOptions.cmake
 #
 # Numbers are texts: CMake's JSON would print 0.1 as 0.10000000000000001.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/settings.json")
