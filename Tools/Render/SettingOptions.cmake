@@ -28,18 +28,6 @@ macro (tetmarch_option_expression)
   endif ()
 endmacro ()
 
-# The words of the present setting's choices.
-function (tetmarch_words_of result)
-  set(words)
-  string(JSON count LENGTH "${setting}" choices)
-  math(EXPR last "${count} - 1")
-  foreach (number RANGE "${last}")
-    string(JSON word GET "${setting}" choices "${number}" word)
-    list(APPEND words "${word}")
-  endforeach ()
-  set("${result}" "${words}" PARENT_SCOPE)
-endfunction ()
-
 # Writes SettingOptions.inc, Help.cxx and completion.bash into the build folder.
 function (tetmarch_setting_options)
   set(rows "")
@@ -65,7 +53,7 @@ function (tetmarch_setting_options)
     string(JSON dashed GET "${option}" name)
 
     if (type STREQUAL "choice")
-      tetmarch_words_of(words)
+      tetmarch_json_members(words "${setting}" choices word)
       string(REPLACE ";" "\", \"" quoted_words "${words}")
       string(REPLACE ";" " " words "${words}")
       string(APPEND TETMARCH_COMPLETED_WORDS "    ${dashed}) printf '%s\\n' ${words} ;;\n")

@@ -61,7 +61,7 @@ DataPanel::DataPanel(Model& model, QWidget* parent)
   this->Nearest->setToolTip(tr("Of images: each value holds in a cell of its own"));
   form->addRow(this->Nearest);
   form->addRow(MakeCheck(model, tr("Draw cells that are not finite"),
-    [](ViewState& s) -> bool& { return s.Data.DrawNanCells; }));
+    [](ViewState& s) -> bool& { return s.Settings.DrawNanCells; }));
 
   connect(this->Array, QOverload<int>::of(&QComboBox::activated), this, &DataPanel::TakeArray);
   connect(

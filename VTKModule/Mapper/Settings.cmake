@@ -10,6 +10,7 @@
 #   documentation  lines of the header; a row without it is told of in the row before
 #   inherited      true: vtkSmartVolumeMapper has methods of that name, so vtkTetMarchSmartVolumeMapper overrides them
 #   panel          of ParaView's property, if there is one: see Plugin/Representation/SettingsXml.cmake
+#   session        of tetmarch-view: see Tools/View/SettingsState.cmake
 #   option         of tetmarch-render, if there is one: see Tools/Render/SettingOptions.cmake
 #
 # Numbers are texts: CMake's JSON would print 0.1 as 0.10000000000000001.
@@ -38,6 +39,18 @@ function (tetmarch_json_lines result object member before)
   endforeach ()
   string(REGEX REPLACE " +\n" "\n" lines "${lines}")
   set("${result}" "${lines}" PARENT_SCOPE)
+endfunction ()
+
+# A list of what the objects of an array have as a member.
+function (tetmarch_json_members result object array member)
+  set(values)
+  string(JSON count LENGTH "${object}" "${array}")
+  math(EXPR last "${count} - 1")
+  foreach (index RANGE "${last}")
+    string(JSON value GET "${object}" "${array}" "${index}" "${member}")
+    list(APPEND values "${value}")
+  endforeach ()
+  set("${result}" "${values}" PARENT_SCOPE)
 endfunction ()
 
 # What the C++ has of a choice: it appends to the texts of the function below.
