@@ -191,8 +191,9 @@ public:
 
   //@{
   /**
-   * The figure of that name of GetLastFrameStatistics(): see vtkTetMarchFrameStatistics.
-   * IsBudgetKept() is its GetBudgetKept(), IsLightComplete() its GetLightComplete().
+   * Deprecated aliases, which go with version 0.4: the figure of that name of
+   * GetLastFrameStatistics(), see vtkTetMarchFrameStatistics. IsBudgetKept() is its
+   * GetBudgetKept(), IsLightComplete() its GetLightComplete().
    */
   vtkTetMarchStatisticsMethodsMacro();
   //@}
