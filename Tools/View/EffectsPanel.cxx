@@ -145,7 +145,7 @@ bool EffectsPanel::IsHandleWanted() const { return this->Handle->isChecked(); }
 void EffectsPanel::ShowState()
 {
   const ViewState& state = this->Shown.GetState();
-  const EffectState& effects = state.Effects;
+  const EffectState effects = state.Effects;
   for (std::size_t i = 0; i < this->Rows.size(); ++i)
   {
     const QSignalBlocker block(this->Rows[i].Check);
