@@ -1,6 +1,6 @@
-# The settings that sessions of tetmarch-view have, from VTKModule/Mapper/settings.json: as JSON, as a script of Python and,
-# if they have an option of tetmarch-render, as a command line. `session` of a row has the part of the session, and the
-# setting's name there. Floats are doubles here, which are written with the digits that they were given with.
+# The settings that sessions of tetmarch-view have, from VTKModule/Mapper/settings.json: as JSON, as a script of Python
+# and, if they have an option of tetmarch-render, as a command line. `session` of a row has the part of the session, and
+# the setting's name there. Floats are doubles here, which are written with the digits that they were given with.
 include("${PROJECT_SOURCE_DIR}/VTKModule/Mapper/Settings.cmake")
 
 # Writes SettingsState.h into the build folder.
