@@ -18,10 +18,11 @@
 #define TETMARCH_USES_TABLES (!TETMARCH_ISOSURFACES)
 #define TETMARCH_PASSES_CELLS ((TETMARCH_TRANSPARENT_RANGES || TETMARCH_ISOSURFACES || TETMARCH_LEAPS) && (!TETMARCH_STRUCTURED || TETMARCH_EFFECTS))
 
-// Trilinear cells that are cut evenly, by how far the scalar bends in them, whatever the error; others are crossed in parts.
+// Trilinear cells are cut evenly, depending on the bend of the scalar but not on the error; others are crossed in
+// parts.
 #define TETMARCH_EVEN_CUTS (TETMARCH_BENT && TETMARCH_COMPOSITE && !TETMARCH_ADAPTIVE && !TETMARCH_COMPONENTS && !TETMARCH_POINT_SAMPLED)
 #define TETMARCH_CELL_PARTS (TETMARCH_BENT && !TETMARCH_EVEN_CUTS)
-// All of a cell's interval is gathered, for the ray's way through a lattice ends where it is cut.
+// The whole interval of a cell is gathered, since the ray's path through a lattice ends at its cuts.
 #define TETMARCH_WHOLE_INTERVALS (TETMARCH_BENT && !TETMARCH_CROPPED && !TETMARCH_PICKED && !TETMARCH_POINT_SAMPLED)
 
 // Tables.
@@ -41,7 +42,7 @@
 #define TETMARCH_VERTEX_ATTRIBUTES (TETMARCH_VERTEX_GRADIENTS || TETMARCH_VERTEX_LIGHT || TETMARCH_FURTHER_VERTEX_SCALARS)
 #define TETMARCH_CELL_ATTRIBUTES (TETMARCH_VERTEX_ATTRIBUTES && !TETMARCH_STRUCTURED)
 
-// Error bounds. Those of scalars of cells are 0, and of one colour unless the scalar bends; samples have none.
+// Error bounds. They are 0 for cell scalars, and for one colour unless the scalar bends; samples have none.
 #define TETMARCH_ERROR_BOUND (TETMARCH_POINT_SCALARS && (!TETMARCH_CONSTANT_COLOR || TETMARCH_STRUCTURED) && TETMARCH_COMPOSITE && !TETMARCH_POINT_SAMPLED && (TETMARCH_ADAPTIVE || TETMARCH_DIAGNOSTICS))
 #define TETMARCH_SLOPE_VARIATION (TETMARCH_STRUCTURED && TETMARCH_POINT_SCALARS && TETMARCH_COMPOSITE && !TETMARCH_POINT_SAMPLED && !TETMARCH_COMPONENTS && !TETMARCH_EVEN_CUTS)
 #define TETMARCH_EXTINCTION_VARIATION (TETMARCH_SLOPE_VARIATION || (TETMARCH_ERROR_BOUND && (TETMARCH_COMPONENTS || TETMARCH_STRUCTURED)))

@@ -1,4 +1,4 @@
-// The words in which the shared files are written, for GLSL; Reference/KernelBody.h has the same for C++.
+// The macros of the shared files for GLSL; Reference/KernelBody.h defines them for C++.
 #if TETMARCH_HAS_FMA || TETMARCH_HAS_PRECISE
 #extension GL_ARB_gpu_shader5 : require
 #else
@@ -16,9 +16,9 @@
 
 #define NO_DEPTH 3.0e38
 
-// What a loop reads of a uniform, as a global variable. The software renderer, which has no fused multiply-add, reads
-// uniforms lane by lane in each turn of a loop: there it is an expression, since compilers undo a copy. On a GPU it would
-// take registers.
+// Uniforms that are read in a loop, as global variables. The software renderer, which has no fused multiply-add, reads
+// uniforms lane by lane in each iteration of a loop: there they are expressions, since compilers undo a copy. On a GPU
+// this would take registers.
 #if TETMARCH_HAS_FMA || TETMARCH_STRUCTURED
 #define KEPT(uniform_value) uniform_value
 #define KEPT_INT(uniform_value) uniform_value

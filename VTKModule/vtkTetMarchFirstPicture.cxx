@@ -98,7 +98,7 @@ void vtkTetMarchFirstPicture::Internals::findBlocks()
 {
   this->Owned = tetmarch::drawnBlocks(this->Data);
   this->Blocks.assign(this->Owned.begin(), this->Owned.end());
-  // Those that mappers draw, unless there are none of them.
+  // The blocks that mappers draw, unless there are none.
   std::vector<vtkDataSet*> solid;
   std::copy_if(
     this->Blocks.begin(), this->Blocks.end(), std::back_inserter(solid), tetmarch::hasSolidCells);

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchFirstPicture
- * @brief   What to draw of data that nobody has seen yet, and how
+ * @brief   Default array, transfer functions and camera for a first picture of data
  *
- * From the data alone it chooses an array, transfer functions, a unit distance and a camera, so
- * that a first picture shows the data and is neither empty nor a slab. It needs no OpenGL and no
- * window; its methods can be called in a thread of their own. The same data give the same choice.
- * It takes an unstructured grid, an image, a rectilinear or curvilinear grid, or a tree of such
- * blocks.
+ * It chooses an array, transfer functions, a unit distance and a camera from the data, so that a
+ * first picture is neither empty nor opaque throughout. It needs no OpenGL and no window; its
+ * methods can be called in any thread. The choice is deterministic. The input is an unstructured
+ * grid, an image, a rectilinear or curvilinear grid, or a tree of such blocks.
  *
  * @code{.cpp}
  * vtkNew<vtkTetMarchFirstPicture> first;
@@ -20,18 +19,17 @@
  * }
  * @endcode
  *
- * Array: of several blocks, arrays that all of them have come first. Of these, physical values come
- * before numbers of cells, blocks or materials, these before arrays whose values are all equal;
- * points come before cells, one component before several, of which the magnitude is drawn.
+ * Array: with several blocks, arrays of all blocks come first. Among these, physical values come
+ * before numbers of cells, blocks or materials, and these before constant arrays; points come
+ * before cells, and one component before several, whose magnitude is drawn.
  *
  * Range: the 2nd to the 98th percentile. Background: the peak of the histogram if there is one,
  * else the low end of the range. Opacity: 0 at the background of images, nearly 0 at that of
  * meshes; from there to the ends of the range it rises with a power of the distance. Unit distance:
- * half of the pixels that show anything are more than half opaque, and not more than one in 20 of
- * them above 0.97. Power: from 0.5 to 2 the one whose picture shows most, for its opacities have
- * the greatest entropy.
+ * half of the covered pixels have an opacity above 0.5, and at most one in 20 above 0.97. Power:
+ * from 0.5 to 2, the one with the maximum entropy of the picture's opacities.
  *
- * Every method that returns a bool returns false after an error, which says what is wrong.
+ * Every method that returns a bool returns false after an error.
  */
 #ifndef vtkTetMarchFirstPicture_h
 #define vtkTetMarchFirstPicture_h
@@ -74,30 +72,29 @@ public:
 
   //@{
   /**
-   * The data; null by default. What was chosen is forgotten if it is other data than before, or if
-   * it was modified.
+   * The data; null by default. Other or modified data discard the previous choice.
    */
   void SetInputData(vtkDataObject* data);
   vtkDataObject* GetInputData();
   //@}
 
   /**
-   * Whether the data can be read: cells name points that are there, coordinates are finite, arrays
-   * are as long as dimensions say, and so on. All methods that read the data ask this first. The
-   * error is the mapper's, and of a tree that of the first block with one. What was found out is
-   * kept until the data is modified.
+   * Whether the data are valid: cells refer to existing points, coordinates are finite, arrays
+   * match the dimensions, and so on. All methods that read the data call this first. The error is
+   * that of the mapper; for a tree, that of the first invalid block. The result is kept until the
+   * data are modified.
    */
   bool CheckData();
 
   /**
-   * All that is wrong with the data, one fault a value: of each block its points and cells, and
-   * each array that has not one tuple for each point or cell. No fault: no value.
+   * List all faults of the data, one per value: in the points and cells of each block, and arrays
+   * that do not have one tuple per point or cell. Empty if there are none.
    */
   bool ListFaults(vtkStringArray* faults);
 
   //@{
   /**
-   * The array wished for. Empty, by default, leaves the choice.
+   * The name of the array. Empty, the default: it is chosen.
    */
   void SetArrayName(const std::string& name);
   std::string GetArrayName() const;
@@ -105,8 +102,8 @@ public:
 
   //@{
   /**
-   * Where to look for it: POINTS, CELLS or ANY, which is the default: points, then cells; but
-   * cells, if all blocks have it there and some lack it on points.
+   * The association of the array: POINTS, CELLS or ANY, the default: points, then cells; but cells
+   * if all blocks have it there and some lack it on points.
    */
   vtkSetClampMacro(ArrayAssociation, int, ANY, CELLS);
   vtkGetMacro(ArrayAssociation, int);
@@ -114,8 +111,8 @@ public:
 
   //@{
   /**
-   * The component wished for, from 0; -1: the magnitude; -2, the default: of an array that was
-   * asked for by its name the first, else the magnitude.
+   * The component, from 0; -1: the magnitude; -2, the default: the first component of an array set
+   * by name, else the magnitude.
    */
   vtkSetClampMacro(Component, int, -2, VTK_INT_MAX);
   vtkGetMacro(Component, int);
@@ -123,8 +120,8 @@ public:
 
   //@{
   /**
-   * The range wished for, in the array's unit. The default, (1, 0), or any whose first number isn't
-   * below the second, leaves the choice.
+   * The range in the array's unit. The default, (1, 0), or any range whose first number isn't below
+   * the second: it is chosen.
    */
   vtkSetVector2Macro(Range, double);
   vtkGetVector2Macro(Range, double);
@@ -132,8 +129,8 @@ public:
 
   //@{
   /**
-   * What an opacity means, see vtkTetMarchSettings::SetOpacityLaw. OF_THE_DATA, the default:
-   * STRUCTURED for images and rectilinear grids, UNSTRUCTURED for all others.
+   * The opacity law, see vtkTetMarchSettings::SetOpacityLaw. OF_THE_DATA, the default: STRUCTURED
+   * for images and rectilinear grids, UNSTRUCTURED for all others.
    */
   vtkSetClampMacro(OpacityLaw, int, OF_THE_DATA, STRUCTURED);
   vtkGetMacro(OpacityLaw, int);
@@ -141,8 +138,8 @@ public:
 
   //@{
   /**
-   * Choose the array; transfer functions and unit distance; or both. An array is chosen first if
-   * none was.
+   * Choose the array; transfer functions and unit distance; or both. ChooseTransferFunctions()
+   * chooses an array first if there is none.
    */
   bool ChooseArray();
   bool ChooseTransferFunctions();
@@ -150,14 +147,14 @@ public:
   //@}
 
   /**
-   * Choose the unit distance alone, for an opacity function of others.
+   * Choose only the unit distance, for the given opacity function.
    */
   bool ChooseUnitDistance(vtkPiecewiseFunction* opacity);
 
   //@{
   /**
-   * The array that was chosen, of the first block that has it, or null; POINTS or CELLS; its
-   * component, -1: the magnitude; its range over all blocks, (1, 0) if no value is finite.
+   * The chosen array, in the first block that has it, or null; POINTS or CELLS; its component, -1:
+   * the magnitude; its range over all blocks, (1, 0) if no value is finite.
    */
   vtkDataArray* GetChosenArray();
   int GetChosenAssociation() const;
@@ -167,7 +164,7 @@ public:
 
   //@{
   /**
-   * What was chosen: the range of values that is shown, and the value that is clear.
+   * The chosen range of values, and the transparent value.
    */
   vtkGetVector2Macro(ChosenRange, double);
   vtkGetMacro(Background, double);
@@ -175,9 +172,9 @@ public:
 
   //@{
   /**
-   * What was chosen, and what ApplyTo() gives. The functions are this object's own; they can be
-   * changed, and change with the next choice. The unit distance, above 0, is in units of the data's
-   * coordinates.
+   * The chosen functions and unit distance, which ApplyTo() sets. The functions are owned by this
+   * object; they can be changed, and are overwritten by the next choice. The unit distance, above
+   * 0, is in units of the data's coordinates.
    */
   vtkColorTransferFunction* GetColor();
   vtkPiecewiseFunction* GetOpacity();
@@ -186,31 +183,31 @@ public:
   //@}
 
   /**
-   * What was chosen, in one line: "temperature on points, 293.1 to 913.2".
+   * The choice in one line: "temperature on points, 293.1 to 913.2".
    */
   std::string Describe();
 
   /**
-   * All arrays that can be drawn, one a row: name, association ("points", "cells"), type,
+   * All arrays that can be drawn, one per row: name, association ("points", "cells"), type,
    * components, minimum and maximum (of the magnitude if there are several components; NaN if no
    * value is finite), and kind ("values", "numbers" of cells, blocks or the like, "constant", or
-   * "not finite"). Arrays that have not one tuple for each point or cell are left out: see
+   * "not finite"). Arrays that do not have one tuple per point or cell are left out: see
    * ListFaults().
    */
   bool ListArrays(vtkTable* arrays);
 
   /**
-   * Give a volume what was chosen: colour, opacity and unit distance of its property; array and
-   * component of its mapper, if it has one; the opacity law, if it is one of ours.
+   * Apply the choice to a volume: colour, opacity and unit distance of its property; array and
+   * component of its mapper, if it has one; the opacity law, if the mapper is one of TetMarch.
    */
   bool ApplyTo(vtkVolume* volume);
 
   //@{
   /**
-   * Look at the data from where its silhouette just fits into a picture of that width / height, in
-   * perspective and in parallel projection: obliquely, z up; what is flat from its broad side. Of
-   * images and rectilinear grids, that are clear in most places, what is shown fits into the
-   * picture if transfer functions were chosen; all of their box if FitWholeData is on (off by
+   * Place the camera such that the silhouette of the data just fits into a picture of that width /
+   * height, in perspective and in parallel projection: obliquely, z up; flat data from the broad
+   * side. For images and rectilinear grids, which are mostly transparent, the visible part fits
+   * into the picture if transfer functions were chosen; the whole box if FitWholeData is on (off by
    * default).
    */
   bool PlaceCamera(vtkCamera* camera, double aspect);

@@ -13,7 +13,7 @@
 
 namespace
 {
-// Fewer say little of how values are spread: those of points within them say more.
+// With fewer cells their points describe the distribution of values better.
 constexpr std::size_t FewCells = 1000;
 } // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a vtkTetMarchFirstPicture has found of its data, and chosen.
+// The results of a vtkTetMarchFirstPicture.
 #ifndef vtkTetMarchFirstPictureInternals_h
 #define vtkTetMarchFirstPictureInternals_h
 

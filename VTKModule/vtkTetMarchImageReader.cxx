@@ -45,7 +45,7 @@ void vtkTetMarchImageReader::Refuse(const std::string& reason)
   vtkErrorMacro(<< reason);
 }
 
-// What is refused is an error of the reader; a failed request would be one of its executive, too.
+// A refusal is an error of the reader only; a failed request would be one of its executive, too.
 int vtkTetMarchImageReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchImageReader
- * @brief   Reads images from files of NRRD (.nrrd, .nhdr) and MetaImage (.mha, .mhd)
+ * @brief   Reads NRRD (.nrrd, .nhdr) and MetaImage (.mha, .mhd) files
  *
- * Unlike vtkNrrdReader and vtkMetaImageReader it keeps the directions of axes, reads values that
- * are text, and checks what a header says against the length of the files before it takes memory
- * by that. A file that contradicts itself is one error that says what is wrong.
+ * Unlike vtkNrrdReader and vtkMetaImageReader it keeps the directions of axes, reads values in text
+ * form, and checks a header against the length of the files before it allocates memory. An
+ * inconsistent file is reported by one error.
  *
- * Values keep their type. A NRRD axis that is not of space (by `space directions` or `kinds`; the
- * first of four if there are neither) is that of components, which must be together. Images of up
- * to three axes are read. Of NRRD all encodings are read but bzip2. Data in files of their own may
- * be one file, a list, or numbered by a pattern.
+ * Values keep their type. A NRRD axis that is not spatial (by `space directions` or `kinds`; the
+ * first of four if there are neither) contains components, which must be adjacent in memory. Images
+ * of up to three axes are read. All encodings of NRRD except bzip2 are read. Detached data may be
+ * in one file, a list of files, or files numbered by a pattern.
  */
 #ifndef vtkTetMarchImageReader_h
 #define vtkTetMarchImageReader_h
@@ -30,7 +30,7 @@ public:
 
   //@{
   /**
-   * The file with the header, by the ending of whose name its format is known.
+   * The file with the header. The extension determines its format.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);

@@ -27,7 +27,7 @@ const char* titleOf(int viewMode)
   }
 }
 
-// What the legend asks of a mapper; all null of other classes than ours.
+// The data of a mapper for the legend; all null for other classes.
 struct Explained
 {
   vtkTetMarchSettings* Settings = nullptr;

@@ -4,13 +4,12 @@
  * @class   vtkTetMarchLegend
  * @brief   Scalar bar for the view modes that draw a measure
  *
- * It explains the frames of a vtkTetMarchVolumeMapper or a vtkTetMarchSmartVolumeMapper: title,
- * colours, scale and range are those of its last frame. Add the legend to the
- * renderer of the volume. It is drawn after the volume, and so shows the same frame. It draws
- * nothing if the last frame drew no measure, or if no ray met a cell. Place, size and text
- * properties are those of every vtkScalarBarActor.
+ * Its title, colours, scale and range are those of the last frame of a vtkTetMarchVolumeMapper or a
+ * vtkTetMarchSmartVolumeMapper. Add the legend to the renderer of the volume. It is drawn after the
+ * volume, and so shows the same frame. It draws nothing if the last frame drew no measure, or if no
+ * ray met a cell. Position, size and text properties are those of vtkScalarBarActor.
  *
- * Its text needs VTK::RenderingFreeType: a C++ program names it in vtk_module_autoinit(); the
+ * Its text needs VTK::RenderingFreeType: a C++ program must list it in vtk_module_autoinit(); the
  * Python package loads it.
  *
  * @sa vtkTetMarchSettings::SetViewMode
@@ -33,8 +32,8 @@ public:
 
   //@{
   /**
-   * The mapper that draws the view, of one of these two classes; null by default. Of another class
-   * there is nothing to explain, and no legend. The legend does not keep the mapper alive.
+   * The mapper that draws the view, of one of these two classes; null by default. For other classes
+   * there is no legend. The legend holds a weak reference.
    */
   void SetMapper(vtkAbstractVolumeMapper* mapper);
   vtkAbstractVolumeMapper* GetMapper() const;

@@ -19,7 +19,7 @@ namespace
 VTK_CREATE_CREATE_FUNCTION(vtkTetMarchProjectedTetrahedraMapper);
 VTK_CREATE_CREATE_FUNCTION(vtkTetMarchSmartVolumeMapper);
 
-// A class of VTK, the one of ours that can take its place, and what asks for that.
+// A class of VTK, our replacement, and the variable that enables it.
 struct Replacement
 {
   const char* Replaced;

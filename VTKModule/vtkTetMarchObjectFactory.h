@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchObjectFactory
- * @brief   Gives mappers of TetMarch to who asks for VTK's
+ * @brief   Creates mappers of TetMarch in place of VTK's
  *
  * Off by default. After SetReplacesProjectedTetrahedra(true), vtkProjectedTetrahedraMapper::New()
- * returns a vtkTetMarchProjectedTetrahedraMapper to all callers: a user's code, VTK's or
- * ParaView's. The environment variable TETMARCH_REPLACE_PROJECTED_TETRAHEDRA does the same when
- * this library is loaded, unless it is empty or 0. Existing mappers stay as they are.
+ * returns a vtkTetMarchProjectedTetrahedraMapper to all callers, in user code, VTK and ParaView.
+ * The environment variable TETMARCH_REPLACE_PROJECTED_TETRAHEDRA has the same effect when this
+ * library is loaded, unless it is empty or 0. Existing mappers are not changed.
  *
- * SetReplacesSmartVolume(true), or TETMARCH_REPLACE_SMART_VOLUME, does that for
- * vtkSmartVolumeMapper and vtkTetMarchSmartVolumeMapper as far as VTK allows:
- * vtkObjectFactory::CreateInstance() returns ours, but vtkSmartVolumeMapper::New() asks no factory
- * in VTK 9.1 to 9.6. So code in C++ has to name our class, or call CreateInstance(). In Python,
- * vtktetmarch.replace_smart_volume_mapper() puts our class in the place of VTK's.
+ * SetReplacesSmartVolume(true), or TETMARCH_REPLACE_SMART_VOLUME, replaces vtkSmartVolumeMapper by
+ * vtkTetMarchSmartVolumeMapper as far as VTK allows: vtkObjectFactory::CreateInstance() returns our
+ * class, but vtkSmartVolumeMapper::New() uses no factory in VTK 9.1 to 9.6. So C++ code must use
+ * our class by name, or call CreateInstance(). In Python, vtktetmarch.replace_smart_volume_mapper()
+ * replaces VTK's class.
  *
  * @sa vtkTetMarchProjectedTetrahedraMapper vtkTetMarchSmartVolumeMapper vtkObjectFactory
  */
@@ -49,7 +49,7 @@ public:
   //@}
 
   /**
-   * Version of the VTK that this was built with. VTK refuses factories of other versions.
+   * The version of VTK with which this was built. VTK refuses factories of other versions.
    */
   const char* GetVTKSourceVersion() override;
 

@@ -5,9 +5,9 @@
  * @brief   A vtkProjectedTetrahedraMapper that draws by a vtkTetMarchVolumeMapper
  *
  * For code that creates a vtkProjectedTetrahedraMapper and cannot be changed:
- * vtkTetMarchObjectFactory creates this class instead. Each Render() hands the input, the choice of
- * scalars, the clipping planes and the blend mode to the marching mapper. Accuracy, light and other
- * settings are those of GetMarchingMapper(). The visibility sort is not used.
+ * vtkTetMarchObjectFactory creates this class instead. Each Render() passes the input, the choice
+ * of scalars, the clipping planes and the blend mode to the marching mapper. Accuracy, light and
+ * other settings are those of GetMarchingMapper(). The visibility sort is not used.
  *
  * @sa vtkTetMarchObjectFactory vtkTetMarchVolumeMapper
  */
@@ -29,12 +29,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Render the volume by the marching mapper, and take its TimeToDraw.
+   * Render the volume by the marching mapper, and copy its TimeToDraw.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
   /**
-   * Free every GL object of the given window's context. The next Render() makes them anew.
+   * Free all GL objects of the given window's context. The next Render() creates them again.
    */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -44,8 +44,7 @@ public:
   vtkMTimeType GetMTime() override;
 
   /**
-   * Whether the window draws by OpenGL. Whether its version is sufficient is known after the first
-   * frame.
+   * Whether the window uses OpenGL. Its version is checked in the first frame.
    */
   bool IsSupported(vtkRenderWindow* window) override;
 

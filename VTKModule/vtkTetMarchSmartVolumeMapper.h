@@ -4,58 +4,57 @@
  * @class   vtkTetMarchSmartVolumeMapper
  * @brief   Volume rendering of images and rectilinear grids by marching rays from cell to cell
  *
- * It is a vtkSmartVolumeMapper, and can be used in the place of one. Where that takes samples along
- * each ray, this mapper integrates the field in each cell: with the tolerance, the light, the views
- * and the picks that vtkTetMarchVolumeMapper has for tetrahedra. The settings are in
- * vtkTetMarchSettings and the figures in vtkTetMarchFrameStatistics; the mapper has the methods of
- * both. Its own settings begin with vtkTetMarchSettings::STRUCTURED as the opacity law, which is
- * that of vtkSmartVolumeMapper.
+ * It is a vtkSmartVolumeMapper and can replace one. While that samples each ray, this mapper
+ * integrates the field in each cell, with the tolerance, the light, the views and the picks of
+ * vtkTetMarchVolumeMapper. Settings are in vtkTetMarchSettings and statistics in
+ * vtkTetMarchFrameStatistics; the mapper has the methods of both. The default opacity law is
+ * vtkTetMarchSettings::STRUCTURED, that of vtkSmartVolumeMapper.
  *
  * The input is a vtkImageData (or vtkUniformGrid) or a vtkRectilinearGrid, with scalars of points
  * or cells of any numeric type. vtkVolumeProperty::SetInterpolationTypeToLinear() makes cells
- * trilinear; nearest, VTK's default, makes them constant. The scalars are drawn in their own
- * precision; a rectilinear grid has its own coordinates, an image its direction matrix. Blanked
- * cells and ghosts are left out.
+ * trilinear; nearest, VTK's default, makes them constant. The scalars keep their precision, a
+ * rectilinear grid its coordinates, and an image its direction matrix. Blanked cells and ghosts are
+ * left out.
  *
  * The input may also be a tree of blocks (vtkMultiBlockDataSet, vtkPartitionedDataSet,
  * vtkPartitionedDataSetCollection; by SetInputConnection() or SetInputDataObject()) of such data.
- * Blocks are not joined: each is drawn over those behind it. Blocks side by side look like one if
- * they share the points between them. Where blocks overlap, they are not mixed: the one whose
- * middle is farther away is drawn first. Several blocks are drawn with composite blending and as
- * isosurfaces only. Then there are no diagnostics, no views of measures and no ray to trace, and a
- * pick goes by the opacity that a ray gathers in one block. Between translucent surfaces
- * (vtkRenderer::UseDepthPeelingForVolumes) several blocks are an error. Blocks without the chosen
- * array are left out, with a warning, and so are blocks of another kind, such as unstructured
- * grids; a tree of nothing but these is an error. vtkTetMarchVolumeMapper draws a mixed tree as a
- * whole, with its images cut into tetrahedra, or the other blocks alone in a volume of their own.
+ * Blocks are not joined: each is drawn over those behind it. Adjacent blocks look like one if they
+ * share points. Overlapping blocks are not mixed: the one whose centre is farther away is drawn
+ * first. Several blocks are drawn with composite blending and as isosurfaces only. They have no
+ * diagnostics, no views of measures and no traces, and a pick uses the opacity within one block.
+ * Between translucent surfaces (vtkRenderer::UseDepthPeelingForVolumes) several blocks are an
+ * error. Blocks without the chosen array are left out, with a warning, and so are blocks of other
+ * types, such as unstructured grids; a tree with only these is an error. vtkTetMarchVolumeMapper
+ * draws a mixed tree as a whole, with its images decomposed into tetrahedra, or the other blocks in
+ * a separate volume.
  *
- * What of vtkSmartVolumeMapper has which effect:
- * - RequestedRenderMode: default and GPU are drawn here, and GetLastUsedRenderMode() is
- *   GPURenderMode then. All others are drawn by vtkSmartVolumeMapper.
+ * Properties of vtkSmartVolumeMapper:
+ * - RequestedRenderMode: this mapper draws in the modes default and GPU, and
+ *   GetLastUsedRenderMode() is then GPURenderMode. vtkSmartVolumeMapper draws in all others.
  * - Also drawn by vtkSmartVolumeMapper: SLICE_BLEND; transfer functions in 2D; masks;
  *   ComputeNormalFromOpacity (VTK 9.2) of a shaded volume; several independent components with
- *   light, with gradient opacity, or without composite blending. One warning says why. VTK draws no
- *   blocks, so these are errors for a tree.
- * - VectorMode: DISABLED draws all components, independent or dependent as
- *   vtkVolumeProperty::GetIndependentComponents() says; MAGNITUDE; COMPONENT draws VectorComponent
- *   by the functions and the unit distance of component 0, and all components if they are
- *   dependent. The property is not changed. See vtkTetMarchVolumeMapper::VectorModeType.
+ *   light, with gradient opacity, or without composite blending. One warning states the reason. VTK
+ *   draws no blocks, so these are errors for a tree.
+ * - VectorMode: DISABLED draws all components, independent or dependent according to
+ *   vtkVolumeProperty::GetIndependentComponents(); MAGNITUDE; COMPONENT draws VectorComponent with
+ *   the functions and the unit distance of component 0, and all components if they are dependent.
+ *   The property is not changed. See vtkTetMarchVolumeMapper::VectorModeType.
  * - FinalColorWindow and FinalColorLevel map the colours of the picture, as in VTK. Error bounds,
- *   diagnostics and the ground truth are of the colours before that.
+ *   diagnostics and the ground truth refer to the colours before this.
  * - InteractiveAdjustSampleDistances (on by default): frames at InteractiveUpdateRate or above may
- *   have fewer rays, others have ImageSampleDistance. Off: as AutoAdjustSampleDistances says.
- * - MaxMemoryInBytes: see vtkTetMarchSettings; 0, the default here, is no limit. MaxMemoryFraction
- *   is a factor of it.
+ *   have fewer rays, others use ImageSampleDistance. Off: AutoAdjustSampleDistances determines
+ *   this.
+ * - MaxMemoryInBytes: see vtkTetMarchSettings; 0, the default here, means no limit.
+ *   MaxMemoryFraction is a factor of it.
  * - VolumetricScatteringBlending, GlobalIlluminationReach (VTK 9.2): see vtkTetMarchSettings. The
- *   reach begins at 1, not at 0.
+ *   default of the reach is 1, not 0.
  * - SampleDistance, LockSampleDistanceToInputSpacing and UseJittering have an effect at the
- * accuracy level SAMPLED alone: at others there are no samples.
+ *   accuracy level SAMPLED only: other levels use no samples.
  * - InterpolationMode and LowResMode (VTK 9.3) have no effect: the volume is never resampled. They
- *   hold for what vtkSmartVolumeMapper draws, and for the pictures of CreateCanonicalView(), which
- * it draws, too.
+ *   apply where vtkSmartVolumeMapper draws, including the pictures of CreateCanonicalView().
  *
- * VolumeMapperRenderStartEvent and VolumeMapperRenderEndEvent are invoked about each frame. Errors
- * are reported once, and the frame shows nothing of the volume.
+ * VolumeMapperRenderStartEvent and VolumeMapperRenderEndEvent are invoked before and after each
+ * frame. Errors are reported once, and the frame lacks the volume.
  *
  * @sa vtkTetMarchVolumeMapper vtkTetMarchSettings vtkTetMarchFrameStatistics vtkSmartVolumeMapper
  */
@@ -93,24 +92,24 @@ public:
 
   //@{
   /**
-   * Bounding box of the input; of a tree, of all blocks but surfaces (vtkPolyData).
+   * Bounding box of the input; for a tree, of all blocks except surfaces (vtkPolyData).
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   using Superclass::GetBounds;
   //@}
 
   /**
-   * Free every GL object of the given window's context. The next Render() makes them anew.
+   * Free all GL objects of the given window's context. The next Render() creates them again.
    */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   // Groups begin with two slashes: after three, VTK 9.1 tells Python of their first method only.
   //@{
   /**
-   * The settings: accuracy, budgets, light, views, picks, distances between rays. Each mapper has
-   * its own from the start; several mappers can share one object, also with a
-   * vtkTetMarchVolumeMapper. Setting null makes new settings, with default values but for the
-   * opacity law, STRUCTURED. A change of the settings modifies the mapper.
+   * The settings: accuracy, budgets, light, views, picks, distances between rays. Each mapper
+   * initially has its own; several mappers can share one object, also with a
+   * vtkTetMarchVolumeMapper. Setting null creates new settings with default values and the opacity
+   * law STRUCTURED. A change of the settings modifies the mapper.
    */
   void SetSettings(vtkTetMarchSettings* settings);
   vtkTetMarchSettings* GetSettings() const;
@@ -118,15 +117,15 @@ public:
 
   //@{
   /**
-   * The method of that name of GetSettings(): see vtkTetMarchSettings.
+   * Forwarded to GetSettings(): see vtkTetMarchSettings.
    */
   vtkTetMarchOwnSettingsMethodsMacro();
   //@}
 
   //@{
   /**
-   * Those that vtkSmartVolumeMapper has, too, some of them from VTK 9.2 on: set by either class,
-   * they are the ones of GetSettings().
+   * Settings that vtkSmartVolumeMapper has, too, some of them from VTK 9.2 on: they are forwarded
+   * to GetSettings() in either class.
    */
   void SetAutoAdjustSampleDistances(vtkTypeBool adjusts) override;
   vtkTypeBool GetAutoAdjustSampleDistances() VTK_TETMARCH_FUTURE_CONST override;
@@ -150,25 +149,26 @@ public:
   //@{
   /**
    * Samples along rays, at the accuracy level SAMPLED with composite blending; SetSampleDistance()
-   * is that of vtkSmartVolumeMapper. They lie where vtkGPUVolumeRayCastMapper has them: the first
-   * one a step behind the side of the volume's box, the clipping plane or the near plane where the
-   * ray begins or, with UseJittering (off by default), a fraction of a step, which differs from
-   * pixel to pixel and is the same in each frame. Without jitter a ray has one sample at least.
+   * is that of vtkSmartVolumeMapper. Their positions are those of vtkGPUVolumeRayCastMapper: the
+   * first sample is one step behind the begin of the ray at the side of the volume's box, the
+   * clipping plane or the near plane or, with UseJittering (off by default), a fraction of a step,
+   * which differs from pixel to pixel and is the same in each frame. Without jitter a ray has at
+   * least one sample.
    *
-   * The step, in units of the data, is the least spacing times the distance between rays in frames
-   * for which distances are adjusted (AutoAdjustSampleDistances, InteractiveAdjustSampleDistances).
-   * Otherwise it is SampleDistance, unless that is negative, as it is by default, or
-   * LockSampleDistanceToInputSpacing is on (off by default, and on in vtkSmartVolumeMapper, where
-   * SampleDistance has no effect therefore). Then it is what vtkSmartVolumeMapper takes: half of
+   * The step, in units of the data, is the smallest spacing times the distance between rays in
+   * frames for which distances are adjusted (AutoAdjustSampleDistances,
+   * InteractiveAdjustSampleDistances). Otherwise it is SampleDistance, unless that is negative, the
+   * default, or LockSampleDistanceToInputSpacing is on (off by default; on in vtkSmartVolumeMapper,
+   * where SampleDistance therefore has no effect). Then it is that of vtkSmartVolumeMapper: half of
    * the mean spacing, and less below a million cells
    * (vtkVolumeMapper::SpacingAdjustedSampleDistance()). A step of less than a millionth of the
    * volume's diagonal is an error.
    *
-   * Each sample is interpolated in float, classified and composited with the opacity
-   * 1 - exp(-extinction step), and light is that of the gradient there. There is no error bound:
-   * ERROR_BOUND is 1, and VIEW_ERROR_BOUND an error. RenderGroundTruth() is the exact picture, and
-   * CompareWithGroundTruth() tells how far samples are from it. What is picked, and light kept at
-   * nodes, is exact as at other levels.
+   * Each sample is interpolated in float, classified and composited with the opacity 1 -
+   * exp(-extinction step); light uses the gradient there. There is no error bound: ERROR_BOUND is
+   * 1, and VIEW_ERROR_BOUND is an error. RenderGroundTruth() returns the exact picture, and
+   * CompareWithGroundTruth() the error of the samples. Picks and light at nodes are as exact as at
+   * other levels.
    */
   vtkSetClampMacro(LockSampleDistanceToInputSpacing, vtkTypeBool, 0, 1);
   vtkGetMacro(LockSampleDistanceToInputSpacing, vtkTypeBool);
@@ -181,25 +181,25 @@ public:
   //@}
 
   /**
-   * Errors, counts, times and memory, as they are now. The object stays the same; each frame and
-   * each call of this method brings it up to date. Times and memory are summed over blocks.
+   * Current errors, counts, times and memory. The object stays the same; each frame and each call
+   * of this method updates it. Times and memory are summed over blocks.
    */
   vtkTetMarchFrameStatistics* GetLastFrameStatistics() const;
 
   //@{
   /**
-   * Deprecated aliases, which go with version 0.4: the figure of that name of
-   * GetLastFrameStatistics(), see vtkTetMarchFrameStatistics. IsBudgetKept() is its
-   * GetBudgetKept(), IsLightComplete() its GetLightComplete().
+   * Deprecated aliases, which go with version 0.4: forwarded to GetLastFrameStatistics(), see
+   * vtkTetMarchFrameStatistics. IsBudgetKept() is its GetBudgetKept(), IsLightComplete() its
+   * GetLightComplete().
    */
   vtkTetMarchStatisticsMethodsMacro();
   //@}
 
   //@{
   /**
-   * Find what is hit in the middle of the pixel (x, y), counted from the lower left of the window:
-   * see vtkTetMarchVolumeMapper::Pick(). PickedBlock is the flat index of the block that has the
-   * cell, and 0 if the input is no tree.
+   * Pick at the centre of the pixel (x, y), counted from the lower left of the window: see
+   * vtkTetMarchVolumeMapper::Pick(). PickedBlock is the flat index of the cell's block, and 0 if
+   * the input is not a tree.
    */
   bool Pick(vtkRenderer* renderer, vtkVolume* volume, int x, int y);
   vtkGetVector3Macro(PickedPosition, double);
@@ -229,7 +229,7 @@ public:
     TRACE_GROUND_TRUTH = 2 // as RenderGroundTruth()
   };
   /**
-   * The ray of the last frame through a pixel, marched once more on the CPU: see
+   * The ray of the last frame through a pixel, marched again on the CPU: see
    * vtkTetMarchVolumeMapper::TraceRay().
    */
   bool TraceRay(vtkVolume* volume, int x, int y, int arithmetic, vtkTable* cells);
@@ -261,10 +261,10 @@ private:
 
   class Internals;
 
-  // Why vtkSmartVolumeMapper has to draw; empty if it need not.
+  // The reason why vtkSmartVolumeMapper must draw; empty if there is none.
   std::string FindReasonForVTK(vtkVolume* volume);
   std::string FindReasonOfComponents(vtkVolumeProperty* property);
-  // In units of the data. rayDistance: between rays, in pixels, if distances are adjusted; else 0.
+  // In units of the data. rayDistance: in pixels if distances are adjusted, else 0.
   double FindSampleDistance(vtkDataSet* data, double rayDistance);
   void RenderByVTK(vtkRenderer* renderer, vtkVolume* volume, const std::string& reason);
   void March(vtkRenderer* renderer, vtkVolume* volume, const std::string& error);

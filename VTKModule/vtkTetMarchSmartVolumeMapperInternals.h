@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a vtkTetMarchSmartVolumeMapper keeps from frame to frame.
+// The state of a vtkTetMarchSmartVolumeMapper between frames.
 #ifndef vtkTetMarchSmartVolumeMapperInternals_h
 #define vtkTetMarchSmartVolumeMapperInternals_h
 
@@ -17,10 +17,10 @@ public:
   {
   }
 
-  /** The only block of the last frame; null, and what is wrong, if it had another number of them.
+  /** The only block of the last frame; null with an error if there was not exactly one.
    */
   tetmarch::StructuredBlock* onlyBlock(std::string& error) const;
-  /** Bytes that a block may take on the GPU beside the others, of so many in all; 0: no limit. */
+  /** The maximum number of bytes of a block on the GPU, given the maximum for all; 0: no limit. */
   std::uint64_t bytesFor(const tetmarch::StructuredBlock& block, std::uint64_t mostBytes) const;
   void recordStatistics();
 

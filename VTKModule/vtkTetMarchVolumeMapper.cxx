@@ -54,7 +54,7 @@ void vtkTetMarchVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
       internal.LastMeshReport.reportWarning(this, tetmarch::describe(internal.Tets.mesh().Report));
     });
   error = error.empty() ? unrecorded : error;
-  // What is wrong with any process is told by the first.
+  // Process 0 reports errors of all processes.
   internal.State.LastError.reportError(
     this, internal.Together.Processes.rank() == 0 || selector ? error : "");
 }

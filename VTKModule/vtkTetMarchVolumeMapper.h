@@ -4,30 +4,28 @@
  * @class   vtkTetMarchVolumeMapper
  * @brief   Volume rendering of unstructured grids by marching rays from tetrahedron to tetrahedron
  *
- * It replaces vtkProjectedTetrahedraMapper and vtkUnstructuredGridVolumeRayCastMapper. Each ray
- * enters the mesh, or the part of it of which something may be seen, by a face of its boundary and
- * goes from cell to cell by links between faces, in a GLSL shader. Cells are not sorted, and the
- * data is not resampled. All linear 3D cells
- * are drawn (tetrahedron, hexahedron, voxel, wedge, pyramid, pentagonal and hexagonal prism,
- * polyhedron), and quadratic ones by linear pieces. Other cells are left out with a warning that
- * counts them.
+ * It replaces vtkProjectedTetrahedraMapper and vtkUnstructuredGridVolumeRayCastMapper. In a GLSL
+ * shader, each ray enters the mesh or its visible part through a boundary face and follows the
+ * links between faces from cell to cell. Cells are not sorted, and the data are not resampled. All
+ * linear 3D cells are drawn (tetrahedron, hexahedron, voxel, wedge, pyramid, pentagonal and
+ * hexagonal prism, polyhedron), and quadratic ones by linear pieces. Other cells are left out with
+ * a warning that counts them.
  *
  * Inside a tetrahedron the scalar is linear. Extinction and colour come from the functions of
  * component 0 of the vtkVolumeProperty: scalar opacity, scalar opacity unit distance, and colour or
- * gray. The emission-absorption integral of each ray segment comes from integral tables, and
- * segments are split until the pixel keeps its error tolerance. Shading and gradient opacity are
- * added if the property has them; its interpolation type has no effect.
+ * gray. The emission-absorption integral of each ray segment is evaluated by integral tables, and
+ * segments are split until the pixel keeps its error tolerance. Shading and gradient opacity of the
+ * property are supported; its interpolation type has no effect.
  *
- * How a volume is drawn (accuracy, budgets, light, views, picks, distances between rays) is in
+ * Settings (accuracy, budgets, light, views, picks, distances between rays) are in
  * vtkTetMarchSettings. Errors, counts, times and memory are in vtkTetMarchFrameStatistics. The
  * mapper has the methods of both.
  *
  * The scalars are those of points or cells, of any numeric type, chosen by ScalarMode and
- * ArrayAccessMode as in every vtkAbstractMapper. Of an array with several components VectorMode
- * says what is drawn. Rays pass through cells that touch a scalar that is not finite, unless
- * DrawNanCells is on.
+ * ArrayAccessMode as in every vtkAbstractMapper. VectorMode determines the drawn components of an
+ * array. Rays skip cells with a scalar that is not finite, unless DrawNanCells is on.
  *
- * Rays also pass through hidden cells: those whose vtkGhostType of the cell data has HIDDENCELL,
+ * Rays also skip hidden cells: those whose vtkGhostType of the cell data has HIDDENCELL,
  * DUPLICATECELL or REFINEDCELL, and those with a point whose vtkGhostType of the point data has
  * HIDDENPOINT. Hidden cells count for the range of the scalars, for gradients and for the boundary.
  * An array of that name is ignored unless it is of unsigned char and has a value for each cell or
@@ -35,23 +33,23 @@
  *
  * The input is a vtkUnstructuredGrid or a tree of blocks (vtkMultiBlockDataSet,
  * vtkPartitionedDataSet, vtkPartitionedDataSetCollection; by SetInputConnection() or
- * SetInputDataObject()). Blocks, which may be any data sets with 3D cells, also images and
- * rectilinear grids, whose cells are cut into tetrahedra, are joined into one grid, so that rays go
- * on from one block to the next. Points of different blocks are the same if they have the same
- * global id, if all blocks have global point ids, else if they have the same coordinates to the
- * last bit. If such points have different scalars, the first block counts in which the point is no
- * duplicate by vtkGhostType. Blocks without the chosen array are left out with a warning that names
- * them. The joined grid is made when blocks have changed and takes memory beside them. GetInput()
- * is null for composite input; GetDataObjectInput() is not.
+ * SetInputDataObject()). Blocks are joined into one grid, so that rays continue from one block to
+ * the next. They may be any data sets with 3D cells, also images and rectilinear grids, whose cells
+ * are decomposed into tetrahedra. Points of different blocks are identified by global point ids if
+ * all blocks have them, else by equal coordinates to the last bit. If such points have different
+ * scalars, the first block is used in which the point is no duplicate by vtkGhostType. Blocks
+ * without the chosen array are left out with a warning that names them. The joined grid is updated
+ * when blocks have changed, and takes memory in addition to them. GetInput() is null for composite
+ * input; GetDataObjectInput() is not.
  *
- * The stages (mesh, scalars, transfer function tables, camera) run again only when their own input
- * has changed; the Get...Builds() counters tell. A mesh in new arrays is compared by the values of
- * its points and cells, so that of a time series on one mesh only the scalars are prepared again.
- * If only points of tetrahedra move, the links between these are kept.
+ * The stages (mesh, scalars, transfer function tables, camera) run again only when their input has
+ * changed; Get...Builds() counts the runs. A mesh in new arrays is compared by the values of its
+ * points and cells, so that for a time series on one mesh only the scalars are prepared again. If
+ * only points of tetrahedra move, their links are kept.
  *
  * Errors (no GL 3.2 context, ids out of range, a mesh that is larger than the GL can hold, ...) are
- * reported once through vtkErrorMacro, and the frame shows nothing of this volume. A mesh that
- * could not be prepared is not tried again until the grid or a limit changes.
+ * reported once through vtkErrorMacro, and the frame lacks this volume. A mesh that could not be
+ * prepared is not tried again until the grid or a limit changes.
  *
  * @sa vtkTetMarchSettings vtkTetMarchFrameStatistics vtkProjectedTetrahedraMapper
  * vtkUnstructuredGridVolumeRayCastMapper vtkVolumeProperty
@@ -86,18 +84,18 @@ public:
 
   /**
    * Render the volume into the renderer's viewport. Called by vtkVolume. With
-   * vtkRenderer::UseDepthPeelingForVolumes, vtkDualDepthPeelingPass calls it several times a frame
-   * for the parts of the picture that lie between translucent surfaces. Then there are no
-   * diagnostics, and view modes that draw a measure or the boundary draw the picture instead. If
-   * the renderer has a selector, the cells that it reads are drawn: see PickOpacityThreshold.
+   * vtkRenderer::UseDepthPeelingForVolumes, vtkDualDepthPeelingPass calls it several times per
+   * frame for the parts of the picture between translucent surfaces. Then there are no diagnostics,
+   * and view modes that show a measure or the boundary draw the picture. If the renderer has a
+   * selector, the cells that it reads are drawn: see PickOpacityThreshold.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
   //@{
   /**
-   * Bounding box of the points of the input; of composite input, of all blocks but surfaces
-   * (vtkPolyData). With a Controller of several processes that of all their cells, as it was at the
-   * last ShareBounds() or Render(); null before.
+   * Bounding box of the points of the input; for composite input, of all blocks except surfaces
+   * (vtkPolyData). With a Controller of several processes, that of all their cells at the last
+   * ShareBounds() or Render(); null before.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   using Superclass::GetBounds;
@@ -107,28 +105,27 @@ public:
   /**
    * The processes that have pieces of the volume, none by default. With a controller of several
    * processes the frame shows the whole volume in each of them, exactly as one process would draw
-   * it, whatever shape the pieces have: they may interlock, lie within each other or be empty. Each
-   * process marches its own cells, and what rays have gathered at each of their visits to a piece
-   * is exchanged, put in order of depth and composited. Opaque geometry of any process hides what
-   * lies behind it. So that compositors of whole frames by depth
-   * (vtkCompositedSynchronizedRenderers, IceT) take these pixels, the volume has a depth where
-   * nothing opaque is seen: that just before the far plane.
+   * it, for any shape of the pieces: they may interlock, lie within each other or be empty. Each
+   * process marches its own cells; the colour and transmittance of each visit of a ray to a piece
+   * are exchanged, sorted by depth and composited. Opaque geometry of any process hides the volume
+   * behind it. The volume writes a depth just before the far plane where there is no opaque
+   * geometry, so that compositors of whole frames by depth (vtkCompositedSynchronizedRenderers,
+   * IceT) use these pixels.
    *
    * Render() is collective then: all processes call it in the same order, with windows of the same
    * size and the same camera, property and settings, and each has an input, which may have no cells
    * and no arrays. Accuracy and distances between rays are those of process 0, where budgets choose
    * them. Points that pieces share have the same coordinates; if some pieces have floats and others
    * doubles, all are rounded to float. Cells that vtkGhostType marks as DUPLICATECELL are left out.
-   * What is wrong with one process is an error of process 0, which names it, and no process draws
-   * the volume.
+   * Process 0 reports an error of any process, and names the process; no process draws the volume.
    *
-   * Faces of cells with more than three corners are cut through their least corner by coordinates,
-   * x first, also by a controller of one process; without a controller through that with the
+   * Faces with more than three corners are cut through the corner with the smallest coordinates, x
+   * first, also with a controller of one process; without a controller through that with the
    * smallest id.
    *
    * Gradients at points that pieces share are those of all pieces. Shadows and ambient occlusion
-   * are those within the piece of each process. View modes other than the picture, and peels, are
-   * errors; CollectDiagnostics, picks and traces see the piece of one process.
+   * are computed within the piece of each process. View modes other than the picture, and depth
+   * peeling, are errors; CollectDiagnostics, picks and traces use the piece of one process.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
@@ -136,41 +133,41 @@ public:
 
   //@{
   /**
-   * The memory that each process may take for the visits of rays, in bytes, at least 100 000.
-   * Pictures with more are drawn in bands of rows, one after the other. Default: 2^30.
+   * The maximum memory of each process for the visits of rays, in bytes, at least 100 000. Pictures
+   * with more visits are drawn in bands of rows. Default: 2^30.
    */
   vtkSetClampMacro(MaxVisitMemoryInBytes, vtkTypeInt64, 100000, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaxVisitMemoryInBytes, vtkTypeInt64);
   //@}
 
   //@{
-  /** Collective: tell all processes where the volume lies, for GetBounds() before the first frame,
-   * as vtkRenderer::ResetCamera() needs it. */
+  /** Collective: exchange the bounds of the volume, for GetBounds() before the first frame, as
+   * vtkRenderer::ResetCamera() needs it. */
   void ShareBounds();
-  /** The same by whoever knows it already; not collective. */
+  /** Set the bounds of the whole volume; not collective. */
   void SetWholeBounds(const double bounds[6]);
   //@}
 
   /**
-   * Make the tetrahedra of the input with their links, which takes most of the time before the
-   * first frame of a large grid, ahead of it. This needs no window, and may run in any thread as
-   * long as no other one uses the mapper or changes its input. ProgressEvent is invoked, and an
-   * observer stops it by SetAbortExecute(1). Returns whether there is something to draw now; false
-   * with an error if something is wrong, without one if it was stopped or the input has no cells.
+   * Prepare the tetrahedra of the input and their links before the first frame; for a large grid
+   * this takes most of the time of that frame. It needs no window, and may run in any thread as
+   * long as no other thread uses the mapper or changes its input. ProgressEvent is invoked, and an
+   * observer stops it by SetAbortExecute(1). Returns whether there is something to draw: false with
+   * an error if it failed, without one if it was stopped or the input has no cells.
    */
   bool PrepareMesh();
 
   /**
-   * Free every GL object of the given window's context. The next Render() makes them anew.
+   * Free all GL objects of the given window's context. The next Render() creates them again.
    */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   // Groups begin with two slashes: after three, VTK 9.1 tells Python of their first method only.
   //@{
   /**
-   * The settings: accuracy, budgets, light, views, picks, distances between rays. Each mapper has
-   * its own from the start; several mappers can share one object. Setting null makes new settings
-   * with the default values. A change of the settings modifies the mapper.
+   * The settings: accuracy, budgets, light, views, picks, distances between rays. Each mapper
+   * initially has its own; several mappers can share one object. Setting null creates new settings
+   * with default values. A change of the settings modifies the mapper.
    */
   void SetSettings(vtkTetMarchSettings* settings);
   vtkTetMarchSettings* GetSettings() const;
@@ -178,22 +175,22 @@ public:
 
   //@{
   /**
-   * The method of that name of GetSettings(): see vtkTetMarchSettings.
+   * Forwarded to GetSettings(): see vtkTetMarchSettings.
    */
   vtkTetMarchSettingsMethodsMacro();
   //@}
 
   /**
-   * Errors, counts, times and memory, as they are now. The object stays the same; each frame and
-   * each call of this method brings it up to date.
+   * Current errors, counts, times and memory. The object stays the same; each frame and each call
+   * of this method updates it.
    */
   vtkTetMarchFrameStatistics* GetLastFrameStatistics() const;
 
   //@{
   /**
-   * Deprecated aliases, which go with version 0.4: the figure of that name of
-   * GetLastFrameStatistics(), see vtkTetMarchFrameStatistics. IsBudgetKept() is its
-   * GetBudgetKept(), IsLightComplete() its GetLightComplete().
+   * Deprecated aliases, which go with version 0.4: forwarded to GetLastFrameStatistics(), see
+   * vtkTetMarchFrameStatistics. IsBudgetKept() is its GetBudgetKept(), IsLightComplete() its
+   * GetLightComplete().
    */
   vtkTetMarchStatisticsMethodsMacro();
   //@}
@@ -215,12 +212,12 @@ public:
 
   //@{
   /**
-   * What is shown of the scalars along a ray (SetBlendMode(); the numbers are those of
-   * vtkVolumeMapper::BlendModes). vtkGPUVolumeRayCastMapper finds these values in samples; here
-   * they are exact, cell by cell.
+   * Blend mode of the scalars along a ray (SetBlendMode(); the numbers are those of
+   * vtkVolumeMapper::BlendModes). vtkGPUVolumeRayCastMapper computes it from samples; here it is
+   * exact in each cell.
    * COMPOSITE_BLEND: emission and absorption, the default.
-   * MAXIMUM_INTENSITY_BLEND, MINIMUM_INTENSITY_BLEND: the greatest or least scalar, in its colour
-   * and with the opacity of the opacity function, whatever the unit distance.
+   * MAXIMUM_INTENSITY_BLEND, MINIMUM_INTENSITY_BLEND: the maximum or minimum scalar, with its
+   * colour and the opacity of the opacity function, independent of the unit distance.
    * AVERAGE_INTENSITY_BLEND: the mean of opacity(s) s' over the part of the ray whose scalar s lies
    * in AverageIPScalarRange, as an opaque gray; nothing if there is no such part. Here
    * s' = (s - min) / (max - min) for the range of the array.
@@ -234,10 +231,10 @@ public:
    * is drawn. Opaque geometry and the clipping range end rays in all modes, and cells whose scalar
    * is not finite count for nothing. ShadeOn() lights the volume and the surfaces. Gradient
    * opacity, shadows, scattering, ambient occlusion and OpacityLaw apply to COMPOSITE_BLEND only.
-   * VIEW_ILLUMINATION and VIEW_GRADIENTS are those of the volume or the surfaces; in the other
-   * modes the picture is drawn instead. All modes but COMPOSITE_BLEND are exact at each
-   * AccuracyLevel, but for rounding, for the early end of rays behind surfaces, and for what the
-   * opacity function does between the entries of its table.
+   * VIEW_ILLUMINATION and VIEW_GRADIENTS show the volume or the surfaces; in the other modes the
+   * picture is drawn. All modes except COMPOSITE_BLEND are exact at each AccuracyLevel, apart from
+   * rounding, the early end of rays behind surfaces, and the variation of the opacity function
+   * between the entries of its table.
    */
   enum BlendModes
   {
@@ -257,7 +254,7 @@ public:
 
   //@{
   /**
-   * Scalars of the data that AVERAGE_INTENSITY_BLEND takes, ends included. Default: all,
+   * Range of the scalars that AVERAGE_INTENSITY_BLEND includes, ends included. Default: all,
    * VTK_FLOAT_MIN to VTK_FLOAT_MAX. A new range does not compile a shader.
    */
   vtkSetVector2Macro(AverageIPScalarRange, double);
@@ -266,30 +263,31 @@ public:
 
   //@{
   /**
-   * What is drawn of an array with several components. Names and numbers are those of
-   * vtkSmartVolumeMapper; ALL_COMPONENTS is ours. The transfer functions apply to the result.
+   * The drawn components of an array with several components. Names and numbers are those of
+   * vtkSmartVolumeMapper; ALL_COMPONENTS is an addition. The transfer functions apply to the
+   * result.
    * MAGNITUDE: the Euclidean norm of all components; not finite if one of them isn't.
    * COMPONENT: the component VectorComponent, from 0 (the default) to the number of components - 1.
    * A component that the array doesn't have is an error.
-   * DISABLED, the default: as the colour function of component 0 says, as ParaView sets it: the
-   * magnitude if its vector mode is vtkScalarsToColors::MAGNITUDE, else its vector component, the
-   * first one by default. With a gray function: the first component. With
+   * DISABLED, the default: determined by the colour function of component 0, as ParaView sets it:
+   * the magnitude if its vector mode is vtkScalarsToColors::MAGNITUDE, else its vector component,
+   * the first one by default. With a gray function: the first component. With
    * vtkVolumeProperty::IndependentComponentsOff(): all components, as below.
    * ALL_COMPONENTS: all of them together.
-   * A single component is always drawn as it is, its sign included.
+   * A single component is always drawn unchanged, with its sign.
    *
    * Components are independent, or dependent with vtkVolumeProperty::IndependentComponentsOff():
    * - 2 to 4 independent components fill the same space. Each has its own colour function, opacity
    *   function and scalar opacity unit distance (the methods of vtkVolumeProperty with an index;
    *   VTK's default functions range from 0 to 1024). Extinctions are added, and so are emissions,
    *   colour times extinction, as in vtkUnstructuredGridLinearRayIntegrator. SetComponentWeight(),
-   *   0..1, is a factor of both; changing it makes no new tables. vtkGPUVolumeRayCastMapper has the
-   *   same emission, but absorbs less than it emits where components overlap.
+   *   0..1, is a factor of both; changing it requires no new tables. vtkGPUVolumeRayCastMapper has
+   *   the same emission, but less absorption where components overlap.
    * - Of 2 dependent components the first gives the colour, the second the opacity.
    * - Of 4 dependent components three are red, green and blue, 0..255 in arrays of integers, else
    *   0..1, clamped. The fourth gives the opacity by the opacity function, in its own units: 0..255
-   *   in arrays of unsigned char. vtkProjectedTetrahedraMapper takes it for the opacity itself,
-   *   which is an opacity function from 0 at 0 to 1 at 255 here.
+   *   in arrays of unsigned char. vtkProjectedTetrahedraMapper uses it as the opacity, which
+   *   corresponds to an opacity function from 0 at 0 to 1 at 255.
    *
    * Other numbers of components are errors. If one component is not finite, all count as not finite
    * (DrawNanCells). Several components need COMPOSITE_BLEND; other blend modes are errors. Light
@@ -331,9 +329,9 @@ public:
    * likewise. The side that the normal points to is kept. More than 32 planes are an error, and so
    * is a plane that isn't finite or whose normal is 0.
    *
-   * Moving planes runs no stage again. What is cut away is not drawn, but it still attenuates the
-   * light on the rest. Headlights are the exception: their light is attenuated by what is visible.
-   * Views of the boundary show all of it.
+   * Moving planes repeats no stage. The clipped part is not drawn, but still attenuates the light
+   * on the rest, except that of headlights, which only the visible part attenuates. Views of the
+   * boundary show all of it.
    */
   vtkSetClampMacro(Cropping, vtkTypeBool, 0, 1);
   vtkGetMacro(Cropping, vtkTypeBool);
@@ -357,16 +355,16 @@ public:
 
   //@{
   /**
-   * Find what is hit in the middle of the pixel (x, y), counted from the lower left of the window:
-   * see PickOpacityThreshold. This is a selection of that pixel by a vtkHardwareSelector, which
-   * renders the window a few times without showing it. If the window has not rendered yet, a frame
-   * is drawn first. Returns whether the volume is hit, before all other props that can be picked.
+   * Pick at the centre of the pixel (x, y), counted from the lower left of the window: see
+   * PickOpacityThreshold. This is a selection of that pixel by a vtkHardwareSelector, which renders
+   * the window a few times without showing it. If the window has not rendered yet, a frame is drawn
+   * first. Returns whether the volume is hit, before all other props that can be picked.
    *
    * If so, PickedPosition is the point in world coordinates, PickedScalar the scalar there (or of
    * the cell) in units of the data, PickedCellId the cell of the input, and PickedBlock the flat
-   * index of the block that has this cell, for composite input. The point is exact to a few
-   * roundings of float of the ray's length in its tetrahedron and of the size of the mesh. If not,
-   * they are NaN, NaN and -1. PickedBlock is 0 then, and if the input has no blocks.
+   * index of its block, for composite input. The point is exact to a few float roundings of the
+   * ray's length in its tetrahedron and of the size of the mesh. If not, they are NaN, NaN and -1.
+   * PickedBlock is then 0, as it is if the input has no blocks.
    */
   bool Pick(vtkRenderer* renderer, vtkVolume* volume, int x, int y);
   vtkGetVector3Macro(PickedPosition, double);
@@ -376,9 +374,8 @@ public:
   //@}
 
   /**
-   * The colours of view modes that draw a measure: 256, from dark blue to pale yellow. Others can
-   * be set. Range and scale (linear or log10) are those of the last frame in such a mode, which
-   * sets them.
+   * The colours of view modes that show a measure: 256, from dark blue to pale yellow. They can be
+   * changed. Each frame in such a mode sets the range and scale (linear or log10).
    */
   vtkLookupTable* GetViewLookupTable();
 
@@ -387,8 +384,8 @@ public:
    * RenderGroundTruth(): the picture of the last frame, computed on the CPU in double precision
    * with a tolerance of 1e-6 and tables of up to 262144 entries. Errors are measured against it.
    * `pixels` is filled as by GetDiagnosticPixels(); `volume` is the one that was drawn.
-   * CompareWithGroundTruth(): the same, for vtkTetMarchFrameStatistics::TRUE_ERROR of the last
-   * frame, which needs CollectDiagnostics on. Both are slow: they invoke ProgressEvent, and an
+   * CompareWithGroundTruth(): compute the same for vtkTetMarchFrameStatistics::TRUE_ERROR of the
+   * last frame, which needs CollectDiagnostics on. Both are slow: they invoke ProgressEvent, and an
    * observer stops them by SetAbortExecute(1). They return false if they were stopped, and, with an
    * error, if there is no such frame.
    */
@@ -414,33 +411,32 @@ public:
     TRACE_GROUND_TRUTH = 2 // as RenderGroundTruth()
   };
   /**
-   * The ray of the last frame through a pixel (x, y), counted as in Pick(), marched once more on
-   * the CPU: where to look when a pixel has a wrong colour. Returns false, with an error, if there
-   * is no frame with a ray a pixel, or the pixel is outside of it.
+   * The ray of the last frame through a pixel (x, y), counted as in Pick(), marched again on the
+   * CPU to find the cause of a wrong colour. Returns false, with an error, if there is no frame
+   * with one ray per pixel, or the pixel is outside of it.
    *
-   * `cells` gets a row for each tetrahedron that the ray passes, front to back. Its columns are
-   * CellId of the input, or of its block, and Block, both as in Pick(); Tetrahedron; Enter and
-   * Leave, where the ray crosses its faces, and Begin and End of the part of that within the ray's
-   * range, in world units from the near plane; ScalarEnter and ScalarLeave, in units of the data
-   * (of several components as many; NaN if not finite); Opacity of that cell alone (NaN in blend
-   * modes without one); Lookups of the segment integral in it; Color, premultiplied red, green,
-   * blue and opacity, and ErrorBound, of a ray that ends behind it; EntersMesh, 1 if the ray comes
-   * in by a boundary face; and Outcome: "gathered", or why nothing was: "transparent", "not
-   * finite", "hidden", "cropped", "out of range" (before the ray's begin, behind its end) or
-   * "empty" (no length, inverted, or passed already).
+   * `cells` gets a row for each tetrahedron on the ray, front to back. Its columns are CellId of
+   * the input, or of its block, and Block, both as in Pick(); Tetrahedron; Enter and Leave, the
+   * intersections with its faces, and Begin and End of the part within the ray's range, in world
+   * units from the near plane; ScalarEnter and ScalarLeave, in units of the data (one number per
+   * component; NaN if not finite); Opacity of that cell alone (NaN in blend modes without one);
+   * Lookups of the segment integral in it; Color, premultiplied red, green, blue and opacity, and
+   * ErrorBound, of a ray that ends behind it; EntersMesh, 1 if the ray enters through a boundary
+   * face; and Outcome: "gathered", or the reason why the cell contributes nothing: "transparent",
+   * "not finite", "hidden", "cropped", "out of range" (before the ray's begin, behind its end) or
+   * "empty" (no length, inverted, or already integrated).
    *
-   * Its field data has what holds for all of the ray: Color, ErrorBound and Opaque (1 if it ended
-   * because too little came through) of the pixel; Origin on the near plane and Direction, in the
-   * world; Range, between which something is gathered; ThicknessPerLength, in scalar opacity unit
-   * distances; and Lookups, RefusedEntries, LostRays and GuardHits, the last three 0 unless
-   * something is wrong.
+   * Its field data describe the whole ray: Color, ErrorBound and Opaque (1 if it ended because it
+   * was opaque) of the pixel; Origin on the near plane and Direction, in the world; Range of the
+   * integration; ThicknessPerLength, in scalar opacity unit distances; and Lookups, RefusedEntries,
+   * LostRays and GuardHits, the last three normally 0.
    */
   bool TraceRay(vtkVolume* volume, int x, int y, int arithmetic, vtkTable* cells);
 
   /**
-   * The picture of the last frame with CollectDiagnostics on, before it was blended over the
-   * background: one tuple a pixel of the viewport, rows from the bottom, premultiplied r, g, b and
-   * opacity in 0..1, in float. Empty if there is none.
+   * The picture of the last frame with CollectDiagnostics on, before blending over the background:
+   * one tuple per pixel of the viewport, rows from the bottom, premultiplied r, g, b and opacity in
+   * 0..1, in float. Empty if there is none.
    */
   void GetDiagnosticPixels(vtkFloatArray* pixels) const;
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a vtkTetMarchVolumeMapper keeps from frame to frame.
+// The state of a vtkTetMarchVolumeMapper between frames.
 #ifndef vtkTetMarchVolumeMapperInternals_h
 #define vtkTetMarchVolumeMapperInternals_h
 
@@ -26,9 +26,9 @@ public:
   void recordStatistics();
   /** Whether other processes have pieces of the volume. */
   bool isShared() const { return this->Together.Processes.size() > 1; }
-  /** What is drawn of a grid, which may be nullptr. */
+  /** The drawn data of a grid, which may be nullptr. */
   tetmarch::DrawnData drawnOf(vtkTetMarchVolumeMapper* mapper, vtkUnstructuredGrid* grid);
-  /** How the mesh is made if no other process is asked: as for the last frame of all. */
+  /** The options of the mesh without other processes: those of the last common frame. */
   tetmarch::PieceOptions pieceAlone() const
   {
     tetmarch::PieceOptions piece = this->Together.Piece;

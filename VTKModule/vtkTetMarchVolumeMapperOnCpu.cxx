@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the CPU does beside frames: it prepares the mesh ahead of them, and repeats the last one.
+// Methods that run on the CPU: preparation of the mesh, and repetition of the last frame.
 #include "vtkTetMarchVolumeMapperInternals.h"
 
 #include "Mapper/AlgorithmProgress.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a volume this process draws, and what is known of the rest.
+// The piece of a volume that this process draws, and the data shared by all processes.
 #include "vtkTetMarchVolumeMapperInternals.h"
 
 #include "vtkMultiProcessController.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a representation draws of its input, where that lies, and which box of it is cropped.
+// The drawn data of a representation, their bounds, and the cropping box.
 #ifndef TetMarchDrawnData_h
 #define TetMarchDrawnData_h
 
@@ -18,21 +18,21 @@ namespace tetmarch
 {
 
 /**
- * A copy of the input, which shares its arrays; of a tree those of its blocks that are selected.
- * `change`, if there is one, is called with each data set of the copy and may add arrays to it.
- * Null if the input is neither a data set nor a tree.
+ * A shallow copy of the input; of a tree with its selected blocks. `change`, if given, is called
+ * with each data set of the copy and may add arrays to it. Null if the input is neither a data set
+ * nor a tree.
  */
 vtkSmartPointer<vtkDataObject> copyToDraw(vtkDataObject* input, const BlockSelection& selection,
   const std::function<void(vtkDataSet*)>& change);
 
 /**
- * Of the data of this process; of images and rectilinear grids without the outer cells that belong
- * to another process. Not valid if there is no data.
+ * The bounds of this process's data; images and rectilinear grids without the outer cells of
+ * another process. Not valid without data.
  */
 vtkBoundingBox boundsOf(vtkDataObject* data);
 
 /**
- * Around the boxes of all processes; each has to call it.
+ * The bounds of all processes; each process must call it.
  */
 vtkBoundingBox boundsOfAll(const vtkBoundingBox& box);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Why a representation has nothing to draw, said once and in the words of ParaView's panels. What
-// is wrong with an array, a grid or an image is said by the mapper.
+// Warnings of a representation that has nothing to draw, once and in the terms of ParaView's
+// panels. The mapper reports errors of arrays, grids and images.
 #ifndef TetMarchInputProblem_h
 #define TetMarchInputProblem_h
 
@@ -23,14 +23,14 @@ class InputProblem
 {
 public:
   /**
-   * Look for cells, in the data of all processes; each that has data has to call it. Null where the
-   * data is in other processes.
+   * Count the cells of all processes; each process with data must call it. Null if the data are in
+   * other processes.
    */
   void lookAt(vtkDataObject* input);
 
   /**
-   * A warning of the representation, if it wasn't the last one, in the first process of those that
-   * have data. `array` is the one that the data is coloured by; null or empty for none.
+   * A warning of the representation, unless it was the last one, in the first process with data.
+   * `array` is the array used for colouring; null or empty for none.
    */
   void warn(vtkObject* representation, const char* array);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells that ParaView moves to other processes, where it redistributes the data of a view.
+// Cells that ParaView moves to other processes when it redistributes the data of a view.
 #ifndef TetMarchMovedCells_h
 #define TetMarchMovedCells_h
 
@@ -11,19 +11,19 @@ namespace tetmarch
 {
 
 /**
- * A copy to be moved. VTK leaves out cells that are ghosts, and takes the array of ghost types away
- * from the others: what it hides is kept in another array.
+ * A copy to be moved. VTK leaves out ghost cells, and removes the array of ghost types from the
+ * others: therefore hidden cells are stored in another array.
  */
 vtkSmartPointer<vtkUnstructuredGrid> packCells(vtkUnstructuredGrid* grid);
 
 /**
- * A copy of what has arrived, in which the same cells and points are hidden as before. A cell that
- * several processes got is a ghost in none.
+ * A copy of the received cells, with the original hidden cells and points. A cell that several
+ * processes received is a ghost in none.
  */
 vtkSmartPointer<vtkUnstructuredGrid> unpackCells(vtkUnstructuredGrid* grid);
 
 /**
- * What one of these makes of a grid. It is made again only of another grid, or of a modified one.
+ * A cached result of one of these functions. It is updated only for another or a modified grid.
  */
 class MadeGrid
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a process ends its rays, if each process has a region of space.
+// The planes at which a process ends its rays, if each process has a region of space.
 #ifndef TetMarchRegionPlanes_h
 #define TetMarchRegionPlanes_h
 
@@ -16,8 +16,8 @@ namespace tetmarch
 
 /**
  * The planes between the region of a process and those of others, in world coordinates. The regions
- * are boxes that fill a box, by the number of their process, in coordinates of the data; the matrix
- * takes these to the world. Outside, where no other region begins, nothing is cut off.
+ * are boxes that fill a box, indexed by process, in coordinates of the data; the matrix transforms
+ * these to the world. Sides without a neighbouring region have no plane.
  */
 void findRegionPlanes(const std::vector<vtkBoundingBox>& regions, int process, vtkMatrix4x4* place,
   vtkPlaneCollection* planes);

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The blocks of composite data that are to be seen, as ParaView's Multi-block Inspector has them
-// chosen.
+// The visible blocks of composite data, chosen by ParaView's Multi-block Inspector.
 #ifndef TetMarchSelectedBlocks_h
 #define TetMarchSelectedBlocks_h
 
@@ -15,8 +14,8 @@ namespace tetmarch
 {
 
 /**
- * Those that one of the selectors names (vtkDataAssembly::SelectNodes), by themselves or by a block
- * above them. `Assembly` is "Hierarchy", or the name of the assembly of a
+ * The blocks selected by one of the selectors (vtkDataAssembly::SelectNodes), directly or by a
+ * parent block. `Assembly` is "Hierarchy", or the name of the assembly of a
  * vtkPartitionedDataSetCollection. By default all blocks.
  */
 struct BlockSelection
@@ -26,8 +25,8 @@ struct BlockSelection
 };
 
 /**
- * The tree with its blocks that are selected. Others are null, so that all keep their flat indices.
- * A tree without hierarchy and assembly is taken whole.
+ * The tree with its selected blocks. Others are null, so that all keep their flat indices. A tree
+ * without hierarchy and assembly is not changed.
  */
 vtkSmartPointer<vtkDataObjectTree> selectBlocks(
   vtkDataObjectTree* tree, const BlockSelection& selection);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a representation brings into a view of ParaView: its volume, and the legend of view modes.
+// The props of a representation in a view of ParaView: its volume, and the legend of view modes.
 #ifndef TetMarchVolumeInView_h
 #define TetMarchVolumeInView_h
 
@@ -13,8 +13,8 @@ namespace tetmarch
 {
 
 /**
- * ParaView's volume draws nothing whose mapper has no single grid, but blocks have none. This one
- * leaves that to the mapper.
+ * ParaView's volume requires a mapper with a single grid, which blocks lack. This class has no such
+ * requirement.
  */
 class BlocksVolume : public vtkPVLODVolume
 {
@@ -35,7 +35,7 @@ private:
 
 //@{
 /**
- * The legend comes into the view, over its picture, or no longer.
+ * Add the legend to the view, over its picture, or remove it.
  */
 void addLegend(vtkView* view, vtkTetMarchLegend* legend);
 void removeLegend(vtkView* view, vtkTetMarchLegend* legend);

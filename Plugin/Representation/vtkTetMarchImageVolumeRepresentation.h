@@ -4,13 +4,13 @@
  * @class   vtkTetMarchImageVolumeRepresentation
  * @brief   ParaView's volume representation of images, drawn by vtkTetMarchSmartVolumeMapper
  *
- * For images and rectilinear grids, and trees of them. The mapper gets the input as it is: with its
- * ghosts, its blanked cells and its blocks, so that ids are those of the input. The superclass
- * would cut off layers of ghosts, and list the blocks of a tree anew; of it, what its XML sets is
- * left. Where ParaView draws a lower level of detail while somebody interacts, that is the same
- * volume: its mapper takes fewer rays then. Cells of the volume can be selected in the view.
+ * For images and rectilinear grids, and trees of them. The mapper receives the input unchanged,
+ * with ghosts, blanked cells and blocks, so that ids are those of the input. The superclass would
+ * remove layers of ghosts, and renumber the blocks of a tree; only its properties set by XML are
+ * used. ParaView's lower level of detail during interaction is the same volume, whose mapper casts
+ * fewer rays. Cells of the volume can be selected in the view.
  *
- * A view mode brings its legend into the view, in the process that draws.
+ * A view mode adds its legend to the view, in the process that draws.
  *
  * @sa vtkTetMarchVolumeRepresentation
  */
@@ -41,31 +41,31 @@ public:
 
   //@{
   /**
-   * Which blocks are drawn of composite input: see tetmarch::BlockSelection.
+   * The drawn blocks of composite input: see tetmarch::BlockSelection.
    */
   vtkTetMarchBlocksMethodsMacro();
   //@}
 
   /**
-   * How the volume is drawn: the settings of its mapper. The opacity law begins as STRUCTURED.
+   * The settings of the mapper. The default opacity law is STRUCTURED.
    */
   vtkTetMarchSettings* GetSettings() const;
 
   //@{
   /**
-   * The method of that name of GetSettings(): see vtkTetMarchSettings.
+   * Forwarded to GetSettings(): see vtkTetMarchSettings.
    */
   vtkTetMarchSettingsMethodsMacro();
   //@}
 
   /**
-   * By this object ParaView asks for what the mapper says of the last frame.
+   * The object by which ParaView gets the statistics of the last frame.
    */
   void SetLastFrame(vtkTetMarchLastFrame* frame);
 
   //@{
   /**
-   * The method of that name of the mapper: see vtkTetMarchSmartVolumeMapper.
+   * Forwarded to the mapper: see vtkTetMarchSmartVolumeMapper.
    */
   void SetAverageIPScalarRange(double low, double high);
   void SetCroppingRegionFlags(int flags);
@@ -74,7 +74,7 @@ public:
   //@}
 
   /**
-   * The legend is seen with the volume only.
+   * The legend is visible only with the volume.
    */
   void SetVisibility(bool visible) override;
 

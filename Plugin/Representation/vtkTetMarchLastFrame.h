@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchLastFrame
- * @brief   The figures of the last frame of a representation, as ParaView asks for them
+ * @brief   Statistics of the last frame of a representation for ParaView
  *
- * ParaView asks a representation for information in the client's own process, but with a server it
- * is the server that draws. So this is an object of its own, which ParaView makes in the server
- * only: what it asks for comes from there. Without a server there is one process for all.
+ * ParaView requests information of a representation in the client's process, but the server draws.
+ * Therefore this is a separate object, which ParaView creates in the server only, so that the
+ * information comes from there. Without a server there is one process for both.
  */
 #ifndef vtkTetMarchLastFrame_h
 #define vtkTetMarchLastFrame_h
@@ -26,7 +26,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * From now on the figures are those of this mapper, and of its statistics. Before, they are 0.
+   * Set the mapper and its statistics. Without them all figures are 0.
    */
   void Follow(vtkAbstractMapper* mapper, vtkTetMarchFrameStatistics* statistics);
 
@@ -34,13 +34,13 @@ public:
 
   //@{
   /**
-   * The figure of that name of GetLastFrameStatistics(): see vtkTetMarchFrameStatistics.
+   * Forwarded to GetLastFrameStatistics(): see vtkTetMarchFrameStatistics.
    */
   vtkTetMarchStatisticsMethodsMacro();
   //@}
 
   /**
-   * Seconds that the frame took.
+   * The time of the frame in seconds.
    */
   double GetTimeToDraw() const;
 

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Methods that the representations of TetMarch have in common, as ParaView's wrappers see
- * them
+ * @brief Common methods of the representations, in a form that ParaView's wrappers can parse
  */
 #ifndef vtkTetMarchRepresentationMacros_h
 #define vtkTetMarchRepresentationMacros_h
 
 #include "vtkTetMarchSettingsMacros.h"
 
-/** The choice of blocks by ParaView's Multi-block Inspector, for classes with a
- * tetmarch::BlockSelection called Blocks. */
+/** The selection of blocks by ParaView's Multi-block Inspector, for classes with a
+ * tetmarch::BlockSelection named Blocks. */
 #define vtkTetMarchBlocksMethodsMacro()                                                            \
   void SetActiveAssembly(const char* name)                                                         \
   {                                                                                                \

@@ -4,13 +4,13 @@
  * @class   vtkTetMarchVolumeRepresentation
  * @brief   ParaView's volume representation of unstructured grids, drawn by vtkTetMarchVolumeMapper
  *
- * The mapper gets the input as it is: cells of all kinds, by their ids, ghosts and blocks, which it
- * joins. The superclass would cut cells into tetrahedra, without care for neighbours, merge blocks
- * and leave ghosts out, so that ids were others than those of the input; of it, what its XML sets
- * is left. Where ParaView draws a lower level of detail while somebody interacts, that is the same
- * volume: its mapper takes fewer rays then. Cells of the volume can be selected in the view.
+ * The mapper receives the input unchanged: cells of all types, with their ids, ghosts and blocks,
+ * which it joins. The superclass would decompose cells into tetrahedra, which do not match those of
+ * neighbours, merge blocks and remove ghosts, so that ids would differ from those of the input;
+ * only its properties set by XML are used. ParaView's lower level of detail during interaction is
+ * the same volume, whose mapper casts fewer rays. Cells of the volume can be selected in the view.
  *
- * A view mode brings its legend into the view, in the process that draws.
+ * A view mode adds its legend to the view, in the process that draws.
  */
 #ifndef vtkTetMarchVolumeRepresentation_h
 #define vtkTetMarchVolumeRepresentation_h
@@ -46,31 +46,31 @@ public:
 
   //@{
   /**
-   * Which blocks are drawn of composite input: see tetmarch::BlockSelection.
+   * The drawn blocks of composite input: see tetmarch::BlockSelection.
    */
   vtkTetMarchBlocksMethodsMacro();
   //@}
 
   /**
-   * How the volume is drawn: the settings of its mapper.
+   * The settings of the mapper.
    */
   vtkTetMarchSettings* GetSettings() const;
 
   //@{
   /**
-   * The method of that name of GetSettings(): see vtkTetMarchSettings.
+   * Forwarded to GetSettings(): see vtkTetMarchSettings.
    */
   vtkTetMarchSettingsMethodsMacro();
   //@}
 
   /**
-   * By this object ParaView asks for what the mapper says of the last frame.
+   * The object by which ParaView gets the statistics of the last frame.
    */
   void SetLastFrame(vtkTetMarchLastFrame* frame);
 
   //@{
   /**
-   * The method of that name of the mapper: see vtkTetMarchVolumeMapper.
+   * Forwarded to the mapper: see vtkTetMarchVolumeMapper.
    */
   void SetBlendMode(int mode);
   void SetAverageIPScalarRange(double low, double high);
@@ -92,10 +92,10 @@ public:
 
   //@{
   /**
-   * In parallel, what rays gather in the pieces of all processes is put in order of depth, pixel by
-   * pixel (vtkTetMarchVolumeMapper::SetController()). On by default. Off, on tile displays, and
-   * where the view composites translucent geometry in order, processes draw their pieces one over
-   * the other. With UseDataPartitions these are the pieces as they lie, in the order of their
+   * In parallel, the visits of rays to the pieces of all processes are composited in order of
+   * depth, pixel by pixel (vtkTetMarchVolumeMapper::SetController()). On by default. If it is off,
+   * on tile displays, and if the view composites translucent geometry in order, pieces are drawn
+   * over each other. With UseDataPartitions these are the original pieces, in the order of their
    * boxes. Without it the view redistributes cells by a k-d tree; a cell in several of its regions
    * is moved to all of them, and each process ends its rays at the planes of its region.
    */
@@ -117,7 +117,7 @@ public:
   //@}
 
   /**
-   * The legend is seen with the volume only.
+   * The legend is visible only with the volume.
    */
   void SetVisibility(bool visible) override;
 

@@ -1,6 +1,6 @@
-// Clipping planes leave a convex region, so that of a ray they leave one range of depths.
+// Clipping planes bound a convex region, so that one range of depths of a ray remains.
 
-// The part of a range of depths that all planes leave; if it does not end behind its begin, they leave nothing.
+// The part of a range of depths that remains after all planes; if it does not end behind its begin, nothing remains.
 vec2 clippedRange(Ray ray, vec2 range)
 {
   for (int i = 0; i < clippingPlaneCount; ++i)
@@ -11,7 +11,7 @@ vec2 clippedRange(Ray ray, vec2 range)
     real height = dot(normal, ray.origin) + plane.w; // of the ray's origin above the plane
     bool crosses = abs(slope) > TINY;
     real depth = -height / (crosses ? slope : real(1));
-    // Of a ray along the plane all or nothing is left.
+    // All or nothing of a ray parallel to the plane remains.
     real outside = height >= real(0) ? -NO_DEPTH : NO_DEPTH;
     real begin = crosses ? (slope > real(0) ? depth : -NO_DEPTH) : outside;
     real end = crosses && slope < real(0) ? depth : NO_DEPTH;

@@ -1,8 +1,8 @@
-// Cropping: two planes across each axis divide the volume into 27 regions, some of which are left. A ray crosses at most
-// six of the planes, and is gathered from plane to plane.
+// Cropping: two planes perpendicular to each axis divide the volume into 27 regions, some of which remain. A ray
+// crosses at most six of the planes, and is integrated from plane to plane.
 
 #if TETMARCH_CROPPED
-// Six planes lie between 7 ranges of a ray. The bound of loops is not constant, so that they are not unrolled.
+// Six planes separate 7 ranges of a ray. The bound of loops is not constant, so that they are not unrolled.
 int mostRanges() { return max(7, mostSteps); }
 
 // The depth behind the given one at which the ray crosses the next plane.
@@ -16,7 +16,7 @@ real nextPlane(Ray ray, real depth)
   return min(x, min(y, z));
 }
 
-// How many of two planes across an axis lie below a point or go through it.
+// The number of two planes perpendicular to an axis that are below a point or contain it.
 int planesBelow(real place, real low, real high) { return (place >= low ? 1 : 0) + (place >= high ? 1 : 0); }
 
 bool isInRegionLeft(vec3 point)
@@ -27,9 +27,9 @@ bool isInRegionLeft(vec3 point)
   return ((croppingFlags >> region) & 1) != 0;
 }
 
-// The first range of depths, from plane to plane, that is left of the ray between two depths; if nothing is, one that
-// does not end behind its begin. The middle of a range tells the region: it is farther from the planes than rounding
-// moves it.
+// The first remaining range of depths, from plane to plane, of the ray between two depths; if none remains, one that
+// does not end behind its begin. The middle of a range determines the region: its distance from the planes exceeds
+// rounding.
 vec2 nextRange(Ray ray, real depthBegin, real depthEnd)
 {
   vec2 range = vec2(depthBegin, depthBegin);
@@ -47,7 +47,7 @@ vec2 nextRange(Ray ray, real depthBegin, real depthEnd)
   return range;
 }
 
-// To the next range of the cell that is left. Returns whether there is one.
+// Moves to the next remaining range of the cell. Returns whether there is one.
 bool nextRangeOfCell(Ray ray, INOUT(CellInterval) cell)
 {
   vec2 range = nextRange(ray, cell.end, cell.rest);
@@ -58,7 +58,7 @@ bool nextRangeOfCell(Ray ray, INOUT(CellInterval) cell)
 }
 #endif
 
-// The cell's interval becomes the first range of it that is left by the cropping.
+// Restricts the cell's interval to its first remaining range.
 void cropCell(Ray ray, INOUT(CellInterval) cell)
 {
 #if TETMARCH_CROPPED

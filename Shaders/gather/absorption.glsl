@@ -1,6 +1,6 @@
-// How a subsegment adds to what a ray has gathered (Max, "Optical models", 1995).
+// The contribution of a subsegment to the radiance of a ray (Max, "Optical models", 1995).
 
-// What a subsegment does to the light that enters it.
+// The absorption of light in a subsegment.
 struct Absorption
 {
   real thickness; // in scalar opacity unit distances
@@ -9,7 +9,7 @@ struct Absorption
   real absorbed;  // 1 - exp(-depth)
 };
 
-// mean: of C tau and tau. The series below 1/8, good to 4e-8, has no cancellation.
+// mean: of C tau and tau. The series below 1/8, accurate to 4e-8, avoids cancellation.
 Absorption absorption(vec4 mean, real thickness)
 {
   Absorption found;
@@ -30,7 +30,8 @@ void absorb(INOUT(Radiance) radiance, vec3 emitted, Absorption by)
 }
 
 #if TETMARCH_NAN_SHOWN
-// An interval in which the scalar is not finite: it has one colour and extinction, but no gradient and so no light.
+// An interval in which the scalar is not finite: it has one colour and extinction, but no gradient and therefore no
+// light.
 void absorbNan(INOUT(Radiance) radiance, real thickness)
 {
 #if TETMARCH_SHOW_ILLUMINATION

@@ -1,6 +1,6 @@
 // Emission and absorption, front to back (blend mode composite).
 
-// Returns the lookups of the segment integral that it took.
+// Returns the number of lookups of the segment integral.
 int gatherSegment(Segment segment, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
 {
   placeShades(segment, cell);

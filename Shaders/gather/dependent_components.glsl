@@ -1,5 +1,5 @@
-// Dependent components: the first scalar gives the extinction, further ones the colour. Of four components three are
-// red, green and blue; of two one gives the colour, by a table behind that of the opacity.
+// Dependent components: the first scalar determines the extinction, further ones the colour. Of four components three
+// are red, green and blue; of two, one determines the colour, by a table after that of the opacity.
 
 #if TETMARCH_POINT_SCALARS
 // Positions in the opacity's table at both ends of a segment, and the scalars of the colour.
@@ -29,7 +29,7 @@ SegmentEnds segmentEnds(Segment segment)
   return ends;
 }
 
-// Whether the table at the begin was read by the last lookup, as it mostly was.
+// Whether the table at the begin was read by the last lookup, as is usual.
 bool isLoaded(SegmentEnds ends, CellInterval cell) { return cell.at.x == ends.begin; }
 
 // The colour along a subsegment.
@@ -37,9 +37,9 @@ struct DependentColor
 {
   vec3 color; // mean over the depth
 #if TETMARCH_ERROR_BOUND
-  real change; // total variation of the channel that changes most
+  real change; // total variation of the channel with the largest change
 #if TETMARCH_BENT
-  real bendShift; // of what gives the colour, unless the mean is exact
+  real bendShift; // of the colour's scalar, unless the mean is exact
 #endif
 #endif
 };
@@ -71,7 +71,7 @@ DependentColor dependentColorBetween(vec3 from, vec3 to)
   TableSpan table = tableSpan(1);
   TablePoint p = tablePoint(table, from.x * table.scale + table.offset);
   TablePoint q = tablePoint(table, to.x * table.scale + table.offset);
-  vec4 mean = meanBetween(table, p, q); // the extinction in it is 1
+  vec4 mean = meanBetween(table, p, q); // its extinction is 1
   found.color = vec3(mean.x, mean.y, mean.z);
 #if TETMARCH_ERROR_BOUND
   found.change = min(abs(q.variation - p.variation), real(1));
@@ -95,7 +95,7 @@ struct SubsegmentMean
 #endif
 };
 
-// Unless loaded, of the begin alone. The mean of C tau is taken for that of C times that of tau.
+// Unless loaded, of the begin only. The mean of C tau is approximated by the product of the means of C and tau.
 SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, CellInterval cell)
 {
   SubsegmentMean found;
@@ -135,11 +135,11 @@ real perBinsOf(SubsegmentMean found, CellInterval cell) { return perBinsBetween(
 #endif
 
 #if TETMARCH_ERROR_BOUND
-// What a subsegment loses, seen through that transmittance. The mean of C tau over that of tau differs from the mean of
-// C by the covariance of both over the mean of tau: at most a quarter of the product of their ranges (Gruess 1935). The
-// order of the colours (gather/order_error.glsl) is lost besides. And what is emitted has a mean of the subsegment's
-// colours, as the exact emission has, so that both together are no more than the variation of the colour times what is
-// absorbed. What the scalars' bends add is in structured/component_bend.glsl.
+// Upper bound of a subsegment's error, attenuated by the transmittance. The mean of C tau over that of tau differs from
+// the mean of C by the covariance of both over the mean of tau: at most a quarter of the product of their ranges
+// (Gruess 1935). In addition, the order of the colours is lost (gather/order_error.glsl). The emission is a mean of the
+// subsegment's colours, like the exact emission, so that the sum of both errors is at most the variation of the colour
+// times the absorption. structured/component_bend.glsl adds the effect of the scalars' bends.
 real subsegmentError(
   SegmentEnds ends, Subsegment part, SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
 {
@@ -167,7 +167,7 @@ vec3 dependentColorOf(vec3 further)
 #endif
 }
 
-// C tau and tau where the scalars are constant.
+// C tau and tau for constant scalars.
 vec4 constantMean(Segment segment)
 {
   vec4 value = tableValue(segment.begin.y * tableScale + tableOffset);

@@ -1,7 +1,7 @@
-// The greatest or the least scalar along the ray (blend modes maximum and minimum; Wallis, Miller, Lerner and Kleerup,
+// The maximum or minimum scalar along the ray (blend modes maximum and minimum; Wallis, Miller, Lerner and Kleerup,
 // "Three-dimensional display in nuclear medicine", 1989).
 
-// What a ray has gathered.
+// The state of a ray.
 struct Radiance
 {
   real extreme; // scalar times extremeSign

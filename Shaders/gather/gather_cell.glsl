@@ -1,5 +1,4 @@
-// What a ray gathers of a cell between cell.begin and cell.end, of which something is seen. Returns the lookups of the
-// segment integral.
+// Gathers a visible cell between cell.begin and cell.end. Returns the number of lookups of the segment integral.
 int gatherCell(real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
 {
   int lookups = 0;

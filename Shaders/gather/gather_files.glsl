@@ -1,4 +1,4 @@
-// What a ray gathers of a segment, by blend mode.
+// The contribution of a segment, by blend mode.
 #if TETMARCH_EXTREME
 #include "gather/extreme.glsl"
 #elif TETMARCH_SUM

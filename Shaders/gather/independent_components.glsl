@@ -1,5 +1,5 @@
-// Independent components: clouds of particles in the same space, each with colours and an extinction of its own by its
-// own scalar. Their extinctions add, and so do their emissions (Max, "Optical models", 1995).
+// Independent components: clouds of particles in the same space, each with its own scalar, colours and extinction.
+// Their extinctions add, and so do their emissions (Max, "Optical models", 1995).
 
 vec4 scalarsOf(real first, vec3 further) { return vec4(first, further.x, further.y, further.z); }
 
@@ -56,7 +56,7 @@ struct SubsegmentMean
 {
   vec4 mean; // of C tau and tau, summed over the components
 #if TETMARCH_ERROR_BOUND
-  real change; // the colour of the mixture changes by no more
+  real change; // upper bound of the change of the mixture's colour
 #if TETMARCH_BENT
   IndependentBend bent;
 #endif
@@ -66,7 +66,7 @@ struct SubsegmentMean
 void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) {}
 
 #if TETMARCH_TABLE_ERROR
-// Each component has its own; none is taken over less than a bin.
+// Each component has its own; no mean is over less than a bin.
 real perBinsOf(SubsegmentMean found, CellInterval cell) { return real(1); }
 #endif
 
@@ -74,18 +74,17 @@ real perBinsOf(SubsegmentMean found, CellInterval cell) { return real(1); }
 real greatestOf(vec3 v) { return max(v.x, max(v.y, v.z)); }
 #endif
 
-// The means are those of the components' tables, exactly; what is lost is the order of the colours of the mixture,
-// C = sum(tau_i C_i) / sum(tau_i). For that the range of C takes the place of its variation in gather/order_error.glsl:
-// the integral of C(u) (exp(-u) - phi) is greatest for the greatest C where the factor is positive and the least
-// elsewhere, and the positive part of the factor adds up to the greatest H. C changes because colours do and
-// because the proportions of the components do. Let m_i be the middle of a component's colours, R_i their range, S the
-// range of all m_i; let tau_i stay within E_i of its middle t_i. Then
+// The means are those of the components' tables, exactly; only the order of the colours of the mixture, C = sum(tau_i
+// C_i) / sum(tau_i), is lost. In its bound the range of C replaces its variation in gather/order_error.glsl: the
+// integral of C(u) (exp(-u) - phi) is maximal for the maximum of C where the factor is positive and the minimum
+// elsewhere, and the integral of the positive part of the factor is the maximum of H. C changes with the colours and
+// with the proportions of the components. Let m_i be the middle of a component's colours, R_i their range, S the range
+// of all m_i; let tau_i stay within E_i of its middle t_i. Then
 //   |C(x) - C(y)| <= max(R_i) + S sum|w_i(x) - w_i(y)| / 2,  w_i = tau_i / sum(tau_i),
-// for the w_i add up to 1, so that of the m_i only their differences count; and since
+// since the sum of the w_i is 1, so that only differences of the m_i count; and since
 //   sum|w_i - t_i / sum(t_i)| <= 2 sum(E_i) / sum(tau_i) <= 2 sum(E_i) / (sum(t_i) - sum(E_i)),
-// the proportions change by no more than 2 sum(E_i) / (sum(t_i) - sum(E_i)), and never by more than 1. A function that
-// goes from p to q with the total variation V stays within V / 2 of (p + q) / 2, so these are the middles, and R_i
-// = V_i.
+// the proportions change by at most 2 sum(E_i) / (sum(t_i) - sum(E_i)), and by at most 1. A function from p to q with
+// the total variation V stays within V / 2 of (p + q) / 2, so these are the middles, and R_i = V_i.
 #if TETMARCH_BENT
 SubsegmentMean independentMeanBetween(SegmentEnds part)
 {
@@ -150,7 +149,7 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
 }
 
 #if TETMARCH_ERROR_BOUND
-// What a subsegment loses, seen through that transmittance.
+// Upper bound of a subsegment's error, attenuated by the transmittance.
 real subsegmentError(
   SegmentEnds ends, Subsegment part, SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
 {
@@ -162,7 +161,7 @@ real subsegmentError(
 }
 #endif
 #else
-// C tau and tau of the mixture where the scalars are constant.
+// C tau and tau of the mixture for constant scalars.
 vec4 constantMean(Segment segment)
 {
   vec4 scalars = scalarsOf(segment.begin.y, segment.furtherBegin);

@@ -1,8 +1,8 @@
 // Surfaces of constant scalar (blend mode isosurface; Parker et al., "Interactive ray tracing for isosurface rendering",
-// 1998), composited front to back. A segment crosses a value if one end has reached it and the other has not: so a value
-// that a whole face or a vertex has is crossed once.
+// 1998), composited front to back. A segment crosses a value if one end has reached it and the other has not: so the
+// value of a whole face or of a vertex is crossed once.
 
-// What a surface of that colour and opacity emits, crossed where the segment has the value.
+// The emission of a surface of this colour and opacity, crossed where the segment has the value.
 vec3 surfaceEmission(vec4 color, real value, Segment segment, CellInterval cell)
 {
   vec4 mean = vec4(color.x * color.w, color.y * color.w, color.z * color.w, color.w);

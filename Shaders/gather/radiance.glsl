@@ -1,20 +1,20 @@
-// What a ray has gathered front to back: its colour, and the transmittance, by which all behind is seen.
+// The state of a ray, accumulated front to back: its colour, and the transmittance for everything behind.
 
 struct Radiance
 {
   vec3 color; // premultiplied
   real transmittance;
 #if TETMARCH_ERROR_BOUND
-  real error;      // no channel of color is off by more, but for rounding, the steps of the integrals and the light
+  real error;      // error bound of each channel of color, without rounding, steps of the integrals and light
 #endif
 #if TETMARCH_TABLE_ERROR
-  real lookedUp;   // thickness over the number of bins of the mean that was looked up, seen through the transmittance
+  real lookedUp;   // thickness over the number of bins of the mean, attenuated by the transmittance
 #endif
 #if TETMARCH_LIGHT_ERROR
-  real lightError; // this error of the light
+  real lightError; // the same for the light
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  vec3 pendingA; // colour by each light whose transmittance the next sample will tell
+  vec3 pendingA; // colour by each light whose transmittance is known at the next sample
 #if TETMARCH_SEVERAL_SHADOWS
   vec3 pendingB;
   vec3 pendingC;
@@ -47,11 +47,11 @@ Radiance noRadiance()
 }
 
 #if TETMARCH_ADAPTIVE
-// A quarter of a pixel's tolerance may be used up from the begin, half of it in proportion to what the ray absorbs; the
-// rest is for what lies behind the end of the ray. No subsegment uses more than a quarter of what there is: those behind
-// it, with little left, would have to be shorter than it has gained.
+// A quarter of a pixel's tolerance is available from the begin, half of it in proportion to the ray's absorption; the
+// rest is for the part behind the end of the ray. A subsegment uses at most a quarter of the available budget:
+// otherwise those behind it would have to be shorter than justified by its gain.
 #if TETMARCH_VISITS
-uniform float toleranceAtOnce; // that quarter, shared by all processes, of which each has a part of the ray
+uniform float toleranceAtOnce; // that quarter, divided between the processes that have parts of the ray
 #define TOLERANCE_AT_ONCE toleranceAtOnce
 #else
 CONSTANT real TOLERANCE_AT_ONCE = real(0.25);
@@ -59,22 +59,22 @@ CONSTANT real TOLERANCE_AT_ONCE = real(0.25);
 CONSTANT real TOLERANCE_BY_ABSORPTION = real(0.5);
 CONSTANT real SHARE_OF_A_SUBSEGMENT = real(0.25);
 
-// How far the next subsegment may be off, which absorbs that much of the pixel's light.
+// The error budget of the next subsegment, given its absorption of the pixel's light.
 real errorBudget(Radiance radiance, real absorbed)
 {
 #if TETMARCH_PICKED
-  real tolerance = PICK_TOLERANCE; // the other one is what is left of the light at the point that is picked
+  real tolerance = PICK_TOLERANCE; // errorTolerance is the transmittance at the picked point
 #else
   real tolerance = errorTolerance;
 #endif
   real earned = TOLERANCE_AT_ONCE + TOLERANCE_BY_ABSORPTION * (real(1) - radiance.transmittance + absorbed);
-  // Rounding may have used a little more than there was.
+  // The used part may exceed the budget by rounding.
   return max(SHARE_OF_A_SUBSEGMENT * (tolerance * earned - radiance.error),
     tolerance * TOLERANCE_BY_ABSORPTION * absorbed);
 }
 #endif
 
-// Whether what lies behind cannot change a channel by more than is left of the tolerance.
+// Whether the part behind can't change a channel by more than the remaining tolerance.
 bool isOpaque(Radiance radiance)
 {
 #if TETMARCH_ADAPTIVE && !TETMARCH_PICKED
@@ -84,11 +84,11 @@ bool isOpaque(Radiance radiance)
 #endif
 }
 
-// No channel of the pixel is off by more, if the ray ends here.
+// Error bound of each channel of the pixel if the ray ends here.
 real errorBound(Radiance radiance)
 {
 #if TETMARCH_POINT_SAMPLED
-  return real(1); // what lies between samples may be anything
+  return real(1); // nothing is known between samples
 #else
   real bound = isOpaque(radiance) ? radiance.transmittance : real(0);
 #if TETMARCH_ERROR_BOUND
@@ -105,7 +105,7 @@ real errorBound(Radiance radiance)
 }
 
 #if TETMARCH_PICKED
-// What grows along the ray: the opacity less 1. The opacity itself would be rounded.
+// A quantity that grows along the ray: the opacity minus 1. The opacity itself would be rounded.
 real gathered(Radiance radiance) { return -radiance.transmittance; }
 #endif
 
@@ -115,8 +115,8 @@ vec4 pixelOf(Radiance radiance, real thicknessPerDepth)
   return vec4(radiance.color.x, radiance.color.y, radiance.color.z, real(1) - radiance.transmittance);
 }
 
-// What a subsegment emits by its own colour. Colours are at most 1; rounding could make their mean, and so pixels, a
-// little more.
+// The emission of a subsegment by its own colour. Colours are at most 1; by rounding their mean, and so pixels, could
+// exceed 1.
 vec3 emission(vec4 mean)
 {
 #if TETMARCH_SHOW_ILLUMINATION

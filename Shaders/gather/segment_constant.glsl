@@ -1,5 +1,5 @@
-// Emission and absorption along a segment in which the scalars are constant: exact in closed form, but for light that
-// changes along it.
+// Emission and absorption along a segment with constant scalars: exact in closed form, except for light that changes
+// along it.
 int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
 {
   vec4 mean = constantMean(segment);

@@ -1,19 +1,20 @@
-// Emission and absorption along a segment of a trilinear cell, cut evenly by how far its scalar bends. It promises no
-// tolerance: what falls between the cuts, such as an extreme of the scalar, is not looked for.
+// Emission and absorption along a segment of a trilinear cell, cut into equal pieces depending on the scalar's bend. No
+// tolerance is guaranteed: features between the cuts, such as an extreme of the scalar, are missed.
 
-// How far the scalar, 0..1, may be from the straight line in a piece, unless there are most pieces.
+// Maximum deviation of the scalar, 0..1, from the straight line in a piece, unless the number of pieces is at its
+// limit.
 CONSTANT real GREATEST_BEND = real(1) / real(256);
 CONSTANT int MOST_PIECES = 8;
 
-// The bend of a piece falls with the square of their number.
+// The bend of a piece decreases with the square of their number.
 int piecesOf(vec2 bend)
 {
   real pieces = -floor(-sqrt(greatestBend(bend) / GREATEST_BEND));
   return clamp(int(max(real(1), min(pieces, real(MOST_PIECES)))), 1, MOST_PIECES);
 }
 
-// What the bend changes of the mean where the function is straight. Across a narrow peak it tells nothing: so no more is
-// added than half of the difference of the ends.
+// The correction of the mean for the bend, valid for a straight function. Across a narrow peak it is meaningless: so it
+// is limited to half of the difference of the ends.
 vec4 meanOfPiece(IntegralPoint from, IntegralPoint to, vec2 bend)
 {
   real share = clamp(bentShare(bend, to.x - from.x), real(-0.5), real(0.5));
@@ -22,9 +23,9 @@ vec4 meanOfPiece(IntegralPoint from, IntegralPoint to, vec2 bend)
 }
 
 #if TETMARCH_ERROR_BOUND
-// No more than this is lost, seen through that transmittance. Both the piece's true mean extinction and that of the table
-// are among those of the scalars that the piece reaches, and so are the colours; the correction adds half of what the
-// extinctions differ by at most.
+// Upper bound of the colour error, attenuated by the transmittance. Both the piece's true mean extinction and that of
+// the table are within the range of the piece's scalars, and so are the colours; the correction adds at most half of
+// the difference of the extinctions.
 real errorOfPiece(IntegralPoint from, IntegralPoint to, vec2 bend, Absorption by, real transmittance)
 {
   real reach = greatestBend(bend);

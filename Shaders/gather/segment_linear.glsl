@@ -1,28 +1,28 @@
 // Emission and absorption along a segment in which the scalars are linear.
 //
-// A subsegment is evaluated with its exact means of C tau and tau, as if colour and extinction were spread evenly in it
-// (Engel, Kraus and Ertl 2001; gather/order_error.glsl bounds what that loses). The adaptive rule accepts a subsegment
-// if its error, seen through what lies in front, fits the budget of the pixel: the tolerance is spread over what the ray
-// absorbs, less what the subsegments before have used. So a pixel keeps its tolerance however many cells it sees. A
-// subsegment that is not accepted is tried again with a shorter one.
+// A subsegment is evaluated with its exact means of C tau and tau, as if colour and extinction were distributed evenly
+// in it (Engel, Kraus and Ertl 2001; gather/order_error.glsl bounds the error). The adaptive rule accepts a subsegment
+// if its error, attenuated by the transmittance, fits the budget of the pixel: the tolerance is distributed in
+// proportion to the ray's absorption, minus the part used by previous subsegments. So a pixel keeps its tolerance for
+// any number of cells. If a subsegment is not accepted, a shorter one is tried.
 
-// Along a thickness in scalar opacity unit distances. Returns the number of trials. Where the table at the segment's
-// begin is not the one of the last lookup, the first trial only reads the table there. The body stands at the end of one
-// loop that mostly runs once: an `if` costs a software renderer as much as both its branches.
+// Along a thickness in scalar opacity unit distances. Returns the number of trials. If the table at the segment's begin
+// is not that of the last lookup, the first trial only reads the table there. The body is at the end of one loop that
+// usually runs once: an `if` costs a software renderer as much as both its branches.
 int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
 {
   SegmentEnds ends = segmentEnds(segment);
   bool loaded = isLoaded(ends, cell);
-  real position = real(0); // how far the segment is integrated, 0..1
-  real pieces = real(1);   // into which the rest is cut; the first is tried
-  // Numbers that are not finite do not keep the loop alive. Others never take as many turns: behind mostTrials pieces are
-  // accepted as they are, and grow. Where two turns are all, the bound is a uniform, so that the loop is not unrolled.
+  real position = real(0); // the integrated fraction of the segment, 0..1
+  real pieces = real(1);   // number of pieces of the rest; the first is tried
+  // The loop also ends if numbers are not finite. Otherwise this limit is never reached: after mostTrials pieces are
+  // accepted unchecked, and grow. For two iterations the bound is a uniform, so that the loop is not unrolled.
 #if TETMARCH_ADAPTIVE
   int mostTurns = 16 * mostTrials + 2;
 #else
   int mostTurns = mostSteps;
 #endif
-  int trials = 0; // from mostTrials on all are accepted
+  int trials = 0; // from mostTrials on all pieces are accepted
   bool pending = true;
   do
   {
@@ -57,7 +57,7 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
       keepTablePoint(found, cell);
     }
 #if TETMARCH_ADAPTIVE
-    // The error grows with the third power of a piece, what it earns with the first. The rest is cut evenly.
+    // The error grows with the third power of a piece's length, its budget with the first. The rest is cut evenly.
     real finer = real(1.25) * sqrt(error / budget);
     real left = loaded && accepted ? part.pieces - real(1) : part.pieces;
     pieces = -floor(-left * (accepted ? clamp(finer, real(0.5), real(1)) : clamp(finer, real(2), real(10))));

@@ -1,10 +1,10 @@
 // Emission and absorption along a segment by samples of a fixed step (Levoy, "Display of surfaces from volume data",
-// 1988), as vtkGPUVolumeRayCastMapper has it. A sample stands for the step in front of it: the scalar there is
-// interpolated, then classified, and a length of one step emits and absorbs by that alone. What lies between samples is
-// not seen, and no error is bounded.
+// 1988), as in vtkGPUVolumeRayCastMapper. A sample represents the step in front of it: its scalar is interpolated, then
+// classified, and determines the emission and absorption of a length of one step. Features between samples are missed,
+// and there is no error bound.
 
 #if TETMARCH_EFFECTS
-// The shade of a sample takes the place of those at the ends of the interval.
+// The shade of a sample replaces those at the ends of the interval.
 void shadeSample(real depth, real scalar, INOUT(CellInterval) cell)
 {
   FacePoint point;

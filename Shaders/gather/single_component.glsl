@@ -1,4 +1,4 @@
-// One scalar gives colour and extinction.
+// One scalar determines colour and extinction.
 
 #if TETMARCH_POINT_SCALARS && !TETMARCH_POINT_SAMPLED && !TETMARCH_EVEN_CUTS
 // Positions in the table at both ends of a segment.
@@ -32,7 +32,7 @@ real positionWithin(SegmentEnds ends, real fraction)
 #endif
 }
 
-// Whether the table at the begin was read by the last lookup, as it mostly was.
+// Whether the table at the begin was read by the last lookup, as is usual.
 bool isLoaded(SegmentEnds ends, CellInterval cell) { return cell.at.x == ends.begin; }
 
 struct SubsegmentMean
@@ -43,7 +43,7 @@ struct SubsegmentMean
   vec2 bend;       // of the scalar in it
 #endif
 #if TETMARCH_SLOPE_VARIATION
-  real bentError;  // how far the light of a unit of thickness is off, if the mean takes the bend into account; else -1
+  real bentError;  // error of the light per unit of thickness, if the mean takes the bend into account; else -1
 #endif
 };
 
@@ -53,7 +53,7 @@ vec4 weightedByExtinction(vec4 value)
   return vec4(value.x * value.w, value.y * value.w, value.z * value.w, value.w);
 }
 
-// Takes the bend into account where the functions are straight enough for it to be known what that leaves.
+// Takes the bend into account if the functions are straight enough for an error bound.
 void bendMean(TablePoint from, INOUT(SubsegmentMean) found)
 {
   real rise = found.next.x - from.x;
@@ -70,7 +70,7 @@ void bendMean(TablePoint from, INOUT(SubsegmentMean) found)
 }
 #endif
 
-// Unless loaded, of the begin alone.
+// Unless loaded, of the begin only.
 SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, CellInterval cell)
 {
   SubsegmentMean found;
@@ -93,12 +93,12 @@ real perBinsOf(SubsegmentMean found, CellInterval cell) { return perBinsBetween(
 #endif
 
 #if TETMARCH_ERROR_BOUND
-// What a subsegment loses (gather/order_error.glsl), seen through that transmittance.
+// Upper bound of a subsegment's error (gather/order_error.glsl), attenuated by the transmittance.
 real subsegmentError(
   SegmentEnds ends, Subsegment part, SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
 {
 #if TETMARCH_PICKED
-  real variation = real(0); // of the colour, by which nothing is picked
+  real variation = real(0); // of the colour; unused by picks
 #else
   real variation = abs(found.next.variation - cell.at.variation);
 #endif
@@ -113,7 +113,7 @@ real subsegmentError(
 }
 #endif
 #elif !TETMARCH_EVEN_CUTS
-// C tau and tau where the scalar is constant.
+// C tau and tau for a constant scalar.
 vec4 constantMean(Segment segment)
 {
   vec4 value = tableValue(segment.begin.y * tableScale + tableOffset);

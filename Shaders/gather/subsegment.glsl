@@ -1,16 +1,16 @@
-// A part of a segment that is integrated at once.
+// A part of a segment that is integrated in one step.
 
 #if TETMARCH_POINT_SCALARS && !TETMARCH_POINT_SAMPLED && !TETMARCH_EVEN_CUTS
 struct Subsegment
 {
-  real begin;    // where in the segment, 0..1
+  real begin;    // position in the segment, 0..1
   real end;
   real fraction; // of the segment
-  real pieces;   // as large as this one into which the segment is cut from here on
+  real pieces;   // number of pieces of this size in the rest of the segment
   bool last;     // it reaches the end
 };
 
-// The first of so many equal pieces of what is left of the segment.
+// The first of `pieces` equal pieces of the rest of the segment.
 Subsegment subsegmentFrom(real position, real pieces)
 {
   Subsegment part;
@@ -23,7 +23,7 @@ Subsegment subsegmentFrom(real position, real pieces)
 }
 #endif
 
-// A thickness times the factor that gradients give the extinction at a fraction of the segment.
+// A thickness times the gradients' factor of the extinction at a fraction of the segment.
 real thicknessWithin(CellInterval cell, real fraction, real thickness)
 {
 #if TETMARCH_GRADIENT_OPACITY
@@ -34,20 +34,20 @@ real thicknessWithin(CellInterval cell, real fraction, real thickness)
 }
 
 #if TETMARCH_TABLE_ERROR
-// Notes that a mean was looked up over a number of bins.
+// Records the lookup of a mean over a number of bins.
 void addLookup(real perBins, Absorption by, real middle, CellInterval cell, INOUT(Radiance) radiance)
 {
   real seen = radiance.transmittance * by.thickness * perBins;
 #if TETMARCH_LIT
-  // What is behind and what is reflected as from white surfaces is taken for no brighter than 1.
+  // The background and reflections of white surfaces are assumed to be at most 1.
   seen = seen * (real(1) + brightness(illuminationWithin(cell.shades, middle)));
 #endif
   radiance.lookedUp = radiance.lookedUp + seen;
 }
 #endif
 
-// Adds a subsegment to what the ray has gathered. mean: of C tau and tau; middle: where in the segment the middle of the
-// subsegment lies; fraction: how much of the segment it is.
+// Adds a subsegment to the radiance. mean: of C tau and tau; middle: position of the subsegment's middle in the
+// segment; fraction: its fraction of the segment.
 void addSubsegment(
   vec4 mean, Absorption by, real middle, real fraction, CellInterval cell, INOUT(Radiance) radiance)
 {

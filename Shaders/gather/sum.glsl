@@ -1,8 +1,8 @@
 // Opacity times intensity, integrated along the ray (blend mode additive), or averaged over the part of it whose scalar
-// is in a range (blend mode average). The tables have the intensity, a scalar's position in the range of the data, as
-// their colour, and the opacity as extinction: so their means of C tau are exactly the means of the product.
+// is in a range (blend mode average). The colour of the tables is the intensity, a scalar's position in the range of
+// the data, and their extinction is the opacity: so their means of C tau are exactly the means of the product.
 
-// A sum of many terms, with what rounding has cut off it (Neumaier 1974): its error does not grow with their number.
+// A compensated sum of many terms (Neumaier 1974): its error does not grow with their number.
 struct LongSum
 {
   real rounded;
@@ -29,7 +29,7 @@ void addTo(INOUT(LongSum) sum, real term)
 
 real valueOf(LongSum sum) { return sum.rounded + sum.cutOff; }
 
-// What a ray has gathered.
+// The state of a ray.
 struct Radiance
 {
   LongSum sum;           // integral over depths
@@ -57,13 +57,13 @@ real gathered(Radiance radiance) { return valueOf(radiance.sum); }
 // Any cell behind adds to the sum.
 bool isOpaque(Radiance radiance) { return false; }
 
-// What the sum is times to be shown: the length of what counts for an average, or the thickness.
+// The factor of the sum: the reciprocal of the length that counts for an average, or the thickness.
 real factorOf(Radiance radiance, real thicknessPerDepth)
 {
   return averages ? real(1) / max(valueOf(radiance.countedLength), TINY) : thicknessPerDepth;
 }
 
-// What the integrals' steps (tables/integral_table.glsl) and the rounding of terms may put the gray off.
+// Error bound of the gray by the integrals' steps (tables/integral_table.glsl) and the rounding of terms.
 real errorBound(Radiance radiance)
 {
 #if TETMARCH_DIAGNOSTICS
@@ -73,7 +73,7 @@ real errorBound(Radiance radiance)
 #endif
 }
 
-// An opaque gray where anything counts.
+// An opaque gray if any part counts.
 vec4 pixelOf(Radiance radiance, real thicknessPerDepth)
 {
   bool counts = radiance.countedLength.rounded > real(0);
@@ -109,7 +109,7 @@ int gatherSegment(Segment segment, real thicknessPerDepth, INOUT(CellInterval) c
   // A term, and the gray in the end, are rounded 16 times at most: 16 2^-24.
   real rounding = mean * real(9.5367431640625e-7);
 #if TETMARCH_POINT_SCALARS
-  rounding = rounding + tableIntegralUnit.x; // over a bin or more, a mean is at most one step off
+  rounding = rounding + tableIntegralUnit.x; // over a bin or more, the error of a mean is at most one step
 #endif
   radiance.error = radiance.error + rounding * counted * (averages ? real(1) : thicknessPerDepth);
 #endif

@@ -1,4 +1,4 @@
-// Shades along the interval of a ray in a cell. Without effects nothing is done.
+// Shades along the interval of a ray in a cell. Empty without effects.
 
 #if TETMARCH_EFFECTS && !TETMARCH_KEEPS_SHADE && !TETMARCH_POINT_SAMPLED
 // The point where the interval begins.
@@ -33,7 +33,7 @@ FacePoint leavePoint(CellInterval cell)
 #endif
 
 #if TETMARCH_KEEPS_SHADE
-// Before the first cell, where the ray enters the mesh.
+// Before the first cell, at the ray's entry into the mesh.
 void beginShades(Ray ray, INOUT(CellInterval) cell) { cell.shades.leave = shadeAtFace(ray, leavePoint(cell)); }
 #endif
 
@@ -49,13 +49,13 @@ void advanceShades(INOUT(CellInterval) cell)
 #endif
 }
 
-// Sets the shades at both ends of an interval; the place is that where it ends.
+// Sets the shades at both ends of an interval; the place is that of its end.
 void shadeCell(Ray ray, Place place, INOUT(CellInterval) cell)
 {
 #if TETMARCH_POINT_SAMPLED && TETMARCH_EFFECTS
-  cell.crossed = place.crossed; // each sample has a shade of its own
+  cell.crossed = place.crossed; // each sample has its own shade
 #elif TETMARCH_FINDS_SHADES
-  // The shade where the ray enters is that where it left the last cell, unless that was passed unseen.
+  // The shade at the ray's entry is that at its exit from the last cell, unless that was skipped.
   int missing = cell.shades.enterKnown ? 1 : 2;
   do
   {
@@ -75,7 +75,7 @@ void shadeCell(Ray ray, Place place, INOUT(CellInterval) cell)
   cell.shades.enter = cell.shades.leave;
   cell.shades.leave = shadeAtFace(ray, leavePoint(cell));
 #elif TETMARCH_EFFECTS
-  // One gradient, and the light in the middle.
+  // One gradient, with the light in the middle.
   FacePoint from = enterPoint(cell);
   FacePoint to = leavePoint(cell);
   real depth = real(0.5) * (from.depth + to.depth);

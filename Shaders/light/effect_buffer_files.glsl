@@ -1,4 +1,4 @@
-// What gradients and light read.
+// The buffers of gradients and light.
 #include "light/gradient_buffers.glsl"
 #if TETMARCH_SHADING
 #include "light/light_buffers.glsl"

@@ -1,4 +1,5 @@
-// Gradients, and the gradient opacity; bound by GL/EffectTextures. Those of a lattice are differences of its values.
+// Gradients, and the gradient opacity; bound by GL/EffectTextures. Gradients of a lattice are differences of its
+// values.
 #if !TETMARCH_STRUCTURED
 uniform samplerBuffer gradientBuffer; // of the scalar, at the vertices or in the tetrahedra
 #if TETMARCH_CELL_GRADIENTS && TETMARCH_SPLIT_CELLS
@@ -14,7 +15,7 @@ vec3 fetchGradient(uint vertex) { return texelFetch(gradientBuffer, int(vertex))
 #if TETMARCH_GRADIENT_OPACITY
 uniform samplerBuffer gradientOpacityBuffer;
 uniform int gradientOpacitySize;
-uniform float gradientOpacityScale; // from the length of a gradient to a position in the table
+uniform float gradientOpacityScale; // factor from the length of a gradient to a position in the table
 float fetchGradientOpacity(int i) { return texelFetch(gradientOpacityBuffer, i).x; }
 #endif
 

@@ -1,4 +1,4 @@
-// Gradients as colours: x, y and z of the direction are red, green and blue; gray stands for a gradient of 0.
+// Gradients as colours: x, y and z of the direction are red, green and blue; gray represents a gradient of 0.
 Illumination gradientColor(vec3 gradient)
 {
   real steepness = sqrt(dot(gradient, gradient));

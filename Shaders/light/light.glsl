@@ -3,7 +3,7 @@
 struct Light
 {
   vec3 diffuse;  // factor of the volume's own colour
-  vec3 specular; // added to that
+  vec3 specular; // added to it
 };
 
 Light noLight()
@@ -35,7 +35,7 @@ Light mixLight(Light p, Light q, real fraction)
   return p;
 }
 
-// The light at a point, apart by what is known of its transmittance.
+// The light at a point, separated by knowledge of its transmittance.
 struct Illumination
 {
   Light direct; // transmittance included
@@ -43,7 +43,7 @@ struct Illumination
   Light head;   // from the eye, not yet absorbed: its transmittance is that of the ray
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
-  // From each light that casts shadows, not yet absorbed. A software renderer would store into an array lane by lane.
+  // From each light that casts shadows, not yet absorbed. A software renderer would write an array lane by lane.
   Light beamA;
 #if TETMARCH_SEVERAL_SHADOWS
   Light beamB;

@@ -1,9 +1,9 @@
-// How far off light may be: because it changes along a segment of which the mean of both ends is taken, and because it
-// is interpolated between vertices.
+// Error bounds of light: by its change along a segment, for which the mean of both ends is used, and by interpolation
+// between vertices.
 real changeOf(Light p, Light q) { return greatest(q.diffuse - p.diffuse) + greatest(q.specular - p.specular); }
 
-// In a tetrahedron. The mean of two ends is off by at most half of their difference from what is between them, as far as
-// light changes one way only. Surfaces are taken for white, so that the change of light is that of what they reflect.
+// In a tetrahedron. The error of the mean of two ends is at most half of their difference, if light changes
+// monotonically. Surfaces are assumed white, so that the change of light is that of their reflection.
 real lightErrorOf(CellShades shades)
 {
   Illumination p = shades.enter.lit;
@@ -26,7 +26,7 @@ real lightErrorOf(CellShades shades)
 }
 
 #if TETMARCH_VERTEX_LIGHT_ERROR
-// Half of what the light of the corners differs by.
+// Half of the difference of the light at the corners.
 real lightInterpolationError(FaceIntersection face)
 {
   vec4 a = face.attributesA.light;

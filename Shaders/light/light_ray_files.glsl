@@ -1,4 +1,4 @@
-// Rays towards the light; to be included behind march/traversal_files.glsl.
+// Rays towards the light; include after march/traversal_files.glsl.
 #include "light/light_start_files.glsl"
 #if TETMARCH_STRUCTURED
 #include "structured/transmittance.glsl"

@@ -6,7 +6,7 @@
 #define LIGHT_COUNT lightCount
 #endif
 
-// The unit vector to a light, and in w its strength, but for what the volume absorbs. A headlight shines along the ray.
+// The unit vector to a light, and in w its strength without absorption by the volume. A headlight shines along the ray.
 vec4 directionOfLight(int light, vec3 point, vec3 toEye)
 {
 #if TETMARCH_HEADLIGHT_ONLY
@@ -16,7 +16,7 @@ vec4 directionOfLight(int light, vec3 point, vec3 toEye)
 #if TETMARCH_WORLD_LIGHTS
   // Attenuation and spot lights as in OpenGL.
   vec4 attenuation = fetchLightAttenuation(light); // constant, linear, quadratic; the spot's exponent
-  vec4 cone = fetchLightCone(light); // where a spot shines; cosine of the cone's angle, -1 if it is no spot
+  vec4 cone = fetchLightCone(light); // direction of a spot; cosine of the cone's angle, -1 if it is no spot
   vec3 toLight = vec3(place.x, place.y, place.z) - point * place.w;
   real distance = max(sqrt(dot(toLight, toLight)), TINY);
   toLight = toLight * (real(1) / distance);

@@ -1,4 +1,4 @@
-// Where rays towards the light start; to be included behind march/traversal_files.glsl.
+// Starting points of rays towards the light; include after march/traversal_files.glsl.
 #if TETMARCH_STRUCTURED
 #include "structured/light_start.glsl"
 #else

@@ -1,8 +1,8 @@
 // Light on the surface of constant scalar through a point (Phong, "Illumination for computer generated pictures", 1975;
 // Levoy, "Display of surfaces from volume data", 1988).
 //
-// As in VTK's GPU ray caster the normal is turned against the gradient, so that a dense body in thin surroundings is
-// lit from outside, and surfaces have two sides if the renderer says so.
+// As in VTK's GPU ray caster the normal is opposite to the gradient, so that a dense body in thin surroundings is lit
+// from outside, and surfaces are two-sided if the renderer's lighting is.
 
 // turned: cosine of the angle between the normal and the direction of the light.
 real diffuseOf(real turned) { return twoSided ? abs(turned) : max(turned, real(0)); }
@@ -13,9 +13,9 @@ real specularOf(real turned, real mirrored)
   return diffuseOf(turned) > real(0) ? pow(max(mirrored, TINY), specularPower) : real(0);
 }
 
-// The light where the scalar has that gradient and the volume that opacity. The point and the unit vector to the eye are
-// in the coordinates of the lights (light/light_buffers.glsl). incoming: the transmittance towards ambient light and
-// towards the lights that cast shadows, 0..1 each.
+// The light for the given gradient of the scalar and opacity of the volume. The point and the unit vector to the eye
+// are in the coordinates of the lights (light/light_buffers.glsl). incoming: the transmittance towards ambient light
+// and towards the lights that cast shadows, 0..1 each.
 Illumination illuminate(vec3 gradient, real opacity, vec3 point, vec3 toEye, vec4 incoming)
 {
   Illumination lit = noIllumination();
@@ -29,7 +29,7 @@ Illumination illuminate(vec3 gradient, real opacity, vec3 point, vec3 toEye, vec
   vec3 slope = gradient;
 #endif
   real steepness = sqrt(dot(slope, slope));
-  // Where the scalar does not change there is no surface.
+  // Where the gradient is 0 there is no surface.
   vec3 normal = slope * (steepness > real(0) ? -real(1) / steepness : real(0));
   real facing = dot(normal, toEye);
 #if TETMARCH_SCATTERING

@@ -1,7 +1,7 @@
-// A subsegment in light.
+// A lit subsegment.
 
-// What it emits. Light from the eye is absorbed as much before it gets to a point as what is reflected is behind: by
-// the ray's transmittance. Of all that is seen of the subsegment, 1 - absorbed / 2 of that light is left on the average.
+// Its emission. Light from the eye is absorbed on the way to a point as much as its reflection on the way back: by the
+// ray's transmittance. Averaged over the visible part of the subsegment, 1 - absorbed / 2 of that light remains.
 vec3 litEmission(vec4 mean, Illumination lit, Radiance radiance, Absorption by)
 {
   Light light = lit.direct;
@@ -13,7 +13,7 @@ vec3 litEmission(vec4 mean, Illumination lit, Radiance radiance, Absorption by)
 }
 
 #if TETMARCH_SAMPLED_SHADOWS
-// Keeps what the subsegment reflects of the lights whose transmittance the next sample will tell; before absorb().
+// Stores the subsegment's reflection of the lights whose transmittance is known at the next sample; before absorb().
 void keepPending(INOUT(Radiance) radiance, vec4 mean, Illumination lit, Absorption by)
 {
   real weight = radiance.transmittance * by.evenly * by.thickness;
@@ -30,7 +30,7 @@ real greatest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 #endif
 
 #if TETMARCH_ERROR_BOUND || TETMARCH_TABLE_ERROR
-// How bright a colour of 1 can become.
+// The maximum brightness of a colour of 1.
 real brightness(Illumination lit)
 {
   real bright = greatest(lit.direct.diffuse);

@@ -1,2 +1,2 @@
-// What the volume reflects of a light.
+// The volume's reflection of a light.
 vec3 reflection(vec4 mean, Light light) { return emission(mean) * light.diffuse + light.specular * mean.w; }

@@ -1,11 +1,11 @@
-// Shadows sampled at a few points of a ray, evenly in terms of what is seen of the volume. What lies between two samples
-// is kept apart until the second one is known, and gets the mean of both.
+// Shadows sampled at a few points of a ray, at equal steps of opacity. The part between two samples is stored until the
+// second one is known, and uses the mean of both.
 
-CONSTANT real SAMPLE_SPACING = real(0.0625);    // opacity from sample to sample
+CONSTANT real SAMPLE_SPACING = real(0.0625);    // opacity between samples
 CONSTANT real FIRST_SAMPLE = real(0.001953125); // opacity before the first sample
-CONSTANT int MOST_LIGHT_SAMPLES = 20;           // of a ray: 1 / SAMPLE_SPACING, the first two, and some for rounding
+CONSTANT int MOST_LIGHT_SAMPLES = 20;           // per ray: 1 / SAMPLE_SPACING, the first two, and some for rounding
 
-// The transmittance towards each light from a point in the cell behind which the march has paused.
+// The transmittance towards each light from a point in the cell after which the march has paused.
 vec3 sampleLight(Ray ray, March march, real depth)
 {
   LightStart start = march.pause.start;
@@ -25,7 +25,7 @@ vec3 sampleLight(Ray ray, March march, real depth)
   return light;
 }
 
-// Adds what was kept apart, in light of that transmittance.
+// Adds the stored part, with the given transmittance of the light.
 void addPending(INOUT(Radiance) radiance, vec3 transmittance)
 {
   radiance.color = radiance.color + radiance.pendingA * transmittance.x;
@@ -37,7 +37,7 @@ void addPending(INOUT(Radiance) radiance, vec3 transmittance)
 #endif
 }
 
-// jitter, 0..1, differs from pixel to pixel, so that what lies between samples shows as noise instead of as bands.
+// jitter, 0..1, differs from pixel to pixel, so that the sampling error appears as noise, not as bands.
 void marchAndSample(
   Ray ray, real thicknessPerDepth, real depthEnd, real jitter, INOUT(Traversal) traversal, INOUT(March) march)
 {
@@ -54,7 +54,7 @@ void marchAndSample(
     marchOn(ray, thicknessPerDepth, depthEnd, traversal, march);
     if (march.pause.due)
     {
-      // What was seen before the first sample may be one thick cell.
+      // The part before the first sample may be one thick cell.
       vec3 next = sampleLight(ray, march, sampled ? march.done : march.pause.seenDepth);
       addPending(march.radiance, sampled ? (light + next) * real(0.5) : next);
       light = next;

@@ -1,7 +1,7 @@
-// The fraction of light that the volume scatters instead of reflecting it by its surfaces: where the scalar hardly
-// changes, or where there is little to see, there is no surface to speak of. The blending is that of VTK's GPU ray caster
-// (VolumetricScatteringBlending, from VTK 9.2 on); scatteringBlending is half of it, 0..1. surface: opacity times the
-// change of the scalar, as 0..1, over the radius of the mesh.
+// The fraction of light that the volume scatters, the rest being reflected by surfaces: there is no surface where the
+// gradient or the opacity is small. The blending is that of VTK's GPU ray caster (VolumetricScatteringBlending, from
+// VTK 9.2 on); scatteringBlending is half of it, 0..1. surface: opacity times the change of the scalar, in 0..1, over
+// the radius of the mesh.
 real scatteredFraction(real surface)
 {
   real b = scatteringBlending;

@@ -1,4 +1,4 @@
-// What gradients and light make of the volume at a point of a ray, and between two of them.
+// The effect of gradients and light at a point of a ray, and between two points.
 
 struct Shade
 {
@@ -10,7 +10,7 @@ struct Shade
 #endif
 };
 
-// Of a point at that depth of the ray with that scalar. incoming: see illuminate().
+// The shade of a point of the ray with this depth and scalar. incoming: see illuminate().
 Shade shadeOf(Ray ray, real depth, real scalar, vec3 gradient, vec4 incoming)
 {
   Shade shade;
@@ -35,11 +35,11 @@ Shade shadeOf(Ray ray, real depth, real scalar, vec3 gradient, vec4 incoming)
   return shade;
 }
 
-// A point of the ray: in which it crosses a face, or in which an interval ends.
+// A point of the ray: an intersection with a face, or the end of an interval.
 struct FacePoint
 {
   real depth;
-  real scalar; // there, or of the cell
+  real scalar; // at the point, or of the cell
 #if TETMARCH_VERTEX_ATTRIBUTES
   VertexAttributes attributes; // interpolated
 #endif
@@ -71,14 +71,14 @@ Shade shadeAtFace(Ray ray, FacePoint point)
 // Shades of a tetrahedron.
 struct CellShades
 {
-  Shade enter; // where the ray enters it
+  Shade enter; // at the ray's entry
   Shade leave;
-  vec2 within; // where in it the segment at hand begins and ends: 0 and 1 if that is all of it
+  vec2 within; // begin and end of the current segment in it: 0 and 1 if that is all of it
 #if TETMARCH_FINDS_SHADES
-  bool enterKnown; // the shade where the ray enters is that where it left the tetrahedron before
+  bool enterKnown; // the shade at the ray's entry is that at its exit from the previous tetrahedron
 #endif
 #if TETMARCH_VERTEX_LIGHT_ERROR
-  real interpolationError; // of the light that is interpolated between vertices
+  real interpolationError; // of light interpolated between vertices
 #endif
 };
 

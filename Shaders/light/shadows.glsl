@@ -1,4 +1,4 @@
-// How much of a light the volume and opaque geometry keep from a point.
+// Shadows of the volume and of opaque geometry at a point.
 
 #if TETMARCH_SHADOWS_AT_VERTICES
 // The transmittance of a channel, 0 to 2.
@@ -12,13 +12,12 @@ real incomingFrom(int channel, vec4 incoming)
 }
 #endif
 
-// Adds a light. 1 - strength of it shines through whatever lies between it and the point; the rest is dimmed by the
-// transmittance.
+// Adds a light. The share 1 - strength of it is not attenuated; the rest is multiplied by the transmittance.
 void addShadowed(INOUT(Illumination) lit, int i, Light light, vec4 incoming)
 {
   int channel = fetchShadowChannel(i); // -1: of a headlight
   real strength = fetchShadowStrength(i);
-  real kept = real(0); // from the direct light: absorbed, or added apart
+  real kept = real(0); // removed from the direct light: absorbed, or added separately
 #if TETMARCH_HEADLIGHT_SHADOWS
   real head = channel < 0 ? strength : real(0);
   lit.head = addLight(lit.head, dimLight(light, head));
@@ -27,7 +26,7 @@ void addShadowed(INOUT(Illumination) lit, int i, Light light, vec4 incoming)
 #if TETMARCH_SAMPLED_SHADOWS
   kept = channel < 0 ? kept : strength;
 #if TETMARCH_OPAQUE_SHADOWS
-  strength = strength * incomingFrom(channel, incoming); // past opaque geometry; samples tell of the volume
+  strength = strength * incomingFrom(channel, incoming); // by opaque geometry; samples add the volume
 #endif
   lit.beamA = addLight(lit.beamA, dimLight(light, channel == 0 ? strength : real(0)));
 #if TETMARCH_SEVERAL_SHADOWS

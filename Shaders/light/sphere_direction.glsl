@@ -1,4 +1,5 @@
-// Direction k of n, evenly over the sphere: a Fibonacci lattice (Swinbank and Purser 2006), the same for all vertices.
+// Direction k of n, evenly distributed over the sphere: a Fibonacci lattice (Swinbank and Purser 2006), the same for
+// all vertices.
 vec3 sphereDirection(int k, int n)
 {
   real z = real(1) - real(2 * k + 1) / real(n);

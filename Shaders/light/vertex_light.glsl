@@ -1,5 +1,5 @@
 // The light at a vertex of a mesh, or at a node of a lattice: the transmittance towards ambient light, which is the mean
-// over a few directions up to a radius, and towards each light that casts shadows. It is marched once, and kept until
+// over a few directions up to a radius, and towards each light that casts shadows. It is computed once, and kept until
 // light or volume change.
 
 #include "light/sphere_direction.glsl"
@@ -10,7 +10,7 @@
 #endif
 
 #if TETMARCH_OPAQUE_SHADOWS
-// Whether opaque geometry stands between the vertex and light k.
+// Whether opaque geometry is between the vertex and light k.
 bool isShadowed(uint vertex, int k) { return (fetchOpaqueShadows(vertex) >> uint(k) & 1u) != 0u; }
 #endif
 
@@ -35,7 +35,7 @@ vec4 lightAtVertex(uint vertex)
                 : sphereDirection(k - shadowSourceCount, occlusionDirectionCount);
     real distance = fromLight ? min(source.w > real(0) ? far : NO_DEPTH, lightReach) : occlusionRadius;
 #if TETMARCH_OPAQUE_SHADOWS
-    // Light that opaque geometry keeps off needs no march.
+    // Light blocked by opaque geometry needs no march.
     distance = fromLight && isShadowed(vertex, k) ? real(0) : distance;
 #endif
     real transmittance = transmittanceTo(start, direction, distance);

@@ -1,6 +1,6 @@
-// The layout of the texture with the light of the vertices: square blocks of texels, as many in a row as have room.
-// Vertices of neighbouring numbers are neighbours in space, so that rays from one block, which run in lockstep, cross
-// much the same tetrahedra.
+// The layout of the texture with the light of the vertices: square blocks of texels, as many in a row as fit. Vertices
+// with neighbouring indices are neighbours in space, so that rays from one block, which run in lockstep, cross nearly
+// the same tetrahedra.
 #define BLOCK_SIDE uint(VERTEX_LIGHT_BLOCK)
 #define BLOCK_TEXELS (BLOCK_SIDE * BLOCK_SIDE)
 #define BLOCKS_IN_ROW (uint(VERTEX_LIGHT_ROW) / BLOCK_SIDE)

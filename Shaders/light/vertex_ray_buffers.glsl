@@ -1,4 +1,4 @@
-// What rays from vertices read beside light/light_ray_buffers.glsl; bound by GL/EffectTextures.
+// Uniforms of rays from vertices, besides light/light_ray_buffers.glsl; bound by GL/EffectTextures.
 uniform int occlusionDirectionCount;
 uniform float occlusionRadius;
 #if !TETMARCH_STRUCTURED
@@ -6,6 +6,6 @@ uniform usamplerBuffer vertexStartBuffer;
 uvec4 fetchVertexStart(uint vertex) { return texelFetch(vertexStartBuffer, int(vertex)); }
 #endif
 #if TETMARCH_OPAQUE_SHADOWS
-uniform usamplerBuffer opaqueShadowBuffer; // of each vertex; a bit a light
+uniform usamplerBuffer opaqueShadowBuffer; // per vertex; one bit per light
 uint fetchOpaqueShadows(uint vertex) { return texelFetch(opaqueShadowBuffer, int(vertex)).x; }
 #endif

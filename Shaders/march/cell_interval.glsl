@@ -1,15 +1,15 @@
-// The interval of a ray in a cell, and what is known at its ends. A cell in which the scalar bends has several, one
-// behind the other, in each of which the scalar rises or falls.
+// The interval of a ray in a cell, and the data at its ends. A cell in which the scalar bends has several consecutive
+// ones, in each of which the scalar is monotonic.
 
 struct CellInterval
 {
   uint number; // of the cell
   vec2 enter;  // depth and scalar where the interval begins
   vec2 leave;  // and where it ends
-  real begin;  // depths between which the cell is gathered
+  real begin;  // begin and end of the integrated part
   real end;
   real scalar; // of the cell, or where the ray leaves it
-  bool seen;   // there is something to gather
+  bool seen;   // the cell contributes to the pixel
 #if TETMARCH_BENT
   vec2 bend;   // of the scalar from enter to leave; see structured/bend.glsl
 #endif
@@ -18,7 +18,7 @@ struct CellInterval
   vec3 furtherLeave;
   FurtherBend furtherBend;
 #elif TETMARCH_COMPONENTS && TETMARCH_STRUCTURED
-  vec3 further; // scalars of the cell beside the first
+  vec3 further; // further scalars of the cell
 #endif
 #if TETMARCH_KEEPS_TABLE_POINT
   TablePoint at; // the table at the end of the last lookup
@@ -31,20 +31,20 @@ struct CellInterval
   CellShades shades;
 #endif
 #if TETMARCH_CROPPED
-  real rest;   // depth up to which more of the cell may be left by the cropping
+  real rest;   // depth up to which further ranges of the cell may remain after cropping
 #endif
 #if TETMARCH_NAN_SHOWN
   bool finite; // the scalar is finite
 #endif
 #if TETMARCH_POINT_SAMPLED
-  Ray ray;     // that crosses the cell
+  Ray ray;     // the ray that crosses the cell
 #if TETMARCH_EFFECTS
-  ivec3 crossed; // the cell's numbers along the axes
+  ivec3 crossed; // the cell's indices along the axes
 #endif
 #endif
 #if TETMARCH_ISOSURFACES
-  bool drawn;  // the cell has a scalar and is not hidden, whether or not a surface crosses it
-  vec2 before; // depth and scalar where the ray left the last cell that is drawn
+  bool drawn;  // the cell has a scalar and is not hidden, even if no surface crosses it
+  vec2 before; // depth and scalar where the ray left the last drawn cell
 #endif
 };
 
@@ -115,14 +115,14 @@ Segment visibleSegment(CellInterval cell)
   segment.furtherBegin = fetchFurtherScalars(cell.number);
 #endif
 #if TETMARCH_ISOSURFACES
-  // Scalars of cells change between two cells. Where rounding makes cells overlap, no value is crossed twice.
+  // Cell scalars change between two cells. If cells overlap by rounding, no value is crossed twice.
   segment.begin = vec2(cell.begin, cell.begin <= cell.before.x ? cell.before.y : segment.begin.y);
 #endif
   return segment;
 }
 
 #if TETMARCH_EFFECTS
-// Where in the interval a segment begins and ends: 0 and 1 if it is all of the interval.
+// Begin and end of a segment in the interval: 0 and 1 if it is the whole interval.
 vec2 rangeWithin(CellInterval cell, Segment segment)
 {
 #if TETMARCH_WHOLE_INTERVALS
@@ -135,7 +135,7 @@ vec2 rangeWithin(CellInterval cell, Segment segment)
 #endif
 
 #if TETMARCH_ISOSURFACES
-// Depth up to which the cell has been gathered.
+// Depth up to which the cell has been integrated.
 real gatheredEnd(CellInterval cell)
 {
 #if TETMARCH_CROPPED
@@ -156,7 +156,7 @@ void beginCell(OUT(CellInterval) cell)
 #endif
 }
 
-// There the last lookup is that of the table at the begin; not of an undrawn scalar, for the first segment meets it.
+// There the last lookup is that at the begin of the table; not of an undrawn scalar, which the first segment may have.
 void beginLookups(INOUT(CellInterval) cell)
 {
 #if TETMARCH_KEEPS_TABLE_POINT
@@ -172,7 +172,7 @@ void keepLastDrawn(INOUT(CellInterval) cell)
 #endif
 }
 
-// Decides whether anything is seen between cell.begin and cell.end, which is nothing unless the ray goes forward.
+// Sets whether the cell is visible between cell.begin and cell.end; never if the ray does not go forward.
 void decideVisibility(bool forward, INOUT(CellInterval) cell)
 {
 #if TETMARCH_POINT_SCALARS

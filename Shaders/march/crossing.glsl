@@ -1,7 +1,7 @@
-// What crossing a cell, or a part of one, has come to.
+// The result of crossing a cell, or a part of one.
 struct Crossing
 {
-  int cells;   // that it took: 0 behind the first part of a cell
+  int cells;   // number of cells: 0 after the first part of a cell
   bool lost;   // there was no exit
   bool onward; // there is a cell or a part behind
 };

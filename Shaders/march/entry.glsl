@@ -1,4 +1,4 @@
-// Where a ray enters the volume.
+// The entry of a ray into the volume.
 struct Entry
 {
   real depth;

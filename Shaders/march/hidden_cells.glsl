@@ -1,2 +1,2 @@
-// Hidden cells are passed as if nothing was in them.
+// Hidden cells are skipped.
 bool isHidden(uint cell) { return (fetchHiddenCells(cell >> 5u) >> (cell & 31u) & 1u) != 0u; }

@@ -1,6 +1,7 @@
-// Between two points of a ray within a cell the scalar is linear in the depth; march/segment.glsl has the consequences.
+// Between two points of a ray within a cell the scalar is linear in the depth; march/segment.glsl lists the
+// consequences.
 
-// How far a depth is from the first of two points (depth, scalar) of a ray to the second, 0..1.
+// The fraction 0..1 of a depth between two points (depth, scalar) of a ray.
 real fractionAt(vec2 first, vec2 second, real depth) { return (depth - first.x) / (second.x - first.x); }
 
 // Scalar at a depth between two points (depth, scalar).

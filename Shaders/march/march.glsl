@@ -1,23 +1,23 @@
-// The march: from where a ray enters the volume, from cell to cell, to where it ends. What the cells are is the
-// business of tet/ or structured/: both have a Place, where a ray is, a Traversal, and crossCell().
+// The march of a ray from its entry into the volume, from cell to cell, to its end. Cells are defined in tet/ or
+// structured/: both have a Place (the position of a ray), a Traversal, and crossCell().
 
 struct March
 {
   Radiance radiance;
-  real done;     // depth up to which the ray has gathered; nothing is gathered twice
-  bool finished; // the ray is opaque or picked, or past the last depth that is asked for
+  real done;     // depth up to which the ray is integrated; no part is integrated twice
+  bool finished; // the ray is opaque or picked, or beyond its last depth
   int cells;     // cells crossed
-  int stepsTaken; // the same, and parts of cells that were crossed: no ray takes more than mostSteps
+  int stepsTaken; // the same including parts of cells; at most mostSteps
 #if TETMARCH_SAMPLED_SHADOWS
   SamplePause pause;
 #endif
 #if TETMARCH_PICKED
-  real target;   // the ray is picked where it has gathered this much
+  real target;   // gathered() at the picked point
   Pick pick;
 #endif
 #if TETMARCH_VISITS
-  real begin;      // depth at which the ray has entered what it has gathered
-  real hiddenFrom; // where it enters behind this depth nothing is seen
+  real begin;      // depth at which the ray entered the current visit
+  real hiddenFrom; // entries behind this depth are invisible
 #endif
 #if TETMARCH_DIAGNOSTICS
   int lookups;   // of the segment integral
@@ -39,7 +39,7 @@ March beginMarch(real depthBegin)
   march.pause = noPause();
 #endif
 #if TETMARCH_PICKED
-  march.target = NO_DEPTH; // more than any ray gathers
+  march.target = NO_DEPTH; // more than gathered() of any ray
   march.pick = noPick();
 #endif
 #if TETMARCH_VISITS
@@ -79,7 +79,7 @@ void countRefusal(bool entered, INOUT(March) march)
 #endif
 }
 
-// Keeps the cell before which the ray is as the one that was crossed last: rays to the light may start in it.
+// Stores the cell ahead of the ray as the last crossed one: rays to the light may start in it.
 void keepCell(Place place, INOUT(March) march)
 {
 #if TETMARCH_SAMPLED_SHADOWS
@@ -94,7 +94,7 @@ void keepTransmittance(INOUT(March) march)
 #endif
 }
 
-// Whether the march goes on behind the cell; it may pause there.
+// Whether the march continues after the cell; it may pause there.
 bool goesOnAfter(CellInterval cell, bool onward, INOUT(March) march)
 {
 #if TETMARCH_SAMPLED_SHADOWS
@@ -116,7 +116,7 @@ void recordCell(CellInterval cell, March march)
 #endif
 }
 
-// Crosses the cell before which the ray is. Returns whether the ray goes on behind it.
+// Crosses the cell ahead of the ray. Returns whether the ray continues after it.
 bool passCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterval) cell, INOUT(March) march)
 {
   keepCell(place, march);
@@ -130,7 +130,7 @@ bool passCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterval) ce
   cell.end = min(cell.leave.x, depthEnd);
   bool forward = cell.end > cell.begin;
   decideVisibility(forward, cell);
-  // Where the ray goes backwards, nothing is gathered.
+  // If the ray goes backwards, nothing is integrated.
   march.done = forward ? cell.end : march.done;
   march.finished = max(cell.begin, cell.end) >= depthEnd;
   recordCell(cell, march);
@@ -139,8 +139,8 @@ bool passCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterval) ce
   return crossing.onward && march.stepsTaken < mostSteps && !march.finished;
 }
 
-// Crosses cells until something is seen of one, or one cell if none is to be passed unseen. Returns whether the ray goes
-// on behind it. What is not seen has a loop of its own; Mesa 22.3 compiles it wrong as a do-while.
+// Crosses transparent cells up to the next visible one, or one cell if there is no inner loop. Returns whether the ray
+// continues after it. Mesa 22.3 miscompiles this loop as a do-while.
 bool passToSeenCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterval) cell, INOUT(March) march)
 {
 #if TETMARCH_PASSES_CELLS
@@ -157,7 +157,7 @@ bool passToSeenCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterv
 #endif
 }
 
-// Gathers the cell's interval, if anything of it is seen.
+// Gathers the cell's interval, if it is visible.
 void gatherInterval(real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(March) march)
 {
   if (cell.seen)
@@ -170,7 +170,7 @@ void gatherInterval(real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Marc
   }
 }
 
-// Gathers all intervals of the cell that the cropping leaves.
+// Gathers all intervals of the cell that remain after cropping.
 void gatherIntervals(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(March) march)
 {
 #if TETMARCH_CROPPED
@@ -187,7 +187,7 @@ void gatherIntervals(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, 
 #endif
 }
 
-// Whether nothing behind can change what is asked for.
+// Whether cells behind can't change the result.
 bool isFinished(March march)
 {
 #if TETMARCH_PICKED
@@ -197,8 +197,8 @@ bool isFinished(March march)
 #endif
 }
 
-// Marches from where the ray has entered the volume to where it leaves it, which becomes the place. thicknessPerDepth is
-// the thickness, in scalar opacity unit distances, of a unit of depth.
+// Marches from the ray's entry into the volume to its exit, which becomes the place. thicknessPerDepth is the
+// thickness, in scalar opacity unit distances, of a unit of depth.
 void marchToExit(Ray ray, INOUT(Place) place, real thicknessPerDepth, real depthEnd, INOUT(March) march)
 {
   CellInterval cell = beginCellInterval(ray, place);
@@ -221,12 +221,12 @@ bool hasSeen(March march)
 #if TETMARCH_ACCUMULATES_OPACITY
   return march.radiance.transmittance < real(1);
 #else
-  return false; // all that is on the ray is one visit
+  return false; // the whole ray is one visit
 #endif
 }
 #endif
 
-// Where a visit of the mesh begins; those of which nothing is seen are none.
+// Sets the begin of a visit of the mesh; invisible visits are skipped.
 void beginVisit(Traversal traversal, INOUT(March) march)
 {
 #if TETMARCH_VISITS
@@ -235,7 +235,7 @@ void beginVisit(Traversal traversal, INOUT(March) march)
 #endif
 }
 
-// Whether the ray marches through what it enters next, or goes on in what it has entered.
+// Whether the ray marches through its next entry, or continues in the volume.
 bool goesOnThrough(Traversal traversal, March march)
 {
 #if TETMARCH_VISITS
@@ -245,7 +245,7 @@ bool goesOnThrough(Traversal traversal, March march)
 #endif
 }
 
-// Marches to the end of the ray or of a visit, or up to where the march pauses.
+// Marches to the end of the ray or of a visit, or to the next pause.
 void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) traversal, INOUT(March) march)
 {
   int entries = 0;

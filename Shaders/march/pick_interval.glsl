@@ -1,14 +1,13 @@
-// The point at which a ray is picked: the first one up to which it has gathered as much as is asked for, of whatever
-// the blend mode gathers.
+// The picked point of a ray: the first one at which gathered() of the blend mode reaches the target.
 
-CONSTANT int PICK_STEPS = 32; // halvings of the interval that the point is in
+CONSTANT int PICK_STEPS = 32; // halvings of the point's interval
 
 struct Pick
 {
   bool hit;
-  uint cell;   // its number
+  uint cell;   // its index
   real depth;  // along the ray
-  real scalar; // as it is stored, also if it is not finite
+  real scalar; // as stored, also if it is not finite
 };
 
 Pick noPick()
@@ -26,7 +25,7 @@ bool isPicked(Radiance radiance, real target)
   return gathered(radiance) >= target && gathered(radiance) > gathered(noRadiance());
 }
 
-// What the ray has gathered when the cell is gathered up to a depth.
+// The radiance after gathering the cell up to a depth.
 Radiance gatheredUpTo(real depth, real thicknessPerDepth, CellInterval cell, Radiance radiance)
 {
   cell.end = depth;
@@ -67,7 +66,7 @@ void pickInterval(
       low = picked ? low : middle;
       high = picked ? middle : high;
 #if TETMARCH_BENT
-      // What lies before the point is split into subsegments once, not in each step.
+      // The part before the point is split into subsegments once, not in each step.
       if (!picked)
       {
         searched.begin = middle;

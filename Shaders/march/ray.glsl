@@ -2,13 +2,13 @@
 
 struct Ray
 {
-  vec3 origin; // the point of the ray nearest to the volume's centre, which is the origin of coordinates
+  vec3 origin; // the point of the ray nearest to the volume's centre, the origin of coordinates
 #if TETMARCH_STRUCTURED
   vec3 start;    // the origin in lattice coordinates
-  vec3 slope;    // lattice coordinates a unit of depth
-  vec3 perSlope; // 1 over that; 0 along an axis that the ray runs across
-  vec3 never;    // 1 along an axis that the ray runs across, else 0
-  ivec3 steps;   // 1 or -1: the direction along each axis; 0 across it
+  vec3 slope;    // lattice coordinates per unit of depth
+  vec3 perSlope; // reciprocal of slope; 0 along an axis perpendicular to the ray
+  vec3 never;    // 1 along an axis perpendicular to the ray, else 0
+  ivec3 steps;   // 1 or -1: the direction along each axis; 0 if perpendicular
 #if TETMARCH_POINT_SAMPLED
   real firstSample; // depth; structured/ray_samples.glsl
 #endif
@@ -16,8 +16,8 @@ struct Ray
   vec3 right;  // right, up, -direction: an orthonormal basis, as the viewer sees it
   vec3 up;
 #if TETMARCH_ENTRY_LISTS
-  int firstCandidate;  // of a ray of a pixel: the faces by which it may enter are those from this one
-  int endOfCandidates; // to before that one
+  int firstCandidate;  // range of the faces through which the ray of a pixel may enter:
+  int endOfCandidates; // [firstCandidate, endOfCandidates)
   uint pixelInTile;    // x and y, 4 bits each
 #endif
 #endif
@@ -26,13 +26,13 @@ struct Ray
   vec3 toEye; // unit length, in the coordinates of the lights
 #endif
 #if TETMARCH_CROPPED
-  vec3 lowDepth; // depths at which it crosses the planes of the cropping
+  vec3 lowDepth; // depths of the crossings with the planes of the cropping
   vec3 highDepth;
 #endif
 };
 
 #if TETMARCH_CROPPED
-// Depth at which a ray has gone that far along an axis; NO_DEPTH if it runs across it.
+// Depth at which a ray has moved that distance along an axis; NO_DEPTH if it is perpendicular.
 real depthAlong(real distance, real slope) { return abs(slope) > TINY ? distance / slope : NO_DEPTH; }
 
 vec3 planeDepths(vec3 planes, vec3 origin, vec3 direction)
@@ -49,8 +49,8 @@ vec3 planeDepths(vec3 planes, vec3 origin, vec3 direction)
 #include "tet/projection.glsl"
 #endif
 
-// The ray through a point. However far away the eye is, the origin q - dir (q.dir) errs by a few 1e-7 radii of the volume;
-// eye + dir t would err by as much of the eye's distance.
+// The ray through a point. For any distance of the eye, the error of the origin q - dir (q.dir) is a few 1e-7 radii of
+// the volume; that of eye + dir t would be as much of the eye's distance.
 Ray rayThrough(vec3 point, vec3 direction)
 {
   Ray ray;

@@ -1,14 +1,14 @@
-// A march that samples shadows along its ray pauses behind a cell whenever enough of the volume has been seen
-// since the last sample (light/sampled_shadows.glsl).
+// A march that samples shadows along its ray pauses after a cell when enough opacity has been gathered since the last
+// sample (light/sampled_shadows.glsl).
 
 struct SamplePause
 {
-  bool due;           // the march pauses; the next marchToExit() goes on from there,
+  bool due;           // the march pauses; the next marchToExit() continues from there,
   bool ended;         // unless the ray had left the mesh or was finished
   real nextSample;    // the transmittance at which the next sample is due
   real transmittance; // before the last cell
-  LightStart start;   // in the cell that was crossed last, but for its point
-  real seenDepth;     // the average depth of what is seen of it
+  LightStart start;   // in the last crossed cell, without its point
+  real seenDepth;     // the mean depth of its visible light
 };
 
 SamplePause noPause()
@@ -20,8 +20,8 @@ SamplePause noPause()
   return pause;
 }
 
-// How far into a homogeneous interval the average of what is seen of it lies, by the transmittance before and behind it:
-// with its optical depth D it is 1 / D - 1 / (exp(D) - 1), a half in a thin one.
+// The mean position, 0..1, of the visible light of a homogeneous interval, given the transmittance before and behind
+// it: with its optical depth D it is 1 / D - 1 / (exp(D) - 1), a half in a thin one.
 real seenFraction(real before, real behind)
 {
   real absorbed = (before - behind) / max(before, TINY);

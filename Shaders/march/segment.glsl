@@ -1,7 +1,7 @@
-// A segment is a part of a ray along which the scalar is linear in the depth, or bends but rises or falls. A tetrahedron
-// with scalars at its vertices yields one linear segment; so does a cell with a scalar of its own, which is constant in it.
+// A segment is a part of a ray along which the scalar is linear in the depth, or bent but monotonic. A tetrahedron with
+// scalars at its vertices yields one linear segment; so does a cell with a constant scalar.
 //
-// Whatever a ray gathers relies on that linearity, and only in these places:
+// Only these functions rely on the linearity:
 //   scalarAt                          the scalar at a depth                       march/linear_scalar.glsl
 //   furtherAt                         a further scalar at a depth                 march/cell_interval.glsl
 //   isTransparentBetween              no scalar is beyond those at the ends       tables/integral_table.glsl
@@ -10,10 +10,10 @@
 //   meanBetween                       a mean over the depth is one over scalars   tables/integral_table.glsl
 //   countedFraction                   scalars in a range are one interval         gather/sum.glsl
 //   subsegmentError                   the colour varies as the table does         gather/..._component(s).glsl
-// A trilinear cell that is cut evenly is one segment (gather/segment_even.glsl). Others make the scalar a cubic, too: their
-// segments end where that has an extreme, so that extremes and crossings are
-// right; the scalar at a depth is that of the cubic; subsegments end at scalars of the cubic, and what the bend between
-// them changes of the colour is one more term of subsegmentError (structured/bend.glsl).
+// A trilinear cell that is cut evenly is one segment (gather/segment_even.glsl). In other trilinear cells the scalar is
+// a cubic: segments end at its extremes, so that extremes and crossings are right; the scalar at a depth is that of the
+// cubic; subsegments end at scalars of the cubic, and the effect of the bend between them on the colour is an
+// additional term of subsegmentError (structured/bend.glsl).
 
 struct Segment
 {
@@ -23,7 +23,7 @@ struct Segment
   vec2 bend;  // structured/bend.glsl
 #endif
 #if TETMARCH_COMPONENTS
-  vec3 furtherBegin; // scalars beside the first
+  vec3 furtherBegin; // further scalars
 #if TETMARCH_POINT_SCALARS
   vec3 furtherEnd;
 #endif
@@ -34,12 +34,12 @@ struct Segment
 };
 
 #if TETMARCH_EXTREME
-// The greatest scalar of a segment, times the sign; with the sign -1 that is the least one.
+// The maximum of sign times the scalar of a segment; with the sign -1 it belongs to the minimum.
 real extremeScalar(Segment segment, real sign) { return max(sign * segment.begin.y, sign * segment.end.y); }
 #endif
 
 #if TETMARCH_ISOSURFACES
-// How many of the values of the surfaces the scalar has reached.
+// The number of isosurface values that the scalar has reached.
 int valuesReached(real scalar)
 {
   int reached = 0;
@@ -53,7 +53,7 @@ int valuesReached(real scalar)
 bool crossesSurface(Segment segment) { return valuesReached(segment.begin.y) != valuesReached(segment.end.y); }
 
 #if TETMARCH_LIT
-// How far in the segment its scalar has a value, 0..1. Scalars of cells change where a segment begins.
+// The position, 0..1, in the segment at which its scalar has a value. Cell scalars change at the begin of a segment.
 real fractionOfValue(Segment segment, real value)
 {
 #if TETMARCH_POINT_SCALARS

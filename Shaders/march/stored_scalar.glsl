@@ -1,3 +1,3 @@
-// Scalars that are not finite are stored as UNDRAWN_SCALAR; all others lie in 0..1. Cells that touch such a scalar are
-// passed, or have a colour of their own.
+// Scalars that are not finite are stored as UNDRAWN_SCALAR; all others are in 0..1. Cells with such a scalar are
+// skipped, or drawn in the NaN colour.
 bool isDrawn(real scalar) { return scalar < real(2); }

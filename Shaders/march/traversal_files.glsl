@@ -1,4 +1,4 @@
-// What every march is made of: the traversal of what it marches through, and the transfer functions.
+// The common part of all marches: the traversal of the volume, and the transfer functions.
 #if TETMARCH_STRUCTURED
 #include "structured/traversal_files.glsl"
 #else

@@ -1,4 +1,4 @@
-// What rays march through.
+// The data of the volume.
 #if TETMARCH_STRUCTURED
 #include "structured/lattice_buffers.glsl"
 #else

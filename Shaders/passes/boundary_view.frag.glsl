@@ -1,4 +1,4 @@
-// The boundary of the mesh: by which face a pixel's ray enters, or where in that face.
+// The boundary of the mesh: the face through which a pixel's ray enters, or the point in that face.
 #include "language.glsl"
 #include "passes/helper.glsl"
 
@@ -32,7 +32,7 @@ Entry entryOf(PixelRay pixel)
   return nextCandidate(pixel.ray, before, candidate);
 }
 #else
-// The entry into the part of the mesh in which the ray is at a depth; if it is outside there, its next entry.
+// The entry into the part of the mesh that contains the ray at a depth; if it is outside, its next entry.
 Entry entryOf(PixelRay pixel)
 {
   Ray ray = pixel.ray;
@@ -50,7 +50,7 @@ Entry entryOf(PixelRay pixel)
   }
   if (before.face >= 0)
   {
-    // In the opposite direction exits are entries: did the ray leave the part that it entered last?
+    // In the opposite direction exits are entries: has the ray left the part that it entered last?
     Ray back = rayThrough(ray.origin, -ray.direction);
     Entry exit;
     exit.depth = -depth;
@@ -71,8 +71,8 @@ bool crossesBoundary(PixelRay pixel, out FaceIntersection intersection)
   return face >= 0 && enters(pixel.ray, uint(face), intersection);
 }
 
-// PCG-RXS-M-XS by M. O'Neill, as M. Jarzynski and M. Olano have it in "Hash Functions for GPU Rendering", Journal of
-// Computer Graphics Techniques 9 (2020), no. 3: whole numbers, so that every GL makes the same of them.
+// PCG-RXS-M-XS by M. O'Neill, as given by M. Jarzynski and M. Olano in "Hash Functions for GPU Rendering", Journal of
+// Computer Graphics Techniques 9 (2020), no. 3: integers, so that every GL computes the same.
 uint hash(uint number)
 {
   uint state = number * 747796405u + 2891336453u;
@@ -80,8 +80,8 @@ uint hash(uint number)
   return (word >> 22u) ^ word;
 }
 
-// By the vertices of the face, for the hierarchy changes the numbers of faces. One channel is 1, so that no colour is
-// dark, the others are at least a quarter; 8 bits hold them exactly.
+// From the vertices of the face, since the hierarchy reorders faces. One channel is 1, so that no colour is dark, the
+// others are at least a quarter; 8 bits represent them exactly.
 vec3 colorOfFace(uvec3 ids)
 {
   uint bits = hash(ids.x + hash(ids.y + hash(ids.z)));

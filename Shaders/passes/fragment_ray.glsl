@@ -1,4 +1,4 @@
-// The ray of a fragment's pixel. Discards helpers and pixels that see nothing of the volume.
+// The ray of a fragment's pixel. Discards helpers and pixels whose ray misses the volume.
 PixelRay seenPixelRay()
 {
   if (IS_HELPER)

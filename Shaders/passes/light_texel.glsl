@@ -1,5 +1,5 @@
-// The light of one texel: at a vertex of a mesh, or at a node of a lattice. What begins it is a fragment
-// (vertex_light.frag.glsl) or an invocation of a compute shader (vertex_light.comp.glsl).
+// The light of one texel: at a vertex of a mesh, or at a node of a lattice. Called by a fragment shader
+// (vertex_light.frag.glsl) or a compute shader (vertex_light.comp.glsl).
 
 #include "march/volume_buffers.glsl"
 #include "tables/table_buffers.glsl"
@@ -22,7 +22,7 @@
 
 uniform int vertexCount;
 
-// Returns false behind the last vertex.
+// Returns false beyond the last vertex.
 bool findLight(uvec2 texel, OUT(vec4) light)
 {
   uint vertex = vertexOfTexel(texel);

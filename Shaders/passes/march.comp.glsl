@@ -1,5 +1,5 @@
-// The picture by a compute shader: one ray a pixel, 8 x 8 of them a group. It writes what march.frag.glsl does, but 0 where
-// that discards.
+// The picture by a compute shader: one ray per pixel, 8 x 8 per group. It writes the same as march.frag.glsl, but 0
+// where that discards.
 #include "language.glsl"
 
 layout(local_size_x = 64) in;

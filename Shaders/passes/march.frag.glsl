@@ -1,4 +1,4 @@
-// The picture: one ray a pixel.
+// The picture: one ray per pixel.
 #include "language.glsl"
 #include "passes/helper.glsl"
 

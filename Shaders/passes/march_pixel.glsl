@@ -1,5 +1,5 @@
-// The march of one pixel's ray, and its colour. What begins it is a fragment (march.frag.glsl) or an invocation of a
-// compute shader (march.comp.glsl).
+// The march of one pixel's ray, and its colour. Called by a fragment shader (march.frag.glsl) or a compute shader
+// (march.comp.glsl).
 
 #include "march/volume_buffers.glsl"
 #include "tables/table_buffers.glsl"
@@ -60,7 +60,7 @@ vec4 colorOf(PixelRay pixel, March march)
 }
 
 #if TETMARCH_DIAGNOSTICS
-// A ray that ends before the mesh, or begins behind it, has crossed a tetrahedron without gathering it.
+// A ray that ends before the mesh, or begins behind it, may have crossed a tetrahedron without gathering it.
 vec4 measuresOf(PixelRay pixel, March march)
 {
   bool met = march.done > pixel.depthBegin;

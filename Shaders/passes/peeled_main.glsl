@@ -1,6 +1,6 @@
-// The picture between translucent surfaces. vtkDualDepthPeelingPass replaces the tag below by a text that reads the
+// The picture between translucent surfaces. vtkDualDepthPeelingPass replaces the tag below by code that reads the
 // depths of such surfaces, calls initializeRayCast() once and castRay() for one or two parts of the pixel's ray, and
-// writes colours to targets of its own. The names are VTK's.
+// writes colours to its own targets. The names are VTK's.
 
 const float g_opacityThreshold = 1.0 - 1.0 / 255.0;
 

@@ -1,4 +1,4 @@
-// Where the ray of each pixel is picked. Pixels whose ray is not picked are discarded.
+// The picked point of each pixel's ray. Pixels without one are discarded.
 #define TETMARCH_PICKED 1
 #include "language.glsl"
 #include "passes/helper.glsl"
@@ -28,7 +28,7 @@
 #include "passes/pixel_ray.glsl"
 #include "passes/fragment_ray.glsl"
 
-uniform float transmittanceLeft; // of the ray at the point where it is picked, 0..1
+uniform float transmittanceLeft; // of the ray at the picked point, 0..1
 
 void main()
 {
@@ -40,7 +40,7 @@ void main()
   {
     discard;
   }
-  // A float holds 24 bits of an integer.
+  // A float represents 24 bits of an integer.
   gl_FragData[0] = vec4(float(pick.cell & 0xffffu), float(pick.cell >> 16u), pick.scalar, 1.0);
   gl_FragData[1] = vec4(pixel.ray.origin + pixel.ray.direction * pick.depth, 0.0);
 }

@@ -1,4 +1,4 @@
-// The depth of a picture that has been drawn over the viewport: just before the far plane, where it is not transparent.
+// The depth of a picture drawn over the viewport: just before the far plane, where it is not transparent.
 //VTK::Output::Dec
 
 uniform vec4 viewport; // x, y, width, height in pixels

@@ -1,4 +1,4 @@
-// The ray of a pixel, and the part of it that is seen.
+// The ray of a pixel, and its visible part.
 
 uniform vec4 viewport;  // x, y, width, height in pixels
 uniform vec4 eye;       // (position, 1) or, for parallel projection, (direction towards it, 0)
@@ -21,8 +21,8 @@ vec3 unproject(vec2 pixel, float windowDepth)
   return p.xyz / p.w;
 }
 
-// Depth along a pixel's ray of its point at a depth of the window. If the far plane is a million times as far as the
-// near plane, its depth has no correct digit, and cutsFarPlane is false.
+// Depth along a pixel's ray of its point at a window depth. If the far plane is a million times as far as the near
+// plane, its depth has no correct digit, and cutsFarPlane is false.
 float depthAt(vec2 center, Ray ray, float windowDepth)
 {
   return windowDepth < 1.0 || cutsFarPlane ? dot(unproject(center, windowDepth) - ray.origin, ray.direction) : NO_DEPTH;
@@ -34,9 +34,9 @@ struct PixelRay
   vec2 center;      // of the pixel, in pixels of the window
   ivec2 at;         // pixel, from the corner of the viewport
   Ray ray;
-  float depthBegin; // the part from here to depthEnd is seen
+  float depthBegin; // the visible part is from here to depthEnd
   float depthEnd;
-  bool seen;        // not beside the mesh, nor clipped away
+  bool seen;        // the ray neither misses the mesh nor is clipped
 };
 
 vec3 rayPoint(vec2 center)
@@ -46,7 +46,7 @@ vec3 rayPoint(vec2 center)
   return p.xyz / p.w;
 }
 
-// Without branches around what follows, which would cost a GPU registers.
+// Without branches around the following code, which would cost a GPU registers.
 PixelRay pixelRay(vec2 center)
 {
   PixelRay found;

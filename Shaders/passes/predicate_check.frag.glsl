@@ -1,5 +1,5 @@
-// The check of the predicate on this GL (GL/PredicateCheck): a pixel is a case, once outside and once inside of a loop. The
-// compiler may have optimised each for itself, but the march relies on equal bits.
+// The check of the predicate on this GL (GL/PredicateCheck): each pixel is a case, computed outside and inside of a
+// loop. The compiler may optimise each separately, but the march relies on equal bits.
 #include "language.glsl"
 #include "tet/edge_sign.glsl"
 #include "march/ray.glsl"
@@ -7,7 +7,7 @@
 //VTK::Output::Dec
 
 uniform sampler2D caseTexture; // Variants/PredicateCases.h
-uniform int turns;             // of the loop: several, but not a constant, so that it is not unrolled
+uniform int turns;             // iterations of the loop: several, but not a constant, so that it is not unrolled
 
 vec4 caseTexel(ivec2 at, int i) { return texelFetch(caseTexture, ivec2(6 * at.x + i, at.y), 0); }
 
@@ -30,7 +30,7 @@ void main()
   bool leftBack = false;
   for (int turn = 0; turn < turns; ++turn)
   {
-    ivec2 there = ivec2(at.x, (at.y + turns - 1 - turn) & 63); // the pixel itself comes last
+    ivec2 there = ivec2(at.x, (at.y + turns - 1 - turn) & 63); // the pixel itself is last
     vec4 next = caseTexel(there, 0);
     among = edgeCross(next.xy, next.zw);
     left = turnsLeft(among, next.xy, 1u, next.zw, 2u);

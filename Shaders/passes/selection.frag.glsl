@@ -1,8 +1,8 @@
-// The colour that a hardware selector reads in each pixel, at the depth of what was picked there.
+// The colour that a hardware selector reads in each pixel, at the depth of the picked point.
 //VTK::Output::Dec
 
-uniform vec2 corner; // of the area that is selected, in pixels
-uniform sampler2D selectionTexture; // a colour, and a depth of the window; it is 1 or more where nothing was picked
+uniform vec2 corner; // of the selected area, in pixels
+uniform sampler2D selectionTexture; // a colour, and a window depth, which is 1 or more where nothing was picked
 
 void main()
 {

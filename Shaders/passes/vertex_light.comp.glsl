@@ -1,4 +1,5 @@
-// Light at vertices by a compute shader: a texel an invocation, a block of them (light/vertex_light_layout.glsl) a group.
+// Light at vertices by a compute shader: one texel per invocation, one block (light/vertex_light_layout.glsl) per
+// group.
 #include "language.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

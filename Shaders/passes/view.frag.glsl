@@ -4,7 +4,7 @@
 uniform vec4 viewport; // x, y, width, height in pixels
 uniform sampler2D measureTexture; // of each pixel: tetrahedra crossed, lookups, error bound
 uniform sampler2D colorTexture; // one row
-uniform int measure; // the channel that is shown
+uniform int measure; // the shown channel
 uniform bool logarithmic;
 uniform vec2 measureRange; // of the measure, or of its decimal logarithm
 

@@ -1,5 +1,5 @@
-// What the ray of each pixel gathers of the mesh from entering it to leaving it (Processes/Visits.h), and where it enters
-// again. Each drawing shows the next visit of each ray; where what it enters is hidden, it stays before that.
+// The visit of each pixel's ray to the mesh, from its entry to its exit (Processes/Visits.h), and its next entry. Each
+// draw computes the next visit of each ray; a ray whose entry is hidden stays before it.
 #define TETMARCH_VISITS 1
 #include "language.glsl"
 #include "passes/helper.glsl"
@@ -10,12 +10,12 @@
 #include "passes/fragment_ray.glsl"
 
 uniform bool isFirstVisit;
-uniform sampler2D nextEntryTexture; // depth and face of the entry, and the depth up to which the ray has gathered
-uniform sampler2D raySoFarTexture;  // transmittance of all visits, and the candidate from which entries are looked for
+uniform sampler2D nextEntryTexture; // depth and face of the entry, and the depth up to which the ray is integrated
+uniform sampler2D raySoFarTexture;  // transmittance of all visits, and the candidate from which entries are searched
 
 #if TETMARCH_ACCUMULATES_OPACITY
 uniform bool knowsHidden;
-uniform sampler2D hiddenTexture; // depths behind which nothing is seen, from the first row that is drawn
+uniform sampler2D hiddenTexture; // depths behind which nothing is visible, from the first drawn row
 uniform int firstRow;
 
 real hiddenFrom(ivec2 at) { return knowsHidden ? texelFetch(hiddenTexture, at - ivec2(0, firstRow), 0).x : NO_DEPTH; }
@@ -23,7 +23,7 @@ real hiddenFrom(ivec2 at) { return knowsHidden ? texelFetch(hiddenTexture, at - 
 real hiddenFrom(ivec2 at) { return NO_DEPTH; }
 #endif
 
-// A float holds 24 bits of an integer.
+// A float represents 24 bits of an integer.
 vec2 halvesOf(int number) { return vec2(float(number & 0xffff), float(number >> 16)); }
 int wholeOf(vec2 halves) { return int(halves.x) + (int(halves.y) << 16); }
 
@@ -86,7 +86,7 @@ void main()
   bool goesOn = continuesBefore(traversal, pixel.depthEnd);
 #if TETMARCH_ACCUMULATES_OPACITY
   passed *= gathered.w;
-  bool isHidden = passed < errorTolerance; // what is behind
+  bool isHidden = passed < errorTolerance; // everything behind
   error += isHidden && goesOn ? gathered.w : 0.0;
   goesOn = goesOn && !isHidden;
 #endif

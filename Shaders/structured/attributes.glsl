@@ -1,4 +1,4 @@
-// What a point of the ray carries beside its scalar.
+// Attributes of a point of the ray besides its scalar.
 
 struct VertexAttributes
 {
@@ -9,12 +9,12 @@ struct VertexAttributes
 };
 
 #if !TETMARCH_CELL_GRADIENTS
-// The value, or another one where it is not finite.
+// The value, or another one if it is not finite.
 real finiteOr(real value, real otherwise) { return isDrawn(value) ? value : otherwise; }
 #endif
 
 #if TETMARCH_POINT_SCALARS
-// Between two places along x and y, of four values in the order of fetchValues().
+// Interpolation along x and y between four values in the order of fetchValues().
 real bilinear(vec4 values, vec3 place)
 {
   real south = values.w + (values.z - values.w) * place.x;
@@ -22,8 +22,8 @@ real bilinear(vec4 values, vec3 place)
   return south + (north - south) * place.y;
 }
 #else
-// Half of the difference between the values on both sides, in lattice coordinates; at the end of an axis that of one side
-// and the cell's own. Planes are taken for evenly spaced.
+// Half of the difference between the values on both sides, in lattice coordinates; at the end of an axis, between one
+// side and the cell's own value. Planes are assumed to be evenly spaced.
 vec3 latticeGradientAt(ivec3 cell, vec3 place)
 {
   int i = cell.x + firstValue.x;
@@ -55,8 +55,8 @@ vec3 latticeGradientAt(ivec3 cell, vec3 place)
   return vec3(dx, dy, bilinear(high - low, a)) * frame.perWidth;
 }
 #elif TETMARCH_POINT_SCALARS
-// 1 over the distance between the neighbours of a value along each axis. At the end of an axis the value itself is one of
-// them.
+// Reciprocal of the distance between the neighbours of a value along each axis. At the end of an axis the value itself
+// is one of them.
 vec3 perDistances(ivec3 value)
 {
   ivec3 low = ivec3(clamp(value.x - 1, 0, lastValue.x), clamp(value.y - 1, 0, lastValue.y),
@@ -67,7 +67,7 @@ vec3 perDistances(ivec3 value)
   return vec3(real(1) / max(d.x, TINY), real(1) / max(d.y, TINY), real(1) / max(d.z, TINY));
 }
 
-// Values beside the given ones; those in place of the ones that are not finite.
+// Neighbours of the given values, which replace those that are not finite.
 vec4 fetchBeside(int i, int j, int k, vec4 own)
 {
   vec4 values = fetchValues(i, j, k);
@@ -75,8 +75,8 @@ vec4 fetchBeside(int i, int j, int k, vec4 own)
     finiteOr(values.w, own.w));
 }
 
-// The cell itself or, for the half cells at the ends of an axis, that between the values beside it. There the gradient is
-// that at the outermost values, as the scalar is.
+// The cell itself or, for the half cells at the ends of an axis, the adjacent one between values. There the gradient is
+// that at the outermost values, like the scalar.
 int innerCell(int cell, int axisFirst, int axisLast) { return max(min(cell, axisLast - 1 - axisFirst), -axisFirst); }
 
 // In lattice coordinates: central differences at the corners of the cell (Hoehne and Bernstein, "Shading 3D-images from CT
@@ -96,7 +96,7 @@ vec3 latticeGradientAt(ivec3 cell, vec3 place)
   vec4 high = fetchValues(i, j, k + 1);
   vec4 below = fetchBeside(i, j, k - 1, low);
   vec4 above = fetchBeside(i, j, k + 2, high);
-  // What differs between the layers is linear between them.
+  // Quantities that differ between the layers are linear between them.
   vec4 mid = low + (high - low) * a.z;
   vec4 lowWest = fetchBeside(i - 1, j, k, low);
   vec4 west = lowWest + (fetchBeside(i - 1, j, k + 1, high) - lowWest) * a.z;

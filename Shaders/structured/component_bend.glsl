@@ -1,12 +1,12 @@
-// What the bends of several scalars change of the light of a subsegment, which is integrated as if the positions in all
-// tables ran linearly from its begin to its end. Segments end at the extremes of each scalar that has a table, so that
-// each of these rises or falls in a subsegment.
+// The effect of the bends of several scalars on the light of a subsegment, which is integrated as if the positions in
+// all tables were linear from its begin to its end. Segments end at the extremes of each scalar with a table, so that
+// each of these is monotonic in a subsegment.
 //
 // Let s(x), x = 0..1, be the cubic of a scalar and s0(x) the straight line between its ends, and let g(v) and g0(v) be
-// where they have the value v. As in structured/bend.glsl g and g0 differ by r = bend / rise at most. Then for any
-// function f with the total variation V between the ends, and any x,
+// the positions at which they have the value v. As in structured/bend.glsl g and g0 differ by at most r = bend / rise.
+// Then for any function f with the total variation V between the ends, and any x,
 //   |integral from 0 to x of f(s) - f(s0)| <= r V.                                                                  (1)
-// For by parts the integral of f(s) up to x is f(s(x)) x less that of g df up to s(x), and likewise for s0; of s(x) and
+// By parts the integral of f(s) up to x is f(s(x)) x minus that of g df up to s(x), and likewise for s0; of s(x) and
 // s0(x) let s(x) be the farther one. The difference is the integral of (g0 - g) df up to s0(x), and from there to s(x)
 // that of (x - g) df, where g(v) <= x <= g0(v). Both factors are at most r.
 //
@@ -86,7 +86,7 @@ DependentBend dependentBend(vec2 bend, real rise, Absorption by, real extinction
 }
 
 #if TETMARCH_DIRECT_COLOR
-// The total variation of a cubic is at most that of the straight line and that of what it differs by: that of
+// The total variation of a cubic is at most the sum of those of the straight line and of their difference: that of
 // x (1 - x) is 1/2, that of x (1 - x) (1 + x) is 4 / (3 sqrt(3)).
 real bentVariation(real rise, real square, real cube)
 {

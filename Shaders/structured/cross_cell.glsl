@@ -1,12 +1,12 @@
-// From cell to cell of a lattice. A trilinear cell is crossed in up to three parts, in each of which the scalar rises or
-// falls; of several components in up to nine, in each of which each scalar that has a table does.
+// The step from cell to cell of a lattice. A trilinear cell is crossed in up to three parts, in each of which the
+// scalar is monotonic; with several components in up to nine, in each of which each scalar with a table is.
 
 CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
 {
   CellInterval cell;
   beginCell(cell);
 #if TETMARCH_CELL_PARTS
-  // A march that has paused may go on within a cell.
+  // A march that has paused may continue within a cell.
   real begin = isWithinCell(place) ? place.depth + (place.leave - place.depth) * place.position : place.leave;
 #else
   real begin = place.leave;
@@ -20,7 +20,7 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
   return cell;
 }
 
-// The cell behind the plane that the ray crosses first, of those across the axes; of several the first one.
+// The cell behind the first plane that the ray crosses; for equal depths, the first axis.
 ivec3 nextCell(Ray ray, ivec3 cell, vec3 crossings)
 {
   bool acrossX = crossings.x <= crossings.y && crossings.x <= crossings.z;
@@ -31,7 +31,7 @@ ivec3 nextCell(Ray ray, ivec3 cell, vec3 crossings)
 }
 
 #if TETMARCH_LEAPS
-// The same of any planes. beside: along the other axes.
+// The same for any planes. beside: the indices along the other axes.
 ivec3 cellBehind(Ray ray, ivec3 plane, vec3 crossings, ivec3 beside)
 {
   bool acrossX = crossings.x <= crossings.y && crossings.x <= crossings.z;
@@ -44,18 +44,17 @@ ivec3 cellBehind(Ray ray, ivec3 plane, vec3 crossings, ivec3 beside)
 
 ivec3 blockOf(ivec3 cell) { return ivec3(cell.x >> LEAP_SHIFT, cell.y >> LEAP_SHIFT, cell.z >> LEAP_SHIFT); }
 
-// The blocks by which the cube of which nothing can be seen reaches beyond the given one; 0: there is no such cube.
+// The number of blocks by which the transparent cube extends beyond the given one; 0: there is no such cube.
 int leapOf(ivec3 block) { return fetchBlockDistance(block.x + blockCount.x * (block.y + blockCount.y * block.z)); }
 
-// The plane across an axis by which a ray leaves the cube around a block.
+// The plane perpendicular to an axis through which a ray leaves the cube around a block.
 int cubeEnd(int block, int direction, int reach, int cells)
 {
   return direction > 0 ? min((block + reach) << LEAP_SHIFT, cells) : max((block - reach + 1) << LEAP_SHIFT, 0);
 }
 
-// Where a ray that leaves the cube lands, but for the axis whose plane it leaves by: between the cell that it has leapt
-// from and that plane. If that is the neighbour of the right cell by rounding, it is left again before anything of it is
-// gathered.
+// The landing cell of a ray that leaves the cube, along the other axes: between the cell of the leap's begin and the
+// cube's plane. If rounding yields a neighbour of the right cell, the ray leaves it before anything is gathered.
 int landingAlong(int cell, int from, int plane, int direction)
 {
   return direction > 0 ? clamp(cell, from, plane - 1) : clamp(cell, plane, from);
@@ -68,9 +67,9 @@ ivec3 landingOf(Ray ray, real depth, ivec3 from, ivec3 plane)
     landingAlong(cell.z, from.z, plane.z, ray.steps.z));
 }
 
-// Before a cell in a cube of which nothing can be seen, the ray leaps out of the cube, unless it is within that cell.
-// Returns whether it is still in the lattice then. The cell that it lands before is crossed in the same turn of the march's loop, which costs the same for
-// either and for both.
+// Before a cell in a transparent cube, the ray leaps out of the cube, unless it is within that cell. Returns whether it
+// is then still in the lattice. The landing cell is crossed in the same iteration of the march's loop: leaping,
+// crossing or both take one loop iteration.
 bool leap(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
 {
   ivec3 block = blockOf(place.cell);
@@ -102,7 +101,7 @@ void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
 #endif
   real length = place.leave - place.depth;
   bool hasScalar = isDrawn(place.cubic.x);
-  // The scalar where the last interval ended is the same but for rounding; then no table need be read there again.
+  // The scalar at the end of the last interval is the same up to rounding; so the table need not be read there again.
   real begin = isDrawn(cell.leave.y) ? cell.leave.y : cubicAt(place.cubic, from);
   cell.enter = vec2(cell.leave.x, hasScalar ? begin : UNDRAWN_SCALAR);
   cell.leave = vec2(
@@ -117,7 +116,7 @@ void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
   place.position = to;
 }
 #elif TETMARCH_POINT_SCALARS
-// All of the cell.
+// The whole cell.
 void takeCell(Place place, vec4 cubic, INOUT(CellInterval) cell)
 {
   bool hasScalar = isDrawn(cubic.x);
@@ -128,7 +127,7 @@ void takeCell(Place place, vec4 cubic, INOUT(CellInterval) cell)
 }
 #endif
 
-// The ray enters the cell before which it is.
+// The ray enters the cell ahead.
 void enterCell(Ray ray, real leave, INOUT(Place) place, INOUT(CellInterval) cell)
 {
   place.depth = place.leave;
@@ -180,7 +179,7 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
   enterCell(ray, inside ? min(leastOf(crossings), place.end) : place.leave, place, cell);
 #endif
   bool crossed = !isWithinCell(place);
-  // The last plane of the lattice is the same for each cell before it, to the bit.
+  // The depth of the lattice's last plane is the same to the bit for each cell before it.
   crossing.onward = !crossed || place.leave < place.end;
   ivec3 next = nextCell(ray, place.cell, crossings);
   place.cell = crossing.onward && crossed ? next : place.cell;

@@ -1,5 +1,5 @@
-// The scalars of several components beside the first, along a ray in a trilinear cell: each has a cubic of its own. Each
-// vec3 has one of them in each component.
+// The further scalars of several components along a ray in a trilinear cell: each has its own cubic. Each component of
+// a vec3 belongs to one scalar.
 
 // As the bend of the first scalar (structured/bend.glsl): the coefficients of x^2 and x^3.
 struct FurtherBend
@@ -25,7 +25,7 @@ FurtherBend furtherBendWithin(FurtherBend bend, real from, real to)
 
 struct FurtherCubics
 {
-  vec3 value; // where the ray enters the cell
+  vec3 value; // at the ray's entry into the cell
   vec3 slope; // the coefficients of x
   FurtherBend bend;
 #if !TETMARCH_DIRECT_COLOR
@@ -53,7 +53,7 @@ vec3 furtherCubicsAt(FurtherCubics further, real x)
   return further.value + (further.slope + (further.bend.square + further.bend.cube * x) * x) * x;
 }
 
-// The scalars of a direct colour, which have no tables, may have extremes within a part of the cell.
+// The scalars of a direct colour, which have no tables, may have extremes inside a part of the cell.
 FurtherCubics furtherCubicsAlong(Ray ray, ivec3 cell, real enter, real leave)
 {
   FurtherCubics further = noFurtherCubics();
@@ -96,7 +96,7 @@ FurtherCubics furtherCubicsAlong(Ray ray, ivec3 cell, real enter, real leave)
 }
 
 #if !TETMARCH_DIRECT_COLOR
-// The next of two extremes behind x; NO_EXTREME if there is none.
+// The next of two extremes after x; NO_EXTREME if there is none.
 real nextOf(real first, real second, real x) { return first > x ? first : (second > x ? second : NO_EXTREME); }
 
 real nextFurtherExtreme(FurtherCubics further, real x)

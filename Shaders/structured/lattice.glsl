@@ -1,6 +1,6 @@
-// The planes between the cells of a lattice, and where a ray crosses them. Which cell a ray is in follows from the
+// The planes between the cells of a lattice, and their intersections with a ray. The cell of a ray follows from the
 // planes that it has crossed, never from a position: so no cell is skipped or crossed twice. Depths of crossings grow
-// with the number of a plane also when they are rounded.
+// with the index of a plane also when they are rounded.
 
 #if TETMARCH_RECTILINEAR
 vec3 planesAt(ivec3 i)
@@ -8,7 +8,7 @@ vec3 planesAt(ivec3 i)
   return vec3(fetchPlane(firstPlane.x + i.x), fetchPlane(firstPlane.y + i.y), fetchPlane(firstPlane.z + i.z));
 }
 
-// The number of planes from first to last that lie at or below a place, by bisection, less one.
+// The number of planes from first to last at or below a position, minus one, by bisection.
 int planeBelow(int first, int cells, real place)
 {
   int low = 0;
@@ -44,7 +44,7 @@ ivec3 cellAround(vec3 place)
 }
 #endif
 
-// The planes across the axes behind the cell of that number, in the ray's direction, and before it.
+// The planes behind the given cell in the ray's direction, for each axis, and before it.
 ivec3 planesAhead(Ray ray, ivec3 cell)
 {
   return ivec3(cell.x + (ray.steps.x > 0 ? 1 : 0), cell.y + (ray.steps.y > 0 ? 1 : 0),
@@ -57,7 +57,7 @@ ivec3 planesPassed(Ray ray, ivec3 cell)
     cell.z + (ray.steps.z > 0 ? 0 : 1));
 }
 
-// Depths at which the ray crosses a plane across each axis; none along an axis that it runs across.
+// Depths at which the ray crosses a plane for each axis; `none` for an axis perpendicular to the ray.
 vec3 crossingDepths(Ray ray, ivec3 plane, real none)
 {
   return (planesAt(plane) - ray.start) * ray.perSlope + ray.never * none;
@@ -67,7 +67,8 @@ real leastOf(vec3 v) { return min(v.x, min(v.y, v.z)); }
 real greatestOf(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
 // The depths between which the ray is in the lattice (Liang and Barsky 1984); the first one is not less than the second
-// if it misses. A ray across an axis is in the lattice if it lies between its outermost planes, or in one of them.
+// if it misses. A ray perpendicular to an axis is in the lattice if it is between its outermost planes, or in one of
+// them.
 vec2 depthsOfLattice(Ray ray)
 {
   vec3 a = crossingDepths(ray, ivec3(0, 0, 0), -NO_DEPTH);
@@ -82,13 +83,13 @@ vec2 depthsOfLattice(Ray ray)
   return beside ? vec2(NO_DEPTH, -NO_DEPTH) : range;
 }
 
-// Moves a number along an axis to the cell whose planes the ray crosses at or before a depth and behind it.
+// Moves an index along an axis to the cell whose planes the ray crosses at or before a depth and behind it.
 int corrected(int cell, int direction, real passed, real ahead, real depth)
 {
   return cell + (passed > depth ? -direction : (ahead <= depth ? direction : 0));
 }
 
-// The cell that the ray is in behind a depth, among those from low to high.
+// The cell of the ray behind a depth, among those from low to high.
 ivec3 cellBehindDepth(Ray ray, real depth, ivec3 low, ivec3 high)
 {
   ivec3 cell = cellAround(ray.start + ray.slope * depth);

@@ -1,11 +1,11 @@
-// The cells of a structured volume and their values; Structured/Lattice.h and Structured/StoredValues.h have the
+// The cells of a structured volume and their values; Structured/Lattice.h and Structured/StoredValues.h describe the
 // conventions. Bound by GL/LatticeTextures.
-uniform vec2 valueMap;      // scale and offset: from what is read to stored scalars
+uniform vec2 valueMap;      // scale and offset: from values of the texture to stored scalars
 uniform ivec3 latticeCells; // along i, j, k
 uniform ivec3 firstValue;   // of cell 0, along i, j, k
 uniform ivec3 lastValue;
 uniform mat4 latticeMatrix; // from the normalised frame to lattice coordinates
-uniform int mostSteps;      // the step guard: no ray crosses more parts of cells
+uniform int mostSteps;      // the step guard: maximum number of parts of cells on a ray
 
 vec3 toLattice(vec3 point) { return (latticeMatrix * vec4(point, 1.0)).xyz; }
 vec3 directionToLattice(vec3 direction) { return mat3(latticeMatrix) * direction; }
@@ -14,10 +14,10 @@ vec3 gradientFromLattice(vec3 gradient) { return gradient * mat3(latticeMatrix);
 #endif
 
 #if TETMARCH_GATHERS
-uniform vec2 valueTexel; // 1 over width and height of a texture
+uniform vec2 valueTexel; // reciprocal of width and height of a texture
 #endif
 #if TETMARCH_COMPONENTS
-uniform vec2 furtherMap[MOST_COMPONENTS - 1]; // as valueMap, of the scalars beside the first
+uniform vec2 furtherMap[MOST_COMPONENTS - 1]; // as valueMap, for further scalars
 #endif
 
 #if TETMARCH_SLABS
@@ -25,7 +25,7 @@ uniform vec2 furtherMap[MOST_COMPONENTS - 1]; // as valueMap, of the scalars bes
 #else
 uniform sampler2DArray valueTexture; // layers along k
 
-// Four values of a layer, as textureGather() has them: (i, j + 1), (i + 1, j + 1), (i + 1, j), (i, j).
+// Four values of a layer, in the order of textureGather(): (i, j + 1), (i + 1, j + 1), (i + 1, j), (i, j).
 #if TETMARCH_GATHERS
 vec4 fetchValues(int i, int j, int k)
 {
@@ -50,7 +50,7 @@ float fetchValue(int i, int j, int k)
 #endif
 
 #if TETMARCH_COMPONENTS
-// Values of the scalars beside the first, as many as are drawn. Samplers that are not needed are never read.
+// Values of further drawn scalars. Samplers that are not needed are never read.
 uniform sampler2DArray furtherTextureA;
 #if !TETMARCH_COLOR_AND_OPACITY
 uniform sampler2DArray furtherTextureB;
@@ -73,7 +73,7 @@ vec4 readValues(sampler2DArray values, int i, int j, int k)
 }
 #endif
 
-// Four values of a component, in the order of fetchValues(), which are those of component 0.
+// Four values of a component, in the order of fetchValues(), which reads component 0.
 vec4 fetchValuesOf(int component, int i, int j, int k)
 {
   if (component == 0)
@@ -90,7 +90,7 @@ vec4 fetchValuesOf(int component, int i, int j, int k)
   return values * map.x + vec4(map.y);
 }
 #else
-// The values of a cell beside its first one.
+// The further values of a cell.
 vec3 fetchFurtherValues(int i, int j, int k)
 {
   ivec3 place = clamp(ivec3(i, j, k), ivec3(0), lastValue);
@@ -106,7 +106,7 @@ vec3 fetchFurtherValues(int i, int j, int k)
 #endif
 
 #if TETMARCH_RECTILINEAR
-uniform samplerBuffer planeBuffer; // those of i, of j, of k, one behind the other
+uniform samplerBuffer planeBuffer; // those of i, of j, of k, consecutively
 uniform ivec3 firstPlane;          // of each axis in the buffer
 float fetchPlane(int i) { return texelFetch(planeBuffer, i).x; }
 #else
@@ -115,7 +115,7 @@ uniform vec3 latticeHalfLength; // that
 #endif
 
 #if TETMARCH_POINT_SAMPLED
-uniform float sampleStep;      // depth from sample to sample
+uniform float sampleStep;      // depth between samples
 uniform float samplesPerDepth; // 1 over that
 uniform vec2 sampleShift;      // of the first sample, in steps: scale of the pixel's jitter and offset
 #endif
@@ -127,6 +127,6 @@ int fetchBlockDistance(int i) { return int(texelFetch(blockDistanceBuffer, i).x)
 #endif
 
 #if TETMARCH_HIDDEN_CELLS
-uniform usamplerBuffer hiddenCellBuffer; // a bit a cell
+uniform usamplerBuffer hiddenCellBuffer; // one bit per cell
 uint fetchHiddenCells(uint word) { return texelFetch(hiddenCellBuffer, int(word)).x; }
 #endif

@@ -1,11 +1,11 @@
-// The light between the nodes at which it is kept.
+// The light between nodes.
 
 vec4 fetchNodeLight(int i, int j, int k)
 {
   return fetchVertexLight(uint(i) + uint(lightNodes.x) * (uint(j) + uint(lightNodes.y) * uint(k)));
 }
 
-// Trilinear, at a place in lattice coordinates.
+// Trilinear interpolation at a position in lattice coordinates.
 vec4 keptLightAt(vec3 place)
 {
   vec3 q = (place - lightLow) * perLightStep;

@@ -1,11 +1,11 @@
-// Where rays towards the light start: the planes tell in which cell.
+// The starting point of rays towards the light: the planes determine the cell.
 struct LightStart
 {
   vec3 point;
 };
 
 #if TETMARCH_SAMPLED_SHADOWS
-// The point is yet to be set.
+// The point must be set.
 LightStart startIn(Place place)
 {
   LightStart start;

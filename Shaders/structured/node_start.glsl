@@ -1,4 +1,4 @@
-// The start of rays towards the light from a node (Structured/LightNodes.h), which takes the place of a vertex.
+// The starting point of rays from a node (Structured/LightNodes.h) towards the light; nodes correspond to vertices.
 bool startsAtVertex(uint node, OUT(LightStart) start)
 {
   uint row = uint(lightNodes.x);

@@ -1,10 +1,10 @@
-// A ray's way through a lattice.
+// The steps of a ray through a lattice.
 
 int stepAlong(real slope) { return abs(slope) > TINY ? (slope > real(0) ? 1 : -1) : 0; }
 real neverAlong(real slope) { return abs(slope) > TINY ? real(0) : real(1); }
 real perSlopeOf(real slope) { return abs(slope) > TINY ? real(1) / slope : real(0); }
 
-// By its origin and direction.
+// Set by its origin and direction.
 void orient(INOUT(Ray) ray)
 {
   ray.start = toLattice(ray.origin);

@@ -1,5 +1,5 @@
-// Values that one texture doesn't hold: slabs of layers along k, each in a texture of its own, those of a further
-// component behind those of the one before it. Layers are numbered through all of them. Bound by GL/ValueTextures.
+// Values that exceed one texture: slabs of layers along k, each in its own texture, those of a further component after
+// those of the previous one. Layers are numbered consecutively. Bound by GL/ValueTextures.
 #if TETMARCH_MANY_SLABS
 uniform sampler2DArray slabTextures[8];
 #else
@@ -10,7 +10,7 @@ uniform int slabLayers; // of each texture
 uniform int furtherLayers[MOST_COMPONENTS - 1]; // the first one of each further component
 #endif
 
-// Of one texture.
+// Reads one texture.
 #if TETMARCH_GATHERS
 vec4 readSlab(sampler2DArray slab, int i, int j, int layer)
 {
@@ -31,7 +31,7 @@ vec4 readSlab(sampler2DArray slab, int i, int j, int layer)
 }
 #endif
 
-// An array of samplers takes constant indices alone.
+// An array of samplers accepts constant indices only.
 vec4 readSlabs(int i, int j, int layer)
 {
   if (layer < slabLayers)

@@ -1,9 +1,9 @@
 // The transmittance of a ray towards the light, from a point over a distance in a direction (unit length).
 
 #if TETMARCH_SAMPLED_SHADOWS
-// The march of the picture pauses for samples, so that rays towards the light have a march of their own. It adds up the
-// optical depth from cell to cell; the transmittance is one exponential at the end. Each part of a cell is integrated as
-// if the scalar ran straight between its ends.
+// The march of the picture pauses for samples, so that rays towards the light have their own march. It sums the optical
+// depth over cells; the transmittance is one exponential at the end. Each part of a cell is integrated as if the scalar
+// were linear between its ends.
 
 #if TETMARCH_POINT_SCALARS
 real meanExtinction(Segment segment)
@@ -15,7 +15,7 @@ real meanExtinction(Segment segment)
 real meanExtinction(Segment segment) { return tableValue(segment.begin.y * tableScale + tableOffset).w; }
 #endif
 
-// Optical depth of a unit of depth in what is seen of the cell.
+// Optical depth per unit of depth in the visible part of the cell.
 real cellExtinction(Ray ray, Place place, CellInterval cell)
 {
   real extinction = meanExtinction(visibleSegment(cell));

@@ -1,23 +1,23 @@
 // The traversal of a lattice from cell to cell (Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing",
-// 1987), with leaps over blocks of cells of which nothing can be seen.
+// 1987), with leaps over transparent blocks of cells.
 
-// Where a ray is: before a cell or, in a cell that is crossed in parts, before the next one of them.
+// The position of a ray: before a cell or, in a cell that is crossed in parts, before the next part.
 struct Place
 {
   ivec3 cell;
-  real depth;    // where the ray enters the cell
-  real leave;    // where it leaves it
-  real end;      // where it leaves the lattice, or is to end
+  real depth;    // depth at which the ray enters the cell
+  real leave;    // depth at which it leaves it
+  real end;      // depth at which it leaves the lattice, or ends
 #if TETMARCH_EFFECTS
-  ivec3 crossed; // the cell that was crossed last
+  ivec3 crossed; // the last crossed cell
 #endif
 #if TETMARCH_CELL_PARTS
-  real position; // up to where the cell is crossed, 0..1; 1: it is not yet entered
+  real position; // fraction of the cell that is crossed, 0..1; 1: it is not yet entered
   vec4 cubic;    // the scalar along the ray in it
   vec2 extremes;
 #endif
 #if TETMARCH_BENT_COMPONENTS
-  FurtherCubics further; // of the scalars beside it
+  FurtherCubics further; // of further scalars
 #endif
 };
 
@@ -35,7 +35,7 @@ struct Traversal
   Entry entry;
 };
 
-// From the first cell that the ray meets behind a depth.
+// The traversal before the ray's first cell behind a depth.
 Traversal traversalFrom(Ray ray, real depthBegin)
 {
   vec2 range = depthsOfLattice(ray);
@@ -71,7 +71,7 @@ bool continuesBefore(Traversal traversal, real depthEnd)
   return traversal.entry.face >= 0 && traversal.entry.depth < depthEnd;
 }
 
-// Nothing is asked for behind the given depth.
+// The ray ends at the given depth.
 void enterVolume(Ray ray, real depthEnd, INOUT(Traversal) traversal)
 {
   traversal.place.end = min(traversal.place.end, depthEnd);

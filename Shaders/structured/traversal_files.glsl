@@ -1,4 +1,4 @@
-// What every march is made of: the traversal of the lattice, and what the volume is there.
+// The common part of all marches: the traversal of the lattice, and the attributes of the volume.
 #include "march/ray.glsl"
 #include "march/entry.glsl"
 #include "march/stored_scalar.glsl"

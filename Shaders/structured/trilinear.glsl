@@ -3,7 +3,7 @@
 struct CellFrame
 {
   vec3 begin;    // its lower corner, in lattice coordinates
-  vec3 perWidth; // 1 over its sides
+  vec3 perWidth; // reciprocal of its sides
 };
 
 CellFrame cellFrame(ivec3 cell)
@@ -21,8 +21,8 @@ CellFrame cellFrame(ivec3 cell)
   return frame;
 }
 
-// As a polynomial of x = 0..1 between two depths: the coefficients of 1, x, x^2, x^3. The first one is UNDRAWN_SCALAR if
-// some value of the cell is not finite.
+// As a polynomial of x = 0..1 between two depths: the coefficients of 1, x, x^2, x^3. The first one is UNDRAWN_SCALAR
+// if a value of the cell is not finite.
 #if TETMARCH_COMPONENTS
 vec4 cubicOfComponent(int component, Ray ray, ivec3 cell, real enter, real leave)
 #else
@@ -63,14 +63,14 @@ vec4 cubicAlong(Ray ray, ivec3 cell, real enter, real leave)
   cubic.y = valueRise + slopeRise * a.x + slope * e.x;
   cubic.z = valueBend + slopeBend * a.x + slopeRise * e.x;
   cubic.w = slopeBend * e.x;
-  // In the mean, one that isn't finite outweighs all others.
+  // In a sum, one that isn't finite outweighs all others.
   vec4 sums = low + high;
   cubic.x = isDrawn(real(0.125) * ((sums.x + sums.y) + (sums.z + sums.w))) ? cubic.x : UNDRAWN_SCALAR;
   return cubic;
 }
 
 #if TETMARCH_COMPONENTS
-// That of the first scalar.
+// The cubic of the first scalar.
 vec4 cubicAlong(Ray ray, ivec3 cell, real enter, real leave) { return cubicOfComponent(0, ray, cell, enter, leave); }
 #endif
 
@@ -79,8 +79,8 @@ real cubicAt(vec4 cubic, real x) { return cubic.x + x * (cubic.y + x * (cubic.z 
 #if TETMARCH_CELL_PARTS
 CONSTANT real NO_EXTREME = real(2);
 
-// Where the cubic has extremes between 0 and 1, in ascending order; NO_EXTREME where there is none, or no scalar. The roots
-// of the derivative, without cancellation.
+// The positions of the cubic's extremes between 0 and 1, in ascending order; NO_EXTREME if there is none, or no scalar.
+// They are the roots of the derivative, without cancellation.
 vec2 extremesOf(vec4 cubic)
 {
   real a = real(3) * cubic.w;
@@ -91,7 +91,7 @@ vec2 extremesOf(vec4 cubic)
   real q = -(b + (b < real(0) ? -root : root));
   real first = q / a;
   real second = c / q;
-  // Where d is 0 they may not be numbers.
+  // If d is 0 they may be NaN.
   first = d > real(0) && first > real(0) && first < real(1) ? first : NO_EXTREME;
   second = d > real(0) && second > real(0) && second < real(1) ? second : NO_EXTREME;
   return vec2(min(first, second), max(first, second));

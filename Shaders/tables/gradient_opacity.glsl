@@ -1,5 +1,5 @@
-// Extinction that depends on the gradient of the scalar (Levoy, "Display of surfaces from volume data", 1988): the factor
-// that a vtkVolumeProperty's gradient opacity gives it. Its table is linear between entries and constant behind the
+// Extinction that depends on the gradient of the scalar (Levoy, "Display of surfaces from volume data", 1988): the
+// factor given by a vtkVolumeProperty's gradient opacity. Its table is linear between entries and constant beyond the
 // last one.
 real gradientOpacity(vec3 gradient)
 {

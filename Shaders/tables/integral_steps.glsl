@@ -1,12 +1,13 @@
-// What is lost because integrals are whole numbers of steps (tables/integral_table.glsl).
+// The error of integrals that are whole numbers of steps (tables/integral_table.glsl).
 //
-// Each is at most half a step from what it should be, so that a mean of C tau or tau is at most a step off for each bin
-// over which it is taken. An error t of tau and k of C tau changes the optical depth along a thickness L by t L. What is seen of the piece and
-// of all behind it changes by no more than that, and what the piece emits by k L besides. As C is at most 1, no step of C
-// tau is greater than that of tau. Steps of colours that have a table of their own are below the rounding of a float.
+// The error of each is at most half a step, so that the error of a mean of C tau or tau is at most one step per bin of
+// its interval. An error t of tau and k of C tau changes the optical depth along a thickness L by t L. The visible
+// light of the piece and of everything behind changes by at most that, and the emission of the piece additionally by k
+// L. As C is at most 1, the step of C tau is at most that of tau. Steps of colours with their own table are below the
+// rounding of a float.
 
 #if TETMARCH_EVEN_CUTS
-// 1 / the number of bins over which a mean is taken, or 0 if it is taken from values alone.
+// 1 / the number of bins of a mean, or 0 if the mean is computed from values only.
 real perBinsBetween(IntegralPoint p, IntegralPoint q)
 {
   real bins = abs(q.x - p.x);
@@ -19,8 +20,7 @@ real perBinsBetween(TablePoint p, TablePoint q)
 }
 #endif
 
-// No channel is off by more for each unit of thickness whose means are taken over one bin, seen through a transmittance
-// of 1.
+// Error bound of each channel per unit of thickness with means over one bin and a transmittance of 1.
 real errorOfSteps()
 {
 #if TETMARCH_INDEPENDENT

@@ -1,22 +1,22 @@
 // Colour C and extinction tau as functions of the scalar, linear between the n entries of a table, and their integrals
-// T(x) = integral of tau, K(x) = integral of C tau. V(x) is the total variation of C up to x, of the channel that changes
-// most in each bin; likewise for the slopes.
+// T(x) = integral of tau, K(x) = integral of C tau. V(x) is the total variation of C up to x, of the channel with the
+// largest change in each bin; likewise for the slopes.
 //
-// x counts entries. The first and the last bin are constant, so that the formulas hold for any x beyond the table as
-// well. Integrals up to an entry are 32-bit fixed-point numbers: their differences are exact. That at x is the one up to
-// the entry next to x and the area from there to x, of which no more lies outside of an interval than some times what
-// lies inside. So a mean loses no digits, and spikes between the ends are never missed.
+// x is in units of entries. The first and the last bin are constant, so that the formulas hold for any x beyond the
+// table. Integrals up to an entry are 32-bit fixed-point numbers: their differences are exact. The integral at x is the
+// one up to the entry next to x plus the area from there to x, whose part outside of an interval is at most a small
+// multiple of that inside. So a mean loses no digits, and spikes between the ends are never missed.
 
 // The table at x: one end of an interval.
 struct TablePoint
 {
   real x;
-  int bin;          // the bin x lies in, from entry bin to entry bin + 1
+  int bin;          // the bin that contains x, from entry bin to entry bin + 1
   vec4 value;       // C, tau at x
   vec4 binBegin;    // C, tau at entry bin
   vec4 binEnd;      // C, tau at entry bin + 1
   uvec4 integral;   // K, T at the entry next to x
-  vec4 area;        // what there is from it to x, less than 0 if x is before it
+  vec4 area;        // from that entry to x, negative if x is before it
 #if TETMARCH_ERROR_BOUND
   real variation;   // V at x
 #endif
@@ -24,18 +24,18 @@ struct TablePoint
   real extinctionVariation; // the same of tau
 #endif
 #if TETMARCH_SLOPE_VARIATION
-  vec2 slopeVariation;      // the same of the slopes of tau and of C tau, an entry
+  vec2 slopeVariation;      // the same of the slopes of tau and of C tau per entry
 #endif
 };
 
 #if TETMARCH_COMPONENTS
-// The place of one table among those of several components, which lie behind each other; x counts its own entries.
+// The position of one table among the consecutive tables of several components; x is in units of its own entries.
 struct TableSpan
 {
   int first;
   int size;
   vec4 integralUnit;
-  real scale; // from a stored scalar to a position in it
+  real scale; // factor from a stored scalar to a position in it
   real offset;
 };
 
@@ -56,7 +56,7 @@ int tableBin(TableSpan table, real x)
   return clamp(int(max(real(0), min(floor(x), real(table.size - 2)))), 0, table.size - 2);
 }
 #else
-// Some bin of the table even if x is not a number.
+// A valid bin of the table even if x is NaN.
 int tableBin(real x) { return clamp(int(max(real(0), min(floor(x), real(tableSize - 2)))), 0, tableSize - 2); }
 #endif
 
@@ -88,7 +88,7 @@ vec4 tableValue(real x)
   return begin + (end - begin) * clamp(x - real(bin), real(0), real(1));
 }
 
-// Means of C tau and tau where both C and tau run linearly from p to q (Engel, Kraus and Ertl 2001).
+// Means of C tau and tau for C and tau linear from p to q (Engel, Kraus and Ertl 2001).
 vec4 linearMean(vec4 p, vec4 q)
 {
   real sixth = real(1) / real(6);
@@ -97,7 +97,7 @@ vec4 linearMean(vec4 p, vec4 q)
   return vec4(p.x * wp + q.x * wq, p.y * wp + q.y * wq, p.z * wp + q.z * wq, real(0.5) * (p.w + q.w));
 }
 
-// The point x in a bin whose first entry is given.
+// The point x in a bin with the given first entry.
 TablePoint pointInBin(real x, int bin, int entry)
 {
   TablePoint p;
@@ -114,12 +114,12 @@ TablePoint pointInBin(real x, int bin, int entry)
 }
 
 #if TETMARCH_ERROR_BOUND || TETMARCH_EXTINCTION_VARIATION
-// How much of its bin lies before the point, 0..1.
+// The fraction of its bin before the point, 0..1.
 real fractionOfBin(TablePoint p) { return clamp(p.x - real(p.bin), real(0), real(1)); }
 #endif
 
 #if TETMARCH_ERROR_BOUND || TETMARCH_SLOPE_VARIATION
-// How much the channel of C that changes most changes in the point's bin.
+// The maximum change of a channel of C in the point's bin.
 real colorRise(TablePoint p)
 {
   vec4 rise = p.binEnd - p.binBegin;
@@ -152,7 +152,7 @@ TablePoint tablePoint(real x)
 #endif
   p.extinctionVariation = variation.y + abs(p.binEnd.w - p.binBegin.w) * fractionOfBin(p);
 #if TETMARCH_SLOPE_VARIATION
-  // In a bin tau is straight, and C tau a parabola.
+  // In a bin tau is linear, and C tau a parabola.
   vec2 slopeVariation = fetchTableSlopeVariations(bin);
   p.slopeVariation = vec2(slopeVariation.x,
     slopeVariation.y + real(2) * abs(p.binEnd.w - p.binBegin.w) * colorRise(p) * fractionOfBin(p));
@@ -164,7 +164,7 @@ TablePoint tablePoint(real x)
 }
 #endif
 
-// Means of C tau and tau over the scalars between two points of the table. What is between entries is read of q alone.
+// Means of C tau and tau over the scalars between two points of the table. Entries between them are those of q.
 #if TETMARCH_COMPONENTS
 vec4 meanBetween(TableSpan table, TablePoint p, TablePoint q)
 {
@@ -177,13 +177,13 @@ vec4 meanBetween(TablePoint p, TablePoint q)
   bool sameBin = p.bin == q.bin;
   bool ascending = p.bin < q.bin;
   real perRise = real(1) / (sameBin ? real(1) : q.x - p.x);
-  // In one bin or in two side by side: straight to the entry between them, and on.
+  // In one bin or in two adjacent ones: linear up to the entry between them, and after it.
   vec4 middle = sameBin ? q.value : (ascending ? q.binBegin : q.binEnd);
   real entry = real(max(p.bin, q.bin));
   real before = sameBin ? real(1) : (entry - p.x) * perRise;
   real behind = sameBin ? real(0) : (q.x - entry) * perRise;
   vec4 straight = linearMean(p.value, middle) * before + linearMean(middle, q.value) * behind;
-  // Otherwise the interval is longer than a bin. Where there is next to nothing, the steps of the integrals tell.
+  // Otherwise the interval is longer than a bin. For tiny integrals their steps are significant.
   vec4 entries = vec4(ascending ? q.integral - p.integral : p.integral - q.integral) * integralUnit;
   vec4 found = entries * abs(perRise) + (q.area - p.area) * perRise;
   vec4 acrossBins =

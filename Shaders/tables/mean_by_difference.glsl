@@ -1,13 +1,13 @@
-// Means over an interval of scalars as difference quotients of the integrals alone: with half the reads of
-// integral_table.glsl, for functions that are constant in each bin.
+// Means over an interval of scalars as difference quotients of the integrals: half the reads of integral_table.glsl,
+// for functions that are constant in each bin.
 
 // One end of an interval.
 struct IntegralPoint
 {
   real x;
   uvec4 integral; // K, T at the entry below x
-  vec4 rise;      // of K, T in the bin of x: C tau and tau there, in the units of the table
-  vec4 part;      // of it up to x
+  vec4 rise;      // of K, T in the bin of x: C tau and tau, in the units of the table
+  vec4 part;      // of that up to x
 };
 
 IntegralPoint integralPoint(real x)
@@ -21,7 +21,7 @@ IntegralPoint integralPoint(real x)
   return p;
 }
 
-// Shorter intervals lie in one bin or, where the integrals' own steps would tell in a quotient, nearly so.
+// Shorter intervals are in one bin, or so short that the integrals' steps would be significant in a quotient.
 CONSTANT real LEAST_RISE = real(0.05);
 
 vec4 meanByDifference(IntegralPoint p, IntegralPoint q)

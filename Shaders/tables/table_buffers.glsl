@@ -9,11 +9,11 @@ uniform vec4 givenIntegralUnit;
 vec4 tableIntegralUnit = KEPT(givenIntegralUnit);
 #endif
 #if TETMARCH_OPACITY_TABLE
-uniform float tableScale; // from a stored scalar to a position in the table
+uniform float tableScale; // factor from a stored scalar to a position in the table
 uniform float tableOffset;
 #endif
 #if TETMARCH_COMPONENTS
-uniform int tableFirst[MOST_COMPONENTS]; // first entries of the tables, which lie behind each other
+uniform int tableFirst[MOST_COMPONENTS]; // first entries of the consecutive tables
 uniform int tableSizes[MOST_COMPONENTS];
 uniform vec4 tableIntegralUnits[MOST_COMPONENTS];
 uniform vec2 tablePlace[MOST_COMPONENTS]; // scale and offset
@@ -32,7 +32,7 @@ uniform vec4 givenTransparentRanges;
 vec4 transparentRanges = KEPT(givenTransparentRanges);
 #endif
 #if TETMARCH_CONSTANT_COLOR
-uniform vec3 constantColor; // takes the place of the table's
+uniform vec3 constantColor; // replaces that of the table
 #endif
 #if TETMARCH_NAN_SHOWN
 uniform vec4 nanColor; // of scalars that are not finite, and their extinction

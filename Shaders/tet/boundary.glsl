@@ -1,7 +1,7 @@
-// The boundary of the mesh: where rays enter.
+// The boundary of the mesh, through which rays enter.
 
-// Whether the ray enters by a face whose vertices turn counter-clockwise seen from outside, and the intersection with
-// that face.
+// Whether the ray enters through a face whose vertices turn counter-clockwise seen from outside, and its intersection
+// with that face.
 bool entersFace(Ray ray, uvec3 ids, OUT(FaceIntersection) face)
 {
   face.id = ids;
@@ -29,8 +29,8 @@ bool enters(Ray ray, uint boundaryFace, OUT(FaceIntersection) face)
 }
 
 #if TETMARCH_BVH || TETMARCH_ENTRY_LISTS
-// Entries of a ray are ordered by depth, then by number of the face, so that each is found exactly once,
-// even where components touch or overlap.
+// Entries of a ray are ordered by depth, then by the index of the face, so that each is found exactly once, even if
+// components touch or overlap.
 bool isBefore(real depth, int face, Entry other)
 {
   return depth < other.depth || (depth == other.depth && face < other.face);
@@ -38,9 +38,9 @@ bool isBefore(real depth, int face, Entry other)
 #endif
 
 #if TETMARCH_BVH
-// The first entry after the given one, among the faces by which a ray can enter again, or among all. The bounding volume
-// hierarchy is walked near child first, so that what is found early cuts off what lies behind. Boxes are tested by the
-// separating axes of a line and a box, without a division.
+// The first entry after the given one, among the faces through which a ray can reenter, or among all. The hierarchy is
+// traversed near child first, so that early hits cull the nodes behind. Boxes are tested by the separating axes of a
+// line and a box, without a division.
 Entry nextEntry(Ray ray, Entry after, bool amongAll)
 {
   Entry best;
@@ -59,7 +59,7 @@ Entry nextEntry(Ray ray, Entry after, bool amongAll)
   }
   int face = 0; // the next face of the leaf to be tested, up to end
   int end = 0;
-  // One loop serves for nodes and faces: neighbouring rays run in lockstep, and wait less for each other.
+  // Nodes and faces share one loop: neighbouring rays run in lockstep, and so wait less for each other.
   while (node >= 0 || face < end)
   {
     if (face < end)

@@ -1,6 +1,6 @@
-// From tetrahedron to tetrahedron.
+// The step from tetrahedron to tetrahedron.
 
-// The scalar of a tetrahedron, or that at the point (depth, scalar) where the ray leaves it.
+// The scalar of a tetrahedron, or that at the point (depth, scalar) of the ray's exit.
 real cellScalar(uint tet, vec2 leave)
 {
 #if TETMARCH_POINT_SCALARS
@@ -10,7 +10,7 @@ real cellScalar(uint tet, vec2 leave)
 #endif
 }
 
-// Before the face by which the ray enters the mesh.
+// The interval before the face through which the ray enters the mesh.
 CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
 {
   CellInterval cell;
@@ -28,7 +28,7 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
   return cell;
 }
 
-// Steps through the tetrahedron behind the face, which becomes the one by which the ray leaves it.
+// Steps through the tetrahedron behind the face, which becomes the ray's exit face.
 Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
 {
   uint tet = place.side.ahead >> 2u;
@@ -47,7 +47,7 @@ Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
   crossing.lost = exitFace < 0;
   crossing.onward = exitFace >= 0 && !isOutside(place.side.ahead);
 #if TETMARCH_VISIBLE_PART
-  // What lies behind need not be marched through if nothing can be seen of it.
+  // The next tetrahedron is not marched through if it is invisible.
   crossing.onward = crossing.onward && isInVisiblePart(crossing.onward ? place.side.ahead >> 2u : 0u);
 #endif
   return crossing;

@@ -1,9 +1,9 @@
-// The predicate that makes the traversal watertight: around which side of the ray two projected vertices turn.
+// The predicate that makes the traversal watertight: the direction in which two projected vertices turn around the ray.
 //
 // The sign is that of the exact cross product of the given bits, the same for every caller, with ties broken as by one
 // infinitesimal perturbation (Edelsbrunner and Muecke, "Simulation of Simplicity", 1990): the ray is shifted by
-// (-e^2, -e), and then each vertex turns around it by e^3 times its number. Then a ray crosses 0 or 2 faces of a
-// tetrahedron, and cannot get lost. The numbers matter only where two vertices are projected to the same point.
+// (-e^2, -e), and then each vertex is rotated around it by e^3 times its index. Then a ray crosses 0 or 2 faces of a
+// tetrahedron, and cannot get lost. The indices matter only if two vertices are projected to the same point.
 
 // Projected coordinates are multiplied by PROJECTION_SCALE, and those nearer to 0 than PROJECTION_FLUSH become 0, so that
 // no product below leaves the range of normal numbers, even if denormal numbers are flushed to 0.
@@ -21,7 +21,7 @@ vec2 snapToPredicate(vec2 p)
 #endif
 }
 
-// 2^-20 mesh radii as projected: rounding moves a vertex by no more.
+// 2^-20 mesh radii as projected: upper bound of the displacement of a vertex by rounding.
 real projectionBlur()
 {
 #if TETMARCH_HAS_FMA
@@ -42,8 +42,8 @@ real edgeCross(vec2 p, vec2 q)
   precise real c = d + e;
   return c;
 #else
-  // The wrapped integer difference is the exact one but for a multiple of 2^32. The difference of the rounded products
-  // tells which: with coordinates below 2^24 it is off by less than 2^26. The value is within 1 ulp.
+  // The wrapped integer difference is exact up to a multiple of 2^32, which follows from the difference of the rounded
+  // products: with coordinates below 2^24 its error is less than 2^26. The value is within 1 ulp.
   int wrapped = int(uint(int(p.x)) * uint(int(q.y)) - uint(int(q.x)) * uint(int(p.y)));
   precise real rounded = p.x * q.y - q.x * p.y;
   precise real turns = floor((rounded - real(wrapped)) * real(2.3283064365386962890625e-10) + real(0.5));

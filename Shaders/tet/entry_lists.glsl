@@ -1,7 +1,7 @@
-// Entries of a pixel's ray, from the list of its tile of pixels. The list has all faces by which the ray may enter, by
-// ascending depth; the predicate decides by which of them it does. So the ray enters where a search would find it to.
+// Entries of a pixel's ray, from the list of its tile of pixels. The list contains all faces through which the ray may
+// enter, by ascending depth; the predicate selects among them. So the entry is the same as that found by a search.
 
-// Listed are boundary faces of the mesh or, if not all of it is seen, those of the part that is.
+// The list contains boundary faces of the mesh or of its visible part.
 
 #if TETMARCH_VISIBLE_PART
 bool entersListed(Ray ray, uint face, OUT(FaceIntersection) intersection)
@@ -18,7 +18,7 @@ bool entersListed(Ray ray, uint face, OUT(FaceIntersection) intersection) { retu
 Side sideOfListed(uint face) { return sideFrom(LINK_OUTSIDE + face, fetchBoundaryFace(face).w); }
 #endif
 
-// Whether the ray's pixel is among those that a candidate is for.
+// Whether a candidate applies to the ray's pixel.
 bool isForPixel(Ray ray, uint where)
 {
   uint x = ray.pixelInTile & 15u;
@@ -26,14 +26,14 @@ bool isForPixel(Ray ray, uint where)
   return x >= (where & 15u) && x <= (where >> 4u & 15u) && y >= (where >> 8u & 15u) && y <= (where >> 12u & 15u);
 }
 
-// The first entry after the given one, among the candidates from that one on, which becomes the first that can be an
-// entry after this.
+// The first entry after the given one, among the candidates from the given index on, which becomes that of the first
+// possible later entry.
 Entry nextCandidate(Ray ray, Entry after, INOUT(int) candidate)
 {
   Entry best;
   best.depth = NO_DEPTH;
   best.face = -1;
-  // The depths of candidates are those of a plane: that many units at the ray's origin, and so many a unit of depth.
+  // Depths of candidates are relative to a plane: units at the ray's origin, and units per unit of depth.
   vec3 plane = vec3(entryDepthPlane.x, entryDepthPlane.y, entryDepthPlane.z);
   real unitsAtOrigin = dot(plane, ray.origin) + entryDepthPlane.w;
   real unitsPerDepth = dot(plane, ray.direction);
@@ -53,7 +53,7 @@ Entry nextCandidate(Ray ray, Entry after, INOUT(int) candidate)
     real depth = intersectionPoint(intersection).x;
     bool isAfter = entered && face != after.face && !isBefore(depth, face, after);
     bool isBest = isAfter && isBefore(depth, face, best);
-    // What is entered behind the best is tried again when the ray has left that.
+    // Entries behind the best one are tested again when the ray has left that one.
     later = min(later, isBest ? bestAt : (isAfter ? i : end));
     bestAt = isBest ? i : bestAt;
     best.depth = isBest ? depth : best.depth;

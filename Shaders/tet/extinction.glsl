@@ -1,18 +1,18 @@
-// The transmittance of a ray towards the light: a march that gathers extinction alone. It adds up the optical depth from
-// tetrahedron to tetrahedron; the transmittance is one exponential at the end. Compilers drop the tables' colours.
+// The transmittance of a ray towards the light: a march that integrates only extinction. It sums the optical depth over
+// tetrahedra; the transmittance is one exponential at the end. Compilers eliminate the tables' colours.
 
 struct ExtinctionMarch
 {
   real opticalDepth;
-  real done;     // depth up to which the ray is integrated; nothing is integrated twice
-  bool finished; // next to no light is left, or the ray is past the last depth that is asked for
+  real done;     // depth up to which the ray is integrated; no part is integrated twice
+  bool finished; // almost no light is left, or the ray is beyond its last depth
   int cells;     // tetrahedra crossed
 };
 
 #if TETMARCH_POINT_SCALARS
 // Mean extinction between two depths in a tetrahedron that the ray enters and leaves at points (depth, scalar). `at` is
-// the table at the end of the last lookup, which mostly is this begin; where it is not, the first of two turns of the loop
-// only reads the table there.
+// the table at the end of the last lookup, which is usually this begin; if it is not, the first of two iterations only
+// reads the table there.
 real extinctionBetween(vec2 enter, vec2 leave, vec2 range, INOUT(TablePoint) at)
 {
   real scalarBegin = range.x > enter.x ? scalarAt(enter, leave, range.x) : enter.y;
@@ -39,10 +39,10 @@ real extinctionOf(uint tet)
 #endif
 
 #if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
-// The factor of the extinction where the ray crosses a face.
+// The factor of the extinction at a face intersection.
 real densityAt(FaceIntersection face) { return gradientOpacity(attributesAt(face).gradient); }
 
-// That in the middle between two depths in a tetrahedron, by those where the ray enters and leaves it.
+// The same in the middle between two depths in a tetrahedron, from the factors at its entry and exit.
 real densityBetween(vec2 enter, vec2 leave, vec2 range, real atEnter, real atLeave)
 {
   real begin = range.x > enter.x ? fractionAt(enter, leave, range.x) : real(0);
@@ -62,7 +62,7 @@ bool isFinite(uint tet, vec2 enter, vec2 leave)
 }
 #endif
 
-// Where the scalar is not finite the extinction is that of nanColor; in a hidden tetrahedron it is 0.
+// If the scalar is not finite the extinction is that of nanColor; in a hidden tetrahedron it is 0.
 real cellExtinction(real extinction, uint tet, vec2 enter, vec2 leave)
 {
 #if TETMARCH_NAN_SHOWN

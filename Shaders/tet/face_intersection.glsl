@@ -26,8 +26,8 @@ void fetchCorners(INOUT(FaceIntersection) face)
 }
 
 #if TETMARCH_VERTEX_ATTRIBUTES
-// Barycentrics of the intersection. The words are those of intersectionPoint(), so that a compiler finds the common
-// terms.
+// Barycentrics of the intersection. The expressions are those of intersectionPoint(), so that a compiler finds the
+// common terms.
 vec3 barycentricsOf(FaceIntersection face)
 {
   vec3 w = vec3(max(face.weight.x, real(0)), max(face.weight.y, real(0)), max(face.weight.z, real(0)));
@@ -57,15 +57,15 @@ vec2 intersectionPoint(FaceIntersection face)
   real depth = z.x + (w.y * (z.y - z.x) + w.z * (z.z - z.x)) * r;
   real scalar = s.x + (w.y * (s.y - s.x) + w.z * (s.z - s.x)) * r;
 #if TETMARCH_POINT_SCALARS
-  // On the edge opposite a corner without scalar the weight of that corner is 0. The ray is in a cell that touches the
-  // corner all the same.
+  // On the edge opposite a corner without scalar the weight of that corner is 0, but the ray is in a cell with that
+  // corner.
   real highest = max(s.x, max(s.y, s.z));
   scalar = isDrawn(highest) ? scalar : UNDRAWN_SCALAR;
 #endif
   return vec2(clamp(depth, min(z.x, min(z.y, z.z)), max(z.x, max(z.y, z.z))), scalar);
 }
 
-// Whether the viewer sees the same side of the face while its corners move by as much as rounding moves them.
+// Whether the side of the face that the viewer sees does not depend on rounding of its corners.
 bool isTurnedForSure(FaceIntersection face)
 {
   vec2 ab = vec2(face.b.x - face.a.x, face.b.y - face.a.y);
@@ -73,12 +73,12 @@ bool isTurnedForSure(FaceIntersection face)
   vec2 ca = vec2(face.a.x - face.c.x, face.a.y - face.c.y);
   real longest = max(max(max(abs(ab.x), abs(ab.y)), max(abs(bc.x), abs(bc.y))), max(abs(ca.x), abs(ca.y)));
   real area = face.weight.x + face.weight.y + face.weight.z; // twice
-  // The edges together are at most 3 sqrt(2) times the longest component.
+  // The sum of the edge lengths is at most 3 sqrt(2) times the longest component.
   return area > real(5) * projectionBlur() * max(longest, projectionBlur());
 }
 
-// Replaces the intersection by that of the face through which the ray leaves the tetrahedron whose fourth vertex is
-// given. Returns the number of that face in the tetrahedron, which is the rank by id of the vertex it leaves out; -1 if
+// Replaces the intersection by that of the face through which the ray leaves the tetrahedron with the given fourth
+// vertex. Returns the index of that face in the tetrahedron, which is the rank by id of the opposite vertex; -1 if
 // there is none, which cannot happen with four real points.
 int replaceByExit(INOUT(FaceIntersection) face, uint apexId, vec3 apex, real apexScalar)
 {

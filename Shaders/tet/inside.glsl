@@ -1,10 +1,10 @@
-// Rays that begin inside the mesh: they start from the tetrahedron around their origin instead of a boundary face.
+// Rays that begin inside the mesh: they start in the tetrahedron around their origin, not at a boundary face.
 
-// Takes the place of a boundary face's number where a ray begins inside the mesh.
+// Used in place of a boundary face's index if a ray begins inside the mesh.
 CONSTANT int INSIDE_FACE = 0x7fffffff;
 
-// The transmittance from a point in a tetrahedron over that distance in that direction (unit length). If rounding puts
-// the point outside, one nearer the centre is taken.
+// The transmittance from a point in a tetrahedron over a distance in a direction (unit length). If the point is outside
+// by rounding, one nearer to the centre is used.
 real transmittanceTo(LightStart start, vec3 direction, real distance)
 {
   Tet tet = tetBehind(start.side, start.ids);

@@ -1,13 +1,13 @@
-// Where rays towards the light start: from a point in a tetrahedron.
+// The starting point of rays towards the light, in a tetrahedron.
 struct LightStart
 {
   Side side; // of one of its faces
-  uvec3 ids; // three of its vertices, of a face that turns counter-clockwise seen from outside
+  uvec3 ids; // three of its vertices, counter-clockwise seen from outside
   vec3 point;
 };
 
 #if TETMARCH_SAMPLED_SHADOWS
-// In the tetrahedron behind a face; the point is yet to be set.
+// The start in the tetrahedron behind a face; the point must be set.
 LightStart startIn(Place place)
 {
   LightStart start;

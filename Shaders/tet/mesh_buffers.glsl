@@ -1,9 +1,9 @@
-// The mesh in texture buffers; Mesh/TetMesh.h has the conventions.
+// The mesh in texture buffers; Mesh/TetMesh.h describes the conventions.
 uniform samplerBuffer vertexBuffer;    // position, scalar
 uniform usamplerBuffer cellBuffer;     // tetrahedra; see tet/packed_cells.glsl
 uniform usamplerBuffer boundaryBuffer; // three vertices counter-clockwise from outside, half-face inside
 uniform int numberOfTets;
-uniform int mostSteps;                 // the step guard: no ray crosses more tetrahedra
+uniform int mostSteps;                 // the step guard: maximum number of tetrahedra on a ray
 
 #define tetCount uint(numberOfTets)
 
@@ -14,15 +14,15 @@ uvec4 fetchCell(uint tet) { return texelFetch(cellBuffer, int(tet)); }
 uvec4 fetchBoundaryFace(uint face) { return texelFetch(boundaryBuffer, int(face)); }
 
 #if TETMARCH_BVH
-uniform samplerBuffer hierarchyBuffer; // two texels a node, see tet/boundary.glsl
+uniform samplerBuffer hierarchyBuffer; // two texels per node, see tet/boundary.glsl
 uniform int bvhNodeCount;
-uniform int bvhReentryNodeCount; // the first nodes: of faces by which a ray can enter again
-uniform int reentryFaceCount;    // the first faces, likewise
+uniform int bvhReentryNodeCount; // the first nodes cover the faces through which a ray can reenter
+uniform int reentryFaceCount;    // number of these faces, the first ones
 vec4 fetchBvhNode(int i) { return texelFetch(hierarchyBuffer, i); }
 #endif
 
 #if TETMARCH_HIDDEN_CELLS
-uniform usamplerBuffer hiddenCellBuffer; // a bit a tetrahedron
+uniform usamplerBuffer hiddenCellBuffer; // one bit per tetrahedron
 uint fetchHiddenCells(uint word) { return texelFetch(hiddenCellBuffer, int(word)).x; }
 #endif
 
@@ -34,7 +34,7 @@ float fetchCellScalar(uint tet) { return texelFetch(cellScalarBuffer, int(tet)).
 #endif
 
 #if TETMARCH_COMPONENTS
-uniform samplerBuffer furtherScalarBuffer; // of a vertex or of a tetrahedron: up to three beside the first
+uniform samplerBuffer furtherScalarBuffer; // per vertex or tetrahedron: up to three further scalars
 #if !TETMARCH_SPLIT_CELLS || TETMARCH_POINT_SCALARS
 vec3 fetchFurtherScalars(uint i) { return texelFetch(furtherScalarBuffer, int(i)).xyz; }
 #endif

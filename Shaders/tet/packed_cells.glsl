@@ -1,11 +1,11 @@
-// Tetrahedra in 16 bytes (Mesh/PackedCells.h): what a ray knows of the face by which it enters one gives the rest.
+// Tetrahedra in 16 bytes (Mesh/PackedCells.h): they are decoded with the data of the ray's entry face.
 
-// A face from the side on which the ray is. Half-face 4 t + i is face i of tetrahedron t; LINK_OUTSIDE + b is boundary
-// face b. A half-face's link is the half-face that the face is from the other side.
+// A face seen from the ray's side. Half-face 4 t + i is face i of tetrahedron t; LINK_OUTSIDE + b is boundary face b. A
+// half-face's link is the half-face on the other side.
 struct Side
 {
   uint ahead; // half-face of the tetrahedron that the ray enters
-  uint link;  // of that half-face: the one by which the ray has left what lies before
+  uint link;  // the link of that half-face, on the side that the ray has left
 };
 
 Side sideFrom(uint link, uint ahead)
@@ -18,7 +18,7 @@ Side sideFrom(uint link, uint ahead)
 
 bool isOutside(uint halfFace) { return halfFace >= LINK_OUTSIDE; }
 
-// What the links of a face of the tetrahedron and of its face 3 differ in.
+// The exclusive or of the links of a face of the tetrahedron and of its face 3.
 uint linkDifference(uvec4 cell, uint face)
 {
   return face == 0u ? cell.y : (face == 1u ? cell.z : (face == 2u ? cell.w : 0u));

@@ -1,6 +1,6 @@
 // The projection of vertices along a ray.
 
-// Sets the picture plane by the direction. The axis along which that is least gives the best angle.
+// Sets the picture plane by the direction. The axis of its smallest component gives the best angle.
 void orient(INOUT(Ray) ray)
 {
   vec3 direction = ray.direction;

@@ -1,5 +1,5 @@
-// What has a texel for each tetrahedron, of more tetrahedra than a texture buffer has texels: the second buffer has those
-// that the first one doesn't hold. Bound by GL/MeshTextures.
+// Data with one texel per tetrahedron, if there are more tetrahedra than a texture buffer has texels: the second buffer
+// contains those beyond the first one. Bound by GL/MeshTextures.
 uniform usamplerBuffer secondCellBuffer;
 uniform int cellsOfFirstBuffer;
 

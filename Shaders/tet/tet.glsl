@@ -1,4 +1,4 @@
-// A tetrahedron: face (a, b, c) turns counter-clockwise seen from outside, and d lies behind it. The side is that of any
+// A tetrahedron: face (a, b, c) turns counter-clockwise seen from outside, and d is behind it. The side is that of any
 // of its faces.
 struct Tet
 {
@@ -9,7 +9,7 @@ struct Tet
   uint d;
 };
 
-// Vertex d is the one that is left over.
+// The tetrahedron behind a face; vertex d is the remaining one.
 Tet tetBehind(Side side, uvec3 ids)
 {
   Tet tet;
@@ -21,7 +21,7 @@ Tet tetBehind(Side side, uvec3 ids)
   return tet;
 }
 
-// The side of the face of three vertices, which a tetrahedron has beside the apex.
+// The side of the face opposite the apex.
 Side sideOpposite(Side side, uvec3 ids, uint apex)
 {
   uint face = (apex > ids.x ? 1u : 0u) + (apex > ids.y ? 1u : 0u) + (apex > ids.z ? 1u : 0u);
@@ -36,8 +36,8 @@ vec2 projectedVertex(Ray ray, uint vertex)
   return vec2(p.x, p.y);
 }
 
-// Finds the place before the tetrahedron where the line of the ray enters it. A line enters a tetrahedron of four
-// real points by one face or by none. Returns false if there is none, since rounding leaves the origin outside.
+// Finds the place at which the line of the ray enters the tetrahedron. A line enters a tetrahedron of four real points
+// through one face or none. Returns false if there is none, because the origin is outside by rounding.
 bool entersTet(Ray ray, Tet tet, OUT(Place) place)
 {
   vec2 a = projectedVertex(ray, tet.a);

@@ -1,14 +1,14 @@
-// The traversal of the mesh: a ray enters it, leaves it, and may enter again.
+// The traversal of the mesh: a ray enters it, leaves it, and may reenter.
 
-// Where a ray is: before a face.
+// The position of a ray: before a face.
 struct Place
 {
   FaceIntersection face;
   Side side; // of that face
 };
 
-// Steps through the tetrahedron ahead: the place becomes that before the face by which the ray leaves it. Returns the
-// number of that face in the tetrahedron, or -1 as replaceByExit() does.
+// Steps through the tetrahedron ahead: the place becomes that before the ray's exit face. Returns the index of that
+// face in the tetrahedron, or -1 like replaceByExit().
 int stepThrough(Ray ray, uvec4 cell, INOUT(Place) place)
 {
   uint apexId = apexOf(cell, place.face.id);
@@ -22,16 +22,16 @@ int stepThrough(Ray ray, uvec4 cell, INOUT(Place) place)
 struct Traversal
 {
   Place place;
-  bool inside;    // the place is set; else the entry tells it
+  bool inside;    // the place is set; else it follows from the entry
   bool entered;   // the face at the entry accepted the ray
   Entry entry;
 #if TETMARCH_ENTRY_LISTS
-  int candidate;  // of the entries behind this one none comes before it in the ray's list
+  int candidate;  // entries behind the current one do not come before this index in the ray's list
 #endif
 };
 
 #if TETMARCH_VISITS
-// From an entry that was found before, and the candidate behind which the next one is looked for.
+// The traversal at a known entry, and the candidate after which the next one is searched.
 Traversal traversalAt(Entry entry, int candidate)
 {
   Traversal traversal;
@@ -44,7 +44,7 @@ Traversal traversalAt(Entry entry, int candidate)
   return traversal;
 }
 
-// What that needs to know again.
+// The candidate for traversalAt().
 int candidateOf(Traversal traversal)
 {
 #if TETMARCH_ENTRY_LISTS
@@ -56,7 +56,7 @@ int candidateOf(Traversal traversal)
 #endif
 
 #if TETMARCH_ENTRY_LISTS || TETMARCH_BVH
-// From the first entry of the ray, wherever it begins to be seen.
+// The traversal before the first entry of the ray, for any begin of the visible part.
 Traversal traversalFrom(Ray ray, real depthBegin)
 {
   Traversal traversal;
@@ -81,7 +81,7 @@ bool continuesBefore(Traversal traversal, real depthEnd)
 }
 
 #if TETMARCH_BVH || TETMARCH_SAMPLED_SHADOWS || !TETMARCH_ENTRY_LISTS
-// Enters by the boundary face, unless the ray is inside already.
+// Enters through the boundary face, unless the ray is already inside.
 void enterBySearch(Ray ray, INOUT(Traversal) traversal)
 {
   if (!traversal.inside)
@@ -94,7 +94,7 @@ void enterBySearch(Ray ray, INOUT(Traversal) traversal)
 }
 #endif
 
-// The ray of a pixel enters by the face of its entry, unless it is inside already.
+// The ray of a pixel enters through the face of its entry, unless it is already inside.
 void enterVolume(Ray ray, real depthEnd, INOUT(Traversal) traversal)
 {
 #if TETMARCH_ENTRY_LISTS
@@ -110,14 +110,14 @@ void enterVolume(Ray ray, real depthEnd, INOUT(Traversal) traversal)
 }
 
 #if TETMARCH_BVH || TETMARCH_SAMPLED_SHADOWS || !TETMARCH_ENTRY_LISTS
-// From the face by which a ray has left the mesh, which need not be one of a pixel, to the next entry, which is searched
-// for in the hierarchy; to none if the ray is finished, or if the mesh is convex and has no hierarchy.
+// From the exit face of any ray to its next entry, searched in the hierarchy; to none if the ray is finished, or if the
+// mesh is convex and has no hierarchy.
 void leaveBySearch(Ray ray, bool finished, INOUT(Traversal) traversal)
 {
   traversal.inside = false;
 #if TETMARCH_BVH
-  // A ray that leaves the convex hull is finished. But along a flat side of the hull rounding makes bumps, which a ray
-  // may leave before it enters the rest: then the faces of the hull are searched again.
+  // A ray that leaves the convex hull is finished. But rounding makes a flat side of the hull bumpy, and a ray may
+  // leave a bump before it enters the rest: then the faces of the hull are searched again.
   uint ahead = traversal.place.side.ahead;
   bool leftHull = traversal.entered && isOutside(ahead) && int(ahead - LINK_OUTSIDE) >= reentryFaceCount;
   bool certain = isTurnedForSure(traversal.place.face);
@@ -135,7 +135,7 @@ void leaveBySearch(Ray ray, bool finished, INOUT(Traversal) traversal)
 }
 #endif
 
-// From the face by which the ray of a pixel has left the mesh to its next entry; to none if the ray is finished.
+// From the exit face of a pixel's ray to its next entry; to none if the ray is finished.
 void leaveVolume(Ray ray, bool finished, INOUT(Traversal) traversal)
 {
 #if TETMARCH_ENTRY_LISTS

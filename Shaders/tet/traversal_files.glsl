@@ -1,4 +1,4 @@
-// What every march is made of: the traversal of the mesh, and what the volume is there.
+// The common part of all marches: the traversal of the mesh, and the attributes of the volume.
 #include "tet/packed_cells.glsl"
 #include "tet/edge_sign.glsl"
 #include "march/ray.glsl"

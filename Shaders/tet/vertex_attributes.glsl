@@ -1,4 +1,4 @@
-// What a vertex carries along a ray beside its position and its first scalar.
+// Attributes of a vertex besides its position and its first scalar.
 #if TETMARCH_VERTEX_ATTRIBUTES
 struct VertexAttributes
 {
@@ -9,7 +9,7 @@ struct VertexAttributes
   vec4 light; // transmittance towards ambient light and towards up to three lights that cast shadows
 #endif
 #if TETMARCH_FURTHER_VERTEX_SCALARS
-  vec3 further; // scalars beside the first
+  vec3 further; // further scalars
 #endif
 };
 
@@ -28,7 +28,7 @@ VertexAttributes fetchAttributes(uint vertex)
   return attributes;
 }
 
-// The first attributes where the condition holds, else the second ones.
+// The first attributes if the condition holds, else the second ones.
 VertexAttributes selectAttributes(bool condition, VertexAttributes first, VertexAttributes second)
 {
 #if TETMARCH_VERTEX_GRADIENTS

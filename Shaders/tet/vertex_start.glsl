@@ -1,9 +1,9 @@
-// The start of rays towards the light from a vertex.
+// The starting point of rays from a vertex towards the light.
 
 // Returns false if the vertex belongs to no tetrahedron.
 bool startsAtVertex(uint vertex, OUT(LightStart) start)
 {
-  uvec4 found = fetchVertexStart(vertex); // of a tetrahedron at the vertex: two others, the link of face 3, its number
+  uvec4 found = fetchVertexStart(vertex); // of a tetrahedron at the vertex: two vertices, link of face 3, index
   start.side = sideFrom(found.z, 4u * found.w + 3u);
   start.ids = uvec3(vertex, found.x, found.y);
   start.point = vec3(real(0), real(0), real(0));
@@ -16,7 +16,7 @@ bool startsAtVertex(uint vertex, OUT(LightStart) start)
   vec4 sum = fetchVertex(start.ids.y) + fetchVertex(start.ids.z) + fetchVertex(last);
   start.point = vec3(place.x, place.y, place.z);
   vec3 inwards = vec3(sum.x, sum.y, sum.z) * (real(1) / real(3)) - start.point;
-  // A little inside the tetrahedron, so that the predicate finds the ray in it.
+  // Slightly inside the tetrahedron, so that the predicate finds the ray in it.
   start.point = start.point + inwards * (real(1) / real(64));
   return true;
 }

@@ -1,5 +1,5 @@
-// The tetrahedra of which something may be seen, and the faces by which rays enter these; Entries/VisiblePart.h.
-uniform usamplerBuffer visibleTetBuffer;  // a bit a tetrahedron
+// The tetrahedra that may be visible, and the faces through which rays enter them; Entries/VisiblePart.h.
+uniform usamplerBuffer visibleTetBuffer;  // one bit per tetrahedron
 uniform usamplerBuffer visibleFaceBuffer; // three vertices counter-clockwise from outside, half-face inside
 uniform usamplerBuffer visibleLinkBuffer; // the link of that half-face
 

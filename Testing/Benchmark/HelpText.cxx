@@ -8,14 +8,14 @@ std::string helpText()
 {
   return R"(Usage: tetmarch-bench [accuracy|refinement|effects|structured] [options]
 
-Times vtkTetMarchVolumeMapper beside VTK's other ways to draw an unstructured grid, one frame each in turn,
-prints a table in Markdown and, if asked, writes every figure as JSON.
+Compares the time of vtkTetMarchVolumeMapper with VTK's mappers of unstructured grids, one frame each in turn,
+prints a table in Markdown and, on request, writes all figures as JSON.
 
-  accuracy                  every level and tolerance, every rival, three transfer functions, and how far each
-                            picture is from that in double precision
-  refinement                the same of one field on finer and finer meshes, against the field itself
-  effects                   gradient opacity, shading, shadows and so on, each beside a frame without
-  structured                images: vtkTetMarchSmartVolumeMapper beside VTK's mappers, with errors
+  accuracy                  every level and tolerance, every rival, three transfer functions, and the error of
+                            each picture against double precision
+  refinement                the same for one field on successively refined meshes, against the field itself
+  effects                   gradient opacity, shading, shadows and so on, each compared with a frame without
+  structured                images: vtkTetMarchSmartVolumeMapper compared with VTK's mappers, with errors
 
   --datasets A,B,...        of lattice162k, lattice1.3m, lattice6m, lattice:N (6 N^3 tetrahedra), golfball,
                             golfball-slab, golfball-wake, cheese, cheese:N (not convex), front1.3m, front:N (a sharp
@@ -32,30 +32,30 @@ prints a table in Markdown and, if asked, writes every figure as JSON.
   --effects A,B,...         of gradient-opacity, headlight, one-light, five-lights, local-lights, cell-gradients,
                             vertex-shadows, ray-shadows, headlight-shadows, occlusion, shadows-occlusion,
                             scattering, illumination (default: all)
-                            Of structured: --datasets bonsai, aneurism, headsq, carotid (if --more-data has
+                            With structured: --datasets bonsai, aneurism, headsq, carotid (if --more-data has
                             structured/), marschner-lobb:N; --functions ramp, peaks, smooth; --mappers tetmarch-fast,
                             tetmarch, tetmarch-accurate, gpu:K (VTK's on the GPU, K samples a voxel), gpu-jitter:K,
-                            gpu-stored:K (of scalars as stored, the others are of floats), fixed-point
-  --stride N                of structured: errors are those of every N-th pixel of every N-th row (default: 4)
-  --against PROGRAM         of another build: its 'tetmarch' draws by turns with those of this one
+                            gpu-stored:K (scalars as stored, the others use floats), fixed-point
+  --stride N                with structured: errors of every N-th pixel of every N-th row (default: 4)
+  --against PROGRAM         of another build: its 'tetmarch' draws in turn with that of this one
   --errors                  measure errors, too
   --size WxH                of the window (default: 512x512)
-  --rounds N                how often each mapper starts in a new process (default: 2)
-  --frames N                frames of a mapper in a round, after the first (default: 5)
-  --limit SECONDS           a mapper that takes longer for a frame, or five times as long to get ready or
-                            for its first frame, is left out from there on (default: 60)
-  --enough SECONDS          a mapper whose frames of a round have taken so long together draws no more of them,
-                            but one beside the first (default: no end; accuracy: 10, effects: 20;
-                            structured: 2, and no more than one)
-  --quick                   tiny lattices, a small window and few frames; options after it still count
-  --data FOLDER             where golfball_small.vtu lies (default: Data/ of the sources)
-  --more-data FOLDER        where golfball/golfball_medium.vtu and others lie; datasets that are not there
-                            are left out (default: ../shared/data beside the sources)
+  --rounds N                number of rounds, with new processes in each (default: 2)
+  --frames N                number of frames of a mapper in a round, after the first (default: 5)
+  --limit SECONDS           a mapper that takes longer for a frame, or five times as long for its preparation or
+                            its first frame, is left out from then on (default: 60)
+  --enough SECONDS          a mapper draws no further frames of a round when its frames have taken this time in
+                            total, but at least one besides the first (default: no limit; accuracy: 10,
+                            effects: 20; structured: 2, and at most one)
+  --quick                   tiny lattices, a small window and few frames; later options override it
+  --data FOLDER             the folder of golfball_small.vtu (default: Data/ of the sources)
+  --more-data FOLDER        the folder of golfball/golfball_medium.vtu and others; missing datasets are left out
+                            (default: ../shared/data beside the sources)
   --output FILE.json
   --markdown FILE.md        the table that is printed
-  --gpu-report FILE.json    the figures with all that the GL says of itself, what its driver can do, and how far its
-                            pictures are from those of the CPU: to be sent to us, whatever fails
-  --cache FOLDER            where resampled scalars are kept with the time they took (default: a folder that is
+  --gpu-report FILE.json    the figures with the properties of the GL, the capabilities of its driver, and the
+                            differences of its pictures from the CPU's: for the developers, even after failures
+  --cache FOLDER            the folder of resampled scalars and the times they took (default: a folder that is
                             deleted at the end)
   --help
 

@@ -20,15 +20,15 @@ using namespace tetmarch::testing;
 
 constexpr const char* Usage = R"(usage: tetmarch-hard-cases COMMAND
 
-  list                  group, name, number of cells and what each case is
+  list                  group, name, number of cells and description of each case
   write NAME FILE.vtu   its grid, with the point scalars "f" and the cell scalars "c"
   stress [OPTION]...    send rays through all cases, and print a table
-      --rays N          over all cases, those of earlier runs included (1000000000)
-      --least-rays N    of each case (1000000)
-      --seconds S       end after that long, to go on from the file another time
-      --file FILE.json  where the sums are kept; a run goes on from it (stress.json)
+      --rays N          total number over all cases, including earlier runs (1000000000)
+      --least-rays N    minimum number of each case (1000000)
+      --seconds S       stop after this time; a later run resumes from the file
+      --file FILE.json  the file of the sums, from which a run resumes (stress.json)
       --table FILE.md   write the table there, too
-      --case NAME       this case only
+      --case NAME       only this case
 )";
 
 int list()

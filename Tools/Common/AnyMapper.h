@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The mapper for unstructured grids or that for images and rectilinear grids, to whoever need not
- * know which of the two. What both classes inherit, or share as settings and statistics, is had
- * from these; the rest is here.
+ * A common interface of the mapper for unstructured grids and that for images and rectilinear
+ * grids. Methods of common superclasses, settings and statistics are accessed directly; the others
+ * are declared here.
  */
 #ifndef tetmarch_AnyMapper_h
 #define tetmarch_AnyMapper_h
@@ -33,7 +33,7 @@ enum class TraceIn
   GROUND_TRUTH = 2
 };
 
-/// What is hit in a pixel.
+/// The picked point of a pixel.
 struct PickedPoint
 {
   std::array<double, 3> Position; // in the world
@@ -53,8 +53,8 @@ public:
   virtual vtkTetMarchFrameStatistics* GetStatistics() = 0;
 
   virtual void SetInput(vtkDataObject* data) = 0;
-  /// Ahead of frames, in any thread; images and rectilinear grids need none. False: stopped or
-  /// failed.
+  /// Prepares the mesh before the first frame, in any thread; images and rectilinear grids need
+  /// none. False: stopped or failed.
   virtual bool PrepareMesh() = 0;
   /// -1: the magnitude.
   virtual void SetComponent(int component) = 0;
@@ -62,9 +62,9 @@ public:
   virtual void SetBlendMode(int mode) = 0;
   virtual void SetCropping(const double planes[6], int flags) = 0;
   virtual void SetCroppingOff() = 0;
-  /// Of images and rectilinear grids; a negative distance is chosen by the mapper.
+  /// For images and rectilinear grids; the mapper chooses the distance if it is negative.
   virtual void SetSamples(double distance, bool jitter) = 0;
-  /// As it is before SetSamples(): frames may have fewer rays while somebody interacts.
+  /// The default: frames may have fewer rays during interaction.
   virtual void SetSamplesOff() = 0;
 
   /// As the methods of either class.

@@ -43,7 +43,7 @@ vtkDataSetAttributes* GetAttributes(vtkDataSet* block, bool cells)
   return cells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData();
 }
 
-/// In how many blocks an array is, and of which types.
+/// The number of blocks that contain an array, and its types.
 struct ArrayCount
 {
   std::size_t Blocks = 0;

@@ -19,7 +19,7 @@ namespace tetmarch
 void SetProgramName(const std::string& name);
 const std::string& GetProgramName();
 
-/// Is told each message beside its being printed, in the thread of whoever has it.
+/// Receives each message besides its being printed, in the thread that reports it.
 using MessageListener = std::function<void(const std::string& kind, const std::string& text)>;
 void SetMessageListener(MessageListener listener);
 

@@ -14,7 +14,7 @@
 namespace tetmarch
 {
 
-/// The numbers of a list "1,2,3", of which there must be one of the given counts.
+/// The numbers of a list "1,2,3", whose count must be one of the given ones.
 std::vector<double> ParseList(const std::string& value, std::initializer_list<std::size_t> counts);
 
 /// The same of any count but 0.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How far a stage of the work is: told to whoever asked for it, else one line on stderr, if that is
- * a terminal. Within a stage that has a line, other stages show none.
+ * The progress of a stage of the work: passed to a callback, else one line on stderr, if that is a
+ * terminal. Within a stage that has a line, other stages show none.
  */
 #ifndef tetmarch_ProgressBar_h
 #define tetmarch_ProgressBar_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Files of nothing but the values of an image, of which the user says the rest.
+ * Files with only the values of an image; the user specifies their type and dimensions.
  */
 #ifndef tetmarch_RawImage_h
 #define tetmarch_RawImage_h

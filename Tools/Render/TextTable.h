@@ -19,10 +19,10 @@ namespace tetmarch
  */
 std::string FormatTable(const std::vector<std::vector<std::string>>& rows);
 
-/// With so many significant digits, but "0" for 0 and "-" for what is not a number.
+/// With the given number of significant digits, but "0" for 0 and "-" for NaN.
 std::string FormatNumber(double number, int digits);
 
-/// With so many digits behind the point.
+/// With the given number of decimals.
 std::string FormatFixed(double number, int digits);
 
 } // namespace tetmarch

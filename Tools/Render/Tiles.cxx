@@ -16,8 +16,7 @@ namespace tetmarch
 
 namespace
 {
-/// The noise of samples and shadows repeats itself after so many pixels. So it goes on from tile to
-/// tile.
+/// The period in pixels of the noise of samples and shadows, which continues from tile to tile.
 constexpr int NoisePeriod = 64;
 } // namespace
 

@@ -29,7 +29,7 @@ namespace tetmarch
 class Tiles
 {
 public:
-  /// Of tiles with at most so many pixels along each side.
+  /// With a maximum number of pixels along each side of a tile.
   Tiles(const std::array<int, 2>& pictureSize, int largest);
 
   /// Of the window.

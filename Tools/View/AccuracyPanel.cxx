@@ -80,17 +80,16 @@ void AccuracyPanel::MakeSettings()
     { tr("Fast"), tr("Default"), tr("Accurate"), tr("Reference"), tr("Sampled") },
     [](ViewState& s) -> int& { return s.Settings.AccuracyLevel; });
   this->Level->setObjectName(QStringLiteral("level"));
-  this->Level->setToolTip(tr("Fast promises no error. Default keeps the tolerance. Sampled has the "
-                             "look of VTK's mapper for images."));
+  this->Level->setToolTip(tr("Fast guarantees no error. Default keeps the tolerance. Sampled looks "
+                             "like VTK's mapper for images."));
   form->addRow(tr("Level"), this->Level);
   this->Tolerance = MakeSlider(this->Shown, 1e-5, 0.1, ValueSlider::Logarithmic,
     [](ViewState& s) -> double& { return s.Settings.ErrorTolerance; });
   this->Tolerance->setObjectName(QStringLiteral("tolerance"));
-  this->Tolerance->setToolTip(tr("Greatest error of a channel of any pixel, 0 to 1"));
+  this->Tolerance->setToolTip(tr("Maximum error of a channel of any pixel, 0 to 1"));
   form->addRow(tr("Tolerance"), this->Tolerance);
   this->Budgeted = new QCheckBox(tr("Time budget"));
-  this->Budgeted->setToolTip(
-    tr("Let the mapper find the best level whose frames keep these seconds"));
+  this->Budgeted->setToolTip(tr("Choose the best level whose frames take at most these seconds"));
   this->Budget = new ValueSlider(0.01, 10.0, ValueSlider::Logarithmic);
   this->Budget->SetValue(0.2);
   form->addRow(this->Budgeted, this->Budget);
@@ -129,8 +128,8 @@ void AccuracyPanel::MakeFigures()
   this->CompareButton = new QPushButton(tr("Compare with ground truth"));
   this->CompareButton->setObjectName(QStringLiteral("compare"));
   this->CompareButton->setToolTip(
-    tr("Draw the picture once more on the CPU in double precision. That takes seconds to minutes; "
-       "whatever you do meanwhile stops it."));
+    tr("Compute the picture on the CPU in double precision. This takes seconds to minutes; any "
+       "action stops it."));
   connect(this->CompareButton, &QPushButton::clicked, this, &AccuracyPanel::Compare);
 }
 

@@ -56,12 +56,12 @@ std::string GetViewHelp()
 {
   return R"(Usage: tetmarch-view [FILE]
 
-A window in which an unstructured grid, an image or a rectilinear grid is drawn as a volume, by marching each
-ray from cell to cell. FILE is what tetmarch-render takes as INPUT, or a session that was saved here (.json).
-Files can also be dropped on the window.
+Draws an unstructured grid, an image or a rectilinear grid as a volume in a window, by marching each ray from
+cell to cell. FILE is an INPUT of tetmarch-render, or a saved session of this program (.json). Files can also be
+dropped on the window.
 
-Mouse      left: turn; middle: move; right or wheel: nearer or further; click: what is there
-Keys       x y z: look along that axis; 5: parallel or perspective; r: all of the data in view
+Mouse      left: turn; middle: move; right or wheel: zoom; click: pick
+Keys       x y z: look along that axis; 5: parallel or perspective; r: reset the camera
 
   --help, --version
 
@@ -78,7 +78,7 @@ std::string FindDisplayProblem()
   return "there is no display for a window (neither DISPLAY nor WAYLAND_DISPLAY is set). Instead:\n"
          "  tetmarch-render FILE             writes a picture, and needs no display\n"
          "  ssh -X HOST tetmarch-view FILE   shows the window of another machine on yours\n"
-         "  xvfb-run -a tetmarch-view FILE   runs with a display that nobody sees, for tests";
+         "  xvfb-run -a tetmarch-view FILE   runs with an invisible display, for tests";
 }
 
 } // namespace tetmarch

@@ -46,7 +46,8 @@ DataPanel::DataPanel(Model& model, QWidget* parent)
   form->addRow(tr("Component"), this->Component);
   this->Density = MakeSlider(model, 1e-3, 1.0, ValueSlider::Logarithmic,
     [](ViewState& s) -> double& { return s.Functions.UnitDistance; });
-  this->Density->setToolTip(tr("The length that opacities are meant for: the shorter, the denser"));
+  this->Density->setToolTip(
+    tr("The length to which opacities refer: a shorter one makes the volume denser"));
   form->addRow(tr("Unit distance"), this->Density);
   this->Blend = MakeChoice(model,
     { tr("Composite"), tr("Maximum"), tr("Minimum"), tr("Average"), tr("Additive"),
@@ -54,11 +55,11 @@ DataPanel::DataPanel(Model& model, QWidget* parent)
     [](ViewState& s) -> int& { return s.BlendMode; });
   this->Blend->setObjectName(QStringLiteral("blend"));
   form->addRow(tr("Blend"), this->Blend);
-  this->IsoValues->setToolTip(tr("Values of the surfaces, with blanks between them"));
+  this->IsoValues->setToolTip(tr("Values of the surfaces, separated by blanks"));
   form->addRow(tr("Isovalues"), this->IsoValues);
   this->Nearest =
     MakeCheck(model, tr("Constant voxels"), [](ViewState& s) -> bool& { return s.Data.Nearest; });
-  this->Nearest->setToolTip(tr("Of images: each value holds in a cell of its own"));
+  this->Nearest->setToolTip(tr("For images: each value fills its own cell"));
   form->addRow(this->Nearest);
   form->addRow(MakeCheck(model, tr("Draw cells that are not finite"),
     [](ViewState& s) -> bool& { return s.Settings.DrawNanCells; }));
@@ -159,7 +160,7 @@ void DataPanel::TakeIsoValues()
   if (!values || values->size() > MostIsoValues)
   {
     Q_EMIT this->Shown.Failed(
-      tr("'%1' are no isovalues: give up to 32 numbers with blanks between them.").arg(text));
+      tr("'%1' are no isovalues: give up to 32 numbers separated by blanks.").arg(text));
     return;
   }
   this->Shown.Edit([&](ViewState& s) { s.IsoValues = *values; });

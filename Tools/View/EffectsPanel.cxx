@@ -57,8 +57,8 @@ QWidget* EffectsPanel::MakeEffects()
   {
     Row row{ new QCheckBox(tr(effects[i].Name)), new QLabel };
     row.Check->setToolTip(tr(effects[i].Help));
-    row.Cost->setToolTip(tr("Seconds that the effect adds to a frame; and what it took "
-                            "once, when it was switched on"));
+    row.Cost->setToolTip(tr("Seconds that the effect adds to a frame, and once when it is "
+                            "switched on"));
     row.Cost->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     grid->addWidget(row.Check, i, 0);
     grid->addWidget(row.Cost, i, 1);
@@ -75,7 +75,7 @@ QWidget* EffectsPanel::MakeEffects()
   }
   this->MeasureAll = new QPushButton(tr("Measure what each adds"));
   this->MeasureAll->setToolTip(
-    tr("Draw this view without and with each effect by turns, 12 frames an effect"));
+    tr("Draw this view alternately without and with each effect, 12 frames per effect"));
   connect(this->MeasureAll, &QPushButton::clicked, this,
     [this]
     {
@@ -103,8 +103,8 @@ void EffectsPanel::MakeLight(QFormLayout* form)
     [](ViewState& s) -> bool& { return s.Effects.Headlight; }));
   this->Azimuth = new ValueSlider(-180.0, 180.0, ValueSlider::Linear);
   this->Elevation = new ValueSlider(-90.0, 90.0, ValueSlider::Linear);
-  this->Azimuth->setToolTip(tr("Where the light comes from, about the z axis, in degrees"));
-  this->Elevation->setToolTip(tr("How high it stands, in degrees"));
+  this->Azimuth->setToolTip(tr("Direction of the light around the z axis, in degrees"));
+  this->Elevation->setToolTip(tr("Elevation of the light, in degrees"));
   for (ValueSlider* slider : { this->Azimuth, this->Elevation })
   {
     connect(slider, &ValueSlider::DragBegan, &this->Shown, &Model::BeginDrag);

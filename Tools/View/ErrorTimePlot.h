@@ -26,7 +26,7 @@ public:
   {
     double Seconds;
     double Error;
-    QString Setting; // of which a new point takes the place of the old one
+    QString Setting; // a new point of the same setting replaces the old one
   };
   void Add(const Point& point);
   void Clear();

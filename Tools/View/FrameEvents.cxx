@@ -125,7 +125,8 @@ bool FrameEvents::eventFilter(QObject* receiver, QEvent* event)
     this->Keep(receiver, CopyOf<QResizeEvent>(event));
     return true;
   }
-  if (IsDrag(type)) // these can't wait: whoever drags is told that nothing can be dropped now
+  if (IsDrag(
+        type)) // these can't wait: the source of the drag is told that nothing can be dropped now
   {
     this->IsAsked = true;
     event->ignore();

@@ -230,7 +230,7 @@ void MainWindow::ShowPick(int x, int y)
   const auto hit = this->Shown.GetScene().GetMapper().Pick(
     this->Shown.GetScene().GetRenderer(), this->Shown.GetScene().GetVolume(), x, y);
   this->ShowHandles();
-  QString text = tr("nothing there that is opaque enough");
+  QString text = tr("nothing opaque enough there");
   if (hit)
   {
     const auto& at = hit->Position;

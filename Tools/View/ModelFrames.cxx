@@ -89,7 +89,7 @@ void Model::FollowFrame()
     return;
   }
   const bool asked = this->HandleEvents(tr("drawing"));
-  this->Window->MakeCurrent(); // whoever has painted a panel has taken the context
+  this->Window->MakeCurrent(); // painting a panel may have changed the current context
   if (asked && !this->Whole)
   {
     this->Window->SetAbortRender(1);

@@ -30,7 +30,7 @@ PictureWidget::PictureWidget(Model& model, QWidget* parent)
   model.GetEvents().SetPicture(this);
 }
 
-// A frame handles events, which nobody may do while a widget is painted. So a frame for the new
+// A frame handles events, which is not allowed while a widget is painted. So a frame for the new
 // size comes afterwards, and what was shown is stretched until then.
 void PictureWidget::resizeGL(int width, int height)
 {

@@ -32,8 +32,7 @@ public:
 
   vtkRenderer* GetRenderer() { return this->Renderer; }
   vtkVolume* GetVolume() { return this->Volume; }
-  /// The functions that are drawn: whoever changes them calls Capture(). They stay the same
-  /// objects.
+  /// The drawn functions: call Capture() after changing them. They stay the same objects.
   vtkColorTransferFunction* GetColor() { return this->Color; }
   vtkPiecewiseFunction* GetOpacity() { return this->Opacity; }
 

@@ -28,7 +28,7 @@ public:
   ValueSlider(double least, double most, Scale scale, QWidget* parent = nullptr);
 
   double GetValue() const { return this->Value; }
-  /// Tells nobody.
+  /// Emits no signal.
   void SetValue(double value);
   void SetLimits(double least, double most);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The blend mode: what a picture shows of the scalars along a ray.
+// The blend mode of the scalars along a ray.
 #ifndef TetMarchAppearanceBlending_h
 #define TetMarchAppearanceBlending_h
 
@@ -30,16 +30,16 @@ enum class BlendMode
   IsoSurface
 };
 
-/** As the array in Shaders/gather/blend_buffers.glsl. */
+/** The size of the array in Shaders/gather/blend_buffers.glsl. */
 constexpr int MostIsoSurfaces = 32;
 
 struct Blending
 {
   BlendMode Mode = BlendMode::Composite;
-  /** The stored scalars (0..1) that are counted: a part of them for averages, else all. Twice the
-   * same number above 1: none. */
+  /** The range of the included stored scalars (0..1): a part of them for averages, else all. Two
+   * equal numbers above 1: none. */
   std::array<float, 2> AverageRange{ { -1, 2 } };
-  std::vector<float> IsoValues;                // stored scalars, ascending, none twice
+  std::vector<float> IsoValues;                // stored scalars, ascending, distinct
   std::vector<std::array<float, 4>> IsoColors; // r, g, b, opacity at each
 
   bool isComposite() const { return this->Mode == BlendMode::Composite; }
@@ -48,24 +48,24 @@ struct Blending
     return this->Mode == BlendMode::Average || this->Mode == BlendMode::Additive;
   }
   bool isIsoSurface() const { return this->Mode == BlendMode::IsoSurface; }
-  /** The factor that makes the scalar that is shown the greatest one. */
+  /** The factor with which the shown scalar is the maximum. */
   float extremeSign() const { return this->Mode == BlendMode::Minimum ? -1.0f : 1.0f; }
   void setBits(VariantKey& key) const;
 };
 
-/** What a user asks for. */
+/** The user's settings. */
 struct BlendOptions
 {
   int Mode = 0;                         // a BlendMode
   std::array<double, 2> AverageRange{}; // of the data's scalars
 };
 
-/** Blending of the stored scalars of that range. Returns an empty string, or what is wrong and what
- * to do. */
+/** Blending of the stored scalars of that range. Returns an empty string, or an error with its
+ * remedy. */
 std::string makeBlending(const BlendOptions& options, vtkVolumeProperty* property,
   const ScalarRange& range, Blending& made);
 
-/** Equal if the same is shown. */
+/** Equal if the blending is the same. */
 Fingerprint versionOf(const Blending& blending);
 
 /**

@@ -29,7 +29,7 @@ void setColors(vtkVolumeProperty* from, int component, vtkVolumeProperty* to)
   }
 }
 
-// Its only node is one of the other function, since tables reach from the first node to the last.
+// Its only node is one of the other function, since tables extend from the first node to the last.
 vtkSmartPointer<vtkPiecewiseFunction> constantOne(double node)
 {
   auto one = vtkSmartPointer<vtkPiecewiseFunction>::New();

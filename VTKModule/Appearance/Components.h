@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The transfer functions of several components of an array that are drawn together.
+// The transfer functions of several components drawn together.
 #ifndef TetMarchAppearanceComponents_h
 #define TetMarchAppearanceComponents_h
 
@@ -17,8 +17,7 @@ namespace tetmarch
 
 struct VariantKey;
 
-/** Where a table lies among the tables that are stored one behind the other, as in
- * Shaders/tables/integral_table.glsl. */
+/** The position of a table among consecutive tables, as in Shaders/tables/integral_table.glsl. */
 struct TablePlace
 {
   int First;
@@ -31,8 +30,8 @@ struct TablePlace
 struct Components
 {
   ComponentMix Mix = ComponentMix::Single;
-  std::vector<ScalarRange> FurtherRanges; // of the scalars behind the first
-  /** The tables behind that of the first scalar: one for each further independent component; for
+  std::vector<ScalarRange> FurtherRanges; // of the further scalars
+  /** The tables after that of the first scalar: one for each further independent component; for
    * ColorAndOpacity that of the colours, whose extinction is 1; for DirectColor none. */
   std::vector<IntegralTable> Tables;
   /** The extinctions of independent components are multiplied by these: the component's weight
@@ -43,16 +42,17 @@ struct Components
   bool isIndependent() const { return this->Mix == ComponentMix::Independent; }
   int count() const { return static_cast<int>(this->FurtherRanges.size()) + 1; }
   void setBits(VariantKey& key) const;
-  /** Places of the table of the first scalar, which has that range, and of the tables behind it. */
+  /** The positions of the table of the first scalar, which has this range, and of the further
+   * tables. */
   std::vector<TablePlace> places(const IntegralTable& first, const ScalarRange& range) const;
-  /** Whether a table behind the first has extinction. */
+  /** Whether a further table has extinction. */
   bool isFurtherVisible() const;
 };
 
-/** Set Factors. Returns an empty string, or which unit distance is wrong. */
+/** Set Factors. Returns an empty string, or an error of a unit distance. */
 std::string setFactors(vtkVolumeProperty* property, Components& components);
 
-/** Set the Tables of several components, and return that of the first scalar, which has that range.
+/** Set the Tables of several components, and return that of the first scalar, which has this range.
  */
 IntegralTable componentTables(vtkVolumeProperty* property, OpacityLaw law, const ScalarRange& range,
   const AccuracyLevel& level, Components& components);

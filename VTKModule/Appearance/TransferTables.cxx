@@ -29,7 +29,7 @@ void addRange(Fingerprint& fingerprint, const ScalarRange& range)
   add(fingerprint, range.High);
 }
 
-// Asking for the functions of components that are not drawn would create them.
+// The getters of functions of components that are not drawn would create them.
 Fingerprint versionOf(vtkVolumeProperty* property, const TableInput& input)
 {
   Fingerprint version;
@@ -72,7 +72,7 @@ IntegralTable makeTables(vtkVolumeProperty* property, const TableInput& input,
     IntegralTable first = componentTables(property, input.Law, input.Range, level, components);
     if (input.Bends)
     {
-      addSlopeVariations(first); // for rays towards the light, which see it alone
+      addSlopeVariations(first); // for rays towards the light, which use only this table
     }
     return first;
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The tables of the transfer functions, made anew when a function or a range changed.
+// The tables of the transfer functions, made again when a function or a range has changed.
 #ifndef TetMarchAppearanceTransferTables_h
 #define TetMarchAppearanceTransferTables_h
 
@@ -15,32 +15,32 @@
 namespace tetmarch
 {
 
-/** What tables are made of, beside the functions of a vtkVolumeProperty. */
+/** The input of the tables, besides the functions of a vtkVolumeProperty. */
 struct TableInput
 {
   OpacityLaw Law = OpacityLaw::Unstructured;
   const Blending* Blend = nullptr;
   ComponentMix Mix = ComponentMix::Single;
   ScalarRange Range;                      // of the first scalar
-  std::vector<ScalarRange> FurtherRanges; // of those that are drawn with it
-  bool Bends = false; // the scalar bends along rays, so that error bounds need more of a table
+  std::vector<ScalarRange> FurtherRanges; // of further scalars
+  bool Bends = false; // along rays, so that error bounds need further values of a table
   std::uint64_t MostEntries = std::numeric_limits<std::uint64_t>::max(); // of all tables together
 };
 
 class TransferTables
 {
 public:
-  /** Returns an empty string, or what is wrong. */
+  /** Returns an empty string, or an error. */
   std::string update(
     vtkVolumeProperty* property, const TableInput& input, const AccuracyLevel& level);
 
-  /** Of the first scalar. */
+  /** The table of the first scalar. */
   const IntegralTable& first() const { return this->First; }
-  /** Of what is drawn with it. */
+  /** Further components. */
   const Components& components() const { return this->Parts; }
-  /** Whether anything has extinction. */
+  /** Whether any table has extinction. */
   bool isVisible() const { return this->Visible; }
-  /** Equal if the same is shown, however accurately. */
+  /** Equal if the functions are the same, at any accuracy. */
   const Fingerprint& shown() const { return this->Shown; }
   const StageRecord& record() const { return this->Record; }
   std::vector<BufferSize> bufferSizes() const;
@@ -54,7 +54,7 @@ private:
   StageRecord Record;
 };
 
-/** The table of the first scalar; those of what is drawn with it become the components' Tables. */
+/** The table of the first scalar; those of further scalars are stored in the components' Tables. */
 IntegralTable makeTables(vtkVolumeProperty* property, const TableInput& input,
   const AccuracyLevel& level, Components& components);
 

@@ -49,7 +49,7 @@ void rename(vtkIdList* ids, const BlockPoints& points)
   }
 }
 
-// The number of faces, then for each its number of points and these.
+// The stream contains the number of faces, then for each its number of points and the points.
 void renameStream(vtkIdList* stream, const BlockPoints& points)
 {
   vtkIdType at = 1;
@@ -62,7 +62,7 @@ void renameStream(vtkIdList* stream, const BlockPoints& points)
   }
 }
 
-// Of the type that all blocks have, or in double precision.
+// The common type of all blocks, or double precision.
 vtkSmartPointer<vtkDataArray> makeValues(const std::vector<vtkDataArray*>& arrays, vtkIdType tuples)
 {
   vtkDataArray* like = arrays.front();

@@ -18,8 +18,8 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
-/** Blocks that share points, and where their points are among the `Count` points of the joined
- * grid. */
+/** Blocks that share points, and the positions of their points among the `Count` points of the
+ * joined grid. */
 struct SharedBlocks
 {
   std::vector<vtkDataSet*> Data;
@@ -27,22 +27,22 @@ struct SharedBlocks
   vtkIdType Count = 0;
 };
 
-/** The joined points: in double precision if any block has its points so, else in their own type.
+/** The joined points: in double precision if those of any block are, else in their own type.
  */
 vtkSmartPointer<vtkPoints> joinPoints(const SharedBlocks& blocks);
-/** Give the grid, which has no cells, those of all blocks in the order of the blocks, polyhedra
- * with their faces. The cells are sound (checkGrid). */
+/** Add the cells of all blocks to the empty grid, in the order of the blocks, polyhedra with their
+ * faces. The cells must be valid (checkGrid). */
 void joinCells(const SharedBlocks& blocks, vtkUnstructuredGrid* grid);
 
-/** Join one array of each block; all have the same number of components. The result has the type
- * that all of them have, or else is in double precision. */
+/** Join one array of each block; all have the same number of components. The result has their
+ * common type, or else double precision. */
 vtkSmartPointer<vtkDataArray> joinPointValues(
   const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays);
 vtkSmartPointer<vtkDataArray> joinCellValues(
   const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays);
 
-/** Join the arrays of ghosts; null if no block has one. A shared point has only the marks that it
- * has in all of its blocks. */
+/** Join the ghost arrays; null if no block has one. A shared point has only the flags that it has
+ * in all of its blocks. */
 vtkSmartPointer<vtkUnsignedCharArray> joinPointGhosts(const SharedBlocks& blocks);
 vtkSmartPointer<vtkUnsignedCharArray> joinCellGhosts(const SharedBlocks& blocks);
 

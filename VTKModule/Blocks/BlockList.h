@@ -32,7 +32,7 @@ std::vector<Block> listBlocks(vtkCompositeDataSet* input, const ScalarSelection&
 /** The box of the points of these blocks; not initialised if there are none. */
 void boundBlocks(vtkCompositeDataSet* input, double bounds[6]);
 
-/** The version of what a grid without scalars is joined from. */
+/** The version of the joined grid without scalars. */
 Fingerprint shapeOf(const std::vector<Block>& blocks);
 /** The version of the scalars. */
 Fingerprint scalarsOf(const std::vector<Block>& blocks);

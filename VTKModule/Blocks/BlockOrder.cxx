@@ -12,7 +12,7 @@ namespace
 
 using Eye = std::array<double, 4>;
 
-// Whether a plane across an axis has `a` on its far side, and `b` and the eye on the other.
+// Whether a plane perpendicular to an axis separates `a` from `b` and the eye.
 bool isBeyondAPlane(const BlockBox& a, const BlockBox& b, const Eye& eye)
 {
   for (int k = 0; k < 3; ++k)
@@ -41,7 +41,7 @@ double distanceOf(const BlockBox& box, const Eye& eye)
   return distance;
 }
 
-// Whether b can hide something of a, and a nothing of b.
+// Whether b can hide part of a, and a nothing of b.
 bool comesBefore(const BlockBox& a, const BlockBox& b, const Eye& eye)
 {
   return isBeyondAPlane(a, b, eye) && !isBeyondAPlane(b, a, eye);
@@ -56,7 +56,7 @@ std::vector<std::size_t> backToFront(const std::vector<BlockBox>& boxes, const E
   std::stable_sort(left.begin(), left.end(),
     [&](std::size_t a, std::size_t b)
     { return distanceOf(boxes[a], eye) > distanceOf(boxes[b], eye); });
-  std::vector<int> waitsFor(boxes.size(), 0); // so many others that come before it
+  std::vector<int> waitsFor(boxes.size(), 0); // number of others that come before it
   const auto countWaiting = [&](std::size_t box, int step)
   {
     for (std::size_t other : left)
@@ -73,7 +73,7 @@ std::vector<std::size_t> backToFront(const std::vector<BlockBox>& boxes, const E
   {
     auto next =
       std::find_if(left.begin(), left.end(), [&](std::size_t box) { return waitsFor[box] == 0; });
-    next = next == left.end() ? left.begin() : next; // a circle
+    next = next == left.end() ? left.begin() : next; // a cycle
     order.push_back(*next);
     left.erase(next);
     countWaiting(order.back(), -1);

@@ -37,7 +37,7 @@ struct PositionHash
   }
 };
 
-// Points of the joined grid by their key. Several points in one place make a chain.
+// Points of the joined grid by their key. Several points at one position form a chain.
 template <typename Key, typename Hash>
 class PointsByKey
 {
@@ -140,7 +140,7 @@ public:
     if (std::none_of(neighbours.begin(), neighbours.end(),
           [&x](const vtkBoundingBox& box) { return box.ContainsPoint(x.data()); }))
     {
-      return next; // no other block has a point there
+      return next; // no other block has this point
     }
     for (double& coordinate : x)
     {

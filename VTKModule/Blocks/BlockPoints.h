@@ -13,20 +13,20 @@ class vtkDataSet;
 namespace tetmarch
 {
 
-/** Where the points of a block are in the joined grid. */
+/** The points of a block in the joined grid. */
 struct BlockPoints
 {
-  std::vector<vtkIdType> Joined; // of each point of the block: its number in the joined grid
-  std::vector<vtkIdType> Own;    // points of the block whose data the joined grid takes
+  std::vector<vtkIdType> Joined; // index of each point of the block in the joined grid
+  std::vector<vtkIdType> Own;    // points of the block whose data the joined grid uses
 };
 
 /**
- * Points of different blocks are one point if they have the same global id, where all blocks have
- * global ids (vtkDataSetAttributes::GetGlobalIds), or else exactly the same coordinates. Points of
- * the same block stay apart: of several in one place, the first is joined with the first of another
- * block, the second with the second, and so on. The data of a shared point is that of the first
- * block in which it isn't marked as a duplicate (vtkDataSetAttributes::DUPLICATEPOINT). `count`
- * becomes the number of points of the joined grid.
+ * Points of different blocks are identified by global ids if all blocks have them
+ * (vtkDataSetAttributes::GetGlobalIds), else by equal coordinates. Points of the same block stay
+ * separate: of several at one position, the first is joined with the first of another block, the
+ * second with the second, and so on. The data of a shared point are those of the first block in
+ * which it isn't marked as a duplicate (vtkDataSetAttributes::DUPLICATEPOINT). `count` becomes the
+ * number of points of the joined grid.
  */
 std::vector<BlockPoints> sharePoints(const std::vector<vtkDataSet*>& blocks, vtkIdType& count);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The block that a cell comes from, in a grid that may have been joined from blocks.
+// The original block of a cell, in a grid that may have been joined from blocks.
 #ifndef TetMarchBlocksCellOrigins_h
 #define TetMarchBlocksCellOrigins_h
 
@@ -19,7 +19,7 @@ struct CellOrigin
   vtkIdType Cell;     // of that block
 };
 
-/** By default the origins of a grid that is no block: its cells belong to block 1, as in VTK's
+/** By default the origins of a grid without blocks: its cells belong to block 1, as in VTK's
  * mappers. */
 class CellOrigins
 {
@@ -31,7 +31,7 @@ public:
     this->Ends.push_back((this->Ends.empty() ? 0 : this->Ends.back()) + numberOfCells);
   }
 
-  /** From now on cells are numbered as in this list of them. */
+  /** Keep only the cells of this list, and renumber them. */
   void keepOnly(std::vector<vtkIdType>&& cells) { this->Kept = std::move(cells); }
 
   CellOrigin of(vtkIdType cell) const
@@ -47,7 +47,7 @@ public:
 private:
   std::vector<unsigned int> Blocks;
   std::vector<vtkIdType> Ends; // one past the last cell of each block
-  std::vector<vtkIdType> Kept; // cells that are left; empty: all
+  std::vector<vtkIdType> Kept; // remaining cells; empty: all
 };
 
 } // namespace tetmarch

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is wrong with data: one data set, or the blocks of a tree.
+// Faults of data: one data set, or the blocks of a tree.
 #ifndef TetMarchBlocksDataFaults_h
 #define TetMarchBlocksDataFaults_h
 
@@ -12,12 +12,12 @@ class vtkDataObject;
 namespace tetmarch
 {
 
-/** Returns an empty string if the data can be read, or else what is wrong with the first block that
- * can't (checkData). Surfaces of a tree are not checked, since they are not drawn. */
+/** Returns an empty string if the data are valid, or else the error of the first invalid block
+ * (checkData). Surfaces of a tree are not checked, since they are not drawn. */
 std::string checkBlocks(vtkDataObject* data);
 
-/** All faults, one of the geometry of each block, and of all its arrays. Empty if the data is
- * sound. */
+/** All faults: one of the geometry of each block, and those of all its arrays. Empty if the data
+ * are valid. */
 std::vector<std::string> listFaults(vtkDataObject* data);
 
 } // namespace tetmarch

@@ -28,7 +28,7 @@ bool fits(const Block& block, const Block& first)
          block.Scalars->GetNumberOfComponents() == first.Scalars->GetNumberOfComponents();
 }
 
-// The only block, if it is a grid that can be drawn as it is; else null.
+// The only block, if it is a grid that can be drawn unchanged; else null.
 vtkUnstructuredGrid* onlyGridOf(const std::vector<Block>& drawn)
 {
   return drawn.size() == 1 ? vtkUnstructuredGrid::SafeDownCast(drawn.front().Data) : nullptr;
@@ -135,7 +135,7 @@ std::string JoinedBlocks::join(const std::vector<Block>& drawn)
   return {};
 }
 
-// Join the arrays that the mesh depends on.
+// Join the arrays that affect the mesh.
 void JoinedBlocks::joinAttributes()
 {
   this->Grid->GetPointData()->AddArray(joinPointGhosts(this->Shared));

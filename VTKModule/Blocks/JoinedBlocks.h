@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Joins the blocks of a composite data set into one grid, so that rays go on from block to block.
+// Joins the blocks of a composite data set into one grid, so that rays continue from block to
+// block.
 #ifndef TetMarchBlocksJoinedBlocks_h
 #define TetMarchBlocksJoinedBlocks_h
 
@@ -22,20 +23,20 @@ class JoinedBlocks
 {
 public:
   /** Join the blocks that have the chosen array. If only the scalars changed, only these are joined
-   * again. Returns an empty string, or what is wrong and what to do; the grid is null then. */
+   * again. Returns an empty string, or an error with its remedy; the grid is then null. */
   std::string update(vtkCompositeDataSet* input, const ScalarSelection& selection);
   void clear();
 
-  /** Points that blocks share (sharePoints) are one. Null if no block has 3D cells. */
+  /** Shared points (sharePoints) are merged. Null if no block has 3D cells. */
   vtkUnstructuredGrid* grid() const { return this->Grid; }
   /** A shared point has the scalar of the first of its blocks. */
   vtkDataArray* scalars() const { return this->Scalars; }
   bool hasCellScalars() const { return this->CellScalars; }
-  /** Where the cells of the grid come from. */
+  /** The original blocks of the grid's cells. */
   const CellOrigins& origins() const { return this->Origins; }
-  /** Empty, or which blocks lack the array and are left out. */
+  /** Empty, or a list of the blocks that lack the array and are left out. */
   const std::string& omissions() const { return this->Omissions; }
-  /** How often anything was joined. */
+  /** The number of joins. */
   const StageRecord& record() const { return this->Record; }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The error message for an array that is not there.
+// The error message for a missing array.
 #ifndef TetMarchBlocksMissingScalars_h
 #define TetMarchBlocksMissingScalars_h
 
@@ -11,7 +11,7 @@ class vtkDataSet;
 namespace tetmarch
 {
 
-/** As vtkAbstractMapper has them: ScalarMode, ArrayAccessMode, ArrayId and ArrayName. */
+/** As in vtkAbstractMapper: ScalarMode, ArrayAccessMode, ArrayId and ArrayName. */
 struct ScalarSelection
 {
   int Mode;
@@ -20,11 +20,11 @@ struct ScalarSelection
   const char* Name; // may be nullptr
 };
 
-/** Describes the array that is looked for. */
+/** Describes the selected array. */
 std::string describe(const ScalarSelection& selection);
 
-/** Says which array was not found, which arrays there are, and how to choose one. `hasNo` begins
- * the sentence. */
+/** Names the missing array and the existing ones, and how to choose one. `hasNo` begins the
+ * sentence. */
 std::string describeMissingScalars(
   vtkDataSet* data, const ScalarSelection& selection, const char* hasNo = "The grid has no ");
 

@@ -32,8 +32,8 @@ vtkSmartPointer<vtkDataArray> valuesOf(vtkDataArray* array, const std::vector<vt
   return values;
 }
 
-// These cells, and all points. vtkUnstructuredGrid::RemoveGhostCells() of VTK 9.1 doesn't come to
-// its end where there are polyhedra.
+// These cells and all points. vtkUnstructuredGrid::RemoveGhostCells() of VTK 9.1 does not end if
+// there are polyhedra.
 vtkSmartPointer<vtkUnstructuredGrid> gridOf(
   vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& cells)
 {

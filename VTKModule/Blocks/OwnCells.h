@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells of a grid that this process draws, where several have pieces of a volume.
+// The cells of a grid that this process draws, if several have pieces of a volume.
 #ifndef TetMarchBlocksOwnCells_h
 #define TetMarchBlocksOwnCells_h
 
@@ -13,8 +13,8 @@
 namespace tetmarch
 {
 
-/** A grid without the cells that vtkGhostType marks as duplicates, which another process draws:
- * rays would meet them between the cells of that process. */
+/** A grid without the cells that vtkGhostType marks as duplicates, since another process draws
+ * them. */
 class OwnCells
 {
 public:
@@ -22,10 +22,10 @@ public:
   void update(
     vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool ofCells, const CellOrigins& origins);
 
-  /** The grid that was given if it has no duplicates. */
+  /** The given grid if it has no duplicates. */
   vtkUnstructuredGrid* grid() const { return this->Grid; }
   vtkDataArray* scalars() const { return this->Scalars; }
-  /** As those that were given, of the cells that are left. */
+  /** The given origins of the remaining cells. */
   const CellOrigins& origins() const { return this->Origins; }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Decides the accuracy of a frame: what the user set, or what keeps the user's budgets.
+// Chooses the accuracy of a frame: as set by the user, or such that the user's budgets are kept.
 #ifndef TetMarchBudgetAccuracyController_h
 #define TetMarchBudgetAccuracyController_h
 
@@ -11,34 +11,34 @@
 namespace tetmarch
 {
 
-/** How a frame went. */
+/** The result of a frame. */
 struct FrameResult
 {
   bool Drawn = false;    // completely
-  bool IsPicture = true; // false: a view, whose time says nothing about a picture
-  bool OnlyDrawn = true; // no stage ran, and no shader was new
+  bool IsPicture = true; // false: a view, whose time is not that of a picture
+  bool OnlyDrawn = true; // no stage ran, and no shader was compiled
   double Seconds = 0;
-  double ErrorBound = 0; // the greatest of all pixels; 0: not measured
-  Fingerprint Subject;   // what was drawn, apart from camera and accuracy, at which size
+  double ErrorBound = 0; // maximum over the pixels; 0: not measured
+  Fingerprint Subject;   // version of the scene and size, without camera and accuracy
 };
 
 class AccuracyController
 {
 public:
-  /** The level to draw the next frame with. */
+  /** The level of the next frame. */
   AccuracyLevel begin(const AccuracyOptions& options);
   void end(const FrameResult& frame);
 
-  /** What the last frame was drawn with. */
+  /** The level of the last frame. */
   const Rung& used() const { return this->Used; }
-  /** Whether the last frame was drawn and kept the budgets that it had. */
+  /** Whether the last frame was completed and kept its budgets. */
   bool isKept() const { return this->Kept; }
 
 private:
   AccuracyOptions Options;
   std::vector<Rung> Ladder;
   LevelController Choice;
-  Fingerprint Subject; // of the last frame that was drawn
+  Fingerprint Subject; // of the last drawn frame
   Rung Used;
   bool Kept = false;
 };

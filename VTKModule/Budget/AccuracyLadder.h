@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The levels of accuracy among which a budget chooses.
+// The accuracy levels from which a budget chooses.
 #ifndef TetMarchBudgetAccuracyLadder_h
 #define TetMarchBudgetAccuracyLadder_h
 
@@ -11,7 +11,7 @@
 namespace tetmarch
 {
 
-/** What a user asks for. With a budget, level and tolerance do not count. */
+/** The user's settings. With a budget, level and tolerance are ignored. */
 struct AccuracyOptions
 {
   Accuracy Level = Accuracy::Default;
@@ -23,7 +23,7 @@ struct AccuracyOptions
 struct Rung
 {
   Accuracy Level = Accuracy::Default;
-  double Tolerance = DefaultAccuracy.ErrorTolerance; // the error that is promised; 0: none
+  double Tolerance = DefaultAccuracy.ErrorTolerance; // the guaranteed error; 0: none
 
   bool operator==(const Rung& other) const
   {
@@ -32,25 +32,25 @@ struct Rung
   AccuracyLevel level() const { return levelOf(this->Level, this->Tolerance); }
 };
 
-/** As a user sets it. */
+/** The level set by the user. */
 inline Rung rungOf(Accuracy accuracy, double tolerance)
 {
   const AccuracyLevel level = levelOf(accuracy, tolerance);
   return { accuracy, level.Adaptive ? level.ErrorTolerance : 0.0 };
 }
 
-/** The least tolerance that can be asked for. */
+/** The minimum tolerance that can be set. */
 constexpr double LeastTolerance = 1e-6;
 
 /**
- * The candidates, from cheapest to best; without a time budget there is one.
+ * The candidates, from the cheapest to the best; without a time budget there is one.
  *
- * An error budget is kept most cheaply by Default with that tolerance. Fast is no candidate: for
- * scalars at points it promises nothing, and measuring its error bound takes a march that costs
- * more than the adaptive frame that it would save. For cell scalars both levels are the same
- * shader, in which only the end of a ray is inexact; Fast could promise 1/512, with which Default
- * ends rays as early, and earlier with a larger tolerance. The tables of Fast have 1024 entries
- * even where these are less exact than Default allows (FittingTable.h).
+ * Default with the tolerance of an error budget is the cheapest level that keeps it. Fast is no
+ * candidate: for point scalars it guarantees no error, and measuring its error bound takes a march
+ * that costs more than the adaptive frame that it would save. For cell scalars both levels are the
+ * same shader, in which only the end of a ray is inexact; Fast could guarantee 1/512, with which
+ * Default ends rays as early, and earlier with a larger tolerance. The tables of Fast have 1024
+ * entries even if their error exceeds that of Default (FittingTable.h).
  */
 inline std::vector<Rung> ladderOf(const AccuracyOptions& options)
 {

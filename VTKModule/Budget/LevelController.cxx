@@ -9,10 +9,10 @@ namespace tetmarch
 namespace
 {
 
-constexpr double LeastSeconds = 1e-9; // clocks may stand still
+constexpr double LeastSeconds = 1e-9; // the clock's resolution may be coarse
 
-// Shares of the budget: the most that the current level may take if the next one is tried at once,
-// and the most that a level is expected to take that is used without a trial.
+// Shares of the budget: maximum time of the current level if the next one is tried at once, and
+// maximum expected time of a level that is used without a trial.
 constexpr double TrialShare = 0.5;
 constexpr double Aim = 0.95;
 
@@ -23,7 +23,7 @@ constexpr double ClearlyCheaper = 0.75;
 constexpr double MostNoise = 1.6;
 
 constexpr int MostAveraged = 8;
-constexpr int LeastAveraged = 4; // before small changes are applied to other levels, too
+constexpr int LeastAveraged = 4; // before small changes are also applied to other levels
 
 bool isOff(double seconds, double expected)
 {

@@ -10,10 +10,10 @@ namespace tetmarch
 namespace
 {
 
-// A corner that moves by this share of the picture's side, or less, has moved a little.
+// Maximum motion of a corner for a small move, as a share of the picture's side.
 constexpr double LittleMotion = 0.05;
 
-// The longest way of a corner, as a share of the picture's side; infinite if that is unknown.
+// The maximum motion of a corner, as a share of the picture's side; infinite if unknown.
 double motion(const PictureContent& a, const PictureContent& b)
 {
   double longest = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What decides how long a picture takes to draw.
+// The properties that determine the time of a picture.
 #ifndef TetMarchBudgetPictureContent_h
 #define TetMarchBudgetPictureContent_h
 
@@ -11,13 +11,13 @@
 namespace tetmarch
 {
 
-/** What of a picture may cost something else than in the last one. */
+/** The part of a picture whose cost may differ from the last one. */
 enum class PictureChange
 {
   None,
-  Part,   // what comes into the picture, where the camera has moved a little
+  Part,   // the newly visible part, after a small move of the camera
   Whole,  // everything: the camera has moved far, or opaque geometry has changed
-  Another // the same, and another shader may draw it: data, functions, cuts or light have changed
+  Another // everything, maybe with another shader: data, functions, cuts or light have changed
 };
 
 /** A rectangle of the screen; x and y are in -1..1 within the whole picture. */
@@ -35,27 +35,27 @@ struct PictureContent
 {
   static constexpr ScreenBox All{ { { -1, -1 } }, { { 1, 1 } } };
 
-  /** Changes with anything that decides what a ray costs, but for the camera and opaque geometry:
-   * data, functions, cuts, accuracy, shader. */
+  /** The version of everything that determines the cost of a ray except the camera and opaque
+   * geometry: data, functions, cuts, accuracy, shader. */
   Fingerprint Version;
-  /** Changes with opaque geometry, at which rays end. */
+  /** The version of opaque geometry, at which rays end. */
   Fingerprint Surroundings;
-  /** Where the corners of the volume's bounding box are on the screen; infinite behind the eye. */
+  /** The corners of the volume's bounding box on the screen; infinite behind the eye. */
   std::array<std::array<double, 2>, 8> Corners{ { All.Low, All.High, All.High, All.High, All.High,
     All.High, All.High, All.High } };
-  /** The part of the picture that is drawn. */
+  /** The drawn part of the picture. */
   ScreenBox Drawn = All;
-  /** Parts of rays are drawn, which may be other ones each time. */
+  /** Parts of rays are drawn, which may differ each time. */
   bool IsLayer = false;
-  /** Each pixel marches this number of rays. */
+  /** Number of rays per pixel. */
   double RaysPerPixel = 1;
 
   /** The bounding box of the corners; infinite if one of them is. */
   ScreenBox box() const;
-  /** Whether the whole volume is within what is drawn, and the rays are whole. */
+  /** Whether the drawn part contains the whole volume, and the rays are whole. */
   bool showsWhole() const;
   PictureChange changeFrom(const PictureContent& last) const;
-  /** The share of the pixels, 0..1, that may show something that the last picture did not. */
+  /** The share of pixels, 0..1, that may show parts that the last picture did not. */
   double exposedSince(const PictureContent& last) const;
 };
 

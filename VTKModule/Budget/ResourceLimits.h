@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether buffers fit the GPU, by their sizes: before anything is allocated there.
+// Checks before any allocation whether buffers fit on the GPU.
 #ifndef TetMarchBudgetResourceLimits_h
 #define TetMarchBudgetResourceLimits_h
 
@@ -23,7 +23,7 @@ struct BufferSize
   const char* Name; // plural
   std::uint64_t Texels;
   std::uint64_t BytesPerTexel;
-  std::uint64_t MostBuffers = 1; // that the texels may be in
+  std::uint64_t MostBuffers = 1; // maximum number of buffers for the texels
 };
 
 enum class SizesAre
@@ -32,7 +32,7 @@ enum class SizesAre
   LowerBounds
 };
 
-/** Empty if the buffers fit; else a sentence with what is needed, what is allowed and what helps.
+/** Empty if the buffers fit; else a sentence with the required and allowed sizes and a remedy.
  */
 std::string describeExcess(
   const std::vector<BufferSize>& sizes, const ResourceLimits& limits, SizesAre sizesAre);

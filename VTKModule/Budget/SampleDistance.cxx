@@ -10,10 +10,11 @@ namespace tetmarch
 namespace
 {
 
-// The next frame has more rays only if it is expected to take at most this share of its time.
+// The number of rays increases only if the next frame is expected to take at most this share of its
+// time.
 constexpr double Haste = 0.7;
 
-// The least power of the square root of 2 that keeps the time.
+// The smallest power of the square root of 2 that keeps the time.
 double distanceFor(double fullSeconds, double seconds)
 {
   const double halvings = std::log2(fullSeconds / seconds);

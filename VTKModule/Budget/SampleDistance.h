@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Chooses the distance between rays, in pixels, so that a frame keeps its time.
+// Chooses the distance between rays, in pixels, such that a frame keeps its time.
 #ifndef TetMarchBudgetSampleDistance_h
 #define TetMarchBudgetSampleDistance_h
 
@@ -11,17 +11,17 @@ class SampleDistance
 {
 public:
   /**
-   * The distance for a frame that may take so many seconds. The time of a frame is taken to be
-   * proportional to the number of its rays. Distances are powers of the square root of 2, so that
-   * not every frame has a size of its own, between least (at least 1) and most.
+   * The distance for a frame that may take this number of seconds, assuming that its time is
+   * proportional to the number of rays. Distances are powers of the square root of 2, so that sizes
+   * rarely change, between least (at least 1) and most.
    */
   double choose(double seconds, double least, double most);
-  /** A frame with that distance took so many seconds. */
+  /** Record the seconds of a frame with this distance. */
   void drawn(double distance, double seconds);
   bool knowsTime() const { return this->FullSeconds > 0; }
 
 private:
-  double FullSeconds = 0; // that a frame with a ray a pixel takes; 0: not known
+  double FullSeconds = 0; // of a frame with one ray per pixel; 0: not known
   double Distance = 1;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The shader stage in which rays are marched: which one suits a GPU.
+// The shader stage in which rays are marched, chosen for the GPU.
 #ifndef TetMarchBudgetShaderStage_h
 #define TetMarchBudgetShaderStage_h
 
@@ -17,7 +17,8 @@ enum class ShaderStage
   Compute
 };
 
-/** Whether the GL has compute shaders (OpenGL 4.3), and whether its GPU marches faster by them. */
+/** Whether the GL has compute shaders (OpenGL 4.3), and whether its GPU marches faster with them.
+ */
 struct ComputeSupport
 {
   bool Exists = false;
@@ -29,7 +30,7 @@ inline bool marchesByCompute(ShaderStage asked, const ComputeSupport& support)
   return asked == ShaderStage::Compute || (asked == ShaderStage::Automatic && support.IsFaster);
 }
 
-/** Whether a GPU of this GL_RENDERER has few units for fragments beside those for compute. */
+/** Whether a GPU of this GL_RENDERER has few units for fragments compared with compute. */
 bool hasFewFragmentUnits(const std::string& renderer);
 
 } // namespace tetmarch

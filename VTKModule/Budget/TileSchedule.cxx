@@ -11,22 +11,23 @@ namespace tetmarch
 namespace
 {
 
-// Tiles whose cost is known aim below the limit, since their times differ; the others stay below
-// twice the limit.
+// Tiles of known cost aim below the limit, since their times vary; the others stay below twice the
+// limit.
 constexpr double Aim = 0.8;
 constexpr double Most = 2.0;
 
-// A ray of a changed picture may take this many times as long as one of the dearest tile before:
-// where opaque things become transparent, rays go on, and what was small becomes large.
+// Maximum ratio of the time of a ray in a changed picture to that of the most expensive tile
+// before: where opaque parts become transparent, rays become longer, and small objects can become
+// large.
 constexpr double MostDearer = 64;
 
-// In seconds: faster rays may have met nothing. It is half a draw call for the pixels of a tile.
+// In seconds: faster rays may have hit nothing. It is half a draw call for the pixels of a tile.
 constexpr double FastestRay = 5e-9;
 
 constexpr int MostProbes = 8;
-// From this number of tiles on, the slowest of them is that of the picture.
+// From this number of tiles on, their maximum is representative of the picture.
 constexpr int EnoughTiles = 8;
-constexpr double Forgetting = 0.25; // of the dearest tile, by each such picture
+constexpr double Forgetting = 0.25; // of the most expensive tile, per picture
 
 // The size of equal parts, each at most `most`.
 int equalParts(int whole, std::int64_t most)
@@ -75,7 +76,7 @@ void TileSchedule::begin(int width, int height, double mostSeconds, const Pictur
   }
 }
 
-// One in each of several bands of rows.
+// One probe in each of several bands of rows.
 void TileSchedule::scatterProbes()
 {
   constexpr double GoldenRatio = 0.618034;
@@ -99,7 +100,7 @@ void TileSchedule::scatterProbes()
     [](const Tile& part) { return part.pixels() > 0; });
 }
 
-// Whether what was seen before tells something of what is to be seen.
+// Whether previous pictures allow an estimate.
 bool TileSchedule::isTrusted() const
 {
   const bool seen = this->Past.Seen && this->Change != PictureChange::Another;
@@ -119,7 +120,7 @@ bool TileSchedule::fitsAsWhole() const
   return seconds * static_cast<double>(this->area()) <= this->MostSeconds;
 }
 
-// What a ray is expected to take, such that tiles of the limit are as long as they may be.
+// The expected time of a ray, for tiles of the maximum size within the limit.
 double TileSchedule::secondsOfRay() const
 {
   if (this->Past.Known && this->Change == PictureChange::None)
@@ -163,7 +164,7 @@ bool TileSchedule::next(Tile& tile)
   if (this->X == 0)
   {
     const std::int64_t rows = most / part.Width;
-    const bool wide = rows >= this->Side / 2; // flat tiles are better than cut ones
+    const bool wide = rows >= this->Side / 2; // flat tiles are better than split ones
     this->Rows = equalParts(part.Height - this->Y, wide ? rows : this->Side);
   }
   const int columns =
@@ -188,7 +189,7 @@ bool TileSchedule::next(Tile& tile)
 
 void TileSchedule::drawn(double seconds)
 {
-  // The first tile may have waited for the GL's compiler, too.
+  // The time of the first tile may include the GL's compiler.
   const bool compiles = this->Tiles == 1 && this->Change == PictureChange::Another;
   if (!compiles)
   {
@@ -214,7 +215,7 @@ void TileSchedule::drawn(double seconds)
   else if (this->Change == PictureChange::None)
   {
     this->Past.Slowest =
-      std::max(this->Past.Slowest, this->Slowest); // in case the picture is left unfinished
+      std::max(this->Past.Slowest, this->Slowest); // in case the picture is not completed
   }
 }
 
@@ -242,7 +243,7 @@ void TileSchedule::complete()
   this->Past.Dearest = std::max(this->Dearest, kept * this->Past.Dearest);
   this->Past.Slowest = this->Slowest;
   this->Past.SecondsPerPixel = this->Seconds / static_cast<double>(this->Pixels);
-  this->Past.Content = std::move(this->Content); // without memory: the picture is there
+  this->Past.Content = std::move(this->Content); // if memory is short, the picture is kept
   this->Past.Known = true;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cuts a picture into tiles such that none takes longer than a limit, judged by what was drawn
-// before.
+// Divides a picture into tiles such that none exceeds a time limit, judged by previous draws.
 #ifndef TetMarchBudgetTileSchedule_h
 #define TetMarchBudgetTileSchedule_h
 
@@ -13,7 +12,7 @@
 namespace tetmarch
 {
 
-/** No ray is expected to take longer than this, in seconds, where nothing is known of it. */
+/** The assumed maximum time of a ray, in seconds, if nothing is known about it. */
 constexpr double WorstRaySeconds = 20e-6;
 
 /** A part of a picture, in pixels from its lower left corner. */
@@ -28,33 +27,33 @@ struct Tile
 };
 
 /**
- * A picture that fits the limit is one tile. Whether it fits is judged by the last picture, and by
- * the dearest tile of all of them:
+ * A picture within the limit is one tile. This is estimated from the last picture, and from the
+ * most expensive tile of all pictures:
  *
  * - If nothing has changed, the picture takes as long as the last one, in proportion to its size.
- * - If the camera has moved a little, or other parts of rays are drawn, so does all but what was
- *   not seen before. That may cost as much as the dearest tile.
- * - If anything else has changed, each ray may take 64 times as long as one of the dearest tile.
- * - If nothing is known, or nothing has been seen yet, each ray may take WorstRaySeconds. The first
- *   picture begins with small tiles, scattered over it.
+ * - If the camera has moved a little, or other parts of rays are drawn, the same holds for the part
+ *   that was visible before. The new part may cost as much as the most expensive tile.
+ * - If anything else has changed, each ray may take 64 times as long as one of that tile.
+ * - If nothing is known, or nothing was visible before, each ray may take WorstRaySeconds. The
+ * first picture begins with small tiles, scattered over it.
  *
- * Unless a ray takes longer than that, no tile takes more than twice the limit. A tile that was
- * dearer than expected makes the following ones smaller. Tiles go from the bottom up, and span the
- * whole width as long as they can.
+ * Unless a ray takes longer than that, no tile exceeds twice the limit. A tile that took longer
+ * than expected makes the following ones smaller. Tiles proceed from the bottom up, and span the
+ * whole width if possible.
  */
 class TileSchedule
 {
 public:
-  /** In pixels: a side of at most this length is not cut, if a pixel is a ray. */
+  /** In pixels: sides up to this length are not divided, with one ray per pixel. */
   static constexpr int SmallestSide = 32;
 
-  /** Begin a picture. Without a limit in seconds (0) it is one tile. */
+  /** Begin a picture. Without a limit in seconds (0) it is a single tile. */
   void begin(int width, int height, double mostSeconds, const PictureContent& content);
   /** Get the next tile. False if the picture is complete. */
   bool next(Tile& tile);
-  /** Tell how long the last tile of next() took. Its drawing must be finished (glFinish()). */
+  /** Record the time of the last tile of next(). Its drawing must be finished (glFinish()). */
   void drawn(double seconds);
-  /** The next picture is drawn by another GPU, or something else of which nothing is known. */
+  /** Discard all times, for example for another GPU. */
   void forget() { this->Past = {}; }
 
   bool finished() const { return this->Given == this->area(); }
@@ -78,9 +77,9 @@ private:
   PictureContent Content;
   PictureChange Change = PictureChange::Another;
   int Side = SmallestSide; // of the smallest tiles
-  std::vector<Tile> Parts; // of the picture: first the probes, one tile each, then the rest
+  std::vector<Tile> Parts; // of the picture: first the probes, one tile each, then the others
   std::size_t Probes = 0;  // of them
-  std::size_t Part = 0;    // that is being cut
+  std::size_t Part = 0;    // index of the part that is being divided
   int X = 0;               // the corner of the next tile in it
   int Y = 0;
   int Rows = 0; // of the tiles that begin at this Y
@@ -91,7 +90,7 @@ private:
   double Seconds = 0;      // of the tiles that were measured
   std::int64_t Pixels = 0; // the same
   double Slowest = 0;      // seconds a ray of the slowest tile
-  double Dearest = 0;      // the same of what the volume may cover of tiles that are no probes
+  double Dearest = 0;      // the same for covered pixels of tiles other than probes
 
   struct
   {
@@ -99,7 +98,7 @@ private:
     PictureContent Content;
     double SecondsPerPixel = 0;
     double Slowest = 0; // seconds a ray of its slowest tile
-    double Dearest = 0; // the same of all pictures; it is forgotten slowly
+    double Dearest = 0; // the same over all pictures, with slow decay
     bool Seen = false;  // the whole volume was in a picture of this version
   } Past;               // the last picture that was completed
 };

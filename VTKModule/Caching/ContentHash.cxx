@@ -19,8 +19,8 @@ namespace
 constexpr std::uint64_t Primes[] = { 0x9e3779b185ebca87u, 0xc2b2ae3d27d4eb4fu, 0x165667b19e3779f9u,
   0x85ebca77c2b2ae63u, 0x27d4eb2f165667c5u };
 
-// An array is hashed in at most so many pieces of at least so many stripes. The pieces depend on
-// the size of the array alone.
+// Maximum number of pieces of an array and minimum number of stripes per piece. The pieces depend
+// on the size of the array only.
 constexpr std::size_t MostPieces = 256;
 constexpr std::size_t LeastStripes = 2048;
 
@@ -90,7 +90,7 @@ private:
   std::size_t Size;
 };
 
-// Values that are not in contiguous memory, or in none, as doubles.
+// Values that are not in contiguous memory, or are computed, as doubles.
 class Values
 {
 public:

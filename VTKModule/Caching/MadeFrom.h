@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps a result up to date: it is made again when its input changed, and freed when nothing needs
-// it.
+// A cached result: it is made again when its input has changed, and freed when it is not needed.
 #ifndef TetMarchCachingMadeFrom_h
 #define TetMarchCachingMadeFrom_h
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How long a stage of a frame took, and how often it ran.
+// The time of a stage's last run, and its number of runs.
 #ifndef TetMarchCachingStageRecord_h
 #define TetMarchCachingStageRecord_h
 

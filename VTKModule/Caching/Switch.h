@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A choice between two ways to draw the same picture.
+// A choice between two methods to draw the same picture, with hysteresis.
 #ifndef TetMarchCachingSwitch_h
 #define TetMarchCachingSwitch_h
 
@@ -10,14 +10,14 @@ namespace tetmarch
 {
 
 /**
- * A way that is worth its cost is taken, and kept as long as it is not clearly worse: each way is
- * another shader, which takes long to compile, and a user who drags a transfer function would
- * switch them to and fro.
+ * A method that is worth its cost is chosen, and kept until it is clearly worse: each method is
+ * another shader, which takes long to compile, and dragging a transfer function would otherwise
+ * alternate between them.
  */
 class Switch
 {
 public:
-  /** keeps: it is not clearly worse. With another subject than last time that doesn't count. */
+  /** keeps: it is not clearly worse. Ignored if the subject has changed. */
   void update(bool isWorth, bool keeps, const Fingerprint& subject)
   {
     this->Is = isWorth || (this->Is && keeps && subject == this->Subject);

@@ -11,8 +11,8 @@
 namespace tetmarch
 {
 
-/** Run work that may need much memory. Returns an empty string, or the message that there is too
- * little, and what follows from that. */
+/** Run work that may need much memory. Returns an empty string, or a message about the lack of
+ * memory and its consequence. */
 template <typename Work>
 std::string withinMemory(
   const char* purpose, Work&& work, const char* consequence = "so nothing is drawn")

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The faces by which rays enter the mesh, shown instead of the picture.
+// Views of the faces through which rays enter the mesh.
 #ifndef TetMarchDiagnosticsBoundaryView_h
 #define TetMarchDiagnosticsBoundaryView_h
 
@@ -10,7 +10,7 @@ namespace tetmarch
 enum class BoundaryView
 {
   None,
-  Faces,      // each in a colour of its own
+  Faces,      // each in its own colour
   Coordinates // barycentric, of the entry in its face
 };
 

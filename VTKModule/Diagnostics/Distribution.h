@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Values over the pixels of a picture, in figures.
+// Statistics of values over the pixels of a picture.
 #ifndef TetMarchDiagnosticsDistribution_h
 #define TetMarchDiagnosticsDistribution_h
 
@@ -22,7 +22,7 @@ public:
   }
 
   std::size_t size() const { return this->Sorted.size(); }
-  /** All of them 0 if there are no values. */
+  /** These return 0 if there are no values. */
   double minimum() const { return this->Sorted.empty() ? 0.0 : double(this->Sorted.front()); }
   double maximum() const { return this->Sorted.empty() ? 0.0 : double(this->Sorted.back()); }
   double mean() const
@@ -43,7 +43,7 @@ public:
     }
     return this->Sorted.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(this->Sorted.size()));
   }
-  /** The least value that so many percent of all don't exceed (nearest rank). */
+  /** The smallest value that this percentage of values doesn't exceed (nearest rank). */
   double percentile(double percent) const
   {
     if (this->Sorted.empty())

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What marching rays counts.
+// Counters of the march.
 #ifndef TetMarchDiagnosticsMarchCounters_h
 #define TetMarchDiagnosticsMarchCounters_h
 
@@ -9,7 +9,7 @@
 namespace tetmarch
 {
 
-/** Sums over the rays of a picture; the last three are 0 unless something is wrong. */
+/** Sums over the rays of a picture; the last three are normally 0. */
 struct MarchCounters
 {
   std::int64_t Rays = 0;    // that entered the mesh

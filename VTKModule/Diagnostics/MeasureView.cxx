@@ -15,7 +15,7 @@ namespace
 
 // Decades, and parts of a bar of counts, between its labels.
 constexpr int Parts = 4;
-// What rounding to float hides anyhow.
+// Below the rounding of float.
 constexpr double LeastError = 1e-9;
 
 double greatest(Measure what, const std::vector<float>& measures)
@@ -29,7 +29,7 @@ double greatest(Measure what, const std::vector<float>& measures)
   return double(most);
 }
 
-// The least whole number of one or two digits and noughts that is no less.
+// Rounded up to a whole number of one or two significant digits.
 double roundedUp(double value)
 {
   double unit = 1.0;
@@ -85,7 +85,7 @@ std::array<double, 2> automaticRange(Measure what, const std::vector<float>& mea
   {
     return { { 0.0, Parts * roundedUp(most / Parts) } };
   }
-  // That of a float which is a power of ten but for rounding is that power.
+  // A float that is a power of ten up to rounding maps to that power.
   const double exponent = std::ceil(std::log10(std::max(most, LeastError)) - 1e-6);
   return { { std::pow(10.0, exponent - Parts), std::pow(10.0, exponent) } };
 }
@@ -94,7 +94,7 @@ void fitTable(const MeasureView& view, const std::vector<float>& measures)
 {
   const std::array<double, 2> range =
     view.Automatic ? automaticRange(view.What, measures) : view.Range;
-  view.Table->SetScaleToLinear(); // the new range may be none for logarithms
+  view.Table->SetScaleToLinear(); // the new range may be invalid for logarithms
   view.Table->SetTableRange(range[0], range[1]);
   if (view.isLogarithmic())
   {

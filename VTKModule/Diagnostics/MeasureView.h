@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A measure of the pixels shown in colours, and from which value to which.
+// A view of a measure of the pixels in colours, and its range.
 #ifndef TetMarchDiagnosticsMeasureView_h
 #define TetMarchDiagnosticsMeasureView_h
 
@@ -13,7 +13,7 @@ class vtkLookupTable;
 namespace tetmarch
 {
 
-/** By its place among the four numbers of a pixel. */
+/** The index among the four numbers of a pixel. */
 enum class Measure
 {
   Cells = 0,
@@ -24,21 +24,21 @@ enum class Measure
 struct MeasureView
 {
   Measure What = Measure::Cells;
-  bool Automatic = true;           // the range follows from the measures; else it is the one below
+  bool Automatic = true;           // the range follows from the measures; else it is Range
   std::array<double, 2> Range{};   // lowest and highest colour
   vtkLookupTable* Table = nullptr; // its scale and range are those of the last frame
 
-  /** Errors spread over decades. */
+  /** Errors span decades. */
   bool isLogarithmic() const { return this->What == Measure::ErrorBound; }
 };
 
-/** What is wrong with a range that is not automatic, and what to do; empty if nothing is. */
+/** The error of a range that is not automatic, with its remedy; empty if it is valid. */
 std::string describeBadRange(const MeasureView& view);
 
 /**
- * Round numbers about a measure of the pixels, of which every fifth part of a bar can be labelled:
- * for errors the four decades below the power of ten that none exceeds, for counts 0 to four times
- * a round number. They stay the same while a camera moves a little.
+ * A rounded range of a measure, for labels at every fifth of a bar: for errors the four decades
+ * below the power of ten that none exceeds, for counts 0 to four times a round number. It is stable
+ * for small moves of the camera.
  */
 std::array<double, 2> automaticRange(Measure what, const std::vector<float>& measures);
 

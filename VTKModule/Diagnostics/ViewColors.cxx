@@ -11,7 +11,7 @@ namespace tetmarch
 
 void setViewColors(vtkLookupTable* table)
 {
-  // CIE L* is 18, 38, 57, 77, 97; the darkest stands out from black.
+  // CIE L* is 18, 38, 57, 77, 97; the darkest is distinguishable from black.
   vtkNew<vtkColorTransferFunction> colors;
   colors->SetColorSpaceToLab();
   colors->AddRGBPoint(0.0, 0.16, 0.13, 0.42);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The lists of EntryLists.h for a GL whose texture buffers hold few texels.
+// The lists of EntryLists.h within the texture buffer size of the GL.
 #ifndef TetMarchEntriesEntryListLimit_h
 #define TetMarchEntriesEntryListLimit_h
 
@@ -9,8 +9,8 @@
 namespace tetmarch
 {
 
-/** The same as makeEntryLists(). Neither array has more than mostTexels elements if there are no
- * more faces than that: tiles grow until it is so. */
+/** As makeEntryLists(), but tiles are enlarged until neither array has more than mostTexels
+ * elements, if there are no more faces than that. */
 EntryLists makeEntryListsWithin(std::uint64_t mostTexels, const TetMesh& mesh,
   const std::vector<std::array<Id, 4>>& faces, const View& view, int width, int height);
 

@@ -15,7 +15,7 @@ namespace tetmarch
 namespace
 {
 
-// More tiles, or candidates, would take more memory than a picture, and longer to upload.
+// More tiles or candidates would exceed the memory of a picture and its upload time.
 constexpr std::uint64_t MostTiles = std::uint64_t(1) << 20;
 constexpr std::uint64_t MostCandidates = std::uint64_t(1) << 22;
 
@@ -32,7 +32,7 @@ struct PixelRange
   int Top;
 };
 
-// What a tile of that size keeps of a footprint.
+// The part of a footprint in a tile.
 EntryCandidate candidateOf(
   std::uint32_t face, std::uint32_t nearest, const PixelRange& inTile, int tileShift)
 {
@@ -89,8 +89,8 @@ private:
       });
   }
 
-  // A tile is about as large as the footprint of a face: then lists are short, and faces are in
-  // few of them.
+  // Tiles are about as large as the footprint of a face: lists are short, and a face is in few of
+  // them.
   void chooseTiles()
   {
     double pixels = 0;
@@ -126,7 +126,7 @@ private:
     return std::uint64_t(this->tilesAlong(this->Width)) * this->tilesAlong(this->Height);
   }
 
-  // How many there are at most with the present tiles.
+  // Maximum number of candidates with the current tiles.
   std::uint64_t mostCandidates() const
   {
     const int shift = this->Lists.TileShift;
@@ -218,7 +218,7 @@ private:
       });
   }
 
-  // By depth; those of one depth by number, so that the order does not depend on the threads.
+  // By depth; those of equal depth by index, so that the order does not depend on the threads.
   void sortTiles()
   {
     const auto isNearer = [](const EntryCandidate& a, const EntryCandidate& b)
@@ -252,7 +252,7 @@ private:
   std::uint64_t MostTexels;
   EntryLists Lists;
   std::vector<Footprint> Footprints;
-  std::vector<std::atomic<std::uint32_t>> Next; // where the next candidate of a tile goes
+  std::vector<std::atomic<std::uint32_t>> Next; // the index of the next candidate of a tile
 };
 
 } // namespace

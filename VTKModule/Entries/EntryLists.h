@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The faces by which the rays of a picture may enter a mesh, in lists by tiles of pixels: a ray
-// tests those of its tile, front to back, instead of searching all of them
-// (Shaders/tet/entry_lists.glsl). Which one it enters by is decided there, by the exact predicate.
-// A list may hold faces that no ray of the tile enters by, but it lacks none.
+// The faces through which the rays of a picture may enter a mesh, in lists per tile of pixels: a
+// ray tests only those of its tile, front to back (Shaders/tet/entry_lists.glsl). The exact
+// predicate decides there through which face it enters. A list may contain faces through which no
+// ray of the tile enters, but it lacks none.
 #ifndef TetMarchEntriesEntryLists_h
 #define TetMarchEntriesEntryLists_h
 
@@ -18,13 +18,13 @@ namespace tetmarch
 
 struct View;
 
-/** A face by which rays may enter, and for which pixels of a tile; one texel on the GPU. */
+/** A face through which rays may enter, and its pixels in a tile; one texel on the GPU. */
 struct EntryCandidate
 {
   std::uint32_t Face;
-  /** Bits 16 to 31: no point of the face is nearer than this depth. Bits 0 to 15, four each: the
-   * pixels, or squares of pixels, whose rays may enter by it, from the tile's lower left: first and
-   * last in x, first and last in y. */
+  /** Bits 16 to 31: lower bound of the face's depth. Bits 0 to 15, four each: the pixels, or
+   * squares of pixels, whose rays may enter through it, from the tile's lower left: first and last
+   * in x, first and last in y. */
   std::uint32_t Where;
 };
 
@@ -34,18 +34,18 @@ struct EntryLists
   int TilesPerRow = 0;
   std::array<float, 4> DepthPlane{}; // (x, y, z, 1) . plane is the depth of a point of the mesh
                                      // in the units of Where; it grows along each ray
-  std::vector<std::uint32_t> First;  // the first candidate of each tile, row by row, and the end
+  std::vector<std::uint32_t>
+    First; // index of the first candidate of each tile, row by row, and the end
   std::vector<EntryCandidate> Candidates; // those of each tile by ascending depth
 };
 
-/** Larger tiles, of more than 16 x 16 pixels, tell apart squares of a 16th of their edge. */
+/** Tiles larger than 16 x 16 pixels have a resolution of a 16th of their edge. */
 constexpr int MostEntryTileShift = 4;
 
 /**
- * The lists of a picture of width x height pixels, of faces by number; each begins with three
- * vertices of the mesh, counter-clockwise seen from where rays come. All of the mesh lies before
- * the eye (not View::CutsNearPlane). In parallel, in time proportional to the faces and to the
- * candidates.
+ * The lists of a picture of width x height pixels, by indices of faces; each face begins with three
+ * vertices of the mesh, counter-clockwise seen from outside. The whole mesh must lie before the eye
+ * (not View::CutsNearPlane). Parallel, in time proportional to the numbers of faces and candidates.
  */
 EntryLists makeEntryLists(const TetMesh& mesh, const std::vector<std::array<Id, 4>>& faces,
   const View& view, int width, int height);

@@ -15,7 +15,7 @@ namespace tetmarch
 namespace
 {
 
-// What rounding of a pixel's clip coordinates to float may move its ray by, in pixels.
+// Maximum displacement of a ray, in pixels, by rounding of its clip coordinates to float.
 constexpr double PixelMargin = 1.0 / 64;
 constexpr double MostDepth = 65535;
 
@@ -34,7 +34,7 @@ double product(const Row& row, const Vertex& v)
 
 double lengthOf(const Row& row) { return std::hypot(row[0], row[1], row[2]); }
 
-// From clip coordinates, a row and that of w, to pixels.
+// Converts a row of clip coordinates, given that of w, to pixels.
 Row toPixels(const Row& row, const Row& w, int pixels)
 {
   Row result{};
@@ -45,8 +45,8 @@ Row toPixels(const Row& row, const Row& w, int pixels)
   return result;
 }
 
-// The depth 0..65535 of points of the volume: by the distance from the eye along the line of sight
-// or, in parallel projection, by that from the near plane.
+// The depth 0..65535 of points of the volume: the distance from the eye along the line of sight or,
+// in parallel projection, from the near plane.
 Row depthRow(const VolumeFrame& frame, const View& view)
 {
   const Row w = rowOf(view, 3);
@@ -67,8 +67,8 @@ int pixelFrom(double x, int least, int most)
 
 } // namespace
 
-// Pixel i is hit at i + 1/2. Where the face is cut by the lines of the first and the last row, each
-// edge contributes what lies between the lines.
+// The ray of pixel i is at i + 1/2. Each edge is clipped to the strip between the lines of the
+// first and the last row.
 void ProjectedFace::narrow(int bottom, int top, int& left, int& right) const
 {
   const double low = bottom + 0.5 - this->Margin;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which pixels' rays may enter a mesh by a face. Rays and vertices are rounded where they are
-// marched: a footprint is larger than the face by what that may come to.
+// The pixels whose rays may enter a mesh through a face. A footprint exceeds the face by the
+// maximum effect of rounding of rays and vertices in the march.
 #ifndef TetMarchEntriesFootprint_h
 #define TetMarchEntriesFootprint_h
 
@@ -18,7 +18,7 @@ struct View;
 /** The vertices of a face, counter-clockwise seen from outside. */
 using FaceCorners = std::array<const Vertex*, 3>;
 
-/** A rectangle of pixels, from Left to Right and from Bottom to Top, and the least depth. */
+/** A rectangle of pixels, from Left to Right and from Bottom to Top, and the minimum depth. */
 struct Footprint
 {
   std::uint16_t Left = 1; // empty: Left > Right
@@ -39,10 +39,10 @@ struct Footprint
 struct ProjectedFace
 {
   std::array<double, 3> X{}, Y{};
-  double Margin = 0; // a ray may miss the face by so much, and enter by it after rounding
+  double Margin = 0; // maximum distance at which a ray can enter through the face by rounding
 
-  /** Narrow the columns from left to right to those in which the face has a pixel of the rows from
-   * bottom to top; left > right if there is none. */
+  /** Narrow the columns left to right to those in which the face covers a pixel of the rows bottom
+   * to top; left > right if there is none. */
   void narrow(int bottom, int top, int& left, int& right) const;
 };
 
@@ -56,7 +56,7 @@ public:
   /** EntryLists::DepthPlane. */
   std::array<float, 4> depthPlane() const;
   ProjectedFace project(const FaceCorners& corners) const;
-  /** Empty if the viewer sees the face from inside, or no pixel sees it. */
+  /** Empty if the face is back-facing, or no pixel sees it. */
   Footprint footprintOf(const FaceCorners& corners) const;
 
 private:

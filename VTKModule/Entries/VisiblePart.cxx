@@ -29,7 +29,7 @@ bool bitOf(const std::vector<std::uint32_t>& bits, std::size_t i)
   return (bits[i / BitsOfWord] >> (i % BitsOfWord) & 1u) != 0;
 }
 
-// Whether something is seen of a tetrahedron.
+// Whether a tetrahedron may be visible.
 class SeenTets
 {
 public:
@@ -61,7 +61,7 @@ public:
       std::tie(low, high) = std::minmax({ vertices[ids[0]].Scalar, vertices[ids[1]].Scalar,
         vertices[ids[2]].Scalar, vertices[ids[3]].Scalar });
     }
-    // Nothing is drawn of a tetrahedron with one scalar that is not finite, but its colour.
+    // A tetrahedron with a scalar that is not finite is drawn in the NaN colour or not at all.
     return high >= UndrawnScalar ? this->Shown.UndrawnSeen : this->isBetween(low, high);
   }
 
@@ -124,7 +124,7 @@ private:
     }
   }
 
-  // A half-face of a tetrahedron that is seen, with nothing to be seen behind it.
+  // A half-face of a visible tetrahedron, with none behind it.
   bool isEntry(std::size_t halfFace) const
   {
     const Id link = this->Mesh.Links[halfFace];
@@ -163,7 +163,7 @@ private:
       });
   }
 
-  // Half-faces first, each chunk behind the one before it; then what they become.
+  // First the half-faces, chunk by chunk; then their faces.
   void findFaces()
   {
     std::vector<std::size_t> ends(static_cast<std::size_t>(chunksOf(this->Tets, TetsOfChunk)));
@@ -188,14 +188,14 @@ private:
         }
       });
     linkVisiblePart(this->Mesh, this->Part);
-    // A line in any direction crosses cells and faces in proportion to their surfaces: four faces
-    // of each cell for two crossings.
+    // A line in a random direction crosses cells and faces in proportion to their surfaces: each
+    // cell has four faces and two crossings.
     this->Part.CellsOfGap = 4.0 * static_cast<double>(this->Tets - this->Part.NumberOfTets) /
                             static_cast<double>(halfFaces.size());
   }
 
-  // Where no tetrahedron may be flat or turned inside out, its volume tells how it is turned; the
-  // signs of all would take most of the time.
+  // If no tetrahedron can be flat or inverted, its volume determines its orientation; computing the
+  // signs of all would dominate the time.
   void findSigns(const std::vector<Id>& halfFaces)
   {
     if (this->Mesh.HasCutCells || this->Mesh.Report.FoldedFaces > 0 ||

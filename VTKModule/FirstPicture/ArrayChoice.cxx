@@ -20,7 +20,7 @@ namespace tetmarch
 namespace
 {
 
-// The last word of a name, in small letters: "ids" of "vtkOriginalCellIds", "id" of "block_id".
+// The last word of a name, in lower case: "ids" of "vtkOriginalCellIds", "id" of "block_id".
 std::string lastWordOf(const std::string& name)
 {
   std::string word;
@@ -93,8 +93,8 @@ vtkIdType countTuples(const std::vector<vtkDataArray*>& parts)
   return count;
 }
 
-// Whether all finite values of the first component are whole; share: how many of those looked at
-// differ.
+// Whether all finite values of the first component are integers; share: the fraction of distinct
+// values among the sampled ones.
 bool isWhole(const std::vector<vtkDataArray*>& parts, double& share)
 {
   constexpr vtkIdType most = 1 << 16;
@@ -129,7 +129,7 @@ ArrayKind kindOf(
     return ArrayKind::Constant;
   }
   constexpr double nearlyAll = 0.9;
-  constexpr vtkIdType few = 64; // of which all may differ by chance
+  constexpr vtkIdType few = 64; // all of them may differ by chance
   double share = 0;
   const bool numbers =
     parts[0]->GetNumberOfComponents() == 1 && isWhole(parts, share) &&
@@ -137,7 +137,7 @@ ArrayKind kindOf(
   return numbers ? ArrayKind::Numbers : ArrayKind::Physical;
 }
 
-// Less is better.
+// Smaller is better.
 std::tuple<bool, int, bool, bool, bool, bool> rankOf(const FoundArray& found)
 {
   return { !found.Everywhere, static_cast<int>(found.Kind), found.Drawn.OfCells, !found.Floating,
@@ -163,7 +163,7 @@ std::string listOf(const std::vector<FoundArray>& all)
   return text;
 }
 
-// All that a place has, of all blocks; of arrays of one name the first.
+// All arrays of an association in all blocks; of arrays with the same name the first.
 std::vector<DrawnArray> namedArrays(const std::vector<vtkDataSet*>& blocks, bool ofCells)
 {
   std::vector<DrawnArray> all;
@@ -184,7 +184,7 @@ std::vector<DrawnArray> namedArrays(const std::vector<vtkDataSet*>& blocks, bool
   return all;
 }
 
-// Why an array that was wished for is none of those that were found; empty if there is none.
+// The reason why the requested array was not found; empty if there is no such array.
 std::string describeMisfit(const std::vector<vtkDataSet*>& blocks, const ArrayWish& wish)
 {
   for (const bool ofCells : { false, true })

@@ -1,17 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which array of the data is drawn, if nobody says.
-//
-// Arrays that all blocks have, with the same number of components, come before arrays that some
-// blocks lack, since these blocks are not drawn. Among them, arrays of physical values come before
-// numbers of cells, blocks or materials, and these before arrays whose values are all equal; arrays
-// without a finite value come last. Among physical ones points come before cells; of points, and of
-// cells, those of one component before those of several, of which the magnitude is drawn, and
-// floating-point ones before integers. Of equals the one that the data calls its scalars is taken,
-// else the first.
-//
-// An array holds numbers rather than values if all its values are whole, and its name says so (Ids,
-// BlockId, material, vtkOriginalCellIds...), or nearly all of them differ.
+// The array that is drawn by default.
+// Arrays of all blocks, with the same number of components, come before arrays that some blocks
+// lack, since these blocks are not drawn. Among them, arrays of physical values come before numbers
+// of cells, blocks or materials, and these before constant arrays; arrays without a finite value
+// come last. Among physical ones points come before cells; for each of them, one component before
+// several, whose magnitude is drawn, and floating-point values before integers. Among equals the
+// active scalars of the data are chosen, else the first.
+// An array contains numbers, not physical values, if all its values are integers, and its name
+// indicates this (Ids, BlockId, material, vtkOriginalCellIds...), or nearly all of them differ.
 #ifndef TetMarchFirstPictureArrayChoice_h
 #define TetMarchFirstPictureArrayChoice_h
 
@@ -42,9 +39,8 @@ struct FoundArray
   bool Active = false;                        // the scalars of all blocks
 };
 
-// Arrays of numbers with a name, but for those that VTK uses itself, those of points first. Of
-// arrays of one name and place the first. Arrays that don't fit their blocks (checkLengths) are
-// left out.
+// Named numeric arrays except VTK's internal ones, those of points first. Of arrays with the same
+// name and association the first. Arrays that don't match their blocks (checkLengths) are left out.
 std::vector<FoundArray> findArrays(const std::vector<vtkDataSet*>& blocks);
 
 struct ArrayWish
@@ -54,12 +50,12 @@ struct ArrayWish
   std::optional<int> Component; // none: the first of an array with a name, else the magnitude
 };
 
-// What is wrong: no such array, with a list of what there is, or one that doesn't fit its blocks.
-// Empty if an array was chosen.
+// Returns an error: no such array, with a list of existing ones, or one that doesn't match its
+// blocks. Empty if an array was chosen.
 std::string chooseArray(
   const std::vector<vtkDataSet*>& blocks, const ArrayWish& wish, DrawnArray& chosen);
 
-// Whether a name is that of numbers of cells, points, blocks, materials or processes.
+// Whether a name indicates numbers of cells, points, blocks, materials or processes.
 bool namesNumbers(const std::string& name);
 
 } // namespace tetmarch

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays in words.
+// Descriptions of arrays.
 #ifndef TetMarchFirstPictureArrayTable_h
 #define TetMarchFirstPictureArrayTable_h
 
@@ -13,7 +13,7 @@ class vtkTable;
 namespace tetmarch
 {
 
-// One array a row, as vtkTetMarchFirstPicture::ListArrays() says.
+// One array per row, as described in vtkTetMarchFirstPicture::ListArrays().
 void listArrays(const std::vector<vtkDataSet*>& blocks, vtkTable* arrays);
 
 // "magnitude of velocity on points, 0 to 3.2"; "no array" without one.

@@ -17,7 +17,7 @@ namespace
 
 using Limits = std::numeric_limits<double>;
 
-// The least interval that holds all that was put into it.
+// The smallest interval that contains all added values.
 struct Interval
 {
   double Least = Limits::max();
@@ -32,10 +32,10 @@ struct Interval
   double half() const { return 0.5 * (this->Most - this->Least); }
 };
 
-// A side of the view's pyramid goes through the outermost point: with z towards the viewer, who is
-// at z = d over the centre c, a point is within the picture if |x - c| <= slope (d - z). The
-// greatest of x + slope z and of -x + slope z decide: d is half of their sum by the slope, c half
-// of their difference.
+// A side of the view's pyramid contains the outermost point: with z towards the viewer, who is at z
+// = d over the centre c, a point is within the picture if |x - c| <= slope (d - z). With the maxima
+// of x + slope z and of -x + slope z, d is half of their sum divided by the slope, c half of their
+// difference.
 struct Pyramid
 {
   double Slope;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A camera from where the data just fits into the picture.
+// A camera such that the data just fit into the picture.
 #ifndef TetMarchFirstPictureCameraFit_h
 #define TetMarchFirstPictureCameraFit_h
 
@@ -11,9 +11,9 @@ class vtkCamera;
 namespace tetmarch
 {
 
-// The silhouette of the points fills the picture, but for a margin of a 20th, in perspective and in
+// The silhouette of the points fills the picture, with a margin of a 20th, in perspective and in
 // parallel projection. aspect: width / height of the picture. VTK's ResetCamera() fits the sphere
-// around the box, which leaves long meshes small.
+// around the box, so that long meshes appear small.
 void fitCamera(
   const std::vector<Vector3>& points, const PicturePlane& plane, double aspect, vtkCamera* camera);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of any kind as tetrahedra, with values at their corners.
+// Cells of any type as tetrahedra with values at their corners.
 #ifndef TetMarchFirstPictureCellPieces_h
 #define TetMarchFirstPictureCellPieces_h
 
@@ -28,8 +28,8 @@ struct ValuedPiece
   double Volume;
 };
 
-// Cuts 3D cells of one block, which is sound (checkData), into tetrahedra: polyhedra by fans around
-// their middle, others as vtkCell::Triangulate() does.
+// Decomposes 3D cells of one valid block (checkData) into tetrahedra: polyhedra by fans around
+// their centre, others by vtkCell::Triangulate().
 class CellCutting
 {
 public:
@@ -38,7 +38,7 @@ public:
   CellCutting(const CellCutting&) = delete;
   CellCutting& operator=(const CellCutting&) = delete;
 
-  // None of flat cells, of ghosts and of hidden cells.
+  // Flat, ghost and hidden cells have no pieces.
   const std::vector<ValuedPiece>& cut(vtkIdType cell);
 
 private:

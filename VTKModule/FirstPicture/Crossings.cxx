@@ -19,8 +19,8 @@ namespace
 
 constexpr int LongerSide = 96;              // of the picture, in pixels
 constexpr vtkIdType MostCells = 1 << 17;    // of a block
-constexpr double PointsOfAPixel = 4;        // of the cells before it, each
-constexpr double MostPointsOfAPiece = 4096; // however many pixels it covers
+constexpr double PointsOfAPixel = 4;        // per cell in front of a pixel
+constexpr double MostPointsOfAPiece = 4096; // for any number of covered pixels
 constexpr double MostDepth = 1e290;         // of a crossing: sums of them are finite
 
 struct PixelGrid
@@ -40,7 +40,7 @@ struct PixelGrid
   }
 
 private:
-  // 0 of what is not a number.
+  // 0 for NaN.
   static int pixelAt(double place, int count)
   {
     return place > 0 ? static_cast<int>(std::min(place, count - 1.0)) : 0;
@@ -75,7 +75,7 @@ PixelGrid gridOver(const std::vector<Vector3>& points, const PicturePlane& plane
   return grid;
 }
 
-// The same everywhere, which std::uniform_real_distribution isn't.
+// Portable, unlike std::uniform_real_distribution.
 double fraction(std::mt19937& random) { return random() / 4294967296.0; }
 
 // Uniform in a tetrahedron: the gaps between three sorted uniform numbers (L. Devroye, Non-Uniform
@@ -96,8 +96,8 @@ public:
   {
   }
 
-  // share: of how many cells this is one. A cell that is small beside a pixel is one point of one
-  // of its pieces.
+  // share: the number of cells that this one represents. A cell smaller than a pixel becomes one
+  // point of one of its pieces.
   void spreadCell(const std::vector<ValuedPiece>& pieces, double share)
   {
     double volume = 0;
@@ -145,7 +145,7 @@ private:
     return points > 0 ? static_cast<int>(std::ceil(std::min(points, MostPointsOfAPiece))) : 0;
   }
 
-  // volume: what the points stand for.
+  // volume: the volume represented by the points.
   void spreadPiece(const ValuedPiece& piece, int points, double volume)
   {
     const double length = volume / (this->Grid.Size * this->Grid.Size) / points;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which lengths of which values the rays of a small picture cross, found without marching a ray:
-// the volume of each cell is handed out to the pixels before which it lies, and the volume before a
-// pixel, divided by its area, is the mean length of its rays. It is enough to choose an exposure,
-// takes any kind of cell, and neither needs OpenGL nor links between cells.
+// The lengths of values along the rays of a small picture, estimated without marching rays: the
+// volume of each cell is distributed to the pixels that it covers, and the volume in front of a
+// pixel, divided by its area, is the mean length of its rays. This suffices to choose an exposure,
+// works for any type of cell, and needs neither OpenGL nor links between cells.
 #ifndef TetMarchFirstPictureCrossings_h
 #define TetMarchFirstPictureCrossings_h
 
@@ -31,21 +31,21 @@ struct Crossings
   int Height = 0;
   std::vector<Crossing> List;
 
-  // Of each pixel, the sum over its lengths by extinction(value), the extinction at a unit distance
-  // of 1.
+  // For each pixel the sum of its lengths times extinction(value), the extinction at a unit
+  // distance of 1.
   std::vector<double> opticalDepths(const std::function<double(double)>& extinction) const;
-  // Of each pixel, by the same sum: the length within the data.
+  // For each pixel the length within the data.
   std::vector<double> lengths() const;
 
-  // Each as a cell that covers as much of a picture as it is long.
+  // Each length as a cell with a proportional area.
   std::vector<Sample> samples() const;
-  // Where the extinction is more than a hundredth of the greatest.
+  // Positions with an extinction above a hundredth of the maximum.
   std::vector<Vector3> shownPlaces(const std::function<double(double)>& extinction) const;
 };
 
-// Of a parallel projection in which the points fill the picture. Of each block about a hundred
-// thousand cells, one at random of each so many in turn, stand for all; the same data give the same
-// crossings. Values that aren't finite have none.
+// For a parallel projection in which the points fill the picture. About a hundred thousand cells of
+// each block are sampled, one at random from each of equal ranges of cells; the result is
+// deterministic. Values that aren't finite have no crossings.
 Crossings findCrossings(const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn,
   const std::vector<Vector3>& points, const PicturePlane& plane);
 

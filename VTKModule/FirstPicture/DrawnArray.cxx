@@ -34,8 +34,8 @@ vtkDataArray* arrayOf(vtkDataSet* block, const DrawnArray& drawn)
   return attributes->GetArray(drawn.Array->GetName());
 }
 
-// Whether vtkDataArray::GetFiniteRange() may miss values: it knows none beyond VTK_DOUBLE_MAX, and
-// takes the magnitude from squares.
+// Whether vtkDataArray::GetFiniteRange() may miss values: it ignores those beyond VTK_DOUBLE_MAX,
+// and computes the magnitude from squares.
 bool isExtreme(vtkDataArray* array, bool magnitude)
 {
   double most = 0;
@@ -79,7 +79,7 @@ double DrawnValues::at(vtkIdType tuple) const
            : this->magnitudeOfExtremes(tuple);
 }
 
-// As Scalars/TupleScalar.h has it.
+// As in Scalars/TupleScalar.h.
 double DrawnValues::magnitudeOfExtremes(vtkIdType tuple) const
 {
   double length = 0;

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of the data is drawn: one component, or the magnitude, of one array of one name in all
-// blocks.
+// The drawn array: one component, or the magnitude, of the array of one name in all blocks.
 #ifndef TetMarchFirstPictureDrawnArray_h
 #define TetMarchFirstPictureDrawnArray_h
 
@@ -25,8 +24,8 @@ struct DrawnArray
   int Component = 0; // -1: the magnitude
 };
 
-// The values of one block; without an array if the block lacks it, or the component, or if the
-// array has not one tuple for each point or cell.
+// The values of one block; without an array if the block lacks it or the component, or if the array
+// does not have one tuple for each point or cell.
 class DrawnValues
 {
 public:
@@ -51,8 +50,7 @@ private:
 std::optional<std::array<double, 2>> rangeOf(
   const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn);
 
-// Empty, or why the array can't be drawn: a block has an array of this name that has not one tuple
-// for each point or cell.
+// Empty, or an error: a block's array of this name does not have one tuple for each point or cell.
 std::string checkLengths(const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn);
 
 // Whether the block is an image or a rectilinear grid; dimensions are its points along each axis.

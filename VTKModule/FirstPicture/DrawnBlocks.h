@@ -15,12 +15,12 @@ class vtkDataObject;
 namespace tetmarch
 {
 
-// The data itself, or the leaves of a tree: those with cells that are no surfaces. Of a block with
-// ghost arrays that don't fit it, which hide nothing, but which VTK reads by the number of a cell,
-// a shallow copy without these.
+// The data itself, or the leaves of a tree with cells, except surfaces. A block with ghost arrays
+// of wrong length, which hide nothing, but which VTK indexes by cell, is replaced by a shallow copy
+// without them.
 std::vector<vtkSmartPointer<vtkDataSet>> drawnBlocks(vtkDataObject* data);
 
-// When the data, or a leaf of a tree, was last modified.
+// The time of the last modification of the data, or of a leaf of a tree.
 vtkMTimeType timeOf(vtkDataObject* data);
 
 } // namespace tetmarch

@@ -30,7 +30,7 @@ void dropUpTo(double least, std::vector<double>& numbers)
     numbers.end());
 }
 
-// In bits, of the opacities of the pixels before the data, in 16 bins.
+// Entropy in bits of the opacities of covered pixels, in 16 bins.
 double entropyOf(
   const std::vector<double>& depths, const std::vector<double>& lengths, double unitDistance)
 {
@@ -83,7 +83,7 @@ double unitDistanceOf(std::vector<double> depths, const std::vector<double>& len
   return longest > 0 ? longest : 1.0;
 }
 
-// The opacity of the background. Both laws of opacity agree on what is as small.
+// The opacity of the background. Both opacity laws agree for small values.
 double veilOf(std::vector<double> lengths, double unitDistance)
 {
   constexpr double most = 0.05;

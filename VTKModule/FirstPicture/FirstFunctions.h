@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Transfer functions that leave the background clear and let what is far from it stand out.
-//
-// Opacity: nearly 0 up to a 20th of the way from the background to the farther end of the range,
-// from there to that end it rises with a power of the distance, on both sides if the range has
-// both. Colour: if the background lies in the middle half of the range, Moreland's diverging map,
-// cool to warm, with its neutral colour at the background (K. Moreland, Diverging Color Maps for
-// Scientific Visualization, 2009); else the perceptually uniform sequential map plasma (N. Smith
-// and S. van der Walt, 2015).
+// Transfer functions with a transparent background and emphasis on values far from it.
+// Opacity: nearly 0 up to a 20th of the distance from the background to the farther end of the
+// range, from there to that end it rises with a power of the distance, on both sides if the range
+// has both. Colour: if the background lies in the middle half of the range, Moreland's diverging
+// map, cool to warm, with its neutral colour at the background (K. Moreland, Diverging Color Maps
+// for Scientific Visualization, 2009); else the perceptually uniform sequential map plasma (N.
+// Smith and S. van der Walt, 2015).
 #ifndef TetMarchFirstPictureFirstFunctions_h
 #define TetMarchFirstPictureFirstFunctions_h
 

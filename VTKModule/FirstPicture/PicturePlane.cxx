@@ -106,7 +106,7 @@ void addCorners(vtkDataSet* block, const int n[3], std::vector<Vector3>& points)
   }
 }
 
-// Of an unstructured grid the points of 3D cells, else all.
+// For an unstructured grid the points of 3D cells, else all.
 std::vector<bool> drawnPoints(vtkDataSet* block)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(block);
@@ -136,7 +136,7 @@ void addEveryNth(vtkDataSet* block, std::vector<Vector3>& points)
   constexpr vtkIdType most = 1 << 20;
   const std::vector<bool> drawn = drawnPoints(block);
   const vtkIdType step = std::max<vtkIdType>(1, block->GetNumberOfPoints() / most);
-  vtkIdType left = 0; // to be passed by
+  vtkIdType left = 0; // number of points to be skipped
   for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
   {
     if (!drawn[i] || left-- > 0)

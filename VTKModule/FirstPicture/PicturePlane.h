@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From where the data is looked at: the axes of the picture in the world.
+// The default view direction: the axes of the picture in the world.
 #ifndef TetMarchFirstPicturePicturePlane_h
 #define TetMarchFirstPicturePicturePlane_h
 
@@ -21,13 +21,13 @@ struct PicturePlane
   Vector3 Back; // towards the viewer
 };
 
-// Of grids with points every n-th of about a million, of images and rectilinear grids the eight
-// corners.
+// About a million points, every n-th, of grids with points; the eight corners of images and
+// rectilinear grids.
 std::vector<Vector3> outlinePoints(const std::vector<vtkDataSet*>& blocks);
 
-// Obliquely along +y and a little down, z up; what is flat is seen from its broad side, a little
-// tilted. Flat: along the least of its principal axes the data reaches less than a quarter as far
-// as along the next.
+// Obliquely along +y and slightly down, z up; flat data are seen from the broad side, slightly
+// tilted. Flat: the extent along the shortest principal axis is less than a quarter of that along
+// the next.
 PicturePlane choosePlane(const std::vector<Vector3>& points);
 
 } // namespace tetmarch

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers as text, with enough digits to tell the ends of a range apart: 101324.9 to 101325.4.
+// Numbers as text, with enough digits to distinguish the ends of a range: 101324.9 to 101325.4.
 #ifndef TetMarchFirstPictureRangeText_h
 #define TetMarchFirstPictureRangeText_h
 
@@ -15,8 +15,8 @@
 namespace tetmarch
 {
 
-// With significant digits as many as asked for, but for zeros at the end. Whole numbers of up to
-// ten digits have all of them.
+// With the given number of significant digits, without trailing zeros. Integers of up to ten digits
+// are complete.
 inline std::string numberText(double number, int digits)
 {
   constexpr double longest = 1e10;
@@ -28,8 +28,8 @@ inline std::string numberText(double number, int digits)
   return text.str();
 }
 
-// The number of significant digits with which a number is rounded by no more than an error, 6
-// to 17.
+// The number of significant digits, 6 to 17, with which the rounding of a number is at most the
+// error.
 inline int digitsWithin(double number, double error)
 {
   const double digits =
@@ -37,7 +37,7 @@ inline int digitsWithin(double number, double error)
   return digits > 6.0 ? static_cast<int>(std::min(digits, 17.0)) : 6;
 }
 
-// The two ends, rounded by no more than a hundredth of what is between them.
+// The two ends, rounded by at most a hundredth of their difference.
 inline std::array<std::string, 2> rangeText(double low, double high)
 {
   constexpr int ofFloats = 7;

@@ -48,7 +48,7 @@ private:
     }
   }
 
-  // A step over all cells would meet the same few planes of cells again and again.
+  // A constant step over all cells would select the same few planes of cells.
   void takeOfLattice(const int n[3])
   {
     const double share = static_cast<double>(this->Block->GetNumberOfCells()) / MostSamples;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of a few cells that stand for all.
+// Values of a sample of cells.
 #ifndef TetMarchFirstPictureSamples_h
 #define TetMarchFirstPictureSamples_h
 
@@ -19,8 +19,8 @@ struct Sample
   double Volume;
 };
 
-// The finite values of about a million cells of each block: of images and rectilinear grids every
-// n-th along each axis, of other grids every n-th. Blocks without the array have none.
+// The finite values of about a million cells of each block: every n-th along each axis of images
+// and rectilinear grids, every n-th of other grids. Blocks without the array have none.
 std::vector<Sample> takeSamples(const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn);
 
 } // namespace tetmarch

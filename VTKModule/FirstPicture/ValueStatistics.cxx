@@ -16,7 +16,7 @@ namespace
 // Differences of values up to this one, and sums of a few, don't overflow. The mapper clamps the
 // ends of its range likewise (Scalars/StoredScalar.h).
 constexpr double MostValue = 0.25 * std::numeric_limits<double>::max();
-// Values that differ by less are equal here: a part of such a difference may be no normal number.
+// Values that differ by less are treated as equal: a fraction of such a difference may be denormal.
 constexpr double LeastDifference = 1e-290;
 
 double clamped(double value) { return std::clamp(value, -MostValue, MostValue); }

@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Of the values of the data: which are shown, and which of them are a background.
-//
-// Each cell counts by the area that it covers in a picture, volume^(2/3), with the volume of its
-// bounding box, since meshes are finest at walls, where values are extreme, and those few cells
-// would else decide.
+// The shown range of values of the data, and its background.
+// Each cell is weighted by the area that it covers in a picture, volume^(2/3), with the volume of
+// its bounding box, since meshes are finest at walls, where values are extreme, and these small
+// cells would otherwise dominate.
 //
 // Range: the 2nd to the 98th percentile of the finite values. If these are equal, or differ by less
 // than 1e-290, minimum to maximum; if these do, too, one unit around. Values beyond a quarter of
-// the greatest double count as that. Most of an image is often nothing: where half of the weight
+// the largest double are clamped to it. Images often consist mostly of air: if half of the weight
 // lies within a 50th of the full range around one value, the percentiles are those of the rest, and
-// the range goes on to that value. Background: the value at the middle of the fullest of 256 bins
-// of that range, if at least a tenth of the weight lies within a 50th of the range around it: a
-// free stream, an untouched solid. Else the low end, and so if all values are equal.
+// the range is extended to that value. Background: the value at the middle of the fullest of 256
+// bins of that range, if at least a tenth of the weight lies within a 50th of the range around it:
+// a free stream, an untouched solid. Else the low end, and so if all values are equal.
 #ifndef TetMarchFirstPictureValueStatistics_h
 #define TetMarchFirstPictureValueStatistics_h
 

@@ -59,7 +59,8 @@ std::string findFrame(const Vector3& low, const Vector3& high, VolumeFrame& fram
   for (int k = 0; k < 3; ++k)
   {
     frame.Center[k] = 0.5 * low[k] + 0.5 * high[k];
-    // Measured from the rounded centre, which is not the middle of a box a few roundings wide.
+    // Measured from the rounded centre, which may differ from the middle of a box that is a few
+    // roundings wide.
     half[k] = std::max(high[k] - frame.Center[k], frame.Center[k] - low[k]);
   }
   const double radius = std::hypot(half[0], half[1], half[2]);

@@ -35,11 +35,11 @@ struct VolumeFrame
 };
 
 /** The frame of a bounding box, from its lowest to its highest corner. Returns an empty string, or
- * what is wrong with it. */
+ * an error. */
 std::string findFrame(const Vector3& low, const Vector3& high, VolumeFrame& frame);
 
-/** The frame of the bounding box of these points. Returns an empty string, or what is wrong with
- * them; without points the frame stays as it is. */
+/** The frame of the bounding box of these points. Returns an empty string, or an error; without
+ * points the frame is not changed. */
 std::string findFrame(const std::vector<Vector3>& points, VolumeFrame& frame);
 
 } // namespace tetmarch

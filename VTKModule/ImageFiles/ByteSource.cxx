@@ -35,7 +35,7 @@ private:
   std::istream& File;
 };
 
-// By gzip or zlib; several that follow each other are one.
+// gzip or zlib; concatenated streams are read as one.
 class InflatedBytes : public ByteSource
 {
 public:

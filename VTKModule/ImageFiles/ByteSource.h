@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The bytes of the values in a file, as they are, deflated or in hexadecimal digits.
+// The bytes of the values in a file, raw, deflated or in hexadecimal digits.
 #ifndef TetMarchImageFilesByteSource_h
 #define TetMarchImageFilesByteSource_h
 
@@ -18,14 +18,14 @@ class ByteSource
 {
 public:
   virtual ~ByteSource() = default;
-  /** Up to this number of bytes; fewer only at the end. Throws ImageFileError. */
+  /** Reads up to this number of bytes; fewer only at the end. Throws ImageFileError. */
   virtual std::size_t read(unsigned char* to, std::size_t count) = 0;
 };
 
-/** From where the file is. The file must live as long. */
+/** A source at the current position of the file, which must outlive it. */
 std::unique_ptr<ByteSource> makeByteSource(std::istream& file, ImageEncoding encoding);
 
-/** How many bytes a byte of a file can become. */
+/** Maximum number of bytes per byte of a file. */
 std::uint64_t mostInflated(ImageEncoding encoding);
 
 } // namespace tetmarch

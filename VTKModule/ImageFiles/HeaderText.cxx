@@ -40,7 +40,7 @@ std::vector<Number> numbersOf(const std::string& field, const std::string& text,
   return numbers;
 }
 
-// The place of %d in a pattern, or of %3d, %03d; the rest is text.
+// The position of %d, %3d or %03d in a pattern; the rest is text.
 struct NumberPlace
 {
   std::size_t Begin = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The text of headers: lines, words, numbers, names of files.
+// Parsing of header text: lines, words, numbers, file names.
 #ifndef TetMarchImageFilesHeaderText_h
 #define TetMarchImageFilesHeaderText_h
 
@@ -14,18 +14,18 @@
 namespace tetmarch
 {
 
-/** The next line without its end; false at the end of the file. Throws ImageFileError if it is
- * longer than any header's. */
+/** The next line without its end; false at the end of the file. Throws ImageFileError if it is too
+ * long for a header. */
 bool nextLine(std::istream& file, std::string& line);
 
 std::string trimmed(const std::string& text);
 std::string lowered(std::string text);
 std::vector<std::string> wordsOf(const std::string& text);
 
-/** What a message shows of a file's text: up to 40 characters, those that can be printed. */
+/** An excerpt of a file's text for messages: up to 40 printable characters. */
 std::string shown(const std::string& text);
 
-/** All of the text is a number, or none. */
+/** Parses the text as a number; fails if other characters follow. */
 template <typename Number>
 std::optional<Number> numberOf(const char* begin, const char* end)
 {
@@ -36,17 +36,17 @@ std::optional<Number> numberOf(const char* begin, const char* end)
                                                        : std::nullopt;
 }
 
-/** The numbers of a field, divided by blanks. Throws ImageFileError that names the field if there
- * are not as many; 0: any number of them. */
+/** The numbers of a field, separated by blanks. Throws ImageFileError with the name of the field if
+ * their count differs; 0: any count. */
 std::vector<double> realsOf(const std::string& field, const std::string& text, std::size_t count);
 std::vector<std::int64_t> wholesOf(
   const std::string& field, const std::string& text, std::size_t count);
 
-/** The names of a pattern and numbers, "slice%03d.raw 1 20 1" and maybe a number of axes; empty if
+/** The file names of a pattern, "slice%03d.raw 1 20 1" with an optional number of axes; empty if
  * the words are no pattern. Throws ImageFileError. */
 std::vector<std::string> namesOfPattern(const std::vector<std::string>& words);
 
-/** Of a file that a header names, from the folder of the header. */
+/** The path of a file named in a header, relative to the header's folder. */
 std::string besideHeader(const std::string& header, const std::string& name);
 
 } // namespace tetmarch

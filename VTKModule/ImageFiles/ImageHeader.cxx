@@ -17,7 +17,7 @@ namespace tetmarch
 namespace
 {
 
-// Of the box between unit vectors along the axes: 1 if they are perpendicular.
+// The volume of the parallelepiped of unit vectors along the axes: 1 if they are perpendicular.
 constexpr double LeastBox = 1e-9;
 
 ImageVector cross(const ImageVector& a, const ImageVector& b)
@@ -30,7 +30,7 @@ double dot(const ImageVector& a, const ImageVector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// A unit vector across those that are there.
+// A unit vector perpendicular to the given ones.
 ImageVector across(const std::vector<ImageVector>& directions)
 {
   if (directions.size() == 2)

@@ -48,7 +48,8 @@ std::uint64_t lengthOf(const std::string& path)
   return length;
 }
 
-// The file at its first value, or at the first deflated byte; Rest is how many bytes follow.
+// The file at its first value, or at the first deflated byte; Rest is the number of following
+// bytes.
 struct OpenFile
 {
   std::ifstream Stream;
@@ -104,7 +105,7 @@ void checkLength(const ImageHeader& header, const std::string& path)
   }
 }
 
-// Of one file; Total and Done are of all files.
+// The state of reading one file; Total and Done refer to all files.
 struct Reading
 {
   const ImageHeader& Header;

@@ -11,15 +11,15 @@
 namespace tetmarch
 {
 
-/** Whether the files are there and long enough. Throws ImageFileError: no memory should be taken
- * for values that can't be there. */
+/** Checks that the files exist and are long enough, before memory is allocated for their values.
+ * Throws ImageFileError. */
 void checkImageFiles(const ImageHeader& header);
 
-/** Is told the share that is read, from 0 to 1; returns whether to go on. */
+/** Called with the share that was read, from 0 to 1; returns whether to continue. */
 using ImageProgress = std::function<bool(double)>;
 
-/** Into bytesOf(header) bytes, of checked files. Throws ImageFileError. Returns false if it was
- * told to stop. */
+/** Reads bytesOf(header) bytes of checked files. Throws ImageFileError. Returns false if it was
+ * stopped. */
 bool readImageValues(const ImageHeader& header, void* values, const ImageProgress& progress);
 
 } // namespace tetmarch

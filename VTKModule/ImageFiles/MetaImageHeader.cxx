@@ -19,7 +19,7 @@ struct MetaImageFields
   std::vector<std::string> ListedFiles;
   std::uint64_t End = 0;
 
-  // By the first of the names that is there.
+  // The value of the first of the names that exists.
   const std::string* find(std::initializer_list<const char*> names) const
   {
     for (const char* name : names)

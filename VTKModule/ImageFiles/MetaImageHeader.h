@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The header of a MetaImage file, with its values (.mha) or apart from them (.mhd).
+// The header of a MetaImage file, attached to its values (.mha) or detached (.mhd).
 #ifndef TetMarchImageFilesMetaImageHeader_h
 #define TetMarchImageFilesMetaImageHeader_h
 

@@ -21,7 +21,7 @@ struct NrrdAxis
   bool OfSpace = true;
   std::optional<ImageVector> Direction;
   double Spacing = 1;
-  double First = 0; // the place of the first value
+  double First = 0; // the position of the first value
 };
 
 ImageVector vectorOf(const std::string& text)
@@ -66,7 +66,7 @@ bool isOfSpace(const std::string& kind)
   return kinds.count(lowered(kind)) > 0;
 }
 
-// A field of one word for each axis; empty if the header hasn't got it.
+// A field with one word per axis; empty if the header lacks it.
 std::vector<std::string> wordsOfAxes(
   const NrrdFields& fields, const std::string& name, std::size_t axes)
 {
@@ -81,7 +81,7 @@ std::vector<std::string> wordsOfAxes(
   return words;
 }
 
-// Spacings, or what the ends of axes say of them.
+// Sets the spacings, given directly or by the ends of axes.
 void setPlaces(const NrrdFields& fields, std::vector<NrrdAxis>& axes)
 {
   const auto of = [&](const char* name)
@@ -140,7 +140,7 @@ std::vector<NrrdAxis> axesOf(const NrrdFields& fields)
   return axes;
 }
 
-// Axes of components come first, then up to three of space; others have one value.
+// Component axes come first, then up to three spatial axes; others have one value.
 void takeAxes(const std::vector<NrrdAxis>& axes, ImageHeader& header)
 {
   std::vector<NrrdAxis> ofSpace;

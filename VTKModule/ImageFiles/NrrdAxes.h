@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The axes of an NRRD file: which are of space, and where their values are.
+// The axes of an NRRD file: spatial axes and the positions of their values.
 #ifndef TetMarchImageFilesNrrdAxes_h
 #define TetMarchImageFilesNrrdAxes_h
 

@@ -22,7 +22,7 @@ void addField(NrrdFields& fields, const std::string& line)
   }
   if (line.compare(colon, 2, ":=") == 0)
   {
-    return; // a note of whoever wrote the file
+    return; // a comment
   }
   std::string name = lowered(line.substr(0, colon));
   name.erase(std::remove(name.begin(), name.end(), ' '), name.end());

@@ -18,7 +18,7 @@ struct NrrdFields
   std::vector<std::string> ListedFiles;
   bool IsList = false;
   bool EndsByBlankLine = false;
-  std::uint64_t End = 0; // of the header, in the file
+  std::uint64_t End = 0; // the header's end in the file
 
   /** nullptr if there is no such field. */
   const std::string* find(const std::string& name) const;

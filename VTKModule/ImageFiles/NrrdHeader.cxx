@@ -102,7 +102,7 @@ ImageHeader readNrrdHeader(const std::string& path)
   setNrrdAxes(fields, header);
   checkCount(header);
   header.Encoding = encodingOf(fields.get("encoding"));
-  // As vtkNrrdReader names them.
+  // Named as in vtkNrrdReader.
   header.ArrayName = header.Encoding == ImageEncoding::Deflated ? "ImageScalars" : "ImageFile";
   const std::string* endian = fields.find("endian");
   header.BigEndian = endian && lowered(*endian) == "big";

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How cells of each of VTK's types are cut, and how many points they must have.
+// Decomposition and number of points of each of VTK's cell types.
 #ifndef TetMarchInputCellKind_h
 #define TetMarchInputCellKind_h
 
@@ -16,8 +16,8 @@ enum class CellCut
   Unknown,        // no type of VTK
   Empty,          // VTK_EMPTY_CELL: skipped
   LowDimensional, // vertices, lines, surfaces: skipped and counted
-  Unsupported,    // 3D, but VTK itself can't cut it: skipped and counted
-  Tetrahedron,    // taken as it is
+  Unsupported,    // 3D, but VTK can't triangulate it: skipped and counted
+  Tetrahedron,    // used unchanged
   Pieces,         // by cellPieces()
   Polyhedron,     // by its stream of faces
   ByVTK           // by vtkCell::Triangulate
@@ -30,7 +30,7 @@ struct CellKind
   vtkIdType MostPoints = VTK_ID_MAX;
 };
 
-/** By the value of the array of cell types. */
+/** Indexed by the value of the cell types array. */
 const std::array<CellKind, 256>& cellKinds();
 
 } // namespace tetmarch

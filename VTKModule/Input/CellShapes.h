@@ -11,13 +11,13 @@ namespace tetmarch
 
 using Polygon = std::vector<int>;
 
-/** A part of a cell, bounded by polygons, that is to be cut into tetrahedra. A piece that is cut
- * from one of its points contains the mean of the cell's points: CellCutter tells by that point
- * which side of a face is inside. */
+/** A part of a cell, bounded by polygons, that is cut into tetrahedra. A piece that is cut from one
+ * of its points contains the mean of the cell's points, by which CellCutter determines the inner
+ * side of a face. */
 struct CellPiece
 {
   std::vector<Polygon> Faces;
-  int Apex; // local number of the point from which to cut, or one of:
+  int Apex; // local index of the point from which to cut, or one of:
 };
 constexpr int ApexSmallestId = -1; // the point with the smallest id in the piece
 constexpr int ApexMean = -2;       // a new point, the mean of the cell's points

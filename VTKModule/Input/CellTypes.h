@@ -11,7 +11,7 @@
 namespace tetmarch
 {
 
-/** Reads a grid's cell types (VTK_TETRA and so on), whatever the array they are in. */
+/** Reads a grid's cell types (VTK_TETRA and so on) from any type of array. */
 class CellTypes
 {
 public:
@@ -22,7 +22,8 @@ public:
     this->Stored = stored ? stored->GetPointer(0) : nullptr;
   }
 
-  /** One value a cell, of type unsigned char, if checkGrid() has found no error; null without. */
+  /** One value per cell, of type unsigned char, if checkGrid() has found no error; null without
+   * cell types. */
   vtkDataArray* array() const { return this->Array; }
 
   unsigned char operator[](vtkIdType cell) const
@@ -33,7 +34,7 @@ public:
 
 private:
   vtkDataArray* Array;
-  const unsigned char* Stored; // null where the array computes its values
+  const unsigned char* Stored; // null if the array computes its values
 };
 
 } // namespace tetmarch

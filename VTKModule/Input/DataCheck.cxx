@@ -29,7 +29,7 @@ namespace tetmarch
 namespace
 {
 
-// Verdicts on grids of before, each with the versions of all that it was found from.
+// Results of previous grids, each with the versions of its input.
 class Verdicts
 {
 public:
@@ -53,7 +53,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t Most = 64; // blocks of one data set, maybe
+  static constexpr std::size_t Most = 64; // enough for the blocks of most data sets
 
   std::mutex Mutex;
   std::deque<std::pair<Fingerprint, std::string>> Known;
@@ -63,7 +63,8 @@ std::string checkUnstructured(vtkUnstructuredGrid* grid)
 {
   static Verdicts verdicts;
   Fingerprint version = versionOf(grid);
-  add(version, grid); // whoever changes the values of an array may only call Modified() of the grid
+  add(
+    version, grid); // code that changes the values of an array may call only Modified() of the grid
   return verdicts.of(version, [grid] { return checkGrid(grid); });
 }
 
@@ -75,7 +76,7 @@ std::string checkLattice(vtkDataSet* data)
   return wrong.empty() && !geometry.isEmpty() ? findFrame(geometry, frame) : wrong;
 }
 
-// Of grids whose dimensions say how many points they have.
+// For grids whose dimensions determine the number of points.
 std::string checkDimensions(vtkPointSet* grid, const int n[3])
 {
   const vtkIdType expected = vtkIdType(n[0]) * n[1] * n[2];
@@ -92,7 +93,7 @@ std::string checkDimensions(vtkPointSet* grid, const int n[3])
            : "The points have " + std::to_string(components) + " components instead of 3.";
 }
 
-// A cell that has a point; both are numbered along x first.
+// A cell of a point; both are numbered along x first.
 vtkIdType cellOf(vtkIdType point, const int n[3])
 {
   vtkIdType cell = 0;
@@ -143,7 +144,7 @@ std::string checkExplicit(vtkExplicitStructuredGrid* grid)
   return wrong;
 }
 
-// VTK takes no array of another type for ghosts.
+// VTK ignores ghost arrays of other types.
 std::string checkGhosts(vtkDataSet* data, bool ofCells)
 {
   const char* name = vtkDataSetAttributes::GhostArrayName();

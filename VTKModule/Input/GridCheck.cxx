@@ -24,7 +24,7 @@ namespace
 
 std::string text(vtkIdType value) { return std::to_string(value); }
 
-// The error of the lowest i in 0..count for which errorOf(i) is not empty. In parallel.
+// The error of the smallest i in 0..count for which errorOf(i) is not empty. Parallel.
 template <typename ErrorOf>
 std::string firstError(vtkIdType count, const ErrorOf& errorOf)
 {
@@ -216,7 +216,7 @@ std::string checkCells(vtkUnstructuredGrid* grid)
   return PolyhedronFaces(grid).errorOfSharing(CellTypes(grid), grid->GetNumberOfCells());
 }
 
-// Points of no 3D cell may have any coordinates.
+// Only points of 3D cells are checked.
 std::string checkPoints(vtkUnstructuredGrid* grid)
 {
   const std::vector<char> sound = findSoundPoints(grid->GetPoints());

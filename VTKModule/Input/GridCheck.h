@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the arrays of a grid fit together. It is checked before anything uses a value of one
-// array as an index into another.
+// Checks whether the arrays of a grid are consistent, before a value of one array is used as an
+// index into another.
 #ifndef TetMarchInputGridCheck_h
 #define TetMarchInputGridCheck_h
 
@@ -17,19 +17,19 @@ namespace tetmarch
 
 /** Ids of points and cells are 32 bits wide; one bit marks the outside. */
 constexpr vtkIdType MostPointsOrCells = vtkIdType(1) << 31;
-/** The number of every half-face, those of the outside included, fits in 32 bits. */
+/** Indices of half-faces, including those outside, fit in 32 bits. */
 constexpr vtkIdType MostTetrahedra = vtkIdType(1) << 29;
 
 /**
- * Returns an empty string if the grid can be cut, or else what is wrong with it: which array,
- * which cell or point, which value, and which values are allowed; of several bad cells it names the
- * first. A sound grid has no reads out of bounds in vtkCellArray::GetCellAtId,
- * vtkUnstructuredGrid::GetFaceStream and, of cells that VTK cuts, GetCell, and the coordinates of
- * points that 3D cells name are finite. One pass in parallel over the raw arrays.
+ * Returns an empty string if the grid can be decomposed, or else an error with the array, the cell
+ * or point, the value, and the allowed values; of several invalid cells it names the first. A valid
+ * grid causes no reads out of bounds in vtkCellArray::GetCellAtId,
+ * vtkUnstructuredGrid::GetFaceStream and, for cells triangulated by VTK, GetCell, and the
+ * coordinates of points of 3D cells are finite. One parallel pass over the raw arrays.
  */
 std::string checkGrid(vtkUnstructuredGrid* grid);
 
-/** The same of hexahedra of a grid of that many cells and points, which lists them all. */
+/** The same for the hexahedra of a grid with these numbers of cells and points. */
 std::string checkHexahedra(vtkCellArray* cells, vtkIdType count, vtkIdType points);
 
 /** The checks that need only the numbers of cells and points. */

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a grid its mesh depends on, so that the same content in another grid is recognised.
+// The data of a grid on which its mesh depends, so that equal content in another grid is
+// recognised.
 #ifndef TetMarchInputGridContent_h
 #define TetMarchInputGridContent_h
 
@@ -22,17 +23,17 @@ Fingerprint versionOf(vtkUnstructuredGrid* grid);
 class GridContent
 {
 public:
-  /** Read the content of the grid. An array with the identity and time of change of before is not
-   * read again. */
+  /** Read the content of the grid. An array with unchanged identity and time of change is not read
+   * again. */
   void read(vtkUnstructuredGrid* grid);
 
-  /** Whether all values are the same; nothing was read from grids that have none. */
+  /** Whether all values are the same and were read from a grid with values. */
   bool operator==(const GridContent& other) const;
-  /** All but the points. */
+  /** The same without the points. */
   bool hasCellsOf(const GridContent& other) const;
 
 private:
-  // An array with what holds it, either of which may be told that it was modified.
+  // The versions of an array and its holder, either of which may be modified.
   struct Version
   {
     vtkObject* Owner;

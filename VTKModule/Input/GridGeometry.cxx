@@ -19,7 +19,8 @@ namespace tetmarch
 namespace
 {
 
-// Of the box between unit vectors along the axes of an image: 1 if they are perpendicular.
+// The volume of the parallelepiped of unit vectors along the axes of an image: 1 if they are
+// perpendicular.
 constexpr double LeastBox = 1e-9;
 
 bool isFinite(const Vector3& v)
@@ -44,7 +45,7 @@ double boxOf(const std::array<Vector3, 3>& directions)
   return dot(directions[0], cross(directions[1], directions[2]));
 }
 
-// Reads how many points there are. If there are some, but too few, the text says so.
+// Reads the number of points. Returns an error if there are some, but too few.
 std::string readPoints(const char* what, const int extent[6], GridGeometry& geometry)
 {
   for (int a = 0; a < 3; ++a)
@@ -246,8 +247,8 @@ std::array<double, 12> latticeFromNormalized(const GridGeometry& geometry, const
     }
     return matrix;
   }
-  // From the middle of the lattice to the centre of the frame: a small difference of what may be
-  // large.
+  // From the middle of the lattice to the centre of the frame: a small difference of possibly large
+  // numbers.
   Vector3 shift;
   for (int k = 0; k < 3; ++k)
   {

@@ -28,17 +28,17 @@ class vtkCellArray;
 namespace tetmarch
 {
 
-/** vtkConvexPointSet::Triangulate returns numbers of the cell's points, not of the grid's as other
- * cells do. */
+/** vtkConvexPointSet::Triangulate returns local point indices, not ids of the grid as other cells
+ * do. */
 constexpr bool ConvexPointSetsCountLocally = VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0);
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 6, 0)
 
-/** One value a cell, or null. From 9.6 on it may be an array that stores none. */
+/** One value per cell, or null. From 9.6 on the array may compute its values. */
 inline vtkDataArray* cellTypesOf(vtkUnstructuredGrid* grid) { return grid->GetCellTypesArray(); }
 inline const char* nameOfCellType(int type) { return vtkCellTypes::GetClassNameFromTypeId(type); }
 
-/** The types of array in which vtkCellArray keeps its offsets and its connectivity. */
+/** The array types in which vtkCellArray stores its offsets and connectivity. */
 using OffsetArrays =
   vtkTypeList::Create<vtkAOSDataArrayTemplate<vtkTypeInt32>, vtkAOSDataArrayTemplate<vtkTypeInt64>>;
 using ConnectivityArrays = OffsetArrays;
@@ -57,15 +57,15 @@ using ConnectivityArrays = vtkArrayDispatch::ConnectivityArrays;
 
 #if TETMARCH_FACES_ARE_STREAMS
 
-/** For each polyhedron its number of faces, then for each of them its number of points, and these;
- * and for each cell where its stream begins, or -1. Null without polyhedra. */
+/** For each polyhedron its number of faces, then for each face its number of points and the points;
+ * and for each cell the begin of its stream, or -1. Null without polyhedra. */
 using FaceArray = vtkIdTypeArray;
 inline FaceArray* facesOf(vtkUnstructuredGrid* grid) { return grid->GetFaces(); }
 inline FaceArray* faceLocationsOf(vtkUnstructuredGrid* grid) { return grid->GetFaceLocations(); }
 
 #else
 
-/** The points of each face; and for each cell the numbers of its faces. Null without polyhedra. */
+/** The points of each face; and for each cell the indices of its faces. Null without polyhedra. */
 using FaceArray = vtkCellArray;
 inline FaceArray* facesOf(vtkUnstructuredGrid* grid) { return grid->GetPolyhedronFaces(); }
 inline FaceArray* faceLocationsOf(vtkUnstructuredGrid* grid)

@@ -21,7 +21,7 @@ namespace
 
 using CellDegrees = std::array<double, 3>;
 
-// Far above what VTK interpolates; keeps products exact.
+// Far above the orders that VTK supports; keeps products exact.
 constexpr double MostDegree = 1000;
 
 bool isTetrahedron(int type)
@@ -45,7 +45,7 @@ double pointsOf(int type, const CellDegrees& n)
                        : (n[0] + 1) * (n[1] + 1) * (n[2] + 1);
 }
 
-// Cells with points in the middle of their faces or of themselves, beyond those of their order.
+// Cells with additional points in the centres of their faces or of the cell.
 bool isSpecial(int type, vtkIdType points)
 {
   return (isTetrahedron(type) && points == 15) || (isWedge(type) && points == 21);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether VTK can cut its Lagrange and Bezier cells of any order.
+// Checks whether VTK can triangulate Lagrange and Bezier cells of any order.
 #ifndef TetMarchInputHigherOrderCheck_h
 #define TetMarchInputHigherOrderCheck_h
 
@@ -14,18 +14,17 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
-/** The arrays that such cells have, as attributes of the grid's cells and points; either may be
- * null. */
+/** The arrays of such cells, attributes of the grid's cells and points; either may be null. */
 struct HigherOrderArrays
 {
-  vtkDataArray* Degrees; // three a cell: of hexahedra and wedges along each axis
-  vtkDataArray* Weights; // one a point: of Bezier cells
+  vtkDataArray* Degrees; // three per cell: of hexahedra and wedges along each axis
+  vtkDataArray* Weights; // one per point: of Bezier cells
   vtkIdType NumberOfPoints;
 
   explicit HigherOrderArrays(vtkUnstructuredGrid* grid);
 
-  /** Empty for cells of other types and for those whose number of points fits their order; or what
-   * is wrong. */
+  /** Empty for cells of other types and for those whose number of points matches their order; else
+   * an error. */
   std::string errorOf(vtkIdType cell, int type, vtkIdType points) const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the coordinates of points can be computed with.
+// Checks whether the coordinates of points are in a valid range.
 #ifndef TetMarchInputPointCheck_h
 #define TetMarchInputPointCheck_h
 
@@ -21,10 +21,10 @@ constexpr double MostCoordinate = 1e100;
 /** Finite, and not too large. */
 inline bool isSound(double coordinate) { return std::abs(coordinate) <= MostCoordinate; }
 
-/** For each point whether all of its coordinates are sound; empty if those of all points are. */
+/** For each point whether its coordinates are valid; empty if those of all points are. */
 std::vector<char> findSoundPoints(vtkPoints* points);
 
-/** What is wrong with a point that is not sound and that this cell has. */
+/** The error of an invalid point of this cell. */
 std::string describeUnsoundPoint(vtkPoints* points, vtkIdType point, vtkIdType cell);
 
 } // namespace tetmarch

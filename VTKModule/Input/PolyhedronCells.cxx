@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks the faces of polyhedra as VTK keeps them from 9.4 on.
+// Checks the faces of polyhedra as stored by VTK from 9.4 on.
 #include "Input/PolyhedronCheck.h"
 
 #if !TETMARCH_FACES_ARE_STREAMS
@@ -15,7 +15,7 @@ namespace
 
 std::string text(vtkIdType value) { return std::to_string(value); }
 
-// An array of whole numbers, of any kind.
+// An array of integers of any type.
 class Numbers
 {
 public:
@@ -53,7 +53,7 @@ private:
   const vtkTypeInt32* Narrow;
 };
 
-// Reads a vtkCellArray that may hold anything.
+// Reads a vtkCellArray with arbitrary values.
 class Lists
 {
 public:

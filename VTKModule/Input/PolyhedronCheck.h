@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the faces of polyhedra can be read.
+// Checks the faces of polyhedra.
 #ifndef TetMarchInputPolyhedronCheck_h
 #define TetMarchInputPolyhedronCheck_h
 
@@ -15,30 +15,30 @@ namespace tetmarch
 
 class CellTypes;
 
-/** The arrays of faces, as vtkUnstructuredGrid has them. */
+/** The arrays of faces of a vtkUnstructuredGrid. */
 class PolyhedronFaces
 {
 public:
   explicit PolyhedronFaces(vtkUnstructuredGrid* grid);
 
-  /** Empty if vtkUnstructuredGrid::GetFaceStream can read the polyhedron, whose faces then are one
-   * or more, each of at least three points of the grid; or what is wrong. */
+  /** Empty if vtkUnstructuredGrid::GetFaceStream can read the polyhedron, which then has at least
+   * one face, each with at least three points of the grid; else an error. */
   std::string errorOf(vtkIdType cell) const;
 
   /**
-   * Whether sound polyhedra, by their cell types, name more values than there are, or more than
-   * twice as many where two of them can share a face. A few faces that a million polyhedra share
-   * would otherwise become more tetrahedra than memory holds.
+   * Whether valid polyhedra, by their cell types, refer to more values than exist, or to more than
+   * twice as many if two of them can share a face. Otherwise a few faces shared by a million
+   * polyhedra would become more tetrahedra than fit in memory.
    */
   std::string errorOfSharing(const CellTypes& types, vtkIdType cells) const;
 
-  /** Append the points that the faces of a sound polyhedron name, some more than once. */
+  /** Append the points of the faces of a valid polyhedron, some more than once. */
   void addPoints(vtkIdType cell, vtkIdList* points) const;
 
 private:
-  // Of arrays that are there; in PolyhedronStreams.cxx or PolyhedronCells.cxx.
+  // For existing arrays; in PolyhedronStreams.cxx or PolyhedronCells.cxx.
   std::string errorOfArrays(vtkIdType cell) const;
-  vtkIdType valuesNamedBy(vtkIdType cell) const; // a sound polyhedron
+  vtkIdType valuesNamedBy(vtkIdType cell) const; // a valid polyhedron
   vtkIdType numberOfValues() const;              // of faces
 
   static constexpr int MostSharing = TETMARCH_FACES_ARE_STREAMS ? 1 : 2; // a face

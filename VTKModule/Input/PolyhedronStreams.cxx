@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks the faces of polyhedra as VTK keeps them up to 9.3.
+// Checks the faces of polyhedra as stored by VTK up to 9.3.
 #include "Input/PolyhedronCheck.h"
 
 #if TETMARCH_FACES_ARE_STREAMS

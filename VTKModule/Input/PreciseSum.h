@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums of products as if in twice the precision of double (Dot2 in Ogita, Rump and Oishi, "Accurate
+// Sums of products as in twice the precision of double (Dot2 in Ogita, Rump and Oishi, "Accurate
 // sum and dot product", 2005).
 #ifndef TetMarchInputPreciseSum_h
 #define TetMarchInputPreciseSum_h
@@ -30,7 +30,7 @@ public:
 
 private:
   double Sum = 0;
-  double Rest = 0; // what the roundings of the sum left out
+  double Rest = 0; // the accumulated rounding errors of the sum
 };
 
 } // namespace tetmarch

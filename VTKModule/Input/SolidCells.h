@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether there is a volume to draw.
+// Tests for 3D cells.
 #ifndef TetMarchInputSolidCells_h
 #define TetMarchInputSolidCells_h
 
@@ -9,14 +9,14 @@ class vtkDataSet;
 namespace tetmarch
 {
 
-/** Whether cells of this type (VTK_TETRA and so on) are three-dimensional. What is no type of
- * VTK counts as such: checkData() tells of it. */
+/** Whether cells of this type (VTK_TETRA and so on) are three-dimensional. True for unknown types,
+ * which checkData() reports. */
 bool isSolidType(int type);
 
-/** Whether the data has any 3D cell. It may be unsound (checkData). */
+/** Whether the data have any 3D cell. They may be invalid (checkData). */
 bool hasSolidCells(vtkDataSet* data);
 
-/** Whether the data is an image or a rectilinear grid with one point along an axis, or none. */
+/** Whether the data are an image or a rectilinear grid with at most one point along an axis. */
 bool isSlice(vtkDataSet* data);
 
 } // namespace tetmarch

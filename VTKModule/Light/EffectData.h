@@ -17,16 +17,16 @@ namespace tetmarch
 
 struct EffectData
 {
-  /** Gradients of the stored scalar: one a vertex or, if CellGradients, one a tetrahedron. */
+  /** Gradients of the stored scalar: one per vertex or, if CellGradients, per tetrahedron. */
   std::vector<std::array<float, 3>> Gradients;
   bool CellGradients = false;
   GradientOpacityTable GradientOpacity; // may be empty
   double GradientOpacityScale = 0; // from the magnitude of a gradient to a position in the table
-  LightUniforms Lights;            // none: nothing is lit
-  /** Where rays from vertices start, see Mesh/VertexStarts.h. */
+  LightUniforms Lights;            // empty: unlit
+  /** Starting points of rays from vertices, see Mesh/VertexStarts.h. */
   std::vector<std::array<std::uint32_t, 4>> VertexStarts; // if there are shadows or occlusion
   OpaqueShadows Opaque;
-  /** For each vertex, in bit k whether opaque geometry keeps the light of shadow source k off. */
+  /** For each vertex, bit k is 1 if opaque geometry blocks the light of shadow source k. */
   std::vector<std::uint8_t> ShadowedVertices; // empty without such geometry
 
   bool empty() const { return this->GradientOpacity.empty() && this->Lights.Sources.empty(); }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The options of light that are not those of lights and of the volume's property.
+// Options of light, besides those of lights and of the volume's property.
 #ifndef TetMarchLightEffectOptions_h
 #define TetMarchLightEffectOptions_h
 
@@ -9,7 +9,7 @@
 namespace tetmarch
 {
 
-/** Where it is found out how much light comes through the volume. */
+/** Where the transmittance of the volume towards the lights is computed. */
 enum class ShadowMethod
 {
   Off,
@@ -18,7 +18,7 @@ enum class ShadowMethod
   AlongRays
 };
 
-/** What the march draws: the volume, or something of it. */
+/** The drawn quantity: the volume, or its illumination or gradients. */
 enum class Subject
 {
   Picture,
@@ -35,11 +35,11 @@ struct EffectOptions
   bool Occlusion = false;
   double OcclusionRadius = 0.1; // of the diagonal of the mesh's bounding box
   int OcclusionDirections = 16;
-  bool OpaqueShadows = false; // where the volume casts shadows, opaque geometry does, too
+  bool OpaqueShadows = false; // if the volume casts shadows, opaque geometry does, too
   Subject Shown = Subject::Picture;
   BlendMode Blend = BlendMode::Composite;
 
-  /** Whether what is drawn has surfaces, which have gradients and may be lit. */
+  /** Whether the blend mode draws surfaces with gradients, which may be lit. */
   bool showsSurfaces() const
   {
     return this->Blend == BlendMode::Composite || this->Blend == BlendMode::IsoSurface;

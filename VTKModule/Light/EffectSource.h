@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A volume as the effects of light and gradients see it.
+// The interface of a volume for light and gradients.
 #ifndef TetMarchLightEffectSource_h
 #define TetMarchLightEffectSource_h
 
@@ -18,35 +18,36 @@ namespace tetmarch
 class EffectSource
 {
 public:
-  /** Where a ray from a vertex starts: see Mesh/VertexStarts.h. */
+  /** The starting point of a ray from a vertex: see Mesh/VertexStarts.h. */
   using VertexStart = std::array<std::uint32_t, 4>;
 
   virtual ~EffectSource() = default;
 
   virtual const VolumeFrame& frame() const = 0;
-  /** Of the first scalar, whose gradients are meant. */
+  /** The range of the first scalar, whose gradients are used. */
   virtual const ScalarRange& range() const = 0;
   /** Equal as long as positions and cells are the same; one word. */
   virtual Fingerprint geometryVersion() const = 0;
   /** Equal as long as the scalars are the same, too. */
   virtual Fingerprint scalarsVersion() const = 0;
 
-  /** Whether gradients are stored; if not, the march takes them from the scalars. */
+  /** Whether gradients are stored; if not, the march computes them from the scalars. */
   virtual bool storesGradients() const { return true; }
-  /** Whether the scalar may change within a cell, so that the cell has a gradient of its own. */
+  /** Whether the scalar may vary within a cell, so that cells have gradients. */
   virtual bool hasCellGradients() const = 0;
-  /** Gradients of the stored scalar in the normalised frame: one a cell, or one a vertex; none if
+  /** Gradients of the stored scalar in the normalised frame: one per cell or per vertex; none if
    * they are not stored. */
   virtual std::vector<std::array<float, 3>> gradients(bool ofCells) const = 0;
 
-  /** The steepest gradient of the whole volume, of which that of this piece is given. */
+  /** The steepest gradient of the whole volume, given that of this piece. */
   virtual double steepestOf(double own) const { return own; }
 
   /** Equal as long as vertexStarts() are the same. */
   virtual Fingerprint startsVersion() const { return this->geometryVersion(); }
-  /** Starts of the rays from vertices to the light; empty if no light is kept at vertices. */
+  /** Starting points of rays from vertices to the light; empty if no light is stored at vertices.
+   */
   virtual std::vector<VertexStart> vertexStarts() const = 0;
-  /** The point that a ray from the vertex starts at, in the normalised frame. False if it has none.
+  /** The starting point of rays from the vertex, in the normalised frame. False if it has none.
    */
   virtual bool startPoint(std::size_t vertex, const VertexStart& start, Vector3& point) const = 0;
 };

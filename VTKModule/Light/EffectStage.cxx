@@ -29,7 +29,7 @@ double steepest(const std::vector<std::array<float, 3>>& gradients)
   return most;
 }
 
-// Asking for a function that isn't there would create one.
+// The getter of a missing function would create one.
 bool mayHaveGradientOpacity(vtkVolumeProperty* property)
 {
   return !property->GetDisableGradientOpacity() &&
@@ -37,7 +37,7 @@ bool mayHaveGradientOpacity(vtkVolumeProperty* property)
          property->HasGradientOpacity();
 }
 
-// The input of shadows of opaque geometry: its data and places, and the lights.
+// The input of shadows of opaque geometry: its data and positions, and the lights.
 Fingerprint inputOf(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volume,
   const LightUniforms& lights, const Fingerprint& geometry)
 {
@@ -215,7 +215,7 @@ bool EffectStage::samplesShadows(double pixels) const
 {
   // A ray of the picture takes about 8 samples of each light, a vertex one.
   constexpr double samples = 8;
-  // Scattered light casts shadows even if the method is off; they are computed where it is cheaper.
+  // Scattered light casts shadows even if the method is off; the cheaper method is used.
   return this->Options.Shadows == ShadowMethod::AlongRays ||
          (this->Options.Shadows != ShadowMethod::AtVertices &&
            static_cast<double>(this->Data.VertexStarts.size()) > samples * pixels);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The data of the effects that a scene calls for: each is made again when its own input changed,
-// and freed when nothing needs it.
+// The data of a scene's effects: each is updated when its input has changed, and freed when it is
+// not needed.
 #ifndef TetMarchLightEffectStage_h
 #define TetMarchLightEffectStage_h
 
@@ -19,38 +19,38 @@ class vtkVolume;
 namespace tetmarch
 {
 
-/** What effects are made of. */
+/** The input of the effects. */
 struct EffectInput
 {
   const EffectSource* Source = nullptr;
-  BlockAttributes Blocks = nullptr; // of opaque geometry; nullptr: all of them are drawn alike
+  BlockAttributes Blocks = nullptr; // of opaque geometry; nullptr: all blocks are drawn alike
 };
 
 class EffectStage
 {
 public:
-  /** Returns an empty string, or what is wrong and what to do; all data is freed then. */
+  /** Returns an empty string, or an error with its remedy; all data are then freed. */
   std::string update(vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options,
     const EffectInput& input);
   void clear();
-  /** The boundary faces of a mesh may have got other numbers since the update. */
+  /** Call this after the boundary faces of a mesh were reordered. */
   void refreshStarts(const EffectSource& source);
 
   const EffectData& data() const { return this->Data; }
-  /** Set the bits of the key that say which effects there are. If it is left open where shadows are
-   * sampled, the number of pixels decides. */
+  /** Set the bits of the effects in the key. With ShadowMethod::Automatic, the number of pixels
+   * decides where shadows are sampled. */
   void setBits(VariantKey& key, double pixels) const;
 
-  /** How often the stages ran: none runs unless something needs it. */
+  /** Runs of the stages: none runs unless it is needed. */
   const StageRecord& gradientsRecord() const { return this->Gradients.record(); }
   const StageRecord& startsRecord() const { return this->Starts.record(); }
   const StageRecord& gradientOpacityRecord() const { return this->GradientOpacity.record(); }
   const StageRecord& opaqueShadowsRecord() const { return this->OpaqueShadows.record(); }
-  /** Data of another version has to be uploaded again. */
+  /** Data of another version must be uploaded again. */
   const Fingerprint& gradientsVersion() const { return this->Gradients.input(); }
   const Fingerprint& gradientOpacityVersion() const { return this->GradientOpacity.input(); }
   const Fingerprint& startsVersion() const { return this->Starts.input(); }
-  /** Changes only if some vertex has come into a shadow or out of one. */
+  /** Changes only if the shadow of some vertex has changed. */
   Fingerprint opaqueShadowsVersion() const;
 
 private:

@@ -66,10 +66,10 @@ struct WorldTransform
   Matrix FromWorld{};
   Triple Center{};         // in the world
   double Unit = 1;         // of the world's coordinates in the shader
-  bool KeepsAngles = true; // turned, mirrored, scaled alike along all axes
+  bool KeepsAngles = true; // only rotation, reflection and uniform scaling
 };
 
-// Whether columns are orthogonal and of one length, as far as float could tell.
+// Whether columns are orthogonal and of equal length to within float precision.
 bool keepsAngles(const Matrix& m)
 {
   double products[3][3];
@@ -122,7 +122,7 @@ Matrix transposed(const Matrix& m)
   return { { m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8] } };
 }
 
-// The unit vector to a light that is far away, in the normalised frame.
+// The unit vector to a directional light, in the normalised frame.
 Triple wayOf(const LightSource& light, const WorldTransform& world)
 {
   return unit(
@@ -170,7 +170,7 @@ std::array<double, 4> sourceOf(const LightSource& light, const WorldTransform& w
   return { { place[0], place[1], place[2], 1 } };
 }
 
-// VTK's reach 0..1 means nothing to the whole diagonal, which is 2 radii, with most of it near 0.
+// VTK's reach 0..1 maps to 0 to the whole diagonal, 2 radii, with higher resolution near 0.
 double distanceOf(double reach) { return 2 * (1 - std::pow(1 - reach, 0.33)); }
 
 } // namespace
@@ -233,7 +233,7 @@ LightUniforms makeLightUniforms(const Lighting& lighting, const EffectOptions& o
     lights.Sources.push_back(source);
   }
   lights.Reach = distanceOf(options.Reach);
-  // A reach through all of the volume may still end before what stands outside.
+  // A reach through the whole volume may not extend to surfaces outside.
   lights.OpaqueReach = options.Reach < 1 ? lights.Reach : std::numeric_limits<double>::infinity();
   if (options.Occlusion && lighting.Ambient > 0)
   {

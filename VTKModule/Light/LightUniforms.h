@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lights in the terms of the march: what Shaders/light/light_buffers.glsl, light_ray_buffers.glsl
-// and vertex_ray_buffers.glsl have as uniforms.
+// Lights for the march: the uniforms of Shaders/light/light_buffers.glsl, light_ray_buffers.glsl
+// and vertex_ray_buffers.glsl.
 #ifndef TetMarchLightLightUniforms_h
 #define TetMarchLightLightUniforms_h
 
@@ -20,10 +20,9 @@ struct VolumeFrame;
 
 /**
  * Unless the volume is stretched, angles are the same in its normalised frame and in the world.
- * Light from far away is then computed in the normalised frame, which saves the march two
- * transforms a point. Otherwise, and where distances from lights matter, light is computed in world
- * coordinates, with the volume's centre as origin and a unit of length such that float can
- * represent the volume whatever its size.
+ * Directional light is then computed in the normalised frame, which saves two transforms per point.
+ * Otherwise, and for positional lights, light is computed in world coordinates, with the volume's
+ * centre as origin and a unit of length such that float can represent a volume of any size.
  */
 struct LightUniforms
 {
@@ -34,16 +33,16 @@ struct LightUniforms
     std::array<double, 4> Place{}; // position, 1; or unit vector to the light, 0
     std::array<double, 4> Attenuation{ { 1, 0, 0,
       0 } }; // attenuation: constant, linear, quadratic; exponent of the spot
-    std::array<double, 4> Cone{ { 0, 0, 0, -1 } }; // where it shines, cosine of the cone's angle
+    std::array<double, 4> Cone{ { 0, 0, 0, -1 } }; // direction, cosine of the cone's angle
     bool Headlight = false;
     double ShadowStrength = 0;
     int ShadowChannel = -1; // in the light at vertices; -1: it casts no shadows, or is a headlight
   };
-  /** So many lights may cast shadows, not counting headlights. */
+  /** Maximum number of lights that cast shadows, without headlights. */
   static constexpr int MostShadowSources = 3;
 
   std::vector<Light> Sources;
-  bool InWorld = false; // else in the normalised frame; the matrices lead from there to the world
+  bool InWorld = false; // else in the normalised frame; the matrices transform to the world
   std::array<double, 9> WorldMatrix{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } };  // of vectors
   std::array<double, 9> NormalMatrix{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }; // of gradients
   bool TwoSided = false;
@@ -60,15 +59,15 @@ struct LightUniforms
 
   bool hasHeadlightShadows() const;
   bool isHeadlightOnly() const { return this->Sources.size() == 1 && this->Sources[0].Headlight; }
-  /** Whether it matters how much light comes through the volume: something casts shadows, or
-   * ambient light is occluded. */
+  /** Whether the transmittance of the volume is needed: a light casts shadows, or ambient light is
+   * occluded. */
   bool hasVolumeLight() const
   {
     return !this->ShadowSources.empty() || this->OcclusionDirections > 0;
   }
 };
 
-/** No lights if nothing is lit. */
+/** Without lights if nothing is lit. */
 LightUniforms makeLightUniforms(const Lighting& lighting, const EffectOptions& options,
   vtkVolume* volume, const VolumeFrame& frame);
 

@@ -45,7 +45,7 @@ bool makeDirection(const Triple& from, const Triple& to, Triple& direction)
   return true;
 }
 
-// Set the light's place and direction. False if it has none.
+// Set the light's position and direction. False if it has none.
 bool place(vtkLight* light, LightSource& source)
 {
   source.Positional = light->GetPositional() != 0;

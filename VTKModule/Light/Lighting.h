@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The lights of a vtkRenderer, and how a volume reflects them by its vtkVolumeProperty.
+// The lights of a vtkRenderer, and the reflection of a volume by its vtkVolumeProperty.
 #ifndef TetMarchLightLighting_h
 #define TetMarchLightLighting_h
 
@@ -13,7 +13,7 @@ class vtkVolumeProperty;
 namespace tetmarch
 {
 
-/** Lights beyond this number are left out: the time of a frame grows with each. */
+/** Maximum number of lights: each increases the time of a frame. */
 constexpr int MostLights = 16;
 
 struct LightSource
@@ -43,9 +43,9 @@ struct Lighting
 };
 
 /**
- * The lights that are on and have an intensity and some colour. Left out are lights with numbers
- * that aren't finite, and directional lights and spots whose focal point is their position.
- * Headlights and camera lights are where the renderer put them at the begin of the frame
+ * The lights that are on and not dark, except lights with numbers that aren't finite, and
+ * directional lights and spots whose focal point is their position. The positions of headlights and
+ * camera lights are those that the renderer set at the beginning of the frame
  * (vtkRenderer::UpdateLightsGeometryToFollowCamera()). There are no lights if shading is off.
  */
 Lighting lightingOf(vtkRenderer* renderer, vtkVolumeProperty* property);

@@ -77,7 +77,7 @@ void OpaqueShadows::update(const std::vector<OpaqueSurface>& surfaces, vtkVolume
   this->Reach = lights.OpaqueReach;
 }
 
-// The same data may be shown in several places.
+// Several actors may show the same data.
 std::shared_ptr<const TriangleHierarchy> OpaqueShadows::hierarchyOf(
   vtkPolyData* data, const Fingerprint& which, const std::vector<Caster>& made)
 {

@@ -20,24 +20,24 @@ namespace tetmarch
 
 struct VolumeFrame;
 
-/** Found by rays towards the lights of LightUniforms::ShadowSources, in double precision. */
+/** Computed by rays towards the lights of LightUniforms::ShadowSources, in double precision. */
 class OpaqueShadows
 {
 public:
-  /** Surfaces whose data is the same as before keep their hierarchies, wherever they have moved. */
+  /** Surfaces with unchanged data keep their hierarchies, even if they have moved. */
   void update(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volume,
     const VolumeFrame& frame, const LightUniforms& lights);
 
-  /** Whether a surface lies between a point of the normalised frame and a light, and not within
-   * `margin` of the point. Thread-safe. */
+  /** Whether a surface is between a point of the normalised frame and a light, at a distance of at
+   * least `margin` from the point. Thread-safe. */
   bool isShadowed(const Vector3& point, std::size_t source, double margin = 0) const;
 
-  /** Gets the point of an index, in the normalised frame. False if there is none: no shadow. */
+  /** Returns the point of an index, in the normalised frame. False if there is none: no shadow. */
   using PointOf = std::function<bool(std::size_t, Vector3&)>;
-  /** For each of so many points, in bit k whether it lies in the shadow of light k. In parallel. */
+  /** For each of `count` points, bit k is 1 if it is in the shadow of light k. Parallel. */
   std::vector<std::uint8_t> ofPoints(std::size_t count, const PointOf& pointOf) const;
 
-  /** How many hierarchies were made in all. */
+  /** The number of hierarchies built so far. */
   int numberOfHierarchies() const { return this->Hierarchies; }
 
 private:

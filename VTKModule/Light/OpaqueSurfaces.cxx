@@ -48,9 +48,8 @@ public:
   {
   }
 
-  // The paths that assemblies keep are not traversed: the volume that is being drawn may belong to
-  // an assembly that is traversing them itself. As there, parts count as visible whatever assembly
-  // they are in.
+  // The path traversal of assemblies is not used, since the volume may be drawn by an assembly that
+  // is traversing its paths. As there, the visibility of parts does not depend on their assembly.
   void addProp(vtkProp* prop, const Matrix& parent)
   {
     const Matrix matrix = timesMatrixOf(parent, prop);
@@ -90,7 +89,7 @@ private:
     {
       return;
     }
-    mapper->GetBounds(); // brings the input up to date
+    mapper->GetBounds(); // updates the input
     if (!actor->HasOpaqueGeometry())
     {
       return;
@@ -106,7 +105,7 @@ private:
     }
   }
 
-  // Attributes of a block hold for blocks in it that have none.
+  // Blocks inherit missing attributes from their parent.
   void addData(vtkDataObject* data, const Matrix& matrix, vtkCompositeDataDisplayAttributes* drawn,
     bool visible = true, bool opaque = true)
   {

@@ -23,7 +23,7 @@ struct OpaqueSurface
   std::array<double, 16> ToWorld{}; // row by row
 };
 
-/** The attributes with which a mapper of composite data draws its blocks, or nullptr. */
+/** Returns the display attributes of a mapper of composite data, or nullptr. */
 using BlockAttributes = vtkCompositeDataDisplayAttributes* (*)(vtkMapper*);
 
 /**
@@ -34,7 +34,7 @@ using BlockAttributes = vtkCompositeDataDisplayAttributes* (*)(vtkMapper*);
  */
 std::vector<OpaqueSurface> opaqueSurfaces(vtkRenderer* renderer, BlockAttributes attributes);
 
-/** The triangles of polygons and triangle strips, cut as VTK draws them. */
+/** The triangles of polygons and triangle strips, as VTK draws them. */
 TriangleHierarchy trianglesOf(vtkPolyData* data);
 
 } // namespace tetmarch

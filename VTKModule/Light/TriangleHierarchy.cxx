@@ -17,14 +17,14 @@ namespace
 
 constexpr std::size_t MostTrianglesOfLeaf = 4;
 
-// Boxes are enlarged by this, so that rounding of boxes and of rays from up to a million radii away
-// loses no triangle.
+// Margin of boxes, so that no triangle is lost by rounding of boxes and of rays from up to a
+// million radii away.
 constexpr float BoxMargin = 1e-6f;
 
 } // namespace
 
-// The ray in coordinates whose z axis is the one along which the ray is longest, sheared so that it
-// is parallel to z.
+// The ray in coordinates whose z axis is the ray's dominant axis, sheared so that the ray is
+// parallel to z.
 struct TriangleHierarchy::Ray
 {
   Vector3 Origin;
@@ -57,7 +57,7 @@ struct TriangleHierarchy::Ray
       this->Shear[2] * p[this->Z] } };
   }
 
-  // Where a product is NaN, the ray runs within the margin of a box, where there is nothing to hit.
+  // If a product is NaN, the ray is within the margin of a box, where there is no triangle.
   bool meets(const Box& box) const
   {
     double enter = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether any of many triangles lies on a ray.
+// Tests whether a ray hits any of many triangles.
 #ifndef TetMarchLightTriangleHierarchy_h
 #define TetMarchLightTriangleHierarchy_h
 
@@ -13,19 +13,19 @@
 namespace tetmarch
 {
 
-/** A thread-safe bounding volume hierarchy. VTK 9.1's vtkModifiedBSPTree and vtkOBBTree are for a
- * single thread, and vtkStaticCellLocator touches a flag of every cell for each ray. */
+/** A thread-safe bounding volume hierarchy. VTK 9.1's vtkModifiedBSPTree and vtkOBBTree are not
+ * thread-safe, and vtkStaticCellLocator accesses a flag of every cell for each ray. */
 class TriangleHierarchy
 {
 public:
-  /** The triangles hold indices of points, which are finite. */
+  /** Triangles consist of indices of points, which must be finite. */
   TriangleHierarchy(
     std::vector<Vector3> points, std::vector<std::array<std::uint32_t, 3>> triangles);
 
   /**
-   * Whether origin + t direction, 0 < t < end, lies in a triangle, seen from either side. Between
-   * triangles that share an edge no ray slips through (Woop, Benthin and Wald 2013, "Watertight
-   * ray/triangle intersection"). False for numbers that aren't finite.
+   * Whether origin + t direction, 0 < t < end, hits a triangle from either side. No ray passes
+   * between triangles that share an edge (Woop, Benthin and Wald 2013, "Watertight ray/triangle
+   * intersection"). False for numbers that aren't finite.
    */
   bool isHit(const Vector3& origin, const Vector3& direction, double end) const;
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The edges of the boundary, and the boundary faces that are connected by them.
+// The edges of the boundary, and sets of boundary faces connected by them.
 #ifndef TetMarchMeshBoundaryEdges_h
 #define TetMarchMeshBoundaryEdges_h
 
@@ -17,23 +17,23 @@ struct BoundaryEdge
   std::uint64_t Key; // smaller vertex, then larger
   Id Face;
   Id Opposite;  // the face's third vertex
-  bool Forward; // the face goes along it from the smaller vertex to the larger
+  bool Forward; // the face traverses it from the smaller vertex to the larger
 };
 
-/** All edges of all boundary faces, those of one key side by side. */
+/** All edges of all boundary faces, sorted by key. */
 std::vector<BoundaryEdge> sortedBoundaryEdges(const TetMesh& mesh);
 
-/** How edges[i] and edges[i + 1] are related. */
+/** The relation of edges[i] and edges[i + 1]. */
 enum class EdgePair
 {
-  None,    // not the two sides of an edge with exactly two faces
-  Regular, // the faces go along it in opposite directions, as on every orientable surface
-  Folded   // the faces go along it in the same direction: a tetrahedron was turned over and lies on
-           // its neighbour
+  None,    // not the common edge of exactly two faces
+  Regular, // the faces traverse it in opposite directions, as on every orientable surface
+  Folded   // the faces traverse it in the same direction: an inverted tetrahedron overlaps its
+           // neighbour
 };
 EdgePair pairOf(const std::vector<BoundaryEdge>& edges, std::size_t i);
 
-/** Disjoint sets of faces, to be joined (Galler and Fischer 1964). */
+/** Disjoint sets of faces (Galler and Fischer 1964). */
 class FaceSets
 {
 public:

@@ -68,8 +68,8 @@ public:
     }
   }
 
-  // One tree of the faces for which `first` is true, then one of the others; the nodes of the
-  // first.
+  // Build a tree of the faces for which `first` is true, then one of the others. Returns the number
+  // of nodes of the first.
   std::size_t build(const std::vector<bool>& first)
   {
     const auto middle = std::stable_partition(
@@ -95,8 +95,8 @@ private:
   }
 
   // Write the node of a range of faces and its subtree. A cut that leaves more than 7/8 of the
-  // faces on one side is replaced by the median, and from half of the greatest depth on each cut
-  // is: 24 levels of halves are enough for the greatest number of faces.
+  // faces on one side is replaced by the median, and so is each cut from half of the maximum depth
+  // on: 24 levels of halves suffice for the maximum number of faces.
   void split(std::size_t first, std::size_t last, int depth)
   {
     if (first == last)
@@ -141,7 +141,7 @@ private:
     this->split(middle, last, depth + 1);
   }
 
-  // Partition at the bin border of least expected cost.
+  // Partition at the bin border with the minimum expected cost.
   std::size_t cut(std::size_t first, std::size_t last, int axis, float low, float high)
   {
     const float scale = high > low ? static_cast<float>(Bins) / (high - low) : 0.0f;

@@ -19,14 +19,14 @@ namespace tetmarch
 {
 
 /**
- * Cuts cells of a grid that checkGrid() has found sound, by the rules of decompose(), and appends
- * the tetrahedra to Result. Centres get the numbers behind the points of the grid, in the order of
- * their cells. Each thread has its own cutter.
+ * Cuts cells of a grid that passed checkGrid() by the rules of decompose(), and appends the
+ * tetrahedra to Result. Ids of centres follow those of the grid's points, in the order of their
+ * cells. Each thread has its own cutter.
  */
 class CellCutter
 {
 public:
-  /** The order, if there is one, lives as long as the cutter. */
+  /** The order, if any, must outlive the cutter. */
   explicit CellCutter(vtkUnstructuredGrid* grid, const PointOrder* order = nullptr);
 
   Decomposition Result;
@@ -40,7 +40,7 @@ private:
   void cutPolyhedron(vtkIdType cell);
   void cutByVTK(vtkIdType cell, int type);
 
-  /** The face as triangles through its least corner. */
+  /** Triangulates the face from its smallest corner. */
   void fan();
   void cone(vtkIdType cell, Id apex);
   void coneFromBestPoint(vtkIdType cell);
@@ -52,7 +52,7 @@ private:
   void findMean();
   Id centerOf(vtkIdType cell);
 
-  /** Whether the point comes first, by its place or by its id. */
+  /** Compares points by their position in the order, or by id. */
   bool isLess(Id a, Id b) const
   {
     return this->Order ? (*this->Order)[a] < (*this->Order)[b] : a < b;
@@ -74,7 +74,7 @@ private:
   std::vector<Id> Face;
   std::vector<std::array<Id, 3>> Triangles;
   Point Mean{ { 0, 0, 0 } };
-  vtkIdType CenterOfCell = -1; // number among the centres of this cutter
+  vtkIdType CenterOfCell = -1; // index among the centres of this cutter
 };
 
 } // namespace tetmarch

@@ -78,7 +78,7 @@ private:
 
   void askNeighboursOfFlatTets()
   {
-    std::vector<Id> asked; // flat tetrahedra that got their sign, whose neighbours come next
+    std::vector<Id> asked; // flat tetrahedra with a sign, whose neighbours come next
     const auto ask = [&](Id flat)
     {
       for (Id i = 0; i < 4 && this->Signs[flat] == 0; ++i)
@@ -123,8 +123,8 @@ private:
     }
   }
 
-  // Give all tetrahedra that are connected with the seed by links that may be followed signs that
-  // agree, such that their volumes add up to more than 0.
+  // Give consistent signs to all tetrahedra that are connected with the seed by followed links,
+  // such that the sum of their volumes is positive.
   template <typename MayFollow>
   void decideTogether(Id seed, MayFollow&& mayFollow)
   {

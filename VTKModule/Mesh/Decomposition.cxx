@@ -103,7 +103,7 @@ std::string decompose(vtkUnstructuredGrid* grid, const Progress& progress, Decom
     return wrong;
   }
   const vtkIdType ranges = std::min<vtkIdType>(64, cells / 1024 + 1);
-  const vtkIdType portion = 8; // so many ranges between two reports of progress
+  const vtkIdType portion = 8; // number of ranges between two reports of progress
   result.Tets.reserve(cells);
   result.Cells.reserve(cells);
   for (vtkIdType begin = 0; begin < ranges; begin += portion)

@@ -14,17 +14,17 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
-/** The place of each point of a grid among all by their coordinates, x first. */
+/** The rank of each point of a grid by its coordinates, x first. */
 using PointOrder = std::vector<Id>;
 
-/** inFloat: of the coordinates rounded to float. */
+/** inFloat: coordinates are rounded to float. */
 PointOrder orderByCoordinates(vtkUnstructuredGrid* grid, bool inFloat);
 
 /** Tetrahedra over points of the grid; ids from the number of points on are centres of cells. */
 struct Decomposition
 {
   std::vector<std::array<Id, 4>> Tets; // points in the order of the cell, any orientation
-  std::vector<Id> Cells;               // one a tetrahedron
+  std::vector<Id> Cells;               // one per tetrahedron
   std::vector<Id> CenterCells;
   std::vector<std::array<double, 3>> CenterPositions; // the mean of the cell's points
   bool HasCutCells = false; // some tetrahedra come from cells of other types
@@ -33,15 +33,14 @@ struct Decomposition
 
 /**
  * Cut every 3D cell into tetrahedra, conformingly: a face with more than three corners is cut
- * through its corner with the smallest point id, as is the same face of the cell on the other side.
- * The inside of a cell is cut from its own smallest point (pulling; Dompierre et al., "How to
- * subdivide pyramids, prisms and hexahedra into tetrahedra", 1999). Where that point doesn't see
- * all faces (non-convex or strongly warped cells), it is cut from the mean of the cell's points,
- * which becomes a vertex with the mean scalar. If an order of the points is given, their places in
- * it stand for their ids.
+ * through its corner with the smallest point id, in the cells on both sides. The interior of a cell
+ * is cut from its own smallest point (pulling; Dompierre et al., "How to subdivide pyramids, prisms
+ * and hexahedra into tetrahedra", 1999). If that point doesn't see all faces (non-convex or
+ * strongly warped cells), it is cut from the mean of the cell's points, which becomes a vertex with
+ * the mean scalar. If an order of the points is given, their ranks are used in place of their ids.
  *
- * Returns an empty string, or what is wrong with the grid (GridCheck.h). `stopped` becomes true if
- * progress asked to stop.
+ * Returns an empty string, or the error of the grid (GridCheck.h). `stopped` becomes true if
+ * progress requested a stop.
  */
 std::string decompose(vtkUnstructuredGrid* grid, const Progress& progress, Decomposition& result,
   bool& stopped, const PointOrder* order = nullptr);

@@ -27,8 +27,8 @@ struct Owner
 
 std::uint64_t makeKey(Id middle, Id largest) { return std::uint64_t(middle) << 32 | largest; }
 
-// For each vertex the index of its first tetrahedron, when tetrahedra are ordered by their vertex
-// of that rank.
+// For each vertex the index of its first tetrahedron if tetrahedra are sorted by their vertex of
+// that rank.
 std::vector<Id> startsByRank(const TetMesh& mesh, int rank)
 {
   std::vector<Id> starts(mesh.Vertices.size() + 1, 0);
@@ -68,7 +68,7 @@ public:
   Matcher(TetMesh& mesh, FaceMatching& found)
     : Mesh(mesh)
     , Found(found)
-    , Starts(startsByRank(mesh, 0)) // the order they have
+    , Starts(startsByRank(mesh, 0)) // sorted already
     , Second(listBySecond(mesh))
   {
   }
@@ -152,8 +152,8 @@ private:
     }
   }
 
-  // Owners on opposite sides are linked in the order of their numbers; flat ones stand in where a
-  // side has fewer. For the remaining owners the face is boundary.
+  // Owners on opposite sides are linked in the order of their numbers; flat ones complete the side
+  // with fewer owners. For the remaining owners it is a boundary face.
   void matchManyOwners(Id smallest, const Owner* owners, std::size_t count, FaceMatching& found)
   {
     found.ManyOwners = true;
@@ -186,18 +186,18 @@ private:
     }
   }
 
-  // Owners of one face with the same apex are the same tetrahedron: all but the first are dropped.
-  // But cutting may make a tetrahedron twice that should not be there at all: once outside of a
-  // cell that lacks it, and once inside of a cell that has it in excess. That happens where two
-  // faces of a cell overlap because a point lies on the diagonal of both, or where two cells share
-  // two faces side by side and it lies between them. Then both are dropped, and what lies on either
-  // side is linked. The second case is recognised by two further owners.
+  // Owners of one face with the same apex are the same tetrahedron: all except the first are
+  // dropped. But decomposition can produce a tetrahedron twice that should not exist: once outside
+  // of a cell that lacks it, and once inside of a cell that contains it in excess. This happens if
+  // two faces of a cell overlap because a point lies on the diagonal of both, or if two cells share
+  // two adjacent faces and it lies between them. Then both are dropped, and their neighbours are
+  // linked. The second case is recognised by two further owners.
   bool findDuplicates(const Owner* owners, std::size_t count, FaceMatching& found) const
   {
     if (count == 2 &&
         apexOf(this->Mesh, owners[0].HalfFace) != apexOf(this->Mesh, owners[1].HalfFace))
     {
-      return false; // the case of nearly every face, which needs no list
+      return false; // nearly every face: no list is needed
     }
     std::vector<std::pair<Id, Id>> tets; // apex, tetrahedron
     for (std::size_t i = 0; i < count; ++i)

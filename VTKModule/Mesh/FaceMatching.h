@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the tetrahedra that have a face in common.
+// Finds tetrahedra with a common face.
 #ifndef TetMarchMeshFaceMatching_h
 #define TetMarchMeshFaceMatching_h
 
@@ -17,7 +17,7 @@ namespace tetmarch
 /** A half-face that has no neighbour so far. */
 constexpr Id Unlinked = 0xffffffffu;
 
-/** What matching found beside the links. */
+/** Results of the matching besides the links. */
 struct FaceMatching
 {
   std::vector<std::int8_t> Signs; // volumeSigns()
@@ -25,13 +25,13 @@ struct FaceMatching
   std::vector<std::pair<Id, Id>> Boundary; // smallest vertex (for the order), half-face
   bool ManyOwners = false;                 // some faces have more than two owners
   vtkIdType NonManifoldFaces = 0;
-  /** If there are any, the other faces were not matched: match again without these. */
+  /** If not empty, the other faces were not matched: match again without these. */
   std::vector<Id> Duplicates;
   std::vector<Id> Cancelled; // with their duplicates
 };
 
-/** Set the links between tetrahedra, treating duplicates and faces with many owners as
- * HalfFaceLinks.h says. False if progress asked to stop. */
+/** Set the links between tetrahedra, treating duplicates and faces with many owners as described in
+ * HalfFaceLinks.h. False if progress requested a stop. */
 bool matchFaces(const Progress& progress, TetMesh& mesh, FaceMatching& found);
 
 } // namespace tetmarch

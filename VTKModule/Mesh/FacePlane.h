@@ -53,7 +53,7 @@ struct FacePlane
     return other;
   }
 
-  /** How far a vertex stands out over the plane, in mesh radii. */
+  /** The height of a vertex above the plane, in mesh radii. */
   double heightOf(const Vertex& v) const
   {
     const auto p = position(v);

@@ -105,7 +105,7 @@ public:
     return fit.solve(gradient) ? gradient : this->weightedGradients(vertex).mean();
   }
 
-  // What another process has to know of this piece about a vertex that it has, too.
+  // The data of this piece at a vertex that other processes share.
   Bytes recordOf(Id vertex, std::vector<Id>& neighbours) const
   {
     this->findNeighbours(vertex, neighbours);
@@ -191,7 +191,7 @@ private:
     return weighted;
   }
 
-  // No other vertex is in the same place: each shares a tetrahedron with volume with this one.
+  // No other vertex has the same position: each shares a tetrahedron with volume with this one.
   void findNeighbours(Id vertex, std::vector<Id>& neighbours) const
   {
     neighbours.clear();
@@ -226,7 +226,7 @@ std::vector<Gradient> atVertices(const Field& field, const VertexTets& around)
   return gradients;
 }
 
-// At vertices that pieces of several processes share, from what all of them have.
+// At vertices that pieces of several processes share, from the data of all of them.
 void shareGradients(
   Group& group, const Field& field, const VertexTets& around, std::vector<Gradient>& gradients)
 {

@@ -15,15 +15,15 @@ class Group;
 using Gradient = std::array<float, 3>;
 
 /**
- * At each vertex, of point scalars (Vertex::Scalar): the gradient that fits the changes along its
- * edges best, by least squares with the inverse squared length as weight (D. J. Mavriplis,
- * "Revisiting the least-squares procedure for gradient reconstruction on unstructured meshes", AIAA
- * 2003-3986; for volume rendering C. D. Correa, R. Hero, K.-L. Ma, "A comparison of gradient
- * estimation methods for volume rendering on unstructured meshes", IEEE TVCG 17(3), 2011). Where
- * edges don't fix it, the mean of the gradients in the tetrahedra by their volumes.
+ * At each vertex, of point scalars (Vertex::Scalar): the least-squares fit of the changes along its
+ * edges, weighted by the inverse squared length (D. J. Mavriplis, "Revisiting the least-squares
+ * procedure for gradient reconstruction on unstructured meshes", AIAA 2003-3986; for volume
+ * rendering C. D. Correa, R. Hero, K.-L. Ma, "A comparison of gradient estimation methods for
+ * volume rendering on unstructured meshes", IEEE TVCG 17(3), 2011). Where the edges don't determine
+ * it, the mean of the gradients of the tetrahedra, weighted by volume.
  *
- * Measured against that mean everywhere, which errs more (GradientErrorsTest; relative RMS errors
- * of a quadratic and of a sine field, fit against mean):
+ * Compared with that mean everywhere, which has larger errors (GradientErrorsTest; relative RMS
+ * errors of a quadratic and of a sine field, fit against mean):
  *
  *     jittered lattice, 16^3 cubes     0.034 / 0.045    0.089 / 0.097
  *     graded                           0.056 / 0.064    0.121 / 0.144
@@ -32,23 +32,23 @@ using Gradient = std::array<float, 3>;
  *     warped hexahedra                 0.050 / 0.066    0.129 / 0.145
  *     mixed cells                      0.047 / 0.066    0.123 / 0.136
  *
- * Its gain is mostly at the boundary (jittered lattice, sine: 0.142 / 0.163), and for the quadratic
- * field inside too (0.015 / 0.021); inside it may be a little worse (sine: 0.059 / 0.057). Only in
- * thin curved layers of cells so much askew that no edge leads straight across is it two or three
- * times worse (0.506 / 0.263, 2.07 / 0.75), where neither is of much use. Both are exact for linear
- * fields, of first order in the size of cells, and of second inside where edges come in opposite
- * pairs.
+ * The gain is mostly at the boundary (jittered lattice, sine: 0.142 / 0.163), and for the quadratic
+ * field also inside (0.015 / 0.021); inside it can be slightly worse (sine: 0.059 / 0.057). Only in
+ * thin curved layers of strongly skewed cells without edges straight across is it two or three
+ * times worse (0.506 / 0.263, 2.07 / 0.75), and there neither is useful. Both are exact for linear
+ * fields, of first order in the size of cells, and of second order inside where edges come in
+ * opposite pairs.
  *
- * Tetrahedra that touch UndrawnScalar, and those that are flat to within the rounding of positions
- * (volumeSign()), have no part in it; 0 at vertices of no others. Always finite.
+ * Tetrahedra with a corner of UndrawnScalar, and those that are flat to within the rounding of
+ * positions (volumeSign()), are excluded; 0 at vertices without other tetrahedra. Always finite.
  *
- * With a group, whose processes have pieces of the mesh, it is collective: at vertices that pieces
- * share, edges and tetrahedra of all pieces count.
+ * With a group, whose processes have pieces of the mesh, it is collective: at shared vertices,
+ * edges and tetrahedra of all pieces count.
  */
 std::vector<Gradient> vertexGradients(const TetMesh& mesh, Group* group = nullptr);
 
-/** At each vertex, of cell scalars (one a tetrahedron): these become scalars of vertices
- * (VertexScalars.h), whose gradients are taken. */
+/** At each vertex, of cell scalars (one per tetrahedron): gradients of their vertex scalars
+ * (VertexScalars.h). */
 std::vector<Gradient> vertexGradients(
   const TetMesh& mesh, const std::vector<float>& cellScalars, Group* group = nullptr);
 

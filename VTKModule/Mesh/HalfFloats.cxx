@@ -20,7 +20,7 @@ constexpr double LargestStored = 60000;
 constexpr std::uint16_t LargestHalf = 0x7bff;
 constexpr std::uint16_t NoNumber = 0x7e00;
 
-// Shift right by so many bits and round to nearest, ties to even.
+// Shift right by `shift` bits and round to nearest, ties to even.
 std::uint32_t shiftedAndRounded(std::uint32_t bits, std::uint32_t shift)
 {
   const std::uint32_t half = 1u << (shift - 1);

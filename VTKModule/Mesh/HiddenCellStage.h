@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The hidden cells of a grid, found again when the mesh or a ghost array changed.
+// The hidden cells of a grid, updated when the mesh or a ghost array has changed.
 #ifndef TetMarchMeshHiddenCellStage_h
 #define TetMarchMeshHiddenCellStage_h
 
@@ -13,8 +13,8 @@ namespace tetmarch
 class HiddenCellStage
 {
 public:
-  /** meshRun: which run of the mesh stage made this mesh of the grid. Returns whether other cells
-   * may be hidden than before. */
+  /** meshRun: the run of the mesh stage that made this mesh. Returns whether the hidden cells may
+   * have changed. */
   bool update(vtkUnstructuredGrid* grid, const TetMesh& mesh, std::int64_t meshRun);
 
   const HiddenCells& cells() const { return this->Cells; }

@@ -15,11 +15,11 @@ namespace tetmarch
 namespace
 {
 
-// The most nodes to visit for one face. Few are needed except for large flat sides that are not
-// parallel to the axes.
+// Maximum number of nodes visited for one face. Few are needed except for large flat sides that are
+// not parallel to the axes.
 constexpr int MostNodes = 256;
 
-// Whether no vertex of the boundary lies beyond the plane.
+// Whether no vertex of the boundary is beyond the plane.
 bool isSupporting(const TetMesh& mesh, const FacePlane& plane)
 {
   const double rounding = std::ldexp(1.0, -21);

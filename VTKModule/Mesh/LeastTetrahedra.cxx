@@ -24,7 +24,7 @@ constexpr int Types = 256;
 
 int trianglesOf(const Polygon& face) { return static_cast<int>(face.size()) - 2; }
 
-// All triangles of the faces but those that meet at the point, if it is one of the piece's.
+// Number of triangles of the faces that do not contain the point, if it is a corner of the piece.
 int trianglesAwayFrom(int point, const CellPiece& piece)
 {
   int count = 0;

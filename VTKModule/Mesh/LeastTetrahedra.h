@@ -11,14 +11,14 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
-/** The tetrahedra of a cell of that type whose points are all different; 0 for types that can't be
- * cut. */
+/** The minimum number of tetrahedra of a cell of this type with distinct points; 0 for types that
+ * can't be decomposed. */
 int leastTetrahedraOfType(int cellType);
 
 /**
- * A sum over the cell types. If it is above `enough`, the cells are looked at one by one, and
- * those that name a point twice, which may become fewer tetrahedra, are left out. Cells that
- * overlap count each in full. Any grid may be given, also one whose arrays don't fit together.
+ * The sum over the cell types. If it is above `enough`, the cells are checked one by one, and those
+ * that contain a point twice, which may become fewer tetrahedra, are left out. Overlapping cells
+ * count in full. The grid may be invalid.
  */
 std::uint64_t leastTetrahedra(vtkUnstructuredGrid* grid, std::uint64_t enough);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The linear function that fits a few values in space.
+// Least-squares fit of a linear function.
 #ifndef TetMarchMeshLinearFit_h
 #define TetMarchMeshLinearFit_h
 
@@ -28,7 +28,7 @@ struct System3
   }
 };
 
-/** The gradient that fits changes of a scalar along steps best, in the sense of least squares. */
+/** The least-squares gradient of changes of a scalar along steps. */
 struct FittedGradient
 {
   System3 Normal;
@@ -42,8 +42,8 @@ struct FittedGradient
     }
   }
 
-  /** Returns false and sets nothing if the steps lie so nearly in a plane that rounding errors
-   * would dominate. */
+  /** Returns false and sets nothing if the steps are so nearly coplanar that rounding errors would
+   * dominate. */
   bool solve(Vector3& gradient) const
   {
     const double mean =

@@ -24,7 +24,7 @@ namespace
 // The value where an array has no tuple.
 constexpr double NotThere = std::numeric_limits<double>::quiet_NaN();
 
-// Scalars of the tuples that are asked for, as doubles.
+// Scalars of the requested tuples, as doubles.
 struct ScalarReader
 {
   const std::vector<Id>& Tuples;
@@ -106,7 +106,7 @@ std::vector<double> drawnValues(vtkUnstructuredGrid* grid, const DrawnScalars& d
                        : vertexValues(grid, drawn.Array, mesh, scalar);
 }
 
-// Reads one scalar after the other into what is stored.
+// Reads and stores one scalar after the other.
 class ScalarStore
 {
 public:
@@ -133,7 +133,7 @@ public:
   }
 
 private:
-  // Nothing is drawn here, but elsewhere.
+  // Only other pieces have values.
   void takeRanges()
   {
     const std::vector<FiniteRange>& whole = this->Drawn.Whole;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a mesh needs on the GPU.
+// Sizes of the buffers of a mesh on the GPU.
 #ifndef TetMarchMeshMeshSizes_h
 #define TetMarchMeshMeshSizes_h
 
@@ -14,18 +14,18 @@ namespace tetmarch
 
 struct TetMesh;
 
-/** What has a texel for each tetrahedron may lie in so many texture buffers. */
+/** Maximum number of texture buffers for data with one texel per tetrahedron. */
 constexpr std::uint64_t MostCellBuffers = 2;
 
-/** Of a mesh, its cell scalars (0 if point scalars are drawn) and words of hidden cells (0 if there
- * are none). */
+/** Sizes of a mesh, its cell scalars (0 if point scalars are drawn) and words of hidden cells (0 if
+ * there are none). */
 std::vector<BufferSize> bufferSizes(
   const TetMesh& mesh, std::uint64_t cellScalars, std::uint64_t hiddenCellWords);
 
-/** What so many tetrahedra need at least, whatever else. */
+/** Lower bounds of the sizes for a number of tetrahedra. */
 std::vector<BufferSize> leastBufferSizes(std::uint64_t tetrahedra);
 
-/** How many tetrahedra such limits may hold; more certainly don't fit. */
+/** Upper bound of the number of tetrahedra within the limits. */
 std::uint64_t mostTetrahedra(const ResourceLimits& limits);
 
 } // namespace tetmarch

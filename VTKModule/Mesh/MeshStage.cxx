@@ -16,7 +16,7 @@ namespace tetmarch
 namespace
 {
 
-// Whoever repairs the values of an array may only call Modified() of the grid.
+// Code that changes the values of an array may call only Modified() of the grid.
 Fingerprint attemptOf(
   vtkUnstructuredGrid* grid, const ResourceLimits& limits, const PieceOptions& piece)
 {

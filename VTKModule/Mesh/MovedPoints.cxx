@@ -83,7 +83,7 @@ bool agree(const TetMesh& mesh, const std::vector<std::int8_t>& signs)
   return agrees;
 }
 
-// In the order that buildTetMesh() makes: by the smallest vertex.
+// In the order of buildTetMesh(): by the smallest vertex.
 void turnBoundary(const std::vector<std::int8_t>& signs, TetMesh& mesh)
 {
   std::vector<std::pair<Id, Id>> halfFaces;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Updates a mesh whose points moved while its cells stayed.
+// Updates a mesh whose points have moved.
 #ifndef TetMarchMeshMovedPoints_h
 #define TetMarchMeshMovedPoints_h
 
@@ -12,11 +12,10 @@ namespace tetmarch
 {
 
 /**
- * Give a mesh the points of a grid that has exactly the cells it was made of. What follows from
- * cells alone is kept: the order of vertices and tetrahedra, and the links between tetrahedra. The
- * rest is made again, and scalars are 0. Returns false, with an unspecified mesh, if buildTetMesh()
- * has to make it instead: cells were cut, faces have more than two owners, tetrahedra are flat or
- * not all oriented like their neighbours, or something is wrong with the points.
+ * Give a mesh the points of a grid with the same cells. The order of vertices and tetrahedra and
+ * the links between tetrahedra are kept. The rest is made again, and scalars are 0. Returns false,
+ * with an unspecified mesh, if buildTetMesh() must be used: cells were cut, faces have more than
+ * two owners, tetrahedra are flat or not all oriented like their neighbours, or points are invalid.
  */
 bool movePoints(vtkUnstructuredGrid* grid, TetMesh& mesh);
 

@@ -11,9 +11,9 @@ namespace tetmarch
 namespace
 {
 
-// Six times the volume of a tetrahedron, its vertices taken by ascending id, and the most that the
-// rounding of positions may change it. Rounding of the sums is negligible beside that: differences
-// and products of floats are exact in double.
+// Six times the volume of a tetrahedron, its vertices taken by ascending id, and its maximum change
+// by the rounding of positions. Rounding of the sums is negligible: differences and products of
+// floats are exact in double.
 struct Volume
 {
   double Value;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// On which side of a face its tetrahedron lies.
+// The side of a face on which its tetrahedron lies.
 #ifndef TetMarchMeshOrientation_h
 #define TetMarchMeshOrientation_h
 
@@ -31,8 +31,8 @@ inline int inwardSide(const TetMesh& mesh, Id halfFace)
 }
 
 /**
- * The boundary face of a half-face, counter-clockwise seen from outside, if its tetrahedron is
- * turned as the sign (+1 or -1) of its signed volume says.
+ * The boundary face of a half-face, counter-clockwise seen from outside, given the sign (+1 or -1)
+ * of the signed volume of its tetrahedron.
  */
 std::array<Id, 4> outwardFace(const TetMesh& mesh, Id halfFace, int sign);
 

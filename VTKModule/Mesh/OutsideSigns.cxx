@@ -26,7 +26,7 @@ public:
 
   std::vector<std::int8_t> find()
   {
-    // The case of nearly every mesh: no need to follow the links.
+    // Nearly every mesh: the links need not be followed.
     if (!this->volumesAgree())
     {
       this->carryFromBoundary();
@@ -46,7 +46,7 @@ private:
   std::int8_t signInside(const std::array<Id, 4>& boundaryFace) const
   {
     const auto ifPositive = outwardFace(this->Mesh, boundaryFace[3], 1);
-    // The same vertices in the same order round about, or in the other one.
+    // The same vertices in the same cyclic order, or in the opposite one.
     const auto at = std::find(boundaryFace.begin(), boundaryFace.begin() + 3, ifPositive[0]);
     const auto next = at + 1 == boundaryFace.begin() + 3 ? boundaryFace.begin() : at + 1;
     return *next == ifPositive[1] ? 1 : -1;

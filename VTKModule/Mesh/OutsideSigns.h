@@ -13,11 +13,11 @@ namespace tetmarch
 {
 
 /**
- * For each tetrahedron the sign, +1 or -1, with which outwardFace() makes faces that turn
- * counter-clockwise seen from outside. The mesh doesn't keep the signs by which it was linked
- * (ConsistentOrientation.h), but they follow from its boundary faces, and the links carry them on
- * to all connected tetrahedra. Where none of these has a boundary face, the volume of the first one
- * decides.
+ * For each tetrahedron the sign, +1 or -1, with which outwardFace() returns faces counter-clockwise
+ * seen from outside. The mesh doesn't store the signs by which it was linked
+ * (ConsistentOrientation.h), but they follow from its boundary faces, and the links propagate them
+ * to all connected tetrahedra. If none of these has a boundary face, the volume of the first one
+ * determines the sign.
  */
 std::vector<std::int8_t> outsideSigns(const TetMesh& mesh);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Tetrahedra in 16 bytes, as the march reads them (Aman, Demirci and Gudukbay, "Compact
-// tetrahedralization-based acceleration structures for ray tracing", 2021): a ray that enters by a
-// known face needs no more than differences.
+// tetrahedralization-based acceleration structures for ray tracing", 2021): a ray that enters
+// through a known face needs only differences.
 #ifndef TetMarchMeshPackedCells_h
 #define TetMarchMeshPackedCells_h
 
@@ -12,7 +12,7 @@ namespace tetmarch
 {
 
 /** The exclusive or of the four vertices; then, for faces 0, 1 and 2, that of the face's link and
- * the link of face 3. Shaders/tet/packed_cells.glsl takes it apart. */
+ * the link of face 3. Shaders/tet/packed_cells.glsl decodes it. */
 using PackedCell = std::array<Id, 4>;
 
 inline PackedCell packedCell(const TetMesh& mesh, std::size_t tet)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the mesh of a grid is made if other processes may have the rest of it.
+// Options of a mesh that may be a piece of a volume of several processes.
 #ifndef TetMarchMeshPieceOptions_h
 #define TetMarchMeshPieceOptions_h
 
@@ -10,16 +10,16 @@ namespace tetmarch
 {
 
 /**
- * A face that two pieces share is to have the same vertices in both, to the last bit, and to be cut
- * into the same triangles: then a ray leaves one piece exactly where it enters the other.
+ * A face that two pieces share must have the same vertices in both, to the last bit, and the same
+ * triangles: then a ray leaves one piece exactly where it enters the other.
  */
 struct PieceOptions
 {
-  /** Faces are cut through their least corner by coordinates, not by point id. */
+  /** Faces are cut through the corner with the smallest coordinates, not with the smallest id. */
   bool ByCoordinates = false;
-  bool IsPiece = false; // what follows counts
+  bool IsPiece = false; // the following members are used
   VolumeFrame Frame;    // of the whole
-  bool InFloat = false; // points are rounded to float first: some piece has no others
+  bool InFloat = false; // points are rounded to float first, since some piece has floats
 
   bool operator==(const PieceOptions& other) const
   {
@@ -28,8 +28,8 @@ struct PieceOptions
   }
 };
 
-/** The nearest float. Not inline: where GCC 12 unrolls a loop over three coordinates at -O3, it
- * leaves the rounding of two of them out. */
+/** The nearest float. Not inline: GCC 12 at -O3, unrolling a loop over three coordinates, omits the
+ * rounding of two of them. */
 double roundedToFloat(double x);
 
 } // namespace tetmarch

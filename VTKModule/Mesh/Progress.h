@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Long work reports its progress and can be asked to stop.
+// Progress and cancellation of long work.
 #ifndef TetMarchMeshProgress_h
 #define TetMarchMeshProgress_h
 
@@ -14,7 +14,7 @@
 namespace tetmarch
 {
 
-/** Called from the main thread with the share that is done, 0..1; false asks to stop. */
+/** Called from the main thread with the completed share, 0..1; false requests a stop. */
 using Progress = std::function<bool(double)>;
 
 /** Progress of a part of longer work: its share 0..1 becomes `begin` to `end`. */
@@ -24,7 +24,7 @@ inline Progress subProgress(const Progress& whole, double begin, double end)
 }
 
 /** Call f(first, last) in parallel over portions of 0..count, and report progress between them.
- * Returns false if it was asked to stop. */
+ * Returns false if a stop was requested. */
 template <typename Functor>
 bool parallelFor(vtkIdType count, const Progress& progress, Functor&& f)
 {

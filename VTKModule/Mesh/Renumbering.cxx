@@ -36,7 +36,7 @@ std::uint64_t mortonCode(const Vertex& v)
   return spread(cell(v.X)) | spread(cell(v.Y)) << 1 | spread(cell(v.Z)) << 2;
 }
 
-// The order of the keys, by a stable radix sort with 11 bits a pass.
+// The order of the keys, by a stable radix sort with 11 bits per pass.
 std::vector<Id> sortedOrder(const std::vector<std::uint64_t>& keys)
 {
   std::vector<Id> order(keys.size());

@@ -16,12 +16,11 @@ namespace tetmarch
 {
 
 /**
- * Fill Vertices (with scalars 0), VertexPoints, Frame, Tets and TetCells of the mesh. Points that
- * no tetrahedron uses are left out; the others are ordered along the Morton curve (Morton 1966),
- * and tetrahedra by their smallest vertex. Tetrahedra with a repeated point are dropped and
- * counted.
+ * Fill Vertices (with scalars 0), VertexPoints, Frame, Tets and TetCells of the mesh. Unused points
+ * are left out; the others are ordered along the Morton curve (Morton 1966), and tetrahedra by
+ * their smallest vertex. Tetrahedra with a repeated point are dropped and counted.
  *
- * Returns an empty string, or what is wrong with the points.
+ * Returns an empty string, or the error of the points.
  */
 std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& progress,
   TetMesh& mesh, bool& stopped, const PieceOptions& piece = {});

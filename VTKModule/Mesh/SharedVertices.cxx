@@ -22,8 +22,8 @@ Key keyOf(const Vertex& vertex)
   return key;
 }
 
-// The process that brings the records of a vertex together, which need not have it. The factors are
-// those of Teschner et al., "Optimized spatial hashing for collision detection", 2003.
+// The process that collects the records of a vertex, which need not have it. The factors are those
+// of Teschner et al., "Optimized spatial hashing for collision detection", 2003.
 int meetingPlace(const Key& key, int processes)
 {
   std::uint32_t hash = key[0] * 73856093u ^ key[1] * 19349663u ^ key[2] * 83492791u;
@@ -81,7 +81,7 @@ private:
   std::size_t At = 0;
 };
 
-/** A record that has arrived: whose, and of which of its vertices. */
+/** A received record with its process and vertex. */
 struct Arrived
 {
   int From;
@@ -89,7 +89,7 @@ struct Arrived
   Bytes Record;
 };
 
-// Whoever has sent a record of a vertex that others have, too, gets the records of all.
+// Each sender of a record of a shared vertex receives the records of all.
 std::vector<Bytes> answer(const std::vector<Bytes>& incoming)
 {
   std::map<Key, std::vector<Arrived>> met;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What several processes know of vertices that their pieces of a mesh share.
+// Exchange of data of vertices that pieces of several processes share.
 #ifndef TetMarchMeshSharedVertices_h
 #define TetMarchMeshSharedVertices_h
 
@@ -10,13 +10,13 @@
 namespace tetmarch
 {
 
-/** The vertices of boundary faces, ascending: all that other pieces may share are among them. */
+/** The vertices of boundary faces, ascending; they include all that other pieces may share. */
 std::vector<Id> boundaryVertices(const TetMesh& mesh);
 
 /**
- * Collective. Tell the other processes a record of each of these vertices of this piece; vertices
- * are the same if they have the same position to the last bit. Returns for each vertex the records
- * of all processes, in their order, or none if no other process has the vertex.
+ * Collective. Send a record of each of these vertices of this piece to the other processes;
+ * vertices are identified by their position to the last bit. Returns for each vertex the records of
+ * all processes, in their order, or none if no other process has the vertex.
  */
 std::vector<std::vector<Bytes>> shareRecords(Group& group, const TetMesh& mesh,
   const std::vector<Id>& vertices, const std::vector<Bytes>& records);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The mesh as the march needs it. Conventions that everything else relies on:
+// The mesh of the march. Conventions on which all other code relies:
 //  - The vertices of a tetrahedron are stored by ascending id. Face i is opposite vertex i.
-//  - Half-face 4 t + i is face i of tetrahedron t. Its link is the half-face that it is from the
-//    other side or, behind the boundary, LinkOutside + the number of the boundary face.
+//  - Half-face 4 t + i is face i of tetrahedron t. Its link is the half-face on the other side or,
+//    at the boundary, LinkOutside + the index of the boundary face.
 //  - Boundary faces turn counter-clockwise seen from outside.
 #ifndef TetMarchMeshTetMesh_h
 #define TetMarchMeshTetMesh_h
@@ -24,11 +24,10 @@ namespace tetmarch
 
 using Id = std::uint32_t;
 
-/** Added to the number of a boundary face in a link: what lies behind the half-face is outside the
- * mesh. */
+/** Links of half-faces at the boundary are LinkOutside + the index of the boundary face. */
 constexpr Id LinkOutside = 0x80000000u;
 
-/** So many tetrahedra have half-faces that are less than that. */
+/** Maximum number of tetrahedra, so that all half-faces are below LinkOutside. */
 constexpr std::uint64_t MostTetsOfLinks = LinkOutside / 4;
 
 /** One texel on the GPU: the position in the normalised frame (VolumeFrame), and the stored scalar.
@@ -53,9 +52,9 @@ inline Vertex vertexAt(const Vector3& point, const VolumeFrame& frame)
 struct HierarchyNode
 {
   std::array<float, 3> Center;
-  float Second; // inner node: its second child, the first follows it; leaf: its number of faces
+  float Second; // inner node: its second child (the first follows it); leaf: its number of faces
   std::array<float, 3> HalfSize;
-  float FirstFace; // inner node: -1 - axis along which its children lie, the first below
+  float FirstFace; // inner node: -1 - the axis that separates its children, the first below
 };
 
 struct TetMesh
@@ -64,17 +63,17 @@ struct TetMesh
   std::vector<Id> Links;                        // of each half-face
   std::vector<std::array<Id, 4>> BoundaryFaces; // three vertices and the half-face inside
   std::vector<HierarchyNode> Hierarchy;         // may be empty if no ray needs it
-  bool NeedsHierarchy = false;                  // rays may enter again
-  std::size_t ReentryNodes = 0; // so many nodes, the first, are of faces that are not on the hull,
-  std::size_t ReentryFaces = 0; // which are so many
+  bool NeedsHierarchy = false;                  // rays may reenter
+  std::size_t ReentryNodes = 0;                 // nodes [0, ReentryNodes) cover the faces that are
+  std::size_t ReentryFaces = 0;                 // not on the hull; their number
   std::vector<Vertex> Vertices;
-  std::vector<Id> TetCells;     // the cell of the grid each tetrahedron comes from
-  std::vector<Id> VertexPoints; // the point of the grid each vertex is, or
+  std::vector<Id> TetCells;     // the grid's cell that contains each tetrahedron
+  std::vector<Id> VertexPoints; // the grid's point of each vertex, or
                                 // NumberOfPoints + c: the mean of the points of cell
                                 // CenterCells[c]
   std::vector<Id> CenterCells;
   bool HasCutCells = false;      // some tetrahedra were cut from cells of other types
-  bool LinksFollowCells = false; // links between tetrahedra are the same wherever the points are
+  bool LinksFollowCells = false; // links between tetrahedra do not depend on the points
   vtkIdType NumberOfPoints = 0;
   VolumeFrame Frame;
   MeshReport Report;
@@ -83,8 +82,8 @@ struct TetMesh
   bool hasHierarchy() const { return !this->Hierarchy.empty(); }
 };
 
-/** The most cells that a ray can cross: it passes each tetrahedron once, or twice where a search
- * finds an entry again. A march that goes beyond has gone wrong and ends. */
+/** Maximum number of cells that a ray can cross: each tetrahedron once, or twice where a search
+ * finds an entry again. A march that exceeds it is wrong and ends. */
 inline int mostCellsOf(int tets) { return tets < (1 << 30) - 1 ? 2 * tets + 2 : 0x7fffffff; }
 
 } // namespace tetmarch

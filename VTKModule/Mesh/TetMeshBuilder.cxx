@@ -17,7 +17,7 @@ namespace tetmarch
 namespace
 {
 
-// Tetrahedra alone have no faces to be cut.
+// A grid of tetrahedra has no faces to be cut.
 bool isCut(vtkUnstructuredGrid* grid)
 {
   const CellTypes types(grid);

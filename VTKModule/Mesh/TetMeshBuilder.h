@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes the mesh that is marched from a grid.
+// Builds the mesh of a grid.
 #ifndef TetMarchMeshTetMeshBuilder_h
 #define TetMarchMeshTetMeshBuilder_h
 
@@ -24,13 +24,13 @@ enum class BuildStatus
 
 /**
  * Decompose, renumber, link, find the boundary and, unless the mesh is convex, build its hierarchy.
- * Scalars are left 0. On failure `error` says what is wrong and what to do; the mesh is then
+ * Scalars are left 0. On failure `error` describes the problem and its remedy; the mesh is then
  * unspecified.
  */
 BuildStatus buildTetMesh(vtkUnstructuredGrid* grid, const Progress& progress, TetMesh& mesh,
   std::string& error, const PieceOptions& piece = {});
 
-/** Build the hierarchy of a convex mesh too: rays that have no list of entries need it. */
+/** Build the hierarchy also for a convex mesh: rays without entry lists need it. */
 void ensureHierarchy(TetMesh& mesh);
 
 } // namespace tetmarch

@@ -17,7 +17,7 @@ namespace tetmarch
 namespace
 {
 
-// What lies about a vertex, from it.
+// A cell around a vertex, relative to it.
 struct Site
 {
   Vector3 Step; // to the centre of the cell
@@ -53,7 +53,7 @@ public:
     for (const Id t : tets)
     {
       const Vector3 step = this->Centers[cells[t]] - position(this->Mesh.Vertices[vertex]);
-      // A cell that isn't convex may have its centre in a vertex.
+      // The centre of a non-convex cell can coincide with a vertex.
       const double square = std::max(dot(step, step), LeastSquare);
       sites.push_back({ step, double(this->Scalars[t]), 1 / square });
     }
@@ -85,7 +85,7 @@ public:
     {
       fit.add(site.Weight, site.Step - step, 0);
     }
-    // Solved for the step itself: the fit then is a weighted sum over the sites.
+    // Solved for the step, so that the fit is a weighted sum over the sites.
     double value = mean / roots;
     for (int k = 0; k < 3; ++k)
     {
@@ -108,12 +108,12 @@ public:
 
 private:
   static constexpr double LeastSquare = 1e-20;
-  // The total weight with which sites pull the value away from their mean. Where centres lie nearly
-  // in a plane it would be large and arbitrary: it is damped there.
+  // Maximum total weight of the deviation from the mean. If centres are nearly coplanar it would be
+  // large and arbitrary: it is damped there.
   static constexpr double MostShares = 5;
 
-  // Centres of mass of the tetrahedra that take part, summed in one order whatever the number of
-  // threads.
+  // Centres of mass of the tetrahedra that take part, summed in an order independent of the number
+  // of threads.
   void findCenters()
   {
     const auto& cells = this->Mesh.TetCells;

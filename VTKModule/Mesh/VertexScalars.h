@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scalars of cells become scalars of vertices.
+// Conversion of cell scalars to vertex scalars.
 #ifndef TetMarchMeshVertexScalars_h
 #define TetMarchMeshVertexScalars_h
 
@@ -12,18 +12,18 @@ namespace tetmarch
 class Group;
 
 /**
- * Scalars 0..1 at the vertices from one scalar a tetrahedron. At each vertex it is the value of the
- * linear function that fits the scalars in the centres of the cells around it best (least squares
- * with the inverse squared distance as weight), or, where the centres lie in a plane, their mean
- * weighted by inverse distance. The value stays within their range. For a linear field it is exact
- * inside the mesh. Gradients made from these scalars have 0.1 to 0.7 of the error of gradients made
- * from plain means, and about the same near the sides of hexahedra (GradientErrorsTest).
+ * Scalars 0..1 at the vertices from one scalar per tetrahedron. At each vertex it is the value of
+ * the linear least-squares fit to the scalars in the centres of the surrounding cells (weighted by
+ * the inverse squared distance), or, if the centres are coplanar, their mean weighted by inverse
+ * distance. The value stays within their range. For a linear field it is exact inside the mesh.
+ * Gradients of these scalars have 0.1 to 0.7 of the error of gradients of plain means, and about
+ * the same near the sides of hexahedra (GradientErrorsTest).
  *
- * Only tetrahedra that take part (not 0) are used. A cell that was cut into several tetrahedra
- * counts once. Vertices around which none takes part get UndrawnScalar.
+ * Only tetrahedra that take part (not 0) are used. A cell cut into several tetrahedra counts once.
+ * Vertices without such tetrahedra get UndrawnScalar.
  *
- * With a group, whose processes have pieces of the mesh, it is collective: at vertices that pieces
- * share, cells of all pieces count.
+ * With a group, whose processes have pieces of the mesh, it is collective: at shared vertices,
+ * cells of all pieces count.
  */
 std::vector<float> vertexScalars(const TetMesh& mesh, const VertexTets& around,
   const std::vector<std::uint8_t>& takesPart, const std::vector<float>& cellScalars,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The tetrahedra in which rays from vertices start.
+// The starting tetrahedra of rays from vertices.
 #ifndef TetMarchMeshVertexStarts_h
 #define TetMarchMeshVertexStarts_h
 
@@ -9,7 +9,7 @@
 namespace tetmarch
 {
 
-/** Stands for the tetrahedron of a vertex that lies in none. */
+/** The tetrahedron of a vertex without one. */
 constexpr Id NoTet = 0xffffffffu;
 
 /**
@@ -17,8 +17,8 @@ constexpr Id NoTet = 0xffffffffu;
  * link, tet}. With a = v, b = x, c = y and d the fourth vertex the faces (a, b, c), (a, d, b), (b,
  * d, c) and (c, d, a) turn counter-clockwise seen from outside of the tetrahedron, as
  * outsideSigns() says. Of the tetrahedra around the vertex it is the one with the largest inscribed
- * sphere (the first of equals): there, rounding of the ray does the least harm. {0, 0, 0, NoTet}
- * for a vertex of no tetrahedron.
+ * sphere (the first of equals), which minimizes the effect of rounding of the ray. {0, 0, 0, NoTet}
+ * for a vertex without tetrahedra.
  */
 std::vector<std::array<Id, 4>> vertexStarts(const TetMesh& mesh);
 
@@ -30,9 +30,9 @@ inline Id fourthVertex(const TetMesh& mesh, Id vertex, const std::array<Id, 4>& 
 }
 
 /**
- * The point, a little within the tetrahedron, at which rays from a vertex start. Like
- * Shaders/light/vertex_light.glsl, so that a vertex on a surface is on the same side of it as the
- * march is. False if the vertex has no tetrahedron.
+ * The starting point of rays from a vertex, slightly inside the tetrahedron. It is computed as in
+ * Shaders/light/vertex_light.glsl, so that a vertex on a surface is on the same side as in the
+ * march. False if the vertex has no tetrahedron.
  */
 bool startPoint(
   const TetMesh& mesh, std::size_t vertex, const std::array<Id, 4>& start, Vector3& point);

@@ -18,10 +18,9 @@ struct AccuracyLevel
   /** The tolerance of each channel of a pixel, 0..1, for integration and early end together. If not
    * adaptive: the transmittance below which a ray ends. */
   double ErrorTolerance;
-  /** The most trials to split a segment; this bounds the time of a frame. */
+  /** Maximum number of trials to split a segment; this bounds the time of a frame. */
   int MostTrials;
-  /** The least and the greatest number of entries of the tables of transfer functions
-   * (FittingTable.h). */
+  /** Minimum and maximum number of entries of the tables of transfer functions (FittingTable.h). */
   int LeastTableEntries;
   int MostTableEntries;
   /** The volume is sampled at even distances (Shaders/gather/segment_sampled.glsl), with no bound
@@ -31,8 +30,8 @@ struct AccuracyLevel
 
 /**
  * In a cell of optical depth D in which the colour varies by V in total, sqrt(D V / (4 tolerance))
- * equal pieces keep the share of the tolerance that belongs to what they absorb
- * (Shaders/gather/radiance.glsl). D V = 64 is a cell so thick that no more can be seen.
+ * equal pieces keep the share of the tolerance in proportion to their absorption
+ * (Shaders/gather/radiance.glsl). A cell with D V = 64 is practically opaque.
  */
 inline int mostTrialsFor(double tolerance)
 {
@@ -52,7 +51,7 @@ enum class Accuracy
 constexpr AccuracyLevel FastAccuracy{ false, 1.0 / 512.0, 1, 1024, 1024 };
 constexpr AccuracyLevel DefaultAccuracy{ true, 1.0 / 255.0, 64, 1024, 65536 };
 constexpr AccuracyLevel AccurateAccuracy{ true, 1.0 / 4096.0, 256, 1024, 65536 };
-/** As accurate as float allows. */
+/** Accurate to float precision. */
 constexpr AccuracyLevel ReferenceAccuracy{ true, 1e-5, 1265, 4096, 65536 };
 /** As vtkGPUVolumeRayCastMapper, which ends rays at an opacity of 254/255. */
 constexpr AccuracyLevel SampledAccuracy{ false, 1.0 / 255.0, 1, 1024, 65536, true };
@@ -63,10 +62,10 @@ constexpr AccuracyLevel GroundTruthAccuracy{ true, 1e-6, 1000000, 4096, 262144 }
  * is linear. */
 constexpr AccuracyLevel LightAccuracy{ false, 1.0 / 1024.0, 1, 1024, 65536 };
 
-/** For picks where the scalar bends: of the opacity up to the point that is picked. */
+/** For picks where the scalar bends: tolerance of the opacity up to the picked point. */
 constexpr AccuracyLevel PickAccuracy{ true, 1.0 / 256.0, 512, 1024, 65536 };
 
-/** The level, with the tolerance of the user if it is one that keeps a tolerance. */
+/** The level, with the user's tolerance if it is adaptive. */
 inline AccuracyLevel levelOf(Accuracy accuracy, double tolerance)
 {
   constexpr AccuracyLevel levels[] = { FastAccuracy, DefaultAccuracy, AccurateAccuracy,

@@ -12,13 +12,13 @@ namespace tetmarch
 namespace
 {
 
-// C tau and tau of a sample, which can be added.
+// C tau and tau of a sample, which are additive.
 OpticalSample weighted(const OpticalSample& s)
 {
   return { { s[0] * s[3], s[1] * s[3], s[2] * s[3], s[3] } };
 }
 
-// The least and the greatest of each component.
+// The minimum and maximum of each component.
 struct Span
 {
   OpticalSample Least{ { 1e300, 1e300, 1e300, 1e300 } };
@@ -42,10 +42,9 @@ struct Span
 struct Node
 {
   OpticalSample Value;
-  bool IsFixed =
-    false; // the first and the last sample, whose values many points of the data may have exactly
+  bool IsFixed = false; // the first and the last sample: frequent values of the data
   Span Weighted;
-  Span Seen; // colours where there is extinction
+  Span Seen; // colours with extinction
 };
 
 Node nodeAt(const std::vector<OpticalSample>& fine, std::size_t at, std::size_t perBin)
@@ -63,7 +62,7 @@ Node nodeAt(const std::vector<OpticalSample>& fine, std::size_t at, std::size_t 
   return node;
 }
 
-// The colour and extinction of a node; `fine` is the sample that it was.
+// The colour and extinction of a node; `fine` is its original sample.
 OpticalSample unweighted(const Node& node, const OpticalSample& fine)
 {
   OpticalSample s = node.Value;
@@ -74,7 +73,7 @@ OpticalSample unweighted(const Node& node, const OpticalSample& fine)
   return s;
 }
 
-// What the integrals between two kept samples lack of those between the fine ones.
+// The difference between the integrals of the fine samples and those between two kept ones.
 std::array<double, 4> missingBetween(
   const std::vector<OpticalSample>& fine, std::size_t begin, std::size_t end)
 {
@@ -95,8 +94,8 @@ std::array<double, 4> missingBetween(
   return missing;
 }
 
-// An amount is added to both ends, half each or as far as they may change: nothing gets greater or
-// less than what it stands for.
+// An amount is added to both ends, half each, or as far as they stay within the span of their fine
+// samples.
 void addToEnds(double amount, int k, Node& left, Node& right)
 {
   const auto add = [k](double x, Node& node)
@@ -135,13 +134,13 @@ std::vector<OpticalSample> keepBinAreas(const std::vector<OpticalSample>& fine, 
       for (std::size_t i = first; i < static_cast<std::size_t>(last); ++i)
       {
         missing[i] = missingBetween(fine, i * stride, (i + 1) * stride);
-        // Where the functions are linear, the remainder is rounding, which has no colour.
+        // If the functions are linear, the remainder is rounding, which has no colour.
         isBent[i + 1] = std::any_of(
           missing[i].begin(), missing[i].end(), [](double x) { return !(std::abs(x) < 1e-12); });
       }
     });
 
-  // Functions are mostly linear: only nodes beside bins in which they aren't are corrected.
+  // Functions are mostly linear: only nodes of other bins are corrected.
   const auto changes = [&](std::size_t i) { return isBent[i] || isBent[i + 1]; };
   const auto nodeOf = [&](std::size_t i)
   { return changes(i) ? nodeAt(fine, i * stride, stride) : Node{}; };

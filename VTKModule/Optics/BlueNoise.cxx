@@ -14,11 +14,11 @@ namespace
 
 constexpr int Side = BlueNoiseSide;
 constexpr int Count = Side * Side;
-constexpr int Minority = Count / 10; // of the initial pattern: few enough to be spread evenly
+constexpr int Minority = Count / 10; // of the initial pattern: few enough for an even distribution
 constexpr double Sigma = 1.5;
 
-// Points on the torus, and for each place a measure of how close they are: a sum of Gaussians. It
-// is in integers, which stay exact however often points are added and removed.
+// Points on the torus, and for each position a measure of their density: a sum of Gaussians, in
+// integers, which stay exact when points are added and removed.
 class PointPattern
 {
 public:
@@ -33,7 +33,7 @@ public:
       {
         const double dx = std::min(x % Side, Side - x % Side);
         const double dy = std::min(y, Side - y);
-        // If all places are filled, the sum is 2 pi Sigma^2 of these: below 2^64.
+        // If all positions are filled, the sum is 2 pi Sigma^2 of these: below 2^64.
         this->Kernel[y * 2 * Side + x] = static_cast<std::uint64_t>(
           std::ldexp(std::exp(-(dx * dx + dy * dy) / (2 * Sigma * Sigma)), 60));
       }
@@ -95,7 +95,7 @@ private:
 PointPattern evenPattern()
 {
   PointPattern pattern;
-  std::mt19937 random(1993); // whose raw numbers are the same everywhere; distributions aren't
+  std::mt19937 random(1993); // its raw numbers are portable; distributions aren't
   for (int n = 0; n < Minority;)
   {
     const int place = static_cast<int>(random() % Count);
@@ -131,8 +131,9 @@ std::vector<float> makeTile()
     pattern.set(place, false);
     rank(place, n);
   }
-  // Beyond half of the places the tightest cluster of empty ones is to be filled: on the torus the
-  // sums over filled and empty places add up to a constant, so that it is the largest void again.
+  // Beyond half of the positions the tightest cluster of empty ones is filled: on the torus the
+  // sums over filled and empty positions add up to a constant, so that this is again the largest
+  // void.
   pattern = even;
   for (int n = Minority; n < Count; ++n)
   {

@@ -10,7 +10,7 @@ namespace tetmarch
 IntegralTable fittingTable(
   vtkVolumeProperty* property, OpacityLaw law, double low, double high, const AccuracyLevel& level)
 {
-  // The number of samples of colours, which are expensive, is the same for each level.
+  // The number of samples of colours, which are expensive, does not depend on the level.
   const int mostPerBin = std::max(4, 16384 / level.LeastTableEntries);
   constexpr int leastPerBin = 2;
   const double most = 0.5 * level.ErrorTolerance;
@@ -21,8 +21,8 @@ IntegralTable fittingTable(
   SampledFunctions kept = keepAreas(fine, mostPerBin);
   while (kept.Deviation > most && bins * 4 <= mostBins)
   {
-    // At a kink the deviation is proportional to the width of a bin: sizes that would not be enough
-    // are skipped.
+    // At a kink the deviation is proportional to the width of a bin: insufficient sizes are
+    // skipped.
     bins *= kept.Deviation > 8 * most && bins * 16 <= mostBins ? 16 : 4;
     const int fineBins = static_cast<int>(fine.Samples.size()) - 1;
     if (fineBins < leastPerBin * bins)

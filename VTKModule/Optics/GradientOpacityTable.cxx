@@ -21,11 +21,11 @@ double factorOf(double value)
   return std::min(std::max(0.0, value), 1.0); // NaN: 0
 }
 
-// The magnitude up to which the function is sampled; 0 if only its value without gradient matters.
+// The magnitude up to which the function is sampled; 0 if only its value at 0 is needed.
 double sampledRange(vtkPiecewiseFunction* function, double mostMagnitude)
 {
   const double last = function->GetSize() > 0 ? function->GetRange()[1] : 0;
-  // Unless it is clamped, the function falls to 0 beyond its last node; that takes one more step.
+  // Unless it is clamped, the function drops to 0 beyond its last node; this takes one more step.
   const double end = function->GetClamping() ? last : last * (Steps / (Steps - 1.0));
   const double range = std::isfinite(mostMagnitude) ? std::min(mostMagnitude, end) : end;
   const bool usable = std::isfinite(range) && range / Steps > 0;
@@ -33,7 +33,8 @@ double sampledRange(vtkPiecewiseFunction* function, double mostMagnitude)
 }
 
 // Extremes of the function are nodes, which may lie between samples. The first and the last sample
-// stay as they are: much of the data may have exactly that magnitude, none or more than the last.
+// are not changed: a large part of the data may have magnitude 0, or that of the last sample or
+// more.
 void keepNodes(vtkPiecewiseFunction* function, double unit, std::vector<double>& values)
 {
   const std::vector<double> samples = values;
@@ -55,7 +56,7 @@ void keepNodes(vtkPiecewiseFunction* function, double unit, std::vector<double>&
     const double value = factorOf(node[1]);
     const double beyond = excess(static_cast<std::size_t>(x), value);
     const long nearest = std::min(std::max(std::lround(x), 1L), Steps - 1L);
-    // Differences that are rounding by VTK are no peaks.
+    // Differences by VTK's rounding are no peaks.
     if (beyond > std::max(most[nearest], 1e-9))
     {
       most[nearest] = beyond;
@@ -69,7 +70,7 @@ void keepNodes(vtkPiecewiseFunction* function, double unit, std::vector<double>&
 GradientOpacityTable gradientOpacityOf(vtkVolumeProperty* property, double mostMagnitude)
 {
   GradientOpacityTable table;
-  // A 2D function of scalar and gradient replaces this one.
+  // A 2D function of scalar and gradient replaces this function.
   if (property->GetDisableGradientOpacity() || !property->HasGradientOpacity() ||
       property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
   {
@@ -86,7 +87,7 @@ GradientOpacityTable gradientOpacityOf(vtkVolumeProperty* property, double mostM
     keepNodes(function, table.Unit, values);
   }
   table.Values.assign(values.begin(), values.end());
-  // In float, a value that VTK rounded next to 1 is 1.
+  // In float, a value that VTK rounds next to 1 is 1.
   if (std::all_of(table.Values.begin(), table.Values.end(), [](float v) { return v == 1.0f; }))
   {
     table.Values.clear();

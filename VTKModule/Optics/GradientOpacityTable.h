@@ -27,13 +27,13 @@ struct GradientOpacityTable
 
 /**
  * The function of component 0, evaluated by VTK itself (midpoint, sharpness, clamping), in equal
- * steps from 0 to its last node or to mostMagnitude, the greatest magnitude in the data, whichever
- * is less: the function is constant beyond its nodes. If mostMagnitude is not finite, to the last
- * node. The table is empty if there is no such function, or if it is 1 for all of the data.
+ * steps from 0 to its last node or to mostMagnitude, the maximum magnitude in the data, whichever
+ * is smaller: the function is constant beyond its nodes. If mostMagnitude is not finite, to the
+ * last node. The table is empty if there is no such function, or if it is 1 for all of the data.
  *
  * Resolution of 1024 steps: a jump becomes a ramp at most two steps wide, 0.2 % of that range. A
- * peak or a gap between two steps, which the steps alone would miss, keeps its height and becomes
- * two steps wide. Several of them between the same two steps become one: the most extreme.
+ * peak or a gap between two steps, which equal steps would miss, keeps its height and becomes two
+ * steps wide. Of several between the same two steps the most extreme is kept.
  */
 GradientOpacityTable gradientOpacityOf(vtkVolumeProperty* property, double mostMagnitude);
 

@@ -14,8 +14,8 @@ namespace
 
 using Integral = std::array<double, 4>; // C tau, tau
 
-// A colour without extinction is never seen. It becomes that of the nearest entry with extinction,
-// so that it doesn't count as a change of colour.
+// A colour without extinction is invisible. It is replaced by that of the nearest entry with
+// extinction, so that it doesn't count as a change of colour.
 void hideUnseenColours(std::vector<OpticalSample>& entries)
 {
   const auto isSeen = [&](std::size_t i)
@@ -43,7 +43,7 @@ void hideUnseenColours(std::vector<OpticalSample>& entries)
   }
 }
 
-// The change of the channel that changes most from one entry to the next.
+// The maximum change of a channel from one entry to the next.
 double colourChange(const OpticalSample& p, const OpticalSample& q)
 {
   double most = 0;
@@ -138,7 +138,7 @@ void addExtinctionVariations(IntegralTable& table)
 void addSlopeVariations(IntegralTable& table)
 {
   using Slopes = std::array<double, 4>; // of C tau and tau
-  // At the begin of a bin (end 0) or at its end (end 1), of the parabola that C tau is in it.
+  // The slope of the parabola C tau at the begin (end 0) or end (end 1) of a bin.
   const auto slopesAt = [&](std::size_t bin, int end)
   {
     const std::array<float, 4>& from = table.Values[bin];
@@ -171,7 +171,7 @@ void addSlopeVariations(IntegralTable& table)
   {
     const Slopes begin = slopesAt(bin, 0);
     add(before, begin);
-    // The sums up to a bin hold the jump at its begin.
+    // The sums up to a bin include the jump at its begin.
     table.SlopeVariations[bin] = { { static_cast<float>(ofExtinction),
       static_cast<float>(ofEmission) } };
     before = slopesAt(bin, 1);

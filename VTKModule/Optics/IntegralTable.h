@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The transfer functions and their integrals, as the march looks them up (see
+// Tables of the transfer functions and their integrals for the march (see
 // Shaders/tables/integral_table.glsl).
 #ifndef TetMarchOpticsIntegralTable_h
 #define TetMarchOpticsIntegralTable_h
@@ -20,10 +20,10 @@ struct IntegralTable
   std::vector<std::array<float, 4>> Values;            // r, g, b, extinction at each entry
   std::vector<std::array<std::uint32_t, 4>> Integrals; // of C tau and tau up to each entry
   std::vector<float> Variations;                       // total variation of C up to each entry
-  std::vector<float> ExtinctionVariations;             // the same of tau, if it was asked for
-  /** The same of the slopes of tau and of C tau, an entry, if it was asked for. */
+  std::vector<float> ExtinctionVariations;             // the same of tau, if requested
+  /** The same of the slopes of tau and of C tau per entry, if requested. */
   std::vector<std::array<float, 2>> SlopeVariations;
-  std::array<double, 4> IntegralUnit{};                // what 1 in Integrals stands for, in bins
+  std::array<double, 4> IntegralUnit{}; // the unit of Integrals, in bins
   TableTraits Traits;
   /** r, g, b, extinction of scalars that are not finite. */
   std::array<float, 4> NanColor{};
@@ -38,21 +38,21 @@ struct IntegralTable
   double offset(double low) const;
 };
 
-/** A table of four more entries than samples; its first and last bins hold the constant values
+/** A table of four more entries than samples; its first and last bins contain the constant values
  * below and above the samples. */
 IntegralTable makeIntegralTable(const SampledFunctions& functions);
 
 /** Whether any entry has extinction. */
 bool hasExtinction(const IntegralTable& table);
 
-/** Add ExtinctionVariations, which the error bounds of several tables and of scalars that bend along a
- * ray need. */
+/** Add ExtinctionVariations, which the error bounds of several tables and of scalars that bend
+ * along a ray need. */
 void addExtinctionVariations(IntegralTable& table);
 
 /** Add SlopeVariations, which the error bounds of scalars that bend along a ray need. */
 void addSlopeVariations(IntegralTable& table);
 
-/** The number of samples for a table of so many entries. */
+/** The number of samples for a table with this number of entries. */
 constexpr int samplesOfTable(int entries) { return entries - 4; }
 
 } // namespace tetmarch

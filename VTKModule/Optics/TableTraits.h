@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Properties of transfer functions that save the march work.
+// Properties of transfer functions that simplify the march.
 #ifndef TetMarchOpticsTableTraits_h
 #define TetMarchOpticsTableTraits_h
 
@@ -16,11 +16,10 @@ struct TableTraits
 
   /**
    * Positions in the table, in entries. There is no extinction up to the first position and from
-   * the second one on, nor from the third to the fourth, which is the widest gap between the first
-   * two.
+   * the second one on, nor between the third and the fourth, the widest gap between the first two.
    */
   std::array<float, 4> Transparent = NothingTransparent;
-  bool ConstantColor = false; // all that is seen has the colour of the first entry
+  bool ConstantColor = false; // all visible entries have the colour of the first entry
 
   bool hasTransparentRanges() const { return this->Transparent != NothingTransparent; }
 };

@@ -90,8 +90,8 @@ std::vector<OpticalSample> evaluate(
   return samples;
 }
 
-// The deviation of the line between two kept samples from the fine ones; for extinctions as a share
-// of the greatest.
+// The deviation of the line between two kept samples from the fine ones; for extinctions relative
+// to the maximum.
 double deviation(const OpticalSample* fine, std::size_t perBin, const OpticalSample& p,
   const OpticalSample& q, double greatest)
 {

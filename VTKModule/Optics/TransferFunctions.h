@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Colour and extinction as functions of the scalar, as a vtkVolumeProperty has them.
+// Colour and extinction of a vtkVolumeProperty as functions of the scalar.
 #ifndef TetMarchOpticsTransferFunctions_h
 #define TetMarchOpticsTransferFunctions_h
 
@@ -13,9 +13,9 @@ namespace tetmarch
 {
 
 /**
- * How extinction (in 1 / scalar opacity unit distance) follows from the opacity alpha:
- * Unstructured: alpha (vtkProjectedTetrahedraMapper and its kin); Structured: -ln(1 - alpha)
- * (vtkGPUVolumeRayCastMapper), with alpha at most 1 - 2^-24.
+ * The extinction (in 1 / scalar opacity unit distance) as a function of the opacity alpha:
+ * Unstructured: alpha (vtkProjectedTetrahedraMapper and similar mappers); Structured: -ln(1 -
+ * alpha) (vtkGPUVolumeRayCastMapper), with alpha at most 1 - 2^-24.
  */
 enum class OpacityLaw
 {
@@ -26,8 +26,8 @@ enum class OpacityLaw
 double extinctionOf(double opacity, OpacityLaw law);
 
 /**
- * Colour r, g, b in 0..1 and extinction at equal steps from scalar Begin to scalar End; what holds
- * below and above is in Before and After.
+ * Colour r, g, b in 0..1 and extinction at equal steps from scalar Begin to scalar End; Before and
+ * After are the values below and above.
  */
 struct SampledFunctions
 {
@@ -37,9 +37,9 @@ struct SampledFunctions
   std::array<double, 4> After{};
   std::vector<std::array<double, 4>> Samples;
   /**
-   * The greatest difference between the functions and the lines between their samples: in
-   * extinction, as a share of the greatest extinction, or in a colour with extinction. 0 if it was
-   * not measured.
+   * The maximum difference between the functions and the lines between their samples: in
+   * extinction, relative to the maximum extinction, or in a colour with extinction. 0 if it was not
+   * measured.
    */
   double Deviation = 0;
 };
@@ -54,7 +54,7 @@ SampledFunctions sampleFunctions(
   vtkVolumeProperty* property, OpacityLaw law, double low, double high, int count);
 
 /** Colour r, g, b and extinction of scalars that are not finite, by the colour function's NaN
- * colour and opacity. A gray function has none: no extinction. */
+ * colour and opacity. Extinction 0 for a gray function, which has no NaN colour. */
 std::array<float, 4> nanColorOf(vtkVolumeProperty* property, OpacityLaw law);
 
 /** `factor` times as many samples. The extinction is evaluated again; the colour, which is
@@ -62,7 +62,7 @@ std::array<float, 4> nanColorOf(vtkVolumeProperty* property, OpacityLaw law);
 SampledFunctions refined(
   vtkVolumeProperty* property, OpacityLaw law, const SampledFunctions& coarse, int factor);
 
-/** Every perBin-th of the samples, with the areas between them kept, so that nothing narrow is
+/** Every perBin-th of the samples, with the areas between them kept, so that no narrow feature is
  * missed (keepBinAreas()). The number of samples is a multiple of perBin plus 1. */
 SampledFunctions keepAreas(const SampledFunctions& fine, int perBin);
 

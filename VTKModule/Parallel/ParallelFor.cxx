@@ -41,7 +41,7 @@ public:
     }
   }
 
-  // Throw what was kept, if anything; the threads have ended.
+  // Rethrow the exception, if any; the threads have ended.
   void rethrow() const
   {
     if (this->First)

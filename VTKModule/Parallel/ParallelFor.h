@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Loops in threads that lose no exception.
+// Parallel loops that pass on exceptions.
 #ifndef TetMarchParallelParallelFor_h
 #define TetMarchParallelParallelFor_h
 
@@ -11,10 +11,10 @@
 namespace tetmarch
 {
 
-/** Of the loops below; at least 1. */
+/** The number of threads of the loops below; at least 1. */
 int numberOfThreads();
 
-/** Of a loop: called with it for each part of its range. */
+/** A type-erased loop body, called for each part of its range. */
 using CallLoop = void (*)(void* loop, vtkIdType first, vtkIdType last);
 
 /** parallelFor() without the type of the loop, so that vtkSMPTools is compiled once. */
@@ -22,8 +22,8 @@ void forParts(vtkIdType begin, vtkIdType end, vtkIdType grain, CallLoop call, vo
 
 /**
  * Call f(first, last) in threads for parts of begin..end, as vtkSMPTools::For() does. The first
- * exception that a call throws ends the loop and is thrown to the caller: VTK's back end STDThread
- * would swallow it, and the arrays that the loop fills would look complete.
+ * exception of a call ends the loop and is rethrown to the caller: VTK's back end STDThread would
+ * swallow it, and the arrays that the loop fills would seem complete.
  */
 template <typename Functor>
 void parallelFor(vtkIdType begin, vtkIdType end, vtkIdType grain, Functor&& f)
@@ -34,7 +34,7 @@ void parallelFor(vtkIdType begin, vtkIdType end, vtkIdType grain, Functor&& f)
   forParts(begin, end, grain, call, const_cast<std::remove_const_t<Loop>*>(&f));
 }
 
-/** The same with parts as large as the back end chooses. */
+/** The same with a part size chosen by the back end. */
 template <typename Functor>
 void parallelFor(vtkIdType begin, vtkIdType end, Functor&& f)
 {

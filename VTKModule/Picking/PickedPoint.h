@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The point at which the ray of a pixel has gathered as much as the volume is picked by.
+// The point at which the ray of a pixel reaches the pick threshold.
 #ifndef TetMarchPickingPickedPoint_h
 #define TetMarchPickingPickedPoint_h
 
@@ -13,9 +13,9 @@ namespace tetmarch
 
 struct PickedPoint
 {
-  bool Hit = false;   // false: the ray gathers less, or meets something opaque before
-  vtkIdType Cell = 0; // of the data that is drawn
-  double Scalar = 0;  // as it is stored, 0..1
+  bool Hit = false;   // false: the ray does not reach the threshold, or hits opaque geometry before
+  vtkIdType Cell = 0; // of the drawn data
+  double Scalar = 0;  // as stored, 0..1
   Vector3 Position{}; // in the normalised frame
 };
 

@@ -12,7 +12,7 @@ namespace tetmarch
 namespace
 {
 
-// The greatest float below 1: picked points are nearer than the background.
+// The largest float below 1: picked points are nearer than the background.
 constexpr double Farthest = 1 - 1.0 / (1 << 24);
 
 double windowDepth(const View& view, const std::array<double, 3>& p)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the first pass of a selection found, for its later passes.
+// The result of the first pass of a selection, for its later passes.
 #ifndef TetMarchPickingSelectionPoints_h
 #define TetMarchPickingSelectionPoints_h
 
@@ -17,8 +17,8 @@ namespace tetmarch
 {
 
 /**
- * A vtkHardwareSelector renders a scene that doesn't change several times, beginning with its
- * ACTOR_PASS. The points are kept until the selector's EndEvent.
+ * A vtkHardwareSelector renders an unchanged scene several times, beginning with its ACTOR_PASS.
+ * The points are kept until the selector's EndEvent.
  */
 class SelectionPoints
 {
@@ -28,7 +28,7 @@ public:
   SelectionPoints(const SelectionPoints&) = delete;
   SelectionPoints& operator=(const SelectionPoints&) = delete;
 
-  /** What an earlier pass of the selection has kept that was made from the same; else null. */
+  /** The points of an earlier pass of the selection with the same input; else null. */
   const std::vector<PickedPoint>* find(
     vtkHardwareSelector* selector, const Fingerprint& madeFrom) const;
   void keep(vtkHardwareSelector* selector, Fingerprint madeFrom, std::vector<PickedPoint> points);

@@ -9,10 +9,10 @@ namespace tetmarch
 namespace
 {
 
-// Of the visits of a process: if fewer were hidden, it marches them all.
+// Share of the visits of a process: if fewer were hidden, it marches all.
 constexpr double LeastHiddenShare = 0.125;
 
-// Each depth becomes the greatest of those around: what hides them may have moved.
+// Each depth becomes the maximum of its neighbours, since the occluders may have moved.
 HiddenDepths spreadOut(HiddenDepths depths, int width, int height)
 {
   for (const bool alongRows : { true, false })

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a process expects to be hidden from picture to picture.
+// Depths behind which a process expects to be hidden, from the last picture.
 #ifndef TetMarchProcessesExpectedDepths_h
 #define TetMarchProcessesExpectedDepths_h
 
@@ -11,21 +11,21 @@
 namespace tetmarch
 {
 
-/** What was hidden in the last picture will most likely be so in the next: there rays wait until
- * the processes have told what is hidden now. That costs messages, so it is done only if much of
- * what this process had to march was hidden. */
+/** Parts hidden in the last picture are probably hidden in the next: rays wait there until the
+ * processes have exchanged the hidden depths of this picture. This costs messages, so it is done
+ * only if a large share of this process's visits was hidden. */
 class ExpectedDepths
 {
 public:
-  /** Of the next picture. What was learned of another size is forgotten. */
+  /** Begin the next picture. Depths of another size are discarded. */
   void begin(int width, int height);
-  /** Of the rows from one to before the other; empty if nothing is expected. */
+  /** The expected depths of rows [first, end); empty if nothing is expected. */
   HiddenDepths ofRows(int first, int end) const;
 
-  /** What is hidden from that row on: the least depths of all that is said. */
+  /** Record hidden depths from that row on: the minimum of all recorded ones. */
   void learn(int firstRow, const HiddenDepths& hidden);
-  /** When all is learned of the rows from that one on: the visits of this process there, and how
-   * many rays have ended because what they would have entered was hidden. */
+  /** Complete the rows from that one on: the number of visits of this process there, and of its
+   * rays that ended because their next entry was hidden. */
   void count(int firstRow, const std::vector<VisitLists>& visits, std::size_t endedRays);
 
 private:

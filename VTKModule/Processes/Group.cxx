@@ -13,9 +13,10 @@ namespace
 {
 
 constexpr int Tag = 20190; // of our messages
-// Of one call: MPI counts in int. Memory for a message is taken part by part, as it arrives.
+// Maximum size of one call: MPI counts in int. Memory for a message is allocated in parts, as it
+// arrives.
 constexpr std::size_t MostBytesOfPart = std::size_t(1) << 26;
-// That a picture's size may ask all processes to tell each other.
+// Maximum size of data that all processes exchange for a picture.
 constexpr std::size_t MostBytesOfAll = std::size_t(1) << 31;
 
 std::size_t checkedSize(vtkTypeInt64 count, int from)
@@ -28,7 +29,7 @@ std::size_t checkedSize(vtkTypeInt64 count, int from)
   return static_cast<std::size_t>(count);
 }
 
-// Where the messages of all processes begin, one behind the other, and where the last one ends.
+// The offsets of the concatenated messages of all processes, and their end.
 std::vector<vtkIdType> startsOf(const std::vector<vtkIdType>& counts)
 {
   std::vector<vtkIdType> starts{ 0 };
@@ -112,7 +113,7 @@ std::vector<Bytes> Group::exchange(std::vector<Bytes> outgoing)
     {
       continue;
     }
-    // One of the two listens while the other speaks.
+    // One of the two receives while the other sends.
     if (this->Rank < partner)
     {
       this->send(outgoing[partner], partner);

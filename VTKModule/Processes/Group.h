@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The processes that draw one volume together, and what they can tell each other.
+// The group of processes that draw one volume, and its communication.
 #ifndef TetMarchProcessesGroup_h
 #define TetMarchProcessesGroup_h
 
@@ -19,7 +19,7 @@ namespace tetmarch
 
 using Bytes = std::vector<unsigned char>;
 
-/** A message did not get through. */
+/** A message failed. */
 class GroupFailure : public std::runtime_error
 {
 public:
@@ -27,9 +27,9 @@ public:
 };
 
 /**
- * All its methods but the plain questions are collective: each process calls them in the same
- * order, or the others wait for it. They throw a GroupFailure if the controller fails. By a null
- * controller the group has one process, which tells nobody anything.
+ * All methods except const getters are collective: each process must call them in the same order.
+ * They throw a GroupFailure if the controller fails. With a null controller the group has one
+ * process, which sends nothing.
  */
 class Group
 {
@@ -39,18 +39,17 @@ public:
 
   int rank() const { return this->Rank; }
   int size() const { return this->Size; }
-  /** How many bytes this process has sent to others, without those of the library. */
+  /** The number of bytes sent by this process to others, without those of the library. */
   std::uint64_t sentBytes() const { return this->SentBytes; }
 
-  /** What each process says, in their order. */
+  /** Gather a value of each process, in their order. */
   std::vector<vtkMultiProcessStream> tellAll(const vtkMultiProcessStream& own);
-  /** The same of bytes, which may be many. */
+  /** The same for any number of bytes. */
   std::vector<Bytes> tellAll(const Bytes& own);
-  /** Send to each process what is meant for it; returns what each process has sent to this one. In
-   * each step a process speaks with one other: with that whose number differs in the bits of the
-   * step. */
+  /** Send a message to each process; returns the messages of all processes to this one. In each
+   * step a process exchanges with the one whose rank differs in the bits of the step. */
   std::vector<Bytes> exchange(std::vector<Bytes> outgoing);
-  /** The least of each number of all processes. They have equally many. */
+  /** The minimum of each number over all processes, which must have equally many. */
   void keepLeast(std::vector<float>& values);
 
 private:
@@ -64,8 +63,8 @@ private:
   std::uint64_t SentBytes = 0;
 };
 
-/** The error of the first process that has one, with its number if there are several; empty if none
- * has. */
+/** The error of the first process that has one, with its rank if there are several processes; empty
+ * if none has. */
 std::string sharedError(Group& group, const std::string& own);
 
 } // namespace tetmarch

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a picture is hidden by what the processes have gathered together.
+// Depths behind which pixels are hidden by the visits of all processes.
 #ifndef TetMarchProcessesHiddenDepths_h
 #define TetMarchProcessesHiddenDepths_h
 
@@ -12,16 +12,16 @@
 namespace tetmarch
 {
 
-/** Of each pixel the depth behind which nothing is seen: no ray need enter a piece there.
- * NothingHidden if all of a ray may be seen. Empty if nothing is known of any pixel. */
+/** For each pixel the depth behind which nothing is visible, so that its ray need not enter a piece
+ * there. NothingHidden if the whole ray may be visible. Empty if nothing is known. */
 using HiddenDepths = std::vector<float>;
 
-/** The depths of a row of merged pixels, of the span in which something is hidden. */
+/** Pack the depths of a row of merged pixels, in the span of pixels with a hidden depth. */
 void packHidden(const MergedPixel* row, int width, Packer& packer);
-/** Those become the lesser of themselves and of what another process has packed. */
+/** Set the depths to the minimum of themselves and of those packed by another process. */
 void takeHidden(Unpacker& sent, int width, float* row);
 
-/** How many visits are hidden, by the depths of their pixels. */
+/** The number of visits hidden by the depths of their pixels. */
 std::size_t countHidden(const VisitLists& lists, const float* hidden);
 
 } // namespace tetmarch

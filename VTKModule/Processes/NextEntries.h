@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the rays of a picture have got in the piece of one process.
+// The progress of a picture's rays in the piece of one process.
 #ifndef TetMarchProcessesNextEntries_h
 #define TetMarchProcessesNextEntries_h
 
@@ -13,29 +13,29 @@
 namespace tetmarch
 {
 
-/** The least rectangle that has some pixels, and how many these are. */
+/** The bounding rectangle of some pixels, and their number. */
 struct PixelBox
 {
   int X = 0, Y = 0, Width = 0, Height = 0;
   std::size_t Pixels = 0;
 };
 
-/** Of each pixel the depth at which its ray enters the piece next. */
+/** For each pixel the depth of its ray's next entry into the piece. */
 class NextEntries
 {
 public:
-  /** Of no picture: no ray enters. */
+  /** An empty picture. */
   NextEntries() = default;
   /** All rays may enter anywhere. */
   NextEntries(int width, int height);
 
   void set(std::uint32_t pixel, float depth) { this->Depths[pixel] = depth; }
   void end(std::uint32_t pixel) { this->Depths[pixel] = NothingHidden; }
-  /** The rays that enter where that is hidden end. Returns how many. */
+  /** End the rays whose next entry is hidden. Returns their number. */
   std::size_t endHidden(const HiddenDepths& hidden);
-  /** Whether a ray enters again. */
+  /** Whether any ray enters again. */
   bool any() const;
-  /** Of the pixels whose rays enter where that is not hidden. */
+  /** The box of the pixels whose next entry is not hidden. */
   PixelBox boxOfSeen(const HiddenDepths& hidden) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers as bytes, to be sent.
+// Serialization of numbers.
 #ifndef TetMarchProcessesPacking_h
 #define TetMarchProcessesPacking_h
 
@@ -25,7 +25,7 @@ public:
   Bytes Packed;
 };
 
-/** Takes what was added, in the same order. Throws a GroupFailure if there is less. */
+/** Reads the packed values in the same order. Throws a GroupFailure at the end of the bytes. */
 class Unpacker
 {
 public:
@@ -43,7 +43,8 @@ public:
     }
     this->At += count * sizeof(T);
   }
-  /** As many as another process says that it sent: memory for them is taken if they are there. */
+  /** Reads the number of values stated by another process; memory is allocated only if the bytes
+   * exist. */
   template <typename T>
   std::vector<T> takeVector(std::size_t count)
   {

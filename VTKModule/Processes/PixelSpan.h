@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of a row of pixels that has something to send.
+// The part of a row of pixels with data to send.
 #ifndef TetMarchProcessesPixelSpan_h
 #define TetMarchProcessesPixelSpan_h
 
@@ -11,14 +11,14 @@
 namespace tetmarch
 {
 
-/** The pixels from the first to before the end. */
+/** Pixels [first, end). */
 struct PixelSpan
 {
   std::uint32_t First, End;
   std::uint32_t size() const { return this->End - this->First; }
 };
 
-/** From the first to the last pixel of a row that has something; 0 to 0, or the like, if none has.
+/** From the first to the last pixel of a row with data; empty if there is none.
  */
 template <typename Has>
 PixelSpan spanOf(std::uint32_t width, const Has& has)
@@ -35,7 +35,7 @@ PixelSpan spanOf(std::uint32_t width, const Has& has)
   return span;
 }
 
-/** A span that another process has sent. Throws a GroupFailure if it is none of such a row. */
+/** Reads a span sent by another process. Throws a GroupFailure if it is invalid for the row. */
 inline PixelSpan takeSpan(Unpacker& sent, std::uint32_t width)
 {
   PixelSpan span{ 0, 0 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The visits of rows of pixels, as one process sends them to another.
+// Serialization of the visits of rows of pixels.
 #ifndef TetMarchProcessesSentVisits_h
 #define TetMarchProcessesSentVisits_h
 
@@ -10,11 +10,11 @@
 namespace tetmarch
 {
 
-/** The visits of the rows that a process merges: of each row from the first to the last pixel with
- * visits a number of visits, then the visits. */
+/** Pack the visits of the rows that a process merges: for each row, from the first to the last
+ * pixel with visits, the numbers of visits, then the visits. */
 Bytes packVisits(const VisitLists& lists, int merger, int processes);
 
-/** Those that one process has sent, of one row. */
+/** The visits of one row sent by one process. */
 struct SentRow
 {
   PixelSpan Where{ 0, 0 };

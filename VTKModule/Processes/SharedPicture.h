@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture that several processes draw together.
+// A picture drawn by several processes.
 #ifndef TetMarchProcessesSharedPicture_h
 #define TetMarchProcessesSharedPicture_h
 
@@ -9,7 +9,7 @@
 namespace tetmarch
 {
 
-/** Who draws it, and what that took of this process. */
+/** The processes of the picture, and the cost for this process. */
 struct SharedPicture
 {
   Group* Processes = nullptr;
@@ -21,25 +21,25 @@ struct SharedPicture
   int Bands = 1;                     // of rows, drawn one after the other
   std::uint64_t SentBytesBefore = 0; // by this process, before this frame
   std::uint64_t SentBytes = 0;       // by this process, in this frame
-  double WorstError = 0;             // of all pixels: how far a channel may be off
+  double WorstError = 0;             // error bound of a channel, maximum over the pixels
 };
 
-/** Collective: whether some process says so. */
+/** Collective: whether the value is true in some process. */
 bool anyOf(Group& group, bool own);
 
-/** Where this process is with its part of a picture. */
+/** The status of this process's part of a picture. */
 struct PartStatus
 {
   std::string Error;
   bool Stopped = false;
-  bool TooMuch = false; // the visits of the band take more memory than there is for them
-  bool Waits = false;   // rays may go on when all have told what they hide
+  bool TooMuch = false; // the visits of the band exceed their memory
+  bool Waits = false;   // rays can continue after the exchange of hidden depths
   int Width = 0;
   int Height = 0;
 };
 
 /** Collective: the status of all. It has an error if some process has one, or if their pictures
- * differ in size; it is stopped, or too much, or waits, if one does. */
+ * differ in size; each other flag is set if it is set in some process. */
 PartStatus agreeOn(Group& group, const PartStatus& own);
 
 } // namespace tetmarch

@@ -73,7 +73,7 @@ void VisitExchange::add(const VisitLists& own)
   this->Figures.MergeSeconds += secondsSince(time);
 }
 
-// One after the other.
+// Sequentially.
 void VisitExchange::mergeOwnRows()
 {
   std::vector<Unpacker> sent(this->Received.begin(), this->Received.end());
@@ -108,8 +108,8 @@ HiddenDepths VisitExchange::tellHidden()
   return hidden;
 }
 
-// Each process tells the worst error of its rows; then of each row the pixels, whether it had
-// hidden visits, and what is hidden if it had.
+// Each process sends the maximum error of its rows; then for each row the pixels, a flag for hidden
+// visits, and the hidden depths if it is set.
 MergedPicture VisitExchange::spread()
 {
   double time = vtkTimerLog::GetUniversalTime();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The visits of all processes become one picture (direct send; Hsu, "Segmented ray casting for data
-// parallel volume rendering", 1993; of lists of fragments as in Ma and Crockett, "A scalable
+// Merges the visits of all processes into one picture (direct send; Hsu, "Segmented ray casting for
+// data parallel volume rendering", 1993; of lists of fragments as in Ma and Crockett, "A scalable
 // parallel cell-projection volume rendering algorithm for three-dimensional unstructured data",
 // 1997).
 #ifndef TetMarchProcessesVisitExchange_h
@@ -14,8 +14,8 @@
 namespace tetmarch
 {
 
-/** Row y of the picture is merged by process y modulo their number: what is hard to merge lies side
- * by side, and so is shared out. */
+/** Row y of the picture is merged by process y modulo their number, so that expensive adjacent rows
+ * are distributed. */
 inline int mergerOf(int row, int processes) { return row % processes; }
 
 /** A picture of merged pixels, rows from the bottom. */
@@ -23,21 +23,21 @@ struct MergedPicture
 {
   int Width = 0;
   int Height = 0;
-  std::vector<float> Gathered; // four a pixel
+  std::vector<float> Gathered; // four per pixel
   float WorstError = 0;        // of all pixels
   HiddenDepths Hidden;         // of rows that have hidden visits; empty if none has
 };
 
-/** What the merging of a picture took. */
+/** The cost of the merge of a picture. */
 struct ExchangeFigures
 {
   double ExchangeSeconds = 0;
   double MergeSeconds = 0;
-  double SpreadSeconds = 0; // to tell all processes the merged rows
+  double SpreadSeconds = 0; // of sending the merged rows to all processes
 };
 
-/** All methods are collective. The picture does not depend on how many turns the visits are added
- * in. */
+/** All methods are collective. The picture does not depend on the number of turns in which visits
+ * are added. */
 class VisitExchange
 {
 public:
@@ -45,9 +45,9 @@ public:
   VisitExchange(
     Group& group, int width, int height, MergeRule rule, float opaque, ExchangeFigures& figures);
 
-  /** Each process gives visits of its piece, all of a picture of that size. */
+  /** Each process adds visits of its piece, in a picture of that size. */
   void add(const VisitLists& own);
-  /** What is hidden by all that was added. */
+  /** The depths hidden by all added visits. */
   HiddenDepths tellHidden();
   /** The whole picture. */
   MergedPicture spread();

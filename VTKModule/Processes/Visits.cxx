@@ -14,16 +14,16 @@ namespace
 // Before any scalar, as in Shaders/gather/extreme.glsl.
 constexpr float NothingFound = -3e38f;
 
-// A total order, so that the picture doesn't depend on which process sent what first.
+// A total order, so that the picture doesn't depend on the order of messages.
 bool isBefore(const Visit& a, const Visit& b)
 {
   return std::tie(a.Begin, a.End, a.Gathered, a.Error) <
          std::tie(b.Begin, b.End, b.Gathered, b.Error);
 }
 
-// "Compositing digital images" (Porter and Duff, 1984), front to back. Where it ends does not
-// depend on visits behind, and those that are missing only make it end later: no product grows by a
-// factor up to 1, nor by its rounding. So of any visits that hide a depth, all together hide it.
+// "Compositing digital images" (Porter and Duff, 1984), front to back. Its end does not depend on
+// the visits behind, and missing visits can only move it back: no product grows by a factor up to
+// 1, nor by its rounding. So if some visits hide a depth, all together hide it.
 MergedPixel mergeOver(const std::vector<Visit>& visits, float opaque)
 {
   MergedPixel merged = emptyPixel(MergeRule::Over);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What rays gather of one process's piece of a volume.
+// The visits of rays to the pieces of a volume.
 #ifndef TetMarchProcessesVisits_h
 #define TetMarchProcessesVisits_h
 
@@ -12,19 +12,19 @@
 namespace tetmarch
 {
 
-/** What a ray has gathered between entering a piece and leaving it. Depths are those along the ray
- * in the normalised frame of the whole volume, so that those of all processes can be compared. */
+/** The part of a ray between entering a piece and leaving it. Depths are those along the ray in the
+ * normalised frame of the whole volume, and so are comparable between processes. */
 struct Visit
 {
   float Begin, End;
   /** Emission and absorption, or surfaces: premultiplied red, green, blue, and the transmittance
-   * 0..1 of this part alone. The greatest or least scalar: that and three zeros. Sums: the sum, the
-   * length that counts, and two zeros. */
+   * 0..1 of this part only. Extremes: the scalar and three zeros. Sums: the sum, the length that
+   * counts, and two zeros. */
   std::array<float, 4> Gathered;
-  float Error; // no channel of this part is off by more
+  float Error; // error bound of each channel of this part
 };
 
-/** How visits become one. */
+/** The rule by which visits are merged. */
 enum class MergeRule
 {
   Over,     // front to back
@@ -32,7 +32,7 @@ enum class MergeRule
   Sum
 };
 
-/** The visits of the pixels of a picture, each pixel's front to back. */
+/** The visits of the pixels of a picture, front to back in each pixel. */
 class VisitLists
 {
 public:
@@ -45,14 +45,14 @@ public:
 
   int width() const { return this->Width; }
   int height() const { return this->Height; }
-  /** Pixels are counted from the lower left, row by row. The visits of a pixel are added in their
-   * order, those of other pixels may come between them. */
+  /** Pixels are counted from the lower left, row by row. The visits of a pixel must be added in
+   * their order; those of other pixels may come between them. */
   void add(std::uint32_t pixel, const Visit& visit)
   {
     this->Pixels.push_back(pixel);
     this->Added.push_back(visit);
   }
-  /** What was added becomes the lists. */
+  /** Build the lists of the added visits. */
   void finish();
 
   std::size_t size() const { return this->Added.size(); }
@@ -78,21 +78,20 @@ private:
 /** Deeper than any visit. */
 constexpr float NothingHidden = 3e38f;
 
-/** What of a pixel all processes have gathered together, in the form of Visit::Gathered, and how
- * far it may be off. */
+/** The merged values of a pixel, in the form of Visit::Gathered, and their error bound. */
 struct MergedPixel
 {
   std::array<float, 4> Gathered;
   float Error;
-  float HiddenFrom = NothingHidden; // what begins behind this depth is not seen, whatever it is
+  float HiddenFrom = NothingHidden; // everything behind this depth is invisible
   std::uint32_t HiddenVisits = 0;   // that were left out
 };
 
-/** A pixel that nothing was gathered in. */
+/** An empty pixel. */
 MergedPixel emptyPixel(MergeRule rule);
 
-/** Merge the visits of one pixel, which are sorted. What lies behind a transmittance below `opaque`
- * is left out; whatever it is, the transmittance counts as error. */
+/** Merge the sorted visits of one pixel. Visits behind a transmittance below `opaque` are left out,
+ * and this transmittance is added to the error. */
 MergedPixel mergeVisits(std::vector<Visit>& visits, MergeRule rule, float opaque);
 
 } // namespace tetmarch

@@ -24,7 +24,7 @@ from .vtkRenderingTetMarch import (
     vtkTetMarchVolumeMapper,
 )
 
-# Where the functions are that need NumPy and further modules of VTK: these are imported when one is asked for.
+# The modules of functions that need NumPy and further modules of VTK: imported on demand.
 HOMES = {
     "Figure": "figures",
     "compare": "measures",

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a script as it is, with the mappers of TetMarch in the place of VTK's: python3 -m vtktetmarch SCRIPT..."""
+"""Runs an unchanged script with the mappers of TetMarch in place of VTK's: python3 -m vtktetmarch SCRIPT..."""
 import os
 import runpy
 import sys

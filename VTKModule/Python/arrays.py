@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Unstructured grids from NumPy's arrays."""
+"""Unstructured grids from NumPy arrays."""
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkUnstructuredGrid
@@ -10,7 +10,7 @@ from .shared_arrays import add_arrays, keep_with, numeric_array, shared_array, s
 
 
 def integers(values, what):
-    """Ids as int32 or int64, without a copy if they are."""
+    """Ids as int32 or int64, without a copy if possible."""
     array = numeric_array(unmasked(values, what, "leave out the cells that have them"), what)
     if array.dtype.kind == "f":
         raise TypeError(f"{what} has values of type {array.dtype}; they are ids, which are integers")
@@ -18,7 +18,7 @@ def integers(values, what):
 
 
 def connectivity_and_offsets(cells):
-    """Both of any of the three forms of cells that from_arrays() takes."""
+    """Connectivity and offsets of any of the three forms of cells that from_arrays() accepts."""
     if isinstance(cells, tuple) and len(cells) == 2 and np.ndim(cells[0]) == 1:
         connectivity, offsets = (integers(part, what) for part, what in zip(cells, ("connectivity", "offsets")))
         if offsets.ndim != 1 or len(offsets) < 1 or offsets[0] != 0 or offsets[-1] != len(connectivity) \
@@ -39,9 +39,9 @@ def connectivity_and_offsets(cells):
 
 
 def split_flat(ids):
-    """Of "count, ids..., count, ids..."."""
+    """Connectivity and offsets of "count, ids..., count, ids..."."""
     row = int(ids[0]) + 1 if len(ids) else 1
-    if row > 0 and len(ids) % row == 0 and (ids[::row] == row - 1).all():  # all cells have as many
+    if row > 0 and len(ids) % row == 0 and (ids[::row] == row - 1).all():  # all cells have the same number
         return np.ascontiguousarray(ids.reshape(-1, row)[:, 1:]).reshape(-1), \
             np.arange(len(ids) // row + 1, dtype=ids.dtype) * ids.dtype.type(row - 1)
     starts, at = [], 0
@@ -58,7 +58,7 @@ def split_flat(ids):
 
 
 def types_of(cell_types, count):
-    """An array of VTK's numbers, one a cell, as bytes."""
+    """An array of VTK's cell types, one per cell, as bytes."""
     if isinstance(cell_types, str) or np.ndim(cell_types) == 0:
         return np.full(count, cell_type_number(cell_types), np.uint8)
     types = np.asarray(unmasked(cell_types, "cell_types", "leave out the cells that have them"))
@@ -101,23 +101,23 @@ def points_of(points):
 
 
 def from_arrays(points, cells, cell_types, point_data=None, cell_data=None):
-    """A vtkUnstructuredGrid over arrays of NumPy.
+    """A vtkUnstructuredGrid that shares the memory of NumPy arrays.
 
     points: (points, 3), float32 or float64.
     cells: ids of points, from 0; one of
         (cells, points of a cell), if all cells are of one type;
-        a tuple (connectivity, offsets) as of vtkCellArray: all ids, and where each cell begins, with the end behind it;
-        flat: for each cell a count and as many ids, as of VTK before 9 and of PyVista.
-    cell_types: one for all cells or one a cell: VTK's numbers (VTK_TETRA is 10), or names as of meshio ("tetra",
+        a tuple (connectivity, offsets) as in vtkCellArray: all ids, and the index of each cell's first, then the end;
+        flat: for each cell the number of its ids and the ids, as in VTK before 9 and in PyVista.
+    cell_types: one for all cells or one per cell: VTK's numbers (VTK_TETRA is 10), or meshio's names ("tetra",
         "hexahedron", "wedge", "pyramid", "voxel", "tetra10", ...).
     point_data, cell_data: {name: array}, one value or a tuple of them for each point or cell.
 
     Memory is shared, not copied, of: points, if float32 or float64; cells as int32 or int64 in the first two forms;
     data of integers and floats of 8 to 64 bits; each if contiguous in C order. It lives as long as the grid needs it.
-    All else is copied. After a change in such an array call Modified() of what has changed, and of the grid:
+    Other arrays are copied. After a change of a shared array call Modified() of it and of the grid:
     grid.GetPointData().GetArray("t").Modified(); grid.Modified().
 
-    Values that a masked array hides become NaN, of which nothing is drawn; points and ids may have none.
+    Masked values become NaN, which is not drawn; points and ids must have none.
 
     Raises ValueError for wrong shapes and ids, TypeError for other values than numbers.
     """

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cameras: the one that is chosen for the data, or as it is said."""
+"""Cameras: chosen for the data, or specified."""
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
@@ -12,7 +12,7 @@ KEYS = ("position", "focal_point", "view_up", "view_angle", "parallel_scale", "z
 
 
 def fit(camera, volume, aspect):
-    """Looks obliquely at what is shown of the volume's data, wherever the volume is put in the world."""
+    """Looks obliquely at the visible part of the volume's data, with any transformation of the volume."""
     with VtkErrors():
         first_picture_of(volume).PlaceCamera(camera, aspect)
     if not volume.GetIsIdentity():
@@ -24,8 +24,8 @@ def fit(camera, volume, aspect):
 def place_camera(camera, wish, volume, aspect):
     """Places a vtkCamera.
 
-    wish: "iso": obliquely, so that all that is shown just fits; a vtkCamera, which is copied; or a dict, of which what
-        is missing is as by "iso": position, focal_point, view_up (three numbers each, in the world), view_angle
+    wish: "iso": obliquely, so that the visible part just fits; a vtkCamera, which is copied; or a dict, whose missing
+        entries are as with "iso": position, focal_point, view_up (three numbers each, in the world), view_angle
         (degrees), parallel_scale (half of the picture's height in the world; makes the projection parallel), azimuth,
         elevation (degrees about the focal point) and zoom (above 1: nearer).
     volume: a vtkVolume with a mapper of ours. aspect: width / height.
@@ -54,7 +54,7 @@ def place_camera(camera, wish, volume, aspect):
 
 
 def check_wish(wish):
-    """Raises what is wrong with the dict of place_camera()."""
+    """Raises an error if the dict of place_camera() is invalid."""
     unknown = set(wish) - set(KEYS)
     if unknown:
         raise TypeError(f"camera has no {sorted(unknown, key=str)[0]!r}; it has {', '.join(KEYS)}")

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Types of cells by name, and how many points each has."""
+"""Names of cell types, and their numbers of points."""
 from vtkmodules import vtkCommonDataModel as model
 
 from .checks import checked_integer
 
-# Name: (VTK's number, points of a cell). The names are those of meshio, where it has one.
+# Name: (VTK's number, points of a cell). The names are meshio's, if it has one.
 CELL_TYPES = {
     "tetra": (model.VTK_TETRA, 4),
     "voxel": (model.VTK_VOXEL, 8),
@@ -27,7 +27,7 @@ POINTS = dict(CELL_TYPES.values())
 
 
 def cell_type_number(cell_type):
-    """VTK's number of a type: of its name, or the number itself."""
+    """VTK's number of a type, given its name or number."""
     if isinstance(cell_type, str):
         if cell_type not in CELL_TYPES:
             raise ValueError(f"there is no type of cell {cell_type!r}; there are {', '.join(CELL_TYPES)}")

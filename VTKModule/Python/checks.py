@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks of arguments: what is wrong is said with the argument's name."""
+"""Checks of arguments. Errors contain the argument's name."""
 import math
 from numbers import Integral, Real
 
 
 def checked_number(value, what):
-    """A finite number. Raises TypeError for what is no number, ValueError for NaN and infinity."""
+    """A finite number. Raises TypeError for other types, ValueError for NaN and infinity."""
     if not isinstance(value, Real):
         raise TypeError(f"{what} is a number, not {value!r}")
     if not math.isfinite(value):
@@ -22,14 +22,14 @@ def checked_positive(value, what):
 
 
 def checked_integer(value, what):
-    """An integer, of Python or NumPy; True and False are none."""
+    """An integer of Python or NumPy; True and False are not accepted."""
     if not isinstance(value, Integral) or isinstance(value, bool):
         raise TypeError(f"{what} is an integer, not {value!r}")
     return int(value)
 
 
 def checked_items(value, what):
-    """A list of what can be iterated, but for texts."""
+    """A list of an iterable, except texts."""
     try:
         if isinstance(value, (str, bytes)):
             raise TypeError
@@ -63,7 +63,7 @@ def checked_size(value):
 
 
 def checked_word(value, words, what):
-    """One of the words, of which None may be one."""
+    """One of the words; None may be one of them."""
     if not isinstance(value, (str, type(None))) or value not in words:
         *some, last = map(repr, words)
         raise ValueError(f"{what} is {', '.join(some)} or {last}, not {value!r}")

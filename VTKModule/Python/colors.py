@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Colours by name, as numbers or as a list, and the functions made of them."""
+"""Colours by name, as numbers or as a list, and colour functions."""
 import json
 import os
 from collections.abc import Sequence
@@ -32,12 +32,12 @@ def rgb(color):
 
 
 def plain(name):
-    """What counts of a colour map's name."""
+    """The significant characters of a colour map's name."""
     return name.lower().replace("(matplotlib)", "").replace(" ", "")
 
 
 def map_of_ours(name, low, high):
-    """A colour map that comes with the package, or None: the same ones that tetmarch-render has."""
+    """A colour map of the package, or None: the same as those of tetmarch-render."""
     with open(os.path.join(os.path.dirname(__file__), "color_maps.json"), encoding="utf-8") as file:
         found = [each for each in json.load(file) if plain(each["Name"]) == plain(name)]
     if not found:
@@ -75,7 +75,7 @@ def is_pair(item):
 
 
 def color_function(cmap, low, high):
-    """A vtkColorTransferFunction: cmap as it is; by name; or of a list, from the value low to the value high.
+    """A vtkColorTransferFunction: cmap itself; by name; or of a list, from the value low to the value high.
 
     A list has colours (see rgb()), spread evenly from low to high, or pairs (value, colour). Raises ValueError.
     """

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether a window can be opened: VTK's own windows for X abort the whole process if not."""
+"""Checks whether a window can be opened: VTK's windows for X abort the process if not."""
 import ctypes
 import ctypes.util
 import os
@@ -11,7 +11,7 @@ HELP = "start a server (`Xvfb :1 &`, then DISPLAY=:1), or put `xvfb-run -a` befo
 
 
 def check_display():
-    """Raises RuntimeError, which says what to do, where VTK's window needs an X server and there is none."""
+    """Raises RuntimeError with the remedy if VTK's window needs an X server and there is none."""
     if not vtkRenderWindow().IsA("vtkXOpenGLRenderWindow"):
         return
     name = os.environ.get("DISPLAY")

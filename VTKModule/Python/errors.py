@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What VTK reports as text becomes a Python exception."""
+"""Python exceptions for errors that VTK reports as text."""
 import re
 import warnings
 
@@ -14,11 +14,11 @@ def plain(text):
 
 
 class VtkErrors:
-    """Collects the errors of VTK's objects within a `with` block, those of objects inside of others as well.
+    """Collects the errors of VTK's objects within a `with` block, including those of internal objects.
 
-    That is so whether VTK displays them or not (vtkObject.GlobalWarningDisplayOff()), and of `observed`, whoever else
-    observes its errors. texts: the errors, without places in source files, each once. warnings: likewise; if there are
-    no errors, they become Python's warnings.
+    This works whether VTK displays them or not (vtkObject.GlobalWarningDisplayOff()), and for `observed` even if it has
+    other observers of errors. texts: the errors, without places in source files, each once. warnings: likewise; if
+    there are no errors, they become Python's warnings.
     """
 
     def __init__(self, observed=None):
@@ -55,7 +55,7 @@ class VtkErrors:
     def _keeper(texts):
         def keep(_object, _event, text):
             shown = plain(text)
-            follows = texts and re.search(r"vtk\w*Pipeline \(0x", text)  # what a pipeline says of what failed before
+            follows = texts and re.search(r"vtk\w*Pipeline \(0x", text)  # a pipeline's message about a previous failure
             if shown not in texts and not follows:
                 texts.append(shown)
 

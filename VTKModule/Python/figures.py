@@ -24,12 +24,12 @@ class Figure:
     """A volume, a renderer and a camera, drawn without a window on the screen unless show() is called.
 
     renderer: a vtkRenderer; camera: its vtkCamera; volume: the vtkVolume; size: (width, height) in pixels; transparent:
-    whether pictures have an opacity instead of the background. All may be changed between pictures. In a notebook, a
-    figure shows its picture.
+    whether pictures have an alpha channel in place of the background. All may be changed between pictures. In a
+    notebook, a figure shows its picture.
     """
 
     def __init__(self, data, *arguments, size=SIZE, background=BACKGROUND, camera="iso", transparent=False, **how):
-        """data: what volume() takes, and its further arguments; or a vtkVolume, alone. See figure()."""
+        """data: as in volume(), with its further arguments; or only a vtkVolume. See figure()."""
         self.size = checked_size(size)
         self.transparent = bool(transparent)
         self.renderer = vtkRenderer()
@@ -59,13 +59,13 @@ class Figure:
         return self.volume.GetMapper()
 
     def add(self, *props):
-        """Adds actors or other props of VTK's to the scene. Returns the figure."""
+        """Adds actors or other props of VTK to the scene. Returns the figure."""
         for prop in props:
             self.renderer.AddViewProp(prop)
         return self
 
     def look(self, camera):
-        """Places the camera: "iso", a dict or a vtkCamera, as of figure(). Returns the figure."""
+        """Places the camera: "iso", a dict or a vtkCamera, as in figure(). Returns the figure."""
         place_camera(self.camera, camera, self.volume, self.size[0] / self.size[1])
         self.renderer.ResetCameraClippingRange()
         return self
@@ -88,12 +88,12 @@ class Figure:
         self.renderer.ResetCameraClippingRange()
         background = self.renderer.GetBackground()
         if self.transparent:
-            self.renderer.SetBackground(0, 0, 0)  # what is clear has no colour, either
+            self.renderer.SetBackground(0, 0, 0)  # transparent pixels have no colour
         self.renderer.SetBackgroundAlpha(0.0 if self.transparent else 1.0)
         with VtkErrors(self.mapper) as errors:
             window.Render()
         self.renderer.SetBackground(background)
-        # A mapper tells of an error once, and draws nothing as long as it holds.
+        # A mapper reports an error once, and draws nothing as long as it persists.
         if errors:
             self._error = str(errors)
         elif not self._draws_nothing():
@@ -103,7 +103,7 @@ class Figure:
         return self
 
     def _render_small(self):
-        """Draws a few pixels, for what is wrong whatever the size."""
+        """Draws a few pixels, to find errors that do not depend on the size."""
         size, self.size = self.size, (8, 8)
         try:
             self.render()
@@ -117,8 +117,8 @@ class Figure:
     def screenshot(self, filename=None, *, size=None, transparent=None):
         """Draws the scene: an array (height, width, 3) of uint8, the uppermost row first; 4 channels if transparent.
 
-        filename: written as PNG instead, and the path is returned. size, transparent: of this picture and the next
-        ones; None: as before. Opacity is not multiplied into the colours. Raises RuntimeError for what can't be drawn.
+        filename: writes a PNG file, and returns the path. size, transparent: of this picture and the next ones; None:
+        as before. Colours are not premultiplied. Raises RuntimeError if the scene can't be drawn.
         """
         if size is not None:
             self.size = checked_size(size)
@@ -143,7 +143,7 @@ class Figure:
     def show(self, title="TetMarch"):
         """Opens a window: the left button turns, the right one and the wheel zoom, q ends. Returns when closed.
 
-        Raises RuntimeError for what can't be drawn.
+        Raises RuntimeError if the scene can't be drawn.
         """
         checked_text(title, "the title is a text")
         self._render_small()
@@ -167,7 +167,7 @@ class Figure:
         interactor.SetRenderWindow(None)
 
     def pick(self, x, y):
-        """What is seen in a pixel, x from the left and y from the top, as picture[y, x] of screenshot().
+        """Picks at a pixel, x from the left and y from the top, as picture[y, x] of screenshot().
 
         A dict: position (three numbers, in the world), value (in the array's unit), cell (its id), block (its flat
         index in a tree, else 0); or None if the volume isn't hit, see vtkTetMarchSettings.SetPickOpacityThreshold().
@@ -189,7 +189,7 @@ class Figure:
                 "cell": self.mapper.GetPickedCellId(), "block": self.mapper.GetPickedBlock()}
 
     def statistics(self):
-        """The figures of the last frame: see vtktetmarch.statistics()."""
+        """Statistics of the last frame: see vtktetmarch.statistics()."""
         return measures.statistics(self)
 
     def compare(self):
@@ -198,29 +198,29 @@ class Figure:
 
 
 def figure(data, *arguments, **how):
-    """A Figure of what volume() takes, or of a vtkVolume.
+    """A Figure of data as accepted by volume(), or of a vtkVolume.
 
     Arguments are those of volume(), and
     size: (width, height) in pixels. background: a colour: a name, "#rrggbb" or three numbers, 0 to 1.
-    camera: "iso": obliquely, so that all that is shown just fits; a vtkCamera; or a dict with any of position,
+    camera: "iso": obliquely, so that the visible part just fits; a vtkCamera; or a dict with any of position,
         focal_point, view_up, view_angle (degrees), parallel_scale, azimuth, elevation (degrees), zoom.
-    transparent: whether pictures have an opacity instead of the background.
+    transparent: whether pictures have an alpha channel in place of the background.
     """
     return Figure(data, *arguments, **how)
 
 
 def screenshot(data, *arguments, filename=None, **how):
-    """A picture of what figure() takes: an array (height, width, 3 or 4) of uint8; the path, if `filename` is given."""
+    """A picture of figure(): an array (height, width, 3 or 4) of uint8; the path, if `filename` is given."""
     return figure_of(data, *arguments, **how).screenshot(filename)
 
 
 def show(data, *arguments, **how):
-    """Opens a window with what figure() takes, or with a Figure. Returns when it is closed."""
+    """Opens a window with the arguments of figure(), or with a Figure. Returns when it is closed."""
     figure_of(data, *arguments, **how).show()
 
 
 def figure_of(data, *arguments, **how):
-    """A Figure as it is, or one of what figure() takes."""
+    """A Figure itself, or one with the arguments of figure()."""
     if isinstance(data, Figure):
         if arguments or how:
             raise TypeError("a Figure is drawn as it is: arguments go to figure()")

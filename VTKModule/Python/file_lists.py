@@ -54,7 +54,7 @@ def number_of(time):
 
 
 def steps_of(path):
-    """The times, or () if the list tells of none, and for each step its (name, file) in the order of their parts."""
+    """The times, or () if the list has none, and for each step its (name, file) in the order of their parts."""
     path = os.fspath(path)
     steps = {}
     timed = False

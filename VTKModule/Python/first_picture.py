@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Transfer functions for data that nobody has seen yet."""
+"""Default transfer functions for data."""
 from numbers import Integral
 from typing import NamedTuple
 
@@ -16,7 +16,7 @@ ASSOCIATIONS = {"points": vtkTetMarchFirstPicture.POINTS, "cells": vtkTetMarchFi
 
 
 class TransferFunctions(NamedTuple):
-    """What auto_transfer_functions() chose."""
+    """The result of auto_transfer_functions()."""
 
     color: vtkColorTransferFunction
     opacity: vtkPiecewiseFunction
@@ -58,17 +58,17 @@ def choose_first_picture(data, array=None, association=None, component=None, ran
 
 
 def auto_transfer_functions(data, array=None, association=None, component=None, range=None, structured_law=None):
-    """Transfer functions and a unit distance with which a picture shows the data: neither empty nor a slab.
+    """Transfer functions and a unit distance with which a picture is neither empty nor opaque throughout.
 
     data: a vtkUnstructuredGrid, vtkImageData, vtkRectilinearGrid or vtkStructuredGrid, or a tree of such blocks.
     array: its name; None: physical values before numbers of cells or blocks, points before cells.
     association: "points", "cells" or None: points, then cells.
     component: from 0, or "magnitude"; None: the first of an array with a name, else the magnitude.
     range: (low, high) of the values to show; None: the 2nd to the 98th percentile.
-    structured_law: what opacity means, see vtkTetMarchSettings.SetOpacityLaw; None: as mappers for such data have it.
+    structured_law: the opacity law, see vtkTetMarchSettings.SetOpacityLaw; None: as in mappers for such data.
 
-    Needs no window and no OpenGL. The same data give the same functions. Raises ValueError if there is no such array.
-    The rule is that of vtkTetMarchFirstPicture. Returns a TransferFunctions.
+    Needs no window and no OpenGL. The result is deterministic; see vtkTetMarchFirstPicture. Raises ValueError if there
+    is no such array. Returns a TransferFunctions.
     """
     first = choose_first_picture(data, array, association, component, range, structured_law)
     color = vtkColorTransferFunction()
@@ -81,7 +81,7 @@ def auto_transfer_functions(data, array=None, association=None, component=None, 
 
 
 def first_picture_of(volume):
-    """A vtkTetMarchFirstPicture of a volume's data, with the array and the opacity that the volume has."""
+    """A vtkTetMarchFirstPicture of a volume's data, with the volume's array and opacity."""
     mapper = volume.GetMapper()
     if mapper.GetNumberOfInputConnections(0):
         mapper.GetInputAlgorithm().Update()

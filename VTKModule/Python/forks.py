@@ -4,7 +4,7 @@
 import os
 import weakref
 
-PROCESSES = set()  # this one, if it opened a window, and those that it was forked from
+PROCESSES = set()  # this process, if it opened a window, and those from which it was forked
 WINDOWS = weakref.WeakSet()
 
 
@@ -15,9 +15,9 @@ def note_window(window):
 
 
 def check_process():
-    """Raises RuntimeError, which says what to do, if this process was forked from one that has opened a window.
+    """Raises RuntimeError with the remedy if this process was forked from one that has opened a window.
 
-    Windows of the child alone are no way out: opening one lets go of the context that the parent left current, which
+    The child can't open windows of its own either: opening one releases the context that the parent left current, which
     waits for threads that only the parent has, or for a lock that one of them held.
     """
     if PROCESSES - {os.getpid()}:

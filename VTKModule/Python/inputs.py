@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whatever users call their data, as data of VTK's that a mapper draws."""
+"""Converts users' data to data of VTK that a mapper draws."""
 import os
 
 import numpy as np
@@ -45,7 +45,7 @@ def from_meshio(mesh):
 
 
 def check_faults(data):
-    """VTK's filters trust what data says of itself."""
+    """Raises an error for invalid data, which VTK's filters do not check."""
     first = vtkTetMarchFirstPicture()
     first.SetInputData(data)
     faults = vtkStringArray()
@@ -76,14 +76,14 @@ def blocks_of(tree):
 
 
 def is_structured(data):
-    """Whether all of it are images and rectilinear grids."""
+    """Whether the data consist of images and rectilinear grids only."""
     if isinstance(data, vtkCompositeDataSet):
         return all(isinstance(block, LATTICES) for block in blocks_of(data))
     return isinstance(data, LATTICES)
 
 
 def vtk_data(data):
-    """A vtkDataObject of what `data` is: that itself, an algorithm's output, a file's path, a meshio.Mesh, ..."""
+    """A vtkDataObject of `data`: itself, an algorithm's output, a file's path, a meshio.Mesh, ..."""
     if isinstance(data, (str, os.PathLike)):
         return read(data)
     if isinstance(data, vtkAlgorithmOutput):
@@ -100,7 +100,7 @@ def vtk_data(data):
 
 
 def drawn_data(data):
-    """Data of VTK's that a mapper of ours takes. Raises TypeError or ValueError, which say what to do."""
+    """Data of VTK that our mappers accept. Raises TypeError or ValueError with the remedy."""
     data = vtk_data(data)
     if isinstance(data, (vtkUnstructuredGrid, *LATTICES)):
         return data

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes types of VTK's wrapped classes, for editors and type checkers: make_stubs.py PACKAGE_FOLDER MODULE.pyi
 
-The types are those of the docstrings that VTK's wrappers write. If VTK's own Python modules can't be imported, all
-names are known, but nothing of them.
+The types are those of the docstrings that VTK's wrappers generate. If VTK's Python modules can't be imported, all names
+are declared without details.
 """
 import keyword
 import pathlib
@@ -15,7 +15,7 @@ SIMPLE = {"int", "float", "str", "bool", "None", "bytes"}
 
 
 class Types:
-    """Translates types of docstrings, and knows which names have to be imported."""
+    """Translates types of docstrings, and collects the names to be imported."""
 
     def __init__(self, module, others):
         self.own = set(vars(module))
@@ -49,7 +49,7 @@ def signatures(doc):
 
 
 def parameters_of(text, types):
-    """Of "self, value:int, range:[float, float]"."""
+    """Parameters of "self, value:int, range:[float, float]"."""
     made = []
     for part in re.split(r",(?![^\[(]*[\])])", text):
         name, _, kind = part.strip().partition(":")
@@ -66,7 +66,7 @@ def parameters_of(text, types):
 
 
 def help_of(doc):
-    """What a docstring says beside its signatures."""
+    """The text of a docstring without its signatures."""
     parts = re.split(r"^C\+\+:(?:.|\n {4})*\n", doc, flags=re.MULTILINE)
     return parts[-1].strip() if len(parts) > 1 else ""
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figures of the last frame, and its error."""
+"""Statistics of the last frame, and its error."""
 from .errors import VtkErrors
 from .properties import snake_case
 from .vtkRenderingTetMarch import vtkTetMarchFrameStatistics
@@ -20,7 +20,7 @@ def mapper_of(drawn):
 
 
 def quantity_of(frame, quantity):
-    """What was measured in the pixels: a dict, or None."""
+    """The measures of the pixels: a dict, or None."""
     count = frame.GetNumberOfPixels(quantity)
     if count == 0:
         return None
@@ -30,14 +30,14 @@ def quantity_of(frame, quantity):
 
 
 def statistics(drawn):
-    """All figures of the last frame of a Figure, a vtkVolume or a mapper, as a dict. See vtkTetMarchFrameStatistics.
+    """Statistics of the last frame of a Figure, a vtkVolume or a mapper, as a dict. See vtkTetMarchFrameStatistics.
 
-    *_seconds, seconds: times, in seconds. *_bytes: memory. *_builds: how often a stage ran since the mapper was made.
-    number_of_*: counts. used_accuracy_level, used_shader_stage: words. used_error_tolerance: of a channel, 0 to 1; 0:
-    none is promised. used_image_sample_distance: between rays, in pixels. budget_kept, light_complete: bool.
-    error_bound, cells, lookups, true_error: of the pixels whose ray met the volume, if they were measured, else None: a
-    dict with pixels (how many), minimum, mean, rms, max and percentiles ({50: ..., 90: ..., 99: ..., 99.9: ...}).
-    Errors are of a channel, 0 to 1. The first three are measured with collect_diagnostics=True, the last by compare().
+    *_seconds, seconds: times, in seconds. *_bytes: memory. *_builds: number of runs of a stage since the mapper was
+    created. number_of_*: counts. used_accuracy_level, used_shader_stage: words. used_error_tolerance: of a channel, 0
+    to 1; 0: none is guaranteed. used_image_sample_distance: between rays, in pixels. budget_kept, light_complete: bool.
+    error_bound, cells, lookups, true_error: over the pixels whose ray met the volume, if measured, else None: a dict
+    with pixels (their number), minimum, mean, rms, max and percentiles ({50: ..., 90: ..., 99: ..., 99.9: ...}). Errors
+    are of a channel, 0 to 1. The first three are measured with collect_diagnostics=True, the last by compare().
     """
     frame = mapper_of(drawn).GetLastFrameStatistics()
     found = {}
@@ -54,13 +54,12 @@ def statistics(drawn):
 
 
 def compare(data, *arguments, **how):
-    """The error of a picture against the ground truth, which the CPU computes in double precision; that takes a while.
+    """The error of a picture against the ground truth, which the CPU computes in double precision; this is slow.
 
-    data and the rest: as of figure(), or a Figure, of which a frame is drawn.
+    data and other arguments: as in figure(), or a Figure, of which a frame is drawn.
     Returns a dict: rms, max, mean and minimum of the largest error of a channel, 0 to 1, over the pixels whose ray met
-    the volume; pixels: how many; percentiles: {50: ..., 90: ..., 99: ..., 99.9: ...}; error_bound: likewise what it
-    promised; statistics: the figures of that frame, see statistics(). Raises RuntimeError if there is nothing to
-    compare.
+    the volume; pixels: their number; percentiles: {50: ..., 90: ..., 99: ..., 99.9: ...}; error_bound: the same for the
+    bound; statistics: those of that frame, see statistics(). Raises RuntimeError if there is nothing to compare.
     """
     from .figures import figure_of
 

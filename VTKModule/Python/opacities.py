@@ -11,10 +11,10 @@ FORMS = "'linear', a number, (value, opacity) pairs or a vtkPiecewiseFunction"
 
 
 def piecewise_function(what, low, high, name="opacity"):
-    """A vtkPiecewiseFunction: as it is; a number, for all values; (value, opacity) pairs; "linear": from 0 to 1.
+    """A vtkPiecewiseFunction: itself; a number, for all values; (value, opacity) pairs; "linear": from 0 to 1.
 
     name: that of the argument. Raises ValueError for an opacity below 0 or above 1, and for other words, TypeError for
-    what is none of these.
+    other types.
     """
     if isinstance(what, vtkPiecewiseFunction):
         return what

@@ -14,7 +14,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 
 
 def pixels_of(window, transparent):
-    """The rendered picture, (height, width, 3 or 4) bytes, the uppermost row first; opacity is not multiplied in."""
+    """The rendered picture, (height, width, 3 or 4) bytes, the uppermost row first, not premultiplied."""
     width, height = window.GetSize()
     taken = vtkUnsignedCharArray()
     read = window.GetRGBACharPixelData if transparent else window.GetPixelData
@@ -24,7 +24,7 @@ def pixels_of(window, transparent):
 
 
 def unmultiplied(pixels):
-    """Colours over nothing, which the window has multiplied by their opacity, as PNG wants them."""
+    """Converts premultiplied colours of the window to those of PNG."""
     opacity = pixels[:, :, 3:].astype(np.float64)
     color = np.divide(255 * pixels[:, :, :3].astype(np.float64), opacity, where=opacity > 0,
                       out=np.zeros(pixels.shape[:2] + (3,)))
@@ -51,14 +51,14 @@ def png_bytes(pixels):
 
 
 def write_png(pixels, path):
-    """The file gets its name when it is complete: on a full disk the file that had it stays. OSError names the path."""
+    """Renames the file when it is complete: on a full disk an existing file is kept. OSError contains the path."""
     path = os.fsdecode(path)
-    target = os.path.realpath(path)  # a symbolic link stays one
+    target = os.path.realpath(path)  # keeps a symbolic link
     temporary = os.path.join(os.path.dirname(target), f".tetmarch-{os.getpid()}-{secrets.token_hex(8)}")
     try:
         exists = os.path.exists(target)
         if exists:
-            with open(target, "r+b"):  # which says why it may not be written
+            with open(target, "r+b"):  # the error states why it can't be written
                 pass
         with open(temporary, "xb") as file:
             file.write(png_bytes(pixels))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sets properties of VTK's objects by names as Python has them: accuracy_level="accurate"."""
+"""Sets properties of VTK's objects by Python names: accuracy_level="accurate"."""
 import difflib
 import math
 from collections.abc import Iterable
@@ -23,12 +23,12 @@ def snake_case(name):
 
 
 def is_word_of(name, names):
-    """Whether a property's name is another one with a value: accuracyleveltofast."""
+    """Whether a property's name consists of another one and a value: accuracyleveltofast."""
     return any(name.startswith(other + "to") and name != other for other in names)
 
 
 def property_names(targets):
-    """The names that set_properties() takes for these objects."""
+    """The names that set_properties() accepts for these objects."""
     found = {}
     for target in targets:
         names = setters(target)
@@ -88,9 +88,9 @@ def set_property(target, name, value, shown):
 def set_properties(targets, properties):
     """Sets each property on the first of the objects that has it.
 
-    properties: by the names of VTK in small letters with underscores. A value of an enumeration is a number, its word
-    or the beginning of it. Raises TypeError for an unknown name, with the nearest ones, and ValueError for a word or a
-    number that there isn't; what came before it in `properties` is set.
+    properties: by VTK's names in snake case. A value of an enumeration is a number, its word or the beginning of it.
+    Raises TypeError for an unknown name, with the most similar ones, and ValueError for an invalid word or number; the
+    properties before it are set.
     """
     for shown, value in properties.items():
         small = shown.replace("_", "").lower()

@@ -11,7 +11,7 @@ from . import file_lists
 from .checks import checked_integer
 from .errors import VtkErrors
 
-# Ending: (module of VTK or our own, class).
+# Extension: (module of VTK or our own, class).
 READERS = {
     ".vtu": ("vtkIOXML", "vtkXMLUnstructuredGridReader"),
     ".vti": ("vtkIOXML", "vtkXMLImageDataReader"),
@@ -55,7 +55,7 @@ BEGINNINGS = {"vtkExodusIIReader": (b"CDF", HDF5), "vtkHDFReader": (HDF5,),
 
 
 def enable_all(reader):
-    """Readers of some formats read no arrays, or only some, unless told."""
+    """Enables all arrays, since readers of some formats read none or only some by default."""
     if reader.IsA("vtkGenericDataObjectReader"):
         for kind in ("Scalars", "Vectors", "Normals", "Tensors", "ColorScalars", "TCoords", "Fields"):
             getattr(reader, f"ReadAll{kind}On")()
@@ -76,7 +76,7 @@ def enable_all(reader):
 
 
 def check_beginning(path, name):
-    """The libraries below some readers print by themselves, or end the process, when they get another kind of file."""
+    """Checks a file for readers whose libraries print messages, or end the process, for other kinds of files."""
     with open(path, "rb") as file:
         begin = file.read(512)
     if name in BEGINNINGS and not begin.startswith(BEGINNINGS[name]):
@@ -104,7 +104,7 @@ def check_path(path):
 
 
 def open_reader(path):
-    """A reader of VTK's for a file, whose arrays are enabled and whose times are known."""
+    """A reader of VTK for a file, with all arrays enabled and times read."""
     path = check_path(path)
     ending = os.path.splitext(path)[1].lower()
     module, name = READERS[ending]
@@ -129,7 +129,7 @@ def damaged(path, errors):
 
 
 def time_values(path):
-    """The times that a file has data of, in the file's unit, as a tuple; empty if it has none. Errors as of read()."""
+    """The times of a file's data, in the file's unit, as a tuple; empty if it has none. Errors as in read()."""
     if file_lists.is_list(path):
         return file_lists.steps_of(check_path(path))[0]
     with VtkErrors() as errors:
@@ -148,7 +148,7 @@ def check_step(path, times, time_step):
 
 
 def read_list(path, time_step):
-    """One time step of a list of files: several of the same time are blocks."""
+    """One time step of a list of files: files of the same time are blocks."""
     times, steps = file_lists.steps_of(check_path(path))
     check_step(path, times, time_step)
     files = steps[-1 if time_step is None else time_step]
@@ -166,17 +166,17 @@ def read_list(path, time_step):
 
 
 def read(path, time_step=None):
-    """The data of a file, by a reader of VTK's for its ending: a vtkDataSet, or a tree of such blocks.
+    """The data of a file, by VTK's reader for its extension: a vtkDataSet, or a tree of such blocks.
 
-    time_step: which of time_values(), from 0, or from the end if below 0; None: the last. The whole file with all of
-    its arrays is read.
+    time_step: index into time_values(), from 0, or from the end if negative; None: the last. The whole file is read,
+    with all arrays.
 
     VTK's XML files (.vtu, .vti, .vtr, .vts, .vtp, .vtm, .vtpd, .vtpc, .pvtu, .pvti, ...), .vtk, .vtkhdf; Exodus (.ex2,
     .exo, .e, .g), CGNS, EnSight (.case), OpenFOAM (.foam), AVS (.inp); images: MetaImage (.mha, .mhd), NRRD, NIfTI;
     surfaces: .stl, .obj, .ply. Lists of such files by time: ParaView's .pvd and .series.
 
-    Raises FileNotFoundError, IsADirectoryError, PermissionError; ValueError for an ending that isn't known and a file
-    that can't be read, with what VTK said; IndexError for a time step that isn't there.
+    Raises FileNotFoundError, IsADirectoryError, PermissionError; ValueError for an unknown extension and a file that
+    can't be read, with VTK's message; IndexError for an invalid time step.
     """
     if file_lists.is_list(path):
         return read_list(path, time_step)
@@ -190,7 +190,7 @@ def read(path, time_step=None):
         else:
             reader.Update()
         data = reader.GetOutputDataObject(0)
-        errors.texts += [text for text in errors.warnings  # some warn of a file that ends too soon, and go on
+        errors.texts += [text for text in errors.warnings  # some readers only warn of a truncated file
                          if reader.IsA("vtkImageReader2") or text.startswith("Error")]
     if errors or data is None or reader.GetErrorCode():
         raise damaged(path, errors)

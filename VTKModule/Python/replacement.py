@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts classes of ours in the place of VTK's, for scripts that create VTK's."""
+"""Replaces VTK's classes by ours, for existing scripts."""
 import os
 import sys
 
@@ -11,10 +11,10 @@ from .vtkRenderingTetMarch import vtkTetMarchObjectFactory, vtkTetMarchSmartVolu
 
 
 class CastingMapper(vtkTetMarchVolumeMapper):
-    """A vtkTetMarchVolumeMapper with what VTK's ray casters of unstructured grids have beside it.
+    """A vtkTetMarchVolumeMapper with the additional properties of VTK's ray casters of unstructured grids.
 
-    What it has no use for is kept and has no effect: it has no threads, functions and integrators of its own, and
-    opaque geometry always intermixes.
+    Properties without a counterpart are stored and have no effect: there are no threads, ray functions and integrators,
+    and opaque geometry always intermixes.
     """
 
     def __init__(self):
@@ -23,7 +23,7 @@ class CastingMapper(vtkTetMarchVolumeMapper):
                       "RayIntegrator": None, "MaxPixelListSize": 32}
 
     def SetImageSampleDistance(self, distance):
-        """Distances below a pixel are drawn as one: a pixel has one ray."""
+        """Distances below one pixel are set to 1: a pixel has at most one ray."""
         super().SetImageSampleDistance(max(1.0, distance))
 
     def SetMinimumImageSampleDistance(self, distance):
@@ -63,15 +63,15 @@ for each in ("NumberOfThreads", "IntermixIntersectingGeometry", "RayCastFunction
 
 
 class RayCastMapper(CastingMapper):
-    """In the place of a vtkUnstructuredGridVolumeRayCastMapper."""
+    """Replaces vtkUnstructuredGridVolumeRayCastMapper."""
 
 
 class ZSweepMapper(CastingMapper):
-    """In the place of a vtkUnstructuredGridVolumeZSweepMapper."""
+    """Replaces vtkUnstructuredGridVolumeZSweepMapper."""
 
 
 def replace(stock, ours, replaces):
-    """Puts a class of ours in the place of VTK's, in each module of VTK's that is loaded, or VTK's back."""
+    """Replaces a class of VTK by ours in each loaded module of VTK, or restores it."""
     old, new = (stock, ours) if replaces else (ours, stock)
     name = stock.__name__
     for module in map(sys.modules.get, (stock.__module__, "vtkmodules.all", "vtk")):
@@ -80,25 +80,25 @@ def replace(stock, ours, replaces):
 
 
 def replace_smart_volume_mapper(replaces=True):
-    """Whether vtkSmartVolumeMapper of VTK's Python modules is our vtkTetMarchSmartVolumeMapper from now on.
+    """Replaces vtkSmartVolumeMapper in VTK's Python modules by vtkTetMarchSmartVolumeMapper, or restores it.
 
-    A script that imports the name afterwards, or looks it up in a module (vtk.vtkSmartVolumeMapper), gets ours. What it
-    imported before stays, and so do mappers that VTK makes inside. In C++, vtkObjectFactory::CreateInstance() follows
-    (see vtkTetMarchObjectFactory). The environment variable TETMARCH_REPLACE_SMART_VOLUME, unless it is empty or 0,
-    does this when vtktetmarch is imported.
+    A script that imports the name afterwards, or looks it up in a module (vtk.vtkSmartVolumeMapper), gets our class.
+    Names imported before are not changed, nor are mappers that VTK creates internally. In C++,
+    vtkObjectFactory::CreateInstance() follows (see vtkTetMarchObjectFactory). The environment variable
+    TETMARCH_REPLACE_SMART_VOLUME, unless it is empty or 0, does this when vtktetmarch is imported.
     """
     vtkTetMarchObjectFactory.SetReplacesSmartVolume(bool(replaces))
     replace(vtkSmartVolumeMapper, vtkTetMarchSmartVolumeMapper, replaces)
 
 
 def replace_unstructured_mappers(replaces=True):
-    """Whether VTK's mappers of unstructured grids are ours from now on.
+    """Replaces VTK's mappers of unstructured grids by ours, or restores them.
 
     They are vtkProjectedTetrahedraMapper, by vtkTetMarchObjectFactory, and vtkUnstructuredGridVolumeRayCastMapper and
-    vtkUnstructuredGridVolumeZSweepMapper, by their names in VTK's Python modules, since VTK asks no factory for these
-    two. Names that a script imported before stay, and so do mappers that exist. The environment variable
+    vtkUnstructuredGridVolumeZSweepMapper, by their names in VTK's Python modules, since VTK uses no factory for these
+    two. Names imported before and existing mappers are not changed. The environment variable
     TETMARCH_REPLACE_UNSTRUCTURED, unless it is empty or 0, does this when vtktetmarch is imported; so does
-    `python3 -m vtktetmarch SCRIPT`, which runs a script that doesn't know of vtktetmarch.
+    `python3 -m vtktetmarch SCRIPT`, for an unchanged script.
     """
     vtkTetMarchObjectFactory.SetReplacesProjectedTetrahedra(bool(replaces))
     replace(vtkUnstructuredGridVolumeRayCastMapper, RayCastMapper, replaces)
@@ -106,7 +106,7 @@ def replace_unstructured_mappers(replaces=True):
 
 
 def is_asked_for(variable):
-    """Whether a variable of the environment is neither empty nor 0."""
+    """Whether an environment variable is neither empty nor 0."""
     return os.environ.get(variable, "0") not in ("", "0")
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""VTK's arrays over the memory of NumPy's."""
+"""VTK arrays that share the memory of NumPy arrays."""
 from collections.abc import Mapping
 
 import numpy as np
@@ -9,16 +9,16 @@ from vtkmodules.vtkCommonCore import vtkTypeInt32Array, vtkTypeInt64Array
 
 
 def keep_with(vtk_object, *kept):
-    """Python objects live at least as long as an object of VTK, wherever that is held."""
+    """Keeps Python objects alive at least as long as an object of VTK."""
 
     def holds(_object, _event, kept=kept):
-        """Nothing is done: the observer is what keeps them."""
+        """Does nothing: the observer keeps the objects alive."""
 
     vtk_object.AddObserver("DeleteEvent", holds)
 
 
 def with_nan(values, what):
-    """An array of floats with NaN for the values that a masked array hides; an array without such ones as it is."""
+    """An array of floats with NaN for masked values; an array without masked values itself."""
     if not np.ma.is_masked(values):
         return np.ma.getdata(values)
     if values.dtype.kind not in "biuf":
@@ -28,7 +28,7 @@ def with_nan(values, what):
 
 
 def unmasked(values, what, then):
-    """An array in which a masked array hides nothing. Raises ValueError, which says what to do."""
+    """An array without masked values. Raises ValueError with the remedy if there are some."""
     if np.ma.is_masked(values):
         raise ValueError(f"{what} has {np.ma.count_masked(values)} masked numbers; {then}")
     return np.ma.getdata(values)
@@ -38,7 +38,7 @@ def numeric_array(values, what):
     """A NumPy array of numbers that VTK can share: the array itself if it can be, else a copy.
 
     Copied are: lists, arrays that aren't contiguous in C order, of another byte order, of booleans and of half floats.
-    Raises TypeError for what has no number of VTK's: complex numbers, texts, objects.
+    Raises TypeError for types that VTK lacks: complex numbers, texts, objects.
     """
     array = np.asarray(values)
     if array.dtype == bool:
@@ -51,7 +51,7 @@ def numeric_array(values, what):
 
 
 def shared_array(array, name=None):
-    """A vtkDataArray over the memory of a NumPy array of one or two dimensions, which lives as long."""
+    """A vtkDataArray over the memory of a NumPy array of one or two dimensions, which it keeps alive."""
     made = create_vtk_array(get_vtk_array_type(array.dtype))
     made.SetNumberOfComponents(1 if array.ndim == 1 else array.shape[1])
     made.SetVoidArray(array.reshape(-1), array.size, 1)
@@ -70,7 +70,7 @@ def shared_ids(array):
 
 
 def add_arrays(attributes, arrays, count, what):
-    """Adds {name: array} to the attributes of points or cells: count values, or tuples, each."""
+    """Adds {name: array} to the attributes of points or cells; each array has count values or tuples."""
     if arrays is not None and not isinstance(arrays, Mapping):
         raise TypeError(f"the arrays of {what} are a dict {{name: array}}, not {arrays!r}")
     for name, values in (arrays or {}).items():

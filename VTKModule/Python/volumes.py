@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A volume that is ready to be drawn, in one call."""
+"""Complete volumes in one call."""
 from numbers import Real
 
 from vtkmodules.vtkCommonDataModel import vtkPlane
@@ -17,7 +17,7 @@ from .vtkRenderingTetMarch import vtkTetMarchSmartVolumeMapper, vtkTetMarchVolum
 
 
 def connect(mapper, source, data):
-    """Gives the mapper its input: an algorithm's output stays connected, so that it follows what is upstream."""
+    """Sets the mapper's input: an algorithm's output stays connected, so that upstream changes take effect."""
     if isinstance(source, vtkAlgorithm):
         source = source.GetOutputPort()
     if isinstance(source, vtkAlgorithmOutput) and vtk_data(source) is data:
@@ -27,7 +27,7 @@ def connect(mapper, source, data):
 
 
 def plane_of(plane):
-    """A vtkPlane: itself, or of (a point on it, the normal to the side that is kept)."""
+    """A vtkPlane: itself, or of (a point on it, the normal towards the kept side)."""
     if isinstance(plane, vtkPlane):
         return plane
     try:
@@ -43,7 +43,7 @@ def plane_of(plane):
 
 
 def set_special(drawn, name, value):
-    """Sets a property that VTK has no Set...() for; returns whether it is one."""
+    """Sets a property without Set...() in VTK; returns whether it is one."""
     of_volume = drawn.GetProperty()
     if name == "clipping_planes":
         planes = [plane_of(plane) for plane in
@@ -65,7 +65,7 @@ def set_special(drawn, name, value):
 
 
 def configure(drawn, **properties):
-    """Sets properties of a vtkVolume that volume() made, by the names that volume() takes. Returns the volume."""
+    """Sets properties of a vtkVolume made by volume(), with the names of its arguments. Returns the volume."""
     if not isinstance(drawn, vtkVolume):
         raise TypeError(f"configure() takes a vtkVolume that volume() made, not {drawn!r}")
     mapper = drawn.GetMapper()
@@ -78,10 +78,10 @@ def configure(drawn, **properties):
 
 def volume(data, array=None, *, association=None, component=None, cmap=None, opacity=None, range=None,
            unit_distance=None, **properties):
-    """A vtkVolume that is ready to be drawn. What isn't said is chosen as by auto_transfer_functions().
+    """A complete vtkVolume. Parameters not given are chosen as by auto_transfer_functions().
 
     data: unstructured grids, images, rectilinear and curvilinear grids, trees of such blocks; PyVista's data; a
-        meshio.Mesh; an algorithm of VTK's, which stays connected; or the path of a file, see read(). Images and
+        meshio.Mesh; an algorithm of VTK, which stays connected; or the path of a file, see read(). Images and
         rectilinear grids, and trees of these alone, get a vtkTetMarchSmartVolumeMapper, all others a
         vtkTetMarchVolumeMapper.
     array: its name. association: "points" or "cells". component: from 0, or "magnitude".
@@ -90,15 +90,15 @@ def volume(data, array=None, *, association=None, component=None, cmap=None, opa
     opacity: a vtkPiecewiseFunction; a number, 0 to 1, for all values; pairs (value, opacity); or "linear": from 0 at
         the low end of the range to 1 at the high one.
     range: (low, high), low < high, in the array's unit.
-    unit_distance: above 0, in units of the data's coordinates: the thickness in which an opacity counts as it is.
+    unit_distance: above 0, in units of the data's coordinates: the thickness to which an opacity refers.
     properties: any property of the mapper, its vtkTetMarchSettings, the vtkVolumeProperty or the vtkVolume, by VTK's
-        name in small letters: accuracy_level="accurate", error_tolerance=1e-3, shade=True, shadow_method="automatic",
+        name in snake case: accuracy_level="accurate", error_tolerance=1e-3, shade=True, shadow_method="automatic",
         blend_mode="maximum", pickable=False. Enumerations by a word or the beginning of one. Also clipping_planes: a
-        list of vtkPlane or (point, normal), whose normal shows to what is kept; isosurface_values: a list of values;
-        gradient_opacity: as opacity, over the length of the gradient.
+        list of vtkPlane or (point, normal), whose normal points to the kept side; isosurface_values: a list of values;
+        gradient_opacity: like opacity, over the length of the gradient.
 
-    Raises ValueError for what the data doesn't have (it lists what it has) and values out of range, TypeError for
-    unknown properties (it names the nearest) and for data that has no volume.
+    Raises ValueError for arrays that the data lack (with a list of existing ones) and values out of range, TypeError
+    for unknown properties (with the most similar ones) and for data without a volume.
     """
     if unit_distance is not None:
         checked_positive(unit_distance, "unit_distance")

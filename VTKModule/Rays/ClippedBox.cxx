@@ -15,7 +15,7 @@ namespace
 
 using Plane = std::array<double, 4>; // as in Clipping::Planes
 
-// Of the unit ball in which the volume lies: farther outside of a plane is outside.
+// Tolerance relative to the unit ball of the volume: points farther outside a plane are outside.
 constexpr double Touching = 1e-9;
 
 double heightOver(const Plane& plane, const Vector3& point)
@@ -25,7 +25,7 @@ double heightOver(const Plane& plane, const Vector3& point)
 
 Vector3 normalOf(const Plane& plane) { return { { plane[0], plane[1], plane[2] } }; }
 
-// Set the point of three planes. False if there is not one point.
+// Set the intersection point of three planes. False if it is not unique.
 bool intersect(const Plane& a, const Plane& b, const Plane& c, Vector3& point)
 {
   const Vector3 bc = cross(normalOf(b), normalOf(c));
@@ -38,8 +38,8 @@ bool intersect(const Plane& a, const Plane& b, const Plane& c, Vector3& point)
   return std::abs(determinant) > 1e-12;
 }
 
-// Whether a point lies in all half-spaces, of which six bound a box. If one does, so does a point
-// of three planes.
+// Whether the half-spaces, six of which bound a box, have a common point. If so, an intersection
+// point of three planes is one.
 bool haveCommonPoint(const std::vector<Plane>& planes)
 {
   const auto contain = [&planes](const Vector3& point)

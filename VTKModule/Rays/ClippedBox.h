@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether clipping and cropping leave something of a box.
+// Tests whether a part of a box remains after clipping and cropping.
 #ifndef TetMarchRaysClippedBox_h
 #define TetMarchRaysClippedBox_h
 
@@ -11,8 +11,8 @@ namespace tetmarch
 
 struct Clipping;
 
-/** Whether nothing is left of the box with these half sides about the origin of the normalised
- * frame. A box that a plane touches counts as left. */
+/** Whether no part remains of the box with these half sides about the origin of the normalised
+ * frame. A box that touches a plane remains. */
 bool leavesNothing(const Clipping& clipping, const std::array<double, 3>& halfExtent);
 
 } // namespace tetmarch

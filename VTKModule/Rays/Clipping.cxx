@@ -81,7 +81,7 @@ struct RegionBox
   std::array<int, 3> Last{ { 0, 0, 0 } };
 };
 
-// Whether the regions that are left fill a box; sets the box.
+// Whether the remaining regions form a box; sets the box.
 bool areBox(int flags, RegionBox& box)
 {
   int count = 0;
@@ -106,7 +106,7 @@ bool areBox(int flags, RegionBox& box)
   return count == volume;
 }
 
-// Half-spaces whose intersection the box is.
+// Add half-spaces whose intersection is the box.
 void addBox(const RegionBox& box, const Triple& low, const Triple& high, Clipping& clipping)
 {
   for (int k = 0; k < 3; ++k)
@@ -139,7 +139,7 @@ std::string addCropping(
     {
       return "A cropping region plane is not a number (SetCroppingRegionPlanes).";
     }
-    // As in VTK: a widget may be dragged so far.
+    // As in VTK: a widget may be dragged this far.
     clipping.LeavesNothing = clipping.LeavesNothing || least >= most;
     low[k] = nearby((least - frame.Center[k]) / frame.Radius);
     high[k] = nearby((most - frame.Center[k]) / frame.Radius);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Clip coordinates whose depths span the volume alone.
+// Clip coordinates whose depths span only the volume.
 #ifndef TetMarchRaysFittedDepths_h
 #define TetMarchRaysFittedDepths_h
 
@@ -12,14 +12,13 @@ namespace tetmarch
 struct VolumeFrame;
 struct View;
 
-/** How much the product of points with a row of a matrix differs from row[3] over the volume's
- * bounding box, at most. */
+/** Maximum difference between row[3] and the product of points in the volume's bounding box with a
+ * row of a matrix. */
 double reachOf(const double* row, const VolumeFrame& frame);
 
 /**
- * view.NormalizedToClip with other depths: -1..1 spans the volume instead of the camera's clipping
- * range, however wide that is. The order of depths stays. The volume must lie behind the near
- * plane.
+ * view.NormalizedToClip with other depths: -1..1 spans the volume, not the camera's clipping range.
+ * The order of depths is kept. The volume must lie behind the near plane.
  */
 std::array<double, 16> fittedDepths(const View& view, const VolumeFrame& frame);
 

@@ -14,7 +14,7 @@ namespace tetmarch
 namespace
 {
 
-// From the inverse of a matrix: the one that takes clip x and y to the point at that clip depth.
+// From the inverse of a matrix: the transformation of clip x and y to the point at that clip depth.
 std::array<double, 16> pointsAtDepth(double depth, std::array<double, 16> inverse)
 {
   for (int r = 0; r < 4; ++r)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A point on each pixel's ray that float can represent.
+// A point on each pixel's ray that is representable in float.
 #ifndef TetMarchRaysRayPoints_h
 #define TetMarchRaysRayPoints_h
 
@@ -13,10 +13,10 @@ struct VolumeFrame;
 struct View;
 
 /**
- * A row-major matrix that takes clip coordinates (x, y, 0, 1) to a point on the ray of (x, y) in
- * the normalised frame. Where the near plane cuts the volume, it is the point on the near plane.
+ * A row-major matrix that transforms clip coordinates (x, y, 0, 1) to a point on the ray of (x, y)
+ * in the normalised frame. If the near plane cuts the volume, it is the point on the near plane.
  * Otherwise it lies before the eye and, if the ray meets the volume, within two radii of its
- * centre: so rays are precise however far away the eye is, and however skew the volume's matrix.
+ * centre: so rays are precise for any distance of the eye and any matrix of the volume.
  */
 std::array<double, 16> rayPoints(const View& view, const VolumeFrame& frame);
 

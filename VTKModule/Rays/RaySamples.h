@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where rays look a volume up that is sampled at even distances instead of integrated.
+// Positions of samples along rays at the accuracy level Sampled.
 #ifndef TetMarchRaysRaySamples_h
 #define TetMarchRaysRaySamples_h
 
@@ -14,25 +14,25 @@ namespace tetmarch
 
 struct RaySamples
 {
-  double Distance = 0; // from sample to sample, in units of the data
-  /** The first sample lies a fraction of a step behind where the ray begins, another one for each
+  double Distance = 0; // between samples, in units of the data
+  /** The first sample is a fraction of a step behind the begin of the ray, different for each
    * pixel; else a whole step. */
   bool Jitters = false;
 
-  /** From sample to sample, in depths. */
+  /** Distance between samples, in depths. */
   double step(const VolumeFrame& frame) const { return this->Distance / frame.Radius; }
-  /** The first sample lies so many steps behind where the ray begins: noise times the first number,
-   * plus the second. */
+  /** Distance of the first sample from the begin of the ray, in steps: noise times the first
+   * number, plus the second. */
   std::array<float, 2> shift() const
   {
     return this->Jitters ? std::array<float, 2>{ { 1, 0 } } : std::array<float, 2>{ { 0, 1 } };
   }
 };
 
-/** No ray takes more samples: depths of float tell them apart. */
+/** Maximum number of samples of a ray, distinguishable by float depths. */
 constexpr double MostSamples = 1e6;
 
-/** What is wrong with the distance, and what to do; empty: nothing. */
+/** The error of the distance, with its remedy; empty if it is valid. */
 std::string describeBadDistance(const RaySamples& samples, const VolumeFrame& frame);
 
 } // namespace tetmarch

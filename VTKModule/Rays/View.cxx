@@ -19,7 +19,7 @@ namespace tetmarch
 namespace
 {
 
-// Find where the bounding box of the volume lies in clip coordinates.
+// Classify the volume's bounding box in clip coordinates.
 void classify(const VolumeFrame& frame, View& view)
 {
   const auto& high = frame.HalfExtent;
@@ -43,9 +43,8 @@ void classify(const VolumeFrame& frame, View& view)
   }
 }
 
-// Homogeneous coordinates mean the same times any factor. The entries of such a matrix are about as
-// large as the scene, which floats of the GL don't hold where it is larger than 1e36. A power of 2
-// changes no digit.
+// Homogeneous coordinates are invariant under scaling. The entries of such a matrix are about as
+// large as the scene, and overflow floats of the GL above 1e36. A power of 2 changes no digit.
 void bringIntoFloatRange(vtkMatrix4x4* matrix)
 {
   constexpr int leastExponent = 64;
@@ -63,9 +62,9 @@ void bringIntoFloatRange(vtkMatrix4x4* matrix)
   }
 }
 
-// The point that all lines of sight go through, in view coordinates: x = y = w = 0 in clip
-// coordinates. It is the origin or, for parallel projection, the direction +z, except for the eyes
-// of a stereo picture or a sheared view.
+// The common point of all lines of sight in view coordinates: x = y = w = 0 in clip coordinates. It
+// is the origin or, for parallel projection, the direction +z, except for the eyes of a stereo
+// picture or a sheared view.
 std::array<double, 4> eyeOf(vtkMatrix4x4* viewToClip)
 {
   vtkNew<vtkMatrix4x4> inverse;
@@ -73,7 +72,7 @@ std::array<double, 4> eyeOf(vtkMatrix4x4* viewToClip)
   std::array<double, 4> eye{};
   for (int r = 0; r < 4; ++r)
   {
-    eye[r] = -inverse->GetElement(r, 2); // towards lesser depths
+    eye[r] = -inverse->GetElement(r, 2); // towards smaller depths
   }
   const double unit =
     eye[3] != 0 ? eye[3] : std::max({ std::abs(eye[0]), std::abs(eye[1]), std::abs(eye[2]) });
@@ -134,8 +133,7 @@ bool makeView(vtkRenderer* renderer, vtkVolume* volume, const VolumeFrame& frame
   {
     for (int c = 0; c < 3; ++c)
     {
-      // Beyond an optical depth of 1e15 everything is opaque, and squares of it leave the range of
-      // float.
+      // Beyond an optical depth of 1e15 everything is opaque, and its square overflows float.
       const double length = toLengths->GetElement(r, c) / unitDistance;
       view.ThicknessMatrix[3 * r + c] = std::min(std::max(length, -1e15), 1e15);
     }

@@ -22,7 +22,7 @@ struct View
   std::array<double, 16> ClipToNormalized{};
   std::array<double, 9> ThicknessMatrix{}; // normalised direction -> scalar opacity unit distances
   std::array<double, 4> Eye{}; // (eye, 1) or, for parallel projection, (direction towards it, 0)
-  bool Mirrored = false;       // counter-clockwise faces are clockwise on the screen
+  bool Mirrored = false;       // counter-clockwise faces appear clockwise on the screen
   bool CutsNearPlane = false;  // a part of the volume lies before the near plane
   bool CutsFarPlane = false;   // a part of the volume lies behind the far plane
 
@@ -31,9 +31,9 @@ struct View
 };
 
 /**
- * The unit distance is a length of the data by the structured law, so that the volume's matrix
- * makes it no denser, and of the world by the other. Returns false if a matrix is singular or not
- * finite: then nothing can be seen.
+ * The unit distance is a length in coordinates of the data with the structured law, so that the
+ * volume's matrix does not change its density, and in world coordinates with the other. Returns
+ * false if a matrix is singular or not finite: then nothing is visible.
  */
 bool makeView(vtkRenderer* renderer, vtkVolume* volume, const VolumeFrame& frame,
   double unitDistance, OpacityLaw law, View& view);

@@ -21,8 +21,7 @@ std::string describe(vtkDataArray* array)
          "\" has ";
 }
 
-// How VTK takes red, green and blue that it doesn't map (vtkMapper's
-// VTK_COLOR_MODE_DIRECT_SCALARS).
+// The unit of unmapped red, green and blue in VTK (vtkMapper's VTK_COLOR_MODE_DIRECT_SCALARS).
 double colorUnit(vtkDataArray* array)
 {
   const int type = array->GetDataType();
@@ -68,7 +67,7 @@ std::string chooseIndependent(DrawnScalars& drawn)
   return {};
 }
 
-// Asking for a colour function where there is a gray one would put it in its place.
+// The getter of the colour function would replace a gray one.
 bool followsColors(const VectorOptions& options, vtkVolumeProperty* property)
 {
   return options.Mode == VectorMode::Disabled && property->GetColorChannels() == 3;

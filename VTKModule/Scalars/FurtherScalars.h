@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The stored scalars that are drawn together with the first one: other components of its array.
+// The stored scalars that are drawn with the first one: other components of its array.
 #ifndef TetMarchScalarsFurtherScalars_h
 #define TetMarchScalarsFurtherScalars_h
 
@@ -13,8 +13,8 @@ namespace tetmarch
 
 struct FurtherScalars
 {
-  std::vector<float> Values;       // as many in a row as there are ranges: those of one place
-  std::vector<ScalarRange> Ranges; // one a further component
+  std::vector<float> Values;       // one value per range for each point or cell
+  std::vector<ScalarRange> Ranges; // one per further component
 
   std::size_t count() const { return this->Ranges.size(); }
 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays that keep cells of a data set from being drawn, and their bits.
+// The ghost arrays of a data set, which hide cells, and their bits.
 #ifndef TetMarchScalarsGhostArrays_h
 #define TetMarchScalarsGhostArrays_h
 
@@ -12,12 +12,12 @@ class vtkUnsignedCharArray;
 namespace tetmarch
 {
 
-/** A cell with one of these is hidden: it is blanked, refined by finer cells, or drawn by another
- * process. */
+/** A cell with one of these bits is hidden: it is blanked, refined by finer cells, or drawn by
+ * another process. */
 constexpr unsigned char HidingCell = vtkDataSetAttributes::DUPLICATECELL |
                                      vtkDataSetAttributes::REFINEDCELL |
                                      vtkDataSetAttributes::HIDDENCELL;
-/** A cell with a point that has this is hidden. */
+/** A cell with a point with this bit is hidden. */
 constexpr unsigned char HidingPoint = vtkDataSetAttributes::HIDDENPOINT;
 
 /** The arrays vtkGhostType of cells and of points. nullptr if there is none, if it is not of

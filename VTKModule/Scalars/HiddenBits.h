@@ -11,8 +11,8 @@
 namespace tetmarch
 {
 
-/** Whether each of `cells` cells, of which there are some, is hidden. It looks no further than to
- * the first word with a cell that is not. */
+/** Whether all of `cells` cells (at least one) are hidden. Stops at the first word with a cell that
+ * is not. */
 inline bool areAllHidden(const std::vector<std::uint32_t>& words, std::uint64_t cells)
 {
   const std::uint64_t whole = cells / 32;

@@ -10,7 +10,7 @@ namespace tetmarch
 namespace
 {
 
-// By how much stored scalars and their positions in a table may be rounded, as a share of them.
+// Relative rounding of stored scalars and their positions in a table.
 constexpr double Rounding = 1e-6;
 
 double roundingOf(double scalar) { return Rounding * std::min(scalar, 1 - scalar); }
@@ -28,9 +28,9 @@ SeenScalars::SeenScalars(const IntegralTable& table, const ScalarRange& range)
   }
 }
 
-// Between entries the extinction is linear: it is above 0 less than one entry away from one that
-// has some, and there alone. Scalars may be off by a rounding, but for 0 and 1, the ends of the
-// range: these are exact, and what is transparent there stays so.
+// Between entries the extinction is linear: it is above 0 only within one entry of an entry with
+// extinction. Scalars may be rounded, except 0 and 1, the ends of the range: these are exact, so
+// that transparent ends stay transparent.
 bool SeenScalars::between(double low, double high) const
 {
   if (!(low <= high))

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which stored scalars are seen: what shows nothing of its scalars need not be marched through.
+// The stored scalars that are visible: rays can skip cells with other scalars only.
 #ifndef TetMarchScalarsSeenScalars_h
 #define TetMarchScalarsSeenScalars_h
 
@@ -13,11 +13,11 @@
 namespace tetmarch
 {
 
-/** Stored scalars 0..1 of which a table shows something; exact to the entry of the table. */
+/** The stored scalars 0..1 that are visible by a table; exact to the entry of the table. */
 class SeenScalars
 {
 public:
-  /** range: of the scalars that are stored. */
+  /** range: of the stored scalars. */
   SeenScalars(const IntegralTable& table, const ScalarRange& range);
 
   /** Whether the extinction is above 0 anywhere between them; no if low > high. */
@@ -29,10 +29,10 @@ private:
 
   double Scale;
   double Offset;
-  std::vector<std::uint32_t> Before; // how many entries before each one have extinction
+  std::vector<std::uint32_t> Before; // number of entries with extinction before each one
 };
 
-/** Whether one of the values, which ascend, lies between two stored scalars. */
+/** Whether one of the ascending values lies between two stored scalars. */
 bool isAnyBetween(const std::vector<float>& values, double low, double high);
 
 } // namespace tetmarch

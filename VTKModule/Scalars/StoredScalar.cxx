@@ -18,7 +18,7 @@ ScalarRange FiniteRange::range() const
   {
     return { 0, 0, this->AllFinite, this->AllFinite };
   }
-  // Where low and high differ by more than the greatest double, their difference must not overflow.
+  // If low and high differ by more than the largest double, their difference must not overflow.
   const double limit = 0.25 * std::numeric_limits<double>::max();
   const auto clamped = [limit](double x) { return std::min(std::max(x, -limit), limit); };
   return { clamped(this->Low), clamped(this->High), this->AllFinite };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scalars as the march reads them: floats in 0..1.
+// Scalars of the march: floats in 0..1.
 #ifndef TetMarchScalarsStoredScalar_h
 #define TetMarchScalarsStoredScalar_h
 
@@ -12,18 +12,18 @@
 namespace tetmarch
 {
 
-/** Stored in place of a scalar that is not finite. What touches it is not drawn. */
+/** Stored in place of a scalar that is not finite. Cells with such a scalar are not drawn. */
 constexpr float UndrawnScalar = 1e30f;
 
-/** The finite values that stored scalars 0 and 1 stand for. They are equal if there is one value or
- * none. */
+/** The finite values represented by the stored scalars 0 and 1. They are equal if there is one
+ * value or none. */
 struct ScalarRange
 {
   double Low = 0;
   double High = 0;
   bool AllFinite = true; // no value was stored as UndrawnScalar
   bool AnyFinite = true; // not every value was stored so, or there is none
-  /** The difference of the values that stored scalars 1 and 0 stand for: never 0. */
+  /** The difference of the values represented by the stored scalars 1 and 0: never 0. */
   double width() const { return this->High > this->Low ? this->High - this->Low : 1; }
 };
 
@@ -32,7 +32,7 @@ class FiniteRange
 {
 public:
   FiniteRange() = default;
-  /** As low(), high() and isAllFinite() tell it. */
+  /** A range with these properties. */
   FiniteRange(double low, double high, bool allFinite)
     : Low(low)
     , High(high)

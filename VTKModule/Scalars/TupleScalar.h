@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The scalar that is drawn of a tuple: one of its components, or the length of the vector.
+// The drawn scalar of a tuple: one of its components, or the length of the vector.
 #ifndef TetMarchScalarsTupleScalar_h
 #define TetMarchScalarsTupleScalar_h
 
@@ -14,11 +14,11 @@ namespace tetmarch
 struct TupleScalar
 {
   bool Magnitude = false; // of all components
-  int Component = 0;      // else; the array has it
+  int Component = 0;      // otherwise; the array has it
 };
 
-/** In double precision. Finite components have a finite magnitude: at most the greatest double.
- * With one that is not finite it is not finite either. */
+/** In double precision. The magnitude of finite components is finite: at most the largest double.
+ * If a component is not finite, it is not finite. */
 template <typename Tuple>
 double magnitudeOf(const Tuple& tuple)
 {

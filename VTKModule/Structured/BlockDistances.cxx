@@ -33,7 +33,7 @@ Distances markSeen(const BlockRanges& ranges, const IsSeen& isSeen)
   return distances;
 }
 
-// From the distance along i to that in rows: at first it is 0 or MostDistance.
+// Computes distances along i in a row, which initially contains 0 or MostDistance.
 void spreadAlongRow(std::uint8_t* row, int count)
 {
   for (int i = 1; i < count; ++i)
@@ -46,7 +46,7 @@ void spreadAlongRow(std::uint8_t* row, int count)
   }
 }
 
-// nearest = min(nearest, max(step, other)), for each block of a row.
+// nearest = min(nearest, max(step, other)) for each block of a row.
 void takeNearer(std::uint8_t* nearest, const std::uint8_t* other, std::uint8_t step, int count)
 {
   for (int i = 0; i < count; ++i)
@@ -55,9 +55,9 @@ void takeNearer(std::uint8_t* nearest, const std::uint8_t* other, std::uint8_t s
   }
 }
 
-// The chessboard distance, one axis after the other: that in a plane is the least, over the rows of
-// the plane, of the greater of the row's distance and the number of rows to it; likewise for the
-// volume. Rows are taken nearest first, until none can be nearer.
+// The chessboard distance, one axis after the other: in a plane it is the minimum, over the rows of
+// the plane, of the maximum of the row's distance and the number of rows to it; likewise for the
+// volume. Rows are visited nearest first, until none can be nearer.
 class ChessboardDistance
 {
 public:
@@ -123,10 +123,10 @@ private:
 
   std::array<int, 3> Blocks;
   Distances& Values;
-  Distances Before; // of the axis before
+  Distances Before; // of the previous axis
 };
 
-// Of marks that markSeen() made.
+// The share of empty blocks in the marks of markSeen().
 double emptyShareOf(const Distances& marks)
 {
   return marks.empty() ? 0

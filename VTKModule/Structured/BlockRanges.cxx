@@ -29,7 +29,7 @@ ValueSpan spanOf(const LatticeAxis& axis, bool constant, int block)
     clamped(lastCell + axis.FirstValue + (constant ? 0 : 1)) };
 }
 
-// The extremes of as many rows of values as are added, each place of a row by itself. Floats may be
+// The extremes of all added rows of values, separately for each position in a row. Floats may be
 // UndrawnScalar, which is above all others.
 template <typename Value>
 class RowExtremes
@@ -73,7 +73,7 @@ public:
     }
   }
 
-  // Of the places in a span. Returns whether some value is drawn.
+  // The extremes of the positions in a span. Returns whether some value is drawn.
   bool read(const ValueSpan& span, Value& least, Value& greatest) const
   {
     least =
@@ -163,7 +163,7 @@ private:
     }
   }
 
-  // Of integers without the roundings of Scale and Offset: exactly 0 and 1 at the ends of the
+  // For integers without the roundings of Scale and Offset: exactly 0 and 1 at the ends of the
   // range.
   float scalarOf(Value value) const
   {
@@ -177,7 +177,7 @@ private:
   const StoredValues& Values;
   const Value* Data;
   BlockRanges& Ranges;
-  double Zero; // the integer that stands for scalar 0
+  double Zero; // the integer that represents scalar 0
 };
 
 } // namespace

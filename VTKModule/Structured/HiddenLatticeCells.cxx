@@ -40,14 +40,14 @@ Flags flagsOf(vtkUnsignedCharArray* ghosts, unsigned char bits)
   return flags;
 }
 
-// How many of up to eight flags about a place are set, and of how many.
+// The number of set flags among up to eight around a position, and their total number.
 struct Around
 {
   int Set = 0;
   int Count = 0;
 };
 
-// Those numbered at + first .. at + first + 1 along each axis, as far as they are there.
+// The flags with indices at + first .. at + first + 1 along each axis, as far as they exist.
 Around lookAround(const Flags& flags, const Number& size, const Number& at, int first)
 {
   Around around;
@@ -63,7 +63,7 @@ Around lookAround(const Flags& flags, const Number& size, const Number& at, int 
   return around;
 }
 
-// Calls set(cell) for all cells with their numbers, one word of bits after the other.
+// Computes the bits of all cells, one word after the other.
 template <typename IsHidden>
 std::vector<std::uint32_t> bitsOf(const Number& cells, const IsHidden& isHidden)
 {

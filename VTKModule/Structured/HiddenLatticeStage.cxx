@@ -8,7 +8,7 @@
 namespace tetmarch
 {
 
-// Whoever blanks a cell may only call Modified() of the data.
+// Code that blanks a cell may call only Modified() of the data.
 void HiddenLatticeStage::readContent(vtkDataSet* data, const GhostArrays& ghosts)
 {
   Fingerprint read;

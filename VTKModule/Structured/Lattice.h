@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells of a structured volume that rays march through, and the values stored for them.
+// The cells of a structured volume, through which rays march, and their stored values.
 #ifndef TetMarchStructuredLattice_h
 #define TetMarchStructuredLattice_h
 
@@ -22,17 +22,17 @@ namespace tetmarch
 struct LatticeAxis
 {
   int Cells = 0;
-  int Values = 0; // stored along the axis
+  int Values = 0; // number of values along the axis
   /**
    * A trilinear cell i has the values i + FirstValue and i + FirstValue + 1 at its ends, a constant
-   * cell the value i + FirstValue. Numbers are clamped to 0 .. Values - 1, so that cells outside
+   * cell the value i + FirstValue. Indices are clamped to 0 .. Values - 1, so that cells outside
    * the outermost values are constant along the axis.
    */
   int FirstValue = 0;
   /** Without Planes, plane i, of 0 .. Cells, is at clamp(i + Shift, -HalfLength, HalfLength). */
   double Shift = 0;
   double HalfLength = 0;
-  /** Of a rectilinear axis: the places of all planes, ascending. */
+  /** For a rectilinear axis: the positions of all planes, ascending. */
   std::vector<float> Planes;
 
   bool isUniform() const { return this->Planes.empty(); }
@@ -65,7 +65,7 @@ struct Lattice
   }
 };
 
-/** No ray crosses more cells: each crosses a plane, and each plane is crossed once. */
+/** Maximum number of cells that a ray crosses: each plane is crossed at most once. */
 inline int mostCellsOf(const Lattice& lattice)
 {
   return lattice.Axes[0].Cells + lattice.Axes[1].Cells + lattice.Axes[2].Cells;

@@ -19,7 +19,7 @@ namespace
 //   cells      nearest        C         C       0            points
 //   cells      linear         C + 1     C       -1           first point, centres, last point
 //
-// Linear cell values, as VTK has them, run from centre to centre, and are constant in the outer
+// Linear cell values, as in VTK, are interpolated between centres, and are constant in the outer
 // half cells.
 LatticeAxis axisOf(int points, const LatticeCase& lies)
 {
@@ -69,7 +69,7 @@ std::string checkPlanes(const char* name, const LatticeAxis& axis)
 
 std::string checkNumber(const Lattice& lattice)
 {
-  // Integers of 64 bits might overflow.
+  // 64-bit integers might overflow.
   const double cells =
     double(lattice.Axes[0].Cells) * lattice.Axes[1].Cells * lattice.Axes[2].Cells;
   if (cells <= double(std::numeric_limits<std::uint32_t>::max()))

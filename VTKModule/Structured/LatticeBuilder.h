@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The lattice of a grid's points, by where the values are and how they are interpolated.
+// The lattice of a grid, depending on the association of values and their interpolation.
 #ifndef TetMarchStructuredLatticeBuilder_h
 #define TetMarchStructuredLatticeBuilder_h
 
@@ -12,7 +12,7 @@
 namespace tetmarch
 {
 
-/** How values are interpolated: that of a vtkVolumeProperty. */
+/** The interpolation type of a vtkVolumeProperty. */
 enum class Interpolation : unsigned char
 {
   Nearest,
@@ -21,20 +21,20 @@ enum class Interpolation : unsigned char
 
 struct LatticeCase
 {
-  bool OfCells = false; // the values are those of the data's cells, else of its points
+  bool OfCells = false; // values of the data's cells, else of its points
   Interpolation Between = Interpolation::Nearest;
 
   bool operator==(const LatticeCase& other) const
   {
     return this->OfCells == other.OfCells && this->Between == other.Between;
   }
-  /** Whether cells of the lattice reach from centre to centre of the data's cells, and to the ends
-   * of the axis; else they are the data's cells. */
+  /** Whether cells of the lattice extend between centres of the data's cells, and to the ends of
+   * the axis; else they are the data's cells. */
   bool isShifted() const { return this->OfCells == (this->Between == Interpolation::Linear); }
 };
 
-/** Of a geometry that is not empty and nothing is wrong with. Returns an empty string, or what is
- * wrong and what to do. */
+/** The geometry must be valid and not empty. Returns an empty string, or an error with its remedy.
+ */
 std::string makeLattice(const GridGeometry& geometry, const VolumeFrame& frame,
   const LatticeCase& lies, Lattice& lattice);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The points of a structured volume at which light is kept: a lattice coarser than its own, between whose
-// nodes light is trilinear. They take the place of a mesh's vertices.
+// The points of a structured volume at which light is stored: a coarser lattice, between whose
+// nodes light is trilinear. They correspond to a mesh's vertices.
 #ifndef TetMarchStructuredLightNodes_h
 #define TetMarchStructuredLightNodes_h
 
@@ -16,9 +16,9 @@ namespace tetmarch
 struct LightNodes
 {
   std::array<int, 3> Along{}; // i, j, k: at least two along each axis; numbered with i fastest
-  Vector3 Low{};              // place of the first node, in lattice coordinates
+  Vector3 Low{};              // position of the first node, in lattice coordinates
   Vector3 Step{};             // between two nodes along each axis
-  /** Row-major 3 x 4: from the numbers of a node along the axes to the normalised frame. */
+  /** Row-major 3 x 4: from the indices of a node along the axes to the normalised frame. */
   std::array<double, 12> ToNormalized{};
 
   std::uint32_t count() const
@@ -31,7 +31,7 @@ struct LightNodes
   Vector3 point(const std::array<std::uint32_t, 3>& numbers) const;
 };
 
-/** A node for every four cells along an axis, and at both ends; 65 at most. */
+/** A node for every four cells along an axis, and at both ends; at most 65. */
 LightNodes lightNodesOf(const Lattice& lattice);
 
 } // namespace tetmarch

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How many steps a ray may take through a lattice.
+// Maximum number of steps of a ray through a lattice.
 #ifndef TetMarchStructuredMostSteps_h
 #define TetMarchStructuredMostSteps_h
 
@@ -9,8 +9,8 @@
 namespace tetmarch
 {
 
-/** Of the cells that a ray crosses each has up to nine parts (Shaders/structured/cross_cell.glsl).
- * A march that goes beyond has gone wrong and ends. */
+/** Each cell on a ray has up to nine parts (Shaders/structured/cross_cell.glsl). A march that
+ * exceeds this is wrong and ends. */
 inline int mostStepsOf(const Lattice& lattice)
 {
   constexpr int MostParts = 9;

@@ -16,11 +16,11 @@ namespace tetmarch
 namespace
 {
 
-// The greatest value of a borrowed array, in widths of its range. Scale u + Offset then is right to
-// 7e-7: u, its product and the offset are at most that, and each is rounded to 2^-24 of it.
+// The largest value of a borrowed array, in widths of its range. Scale u + Offset is then accurate
+// to 7e-7: u, its product and the offset are at most that, and each is rounded to 2^-24 of it.
 constexpr double MostWidths = 4;
 
-// Calls work(tuples, first, last) for parts of all tuples, of which tuples[i] is one.
+// Calls work(tuples, first, last) for parts of all tuples; tuples[i] is a tuple.
 template <typename Work>
 struct TupleVisitor
 {
@@ -113,7 +113,7 @@ ValueType typeOf(vtkDataArray* array, const TupleScalar& scalar)
   }
 }
 
-// Of unsigned integers of 8 and 16 bits that lie one after the other.
+// Whether the array consists of contiguous unsigned integers of 8 or 16 bits.
 bool liesAsStored(vtkDataArray* array)
 {
   const int type = array->GetDataType();
@@ -137,7 +137,7 @@ ScalarRange rangeOfStored(vtkDataArray* array, const StoredValues& values)
            : rangeOfIntegers(static_cast<const std::uint16_t*>(data), values.Count);
 }
 
-// The difference to the least value of the range, which fits: the type has as many values.
+// Stores the difference to the minimum of the range, which fits into the type.
 template <typename Value>
 void copyIntegers(
   vtkDataArray* array, const TupleScalar& scalar, StoredValues& values, std::vector<Value>& copied)
@@ -208,7 +208,7 @@ StoredValues store(vtkDataArray* array, const TupleScalar& scalar)
   return values;
 }
 
-// Divided by the unit and clamped to 0..1: bytes can do without clamping.
+// Divided by the unit and clamped to 0..1; bytes need no clamping.
 StoredValues storeByUnit(vtkDataArray* array, const TupleScalar& scalar, double unit)
 {
   const bool bytes = array->GetDataType() == VTK_UNSIGNED_CHAR && unit >= 255;
@@ -218,7 +218,7 @@ StoredValues storeByUnit(vtkDataArray* array, const TupleScalar& scalar, double 
   return values;
 }
 
-// A value that is not finite is drawn nowhere: neither it nor the first one of its tuple.
+// A tuple with a value that is not finite is not drawn: its first value becomes UndrawnScalar.
 void hideUndrawn(StoredValues& further, StoredValues& first)
 {
   std::atomic<bool> any{ false };
@@ -250,7 +250,7 @@ std::vector<StoredValues> storeValues(const DrawnScalars& drawn)
     const TupleScalar scalar{ false, component };
     all.push_back(drawn.FurtherUnit > 0 ? storeByUnit(drawn.Array, scalar, drawn.FurtherUnit)
                                         : store(drawn.Array, scalar));
-    // Only arrays of floating point have such values, and of these all components are Floats.
+    // Only floating-point arrays have such values, and all of their components are Floats.
     hideUndrawn(all.back(), all.front());
   }
   return all;

@@ -17,7 +17,7 @@
 namespace tetmarch
 {
 
-/** How many bytes a value takes: unsigned integers, or float. */
+/** The size of a value in bytes: unsigned integers, or float. */
 enum class ValueType : unsigned char
 {
   UInt8,
@@ -28,9 +28,9 @@ enum class ValueType : unsigned char
 /**
  * One scalar for each value of a lattice. Integers of 8 and 16 bits are kept: an array of one
  * unsigned component is not copied, unless its range is narrow and so far from 0 that Scale u +
- * Offset would lose digits; of others the difference to their least value is stored. Everything
- * else is brought to 0..1 in double precision and rounded to float, what is not finite to
- * UndrawnScalar.
+ * Offset would lose digits; for others the difference to their minimum is stored. All other types
+ * are normalised to 0..1 in double precision and rounded to float; values that are not finite
+ * become UndrawnScalar.
  *
  * The GPU reads an unsigned integer of n bits as u = value / (2^n - 1), a float as u = value. The
  * stored scalar is Scale u + Offset: 0 at Range.Low and 1 at Range.High.
@@ -39,7 +39,7 @@ struct StoredValues
 {
   ValueType Type = ValueType::Float32;
   std::size_t Count = 0;
-  const void* Data = nullptr; // Count values; owned by one of those below
+  const void* Data = nullptr; // Count values; owned by one of the following members
   float Scale = 1;
   float Offset = 0;
   ScalarRange Range; // of the data
@@ -61,7 +61,7 @@ struct StoredValues
   }
   std::size_t bytes() const { return this->Count * sizeOf(this->Type); }
 
-  /** What the GPU reads, before Scale and Offset. */
+  /** The value read by the GPU, before Scale and Offset. */
   template <typename Real>
   Real read(std::size_t i) const
   {
@@ -84,9 +84,9 @@ struct StoredValues
 };
 
 /**
- * The values of what is drawn: the first scalar, then the further ones. The array has one tuple for
- * each value, in the order of VTK. Where the first or a further value is not finite the first one
- * is UndrawnScalar, its range is not AllFinite, and a further one is 0.
+ * The values of the drawn components: the first scalar, then the further ones. The array has one
+ * tuple for each value, in VTK's order. If the first or a further value is not finite, the first
+ * one is UndrawnScalar, its range is not AllFinite, and a further one is 0.
  */
 std::vector<StoredValues> storeValues(const DrawnScalars& drawn);
 

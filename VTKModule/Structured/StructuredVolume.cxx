@@ -15,7 +15,7 @@ namespace tetmarch
 namespace
 {
 
-// Values may be borrowed, so it counts where they lie, too.
+// Values may be borrowed, so their address is included.
 Fingerprint inputOf(const DrawnScalars& drawn)
 {
   Fingerprint input = versionOf(drawn);
@@ -82,7 +82,7 @@ std::string StructuredVolume::updateScalars(
 
 std::string StructuredVolume::updateLattice(const LatticeCase& lies)
 {
-  // Never empty, so that it differs from that of a geometry whose lattice was not made yet.
+  // Never empty, so that it differs from the input before the first lattice.
   const Fingerprint input{ lies.OfCells ? std::uintptr_t(1) : 0,
     static_cast<std::uintptr_t>(lies.Between) };
   if (input == this->LatticeInput)
@@ -185,7 +185,7 @@ vtkIdType StructuredVolume::dataCellOf(std::uint32_t cell, const Vector3& point)
     const int dataCells = this->Geometry.Points[a] - 1;
     if (this->Case.isShifted())
     {
-      // A cell from centre to centre has the data's plane of the same number in it.
+      // A cell between centres contains the data's plane of the same index.
       const double place =
         m[4 * a] * point[0] + m[4 * a + 1] * point[1] + m[4 * a + 2] * point[2] + m[4 * a + 3];
       along -= place < latticePlace(this->Geometry, a, along) ? 1 : 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An image or a rectilinear grid with what is drawn of it: the stages that make it, each of which
-// runs again only when its own input changed.
+// The stages of an image or a rectilinear grid, each of which runs again only when its input has
+// changed.
 #ifndef TetMarchStructuredStructuredVolume_h
 #define TetMarchStructuredStructuredVolume_h
 
@@ -31,15 +31,16 @@ public:
   StructuredVolume(const StructuredVolume&) = delete;
   StructuredVolume& operator=(const StructuredVolume&) = delete;
 
-  /** The extent and the coordinates of the data, and the frame. Returns an empty string, or what is
-   * wrong and what to do; it is empty then. Takes a vtkImageData (vtkUniformGrid, too) or a
-   * vtkRectilinearGrid. Other data with the same coordinates keeps the lattice. */
+  /** The extent and the coordinates of the data, and the frame. Returns an empty string, or an
+   * error with its remedy; the volume is then empty. The data are a vtkImageData (or
+   * vtkUniformGrid) or a vtkRectilinearGrid. Other data with the same coordinates keep the lattice.
+   */
   std::string updateGeometry(vtkDataSet* data);
   /**
-   * The lattice that the array and the interpolation call for, its hidden cells, its values and
-   * their ranges. Returns an empty string, or what is wrong and what to do; there are no values
-   * then. Each is made again when its own input changed: a new array leaves the lattice, another
-   * interpolation leaves the values.
+   * The lattice for the array and the interpolation, its hidden cells, its values and their ranges.
+   * Returns an empty string, or an error with its remedy; there are then no values. Each is made
+   * again when its input has changed: a new array keeps the lattice, another interpolation keeps
+   * the values.
    */
   std::string updateScalars(
     vtkDataSet* data, const DrawnScalars& drawn, Interpolation interpolation);
@@ -48,19 +49,19 @@ public:
   /** Known from updateGeometry() on; the rest of the lattice from updateScalars() on. */
   const VolumeFrame& frame() const { return this->Frame; }
   const Lattice& lattice() const { return this->Made; }
-  /** Of the lattice. */
+  /** The nodes of the lattice. */
   const LightNodes& lightNodes() const { return this->Nodes; }
-  /** The first scalar, and those that are drawn with it. */
+  /** The first scalar, and further ones. */
   const std::vector<StoredValues>& values() const { return this->Values; }
   const std::vector<ScalarRange>& furtherRanges() const { return this->FurtherRanges; }
-  /** One bit for each cell of the lattice: bit c % 32 of word c / 32. Empty if none is hidden.
-   * Which are: see hiddenLatticeCells(). */
+  /** One bit for each cell of the lattice: bit c % 32 of word c / 32. Empty if none is hidden. See
+   * hiddenLatticeCells(). */
   const std::vector<std::uint32_t>& hiddenCells() const { return this->Hidden.cells(); }
-  /** Of the first scalar and, if they are independent, of those that are drawn with it: of others
-   * nothing is seen where the first one has no opacity. */
+  /** Ranges of the first scalar and of further independent ones. Dependent ones are invisible where
+   * the first one has no opacity. */
   const std::vector<BlockRanges>& blockRanges() const { return this->Ranges; }
-  /** The cell of the data in which a point of a cell of the lattice lies, which may overlap eight
-   * of them. The point is one of the normalised frame. */
+  /** The cell of the data that contains a point, given in the normalised frame, of a cell of the
+   * lattice, which may overlap eight of them. */
   vtkIdType dataCellOf(std::uint32_t cell, const Vector3& point) const;
 
   /** Equal as long as the lattice is the same; one word. */
@@ -90,7 +91,7 @@ private:
 
   GridGeometry Geometry;
   VolumeFrame Frame;
-  Fingerprint LatticeInput; // beside the geometry
+  Fingerprint LatticeInput; // besides the geometry
   LatticeCase Case;
   Lattice Made;
   LightNodes Nodes;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What follows from the features of a key: answered by the list that the shaders have, too.
+// Derived conditions of a key, evaluated by the same list as in the shaders.
 #include "Variants/Features.h"
 #include "Variants/VariantKey.h"
 

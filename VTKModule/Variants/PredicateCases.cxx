@@ -15,15 +15,15 @@ using Points = std::array<std::int64_t, 4>; // p and q, whole numbers below 2^23
 
 constexpr std::int64_t MostCoordinate = std::int64_t(1) << 23;
 
-// A whole number below 2^bits, or less than 0.
+// A random integer below 2^bits in magnitude.
 std::int64_t whole(std::mt19937& random, int bits)
 {
   const auto magnitude = static_cast<std::int64_t>(random() >> (32 - bits));
   return random() % 2 ? magnitude : -magnitude;
 }
 
-// Convergents of a slope, whose cross product is 1 or -1: no points are nearer to one line through
-// 0.
+// Convergents of a slope, whose cross product is 1 or -1: the minimum distance from a common line
+// through 0.
 Points convergents(std::mt19937& random)
 {
   Points points{ { 1, 0, 0, 1 } };
@@ -41,7 +41,7 @@ Points anyPoints(std::mt19937& random)
   return { { whole(random, 23), whole(random, 23), whole(random, 23), whole(random, 23) } };
 }
 
-// A point and its multiple, which is a tie, or one beside that.
+// A point and its multiple, which is a tie, or a neighbour of the multiple.
 Points multiples(std::mt19937& random)
 {
   const std::int64_t x = whole(random, 12), y = whole(random, 12), factor = whole(random, 10);
@@ -50,7 +50,7 @@ Points multiples(std::mt19937& random)
   return { { x, y, x * factor + dx, y * factor + dy } };
 }
 
-// A point and one next to the middle between it and the ray.
+// A point and one next to the midpoint between it and the ray.
 Points halves(std::mt19937& random)
 {
   const std::int64_t x = whole(random, 23), y = whole(random, 23);
@@ -92,7 +92,7 @@ PredicateCases::PredicateCases()
     Case made;
     made.Points = pointsOf(i, random);
     made.Exact = i % 2 == 0;
-    // With so few bits, what a ray's vectors are multiplied to and added up is exact.
+    // With few bits, products and sums of a ray's vectors are exact.
     const int bits = made.Exact ? 6 : 23;
     const auto number = [&](double greatest)
     { return std::ldexp(greatest * static_cast<double>(whole(random, bits)), -bits); };
@@ -131,7 +131,7 @@ PredicateCases::PredicateCases()
   }
 }
 
-// Comparisons with what is not a number fail.
+// Comparisons with NaN are false.
 bool PredicateCases::isRight(const Case& known, const float* edge)
 {
   const auto exact = static_cast<double>(crossOf(known.Points));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cases by which a GL is checked before rays are traced through tetrahedra, with the exact answers.
+// Test cases of the predicate for a GL, with exact results.
 #ifndef TetMarchVariantsPredicateCases_h
 #define TetMarchVariantsPredicateCases_h
 
@@ -12,10 +12,10 @@ namespace tetmarch
 {
 
 /**
- * Two points whose cross product is to be found (Shaders/tet/edge_sign.glsl), mostly so near to a
+ * Each case has two points for a cross product (Shaders/tet/edge_sign.glsl), mostly so near to a
  * line through the ray that rounding twice gives the wrong sign, and a vertex to be projected along
- * a ray (Shaders/tet/projection.glsl): of every other case all results of that are exact, of the
- * others rounded, but to the same bits wherever the shader projects.
+ * a ray (Shaders/tet/projection.glsl): in every other case the results of the projection are exact,
+ * in the others rounded, but to the same bits at each place of the shader.
  */
 class PredicateCases
 {
@@ -25,18 +25,18 @@ public:
   static constexpr int TexelsPerCase = 6;
   static constexpr int Width = Side * TexelsPerCase;
 
-  /** The same ones each time. */
+  /** The cases are deterministic. */
   PredicateCases();
 
   /** An image of Width times Side texels of four numbers. Those of a case: both points; the vertex;
-   * of the ray origin, right, up, direction. */
+   * origin, right, up, direction of the ray. */
   const std::vector<float>& texels() const { return this->Texels; }
 
   /**
-   * How many cases are answered wrong, in the form by fused multiply-add or in the other one. Four
-   * numbers each. Of an edge: the cross product outside and inside of a loop, and 1 or 0 for
-   * whether the points 1, then 2, and 2, then 1, turn left. Of a projection: right, up, depth, and
-   * whether they are the same outside and inside of a loop.
+   * The number of wrong results, in the form with fused multiply-add or in the other one. Four
+   * numbers each. Of an edge: the cross product outside and inside of a loop, and 1 or 0 for a left
+   * turn of the points 1, then 2, and 2, then 1. Of a projection: right, up, depth, and whether
+   * they are the same outside and inside of a loop.
    */
   int countWrong(
     const std::vector<float>& edges, const std::vector<float>& projections, bool fused) const;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How many textures the shader of a variant reads. OpenGL guarantees 16 in one stage.
+// The number of textures that the shader of a variant reads. OpenGL guarantees 16 in one stage.
 #ifndef TetMarchVariantsSamplerCount_h
 #define TetMarchVariantsSamplerCount_h
 
@@ -9,16 +9,16 @@ namespace tetmarch
 
 struct VariantKey;
 
-/** A pass that peels translucent geometry adds so many of its own to a variant that is peeled. */
+/** Number of textures that depth peeling adds to a peeled variant. */
 constexpr int SamplersOfPeeling = 4;
-/** So many are read beside those of the picture where several processes draw it, visit by visit. */
+/** Number of additional textures if several processes draw the picture. */
 constexpr int SamplersOfVisits = 3;
 
-/** The samplers of the picture's shader, those of a pass that peels included. */
+/** The samplers of the picture's shader, including those of depth peeling. */
 int samplersOf(const VariantKey& key);
 
-/** The key, or where it has more samplers than there are texture units the key of the same picture
- * that takes longer: rays march through what nothing is seen of. */
+/** The key or, if it has more samplers than there are texture units, a slower key of the same
+ * picture, whose rays march through transparent cells. */
 VariantKey fittedTo(int units, const VariantKey& key);
 
 } // namespace tetmarch

@@ -20,7 +20,7 @@ std::string_view withoutBlanks(std::string_view text)
   return first == std::string_view::npos ? std::string_view() : text.substr(first);
 }
 
-// Whether the text goes on with the sign, which is then removed.
+// Whether the text begins with the sign, which is then removed.
 bool removed(std::string_view& rest, std::string_view sign)
 {
   rest = withoutBlanks(rest);

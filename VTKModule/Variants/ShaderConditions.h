@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which parts of a shader file a variant has: #if, #elif, #else and #endif, settled before the GL
-// sees the text, so that nothing of what is off is left in it. A file may define symbols for those
-// that it includes.
+// Conditional parts of shader files: #if, #elif, #else and #endif are evaluated before the GL sees
+// the text, so that no inactive code remains in it. A file may define symbols for the files that it
+// includes.
 #ifndef TetMarchVariantsShaderConditions_h
 #define TetMarchVariantsShaderConditions_h
 
@@ -22,18 +22,18 @@ public:
    * may be defined later than they are used, and the last line of a name counts. */
   explicit ShaderConditions(std::string_view defines) { this->define(defines); }
 
-  /** Further lines of that kind; all others are ignored. */
+  /** Add such lines; all others are ignored. */
   void define(std::string_view text);
 
   /** Whether the line, which ends with its line break, is a condition, or defines a symbol that
-   * begins with TETMARCH_; if so it is obeyed, and is no part of the text. */
+   * begins with TETMARCH_; if so it is evaluated, and is not part of the text. */
   bool take(std::string_view line);
-  /** What is wrong with the condition in the line that was taken last: an unknown symbol, or
-   * another fault in it. Empty if nothing is. */
+  /** The error of the last condition: an unknown symbol, or another fault. Empty if there is none.
+   */
   const std::string& error() const { return this->Error; }
-  /** Whether the lines at this place are part of the variant. */
+  /** Whether the current lines are part of the variant. */
   bool isActive() const { return this->Levels.empty() || this->Levels.back().Active; }
-  /** Whether each #if has had its #endif. */
+  /** Whether each #if has its #endif. */
   bool isClosed() const { return this->Levels.empty(); }
 
 private:
@@ -41,10 +41,10 @@ private:
   {
     bool Outer;  // the lines around it are active
     bool Done;   // one of its branches was active
-    bool Active; // the present one is
+    bool Active; // the current branch is active
   };
 
-  // These parse a condition from its begin, and leave the rest.
+  // These parse a condition from its beginning, and leave the rest.
   bool parsedValue(std::string_view& rest);
   bool parsedAnd(std::string_view& rest);
   bool parsedOr(std::string_view& rest);

@@ -17,7 +17,7 @@ namespace tetmarch
 namespace
 {
 
-// Lines are numbered on from file to file, a thousand a file. GLSL has source numbers for that, but
+// Line numbers continue from file to file, a thousand per file. GLSL has source string numbers, but
 // Mesa reports the number 0 for most errors.
 constexpr int NumbersPerFile = 1000;
 
@@ -35,7 +35,7 @@ int numberOf(const std::string& file)
   return -1;
 }
 
-// Without streams, which lose text silently where memory is scarce.
+// Without streams, which lose text silently if memory is short.
 void append(const std::string& file, ShaderConditions& conditions, std::set<std::string>& included,
   std::string& text)
 {
@@ -44,7 +44,7 @@ void append(const std::string& file, ShaderConditions& conditions, std::set<std:
   {
     return;
   }
-  // In GLSL 1.50 the line behind a #line directive has the number after the one it names.
+  // In GLSL 1.50 the line after a #line directive has the number after the given one.
   int line = (number + 1) * NumbersPerFile;
   bool numbered = false; // the line follows the last one of the text
   const std::string_view include = "#include \"";

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The files of Shaders/, compiled in, put together to whole shaders.
+// Complete shaders from the embedded files of Shaders/.
 #ifndef TetMarchVariantsShaderSource_h
 #define TetMarchVariantsShaderSource_h
 
@@ -10,16 +10,16 @@ namespace tetmarch
 {
 
 /**
- * The text of a shader file for vtkOpenGLShaderCache: the version tag, the file with
- * its #include lines replaced by the files, each once, and without what its conditions leave out
- * (ShaderConditions.h), under #line directives with numbers that withFileNames() knows. A faulty
- * condition, as one of a symbol that neither the defines nor the files know, becomes an #error.
+ * The text of a shader file for vtkOpenGLShaderCache: the version tag, the file with its #include
+ * lines replaced by the files, each once, without inactive parts (ShaderConditions.h), and with
+ * #line directives whose numbers withFileNames() decodes. A faulty condition, such as one with an
+ * undefined symbol, becomes an #error.
  */
 std::string shaderSource(const std::string& file, const std::string& defines = {});
 
 /**
- * A compiler's messages with "march.glsl:12" where they begin a line with "7:12", "7(12)" or
- * "ERROR: 7:12", as those of various GLs do.
+ * A compiler's messages with "march.glsl:12" in place of "7:12", "7(12)" or "ERROR: 7:12" at the
+ * beginning of a line, the formats of various GLs.
  */
 std::string withFileNames(const std::string& log);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Texts of shaders that were built before: a text takes a millisecond to build, and each tile of a
-// picture asks for it.
+// A cache of shader texts: a text takes a millisecond to build, and each tile of a picture needs
+// it.
 #ifndef TetMarchVariantsShaderTexts_h
 #define TetMarchVariantsShaderTexts_h
 
@@ -15,7 +15,7 @@ namespace tetmarch
 class ShaderTexts
 {
 public:
-  /** shaderSource(file, defines). The same text stays at the same address until clear(). */
+  /** shaderSource(file, defines). The address of a text is constant until clear(). */
   const std::string& of(const std::string& file, const std::string& defines);
   void clear() { this->Texts.clear(); }
 

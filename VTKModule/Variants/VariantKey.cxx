@@ -64,17 +64,17 @@ VariantKey VariantKey::filtered() const
 {
   VariantKey key = *this;
   key.dropWhatLatticesLack();
-  // A pass that peels ends parts of rays at opaque geometry itself, and reads no counters.
+  // Depth peeling ends parts of rays at opaque geometry itself, and reads no counters.
   key.OpaqueDepth = key.OpaqueDepth && !key.Peeled;
   key.Diagnostics = key.Diagnostics && !key.Peeled;
   key.Clipped = key.Clipped || key.Cropped;
   key.dropWhatIsNotBlended();
   key.dropWhatComponentsLack();
-  // Of several scalars each has two textures or more.
+  // Each of several scalars has two textures or more.
   key.ManySlabs = key.Slabs && (key.ManySlabs || key.hasComponents());
   key.ShowIllumination = key.ShowIllumination && !key.ShowGradients;
   key.ConstantColor = key.ConstantColor && !key.ShowIllumination && !key.ShowGradients;
-  // Where the scalar bends, the optical depth has an error even of one colour.
+  // If the scalar bends, the optical depth has an error even with one colour.
   key.Adaptive = key.Adaptive && key.PointScalars && (!key.ConstantColor || key.Structured);
   // Gradients are shown without light.
   key.Shading = key.Shading && !key.ShowGradients;
@@ -85,12 +85,12 @@ VariantKey VariantKey::filtered() const
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
   key.SeveralShadows = key.SeveralShadows && key.CastShadows && !key.SingleLight;
   key.SampledShadows = key.SampledShadows && key.CastShadows;
-  // All of several scalars, and all that a ray meets, may be seen.
+  // With several scalars, or if the whole ray counts, every cell may be visible.
   key.VisiblePart = key.VisiblePart && key.EntryLists && !key.isKnownAtEnd() &&
                     (key.isComposite() || key.PointScalars) &&
                     key.Components != ComponentGroup::Independent;
   key.TransparentRanges = key.TransparentRanges && !key.VisiblePart;
-  // The rays of pixels have lists, those towards the light have none.
+  // Rays of pixels have lists, rays towards the light have none.
   key.Hierarchy = !key.Structured && (!key.EntryLists || (key.Hierarchy && key.SampledShadows));
   key.OpaqueShadows = key.OpaqueShadows && key.CastShadows;
   key.HeadlightShadows = key.HeadlightShadows && key.Shading && !key.SingleLight;
@@ -100,8 +100,7 @@ VariantKey VariantKey::filtered() const
   return key;
 }
 
-// A ray enters a lattice once, and the planes that it crosses tell where. Only lattices are
-// sampled.
+// A ray enters a lattice once, through its outermost planes. Only lattices are sampled.
 void VariantKey::dropWhatLatticesLack()
 {
   if (this->Structured)
@@ -113,19 +112,18 @@ void VariantKey::dropWhatLatticesLack()
   }
   this->Rectilinear = this->Rectilinear && this->Structured;
   this->Slabs = this->Slabs && this->Structured;
-  // The extremes of all that a ray meets count, and so do sums. Surfaces between constant cells are
-  // in none of them.
+  // Extremes and sums need all cells on a ray. Surfaces between constant cells are in no cell.
   this->Leaps = this->Leaps && this->Structured && !this->isKnownAtEnd() &&
                 (this->isComposite() || this->PointScalars);
-  // Where most is transparent there are blocks of it.
+  // Volumes that are mostly transparent have transparent blocks.
   this->TransparentRanges = this->TransparentRanges && (this->Leaps || !this->Structured);
-  // Other blend modes are exact whatever the level, and samples have one scalar.
+  // Other blend modes are exact at each level, and samples have one scalar.
   this->PointSampled = this->PointSampled && this->Structured && this->isComposite() &&
                        this->Components == ComponentGroup::Single;
   this->Adaptive = this->Adaptive && !this->PointSampled;
 }
 
-// Of surfaces, light on them and gradients are seen; of scalars nothing but they.
+// Isosurfaces have light and gradients; the other modes only scalars.
 void VariantKey::dropWhatIsNotBlended()
 {
   if (!this->isComposite())
@@ -149,8 +147,8 @@ void VariantKey::dropWhatIsNotBlended()
   }
 }
 
-// Independent scalars have a gradient each, none of which is the volume's. Where there are several
-// tables, that of the opacity does not tell whether all that is seen has one colour.
+// Independent scalars have a gradient each, and the volume none. With several tables, that of the
+// opacity does not determine whether everything visible has one colour.
 void VariantKey::dropWhatComponentsLack()
 {
   this->ConstantColor = this->ConstantColor && !this->hasComponents();
@@ -195,7 +193,7 @@ VariantKey VariantKey::ofPick() const
   key.VisiblePart = this->VisiblePart;
   key.SplitCells = this->SplitCells;
   key.PointScalars = this->PointScalars;
-  // Where the scalar is linear, the optical depth of a segment is exact.
+  // If the scalar is linear, the optical depth of a segment is exact.
   key.Adaptive = this->Structured;
   key.Clipped = this->Clipped;
   key.Cropped = this->Cropped;
@@ -234,7 +232,7 @@ std::string VariantKey::defines() const
   {
     define(feature.Name, feature.isOn(*this));
   }
-  // Unless the driver or a file defines them behind these lines.
+  // Defaults, unless the driver or a file defines them after these lines.
   for (const char* name : {
 #include "Variants/KeylessFeatures.inc"
        })

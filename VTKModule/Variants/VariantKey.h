@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which variant of the march shader a scene needs.
+// The key of the variant of the march shader that a scene needs.
 #ifndef TetMarchVariantsVariantKey_h
 #define TetMarchVariantsVariantKey_h
 
@@ -12,20 +12,20 @@
 namespace tetmarch
 {
 
-/** What a ray gathers: one of these. */
+/** The group of blend modes. */
 enum class BlendGroup : unsigned char
 {
   Composite,  // the volume: emission and absorption
-  Extreme,    // the greatest or the least scalar
+  Extreme,    // the maximum or the minimum scalar
   Sum,        // the sum or the average of the scalars
   Isosurfaces // surfaces of constant scalar
 };
 
-/** Which scalars a volume has: one of these. */
+/** The scalars of a volume. */
 enum class ComponentGroup : unsigned char
 {
   Single,          // one scalar
-  Independent,     // several, each with functions of its own, fill one space
+  Independent,     // several, each with its own functions, in the same space
   ColorAndOpacity, // one gives the colour, another the opacity
   DirectColor      // three are the colour, a fourth gives the opacity
 };
@@ -37,65 +37,64 @@ enum class ComponentGroup : unsigned char
  */
 struct VariantKey
 {
-  bool PointScalars = true; // else one scalar a cell
-  bool EntryLists = true;   // entries from lists by pixels; else searched for in the hierarchy
-  bool Hierarchy = false;   // rays that have no list can enter, or enter again
+  bool PointScalars = true; // else one scalar per cell
+  bool EntryLists = true;   // entries from lists per pixel; else searched in the hierarchy
+  bool Hierarchy = false;   // rays without lists can enter or reenter
   bool OpaqueDepth = false; // rays end at opaque geometry or the far plane
-  bool HasFma = true;       // the exact predicate by fused multiply-add; else the portable one
+  bool HasFma = true;       // the exact predicate with fused multiply-add; else the portable one
   bool Adaptive = true;     // segments are split until the pixel keeps the error tolerance
   bool Diagnostics = false; // counters in further colour attachments
-  bool Peeled = false; // parts of rays, as a pass that peels translucent geometry asks for them
-  bool TransparentRanges = false; // there are scalars without extinction: their cells are passed
-  bool ConstantColor = false;     // whatever is seen has the same colour
+  bool Peeled = false;      // parts of rays between layers of depth peeling
+  bool TransparentRanges = false; // cells of scalars without extinction are skipped
+  bool ConstantColor = false;     // everything visible has the same colour
 
   bool Clipped = false;  // rays begin and end at clipping planes, or at the faces of a cropped box
-  bool Cropped = false;  // and ranges of them are left out, region by region
-  bool NanShown = false; // what touches a scalar that is not finite has a colour of its own
-  bool HiddenCells = false; // some tetrahedra are passed as if nothing was in them
+  bool Cropped = false;  // ranges of rays are left out, region by region
+  bool NanShown = false; // cells with a scalar that is not finite have the NaN colour
+  bool HiddenCells = false; // some tetrahedra are skipped
   BlendGroup Blend = BlendGroup::Composite;
   ComponentGroup Components = ComponentGroup::Single;
 
-  bool CellGradients = false;   // that of each cell as it is; else interpolated between vertices
-  bool GradientOpacity = false; // extinction depends on the gradient
-  bool Shading = false;         // lights shine on surfaces of constant scalar
-  bool HeadlightOnly = false;   // one light, at the eye, and not in world coordinates
-  bool SingleLight = false;     // one light, elsewhere
-  bool WorldLights = false;     // light is computed in world coordinates: see LightUniforms
-  bool Scattering = false;      // the volume scatters light without regard to surfaces
-  bool CastShadows = false; // the volume absorbs the light that it gets, but for that from the eye
-  bool SeveralShadows = false;   // that of more than one light
-  bool SampledShadows = false;   // sampled along each ray; else it is kept at the vertices
+  bool CellGradients = false;    // one per cell; else interpolated between vertices
+  bool GradientOpacity = false;  // extinction depends on the gradient
+  bool Shading = false;          // lights shine on surfaces of constant scalar
+  bool HeadlightOnly = false;    // one light, at the eye, and not in world coordinates
+  bool SingleLight = false;      // one light, elsewhere
+  bool WorldLights = false;      // light is computed in world coordinates: see LightUniforms
+  bool Scattering = false;       // the volume scatters light without regard to surfaces
+  bool CastShadows = false;      // the volume absorbs light, except that from the eye
+  bool SeveralShadows = false;   // shadows of more than one light
+  bool SampledShadows = false;   // sampled along each ray; else stored at the vertices
   bool OpaqueShadows = false;    // opaque geometry casts shadows on the volume, too
   bool HeadlightShadows = false; // the volume absorbs light from the eye
   bool Occlusion = false;        // the volume absorbs ambient light
   bool ShowIllumination = false; // the light without the volume's own colour
   bool ShowGradients = false;    // directions of gradients as colours
 
-  bool Structured = false;   // the cells are those of a lattice, else tetrahedra
-  bool Rectilinear = false;  // whose planes are not evenly spaced
-  bool Leaps = false;        // rays leap over blocks of cells of which nothing can be seen
+  bool Structured = false;   // cells of a lattice, else tetrahedra
+  bool Rectilinear = false;  // planes are not evenly spaced
+  bool Leaps = false;        // rays leap over transparent blocks of cells
   bool PointSampled = false; // the volume is sampled at even distances, not integrated
-  bool Slabs = false;        // the values lie in several textures
-  bool ManySlabs = false;    // more than two
+  bool Slabs = false;        // values are in several textures
+  bool ManySlabs = false;    // in more than two
 
-  bool VisiblePart =
-    false;                 // rays enter and leave those tetrahedra alone of which something is seen
-  bool SplitCells = false; // the tetrahedra lie in two texture buffers
+  bool VisiblePart = false; // rays enter and leave only visible tetrahedra
+  bool SplitCells = false;  // tetrahedra are in two texture buffers
 
-  // What follows from these, by Shaders/derived_conditions.glsl.
+  // Derived conditions, by Shaders/derived_conditions.glsl.
   /** Emission and absorption are integrated. */
   bool isComposite() const;
-  /** A ray gathers opacity front to back, so that it may end where it is opaque. */
+  /** A ray accumulates opacity front to back, so that it may end where it is opaque. */
   bool accumulatesOpacity() const;
-  /** What is shown is known only at the end of a ray. */
+  /** The result is known only at the end of a ray. */
   bool isKnownAtEnd() const;
   /** Transfer functions are looked up in tables. */
   bool usesTables() const;
-  /** A single one. */
+  /** A single table. */
   bool hasOneTable() const;
   /** The first table is that of the opacity. */
   bool hasOpacityTable() const;
-  /** Cells in which nothing is seen are passed in a loop of their own. */
+  /** Transparent cells are skipped in an inner loop. */
   bool passesCells() const;
   /** Colour and extinction come from different scalars. */
   bool isDependent() const;
@@ -104,10 +103,10 @@ struct VariantKey
   /** Something depends on the gradient. */
   bool hasGradients() const;
   bool hasVertexGradients() const;
-  /** Light, or the colour of gradients, makes what is seen. */
+  /** The colour depends on light or gradients. */
   bool isLit() const;
   bool hasShadows() const;
-  /** Light is kept at the vertices. */
+  /** Light is stored at the vertices. */
   bool hasVertexLight() const;
   /** The error of the integration is bounded along the ray; that of a constant is 0. */
   bool hasErrorBound() const;
@@ -117,17 +116,16 @@ struct VariantKey
 
   bool operator==(const VariantKey& other) const;
 
-  /** The key without features that change nothing, and with those that others imply. */
+  /** The key without features that have no effect, and with those that others imply. */
   VariantKey filtered() const;
-  /** The key of a pass that searches entries alone: it does not depend on what is gathered. */
+  /** The key of a pass that only searches entries: it does not depend on the blend mode. */
   VariantKey ofEntries() const;
 
-  /** The variant that marches from the vertices towards the light: it knows extinction alone, and
-   * the shadows of opaque geometry. reenters: rays may leave the volume and enter it again. */
+  /** The variant that marches from the vertices towards the light: it uses only extinction, and the
+   * shadows of opaque geometry. reenters: rays may leave the volume and reenter. */
   VariantKey ofVertexLight(bool reenters) const;
 
-  /** The variant that finds where rays are picked: they gather as in the picture, but without
-   * light, up to opaque geometry. */
+  /** The variant of picks: as in the picture, but without light, up to opaque geometry. */
   VariantKey ofPick() const;
 
   /** The preprocessor lines that select the variant in the shader text. */
@@ -135,12 +133,12 @@ struct VariantKey
 
   struct Feature
   {
-    const char* Name;  // symbol, behind TETMARCH_
+    const char* Name;  // symbol without the prefix TETMARCH_
     std::uint64_t Bit; // TETMARCH_WITH_... of Variants/Features.h
     std::variant<bool VariantKey::*, BlendGroup, ComponentGroup> Value;
     bool isOn(const VariantKey& key) const;
-    /** A value of a group takes the place of the one there was; where it is switched off, the
-     * group's first value takes its place. */
+    /** A value of a group replaces the previous one; if it is switched off, the group has its first
+     * value. */
     void set(VariantKey& key, bool on) const;
   };
   static constexpr int NumberOfFeatures = 43;

@@ -61,7 +61,7 @@ void FunctionChart::PlaceCharts()
 
 void FunctionChart::LabelAxis(double low, double high)
 {
-  // Steps of 1, 2 or 5 times a power of ten, of which the chart has about four.
+  // Steps of 1, 2 or 5 times a power of ten, about four per chart.
   const double rough = (high - low) / 4.0;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   const double step = (rough < 1.5 * power ? 1.0 : rough < 3.5 * power ? 2.0 : 5.0) * power;
