@@ -3,7 +3,6 @@
 #include "vtkTetMarchFrameStatistics.h"
 
 #include "Diagnostics/Distribution.h"
-#include "Optics/AccuracyLevel.h"
 
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
@@ -32,8 +31,7 @@ vtkStandardNewMacro(vtkTetMarchFrameStatistics);
 
 //------------------------------------------------------------------------------
 vtkTetMarchFrameStatistics::vtkTetMarchFrameStatistics()
-  : UsedAccuracyLevel(static_cast<int>(tetmarch::Accuracy::Default))
-  , Internal(new Internals)
+  : Internal(new Internals)
 {
 }
 
@@ -116,49 +114,5 @@ void vtkTetMarchFrameStatistics::PrintSelf(ostream& os, vtkIndent indent)
     os << indent << Names[i] << ": " << this->GetNumberOfPixels(i) << " pixels, mean "
        << this->GetMean(i) << ", maximum " << this->GetMaximum(i) << "\n";
   }
-  os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
-  os << indent << "NumberOfCrossedCells: " << this->NumberOfCrossedCells << "\n";
-  os << indent << "NumberOfLookups: " << this->NumberOfLookups << "\n";
-  os << indent << "NumberOfRefusedEntries: " << this->NumberOfRefusedEntries << "\n";
-  os << indent << "NumberOfLostRays: " << this->NumberOfLostRays << "\n";
-  os << indent << "NumberOfGuardHits: " << this->NumberOfGuardHits << "\n";
-  os << indent << "Seconds: " << this->Seconds << "\n";
-  os << indent << "NumberOfDraws: " << this->NumberOfDraws << "\n";
-  os << indent << "UsedAccuracyLevel: " << this->GetUsedAccuracyLevelAsString() << "\n";
-  os << indent << "UsedErrorTolerance: " << this->UsedErrorTolerance << "\n";
-  os << indent << "UsedShaderStage: " << this->GetUsedShaderStageAsString() << "\n";
-  os << indent << "UsedImageSampleDistance: " << this->UsedImageSampleDistance << "\n";
-  os << indent << "BudgetKept: " << (this->BudgetKept ? "Yes" : "No") << "\n";
-  os << indent << "LightComplete: " << (this->LightComplete ? "Yes" : "No") << "\n";
-  os << indent << "NumberOfTetrahedra: " << this->NumberOfTetrahedra << "\n";
-  os << indent << "NumberOfBoundaryFaces: " << this->NumberOfBoundaryFaces << "\n";
-  os << indent << "NumberOfLatticeCells: " << this->NumberOfLatticeCells << "\n";
-  os << indent << "GPUMemoryBytes: " << this->GPUMemoryBytes << "\n";
-  os << indent << "UploadedBytes: " << this->UploadedBytes << "\n";
-  os << indent << "BlocksSeconds: " << this->BlocksSeconds << "\n";
-  os << indent << "MeshSeconds: " << this->MeshSeconds << "\n";
-  os << indent << "ScalarsSeconds: " << this->ScalarsSeconds << "\n";
-  os << indent << "TablesSeconds: " << this->TablesSeconds << "\n";
-  os << indent << "VisiblePartSeconds: " << this->VisiblePartSeconds << "\n";
-  os << indent << "EntriesSeconds: " << this->EntriesSeconds << "\n";
-  os << indent << "GradientsSeconds: " << this->GradientsSeconds << "\n";
-  os << indent << "OpaqueShadowsSeconds: " << this->OpaqueShadowsSeconds << "\n";
-  os << indent << "VertexLightSeconds: " << this->VertexLightSeconds << "\n";
-  os << indent << "UploadSeconds: " << this->UploadSeconds << "\n";
-  os << indent << "NumberOfVisits: " << this->NumberOfVisits << "\n";
-  os << indent << "SentBytes: " << this->SentBytes << "\n";
-  os << indent << "MarchSeconds: " << this->MarchSeconds << "\n";
-  os << indent << "ExchangeSeconds: " << this->ExchangeSeconds << "\n";
-  os << indent << "MergeSeconds: " << this->MergeSeconds << "\n";
-  os << indent << "SpreadSeconds: " << this->SpreadSeconds << "\n";
-  os << indent << "SharedErrorBound: " << this->SharedErrorBound << "\n";
-  os << indent << "BlocksBuilds: " << this->BlocksBuilds << "\n";
-  os << indent << "MeshBuilds: " << this->MeshBuilds << "\n";
-  os << indent << "ScalarsBuilds: " << this->ScalarsBuilds << "\n";
-  os << indent << "TablesBuilds: " << this->TablesBuilds << "\n";
-  os << indent << "VisiblePartBuilds: " << this->VisiblePartBuilds << "\n";
-  os << indent << "EntriesBuilds: " << this->EntriesBuilds << "\n";
-  os << indent << "GradientsBuilds: " << this->GradientsBuilds << "\n";
-  os << indent << "OpaqueShadowsBuilds: " << this->OpaqueShadowsBuilds << "\n";
-  os << indent << "VertexLightBuilds: " << this->VertexLightBuilds << "\n";
+#include "Mapper/PrintedStatistics.inc"
 }

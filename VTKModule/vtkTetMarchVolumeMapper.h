@@ -188,8 +188,9 @@ public:
 
   //@{
   /**
-   * Forwarded to GetLastFrameStatistics(): see vtkTetMarchFrameStatistics. IsBudgetKept() is its
-   * GetBudgetKept(), IsLightComplete() its GetLightComplete().
+   * Deprecated aliases, which go with version 0.4: forwarded to GetLastFrameStatistics(), see
+   * vtkTetMarchFrameStatistics. IsBudgetKept() is its GetBudgetKept(), IsLightComplete() its
+   * GetLightComplete().
    */
   vtkTetMarchStatisticsMethodsMacro();
   //@}

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pages' Python, word for word: ExamplesTest.py BUILD_FOLDER."""
 import importlib.util
+import json
 import os
 import pathlib
 import re
@@ -115,13 +116,22 @@ class ExamplesTest(unittest.TestCase):
         (block,) = fenced_blocks(text_of("Plugin/README.md"), "python")
         files = sorted(PROJECT.glob("Plugin/Representation/*.xml.in"))
         self.assertTrue(files)
-        properties = "".join(map(text_of, files))
+        properties = "".join(map(text_of, files)) + self.settings_as_xml()
         for line in block.splitlines():
             for name, value in re.findall(r"display\.(TetMarch\w+) = (.*)", line):
                 with self.subTest(property=name):
                     self.assertIn(f'name="{name}"', properties)
                     for text in re.findall(r'"([^"]+)"', value):
                         self.assertIn(f'text="{text}"', properties)
+
+    @staticmethod
+    def settings_as_xml():
+        settings = [row for row in json.loads(text_of("VTKModule/Mapper/settings.json")) if "panel" in row]
+        names = [f'name="TetMarch{row["name"]}"' for row in settings]
+        choices = [choice for row in settings for choice in row.get("choices", [])]
+        spaced = [re.sub("([a-z])([A-Z])", r"\1 \2", choice["name"]) for choice in choices]
+        labels = [choice.get("label", words) for choice, words in zip(choices, spaced)]
+        return "".join(names + [f'text="{label}"' for label in labels])
 
     def test_every_example_is_here(self):
         shown = [name_of(page) for page in pages() if fenced_blocks(page.read_text(encoding="utf-8"), "python")]

@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What ParaView's panel is told: groups, a tooltip for each property, and which values it may have."""
+import json
+import pathlib
+
 from lattices import ARRAY, image, lattice, source_of
 from paraview import simple
 from views import load_plugin, open_view, parse_arguments, show
@@ -18,6 +21,7 @@ FIGURES = {"BudgetKept", "GPUMemoryBytes", "LightComplete", "TimeToDraw", "UsedA
            "UsedImageSampleDistance"}
 # Any number will do, or ParaView makes the range of the data's array or box.
 FREE = {"AverageIPScalarRange", "CroppingOrigin", "CroppingScale", "MaxMemoryInBytes", "SampleDistance"}
+SETTINGS = pathlib.Path(__file__).resolve().parents[2] / "VTKModule/Mapper/settings.json"
 PRESETS = {"Fast", "Default", "Accurate", "Reference"}
 
 
@@ -83,6 +87,18 @@ def check_figures(proxy):
         assert proxy.GetProperty("TetMarch" + name).GetInformationOnly(), name
 
 
+def check_settings(proxy):
+    """Each setting that has a panel in the table is a property with that text, and no other one is."""
+    images = "UniformGrid" in proxy.GetXMLName()
+    for row in json.loads(SETTINGS.read_text(encoding="utf-8")):
+        name = "TetMarch" + row["name"]
+        prop = proxy.GetProperty(name)
+        assert ("panel" in row) == bool(prop), f"{name} must be there if the table has its panel, and only then"
+        if prop:
+            text = row["panel"].get("text_of_images" if images else "text", row["panel"]["text"])
+            assert prop.GetDocumentation().GetDescription().split() == " ".join(text).split(), name
+
+
 def main():
     arguments = parse_arguments(__doc__)
     load_plugin(arguments)
@@ -93,6 +109,7 @@ def main():
         check_tooltips(display.SMProxy)
         check_ranges(display.SMProxy)
         check_figures(display.SMProxy)
+        check_settings(display.SMProxy)
         print(kind, {label: len(names) for label, names in groups.items()})
 
 

@@ -1,11 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What VTK expects of every property: a setter that is heard, a time of change, a line of what is printed."""
+import json
+import pathlib
 import re
 import unittest
 
 import vtkmodules.all
 import vtktetmarch
+from vtktetmarch.properties import property_names, snake_case
 
 CLASSES = [getattr(vtktetmarch, name) for name in vtktetmarch.__all__ if name.startswith("vtk")]
 
@@ -52,6 +55,20 @@ def line_of(thing, name):
     """The last of that name: classes above may have one, too."""
     found = re.findall(rf"^ +{name}:(.*)$", str(thing), re.MULTILINE)
     return found[-1].strip() if found else None
+
+
+def table(name):
+    """The rows that vtkTetMarchSettings or vtkTetMarchFrameStatistics is made from."""
+    path = pathlib.Path(__file__).resolve().parents[2] / "VTKModule/Mapper" / name
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def value_of(text):
+    """A number of a table, where it is one."""
+    try:
+        return {"true": True, "false": False}[text] if text in ("true", "false") else float(text)
+    except ValueError:
+        return None
 
 
 PROPERTIES = [(cls, name) for cls in CLASSES for name in names_of_properties(cls)]
@@ -132,6 +149,46 @@ class ContractTest(unittest.TestCase):
                     and name.startswith("Get")}
         self.assertGreater(len(of_frame), 15)
         self.assertLess(of_frame, set(vars(mapper)))
+
+    def test_each_row_of_the_settings_reaches_mappers_and_keywords(self):
+        rows = table("settings.json")
+        self.assertEqual({row["name"] for row in rows}, set(names_of_properties(vtktetmarch.vtkTetMarchSettings)))
+        mappers = (vtktetmarch.vtkTetMarchVolumeMapper, vtktetmarch.vtkTetMarchSmartVolumeMapper)
+        for row in rows:
+            for cls in (vtktetmarch.vtkTetMarchSettings, *mappers):
+                with self.subTest(cls=cls.__name__, setting=row["name"]):
+                    self.check_setting(row, cls())
+            for cls in mappers:
+                self.assertIn(snake_case(row["name"]), property_names((cls(),)))
+
+    def check_setting(self, row, thing):
+        get = getattr(thing, "Get" + row["name"])
+        if row["type"] == "choice":
+            constants = [choice["constant"] for choice in row["choices"]]
+            self.assertEqual([getattr(thing, constant) for constant in constants], list(range(len(constants))))
+            least, greatest, default = 0, len(constants) - 1, constants.index(row["default"])
+            if row["name"] == "OpacityLaw" and isinstance(thing, vtktetmarch.vtkTetMarchSmartVolumeMapper):
+                default = thing.STRUCTURED
+        elif row["type"] == "double[2]":
+            self.assertEqual(get(), tuple(map(float, row["default"])))
+            return
+        else:
+            least, greatest, default = (value_of(row.get(key, "")) for key in ("least", "greatest", "default"))
+        self.assertAlmostEqual(get(), default, 7)
+        for limit, wanted in ((least, -1e30), (greatest, 1e30)):
+            if limit is not None:
+                getattr(thing, "Set" + row["name"])(wanted if isinstance(get(), float) else int(wanted / 1e22))
+                self.assertAlmostEqual(get(), limit, 7)
+
+    def test_each_row_of_the_statistics_reaches_the_mappers(self):
+        rows = table("statistics.json")
+        of_frame = names_of_properties(vtktetmarch.vtkTetMarchFrameStatistics)
+        self.assertEqual({row["name"] for row in rows}, set(of_frame))
+        for cls in (vtktetmarch.vtkTetMarchVolumeMapper, vtktetmarch.vtkTetMarchSmartVolumeMapper):
+            for row in rows:
+                with self.subTest(cls=cls.__name__, figure=row["name"]):
+                    method = ("Is" if row["type"] == "bool" else "Get") + row["name"]
+                    self.assertEqual(method in vars(cls), not row.get("own", False))
 
     def test_the_factory_prints_what_it_replaces(self):
         factory = vtktetmarch.vtkTetMarchObjectFactory

@@ -118,7 +118,7 @@ TEST(CommandLine, RefusesBadCameras)
 
 TEST(CommandLine, RefusesBadChoices)
 {
-  ExpectBadValue("--opacity-law", "linear", "expected structured or unstructured");
+  ExpectBadValue("--opacity-law", "linear", "expected unstructured or structured");
   ExpectBadValue("--accuracy", "best", "expected fast, default, accurate, reference or sampled");
   ExpectBadValue("--view", "bound",
     "expected picture, error, cells, lookups, illumination, gradients, faces or coordinates");

@@ -16,23 +16,22 @@ TEST(CommandLine, Defaults)
   EXPECT_EQ(c.Output, "mesh.part.png");
   EXPECT_EQ(c.Size, (std::array<int, 2>{ { 1024, 768 } }));
   EXPECT_EQ(c.Frames, 0);
-  EXPECT_FALSE(c.StructuredOpacityLaw || c.Nearest || c.Compare || c.Raw.AreGiven());
-  EXPECT_EQ(c.AccuracyLevel, 1);
-  EXPECT_EQ(c.ViewMode, 0);
-  EXPECT_FALSE(
-    c.Tolerance || c.TimeStep || c.Range || c.UnitDistance || c.Camera || c.ParallelScale);
+  EXPECT_FALSE(c.Nearest || c.Compare || c.Raw.AreGiven());
+  EXPECT_EQ(c.Settings->GetAccuracyLevel(), 1);
+  EXPECT_EQ(c.Settings->GetViewMode(), 0);
+  EXPECT_EQ(c.Settings->GetErrorTolerance(), 1.0 / 255.0);
+  EXPECT_FALSE(c.TimeStep || c.Range || c.UnitDistance || c.Camera || c.ParallelScale);
   EXPECT_EQ(c.ArrayAssociation, vtkTetMarchFirstPicture::ANY);
-  EXPECT_EQ(c.FrameTime, 0.0);
-  EXPECT_EQ(c.Error, 0.0);
+  EXPECT_EQ(c.Settings->GetFrameTimeBudget(), 0.0);
+  EXPECT_EQ(c.Settings->GetErrorBudget(), 0.0);
   EXPECT_FALSE(c.Light.Shade);
   EXPECT_TRUE(c.Light.Lights.empty());
-  EXPECT_EQ(c.Light.ShadowMethod, 0);
-  EXPECT_FALSE(c.Light.OpaqueShadows);
+  EXPECT_EQ(c.Settings->GetShadowMethod(), 0);
+  EXPECT_FALSE(c.Settings->GetOpaqueShadows() || c.Settings->GetAmbientOcclusion());
   EXPECT_TRUE(c.Surfaces.empty());
-  EXPECT_EQ(c.Light.Scattering, 0.0);
-  EXPECT_EQ(c.Light.Reach, 1.0);
-  EXPECT_FALSE(c.Light.Ambient || c.Light.Diffuse || c.Light.Specular || c.Light.SpecularPower ||
-               c.Light.OcclusionRadius);
+  EXPECT_EQ(c.Settings->GetVolumetricScatteringBlending(), 0.0f);
+  EXPECT_EQ(c.Settings->GetGlobalIlluminationReach(), 1.0f);
+  EXPECT_FALSE(c.Light.Ambient || c.Light.Diffuse || c.Light.Specular || c.Light.SpecularPower);
   EXPECT_TRUE(c.Stats.empty() && c.Preset.empty() && c.Array.empty());
 }
 
@@ -57,16 +56,17 @@ TEST(CommandLine, TakesEveryOption)
   EXPECT_EQ(c.Camera->ViewAngle, 45.0);
   EXPECT_EQ(c.ParallelScale, 1000.0);
   EXPECT_EQ(c.Background, (std::array<double, 3>{ { 0, 0.5, 1 } }));
-  EXPECT_EQ(c.StructuredOpacityLaw, true);
+  EXPECT_EQ(c.Settings->GetOpacityLaw(), vtkTetMarchSettings::STRUCTURED);
+  EXPECT_TRUE(c.Given.count("--opacity-law"));
   EXPECT_EQ(c.ArrayAssociation, vtkTetMarchFirstPicture::CELLS);
   EXPECT_EQ(c.Stats, "s.json");
   EXPECT_EQ(c.Frames, 7);
   EXPECT_EQ(c.TimeStep, 3);
-  EXPECT_EQ(c.AccuracyLevel, 2);
-  EXPECT_EQ(c.Tolerance, 0.01);
-  EXPECT_EQ(c.FrameTime, 0.1);
-  EXPECT_EQ(c.Error, 0.02);
-  EXPECT_EQ(c.ViewMode, 2);
+  EXPECT_EQ(c.Settings->GetAccuracyLevel(), 2);
+  EXPECT_EQ(c.Settings->GetErrorTolerance(), 0.01);
+  EXPECT_EQ(c.Settings->GetFrameTimeBudget(), 0.1);
+  EXPECT_EQ(c.Settings->GetErrorBudget(), 0.02);
+  EXPECT_EQ(c.Settings->GetViewMode(), 2);
   EXPECT_TRUE(c.Compare);
   EXPECT_EQ(c.Range, (std::array<double, 2>{ { -1, 1 } }));
   EXPECT_EQ(c.Surfaces, (std::vector<std::string>{ "a.vtp", "b.vtk" }));
@@ -76,11 +76,11 @@ TEST(CommandLine, TakesEveryOption)
 TEST(CommandLine, TakesSamples)
 {
   const CommandLine sampled = ParseCommandLine({ "a.vti", "--accuracy", "sampled" });
-  EXPECT_EQ(sampled.AccuracyLevel, 4);
+  EXPECT_EQ(sampled.Settings->GetAccuracyLevel(), 4);
   EXPECT_FALSE(sampled.SampleDistance);
   EXPECT_FALSE(sampled.Jitter);
   const CommandLine distant = ParseCommandLine({ "a.vti", "--sample-distance", "0.5", "--jitter" });
-  EXPECT_EQ(distant.AccuracyLevel, 4);
+  EXPECT_EQ(distant.Settings->GetAccuracyLevel(), 4);
   EXPECT_EQ(distant.SampleDistance, 0.5);
   EXPECT_TRUE(distant.Jitter);
 }
@@ -90,7 +90,8 @@ TEST(CommandLine, TakesAnInterpolation)
   EXPECT_EQ(ParseCommandLine({ "a.vti", "--interpolation", "nearest" }).Nearest, true);
   EXPECT_EQ(ParseCommandLine({ "a.vti", "--interpolation=linear" }).Nearest, false);
   EXPECT_EQ(
-    ParseCommandLine({ "a.vti", "--opacity-law", "unstructured" }).StructuredOpacityLaw, false);
+    ParseCommandLine({ "a.vti", "--opacity-law", "unstructured" }).Settings->GetOpacityLaw(),
+    vtkTetMarchSettings::UNSTRUCTURED);
 }
 
 TEST(CommandLine, TakesWhatARawFileHolds)
@@ -138,7 +139,7 @@ TEST(CommandLine, ViewsAreThoseOfTheMapper)
   int mode = 0;
   for (const char* view : views)
   {
-    EXPECT_EQ(ParseCommandLine({ "a.vtu", "--view", view }).ViewMode, mode) << view;
+    EXPECT_EQ(ParseCommandLine({ "a.vtu", "--view", view }).Settings->GetViewMode(), mode) << view;
     EXPECT_NE(tetmarch::GetHelp().find(view), std::string::npos) << view;
     ++mode;
   }
@@ -171,12 +172,11 @@ TEST(CommandLine, BlendModesAreThoseOfTheMapper)
 
 TEST(CommandLine, TakesEveryOptionOfLight)
 {
-  const auto light = ParseCommandLine(
-    { "a.vtu", "--light", "-1,2,3", "--light=headlight", "--light", "0,0,2,0.5", "--light",
-      "headlight,0.25", "--ambient", "0.1", "--diffuse", "0.2", "--specular", "0.3",
-      "--specular-power", "40", "--shadows", "rays", "--scattering", "1.5", "--reach", "0.6",
-      "--occlusion", "0.7", "--opaque-shadows", "--surface", "s.vtp" })
-                       .Light;
+  const CommandLine c = ParseCommandLine({ "a.vtu", "--light", "-1,2,3", "--light=headlight",
+    "--light", "0,0,2,0.5", "--light", "headlight,0.25", "--ambient", "0.1", "--diffuse", "0.2",
+    "--specular", "0.3", "--specular-power", "40", "--shadows", "rays", "--scattering", "1.5",
+    "--reach", "0.6", "--occlusion", "0.7", "--opaque-shadows", "--surface", "s.vtp" });
+  const auto& light = c.Light;
   ASSERT_EQ(light.Lights.size(), 4u);
   EXPECT_EQ(light.Lights[0].From, (std::array<double, 3>{ { -1, 2, 3 } }));
   EXPECT_EQ(light.Lights[0].Intensity, 1.0);
@@ -190,11 +190,12 @@ TEST(CommandLine, TakesEveryOptionOfLight)
   EXPECT_EQ(light.Diffuse, 0.2);
   EXPECT_EQ(light.Specular, 0.3);
   EXPECT_EQ(light.SpecularPower, 40.0);
-  EXPECT_EQ(light.ShadowMethod, 3);
-  EXPECT_EQ(light.Scattering, 1.5);
-  EXPECT_EQ(light.Reach, 0.6);
-  EXPECT_EQ(light.OcclusionRadius, 0.7);
-  EXPECT_TRUE(light.OpaqueShadows);
+  EXPECT_EQ(c.Settings->GetShadowMethod(), 3);
+  EXPECT_EQ(c.Settings->GetVolumetricScatteringBlending(), 1.5f);
+  EXPECT_EQ(c.Settings->GetGlobalIlluminationReach(), 0.6f);
+  EXPECT_TRUE(c.Settings->GetAmbientOcclusion());
+  EXPECT_EQ(c.Settings->GetAmbientOcclusionRadius(), 0.7);
+  EXPECT_TRUE(c.Settings->GetOpaqueShadows());
 }
 
 // By the numbers of vtkTetMarchVolumeMapper::ShadowMethods.
@@ -203,7 +204,8 @@ TEST(CommandLine, ShadowsAreThoseOfTheMapper)
   int method = 0;
   for (const char* word : { "off", "automatic", "vertices", "rays" })
   {
-    EXPECT_EQ(ParseCommandLine({ "a.vtu", "--shadows", word }).Light.ShadowMethod, method) << word;
+    EXPECT_EQ(ParseCommandLine({ "a.vtu", "--shadows", word }).Settings->GetShadowMethod(), method)
+      << word;
     ++method;
   }
 }

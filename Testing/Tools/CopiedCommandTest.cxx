@@ -36,10 +36,10 @@ TEST(CopiedCommand, IsAcceptedWhateverIsSwitchedOn)
   {
     state.Effects.Shading = switches & 1;
     state.Effects.GradientOpacity = switches & 2;
-    state.Effects.Shadows = switches & 4 ? 1 : 0;
+    state.Settings.ShadowMethod = switches & 4 ? 1 : 0;
     state.Effects.Scattering = switches & 8;
-    state.Effects.OpaqueShadows = switches & 16;
-    state.Effects.Occlusion = switches & 32;
+    state.Settings.OpaqueShadows = switches & 16;
+    state.Settings.AmbientOcclusion = switches & 32;
     state.Data.Surface = switches & 64 ? "plate.vtp" : "";
     for (state.BlendMode = 0; state.BlendMode < 6; ++state.BlendMode)
     {

@@ -40,9 +40,10 @@ class DocumentedOptionsTest(RenderCase):
 
     def complete(self, *words):
         """What a shell offers for the last of these words."""
+        programs = pathlib.Path(self.executable).parent
         script = f"""
-            PATH="{pathlib.Path(self.executable).parent}:$PATH"
-            source "{self.project}/Tools/Render/completion.bash"
+            PATH="{programs}:$PATH"
+            source "{programs.parent}/Tools/Render/completion.bash"
             COMP_WORDS=(tetmarch-render "$@")
             COMP_CWORD=$#
             _tetmarch_render tetmarch-render "${{COMP_WORDS[-1]}}" "${{COMP_WORDS[-2]}}"

@@ -87,7 +87,7 @@ void AccuracyTest::ABudgetIsKept()
 {
   this->OpenLattice();
   QSignalSpy frames(&this->GetModel(), &Model::Rendered);
-  this->GetModel().Edit([](ViewState& s) { s.Accuracy.FrameTime = 1e-6; });
+  this->GetModel().Edit([](ViewState& s) { s.Settings.FrameTimeBudget = 1e-6; });
   QVERIFY(Reaches([&] { return frames.count() > 3; })); // by themselves
   Statistics* statistics = this->GetModel().GetScene().GetMapper().GetStatistics();
   QCOMPARE(statistics->GetUsedAccuracyLevel(), int(vtkTetMarchSettings::FAST));

@@ -134,14 +134,18 @@ void AliveTest::ASettingStopsTheFrame()
   this->OpenLattice();
   this->MakeTiles();
   const HeldFrame held(this->GetModel(), [] { return false; });
-  this->During([this]
-    { this->GetModel().Edit([](ViewState& s) { s.Accuracy.Level = vtkTetMarchSettings::FAST; }); });
+  this->During(
+    [this]
+    {
+      this->GetModel().Edit(
+        [](ViewState& s) { s.Settings.AccuracyLevel = vtkTetMarchSettings::FAST; });
+    });
   this->GetModel().Render();
   QVERIFY(this->Happened);
   QVERIFY(this->GetModel().WasStopped());
   const QSignalSpy frames(&this->GetModel(), &Model::Rendered);
   QVERIFY(Reaches([&] { return frames.count() > 0; }));
-  QCOMPARE(this->GetModel().GetState().Accuracy.Level, int(vtkTetMarchSettings::FAST));
+  QCOMPARE(this->GetModel().GetState().Settings.AccuracyLevel, int(vtkTetMarchSettings::FAST));
 }
 
 void AliveTest::DataStopsTheFrame()

@@ -22,8 +22,8 @@ namespace tetmarch
 void AddLight(ViewState& s)
 {
   s.Effects.Shading = true;
-  s.Effects.Shadows = vtkTetMarchSettings::SHADOWS_AT_VERTICES;
-  s.Effects.Occlusion = true;
+  s.Settings.ShadowMethod = vtkTetMarchSettings::SHADOWS_AT_VERTICES;
+  s.Settings.AmbientOcclusion = true;
   s.Effects.Scattering = true;
   s.Effects.LightFrom = { { -1.0, 0.3, 0.8 } };
 }
@@ -39,9 +39,9 @@ void AddCuts(ViewState& s)
 
 void ShowCells(ViewState& s)
 {
-  s.ViewMode = vtkTetMarchSettings::VIEW_CELLS;
+  s.Settings.ViewMode = vtkTetMarchSettings::VIEW_CELLS;
   s.Camera.Parallel = true;
-  s.Accuracy.Level = vtkTetMarchSettings::ACCURATE;
+  s.Settings.AccuracyLevel = vtkTetMarchSettings::ACCURATE;
 }
 
 void SavedCase::CheckPicture()

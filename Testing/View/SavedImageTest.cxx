@@ -14,7 +14,7 @@ using namespace tetmarch;
 
 void DoNothing(ViewState&) {}
 
-void TakeSamples(ViewState& s) { s.Accuracy.Level = vtkTetMarchSettings::SAMPLED; }
+void TakeSamples(ViewState& s) { s.Settings.AccuracyLevel = vtkTetMarchSettings::SAMPLED; }
 
 void ShowVoxels(ViewState& s) { s.Data.Nearest = true; }
 } // namespace

@@ -16,7 +16,7 @@ void Turn(ViewState& s)
   s.Camera.Position = { { 1.0 / 3.0, -2.7, 1.4 } };
   s.Camera.ViewUp = { { 0.1, 0.2, 0.9 } };
   s.Camera.ViewAngle = 41.0;
-  s.Accuracy.Tolerance = 1e-4;
+  s.Settings.ErrorTolerance = 1e-4;
   s.Functions.UnitDistance /= 3.0;
   s.Functions.Color[0] = { { s.Functions.Color[0][0], 0.1, 1.0 / 3.0, 1.0, 0.5, 0.0 } };
 }

@@ -48,7 +48,8 @@ void TryTolerances(MainWindow& window)
 {
   for (const double tolerance : { 0.03, 0.01, 0.004, 0.001, 0.0003 })
   {
-    window.GetModel().Edit([tolerance](ViewState& state) { state.Accuracy.Tolerance = tolerance; });
+    window.GetModel().Edit(
+      [tolerance](ViewState& state) { state.Settings.ErrorTolerance = tolerance; });
     WaitFor(1500);
   }
 }
@@ -123,7 +124,7 @@ int main(int argc, char* argv[])
     [](ViewState& state)
     {
       state.Effects.Shading = true;
-      state.Effects.Shadows = vtkTetMarchSettings::SHADOWS_AT_VERTICES;
+      state.Settings.ShadowMethod = vtkTetMarchSettings::SHADOWS_AT_VERTICES;
     });
   window.GetModel().LookAlong(2);
   window.findChild<QDockWidget*>(QStringLiteral("effects"))->raise();

@@ -47,7 +47,7 @@ void SessionTest::AStateComesBackFromItsText()
   QCOMPARE(WriteState(read), text);
   QCOMPARE(read.Camera.Position[2], 1.0 / 7.0);
   QCOMPARE(read.Functions.Opacity[0][0], -1e-300);
-  QCOMPARE(read.Effects.Shadows, state.Effects.Shadows);
+  QCOMPARE(read.Settings.ShadowMethod, state.Settings.ShadowMethod);
 }
 
 void SessionTest::BadSessionsAreRefused()

@@ -16,6 +16,7 @@ class MapperOf : public tetmarch::AnyMapper
 {
 public:
   vtkAbstractVolumeMapper* GetMapper() override { return this->Object; }
+  void SetSettings(vtkTetMarchSettings* settings) override { this->Object->SetSettings(settings); }
   vtkTetMarchSettings* GetSettings() override { return this->Object->GetSettings(); }
   vtkTetMarchFrameStatistics* GetStatistics() override
   {

@@ -48,6 +48,7 @@ public:
   virtual ~AnyMapper() = default;
 
   virtual vtkAbstractVolumeMapper* GetMapper() = 0;
+  virtual void SetSettings(vtkTetMarchSettings* settings) = 0;
   virtual vtkTetMarchSettings* GetSettings() = 0;
   virtual vtkTetMarchFrameStatistics* GetStatistics() = 0;
 

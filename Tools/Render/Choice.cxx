@@ -59,11 +59,9 @@ vtkSmartPointer<vtkTetMarchFirstPicture> ChooseArray(
   {
     choice->SetRange(commandLine.Range->data());
   }
-  if (commandLine.StructuredOpacityLaw)
+  if (commandLine.Given.count("--opacity-law"))
   {
-    choice->SetOpacityLaw(*commandLine.StructuredOpacityLaw
-                            ? vtkTetMarchFirstPicture::STRUCTURED
-                            : vtkTetMarchFirstPicture::UNSTRUCTURED);
+    choice->SetOpacityLaw(commandLine.Settings->GetOpacityLaw());
   }
   if (!choice->ChooseArray())
   {

@@ -6,7 +6,6 @@
 #include "OptionChecks.h"
 #include "OptionTable.h"
 
-#include "vtkTetMarchSettings.h"
 #include "vtkVolumeMapper.h"
 
 #include <filesystem>
@@ -56,7 +55,7 @@ void Imply(CommandLine& commandLine)
 {
   if (commandLine.SampleDistance && !commandLine.Given.count("--accuracy"))
   {
-    commandLine.AccuracyLevel = vtkTetMarchSettings::SAMPLED;
+    commandLine.Settings->SetAccuracyLevelToSampled();
   }
   if (!commandLine.IsoValues.empty() && !commandLine.Given.count("--blend"))
   {

@@ -11,6 +11,9 @@
 #include "LightOptions.h"
 #include "RawImage.h"
 
+#include "vtkSmartPointer.h"
+#include "vtkTetMarchSettings.h"
+
 #include <array>
 #include <optional>
 #include <set>
@@ -53,6 +56,9 @@ struct CommandLine
   bool Quiet = false; // no progress bar, no notes
   int Threads = 0;    // 0: as many as the libraries take
 
+  /// Those that the mapper gets, of which the opacity law counts if it is given.
+  vtkSmartPointer<vtkTetMarchSettings> Settings = vtkSmartPointer<vtkTetMarchSettings>::New();
+
   std::string Input;
   RawOptions Raw;               // complete, if Input is a raw file
   std::string Output;           // by default the base name of Input + .png; empty: none
@@ -73,23 +79,17 @@ struct CommandLine
   bool Transparent = false; // no background
   AnnotationOptions Annotations;
   std::array<int, 2> Size{ { 1024, 768 } };
-  std::optional<int> TileSize;   // of a picture in tiles; none: chosen by GetLargestTile()
-  std::optional<TimeRange> Time; // a picture of each
-  int Turntable = 0;             // pictures all around; 0: one picture
-  std::optional<bool> StructuredOpacityLaw; // by default of images and rectilinear grids
-  std::optional<bool> Nearest;              // interpolation of these; linear by default
-  int AccuracyLevel = 1;                    // vtkTetMarchSettings::DEFAULT
-  std::optional<double> SampleDistance;     // of the level Sampled; by default that of the mapper
-  bool Jitter = false;                      // of its first samples
-  std::optional<double> Tolerance;
-  double FrameTime = 0.0; // budgets; 0: none
-  double Error = 0.0;
+  std::optional<int> TileSize;          // of a picture in tiles; none: chosen by GetLargestTile()
+  std::optional<TimeRange> Time;        // a picture of each
+  int Turntable = 0;                    // pictures all around; 0: one picture
+  std::optional<bool> Nearest;          // interpolation of these; linear by default
+  std::optional<double> SampleDistance; // of the level Sampled; by default that of the mapper
+  bool Jitter = false;                  // of its first samples
   CutOptions Cuts;
   LightOptions Light;
   std::vector<std::string> Surfaces; // files
   int BlendMode = 0;                 // vtkVolumeMapper::COMPOSITE_BLEND
   std::vector<double> IsoValues;
-  int ViewMode = 0; // vtkTetMarchSettings::VIEW_PICTURE
   bool Compare = false;
   std::optional<std::array<int, 2>> Pixel; // column and row from the upper left, whose ray is shown
   std::string PixelJson;                   // empty: none

@@ -9,7 +9,6 @@
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
-#include "vtkTetMarchSettings.h"
 #include "vtkVolumeProperty.h"
 
 namespace
@@ -66,8 +65,7 @@ LightOption ParseLight(const std::string& value)
   return light;
 }
 
-void SetUpLight(const LightOptions& options, vtkRenderer* renderer, vtkVolumeProperty* property,
-  vtkTetMarchSettings* settings)
+void SetUpLight(const LightOptions& options, vtkRenderer* renderer, vtkVolumeProperty* property)
 {
   property->SetShade(options.Shade);
   property->SetAmbient(options.Ambient.value_or(property->GetAmbient()));
@@ -78,13 +76,6 @@ void SetUpLight(const LightOptions& options, vtkRenderer* renderer, vtkVolumePro
   {
     AddLight(light, renderer);
   }
-  settings->SetShadowMethod(options.ShadowMethod);
-  settings->SetOpaqueShadows(options.OpaqueShadows);
-  settings->SetVolumetricScatteringBlending(static_cast<float>(options.Scattering));
-  settings->SetGlobalIlluminationReach(static_cast<float>(options.Reach));
-  settings->SetAmbientOcclusion(options.OcclusionRadius.has_value());
-  settings->SetAmbientOcclusionRadius(
-    options.OcclusionRadius.value_or(settings->GetAmbientOcclusionRadius()));
 }
 
 } // namespace tetmarch

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the user asked of light, and how it comes into the scene.
+ * What the user asked of light beside the mapper's settings, and how it comes into the scene.
  */
 #ifndef tetmarch_LightOptions_h
 #define tetmarch_LightOptions_h
@@ -13,7 +13,6 @@
 #include <vector>
 
 class vtkRenderer;
-class vtkTetMarchSettings;
 class vtkVolumeProperty;
 
 namespace tetmarch
@@ -35,18 +34,12 @@ struct LightOptions
   std::optional<double> Diffuse;
   std::optional<double> Specular;
   std::optional<double> SpecularPower;
-  int ShadowMethod = 0; // vtkTetMarchSettings::SHADOWS_OFF
-  bool OpaqueShadows = false;
-  double Scattering = 0.0;
-  double Reach = 1.0;
-  std::optional<double> OcclusionRadius; // of the diagonal of the mesh's box; none: no occlusion
 };
 
 /// Throws UsageError. `value` is "X,Y,Z" or "headlight", either with ",INTENSITY" behind it.
 LightOption ParseLight(const std::string& value);
 
-void SetUpLight(const LightOptions& options, vtkRenderer* renderer, vtkVolumeProperty* property,
-  vtkTetMarchSettings* settings);
+void SetUpLight(const LightOptions& options, vtkRenderer* renderer, vtkVolumeProperty* property);
 
 } // namespace tetmarch
 

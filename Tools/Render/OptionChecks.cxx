@@ -4,7 +4,6 @@
 
 #include "Failure.h"
 
-#include "vtkTetMarchSettings.h"
 #include "vtkVolumeMapper.h"
 
 #include <algorithm>
@@ -24,12 +23,12 @@ bool ShowsBoundary(int viewMode)
 /// What looks at one whole frame, or draws one again; else nullptr.
 const char* FindOptionOfOneFrame(const CommandLine& commandLine)
 {
-  return commandLine.Pixel                    ? "--pixel"
-         : !commandLine.Stats.empty()         ? "--stats"
-         : commandLine.Frames > 0             ? "--frames"
-         : commandLine.FrameTime > 0.0        ? "--frame-time"
-         : ShowsMeasure(commandLine.ViewMode) ? "--view error, cells or lookups"
-                                              : nullptr;
+  return commandLine.Pixel                                   ? "--pixel"
+         : !commandLine.Stats.empty()                        ? "--stats"
+         : commandLine.Frames > 0                            ? "--frames"
+         : commandLine.Settings->GetFrameTimeBudget() > 0.0  ? "--frame-time"
+         : ShowsMeasure(commandLine.Settings->GetViewMode()) ? "--view error, cells or lookups"
+                                                             : nullptr;
 }
 
 bool IsComposite(const CommandLine& c) { return c.BlendMode == vtkVolumeMapper::COMPOSITE_BLEND; }
@@ -39,11 +38,15 @@ bool IsLit(const CommandLine& c)
   return IsComposite(c) || c.BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND;
 }
 
-bool IsSampled(const CommandLine& c) { return c.AccuracyLevel == vtkTetMarchSettings::SAMPLED; }
+bool IsSampled(const CommandLine& c)
+{
+  return c.Settings->GetAccuracyLevel() == vtkTetMarchSettings::SAMPLED;
+}
 
 bool HasShadows(const CommandLine& c)
 {
-  return c.Light.ShadowMethod != vtkTetMarchSettings::SHADOWS_OFF || c.Light.Scattering > 0.0;
+  return c.Settings->GetShadowMethod() != vtkTetMarchSettings::SHADOWS_OFF ||
+         c.Settings->GetVolumetricScatteringBlending() > 0.0f;
 }
 
 bool Draws(const CommandLine& c) { return !c.List; }
@@ -152,9 +155,9 @@ void CheckTiles(const CommandLine& commandLine)
 const char* FindOptionOfOneBlock(const CommandLine& commandLine)
 {
   const int blend = commandLine.BlendMode;
-  return commandLine.Pixel                    ? "--pixel"
-         : commandLine.Compare                ? "--compare"
-         : ShowsMeasure(commandLine.ViewMode) ? "--view error, cells or lookups"
+  return commandLine.Pixel                                   ? "--pixel"
+         : commandLine.Compare                               ? "--compare"
+         : ShowsMeasure(commandLine.Settings->GetViewMode()) ? "--view error, cells or lookups"
          : blend != vtkVolumeMapper::COMPOSITE_BLEND && blend != vtkVolumeMapper::ISOSURFACE_BLEND
            ? "--blend other than composite or isosurface"
            : nullptr;
@@ -180,7 +183,7 @@ void CheckOptions(const CommandLine& commandLine)
 {
   CheckDependencies(commandLine);
   if (commandLine.Annotations.ScalarBar &&
-      commandLine.ViewMode != vtkTetMarchSettings::VIEW_PICTURE)
+      commandLine.Settings->GetViewMode() != vtkTetMarchSettings::VIEW_PICTURE)
   {
     throw UsageError("--scalar-bar tells which scalar has which colour, but --view shows other "
                      "colours than those of scalars");
@@ -198,13 +201,13 @@ void CheckOptionsOfData(const CommandLine& commandLine, const VolumeData& data)
     throw Failure("--interpolation is for images and rectilinear grids, but " + input +
                   " is drawn as an unstructured grid");
   }
-  if (!data.Structured && commandLine.AccuracyLevel == vtkTetMarchSettings::SAMPLED)
+  if (!data.Structured && IsSampled(commandLine))
   {
     throw Failure("--accuracy sampled and --sample-distance are for images and rectilinear grids, "
                   "but " +
                   input + " is drawn as an unstructured grid");
   }
-  if (data.Structured && ShowsBoundary(commandLine.ViewMode))
+  if (data.Structured && ShowsBoundary(commandLine.Settings->GetViewMode()))
   {
     throw Failure("--view faces and --view coordinates show the boundary of an unstructured grid, "
                   "but " +

@@ -10,6 +10,7 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
+#include "vtkTetMarchSettings.h"
 
 namespace
 {
@@ -43,6 +44,70 @@ LightOptions& LightOf(CommandLine& commandLine)
 {
   commandLine.Light.Shade = true;
   return commandLine.Light;
+}
+
+template <typename Number>
+using Setter = void (vtkTetMarchSettings::*)(Number);
+
+Option SettingWord(const Words& words, Setter<int> set)
+{
+  return { Option::OTHER, words, [words, set](CommandLine& c, const std::string& v) {
+            (c.Settings->*set)(ParseWord(v, words));
+          } };
+}
+
+Option SettingSwitch(Setter<bool> set)
+{
+  return { Option::NONE, {},
+    [set](CommandLine& c, const std::string&) { (c.Settings->*set)(true); } };
+}
+
+template <typename Number>
+Option SettingWithin(const char* least, const char* most, Setter<Number> set)
+{
+  return { Option::OTHER, {}, [least, most, set](CommandLine& c, const std::string& v) {
+            (c.Settings->*set)(static_cast<Number>(ParseWithin(v, least, most)));
+          } };
+}
+
+Option PositiveSetting(Setter<double> set)
+{
+  return { Option::OTHER, {},
+    [set](CommandLine& c, const std::string& v) { (c.Settings->*set)(ParsePositive(v)); } };
+}
+
+/// The option switches another setting on, too.
+Option Also(Setter<bool> other, const Option& option)
+{
+  return { option.Value, option.Words,
+    [other, option](CommandLine& c, const std::string& v)
+    {
+      option.Set(c, v);
+      (c.Settings->*other)(true);
+    } };
+}
+
+Option Lit(const Option& option)
+{
+  return { option.Value, option.Words,
+    [option](CommandLine& c, const std::string& v)
+    {
+      option.Set(c, v);
+      LightOf(c);
+    } };
+}
+
+std::map<std::string, Option> MakeSettingOptions()
+{
+  return {
+#include "SettingOptions.inc"
+  };
+}
+
+void SetNan(CommandLine& c, const std::string& v)
+{
+  c.NanColor = ParseNanColor(v);
+  c.Settings->DrawNanCellsOn();
 }
 
 void SetBackground(CommandLine& c, const std::string& v)
@@ -101,9 +166,7 @@ std::map<std::string, Option> MakeTransferFunctionOptions()
     { "--colors", Value(SetColors, colors) },
     { "--gradient-opacity", Value([](CommandLine& c, const std::string& v)
                               { c.GradientOpacity = ParseGradientOpacity(v); }) },
-    { "--nan", Value([](CommandLine& c, const std::string& v) { c.NanColor = ParseNanColor(v); }) },
-    { "--opacity-law", Word({ "structured", "unstructured" },
-                         [](CommandLine& c, int n) { c.StructuredOpacityLaw = n == 0; }) },
+    { "--nan", Value(SetNan) },
     { "--preset", File([](CommandLine& c, const std::string& v) { c.Preset = v; }) },
     { "--range", Value([](CommandLine& c, const std::string& v) { c.Range = ParseRange(v); }) },
     { "--unit-distance",
@@ -111,20 +174,12 @@ std::map<std::string, Option> MakeTransferFunctionOptions()
   };
 }
 
-std::map<std::string, Option> MakeAccuracyOptions()
+std::map<std::string, Option> MakeSampleOptions()
 {
   return {
-    { "--accuracy", Word({ "fast", "default", "accurate", "reference", "sampled" },
-                      [](CommandLine& c, int n) { c.AccuracyLevel = n; }) },
-    { "--error",
-      Value([](CommandLine& c, const std::string& v) { c.Error = ParseWithin(v, "1e-6", "1"); }) },
-    { "--frame-time",
-      Value([](CommandLine& c, const std::string& v) { c.FrameTime = ParsePositive(v); }) },
     { "--jitter", Flag([](CommandLine& c) { c.Jitter = true; }) },
     { "--sample-distance",
       Value([](CommandLine& c, const std::string& v) { c.SampleDistance = ParsePositive(v); }) },
-    { "--tolerance", Value([](CommandLine& c, const std::string& v)
-                       { c.Tolerance = ParseWithin(v, "1e-6", "1"); }) },
   };
 }
 
@@ -138,16 +193,7 @@ std::map<std::string, Option> MakeLightOptions()
     { "--light", Value([](CommandLine& c, const std::string& v)
                    { LightOf(c).Lights.push_back(ParseLight(v)); },
                    { "headlight" }) },
-    { "--occlusion", Value([](CommandLine& c, const std::string& v)
-                       { LightOf(c).OcclusionRadius = ParseWithin(v, "0", "1"); }) },
-    { "--opaque-shadows", Flag([](CommandLine& c) { LightOf(c).OpaqueShadows = true; }) },
-    { "--reach", Value([](CommandLine& c, const std::string& v)
-                   { LightOf(c).Reach = ParseWithin(v, "0", "1"); }) },
-    { "--scattering", Value([](CommandLine& c, const std::string& v)
-                        { LightOf(c).Scattering = ParseWithin(v, "0", "2"); }) },
     { "--shade", Flag([](CommandLine& c) { LightOf(c); }) },
-    { "--shadows", Word({ "off", "automatic", "vertices", "rays" },
-                     [](CommandLine& c, int n) { LightOf(c).ShadowMethod = n; }) },
     { "--specular", Value([](CommandLine& c, const std::string& v)
                       { LightOf(c).Specular = ParseWithin(v, "0", "1"); }) },
     { "--specular-power", Value([](CommandLine& c, const std::string& v)
@@ -176,9 +222,6 @@ std::map<std::string, Option> MakeViewOptions()
     { "--scalar-bar", Flag([](CommandLine& c) { c.Annotations.ScalarBar = true; }) },
     { "--size", Value([](CommandLine& c, const std::string& v) { c.Size = ParseSize(v); }) },
     { "--surface", File([](CommandLine& c, const std::string& v) { c.Surfaces.push_back(v); }) },
-    { "--view", Word({ "picture", "error", "cells", "lookups", "illumination", "gradients", "faces",
-                       "coordinates" },
-                  [](CommandLine& c, int n) { c.ViewMode = n; }) },
   };
 }
 
@@ -212,8 +255,8 @@ const std::map<std::string, Option>& GetOptions()
   static const auto options = []()
   {
     std::map<std::string, Option> all;
-    for (const auto make : { MakeDataOptions, MakeTransferFunctionOptions, MakeAccuracyOptions,
-           MakeLightOptions, MakeViewOptions, MakeOutputOptions })
+    for (const auto make : { MakeSettingOptions, MakeDataOptions, MakeTransferFunctionOptions,
+           MakeSampleOptions, MakeLightOptions, MakeViewOptions, MakeOutputOptions })
     {
       all.merge(make());
     }

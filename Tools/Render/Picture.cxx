@@ -25,7 +25,6 @@
 #include "vtkProperty.h"
 #include "vtkTetMarchFirstPicture.h"
 #include "vtkTetMarchFrameStatistics.h"
-#include "vtkTetMarchSettings.h"
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -44,6 +43,7 @@ Picture::Picture(const VolumeData& data, const double bounds[6], vtkTetMarchFirs
 {
   CheckOptionsOfData(commandLine, data);
   this->SetUpWindow();
+  this->Mapper->SetSettings(commandLine.Settings);
   this->Volume->SetMapper(this->Mapper->GetMapper());
   choice->ApplyTo(this->Volume);
   this->SetUpMapper();
@@ -55,8 +55,7 @@ Picture::Picture(const VolumeData& data, const double bounds[6], vtkTetMarchFirs
   {
     this->AddSurface(path);
   }
-  SetUpLight(
-    commandLine.Light, this->Renderer, this->Volume->GetProperty(), this->Mapper->GetSettings());
+  SetUpLight(commandLine.Light, this->Renderer, this->Volume->GetProperty());
   PlaceCamera(commandLine, choice, bounds, this->Renderer->GetActiveCamera());
   this->Beside = std::make_unique<Annotations>(commandLine, this->Renderer);
   if (commandLine.Annotations.ScalarBar)
@@ -107,18 +106,10 @@ void Picture::SetUpMapper()
   this->Mapper->SetBlendMode(commandLine.BlendMode);
   SetUpCuts(commandLine.Cuts, *this->Mapper);
 
-  if (commandLine.AccuracyLevel == vtkTetMarchSettings::SAMPLED)
+  if (commandLine.Settings->GetAccuracyLevel() == vtkTetMarchSettings::SAMPLED)
   {
     this->Mapper->SetSamples(commandLine.SampleDistance.value_or(-1.0), commandLine.Jitter);
   }
-
-  vtkTetMarchSettings* settings = this->Mapper->GetSettings();
-  settings->SetAccuracyLevel(commandLine.AccuracyLevel);
-  settings->SetErrorTolerance(commandLine.Tolerance.value_or(settings->GetErrorTolerance()));
-  settings->SetFrameTimeBudget(commandLine.FrameTime);
-  settings->SetErrorBudget(commandLine.Error);
-  settings->SetViewMode(commandLine.ViewMode);
-  settings->SetDrawNanCells(!commandLine.NanColor.empty());
 }
 
 void Picture::SetUpProperty()

@@ -139,9 +139,11 @@ std::string FormatStatistics(const CommandLine& commandLine, const VolumeData& d
     { "median_seconds", GetMedian(timing.Frames) }, { "seconds", timing.Frames } };
   json["accuracy"] = { { "level", statistics->GetUsedAccuracyLevelAsString() },
     { "tolerance", statistics->GetUsedErrorTolerance() } };
-  if (commandLine.FrameTime > 0.0 || commandLine.Error > 0.0)
+  const double frameTime = commandLine.Settings->GetFrameTimeBudget();
+  const double error = commandLine.Settings->GetErrorBudget();
+  if (frameTime > 0.0 || error > 0.0)
   {
-    json["budget"] = { { "frame_time", commandLine.FrameTime }, { "error", commandLine.Error },
+    json["budget"] = { { "frame_time", frameTime }, { "error", error },
       { "kept", statistics->GetBudgetKept() } };
   }
   if (commandLine.Compare)

@@ -93,7 +93,7 @@ void DrawOne(const CommandLine& commandLine)
   TellChoice(choice, commandLine);
   Picture picture(data, GetBounds(data).data(), choice, commandLine);
   timing.FirstFrame = picture.Render();
-  if (commandLine.FrameTime > 0.0)
+  if (commandLine.Settings->GetFrameTimeBudget() > 0.0)
   {
     picture.Settle();
   }

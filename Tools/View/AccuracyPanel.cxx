@@ -78,13 +78,13 @@ void AccuracyPanel::MakeSettings()
   static_cast<QVBoxLayout*>(this->layout())->addLayout(form);
   this->Level = MakeChoice(this->Shown,
     { tr("Fast"), tr("Default"), tr("Accurate"), tr("Reference"), tr("Sampled") },
-    [](ViewState& s) -> int& { return s.Accuracy.Level; });
+    [](ViewState& s) -> int& { return s.Settings.AccuracyLevel; });
   this->Level->setObjectName(QStringLiteral("level"));
   this->Level->setToolTip(tr("Fast guarantees no error. Default keeps the tolerance. Sampled looks "
                              "like VTK's mapper for images."));
   form->addRow(tr("Level"), this->Level);
   this->Tolerance = MakeSlider(this->Shown, 1e-5, 0.1, ValueSlider::Logarithmic,
-    [](ViewState& s) -> double& { return s.Accuracy.Tolerance; });
+    [](ViewState& s) -> double& { return s.Settings.ErrorTolerance; });
   this->Tolerance->setObjectName(QStringLiteral("tolerance"));
   this->Tolerance->setToolTip(tr("Maximum error of a channel of any pixel, 0 to 1"));
   form->addRow(tr("Tolerance"), this->Tolerance);
@@ -96,14 +96,14 @@ void AccuracyPanel::MakeSettings()
   const auto takeBudget = [this]
   {
     const double seconds = this->Budgeted->isChecked() ? this->Budget->GetValue() : 0.0;
-    this->Shown.Edit([&](ViewState& s) { s.Accuracy.FrameTime = seconds; });
+    this->Shown.Edit([&](ViewState& s) { s.Settings.FrameTimeBudget = seconds; });
   };
   connect(this->Budgeted, &QCheckBox::toggled, this, takeBudget);
   connect(this->Budget, &ValueSlider::Changed, this, takeBudget);
   this->View = MakeChoice(this->Shown,
     { tr("Picture"), tr("Error bound"), tr("Cells a ray"), tr("Lookups a ray"), tr("Illumination"),
       tr("Gradients"), tr("Boundary faces"), tr("Boundary coordinates") },
-    [](ViewState& s) -> int& { return s.ViewMode; });
+    [](ViewState& s) -> int& { return s.Settings.ViewMode; });
   this->View->setObjectName(QStringLiteral("view"));
   form->addRow(tr("Show"), this->View);
 }
@@ -153,15 +153,16 @@ void AccuracyPanel::ShowState()
   SetEnabled(this->Level, vtkTetMarchSettings::SAMPLED, structured);
   SetEnabled(this->View, vtkTetMarchSettings::VIEW_BOUNDARY_FACES, !structured);
   SetEnabled(this->View, vtkTetMarchSettings::VIEW_BOUNDARY_COORDINATES, !structured);
-  const bool budgeted = state.Accuracy.FrameTime > 0.0;
+  const bool budgeted = state.Settings.FrameTimeBudget > 0.0;
   const QSignalBlocker block(this->Budgeted);
   this->Budgeted->setChecked(budgeted);
   if (budgeted)
   {
-    this->Budget->SetValue(state.Accuracy.FrameTime);
+    this->Budget->SetValue(state.Settings.FrameTimeBudget);
   }
   this->Level->setEnabled(!budgeted);
-  this->Tolerance->setEnabled(!budgeted && state.Accuracy.Level == vtkTetMarchSettings::DEFAULT);
+  this->Tolerance->setEnabled(
+    !budgeted && state.Settings.AccuracyLevel == vtkTetMarchSettings::DEFAULT);
   this->CompareButton->setEnabled(hasData);
   this->TrueError->setText(QStringLiteral("–"));
 }
@@ -194,7 +195,7 @@ void AccuracyPanel::ShowFigures()
   this->Lookups->setText(DescribeCount(statistics, Statistics::LOOKUPS));
   this->Bound->setText(DescribeError(statistics, Statistics::ERROR_BOUND));
   this->TrueError->setText(DescribeError(statistics, Statistics::TRUE_ERROR));
-  if (this->Shown.GetState().ViewMode == vtkTetMarchSettings::VIEW_PICTURE)
+  if (this->Shown.GetState().Settings.ViewMode == vtkTetMarchSettings::VIEW_PICTURE)
   {
     this->Plot->Add({ this->Shown.GetLastSeconds(), statistics->GetMaximum(Statistics::ERROR_BOUND),
       this->DescribeSetting() });

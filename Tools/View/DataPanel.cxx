@@ -62,7 +62,7 @@ DataPanel::DataPanel(Model& model, QWidget* parent)
   this->Nearest->setToolTip(tr("For images: each value fills its own cell"));
   form->addRow(this->Nearest);
   form->addRow(MakeCheck(model, tr("Draw cells that are not finite"),
-    [](ViewState& s) -> bool& { return s.Data.DrawNanCells; }));
+    [](ViewState& s) -> bool& { return s.Settings.DrawNanCells; }));
 
   connect(this->Array, QOverload<int>::of(&QComboBox::activated), this, &DataPanel::TakeArray);
   connect(

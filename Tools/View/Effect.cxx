@@ -8,44 +8,52 @@
 
 namespace
 {
-using tetmarch::EffectState;
+using tetmarch::SettingsState;
+using tetmarch::ViewState;
 
 constexpr int Off = vtkTetMarchSettings::SHADOWS_OFF;
 constexpr int AtVertices = vtkTetMarchSettings::SHADOWS_AT_VERTICES;
 constexpr int AlongRays = vtkTetMarchSettings::SHADOWS_ALONG_RAYS;
 
 template <int Method>
-bool HasShadows(const EffectState& s)
+bool HasShadows(const ViewState& s)
 {
-  return s.Shadows == Method;
+  return s.Settings.ShadowMethod == Method;
 }
 
 template <int Method>
-void SetShadows(EffectState& s, bool on)
+void SetShadows(ViewState& s, bool on)
 {
-  s.Shadows = on ? Method : s.Shadows == Method ? Off : s.Shadows;
-  s.Shading |= on;
+  int& method = s.Settings.ShadowMethod;
+  method = on ? Method : method == Method ? Off : method;
+  s.Effects.Shading |= on;
 }
 
 /// Without shading there are none of the other effects of light.
-void SetShading(EffectState& s, bool on)
+void SetShading(ViewState& s, bool on)
 {
-  s.Shading = on;
+  s.Effects.Shading = on;
   if (!on)
   {
-    s.Shadows = Off;
-    s.Occlusion = false;
-    s.Scattering = false;
-    s.OpaqueShadows = false;
+    s.Settings.ShadowMethod = Off;
+    s.Settings.AmbientOcclusion = false;
+    s.Effects.Scattering = false;
+    s.Settings.OpaqueShadows = false;
   }
 }
 
 /// Of those that need it.
-template <bool EffectState::*Member>
-void SetLight(EffectState& s, bool on)
+template <bool SettingsState::*Member>
+void SetLight(ViewState& s, bool on)
 {
-  s.*Member = on;
-  s.Shading |= on;
+  s.Settings.*Member = on;
+  s.Effects.Shading |= on;
+}
+
+void SetScattering(ViewState& s, bool on)
+{
+  s.Effects.Scattering = on;
+  s.Effects.Shading |= on;
 }
 } // namespace
 
@@ -53,10 +61,10 @@ const std::vector<tetmarch::Effect>& tetmarch::GetEffects()
 {
   static const std::vector<Effect> effects = {
     { QT_TR_NOOP("Shading"), QT_TR_NOOP("Light on the surfaces of constant scalar"),
-      [](const EffectState& s) { return s.Shading; }, SetShading },
+      [](const ViewState& s) { return s.Effects.Shading; }, SetShading },
     { QT_TR_NOOP("Gradient opacity"), QT_TR_NOOP("Less opaque where the gradient is small"),
-      [](const EffectState& s) { return s.GradientOpacity; },
-      [](EffectState& s, bool on) { s.GradientOpacity = on; } },
+      [](const ViewState& s) { return s.Effects.GradientOpacity; },
+      [](ViewState& s, bool on) { s.Effects.GradientOpacity = on; } },
     { QT_TR_NOOP("Shadows at vertices"),
       QT_TR_NOOP("Shadows of the volume on itself, stored at the vertices"), HasShadows<AtVertices>,
       SetShadows<AtVertices> },
@@ -64,12 +72,14 @@ const std::vector<tetmarch::Effect>& tetmarch::GetEffects()
       QT_TR_NOOP("Shadows of the volume on itself, sampled along each ray in each frame"),
       HasShadows<AlongRays>, SetShadows<AlongRays> },
     { QT_TR_NOOP("Ambient occlusion"), QT_TR_NOOP("The volume blocks ambient light"),
-      [](const EffectState& s) { return s.Occlusion; }, SetLight<&EffectState::Occlusion> },
+      [](const ViewState& s) { return s.Settings.AmbientOcclusion; },
+      SetLight<&SettingsState::AmbientOcclusion> },
     { QT_TR_NOOP("Scattering"), QT_TR_NOOP("Light is scattered where there is no clear surface"),
-      [](const EffectState& s) { return s.Scattering; }, SetLight<&EffectState::Scattering> },
+      [](const ViewState& s) { return s.Effects.Scattering; }, SetScattering },
     { QT_TR_NOOP("Opaque shadows"),
       QT_TR_NOOP("The opaque surface casts shadows on the volume, if the volume casts shadows"),
-      [](const EffectState& s) { return s.OpaqueShadows; }, SetLight<&EffectState::OpaqueShadows> },
+      [](const ViewState& s) { return s.Settings.OpaqueShadows; },
+      SetLight<&SettingsState::OpaqueShadows> },
   };
   return effects;
 }

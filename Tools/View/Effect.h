@@ -18,8 +18,8 @@ struct Effect
 {
   const char* Name; // of the check box
   const char* Help;
-  bool (*IsOn)(const EffectState&);
-  void (*Set)(EffectState&, bool on);
+  bool (*IsOn)(const ViewState&);
+  void (*Set)(ViewState&, bool on);
 };
 
 const std::vector<Effect>& GetEffects();

@@ -77,11 +77,11 @@ void EffectTimer::TakeFrame()
   }
   const Effect& effect = GetEffects()[this->Waiting.front()];
   ViewState state = this->Timed.GetState();
-  effect.Set(state.Effects, false);
+  effect.Set(state, false);
   const bool with = this->Turn.size() >= 2;
   if (with)
   {
-    effect.Set(state.Effects, true);
+    effect.Set(state, true);
     state.Functions.GradientOpacity =
       this->Timed.GetScene().MakeGradientOpacity(state.Effects.GradientStrength);
   }

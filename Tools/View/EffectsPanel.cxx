@@ -66,7 +66,7 @@ QWidget* EffectsPanel::MakeEffects()
     connect(row.Check, &QCheckBox::toggled, this,
       [this, i](bool on)
       {
-        this->Shown.Edit([&](ViewState& s) { GetEffects()[i].Set(s.Effects, on); });
+        this->Shown.Edit([&](ViewState& s) { GetEffects()[i].Set(s, on); });
         if (on)
         {
           this->Timer->Measure(i);
@@ -132,9 +132,10 @@ void EffectsPanel::MakeStrengths(QFormLayout* form)
   { form->addRow(name, MakeSlider(this->Shown, least, most, ValueSlider::Linear, value)); };
   add(tr("Gradient opacity"), 0.0, 1.0,
     [](ViewState& s) -> double& { return s.Effects.GradientStrength; });
-  add(tr("Reach of shadows"), 0.0, 1.0, [](ViewState& s) -> double& { return s.Effects.Reach; });
+  add(tr("Reach of shadows"), 0.0, 1.0,
+    [](ViewState& s) -> double& { return s.Settings.GlobalIlluminationReach; });
   add(tr("Occlusion radius"), 0.0, 0.5,
-    [](ViewState& s) -> double& { return s.Effects.OcclusionRadius; });
+    [](ViewState& s) -> double& { return s.Settings.AmbientOcclusionRadius; });
   add(tr("Scattering"), 0.0, 2.0,
     [](ViewState& s) -> double& { return s.Effects.ScatteringStrength; });
 }
@@ -143,11 +144,12 @@ bool EffectsPanel::IsHandleWanted() const { return this->Handle->isChecked(); }
 
 void EffectsPanel::ShowState()
 {
-  const EffectState effects = this->Shown.GetState().Effects;
+  const ViewState& state = this->Shown.GetState();
+  const EffectState effects = state.Effects;
   for (std::size_t i = 0; i < this->Rows.size(); ++i)
   {
     const QSignalBlocker block(this->Rows[i].Check);
-    this->Rows[i].Check->setChecked(GetEffects()[i].IsOn(effects));
+    this->Rows[i].Check->setChecked(GetEffects()[i].IsOn(state));
   }
   this->Azimuth->setEnabled(!effects.Headlight);
   this->Handle->setEnabled(effects.Shading && !effects.Headlight);

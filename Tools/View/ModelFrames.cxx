@@ -168,7 +168,7 @@ void Model::TakeFrame()
     return;
   }
   // The level that keeps a budget is found by drawing frames.
-  if (this->State.Accuracy.FrameTime > 0.0 && this->FramesOfBudget < MostFramesOfBudget)
+  if (this->State.Settings.FrameTimeBudget > 0.0 && this->FramesOfBudget < MostFramesOfBudget)
   {
     ++this->FramesOfBudget;
     this->RequestRender();

@@ -120,7 +120,7 @@ void Model::Show(const LoadResult& result)
       this->State.Data.Surface.clear();
       this->Drawn.SetSurface(nullptr);
       this->State.BlendMode = 0;
-      this->State.ViewMode = 0;
+      this->State.Settings.ViewMode = 0;
     }
   }
   this->Drawn.Apply(this->State);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <set>
+#include <type_traits>
 
 namespace
 {
@@ -111,33 +112,56 @@ std::string WriteData(const DataState& data, bool structured)
          std::to_string(data.Component) + ")\n";
 }
 
+/// Those of light if the volume is lit.
+struct SettingWriter
+{
+  std::string& Text;
+  bool Lit;
+
+  void Call(const SettingNames& names, const std::string& value, const std::string& comment)
+  {
+    if (this->Lit || !names.OfLight)
+    {
+      this->Text += std::string("mapper.Set") + names.Property + "(" + value + ")" + comment + "\n";
+    }
+  }
+  template <typename Value>
+  void operator()(const SettingNames& names, Value value)
+  {
+    if constexpr (std::is_same_v<Value, bool>)
+    {
+      this->Call(names, Bool(value), "");
+    }
+    else
+    {
+      this->Call(names, ToText(value), "");
+    }
+  }
+  template <typename Words>
+  void Choice(const SettingNames& names, int number, const Words& words)
+  {
+    this->Call(names, std::to_string(number), std::string("  # ") + words.at(number));
+  }
+};
+
 std::string WriteSettings(const ViewState& state, bool structured)
 {
   const EffectState& effects = state.Effects;
   std::string text = "mapper.SetBlendMode(" + std::to_string(state.BlendMode) + ")  # " +
                      BlendWords.at(state.BlendMode) + "\nmapper.SetOpacityLawTo" +
                      (state.Functions.StructuredOpacityLaw ? "Structured" : "Unstructured") +
-                     "()\nmapper.SetAccuracyLevel(" + std::to_string(state.Accuracy.Level) +
-                     ")  # " + LevelWords.at(state.Accuracy.Level) + "\nmapper.SetErrorTolerance(" +
-                     ToText(state.Accuracy.Tolerance) + ")\nmapper.SetFrameTimeBudget(" +
-                     ToText(state.Accuracy.FrameTime) + ")\nmapper.SetViewMode(" +
-                     std::to_string(state.ViewMode) + ")  # " + ViewWords.at(state.ViewMode) +
-                     "\nmapper.SetDrawNanCells(" + Bool(state.Data.DrawNanCells) + ")\n";
+                     "()\n";
+  VisitSettings(SettingWriter{ text, effects.Shading }, state.Settings);
   constexpr int sampled = 4;
-  if (state.Accuracy.Level == sampled && structured)
+  if (state.Settings.AccuracyLevel == sampled && structured)
   {
     text += "mapper.SetSampleDistance(-1)\nmapper.InteractiveAdjustSampleDistancesOff()\n"
             "mapper.AutoAdjustSampleDistancesOff()\n";
   }
   if (effects.Shading)
   {
-    text += "mapper.SetShadowMethod(" + std::to_string(effects.Shadows) + ")  # " +
-            ShadowWords.at(effects.Shadows) + "\nmapper.SetAmbientOcclusion(" +
-            Bool(effects.Occlusion) + ")\nmapper.SetAmbientOcclusionRadius(" +
-            ToText(effects.OcclusionRadius) + ")\nmapper.SetVolumetricScatteringBlending(" +
-            ToText(effects.Scattering ? effects.ScatteringStrength : 0.0) +
-            ")\nmapper.SetGlobalIlluminationReach(" + ToText(effects.Reach) +
-            ")\nmapper.SetOpaqueShadows(" + Bool(effects.OpaqueShadows) + ")\n";
+    text += "mapper.SetVolumetricScatteringBlending(" +
+            ToText(effects.Scattering ? effects.ScatteringStrength : 0.0) + ")\n";
   }
   if (state.Cuts.Clip)
   {

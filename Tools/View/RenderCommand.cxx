@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <string_view>
+#include <type_traits>
 
 namespace
 {
@@ -90,24 +92,62 @@ void AddFunctions(const ViewState& state, Command& command)
     }
     command.Add("--gradient-opacity", points);
   }
-  if (state.Data.DrawNanCells)
+  if (state.Settings.DrawNanCells)
   {
     command.Add("--nan", ToList(state.Functions.NanColor));
   }
 }
 
-void AddAccuracy(const AccuracyState& accuracy, Command& command)
+/// tetmarch-render refuses options that change nothing: light in modes of blending that have none,
+/// and what belongs to shadows that are not cast.
+bool Changes(const ViewState& state, const SettingNames& names)
 {
-  command.Add("--accuracy", LevelWords.at(accuracy.Level));
-  command.Add("--tolerance", ToText(accuracy.Tolerance));
-  if (accuracy.FrameTime > 0.0)
+  const std::string_view option = names.Option;
+  const EffectState& effects = state.Effects;
+  const bool shadows =
+    state.Settings.ShadowMethod != 0 || (effects.Scattering && effects.ScatteringStrength > 0.0);
+  if (option.empty() || (names.OfLight && !(effects.Shading && state.BlendMode == Composite)))
   {
-    command.Add("--frame-time", ToText(accuracy.FrameTime));
+    return false;
   }
+  return option == "--frame-time"       ? state.Settings.FrameTimeBudget > 0.0
+         : option == "--occlusion"      ? state.Settings.AmbientOcclusion
+         : option == "--reach"          ? shadows
+         : option == "--opaque-shadows" ? shadows && !state.Data.Surface.empty()
+                                        : true;
 }
 
-/// tetmarch-render refuses options that change nothing: modes of blending without light, and
-/// shadows that are not cast.
+struct SettingWriter
+{
+  const ViewState& State;
+  Command& To;
+
+  template <typename Value>
+  void operator()(const SettingNames& names, Value value)
+  {
+    if (!Changes(this->State, names))
+    {
+      return;
+    }
+    if constexpr (!std::is_same_v<Value, bool>)
+    {
+      this->To.Add(names.Option, ToText(value));
+    }
+    else if (value)
+    {
+      this->To.Flag(names.Option);
+    }
+  }
+  template <typename Words>
+  void Choice(const SettingNames& names, int number, const Words& words)
+  {
+    if (Changes(this->State, names))
+    {
+      this->To.Add(names.Option, words.at(number));
+    }
+  }
+};
+
 void AddLight(const ViewState& state, Command& command)
 {
   const EffectState& effects = state.Effects;
@@ -121,27 +161,9 @@ void AddLight(const ViewState& state, Command& command)
   command.Add("--diffuse", ToText(effects.Diffuse));
   command.Add("--specular", ToText(effects.Specular));
   command.Add("--specular-power", ToText(effects.SpecularPower));
-  if (state.BlendMode != Composite)
-  {
-    return;
-  }
-  command.Add("--shadows", ShadowWords.at(effects.Shadows));
-  if (effects.Occlusion)
-  {
-    command.Add("--occlusion", ToText(effects.OcclusionRadius));
-  }
-  if (effects.Scattering)
+  if (state.BlendMode == Composite && effects.Scattering)
   {
     command.Add("--scattering", ToText(effects.ScatteringStrength));
-  }
-  if (effects.Shadows == 0 && !(effects.Scattering && effects.ScatteringStrength > 0.0))
-  {
-    return;
-  }
-  command.Add("--reach", ToText(effects.Reach));
-  if (effects.OpaqueShadows && !state.Data.Surface.empty())
-  {
-    command.Flag("--opaque-shadows");
   }
 }
 
@@ -170,7 +192,6 @@ void AddView(const ViewState& state, Command& command)
   {
     command.Add("--blend", BlendWords.at(state.BlendMode));
   }
-  command.Add("--view", ViewWords.at(state.ViewMode));
   command.Add("--background", ToList(state.Background));
   command.Add("--size", std::to_string(state.Size[0]) + "x" + std::to_string(state.Size[1]));
 }
@@ -220,7 +241,7 @@ std::string WriteCommand(const ViewState& state, const std::string& output)
   Command command(ListUnsaid(state) + "tetmarch-render " + Quote(state.Data.File));
   AddData(state.Data, command);
   AddFunctions(state, command);
-  AddAccuracy(state.Accuracy, command);
+  VisitSettings(SettingWriter{ state, command }, state.Settings);
   AddLight(state, command);
   AddView(state, command);
   command.Add("--output", output);

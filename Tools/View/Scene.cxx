@@ -164,7 +164,7 @@ void Scene::ApplySettings(const ViewState& state)
   this->Mapper->SetComponent(state.Data.Component);
   this->Mapper->SetBlendMode(state.BlendMode);
   vtkTetMarchSettings* settings = this->Mapper->GetSettings();
-  if (state.Accuracy.Level == vtkTetMarchSettings::SAMPLED)
+  if (state.Settings.AccuracyLevel == vtkTetMarchSettings::SAMPLED)
   {
     this->Mapper->SetSamples(-1.0, false);
   }
@@ -174,20 +174,9 @@ void Scene::ApplySettings(const ViewState& state)
   }
   settings->SetOpacityLaw(state.Functions.StructuredOpacityLaw ? vtkTetMarchSettings::STRUCTURED
                                                                : vtkTetMarchSettings::UNSTRUCTURED);
-  settings->SetDrawNanCells(state.Data.DrawNanCells);
-  settings->SetAccuracyLevel(state.Accuracy.Level);
-  settings->SetErrorTolerance(state.Accuracy.Tolerance);
-  settings->SetFrameTimeBudget(state.Accuracy.FrameTime);
-  settings->SetViewMode(state.ViewMode);
-
-  const EffectState& effects = state.Effects;
-  settings->SetShadowMethod(effects.Shadows);
-  settings->SetAmbientOcclusion(effects.Occlusion);
-  settings->SetAmbientOcclusionRadius(effects.OcclusionRadius);
   settings->SetVolumetricScatteringBlending(
-    effects.Scattering ? static_cast<float>(effects.ScatteringStrength) : 0.0f);
-  settings->SetGlobalIlluminationReach(static_cast<float>(effects.Reach));
-  settings->SetOpaqueShadows(effects.OpaqueShadows);
+    state.Effects.Scattering ? static_cast<float>(state.Effects.ScatteringStrength) : 0.0f);
+  tetmarch::ApplySettings(state.Settings, settings);
 }
 
 void Scene::ApplyLight(const EffectState& effects)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The words of choices, in the order of their numbers: those of tetmarch-render, which sessions
- * have, too, and the ends of the names of methods in Python.
+ * The words of choices that are no settings, in the order of their numbers: those of
+ * tetmarch-render, which sessions have, too. SettingsState.h has those of settings.
  */
 #ifndef tetmarch_StateWords_h
 #define tetmarch_StateWords_h
@@ -15,14 +15,8 @@
 namespace tetmarch
 {
 
-inline constexpr std::array<const char*, 5> LevelWords = { "fast", "default", "accurate",
-  "reference", "sampled" };
 inline constexpr std::array<const char*, 6> BlendWords = { "composite", "maximum", "minimum",
   "average", "additive", "isosurface" };
-inline constexpr std::array<const char*, 8> ViewWords = { "picture", "error", "cells", "lookups",
-  "illumination", "gradients", "faces", "coordinates" };
-inline constexpr std::array<const char*, 4> ShadowWords = { "off", "automatic", "vertices",
-  "rays" };
 inline constexpr std::array<const char*, 6> ColorSpaceWords = { "RGB", "HSV", "CIELAB", "Diverging",
   "Lab/CIEDE2000", "Step" };
 

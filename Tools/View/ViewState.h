@@ -8,6 +8,8 @@
 #ifndef tetmarch_ViewState_h
 #define tetmarch_ViewState_h
 
+#include "SettingsState.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -26,7 +28,6 @@ struct DataState
   int Association = -1;
   int Component = -2; // as vtkTetMarchFirstPicture::SetComponent()
   bool Nearest = false;
-  bool DrawNanCells = false;
 };
 
 /// Transfer functions as lists of points.
@@ -53,21 +54,11 @@ struct CameraState
   double ParallelScale = 1.0;
 };
 
-struct AccuracyState
-{
-  int Level = 1; // vtkTetMarchSettings::DEFAULT
-  double Tolerance = 1.0 / 255.0;
-  double FrameTime = 0.0; // seconds; 0: no budget
-};
-
 struct EffectState
 {
   bool GradientOpacity = false;
-  bool Shading = false; // what follows is drawn with it only
-  int Shadows = 0;      // vtkTetMarchSettings::SHADOWS_OFF
-  bool Occlusion = false;
+  bool Shading = false; // what follows, and settings of light, are drawn with it only
   bool Scattering = false;
-  bool OpaqueShadows = false;
 
   bool Headlight = false;
   Vector3 LightFrom{ { -0.6, -0.8, 1.0 } }; // from infinitely far
@@ -76,9 +67,7 @@ struct EffectState
   double Diffuse = 0.8;
   double Specular = 0.2;
   double SpecularPower = 20.0;
-  double OcclusionRadius = 0.1; // a share of the diagonal of the volume's box
   double ScatteringStrength = 1.0;
-  double Reach = 1.0;
   double GradientStrength = 0.5; // opacity where the scalar is constant is one minus this
 };
 
@@ -96,12 +85,11 @@ struct ViewState
   DataState Data;
   FunctionState Functions;
   CameraState Camera;
-  AccuracyState Accuracy;
+  SettingsState Settings;
   EffectState Effects;
   CutState Cuts;
   int BlendMode = 0; // vtkVolumeMapper::COMPOSITE_BLEND
   std::vector<double> IsoValues;
-  int ViewMode = 0; // vtkTetMarchSettings::VIEW_PICTURE
   Vector3 Background{ { 0.08, 0.09, 0.12 } };
   std::array<int, 2> Size{ { 0, 0 } }; // of the picture in pixels
 };

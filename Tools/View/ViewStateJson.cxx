@@ -67,6 +67,23 @@ struct Reader
   }
 };
 
+/// The part of a session that a setting is in, by its name.
+template <typename FindPart>
+struct PartOfSetting
+{
+  FindPart Find;
+  template <typename Value>
+  void operator()(const SettingNames& names, Value& value)
+  {
+    this->Find(names.Part)(names.Key, value);
+  }
+  template <typename Number, typename Words>
+  void Choice(const SettingNames& names, Number& number, const Words& words)
+  {
+    this->Find(names.Part).Choice(names.Key, number, words);
+  }
+};
+
 template <typename Visitor, typename State>
 void VisitData(Visitor&& visit, State& s)
 {
@@ -77,7 +94,6 @@ void VisitData(Visitor&& visit, State& s)
   visit("association", s.Association);
   visit("component", s.Component);
   visit("nearest", s.Nearest);
-  visit("draw NaN cells", s.DrawNanCells);
 }
 
 template <typename Visitor, typename State>
@@ -106,22 +122,11 @@ void VisitCamera(Visitor&& visit, State& s)
 }
 
 template <typename Visitor, typename State>
-void VisitAccuracy(Visitor&& visit, State& s)
-{
-  visit.Choice("level", s.Level, LevelWords);
-  visit("tolerance", s.Tolerance);
-  visit("frame time", s.FrameTime);
-}
-
-template <typename Visitor, typename State>
 void VisitEffects(Visitor&& visit, State& s)
 {
   visit("shading", s.Shading);
   visit("gradient opacity", s.GradientOpacity);
-  visit.Choice("shadows", s.Shadows, ShadowWords);
-  visit("occlusion", s.Occlusion);
   visit("scattering", s.Scattering);
-  visit("opaque shadows", s.OpaqueShadows);
   visit("headlight", s.Headlight);
   visit("light from", s.LightFrom);
   visit("intensity", s.Intensity);
@@ -129,9 +134,7 @@ void VisitEffects(Visitor&& visit, State& s)
   visit("diffuse", s.Diffuse);
   visit("specular", s.Specular);
   visit("specular power", s.SpecularPower);
-  visit("occlusion radius", s.OcclusionRadius);
   visit("scattering strength", s.ScatteringStrength);
-  visit("reach", s.Reach);
   visit("gradient strength", s.GradientStrength);
 }
 
@@ -150,7 +153,6 @@ void VisitPicture(Visitor&& visit, State& s)
 {
   visit.Choice("blend", s.BlendMode, BlendWords);
   visit("isovalues", s.IsoValues);
-  visit.Choice("view", s.ViewMode, ViewWords);
   visit("background", s.Background);
   visit("size", s.Size);
 }
@@ -175,7 +177,8 @@ ViewState FromJson(const json& document)
   VisitData(Reader{ part("data") }, state.Data);
   VisitFunctions(Reader{ part("functions") }, state.Functions);
   VisitCamera(Reader{ part("camera") }, state.Camera);
-  VisitAccuracy(Reader{ part("accuracy") }, state.Accuracy);
+  const auto find = [&](const char* name) { return Reader{ part(name) }; };
+  VisitSettings(PartOfSetting<decltype(find)>{ find }, state.Settings);
   VisitEffects(Reader{ part("effects") }, state.Effects);
   VisitCuts(Reader{ part("cuts") }, state.Cuts);
   VisitPicture(Reader{ part("picture") }, state);
@@ -193,7 +196,8 @@ std::string WriteState(const ViewState& state)
   VisitData(Writer{ document["data"] }, state.Data);
   VisitFunctions(Writer{ document["functions"] }, state.Functions);
   VisitCamera(Writer{ document["camera"] }, state.Camera);
-  VisitAccuracy(Writer{ document["accuracy"] }, state.Accuracy);
+  const auto find = [&](const char* name) { return Writer{ document[name] }; };
+  VisitSettings(PartOfSetting<decltype(find)>{ find }, state.Settings);
   VisitEffects(Writer{ document["effects"] }, state.Effects);
   VisitCuts(Writer{ document["cuts"] }, state.Cuts);
   VisitPicture(Writer{ document["picture"] }, state);
