@@ -114,12 +114,6 @@ uniform vec3 latticeShift;      // plane i is at i + latticeShift, but not beyon
 uniform vec3 latticeHalfLength; // that
 #endif
 
-#if TETMARCH_POINT_SAMPLED
-uniform float sampleStep;      // depth between samples
-uniform float samplesPerDepth; // 1 over that
-uniform vec2 sampleShift;      // of the first sample, in steps: scale of the pixel's jitter and offset
-#endif
-
 #if TETMARCH_LEAPS
 uniform usamplerBuffer blockDistanceBuffer; // Structured/EmptySpace.h
 uniform ivec3 blockCount;
