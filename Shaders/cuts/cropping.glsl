@@ -1,5 +1,5 @@
-// Cropping: two planes perpendicular to each axis divide the volume into 27 regions, some of which remain. A ray
-// crosses at most six of the planes, and is integrated from plane to plane.
+// Cropping: two planes perpendicular to each axis divide the volume into 27 regions. The mapper's cropping flags say
+// which are drawn. A ray crosses at most six of the planes, and is integrated from plane to plane.
 
 #if TETMARCH_CROPPED
 // Six planes separate 7 ranges of a ray. The bound of loops is not constant, so that they are not unrolled.

@@ -1,5 +1,5 @@
-// The interval of a ray in a cell, and the data at its ends. A cell in which the scalar bends has several consecutive
-// ones, in each of which the scalar is monotonic.
+// The interval of a ray in a cell, and the data at its ends. If the scalar bends in a cell, the cell has several
+// consecutive intervals, and the scalar is monotonic in each.
 
 struct CellInterval
 {

@@ -1,5 +1,6 @@
-// The step from cell to cell of a lattice. A trilinear cell is crossed in up to three parts, in each of which the
-// scalar is monotonic; with several components in up to nine, in each of which each scalar with a table is.
+// The step from cell to cell of a lattice. A trilinear cell is crossed in up to three parts, and the scalar is
+// monotonic in each part. With several components there are up to nine parts; each scalar with a table is monotonic in
+// each part.
 
 CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The stages of a frame, of both kinds of volume: what runs again, what is said if something is
-// wrong or nothing is visible, and the scene that the CPU reference gets.
+// The stages of a frame, for both kinds of volume: which stages run again, the messages for errors
+// and for frames that show nothing, and the scene of the CPU reference.
 #include "Frame/FrameScene.h"
 #include "Frame/NothingVisible.h"
 #include "Volume/StructuredVolume.h"

@@ -56,7 +56,7 @@ struct CommandLine
   bool Quiet = false; // no progress bar, no notes
   int Threads = 0;    // 0: as many as the libraries take
 
-  /// Those that the mapper gets, of which the opacity law counts if it is given.
+  /// Settings for the mapper. Their opacity law is used only if --opacity-law was given.
   vtkSmartPointer<vtkTetMarchSettings> Settings = vtkSmartPointer<vtkTetMarchSettings>::New();
 
   std::string Input;

@@ -37,7 +37,7 @@ public:
   // same input but for what they have agreed on.
 
   StageResult updateGeometry(const FrameInput& input, const Progress& progress);
-  /** What is drawn of the array, which is checked. */
+  /** Check the array, and choose its drawn components. */
   static StageResult chooseScalars(const FrameInput& input, DrawnScalars& drawn);
   /** The scalars, and how they are shown. */
   StageResult updateScalars(const FrameInput& input, const DrawnScalars& drawn);

@@ -64,8 +64,8 @@ public:
   virtual std::vector<BufferSize> bufferSizes() const = 0;
   /** Whether all of the volume, as it is now, is on the GPU. */
   virtual bool isCurrent() const = 0;
-  /** Upload what is new, and free what is not needed. Returns an empty string, or what is wrong;
-   * what did not get there is tried again next time. */
+  /** Upload the parts that have changed, and free unused ones. Returns an empty string or the
+   * error. The next call tries a failed part again. */
   virtual std::string upload(vtkOpenGLRenderWindow* window) = 0;
   virtual void release(vtkWindow* window) = 0;
   virtual std::size_t bytes() const = 0;
