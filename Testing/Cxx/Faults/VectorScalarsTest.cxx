@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The magnitude of vectors, or one of their components, as the mapper or the colour function asks.
 #include "CpuReference.h"
-#include "ErrorWatch.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -96,22 +95,6 @@ TEST_P(Vectors, ComponentsAsAskedOfMapperOrColours)
   this->Shown.Mapper->SetVectorModeToDisabled();
   this->colors()->SetVectorComponent(2);
   EXPECT_EQ(compare(this->pictureOf("velocity"), scaled).Max, 0.0);
-}
-
-TEST_P(Vectors, AComponentThatIsNotThereIsAnErrorOnce)
-{
-  const Image first = this->pictureOf("velocity");
-  const ErrorWatch watch(this->Shown.Mapper);
-  this->Shown.Mapper->SetVectorModeToComponent();
-  this->Shown.Mapper->SetVectorComponent(3);
-  this->Shown.Window->Render();
-  this->Shown.Window->Render();
-  ASSERT_EQ(watch.Errors.size(), 1u);
-  EXPECT_NE(watch.Errors[0].find("\"velocity\" has no component 3"), std::string::npos)
-    << watch.Errors[0];
-  this->Shown.Mapper->SetVectorComponent(0);
-  EXPECT_EQ(compare(this->Shown.render(), first).Max, 0.0);
-  EXPECT_EQ(watch.Errors.size(), 1u);
 }
 
 INSTANTIATE_TEST_SUITE_P(ScalarKinds, Vectors, testing::Bool(),
