@@ -171,13 +171,15 @@ tetmarch::StructuredBlock* vtkTetMarchSmartVolumeMapper::Internals::onlyBlock(
 }
 
 //------------------------------------------------------------------------------
-bool vtkTetMarchSmartVolumeMapper::RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels)
+bool vtkTetMarchSmartVolumeMapper::RenderGroundTruth(
+  vtkVolume* volume, vtkFloatArray* pixels, double tolerance)
 {
   std::string error;
   tetmarch::StructuredBlock* block = this->Internal->onlyBlock(error);
   const bool done =
-    block && tetmarch::renderGroundTruth(
-               { block->Pipeline, volume, tetmarch::beginProgressOf(this) }, pixels, error);
+    block &&
+    tetmarch::renderGroundTruth(
+      { block->Pipeline, volume, tetmarch::beginProgressOf(this), tolerance }, pixels, error);
   return this->Report(error) && done;
 }
 

@@ -218,7 +218,7 @@ public:
    * The picture of the last frame in double precision, and the true errors of that frame: see
    * vtkTetMarchVolumeMapper::RenderGroundTruth().
    */
-  bool RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels);
+  bool RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels, double tolerance = 1e-6);
   bool CompareWithGroundTruth(vtkVolume* volume);
   //@}
 

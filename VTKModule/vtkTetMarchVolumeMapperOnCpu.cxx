@@ -37,11 +37,13 @@ bool vtkTetMarchVolumeMapper::PrepareMesh()
 }
 
 //------------------------------------------------------------------------------
-bool vtkTetMarchVolumeMapper::RenderGroundTruth(vtkVolume* volume, vtkFloatArray* pixels)
+bool vtkTetMarchVolumeMapper::RenderGroundTruth(
+  vtkVolume* volume, vtkFloatArray* pixels, double tolerance)
 {
   std::string error;
   const bool done = tetmarch::renderGroundTruth(
-    { this->Internal->Pipeline, volume, tetmarch::beginProgressOf(this) }, pixels, error);
+    { this->Internal->Pipeline, volume, tetmarch::beginProgressOf(this), tolerance }, pixels,
+    error);
   return this->Report(error) && done;
 }
 

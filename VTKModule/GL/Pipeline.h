@@ -67,8 +67,8 @@ public:
    * The picture of the last frame in double precision, by the CPU. It fails if there was no frame,
    * or if the memory for it is lacking, and stops if progress asks for it.
    */
-  StageResult renderReference(
-    vtkVolumeProperty* property, const Progress& progress, ReferenceImage& image);
+  StageResult renderReference(vtkVolumeProperty* property, const AccuracyLevel& level,
+    const Progress& progress, ReferenceImage& image);
   /** The ray of one pixel of the last frame, marched by the CPU. It fails likewise, and if the
    * pixel is outside the frame. */
   StageResult traceRay(vtkVolumeProperty* property, const TraceOptions& options, RayTrace& trace);

@@ -41,10 +41,10 @@ StageResult Pipeline::useReferenceScene(vtkVolumeProperty* property, const Accur
   return { shortage };
 }
 
-StageResult Pipeline::renderReference(
-  vtkVolumeProperty* property, const Progress& progress, ReferenceImage& image)
+StageResult Pipeline::renderReference(vtkVolumeProperty* property, const AccuracyLevel& level,
+  const Progress& progress, ReferenceImage& image)
 {
-  StageResult result = this->useReferenceScene(property, GroundTruthAccuracy, true,
+  StageResult result = this->useReferenceScene(property, level, true,
     [&](FrameScene& made)
     {
       made.scene().Report = progress;

@@ -10,6 +10,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace tetmarch
 {
@@ -35,8 +36,18 @@ bool renderGroundTruth(const GroundTruthOf& frame, vtkFloatArray* pixels, std::s
     error = "No reference picture: no volume was given.";
     return false;
   }
+  if (!(frame.Tolerance > 0.0 && frame.Tolerance <= 1.0))
+  {
+    std::ostringstream wrong;
+    wrong << "No reference picture: its tolerance is greater than 0 and at most 1, not "
+          << frame.Tolerance << '.';
+    error = wrong.str();
+    return false;
+  }
+  AccuracyLevel level = GroundTruthAccuracy;
+  level.ErrorTolerance = frame.Tolerance;
   const StageResult result =
-    frame.Drawn.renderReference(frame.Volume->GetProperty(), frame.Report, image);
+    frame.Drawn.renderReference(frame.Volume->GetProperty(), level, frame.Report, image);
   if (!result.isDone())
   {
     error = result.Error.empty() ? std::string() : "No reference picture: " + result.Error;

@@ -5,6 +5,7 @@
 #define TetMarchMapperGroundTruthPicture_h
 
 #include "Mesh/Progress.h"
+#include "Optics/AccuracyLevel.h"
 
 #include <string>
 
@@ -23,6 +24,7 @@ struct GroundTruthOf
   Pipeline& Drawn;
   vtkVolume* Volume;
   Progress Report;
+  double Tolerance = GroundTruthAccuracy.ErrorTolerance;
 };
 
 // Pixels are premultiplied red, green, blue and opacity, rows from the bottom. These two return

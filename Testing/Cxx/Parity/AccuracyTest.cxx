@@ -7,6 +7,7 @@
 #include "vtkFloatArray.h"
 #include "vtkTetMarchFrameStatistics.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <iostream>
 
@@ -166,9 +167,22 @@ TEST(Accuracy, NothingToCompareIsAnError)
   scene.Window->Render();
   EXPECT_TRUE(scene.Mapper->RenderGroundTruth(scene.Volume, pixels));
   EXPECT_EQ(pixels->GetNumberOfTuples(), SceneSize * SceneSize);
+  const auto pictureOf = [](vtkFloatArray* of)
+  { return Image::fromFloats(SceneSize, SceneSize, of->GetPointer(0)); };
+  vtkNew<vtkFloatArray> rough;
+  EXPECT_TRUE(scene.Mapper->RenderGroundTruth(scene.Volume, rough, 1e-2));
+  const Difference apart = compare(pictureOf(rough), pictureOf(pixels));
+  EXPECT_LE(apart.Max, 1e-2) << apart.text();
+  EXPECT_GT(apart.Max, 1e-5) << apart.text();
   EXPECT_FALSE(scene.Mapper->CompareWithGroundTruth(scene.Volume));
   ASSERT_EQ(errors.Errors.size(), 2u);
   EXPECT_NE(errors.Errors[1].find("CollectDiagnostics"), std::string::npos);
+  for (const double tolerance : { 0.0, -1.0, 1.5, std::nan("") })
+  {
+    EXPECT_FALSE(scene.Mapper->RenderGroundTruth(scene.Volume, pixels, tolerance));
+    EXPECT_NE(errors.Errors.back().find("tolerance is greater than 0"), std::string::npos);
+  }
+  EXPECT_EQ(errors.Errors.size(), 6u);
   // The hierarchy that the reference added is uploaded, and the next frame is the same.
   const Image before = scene.frame();
   scene.Window->Render();

@@ -23,6 +23,8 @@ using Mapper = vtkTetMarchSmartVolumeMapper;
 // What the bound leaves out: the arithmetic of float, most of all where a ray grazes a plane
 // between two cells of different values.
 constexpr double Rounding = 0.1 / 255.0;
+// A fraction of all that is compared with it.
+constexpr double TruthTolerance = 5e-5;
 
 Difference differenceAt(StructuredScene& scene, int level, const Image& truth)
 {
@@ -151,7 +153,7 @@ Image StructuredScene::pixels() const
 Image StructuredScene::truth()
 {
   vtkNew<vtkFloatArray> pixels;
-  if (!this->Mapper->RenderGroundTruth(this->Volume, pixels))
+  if (!this->Mapper->RenderGroundTruth(this->Volume, pixels, TruthTolerance))
   {
     throw std::runtime_error("there is no ground truth of the last frame");
   }
