@@ -76,25 +76,26 @@ Option PositiveSetting(Setter<double> set)
     [set](CommandLine& c, const std::string& v) { (c.Settings->*set)(ParsePositive(v)); } };
 }
 
+template <typename Function>
+Option AndThen(const Option& option, const Function& then)
+{
+  return { option.Value, option.Words,
+    [option, then](CommandLine& c, const std::string& v)
+    {
+      option.Set(c, v);
+      then(c);
+    } };
+}
+
 /// The option switches another setting on, too.
 Option Also(Setter<bool> other, const Option& option)
 {
-  return { option.Value, option.Words,
-    [other, option](CommandLine& c, const std::string& v)
-    {
-      option.Set(c, v);
-      (c.Settings->*other)(true);
-    } };
+  return AndThen(option, [other](CommandLine& c) { (c.Settings->*other)(true); });
 }
 
 Option Lit(const Option& option)
 {
-  return { option.Value, option.Words,
-    [option](CommandLine& c, const std::string& v)
-    {
-      option.Set(c, v);
-      LightOf(c);
-    } };
+  return AndThen(option, [](CommandLine& c) { LightOf(c); });
 }
 
 std::map<std::string, Option> MakeSettingOptions()

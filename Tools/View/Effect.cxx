@@ -42,17 +42,11 @@ void SetShading(ViewState& s, bool on)
   }
 }
 
-/// Of those that need it.
-template <bool SettingsState::*Member>
+/// Effects that need shading switch it on.
+template <auto Part, auto Member>
 void SetLight(ViewState& s, bool on)
 {
-  s.Settings.*Member = on;
-  s.Effects.Shading |= on;
-}
-
-void SetScattering(ViewState& s, bool on)
-{
-  s.Effects.Scattering = on;
+  s.*Part.*Member = on;
   s.Effects.Shading |= on;
 }
 } // namespace
@@ -73,13 +67,14 @@ const std::vector<tetmarch::Effect>& tetmarch::GetEffects()
       HasShadows<AlongRays>, SetShadows<AlongRays> },
     { QT_TR_NOOP("Ambient occlusion"), QT_TR_NOOP("The volume blocks ambient light"),
       [](const ViewState& s) { return s.Settings.AmbientOcclusion; },
-      SetLight<&SettingsState::AmbientOcclusion> },
+      SetLight<&ViewState::Settings, &SettingsState::AmbientOcclusion> },
     { QT_TR_NOOP("Scattering"), QT_TR_NOOP("Light is scattered where there is no clear surface"),
-      [](const ViewState& s) { return s.Effects.Scattering; }, SetScattering },
+      [](const ViewState& s) { return s.Effects.Scattering; },
+      SetLight<&ViewState::Effects, &EffectState::Scattering> },
     { QT_TR_NOOP("Opaque shadows"),
       QT_TR_NOOP("The opaque surface casts shadows on the volume, if the volume casts shadows"),
       [](const ViewState& s) { return s.Settings.OpaqueShadows; },
-      SetLight<&SettingsState::OpaqueShadows> },
+      SetLight<&ViewState::Settings, &SettingsState::OpaqueShadows> },
   };
   return effects;
 }

@@ -27,7 +27,7 @@ from .vtkRenderingTetMarch import (
 # The modules of functions that need NumPy and further modules of VTK: imported on demand.
 HOMES = {
     "Figure": "figures",
-    "compare": "measures",
+    "compare": "figures",
     "configure": "volumes",
     "figure": "figures",
     "from_arrays": "arrays",

@@ -194,7 +194,7 @@ class Figure:
 
     def compare(self):
         """The error of a frame against the ground truth: see vtktetmarch.compare()."""
-        return measures.compare(self)
+        return measures.compare_figure(self)
 
 
 def figure(data, *arguments, **how):
@@ -212,6 +212,17 @@ def figure(data, *arguments, **how):
 def screenshot(data, *arguments, filename=None, **how):
     """A picture of figure(): an array (height, width, 3 or 4) of uint8; the path, if `filename` is given."""
     return figure_of(data, *arguments, **how).screenshot(filename)
+
+
+def compare(data, *arguments, **how):
+    """The error of a picture against the ground truth, which the CPU computes in double precision; this is slow.
+
+    data and other arguments: as in figure(), or a Figure, of which a frame is drawn.
+    Returns a dict: rms, max, mean and minimum of the largest error of a channel, 0 to 1, over the pixels whose ray met
+    the volume; pixels: their number; percentiles: {50: ..., 90: ..., 99: ..., 99.9: ...}; error_bound: the same for the
+    bound; statistics: those of that frame, see statistics(). Raises RuntimeError if there is nothing to compare.
+    """
+    return figure_of(data, *arguments, **how).compare()
 
 
 def show(data, *arguments, **how):

@@ -53,17 +53,8 @@ def statistics(drawn):
     return dict(sorted(found.items()))
 
 
-def compare(data, *arguments, **how):
-    """The error of a picture against the ground truth, which the CPU computes in double precision; this is slow.
-
-    data and other arguments: as in figure(), or a Figure, of which a frame is drawn.
-    Returns a dict: rms, max, mean and minimum of the largest error of a channel, 0 to 1, over the pixels whose ray met
-    the volume; pixels: their number; percentiles: {50: ..., 90: ..., 99: ..., 99.9: ...}; error_bound: the same for the
-    bound; statistics: those of that frame, see statistics(). Raises RuntimeError if there is nothing to compare.
-    """
-    from .figures import figure_of
-
-    drawn = figure_of(data, *arguments, **how)
+def compare_figure(drawn):
+    """Draws a frame of a Figure and returns its error as figures.compare() does."""
     mapper = mapper_of(drawn)
     collected = mapper.GetCollectDiagnostics()
     mapper.SetCollectDiagnostics(True)
