@@ -13,8 +13,8 @@
 
 namespace tetmarch::testing
 {
-inline vtkSmartPointer<vtkPlane> addClippingPlane(
-  Scene& scene, const Vec3& origin, const Vec3& normal)
+template <typename AnyScene>
+vtkSmartPointer<vtkPlane> addClippingPlane(AnyScene& scene, const Vec3& origin, const Vec3& normal)
 {
   auto plane = vtkSmartPointer<vtkPlane>::New();
   plane->SetOrigin(origin[0], origin[1], origin[2]);
@@ -25,13 +25,15 @@ inline vtkSmartPointer<vtkPlane> addClippingPlane(
 
 /// Clips through the middle of the unit cube; what lies behind, as lookAtUnitCube() sees it, is
 /// left.
-inline vtkSmartPointer<vtkPlane> clipObliquely(Scene& scene)
+template <typename AnyScene>
+vtkSmartPointer<vtkPlane> clipObliquely(AnyScene& scene)
 {
   return addClippingPlane(scene, { 0.5, 0.45, 0.4 }, { -0.6, 0.3, -1.0 });
 }
 
 /// Crops by planes within the unit cube, none of them in the middle.
-inline void crop(Scene& scene, int flags)
+template <typename AnyScene>
+void crop(AnyScene& scene, int flags)
 {
   scene.Mapper->CroppingOn();
   scene.Mapper->SetCroppingRegionPlanes(0.237, 0.711, 0.313, 0.564, 0.159, 0.823);

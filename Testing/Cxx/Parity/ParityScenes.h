@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The kinds of volumes that tests of parity draw, for suites of typed tests
+ *
+ * A test changes a scene of any kind in the same way. The kind has the data, and the tolerance of
+ * its pictures. A class for another kind of data set, named in ParityKinds, gets all of these
+ * tests.
+ */
+#ifndef tetmarch_testing_ParityScenes_h
+#define tetmarch_testing_ParityScenes_h
+
+#include "CpuReference.h"
+#include "StructuredScene.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkPiecewiseFunction.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <iostream>
+#include <string>
+#include <type_traits>
+
+namespace tetmarch::testing
+{
+enum class Shape
+{
+  Plain,
+  AlongAxes, ///< its cells are, in steps of 1/8
+  Hollow,    ///< rays come again
+  FarAway    ///< by FarOff
+};
+constexpr Vec3 FarOff = { 1e6, -1e6, 2e6 };
+
+/// Tetrahedra in the unit cube.
+class MeshParity : public Scene
+{
+public:
+  explicit MeshParity(Shape shape = Shape::Plain)
+    : MeshParity(gridOf(shape))
+  {
+  }
+
+  /// Kinds of data that differ in how rays meet cells.
+  static void forEach(const std::function<void(MeshParity& scene, const std::string& name)>& check)
+  {
+    for (const auto& [name, grid] :
+      { std::pair<const char*, Grid>{ "lattice", gridOf(Shape::Plain) },
+        { "hole", latticeWithHole(9, 0.15, 1, sineField()) },
+        { "tunnel", latticeWithTunnel(9, 0.15, 1, sineField()) },
+        { "shells", gridOf(Shape::Hollow) } })
+    {
+      MeshParity scene(grid);
+      check(scene, name);
+    }
+  }
+
+  /// At the level that is set.
+  void expectParity(const std::string& what)
+  {
+    SCOPED_TRACE(what);
+    std::cout << what << '\n';
+    expectParityWithOpaque(*this);
+  }
+  void setTransparentRanges() { setSpikyFunctions(this->property()); }
+
+private:
+  explicit MeshParity(const Grid& grid)
+    : Scene(grid, 96, 96)
+  {
+  }
+  static Grid gridOf(Shape shape)
+  {
+    const Grid plain = jitteredLattice(10, 0.15, 1, sineField());
+    return shape == Shape::AlongAxes ? jitteredLattice(8, 0.0, 1, sineField())
+           : shape == Shape::Hollow  ? nestedShells(10, 4, 0.15, 1, sineField())
+           : shape == Shape::FarAway ? withOffsetAndScale(plain, FarOff, 1.0)
+                                     : plain;
+  }
+};
+
+/// An image or a rectilinear grid of the unit cube.
+class LatticeParity : public StructuredScene
+{
+public:
+  explicit LatticeParity(Shape shape = Shape::Plain)
+    : StructuredScene(dataOf(shape))
+  {
+  }
+
+  static void forEach(
+    const std::function<void(LatticeParity& scene, const std::string& name)>& check)
+  {
+    for (const LatticeValues values : AllLatticeValues)
+    {
+      LatticeParity scene;
+      scene.draw(values);
+      check(scene, nameOf(values));
+    }
+  }
+
+  /// At the levels Default and Accurate.
+  void expectParity(const std::string& what)
+  {
+    SCOPED_TRACE(what);
+    const bool lit = this->property()->GetShade() != 0;
+    report(what, tetmarch::testing::expectParity(*this, { true, !lit }));
+  }
+  /// Not narrow: the reference has no tables, which are too coarse for spikes.
+  void setTransparentRanges() { setTwoPeaks(this->property()); }
+
+private:
+  static vtkSmartPointer<vtkDataSet> dataOf(Shape shape)
+  {
+    if (shape == Shape::Hollow)
+    {
+      const auto grid = rectilinearOf(sineField(), unevenCube(8));
+      markCells(grid, vtkDataSetAttributes::HIDDENCELL, [](vtkIdType id) { return id % 13 == 3; });
+      return grid;
+    }
+    ImagePlace place = unitCube(shape == Shape::AlongAxes ? 8 : 9);
+    if (shape == Shape::FarAway)
+    {
+      place.Origin = FarOff;
+    }
+    return imageOf(sineField(), place);
+  }
+};
+
+using ParityKinds = ::testing::Types<MeshParity, LatticeParity>;
+struct ParityKindNames
+{
+  template <typename Kind>
+  static const char* GetName(int /*index*/)
+  {
+    return std::is_same_v<Kind, MeshParity> ? "Mesh" : "Lattice";
+  }
+};
+
+/// A row of a table: what a test does to a scene before it is drawn.
+template <typename Kind>
+struct Case
+{
+  const char* Name;
+  void (*Change)(Kind& scene);
+};
+} // namespace tetmarch::testing
+
+#endif
