@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the GL draws in each blend mode, pixel by pixel against the CPU reference.
+// What the GL draws of a volume of each kind in each blend mode, pixel by pixel against the CPU
+// reference.
 #include "vtkTetMarchFrameStatistics.h"
 
-#include "BlendParity.h"
+#include "Lights.h"
+#include "ParityScenes.h"
 
 #include "vtkActor.h"
 
@@ -13,50 +15,71 @@ namespace
 {
 using namespace tetmarch::testing;
 
-constexpr int Side = 96;
-
-Grid lattice() { return jitteredLattice(10, 0.15, 1, sineField()); }
-
-TEST(BlendParity, AverageOverARange)
+template <typename Kind>
+class BlendParity : public ::testing::Test
 {
-  BlendScene scene(lattice(), Side, Side);
-  scene.Mapper->SetBlendModeToAverageIntensity();
-  scene.Mapper->SetAverageIPScalarRange(0.45, 0.6);
-  const Image drawn = scene.render();
-  const Difference difference = compare(drawn, referenceOf(scene).Picture, regionsOf(scene).Inside);
-  EXPECT_LE(50 * difference.Over, difference.Pixels) << difference.text();
-  scene.Mapper->SetAverageIPScalarRange(VTK_FLOAT_MIN, VTK_FLOAT_MAX);
-  EXPECT_GT(compare(drawn, scene.render()).Rms, 10.0 / 255.0);
+protected:
+  // Of the value 0.5 the field of an image is all over some sides of the cube.
+  static void expectParityOfModes(Shape shape, const std::string& what, void (*change)(Kind& scene))
+  {
+    Kind scene(shape);
+    setSurfaces(scene.property(), { 0.35, 0.53, 0.72 });
+    setShading(scene.property());
+    addLight(scene.Renderer, 3.0, 4.0, 1.5);
+    change(scene);
+    for (const int mode : BlendModes)
+    {
+      scene.Mapper->SetBlendMode(mode);
+      scene.expectParityButForEdges(what + ", blend mode " + std::to_string(mode));
+    }
+  }
+};
+TYPED_TEST_SUITE(BlendParity, ParityKinds, ParityKindNames);
+
+TYPED_TEST(BlendParity, Noise)
+{
+  this->expectParityOfModes(
+    Shape::Noise, "noise", [](TypeParam& scene) { scene.property()->ShadeOff(); });
 }
 
-TEST(BlendParity, OpaqueGeometryInside)
+TYPED_TEST(BlendParity, ConstantCells)
 {
-  BlendScene scene(lattice(), Side, Side);
-  scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 }));
-  expectBlendParity(scene, true);
+  this->expectParityOfModes(
+    Shape::Hard, "cells", [](TypeParam& scene) { scene.drawConstantCells(); });
 }
 
-TEST(BlendParity, CameraInside)
+TYPED_TEST(BlendParity, OpaqueGeometryInside)
 {
-  BlendScene scene(lattice(), Side, Side);
-  lookFromInside(scene.camera());
-  expectBlendParity(scene);
+  this->expectParityOfModes(Shape::Hard, "opaque geometry",
+    [](TypeParam& scene) {
+      scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 }));
+    });
 }
 
-TEST(BlendParity, RaysThatComeAgain)
+TYPED_TEST(BlendParity, CameraInside)
 {
-  BlendScene scene(latticeWithHole(9, 0.15, 1, sineField()), Side, Side);
-  expectBlendParity(scene);
-  BlendScene cells(nestedShells(10, 4, 0.15, 1, sineField()), Side, Side);
-  cells.drawCellScalars();
-  expectBlendParity(cells);
+  this->expectParityOfModes(
+    Shape::Plain, "inside", [](TypeParam& scene) { lookFromInside(scene.camera()); });
+}
+
+TYPED_TEST(BlendParity, AverageOverARange)
+{
+  TypeParam::forEach(
+    [](TypeParam& scene, const std::string& name)
+    {
+      scene.Mapper->SetBlendModeToAverageIntensity();
+      const Image whole = scene.render();
+      scene.Mapper->SetAverageIPScalarRange(0.45, 0.6);
+      scene.expectParityButForEdges(name);
+      EXPECT_GT(compare(scene.render(), whole).Rms, 10.0 / 255.0);
+    });
 }
 
 // No segment is split. An extreme has no error; a sum has that of rounding and of the steps of
 // integrals.
-TEST(BlendParity, CountersOfWhatIsExact)
+TEST(MeshBlend, CountersOfWhatIsExact)
 {
-  BlendScene scene(lattice(), Side, Side);
+  BlendScene scene(jitteredLattice(10, 0.15, 1, sineField()), 96, 96);
   for (const int mode : { Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::ADDITIVE_BLEND })
   {
     scene.Mapper->SetBlendMode(mode);

@@ -89,7 +89,7 @@ TYPED_TEST(CutParity, EachSetting)
 
 TYPED_TEST(CutParity, CameraInside)
 {
-  this->expectParityOfCuts(Shape::Hollow, "inside",
+  this->expectParityOfCuts(Shape::Hard, "inside",
     [](TypeParam& scene)
     {
       scene.camera()->SetPosition(0.81, 0.42, 0.87);

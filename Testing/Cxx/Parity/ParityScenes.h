@@ -11,10 +11,9 @@
 #ifndef tetmarch_testing_ParityScenes_h
 #define tetmarch_testing_ParityScenes_h
 
-#include "CpuReference.h"
+#include "BlendParity.h"
 #include "StructuredScene.h"
 
-#include "vtkDataSetAttributes.h"
 #include "vtkPiecewiseFunction.h"
 
 #include <functional>
@@ -29,8 +28,9 @@ enum class Shape
 {
   Plain,
   AlongAxes, ///< its cells are, in steps of 1/8
-  Hollow,    ///< rays come again
-  FarAway    ///< by FarOff
+  Hard,      ///< rays come again to the mesh, and axes of the lattice are uneven
+  FarAway,   ///< by FarOff
+  Noise
 };
 constexpr Vec3 FarOff = { 1e6, -1e6, 2e6 };
 
@@ -50,7 +50,7 @@ public:
       { std::pair<const char*, Grid>{ "lattice", gridOf(Shape::Plain) },
         { "hole", latticeWithHole(9, 0.15, 1, sineField()) },
         { "tunnel", latticeWithTunnel(9, 0.15, 1, sineField()) },
-        { "shells", gridOf(Shape::Hollow) } })
+        { "shells", gridOf(Shape::Hard) } })
     {
       MeshParity scene(grid);
       check(scene, name);
@@ -64,7 +64,14 @@ public:
     std::cout << what << '\n';
     expectParityWithOpaque(*this);
   }
+  void expectParityButForEdges(const std::string& what)
+  {
+    SCOPED_TRACE(what);
+    std::cout << what << '\n';
+    expectBlendModeParity(*this);
+  }
   void setTransparentRanges() { setSpikyFunctions(this->property()); }
+  void drawConstantCells() { this->drawCellScalars(); }
 
 private:
   explicit MeshParity(const Grid& grid)
@@ -75,8 +82,9 @@ private:
   {
     const Grid plain = jitteredLattice(10, 0.15, 1, sineField());
     return shape == Shape::AlongAxes ? jitteredLattice(8, 0.0, 1, sineField())
-           : shape == Shape::Hollow  ? nestedShells(10, 4, 0.15, 1, sineField())
+           : shape == Shape::Hard    ? nestedShells(10, 4, 0.15, 1, sineField())
            : shape == Shape::FarAway ? withOffsetAndScale(plain, FarOff, 1.0)
+           : shape == Shape::Noise   ? jitteredLattice(6, 0.15, 1, noiseField(3, 4))
                                      : plain;
   }
 };
@@ -108,24 +116,29 @@ public:
     const bool lit = this->property()->GetShade() != 0;
     report(what, tetmarch::testing::expectParity(*this, { true, !lit }));
   }
+  void expectParityButForEdges(const std::string& what)
+  {
+    SCOPED_TRACE(what);
+    tetmarch::testing::expectParityButForEdges(*this, what);
+  }
   /// Not narrow: the reference has no tables, which are too coarse for spikes.
   void setTransparentRanges() { setTwoPeaks(this->property()); }
+  void drawConstantCells() { this->draw(LatticeValues::CellsNearest); }
 
 private:
   static vtkSmartPointer<vtkDataSet> dataOf(Shape shape)
   {
-    if (shape == Shape::Hollow)
+    if (shape == Shape::Hard)
     {
-      const auto grid = rectilinearOf(sineField(), unevenCube(8));
-      markCells(grid, vtkDataSetAttributes::HIDDENCELL, [](vtkIdType id) { return id % 13 == 3; });
-      return grid;
+      return rectilinearOf(sineField(), unevenCube(8));
     }
     ImagePlace place = unitCube(shape == Shape::AlongAxes ? 8 : 9);
     if (shape == Shape::FarAway)
     {
       place.Origin = FarOff;
     }
-    return imageOf(sineField(), place);
+    return shape == Shape::Noise ? imageOf(scatteredField(1), unitCube(6))
+                                 : imageOf(sineField(), place);
   }
 };
 

@@ -20,6 +20,16 @@ constexpr int BlendModes[] = { Mapper::COMPOSITE_BLEND, Mapper::MAXIMUM_INTENSIT
   Mapper::MINIMUM_INTENSITY_BLEND, Mapper::AVERAGE_INTENSITY_BLEND, Mapper::ADDITIVE_BLEND,
   Mapper::ISOSURFACE_BLEND };
 
+inline void setSurfaces(vtkVolumeProperty* property, const std::vector<double>& values)
+{
+  vtkContourValues* contours = property->GetIsoSurfaceValues();
+  contours->SetNumberOfContours(static_cast<int>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    contours->SetValue(static_cast<int>(i), values[i]);
+  }
+}
+
 class BlendScene : public LitScene
 {
 public:
@@ -31,12 +41,7 @@ public:
 
   void setSurfaces(const std::vector<double>& values)
   {
-    vtkContourValues* contours = this->property()->GetIsoSurfaceValues();
-    contours->SetNumberOfContours(static_cast<int>(values.size()));
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      contours->SetValue(static_cast<int>(i), values[i]);
-    }
+    tetmarch::testing::setSurfaces(this->property(), values);
   }
 };
 } // namespace tetmarch::testing
