@@ -30,7 +30,7 @@ def tests_of_sources():
     texts = "\n".join(text_of(mutants.PROJECT / path) for path in source_files(mutants.PROJECT)
                       if path.parts[0] == "Testing" and path.suffix in (".cxx", ".h"))
     return {f"{suite}.{name}"
-            for suite, name in re.findall(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+),\s*(\w+)\)", texts, re.MULTILINE)}
+            for suite, name in re.findall(r"^(?:TYPED_)?TEST(?:_[FP])?\((\w+),\s*(\w+)\)", texts, re.MULTILINE)}
 
 
 def programs_of_build():

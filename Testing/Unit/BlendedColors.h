@@ -41,7 +41,7 @@ void expectRays(const BlendedRays& rays, const Field& field, const Expected& exp
         return;
       }
       ++count;
-      const Rgba found = BlendedRays::cast<Kernel, Real>(kernel, ray, chord);
+      const Rgba found = pixelOf(kernel, marchOf(kernel, ray, chord), chord);
       for (int k = 0; k < 4; ++k)
       {
         ASSERT_NEAR(found[k], known[k], bound) << "channel " << k << " of ray " << count;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Rays through the unit cube in any blend mode, and which scalars they meet if the field is
- * linear
+ * @brief Rays through the unit cube in any blend mode
  */
 #ifndef tetmarch_testing_BlendedRays_h
 #define tetmarch_testing_BlendedRays_h
@@ -11,7 +10,9 @@
 #include "Appearance/Blending.h"
 #include "Mesh/MeshScalars.h"
 
+#include "CubeChord.h"
 #include "RandomRays.h"
+#include "RayTally.h"
 #include "UnitMeshes.h"
 
 #include "vtkCellData.h"
@@ -28,24 +29,6 @@
 
 namespace tetmarch::testing
 {
-using Rgba = std::array<double, 4>;
-
-/// The part of a ray in the cube.
-struct ScalarChord
-{
-  double Begin = 0; ///< depths
-  double End = 0;
-  double First = 0; ///< scalars there
-  double Last = 0;
-  double Optical = 0; ///< thickness: its length in scalar opacity unit distances
-
-  double scalarAt(double depth) const
-  {
-    const double share = (depth - this->Begin) / (this->End - this->Begin);
-    return this->First + (this->Last - this->First) * share;
-  }
-};
-
 /// The cube with a field, red s, green 1 - s, blue 1/2, opacity 0.2 + 0.6 s.
 class BlendedRays
 {
@@ -105,41 +88,10 @@ public:
     return made;
   }
 
-  template <typename Kernel, typename Real>
-  static Rgba cast(Kernel& kernel, const typename Kernel::Ray& ray, const ScalarChord& chord)
-  {
-    const Real length = Real(chord.Optical / (chord.End - chord.Begin));
-    const auto march = kernel.castPlainRay(ray, length, Real(chord.Begin), Real(chord.End));
-    const auto color = kernel.pixelOf(march.radiance, length);
-    return { { double(color.x), double(color.y), double(color.z), double(color.w) } };
-  }
-
-  /// The chord of the cube, enlarged by so much; empty (End <= Begin) if the ray misses it.
   template <typename Ray>
   ScalarChord chordOf(const Ray& ray, const Field& field, double enlarged = 0.0) const
   {
-    const std::array<double, 3> o{ { double(ray.origin.x), double(ray.origin.y),
-      double(ray.origin.z) } };
-    const std::array<double, 3> d{ { double(ray.direction.x), double(ray.direction.y),
-      double(ray.direction.z) } };
-    ScalarChord chord{ -1e3, 1e3, 0, 0, 0 };
-    for (int k = 0; k < 3; ++k)
-    {
-      const double side = this->Mesh.Frame.HalfExtent[k] + enlarged;
-      const double step = d[k] == 0 ? 1e-30 : d[k];
-      const double a = (-side - o[k]) / step, b = (side - o[k]) / step;
-      chord.Begin = std::max(chord.Begin, std::min(a, b));
-      chord.End = std::min(chord.End, std::max(a, b));
-    }
-    const auto scalar = [&](double depth)
-    {
-      const auto at = [&](int k)
-      { return 0.5 + (o[k] + depth * d[k]) * 0.5 / this->Mesh.Frame.HalfExtent[k]; };
-      return field(at(0), at(1), at(2));
-    };
-    chord.First = scalar(chord.Begin);
-    chord.Last = scalar(chord.End);
-    return chord;
+    return cubeChord(this->Mesh.Frame.HalfExtent, ray, field, enlarged);
   }
 
   /// Calls check(ray, chord) with rays of all kinds through the cube, with all of their chord or a

@@ -51,36 +51,46 @@ public:
     return error.empty() ? setFactors(this->Property, this->Parts) : error;
   }
 
-  template <typename Kernel, typename Real>
+  template <typename Kernel>
   Kernel kernel() const
   {
-    Kernel made =
-      makeKernel<Kernel, Real>(this->Rays.Mesh, this->Rays.Table, this->Rays.Range, this->Level);
+    auto made = makeKernel<Kernel, RealOf<Kernel>>(
+      this->Rays.Mesh, this->Rays.Table, this->Rays.Range, this->Level);
     made.CellScalars = this->Rays.Scalars.data();
     made.useComponents(this->Parts, this->Further, this->Rays.Range);
     return made;
   }
 
+  template <typename Kernel, typename Function>
+  void forEachRay(Kernel& kernel, int count, const Function& check) const
+  {
+    this->Rays.forEachRay<Kernel, RealOf<Kernel>>(kernel, this->Fields[0], check, count);
+  }
+
+  template <typename Ray>
+  ScalarChord chordOf(const Ray& ray, const Field& field) const
+  {
+    return this->Rays.chordOf(ray, field);
+  }
+
   /// Premultiplied colour and opacity of a part of a ray, in steps of the colour and extinction of
   /// their middles.
   template <typename Ray>
-  Rgba byQuadrature(const Ray& ray, const ScalarChord& chord, int steps = 2000) const
+  Rgba truth(const Ray& ray, const ScalarChord& chord, int steps = 2000) const
   {
     std::vector<ScalarChord> wholes;
     for (const Field& field : this->Fields)
     {
       wholes.push_back(this->Rays.chordOf(ray, field));
     }
+    std::vector<double> scalars(wholes.size());
     Rgba seen{};
     double through = 1;
     for (int i = 0; i < steps; ++i)
     {
       const double depth = chord.Begin + (chord.End - chord.Begin) * (i + 0.5) / steps;
-      std::vector<double> scalars;
-      for (const ScalarChord& whole : wholes)
-      {
-        scalars.push_back(whole.scalarAt(depth));
-      }
+      std::transform(wholes.begin(), wholes.end(), scalars.begin(),
+        [depth](const ScalarChord& whole) { return whole.scalarAt(depth); });
       const Rgba medium = mediumAt(this->Property, scalars); // C tau, tau
       const double passed = std::exp(-medium[3] * chord.Optical / steps);
       for (int k = 0; k < 3 && medium[3] > 0; ++k)
@@ -91,6 +101,12 @@ public:
     }
     seen[3] = 1 - through;
     return seen;
+  }
+
+  template <typename Ray>
+  Rgba inLight(const Ray&, const Rgba& color) const
+  {
+    return color;
   }
 
   std::vector<Field> Fields;

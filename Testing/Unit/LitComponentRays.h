@@ -49,8 +49,8 @@ struct LocalLight
 class LitComponentRays : public ComponentRays
 {
 public:
-  LitComponentRays(const Grid& grid, int components, bool cells = false)
-    : ComponentRays(grid, components, false, cells)
+  LitComponentRays(const Grid& grid, int components, bool independent = false, bool cells = false)
+    : ComponentRays(grid, components, independent, cells)
   {
     LightUniforms::Light sun;
     sun.Diffuse = { { 0.8, 0.6, 0.4 } };
@@ -63,19 +63,42 @@ public:
     this->Effects.Lights.SpecularPower = 8.0;
   }
 
-  template <typename Kernel, typename Real>
-  Kernel litKernel(bool ofCells = false)
+  /// Returns what is wrong.
+  std::string use(const AccuracyLevel& level)
   {
+    const std::string error = this->ComponentRays::use(level);
     if (this->Effects.Gradients.empty())
     {
-      const TetMesh& mesh = this->Rays.Mesh;
-      this->Effects.Gradients = ofCells         ? cellGradients(mesh)
-                                : this->OfCells ? vertexGradients(mesh, this->Rays.Scalars)
-                                                : vertexGradients(mesh);
+      // Constant in cells, the scalars say nothing of the gradient.
+      const Vec3 g = this->gradient();
+      const std::array<float, 3> gradient{ { float(g[0]), float(g[1]), float(g[2]) } };
+      this->Effects.Gradients =
+        this->OfCells ? decltype(this->Effects.Gradients)(this->Rays.Mesh.Vertices.size(), gradient)
+                      : vertexGradients(this->Rays.Mesh);
     }
-    Kernel made = this->kernel<Kernel, Real>();
+    return error;
+  }
+
+  template <typename Kernel>
+  Kernel kernel() const
+  {
+    Kernel made = this->ComponentRays::kernel<Kernel>();
     made.useEffects(this->Effects);
     return made;
+  }
+
+  template <typename Ray>
+  Rgba truth(const Ray& ray, ScalarChord chord) const
+  {
+    chord.Optical *= this->Density;
+    return this->inLight(ray, this->ComponentRays::truth(ray, chord));
+  }
+
+  /// What the light makes of a premultiplied colour on a ray.
+  template <typename Ray>
+  Rgba inLight(const Ray& ray, const Rgba& color) const
+  {
+    return this->lightOn(ray).of(color);
   }
 
   /// The gradient of the stored scalar, in the normalised frame.
@@ -126,16 +149,20 @@ public:
     }
   }
 
-  /// Makes opacity grow with the gradient; returns the share of the extinction that is left.
-  double addGradientOpacity()
+  /// Makes opacity grow with the gradient.
+  void addGradientOpacity()
   {
     const Vec3 g = this->gradient();
     this->Effects.GradientOpacity.Values = { 0.0f, 1.0f };
-    this->Effects.GradientOpacityScale = 0.4 / std::sqrt(dot(g, g));
-    return 0.4;
+    this->Density = 0.4;
+    this->Effects.GradientOpacityScale = this->Density / std::sqrt(dot(g, g));
   }
 
+  /// By gradients of cells; after use().
+  void useCellGradients() { this->Effects.Gradients = cellGradients(this->Rays.Mesh); }
+
   EffectData Effects;
+  double Density = 1.0; ///< the share of the extinction that is left
 };
 } // namespace tetmarch::testing
 

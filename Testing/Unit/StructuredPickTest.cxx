@@ -15,16 +15,6 @@ namespace
 using namespace tetmarch;
 using namespace tetmarch::testing;
 
-// Another number for each point: no scalar bends more.
-Field noise(unsigned seed)
-{
-  return [seed](double x, double y, double z)
-  {
-    const double s = std::sin(12.9898 * x + 78.233 * y + 37.719 * z + seed) * 43758.5453;
-    return s - std::floor(s);
-  };
-}
-
 struct Tally
 {
   int Hits = 0;
@@ -33,20 +23,17 @@ struct Tally
   double WorstScalar = 0; // as it is stored
 };
 
-// As it is stored, at a length from the point.
-double scalarAt(const StructuredRays& rays, const tetmarch::testing::Vec3& point,
-  const tetmarch::testing::Vec3& direction, double length)
+// As it is stored.
+double scalarAt(const StructuredRays& rays, const LatticePart& part, double depth)
 {
-  const Vector3 origin = rays.Cells.Frame.toData({ { point[0], point[1], point[2] } });
-  const double t = length * rays.Cells.Frame.Radius;
   const ScalarRange& range = rays.Values[0].Range;
-  for (const ScalarSegment& segment :
-    rays.Truth.segments({ origin[0], origin[1], origin[2] }, direction, -LatticeTruth::Infinity))
+  LatticePart whole = part;
+  whole.Begin -= 4;
+  for (const ScalarSegment& segment : rays.segments(whole, whole.End))
   {
-    if (segment.T0 <= t && t <= segment.T1)
+    if (segment.T0 <= depth && depth <= segment.T1)
     {
-      const auto value =
-        static_cast<double>(segment.Scalar.at((t - segment.T0) / (segment.T1 - segment.T0)));
+      const double value = segment.Scalar.at((depth - segment.T0) / (segment.T1 - segment.T0));
       return (value - range.Low) / range.width();
     }
   }
@@ -58,24 +45,19 @@ template <typename Real>
 void pickRays(const StructuredRays& rays, int count, unsigned seed, Tally& tally)
 {
   constexpr double Tolerance = PickAccuracy.ErrorTolerance;
-  using Kernel = PickTrilinearKernel<Real>;
-  auto kernel = rays.kernel<Kernel, Real>();
+  auto kernel = rays.kernel<PickTrilinearKernel<Real>>();
   kernel.mostTrials = PickAccuracy.MostTrials;
   std::mt19937 random(seed);
   for (int i = 0; i < count; ++i)
   {
-    const tetmarch::testing::Vec3 point = rays.pointNear(random, 0.9);
-    const tetmarch::testing::Vec3 d = StructuredRays::direction(random);
-    const double begin = i % 3 ? -4.0 : 0.1 * StructuredRays::share(random);
-    const double threshold = 0.02 + 0.96 * StructuredRays::share(random);
-    const auto ray = kernel.rayThrough(
-      { Real(point[0]), Real(point[1]), Real(point[2]) }, { Real(d[0]), Real(d[1]), Real(d[2]) });
-    const double offset = point[0] * d[0] + point[1] * d[1] + point[2] * d[2];
+    const LatticePart part = rays.nextPart(random, i, 0.9);
+    const double threshold = 0.02 + 0.96 * share(random);
+    const auto ray = part.of(kernel);
     const Real left = Real(1.0 - threshold);
     kernel.errorTolerance = left; // as the mapper has it
     const auto pick =
-      kernel.pickOn(ray, Real(rays.PerDepth), Real(begin + offset), Real(4.0 + offset), left);
-    const double all = rays.truth(point, d, begin, 4.0)[3];
+      kernel.pickOn(ray, Real(part.perDepth()), Real(part.Begin), Real(part.End), left);
+    const double all = rays.truth(part, part.End)[3];
     if (std::abs(all - threshold) > Tolerance)
     {
       ASSERT_EQ(pick.hit, all > threshold) << all << " of " << threshold;
@@ -84,10 +66,10 @@ void pickRays(const StructuredRays& rays, int count, unsigned seed, Tally& tally
     tally.Misses += pick.hit ? 0 : 1;
     if (pick.hit)
     {
-      const double length = double(pick.depth) - offset;
+      const double depth = double(pick.depth);
       tally.WorstOpacity =
-        std::max(tally.WorstOpacity, std::abs(rays.truth(point, d, begin, length)[3] - threshold));
-      const double expected = scalarAt(rays, point, d, length);
+        std::max(tally.WorstOpacity, std::abs(rays.truth(part, depth)[3] - threshold));
+      const double expected = scalarAt(rays, part, depth);
       tally.WorstScalar = std::max(tally.WorstScalar, std::abs(double(pick.scalar) - expected));
     }
   }
@@ -113,8 +95,8 @@ void expectPicks(vtkDataSet* data, LatticeValues values)
 
 TEST(StructuredPick, IsAtTheOpacityThatIsAskedFor)
 {
-  expectPicks(imageOf(noise(1), unitCube(6)), LatticeValues::PointsLinear);
-  expectPicks(imageOf(noise(2), unitCube(6)), LatticeValues::CellsLinear);
-  expectPicks(rectilinearOf(noise(3), unevenCube(6)), LatticeValues::PointsLinear);
+  expectPicks(imageOf(roughField(1), unitCube(6)), LatticeValues::PointsLinear);
+  expectPicks(imageOf(roughField(2), unitCube(6)), LatticeValues::CellsLinear);
+  expectPicks(rectilinearOf(roughField(3), unevenCube(6)), LatticeValues::PointsLinear);
 }
 } // namespace

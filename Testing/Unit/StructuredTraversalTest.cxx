@@ -78,7 +78,7 @@ template <typename Kernel, typename Real>
 typename Kernel::Ray hardRay(const StructuredRays& rays, Kernel& kernel, std::mt19937& random)
 {
   tetmarch::testing::Vec3 point = rays.pointNear(random, 1.05);
-  const tetmarch::testing::Vec3 d = StructuredRays::direction(random);
+  const tetmarch::testing::Vec3 d = randomDirection(random);
   if (random() % 2)
   {
     // Onto planes of the lattice, along some axes.
@@ -97,7 +97,7 @@ typename Kernel::Ray hardRay(const StructuredRays& rays, Kernel& kernel, std::mt
 template <typename Kernel, typename Real>
 Faults faultsOf(const StructuredRays& rays, std::mt19937& random, long count)
 {
-  auto kernel = rays.kernel<Kernel, Real>();
+  auto kernel = rays.kernel<Kernel>();
   Faults faults;
   const double rounding = std::is_same_v<Real, float> ? 2e-4 : 1e-9; // of a cell
   for (long n = 0; n < count; ++n)
@@ -201,17 +201,17 @@ struct Leaps
 Leaps leapsOf(
   const StructuredRays& rays, const BlockDistances& empty, std::mt19937& random, long count)
 {
-  auto leaping = rays.kernel<LeapingKernel<double>, double>();
+  auto leaping = rays.kernel<LeapingKernel<double>>();
   leaping.useEmptySpace(empty);
-  auto stepping = rays.kernel<UniformKernel<double>, double>();
+  auto stepping = rays.kernel<UniformKernel<double>>();
   Leaps leaps;
   for (long n = 0; n < count; ++n)
   {
     const auto ray = hardRay<LeapingKernel<double>, double>(rays, leaping, random);
     const auto same = stepping.rayThrough({ ray.origin.x, ray.origin.y, ray.origin.z },
       { ray.direction.x, ray.direction.y, ray.direction.z });
-    const auto found = leaping.castPlainRay(ray, rays.PerDepth, -1e30, 1e30);
-    const auto expected = stepping.castPlainRay(same, rays.PerDepth, -1e30, 1e30);
+    const auto found = leaping.castPlainRay(ray, rays.perDepth(), -1e30, 1e30);
+    const auto expected = stepping.castPlainRay(same, rays.perDepth(), -1e30, 1e30);
     // Rounding decides where subsegments end: they are the same but for the tolerance.
     const auto alike = [](double a, double b) { return std::abs(a - b) <= 1e-6; };
     leaps.Different += alike(found.radiance.transmittance, expected.radiance.transmittance) &&
