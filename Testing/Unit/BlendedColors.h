@@ -26,13 +26,13 @@ inline Rgba gray(double value) { return { { value, value, value, 1 } }; }
 
 /// All rays have the colours that `expected` says. It returns false of a ray that it doesn't
 /// know for sure.
-template <typename Kernel, typename Real, typename Expected>
-void expectRays(const BlendedRays& rays, const Field& field, const Expected& expected)
+template <typename Kernel, typename Expected>
+void expectRaysBy(const BlendedRays& rays, const Field& field, const Expected& expected)
 {
-  const double bound = std::is_same<Real, double>::value ? ByDouble : ByFloat;
-  auto kernel = rays.kernel<Kernel, Real>();
+  const double bound = std::is_same_v<RealOf<Kernel>, double> ? ByDouble : ByFloat;
+  auto kernel = rays.kernel<Kernel>();
   int count = 0;
-  rays.forEachRay<Kernel, Real>(kernel, field,
+  rays.forEachRay(kernel, field,
     [&](const typename Kernel::Ray& ray, const ScalarChord& chord)
     {
       Rgba known{};
@@ -48,6 +48,19 @@ void expectRays(const BlendedRays& rays, const Field& field, const Expected& exp
       }
     });
   EXPECT_GT(count, 150);
+}
+
+template <template <typename> class Kernel, typename Expected>
+void expectRays(const BlendedRays& rays, const Field& field, const Expected& expected)
+{
+  expectRaysBy<Kernel<double>>(rays, field, expected);
+  expectRaysBy<Kernel<float>>(rays, field, expected);
+}
+
+inline bool knowNothing(const ScalarChord&, Rgba& known)
+{
+  known = {};
+  return true;
 }
 
 /// The values that lie between two scalars, in the order in which they are met.

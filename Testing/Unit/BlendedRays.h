@@ -78,11 +78,11 @@ public:
     return this->use(BlendMode::IsoSurface);
   }
 
-  template <typename Kernel, typename Real>
+  template <typename Kernel>
   Kernel kernel() const
   {
     Kernel made =
-      makeKernel<Kernel, Real>(this->Mesh, this->Table, this->Range, GroundTruthAccuracy);
+      makeKernel<Kernel, RealOf<Kernel>>(this->Mesh, this->Table, this->Range, GroundTruthAccuracy);
     made.CellScalars = this->Scalars.data();
     made.useBlending(this->Blend);
     return made;
@@ -96,13 +96,13 @@ public:
 
   /// Calls check(ray, chord) with rays of all kinds through the cube, with all of their chord or a
   /// part of it, of a random thickness. Rays that graze a side are left out.
-  template <typename Kernel, typename Real, typename Function>
+  template <typename Kernel, typename Function>
   void forEachRay(Kernel& kernel, const Field& field, const Function& check, int count = 600) const
   {
     RandomRays rays(7);
     for (int i = 0; i < count; ++i)
     {
-      const auto ray = rays.template next<Kernel, Real>(kernel, this->Mesh);
+      const auto ray = rays.template next<Kernel, RealOf<Kernel>>(kernel, this->Mesh);
       const ScalarChord inner = this->chordOf(ray, field, -1e-5),
                         outer = this->chordOf(ray, field, 1e-5);
       if (inner.End - inner.Begin < 0.05 ||

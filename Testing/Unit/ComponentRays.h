@@ -64,7 +64,7 @@ public:
   template <typename Kernel, typename Function>
   void forEachRay(Kernel& kernel, int count, const Function& check) const
   {
-    this->Rays.forEachRay<Kernel, RealOf<Kernel>>(kernel, this->Fields[0], check, count);
+    this->Rays.forEachRay(kernel, this->Fields[0], check, count);
   }
 
   template <typename Ray>

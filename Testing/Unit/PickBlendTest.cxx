@@ -31,13 +31,14 @@ struct Expected
 using Rule = std::function<Expected(const ScalarChord& chord, double threshold)>;
 
 // The depth follows from the scalar, which may hardly change along the chord: then it is uncertain.
-template <typename Kernel, typename Real>
+template <typename Kernel>
 void expectPicks(const BlendedRays& rays, const Rule& rule, double tolerance, const char* what)
 {
-  auto kernel = rays.kernel<Kernel, Real>();
+  using Real = RealOf<Kernel>;
+  auto kernel = rays.kernel<Kernel>();
   int hits = 0, misses = 0, count = 0;
   double worst = 0.0;
-  rays.forEachRay<Kernel, Real>(kernel, linearField(),
+  rays.forEachRay(kernel, linearField(),
     [&](const typename Kernel::Ray& ray, const ScalarChord& chord)
     {
       const double threshold = std::array<double, 5>{ { 0.0, 0.3, 0.5, 0.8, 1.0 } }[count++ % 5];
@@ -47,7 +48,7 @@ void expectPicks(const BlendedRays& rays, const Rule& rule, double tolerance, co
       {
         return;
       }
-      const Real length = Real(chord.Optical / (chord.End - chord.Begin));
+      const Real length = Real(chord.perDepth());
       const double left = std::max(1.0 - threshold, 1.0 / (1 << 24));
       const auto pick = kernel.pickOn(ray, length, Real(chord.Begin), Real(chord.End), Real(left));
       ASSERT_EQ(pick.hit, expected.Hit) << "ray " << count << ", threshold " << threshold;
@@ -73,8 +74,8 @@ void expectPicks(const BlendedRays& rays, const Rule& rule, double tolerance, co
 template <template <typename> class Kernel>
 void expectBoth(const BlendedRays& rays, const Rule& rule, const char* what)
 {
-  expectPicks<Kernel<double>, double>(rays, rule, 2e-5, what);
-  expectPicks<Kernel<float>, float>(rays, rule, 1e-4, what);
+  expectPicks<Kernel<double>>(rays, rule, 2e-5, what);
+  expectPicks<Kernel<float>>(rays, rule, 1e-4, what);
 }
 
 class PickBlend : public ::testing::Test

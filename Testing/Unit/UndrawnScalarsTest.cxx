@@ -130,8 +130,8 @@ void expectBlended(BlendMode mode)
   {
     mode == BlendMode::IsoSurface ? rays->useSurfaces({ 0.3, 0.5, 0.6 }) : rays->use(mode);
   }
-  Kernel broken = undrawn.kernel<Kernel, Real>();
-  Kernel whole = hidden.kernel<Kernel, Real>();
+  Kernel broken = undrawn.kernel<Kernel>();
+  Kernel whole = hidden.kernel<Kernel>();
   const HiddenCells cells = cellsAround(hidden.Mesh, chosen);
   whole.HiddenCells = cells.data();
   EXPECT_GT((expectSamePictures<Kernel, Real>(broken, whole, hidden.Mesh)), 100);
