@@ -32,8 +32,8 @@ using Mapper = vtkTetMarchVolumeMapper;
 
 // All rays meet the volume. The GL rounds as the kernel in float does, but for gradients and light
 // at vertices, which it keeps in fewer bits, and for where it enters tetrahedra.
-constexpr int Width = 8;
-constexpr int Height = 6;
+constexpr int Width = 6;
+constexpr int Height = 4;
 constexpr double MostError = 0.2 / 255.0;
 
 bool isOf(const PictureKernel& kernel, const std::string& name)
