@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the GL draws of several components, pixel by pixel against the CPU reference.
-#include "ComponentScene.h"
-#include "CpuReference.h"
+// What the GL draws of several components of a volume of each kind, pixel by pixel against the CPU
+// reference.
+#include "ParityScenes.h"
 
 #include "vtkActor.h"
 
@@ -12,37 +12,42 @@ namespace
 {
 using namespace tetmarch::testing;
 
-constexpr int Side = 80;
-
-Grid lattice() { return jitteredLattice(10, 0.15, 1, sineField()); }
-
-class ComponentParity : public ::testing::TestWithParam<Mix>
+template <typename Kind>
+class ComponentParity : public ::testing::Test
 {
+protected:
+  static void expectParityOfMixes(Shape shape, void (*change)(Kind& scene))
+  {
+    for (const Mix& mix : Mixes)
+    {
+      Kind scene(shape);
+      drawMix(scene, mix);
+      change(scene);
+      scene.expectParity(mix.Name);
+    }
+  }
 };
+TYPED_TEST_SUITE(ComponentParity, ParityKinds, ParityKindNames);
 
-TEST_P(ComponentParity, StructuredLawBeforeOpaqueGeometry)
+TYPED_TEST(ComponentParity, HardData)
 {
-  ComponentScene scene(lattice(), GetParam(), Side, Side);
-  scene.Mapper->SetOpacityLawToStructured();
-  scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 }));
-  expectParityWithOpaque(scene);
+  this->expectParityOfMixes(Shape::Hard, [](TypeParam&) {});
 }
 
-TEST_P(ComponentParity, CameraInside)
+TYPED_TEST(ComponentParity, EachLawBeforeOpaqueGeometry)
 {
-  ComponentScene scene(lattice(), GetParam(), Side, Side);
-  scene.camera()->SetPosition(0.31, 0.42, 0.57);
-  scene.camera()->SetFocalPoint(1.0, 0.6, 0.4);
-  scene.camera()->SetClippingRange(0.01, 5.0);
-  expectParity(scene);
+  this->expectParityOfMixes(Shape::Plain,
+    [](TypeParam& scene)
+    {
+      scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 }));
+      scene.Mapper->SetOpacityLawToUnstructured();
+      scene.expectParity("the unstructured law");
+      scene.Mapper->SetOpacityLawToStructured();
+    });
 }
 
-TEST_P(ComponentParity, RaysThatComeAgain)
+TYPED_TEST(ComponentParity, CameraInside)
 {
-  ComponentScene scene(latticeWithHole(9, 0.15, 1, sineField()), GetParam(), Side, Side);
-  expectParity(scene);
+  this->expectParityOfMixes(Shape::Plain, [](TypeParam& scene) { lookFromInside(scene.camera()); });
 }
-
-INSTANTIATE_TEST_SUITE_P(
-  Of, ComponentParity, ::testing::ValuesIn(Mixes), [](const auto& of) { return of.param.Name; });
 } // namespace

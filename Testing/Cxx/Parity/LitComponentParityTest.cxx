@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the GL draws of dependent components in light, pixel by pixel against the CPU reference; and
-// that the light is that of the component which gives the opacity.
-#include "ComponentScene.h"
-#include "CpuReference.h"
+// What the GL draws of dependent components of a volume of each kind in light, pixel by pixel
+// against the CPU reference; and that the light is that of the component which gives the opacity.
 #include "Lights.h"
+#include "ParityScenes.h"
 
 #include "vtkActor.h"
 #include "vtkLight.h"
@@ -15,7 +14,6 @@
 namespace
 {
 using namespace tetmarch::testing;
-using Mapper = vtkTetMarchVolumeMapper;
 
 Grid lattice(int cubes = 10) { return jitteredLattice(cubes, 0.15, 1, sineField()); }
 
@@ -34,65 +32,75 @@ public:
 };
 
 constexpr double MostRms = 0.3 / 255.0;
+constexpr Mix Dependent[] = { Mixes[3], Mixes[4] };
 
-class LitComponentParity : public ::testing::TestWithParam<Mix>
-{
+template <typename Kind>
+const Case<Kind> Effects[] = {
+  { "lights of all kinds before opaque geometry",
+    [](Kind& scene)
+    {
+      addLight(scene.Renderer, 3.0, 4.0, 1.5);
+      addFadingLight(scene.Renderer);
+      addFillLight(scene.Renderer);
+      scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 }));
+    } },
+  { "gradients of cells",
+    [](Kind& scene)
+    {
+      addLight(scene.Renderer, 3.0, 4.0, 1.5);
+      scene.Mapper->SetGradientTypeToCell();
+    } },
+  { "gradient opacity", [](Kind& scene) { setGradientOpacity(scene.property()); } },
+  { "gradient opacity unlit",
+    [](Kind& scene)
+    {
+      setGradientOpacity(scene.property());
+      scene.property()->ShadeOff();
+    } },
+  { "gradient opacity of constant cells, unlit",
+    [](Kind& scene)
+    {
+      setGradientOpacity(scene.property());
+      scene.drawConstantCells();
+      scene.property()->ShadeOff();
+    } },
+  { "constant cells", [](Kind& scene) { scene.drawConstantCells(); } },
+  { "shadows of the headlight", [](Kind& scene) { scene.Mapper->SetShadowMethodToAutomatic(); } },
 };
 
-TEST_P(LitComponentParity, HeadlightOnPoints)
+template <typename Kind>
+class LitComponentParity : public ::testing::Test
 {
-  LitComponentScene scene(GetParam());
-  expectParity(scene);
-}
+};
+TYPED_TEST_SUITE(LitComponentParity, ParityKinds, ParityKindNames);
 
-TEST_P(LitComponentParity, LightsOfAllKindsBeforeOpaqueGeometry)
+TYPED_TEST(LitComponentParity, EachEffect)
 {
-  LitComponentScene scene(GetParam());
-  scene.addSun();
-  addFadingLight(scene.Renderer);
-  addFillLight(scene.Renderer);
-  scene.Renderer->AddActor(makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 }));
-  expectParityWithOpaque(scene);
-}
-
-TEST_P(LitComponentParity, GradientOpacity)
-{
-  for (const bool cells : { false, true })
+  for (const Mix& mix : Dependent)
   {
-    LitComponentScene scene(GetParam());
-    scene.property()->ShadeOff();
-    if (cells)
+    const auto prepare = [&](TypeParam& scene)
     {
-      scene.drawCells();
+      drawMix(scene, mix);
+      setShading(scene.property());
+    };
+    TypeParam plain;
+    prepare(plain);
+    plain.expectParity(mix.Name + std::string(", headlight"));
+    const Image without = plain.render();
+    for (const Case<TypeParam>& effect : Effects<TypeParam>)
+    {
+      TypeParam scene;
+      prepare(scene);
+      effect.Change(scene);
+      scene.expectParity(std::string(mix.Name) + ", " + effect.Name);
+      EXPECT_GT(compare(scene.render(), without).Max, 0.02) << effect.Name << " is not seen";
     }
-    const Image without = scene.render();
-    setGradientOpacity(scene.property());
-    expectParity(scene);
-    EXPECT_GT(compare(scene.render(), without).Max, 0.1);
-    scene.addSun();
-    scene.property()->ShadeOn();
-    expectParity(scene);
   }
 }
 
-TEST_P(LitComponentParity, TransparentRanges)
+class LitMeshComponents : public ::testing::TestWithParam<Mix>
 {
-  for (const bool cells : { false, true })
-  {
-    LitComponentScene scene(GetParam());
-    vtkPiecewiseFunction* opacity = scene.property()->GetScalarOpacity();
-    opacity->RemoveAllPoints();
-    opacity->AddPoint(0.6, 0.0);
-    opacity->AddPoint(0.7, 0.9);
-    opacity->AddPoint(0.8, 0.0);
-    if (cells)
-    {
-      scene.drawCells();
-    }
-    scene.addSun();
-    expectParity(scene);
-  }
-}
+};
 
 struct ThroughVolume
 {
@@ -127,7 +135,26 @@ const ThroughVolume ThroughVolumes[] = {
     } },
 };
 
-TEST_P(LitComponentParity, LightThroughTheVolume)
+TEST_P(LitMeshComponents, TransparentRanges)
+{
+  for (const bool cells : { false, true })
+  {
+    LitComponentScene scene(GetParam());
+    vtkPiecewiseFunction* opacity = scene.property()->GetScalarOpacity();
+    opacity->RemoveAllPoints();
+    opacity->AddPoint(0.6, 0.0);
+    opacity->AddPoint(0.7, 0.9);
+    opacity->AddPoint(0.8, 0.0);
+    if (cells)
+    {
+      scene.drawCells();
+    }
+    scene.addSun();
+    expectParity(scene);
+  }
+}
+
+TEST_P(LitMeshComponents, LightThroughTheVolume)
 {
   for (const ThroughVolume& effect : ThroughVolumes)
   {
@@ -149,7 +176,7 @@ TEST_P(LitComponentParity, LightThroughTheVolume)
 }
 
 // Light that is sampled at random points of rays, against light computed in all places.
-TEST_P(LitComponentParity, ShadowsAlongRays)
+TEST_P(LitMeshComponents, ShadowsAlongRays)
 {
   for (const bool cells : { false, true })
   {
@@ -168,7 +195,7 @@ TEST_P(LitComponentParity, ShadowsAlongRays)
 
 // The views of the light know no colours: they are the same when the component of the opacity is
 // drawn alone.
-TEST_P(LitComponentParity, LightIsThatOfTheOpacity)
+TEST_P(LitMeshComponents, LightIsThatOfTheOpacity)
 {
   for (const bool cells : { false, true })
   {
@@ -200,6 +227,6 @@ TEST_P(LitComponentParity, LightIsThatOfTheOpacity)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, LitComponentParity, ::testing::Values(Mixes[3], Mixes[4]),
+INSTANTIATE_TEST_SUITE_P(Of, LitMeshComponents, ::testing::ValuesIn(Dependent),
   [](const auto& of) { return of.param.Name; });
 } // namespace

@@ -12,9 +12,12 @@
 #define tetmarch_testing_ParityScenes_h
 
 #include "BlendParity.h"
+#include "ComponentScene.h"
 #include "StructuredScene.h"
 
+#include "vtkDataArray.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 
 #include <functional>
 #include <gtest/gtest.h>
@@ -71,7 +74,7 @@ public:
     expectBlendModeParity(*this);
   }
   void setTransparentRanges() { setSpikyFunctions(this->property()); }
-  void drawConstantCells() { this->drawCellScalars(); }
+  void drawConstantCells() { this->Mapper->SetScalarModeToUseCellData(); }
 
 private:
   explicit MeshParity(const Grid& grid)
@@ -113,8 +116,12 @@ public:
   void expectParity(const std::string& what)
   {
     SCOPED_TRACE(what);
-    const bool lit = this->property()->GetShade() != 0;
-    report(what, tetmarch::testing::expectParity(*this, { true, !lit }));
+    vtkVolumeProperty* shown = this->property();
+    const bool lit = shown->GetShade() != 0;
+    const bool byGradients = shown->HasGradientOpacity();
+    // The bound knows of gradients by the light that they reflect, of one component.
+    const bool bound = !byGradients || (lit && this->components() == 1);
+    report(what, tetmarch::testing::expectParity(*this, { bound, !lit && !byGradients }));
   }
   void expectParityButForEdges(const std::string& what)
   {
@@ -126,6 +133,10 @@ public:
   void drawConstantCells() { this->draw(LatticeValues::CellsNearest); }
 
 private:
+  int components() const
+  {
+    return this->Data->GetPointData()->GetScalars()->GetNumberOfComponents();
+  }
   static vtkSmartPointer<vtkDataSet> dataOf(Shape shape)
   {
     if (shape == Shape::Hard)
@@ -141,6 +152,19 @@ private:
                                  : imageOf(sineField(), place);
   }
 };
+
+/// Draws several components, which replace the scalars.
+template <typename Kind>
+void drawMix(Kind& scene, const Mix& mix)
+{
+  setComponents(scene.Data, wavyFields(mix.Components), VTK_DOUBLE);
+  setComponentFunctions(scene.property(), mix.Components);
+  scene.property()->SetIndependentComponents(mix.Independent);
+  if constexpr (std::is_same_v<Kind, MeshParity>)
+  {
+    scene.Mapper->SetVectorMode(mix.Independent ? Mapper::ALL_COMPONENTS : Mapper::DISABLED);
+  }
+}
 
 using ParityKinds = ::testing::Types<MeshParity, LatticeParity>;
 struct ParityKindNames

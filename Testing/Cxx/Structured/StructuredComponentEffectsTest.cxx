@@ -99,31 +99,13 @@ protected:
     setFunctions(this->Shown);
     setShading(this->Shown.property());
   }
-  // The level's tolerance does not cover light.
-  static constexpr Promises Lit{ true, false };
-
   vtkSmartPointer<vtkImageData> Made;
   StructuredScene Shown;
 };
 
-TEST_P(LitStructuredComponents, EachEffect)
-{
-  expectParityOf(
-    { LatticeValues::PointsLinear, LatticeValues::CellsNearest }, this->Shown, "headlight", Lit);
-  this->Shown.draw(LatticeValues::PointsLinear);
-  this->Shown.addLight(3.0, 4.0, 1.5);
-  this->Shown.Mapper->SetGradientTypeToCell();
-  report("sun, cell gradients", expectParity(this->Shown, Lit));
-  this->Shown.Mapper->SetGradientTypeToVertex();
-  setGradientOpacity(this->Shown.property());
-  report("gradient opacity", expectParity(this->Shown, { false, false }));
-}
-
-TEST_P(LitStructuredComponents, Shadows)
+TEST_P(LitStructuredComponents, ShadowsAlongRays)
 {
   this->Shown.property()->SetScalarOpacityUnitDistance(0.5);
-  this->Shown.Mapper->SetShadowMethodToAutomatic();
-  report("shadows of the headlight", expectParity(this->Shown, Lit));
   this->Shown.addLight(3.0, 4.0, 1.5);
   expectShadowsAlongRays({ LatticeValues::PointsLinear, LatticeValues::CellsLinear }, this->Shown);
 }

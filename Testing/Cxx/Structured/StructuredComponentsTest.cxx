@@ -4,9 +4,7 @@
 // the CPU reference.
 #include "StructuredComponents.h"
 
-#include "vtkActor.h"
 #include "vtkDataArray.h"
-#include "vtkPlane.h"
 
 namespace
 {
@@ -69,29 +67,6 @@ TEST_P(StructuredComponents, BytesAndWords)
     expectParityOf({ LatticeValues::PointsLinear, LatticeValues::CellsNearest }, scene,
       image->GetPointData()->GetScalars()->GetDataTypeAsString());
   }
-}
-
-TEST_P(StructuredComponents, CutBeforeOpaqueGeometryAndFromInside)
-{
-  const auto image = imageWith(wavy(), 9, VTK_DOUBLE);
-  StructuredScene scene(image);
-  setFunctions(scene);
-  vtkNew<vtkPlane> plane;
-  plane->SetOrigin(0.5, 0.45, 0.4);
-  plane->SetNormal(-0.6, 0.3, -1.0);
-  scene.Mapper->AddClippingPlane(plane);
-  scene.Mapper->CroppingOn();
-  scene.Mapper->SetCroppingRegionPlanes(0.237, 0.711, 0.313, 0.564, 0.159, 0.823);
-  scene.Mapper->SetCroppingRegionFlagsToFence();
-  report("cut", expectParity(scene));
-  scene.Mapper->RemoveAllClippingPlanes();
-  scene.Mapper->CroppingOff();
-  const auto ball = makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 1.0, 1.0 });
-  scene.Renderer->AddActor(ball);
-  expectParityButForEdges(scene, "before a ball");
-  scene.Renderer->RemoveActor(ball);
-  lookFromInside(scene.camera());
-  report("inside", expectParity(scene));
 }
 
 // Most of the volume is transparent, and rays leap over it: of independent components only where
