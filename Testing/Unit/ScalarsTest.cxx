@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays of every type become 0..1 and a range.
-#include "StoredScalars.h"
+// Arrays of every type become 0..1 and a range: scalars of meshes, and values of lattices.
+#include "ValuesOfArrays.h"
 
 #include "vtkDataArray.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -15,84 +16,180 @@ namespace
 using namespace tetmarch;
 using namespace tetmarch::testing;
 
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Inf = std::numeric_limits<double>::infinity();
 constexpr int Types[] = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
   VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
   VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE };
 
-TEST(Scalars, AllTypesAndFirstComponent)
+// An array of four tuples, and what meshes and lattices store of it.
+struct Case
+{
+  std::string Name;
+  vtkSmartPointer<vtkDataArray> Array;
+  TupleScalar Scalar;
+  double Low = 0;
+  double High = 0;
+  std::array<float, 4> Stored{ { 0.0f, 1.0f, 0.5f, 0.75f } };
+  bool AllFinite = true;
+};
+using Cases = std::vector<Case>;
+
+// Any component, and magnitudes, of all types.
+void addTypes(Cases& cases)
 {
   for (const int type : Types)
   {
+    const std::string name = vtkImageScalarTypeNameMacro(type);
     for (const int components : { 1, 3 })
     {
-      ScalarRange range;
-      const auto stored = storedOf(arrayOf(type, { 4, 20, 12, 16 }, components), range);
-      EXPECT_EQ(range.Low, 4.0) << type;
-      EXPECT_EQ(range.High, 20.0) << type;
-      EXPECT_EQ(stored, (std::array<float, 4>{ { 0.0f, 1.0f, 0.5f, 0.75f } })) << type;
+      cases.push_back({ name, arrayOf(type, { 4, 20, 12, 16 }, components), {}, 4, 20 });
     }
-  }
-}
-
-void expectStored(
-  vtkDataArray* array, const TupleScalar& scalar, double low, double high, const char* what)
-{
-  ScalarRange range;
-  const auto stored = storedOf(array, range, scalar);
-  EXPECT_DOUBLE_EQ(range.Low, low) << what;
-  EXPECT_DOUBLE_EQ(range.High, high) << what;
-  EXPECT_EQ(stored, (std::array<float, 4>{ { 0.0f, 1.0f, 0.5f, 0.75f } })) << what;
-}
-
-TEST(Scalars, AnyComponentAndMagnitudesOfAllTypes)
-{
-  for (const int type : Types)
-  {
     const auto array = arrayOf(type, { 4, 20, 12, 16 }, 4, 3);
-    expectStored(array, { false, 3 }, 4.0, 20.0, array->GetClassName());
     setComponent(array, 0, { 1, 5, 3, 4 });
     setComponent(array, 1, { 2, 10, 6, 8 });
     setComponent(array, 2, { 2, 10, 6, 8 });
-    expectStored(array, { true, 0 }, 5.0, 25.0, array->GetClassName());
+    cases.push_back({ name + ", the last of four", array, { false, 3 }, 4, 20 });
+    cases.push_back({ name + ", magnitude", array, { true, 0 }, 5, 25 });
   }
 }
 
+// Each component in memory of its own.
 template <typename Value>
-void expectSOA()
+void addSOA(Cases& cases)
 {
   const auto array = pairsApart<Value>();
-  expectStored(array, {}, 3.0, 15.0, array->GetClassName());
-  expectStored(array, { false, 1 }, 4.0, 20.0, array->GetClassName());
-  expectStored(array, { true, 0 }, 5.0, 25.0, array->GetClassName());
+  const std::string name = array->GetClassName();
+  cases.push_back({ name, array, {}, 3, 15 });
+  cases.push_back({ name + ", second", array, { false, 1 }, 4, 20 });
+  cases.push_back({ name + ", magnitude", array, { true, 0 }, 5, 25 });
+  auto single = vtkSmartPointer<vtkSOADataArrayTemplate<Value>>::New();
+  single->SetNumberOfComponents(1);
+  single->SetNumberOfTuples(4);
+  setComponent(single, 0, { 4, 20, 12, 16 });
+  cases.push_back({ name + ", alone", single, {}, 4, 20 });
 }
 
-TEST(Scalars, StructuresOfArrays)
+void addStorage(Cases& cases)
 {
-  expectSOA<float>();
-  expectSOA<double>();
-  expectSOA<short>();
-  expectSOA<unsigned long long>();
-}
-
-TEST(Scalars, ArraysThatComputeTheirValues)
-{
-  const auto turned = turnedVectors();
-  expectStored(turned, {}, 3.0, 15.0, "x");
-  expectStored(turned, { false, 1 }, 4.0, 20.0, "y");
-  expectStored(turned, { true, 0 }, 13.0, 65.0, "magnitude");
-}
-
-TEST(Scalars, Bits)
-{
-  ScalarRange range;
+  addSOA<unsigned char>(cases);
+  addSOA<unsigned short>(cases);
+  addSOA<short>(cases);
+  addSOA<float>(cases);
+  addSOA<double>(cases);
+  addSOA<unsigned long long>(cases);
+  const auto turned = turnedVectors(); // computes its values
+  cases.push_back({ "turned, x", turned, {}, 3, 15 });
+  cases.push_back({ "turned, y", turned, { false, 1 }, 4, 20 });
+  cases.push_back({ "turned, magnitude", turned, { true, 0 }, 13, 65 });
   const std::array<float, 4> bits{ { 0.0f, 1.0f, 1.0f, 0.0f } };
-  EXPECT_EQ(storedOf(arrayOf(VTK_BIT, { 0, 1, 1, 0 }), range), bits);
-  EXPECT_EQ(range.High, 1.0);
+  cases.push_back({ "bits", arrayOf(VTK_BIT, { 0, 1, 1, 0 }), {}, 0, 1, bits });
   const auto pairs = arrayOf(VTK_BIT, { 0, 1, 1, 0 }, 2, 1);
   setComponent(pairs, 0, { 0, 1, 1, 0 });
-  EXPECT_EQ(storedOf(pairs, range, { false, 1 }), bits);
-  EXPECT_EQ(storedOf(pairs, range, { true, 0 }), bits);
-  EXPECT_EQ(range.High, std::sqrt(2.0));
+  cases.push_back({ "pairs of bits", pairs, { false, 1 }, 0, 1, bits });
+  cases.push_back({ "magnitude of bits", pairs, { true, 0 }, 0, std::sqrt(2.0), bits });
+}
+
+// What is not finite is not drawn, and constants are 0.
+void addValues(Cases& cases)
+{
+  constexpr float None = UndrawnScalar;
+  const auto add = [&cases](const char* name, int type, const std::vector<double>& values,
+                     const std::array<double, 2>& range, const std::array<float, 4>& stored) {
+    cases.push_back({ name, arrayOf(type, values), {}, range[0], range[1], stored });
+  };
+  for (const double value : { 0.0, -5.0, 1e300, 1e-300 })
+  {
+    add("constant", VTK_DOUBLE, { value, value, value, value }, { value, value }, {});
+  }
+  for (const int type : Types)
+  {
+    add("constant", type, { 1, 1, 1, 1 }, { 1, 1 }, {});
+  }
+  add("constant", VTK_UNSIGNED_CHAR, { 200, 200, 200, 200 }, { 200, 200 }, {});
+  for (const double size : { 1e300, 1e-300, std::numeric_limits<double>::denorm_min() })
+  {
+    add("huge or tiny", VTK_DOUBLE, { -size, size, 0.0, size }, { -size, size }, { 0, 1, 0.5f, 1 });
+  }
+  const std::size_t finite = cases.size();
+  add("NaN and infinity", VTK_DOUBLE, { NaN, 1, 3, -Inf }, { 1, 3 }, { None, 0, 1, None });
+  add("nothing finite", VTK_FLOAT, { NaN, Inf, -Inf, NaN }, {}, { None, None, None, None });
+  const auto pairs = arrayOf(VTK_FLOAT, { 4, Inf, 20, 12 }, 2);
+  setComponent(pairs, 1, { 0, 0, 0, 0 });
+  cases.push_back({ "infinite magnitude", pairs, { true, 0 }, 4, 20, { 0, None, 1, 0.5f } });
+  std::for_each(cases.begin() + finite, cases.end(), [](Case& of) { of.AllFinite = false; });
+}
+
+Cases allCases()
+{
+  Cases cases;
+  addTypes(cases);
+  addStorage(cases);
+  addValues(cases);
+  return cases;
+}
+
+void expectRange(const ScalarRange& range, const Case& of)
+{
+  EXPECT_DOUBLE_EQ(range.Low, of.Low);
+  EXPECT_DOUBLE_EQ(range.High, of.High);
+  EXPECT_EQ(range.AllFinite, of.AllFinite);
+  EXPECT_TRUE(std::isfinite(range.width()) && range.width() > 0.0);
+}
+
+TEST(Scalars, OfArraysAtVertices)
+{
+  for (const Case& of : allCases())
+  {
+    SCOPED_TRACE(of.Name);
+    ScalarRange range;
+    EXPECT_EQ(storedOf(of.Array, range, of.Scalar), of.Stored);
+    expectRange(range, of);
+  }
+}
+
+// Bytes and words are read from 8 and 16 bits, to a rounding.
+TEST(Scalars, OfArraysInLattices)
+{
+  for (const Case& of : allCases())
+  {
+    SCOPED_TRACE(of.Name);
+    const StoredValues stored = storedOf(of.Array, of.Scalar);
+    EXPECT_EQ(stored.Type,
+      of.Scalar.Magnitude ? ValueType::Float32 : expectedType(of.Array->GetDataType()));
+    ASSERT_EQ(stored.Count, 4u);
+    const double rounding = stored.Type == ValueType::Float32 ? 0.0
+                            : stored.Borrowed                 ? 7e-7
+                                                              : 1.2e-7;
+    for (int i = 0; i < 4; ++i)
+    {
+      EXPECT_NEAR(stored.scalar(i), of.Stored[i], rounding) << i;
+    }
+    expectRange(stored.Range, of);
+  }
+}
+
+TEST(Scalars, HugeValuesAreFinite)
+{
+  const double most = std::numeric_limits<double>::max();
+  for (const auto& values : { std::vector<double>{ most, 0.9 * most, most, most },
+         { -most, -0.9 * most, -most, -most }, { -most, most, 0.0, most } })
+  {
+    ScalarRange range;
+    const auto array = arrayOf(VTK_DOUBLE, values);
+    const std::array<float, 4> stored = storedOf(array, range);
+    const StoredValues ofLattice = storedOf(array);
+    if (values[0] != values[2])
+    {
+      EXPECT_EQ(stored, (std::array<float, 4>{ { 0.0f, 1.0f, 0.5f, 1.0f } }));
+      EXPECT_EQ(ofLattice.Floats, (std::vector<float>{ 0.0f, 1.0f, 0.5f, 1.0f }));
+    }
+    for (const ScalarRange& found : { range, ofLattice.Range })
+    {
+      EXPECT_LE(found.Low, found.High);
+      EXPECT_TRUE(std::isfinite(found.width()) && std::isfinite(found.Low + found.High));
+    }
+  }
 }
 
 // The vertex in a cell's centre has the mean of the magnitudes, as any point between vertices has.
@@ -119,55 +216,6 @@ TEST(Scalars, MagnitudesInTheCentresOfCells)
   }
 }
 
-TEST(Scalars, WhatIsNotFiniteIsNotDrawn)
-{
-  const double nan = std::nan("");
-  const double inf = std::numeric_limits<double>::infinity();
-  ScalarRange range;
-  EXPECT_EQ(storedOf(arrayOf(VTK_DOUBLE, { nan, 1, 3, -inf }), range),
-    (std::array<float, 4>{ { UndrawnScalar, 0.0f, 1.0f, UndrawnScalar } }));
-  EXPECT_EQ(range.Low, 1.0);
-  EXPECT_EQ(range.High, 3.0);
-  EXPECT_FALSE(range.AllFinite);
-  for (const float stored : storedOf(arrayOf(VTK_FLOAT, { nan, inf, -inf, nan }), range))
-  {
-    EXPECT_EQ(stored, UndrawnScalar);
-  }
-  EXPECT_TRUE(std::isfinite(range.Low) && std::isfinite(range.High));
-  EXPECT_FALSE(range.AllFinite);
-  storedOf(arrayOf(VTK_FLOAT, { 1, 2, 3, 4 }), range);
-  EXPECT_TRUE(range.AllFinite);
-  storedOf(arrayOf(VTK_FLOAT, { 1, 2, 3, 4 }, 2), range, { true, 0 });
-  EXPECT_TRUE(range.AllFinite);
-  storedOf(arrayOf(VTK_FLOAT, { 1, inf, 3, 4 }, 2), range, { true, 0 });
-  EXPECT_FALSE(range.AllFinite);
-}
-
-TEST(Scalars, ConstantArrays)
-{
-  for (const double value : { 0.0, -5.0, 1e300, 1e-300 })
-  {
-    ScalarRange range;
-    const auto stored = storedOf(arrayOf(VTK_DOUBLE, { value, value, value, value }), range);
-    EXPECT_EQ(range.Low, value);
-    EXPECT_EQ(range.High, value);
-    EXPECT_EQ(range.width(), 1.0);
-    EXPECT_EQ(stored, (std::array<float, 4>{ { 0.0f, 0.0f, 0.0f, 0.0f } }));
-  }
-}
-
-TEST(Scalars, HugeAndTinyRanges)
-{
-  const double most = std::numeric_limits<double>::max();
-  for (const double size : { most, 1e300, 1e-300, std::numeric_limits<double>::denorm_min() })
-  {
-    ScalarRange range;
-    const auto stored = storedOf(arrayOf(VTK_DOUBLE, { -size, size, 0.0, size }), range);
-    EXPECT_TRUE(std::isfinite(range.width()) && range.width() > 0.0) << size;
-    EXPECT_EQ(stored, (std::array<float, 4>{ { 0.0f, 1.0f, 0.5f, 1.0f } })) << size;
-  }
-}
-
 TEST(Scalars, OneACellGoesToAllItsTetrahedra)
 {
   const Grid grid = hexLattice(2);
@@ -180,19 +228,6 @@ TEST(Scalars, OneACellGoesToAllItsTetrahedra)
   for (std::size_t t = 0; t < scalars.size(); ++t)
   {
     EXPECT_FLOAT_EQ(scalars[t] * 7.0f, static_cast<float>(mesh.TetCells[t]));
-  }
-}
-
-TEST(Scalars, HugeValuesOfOneSign)
-{
-  const double most = std::numeric_limits<double>::max();
-  for (const double sign : { 1.0, -1.0 })
-  {
-    ScalarRange range;
-    storedOf(
-      arrayOf(VTK_DOUBLE, { sign * most, sign * 0.9 * most, sign * most, sign * most }), range);
-    EXPECT_LE(range.Low, range.High) << sign;
-    EXPECT_TRUE(std::isfinite(range.Low) && std::isfinite(range.High)) << sign;
   }
 }
 

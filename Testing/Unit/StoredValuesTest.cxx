@@ -4,13 +4,10 @@
 // each value comes back from what is stored.
 #include "ValuesOfArrays.h"
 
-#include "vtkNew.h"
-#include "vtkSOADataArrayTemplate.h"
 #include "vtkType.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
 #include <random>
 
 namespace
@@ -21,14 +18,6 @@ using namespace tetmarch::testing;
 constexpr int Types[] = { VTK_BIT, VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
   VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
   VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE };
-
-ValueType expectedType(int type)
-{
-  const int bytes = vtkDataArray::GetDataTypeSize(type);
-  return type == VTK_BIT || bytes == 1 ? ValueType::UInt8
-         : bytes == 2                  ? ValueType::UInt16
-                                       : ValueType::Float32;
-}
 
 TEST(StoredValues, OfEveryType)
 {
@@ -126,86 +115,11 @@ TEST(StoredValues, SignedOnesAreMovedExactly)
   expectValues(words, { -1024, 3071, -32, 0 });
 }
 
-TEST(StoredValues, MagnitudesAreFloats)
-{
-  for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_FLOAT, VTK_DOUBLE })
-  {
-    const auto array = arrayOf(type, { 3, 15, 9, 12 }, 2, 0);
-    setComponent(array, 1, { 4, 20, 12, 16 });
-    const StoredValues stored = storedOf(array, { true, 0 });
-    EXPECT_EQ(stored.Floats, (std::vector<float>{ 0.0f, 1.0f, 0.5f, 0.75f })) << type;
-    EXPECT_EQ(stored.Range.Low, 5.0);
-    EXPECT_EQ(stored.Range.High, 25.0);
-  }
-}
-
 // In double precision before they are rounded.
 TEST(StoredValues, SmallDifferencesOfLargeNumbers)
 {
   expectValues(storedOf(arrayOf(VTK_DOUBLE, { 1e12, 1e12 + 1, 1e12 + 0.25 })),
     { 1e12, 1e12 + 1, 1e12 + 0.25 });
   expectValues(storedOf(arrayOf(VTK_INT, { 2e9, 2e9 + 3, 2e9 + 1 })), { 2e9, 2e9 + 3, 2e9 + 1 });
-}
-
-TEST(StoredValues, ConstantsAreZero)
-{
-  for (const int type : Types)
-  {
-    const StoredValues stored = storedOf(arrayOf(type, { 1, 1, 1 }));
-    EXPECT_EQ(stored.Range.Low, 1.0);
-    EXPECT_EQ(stored.Range.High, 1.0);
-    for (int i = 0; i < 3; ++i)
-    {
-      EXPECT_EQ(stored.scalar(i), 0.0f) << type;
-    }
-  }
-  EXPECT_EQ(storedOf(arrayOf(VTK_UNSIGNED_CHAR, { 200, 200 })).scalar(1), 0.0f);
-}
-
-TEST(StoredValues, WhatIsNotFiniteIsNotDrawn)
-{
-  const double nan = std::nan("");
-  const double inf = std::numeric_limits<double>::infinity();
-  const StoredValues stored = storedOf(arrayOf(VTK_FLOAT, { 1, nan, 3, inf, 2, -inf }));
-  EXPECT_EQ(stored.Floats,
-    (std::vector<float>{ 0.0f, UndrawnScalar, 1.0f, UndrawnScalar, 0.5f, UndrawnScalar }));
-  EXPECT_EQ(stored.Range.Low, 1.0);
-  EXPECT_EQ(stored.Range.High, 3.0);
-  EXPECT_FALSE(stored.Range.AllFinite);
-  const StoredValues nothing = storedOf(arrayOf(VTK_DOUBLE, { nan, nan }));
-  EXPECT_EQ(nothing.scalar(0), UndrawnScalar);
-  EXPECT_EQ(nothing.Range.Low, nothing.Range.High);
-}
-
-template <typename Value>
-void expectSOA(ValueType type)
-{
-  const StoredValues stored = storedOf(pairsApart<Value>(), { false, 1 });
-  EXPECT_EQ(stored.Type, type);
-  EXPECT_EQ(stored.Range.High, 20.0);
-  expectValues(stored, { 4, 20, 12, 16 });
-  vtkNew<vtkSOADataArrayTemplate<Value>> single;
-  single->SetNumberOfComponents(1);
-  single->SetNumberOfTuples(4);
-  setComponent(single, 0, { 4, 20, 12, 16 });
-  expectValues(storedOf(single), { 4, 20, 12, 16 });
-}
-
-TEST(StoredValues, StructuresOfArrays)
-{
-  expectSOA<unsigned char>(ValueType::UInt8);
-  expectSOA<unsigned short>(ValueType::UInt16);
-  expectSOA<short>(ValueType::UInt16);
-  expectSOA<float>(ValueType::Float32);
-  expectSOA<unsigned long long>(ValueType::Float32);
-}
-
-TEST(StoredValues, ArraysThatComputeTheirValues)
-{
-  const auto turned = turnedVectors();
-  const std::vector<float> expected{ 0.0f, 1.0f, 0.5f, 0.75f };
-  EXPECT_EQ(storedOf(turned).Floats, expected);
-  EXPECT_EQ(storedOf(turned, { false, 1 }).Floats, expected);
-  EXPECT_EQ(storedOf(turned, { true, 0 }).Range.High, 65.0);
 }
 } // namespace

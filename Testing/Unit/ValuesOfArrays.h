@@ -23,6 +23,14 @@ inline StoredValues storedOf(vtkDataArray* array, const TupleScalar& scalar = {}
   return std::move(storeValues({ array, false, ComponentMix::Single, scalar }).front());
 }
 
+inline ValueType expectedType(int type)
+{
+  const int bytes = vtkDataArray::GetDataTypeSize(type);
+  return type == VTK_BIT || bytes == 1 ? ValueType::UInt8
+         : bytes == 2                  ? ValueType::UInt16
+                                       : ValueType::Float32;
+}
+
 /// Each value comes back from what is stored to a rounding of the widths, and the ends of the range
 /// are 0 and 1.
 inline void expectValues(
