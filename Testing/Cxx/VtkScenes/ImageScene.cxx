@@ -115,11 +115,35 @@ double tenthOfAVoxel(vtkDataSet* data)
 std::vector<ImageScene> imageScenes()
 {
   std::vector<ImageScene> scenes = imageDataScenes();
-  for (const auto& more : { imageModeScenes(), imageArrayScenes() })
+  for (const auto& more : { imageModeScenes(), imageCameraScenes(), imageArrayScenes() })
   {
     scenes.insert(scenes.end(), more.begin(), more.end());
   }
   return scenes;
+}
+
+void arrange(const ImageScene& scene, ImageStage& stage)
+{
+  scene.Arrange(stage);
+  stage.Renderer->SetActiveCamera(nullptr);
+  if (scene.Look)
+  {
+    scene.Look(stage);
+    return;
+  }
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  camera->Azimuth(25.0);
+  camera->Elevation(35.0);
+  stage.Renderer->ResetCamera();
+  camera->Zoom(1.3);
+}
+
+void addPlane(ImageStage& stage, const Vec3& origin, const Vec3& normal)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(origin.data());
+  plane->SetNormal(normal.data());
+  stage.Mapper->AddClippingPlane(plane);
 }
 
 ImageSceneWindow::ImageSceneWindow(const ImageScene& scene, vtkSmartVolumeMapper* mapper)
@@ -131,17 +155,7 @@ ImageSceneWindow::ImageSceneWindow(const ImageScene& scene, vtkSmartVolumeMapper
   this->Volume->SetMapper(mapper);
   this->Renderer->AddVolume(this->Volume);
   this->Window->AddRenderer(this->Renderer);
-  scene.Arrange(this->Stage);
-  if (scene.Look)
-  {
-    scene.Look(this->Stage);
-    return;
-  }
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->Azimuth(25.0);
-  camera->Elevation(35.0);
-  this->Renderer->ResetCamera();
-  camera->Zoom(1.3);
+  arrange(scene, this->Stage);
 }
 
 Image ImageSceneWindow::drawInFloat()

@@ -7,6 +7,7 @@
 #ifndef tetmarch_testing_ImageScene_h
 #define tetmarch_testing_ImageScene_h
 
+#include "Grids.h"
 #include "Images.h"
 
 #include "vtkDataSet.h"
@@ -57,14 +58,25 @@ struct ImageScene
   bool HasTruth = true;
   /// Why vtkTetMarchSmartVolumeMapper doesn't march it; empty if it does.
   const char* NotMarched = "";
+  /// If it is above 0, the image is cut into tetrahedra, too, and drawn by vtkTetMarchVolumeMapper:
+  /// how far that may be apart from VTK's picture, RMS in 1/255. Both interpolate in their way.
+  /// Infinite: it is not compared with VTK's.
+  double Tetrahedra = 0.0;
 };
 
-/// All: those of the next three.
+/// Functions, settings and the camera, which is made anew.
+void arrange(const ImageScene& scene, ImageStage& stage);
+/// For `arrange`.
+void addPlane(ImageStage& stage, const Vec3& origin, const Vec3& normal);
+
+/// All: those of the next four.
 std::vector<ImageScene> imageScenes();
 /// What data are like, and where: ImageScenesData.cxx.
 std::vector<ImageScene> imageDataScenes();
 /// Blend modes, cuts, cameras: ImageScenesModes.cxx.
 std::vector<ImageScene> imageModeScenes();
+/// Places of the camera, of the volume and of planes: ImageScenesCamera.cxx.
+std::vector<ImageScene> imageCameraScenes();
 /// Vectors and components, types of numbers: ImageScenesArrays.cxx.
 std::vector<ImageScene> imageArrayScenes();
 

@@ -20,13 +20,15 @@ Data shell() { return makeShell(); }
 void waveletFunctions(ImageStage& stage) { setFunctions(stage.Property, 40.0, 280.0, 0.15); }
 void shellFunctions(ImageStage& stage) { setFunctions(stage.Property, 50.0, 255.0, 0.4); }
 
-std::function<void(ImageStage&)> cropped(int flags)
+// Planes about the middle, at such a distance more than in most of the scenes.
+std::function<void(ImageStage&)> cropped(int flags, double more)
 {
-  return [flags](ImageStage& stage)
+  return [=](ImageStage& stage)
   {
     shellFunctions(stage);
     stage.Mapper->CroppingOn();
-    stage.Mapper->SetCroppingRegionPlanes(4.3, 14.7, 5.1, 15.4, 4.6, 14.2);
+    stage.Mapper->SetCroppingRegionPlanes(
+      6.3 - more, 12.7 + more, 7.1 - more, 13.4 + more, 6.6 - more, 12.2 + more);
     stage.Mapper->SetCroppingRegionFlags(flags);
   };
 }
@@ -85,7 +87,7 @@ std::vector<ImageScene> imageModeScenes()
   const RivalError crest = { 2.5,
     "ours has dark speckles on the crest of a shell, where gradients turn" };
   const RivalError steps = { 2.0, "its steps miss the ends of short ways" };
-  return {
+  std::vector<ImageScene> scenes = {
     { "GPURayCastMIP", wavelet, inMode(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND), {} },
     { "GPURayCastMinIP", wavelet, inMode(vtkVolumeMapper::MINIMUM_INTENSITY_BLEND), {} },
     { "GPURayCastAdditive", wavelet, inMode(vtkVolumeMapper::ADDITIVE_BLEND), {} },
@@ -112,25 +114,16 @@ std::vector<ImageScene> imageModeScenes()
       },
       { 15.0, "values of slices are up to half a voxel beside their place" }, {}, true,
       "VTK draws slices for it" },
-    { "GPURayCastCropping, subvolume", shell, cropped(VTK_CROP_SUBVOLUME), steps },
-    { "GPURayCastCropping, fence", shell, cropped(VTK_CROP_FENCE), steps },
-    { "GPURayCastCropping, inverted cross", shell, cropped(VTK_CROP_INVERTED_CROSS), steps },
-    { "GPURayCastCropping, regions", shell, cropped(67117057), steps },
     { "GPURayCastClipping", wavelet,
       [](ImageStage& stage)
       {
         waveletFunctions(stage);
-        for (const Vec3& normal : { Vec3{ 1.0, 0.2, 0.1 }, Vec3{ -0.3, 1.0, -0.2 } })
-        {
-          vtkNew<vtkPlane> plane;
-          plane->SetOrigin(-4.0, -3.0, 0.0);
-          plane->SetNormal(normal.data());
-          stage.Mapper->AddClippingPlane(plane);
-        }
+        addPlane(stage, { -4.0, -3.0, 0.0 }, { 1.0, 0.2, 0.1 });
+        addPlane(stage, { -4.0, -3.0, 0.0 }, { -0.3, 1.0, -0.2 });
       },
-      {} },
+      {}, {}, true, "", 2.0 },
     { "GPURayCastCameraInside", wavelet, waveletFunctions, {},
-      fromWithin({ 1.0, 2.0, 3.0 }, { 0.0, 1.0, -9.0 }, 60.0) },
+      fromWithin({ 1.0, 2.0, 3.0 }, { 0.0, 1.0, -9.0 }, 60.0), true, "", 2.0 },
     { "GPURayCastCameraInside, wide", wavelet, waveletFunctions, {},
       fromWithin({ -5.0, 2.0, 8.0 }, { 0.0, 1.0, 0.0 }, 140.0) },
     { "GPURayCastPerspectiveParallel", wavelet, waveletFunctions, {},
@@ -179,5 +172,20 @@ std::vector<ImageScene> imageModeScenes()
       },
       crest, {}, false },
   };
+  const struct
+  {
+    const char* What;
+    int Flags;
+    double More;
+  } cropping[] = { { "subvolume", VTK_CROP_SUBVOLUME, 2.0 }, { "fence", VTK_CROP_FENCE, 0.0 },
+    { "inverted fence", VTK_CROP_INVERTED_FENCE, 0.0 }, { "cross", VTK_CROP_CROSS, 0.0 },
+    { "inverted cross", VTK_CROP_INVERTED_CROSS, 0.0 }, { "four regions", 24600, 0.0 },
+    { "a corner", 1, -2.4 }, { "scattered regions", 67117057, 0.0 } };
+  for (const auto& of : cropping)
+  {
+    scenes.push_back({ std::string("GPURayCastCropping, ") + of.What, shell,
+      cropped(of.Flags, of.More), steps, {}, true, "", of.Flags == VTK_CROP_FENCE ? 3.0 : 6.0 });
+  }
+  return scenes;
 }
 } // namespace tetmarch::testing

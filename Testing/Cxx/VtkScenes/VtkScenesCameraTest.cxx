@@ -1,15 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// After VTK's TestGPURayCastCameraInside, its variants Clipping, NonUniformScaleTransform,
-// SmallSpacing and Transformation, TestGPURayCastPerspectiveParallel, and
-// TestGPURayCastModelTransformMatrix.
+// After VTK's TestGPURayCastCameraInsideSmallSpacing and TestGPURayCastModelTransformMatrix: a
+// scene that must look like another one.
 #include "VtkScene.h"
 
 #include "CpuReference.h"
 
-#include "vtkActor.h"
 #include "vtkGPUVolumeRayCastMapper.h"
-#include "vtkMatrix4x4.h"
 #include "vtkTransform.h"
 
 #include <memory>
@@ -50,53 +47,6 @@ protected:
   vtkSmartPointer<vtkGPUVolumeRayCastMapper> Rival;
 };
 
-// A camera that goes into a volume, through it and out again.
-TEST_F(CameraScene, GoesThroughTheVolume)
-{
-  this->show(makeWavelet(), 0.04);
-  setFunctions(this->Shown->property(), 40.0, 280.0, 0.3);
-  for (const double place : { 30.0, 9.7, 3.0, -4.0 })
-  {
-    this->look({ 0.3 * place, 0.2 * place, place }, { 1.0, 2.0, place - 12.0 });
-    this->expectBoth(2.0, "at " + std::to_string(place));
-  }
-}
-
-// Corners before the near plane, with a wide angle, about a ball.
-TEST_F(CameraScene, NearPlaneThroughCorners)
-{
-  this->show(makeWavelet(), 0.04);
-  setFunctions(this->Shown->property(), 40.0, 280.0, 0.3);
-  this->Shown->Renderer->AddActor(makeBall({ 3.0, -4.0, -2.0 }, 4.0, { 1.0, 1.0, 1.0 }));
-  this->look({ 0.0, 2.0, 13.0 }, { 0.0, 2.0, -3.0 });
-  this->camera()->SetViewAngle(110.0);
-  this->camera()->Elevation(-45.0);
-  this->camera()->OrthogonalizeViewUp();
-  this->camera()->Azimuth(34.9);
-  this->camera()->OrthogonalizeViewUp();
-  for (const double near : { 0.1, 2.0, 6.0 })
-  {
-    this->camera()->SetClippingRange(near, 60.0);
-    expectParityWithOpaque(*this->Shown);
-    expectLike(*this->Shown, this->Rival, 3.0, "near plane at " + std::to_string(near));
-  }
-}
-
-// An angle of 170 degrees in a volume that a matrix stretches.
-TEST_F(CameraScene, InsideAStretchedVolume)
-{
-  this->show(makeWavelet(), 0.04);
-  setFunctions(this->Shown->property(), 40.0, 280.0, 0.1);
-  vtkNew<vtkMatrix4x4> matrix;
-  const double rows[16] = { 3.2, 0, 0, 20, 0, 3.2, 0, 10, 0, 0, 1.5, 4, 0, 0, 0, 1 };
-  matrix->DeepCopy(rows);
-  this->Shown->Volume->PokeMatrix(matrix);
-  this->look({ 25.7, 16.9, 3.9 }, { 17.8, 11.1, 14.2 }, { -0.105, 0.899, 0.424 });
-  this->camera()->SetViewAngle(170.0);
-  this->camera()->SetClippingRange(0.01, 200.0);
-  expectParity(*this->Shown);
-}
-
 // A volume of half a thousandth is seen as one of twenty.
 TEST_F(CameraScene, InsideATinyVolume)
 {
@@ -120,24 +70,6 @@ TEST_F(CameraScene, InsideATinyVolume)
   EXPECT_LE(difference.Max, 0.1 / 255.0) << difference.text();
 }
 
-TEST_F(CameraScene, BeforeATurnedVolume)
-{
-  this->show(makeWavelet(), 0.04);
-  setFunctions(this->Shown->property(), 40.0, 280.0, 0.3);
-  vtkVolume* volume = this->Shown->Volume;
-  volume->RotateX(180.0);
-  volume->RotateY(85.0);
-  volume->RotateZ(55.0);
-  volume->SetOrigin(30.0, 2.0, 3.0);
-  const double* centre = volume->GetCenter();
-  const Vec3 middle{ centre[0], centre[1], centre[2] };
-  this->look({ middle[0] + 20.0, middle[1] + 9.0, middle[2] - 31.0 }, middle);
-  this->expectBoth(2.5, "before it");
-  this->look({ middle[0] + 3.0, middle[1] + 2.0, middle[2] - 4.0 }, middle);
-  this->camera()->SetClippingRange(0.01, 60.0);
-  this->expectBoth(2.5, "inside");
-}
-
 // Of the camera, by which VTK moves all that is shown: as if the volume had it. (VTK 9.1's own
 // mapper knows nothing of it.)
 TEST_F(CameraScene, WithAMatrixOfTheModel)
@@ -154,21 +86,5 @@ TEST_F(CameraScene, WithAMatrixOfTheModel)
   EXPECT_GT(compare(this->Shown->render(), turned).Max, 0.2);
   this->camera()->SetModelTransformMatrix(turn->GetMatrix());
   EXPECT_LE(compare(this->Shown->render(), turned).Max, 1e-5);
-}
-
-// Colours on a sphere that ends within a hundredth of its value.
-TEST_F(CameraScene, PerspectiveAndParallel)
-{
-  const auto image = makeShell(27);
-  this->show(image, 0.02);
-  vtkVolumeProperty* property = this->Shown->property();
-  setFunctions(property, 0.0, 160.0, 0.5);
-  property->GetScalarOpacity()->AddPoint(160.1, 0.0);
-  property->GetScalarOpacity()->AddPoint(255.0, 0.0);
-  this->look({ 17.0, 23.0, 97.0 }, { 13.0, 13.0, 13.0 });
-  this->Shown->Renderer->ResetCamera();
-  this->expectBoth(5.0, "perspective");
-  this->camera()->ParallelProjectionOn();
-  this->expectBoth(5.0, "parallel");
 }
 } // namespace

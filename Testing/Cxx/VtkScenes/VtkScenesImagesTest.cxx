@@ -2,19 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // After VTK's tests of vtkSmartVolumeMapper and vtkGPUVolumeRayCastMapper: the ground truth of
 // images is what VTK's mapper draws, within that mapper's own error, and ours is the ground truth.
+#include "ImageSceneParams.h"
 #include "ImageSceneTruth.h"
 
 #include "vtkTetMarchSmartVolumeMapper.h"
 
-#include <algorithm>
-#include <gtest/gtest.h>
 #include <iostream>
-
-namespace tetmarch::testing
-{
-// For messages of GoogleTest.
-void PrintTo(const ImageScene& scene, std::ostream* to) { *to << scene.Name; }
-} // namespace tetmarch::testing
 
 namespace
 {
@@ -86,28 +79,6 @@ TEST_P(InLight, OursIsLikeVtk)
   std::cout << "[ MEASURED ] " << difference.text() << '\n';
   EXPECT_LE(255.0 * difference.Rms, scene.Rival.Most)
     << difference.text() << ", not but by this: " << scene.Rival.Because;
-}
-
-template <typename IsWanted>
-std::vector<ImageScene> scenesThat(const IsWanted& isWanted)
-{
-  std::vector<ImageScene> wanted;
-  for (const ImageScene& scene : imageScenes())
-  {
-    if (isWanted(scene))
-    {
-      wanted.push_back(scene);
-    }
-  }
-  return wanted;
-}
-
-std::string nameOf(const testing::TestParamInfo<ImageScene>& info)
-{
-  std::string name;
-  std::copy_if(info.param.Name.begin(), info.param.Name.end(), std::back_inserter(name),
-    [](unsigned char c) { return std::isalnum(c) != 0; });
-  return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ByVtk,
