@@ -22,29 +22,6 @@ protected:
   }
 };
 
-// The actor, which VTK draws before and after, is drawn as before: no program is left in use.
-TEST_F(ComputeFaults, EveryCall)
-{
-  const auto releaseAll = [this] { this->release(true); };
-  this->expectEveryCallIsMet(Fault::CompileStatus, releaseAll, 3);
-  this->expectEveryCallIsMet(Fault::LinkStatus, releaseAll, 2);
-  this->expectEveryCallIsMet(
-    Fault::TexImage, [this] { this->release(false); }, 2);
-}
-
-TEST_F(ComputeFaults, MessageNamesTheFile)
-{
-  const auto spoil = [](const std::string& text) { return spoilt(text, "placeInGroup("); };
-  for (int i = 0; i < 2; ++i)
-  {
-    this->release(true);
-    EXPECT_TRUE(this->meet(spoil));
-    this->expectEmpty(this->Shown.frame());
-  }
-  this->expectReported("compute shader passes/march.comp.glsl could not be built");
-  this->expectSound(this->frame());
-}
-
 // Two mappers of a window share their programs, and the last one takes them away.
 TEST_F(ComputeFaults, ProgramsAreSharedAndReleased)
 {

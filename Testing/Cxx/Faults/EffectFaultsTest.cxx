@@ -35,26 +35,6 @@ protected:
   }
 };
 
-// Gradients, gradient opacity, starts of rays and the target of the light are made when all else is
-// there.
-TEST_F(EffectFaults, OfWhatEffectsKeep)
-{
-  const auto switchOff = [this] { this->freeEffects(); };
-  this->expectEveryCallIsMet(Fault::BufferData, switchOff, 3);
-  this->expectEveryCallIsMet(Fault::TexBuffer, switchOff, 3);
-  this->expectEveryCallIsMet(Fault::TexImage, switchOff, 1);
-  this->expectEveryCallIsMet(Fault::FramebufferStatus, switchOff, 1);
-  EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
-}
-
-TEST_F(EffectFaults, OfEverythingAnew)
-{
-  const auto releaseAll = [this] { this->release(true); };
-  this->expectEveryCallIsMet(Fault::CompileStatus, releaseAll, 4);
-  this->expectEveryCallIsMet(Fault::LinkStatus, releaseAll, 2);
-  EXPECT_EQ(this->Mapper->GetGradientsBuilds(), 1);
-}
-
 TEST_F(EffectFaults, NoRoomForTheLight)
 {
   for (int i = 0; i < 3; ++i)
@@ -86,22 +66,6 @@ TEST_F(EffectFaults, NoRoomForShadowsOfOpaqueGeometry)
   EXPECT_GT(compare(this->frame(), this->Sound).Max, 0.0);
   this->Mapper->OpaqueShadowsOff();
   this->expectSound(this->frame());
-}
-
-// The error names the file, and comes once however often the shader is tried.
-TEST_F(EffectFaults, ShaderOfTheLight)
-{
-  const auto spoil = [](const std::string& text) { return spoilt(text, "vertexStartBuffer"); };
-  for (int i = 0; i < 2; ++i)
-  {
-    this->release(true);
-    EXPECT_TRUE(this->meet(spoil));
-    this->expectEmpty(this->Shown.frame());
-  }
-  this->expectReported(
-    "The shader of passes/tile.vert.glsl and passes/vertex_light.frag.glsl could not be built");
-  this->expectSound(this->frame());
-  EXPECT_EQ(this->Watch.Errors.size(), 1u);
 }
 
 // Before the shader of these shadows is even compiled.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever the GL refuses: one error that says what, a frame without the volume, nothing left
-// behind, and the volume is back as soon as the GL takes it.
+// Errors say what the GL has refused: a buffer, a framebuffer, a line of a shader, a number of
+// texels.
 #include "FaultScene.h"
 #include "GLObjects.h"
 #include "Scene.h"
@@ -29,72 +29,7 @@ protected:
     this->Mapper->CollectDiagnosticsOn();
     this->lookOnce();
   }
-
-  void expectEveryCallIsMet();
 };
-
-// Each call of each kind that a frame makes fails once.
-void Faults::expectEveryCallIsMet()
-{
-  for (const Fault fault : AllFaults)
-  {
-    const bool ofShaders = fault == Fault::CompileStatus || fault == Fault::LinkStatus;
-    this->release(ofShaders);
-    const auto objects = countGLObjects();
-    const int shaders = countShaders();
-    int calls = 0;
-    int errors = 0;
-    for (; calls < 1000; ++calls)
-    {
-      SCOPED_TRACE(std::string(nameOf(fault)) + ", call " + std::to_string(calls));
-      this->Watch.Errors.clear();
-      if (!this->meet(fault, calls))
-      {
-        this->expectSound(this->Shown.frame());
-        break;
-      }
-      ASSERT_LE(this->Watch.Errors.size(), 1u);
-      if (!this->Watch.Errors.empty())
-      {
-        this->expectEmpty(this->Shown.frame());
-        ++errors;
-      }
-      else
-      {
-        // What was not to be had is not needed: fma, the word that a window ends.
-        EXPECT_LE(compare(this->Shown.frame(), this->Sound).Max, 2.0 / 255.0);
-      }
-      // At once, and the same again once everything has been made anew.
-      EXPECT_LE(compare(this->frame(), this->Sound).Max, 2.0 / 255.0);
-      EXPECT_LE(this->Watch.Errors.size(), 1u);
-      this->release(ofShaders);
-      EXPECT_EQ(countGLObjects(), objects);
-      EXPECT_LE(countShaders(), shaders);
-      this->expectSound(this->frame());
-      this->release(ofShaders);
-    }
-    EXPECT_GT(errors, 0) << nameOf(fault);
-    EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
-    std::cout << "[ MEASURED ] " << nameOf(fault) << ": " << calls << " calls, " << errors
-              << " of them end the frame\n";
-  }
-}
-
-TEST_F(Faults, EveryCall) { this->expectEveryCallIsMet(); }
-
-TEST_F(Faults, EveryCallInAView)
-{
-  this->Mapper->SetViewModeToCells();
-  this->Sound = this->frame();
-  this->expectEveryCallIsMet();
-}
-
-TEST_F(Faults, EveryCallInABoundaryView)
-{
-  this->Mapper->SetViewModeToBoundaryFaces();
-  this->Sound = this->frame();
-  this->expectEveryCallIsMet();
-}
 
 TEST_F(Faults, AreReportedOnce)
 {

@@ -23,19 +23,6 @@ protected:
   }
 };
 
-// A frame is enlarged as a whole or not at all.
-TEST_F(CoarseFaults, EveryCall)
-{
-  const auto releaseData = [this] { this->release(false); };
-  const auto releaseAll = [this] { this->release(true); };
-  this->expectEveryCallIsMet(Fault::FramebufferStatus, releaseData, 2);
-  this->expectEveryCallIsMet(Fault::TexImage, releaseData, 3);
-  this->expectEveryCallIsMet(Fault::Blit, releaseData, 1);
-  this->expectEveryCallIsMet(Fault::CompileStatus, releaseAll, 4);
-  this->expectEveryCallIsMet(Fault::LinkStatus, releaseAll, 2);
-  EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
-}
-
 TEST_F(CoarseFaults, NoRoomForTheCoarsePicture)
 {
   this->Mapper->SetImageSampleDistance(1.0);
@@ -55,36 +42,9 @@ TEST_F(CoarseFaults, NoRoomForTheCoarsePicture)
   EXPECT_EQ(this->Watch.Errors.size(), 1u);
 }
 
-TEST_F(CoarseFaults, ShaderThatEnlarges)
-{
-  const auto spoil = [](const std::string& text) { return spoilt(text, "pictureTexture"); };
-  for (int i = 0; i < 2; ++i)
-  {
-    this->release(true);
-    EXPECT_TRUE(this->meet(spoil));
-    this->expectEmpty(this->Shown.frame());
-  }
-  this->expectReported("full_view.vert.glsl and passes/enlarge.frag.glsl could not be built");
-  this->expectSound(this->frame());
-}
-
 class BlendFaults : public FaultScene<BlendScene>
 {
 };
-
-TEST_F(BlendFaults, EveryCallInEachMode)
-{
-  for (const int mode : BlendModes)
-  {
-    SCOPED_TRACE(mode);
-    this->Mapper->SetBlendMode(mode);
-    this->lookOnce();
-    this->expectEveryCallIsMet(
-      Fault::BufferData, [this] { this->release(false); }, 6);
-    this->expectEveryCallIsMet(
-      Fault::LinkStatus, [this] { this->release(true); }, 1);
-  }
-}
 
 // A mode that is refused frees nothing that the next one needs.
 TEST_F(BlendFaults, OneModeAfterTheOther)
