@@ -64,7 +64,7 @@ TYPED_TEST(BlendParity, CameraInside)
 
 TYPED_TEST(BlendParity, AverageOverARange)
 {
-  TypeParam::forEach(
+  TypeParam::forEachScalars(
     [](TypeParam& scene, const std::string& name)
     {
       scene.Mapper->SetBlendModeToAverageIntensity();

@@ -21,7 +21,7 @@ const Case<Kind> Cuts[] = {
     {
       clipObliquely(scene);
       addClippingPlane(scene, { 0.5, 0.5, 0.45 }, { 0.7, 0.2, 0.5 });
-      addClippingPlane(scene, { 0.5, 0.5, 1.0 / 9.0 }, { 0.0, 0.0, 1.0 }); // between cells
+      addClippingPlane(scene, { 0.5, 0.5, 1.0 / 8.0 }, { 0.0, 0.0, 1.0 }); // between cells
     } },
   { "cropped", [](Kind& scene) { crop(scene, VTK_CROP_FENCE & ~0x1000); } }, // a bar is left out
   { "clipped and cropped",

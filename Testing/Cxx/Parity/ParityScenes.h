@@ -60,6 +60,17 @@ public:
     }
   }
 
+  static void forEachScalars(
+    const std::function<void(MeshParity& scene, const std::string& name)>& check)
+  {
+    for (const bool cells : { false, true })
+    {
+      MeshParity scene;
+      cells ? scene.drawConstantCells() : void();
+      check(scene, cells ? "cells" : "points");
+    }
+  }
+
   /// At the level that is set.
   void expectParity(const std::string& what)
   {
@@ -112,6 +123,12 @@ public:
     }
   }
 
+  static void forEachScalars(
+    const std::function<void(LatticeParity& scene, const std::string& name)>& check)
+  {
+    forEach(check);
+  }
+
   /// At the levels Default and Accurate.
   void expectParity(const std::string& what)
   {
@@ -143,7 +160,7 @@ private:
     {
       return rectilinearOf(sineField(), unevenCube(8));
     }
-    ImagePlace place = unitCube(shape == Shape::AlongAxes ? 8 : 9);
+    ImagePlace place = unitCube(8);
     if (shape == Shape::FarAway)
     {
       place.Origin = FarOff;
