@@ -65,7 +65,7 @@ class PagesTest(unittest.TestCase):
     def test_tests_exist(self):
         """`Suite.Name` in a page is a test, or all tests of that begin with `Suite.*`."""
         sources_of_tests = "\n".join(f.read_text(encoding="utf-8") for f in sources("*.cxx") if "Testing" in f.parts)
-        tests = set(re.findall(r"\bTEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)", sources_of_tests))
+        tests = set(re.findall(r"\b(?:TYPED_)?TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)", sources_of_tests))
         suites = {suite for suite, _ in tests}
         found = 0
         for page in pages():
