@@ -147,7 +147,7 @@ TYPED_TEST_P(MarchOf, BoundsWholeSegments)
         rays.blaze();
       }
       ASSERT_EQ(rays.use(level), "");
-      tallyTruth<typename TypeParam::template Whole<double>>(tally, rays, 300);
+      tallyTruth<typename TypeParam::template Whole<double>>(tally, rays, 600);
     });
   report("whole segments", tally);
   EXPECT_LE(tally.BeyondBound, TypeParam::Volume::TruthError);

@@ -19,13 +19,13 @@ struct Tetrahedra
   using Rays = RaysOf;
   static constexpr bool IsLit = std::is_same_v<Rays, LitComponentRays>;
   static constexpr double TruthError = Rounding; // a quadrature in steps
-  static constexpr int RaysOfAPlace = 200;
+  static constexpr int RaysOfAPlace = 400;
   static constexpr int TrialFactor = 1;
 
   template <typename Function>
   static void forEach(int components, bool independent, const Function& call)
   {
-    for (const int cubes : { 1, 5 })
+    for (const int cubes : { 1, 2, 5 })
     {
       Rays rays(jitteredLattice(cubes, 0.15), components, independent);
       call(rays);
@@ -35,7 +35,11 @@ struct Tetrahedra
   template <typename Function>
   static void forEachPlace(int components, bool independent, const Function& call)
   {
-    forEach(components, independent, [&](Rays& rays) { call(rays, false); });
+    for (const int cubes : { 1, 5 })
+    {
+      Rays rays(jitteredLattice(cubes, 0.15), components, independent);
+      call(rays, false);
+    }
   }
 };
 
