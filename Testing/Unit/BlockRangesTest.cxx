@@ -3,8 +3,8 @@
 // The least and greatest scalar of blocks against all values that their cells read, one by one.
 #include "Structured/EmptySpace.h"
 
+#include "StoredScalars.h"
 #include "StructuredGrids.h"
-#include "ValuesOfArrays.h"
 
 #include "vtkType.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Components that are drawn together with the first one, as values of a lattice.
-#include "ValuesOfArrays.h"
+#include "StoredScalars.h"
 
 #include "vtkType.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Arrays of every type become 0..1 and a range: scalars of meshes, and values of lattices.
-#include "ValuesOfArrays.h"
+#include "StoredScalars.h"
 
 #include "vtkDataArray.h"
 #include "vtkType.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Arrays of every type become the values of a lattice: what is kept, borrowed and copied, and that
 // each value comes back from what is stored.
-#include "ValuesOfArrays.h"
+#include "StoredScalars.h"
 
 #include "vtkType.h"
 
