@@ -21,14 +21,14 @@ struct Frame
 {
   const char* Name;
   Change SetUp;
-  // Kinds of calls that fail, and how many of them end the frame.
+  // Kinds of calls that fail, and the minimum number of calls that end the frame.
   std::vector<std::pair<Fault, int>> Faults;
-  // Words of a shader that the frame needs, and the error if they are replaced.
+  // Words of a shader that the frame needs, and the error when they are replaced.
   const char* Spoilt = nullptr;
   const char* Said = nullptr;
   bool IsAgain = false;
   bool InParts = false;
-  Change Free = {}; // instead of the mapper's resources
+  Change Free = {}; // instead of releasing all resources of the mapper
 };
 
 void PrintTo(const Frame& frame, std::ostream* to) { *to << frame.Name; }

@@ -108,6 +108,7 @@ public:
     s.Mapper->SetVectorMode(vtkSmartVolumeMapper::DISABLED);
     s.Mapper->SetBlendModeToComposite();
     s.Mapper->SetViewModeToPicture();
+    s.Mapper->SetMaxMemoryInBytes(0);
     s.property()->IndependentComponentsOn();
     s.property()->SetScalarOpacityUnitDistance(0.25);
     s.Volume->SetScale(1.0);
@@ -171,6 +172,8 @@ void addErrorsOfAnyMapper(ErrorCases<SceneType>& cases)
   }
   cases.add("a flat volume", [](SceneType& s) { s.Volume->SetScale(1.0, 0.0, 1.0); },
     { "matrix of the volume", "singular" });
+  cases.add("too little memory", [](SceneType& s) { s.Mapper->SetMaxMemoryInBytes(100); },
+    { "bytes", "MaxMemoryInBytes" });
   cases.addBlendMode(-1);
   cases.addBlendMode(99);
   std::vector<double> surfaces;

@@ -102,9 +102,9 @@ protected:
   struct EveryCall
   {
     Fault Kind;
-    int Ending = 1;       ///< at least so many calls end the frame
-    bool IsAgain = false; ///< whether a third frame, for which all is made anew, is drawn, too
-    bool InParts = false; ///< whether parts of the volume are drawn one by one, and may be seen
+    int Ending = 1;       ///< minimum number of calls that end the frame
+    bool IsAgain = false; ///< also draws a third frame, after all has been released
+    bool InParts = false; ///< parts of the volume without a fault are seen
   };
   // Lets each call of that kind fail that a frame makes after `prepare`, one call a frame.
   void expectEveryCallIsMet(const EveryCall& of, const std::function<void()>& prepare)

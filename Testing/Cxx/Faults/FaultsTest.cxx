@@ -7,14 +7,11 @@
 #include "Scene.h"
 
 #include "vtkActor.h"
-#include "vtkOpenGLRenderUtilities.h"
-#include "vtkPoints.h"
 
 #include <cstring>
 #include <fstream>
 #include <functional>
 #include <gtest/gtest.h>
-#include <iostream>
 
 namespace
 {

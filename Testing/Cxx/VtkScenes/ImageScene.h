@@ -58,9 +58,9 @@ struct ImageScene
   bool HasTruth = true;
   /// Why vtkTetMarchSmartVolumeMapper doesn't march it; empty if it does.
   const char* NotMarched = "";
-  /// If it is above 0, the image is cut into tetrahedra, too, and drawn by vtkTetMarchVolumeMapper:
-  /// how far that may be apart from VTK's picture, RMS in 1/255. Both interpolate in their way.
-  /// Infinite: it is not compared with VTK's.
+  /// Above 0, vtkTetMarchVolumeMapper draws the image, too, cut into tetrahedra: the greatest
+  /// difference from VTK's picture of the image, RMS in 1/255. Tetrahedra are interpolated
+  /// linearly, so that it is not 0. Infinity: the pictures are not compared.
   double Tetrahedra = 0.0;
 };
 

@@ -167,11 +167,12 @@ void ontoTheOpening(ImageStage& stage)
 
 std::vector<ImageScene> imageCameraScenes()
 {
-  const RivalError steps = { 2.5, "its steps are long for what is so near" };
+  const RivalError steps = { 2.5, "its steps are long next to the camera" };
   constexpr double NotLikeVtk = std::numeric_limits<double>::infinity();
   std::vector<ImageScene> scenes = {
     { "GPURayCastCameraInsideNonUniformScaleTransform", wavelet, stretched,
-      { 20.0, "it is off at an angle of 170 degrees" }, withinStretched, true, "", NotLikeVtk },
+      { 20.0, "it is inaccurate at an angle of 170 degrees" }, withinStretched, true, "",
+      NotLikeVtk },
     { "GPURayCastCameraInsideTransformation, before", wavelet, turned, {},
       fromBeside({ 20.0, 9.0, -31.0 }, 1.0), true, "", 2.5 },
     { "GPURayCastCameraInsideTransformation, inside", wavelet, turned, steps,

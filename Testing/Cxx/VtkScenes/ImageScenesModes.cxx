@@ -20,15 +20,15 @@ Data shell() { return makeShell(); }
 void waveletFunctions(ImageStage& stage) { setFunctions(stage.Property, 40.0, 280.0, 0.15); }
 void shellFunctions(ImageStage& stage) { setFunctions(stage.Property, 50.0, 255.0, 0.4); }
 
-// Planes about the middle, at such a distance more than in most of the scenes.
-std::function<void(ImageStage&)> cropped(int flags, double more)
+// Cropping planes about the middle, each moved outwards by a distance.
+std::function<void(ImageStage&)> cropped(int flags, double outwards)
 {
   return [=](ImageStage& stage)
   {
     shellFunctions(stage);
     stage.Mapper->CroppingOn();
-    stage.Mapper->SetCroppingRegionPlanes(
-      6.3 - more, 12.7 + more, 7.1 - more, 13.4 + more, 6.6 - more, 12.2 + more);
+    stage.Mapper->SetCroppingRegionPlanes(6.3 - outwards, 12.7 + outwards, 7.1 - outwards,
+      13.4 + outwards, 6.6 - outwards, 12.2 + outwards);
     stage.Mapper->SetCroppingRegionFlags(flags);
   };
 }
@@ -176,15 +176,16 @@ std::vector<ImageScene> imageModeScenes()
   {
     const char* What;
     int Flags;
-    double More;
+    double Outwards;
   } cropping[] = { { "subvolume", VTK_CROP_SUBVOLUME, 2.0 }, { "fence", VTK_CROP_FENCE, 0.0 },
     { "inverted fence", VTK_CROP_INVERTED_FENCE, 0.0 }, { "cross", VTK_CROP_CROSS, 0.0 },
     { "inverted cross", VTK_CROP_INVERTED_CROSS, 0.0 }, { "four regions", 24600, 0.0 },
     { "a corner", 1, -2.4 }, { "scattered regions", 67117057, 0.0 } };
   for (const auto& of : cropping)
   {
-    scenes.push_back({ std::string("GPURayCastCropping, ") + of.What, shell,
-      cropped(of.Flags, of.More), steps, {}, true, "", of.Flags == VTK_CROP_FENCE ? 3.0 : 6.0 });
+    scenes.push_back(
+      { std::string("GPURayCastCropping, ") + of.What, shell, cropped(of.Flags, of.Outwards), steps,
+        {}, true, "", of.Flags == VTK_CROP_FENCE ? 3.0 : 6.0 });
   }
   return scenes;
 }
