@@ -29,6 +29,9 @@ struct Frame
   bool IsAgain = false;
   bool InParts = false;
   Change Free = {}; // instead of releasing all resources of the mapper
+  // First calls that fail after `Free` in one frame after the other, and the error that is
+  // reported.
+  std::vector<std::pair<Fault, const char*>> Refused = {};
 };
 
 void PrintTo(const Frame& frame, std::ostream* to) { *to << frame.Name; }
@@ -87,6 +90,26 @@ TEST_P(FrameWithFaults, MeetsThemAtEveryCall)
   }
   EXPECT_EQ(this->Mapper->GetMeshBuilds(), 1);
   EXPECT_TRUE(frame.Free || this->Mapper->GetGradientsBuilds() <= 1);
+  for (const auto& [fault, said] : frame.Refused)
+  {
+    this->Watch.Errors.clear();
+    for (int i = 0; i < 3; ++i)
+    {
+      if (frame.Free)
+      {
+        frame.Free(*this); // draws a frame without an error
+        this->Watch.Errors.clear();
+      }
+      else
+      {
+        this->release(false);
+      }
+      EXPECT_TRUE(this->meet(fault, 0));
+      this->expectEmpty(this->Shown.frame());
+      this->expectReported(said);
+    }
+    this->expectSound(this->frame());
+  }
   if (frame.Spoilt)
   {
     this->expectSpoiltShader(frame.Spoilt, frame.Said);
@@ -129,7 +152,9 @@ std::vector<Frame> frames()
     f.mapper()->SetShaderStageToCompute();
   };
   std::vector<Frame> all = {
-    { "Picture", inView(Mapper::VIEW_PICTURE), allFaults(), nullptr, nullptr, true },
+    { "Picture", inView(Mapper::VIEW_PICTURE), allFaults(), nullptr, nullptr, true, false, {},
+      { { Fault::BufferData, "no room for a buffer of" },
+        { Fault::TexBuffer, "no texture of a buffer" } } },
     { "View", inView(Mapper::VIEW_CELLS), allFaults(), nullptr, nullptr, true },
     { "BoundaryView", inView(Mapper::VIEW_BOUNDARY_FACES), allFaults(), nullptr, nullptr, true },
     { "FewRays", few,
@@ -147,7 +172,8 @@ std::vector<Frame> frames()
     { "EffectsAlone", addEffects,
       { { Fault::BufferData, 3 }, { Fault::TexBuffer, 3 }, { Fault::TexImage, 1 },
         { Fault::FramebufferStatus, 1 } },
-      nullptr, nullptr, false, false, [](FrameWithFaults& f) { f.freeEffects(); } },
+      nullptr, nullptr, false, false, [](FrameWithFaults& f) { f.freeEffects(); },
+      { { Fault::TexImage, "no room for 1 16-bit texture(s) of 4096 x 8 pixels" } } },
     { "Parts", [](FrameWithFaults& f) { f.addGlass(); },
       { { Fault::BufferData, 1 }, { Fault::TexBuffer, 1 }, { Fault::CompileStatus, 1 },
         { Fault::LinkStatus, 1 } },

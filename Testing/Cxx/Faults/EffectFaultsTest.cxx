@@ -23,30 +23,7 @@ protected:
     this->Mapper->SetShadowMethodToAtVertices();
     this->lookOnce();
   }
-
-  // Frees all that effects keep on the GPU, and nothing else, and switches them on again.
-  void freeEffects()
-  {
-    this->Shown.property()->ShadeOff();
-    this->Shown.property()->DisableGradientOpacityOn();
-    this->Shown.Window->Render();
-    this->Shown.property()->DisableGradientOpacityOff();
-    this->Shown.property()->ShadeOn();
-  }
 };
-
-TEST_F(EffectFaults, NoRoomForTheLight)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    this->freeEffects();
-    this->Watch.Errors.clear();
-    EXPECT_TRUE(this->meet(Fault::TexImage, 0));
-    this->expectEmpty(this->Shown.frame());
-    this->expectReported("no room for 1 16-bit texture(s) of 4096 x 8 pixels");
-  }
-  this->expectSound(this->frame());
-}
 
 // All else is on the GPU already when the GL refuses room for these shadows.
 TEST_F(EffectFaults, NoRoomForShadowsOfOpaqueGeometry)

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors say what the GL has refused: a buffer, a framebuffer, a line of a shader, a number of
-// texels.
+// Errors say what the GL has refused: a framebuffer, a line of a shader, a number of texels.
 #include "FaultScene.h"
 #include "GLObjects.h"
 #include "Scene.h"
@@ -27,29 +26,6 @@ protected:
     this->lookOnce();
   }
 };
-
-TEST_F(Faults, AreReportedOnce)
-{
-  const struct
-  {
-    Fault Kind;
-    const char* Words;
-  } cases[] = { { Fault::BufferData, "no room for a buffer of" },
-    { Fault::TexBuffer, "no texture of a buffer" } };
-  for (const auto& c : cases)
-  {
-    this->Watch.Errors.clear();
-    for (int i = 0; i < 3; ++i)
-    {
-      this->release(false);
-      EXPECT_TRUE(this->meet(c.Kind, 0));
-      this->expectEmpty(this->Shown.frame());
-    }
-    ASSERT_EQ(this->Watch.Errors.size(), 1u);
-    EXPECT_NE(this->Watch.Errors[0].find(c.Words), std::string::npos) << this->Watch.Errors[0];
-    this->expectSound(this->frame());
-  }
-}
 
 TEST_F(Faults, FramebuffersSayWhich)
 {
