@@ -5,6 +5,8 @@
 #include "Reference/MakeKernel.h"
 #include "Reference/TrilinearKernel.h"
 
+#include "LatticeGrids.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -14,13 +16,12 @@
 namespace
 {
 using namespace tetmarch;
+using tetmarch::testing::uniform;
 
 using Kernel = TrilinearKernel<double>;
 using Function = std::function<OpticalSample(double)>; // r, g, b, extinction at 0..1
 
 constexpr int Samples = 61;
-
-double share(std::mt19937& random) { return double(random()) / 4294967296.0; }
 
 IntegralTable tableOf(const Function& function)
 {
@@ -96,10 +97,10 @@ Tally tallyOf(const Function& function)
   Tally tally;
   while (tally.Cases < 1000)
   {
-    const double begin = -2 + (table.size() + 4) * share(random);
-    const double end = begin + (random() % 2 ? 1 : -1) * 30 * share(random) * share(random);
+    const double begin = -2 + (table.size() + 4) * uniform(random);
+    const double end = begin + (random() % 2 ? 1 : -1) * 30 * uniform(random) * uniform(random);
     const double rise = end - begin;
-    const Kernel::vec2 bend(rise * (2 * share(random) - 1), rise * (share(random) - 0.5));
+    const Kernel::vec2 bend(rise * (2 * uniform(random) - 1), rise * (uniform(random) - 0.5));
     if (!isMonotone(rise, bend))
     {
       continue;

@@ -7,6 +7,7 @@
 #ifndef tetmarch_testing_LatticeParts_h
 #define tetmarch_testing_LatticeParts_h
 
+#include "LatticeGrids.h"
 #include "LatticeTruth.h"
 
 #include "vtkColorTransferFunction.h"
@@ -43,9 +44,6 @@ struct LatticePart
   }
 };
 
-/// Uniform in 0..1.
-inline double share(std::mt19937& random) { return double(random()) / 4294967296.0; }
-
 /// Of generic directions every second one; the others are along axes or in planes of cells.
 inline Vec3 randomDirection(std::mt19937& random)
 {
@@ -53,9 +51,9 @@ inline Vec3 randomDirection(std::mt19937& random)
   const unsigned kind = random() % 4;
   for (int k = 0; k < 3; ++k)
   {
-    d[k] = kind < 2    ? 2.0 * share(random) - 1.0
+    d[k] = kind < 2    ? 2.0 * uniform(random) - 1.0
            : kind == 2 ? double(random() % 3) - 1.0
-                       : (random() % 2 ? 2.0 * share(random) - 1.0 : 0.0);
+                       : (random() % 2 ? 2.0 * uniform(random) - 1.0 : 0.0);
   }
   const double length = std::hypot(d[0], d[1], d[2]);
   return length < 1e-3 ? Vec3{ 0.0, 0.0, 1.0 }

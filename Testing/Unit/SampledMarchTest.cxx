@@ -92,8 +92,8 @@ Worst compareWithBruteForce(
   for (int i = 0; i < 300; ++i)
   {
     SampledRay sampled{ rays.nextPart(random, i) };
-    sampled.End = i % 5 ? sampled.End : sampled.Begin + 0.7 * share(random);
-    sampled.Shift = i % 2 ? 1.0 : share(random);
+    sampled.End = i % 5 ? sampled.End : sampled.Begin + 0.7 * uniform(random);
+    sampled.Shift = i % 2 ? 1.0 : uniform(random);
     auto ray = sampled.of(kernel);
     kernel.placeSamples(Real(sampled.Begin), ray);
     kernel.shiftSamples(Real(sampled.Shift), ray);

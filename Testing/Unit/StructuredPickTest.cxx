@@ -51,7 +51,7 @@ void pickRays(const StructuredRays& rays, int count, unsigned seed, Tally& tally
   for (int i = 0; i < count; ++i)
   {
     const LatticePart part = rays.nextPart(random, i, 0.9);
-    const double threshold = 0.02 + 0.96 * share(random);
+    const double threshold = 0.02 + 0.96 * uniform(random);
     const auto ray = part.of(kernel);
     const Real left = Real(1.0 - threshold);
     kernel.errorTolerance = left; // as the mapper has it

@@ -122,7 +122,7 @@ public:
     Vec3 p;
     for (int k = 0; k < 3; ++k)
     {
-      p[k] = reach * this->Cells.Frame.HalfExtent[k] * (2.0 * share(random) - 1.0);
+      p[k] = reach * this->Cells.Frame.HalfExtent[k] * (2.0 * uniform(random) - 1.0);
     }
     return p;
   }
@@ -133,11 +133,11 @@ public:
     LatticePart part;
     part.Point = this->pointNear(random, reach);
     part.Direction = randomDirection(random);
-    part.Begin = part.offset() + (i % 3 ? -4.0 : 0.1 * share(random));
+    part.Begin = part.offset() + (i % 3 ? -4.0 : 0.1 * uniform(random));
     part.End = part.offset() + 4.0;
     const std::array<double, 2>& units = this->UnitDistances;
     part.UnitDistance =
-      units[0] == units[1] ? units[0] : units[0] * std::pow(units[1] / units[0], share(random));
+      units[0] == units[1] ? units[0] : units[0] * std::pow(units[1] / units[0], uniform(random));
     return part;
   }
 
