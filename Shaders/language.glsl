@@ -31,9 +31,9 @@
 #define UNDRAWN_SCALAR 1.0e30
 #define MOST_LIGHTS 16 // Light/Lighting.h
 #define MOST_SHADOW_SOURCES 3 // Light/LightUniforms.h
-#define MOST_CLIPPING_PLANES 38 // Rays/Clipping.h
+#define MOST_CLIPPING_PLANES 38 // View/Clipping.h
 #define MOST_ISOSURFACES 32 // Appearance/Blending.h
-#define MOST_COMPONENTS 4 // Mesh/FurtherScalars.h
+#define MOST_COMPONENTS 4 // Scalars/ExtraScalars.h
 #define VERTEX_LIGHT_BLOCK 8 // texels; Light/VertexLightLayout.h
 #define VERTEX_LIGHT_ROW 4096
 #if TETMARCH_PICKED && TETMARCH_ADAPTIVE

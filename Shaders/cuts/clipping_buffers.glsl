@@ -1,4 +1,4 @@
-// Clipping planes and the regions that remain after cropping; Rays/Clipping.h.
+// Clipping planes and the regions that remain after cropping; View/Clipping.h.
 uniform int clippingPlaneCount;
 uniform vec4 clippingPlane[MOST_CLIPPING_PLANES]; // unit normal n, d: the volume remains where n x + d >= 0
 #if TETMARCH_CROPPED

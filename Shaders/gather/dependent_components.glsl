@@ -1,4 +1,4 @@
-// Dependent components: the first scalar determines the extinction, further ones the colour. Of four components three
+// Dependent components: the first scalar determines the extinction, extra ones the colour. Of four components three
 // are red, green and blue; of two, one determines the colour, by a table after that of the opacity.
 
 #if TETMARCH_POINT_SCALARS
@@ -7,11 +7,11 @@ struct SegmentEnds
 {
   real begin;
   real end;
-  vec3 furtherBegin;
-  vec3 furtherEnd;
+  vec3 extraBegin;
+  vec3 extraEnd;
 #if TETMARCH_BENT
   vec2 bend; // between the positions
-  FurtherBend furtherBend;
+  ExtraBend extraBend;
 #endif
 };
 
@@ -20,11 +20,11 @@ SegmentEnds segmentEnds(Segment segment)
   SegmentEnds ends;
   ends.begin = segment.begin.y * tableScale + tableOffset;
   ends.end = segment.end.y * tableScale + tableOffset;
-  ends.furtherBegin = segment.furtherBegin;
-  ends.furtherEnd = segment.furtherEnd;
+  ends.extraBegin = segment.extraBegin;
+  ends.extraEnd = segment.extraEnd;
 #if TETMARCH_BENT
   ends.bend = segment.bend * tableScale;
-  ends.furtherBend = segment.furtherBend;
+  ends.extraBend = segment.extraBend;
 #endif
   return ends;
 }
@@ -45,7 +45,7 @@ struct DependentColor
 };
 
 #if TETMARCH_BENT
-DependentColor dependentColorBetween(vec3 from, vec3 to, FurtherBend bend)
+DependentColor dependentColorBetween(vec3 from, vec3 to, ExtraBend bend)
 #else
 DependentColor dependentColorBetween(vec3 from, vec3 to)
 #endif
@@ -109,13 +109,13 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
 #if TETMARCH_BENT
   real until = part.begin + part.fraction;
   DependentColor dependent =
-    dependentColorBetween(bentScalars(ends.furtherBegin, ends.furtherEnd, ends.furtherBend, part.begin),
-      bentScalars(ends.furtherBegin, ends.furtherEnd, ends.furtherBend, until),
-      furtherBendWithin(ends.furtherBend, part.begin, until));
+    dependentColorBetween(bentScalars(ends.extraBegin, ends.extraEnd, ends.extraBend, part.begin),
+      bentScalars(ends.extraBegin, ends.extraEnd, ends.extraBend, until),
+      extraBendWithin(ends.extraBend, part.begin, until));
 #else
-  vec3 rise = ends.furtherEnd - ends.furtherBegin;
+  vec3 rise = ends.extraEnd - ends.extraBegin;
   DependentColor dependent = dependentColorBetween(
-    ends.furtherBegin + rise * part.begin, ends.furtherBegin + rise * (part.begin + part.fraction));
+    ends.extraBegin + rise * part.begin, ends.extraBegin + rise * (part.begin + part.fraction));
 #endif
   vec3 color = dependent.color;
   found.mean = vec4(color.x * mean.w, color.y * mean.w, color.z * mean.w, mean.w);
@@ -156,13 +156,13 @@ real subsegmentError(
 }
 #endif
 #else
-vec3 dependentColorOf(vec3 further)
+vec3 dependentColorOf(vec3 extra)
 {
 #if TETMARCH_DIRECT_COLOR
-  return further;
+  return extra;
 #else
   TableSpan table = tableSpan(1);
-  vec4 value = tableValue(table, further.x * table.scale + table.offset);
+  vec4 value = tableValue(table, extra.x * table.scale + table.offset);
   return vec3(value.x, value.y, value.z);
 #endif
 }
@@ -171,7 +171,7 @@ vec3 dependentColorOf(vec3 further)
 vec4 constantMean(Segment segment)
 {
   vec4 value = tableValue(segment.begin.y * tableScale + tableOffset);
-  vec3 color = dependentColorOf(segment.furtherBegin);
+  vec3 color = dependentColorOf(segment.extraBegin);
   return vec4(color.x * value.w, color.y * value.w, color.z * value.w, value.w);
 }
 #endif

@@ -1,7 +1,7 @@
 // Independent components: clouds of particles in the same space, each with its own scalar, colours and extinction.
 // Their extinctions add, and so do their emissions (Max, "Optical models", 1995).
 
-vec4 scalarsOf(real first, vec3 further) { return vec4(first, further.x, further.y, further.z); }
+vec4 scalarsOf(real first, vec3 extra) { return vec4(first, extra.x, extra.y, extra.z); }
 
 real componentOf(vec4 v, int k) { return k == 0 ? v.x : (k == 1 ? v.y : (k == 2 ? v.z : v.w)); }
 
@@ -20,11 +20,11 @@ struct SegmentEnds
 SegmentEnds segmentEnds(Segment segment)
 {
   SegmentEnds ends;
-  ends.begin = scalarsOf(segment.begin.y, segment.furtherBegin);
-  ends.end = scalarsOf(segment.end.y, segment.furtherEnd);
+  ends.begin = scalarsOf(segment.begin.y, segment.extraBegin);
+  ends.end = scalarsOf(segment.end.y, segment.extraEnd);
 #if TETMARCH_BENT
-  ends.square = scalarsOf(segment.bend.x, segment.furtherBend.square);
-  ends.cube = scalarsOf(segment.bend.y, segment.furtherBend.cube);
+  ends.square = scalarsOf(segment.bend.x, segment.extraBend.square);
+  ends.cube = scalarsOf(segment.bend.y, segment.extraBend.cube);
 #endif
   return ends;
 }
@@ -164,7 +164,7 @@ real subsegmentError(
 // C tau and tau of the mixture for constant scalars.
 vec4 constantMean(Segment segment)
 {
-  vec4 scalars = scalarsOf(segment.begin.y, segment.furtherBegin);
+  vec4 scalars = scalarsOf(segment.begin.y, segment.extraBegin);
   vec4 sum = vec4(real(0), real(0), real(0), real(0));
   for (int k = 0; k < componentCount; ++k)
   {

@@ -42,7 +42,7 @@ void advanceShades(INOUT(CellInterval) cell)
 {
 #if TETMARCH_POINT_SAMPLED
   // There are none at the ends of an interval.
-#elif TETMARCH_FINDS_SHADES && TETMARCH_CELL_GRADIENTS
+#elif TETMARCH_FINDS_SHADES && (TETMARCH_CELL_GRADIENTS || !TETMARCH_POINT_SCALARS && TETMARCH_STRUCTURED)
   cell.shades.enterKnown = false; // gradients of two cells differ where they meet
 #elif TETMARCH_FINDS_SHADES
   cell.shades.enterKnown = cell.seen;
@@ -50,7 +50,7 @@ void advanceShades(INOUT(CellInterval) cell)
 }
 
 // Sets the shades at both ends of an interval; the place is that of its end.
-void shadeCell(Ray ray, Place place, INOUT(CellInterval) cell)
+void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
 {
 #if TETMARCH_POINT_SAMPLED && TETMARCH_EFFECTS
   cell.crossed = place.crossed; // each sample has its own shade

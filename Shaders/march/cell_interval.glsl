@@ -14,11 +14,11 @@ struct CellInterval
   vec2 bend;   // of the scalar from enter to leave; see structured/bend.glsl
 #endif
 #if TETMARCH_BENT_COMPONENTS
-  vec3 furtherEnter; // further scalars where the interval begins
-  vec3 furtherLeave;
-  FurtherBend furtherBend;
+  vec3 extraEnter; // extra scalars where the interval begins
+  vec3 extraLeave;
+  ExtraBend extraBend;
 #elif TETMARCH_COMPONENTS && TETMARCH_STRUCTURED
-  vec3 further; // further scalars of the cell
+  vec3 extra; // extra scalars of the cell
 #endif
 #if TETMARCH_KEEPS_TABLE_POINT
   TablePoint at; // the table at the end of the last lookup
@@ -60,19 +60,19 @@ real scalarIn(CellInterval cell, real depth)
 }
 #endif
 
-#if TETMARCH_FURTHER_VERTEX_SCALARS
-vec3 furtherAt(CellInterval cell, real depth)
+#if TETMARCH_EXTRA_VERTEX_SCALARS
+vec3 extraAt(CellInterval cell, real depth)
 {
-  return cell.enterAttributes.further +
-    (cell.leaveAttributes.further - cell.enterAttributes.further) * fractionAt(cell.enter, cell.leave, depth);
+  return cell.enterAttributes.extra +
+    (cell.leaveAttributes.extra - cell.enterAttributes.extra) * fractionAt(cell.enter, cell.leave, depth);
 }
 #endif
 
 #if TETMARCH_BENT_COMPONENTS && !TETMARCH_WHOLE_INTERVALS
-vec3 furtherAt(CellInterval cell, real depth)
+vec3 extraAt(CellInterval cell, real depth)
 {
   return bentScalars(
-    cell.furtherEnter, cell.furtherLeave, cell.furtherBend, fractionAt(cell.enter, cell.leave, depth));
+    cell.extraEnter, cell.extraLeave, cell.extraBend, fractionAt(cell.enter, cell.leave, depth));
 }
 #endif
 
@@ -97,22 +97,22 @@ Segment visibleSegment(CellInterval cell)
   segment.begin = vec2(cell.begin, cell.scalar);
   segment.end = vec2(cell.end, cell.scalar);
 #endif
-#if TETMARCH_FURTHER_VERTEX_SCALARS
-  segment.furtherBegin = cell.begin > cell.enter.x ? furtherAt(cell, cell.begin) : cell.enterAttributes.further;
-  segment.furtherEnd = cell.end < cell.leave.x ? furtherAt(cell, cell.end) : cell.leaveAttributes.further;
+#if TETMARCH_EXTRA_VERTEX_SCALARS
+  segment.extraBegin = cell.begin > cell.enter.x ? extraAt(cell, cell.begin) : cell.enterAttributes.extra;
+  segment.extraEnd = cell.end < cell.leave.x ? extraAt(cell, cell.end) : cell.leaveAttributes.extra;
 #elif TETMARCH_BENT_COMPONENTS && TETMARCH_WHOLE_INTERVALS
-  segment.furtherBegin = cell.furtherEnter;
-  segment.furtherEnd = cell.furtherLeave;
-  segment.furtherBend = cell.furtherBend;
+  segment.extraBegin = cell.extraEnter;
+  segment.extraEnd = cell.extraLeave;
+  segment.extraBend = cell.extraBend;
 #elif TETMARCH_BENT_COMPONENTS
-  segment.furtherBegin = cell.begin > cell.enter.x ? furtherAt(cell, cell.begin) : cell.furtherEnter;
-  segment.furtherEnd = cell.end < cell.leave.x ? furtherAt(cell, cell.end) : cell.furtherLeave;
-  segment.furtherBend = furtherBendWithin(cell.furtherBend, fractionAt(cell.enter, cell.leave, cell.begin),
+  segment.extraBegin = cell.begin > cell.enter.x ? extraAt(cell, cell.begin) : cell.extraEnter;
+  segment.extraEnd = cell.end < cell.leave.x ? extraAt(cell, cell.end) : cell.extraLeave;
+  segment.extraBend = extraBendWithin(cell.extraBend, fractionAt(cell.enter, cell.leave, cell.begin),
     fractionAt(cell.enter, cell.leave, cell.end));
 #elif TETMARCH_COMPONENTS && TETMARCH_STRUCTURED
-  segment.furtherBegin = cell.further;
+  segment.extraBegin = cell.extra;
 #elif TETMARCH_COMPONENTS
-  segment.furtherBegin = fetchFurtherScalars(cell.number);
+  segment.extraBegin = fetchExtraScalars(cell.number);
 #endif
 #if TETMARCH_ISOSURFACES
   // Cell scalars change between two cells. If cells overlap by rounding, no value is crossed twice.

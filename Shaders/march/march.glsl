@@ -1,5 +1,5 @@
 // The march of a ray from its entry into the volume, from cell to cell, to its end. Cells are defined in tet/ or
-// structured/: both have a Place (the position of a ray), a Traversal, and crossCell().
+// structured/: both have a RayPosition (the position of a ray), a Traversal, and crossCell().
 
 struct March
 {
@@ -80,7 +80,7 @@ void countRefusal(bool entered, INOUT(March) march)
 }
 
 // Stores the cell ahead of the ray as the last crossed one: rays to the light may start in it.
-void keepCell(Place place, INOUT(March) march)
+void keepCell(RayPosition place, INOUT(March) march)
 {
 #if TETMARCH_SAMPLED_SHADOWS
   march.pause.start = startIn(place);
@@ -117,7 +117,7 @@ void recordCell(CellInterval cell, March march)
 }
 
 // Crosses the cell ahead of the ray. Returns whether the ray continues after it.
-bool passCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterval) cell, INOUT(March) march)
+bool passCell(Ray ray, real depthEnd, INOUT(RayPosition) place, INOUT(CellInterval) cell, INOUT(March) march)
 {
   keepCell(place, march);
   Crossing crossing = crossCell(ray, place, cell);
@@ -141,7 +141,7 @@ bool passCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterval) ce
 
 // Crosses transparent cells up to the next visible one, or one cell if there is no inner loop. Returns whether the ray
 // continues after it. Mesa 22.3 miscompiles this loop as a do-while.
-bool passToSeenCell(Ray ray, real depthEnd, INOUT(Place) place, INOUT(CellInterval) cell, INOUT(March) march)
+bool passToSeenCell(Ray ray, real depthEnd, INOUT(RayPosition) place, INOUT(CellInterval) cell, INOUT(March) march)
 {
 #if TETMARCH_PASSES_CELLS
   bool onward = true;
@@ -199,7 +199,7 @@ bool isFinished(March march)
 
 // Marches from the ray's entry into the volume to its exit, which becomes the place. thicknessPerDepth is the
 // thickness, in scalar opacity unit distances, of a unit of depth.
-void marchToExit(Ray ray, INOUT(Place) place, real thicknessPerDepth, real depthEnd, INOUT(March) march)
+void marchToExit(Ray ray, INOUT(RayPosition) place, real thicknessPerDepth, real depthEnd, INOUT(March) march)
 {
   CellInterval cell = beginCellInterval(ray, place);
   bool onward = true;

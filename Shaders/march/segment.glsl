@@ -3,7 +3,7 @@
 //
 // Only these functions rely on the linearity:
 //   scalarAt                          the scalar at a depth                       march/linear_scalar.glsl
-//   furtherAt                         a further scalar at a depth                 march/cell_interval.glsl
+//   extraAt                         an extra scalar at a depth                 march/cell_interval.glsl
 //   isTransparentBetween              no scalar is beyond those at the ends       tables/integral_table.glsl
 //   extremeScalar                     the extremes are at the ends                below
 //   crossesSurface, fractionOfValue   a value is crossed once at most             below
@@ -23,12 +23,12 @@ struct Segment
   vec2 bend;  // structured/bend.glsl
 #endif
 #if TETMARCH_COMPONENTS
-  vec3 furtherBegin; // further scalars
+  vec3 extraBegin; // extra scalars
 #if TETMARCH_POINT_SCALARS
-  vec3 furtherEnd;
+  vec3 extraEnd;
 #endif
 #if TETMARCH_BENT
-  FurtherBend furtherBend; // structured/further_cubics.glsl
+  ExtraBend extraBend; // structured/extra_cubics.glsl
 #endif
 #endif
 };

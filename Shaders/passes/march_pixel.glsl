@@ -32,7 +32,7 @@
 #endif
 
 #if TETMARCH_SAMPLED_SHADOWS || TETMARCH_POINT_SAMPLED
-uniform sampler2D jitterTexture; // a tile of 64 x 64 pixels, Optics/BlueNoise.h
+uniform sampler2D jitterTexture; // a tile of 64 x 64 pixels, View/BlueNoise.h
 #endif
 
 March marchPixel(PixelRay pixel)

@@ -2,7 +2,7 @@
 
 uniform vec4 viewport;  // x, y, width, height in pixels
 uniform vec4 eye;       // (position, 1) or, for parallel projection, (direction towards it, 0)
-uniform mat4 rayPoints; // Rays/RayPoints.h
+uniform mat4 rayPoints; // View/RayPoints.h
 
 #if !TETMARCH_ENTRY_LISTS
 uniform bool cutsNearPlane; // rays begin at the near plane

@@ -2,7 +2,7 @@
 // monotonic in each part. With several components there are up to nine parts; each scalar with a table is monotonic in
 // each part.
 
-CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
+CellInterval beginCellInterval(Ray ray, INOUT(RayPosition) place)
 {
   CellInterval cell;
   beginCell(cell);
@@ -71,7 +71,7 @@ ivec3 landingOf(Ray ray, real depth, ivec3 from, ivec3 plane)
 // Before a cell in a transparent cube, the ray leaps out of the cube, unless it is within that cell. Returns whether it
 // is then still in the lattice. The landing cell is crossed in the same iteration of the march's loop: leaping,
 // crossing or both take one loop iteration.
-bool leap(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
+bool leap(Ray ray, INOUT(RayPosition) place, INOUT(CellInterval) cell)
 {
   ivec3 block = blockOf(place.cell);
   int reach = leapOf(block);
@@ -92,13 +92,13 @@ bool leap(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
 
 #if TETMARCH_CELL_PARTS
 // The part of the cell up to the next extreme of the scalar.
-void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
+void takePart(INOUT(RayPosition) place, INOUT(CellInterval) cell)
 {
   real from = place.position;
   real next = place.extremes.x > from ? place.extremes.x : place.extremes.y;
   real to = next > from ? min(next, real(1)) : real(1);
 #if TETMARCH_BENT_COMPONENTS && !TETMARCH_DIRECT_COLOR
-  to = min(to, nextFurtherExtreme(place.further, from));
+  to = min(to, nextExtraExtreme(place.extra, from));
 #endif
   real length = place.leave - place.depth;
   bool hasScalar = isDrawn(place.cubic.x);
@@ -109,16 +109,16 @@ void takePart(INOUT(Place) place, INOUT(CellInterval) cell)
     to < real(1) ? place.depth + length * to : place.leave, hasScalar ? cubicAt(place.cubic, to) : UNDRAWN_SCALAR);
   cell.bend = bendWithin(vec2(place.cubic.z, place.cubic.w), from, to);
 #if TETMARCH_BENT_COMPONENTS
-  cell.furtherEnter = furtherCubicsAt(place.further, from);
-  cell.furtherLeave = furtherCubicsAt(place.further, to);
-  cell.furtherBend = furtherBendWithin(place.further.bend, from, to);
+  cell.extraEnter = extraCubicsAt(place.extra, from);
+  cell.extraLeave = extraCubicsAt(place.extra, to);
+  cell.extraBend = extraBendWithin(place.extra.bend, from, to);
 #endif
   cell.scalar = cell.leave.y;
   place.position = to;
 }
 #elif TETMARCH_POINT_SCALARS
 // The whole cell.
-void takeCell(Place place, vec4 cubic, INOUT(CellInterval) cell)
+void takeCell(RayPosition place, vec4 cubic, INOUT(CellInterval) cell)
 {
   bool hasScalar = isDrawn(cubic.x);
   cell.enter = vec2(place.depth, cubic.x);
@@ -129,7 +129,7 @@ void takeCell(Place place, vec4 cubic, INOUT(CellInterval) cell)
 #endif
 
 // The ray enters the cell ahead.
-void enterCell(Ray ray, real leave, INOUT(Place) place, INOUT(CellInterval) cell)
+void enterCell(Ray ray, real leave, INOUT(RayPosition) place, INOUT(CellInterval) cell)
 {
   place.depth = place.leave;
   place.leave = leave;
@@ -139,7 +139,7 @@ void enterCell(Ray ray, real leave, INOUT(Place) place, INOUT(CellInterval) cell
   place.cubic = cubicAlong(ray, place.cell, place.depth, place.leave);
   place.extremes = extremesOf(place.cubic);
 #if TETMARCH_BENT_COMPONENTS
-  place.further = furtherCubicsAlong(ray, place.cell, place.depth, place.leave);
+  place.extra = extraCubicsAlong(ray, place.cell, place.depth, place.leave);
 #endif
 #elif TETMARCH_POINT_SCALARS
   takeCell(place, cubicAlong(ray, place.cell, place.depth, place.leave), cell);
@@ -147,15 +147,15 @@ void enterCell(Ray ray, real leave, INOUT(Place) place, INOUT(CellInterval) cell
   cell.scalar =
     fetchValue(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
 #if TETMARCH_COMPONENTS
-  cell.further =
-    fetchFurtherValues(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
+  cell.extra =
+    fetchExtraValues(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
 #endif
   cell.enter = vec2(place.depth, cell.scalar);
   cell.leave = vec2(place.leave, cell.scalar);
 #endif
 }
 
-Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
+Crossing crossCell(Ray ray, INOUT(RayPosition) place, INOUT(CellInterval) cell)
 {
   Crossing crossing;
   crossing.lost = false;

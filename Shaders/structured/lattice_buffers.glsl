@@ -17,7 +17,7 @@ vec3 gradientFromLattice(vec3 gradient) { return gradient * mat3(latticeMatrix);
 uniform vec2 valueTexel; // reciprocal of width and height of a texture
 #endif
 #if TETMARCH_COMPONENTS
-uniform vec2 furtherMap[MOST_COMPONENTS - 1]; // as valueMap, for further scalars
+uniform vec2 extraMap[MOST_COMPONENTS - 1]; // as valueMap, for extra scalars
 #endif
 
 #if TETMARCH_SLABS
@@ -50,11 +50,11 @@ float fetchValue(int i, int j, int k)
 #endif
 
 #if TETMARCH_COMPONENTS
-// Values of further drawn scalars. Samplers that are not needed are never read.
-uniform sampler2DArray furtherTextureA;
+// Values of extra drawn scalars. Samplers that are not needed are never read.
+uniform sampler2DArray extraTextureA;
 #if !TETMARCH_COLOR_AND_OPACITY
-uniform sampler2DArray furtherTextureB;
-uniform sampler2DArray furtherTextureC;
+uniform sampler2DArray extraTextureB;
+uniform sampler2DArray extraTextureC;
 #endif
 
 #if TETMARCH_POINT_SCALARS
@@ -81,23 +81,23 @@ vec4 fetchValuesOf(int component, int i, int j, int k)
     return fetchValues(i, j, k);
   }
 #if TETMARCH_COLOR_AND_OPACITY
-  vec4 values = readValues(furtherTextureA, i, j, k);
+  vec4 values = readValues(extraTextureA, i, j, k);
 #else
-  vec4 values = component == 1 ? readValues(furtherTextureA, i, j, k)
-    : (component == 2 ? readValues(furtherTextureB, i, j, k) : readValues(furtherTextureC, i, j, k));
+  vec4 values = component == 1 ? readValues(extraTextureA, i, j, k)
+    : (component == 2 ? readValues(extraTextureB, i, j, k) : readValues(extraTextureC, i, j, k));
 #endif
-  vec2 map = furtherMap[component - 1];
+  vec2 map = extraMap[component - 1];
   return values * map.x + vec4(map.y);
 }
 #else
-// The further values of a cell.
-vec3 fetchFurtherValues(int i, int j, int k)
+// The extra values of a cell.
+vec3 fetchExtraValues(int i, int j, int k)
 {
   ivec3 place = clamp(ivec3(i, j, k), ivec3(0), lastValue);
-  vec3 values = vec3(texelFetch(furtherTextureA, place, 0).x, 0.0, 0.0) * furtherMap[0].x + vec3(furtherMap[0].y);
+  vec3 values = vec3(texelFetch(extraTextureA, place, 0).x, 0.0, 0.0) * extraMap[0].x + vec3(extraMap[0].y);
 #if !TETMARCH_COLOR_AND_OPACITY
-  values.y = texelFetch(furtherTextureB, place, 0).x * furtherMap[1].x + furtherMap[1].y;
-  values.z = texelFetch(furtherTextureC, place, 0).x * furtherMap[2].x + furtherMap[2].y;
+  values.y = texelFetch(extraTextureB, place, 0).x * extraMap[1].x + extraMap[1].y;
+  values.z = texelFetch(extraTextureC, place, 0).x * extraMap[2].x + extraMap[2].y;
 #endif
   return values;
 }

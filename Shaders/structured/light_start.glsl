@@ -6,7 +6,7 @@ struct LightStart
 
 #if TETMARCH_SAMPLED_SHADOWS
 // The point must be set.
-LightStart startIn(Place place)
+LightStart startIn(RayPosition place)
 {
   LightStart start;
   start.point = vec3(real(0), real(0), real(0));

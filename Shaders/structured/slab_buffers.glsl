@@ -1,4 +1,4 @@
-// Values that exceed one texture: slabs of layers along k, each in its own texture, those of a further component after
+// Values that exceed one texture: slabs of layers along k, each in its own texture, those of an extra component after
 // those of the previous one. Layers are numbered consecutively. Bound by GL/ValueTextures.
 #if TETMARCH_MANY_SLABS
 uniform sampler2DArray slabTextures[8];
@@ -7,7 +7,7 @@ uniform sampler2DArray slabTextures[2];
 #endif
 uniform int slabLayers; // of each texture
 #if TETMARCH_COMPONENTS
-uniform int furtherLayers[MOST_COMPONENTS - 1]; // the first one of each further component
+uniform int extraLayers[MOST_COMPONENTS - 1]; // the first one of each extra component
 #endif
 
 // Reads one texture.
@@ -81,8 +81,8 @@ vec4 fetchValuesOf(int component, int i, int j, int k)
   {
     return fetchValues(i, j, k);
   }
-  vec2 map = furtherMap[component - 1];
-  return readSlabs(i, j, furtherLayers[component - 1] + clamp(k, 0, lastValue.z)) * map.x + vec4(map.y);
+  vec2 map = extraMap[component - 1];
+  return readSlabs(i, j, extraLayers[component - 1] + clamp(k, 0, lastValue.z)) * map.x + vec4(map.y);
 }
 #endif
 #else
@@ -91,14 +91,14 @@ float fetchValue(int i, int j, int k)
   return readSlabs(i, j, clamp(k, 0, lastValue.z)).x * valueMap.x + valueMap.y;
 }
 #if TETMARCH_COMPONENTS
-vec3 fetchFurtherValues(int i, int j, int k)
+vec3 fetchExtraValues(int i, int j, int k)
 {
   int layer = clamp(k, 0, lastValue.z);
   vec3 values =
-    vec3(readSlabs(i, j, furtherLayers[0] + layer).x, 0.0, 0.0) * furtherMap[0].x + vec3(furtherMap[0].y);
+    vec3(readSlabs(i, j, extraLayers[0] + layer).x, 0.0, 0.0) * extraMap[0].x + vec3(extraMap[0].y);
 #if !TETMARCH_COLOR_AND_OPACITY
-  values.y = readSlabs(i, j, furtherLayers[1] + layer).x * furtherMap[1].x + furtherMap[1].y;
-  values.z = readSlabs(i, j, furtherLayers[2] + layer).x * furtherMap[2].x + furtherMap[2].y;
+  values.y = readSlabs(i, j, extraLayers[1] + layer).x * extraMap[1].x + extraMap[1].y;
+  values.z = readSlabs(i, j, extraLayers[2] + layer).x * extraMap[2].x + extraMap[2].y;
 #endif
   return values;
 }

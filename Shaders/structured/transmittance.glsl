@@ -16,7 +16,7 @@ real meanExtinction(Segment segment) { return tableValue(segment.begin.y * table
 #endif
 
 // Optical depth per unit of depth in the visible part of the cell.
-real cellExtinction(Ray ray, Place place, CellInterval cell)
+real cellExtinction(Ray ray, RayPosition place, CellInterval cell)
 {
   real extinction = meanExtinction(visibleSegment(cell));
 #if TETMARCH_GRADIENT_OPACITY

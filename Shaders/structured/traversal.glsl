@@ -2,7 +2,7 @@
 // 1987), with leaps over transparent blocks of cells.
 
 // The position of a ray: before a cell or, in a cell that is crossed in parts, before the next part.
-struct Place
+struct RayPosition
 {
   ivec3 cell;
   real depth;    // depth at which the ray enters the cell
@@ -17,20 +17,20 @@ struct Place
   vec2 extremes;
 #endif
 #if TETMARCH_BENT_COMPONENTS
-  FurtherCubics further; // of further scalars
+  ExtraCubics extra; // of extra scalars
 #endif
 };
 
 #if TETMARCH_CELL_PARTS
-bool isWithinCell(Place place) { return place.position < real(1); }
+bool isWithinCell(RayPosition place) { return place.position < real(1); }
 #else
-bool isWithinCell(Place place) { return false; }
+bool isWithinCell(RayPosition place) { return false; }
 #endif
 
 // The state of a ray: it enters a lattice once.
 struct Traversal
 {
-  Place place;
+  RayPosition place;
   bool entered; // the ray meets the lattice
   Entry entry;
 };
@@ -54,7 +54,7 @@ Traversal traversalFrom(Ray ray, real depthBegin)
   traversal.place.extremes = vec2(NO_EXTREME, NO_EXTREME);
 #endif
 #if TETMARCH_BENT_COMPONENTS
-  traversal.place.further = noFurtherCubics();
+  traversal.place.extra = noExtraCubics();
 #endif
 #if TETMARCH_EFFECTS
   traversal.place.crossed = traversal.place.cell;

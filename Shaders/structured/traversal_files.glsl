@@ -14,7 +14,7 @@
 #include "structured/trilinear.glsl"
 #endif
 #if TETMARCH_BENT_COMPONENTS
-#include "structured/further_cubics.glsl"
+#include "structured/extra_cubics.glsl"
 #endif
 #if TETMARCH_VERTEX_LIGHT
 #include "structured/light_nodes.glsl"

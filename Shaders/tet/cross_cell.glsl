@@ -11,7 +11,7 @@ real cellScalar(uint tet, vec2 leave)
 }
 
 // The interval before the face through which the ray enters the mesh.
-CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
+CellInterval beginCellInterval(Ray ray, INOUT(RayPosition) place)
 {
   CellInterval cell;
   fetchCorners(place.face);
@@ -29,7 +29,7 @@ CellInterval beginCellInterval(Ray ray, INOUT(Place) place)
 }
 
 // Steps through the tetrahedron behind the face, which becomes the ray's exit face.
-Crossing crossCell(Ray ray, INOUT(Place) place, INOUT(CellInterval) cell)
+Crossing crossCell(Ray ray, INOUT(RayPosition) place, INOUT(CellInterval) cell)
 {
   uint tet = place.side.ahead >> 2u;
   int exitFace = stepThrough(ray, fetchCell(tet), place);

@@ -76,7 +76,7 @@ real cellExtinction(real extinction, uint tet, vec2 enter, vec2 leave)
 
 // Marches from a face to the boundary face through which the ray leaves the mesh, like marchToExit().
 void marchExtinctionToExit(
-  Ray ray, INOUT(Place) place, real thicknessPerDepth, real depthEnd, INOUT(ExtinctionMarch) march)
+  Ray ray, INOUT(RayPosition) place, real thicknessPerDepth, real depthEnd, INOUT(ExtinctionMarch) march)
 {
   real darkDepth = -log(errorTolerance);
   vec2 enter = intersectionPoint(place.face);

@@ -8,7 +8,7 @@ struct LightStart
 
 #if TETMARCH_SAMPLED_SHADOWS
 // The start in the tetrahedron behind a face; the point must be set.
-LightStart startIn(Place place)
+LightStart startIn(RayPosition place)
 {
   LightStart start;
   start.side = place.side;

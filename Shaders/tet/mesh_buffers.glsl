@@ -34,9 +34,9 @@ float fetchCellScalar(uint tet) { return texelFetch(cellScalarBuffer, int(tet)).
 #endif
 
 #if TETMARCH_COMPONENTS
-uniform samplerBuffer furtherScalarBuffer; // per vertex or tetrahedron: up to three further scalars
+uniform samplerBuffer extraScalarBuffer; // per vertex or tetrahedron: up to three extra scalars
 #if !TETMARCH_SPLIT_CELLS || TETMARCH_POINT_SCALARS
-vec3 fetchFurtherScalars(uint i) { return texelFetch(furtherScalarBuffer, int(i)).xyz; }
+vec3 fetchExtraScalars(uint i) { return texelFetch(extraScalarBuffer, int(i)).xyz; }
 #endif
 #endif
 

@@ -31,6 +31,6 @@ float fetchCellScalar(uint tet) { return fetchOfCell(cellScalarBuffer, secondCel
 #endif
 
 #if TETMARCH_COMPONENTS && !TETMARCH_POINT_SCALARS
-uniform samplerBuffer secondFurtherScalarBuffer;
-vec3 fetchFurtherScalars(uint tet) { return fetchOfCell(furtherScalarBuffer, secondFurtherScalarBuffer, tet).xyz; }
+uniform samplerBuffer secondExtraScalarBuffer;
+vec3 fetchExtraScalars(uint tet) { return fetchOfCell(extraScalarBuffer, secondExtraScalarBuffer, tet).xyz; }
 #endif

@@ -38,7 +38,7 @@ vec2 projectedVertex(Ray ray, uint vertex)
 
 // Finds the place at which the line of the ray enters the tetrahedron. A line enters a tetrahedron of four real points
 // through one face or none. Returns false if there is none, because the origin is outside by rounding.
-bool entersTet(Ray ray, Tet tet, OUT(Place) place)
+bool entersTet(Ray ray, Tet tet, OUT(RayPosition) place)
 {
   vec2 a = projectedVertex(ray, tet.a);
   vec2 b = projectedVertex(ray, tet.b);

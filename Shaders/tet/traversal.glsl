@@ -1,7 +1,7 @@
 // The traversal of the mesh: a ray enters it, leaves it, and may reenter.
 
 // The position of a ray: before a face.
-struct Place
+struct RayPosition
 {
   FaceIntersection face;
   Side side; // of that face
@@ -9,7 +9,7 @@ struct Place
 
 // Steps through the tetrahedron ahead: the place becomes that before the ray's exit face. Returns the index of that
 // face in the tetrahedron, or -1 like replaceByExit().
-int stepThrough(Ray ray, uvec4 cell, INOUT(Place) place)
+int stepThrough(Ray ray, uvec4 cell, INOUT(RayPosition) place)
 {
   uint apexId = apexOf(cell, place.face.id);
   vec4 apex = fetchVertex(apexId);
@@ -21,7 +21,7 @@ int stepThrough(Ray ray, uvec4 cell, INOUT(Place) place)
 // The state of a ray: inside the mesh, or at an entry, which may refuse it.
 struct Traversal
 {
-  Place place;
+  RayPosition place;
   bool inside;    // the place is set; else it follows from the entry
   bool entered;   // the face at the entry accepted the ray
   Entry entry;

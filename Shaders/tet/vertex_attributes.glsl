@@ -8,8 +8,8 @@ struct VertexAttributes
 #if TETMARCH_VERTEX_LIGHT
   vec4 light; // transmittance towards ambient light and towards up to three lights that cast shadows
 #endif
-#if TETMARCH_FURTHER_VERTEX_SCALARS
-  vec3 further; // further scalars
+#if TETMARCH_EXTRA_VERTEX_SCALARS
+  vec3 extra; // extra scalars
 #endif
 };
 
@@ -22,8 +22,8 @@ VertexAttributes fetchAttributes(uint vertex)
 #if TETMARCH_VERTEX_LIGHT
   attributes.light = fetchVertexLight(vertex);
 #endif
-#if TETMARCH_FURTHER_VERTEX_SCALARS
-  attributes.further = fetchFurtherScalars(vertex);
+#if TETMARCH_EXTRA_VERTEX_SCALARS
+  attributes.extra = fetchExtraScalars(vertex);
 #endif
   return attributes;
 }
@@ -37,8 +37,8 @@ VertexAttributes selectAttributes(bool condition, VertexAttributes first, Vertex
 #if TETMARCH_VERTEX_LIGHT
   second.light = condition ? first.light : second.light;
 #endif
-#if TETMARCH_FURTHER_VERTEX_SCALARS
-  second.further = condition ? first.further : second.further;
+#if TETMARCH_EXTRA_VERTEX_SCALARS
+  second.extra = condition ? first.extra : second.extra;
 #endif
   return second;
 }
@@ -51,8 +51,8 @@ VertexAttributes interpolateAttributes(VertexAttributes a, VertexAttributes b, V
 #if TETMARCH_VERTEX_LIGHT
   a.light = a.light * barycentrics.x + b.light * barycentrics.y + c.light * barycentrics.z;
 #endif
-#if TETMARCH_FURTHER_VERTEX_SCALARS
-  a.further = a.further * barycentrics.x + b.further * barycentrics.y + c.further * barycentrics.z;
+#if TETMARCH_EXTRA_VERTEX_SCALARS
+  a.extra = a.extra * barycentrics.x + b.extra * barycentrics.y + c.extra * barycentrics.z;
 #endif
   return a;
 }

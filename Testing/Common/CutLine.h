@@ -8,7 +8,7 @@
 #define tetmarch_testing_CutLine_h
 
 #include "GridBuilder.h"
-#include "Rays/Clipping.h"
+#include "View/Clipping.h"
 
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"

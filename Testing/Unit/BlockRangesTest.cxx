@@ -178,7 +178,7 @@ TEST(BlockRanges, EndsOfTheRangeAreExact)
   }
 }
 
-TEST(BlockRanges, OfFurtherScalarsByTheirUnit)
+TEST(BlockRanges, OfExtraScalarsByTheirUnit)
 {
   const auto array = arrayOf(VTK_UNSIGNED_CHAR, { 10, 51, 20, 102, 30, 40, 50, 60 }, 2, 1);
   const auto all =

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The tile of blue noise: each rank once, little power in low frequencies, no seam.
-#include "Optics/BlueNoise.h"
+#include "View/BlueNoise.h"
 
 #include "vtkMath.h"
 

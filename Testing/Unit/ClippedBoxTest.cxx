@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What clipping and cropping leave of a box, beside the points of a lattice that they leave.
-#include "Rays/ClippedBox.h"
+#include "View/ClippedBox.h"
 
-#include "Rays/Clipping.h"
 #include "Scalars/HiddenBits.h"
+#include "View/Clipping.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

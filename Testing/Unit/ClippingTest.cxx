@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clipping planes and cropping in the frame of the mesh: where they are in the world and in the
 // data, and what can't be used.
-#include "Rays/Clipping.h"
+#include "View/Clipping.h"
 
 #include "CutLine.h"
 #include "RandomRays.h"

@@ -41,10 +41,10 @@ public:
     MeshScalars scalars = readScalars(this->Data, drawn, this->Rays.Mesh);
     this->Rays.Range = scalars.Range;
     this->Rays.Scalars = std::move(scalars.OfCells);
-    this->Further = std::move(scalars.Further);
+    this->Extra = std::move(scalars.Extra);
     this->Parts = {};
     this->Parts.Mix = drawn.Mix;
-    this->Parts.FurtherRanges = this->Further.Ranges;
+    this->Parts.ExtraRanges = this->Extra.Ranges;
     this->Rays.Table = componentTables(
       this->Property, OpacityLaw::Unstructured, this->Rays.Range, level, this->Parts);
     this->Level = level;
@@ -57,7 +57,7 @@ public:
     auto made = makeKernel<Kernel, RealOf<Kernel>>(
       this->Rays.Mesh, this->Rays.Table, this->Rays.Range, this->Level);
     made.CellScalars = this->Rays.Scalars.data();
-    made.useComponents(this->Parts, this->Further, this->Rays.Range);
+    made.useComponents(this->Parts, this->Extra, this->Rays.Range);
     return made;
   }
 
@@ -115,7 +115,7 @@ public:
   bool OfCells;
   vtkNew<vtkVolumeProperty> Property;
   Components Parts;
-  FurtherScalars Further;
+  ExtraScalars Extra;
   AccuracyLevel Level = GroundTruthAccuracy;
 };
 } // namespace tetmarch::testing

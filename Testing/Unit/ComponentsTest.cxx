@@ -72,8 +72,8 @@ TEST_F(DrawnTogether, IndependentOnes)
     const DrawnScalars drawn = this->drawn(components, VectorMode::AllComponents);
     EXPECT_EQ(drawn.Mix, ComponentMix::Independent);
     EXPECT_EQ(drawn.First.Component, 0);
-    EXPECT_EQ(drawn.Further.size(), std::size_t(components) - 1);
-    EXPECT_EQ(drawn.Further.back(), components - 1);
+    EXPECT_EQ(drawn.Extra.size(), std::size_t(components) - 1);
+    EXPECT_EQ(drawn.Extra.back(), components - 1);
     EXPECT_EQ(this->Error, "");
   }
   this->drawn(5, VectorMode::AllComponents);
@@ -89,17 +89,17 @@ TEST_F(DrawnTogether, DependentOnes)
     const DrawnScalars two = this->drawn(2, mode);
     EXPECT_EQ(two.Mix, ComponentMix::ColorAndOpacity);
     EXPECT_EQ(two.First.Component, 1);
-    EXPECT_EQ(two.Further, std::vector<int>{ 0 });
-    EXPECT_EQ(two.FurtherUnit, 0);
+    EXPECT_EQ(two.Extra, std::vector<int>{ 0 });
+    EXPECT_EQ(two.ExtraUnit, 0);
     const DrawnScalars four = this->drawn(4, mode);
     EXPECT_EQ(four.Mix, ComponentMix::DirectColor);
     EXPECT_EQ(four.First.Component, 3);
-    EXPECT_EQ(four.Further, (std::vector<int>{ 0, 1, 2 }));
-    EXPECT_EQ(four.FurtherUnit, 1);
-    EXPECT_EQ(this->drawn(4, mode, VTK_FLOAT).FurtherUnit, 1);
+    EXPECT_EQ(four.Extra, (std::vector<int>{ 0, 1, 2 }));
+    EXPECT_EQ(four.ExtraUnit, 1);
+    EXPECT_EQ(this->drawn(4, mode, VTK_FLOAT).ExtraUnit, 1);
     for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_LONG_LONG })
     {
-      EXPECT_EQ(this->drawn(4, mode, type).FurtherUnit, 255);
+      EXPECT_EQ(this->drawn(4, mode, type).ExtraUnit, 255);
     }
     for (const int components : { 3, 5, 9 })
     {
@@ -126,9 +126,9 @@ TEST(ReadScalars, ValuesComeBack)
     const MeshScalars scalars = readScalars(grid, drawn, mesh);
     const ScalarRange& range = scalars.Range;
     EXPECT_TRUE(range.AllFinite);
-    ASSERT_EQ(scalars.Further.count(), 2u);
+    ASSERT_EQ(scalars.Extra.count(), 2u);
     const auto& tuples = cells ? mesh.TetCells : mesh.VertexPoints;
-    ASSERT_EQ(scalars.Further.Values.size(), 2 * tuples.size());
+    ASSERT_EQ(scalars.Extra.Values.size(), 2 * tuples.size());
     for (std::size_t i = 0; i < tuples.size(); ++i)
     {
       const auto value = [](const ScalarRange& r, float stored)
@@ -137,8 +137,8 @@ TEST(ReadScalars, ValuesComeBack)
       EXPECT_NEAR(first, array->GetComponent(tuples[i], 2), 1e-6);
       for (std::size_t k = 0; k < 2; ++k)
       {
-        EXPECT_NEAR(value(scalars.Further.Ranges[k], scalars.Further.Values[2 * i + k]),
-          array->GetComponent(tuples[i], drawn.Further[k]), 1e-6);
+        EXPECT_NEAR(value(scalars.Extra.Ranges[k], scalars.Extra.Values[2 * i + k]),
+          array->GetComponent(tuples[i], drawn.Extra[k]), 1e-6);
       }
     }
   }
@@ -156,7 +156,7 @@ TEST(ReadScalars, ColorsAreClampedAndNotStretched)
   EXPECT_EQ(scalars.Range.High, 9);
   for (std::size_t i = 0; i < mesh.VertexPoints.size(); ++i)
   {
-    const float* color = &scalars.Further.Values[3 * i];
+    const float* color = &scalars.Extra.Values[3 * i];
     if (mesh.VertexPoints[i] == 0)
     {
       EXPECT_EQ(color[0], 0.0f);
@@ -183,7 +183,7 @@ TEST(ReadScalars, OneThatIsNotFiniteHidesAll)
     const DrawnScalars drawn{ array, cells, ComponentMix::Independent, {}, { 1, 2 } };
     const MeshScalars scalars = readScalars(grid, drawn, mesh);
     EXPECT_FALSE(scalars.Range.AllFinite);
-    EXPECT_TRUE(scalars.Further.Ranges[1].AllFinite == false);
+    EXPECT_TRUE(scalars.Extra.Ranges[1].AllFinite == false);
     const auto& tuples = cells ? mesh.TetCells : mesh.VertexPoints;
     for (std::size_t i = 0; i < tuples.size(); ++i)
     {
@@ -199,7 +199,7 @@ TEST(ComponentFactors, AreWeightsByUnitDistances)
   setComponentFunctions(property, 3);
   Components parts;
   parts.Mix = ComponentMix::Independent;
-  parts.FurtherRanges.resize(2);
+  parts.ExtraRanges.resize(2);
   ASSERT_EQ(setFactors(property, parts), "");
   EXPECT_DOUBLE_EQ(parts.Factors[0], 1.0);
   EXPECT_DOUBLE_EQ(parts.Factors[1], 0.8 / 1.5);

@@ -4,9 +4,9 @@
 // each once, in the same order.
 #include "Entries/EntryListLimit.h"
 
-#include "Rays/RayPoints.h"
 #include "Reference/ListKernel.h"
 #include "Reference/PortableListKernel.h"
+#include "View/RayPoints.h"
 
 #include "NamedCamera.h"
 #include "Shot.h"

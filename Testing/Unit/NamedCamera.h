@@ -7,7 +7,7 @@
 #ifndef tetmarch_testing_NamedCamera_h
 #define tetmarch_testing_NamedCamera_h
 
-#include "Rays/View.h"
+#include "View/View.h"
 
 #include "Shot.h"
 

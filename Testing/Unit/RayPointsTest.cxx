@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Points of rays in the arithmetic of the GPU, against lines in double.
-#include "Rays/RayPoints.h"
+#include "View/RayPoints.h"
 
 #include "NamedCamera.h"
 #include "Shot.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole pictures of the CPU reference, pixel by pixel against the ground truth in world
 // coordinates.
-#include "Rays/View.h"
+#include "View/View.h"
 
 #include "Shot.h"
 

@@ -4,9 +4,9 @@
 // the functions are those of the ground truth, in double precision.
 #include "StructuredRays.h"
 
-#include "Rays/RaySamples.h"
 #include "Reference/SampledConstantKernel.h"
 #include "Reference/SampledTrilinearKernel.h"
+#include "View/RaySamples.h"
 
 #include <algorithm>
 #include <iostream>

@@ -7,10 +7,10 @@
 #include "Light/VertexLightLayout.h"
 #include "Mesh/BoundaryHierarchy.h"
 #include "Optics/AccuracyLevel.h"
-#include "Rays/Clipping.h"
 #include "Reference/Kernel.h"
 #include "Scalars/DrawnScalars.h"
 #include "Structured/EmptySpace.h"
+#include "View/Clipping.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -85,11 +85,11 @@ public:
       &this->Blend, drawn.Mix, this->Values[0].Range, {}, true };
     for (std::size_t k = 1; k < this->Values.size(); ++k)
     {
-      input.FurtherRanges.push_back(this->Values[k].Range);
+      input.ExtraRanges.push_back(this->Values[k].Range);
     }
     this->Parts = {};
     this->Parts.Mix = input.Mix;
-    this->Parts.FurtherRanges = input.FurtherRanges;
+    this->Parts.ExtraRanges = input.ExtraRanges;
     this->Table = makeTables(this->Property, input, level, this->Parts);
     this->Level = level;
     this->Truth =

@@ -194,7 +194,7 @@ TEST_F(StructuredVolumes, HiddenCellsHaveTheirOwnVersion)
   EXPECT_TRUE(this->Volume.hiddenCells().empty());
 }
 
-TEST_F(StructuredVolumes, FurtherScalarsComeWithTheirRanges)
+TEST_F(StructuredVolumes, ExtraScalarsComeWithTheirRanges)
 {
   std::mt19937 random(9);
   const auto array = randomArray(VTK_UNSIGNED_CHAR, 270, 4, 10, 90, random);
@@ -204,7 +204,7 @@ TEST_F(StructuredVolumes, FurtherScalarsComeWithTheirRanges)
   ASSERT_EQ(this->Volume.values().size(), 4u);
   ASSERT_EQ(this->Volume.extraRanges().size(), 3u);
   EXPECT_EQ(this->Volume.extraRanges()[2].High, 255.0);
-  drawn.FurtherUnit = 0;
+  drawn.ExtraUnit = 0;
   this->expectRuns(1, 2, 2, drawn);
   EXPECT_LT(this->Volume.extraRanges()[2].High, 91.0);
 }

@@ -31,7 +31,7 @@ protected:
   void drawThree()
   {
     this->Input.Mix = ComponentMix::Independent;
-    this->Input.FurtherRanges = { { 0, 1 }, { 0, 2 } };
+    this->Input.ExtraRanges = { { 0, 1 }, { 0, 2 } };
   }
 
   // So often in all after one more update.
@@ -95,7 +95,7 @@ TEST_F(Tables, FollowTheComponentsThatAreDrawn)
   EXPECT_EQ(this->Made.components().Tables.size(), 2u);
   EXPECT_EQ(this->Made.bufferSizes().size(), 3u);
   this->Input.Mix = ComponentMix::Single;
-  this->Input.FurtherRanges.clear();
+  this->Input.ExtraRanges.clear();
   this->expectRuns(2);
   EXPECT_TRUE(this->Made.components().isSingle());
   EXPECT_TRUE(this->Made.components().Tables.empty());

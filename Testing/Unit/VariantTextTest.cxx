@@ -186,13 +186,13 @@ TEST_F(VariantText, ChangesWithItsFeatures)
   ASSERT_NO_FATAL_FAILURE(this->list("passes/march.frag.glsl", switchedKeys()));
   ASSERT_NO_FATAL_FAILURE(this->list("passes/vertex_light.frag.glsl", legalLightKeys()));
   ASSERT_NO_FATAL_FAILURE(this->list("passes/pick.frag.glsl", legalPickKeys()));
-  VariantWords further;
-  ASSERT_NO_FATAL_FAILURE(this->read("passes/visit.frag.glsl", coveringVisitKeys(), "", further));
+  VariantWords extra;
+  ASSERT_NO_FATAL_FAILURE(this->read("passes/visit.frag.glsl", coveringVisitKeys(), "", extra));
   std::vector<VariantKey> trilinear = coveringKeys(legalPickKeys());
   trilinear.erase(std::remove_if(trilinear.begin(), trilinear.end(),
                     [](const VariantKey& key) { return !key.Structured || !key.PointScalars; }),
     trilinear.end());
-  ASSERT_NO_FATAL_FAILURE(this->read("passes/pick.frag.glsl", trilinear, Gather, further));
+  ASSERT_NO_FATAL_FAILURE(this->read("passes/pick.frag.glsl", trilinear, Gather, extra));
   for (const std::set<int>* unseen : { &this->UnseenOfMeshes, &this->UnseenOfLattices })
   {
     for (const int word : *unseen)

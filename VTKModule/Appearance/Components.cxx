@@ -93,12 +93,12 @@ std::vector<TablePlace> Components::places(
   add(first, range);
   for (std::size_t k = 0; k < this->Tables.size(); ++k)
   {
-    add(this->Tables[k], this->FurtherRanges[k]);
+    add(this->Tables[k], this->ExtraRanges[k]);
   }
   return places;
 }
 
-bool Components::isFurtherVisible() const
+bool Components::isExtraVisible() const
 {
   return this->isIndependent() &&
          std::any_of(this->Tables.begin(), this->Tables.end(),
@@ -132,11 +132,11 @@ IntegralTable componentTables(vtkVolumeProperty* property, OpacityLaw law, const
   first.NanColor = nanColorOf(property, law);
   if (components.Mix == ComponentMix::ColorAndOpacity)
   {
-    components.Tables.push_back(colorTable(property, components.FurtherRanges[0], level));
+    components.Tables.push_back(colorTable(property, components.ExtraRanges[0], level));
   }
   for (int k = 1; k < components.count() && components.isIndependent(); ++k)
   {
-    components.Tables.push_back(tableOf(property, k, law, components.FurtherRanges[k - 1], level));
+    components.Tables.push_back(tableOf(property, k, law, components.ExtraRanges[k - 1], level));
   }
   return first;
 }

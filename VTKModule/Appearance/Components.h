@@ -30,8 +30,8 @@ struct TablePlace
 struct Components
 {
   ComponentMix Mix = ComponentMix::Single;
-  std::vector<ScalarRange> FurtherRanges; // of the further scalars
-  /** The tables after that of the first scalar: one for each further independent component; for
+  std::vector<ScalarRange> ExtraRanges; // of the extra scalars
+  /** The tables after that of the first scalar: one for each extra independent component; for
    * ColorAndOpacity that of the colours, whose extinction is 1; for DirectColor none. */
   std::vector<IntegralTable> Tables;
   /** The extinctions of independent components are multiplied by these: the component's weight
@@ -40,13 +40,13 @@ struct Components
 
   bool isSingle() const { return this->Mix == ComponentMix::Single; }
   bool isIndependent() const { return this->Mix == ComponentMix::Independent; }
-  int count() const { return static_cast<int>(this->FurtherRanges.size()) + 1; }
+  int count() const { return static_cast<int>(this->ExtraRanges.size()) + 1; }
   void setBits(VariantKey& key) const;
   /** The positions of the table of the first scalar, which has this range, and of the further
    * tables. */
   std::vector<TablePlace> places(const IntegralTable& first, const ScalarRange& range) const;
-  /** Whether a further table has extinction. */
-  bool isFurtherVisible() const;
+  /** Whether an extra table has extinction. */
+  bool isExtraVisible() const;
 };
 
 /** Set Factors. Returns an empty string, or an error of a unit distance. */

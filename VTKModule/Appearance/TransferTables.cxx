@@ -34,7 +34,7 @@ Fingerprint versionOf(vtkVolumeProperty* property, const TableInput& input)
 {
   Fingerprint version;
   const bool independent = input.Mix == ComponentMix::Independent;
-  const int functions = independent ? 1 + static_cast<int>(input.FurtherRanges.size()) : 1;
+  const int functions = independent ? 1 + static_cast<int>(input.ExtraRanges.size()) : 1;
   for (int k = 0; k < functions; ++k)
   {
     addFunctions(version, property, k);
@@ -45,7 +45,7 @@ Fingerprint versionOf(vtkVolumeProperty* property, const TableInput& input)
   version.push_back(static_cast<std::uintptr_t>(input.Mix));
   version.push_back(input.Bends ? 1 : 0);
   addRange(version, input.Range);
-  for (const ScalarRange& range : input.FurtherRanges)
+  for (const ScalarRange& range : input.ExtraRanges)
   {
     addRange(version, range);
   }
@@ -55,7 +55,7 @@ Fingerprint versionOf(vtkVolumeProperty* property, const TableInput& input)
 // All tables lie in one buffer of the GPU.
 AccuracyLevel fittedTo(const TableInput& input, AccuracyLevel level)
 {
-  const std::uint64_t mostOfOne = input.MostEntries / (1 + input.FurtherRanges.size());
+  const std::uint64_t mostOfOne = input.MostEntries / (1 + input.ExtraRanges.size());
   level.MostTableEntries =
     static_cast<int>(std::min<std::uint64_t>(level.MostTableEntries, mostOfOne));
   return level;
@@ -91,7 +91,7 @@ std::string TransferTables::update(
 {
   const AccuracyLevel level = fittedTo(input, wanted);
   this->Parts.Mix = input.Mix;
-  this->Parts.FurtherRanges = input.FurtherRanges;
+  this->Parts.ExtraRanges = input.ExtraRanges;
   const std::string badUnit = setFactors(property, this->Parts);
   if (!badUnit.empty())
   {
@@ -116,7 +116,7 @@ std::string TransferTables::update(
     });
   if (shortage.empty())
   {
-    this->Visible = hasExtinction(this->First) || this->Parts.isFurtherVisible();
+    this->Visible = hasExtinction(this->First) || this->Parts.isExtraVisible();
     this->MadeFrom = from;
   }
   return shortage;
@@ -127,13 +127,13 @@ std::vector<BufferSize> TransferTables::bufferSizes() const
   std::vector<BufferSize> sizes{ { "table entries", this->First.Values.size(), 16 + 16 + 4 } };
   if (!this->Parts.isSingle())
   {
-    std::size_t further = 0;
+    std::size_t extra = 0;
     for (const IntegralTable& table : this->Parts.Tables)
     {
-      further += table.Values.size();
+      extra += table.Values.size();
     }
-    sizes.push_back({ "further table entries", further, 16 + 16 + 4 });
-    sizes.push_back({ "variations of extinction", this->First.Values.size() + further, 4 });
+    sizes.push_back({ "extra table entries", extra, 16 + 16 + 4 });
+    sizes.push_back({ "variations of extinction", this->First.Values.size() + extra, 4 });
   }
   return sizes;
 }

@@ -21,9 +21,9 @@ struct TableInput
   OpacityLaw Law = OpacityLaw::Unstructured;
   const Blending* Blend = nullptr;
   ComponentMix Mix = ComponentMix::Single;
-  ScalarRange Range;                      // of the first scalar
-  std::vector<ScalarRange> FurtherRanges; // of further scalars
-  bool Bends = false; // along rays, so that error bounds need further values of a table
+  ScalarRange Range;                    // of the first scalar
+  std::vector<ScalarRange> ExtraRanges; // of extra scalars
+  bool Bends = false; // along rays, so that error bounds need extra values of a table
   std::uint64_t MostEntries = std::numeric_limits<std::uint64_t>::max(); // of all tables together
 };
 
@@ -36,7 +36,7 @@ public:
 
   /** The table of the first scalar. */
   const IntegralTable& first() const { return this->First; }
-  /** Further components. */
+  /** Extra components. */
   const Components& components() const { return this->Parts; }
   /** Whether any table has extinction. */
   bool isVisible() const { return this->Visible; }
@@ -54,7 +54,7 @@ private:
   StageRecord Record;
 };
 
-/** The table of the first scalar; those of further scalars are stored in the components' Tables.
+/** The table of the first scalar; those of extra scalars are stored in the components' Tables.
  * They have at most the input's number of entries. */
 IntegralTable makeTables(vtkVolumeProperty* property, const TableInput& input,
   const AccuracyLevel& level, Components& components);

@@ -3,8 +3,8 @@
 #include "Entries/Footprint.h"
 
 #include "Mesh/BoundaryHierarchy.h"
-#include "Rays/FittedDepths.h"
-#include "Rays/View.h"
+#include "View/FittedDepths.h"
+#include "View/View.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 #include "Light/EffectOptions.h"
 #include "Light/OpaqueSurfaces.h"
 #include "Optics/AccuracyLevel.h"
-#include "Rays/Clipping.h"
-#include "Rays/RaySamples.h"
+#include "View/Clipping.h"
+#include "View/RaySamples.h"
 #include "Volume/MarchedVolume.h"
 
 class vtkRenderer;

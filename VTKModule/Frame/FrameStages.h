@@ -10,7 +10,7 @@
 #include "Caching/Switch.h"
 #include "Frame/FrameInput.h"
 #include "Light/EffectStage.h"
-#include "Rays/View.h"
+#include "View/View.h"
 
 namespace tetmarch
 {

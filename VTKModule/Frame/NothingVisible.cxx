@@ -4,8 +4,8 @@
 
 #include "FirstPicture/RangeText.h"
 #include "Frame/FrameStages.h"
-#include "Rays/ClippedBox.h"
 #include "Scalars/SeenScalars.h"
+#include "View/ClippedBox.h"
 
 #include <algorithm>
 
@@ -33,7 +33,7 @@ bool showAnyScalar(const FrameStages& stages)
   bool any = showsAny(tables.first(), stages.volume().range());
   for (std::size_t k = 0; parts.isIndependent() && k < parts.Tables.size(); ++k)
   {
-    any = any || showsAny(parts.Tables[k], parts.FurtherRanges[k]);
+    any = any || showsAny(parts.Tables[k], parts.ExtraRanges[k]);
   }
   return any;
 }

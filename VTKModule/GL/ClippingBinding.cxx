@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/ClippingBinding.h"
 
-#include "Rays/Clipping.h"
 #include "Variants/VariantKey.h"
+#include "View/Clipping.h"
 
 #include "vtkShaderProgram.h"
 

@@ -4,7 +4,7 @@
 #ifndef TetMarchGLComputeDispatch_h
 #define TetMarchGLComputeDispatch_h
 
-#include "Budget/ShaderStage.h"
+#include "Variants/ShaderStage.h"
 #include "Variants/ShaderTexts.h"
 
 #include <map>

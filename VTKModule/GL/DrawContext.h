@@ -5,7 +5,7 @@
 #define TetMarchGLDrawContext_h
 
 #include "Caching/StageResult.h"
-#include "Mesh/Progress.h"
+#include "Parallel/Progress.h"
 
 class vtkOpenGLRenderWindow;
 

@@ -4,11 +4,11 @@
 #ifndef TetMarchGLDrawOptions_h
 #define TetMarchGLDrawOptions_h
 
-#include "Budget/ShaderStage.h"
 #include "Diagnostics/BoundaryView.h"
 #include "Diagnostics/MeasureView.h"
 #include "Optics/AccuracyLevel.h"
 #include "Processes/SharedPicture.h"
+#include "Variants/ShaderStage.h"
 
 #include <array>
 

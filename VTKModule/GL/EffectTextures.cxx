@@ -4,7 +4,7 @@
 
 #include "GL/ErrorQueue.h"
 #include "Mesh/HalfFloats.h"
-#include "Optics/BlueNoise.h"
+#include "View/BlueNoise.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"

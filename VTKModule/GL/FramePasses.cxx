@@ -5,7 +5,7 @@
 #include "Caching/WithinMemory.h"
 #include "Frame/FrameStages.h"
 #include "GL/VolumeTextures.h"
-#include "Rays/RayPoints.h"
+#include "View/RayPoints.h"
 
 #include "vtkOpenGLRenderWindow.h"
 

@@ -123,11 +123,11 @@ std::string LatticeTextures::upload(vtkOpenGLRenderWindow* window)
 }
 
 // A sampler of a scalar that is not drawn, which is never read, has the values of another one.
-void LatticeTextures::bindFurther(vtkShaderProgram* program, const VariantKey& key)
+void LatticeTextures::bindExtra(vtkShaderProgram* program, const VariantKey& key)
 {
   const std::vector<StoredValues>& values = this->Volume.values();
-  const std::array<const char*, MostComponents - 1> samplers{ { "furtherTextureA",
-    "furtherTextureB", "furtherTextureC" } };
+  const std::array<const char*, MostComponents - 1> samplers{ { "extraTextureA", "extraTextureB",
+    "extraTextureC" } };
   const std::size_t count = key.Components == ComponentGroup::ColorAndOpacity ? 1 : samplers.size();
   std::array<std::array<float, 2>, MostComponents - 1> maps{};
   for (std::size_t k = 0; k < count; ++k)
@@ -139,7 +139,7 @@ void LatticeTextures::bindFurther(vtkShaderProgram* program, const VariantKey& k
     }
     maps[k] = { { values[drawn].Scale, values[drawn].Offset } };
   }
-  program->SetUniform2fv("furtherMap", MostComponents - 1, maps.front().data());
+  program->SetUniform2fv("extraMap", MostComponents - 1, maps.front().data());
 }
 
 void LatticeTextures::bindValues(vtkShaderProgram* program, const VariantKey& key)
@@ -159,7 +159,7 @@ void LatticeTextures::bindValues(vtkShaderProgram* program, const VariantKey& ke
   program->SetUniform2f("valueMap", map.data());
   if (key.hasComponents())
   {
-    this->bindFurther(program, key);
+    this->bindExtra(program, key);
   }
   if (key.PointScalars)
   {

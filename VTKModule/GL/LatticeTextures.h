@@ -37,7 +37,7 @@ public:
   void unbind() override;
 
 private:
-  void bindFurther(vtkShaderProgram* program, const VariantKey& key);
+  void bindExtra(vtkShaderProgram* program, const VariantKey& key);
   void bindValues(vtkShaderProgram* program, const VariantKey& key);
   void bindPlanes(vtkShaderProgram* program, const VariantKey& key);
 

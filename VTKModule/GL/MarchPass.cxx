@@ -15,7 +15,7 @@
 #include "GL/TileCorners.h"
 #include "GL/Uniforms.h"
 #include "GL/VolumeTextures.h"
-#include "Rays/View.h"
+#include "View/View.h"
 
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkTextureObject.h"

@@ -53,7 +53,7 @@ std::string MeshTextures::uploadScalars(
   {
     error = this->uploadCellScalars(window, scalars.OfCells);
   }
-  return error.empty() ? this->uploadFurtherScalars(window, scalars.Further) : error;
+  return error.empty() ? this->uploadExtraScalars(window, scalars.Extra) : error;
 }
 
 std::string MeshTextures::uploadCellScalars(
@@ -68,24 +68,24 @@ std::string MeshTextures::uploadCellScalars(
     [&](std::size_t begin, std::size_t) { return &scalars[begin]; });
 }
 
-std::string MeshTextures::uploadFurtherScalars(
-  vtkOpenGLRenderWindow* window, const FurtherScalars& further)
+std::string MeshTextures::uploadExtraScalars(
+  vtkOpenGLRenderWindow* window, const ExtraScalars& extra)
 {
-  const std::vector<float>& values = further.Values;
-  const std::size_t count = further.count();
+  const std::vector<float>& values = extra.Values;
+  const std::size_t count = extra.count();
   if (count == 0)
   {
-    this->Further.release(window);
+    this->Extra.release(window);
     return {};
   }
   if (count < 3)
   {
-    return this->Further.upload(window, count == 1 ? TexelFormat::R32F : TexelFormat::RG32F,
+    return this->Extra.upload(window, count == 1 ? TexelFormat::R32F : TexelFormat::RG32F,
       values.size() / count,
       [&](std::size_t begin, std::size_t) { return &values[count * begin]; });
   }
   std::vector<std::array<float, 4>> texels;
-  return this->Further.upload(window, TexelFormat::RGBA32F, values.size() / 3,
+  return this->Extra.upload(window, TexelFormat::RGBA32F, values.size() / 3,
     [&](std::size_t begin, std::size_t end)
     {
       texels.resize(end - begin);
@@ -132,7 +132,7 @@ void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
   }
   if (key.hasComponents())
   {
-    this->Further.bind(program, "furtherScalarBuffer", "secondFurtherScalarBuffer");
+    this->Extra.bind(program, "extraScalarBuffer", "secondExtraScalarBuffer");
   }
   if (key.HiddenCells)
   {
@@ -148,7 +148,7 @@ void MeshTextures::bindBoundary(vtkShaderProgram* program)
 
 void MeshTextures::unbind()
 {
-  for (CellBuffer* buffer : { &this->Cells, &this->CellScalars, &this->Further })
+  for (CellBuffer* buffer : { &this->Cells, &this->CellScalars, &this->Extra })
   {
     buffer->unbind();
   }
@@ -161,7 +161,7 @@ void MeshTextures::unbind()
 
 void MeshTextures::release(vtkWindow* window)
 {
-  for (CellBuffer* buffer : { &this->Cells, &this->CellScalars, &this->Further })
+  for (CellBuffer* buffer : { &this->Cells, &this->CellScalars, &this->Extra })
   {
     buffer->release(window);
   }
@@ -175,7 +175,7 @@ void MeshTextures::release(vtkWindow* window)
 std::size_t MeshTextures::bytes() const
 {
   return this->Cells.bytes() + this->Boundary.bytes() + this->Hierarchy.bytes() +
-         this->Vertices.bytes() + this->CellScalars.bytes() + this->Further.bytes() +
+         this->Vertices.bytes() + this->CellScalars.bytes() + this->Extra.bytes() +
          this->HiddenCellBits.bytes();
 }
 

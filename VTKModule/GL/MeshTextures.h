@@ -20,7 +20,7 @@ class MeshTextures
 public:
   /** Each returns an empty string, or what is wrong and what to do. */
   std::string uploadCells(vtkOpenGLRenderWindow* window, const TetMesh& mesh);
-  /** Vertices with their scalars, cell scalars and further scalars. Buffers of what is not drawn
+  /** Vertices with their scalars, cell scalars and extra scalars. Buffers of what is not drawn
    * are freed. */
   std::string uploadScalars(
     vtkOpenGLRenderWindow* window, const TetMesh& mesh, const MeshScalars& scalars);
@@ -36,21 +36,21 @@ public:
   void unbind();
   void release(vtkWindow* window);
   std::size_t bytes() const;
-  std::size_t furtherBytes() const { return this->Further.bytes(); }
-  /** How many numbers a texel of so many further scalars has: OpenGL 3.2 has no buffer texels of
+  std::size_t extraBytes() const { return this->Extra.bytes(); }
+  /** How many numbers a texel of so many extra scalars has: OpenGL 3.2 has no buffer texels of
    * three floats. */
-  static std::size_t furtherScalarsOfTexel(std::size_t count) { return count < 3 ? count : 4; }
+  static std::size_t extraScalarsOfTexel(std::size_t count) { return count < 3 ? count : 4; }
 
 private:
   std::string uploadCellScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
-  std::string uploadFurtherScalars(vtkOpenGLRenderWindow* window, const FurtherScalars& further);
+  std::string uploadExtraScalars(vtkOpenGLRenderWindow* window, const ExtraScalars& extra);
 
   CellBuffer Cells;
   TextureBuffer Boundary;
   TextureBuffer Hierarchy;
   TextureBuffer Vertices;
   CellBuffer CellScalars;
-  CellBuffer Further;
+  CellBuffer Extra;
   TextureBuffer HiddenCellBits;
   int NumberOfTets = 0;
   int NumberOfNodes = 0;

@@ -4,7 +4,7 @@
 
 #include "Frame/FrameStages.h"
 #include "GL/Uniforms.h"
-#include "Rays/View.h"
+#include "View/View.h"
 
 #include "vtkTextureObject.h"
 

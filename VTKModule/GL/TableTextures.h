@@ -18,7 +18,7 @@ class TableTextures
 public:
   /** Whether the tables of this run are on the GPU. */
   bool holds(const TransferTables& tables) const { return this->There.holds(versionOf(tables)); }
-  /** Unless holds(): upload the table of the first scalar, and those of further components behind
+  /** Unless holds(): upload the table of the first scalar, and those of extra components behind
    * it. Returns an empty string, or what is wrong. */
   std::string upload(vtkOpenGLRenderWindow* window, const TransferTables& tables);
   void bind(vtkShaderProgram* program, const MarchInputs& inputs);

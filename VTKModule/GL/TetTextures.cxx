@@ -6,7 +6,7 @@
 #include "Entries/EntryListLimit.h"
 #include "Mesh/MeshSizes.h"
 #include "Mesh/PackedCells.h"
-#include "Rays/View.h"
+#include "View/View.h"
 #include "Volume/TetVolume.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -24,10 +24,10 @@ std::vector<BufferSize> TetTextures::bufferSizes() const
     const VisiblePart& visible = this->Volume.visiblePart();
     sizes.push_back({ "faces of what is visible", visible.Faces.size(), sizeof(visible.Faces[0]) });
   }
-  if (const std::size_t count = scalars.Further.count())
+  if (const std::size_t count = scalars.Extra.count())
   {
-    sizes.push_back({ "further scalars", scalars.Further.Values.size() / count,
-      MeshTextures::furtherScalarsOfTexel(count) * sizeof(float),
+    sizes.push_back({ "extra scalars", scalars.Extra.Values.size() / count,
+      MeshTextures::extraScalarsOfTexel(count) * sizeof(float),
       scalars.OfCells.empty() ? 1 : MostCellBuffers });
   }
   return sizes;
@@ -63,7 +63,7 @@ std::string TetTextures::upload(vtkOpenGLRenderWindow* window)
     [&]
     {
       return sizeof(Vertex) * mesh.Vertices.size() + sizeof(float) * scalars.OfCells.size() +
-             this->Mesh.furtherBytes();
+             this->Mesh.extraBytes();
     });
   update(
     this->HiddenCells, this->Volume.hiddenVersion(),

@@ -3,7 +3,7 @@
 #include "GL/ThicknessBinding.h"
 
 #include "GL/Uniforms.h"
-#include "Rays/View.h"
+#include "View/View.h"
 
 namespace tetmarch
 {

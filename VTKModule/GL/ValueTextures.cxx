@@ -148,7 +148,7 @@ void ValueTextures::bindSlabs(vtkShaderProgram* program, const VariantKey& key)
       const int drawn = std::min(k + 1, this->There.Scalars - 1);
       first[k] = this->There.Layers * this->There.PerScalar * drawn;
     }
-    glUniform1iv(location("furtherLayers"), MostComponents - 1, first.data());
+    glUniform1iv(location("extraLayers"), MostComponents - 1, first.data());
   }
 }
 

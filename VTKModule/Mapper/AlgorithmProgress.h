@@ -4,7 +4,7 @@
 #ifndef TetMarchMapperAlgorithmProgress_h
 #define TetMarchMapperAlgorithmProgress_h
 
-#include "Mesh/Progress.h"
+#include "Parallel/Progress.h"
 
 #include "vtkAlgorithm.h"
 

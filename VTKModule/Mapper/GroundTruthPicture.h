@@ -4,8 +4,8 @@
 #ifndef TetMarchMapperGroundTruthPicture_h
 #define TetMarchMapperGroundTruthPicture_h
 
-#include "Mesh/Progress.h"
 #include "Optics/AccuracyLevel.h"
+#include "Parallel/Progress.h"
 
 #include <string>
 

@@ -4,8 +4,8 @@
 #ifndef TetMarchMeshDecomposition_h
 #define TetMarchMeshDecomposition_h
 
-#include "Mesh/Progress.h"
 #include "Mesh/TetMesh.h"
+#include "Parallel/Progress.h"
 
 #include <string>
 

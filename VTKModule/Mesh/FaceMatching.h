@@ -4,8 +4,8 @@
 #ifndef TetMarchMeshFaceMatching_h
 #define TetMarchMeshFaceMatching_h
 
-#include "Mesh/Progress.h"
 #include "Mesh/TetMesh.h"
+#include "Parallel/Progress.h"
 
 #include <cstdint>
 #include <utility>

@@ -4,8 +4,8 @@
 #ifndef TetMarchMeshHalfFaceLinks_h
 #define TetMarchMeshHalfFaceLinks_h
 
-#include "Mesh/Progress.h"
 #include "Mesh/TetMesh.h"
+#include "Parallel/Progress.h"
 
 namespace tetmarch
 {

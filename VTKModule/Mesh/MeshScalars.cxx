@@ -125,9 +125,9 @@ public:
       return std::move(this->Made);
     }
     this->addFirst();
-    for (std::size_t k = 0; k < this->Drawn.Further.size(); ++k)
+    for (std::size_t k = 0; k < this->Drawn.Extra.size(); ++k)
     {
-      this->addFurther(k);
+      this->addExtra(k);
     }
     return std::move(this->Made);
   }
@@ -139,7 +139,7 @@ private:
     const std::vector<FiniteRange>& whole = this->Drawn.Whole;
     for (std::size_t k = 0; k < whole.size(); ++k)
     {
-      (k == 0 ? this->Made.Range : this->Made.Further.Ranges.emplace_back()) = whole[k].range();
+      (k == 0 ? this->Made.Range : this->Made.Extra.Ranges.emplace_back()) = whole[k].range();
     }
   }
 
@@ -169,19 +169,19 @@ private:
     }
   }
 
-  void addFurther(std::size_t k)
+  void addExtra(std::size_t k)
   {
-    const std::size_t count = this->Drawn.Further.size();
-    const std::vector<double> values = this->valuesOf({ false, this->Drawn.Further[k] });
-    const double unit = this->Drawn.FurtherUnit;
+    const std::size_t count = this->Drawn.Extra.size();
+    const std::vector<double> values = this->valuesOf({ false, this->Drawn.Extra[k] });
+    const double unit = this->Drawn.ExtraUnit;
     const ScalarRange range = unit > 0 ? ScalarRange{ 0, unit } : this->rangeFor(k + 1, values);
-    FurtherScalars& further = this->Made.Further;
-    further.Ranges.push_back(range);
-    further.Values.resize(count * values.size());
+    ExtraScalars& extra = this->Made.Extra;
+    extra.Ranges.push_back(range);
+    extra.Values.resize(count * values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
     {
       const bool finite = std::isfinite(values[i]);
-      further.Values[count * i + k] = finite ? storedScalar(values[i], range) : 0.0f;
+      extra.Values[count * i + k] = finite ? storedScalar(values[i], range) : 0.0f;
       if (!finite)
       {
         this->first(i) = UndrawnScalar;
@@ -207,7 +207,7 @@ std::vector<FiniteRange> rangesOf(
   vtkUnstructuredGrid* grid, const DrawnScalars& drawn, const TetMesh& mesh)
 {
   std::vector<FiniteRange> found{ rangeOf(drawnValues(grid, drawn, mesh, drawn.First)) };
-  for (const int component : drawn.Further)
+  for (const int component : drawn.Extra)
   {
     const FiniteRange range = rangeOf(drawnValues(grid, drawn, mesh, { false, component }));
     if (!range.isAllFinite())
@@ -215,7 +215,7 @@ std::vector<FiniteRange> rangesOf(
       found.front().addNotFinite();
     }
     found.push_back(
-      drawn.FurtherUnit > 0 ? FiniteRange(0, drawn.FurtherUnit, range.isAllFinite()) : range);
+      drawn.ExtraUnit > 0 ? FiniteRange(0, drawn.ExtraUnit, range.isAllFinite()) : range);
   }
   return found;
 }

@@ -6,7 +6,7 @@
 
 #include "Mesh/TetMesh.h"
 #include "Scalars/DrawnScalars.h"
-#include "Scalars/FurtherScalars.h"
+#include "Scalars/ExtraScalars.h"
 
 class vtkUnstructuredGrid;
 
@@ -18,13 +18,13 @@ struct MeshScalars
 {
   std::vector<float> OfCells; // the first scalar of each tetrahedron; empty: stored in the vertices
   ScalarRange Range;          // of the first scalar
-  FurtherScalars Further;     // of each tetrahedron or of each vertex, likewise
+  ExtraScalars Extra;         // of each tetrahedron or of each vertex, likewise
 };
 
 /**
  * Read the drawn components of an array of the grid from which the mesh was built. The first scalar
  * of a point array is stored in Vertex::Scalar. Values are normalised to 0..1 in double precision
- * before they are rounded to float. If the first or a further value is missing or not finite, the
+ * before they are rounded to float. If the first or an extra value is missing or not finite, the
  * first one becomes UndrawnScalar, and its range is not AllFinite.
  *
  * If the ranges of the whole volume are given (DrawnScalars::Whole), they replace those of the
@@ -32,7 +32,7 @@ struct MeshScalars
  */
 MeshScalars readScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn, TetMesh& mesh);
 
-/** The ranges of the values as in readScalars(): of the first scalar, then of further ones. */
+/** The ranges of the values as in readScalars(): of the first scalar, then of extra ones. */
 std::vector<FiniteRange> rangesOf(
   vtkUnstructuredGrid* grid, const DrawnScalars& drawn, const TetMesh& mesh);
 

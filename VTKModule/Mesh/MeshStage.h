@@ -9,8 +9,8 @@
 #include "Caching/StageRecord.h"
 #include "Input/GridContent.h"
 #include "Mesh/PieceOptions.h"
-#include "Mesh/Progress.h"
 #include "Mesh/TetMesh.h"
+#include "Parallel/Progress.h"
 
 #include <string>
 

@@ -5,8 +5,8 @@
 #define TetMarchMeshTetMeshBuilder_h
 
 #include "Mesh/PieceOptions.h"
-#include "Mesh/Progress.h"
 #include "Mesh/TetMesh.h"
+#include "Parallel/Progress.h"
 
 #include <string>
 

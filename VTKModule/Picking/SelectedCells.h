@@ -7,7 +7,7 @@
 
 #include "Blocks/CellOrigins.h"
 #include "Picking/PickedPoint.h"
-#include "Rays/View.h"
+#include "View/View.h"
 
 #include <vector>
 

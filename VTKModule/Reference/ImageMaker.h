@@ -4,13 +4,13 @@
 #ifndef TetMarchReferenceImageMaker_h
 #define TetMarchReferenceImageMaker_h
 
-#include "Optics/BlueNoise.h"
 #include "Reference/MakeKernel.h"
 #include "Reference/RayTrace.h"
 #include "Reference/ReferenceImage.h"
 #include "Reference/RowPortions.h"
 #include "Reference/ThicknessPerDepth.h"
 #include "Reference/VolumeLight.h"
+#include "View/BlueNoise.h"
 
 #include <memory>
 #include <mutex>

@@ -15,19 +15,19 @@
 #include "Mesh/PackedCells.h"
 #include "Mesh/VertexStarts.h"
 #include "Optics/IntegralTable.h"
-#include "Rays/Clipping.h"
-#include "Rays/RaySamples.h"
 #include "Reference/GlslLanguage.h"
 #include "Reference/IncomingLight.h"
 #include "Reference/RayTrace.h"
 #include "Reference/ThicknessPerDepth.h"
-#include "Scalars/FurtherScalars.h"
+#include "Scalars/ExtraScalars.h"
 #include "Structured/EmptySpace.h"
 #include "Structured/Lattice.h"
 #include "Structured/LightNodes.h"
 #include "Structured/MostSteps.h"
 #include "Structured/StoredValues.h"
 #include "Variants/Features.h"
+#include "View/Clipping.h"
+#include "View/RaySamples.h"
 
 #include <algorithm>
 #include <array>

@@ -105,7 +105,7 @@ void useScene(const Scene& scene)
 #if TETMARCH_COMPONENTS && TETMARCH_STRUCTURED
   useComponentTables(*scene.Parts, scene.Range);
 #elif TETMARCH_COMPONENTS
-  useComponents(*scene.Parts, *scene.Further, scene.Range);
+  useComponents(*scene.Parts, *scene.Extra, scene.Range);
 #endif
 #if TETMARCH_CLIPPED
   useClipping(scene.Cut);

@@ -29,25 +29,25 @@ vec2 fetchTablePlace(int table) const
   return vec2(Real(Places[table].Scale), Real(Places[table].Offset));
 }
 #if TETMARCH_STRUCTURED
-vec3 fetchFurtherValues(int i, int j, int k) const
+vec3 fetchExtraValues(int i, int j, int k) const
 {
   const auto value = [&](int component)
   { return component < componentCount ? fetchValueOf(component, i, j, k) : Real(0); };
   return vec3(value(1), value(2), value(3));
 }
 #else
-const FurtherScalars* Further = nullptr;
+const ExtraScalars* Extra = nullptr;
 
 void useComponents(
-  const Components& components, const FurtherScalars& further, const ScalarRange& range)
+  const Components& components, const ExtraScalars& extra, const ScalarRange& range)
 {
   useComponentTables(components, range);
-  Further = &further;
+  Extra = &extra;
 }
-vec3 fetchFurtherScalars(uint i) const
+vec3 fetchExtraScalars(uint i) const
 {
-  const std::size_t count = Further->count();
-  const float* s = &Further->Values[count * i];
+  const std::size_t count = Extra->count();
+  const float* s = &Extra->Values[count * i];
   return vec3(Real(s[0]), count > 1 ? Real(s[1]) : Real(0), count > 2 ? Real(s[2]) : Real(0));
 }
 #endif

@@ -117,14 +117,14 @@ void traceScalars(const CellInterval& cell, TracedCell& traced)
   traced.ScalarEnter[0] = traced.ScalarLeave[0] = double(cell.scalar);
 #endif
 #if TETMARCH_COMPONENTS
-#if TETMARCH_FURTHER_VERTEX_SCALARS
-  const vec3 enter = cell.enterAttributes.further, leave = cell.leaveAttributes.further;
+#if TETMARCH_EXTRA_VERTEX_SCALARS
+  const vec3 enter = cell.enterAttributes.extra, leave = cell.leaveAttributes.extra;
 #elif TETMARCH_BENT_COMPONENTS
-  const vec3 enter = cell.furtherEnter, leave = cell.furtherLeave;
+  const vec3 enter = cell.extraEnter, leave = cell.extraLeave;
 #elif TETMARCH_STRUCTURED
-  const vec3 enter = cell.further, leave = enter;
+  const vec3 enter = cell.extra, leave = enter;
 #else
-  const vec3 enter = fetchFurtherScalars(cell.number), leave = enter;
+  const vec3 enter = fetchExtraScalars(cell.number), leave = enter;
 #endif
   const Real enters[] = { enter.x, enter.y, enter.z }, leaves[] = { leave.x, leave.y, leave.z };
   for (int k = 1; k < componentCount; ++k)

@@ -32,8 +32,8 @@ void describe(const ReferenceScene& scene, TracedCell& cell)
   std::vector<ScalarRange> ranges{ scene.Range };
   if (scene.Parts)
   {
-    const auto& further = scene.Parts->FurtherRanges;
-    ranges.insert(ranges.end(), further.begin(), further.end());
+    const auto& extra = scene.Parts->ExtraRanges;
+    ranges.insert(ranges.end(), extra.begin(), extra.end());
   }
   for (std::size_t k = 0; k < ranges.size(); ++k)
   {

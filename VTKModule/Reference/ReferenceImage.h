@@ -9,16 +9,16 @@
 #include "Diagnostics/MarchCounters.h"
 #include "Light/EffectData.h"
 #include "Mesh/HiddenCells.h"
-#include "Mesh/Progress.h"
 #include "Mesh/TetMesh.h"
 #include "Optics/AccuracyLevel.h"
 #include "Optics/IntegralTable.h"
-#include "Rays/Clipping.h"
-#include "Rays/RaySamples.h"
-#include "Rays/View.h"
-#include "Scalars/FurtherScalars.h"
+#include "Parallel/Progress.h"
+#include "Scalars/ExtraScalars.h"
 #include "Structured/Lattice.h"
 #include "Structured/StoredValues.h"
+#include "View/Clipping.h"
+#include "View/RaySamples.h"
+#include "View/View.h"
 
 #include <vector>
 
@@ -49,7 +49,7 @@ struct ReferenceScene
   const EffectData* Effects = nullptr;
   const Blending* Blend = nullptr;   // nullptr: composite; else the table is that of blendedTable()
   const Components* Parts = nullptr; // nullptr or single: one scalar; independent: without effects
-  const FurtherScalars* Further = nullptr; // of several components
+  const ExtraScalars* Extra = nullptr; // of several components
   /** The transmittance towards the lights is marched wherever a ray crosses a face; else it is
    * interpolated between vertices as in the picture. */
   bool ExactLight = true;

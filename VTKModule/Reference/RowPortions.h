@@ -4,8 +4,8 @@
 #ifndef TetMarchReferenceRowPortions_h
 #define TetMarchReferenceRowPortions_h
 
-#include "Mesh/Progress.h"
 #include "Parallel/ParallelFor.h"
+#include "Parallel/Progress.h"
 
 #include <algorithm>
 #include <chrono>

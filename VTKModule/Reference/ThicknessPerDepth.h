@@ -4,8 +4,8 @@
 #ifndef TetMarchReferenceThicknessPerDepth_h
 #define TetMarchReferenceThicknessPerDepth_h
 
-#include "Rays/View.h"
 #include "Reference/GlslLanguage.h"
+#include "View/View.h"
 
 namespace tetmarch
 {

@@ -35,15 +35,15 @@ std::string chooseDependent(DrawnScalars& drawn)
   {
     drawn.Mix = ComponentMix::ColorAndOpacity;
     drawn.First = { false, 1 };
-    drawn.Further = { 0 };
+    drawn.Extra = { 0 };
     return {};
   }
   if (count == 4)
   {
     drawn.Mix = ComponentMix::DirectColor;
     drawn.First = { false, 3 };
-    drawn.Further = { 0, 1, 2 };
-    drawn.FurtherUnit = colorUnit(drawn.Array);
+    drawn.Extra = { 0, 1, 2 };
+    drawn.ExtraUnit = colorUnit(drawn.Array);
     return {};
   }
   return describe(drawn.Array) + std::to_string(count) +
@@ -62,8 +62,8 @@ std::string chooseIndependent(DrawnScalars& drawn)
            " independent ones can be drawn together. Choose one by VectorMode.";
   }
   drawn.Mix = ComponentMix::Independent;
-  drawn.Further.resize(count - 1);
-  std::iota(drawn.Further.begin(), drawn.Further.end(), 1);
+  drawn.Extra.resize(count - 1);
+  std::iota(drawn.Extra.begin(), drawn.Extra.end(), 1);
   return {};
 }
 

@@ -51,11 +51,11 @@ struct DrawnScalars
    * that code that needs only the extinction can ignore the others.
    */
   TupleScalar First{};
-  std::vector<int> Further{}; // further drawn components, at most three; colours first
-  /** Above 0: further values are divided by it and clamped to 0..1. 0: each further component is
+  std::vector<int> Extra{}; // extra drawn components, at most three; colours first
+  /** Above 0: extra values are divided by it and clamped to 0..1. 0: each extra component is
    * normalised to 0..1 by its own range. */
-  double FurtherUnit = 0;
-  /** The ranges of the first and of further scalars, if other processes have parts of them; empty:
+  double ExtraUnit = 0;
+  /** The ranges of the first and of extra scalars, if other processes have parts of them; empty:
    * those of the array. */
   std::vector<FiniteRange> Whole{};
 };

@@ -219,17 +219,17 @@ StoredValues storeByUnit(vtkDataArray* array, const TupleScalar& scalar, double 
 }
 
 // A tuple with a value that is not finite is not drawn: its first value becomes UndrawnScalar.
-void hideUndrawn(StoredValues& further, StoredValues& first)
+void hideUndrawn(StoredValues& extra, StoredValues& first)
 {
   std::atomic<bool> any{ false };
-  parallelFor(0, static_cast<vtkIdType>(further.Floats.size()),
+  parallelFor(0, static_cast<vtkIdType>(extra.Floats.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        if (further.Floats[i] == UndrawnScalar)
+        if (extra.Floats[i] == UndrawnScalar)
         {
-          further.Floats[i] = 0;
+          extra.Floats[i] = 0;
           first.Floats[i] = UndrawnScalar;
           any = true;
         }
@@ -243,13 +243,13 @@ void hideUndrawn(StoredValues& further, StoredValues& first)
 std::vector<StoredValues> storeValues(const DrawnScalars& drawn)
 {
   std::vector<StoredValues> all;
-  all.reserve(1 + drawn.Further.size());
+  all.reserve(1 + drawn.Extra.size());
   all.push_back(store(drawn.Array, drawn.First));
-  for (const int component : drawn.Further)
+  for (const int component : drawn.Extra)
   {
     const TupleScalar scalar{ false, component };
-    all.push_back(drawn.FurtherUnit > 0 ? storeByUnit(drawn.Array, scalar, drawn.FurtherUnit)
-                                        : store(drawn.Array, scalar));
+    all.push_back(drawn.ExtraUnit > 0 ? storeByUnit(drawn.Array, scalar, drawn.ExtraUnit)
+                                      : store(drawn.Array, scalar));
     // Only floating-point arrays have such values, and all of their components are Floats.
     hideUndrawn(all.back(), all.front());
   }

@@ -84,9 +84,9 @@ struct StoredValues
 };
 
 /**
- * The values of the drawn components: the first scalar, then the further ones. The array has one
- * tuple for each value, in VTK's order. If the first or a further value is not finite, the first
- * one is UndrawnScalar, its range is not AllFinite, and a further one is 0.
+ * The values of the drawn components: the first scalar, then the extra ones. The array has one
+ * tuple for each value, in VTK's order. If the first or an extra value is not finite, the first
+ * one is UndrawnScalar, its range is not AllFinite, and an extra one is 0.
  */
 std::vector<StoredValues> storeValues(const DrawnScalars& drawn);
 

@@ -13,9 +13,9 @@ namespace
 int samplersOfMesh(const VariantKey& key)
 {
   const int ofCells = 1 + (key.PointScalars ? 0 : 1);
-  const int further = key.hasComponents() ? 1 : 0;
-  const int split = key.SplitCells ? ofCells + (key.PointScalars ? 0 : further) : 0;
-  return ofCells + further + split + 2 + (key.Hierarchy ? 1 : 0) + (key.HiddenCells ? 1 : 0) +
+  const int extra = key.hasComponents() ? 1 : 0;
+  const int split = key.SplitCells ? ofCells + (key.PointScalars ? 0 : extra) : 0;
+  return ofCells + extra + split + 2 + (key.Hierarchy ? 1 : 0) + (key.HiddenCells ? 1 : 0) +
          (key.EntryLists ? 2 : 0) + (key.VisiblePart ? 3 : 0);
 }
 

@@ -8,7 +8,7 @@
 #include "Budget/ResourceLimits.h"
 #include "Light/EffectSource.h"
 #include "Mesh/PieceOptions.h"
-#include "Mesh/Progress.h"
+#include "Parallel/Progress.h"
 #include "Scalars/DrawnScalars.h"
 #include "Structured/LatticeBuilder.h"
 

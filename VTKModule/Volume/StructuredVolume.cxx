@@ -28,8 +28,8 @@ constexpr double LeastShareToKeepLeaping = 0.05;
 Fingerprint inputOf(const DrawnScalars& drawn)
 {
   Fingerprint input = versionOf(drawn);
-  add(input, drawn.FurtherUnit);
-  addAll(input, drawn.Further);
+  add(input, drawn.ExtraUnit);
+  addAll(input, drawn.Extra);
   const bool lies = drawn.Array->HasStandardMemoryLayout();
   input.push_back(
     lies ? reinterpret_cast<std::uintptr_t>(drawn.Array->GetVoidPointer(0)) : std::uintptr_t(0));

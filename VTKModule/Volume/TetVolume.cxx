@@ -132,7 +132,7 @@ void TetVolume::addTo(ReferenceScene& scene) const
 {
   scene.Mesh = &this->mesh();
   scene.CellScalars = this->Scalars.OfCells.empty() ? nullptr : &this->Scalars.OfCells;
-  scene.Further = &this->Scalars.Further;
+  scene.Extra = &this->Scalars.Extra;
   scene.Range = this->Scalars.Range;
   scene.Hidden = &this->hiddenCells();
 }

@@ -48,7 +48,7 @@ public:
   bool mayReenter() const override { return this->mesh().NeedsHierarchy; }
   const std::vector<ScalarRange>& extraRanges() const override
   {
-    return this->Scalars.Further.Ranges;
+    return this->Scalars.Extra.Ranges;
   }
   double transparentShare(const IntegralTable& table) const override;
   vtkIdType cellOf(std::uint32_t tet, const Vector3&) const override

@@ -169,6 +169,32 @@ TYPED_TEST(LightParity, EachKindOfScalars)
     });
 }
 
+// Cells that show nothing are passed without a shade. The next one has its own then, which is that
+// of a medium so thin that it shows as little.
+TYPED_TEST(LightParity, BehindTransparentCells)
+{
+  TypeParam::forEachScalars(
+    [](TypeParam& scene, const std::string& name)
+    {
+      setShading(scene.property());
+      addSun(scene);
+      scene.Mapper->SetAccuracyLevelToAccurate();
+      Image pictures[2];
+      for (const double least : { 0.0, 1e-5 })
+      {
+        vtkPiecewiseFunction* opacity = scene.property()->GetScalarOpacity();
+        opacity->RemoveAllPoints();
+        opacity->AddPoint(0.6, least);
+        opacity->AddPoint(0.7, 0.9);
+        opacity->AddPoint(0.8, least);
+        scene.expectParity(
+          name + (least > 0.0 ? ", thin around a peak" : ", nothing around a peak"));
+        pictures[least > 0.0] = scene.frame();
+      }
+      EXPECT_LE(compare(pictures[0], pictures[1]).Max, 1.5 / 255.0) << name;
+    });
+}
+
 TYPED_TEST(LightParity, EachSetting)
 {
   TypeParam plain;

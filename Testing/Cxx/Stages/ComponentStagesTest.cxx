@@ -97,8 +97,8 @@ TEST(ComponentStages, OtherValuesUploadScalarsAlone)
     const Made second(scene.Mapper);
     EXPECT_EQ(second.Mesh, 1);
     EXPECT_EQ(second.Scalars, first.Scalars + 1);
-    const vtkTypeInt64 further = mix.Components == 4 ? 16 : 4 * (mix.Components - 1);
-    const vtkTypeInt64 scalars = (16 + further) * grid->GetNumberOfPoints();
+    const vtkTypeInt64 extra = mix.Components == 4 ? 16 : 4 * (mix.Components - 1);
+    const vtkTypeInt64 scalars = (16 + extra) * grid->GetNumberOfPoints();
     EXPECT_GE(second.Bytes - first.Bytes, scalars) << mix.Name;
     EXPECT_LE(second.Bytes - first.Bytes, scalars + 40 * 4 * 65536) << mix.Name; // and new tables
     scene.render();

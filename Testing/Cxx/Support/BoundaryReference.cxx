@@ -4,7 +4,7 @@
 
 #include "Mesh/TetMeshBuilder.h"
 #include "Optics/TransferFunctions.h"
-#include "Rays/View.h"
+#include "View/View.h"
 
 #include <cmath>
 #include <limits>

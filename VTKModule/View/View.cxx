@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Rays/View.h"
+#include "View/View.h"
 
 #include "Geometry/VolumeFrame.h"
 #include "Optics/TransferFunctions.h"

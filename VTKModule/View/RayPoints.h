@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A point on each pixel's ray that is representable in float.
-#ifndef TetMarchRaysRayPoints_h
-#define TetMarchRaysRayPoints_h
+#ifndef TetMarchViewRayPoints_h
+#define TetMarchViewRayPoints_h
 
 #include <array>
 

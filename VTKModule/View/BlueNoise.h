@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Offsets of samples per pixel that turn the banding of coarse sampling into noise.
-#ifndef TetMarchOpticsBlueNoise_h
-#define TetMarchOpticsBlueNoise_h
+#ifndef TetMarchViewBlueNoise_h
+#define TetMarchViewBlueNoise_h
 
 #include <vector>
 

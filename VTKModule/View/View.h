@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The camera in the volume's normalised frame.
-#ifndef TetMarchRaysView_h
-#define TetMarchRaysView_h
+#ifndef TetMarchViewView_h
+#define TetMarchViewView_h
 
 #include <array>
 

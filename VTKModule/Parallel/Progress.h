@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Progress and cancellation of long work.
-#ifndef TetMarchMeshProgress_h
-#define TetMarchMeshProgress_h
+#ifndef TetMarchParallelProgress_h
+#define TetMarchParallelProgress_h
 
 #include "Parallel/ParallelFor.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of the volume that remains after clipping and cropping, in the normalised frame.
-#ifndef TetMarchRaysClipping_h
-#define TetMarchRaysClipping_h
+#ifndef TetMarchViewClipping_h
+#define TetMarchViewClipping_h
 
 #include <array>
 #include <string>

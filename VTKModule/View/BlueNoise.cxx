@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Optics/BlueNoise.h"
+#include "View/BlueNoise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests whether a part of a box remains after clipping and cropping.
-#ifndef TetMarchRaysClippedBox_h
-#define TetMarchRaysClippedBox_h
+#ifndef TetMarchViewClippedBox_h
+#define TetMarchViewClippedBox_h
 
 #include <array>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Rays/RayPoints.h"
+#include "View/RayPoints.h"
 
-#include "Rays/FittedDepths.h"
-#include "Rays/View.h"
+#include "View/FittedDepths.h"
+#include "View/View.h"
 
 #include "vtkMatrix4x4.h"
 

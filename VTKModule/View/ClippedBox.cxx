@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Rays/ClippedBox.h"
+#include "View/ClippedBox.h"
 
 #include "Geometry/Vector3.h"
-#include "Rays/Clipping.h"
+#include "View/Clipping.h"
 
 #include <algorithm>
 #include <cmath>

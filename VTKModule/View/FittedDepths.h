@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Clip coordinates whose depths span only the volume.
-#ifndef TetMarchRaysFittedDepths_h
-#define TetMarchRaysFittedDepths_h
+#ifndef TetMarchViewFittedDepths_h
+#define TetMarchViewFittedDepths_h
 
 #include <array>
 

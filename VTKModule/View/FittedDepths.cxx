@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Rays/FittedDepths.h"
+#include "View/FittedDepths.h"
 
 #include "Geometry/VolumeFrame.h"
-#include "Rays/View.h"
+#include "View/View.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Positions of samples along rays at the accuracy level Sampled.
-#ifndef TetMarchRaysRaySamples_h
-#define TetMarchRaysRaySamples_h
+#ifndef TetMarchViewRaySamples_h
+#define TetMarchViewRaySamples_h
 
 #include "Geometry/VolumeFrame.h"
 

@@ -13,12 +13,12 @@ using namespace tetmarch;
 using namespace tetmarch::testing;
 
 std::vector<StoredValues> storedTogether(
-  vtkDataArray* array, int first, const std::vector<int>& further, double unit = 0)
+  vtkDataArray* array, int first, const std::vector<int>& extra, double unit = 0)
 {
-  return storeValues({ array, false, ComponentMix::Independent, { false, first }, further, unit });
+  return storeValues({ array, false, ComponentMix::Independent, { false, first }, extra, unit });
 }
 
-TEST(FurtherValues, HaveTheirOwnRange)
+TEST(ExtraValues, HaveTheirOwnRange)
 {
   const auto array = arrayOf(VTK_UNSIGNED_CHAR, { 10, 20, 15 }, 2, 0);
   setComponent(array, 1, { 200, 100, 150 });
@@ -32,7 +32,7 @@ TEST(FurtherValues, HaveTheirOwnRange)
   expectValues(all[1], { 200, 100, 150 });
 }
 
-TEST(FurtherValues, AreDividedByTheirUnit)
+TEST(ExtraValues, AreDividedByTheirUnit)
 {
   const auto bytes = arrayOf(VTK_UNSIGNED_CHAR, { 0, 51, 255 }, 4, 2);
   const auto ofBytes = storedTogether(bytes, 3, { 2 }, 255);
@@ -48,7 +48,7 @@ TEST(FurtherValues, AreDividedByTheirUnit)
   }
 }
 
-TEST(FurtherValues, ThatAreNotFiniteHideTheFirst)
+TEST(ExtraValues, ThatAreNotFiniteHideTheFirst)
 {
   const double nan = std::nan("");
   const auto array = arrayOf(VTK_FLOAT, { 0, 1, 2, nan }, 3, 0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Budget/ShaderStage.h"
+#include "Variants/ShaderStage.h"
 
 #include <regex>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The shader stage in which rays are marched, chosen for the GPU.
-#ifndef TetMarchBudgetShaderStage_h
-#define TetMarchBudgetShaderStage_h
+#ifndef TetMarchVariantsShaderStage_h
+#define TetMarchVariantsShaderStage_h
 
 #include <string>
 

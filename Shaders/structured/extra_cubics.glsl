@@ -1,42 +1,42 @@
-// The further scalars of several components along a ray in a trilinear cell: each has its own cubic. Each component of
+// The extra scalars of several components along a ray in a trilinear cell: each has its own cubic. Each component of
 // a vec3 belongs to one scalar.
 
 // As the bend of the first scalar (structured/bend.glsl): the coefficients of x^2 and x^3.
-struct FurtherBend
+struct ExtraBend
 {
   vec3 square;
   vec3 cube;
 };
 
-vec3 bentScalars(vec3 begin, vec3 end, FurtherBend bend, real x)
+vec3 bentScalars(vec3 begin, vec3 end, ExtraBend bend, real x)
 {
   return begin + (end - begin) * x - (bend.square + bend.cube * (real(1) + x)) * (x * (real(1) - x));
 }
 
 // The bend of the part from x = from to x = to.
-FurtherBend furtherBendWithin(FurtherBend bend, real from, real to)
+ExtraBend extraBendWithin(ExtraBend bend, real from, real to)
 {
   real h = to - from;
-  FurtherBend within;
+  ExtraBend within;
   within.square = (bend.square + bend.cube * (real(3) * from)) * (h * h);
   within.cube = bend.cube * (h * h * h);
   return within;
 }
 
-struct FurtherCubics
+struct ExtraCubics
 {
   vec3 value; // at the ray's entry into the cell
   vec3 slope; // the coefficients of x
-  FurtherBend bend;
+  ExtraBend bend;
 #if !TETMARCH_DIRECT_COLOR
   vec3 firstExtremes; // between 0 and 1; NO_EXTREME where there is none
   vec3 secondExtremes;
 #endif
 };
 
-FurtherCubics noFurtherCubics()
+ExtraCubics noExtraCubics()
 {
-  FurtherCubics none;
+  ExtraCubics none;
   none.value = vec3(real(0), real(0), real(0));
   none.slope = none.value;
   none.bend.square = none.value;
@@ -48,24 +48,24 @@ FurtherCubics noFurtherCubics()
   return none;
 }
 
-vec3 furtherCubicsAt(FurtherCubics further, real x)
+vec3 extraCubicsAt(ExtraCubics extra, real x)
 {
-  return further.value + (further.slope + (further.bend.square + further.bend.cube * x) * x) * x;
+  return extra.value + (extra.slope + (extra.bend.square + extra.bend.cube * x) * x) * x;
 }
 
 // The scalars of a direct colour, which have no tables, may have extremes inside a part of the cell.
-FurtherCubics furtherCubicsAlong(Ray ray, ivec3 cell, real enter, real leave)
+ExtraCubics extraCubicsAlong(Ray ray, ivec3 cell, real enter, real leave)
 {
-  FurtherCubics further = noFurtherCubics();
+  ExtraCubics extra = noExtraCubics();
   vec4 a = cubicOfComponent(1, ray, cell, enter, leave);
 #if TETMARCH_COLOR_AND_OPACITY
-  further.value.x = a.x;
-  further.slope.x = a.y;
-  further.bend.square.x = a.z;
-  further.bend.cube.x = a.w;
+  extra.value.x = a.x;
+  extra.slope.x = a.y;
+  extra.bend.square.x = a.z;
+  extra.bend.cube.x = a.w;
   vec2 extremes = extremesOf(a);
-  further.firstExtremes.x = extremes.x;
-  further.secondExtremes.x = extremes.y;
+  extra.firstExtremes.x = extremes.x;
+  extra.secondExtremes.x = extremes.y;
 #else
 #if TETMARCH_INDEPENDENT
   vec4 b = vec4(real(0), real(0), real(0), real(0));
@@ -81,29 +81,29 @@ FurtherCubics furtherCubicsAlong(Ray ray, ivec3 cell, real enter, real leave)
   vec2 ofA = extremesOf(a);
   vec2 ofB = extremesOf(b);
   vec2 ofC = extremesOf(c);
-  further.firstExtremes = vec3(ofA.x, ofB.x, ofC.x);
-  further.secondExtremes = vec3(ofA.y, ofB.y, ofC.y);
+  extra.firstExtremes = vec3(ofA.x, ofB.x, ofC.x);
+  extra.secondExtremes = vec3(ofA.y, ofB.y, ofC.y);
 #else
   vec4 b = cubicOfComponent(2, ray, cell, enter, leave);
   vec4 c = cubicOfComponent(3, ray, cell, enter, leave);
 #endif
-  further.value = vec3(a.x, b.x, c.x);
-  further.slope = vec3(a.y, b.y, c.y);
-  further.bend.square = vec3(a.z, b.z, c.z);
-  further.bend.cube = vec3(a.w, b.w, c.w);
+  extra.value = vec3(a.x, b.x, c.x);
+  extra.slope = vec3(a.y, b.y, c.y);
+  extra.bend.square = vec3(a.z, b.z, c.z);
+  extra.bend.cube = vec3(a.w, b.w, c.w);
 #endif
-  return further;
+  return extra;
 }
 
 #if !TETMARCH_DIRECT_COLOR
 // The next of two extremes after x; NO_EXTREME if there is none.
 real nextOf(real first, real second, real x) { return first > x ? first : (second > x ? second : NO_EXTREME); }
 
-real nextFurtherExtreme(FurtherCubics further, real x)
+real nextExtraExtreme(ExtraCubics extra, real x)
 {
-  real a = nextOf(further.firstExtremes.x, further.secondExtremes.x, x);
-  real b = nextOf(further.firstExtremes.y, further.secondExtremes.y, x);
-  real c = nextOf(further.firstExtremes.z, further.secondExtremes.z, x);
+  real a = nextOf(extra.firstExtremes.x, extra.secondExtremes.x, x);
+  real b = nextOf(extra.firstExtremes.y, extra.secondExtremes.y, x);
+  real c = nextOf(extra.firstExtremes.z, extra.secondExtremes.z, x);
   return min(a, min(b, c));
 }
 #endif
