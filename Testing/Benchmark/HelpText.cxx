@@ -44,7 +44,7 @@ prints a table in Markdown and, on request, writes all figures as JSON.
   --frames N                number of frames of a mapper in a round, after the first (default: 5)
   --limit SECONDS           a mapper that takes longer for a frame, or five times as long for its preparation or
                             its first frame, is left out from then on (default: 60)
-  --enough SECONDS          a mapper draws no extra frames of a round when its frames have taken this time in
+  --enough SECONDS          a mapper draws no further frames of a round when its frames have taken this time in
                             total, but at least one besides the first (default: no limit; accuracy: 10,
                             effects: 20; structured: 2, and at most one)
   --quick                   tiny lattices, a small window and few frames; later options override it

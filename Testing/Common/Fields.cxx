@@ -51,6 +51,15 @@ Field sineField(double waves)
   { return 0.5 + 0.5 * std::sin(w * x) * std::sin(w * y + 1.0) * std::sin(w * z + 2.0); };
 }
 
+Field scatteredField(unsigned seed)
+{
+  return [seed](double x, double y, double z)
+  {
+    const double s = std::sin(12.9898 * x + 78.233 * y + 37.719 * z + seed) * 43758.5453;
+    return s - std::floor(s);
+  };
+}
+
 Field noiseField(unsigned seed, int frequency)
 {
   return [seed, frequency](double x, double y, double z)

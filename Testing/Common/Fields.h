@@ -27,6 +27,8 @@ Field sineField(double waves = 1.0);
 /// Value noise: a hash of the seed at the points of a lattice with spacing 1/frequency, trilinear
 /// in between.
 Field noiseField(unsigned seed = 1, int frequency = 16);
+/// Uniform noise in 0..1, another number for each point: no scalar bends more.
+Field scatteredField(unsigned seed);
 /// The distance from the centre of the unit cube; 1 at its corners.
 Field radialField();
 /// 1/2 in the middle of the cube, from 0 to 1 along the direction (of any length) in which the cube

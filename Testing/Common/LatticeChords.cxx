@@ -130,10 +130,8 @@ void LatticeChords::readRectilinear(vtkRectilinearGrid* grid, LatticeValues valu
 void LatticeChords::cutAxis(int axis, const std::vector<double>& points, LatticeValues values)
 {
   const int cells = static_cast<int>(points.size()) - 1;
-  const bool ofPoints =
-    values == LatticeValues::PointsLinear || values == LatticeValues::PointsNearest;
   this->Cells[axis] = cells;
-  this->Counts[axis] = ofPoints ? cells + 1 : cells;
+  this->Counts[axis] = isOfCells(values) ? cells : cells + 1;
   for (int c = 0; c < cells; ++c)
   {
     addSlabs(points, c, values,

@@ -13,6 +13,8 @@
 
 #include "RayChords.h"
 
+#include <initializer_list>
+
 class vtkDataSet;
 class vtkImageData;
 class vtkRectilinearGrid;
@@ -27,6 +29,17 @@ enum class LatticeValues
   CellsLinear,   ///< trilinear between the centres of cells; constant beyond the outer ones
   CellsNearest   ///< the value of the cell
 };
+constexpr std::initializer_list<LatticeValues> AllLatticeValues = { LatticeValues::PointsLinear,
+  LatticeValues::PointsNearest, LatticeValues::CellsLinear, LatticeValues::CellsNearest };
+
+constexpr bool isOfCells(LatticeValues values)
+{
+  return values == LatticeValues::CellsLinear || values == LatticeValues::CellsNearest;
+}
+constexpr bool isLinear(LatticeValues values)
+{
+  return values == LatticeValues::PointsLinear || values == LatticeValues::CellsLinear;
+}
 
 /// A part of an axis that is within one cell of the data and on which the value is interpolated
 /// between the same two neighbours, or is that of one.

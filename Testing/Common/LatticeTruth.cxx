@@ -38,8 +38,7 @@ LatticeTruth::LatticeTruth(
   , Model(model)
   , Kind(values)
 {
-  this->readScalars(data,
-    values == LatticeValues::PointsLinear || values == LatticeValues::PointsNearest, component);
+  this->readScalars(data, !isOfCells(values), component);
   this->readHidden(data);
 }
 
@@ -103,9 +102,7 @@ void LatticeTruth::readHidden(vtkDataSet* data)
       this->Scalars[p] = nothing;
     }
   }
-  const bool ofCells =
-    this->Kind == LatticeValues::CellsLinear || this->Kind == LatticeValues::CellsNearest;
-  for (vtkIdType cell = 0; ofCells && cell < data->GetNumberOfCells(); ++cell)
+  for (vtkIdType cell = 0; isOfCells(this->Kind) && cell < data->GetNumberOfCells(); ++cell)
   {
     this->Scalars[cell] = this->HiddenCells[cell] ? nothing : this->Scalars[cell];
   }
@@ -240,8 +237,7 @@ OpacitySums LatticeTruth::opacitySums(const Vec3& origin, const Vec3& direction,
 std::vector<SurfaceCrossing> LatticeTruth::crossings(const Vec3& origin, const Vec3& direction,
   const std::vector<double>& values, double tMin, double tMax) const
 {
-  const bool isContinuous =
-    this->Kind == LatticeValues::PointsLinear || this->Kind == LatticeValues::CellsLinear;
+  const bool isContinuous = isLinear(this->Kind);
   std::vector<SurfaceCrossing> found;
   const std::vector<ScalarSegment> segments = this->segments(origin, direction, tMin, tMax);
   for (const double value : values)

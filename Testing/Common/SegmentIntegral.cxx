@@ -97,6 +97,23 @@ auto refined(const Integral& over, double u0, double u1)
 }
 } // namespace
 
+OpticalModel opticalModelOf(const std::vector<std::array<double, 4>>& colours,
+  const std::vector<std::array<double, 2>>& opacities)
+{
+  OpticalModel model;
+  model.Colour = vtkSmartPointer<vtkColorTransferFunction>::New();
+  model.Opacity = vtkSmartPointer<vtkPiecewiseFunction>::New();
+  for (const auto& c : colours)
+  {
+    model.Colour->AddRGBPoint(c[0], c[1], c[2], c[3]);
+  }
+  for (const auto& o : opacities)
+  {
+    model.Opacity->AddPoint(o[0], o[1]);
+  }
+  return model;
+}
+
 Vec3 OpticalModel::colour(double scalar) const
 {
   Vec3 rgb;

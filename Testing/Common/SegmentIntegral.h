@@ -19,6 +19,9 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 
+#include <array>
+#include <vector>
+
 namespace tetmarch::testing
 {
 enum class OpacityLaw
@@ -41,6 +44,9 @@ struct OpticalModel
   Vec3 colour(double scalar) const;
   double extinction(double scalar) const;
 };
+/// Of nodes: scalar, red, green and blue; scalar and opacity.
+OpticalModel opticalModelOf(const std::vector<std::array<double, 4>>& colours,
+  const std::vector<std::array<double, 2>>& opacities);
 
 /// The integral of the extinction over a segment, and the colour that leaves its near end.
 struct SegmentResult

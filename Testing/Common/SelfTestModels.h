@@ -39,14 +39,8 @@ inline Vec3 randomDirection(std::mt19937& generator)
 /// Colour from (r0, g0, b0) at 0 to (r1, g1, b1) at 1 and opacity from a0 to a1.
 inline OpticalModel ramps(const Vec3& c0, const Vec3& c1, double a0, double a1)
 {
-  OpticalModel model;
-  model.Colour = vtkSmartPointer<vtkColorTransferFunction>::New();
-  model.Colour->AddRGBPoint(0.0, c0[0], c0[1], c0[2]);
-  model.Colour->AddRGBPoint(1.0, c1[0], c1[1], c1[2]);
-  model.Opacity = vtkSmartPointer<vtkPiecewiseFunction>::New();
-  model.Opacity->AddPoint(0.0, a0);
-  model.Opacity->AddPoint(1.0, a1);
-  return model;
+  return opticalModelOf({ { { 0.0, c0[0], c0[1], c0[2] } }, { { 1.0, c1[0], c1[1], c1[2] } } },
+    { { { 0.0, a0 } }, { { 1.0, a1 } } });
 }
 
 /// Spikes, plateaus, a midpoint and a sharp bend.

@@ -52,12 +52,7 @@ public:
 /// White of extinction 1.
 inline OpticalModel constantModel()
 {
-  OpticalModel model;
-  model.Colour = vtkSmartPointer<vtkColorTransferFunction>::New();
-  model.Colour->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
-  model.Opacity = vtkSmartPointer<vtkPiecewiseFunction>::New();
-  model.Opacity->AddPoint(0.0, 1.0);
-  return model;
+  return opticalModelOf({ { { 0.0, 1.0, 1.0, 1.0 } } }, { { { 0.0, 1.0 } } });
 }
 } // namespace tetmarch::testing
 

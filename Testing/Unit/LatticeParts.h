@@ -60,44 +60,13 @@ inline Vec3 randomDirection(std::mt19937& random)
                        : Vec3{ d[0] / length, d[1] / length, d[2] / length };
 }
 
-/// Another number within 0..1 for each point: no scalar bends more.
-inline Field roughField(unsigned seed)
-{
-  return [seed](double x, double y, double z)
-  {
-    const double s = std::sin(12.9898 * x + 78.233 * y + 37.719 * z + seed) * 43758.5453;
-    return s - std::floor(s);
-  };
-}
-
-constexpr LatticeValues AllLatticeValues[] = { LatticeValues::PointsLinear,
-  LatticeValues::PointsNearest, LatticeValues::CellsLinear, LatticeValues::CellsNearest };
-
-inline bool isOfCells(LatticeValues values)
-{
-  return values == LatticeValues::CellsLinear || values == LatticeValues::CellsNearest;
-}
-inline bool isLinear(LatticeValues values)
-{
-  return values == LatticeValues::PointsLinear || values == LatticeValues::CellsLinear;
-}
-
 /// Red rises, blue has a peak; the opacity is a ramp with a narrow peak.
 inline OpticalModel rampAndPeak(double unitDistance)
 {
-  OpticalModel model;
-  model.Colour = vtkSmartPointer<vtkColorTransferFunction>::New();
-  model.Colour->AddRGBPoint(0.0, 0.1, 0.9, 0.0);
-  model.Colour->AddRGBPoint(0.45, 0.2, 0.3, 0.1);
-  model.Colour->AddRGBPoint(0.5, 0.9, 0.1, 0.9);
-  model.Colour->AddRGBPoint(1.0, 1.0, 0.2, 0.3);
-  model.Opacity = vtkSmartPointer<vtkPiecewiseFunction>::New();
-  model.Opacity->AddPoint(0.0, 0.0);
-  model.Opacity->AddPoint(0.4, 0.2);
-  model.Opacity->AddPoint(0.48, 0.1);
-  model.Opacity->AddPoint(0.5, 0.9);
-  model.Opacity->AddPoint(0.52, 0.1);
-  model.Opacity->AddPoint(1.0, 0.6);
+  OpticalModel model = opticalModelOf({ { { 0.0, 0.1, 0.9, 0.0 } }, { { 0.45, 0.2, 0.3, 0.1 } },
+                                        { { 0.5, 0.9, 0.1, 0.9 } }, { { 1.0, 1.0, 0.2, 0.3 } } },
+    { { { 0.0, 0.0 } }, { { 0.4, 0.2 } }, { { 0.48, 0.1 } }, { { 0.5, 0.9 } }, { { 0.52, 0.1 } },
+      { { 1.0, 0.6 } } });
   model.UnitDistance = unitDistance;
   return model;
 }

@@ -74,7 +74,7 @@ protected:
     Volume::forEach(Kind::Components, Kind::Independent, call);
   }
 
-  /// What is between entries of the tables is no part of bounds.
+  /// Error bounds leave out what functions do between the entries of a table, so tables are fine.
   static AccuracyLevel fine(AccuracyLevel level)
   {
     level.LeastTableEntries = 16384;

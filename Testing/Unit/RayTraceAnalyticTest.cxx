@@ -18,12 +18,7 @@ using namespace tetmarch::testing;
 /// Constant colour (1, 1/2, 1/4) and extinction.
 OpticalModel constantOptics(double opacity)
 {
-  OpticalModel model;
-  model.Colour = vtkSmartPointer<vtkColorTransferFunction>::New();
-  model.Colour->AddRGBPoint(0.0, 1.0, 0.5, 0.25);
-  model.Opacity = vtkSmartPointer<vtkPiecewiseFunction>::New();
-  model.Opacity->AddPoint(0.0, opacity);
-  return model;
+  return opticalModelOf({ { { 0.0, 1.0, 0.5, 0.25 } } }, { { { 0.0, opacity } } });
 }
 
 Field constantField(double scalar)

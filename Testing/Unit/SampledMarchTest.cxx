@@ -113,7 +113,7 @@ TEST(SampledMarch, IsBruteForceWhereverImagesAre)
 {
   for (const ImagePlace& place : imagePlaces())
   {
-    const auto image = imageOf(roughField(1), place);
+    const auto image = imageOf(scatteredField(1), place);
     const double length = image->GetLength();
     for (const LatticeValues values : AllLatticeValues)
     {
@@ -139,7 +139,7 @@ TEST(SampledMarch, IsBruteForceByTheLogarithmicLaw)
   OpticalModel model = rampAndPeak(0.2);
   model.Law = tetmarch::testing::OpacityLaw::Logarithmic;
   const StructuredRays rays(
-    imageOf(roughField(2), unitCube(6)), LatticeValues::PointsLinear, model, FineSamples);
+    imageOf(scatteredField(2), unitCube(6)), LatticeValues::PointsLinear, model, FineSamples);
   const Worst worst = compareWithBruteForce<SampledTrilinearKernel<double>>(rays, model, 0.04, 5);
   EXPECT_LE(worst.Error, 1e-5);
   EXPECT_EQ(worst.OtherNumber, 0);

@@ -90,7 +90,7 @@ void addStorage(Cases& cases)
   cases.push_back({ "magnitude of bits", pairs, { true, 0 }, 0, std::sqrt(2.0), bits });
 }
 
-// What is not finite is not drawn, and constants are 0.
+// Values that are not finite are not drawn. A constant array is stored as 0.
 void addValues(Cases& cases)
 {
   constexpr float None = UndrawnScalar;

@@ -19,19 +19,9 @@ namespace
 {
 OpticalModel bumpyModel()
 {
-  OpticalModel model;
-  model.Colour = vtkSmartPointer<vtkColorTransferFunction>::New();
-  model.Colour->AddRGBPoint(0.0, 0.1, 0.2, 1.0);
-  model.Colour->AddRGBPoint(0.45, 0.1, 1.0, 0.3);
-  model.Colour->AddRGBPoint(0.55, 1.0, 0.9, 0.0);
-  model.Colour->AddRGBPoint(1.0, 1.0, 0.1, 0.1);
-  model.Opacity = vtkSmartPointer<vtkPiecewiseFunction>::New();
-  model.Opacity->AddPoint(0.0, 0.6);
-  model.Opacity->AddPoint(0.4, 0.1);
-  model.Opacity->AddPoint(0.5, 0.9);
-  model.Opacity->AddPoint(0.6, 0.0);
-  model.Opacity->AddPoint(1.0, 0.8);
-  return model;
+  return opticalModelOf({ { { 0.0, 0.1, 0.2, 1.0 } }, { { 0.45, 0.1, 1.0, 0.3 } },
+                          { { 0.55, 1.0, 0.9, 0.0 } }, { { 1.0, 1.0, 0.1, 0.1 } } },
+    { { { 0.0, 0.6 } }, { { 0.4, 0.1 } }, { { 0.5, 0.9 } }, { { 0.6, 0.0 } }, { { 1.0, 0.8 } } });
 }
 
 OpticalModel modelOf(const Shot& shot)

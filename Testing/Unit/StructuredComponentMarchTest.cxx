@@ -22,7 +22,7 @@ std::vector<Field> roughFields(int components)
   std::vector<Field> fields;
   for (int k = 0; k < components; ++k)
   {
-    fields.push_back(roughField(5 * k));
+    fields.push_back(scatteredField(5 * k));
   }
   return fields;
 }

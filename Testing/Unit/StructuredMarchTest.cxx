@@ -34,7 +34,7 @@ TEST(StructuredMarch, IsTheGroundTruthWhereverImagesAre)
 {
   for (const ImagePlace& place : imagePlaces())
   {
-    const auto image = imageOf(roughField(1), place);
+    const auto image = imageOf(scatteredField(1), place);
     for (const LatticeValues values : AllLatticeValues)
     {
       SCOPED_TRACE(std::string(place.Name) + ", values " + std::to_string(int(values)));
@@ -45,14 +45,14 @@ TEST(StructuredMarch, IsTheGroundTruthWhereverImagesAre)
   }
 }
 
-// With the tables of the level: what is between their entries is included.
+// With the tables of the level, so that the errors between their entries are included.
 template <typename Kernel>
 void expectBound(const AccuracyLevel& level, int count)
 {
   for (const double unit : { 0.02, 0.1, 0.5 })
   {
-    const StructuredRays rays(
-      imageOf(roughField(2), unitCube(6)), LatticeValues::PointsLinear, rampAndPeak(unit), level);
+    const StructuredRays rays(imageOf(scatteredField(2), unitCube(6)), LatticeValues::PointsLinear,
+      rampAndPeak(unit), level);
     const RayTally found = tallyOf<Kernel>(rays, count);
     EXPECT_LT(found.Worst, level.Adaptive ? level.ErrorTolerance : 1) << unit;
     EXPECT_EQ(found.BeyondBound, 0) << unit;

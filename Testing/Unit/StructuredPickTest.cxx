@@ -95,8 +95,8 @@ void expectPicks(vtkDataSet* data, LatticeValues values)
 
 TEST(StructuredPick, IsAtTheOpacityThatIsAskedFor)
 {
-  expectPicks(imageOf(roughField(1), unitCube(6)), LatticeValues::PointsLinear);
-  expectPicks(imageOf(roughField(2), unitCube(6)), LatticeValues::CellsLinear);
-  expectPicks(rectilinearOf(roughField(3), unevenCube(6)), LatticeValues::PointsLinear);
+  expectPicks(imageOf(scatteredField(1), unitCube(6)), LatticeValues::PointsLinear);
+  expectPicks(imageOf(scatteredField(2), unitCube(6)), LatticeValues::CellsLinear);
+  expectPicks(rectilinearOf(scatteredField(3), unevenCube(6)), LatticeValues::PointsLinear);
 }
 } // namespace

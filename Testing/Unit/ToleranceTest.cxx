@@ -14,29 +14,13 @@ namespace
 using namespace tetmarch;
 using namespace tetmarch::testing;
 
-OpticalModel modelOf(const std::vector<std::array<double, 4>>& colours,
-  const std::vector<std::array<double, 2>>& opacities)
-{
-  OpticalModel model;
-  model.Colour = vtkSmartPointer<vtkColorTransferFunction>::New();
-  model.Opacity = vtkSmartPointer<vtkPiecewiseFunction>::New();
-  for (const auto& c : colours)
-  {
-    model.Colour->AddRGBPoint(c[0], c[1], c[2], c[3]);
-  }
-  for (const auto& o : opacities)
-  {
-    model.Opacity->AddPoint(o[0], o[1]);
-  }
-  return model;
-}
-
 // ParaView's default: a diverging colour map, and opacity as a ramp.
 OpticalModel ramp()
 {
-  OpticalModel model = modelOf({ { { 0.0, 0.231, 0.298, 0.753 } }, { { 0.5, 0.865, 0.865, 0.865 } },
-                                 { { 1.0, 0.706, 0.016, 0.149 } } },
-    { { { 0.0, 0.0 } }, { { 1.0, 1.0 } } });
+  OpticalModel model =
+    opticalModelOf({ { { 0.0, 0.231, 0.298, 0.753 } }, { { 0.5, 0.865, 0.865, 0.865 } },
+                     { { 1.0, 0.706, 0.016, 0.149 } } },
+      { { { 0.0, 0.0 } }, { { 1.0, 1.0 } } });
   model.Colour->SetColorSpaceToDiverging();
   return model;
 }
@@ -51,7 +35,7 @@ OpticalModel smooth()
       { { f, 0.5 + 0.5 * std::sin(5.0 * f), 0.5 + 0.5 * std::cos(7.0 * f), 1.0 - f } });
     opacities.push_back({ { f, 0.3 + 0.3 * std::sin(9.0 * f) } });
   }
-  return modelOf(colours, opacities);
+  return opticalModelOf(colours, opacities);
 }
 
 OpticalModel spikes()
@@ -63,7 +47,7 @@ OpticalModel spikes()
     opacities.push_back({ { f, 1.0 } });
     opacities.push_back({ { f + 0.004, 0.0 } });
   }
-  return modelOf(
+  return opticalModelOf(
     { { { 0.0, 0.1, 0.2, 0.9 } }, { { 0.45, 0.9, 0.9, 0.3 } }, { { 1.0, 0.9, 0.1, 0.1 } } },
     opacities);
 }

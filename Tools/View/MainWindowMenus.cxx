@@ -98,7 +98,7 @@ void MainWindow::MakeHelpMenu()
       show(tr("Mouse and keys"), tr("<table cellspacing=6>"
                                     "<tr><td>Left</td><td>turn</td></tr>"
                                     "<tr><td>Middle, or Shift and left</td><td>move</td></tr>"
-                                    "<tr><td>Right, or wheel</td><td>nearer or extra</td></tr>"
+                                    "<tr><td>Right, or wheel</td><td>nearer or further</td></tr>"
                                     "<tr><td>Click</td><td>cell, position and value there</td></tr>"
                                     "<tr><td>x y z</td><td>look along that axis</td></tr>"
                                     "<tr><td>5</td><td>parallel or perspective</td></tr>"

@@ -37,7 +37,7 @@ public:
   void release(vtkWindow* window);
   std::size_t bytes() const;
   std::size_t extraBytes() const { return this->Extra.bytes(); }
-  /** How many numbers a texel of so many extra scalars has: OpenGL 3.2 has no buffer texels of
+  /** The number of floats of a texel for `count` extra scalars: OpenGL 3.2 has no buffer texels of
    * three floats. */
   static std::size_t extraScalarsOfTexel(std::size_t count) { return count < 3 ? count : 4; }
 

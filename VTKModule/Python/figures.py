@@ -217,7 +217,7 @@ def screenshot(data, *arguments, filename=None, **how):
 def compare(data, *arguments, **how):
     """The error of a picture against the ground truth, which the CPU computes in double precision; this is slow.
 
-    data and other arguments: as in figure(), or a Figure, of which a frame is drawn.
+    data and other arguments: as in figure(). If data is a Figure, one frame of it is drawn.
     Returns a dict: rms, max, mean and minimum of the largest error of a channel, 0 to 1, over the pixels whose ray met
     the volume; pixels: their number; percentiles: {50: ..., 90: ..., 99: ..., 99.9: ...}; error_bound: the same for the
     bound; statistics: those of that frame, see statistics(). Raises RuntimeError if there is nothing to compare.

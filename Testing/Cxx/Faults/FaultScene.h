@@ -128,7 +128,7 @@ protected:
       ASSERT_TRUE(of.InParts || this->Watch.Errors.size() <= 1u);
       if (this->Watch.Errors.empty())
       {
-        // What was not to be had is not needed: fma, the word that a window ends.
+        // The frame can do without the refused call: that of fma, or of the end of a window.
         EXPECT_LE(compare(frame, this->Sound).Max, 2.0 / 255.0);
       }
       else

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// After a range that a view mode can't show, the next one draws; what is out of sight is no error.
+// A view mode refuses a range that it can't show, and draws the next one. A volume that is out of
+// sight is no error.
 #include "ErrorScene.h"
 
 namespace

@@ -153,7 +153,7 @@ TEST(StructuredCuts, TwentySevenRegions)
   }
 }
 
-// Cut so that nearly all is gone, and what is left lies between blocks that are leapt over.
+// The cuts leave a small part of the volume. Rays leap over the empty blocks around it.
 TEST(StructuredCuts, EmptySpace)
 {
   StructuredScene scene(imageOf(sineField(1.5), unitCube(32)));

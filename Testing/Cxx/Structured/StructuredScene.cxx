@@ -23,8 +23,6 @@ using Mapper = vtkTetMarchSmartVolumeMapper;
 // What the bound leaves out: the arithmetic of float, most of all where a ray grazes a plane
 // between two cells of different values.
 constexpr double Rounding = 0.1 / 255.0;
-// A fraction of all that is compared with it.
-constexpr double TruthTolerance = 5e-5;
 
 Difference differenceAt(StructuredScene& scene, int level, const Image& truth)
 {
@@ -50,15 +48,6 @@ const char* nameOf(LatticeValues values)
   }
 }
 
-Field scatteredField(unsigned seed)
-{
-  return [seed](double x, double y, double z)
-  {
-    const double s = std::sin(12.9898 * x + 78.233 * y + 37.719 * z + seed) * 43758.5453;
-    return s - std::floor(s);
-  };
-}
-
 StructuredScene::StructuredScene(vtkDataSet* data, int width, int height)
   : Data(data)
   , Window(makeWindow(width, height))
@@ -76,13 +65,10 @@ StructuredScene::StructuredScene(vtkDataSet* data, int width, int height)
 
 void StructuredScene::draw(LatticeValues values)
 {
-  const bool linear = values == LatticeValues::PointsLinear || values == LatticeValues::CellsLinear;
-  const bool ofPoints =
-    values == LatticeValues::PointsLinear || values == LatticeValues::PointsNearest;
   this->property()->SetInterpolationType(
-    linear ? VTK_LINEAR_INTERPOLATION : VTK_NEAREST_INTERPOLATION);
+    isLinear(values) ? VTK_LINEAR_INTERPOLATION : VTK_NEAREST_INTERPOLATION);
   this->Mapper->SetScalarMode(
-    ofPoints ? VTK_SCALAR_MODE_USE_POINT_DATA : VTK_SCALAR_MODE_USE_CELL_DATA);
+    isOfCells(values) ? VTK_SCALAR_MODE_USE_CELL_DATA : VTK_SCALAR_MODE_USE_POINT_DATA);
 }
 
 void StructuredScene::lookAtAll(double unitDistance)

@@ -24,12 +24,7 @@ namespace tetmarch::testing
 constexpr int StructuredSize = 28;
 
 using KindsOfValues = std::initializer_list<LatticeValues>;
-constexpr KindsOfValues AllLatticeValues = { LatticeValues::PointsLinear,
-  LatticeValues::PointsNearest, LatticeValues::CellsLinear, LatticeValues::CellsNearest };
 const char* nameOf(LatticeValues values);
-
-/// Uniform noise in 0..1, another number for each point.
-Field scatteredField(unsigned seed);
 
 class StructuredScene
 {

@@ -90,23 +90,6 @@ protected:
 
   void show(vtkDataObject* data) { this->Shown.Mapper->SetInputDataObject(data); }
   void showSound() { this->show(this->Shown.Data); }
-  void expectErrorOf(vtkDataObject* data, const Words& words)
-  {
-    this->expectError([=] { this->show(data); }, [this] { this->showSound(); }, words);
-  }
-  /// Of an array that is chosen by VTK_SCALAR_MODE_... and by name or number.
-  template <typename NameOrNumber>
-  void expectErrorOfArray(int scalarMode, NameOrNumber array, const Words& words)
-  {
-    auto* mapper = this->Shown.Mapper.Get();
-    this->expectError(
-      [=]
-      {
-        mapper->SetScalarMode(scalarMode);
-        mapper->SelectScalarArray(array);
-      },
-      [=] { mapper->SetScalarModeToDefault(); }, words);
-  }
 
   SceneType Shown;
   Image Sound;

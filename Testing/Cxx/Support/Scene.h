@@ -30,6 +30,8 @@ class vtkActor;
 namespace tetmarch::testing
 {
 constexpr int SceneSize = 160;
+/// Of ground truths: a fraction of every limit that pictures are held to.
+constexpr double TruthTolerance = 5e-5;
 
 /// A window through the backend that TETMARCH_GL names, without multisampling; throws if there is
 /// none.

@@ -140,7 +140,7 @@ void expectReference(vtkTetMarchVolumeMapper* mapper, vtkVolume* volume, int wid
 {
   const Image drawn = floatPictureOf(mapper, width, height);
   vtkNew<vtkFloatArray> pixels;
-  ASSERT_TRUE(mapper->RenderGroundTruth(volume, pixels, 5e-5));
+  ASSERT_TRUE(mapper->RenderGroundTruth(volume, pixels, TruthTolerance));
   const Image reference = Image::fromFloats(width, height, pixels->GetPointer(0));
   const Difference difference = compare(drawn, reference);
   std::cout << "[ MEASURED ] apart from the reference: " << difference.text() << '\n';
