@@ -64,9 +64,11 @@ if (TETMARCH_WRAP_PYTHON)
     TARGET TetMarch::Python
     BUILD_STATIC OFF)
   set(tetmarch_package "${CMAKE_BINARY_DIR}/${tetmarch_python_dir}/vtktetmarch")
-  foreach (file IN ITEMS __init__.py __init__.pyi __main__.py arrays.py cameras.py cell_types.py checks.py colors.py
-      display.py errors.py figures.py file_lists.py first_picture.py forks.py inputs.py measures.py opacities.py
-      pixels.py properties.py py.typed readers.py replacement.py shared_arrays.py volumes.py)
+  file(GLOB tetmarch_python_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/VTKModule/Python"
+    "${PROJECT_SOURCE_DIR}/VTKModule/Python/*.py" "${PROJECT_SOURCE_DIR}/VTKModule/Python/*.pyi"
+    "${PROJECT_SOURCE_DIR}/VTKModule/Python/py.typed")
+  list(REMOVE_ITEM tetmarch_python_files make_stubs.py)
+  foreach (file IN LISTS tetmarch_python_files)
     configure_file("VTKModule/Python/${file}" "${tetmarch_package}/${file}" COPYONLY)
     install(FILES "VTKModule/Python/${file}"
       DESTINATION "${tetmarch_python_dir}/vtktetmarch"
