@@ -8,18 +8,24 @@ include("${PROJECT_SOURCE_DIR}/VTKModule/Instrumentation.cmake")
 option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(TETMARCH_WRAP_PYTHON "Build the Python package vtktetmarch" ON)
 option(TETMARCH_BUILD_TOOLS "Build the programs tetmarch-render and tetmarch-view" ON)
+option(TETMARCH_WHEEL "Put all that a Python wheel has into the folder vtktetmarch of the build" OFF)
 
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "The type of build" FORCE)
 endif ()
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
+if (TETMARCH_WHEEL)
+  include("${PROJECT_SOURCE_DIR}/VTKModule/WheelLayout.cmake")
+else ()
+  # Debian's Python looks below lib/, not below the multi-architecture folder.
+  set(tetmarch_python_dir "lib/python3/dist-packages")
+  file(RELATIVE_PATH tetmarch_lib_from_python "/${tetmarch_python_dir}/vtktetmarch" "/${CMAKE_INSTALL_LIBDIR}")
+  set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" "$ORIGIN/${tetmarch_lib_from_python}")
+  set(tetmarch_library_version VERSION "${PROJECT_VERSION}" SOVERSION 1)
+endif ()
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
-# Debian's Python looks below lib/, not below the multi-architecture folder.
-set(tetmarch_python_dir "lib/python3/dist-packages")
-file(RELATIVE_PATH tetmarch_lib_from_python "/${tetmarch_python_dir}/vtktetmarch" "/${CMAKE_INSTALL_LIBDIR}")
-set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" "$ORIGIN/${tetmarch_lib_from_python}")
 
 set(tetmarch_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms ParallelCore
@@ -50,8 +56,7 @@ vtk_module_build(
   PACKAGE TetMarch
   INSTALL_EXPORT TetMarch
   LIBRARY_NAME_SUFFIX "${VTK_VERSION_MAJOR}.${VTK_VERSION_MINOR}"
-  VERSION "${PROJECT_VERSION}"
-  SOVERSION 1
+  ${tetmarch_library_version}
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/tetmarch"
   CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/TetMarch")
 
@@ -74,6 +79,10 @@ if (TETMARCH_WRAP_PYTHON)
       DESTINATION "${tetmarch_python_dir}/vtktetmarch"
       COMPONENT python)
   endforeach ()
+  configure_file(VTKModule/Python/built_for.py.in "${tetmarch_package}/built_for.py" @ONLY)
+  install(FILES "${tetmarch_package}/built_for.py"
+    DESTINATION "${tetmarch_python_dir}/vtktetmarch"
+    COMPONENT python)
   configure_file(Tools/Common/ColorMaps.json "${tetmarch_package}/color_maps.json" COPYONLY)
   install(FILES Tools/Common/ColorMaps.json
     RENAME color_maps.json

@@ -32,6 +32,8 @@ NOT_PASTED = {  # by regular expression
     r"build/bin/tetmarch-render lobster_\S* .*": "the file is to be downloaded",
     "python3 Testing/Benchmark/compare_.*": "Testing/Benchmark/ComparisonTest.py runs them",
     "PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 example.py": "ExamplesTest.py pastes it",
+    r"(apt-get install [\w+ -]+|python3 -m venv \S* env|env/bin/(pip install \.|python example\.py))":
+        "./tetmarch package test-wheel does it in clean roots",
     r"PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Documentation/Examples/light\.py":
         "Testing/Python/ExamplesTest.py runs all examples",
     "PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 -m vtktetmarch script.py":

@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-# For ./tetmarch package test: a clean root of Debian 12, in which the packages are tried.
+# For ./tetmarch package test: a clean root of Debian, in which the packages are tried.
 
 readonly CLEAN_ROOT="$BUILD/clean-root"
 
@@ -15,6 +15,7 @@ in_clean_root() {
     in_clean_root "$CLEAN_ROOT" "$@"
 }
 
+# make_clean_root CODENAME
 make_clean_root() {
   local mirror
   install_packages debootstrap util-linux
@@ -22,14 +23,18 @@ make_clean_root() {
   mirror="$(debian_mirror)"
   [[ -n "$mirror" ]] || die "apt knows no mirror of Debian; see /etc/apt and run apt-get update"
   rm -rf --one-file-system "$CLEAN_ROOT"
-  say "making $CLEAN_ROOT from $mirror"
-  unshare --mount debootstrap --variant=minbase bookworm "$CLEAN_ROOT" "$mirror" >"$BUILD/debootstrap.log" 2>&1 ||
+  say "making $CLEAN_ROOT of $1 from $mirror"
+  mkdir -p "$BUILD"
+  # Debian 12's debootstrap has no script for forky, which is made as unstable is.
+  unshare --mount debootstrap --variant=minbase "$1" "$CLEAN_ROOT" "$mirror" sid >"$BUILD/debootstrap.log" 2>&1 ||
     die "debootstrap failed, see $BUILD/debootstrap.log"
   apt-config dump | grep -E '^Acquire::(http|https|Check-Date|Check-Valid-Until)\b' \
     >"$CLEAN_ROOT/etc/apt/apt.conf.d/machine" || true
-  : >"$CLEAN_ROOT/etc/apt/sources.list" # as on this machine, instead
-  cp /etc/apt/sources.list "$CLEAN_ROOT/etc/apt/" 2>/dev/null || true
-  cp -r /etc/apt/sources.list.d/. "$CLEAN_ROOT/etc/apt/sources.list.d/" 2>/dev/null || true
+  if on_debian "$1"; then
+    : >"$CLEAN_ROOT/etc/apt/sources.list" # as on this machine, instead
+    cp /etc/apt/sources.list "$CLEAN_ROOT/etc/apt/" 2>/dev/null || true
+    cp -r /etc/apt/sources.list.d/. "$CLEAN_ROOT/etc/apt/sources.list.d/" 2>/dev/null || true
+  fi
   in_clean_root apt-get -q update >>"$BUILD/debootstrap.log"
 }
 
@@ -84,7 +89,7 @@ test_packages() {
   local names files try="$CLEAN_ROOT/try"
   on_debian bookworm || die "packages are tried on Debian 12 only"
   ((EUID == 0)) || die "package test makes a root and enters it, so it wants root: sudo ./tetmarch package test"
-  make_clean_root
+  make_clean_root bookworm
   mkdir -p "$try/packages" "$try/Data"
   cp "$PACKAGES_FOLDER"/*.deb "$try/packages/"
   cp "$ROOT"/Data/golfball_small.vtu "$ROOT"/Data/bonsai_small.vti "$try/Data/"

@@ -6,12 +6,13 @@
 readonly PACKAGES_FOLDER="$BUILD/packages"
 readonly PACKAGE_PACKAGES=(dpkg-dev file)
 
-# package [test]
+# package [test | test-wheel]
 package() {
   case "$*" in
     "") make_packages ;;
     test) make_packages && test_packages ;;
-    *) die "package takes nothing or test, not $*" ;;
+    test-wheel) test_wheels ;;
+    *) die "package takes nothing, test or test-wheel, not $*" ;;
   esac
 }
 

@@ -2,6 +2,10 @@
 
 import importlib
 
+from .vtk_check import check_vtk
+
+check_vtk()
+
 # VTK's own modules first: they register the base classes that ours derive from, and the factories of OpenGL and text.
 import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 import vtkmodules.vtkRenderingAnnotation  # noqa: F401

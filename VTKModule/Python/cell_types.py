@@ -5,7 +5,7 @@ from vtkmodules import vtkCommonDataModel as model
 
 from .checks import checked_integer
 
-# Name: (VTK's number, points of a cell). The names are meshio's, if it has one.
+# Name: (VTK's number, points of a cell; 0: any number). The names are meshio's, if it has one.
 CELL_TYPES = {
     "tetra": (model.VTK_TETRA, 4),
     "voxel": (model.VTK_VOXEL, 8),
@@ -22,6 +22,12 @@ CELL_TYPES = {
     "wedge15": (model.VTK_QUADRATIC_WEDGE, 15),
     "wedge18": (model.VTK_BIQUADRATIC_QUADRATIC_WEDGE, 18),
     "pyramid13": (model.VTK_QUADRATIC_PYRAMID, 13),
+    "VTK_LAGRANGE_TETRAHEDRON": (model.VTK_LAGRANGE_TETRAHEDRON, 0),
+    "VTK_LAGRANGE_HEXAHEDRON": (model.VTK_LAGRANGE_HEXAHEDRON, 0),
+    "VTK_LAGRANGE_WEDGE": (model.VTK_LAGRANGE_WEDGE, 0),
+    "VTK_BEZIER_TETRAHEDRON": (model.VTK_BEZIER_TETRAHEDRON, 0),
+    "VTK_BEZIER_HEXAHEDRON": (model.VTK_BEZIER_HEXAHEDRON, 0),
+    "VTK_BEZIER_WEDGE": (model.VTK_BEZIER_WEDGE, 0),
 }
 POINTS = dict(CELL_TYPES.values())
 

@@ -3,7 +3,6 @@
 """Converts users' data to data of VTK that a mapper draws."""
 import os
 
-import numpy as np
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkExplicitStructuredGrid,
                                            vtkImageData, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid,
@@ -11,37 +10,11 @@ from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkDataObject, v
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
-from .arrays import from_arrays
-from .cell_types import CELL_TYPES
+from .foreign import foreign_data
 from .readers import read
 from .vtkRenderingTetMarch import vtkTetMarchFirstPicture
 
 LATTICES = (vtkImageData, vtkRectilinearGrid)
-
-
-def is_meshio(data):
-    return all(hasattr(data, name) for name in ("points", "cells", "point_data", "cell_data"))
-
-
-def from_meshio(mesh):
-    """A grid of the solid cells of a meshio.Mesh; triangles, lines and vertices of its boundary are left out."""
-    known = []
-    for number, block in enumerate(mesh.cells):
-        kind, ids = (block.type, block.data) if hasattr(block, "type") else block
-        if kind.startswith("polyhedron"):
-            raise ValueError("polyhedra of meshio can't be taken: write the mesh as VTK's file, and read() that")
-        if kind in CELL_TYPES:
-            known.append((number, kind, np.asarray(ids)))
-    if not known:
-        raise ValueError("the mesh has no solid cells: "
-                         + (", ".join(str(getattr(b, "type", None) or b[0]) for b in mesh.cells) or "no cells at all"))
-    connectivity = np.concatenate([ids.reshape(-1) for _, _, ids in known])
-    sizes = np.concatenate([np.full(len(ids), ids.shape[1]) for _, _, ids in known])
-    types = np.concatenate([np.full(len(ids), CELL_TYPES[kind][0]) for _, kind, ids in known])
-    cell_data = {name: np.ma.concatenate([blocks[number] for number, _, _ in known])
-                 for name, blocks in mesh.cell_data.items()}
-    offsets = np.append(0, np.cumsum(sizes))
-    return from_arrays(mesh.points, (connectivity, offsets), types, dict(mesh.point_data), cell_data)
 
 
 def check_faults(data):
@@ -83,7 +56,7 @@ def is_structured(data):
 
 
 def vtk_data(data):
-    """A vtkDataObject of `data`: itself, an algorithm's output, a file's path, a meshio.Mesh, ..."""
+    """A vtkDataObject of `data`: itself, an algorithm's output, a file's path, an array, a meshio.Mesh, ..."""
     if isinstance(data, (str, os.PathLike)):
         return read(data)
     if isinstance(data, vtkAlgorithmOutput):
@@ -92,11 +65,12 @@ def vtk_data(data):
     if isinstance(data, vtkAlgorithm):
         data.Update()
         return data.GetOutputDataObject(0)
-    if not isinstance(data, vtkDataObject) and isinstance(getattr(data, "VTKObject", None), vtkDataObject):
+    if isinstance(data, vtkDataObject):
+        return data
+    if isinstance(getattr(data, "VTKObject", None), vtkDataObject):
         return data.VTKObject  # of vtkmodules.numpy_interface.dataset_adapter
-    if not isinstance(data, vtkDataObject) and is_meshio(data):
-        return from_meshio(data)
-    return data
+    found = foreign_data(data)
+    return data if found is None else found
 
 
 def drawn_data(data):
@@ -114,4 +88,5 @@ def drawn_data(data):
         raise TypeError("a vtkPolyData is a surface, which has no inside to draw; vtkDelaunay3D makes tetrahedra of "
                         "its points, and a vtkActor draws the surface")
     raise TypeError(f"{type(data).__name__} is no data that can be drawn: give data of VTK's or PyVista's, an "
-                    "algorithm, the path of a file, a meshio.Mesh, or what from_arrays() makes")
+                    "algorithm, the path of a file, a NumPy array of three dimensions, an xarray.DataArray, a "
+                    "meshio.Mesh, or what from_arrays() makes")

@@ -37,7 +37,9 @@ def unmasked(values, what, then):
 def numeric_array(values, what):
     """A NumPy array of numbers that VTK can share: the array itself if it can be, else a copy.
 
-    Copied are: lists, arrays that aren't contiguous in C order, of another byte order, of booleans and of half floats.
+    Copied are: lists, arrays that aren't contiguous in C order, or aligned, of another byte order, of booleans (which
+    become 0 and 1) and of half floats (which become single ones). Arrays that are read-only are shared: nothing here
+    writes to them.
     Raises TypeError for types that VTK lacks: complex numbers, texts, objects.
     """
     array = np.asarray(values)
@@ -47,7 +49,7 @@ def numeric_array(values, what):
         array = array.astype(np.float32)
     if array.dtype.kind not in "iuf" or array.dtype.itemsize > 8:
         raise TypeError(f"{what} has values of type {array.dtype}; VTK has integers and floats of up to 64 bits")
-    return np.ascontiguousarray(array, array.dtype.newbyteorder("="))
+    return np.require(array, array.dtype.newbyteorder("="), ("C_CONTIGUOUS", "ALIGNED"))
 
 
 def shared_array(array, name=None):
