@@ -9,7 +9,7 @@ from numbers import Real
 
 def setters(target):
     """The methods of an object that set one property each, by the property's name in small letters."""
-    return {name[3:].lower(): name[3:] for name in dir(target) if name.startswith("Set") and len(name) > 3}
+    return {name[3:].lower(): name[3:] for name in dir(type(target)) if name.startswith("Set") and len(name) > 3}
 
 
 def snake_case(name):
@@ -41,7 +41,7 @@ def property_names(targets):
 def words_of(target, name):
     """The words of an enumeration: {"fast": "SetAccuracyLevelToFast", ...}."""
     begin = f"Set{name}To"
-    return {method[len(begin):].lower(): method for method in dir(target) if method.startswith(begin)}
+    return {method[len(begin):].lower(): method for method in dir(type(target)) if method.startswith(begin)}
 
 
 def set_word(target, name, word, shown):
