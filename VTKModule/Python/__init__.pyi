@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Types of the package, for editors and type checkers. What functions do is in their docstrings."""
 from os import PathLike
-from typing import Any, Literal, Mapping, NamedTuple, Sequence, Union, overload
+from typing import Any, Callable, Literal, Mapping, NamedTuple, Sequence, Union, overload
 
 import numpy as np
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPiecewiseFunction, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPiecewiseFunction, vtkUnstructuredGrid
 from vtkmodules.vtkRenderingCore import (vtkAbstractVolumeMapper, vtkCamera, vtkColorTransferFunction, vtkProp,
                                          vtkRenderer, vtkVolume)
 
@@ -28,9 +28,10 @@ Association = Literal["points", "cells", None]
 Component = Union[int, Literal["magnitude"], None]
 Color = Union[str, Sequence[float]]
 ColorMap = Union[vtkColorTransferFunction, str, Sequence[Color], Sequence[tuple[float, Color]], None]
-Opacity = Union[vtkPiecewiseFunction, float, Sequence[tuple[float, float]], Literal["linear"], None]
+Opacity = Union[vtkPiecewiseFunction, float, Sequence[float], Sequence[tuple[float, float]], Callable[[float], float],
+                Literal["linear"], None]
 Range = Union[Sequence[float], None]
-Camera = Union[Literal["iso"], Mapping[str, Any], vtkCamera]
+Camera = Union[Literal["iso", "x", "-x", "y", "-y", "z", "-z"], Mapping[str, Any], vtkCamera]
 Size = Sequence[int]
 Pixels = np.ndarray[Any, np.dtype[np.uint8]]
 
@@ -89,5 +90,8 @@ def read(path: Path, time_step: int | None = None) -> vtkDataObject: ...
 def time_values(path: Path) -> tuple[float, ...]: ...
 def from_arrays(points: Any, cells: Any, cell_types: Any, point_data: Mapping[str, Any] | None = None,
                 cell_data: Mapping[str, Any] | None = None) -> vtkUnstructuredGrid: ...
+def from_image(array: Any, spacing: Sequence[float] = (1, 1, 1), origin: Sequence[float] = (0, 0, 0), *,
+               axes: str = "xyz", association: Literal["points", "cells"] = "points",
+               name: str = "values") -> vtkImageData: ...
 def replace_smart_volume_mapper(replaces: bool = True) -> None: ...
 def replace_unstructured_mappers(replaces: bool = True) -> None: ...

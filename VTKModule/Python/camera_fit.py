@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cameras that look along an axis, with the visible part of the data just in view."""
+import math
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkImageData, vtkPointSet, vtkUnstructuredGrid
+
+from .inputs import LATTICES, blocks_of
+
+ANGLE, MARGIN = 30.0, 1.05  # as vtkTetMarchFirstPicture.PlaceCamera() has them
+MOST = 100  # values along each dimension of an image that are looked at
+SHOWN = 0.01  # of the largest opacity
+
+
+def drawn_points(block):
+    """The points of cells of a grid with points: (points, 3)."""
+    points = vtk_to_numpy(block.GetPoints().GetData())
+    if isinstance(block, vtkUnstructuredGrid):
+        points = points[np.unique(vtk_to_numpy(block.GetCells().GetConnectivityArray()))]
+    return points
+
+
+def values_of(block, first):
+    """The drawn values of an image or rectilinear grid, (z, y, x), and whether they are of cells; or None."""
+    of_cells = first.GetChosenAssociation() == first.CELLS
+    attributes = block.GetCellData() if of_cells else block.GetPointData()
+    array = attributes.GetArray(first.GetChosenArray().GetName())
+    if array is None:
+        return None, of_cells
+    values = vtk_to_numpy(array).reshape(array.GetNumberOfTuples(), -1)
+    component = first.GetChosenComponent()
+    shape = [max(n - of_cells, 1) for n in reversed(block.GetDimensions())]
+    steps = tuple(slice(None, None, math.ceil(n / MOST)) for n in shape)
+    values = values.reshape(*shape, -1)[steps].astype(float)
+    values = values[..., component] if component >= 0 else np.linalg.norm(values, axis=-1)
+    return values, of_cells
+
+
+def places_of(block, of_cells):
+    """The coordinates of values along x, y and z of an image or rectilinear grid; those of cells are their centres."""
+    if isinstance(block, vtkImageData):
+        extent = block.GetExtent()
+        found = [np.arange(extent[2 * i], extent[2 * i + 1] + 1.0) for i in range(3)]
+    else:
+        found = [vtk_to_numpy(array).astype(float) for array in
+                 (block.GetXCoordinates(), block.GetYCoordinates(), block.GetZCoordinates())]
+    found = [0.5 * (each[1:] + each[:-1]) if of_cells and len(each) > 1 else each for each in found]
+    return [each[::math.ceil(len(each) / MOST)] for each in found]
+
+
+def shown_points(block, first, opacity):
+    """Where an image or rectilinear grid is visible: (points, 3). opacity: of an array of values."""
+    values, of_cells = values_of(block, first)
+    if values is None:
+        return np.empty((0, 3))
+    opacities = np.nan_to_num(opacity(values))
+    index = np.nonzero(opacities > SHOWN * opacities.max())[::-1]
+    points = np.stack([each[i] for each, i in zip(places_of(block, of_cells), index)], axis=1)
+    if isinstance(block, vtkImageData):
+        matrix = block.GetIndexToPhysicalMatrix()
+        matrix = np.array([[matrix.GetElement(i, k) for k in range(4)] for i in range(3)])
+        points = points @ matrix[:, :3].T + matrix[:, 3]
+    return points
+
+
+def corners(block):
+    """The corners of a data set's box."""
+    return np.stack(np.meshgrid(*np.reshape(block.GetBounds(), (3, 2))), axis=-1).reshape(-1, 3)
+
+
+def visible_points(data, first, function):
+    """Points of the visible part of data; if nothing is visible, the corners of all. function: a vtkPiecewiseFunction.
+
+    first: a vtkTetMarchFirstPicture that has chosen the array.
+    """
+    nodes = []
+    for i in range(function.GetSize()):
+        node = [0.0] * 4
+        function.GetNodeValue(i, node)
+        nodes.append(node[:2])
+    values, opacities = np.transpose(nodes or [(0.0, 1.0)])
+    blocks = list(blocks_of(data)) if isinstance(data, vtkCompositeDataSet) else [data]
+    found = [shown_points(block, first, lambda v: np.interp(v, values, opacities)) if isinstance(block, LATTICES)
+             else drawn_points(block) for block in blocks if isinstance(block, (*LATTICES, vtkPointSet))]
+    points = np.concatenate(found)
+    return points if len(points) else np.concatenate([corners(block) for block in blocks])
+
+
+def fit_along(camera, direction, points, aspect):
+    """Looks along a direction, with z upwards, or y if that is along z, such that points just fit into the picture.
+
+    The sides of the view touch the outermost points: with c towards the viewer, who is at the distance d over the
+    centre m, a point is in the picture if |a - m| <= slope (d - c).
+    """
+    back = -np.asarray(direction, float)
+    up = np.array((0.0, 1.0, 0.0) if back[2] else (0.0, 0.0, 1.0))
+    right = np.cross(up, back)
+    places = [points @ axis for axis in (right, up, back)]
+    slopes = [math.tan(math.radians(ANGLE / 2)) / MARGIN * side for side in (aspect, 1.0)]
+    highs = [(place + slope * places[2]).max() for place, slope in zip(places, slopes)]
+    lows = [(slope * places[2] - place).max() for place, slope in zip(places, slopes)]
+    a, b = [(high - low) / 2 for high, low in zip(highs, lows)]
+    size = max(place.max() - place.min() for place in places) / 2 or 1.0
+    distance = max(*((high + low) / 2 / slope for high, low, slope in zip(highs, lows, slopes)),
+                   places[2].max() + 1e-3 * size)
+    depth = (places[2].max() + places[2].min()) / 2
+    camera.SetFocalPoint(*(a * right + b * up + depth * back))
+    camera.SetPosition(*(a * right + b * up + distance * back))
+    camera.SetViewUp(*up)
+    camera.SetViewAngle(ANGLE)
+    camera.SetParallelScale(MARGIN * max(abs(places[1] - b).max(), abs(places[0] - a).max() / aspect) or 1.0)
