@@ -7,6 +7,7 @@ readonly FORKY_ROOT="$BUILD/forky-root"
 readonly FORKY_BUILD="$BUILD/forky"
 readonly FORKY_SOURCES=/usr/src/tetmarch
 readonly FORKY_PACKAGES=(debootstrap util-linux)
+readonly PYVISTA_PACKAGES=(python3-pyvista) # which Debian 12 has not
 
 # The mirror that this machine's apt has its own release from.
 debian_mirror() {
@@ -51,6 +52,6 @@ make_forky_root() {
     >"$FORKY_ROOT/etc/apt/apt.conf.d/machine" || true
   apt_get in_forky update
   apt_get in_forky install --no-install-recommends "${PACKAGES[@]}" "${CHART_PACKAGES[@]}" \
-    "${GPU_COMPILE_PACKAGES[@]}"
+    "${GPU_COMPILE_PACKAGES[@]}" "${PYVISTA_PACKAGES[@]}"
   touch "$finished"
 }
