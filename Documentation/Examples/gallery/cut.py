@@ -28,8 +28,8 @@ heat = np.minimum(heat, 0.95) + 0.6 / (1 + np.exp((radius - 0.42) / 0.015)) - 0.
 planet = vtktetmarch.from_arrays(points, cells, "hexahedron", point_data={"heat": heat})
 figure = vtktetmarch.figure(
     planet, "heat", range=(0, 1.2), opacity=1, unit_distance=0.03,
-    cmap=["#2c7fa3", "#79c7b5", "#5b3a7e", "#b0417c", "#ef6a4e", "#fcb24c", "#fff1b8"], size=(480, 360), background="#07080c",
-    shade=True, ambient=0.75, diffuse=0.4, specular=0.05,
+    cmap=["#2c7fa3", "#79c7b5", "#5b3a7e", "#b0417c", "#ef6a4e", "#fcb24c", "#fff1b8"],
+    size=(480, 360), background="#07080c", shade=True, ambient=0.75, diffuse=0.4, specular=0.05,
     cropping=True, cropping_region_planes=(0, 2, -2, 0, 0, 2), cropping_region_flags=2**27 - 1 - 2**13,
     camera={"position": (2.2, -4.6, 2.5), "focal_point": (0, 0, 0), "view_up": (0, 0, 1), "view_angle": 23})
 figure.save("cut.png")

@@ -18,10 +18,10 @@ z = floor * (1 - layer) ** 0.8
 warmth = 26 - 15 * north + 2 * np.sin(x / 150)
 deep = z / 1.1
 for _ in range(16):  # eddies, each with a warm or a cold heart that reaches down
-    cx, cy, size, sign = random.uniform(200, 1350), random.uniform(80, 950), random.uniform(50, 110), random.choice([-1, 1])
-    heart = np.exp(-((x - cx) ** 2 + (y - cy) ** 2) / size**2)
-    warmth += 4 * sign * heart
-    deep += 0.35 * sign * heart
+    cx, cy, size, sign = random.uniform((200, 80, 50, -1), (1350, 950, 110, 1))
+    heart = np.exp(-((x - cx) ** 2 + (y - cy) ** 2) / size**2) * np.sign(sign)
+    warmth += 4 * heart
+    deep += 0.35 * heart
 temperature = 2 + (warmth - 2) * np.exp(np.minimum(deep, 0))
 
 grid = vtkStructuredGrid()
@@ -32,7 +32,7 @@ grid.SetPoints(points)
 values = numpy_to_vtk(temperature.ravel(), deep=True)
 values.SetName("temperature")
 grid.GetPointData().SetScalars(values)
-figure = vtktetmarch.figure(grid, range=(2, 26), opacity=[(2, 0.25), (8, 0.3), (26, 1)], unit_distance=70,
+figure = vtktetmarch.figure(grid, range=(2, 26), opacity=[(2, 0.25), (8, 0.3), (26, 1)], unit_distance=45,
                             cmap=["#0b1a4a", "#1f5fa8", "#2fb3b3", "#c7e58a", "#ffd15c", "#f0703c", "#b5223a"],
                             size=(480, 360), background="#0a0f18", camera={"azimuth": -12, "elevation": 12, "zoom": 1})
 figure.save("ocean.png")
