@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cameras that look along an axis, with the visible part of the data just in view."""
+"""Cameras with the visible part of the data, or other points, just in view."""
 import math
 
 import numpy as np
@@ -65,9 +65,9 @@ def shown_points(block, first, opacity):
     return points
 
 
-def corners(block):
-    """The corners of a data set's box."""
-    return np.stack(np.meshgrid(*np.reshape(block.GetBounds(), (3, 2))), axis=-1).reshape(-1, 3)
+def corners(boxed):
+    """The corners of the box of a data set or a prop: (8, 3)."""
+    return np.stack(np.meshgrid(*np.reshape(boxed.GetBounds(), (3, 2))), axis=-1).reshape(-1, 3)
 
 
 def visible_points(data, first, function):
@@ -88,17 +88,18 @@ def visible_points(data, first, function):
     return points if len(points) else np.concatenate([corners(block) for block in blocks])
 
 
-def fit_along(camera, direction, points, aspect):
-    """Looks along a direction, with z upwards, or y if that is along z, such that points just fit into the picture.
+def fit_view(camera, points, aspect, margin=MARGIN):
+    """Moves a camera, which looks into the same direction as before, such that points just fit into the picture.
 
     The sides of the view touch the outermost points: with c towards the viewer, who is at the distance d over the
     centre m, a point is in the picture if |a - m| <= slope (d - c).
     """
-    back = -np.asarray(direction, float)
-    up = np.array((0.0, 1.0, 0.0) if back[2] else (0.0, 0.0, 1.0))
-    right = np.cross(up, back)
+    back = -np.array(camera.GetDirectionOfProjection())
+    right = np.cross(camera.GetViewUp(), back)
+    right /= np.linalg.norm(right)
+    up = np.cross(back, right)
     places = [points @ axis for axis in (right, up, back)]
-    slopes = [math.tan(math.radians(ANGLE / 2)) / MARGIN * side for side in (aspect, 1.0)]
+    slopes = [math.tan(math.radians(ANGLE / 2)) / margin * side for side in (aspect, 1.0)]
     highs = [(place + slope * places[2]).max() for place, slope in zip(places, slopes)]
     lows = [(slope * places[2] - place).max() for place, slope in zip(places, slopes)]
     a, b = [(high - low) / 2 for high, low in zip(highs, lows)]
@@ -110,4 +111,4 @@ def fit_along(camera, direction, points, aspect):
     camera.SetPosition(*(a * right + b * up + distance * back))
     camera.SetViewUp(*up)
     camera.SetViewAngle(ANGLE)
-    camera.SetParallelScale(MARGIN * max(abs(places[1] - b).max(), abs(places[0] - a).max() / aspect) or 1.0)
+    camera.SetParallelScale(margin * max(abs(places[1] - b).max(), abs(places[0] - a).max() / aspect) or 1.0)

@@ -5,7 +5,7 @@ import numpy as np
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from .camera_fit import fit_along, visible_points
+from .camera_fit import corners, fit_view, visible_points
 from .checks import checked_number, checked_numbers, checked_positive
 from .errors import VtkErrors
 from .first_picture import first_picture_of
@@ -26,16 +26,19 @@ def fit(camera, volume, aspect):
         camera.ApplyTransform(transform)
 
 
-def look_along(camera, name, volume, aspect):
-    """Looks along an axis of the world, by its name in DIRECTIONS, with the visible part of the volume just in view."""
+def look_along(camera, direction, volume, aspect):
+    """Looks along an axis of the world, with z upwards, or y if it is z; the visible part of the volume is in view."""
     first = first_picture_of(volume)
     points = visible_points(first.GetInputData(), first, volume.GetProperty().GetScalarOpacity())
     matrix = volume.GetMatrix()
     matrix = np.array([[matrix.GetElement(i, k) for k in range(4)] for i in range(3)])
-    fit_along(camera, DIRECTIONS[name], points @ matrix[:, :3].T + matrix[:, 3], aspect)
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition(*(-part for part in direction))
+    camera.SetViewUp((0, 1, 0) if direction[2] else (0, 0, 1))
+    fit_view(camera, points @ matrix[:, :3].T + matrix[:, 3], aspect)
 
 
-def place_camera(camera, wish, volume, aspect):
+def place_camera(camera, wish, volume, aspect, bar=0.0, room=1.0):
     """Places a vtkCamera.
 
     wish: "iso": obliquely, so that the visible part just fits; "x", "-x", "y", "-y", "z" or "-z": likewise, along that
@@ -43,20 +46,31 @@ def place_camera(camera, wish, volume, aspect):
         entries are as with "iso": position, focal_point, view_up (three numbers each, in the world), view_angle
         (degrees), parallel_scale (half of the picture's height in the world; makes the projection parallel), azimuth,
         elevation (degrees about the focal point) and zoom (above 1: nearer).
-    volume: a vtkVolume with a mapper of ours. aspect: width / height.
+    volume: a vtkVolume with a mapper of ours. aspect: width / height. bar: share of the width, at the right, that is
+        kept free. room: the share of the rest that the volume's box fills, if it is below 1.
     """
     if isinstance(wish, vtkCamera):
         camera.DeepCopy(wish)
         return
-    if isinstance(wish, str) and wish in DIRECTIONS:
-        look_along(camera, wish, volume, aspect)
-        return
-    if not isinstance(wish, dict) and not (isinstance(wish, str) and wish == "iso"):
+    named = isinstance(wish, str) and (wish == "iso" or wish in DIRECTIONS)
+    if not isinstance(wish, dict) and not named:
         error = ValueError if isinstance(wish, str) else TypeError
         raise error(f"camera is 'iso', {', '.join(map(repr, DIRECTIONS))}, a dict or a vtkCamera, not {wish!r}")
-    wish = {} if isinstance(wish, str) else wish
-    check_wish(wish)
-    fit(camera, volume, aspect)
+    check_wish({} if named else wish)
+    aspect *= 1 - bar
+    if named and wish in DIRECTIONS:
+        look_along(camera, DIRECTIONS[wish], volume, aspect)
+    else:
+        fit(camera, volume, aspect)
+    if room < 1:
+        fit_view(camera, corners(volume), aspect, 1 / room)
+    wish = {} if named else wish
+    camera.SetWindowCenter(0 if "position" in wish else bar, 0)
+    apply_wish(camera, wish)
+
+
+def apply_wish(camera, wish):
+    """Changes a camera by the dict of place_camera()."""
     for name, method in (("position", camera.SetPosition), ("focal_point", camera.SetFocalPoint),
                          ("view_up", camera.SetViewUp)):
         if name in wish:
@@ -70,6 +84,12 @@ def place_camera(camera, wish, volume, aspect):
     camera.Elevation(wish.get("elevation", 0))
     camera.OrthogonalizeViewUp()
     camera.Zoom(wish.get("zoom", 1))
+
+
+def view_of(camera):
+    """What place_camera() sets, to find out whether someone else moved the camera."""
+    return (camera.GetPosition(), camera.GetFocalPoint(), camera.GetViewUp(), camera.GetViewAngle(),
+            camera.GetParallelScale(), camera.GetParallelProjection(), camera.GetWindowCenter())
 
 
 def check_wish(wish):

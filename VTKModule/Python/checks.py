@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks of arguments. Errors contain the argument's name."""
 import math
+import os
 from numbers import Integral, Real
 
 
@@ -75,3 +76,17 @@ def checked_text(value, what):
     if not isinstance(value, str):
         raise TypeError(f"{what}, not {value!r}")
     return value
+
+
+def checked_path(value, what):
+    """The path of a file, as a text."""
+    if not isinstance(value, (str, bytes, os.PathLike)):
+        raise TypeError(f"{what} is the path of a file, not {value!r}")
+    return os.fsdecode(value)
+
+
+def checked_flag(value, what):
+    """True or False, of Python or NumPy, or 1 or 0."""
+    if isinstance(value, str) or value not in (True, False):
+        raise TypeError(f"{what} is True or False, not {value!r}")
+    return bool(value)

@@ -4,16 +4,19 @@
 import os
 
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor, vtkVolume
+from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor, vtkVolume
 
 from . import measures
-from .cameras import place_camera
-from .checks import checked_number, checked_size, checked_text
+from .box_axes import BoxAxes, room_of
+from .cameras import place_camera, view_of
+from .checks import checked_flag, checked_items, checked_number, checked_path, checked_size, checked_text
 from .colors import rgb
+from .descriptions import array_title, describe
 from .display import check_display
 from .errors import VtkErrors
 from .forks import check_process, note_window
 from .pixels import pixels_of, png_bytes, write_png
+from .scalar_bar import ScalarBar, share_of
 from .volumes import volume as make_volume
 
 SIZE = (900, 600)
@@ -31,7 +34,7 @@ class Figure:
     def __init__(self, data, *arguments, size=SIZE, background=BACKGROUND, camera="iso", transparent=False, **how):
         """data: as in volume(), with its further arguments; or only a vtkVolume. See figure()."""
         self.size = checked_size(size)
-        self.transparent = bool(transparent)
+        self.transparent = checked_flag(transparent, "transparent")
         self.renderer = vtkRenderer()
         self.renderer.SetBackground(*rgb(background))
         if isinstance(data, vtkVolume):
@@ -43,6 +46,7 @@ class Figure:
         self.renderer.AddVolume(self.volume)
         self._window = None
         self._error = ""
+        self._bar = self._axes = None
         mapper = self.volume.GetMapper()
         if mapper is None:
             raise ValueError("the vtkVolume has no mapper: volume() makes one that has")
@@ -61,14 +65,58 @@ class Figure:
     def add(self, *props):
         """Adds actors or other props of VTK to the scene. Returns the figure."""
         for prop in props:
+            if not isinstance(prop, vtkProp):
+                raise TypeError(f"each of props is a vtkProp, such as a vtkActor, not {prop!r}")
             self.renderer.AddViewProp(prop)
         return self
 
     def look(self, camera):
-        """Places the camera: "iso", a dict or a vtkCamera, as in figure(). Returns the figure."""
-        place_camera(self.camera, camera, self.volume, self.size[0] / self.size[1])
+        """Places the camera: "iso", "x", "-z", ..., a dict or a vtkCamera, as in figure(). Returns the figure."""
+        bar = share_of(self.size) if self._bar else 0.0
+        room = room_of(self.size, bar) if self._axes else 1.0
+        place_camera(self.camera, camera, self.volume, self.size[0] / self.size[1], bar, room)
+        self._looked = camera, view_of(self.camera)
         self.renderer.ResetCameraClippingRange()
         return self
+
+    def _look_again(self):
+        """Makes room beside the volume, unless the camera was moved since look()."""
+        camera, view = self._looked
+        return self.look(camera) if view_of(self.camera) == view else self
+
+    def scalar_bar(self, title=None):
+        """Adds a bar with the colours of values at the right, as tetmarch-render --scalar-bar. Returns the figure.
+
+        title: a text; None: the array's name. Another call changes it. The camera makes room for the bar, unless it was
+        moved since look(). In a view that draws errors, cells or lookups (view_mode), their legend is in its place.
+        """
+        title = array_title(self.volume) if title is None else checked_text(title, "title is a text or None")
+        if self._bar:
+            self._bar.title = title
+            return self
+        self._bar = ScalarBar(self.renderer, self.volume, title)
+        return self._look_again()
+
+    def axes(self, titles="xyz"):
+        """Adds axes with coordinates along edges of the data's box, as tetmarch-render --axes. Returns the figure.
+
+        titles: the three axes' names, such as ("lon", "lat", "depth"). Another call changes them. The camera makes room
+        for the box and its labels, unless it was moved since look(). There are no axes while some of the box is behind
+        the camera.
+        """
+        what = "titles are texts of three axes"
+        titles = [checked_text(title, what) for title in
+                  (titles if isinstance(titles, str) else checked_items(titles, what))]
+        if len(titles) != 3:
+            raise ValueError(f"{what}, not {len(titles)}: {titles!r}")
+        if self._axes:
+            self._axes.titles = titles
+            return self
+        self._axes = BoxAxes(self.renderer, self.volume, titles)
+        return self._look_again()
+
+    def __repr__(self):
+        return f"<Figure: {describe(self.volume)}>"
 
     def _hidden_window(self):
         check_process()
@@ -84,7 +132,7 @@ class Figure:
     def render(self):
         """Draws a frame. Raises RuntimeError with VTK's errors; warnings become Python's."""
         window = self._hidden_window()
-        window.SetSize(*self.size)
+        window.SetSize(*checked_size(self.size))
         self.renderer.ResetCameraClippingRange()
         background = self.renderer.GetBackground()
         if self.transparent:
@@ -123,9 +171,9 @@ class Figure:
         if size is not None:
             self.size = checked_size(size)
         if transparent is not None:
-            self.transparent = bool(transparent)
-        if filename is not None and os.path.splitext(os.fsdecode(filename))[1].lower() != ".png":
-            raise ValueError(f"a picture is written as PNG; the name ends with .png, not as {os.fsdecode(filename)!r}")
+            self.transparent = checked_flag(transparent, "transparent")
+        if filename is not None and os.path.splitext(checked_path(filename, "filename"))[1].lower() != ".png":
+            raise ValueError(f"a picture is written as PNG; filename ends with .png, not as {filename!r}")
         self.render()
         pixels = pixels_of(self._window, self.transparent)
         if filename is None:
@@ -196,14 +244,20 @@ class Figure:
         """The error of a frame against the ground truth: see vtktetmarch.compare()."""
         return measures.compare_figure(self)
 
+    def widget(self):
+        """The picture in a notebook, turned by the mouse, with controls: see vtktetmarch.widgets.FigureWidget."""
+        from .widgets import FigureWidget
+        return FigureWidget(self)
+
 
 def figure(data, *arguments, **how):
     """A Figure of data as accepted by volume(), or of a vtkVolume.
 
     Arguments are those of volume(), and
     size: (width, height) in pixels. background: a colour: a name, "#rrggbb" or three numbers, 0 to 1.
-    camera: "iso": obliquely, so that the visible part just fits; a vtkCamera; or a dict with any of position,
-        focal_point, view_up, view_angle (degrees), parallel_scale, azimuth, elevation (degrees), zoom.
+    camera: "iso": obliquely, so that the visible part just fits; "x", "-x", "y", "-y", "z" or "-z": likewise, looking
+        along that axis or against it; a vtkCamera; or a dict with any of position, focal_point, view_up, view_angle
+        (degrees), parallel_scale, azimuth, elevation (degrees), zoom.
     transparent: whether pictures have an alpha channel in place of the background.
     """
     return Figure(data, *arguments, **how)

@@ -8,8 +8,9 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from . import file_lists
-from .checks import checked_integer
+from .checks import checked_integer, checked_path
 from .errors import VtkErrors
+from .foreign import foreign_data
 
 # Extension: (module of VTK or our own, class).
 READERS = {
@@ -89,7 +90,7 @@ def make_reader(module, name):
 
 
 def check_path(path):
-    path = os.fsdecode(path)
+    path = checked_path(path, "path")
     if not os.path.exists(path):
         raise FileNotFoundError(f"there is no file {path!r}")
     ending = os.path.splitext(path)[1].lower()
@@ -130,7 +131,7 @@ def damaged(path, errors):
 
 def time_values(path):
     """The times of a file's data, in the file's unit, as a tuple; empty if it has none. Errors as in read()."""
-    if file_lists.is_list(path):
+    if file_lists.is_list(checked_path(path, "path")):
         return file_lists.steps_of(check_path(path))[0]
     with VtkErrors() as errors:
         reader = open_reader(path)
@@ -165,9 +166,22 @@ def read_list(path, time_step):
     return tree
 
 
+def read_foreign(data, time_step):
+    """Data of VTK of what is in memory."""
+    found = foreign_data(data)
+    if found is None:
+        raise TypeError("path is the path of a file, a NumPy array, an xarray.DataArray or a meshio.Mesh, not "
+                        f"{data!r}")
+    if time_step is not None:
+        raise TypeError(f"time_step is of files, not of a {type(data).__name__}, which was given as path")
+    return found
+
+
 def read(path, time_step=None):
     """The data of a file, by VTK's reader for its extension: a vtkDataSet, or a tree of such blocks.
 
+    path: of the file; or a NumPy array, an xarray.DataArray or a meshio.Mesh, of which VTK's data are made as by
+        volume().
     time_step: index into time_values(), from 0, or from the end if negative; None: the last. The whole file is read,
     with all arrays.
 
@@ -178,6 +192,8 @@ def read(path, time_step=None):
     Raises FileNotFoundError, IsADirectoryError, PermissionError; ValueError for an unknown extension and a file that
     can't be read, with VTK's message; IndexError for an invalid time step.
     """
+    if not isinstance(path, (str, bytes, os.PathLike)):
+        return read_foreign(path, time_step)
     if file_lists.is_list(path):
         return read_list(path, time_step)
     with VtkErrors() as errors:

@@ -80,15 +80,17 @@ def volume(data, array=None, *, association=None, component=None, cmap=None, opa
            unit_distance=None, **properties):
     """A complete vtkVolume. Parameters not given are chosen as by auto_transfer_functions().
 
-    data: unstructured grids, images, rectilinear and curvilinear grids, trees of such blocks; PyVista's data; a
-        meshio.Mesh; an algorithm of VTK, which stays connected; or the path of a file, see read(). Images and
-        rectilinear grids, and trees of these alone, get a vtkTetMarchSmartVolumeMapper, all others a
+    data: unstructured grids, images, rectilinear and curvilinear grids, trees of such blocks; PyVista's data; a NumPy
+        array (x, y, z) or (x, y, z, components), see from_image(); an xarray.DataArray of three dimensions, by its
+        coordinates; a meshio.Mesh; an algorithm of VTK, which stays connected; or the path of a file, see read().
+        Images and rectilinear grids, and trees of these alone, get a vtkTetMarchSmartVolumeMapper, all others a
         vtkTetMarchVolumeMapper.
     array: its name. association: "points" or "cells". component: from 0, or "magnitude".
     cmap: a vtkColorTransferFunction; the name of a colour map; a list of colours, spread evenly over the range, or of
         (value, colour). A colour is a name, "#rrggbb" or three numbers, 0 to 1.
-    opacity: a vtkPiecewiseFunction; a number, 0 to 1, for all values; pairs (value, opacity); or "linear": from 0 at
-        the low end of the range to 1 at the high one.
+    opacity: a vtkPiecewiseFunction; a number, 0 to 1, for all values; a list of numbers, spread evenly over the range;
+        pairs (value, opacity); a function of a value that returns an opacity, called for 257 values of the range; or
+        "linear": from 0 at the low end of the range to 1 at the high one.
     range: (low, high), low < high, in the array's unit.
     unit_distance: above 0, in units of the data's coordinates: the thickness to which an opacity refers.
     properties: any property of the mapper, its vtkTetMarchSettings, the vtkVolumeProperty or the vtkVolume, by VTK's
