@@ -36,10 +36,20 @@ def plain(name):
     return name.lower().replace("(matplotlib)", "").replace(" ", "")
 
 
-def map_of_ours(name, low, high):
-    """A colour map of the package, or None: the same as those of tetmarch-render."""
+def maps_of_ours():
+    """The colour maps of the package, as dicts: the same as those of tetmarch-render."""
     with open(os.path.join(os.path.dirname(__file__), "color_maps.json"), encoding="utf-8") as file:
-        found = [each for each in json.load(file) if plain(each["Name"]) == plain(name)]
+        return json.load(file)
+
+
+def map_names():
+    """Their names."""
+    return [each["Name"] for each in maps_of_ours()]
+
+
+def map_of_ours(name, low, high):
+    """A colour map of the package, or None."""
+    found = [each for each in maps_of_ours() if plain(each["Name"]) == plain(name)]
     if not found:
         return None
     numbers = found[0]["RGBPoints"]

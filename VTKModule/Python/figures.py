@@ -249,6 +249,11 @@ class Figure:
         from .widgets import FigureWidget
         return FigureWidget(self)
 
+    def widget(self):
+        """The picture in a notebook, turned by the mouse, with controls: see vtktetmarch.widgets.FigureWidget."""
+        from .widgets import FigureWidget
+        return FigureWidget(self)
+
 
 def figure(data, *arguments, **how):
     """A Figure of data as accepted by volume(), or of a vtkVolume.

@@ -10,7 +10,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
 
 
 def pixels_of(window, transparent):
@@ -31,23 +31,29 @@ def unmultiplied(pixels):
     return np.concatenate([np.minimum(np.rint(color), 255), opacity], axis=2).astype(np.uint8)
 
 
-def png_writer(pixels):
+def encoded(pixels, writer):
+    """A file of such pixels, as a vtkImageWriter that can write to memory makes it."""
     height, width, channels = pixels.shape
     image = vtkImageData()
     image.SetDimensions(width, height, 1)
     values = numpy_to_vtk(np.ascontiguousarray(pixels[::-1]).reshape(-1, channels), deep=True)
     image.GetPointData().SetScalars(values)
-    writer = vtkPNGWriter()
     writer.SetInputData(image)
-    return writer
+    writer.WriteToMemoryOn()
+    writer.Write()
+    return vtk_to_numpy(writer.GetResult()).tobytes()
 
 
 def png_bytes(pixels):
     """A PNG file of such pixels."""
-    writer = png_writer(pixels)
-    writer.WriteToMemoryOn()
-    writer.Write()
-    return vtk_to_numpy(writer.GetResult()).tobytes()
+    return encoded(pixels, vtkPNGWriter())
+
+
+def jpeg_bytes(pixels, quality=85):
+    """A JPEG file of such pixels, which have 3 channels. quality: 0 to 100."""
+    writer = vtkJPEGWriter()
+    writer.SetQuality(quality)
+    return encoded(pixels, writer)
 
 
 def write_png(pixels, path):
