@@ -6,7 +6,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkUnstructuredGrid
 
 from .cell_types import POINTS, cell_type_number
-from .shared_arrays import add_arrays, keep_with, numeric_array, shared_array, shared_ids, unmasked
+from .shared_arrays import add_arrays, array_of, keep_with, numeric_array, shared_array, shared_ids, unmasked
 
 
 def integers(values, what):
@@ -59,7 +59,7 @@ def split_flat(ids):
 
 def types_of(cell_types, count):
     """An array of VTK's cell types, one per cell, as bytes."""
-    if isinstance(cell_types, str) or np.ndim(cell_types) == 0:
+    if isinstance(cell_types, str) or array_of(cell_types, "cell_types").ndim == 0:
         return np.full(count, cell_type_number(cell_types), np.uint8)
     types = np.asarray(unmasked(cell_types, "cell_types", "leave out the cells that have them"))
     if types.shape != (count,):

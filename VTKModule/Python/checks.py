@@ -87,6 +87,6 @@ def checked_path(value, what):
 
 def checked_flag(value, what):
     """True or False, of Python or NumPy, or 1 or 0."""
-    if isinstance(value, str) or value not in (True, False):
+    if not type(value).__name__.startswith("bool") and not (isinstance(value, Integral) and value in (0, 1)):
         raise TypeError(f"{what} is True or False, not {value!r}")
     return bool(value)

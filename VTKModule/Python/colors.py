@@ -13,8 +13,11 @@ from .checks import checked_items, checked_number, checked_numbers
 STEPS = 32  # pieces of a colour map of Matplotlib's, which has 256 colours
 
 
-def rgb(color):
-    """A colour as three numbers, 0 to 1: from a name ("slategray"), "#rrggbb", "#rgb" or three numbers."""
+def rgb(color, what="color"):
+    """A colour as three numbers, 0 to 1: from a name ("slategray"), "#rrggbb", "#rgb" or three numbers.
+
+    what: it is called so in errors.
+    """
     if isinstance(color, str):
         names = vtkNamedColors()
         if color.startswith("#"):
@@ -24,10 +27,10 @@ def rgb(color):
                 return tuple(int(digits[i:i + width] * (2 // width), 16) / 255 for i in range(0, len(digits), width))
         elif names.ColorExists(color):
             return tuple(names.GetColor3d(color))
-        raise ValueError(f"there is no colour {color!r}: give a name as in CSS, '#rrggbb' or three numbers, 0 to 1")
-    numbers = checked_numbers(color, 3, "a colour, unless it is a text,")
+        raise ValueError(f"{what} is a name as in CSS, '#rrggbb' or three numbers, 0 to 1; there is no colour {color!r}")
+    numbers = checked_numbers(color, 3, f"{what}, unless it is a text,")
     if not all(0 <= number <= 1 for number in numbers):
-        raise ValueError(f"a colour is three numbers, 0 to 1, not {color!r}")
+        raise ValueError(f"{what} is a text or three numbers, 0 to 1, not {color!r}")
     return tuple(map(float, numbers))
 
 
@@ -69,12 +72,12 @@ def map_of_matplotlib(name, low, high):
         import matplotlib
         from matplotlib import cm
     except ImportError:
-        raise ValueError(f"there is no colour map {name!r} here; with Matplotlib, which isn't installed, there are its "
+        raise ValueError(f"cmap has no {name!r} here; with Matplotlib, which isn't installed, there are its "
                          "own. A list of colours or a vtkColorTransferFunction will do without") from None
     try:
         colors = matplotlib.colormaps[name] if hasattr(matplotlib, "colormaps") else cm.get_cmap(name)
     except (KeyError, ValueError):
-        raise ValueError(f"there is no colour map {name!r}: give a name of Matplotlib's ('viridis', 'plasma', "
+        raise ValueError(f"cmap has no {name!r}: give a name of Matplotlib's ('viridis', 'plasma', "
                          "'coolwarm', ...), a list of colours or a vtkColorTransferFunction") from None
     return [colors(step / STEPS)[:3] for step in range(STEPS + 1)]
 
@@ -105,5 +108,5 @@ def color_function(cmap, low, high):
             value, color = checked_number(item[0], "the value of a colour of cmap"), item[1]
         else:
             value, color = low + (high - low) * i / max(len(items) - 1, 1), item
-        function.AddRGBPoint(float(value), *rgb(color))
+        function.AddRGBPoint(float(value), *rgb(color, "each colour of cmap"))
     return function

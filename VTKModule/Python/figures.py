@@ -36,7 +36,7 @@ class Figure:
         self.size = checked_size(size)
         self.transparent = checked_flag(transparent, "transparent")
         self.renderer = vtkRenderer()
-        self.renderer.SetBackground(*rgb(background))
+        self.renderer.SetBackground(*rgb(background, "background"))
         if isinstance(data, vtkVolume):
             if arguments or how:
                 raise TypeError("a vtkVolume is drawn as it is: arrays, functions and properties go to volume()")
@@ -243,11 +243,6 @@ class Figure:
     def compare(self):
         """The error of a frame against the ground truth: see vtktetmarch.compare()."""
         return measures.compare_figure(self)
-
-    def widget(self):
-        """The picture in a notebook, turned by the mouse, with controls: see vtktetmarch.widgets.FigureWidget."""
-        from .widgets import FigureWidget
-        return FigureWidget(self)
 
     def widget(self):
         """The picture in a notebook, turned by the mouse, with controls: see vtktetmarch.widgets.FigureWidget."""

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
-from .checks import checked_range, checked_text, checked_word
+from .checks import checked_flag, checked_range, checked_text, checked_word
 from .errors import VtkErrors
 from .vtkRenderingTetMarch import vtkTetMarchFirstPicture
 
@@ -49,7 +49,8 @@ def choose_first_picture(data, array=None, association=None, component=None, ran
     if range is not None:
         first.SetRange(*checked_range(range))
     if structured_law is not None:
-        first.SetOpacityLaw(first.STRUCTURED if structured_law else first.UNSTRUCTURED)
+        structured = checked_flag(structured_law, "structured_law, unless it is None,")
+        first.SetOpacityLaw(first.STRUCTURED if structured else first.UNSTRUCTURED)
     with VtkErrors() as errors:
         chosen = first.Choose()
     if not chosen:

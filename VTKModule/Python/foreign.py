@@ -4,7 +4,7 @@
 import numpy as np
 
 from .dataarrays import from_dataarray, is_dataarray
-from .images import from_image
+from .images import make_image
 from .meshes import from_meshio, is_meshio
 
 
@@ -29,16 +29,17 @@ REFUSED = (
 )
 
 
-def foreign_data(data):
+def foreign_data(data, what="data"):
     """Data of VTK of a NumPy array, an xarray.DataArray or a meshio.Mesh; None of what is none of these.
 
+    what: the argument's name, for errors.
     Raises TypeError with the remedy for tables of pandas, lists and an xarray.Dataset.
     """
     if isinstance(data, np.ndarray):
-        return from_image(data)
+        return make_image(data, what=what)
     for refuses, remedy in REFUSED:
         if refuses(data):
-            raise TypeError(f"data is a {type(data).__name__}, which is no volume; {remedy}")
+            raise TypeError(f"{what} is a {type(data).__name__}, which is no volume; {remedy}")
     if is_dataarray(data):
         return from_dataarray(data)
     if is_meshio(data):

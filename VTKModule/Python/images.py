@@ -42,6 +42,12 @@ def from_image(array, spacing=(1, 1, 1), origin=(0, 0, 0), *, axes="xyz", associ
 
     Raises ValueError for wrong shapes and numbers, TypeError for other values than numbers.
     """
+    return make_image(array, spacing, origin, axes, association, name)
+
+
+def make_image(array, spacing=(1, 1, 1), origin=(0, 0, 0), axes="xyz", association="points", name="values",
+               what="array"):
+    """from_image(); what: the array is called so in errors."""
     if not isinstance(axes, str) or sorted(axes) != ["x", "y", "z"]:
         raise ValueError(f"axes is 'xyz', 'zyx' or another order of these letters, not {axes!r}")
     of_points = checked_word(association, ("points", "cells"), "association") == "points"
@@ -49,11 +55,11 @@ def from_image(array, spacing=(1, 1, 1), origin=(0, 0, 0), *, axes="xyz", associ
     for step in spacing:
         checked_positive(step, "spacing")
     origin = checked_numbers(origin, 3, "origin")
-    values = flat_values(array, axes, checked_text(name, "name is a text"))
+    values = flat_values(array, axes, checked_text(name, "name is a text"), what)
     shape = np.shape(array)
     least = 2 if of_points else 1
     if min(shape[:3]) < least:
-        raise ValueError(f"array has the shape {shape}; along each of its three dimensions it has at least {least} of "
+        raise ValueError(f"{what} has the shape {shape}; along each of its three dimensions it has at least {least} of "
                          f"an image's {association}")
     image = vtkImageData()
     image.SetDimensions(*(shape[axes.index(letter)] + (not of_points) for letter in "xyz"))

@@ -168,7 +168,7 @@ def read_list(path, time_step):
 
 def read_foreign(data, time_step):
     """Data of VTK of what is in memory."""
-    found = foreign_data(data)
+    found = foreign_data(data, "path")
     if found is None:
         raise TypeError("path is the path of a file, a NumPy array, an xarray.DataArray or a meshio.Mesh, not "
                         f"{data!r}")

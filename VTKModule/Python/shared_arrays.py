@@ -17,8 +17,17 @@ def keep_with(vtk_object, *kept):
     vtk_object.AddObserver("DeleteEvent", holds)
 
 
+def array_of(values, what):
+    """A NumPy array, masked or not; itself, if it is one."""
+    try:
+        return np.asanyarray(values)
+    except ValueError:
+        raise ValueError(f"{what} has rows of different lengths, which are no array") from None
+
+
 def with_nan(values, what):
     """An array of floats with NaN for masked values; an array without masked values itself."""
+    values = array_of(values, what)
     if not np.ma.is_masked(values):
         return np.ma.getdata(values)
     if values.dtype.kind not in "biuf":
@@ -29,6 +38,7 @@ def with_nan(values, what):
 
 def unmasked(values, what, then):
     """An array without masked values. Raises ValueError with the remedy if there are some."""
+    values = array_of(values, what)
     if np.ma.is_masked(values):
         raise ValueError(f"{what} has {np.ma.count_masked(values)} masked numbers; {then}")
     return np.ma.getdata(values)
@@ -42,7 +52,7 @@ def numeric_array(values, what):
     writes to them.
     Raises TypeError for types that VTK lacks: complex numbers, texts, objects.
     """
-    array = np.asarray(values)
+    array = np.asarray(array_of(values, what))
     if array.dtype == bool:
         array = array.astype(np.uint8)
     elif array.dtype == np.float16:
@@ -74,7 +84,7 @@ def shared_ids(array):
 def add_arrays(attributes, arrays, count, what):
     """Adds {name: array} to the attributes of points or cells; each array has count values or tuples."""
     if arrays is not None and not isinstance(arrays, Mapping):
-        raise TypeError(f"the arrays of {what} are a dict {{name: array}}, not {arrays!r}")
+        raise TypeError(f"{what[:-1]}_data is a dict {{name: array}}, not {arrays!r}")
     for name, values in (arrays or {}).items():
         shown = f"the array {name!r} of {what}"
         array = numeric_array(with_nan(values, shown), shown)

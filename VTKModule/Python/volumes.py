@@ -33,12 +33,12 @@ def plane_of(plane):
     try:
         point, normal = plane
     except (TypeError, ValueError):
-        raise TypeError(f"a clipping plane is a vtkPlane or (point, normal), not {plane!r}") from None
+        raise TypeError(f"each of clipping_planes is a vtkPlane or (point, normal), not {plane!r}") from None
     made = vtkPlane()
-    made.SetOrigin(*checked_numbers(point, 3, "the point of a clipping plane"))
-    made.SetNormal(*checked_numbers(normal, 3, "the normal of a clipping plane"))
+    made.SetOrigin(*checked_numbers(point, 3, "the point of each of clipping_planes"))
+    made.SetNormal(*checked_numbers(normal, 3, "the normal of each of clipping_planes"))
     if not any(normal):
-        raise ValueError(f"the normal of a clipping plane has a direction, unlike {normal!r}")
+        raise ValueError(f"the normal of each of clipping_planes has a direction, unlike {normal!r}")
     return made
 
 
