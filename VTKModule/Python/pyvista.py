@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkExplicitStruc
                                            vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
-from .checks import checked_positive
+from .checks import checked_number, checked_positive
 from .inputs import blocks_of, drawn_data, is_structured
 from .pyvista_classes import (NAN, ExactImageData, ExactRectilinearGrid, ExactUnstructuredGrid,
                               TetMarchSmartVolumeMapper, TetMarchVolume, TetMarchVolumeMapper, TetMarchVolumeProperty)
@@ -27,11 +27,11 @@ EXACT = {vtkImageData: ExactImageData, vtkRectilinearGrid: ExactRectilinearGrid,
 BLOCK_COLORS = ("Reds", "Greens", "Blues", "Greys", "Oranges", "Purples")  # of multi_colors
 HELP = '''
 
-        With ``mapper="tetmarch"`` rays are marched from cell to cell: cells of all types and values of cells are drawn
-        as they are, with a bounded error. Data without a regular grid have the default of ``opacity_unit_distance``
-        that images have, with the cube root of the number of points as dimension. Further arguments are then
-        ``nan_color`` and ``nan_opacity`` (NaN isn't drawn without them), and all of ``vtktetmarch.configure()``.
-        A MultiBlock without ``multi_colors`` is one volume, in a list; its surfaces are left out.
+With ``mapper="tetmarch"`` rays are marched from cell to cell: cells of all types and values of cells are drawn as they
+are, with a bounded error. The default of ``opacity_unit_distance`` is that of images for all data, with the cube root
+of the number of points as dimension. Further arguments are then ``nan_color`` and ``nan_opacity`` (cells with NaN
+aren't drawn without them), and all of ``vtktetmarch.configure()``. A MultiBlock without ``multi_colors`` is one volume,
+in a list; its surfaces are left out.
 '''
 
 owner = next(cls for cls in pyvista.Plotter.__mro__ if "add_volume" in vars(cls))
@@ -84,10 +84,12 @@ def exact_tree(blocks, given):
     first = next((block for block in blocks if block.active_scalars_name is not None), blocks[0])
     made = exact(first, first)
     made._blocks = blocks
-    scalars = given.setdefault("scalars", None)
-    if scalars is not None and not isinstance(scalars, str):
-        raise TypeError(f"scalars of blocks is the name of an array, not {type(scalars).__name__}")
-    name = first.active_scalars_name if scalars is None else scalars
+    name = given.get("scalars")
+    if name is None:
+        association, name = first.active_scalars_info
+        given.update(scalars=name, preference=association.name.lower())
+    elif not isinstance(name, str):
+        raise TypeError(f"scalars of blocks is the name of an array, not {type(name).__name__}")
     values = [block[name] for block in blocks if name in block.array_names]
     if given.get("clim") is None and values:
         given["clim"] = (min(np.nanmin(each) for each in values), max(np.nanmax(each) for each in values))
@@ -128,6 +130,19 @@ def add_blocks(plotter, given, others):
             for number, (block, colors) in enumerate(zip(blocks, itertools.cycle(BLOCK_COLORS)))]
 
 
+def chosen_nan_color(plotter, color, opacity):
+    """A pyvista.Color, or None if neither colour nor opacity are given."""
+    if color is None and opacity is None:
+        return None
+    if opacity is not None and not 0 <= checked_number(opacity, "nan_opacity") <= 1:
+        raise ValueError(f"nan_opacity is 0 to 1, not {opacity!r}")
+    try:
+        return pyvista.Color(plotter.theme.nan_color if color is None else color,
+                             opacity=None if opacity is None else float(opacity))
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"nan_color is a colour of PyVista: {error}") from None
+
+
 @functools.wraps(original)
 def add_volume(self, *arguments, **named):
     given = dict(signature.bind(self, *arguments, **named).arguments)
@@ -143,12 +158,9 @@ def add_volume(self, *arguments, **named):
     own = {name: others.pop(name) for name in [*others] if name not in ALIASES}
     if given.get("opacity_unit_distance") is not None:
         checked_positive(given["opacity_unit_distance"], "opacity_unit_distance")
-    nan_color = None
-    if any(own.get(name) is not None for name in NAN):
-        color, opacity = (own.get(name) for name in NAN)
-        nan_color = pyvista.Color(self.theme.nan_color if color is None else color, opacity=opacity)
+    nan_color = chosen_nan_color(self, *(own.pop(name, None) for name in NAN))
+    if nan_color is not None:
         own.setdefault("draw_nan_cells", True)
-    own = {name: value for name, value in own.items() if name not in NAN}
     given["volume"] = drawn_by_pyvista(volume, given)
     given["mapper"] = "smart"  # PyVista's choice is another one for unstructured grids
     actor = add_by_pyvista(functools.partial(TetMarchVolume, own, nan_color, tuple(signature.parameters)), **given,
@@ -186,7 +198,7 @@ def register_accessor():
             setattr(kind, MAPPER, property(Accessor))
 
 
-add_volume.__doc__ = (original.__doc__ or "").rstrip() + HELP
+add_volume.__doc__ = inspect.getdoc(original) + HELP
 with_classes(inspect.unwrap(original), SmartVolumeMapper=None, UnstructuredGridVolumeRayCastMapper=None, Volume=None,
              VolumeProperty=None)
 owner.add_volume = add_volume
