@@ -86,21 +86,11 @@ class DataTest(unittest.TestCase):
             self.assertTrue(np.shares_memory(found, values), kind)
             self.assertTrue(np.array_equal(found, values))
 
-    def test_what_has_to_be_copied_has_its_values(self):
-        of_tuples = np.arange(24.0).reshape(3, 8).T
-        for given, expected in (([*range(8)], range(8)), (np.arange(16.0)[::2], range(0, 16, 2)),
-                                (np.arange(8, dtype=">f8"), range(8)), (np.arange(8) > 3, [0] * 4 + [1] * 4),
-                                (np.arange(8, dtype=np.float16), range(8)), (of_tuples, of_tuples)):
-            grid = vtktetmarch.from_arrays(POINTS, TETRAHEDRA, "tetra", point_data={"v": given})
-            self.assertTrue(np.array_equal(vtk_to_numpy(grid.GetPointData().GetArray("v")), expected))
-
     def test_what_is_wrong_is_said(self):
         for point_data, cell_data, error, text in (
                 ({"a": range(7)}, None, ValueError, r"array 'a' of points has the shape \(7,\); it has to be \(8,\)"),
                 (None, {"b": range(8)}, ValueError, r"array 'b' of cells .* \(5,\)"),
-                ({"a": np.zeros((8, 2, 2))}, None, ValueError, r"\(8, 2, 2\)"),
-                ({"a": ["x"] * 8}, None, TypeError, "integers and floats"),
-                ({"a": np.zeros(8, complex)}, None, TypeError, "complex128")):
+                ({"a": np.zeros((8, 2, 2))}, None, ValueError, r"\(8, 2, 2\)")):
             with self.subTest(text=text), self.assertRaisesRegex(error, text):
                 vtktetmarch.from_arrays(POINTS, TETRAHEDRA, "tetra", point_data, cell_data)
 

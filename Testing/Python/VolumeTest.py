@@ -157,6 +157,11 @@ class FunctionsTest(unittest.TestCase):
         self.assertEqual([self.opacity(0.25).GetValue(x) for x in (-1, 0, 2)], [0.25] * 3)
         self.assertEqual([self.opacity("linear", range=(1, 3)).GetValue(x) for x in (0, 1, 2, 3, 4)], [0, 0, 0.5, 1, 1])
         self.assertEqual([self.opacity([(0, 1), (1, 0)]).GetValue(x) for x in (0, 0.25, 1)], [1, 0.75, 0])
+        for spread in ([0, 1, 0.5], np.array([0, 1, 0.5]), lambda value: max(0, min(value - 1, 2 - value / 2))):
+            self.assertEqual([self.opacity(spread, range=(1, 3)).GetValue(x) for x in (0, 1, 1.5, 2, 2.5, 3, 4)],
+                             [0, 0, 0.5, 1, 0.75, 0.5, 0.5])
+        squared = self.opacity(np.square, range=(0, 1))
+        self.assertLess(max(abs(squared.GetValue(x) - x * x) for x in np.linspace(0, 1, 1001)), 1e-5)
         own = vtk.vtkPiecewiseFunction()
         self.assertIs(self.opacity(own), own)
 
@@ -217,7 +222,7 @@ class PropertiesTest(unittest.TestCase):
                 ({"opacity": 2}, ValueError, "0 to 1"),
                 ({"opacity": "cubic"}, ValueError, "'linear'"),
                 ({"opacity": []}, ValueError, "at least one"),
-                ({"cmap": "no such map"}, ValueError, "no colour map 'no such map'"),
+                ({"cmap": "no such map"}, ValueError, "cmap has no 'no such map'"),
                 ({"cmap": ["no such colour"]}, ValueError, "no colour 'no such colour'"),
                 ({"cmap": []}, ValueError, "no colours")):
             with self.subTest(wrong=wrong), self.assertRaisesRegex(error, text):

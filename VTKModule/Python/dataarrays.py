@@ -5,7 +5,7 @@ import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkRectilinearGrid, vtkStructuredGrid
 
-from .images import flat_values, from_image
+from .images import flat_values, make_image
 from .shared_arrays import shared_array
 
 # The axis of a coordinate: by its attribute `axis`, else by one of these as its standard name or in its own name.
@@ -81,14 +81,14 @@ def lattice(values, places, name):
             raise ValueError(f"the coordinates of {'zyx'[axis]} neither rise nor fall throughout")
     x, y, z = (np.ascontiguousarray(each, np.float64) for each in reversed(places))
     if all(map(is_even, places)):
-        return from_image(values, [(each[-1] - each[0]) / (len(each) - 1) for each in (x, y, z)],
-                          (x[0], y[0], z[0]), axes="zyx", name=name)
+        return make_image(values, [(each[-1] - each[0]) / (len(each) - 1) for each in (x, y, z)],
+                          (x[0], y[0], z[0]), axes="zyx", name=name, what="data")
     grid = vtkRectilinearGrid()
     grid.SetDimensions(len(x), len(y), len(z))
     grid.SetXCoordinates(shared_array(x))
     grid.SetYCoordinates(shared_array(y))
     grid.SetZCoordinates(shared_array(z))
-    grid.GetPointData().SetScalars(flat_values(values, "zyx", name))
+    grid.GetPointData().SetScalars(flat_values(values, "zyx", name, "data"))
     return grid
 
 
@@ -104,7 +104,7 @@ def curvilinear(values, places, dims, name):
     made = vtkPoints()
     made.SetData(shared_array(points.reshape(-1, 3)))
     grid.SetPoints(made)
-    grid.GetPointData().SetScalars(flat_values(values, "zyx", name))
+    grid.GetPointData().SetScalars(flat_values(values, "zyx", name, "data"))
     return grid
 
 

@@ -22,10 +22,11 @@ def sampled(function, low, high, name):
     pairs = []
     for value in places(STEPS + 1, low, high):
         found = function(value)
-        try:
-            pairs.append((value, float(found)))
-        except (TypeError, ValueError):
-            raise TypeError(f"{name} as a function returns a number, not {found!r} of {value!r}") from None
+        if getattr(found, "size", 0) == 1:
+            found = found.item()  # of NumPy
+        if not isinstance(found, Real):
+            raise TypeError(f"{name} as a function returns a number, not {found!r} of {value!r}")
+        pairs.append((value, found))
     return pairs
 
 

@@ -55,7 +55,7 @@ def numeric_array(values, what):
     array = np.asarray(array_of(values, what))
     if array.dtype == bool:
         array = array.astype(np.uint8)
-    elif array.dtype == np.float16:
+    elif array.dtype.kind == "f" and array.dtype.itemsize == 2:
         array = array.astype(np.float32)
     if array.dtype.kind not in "iuf" or array.dtype.itemsize > 8:
         raise TypeError(f"{what} has values of type {array.dtype}; VTK has integers and floats of up to 64 bits")
