@@ -23,41 +23,60 @@ def drawn_points(block):
 
 
 def values_of(block, first):
-    """The drawn values of an image or rectilinear grid, (z, y, x), and whether they are of cells; or None."""
+    """The values of the chosen component of an image or rectilinear grid, (z, y, x), of points or cells; or None."""
     of_cells = first.GetChosenAssociation() == first.CELLS
     attributes = block.GetCellData() if of_cells else block.GetPointData()
     array = attributes.GetArray(first.GetChosenArray().GetName())
     if array is None:
-        return None, of_cells
-    values = vtk_to_numpy(array).reshape(array.GetNumberOfTuples(), -1)
-    component = first.GetChosenComponent()
+        return None
     shape = [max(n - of_cells, 1) for n in reversed(block.GetDimensions())]
-    steps = tuple(slice(None, None, math.ceil(n / MOST)) for n in shape)
-    values = values.reshape(*shape, -1)[steps].astype(float)
-    values = values[..., component] if component >= 0 else np.linalg.norm(values, axis=-1)
-    return values, of_cells
+    values = vtk_to_numpy(array).reshape(*shape, array.GetNumberOfComponents())
+    values = values[np.ix_(*map(some_of, shape))].astype(float)
+    component = first.GetChosenComponent()
+    return values[..., component] if component >= 0 else np.linalg.norm(values, axis=-1)
 
 
-def places_of(block, of_cells):
-    """The coordinates of values along x, y and z of an image or rectilinear grid; those of cells are their centres."""
+def some_of(count):
+    """At most about MOST of the indices below a count, the first and the last among them."""
+    return np.unique(np.append(np.arange(0, count, math.ceil(count / MOST)), count - 1))
+
+
+def coordinates_of(block, of_cells):
+    """The coordinates along x, y and z of the values_of() an image (indices) or rectilinear grid; of cells, of ends."""
     if isinstance(block, vtkImageData):
         extent = block.GetExtent()
         found = [np.arange(extent[2 * i], extent[2 * i + 1] + 1.0) for i in range(3)]
     else:
         found = [vtk_to_numpy(array).astype(float) for array in
                  (block.GetXCoordinates(), block.GetYCoordinates(), block.GetZCoordinates())]
-    found = [0.5 * (each[1:] + each[:-1]) if of_cells and len(each) > 1 else each for each in found]
-    return [each[::math.ceil(len(each) / MOST)] for each in found]
+    return [each[np.append(some_of(len(each) - 1), -1) if of_cells else some_of(len(each))] for each in found]
+
+
+def cell_ends(shown, of_cells):
+    """Which points are ends of cells that are shown: of cells themselves, or of points that are ends of such cells."""
+    for axis in range(3):
+        before, after = [(1, 0) if i == axis else (0, 0) for i in range(3)], [(0, int(i == axis)) for i in range(3)]
+        if of_cells:
+            shown = np.pad(shown, before) | np.pad(shown, after)
+        else:
+            lower, upper = [slice(None)] * 3, [slice(None)] * 3
+            lower[axis], upper[axis] = slice(None, -1), slice(1, None)
+            wider = shown.copy()
+            wider[tuple(lower)] |= shown[tuple(upper)]
+            wider[tuple(upper)] |= shown[tuple(lower)]
+            shown = wider
+    return shown
 
 
 def shown_points(block, first, opacity):
-    """Where an image or rectilinear grid is visible: (points, 3). opacity: of an array of values."""
-    values, of_cells = values_of(block, first)
+    """The points of visible cells of an image or rectilinear grid: (points, 3). opacity: of an array of values."""
+    values = values_of(block, first)
     if values is None:
         return np.empty((0, 3))
-    opacities = np.nan_to_num(opacity(values))
-    index = np.nonzero(opacities > SHOWN * opacities.max())[::-1]
-    points = np.stack([each[i] for each, i in zip(places_of(block, of_cells), index)], axis=1)
+    of_cells = first.GetChosenAssociation() == first.CELLS
+    opacities = np.where(np.isfinite(values), opacity(values), 0)
+    index = np.nonzero(cell_ends(opacities > SHOWN * opacities.max(), of_cells))[::-1]
+    points = np.stack([each[i] for each, i in zip(coordinates_of(block, of_cells), index)], axis=1)
     if isinstance(block, vtkImageData):
         matrix = block.GetIndexToPhysicalMatrix()
         matrix = np.array([[matrix.GetElement(i, k) for k in range(4)] for i in range(3)])
