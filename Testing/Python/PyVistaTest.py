@@ -75,9 +75,8 @@ class ArgumentsTest(PyVistaTest):
                     self.assertLess(mean_difference(ours.pixels(), theirs.pixels()), ROUNDED)
 
     def test_scalars_of_colours(self):
-        colors = (wavelet().points + 6) / 12
-        colors = np.column_stack((colors, colors.mean(axis=1)))
-        colors = np.round(255 * colors).astype(np.uint8)
+        colors = (wavelet().points + 6) / 12 * 255
+        colors = np.column_stack((colors, colors.mean(axis=1))).astype(np.uint8)
         ours, theirs = self.view(wavelet(), scalars=colors), self.view(wavelet(), mapper=None, scalars=colors)
         self.assertEqual(state(ours), state(theirs))
         # VTK's mapper takes the unit distance from the last component, which PyVista doesn't set.
@@ -94,12 +93,9 @@ class ArgumentsTest(PyVistaTest):
         for name, value, getter in (("error_tolerance", 1e-3, "GetErrorTolerance"),
                                     ("accuracy_level", "accurate", "GetAccuracyLevelAsString"),
                                     ("shadow_method", "along_rays", "GetShadowMethodAsString"),
-                                    ("frame_time_budget", 0.5, "GetFrameTimeBudget"),
                                     ("collect_diagnostics", True, "GetCollectDiagnostics")):
             view = self.view(tetrahedra(), **{name: value})
-            found = getattr(view.mapper, getter)()
-            self.assertEqual(found, value) if not isinstance(value, str) else self.assertEqual(
-                found.lower(), value.replace("_", ""))
+            self.assertEqual(str(getattr(view.mapper, getter)()).lower(), str(value).replace("_", "").lower())
         self.assertGreater(vtktetmarch.statistics(view.volume)["cells"]["mean"], 1)
         view = self.view(wavelet(), interpolation_type="linear", clipping_planes=[((0, 0, 0), (1, 0, 0))],
                          gradient_opacity=[(0, 0.0), (50, 1.0)])
@@ -134,8 +130,7 @@ class DataTest(PyVistaTest):
         for name, (make, arguments) in EXAMPLES.items():
             view = self.view(make(), **arguments)
             found = view.compare()
-            seconds = vtktetmarch.statistics(view.volume)["seconds"]
-            print(f"{name}: error {found['max']:.5f} at most, {found['rms']:.5f} RMS; {seconds:.3f} s")
+            print(f"{name}: error {found['max']:.5f} at most, {found['rms']:.5f} RMS")
             self.assertLess(found["max"], 1 / 255, name)
             self.assertGreater(found["pixels"], 1000, name)
 
@@ -210,7 +205,7 @@ class DataTest(PyVistaTest):
             view.mapper.lookup_table.cmap = "gray"  # makes new functions
             self.assertEqual(view.pixels()[SIZE[1] // 2, SIZE[0] // 2, 1], green[name])
         self.assertEqual((green["left out"], green["drawn"]), (0, 255))
-        self.assertTrue(0 < green["faint"] < 200, green)
+        self.assertTrue(0 < green["faint"] < 200)
 
     def test_blocks(self):
         whole = wavelet()
@@ -226,8 +221,8 @@ class DataTest(PyVistaTest):
         self.assertEqual(vtktetmarch.statistics(view.volume)["number_of_tetrahedra"], 2 * tetrahedra().n_cells)
         for data in (halves, grids):
             plotter = self.plotter()
-            volumes = plotter.add_volume(data, multi_colors=True, name="block", blending="maximum", **OURS)
-            self.assertEqual([volume.mapper.blend_mode for volume in volumes], ["maximum"] * 2)
+            drawn = plotter.add_volume(data, multi_colors=True, name="block", blending="maximum", **OURS)
+            self.assertEqual([volume.mapper.blend_mode for volume in drawn], ["maximum"] * 2)
             self.assertLessEqual({"block-0", "block-1"}, set(plotter.actors))
 
 
@@ -291,9 +286,15 @@ class PlotterTest(PyVistaTest):
             self.assertEqual(path.read_bytes()[:3], b"GIF")
 
     def test_copies(self):
-        view = self.view(wavelet(), error_tolerance=0.01)
-        self.assertTrue(view.volume.copy(deep=False).mapper is view.mapper)
-        self.assertEqual(view.volume.copy().mapper.GetClassName(), "vtkTetMarchSmartVolumeMapper")
+        for data in (tetrahedra(), pyvista.MultiBlock([wavelet()])):
+            view = self.view(data)
+            before = view.pixels()
+            self.assertIs(view.volume.copy(deep=False).mapper, view.mapper)
+            copy = view.volume.copy()
+            view.plotter.remove_actor(view.volume)
+            self.assertEqual(view.pixels().max(), 0)
+            view.plotter.add_actor(copy, reset_camera=False)
+            self.assertTrue((view.pixels() == before).all())
 
 
 if __name__ == "__main__":

@@ -57,10 +57,12 @@ class ExactUnstructuredGrid(Exact, pyvista.UnstructuredGrid):
 class VolumeMapper(_BaseVolumeMapper):
     """What both of our mappers add to PyVista's."""
 
+    _one_of_blocks = None
+
     @property
     def dataset(self):
         """The data set that is drawn; one of them for blocks."""
-        return _BaseVolumeMapper.dataset.fget(self)
+        return _BaseVolumeMapper.dataset.fget(self) if self._one_of_blocks is None else self._one_of_blocks
 
     @dataset.setter
     def dataset(self, data):
@@ -69,6 +71,7 @@ class VolumeMapper(_BaseVolumeMapper):
             association, name = data.active_scalars_info
             self.scalar_map_mode = association.name.lower()
             if data._blocks:
+                self._one_of_blocks = data
                 self.SetInputDataObject(tree_of(data._blocks, association, name))
 
 
