@@ -44,8 +44,7 @@ def state(view):
             "numbers": (shown.opacity_unit_distance, shown.ambient, shown.diffuse, shown.specular,
                         shown.specular_power),
             "switches": (shown.shade, shown.independent_components, bool(volume.GetPickable())),
-            "mapper": (mapper.blend_mode, mapper.scalar_range, mapper.scalar_map_mode),
-            "matrix": np.asarray(volume.user_matrix).tolist()}
+            "others": (mapper.blend_mode, mapper.scalar_range, mapper.scalar_map_mode, volume.user_matrix.tolist())}
 
 
 @unittest.skipUnless(HAS_PYVISTA, "PyVista is not installed; Debian 12 has none")
