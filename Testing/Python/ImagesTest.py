@@ -96,8 +96,8 @@ class KindsTest(unittest.TestCase):
         for kind, (convert, expected) in KINDS.items():
             with self.subTest(kind=kind):
                 if not isinstance(expected, str):
-                    self.assertRaisesRegex(expected, "points has values of type", vtktetmarch.from_arrays, convert(CUBE),
-                                           TETRAHEDRA, "tetra")
+                    with self.assertRaisesRegex(expected, "points has values of type"):
+                        vtktetmarch.from_arrays(convert(CUBE), TETRAHEDRA, "tetra")
                     continue
                 made = vtktetmarch.from_arrays(convert(CUBE), TETRAHEDRA, "tetra")
                 expected = np.array(convert(CUBE), float)

@@ -100,6 +100,15 @@ def points_of(points):
     return made
 
 
+def set_cells(grid, connectivity, offsets, types):
+    """Gives a vtkUnstructuredGrid cells that share the memory of arrays."""
+    made = vtkCellArray()
+    ids = shared_ids(offsets), shared_ids(connectivity)
+    made.SetData(*ids)
+    keep_with(made, *ids)
+    grid.SetCells(shared_array(types), made)
+
+
 def from_arrays(points, cells, cell_types, point_data=None, cell_data=None):
     """A vtkUnstructuredGrid that shares the memory of NumPy arrays.
 
@@ -126,11 +135,7 @@ def from_arrays(points, cells, cell_types, point_data=None, cell_data=None):
     connectivity, offsets = connectivity_and_offsets(cells)
     types = types_of(cell_types, len(offsets) - 1)
     check_cells(connectivity, offsets, types, grid.GetNumberOfPoints())
-    made = vtkCellArray()
-    ids = shared_ids(offsets), shared_ids(connectivity)
-    made.SetData(*ids)
-    keep_with(made, *ids)
-    grid.SetCells(shared_array(types), made)
+    set_cells(grid, connectivity, offsets, types)
     add_arrays(grid.GetPointData(), point_data, grid.GetNumberOfPoints(), "points")
     add_arrays(grid.GetCellData(), cell_data, grid.GetNumberOfCells(), "cells")
     return grid

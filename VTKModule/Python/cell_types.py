@@ -36,7 +36,8 @@ def cell_type_number(cell_type):
     """VTK's number of a type, given its name or number."""
     if isinstance(cell_type, str):
         if cell_type not in CELL_TYPES:
-            raise ValueError(f"cell_types has a name or number of VTK's, not {cell_type!r}; there are {', '.join(CELL_TYPES)}")
+            raise ValueError(f"each of cell_types is a name or a number of VTK's, not {cell_type!r}; there are "
+                             f"{', '.join(CELL_TYPES)}")
         return CELL_TYPES[cell_type][0]
     number = checked_integer(cell_type, "each of cell_types, unless it is a name,")
     if number == model.VTK_POLYHEDRON:

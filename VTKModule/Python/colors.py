@@ -27,7 +27,8 @@ def rgb(color, what="color"):
                 return tuple(int(digits[i:i + width] * (2 // width), 16) / 255 for i in range(0, len(digits), width))
         elif names.ColorExists(color):
             return tuple(names.GetColor3d(color))
-        raise ValueError(f"{what} is a name as in CSS, '#rrggbb' or three numbers, 0 to 1; there is no colour {color!r}")
+        raise ValueError(f"{what} is a name as in CSS, '#rrggbb' or three numbers, 0 to 1; there is no colour "
+                         f"{color!r}")
     numbers = checked_numbers(color, 3, f"{what}, unless it is a text,")
     if not all(0 <= number <= 1 for number in numbers):
         raise ValueError(f"{what} is a text or three numbers, 0 to 1, not {color!r}")

@@ -31,8 +31,8 @@ def with_nan(values, what):
     if not np.ma.is_masked(values):
         return np.ma.getdata(values)
     if values.dtype.kind not in "biuf":
-        raise TypeError(f"{what} has values of type {values.dtype}, and some are masked; those become NaN, which floats "
-                        "have")
+        raise TypeError(f"{what} has values of type {values.dtype}, and some are masked; those become NaN, which "
+                        "floats have")
     return values.astype(np.promote_types(values.dtype, np.float32)).filled(np.nan)
 
 
