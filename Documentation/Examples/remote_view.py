@@ -118,7 +118,7 @@ class Handler(BaseHTTPRequestHandler):
         self.wfile.write(body)
 
     def do_GET(self):
-        if self.headers["Host"] not in (f"127.0.0.1:{self.server.server_port}", f"localhost:{self.server.server_port}"):
+        if self.headers["Host"] not in (f"127.0.0.1:{server.server_port}", f"localhost:{server.server_port}"):
             self.answer(403)  # to a page of another name, which leads here
         elif self.path.startswith("/frame?taken="):
             number, frame = view.newest(int(self.path.split("=")[1])) or (0, b"")
