@@ -103,7 +103,7 @@ def drawn_by_pyvista(volume, given):
         made = exact_tree(blocks, given) if is_structured(volume) else exact(joined(blocks), blocks[0])
     elif isinstance(volume, (vtkStructuredGrid, vtkExplicitStructuredGrid)) and min(volume.dimensions) > 1:
         blocks, made = [volume], exact(joined([volume]), volume)
-    elif isinstance(volume, (*EXACT, )) and isinstance(volume, pyvista.DataSet):
+    elif isinstance(volume, tuple(EXACT)) and isinstance(volume, pyvista.DataSet):
         blocks, made = [volume], exact(volume, volume)
     else:
         return volume

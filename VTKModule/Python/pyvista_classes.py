@@ -127,11 +127,12 @@ class TetMarchVolume(Volume):
 
 
 def tree_of(blocks, association, name):
-    """A vtkMultiBlockDataSet of shallow copies of images and rectilinear grids, whose active scalars have this name."""
+    """A vtkMultiBlockDataSet of shallow copies of blocks, whose active scalars have this name, or are none."""
     tree = vtkMultiBlockDataSet()
     for number, block in enumerate(blocks):
         copy = block.NewInstance()
         copy.ShallowCopy(block)
-        (copy.GetCellData() if association.name == "CELL" else copy.GetPointData()).SetActiveScalars(name)
+        attributes = copy.GetCellData() if association.name == "CELL" else copy.GetPointData()
+        attributes.SetActiveScalars(name if attributes.HasArray(name) else None)
         tree.SetBlock(number, copy)
     return tree
