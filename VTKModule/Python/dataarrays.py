@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Images and grids from an xarray.DataArray, which is known by what it has: xarray isn't imported."""
+"""Images and grids from an xarray.DataArray."""
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkRectilinearGrid, vtkStructuredGrid
@@ -13,11 +13,6 @@ NAMES = {"x": {"x", "i", "lon", "longitude", "xlong", "grid_longitude", "project
          "y": {"y", "j", "lat", "latitude", "xlat", "grid_latitude", "projection_y_coordinate"},
          "z": {"z", "k", "lev", "level", "depth", "height", "altitude"}}
 ROUNDING = 1e-6  # of a step, of coordinates that are evenly spaced
-
-
-def is_dataarray(data):
-    """Whether an object has what an xarray.DataArray has."""
-    return all(hasattr(data, name) for name in ("dims", "coords", "values", "attrs", "isel"))
 
 
 def letter_of(name, coordinate):

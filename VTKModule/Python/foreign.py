@@ -3,9 +3,10 @@
 """Data of other packages: NumPy, xarray and meshio; and what to do with data that are no volume."""
 import numpy as np
 
-from .dataarrays import from_dataarray, is_dataarray
+from .dataarrays import from_dataarray
 from .images import make_image
-from .meshes import from_meshio, is_meshio
+from .meshes import from_meshio
+from .protocols import LikeDataArray, LikeDataset, LikeMesh
 
 
 def is_of_pandas(data):
@@ -13,16 +14,11 @@ def is_of_pandas(data):
     return type(data).__module__.partition(".")[0] == "pandas"
 
 
-def is_dataset(data):
-    """Whether an object has what an xarray.Dataset has."""
-    return all(hasattr(data, name) for name in ("dims", "coords", "data_vars"))
-
-
 # Whether it is one of these, and what to do with it.
 REFUSED = (
     (is_of_pandas, "a table has no cells: from_arrays() takes columns of points and cells, as table[['x', 'y', 'z']]"
                    ".to_numpy(), and .to_xarray() makes a DataArray of a Series with three indices"),
-    (is_dataset, "it has several arrays: give one of them, as in dataset['temperature']"),
+    (lambda data: isinstance(data, LikeDataset), "it has several arrays: give one of them, as in dataset['temperature']"),
     (lambda data: isinstance(data, (list, tuple)), "numpy.array(data) makes an array of it, which can be drawn if it "
                                                    "has three dimensions; from_arrays() takes lists of points and "
                                                    "cells"),
@@ -40,8 +36,8 @@ def foreign_data(data, what="data"):
     for refuses, remedy in REFUSED:
         if refuses(data):
             raise TypeError(f"{what} is a {type(data).__name__}, which is no volume; {remedy}")
-    if is_dataarray(data):
+    if isinstance(data, LikeDataArray):
         return from_dataarray(data)
-    if is_meshio(data):
+    if isinstance(data, LikeMesh):
         return from_meshio(data)
     return None

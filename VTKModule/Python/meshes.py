@@ -17,11 +17,6 @@ FLAT = ("empty", "vertex", "line", "triangle", "quad", "pixel", "polygon", "VTK_
         "VTK_BEZIER_QUADRILATERAL")
 
 
-def is_meshio(data):
-    """Whether an object has what a meshio.Mesh has."""
-    return all(hasattr(data, name) for name in ("points", "cells", "point_data", "cell_data"))
-
-
 def solid_blocks(mesh):
     """(its number in the mesh, the type's name, its cells) of each block of solid cells; polyhedra come last."""
     found, kinds = [], []
