@@ -39,7 +39,7 @@ def points_of(kind):
     if count == 0:
         number = {"TETRAHEDRON": vtk.VTK_TETRA, "HEXAHEDRON": vtk.VTK_HEXAHEDRON,
                   "WEDGE": vtk.VTK_WEDGE}[kind.rpartition("_")[2]]
-    cell = getattr(vtk, vtk.vtkCellTypes.GetClassNameFromTypeId(number))()
+    cell = vtk.vtkGenericCell.InstantiateCell(number)
     if count == 0 and number != vtk.VTK_WEDGE:
         return CUBE if number == vtk.VTK_HEXAHEDRON else POINTS[:4]
     coordinates = cell.GetParametricCoords()

@@ -18,7 +18,8 @@ def is_of_pandas(data):
 REFUSED = (
     (is_of_pandas, "a table has no cells: from_arrays() takes columns of points and cells, as table[['x', 'y', 'z']]"
                    ".to_numpy(), and .to_xarray() makes a DataArray of a Series with three indices"),
-    (lambda data: isinstance(data, LikeDataset), "it has several arrays: give one of them, as in dataset['temperature']"),
+    (lambda data: isinstance(data, LikeDataset), "it has several arrays: give one of them, as in "
+                                                 "dataset['temperature']"),
     (lambda data: isinstance(data, (list, tuple)), "numpy.array(data) makes an array of it, which can be drawn if it "
                                                    "has three dimensions; from_arrays() takes lists of points and "
                                                    "cells"),
