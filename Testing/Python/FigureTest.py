@@ -74,6 +74,13 @@ class CamerasTest(unittest.TestCase):
         self.assertGreater(right - left, 0.85)
         self.assertAlmostEqual((top - bottom) * HEIGHT / ((right - left) * WIDTH), 14 / 54, delta=0.03)
 
+    def test_the_drawn_component_is_looked_at(self):
+        vectors = np.stack([block((3, 3, 3)), block((13, 13, 13))], axis=-1)
+        for component, middle in ((0, 4.5), (1, 14.5), ("magnitude", 9.5)):
+            for name in ("iso", "-z"):
+                camera = vtktetmarch.figure(vectors, component=component, opacity="linear", camera=name).camera
+                np.testing.assert_allclose(camera.GetFocalPoint(), [middle] * 3, atol=2, err_msg=f"{component} {name}")
+
     def test_nothing_visible_is_looked_at_as_a_whole(self):
         figure = vtktetmarch.figure(block((3, 3, 3)), size=SIZE, opacity=0.0, camera="x")
         np.testing.assert_allclose(figure.camera.GetFocalPoint(), (9.5, 9.5, 9.5))

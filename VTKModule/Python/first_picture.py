@@ -5,11 +5,11 @@ from numbers import Integral
 from typing import NamedTuple
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPiecewiseFunction
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
+from vtkmodules.vtkRenderingCore import VTK_SCALAR_MODE_USE_CELL_FIELD_DATA, vtkColorTransferFunction
 
 from .checks import checked_flag, checked_range, checked_text, checked_word
 from .errors import VtkErrors
-from .vtkRenderingTetMarch import vtkTetMarchFirstPicture
+from .vtkRenderingTetMarch import vtkTetMarchFirstPicture, vtkTetMarchVolumeMapper
 
 ASSOCIATIONS = {"points": vtkTetMarchFirstPicture.POINTS, "cells": vtkTetMarchFirstPicture.CELLS,
                 None: vtkTetMarchFirstPicture.ANY}
@@ -82,7 +82,7 @@ def auto_transfer_functions(data, array=None, association=None, component=None, 
 
 
 def first_picture_of(volume):
-    """A vtkTetMarchFirstPicture of a volume's data, with the volume's array and opacity."""
+    """A vtkTetMarchFirstPicture of a volume's data, with the volume's array, component and opacity."""
     mapper = volume.GetMapper()
     if mapper.GetNumberOfInputConnections(0):
         mapper.GetInputAlgorithm().Update()
@@ -90,6 +90,11 @@ def first_picture_of(volume):
     if data is None:
         raise ValueError("the volume's mapper has no input")
     named = mapper.GetArrayAccessMode() == 1  # VTK_GET_ARRAY_BY_NAME
-    first = choose_first_picture(data, mapper.GetArrayName() if named else None)
+    component = None
+    if named and hasattr(mapper, "GetVectorMode"):
+        component = {vtkTetMarchVolumeMapper.MAGNITUDE: "magnitude",
+                     vtkTetMarchVolumeMapper.COMPONENT: mapper.GetVectorComponent()}.get(mapper.GetVectorMode())
+    where = "cells" if mapper.GetScalarMode() == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA else None
+    first = choose_first_picture(data, mapper.GetArrayName() if named else None, where, component)
     first.GetOpacity().DeepCopy(volume.GetProperty().GetScalarOpacity())
     return first
