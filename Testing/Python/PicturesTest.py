@@ -244,8 +244,6 @@ class CameraTest(unittest.TestCase):
     def test_what_is_wrong_is_said(self):
         with self.assertRaisesRegex(TypeError, "no 'positon'; it has position"):
             figure_of_tetrahedron(camera={"positon": (1, 2, 3)})
-        with self.assertRaisesRegex(TypeError, "'iso', a dict or a vtkCamera"):
-            figure_of_tetrahedron(camera="top")
 
 
 class MeasuresTest(unittest.TestCase):
