@@ -43,7 +43,7 @@ def drawn(data):
 
 def values_at(grid, x, y, z):
     """The value at a point of the world."""
-    point = grid.FindPoint(x, y, z)
+    point = grid.FindPoint((x, y, z))
     np.testing.assert_allclose(grid.GetPoint(point), (x, y, z))
     return grid.GetPointData().GetScalars().GetValue(point)
 
@@ -97,7 +97,7 @@ class Cases:
                 z = np.broadcast_to(-Z[:, None, None], VALUES.shape)
             data = self.make(VALUES, coords, names, name="salt")
             grid = drawn(data)
-            self.assertEqual((grid.GetClassName(), grid.GetDimensions()), ("vtkStructuredGrid", (NX, NY, NZ)))
+            self.assertEqual((grid.GetClassName(), grid.GetExtent()), ("vtkStructuredGrid", (0, 4, 0, 3, 0, 2)))
             for k, row, column in ((0, 0, 0), (2, 1, 3), (1, 3, 4)):
                 self.assertEqual(values_at(grid, lon[row, column], lat[row, column], z[k, row, column]),
                                  VALUES[k, row, column])

@@ -212,7 +212,7 @@ class PropertiesTest(unittest.TestCase):
                 ({"accuracy_level": 7}, ValueError, "the nearest is 4"),
                 ({"error_tolerance": 5}, ValueError, "the nearest is 1.0"),
                 ({"error_tolerance": "low"}, TypeError, "takes no word"),
-                ({"error_tolerance": [1, 2]}, TypeError, "must be real number"),
+                ({"error_tolerance": [1, 2]}, TypeError, r"error_tolerance can't be \[1, 2\]"),
                 ({"clipping_planes": [3]}, TypeError, "a vtkPlane or \\(point, normal\\)"),
                 ({"array": "pressure"}, ValueError, "on points: z"),
                 ({"component": -2}, ValueError, "'magnitude' or None"),

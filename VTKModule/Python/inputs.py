@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from .foreign import foreign_data
-from .hexahedra import as_hexahedra
+from .hexahedra import as_hexahedra, dimensions_of
 from .readers import read
 from .vtkRenderingTetMarch import vtkTetMarchFirstPicture
 
@@ -31,7 +31,7 @@ def check_faults(data):
 def unstructured(data):
     """The same cells as a vtkUnstructuredGrid."""
     check_faults(data)
-    if isinstance(data, vtkStructuredGrid) and min(data.GetDimensions()) > 1:
+    if isinstance(data, vtkStructuredGrid) and min(dimensions_of(data)) > 1:
         return as_hexahedra(data)
     append = vtkAppendFilter()
     append.SetOutputPointsPrecision(append.DEFAULT_PRECISION)
