@@ -59,6 +59,7 @@ VOLUME = (
     ("clipping_planes", [((0, 0, 0), (0, 0, 0))], ValueError, "normal of each of clipping_planes has a direction"),
     ("clipping_planes", [((0, 0, 0), (0, 1))], ValueError, "normal of each of clipping_planes has 3 numbers, not 2"),
     ("clipping_planes", [((0, NAN, 0), (0, 0, 1))], ValueError, "point of each of clipping_planes is a finite number"),
+    ("shade", 5, ValueError, "shade can't be 5: .*0 or 1"),
     ("error_tolerance", NAN, ValueError, "error_tolerance can't be nan: it is not a number"),
     ("error_tolerance", np.float32(NAN), ValueError, "error_tolerance can't be"),
     ("error_tolerance", None, TypeError, "error_tolerance can't be None"),

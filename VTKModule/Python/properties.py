@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterable
 from numbers import Real
 
+from .errors import VtkErrors
+
 
 def setters(target):
     """The methods of an object that set one property each, by the property's name in small letters."""
@@ -76,9 +78,12 @@ def set_property(target, name, value, shown):
         raise ValueError(f"{shown} can't be {value!r}: it is not a number")
     before = getattr(target, "Get" + name)()
     try:
-        getattr(target, "Set" + name)(value)
+        with VtkErrors() as errors:
+            getattr(target, "Set" + name)(value)
     except TypeError as error:
         raise TypeError(f"{shown} can't be {value!r}: {error}") from None
+    if errors:
+        raise ValueError(f"{shown} can't be {value!r}: {errors}")
     got = getattr(target, "Get" + name)()
     if differs(value, got):
         getattr(target, "Set" + name)(before)
