@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A figure in a notebook that is turned by the mouse, with controls beside it."""
 import asyncio
+import itertools
 import math
 
 from vtkmodules.vtkRenderingCore import vtkCamera
@@ -27,6 +28,7 @@ PIXELS_PER_DOUBLING = 400.0  # of the wheel
 TOLERANCES = [1 / 16, 1 / 64, 1 / 255, *(2.0**-power for power in range(10, 17, 2))]
 GIVEN = "as given"
 STEPS = 48  # of the drawn functions
+NUMBERS = itertools.count()  # names for what is drawn: a page may have several
 
 
 def slider(name, value, low, high, step):
@@ -61,6 +63,7 @@ def function_of(text):
 
 def drawing_of(color, opacity, width=300, height=60):
     """Colours below the curve of the opacity, as SVG."""
+    name = f"tetmarch-colors-{next(NUMBERS)}"
     low, high = color.GetRange()
     shares = [i / STEPS for i in range(STEPS + 1)]
     values = [low + (high - low) * share for share in shares]
@@ -68,8 +71,8 @@ def drawing_of(color, opacity, width=300, height=60):
                     ((share, [255 * c for c in color.GetColor(v)]) for share, v in zip(shares, values)))
     curve = " ".join(f"{share * width:.1f},{(1 - opacity.GetValue(value)) * height:.1f}"
                      for share, value in zip(shares, values))
-    return (f'<svg width="{width}" height="{height + 16}"><defs><linearGradient id="colors">{stops}</linearGradient>'
-            f'</defs><polygon points="0,{height} {curve} {width},{height}" fill="url(#colors)" stroke="#888"/>'
+    return (f'<svg width="{width}" height="{height + 16}"><defs><linearGradient id="{name}">{stops}</linearGradient>'
+            f'</defs><polygon points="0,{height} {curve} {width},{height}" fill="url(#{name})" stroke="#888"/>'
             f'<text y="{height + 13}" font-size="12">{low:.4g}</text><text x="{width}" y="{height + 13}" '
             f'font-size="12" text-anchor="end">{high:.4g}</text></svg>')
 
