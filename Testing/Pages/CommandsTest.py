@@ -36,6 +36,8 @@ NOT_PASTED = {  # by regular expression
         "./tetmarch package test-wheel does it in clean roots",
     r"PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Documentation/Examples/light\.py":
         "Testing/Python/ExamplesTest.py runs all examples",
+    r"PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Documentation/Examples/gallery/\w+\.py":
+        "Testing/Python/GalleryTest.py runs them",
     "PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 -m vtktetmarch script.py":
         "Testing/Python/ReplaceUnstructuredTest.py runs one",
     "PYTHONPATH=build/lib/python3/dist-packages mpiexec -n 4 /usr/bin/python3 parallel.py": "ExamplesTest.py pastes it",
@@ -43,8 +45,8 @@ NOT_PASTED = {  # by regular expression
 }
 # Pasted with the second in the place of the first: 133 million tetrahedra take three minutes.
 SMALLER = (("lattice:281,lattice:282", "lattice:11,lattice:12"),)
-# Of Google Benchmark and of ParaView, not of ours.
-OTHER_OPTIONS = {"--benchmark_filter", "--tdx", "--tdy"}
+# Of Google Benchmark, pip and ParaView, not of ours.
+OTHER_OPTIONS = {"--benchmark_filter", "--config-settings", "--tdx", "--tdy"}
 # Programs of tests run by themselves; here they are only asked which tests they would run.
 PROGRAM_OF_TESTS = r"\bbuild/bin/TetMarch\w*Tests?\b"
 

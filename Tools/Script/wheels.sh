@@ -5,8 +5,8 @@
 
 readonly WHEEL_LOG="$BUILD/wheel.log"
 
-# The commands of the README's section on Python, which a user types in the folder of the sources.
-commands_for_python() { sed -n '/^## Python$/,/^## /s/^    //p' "$ROOT/README.md"; }
+# The commands with which the README's section on Python begins, typed in the folder of the sources.
+commands_for_python() { sed -n '/^## Python$/,/^builds /s/^    //p' "$ROOT/README.md"; }
 
 # in_wheel_root COMMAND: with a display, in the folder of the sources.
 in_wheel_root() {
@@ -34,7 +34,13 @@ try_wheel() {
   for command in "$sources/golfball.png" "$CLEAN_ROOT/try/tool.png"; do
     [[ "$(head -c 4 "$command" | tail -c 3)" == PNG ]] || die "$command is no picture"
   done
-  say "$1: $(du -sh "$sources"/env/lib/python*/site-packages/vtktetmarch | cut -f 1) are installed"
+  say "$1: the wheel has $(sed -n 's/.*filename=vtktetmarch.*size=\([0-9]*\).*/\1/p' "$WHEEL_LOG") bytes"
+  if [[ "$1" == forky ]]; then # Debian 12 has no PyVista
+    in_wheel_root "apt-get install python3-pyvista"
+    in_wheel_root "xvfb-run -a env/bin/python -c 'import pyvista; pyvista.OFF_SCREEN = True
+picture = pyvista.Wavelet().tetmarch.plot(window_size=(160, 120), screenshot=True, return_img=True)
+assert picture.std() > 5'"
+  fi
   in_wheel_root "env/bin/pip uninstall --yes vtktetmarch"
   left="$(find "$sources/env" -iname '*tetmarch*')"
   [[ -z "$left" ]] || die "left behind: $left"
