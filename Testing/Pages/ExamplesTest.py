@@ -136,8 +136,8 @@ class ExamplesTest(unittest.TestCase):
     def test_every_example_is_here(self):
         shown = [name_of(page) for page in pages() if fenced_blocks(page.read_text(encoding="utf-8"), "python")]
         self.assertEqual(shown, ["Documentation/AccuracyLevels.md", "Documentation/FiveMinutes.md",
-                                 "Documentation/Processes.md", "Documentation/Python.md", "Plugin/README.md",
-                                 "README.md"])
+                                 "Documentation/Gallery.md", "Documentation/Processes.md", "Documentation/Python.md",
+                                 "Plugin/README.md", "README.md"])
 
 
 if __name__ == "__main__":

@@ -14,15 +14,15 @@ points = lattice.reshape(-1, 3) - (NX / 2, NY / 2, NZ / 2)
 points = np.concatenate([points, points[boxes].mean(axis=1)])  # the last: the boxes' middles
 
 SIDES = (0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (3, 2, 6, 7), (0, 3, 7, 4)
-KINDS = {"hexahedron": [range(8)], "tetra": [(a, b, c, 8) for s in SIDES for a, b, c in (s[:3], (s[0], *s[2:]))],
-         "pyramid": [(*side, 8) for side in SIDES], "wedge": [(0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7)]}
+KINDS: dict[str, list] = {
+    "hexahedron": [range(8)], "tetra": [(a, *side, 8) for a, b, c, d in SIDES for side in ((b, c), (c, d))],
+    "pyramid": [(*side, 8) for side in SIDES], "wedge": [(0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7)]}
 flat, kinds = [], []
 for number, box in enumerate(boxes):
     kind = list(KINDS)[4 * number // len(boxes)]
     for part in KINDS[kind]:
         flat += [len(part), *([*box, ids.size + number][corner] for corner in part)]
         kinds.append(kind)
-
 x, y, z = points.T
 field, turn = np.cos(0.8 * x) * np.cos(1.1 * y) + 0.6 * np.sin(0.5 * x + z), 0.14 * x
 points = np.stack([x, y * np.cos(turn) - z * np.sin(turn), y * np.sin(turn) + z * np.cos(turn)], axis=-1)

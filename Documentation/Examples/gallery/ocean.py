@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ocean: temperature on a curvilinear grid whose layers follow the sea floor, 300 times as high as it is."""
+"""Ocean: temperature on a curvilinear grid whose layers follow the sea floor, drawn 75 times as high."""
 import numpy as np
 import vtktetmarch
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -27,7 +27,7 @@ temperature = 2 + (warmth - 2) * np.exp(np.minimum(deep, 0))
 grid = vtkStructuredGrid()
 grid.SetDimensions(*shape[::-1])
 points = vtkPoints()
-points.SetData(numpy_to_vtk(np.stack([x, y, 300 / 4 * z], axis=-1).reshape(-1, 3), deep=True))
+points.SetData(numpy_to_vtk(np.stack([x, y, 75 * z], axis=-1).reshape(-1, 3), deep=True))
 grid.SetPoints(points)
 values = numpy_to_vtk(temperature.ravel(), deep=True)
 values.SetName("temperature")

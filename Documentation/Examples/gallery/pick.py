@@ -20,7 +20,7 @@ values.SetName("matter")
 cube.GetPointData().SetScalars(values)
 figure = vtktetmarch.figure(
     cube, range=(0.1, 2), cmap="viridis", opacity=[(0.15, 0), (0.5, 0.15), (2, 0.9)], unit_distance=1.5, shade=True,
-    ambient=0.5, diffuse=0.8, size=(480, 360), background="#0c0e14", pick_opacity_threshold=0.3, camera={"zoom": 1.35})
+    ambient=0.5, diffuse=0.8, size=(480, 360), background="#0c0e14", pick_opacity_threshold=0.3, camera={"zoom": 1.12})
 
 hits = {(u, v): figure.pick(u, v) for v in range(40, 350, 45) for u in range(40, 450, 50)}
 for (u, v), hit in hits.items():

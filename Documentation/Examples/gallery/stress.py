@@ -27,5 +27,5 @@ plate = vtktetmarch.from_arrays(points, cells, "hexahedron", cell_data={"von Mis
 figure = vtktetmarch.figure(
     plate, "von Mises", range=(0, 2.6), cmap="turbo", opacity=[(0, 0.6), (1, 0.4), (1.5, 0.9), (3, 1)],
     unit_distance=0.3, size=(480, 360), background="#0b0d12",
-    camera={"position": (-5.5, -12, 13), "focal_point": (0.1, -0.5, 0), "view_up": (0, 0, 1), "view_angle": 36})
+    camera={"position": (-5.5, -12.5, 13.5), "focal_point": (0, -0.8, 0), "view_up": (0, 0, 1), "view_angle": 36})
 figure.save("stress.png")

@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each script of the gallery draws the picture that is on the page, and the page has its code."""
+import os
+import pathlib
+import re
+import runpy
+import tempfile
+import unittest
+
+import numpy as np
+
+import draw_gallery
+from PicturesTest import pixels_of_png
+
+MOST_LINES = 40
+MOST_BYTES = 1_500_000
+CLOSE = 0.01  # RMS of a channel, 0 to 1: other drivers and versions of VTK draw texts and lines otherwise
+
+
+class GalleryTest(unittest.TestCase):
+    def test_each_script_draws_its_picture(self):
+        for name in draw_gallery.ORDER:
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                os.symlink(draw_gallery.PROJECT / "Data", pathlib.Path(folder) / "Data")
+                self.addCleanup(os.chdir, os.getcwd())
+                os.chdir(folder)
+                runpy.run_path(str(draw_gallery.SCRIPTS / f"{name}.py"))
+                self.assertEqual(set(os.listdir()), {"Data", f"{name}.png"})
+                drawn, shown = (pixels_of_png(path).astype(float) / 255 for path in
+                                (f"{name}.png", draw_gallery.PICTURES / f"{name}.png"))
+                self.assertEqual(drawn.shape, (360, 480, 3))
+                self.assertLess(np.sqrt(np.mean((drawn - shown)**2)), CLOSE)
+                os.chdir(draw_gallery.PROJECT)
+
+    def test_the_page_has_each_script_and_its_measures(self):
+        page = draw_gallery.PAGE.read_text(encoding="utf-8")
+        self.assertEqual({script.stem for script in draw_gallery.SCRIPTS.glob("*.py")}, set(draw_gallery.ORDER))
+        self.assertEqual(re.findall(r"^```python\n(.*?)^```$", page, re.MULTILINE | re.DOTALL),
+                         [draw_gallery.code_of(name) for name in draw_gallery.ORDER])
+        self.assertEqual(re.findall(r"!\[[^]]*\]\(Pictures/gallery/(\w+)\.png\)", page), list(draw_gallery.ORDER))
+        self.assertEqual(len(re.findall(r"^[\d.e-]+ s a frame; error [\d.e-]+ RMS, [\d.e-]+ at most\.$", page,
+                                        re.MULTILINE)), len(draw_gallery.ORDER))
+
+    def test_scripts_and_pictures_are_small(self):
+        for name in draw_gallery.ORDER:
+            lines = (draw_gallery.SCRIPTS / f"{name}.py").read_text(encoding="utf-8").splitlines()
+            self.assertLessEqual(len(lines), MOST_LINES, name)
+            self.assertLessEqual(max(map(len, lines)), 120, name)
+        sizes = [picture.stat().st_size for picture in draw_gallery.PICTURES.glob("*.png")]
+        self.assertEqual(len(sizes), len(draw_gallery.ORDER))
+        self.assertLess(sum(sizes), MOST_BYTES)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
