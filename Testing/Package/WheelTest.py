@@ -22,10 +22,29 @@ PROJECT = pathlib.Path(__file__).resolve().parents[2]
 DEFINES = []
 sys.path.insert(0, str(PROJECT / "Tools" / "Wheel"))
 import backend  # noqa: E402
+from vtk_of_python import VtkOfPython  # noqa: E402
+
+# Of each kind: what pip installs for the build, and the pin in the metadata.
+KINDS = {
+    "Debian 12": (VtkOfPython("9.1.0", None, False), [], "Requires-External: vtk (==9.1.0)"),
+    "forky, conda-forge": (VtkOfPython("9.6.2", "9.6.2", False), [], "Requires-Dist: vtk==9.6.2"),
+    "pip": (VtkOfPython("9.6.1", "9.6.1", True), ["vtk-sdk==9.6.1"], "Requires-Dist: vtk==9.6.1"),
+}
 
 
 def example_of_the_readme():
     return (PROJECT / "README.md").read_text(encoding="utf-8").split("```python\n")[1].split("```")[0]
+
+
+class VtkOfPythonTest(unittest.TestCase):
+    def test_each_kind(self):
+        for name, (vtk, requirements, pin) in KINDS.items():
+            with self.subTest(name):
+                self.assertEqual((vtk.build_requirements(), vtk.dependency()), (requirements, pin))
+
+    def test_wheels_without_headers_are_refused(self):
+        with self.assertRaisesRegex(SystemExit, "VTK 9.5.2 .* no headers before VTK 9.6"):
+            VtkOfPython("9.5.2", "9.5.2", True).build_requirements()
 
 
 class WheelTest(unittest.TestCase):

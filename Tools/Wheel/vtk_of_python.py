@@ -12,8 +12,9 @@ from typing import NamedTuple
 
 # A build isolated by pip doesn't see the packages of its own Python, but a process started with -I does.
 QUESTION = """
-import importlib.metadata, json, sys
+import importlib.metadata, json, pathlib, sys
 try:
+    import vtkmodules
     from vtkmodules.vtkCommonCore import vtkVersion
 except ImportError as error:
     sys.exit(str(error))
@@ -21,29 +22,30 @@ try:
     distribution = importlib.metadata.version("vtk")
 except importlib.metadata.PackageNotFoundError:
     distribution = None
-print(json.dumps({"version": vtkVersion.GetVTKVersion(), "distribution": distribution}))
+bundled = any(True for folder in vtkmodules.__path__ for _ in pathlib.Path(folder).glob("*vtkCommonCore-*"))
+print(json.dumps({"version": vtkVersion.GetVTKVersion(), "distribution": distribution, "bundled": bundled}))
 """
 
 
 class VtkOfPython(NamedTuple):
-    """version: "9.1.0". distribution: the version of VTK's wheel or conda package; None: of the system's package."""
+    """version: "9.1.0". distribution: the version that pip knows; None: it knows none, as of Debian 12's package.
+
+    bundled: whether the libraries are in the Python package, as in VTK's wheels. Their headers are in another wheel,
+    vtk-sdk, from VTK 9.6 on.
+    """
 
     version: str
     distribution: str | None
-
-    @property
-    def is_wheel(self):
-        """Whether VTK was installed by pip: its headers are in another wheel, vtk-sdk, from VTK 9.6 on."""
-        return self.distribution is not None and not (pathlib.Path(sys.prefix) / "conda-meta").is_dir()
+    bundled: bool
 
     def build_requirements(self):
         """What pip installs for the build."""
-        if not self.is_wheel:
+        if not self.bundled:
             return []
         if tuple(int(part) for part in self.version.split(".")[:2]) < (9, 6):
             raise SystemExit(f"VTK {self.version} was installed by pip, whose packages have no headers before VTK 9.6: "
                              "update vtk, or use the VTK of your system or of conda-forge")
-        return [f"vtk-sdk=={self.distribution}"]
+        return [f"vtk-sdk=={self.version}"]
 
     def dependency(self):
         """The line of the wheel's metadata that pins this VTK."""
@@ -52,11 +54,11 @@ class VtkOfPython(NamedTuple):
         return f"Requires-Dist: vtk=={self.distribution}"
 
     def cmake_prefixes(self):
-        """Folders in which CMake looks for VTK; without any, the system's."""
-        if self.is_wheel:
+        """Folders in which CMake looks for VTK besides the system's."""
+        if self.bundled:
             return [str(importlib.resources.files(point.load()))
                     for point in importlib.metadata.entry_points(group="cmake.prefix")]
-        return [] if self.distribution is None else [sys.prefix]
+        return [sys.prefix]  # of conda, or of a virtual environment, which has none
 
 
 def clean_environment():
