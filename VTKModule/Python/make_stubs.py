@@ -5,6 +5,7 @@
 The types are those of the docstrings that VTK's wrappers generate. If VTK's Python modules can't be imported, all names
 are declared without details.
 """
+import inspect
 import keyword
 import pathlib
 import re
@@ -88,6 +89,23 @@ def method_lines(name, doc, types):
     return lines
 
 
+def property_lines(name, made, types):
+    """A property, as VTK's classes have from 9.4 on. Its docstring names its methods."""
+    found = re.match(r"read-(?:only|write), calls (\w+)(?:/(\w+))?", vars(made)[name].__doc__)
+    if not found:
+        return [f"{name}: Any"]
+    getter, setter = found.groups()
+    kind = next((types.translate(returned, True) for parameters, returned in signatures(getattr(made, getter).__doc__)
+                 if parameters in ("", "self")), "Any")
+    lines = ["@property", f"def {name}(self) -> {kind}: ..."]
+    if setter:
+        values = [[each for each in parameters_of(parameters, types) if each != "self"]
+                  for parameters, _ in signatures(getattr(made, setter).__doc__)]
+        value = next((given[0].partition(": ")[2] for given in values if len(given) == 1), "Any")
+        lines += [f"@{name}.setter", f"def {name}(self, value: {value}) -> None: ..."]
+    return lines
+
+
 def class_lines(made, types):
     base = made.__mro__[1]
     lines = [f"class {made.__name__}({types.name(base.__name__)}):"]
@@ -98,10 +116,13 @@ def class_lines(made, types):
             body = [f"class {name}(int): ..."]
         elif isinstance(member, int):
             body = [f"{name}: int"]
+        elif inspect.isgetsetdescriptor(member):
+            body = property_lines(name, made, types)
         else:
             body = method_lines(name, member.__doc__ or "", types)
         lines += ["    " + line for line in body]
-    return lines + ["    def __init__(self) -> None: ...", ""]
+    given = ", **properties: Any" if "    @property" in lines else ""
+    return lines + [f"    def __init__(self{given}) -> None: ...", ""]
 
 
 def main(folder, path):
