@@ -99,11 +99,13 @@ class LifetimeTest(unittest.TestCase):
                 self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_figures_in_threads(self):
-        """Two at once, each in a thread of its own; and one that has drawn in another."""
+        """Two at once, each in a thread of its own; and some that have drawn in another."""
         grid = first_data.one_tetrahedron()
-        drawn = vtktetmarch.figure(grid, size=(60, 40))
-        expected, pictures = drawn.screenshot(), []
-        makers = [lambda: vtktetmarch.figure(grid, size=(60, 40))] * 2 + [lambda: drawn]
+        drawn = [vtktetmarch.figure(grid, size=(60, 40)) for _ in range(3)]
+        expected, pictures = drawn[0].screenshot(), []
+        drawn[1].pick(30, 20)
+        drawn[2].compare()
+        makers = [lambda: vtktetmarch.figure(grid, size=(60, 40))] * 2 + [lambda each=each: each for each in drawn]
         threads = [threading.Thread(target=lambda make=make: pictures.extend(
             figure.screenshot() for figure in [make()] for _ in range(10))) for make in makers]
         for thread in threads:
@@ -111,7 +113,7 @@ class LifetimeTest(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(len(pictures), 10 * len(threads))
-        for picture in [*pictures, drawn.screenshot()]:
+        for picture in [*pictures, *(figure.screenshot() for figure in drawn)]:
             self.assertTrue(np.array_equal(picture, expected))
 
 

@@ -140,6 +140,7 @@ class Figure:
         self.renderer.SetBackgroundAlpha(0.0 if self.transparent else 1.0)
         with VtkErrors(self.mapper) as errors:
             window.Render()
+            window.ReleaseCurrent()  # another thread may draw the next frame
         self.renderer.SetBackground(background)
         # A mapper reports an error once, and draws nothing as long as it persists.
         if errors:
@@ -229,6 +230,7 @@ class Figure:
             self.render()
         with VtkErrors(self.mapper) as errors:
             hit = self.mapper.Pick(self.renderer, self.volume, x, height - 1 - y)
+            self._window.ReleaseCurrent()
         if errors:
             raise RuntimeError(str(errors))
         if not hit:

@@ -62,6 +62,7 @@ def compare_figure(drawn):
         drawn.render()
         with VtkErrors() as errors:
             compared = mapper.CompareWithGroundTruth(drawn.volume)
+            drawn.renderer.GetRenderWindow().ReleaseCurrent()
         found = statistics(drawn)
     finally:
         mapper.SetCollectDiagnostics(collected)

@@ -19,6 +19,7 @@ def pixels_of(window, transparent):
     taken = vtkUnsignedCharArray()
     read = window.GetRGBACharPixelData if transparent else window.GetPixelData
     read(0, 0, width - 1, height - 1, 0, taken, 0)
+    window.ReleaseCurrent()
     pixels = vtk_to_numpy(taken).reshape(height, width, 4 if transparent else 3)[::-1]
     return unmultiplied(pixels) if transparent else pixels.copy()
 
