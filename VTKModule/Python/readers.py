@@ -206,8 +206,9 @@ def read(path, time_step=None):
         else:
             reader.Update()
         data = reader.GetOutputDataObject(0)
-        errors.texts += [text for text in errors.warnings  # some readers only warn of a truncated file
-                         if reader.IsA("vtkImageReader2") or text.startswith("Error")]
+        # Some readers only warn of a truncated file, and VTK 9.6's as it mixes up the time steps of a .vtu.
+        errors.texts += [text for text in errors.warnings if reader.IsA("vtkImageReader2") or text.startswith("Error")
+                         or (times and "already exists" in text)]
     if errors or data is None or reader.GetErrorCode():
         raise damaged(path, errors)
     return data
