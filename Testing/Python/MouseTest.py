@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The mouse turns the widget's picture in a browser: Jupyter's notebook in Chromium, without a window."""
+"""The mouse turns the widget's picture in a browser: Jupyter's notebook or JupyterLab in Chromium, without a window."""
 import base64
 import importlib.util
 import os
@@ -18,10 +18,19 @@ import first_data
 import vtktetmarch
 from PicturesTest import pixels_of_png
 
-PROGRAMS = "jupyter-notebook", "chromium", "chromedriver"
-MODULES = "selenium", "ipykernel", "ipywidgets", "nbformat"
-MISSING = [name for name in PROGRAMS if not shutil.which(name)] + \
-    [name for name in MODULES if not importlib.util.find_spec(name)]
+# Of each server: further options, the page, whether a kernel runs there, and what runs the cells.
+SERVERS = {
+    "jupyter-notebook": (["--NotebookApp.token=abc"], "notebooks",
+                         "window.IPython && IPython.notebook.kernel && IPython.notebook.kernel.is_connected()",
+                         "IPython.notebook.execute_all_cells()"),
+    "jupyter-lab": (["--IdentityProvider.token=abc", "--LabApp.expose_app_in_browser=True"], "lab/tree",
+                    "window.jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel?.connectionStatus"
+                    " == 'connected'", "jupyterapp.commands.execute('notebook:run-all-cells')"),
+}
+FOUND = [name for name in SERVERS if shutil.which(name)]
+MISSING = [name for name in ("chromium", "chromedriver") if not shutil.which(name)] + \
+    [name for name in ("selenium", "ipykernel", "ipywidgets", "nbformat") if not importlib.util.find_spec(name)] + \
+    ([] if FOUND else list(SERVERS))
 CODE = f"""
 import sys
 sys.path.insert(0, {os.path.dirname(os.path.abspath(__file__))!r})
@@ -30,13 +39,26 @@ vtktetmarch.figure(first_data.vectors(), size=(240, 180)).widget()
 """
 
 
-@unittest.skipIf(MISSING, f"{', '.join(MISSING)} isn't installed: apt-get install jupyter-notebook chromium-driver "
-                          "jupyter-nbextension-jupyter-js-widgets python3-selenium")
+# Gives the picture of the widget as a URL with its bytes.
+PICTURE = """
+const done = arguments[0], none = () => done(""), img = document.querySelector(".tetmarch-view img");
+if (!img || !img.src) return none();
+fetch(img.src).then(answer => answer.blob()).then(blob => {
+  const reader = new FileReader();
+  reader.onload = () => done(reader.result);
+  reader.readAsDataURL(blob);
+}).catch(none);
+"""
+
+
+@unittest.skipIf(MISSING, f"{', '.join(MISSING)} isn't installed: apt-get install chromium-driver python3-selenium, "
+                          "and jupyter-notebook jupyter-nbextension-jupyter-js-widgets, or jupyterlab")
 class MouseTest(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+        self.options, self.page, self.runs, self.run_cells = SERVERS[FOUND[0]]
         self.port = self.start_server()
         self.browser = self.start_browser()
 
@@ -48,9 +70,9 @@ class MouseTest(unittest.TestCase):
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
-        server = subprocess.Popen(["jupyter-notebook", "--no-browser", "--allow-root", "--ip=127.0.0.1",
-                                   f"--port={port}", "--NotebookApp.token=abc", f"--notebook-dir={self.folder}"],
-                                  env={**os.environ, "HOME": str(self.folder)}, stderr=subprocess.DEVNULL)
+        server = subprocess.Popen([FOUND[0], "--no-browser", "--allow-root", "--ip=127.0.0.1", f"--port={port}",
+                                   *self.options], cwd=self.folder, env={**os.environ, "HOME": str(self.folder)},
+                                  stderr=subprocess.DEVNULL)
         self.addCleanup(server.wait, 60)
         self.addCleanup(server.terminate)
         return port
@@ -79,26 +101,23 @@ class MouseTest(unittest.TestCase):
         """Whether the notebook is open, with a kernel."""
         from selenium.common.exceptions import WebDriverException
         try:
-            self.browser.get(f"http://127.0.0.1:{self.port}/notebooks/a.ipynb?token=abc")
-            return self.wait_for(lambda: self.browser.execute_script(
-                "return window.IPython && IPython.notebook.kernel && IPython.notebook.kernel.is_connected()"), "a kernel")
+            self.browser.get(f"http://127.0.0.1:{self.port}/{self.page}/a.ipynb?token=abc")
+            return self.wait_for(lambda: self.browser.execute_script(f"return {self.runs}"), "a kernel")
         except WebDriverException:
             return False
 
     def shows(self, expected):
         """Whether the page shows these pixels, as PNG."""
-        source = self.browser.execute_script("var i = document.querySelector('.tetmarch-view img'); return i && i.src")
-        if not (source or "").startswith("data:image/png;base64,iV"):
-            return False
+        picture = base64.b64decode(self.browser.execute_async_script(PICTURE).partition(",")[2])
         path = self.folder / "a.png"
-        path.write_bytes(base64.b64decode(source.split(",")[1]))
-        return np.array_equal(pixels_of_png(path), expected)
+        path.write_bytes(picture)
+        return picture.startswith(b"\x89PNG") and np.array_equal(pixels_of_png(path), expected)
 
     def test_it_drags_and_turns_its_wheel(self):
         from selenium.webdriver.common.action_chains import ActionChains
         from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
         self.wait_for(self.notebook, "the notebook")
-        self.browser.execute_script("IPython.notebook.execute_all_cells()")
+        self.browser.execute_script(self.run_cells)
         figure = vtktetmarch.figure(first_data.vectors(), size=(240, 180))
         first = figure.screenshot()
         self.wait_for(lambda: self.shows(first), "the first picture")
