@@ -127,8 +127,9 @@ class RemoteViewTest(unittest.TestCase):
         browser = self.browse(24, 16)
         with browser.open() as page:
             self.assertIn(b"<img", page.read())
-        with self.assertRaisesRegex(urllib.error.HTTPError, "403"):
+        with self.assertRaisesRegex(urllib.error.HTTPError, "403") as refused:
             browser.open("frame?taken=0", headers={"Host": "example.org"})
+        refused.exception.close()
 
 
 def measure(options):

@@ -78,7 +78,19 @@ def drawing_of(color, opacity, width=300, height=60):
 
 
 class FigureWidget(ipywidgets.HBox):
-    """A Figure's picture, turned by the mouse, with controls. See Figure.widget()."""
+    """A Figure's picture with controls, for Jupyter; needs ipywidgets, from version 6 on, and nothing else.
+
+    Dragging turns the camera about its focal point, from where it was when the widget was made, and the wheel zooms.
+    The controls are attributes with a `value`, and can be set in Python, too:
+    azimuth, elevation: in degrees. zoom, exposure: powers of 2; exposure divides the unit distance.
+    tolerance: of a channel, 0 to 1. colors: the name of a colour map. opacity: "value opacity, value opacity, ...".
+    shade, shadows: bool. ambient, diffuse, specular: of the light.
+    info: the seconds of the picture that is seen, and the bound of its error. frames: number of pictures so far.
+
+    In a kernel, changes draw a coarse picture (rays some pixels apart, JPEG) as soon as the kernel is free, and the
+    full one (PNG), that of figure.screenshot(), after 0.3 s without a change. Changes that come while a picture is
+    drawn share the next one. Without an event loop each change draws the full picture at once.
+    """
 
     def __init__(self, figure):
         mapper_of(figure)
