@@ -1,10 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Sets properties of VTK's objects by Python names: accuracy_level="accurate"."""
+import contextlib
 import difflib
 import math
 from collections.abc import Iterable
 from numbers import Real
+
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from .errors import VtkErrors
 
@@ -88,6 +91,16 @@ def set_property(target, name, value, shown):
     if differs(value, got):
         getattr(target, "Set" + name)(before)
         raise ValueError(f"{shown} can't be {value!r}: the nearest is {got!r}")
+
+
+def copy_properties(source, target):
+    """Sets each property of `source` that is a number, a text or a list of these on an object of the same class."""
+    for name in setters(source).values():
+        if hasattr(source, "Get" + name) and not hasattr(vtkAlgorithm, "Set" + name):
+            with contextlib.suppress(TypeError):  # a property that takes an index
+                value = getattr(source, "Get" + name)()
+                if isinstance(value, (Real, str, tuple)) and value != getattr(target, "Get" + name)():
+                    getattr(target, "Set" + name)(value)
 
 
 def set_properties(targets, properties):

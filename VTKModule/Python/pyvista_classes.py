@@ -9,7 +9,7 @@ from pyvista.plotting.volume import Volume
 from pyvista.plotting.volume_property import VolumeProperty
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
-from .properties import property_names
+from .properties import copy_properties, property_names
 from .volumes import configure
 from .vtkRenderingTetMarch import vtkTetMarchSmartVolumeMapper, vtkTetMarchVolumeMapper
 
@@ -73,6 +73,13 @@ class VolumeMapper(_BaseVolumeMapper):
             if data._blocks:
                 self._one_of_blocks = data
                 self.SetInputDataObject(tree_of(data._blocks, association, name))
+
+    def copy(self):
+        """A mapper of the same data with the same settings, which are its own."""
+        made = super().copy()
+        copy_properties(self.GetSettings(), made.GetSettings())
+        copy_properties(self, made)
+        return made
 
 
 class TetMarchSmartVolumeMapper(VolumeMapper, vtkTetMarchSmartVolumeMapper):
