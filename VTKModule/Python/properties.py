@@ -12,6 +12,10 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from .errors import VtkErrors
 
 
+NOT_NEGATIVE = ("Ambient", "Diffuse", "Specular", "SpecularPower")
+POSITIVE = ("ScalarOpacityUnitDistance",)
+
+
 def setters(target):
     """The methods of an object that set one property each, by the property's name in small letters."""
     return {name[3:].lower(): name[3:] for name in dir(type(target)) if name.startswith("Set") and len(name) > 3}
@@ -62,6 +66,32 @@ def set_word(target, name, word, shown):
     raise ValueError(f"{shown} has no {word!r}; it has {', '.join(map(repr, known))}")
 
 
+def numbers_of(target, name):
+    """The numbers of an enumeration with their words, {0: "fast", ...}; empty for sums of flags."""
+    words = {} if name.endswith("Flags") else words_of(target, name)
+    made, found = target.NewInstance(), {}
+    for method in words.values():
+        getattr(made, method)()
+        found.setdefault(getattr(made, "Get" + name)(), snake_case(method[len(f"Set{name}To"):]))
+    return dict(sorted(found.items()))
+
+
+def check_number(target, name, value, shown):
+    """Raises ValueError for numbers that VTK's method takes although they mean nothing."""
+    may_be = ""
+    numbers = numbers_of(target, name)
+    if numbers and value not in numbers:
+        may_be = ", ".join(f"{number} ({word!r})" for number, word in numbers.items())
+    elif hasattr(target, name + "On") and value not in (0, 1):
+        may_be = "0 or 1"
+    elif name in NOT_NEGATIVE and value < 0:
+        may_be = "0 or more"
+    elif name in POSITIVE and value <= 0:
+        may_be = "above 0"
+    if may_be:
+        raise ValueError(f"{shown} can't be {value!r}: it is {may_be}")
+
+
 def is_list(value):
     return isinstance(value, Iterable) and not isinstance(value, (str, bytes))
 
@@ -79,8 +109,10 @@ def set_property(target, name, value, shown):
         return
     if any(isinstance(number, Real) and math.isnan(number) for number in (value if is_list(value) else [value])):
         raise ValueError(f"{shown} can't be {value!r}: it is not a number")
-    before = getattr(target, "Get" + name)()
+    if isinstance(value, Real):
+        check_number(target, name, value, shown)
     try:
+        before = getattr(target, "Get" + name)()
         with VtkErrors() as errors:
             getattr(target, "Set" + name)(value)
     except TypeError as error:
