@@ -209,7 +209,7 @@ class PropertiesTest(unittest.TestCase):
         for wrong, error, text in (
                 ({"acuracy_level": "fast"}, TypeError, "did you mean 'accuracy_level'"),
                 ({"accuracy_level": "best"}, ValueError, "'accurate', 'default', 'fast', 'reference', 'sampled'"),
-                ({"accuracy_level": 7}, ValueError, r"accuracy_level can't be 7: it is 0 \('fast'\), .* 4 \('sampled'\)"),
+                ({"accuracy_level": 7}, ValueError, r"can't be 7: it is 0 \('fast'\), .* 4 \('sampled'\)"),
                 ({"error_tolerance": 5}, ValueError, "the nearest is 1.0"),
                 ({"error_tolerance": "low"}, TypeError, "takes no word"),
                 ({"error_tolerance": [1, 2]}, TypeError, r"error_tolerance can't be \[1, 2\]"),
