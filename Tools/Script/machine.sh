@@ -8,7 +8,9 @@ readonly PACKAGES=(cmake ninja-build g++ libvtk9-dev python3-vtk9 nlohmann-json3
   libegl-dev libegl1 libgl1-mesa-dri libgtest-dev libbenchmark-dev glslang-tools xvfb)
 readonly OSMESA_PACKAGES=(libosmesa6-dev) # which forky's Mesa has no more
 readonly CHART_PACKAGES=(python3-numpy python3-matplotlib)
-readonly WHEEL_PACKAGES=(python3-venv) # for the test that installs a wheel
+# For tests of the Python package: of the wheel, of notebooks, and of data in memory.
+readonly PYTHON_PACKAGES=(python3-venv python3-nbclient python3-ipykernel python3-ipywidgets python3-xarray
+  python3-meshio)
 # For tests with several processes, whose pieces METIS makes.
 readonly PROCESS_PACKAGES=(openmpi-bin python3-mpi4py metis)
 # Mesa's compiler for AMD's GPUs, which needs no GPU; 60 MB.
