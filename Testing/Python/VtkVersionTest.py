@@ -26,8 +26,8 @@ class VtkVersionTest(unittest.TestCase):
             package.mkdir()
             (package / "__init__.py").touch()
             (package / "vtkCommonCore.py").write_text(vtkmodules, encoding="utf-8")
-            run = subprocess.run([sys.executable, "-c", f"import sys; sys.path.insert(0, {folder!r})\nimport vtktetmarch"],
-                                 capture_output=True, text=True, check=False)
+            script = f"import sys; sys.path.insert(0, {folder!r})\nimport vtktetmarch"
+            run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, 1)
         return run.stderr.splitlines()[-1]
 
