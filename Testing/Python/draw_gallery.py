@@ -17,7 +17,7 @@ PICTURES = PROJECT / "Documentation" / "Pictures" / "gallery"
 PAGE = PROJECT / "Documentation" / "Gallery.md"
 ORDER = ("flow", "stress", "ct", "ocean", "time_series", "cut", "lit", "pick", "error_view", "blocks", "cells",
          "isosurfaces")
-FRAMES = 7
+FRAMES = 25
 
 HEAD = """# Gallery
 
