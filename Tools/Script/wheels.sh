@@ -35,6 +35,9 @@ try_wheel() {
     [[ "$(head -c 4 "$command" | tail -c 3)" == PNG ]] || die "$command is no picture"
   done
   say "$1: the wheel has $(sed -n 's/.*filename=vtktetmarch.*size=\([0-9]*\).*/\1/p' "$WHEEL_LOG") bytes"
+  in_wheel_root "apt-get install python3-nbclient python3-ipykernel python3-ipywidgets
+    env/bin/python -m ipykernel install --sys-prefix
+    xvfb-run -a env/bin/python -B Testing/Python/NotebookTest.py 2>&1 | tee /dev/stderr | grep -x OK" # not skipped
   if [[ "$1" == forky ]]; then # Debian 12 has no PyVista
     in_wheel_root "apt-get install python3-pyvista"
     in_wheel_root "xvfb-run -a env/bin/python -c 'import pyvista; pyvista.OFF_SCREEN = True
