@@ -181,8 +181,8 @@ class FigureWidget(ipywidgets.HBox):
 
     def _draw_coarse(self):
         self._cancel()
-        self._later = running_loop().call_later(AT_REST, self.draw)
         self._frame(COARSE_RATE)
+        self._later = running_loop().call_later(AT_REST, self.draw)
 
     def _cancel(self):
         for call in (self._soon, self._later):
