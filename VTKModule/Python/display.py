@@ -9,6 +9,8 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 HELP = "start a server (`Xvfb :1 &`, then DISPLAY=:1), or put `xvfb-run -a` before the command"
 
+connections = {}  # by the name of the display
+
 
 def check_display():
     """Raises RuntimeError with the remedy if VTK's window needs an X server and there is none."""
@@ -17,13 +19,22 @@ def check_display():
     name = os.environ.get("DISPLAY")
     if not name:
         raise RuntimeError(f"VTK needs a display to draw, and DISPLAY isn't set: {HELP}")
+    if name not in connections:
+        connect(name)
+
+
+def connect(name):
+    """Opens a connection to an X server, for as long as the process runs.
+
+    A server such as that of xvfb-run resets itself once its last client has gone, and refuses others meanwhile: a
+    window that is opened after another one was closed would end the process.
+    """
     library = ctypes.util.find_library("X11")
     if library is None:
         return
     x11 = ctypes.CDLL(library)
     x11.XOpenDisplay.restype = ctypes.c_void_p
-    x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
     connection = x11.XOpenDisplay(name.encode())
     if not connection:
         raise RuntimeError(f"VTK needs a display to draw, and there is none at DISPLAY={name}: {HELP}")
-    x11.XCloseDisplay(connection)
+    connections[name] = connection
