@@ -17,19 +17,7 @@ in_clean_root() {
 
 # make_clean_root CODENAME
 make_clean_root() {
-  local mirror
-  install_packages debootstrap util-linux
-  require_tools debootstrap unshare
-  mirror="$(debian_mirror)"
-  [[ -n "$mirror" ]] || die "apt knows no mirror of Debian; see /etc/apt and run apt-get update"
-  rm -rf --one-file-system "$CLEAN_ROOT"
-  say "making $CLEAN_ROOT of $1 from $mirror"
-  mkdir -p "$BUILD"
-  # Debian 12's debootstrap has no script for forky, which is made as unstable is.
-  unshare --mount debootstrap --variant=minbase "$1" "$CLEAN_ROOT" "$mirror" sid >"$BUILD/debootstrap.log" 2>&1 ||
-    die "debootstrap failed, see $BUILD/debootstrap.log"
-  apt-config dump | grep -E '^Acquire::(http|https|Check-Date|Check-Valid-Until)\b' \
-    >"$CLEAN_ROOT/etc/apt/apt.conf.d/machine" || true
+  make_root "$1" "$CLEAN_ROOT"
   if on_debian "$1"; then
     : >"$CLEAN_ROOT/etc/apt/sources.list" # as on this machine, instead
     cp /etc/apt/sources.list "$CLEAN_ROOT/etc/apt/" 2>/dev/null || true

@@ -6,7 +6,7 @@
 readonly FORKY_ROOT="$BUILD/forky-root"
 readonly FORKY_BUILD="$BUILD/forky"
 readonly FORKY_SOURCES=/usr/src/tetmarch
-readonly FORKY_PACKAGES=(debootstrap util-linux)
+readonly ROOT_PACKAGES=(debootstrap util-linux)
 readonly PYVISTA_PACKAGES=(python3-pyvista) # which Debian 12 has not
 
 # The mirror that this machine's apt has its own release from.
@@ -32,24 +32,30 @@ in_forky() {
     in_forky "$FORKY_ROOT" "$ROOT" "$FORKY_SOURCES" "$FORKY_BUILD" "$@"
 }
 
-# A root with packages that was begun and not finished is begun again.
-make_forky_root() {
-  local mirror finished="$FORKY_ROOT/finished"
-  [[ ! -e "$finished" ]] || return 0
-  install_packages "${FORKY_PACKAGES[@]}"
+# make_root CODENAME FOLDER: a root of Debian with nothing but the least packages, in place of what is there.
+make_root() {
+  local mirror
+  install_packages "${ROOT_PACKAGES[@]}"
   require_tools debootstrap unshare apt-get apt-config
   mirror="$(debian_mirror)"
-  [[ -n "$mirror" ]] || die "apt knows no mirror of Debian to take forky from; see /etc/apt and run apt-get update"
-  say "making $FORKY_ROOT from $mirror"
-  rm -rf --one-file-system "$FORKY_ROOT"
+  [[ -n "$mirror" ]] || die "apt knows no mirror of Debian to take $1 from; see /etc/apt and run apt-get update"
+  say "making $2 of $1 from $mirror"
+  rm -rf --one-file-system "$2"
   mkdir -p "$BUILD"
   # Debian 12's debootstrap has no script for forky, which is made as unstable is.
-  unshare --mount debootstrap --variant=minbase forky "$FORKY_ROOT" "$mirror" sid ||
-    die "debootstrap failed: see above and $FORKY_ROOT/debootstrap/debootstrap.log; it needs the network and" \
+  unshare --mount debootstrap --variant=minbase "$1" "$2" "$mirror" sid >"$BUILD/debootstrap.log" 2>&1 ||
+    die "debootstrap failed: see $BUILD/debootstrap.log and $2/debootstrap/debootstrap.log; it needs the network and" \
       "what a container may lack, to mount and to make device files"
   # A proxy, for instance, or a mirror that stands still.
   apt-config dump | grep -E '^Acquire::(http|https|Check-Date|Check-Valid-Until)\b' \
-    >"$FORKY_ROOT/etc/apt/apt.conf.d/machine" || true
+    >"$2/etc/apt/apt.conf.d/machine" || true
+}
+
+# A root with packages that was begun and not finished is begun again.
+make_forky_root() {
+  local finished="$FORKY_ROOT/finished"
+  [[ ! -e "$finished" ]] || return 0
+  make_root forky "$FORKY_ROOT"
   apt_get in_forky update
   apt_get in_forky install --no-install-recommends "${PACKAGES[@]}" "${CHART_PACKAGES[@]}" \
     "${GPU_COMPILE_PACKAGES[@]}" "${PYVISTA_PACKAGES[@]}"
