@@ -21,9 +21,10 @@ import zipfile
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 DEFINES = []
-sys.path.insert(0, str(PROJECT / "Tools" / "Wheel"))
+sys.path[:0] = [str(PROJECT / "Tools" / "Wheel"), str(PROJECT / "Testing" / "Pages")]
 import backend  # noqa: E402
-from vtk_of_python import VtkOfPython  # noqa: E402
+from pages import fenced_blocks, text_of  # noqa: E402
+from vtk_of_python import VtkOfPython, vtk_of_python  # noqa: E402
 
 # Of each kind: what pip installs for the build, and the pin in the metadata.
 KINDS = {
@@ -31,10 +32,6 @@ KINDS = {
     "forky, conda-forge": (VtkOfPython("9.6.2", "9.6.2", False), [], "Requires-Dist: vtk==9.6.2"),
     "pip": (VtkOfPython("9.6.1", "9.6.1", True), ["vtk-sdk==9.6.1"], "Requires-Dist: vtk==9.6.1"),
 }
-
-
-def example_of_the_readme():
-    return (PROJECT / "README.md").read_text(encoding="utf-8").split("```python\n")[1].split("```")[0]
 
 
 class VtkOfPythonTest(unittest.TestCase):
@@ -95,17 +92,19 @@ class WheelTest(unittest.TestCase):
             metadata = wheel.read(f"{backend.name()}.dist-info/METADATA").decode()
             stubs = wheel.read("vtktetmarch/vtkRenderingTetMarch.pyi").decode()
         from vtkmodules.vtkCommonCore import vtkVersion
-        self.assertIn(f"vtk (=={vtkVersion.GetVTKVersion()})", metadata)
+        self.assertIn(f"=={vtkVersion.GetVTKVersion()}", vtk_of_python().dependency())
+        self.assertIn(vtk_of_python().dependency(), metadata.splitlines())
         info = f"{backend.name()}.dist-info/"
-        for name in ("vtktetmarch/vtkRenderingTetMarch.so", "vtktetmarch/color_maps.json", "vtktetmarch/built_for.py", "vtktetmarch/bin/tetmarch-render",
-                     info + "licenses/LICENSE", info + "entry_points.txt"):
+        for name in ("vtktetmarch/vtkRenderingTetMarch.so", "vtktetmarch/color_maps.json", "vtktetmarch/built_for.py",
+                     "vtktetmarch/bin/tetmarch-render", info + "licenses/LICENSE", info + "entry_points.txt"):
             with self.subTest(name=name):
                 self.assertIn(name, names)
         self.assertIn("from vtkmodules", stubs)  # made by importing the module, where pip hides VTK from its build
 
     def test_installed_it_draws_from_anywhere_and_uninstalled_it_leaves_nothing(self):
         self.run_pip("install", str(self.wheel))
-        (self.away / "example.py").write_text(example_of_the_readme(), encoding="utf-8")
+        (example,) = fenced_blocks(text_of("README.md"), "python")
+        (self.away / "example.py").write_text(example, encoding="utf-8")
         self.run_here(self.bin / "python", "example.py")
         self.run_here(self.bin / "tetmarch-render", "Data/golfball_small.vtu", "--array", "speed", "--size", "64x48",
                       "--output", "tool.png")

@@ -62,9 +62,9 @@ def build(vtk, settings):
     return folder / "vtktetmarch"
 
 
-def information():
+def information(vtk):
     """The files of the folder .dist-info: {name: text}."""
-    return info_files(project(), version(), ["Requires-Dist: numpy", vtk_of_python().dependency()],
+    return info_files(project(), version(), ["Requires-Dist: numpy", vtk.dependency()],
                       (ROOT / "README.md").read_text(encoding="utf-8"),
                       (ROOT / "LICENSE").read_text(encoding="utf-8"))
 
@@ -75,7 +75,7 @@ def get_requires_for_build_wheel(config_settings=None):
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
     folder = f"{name()}.dist-info"
-    for file, text in information().items():
+    for file, text in information(vtk_of_python()).items():
         path = pathlib.Path(metadata_directory, folder, file)
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
@@ -83,12 +83,13 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    package = build(vtk_of_python(), config_settings or {})
+    vtk = vtk_of_python()
+    package = build(vtk, config_settings or {})
     program = package / "bin" / "tetmarch-render"
     files = {f"vtktetmarch/{file.name}": (file.read_bytes(), False)
              for file in sorted(package.iterdir()) if PACKAGED.fullmatch(file.name)}
     files["vtktetmarch/bin/tetmarch-render"] = (program.read_bytes(), True)
-    files |= {f"{name()}.dist-info/{file}": (text.encode(), False) for file, text in information().items()}
+    files |= {f"{name()}.dist-info/{file}": (text.encode(), False) for file, text in information(vtk).items()}
     wheel = f"{name()}-{tag()}.whl"
     write_wheel(pathlib.Path(wheel_directory, wheel), files)
     return wheel
@@ -102,7 +103,7 @@ def build_sdist(sdist_directory, config_settings=None):
         for file in filter(None, listed.stdout.split("\0")):
             sdist.add(ROOT / file, f"{name()}/{file}", recursive=False)
         info = pathlib.Path(sdist_directory, "PKG-INFO")
-        info.write_text(information()["METADATA"], encoding="utf-8")
+        info.write_text(information(vtk_of_python())["METADATA"], encoding="utf-8")
         sdist.add(info, f"{name()}/PKG-INFO")
         info.unlink()
     return archive
