@@ -6,6 +6,8 @@ import subprocess
 import sys
 import unittest
 
+from with_display import own_server
+
 SCRIPT = """
 import first_data, vtktetmarch
 for _ in range(3):
@@ -16,17 +18,9 @@ for _ in range(3):
 class DisplayTest(unittest.TestCase):
     def test_the_server_keeps_a_client_between_figures(self):
         """This one ends where that one resets itself, so that it shows."""
-        reader, writer = os.pipe()
-        server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-terminate", "-screen", "0", "640x480x24",
-                                   "-nolisten", "tcp"], pass_fds=[writer], stderr=subprocess.DEVNULL)
-        self.addCleanup(server.wait)
-        self.addCleanup(server.terminate)
-        os.close(writer)
-        with os.fdopen(reader) as answer:
-            number = answer.readline().strip()
-        run = subprocess.run([sys.executable, "-c", SCRIPT], env={**os.environ, "DISPLAY": ":" + number},
-                             cwd=os.path.dirname(os.path.abspath(__file__)), capture_output=True, text=True,
-                             timeout=600, check=False)
+        with own_server("-terminate") as environment:
+            run = subprocess.run([sys.executable, "-c", SCRIPT], env=environment, capture_output=True, text=True,
+                                 cwd=os.path.dirname(os.path.abspath(__file__)), timeout=600, check=False)
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 
 

@@ -35,9 +35,7 @@ class NotebookTest(unittest.TestCase):
         for cell in self.notebook.cells:
             for output in cell.get("outputs", ()):
                 if "image/png" in output.get("data", {}):
-                    path = self.folder / "a.png"
-                    path.write_bytes(base64.b64decode(output["data"]["image/png"]))
-                    found.append(pixels_of_png(path).copy())
+                    found.append(pixels_of_png(base64.b64decode(output["data"]["image/png"])).copy())
         return found
 
     def test_it_has_no_outputs(self):

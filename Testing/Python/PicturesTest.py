@@ -20,9 +20,18 @@ import vtktetmarch
 SIZE = (160, 120)
 
 
-def pixels_of_png(path):
-    reader = vtk.vtkPNGReader()
-    reader.SetFileName(str(path))
+def pixels_of_png(picture):
+    """(height, width, channels) of a file, by its path or as bytes; the uppermost row first."""
+    return pixels_of(vtk.vtkPNGReader(), picture)
+
+
+def pixels_of(reader, picture):
+    """The same by a reader of VTK's."""
+    if isinstance(picture, bytes):
+        reader.SetMemoryBuffer(picture)
+        reader.SetMemoryBufferLength(len(picture))
+    else:
+        reader.SetFileName(str(picture))
     reader.Update()
     width, height, _ = reader.GetOutput().GetDimensions()
     return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)[::-1]

@@ -11,7 +11,6 @@ import re
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 import unittest
@@ -20,10 +19,9 @@ import urllib.request
 
 import numpy as np
 import vtkmodules.all as vtk
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import vtktetmarch
-from PicturesTest import pixels_of_png
+from PicturesTest import pixels_of, pixels_of_png
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLE = PROJECT / "Documentation" / "Examples" / "remote_view.py"
@@ -71,19 +69,6 @@ class Browser:
         return self.process.returncode, errors
 
 
-def pixels_of(kind, picture):
-    with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder) / "a"
-        path.write_bytes(picture)
-        if kind == "image/png":
-            return pixels_of_png(path)
-        reader = vtk.vtkJPEGReader()
-        reader.SetFileName(str(path))
-        reader.Update()
-        width, height, _ = reader.GetOutput().GetDimensions()
-        return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)[::-1]
-
-
 class RemoteViewTest(unittest.TestCase):
     def browse(self, width, height):
         browser = Browser("--width", str(width), "--height", str(height))
@@ -92,7 +77,7 @@ class RemoteViewTest(unittest.TestCase):
 
     def test_frames_follow_the_mouse_and_the_one_at_rest_is_the_screenshot(self):
         browser, figure = self.browse(240, 160), vtktetmarch.figure(FLOW, size=(240, 160))
-        self.assertTrue(np.array_equal(pixels_of("image/png", browser.frame_at_rest()), figure.screenshot()))
+        self.assertTrue(np.array_equal(pixels_of_png(browser.frame_at_rest()), figure.screenshot()))
         views = [figure.screenshot()]
         for _ in range(4):
             figure.camera.Azimuth(8)
@@ -103,11 +88,11 @@ class RemoteViewTest(unittest.TestCase):
             browser.wish(x=-20, y=10, down=True)
             kind, picture = browser.frame()
             self.assertEqual(kind, "image/jpeg")
-            near = [np.abs(pixels_of(kind, picture).astype(float) - view).mean() for view in views]
+            near = [np.abs(pixels_of(vtk.vtkJPEGReader(), picture).astype(float) - view).mean() for view in views]
             self.assertEqual(np.argmin(near), number, near)
         browser.wish(wheel=-200)
         figure.camera.Zoom(2**0.5)
-        self.assertTrue(np.array_equal(pixels_of("image/png", browser.frame_at_rest()), figure.screenshot()))
+        self.assertTrue(np.array_equal(pixels_of_png(browser.frame_at_rest()), figure.screenshot()))
         self.assertEqual(browser.end(), (0, ""))
         with self.assertRaises(urllib.error.URLError):
             browser.open()

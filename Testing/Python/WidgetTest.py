@@ -6,7 +6,6 @@ import importlib.util
 import pathlib
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import numpy as np
@@ -49,11 +48,7 @@ class WidgetTest(unittest.TestCase):
 
     def seen(self, widget=None):
         """The pixels of the picture that the widget shows."""
-        widget = widget or self.widget
-        with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder) / "a.png"
-            path.write_bytes(bytes(widget.picture.value))
-            return pixels_of_png(path)
+        return pixels_of_png(bytes((widget or self.widget).picture.value))
 
     def test_it_shows_the_figure(self):
         self.assertTrue(np.array_equal(self.seen(), self.figure.screenshot()))

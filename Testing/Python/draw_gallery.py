@@ -5,6 +5,7 @@
 It measures each script's figure: the time of its fastest frame, and its error against the ground truth, which takes
 some minutes in all.
 """
+import contextlib
 import os
 import pathlib
 import runpy
@@ -48,14 +49,18 @@ def section(name, seconds, error):
             f"<details><summary>{name}.py</summary>\n\n```python\n{code}```\n\n</details>\n")
 
 
+@contextlib.contextmanager
+def run(name):
+    """The figure of a script that runs in a folder of its own, which is the current one meanwhile."""
+    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+        os.symlink(PROJECT / "Data", "Data")
+        yield runpy.run_path(str(SCRIPTS / f"{name}.py"))["figure"]
+
+
 def draw(name):
-    """Runs a script in a folder of its own; returns its section of the page."""
-    with tempfile.TemporaryDirectory() as folder:
-        os.symlink(PROJECT / "Data", pathlib.Path(folder) / "Data")
-        os.chdir(folder)
-        figure = runpy.run_path(str(SCRIPTS / f"{name}.py"))["figure"]
+    """Runs a script; returns its section of the page."""
+    with run(name) as figure:
         shutil.copyfile(f"{name}.png", PICTURES / f"{name}.png")
-        os.chdir(PROJECT)
     seconds = min(figure.render().statistics()["seconds"] for _ in range(FRAMES))
     error = figure.compare()
     print(f"{name}: {seconds:.3f} s, {error['rms']:.2g}, {error['max']:.2g}", flush=True)

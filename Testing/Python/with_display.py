@@ -5,15 +5,18 @@
 Windows of VTK before 9.4 want one. If DISPLAY is unset, an X server of the command's own serves it. With --own that is
 always so, for what needs the keyboard: of all windows of a display one has it.
 """
+import contextlib
 import os
 import subprocess
 import sys
 
 
-def run_with_own_server(command):
+@contextlib.contextmanager
+def own_server(*options):
+    """The environment of a process, with the display of an X server that was started with these options."""
     reader, writer = os.pipe()
     # The server itself chooses a free display and writes its number.
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "1280x1024x24", "-noreset",
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "1280x1024x24", *options,
                                "-nolisten", "tcp"], pass_fds=[writer], stderr=subprocess.DEVNULL)
     os.close(writer)
     try:
@@ -21,7 +24,7 @@ def run_with_own_server(command):
             number = answer.readline().strip()
         if not number:
             sys.exit("Xvfb didn't start")
-        return subprocess.call(command, env={**os.environ, "DISPLAY": ":" + number})
+        yield {**os.environ, "DISPLAY": ":" + number}
     finally:
         server.terminate()
         server.wait()
@@ -31,5 +34,7 @@ if __name__ == "__main__":
     arguments = sys.argv[1:]
     own = arguments[:1] == ["--own"]
     if own or not os.environ.get("DISPLAY"):
-        sys.exit(run_with_own_server(arguments[own:]))
+        with own_server("-noreset") as environment:
+            status = subprocess.call(arguments[own:], env=environment)
+        sys.exit(status)
     sys.exit(subprocess.call(arguments))
