@@ -8,10 +8,22 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkImageData, vtkPointSet, vtkUnstructuredGrid
 
 from .inputs import LATTICES, blocks_of
+from .opacities import nodes_of
 
 ANGLE, MARGIN = 30.0, 1.05  # as vtkTetMarchFirstPicture.PlaceCamera() has them
 MOST = 100  # values along each dimension of an image that are looked at
 SHOWN = 0.01  # of the largest opacity
+
+
+def matrix_array(matrix):
+    """A vtkMatrix4x4 as an array (4, 4)."""
+    return np.array([[matrix.GetElement(i, k) for k in range(4)] for i in range(4)])
+
+
+def transformed(points, matrix):
+    """Points (points, 3) by an affine vtkMatrix4x4."""
+    matrix = matrix_array(matrix)
+    return points @ matrix[:3, :3].T + matrix[:3, 3]
 
 
 def drawn_points(block):
@@ -77,11 +89,7 @@ def shown_points(block, first, opacity):
     opacities = np.where(np.isfinite(values), opacity(values), 0)
     index = np.nonzero(cell_ends(opacities > SHOWN * opacities.max(), of_cells))[::-1]
     points = np.stack([each[i] for each, i in zip(coordinates_of(block, of_cells), index)], axis=1)
-    if isinstance(block, vtkImageData):
-        matrix = block.GetIndexToPhysicalMatrix()
-        matrix = np.array([[matrix.GetElement(i, k) for k in range(4)] for i in range(3)])
-        points = points @ matrix[:, :3].T + matrix[:, 3]
-    return points
+    return transformed(points, block.GetIndexToPhysicalMatrix()) if isinstance(block, vtkImageData) else points
 
 
 def corners(boxed):
@@ -94,12 +102,7 @@ def visible_points(data, first, function):
 
     first: a vtkTetMarchFirstPicture that has chosen the array.
     """
-    nodes = []
-    for i in range(function.GetSize()):
-        node = [0.0] * 4
-        function.GetNodeValue(i, node)
-        nodes.append(node[:2])
-    values, opacities = np.transpose(nodes or [(0.0, 1.0)])
+    values, opacities = np.transpose(nodes_of(function) or [(0.0, 1.0)])
     blocks = list(blocks_of(data)) if isinstance(data, vtkCompositeDataSet) else [data]
     found = [shown_points(block, first, lambda v: np.interp(v, values, opacities)) if isinstance(block, LATTICES)
              else drawn_points(block) for block in blocks if isinstance(block, (*LATTICES, vtkPointSet))]

@@ -1,11 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Cameras: chosen for the data, by name, or specified."""
-import numpy as np
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from .camera_fit import corners, fit_view, visible_points
+from .camera_fit import corners, fit_view, transformed, visible_points
 from .checks import checked_number, checked_numbers, checked_positive
 from .errors import VtkErrors
 from .first_picture import first_picture_of
@@ -30,12 +29,10 @@ def look_along(camera, direction, volume, aspect):
     """Looks along an axis of the world, with z upwards, or y if it is z; the visible part of the volume is in view."""
     first = first_picture_of(volume)
     points = visible_points(first.GetInputData(), first, volume.GetProperty().GetScalarOpacity())
-    matrix = volume.GetMatrix()
-    matrix = np.array([[matrix.GetElement(i, k) for k in range(4)] for i in range(3)])
     camera.SetFocalPoint(0, 0, 0)
     camera.SetPosition(*(-part for part in direction))
     camera.SetViewUp((0, 1, 0) if direction[2] else (0, 0, 1))
-    fit_view(camera, points @ matrix[:, :3].T + matrix[:, 3], aspect)
+    fit_view(camera, transformed(points, volume.GetMatrix()), aspect)
 
 
 def place_camera(camera, wish, volume, aspect, bar=0.0, room=1.0):
@@ -52,19 +49,19 @@ def place_camera(camera, wish, volume, aspect, bar=0.0, room=1.0):
     if isinstance(wish, vtkCamera):
         camera.DeepCopy(wish)
         return
-    named = isinstance(wish, str) and (wish == "iso" or wish in DIRECTIONS)
-    if not isinstance(wish, dict) and not named:
+    direction = DIRECTIONS.get(wish) if isinstance(wish, str) else None
+    if not isinstance(wish, dict) and direction is None and not (isinstance(wish, str) and wish == "iso"):
         error = ValueError if isinstance(wish, str) else TypeError
         raise error(f"camera is 'iso', {', '.join(map(repr, DIRECTIONS))}, a dict or a vtkCamera, not {wish!r}")
-    check_wish({} if named else wish)
+    wish = wish if isinstance(wish, dict) else {}
+    check_wish(wish)
     aspect *= 1 - bar
-    if named and wish in DIRECTIONS:
-        look_along(camera, DIRECTIONS[wish], volume, aspect)
-    else:
+    if direction is None:
         fit(camera, volume, aspect)
+    else:
+        look_along(camera, direction, volume, aspect)
     if room < 1:
         fit_view(camera, corners(volume), aspect, 1 / room)
-    wish = {} if named else wish
     camera.SetWindowCenter(0 if "position" in wish else bar, 0)
     apply_wish(camera, wish)
 

@@ -9,6 +9,7 @@ from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
 from .checks import checked_items, checked_number, checked_numbers
+from .opacities import places
 
 STEPS = 32  # pieces of a colour map of Matplotlib's, which has 256 colours
 
@@ -104,10 +105,8 @@ def color_function(cmap, low, high):
     if not items:
         raise ValueError("cmap has no colours")
     function = vtkColorTransferFunction()
-    for i, item in enumerate(items):
-        if is_pair(item):
-            value, color = checked_number(item[0], "the value of a colour of cmap"), item[1]
-        else:
-            value, color = low + (high - low) * i / max(len(items) - 1, 1), item
+    for value, color in zip(places(len(items), low, high), items):
+        if is_pair(color):
+            value, color = checked_number(color[0], "the value of a colour of cmap"), color[1]
         function.AddRGBPoint(float(value), *rgb(color, "each colour of cmap"))
     return function

@@ -28,16 +28,22 @@ def check_faults(data):
         raise ValueError(" ".join(faults.GetValue(i) for i in range(faults.GetNumberOfValues())))
 
 
+def joined(blocks):
+    """The cells of several data sets as one vtkUnstructuredGrid."""
+    append = vtkAppendFilter()
+    append.SetOutputPointsPrecision(append.DEFAULT_PRECISION)
+    for block in blocks:
+        append.AddInputData(block)
+    append.Update()
+    return append.GetOutput()
+
+
 def unstructured(data):
     """The same cells as a vtkUnstructuredGrid."""
     check_faults(data)
     if isinstance(data, vtkStructuredGrid) and min(dimensions_of(data)) > 1:
         return as_hexahedra(data)
-    append = vtkAppendFilter()
-    append.SetOutputPointsPrecision(append.DEFAULT_PRECISION)
-    append.AddInputData(data)
-    append.Update()
-    return append.GetOutput()
+    return joined([data])
 
 
 def blocks_of(tree):

@@ -17,6 +17,15 @@ def places(count, low, high):
     return [low + (high - low) * i / max(count - 1, 1) for i in range(count)]
 
 
+def nodes_of(function):
+    """(value, opacity) pairs of a vtkPiecewiseFunction."""
+    pairs, node = [], [0.0] * 4
+    for i in range(function.GetSize()):
+        function.GetNodeValue(i, node)
+        pairs.append((node[0], node[1]))
+    return pairs
+
+
 def sampled(function, low, high, name):
     """(value, opacity) pairs of a function of a value."""
     pairs = []

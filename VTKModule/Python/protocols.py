@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is used of data of other packages, which are not imported."""
+"""The members that we use of other packages' data. The packages themselves are not imported."""
 from typing import Any, Protocol, runtime_checkable
 
 

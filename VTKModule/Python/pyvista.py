@@ -13,10 +13,9 @@ import numpy as np
 import pyvista
 from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkExplicitStructuredGrid, vtkImageData,
                                            vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid)
-from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from .checks import checked_number, checked_positive
-from .inputs import blocks_of, drawn_data, is_structured
+from .inputs import blocks_of, drawn_data, is_structured, joined
 from .pyvista_classes import (NAN, ExactImageData, ExactRectilinearGrid, ExactUnstructuredGrid,
                               TetMarchSmartVolumeMapper, TetMarchVolume, TetMarchVolumeMapper, TetMarchVolumeProperty)
 
@@ -67,16 +66,6 @@ def exact(data, active=None):
     if name is not None and name in made.array_names:
         made.set_active_scalars(name, active.active_scalars_info.association.name.lower())
     return made
-
-
-def joined(blocks):
-    """The cells of several blocks as one grid."""
-    append = vtkAppendFilter()
-    append.SetOutputPointsPrecision(append.DEFAULT_PRECISION)
-    for block in blocks:
-        append.AddInputData(block)
-    append.Update()
-    return append.GetOutput()
 
 
 def exact_tree(blocks, given):

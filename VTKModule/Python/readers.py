@@ -180,8 +180,8 @@ def read_foreign(data, time_step):
 def read(path, time_step=None):
     """The data of a file, by VTK's reader for its extension: a vtkDataSet, or a tree of such blocks.
 
-    path: of the file; or a NumPy array, an xarray.DataArray or a meshio.Mesh, of which VTK's data are made as by
-        volume().
+    path: that of the file. Instead of it, a NumPy array, an xarray.DataArray or a meshio.Mesh is converted to VTK's
+        data, as volume() does.
     time_step: index into time_values(), from 0, or from the end if negative; None: the last. The whole file is read,
     with all arrays.
 

@@ -9,7 +9,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from .colors import color_function, map_names
 from .measures import mapper_of, statistics
-from .opacities import piecewise_function
+from .opacities import nodes_of, piecewise_function
 from .pixels import jpeg_bytes, png_bytes
 from .volumes import configure
 
@@ -45,11 +45,7 @@ def running_loop():
 
 def text_of(function):
     """A vtkPiecewiseFunction as "value opacity, value opacity, ..."."""
-    pairs, node = [], [0.0] * 4
-    for i in range(function.GetSize()):
-        function.GetNodeValue(i, node)
-        pairs.append(f"{node[0]:.5g} {node[1]:.5g}")
-    return ", ".join(pairs)
+    return ", ".join(f"{value:.5g} {opacity:.5g}" for value, opacity in nodes_of(function))
 
 
 def function_of(text):
