@@ -1,4 +1,7 @@
 // The macros of the shared files for GLSL; Reference/KernelBody.h defines them for C++.
+#if TETMARCH_ES
+#include "language_es.glsl"
+#else
 #if TETMARCH_HAS_FMA || TETMARCH_HAS_PRECISE
 #extension GL_ARB_gpu_shader5 : require
 #else
@@ -7,6 +10,9 @@
 
 #if TETMARCH_GATHERS
 #extension GL_ARB_texture_gather : require
+#endif
+
+#define BUFFER_TEXEL(buffer, i) texelFetch(buffer, i)
 #endif
 
 #define real float

@@ -6,9 +6,9 @@ uniform samplerBuffer gradientBuffer; // of the scalar, at the vertices or in th
 uniform samplerBuffer secondGradientBuffer;
 vec3 fetchCellGradient(uint tet) { return fetchOfCell(gradientBuffer, secondGradientBuffer, tet).xyz; }
 #elif TETMARCH_CELL_GRADIENTS
-vec3 fetchCellGradient(uint tet) { return texelFetch(gradientBuffer, int(tet)).xyz; }
+vec3 fetchCellGradient(uint tet) { return BUFFER_TEXEL(gradientBuffer, int(tet)).xyz; }
 #else
-vec3 fetchGradient(uint vertex) { return texelFetch(gradientBuffer, int(vertex)).xyz; }
+vec3 fetchGradient(uint vertex) { return BUFFER_TEXEL(gradientBuffer, int(vertex)).xyz; }
 #endif
 #endif
 
@@ -16,7 +16,7 @@ vec3 fetchGradient(uint vertex) { return texelFetch(gradientBuffer, int(vertex))
 uniform samplerBuffer gradientOpacityBuffer;
 uniform int gradientOpacitySize;
 uniform float gradientOpacityScale; // factor from the length of a gradient to a position in the table
-float fetchGradientOpacity(int i) { return texelFetch(gradientOpacityBuffer, i).x; }
+float fetchGradientOpacity(int i) { return BUFFER_TEXEL(gradientOpacityBuffer, i).x; }
 #endif
 
 #if TETMARCH_SCATTERING

@@ -3,9 +3,9 @@ uniform int occlusionDirectionCount;
 uniform float occlusionRadius;
 #if !TETMARCH_STRUCTURED
 uniform usamplerBuffer vertexStartBuffer;
-uvec4 fetchVertexStart(uint vertex) { return texelFetch(vertexStartBuffer, int(vertex)); }
+uvec4 fetchVertexStart(uint vertex) { return BUFFER_TEXEL(vertexStartBuffer, int(vertex)); }
 #endif
 #if TETMARCH_OPAQUE_SHADOWS
 uniform usamplerBuffer opaqueShadowBuffer; // per vertex; one bit per light
-uint fetchOpaqueShadows(uint vertex) { return texelFetch(opaqueShadowBuffer, int(vertex)).x; }
+uint fetchOpaqueShadows(uint vertex) { return BUFFER_TEXEL(opaqueShadowBuffer, int(vertex)).x; }
 #endif

@@ -108,7 +108,7 @@ vec3 fetchExtraValues(int i, int j, int k)
 #if TETMARCH_RECTILINEAR
 uniform samplerBuffer planeBuffer; // those of i, of j, of k, consecutively
 uniform ivec3 firstPlane;          // of each axis in the buffer
-float fetchPlane(int i) { return texelFetch(planeBuffer, i).x; }
+float fetchPlane(int i) { return BUFFER_TEXEL(planeBuffer, i).x; }
 #else
 uniform vec3 latticeShift;      // plane i is at i + latticeShift, but not beyond
 uniform vec3 latticeHalfLength; // that
@@ -117,10 +117,10 @@ uniform vec3 latticeHalfLength; // that
 #if TETMARCH_LEAPS
 uniform usamplerBuffer blockDistanceBuffer; // Structured/EmptySpace.h
 uniform ivec3 blockCount;
-int fetchBlockDistance(int i) { return int(texelFetch(blockDistanceBuffer, i).x); }
+int fetchBlockDistance(int i) { return int(BUFFER_TEXEL(blockDistanceBuffer, i).x); }
 #endif
 
 #if TETMARCH_HIDDEN_CELLS
 uniform usamplerBuffer hiddenCellBuffer; // one bit per cell
-uint fetchHiddenCells(uint word) { return texelFetch(hiddenCellBuffer, int(word)).x; }
+uint fetchHiddenCells(uint word) { return BUFFER_TEXEL(hiddenCellBuffer, int(word)).x; }
 #endif

@@ -1,4 +1,5 @@
-// The transfer functions in texture buffers; see tables/integral_table.glsl.
+// The transfer functions in texture buffers; see tables/integral_table.glsl. In GLSL ES the value of a global variable
+// must be constant: there the uniforms themselves are read.
 #if TETMARCH_USES_TABLES
 uniform samplerBuffer tableValueBuffer;
 uniform usamplerBuffer tableIntegralBuffer;
@@ -6,7 +7,11 @@ uniform usamplerBuffer tableIntegralBuffer;
 #if TETMARCH_ONE_TABLE
 uniform int tableSize;
 uniform vec4 givenIntegralUnit;
+#if TETMARCH_ES
+#define tableIntegralUnit givenIntegralUnit
+#else
 vec4 tableIntegralUnit = KEPT(givenIntegralUnit);
+#endif
 #endif
 #if TETMARCH_OPACITY_TABLE
 uniform float tableScale; // factor from a stored scalar to a position in the table
@@ -24,12 +29,20 @@ uniform vec4 componentFactor; // of their extinctions
 #endif
 #if TETMARCH_ACCUMULATES_OPACITY
 uniform float givenTolerance;
+#if TETMARCH_ES
+#define errorTolerance givenTolerance
+#else
 float errorTolerance = KEPT(givenTolerance); // of a channel of a pixel
+#endif
 #endif
 #if TETMARCH_TRANSPARENT_RANGES
 uniform vec4 givenTransparentRanges;
 // Positions in the table: below x, above y, and from z to w.
+#if TETMARCH_ES
+#define transparentRanges givenTransparentRanges
+#else
 vec4 transparentRanges = KEPT(givenTransparentRanges);
+#endif
 #endif
 #if TETMARCH_CONSTANT_COLOR
 uniform vec3 constantColor; // replaces that of the table
@@ -42,12 +55,16 @@ uniform samplerBuffer tableVariationBuffer;
 #endif
 #if TETMARCH_ADAPTIVE
 uniform int givenTrials;
+#if TETMARCH_ES
+#define mostTrials givenTrials
+#else
 int mostTrials = KEPT_INT(givenTrials); // of subsegments of a segment, before any is accepted
+#endif
 #endif
 
 #if TETMARCH_USES_TABLES
-vec4 fetchTableValue(int i) { return texelFetch(tableValueBuffer, i); }
-uvec4 fetchTableIntegral(int i) { return texelFetch(tableIntegralBuffer, i); }
+vec4 fetchTableValue(int i) { return BUFFER_TEXEL(tableValueBuffer, i); }
+uvec4 fetchTableIntegral(int i) { return BUFFER_TEXEL(tableIntegralBuffer, i); }
 #endif
 #if TETMARCH_COMPONENTS
 int fetchTableFirst(int table) { return tableFirst[table]; }
@@ -57,11 +74,11 @@ vec2 fetchTablePlace(int table) { return tablePlace[table]; }
 #endif
 #if TETMARCH_VARIATIONS
 #if TETMARCH_EXTINCTION_VARIATION
-vec2 fetchTableVariations(int i) { return texelFetch(tableVariationBuffer, i).xy; } // of colour and extinction
+vec2 fetchTableVariations(int i) { return BUFFER_TEXEL(tableVariationBuffer, i).xy; } // of colour and extinction
 #if TETMARCH_SLOPE_VARIATION
-vec2 fetchTableSlopeVariations(int i) { return texelFetch(tableVariationBuffer, i).zw; } // of extinction and of C tau
+vec2 fetchTableSlopeVariations(int i) { return BUFFER_TEXEL(tableVariationBuffer, i).zw; } // of extinction and of C tau
 #endif
 #else
-float fetchTableVariation(int i) { return texelFetch(tableVariationBuffer, i).x; }
+float fetchTableVariation(int i) { return BUFFER_TEXEL(tableVariationBuffer, i).x; }
 #endif
 #endif

@@ -5,13 +5,13 @@ uniform int entryTileShift;
 uniform int entryTilesPerRow;
 uniform vec4 entryDepthPlane;
 
-uvec2 fetchEntryCandidate(int i) { return texelFetch(entryCandidateBuffer, i).xy; }
+uvec2 fetchEntryCandidate(int i) { return BUFFER_TEXEL(entryCandidateBuffer, i).xy; }
 
 // The first candidate of a pixel and the end. The pixel is counted from the picture's lower left.
 ivec2 fetchCandidateRange(ivec2 pixel)
 {
   int tile = (pixel.y >> entryTileShift) * entryTilesPerRow + (pixel.x >> entryTileShift);
-  return ivec2(int(texelFetch(entryTileBuffer, tile).x), int(texelFetch(entryTileBuffer, tile + 1).x));
+  return ivec2(int(BUFFER_TEXEL(entryTileBuffer, tile).x), int(BUFFER_TEXEL(entryTileBuffer, tile + 1).x));
 }
 
 // The index of a pixel, or of its square of pixels, in its tile: x, then y, 4 bits each.

@@ -7,36 +7,36 @@ uniform int mostSteps;                 // the step guard: maximum number of tetr
 
 #define tetCount uint(numberOfTets)
 
-vec4 fetchVertex(uint i) { return texelFetch(vertexBuffer, int(i)); }
+vec4 fetchVertex(uint i) { return BUFFER_TEXEL(vertexBuffer, int(i)); }
 #if !TETMARCH_SPLIT_CELLS
-uvec4 fetchCell(uint tet) { return texelFetch(cellBuffer, int(tet)); }
+uvec4 fetchCell(uint tet) { return BUFFER_TEXEL(cellBuffer, int(tet)); }
 #endif
-uvec4 fetchBoundaryFace(uint face) { return texelFetch(boundaryBuffer, int(face)); }
+uvec4 fetchBoundaryFace(uint face) { return BUFFER_TEXEL(boundaryBuffer, int(face)); }
 
 #if TETMARCH_BVH
 uniform samplerBuffer hierarchyBuffer; // two texels per node, see tet/boundary.glsl
 uniform int bvhNodeCount;
 uniform int bvhReentryNodeCount; // the first nodes cover the faces through which a ray can reenter
 uniform int reentryFaceCount;    // number of these faces, the first ones
-vec4 fetchBvhNode(int i) { return texelFetch(hierarchyBuffer, i); }
+vec4 fetchBvhNode(int i) { return BUFFER_TEXEL(hierarchyBuffer, i); }
 #endif
 
 #if TETMARCH_HIDDEN_CELLS
 uniform usamplerBuffer hiddenCellBuffer; // one bit per tetrahedron
-uint fetchHiddenCells(uint word) { return texelFetch(hiddenCellBuffer, int(word)).x; }
+uint fetchHiddenCells(uint word) { return BUFFER_TEXEL(hiddenCellBuffer, int(word)).x; }
 #endif
 
 #if !TETMARCH_POINT_SCALARS
 uniform samplerBuffer cellScalarBuffer;
 #if !TETMARCH_SPLIT_CELLS
-float fetchCellScalar(uint tet) { return texelFetch(cellScalarBuffer, int(tet)).x; }
+float fetchCellScalar(uint tet) { return BUFFER_TEXEL(cellScalarBuffer, int(tet)).x; }
 #endif
 #endif
 
 #if TETMARCH_COMPONENTS
 uniform samplerBuffer extraScalarBuffer; // per vertex or tetrahedron: up to three extra scalars
 #if !TETMARCH_SPLIT_CELLS || TETMARCH_POINT_SCALARS
-vec3 fetchExtraScalars(uint i) { return texelFetch(extraScalarBuffer, int(i)).xyz; }
+vec3 fetchExtraScalars(uint i) { return BUFFER_TEXEL(extraScalarBuffer, int(i)).xyz; }
 #endif
 #endif
 

@@ -8,9 +8,9 @@ uvec4 fetchCell(uint tet)
   int i = int(tet);
   if (i < cellsOfFirstBuffer)
   {
-    return texelFetch(cellBuffer, i);
+    return BUFFER_TEXEL(cellBuffer, i);
   }
-  return texelFetch(secondCellBuffer, i - cellsOfFirstBuffer);
+  return BUFFER_TEXEL(secondCellBuffer, i - cellsOfFirstBuffer);
 }
 
 #if !TETMARCH_POINT_SCALARS || TETMARCH_CELL_GRADIENTS
@@ -19,9 +19,9 @@ vec4 fetchOfCell(samplerBuffer first, samplerBuffer second, uint tet)
   int i = int(tet);
   if (i < cellsOfFirstBuffer)
   {
-    return texelFetch(first, i);
+    return BUFFER_TEXEL(first, i);
   }
-  return texelFetch(second, i - cellsOfFirstBuffer);
+  return BUFFER_TEXEL(second, i - cellsOfFirstBuffer);
 }
 #endif
 
