@@ -61,8 +61,8 @@ export function wheelFactor(event)
 }
 
 /**
- * Moves viewer.camera, and calls viewer.moved(), by the events of an element. A click or a tap
- * calls onpick(x, y): where it was, in pixels of the element, y down.
+ * Moves viewer.camera, and calls viewer.moved(), by the events of a canvas. A click or a tap calls
+ * onpick(x, y): where it was, in device pixels, y down.
  */
 export class Pointer
 {
@@ -150,7 +150,9 @@ export class Pointer
     const point = this.pointOf(event);
     if (this.points.has(event.pointerId) && event.button === 0 && this.isClick(event, point))
     {
-      this.onpick(point[0], this.size[1] - point[1]);
+      const [width, height] = this.size;
+      const {element} = this;
+      this.onpick(point[0] / width * element.width, (height - point[1]) / height * element.height);
     }
     this.cancel(event);
   }
