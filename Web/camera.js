@@ -21,7 +21,7 @@ export class Camera
   {
     this.position = [...view.position];
     this.focalPoint = [...view.focalPoint];
-    this.viewUp = [...view.viewUp];
+    this.viewUp = normalize(view.viewUp);
     this.viewAngle = view.viewAngle;
     this.parallelProjection = Boolean(view.parallelProjection);
     this.parallelScale = view.parallelScale;
@@ -104,13 +104,16 @@ export class Camera
     }
   }
 
-  /** Divides the view angle or the parallel scale by a factor. */
+  /** Divides the view angle, or the parallel scale, by a factor. */
   zoom(factor)
   {
-    if (factor > 0)
+    if (factor > 0 && this.parallelProjection)
+    {
+      this.parallelScale /= factor;
+    }
+    else if (factor > 0)
     {
       this.viewAngle = Math.min(Math.max(this.viewAngle / factor, 1e-8), 179.9);
-      this.parallelScale /= factor;
     }
   }
 
@@ -119,7 +122,7 @@ export class Camera
   {
     if (this.parallelProjection)
     {
-      this.parallelScale /= factor;
+      this.zoom(factor);
     }
     else
     {

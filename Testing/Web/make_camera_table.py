@@ -86,6 +86,7 @@ class Scene:
     def move(self, name, *values):
         if name in ("drag", "wheel"):
             getattr(self, name)(*values)
+            self.renderer.ResetCameraClippingRange(self.bounds)  # as the page does after every movement
         elif name == "resetClippingRange":
             self.renderer.ResetCameraClippingRange(self.bounds)
         elif name == "reset":
