@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The tables of the march from the transfer functions of a volume, as Appearance/TransferTables.cxx
+// makes them and GL/TableTextures.cxx uploads and binds them.
+import {integralTable, slopeVariationsOf, transparentRangesOf, widthOf} from "./integral_table.js";
+import {extinctionOf} from "./transfer_functions.js";
+
+// The functions of each table, as Appearance/Blending.cxx and Components.cxx choose them.
+function functionsOfTables(functions, { law, range, blend, components, extraRanges })
+{
+  const { color, opacity } = functions[0];
+  const low = range[0];
+  const intensity = [ [ low, 0, 0, 0 ], [ low + widthOf(range), 1, 1, 1 ] ];
+  const opacities = { color : [ [ opacity[0][0], 1, 1, 1 ] ], opacity };
+  const colors = { color, opacity : [ [ color[0][0], 1 ] ] };
+  const kinds = {
+    composite : () => [{ functions : functions[0], law, range }],
+    extreme : () => [{ functions : functions[0], law : "unstructured", range }],
+    isosurfaces : () => kinds.extreme(),
+    sum : () => [{ functions : { color : intensity, opacity }, law : "unstructured", range }],
+    independent : () =>
+      functions.map((own, k) => ({ functions : own, law, range : k ? extraRanges[k - 1] : range })),
+    direct_color : () => [{ functions : opacities, law, range }],
+    color_and_opacity : () => [...kinds.direct_color(),
+      { functions : colors, law : "unstructured", range : extraRanges[0] }]
+  };
+  const kind = components === "single" ? blend : components;
+  if (!kinds[kind])
+  {
+    throw new Error(`Transfer functions can't be edited for ${kind}: it is none of ` +
+                    `${Object.keys(kinds).join(", ")}.`);
+  }
+  return kinds[kind]();
+}
+
+// Texels of the total variations: of colour; with several channels also of extinction, and of the
+// slopes of the first table.
+function variationTexels(tables, channels)
+{
+  const slopes = channels === 4 ? slopeVariationsOf(tables[0].values) : null;
+  return joined(Float32Array, tables.map((table, k) => {
+    const of = [ table.variations.color, table.variations.extinction ];
+    const all = k === 0 && slopes ? [...of, slopes.extinction, slopes.emission ] : of;
+    const texels = new Float32Array(channels * table.size);
+    for (let c = 0; c < Math.min(channels, all.length); ++c)
+    {
+      for (let i = 0; i < table.size; ++i)
+      {
+        texels[channels * i + c] = all[c][i];
+      }
+    }
+    return texels;
+  }));
+}
+
+function joined(Type, arrays)
+{
+  const all = new Type(arrays.reduce((sum, array) => sum + array.length, 0));
+  let at = 0;
+  for (const array of arrays)
+  {
+    all.set(array, at);
+    at += array.length;
+  }
+  return all;
+}
+
+const floats = (numbers) => Array.from(numbers, Math.fround);
+
+// The colour and extinction of scalars that are not finite.
+function nanColorOf([ r, g, b, opacity ], law)
+{
+  const color = [ r, g, b ].map((x) => Math.min(Math.max(0, x), 1));
+  return floats([...color, extinctionOf(opacity, law) ]);
+}
+
+/**
+ * The tables of the march, one after the other, as GL/TableTextures.cxx uploads and binds them,
+ * from the functions { color, opacity, nan } of a volume; for "independent" from an array of them.
+ * `structured`: of an image or rectilinear grid. `level`: of levelOf(). `blend`: "composite",
+ * "extreme", "sum" or "isosurfaces". `components`: "single", "independent", "color_and_opacity" or
+ * "direct_color"; `extraRanges` are those of the further scalars. Each uniform is an array.
+ */
+export function makeTables(functions,
+  {law, range, structured, level, blend = "composite", components = "single", extraRanges = []})
+{
+  const all = [].concat(functions);
+  const wanted = functionsOfTables(all, { law, range, blend, components, extraRanges });
+  const tables = wanted.map((one) => integralTable(one.functions, one.law, one.range, level));
+  const [first] = tables;
+  const ranges = transparentRangesOf(first.values);
+  const channels = structured ? 4 : components === "single" ? 1 : 2;
+  const uniforms = {
+    tableSize : [ first.size ],
+    tableScale : floats([ first.scale ]),
+    tableOffset : floats([ first.offset ]),
+    givenIntegralUnit : floats(first.unit),
+    constantColor : [...first.values.subarray(0, 3) ],
+    nanColor : nanColorOf(blend === "sum" ? [ 0, 0, 0, 0 ] : all[0].nan, wanted[0].law),
+    givenTransparentRanges : floats(ranges)
+  };
+  if (components !== "single")
+  {
+    const sizes = tables.map((table) => table.size);
+    uniforms.tableSizes = sizes;
+    uniforms.tableFirst = sizes.map((_, k) => sizes.slice(0, k).reduce((sum, n) => sum + n, 0));
+    uniforms.tableIntegralUnits = floats(tables.flatMap((table) => table.unit));
+    uniforms.tablePlace = floats(tables.flatMap((table) => [table.scale, table.offset]));
+  }
+  return {
+    values : joined(Float32Array, tables.map((table) => table.values)),
+    integrals : joined(Uint32Array, tables.map((table) => table.integrals)),
+    variations : {
+      data : variationTexels(tables, channels),
+      format : { 1 : "R32F", 2 : "RG32F", 4 : "RGBA32F" }[channels]
+    },
+    uniforms,
+    traits : {
+      constantColor : first.values.every((x, i) => i % 4 === 3 || x === first.values[i % 4]),
+      transparentRanges : ranges[0] > -3e38 || ranges[1] < 3e38 || ranges[2] < ranges[3]
+    }
+  };
+}
+
+/** The parameters of a level of accuracy, as levelOf() of VTKModule/Optics/AccuracyLevel.h. */
+export function levelOf(name, tolerance)
+{
+  const parameters = {
+    fast : [ false, 1 / 512, 1, 1024, 1024 ],
+    default : [ true, 1 / 255, 64, 1024, 65536 ],
+    accurate : [ true, 1 / 4096, 256, 1024, 65536 ],
+    reference : [ true, 1e-5, 1265, 4096, 65536 ],
+    sampled : [ false, 1 / 255, 1, 1024, 65536 ]
+  }[name];
+  if (!parameters)
+  {
+    throw new Error(`There is no accuracy level ${name}.`);
+  }
+  const [adaptive, most, trials, leastEntries, mostEntries] = parameters;
+  const kept = name === "default" ? tolerance : adaptive ? Math.min(most, tolerance) : most;
+  return {
+    adaptive,
+    tolerance : kept,
+    trials : adaptive ? Math.ceil(4 / Math.sqrt(kept)) : trials,
+    sampled : name === "sampled",
+    leastEntries,
+    mostEntries
+  };
+}
