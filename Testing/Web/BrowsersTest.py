@@ -115,7 +115,7 @@ class Browsers:
         reported = {"warned": 'console.warn("warned")', "complained": 'console.error("complained")',
                     "nowhere": "nowhere()", "refused": 'Promise.reject(new Error("refused"))',
                     "Content": 'document.body.setAttribute("onclick", "nothing")',
-                    "INVALID_ENUM": 'document.querySelector("canvas").getContext("webgl2").enable(1)'}
+                    "enable": 'document.querySelector("canvas").getContext("webgl2").enable(1)'}
         for word, script in reported.items():
             with self.subTest(script=script):
                 self.open(script)

@@ -29,6 +29,7 @@ BROWSERS = ("chromium", "swiftshader"), ("chromium", "llvmpipe"), ("firefox", "l
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # the key of an element's id, WebDriver 12
 RENDERER = """const gl = document.createElement("canvas").getContext("webgl2");
     return gl && gl.getParameter(gl.getExtension("WEBGL_debug_renderer_info").UNMASKED_RENDERER_WEBGL)"""
+TWO_FRAMES = "return new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
 CONTROL_KEYS = {"Tab": "\ue004", "Enter": "\ue007", "Shift": "\ue008", "Control": "\ue009", "Escape": "\ue00c",
                 "Space": " ", "ArrowLeft": "\ue012", "ArrowUp": "\ue013", "ArrowRight": "\ue014",
                 "ArrowDown": "\ue015", "Delete": "\ue017", "Home": "\ue011", "End": "\ue010"}
@@ -86,7 +87,7 @@ class Browser:
     def perform(self, *sources):
         self.session.call("PerformActions", actions=list(sources))
         self.session.call("ReleaseActions")
-        self.run("return new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        self.run(TWO_FRAMES)
 
     def mouse(self, *points, button=0, keys=()):
         """Press at the first point, move over the others and release at the last, while keys are held."""
@@ -139,7 +140,7 @@ class Firefox(Browser):
           }, Cc["@mozilla.org/systemprincipal;1"].createInstance(Ci.nsIPrincipal));
         }.toString()) + ")()", true);
         Services.console.registerListener({ observe(message) {
-          if (message instanceof Ci.nsIScriptError && /^(file|blob|data|http)/.test(message.sourceName))
+          if (message instanceof Ci.nsIScriptError && !/^(chrome|resource):/.test(message.sourceName))
             keep(message.message);
         } });"""
     # The browser's window is at least 450 pixels wide; the page in it may be smaller.
@@ -158,6 +159,7 @@ class Firefox(Browser):
 
     def console(self):
         """The errors and warnings since the page was opened or this was called."""
+        self.run(TWO_FRAMES)  # the GL of the page has a process of its own
         return self.in_browser("return Services.ppmm.tetmarch.splice(0)")
 
     def size(self, width, height):
