@@ -20,52 +20,44 @@ export function addLinearIntegrals(samples, i, j, sum)
   sum[3] += 0.5 * (from + to);
 }
 
-function weightedAt(samples, i)
+// The minimum and maximum of each component of samples.
+class Span
 {
-  const tau = samples[4 * i + 3];
-  return [ samples[4 * i] * tau, samples[4 * i + 1] * tau, samples[4 * i + 2] * tau, tau ];
-}
-
-const clampedTo = (span, x, k) => Math.min(Math.max(x, span.least[k]), span.most[k]);
-
-// The minimum and maximum of each component.
-function spanOf(values)
-{
-  const span = {
-    least : [ 1e300, 1e300, 1e300, 1e300 ],
-    most : [ -1e300, -1e300, -1e300, -1e300 ]
-  };
-  for (const value of values)
+  constructor()
+  {
+    this.least = [ 1e300, 1e300, 1e300, 1e300 ];
+    this.most = [ -1e300, -1e300, -1e300, -1e300 ];
+  }
+  add(samples, i, factor)
   {
     for (let k = 0; k < 4; ++k)
     {
-      span.least[k] = Math.min(span.least[k], value[k]);
-      span.most[k] = Math.max(span.most[k], value[k]);
+      const x = samples[4 * i + k] * (k < 3 ? factor : 1);
+      this.least[k] = Math.min(this.least[k], x);
+      this.most[k] = Math.max(this.most[k], x);
     }
   }
-  return span;
+  clamped(x, k) { return Math.min(Math.max(x, this.least[k]), this.most[k]); }
 }
 
-// A sample to be corrected: its value, and the span of the functions in its two bins.
+// A sample to be corrected: its C tau and tau, and the span of the functions in its two bins.
 function binNode(fine, at, perBin)
 {
   const last = fine.length / 4 - 1;
-  const weighted = [];
-  const seen = []; // colours with extinction
+  const weighted = new Span();
+  const seen = new Span(); // of colours with extinction
   for (let i = Math.max(at - perBin, 0); i <= Math.min(at + perBin, last); ++i)
   {
-    weighted.push(weightedAt(fine, i));
-    if (fine[4 * i + 3] > 0)
+    const tau = fine[4 * i + 3];
+    weighted.add(fine, i, tau);
+    if (tau > 0)
     {
-      seen.push(fine.subarray(4 * i, 4 * i + 4));
+      seen.add(fine, i, 1);
     }
   }
-  return {
-    value : weightedAt(fine, at),
-    fixed : at === 0 || at === last, // frequent values of the data
-    weighted : spanOf(weighted),
-    seen : spanOf(seen)
-  };
+  const [r, g, b, tau] = fine.subarray(4 * at, 4 * at + 4);
+  const fixed = at === 0 || at === last; // frequent values of the data
+  return { value : [ r * tau, g * tau, b * tau, tau ], fixed, weighted, seen };
 }
 
 // The difference between the integrals of the fine samples and those between two kept ones.
@@ -87,7 +79,7 @@ function addToEnds(amount, k, left, right)
 {
   const add = (x, node) => {
     const before = node.value[k];
-    node.value[k] = node.fixed ? before : clampedTo(node.weighted, before + x, k);
+    node.value[k] = node.fixed ? before : node.weighted.clamped(before + x, k);
     return node.value[k] - before;
   };
   const rest = amount - add(0.5 * amount, left);
@@ -111,7 +103,7 @@ export function keepBinAreas(fine, perBin)
     const tau = node.value[3];
     for (let k = 0; k < 3 && tau > 0; ++k)
     {
-      kept[4 * i + k] = clampedTo(node.seen, node.value[k] / tau, k);
+      kept[4 * i + k] = node.seen.clamped(node.value[k] / tau, k);
     }
     kept[4 * i + 3] = tau;
   };

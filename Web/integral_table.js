@@ -3,7 +3,7 @@
 // The table of transfer functions and its integrals (Shaders/tables/integral_table.glsl), in the
 // steps of VTKModule/Optics/FittingTable.cxx and IntegralTable.cxx.
 import {addLinearIntegrals} from "./bin_areas.js";
-import {checkNodes, keepAreas, refined, sampleFunctions} from "./transfer_functions.js";
+import {keepAreas, refined, sampleFunctions} from "./transfer_functions.js";
 
 // Two entries before the samples and two behind them contain the constant values beyond them.
 const entriesBeyond = 4;
@@ -169,8 +169,6 @@ export const widthOf = ([ low, high ]) => (high > low ? high - low : 1);
 /** The table of the functions over a range of scalars. */
 export function integralTable(functions, law, range, level)
 {
-  checkNodes(functions.color, 3, "colour");
-  checkNodes(functions.opacity, 1, "opacity");
   const { before, samples, after, begin, end } = fittingSamples(functions, law, range, level);
   const size = samples.length / 4 + entriesBeyond;
   const entries = new Float64Array(4 * size);

@@ -3,7 +3,7 @@
 // The tables of the march from the transfer functions of a volume, as Appearance/TransferTables.cxx
 // makes them and GL/TableTextures.cxx uploads and binds them.
 import {integralTable, slopeVariationsOf, transparentRangesOf, widthOf} from "./integral_table.js";
-import {extinctionOf} from "./transfer_functions.js";
+import {checkFunctions, extinctionOf} from "./transfer_functions.js";
 
 // The functions of each table, as Appearance/Blending.cxx and Components.cxx choose them.
 function functionsOfTables(functions, { law, range, blend, components, extraRanges })
@@ -25,10 +25,11 @@ function functionsOfTables(functions, { law, range, blend, components, extraRang
       { functions : colors, law : "unstructured", range : extraRanges[0] }]
   };
   const kind = components === "single" ? blend : components;
-  if (!kinds[kind])
+  if (!Object.hasOwn(kinds, kind))
   {
-    throw new Error(`Transfer functions can't be edited for ${kind}: it is none of ` +
-                    `${Object.keys(kinds).join(", ")}.`);
+    throw new Error(
+      `Transfer functions can't be edited for the blend mode ${blend} of components ` +
+      `${components}, but only for ${Object.keys(kinds).join(", ")}.`);
   }
   return kinds[kind]();
 }
@@ -85,6 +86,7 @@ export function makeTables(functions,
   {law, range, structured, level, blend = "composite", components = "single", extraRanges = []})
 {
   const all = [].concat(functions);
+  all.forEach(checkFunctions);
   const wanted = functionsOfTables(all, { law, range, blend, components, extraRanges });
   const tables = wanted.map((one) => integralTable(one.functions, one.law, one.range, level));
   const [first] = tables;
@@ -125,18 +127,18 @@ export function makeTables(functions,
 /** The parameters of a level of accuracy, as levelOf() of VTKModule/Optics/AccuracyLevel.h. */
 export function levelOf(name, tolerance)
 {
-  const parameters = {
+  const levels = {
     fast : [ false, 1 / 512, 1, 1024, 1024 ],
     default : [ true, 1 / 255, 64, 1024, 65536 ],
     accurate : [ true, 1 / 4096, 256, 1024, 65536 ],
     reference : [ true, 1e-5, 1265, 4096, 65536 ],
     sampled : [ false, 1 / 255, 1, 1024, 65536 ]
-  }[name];
-  if (!parameters)
+  };
+  if (!Object.hasOwn(levels, name))
   {
-    throw new Error(`There is no accuracy level ${name}.`);
+    throw new Error(`There is no accuracy level ${name}, but ${Object.keys(levels).join(", ")}.`);
   }
-  const [adaptive, most, trials, leastEntries, mostEntries] = parameters;
+  const [adaptive, most, trials, leastEntries, mostEntries] = levels[name];
   const kept = name === "default" ? tolerance : adaptive ? Math.min(most, tolerance) : most;
   return {
     adaptive,

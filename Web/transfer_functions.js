@@ -14,8 +14,7 @@ export function extinctionOf(opacity, law)
   return law === "structured" ? -Math.log1p(-Math.min(alpha, 1 - 2 ** -24)) : alpha;
 }
 
-/** Throws an Error unless the nodes are numbers and in order. */
-export function checkNodes(nodes, channels, name)
+function checkNodes(nodes, channels, name)
 {
   const isNode = (node) => node.length === channels + 1 && node.every(Number.isFinite);
   if (!nodes.length || !nodes.every(isNode))
@@ -26,6 +25,13 @@ export function checkNodes(nodes, channels, name)
   {
     throw new Error(`The nodes of the ${name} function must be in order of their scalars.`);
   }
+}
+
+/** Throws an Error unless the nodes are numbers and in order. */
+export function checkFunctions({color, opacity})
+{
+  checkNodes(color, 3, "colour");
+  checkNodes(opacity, 1, "opacity");
 }
 
 /**
