@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the scene of the page and shows it. The mode is "all"; "canvas": the picture alone, with
+// its camera; or "bare", by #bare: likewise, and the document's title is "ready" when it is
+// complete.
+import {Archive} from "./archive.js";
+import {Controls} from "./controls.js";
+import {byId} from "./elements.js";
+import {Framing} from "./framing.js";
+import {Keys} from "./keys.js";
+import {Picked} from "./picked.js";
+import {Pointer} from "./pointer.js";
+import {Viewer} from "./viewer.js";
+
+const GREATEST_RATIO = 2; // a frame takes as long as it has pixels
+
+function showMessage(title, text)
+{
+  byId("message-title").textContent = title;
+  byId("message-text").textContent = text;
+  byId("message").hidden = false;
+}
+
+function hideMessage()
+{
+  byId("message").hidden = true;
+}
+
+function modeOf(scene)
+{
+  return location.hash === "#bare" ? "bare" : scene.controls === "none" ? "canvas" : "all";
+}
+
+/** A lost context is reported, and comes back by itself. */
+function watchContext(canvas)
+{
+  canvas.addEventListener("webglcontextlost",
+    () => showMessage("The graphics card was reset",
+      "The browser lost its connection to it. The picture returns as soon as it is back."));
+  canvas.addEventListener("webglcontextrestored", hideMessage);
+}
+
+async function load(viewer)
+{
+  byId("loading").hidden = false;
+  await viewer.load((share) => { byId("progress").value = share; });
+  byId("loading").hidden = true;
+}
+
+function connectPointer(canvas, viewer, scene, mode)
+{
+  const picked = mode === "all" &&
+                 new Picked(viewer, () => scene.steps[viewer.step].volumes.map(({name}) => name));
+  new Keys(canvas, viewer);
+  new Pointer(canvas, viewer, (x, y) => picked && picked.pick(x, y));
+}
+
+async function start()
+{
+  const scene = JSON.parse(byId("scene").textContent);
+  const mode = modeOf(scene);
+  document.documentElement.dataset.mode = mode;
+  const canvas = byId("picture");
+  const viewer = new Viewer(canvas, scene, new Archive(scene));
+  viewer.onerror = (text) => showMessage("The picture can't be drawn", text);
+  watchContext(canvas);
+  await load(viewer);
+  const framing =
+    new Framing(viewer, canvas, scene.size, mode === "bare" ? Infinity : GREATEST_RATIO);
+  connectPointer(canvas, viewer, scene, mode);
+  if (mode === "all")
+  {
+    const controls = new Controls(viewer, scene, () => framing.reset());
+    viewer.onframe = (report) => controls.showFrame(report);
+  }
+  viewer.draw();
+  await viewer.complete;
+  if (mode === "bare")
+  {
+    document.title = "ready";
+  }
+}
+
+function fail(error)
+{
+  document.documentElement.dataset.mode = "canvas";
+  byId("loading").hidden = true;
+  showMessage("The scene can't be shown", error.message);
+  document.title = "failed";
+}
+
+window.addEventListener("hashchange", () => location.reload());
+start().catch(fail);
