@@ -15,7 +15,8 @@ namespace
 namespace fs = std::filesystem;
 
 const fs::path Module = TETMARCH_MODULE_DIR;
-constexpr int TopFloor = 10; // its rooms know the public classes
+constexpr int TopFloor = 11;
+constexpr int PublicFloor = 10; // from here on rooms know the public classes
 
 std::map<std::string, int> readFloors()
 {
@@ -96,7 +97,7 @@ std::string complaint(const Include& include, const std::map<std::string, int>& 
   {
     return place + ", which is not on a lower floor";
   }
-  if (floors.at(room) < TopFloor && !ofRoom && fs::exists(Module / include.Included))
+  if (floors.at(room) < PublicFloor && !ofRoom && fs::exists(Module / include.Included))
   {
     return place + ", a public class, which is above this floor";
   }

@@ -100,19 +100,36 @@ private:
     }
     if (mapper && mapper->GetNumberOfInputConnections(0) > 0)
     {
-      this->addData(mapper->GetInputDataObject(0, 0), matrix,
+      this->addData(mapper->GetInputDataObject(0, 0), { { nullptr, matrix, actor, mapper, {} } },
         this->Attributes ? this->Attributes(mapper) : nullptr);
     }
   }
 
+  struct Block
+  {
+    OpaqueSurface Surface;
+    bool Visible = true;
+    bool Opaque = true;
+
+    void take(vtkDataObject* data, vtkCompositeDataDisplayAttributes* drawn)
+    {
+      this->Visible =
+        drawn->HasBlockVisibility(data) ? drawn->GetBlockVisibility(data) : this->Visible;
+      this->Opaque =
+        drawn->HasBlockOpacity(data) ? drawn->GetBlockOpacity(data) >= 1 : this->Opaque;
+      if (drawn->HasBlockColor(data))
+      {
+        drawn->GetBlockColor(data, this->Surface.BlockColor.emplace().data());
+      }
+    }
+  };
+
   // Blocks inherit missing attributes from their parent.
-  void addData(vtkDataObject* data, const Matrix& matrix, vtkCompositeDataDisplayAttributes* drawn,
-    bool visible = true, bool opaque = true)
+  void addData(vtkDataObject* data, Block block, vtkCompositeDataDisplayAttributes* drawn)
   {
     if (drawn && data)
     {
-      visible = drawn->HasBlockVisibility(data) ? drawn->GetBlockVisibility(data) : visible;
-      opaque = drawn->HasBlockOpacity(data) ? drawn->GetBlockOpacity(data) >= 1 : opaque;
+      block.take(data, drawn);
     }
     if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
     {
@@ -121,14 +138,14 @@ private:
       children->TraverseSubTreeOff();
       for (children->InitTraversal(); !children->IsDoneWithTraversal(); children->GoToNextItem())
       {
-        this->addData(children->GetCurrentDataObject(), matrix, drawn, visible, opaque);
+        this->addData(children->GetCurrentDataObject(), block, drawn);
       }
     }
-    auto* surface = vtkPolyData::SafeDownCast(data);
-    if (surface && visible && opaque &&
-        surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
+    block.Surface.Data = vtkPolyData::SafeDownCast(data);
+    if (block.Surface.Data && block.Visible && block.Opaque &&
+        block.Surface.Data->GetNumberOfPolys() + block.Surface.Data->GetNumberOfStrips() > 0)
     {
-      this->Surfaces.push_back({ surface, matrix });
+      this->Surfaces.push_back(block.Surface);
     }
   }
 

@@ -7,8 +7,10 @@
 #include "Light/TriangleHierarchy.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
+class vtkActor;
 class vtkCompositeDataDisplayAttributes;
 class vtkMapper;
 class vtkPolyData;
@@ -21,6 +23,9 @@ struct OpaqueSurface
 {
   vtkPolyData* Data = nullptr;
   std::array<double, 16> ToWorld{}; // row by row
+  vtkActor* Actor = nullptr;
+  vtkMapper* Mapper = nullptr; // of polydata, or of composite data with such leaves
+  std::optional<std::array<double, 3>> BlockColor; // in place of the actor's
 };
 
 /** Returns the display attributes of a mapper of composite data, or nullptr. */
