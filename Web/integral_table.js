@@ -9,21 +9,25 @@ import {keepAreas, refined, sampleFunctions} from "./transfer_functions.js";
 const entriesBeyond = 4;
 const mostInteger = 4294967295;
 
-/** The samples with the resolution that the level requires. */
-function fittingSamples(functions, law, [ low, high ], level)
+/**
+ * The samples with the resolution that the level requires; the least and most entries are those of
+ * most levels unless it has its own.
+ */
+function fittingSamples(
+  functions, law, [ low, high ], { tolerance, leastEntries = 1024, mostEntries = 65536 })
 {
   const binsOf = (entries) => entries - entriesBeyond - 1;
-  const mostPerBin = Math.max(4, Math.floor(16384 / level.leastEntries));
+  const mostPerBin = Math.max(4, Math.floor(16384 / leastEntries));
   const leastPerBin = 2;
-  const most = 0.5 * level.tolerance;
-  let bins = binsOf(level.leastEntries);
+  const most = 0.5 * tolerance;
+  let bins = binsOf(leastEntries);
   let fine = sampleFunctions(functions, law, low, high, bins * mostPerBin + 1);
   let kept = keepAreas(fine, mostPerBin);
-  while (kept.deviation > most && bins * 4 <= binsOf(level.mostEntries))
+  while (kept.deviation > most && bins * 4 <= binsOf(mostEntries))
   {
     // At a kink the deviation is proportional to the width of a bin: insufficient sizes are
     // skipped.
-    bins *= kept.deviation > 8 * most && bins * 16 <= binsOf(level.mostEntries) ? 16 : 4;
+    bins *= kept.deviation > 8 * most && bins * 16 <= binsOf(mostEntries) ? 16 : 4;
     const fineBins = fine.samples.length / 4 - 1;
     if (fineBins < leastPerBin * bins)
     {

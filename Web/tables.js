@@ -3,11 +3,12 @@
 // The tables of the march from the transfer functions of a volume, as Appearance/TransferTables.cxx
 // makes them and GL/TableTextures.cxx uploads and binds them.
 import {integralTable, slopeVariationsOf, transparentRangesOf, widthOf} from "./integral_table.js";
-import {checkFunctions, extinctionOf} from "./transfer_functions.js";
+import {checkFunctions, evaluate, extinctionOf} from "./transfer_functions.js";
 
 // The functions of each table, as Appearance/Blending.cxx and Components.cxx choose them.
 function functionsOfTables(functions, { law, range, blend, components, extraRanges })
 {
+  const ranges = [ range, ...extraRanges ];
   const { color, opacity } = functions[0];
   const low = range[0];
   const intensity = [ [ low, 0, 0, 0 ], [ low + widthOf(range), 1, 1, 1 ] ];
@@ -18,11 +19,10 @@ function functionsOfTables(functions, { law, range, blend, components, extraRang
     extreme : () => [{ functions : functions[0], law : "unstructured", range }],
     isosurfaces : () => kinds.extreme(),
     sum : () => [{ functions : { color : intensity, opacity }, law : "unstructured", range }],
-    independent : () =>
-      functions.map((own, k) => ({ functions : own, law, range : k ? extraRanges[k - 1] : range })),
+    independent : () => functions.map((own, k) => ({ functions : own, law, range : ranges[k] })),
     direct_color : () => [{ functions : opacities, law, range }],
     color_and_opacity : () => [...kinds.direct_color(),
-      { functions : colors, law : "unstructured", range : extraRanges[0] }]
+      { functions : colors, law : "unstructured", range : ranges[1] }]
   };
   const kind = components === "single" ? blend : components;
   if (!Object.hasOwn(kinds, kind))
@@ -31,7 +31,13 @@ function functionsOfTables(functions, { law, range, blend, components, extraRang
       `Transfer functions can't be edited for the blend mode ${blend} of components ` +
       `${components}, but only for ${Object.keys(kinds).join(", ")}.`);
   }
-  return kinds[kind]();
+  const wanted = kinds[kind]();
+  if (wanted.some((one) => !one.range) || (kind === "independent") !== (functions.length > 1))
+  {
+    throw new Error("The transfer functions of several components drawn together can only be " +
+                    "edited with those of all components and the range of each.");
+  }
+  return wanted;
 }
 
 // Texels of the total variations: of colour; with several channels also of extinction, and of the
@@ -66,6 +72,13 @@ function joined(Type, arrays)
   return all;
 }
 
+// Colours and opacities of isosurfaces at stored scalars, as Appearance/Blending.cxx finds them.
+function isoColors(functions, range, stored)
+{
+  const colorAt = (x) => [...evaluate(functions, "unstructured", x, x, 1)];
+  return floats(stored.flatMap((share) => colorAt(range[0] + share * widthOf(range))));
+}
+
 const floats = (numbers) => Array.from(numbers, Math.fround);
 
 // The colour and extinction of scalars that are not finite.
@@ -79,11 +92,20 @@ function nanColorOf([ r, g, b, opacity ], law)
  * The tables of the march, one after the other, as GL/TableTextures.cxx uploads and binds them,
  * from the functions { color, opacity, nan } of a volume; for "independent" from an array of them.
  * `structured`: of an image or rectilinear grid. `level`: of levelOf(). `blend`: "composite",
- * "extreme", "sum" or "isosurfaces". `components`: "single", "independent", "color_and_opacity" or
- * "direct_color"; `extraRanges` are those of the further scalars. Each uniform is an array.
+ * "extreme", "sum" or "isosurfaces", whose values `isoValues` are stored scalars. `components`:
+ * "single", "independent", "color_and_opacity" or "direct_color"; `extraRanges` are those of the
+ * further scalars. Each uniform is an array.
  */
-export function makeTables(functions,
-  {law, range, structured, level, blend = "composite", components = "single", extraRanges = []})
+export function makeTables(functions, {
+  law,
+  range,
+  structured,
+  level,
+  blend = "composite",
+  components = "single",
+  extraRanges = [],
+  isoValues = []
+})
 {
   const all = [].concat(functions);
   all.forEach(checkFunctions);
@@ -101,6 +123,10 @@ export function makeTables(functions,
     nanColor : nanColorOf(blend === "sum" ? [ 0, 0, 0, 0 ] : all[0].nan, wanted[0].law),
     givenTransparentRanges : floats(ranges)
   };
+  if (blend === "isosurfaces")
+  {
+    uniforms.isoColor = isoColors(all[0], range, isoValues);
+  }
   if (components !== "single")
   {
     const sizes = tables.map((table) => table.size);

@@ -62,7 +62,7 @@ function valuesOf(nodes, begin, end, count)
 }
 
 /** `count` samples r, g, b, extinction at equal steps. */
-function evaluate(functions, law, begin, end, count)
+export function evaluate(functions, law, begin, end, count)
 {
   const colors = valuesOf(functions.color, begin, end, count);
   const opacities = valuesOf(functions.opacity, begin, end, count);
