@@ -64,8 +64,10 @@ class Browser:
         self.session.call("Navigate", url=url + ("#" + fragment if fragment else ""))
 
     def wait_title(self, title, seconds):
-        """Seconds from open() until the document has this title."""
+        """Seconds from open() until the document has this title; a page that shows an error has "failed"."""
         while (shown := self.run("return document.title")) != title:
+            if shown == "failed":
+                raise RuntimeError("The page says: " + self.run("return document.body.innerText"))
             if time.monotonic() > self.opened + seconds:
                 raise TimeoutError(f"After {seconds} s the title is {shown!r}, not {title!r}; {self.console()}")
             time.sleep(0.02)
@@ -76,7 +78,7 @@ class Browser:
         return self.run(RENDERER)
 
     def png(self, selector="canvas"):
-        """The pixels of an element as the window shows them: (height, width, 3), the uppermost row first."""
+        """The pixels of the first such element as the window shows them: (height, width, 3), from the top."""
         element = self.session.call("FindElement", using="css selector", value=selector)[ELEMENT]
         return pixels_of_png(self.session.call("TakeScreenshot", id=element))
 

@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pages of scenes beside the mapper's pictures of them: check_pages.py FOLDER [BROWSER DRIVER]
+
+Every NAME.html of the folder is opened in each browser, in a window of the size of NAME.png. A page is wrong if a
+channel of a pixel is more than 2/255 off, the console has a message, or a ray was lost, refused or guarded. What a
+wrong page shows is written as NAME.BROWSER.DRIVER.png, and the difference beside it.
+"""
+import pathlib
+import sys
+
+from PIL import Image
+
+from browsers import BROWSERS, browser
+from compare import compare, picture_of_difference, read
+
+TOLERANCE = 2
+SECONDS = 120
+REPORT = "return JSON.parse(document.querySelector('canvas').dataset.frame)"
+
+
+def check(opened, page, which):
+    """What is wrong with a page, as sentences, and how far its picture is from the mapper's."""
+    expected = read(page.with_suffix(".png"))
+    opened.size(expected.shape[1], expected.shape[0])
+    opened.open(page, "bare")
+    opened.wait_title("ready", SECONDS)
+    shown = opened.png()
+    apart = compare(shown, expected)
+    wrong = opened.console()
+    report = opened.run(REPORT)
+    wrong += [f"{report[name]} rays {name}" for name in ("lost", "refused", "guarded") if report[name] != 0]
+    if apart.most > TOLERANCE:
+        wrong.append(str(apart))
+        for name, picture in ("", shown), (".difference", picture_of_difference(shown, expected)):
+            Image.fromarray(picture).save(page.with_suffix(f".{'.'.join(which)}{name}.png"))
+    return wrong, apart
+
+
+def check_all(folder, which):
+    """Prints a line per wrong page and one of figures; returns the number of wrong pages."""
+    pages = sorted(folder.glob("*.html"))
+    if not pages:
+        sys.exit(f"There is no page in {folder}")
+    failed, most, rms = 0, 0, 0.0
+    with browser(*which) as opened:
+        renderer = opened.renderer()
+        for page in pages:
+            try:
+                wrong, apart = check(opened, page, which)
+            except (RuntimeError, TimeoutError, ValueError) as error:
+                wrong, apart = [str(error)], None
+            failed += bool(wrong)
+            if wrong:
+                print(f"{page.stem}: {'; '.join(wrong)}", flush=True)
+            if apart:
+                most, rms = max(most, apart.most), max(rms, apart.rms)
+    print(f"{' '.join(which)} ({renderer}): {len(pages)} pages, {failed} wrong, max {most}/255, RMS {rms:.3f}/255")
+    return failed
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (2, 4):
+        sys.exit(__doc__.splitlines()[0])
+    chosen = [tuple(sys.argv[2:])] if len(sys.argv) == 4 else BROWSERS
+    sys.exit(sum(check_all(pathlib.Path(sys.argv[1]), which) for which in chosen) > 0)
