@@ -16,7 +16,7 @@ from compare import compare, picture_of_difference, read
 
 TOLERANCE = 2
 SECONDS = 120
-REPORT = "return JSON.parse(document.querySelector('canvas').dataset.frame)"
+COUNT = "return document.querySelector('canvas').viewer.count()"
 
 
 def check(opened, page, which):
@@ -28,8 +28,8 @@ def check(opened, page, which):
     shown = opened.png()
     apart = compare(shown, expected)
     wrong = opened.console()
-    report = opened.run(REPORT)
-    wrong += [f"{report[name]} rays {name}" for name in ("lost", "refused", "guarded") if report[name] != 0]
+    counted = opened.run(COUNT)
+    wrong += [f"{counted[name]} rays {name}" for name in ("lost", "refused", "guarded") if counted[name] != 0]
     if apart.most > TOLERANCE:
         wrong.append(str(apart))
         for name, picture in ("", shown), (".difference", picture_of_difference(shown, expected)):
