@@ -128,6 +128,7 @@ std::vector<Case> drawnCases()
   Case extreme = ofImage({ "extreme" });
   extreme.Blend = { "extreme", BlendMode::Maximum };
   Case sum = ofImage({ "sum" });
+  sum.Level = { "sampled", Accuracy::Sampled };
   sum.Blend = { "sum", BlendMode::Additive };
   Case independent{ "independent" };
   independent.Parts.push_back({ { { { 0, 1, 0, 0 } }, { { 9, 0, 1, 0 } } },
@@ -211,10 +212,9 @@ Members uniformsOf(const IntegralTable& table, const Components& parts, const Sc
 }
 
 // Some entries: place, value, integrals up to it and total variations up to it.
-std::vector<std::string> entriesOf(const IntegralTable& table, std::size_t first)
+void addEntries(const IntegralTable& table, std::size_t first, std::vector<std::string>& entries)
 {
   constexpr std::size_t Count = 12;
-  std::vector<std::string> entries;
   for (std::size_t k = 0; k < Count; ++k)
   {
     const std::size_t i = k * (table.Values.size() - 1) / (Count - 1);
@@ -231,7 +231,6 @@ std::vector<std::string> entriesOf(const IntegralTable& table, std::size_t first
     entries.push_back(json(std::vector<std::string>{
       json(first + i), json(table.Values[i]), json(table.Integrals[i]), json(variations) }));
   }
-  return entries;
 }
 
 std::string expectedOf(const Case& one)
@@ -253,21 +252,27 @@ std::string expectedOf(const Case& one)
   Components parts;
   parts.Mix = input.Mix;
   parts.ExtraRanges = input.ExtraRanges;
-  const IntegralTable table =
-    makeTables(property, input, levelOf(one.Level.second, one.Tolerance), parts);
-  std::vector<std::string> entries = entriesOf(table, 0);
+  const AccuracyLevel level = levelOf(one.Level.second, one.Tolerance);
+  const IntegralTable table = makeTables(property, input, level, parts);
+  std::vector<std::string> entries;
+  addEntries(table, 0, entries);
   std::size_t first = table.Values.size();
   for (const IntegralTable& extra : parts.Tables)
   {
-    const std::vector<std::string> more = entriesOf(extra, first);
-    entries.insert(entries.end(), more.begin(), more.end());
+    addEntries(extra, first, entries);
     first += extra.Values.size();
   }
   const TableTraits& traits = table.Traits;
-  return object({ { "uniforms", object(uniformsOf(table, parts, ranges[0])) },
-    { "traits", object({ { "constantColor", json(traits.ConstantColor) },
-                  { "transparentRanges", json(traits.hasTransparentRanges()) } }) },
-    { "entries", json(entries) } });
+  return object(
+    { { "level",
+        object({ { "adaptive", json(level.Adaptive) }, { "tolerance", json(level.ErrorTolerance) },
+          { "trials", json(level.MostTrials) }, { "sampled", json(level.Sampled) },
+          { "leastEntries", json(level.LeastTableEntries) },
+          { "mostEntries", json(level.MostTableEntries) } }) },
+      { "uniforms", object(uniformsOf(table, parts, ranges[0])) },
+      { "traits", object({ { "constantColor", json(traits.ConstantColor) },
+                    { "transparentRanges", json(traits.hasTransparentRanges()) } }) },
+      { "entries", json(entries) } });
 }
 
 TEST(WebTables, AreThoseOfTheFile)

@@ -25,6 +25,7 @@ for (const { name, input, expected } of cases)
     const { values, integrals, variations, uniforms, traits } = made(input);
     const texel = (array, channels, i,
       count = channels) => [...array.subarray(channels * i, channels * i + count)];
+    assert.deepEqual(levelOf(input.level, input.tolerance), expected.level);
     assert.deepEqual(traits, expected.traits);
     for (const [uniform, numbers] of Object.entries(expected.uniforms))
     {
