@@ -19,11 +19,13 @@ export class Controls
     const volumes = () => scene.steps[viewer.step].volumes;
     this.bar = new ScalarBar(byId("scalar-bar"));
     this.functions = new FunctionPanel(viewer, volumes, () => this.showBar());
-    this.time = new TimeBar(viewer, scene.steps, () => this.functions.show());
+    this.time = new TimeBar(viewer, scene.steps);
+    this.shownStep = viewer.step;
     byId("reset").addEventListener("click", resetCamera);
     this.showTexts();
     this.listenToAccuracy();
     this.listenToButtons();
+    this.listenToDirections();
     this.showBar();
   }
 
@@ -55,7 +57,7 @@ export class Controls
     const level = byId("level");
     if (![...level.options].some((option) => option.value === name))
     {
-      level.append(makeOption(name, name[0].toUpperCase() + name.slice(1)));
+      level.prepend(makeOption(name, name[0].toUpperCase() + name.slice(1)));
     }
     level.value = name;
     this.tolerance = tolerance;
@@ -73,7 +75,11 @@ export class Controls
     this.enableTolerance();
   }
 
-  enableTolerance() { byId("tolerance").disabled = byId("level").value === "fast"; }
+  enableTolerance()
+  {
+    byId("tolerance").disabled =
+      !["default", "accurate", "reference"].includes(byId("level").value);
+  }
 
   changeLevel()
   {
@@ -110,10 +116,16 @@ export class Controls
     byId("frame-note").hidden = failed.length === 0;
     byId("frame-note").textContent =
       `Rays of this frame: ${failed.map((words) => words.join(" ")).join(", ")}.`;
-    if (this.viewer.show === "error")
+    if (this.shownStep !== this.viewer.step)
+    {
+      this.shownStep = this.viewer.step;
+      this.functions.show();
+    }
+    else if (this.viewer.show === "error")
     {
       this.showBar();
     }
+    this.time.noteFrame();
   }
 
   listenToButtons()
@@ -138,6 +150,20 @@ export class Controls
       return document.fullscreenElement ? document.exitFullscreen()
                                         : byId("stage").requestFullscreen();
     });
+  }
+
+  listenToDirections()
+  {
+    const {viewer} = this;
+    for (const button of byId("look-from").querySelectorAll("button"))
+    {
+      button.addEventListener("click", () => {
+        const {axis, sign} = button.dataset;
+        const {width, height} = byId("picture");
+        viewer.camera.lookFrom(Number(axis), Number(sign), viewer.bounds, width / height);
+        viewer.draw();
+      });
+    }
   }
 
   async save()

@@ -34,7 +34,8 @@ export function makeOption(value, text = value)
 /** A number with few digits, for reading. */
 export function shortNumber(value, digits = 5)
 {
-  return String(Number(value.toPrecision(digits)));
+  const short = Number(value.toPrecision(digits));
+  return Math.abs(short) < 1e-3 && short !== 0 ? short.toExponential() : String(short);
 }
 
 /** Says something beside the buttons, also to a screen reader, and takes it back after a while. */

@@ -1,35 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of the panel with the transfer functions of a volume: opacities, colours, histogram.
-import {COLOR_MAP_NAMES, colorMapPoints} from "./color_maps.js";
+import {COLOR_MAP_NAMES} from "./color_maps.js";
 import {Editor} from "./editor.js";
 import {byId, makeOption, shortNumber} from "./elements.js";
-import {countScalars} from "./histogram.js";
-import {spreadPoints} from "./opacity_points.js";
+import {AS_WRITTEN, chartRange, chosenColors, groupVolumes, trimColors} from "./function_choices.js";
+import {countValues} from "./histogram.js";
+import {endsOf, simplifyPoints} from "./opacity_points.js";
 
-const AS_WRITTEN = "as written";
-
-const rangeOf = (points) => [points[0][0], points[points.length - 1][0]];
-
-/** All values that a volume or its functions have. */
-export function chartRange(volumeRange, {color, opacity})
-{
-  const ends = [...volumeRange, ...rangeOf(color), ...rangeOf(opacity)];
-  const [low, high] = [Math.min(...ends), Math.max(...ends)];
-  return high > low ? [low, high] : [low - 0.5, high + 0.5];
-}
-
-/** The colours that a choice in the panel makes: { map, reversed, range }. */
-export function chosenColors(written, {map, reversed, range})
-{
-  if (map !== AS_WRITTEN)
-  {
-    return colorMapPoints(map, ...range, reversed);
-  }
-  const ends = rangeOf(written);
-  const points = spreadPoints(written, ends, reversed ? [range[1], range[0]] : range);
-  return reversed ? points.reverse() : points;
-}
+const SEVERAL_COMPONENTS = ["INDEPENDENT", "COLOR_AND_OPACITY", "DIRECT_COLOR"];
+const MOST_POINTS = 40;     // that are told apart in the chart
+const TOLERANCE = 1 / 1024; // of an opacity, where a function has more points
 
 export class FunctionPanel
 {
@@ -44,11 +25,23 @@ export class FunctionPanel
     this.editor = new Editor(byId("editor"), (opacity) => this.change({opacity}),
       (index, points) => this.showPoint(index, points));
     byId("color-map").append(...[AS_WRITTEN, ...COLOR_MAP_NAMES].map((name) => makeOption(name)));
-    byId("volume").append(...volumes().map(({name}, i) => makeOption(i, name || `${i + 1}`)));
-    byId("volume-row").hidden = volumes().length < 2;
-    byId("functions").hidden = volumes().length === 0;
+    const groups = groupVolumes(volumes());
+    byId("volume").append(...groups.map(({name}, i) => makeOption(i, name || `${i + 1}`)));
+    byId("volume-row").hidden = groups.length < 2;
+    byId("functions").hidden = groups.length === 0;
     this.listen();
     this.show();
+  }
+
+  /** The shown volume, which may have several blocks. */
+  get group() { return groupVolumes(this.volumes())[this.index]; }
+
+  /** Whether it has functions that can be edited: those of one component. */
+  get editable()
+  {
+    const [first] = this.group ? this.group.indices : [];
+    const volume = this.volumes()[first];
+    return Boolean(volume) && !volume.features.some((name) => SEVERAL_COMPONENTS.includes(name));
   }
 
   listen()
@@ -78,8 +71,13 @@ export class FunctionPanel
 
   writtenState()
   {
-    const written = this.viewer.functions(this.index);
-    const range = rangeOf(written.color);
+    const written = {...this.viewer.functions(this.group.indices[0])};
+    written.color = trimColors(written.color);
+    if (written.opacity.length > MOST_POINTS)
+    {
+      written.opacity = simplifyPoints(written.opacity, TOLERANCE);
+    }
+    const range = endsOf(written.color);
     return {written, opacity: written.opacity, map: AS_WRITTEN, reversed: false, range};
   }
 
@@ -93,15 +91,14 @@ export class FunctionPanel
   /** What the scalar bar shows, or null if there is no volume. */
   get bar()
   {
-    const volume = this.volumes()[this.index];
-    if (!volume)
+    if (!this.editable)
     {
       return null;
     }
     const {color} = this.functions;
-    const [low, high] = rangeOf(color);
+    const [low, high] = endsOf(color);
     return {
-      title: volume.name,
+      title: this.group.name,
       color,
       range: high > low ? [low, high] : chartRange([low, high], this.functions)
     };
@@ -110,10 +107,15 @@ export class FunctionPanel
   /** Shows everything anew, with the histogram of the present time step. */
   show()
   {
-    const volume = this.volumes()[this.index];
-    if (volume)
+    byId("function-parts").hidden = !this.editable;
+    byId("function-note").hidden = this.editable;
+    if (this.editable)
     {
-      this.counts = countScalars(this.viewer.scalars(this.index));
+      const {indices, range} = this.group;
+      const volumes = this.volumes();
+      const parts =
+        indices.map((i) => ({scalars: this.viewer.scalars(i), range: volumes[i].range}));
+      this.counts = countValues(parts, range);
       this.showState();
     }
     this.onChange();
@@ -121,14 +123,14 @@ export class FunctionPanel
 
   showState()
   {
-    const volume = this.volumes()[this.index];
-    const {functions, state, counts} = this;
-    const range = chartRange(volume.range, functions);
-    this.editor.show({...functions, range, counts, countsRange: volume.range});
+    const {functions, group, state, counts} = this;
+    const range = chartRange(group.range, functions);
+    this.editor.show({...functions, range, counts, countsRange: group.range});
     byId("color-map").value = state.map;
     byId("color-reversed").checked = state.reversed;
     byId("color-low").value = shortNumber(state.range[0], 7);
     byId("color-high").value = shortNumber(state.range[1], 7);
+    byId("color-high").setCustomValidity("");
   }
 
   showPoint(index, points)
@@ -152,11 +154,13 @@ export class FunctionPanel
   {
     const range = ["color-low", "color-high"].map((id) => byId(id).valueAsNumber);
     const valid = range.every(Number.isFinite) && range[0] < range[1];
-    byId("color-high").setCustomValidity(valid ? "" : "The last value is above the first.");
     if (valid)
     {
       this.change({range});
+      return;
     }
+    byId("color-high").setCustomValidity("This value must be above the first one.");
+    byId("color-high").reportValidity();
   }
 
   reset()
@@ -166,7 +170,7 @@ export class FunctionPanel
       opacity: written.opacity,
       map: AS_WRITTEN,
       reversed: false,
-      range: rangeOf(written.color),
+      range: endsOf(written.color),
     });
   }
 
@@ -180,8 +184,16 @@ export class FunctionPanel
     }
     this.pending = this.pending || requestAnimationFrame(() => {
       this.pending = 0;
-      this.viewer.setFunctions(this.index, this.functions);
-      this.onChange();
+      this.draw();
     });
+  }
+
+  draw()
+  {
+    for (const index of this.group.indices)
+    {
+      this.viewer.setFunctions(index, this.functions);
+    }
+    this.onChange();
   }
 }

@@ -2,15 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The histogram behind the opacity function.
 
-/** Numbers of scalars, 0 to 1, in bins of equal width; those that are not finite are left out. */
-export function countScalars(scalars, bins = 128)
+/**
+ * Numbers of values in bins of equal width over a range. parts: { scalars, range } of each block,
+ * with scalars from 0 to 1 over its range; those that are not finite are left out.
+ */
+export function countValues(parts, [low, high], bins = 128)
 {
   const counts = new Array(bins).fill(0);
-  for (const scalar of scalars)
+  const width = high > low ? high - low : 1;
+  for (const {scalars, range} of parts)
   {
-    if (Number.isFinite(scalar))
+    const [offset, scale] = [(range[0] - low) / width, (range[1] - range[0]) / width];
+    for (const scalar of scalars)
     {
-      ++counts[Math.min(Math.max(Math.floor(scalar * bins), 0), bins - 1)];
+      if (Number.isFinite(scalar))
+      {
+        const bin = Math.floor((offset + scale * scalar) * bins);
+        ++counts[Math.min(Math.max(bin, 0), bins - 1)];
+      }
     }
   }
   return counts;

@@ -31,6 +31,11 @@ function modeOf(scene)
   return location.hash === "#bare" ? "bare" : scene.controls === "none" ? "canvas" : "all";
 }
 
+function setMode(mode)
+{
+  document.documentElement.dataset.mode = mode;
+}
+
 /** A lost context is reported, and comes back by itself. */
 function watchContext(canvas)
 {
@@ -59,20 +64,27 @@ async function start()
 {
   const scene = JSON.parse(byId("scene").textContent);
   const mode = modeOf(scene);
-  document.documentElement.dataset.mode = mode;
+  setMode(mode === "all" ? "canvas" : mode);
   const canvas = byId("picture");
   const viewer = new Viewer(canvas, scene, new Archive(scene));
   viewer.onerror = (text) => showMessage("The picture can't be drawn", text);
   watchContext(canvas);
   await load(viewer);
+  setMode(mode);
   const framing =
     new Framing(viewer, canvas, scene.size, mode === "bare" ? Infinity : GREATEST_RATIO);
   connectPointer(canvas, viewer, scene, mode);
-  if (mode === "all")
-  {
-    const controls = new Controls(viewer, scene, () => framing.reset());
-    viewer.onframe = (report) => controls.showFrame(report);
-  }
+  const controls = mode === "all" ? new Controls(viewer, scene, () => framing.reset()) : null;
+  viewer.onframe = (report) => {
+    if (report.complete)
+    {
+      hideMessage();
+    }
+    if (controls)
+    {
+      controls.showFrame(report);
+    }
+  };
   viewer.draw();
   await viewer.complete;
   if (mode === "bare")
@@ -83,7 +95,7 @@ async function start()
 
 function fail(error)
 {
-  document.documentElement.dataset.mode = "canvas";
+  setMode("canvas");
   byId("loading").hidden = true;
   showMessage("The scene can't be shown", error.message);
   document.title = "failed";

@@ -5,6 +5,9 @@
 
 const clampNumber = (value, low, high) => Math.min(Math.max(value, low), high);
 
+/** The first and the last x. */
+export const endsOf = (points) => [points[0][0], points[points.length - 1][0]];
+
 export function opacityAt(points, x)
 {
   const next = points.findIndex((point) => point[0] > x);
@@ -57,4 +60,28 @@ export function spreadPoints(points, [low, high], [newLow, newHigh])
 {
   const scale = high > low ? (newHigh - newLow) / (high - low) : 0;
   return points.map(([x, ...rest]) => [newLow + (x - low) * scale, ...rest]);
+}
+
+/**
+ * The fewest of the points that keep a function within a tolerance (Douglas and Peucker, 1973).
+ */
+export function simplifyPoints(points, tolerance)
+{
+  const ends = [points[0], points[points.length - 1]];
+  let worst = 0;
+  let index = 0;
+  points.forEach(([x, opacity], i) => {
+    const error = Math.abs(opacity - opacityAt(ends, x));
+    if (i > 0 && i + 1 < points.length && error > worst)
+    {
+      [worst, index] = [error, i];
+    }
+  });
+  if (worst <= tolerance)
+  {
+    return points.length > 1 ? ends : points;
+  }
+  const parts = [points.slice(0, index + 1), points.slice(index)];
+  const [before, after] = parts.map((part) => simplifyPoints(part, tolerance));
+  return [...before, ...after.slice(1)];
 }

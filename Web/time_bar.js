@@ -7,12 +7,10 @@ const LEAST_MILLISECONDS = 150; // of a step
 
 export class TimeBar
 {
-  /** onStep(): after another step was chosen. */
-  constructor(viewer, steps, onStep)
+  constructor(viewer, steps)
   {
     this.viewer = viewer;
     this.steps = steps;
-    this.onStep = onStep;
     this.playing = false;
     byId("time").hidden = steps.length < 2;
     byId("step").max = steps.length - 1;
@@ -34,7 +32,6 @@ export class TimeBar
   {
     this.viewer.step = index;
     this.showLabel(index);
-    this.onStep();
   }
 
   toggle()
@@ -54,8 +51,18 @@ export class TimeBar
     while (this.playing && this.turn === turn)
     {
       const pause = new Promise((resolve) => setTimeout(resolve, LEAST_MILLISECONDS));
+      const complete = new Promise((resolve) => { this.frameComplete = resolve; });
       this.choose((this.viewer.step + 1) % this.steps.length);
-      await Promise.all([pause, this.viewer.complete]);
+      await Promise.all([pause, complete]);
+    }
+  }
+
+  /** To be called when a frame is complete. */
+  noteFrame()
+  {
+    if (this.frameComplete)
+    {
+      this.frameComplete();
     }
   }
 }
