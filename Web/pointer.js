@@ -72,7 +72,8 @@ export class Pointer
     this.viewer = viewer;
     this.onpick = onpick;
     this.points = new Map(); // of the pointers that are down
-    this.start = null;
+    this.start = null;       // of a click
+    this.two = null;         // where two fingers began, with the camera of then
     this.movement = null;
     this.listeners = new AbortController();
     element.style.touchAction = "none";
@@ -83,6 +84,7 @@ export class Pointer
     on("pointerup", this.lift);
     on("pointercancel", this.cancel);
     on("wheel", this.wheel);
+    // Not pointerdown: Firefox would not tell of a second finger.
     on("mousedown", (event) => event.preventDefault());
     on("contextmenu", (event) => event.preventDefault());
   }
@@ -103,7 +105,6 @@ export class Pointer
 
   press(event)
   {
-    event.preventDefault();
     this.element.focus({preventScroll: true});
     if (this.points.size >= 2)
     {
@@ -114,6 +115,10 @@ export class Pointer
     this.start = this.points.size === 0 ? point : null;
     this.points.set(event.pointerId, point);
     this.movement = movementOf(event.button, event.shiftKey, event.ctrlKey);
+    this.two = this.points.size === 2 && {
+      points: [...this.points.values()],
+      camera: this.viewer.camera.copy(),
+    };
   }
 
   isClick(event, point)
@@ -125,22 +130,23 @@ export class Pointer
 
   move(event)
   {
-    const before = [...this.points.values()];
+    const {camera} = this.viewer;
+    const before = this.points.get(event.pointerId);
     const point = this.pointOf(event);
-    if (!this.points.has(event.pointerId) || this.isClick(event, point))
+    if (!before || this.isClick(event, point))
     {
       return;
     }
     this.start = null;
     this.points.set(event.pointerId, point);
-    const after = [...this.points.values()];
-    if (after.length === 2)
+    if (this.points.size === 2)
     {
-      dragTwo(this.viewer.camera, before, after, this.size);
+      camera.assign(this.two.camera);
+      dragTwo(camera, this.two.points, [...this.points.values()], this.size);
     }
     else if (this.movement)
     {
-      drag(this.viewer.camera, this.movement, before[0], after[0], this.size);
+      drag(camera, this.movement, before, point, this.size);
     }
     this.viewer.moved();
   }
