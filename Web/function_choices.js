@@ -4,7 +4,7 @@
 import {colorMapPoints} from "./color_maps.js";
 import {endsOf, spreadPoints} from "./opacity_points.js";
 
-export const AS_WRITTEN = "as written";
+export const WRITTEN = "as written";
 
 /** Points of colours without those that repeat the first or the last colour. */
 export function trimColors(points)
@@ -48,7 +48,7 @@ export function chartRange(volumeRange, {color, opacity})
 /** The colours that a choice in the panel makes: { map, reversed, range }. */
 export function chosenColors(written, {map, reversed, range})
 {
-  if (map !== AS_WRITTEN)
+  if (map !== WRITTEN)
   {
     return colorMapPoints(map, ...range, reversed);
   }

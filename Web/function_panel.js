@@ -4,7 +4,7 @@
 import {COLOR_MAP_NAMES} from "./color_maps.js";
 import {Editor} from "./editor.js";
 import {byId, makeOption, shortNumber} from "./elements.js";
-import {AS_WRITTEN, chartRange, chosenColors, groupVolumes, trimColors} from "./function_choices.js";
+import {chartRange, chosenColors, groupVolumes, trimColors, WRITTEN} from "./function_choices.js";
 import {countValues} from "./histogram.js";
 import {endsOf, simplifyPoints} from "./opacity_points.js";
 
@@ -24,7 +24,7 @@ export class FunctionPanel
     this.index = 0;
     this.editor = new Editor(byId("editor"), (opacity) => this.change({opacity}),
       (index, points) => this.showPoint(index, points));
-    byId("color-map").append(...[AS_WRITTEN, ...COLOR_MAP_NAMES].map((name) => makeOption(name)));
+    byId("color-map").append(...[WRITTEN, ...COLOR_MAP_NAMES].map((name) => makeOption(name)));
     const groups = groupVolumes(volumes());
     byId("volume").append(...groups.map(({name}, i) => makeOption(i, name || `${i + 1}`)));
     byId("volume-row").hidden = groups.length < 2;
@@ -78,7 +78,7 @@ export class FunctionPanel
       written.opacity = simplifyPoints(written.opacity, TOLERANCE);
     }
     const range = endsOf(written.color);
-    return {written, opacity: written.opacity, map: AS_WRITTEN, reversed: false, range};
+    return {written, opacity: written.opacity, map: WRITTEN, reversed: false, range};
   }
 
   /** { color, opacity, nan } of the shown volume. */
@@ -168,7 +168,7 @@ export class FunctionPanel
     const {written} = this.state;
     this.change({
       opacity: written.opacity,
-      map: AS_WRITTEN,
+      map: WRITTEN,
       reversed: false,
       range: endsOf(written.color),
     });

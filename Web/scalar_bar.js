@@ -21,6 +21,14 @@ function titleLines(title, letters)
   return [short.slice(0, letters), short.slice(letters)].filter((line) => line.length > 0);
 }
 
+/** The width that the texts need; a letter of the font is about 7 units wide. */
+function widthOf(lines, ticks)
+{
+  const longest = (texts) => Math.max(0, ...texts.map((text) => text.length));
+  const labels = BAR.left + BAR.width + 14 + 7 * longest(ticks.map((tick) => shortNumber(tick)));
+  return Math.max(labels, BAR.left + 6 + 7 * longest(lines));
+}
+
 export class ScalarBar
 {
   constructor(svg)
@@ -42,20 +50,23 @@ export class ScalarBar
   draw()
   {
     const unit = parseFloat(getComputedStyle(this.svg).fontSize) / FONT;
-    const width = this.svg.clientWidth / unit;
     const height = this.svg.clientHeight / unit;
     if (!this.what || height === 0)
     {
       return;
     }
+    const barHeight = height - BAR.top - BAR.below;
+    const ticks = this.ticks(barHeight);
+    const lines = titleLines(this.what.title, 12);
+    const width = widthOf(lines, ticks);
+    this.svg.style.width = `${width / FONT}em`;
     this.parts.setAttribute("transform", `scale(${unit})`);
     this.title.textContent = `Colours of ${this.what.title}`;
     this.parts.replaceChildren();
     makeSvg("rect", {width, height, rx: 8, class: "back"}, this.parts);
-    titleLines(this.what.title, 12).forEach((line, i) => this.text(line, BAR.left, 13 + 13 * i));
-    const barHeight = height - BAR.top - BAR.below;
+    lines.forEach((line, i) => this.text(line, BAR.left, 13 + 13 * i));
     this.drawColors(barHeight);
-    this.drawTicks(barHeight);
+    this.drawTicks(ticks, barHeight);
   }
 
   /** The value at a share of the bar's height, and the other way round. */
@@ -89,11 +100,15 @@ export class ScalarBar
     }
   }
 
-  drawTicks(barHeight)
+  ticks(barHeight)
   {
     const {range, logarithmic} = this.what;
     const most = Math.max(2, Math.floor(barHeight / 32));
-    const ticks = logarithmic ? makeLogTicks(...range) : makeTicks(...range, most);
+    return logarithmic ? makeLogTicks(...range) : makeTicks(...range, most);
+  }
+
+  drawTicks(ticks, barHeight)
+  {
     const x1 = BAR.left + BAR.width;
     for (const tick of ticks)
     {
