@@ -67,6 +67,7 @@ async function start()
   setMode(mode === "all" ? "canvas" : mode);
   const canvas = byId("picture");
   const viewer = new Viewer(canvas, scene, new Archive(scene));
+  canvas.viewer = viewer; // for scripts, such as tests
   viewer.onerror = (text) => showMessage("The picture can't be drawn", text);
   watchContext(canvas);
   await load(viewer);
