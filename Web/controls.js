@@ -146,10 +146,9 @@ export class Controls
     });
     const full = byId("full-screen");
     full.hidden = !document.fullscreenEnabled;
-    full.addEventListener("click", () => {
-      return document.fullscreenElement ? document.exitFullscreen()
-                                        : byId("stage").requestFullscreen();
-    });
+    full.addEventListener("click", () => document.fullscreenElement
+                                           ? document.exitFullscreen()
+                                           : document.documentElement.requestFullscreen());
   }
 
   listenToDirections()

@@ -99,7 +99,10 @@ function fail(error)
   setMode("canvas");
   byId("loading").hidden = true;
   showMessage("The scene can't be shown", error.message);
-  document.title = "failed";
+  if (location.hash === "#bare")
+  {
+    document.title = "failed";
+  }
 }
 
 window.addEventListener("hashchange", () => location.reload());
