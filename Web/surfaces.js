@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Opaque triangles, drawn with WebGL 2 into the bound framebuffer: colours and depths.
-import {invert, multiply, transpose} from "./matrices.js";
+import {invert, multiply, transformPoint, transpose} from "./matrices.js";
+import {normalize} from "./vectors.js";
+
+const MOST_LIGHTS = 8; // of the shader
 
 /** The entry points of the program of surfaces. */
 export const SURFACE_SHADERS = ["web/surface.vert.glsl", "web/surface.frag.glsl"];
@@ -13,6 +16,22 @@ const ATTRIBUTES = [
   ["normals", 3, "FLOAT", false],
   ["colors", 4, "UNSIGNED_BYTE", true],
 ];
+
+// A headlight without other lights has a formula of its own, as in VTK.
+function lightUniforms(lights, viewMatrix)
+{
+  const inView = ({followsCamera, direction}) =>
+    normalize(followsCamera ? direction : transformPoint(viewMatrix, [...direction, 0]));
+  const padded = (numbers) => [...numbers, ...Array(3 * MOST_LIGHTS - numbers.length).fill(0)];
+  const [first] = lights;
+  return {
+    isHeadlight:
+      [Number(lights.length === 1 && first.followsCamera && first.direction.join() === "0,0,-1")],
+    lightCount: [lights.length],
+    lightDirections: padded(lights.flatMap((light) => inView(light).slice(0, 3))),
+    lightColors: padded(lights.flatMap(({color}) => color)),
+  };
+}
 
 class Triangles
 {
@@ -61,7 +80,8 @@ class Triangles
       normalToView: [0, 4, 8].flatMap((row) => fromView.slice(row, row + 3)),
       hasNormals: [Number(surface.normals !== null && !surface.flat)],
       hasColors: [Number(surface.colors !== null)],
-      isLit: [Number(surface.lighting)],
+      isLit: [Number(surface.lighting && surface.lights.length > 0)],
+      ...lightUniforms(surface.lights, camera.viewMatrix()),
       isParallel: [Number(camera.parallelProjection)],
       ambientColor: surface.ambientColor,
       diffuseColor: surface.color,

@@ -1,4 +1,4 @@
-// An opaque surface in the light of one headlight, as vtkOpenGLPolyDataMapper lights it.
+// An opaque surface in the light of distant lights, as vtkOpenGLPolyDataMapper lights it.
 #include "language.glsl"
 
 //VTK::Output::Dec
@@ -11,6 +11,10 @@ uniform bool hasNormals; // else it is flat
 uniform bool hasColors; // else they are those of the material
 uniform bool isLit;
 uniform bool isParallel;
+uniform bool isHeadlight; // and no other light
+uniform int lightCount;
+uniform vec3 lightDirections[8]; // in which they shine
+uniform vec3 lightColors[8];
 uniform vec3 ambientColor;
 uniform vec3 diffuseColor;
 uniform vec3 specularColor; // times its strength
@@ -28,13 +32,34 @@ vec3 flatNormal()
 
 vec3 smoothNormal() { return gl_FrontFacing ? normalize(viewNormal) : -normalize(viewNormal); }
 
+struct Reflected
+{
+  vec3 diffuse;
+  vec3 specular;
+};
+
+// The shares of the light that are reflected. VTK takes the eye as far away if there is but a headlight.
+Reflected reflected(vec3 across)
+{
+  Reflected sum = Reflected(vec3(0.0), vec3(0.0));
+  vec3 towardsEye = normalize(-viewPosition);
+  for (int i = 0; i < lightCount; ++i)
+  {
+    float facing = max(0.0, -dot(across, lightDirections[i]));
+    float mirrored = isHeadlight ? facing : max(0.0, dot(reflect(lightDirections[i], across), towardsEye));
+    sum.diffuse += facing * lightColors[i];
+    sum.specular += (facing > 0.0 ? pow(mirrored, specularPower) : 0.0) * lightColors[i];
+  }
+  return sum;
+}
+
 void main()
 {
   vec3 ambientLight = ambient * (hasColors ? pointColor.rgb : ambientColor);
   vec3 diffuseLight = diffuse * (hasColors ? pointColor.rgb : diffuseColor);
   vec3 onPlane = flatNormal(); // derivatives need uniform control flow
-  float facing = max(0.0, hasNormals ? smoothNormal().z : onPlane.z);
-  float glossy = facing > 0.0 ? pow(facing, specularPower) : 0.0;
-  vec3 lit = ambientLight + facing * diffuseLight + glossy * specularColor;
+  vec3 across = hasNormals ? smoothNormal() : onPlane;
+  Reflected share = reflected(across);
+  vec3 lit = ambientLight + share.diffuse * diffuseLight + share.specular * specularColor;
   gl_FragData[0] = vec4(isLit ? lit : ambientLight + diffuseLight, 1.0);
 }

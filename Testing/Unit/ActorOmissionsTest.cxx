@@ -8,7 +8,6 @@
 
 #include "vtkActor2D.h"
 #include "vtkDataSetMapper.h"
-#include "vtkLight.h"
 #include "vtkPlane.h"
 #include "vtkProperty.h"
 #include "vtkVolume.h"
@@ -87,8 +86,6 @@ TEST(ActorOmissions, AreSentences)
         "volumes." } },
     { [&](vtkRenderer* r, vtkActor*) { hidden(r, vtkNew<vtkActor2D>()); }, {} },
     { [](vtkRenderer* r, vtkActor*) { r->AddVolume(vtkNew<vtkVolume>()); }, {} },
-    { [](vtkRenderer* r, vtkActor*) { r->AddLight(vtkNew<vtkLight>()); },
-      { "The lights of the scene do not light the surfaces in the page: it has a headlight." } },
   };
   for (const Case& one : cases)
   {

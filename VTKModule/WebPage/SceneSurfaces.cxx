@@ -6,8 +6,6 @@
 #include "WebPage/SurfaceTriangles.h"
 
 #include "vtkActor.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -37,34 +35,6 @@ void setMaterial(const OpaqueSurface& drawn, Surface& surface)
   surface.BackFaces = !property->GetBackfaceCulling();
 }
 
-bool isPlainHeadlight(vtkLight* light)
-{
-  const double* color = light->GetDiffuseColor();
-  const double* specular = light->GetSpecularColor();
-  const auto isOne = [](double x) { return x == 1.0; };
-  return light->LightTypeIsHeadlight() && !light->GetPositional() && isOne(light->GetIntensity()) &&
-         std::all_of(color, color + 3, isOne) && std::all_of(specular, specular + 3, isOne);
-}
-
-// Without a light VTK adds a headlight.
-bool isLitByOneHeadlight(vtkRenderer* renderer)
-{
-  vtkLightCollection* lights = renderer->GetLights();
-  int others = 0;
-  int headlights = 0;
-  vtkCollectionSimpleIterator at;
-  lights->InitTraversal(at);
-  while (vtkLight* light = lights->GetNextLight(at))
-  {
-    if (light->GetSwitch())
-    {
-      ++(isPlainHeadlight(light) ? headlights : others);
-    }
-  }
-  const bool made = lights->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation();
-  return others == 0 && headlights == (made ? 0 : 1);
-}
-
 } // namespace
 
 std::vector<Surface> opaqueSurfaces(
@@ -84,12 +54,15 @@ std::vector<Surface> opaqueSurfaces(
   surfaces.erase(std::remove_if(surfaces.begin(), surfaces.end(),
                    [](const Surface& surface) { return surface.Triangles.empty(); }),
     surfaces.end());
-  addActorOmissions(renderer, omissions);
-  if (!surfaces.empty() && !isLitByOneHeadlight(renderer))
+  if (!surfaces.empty())
   {
-    omissions.push_back(
-      "The lights of the scene do not light the surfaces in the page: it has a headlight.");
+    const std::vector<SurfaceLight> lights = surfaceLights(renderer, omissions);
+    for (Surface& surface : surfaces)
+    {
+      surface.Lights = lights;
+    }
   }
+  addActorOmissions(renderer, omissions);
   return surfaces;
 }
 

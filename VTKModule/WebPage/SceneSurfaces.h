@@ -5,6 +5,7 @@
 #define TetMarchWebPageSceneSurfaces_h
 
 #include "Light/OpaqueSurfaces.h"
+#include "WebPage/SurfaceLights.h"
 
 #include <array>
 #include <cstdint>
@@ -28,7 +29,8 @@ struct Surface
   double Specular = 0.0;
   std::array<double, 3> SpecularColor{};
   double SpecularPower = 1.0;
-  bool Lighting = true;
+  bool Lighting = true; // else all light is the colours above
+  std::vector<SurfaceLight> Lights;
   bool Flat = false;
   bool FrontFaces = true; // whether they are drawn
   bool BackFaces = true;
