@@ -15,6 +15,7 @@ const ATTRIBUTES = [
   ["positions", 3, "FLOAT", false],
   ["normals", 3, "FLOAT", false],
   ["colors", 4, "UNSIGNED_BYTE", true],
+  ["tableCoordinates", 2, "FLOAT", false],
 ];
 
 // A headlight without other lights has a formula of its own, as in VTK.
@@ -31,6 +32,25 @@ function lightUniforms(lights, viewMatrix)
     lightDirections: padded(lights.flatMap((light) => inView(light).slice(0, 3))),
     lightColors: padded(lights.flatMap(({color}) => color)),
   };
+}
+
+// Colours of 4 bytes, in rows; VTK takes the nearest one.
+function colorTable(gl, bytes, width)
+{
+  const bound = {target: gl.TEXTURE_2D, texture: gl.createTexture()};
+  gl.activeTexture(gl.TEXTURE0);
+  gl.bindTexture(bound.target, bound.texture);
+  for (const name of ["MIN_FILTER", "MAG_FILTER"])
+  {
+    gl.texParameteri(bound.target, gl[`TEXTURE_${name}`], gl.NEAREST);
+  }
+  for (const name of ["WRAP_S", "WRAP_T"])
+  {
+    gl.texParameteri(bound.target, gl[`TEXTURE_${name}`], gl.CLAMP_TO_EDGE);
+  }
+  const size = [width, bytes.length / 4 / width];
+  gl.texImage2D(bound.target, 0, gl.RGBA8, ...size, 0, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+  return bound;
 }
 
 class Triangles
@@ -53,6 +73,9 @@ class Triangles
     this.fill(gl.ELEMENT_ARRAY_BUFFER, indices);
     this.count = indices.length;
     gl.bindVertexArray(null);
+    this.table = surface.table === null
+                   ? colorTable(gl, new Uint8Array(4), 1)
+                   : colorTable(gl, archive.array(surface.table), surface.tableWidth);
   }
 
   fill(target, array)
@@ -80,6 +103,7 @@ class Triangles
       normalToView: [0, 4, 8].flatMap((row) => fromView.slice(row, row + 3)),
       hasNormals: [Number(surface.normals !== null && !surface.flat)],
       hasColors: [Number(surface.colors !== null)],
+      hasTable: [Number(surface.table !== null)],
       isLit: [Number(surface.lighting && surface.lights.length > 0)],
       ...lightUniforms(surface.lights, camera.viewMatrix()),
       isParallel: [Number(camera.parallelProjection)],
@@ -107,7 +131,7 @@ class Triangles
     const uniforms = this.uniforms(camera, aspect);
     if (uniforms)
     {
-      program.use(uniforms, {});
+      program.use(uniforms, {colorTable: this.table});
       this.cull();
       gl.bindVertexArray(this.vertexArray);
       gl.drawElements(gl.TRIANGLES, this.count, gl.UNSIGNED_INT, 0);
@@ -118,13 +142,14 @@ class Triangles
   {
     this.buffers.forEach((buffer) => this.gl.deleteBuffer(buffer));
     this.gl.deleteVertexArray(this.vertexArray);
+    this.gl.deleteTexture(this.table.texture);
   }
 }
 
 /** The arrays that surfaces need, by their indices. */
 export function surfaceArrays(surfaces)
 {
-  const names = ["triangles", ...ATTRIBUTES.map(([name]) => name)];
+  const names = ["triangles", "table", ...ATTRIBUTES.map(([name]) => name)];
   return surfaces.flatMap((surface) => names.map((name) => surface[name]))
     .filter((index) => index !== null);
 }

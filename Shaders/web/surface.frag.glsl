@@ -6,9 +6,12 @@
 in vec3 viewPosition;
 in vec3 viewNormal;
 in vec4 pointColor;
+in vec2 pointInTable;
 
 uniform bool hasNormals; // else it is flat
-uniform bool hasColors; // else they are those of the material
+uniform bool hasColors; // at points
+uniform bool hasTable; // in place of them; with neither, colours are those of the material
+uniform sampler2D colorTable;
 uniform bool isLit;
 uniform bool isParallel;
 uniform bool isHeadlight; // and no other light
@@ -55,8 +58,10 @@ Reflected reflected(vec3 across)
 
 void main()
 {
-  vec3 ambientLight = ambient * (hasColors ? pointColor.rgb : ambientColor);
-  vec3 diffuseLight = diffuse * (hasColors ? pointColor.rgb : diffuseColor);
+  vec3 mapped = hasTable ? textureLod(colorTable, pointInTable, 0.0).rgb : pointColor.rgb;
+  bool isMapped = hasTable || hasColors;
+  vec3 ambientLight = ambient * (isMapped ? mapped : ambientColor);
+  vec3 diffuseLight = diffuse * (isMapped ? mapped : diffuseColor);
   vec3 onPlane = flatNormal(); // derivatives need uniform control flow
   vec3 across = hasNormals ? smoothNormal() : onPlane;
   Reflected share = reflected(across);

@@ -1,25 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The surfaces of a page: triangles with the colours, normals and materials of VTK.
-#include "WebPage/SceneSurfaces.h"
-
-#include "OpaqueProps.h"
-#include "Shot.h"
+// The surfaces of a page: triangles with the normals and materials of VTK.
+#include "SurfacesOfRenderer.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositePolyDataMapper.h"
 #include "vtkDataSetMapper.h"
-#include "vtkFloatArray.h"
-#include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 
-#include <algorithm>
-#include <gtest/gtest.h>
 #include <limits>
-#include <stdexcept>
 
 namespace
 {
@@ -27,73 +19,7 @@ using namespace tetmarch;
 using namespace tetmarch::testing;
 
 using Numbers = std::vector<std::uint32_t>;
-using Bytes = std::vector<std::uint8_t>;
-
-vtkSmartPointer<vtkFloatArray> arrayOf(const char* name, const std::vector<float>& values)
-{
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetName(name);
-  for (const float value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  return array;
-}
-
-// A quadrilateral over the points 0 1 3 2 below a strip of two triangles over 4 5 6 7, and a
-// vertex.
-vtkSmartPointer<vtkPolyData> patch()
-{
-  vtkNew<vtkPoints> points;
-  for (const double y : { 0.0, 1.0, 1.0, 2.0 })
-  {
-    points->InsertNextPoint(10.0, y, 0.0);
-    points->InsertNextPoint(11.0, y, 0.0);
-  }
-  vtkNew<vtkCellArray> vertices, polygons, strips;
-  vertices->InsertNextCell({ 0 });
-  polygons->InsertNextCell({ 0, 1, 3, 2 });
-  strips->InsertNextCell({ 4, 5, 6, 7 });
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetVerts(vertices);
-  data->SetPolys(polygons);
-  data->SetStrips(strips);
-  return data;
-}
-
-class SceneSurfaces : public ::testing::Test
-{
-protected:
-  std::vector<Surface> surfaces(BlockAttributes attributes = nullptr)
-  {
-    std::vector<std::string> omissions;
-    return opaqueSurfaces(this->Renderer, omissions, attributes);
-  }
-
-  Surface only()
-  {
-    const auto found = this->surfaces();
-    return found.size() == 1 ? found.front() : throw std::length_error("not one surface");
-  }
-
-  vtkActor* add(vtkPolyData* data)
-  {
-    const auto actor = actorOf(data);
-    this->Renderer->AddActor(actor);
-    return actor;
-  }
-
-  static Vector3 placeOf(const Surface& surface, std::size_t point)
-  {
-    double q[4] = { 0.0, 0.0, 0.0, 1.0 };
-    std::copy_n(surface.Positions.begin() + 3 * point, 3, q);
-    vtkMatrix4x4::MultiplyPoint(surface.Matrix.data(), q, q);
-    return { { q[0], q[1], q[2] } };
-  }
-
-  vtkNew<WindowlessRenderer> Renderer;
-};
+using SceneSurfaces = SurfacesOfRenderer;
 
 TEST_F(SceneSurfaces, ArePolygonsAndStripsWhereTheActorIs)
 {
@@ -147,68 +73,6 @@ TEST_F(SceneSurfaces, HaveTheMaterialOfTheirActor)
   EXPECT_TRUE(surface.Flat);
   EXPECT_TRUE(surface.FrontFaces);
   EXPECT_FALSE(surface.BackFaces);
-}
-
-// Red for scalars below 0.5, else blue.
-vtkSmartPointer<vtkLookupTable> twoColors()
-{
-  auto table = vtkSmartPointer<vtkLookupTable>::New();
-  table->SetNumberOfTableValues(2);
-  table->SetTableValue(0, 1.0, 0.0, 0.0);
-  table->SetTableValue(1, 0.0, 0.0, 1.0);
-  return table;
-}
-const Bytes Red = { 255, 0, 0, 255 };
-const Bytes Blue = { 0, 0, 255, 255 };
-
-Bytes colorAt(const Surface& surface, std::size_t point)
-{
-  const auto at = surface.Colors.begin() + 4 * static_cast<std::ptrdiff_t>(point);
-  return { at, at + 4 };
-}
-
-TEST_F(SceneSurfaces, HaveColorsOfPointsByTheMappersTable)
-{
-  const auto data = patch();
-  data->GetPointData()->SetScalars(arrayOf("s", { 0, 1, 0, 1, 0, 0, 0, 1 }));
-  vtkMapper* mapper = this->add(data)->GetMapper();
-  mapper->SetLookupTable(twoColors());
-  for (const bool toTexture : { false, true })
-  {
-    mapper->SetInterpolateScalarsBeforeMapping(toTexture);
-    const Surface surface = this->only();
-    ASSERT_EQ(surface.Colors.size(), 32u);
-    // Points are in the order of their first triangle: 0 1 3 2, 4 5 6 7.
-    const Bytes expected[] = { Red, Blue, Blue, Red, Red, Red, Red, Blue };
-    for (std::size_t i = 0; i < 8; ++i)
-    {
-      EXPECT_EQ(colorAt(surface, i), expected[i]) << i;
-    }
-  }
-  mapper->ScalarVisibilityOff();
-  EXPECT_TRUE(this->only().Colors.empty());
-}
-
-// The first cell is a vertex, which the page does not show.
-TEST_F(SceneSurfaces, HaveColorsOfCellsAtRepeatedPoints)
-{
-  const auto data = plate({ { 0.0, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } });
-  vtkNew<vtkCellArray> vertices, polygons;
-  vertices->InsertNextCell({ 0 });
-  polygons->InsertNextCell({ 0, 1, 2 });
-  polygons->InsertNextCell({ 2, 1, 3 });
-  data->SetVerts(vertices);
-  data->SetPolys(polygons);
-  data->GetCellData()->SetScalars(arrayOf("s", { 0, 0, 1 }));
-  vtkMapper* mapper = this->add(data)->GetMapper();
-  mapper->SetLookupTable(twoColors());
-  const Surface surface = this->only();
-  EXPECT_EQ(surface.Triangles, (Numbers{ 0, 1, 2, 3, 4, 5 }));
-  for (std::size_t i = 0; i < 6; ++i)
-  {
-    EXPECT_EQ(colorAt(surface, i), i < 3 ? Red : Blue) << i;
-  }
-  EXPECT_EQ(placeOf(surface, 3), placeOf(surface, 2));
 }
 
 TEST_F(SceneSurfaces, HaveNormalsOfPointsOrElseOfCellsUnlessFlat)

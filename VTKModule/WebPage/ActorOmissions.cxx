@@ -156,8 +156,6 @@ private:
     this->addIf(property->GetInterpolation() == VTK_PBR,
       "Physically based light on {} is not in the page: it has ambient, diffuse and specular "
       "light.");
-    this->addIf(mapper->GetScalarVisibility() && mapper->GetInterpolateScalarsBeforeMapping(),
-      "Scalars of {} are mapped at points in the page, and colours interpolated between them.");
   }
 
   void add(const std::string& sentence) { ++this->Actors[sentence]; }

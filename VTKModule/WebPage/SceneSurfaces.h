@@ -17,10 +17,13 @@ namespace tetmarch
 
 struct Surface
 {
-  std::array<double, 16> Matrix{};      // from positions to the world, row by row
-  std::vector<float> Positions;         // three per point
-  std::vector<float> Normals;           // three per point, or none: those of the triangles
-  std::vector<std::uint8_t> Colors;     // four per point, or none: the colours below
+  std::array<double, 16> Matrix{};     // from positions to the world, row by row
+  std::vector<float> Positions;        // three per point
+  std::vector<float> Normals;          // three per point, or none: those of the triangles
+  std::vector<std::uint8_t> Colors;    // four per point, or none: of the table or those below
+  std::vector<float> TableCoordinates; // two per point, 0..1 in a table of colours, or none
+  std::vector<std::uint8_t> Table;     // four per colour, in rows from the bottom
+  int TableWidth = 0;
   std::vector<std::uint32_t> Triangles; // three points each
   std::array<double, 3> Color{};        // of diffuse light
   std::array<double, 3> AmbientColor{};

@@ -8,6 +8,8 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -46,25 +48,34 @@ struct Attribute
   }
 };
 
-// A copy maps the scalars: the mapper itself may map them to a texture, and keeps what it has.
-Attribute colorsOf(const OpaqueSurface& drawn)
+struct MappedScalars
 {
-  Attribute colors;
+  Attribute Colors;
+  Attribute TableCoordinates; // in place of colours
+  vtkSmartPointer<vtkImageData> Table;
+};
+
+// A copy maps the scalars: the mapper itself keeps what it has mapped.
+MappedScalars mappedScalars(const OpaqueSurface& drawn)
+{
+  MappedScalars mapped;
   if (drawn.BlockColor)
   {
-    return colors;
+    return mapped;
   }
   vtkNew<vtkPolyDataMapper> copy;
   copy->vtkMapper::ShallowCopy(drawn.Mapper);
-  copy->InterpolateScalarsBeforeMappingOff();
   int owner = 0;
+  Attribute& colors = mapped.Colors;
   colors.Values = copy->MapScalars(drawn.Data, 1.0, owner);
+  mapped.TableCoordinates.Values = copy->GetColorCoordinates();
+  mapped.Table = copy->GetColorTextureMap();
   const bool one = owner == 2 && copy->GetFieldDataTupleId() >= 0;
   colors.Owner = one          ? Attribute::Of::All
                  : owner == 0 ? Attribute::Of::Points
                               : Attribute::Of::Cells;
   colors.Tuple = one ? copy->GetFieldDataTupleId() : 0;
-  return colors;
+  return mapped;
 }
 
 Attribute normalsOf(vtkPolyData* data, bool flat)
@@ -93,9 +104,9 @@ public:
   Builder(const OpaqueSurface& drawn, Surface& surface)
     : Data(drawn.Data)
     , Filled(surface)
-    , Colors(colorsOf(drawn))
+    , Scalars(mappedScalars(drawn))
     , Normals(normalsOf(drawn.Data, surface.Flat))
-    , PerCell(Colors.isOfCells() || Normals.isOfCells())
+    , PerCell(Scalars.Colors.isOfCells() || Normals.isOfCells())
     , Numbers(static_cast<std::size_t>(drawn.Data->GetNumberOfPoints()), Unused)
   {
     double bounds[6];
@@ -124,6 +135,18 @@ public:
         const vtkIdType odd = i % 2;
         this->addTriangle(p[i - 2], p[i - 1 + odd], p[i - odd]);
       });
+  }
+
+  void addTable()
+  {
+    vtkImageData* table = this->Scalars.Table;
+    if (table && this->Scalars.TableCoordinates.Values)
+    {
+      vtkDataArray* colors = table->GetPointData()->GetScalars();
+      const auto* bytes = static_cast<const std::uint8_t*>(colors->GetVoidPointer(0));
+      this->Filled.Table.assign(bytes, bytes + colors->GetNumberOfValues());
+      this->Filled.TableWidth = table->GetDimensions()[0];
+    }
   }
 
   void skip(vtkCellArray* cells) { this->Cell += cells->GetNumberOfCells(); }
@@ -185,22 +208,25 @@ private:
     {
       this->Filled.Positions.push_back(static_cast<float>(x));
     }
-    if (this->Normals.Values)
+    this->append(this->Normals, i, this->Filled.Normals);
+    this->append(this->Scalars.Colors, i, this->Filled.Colors);
+    this->append(this->Scalars.TableCoordinates, i, this->Filled.TableCoordinates);
+  }
+
+  template <typename T>
+  void append(const Attribute& attribute, vtkIdType point, std::vector<T>& values) const
+  {
+    const vtkIdType tuple = attribute.tupleOf(point, this->Cell);
+    const int components = attribute.Values ? attribute.Values->GetNumberOfComponents() : 0;
+    for (int k = 0; k < components; ++k)
     {
-      Vector3 normal;
-      this->Normals.Values->GetTuple(this->Normals.tupleOf(i, this->Cell), normal.data());
-      this->Filled.Normals.insert(this->Filled.Normals.end(), normal.begin(), normal.end());
-    }
-    if (auto* colors = vtkUnsignedCharArray::SafeDownCast(this->Colors.Values))
-    {
-      const unsigned char* color = colors->GetPointer(4 * this->Colors.tupleOf(i, this->Cell));
-      this->Filled.Colors.insert(this->Filled.Colors.end(), color, color + 4);
+      values.push_back(static_cast<T>(attribute.Values->GetComponent(tuple, k)));
     }
   }
 
   vtkPolyData* Data;
   Surface& Filled;
-  Attribute Colors;
+  MappedScalars Scalars;
   Attribute Normals;
   bool PerCell;
   Vector3 Origin{};
@@ -217,6 +243,7 @@ void addTriangles(const OpaqueSurface& drawn, Surface& surface)
   builder.skip(drawn.Data->GetLines());
   builder.addPolygons();
   builder.addStrips();
+  builder.addTable();
 }
 
 } // namespace tetmarch
