@@ -51,15 +51,15 @@ export class FunctionPanel
       this.index = Number(byId("volume").value);
       this.show();
     });
-    on("point-value", "change", () => this.movePoint());
-    on("point-opacity", "change", () => this.movePoint());
+    ["point-value", "point-opacity"].forEach(
+      (id, part) => on(id, "change", () => this.movePoint(part, byId(id).valueAsNumber)));
     on("point-add", "click", () => this.editor.add());
     on("point-remove", "click", () => this.editor.remove());
     on("functions-reset", "click", () => this.reset());
     on("color-map", "change", () => this.change({map: byId("color-map").value}));
     on("color-reversed", "change", () => this.change({reversed: byId("color-reversed").checked}));
-    on("color-low", "change", () => this.changeRange());
-    on("color-high", "change", () => this.changeRange());
+    ["color-low", "color-high"].forEach(
+      (id, end) => on(id, "change", () => this.changeRange(end, byId(id))));
   }
 
   get state()
@@ -128,39 +128,44 @@ export class FunctionPanel
     this.editor.show({...functions, range, counts, countsRange: group.range});
     byId("color-map").value = state.map;
     byId("color-reversed").checked = state.reversed;
-    byId("color-low").value = shortNumber(state.range[0], 7);
-    byId("color-high").value = shortNumber(state.range[1], 7);
-    byId("color-high").setCustomValidity("");
+    ["color-low", "color-high"].forEach((id, end) => {
+      byId(id).value = shortNumber(state.range[end]);
+      byId(id).setCustomValidity("");
+    });
   }
 
   showPoint(index, points)
   {
-    byId("point-value").value = shortNumber(points[index][0], 7);
-    byId("point-opacity").value = shortNumber(points[index][1], 7);
+    byId("point-value").value = shortNumber(points[index][0]);
+    byId("point-opacity").value = shortNumber(points[index][1]);
     byId("point-remove").disabled = points.length < 2;
   }
 
-  movePoint()
+  /** part: 0 for the value of the chosen point, 1 for its opacity; what isn't typed stays exact. */
+  movePoint(part, number)
   {
-    const to = ["point-value", "point-opacity"].map((id) => byId(id).valueAsNumber);
-    if (to.every(Number.isFinite))
+    const {editor} = this;
+    const to = [...editor.points[editor.chosen]];
+    if (Number.isFinite(number))
     {
-      this.editor.move(to);
+      to[part] = number;
+      editor.move(to);
     }
-    this.showPoint(this.editor.chosen, this.editor.points);
+    this.showPoint(editor.chosen, editor.points);
   }
 
-  changeRange()
+  /** end: 0 for the value of the first colour, 1 for that of the last. */
+  changeRange(end, input)
   {
-    const range = ["color-low", "color-high"].map((id) => byId(id).valueAsNumber);
-    const valid = range.every(Number.isFinite) && range[0] < range[1];
-    if (valid)
+    const range = [...this.state.range];
+    range[end] = input.valueAsNumber;
+    if (range[0] < range[1])
     {
       this.change({range});
       return;
     }
-    byId("color-high").setCustomValidity("This value must be above the first one.");
-    byId("color-high").reportValidity();
+    input.setCustomValidity("The value on the left must be below the one on the right.");
+    input.reportValidity();
   }
 
   reset()

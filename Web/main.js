@@ -26,9 +26,20 @@ function hideMessage()
   byId("message").hidden = true;
 }
 
+const isBare = () => location.hash === "#bare";
+
 function modeOf(scene)
 {
-  return location.hash === "#bare" ? "bare" : scene.controls === "none" ? "canvas" : "all";
+  return isBare() ? "bare" : scene.controls === "none" ? "canvas" : "all";
+}
+
+function fail(title, text)
+{
+  showMessage(title, text);
+  if (isBare())
+  {
+    document.title = "failed";
+  }
 }
 
 function setMode(mode)
@@ -68,7 +79,7 @@ async function start()
   const canvas = byId("picture");
   const viewer = new Viewer(canvas, scene, new Archive(scene));
   canvas.viewer = viewer; // for scripts, such as tests
-  viewer.onerror = (text) => showMessage("The picture can't be drawn", text);
+  viewer.onerror = (text) => fail("The picture can't be drawn", text);
   watchContext(canvas);
   await load(viewer);
   setMode(mode);
@@ -94,16 +105,9 @@ async function start()
   }
 }
 
-function fail(error)
-{
+window.addEventListener("hashchange", () => location.reload());
+start().catch((error) => {
   setMode("canvas");
   byId("loading").hidden = true;
-  showMessage("The scene can't be shown", error.message);
-  if (location.hash === "#bare")
-  {
-    document.title = "failed";
-  }
-}
-
-window.addEventListener("hashchange", () => location.reload());
-start().catch(fail);
+  fail("The scene can't be shown", error.message);
+});
