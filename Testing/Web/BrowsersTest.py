@@ -128,6 +128,9 @@ class Browsers:
         self.open("")
         with self.assertRaisesRegex(TimeoutError, "'loading', not 'ready'"):
             self.browser.wait_title("ready", 0.1)
+        self.open("nowhere()")
+        with self.assertRaisesRegex(RuntimeError, "The console says: .*nowhere is not defined"):
+            self.browser.wait_title("ready", 20)
         self.open('document.title = "failed"; document.body.append("no such thing")')
         with self.assertRaisesRegex(RuntimeError, "The page says: no such thing"):
             self.browser.wait_title("ready", 20)

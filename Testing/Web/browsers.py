@@ -50,6 +50,12 @@ class Browser:
 
     def __init__(self, session):
         self.session = session
+        self.heard = []
+
+    def console(self):
+        """The errors and warnings since the page was opened or this was called."""
+        said, self.heard = self.heard + self.new_messages(), []
+        return said
 
     def run(self, script, *arguments):
         """The value that the body of a function returns in the page; a promise is awaited."""
@@ -64,12 +70,15 @@ class Browser:
         self.session.call("Navigate", url=url + ("#" + fragment if fragment else ""))
 
     def wait_title(self, title, seconds):
-        """Seconds from open() until the document has this title; a page that shows an error has "failed"."""
+        """Seconds from open() until the document has this title; fails at once if a script does or it is "failed"."""
         while (shown := self.run("return document.title")) != title:
             if shown == "failed":
                 raise RuntimeError("The page says: " + self.run("return document.body.innerText"))
+            self.heard += self.new_messages()
+            if any(re.search("Uncaught|JavaScript Error", message) for message in self.heard):
+                raise RuntimeError(f"The console says: {self.heard}")
             if time.monotonic() > self.opened + seconds:
-                raise TimeoutError(f"After {seconds} s the title is {shown!r}, not {title!r}; {self.console()}")
+                raise TimeoutError(f"After {seconds} s the title is {shown!r}, not {title!r}")
             time.sleep(0.02)
         return time.monotonic() - self.opened
 
@@ -117,8 +126,7 @@ class Browser:
 
 
 class Chromium(Browser):
-    def console(self):
-        """The errors and warnings since the page was opened or this was called."""
+    def new_messages(self):
         return [f"{entry['level']}: {entry['message']}" for entry in self.session.call("Log", type="browser")
                 if entry["level"] in ("WARNING", "SEVERE")]
 
@@ -159,8 +167,7 @@ class Firefox(Browser):
         finally:
             self.session.call("SetContext", prefix="Marionette:", value="content")
 
-    def console(self):
-        """The errors and warnings since the page was opened or this was called."""
+    def new_messages(self):
         self.run(TWO_FRAMES)  # the GL of the page has a process of its own
         return self.in_browser("return Services.ppmm.tetmarch.splice(0)")
 

@@ -42,7 +42,7 @@ def check_all(folder, which):
     pages = sorted(folder.glob("*.html"))
     if not pages:
         sys.exit(f"There is no page in {folder}")
-    failed, most, rms = 0, 0, 0.0
+    failed, compared, most, rms = 0, 0, 0, 0.0
     with browser(*which) as opened:
         renderer = opened.renderer()
         for page in pages:
@@ -54,8 +54,10 @@ def check_all(folder, which):
             if wrong:
                 print(f"{page.stem}: {'; '.join(wrong)}", flush=True)
             if apart:
+                compared += 1
                 most, rms = max(most, apart.most), max(rms, apart.rms)
-    print(f"{' '.join(which)} ({renderer}): {len(pages)} pages, {failed} wrong, max {most}/255, RMS {rms:.3f}/255")
+    print(f"{' '.join(which)} ({renderer}): {len(pages)} pages, {failed} wrong; {compared} pictures compared, "
+          f"max {most}/255, RMS {rms:.3f}/255")
     return failed
 
 
