@@ -28,16 +28,16 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}"
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 
 set(tetmarch_vtk_components
-  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms ParallelCore
-  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2
-  zlib)
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms FiltersCore FiltersGeometry
+  IOExport ParallelCore RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume
+  RenderingVolumeOpenGL2 jsoncpp vtksys zlib)
 if (TETMARCH_WRAP_PYTHON)
   list(APPEND tetmarch_vtk_components Python WrappingPythonCore)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${tetmarch_vtk_components}
   OPTIONAL_COMPONENTS
-    ChartsCore FiltersCore FiltersGeneral FiltersGeometry FiltersSources FiltersHybrid GUISupportQt ImagingCore
+    ChartsCore FiltersGeneral FiltersSources FiltersHybrid GUISupportQt ImagingCore
     InteractionStyle InteractionWidgets IOCGNSReader IOExodus IOImage IOLegacy IOXML RenderingContextOpenGL2
     TestingRendering ViewsContext2D)
 

@@ -199,6 +199,7 @@ export class FunctionPanel
     {
       this.viewer.setFunctions(index, this.functions);
     }
+    this.viewer.moved(); // a coarse frame comes first
     this.onChange();
   }
 }

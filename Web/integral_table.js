@@ -168,7 +168,7 @@ export function transparentRangesOf(values)
 }
 
 /** The difference of the scalars stored as 1 and 0. */
-export const widthOf = ([ low, high ]) => (high > low ? high - low : 1);
+export const widthOfRange = ([ low, high ]) => (high > low ? high - low : 1);
 
 /** The table of the functions over a range of scalars. */
 export function integralTable(functions, law, range, level)
@@ -182,7 +182,7 @@ export function integralTable(functions, law, range, level)
   hideUnseenColors(entries);
   const values = new Float32Array(entries);
   // The position of a stored scalar s = 0..1 in the table, in entries, is scale s + offset.
-  const scale = (widthOf(range) / (end - begin)) * (size - 5);
+  const scale = (widthOfRange(range) / (end - begin)) * (size - 5);
   const offset = 2 + ((range[0] - begin) / (end - begin)) * (size - 5);
   const variations = variationsOf(entries, values);
   return { size, values, variations, scale, offset, ...integralsOf(entries) };

@@ -98,6 +98,10 @@ async function start()
     }
   };
   viewer.draw();
+  if (mode !== "bare")
+  {
+    viewer.moved(); // a coarse frame comes first
+  }
   await viewer.complete;
   if (mode === "bare")
   {

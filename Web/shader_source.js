@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Complete shaders from the files of Shaders/: their #include lines are followed, once per file, and
-// their conditions evaluated, by the rules of Shaders/README.md.
+// Complete shaders from the files of Shaders/: their #include lines are followed, once per file,
+// and their conditions evaluated, by the rules of Shaders/README.md.
 
 function parseCondition(text, symbols)
 {
@@ -66,10 +66,7 @@ class Conditions
     this.levels = [];
   }
 
-  get active()
-  {
-    return this.levels.length === 0 || this.levels[this.levels.length - 1].active;
-  }
+  get active() { return this.levels.length === 0 || this.levels[this.levels.length - 1].active; }
 
   define(line)
   {
@@ -92,7 +89,7 @@ class Conditions
     {
       const outer = this.active;
       const active = outer && parseCondition(line.slice(4), this.symbols);
-      this.levels.push({ outer, active, done: active });
+      this.levels.push({ outer, active, done : active });
     }
     else if (line.startsWith("#elif "))
     {
@@ -116,6 +113,10 @@ class Conditions
   }
 }
 
+const PRECISION = [ "float", "int", "sampler2D", "usampler2D", "sampler2DArray" ]
+                    .map((type) => `precision highp ${type};\n`)
+                    .join("");
+
 // The outputs of a fragment shader, which GLSL ES declares by name.
 function withOutputs(text)
 {
@@ -130,8 +131,8 @@ function withOutputs(text)
 }
 
 /**
- * The text of an entry point in GLSL ES 3.00. files: texts by name; features: names that are on, all
- * others of allFeatures are off; header: lines before the text.
+ * The text of an entry point in GLSL ES 3.00. files: texts by name; features: names that are on,
+ * all others of allFeatures are off; header: lines before the text.
  */
 export function composeShader(files, entry, allFeatures, features, header = "")
 {
@@ -178,5 +179,5 @@ export function composeShader(files, entry, allFeatures, features, header = "")
     }
   };
   append(entry);
-  return withOutputs(`#version 300 es\n${header}${lines.join("\n")}\n`);
+  return withOutputs(`#version 300 es\n${PRECISION}${header}${lines.join("\n")}\n`);
 }

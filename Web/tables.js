@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tables of the march from the transfer functions of a volume, as Appearance/TransferTables.cxx
 // makes them and GL/TableTextures.cxx uploads and binds them.
-import {integralTable, slopeVariationsOf, transparentRangesOf, widthOf} from "./integral_table.js";
+import {integralTable, slopeVariationsOf, transparentRangesOf, widthOfRange} from "./integral_table.js";
 import {checkFunctions, evaluate, extinctionOf} from "./transfer_functions.js";
 
 // The functions of each table, as Appearance/Blending.cxx and Components.cxx choose them.
@@ -11,7 +11,7 @@ function functionsOfTables(functions, { law, range, blend, components, extraRang
   const ranges = [ range, ...extraRanges ];
   const { color, opacity } = functions[0];
   const low = range[0];
-  const intensity = [ [ low, 0, 0, 0 ], [ low + widthOf(range), 1, 1, 1 ] ];
+  const intensity = [ [ low, 0, 0, 0 ], [ low + widthOfRange(range), 1, 1, 1 ] ];
   const opacities = { color : [ [ opacity[0][0], 1, 1, 1 ] ], opacity };
   const colors = { color, opacity : [ [ color[0][0], 1 ] ] };
   const kinds = {
@@ -76,7 +76,7 @@ function joined(Type, arrays)
 function isoColors(functions, range, stored)
 {
   const colorAt = (x) => [...evaluate(functions, "unstructured", x, x, 1)];
-  return floats(stored.flatMap((share) => colorAt(range[0] + share * widthOf(range))));
+  return floats(stored.flatMap((share) => colorAt(range[0] + share * widthOfRange(range))));
 }
 
 const floats = (numbers) => Array.from(numbers, Math.fround);

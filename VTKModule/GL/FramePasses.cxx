@@ -185,6 +185,31 @@ StageResult FramePasses::pick(const DrawContext& context, MarchInputs inputs, co
   return result;
 }
 
+StageResult FramePasses::capture(
+  const DrawContext& context, MarchInputs inputs, CapturedProgram& program)
+{
+  StageResult result = this->updateLight(context, inputs);
+  inputs.RayPoints = rayPoints(inputs.Stages->camera(), inputs.Stages->volume().frame());
+  const VariantKey asChosen = inputs.Key;
+  VariantKey fast = asChosen;
+  fast.PointSampled = false;
+  fast.Adaptive = false;
+  VariantKey adaptive = fast;
+  adaptive.Adaptive = true;
+  for (const VariantKey& key : { asChosen, adaptive, fast })
+  {
+    for (const bool counts : { false, true })
+    {
+      inputs.Key = key;
+      inputs.Key.Diagnostics = counts;
+      inputs.Key = inputs.Key.filtered();
+      result = result.then(
+        [&] { return StageResult{ this->March.capture(context.Window, inputs, program) }; });
+    }
+  }
+  return result;
+}
+
 void FramePasses::releaseUnused(
   vtkWindow* window, const MarchInputs& inputs, const DrawOptions& options, bool apart)
 {

@@ -38,6 +38,9 @@ public:
    * level's tolerance. The results of the last draw() are kept. */
   StageResult pick(const DrawContext& context, MarchInputs inputs, const Viewport& part,
     std::vector<PickedPoint>& points);
+  /** Draw nothing, but capture what the shaders of the picture and of the counters read, at every
+   * accuracy that the page of a scene offers. */
+  StageResult capture(const DrawContext& context, MarchInputs inputs, CapturedProgram& program);
   /** Nothing is known of how long the next frame takes. */
   void forgetTimes();
   /** Forget the results of the last draw(). */

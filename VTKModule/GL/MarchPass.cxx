@@ -9,6 +9,7 @@
 #include "GL/LightBinding.h"
 #include "GL/PeelHooks.h"
 #include "GL/PixelRays.h"
+#include "GL/ProgramCapture.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
 #include "GL/ThicknessBinding.h"
@@ -178,13 +179,32 @@ StageResult MarchPass::drawApart(const DrawContext& context, const FloatTarget& 
     });
 }
 
+vtkShaderProgram* MarchPass::use(
+  vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::string& error)
+{
+  return this->Draw.use(window, "passes/tile.vert.glsl",
+    fileOf(inputs.Visits ? VolumePass::Visits : VolumePass::March), inputs.Key.defines(), error,
+    inputs.Peeling);
+}
+
+std::string MarchPass::capture(
+  vtkOpenGLRenderWindow* window, const MarchInputs& inputs, CapturedProgram& captured)
+{
+  std::string error;
+  if (vtkShaderProgram* program = this->use(window, inputs, error))
+  {
+    bindInputs(program, inputs, inputs.Area);
+    error = captured.add(static_cast<unsigned int>(program->GetHandle()));
+    unbindInputs(inputs);
+  }
+  return error;
+}
+
 std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
   const Viewport& target, const Viewport& tile)
 {
   std::string error;
-  vtkShaderProgram* program = this->Draw.use(window, "passes/tile.vert.glsl",
-    fileOf(inputs.Visits ? VolumePass::Visits : VolumePass::March), inputs.Key.defines(), error,
-    inputs.Peeling);
+  vtkShaderProgram* program = this->use(window, inputs, error);
   if (!program)
   {
     return error;

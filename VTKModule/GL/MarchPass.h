@@ -13,11 +13,13 @@
 #include "Optics/AccuracyLevel.h"
 #include "Variants/VariantKey.h"
 
+class vtkShaderProgram;
 class vtkTextureObject;
 
 namespace tetmarch
 {
 
+struct CapturedProgram;
 class EffectTextures;
 class FrameStages;
 class StateScope;
@@ -76,9 +78,15 @@ public:
    * the inputs are ByCompute, by a compute shader. */
   StageResult drawApart(const DrawContext& context, const FloatTarget& target,
     const MarchInputs& inputs, TileSchedule& tiles);
+  /** Draw nothing, but capture what the fragment shader of the inputs reads. Returns an empty
+   * string, or an error. */
+  std::string capture(
+    vtkOpenGLRenderWindow* window, const MarchInputs& inputs, CapturedProgram& program);
   void release();
 
 private:
+  vtkShaderProgram* use(
+    vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::string& error);
   std::string drawTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
     const Viewport& target, const Viewport& tile);
   std::string dispatchTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,

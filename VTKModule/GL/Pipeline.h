@@ -12,6 +12,7 @@
 #include "GL/FramePasses.h"
 #include "GL/SelectionPass.h"
 #include "GL/TableTextures.h"
+#include "GL/VolumeCapture.h"
 #include "GL/VolumeTextures.h"
 #include "Picking/SelectionPoints.h"
 
@@ -55,6 +56,10 @@ public:
   StageResult select(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
     const DrawOptions& options, const CellOrigins& origins, const Progress& progress,
     std::vector<PickedPoint>& points);
+
+  /** Instead of draw(): what a page that draws the volume needs. */
+  StageResult capture(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
+    const DrawOptions& options, const Progress& progress, CapturedVolume& captured);
 
   /** Whether this process has opaque geometry, or sees the far plane cut the volume. */
   bool endsRays(vtkRenderer* renderer) const;

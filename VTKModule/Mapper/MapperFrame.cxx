@@ -4,9 +4,11 @@
 
 #include "Frame/NothingVisible.h"
 #include "GL/BlockAttributes.h"
+#include "Mapper/CaptureScope.h"
 #include "Mapper/FrameMeasures.h"
 #include "Mapper/MapperState.h"
 
+#include "vtkDataArray.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
@@ -51,6 +53,8 @@ StageResult MapperFrame::prepare(Pipeline& pipeline, const DrawnData& drawn)
 {
   const StageResult result =
     pipeline.update(this->Scene.Window, this->inputOf(drawn), this->Report);
+  const char* name = drawn.Scalars.Array ? drawn.Scalars.Array->GetName() : nullptr;
+  this->ArrayName = name ? name : "";
   this->noteVisibility(
     result.Error.empty() ? whyNothingIsVisible(pipeline.stages()) : std::string());
   return result;
@@ -63,11 +67,25 @@ StageResult MapperFrame::draw(Pipeline& pipeline, const CellOrigins& origins)
   const StageResult result = guarded(
     [&]
     {
-      return renderer->GetSelector()
-               ? this->select(pipeline, origins)
+      CaptureScope* capture = CaptureScope::of(this->Scene.Window);
+      return renderer->GetSelector() ? this->select(pipeline, origins)
+             : capture
+               ? this->capture(pipeline, *capture)
                : pipeline.draw(this->Scene.Window, renderer, this->Options.Draw, this->Report);
     });
   this->Failed = this->Failed || !result.isDone();
+  return result;
+}
+
+StageResult MapperFrame::capture(Pipeline& pipeline, CaptureScope& scope)
+{
+  scope.Volumes.push_back({ this->Scene.Volume, this->ArrayName, this->Options.Law, {} });
+  const StageResult result = pipeline.capture(this->Scene.Window, this->Scene.Renderer,
+    this->Options.Draw, this->Report, scope.Volumes.back().Data);
+  if (!result.isDone())
+  {
+    scope.Volumes.pop_back();
+  }
   return result;
 }
 

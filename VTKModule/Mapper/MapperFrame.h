@@ -25,6 +25,7 @@ class vtkVolume;
 namespace tetmarch
 {
 
+class CaptureScope;
 class TetVolume;
 struct MapperState;
 
@@ -62,7 +63,8 @@ public:
    */
   StageResult prepareDistributed(TetVolume& piece, Pipeline& pipeline, const DrawnData& drawn,
     const std::string& found, GroupState& group);
-  /** The last stage: the picture, or what the selector reads: cells by their origins. */
+  /** The last stage: the picture, or what the selector reads: cells by their origins; or what a
+   * page needs, if there is a CaptureScope. */
   StageResult draw(Pipeline& pipeline, const CellOrigins& origins);
 
   /** What the frame took and counted goes to the state, and its seconds to timeToDraw. Nothing is
@@ -75,6 +77,7 @@ private:
   StageResult prepareScalars(
     TetVolume& piece, Pipeline& pipeline, FrameInput& input, GroupState& group);
   void noteDistributed(const Pipeline& pipeline, GroupState& group);
+  StageResult capture(Pipeline& pipeline, CaptureScope& scope);
   StageResult select(Pipeline& pipeline, const CellOrigins& origins);
   std::string describeBadForGroup() const;
   FrameResult resultOf(double seconds) const;
@@ -88,6 +91,7 @@ private:
   Progress Report;
   PeelHooks Hooks;
   FrameOptions Options;
+  std::string ArrayName;            // of what was prepared last
   std::vector<Pipeline*> Pipelines; // that have drawn, back to front
   bool Failed = false;              // one of them did not come to its end
   /** Of each pipeline that was prepared: why nothing of it is visible. Empty if something may be,

@@ -277,6 +277,19 @@ vtkIdType StructuredVolume::cellOf(std::uint32_t cell, const Vector3& point) con
   return number;
 }
 
+std::array<std::vector<double>, 3> StructuredVolume::dataPlanes() const
+{
+  std::array<std::vector<double>, 3> planes;
+  for (int a = 0; a < 3 && this->Case.isShifted(); ++a)
+  {
+    for (int i = 0; i < this->Geometry.Points[a]; ++i)
+    {
+      planes[a].push_back(latticePlace(this->Geometry, a, i));
+    }
+  }
+  return planes;
+}
+
 Fingerprint StructuredVolume::version() const
 {
   Fingerprint version = this->scalarsVersion();

@@ -82,6 +82,8 @@ public:
   bool startPoint(std::size_t vertex, const VertexStart& start, Vector3& point) const override;
 
   const Lattice& lattice() const { return this->Made; }
+  /** The data's planes along i, j, k in lattice coordinates, if the lattice has other planes. */
+  std::array<std::vector<double>, 3> dataPlanes() const;
   /** Of the lattice. */
   const LightNodes& lightNodes() const { return this->Nodes; }
   /** The first scalar, and those that are drawn with it. */

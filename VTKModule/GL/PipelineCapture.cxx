@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The last stage of a frame that is captured for a page instead of drawn.
+#include "GL/Pipeline.h"
+
+#include "Caching/WithinMemory.h"
+#include "Volume/StructuredVolume.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+namespace tetmarch
+{
+namespace
+{
+
+std::vector<std::uint32_t> cellsOf(const MarchedVolume& volume, const CapturedProgram& program)
+{
+  std::vector<std::uint32_t> cells;
+  const auto count = program.Uniforms.find("numberOfTets");
+  if (!volume.isStructured() && count != program.Uniforms.end())
+  {
+    cells.resize(static_cast<std::size_t>(count->second.Values.front()));
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      cells[i] =
+        static_cast<std::uint32_t>(volume.cellOf(static_cast<std::uint32_t>(i), Vector3{}));
+    }
+  }
+  return cells;
+}
+
+} // namespace
+
+StageResult Pipeline::capture(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
+  const DrawOptions& options, const Progress& progress, CapturedVolume& captured)
+{
+  // Without lists of entries, rays are looked for in the hierarchy of the boundary.
+  std::string error = this->Stages.prepareEntrySearch();
+  error = error.empty() ? this->upload(window) : error;
+  if (!error.empty())
+  {
+    return { error };
+  }
+  MarchInputs inputs = this->inputsOf(options, renderer, this->currentViewport());
+  inputs.ByCompute = false;
+  inputs.MostLightSeconds = 0;
+  inputs.Key.EntryLists = false;
+  inputs.Key.OpaqueDepth = false;
+  inputs.Key.Peeled = false;
+  inputs.Key = inputs.Key.filtered();
+  if (inputs.Key.SplitCells)
+  {
+    return { "The mesh has too many tetrahedra for a page. Extract or coarsen a part of it." };
+  }
+  StageResult result;
+  const std::string shortage = withinMemory("the page",
+    [&]
+    {
+      error = this->EffectsOnGpu.update(window, this->Stages.effects(), inputs.Key);
+      const DrawContext context{ window, progress };
+      result = StageResult{ error }.then(
+        [&] { return this->Passes.capture(context, inputs, captured.Program); });
+      captured.Key = inputs.Key;
+      captured.Frame = this->Stages.volume().frame();
+      captured.Level = inputs.Level;
+      captured.Range = this->Stages.volume().range();
+      if (const auto* image = dynamic_cast<const StructuredVolume*>(&this->Stages.volume()))
+      {
+        captured.DataPlanes = image->dataPlanes();
+      }
+      captured.Cells = cellsOf(this->Stages.volume(), captured.Program);
+    });
+  return shortage.empty() ? result : StageResult{ shortage };
+}
+
+} // namespace tetmarch

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WebPage/Capture.h"
+
+#include "GL/BlockAttributes.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTetMarchSettings.h"
+#include "vtkTetMarchSmartVolumeMapper.h"
+#include "vtkTetMarchVolumeMapper.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+
+namespace tetmarch
+{
+namespace
+{
+
+// Without peeling each volume is drawn once, and nothing comes to the screen.
+class QuietWindow
+{
+public:
+  explicit QuietWindow(vtkRenderer* renderer)
+    : Renderer(renderer)
+    , Window(renderer->GetRenderWindow())
+    , Swaps(Window->GetSwapBuffers())
+    , Peels(renderer->GetUseDepthPeeling())
+    , PeelsVolumes(renderer->GetUseDepthPeelingForVolumes())
+  {
+    this->Window->SetSwapBuffers(0);
+    renderer->SetUseDepthPeeling(0);
+    renderer->SetUseDepthPeelingForVolumes(false);
+  }
+  ~QuietWindow()
+  {
+    this->Renderer->SetUseDepthPeeling(this->Peels);
+    this->Renderer->SetUseDepthPeelingForVolumes(this->PeelsVolumes);
+    this->Window->Render();
+    this->Window->SetSwapBuffers(this->Swaps);
+  }
+  QuietWindow(const QuietWindow&) = delete;
+  QuietWindow& operator=(const QuietWindow&) = delete;
+
+private:
+  vtkRenderer* Renderer;
+  vtkRenderWindow* Window;
+  int Swaps;
+  int Peels;
+  bool PeelsVolumes;
+};
+
+vtkTetMarchSettings* settingsOf(vtkAbstractVolumeMapper* mapper)
+{
+  if (auto* mesh = vtkTetMarchVolumeMapper::SafeDownCast(mapper))
+  {
+    return mesh->GetSettings();
+  }
+  auto* structured = vtkTetMarchSmartVolumeMapper::SafeDownCast(mapper);
+  return structured ? structured->GetSettings() : nullptr;
+}
+
+void describeVolume(vtkVolume* volume, bool isCaptured, std::vector<std::string>& omissions)
+{
+  auto* mapper = vtkAbstractVolumeMapper::SafeDownCast(volume->GetMapper());
+  vtkTetMarchSettings* settings = settingsOf(mapper);
+  if (!isCaptured)
+  {
+    omissions.push_back(std::string("A volume is not in the page: ") +
+                        (!mapper      ? "it has no mapper."
+                          : !settings ? std::string("its mapper is a ") + mapper->GetClassName() +
+                                          "; the page shows those of vtkTetMarchVolumeMapper and "
+                                          "vtkTetMarchSmartVolumeMapper."
+                                      : "its mapper has nothing to draw, or reported an error."));
+  }
+  else if (settings->GetViewMode() != vtkTetMarchSettings::VIEW_PICTURE)
+  {
+    omissions.push_back("The view mode of a volume is not in the page: it shows the picture.");
+  }
+}
+
+void describeLights(vtkRenderer* renderer, std::vector<std::string>& omissions)
+{
+  vtkCollectionSimpleIterator at;
+  vtkLightCollection* lights = renderer->GetLights();
+  lights->InitTraversal(at);
+  while (vtkLight* light = lights->GetNextLight(at))
+  {
+    if (light->GetSwitch() && light->LightTypeIsCameraLight())
+    {
+      omissions.push_back("Lights that follow the camera, other than headlights, stay in the page "
+                          "where they are in this picture.");
+      return;
+    }
+  }
+}
+
+} // namespace
+
+Capture captureScene(vtkRenderer* renderer)
+{
+  Capture capture;
+  {
+    const QuietWindow quiet(renderer);
+    CaptureScope scope(renderer->GetRenderWindow());
+    renderer->GetRenderWindow()->Render();
+    capture.Volumes = std::move(scope.Volumes);
+  }
+  vtkCollectionSimpleIterator at;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(at);
+  while (vtkProp* prop = props->GetNextProp(at))
+  {
+    auto* volume = vtkVolume::SafeDownCast(prop);
+    if (volume && volume->GetVisibility())
+    {
+      const bool isCaptured = std::any_of(capture.Volumes.begin(), capture.Volumes.end(),
+        [&](const CaptureScope::Captured& one) { return one.Volume == volume; });
+      describeVolume(volume, isCaptured, capture.Omissions);
+    }
+  }
+  describeLights(renderer, capture.Omissions);
+  capture.Surfaces = opaqueSurfaces(renderer, capture.Omissions, blockAttributes);
+  return capture;
+}
+
+} // namespace tetmarch

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Arrays of a page as textures of WebGL 2.
+
+// 16-bit normalised integers are no format of WebGL: they become floats.
+const FORMATS = {
+  R8 : [ "R8", "RED", "UNSIGNED_BYTE", 1 ],
+  R16 : [ "R32F", "RED", "FLOAT", 1 ],
+  R32F : [ "R32F", "RED", "FLOAT", 1 ],
+  RG32F : [ "RG32F", "RG", "FLOAT", 2 ],
+  RGBA16F : [ "RGBA16F", "RGBA", "HALF_FLOAT", 4 ],
+  RGBA32F : [ "RGBA32F", "RGBA", "FLOAT", 4 ],
+  R8UI : [ "R8UI", "RED_INTEGER", "UNSIGNED_BYTE", 1 ],
+  R32UI : [ "R32UI", "RED_INTEGER", "UNSIGNED_INT", 1 ],
+  RG32UI : [ "RG32UI", "RG_INTEGER", "UNSIGNED_INT", 2 ],
+  RGBA32UI : [ "RGBA32UI", "RGBA_INTEGER", "UNSIGNED_INT", 4 ]
+};
+
+// The data of a texture has the type of its format.
+function numbersFor(format, array)
+{
+  if (format !== "R16")
+  {
+    return array;
+  }
+  const floats = new Float32Array(array.length);
+  for (let i = 0; i < array.length; ++i)
+  {
+    floats[i] = array[i] / 65535;
+  }
+  return floats;
+}
+
+function newTexture(gl, target)
+{
+  const texture = gl.createTexture();
+  gl.bindTexture(target, texture);
+  gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  gl.texParameteri(target, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+  gl.texParameteri(target, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+  return texture;
+}
+
+function checkSize(most, sizes)
+{
+  const excess = sizes.findIndex((size, a) => size > most[a]);
+  if (excess >= 0)
+  {
+    throw new Error(
+      `This volume needs a texture of ${sizes.join(" x ")} texels, but this browser's ` +
+      `graphics take at most ${
+        most.slice(0, sizes.length).join(" x ")}. Open the page on another ` +
+      "computer, or write a page of a coarser or smaller part of the data.");
+  }
+}
+
+/** log2 of the number of texels in a row of a texture that replaces an array. */
+export function rowShift(gl)
+{
+  return Math.floor(Math.log2(Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), 4096)));
+}
+
+/** An array of texels of a format, in rows. */
+export function arrayTexture(gl, format, array)
+{
+  const [internal, layout, type, components] = FORMATS[format];
+  const texels = array.length / components;
+  const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+  const width = 1 << rowShift(gl);
+  const height = Math.max(1, Math.ceil(texels / width));
+  checkSize([ most, most ], [ width, height ]);
+  const numbers = numbersFor(format, array);
+  const whole = Math.floor(texels / width);
+  const texture = newTexture(gl, gl.TEXTURE_2D);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl[internal], width, height);
+  if (whole > 0)
+  {
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, whole, gl[layout], gl[type],
+      numbers.subarray(0, whole * width * components));
+  }
+  if (texels > whole * width)
+  {
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, whole, texels - whole * width, 1, gl[layout], gl[type],
+      numbers.subarray(whole * width * components));
+  }
+  return { target : gl.TEXTURE_2D, texture };
+}
+
+/** A texture of the page with its array. */
+export function pageTexture(gl, row, array)
+{
+  if (row.kind === "buffer")
+  {
+    return arrayTexture(gl, row.format, array);
+  }
+  const [internal, layout, type] = FORMATS[row.format];
+  const numbers = numbersFor(row.format, array);
+  const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+  if (row.kind === "2d")
+  {
+    checkSize([ most, most ], [ row.width, row.height ]);
+    const texture = newTexture(gl, gl.TEXTURE_2D);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl[internal], row.width, row.height);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, row.width, row.height, gl[layout], gl[type], numbers);
+    return { target : gl.TEXTURE_2D, texture };
+  }
+  checkSize([ most, most, gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS) ],
+    [ row.width, row.height, row.layers ]);
+  const texture = newTexture(gl, gl.TEXTURE_2D_ARRAY);
+  gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl[internal], row.width, row.height, row.layers);
+  gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, 0, row.width, row.height, row.layers, gl[layout],
+    gl[type], numbers);
+  return { target : gl.TEXTURE_2D_ARRAY, texture };
+}

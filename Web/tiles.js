@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws a picture part by part, so that no draw keeps the browser or the GPU for long.
+
+const MILLISECONDS_OF_TILE = 30;
+const LEAST_PIXELS = 64;
+const MOST_PIXELS = 1 << 24;
+
+function nextTask() { return new Promise((resolve) => setTimeout(resolve, 0)); }
+
+/** Resolves when the GPU has done what it was told so far. */
+export async function gpuDone(gl)
+{
+  const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.flush();
+  while (sync && !gl.isContextLost())
+  {
+    await nextTask();
+    const state = gl.clientWaitSync(sync, 0, 0);
+    if (state === gl.ALREADY_SIGNALED || state === gl.CONDITION_SATISFIED)
+    {
+      break;
+    }
+  }
+  gl.deleteSync(sync);
+}
+
+export class Tiles
+{
+  constructor(gl)
+  {
+    this.gl = gl;
+    this.pixels = 64 * 64; // of a tile, by the time that the last one took
+  }
+
+  // Parts of a picture, row by row; their size follows this.pixels.
+  * parts([ width, height ])
+  {
+    for (let y = 0, tall = 0; y < height; y += tall)
+    {
+      const rows = this.pixels >= 32 * width ? this.pixels / width : Math.sqrt(this.pixels);
+      tall = Math.min(Math.max(4, Math.round(rows)), height - y);
+      for (let x = 0, wide = 0; x < width; x += wide)
+      {
+        wide = Math.min(Math.max(4, Math.round(this.pixels / tall)), width - x);
+        yield [x, y, wide, tall];
+      }
+    }
+  }
+
+  note(part, milliseconds)
+  {
+    const drawn = part[2] * part[3];
+    const fitting = drawn * MILLISECONDS_OF_TILE / Math.max(milliseconds, 1);
+    const next = Math.min(Math.max(fitting, this.pixels / 4), this.pixels * 4);
+    this.pixels = Math.min(Math.max(next, LEAST_PIXELS), MOST_PIXELS);
+  }
+
+  /**
+   * Calls draw(part) for all parts of a picture. isWanted(): whether to go on. Returns whether the
+   * picture is complete. A part is prepared while the GPU draws the one before.
+   */
+  async draw(size, draw, isWanted)
+  {
+    let pending = null;
+    let last = performance.now();
+    for (const part of this.parts(size))
+    {
+      draw(part);
+      const done = gpuDone(this.gl).then(() => {
+        const now = performance.now();
+        this.note(part, now - last);
+        last = now;
+      });
+      await pending;
+      pending = done;
+      if (!isWanted())
+      {
+        break;
+      }
+    }
+    await pending;
+    return isWanted();
+  }
+}

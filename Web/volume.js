@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A volume of the page on the GPU: what the march reads, by the names of its shaders.
+import {imageCellOf} from "./image_cells.js";
+import {transpose} from "./matrices.js";
+import {levelOf, makeTables} from "./tables.js";
+import {arrayTexture, pageTexture} from "./textures.js";
+import {isComposite, pickFeatures, pictureFeatures} from "./variants.js";
+import {viewOf} from "./view.js";
+
+const TRIALS_WHERE_BENT = 8; // Frame/FrameStages.cxx
+const MOST_SCALARS = 200000;
+const PICK = {
+  opacity : 0.5,
+  trials : 512
+}; // Optics/AccuracyLevel.h
+
+function blendKind(features)
+{
+  const named = { EXTREME : "extreme", SUM : "sum", ISOSURFACES : "isosurfaces" };
+  return named[Object.keys(named).find((name) => features.has(name))] || "composite";
+}
+
+function componentKind(features)
+{
+  const named = {
+    INDEPENDENT : "independent",
+    COLOR_AND_OPACITY : "color_and_opacity",
+    DIRECT_COLOR : "direct_color"
+  };
+  return named[Object.keys(named).find((name) => features.has(name))] || "single";
+}
+
+// A sample of the scalars, 0..1: of vertices, of tetrahedra or of an image.
+function scalarsOf({ textures, uniforms }, archive)
+{
+  const [name, stride, first] = textures.valueTexture         ? [ "valueTexture", 1, 0 ]
+                                : textures["slabTextures[0]"] ? [ "slabTextures[0]", 1, 0 ]
+                                : textures.cellScalarBuffer   ? [ "cellScalarBuffer", 1, 0 ]
+                                                              : [ "vertexBuffer", 4, 3 ];
+  const row = textures[name];
+  const array = archive.array(row.array);
+  const whole = { R8 : 255, R16 : 65535 }[row.format] || 1;
+  const [scale, offset] = uniforms.valueMap ? uniforms.valueMap.values : [ 1, 0 ];
+  const count = Math.floor(array.length / stride);
+  const step = Math.max(1, Math.floor(count / MOST_SCALARS));
+  const scalars = [];
+  for (let i = 0; i < count; i += step)
+  {
+    scalars.push(array[i * stride + first] / whole * scale + offset);
+  }
+  return Float32Array.from(scalars.filter((s) => s >= 0 && s <= 1));
+}
+
+export class Volume
+{
+  constructor(gl, data, index)
+  {
+    this.gl = gl;
+    this.data = data;
+    this.index = index;
+    this.features = new Set(data.features);
+    this.values = {};
+    for (const [name, { values }] of Object.entries(data.uniforms))
+    {
+      this.values[name] = values;
+    }
+    this.textures = {};
+    this.functions = data.functions;
+    this.traits = null; // of edited tables
+  }
+
+  get isStructured() { return this.features.has("STRUCTURED"); }
+
+  /** Indices of the arrays that it needs. */
+  get arrays()
+  {
+    const ofTextures = Object.values(this.data.textures).map((row) => row.array);
+    return [...ofTextures, this.data.cells ].filter((index) => index !== null);
+  }
+
+  /**
+   * Makes the textures of arrays that the archive has loaded. Textures by the rows of the page:
+   * before, of another step; known, of this one.
+   */
+  upload(archive, before, known)
+  {
+    for (const [name, row] of Object.entries(this.data.textures))
+    {
+      const key = JSON.stringify(row);
+      if (!known.has(key))
+      {
+        known.set(key, before.get(key) || pageTexture(this.gl, row, archive.array(row.array)));
+      }
+      this.textures[name] = known.get(key);
+    }
+    this.cells = this.data.cells === null ? null : archive.array(this.data.cells);
+    this.scalars = scalarsOf(this.data, archive);
+  }
+
+  /** Edited transfer functions in place of the written ones. */
+  setFunctions(functions, level)
+  {
+    const { gl, data } = this;
+    const tables = makeTables(functions, {
+      law : data.law,
+      range : data.range,
+      structured : this.isStructured,
+      level,
+      blend : blendKind(this.features),
+      components : componentKind(this.features)
+    });
+    this.releaseTables();
+    this.textures.tableValueBuffer = arrayTexture(gl, "RGBA32F", tables.values);
+    this.textures.tableIntegralBuffer = arrayTexture(gl, "RGBA32UI", tables.integrals);
+    this.textures.tableVariationBuffer =
+      arrayTexture(gl, tables.variations.format, tables.variations.data);
+    this.edited = [
+      this.textures.tableValueBuffer, this.textures.tableIntegralBuffer,
+      this.textures.tableVariationBuffer
+    ];
+    Object.assign(this.values, tables.uniforms);
+    this.functions = [ functions ];
+    this.traits = tables.traits;
+  }
+
+  releaseTables()
+  {
+    (this.edited || []).forEach(({ texture }) => this.gl.deleteTexture(texture));
+    this.edited = null;
+  }
+
+  /** The level of a page's name as the march takes it. */
+  levelFor(name, tolerance)
+  {
+    const level = name === "written" ? this.data.level : levelOf(name, tolerance);
+    const factor =
+      name !== "written" && level.adaptive && this.isStructured ? TRIALS_WHERE_BENT : 1;
+    return {...level, trials : level.trials * factor };
+  }
+
+  pictureFeatures(level, counts, opaqueDepth)
+  {
+    return pictureFeatures(this.features, { level, traits : this.traits, counts, opaqueDepth });
+  }
+
+  pickFeatures() { return pickFeatures(this.features, this.traits); }
+
+  get isComposite() { return isComposite(this.features); }
+
+  /** The view of a camera; null if it shows nothing. */
+  viewOf(camera, aspect) { return viewOf(camera, aspect, this.data); }
+
+  /** Values of all uniforms of the march. size: of the target in pixels; depthsPerPixel: [x, y]. */
+  valuesFor(view, level, size, depthsPerPixel)
+  {
+    return {
+      ...this.values,
+      viewport : [ 0, 0, size[0], size[1] ],
+      eye : view.eye,
+      rayPoints : transpose(view.rayPoints),
+      cutsNearPlane : [ view.cutsNearPlane ? 1 : 0 ],
+      cutsFarPlane : [ view.cutsFarPlane ? 1 : 0 ],
+      clipToNormalized : transpose(view.clipToNormalized),
+      depthsPerPixel,
+      givenTolerance : [ level.tolerance ],
+      givenTrials : [ level.trials ]
+    };
+  }
+
+  /** The same for a pick. */
+  valuesForPick(view, size)
+  {
+    const level = { tolerance : 1 - PICK.opacity, trials : PICK.trials };
+    const values = this.valuesFor(view, level, size, [ 1, 1 ]);
+    if (values.tableSizes && !values.tableSize)
+    {
+      values.tableSize = values.tableSizes.slice(0, 1);
+      values.givenIntegralUnit = values.tableIntegralUnits.slice(0, 4);
+    }
+    return {...values, transmittanceLeft : [ 1 - PICK.opacity ] };
+  }
+
+  /** The value of a scalar 0..1. */
+  valueOf(scalar)
+  {
+    const [low, high] = this.data.range;
+    return low + scalar * (high > low ? high - low : 1);
+  }
+
+  /**
+   * The cell of the data that has this number in the shaders, at a point of the normalised frame.
+   */
+  cellOf(number, point)
+  {
+    return this.cells ? this.cells[number] : imageCellOf(this.data, number, point);
+  }
+}
