@@ -52,11 +52,21 @@ export class Step
       this.surfaces =
         new Surfaces(this.gl, surfaces, archive, await programs.get(...SURFACE_SHADERS));
     }
+    this.checkMemory();
     this.bounds = this.findBounds(archive);
     indices.forEach((index) => archive.forget(index));
     if (before)
     {
       before.release();
+    }
+  }
+
+  checkMemory()
+  {
+    if (this.gl.getError() === this.gl.OUT_OF_MEMORY)
+    {
+      throw new Error("This browser's graphics have no room for the data of the scene. Close other " +
+        "pages, open this one on another computer, or write a page of a smaller part of the data.");
     }
   }
 

@@ -59,7 +59,7 @@ function checkSize(most, sizes)
 /** log2 of the number of texels in a row of a texture that replaces an array. */
 export function rowShift(gl)
 {
-  return Math.floor(Math.log2(Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), 4096)));
+  return Math.floor(Math.log2(Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), 8192)));
 }
 
 /** An array of texels of a format, in rows. */
@@ -72,19 +72,10 @@ export function arrayTexture(gl, format, array)
   const height = Math.max(1, Math.ceil(texels / width));
   checkSize([ most, most ], [ width, height ]);
   const numbers = numbersFor(format, array);
-  const whole = Math.floor(texels / width);
+  const padded = new numbers.constructor(width * height * components);
+  padded.set(numbers);
   const texture = newTexture(gl, gl.TEXTURE_2D);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, gl[internal], width, height);
-  if (whole > 0)
-  {
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, whole, gl[layout], gl[type],
-      numbers.subarray(0, whole * width * components));
-  }
-  if (texels > whole * width)
-  {
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, whole, texels - whole * width, 1, gl[layout], gl[type],
-      numbers.subarray(whole * width * components));
-  }
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl[internal], width, height, 0, gl[layout], gl[type], padded);
   return { target : gl.TEXTURE_2D, texture };
 }
 
@@ -102,15 +93,14 @@ export function pageTexture(gl, row, array)
   {
     checkSize([ most, most ], [ row.width, row.height ]);
     const texture = newTexture(gl, gl.TEXTURE_2D);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl[internal], row.width, row.height);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, row.width, row.height, gl[layout], gl[type], numbers);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl[internal], row.width, row.height, 0, gl[layout], gl[type],
+      numbers);
     return { target : gl.TEXTURE_2D, texture };
   }
   checkSize([ most, most, gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS) ],
     [ row.width, row.height, row.layers ]);
   const texture = newTexture(gl, gl.TEXTURE_2D_ARRAY);
-  gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl[internal], row.width, row.height, row.layers);
-  gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, 0, row.width, row.height, row.layers, gl[layout],
-    gl[type], numbers);
+  gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, gl[internal], row.width, row.height, row.layers, 0,
+    gl[layout], gl[type], numbers);
   return { target : gl.TEXTURE_2D_ARRAY, texture };
 }

@@ -5,6 +5,7 @@ import {Camera} from "./camera.js";
 import {errorColorTexture, errorLegend} from "./error_view.js";
 import {Frames} from "./frames.js";
 import {Picker} from "./picker.js";
+import {checkPredicate} from "./predicate_check.js";
 import {Programs} from "./programs.js";
 import {Step} from "./step.js";
 
@@ -67,6 +68,11 @@ export class Viewer
     this.frames = new Frames(gl, this.programs, errorColorTexture(gl));
     this.picker = new Picker(gl, this.programs);
     this.current = null;
+    if (scene.steps.some(
+          ({ volumes }) => volumes.some(({ features }) => !features.includes("STRUCTURED"))))
+    {
+      await checkPredicate(gl, this.programs);
+    }
     await this.loadStep(onProgress);
   }
 

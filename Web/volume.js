@@ -98,29 +98,30 @@ export class Volume
     this.scalars = scalarsOf(this.data, archive);
   }
 
-  /** Edited transfer functions in place of the written ones. */
+  /** Edited transfer functions in place of the written ones; of several components, the first. */
   setFunctions(functions, level)
   {
     const { gl, data } = this;
-    const tables = makeTables(functions, {
+    const all = [ functions, ...this.functions.slice(1) ];
+    const tables = makeTables(all, {
       law : data.law,
       range : data.range,
+      extraRanges : data.extraRanges,
       structured : this.isStructured,
       level,
       blend : blendKind(this.features),
-      components : componentKind(this.features)
+      components : componentKind(this.features),
+      isoValues : (this.values.isoValue || []).slice(0, (this.values.isoSurfaceCount || [ 0 ])[0])
     });
     this.releaseTables();
-    this.textures.tableValueBuffer = arrayTexture(gl, "RGBA32F", tables.values);
-    this.textures.tableIntegralBuffer = arrayTexture(gl, "RGBA32UI", tables.integrals);
-    this.textures.tableVariationBuffer =
-      arrayTexture(gl, tables.variations.format, tables.variations.data);
-    this.edited = [
-      this.textures.tableValueBuffer, this.textures.tableIntegralBuffer,
-      this.textures.tableVariationBuffer
-    ];
+    this.edited = {
+      tableValueBuffer : arrayTexture(gl, "RGBA32F", tables.values),
+      tableIntegralBuffer : arrayTexture(gl, "RGBA32UI", tables.integrals),
+      tableVariationBuffer : arrayTexture(gl, tables.variations.format, tables.variations.data)
+    };
+    Object.assign(this.textures, this.edited);
     Object.assign(this.values, tables.uniforms);
-    this.functions = [ functions ];
+    this.functions = all;
     this.traits = tables.traits;
   }
 

@@ -79,7 +79,7 @@ void Complete(Words& words)
   }
   commandLine.Input = inputs[0];
   commandLine.Raw = CompleteRawOptions(commandLine.Raw, commandLine.Input);
-  if (commandLine.Output.empty() && !commandLine.Pixel)
+  if (commandLine.Output.empty() && commandLine.Html.empty() && !commandLine.Pixel)
   {
     commandLine.Output = std::filesystem::path(commandLine.Input).stem().string() + ".png";
   }

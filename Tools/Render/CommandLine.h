@@ -62,6 +62,8 @@ struct CommandLine
   std::string Input;
   RawOptions Raw;               // complete, if Input is a raw file
   std::string Output;           // by default the base name of Input + .png; empty: none
+  std::string Html;             // a page; empty: none
+  bool HtmlControls = true;     // of the page
   std::string Stats;            // empty: none
   std::string Preset;           // empty: the default transfer function
   std::string Colors;           // a map's name; empty: those of the transfer function

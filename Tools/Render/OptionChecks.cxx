@@ -94,6 +94,12 @@ const Dependency Dependencies[] = {
   { "--opaque-shadows", HasShadows, OfShadows },
   { "--opaque-shadows", [](const CommandLine& c) { return !c.Surfaces.empty(); },
     " are those of --surface, which is missing" },
+  { "--html-controls", [](const CommandLine& c) { return !c.Html.empty(); },
+    " chooses the controls of the page of --html, which is missing" },
+  { "--html", Draws, OfDrawing },
+  { "--html", [](const CommandLine& c) { return c.Turntable == 0; },
+    " writes a page, which readers turn themselves, but --turntable draws pictures from all "
+    "around" },
   { "--output", Draws, OfDrawing },
   { "--stats", Draws, OfDrawing },
   { "--frames", Draws, OfDrawing },
@@ -140,9 +146,15 @@ void CheckSeries(const CommandLine& commandLine)
   }
 }
 
+/// What needs the picture in one piece; else nullptr.
+const char* FindOptionOfOnePiece(const CommandLine& commandLine)
+{
+  return commandLine.Html.empty() ? FindOptionOfOneFrame(commandLine) : "--html";
+}
+
 void CheckTiles(const CommandLine& commandLine)
 {
-  const char* ofOne = FindOptionOfOneFrame(commandLine);
+  const char* ofOne = FindOptionOfOnePiece(commandLine);
   const auto& [width, height] = commandLine.Size;
   if (ofOne && std::max(width, height) > GetLargestTile(commandLine))
   {
@@ -169,7 +181,7 @@ int GetLargestTile(const CommandLine& commandLine)
 {
   constexpr int usual = 4096; // some 300 MB of llvmpipe's memory, and within every GL's limits
   constexpr int unlimited = 16384;
-  return commandLine.TileSize.value_or(FindOptionOfOneFrame(commandLine) ? unlimited : usual);
+  return commandLine.TileSize.value_or(FindOptionOfOnePiece(commandLine) ? unlimited : usual);
 }
 
 bool ShowsMeasure(int viewMode)

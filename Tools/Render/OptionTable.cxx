@@ -231,6 +231,9 @@ std::map<std::string, Option> MakeOutputOptions()
   return {
     { "--compare", Flag([](CommandLine& c) { c.Compare = true; }) },
     { "--frames", Value([](CommandLine& c, const std::string& v) { c.Frames = ParseCount(v); }) },
+    { "--html", File([](CommandLine& c, const std::string& v) { c.Html = ParsePageName(v); }) },
+    { "--html-controls",
+      Word({ "all", "none" }, [](CommandLine& c, int n) { c.HtmlControls = n == 0; }) },
     { "--output",
       File([](CommandLine& c, const std::string& v) { c.Output = ParsePictureName(v); }) },
     { "--pixel", Value([](CommandLine& c, const std::string& v) { c.Pixel = ParsePixel(v); }) },

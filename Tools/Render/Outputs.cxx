@@ -66,10 +66,11 @@ std::vector<NamedFile> ListInputs(const CommandLine& commandLine)
 std::vector<NamedFile> ListOutputs(const CommandLine& commandLine)
 {
   const bool isSeries = commandLine.Time || commandLine.Turntable > 0;
-  const std::string picture =
-    isSeries ? GetFrameName(commandLine.Output, 0, 1) : commandLine.Output;
-  std::vector<NamedFile> outputs{ { "--output", picture }, { "--stats", commandLine.Stats },
-    { "--pixel-json", commandLine.PixelJson } };
+  const std::string picture = isSeries && !commandLine.Output.empty()
+                                ? GetFrameName(commandLine.Output, 0, 1)
+                                : commandLine.Output;
+  std::vector<NamedFile> outputs{ { "--output", picture }, { "--html", commandLine.Html },
+    { "--stats", commandLine.Stats }, { "--pixel-json", commandLine.PixelJson } };
   outputs.erase(
     std::remove_if(outputs.begin(), outputs.end(),
       [](const NamedFile& file) { return file.Path.empty() || file.Path == ToStandardOutput; }),
@@ -114,12 +115,14 @@ void CheckStandardOutput(const CommandLine& commandLine)
   };
   const bool isPicture = commandLine.Output == ToStandardOutput;
   add(isPicture, "--output -");
+  add(commandLine.Html == ToStandardOutput, "--html -");
   add(commandLine.Stats == ToStandardOutput, "--stats -");
   add(commandLine.PixelJson == ToStandardOutput, "--pixel-json -");
   add(commandLine.Pixel && commandLine.PixelJson != ToStandardOutput, "the text of --pixel");
   add(commandLine.Frames > 0 && commandLine.Stats.empty(), "the time of --frames");
-  const bool hasName =
-    isPicture || commandLine.Stats == ToStandardOutput || commandLine.PixelJson == ToStandardOutput;
+  const bool hasName = isPicture || commandLine.Html == ToStandardOutput ||
+                       commandLine.Stats == ToStandardOutput ||
+                       commandLine.PixelJson == ToStandardOutput;
   if (hasName && users.size() > 1)
   {
     throw UsageError(
@@ -151,6 +154,16 @@ std::string ParsePictureName(const std::string& value)
   if (!ending.empty() && ending != ".png")
   {
     throw UsageError("pictures are written as PNG alone; give a name that ends in .png");
+  }
+  return ParseOutputName(value);
+}
+
+std::string ParsePageName(const std::string& value)
+{
+  const std::string ending = GetEnding(value);
+  if (!ending.empty() && ending != ".html" && ending != ".htm")
+  {
+    throw UsageError("pages are written as HTML alone; give a name that ends in .html");
   }
   return ParseOutputName(value);
 }

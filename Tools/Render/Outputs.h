@@ -21,6 +21,9 @@ std::string ParseOutputName(const std::string& value);
 /// The same of a picture. Throws UsageError if the ending is that of another format than PNG.
 std::string ParsePictureName(const std::string& value);
 
+/// The same of a page. Throws UsageError if the ending is that of another format than HTML.
+std::string ParsePageName(const std::string& value);
+
 /// Looks at the files of the command line before any of them is read. Throws UsageError if an
 /// output would overwrite an input or another output, or several go to standard output, and Failure
 /// if a file can't be written.

@@ -4,10 +4,13 @@
 
 #include "Choice.h"
 #include "Failure.h"
+#include "Page.h"
 #include "Picture.h"
 #include "ProgressBar.h"
 #include "TimeSteps.h"
 #include "TimeSurvey.h"
+
+#include "FirstPicture/RangeText.h"
 
 #include "vtkCommand.h"
 #include "vtkObject.h"
@@ -92,6 +95,14 @@ std::vector<TimeFrame> ListFrames(const std::vector<int>& steps, int turntable)
   return frames;
 }
 
+/// Of a time step in a page, with enough digits to tell it from others.
+std::string GetLabel(const std::vector<double>& times, int step)
+{
+  const double time = times.at(static_cast<std::size_t>(step));
+  const double between = (times.back() - times.front()) / static_cast<double>(times.size());
+  return "time " + numberText(time, digitsWithin(time, between / 100.0));
+}
+
 } // namespace
 
 std::string GetFrameName(const std::string& path, int frame, int count)
@@ -129,7 +140,9 @@ void DrawTimeSteps(const CommandLine& commandLine)
   TellChoice(survey.Choice, commandLine);
   const std::vector<TimeFrame> frames = ListFrames(steps, commandLine.Turntable);
   std::unique_ptr<Picture> picture;
+  Page page(commandLine, GetTitle(survey.Choice));
   std::optional<int> read;
+  std::string label;
   SeriesProgress progress("rendering", static_cast<int>(frames.size()));
   for (const TimeFrame& frame : frames)
   {
@@ -142,15 +155,21 @@ void DrawTimeSteps(const CommandLine& commandLine)
       }
       picture->SetData(data);
       read = frame.Step;
+      label = GetLabel(data.Times, frame.Step);
     }
     picture->Render();
-    picture->Write(GetFrameName(commandLine.Output, frame.Number, frames.back().Number + 1));
+    if (!commandLine.Output.empty())
+    {
+      picture->Write(GetFrameName(commandLine.Output, frame.Number, frames.back().Number + 1));
+    }
+    page.Add(*picture, label);
     if (commandLine.Turntable > 0)
     {
       picture->Turn(360.0 / commandLine.Turntable);
     }
     progress.AddOne();
   }
+  page.Write();
 }
 
 } // namespace tetmarch

@@ -8,6 +8,7 @@
 #include "Failure.h"
 #include "Messages.h"
 #include "Outputs.h"
+#include "Page.h"
 #include "Picture.h"
 #include "PixelTrace.h"
 #include "ReaderCrash.h"
@@ -101,6 +102,9 @@ void DrawOne(const CommandLine& commandLine)
   {
     picture.Write(commandLine.Output);
   }
+  Page page(commandLine, GetTitle(choice));
+  page.Add(picture);
+  page.Write();
 
   for (int i = 0; i < commandLine.Frames; ++i)
   {

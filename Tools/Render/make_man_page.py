@@ -35,7 +35,7 @@ def page(help_text, version):
     usage, description, *groups = blocks(help_text)
     synopsis = usage[0].removeprefix("Usage: ").removeprefix("tetmarch-render ")
     out = [f'.TH TETMARCH\\-RENDER 1 "" "{version}" "User Commands"',
-           ".SH NAME", "tetmarch\\-render \\- draw a volume of an unstructured grid or an image into a PNG file",
+           ".SH NAME", "tetmarch\\-render \\- draw a volume of an unstructured grid or an image",
            ".SH SYNOPSIS", ".B tetmarch\\-render", escape(synopsis),
            ".SH DESCRIPTION", escape(" ".join(description)), ".SH OPTIONS"]
     for lines in groups:

@@ -64,6 +64,7 @@ StageResult Pipeline::capture(vtkOpenGLRenderWindow* window, vtkRenderer* render
       captured.Frame = this->Stages.volume().frame();
       captured.Level = inputs.Level;
       captured.Range = this->Stages.volume().range();
+      captured.ExtraRanges = this->Stages.volume().extraRanges();
       if (const auto* image = dynamic_cast<const StructuredVolume*>(&this->Stages.volume()))
       {
         captured.DataPlanes = image->dataPlanes();

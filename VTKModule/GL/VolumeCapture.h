@@ -26,6 +26,7 @@ struct CapturedVolume
   VolumeFrame Frame;
   AccuracyLevel Level = DefaultAccuracy;
   ScalarRange Range;                // of the first scalar
+  std::vector<ScalarRange> ExtraRanges;
   std::vector<std::uint32_t> Cells; // of each tetrahedron: its cell in the input
   /** Of an image whose lattice has other planes: StructuredVolume::dataPlanes(). */
   std::array<std::vector<double>, 3> DataPlanes;

@@ -29,10 +29,16 @@ Json::Value listOf(std::initializer_list<double> numbers)
   return list;
 }
 
-// The samples of a range, and the function's nodes, where it may have a step.
+// The samples of the part of a range that has nodes, and these nodes, where the function may have a
+// step. It is constant beyond.
 std::vector<double> placesOf(double low, double high, const std::vector<double>& nodes)
 {
   std::vector<double> places;
+  if (!nodes.empty())
+  {
+    low = std::clamp(nodes.front(), low, high);
+    high = std::clamp(nodes.back(), low, high);
+  }
   for (int i = 0; i <= Samples; ++i)
   {
     places.push_back(low + (high - low) * i / Samples);
@@ -76,6 +82,16 @@ std::vector<std::array<double, 2>> pointsOf(vtkPiecewiseFunction* function, doub
     nodes.push_back(node[0]);
     points.push_back({ { node[0], node[1] } });
     isLinear = isLinear && node[2] == 0.5 && node[3] == 0;
+  }
+  if (points.empty())
+  {
+    points.push_back({ { low, 0 } }); // as VTK evaluates a function without nodes
+  }
+  if (!function->GetClamping())
+  {
+    // The function is 0 beyond its nodes.
+    points.insert(points.begin(), { { points.front()[0], 0 } });
+    points.push_back({ { points.back()[0], 0 } });
   }
   if (!isLinear)
   {

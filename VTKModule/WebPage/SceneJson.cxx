@@ -118,11 +118,17 @@ Json::Value volumeOf(const CaptureScope::Captured& captured, PageArrays& arrays)
   json["unitDistance"] = property->GetScalarOpacityUnitDistance();
   json["law"] = captured.Law == OpacityLaw::Structured ? "structured" : "unstructured";
   json["range"] = listOf(std::array<double, 2>{ { data.Range.Low, data.Range.High } });
+  json["extraRanges"] = Json::Value(Json::arrayValue);
+  for (const ScalarRange& range : data.ExtraRanges)
+  {
+    json["extraRanges"].append(listOf(std::array<double, 2>{ { range.Low, range.High } }));
+  }
   json["level"] = levelOf(data.Level);
   json["functions"] = Json::Value(Json::arrayValue);
   for (int i = 0; i < functionsNeeded(data.Key, data.Program); ++i)
   {
-    json["functions"].append(functionsOf(property, i, data.Range.Low, data.Range.High));
+    const ScalarRange& range = i == 0 ? data.Range : data.ExtraRanges[i - 1];
+    json["functions"].append(functionsOf(property, i, range.Low, range.High));
   }
   json["dataPlanes"] = Json::Value();
   for (const std::vector<double>& planes : data.DataPlanes)
