@@ -35,6 +35,7 @@ function modeOf(scene)
 
 function fail(title, text)
 {
+  byId("loading").hidden = true;
   showMessage(title, text);
   if (isBare())
   {
@@ -56,19 +57,47 @@ function watchContext(canvas)
   canvas.addEventListener("webglcontextrestored", hideMessage);
 }
 
+/** Until the first frame, "Loading" is shown: while shaders are compiled without a share. */
 async function load(viewer)
 {
   byId("loading").hidden = false;
   await viewer.load((share) => { byId("progress").value = share; });
-  byId("loading").hidden = true;
+  byId("progress").removeAttribute("value");
 }
 
-function connectPointer(canvas, viewer, scene, mode)
+/** Connects the canvas and the controls of the mode; returns what is to be called after a frame. */
+function connect(viewer, scene, mode)
 {
-  const picked = mode === "all" &&
-                 new Picked(viewer, () => scene.steps[viewer.step].volumes.map(({name}) => name));
+  const {canvas} = viewer;
+  const ratio = mode === "bare" ? Infinity : GREATEST_RATIO;
+  const framing = new Framing(viewer, canvas, scene.size, ratio);
   new Keys(canvas, viewer);
-  new Pointer(canvas, viewer, (x, y) => picked && picked.pick(x, y));
+  if (mode !== "all")
+  {
+    new Pointer(canvas, viewer, () => {});
+    return () => {};
+  }
+  const picked = new Picked(viewer, () => scene.steps[viewer.step].volumes.map(({name}) => name));
+  const controls = new Controls(viewer, scene, () => framing.reset());
+  new Pointer(canvas, viewer, (x, y) => picked.pick(x, y));
+  return (report) => {
+    controls.showFrame(report);
+    picked.follow();
+  };
+}
+
+async function drawFirst(viewer, mode)
+{
+  viewer.draw();
+  if (mode !== "bare")
+  {
+    viewer.moved(); // a coarse frame comes first
+  }
+  await viewer.complete;
+  if (mode === "bare")
+  {
+    document.title = "ready";
+  }
 }
 
 async function start()
@@ -83,35 +112,17 @@ async function start()
   watchContext(canvas);
   await load(viewer);
   setMode(mode);
-  const framing =
-    new Framing(viewer, canvas, scene.size, mode === "bare" ? Infinity : GREATEST_RATIO);
-  connectPointer(canvas, viewer, scene, mode);
-  const controls = mode === "all" ? new Controls(viewer, scene, () => framing.reset()) : null;
+  const noteFrame = connect(viewer, scene, mode);
   viewer.onframe = (report) => {
-    if (report.complete)
-    {
-      hideMessage();
-    }
-    if (controls)
-    {
-      controls.showFrame(report);
-    }
+    byId("loading").hidden = true;
+    noteFrame(report);
   };
-  viewer.draw();
-  if (mode !== "bare")
-  {
-    viewer.moved(); // a coarse frame comes first
-  }
-  await viewer.complete;
-  if (mode === "bare")
-  {
-    document.title = "ready";
-  }
+  await drawFirst(viewer, mode);
 }
 
+byId("message-close").addEventListener("click", hideMessage);
 window.addEventListener("hashchange", () => location.reload());
 start().catch((error) => {
   setMode("canvas");
-  byId("loading").hidden = true;
   fail("The scene can't be shown", error.message);
 });

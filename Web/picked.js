@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a click on the picture hit: cell, position and value.
 import {byId, shortNumber} from "./elements.js";
+import {multiply, transformPoint} from "./matrices.js";
 
-/** Rows [name, text] of viewer.pick()'s answer; several: whether the scene has several volumes. */
+/** Rows [name, text] of viewer.pick()'s answer; names: of the volumes. */
 export function describePick({volume, cell, position, value}, names)
 {
   const rows = [["Value", shortNumber(value, 7)]];
@@ -19,6 +20,14 @@ export function describePick({volume, cell, position, value}, names)
   return rows;
 }
 
+/** Where a camera sees a point of the world: pixels of [width, height], y down; null: behind it. */
+export function placeOf(camera, position, [width, height])
+{
+  const toClip = multiply(camera.projectionMatrix(width / height), camera.viewMatrix());
+  const [x, y, , w] = transformPoint(toClip, position);
+  return w > 0 ? [width * (1 + x / w) / 2, height * (1 - y / w) / 2] : null;
+}
+
 export class Picked
 {
   /** names(): of the volumes. */
@@ -27,6 +36,8 @@ export class Picked
     this.viewer = viewer;
     this.names = names;
     this.plate = byId("picked");
+    this.mark = byId("picked-mark");
+    this.hit = null;
     this.canvas = byId("picture");
     byId("picked-close").addEventListener("click", () => this.hide());
     this.canvas.addEventListener("keydown", (event) => this.key(event));
@@ -34,7 +45,8 @@ export class Picked
 
   hide()
   {
-    this.plate.hidden = true;
+    this.hit = null;
+    this.follow();
     this.canvas.focus({preventScroll: true});
   }
 
@@ -55,30 +67,37 @@ export class Picked
   /** x and y in device pixels, y down. */
   async pick(x, y)
   {
-    const hit = await this.viewer.pick(x, y);
-    this.plate.hidden = !hit;
-    if (hit)
+    this.hit = await this.viewer.pick(x, y) || null;
+    this.step = this.viewer.step;
+    byId("picked-list").replaceChildren();
+    for (const [name, text] of this.hit ? describePick(this.hit, this.names()) : [])
     {
-      byId("picked-list").replaceChildren();
-      for (const [name, text] of describePick(hit, this.names()))
-      {
-        byId("picked-list").append(makeCell("dt", name), makeCell("dd", text));
-      }
-      this.place(x, y);
+      byId("picked-list").append(makeCell("dt", name), makeCell("dd", text));
     }
+    this.follow();
   }
 
-  /** Beside the point, within the picture. */
-  place(x, y)
+  /** Shows the plate beside its point, which the camera may have moved; not in other time steps. */
+  follow()
   {
-    const scale = this.canvas.clientWidth / this.canvas.width;
-    const within = (wish, own, all) => Math.max(8, Math.min(wish, all - own - 8));
-    const {clientWidth, clientHeight} = this.canvas;
-    const left = within(x * scale + 14, this.plate.offsetWidth, clientWidth);
-    const top = within(y * scale + 14, this.plate.offsetHeight, clientHeight);
-    this.plate.style.left = `${left}px`;
-    this.plate.style.top = `${top}px`;
+    const {canvas, hit, mark, plate, viewer} = this;
+    const size = [canvas.clientWidth, canvas.clientHeight];
+    const place =
+      hit && this.step === viewer.step ? placeOf(viewer.camera, hit.position, size) : null;
+    plate.hidden = mark.hidden = !place;
+    if (place)
+    {
+      moveTo(mark, place);
+      const room = [plate.offsetWidth, plate.offsetHeight].map((own, k) => size[k] - own - 8);
+      moveTo(plate, place.map((at, k) => Math.max(8, Math.min(at + 14, room[k]))));
+    }
   }
+}
+
+function moveTo(element, [left, top])
+{
+  element.style.left = `${left}px`;
+  element.style.top = `${top}px`;
 }
 
 function makeCell(tag, text)

@@ -4,10 +4,11 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 
+import {Camera} from "../../Web/camera.js";
 import {cameraCommand, cameraPython} from "../../Web/camera_text.js";
 import {fileName} from "../../Web/controls.js";
 import {heightFactor, widenCamera} from "../../Web/framing.js";
-import {describePick} from "../../Web/picked.js";
+import {describePick, placeOf} from "../../Web/picked.js";
 import {makeLogTicks, makeTicks} from "../../Web/ticks.js";
 
 const camera = {
@@ -71,4 +72,18 @@ test("A narrow canvas shows the picture's full width", () => {
   const halfAngle = wide.viewAngle * Math.PI / 360;
   assert.ok(Math.abs(Math.tan(halfAngle) - 2 * Math.tan(Math.PI / 6)) < 1e-12);
   assert.equal(wide.parallelScale, 6);
+});
+
+test("A picked point stays at its place on the picture, unless it is behind the camera", () => {
+  const seen = new Camera({
+    ...camera,
+    position: [0, 0, 2],
+    focalPoint: [0, 0, 0],
+    viewUp: [0, 1, 0],
+    viewAngle: 90,
+    clippingRange: [1, 3]
+  });
+  const place = placeOf(seen, [1, 1, 0], [400, 200]);
+  [250, 50].forEach((pixels, k) => assert.ok(Math.abs(place[k] - pixels) < 1e-9, `${place}`));
+  assert.equal(placeOf(seen, [0, 0, 3], [400, 200]), null);
 });
