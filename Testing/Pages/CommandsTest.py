@@ -119,7 +119,7 @@ class CommandsTest(unittest.TestCase):
             with self.subTest(page=page, block=block):
                 text = "".join(map(self.check, commands(block)))
                 self.paste(text)
-                for output in re.findall(r"--(?:output|stats|pixel-json|gpu-report) (\S+)", text):
+                for output in re.findall(r"--(?:output|html|stats|pixel-json|gpu-report) (\S+)", text):
                     # Files of a series have numbers.
                     self.assertTrue(list(self.folder.glob(output.replace(".png", "*.png"))), output)
 

@@ -140,6 +140,7 @@ TEST(CommandLine, RefusesBadChoices)
   ExpectBadValue("--error", "1.5", "expected a number from 1e-6 to 1");
   ExpectBadValue("--frame-time", "0", "expected a number above 0");
   ExpectBadValue("--association", "point", "expected points or cells");
+  ExpectBadValue("--html-controls", "some", "expected all or none");
 }
 
 TEST(CommandLine, RefusesBadLight)
@@ -221,6 +222,15 @@ TEST(CommandLine, RefusesWhatWouldBeIgnored)
     { "--opaque-shadows", { "--surface=s" }, shadows, { "--surface=s", "--shadows=rays" } },
     { "--opaque-shadows", { "--shadows=rays" }, " are those of --surface, which is missing",
       { "--scattering=1", "--surface=s" } },
+    { "--html-controls=none", {}, " chooses the controls of the page of --html, which is missing",
+      { "--html=p.html" } },
+    { "--html=p.html", { "--list" }, drawing, {} },
+    { "--html=p.html", { "--turntable=3" },
+      " writes a page, which readers turn themselves, but --turntable draws pictures from all "
+      "around",
+      { "--time=all" } },
+    { "--html=p.html", { "--tile-size=512" },
+      " is for a picture in one piece, but --tile-size 512 has it drawn in tiles", {} },
     { "--output=o.png", { "--list" }, drawing, {} },
     { "--stats=s", { "--list" }, drawing, {} },
     { "--frames=1", { "--list" }, drawing, {} },
@@ -247,8 +257,13 @@ TEST(CommandLine, RefusesWhatWouldBeIgnored)
   }
 }
 
-TEST(CommandLine, RefusesPicturesOfOtherFormats)
+TEST(CommandLine, RefusesOtherFormats)
 {
+  for (const char* name : { "p.png", "p.html.txt", "cube.vtu" })
+  {
+    ExpectBadValue(
+      "--html", name, "pages are written as HTML alone; give a name that ends in .html");
+  }
   for (const char* name : { "o.jpg", "o.png.tif", "/tmp/o.PDF", "cube.vtu" })
   {
     ExpectBadValue(

@@ -131,6 +131,15 @@ TEST(CommandLine, TakesAPixel)
   EXPECT_EQ(ParseCommandLine({ "a.vtu", "--pixel", "0,5", "--output", "o.png" }).Output, "o.png");
 }
 
+TEST(CommandLine, TakesAPage)
+{
+  const CommandLine c = ParseCommandLine({ "a.vtu", "--html", "P.HTM", "--html-controls=none" });
+  EXPECT_EQ(c.Html, "P.HTM");
+  EXPECT_FALSE(c.HtmlControls);
+  EXPECT_EQ(c.Output, ""); // no picture unless asked for
+  EXPECT_TRUE(ParseCommandLine({ "a.vtu", "--html", "p" }).HtmlControls);
+}
+
 // By the numbers of vtkTetMarchVolumeMapper::ViewModeType.
 TEST(CommandLine, ViewsAreThoseOfTheMapper)
 {

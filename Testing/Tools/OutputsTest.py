@@ -29,7 +29,8 @@ class OutputsTest(RenderCase):
 
     def test_an_output_is_no_input_and_no_other_output(self):
         (self.folder / "sub").mkdir()
-        (self.folder / "symbolic.png").symlink_to("cube.vtu")
+        for name in ("symbolic.png", "symbolic.html"):
+            (self.folder / name).symlink_to("cube.vtu")
         os.link(self.folder / "cube.vtu", self.folder / "hard.png")
         (self.folder / "list.pvd").write_text('<VTKFile type="Collection"><Collection><DataSet timestep="0" '
                                               'file="cube.vtu"/></Collection></VTKFile>')
@@ -38,6 +39,7 @@ class OutputsTest(RenderCase):
         for arguments, what in (
                 (("--output", "symbolic.png"), "--output 'symbolic.png' would overwrite the input"),
                 (("--output", "hard.png"), "--output 'hard.png' would overwrite the input"),
+                (("--html", "symbolic.html"), "--html 'symbolic.html' would overwrite the input"),
                 (("--stats", "cube.vtu"), "--stats 'cube.vtu' would overwrite the input"),
                 (("--stats", "sub/../cube.vtu"), "--stats 'sub/../cube.vtu' would overwrite the input"),
                 (("--stats", self.folder / "cube.vtu"), "would overwrite the input"),
@@ -62,15 +64,18 @@ class OutputsTest(RenderCase):
                 self.expect_failure(1, f"cannot write '{name}': {reason}", "none.vtu", *SMALL, option, name)
         self.expect_failure(1, "cannot write 'no/such_0000.png': there is no folder 'no'", "none.vtu", "--turntable", 3,
                             "--output", "no/such.png")
+        self.expect_failure(1, "cannot write 'no/such.html': there is no folder 'no'", "none.vtu", "--time", "all",
+                            "--html", "no/such.html")
         self.assertTrue(os.path.exists("/dev/null"))
         self.assertTrue((self.folder / "pipe").is_fifo())
         self.assertEqual(self.contents(), self.inputs)
 
     def test_a_full_disk_leaves_the_old_file(self):
         """A limit of the size of files fails a write as a full disk does, for root as well."""
-        for options, limit in (((), 500), (("--stats", "out.json"), 600), (("--turntable", 2), 500)):
+        for options, limit in (((), 500), (("--stats", "out.json"), 600), (("--html", "out.html"), 600),
+                               (("--turntable", 2), 500)):
             with self.subTest(options=options):
-                for name in ("out.png", "out.json", "out_0000.png"):
+                for name in ("out.png", "out.json", "out.html", "out_0000.png"):
                     (self.folder / name).write_text("good")
                 before = self.contents()
                 result = self.run_bytes(
@@ -119,6 +124,7 @@ class OutputsTest(RenderCase):
                 (("--output", "-", "--stats", "-"), "--output - and --stats - both go to standard output"),
                 (("--output", "-", "--pixel", "1,1"), "--output - and the text of --pixel both go to"),
                 (("--output", "-", "--frames", 1), "--output - and the time of --frames both go to"),
+                (("--html", "-", "--stats", "-"), "--html - and --stats - both go to standard output"),
                 (("--output", "-", "--turntable", 2), "--output - is for one picture")):
             self.expect_failure(2, message, *scene, *arguments)
 

@@ -8,7 +8,9 @@
 
 #include "vtkActor2D.h"
 #include "vtkDataSetMapper.h"
+#include "vtkObjectFactory.h"
 #include "vtkPlane.h"
+#include "vtkPolyDataMapper2D.h"
 #include "vtkProperty.h"
 #include "vtkVolume.h"
 
@@ -40,6 +42,24 @@ vtkSmartPointer<vtkPolyData> plateWithLine()
   data->SetLines(lines);
   return data;
 }
+
+vtkSmartPointer<vtkActor2D> addFlat(vtkRenderer* renderer, vtkPolyData* data)
+{
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(data);
+  vtkNew<vtkActor2D> actor;
+  actor->SetMapper(mapper);
+  renderer->AddViewProp(actor);
+  return actor;
+}
+
+class OtherProp : public vtkProp
+{
+public:
+  static OtherProp* New();
+  vtkTypeMacro(OtherProp, vtkProp);
+};
+vtkStandardNewMacro(OtherProp);
 
 TEST(ActorOmissions, AreSentences)
 {
@@ -81,10 +101,13 @@ TEST(ActorOmissions, AreSentences)
       },
       { "Surfaces of 1 actor are not in the page: they are known once they have been drawn; "
         "render the window first." } },
-    { [](vtkRenderer* r, vtkActor*) { r->AddViewProp(vtkNew<vtkActor2D>()); },
-      { "Props of the class vtkActor2D (1) are not in the page: it shows surfaces and "
-        "volumes." } },
-    { [&](vtkRenderer* r, vtkActor*) { hidden(r, vtkNew<vtkActor2D>()); }, {} },
+    { [&](vtkRenderer* r, vtkActor*) { addFlat(r, unitPlate()); },
+      { "Texts and other 2D props are not in the page: it draws a scalar bar and axes of its "
+        "own." } },
+    { [&](vtkRenderer* r, vtkActor*) { addFlat(r, vtkNew<vtkPolyData>()); }, {} },
+    { [&](vtkRenderer* r, vtkActor*) { hidden(r, addFlat(r, unitPlate())); }, {} },
+    { [](vtkRenderer* r, vtkActor*) { r->AddViewProp(vtkNew<OtherProp>()); },
+      { "Props of the class OtherProp (1) are not in the page: it shows surfaces and volumes." } },
     { [](vtkRenderer* r, vtkActor*) { r->AddVolume(vtkNew<vtkVolume>()); }, {} },
   };
   for (const Case& one : cases)

@@ -50,10 +50,27 @@ protected:
 
   void add(const std::string& file, const std::string& defines, const std::string& variant)
   {
+    this->addText(file, asCoreGlsl(shaderSource(file, defines)), variant);
+  }
+
+  void addText(const std::string& file, const std::string& text, const std::string& variant)
+  {
     const std::string stage = file.substr(file.find('.'), 5); // .vert, .frag or .comp
     const std::string name = std::to_string(this->Variants.size()) + stage;
-    std::ofstream(this->Folder / name) << asCoreGlsl(shaderSource(file, defines));
+    std::ofstream(this->Folder / name) << text;
     this->Variants[name] = file + " of " + variant;
+  }
+
+  // In GLSL ES 3.00, as a page has the variants of pictures.
+  void addForPages(const std::string& file, VariantKey key)
+  {
+    key.EntryLists = false;
+    key.Peeled = false;
+    key.SplitCells = false;
+    key.HasFma = false;
+    key = key.filtered();
+    const std::string defines = key.defines() + "#define TETMARCH_ES 1\n";
+    this->addText(file, asWebGlsl(shaderSource(file, defines)), namesOf(key) + ", for pages");
   }
 
   // In one run of the validator, which names each file before what it says of it.
@@ -138,6 +155,25 @@ TEST_F(GlslValidator, TakesPicks)
 TEST_F(GlslValidator, TakesVisits)
 {
   this->expectVariants("passes/visit.frag.glsl", coveringVisitKeys());
+}
+
+TEST_F(GlslValidator, TakesThePagesOfScenes)
+{
+  for (const VariantKey& key : coveringKeys(legalKeys()))
+  {
+    this->addForPages("passes/march.frag.glsl", key);
+  }
+  for (const VariantKey& key : coveringKeys(legalPickKeys()))
+  {
+    this->addForPages("passes/pick.frag.glsl", key);
+  }
+  for (const char* file : { "passes/predicate_check.frag.glsl", "passes/tile.vert.glsl",
+         "passes/full_view.vert.glsl", "passes/enlarge.frag.glsl", "passes/view.frag.glsl",
+         "web/background.frag.glsl", "web/surface.vert.glsl", "web/surface.frag.glsl" })
+  {
+    this->addForPages(file, VariantKey());
+  }
+  this->expectValid();
 }
 
 TEST_F(GlslValidator, TakesTheOtherPasses)

@@ -15,6 +15,7 @@ from browsers import browser, pixels_of_png
 
 DESKTOP = 1000, 640
 PHONE = 390, 760
+PICKED = 330, 420
 COLORS = 192  # of a palette, so that a picture stays below 150 KB
 LATER = "return new Promise(done => setTimeout(done, 600))"  # after the last coarse frame
 IS_COMPLETE = """const { complete } = document.getElementById("picture").viewer;
@@ -66,13 +67,12 @@ def scroll_to(opened, heading):
 
 
 def desktop(opened, mesh, image):
-    """A mesh in light, an image in dark colours, each with a point picked."""
-    shown = []
-    for page, scheme, point in (mesh, "light", (330, 330)), (image, "dark", (330, 330)):
-        show(opened, page, DESKTOP, scheme)
-        pick(opened, *point)
-        shown.append(window(opened))
-    return shown
+    """A mesh in light, an image in dark colours, with a point picked."""
+    show(opened, mesh, DESKTOP, "light")
+    shown = [window(opened)]
+    show(opened, image, DESKTOP, "dark")
+    pick(opened, *PICKED)
+    return [*shown, window(opened)]
 
 
 def phone(opened, mesh, image):

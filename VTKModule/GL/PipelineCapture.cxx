@@ -16,10 +16,10 @@ namespace
 std::vector<std::uint32_t> cellsOf(const MarchedVolume& volume, const CapturedProgram& program)
 {
   std::vector<std::uint32_t> cells;
-  const auto count = program.Uniforms.find("numberOfTets");
-  if (!volume.isStructured() && count != program.Uniforms.end())
+  const auto tets = program.Textures.find("cellBuffer");
+  if (!volume.isStructured() && tets != program.Textures.end())
   {
-    cells.resize(static_cast<std::size_t>(count->second.Values.front()));
+    cells.resize(static_cast<std::size_t>(tets->second.Width));
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
       cells[i] =

@@ -26,6 +26,7 @@ from .vtkRenderingTetMarch import (
     vtkTetMarchSettings,
     vtkTetMarchSmartVolumeMapper,
     vtkTetMarchVolumeMapper,
+    vtkTetMarchWebExporter,
 )
 
 # The modules of functions that need NumPy and further modules of VTK: imported on demand.
@@ -70,6 +71,7 @@ __all__ = [
     "vtkTetMarchSettings",
     "vtkTetMarchSmartVolumeMapper",
     "vtkTetMarchVolumeMapper",
+    "vtkTetMarchWebExporter",
 ]
 
 

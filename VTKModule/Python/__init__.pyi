@@ -9,6 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPiecew
 from vtkmodules.vtkRenderingCore import (vtkAbstractVolumeMapper, vtkCamera, vtkColorTransferFunction, vtkProp,
                                          vtkRenderer, vtkVolume)
 
+from .pages import Page
 from .protocols import LikeDataArray, LikeMesh
 from .vtkRenderingTetMarch import (
     vtkTetMarchFirstPicture as vtkTetMarchFirstPicture,
@@ -20,6 +21,7 @@ from .vtkRenderingTetMarch import (
     vtkTetMarchSettings as vtkTetMarchSettings,
     vtkTetMarchSmartVolumeMapper as vtkTetMarchSmartVolumeMapper,
     vtkTetMarchVolumeMapper as vtkTetMarchVolumeMapper,
+    vtkTetMarchWebExporter as vtkTetMarchWebExporter,
 )
 
 __all__: list[str]
@@ -33,6 +35,7 @@ Opacity = Union[vtkPiecewiseFunction, float, Sequence[float], Sequence[tuple[flo
                 Literal["linear"], None]
 Range = Union[Sequence[float], None]
 Camera = Union[Literal["iso", "x", "-x", "y", "-y", "z", "-z"], Mapping[str, Any], vtkCamera]
+Controls = Literal["all", "none"]
 Size = Sequence[int]
 Pixels = np.ndarray[Any, np.dtype[np.uint8]]
 
@@ -75,6 +78,11 @@ class Figure:
     @overload
     def screenshot(self, filename: Path, *, size: Size | None = None, transparent: bool | None = None) -> Path: ...
     def save(self, path: Path) -> Path: ...
+    @overload
+    def to_html(self, path: None = None, controls: Controls = "all", title: str | None = None) -> str: ...
+    @overload
+    def to_html(self, path: Path, controls: Controls = "all", title: str | None = None) -> Path: ...
+    def page(self, height: float | None = None, controls: Controls = "all", title: str | None = None) -> Page: ...
     def show(self, title: str = "TetMarch") -> None: ...
     def pick(self, x: int, y: int) -> dict[str, Any] | None: ...
     def statistics(self) -> dict[str, Any]: ...

@@ -3,10 +3,9 @@
 """A picture of a volume: in a file, as an array, in a notebook, in a window."""
 import os
 
-from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor, vtkVolume
+from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer, vtkRenderWindow, vtkVolume
 
-from . import measures
+from . import measures, pages
 from .box_axes import BoxAxes, room_of
 from .cameras import place_camera, view_of
 from .checks import checked_flag, checked_items, checked_number, checked_path, checked_size, checked_text
@@ -18,6 +17,7 @@ from .forks import check_process, note_window
 from .pixels import pixels_of, png_bytes, write_png
 from .scalar_bar import ScalarBar, share_of
 from .volumes import volume as make_volume
+from .windows import show_window
 
 SIZE = (900, 600)
 BACKGROUND = (0.03, 0.035, 0.05)
@@ -186,6 +186,22 @@ class Figure:
         """screenshot() to a file. Returns the path."""
         return self.screenshot(path)
 
+    def to_html(self, path=None, controls="all", title=None):
+        """The scene as a web page that any browser with WebGL 2 draws, also without a network: a text.
+
+        path: writes it as a file, and returns the path. controls: "all": a panel with transfer functions, accuracy and
+        so on, "none": the picture alone, which the mouse turns as well. title: a text; None: the array's name. What of
+        the scene is not in the page becomes a warning. Raises RuntimeError if the scene can't be drawn.
+        """
+        return pages.to_html(self, path, controls, title)
+
+    def page(self, height=None, controls="all", title=None):
+        """to_html() as the last line of a notebook's cell: the page, live without a kernel. See vtktetmarch.pages.Page.
+
+        height: in pixels; None: that of the figure. Its width is the cell's.
+        """
+        return pages.Page(self, height, controls, title)
+
     def _repr_png_(self):
         return png_bytes(self.screenshot())
 
@@ -200,20 +216,7 @@ class Figure:
         self._window.Finalize()
         self._window = None
         self.renderer.SetBackgroundAlpha(1.0)
-        window = vtkRenderWindow()
-        window.SetSize(*self.size)
-        window.AddRenderer(self.renderer)
-        note_window(window)
-        interactor = vtkRenderWindowInteractor()
-        interactor.SetRenderWindow(window)
-        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
-        window.Render()
-        window.SetWindowName(title)
-        interactor.Initialize()
-        interactor.Start()
-        window.RemoveRenderer(self.renderer)
-        window.Finalize()
-        interactor.SetRenderWindow(None)
+        show_window(self.renderer, self.size, title)
 
     def pick(self, x, y):
         """Picks at a pixel, x from the left and y from the top, as picture[y, x] of screenshot().

@@ -1,16 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Pixels of a window as arrays, and as PNG."""
-import contextlib
-import os
-import secrets
-import shutil
-
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
+
+from .files import write_file
 
 
 def pixels_of(window, transparent):
@@ -58,22 +55,5 @@ def jpeg_bytes(pixels, quality=85):
 
 
 def write_png(pixels, path):
-    """Renames the file when it is complete: on a full disk an existing file is kept. OSError contains the path."""
-    path = os.fsdecode(path)
-    target = os.path.realpath(path)  # keeps a symbolic link
-    temporary = os.path.join(os.path.dirname(target), f".tetmarch-{os.getpid()}-{secrets.token_hex(8)}")
-    try:
-        exists = os.path.exists(target)
-        if exists:
-            with open(target, "r+b"):  # the error states why it can't be written
-                pass
-        with open(temporary, "xb") as file:
-            file.write(png_bytes(pixels))
-        if exists:
-            shutil.copymode(target, temporary)
-        os.replace(temporary, target)
-    except OSError as error:
-        raise OSError(error.errno, error.strerror, path) from None
-    finally:
-        with contextlib.suppress(FileNotFoundError):
-            os.remove(temporary)
+    """Writes a file that is complete once it has its name: see write_file()."""
+    write_file(png_bytes(pixels), path)

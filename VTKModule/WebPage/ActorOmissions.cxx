@@ -3,6 +3,7 @@
 #include "WebPage/ActorOmissions.h"
 
 #include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkAssemblyPath.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -10,6 +11,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPolyDataMapper2D.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -31,6 +33,14 @@ bool isNoSurface(vtkProp* prop)
     "vtkPVGridAxes3DActor" };
   return std::any_of(
     std::begin(classes), std::end(classes), [prop](const char* name) { return prop->IsA(name); });
+}
+
+// False of an overlay that has been cleared, for one.
+bool drawsAnything(vtkActor2D* actor)
+{
+  auto* mapper = vtkPolyDataMapper2D::SafeDownCast(actor->GetMapper());
+  vtkPolyData* data = mapper ? mapper->GetInput() : nullptr;
+  return mapper ? data && data->GetNumberOfCells() > 0 : actor->GetMapper() != nullptr;
 }
 
 struct CellCounts
@@ -68,7 +78,11 @@ public:
     {
       return;
     }
-    if (!actor)
+    if (auto* flat = vtkActor2D::SafeDownCast(prop))
+    {
+      this->Flat = this->Flat || drawsAnything(flat);
+    }
+    else if (!actor)
     {
       ++this->OtherProps[prop->GetClassName()];
     }
@@ -87,6 +101,11 @@ public:
       text.replace(
         text.find(place), place.size(), count == 1 ? "1 actor" : std::to_string(count) + " actors");
       sentences.push_back(text);
+    }
+    if (this->Flat)
+    {
+      sentences.push_back("Texts and other 2D props are not in the page: it draws a scalar bar and "
+                          "axes of its own.");
     }
     for (const auto& [name, count] : this->OtherProps)
     {
@@ -167,6 +186,7 @@ private:
     }
   }
 
+  bool Flat = false;                     // some 2D prop is drawn
   std::map<std::string, int> Actors;     // counts of sentences, with {} in place of the actors
   std::map<std::string, int> OtherProps; // counts of classes
 };
