@@ -3,7 +3,7 @@
 """Opaque surfaces of a page are those that VTK draws: the scenes of surface_scenes.py, pixel by pixel.
 
 With the llvmpipe, which also drew VTK's pictures, all pixels are compared. SwiftShader rounds the corners of triangles
-to another grid, so that a pixel on an edge may show the other side of it.
+to another grid, so that a pixel on an edge may show the other side of it, and one on a rim a steeper part of it.
 """
 import os
 import pathlib
@@ -24,9 +24,9 @@ MOST_ON_EDGES = 0.003  # of the pixels
 
 
 def contrast(picture):
-    """The greatest difference of each channel between a pixel and its neighbours or theirs."""
+    """The greatest difference between the 9 pixels around each one."""
     near = sliding_window_view(np.pad(picture.astype(int), ((1, 1), (1, 1), (0, 0)), "edge"), (3, 3), axis=(0, 1))
-    return near.max(axis=(3, 4)) - near.min(axis=(3, 4))
+    return (near.max(axis=(3, 4)) - near.min(axis=(3, 4))).max(axis=2)
 
 
 def setUpModule():
@@ -47,10 +47,10 @@ class Surfaces:
                 self.browser.size(expected.shape[1], expected.shape[0])
                 self.browser.open(page, "bare")
                 self.browser.wait_title("ready", 60)
-                apart = distances(self.browser.png(), expected)
+                apart = distances(self.browser.png(), expected).max(axis=2)
                 if self.which[1] == "swiftshader":
-                    self.assertLess((apart.max(axis=2) > TOLERANCE).mean(), MOST_ON_EDGES)
-                    apart = apart - contrast(expected)
+                    self.assertLess((apart > TOLERANCE).mean(), MOST_ON_EDGES)
+                    apart = apart - 2 * contrast(expected)
                 self.assertLessEqual(apart.max(), TOLERANCE)
                 self.assertEqual(self.browser.console(), [])
 
