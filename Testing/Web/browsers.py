@@ -88,6 +88,7 @@ class Browser:
 
     def png(self, selector="canvas"):
         """The pixels of the first such element as the window shows them: (height, width, 3), from the top."""
+        self.run(TWO_FRAMES)  # what a script drew is shown with the next frame
         element = self.session.call("FindElement", using="css selector", value=selector)[ELEMENT]
         return pixels_of_png(self.session.call("TakeScreenshot", id=element))
 
