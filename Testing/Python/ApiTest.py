@@ -36,7 +36,8 @@ class ApiTest(unittest.TestCase):
         self.assertEqual(CLASSES,
                          ["vtkTetMarchFirstPicture", "vtkTetMarchFrameStatistics", "vtkTetMarchImageReader",
                           "vtkTetMarchLegend", "vtkTetMarchObjectFactory", "vtkTetMarchProjectedTetrahedraMapper",
-                          "vtkTetMarchSettings", "vtkTetMarchSmartVolumeMapper", "vtkTetMarchVolumeMapper"])
+                          "vtkTetMarchSettings", "vtkTetMarchSmartVolumeMapper", "vtkTetMarchVolumeMapper",
+                          "vtkTetMarchWebExporter"])
 
     def test_base_classes(self):
         mapper = vtkTetMarchVolumeMapper()

@@ -6,7 +6,7 @@ import re
 
 from render_case import RenderCase, main
 
-SMALL = ("--size", "64x48", "--quiet")
+SMALL = ("--size", "240x180", "--quiet")
 MARKUP = "</script><img src=x onerror=alert(1)>"
 
 
@@ -26,7 +26,7 @@ class RenderPageTest(RenderCase):
                 scene = self.scene(name)
                 (step,) = scene["steps"]
                 self.assertEqual([volume["law"] for volume in step["volumes"]], [law])
-                self.assertEqual((scene["size"], scene["controls"], scene["omissions"]), ([64, 48], "all", []))
+                self.assertEqual((scene["size"], scene["controls"], scene["omissions"]), ([240, 180], "all", []))
                 self.assertTrue(scene["title"].startswith(name + ": "), scene["title"])
         self.assertEqual(list(self.folder.glob("*.png")), [])
 

@@ -24,8 +24,8 @@ class ChromeDriver:
     PATHS = {"Navigate": ("POST", "url"), "ExecuteScript": ("POST", "execute/sync"),
              "PerformActions": ("POST", "actions"), "ReleaseActions": ("DELETE", "actions"),
              "FindElement": ("POST", "element"), "SetTimeouts": ("POST", "timeouts"),
-             "TakeScreenshot": ("GET", "element/{id}/screenshot"), "DeleteSession": ("DELETE", ""),
-             "Log": ("POST", "se/log"), "DevTools": ("POST", "goog/cdp/execute")}
+             "SwitchToFrame": ("POST", "frame"), "TakeScreenshot": ("GET", "element/{id}/screenshot"),
+             "DeleteSession": ("DELETE", ""), "Log": ("POST", "se/log"), "DevTools": ("POST", "goog/cdp/execute")}
 
     def __init__(self, port, capabilities):
         self.connection = http.client.HTTPConnection("127.0.0.1", port, timeout=600)
