@@ -16,12 +16,21 @@
 #include "vtksys/FStream.hxx"
 #include "vtksys/SystemTools.hxx"
 
+#include <algorithm>
 #include <sstream>
 
 class vtkTetMarchWebExporter::Internals
 {
 public:
   void clear() { *this = Internals(); }
+  void addOmission(const std::string& sentence)
+  {
+    if (std::find(this->Omissions.begin(), this->Omissions.end(), sentence) ==
+        this->Omissions.end())
+    {
+      this->Omissions.push_back(sentence);
+    }
+  }
 
   tetmarch::PageArrays Arrays;
   Json::Value Steps{ Json::arrayValue };
@@ -61,7 +70,10 @@ bool vtkTetMarchWebExporter::AddTimeStep(const char* label)
     [&]
     {
       const tetmarch::Capture capture = tetmarch::captureScene(renderer);
-      this->Internal->Omissions = capture.Omissions;
+      for (const std::string& sentence : capture.Omissions)
+      {
+        this->Internal->addOmission(sentence);
+      }
       if (!capture.Volumes.empty() && this->Internal->FirstName.empty())
       {
         this->Internal->FirstName = capture.Volumes.front().Name;

@@ -65,15 +65,15 @@ public:
    * Returns whether it worked; if not, an error was reported.
    */
   bool AddTimeStep(const char* label);
-  /** Forget all steps. */
+  /** Forget all steps that were added. */
   void ClearTimeSteps();
 
   /** The page as text. Empty if it failed; then an error was reported. */
   std::string WriteToString();
 
   /**
-   * What of the scene is not in the page of the last step that was captured: a sentence per line.
-   * Empty if everything is.
+   * What of the captured steps, or of the last page, is not in the page: a sentence per line. Empty
+   * if everything is.
    */
   std::string GetOmissions() const;
 

@@ -3,10 +3,10 @@
 // The arrays of a page: base64 text in elements, deflated, with the bytes of numbers put apart.
 
 const NUMBERS = {
-  uint8 : Uint8Array,
-  uint16 : Uint16Array,
-  uint32 : Uint32Array,
-  float32 : Float32Array
+  uint8: Uint8Array,
+  uint16: Uint16Array,
+  uint32: Uint32Array,
+  float32: Float32Array
 };
 
 function bytesOfText(text)
@@ -28,7 +28,7 @@ async function inflated(parts, size)
   let filled = 0;
   for (;;)
   {
-    const { done, value } = await reader.read();
+    const {done, value} = await reader.read();
     if (done)
     {
       break;
@@ -75,7 +75,7 @@ export class Archive
   /** Loads arrays by index. onProgress is called with the share that is done, 0..1. */
   async load(indices, onProgress = () => {})
   {
-    const missing = [...new Set(indices) ].filter((i) => !this.loaded.has(i));
+    const missing = [...new Set(indices)].filter((i) => !this.loaded.has(i));
     const bytesOf = (i) => this.rows[i].count * NUMBERS[this.rows[i].type].BYTES_PER_ELEMENT;
     const all = missing.reduce((sum, i) => sum + bytesOf(i), 0);
     let done = 0;

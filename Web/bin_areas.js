@@ -25,8 +25,8 @@ class Span
 {
   constructor()
   {
-    this.least = [ 1e300, 1e300, 1e300, 1e300 ];
-    this.most = [ -1e300, -1e300, -1e300, -1e300 ];
+    this.least = [1e300, 1e300, 1e300, 1e300];
+    this.most = [-1e300, -1e300, -1e300, -1e300];
   }
   add(samples, i, factor)
   {
@@ -57,18 +57,18 @@ function binNode(fine, at, perBin)
   }
   const [r, g, b, tau] = fine.subarray(4 * at, 4 * at + 4);
   const fixed = at === 0 || at === last; // frequent values of the data
-  return { value : [ r * tau, g * tau, b * tau, tau ], fixed, weighted, seen };
+  return {value: [r * tau, g * tau, b * tau, tau], fixed, weighted, seen};
 }
 
 // The difference between the integrals of the fine samples and those between two kept ones.
 function missingBetween(fine, begin, end)
 {
-  const sum = [ 0, 0, 0, 0 ];
+  const sum = [0, 0, 0, 0];
   for (let i = begin; i < end; ++i)
   {
     addLinearIntegrals(fine, i, i + 1, sum);
   }
-  const line = [ 0, 0, 0, 0 ];
+  const line = [0, 0, 0, 0];
   addLinearIntegrals(fine, begin, end, line);
   return sum.map((x, k) => x / (end - begin) - line[k]);
 }

@@ -4,25 +4,25 @@
 import {invert, transformPoint} from "./matrices.js";
 
 // From and to along each axis of the data.
-function boxOf({ data })
+function boxOf({data})
 {
-  const { center, radius, halfExtent } = data.frame;
+  const {center, radius, halfExtent} = data.frame;
   return halfExtent.map((half, a) => [center[a] - half * radius, center[a] + half * radius]);
 }
 
 // The eye in coordinates of the data: (point, 1), or (direction towards it, 0).
 function eyeInData(camera, matrix)
 {
-  const { position, focalPoint, parallelProjection } = camera;
+  const {position, focalPoint, parallelProjection} = camera;
   const eye =
-    parallelProjection ? [...position.map((x, a) => x - focalPoint[a]), 0 ] : [...position, 1 ];
+    parallelProjection ? [...position.map((x, a) => x - focalPoint[a]), 0] : [...position, 1];
   return transformPoint(invert(matrix), eye);
 }
 
 // Whether a plane has a on its side away from the eye, and b between it and the eye.
 function isBeyondAPlane(a, b, eye)
 {
-  return a.some(([ low, high ], k) => {
+  return a.some(([low, high], k) => {
     const eyeBelow = eye[3] !== 0 ? eye[k] <= low : eye[k] <= 0;
     const eyeAbove = eye[3] !== 0 ? eye[k] >= high : eye[k] >= 0;
     return (b[k][1] <= low && eyeBelow) || (b[k][0] >= high && eyeAbove);
@@ -31,7 +31,7 @@ function isBeyondAPlane(a, b, eye)
 
 function distanceOf(box, eye)
 {
-  return box.reduce((sum, [ low, high ], k) => {
+  return box.reduce((sum, [low, high], k) => {
     const middle = 0.5 * (low + high);
     return sum + (eye[3] !== 0 ? (middle - eye[k]) ** 2 : -middle * eye[k]);
   }, 0);

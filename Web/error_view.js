@@ -3,8 +3,8 @@
 // The colours of error bounds, as those of VTKModule/Diagnostics/ViewColors.cxx.
 
 export const ERROR_COLORS = [
-  [ 0, 0.16, 0.13, 0.42 ], [ 0.25, 0.57, 0.2, 0.52 ], [ 0.5, 0.9, 0.37, 0.35 ],
-  [ 0.75, 0.98, 0.69, 0.33 ], [ 1, 1, 0.97, 0.72 ]
+  [0, 0.16, 0.13, 0.42], [0.25, 0.57, 0.2, 0.52], [0.5, 0.9, 0.37, 0.35], [0.75, 0.98, 0.69, 0.33],
+  [1, 1, 0.97, 0.72]
 ];
 
 /** A texture of one row. */
@@ -29,14 +29,13 @@ export function errorColorTexture(gl)
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
   gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, count, 1);
   gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, count, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-  return { target : gl.TEXTURE_2D, texture };
+  return {target: gl.TEXTURE_2D, texture};
 }
 
 /** What a scalar bar shows of them. range: of decimal logarithms. */
-export function errorLegend([ low, high ])
+export function errorLegend([low, high])
 {
-  const range = [ 10 ** low, 10 ** high ];
-  const color =
-    ERROR_COLORS.map(([ share, ...rgb ]) => [10 ** (low + share * (high - low)), ...rgb]);
-  return { title : "Error bound", color, range, logarithmic : true };
+  const range = [10 ** low, 10 ** high];
+  const color = ERROR_COLORS.map(([share, ...rgb]) => [10 ** (low + share * (high - low)), ...rgb]);
+  return {title: "Error bound", color, range, logarithmic: true};
 }

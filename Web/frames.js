@@ -5,7 +5,7 @@
 import {Target} from "./targets.js";
 import {gpuDone, Tiles} from "./tiles.js";
 
-const MARCH = [ "passes/tile.vert.glsl", "passes/march.frag.glsl" ];
+const MARCH = ["passes/tile.vert.glsl", "passes/march.frag.glsl"];
 const FULL_VIEW = "passes/full_view.vert.glsl";
 const COARSE_MILLISECONDS = 50;
 
@@ -16,10 +16,10 @@ export class Frames
     this.gl = gl;
     this.programs = programs;
     this.errorColors = errorColors;
-    this.base = new Target(gl, [ "RGBA8" ], true);
-    this.picture = new Target(gl, [ "RGBA8" ]);
-    this.coarse = new Target(gl, [ "RGBA8" ]);
-    this.measures = new Target(gl, [ "RGBA32F", "RGBA32F", "RGBA32F" ]);
+    this.base = new Target(gl, ["RGBA8"], true);
+    this.picture = new Target(gl, ["RGBA8"]);
+    this.coarse = new Target(gl, ["RGBA8"]);
+    this.measures = new Target(gl, ["RGBA32F", "RGBA32F", "RGBA32F"]);
     this.tiles = new Tiles(gl);
     this.coarseTiles = new Tiles(gl);
     this.coarseness = 4; // pixels between rays while somebody moves
@@ -42,9 +42,9 @@ export class Frames
     gl.disable(gl.DEPTH_TEST);
     gl.disable(gl.SCISSOR_TEST);
     program.use({
-      viewport : [ 0, 0, ...size ],
-      lowColor : scene.background,
-      highColor : scene.background2 || scene.background
+      viewport: [0, 0, ...size],
+      lowColor: scene.background,
+      highColor: scene.background2 || scene.background
     },
       {});
     gl.drawArrays(gl.TRIANGLES, 0, 3);
@@ -69,17 +69,17 @@ export class Frames
       }
       const level = volume.levelFor(scene.level.name, scene.level.tolerance);
       const features = volume.pictureFeatures(level, counts, opaqueDepth(view));
-      const perPixel = [ size[0] / raySize[0], size[1] / raySize[1] ];
+      const perPixel = [size[0] / raySize[0], size[1] / raySize[1]];
       drawn.push({
-        program : await this.programs.get(...MARCH, features),
-        values : volume.valuesFor(view, level, raySize, perPixel),
-        textures : {...volume.textures, opaqueDepthTexture : this.base.depth }
+        program: await this.programs.get(...MARCH, features),
+        values: volume.valuesFor(view, level, raySize, perPixel),
+        textures: {...volume.textures, opaqueDepthTexture: this.base.depth}
       });
     }
     return drawn;
   }
 
-  drawTile(drawn, target, [ x, y, width, height ])
+  drawTile(drawn, target, [x, y, width, height])
   {
     const gl = this.gl;
     const ndc = (pixel, size) => 2 * pixel / size - 1;
@@ -89,9 +89,9 @@ export class Frames
     ];
     target.bind();
     gl.disable(gl.DEPTH_TEST);
-    for (const { program, values, textures } of drawn)
+    for (const {program, values, textures} of drawn)
     {
-      program.use({...values, tile }, textures);
+      program.use({...values, tile}, textures);
       gl.drawArrays(gl.TRIANGLES, 0, 6);
     }
   }
@@ -128,7 +128,7 @@ export class Frames
       this.base.copyTo(this.picture.framebuffer);
       this.picture.bind();
       this.blendPremultiplied();
-      enlarge.use({ viewport : [ 0, 0, ...size ] }, { pictureTexture : this.coarse.colors[0] });
+      enlarge.use({viewport: [0, 0, ...size]}, {pictureTexture: this.coarse.colors[0]});
       gl.drawArrays(gl.TRIANGLES, 0, 3);
       this.picture.copyTo(null);
     }
@@ -175,10 +175,10 @@ export class Frames
     {
       return null;
     }
-    const all = [ 0, 0, ...size ];
+    const all = [0, 0, ...size];
     const work = this.measures.read(1, all);
     const trouble = this.measures.read(2, all);
-    const sums = { rays : 0, cells : 0, errorBound : 0, refused : 0, lost : 0, guarded : 0 };
+    const sums = {rays: 0, cells: 0, errorBound: 0, refused: 0, lost: 0, guarded: 0};
     for (let i = 0; i < work.length; i += 4)
     {
       sums.rays += work[i] > 0 ? 1 : 0;
@@ -192,7 +192,7 @@ export class Frames
   }
 
   /** The error bounds of the last count, in colours of decimal logarithms from low to high. */
-  async showErrors(size, [ low, high ])
+  async showErrors(size, [low, high])
   {
     const gl = this.gl;
     const program = await this.programs.get(FULL_VIEW, "passes/view.frag.glsl");
@@ -200,13 +200,9 @@ export class Frames
     this.base.copyTo(this.picture.framebuffer);
     this.picture.bind();
     gl.disable(gl.BLEND);
-    program.use({
-      viewport : [ 0, 0, ...size ],
-      measure : [ 2 ],
-      logarithmic : [ 1 ],
-      measureRange : [ low, high ]
-    },
-      { measureTexture : this.measures.colors[1], colorTexture : this.errorColors });
+    program.use(
+      {viewport: [0, 0, ...size], measure: [2], logarithmic: [1], measureRange: [low, high]},
+      {measureTexture: this.measures.colors[1], colorTexture: this.errorColors});
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     this.picture.copyTo(null);
     await gpuDone(gl);

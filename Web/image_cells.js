@@ -7,7 +7,7 @@ import {transformPoint, transpose} from "./matrices.js";
 export function imageCellOf(data, number, point)
 {
   const cells = data.uniforms.latticeCells.values;
-  const { dataPlanes } = data; // of the data in lattice coordinates, if the lattice is another one
+  const {dataPlanes} = data; // of the data in lattice coordinates, if the lattice is another one
   const place = transformPoint(transpose(data.uniforms.latticeMatrix.values), point);
   let rest = number;
   let cell = 0;

@@ -14,7 +14,7 @@ const mostInteger = 4294967295;
  * most levels unless it has its own.
  */
 function fittingSamples(
-  functions, law, [ low, high ], { tolerance, leastEntries = 1024, mostEntries = 65536 })
+  functions, law, [low, high], {tolerance, leastEntries = 1024, mostEntries = 65536})
 {
   const binsOf = (entries) => entries - entriesBeyond - 1;
   const mostPerBin = Math.max(4, Math.floor(16384 / leastEntries));
@@ -67,7 +67,7 @@ function hideUnseenColors(entries)
 function integralsOf(entries)
 {
   const sums = new Float64Array(entries.length);
-  const sum = [ 0, 0, 0, 0 ];
+  const sum = [0, 0, 0, 0];
   for (let at = 4; at < entries.length; at += 4)
   {
     addLinearIntegrals(entries, at / 4 - 1, at / 4, sum);
@@ -80,7 +80,7 @@ function integralsOf(entries)
     const ofOne = unit[i % 4];
     integrals[i] = ofOne > 0 ? Math.min(Math.floor(sums[i] / ofOne + 0.5), mostInteger) : 0;
   }
-  return { integrals, unit };
+  return {integrals, unit};
 }
 
 const greatest = (x, y, z) => Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
@@ -89,7 +89,7 @@ const greatest = (x, y, z) => Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
 function variationsOf(entries, values)
 {
   const count = entries.length / 4;
-  const variations = { color : new Float64Array(count), extinction : new Float64Array(count) };
+  const variations = {color: new Float64Array(count), extinction: new Float64Array(count)};
   for (let i = 1; i < count; ++i)
   {
     const change = (k, of) => of[4 * i + k] - of[4 * i + k - 4];
@@ -104,15 +104,15 @@ function variationsOf(entries, values)
 export function slopeVariationsOf(values)
 {
   const count = values.length / 4;
-  const variations = { extinction : new Float64Array(count), emission : new Float64Array(count) };
+  const variations = {extinction: new Float64Array(count), emission: new Float64Array(count)};
   // The slope of the parabola C tau, and of tau, at the begin (end 0) or end (end 1) of a bin.
   const slopesAt = (bin, end) => {
     const at = 4 * (bin + end);
     const rise = (k) => values[4 * bin + 4 + k] - values[4 * bin + k];
     const ofEmission = (k) => rise(k) * values[at + 3] + values[at + k] * rise(3);
-    return [ ofEmission(0), ofEmission(1), ofEmission(2), rise(3) ];
+    return [ofEmission(0), ofEmission(1), ofEmission(2), rise(3)];
   };
-  let before = [ 0, 0, 0, 0 ]; // all is constant before the first bin
+  let before = [0, 0, 0, 0]; // all is constant before the first bin
   let ofExtinction = 0;
   let ofEmission = 0;
   const pass = (slopes) => {
@@ -140,7 +140,7 @@ export function slopeVariationsOf(values)
  */
 export function transparentRangesOf(values)
 {
-  const ranges = [ -3e38, 3e38, 1, 0 ];
+  const ranges = [-3e38, 3e38, 1, 0];
   const count = values.length / 4;
   const isSeen = (i) => values[4 * i + 3] > 0;
   let widest = 0;
@@ -168,12 +168,12 @@ export function transparentRangesOf(values)
 }
 
 /** The difference of the scalars stored as 1 and 0. */
-export const widthOfRange = ([ low, high ]) => (high > low ? high - low : 1);
+export const widthOfRange = ([low, high]) => (high > low ? high - low : 1);
 
 /** The table of the functions over a range of scalars. */
 export function integralTable(functions, law, range, level)
 {
-  const { before, samples, after, begin, end } = fittingSamples(functions, law, range, level);
+  const {before, samples, after, begin, end} = fittingSamples(functions, law, range, level);
   const size = samples.length / 4 + entriesBeyond;
   const entries = new Float64Array(4 * size);
   [before, before].forEach((value, i) => entries.set(value, 4 * i));
@@ -185,5 +185,5 @@ export function integralTable(functions, law, range, level)
   const scale = (widthOfRange(range) / (end - begin)) * (size - 5);
   const offset = 2 + ((range[0] - begin) / (end - begin)) * (size - 5);
   const variations = variationsOf(entries, values);
-  return { size, values, variations, scale, offset, ...integralsOf(entries) };
+  return {size, values, variations, scale, offset, ...integralsOf(entries)};
 }

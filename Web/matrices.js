@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // 4x4 matrices as arrays of 16 numbers, row by row, and points.
 
-export function identity() { return [ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 ]; }
+export function identity()
+{
+  return [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+}
 
 export function multiply(a, b)
 {
@@ -20,21 +23,24 @@ export function multiply(a, b)
   return product;
 }
 
-export function transpose(a) { return a.map((_, i) => a[4 * (i % 4) + Math.floor(i / 4)]); }
+export function transpose(a)
+{
+  return a.map((_, i) => a[4 * (i % 4) + Math.floor(i / 4)]);
+}
 
 /** m (x, y, z, w); w is 1 if p has three numbers. */
 export function transformPoint(m, p)
 {
-  const q = [ p[0], p[1], p[2], p.length > 3 ? p[3] : 1 ];
-  return [ 0, 1, 2, 3 ].map(
+  const q = [p[0], p[1], p[2], p.length > 3 ? p[3] : 1];
+  return [0, 1, 2, 3].map(
     (r) => m[4 * r] * q[0] + m[4 * r + 1] * q[1] + m[4 * r + 2] * q[2] + m[4 * r + 3] * q[3]);
 }
 
 /** The inverse by elimination with the greatest pivot; null if there is none. */
 export function invert(m)
 {
-  const rows = [ 0, 1, 2, 3 ].map(
-    (r) => [...m.slice(4 * r, 4 * r + 4), ...identity().slice(4 * r, 4 * r + 4)]);
+  const rows =
+    [0, 1, 2, 3].map((r) => [...m.slice(4 * r, 4 * r + 4), ...identity().slice(4 * r, 4 * r + 4)]);
   for (let c = 0; c < 4; ++c)
   {
     let best = c;
@@ -47,7 +53,7 @@ export function invert(m)
     {
       return null;
     }
-    [rows[c], rows[best]] = [ rows[best], rows[c] ];
+    [rows[c], rows[best]] = [rows[best], rows[c]];
     rows[c] = rows[c].map((x) => x / pivot);
     for (let r = 0; r < 4; ++r)
     {

@@ -4,8 +4,8 @@
 import {transformPoint} from "./matrices.js";
 import {Target} from "./targets.js";
 
-const PICK_SHADERS = [ "passes/tile.vert.glsl", "passes/pick.frag.glsl" ];
-const WHOLE = [ -1, -1, 3, 3 ];
+const PICK_SHADERS = ["passes/tile.vert.glsl", "passes/pick.frag.glsl"];
+const WHOLE = [-1, -1, 3, 3];
 
 export class Picker
 {
@@ -13,7 +13,7 @@ export class Picker
   {
     this.gl = gl;
     this.programs = programs;
-    this.target = new Target(gl, [ "RGBA32F", "RGBA32F" ]);
+    this.target = new Target(gl, ["RGBA32F", "RGBA32F"]);
   }
 
   /** pixel: from the lower left corner of a picture of that size with these depths. */
@@ -45,12 +45,12 @@ export class Picker
     this.target.clear();
     gl.disable(gl.BLEND);
     gl.disable(gl.DEPTH_TEST);
-    const viewport = [ -pixel[0], -pixel[1], ...size ];
-    program.use({...volume.valuesForPick(view, size), viewport, tile : WHOLE },
-      {...volume.textures, opaqueDepthTexture : depth });
+    const viewport = [-pixel[0], -pixel[1], ...size];
+    program.use({...volume.valuesForPick(view, size), viewport, tile: WHOLE},
+      {...volume.textures, opaqueDepthTexture: depth});
     gl.drawArrays(gl.TRIANGLES, 0, 6);
-    const hit = this.target.read(0, [ 0, 0, 1, 1 ]);
-    const place = this.target.read(1, [ 0, 0, 1, 1 ]);
+    const hit = this.target.read(0, [0, 0, 1, 1]);
+    const place = this.target.read(1, [0, 0, 1, 1]);
     if (!(hit[3] > 0))
     {
       return null;
@@ -58,11 +58,11 @@ export class Picker
     const point = Array.from(place.subarray(0, 3));
     const clip = transformPoint(view.normalizedToClip, point);
     return {
-      volume : volume.index,
-      cell : volume.cellOf(hit[0] + 65536 * hit[1], point),
-      position : transformPoint(view.toWorld, point).slice(0, 3),
-      value : volume.valueOf(hit[2]),
-      depth : clip[2] / clip[3]
+      volume: volume.index,
+      cell: volume.cellOf(hit[0] + 65536 * hit[1], point),
+      position: transformPoint(view.toWorld, point).slice(0, 3),
+      value: volume.valueOf(hit[2]),
+      depth: clip[2] / clip[3]
     };
   }
 }

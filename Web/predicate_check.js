@@ -7,7 +7,7 @@ import {Target} from "./targets.js";
 
 const SIDE = 64; // the shader takes cases modulo 64 rows
 const TEXELS = 6;
-const CHECK = [ "passes/full_view.vert.glsl", "passes/predicate_check.frag.glsl" ];
+const CHECK = ["passes/full_view.vert.glsl", "passes/predicate_check.frag.glsl"];
 
 // Numbers of a linear congruential generator (Numerical Recipes, 2007, "ranqd1").
 function randomIntegers(seed)
@@ -24,20 +24,20 @@ function edgeOf(kind, random)
 {
   if (kind === 0)
   {
-    return [ 0, 1, 2, 3 ].map(() => random(8388607));
+    return [0, 1, 2, 3].map(() => random(8388607));
   }
   if (kind === 1)
   {
-    const [x, y, factor] = [ random(4095), random(4095), random(1023) ];
-    return [ x, y, x * factor + random(1), y * factor + random(1) ];
+    const [x, y, factor] = [random(4095), random(4095), random(1023)];
+    return [x, y, x * factor + random(1), y * factor + random(1)];
   }
-  let [a, b, c, d] = [ 1, 0, 0, 1 ];
+  let [a, b, c, d] = [1, 0, 0, 1];
   while (Math.max(a, b) < 2097152)
   {
     const quotient = 2 + random(1);
-    [a, b, c, d] = [ a * quotient + c, b * quotient + d, a, b ];
+    [a, b, c, d] = [a * quotient + c, b * quotient + d, a, b];
   }
-  return [ a, b, c, d ];
+  return [a, b, c, d];
 }
 
 function makeCases()
@@ -57,7 +57,7 @@ function makeCases()
 }
 
 // As turnsLeft() of tet/edge_sign.glsl, of vertices 1 and 2.
-function turnsLeft([ px, py, qx, qy ], cross)
+function turnsLeft([px, py, qx, qy], cross)
 {
   const turn = cross !== 0 ? cross : px !== qx ? px - qx : qy - py;
   return turn >= 0;
@@ -82,23 +82,23 @@ function caseTexture(gl, texels)
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
   gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, TEXELS * SIDE, SIDE);
   gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, TEXELS * SIDE, SIDE, gl.RGBA, gl.FLOAT, texels);
-  return { target : gl.TEXTURE_2D, texture };
+  return {target: gl.TEXTURE_2D, texture};
 }
 
 /** How many of 4096 cases are wrong. */
 export async function countWrongCases(gl, programs)
 {
-  const program = await programs.get(...CHECK, [ "POINT_SCALARS" ]);
+  const program = await programs.get(...CHECK, ["POINT_SCALARS"]);
   const texels = makeCases();
   const cases = caseTexture(gl, texels);
-  const target = new Target(gl, [ "RGBA32F", "RGBA32F" ]);
+  const target = new Target(gl, ["RGBA32F", "RGBA32F"]);
   target.resize(SIDE, SIDE);
   target.bind();
   gl.disable(gl.BLEND);
   gl.disable(gl.DEPTH_TEST);
-  program.use({ turns : [ 3 ] }, { caseTexture : cases });
+  program.use({turns: [3]}, {caseTexture: cases});
   gl.drawArrays(gl.TRIANGLES, 0, 3);
-  const all = [ 0, 0, SIDE, SIDE ];
+  const all = [0, 0, SIDE, SIDE];
   const edges = target.read(0, all);
   const points = target.read(1, all);
   target.release();

@@ -13,13 +13,13 @@ function compiled(gl, type, text)
 }
 
 const SETTERS = {
-  FLOAT : "uniform1fv",
-  FLOAT_VEC2 : "uniform2fv",
-  FLOAT_VEC3 : "uniform3fv",
-  FLOAT_VEC4 : "uniform4fv",
-  INT : "uniform1iv",
-  INT_VEC3 : "uniform3iv",
-  BOOL : "uniform1iv"
+  FLOAT: "uniform1fv",
+  FLOAT_VEC2: "uniform2fv",
+  FLOAT_VEC3: "uniform3fv",
+  FLOAT_VEC4: "uniform4fv",
+  INT: "uniform1iv",
+  INT_VEC3: "uniform3iv",
+  BOOL: "uniform1iv"
 };
 
 class Program
@@ -27,9 +27,8 @@ class Program
   constructor(gl, vertexText, fragmentText)
   {
     this.gl = gl;
-    this.shaders = [
-      compiled(gl, gl.VERTEX_SHADER, vertexText), compiled(gl, gl.FRAGMENT_SHADER, fragmentText)
-    ];
+    this.shaders =
+      [compiled(gl, gl.VERTEX_SHADER, vertexText), compiled(gl, gl.FRAGMENT_SHADER, fragmentText)];
     this.handle = gl.createProgram();
     this.shaders.forEach((shader) => gl.attachShader(this.handle, shader));
     gl.linkProgram(this.handle);
@@ -49,18 +48,18 @@ class Program
     const count = gl.getProgramParameter(this.handle, gl.ACTIVE_UNIFORMS) || 0;
     for (let i = 0; i < count; ++i)
     {
-      const { name, type, size } = gl.getActiveUniform(this.handle, i);
+      const {name, type, size} = gl.getActiveUniform(this.handle, i);
       const plain = name.replace("[0]", "");
       const elements = size > 1 && this.isSampler(type) ? size : 1;
       for (let k = 0; k < elements; ++k)
       {
         const element = elements > 1 ? `${plain}[${k}]` : plain;
         this.uniforms.push({
-          name : element,
+          name: element,
           type,
           size,
           plain,
-          location : gl.getUniformLocation(this.handle, elements > 1 ? element : name)
+          location: gl.getUniformLocation(this.handle, elements > 1 ? element : name)
         });
       }
     }
@@ -70,7 +69,7 @@ class Program
   isSampler(type)
   {
     const gl = this.gl;
-    return [ gl.SAMPLER_2D, gl.UNSIGNED_INT_SAMPLER_2D, gl.SAMPLER_2D_ARRAY ].includes(type);
+    return [gl.SAMPLER_2D, gl.UNSIGNED_INT_SAMPLER_2D, gl.SAMPLER_2D_ARRAY].includes(type);
   }
 
   /**
@@ -82,7 +81,7 @@ class Program
     const gl = this.gl;
     gl.useProgram(this.handle);
     let unit = 0;
-    for (const { name, type, size, location } of this.uniforms)
+    for (const {name, type, size, location} of this.uniforms)
     {
       if (this.isSampler(type))
       {
@@ -133,7 +132,7 @@ export class Programs
 
   text(entry, features)
   {
-    return composeShader(this.files, entry, this.symbols, [...features, "ES" ],
+    return composeShader(this.files, entry, this.symbols, [...features, "ES"],
       `#define BUFFER_ROW_SHIFT ${rowShift(this.gl)}\n`);
   }
 
@@ -143,7 +142,7 @@ export class Programs
    */
   async get(vertex, fragment, features = [])
   {
-    const key = [ vertex, fragment, ...[...features].sort() ].join(" ");
+    const key = [vertex, fragment, ...[...features].sort()].join(" ");
     if (!this.known.has(key))
     {
       const program =

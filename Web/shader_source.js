@@ -89,7 +89,7 @@ class Conditions
     {
       const outer = this.active;
       const active = outer && parseCondition(line.slice(4), this.symbols);
-      this.levels.push({ outer, active, done : active });
+      this.levels.push({outer, active, done: active});
     }
     else if (line.startsWith("#elif "))
     {
@@ -113,7 +113,7 @@ class Conditions
   }
 }
 
-const PRECISION = [ "float", "int", "sampler2D", "usampler2D", "sampler2DArray" ]
+const PRECISION = ["float", "int", "sampler2D", "usampler2D", "sampler2DArray"]
                     .map((type) => `precision highp ${type};\n`)
                     .join("");
 

@@ -7,7 +7,7 @@ import {SURFACE_SHADERS, surfaceArrays, Surfaces} from "./surfaces.js";
 import {normalizedToWorld} from "./view.js";
 import {Volume} from "./volume.js";
 
-function includePoint(bounds, [ x, y, z ])
+function includePoint(bounds, [x, y, z])
 {
   [x, y, z].forEach((value, a) => {
     bounds[2 * a] = Math.min(bounds[2 * a], value);
@@ -32,9 +32,9 @@ export class Step
    */
   async load(archive, programs, before, onProgress)
   {
-    const { surfaces } = this.data;
+    const {surfaces} = this.data;
     const indices =
-      [...this.volumes.flatMap((volume) => volume.arrays), ...surfaceArrays(surfaces) ];
+      [...this.volumes.flatMap((volume) => volume.arrays), ...surfaceArrays(surfaces)];
     await archive.load(indices, onProgress);
     const kept = before ? before.known : new Map();
     for (const volume of this.volumes)
@@ -65,7 +65,8 @@ export class Step
   {
     if (this.gl.getError() === this.gl.OUT_OF_MEMORY)
     {
-      throw new Error("This browser's graphics have no room for the data of the scene. Close other " +
+      throw new Error(
+        "This browser's graphics have no room for the data of the scene. Close other " +
         "pages, open this one on another computer, or write a page of a smaller part of the data.");
     }
   }
@@ -82,8 +83,8 @@ export class Step
   // x, y and z from and to, of the volumes' boxes and the surfaces' points.
   findBounds(archive)
   {
-    const bounds = [ Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity ];
-    for (const { data } of this.volumes)
+    const bounds = [Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity];
+    for (const {data} of this.volumes)
     {
       const toWorld = normalizedToWorld(data);
       for (let corner = 0; corner < 8; ++corner)
@@ -92,7 +93,7 @@ export class Step
         includePoint(bounds, transformPoint(toWorld, p));
       }
     }
-    for (const { positions, matrix } of this.data.surfaces)
+    for (const {positions, matrix} of this.data.surfaces)
     {
       const points = archive.array(positions);
       for (let i = 0; i < points.length; i += 3)
@@ -100,7 +101,7 @@ export class Step
         includePoint(bounds, transformPoint(matrix, points.subarray(i, i + 3)));
       }
     }
-    return bounds[0] <= bounds[1] ? bounds : [ -1, 1, -1, 1, -1, 1 ];
+    return bounds[0] <= bounds[1] ? bounds : [-1, 1, -1, 1, -1, 1];
   }
 
   /** The volumes as VTK draws them: one after the other, and the blocks of each back to front. */
@@ -108,9 +109,9 @@ export class Step
   {
     const groups = new Map();
     this.volumes.forEach((volume) => {
-      const { group } = volume.data;
-      groups.set(group, [...(groups.get(group) || []), volume ]);
+      const {group} = volume.data;
+      groups.set(group, [...(groups.get(group) || []), volume]);
     });
-    return [...groups.values() ].flatMap((blocks) => backToFront(blocks, camera));
+    return [...groups.values()].flatMap((blocks) => backToFront(blocks, camera));
   }
 }

@@ -6,23 +6,23 @@ import {integralTable, slopeVariationsOf, transparentRangesOf, widthOfRange} fro
 import {checkFunctions, evaluate, extinctionOf} from "./transfer_functions.js";
 
 // The functions of each table, as Appearance/Blending.cxx and Components.cxx choose them.
-function functionsOfTables(functions, { law, range, blend, components, extraRanges })
+function functionsOfTables(functions, {law, range, blend, components, extraRanges})
 {
-  const ranges = [ range, ...extraRanges ];
-  const { color, opacity } = functions[0];
+  const ranges = [range, ...extraRanges];
+  const {color, opacity} = functions[0];
   const low = range[0];
-  const intensity = [ [ low, 0, 0, 0 ], [ low + widthOfRange(range), 1, 1, 1 ] ];
-  const opacities = { color : [ [ opacity[0][0], 1, 1, 1 ] ], opacity };
-  const colors = { color, opacity : [ [ color[0][0], 1 ] ] };
+  const intensity = [[low, 0, 0, 0], [low + widthOfRange(range), 1, 1, 1]];
+  const opacities = {color: [[opacity[0][0], 1, 1, 1]], opacity};
+  const colors = {color, opacity: [[color[0][0], 1]]};
   const kinds = {
-    composite : () => [{ functions : functions[0], law, range }],
-    extreme : () => [{ functions : functions[0], law : "unstructured", range }],
-    isosurfaces : () => kinds.extreme(),
-    sum : () => [{ functions : { color : intensity, opacity }, law : "unstructured", range }],
-    independent : () => functions.map((own, k) => ({ functions : own, law, range : ranges[k] })),
-    direct_color : () => [{ functions : opacities, law, range }],
-    color_and_opacity : () => [...kinds.direct_color(),
-      { functions : colors, law : "unstructured", range : ranges[1] }]
+    composite: () => [{functions: functions[0], law, range}],
+    extreme: () => [{functions: functions[0], law: "unstructured", range}],
+    isosurfaces: () => kinds.extreme(),
+    sum: () => [{functions: {color: intensity, opacity}, law: "unstructured", range}],
+    independent: () => functions.map((own, k) => ({functions: own, law, range: ranges[k]})),
+    direct_color: () => [{functions: opacities, law, range}],
+    color_and_opacity:
+      () => [...kinds.direct_color(), {functions: colors, law: "unstructured", range: ranges[1]}]
   };
   const kind = components === "single" ? blend : components;
   if (!Object.hasOwn(kinds, kind))
@@ -46,8 +46,8 @@ function variationTexels(tables, channels)
 {
   const slopes = channels === 4 ? slopeVariationsOf(tables[0].values) : null;
   return joined(Float32Array, tables.map((table, k) => {
-    const of = [ table.variations.color, table.variations.extinction ];
-    const all = k === 0 && slopes ? [...of, slopes.extinction, slopes.emission ] : of;
+    const of = [table.variations.color, table.variations.extinction];
+    const all = k === 0 && slopes ? [...of, slopes.extinction, slopes.emission] : of;
     const texels = new Float32Array(channels * table.size);
     for (let c = 0; c < Math.min(channels, all.length); ++c)
     {
@@ -82,10 +82,10 @@ function isoColors(functions, range, stored)
 const floats = (numbers) => Array.from(numbers, Math.fround);
 
 // The colour and extinction of scalars that are not finite.
-function nanColorOf([ r, g, b, opacity ], law)
+function nanColorOf([r, g, b, opacity], law)
 {
-  const color = [ r, g, b ].map((x) => Math.min(Math.max(0, x), 1));
-  return floats([...color, extinctionOf(opacity, law) ]);
+  const color = [r, g, b].map((x) => Math.min(Math.max(0, x), 1));
+  return floats([...color, extinctionOf(opacity, law)]);
 }
 
 /**
@@ -109,19 +109,19 @@ export function makeTables(functions, {
 {
   const all = [].concat(functions);
   all.forEach(checkFunctions);
-  const wanted = functionsOfTables(all, { law, range, blend, components, extraRanges });
+  const wanted = functionsOfTables(all, {law, range, blend, components, extraRanges});
   const tables = wanted.map((one) => integralTable(one.functions, one.law, one.range, level));
   const [first] = tables;
   const ranges = transparentRangesOf(first.values);
   const channels = structured ? 4 : components === "single" ? 1 : 2;
   const uniforms = {
-    tableSize : [ first.size ],
-    tableScale : floats([ first.scale ]),
-    tableOffset : floats([ first.offset ]),
-    givenIntegralUnit : floats(first.unit),
-    constantColor : [...first.values.subarray(0, 3) ],
-    nanColor : nanColorOf(blend === "sum" ? [ 0, 0, 0, 0 ] : all[0].nan, wanted[0].law),
-    givenTransparentRanges : floats(ranges)
+    tableSize: [first.size],
+    tableScale: floats([first.scale]),
+    tableOffset: floats([first.offset]),
+    givenIntegralUnit: floats(first.unit),
+    constantColor: [...first.values.subarray(0, 3)],
+    nanColor: nanColorOf(blend === "sum" ? [0, 0, 0, 0] : all[0].nan, wanted[0].law),
+    givenTransparentRanges: floats(ranges)
   };
   if (blend === "isosurfaces")
   {
@@ -136,16 +136,16 @@ export function makeTables(functions, {
     uniforms.tablePlace = floats(tables.flatMap((table) => [table.scale, table.offset]));
   }
   return {
-    values : joined(Float32Array, tables.map((table) => table.values)),
-    integrals : joined(Uint32Array, tables.map((table) => table.integrals)),
-    variations : {
-      data : variationTexels(tables, channels),
-      format : { 1 : "R32F", 2 : "RG32F", 4 : "RGBA32F" }[channels]
+    values: joined(Float32Array, tables.map((table) => table.values)),
+    integrals: joined(Uint32Array, tables.map((table) => table.integrals)),
+    variations: {
+      data: variationTexels(tables, channels),
+      format: {1: "R32F", 2: "RG32F", 4: "RGBA32F"}[channels]
     },
     uniforms,
-    traits : {
-      constantColor : first.values.every((x, i) => i % 4 === 3 || x === first.values[i % 4]),
-      transparentRanges : ranges[0] > -3e38 || ranges[1] < 3e38 || ranges[2] < ranges[3]
+    traits: {
+      constantColor: first.values.every((x, i) => i % 4 === 3 || x === first.values[i % 4]),
+      transparentRanges: ranges[0] > -3e38 || ranges[1] < 3e38 || ranges[2] < ranges[3]
     }
   };
 }
@@ -154,11 +154,11 @@ export function makeTables(functions, {
 export function levelOf(name, tolerance)
 {
   const levels = {
-    fast : [ false, 1 / 512, 1, 1024, 1024 ],
-    default : [ true, 1 / 255, 64, 1024, 65536 ],
-    accurate : [ true, 1 / 4096, 256, 1024, 65536 ],
-    reference : [ true, 1e-5, 1265, 4096, 65536 ],
-    sampled : [ false, 1 / 255, 1, 1024, 65536 ]
+    fast: [false, 1 / 512, 1, 1024, 1024],
+    default: [true, 1 / 255, 64, 1024, 65536],
+    accurate: [true, 1 / 4096, 256, 1024, 65536],
+    reference: [true, 1e-5, 1265, 4096, 65536],
+    sampled: [false, 1 / 255, 1, 1024, 65536]
   };
   if (!Object.hasOwn(levels, name))
   {
@@ -168,9 +168,9 @@ export function levelOf(name, tolerance)
   const kept = name === "default" ? tolerance : adaptive ? Math.min(most, tolerance) : most;
   return {
     adaptive,
-    tolerance : kept,
-    trials : adaptive ? Math.ceil(4 / Math.sqrt(kept)) : trials,
-    sampled : name === "sampled",
+    tolerance: kept,
+    trials: adaptive ? Math.ceil(4 / Math.sqrt(kept)) : trials,
+    sampled: name === "sampled",
     leastEntries,
     mostEntries
   };

@@ -10,7 +10,7 @@ export class Target
     this.gl = gl;
     this.formats = formats;
     this.hasDepth = depth;
-    this.size = [ 0, 0 ];
+    this.size = [0, 0];
     this.colors = [];
   }
 
@@ -22,7 +22,7 @@ export class Target
     }
     this.release();
     const gl = this.gl;
-    this.size = [ width, height ];
+    this.size = [width, height];
     this.framebuffer = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
     this.colors = this.formats.map((format, i) => this.attach(format, gl.COLOR_ATTACHMENT0 + i));
@@ -50,7 +50,7 @@ export class Target
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
     gl.texStorage2D(gl.TEXTURE_2D, 1, gl[format], ...this.size);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, attachment, gl.TEXTURE_2D, texture, 0);
-    return { target : gl.TEXTURE_2D, texture };
+    return {target: gl.TEXTURE_2D, texture};
   }
 
   bind()
@@ -62,11 +62,11 @@ export class Target
   clear()
   {
     const gl = this.gl;
-    this.formats.forEach((_, i) => gl.clearBufferfv(gl.COLOR, i, [ 0, 0, 0, 0 ]));
+    this.formats.forEach((_, i) => gl.clearBufferfv(gl.COLOR, i, [0, 0, 0, 0]));
     if (this.hasDepth)
     {
       gl.depthMask(true);
-      gl.clearBufferfv(gl.DEPTH, 0, [ 1 ]);
+      gl.clearBufferfv(gl.DEPTH, 0, [1]);
     }
   }
 
@@ -81,7 +81,7 @@ export class Target
   }
 
   /** The numbers of an attachment of floats in a rectangle, four a pixel, rows from the bottom. */
-  read(attachment, [ x, y, width, height ])
+  read(attachment, [x, y, width, height])
   {
     const gl = this.gl;
     const pixels = new Float32Array(4 * width * height);
@@ -94,10 +94,10 @@ export class Target
   release()
   {
     const gl = this.gl;
-    [...this.colors, ...(this.depth ? [ this.depth ] : [])].forEach(
-      ({ texture }) => gl.deleteTexture(texture));
+    [...this.colors, ...(this.depth ? [this.depth] : [])].forEach(
+      ({texture}) => gl.deleteTexture(texture));
     gl.deleteFramebuffer(this.framebuffer || null);
     this.colors = [];
-    this.size = [ 0, 0 ];
+    this.size = [0, 0];
   }
 }

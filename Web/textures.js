@@ -4,16 +4,16 @@
 
 // 16-bit normalised integers are no format of WebGL: they become floats.
 const FORMATS = {
-  R8 : [ "R8", "RED", "UNSIGNED_BYTE", 1 ],
-  R16 : [ "R32F", "RED", "FLOAT", 1 ],
-  R32F : [ "R32F", "RED", "FLOAT", 1 ],
-  RG32F : [ "RG32F", "RG", "FLOAT", 2 ],
-  RGBA16F : [ "RGBA16F", "RGBA", "HALF_FLOAT", 4 ],
-  RGBA32F : [ "RGBA32F", "RGBA", "FLOAT", 4 ],
-  R8UI : [ "R8UI", "RED_INTEGER", "UNSIGNED_BYTE", 1 ],
-  R32UI : [ "R32UI", "RED_INTEGER", "UNSIGNED_INT", 1 ],
-  RG32UI : [ "RG32UI", "RG_INTEGER", "UNSIGNED_INT", 2 ],
-  RGBA32UI : [ "RGBA32UI", "RGBA_INTEGER", "UNSIGNED_INT", 4 ]
+  R8: ["R8", "RED", "UNSIGNED_BYTE", 1],
+  R16: ["R32F", "RED", "FLOAT", 1],
+  R32F: ["R32F", "RED", "FLOAT", 1],
+  RG32F: ["RG32F", "RG", "FLOAT", 2],
+  RGBA16F: ["RGBA16F", "RGBA", "HALF_FLOAT", 4],
+  RGBA32F: ["RGBA32F", "RGBA", "FLOAT", 4],
+  R8UI: ["R8UI", "RED_INTEGER", "UNSIGNED_BYTE", 1],
+  R32UI: ["R32UI", "RED_INTEGER", "UNSIGNED_INT", 1],
+  RG32UI: ["RG32UI", "RG_INTEGER", "UNSIGNED_INT", 2],
+  RGBA32UI: ["RGBA32UI", "RGBA_INTEGER", "UNSIGNED_INT", 4]
 };
 
 // The data of a texture has the type of its format.
@@ -70,13 +70,13 @@ export function arrayTexture(gl, format, array)
   const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
   const width = 1 << rowShift(gl);
   const height = Math.max(1, Math.ceil(texels / width));
-  checkSize([ most, most ], [ width, height ]);
+  checkSize([most, most], [width, height]);
   const numbers = numbersFor(format, array);
   const padded = new numbers.constructor(width * height * components);
   padded.set(numbers);
   const texture = newTexture(gl, gl.TEXTURE_2D);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl[internal], width, height, 0, gl[layout], gl[type], padded);
-  return { target : gl.TEXTURE_2D, texture };
+  return {target: gl.TEXTURE_2D, texture};
 }
 
 /** A texture of the page with its array. */
@@ -91,16 +91,16 @@ export function pageTexture(gl, row, array)
   const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
   if (row.kind === "2d")
   {
-    checkSize([ most, most ], [ row.width, row.height ]);
+    checkSize([most, most], [row.width, row.height]);
     const texture = newTexture(gl, gl.TEXTURE_2D);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl[internal], row.width, row.height, 0, gl[layout], gl[type],
-      numbers);
-    return { target : gl.TEXTURE_2D, texture };
+    gl.texImage2D(
+      gl.TEXTURE_2D, 0, gl[internal], row.width, row.height, 0, gl[layout], gl[type], numbers);
+    return {target: gl.TEXTURE_2D, texture};
   }
-  checkSize([ most, most, gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS) ],
-    [ row.width, row.height, row.layers ]);
+  checkSize([most, most, gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS)],
+    [row.width, row.height, row.layers]);
   const texture = newTexture(gl, gl.TEXTURE_2D_ARRAY);
   gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, gl[internal], row.width, row.height, row.layers, 0,
     gl[layout], gl[type], numbers);
-  return { target : gl.TEXTURE_2D_ARRAY, texture };
+  return {target: gl.TEXTURE_2D_ARRAY, texture};
 }

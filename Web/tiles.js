@@ -6,7 +6,10 @@ const MILLISECONDS_OF_TILE = 30;
 const LEAST_PIXELS = 64;
 const MOST_PIXELS = 1 << 24;
 
-function nextTask() { return new Promise((resolve) => setTimeout(resolve, 0)); }
+function nextTask()
+{
+  return new Promise((resolve) => setTimeout(resolve, 0));
+}
 
 /** Resolves when the GPU has done what it was told so far. */
 export async function gpuDone(gl)
@@ -34,7 +37,7 @@ export class Tiles
   }
 
   // Parts of a picture, row by row; their size follows this.pixels.
-  * parts([ width, height ])
+  * parts([width, height])
   {
     for (let y = 0, tall = 0; y < height; y += tall)
     {

@@ -84,7 +84,7 @@ export function evaluate(functions, law, begin, end, count)
  */
 export function sampleFunctions(functions, law, low, high, count)
 {
-  const { color, opacity } = functions;
+  const {color, opacity} = functions;
   let begin = Math.max(low, Math.min(color[0][0], opacity[0][0]));
   let end = Math.min(high, Math.max(color[color.length - 1][0], opacity[opacity.length - 1][0]));
   // There are no nodes within the data, or only in so small a part that positions in the table
@@ -99,8 +99,8 @@ export function sampleFunctions(functions, law, low, high, count)
     begin,
     end,
     samples,
-    before : low < begin ? evaluate(functions, law, low, low, 1) : samples.subarray(0, 4),
-    after : high > end ? evaluate(functions, law, high, high, 1) : samples.subarray(-4)
+    before: low < begin ? evaluate(functions, law, low, low, 1) : samples.subarray(0, 4),
+    after: high > end ? evaluate(functions, law, high, high, 1) : samples.subarray(-4)
   };
 }
 
@@ -124,7 +124,7 @@ export function refined(functions, law, coarse, factor)
     }
     samples[4 * i + 3] = extinctionOf(opacities[i], law);
   }
-  return {...coarse, samples };
+  return {...coarse, samples};
 }
 
 // The maximum difference between the fine samples and the lines between kept ones: in extinction,
@@ -157,5 +157,5 @@ function deviationOf(fine, kept, perBin)
 export function keepAreas(fine, perBin)
 {
   const samples = keepBinAreas(fine.samples, perBin);
-  return {...fine, samples, deviation : deviationOf(fine.samples, samples, perBin) };
+  return {...fine, samples, deviation: deviationOf(fine.samples, samples, perBin)};
 }

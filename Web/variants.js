@@ -3,15 +3,21 @@
 // Which features the shader of a picture has: VTKModule/Variants/VariantKey.cxx, as far as a page
 // can change them.
 
-const BLENDED = [ "EXTREME", "SUM", "ISOSURFACES" ];
+const BLENDED = ["EXTREME", "SUM", "ISOSURFACES"];
 const OF_PICKS = [
   "BVH", "STRUCTURED", "RECTILINEAR", "SLABS", "MANY_SLABS", "LEAPS", "POINT_SCALARS", "CLIPPED",
   "CROPPED", "NAN_SHOWN", "HIDDEN_CELLS", ...BLENDED, "INDEPENDENT", "GRADIENT_OPACITY"
 ];
 
-export function isComposite(features) { return !BLENDED.some((name) => features.has(name)); }
+export function isComposite(features)
+{
+  return !BLENDED.some((name) => features.has(name));
+}
 
-function setIf(features, name, on) { on ? features.add(name) : features.delete(name); }
+function setIf(features, name, on)
+{
+  on ? features.add(name) : features.delete(name);
+}
 
 /**
  * The features of a picture. written: those of the page; level: of levelOf(); traits: of edited
@@ -25,8 +31,8 @@ export function pictureFeatures(written, {level, traits, counts, opaqueDepth})
   if (traits)
   {
     const several =
-      [ "INDEPENDENT", "COLOR_AND_OPACITY", "DIRECT_COLOR" ].some((name) => features.has(name));
-    const shows = [ "SHOW_ILLUMINATION", "SHOW_GRADIENTS" ].some((name) => features.has(name));
+      ["INDEPENDENT", "COLOR_AND_OPACITY", "DIRECT_COLOR"].some((name) => features.has(name));
+    const shows = ["SHOW_ILLUMINATION", "SHOW_GRADIENTS"].some((name) => features.has(name));
     features.delete("LEAPS"); // which blocks are empty depends on the functions
     setIf(features, "CONSTANT_COLOR", composite && !several && !shows && traits.constantColor);
     setIf(features, "TRANSPARENT_RANGES",
@@ -45,8 +51,8 @@ export function pictureFeatures(written, {level, traits, counts, opaqueDepth})
 /** The features of a pick: as in the picture, but without light. */
 export function pickFeatures(written, traits)
 {
-  const level = { adaptive : false, sampled : false };
-  const picture = pictureFeatures(written, { level, traits, counts : false, opaqueDepth : true });
+  const level = {adaptive: false, sampled: false};
+  const picture = pictureFeatures(written, {level, traits, counts: false, opaqueDepth: true});
   const features = new Set(OF_PICKS.filter((name) => picture.has(name)));
   features.add("OPAQUE_DEPTH");
   setIf(

@@ -21,14 +21,14 @@ function fittedDepths(toClip, halfExtent)
   if (w[0] === 0 && w[1] === 0 && w[2] === 0)
   {
     const scale = w[3] / (MARGIN * reachOf(z, halfExtent));
-    return [...m.slice(0, 8), z[0] * scale, z[1] * scale, z[2] * scale, 0, ...w ];
+    return [...m.slice(0, 8), z[0] * scale, z[1] * scale, z[2] * scale, 0, ...w];
   }
   const reach = reachOf(w, halfExtent);
   const far = w[3] + MARGIN * reach;
   const near = Math.max(w[3] - MARGIN * reach, 0.5 * (w[3] - reach));
   const depths = w.map((x) => x * (far + near) / (far - near));
   depths[3] -= 2 * far * near / (far - near);
-  return [...m.slice(0, 8), ...depths, ...w ];
+  return [...m.slice(0, 8), ...depths, ...w];
 }
 
 // From an inverse: clip x and y -> the point at that clip depth.
@@ -65,13 +65,13 @@ function classify(toClip, halfExtent)
     cutsNearPlane = cutsNearPlane || z <= -w;
     cutsFarPlane = cutsFarPlane || z >= w;
   }
-  return { cutsNearPlane, cutsFarPlane };
+  return {cutsNearPlane, cutsFarPlane};
 }
 
 // The common point of all lines of sight in view coordinates, or the direction towards the eye.
 function eyeOf(projection)
 {
-  const eye = [ 2, 6, 10, 14 ].map((i) => -invert(projection)[i]);
+  const eye = [2, 6, 10, 14].map((i) => -invert(projection)[i]);
   const unit = eye[3] !== 0 ? eye[3] : Math.max(...eye.slice(0, 3).map(Math.abs));
   return eye.map((x) => x / unit);
 }
@@ -86,9 +86,9 @@ function inFloatRange(m)
 /** From the normalised frame of a volume to the world. */
 export function normalizedToWorld(volume)
 {
-  const { center, radius } = volume.frame;
+  const {center, radius} = volume.frame;
   const toData =
-    [ radius, 0, 0, center[0], 0, radius, 0, center[1], 0, 0, radius, center[2], 0, 0, 0, 1 ];
+    [radius, 0, 0, center[0], 0, radius, 0, center[1], 0, 0, radius, center[2], 0, 0, 0, 1];
   return multiply(volume.matrix, toData);
 }
 
@@ -107,11 +107,11 @@ export function viewOf(camera, aspect, volume)
     return null;
   }
   const clipToNormalized = inFloatRange(inverse);
-  const { halfExtent } = volume.frame;
+  const {halfExtent} = volume.frame;
   const view = {
     normalizedToClip,
     clipToNormalized,
-    eye : transformPoint(fromView, eyeOf(projection)),
+    eye: transformPoint(fromView, eyeOf(projection)),
     toWorld,
     ...classify(normalizedToClip, halfExtent)
   };

@@ -14,7 +14,7 @@ const MILLISECONDS_AT_REST = 150; // after the last movement
 function contextOf(canvas)
 {
   const gl = canvas.getContext(
-    "webgl2", { alpha : false, antialias : false, depth : false, preserveDrawingBuffer : true });
+    "webgl2", {alpha: false, antialias: false, depth: false, preserveDrawingBuffer: true});
   if (!gl)
   {
     throw new Error(
@@ -25,10 +25,10 @@ function contextOf(canvas)
 }
 
 // The level that draws as the written one.
-function writtenLevel({ adaptive, sampled, tolerance })
+function writtenLevel({adaptive, sampled, tolerance})
 {
-  return adaptive ? { name : "default", tolerance }
-                  : { name : sampled ? "sampled" : "fast", tolerance : 1 / 255 };
+  return adaptive ? {name: "default", tolerance}
+                  : {name: sampled ? "sampled" : "fast", tolerance: 1 / 255};
 }
 
 export class Viewer
@@ -44,7 +44,7 @@ export class Viewer
     this.stepIndex = 0;
     this.shown = "picture";
     const [first] = scene.steps[0].volumes;
-    this.levelSet = first ? writtenLevel(first.level) : { name : "default", tolerance : 1 / 255 };
+    this.levelSet = first ? writtenLevel(first.level) : {name: "default", tolerance: 1 / 255};
     this.edits = new Map(); // functions by volume
     this.wanted = 0;        // number of the frame that is wanted
     this.onframe = () => {};
@@ -56,20 +56,20 @@ export class Viewer
   /** Reads the arrays of the first step, and compiles. */
   async load(onProgress = () => {})
   {
-    const { gl, archive, scene } = this;
+    const {gl, archive, scene} = this;
     if (!gl.getExtension("EXT_color_buffer_float"))
     {
       throw new Error("This browser's graphics can't draw floating-point numbers " +
                       "(EXT_color_buffer_float), which the scene needs. Try another browser.");
     }
-    await archive.load([ scene.shaders ], () => {});
+    await archive.load([scene.shaders], () => {});
     const files = JSON.parse(new TextDecoder().decode(archive.array(scene.shaders)));
     this.programs = new Programs(gl, files, scene.symbols);
     this.frames = new Frames(gl, this.programs, errorColorTexture(gl));
     this.picker = new Picker(gl, this.programs);
     this.current = null;
     if (scene.steps.some(
-          ({ volumes }) => volumes.some(({ features }) => !features.includes("STRUCTURED"))))
+          ({volumes}) => volumes.some(({features}) => !features.includes("STRUCTURED"))))
     {
       await checkPredicate(gl, this.programs);
     }
@@ -107,7 +107,7 @@ export class Viewer
     }
   }
 
-  get size() { return [ this.canvas.width, this.canvas.height ]; }
+  get size() { return [this.canvas.width, this.canvas.height]; }
 
   /** [xMin, xMax, yMin, yMax, zMin, zMax] of all that is shown. */
   get bounds() { return this.current.bounds; }
@@ -115,12 +115,12 @@ export class Viewer
   get drawnScene()
   {
     return {
-      camera : this.camera,
-      level : this.levelSet,
-      background : this.scene.background,
-      background2 : this.scene.background2,
-      volumes : this.current.ordered(this.camera),
-      surfaces : this.current.surfaces
+      camera: this.camera,
+      level: this.levelSet,
+      background: this.scene.background,
+      background2: this.scene.background2,
+      volumes: this.current.ordered(this.camera),
+      surfaces: this.current.surfaces
     };
   }
 
@@ -131,15 +131,22 @@ export class Viewer
       this.canvas.width = width;
       this.canvas.height = height;
     }
-    this.draw();
+    this.hasDrawn ? this.drawSoon() : this.draw();
   }
 
   /** The camera has moved, and may go on to. */
   moved()
   {
+    this.camera.resetClippingRange(this.current.bounds);
+    this.drawSoon();
+  }
+
+  // A coarse frame now, and a complete one if nothing else happens.
+  drawSoon()
+  {
     clearTimeout(this.rest);
     this.rest = setTimeout(() => this.draw(), MILLISECONDS_AT_REST);
-    this.begin((isWanted) => this.drawCoarse(isWanted));
+    this.begin(() => this.drawCoarse());
   }
 
   /** Draws a complete frame. */
@@ -171,21 +178,28 @@ export class Viewer
              this.guard(() => draw(() => number === this.wanted));
     };
     const done = run();
-    this.running = Promise.all([ this.running, done ]).then(() => {});
+    this.running = Promise.all([this.running, done]).then(() => {});
+    return done;
+  }
+
+  // What is not drawn on the canvas waits for the frame that is being drawn, and ends none.
+  queue(action)
+  {
+    const done = Promise.resolve(this.running).then(() => this.guard(action));
+    this.running = done.then(() => {});
     return done;
   }
 
   async drawCoarse()
   {
-    this.camera.resetClippingRange(this.current.bounds);
     const complete = await this.frames.drawCoarse(this.drawnScene, this.size, () => true);
-    this.onframe({ complete : false });
+    this.onframe({complete: false});
     return complete;
   }
 
   async drawComplete(isWanted)
   {
-    const { frames, size } = this;
+    const {frames, size} = this;
     const begun = performance.now();
     let counters = {};
     let complete;
@@ -205,7 +219,8 @@ export class Viewer
     }
     if (complete)
     {
-      this.onframe({ complete, milliseconds : performance.now() - begun, ...counters });
+      this.hasDrawn = true;
+      this.onframe({complete, milliseconds: performance.now() - begun, ...counters});
     }
     return complete;
   }
@@ -213,13 +228,13 @@ export class Viewer
   /** The counters of a frame at rest: { rays, cells, errorBound, refused, lost, guarded }. */
   async count()
   {
-    return this.begin(() => this.frames.count(this.drawnScene, this.size, () => true));
+    return this.queue(() => this.frames.count(this.drawnScene, this.size, () => true));
   }
 
   get errorRange()
   {
     const high = Math.log10(Math.max(this.greatestBound || 0, 1e-6));
-    return [ high - 3, high ];
+    return [high - 3, high];
   }
 
   /** What a scalar bar of the view of errors shows; null before the first such frame. */
@@ -229,9 +244,9 @@ export class Viewer
   }
 
   get level() { return this.levelSet; }
-  set level({ name, tolerance })
+  set level({name, tolerance})
   {
-    this.levelSet = { name, tolerance };
+    this.levelSet = {name, tolerance};
     this.draw();
   }
 
@@ -281,8 +296,8 @@ export class Viewer
    */
   async pick(x, y)
   {
-    const pixel = [ Math.floor(x), this.canvas.height - 1 - Math.floor(y) ];
-    return this.begin(
+    const pixel = [Math.floor(x), this.canvas.height - 1 - Math.floor(y)];
+    return this.queue(
       () => this.picker.pick(this.drawnScene, this.size, pixel, this.frames.base.depth));
   }
 

@@ -11,37 +11,37 @@ import {viewOf} from "./view.js";
 const TRIALS_WHERE_BENT = 8; // Frame/FrameStages.cxx
 const MOST_SCALARS = 200000;
 const PICK = {
-  opacity : 0.5,
-  trials : 512
+  opacity: 0.5,
+  trials: 512
 }; // Optics/AccuracyLevel.h
 
 function blendKind(features)
 {
-  const named = { EXTREME : "extreme", SUM : "sum", ISOSURFACES : "isosurfaces" };
+  const named = {EXTREME: "extreme", SUM: "sum", ISOSURFACES: "isosurfaces"};
   return named[Object.keys(named).find((name) => features.has(name))] || "composite";
 }
 
 function componentKind(features)
 {
   const named = {
-    INDEPENDENT : "independent",
-    COLOR_AND_OPACITY : "color_and_opacity",
-    DIRECT_COLOR : "direct_color"
+    INDEPENDENT: "independent",
+    COLOR_AND_OPACITY: "color_and_opacity",
+    DIRECT_COLOR: "direct_color"
   };
   return named[Object.keys(named).find((name) => features.has(name))] || "single";
 }
 
 // A sample of the scalars, 0..1: of vertices, of tetrahedra or of an image.
-function scalarsOf({ textures, uniforms }, archive)
+function scalarsOf({textures, uniforms}, archive)
 {
-  const [name, stride, first] = textures.valueTexture         ? [ "valueTexture", 1, 0 ]
-                                : textures["slabTextures[0]"] ? [ "slabTextures[0]", 1, 0 ]
-                                : textures.cellScalarBuffer   ? [ "cellScalarBuffer", 1, 0 ]
-                                                              : [ "vertexBuffer", 4, 3 ];
+  const [name, stride, first] = textures.valueTexture         ? ["valueTexture", 1, 0]
+                                : textures["slabTextures[0]"] ? ["slabTextures[0]", 1, 0]
+                                : textures.cellScalarBuffer   ? ["cellScalarBuffer", 1, 0]
+                                                              : ["vertexBuffer", 4, 3];
   const row = textures[name];
   const array = archive.array(row.array);
-  const whole = { R8 : 255, R16 : 65535 }[row.format] || 1;
-  const [scale, offset] = uniforms.valueMap ? uniforms.valueMap.values : [ 1, 0 ];
+  const whole = {R8: 255, R16: 65535}[row.format] || 1;
+  const [scale, offset] = uniforms.valueMap ? uniforms.valueMap.values : [1, 0];
   const count = Math.floor(array.length / stride);
   const step = Math.max(1, Math.floor(count / MOST_SCALARS));
   const scalars = [];
@@ -61,7 +61,7 @@ export class Volume
     this.index = index;
     this.features = new Set(data.features);
     this.values = {};
-    for (const [name, { values }] of Object.entries(data.uniforms))
+    for (const [name, {values}] of Object.entries(data.uniforms))
     {
       this.values[name] = values;
     }
@@ -76,7 +76,7 @@ export class Volume
   get arrays()
   {
     const ofTextures = Object.values(this.data.textures).map((row) => row.array);
-    return [...ofTextures, this.data.cells ].filter((index) => index !== null);
+    return [...ofTextures, this.data.cells].filter((index) => index !== null);
   }
 
   /**
@@ -101,23 +101,23 @@ export class Volume
   /** Edited transfer functions in place of the written ones; of several components, the first. */
   setFunctions(functions, level)
   {
-    const { gl, data } = this;
-    const all = [ functions, ...this.functions.slice(1) ];
+    const {gl, data} = this;
+    const all = [functions, ...this.functions.slice(1)];
     const tables = makeTables(all, {
-      law : data.law,
-      range : data.range,
-      extraRanges : data.extraRanges,
-      structured : this.isStructured,
+      law: data.law,
+      range: data.range,
+      extraRanges: data.extraRanges,
+      structured: this.isStructured,
       level,
-      blend : blendKind(this.features),
-      components : componentKind(this.features),
-      isoValues : (this.values.isoValue || []).slice(0, (this.values.isoSurfaceCount || [ 0 ])[0])
+      blend: blendKind(this.features),
+      components: componentKind(this.features),
+      isoValues: (this.values.isoValue || []).slice(0, (this.values.isoSurfaceCount || [0])[0])
     });
     this.releaseTables();
     this.edited = {
-      tableValueBuffer : arrayTexture(gl, "RGBA32F", tables.values),
-      tableIntegralBuffer : arrayTexture(gl, "RGBA32UI", tables.integrals),
-      tableVariationBuffer : arrayTexture(gl, tables.variations.format, tables.variations.data)
+      tableValueBuffer: arrayTexture(gl, "RGBA32F", tables.values),
+      tableIntegralBuffer: arrayTexture(gl, "RGBA32UI", tables.integrals),
+      tableVariationBuffer: arrayTexture(gl, tables.variations.format, tables.variations.data)
     };
     Object.assign(this.textures, this.edited);
     Object.assign(this.values, tables.uniforms);
@@ -127,7 +127,7 @@ export class Volume
 
   releaseTables()
   {
-    (this.edited || []).forEach(({ texture }) => this.gl.deleteTexture(texture));
+    (this.edited || []).forEach(({texture}) => this.gl.deleteTexture(texture));
     this.edited = null;
   }
 
@@ -137,12 +137,12 @@ export class Volume
     const level = name === "written" ? this.data.level : levelOf(name, tolerance);
     const factor =
       name !== "written" && level.adaptive && this.isStructured ? TRIALS_WHERE_BENT : 1;
-    return {...level, trials : level.trials * factor };
+    return {...level, trials: level.trials * factor};
   }
 
   pictureFeatures(level, counts, opaqueDepth)
   {
-    return pictureFeatures(this.features, { level, traits : this.traits, counts, opaqueDepth });
+    return pictureFeatures(this.features, {level, traits: this.traits, counts, opaqueDepth});
   }
 
   pickFeatures() { return pickFeatures(this.features, this.traits); }
@@ -157,29 +157,29 @@ export class Volume
   {
     return {
       ...this.values,
-      viewport : [ 0, 0, size[0], size[1] ],
-      eye : view.eye,
-      rayPoints : transpose(view.rayPoints),
-      cutsNearPlane : [ view.cutsNearPlane ? 1 : 0 ],
-      cutsFarPlane : [ view.cutsFarPlane ? 1 : 0 ],
-      clipToNormalized : transpose(view.clipToNormalized),
+      viewport: [0, 0, size[0], size[1]],
+      eye: view.eye,
+      rayPoints: transpose(view.rayPoints),
+      cutsNearPlane: [view.cutsNearPlane ? 1 : 0],
+      cutsFarPlane: [view.cutsFarPlane ? 1 : 0],
+      clipToNormalized: transpose(view.clipToNormalized),
       depthsPerPixel,
-      givenTolerance : [ level.tolerance ],
-      givenTrials : [ level.trials ]
+      givenTolerance: [level.tolerance],
+      givenTrials: [level.trials]
     };
   }
 
   /** The same for a pick. */
   valuesForPick(view, size)
   {
-    const level = { tolerance : 1 - PICK.opacity, trials : PICK.trials };
-    const values = this.valuesFor(view, level, size, [ 1, 1 ]);
+    const level = {tolerance: 1 - PICK.opacity, trials: PICK.trials};
+    const values = this.valuesFor(view, level, size, [1, 1]);
     if (values.tableSizes && !values.tableSize)
     {
       values.tableSize = values.tableSizes.slice(0, 1);
       values.givenIntegralUnit = values.tableIntegralUnits.slice(0, 4);
     }
-    return {...values, transmittanceLeft : [ 1 - PICK.opacity ] };
+    return {...values, transmittanceLeft: [1 - PICK.opacity]};
   }
 
   /** The value of a scalar 0..1. */

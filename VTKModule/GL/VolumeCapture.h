@@ -25,7 +25,7 @@ struct CapturedVolume
   CapturedProgram Program;
   VolumeFrame Frame;
   AccuracyLevel Level = DefaultAccuracy;
-  ScalarRange Range;                // of the first scalar
+  ScalarRange Range; // of the first scalar
   std::vector<ScalarRange> ExtraRanges;
   std::vector<std::uint32_t> Cells; // of each tetrahedron: its cell in the input
   /** Of an image whose lattice has other planes: StructuredVolume::dataPlanes(). */

@@ -67,7 +67,9 @@ StageResult MapperFrame::draw(Pipeline& pipeline, const CellOrigins& origins)
   const StageResult result = guarded(
     [&]
     {
-      CaptureScope* capture = CaptureScope::of(this->Scene.Window);
+      // With several processes, the others wait for this one to draw.
+      CaptureScope* capture =
+        this->Options.Draw.Shared ? nullptr : CaptureScope::of(this->Scene.Window);
       return renderer->GetSelector() ? this->select(pipeline, origins)
              : capture
                ? this->capture(pipeline, *capture)

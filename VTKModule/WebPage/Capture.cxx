@@ -5,11 +5,13 @@
 #include "GL/BlockAttributes.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 #include "vtkTetMarchSettings.h"
 #include "vtkTetMarchSmartVolumeMapper.h"
 #include "vtkTetMarchVolumeMapper.h"
@@ -22,7 +24,7 @@ namespace tetmarch
 namespace
 {
 
-// Without peeling each volume is drawn once, and nothing comes to the screen.
+// Without peeling and stereo each volume is drawn once, and nothing comes to the screen.
 class QuietWindow
 {
 public:
@@ -30,10 +32,12 @@ public:
     : Renderer(renderer)
     , Window(renderer->GetRenderWindow())
     , Swaps(Window->GetSwapBuffers())
+    , Stereo(Window->GetStereoRender())
     , Peels(renderer->GetUseDepthPeeling())
     , PeelsVolumes(renderer->GetUseDepthPeelingForVolumes())
   {
     this->Window->SetSwapBuffers(0);
+    this->Window->SetStereoRender(0);
     renderer->SetUseDepthPeeling(0);
     renderer->SetUseDepthPeelingForVolumes(false);
   }
@@ -41,6 +45,7 @@ public:
   {
     this->Renderer->SetUseDepthPeeling(this->Peels);
     this->Renderer->SetUseDepthPeelingForVolumes(this->PeelsVolumes);
+    this->Window->SetStereoRender(this->Stereo);
     this->Window->Render();
     this->Window->SetSwapBuffers(this->Swaps);
   }
@@ -51,6 +56,7 @@ private:
   vtkRenderer* Renderer;
   vtkRenderWindow* Window;
   int Swaps;
+  int Stereo;
   int Peels;
   bool PeelsVolumes;
 };
@@ -71,12 +77,14 @@ void describeVolume(vtkVolume* volume, bool isCaptured, std::vector<std::string>
   vtkTetMarchSettings* settings = settingsOf(mapper);
   if (!isCaptured)
   {
-    omissions.push_back(std::string("A volume is not in the page: ") +
-                        (!mapper      ? "it has no mapper."
-                          : !settings ? std::string("its mapper is a ") + mapper->GetClassName() +
-                                          "; the page shows those of vtkTetMarchVolumeMapper and "
-                                          "vtkTetMarchSmartVolumeMapper."
-                                      : "its mapper has nothing to draw, or reported an error."));
+    omissions.push_back(
+      std::string("A volume is not in the page: ") +
+      (!mapper      ? "it has no mapper."
+        : !settings ? std::string("its mapper is a ") + mapper->GetClassName() +
+                        "; the page shows those of vtkTetMarchVolumeMapper and "
+                        "vtkTetMarchSmartVolumeMapper."
+                    : "its mapper has nothing to draw, reported an error, or draws with other "
+                      "processes."));
   }
   else if (settings->GetViewMode() != vtkTetMarchSettings::VIEW_PICTURE)
   {
@@ -97,6 +105,25 @@ void describeLights(vtkRenderer* renderer, std::vector<std::string>& omissions)
                           "where they are in this picture.");
       return;
     }
+  }
+}
+
+void describeView(vtkRenderer* renderer, std::vector<std::string>& omissions)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double* center = camera->GetWindowCenter();
+  const double* shear = camera->GetViewShear();
+  if (camera->GetUserTransform() || camera->GetUserViewTransform() ||
+      camera->GetUseOffAxisProjection() || camera->GetUseHorizontalViewAngle() || center[0] != 0 ||
+      center[1] != 0 || shear[0] != 0 || shear[1] != 0)
+  {
+    omissions.push_back(
+      "The camera's own transform, window centre, shear and horizontal view angle "
+      "are not in the page: it has a plain perspective or parallel camera.");
+  }
+  if (renderer->GetRenderWindow()->GetRenderers()->GetNumberOfItems() > 1)
+  {
+    omissions.push_back("The page shows one renderer; the others of the window are left out.");
   }
 }
 
@@ -125,6 +152,7 @@ Capture captureScene(vtkRenderer* renderer)
     }
   }
   describeLights(renderer, capture.Omissions);
+  describeView(renderer, capture.Omissions);
   capture.Surfaces = opaqueSurfaces(renderer, capture.Omissions, blockAttributes);
   return capture;
 }
