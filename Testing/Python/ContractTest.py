@@ -14,7 +14,7 @@ CLASSES = [getattr(vtktetmarch, name) for name in vtktetmarch.__all__ if name.st
 
 # What can't be found by trying numbers.
 OTHER_VALUES = {"Mapper": vtktetmarch.vtkTetMarchVolumeMapper(), "BlendMode": 3,
-                "Settings": vtktetmarch.vtkTetMarchSettings(), "ArrayName": "p", "FileName": "a.mha",
+                "Settings": vtktetmarch.vtkTetMarchSettings(), "ArrayName": "p", "FileName": "a.mha", "Title": "a",
                 "InputData": vtkmodules.all.vtkImageData(), "Controller": vtkmodules.all.vtkDummyController()}
 # Figures with an argument before the value, and what belongs to a class instead of an object.
 NO_PROPERTIES = {"Values", "ReplacesProjectedTetrahedra", "ReplacesSmartVolume"}

@@ -44,6 +44,8 @@ public:
   void SaveSession(const QString& path);
   /// The picture as a PNG file, without handles of cuts. Returns whether that was done.
   bool SaveScreenshot(const QString& path);
+  /// The scene as a web page, and tells what of it is not in there. Returns whether that was done.
+  bool SavePage(const QString& path);
   /// What draws the same picture, as text.
   QString GetPythonScript();
   QString GetCommandLine();
@@ -71,6 +73,7 @@ private:
   void AskForSurface();
   void AskForSession();
   void AskForScreenshot();
+  void AskForPage();
   void ShowRecent();
   void AddRecent(const QString& path);
   void ShowFailure(const QString& text);

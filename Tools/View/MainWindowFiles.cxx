@@ -5,6 +5,7 @@
 
 #include "EffectTimer.h"
 #include "EffectsPanel.h"
+#include "ErrorText.h"
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PngFile.h"
@@ -14,6 +15,7 @@
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
+#include "vtkTetMarchWebExporter.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <QFile>
@@ -92,6 +94,44 @@ bool MainWindow::SaveScreenshot(const QString& path)
   return written;
 }
 
+bool MainWindow::SavePage(const QString& path)
+{
+  this->Effects->GetTimer()->Stop();
+  this->HideHandles();
+  const DataState& data = this->Shown.GetState().Data;
+  const QString file = QFileInfo(QString::fromStdString(data.File)).fileName();
+  vtkNew<vtkTetMarchWebExporter> page;
+  page->SetRenderWindow(this->Shown.GetWindow());
+  page->SetActiveRenderer(this->Shown.GetScene().GetRenderer());
+  page->SetTitle((file.toStdString() + ": " + data.Array).c_str());
+  const ErrorText error(page);
+  std::string text;
+  this->Shown.RenderWhole();
+  this->Shown.DrawWhole([&] { text = page->WriteToString(); });
+  this->ShowHandles();
+  this->Shown.RequestRender();
+  try
+  {
+    if (text.empty())
+    {
+      throw Failure("no page: " + error.Get());
+    }
+    WriteFile(QFile::encodeName(path).toStdString(), text);
+  }
+  catch (const Failure& failure)
+  {
+    this->ShowFailure(QString::fromStdString(failure.what()));
+    return false;
+  }
+  this->statusBar()->showMessage(tr("Saved %1").arg(path), MessageMilliseconds);
+  const QString lacks = QString::fromStdString(page->GetOmissions());
+  if (!lacks.isEmpty())
+  {
+    this->ShowFailure(tr("Saved %1. %2").arg(path, lacks));
+  }
+  return true;
+}
+
 QString MainWindow::GetPythonScript()
 {
   const bool structured = this->Shown.HasData() && this->Shown.GetScene().GetData().Data.Structured;
@@ -142,6 +182,18 @@ void MainWindow::AskForScreenshot()
   if (!path.isEmpty())
   {
     this->SaveScreenshot(path.endsWith(QLatin1String(".png")) ? path : path + ".png");
+  }
+}
+
+void MainWindow::AskForPage()
+{
+  const QString path = QFileDialog::getSaveFileName(
+    this, tr("Save as web page"), QStringLiteral("scene.html"), tr("Web pages (*.html *.htm)"));
+  if (!path.isEmpty())
+  {
+    const bool named =
+      path.endsWith(QLatin1String(".html")) || path.endsWith(QLatin1String(".htm"));
+    this->SavePage(named ? path : path + ".html");
   }
 }
 

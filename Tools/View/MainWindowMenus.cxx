@@ -48,6 +48,8 @@ void MainWindow::MakeFileMenu()
   needsData(add(tr("Save s&ession…"), QKeySequence::Save, [this] { this->AskForSession(); }));
   needsData(
     add(tr("Save &picture…"), QKeySequence(tr("Ctrl+P")), [this] { this->AskForScreenshot(); }));
+  needsData(add(
+    tr("Save as &web page…"), QKeySequence(tr("Ctrl+Shift+S")), [this] { this->AskForPage(); }));
   menu->addSeparator();
   needsData(add(tr("Copy as P&ython"), QKeySequence(tr("Ctrl+Shift+P")),
     [this, copy] { copy(this->GetPythonScript(), tr("a script of Python")); }));

@@ -72,6 +72,8 @@ public:
   double Render();
   /// The same; what the user does waits until the frame is complete.
   void RenderWhole();
+  /// Does what draws frames; what the user does waits until they are complete.
+  void DrawWhole(const std::function<void()>& draw);
   /// Whether the last frame was stopped. The picture is still that of the frame before.
   bool WasStopped() const { return this->Stopped; }
   bool IsDrawing() const { return this->Drawing; }

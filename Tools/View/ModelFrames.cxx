@@ -192,8 +192,13 @@ double Model::Render()
 
 void Model::RenderWhole()
 {
+  this->DrawWhole([this] { this->Render(); });
+}
+
+void Model::DrawWhole(const std::function<void()>& draw)
+{
   this->Whole = true;
-  this->Render();
+  draw();
   this->Whole = false;
 }
 

@@ -5,6 +5,7 @@
 
 #include "Caching/WithinMemory.h"
 #include "Volume/StructuredVolume.h"
+#include "Volume/TetVolume.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -13,20 +14,27 @@ namespace tetmarch
 namespace
 {
 
-std::vector<std::uint32_t> cellsOf(const MarchedVolume& volume, const CapturedProgram& program)
+std::vector<std::uint32_t> cellsOf(const TetVolume& volume)
 {
-  std::vector<std::uint32_t> cells;
-  const auto tets = program.Textures.find("cellBuffer");
-  if (!volume.isStructured() && tets != program.Textures.end())
+  std::vector<std::uint32_t> cells(volume.mesh().numberOfTets());
+  for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    cells.resize(static_cast<std::size_t>(tets->second.Width));
-    for (std::size_t i = 0; i < cells.size(); ++i)
-    {
-      cells[i] =
-        static_cast<std::uint32_t>(volume.cellOf(static_cast<std::uint32_t>(i), Vector3{}));
-    }
+    cells[i] = static_cast<std::uint32_t>(volume.cellOf(static_cast<std::uint32_t>(i), Vector3{}));
   }
   return cells;
+}
+
+// What tells the cell of the data in which a ray is picked.
+void captureCells(const MarchedVolume& volume, CapturedVolume& captured)
+{
+  if (const auto* image = dynamic_cast<const StructuredVolume*>(&volume))
+  {
+    captured.DataPlanes = image->dataPlanes();
+  }
+  if (const auto* mesh = dynamic_cast<const TetVolume*>(&volume))
+  {
+    captured.Cells = cellsOf(*mesh);
+  }
 }
 
 } // namespace
@@ -65,11 +73,7 @@ StageResult Pipeline::capture(vtkOpenGLRenderWindow* window, vtkRenderer* render
       captured.Level = inputs.Level;
       captured.Range = this->Stages.volume().range();
       captured.ExtraRanges = this->Stages.volume().extraRanges();
-      if (const auto* image = dynamic_cast<const StructuredVolume*>(&this->Stages.volume()))
-      {
-        captured.DataPlanes = image->dataPlanes();
-      }
-      captured.Cells = cellsOf(this->Stages.volume(), captured.Program);
+      captureCells(this->Stages.volume(), captured);
     });
   return shortage.empty() ? result : StageResult{ shortage };
 }

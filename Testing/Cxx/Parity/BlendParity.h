@@ -9,6 +9,7 @@
 
 #include "BlendScene.h"
 #include "CpuReference.h"
+#include "ScenePage.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -38,6 +39,7 @@ inline void expectBlendModeParity(Scene& scene)
   EXPECT_GT(compare(drawn, nothing, regions.Inside).Max, 0.1) << "nothing inside";
   EXPECT_EQ(scene.Mapper->GetNumberOfLostRays(), 0);
   EXPECT_EQ(scene.Mapper->GetNumberOfGuardHits(), 0);
+  keepScenePage(scene.Window);
 }
 
 inline void expectBlendParity(Scene& scene)

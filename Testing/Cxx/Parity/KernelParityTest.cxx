@@ -8,6 +8,7 @@
 #include "GLObjects.h"
 #include "Lights.h"
 #include "Reference/KernelTable.h"
+#include "ScenePage.h"
 #include "StructuredScene.h"
 #include "Variants/VariantKey.h"
 
@@ -266,8 +267,10 @@ std::string draw(const PictureKernel& kernel)
   take(scene, kernel);
   const Image plain = expectParity(scene, Mapper::TRACE_FLOAT);
   const std::string shaders = shadersOf(scene.Window);
+  keepScenePage(scene.Window);
   takeWhatAllKnow(scene, kernel);
   EXPECT_GT(compare(expectParity(scene, Mapper::TRACE_DOUBLE), plain).Max, 0.1) << "nothing is cut";
+  keepScenePage(scene.Window);
   return shaders;
 }
 

@@ -3,6 +3,7 @@
 #include "StructuredScene.h"
 
 #include "Lights.h"
+#include "ScenePage.h"
 
 #include "vtkContourValues.h"
 #include "vtkFloatArray.h"
@@ -180,6 +181,7 @@ Worst expectParity(StructuredScene& scene, const Promises& promises)
     worst.Max = std::max(worst.Max, difference.Max);
     worst.Rms = std::max(worst.Rms, difference.Rms);
     worst.OverBound = std::max(worst.OverBound, difference.Max - bound);
+    keepScenePage(scene.Window);
   }
   return worst;
 }
@@ -211,6 +213,7 @@ void expectParityButForEdges(StructuredScene& scene, const std::string& what)
   std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
   EXPECT_GT(compare(truth, Image(truth.Width, truth.Height)).Max, 0.05) << "nothing is seen";
   EXPECT_LE(250 * difference.Over, difference.Pixels) << what << ": " << difference.text();
+  keepScenePage(scene.Window);
 }
 
 void expectPictureOfMesh(const Image& lattice, const Image& mesh, const std::string& what)

@@ -5,6 +5,7 @@
 #include "Mapper/MapperOptions.h"
 
 #include "FreshFrame.h"
+#include "ScenePage.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -92,6 +93,7 @@ void expectAgreement(Scene& scene, const Image& drawn, const std::vector<float>&
             << " (reference " << reference.Counters.Rays << "), cells "
             << scene.Mapper->GetNumberOfCrossedCells() << " (reference " << reference.Counters.Cells
             << ")\n";
+  keepScenePage(scene.Window);
 }
 } // namespace
 
