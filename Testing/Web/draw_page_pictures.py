@@ -16,17 +16,20 @@ from browsers import browser, pixels_of_png
 DESKTOP = 1000, 640
 PHONE = 390, 760
 PICKED = 330, 420
-COLORS = 192  # of a palette, so that a picture stays below 150 KB
+COLORS = 256  # of a palette, so that a picture stays below 150 KB
 LATER = "return new Promise(done => setTimeout(done, 600))"  # after the last coarse frame
 IS_COMPLETE = """const { complete } = document.getElementById("picture").viewer;
     return Promise.race([complete.then(() => true), new Promise(done => setTimeout(done, 1000))])"""
+MESSAGE = "const shown = document.getElementById('message'); return shown.hidden ? '' : shown.innerText"
 SECONDS = 300
 
 
 def wait(opened, script):
-    """Until the script returns true."""
+    """Until the script returns true; an error if the page shows a message."""
     begun = time.monotonic()
     while not opened.run(script):
+        if message := opened.run(MESSAGE):
+            raise RuntimeError(message)
         if time.monotonic() > begun + SECONDS:
             raise TimeoutError(script)
         opened.run(LATER)
@@ -75,14 +78,13 @@ def desktop(opened, mesh, image):
     return [*shown, window(opened)]
 
 
-def phone(opened, mesh, image):
-    """The picture with the first controls, and those of the transfer function."""
+def phone(opened, image):
+    """The picture with the first controls, and the transfer function in dark colours."""
     show(opened, image, PHONE, "light", touch=True)
     shown = [window(opened)]
+    show(opened, image, PHONE, "dark", touch=True)
     scroll_to(opened, "Transfer function")
-    shown.append(window(opened))
-    show(opened, mesh, PHONE[::-1], "dark", touch=True)
-    return shown + [window(opened)]
+    return [*shown, window(opened)]
 
 
 def save(pictures, path, width=None):
@@ -96,7 +98,7 @@ def save(pictures, path, width=None):
         left += picture.shape[1] + gap
     if width:
         joined = joined.resize((width, round(size[1] * width / size[0])), Image.Resampling.LANCZOS)
-    joined.quantize(COLORS, dither=Image.Dither.NONE).save(path, optimize=True)
+    joined.quantize(COLORS, kmeans=4, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
 if __name__ == "__main__":
@@ -105,4 +107,4 @@ if __name__ == "__main__":
     *pages, folder = map(pathlib.Path, sys.argv[1:])
     with browser("chromium", "llvmpipe") as chromium:
         save(desktop(chromium, *pages), folder / "web_page.png", 1500)
-        save(phone(chromium, *pages), folder / "web_phone.png")
+        save(phone(chromium, pages[1]), folder / "web_phone.png")
