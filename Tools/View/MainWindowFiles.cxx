@@ -98,12 +98,12 @@ bool MainWindow::SavePage(const QString& path)
 {
   this->Effects->GetTimer()->Stop();
   this->HideHandles();
-  const DataState& data = this->Shown.GetState().Data;
-  const QString file = QFileInfo(QString::fromStdString(data.File)).fileName();
+  const DataState& drawn = this->Shown.GetState().Data;
+  const QString file = QFileInfo(QString::fromStdString(drawn.File)).fileName();
   vtkNew<vtkTetMarchWebExporter> page;
   page->SetRenderWindow(this->Shown.GetWindow());
   page->SetActiveRenderer(this->Shown.GetScene().GetRenderer());
-  page->SetTitle((file.toStdString() + ": " + data.Array).c_str());
+  page->SetTitle((file.toStdString() + ": " + drawn.Array).c_str());
   const ErrorText error(page);
   std::string text;
   this->Shown.RenderWhole();
