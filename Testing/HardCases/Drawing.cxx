@@ -111,7 +111,7 @@ Drawn draw(const HardCase& hard, const HardView& view, const std::string& mapper
     drawn.Counters = { ours->GetNumberOfRays(), ours->GetNumberOfCrossedCells(),
       ours->GetNumberOfLookups(), ours->GetNumberOfRefusedEntries(), ours->GetNumberOfLostRays(),
       ours->GetNumberOfGuardHits() };
-    keepWebPage(window, drawn.Picture, hard.Name + "-" + view.Name);
+    keepWebPage(window, drawn.Picture, hard.Name + "--" + view.Name);
   }
   else
   {
