@@ -107,9 +107,13 @@ bool vtkTetMarchWebExporter::WritePage(ostream& stream)
 {
   Internals& internal = *this->Internal;
   const bool captures = internal.Steps.empty();
-  if (captures && !this->AddTimeStep(""))
+  if (captures)
   {
-    return false;
+    internal.clear(); // the omissions of the last page
+    if (!this->AddTimeStep(""))
+    {
+      return false;
+    }
   }
   vtkRenderer* renderer = this->ActiveRenderer
                             ? this->ActiveRenderer

@@ -3,7 +3,8 @@
 # properties that the base proxy has, too. ParaView 6.1 drops a property that says to override one of the base proxy,
 # if there is none.
 include("${CMAKE_CURRENT_LIST_DIR}/SettingsXml.cmake")
-set(tetmarch_server_manager_xml "${CMAKE_CURRENT_SOURCE_DIR}/Representation/LastFrame.xml")
+set(tetmarch_server_manager_xml
+  "${CMAKE_CURRENT_SOURCE_DIR}/Representation/LastFrame.xml" "${CMAKE_CURRENT_SOURCE_DIR}/Representation/WebPage.xml")
 
 function (tetmarch_add_server_manager_xml name kind)
   tetmarch_settings_xml("${kind}")

@@ -101,6 +101,19 @@ protected:
   vtkNew<vtkPiecewiseFunction> Opacity;
 };
 
+TEST_F(TransferFunctions, FirstColourAmongOpacities)
+{
+  this->Color->RemoveAllPoints();
+  this->Color->AddRGBPoint(12.0, 0.2, 0.4, 0.6);
+  const auto functions = tetmarch::sampleFunctions(
+    this->Property, tetmarch::OpacityLaw::Structured, 11.0, 15.0, 5); // one at the node
+  for (const auto& sample : functions.Samples)
+  {
+    EXPECT_EQ(sample[0], 0.2);
+    EXPECT_EQ(sample[2], 0.6);
+  }
+}
+
 TEST_F(TransferFunctions, WhereTheDataEndBeforeTheNodes) { this->expectAsVTK(12.0, 19.0, 0.02); }
 
 TEST_F(TransferFunctions, WhereTheNodesEndBeforeTheData) { this->expectAsVTK(-100.0, 300.0, 0.02); }

@@ -48,6 +48,19 @@ std::vector<double> extinctions(
   return values;
 }
 
+// A table of VTK 9.1 is black exactly at the first node of the function, unless it begins there.
+void correctFirstNode(vtkColorTransferFunction* function, double begin, double end, int count,
+  std::vector<double>& colors)
+{
+  const double node = function->GetRange()[0];
+  const double place = count > 1 ? (node - begin) / (end - begin) * (count - 1) : 0.0;
+  const double nearest = std::round(place);
+  if (nearest > 0 && nearest < count && std::abs(place - nearest) < 1e-6)
+  {
+    function->GetColor(node, &colors[3 * static_cast<std::size_t>(nearest)]);
+  }
+}
+
 // Take `count` samples of both functions from begin to end.
 std::vector<OpticalSample> evaluate(
   vtkVolumeProperty* property, OpacityLaw law, double begin, double end, int count)
@@ -75,6 +88,7 @@ std::vector<OpticalSample> evaluate(
   else
   {
     property->GetRGBTransferFunction()->GetTable(begin, end, count, colors.data());
+    correctFirstNode(property->GetRGBTransferFunction(), begin, end, count, colors);
   }
   const std::vector<double> extinction = extinctions(property, law, begin, end, count);
   std::vector<OpticalSample> samples(count);
