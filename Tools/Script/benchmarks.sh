@@ -9,7 +9,7 @@ bench() {
   configure "$BUILD" -DBUILD_TESTING=ON
   [[ "${1:-}" == against ]] || build tetmarch-bench
   case "${1:-}" in
-    accuracy | effects | structured | growth | against) "bench_$1" "${@:2}" ;;
+    accuracy | effects | structured | growth | web | against) "bench_$1" "${@:2}" ;;
     *) "$BUILD/bin/tetmarch-bench" "$@" ;;
   esac
 }
@@ -47,6 +47,15 @@ bench_growth() {
   "$BUILD/bin/tetmarch-bench" --datasets lattice:188 --mappers tetmarch --rounds 1 --limit 600 \
     --output "$folder/largest.json" --markdown "$folder/largest.md" "$@"
   "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/growth_chart.py" "$folder" "$folder/growth.json" "$folder/largest.json"
+}
+
+# Pages in a browser beside the mapper and vtk.js, all without a GPU.
+bench_web() {
+  local here="$ROOT/Testing/Benchmark"
+  install_packages "${WEB_PACKAGES[@]}"
+  build vtkRenderingTetMarchPython
+  LIBGL_ALWAYS_SOFTWARE=1 PYTHONPATH="$BUILD/lib/python3/dist-packages" "$SYSTEM_PYTHON" \
+    "$ROOT/Testing/Python/with_display.py" "$SYSTEM_PYTHON" "$here/measure_web.py" "$BUILD/web" "$@"
 }
 
 # bench_against COMMIT [OPTION]...: the times, then the pictures, whose differences are an error. The other commit is
