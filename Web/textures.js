@@ -8,6 +8,7 @@ const FORMATS = {
   R16: ["R32F", "RED", "FLOAT", 1],
   R32F: ["R32F", "RED", "FLOAT", 1],
   RG32F: ["RG32F", "RG", "FLOAT", 2],
+  RGBA16: ["RGBA32F", "RGBA", "FLOAT", 4],
   RGBA16F: ["RGBA16F", "RGBA", "HALF_FLOAT", 4],
   RGBA32F: ["RGBA32F", "RGBA", "FLOAT", 4],
   R8UI: ["R8UI", "RED_INTEGER", "UNSIGNED_BYTE", 1],
@@ -19,7 +20,7 @@ const FORMATS = {
 // The data of a texture has the type of its format.
 function numbersFor(format, array)
 {
-  if (format !== "R16")
+  if (format !== "R16" && format !== "RGBA16")
   {
     return array;
   }

@@ -50,6 +50,7 @@ constexpr FormatRow FormatRows[] = {
   { GL_R32F, "R32F", GL_RED, 1, GL_FLOAT, "float32", 4 },
   { GL_RG32F, "RG32F", GL_RG, 2, GL_FLOAT, "float32", 4 },
   { GL_RGBA32F, "RGBA32F", GL_RGBA, 4, GL_FLOAT, "float32", 4 },
+  { GL_RGBA16, "RGBA16", GL_RGBA, 4, GL_UNSIGNED_SHORT, "uint16", 2 },
   { GL_RGBA16F, "RGBA16F", GL_RGBA, 4, GL_HALF_FLOAT, "uint16", 2 },
   { GL_R8UI, "R8UI", GL_RED_INTEGER, 1, GL_UNSIGNED_BYTE, "uint8", 1 },
   { GL_R32UI, "R32UI", GL_RED_INTEGER, 1, GL_UNSIGNED_INT, "uint32", 4 },
