@@ -24,15 +24,16 @@
 
 namespace tetmarch::testing
 {
-/// What a page leaves out that changes its picture: a sentence per line. A volume of which the
-/// mapper draws nothing is missing in both.
+/// What a page leaves out that changes its picture: a sentence per line. That a mapper draws nothing
+/// shows in both pictures; lights that follow the camera are right until it moves.
 inline std::string missingIn(const vtkTetMarchWebExporter* exporter)
 {
   std::istringstream sentences(exporter->GetOmissions());
   std::string missing;
   for (std::string sentence; std::getline(sentences, sentence);)
   {
-    if (sentence.find("its mapper has nothing to draw") == std::string::npos)
+    if (sentence.find("its mapper has nothing to draw") == std::string::npos &&
+        sentence.find("Lights that follow the camera") == std::string::npos)
     {
       missing += sentence + '\n';
     }

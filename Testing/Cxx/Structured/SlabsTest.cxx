@@ -3,6 +3,7 @@
 // Values in several textures make the picture that they make in one, to the last bit. The GL is
 // told to take few layers a texture.
 #include "Lights.h"
+#include "ScenePage.h"
 #include "SmallTextures.h"
 #include "StructuredComponents.h"
 
@@ -57,6 +58,7 @@ void expectSlabs(StructuredScene& scene, const std::string& what, int scalars = 
     EXPECT_EQ(compare(scene.frame(), frame).Max, 0.0) << cut.Slabs << " slabs";
     EXPECT_EQ(scene.Mapper->GetGPUMemoryBytes(), bytes);
     expectCounters(scene);
+    keepScenePage(scene.Window);
   }
 }
 
