@@ -24,8 +24,8 @@
 
 namespace tetmarch::testing
 {
-/// What a page leaves out that changes its picture: a sentence per line. That a mapper draws nothing
-/// shows in both pictures; lights that follow the camera are right until it moves.
+/// What a page leaves out that changes its picture: a sentence per line. That a mapper draws
+/// nothing shows in both pictures; lights that follow the camera are right until it moves.
 inline std::string missingIn(const vtkTetMarchWebExporter* exporter)
 {
   std::istringstream sentences(exporter->GetOmissions());
