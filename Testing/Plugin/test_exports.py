@@ -1,16 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes are exported with a volume in them: surfaces as they are, the volume where the format keeps the picture."""
+"""Scenes are exported with a volume in them: surfaces as they are, the volume where the format keeps the picture, and
+in our own web page."""
 import importlib.util
 import json
 import pathlib
+import re
 import tempfile
 import zipfile
 
 from messages import Messages
 from paraview import simple
 from state_values import make_scene
-from views import load_plugin, parse_arguments, picture_of
+from views import REPRESENTATION, load_plugin, parse_arguments, picture_of
 
 POINTS = 50  # of the sphere beside the volume
 
@@ -83,6 +85,29 @@ def check_pages(view, display, folder):
         assert pages[0] != pages[1], f"{kind}: the volume is not in it"
 
 
+def check_web_page(view, display, law, folder, messages):
+    """The volume is in it, and the sphere; without the volume a warning says why."""
+    path = folder / "page.html"
+    for controls in (1, 0):
+        simple.ExportView(str(path), view, Controls=controls)
+        (text,) = re.findall(r'<script type="application/json" id="scene">(.*?)</script>', path.read_text(), re.DOTALL)
+        scene = json.loads(text)
+        (step,) = scene["steps"]
+        assert [volume["law"] for volume in step["volumes"]] == [law], step["volumes"]
+        assert len(step["surfaces"]) == 1, step["surfaces"]
+        assert scene["camera"]["position"] == list(view.CameraPosition), scene["camera"]
+        assert (scene["controls"], scene["omissions"]) == (("none", "all")[controls], []), scene["omissions"]
+        assert not messages.take()
+    display.SetRepresentationType("Volume")
+    simple.ExportView(str(path), view)
+    (said,) = messages.take()
+    assert "A volume is not in the page: its mapper is a vtk" in said, said
+    display.SetRepresentationType(REPRESENTATION)
+    simple.ExportView(str(folder / "none" / "page.html"), view)
+    (said,) = messages.take()
+    assert "could not be written: No such file or directory" in said, said
+
+
 def main():
     load_plugin(parse_arguments(__doc__))
     messages = Messages()
@@ -94,6 +119,7 @@ def main():
         for view, display, _ in scene:
             before = picture_of(view)
             check_pages(view, display, folder)
+            check_web_page(view, display, "structured" if view is scene[1][0] else "unstructured", folder, messages)
             assert picture_of(view) == before, "an export leaves something behind"
         check_geometry([view for view, _, _ in scene], folder, messages)
 
