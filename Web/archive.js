@@ -9,8 +9,38 @@ const NUMBERS = {
   float32: Float32Array
 };
 
+const DAMAGED = "The file is damaged or was cut short. Copy it again, or write it again.";
+
+/** The text of a data element of the page. */
+export function textOfElement(id)
+{
+  const element = document.getElementById(id);
+  if (!element)
+  {
+    throw new Error(DAMAGED);
+  }
+  return element.textContent;
+}
+
+/** The scene of the page. */
+export function readScene()
+{
+  try
+  {
+    return JSON.parse(textOfElement("scene"));
+  }
+  catch (error)
+  {
+    throw new Error(DAMAGED);
+  }
+}
+
 function bytesOfText(text)
 {
+  if (Uint8Array.fromBase64)
+  {
+    return Uint8Array.fromBase64(text);
+  }
   const binary = atob(text);
   const bytes = new Uint8Array(binary.length);
   for (let i = 0; i < binary.length; ++i)
@@ -35,14 +65,14 @@ async function inflated(parts, size)
     }
     if (filled + value.length > size)
     {
-      throw new Error("an array of the page is longer than the page says: the file is damaged");
+      throw new Error(DAMAGED);
     }
     bytes.set(value, filled);
     filled += value.length;
   }
   if (filled !== size)
   {
-    throw new Error("an array of the page is shorter than the page says: the file is damaged");
+    throw new Error(DAMAGED);
   }
   return bytes;
 }
@@ -65,7 +95,7 @@ function interleaved(planes, stride)
 export class Archive
 {
   /** textOf(id): the text of an element. */
-  constructor(scene, textOf = (id) => document.getElementById(id).textContent)
+  constructor(scene, textOf = textOfElement)
   {
     this.rows = scene.arrays;
     this.textOf = textOf;
@@ -82,12 +112,23 @@ export class Archive
     for (const i of missing)
     {
       const row = this.rows[i];
-      const parts = row.parts.map((id) => bytesOfText(this.textOf(id)));
-      const planes = await inflated(parts, bytesOf(i));
+      const planes = await this.inflatedRow(row, bytesOf(i));
       const bytes = row.filter > 1 ? interleaved(planes, row.filter) : planes;
       this.loaded.set(i, new NUMBERS[row.type](bytes.buffer));
       done += bytes.length;
       onProgress(all > 0 ? done / all : 1);
+    }
+  }
+
+  async inflatedRow(row, size)
+  {
+    try
+    {
+      return await inflated(row.parts.map((id) => bytesOfText(this.textOf(id))), size);
+    }
+    catch (error)
+    {
+      throw error instanceof RangeError ? error : new Error(DAMAGED); // RangeError: no memory
     }
   }
 

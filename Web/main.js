@@ -3,7 +3,7 @@
 // Reads the scene of the page and shows it. The mode is "all"; "canvas": the picture alone, with
 // its camera; or "bare", by #bare: likewise, and the document's title is "ready" when it is
 // complete.
-import {Archive} from "./archive.js";
+import {Archive, readScene} from "./archive.js";
 import {Controls} from "./controls.js";
 import {byId} from "./elements.js";
 import {Framing} from "./framing.js";
@@ -102,7 +102,7 @@ async function drawFirst(viewer, mode)
 
 async function start()
 {
-  const scene = JSON.parse(byId("scene").textContent);
+  const scene = readScene();
   const mode = modeOf(scene);
   setMode(mode === "all" ? "canvas" : mode);
   const canvas = byId("picture");

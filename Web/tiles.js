@@ -19,7 +19,7 @@ export async function gpuDone(gl)
   while (sync && !gl.isContextLost())
   {
     await nextTask();
-    const state = gl.clientWaitSync(sync, 0, 0);
+    const state = gl.clientWaitSync(sync, gl.SYNC_FLUSH_COMMANDS_BIT, 0);
     if (state === gl.ALREADY_SIGNALED || state === gl.CONDITION_SATISFIED)
     {
       break;

@@ -45,8 +45,9 @@ export class Viewer
     this.shown = "picture";
     const [first] = scene.steps[0].volumes;
     this.levelSet = first ? writtenLevel(first.level) : {name: "default", tolerance: 1 / 255};
-    this.edits = new Map(); // functions by volume
-    this.wanted = 0;        // number of the frame that is wanted
+    this.edits = new Map();     // functions by volume
+    this.unapplied = new Set(); // volumes whose edit waits for the next frame
+    this.wanted = 0;            // number of the frame that is wanted
     this.onframe = () => {};
     this.onerror = () => {};
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
@@ -174,6 +175,7 @@ export class Viewer
     const number = ++this.wanted;
     const run = async () => {
       await this.running;
+      await this.guard(() => this.applyEdits());
       return number === this.wanted && this.current && !this.gl.isContextLost() &&
              this.guard(() => draw(() => number === this.wanted));
     };
@@ -269,13 +271,22 @@ export class Viewer
   }
 
   /** { color, opacity, nan } of a volume. */
-  functions(index) { return this.current.volumes[index].functions[0]; }
+  functions(index) { return this.edits.get(index) || this.current.volumes[index].functions[0]; }
 
   setFunctions(index, functions)
   {
     this.edits.set(index, functions);
-    this.guard(() => this.apply(this.current, index, functions));
+    this.unapplied.add(index); // not at once: a frame may be drawing with the old tables
     this.draw();
+  }
+
+  applyEdits()
+  {
+    const waiting = this.current && !this.gl.isContextLost() ? [...this.unapplied] : [];
+    waiting.forEach((index) => {
+      this.unapplied.delete(index);
+      this.apply(this.current, index, this.edits.get(index));
+    });
   }
 
   apply(step, index, functions)

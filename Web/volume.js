@@ -127,7 +127,7 @@ export class Volume
 
   releaseTables()
   {
-    (this.edited || []).forEach(({texture}) => this.gl.deleteTexture(texture));
+    Object.values(this.edited || {}).forEach(({texture}) => this.gl.deleteTexture(texture));
     this.edited = null;
   }
 

@@ -7,7 +7,7 @@ vec3 surfaceEmission(vec4 color, real value, Segment segment, CellInterval cell)
 {
   vec4 mean = vec4(color.x * color.w, color.y * color.w, color.z * color.w, color.w);
 #if TETMARCH_LIT
-  return reflection(mean, illuminationWithin(cell.shades, fractionOfValue(segment, value)).direct);
+  return reflection(mean, illuminationWithin(cell, fractionOfValue(segment, value)).direct);
 #else
   return emission(mean);
 #endif

@@ -58,7 +58,7 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #if TETMARCH_ERROR_BOUND
     real error = errorOfPiece(from, to, bendWithin(bend, position, next), by, radiance.transmittance);
 #if TETMARCH_LIT
-    error = error * brightness(illuminationWithin(cell.shades, middle));
+    error = error * brightness(illuminationWithin(cell, middle));
 #endif
     radiance.error = radiance.error + error;
 #endif

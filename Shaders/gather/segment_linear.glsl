@@ -34,7 +34,7 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #if TETMARCH_ERROR_BOUND
     real error = loaded ? subsegmentError(ends, part, found, by, cell, radiance.transmittance) : real(0);
 #if TETMARCH_LIT
-    error = error * brightness(illuminationWithin(cell.shades, middle));
+    error = error * brightness(illuminationWithin(cell, middle));
 #endif
 #endif
 #if TETMARCH_ADAPTIVE

@@ -11,8 +11,8 @@ void shadeSample(real depth, real scalar, INOUT(CellInterval) cell)
   point.depth = depth;
   point.scalar = scalar;
   point.attributes = attributesAt(cell.ray, cell.crossed, depth);
-  cell.shades.enter = shadeAtFace(cell.ray, point);
-  cell.shades.leave = cell.shades.enter;
+  cell.enterShade = shadeAtFace(cell.ray, point);
+  cell.leaveShade = cell.enterShade;
 }
 #endif
 

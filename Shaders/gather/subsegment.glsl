@@ -27,7 +27,7 @@ Subsegment subsegmentFrom(real position, real pieces)
 real thicknessWithin(CellInterval cell, real fraction, real thickness)
 {
 #if TETMARCH_GRADIENT_OPACITY
-  return thickness * densityWithin(cell.shades, fraction);
+  return thickness * densityWithin(cell, fraction);
 #else
   return thickness;
 #endif
@@ -40,7 +40,7 @@ void addLookup(real perBins, Absorption by, real middle, CellInterval cell, INOU
   real seen = radiance.transmittance * by.thickness * perBins;
 #if TETMARCH_LIT
   // The background and reflections of white surfaces are assumed to be at most 1.
-  seen = seen * (real(1) + brightness(illuminationWithin(cell.shades, middle)));
+  seen = seen * (real(1) + brightness(illuminationWithin(cell, middle)));
 #endif
   radiance.lookedUp = radiance.lookedUp + seen;
 }
@@ -53,10 +53,10 @@ void addSubsegment(
 {
 #if TETMARCH_LIGHT_ERROR
   radiance.lightError =
-    radiance.lightError + radiance.transmittance * by.absorbed * fraction * lightErrorOf(cell.shades);
+    radiance.lightError + radiance.transmittance * by.absorbed * fraction * lightErrorOf(cell);
 #endif
 #if TETMARCH_LIT
-  Illumination lit = illuminationWithin(cell.shades, middle);
+  Illumination lit = illuminationWithin(cell, middle);
 #if TETMARCH_SAMPLED_SHADOWS
   keepPending(radiance, mean, lit, by);
 #endif

@@ -34,7 +34,7 @@ FacePoint leavePoint(CellInterval cell)
 
 #if TETMARCH_KEEPS_SHADE
 // Before the first cell, at the ray's entry into the mesh.
-void beginShades(Ray ray, INOUT(CellInterval) cell) { cell.shades.leave = shadeAtFace(ray, leavePoint(cell)); }
+void beginShades(Ray ray, INOUT(CellInterval) cell) { cell.leaveShade = shadeAtFace(ray, leavePoint(cell)); }
 #endif
 
 // Before cell becomes the next one.
@@ -43,9 +43,9 @@ void advanceShades(INOUT(CellInterval) cell)
 #if TETMARCH_POINT_SAMPLED
   // There are none at the ends of an interval.
 #elif TETMARCH_FINDS_SHADES && (TETMARCH_CELL_GRADIENTS || !TETMARCH_POINT_SCALARS && TETMARCH_STRUCTURED)
-  cell.shades.enterKnown = false; // gradients of two cells differ where they meet
+  cell.enterShadeKnown = false; // gradients of two cells differ where they meet
 #elif TETMARCH_FINDS_SHADES
-  cell.shades.enterKnown = cell.seen;
+  cell.enterShadeKnown = cell.seen;
 #endif
 }
 
@@ -56,7 +56,7 @@ void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
   cell.crossed = place.crossed; // each sample has its own shade
 #elif TETMARCH_FINDS_SHADES
   // The shade at the ray's entry is that at its exit from the last cell, unless that was skipped.
-  int missing = cell.shades.enterKnown ? 1 : 2;
+  int missing = cell.enterShadeKnown ? 1 : 2;
   do
   {
     FacePoint point = leavePoint(cell);
@@ -67,25 +67,25 @@ void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
 #if TETMARCH_STRUCTURED
     point.attributes = attributesAt(ray, place.crossed, point.depth);
 #endif
-    cell.shades.enter = cell.shades.leave;
-    cell.shades.leave = shadeAtFace(ray, point);
+    cell.enterShade = cell.leaveShade;
+    cell.leaveShade = shadeAtFace(ray, point);
     missing = missing - 1;
   } while (missing > 0);
 #elif TETMARCH_VERTEX_GRADIENTS
-  cell.shades.enter = cell.shades.leave;
-  cell.shades.leave = shadeAtFace(ray, leavePoint(cell));
+  cell.enterShade = cell.leaveShade;
+  cell.leaveShade = shadeAtFace(ray, leavePoint(cell));
 #elif TETMARCH_EFFECTS
   // One gradient, with the light in the middle.
   FacePoint from = enterPoint(cell);
   FacePoint to = leavePoint(cell);
   real depth = real(0.5) * (from.depth + to.depth);
   real scalar = real(0.5) * (from.scalar + to.scalar);
-  cell.shades.enter = shadeOf(ray, depth, scalar, fetchCellGradient(cell.number),
+  cell.enterShade = shadeOf(ray, depth, scalar, fetchCellGradient(cell.number),
     (incomingAt(ray, from) + incomingAt(ray, to)) * real(0.5));
-  cell.shades.leave = cell.shades.enter;
+  cell.leaveShade = cell.enterShade;
 #endif
 #if TETMARCH_VERTEX_LIGHT_ERROR
-  cell.shades.interpolationError = lightInterpolationError(place.face);
+  cell.interpolationError = lightInterpolationError(place.face);
 #endif
 }
 
@@ -94,7 +94,29 @@ void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
 void placeShades(Segment segment, INOUT(CellInterval) cell)
 {
 #if TETMARCH_EFFECTS
-  cell.shades.within = rangeWithin(cell, segment);
+  cell.shadesWithin = rangeWithin(cell, segment);
 #endif
 }
+#endif
+
+#if TETMARCH_EFFECTS
+// A fraction of the segment as a fraction of the tetrahedron.
+real fractionOfCell(CellInterval cell, real fraction)
+{
+  return cell.shadesWithin.x + (cell.shadesWithin.y - cell.shadesWithin.x) * fraction;
+}
+
+#if TETMARCH_GRADIENT_OPACITY
+real densityWithin(CellInterval cell, real fraction)
+{
+  return cell.enterShade.density + (cell.leaveShade.density - cell.enterShade.density) * fractionOfCell(cell, fraction);
+}
+#endif
+
+#if TETMARCH_LIT
+Illumination illuminationWithin(CellInterval cell, real fraction)
+{
+  return mixIllumination(cell.enterShade.lit, cell.leaveShade.lit, fractionOfCell(cell, fraction));
+}
+#endif
 #endif

@@ -19,6 +19,3 @@
 #endif
 #endif
 #include "light/shade.glsl"
-#if TETMARCH_LIGHT_ERROR
-#include "light/light_error.glsl"
-#endif

@@ -4,10 +4,10 @@ real changeOf(Light p, Light q) { return greatest(q.diffuse - p.diffuse) + great
 
 // In a tetrahedron. The error of the mean of two ends is at most half of their difference, if light changes
 // monotonically. Surfaces are assumed white, so that the change of light is that of their reflection.
-real lightErrorOf(CellShades shades)
+real lightErrorOf(CellInterval cell)
 {
-  Illumination p = shades.enter.lit;
-  Illumination q = shades.leave.lit;
+  Illumination p = cell.enterShade.lit;
+  Illumination q = cell.leaveShade.lit;
   real change = changeOf(p.direct, q.direct);
 #if TETMARCH_HEADLIGHT_SHADOWS
   change = change + changeOf(p.head, q.head);
@@ -18,9 +18,9 @@ real lightErrorOf(CellShades shades)
   change = change + changeOf(p.beamB, q.beamB) + changeOf(p.beamC, q.beamC);
 #endif
 #endif
-  real error = real(0.5) * change * (shades.within.y - shades.within.x);
+  real error = real(0.5) * change * (cell.shadesWithin.y - cell.shadesWithin.x);
 #if TETMARCH_VERTEX_LIGHT_ERROR
-  error = error + shades.interpolationError;
+  error = error + cell.interpolationError;
 #endif
   return error;
 }

@@ -67,37 +67,3 @@ Shade shadeAtFace(Ray ray, FacePoint point)
   return shadeOf(ray, point.depth, point.scalar, point.attributes.gradient, incomingAt(ray, point));
 }
 #endif
-
-// Shades of a tetrahedron.
-struct CellShades
-{
-  Shade enter; // at the ray's entry
-  Shade leave;
-  vec2 within; // begin and end of the current segment in it: 0 and 1 if that is all of it
-#if TETMARCH_FINDS_SHADES
-  bool enterKnown; // the shade at the ray's entry is that at its exit from the previous tetrahedron
-#endif
-#if TETMARCH_VERTEX_LIGHT_ERROR
-  real interpolationError; // of light interpolated between vertices
-#endif
-};
-
-// A fraction of the segment as a fraction of the tetrahedron.
-real fractionOfCell(CellShades shades, real fraction)
-{
-  return shades.within.x + (shades.within.y - shades.within.x) * fraction;
-}
-
-#if TETMARCH_GRADIENT_OPACITY
-real densityWithin(CellShades shades, real fraction)
-{
-  return shades.enter.density + (shades.leave.density - shades.enter.density) * fractionOfCell(shades, fraction);
-}
-#endif
-
-#if TETMARCH_LIT
-Illumination illuminationWithin(CellShades shades, real fraction)
-{
-  return mixIllumination(shades.enter.lit, shades.leave.lit, fractionOfCell(shades, fraction));
-}
-#endif

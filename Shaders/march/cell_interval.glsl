@@ -28,7 +28,16 @@ struct CellInterval
   VertexAttributes leaveAttributes;
 #endif
 #if TETMARCH_EFFECTS
-  CellShades shades;
+  // Not in a struct of their own: WebGL allows structs in structs up to a depth of 4.
+  Shade enterShade;  // at the ray's entry into the cell
+  Shade leaveShade;
+  vec2 shadesWithin; // begin and end of the current segment between them: 0 and 1 if that is the whole cell
+#if TETMARCH_FINDS_SHADES
+  bool enterShadeKnown; // it is that at the ray's exit from the previous cell
+#endif
+#if TETMARCH_VERTEX_LIGHT_ERROR
+  real interpolationError; // of light interpolated between vertices
+#endif
 #endif
 #if TETMARCH_CROPPED
   real rest;   // depth up to which further ranges of the cell may remain after cropping

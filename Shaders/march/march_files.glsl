@@ -20,6 +20,9 @@
 #endif
 #include "march/segment.glsl"
 #include "march/cell_interval.glsl"
+#if TETMARCH_LIGHT_ERROR
+#include "light/light_error.glsl"
+#endif
 #include "light/cell_shades.glsl"
 #include "gather/gather_files.glsl"
 #include "cuts/cropping.glsl"

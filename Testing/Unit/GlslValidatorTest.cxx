@@ -15,6 +15,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <regex>
 #include <set>
 
 namespace
@@ -25,6 +26,28 @@ using tetmarch::VariantKey;
 using tetmarch::withFileNames;
 
 namespace fs = std::filesystem;
+
+// How many structs lie in each other at most.
+int depthOfStructs(const std::string& text)
+{
+  std::map<std::string, int> depths;
+  int most = 0;
+  static const std::regex declaration("struct (\\w+)\\s*\\{([^}]*)\\}");
+  static const std::regex member("(\\w+) \\w+(?:\\[\\d+\\])?;");
+  for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at)
+  {
+    const std::string members = (*at)[2];
+    int depth = 1;
+    for (std::sregex_iterator of(members.begin(), members.end(), member); of != end; ++of)
+    {
+      const auto known = depths.find((*of)[1]);
+      depth = std::max(depth, known == depths.end() ? 1 : known->second + 1);
+    }
+    depths[(*at)[1]] = depth;
+    most = std::max(most, depth);
+  }
+  return most;
+}
 
 class GlslValidator : public testing::Test
 {
@@ -70,7 +93,9 @@ protected:
     key.HasFma = false;
     key = key.filtered();
     const std::string defines = key.defines() + "#define TETMARCH_ES 1\n";
-    this->addText(file, asWebGlsl(shaderSource(file, defines)), namesOf(key) + ", for pages");
+    const std::string text = asWebGlsl(shaderSource(file, defines));
+    this->addText(file, text, namesOf(key) + ", for pages");
+    EXPECT_LE(depthOfStructs(text), 4) << file << " of " << namesOf(key); // the limit of WebGL
   }
 
   // In one run of the validator, which names each file before what it says of it.

@@ -12,10 +12,12 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 import time
+import unittest
 
 import numpy as np
 from PIL import Image
@@ -25,6 +27,7 @@ from webdriver import ChromeDriver, Marionette
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "Python"))
 from with_display import own_server  # noqa: E402
 
+PROGRAMS = {"chromium": ("chromium", "chromedriver"), "firefox": ("firefox-esr",)}
 BROWSERS = ("chromium", "swiftshader"), ("chromium", "llvmpipe"), ("firefox", "llvmpipe")
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # the key of an element's id, WebDriver 12
 RENDERER = """const gl = document.createElement("canvas").getContext("webgl2");
@@ -257,7 +260,13 @@ def firefox(driver, folder):
 
 @contextlib.contextmanager
 def browser(name, driver):
-    """A browser with a profile of its own; it ends with the block. start is the seconds that it took to start."""
+    """A browser with a profile of its own; it ends with the block. start is the seconds that it took to start.
+
+    What needs it in a test is skipped if it isn't installed.
+    """
+    for program in PROGRAMS[name]:
+        if not shutil.which(program):
+            raise unittest.SkipTest(f"There is no {program}")
     begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="tetmarch-", ignore_cleanup_errors=True) as folder:
         with {"chromium": chromium, "firefox": firefox}[name](driver, pathlib.Path(folder)) as opened:

@@ -16,6 +16,7 @@
 #include "vtkTetMarchSmartVolumeMapper.h"
 #include "vtkTetMarchVolumeMapper.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 
@@ -92,8 +93,15 @@ void describeVolume(vtkVolume* volume, bool isCaptured, std::vector<std::string>
   }
 }
 
-void describeLights(vtkRenderer* renderer, std::vector<std::string>& omissions)
+// Of volumes: those of surfaces follow the camera in the page, too.
+void describeLights(
+  const Capture& capture, vtkRenderer* renderer, std::vector<std::string>& omissions)
 {
+  if (std::none_of(capture.Volumes.begin(), capture.Volumes.end(),
+        [](const CaptureScope::Captured& one) { return one.Volume->GetProperty()->GetShade(); }))
+  {
+    return;
+  }
   vtkCollectionSimpleIterator at;
   vtkLightCollection* lights = renderer->GetLights();
   lights->InitTraversal(at);
@@ -106,6 +114,39 @@ void describeLights(vtkRenderer* renderer, std::vector<std::string>& omissions)
       return;
     }
   }
+}
+
+// Surfaces or volumes; windows have renderers for other things, such as ParaView's cross at the
+// centre of rotation.
+bool showsData(vtkRenderer* renderer)
+{
+  vtkCollectionSimpleIterator at;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(at);
+  while (vtkProp* prop = renderer->GetDraw() ? props->GetNextProp(at) : nullptr)
+  {
+    if (prop->GetVisibility() && (prop->IsA("vtkActor") || prop->IsA("vtkVolume")) &&
+        !prop->IsA("vtkPVCenterAxesActor"))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool hasOtherRenderers(vtkRenderer* renderer)
+{
+  vtkCollectionSimpleIterator at;
+  vtkRendererCollection* all = renderer->GetRenderWindow()->GetRenderers();
+  all->InitTraversal(at);
+  while (vtkRenderer* other = all->GetNextRenderer(at))
+  {
+    if (other != renderer && showsData(other))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 void describeView(vtkRenderer* renderer, std::vector<std::string>& omissions)
@@ -121,7 +162,7 @@ void describeView(vtkRenderer* renderer, std::vector<std::string>& omissions)
       "The camera's own transform, window centre, shear and horizontal view angle "
       "are not in the page: it has a plain perspective or parallel camera.");
   }
-  if (renderer->GetRenderWindow()->GetRenderers()->GetNumberOfItems() > 1)
+  if (hasOtherRenderers(renderer))
   {
     omissions.push_back("The page shows one renderer; the others of the window are left out.");
   }
@@ -151,7 +192,7 @@ Capture captureScene(vtkRenderer* renderer)
       describeVolume(volume, isCaptured, capture.Omissions);
     }
   }
-  describeLights(renderer, capture.Omissions);
+  describeLights(capture, renderer, capture.Omissions);
   describeView(renderer, capture.Omissions);
   capture.Surfaces = opaqueSurfaces(renderer, capture.Omissions, blockAttributes);
   return capture;

@@ -3,6 +3,7 @@
 // The accuracy level Sampled: the GL against the CPU, which marches the ray of each pixel by
 // samples, too, and both against the exact picture as the distance shrinks.
 #include "SampledScene.h"
+#include "ScenePage.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -49,6 +50,7 @@ void expectSampledParity(StructuredScene& scene, const std::string& what)
   EXPECT_GT(compare(traced, Image(traced.Width, traced.Height)).Max, 0.05) << "nothing is seen";
   EXPECT_LE(difference.Max, 2.0 / 255.0);
   EXPECT_LE(difference.Rms, 0.3 / 255.0);
+  keepScenePage(scene.Window);
 }
 
 TEST(SampledParity, AllKindsOfValues)

@@ -11,6 +11,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkProjectedTetrahedraMapper.h"
@@ -123,10 +124,14 @@ TEST_F(WebExporter, SaysWhatIsWrong)
 
 TEST_F(WebExporter, SaysWhatIsLeftOut)
 {
-  EXPECT_EQ(this->scene()["omissions"].size(), 0u);
   vtkNew<vtkVolume> other;
   vtkNew<vtkProjectedTetrahedraMapper> rival;
   vtkNew<vtkRenderer> second;
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  this->Shown.Renderer->AddLight(light);
+  this->Shown.Window->AddRenderer(second);
+  EXPECT_EQ(this->scene()["omissions"].size(), 0u);
   vtkNew<vtkTransform> moved;
   rival->SetInputData(this->Shown.Data);
   other->SetMapper(rival);
@@ -140,8 +145,9 @@ TEST_F(WebExporter, SaysWhatIsLeftOut)
       [&] { this->Shown.Renderer->RemoveVolume(other); } },
     { "view mode", [&] { this->Shown.Mapper->SetViewMode(vtkTetMarchVolumeMapper::VIEW_CELLS); },
       [&] { this->Shown.Mapper->SetViewMode(vtkTetMarchVolumeMapper::VIEW_PICTURE); } },
-    { "one renderer", [&] { this->Shown.Window->AddRenderer(second); },
-      [&] { this->Shown.Window->RemoveRenderer(second); } },
+    { "one renderer", [&] { second->AddVolume(other); }, [&] { second->RemoveVolume(other); } },
+    { "Lights that follow the camera", [&] { this->Shown.property()->ShadeOn(); },
+      [&] { this->Shown.property()->ShadeOff(); } },
     { "camera's own transform",
       [&]
       {

@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pages of scenes show the mapper's pictures, in each browser with each driver: PagesOfScenesTest.py BUILD_FOLDER
+
+The tests in C++ make the pages (Common/WebPages.h). By default one view of each hard case is opened in Chromium with
+the llvmpipe, and every eighth of them in the other browsers; in all of them scenes which together have each feature of
+shaders that pages know. With TETMARCH_WEB_ALL=1 in the environment it is each view and each scene in all of them.
+"""
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from browser_case import in_every_browser
+from check_pages import check
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+ALL = os.environ.get("TETMARCH_WEB_ALL") == "1"
+HARD_CASES = 136
+STEP = 8  # of hard cases beside Chromium with the llvmpipe
+BUILD = FOLDER = None
+
+# Programs of scenes, with what the short run draws of them and the least number of pages that it makes.
+SCENES = {}
+# Features of the key that no page has: its rays find the boundary by its hierarchy, are drawn in one piece, have no
+# fused arithmetic, and show pictures alone.
+IN_NO_PAGE = {"ENTRY_LISTS", "OPAQUE_DEPTH", "HAS_FMA", "DIAGNOSTICS", "PEELED", "SHOW_ILLUMINATION", "SHOW_GRADIENTS",
+              "SPLIT_CELLS"}
+
+
+def draw(program, tests):
+    """Runs tests of a program; returns the pages of their scenes."""
+    folder = FOLDER / program
+    folder.mkdir()
+    environment = {**os.environ, "TETMARCH_WEB_PAGES": str(folder), "TETMARCH_GL": "egl", "DISPLAY": ""}
+    command = [BUILD / "bin" / f"TetMarch{program}Test", f"--gtest_filter={tests}"]
+    subprocess.run(command, env=environment, check=True, stdout=subprocess.DEVNULL)
+    return sorted(folder.glob("*.html"))
+
+
+def one_of_each_case(pages):
+    return list({page.stem.partition("--")[0]: page for page in reversed(pages)}.values())
+
+
+def features_of(page):
+    """Of the shaders of all volumes."""
+    scene = json.loads(re.search(r'id="scene">(.*?)</script>', page.read_text(encoding="utf-8"), re.DOTALL)[1])
+    return {feature for step in scene["steps"] for volume in step["volumes"] for feature in volume["features"]}
+
+
+def key_features():
+    rows = (PROJECT / "VTKModule" / "Variants" / "features.txt").read_text(encoding="utf-8").splitlines()
+    return {row.split()[0] for row in rows if row[:1].isalpha() and row.split()[1] != "none"}
+
+
+def covering(pages):
+    """Each page that has a feature that no page before it has."""
+    covered, chosen = set(), []
+    for page in pages:
+        features = features_of(page)
+        if not features <= covered:
+            covered |= features
+            chosen.append(page)
+    return chosen
+
+
+def setUpModule():
+    global FOLDER, HARD, DRAWN
+    FOLDER = pathlib.Path(unittest.enterModuleContext(tempfile.TemporaryDirectory()))
+    HARD = draw("HardCaseDrawing", "Case/*")
+    DRAWN = {program: draw(program, "*" if ALL else tests) for program, (tests, least) in SCENES.items() if ALL or least}
+
+
+class ChoiceTest(unittest.TestCase):
+    def test_hard_cases(self):
+        self.assertEqual(len(one_of_each_case(HARD)), HARD_CASES)
+
+    def test_scenes(self):
+        for program, pages in DRAWN.items():
+            self.assertGreaterEqual(len(pages), SCENES[program][1], program)
+
+    def test_features(self):
+        found = set().union(*(features_of(page) for pages in DRAWN.values() for page in pages))
+        self.assertEqual(found, key_features() - IN_NO_PAGE)
+
+
+class PagesOfScenes:
+    def test_pictures(self):
+        hard = HARD if ALL else one_of_each_case(HARD)[::1 if self.which == ("chromium", "llvmpipe") else STEP]
+        scenes = [page for pages in DRAWN.values() for page in pages]
+        for page in hard + (scenes if ALL else covering(scenes)):
+            with self.subTest(page=page.stem):
+                wrong, _ = check(self.browser, page, self.which)
+                self.assertEqual(wrong, [])
+
+
+in_every_browser(PagesOfScenes)
+
+if __name__ == "__main__":
+    BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main()
