@@ -25,7 +25,17 @@ STEP = 8  # of hard cases beside Chromium with the llvmpipe
 BUILD = FOLDER = None
 
 # Programs of scenes, with what the short run draws of them and the least number of pages that it makes.
-SCENES = {}
+SCENES = {
+    "Kernel": ("*", 154),
+    "Light": ("LightParity*EachSetting", 27),
+    "Gaps": ("*NanParity*", 8),
+    "Blend": ("BlendParity*", 50),
+    "Slabs": ("Slabs.LightOfAllKinds", 3),
+    "Sampled": ("SampledParity.AllKindsOfValues", 8),
+    "Parity": ("Parity.TransparentRanges:Parity.OneColour", 4),
+    "Clipping": ("", 0), "Component": ("", 0), "Structured": ("", 0), "StructuredComponents": ("", 0),
+    "Accuracy": ("", 0), "Combinations": ("", 0),
+}
 # Features of the key that no page has: its rays find the boundary by its hierarchy, are drawn in one piece, have no
 # fused arithmetic, and show pictures alone.
 IN_NO_PAGE = {"ENTRY_LISTS", "OPAQUE_DEPTH", "HAS_FMA", "DIAGNOSTICS", "PEELED", "SHOW_ILLUMINATION", "SHOW_GRADIENTS",
