@@ -96,12 +96,13 @@ class Program
       }
       else
       {
+        // What has no value didn't matter to the mapper's GL, which found out that no result needs
+        // it.
         const value = values[name];
-        if (value === undefined)
+        if (value)
         {
-          throw new Error(`the page has no value for ${name}`);
+          this.set(type, size, location, value);
         }
-        this.set(type, size, location, value);
       }
     }
   }

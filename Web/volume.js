@@ -177,7 +177,7 @@ export class Volume
     if (values.tableSizes && !values.tableSize)
     {
       values.tableSize = values.tableSizes.slice(0, 1);
-      values.givenIntegralUnit = values.tableIntegralUnits.slice(0, 4);
+      values.givenIntegralUnit = (values.tableIntegralUnits || [0, 0, 0, 0]).slice(0, 4);
     }
     return {...values, transmittanceLeft: [1 - PICK.opacity]};
   }
