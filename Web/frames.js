@@ -79,21 +79,25 @@ export class Frames
     return drawn;
   }
 
+  // One triangle that covers the tile: along the common edge of two, pixels are drawn twice.
   drawTile(drawn, target, [x, y, width, height])
   {
     const gl = this.gl;
     const ndc = (pixel, size) => 2 * pixel / size - 1;
     const tile = [
-      ndc(x, target.size[0]), ndc(y, target.size[1]), ndc(x + width, target.size[0]),
-      ndc(y + height, target.size[1])
+      ndc(x, target.size[0]), ndc(y, target.size[1]), ndc(x + 2 * width, target.size[0]),
+      ndc(y + 2 * height, target.size[1])
     ];
     target.bind();
     gl.disable(gl.DEPTH_TEST);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(x, y, width, height);
     for (const {program, values, textures} of drawn)
     {
       program.use({...values, tile}, textures);
-      gl.drawArrays(gl.TRIANGLES, 0, 6);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
     }
+    gl.disable(gl.SCISSOR_TEST);
   }
 
   blendPremultiplied()

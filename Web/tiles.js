@@ -5,10 +5,21 @@
 const MILLISECONDS_OF_TILE = 30;
 const LEAST_PIXELS = 64;
 const MOST_PIXELS = 1 << 24;
+const BLOCK = 64; // pixels of an edge: software draws such squares, each by one thread
 
 function nextTask()
 {
   return new Promise((resolve) => setTimeout(resolve, 0));
+}
+
+// The end of a part of about this many pixels: that of a block, if there is one. A small rest
+// belongs to it.
+function endOfPart(begin, pixels, size)
+{
+  const end = begin + Math.max(4, Math.round(pixels));
+  const aligned = end - end % BLOCK;
+  const wanted = aligned > begin ? aligned : end;
+  return size - wanted < (wanted - begin) / 4 ? size : wanted;
 }
 
 /** Resolves when the GPU has done what it was told so far. */
@@ -39,14 +50,14 @@ export class Tiles
   // Parts of a picture, row by row; their size follows this.pixels.
   * parts([width, height])
   {
-    for (let y = 0, tall = 0; y < height; y += tall)
+    for (let y = 0, top = 0; y < height; y = top)
     {
-      const rows = this.pixels >= 32 * width ? this.pixels / width : Math.sqrt(this.pixels);
-      tall = Math.min(Math.max(4, Math.round(rows)), height - y);
-      for (let x = 0, wide = 0; x < width; x += wide)
+      const rows = Math.max(this.pixels / width, Math.min(Math.sqrt(this.pixels), BLOCK));
+      top = endOfPart(y, rows, height);
+      for (let x = 0, right = 0; x < width; x = right)
       {
-        wide = Math.min(Math.max(4, Math.round(this.pixels / tall)), width - x);
-        yield [x, y, wide, tall];
+        right = endOfPart(x, this.pixels / (top - y), width);
+        yield [x, y, right - x, top - y];
       }
     }
   }
