@@ -12,7 +12,6 @@
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
 
-#include "vtk_jsoncpp.h"
 #include "vtksys/FStream.hxx"
 #include "vtksys/SystemTools.hxx"
 

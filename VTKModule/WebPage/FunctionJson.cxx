@@ -6,8 +6,6 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
-#include "vtk_jsoncpp.h"
-
 #include <algorithm>
 #include <array>
 #include <vector>

@@ -4,12 +4,9 @@
 #ifndef TetMarchWebPageFunctionJson_h
 #define TetMarchWebPageFunctionJson_h
 
-class vtkVolumeProperty;
+#include "vtk_jsoncpp.h" // whose namespace has another name in ParaView
 
-namespace Json
-{
-class Value;
-}
+class vtkVolumeProperty;
 
 namespace tetmarch
 {

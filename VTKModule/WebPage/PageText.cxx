@@ -7,8 +7,6 @@
 #include "TetMarchShaderFiles.h"
 #include "TetMarchWebPage.h"
 
-#include "vtk_jsoncpp.h"
-
 #include <string_view>
 
 namespace tetmarch

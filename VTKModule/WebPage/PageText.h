@@ -6,13 +6,10 @@
 
 #include "WebPage/PageArrays.h"
 
+#include "vtk_jsoncpp.h" // whose namespace has another name in ParaView
+
 #include <ostream>
 #include <string>
-
-namespace Json
-{
-class Value;
-}
 
 namespace tetmarch
 {

@@ -11,8 +11,6 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
-#include "vtk_jsoncpp.h"
-
 #include <cmath>
 
 namespace tetmarch

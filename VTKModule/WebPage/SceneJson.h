@@ -8,16 +8,13 @@
 #include "WebPage/PageArrays.h"
 #include "WebPage/SceneSurfaces.h"
 
+#include "vtk_jsoncpp.h" // whose namespace has another name in ParaView
+
 #include <list>
 #include <string>
 #include <vector>
 
 class vtkRenderer;
-
-namespace Json
-{
-class Value;
-}
 
 namespace tetmarch
 {
