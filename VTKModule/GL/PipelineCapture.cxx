@@ -52,6 +52,8 @@ StageResult Pipeline::capture(vtkOpenGLRenderWindow* window, vtkRenderer* render
   MarchInputs inputs = this->inputsOf(options, renderer, this->currentViewport());
   inputs.ByCompute = false;
   inputs.MostLightSeconds = 0;
+  // Where rays enter behind transparent cells, those of the page pass them.
+  inputs.Key.TransparentRanges = inputs.Key.TransparentRanges || inputs.Key.VisiblePart;
   inputs.Key.EntryLists = false;
   inputs.Key.OpaqueDepth = false;
   inputs.Key.Peeled = false;

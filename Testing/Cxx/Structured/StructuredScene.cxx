@@ -244,6 +244,7 @@ void expectLightAlongRays(StructuredScene& scene, const std::string& what)
   const Difference difference = compare(drawn, scene.truth());
   std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
   EXPECT_LE(difference.Rms, 1.5 / 255.0) << what;
+  keepScenePage(scene.Window);
 }
 
 void expectShadowsAlongRays(KindsOfValues kinds, StructuredScene& scene)

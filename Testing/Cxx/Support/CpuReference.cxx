@@ -175,5 +175,6 @@ void expectLightAlongRays(Scene& scene, const Image& drawn, const Image& without
   EXPECT_GT(difference.Pixels, 200u);
   EXPECT_LE(difference.Rms, 1.5 / 255.0);
   EXPECT_GT(compare(drawn, without).Max, 0.02);
+  keepScenePage(scene.Window);
 }
 } // namespace tetmarch::testing
