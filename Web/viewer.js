@@ -127,11 +127,13 @@ export class Viewer
 
   resize(width, height)
   {
-    if (this.canvas.width !== width || this.canvas.height !== height)
+    // An observer of the size also tells the first one, perhaps when its frame has been drawn.
+    if (this.canvas.width === width && this.canvas.height === height)
     {
-      this.canvas.width = width;
-      this.canvas.height = height;
+      return;
     }
+    this.canvas.width = width;
+    this.canvas.height = height;
     this.hasDrawn ? this.drawSoon() : this.draw();
   }
 
