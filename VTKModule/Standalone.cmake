@@ -31,6 +31,7 @@ set(tetmarch_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms FiltersCore FiltersGeometry
   IOExport ParallelCore RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume
   RenderingVolumeOpenGL2 jsoncpp vtksys zlib)
+list(JOIN tetmarch_vtk_components " " tetmarch_library_components) # those that other projects need
 if (TETMARCH_WRAP_PYTHON)
   list(APPEND tetmarch_vtk_components Python WrappingPythonCore)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)

@@ -188,7 +188,11 @@ Capture captureScene(vtkRenderer* renderer)
     if (volume && volume->GetVisibility())
     {
       const bool isCaptured = std::any_of(capture.Volumes.begin(), capture.Volumes.end(),
-        [&](const CaptureScope::Captured& one) { return one.Volume == volume; });
+        [&](const CaptureScope::Captured& one)
+        {
+          // ParaView's volume is one that draws by another.
+          return one.Volume == volume || one.Volume->GetMapper() == volume->GetMapper();
+        });
       describeVolume(volume, isCaptured, capture.Omissions);
     }
   }
