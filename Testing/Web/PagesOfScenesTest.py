@@ -26,14 +26,16 @@ BUILD = FOLDER = None
 
 # Programs of scenes, with what the short run draws of them and the least number of pages that it makes.
 SCENES = {
-    "Kernel": ("*", 154),
-    "Light": ("LightParity*EachSetting", 27),
-    "Gaps": ("*NanParity*", 8),
-    "Blend": ("BlendParity*", 54),
-    "Slabs": ("Slabs.LightOfAllKinds", 3),
     "Parity": ("Parity.TransparentRanges:Parity.OneColour", 4),
-    "Clipping": ("", 0), "Component": ("", 0), "Structured": ("", 0), "StructuredComponents": ("", 0),
-    "Sampled": ("", 0), "Accuracy": ("", 0), "Combinations": ("", 0),
+    "Blend": ("BlendParity*", 54),
+    "Gaps": ("*NanParity.InLightAndShadow*:HiddenParity.Shaded", 3),
+    "Clipping": ("CutParity*.ParallelAlongAnAxis", 8),
+    "Component": ("ComponentParity/Lattice.HardData", 10),
+    "Light": ("LightParity/Lattice.EachSetting:LightParity/Lattice.BehindTransparentCells:"
+              "OpaqueShadowPicture.OfABallInside:OpaqueShadowPicture.WithOcclusion*", 20),
+    "Slabs": ("Slabs.LightOfAllKinds:Slabs.BlendModesAndSamples", 14),
+    "Kernel": ("", 0), "Structured": ("", 0), "StructuredComponents": ("", 0), "Sampled": ("", 0),
+    "Accuracy": ("", 0), "Combinations": ("", 0),
 }
 # Features of the key that no page has when it is written: it finds the boundary by its hierarchy, is drawn at once,
 # without fused arithmetic, and shows the picture alone.
