@@ -16,7 +16,10 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
+#include <cerrno>
+#include <filesystem>
 #include <sstream>
+#include <system_error>
 
 class vtkTetMarchWebExporter::Internals
 {
@@ -160,19 +163,28 @@ void vtkTetMarchWebExporter::WriteData()
     vtkErrorMacro("The page has no path. Call SetFileName() with one that ends with .html.");
     return;
   }
-  vtksys::ofstream file(this->FileName, std::ios::out | std::ios::binary);
-  const bool written = file && this->WritePage(file) && file.flush();
-  const bool lacks = !file;
+  // An older page stays until the new one is complete.
+  const std::string part = std::string(this->FileName) + ".part";
+  vtksys::ofstream file(part.c_str(), std::ios::out | std::ios::binary);
+  const bool written = file && this->WritePage(file);
   file.close();
-  if (lacks)
+  std::error_code error;
+  if (!file)
   {
-    vtkErrorMacro("The page " << this->FileName << " could not be written: "
-                              << vtksys::SystemTools::GetLastSystemError()
+    error.assign(errno, std::generic_category());
+  }
+  else if (written)
+  {
+    std::filesystem::rename(part, this->FileName, error);
+  }
+  if (error)
+  {
+    vtkErrorMacro("The page " << this->FileName << " could not be written: " << error.message()
                               << ". Choose another folder, or free space there.");
   }
-  if (!written)
+  if (error || !written)
   {
-    vtksys::SystemTools::RemoveFile(this->FileName);
+    vtksys::SystemTools::RemoveFile(part);
   }
 }
 
