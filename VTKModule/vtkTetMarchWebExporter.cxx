@@ -171,7 +171,7 @@ void vtkTetMarchWebExporter::WriteData()
   std::error_code error;
   if (!file)
   {
-    error.assign(errno, std::generic_category());
+    error.assign(errno != 0 ? errno : EIO, std::generic_category());
   }
   else if (written)
   {
