@@ -29,6 +29,7 @@ from with_display import own_server  # noqa: E402
 
 PROGRAMS = {"chromium": ("chromium", "chromedriver"), "firefox": ("firefox-esr",)}
 BROWSERS = ("chromium", "swiftshader"), ("chromium", "llvmpipe"), ("firefox", "llvmpipe")
+TIMEOUTS = {"script": 600_000}  # milliseconds
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # the key of an element's id, WebDriver 12
 RENDERER = """const gl = document.createElement("canvas").getContext("webgl2");
     return gl && gl.getParameter(gl.getExtension("WEBGL_debug_renderer_info").UNMASKED_RENDERER_WEBGL)"""
@@ -220,7 +221,7 @@ def chromium(driver, folder):
     with open(log, "w") as output, process(["chromedriver", "--port=0"], environment, output) as started:
         port = int(wait_for(log, r"on port (\d+)\.", started))
         session = ChromeDriver(port, {"goog:chromeOptions": {"binary": "/usr/bin/chromium", "args": options},
-                                      "goog:loggingPrefs": {"browser": "ALL"}})
+                                      "timeouts": TIMEOUTS, "goog:loggingPrefs": {"browser": "ALL"}})
         try:
             yield Chromium(session)
         finally:
@@ -249,7 +250,8 @@ def firefox(driver, folder):
     with own_server() as display, open(folder / "log", "w") as output:
         environment = {**display, "HOME": str(folder), "LIBGL_ALWAYS_SOFTWARE": "1"}
         with process(command, environment, output) as started:
-            session = Marionette(int(wait_for(profile / "MarionetteActivePort", r"^(\d+)", started)), {})
+            port = int(wait_for(profile / "MarionetteActivePort", r"^(\d+)", started))
+            session = Marionette(port, {"timeouts": TIMEOUTS})
             try:
                 opened = Firefox(session)
                 opened.in_browser(Firefox.LISTEN)

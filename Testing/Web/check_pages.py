@@ -15,7 +15,7 @@ from browsers import BROWSERS, browser
 from compare import compare, picture_of_difference, read
 
 TOLERANCE = 2
-SECONDS = 120
+SECONDS = 600  # SwiftShader compiles the largest shaders for minutes
 COUNT = "return document.querySelector('canvas').viewer.count()"
 
 
