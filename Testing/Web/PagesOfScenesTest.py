@@ -30,11 +30,12 @@ SCENES = {
     "Blend": ("BlendParity*", 54),
     "Gaps": ("*NanParity.InLightAndShadow*:HiddenParity.Shaded", 3),
     "Clipping": ("CutParity*.ParallelAlongAnAxis", 8),
-    "Component": ("ComponentParity/Lattice.HardData", 10),
+    "StructuredComponents": ("*BytesAndWords/TwoIndependent:*BytesAndWords/ColorAndOpacity:"
+                             "*BytesAndWords/DirectColor", 24),
     "Light": ("LightParity/Lattice.EachSetting:LightParity/Lattice.BehindTransparentCells:"
               "OpaqueShadowPicture.OfABallInside:OpaqueShadowPicture.WithOcclusion*", 20),
     "Slabs": ("Slabs.LightOfAllKinds:Slabs.BlendModesAndSamples", 14),
-    "Kernel": ("", 0), "Structured": ("", 0), "StructuredComponents": ("", 0), "Sampled": ("", 0),
+    "Kernel": ("", 0), "Component": ("", 0), "Structured": ("", 0), "Sampled": ("", 0),
     "Accuracy": ("", 0), "Combinations": ("", 0),
 }
 # Features of the key that no page has when it is written: it finds the boundary by its hierarchy, is drawn at once,
@@ -86,7 +87,8 @@ def setUpModule():
     global FOLDER, HARD, DRAWN
     FOLDER = pathlib.Path(unittest.enterModuleContext(tempfile.TemporaryDirectory()))
     HARD = draw("HardCaseDrawing", "Case/*")
-    DRAWN = {program: draw(program, "*" if ALL else tests) for program, (tests, least) in SCENES.items() if ALL or least}
+    DRAWN = {program: draw(program, "*" if ALL else tests)
+             for program, (tests, least) in SCENES.items() if ALL or least}
 
 
 class ChoiceTest(unittest.TestCase):
