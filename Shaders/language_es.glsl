@@ -1,5 +1,5 @@
 // What GLSL ES 3.00 (WebGL 2) lacks. It has no texture buffers: an array is a texture with rows of 1 << BUFFER_ROW_SHIFT
-// texels; whoever composes the text defines that number, below the greatest width of a texture. It has no `precise` and
+// texels. Web/programs.js defines this number by the maximum width of a texture. It has no `precise` and
 // no fused multiply-add: the predicate is the one in integers (tet/edge_sign.glsl).
 #define precise
 #define samplerBuffer sampler2D

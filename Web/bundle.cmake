@@ -3,7 +3,7 @@
 # Puts the files of a page together: page.html with the style, and with the modules of modules.txt as one script. The
 # page's Content-Security-Policy names both by their hashes. {{TITLE}} and {{DATA}} are left for the page's writer.
 
-# The base64 text of bytes that are given as hexadecimal digits, of which there are 64.
+# The base64 text of a hash of 64 hexadecimal digits.
 function (base64_of_hash hex result)
   set(alphabet "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/")
   set(text "")

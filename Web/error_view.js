@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The colours of error bounds, as those of VTKModule/Diagnostics/ViewColors.cxx.
+import {pageTexture} from "./textures.js";
 
-export const ERROR_COLORS = [
+const ERROR_COLORS = [
   [0, 0.16, 0.13, 0.42], [0.25, 0.57, 0.2, 0.52], [0.5, 0.9, 0.37, 0.35], [0.75, 0.98, 0.69, 0.33],
   [1, 1, 0.97, 0.72]
 ];
@@ -23,13 +24,7 @@ export function errorColorTexture(gl)
       bytes[4 * i + k] = Math.round(255 * (low[k + 1] + (high[k + 1] - low[k + 1]) * share));
     }
   }
-  const texture = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, count, 1);
-  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, count, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-  return {target: gl.TEXTURE_2D, texture};
+  return pageTexture(gl, {kind: "2d", format: "RGBA8", width: count, height: 1}, bytes);
 }
 
 /** What a scalar bar shows of them. range: of decimal logarithms. */

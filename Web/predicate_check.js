@@ -4,6 +4,7 @@
 // it: exactly, and a projected vertex with the same bits wherever it is projected. See
 // VTKModule/Variants/PredicateCases.cxx; the cases here are fewer.
 import {Target} from "./targets.js";
+import {pageTexture} from "./textures.js";
 
 const SIDE = 64; // the shader takes cases modulo 64 rows
 const TEXELS = 6;
@@ -74,23 +75,13 @@ function isRight(edge, answer, isSameEverywhere)
          isSameEverywhere;
 }
 
-function caseTexture(gl, texels)
-{
-  const texture = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, TEXELS * SIDE, SIDE);
-  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, TEXELS * SIDE, SIDE, gl.RGBA, gl.FLOAT, texels);
-  return {target: gl.TEXTURE_2D, texture};
-}
-
 /** How many of 4096 cases are wrong. */
 export async function countWrongCases(gl, programs)
 {
   const program = await programs.get(...CHECK, ["POINT_SCALARS"]);
   const texels = makeCases();
-  const cases = caseTexture(gl, texels);
+  const row = {kind: "2d", format: "RGBA32F", width: TEXELS * SIDE, height: SIDE};
+  const cases = pageTexture(gl, row, texels);
   const target = new Target(gl, ["RGBA32F", "RGBA32F"]);
   target.resize(SIDE, SIDE);
   target.bind();

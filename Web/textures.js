@@ -5,6 +5,7 @@
 // 16-bit normalised integers are no format of WebGL: they become floats.
 const FORMATS = {
   R8: ["R8", "RED", "UNSIGNED_BYTE", 1],
+  RGBA8: ["RGBA8", "RGBA", "UNSIGNED_BYTE", 4],
   R16: ["R32F", "RED", "FLOAT", 1],
   R32F: ["R32F", "RED", "FLOAT", 1],
   RG32F: ["RG32F", "RG", "FLOAT", 2],
@@ -80,7 +81,9 @@ export function arrayTexture(gl, format, array)
   return {target: gl.TEXTURE_2D, texture};
 }
 
-/** A texture of the page with its array. */
+/**
+ * A texture of the page, or one with such a row { kind, format, width, height }, with its array.
+ */
 export function pageTexture(gl, row, array)
 {
   if (row.kind === "buffer")

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Round numbers along a scale.
 
-/** At most so many multiples of 1, 2 or 5 times a power of ten, from least to most. */
+/**
+ * Multiples of 1, 2 or 5 times a power of ten, from least to most; atMost: their maximum number.
+ */
 export function makeTicks(least, most, atMost)
 {
   if (!(least < most) || !Number.isFinite(most - least) || atMost < 1)

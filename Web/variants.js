@@ -9,7 +9,7 @@ const OF_PICKS = [
   "CROPPED", "NAN_SHOWN", "HIDDEN_CELLS", ...BLENDED, "INDEPENDENT", "GRADIENT_OPACITY"
 ];
 
-export function isComposite(features)
+function isComposite(features)
 {
   return !BLENDED.some((name) => features.has(name));
 }

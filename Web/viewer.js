@@ -186,7 +186,7 @@ export class Viewer
     return done;
   }
 
-  // What is not drawn on the canvas waits for the frame that is being drawn, and ends none.
+  // Runs an action that does not draw on the canvas, after the current frame; it cancels no frame.
   queue(action)
   {
     const done = Promise.resolve(this.running).then(() => this.guard(action));

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A volume of the page on the GPU: what the march reads, by the names of its shaders.
 import {imageCellOf} from "./image_cells.js";
+import {widthOfRange} from "./integral_table.js";
 import {transpose} from "./matrices.js";
 import {levelOf, makeTables} from "./tables.js";
 import {arrayTexture, pageTexture} from "./textures.js";
-import {isComposite, pickFeatures, pictureFeatures} from "./variants.js";
+import {pickFeatures, pictureFeatures} from "./variants.js";
 import {viewOf} from "./view.js";
 
 const TRIALS_WHERE_BENT = 8; // Frame/FrameStages.cxx
@@ -134,9 +135,8 @@ export class Volume
   /** The level of a page's name as the march takes it. */
   levelFor(name, tolerance)
   {
-    const level = name === "written" ? this.data.level : levelOf(name, tolerance);
-    const factor =
-      name !== "written" && level.adaptive && this.isStructured ? TRIALS_WHERE_BENT : 1;
+    const level = levelOf(name, tolerance);
+    const factor = level.adaptive && this.isStructured ? TRIALS_WHERE_BENT : 1;
     return {...level, trials: level.trials * factor};
   }
 
@@ -146,8 +146,6 @@ export class Volume
   }
 
   pickFeatures() { return pickFeatures(this.features, this.traits); }
-
-  get isComposite() { return isComposite(this.features); }
 
   /** The view of a camera; null if it shows nothing. */
   viewOf(camera, aspect) { return viewOf(camera, aspect, this.data); }
@@ -185,8 +183,8 @@ export class Volume
   /** The value of a scalar 0..1. */
   valueOf(scalar)
   {
-    const [low, high] = this.data.range;
-    return low + scalar * (high > low ? high - low : 1);
+    const {range} = this.data;
+    return range[0] + scalar * widthOfRange(range);
   }
 
   /**

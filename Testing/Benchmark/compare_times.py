@@ -15,6 +15,7 @@ import subprocess
 import sys
 
 from build_folders import HERE, environment_of, run_again_with_display
+from option_types import positive
 
 DATASETS = ("golfball", "lattice1.3m", "holes")
 LIGHTS = ("off", "on")
@@ -81,13 +82,6 @@ def line_of(result):
     return (f"{result['name']}: {ours:.4f} s, the other build {other:.4f} s; "
             f"ratio of medians {against['medians']:.3f}, "
             f"median of ratios of {against['count']} pairs {against['pairs']:.3f}{verdict}")
-
-
-def positive(text):
-    number = int(text)
-    if number < 1:
-        raise argparse.ArgumentTypeError("must be 1 or more")
-    return number
 
 
 def main():

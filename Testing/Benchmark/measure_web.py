@@ -19,6 +19,7 @@ import sys
 import tempfile
 
 import vtkjs_page
+from option_types import positive
 from vtkmodules.vtkCommonCore import vtkVersion
 from web_scenes import SCENES, Scene, errors_of
 from web_tables import text_of
@@ -170,13 +171,6 @@ def report_of(scenes):
             "environment": {"vtk_version": vtkVersion.GetVTKVersion(),
                             "gl": {"renderer": first.renderer(), "backend": first.window.GetClassName()}},
             "cpu": cpu_name(), "cpu_threads": os.cpu_count(), "load": os.getloadavg()[0], "size": first.figure.size}
-
-
-def positive(text):
-    number = int(text)
-    if number < 1:
-        raise argparse.ArgumentTypeError("must be 1 or more")
-    return number
 
 
 def main():

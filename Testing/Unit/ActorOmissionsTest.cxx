@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is visible and not in a page is told, a sentence each.
+// Each visible prop that is not in a page is named in a sentence of its own.
 #include "WebPage/SceneSurfaces.h"
 
 #include "OpaqueProps.h"

@@ -20,7 +20,7 @@ COUNT = "return document.querySelector('canvas').viewer.count()"
 
 
 def check(opened, page, which):
-    """What is wrong with a page, as sentences, and how far its picture is from the mapper's."""
+    """Returns the faults of a page, a sentence each, and the difference of its picture from the mapper's."""
     expected = read(page.with_suffix(".png"))
     opened.size(expected.shape[1], expected.shape[0])
     opened.open(page, "bare")
