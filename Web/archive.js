@@ -103,7 +103,7 @@ export class Archive
   }
 
   /** Loads arrays by index. onProgress is called with the share that is done, 0..1. */
-  async load(indices, onProgress = () => {})
+  async load(indices, onProgress)
   {
     const missing = [...new Set(indices)].filter((i) => !this.loaded.has(i));
     const bytesOf = (i) => this.rows[i].count * NUMBERS[this.rows[i].type].BYTES_PER_ELEMENT;

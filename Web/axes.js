@@ -35,16 +35,16 @@ export function drawAxes(canvas, camera)
 
 function drawAxis(context, axis, [x, y], size)
 {
-  // A dark rim is seen on light backgrounds, the colour on dark ones.
-  for (const [color, width] of [["rgb(0 0 0 / 55%)", 0.056], [AXIS_COLORS[axis], 0.034]])
-  {
+  const drawArm = (color, width) => {
     context.strokeStyle = color;
     context.lineWidth = width * size;
     context.beginPath();
     context.moveTo(0, 0);
     context.lineTo(x, y);
     context.stroke();
-  }
+  };
+  drawArm("rgb(0 0 0 / 55%)", 0.056); // a dark rim is seen on light backgrounds
+  drawArm(AXIS_COLORS[axis], 0.034);
   const length = Math.hypot(x, y) || 1;
   const label = [x, y].map((part) => part + 0.1 * size * part / length);
   context.strokeStyle = "rgb(0 0 0 / 55%)";

@@ -64,7 +64,9 @@ export class Controls
     byId("tolerance").value = shortNumber(tolerance, 4);
     level.addEventListener("change", () => this.changeLevel());
     byId("tolerance").addEventListener("change", () => this.changeTolerance());
-    for (const radio of document.querySelectorAll("input[name=show]"))
+    /** @type {NodeListOf<HTMLInputElement>} */
+    const radios = document.querySelectorAll("input[name=show]");
+    for (const radio of radios)
     {
       radio.checked = radio.value === viewer.show;
       radio.addEventListener("change", () => {

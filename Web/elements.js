@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Elements of the page: found by their id, made with attributes, texts of numbers.
 
+/**
+ * @param {string} id
+ * @returns {any} An element of the kind that page.html says.
+ */
 export function byId(id)
 {
   return document.getElementById(id);
@@ -38,11 +42,13 @@ export function shortNumber(value, digits = 5)
   return Math.abs(short) < 1e-3 && short !== 0 ? short.toExponential() : String(short);
 }
 
+let sayTimer = 0;
+
 /** Says something beside the buttons, also to a screen reader, and takes it back after a while. */
 export function say(text)
 {
   const status = byId("status");
   status.textContent = text;
-  clearTimeout(say.timer);
-  say.timer = setTimeout(() => { status.textContent = ""; }, 6000);
+  clearTimeout(sayTimer);
+  sayTimer = setTimeout(() => { status.textContent = ""; }, 6000);
 }

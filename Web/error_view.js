@@ -27,9 +27,10 @@ export function errorColorTexture(gl)
   return pageTexture(gl, {kind: "2d", format: "RGBA8", width: count, height: 1}, bytes);
 }
 
-/** What a scalar bar shows of them. range: of decimal logarithms. */
-export function errorLegend([low, high])
+/** What a scalar bar shows of them. exponents: the least and the greatest decimal logarithm. */
+export function errorLegend(exponents)
 {
+  const [low, high] = exponents;
   const range = [10 ** low, 10 ** high];
   const color = ERROR_COLORS.map(([share, ...rgb]) => [10 ** (low + share * (high - low)), ...rgb]);
   return {title: "Error bound", color, range, logarithmic: true};

@@ -22,7 +22,10 @@ export class Framing
   /** greatestRatio: most device pixels along a pixel of the page. */
   constructor(viewer, canvas, pictureSize, greatestRatio)
   {
-    Object.assign(this, {viewer, canvas, pictureSize, greatestRatio});
+    this.viewer = viewer;
+    this.canvas = canvas;
+    this.pictureSize = pictureSize;
+    this.greatestRatio = greatestRatio;
     this.factor = 1;
     this.written = viewer.camera.copy();
     this.observer = new ResizeObserver(() => this.resize());

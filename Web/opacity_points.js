@@ -29,9 +29,10 @@ export function movePoint(points, index, [x, opacity], [low, high])
 }
 
 /** Adds a point: { points, index }, which is the place of the new one. */
-export function addPoint(points, [x, opacity])
+export function addPoint(points, point)
 {
-  const next = points.findIndex((point) => point[0] > x);
+  const [x, opacity] = point;
+  const next = points.findIndex((other) => other[0] > x);
   const index = next < 0 ? points.length : next;
   const added = [x, clampNumber(opacity, 0, 1)];
   return {points: [...points.slice(0, index), added, ...points.slice(index)], index};
@@ -56,8 +57,9 @@ export function removePoint(points, index)
 }
 
 /** The points with their x moved linearly from one range to another. */
-export function spreadPoints(points, [low, high], [newLow, newHigh])
+export function spreadPoints(points, from, to)
 {
+  const [[low, high], [newLow, newHigh]] = [from, to];
   const scale = high > low ? (newHigh - newLow) / (high - low) : 0;
   return points.map(([x, ...rest]) => [newLow + (x - low) * scale, ...rest]);
 }

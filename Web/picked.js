@@ -20,9 +20,10 @@ export function describePick({volume, cell, position, value}, names)
   return rows;
 }
 
-/** Where a camera sees a point of the world: pixels of [width, height], y down; null: behind it. */
-export function placeOf(camera, position, [width, height])
+/** The pixel, y down, where a camera sees a point of the world; null: behind it. */
+export function placeOf(camera, position, size)
 {
+  const [width, height] = size;
   const toClip = multiply(camera.projectionMatrix(width / height), camera.viewMatrix());
   const [x, y, , w] = transformPoint(toClip, position);
   return w > 0 ? [width * (1 + x / w) / 2, height * (1 - y / w) / 2] : null;
@@ -94,10 +95,9 @@ export class Picked
   }
 }
 
-function moveTo(element, [left, top])
+function moveTo(element, place)
 {
-  element.style.left = `${left}px`;
-  element.style.top = `${top}px`;
+  [element.style.left, element.style.top] = place.map((at) => `${at}px`);
 }
 
 function makeCell(tag, text)

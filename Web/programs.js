@@ -57,8 +57,6 @@ class Program
         this.uniforms.push({
           name: element,
           type,
-          size,
-          plain,
           location: gl.getUniformLocation(this.handle, elements > 1 ? element : name)
         });
       }
@@ -81,7 +79,7 @@ class Program
     const gl = this.gl;
     gl.useProgram(this.handle);
     let unit = 0;
-    for (const {name, type, size, location} of this.uniforms)
+    for (const {name, type, location} of this.uniforms)
     {
       if (this.isSampler(type))
       {
@@ -101,13 +99,13 @@ class Program
         const value = values[name];
         if (value)
         {
-          this.set(type, size, location, value);
+          this.set(type, location, value);
         }
       }
     }
   }
 
-  set(type, size, location, value)
+  set(type, location, value)
   {
     const gl = this.gl;
     if (type === gl.FLOAT_MAT4 || type === gl.FLOAT_MAT3)

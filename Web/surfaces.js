@@ -11,6 +11,7 @@ export const SURFACE_SHADERS = ["web/surface.vert.glsl", "web/surface.frag.glsl"
 
 // Of the attributes in the shader, by their locations: member of a surface, numbers a point, GL
 // type of a number, and whether integers are 0..1.
+/** @type {[string, number, string, boolean][]} */
 const ATTRIBUTES = [
   ["positions", 3, "FLOAT", false],
   ["normals", 3, "FLOAT", false],

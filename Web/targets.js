@@ -81,8 +81,9 @@ export class Target
   }
 
   /** The numbers of an attachment of floats in a rectangle, four a pixel, rows from the bottom. */
-  read(attachment, [x, y, width, height])
+  read(attachment, rectangle)
   {
+    const [x, y, width, height] = rectangle;
     const gl = this.gl;
     const pixels = new Float32Array(4 * width * height);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);

@@ -51,6 +51,7 @@ test("A colour map fills a range, from its other end if it is reversed", () => {
 
 const ramp = [[0, 0], [4, 0.5], [4, 0.75], [10, 1]];
 
+/** @type {[string, () => any, any][]} */
 const edits = [
   ["values before the first point", () => opacities.opacityAt(ramp, -1), 0],
   ["values behind the last point", () => opacities.opacityAt(ramp, 11), 1],

@@ -11,8 +11,8 @@ readonly CHART_PACKAGES=(python3-numpy python3-matplotlib)
 # For tests of the Python package: of the wheel, of notebooks, and of data in memory.
 readonly PYTHON_PACKAGES=(python3-venv python3-nbclient python3-ipykernel python3-ipywidgets python3-xarray
   python3-meshio)
-# For tests of web pages: browsers, and what compares their pictures.
-readonly WEB_PACKAGES=(chromium chromium-driver firefox-esr nodejs python3-numpy python3-pil)
+# For tests of web pages: browsers, what checks and runs their scripts, and what compares their pictures.
+readonly WEB_PACKAGES=(chromium chromium-driver firefox-esr nodejs node-typescript python3-numpy python3-pil)
 # For tests with several processes, whose pieces METIS makes.
 readonly PROCESS_PACKAGES=(openmpi-bin python3-mpi4py metis)
 # Mesa's compiler for AMD's GPUs, which needs no GPU; 60 MB.
