@@ -68,12 +68,14 @@ export class Frames
         continue;
       }
       const level = volume.levelFor(scene.level.name, scene.level.tolerance);
-      const features = volume.pictureFeatures(level, counts, opaqueDepth(view));
+      const lists = volume.listEntries(view, raySize);
+      const features = volume.pictureFeatures(level, counts, opaqueDepth(view), lists !== null);
       const perPixel = [size[0] / raySize[0], size[1] / raySize[1]];
       drawn.push({
         program: await this.programs.get(...MARCH, features),
-        values: volume.valuesFor(view, level, raySize, perPixel),
-        textures: {...volume.textures, opaqueDepthTexture: this.base.depth}
+        values: {...volume.valuesFor(view, level, raySize, perPixel), ...(lists || {}).values},
+        textures:
+          {...volume.textures, ...(lists || {}).textures, opaqueDepthTexture: this.base.depth}
       });
     }
     return drawn;
@@ -195,8 +197,8 @@ export class Frames
     return sums;
   }
 
-  /** The error bounds of the last count, in colours of decimal logarithms from low to high. */
-  async showErrors(size, [low, high])
+  /** The error bounds of the last count, in colours. range: of decimal logarithms. */
+  async showErrors(size, range)
   {
     const gl = this.gl;
     const program = await this.programs.get(FULL_VIEW, "passes/view.frag.glsl");
@@ -204,8 +206,7 @@ export class Frames
     this.base.copyTo(this.picture.framebuffer);
     this.picture.bind();
     gl.disable(gl.BLEND);
-    program.use(
-      {viewport: [0, 0, ...size], measure: [2], logarithmic: [1], measureRange: [low, high]},
+    program.use({viewport: [0, 0, ...size], measure: [2], logarithmic: [1], measureRange: range},
       {measureTexture: this.measures.colors[1], colorTexture: this.errorColors});
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     this.picture.copyTo(null);

@@ -7,9 +7,9 @@ import {SURFACE_SHADERS, surfaceArrays, Surfaces} from "./surfaces.js";
 import {normalizedToWorld} from "./view.js";
 import {Volume} from "./volume.js";
 
-function includePoint(bounds, [x, y, z])
+function includePoint(bounds, point)
 {
-  [x, y, z].forEach((value, a) => {
+  point.slice(0, 3).forEach((value, a) => {
     bounds[2 * a] = Math.min(bounds[2 * a], value);
     bounds[2 * a + 1] = Math.max(bounds[2 * a + 1], value);
   });
@@ -73,7 +73,7 @@ export class Step
 
   release()
   {
-    this.volumes.forEach((volume) => volume.releaseTables());
+    this.volumes.forEach((volume) => volume.release());
     if (this.surfaces)
     {
       this.surfaces.release();

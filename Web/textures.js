@@ -18,6 +18,8 @@ const FORMATS = {
   RGBA32UI: ["RGBA32UI", "RGBA_INTEGER", "UNSIGNED_INT", 4]
 };
 
+const MOST_BYTES_OF_SQUARES = 1 << 27;
+
 // The data of a texture has the type of its format.
 function numbersFor(format, array)
 {
@@ -81,6 +83,65 @@ export function arrayTexture(gl, format, array)
   return {target: gl.TEXTURE_2D, texture};
 }
 
+function layeredTexture(gl, format, size, numbers)
+{
+  const [internal, layout, type] = FORMATS[format];
+  const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+  checkSize([most, most, gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS)], size);
+  const [width, height, layers] = size;
+  const texture = newTexture(gl, gl.TEXTURE_2D_ARRAY);
+  gl.texImage3D(
+    gl.TEXTURE_2D_ARRAY, 0, gl[internal], width, height, layers, 0, gl[layout], gl[type], numbers);
+  return {target: gl.TEXTURE_2D_ARRAY, texture};
+}
+
+/**
+ * Whether the values of an image are packed by squares: four times the memory, a fourth of the
+ * reads.
+ */
+export function packsSquares(gl, {width, height, layers, format})
+{
+  const bytes = 4 * (width + 1) * (height + 1) * layers * (format === "R8" ? 1 : 4);
+  return bytes <= MOST_BYTES_OF_SQUARES &&
+         Math.max(width, height) < gl.getParameter(gl.MAX_TEXTURE_SIZE);
+}
+
+/**
+ * Each value with its next ones along x, y and both, in the order of textureGather(), from the
+ * value before the first on; outside of the image there are the values at its sides.
+ */
+export function packSquares({width, height, layers}, values)
+{
+  const squares = new values.constructor(4 * (width + 1) * (height + 1) * layers);
+  let at = 0;
+  for (let k = 0; k < layers; ++k)
+  {
+    for (let j = 0; j <= height; ++j)
+    {
+      const south = (k * height + Math.max(j - 1, 0)) * width;
+      const north = (k * height + Math.min(j, height - 1)) * width;
+      for (let i = 0; i <= width; ++i)
+      {
+        const west = Math.max(i - 1, 0);
+        const east = Math.min(i, width - 1);
+        squares[at++] = values[north + west];
+        squares[at++] = values[north + east];
+        squares[at++] = values[south + east];
+        squares[at++] = values[south + west];
+      }
+    }
+  }
+  return squares;
+}
+
+/** The texture of the squares of an image, for PACKED_SQUARES. */
+export function squareTexture(gl, row, array)
+{
+  const size = [row.width + 1, row.height + 1, row.layers];
+  const squares = packSquares(row, numbersFor(row.format, array));
+  return layeredTexture(gl, row.format === "R8" ? "RGBA8" : "RGBA32F", size, squares);
+}
+
 /**
  * A texture of the page, or one with such a row { kind, format, width, height }, with its array.
  */
@@ -101,10 +162,5 @@ export function pageTexture(gl, row, array)
       gl.TEXTURE_2D, 0, gl[internal], row.width, row.height, 0, gl[layout], gl[type], numbers);
     return {target: gl.TEXTURE_2D, texture};
   }
-  checkSize([most, most, gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS)],
-    [row.width, row.height, row.layers]);
-  const texture = newTexture(gl, gl.TEXTURE_2D_ARRAY);
-  gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, gl[internal], row.width, row.height, row.layers, 0,
-    gl[layout], gl[type], numbers);
-  return {target: gl.TEXTURE_2D_ARRAY, texture};
+  return layeredTexture(gl, row.format, [row.width, row.height, row.layers], numbers);
 }

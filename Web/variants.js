@@ -6,7 +6,8 @@
 const BLENDED = ["EXTREME", "SUM", "ISOSURFACES"];
 const OF_PICKS = [
   "BVH", "STRUCTURED", "RECTILINEAR", "SLABS", "MANY_SLABS", "LEAPS", "POINT_SCALARS", "CLIPPED",
-  "CROPPED", "NAN_SHOWN", "HIDDEN_CELLS", ...BLENDED, "INDEPENDENT", "GRADIENT_OPACITY"
+  "CROPPED", "NAN_SHOWN", "HIDDEN_CELLS", "PACKED_SQUARES", ...BLENDED, "INDEPENDENT",
+  "GRADIENT_OPACITY"
 ];
 
 function isComposite(features)
@@ -21,9 +22,9 @@ function setIf(features, name, on)
 
 /**
  * The features of a picture. written: those of the page; level: of levelOf(); traits: of edited
- * tables, or null.
+ * tables, or null; entries: { lists, visiblePart }, whether rays enter by lists, and of what.
  */
-export function pictureFeatures(written, {level, traits, counts, opaqueDepth})
+export function pictureFeatures(written, {level, traits, counts, opaqueDepth, entries})
 {
   const features = new Set(written);
   const composite = isComposite(features);
@@ -44,6 +45,12 @@ export function pictureFeatures(written, {level, traits, counts, opaqueDepth})
       (structured || !features.has("CONSTANT_COLOR")));
   setIf(features, "DIAGNOSTICS", counts);
   setIf(features, "OPAQUE_DEPTH", opaqueDepth);
+  setIf(features, "ENTRY_LISTS", entries.lists);
+  setIf(features, "VISIBLE_PART", entries.visiblePart);
+  setIf(features, "TRANSPARENT_RANGES", features.has("TRANSPARENT_RANGES") && !entries.visiblePart);
+  // Rays of pixels have lists, rays towards the light have none.
+  setIf(
+    features, "BVH", features.has("BVH") && (!entries.lists || features.has("SAMPLED_SHADOWS")));
   features.delete("HAS_FMA");
   return features;
 }
@@ -52,7 +59,9 @@ export function pictureFeatures(written, {level, traits, counts, opaqueDepth})
 export function pickFeatures(written, traits)
 {
   const level = {adaptive: false, sampled: false};
-  const picture = pictureFeatures(written, {level, traits, counts: false, opaqueDepth: true});
+  const entries = {lists: false, visiblePart: false};
+  const picture =
+    pictureFeatures(written, {level, traits, counts: false, opaqueDepth: true, entries});
   const features = new Set(OF_PICKS.filter((name) => picture.has(name)));
   features.add("OPAQUE_DEPTH");
   setIf(

@@ -6,7 +6,8 @@ import {determinant3, invert, multiply, transformPoint} from "./matrices.js";
 
 const MARGIN = 1.01;
 
-function reachOf(row, halfExtent)
+/** The greatest product of a row of a matrix and a point of the volume's box. */
+export function reachOf(row, halfExtent)
 {
   return Math.abs(row[0]) * halfExtent[0] + Math.abs(row[1]) * halfExtent[1] +
          Math.abs(row[2]) * halfExtent[2];
@@ -113,8 +114,8 @@ export function viewOf(camera, aspect, volume)
     clipToNormalized,
     eye: transformPoint(fromView, eyeOf(projection)),
     toWorld,
+    mirrored: determinant3(toView) < 0,
     ...classify(normalizedToClip, halfExtent)
   };
-  view.rayPoints = rayPoints(view, halfExtent);
-  return view;
+  return {...view, rayPoints: rayPoints(view, halfExtent)};
 }

@@ -48,8 +48,8 @@ export class Viewer
     this.edits = new Map();     // functions by volume
     this.unapplied = new Set(); // volumes whose edit waits for the next frame
     this.wanted = 0;            // number of the frame that is wanted
-    this.onframe = () => {};
-    this.onerror = () => {};
+    this.onframe = (_report) => {};
+    this.onerror = (_text) => {};
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
     canvas.addEventListener("webglcontextrestored", () => this.restore());
   }

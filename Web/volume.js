@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A volume of the page on the GPU: what the march reads, by the names of its shaders.
+import {cornersOfFaces, EntryLists, listsFaces} from "./entry_lists.js";
 import {imageCellOf} from "./image_cells.js";
 import {widthOfRange} from "./integral_table.js";
 import {transpose} from "./matrices.js";
 import {levelOf, makeTables} from "./tables.js";
-import {arrayTexture, pageTexture} from "./textures.js";
+import {arrayTexture, packsSquares, pageTexture, squareTexture} from "./textures.js";
 import {pickFeatures, pictureFeatures} from "./variants.js";
 import {viewOf} from "./view.js";
 
@@ -61,6 +62,11 @@ export class Volume
     this.data = data;
     this.index = index;
     this.features = new Set(data.features);
+    const {valueTexture} = data.textures;
+    if (valueTexture && this.features.has("POINT_SCALARS") && packsSquares(gl, valueTexture))
+    {
+      this.features.add("PACKED_SQUARES");
+    }
     this.values = {};
     for (const [name, {values}] of Object.entries(data.uniforms))
     {
@@ -69,6 +75,7 @@ export class Volume
     this.textures = {};
     this.functions = data.functions;
     this.traits = null; // of edited tables
+    this.lists = new EntryLists(gl);
   }
 
   get isStructured() { return this.features.has("STRUCTURED"); }
@@ -88,16 +95,34 @@ export class Volume
   {
     for (const [name, row] of Object.entries(this.data.textures))
     {
-      const key = JSON.stringify(row);
+      const squares = name === "valueTexture" && this.features.has("PACKED_SQUARES");
+      const make = squares ? squareTexture : pageTexture;
+      const key = JSON.stringify([squares, row]);
       if (!known.has(key))
       {
-        known.set(key, before.get(key) || pageTexture(this.gl, row, archive.array(row.array)));
+        known.set(key, before.get(key) || make(this.gl, row, archive.array(row.array)));
       }
       this.textures[name] = known.get(key);
     }
     this.cells = this.data.cells === null ? null : archive.array(this.data.cells);
+    this.boundary = this.cornersOf("boundaryBuffer", archive);
+    this.visiblePart = this.cornersOf("visibleFaceBuffer", archive);
     this.scalars = scalarsOf(this.data, archive);
   }
+
+  // The corners of the faces in a texture; null if there are none, or so many that rays search
+  // them.
+  cornersOf(name, archive)
+  {
+    const {textures} = this.data;
+    const faces = textures[name] && archive.array(textures[name].array);
+    return faces && listsFaces(faces)
+             ? cornersOfFaces(archive.array(textures.vertexBuffer.array), faces)
+             : null;
+  }
+
+  // What is visible was found for the written functions.
+  get entersVisiblePart() { return this.visiblePart !== null && !this.traits; }
 
   /** Edited transfer functions in place of the written ones; of several components, the first. */
   setFunctions(functions, level)
@@ -132,6 +157,13 @@ export class Volume
     this.edited = null;
   }
 
+  /** Frees what the steps of time don't share. */
+  release()
+  {
+    this.releaseTables();
+    this.lists.release();
+  }
+
   /** The level of a page's name as the march takes it. */
   levelFor(name, tolerance)
   {
@@ -140,9 +172,24 @@ export class Volume
     return {...level, trials: level.trials * factor};
   }
 
-  pictureFeatures(level, counts, opaqueDepth)
+  /** The features of a picture that has the lists of listEntries(), or not. */
+  pictureFeatures(level, counts, opaqueDepth, hasLists)
   {
-    return pictureFeatures(this.features, {level, traits: this.traits, counts, opaqueDepth});
+    const entries = {lists: hasLists, visiblePart: hasLists && this.entersVisiblePart};
+    return pictureFeatures(
+      this.features, {level, traits: this.traits, counts, opaqueDepth, entries});
+  }
+
+  /** Lists the faces through which the rays of a picture enter; null if they are to search them. */
+  listEntries(view, size)
+  {
+    const corners = this.entersVisiblePart ? this.visiblePart : this.boundary;
+    if (!corners || view.cutsNearPlane)
+    {
+      return null;
+    }
+    this.lists.update(corners, view, this.data.frame.halfExtent, size);
+    return this.lists;
   }
 
   pickFeatures() { return pickFeatures(this.features, this.traits); }
@@ -150,7 +197,10 @@ export class Volume
   /** The view of a camera; null if it shows nothing. */
   viewOf(camera, aspect) { return viewOf(camera, aspect, this.data); }
 
-  /** Values of all uniforms of the march. size: of the target in pixels; depthsPerPixel: [x, y]. */
+  /**
+   * Values of all uniforms of the march. size: of the target in pixels; depthsPerPixel: [x, y].
+   * @returns {Object<string, number[]>}
+   */
   valuesFor(view, level, size, depthsPerPixel)
   {
     return {

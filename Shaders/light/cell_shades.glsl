@@ -42,8 +42,8 @@ void advanceShades(INOUT(CellInterval) cell)
 {
 #if TETMARCH_POINT_SAMPLED
   // There are none at the ends of an interval.
-#elif TETMARCH_FINDS_SHADES && (TETMARCH_CELL_GRADIENTS || !TETMARCH_POINT_SCALARS && TETMARCH_STRUCTURED)
-  cell.enterShadeKnown = false; // gradients of two cells differ where they meet
+#elif TETMARCH_FINDS_SHADES && TETMARCH_SHADES_OF_CELLS
+  cell.enterShadeKnown = false;
 #elif TETMARCH_FINDS_SHADES
   cell.enterShadeKnown = cell.seen;
 #endif

@@ -32,6 +32,13 @@ vec4 fetchValues(int i, int j, int k)
   vec3 place = vec3(vec2(float(i + 1), float(j + 1)) * valueTexel, float(clamp(k, 0, lastValue.z)));
   return textureGather(valueTexture, place) * valueMap.x + vec4(valueMap.y);
 }
+#elif TETMARCH_POINT_SCALARS && TETMARCH_PACKED_SQUARES
+// Texel (i + 1, j + 1) has these four values, where GLSL has no textureGather().
+vec4 fetchValues(int i, int j, int k)
+{
+  ivec3 place = clamp(ivec3(i + 1, j + 1, k), ivec3(0), lastValue + ivec3(1, 1, 0));
+  return texelFetch(valueTexture, place, 0) * valueMap.x + vec4(valueMap.y);
+}
 #elif TETMARCH_POINT_SCALARS
 vec4 fetchValues(int i, int j, int k)
 {

@@ -1,56 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Testing/Web/tables.json: tables of the march by which Testing/Web/tables.test.mjs checks those of
-// Web/tables.js. It is written anew if TETMARCH_WRITE_WEB_TABLES is set.
+// Web/tables.js. See JsonText.h.
 #include "Appearance/TransferTables.h"
+
+#include "JsonText.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
-#include <cstdlib>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
-#include <sstream>
 
 namespace
 {
 using namespace tetmarch;
-
-// JSON. Doubles are those of the cases below, written as there.
-std::string json(const char* word) { return "\"" + std::string(word) + "\""; }
-std::string json(const std::string& made) { return made; }
-std::string json(bool is) { return is ? "true" : "false"; }
-template <typename Number>
-std::enable_if_t<std::is_arithmetic_v<Number>, std::string> json(Number x)
-{
-  std::ostringstream out;
-  out.precision(std::is_same_v<Number, float> ? 9 : 15);
-  out << x;
-  return out.str();
-}
-template <typename List>
-std::string json(const List& items, const typename List::value_type* = nullptr)
-{
-  std::string all;
-  for (const auto& item : items)
-  {
-    all += (all.empty() ? "" : ",") + json(item);
-  }
-  return "[" + all + "]";
-}
-using Members = std::vector<std::pair<const char*, std::string>>;
-std::string object(const Members& members)
-{
-  std::string all;
-  for (const auto& [name, value] : members)
-  {
-    all += (all.empty() ? "" : ", ") + json(name) + ": " + value;
-  }
-  return "{" + all + "}";
-}
+using namespace tetmarch::testing;
 
 struct Functions
 {
@@ -288,13 +254,6 @@ TEST(WebTables, AreThoseOfTheFile)
     }
   }
   made += "\n]\n";
-  const char* const name = TETMARCH_SOURCE_DIR "/Testing/Web/tables.json";
-  if (std::getenv("TETMARCH_WRITE_WEB_TABLES"))
-  {
-    std::ofstream(name) << made;
-  }
-  std::ifstream file(name);
-  const std::string stored{ std::istreambuf_iterator<char>(file), {} };
-  EXPECT_EQ(stored, made) << "Write " << name << " anew, and run Testing/Web/tables.test.mjs.";
+  expectStored("tables.json", made, "tables.test.mjs");
 }
 } // namespace

@@ -4,6 +4,7 @@
 
 #include "Caching/WithinMemory.h"
 #include "Frame/FrameStages.h"
+#include "GL/ProgramCapture.h"
 #include "GL/VolumeTextures.h"
 #include "View/RayPoints.h"
 
@@ -206,6 +207,24 @@ StageResult FramePasses::capture(
       result = result.then(
         [&] { return StageResult{ this->March.capture(context.Window, inputs, program) }; });
     }
+  }
+  return result;
+}
+
+StageResult FramePasses::captureVisiblePart(
+  const DrawContext& context, MarchInputs inputs, CapturedProgram& program)
+{
+  inputs.Key = inputs.Key.ofPick(); // the simplest variant that reads it
+  inputs.Key.OpaqueDepth = false;
+  inputs.Key.EntryLists = true;
+  inputs.Key.VisiblePart = true;
+  inputs.Key = inputs.Key.filtered();
+  StageResult result{ this->findRays(context.Window, inputs.Area, inputs) };
+  result = result.then(
+    [&] { return StageResult{ this->March.capture(context.Window, inputs, program) }; });
+  for (const char* ofView : { "entryTileBuffer", "entryCandidateBuffer" })
+  {
+    program.Textures.erase(ofView); // the page makes its own
   }
   return result;
 }

@@ -41,6 +41,9 @@ public:
   /** Draw nothing, but capture what the shaders of the picture and of the counters read, at every
    * accuracy that the page of a scene offers. */
   StageResult capture(const DrawContext& context, MarchInputs inputs, CapturedProgram& program);
+  /** Capture the visible part of the mesh, too. */
+  StageResult captureVisiblePart(
+    const DrawContext& context, MarchInputs inputs, CapturedProgram& program);
   /** Nothing is known of how long the next frame takes. */
   void forgetTimes();
   /** Forget the results of the last draw(). */

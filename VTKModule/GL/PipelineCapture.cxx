@@ -37,12 +37,18 @@ void captureCells(const MarchedVolume& volume, CapturedVolume& captured)
   }
 }
 
+bool hasVisibleFaces(const MarchedVolume& volume)
+{
+  const auto* mesh = dynamic_cast<const TetVolume*>(&volume);
+  return mesh && !mesh->visiblePart().Faces.empty();
+}
+
 } // namespace
 
 StageResult Pipeline::capture(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const DrawOptions& options, const Progress& progress, CapturedVolume& captured)
 {
-  // Without lists of entries, rays are looked for in the hierarchy of the boundary.
+  // The page lists entries by itself. Where it can't, its rays search them in the hierarchy.
   std::string error = this->Stages.prepareEntrySearch();
   error = error.empty() ? this->upload(window) : error;
   if (!error.empty())
@@ -52,11 +58,12 @@ StageResult Pipeline::capture(vtkOpenGLRenderWindow* window, vtkRenderer* render
   MarchInputs inputs = this->inputsOf(options, renderer, this->currentViewport());
   inputs.ByCompute = false;
   inputs.MostLightSeconds = 0;
-  // Where rays enter behind transparent cells, those of the page pass them.
-  inputs.Key.TransparentRanges = inputs.Key.TransparentRanges || inputs.Key.VisiblePart;
-  inputs.Key.EntryLists = false;
   inputs.Key.OpaqueDepth = false;
   inputs.Key.Peeled = false;
+  const bool entersVisible = inputs.Key.filtered().VisiblePart;
+  // Rays that don't enter the visible part pass the transparent cells.
+  inputs.Key.TransparentRanges = inputs.Key.TransparentRanges || entersVisible;
+  inputs.Key.EntryLists = false;
   inputs.Key = inputs.Key.filtered();
   if (inputs.Key.SplitCells)
   {
@@ -70,6 +77,11 @@ StageResult Pipeline::capture(vtkOpenGLRenderWindow* window, vtkRenderer* render
       const DrawContext context{ window, progress };
       result = StageResult{ error }.then(
         [&] { return this->Passes.capture(context, inputs, captured.Program); });
+      if (entersVisible && hasVisibleFaces(this->Stages.volume()))
+      {
+        result = result.then(
+          [&] { return this->Passes.captureVisiblePart(context, inputs, captured.Program); });
+      }
       captured.Key = inputs.Key;
       captured.Frame = this->Stages.volume().frame();
       captured.Level = inputs.Level;

@@ -19,9 +19,10 @@ namespace tetmarch
 
 struct CapturedVolume
 {
-  /** The variant of the picture without lists of entries and opaque geometry, which depend on the
-   * view, and without the visible part, which depends on the transfer functions. */
+  /** The variant of the picture without opaque geometry and without lists of entries, which the
+   * page makes for each view. */
   VariantKey Key;
+  /** With the visible part of a mesh (Entries/VisiblePart.h), if the mapper enters it. */
   CapturedProgram Program;
   VolumeFrame Frame;
   AccuracyLevel Level = DefaultAccuracy;

@@ -177,22 +177,29 @@ TYPED_TEST(LightParity, BehindTransparentCells)
     [](TypeParam& scene, const std::string& name)
     {
       setShading(scene.property());
-      addSun(scene);
       scene.Mapper->SetAccuracyLevelToAccurate();
-      Image pictures[2];
-      for (const double least : { 0.0, 1e-5 })
+      for (const bool scatters : { true, false })
       {
-        vtkPiecewiseFunction* opacity = scene.property()->GetScalarOpacity();
-        opacity->RemoveAllPoints();
-        opacity->AddPoint(0.6, least);
-        opacity->AddPoint(0.7, 0.9);
-        opacity->AddPoint(0.8, least);
-        scene.expectParity(
-          name + (least > 0.0 ? ", thin around a peak" : ", nothing around a peak"));
-        pictures[least > 0.0] = scene.frame();
+        scene.Mapper->SetVolumetricScatteringBlending(scatters ? 1.0f : 0.0f); // of the headlight
+        if (!scatters)
+        {
+          addSun(scene);
+        }
+        Image pictures[2];
+        for (const double least : { 0.0, 1e-5 })
+        {
+          vtkPiecewiseFunction* opacity = scene.property()->GetScalarOpacity();
+          opacity->RemoveAllPoints();
+          opacity->AddPoint(0.6, least);
+          opacity->AddPoint(0.7, 0.9);
+          opacity->AddPoint(0.8, least);
+          scene.expectParity(
+            name + (least > 0.0 ? ", thin around a peak" : ", nothing around a peak"));
+          pictures[least > 0.0] = scene.frame();
+        }
+        // Cells are cut otherwise then, and light is outside of the tolerance.
+        EXPECT_LE(compare(pictures[0], pictures[1]).Max, 3.0 / 255.0) << name << ", " << scatters;
       }
-      // Cells are cut otherwise then, and light is outside of the tolerance.
-      EXPECT_LE(compare(pictures[0], pictures[1]).Max, 3.0 / 255.0) << name;
     });
 }
 
