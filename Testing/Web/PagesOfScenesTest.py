@@ -32,15 +32,15 @@ SCENES = {
     "Clipping": ("CutParity*.ParallelAlongAnAxis", 8),
     "StructuredComponents": ("*BytesAndWords/TwoIndependent:*BytesAndWords/ColorAndOpacity:"
                              "*BytesAndWords/DirectColor", 24),
-    "Light": ("LightParity/Lattice.EachSetting:LightParity/Lattice.BehindTransparentCells:"
-              "OpaqueShadowPicture.OfABallInside:OpaqueShadowPicture.WithOcclusion*", 20),
+    "Light": ("LightParity/Lattice.EachSetting:LightParity/*.BehindTransparentCells:"
+              "OpaqueShadowPicture.OfABallInside:OpaqueShadowPicture.WithOcclusion*", 28),
     "Slabs": ("Slabs.LightOfAllKinds:Slabs.BlendModesAndSamples", 14),
     "Kernel": ("", 0), "Component": ("", 0), "Structured": ("", 0), "Sampled": ("", 0),
     "Accuracy": ("", 0), "Combinations": ("", 0),
 }
-# Features of the key that no page has when it is written: it finds the boundary by its hierarchy, is drawn at once,
-# without fused arithmetic, and shows the picture alone.
-IN_NO_PAGE = {"ENTRY_LISTS", "VISIBLE_PART", "OPAQUE_DEPTH", "HAS_FMA", "DIAGNOSTICS", "PEELED", "SHOW_ILLUMINATION",
+# Features of the key that no page has when it is written: it lists entries by itself, is drawn at once, without fused
+# arithmetic, and shows the picture alone.
+IN_NO_PAGE = {"ENTRY_LISTS", "OPAQUE_DEPTH", "HAS_FMA", "DIAGNOSTICS", "PEELED", "SHOW_ILLUMINATION",
               "SHOW_GRADIENTS", "SPLIT_CELLS"}
 
 
@@ -64,7 +64,9 @@ def steps_of(page):
 
 def features_of(page):
     """Of the shaders of all volumes."""
-    return {feature for step in steps_of(page) for volume in step["volumes"] for feature in volume["features"]}
+    volumes = [volume for step in steps_of(page) for volume in step["volumes"]]
+    visible = {"VISIBLE_PART" for volume in volumes if "visibleFaceBuffer" in volume["textures"]}
+    return visible.union(*(volume["features"] for volume in volumes))
 
 
 def key_features():
