@@ -14,7 +14,7 @@ TARGETS_OF_CTEST = {
     "TetMarchProcesses": ("vtkRenderingTetMarchPython",),
     "TetMarchPython": ("vtkRenderingTetMarchPython",),
     "TetMarchRender": ("tetmarch-render",),
-    "TetMarchWebScripts": (),
+    "TetMarchWebScripts": ("RenderingTetMarch",),
 }
 
 
