@@ -45,6 +45,7 @@ export class Tiles
   {
     this.gl = gl;
     this.pixels = 64 * 64; // of a tile, by the time that the last one took
+    this.longest = 0;      // milliseconds of a tile of the last picture
   }
 
   // Parts of a picture, row by row; their size follows this.pixels.
@@ -64,6 +65,7 @@ export class Tiles
 
   note(part, milliseconds)
   {
+    this.longest = Math.max(this.longest, milliseconds);
     const drawn = part[2] * part[3];
     const fitting = drawn * MILLISECONDS_OF_TILE / Math.max(milliseconds, 1);
     const next = Math.min(Math.max(fitting, this.pixels / 4), this.pixels * 4);
@@ -76,6 +78,7 @@ export class Tiles
    */
   async draw(size, draw, isWanted)
   {
+    this.longest = 0;
     let pending = null;
     let last = performance.now();
     for (const part of this.parts(size))

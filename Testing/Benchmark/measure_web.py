@@ -42,6 +42,7 @@ FRAME = """const {viewer} = document.querySelector("canvas");
     const begun = performance.now();
     viewer.draw();
     return viewer.complete.then(() => performance.now() - begun)"""
+LONGEST_TILE = "return document.querySelector('canvas').viewer.frames.tiles.longest"
 LEVEL = """const {viewer} = document.querySelector("canvas");
     viewer.level = {name: arguments[0], tolerance: 1 / 255};
     return viewer.complete.then(() => {})"""
@@ -62,13 +63,14 @@ def show(opened, page, fragment="bare"):
 
 
 def frames_by_turns(scene, opened, count):
-    """Milliseconds of the mapper's frames and of the page's, of the same views; the first of each is left out."""
-    mapper, page = [], []
+    """Milliseconds of the mapper's frames, of the page's and of their longest tiles; the first of each is left out."""
+    mapper, page, tiles = [], [], []
     turns = (lambda: mapper.append(scene.milliseconds(DEGREES))), (lambda: page.append(opened.run(FRAME, DEGREES)))
     for i in range(count + 1):
         for turn in turns if i % 2 == 0 else turns[::-1]:
             turn()
-    return mapper[1:], page[1:]
+        tiles.append(opened.run(LONGEST_TILE))
+    return mapper[1:], page[1:], tiles[1:]
 
 
 def measure_frames(scenes, folder, count):
@@ -77,9 +79,10 @@ def measure_frames(scenes, folder, count):
         for name, scene in scenes.items():
             opened.size(*scene.figure.size)
             show(opened, page_of(name, folder))
-            mapper, page = frames_by_turns(scene, opened, count)
+            mapper, page, tiles = frames_by_turns(scene, opened, count)
             ratios = statistics.quantiles([b / a for a, b in zip(mapper, page)], n=4, method="inclusive")
-            measured.append({"name": name, "mapper_ms": mapper, "page_ms": page, "ratio_quartiles": ratios})
+            measured.append({"name": name, "mapper_ms": mapper, "page_ms": page, "longest_tile_ms": tiles,
+                             "ratio_quartiles": ratios})
             say(f"{name}: mapper {statistics.median(mapper):.0f} ms, page {statistics.median(page):.0f} ms, "
                 f"ratio {ratios[1]:.2f}")
     return measured

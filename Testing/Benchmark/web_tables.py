@@ -13,11 +13,12 @@ def median(numbers, digits=0):
 
 
 def frames_table(measured):
-    text = row(["scene", "mapper, ms", "page, ms", "ratio", "quartiles"]) + "|---|---:|---:|---:|---:|\n"
+    text = row(["scene", "mapper, ms", "page, ms", "ratio", "quartiles", "longest tile, ms"])
+    text += "|---|" + "---:|" * 5 + "\n"
     for scene in measured:
         low, middle, high = scene["ratio_quartiles"]
         text += row([scene["name"], median(scene["mapper_ms"]), median(scene["page_ms"]), f"{middle:.2f}",
-                     f"{low:.2f} to {high:.2f}"])
+                     f"{low:.2f} to {high:.2f}", median(scene["longest_tile_ms"])])
     return text
 
 
