@@ -13,6 +13,8 @@
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -26,8 +28,13 @@ namespace tetmarch::testing
 {
 /// What a page leaves out that changes its picture: a sentence per line. That a mapper draws
 /// nothing shows in both pictures; lights that follow the camera are right until it moves.
-inline std::string missingIn(const vtkTetMarchWebExporter* exporter)
+inline std::string missingIn(const vtkTetMarchWebExporter* exporter, vtkRenderWindow* window)
 {
+  const double* viewport = window->GetRenderers()->GetFirstRenderer()->GetViewport();
+  if (viewport[0] > 0 || viewport[1] > 0 || viewport[2] < 1 || viewport[3] < 1)
+  {
+    return "A page has no viewport: its picture fills the canvas.";
+  }
   std::istringstream sentences(exporter->GetOmissions());
   std::string missing;
   for (std::string sentence; std::getline(sentences, sentence);)
@@ -58,7 +65,7 @@ inline void keepWebPage(vtkRenderWindow* window, const Image& picture, const std
   exporter->SetFileName((path + ".html").c_str());
   exporter->ControlsOff();
   exporter->Write();
-  const std::string missing = missingIn(exporter);
+  const std::string missing = missingIn(exporter, window);
   if (!missing.empty())
   {
     std::remove((path + ".html").c_str());
