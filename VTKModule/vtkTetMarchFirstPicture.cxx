@@ -4,12 +4,10 @@
 
 #include "Blocks/DataFaults.h"
 #include "FirstPicture/ArrayTable.h"
-#include "FirstPicture/CameraFit.h"
 #include "FirstPicture/DrawnBlocks.h"
 #include "Input/SolidCells.h"
 
 #include "vtkAbstractVolumeMapper.h"
-#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
@@ -213,29 +211,6 @@ bool vtkTetMarchFirstPicture::ApplyTo(vtkVolume* volume)
   };
   giveTo(vtkTetMarchVolumeMapper::SafeDownCast(mapper));
   giveTo(vtkTetMarchSmartVolumeMapper::SafeDownCast(mapper));
-  return true;
-}
-
-bool vtkTetMarchFirstPicture::PlaceCamera(vtkCamera* camera, double aspect)
-{
-  if (!camera || !(aspect > 0.0))
-  {
-    vtkErrorMacro("A camera and the width / height of the picture, above 0, are needed.");
-    return false;
-  }
-  if (!this->CheckInput())
-  {
-    return false;
-  }
-  const Internals& found = *this->Found;
-  const bool fitsAll = this->FitWholeData || found.Shown.empty();
-  const std::vector<tetmarch::Vector3>& fitted = fitsAll ? found.Outline : found.Shown;
-  tetmarch::fitCamera(fitted, found.Plane, aspect, camera);
-  if (tetmarch::isTooNear(fitted, camera))
-  {
-    vtkWarningMacro("Nothing is visible, because the data is so small that a vtkCamera cuts all of "
-                    "it off: it sees nothing nearer than 1e-20. Scale the data.");
-  }
   return true;
 }
 

@@ -205,16 +205,30 @@ public:
   //@{
   /**
    * Place the camera such that the silhouette of the data just fits into a picture of that width /
-   * height, in perspective and in parallel projection: obliquely, z up; flat data from the broad
-   * side. For images and rectilinear grids, which are mostly transparent, the visible part fits
-   * into the picture if transfer functions were chosen; the whole box if FitWholeData is on (off by
-   * default).
+   * height, above 0, in perspective and in parallel projection: obliquely, z up; flat data from the
+   * broad side. For images and rectilinear grids, which are mostly transparent, the visible part by
+   * GetOpacity() fits into the picture if transfer functions were chosen; the whole box if
+   * FitWholeData is on (off by default).
    */
   bool PlaceCamera(vtkCamera* camera, double aspect);
   vtkSetMacro(FitWholeData, bool);
   vtkGetMacro(FitWholeData, bool);
   vtkBooleanMacro(FitWholeData, bool);
   //@}
+
+  /**
+   * Move the camera, which keeps its direction, such that the data just fit into a picture of that
+   * width / height, above 0, as by PlaceCamera(). The volume's matrix places the data in the world,
+   * and its opacity function says what is visible. The view up must not be parallel to the
+   * direction. An array is chosen first if there is none.
+   */
+  bool FitCamera(vtkCamera* camera, vtkVolume* volume, double aspect);
+
+  /**
+   * Likewise, but a box in the world fits into the picture and fills the share `room` of it, above
+   * 0 and at most 1. No data are needed.
+   */
+  bool FitCameraToBox(vtkCamera* camera, const double bounds[6], double aspect, double room);
 
 protected:
   vtkTetMarchFirstPicture();

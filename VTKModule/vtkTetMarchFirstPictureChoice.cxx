@@ -94,12 +94,7 @@ bool vtkTetMarchFirstPicture::ChooseTransferFunctions()
   tetmarch::makeFirstColors(statistics, found.Color);
   this->UnitDistance = tetmarch::exposeFirstOpacity(
     statistics, found.Crossings, { this->UsesStructuredLaw(), !found.Lattices }, found.Opacity);
-  found.Shown.clear();
-  if (found.Lattices)
-  {
-    found.Shown =
-      found.Crossings.shownPlaces(tetmarch::extinctionOf(found.Opacity, this->UsesStructuredLaw()));
-  }
+  found.HasFunctions = true;
   return true;
 }
 

@@ -32,8 +32,8 @@ struct vtkTetMarchFirstPicture::Internals
   tetmarch::PicturePlane Plane;
   tetmarch::DrawnArray Chosen;
   bool HasCrossings = false;
-  tetmarch::Crossings Crossings;        // of the chosen array
-  std::vector<tetmarch::Vector3> Shown; // of images and rectilinear grids, by the chosen functions
+  tetmarch::Crossings Crossings; // of the chosen array
+  bool HasFunctions = false;
   vtkNew<vtkColorTransferFunction> Color;
   vtkNew<vtkPiecewiseFunction> Opacity;
 
@@ -47,10 +47,12 @@ struct vtkTetMarchFirstPicture::Internals
     this->Chosen = {};
     this->HasCrossings = false;
     this->Crossings = {};
-    this->Shown.clear();
+    this->HasFunctions = false;
   }
 
   void findBlocks();
+  // The visible part of images and rectilinear grids; all if nothing is visible, and of other data.
+  std::vector<tetmarch::Vector3> findShown(vtkPiecewiseFunction* opacity, bool structuredLaw) const;
 };
 
 #endif

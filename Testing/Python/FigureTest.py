@@ -81,6 +81,23 @@ class CamerasTest(unittest.TestCase):
                 camera = vtktetmarch.figure(vectors, component=component, opacity="linear", camera=name).camera
                 np.testing.assert_allclose(camera.GetFocalPoint(), [middle] * 3, atol=2, err_msg=f"{component} {name}")
 
+    def test_the_visible_part_is_that_of_the_opacity(self):
+        values = block((30, 30, 30), count=250) + 2 * block((220, 210, 200), count=250)
+        figure = vtktetmarch.figure(values, opacity=[(1.5, 0), (2, 1)])
+        for name in ("iso", "x", "-y"):
+            camera = figure.look(name).camera
+            np.testing.assert_allclose(camera.GetFocalPoint(), (221.5, 211.5, 201.5), atol=2, err_msg=name)
+            self.assertLess(camera.GetParallelScale(), 10)
+
+    def test_a_stretched_volume_just_fits(self):
+        figure = vtktetmarch.figure(block((3, 9, 14)), size=SIZE, background=DARK, opacity="linear", cmap=["white"],
+                                    position=(100, 0, 0), scale=(4, 1, 0.5))
+        for parallel, least in ((False, 0.85), (True, 0.6)):
+            figure.camera.SetParallelProjection(parallel)
+            left, right, bottom, top = box_of_volume(figure)
+            self.assertGreater(max(right - left, top - bottom), least)
+            self.assertTrue(min(left, bottom) > 0 and max(right, top) < 1)
+
     def test_nothing_visible_is_looked_at_as_a_whole(self):
         figure = vtktetmarch.figure(block((3, 3, 3)), size=SIZE, opacity=0.0, camera="x")
         np.testing.assert_allclose(figure.camera.GetFocalPoint(), (9.5, 9.5, 9.5))

@@ -206,6 +206,26 @@ class FirstPictureTest(unittest.TestCase):
         self.assertTrue(first.Choose())
         self.assertEqual(first.GetChosenArray().GetName(), "speed")
 
+    def test_cameras_are_refused(self):
+        first, camera, volume = chosen_for(first_data.constant()), vtk.vtkCamera(), vtk.vtkVolume()
+        upright = vtk.vtkCamera()
+        upright.SetPosition(0, 1, 0)  # its view up is y
+        box, wrong = (0, 1, 0, 1, 0, 1), (0, 1, 1, 0, 0, 1)
+        for words, method, arguments in (
+                ("camera and the width / height", first.PlaceCamera, (None, 1.0)),
+                ("camera and the width / height", first.FitCamera, (camera, volume, 0.0)),
+                ("camera and the width / height", first.FitCameraToBox, (camera, box, np.nan, 1.0)),
+                ("no volume", first.FitCamera, (camera, None, 1.0)),
+                ("must not be parallel", first.FitCamera, (upright, volume, 1.0)),
+                ("must not be parallel", first.FitCameraToBox, (upright, box, 1.0, 1.0)),
+                ("A box whose", first.FitCameraToBox, (camera, wrong, 1.0, 1.0)),
+                ("share of the picture", first.FitCameraToBox, (camera, box, 1.0, 0.0)),
+                ("share of the picture", first.FitCameraToBox, (camera, box, 1.0, 1.1))):
+            with self.subTest(method=method.__name__, arguments=arguments), vtktetmarch.errors.VtkErrors() as errors:
+                self.assertFalse(method(*arguments))
+                self.assertRegex(str(errors), words)
+            self.assertEqual((camera.GetPosition(), upright.GetPosition()), ((0, 0, 1), (0, 1, 0)))  # not moved
+
     def test_arrays_are_listed(self):
         table = vtk.vtkTable()
         first = vtktetmarch.vtkTetMarchFirstPicture()

@@ -1,19 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FirstPicture/CameraFit.h"
+#include "FirstPicture/ShownPart.h"
 
 #include "LatticeGrids.h"
 #include "SmallGrids.h"
 
 #include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -28,6 +34,38 @@ std::vector<Vector3> box(double x, double y, double z)
     points.push_back({ { x * (i & 1), y * (i >> 1 & 1), z * (i >> 2 & 1) } });
   }
   return points;
+}
+
+// The extent along x of what is visible of an image that is opaque from value 120 to value 130
+// along x, but for places with NaN.
+std::array<double, 2> shownAlongX(vtkImageData* image, bool ofCells)
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("values");
+  const vtkIdType count = ofCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
+  const vtkIdType row = image->GetDimensions()[0] - (ofCells ? 1 : 0);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const bool isOpaque = i % row >= 120 && i % row <= 130;
+    values->InsertNextValue(i % row == 20 ? std::numeric_limits<double>::quiet_NaN()
+                            : isOpaque    ? 1
+                                          : 0.001);
+  }
+  vtkDataSetAttributes* attributes = image->GetPointData();
+  if (ofCells)
+  {
+    attributes = image->GetCellData();
+  }
+  attributes->AddArray(values);
+  DrawnArray drawn;
+  drawn.Array = values;
+  drawn.OfCells = ofCells;
+  std::array<double, 2> extent{ { 1e9, -1e9 } };
+  for (const Vector3& point : findShownCorners({ image }, drawn, [](double x) { return x; }))
+  {
+    extent = { { std::min(extent[0], point[0]), std::max(extent[1], point[0]) } };
+  }
+  return extent;
 }
 
 struct Reach
@@ -158,4 +196,42 @@ TEST(CameraFit, OfImagesTheCorners)
   ASSERT_EQ(points.size(), 8u);
   EXPECT_EQ(points[0], (Vector3{ { 4, 0, 1 } }));
   EXPECT_EQ(points[7], (Vector3{ { 10, 3, -1 } }));
+}
+
+// At most every third value is looked at: what is visible is not cut off, and seen at most three
+// cells too wide at each end.
+TEST(CameraFit, TheCornersContainTheVisiblePartOfImages)
+{
+  for (const bool ofCells : { false, true })
+  {
+    for (const int points : { 140, 250, 290 })
+    {
+      SCOPED_TRACE(ofCells ? points : -points);
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(points, 4, 3);
+      const auto shown = shownAlongX(image, ofCells);
+      const double low = ofCells ? 120 : 119;
+      EXPECT_LE(shown[0], low);
+      EXPECT_GE(shown[0], low - 3);
+      EXPECT_GE(shown[1], 131);
+      EXPECT_LE(shown[1], 134);
+    }
+  }
+}
+
+TEST(CameraFit, HiddenCellsAreNotVisible)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(140, 3, 3);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(image->GetNumberOfCells());
+  for (vtkIdType i = 0; i < ghosts->GetNumberOfValues(); ++i)
+  {
+    ghosts->SetValue(i, i % 139 < 124 ? vtkDataSetAttributes::HIDDENCELL : 0);
+  }
+  image->GetCellData()->AddArray(ghosts);
+  EXPECT_EQ(shownAlongX(image, true), (std::array<double, 2>{ { 124, 132 } }));
+  ghosts->Fill(vtkDataSetAttributes::HIDDENCELL);
+  EXPECT_EQ(shownAlongX(image, true), (std::array<double, 2>{ { 1e9, -1e9 } }));
 }

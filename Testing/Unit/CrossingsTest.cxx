@@ -139,17 +139,6 @@ TEST(Crossings, OfNothingThereAreNone)
   EXPECT_EQ(crossingsOf(singleTet()).lengths().size() > 0, true);
 }
 
-TEST(Crossings, WhatIsShownIsWhereItIsNotClear)
-{
-  const Crossings crossings = crossingsOf(cube(9));
-  const auto places = crossings.shownPlaces([](double x) { return x > 0.75 ? 1.0 : 0.0; });
-  ASSERT_FALSE(places.empty());
-  for (const Vector3& place : places)
-  {
-    EXPECT_GT(place[0], 0.75);
-  }
-}
-
 // The least and the largest that have a volume in double precision.
 TEST(Crossings, CubesOfAnySizeHaveTheirVolume)
 {

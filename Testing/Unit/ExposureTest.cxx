@@ -23,8 +23,7 @@ Crossings row(const std::vector<double>& lengths, double value = 1)
   crossings.Height = 1;
   for (std::size_t i = 0; i < lengths.size(); ++i)
   {
-    crossings.List.push_back(
-      { static_cast<int>(i), static_cast<float>(lengths[i]), value, { { double(i), 0, 0 } } });
+    crossings.List.push_back({ static_cast<int>(i), static_cast<float>(lengths[i]), value });
   }
   return crossings;
 }

@@ -62,12 +62,11 @@ Vector3 at(const PicturePlane& plane, double x, double y, double z)
 
 } // namespace
 
-void fitCamera(
-  const std::vector<Vector3>& points, const PicturePlane& plane, double aspect, vtkCamera* camera)
+void fitCamera(const std::vector<Vector3>& points, const PicturePlane& plane, double aspect,
+  vtkCamera* camera, double room)
 {
   constexpr double angle = 30.0;
-  constexpr double margin = 1.05;
-  const double slope = std::tan(vtkMath::RadiansFromDegrees(0.5 * angle)) / margin;
+  const double slope = std::tan(vtkMath::RadiansFromDegrees(0.5 * angle)) * room;
   Pyramid across{ slope * aspect };
   Pyramid upwards{ slope };
   Interval xs;
@@ -102,7 +101,7 @@ void fitCamera(
   const double distance = std::max({ across.distance(), upwards.distance(), nearest });
   const double halfWidth = any ? std::max(xs.Most - x, x - xs.Least) : 0.0;
   const double halfHeight = any ? std::max(ys.Most - y, y - ys.Least) : 0.0;
-  const double scale = margin * std::max(halfHeight, halfWidth / aspect);
+  const double scale = std::max(halfHeight, halfWidth / aspect) / room;
 
   camera->SetFocalPoint(at(plane, x, y, depth).data());
   camera->SetPosition(at(plane, x, y, distance).data());

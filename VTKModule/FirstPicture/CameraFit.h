@@ -11,11 +11,12 @@ class vtkCamera;
 namespace tetmarch
 {
 
-// The silhouette of the points fills the picture, with a margin of a 20th, in perspective and in
+// The silhouette of the points fills a share of the picture, the room, in perspective and in
 // parallel projection. aspect: width / height of the picture. VTK's ResetCamera() fits the sphere
 // around the box, so that long meshes appear small.
-void fitCamera(
-  const std::vector<Vector3>& points, const PicturePlane& plane, double aspect, vtkCamera* camera);
+constexpr double DefaultRoom = 1.0 / 1.05;
+void fitCamera(const std::vector<Vector3>& points, const PicturePlane& plane, double aspect,
+  vtkCamera* camera, double room = DefaultRoom);
 
 /** Whether all points are nearer to the camera than any near plane that a vtkCamera has. */
 bool isTooNear(const std::vector<Vector3>& points, vtkCamera* camera);

@@ -161,7 +161,7 @@ private:
       }
       if (std::isfinite(value))
       {
-        this->List.push_back({ this->Grid.pixelOf(point), length, value, point });
+        this->List.push_back({ this->Grid.pixelOf(point), length, value });
       }
     }
   }
@@ -198,25 +198,6 @@ std::vector<Sample> Crossings::samples() const
     samples.push_back({ crossing.Value, crossing.Length * std::sqrt(crossing.Length) });
   }
   return samples;
-}
-
-std::vector<Vector3> Crossings::shownPlaces(const std::function<double(double)>& extinction) const
-{
-  constexpr double shown = 0.01;
-  double most = 0;
-  for (const Crossing& crossing : this->List)
-  {
-    most = std::max(most, extinction(crossing.Value));
-  }
-  std::vector<Vector3> places;
-  for (const Crossing& crossing : this->List)
-  {
-    if (extinction(crossing.Value) > shown * most)
-    {
-      places.push_back(crossing.Place);
-    }
-  }
-  return places;
 }
 
 Crossings findCrossings(const std::vector<vtkDataSet*>& blocks, const DrawnArray& drawn,

@@ -22,7 +22,6 @@ struct Crossing
   int Pixel;
   double Length;
   double Value;
-  Vector3 Place;
 };
 
 struct Crossings
@@ -39,8 +38,6 @@ struct Crossings
 
   // Each length as a cell with a proportional area.
   std::vector<Sample> samples() const;
-  // Positions with an extinction above a hundredth of the maximum.
-  std::vector<Vector3> shownPlaces(const std::function<double(double)>& extinction) const;
 };
 
 // For a parallel projection in which the points fill the picture. About a hundred thousand cells of

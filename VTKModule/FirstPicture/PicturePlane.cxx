@@ -27,15 +27,10 @@ Vector3 unit(Vector3 v)
   return v;
 }
 
-PicturePlane planeFacing(const Vector3& towards)
+PicturePlane uprightPlane(const Vector3& towards)
 {
-  PicturePlane plane;
-  plane.Back = unit(towards);
-  const bool fromAbove = std::abs(plane.Back[2]) > 0.9;
-  const Vector3 up = fromAbove ? Vector3{ { 0, 1, 0 } } : Vector3{ { 0, 0, 1 } };
-  plane.Right = unit(cross(up, plane.Back));
-  plane.Up = cross(plane.Back, plane.Right);
-  return plane;
+  const bool fromAbove = std::abs(unit(towards)[2]) > 0.9;
+  return planeFacing(towards, fromAbove ? Vector3{ { 0, 1, 0 } } : Vector3{ { 0, 0, 1 } });
 }
 
 struct Axis
@@ -93,19 +88,6 @@ std::array<Axis, 3> principalAxes(const std::vector<Vector3>& points)
   return axes;
 }
 
-void addCorners(vtkDataSet* block, const int n[3], std::vector<Vector3>& points)
-{
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const vtkIdType i = corner & 1 ? n[0] - 1 : 0;
-    const vtkIdType j = corner >> 1 & 1 ? n[1] - 1 : 0;
-    const vtkIdType k = corner >> 2 & 1 ? n[2] - 1 : 0;
-    Vector3 point;
-    block->GetPoint((k * n[1] + j) * n[0] + i, point.data());
-    points.push_back(point);
-  }
-}
-
 // For an unstructured grid the points of 3D cells, else all.
 std::vector<bool> drawnPoints(vtkDataSet* block)
 {
@@ -155,6 +137,31 @@ void addEveryNth(vtkDataSet* block, std::vector<Vector3>& points)
 
 } // namespace
 
+PicturePlane planeFacing(const Vector3& towards, const Vector3& up)
+{
+  PicturePlane plane;
+  plane.Back = unit(towards);
+  plane.Right = unit(cross(up, plane.Back));
+  plane.Up = cross(plane.Back, plane.Right);
+  return plane;
+}
+
+void addCorners(vtkDataSet* lattice, const std::array<int, 3>& low, const std::array<int, 3>& high,
+  std::vector<Vector3>& points)
+{
+  int n[3];
+  isLattice(lattice, n);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const vtkIdType i = (corner & 1 ? high : low)[0];
+    const vtkIdType j = (corner >> 1 & 1 ? high : low)[1];
+    const vtkIdType k = (corner >> 2 & 1 ? high : low)[2];
+    Vector3 point;
+    lattice->GetPoint((k * n[1] + j) * n[0] + i, point.data());
+    points.push_back(point);
+  }
+}
+
 std::vector<Vector3> outlinePoints(const std::vector<vtkDataSet*>& blocks)
 {
   std::vector<Vector3> points;
@@ -167,7 +174,7 @@ std::vector<Vector3> outlinePoints(const std::vector<vtkDataSet*>& blocks)
     }
     else if (block->GetNumberOfPoints() > 0)
     {
-      addCorners(block, n, points);
+      addCorners(block, {}, { { n[0] - 1, n[1] - 1, n[2] - 1 } }, points);
     }
   }
   return points;
@@ -177,20 +184,20 @@ PicturePlane choosePlane(const std::vector<Vector3>& points)
 {
   if (points.empty())
   {
-    return planeFacing(Oblique);
+    return uprightPlane(Oblique);
   }
   constexpr double flat = 0.25;
   constexpr double tilt = 0.2;
   const std::array<Axis, 3> axes = principalAxes(points);
   if (!(axes[0].Reach < flat * axes[1].Reach))
   {
-    return planeFacing(Oblique);
+    return uprightPlane(Oblique);
   }
   const double side = dot(axes[0].Direction, Oblique) < 0 ? -1 : 1;
   Vector3 towards = scaled(side, axes[0].Direction);
   add(-tilt * dot(towards, Oblique), towards, towards);
   add(tilt, Oblique, towards);
-  return planeFacing(towards);
+  return uprightPlane(towards);
 }
 
 } // namespace tetmarch

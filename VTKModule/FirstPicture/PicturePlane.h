@@ -21,6 +21,14 @@ struct PicturePlane
   Vector3 Back; // towards the viewer
 };
 
+// up must not be parallel to the direction towards the viewer.
+PicturePlane planeFacing(const Vector3& towards, const Vector3& up);
+
+// The corners of a box of points, low and high its first and last ones along each axis, of an image
+// or rectilinear grid.
+void addCorners(vtkDataSet* lattice, const std::array<int, 3>& low, const std::array<int, 3>& high,
+  std::vector<Vector3>& points);
+
 // About a million points, every n-th, of grids with points; the eight corners of images and
 // rectilinear grids.
 std::vector<Vector3> outlinePoints(const std::vector<vtkDataSet*>& blocks);

@@ -6,7 +6,6 @@ Nothing of the box lies before or behind them, so they are drawn in two dimensio
 """
 import numpy as np
 
-from .camera_fit import matrix_array
 from .overlay import LETTER, Overlay, round_values, scale_of
 
 LABELS = 70  # pixels of a picture of 1024 x 768, how far labels reach away from the box
@@ -20,7 +19,8 @@ def room_of(size, bar):
 
 def projected(points, camera, size):
     """(points, 2) pixels from the lower left; None if some point is behind the camera."""
-    matrix = matrix_array(camera.GetCompositeProjectionTransformMatrix(size[0] / size[1], -1, 1))
+    matrix = camera.GetCompositeProjectionTransformMatrix(size[0] / size[1], -1, 1)
+    matrix = np.array([[matrix.GetElement(i, k) for k in range(4)] for i in range(4)])
     clip = points @ matrix[:, :3].T + matrix[:, 3]
     return (clip[:, :2] / clip[:, 3:] + 1) / 2 * size if (clip[:, 3] > 0).all() else None
 

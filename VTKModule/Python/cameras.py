@@ -4,7 +4,6 @@
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from .camera_fit import corners, fit_view, transformed, visible_points
 from .checks import checked_number, checked_numbers, checked_positive
 from .errors import VtkErrors
 from .first_picture import first_picture_of
@@ -15,24 +14,19 @@ DIRECTIONS = {sign + letter: tuple((-1 if sign else 1) * (letter == each) for ea
 KEYS = ("position", "focal_point", "view_up", "view_angle", "parallel_scale", "zoom", "azimuth", "elevation")
 
 
-def fit(camera, volume, aspect):
-    """Looks obliquely at the visible part of the volume's data, with any transformation of the volume."""
-    with VtkErrors():
-        first_picture_of(volume).PlaceCamera(camera, aspect)
-    if not volume.GetIsIdentity():
-        transform = vtkTransform()
-        transform.SetMatrix(volume.GetMatrix())
-        camera.ApplyTransform(transform)
+def look_obliquely(camera, first, volume, aspect):
+    """As vtkTetMarchFirstPicture.PlaceCamera(), with any transformation of the volume."""
+    first.PlaceCamera(camera, aspect)
+    transform = vtkTransform()
+    transform.SetMatrix(volume.GetMatrix())
+    camera.ApplyTransform(transform)
 
 
-def look_along(camera, direction, volume, aspect):
-    """Looks along an axis of the world, with z upwards, or y if it is z; the visible part of the volume is in view."""
-    first = first_picture_of(volume)
-    points = visible_points(first.GetInputData(), first, volume.GetProperty().GetScalarOpacity())
+def look_along(camera, direction):
+    """Looks along an axis of the world, with z upwards, or y if it is z."""
     camera.SetFocalPoint(0, 0, 0)
     camera.SetPosition(*(-part for part in direction))
     camera.SetViewUp((0, 1, 0) if direction[2] else (0, 0, 1))
-    fit_view(camera, transformed(points, volume.GetMatrix()), aspect)
 
 
 def place_camera(camera, wish, volume, aspect, bar=0.0, room=1.0):
@@ -56,12 +50,18 @@ def place_camera(camera, wish, volume, aspect, bar=0.0, room=1.0):
     wish = wish if isinstance(wish, dict) else {}
     check_wish(wish)
     aspect *= 1 - bar
-    if direction is None:
-        fit(camera, volume, aspect)
-    else:
-        look_along(camera, direction, volume, aspect)
-    if room < 1:
-        fit_view(camera, corners(volume), aspect, 1 / room)
+    first = first_picture_of(volume)
+    with VtkErrors() as errors:
+        if direction is None:
+            look_obliquely(camera, first, volume, aspect)
+        else:
+            look_along(camera, direction)
+        if room < 1:
+            first.FitCameraToBox(camera, volume.GetBounds(), aspect, room)
+        else:
+            first.FitCamera(camera, volume, aspect)
+    if errors:
+        raise ValueError(str(errors))
     camera.SetWindowCenter(0 if "position" in wish else bar, 0)
     apply_wish(camera, wish)
 

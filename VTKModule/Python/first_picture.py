@@ -36,8 +36,16 @@ def component_number(component):
     return int(component)
 
 
-def choose_first_picture(data, array=None, association=None, component=None, range=None, structured_law=None):
-    """A vtkTetMarchFirstPicture that has chosen; the parameters are those of auto_transfer_functions()."""
+def succeed(choose):
+    """Calls a method of a vtkTetMarchFirstPicture. Its error becomes a ValueError."""
+    with VtkErrors() as errors:
+        done = choose()
+    if not done:
+        raise ValueError(str(errors))
+
+
+def choose_array(data, array=None, association=None, component=None):
+    """A vtkTetMarchFirstPicture that has chosen an array; the parameters are those of auto_transfer_functions()."""
     first = vtkTetMarchFirstPicture()
     if data is not None and not isinstance(data, vtkDataObject):
         raise TypeError(f"data is a vtkDataObject, not {data!r}")
@@ -46,15 +54,19 @@ def choose_first_picture(data, array=None, association=None, component=None, ran
     first.SetArrayAssociation(ASSOCIATIONS[checked_word(association, ASSOCIATIONS, "association")])
     if component is not None:
         first.SetComponent(component_number(component))
+    succeed(first.ChooseArray)
+    return first
+
+
+def choose_first_picture(data, array=None, association=None, component=None, range=None, structured_law=None):
+    """A vtkTetMarchFirstPicture that has chosen; the parameters are those of auto_transfer_functions()."""
+    first = choose_array(data, array, association, component)
     if range is not None:
         first.SetRange(*checked_range(range))
     if structured_law is not None:
         structured = checked_flag(structured_law, "structured_law, unless it is None,")
         first.SetOpacityLaw(first.STRUCTURED if structured else first.UNSTRUCTURED)
-    with VtkErrors() as errors:
-        chosen = first.Choose()
-    if not chosen:
-        raise ValueError(str(errors))
+    succeed(first.ChooseTransferFunctions)
     return first
 
 
@@ -82,7 +94,7 @@ def auto_transfer_functions(data, array=None, association=None, component=None, 
 
 
 def first_picture_of(volume):
-    """A vtkTetMarchFirstPicture of a volume's data, with the volume's array, component and opacity."""
+    """A vtkTetMarchFirstPicture of a volume's data that has chosen the volume's array and component."""
     mapper = volume.GetMapper()
     if mapper.GetNumberOfInputConnections(0):
         mapper.GetInputAlgorithm().Update()
@@ -95,6 +107,4 @@ def first_picture_of(volume):
         component = {vtkTetMarchVolumeMapper.MAGNITUDE: "magnitude",
                      vtkTetMarchVolumeMapper.COMPONENT: mapper.GetVectorComponent()}.get(mapper.GetVectorMode())
     where = "cells" if mapper.GetScalarMode() == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA else None
-    first = choose_first_picture(data, mapper.GetArrayName() if named else None, where, component)
-    first.GetOpacity().DeepCopy(volume.GetProperty().GetScalarOpacity())
-    return first
+    return choose_array(data, mapper.GetArrayName() if named else None, where, component)

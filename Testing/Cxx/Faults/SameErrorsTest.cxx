@@ -121,7 +121,8 @@ TEST_F(SameErrors, OfGeometry)
     first->SetInputData(data);
     EXPECT_FALSE(first->ListArrays(vtkNew<vtkTable>()));
     EXPECT_FALSE(first->PlaceCamera(vtkNew<vtkCamera>(), 1.5));
-    EXPECT_EQ(watch.Errors.size(), 2u);
+    EXPECT_FALSE(first->FitCamera(vtkNew<vtkCamera>(), vtkNew<vtkVolume>(), 1.5));
+    EXPECT_EQ(watch.Errors.size(), 3u);
   }
 }
 
