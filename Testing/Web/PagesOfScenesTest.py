@@ -16,7 +16,7 @@ import tempfile
 import unittest
 
 from browser_case import in_every_browser
-from check_pages import check
+from check_pages import checked
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 ALL = os.environ.get("TETMARCH_WEB_ALL") == "1"
@@ -112,13 +112,12 @@ class PagesOfScenes:
         scenes = [page for pages in DRAWN.values() for page in pages]
         if self.which[1] == "swiftshader":  # it rounds the corners of triangles to another grid: SurfacesTest.py
             scenes = [page for page in scenes if not any(step["surfaces"] for step in steps_of(page))]
-        for page in hard + (scenes if ALL else covering(scenes)):
+        for page, wrong, _ in checked(hard + (scenes if ALL else covering(scenes)), self.which):
             with self.subTest(page=page.stem):
-                wrong, _ = check(self.browser, page, self.which)
                 self.assertEqual(wrong, [])
 
 
-in_every_browser(PagesOfScenes)
+in_every_browser(PagesOfScenes, unittest.TestCase)
 
 if __name__ == "__main__":
     BUILD = pathlib.Path(sys.argv.pop(1)).resolve()

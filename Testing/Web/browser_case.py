@@ -18,9 +18,9 @@ class BrowserCase(unittest.TestCase):
         cls.browser = cls.enterClassContext(browser(*cls.which))
 
 
-def in_every_browser(tests):
-    """Puts test cases into the module of a class of tests: one for each browser."""
+def in_every_browser(tests, base=BrowserCase):
+    """Puts test cases into the module of a class of tests: one for each browser, which self.which names."""
     for which in BROWSERS:
         name = tests.__name__ + "".join(word.capitalize() for word in which)
-        case = type(name, (tests, BrowserCase), {"which": which, "__module__": tests.__module__})
+        case = type(name, (tests, base), {"which": which, "__module__": tests.__module__})
         setattr(sys.modules[tests.__module__], name, case)

@@ -15,6 +15,7 @@ from browsers import BROWSERS, browser
 from compare import compare, picture_of_difference, read
 
 TOLERANCE = 2
+PAGES_OF_BROWSER = 200  # Firefox keeps the WebGL contexts of 300 pages
 SECONDS = 600  # SwiftShader compiles the largest shaders for minutes
 COUNT = "return document.querySelector('canvas').viewer.count()"
 
@@ -37,27 +38,32 @@ def check(opened, page, which):
     return wrong, apart
 
 
+def checked(pages, which):
+    """Each page with what check() returns; no difference after an error."""
+    for begin in range(0, len(pages), PAGES_OF_BROWSER):
+        with browser(*which) as opened:
+            for page in pages[begin:begin + PAGES_OF_BROWSER]:
+                try:
+                    yield page, *check(opened, page, which)
+                except (RuntimeError, TimeoutError, ValueError) as error:
+                    yield page, [str(error)], None
+
+
 def check_all(folder, which):
     """Prints a line per wrong page and one of figures; returns the number of wrong pages."""
     pages = sorted(folder.glob("*.html"))
     if not pages:
         sys.exit(f"There is no page in {folder}")
     failed, compared, most, rms = 0, 0, 0, 0.0
-    with browser(*which) as opened:
-        renderer = opened.renderer()
-        for page in pages:
-            try:
-                wrong, apart = check(opened, page, which)
-            except (RuntimeError, TimeoutError, ValueError) as error:
-                wrong, apart = [str(error)], None
-            failed += bool(wrong)
-            if wrong:
-                print(f"{page.stem}: {'; '.join(wrong)}", flush=True)
-            if apart:
-                compared += 1
-                most, rms = max(most, apart.most), max(rms, apart.rms)
-    print(f"{' '.join(which)} ({renderer}): {len(pages)} pages, {failed} wrong; {compared} pictures compared, "
-          f"max {most}/255, RMS {rms:.3f}/255")
+    for page, wrong, apart in checked(pages, which):
+        failed += bool(wrong)
+        if wrong:
+            print(f"{page.stem}: {'; '.join(wrong)}", flush=True)
+        if apart:
+            compared += 1
+            most, rms = max(most, apart.most), max(rms, apart.rms)
+    print(f"{' '.join(which)}: {len(pages)} pages, {failed} wrong; {compared} pictures compared, max {most}/255, "
+          f"RMS {rms:.3f}/255")
     return failed
 
 
