@@ -28,13 +28,6 @@ bool checkCamera(vtkObject* self, vtkCamera* camera, double aspect)
   return true;
 }
 
-void lookAlong(const tetmarch::PicturePlane& plane, vtkCamera* camera)
-{
-  camera->SetFocalPoint(0.0, 0.0, 0.0);
-  camera->SetPosition(plane.Back.data());
-  camera->SetViewUp(plane.Up.data());
-}
-
 // The camera keeps its direction.
 bool fitPoints(vtkObject* self, vtkCamera* camera, const std::vector<Vector3>& points,
   double aspect, double room = tetmarch::DefaultRoom)
@@ -81,7 +74,9 @@ bool vtkTetMarchFirstPicture::PlaceCamera(vtkCamera* camera, double aspect)
     return false;
   }
   const Internals& found = *this->Found;
-  lookAlong(found.Plane, camera);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(found.Plane.Back.data());
+  camera->SetViewUp(found.Plane.Up.data());
   const bool fitsAll = this->FitWholeData || !found.HasFunctions;
   return fitPoints(this, camera,
     fitsAll ? found.Outline : found.findShown(found.Opacity, this->UsesStructuredLaw()), aspect);

@@ -20,36 +20,24 @@ namespace
 constexpr int MostSteps = 100; // along an axis
 constexpr double Shown = 0.01; // of the maximum extinction
 
-// The values along an axis, of points or of cells, that are looked at.
+// Every n-th of the values along an axis, of points or of cells, and the last.
 struct Axis
 {
   int Points;
-  bool OfCells;
+  int Values;
   int Step;
-  std::vector<int> Places; // every n-th, and the last
 
-  Axis(int points, bool ofCells)
-    : Points(points)
-    , OfCells(ofCells)
-    , Step((points + MostSteps - 1) / MostSteps)
-  {
-    const int count = ofCells ? points - 1 : points;
-    for (int i = 0; i < count; i += this->Step)
-    {
-      this->Places.push_back(i);
-    }
-    if (this->Places.back() < count - 1)
-    {
-      this->Places.push_back(count - 1);
-    }
-  }
-
+  int count() const { return (this->Values - 2 + this->Step) / this->Step + 1; }
+  int at(int i) const { return std::min(i * this->Step, this->Values - 1); }
   // The first and the last point of the cells that a value represents.
-  int first(int place) const { return this->OfCells ? place : std::max(0, place - this->Step); }
-  int last(int place) const { return std::min(this->Points - 1, place + this->Step); }
+  int first(int i) const
+  {
+    return std::max(0, this->at(i) - (this->Values == this->Points ? this->Step : 0));
+  }
+  int last(int i) const { return std::min(this->Points - 1, this->at(i) + this->Step); }
 };
 
-// The extinctions of the values of one block that are looked at; 0 if they're hidden.
+// The extinctions of these values of one block; 0 if they're hidden.
 struct Scan
 {
   vtkDataSet* Block;
@@ -57,33 +45,36 @@ struct Scan
   std::vector<double> Extinctions;
 };
 
-vtkIdType indexOf(const std::array<int, 3>& place, const int counts[3])
-{
-  return (static_cast<vtkIdType>(place[2]) * counts[1] + place[1]) * counts[0] + place[0];
-}
-
 Scan scanBlock(
   vtkDataSet* block, const DrawnValues& values, const std::function<double(double)>& extinction)
 {
-  int points[3];
-  isLattice(block, points);
-  const int cells[3] = { points[0] - 1, points[1] - 1, points[2] - 1 };
-  const bool ofCells = values.ofCells();
-  Scan scan{ block, { { { points[0], ofCells }, { points[1], ofCells }, { points[2], ofCells } } },
-    {} };
-  vtkUnsignedCharArray* ghosts = ghostArraysOf(block).OfCells;
-  for (const int k : scan.Axes[2].Places)
+  int n[3];
+  isLattice(block, n);
+  Scan scan{ block, {}, {} };
+  for (int k = 0; k < 3; ++k)
   {
-    for (const int j : scan.Axes[1].Places)
+    scan.Axes[k] = { n[k], values.ofCells() ? n[k] - 1 : n[k], (n[k] + MostSteps - 1) / MostSteps };
+  }
+  vtkUnsignedCharArray* ghosts = ghostArraysOf(block).OfCells;
+  const auto valueAt = [&](vtkIdType i, vtkIdType j, vtkIdType k)
+  {
+    const vtkIdType cell =
+      (std::min<vtkIdType>(k, n[2] - 2) * (n[1] - 1) + std::min<vtkIdType>(j, n[1] - 2)) *
+        (n[0] - 1) +
+      std::min<vtkIdType>(i, n[0] - 2);
+    const bool hidden = ghosts && (ghosts->GetValue(cell) & HidingCell) != 0;
+    const vtkIdType tuple = values.ofCells() ? cell : (k * n[1] + j) * n[0] + i;
+    return hidden ? std::nan("") : values.at(tuple);
+  };
+  const auto& [x, y, z] = scan.Axes;
+  for (int k = 0; k < z.count(); ++k)
+  {
+    for (int j = 0; j < y.count(); ++j)
     {
-      for (const int i : scan.Axes[0].Places)
+      for (int i = 0; i < x.count(); ++i)
       {
-        const vtkIdType cell = indexOf(
-          { { std::min(i, cells[0] - 1), std::min(j, cells[1] - 1), std::min(k, cells[2] - 1) } },
-          cells);
-        const bool hidden = ghosts && (ghosts->GetValue(cell) & HidingCell) != 0;
-        const double value = values.at(ofCells ? cell : indexOf({ { i, j, k } }, points));
-        scan.Extinctions.push_back(!hidden && std::isfinite(value) ? extinction(value) : 0.0);
+        const double value = valueAt(x.at(i), y.at(j), z.at(k));
+        scan.Extinctions.push_back(std::isfinite(value) ? extinction(value) : 0.0);
       }
     }
   }
@@ -93,24 +84,26 @@ Scan scanBlock(
 void addShown(const Scan& scan, double least, std::vector<Vector3>& points)
 {
   const auto& [x, y, z] = scan.Axes;
-  auto row = scan.Extinctions.begin();
-  const auto shows = [least](double extinction) { return extinction > least; };
-  for (const int k : z.Places)
+  auto extinction = scan.Extinctions.begin();
+  for (int k = 0; k < z.count(); ++k)
   {
-    for (const int j : y.Places)
+    for (int j = 0; j < y.count(); ++j)
     {
-      const auto end = row + static_cast<std::ptrdiff_t>(x.Places.size());
-      const auto first = std::find_if(row, end, shows);
-      if (first != end)
+      int low = x.count();
+      int high = -1;
+      for (int i = 0; i < x.count(); ++i)
       {
-        const auto last =
-          std::find_if(std::make_reverse_iterator(end), std::make_reverse_iterator(first), shows);
-        const int low = x.Places[first - row];
-        const int high = x.Places[last.base() - 1 - row];
+        if (*extinction++ > least)
+        {
+          low = std::min(low, i);
+          high = i;
+        }
+      }
+      if (high >= 0)
+      {
         addCorners(scan.Block, { { x.first(low), y.first(j), z.first(k) } },
           { { x.last(high), y.last(j), z.last(k) } }, points);
       }
-      row = end;
     }
   }
 }
