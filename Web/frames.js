@@ -152,13 +152,7 @@ export class Frames
       this.blendPremultiplied();
       this.drawTile(drawn, this.picture, part);
     };
-    const complete = await this.tiles.draw(size, draw, isWanted);
-    if (complete)
-    {
-      this.picture.copyTo(null);
-      await gpuDone(this.gl);
-    }
-    return complete;
+    return this.tiles.draw(size, draw, isWanted, () => this.picture.copyTo(null));
   }
 
   /**

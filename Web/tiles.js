@@ -2,24 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Draws a picture part by part, so that no draw keeps the browser or the GPU for long.
 
-const MILLISECONDS_OF_TILE = 30;
-const LEAST_PIXELS = 64;
-const MOST_PIXELS = 1 << 24;
-const BLOCK = 64; // pixels of an edge: software draws such squares, each by one thread
+const MILLISECONDS_OF_TILE = 36;
+const MILLISECONDS_OF_TIMERS = 3; // until a browser tells that a tile is done
+// Tiles are as wide as the picture, and so are for all threads of a software renderer, each of
+// which draws squares of 64 x 64 pixels.
+const BAND = 8; // rows of pixels
+// A band that was empty may take this share of the dearest one in the next picture.
+const LEAST_SHARE = 1 / 3;
+
+// How many, from the first one on, take no longer together than a tile may: none if that one does.
+function fitting(first, end, costOf)
+{
+  let next = first;
+  for (let sum = costOf(next); sum <= MILLISECONDS_OF_TILE; sum += costOf(next))
+  {
+    ++next;
+    if (next === end)
+    {
+      break;
+    }
+  }
+  return next - first;
+}
 
 function nextTask()
 {
   return new Promise((resolve) => setTimeout(resolve, 0));
-}
-
-// The end of a part of about this many pixels: that of a block, if there is one. A small rest
-// belongs to it.
-function endOfPart(begin, pixels, size)
-{
-  const end = begin + Math.max(4, Math.round(pixels));
-  const aligned = end - end % BLOCK;
-  const wanted = aligned > begin ? aligned : end;
-  return size - wanted < (wanted - begin) / 4 ? size : wanted;
 }
 
 /** Resolves when the GPU has done what it was told so far. */
@@ -44,44 +52,75 @@ export class Tiles
   constructor(gl)
   {
     this.gl = gl;
-    this.pixels = 64 * 64; // of a tile, by the time that the last one took
-    this.longest = 0;      // milliseconds of a tile of the last picture
+    this.longest = 0; // milliseconds of a tile of the last picture
+    this.size = [0, 0];
+    this.costs = null; // milliseconds of each band of the last picture, if it had this size
+    this.least = 0;
+    this.unknown = MILLISECONDS_OF_TILE; // of a band without a last picture
   }
 
-  // Parts of a picture, row by row; their size follows this.pixels.
-  * parts([width, height])
+  begin(size)
   {
-    for (let y = 0, top = 0; y < height; y = top)
+    const [width, height] = size;
+    if (this.size[0] !== width || this.size[1] !== height)
     {
-      const rows = Math.max(this.pixels / width, Math.min(Math.sqrt(this.pixels), BLOCK));
-      top = endOfPart(y, rows, height);
-      for (let x = 0, right = 0; x < width; x = right)
-      {
-        right = endOfPart(x, this.pixels / (top - y), width);
-        yield [x, y, right - x, top - y];
-      }
+      this.size = [width, height];
+      this.bands = Math.ceil(height / BAND);
+      this.costs = null;
     }
+    this.longest = 0;
+    this.next = new Float32Array(this.bands);
   }
 
   note(part, milliseconds)
   {
+    const [, y, width, height] = part;
     this.longest = Math.max(this.longest, milliseconds);
-    const drawn = part[2] * part[3];
-    const fitting = drawn * MILLISECONDS_OF_TILE / Math.max(milliseconds, 1);
-    const next = Math.min(Math.max(fitting, this.pixels / 4), this.pixels * 4);
-    this.pixels = Math.min(Math.max(next, LEAST_PIXELS), MOST_PIXELS);
+    const ofPixel = Math.max(milliseconds - MILLISECONDS_OF_TIMERS, 0) / (width * height);
+    const bands = Math.ceil(height / BAND);
+    for (let band = y / BAND; band < y / BAND + bands; ++band)
+    {
+      this.next[band] += ofPixel * width * Math.min(BAND, height);
+    }
+    this.unknown = Math.max(ofPixel * this.size[0] * BAND, MILLISECONDS_OF_TILE / 4);
+  }
+
+  end()
+  {
+    this.costs = this.next;
+    this.least = LEAST_SHARE * this.costs.reduce((most, cost) => Math.max(most, cost), 0);
+  }
+
+  costOf(band) { return this.costs ? Math.max(this.costs[band], this.least) : this.unknown; }
+
+  // Parts of the picture: some bands, or a piece of one.
+  * parts()
+  {
+    const [width, height] = this.size;
+    for (let band = 0, bands = 0; band < this.bands; band += Math.max(bands, 1))
+    {
+      bands = fitting(band, this.bands, (b) => this.costOf(b));
+      const y = band * BAND;
+      const tall = Math.min(Math.max(bands, 1) * BAND, height - y);
+      const pieces = bands > 0 ? 1 : Math.ceil(this.costOf(band) / MILLISECONDS_OF_TILE);
+      const wide = Math.ceil(width / pieces);
+      for (let x = 0; x < width; x += wide)
+      {
+        yield [x, y, Math.min(wide, width - x), tall];
+      }
+    }
   }
 
   /**
-   * Calls draw(part) for all parts of a picture. isWanted(): whether to go on. Returns whether the
-   * picture is complete. A part is prepared while the GPU draws the one before.
+   * Calls draw(part) for all parts of a picture, then finish(). isWanted(): whether to go on.
+   * Returns whether the picture is complete. A part is prepared while the GPU draws the one before.
    */
-  async draw(size, draw, isWanted)
+  async draw(size, draw, isWanted, finish = () => {})
   {
-    this.longest = 0;
+    this.begin(size);
     let pending = null;
     let last = performance.now();
-    for (const part of this.parts(size))
+    for (const part of this.parts())
     {
       draw(part);
       const done = gpuDone(this.gl).then(() => {
@@ -96,7 +135,16 @@ export class Tiles
         break;
       }
     }
+    if (isWanted())
+    {
+      finish();
+    }
     await pending;
-    return isWanted();
+    const complete = isWanted();
+    if (complete)
+    {
+      this.end();
+    }
+    return complete;
   }
 }
