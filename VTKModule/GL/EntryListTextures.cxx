@@ -2,10 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/EntryListTextures.h"
 
+#include "GL/ProgramCapture.h"
+
 #include "vtkShaderProgram.h"
 
 namespace tetmarch
 {
+
+namespace
+{
+
+constexpr const char* TileName = "entryTileBuffer";
+constexpr const char* CandidateName = "entryCandidateBuffer";
+
+} // namespace
 
 static_assert(sizeof(EntryCandidate) == 8, "arrays are uploaded as they are");
 
@@ -30,8 +40,8 @@ std::string EntryListTextures::upload(
 
 void EntryListTextures::bind(vtkShaderProgram* program)
 {
-  this->Tiles.bind(program, "entryTileBuffer");
-  this->Candidates.bind(program, "entryCandidateBuffer");
+  this->Tiles.bind(program, TileName);
+  this->Candidates.bind(program, CandidateName);
   program->SetUniformi("entryTileShift", this->TileShift);
   program->SetUniformi("entryTilesPerRow", this->TilesPerRow);
   program->SetUniform4f("entryDepthPlane", this->DepthPlane.data());
@@ -41,6 +51,12 @@ void EntryListTextures::unbind()
 {
   this->Tiles.unbind();
   this->Candidates.unbind();
+}
+
+void EntryListTextures::removeFrom(CapturedProgram& captured)
+{
+  captured.Textures.erase(TileName);
+  captured.Textures.erase(CandidateName);
 }
 
 void EntryListTextures::release(vtkWindow* window)

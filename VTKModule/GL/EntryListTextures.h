@@ -11,6 +11,8 @@
 namespace tetmarch
 {
 
+struct CapturedProgram;
+
 class EntryListTextures
 {
 public:
@@ -20,6 +22,8 @@ public:
     vtkOpenGLRenderWindow* window, const EntryLists& lists, const Fingerprint& version);
   void bind(vtkShaderProgram* program);
   void unbind();
+  /** Leave the lists out of what was captured: they depend on the view. */
+  static void removeFrom(CapturedProgram& captured);
   void release(vtkWindow* window);
   std::size_t bytes() const { return this->Tiles.bytes() + this->Candidates.bytes(); }
 

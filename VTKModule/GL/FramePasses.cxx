@@ -4,7 +4,7 @@
 
 #include "Caching/WithinMemory.h"
 #include "Frame/FrameStages.h"
-#include "GL/ProgramCapture.h"
+#include "GL/EntryListTextures.h"
 #include "GL/VolumeTextures.h"
 #include "View/RayPoints.h"
 
@@ -222,10 +222,7 @@ StageResult FramePasses::captureVisiblePart(
   StageResult result{ this->findRays(context.Window, inputs.Area, inputs) };
   result = result.then(
     [&] { return StageResult{ this->March.capture(context.Window, inputs, program) }; });
-  for (const char* ofView : { "entryTileBuffer", "entryCandidateBuffer" })
-  {
-    program.Textures.erase(ofView); // the page makes its own
-  }
+  EntryListTextures::removeFrom(program); // the page makes its own
   return result;
 }
 
