@@ -13,6 +13,7 @@ while read -r floor room _; do
   if [[ "$floor" == [1-8] ]]; then COVERED_FOLDERS+=("VTKModule/$room"); fi
 done <"$ROOT/VTKModule/floors.txt"
 readonly COVERED_FOLDERS
+readonly COVERING_PROGRAMS=(TetMarchUnitTests TetMarchProcessesTest TetMarchToolsUnitTest) # that need no GL
 
 # stress [OPTION]... | stress lattices [RAYS]: options are those of the hard cases, and mean these alone.
 stress() {
@@ -108,14 +109,16 @@ sanitize() {
 }
 
 coverage() {
-  local folder="$BUILD/coverage" counts="$BUILD/coverage/counts.json" part status=0
+  local folder="$BUILD/coverage" counts="$BUILD/coverage/counts.json" part program status=0
   prepare_machine
   install_packages "${COVERAGE_PACKAGES[@]}"
   require_tools gcovr
-  configure_instrumented "$folder" -DTETMARCH_COVERAGE=ON -DTETMARCH_BUILD_TOOLS=OFF
-  cmake --build "$folder" --target TetMarchUnitTests
+  configure_instrumented "$folder" -DTETMARCH_COVERAGE=ON
+  cmake --build "$folder" --target "${COVERING_PROGRAMS[@]}"
   find "$folder" -name '*.gcda' -delete
-  "$folder/bin/TetMarchUnitTests" --gtest_brief=1 || die "the unit tests failed"
+  for program in "${COVERING_PROGRAMS[@]}"; do
+    "$folder/bin/$program" --gtest_brief=1 || die "tests of $program failed"
+  done
   gcovr --root "$ROOT" --filter "$ROOT/VTKModule/" --filter "$ROOT/Shaders/" --json "$counts" "$folder"
   gcovr --root "$ROOT" --add-tracefile "$counts"
   for part in "${COVERED_FOLDERS[@]}" Shaders; do
