@@ -39,9 +39,9 @@ function mostCandidates(footprints, shift)
   let sum = 0;
   for (let f = 0; f < count; ++f)
   {
-    sum += left[f] > right[f] ? 0
-                              : ((right[f] >> shift) - (left[f] >> shift) + 1) *
-                                  ((top[f] >> shift) - (bottom[f] >> shift) + 1);
+    sum += footprints.isEmpty(f) ? 0
+                                 : ((right[f] >> shift) - (left[f] >> shift) + 1) *
+                                     ((top[f] >> shift) - (bottom[f] >> shift) + 1);
   }
   return sum;
 }
@@ -59,7 +59,7 @@ function chosenShift(footprints, [width, height])
   let faces = 0;
   for (let f = 0; f < count; ++f)
   {
-    if (left[f] <= right[f])
+    if (!footprints.isEmpty(f))
     {
       pixels += (right[f] - left[f] + 1) * (top[f] - bottom[f] + 1);
       ++faces;

@@ -73,9 +73,8 @@ export class Frames
       const perPixel = [size[0] / raySize[0], size[1] / raySize[1]];
       drawn.push({
         program: await this.programs.get(...MARCH, features),
-        values: {...volume.valuesFor(view, level, raySize, perPixel), ...(lists || {}).values},
-        textures:
-          {...volume.textures, ...(lists || {}).textures, opaqueDepthTexture: this.base.depth}
+        values: {...volume.valuesFor(view, level, raySize, perPixel), ...lists?.values},
+        textures: {...volume.textures, ...lists?.textures, opaqueDepthTexture: this.base.depth}
       });
     }
     return drawn;

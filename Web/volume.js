@@ -110,8 +110,8 @@ export class Volume
     this.scalars = scalarsOf(this.data, archive);
   }
 
-  // The corners of the faces in a texture; null if there are none, or so many that rays search
-  // them.
+  // Returns the corners of the faces in a texture. Returns null if the texture is missing, or if it
+  // has so many faces that rays search the hierarchy instead.
   cornersOf(name, archive)
   {
     const {textures} = this.data;
@@ -121,7 +121,7 @@ export class Volume
              : null;
   }
 
-  // What is visible was found for the written functions.
+  // The visible part belongs to the written functions: an edit ends its use.
   get entersVisiblePart() { return this.visiblePart !== null && !this.traits; }
 
   /** Edited transfer functions in place of the written ones; of several components, the first. */

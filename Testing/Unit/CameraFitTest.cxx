@@ -36,8 +36,8 @@ std::vector<Vector3> box(double x, double y, double z)
   return points;
 }
 
-// The extent along x of what is visible of an image that is opaque from value 120 to value 130
-// along x, but for places with NaN.
+// Returns the extent of the visible part along x. The image is opaque from value 120 to value 130
+// along x, except where it has NaN.
 std::array<double, 2> shownAlongX(vtkImageData* image, bool ofCells)
 {
   vtkNew<vtkDoubleArray> values;
@@ -198,8 +198,8 @@ TEST(CameraFit, OfImagesTheCorners)
   EXPECT_EQ(points[7], (Vector3{ { 10, 3, -1 } }));
 }
 
-// At most every third value is looked at: what is visible is not cut off, and seen at most three
-// cells too wide at each end.
+// Every third value is examined, or more. The corners contain the visible part, and exceed it by at
+// most three cells at each end.
 TEST(CameraFit, TheCornersContainTheVisiblePartOfImages)
 {
   for (const bool ofCells : { false, true })

@@ -9,7 +9,8 @@ import {Tiles} from "../../Web/tiles.js";
 const MOST = 50; // milliseconds
 const TIMERS = 3;
 
-// Draws a picture on a GPU that takes so many milliseconds for a pixel of a row; returns the tiles.
+// Simulates a picture; costOf(row) is the time in milliseconds that a pixel of the row takes.
+// Returns the tiles with their times.
 function drawn(tiles, size, costOf)
 {
   const [width, height] = size;

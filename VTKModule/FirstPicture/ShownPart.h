@@ -15,7 +15,7 @@ namespace tetmarch
 
 // Points whose convex hull contains the visible cells: the corners of one box for each row of
 // cells. A value is visible if its extinction is above a hundredth of the maximum. About a hundred
-// values along each axis are looked at, each of which represents the cells up to the next ones.
+// values along each axis are examined; each represents the cells up to the next examined value.
 // Hidden cells and values that aren't finite are not visible. Empty if nothing is visible.
 std::vector<Vector3> findShownCorners(const std::vector<vtkDataSet*>& lattices,
   const DrawnArray& drawn, const std::function<double(double value)>& extinction);
