@@ -6,6 +6,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -13,6 +14,7 @@
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -135,6 +137,56 @@ Grid withCells32(vtkUnstructuredGrid* grid)
   auto result = Grid::New();
   result->DeepCopy(grid);
   result->GetCells()->ConvertTo32BitStorage();
+  return result;
+}
+
+Grid withRepeatedPoints(vtkUnstructuredGrid* grid)
+{
+  auto result = Grid::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(grid->GetPoints()->GetDataType());
+  Ids origins;
+  std::map<vtkIdType, vtkIdType> ofCell;
+  const auto repeat = [&](vtkIdList* ids, vtkIdType at)
+  {
+    const auto added = ofCell.try_emplace(ids->GetId(at), points->GetNumberOfPoints());
+    if (added.second)
+    {
+      origins.push_back(ids->GetId(at));
+      points->InsertNextPoint(grid->GetPoint(ids->GetId(at)));
+    }
+    ids->SetId(at, added.first->second);
+  };
+  result->Allocate(grid->GetNumberOfCells());
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    ofCell.clear();
+    if (grid->GetCellType(cell) == VTK_POLYHEDRON)
+    {
+      grid->GetFaceStream(cell, ids);
+      vtkIdType at = 1;
+      for (vtkIdType face = 0; face < ids->GetId(0); ++face)
+      {
+        for (vtkIdType corners = ids->GetId(at++); corners > 0; --corners)
+        {
+          repeat(ids, at++);
+        }
+      }
+    }
+    else
+    {
+      grid->GetCellPoints(cell, ids);
+      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      {
+        repeat(ids, i);
+      }
+    }
+    result->InsertNextCell(grid->GetCellType(cell), ids);
+  }
+  result->SetPoints(points);
+  copyInOrder(grid->GetPointData(), result->GetPointData(), origins);
+  result->GetCellData()->ShallowCopy(grid->GetCellData());
   return result;
 }
 

@@ -26,6 +26,9 @@ Grid withFloatPoints(vtkUnstructuredGrid* grid);
 /// Cell connectivity in 32-bit integers.
 Grid withCells32(vtkUnstructuredGrid* grid);
 
+/// Each cell with points of its own, as programs write whose fields jump between cells.
+Grid withRepeatedPoints(vtkUnstructuredGrid* grid);
+
 /// The cells of both, first those of a, with their "f" and "c"; no points are merged. No polyhedra.
 Grid joined(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b);
 } // namespace tetmarch::testing

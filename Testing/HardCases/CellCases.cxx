@@ -69,6 +69,8 @@ void addTurnedCells(CaseGroup& group)
     [] { return withRepeatedCells(jitteredCube(), 1); });
   sameMesh("two-equal-meshes", "the mesh twice in the same place, without common points",
     [] { return joined(jitteredCube(), jitteredCube()); });
+  sameMesh("points-of-each-cell", "each tetrahedron has points of its own, with equal coordinates",
+    [] { return withRepeatedPoints(jitteredCube()); });
   sameMesh("crack", "points not welded in half of a layer: a crack without width",
     [] { return withCrack(jitteredCube(), 6); });
 

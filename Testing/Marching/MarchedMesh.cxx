@@ -15,15 +15,27 @@
 
 namespace tetmarch::testing
 {
-TetMesh built(vtkUnstructuredGrid* grid)
+namespace
+{
+TetMesh builtAs(vtkUnstructuredGrid* grid, const PieceOptions& options)
 {
   TetMesh mesh;
   std::string error;
-  if (buildTetMesh(grid, {}, mesh, error) != BuildStatus::Done)
+  if (buildTetMesh(grid, {}, mesh, error, options) != BuildStatus::Done)
   {
     throw std::runtime_error(error);
   }
   return mesh;
+}
+} // namespace
+
+TetMesh built(vtkUnstructuredGrid* grid) { return builtAs(grid, {}); }
+
+TetMesh builtApart(vtkUnstructuredGrid* grid)
+{
+  PieceOptions options;
+  options.SeparatePoints = true;
+  return builtAs(grid, options);
 }
 
 TetMesh builtWithHierarchy(vtkUnstructuredGrid* grid)

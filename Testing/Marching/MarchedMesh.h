@@ -18,7 +18,9 @@ namespace tetmarch::testing
 {
 /// The mesh of a grid; throws std::runtime_error if it can't be built.
 TetMesh built(vtkUnstructuredGrid* grid);
-/// The same with a hierarchy, convex or not.
+/// The same; points with equal coordinates stay separate.
+TetMesh builtApart(vtkUnstructuredGrid* grid);
+/// The same as built() with a hierarchy, convex or not.
 TetMesh builtWithHierarchy(vtkUnstructuredGrid* grid);
 
 /// The mesh itself as a grid of tetrahedra in its normalised frame, with the active point scalars

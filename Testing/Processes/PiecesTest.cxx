@@ -101,7 +101,9 @@ TEST(Pieces, OfEveryKindOfCellHaveTheSameFaces)
   for (std::size_t i = 0; i < grids.size(); ++i)
   {
     SCOPED_TRACE("grid " + std::to_string(i));
-    expectToFit(grids[i], piecesOf(grids[i], static_cast<unsigned int>(i)), piecesOf(grids[i]));
+    const auto seed = static_cast<unsigned int>(i);
+    expectToFit(grids[i], piecesOf(grids[i], seed), piecesOf(grids[i]));
+    expectToFit(grids[i], piecesOf(withRepeatedPoints(grids[i]), seed), piecesOf(grids[i]));
   }
 }
 

@@ -212,6 +212,21 @@ TEST(MovedPoints, WhatDoesNotFollowFromCellsIsBuilt)
   EXPECT_FALSE(movePoints(more, mesh));
 }
 
+TEST(MovedPoints, CoincideAsBefore)
+{
+  const Grid grid = withRepeatedPoints(jitteredLattice(4));
+  TetMesh mesh = built(grid);
+  const Grid next = bent(grid, 0.2);
+  ASSERT_TRUE(movePoints(next, mesh));
+  expectSameMesh(mesh, built(next));
+  // A crack opens, and closes again.
+  const Grid cracked = bent(grid, 0.0);
+  cracked->GetPoints()->GetData()->SetComponent(1, 0, 1e-6);
+  EXPECT_FALSE(movePoints(cracked, mesh));
+  mesh = built(cracked);
+  EXPECT_FALSE(movePoints(grid, mesh));
+}
+
 TEST(MovedPoints, InAStage)
 {
   const Grid grid = jitteredLattice(4);

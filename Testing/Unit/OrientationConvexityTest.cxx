@@ -126,7 +126,7 @@ TEST(Orientation, AFlatMeshIsNoProblem)
     grid->GetPoint(i, p);
     grid->GetPoints()->SetPoint(i, p[0], p[1], 0.5);
   }
-  const TetMesh mesh = built(grid);
+  const TetMesh mesh = builtApart(grid);
   EXPECT_EQ(mesh.BoundaryFaces.size(), 2u * 6 * 9);
   EXPECT_EQ(inwardSide(mesh, 5), 0);
 }

@@ -183,7 +183,7 @@ TEST(Renumbering, ExtentsFromTinyToHuge)
 
 TEST(Renumbering, AllPointsInOnePlace)
 {
-  const TetMesh mesh = built(withOffsetAndScale(singleTet(), { 3.0, 4.0, 5.0 }, 0.0));
+  const TetMesh mesh = builtApart(withOffsetAndScale(singleTet(), { 3.0, 4.0, 5.0 }, 0.0));
   EXPECT_EQ(mesh.Frame.Radius, 1.0);
   EXPECT_EQ(mesh.Vertices[3].X, 0.0f);
 }

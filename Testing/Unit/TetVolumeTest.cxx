@@ -73,6 +73,30 @@ TEST_F(TetVolumes, OtherScalarsLeaveTheMesh)
   EXPECT_FALSE(this->Volume.hasCellGradients());
 }
 
+// Points that coincide are one vertex unless their scalars differ by more than rounding.
+TEST_F(TetVolumes, ScalarsThatJumpHaveVerticesOfTheirOwn)
+{
+  const Id shared = static_cast<Id>(this->Data->GetNumberOfPoints());
+  this->Data = withRepeatedPoints(this->Data);
+  const Id repeated = static_cast<Id>(this->Data->GetNumberOfPoints());
+  this->Drawn = { this->array() };
+  this->expectRuns(1, 1);
+  EXPECT_EQ(this->Volume.mesh().Vertices.size(), shared);
+  const double value = this->array()->GetComponent(7, 0);
+  this->array()->SetComponent(7, 0, value + 0.1);
+  this->array()->Modified();
+  this->expectRuns(2, 2);
+  EXPECT_EQ(this->Volume.mesh().Vertices.size(), repeated);
+  this->expectRuns(2, 2);
+  this->Drawn = { this->Data->GetCellData()->GetScalars(), true };
+  this->expectRuns(3, 3);
+  EXPECT_EQ(this->Volume.mesh().Vertices.size(), shared);
+  this->array()->SetComponent(7, 0, value * (1 + 1e-15));
+  this->Drawn = { this->array() };
+  this->expectRuns(3, 4);
+  EXPECT_EQ(this->Volume.mesh().Vertices.size(), shared);
+}
+
 TEST_F(TetVolumes, AnotherMeshNeedsItsScalars)
 {
   this->expectRuns(1, 1);

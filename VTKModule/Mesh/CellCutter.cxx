@@ -29,9 +29,9 @@ double volume(const std::array<double, 3>& a, const std::array<double, 3>& b,
 
 } // namespace
 
-CellCutter::CellCutter(vtkUnstructuredGrid* grid, const PointOrder* order)
+CellCutter::CellCutter(vtkUnstructuredGrid* grid, const PointNumbers& numbers)
   : Grid(grid)
-  , Order(order)
+  , Numbers(numbers)
   , CellArray(grid->GetCells())
   , Points(grid->GetPoints())
   , NumberOfPoints(grid->GetNumberOfPoints())
@@ -43,7 +43,7 @@ void CellCutter::cut(vtkIdType cell, int type)
   const CellCut cut = this->Kinds[type].Cut;
   if (cut == CellCut::Tetrahedron)
   {
-    this->CellArray->GetCellAtId(cell, this->PointIds);
+    this->readPoints(cell);
     this->add(cell, { { this->point(0), this->point(1), this->point(2), this->point(3) } });
     return;
   }
@@ -54,7 +54,7 @@ void CellCutter::cut(vtkIdType cell, int type)
     return;
   }
   this->Result.HasCutCells = true;
-  this->CellArray->GetCellAtId(cell, this->PointIds);
+  this->readPoints(cell);
   this->CenterOfCell = -1;
   if (cut == CellCut::Pieces)
   {
@@ -67,6 +67,15 @@ void CellCutter::cut(vtkIdType cell, int type)
   else
   {
     this->cutByVTK(cell, type);
+  }
+}
+
+void CellCutter::readPoints(vtkIdType cell)
+{
+  this->CellArray->GetCellAtId(cell, this->PointIds);
+  for (vtkIdType i = 0; !this->Numbers.Firsts.empty() && i < this->PointIds->GetNumberOfIds(); ++i)
+  {
+    this->PointIds->SetId(i, this->numberOf(this->PointIds->GetId(i)));
   }
 }
 
@@ -126,7 +135,7 @@ void CellCutter::cutPolyhedron(vtkIdType cell)
     this->Face.clear();
     for (vtkIdType corners = this->FaceStream->GetId(at++); corners > 0; --corners)
     {
-      this->Face.push_back(static_cast<Id>(this->FaceStream->GetId(at++)));
+      this->Face.push_back(this->numberOf(this->FaceStream->GetId(at++)));
     }
     this->fan();
   }
@@ -137,6 +146,7 @@ void CellCutter::cutPolyhedron(vtkIdType cell)
 void CellCutter::cutByVTK(vtkIdType cell, int type)
 {
   this->Grid->GetCell(cell, this->Cell);
+  this->Cell->PointIds->DeepCopy(this->PointIds); // which order VTK's tetrahedra
   this->Cell->Triangulate(0, this->CutIds, this->CutPoints);
   const vtkIdType count = this->CutIds->GetNumberOfIds();
   this->Result.Report.UnsupportedCells += count < 4 ? 1 : 0;

@@ -18,6 +18,13 @@ class vtkCellArray;
 namespace tetmarch
 {
 
+/** How points are numbered; empty lists: by their ids. */
+struct PointNumbers
+{
+  std::vector<Id> Firsts; // the point in place of each one (CoincidentPoints.h)
+  std::vector<Id> Order;  // the rank of each point
+};
+
 /**
  * Cuts cells of a grid that passed checkGrid() by the rules of decompose(), and appends the
  * tetrahedra to Result. Ids of centres follow those of the grid's points, in the order of their
@@ -26,8 +33,8 @@ namespace tetmarch
 class CellCutter
 {
 public:
-  /** The order, if any, must outlive the cutter. */
-  explicit CellCutter(vtkUnstructuredGrid* grid, const PointOrder* order = nullptr);
+  /** The numbers must outlive the cutter. */
+  CellCutter(vtkUnstructuredGrid* grid, const PointNumbers& numbers);
 
   Decomposition Result;
 
@@ -52,16 +59,23 @@ private:
   void findMean();
   Id centerOf(vtkIdType cell);
 
-  /** Compares points by their position in the order, or by id. */
+  /** Compares points by their rank in the order, or by id. */
   bool isLess(Id a, Id b) const
   {
-    return this->Order ? (*this->Order)[a] < (*this->Order)[b] : a < b;
+    const std::vector<Id>& order = this->Numbers.Order;
+    return order.empty() ? a < b : order[a] < order[b];
   }
+  Id numberOf(vtkIdType point) const
+  {
+    const std::vector<Id>& firsts = this->Numbers.Firsts;
+    return firsts.empty() ? static_cast<Id>(point) : firsts[static_cast<std::size_t>(point)];
+  }
+  void readPoints(vtkIdType cell);
   Id point(vtkIdType i) const { return static_cast<Id>(this->PointIds->GetId(i)); }
   Point position(Id id) const;
 
   vtkUnstructuredGrid* Grid;
-  const PointOrder* Order;
+  const PointNumbers& Numbers;
   vtkCellArray* CellArray;
   vtkPoints* Points;
   vtkIdType NumberOfPoints;

@@ -6,9 +6,10 @@
 #include "Input/DataCheck.h"
 #include "Input/GridCheck.h"
 #include "Mesh/CellCutter.h"
-#include "Mesh/PieceOptions.h"
+#include "Mesh/CoincidentPoints.h"
 #include "Parallel/ParallelFor.h"
 
+#include "vtkCellType.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -20,11 +21,51 @@ namespace tetmarch
 namespace
 {
 
-Decomposition decomposeRange(
-  vtkUnstructuredGrid* grid, vtkIdType begin, vtkIdType end, const PointOrder* order)
+// A grid of tetrahedra has no faces to be cut.
+bool isCut(vtkUnstructuredGrid* grid)
 {
   const CellTypes types(grid);
-  CellCutter cutter(grid, order);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    if (types[cell] != VTK_TETRA)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The rank of each point of a grid by its coordinates, x first.
+std::vector<Id> orderByCoordinates(vtkUnstructuredGrid* grid, bool inFloat)
+{
+  const vtkIdType count = grid->GetNumberOfPoints();
+  std::vector<Vector3> points(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    grid->GetPoint(i, points[i].data());
+    for (double& x : points[i])
+    {
+      x = inFloat ? roundedToFloat(x) : x;
+      x = std::isfinite(x) ? x : 0;
+    }
+  }
+  std::vector<Id> sorted(count);
+  std::iota(sorted.begin(), sorted.end(), Id(0));
+  vtkSMPTools::Sort(sorted.begin(), sorted.end(),
+    [&](Id a, Id b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
+  std::vector<Id> order(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    order[sorted[i]] = static_cast<Id>(i);
+  }
+  return order;
+}
+
+Decomposition decomposeRange(
+  vtkUnstructuredGrid* grid, vtkIdType begin, vtkIdType end, const PointNumbers& numbers)
+{
+  const CellTypes types(grid);
+  CellCutter cutter(grid, numbers);
   cutter.Result.Tets.reserve(end - begin);
   cutter.Result.Cells.reserve(end - begin);
   for (vtkIdType cell = begin; cell < end; ++cell)
@@ -66,33 +107,8 @@ void join(Decomposition& result, Decomposition&& part, Id numberOfPoints)
 
 } // namespace
 
-PointOrder orderByCoordinates(vtkUnstructuredGrid* grid, bool inFloat)
-{
-  const vtkIdType count = grid->GetNumberOfPoints();
-  std::vector<Vector3> points(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    grid->GetPoint(i, points[i].data());
-    for (double& x : points[i])
-    {
-      x = inFloat ? roundedToFloat(x) : x;
-      x = std::isfinite(x) ? x : 0;
-    }
-  }
-  std::vector<Id> sorted(count);
-  std::iota(sorted.begin(), sorted.end(), Id(0));
-  vtkSMPTools::Sort(sorted.begin(), sorted.end(),
-    [&](Id a, Id b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
-  PointOrder order(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    order[sorted[i]] = static_cast<Id>(i);
-  }
-  return order;
-}
-
 std::string decompose(vtkUnstructuredGrid* grid, const Progress& progress, Decomposition& result,
-  bool& stopped, const PointOrder* order)
+  bool& stopped, const PieceOptions& piece)
 {
   stopped = false;
   result = {};
@@ -101,6 +117,13 @@ std::string decompose(vtkUnstructuredGrid* grid, const Progress& progress, Decom
   if (!wrong.empty() || cells == 0)
   {
     return wrong;
+  }
+  result.FirstPoints = findCoincidentPoints(grid, piece.InFloat);
+  PointNumbers numbers;
+  numbers.Firsts = piece.SeparatePoints ? std::vector<Id>() : result.FirstPoints;
+  if (piece.ByCoordinates && isCut(grid))
+  {
+    numbers.Order = orderByCoordinates(grid, piece.InFloat);
   }
   const vtkIdType ranges = std::min<vtkIdType>(64, cells / 1024 + 1);
   const vtkIdType portion = 8; // number of ranges between two reports of progress
@@ -116,7 +139,7 @@ std::string decompose(vtkUnstructuredGrid* grid, const Progress& progress, Decom
         for (vtkIdType range = first; range < last; ++range)
         {
           parts[range - begin] =
-            decomposeRange(grid, range * cells / ranges, (range + 1) * cells / ranges, order);
+            decomposeRange(grid, range * cells / ranges, (range + 1) * cells / ranges, numbers);
         }
       });
     for (Decomposition& part : parts)

@@ -4,6 +4,7 @@
 #ifndef TetMarchMeshDecomposition_h
 #define TetMarchMeshDecomposition_h
 
+#include "Mesh/PieceOptions.h"
 #include "Mesh/TetMesh.h"
 #include "Parallel/Progress.h"
 
@@ -14,12 +15,6 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
-/** The rank of each point of a grid by its coordinates, x first. */
-using PointOrder = std::vector<Id>;
-
-/** inFloat: coordinates are rounded to float. */
-PointOrder orderByCoordinates(vtkUnstructuredGrid* grid, bool inFloat);
-
 /** Tetrahedra over points of the grid; ids from the number of points on are centres of cells. */
 struct Decomposition
 {
@@ -27,23 +22,25 @@ struct Decomposition
   std::vector<Id> Cells;               // one per tetrahedron
   std::vector<Id> CenterCells;
   std::vector<std::array<double, 3>> CenterPositions; // the mean of the cell's points
-  bool HasCutCells = false; // some tetrahedra come from cells of other types
+  bool HasCutCells = false;    // some tetrahedra come from cells of other types
+  std::vector<Id> FirstPoints; // as in TetMesh
   MeshReport Report;
 };
 
 /**
- * Cut every 3D cell into tetrahedra, conformingly: a face with more than three corners is cut
+ * Cut every 3D cell into tetrahedra, conformingly: points with equal coordinates are one point, the
+ * first of them, unless the options keep them separate. A face with more than three corners is cut
  * through its corner with the smallest point id, in the cells on both sides. The interior of a cell
  * is cut from its own smallest point (pulling; Dompierre et al., "How to subdivide pyramids, prisms
  * and hexahedra into tetrahedra", 1999). If that point doesn't see all faces (non-convex or
  * strongly warped cells), it is cut from the mean of the cell's points, which becomes a vertex with
- * the mean scalar. If an order of the points is given, their ranks are used in place of their ids.
+ * the mean scalar. Points of pieces are ordered by their coordinates in place of their ids.
  *
  * Returns an empty string, or the error of the grid (GridCheck.h). `stopped` becomes true if
  * progress requested a stop.
  */
 std::string decompose(vtkUnstructuredGrid* grid, const Progress& progress, Decomposition& result,
-  bool& stopped, const PointOrder* order = nullptr);
+  bool& stopped, const PieceOptions& piece = {});
 
 } // namespace tetmarch
 

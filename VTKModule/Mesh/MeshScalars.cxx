@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MeshScalars.h"
 
-#include "Parallel/ParallelFor.h"
+#include "Mesh/ScalarJumps.h"
+#include "Mesh/TupleValues.h"
 
-#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -13,56 +13,12 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace tetmarch
 {
 namespace
 {
-
-// The value where an array has no tuple.
-constexpr double NotThere = std::numeric_limits<double>::quiet_NaN();
-
-// Scalars of the requested tuples, as doubles.
-struct ScalarReader
-{
-  const std::vector<Id>& Tuples;
-  const TupleScalar& Scalar;
-  std::vector<double>& Values;
-
-  template <typename Array>
-  void read(Array* array, vtkIdType first, vtkIdType last)
-  {
-    const vtkIdType limit = array->GetNumberOfTuples();
-    const auto range = vtk::DataArrayTupleRange(array);
-    for (vtkIdType i = first; i < last; ++i)
-    {
-      const Id tuple = this->Tuples[i];
-      this->Values[i] = tuple < limit ? scalarOf(range[tuple], this->Scalar) : NotThere;
-    }
-  }
-
-  template <typename Array>
-  void operator()(Array* array)
-  {
-    parallelFor(0, static_cast<vtkIdType>(this->Tuples.size()),
-      [&](vtkIdType first, vtkIdType last) { this->read(array, first, last); });
-  }
-};
-
-std::vector<double> scalarsOf(
-  vtkDataArray* array, const std::vector<Id>& tuples, const TupleScalar& scalar)
-{
-  std::vector<double> values(tuples.size(), NotThere);
-  ScalarReader reader{ tuples, scalar, values };
-  if (!vtkArrayDispatch::Dispatch::Execute(array, reader))
-  {
-    // An array that computes its values may not be thread-safe.
-    reader.read(array, 0, static_cast<vtkIdType>(tuples.size()));
-  }
-  return values;
-}
 
 // The mean of the values at the points of a cell: that of the vertex in its centre.
 double meanOfCell(vtkUnstructuredGrid* grid, Id cell, vtkDataArray* array,
@@ -104,6 +60,18 @@ std::vector<double> drawnValues(vtkUnstructuredGrid* grid, const DrawnScalars& d
 {
   return drawn.OfCells ? scalarsOf(drawn.Array, mesh.TetCells, scalar)
                        : vertexValues(grid, drawn.Array, mesh, scalar);
+}
+
+// Also those of points that share a vertex with another point.
+FiniteRange drawnRange(vtkUnstructuredGrid* grid, const DrawnScalars& drawn, const TetMesh& mesh,
+  const TupleScalar& scalar)
+{
+  FiniteRange range = rangeOf(drawnValues(grid, drawn, mesh, scalar));
+  if (!drawn.OfCells)
+  {
+    range.add(rangeOf(scalarsOf(drawn.Array, pointsOfSolids(mesh), scalar)));
+  }
+  return range;
 }
 
 // Reads and stores one scalar after the other.
@@ -206,10 +174,10 @@ MeshScalars readScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn, Te
 std::vector<FiniteRange> rangesOf(
   vtkUnstructuredGrid* grid, const DrawnScalars& drawn, const TetMesh& mesh)
 {
-  std::vector<FiniteRange> found{ rangeOf(drawnValues(grid, drawn, mesh, drawn.First)) };
+  std::vector<FiniteRange> found{ drawnRange(grid, drawn, mesh, drawn.First) };
   for (const int component : drawn.Extra)
   {
-    const FiniteRange range = rangeOf(drawnValues(grid, drawn, mesh, { false, component }));
+    const FiniteRange range = drawnRange(grid, drawn, mesh, { false, component });
     if (!range.isAllFinite())
     {
       found.front().addNotFinite();

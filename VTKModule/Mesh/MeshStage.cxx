@@ -24,6 +24,7 @@ Fingerprint attemptOf(
   add(attempt, grid);
   attempt.push_back(limits.TexelsPerBuffer);
   attempt.push_back(limits.Bytes);
+  attempt.push_back(piece.SeparatePoints ? 1 : 0);
   if (piece.ByCoordinates)
   {
     attempt.push_back(piece.IsPiece ? 1 : 0);
@@ -59,7 +60,9 @@ std::string MeshStage::make(vtkUnstructuredGrid* grid, const ResourceLimits& lim
     return this->Error;
   }
   // The frame of the moved points would be their own.
-  const bool cellsStay = !piece.IsPiece && !this->MadeAs.IsPiece && this->hasCellsOf(grid);
+  const bool cellsStay = !piece.IsPiece && !this->MadeAs.IsPiece &&
+                         piece.SeparatePoints == this->MadeAs.SeparatePoints &&
+                         this->hasCellsOf(grid);
   this->IsMade = false;
   if (!cellsStay)
   {

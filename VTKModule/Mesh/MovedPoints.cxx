@@ -4,6 +4,7 @@
 
 #include "Input/PointCheck.h"
 #include "Mesh/BoundaryHierarchy.h"
+#include "Mesh/CoincidentPoints.h"
 #include "Mesh/ConsistentOrientation.h"
 #include "Mesh/Convexity.h"
 #include "Mesh/HalfFaceLinks.h"
@@ -107,7 +108,8 @@ bool movePoints(vtkUnstructuredGrid* grid, TetMesh& mesh)
 {
   vtkPoints* points = grid->GetPoints();
   if (!mesh.LinksFollowCells || !points || points->GetData()->GetNumberOfComponents() != 3 ||
-      points->GetNumberOfPoints() != mesh.NumberOfPoints || !moveVertices(points, mesh))
+      points->GetNumberOfPoints() != mesh.NumberOfPoints ||
+      findCoincidentPoints(grid, false) != mesh.FirstPoints || !moveVertices(points, mesh))
   {
     return false;
   }

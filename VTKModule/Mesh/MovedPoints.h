@@ -14,8 +14,9 @@ namespace tetmarch
 /**
  * Give a mesh the points of a grid with the same cells. The order of vertices and tetrahedra and
  * the links between tetrahedra are kept. The rest is made again, and scalars are 0. Returns false,
- * with an unspecified mesh, if buildTetMesh() must be used: cells were cut, faces have more than
- * two owners, tetrahedra are flat or not all oriented like their neighbours, or points are invalid.
+ * with an unspecified mesh, if buildTetMesh() must be used: cells were cut, other points
+ * coincide than before, faces have more than two owners, tetrahedra are flat or not all oriented
+ * like their neighbours, or points are invalid.
  */
 bool movePoints(vtkUnstructuredGrid* grid, TetMesh& mesh);
 

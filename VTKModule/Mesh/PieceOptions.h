@@ -17,13 +17,16 @@ struct PieceOptions
 {
   /** Faces are cut through the corner with the smallest coordinates, not with the smallest id. */
   bool ByCoordinates = false;
+  /** Points with equal coordinates stay separate vertices, since their scalars differ. */
+  bool SeparatePoints = false;
   bool IsPiece = false; // the following members are used
   VolumeFrame Frame;    // of the whole
   bool InFloat = false; // points are rounded to float first, since some piece has floats
 
   bool operator==(const PieceOptions& other) const
   {
-    return this->ByCoordinates == other.ByCoordinates && this->IsPiece == other.IsPiece &&
+    return this->ByCoordinates == other.ByCoordinates &&
+           this->SeparatePoints == other.SeparatePoints && this->IsPiece == other.IsPiece &&
            this->Frame == other.Frame && this->InFloat == other.InFloat;
   }
 };

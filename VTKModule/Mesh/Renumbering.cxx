@@ -148,6 +148,7 @@ std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& pr
   const std::size_t pointCount = points ? points->GetNumberOfPoints() : 0;
   mesh.NumberOfPoints = static_cast<vtkIdType>(pointCount);
   mesh.CenterCells = tets.CenterCells;
+  mesh.FirstPoints = std::move(tets.FirstPoints);
   mesh.Report = tets.Report;
   mesh.HasCutCells = tets.HasCutCells;
 

@@ -30,6 +30,9 @@ constexpr Id LinkOutside = 0x80000000u;
 /** Maximum number of tetrahedra, so that all half-faces are below LinkOutside. */
 constexpr std::uint64_t MostTetsOfLinks = LinkOutside / 4;
 
+/** In lists of points and vertices: none. */
+constexpr Id NoPoint = 0xffffffffu;
+
 /** One texel on the GPU: the position in the normalised frame (VolumeFrame), and the stored scalar.
  */
 struct Vertex
@@ -72,6 +75,8 @@ struct TetMesh
                                 // NumberOfPoints + c: the mean of the points of cell
                                 // CenterCells[c]
   std::vector<Id> CenterCells;
+  std::vector<Id> FirstPoints;   // of the points with equal coordinates, which have one vertex
+                                 // (CoincidentPoints.h); empty if no two coincide
   bool HasCutCells = false;      // some tetrahedra were cut from cells of other types
   bool LinksFollowCells = false; // links between tetrahedra do not depend on the points
   vtkIdType NumberOfPoints = 0;

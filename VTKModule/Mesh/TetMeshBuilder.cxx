@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/TetMeshBuilder.h"
 
-#include "Input/CellTypes.h"
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/Convexity.h"
 #include "Mesh/Decomposition.h"
@@ -14,35 +13,13 @@
 namespace tetmarch
 {
 
-namespace
-{
-
-// A grid of tetrahedra has no faces to be cut.
-bool isCut(vtkUnstructuredGrid* grid)
-{
-  const CellTypes types(grid);
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-  {
-    if (types[cell] != VTK_TETRA)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-} // namespace
-
 BuildStatus buildTetMesh(vtkUnstructuredGrid* grid, const Progress& progress, TetMesh& mesh,
   std::string& error, const PieceOptions& piece)
 {
   mesh = {};
   Decomposition tets;
   bool stopped = false;
-  const PointOrder order =
-    piece.ByCoordinates && isCut(grid) ? orderByCoordinates(grid, piece.InFloat) : PointOrder();
-  error =
-    decompose(grid, subProgress(progress, 0, 0.2), tets, stopped, order.empty() ? nullptr : &order);
+  error = decompose(grid, subProgress(progress, 0, 0.2), tets, stopped, piece);
   if (error.empty() && !stopped)
   {
     error = renumber(
@@ -60,8 +37,8 @@ BuildStatus buildTetMesh(vtkUnstructuredGrid* grid, const Progress& progress, Te
   {
     error = "The mesh has " + std::to_string(mesh.BoundaryFaces.size()) +
             " boundary faces; at most " + std::to_string(MostHierarchyFaces) +
-            " can be rendered. Are neighbouring cells joined by common points "
-            "(vtkStaticCleanUnstructuredGrid)?";
+            " can be rendered. Do neighbouring cells have corners with equal coordinates? "
+            "vtkStaticCleanUnstructuredGrid merges points within a tolerance.";
     return BuildStatus::Failed;
   }
   mesh.NeedsHierarchy = !isConvex(mesh);

@@ -5,6 +5,7 @@
 #include "Appearance/Components.h"
 #include "Caching/WithinMemory.h"
 #include "Mesh/Gradients.h"
+#include "Mesh/ScalarJumps.h"
 #include "Mesh/VertexStarts.h"
 #include "Reference/ReferenceImage.h"
 #include "Variants/VariantKey.h"
@@ -20,11 +21,13 @@ std::string TetVolume::updateGeometry(
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(input.Data);
   this->Limits = limits;
-  if (!this->Meshed.isCurrent(grid, input.Piece))
+  PieceOptions piece = input.Piece;
+  piece.SeparatePoints = this->SeparatePoints;
+  if (!this->Meshed.isCurrent(grid, piece))
   {
     this->ScalarsInput.clear();
     this->RangesInput.clear();
-    const std::string error = this->Meshed.make(grid, limits, progress, input.Piece);
+    const std::string error = this->Meshed.make(grid, limits, progress, piece);
     if (!error.empty())
     {
       return error;
@@ -46,6 +49,20 @@ std::vector<FiniteRange> TetVolume::rangesOf(vtkDataSet* grid, const DrawnScalar
   return this->Ranges;
 }
 
+std::string TetVolume::updatePoints(const VolumeInput& input, const DrawnScalars& drawn)
+{
+  bool separate = false;
+  std::string error = withinMemory(
+    "the comparison of points that coincide", [&] { separate = scalarsJump(drawn, this->mesh()); });
+  if (error.empty() && separate != this->SeparatePoints)
+  {
+    this->SeparatePoints = separate;
+    error = this->updateGeometry(input, this->Limits, {});
+    this->SeparatePoints = separate && error.empty(); // else another array would not be tried
+  }
+  return error;
+}
+
 std::string TetVolume::updateScalars(const VolumeInput& input, const DrawnScalars& drawn)
 {
   const Fingerprint version = versionOf(drawn);
@@ -54,6 +71,11 @@ std::string TetVolume::updateScalars(const VolumeInput& input, const DrawnScalar
     return {};
   }
   this->ScalarsInput.clear();
+  const std::string error = this->updatePoints(input, drawn);
+  if (!error.empty())
+  {
+    return error;
+  }
   const std::string shortage = withinMemory("the scalars",
     [&]
     {

@@ -96,8 +96,13 @@ public:
   const StageRecord& visibleRecord() const { return this->VisibleRecord; }
 
 private:
+  /** Make the mesh again if points that coincide must be separate for these scalars, or no longer.
+   */
+  std::string updatePoints(const VolumeInput& input, const DrawnScalars& drawn);
+
   ResourceLimits Limits;
   MeshStage Meshed;
+  bool SeparatePoints = false;
   HiddenCellStage Hidden;
   Fingerprint RangesInput;
   std::vector<FiniteRange> Ranges;
