@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // By its list each pixel's ray finds the entries that a search in the hierarchy finds: all of them,
 // each once, in the same order.
-#include "Entries/EntryListLimit.h"
+#include "Entries/EntryListMaker.h"
 
 #include "Reference/ListKernel.h"
 #include "Reference/PortableListKernel.h"
@@ -127,7 +127,7 @@ void expectSameEntries(
   Kernel kernel;
   kernel.useMesh(mesh);
   const EntryLists lists =
-    makeEntryListsWithin(mostTexels, mesh, mesh.BoundaryFaces, view, Width, Height);
+    EntryListMaker().make(mostTexels, mesh, mesh.BoundaryFaces, view, Width, Height);
   ASSERT_LE(lists.First.size(), mostTexels);
   ASSERT_LE(lists.Candidates.size(), mostTexels);
   const std::array<double, 16> points = rayPoints(view, mesh.Frame);
@@ -214,7 +214,7 @@ TEST(EntryLists, FitAnyLimit)
   {
     const View view = viewOf(camera, mesh);
     const auto lists = [&](std::uint64_t most)
-    { return makeEntryListsWithin(most, mesh, mesh.BoundaryFaces, view, Width, Height); };
+    { return EntryListMaker().make(most, mesh, mesh.BoundaryFaces, view, Width, Height); };
     const std::uint64_t least = std::max<std::size_t>(lists(1).Candidates.size(), 2);
     for (const std::uint64_t most : { least, 5 * least / 4, 3 * least / 2, 2 * least })
     {

@@ -131,7 +131,7 @@ TYPED_TEST(FrameStagesOf, RunAgainWhenTheirInputChanged)
   this->Renderer->GetActiveCamera()->SetPosition(3.0, 2.0, 1.0);
   EXPECT_EQ(this->newRuns(), 0);
   EXPECT_EQ(this->Stages.contentVersion(), content);
-  this->show(0.2, 0.5);
+  this->show(0.0, 0.5);
   EXPECT_EQ(this->newRuns(), 2); // tables, and what they show
   EXPECT_NE(this->Stages.contentVersion(), content);
   this->property()->ShadeOn();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Rays that enter and leave the visible part alone see what they see of the whole mesh.
-#include "Entries/VisiblePart.h"
+#include "Entries/VisiblePartFinder.h"
 
 #include "Entries/EntryLists.h"
 #include "Mesh/TetMeshBuilder.h"
@@ -14,6 +14,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <iostream>
+#include <random>
 
 namespace
 {
@@ -178,6 +179,82 @@ TEST(VisiblePart, ShowsWhatTheWholeMeshShows)
   std::cout << "[ MEASURED ] " << cells[0] << " cells instead of " << cells[1] << '\n';
   EXPECT_GT(cells[0], 10000);
   EXPECT_LT(2 * cells[0], cells[1]);
+}
+
+// An interval of scalars that is visible, between two that are not.
+IntegralTable tableBetween(double low, double high)
+{
+  return tableOf(
+    [=](double f) {
+      return std::array<double, 4>{ { f, 1.0 - f, 0.5, low <= f && f <= high ? 5.0 : 0.0 } };
+    });
+}
+
+// Of every grid, with and without hidden cells and scalars that are not finite.
+TEST(VisiblePart, AfterEditsIsThatOfTheLastOne)
+{
+  std::mt19937 generator(3);
+  int edits = 0;
+  for (const NamedGrid& named : everyGrid())
+  {
+    SCOPED_TRACE(named.Name);
+    TetMesh mesh = builtWithHierarchy(named.Make());
+    setWaves(mesh);
+    VisiblePartFinder finder;
+    Part shown(mesh, highTable());
+    for (std::uintptr_t edit = 0; edit < 24; ++edit)
+    {
+      if (edit == 8)
+      {
+        shown.Hidden.assign((mesh.Tets.size() + 31) / 32, 0x10204080u);
+      }
+      if (edit == 16)
+      {
+        mesh.Vertices[mesh.Vertices.size() / 2].Scalar = UndrawnScalar;
+      }
+      const double low = uniform(generator);
+      const IntegralTable table = tableBetween(low, low + 0.3 * uniform(generator));
+      shown.UndrawnSeen = edit % 2 == 0;
+      shown.Blend.Mode = edit % 3 == 2 ? BlendMode::IsoSurface : BlendMode::Composite;
+      shown.Blend.IsoValues = { float(low), float(low + 0.01) };
+      const VisibleScalars what{ &shown.Scalars, &table, &shown.Blend, &shown.Hidden,
+        shown.UndrawnSeen };
+      const Fingerprint version{ 1, edit / 8 };
+      EXPECT_FALSE(finder.isCurrent(what, version));
+      finder.update(mesh, what, version);
+      EXPECT_TRUE(finder.isCurrent(what, version));
+      const VisiblePart expected = findVisiblePart(mesh, what);
+      ASSERT_EQ(finder.part().Tets, expected.Tets);
+      ASSERT_EQ(finder.part().NumberOfTets, expected.NumberOfTets);
+      ASSERT_EQ(finder.part().Faces, expected.Faces);
+      ASSERT_EQ(finder.part().Links, expected.Links);
+      ASSERT_EQ(finder.part().CellsOfGap, expected.CellsOfGap);
+      edits += expected.Faces.empty() ? 0 : 1;
+    }
+  }
+  EXPECT_GT(edits, 100);
+}
+
+// Other colours show the same tetrahedra.
+TEST(VisiblePart, IsCurrentWhateverItsColours)
+{
+  TetMesh mesh = built(jitteredLattice(4));
+  setWaves(mesh);
+  const IntegralTable table = highTable();
+  Part shown(mesh, table);
+  const auto with = [&](const IntegralTable& of) {
+    return VisibleScalars{ &shown.Scalars, &of, &shown.Blend, &shown.Hidden, false };
+  };
+  VisiblePartFinder finder;
+  finder.update(mesh, with(table), { 1 });
+  IntegralTable other = table;
+  for (auto& entry : other.Values)
+  {
+    entry = { { 0.1f, 0.2f, 0.3f, 2 * entry[3] } };
+  }
+  EXPECT_TRUE(finder.isCurrent(with(other), { 1 }));
+  EXPECT_FALSE(finder.isCurrent(with(other), { 2 }));
+  EXPECT_FALSE(finder.isCurrent(with(tableBetween(0.2, 0.4)), { 1 }));
 }
 
 // The hierarchy of a convex mesh is built when it is needed, and gives boundary faces new numbers.

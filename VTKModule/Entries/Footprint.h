@@ -28,10 +28,11 @@ struct Footprint
   std::uint16_t Nearest = 0;
 
   bool isEmpty() const { return this->Left > this->Right; }
-  double pixels() const
+  std::uint64_t pixels() const
   {
-    return this->isEmpty() ? 0.0
-                           : double(this->Right - this->Left + 1) * (this->Top - this->Bottom + 1);
+    return this->isEmpty() ? 0
+                           : std::uint64_t(this->Right - this->Left + 1) *
+                               std::uint64_t(this->Top - this->Bottom + 1);
   }
 };
 

@@ -3,7 +3,6 @@
 #include "GL/TetTextures.h"
 
 #include "Caching/WithinMemory.h"
-#include "Entries/EntryListLimit.h"
 #include "Mesh/MeshSizes.h"
 #include "Mesh/PackedCells.h"
 #include "View/View.h"
@@ -133,7 +132,7 @@ std::string TetTextures::listEntries(vtkOpenGLRenderWindow* window, const Varian
       const StageRecorder recorder(this->EntriesRecord);
       const auto& faces =
         key.VisiblePart ? this->Volume.visiblePart().Faces : this->Volume.mesh().BoundaryFaces;
-      const EntryLists lists = makeEntryListsWithin(this->Volume.limits().TexelsPerBuffer,
+      const EntryLists& lists = this->ListMaker.make(this->Volume.limits().TexelsPerBuffer,
         this->Volume.mesh(), faces, camera, viewport.Width, viewport.Height);
       error = this->Entries.upload(window, lists, version);
     });

@@ -5,6 +5,7 @@
 #define TetMarchGLTetTextures_h
 
 #include "Caching/StageRecord.h"
+#include "Entries/EntryListMaker.h"
 #include "GL/EntryListTextures.h"
 #include "GL/MeshTextures.h"
 #include "GL/Uploaded.h"
@@ -56,6 +57,7 @@ private:
   Uploaded HiddenCells;
   Uploaded VisibleTets;
   VisiblePartTextures Visible;
+  EntryListMaker ListMaker;
   EntryListTextures Entries;
   StageRecord EntriesRecord;
 };

@@ -40,7 +40,7 @@ Volume volumeOf(const TetMesh& mesh, Id tet)
     sum += (left - right) * e[2][k];
     longest = std::max(longest, e[k][0] * e[k][0] + e[k][1] * e[k][1] + e[k][2] * e[k][2]);
   }
-  return { sum, std::ldexp(longest, -22) };
+  return { sum, longest * 0x1p-22 };
 }
 
 } // namespace

@@ -96,19 +96,33 @@ std::string TetVolume::updateScalars(const VolumeInput& input, const DrawnScalar
 std::string TetVolume::updateVisibility(
   const IntegralTable& first, const Components& parts, const Blending& blending, bool undrawnSeen)
 {
+  const VisibleScalars shown{ &this->Scalars, &first, &blending, &this->hiddenCells(),
+    undrawnSeen };
+  const bool isKnown =
+    !parts.isIndependent() && (blending.isComposite() || blending.isIsoSurface());
   std::string shortage = withinMemory("what is visible",
     [&]
     {
-      const StageRecorder recorder(this->VisibleRecord);
-      this->Visible = {};
-      if (!parts.isIndependent() && (blending.isComposite() || blending.isIsoSurface()))
+      if (isKnown && this->Visible.isCurrent(shown, this->version()))
       {
-        this->Visible = findVisiblePart(
-          this->mesh(), { &this->Scalars, &first, &blending, &this->hiddenCells(), undrawnSeen });
+        return;
+      }
+      const StageRecorder recorder(this->VisibleRecord);
+      if (isKnown)
+      {
+        this->Visible.update(this->mesh(), shown, this->version());
+      }
+      else
+      {
+        this->Visible.clear();
       }
     });
+  if (!shortage.empty())
+  {
+    this->Visible.clear();
+  }
   this->EntersVisible.update(
-    isWorthEntering(this->Visible), staysWorthEntering(this->Visible), this->version());
+    isWorthEntering(this->visiblePart()), staysWorthEntering(this->visiblePart()), this->version());
   return shortage;
 }
 
@@ -125,7 +139,7 @@ std::string TetVolume::prepareEntrySearch()
       error = this->Meshed.addHierarchy();
       if (error.empty())
       {
-        linkVisiblePart(this->mesh(), this->Visible);
+        this->Visible.link(this->mesh());
       }
     });
   return shortage.empty() ? error : shortage;
@@ -139,7 +153,8 @@ double TetVolume::transparentShare(const IntegralTable& table) const
 
 bool TetVolume::entersVisiblePart() const
 {
-  return this->EntersVisible.isOn() && this->Visible.Faces.size() <= this->Limits.TexelsPerBuffer;
+  return this->EntersVisible.isOn() &&
+         this->visiblePart().Faces.size() <= this->Limits.TexelsPerBuffer;
 }
 
 void TetVolume::setBits(VariantKey& key) const

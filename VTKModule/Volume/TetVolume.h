@@ -6,7 +6,7 @@
 #define TetMarchVolumeTetVolume_h
 
 #include "Caching/Switch.h"
-#include "Entries/VisiblePart.h"
+#include "Entries/VisiblePartFinder.h"
 #include "Mesh/HiddenCellStage.h"
 #include "Mesh/MeshScalars.h"
 #include "Mesh/MeshStage.h"
@@ -43,7 +43,7 @@ public:
   {
     return areAllHidden(this->hiddenCells(), this->mesh().Tets.size());
   }
-  bool showsNothing() const override { return tetmarch::showsNothing(this->Visible); }
+  bool showsNothing() const override { return tetmarch::showsNothing(this->visiblePart()); }
   bool isStructured() const override { return false; }
   bool mayReenter() const override { return this->mesh().NeedsHierarchy; }
   const std::vector<ScalarRange>& extraRanges() const override
@@ -80,7 +80,7 @@ public:
   const HiddenCells& hiddenCells() const { return this->Hidden.cells(); }
   const MeshScalars& scalars() const { return this->Scalars; }
   /** Without faces if all of the mesh may be seen, or nothing. */
-  const VisiblePart& visiblePart() const { return this->Visible; }
+  const VisiblePart& visiblePart() const { return this->Visible.part(); }
   /** Rays enter the visible part alone. Else, also if its faces are too many for a buffer, they
    * march through the mesh. */
   bool entersVisiblePart() const;
@@ -110,7 +110,7 @@ private:
   MeshScalars Scalars;
   Fingerprint ScalarsVersion{ 0, 0 };
   StageRecord ScalarsRecord;
-  VisiblePart Visible;
+  VisiblePartFinder Visible;
   StageRecord VisibleRecord;
   Switch EntersVisible; // if its faces are not too many
 };

@@ -2,10 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volume/TransparentShare.h"
 
+#include "Parallel/ParallelFor.h"
+
 #include <algorithm>
+#include <atomic>
 
 namespace tetmarch
 {
+namespace
+{
+
+template <typename Values, typename Predicate>
+double shareOf(const Values& values, const Predicate& has)
+{
+  std::atomic<std::ptrdiff_t> count(0);
+  parallelFor(0, static_cast<vtkIdType>(values.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    { count += std::count_if(values.begin() + begin, values.begin() + end, has); });
+  return static_cast<double>(count) / static_cast<double>(values.size());
+}
+
+} // namespace
 
 double transparentShare(const TetMesh& mesh, const std::vector<float>& cellScalars,
   const ScalarRange& range, const IntegralTable& table)
@@ -22,15 +39,9 @@ double transparentShare(const TetMesh& mesh, const std::vector<float>& cellScala
     const float x = scalar * scale + offset;
     return x <= ranges[0] || x >= ranges[1] || (x >= ranges[2] && x <= ranges[3]);
   };
-  if (!cellScalars.empty())
-  {
-    return static_cast<double>(
-             std::count_if(cellScalars.begin(), cellScalars.end(), isTransparent)) /
-           static_cast<double>(cellScalars.size());
-  }
-  return static_cast<double>(std::count_if(mesh.Vertices.begin(), mesh.Vertices.end(),
-           [&](const Vertex& v) { return isTransparent(v.Scalar); })) /
-         static_cast<double>(mesh.Vertices.size());
+  return cellScalars.empty()
+           ? shareOf(mesh.Vertices, [&](const Vertex& v) { return isTransparent(v.Scalar); })
+           : shareOf(cellScalars, isTransparent);
 }
 
 } // namespace tetmarch
