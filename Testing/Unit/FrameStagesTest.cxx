@@ -4,19 +4,14 @@
 // and for frames that show nothing, and the scene of the CPU reference.
 #include "Frame/FrameScene.h"
 #include "Frame/NothingVisible.h"
-#include "Volume/StructuredVolume.h"
-#include "Volume/TetVolume.h"
 
-#include "ComponentFields.h"
-#include "Shot.h"
+#include "StagedFrame.h"
 
 #include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
-#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
@@ -29,63 +24,18 @@ using namespace tetmarch::testing;
 
 constexpr int Size = 24;
 
-// Scalars from 0 to 1 along x in the unit cube.
-vtkSmartPointer<vtkDataSet> dataOf(const TetVolume&)
-{
-  return jitteredLattice(4, 0.0, 1, [](double x, double, double) { return x; });
-}
-vtkSmartPointer<vtkDataSet> dataOf(const StructuredVolume&)
-{
-  const auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(9, 9, 9);
-  image->SetSpacing(0.125, 0.125, 0.125);
-  vtkNew<vtkDoubleArray> scalars;
-  for (int i = 0; i < 9 * 9 * 9; ++i)
-  {
-    scalars->InsertNextValue(0.125 * (i % 9));
-  }
-  image->GetPointData()->SetScalars(scalars);
-  return image;
-}
-
 template <typename VolumeOf>
-class FrameStagesOf : public ::testing::Test
+class FrameStagesOf
+  : public ::testing::Test
+  , protected StagedFrame<VolumeOf>
 {
 protected:
-  FrameStagesOf()
-  {
-    this->Renderer->SetActiveCamera(Shot().Camera);
-    vtkNew<vtkPiecewiseFunction> opacity;
-    opacity->AddPoint(0.0, 0.1);
-    opacity->AddPoint(1.0, 0.6);
-    vtkNew<vtkColorTransferFunction> colour;
-    colour->AddRGBPoint(0.0, 0.2, 0.4, 1.0);
-    colour->AddRGBPoint(1.0, 1.0, 0.3, 0.1);
-    this->property()->SetScalarOpacity(opacity);
-    this->property()->SetColor(colour);
-    this->Input.Drawn.Volume.Data = this->Data;
-    this->Input.Drawn.Volume.Between = Interpolation::Linear;
-    this->Input.Drawn.Scalars.Array = this->Data->GetPointData()->GetScalars();
-    this->Input.Renderer = this->Renderer;
-    this->Input.Volume = this->Volume;
-  }
-
-  vtkVolumeProperty* property() { return this->Volume->GetProperty(); }
-  StageResult update() { return this->Stages.update(this->Input, {}); }
-
   // How many stages run in one more update.
   std::int64_t newRuns()
   {
     const std::int64_t before = this->Stages.runs();
     EXPECT_TRUE(this->update().isDone());
     return this->Stages.runs() - before;
-  }
-
-  void show(double from, double to)
-  {
-    this->property()->GetScalarOpacity()->RemoveAllPoints();
-    this->property()->GetScalarOpacity()->AddPoint(0.0, from);
-    this->property()->GetScalarOpacity()->AddPoint(1.0, to);
   }
 
   // The error of an update, by its words; the next one without the fault is done.
@@ -111,13 +61,6 @@ protected:
     EXPECT_TRUE(this->update().isDone()) << "after " << words;
     EXPECT_EQ(whyNothingIsVisible(this->Stages), "") << "after " << words;
   }
-
-  VolumeOf Marched;
-  vtkSmartPointer<vtkDataSet> Data = dataOf(Marched);
-  vtkNew<WindowlessRenderer> Renderer;
-  vtkNew<vtkVolume> Volume;
-  FrameInput Input;
-  FrameStages Stages{ Marched };
 };
 
 using Kinds = ::testing::Types<TetVolume, StructuredVolume>;
@@ -131,7 +74,7 @@ TYPED_TEST(FrameStagesOf, RunAgainWhenTheirInputChanged)
   this->Renderer->GetActiveCamera()->SetPosition(3.0, 2.0, 1.0);
   EXPECT_EQ(this->newRuns(), 0);
   EXPECT_EQ(this->Stages.contentVersion(), content);
-  this->show(0.0, 0.5);
+  this->show({ { 0.3, 0.0 }, { 1.0, 0.5 } });
   EXPECT_EQ(this->newRuns(), 2); // tables, and what they show
   EXPECT_NE(this->Stages.contentVersion(), content);
   this->property()->ShadeOn();
@@ -185,23 +128,24 @@ TYPED_TEST(FrameStagesOf, SayWhatIsWrong)
 TYPED_TEST(FrameStagesOf, TellWhyNothingIsVisible)
 {
   auto& drawn = this->Input.Drawn;
-  const auto blend = [&](BlendMode mode)
-  {
-    drawn.Blend.Mode = static_cast<int>(mode);
-    this->Input.Effects.Blend = mode;
-  };
-  const auto composite = [&] { blend(BlendMode::Composite); };
+  const auto composite = [&] { this->blend(BlendMode::Composite); };
   this->expectInvisible(
-    "opacity is 0", [&] { this->show(0.0, 0.0); }, [&] { this->show(0.1, 0.6); });
+    "opacity is 0",
+    [&] {
+      this->show({ { 0.0, 0.0 }, { 1.0, 0.0 } });
+    },
+    [&] {
+      this->show({ { 0.0, 0.1 }, { 1.0, 0.6 } });
+    });
   vtkContourValues* surfaces = this->property()->GetIsoSurfaceValues();
   surfaces->SetNumberOfContours(0);
   this->expectInvisible(
-    "no isosurface values", [&] { blend(BlendMode::IsoSurface); }, composite);
+    "no isosurface values", [&] { this->blend(BlendMode::IsoSurface); }, composite);
   this->expectInvisible(
     "lies among",
     [&]
     {
-      blend(BlendMode::IsoSurface);
+      this->blend(BlendMode::IsoSurface);
       surfaces->SetValue(0, 7.0);
     },
     composite);
@@ -209,16 +153,16 @@ TYPED_TEST(FrameStagesOf, TellWhyNothingIsVisible)
     "at the isosurface values",
     [&]
     {
-      blend(BlendMode::IsoSurface);
+      this->blend(BlendMode::IsoSurface);
       surfaces->SetValue(0, 0.0);
-      this->show(0.0, 1.0);
+      this->show({ { 0.0, 0.0 }, { 1.0, 1.0 } });
     },
     composite);
   this->expectInvisible(
     "AverageIPScalarRange",
     [&]
     {
-      blend(BlendMode::Average);
+      this->blend(BlendMode::Average);
       drawn.Blend.AverageRange = { { 3.0, 4.0 } };
     },
     composite);

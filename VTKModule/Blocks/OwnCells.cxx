@@ -65,9 +65,7 @@ void OwnCells::update(
     return;
   }
   Fingerprint input;
-  add(input, grid);
-  add(input, ghosts.OfCells);
-  add(input, ghosts.OfPoints);
+  add(input, grid); // and its ghost arrays, whose changes are those of the grid
   add(input, scalars);
   if (input == this->MadeFrom)
   {
