@@ -30,6 +30,9 @@ int wholeOf(vec2 halves) { return int(halves.x) + (int(halves.y) << 16); }
 // 0: no entry.
 int faceOf(vec4 next) { return wholeOf(next.yz) - 1; }
 
+// 0 tells that a ray goes on nowhere.
+float notZero(float depth) { return depth == 0.0 ? 1e-30 : depth; }
+
 March marchVisit(PixelRay pixel, real done, INOUT(Traversal) traversal)
 {
   float thicknessPerDepth = thicknessPerDepthAlong(pixel.ray.direction);
@@ -92,7 +95,7 @@ void main()
 #endif
   int face = goesOn ? traversal.entry.face + 1 : 0;
   gl_FragData[0] = vec4(march.begin, march.done, gathered.w, error);
-  gl_FragData[1] = vec4(gathered.rgb, 0.0);
+  gl_FragData[1] = vec4(gathered.rgb, face > 0 ? notZero(traversal.entry.depth) : 0.0);
   gl_FragData[2] = vec4(traversal.entry.depth, halvesOf(face), march.done);
   gl_FragData[3] = vec4(passed, halvesOf(candidateOf(traversal)), 0.0);
 }

@@ -9,7 +9,7 @@ bench() {
   configure "$BUILD" -DBUILD_TESTING=ON
   [[ "${1:-}" == against ]] || build tetmarch-bench
   case "${1:-}" in
-    accuracy | effects | structured | growth | web | against) "bench_$1" "${@:2}" ;;
+    accuracy | effects | structured | growth | interaction | web | against) "bench_$1" "${@:2}" ;;
     *) "$BUILD/bin/tetmarch-bench" "$@" ;;
   esac
 }
@@ -47,6 +47,12 @@ bench_growth() {
   "$BUILD/bin/tetmarch-bench" --datasets lattice:188 --mappers tetmarch --rounds 1 --limit 600 \
     --output "$folder/largest.json" --markdown "$folder/largest.md" "$@"
   "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/growth_chart.py" "$folder" "$folder/growth.json" "$folder/largest.json"
+}
+
+# What the CPU does for a frame, without the GL; the number of cubes along an edge of the lattices, and that of frames.
+bench_interaction() {
+  build tetmarch-interaction
+  "$BUILD/bin/tetmarch-interaction" "$@"
 }
 
 # Pages in a browser beside the mapper and vtk.js, all without a GPU.

@@ -38,6 +38,7 @@ private:
   bool fits(std::uint64_t mostTiles, std::uint64_t mostCandidates) const;
   FaceCorners cornersOf(std::size_t face) const;
   void findFootprints();
+  void findFootprintsOf(std::size_t batch);
   void chooseTiles(std::uint64_t mostTexels);
   template <typename Visit>
   void visitTiles(std::size_t face, const Visit& visit) const;

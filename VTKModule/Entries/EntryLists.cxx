@@ -19,6 +19,7 @@ constexpr std::uint64_t MostCandidates = std::uint64_t(1) << 22;
 constexpr int MostShift = 16; // one tile for the largest picture
 
 constexpr std::size_t FacesOfChunk = 4096;
+constexpr std::size_t FacesOfBatch = 64;
 
 // Pixels of a tile, from its lower left; first and last.
 struct PixelRange
@@ -106,8 +107,26 @@ int EntryListMaker::tilesAlong(int pixels) const
 void EntryListMaker::findFootprints()
 {
   this->Footprints.resize(this->Faces->size());
-  forEach(this->Footprints.size(), [this](std::size_t face)
-    { this->Footprints[face] = this->Projection->footprintOf(this->cornersOf(face)); });
+  forEach((this->Footprints.size() + FacesOfBatch - 1) / FacesOfBatch,
+    [this](std::size_t batch) { this->findFootprintsOf(batch); });
+}
+
+// All vertices are fetched first: the processor waits for many at once.
+void EntryListMaker::findFootprintsOf(std::size_t batch)
+{
+  std::array<std::array<Vertex, 3>, FacesOfBatch> corners;
+  const std::size_t first = batch * FacesOfBatch;
+  const std::size_t count = std::min(FacesOfBatch, this->Footprints.size() - first);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::array<Id, 4>& ids = (*this->Faces)[first + i];
+    corners[i] = { { this->Vertices[ids[0]], this->Vertices[ids[1]], this->Vertices[ids[2]] } };
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto& of = corners[i];
+    this->Footprints[first + i] = this->Projection->footprintOf({ { of.data(), &of[1], &of[2] } });
+  }
 }
 
 // Tiles are about as large as the footprint of a face: lists are short, and a face is in few of

@@ -92,10 +92,10 @@ void FloatTarget::unbindImages() const
   }
 }
 
-std::vector<float> FloatTarget::read(
-  vtkOpenGLRenderWindow* window, int i, const Viewport& part) const
+void FloatTarget::read(
+  vtkOpenGLRenderWindow* window, int i, const Viewport& part, std::vector<float>& pixels) const
 {
-  std::vector<float> pixels(4 * static_cast<std::size_t>(part.Width) * part.Height);
+  pixels.resize(4 * static_cast<std::size_t>(part.Width) * part.Height);
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
@@ -103,7 +103,6 @@ std::vector<float> FloatTarget::read(
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(part.X, part.Y, part.Width, part.Height, GL_RGBA, GL_FLOAT, pixels.data());
   state->PopFramebufferBindings();
-  return pixels;
 }
 
 void FloatTarget::copy(

@@ -42,10 +42,13 @@ public:
   /** The pixels of colour i, rows from the bottom. */
   std::vector<float> read(vtkOpenGLRenderWindow* window, int i) const
   {
-    return this->read(window, i, { 0, 0, this->Width, this->Height });
+    std::vector<float> pixels;
+    this->read(window, i, { 0, 0, this->Width, this->Height }, pixels);
+    return pixels;
   }
   /** Those of a part. */
-  std::vector<float> read(vtkOpenGLRenderWindow* window, int i, const Viewport& part) const;
+  void read(
+    vtkOpenGLRenderWindow* window, int i, const Viewport& part, std::vector<float>& pixels) const;
   /** Copy a part of colour i to colour j of another target of the same size. */
   void copy(
     vtkOpenGLRenderWindow* window, int i, const FloatTarget& to, int j, const Viewport& part) const;

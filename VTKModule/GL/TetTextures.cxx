@@ -84,7 +84,7 @@ std::string TetTextures::upload(vtkOpenGLRenderWindow* window)
 void TetTextures::release(vtkWindow* window)
 {
   this->Mesh.release(window);
-  this->Entries.release(window);
+  this->releaseEntries(window);
   this->Visible.release(window);
   for (Uploaded* part : { &this->Links, &this->Scalars, &this->HiddenCells, &this->VisibleTets })
   {
@@ -97,7 +97,7 @@ void TetTextures::bind(vtkShaderProgram* program, const VariantKey& key)
   this->Mesh.bind(program, key);
   if (key.EntryLists)
   {
-    this->Entries.bind(program);
+    this->Entries[this->Eye].bind(program);
   }
   if (key.VisiblePart)
   {
@@ -109,7 +109,33 @@ void TetTextures::unbind()
 {
   this->Mesh.unbind();
   this->Visible.unbind();
-  this->Entries.unbind();
+  this->Entries[this->Eye].unbind();
+}
+
+void TetTextures::releaseEntries(vtkWindow* window)
+{
+  this->ListMaker = {};
+  for (EntryListTextures& entries : this->Entries)
+  {
+    entries.release(window);
+  }
+}
+
+// A stereo picture has two views by turns: the lists of both are kept.
+void TetTextures::chooseEntries(vtkOpenGLRenderWindow* window, const Fingerprint& version)
+{
+  const int type = window->GetStereoType();
+  const bool oneEye =
+    !window->GetStereoRender() || type == VTK_STEREO_LEFT || type == VTK_STEREO_RIGHT;
+  const std::size_t other = 1 - this->Eye;
+  if (oneEye)
+  {
+    this->Entries[other].release(window);
+  }
+  else if (!this->Entries[this->Eye].holds(version))
+  {
+    this->Eye = other;
+  }
 }
 
 std::string TetTextures::listEntries(vtkOpenGLRenderWindow* window, const VariantKey& key,
@@ -121,7 +147,9 @@ std::string TetTextures::listEntries(vtkOpenGLRenderWindow* window, const Varian
   addAll(version, camera.NormalizedToClip);
   add(version, viewport.Width);
   add(version, viewport.Height);
-  if (this->Entries.holds(version))
+  this->chooseEntries(window, version);
+  EntryListTextures& entries = this->Entries[this->Eye];
+  if (entries.holds(version))
   {
     return {};
   }
@@ -134,7 +162,7 @@ std::string TetTextures::listEntries(vtkOpenGLRenderWindow* window, const Varian
         key.VisiblePart ? this->Volume.visiblePart().Faces : this->Volume.mesh().BoundaryFaces;
       const EntryLists& lists = this->ListMaker.make(this->Volume.limits().TexelsPerBuffer,
         this->Volume.mesh(), faces, camera, viewport.Width, viewport.Height);
-      error = this->Entries.upload(window, lists, version);
+      error = entries.upload(window, lists, version);
     });
   return shortage.empty() ? error : shortage;
 }

@@ -12,6 +12,8 @@
 #include "GL/VisiblePartTextures.h"
 #include "GL/VolumeTextures.h"
 
+#include <array>
+
 namespace tetmarch
 {
 
@@ -32,7 +34,8 @@ public:
   void release(vtkWindow* window) override;
   std::size_t bytes() const override
   {
-    return this->Mesh.bytes() + this->Visible.bytes() + this->Entries.bytes();
+    return this->Mesh.bytes() + this->Visible.bytes() + this->Entries[0].bytes() +
+           this->Entries[1].bytes();
   }
   std::int64_t uploadedBytes() const override
   {
@@ -46,10 +49,12 @@ public:
 
   std::string listEntries(vtkOpenGLRenderWindow* window, const VariantKey& key,
     const Viewport& viewport, const View& camera) override;
-  void releaseEntries(vtkWindow* window) override { this->Entries.release(window); }
+  void releaseEntries(vtkWindow* window) override;
   const StageRecord& entriesRecord() const { return this->EntriesRecord; }
 
 private:
+  void chooseEntries(vtkOpenGLRenderWindow* window, const Fingerprint& version);
+
   const TetVolume& Volume;
   MeshTextures Mesh;
   Uploaded Links;
@@ -58,7 +63,8 @@ private:
   Uploaded VisibleTets;
   VisiblePartTextures Visible;
   EntryListMaker ListMaker;
-  EntryListTextures Entries;
+  std::array<EntryListTextures, 2> Entries; // of both eyes of a stereo picture
+  std::size_t Eye = 0;                      // whose lists are in use
   StageRecord EntriesRecord;
 };
 

@@ -16,6 +16,7 @@ constexpr int ColorsOfTarget = 4;
 constexpr int FirstColorOfRays = 2;
 constexpr double ShareOfFewRays = 1.0 / 16; // of the pixels
 constexpr int MostVisits = 65535;           // of a pixel, as they are sent
+constexpr int PixelsOfRead = 1 << 16;       // read at once
 
 bool showsSomething(const Visit& visit, BlendGroup blend)
 {
@@ -120,17 +121,28 @@ PartStatus VisitPass::collect(const DrawContext& context, MarchPass& march,
   return own;
 }
 
-// Take the visits of a part, and where its rays enter again.
+// Take the visits of a part, and where its rays enter again: some rows at once, so that what is
+// read stays in the caches of the processor.
 void VisitPass::take(
   vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part, VisitLists& lists)
 {
-  const std::vector<float> depths = this->Target.read(window, 0, part);
-  const std::vector<float> colors = this->Target.read(window, 1, part);
-  const std::vector<float> next = this->Target.read(window, FirstColorOfRays, part);
+  const int rows = std::max(PixelsOfRead / part.Width, 1);
+  for (int row = 0; row < part.Height; row += rows)
+  {
+    this->takeRows(window, inputs,
+      { part.X, part.Y + row, part.Width, std::min(rows, part.Height - row) }, lists);
+  }
   for (int i = FirstColorOfRays; i < ColorsOfTarget; ++i)
   {
     this->Target.copy(window, i, this->Rays, i - FirstColorOfRays, part);
   }
+}
+
+void VisitPass::takeRows(
+  vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part, VisitLists& lists)
+{
+  this->Target.read(window, 0, part, this->Depths);
+  this->Target.read(window, 1, part, this->Colors);
   std::size_t i = 0;
   for (int y = part.Y; y < part.Y + part.Height; ++y)
   {
@@ -138,16 +150,17 @@ void VisitPass::take(
     {
       const auto pixel = static_cast<std::uint32_t>((y - this->Rows.FirstRow) * lists.width() + x);
       // Begin and end, which are both 0 where nothing was drawn; transmittance; error.
-      const float* of = &depths[i];
-      const float* color = &colors[i];
+      const float* of = &this->Depths[i];
+      const float* color = &this->Colors[i];
       const Visit visit{ of[0], of[1], { { color[0], color[1], color[2], of[2] } }, of[3] };
       if (visit.End > visit.Begin && showsSomething(visit, inputs.Key.Blend))
       {
         lists.add(pixel, visit);
       }
-      if (next[i + 1] > 0 || next[i + 2] > 0)
+      const float next = color[3]; // depth of the next entry; 0: there is none
+      if (next != 0)
       {
-        this->Next.set(pixel, next[i]);
+        this->Next.set(pixel, next);
       }
       else
       {

@@ -63,9 +63,12 @@ private:
   std::string bind(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const VisitTurn& turn);
   void take(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part,
     VisitLists& lists);
+  void takeRows(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part,
+    VisitLists& lists);
 
-  FloatTarget Target; // of a drawing
-  FloatTarget Rays;   // where each ray is after its last visit
+  FloatTarget Target;                // of a drawing
+  FloatTarget Rays;                  // where each ray is after its last visit
+  std::vector<float> Depths, Colors; // of some rows of the target
   UploadedImage Hidden;
   TileSchedule Tiles;
   Band Rows{ 0, 0 };

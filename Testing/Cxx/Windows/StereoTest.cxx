@@ -241,6 +241,21 @@ TEST_F(Stereo, ABufferForEachEye)
   EXPECT_EQ(this->Shown.Mapper->GetMeshBuilds(), 1);
 }
 
+TEST_F(Stereo, AtRestNothingIsListedAgain)
+{
+  const auto buildsOfFrame = [this]
+  {
+    const auto before = this->Shown.Mapper->GetEntriesBuilds();
+    this->rendered(VTK_STEREO_ANAGLYPH);
+    return this->Shown.Mapper->GetEntriesBuilds() - before;
+  };
+  EXPECT_EQ(buildsOfFrame(), 2);
+  EXPECT_EQ(buildsOfFrame(), 0);
+  this->Shown.camera()->Azimuth(5);
+  EXPECT_EQ(buildsOfFrame(), 2);
+  EXPECT_EQ(buildsOfFrame(), 0);
+}
+
 TEST_F(Stereo, WithSeveralSamplesAPixel)
 {
   this->Shown.Renderer->RemoveAllViewProps();
