@@ -12,7 +12,12 @@
 int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
 {
   SegmentEnds ends = segmentEnds(segment);
+#if TETMARCH_CORNER_SCALARS
+  cell.at = tablePoint(ends.begin); // mostly the scalar has jumped
+  bool loaded = true;
+#else
   bool loaded = isLoaded(ends, cell);
+#endif
   real position = real(0); // the integrated fraction of the segment, 0..1
   real pieces = real(1);   // number of pieces of the rest; the first is tried
   // The loop also ends if numbers are not finite. Otherwise this limit is never reached: after mostTrials pieces are

@@ -32,8 +32,10 @@ real positionWithin(SegmentEnds ends, real fraction)
 #endif
 }
 
+#if !TETMARCH_CORNER_SCALARS
 // Whether the table at the begin was read by the last lookup, as is usual.
 bool isLoaded(SegmentEnds ends, CellInterval cell) { return cell.at.x == ends.begin; }
+#endif
 
 struct SubsegmentMean
 {

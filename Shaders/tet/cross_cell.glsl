@@ -32,10 +32,20 @@ CellInterval beginCellInterval(Ray ray, INOUT(RayPosition) place)
 Crossing crossCell(Ray ray, INOUT(RayPosition) place, INOUT(CellInterval) cell)
 {
   uint tet = place.side.ahead >> 2u;
-  int exitFace = stepThrough(ray, fetchCell(tet), place);
+  uvec4 ahead = fetchCell(tet);
+#if TETMARCH_CORNER_SCALARS
+  vec2 enter = enterTet(ahead, place);
+#else
+  vec2 enter = cell.leave;
+#endif
+  int exitFace = stepThrough(ray, ahead, place);
   keepLastDrawn(cell);
+#if TETMARCH_CORNER_SCALARS && TETMARCH_ISOSURFACES
+  // A jump crosses no value.
+  cell.before = enter.y != cell.leave.y ? vec2(-NO_DEPTH, real(0)) : cell.before;
+#endif
   cell.number = tet;
-  cell.enter = cell.leave;
+  cell.enter = enter;
   cell.leave = intersectionPoint(place.face);
 #if TETMARCH_VERTEX_ATTRIBUTES
   cell.enterAttributes = cell.leaveAttributes;

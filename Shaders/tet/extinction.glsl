@@ -91,7 +91,11 @@ void marchExtinctionToExit(
   while (onward && march.cells < mostSteps)
   {
     uint tet = place.side.ahead >> 2u;
-    int exitFace = stepThrough(ray, fetchCell(tet), place);
+    uvec4 ahead = fetchCell(tet);
+#if TETMARCH_CORNER_SCALARS
+    enter = enterTet(ahead, place);
+#endif
+    int exitFace = stepThrough(ray, ahead, place);
     vec2 leave = intersectionPoint(place.face);
     march.cells = march.cells + 1;
 

@@ -33,6 +33,13 @@ float fetchCellScalar(uint tet) { return BUFFER_TEXEL(cellScalarBuffer, int(tet)
 #endif
 #endif
 
+#if TETMARCH_CORNER_SCALARS
+uniform samplerBuffer cornerScalarBuffer; // per tetrahedron: the scalars of its vertices, which ascend
+#if !TETMARCH_SPLIT_CELLS
+vec4 fetchCornerScalars(uint tet) { return BUFFER_TEXEL(cornerScalarBuffer, int(tet)); }
+#endif
+#endif
+
 #if TETMARCH_COMPONENTS
 uniform samplerBuffer extraScalarBuffer; // per vertex or tetrahedron: up to three extra scalars
 #if !TETMARCH_SPLIT_CELLS || TETMARCH_POINT_SCALARS

@@ -13,7 +13,7 @@ uvec4 fetchCell(uint tet)
   return BUFFER_TEXEL(secondCellBuffer, i - cellsOfFirstBuffer);
 }
 
-#if !TETMARCH_POINT_SCALARS || TETMARCH_CELL_GRADIENTS
+#if !TETMARCH_POINT_SCALARS || TETMARCH_CELL_GRADIENTS || TETMARCH_CORNER_SCALARS
 vec4 fetchOfCell(samplerBuffer first, samplerBuffer second, uint tet)
 {
   int i = int(tet);
@@ -28,6 +28,11 @@ vec4 fetchOfCell(samplerBuffer first, samplerBuffer second, uint tet)
 #if !TETMARCH_POINT_SCALARS
 uniform samplerBuffer secondCellScalarBuffer;
 float fetchCellScalar(uint tet) { return fetchOfCell(cellScalarBuffer, secondCellScalarBuffer, tet).x; }
+#endif
+
+#if TETMARCH_CORNER_SCALARS
+uniform samplerBuffer secondCornerScalarBuffer;
+vec4 fetchCornerScalars(uint tet) { return fetchOfCell(cornerScalarBuffer, secondCornerScalarBuffer, tet); }
 #endif
 
 #if TETMARCH_COMPONENTS && !TETMARCH_POINT_SCALARS

@@ -5,7 +5,21 @@ struct RayPosition
 {
   FaceIntersection face;
   Side side; // of that face
+#if TETMARCH_CORNER_SCALARS
+  real apexScalar; // of the tetrahedron ahead; set by enterTet()
+#endif
 };
+
+#if TETMARCH_CORNER_SCALARS
+// Before stepThrough(): the scalars at the face become those of the tetrahedron ahead. Returns depth and scalar of the
+// ray there.
+vec2 enterTet(uvec4 cell, INOUT(RayPosition) place)
+{
+  place.apexScalar =
+    takeCornerScalars(fetchCornerScalars(place.side.ahead >> 2u), apexOf(cell, place.face.id), place.face);
+  return intersectionPoint(place.face);
+}
+#endif
 
 // Steps through the tetrahedron ahead: the place becomes that before the ray's exit face. Returns the index of that
 // face in the tetrahedron, or -1 like replaceByExit().
@@ -13,7 +27,12 @@ int stepThrough(Ray ray, uvec4 cell, INOUT(RayPosition) place)
 {
   uint apexId = apexOf(cell, place.face.id);
   vec4 apex = fetchVertex(apexId);
-  int exitFace = replaceByExit(place.face, apexId, project(ray, vec3(apex.x, apex.y, apex.z)), apex.w);
+#if TETMARCH_CORNER_SCALARS
+  real scalar = place.apexScalar;
+#else
+  real scalar = apex.w;
+#endif
+  int exitFace = replaceByExit(place.face, apexId, project(ray, vec3(apex.x, apex.y, apex.z)), scalar);
   place.side = sideBehind(cell, place.side, uint(max(exitFace, 0)));
   return exitFace;
 }

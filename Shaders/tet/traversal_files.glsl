@@ -5,6 +5,9 @@
 #include "tet/vertex_attributes.glsl"
 #include "march/stored_scalar.glsl"
 #include "tet/face_intersection.glsl"
+#if TETMARCH_CORNER_SCALARS
+#include "tet/corner_scalars.glsl"
+#endif
 #include "march/linear_scalar.glsl"
 #if TETMARCH_HIDDEN_CELLS
 #include "march/hidden_cells.glsl"

@@ -190,6 +190,18 @@ Grid withRepeatedPoints(vtkUnstructuredGrid* grid)
   return result;
 }
 
+Grid withJumps(vtkUnstructuredGrid* grid, double most, unsigned seed)
+{
+  Grid result = withRepeatedPoints(grid);
+  std::mt19937 generator(seed);
+  vtkDataArray* f = result->GetPointData()->GetScalars();
+  for (vtkIdType i = f->GetNumberOfTuples() / 2; i < f->GetNumberOfTuples(); ++i)
+  {
+    f->SetComponent(i, 0, f->GetComponent(i, 0) + most * (2.0 * uniform(generator) - 1.0));
+  }
+  return result;
+}
+
 Grid joined(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 {
   auto result = Grid::New();

@@ -5,7 +5,6 @@
 #include "Mesh/CoincidentPoints.h"
 
 #include "Mesh/MeshScalars.h"
-#include "Mesh/ScalarJumps.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "UnitMeshes.h"
 
@@ -73,8 +72,9 @@ TetMesh meshOf(vtkUnstructuredGrid* grid)
   std::string error;
   EXPECT_EQ(buildTetMesh(grid, {}, mesh, error, options), BuildStatus::Done) << error;
   const DrawnScalars drawn{ grid->GetPointData()->GetScalars() };
-  EXPECT_FALSE(scalarsJump(drawn, mesh));
-  readScalars(grid, drawn, mesh);
+  const MeshScalars scalars = readScalars(grid, drawn, mesh);
+  EXPECT_FALSE(scalars.Jump);
+  EXPECT_TRUE(scalars.OfCorners.empty());
   return mesh;
 }
 

@@ -29,7 +29,9 @@ protected:
   void expectRuns(int mesh, int scalars)
   {
     EXPECT_EQ(this->Volume.updateGeometry({ this->Data }, {}, {}), "");
-    EXPECT_EQ(this->Volume.updateScalars({ this->Data }, this->Drawn), "");
+    VolumeInput input{ this->Data };
+    input.TakesCorners = this->TakesCorners;
+    EXPECT_EQ(this->Volume.updateScalars(input, this->Drawn), "");
     EXPECT_EQ(this->Volume.meshRecord().Runs, mesh);
     EXPECT_EQ(this->Volume.scalarsRecord().Runs, scalars);
   }
@@ -46,6 +48,7 @@ protected:
 
   Grid Data = jitteredLattice(3, 0.15, 1, sineField());
   DrawnScalars Drawn{ array() };
+  bool TakesCorners = false;
   TetVolume Volume;
 };
 
@@ -73,8 +76,9 @@ TEST_F(TetVolumes, OtherScalarsLeaveTheMesh)
   EXPECT_FALSE(this->Volume.hasCellGradients());
 }
 
-// Points that coincide are one vertex unless their scalars differ by more than rounding.
-TEST_F(TetVolumes, ScalarsThatJumpHaveVerticesOfTheirOwn)
+// Points that coincide are one vertex. If their scalars differ by more than rounding, these are
+// kept for each corner, or the points get vertices of their own.
+TEST_F(TetVolumes, ScalarsThatJumpHaveCornersOrVerticesOfTheirOwn)
 {
   const Id shared = static_cast<Id>(this->Data->GetNumberOfPoints());
   this->Data = withRepeatedPoints(this->Data);
@@ -85,16 +89,23 @@ TEST_F(TetVolumes, ScalarsThatJumpHaveVerticesOfTheirOwn)
   const double value = this->array()->GetComponent(7, 0);
   this->array()->SetComponent(7, 0, value + 0.1);
   this->array()->Modified();
-  this->expectRuns(2, 2);
+  this->TakesCorners = true;
+  this->expectRuns(1, 2);
+  EXPECT_EQ(this->Volume.mesh().Vertices.size(), shared);
+  EXPECT_EQ(this->Volume.scalars().OfCorners.size(), this->Volume.mesh().Tets.size());
+  this->TakesCorners = false;
+  this->expectRuns(2, 3);
   EXPECT_EQ(this->Volume.mesh().Vertices.size(), repeated);
-  this->expectRuns(2, 2);
+  EXPECT_TRUE(this->Volume.scalars().OfCorners.empty());
+  this->expectRuns(2, 3);
   this->Drawn = { this->Data->GetCellData()->GetScalars(), true };
-  this->expectRuns(3, 3);
+  this->expectRuns(3, 5);
   EXPECT_EQ(this->Volume.mesh().Vertices.size(), shared);
   this->array()->SetComponent(7, 0, value * (1 + 1e-15));
   this->Drawn = { this->array() };
-  this->expectRuns(3, 4);
+  this->expectRuns(3, 6);
   EXPECT_EQ(this->Volume.mesh().Vertices.size(), shared);
+  EXPECT_TRUE(this->Volume.scalars().OfCorners.empty());
 }
 
 TEST_F(TetVolumes, AnotherMeshNeedsItsScalars)

@@ -53,6 +53,10 @@ bool isSensible(const VariantKey& k)
          !(several && (!composite || k.ConstantColor)) &&
          !(independent && (k.TransparentRanges || k.GradientOpacity || k.Shading ||
                             k.ShowIllumination || k.ShowGradients)) &&
+         // Corners have one scalar, of points, and vertices no gradient there.
+         !(k.CornerScalars &&
+           (!k.PointScalars || k.Structured || several ||
+             (!k.CellGradients && (k.GradientOpacity || k.Shading || k.ShowGradients)))) &&
          // What is constant is integrated exactly, and has no gradient in a cell.
          !(!k.PointScalars && (k.Adaptive || k.CellGradients)) &&
          !(k.ConstantColor && k.Adaptive && !k.Structured) &&
@@ -157,7 +161,8 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
         const bool searched = name == "BVH" && !asked.EntryLists;
         const bool cut = name == "CLIPPED" && asked.Cropped;
         const bool many = name == "MANY_SLABS" && asked.Slabs && got.hasComponents();
-        ASSERT_TRUE(searched || cut || many) << namesOf(asked) << ": " << name;
+        const bool jumps = name == "CELL_GRADIENTS" && asked.CornerScalars;
+        ASSERT_TRUE(searched || cut || many || jumps) << namesOf(asked) << ": " << name;
       }
       if (feature.isOn(asked) && !feature.isOn(got))
       {
@@ -171,26 +176,28 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 
 // Rays towards the light: of scalars at points or of cells, with what is not finite and with hidden
 // cells or without; past opaque geometry or not, and with gradient opacity of points in two ways,
-// of cells in one, or without. Through a mesh in one part or several, fused or not, in one buffer
-// or two; through a lattice whose planes are even or not, with leaps or without, and whose values
-// are in one texture, in two or in many.
+// of corners and of cells in one, or without. Through a mesh in one part or several, fused or not,
+// in one buffer or two; through a lattice whose planes are even or not, with leaps or without, and
+// whose values are in one texture, in two or in many.
 TEST(VariantKey, LegalKeysAreCounted)
 {
   const std::size_t light = legalLightKeys().size();
+  const std::size_t ofMeshes = 2 * 2 * 2 * 2 * 2 * (3 + 2 + 2);
   const std::size_t ofVolumes = 2 * 2 * 2 * 2 * 2 * (3 + 2);
-  EXPECT_EQ(light, 2 * ofVolumes + 3 * ofVolumes);
-  // Entries are listed or searched for. Of scalars at points or cells, clipped, cropped or whole,
-  // with hidden cells or not; of volumes with opacity by gradients of either kind or without, or of
-  // independent components, with what is not finite or not; or in three other blend modes. Of a
-  // mesh in one buffer or two; or of a lattice, whose planes are even or not, volumes are leapt to
-  // or not, and so are surfaces in trilinear cells; in one texture, two, many.
+  EXPECT_EQ(light, 2 * ofMeshes + 3 * ofVolumes);
+  // Entries are listed or searched for. Of scalars at points, corners or cells, clipped, cropped or
+  // whole, with hidden cells or not; of volumes with opacity by gradients of either kind or
+  // without, or of independent components, with what is not finite or not; or in three other blend
+  // modes. Of a mesh in one buffer or two; or of a lattice, whose planes are even or not, volumes
+  // are leapt to or not, and so are surfaces in trilinear cells; in one texture, two, many.
   const std::size_t picked = legalPickKeys().size();
-  const std::size_t searched = (3 + 2 + 2) * 2 + 3 * 2;
+  const std::size_t searched = (3 + 2 + 2 + 2) * 2 + 3 * 3;
   const std::size_t visible = (3 + 2) * 2 + 1; // of a part of the mesh, or of all of it
   const std::size_t ofTetrahedra = 2 * 3 * 2 * (searched + searched + visible);
+  const std::size_t visibleCorners = 2 * 3 * 2 * (2 * 2 + 1); // of a mesh in one buffer
   const std::size_t ofLattices = 2 * 3 * 2 * ((3 + 2 + 2) * 2 * 2 + (2 + 1) + 2 * 2);
   const std::size_t ofTwoComponents = 2 * 3 * 2 * (2 * 2 * 2); // or more: never in two textures
-  EXPECT_EQ(picked, 2 * ofTetrahedra + 3 * ofLattices - ofTwoComponents);
+  EXPECT_EQ(picked, 2 * ofTetrahedra + visibleCorners + 3 * ofLattices - ofTwoComponents);
   std::cout << "[ MEASURED ] " << legalKeys().size() << " variants of the picture, " << light
             << " of the light at vertices, " << picked << " of what is picked\n";
 }
@@ -247,9 +254,13 @@ TEST(VariantKey, PicksKnowNoLight)
     pick.GradientOpacity = pick.CellGradients = false;
     pick.Components = ComponentGroup::Single;
     pick.Blend = BlendGroup::Composite;
+    // Else there would be more samplers than a GL need have.
+    ASSERT_EQ(
+      pick.VisiblePart, picture.VisiblePart && !(picture.SplitCells && picture.CornerScalars));
+    pick.VisiblePart = false;
     for (bool VariantKey::*same :
       { &VariantKey::Clipped, &VariantKey::Cropped, &VariantKey::HiddenCells, &VariantKey::NanShown,
-        &VariantKey::Leaps, &VariantKey::VisiblePart, &VariantKey::SplitCells })
+        &VariantKey::Leaps, &VariantKey::SplitCells, &VariantKey::CornerScalars })
     {
       ASSERT_EQ(pick.*same, picture.*same) << namesOf(picture);
       pick.*same = false;

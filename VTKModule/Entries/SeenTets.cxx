@@ -32,6 +32,12 @@ ScalarInterval intervalOf(const TetMesh& mesh, const MeshScalars& scalars, std::
   {
     return { scalars.OfCells[tet], scalars.OfCells[tet] };
   }
+  if (!scalars.OfCorners.empty())
+  {
+    const auto ends =
+      std::minmax_element(scalars.OfCorners[tet].begin(), scalars.OfCorners[tet].end());
+    return { *ends.first, *ends.second };
+  }
   // Without branches, which could not be predicted.
   ScalarInterval all{ UndrawnScalar, 0 };
   for (const Id id : mesh.Tets[tet])

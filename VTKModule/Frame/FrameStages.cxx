@@ -51,7 +51,11 @@ StageResult FrameStages::updateScalars(const FrameInput& input, const DrawnScala
 {
   this->Mix = drawn.Mix;
   this->Law = input.Law;
-  std::string error = this->Marched.updateScalars(input.Drawn.Volume, drawn);
+  VolumeInput volume = input.Drawn.Volume;
+  // Gradients at vertices are found by all processes or by none.
+  volume.TakesCorners =
+    !this->Processes || !mayHaveGradients(input.Volume->GetProperty(), input.Effects);
+  std::string error = this->Marched.updateScalars(volume, drawn);
   error = error.empty() ? this->updateBlending(input) : error;
   return error.empty() ? this->updateTables(input) : StageResult{ error };
 }

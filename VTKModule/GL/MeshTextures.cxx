@@ -53,6 +53,7 @@ std::string MeshTextures::uploadScalars(
   {
     error = this->uploadCellScalars(window, scalars.OfCells);
   }
+  error = error.empty() ? this->uploadCornerScalars(window, scalars.OfCorners) : error;
   return error.empty() ? this->uploadExtraScalars(window, scalars.Extra) : error;
 }
 
@@ -65,6 +66,18 @@ std::string MeshTextures::uploadCellScalars(
     return {};
   }
   return this->CellScalars.upload(window, TexelFormat::R32F, scalars.size(),
+    [&](std::size_t begin, std::size_t) { return &scalars[begin]; });
+}
+
+std::string MeshTextures::uploadCornerScalars(
+  vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& scalars)
+{
+  if (scalars.empty())
+  {
+    this->CornerScalars.release(window);
+    return {};
+  }
+  return this->CornerScalars.upload(window, TexelFormat::RGBA32F, scalars.size(),
     [&](std::size_t begin, std::size_t) { return &scalars[begin]; });
 }
 
@@ -130,6 +143,10 @@ void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
   {
     this->CellScalars.bind(program, "cellScalarBuffer", "secondCellScalarBuffer");
   }
+  if (key.CornerScalars)
+  {
+    this->CornerScalars.bind(program, "cornerScalarBuffer", "secondCornerScalarBuffer");
+  }
   if (key.hasComponents())
   {
     this->Extra.bind(program, "extraScalarBuffer", "secondExtraScalarBuffer");
@@ -148,7 +165,8 @@ void MeshTextures::bindBoundary(vtkShaderProgram* program)
 
 void MeshTextures::unbind()
 {
-  for (CellBuffer* buffer : { &this->Cells, &this->CellScalars, &this->Extra })
+  for (CellBuffer* buffer :
+    { &this->Cells, &this->CellScalars, &this->CornerScalars, &this->Extra })
   {
     buffer->unbind();
   }
@@ -161,7 +179,8 @@ void MeshTextures::unbind()
 
 void MeshTextures::release(vtkWindow* window)
 {
-  for (CellBuffer* buffer : { &this->Cells, &this->CellScalars, &this->Extra })
+  for (CellBuffer* buffer :
+    { &this->Cells, &this->CellScalars, &this->CornerScalars, &this->Extra })
   {
     buffer->release(window);
   }
@@ -175,8 +194,8 @@ void MeshTextures::release(vtkWindow* window)
 std::size_t MeshTextures::bytes() const
 {
   return this->Cells.bytes() + this->Boundary.bytes() + this->Hierarchy.bytes() +
-         this->Vertices.bytes() + this->CellScalars.bytes() + this->Extra.bytes() +
-         this->HiddenCellBits.bytes();
+         this->Vertices.bytes() + this->CellScalars.bytes() + this->CornerScalars.bytes() +
+         this->Extra.bytes() + this->HiddenCellBits.bytes();
 }
 
 } // namespace tetmarch

@@ -43,6 +43,8 @@ public:
 
 private:
   std::string uploadCellScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
+  std::string uploadCornerScalars(
+    vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& scalars);
   std::string uploadExtraScalars(vtkOpenGLRenderWindow* window, const ExtraScalars& extra);
 
   CellBuffer Cells;
@@ -50,6 +52,7 @@ private:
   TextureBuffer Hierarchy;
   TextureBuffer Vertices;
   CellBuffer CellScalars;
+  CellBuffer CornerScalars;
   CellBuffer Extra;
   TextureBuffer HiddenCellBits;
   int NumberOfTets = 0;

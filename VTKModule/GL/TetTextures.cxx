@@ -23,6 +23,11 @@ std::vector<BufferSize> TetTextures::bufferSizes() const
     const VisiblePart& visible = this->Volume.visiblePart();
     sizes.push_back({ "faces of what is visible", visible.Faces.size(), sizeof(visible.Faces[0]) });
   }
+  if (!scalars.OfCorners.empty())
+  {
+    sizes.push_back({ "scalars of corners", scalars.OfCorners.size(), sizeof(scalars.OfCorners[0]),
+      MostCellBuffers });
+  }
   if (const std::size_t count = scalars.Extra.count())
   {
     sizes.push_back({ "extra scalars", scalars.Extra.Values.size() / count,
@@ -62,7 +67,7 @@ std::string TetTextures::upload(vtkOpenGLRenderWindow* window)
     [&]
     {
       return sizeof(Vertex) * mesh.Vertices.size() + sizeof(float) * scalars.OfCells.size() +
-             this->Mesh.extraBytes();
+             sizeof(std::array<float, 4>) * scalars.OfCorners.size() + this->Mesh.extraBytes();
     });
   update(
     this->HiddenCells, this->Volume.hiddenVersion(),

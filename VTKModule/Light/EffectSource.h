@@ -37,6 +37,8 @@ public:
   virtual bool storesGradients() const { return true; }
   /** Whether the scalar may vary within a cell, so that cells have gradients. */
   virtual bool hasCellGradients() const = 0;
+  /** Whether vertices have no gradients, since the scalar jumps between cells. */
+  virtual bool needsCellGradients() const { return false; }
   /** Gradients of the stored scalar in the normalised frame: one per cell or per vertex; none if
    * they are not stored. Collective if other processes have pieces of the volume. */
   virtual std::vector<std::array<float, 3>> gradients(bool ofCells, Group* processes) const = 0;

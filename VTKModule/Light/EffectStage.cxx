@@ -90,6 +90,13 @@ EffectOptions usedOptions(const EffectOptions& options)
   return used;
 }
 
+bool mayHaveGradients(vtkVolumeProperty* property, const EffectOptions& options)
+{
+  const EffectOptions used = usedOptions(options);
+  return (used.showsSurfaces() && property->GetShade()) || used.Shown != Subject::Picture ||
+         (used.Blend == BlendMode::Composite && mayHaveGradientOpacity(property));
+}
+
 std::string EffectStage::update(
   vtkRenderer* renderer, vtkVolume* volume, const EffectOptions& options, const EffectInput& input)
 {
@@ -105,8 +112,9 @@ std::string EffectStage::update(
         this->Options.Blend == BlendMode::Composite && mayHaveGradientOpacity(property);
       const bool needed = byGradient || !this->Data.Lights.Sources.empty() ||
                           this->Options.Shown == Subject::Gradients;
-      this->updateGradients(
-        input, needed, options.CellGradients && input.Source->hasCellGradients());
+      this->updateGradients(input, needed,
+        input.Source->needsCellGradients() ||
+          (options.CellGradients && input.Source->hasCellGradients()));
       this->updateGradientOpacity(volume, input, byGradient);
       this->updateStarts(*input.Source, this->Data.Lights.hasVolumeLight());
       this->updateOpaqueShadows(renderer, volume, input);

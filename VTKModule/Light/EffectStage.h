@@ -15,6 +15,7 @@
 
 class vtkRenderer;
 class vtkVolume;
+class vtkVolumeProperty;
 
 namespace tetmarch
 {
@@ -29,6 +30,9 @@ struct EffectInput
   Group* Processes = nullptr;
   std::uintptr_t Generation = 0;
 };
+
+/** Whether the picture may need gradients. */
+bool mayHaveGradients(vtkVolumeProperty* property, const EffectOptions& options);
 
 class EffectStage
 {

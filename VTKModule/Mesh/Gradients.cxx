@@ -69,17 +69,12 @@ struct Field
     return double(this->Scalars[to]) - double(this->Scalars[from]);
   }
 
-  // The tetrahedron has a volume.
   Vector3 gradientIn(Id t) const
   {
     const auto& tet = this->Mesh.Tets[t];
-    System3 system;
-    for (int i = 0; i < 3; ++i)
-    {
-      system.Rows[i] = this->step(tet[0], tet[i + 1]);
-      system.Right[i] = this->change(tet[0], tet[i + 1]);
-    }
-    return system.solution(system.determinant());
+    const auto& of = this->Scalars;
+    return tetmarch::gradientIn(
+      this->Mesh, t, { { of[tet[0]], of[tet[1]], of[tet[2]], of[tet[3]] } });
   }
 };
 
@@ -285,26 +280,6 @@ std::vector<Gradient> vertexGradients(
   const auto takesPart = findWhatTakesPart(mesh, [&](Id t) { return isDrawn(cellScalars[t]); });
   const auto scalars = vertexScalars(mesh, around, takesPart, cellScalars, group);
   return gradientsOf({ mesh, takesPart, scalars }, around, group);
-}
-
-std::vector<Gradient> cellGradients(const TetMesh& mesh)
-{
-  const auto takesPart = findWhatTakesPart(mesh);
-  const auto scalars = scalarsOf(mesh);
-  const Field field{ mesh, takesPart, scalars };
-  std::vector<Gradient> gradients(mesh.Tets.size(), Gradient{});
-  parallelFor(0, static_cast<vtkIdType>(gradients.size()),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType t = first; t < last; ++t)
-      {
-        if (takesPart[t])
-        {
-          gradients[t] = rounded(field.gradientIn(static_cast<Id>(t)));
-        }
-      }
-    });
-  return gradients;
 }
 
 } // namespace tetmarch

@@ -52,9 +52,13 @@ std::vector<Gradient> vertexGradients(const TetMesh& mesh, Group* group = nullpt
 std::vector<Gradient> vertexGradients(
   const TetMesh& mesh, const std::vector<float>& cellScalars, Group* group = nullptr);
 
-/** In each tetrahedron, of point scalars. Exact, since the scalar is linear there. 0 where the
- * tetrahedron is flat or not drawn. */
-std::vector<Gradient> cellGradients(const TetMesh& mesh);
+/** In a tetrahedron that has a volume, of the scalars of its corners. */
+Vector3 gradientIn(const TetMesh& mesh, Id tet, const std::array<float, 4>& scalars);
+
+/** In each tetrahedron, of point scalars or, unless this list is empty, of scalars of its corners.
+ * Exact, since the scalar is linear there. 0 where the tetrahedron is flat or not drawn. */
+std::vector<Gradient> cellGradients(
+  const TetMesh& mesh, const std::vector<std::array<float, 4>>& corners = {});
 
 } // namespace tetmarch
 

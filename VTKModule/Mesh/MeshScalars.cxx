@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MeshScalars.h"
 
-#include "Mesh/ScalarJumps.h"
+#include "Mesh/CornerScalars.h"
 #include "Mesh/TupleValues.h"
 
 #include "vtkCellArray.h"
@@ -82,6 +82,7 @@ public:
     : Grid(grid)
     , Drawn(drawn)
     , Mesh(mesh)
+    , Points(pointsOfSolids(mesh))
   {
   }
 
@@ -129,12 +130,37 @@ private:
   void addFirst()
   {
     const std::vector<double> values = this->valuesOf(this->Drawn.First);
-    this->Made.Range = this->rangeFor(0, values);
+    const std::vector<double> repeated = this->repeatedValues(this->Drawn.First);
+    this->Made.Range = this->rangeFor(0, repeated.empty() ? values : repeated);
     this->Made.OfCells.resize(this->Drawn.OfCells ? values.size() : 0);
     for (std::size_t i = 0; i < values.size(); ++i)
     {
       this->first(i) = storedScalar(values[i], this->Made.Range);
     }
+    const std::vector<float> ofPoints = this->findJumps(repeated, this->Made.Range);
+    if (this->Made.Jump && this->Drawn.Extra.empty() && !this->Mesh.PointsAreSeparate)
+    {
+      this->Made.OfCorners = cornerScalars(this->Grid, this->Mesh, ofPoints);
+    }
+  }
+
+  // The values of all points, if some of them coincide.
+  std::vector<double> repeatedValues(const TupleScalar& scalar) const
+  {
+    return this->Drawn.OfCells ? std::vector<double>()
+                               : scalarsOf(this->Drawn.Array, this->Points, scalar);
+  }
+
+  // The scalars of all points, as they are stored.
+  std::vector<float> findJumps(const std::vector<double>& repeated, const ScalarRange& range)
+  {
+    std::vector<float> ofPoints(repeated.empty() ? 0 : this->Mesh.FirstPoints.size());
+    for (std::size_t i = 0; i < repeated.size(); ++i)
+    {
+      ofPoints[this->Points[i]] = storedScalar(repeated[i], range);
+    }
+    this->Made.Jump = this->Made.Jump || (!ofPoints.empty() && scalarsJump(this->Mesh, ofPoints));
+    return ofPoints;
   }
 
   void addExtra(std::size_t k)
@@ -142,7 +168,11 @@ private:
     const std::size_t count = this->Drawn.Extra.size();
     const std::vector<double> values = this->valuesOf({ false, this->Drawn.Extra[k] });
     const double unit = this->Drawn.ExtraUnit;
-    const ScalarRange range = unit > 0 ? ScalarRange{ 0, unit } : this->rangeFor(k + 1, values);
+    const std::vector<double> repeated = this->repeatedValues({ false, this->Drawn.Extra[k] });
+    const ScalarRange range = unit > 0
+                                ? ScalarRange{ 0, unit }
+                                : this->rangeFor(k + 1, repeated.empty() ? values : repeated);
+    this->findJumps(repeated, range);
     ExtraScalars& extra = this->Made.Extra;
     extra.Ranges.push_back(range);
     extra.Values.resize(count * values.size());
@@ -161,6 +191,7 @@ private:
   vtkUnstructuredGrid* Grid;
   const DrawnScalars& Drawn;
   TetMesh& Mesh;
+  std::vector<Id> Points; // if some coincide
   MeshScalars Made{};
 };
 

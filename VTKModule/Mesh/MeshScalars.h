@@ -17,8 +17,11 @@ namespace tetmarch
 struct MeshScalars
 {
   std::vector<float> OfCells; // the first scalar of each tetrahedron; empty: stored in the vertices
-  ScalarRange Range;          // of the first scalar
-  ExtraScalars Extra;         // of each tetrahedron or of each vertex, likewise
+  std::vector<std::array<float, 4>> OfCorners; // the first scalar of the corners of each
+                                               // tetrahedron, if it jumps and is the only one
+  bool Jump = false;  // points with equal coordinates have different scalars
+  ScalarRange Range;  // of the first scalar
+  ExtraScalars Extra; // of each tetrahedron or of each vertex, likewise
 };
 
 /**

@@ -149,6 +149,7 @@ std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& pr
   mesh.NumberOfPoints = static_cast<vtkIdType>(pointCount);
   mesh.CenterCells = tets.CenterCells;
   mesh.FirstPoints = std::move(tets.FirstPoints);
+  mesh.PointsAreSeparate = piece.SeparatePoints;
   mesh.Report = tets.Report;
   mesh.HasCutCells = tets.HasCutCells;
 

@@ -75,10 +75,11 @@ struct TetMesh
                                 // NumberOfPoints + c: the mean of the points of cell
                                 // CenterCells[c]
   std::vector<Id> CenterCells;
-  std::vector<Id> FirstPoints;   // of the points with equal coordinates, which have one vertex
-                                 // (CoincidentPoints.h); empty if no two coincide
-  bool HasCutCells = false;      // some tetrahedra were cut from cells of other types
-  bool LinksFollowCells = false; // links between tetrahedra do not depend on the points
+  std::vector<Id> FirstPoints;    // of the points with equal coordinates, which have one vertex
+                                  // (CoincidentPoints.h); empty if no two coincide
+  bool PointsAreSeparate = false; // they have vertices of their own all the same
+  bool HasCutCells = false;       // some tetrahedra were cut from cells of other types
+  bool LinksFollowCells = false;  // links between tetrahedra do not depend on the points
   vtkIdType NumberOfPoints = 0;
   VolumeFrame Frame;
   MeshReport Report;

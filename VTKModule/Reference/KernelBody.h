@@ -92,6 +92,7 @@ void useScene(const Scene& scene)
 #else
   useMesh(*scene.Mesh);
   CellScalars = scene.CellScalars ? scene.CellScalars->data() : nullptr;
+  CornerScalars = scene.CornerScalars ? scene.CornerScalars->data() : nullptr;
 #endif
   HiddenCells = scene.Hidden && !scene.Hidden->empty() ? scene.Hidden->data() : nullptr;
   if (scene.NanShown)

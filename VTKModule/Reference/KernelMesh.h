@@ -4,6 +4,7 @@
 
 const TetMesh* Mesh = nullptr;
 const float* CellScalars = nullptr;
+const std::array<float, 4>* CornerScalars = nullptr;
 uint tetCount = 0;
 int bvhNodeCount = 0;
 int bvhReentryNodeCount = 0;
@@ -30,6 +31,11 @@ vec4 fetchBvhNode(int i) const
   return vec4(Real(v[0]), Real(v[1]), Real(v[2]), Real(i % 2 ? n.FirstFace : n.Second));
 }
 Real fetchCellScalar(uint tet) const { return Real(CellScalars[tet]); }
+vec4 fetchCornerScalars(uint tet) const
+{
+  const auto& s = CornerScalars[tet];
+  return vec4(Real(s[0]), Real(s[1]), Real(s[2]), Real(s[3]));
+}
 
 void useMesh(const TetMesh& mesh)
 {

@@ -27,6 +27,7 @@ VariantKey keyOf(const ReferenceScene& scene, const AccuracyLevel& level)
   VariantKey key;
   key.Structured = scene.Cells != nullptr;
   key.PointScalars = scene.Cells ? !scene.Cells->Constant : scene.CellScalars == nullptr;
+  key.CornerScalars = scene.CornerScalars != nullptr;
   key.Adaptive = level.Adaptive;
   key.PointSampled = level.Sampled;
   if (scene.Blend)

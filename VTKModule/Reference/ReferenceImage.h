@@ -20,6 +20,7 @@
 #include "View/RaySamples.h"
 #include "View/View.h"
 
+#include <array>
 #include <vector>
 
 namespace tetmarch
@@ -36,6 +37,8 @@ struct ReferenceScene
   const StoredValues* Values = nullptr; // one for each scalar that is drawn
   const std::vector<float>* CellScalars =
     nullptr; // one a tetrahedron, or nullptr: those of the vertices
+  const std::vector<std::array<float, 4>>* CornerScalars =
+    nullptr; // of each tetrahedron's corners, if those of neighbours differ
   ScalarRange Range;
   bool NanShown = false;               // in the table's colour of scalars that are not finite
   const HiddenCells* Hidden = nullptr; // nullptr: none

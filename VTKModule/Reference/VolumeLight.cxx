@@ -5,6 +5,7 @@
 #include "Parallel/ParallelFor.h"
 #include "Reference/LightRayCellKernel.h"
 #include "Reference/LightRayConstantKernel.h"
+#include "Reference/LightRayCornerGradientKernel.h"
 #include "Reference/LightRayPointGradientKernel.h"
 #include "Reference/LightRayPointKernel.h"
 #include "Reference/LightRayTrilinearGradientKernel.h"
@@ -126,9 +127,10 @@ auto byKernel(const ReferenceScene& scene, const Function& call)
            : ofGradients ? call(LightRayTrilinearGradientKernel<Real>())
                          : call(LightRayTrilinearKernel<Real>());
   }
-  return ofCells       ? call(LightRayCellKernel<Real>())
-         : ofGradients ? call(LightRayPointGradientKernel<Real>())
-                       : call(LightRayPointKernel<Real>());
+  return ofCells               ? call(LightRayCellKernel<Real>())
+         : scene.CornerScalars ? call(LightRayCornerGradientKernel<Real>())
+         : ofGradients         ? call(LightRayPointGradientKernel<Real>())
+                               : call(LightRayPointKernel<Real>());
 }
 
 } // namespace

@@ -12,7 +12,7 @@ namespace
 // Shaders/tet/..._buffers.glsl
 int samplersOfMesh(const VariantKey& key)
 {
-  const int ofCells = 1 + (key.PointScalars ? 0 : 1);
+  const int ofCells = 1 + (key.PointScalars ? 0 : 1) + (key.CornerScalars ? 1 : 0);
   const int extra = key.hasComponents() ? 1 : 0;
   const int split = key.SplitCells ? ofCells + (key.PointScalars ? 0 : extra) : 0;
   return ofCells + extra + split + 2 + (key.Hierarchy ? 1 : 0) + (key.HiddenCells ? 1 : 0) +

@@ -96,7 +96,11 @@ VariantKey VariantKey::filtered() const
   key.HeadlightShadows = key.HeadlightShadows && key.Shading && !key.SingleLight;
   key.Occlusion = key.Occlusion && key.Shading;
   // A scalar of cells has no gradient inside its cells.
-  key.CellGradients = key.CellGradients && key.PointScalars && key.hasGradients();
+  // Where the scalar jumps at vertices, these have no gradient.
+  key.CornerScalars =
+    key.CornerScalars && key.PointScalars && !key.Structured && !key.hasComponents();
+  key.CellGradients =
+    (key.CellGradients || key.CornerScalars) && key.PointScalars && key.hasGradients();
   return key;
 }
 
@@ -171,6 +175,7 @@ VariantKey VariantKey::ofVertexLight(bool reenters) const
   key.ManySlabs = this->ManySlabs;
   key.Leaps = this->Leaps;
   key.SplitCells = this->SplitCells;
+  key.CornerScalars = this->CornerScalars;
   key.PointScalars = this->PointScalars;
   key.HasFma = this->HasFma;
   key.Adaptive = false;
@@ -190,8 +195,10 @@ VariantKey VariantKey::ofPick() const
   VariantKey key = this->ofEntries();
   key.OpaqueDepth = true;
   key.Leaps = this->Leaps;
-  key.VisiblePart = this->VisiblePart;
+  // Else there would be more samplers than a GL need have.
+  key.VisiblePart = this->VisiblePart && !(this->SplitCells && this->CornerScalars);
   key.SplitCells = this->SplitCells;
+  key.CornerScalars = this->CornerScalars;
   key.PointScalars = this->PointScalars;
   // If the scalar is linear, the optical depth of a segment is exact.
   key.Adaptive = this->Structured;

@@ -80,6 +80,8 @@ struct VariantKey
 
   bool VisiblePart = false; // rays enter and leave only visible tetrahedra
   bool SplitCells = false;  // tetrahedra are in two texture buffers
+  /** Each corner of a tetrahedron has its own scalar: those of neighbours may differ. */
+  bool CornerScalars = false;
 
   // Derived conditions, by Shaders/derived_conditions.glsl.
   /** Emission and absorption are integrated. */
@@ -141,7 +143,7 @@ struct VariantKey
      * value. */
     void set(VariantKey& key, bool on) const;
   };
-  static constexpr int NumberOfFeatures = 43;
+  static constexpr int NumberOfFeatures = 44;
   static const std::array<Feature, NumberOfFeatures>& features();
   /** The bits of all features that are on. */
   std::uint64_t bits() const;

@@ -33,6 +33,9 @@ struct VolumeInput
   vtkDataSet* Data = nullptr;
   PieceOptions Piece{};                           // of a mesh
   Interpolation Between = Interpolation::Nearest; // of the values of a lattice
+  /** Scalars of a mesh may jump between its cells; else points with different scalars are separate.
+   */
+  bool TakesCorners = false;
 };
 
 class MarchedVolume : public EffectSource

@@ -5,7 +5,6 @@
 #include "Appearance/Components.h"
 #include "Caching/WithinMemory.h"
 #include "Mesh/Gradients.h"
-#include "Mesh/ScalarJumps.h"
 #include "Mesh/VertexStarts.h"
 #include "Reference/ReferenceImage.h"
 #include "Variants/VariantKey.h"
@@ -49,21 +48,22 @@ std::vector<FiniteRange> TetVolume::rangesOf(vtkDataSet* grid, const DrawnScalar
   return this->Ranges;
 }
 
-std::string TetVolume::updatePoints(const VolumeInput& input, const DrawnScalars& drawn)
+std::string TetVolume::updateScalars(const VolumeInput& input, const DrawnScalars& drawn)
 {
-  bool separate = false;
-  std::string error = withinMemory(
-    "the comparison of points that coincide", [&] { separate = scalarsJump(drawn, this->mesh()); });
+  std::string error = this->readScalars(input, drawn);
+  const bool separate =
+    this->Scalars.Jump && (!input.TakesCorners || this->Scalars.Extra.count() > 0);
   if (error.empty() && separate != this->SeparatePoints)
   {
     this->SeparatePoints = separate;
     error = this->updateGeometry(input, this->Limits, {});
     this->SeparatePoints = separate && error.empty(); // else another array would not be tried
+    error = error.empty() ? this->readScalars(input, drawn) : error;
   }
   return error;
 }
 
-std::string TetVolume::updateScalars(const VolumeInput& input, const DrawnScalars& drawn)
+std::string TetVolume::readScalars(const VolumeInput& input, const DrawnScalars& drawn)
 {
   const Fingerprint version = versionOf(drawn);
   if (version == this->ScalarsInput)
@@ -71,18 +71,13 @@ std::string TetVolume::updateScalars(const VolumeInput& input, const DrawnScalar
     return {};
   }
   this->ScalarsInput.clear();
-  const std::string error = this->updatePoints(input, drawn);
-  if (!error.empty())
-  {
-    return error;
-  }
   const std::string shortage = withinMemory("the scalars",
     [&]
     {
       const StageRecorder recorder(this->ScalarsRecord);
       this->Scalars = {};
-      this->Scalars =
-        readScalars(vtkUnstructuredGrid::SafeDownCast(input.Data), drawn, this->Meshed.mesh());
+      this->Scalars = tetmarch::readScalars(
+        vtkUnstructuredGrid::SafeDownCast(input.Data), drawn, this->Meshed.mesh());
     });
   if (shortage.empty())
   {
@@ -160,6 +155,7 @@ bool TetVolume::entersVisiblePart() const
 void TetVolume::setBits(VariantKey& key) const
 {
   key.PointScalars = this->Scalars.OfCells.empty();
+  key.CornerScalars = !this->Scalars.OfCorners.empty();
   key.Hierarchy = this->mayReenter();
   key.HiddenCells = !this->hiddenCells().empty();
   key.VisiblePart = this->entersVisiblePart();
@@ -169,6 +165,7 @@ void TetVolume::addTo(ReferenceScene& scene) const
 {
   scene.Mesh = &this->mesh();
   scene.CellScalars = this->Scalars.OfCells.empty() ? nullptr : &this->Scalars.OfCells;
+  scene.CornerScalars = this->Scalars.OfCorners.empty() ? nullptr : &this->Scalars.OfCorners;
   scene.Extra = &this->Scalars.Extra;
   scene.Range = this->Scalars.Range;
   scene.Hidden = &this->hiddenCells();
@@ -177,7 +174,7 @@ void TetVolume::addTo(ReferenceScene& scene) const
 std::vector<std::array<float, 3>> TetVolume::gradients(bool ofCells, Group* processes) const
 {
   const std::vector<float>& cellScalars = this->Scalars.OfCells;
-  return ofCells               ? cellGradients(this->mesh())
+  return ofCells               ? cellGradients(this->mesh(), this->Scalars.OfCorners)
          : cellScalars.empty() ? vertexGradients(this->mesh(), processes)
                                : vertexGradients(this->mesh(), cellScalars, processes);
 }

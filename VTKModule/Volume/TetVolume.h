@@ -72,6 +72,7 @@ public:
   Fingerprint scalarsVersion() const override { return this->ScalarsVersion; }
   Fingerprint startsVersion() const override;
   bool hasCellGradients() const override { return this->Scalars.OfCells.empty(); }
+  bool needsCellGradients() const override { return !this->Scalars.OfCorners.empty(); }
   std::vector<std::array<float, 3>> gradients(bool ofCells, Group* processes) const override;
   std::vector<VertexStart> vertexStarts() const override;
   bool startPoint(std::size_t vertex, const VertexStart& start, Vector3& point) const override;
@@ -96,9 +97,7 @@ public:
   const StageRecord& visibleRecord() const { return this->VisibleRecord; }
 
 private:
-  /** Make the mesh again if points that coincide must be separate for these scalars, or no longer.
-   */
-  std::string updatePoints(const VolumeInput& input, const DrawnScalars& drawn);
+  std::string readScalars(const VolumeInput& input, const DrawnScalars& drawn);
 
   ResourceLimits Limits;
   MeshStage Meshed;

@@ -88,6 +88,7 @@ struct MeshScene : Scene
   }
   void drawPoints() { this->Mapper->SetScalarModeToUsePointData(); }
   void drawIndependent() { this->Mapper->SetVectorModeToAllComponents(); }
+  void drawJumps() { this->Data->ShallowCopy(withJumps(this->Data, 0.3)); }
 };
 
 struct LatticeScene : StructuredScene
@@ -104,6 +105,7 @@ struct LatticeScene : StructuredScene
   }
   void drawPoints() { this->property()->SetInterpolationTypeToLinear(); }
   void drawIndependent() { this->property()->IndependentComponentsOn(); }
+  void drawJumps() {}
 };
 
 // How a scene gets each feature by which kernels are chosen.
@@ -140,6 +142,7 @@ std::vector<Way<AnyScene>> ways()
         addLight(scene.Renderer, 3.0, 4.0, 1.5);
       } },
     { "STRUCTURED", [](AnyScene&) {} },
+    { "CORNER_SCALARS", [](AnyScene& scene) { scene.drawJumps(); } },
     { "POINT_SAMPLED", [](AnyScene& scene) { scene.Mapper->SetAccuracyLevelToSampled(); } },
   };
 }

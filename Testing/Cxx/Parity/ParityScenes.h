@@ -69,6 +69,8 @@ public:
       cells ? scene.drawConstantCells() : void();
       check(scene, cells ? "cells" : "points");
     }
+    MeshParity scene(withJumps(gridOf(Shape::Plain), 0.2));
+    check(scene, "corners");
   }
 
   /// At the level that is set.

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/CornerScalars.h"
+
+#include "Parallel/ParallelFor.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace tetmarch
+{
+
+std::vector<Id> pointsOfSolids(const TetMesh& mesh)
+{
+  std::vector<Id> points;
+  points.reserve(mesh.FirstPoints.size());
+  for (std::size_t i = 0; i < mesh.FirstPoints.size(); ++i)
+  {
+    if (mesh.FirstPoints[i] != NoPoint)
+    {
+      points.push_back(static_cast<Id>(i));
+    }
+  }
+  return points;
+}
+
+bool scalarsJump(const TetMesh& mesh, const std::vector<float>& ofPoints)
+{
+  for (std::size_t i = 0; i < mesh.FirstPoints.size(); ++i)
+  {
+    const Id first = mesh.FirstPoints[i];
+    if (first != NoPoint && ofPoints[i] != ofPoints[first])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<std::array<float, 4>> cornerScalars(
+  vtkUnstructuredGrid* grid, const TetMesh& mesh, const std::vector<float>& ofPoints)
+{
+  std::vector<std::array<float, 4>> corners(mesh.Tets.size());
+  vtkCellArray* cells = grid->GetCells();
+  parallelFor(0, static_cast<vtkIdType>(corners.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkNew<vtkIdList> points;
+      for (vtkIdType t = begin; t < end; ++t)
+      {
+        cells->GetCellAtId(mesh.TetCells[t], points);
+        for (std::size_t i = 0; i < 4; ++i)
+        {
+          const Id vertex = mesh.Tets[t][i];
+          corners[t][i] = mesh.Vertices[vertex].Scalar;
+          for (const vtkIdType point : *points)
+          {
+            if (mesh.FirstPoints[point] == mesh.VertexPoints[vertex])
+            {
+              corners[t][i] = ofPoints[point];
+              break;
+            }
+          }
+        }
+      }
+    });
+  return corners;
+}
+
+} // namespace tetmarch
