@@ -60,6 +60,10 @@ Row depthRow(const VolumeFrame& frame, const View& view)
   return row;
 }
 
+// Without branches, which could not be predicted.
+double leastOf(double a, double b, double c) { return std::min(std::min(a, b), c); }
+double greatestOf(double a, double b, double c) { return std::max(std::max(a, b), c); }
+
 int pixelFrom(double x, int least, int most)
 {
   return static_cast<int>(std::min(std::max(x, double(least)), double(most)));
@@ -88,8 +92,8 @@ void ProjectedFace::narrow(int bottom, int top, int& left, int& right) const
         this->Y[from] >= low ? this->X[from] : this->X[from] + (low - this->Y[from]) * slope;
       const double last =
         this->Y[to] <= high ? this->X[to] : this->X[from] + (high - this->Y[from]) * slope;
-      least = std::min({ least, first, last });
-      most = std::max({ most, first, last });
+      least = leastOf(least, first, last);
+      most = greatestOf(most, first, last);
     }
   }
   const int first = left;
@@ -133,7 +137,7 @@ ProjectedFace FaceProjection::project(const FaceCorners& corners) const
     face.X[i] = product(this->ToX, *corners[i]) / w;
     face.Y[i] = product(this->ToY, *corners[i]) / w;
     nearest = std::min(nearest, w);
-    reach = std::max({ reach, std::abs(face.X[i]), std::abs(face.Y[i]) });
+    reach = greatestOf(reach, std::abs(face.X[i]), std::abs(face.Y[i]));
   }
   const double slope = std::max(this->LengthX, this->LengthY) + reach * this->LengthW;
   face.Margin = PixelMargin + double(HierarchyMargin) * slope / nearest;
@@ -143,8 +147,10 @@ ProjectedFace FaceProjection::project(const FaceCorners& corners) const
 Footprint FaceProjection::footprintOf(const FaceCorners& corners) const
 {
   const ProjectedFace face = this->project(corners);
-  const auto [left, right] = std::minmax({ face.X[0], face.X[1], face.X[2] });
-  const auto [bottom, top] = std::minmax({ face.Y[0], face.Y[1], face.Y[2] });
+  const double left = leastOf(face.X[0], face.X[1], face.X[2]);
+  const double right = greatestOf(face.X[0], face.X[1], face.X[2]);
+  const double bottom = leastOf(face.Y[0], face.Y[1], face.Y[2]);
+  const double top = greatestOf(face.Y[0], face.Y[1], face.Y[2]);
   const double area = (face.X[1] - face.X[0]) * (face.Y[2] - face.Y[0]) -
                       (face.X[2] - face.X[0]) * (face.Y[1] - face.Y[0]);
   Footprint footprint;
@@ -166,8 +172,8 @@ Footprint FaceProjection::footprintOf(const FaceCorners& corners) const
   footprint.Right = pixel(last[0], this->LastX);
   footprint.Bottom = pixel(first[1], this->LastY);
   footprint.Top = pixel(last[1], this->LastY);
-  const double nearest = std::min(
-    { this->depthOf(*corners[0]), this->depthOf(*corners[1]), this->depthOf(*corners[2]) });
+  const double nearest =
+    leastOf(this->depthOf(*corners[0]), this->depthOf(*corners[1]), this->depthOf(*corners[2]));
   // One less, since the shader rounds depths.
   footprint.Nearest =
     static_cast<std::uint16_t>(std::min(std::max(std::floor(nearest) - 1, 0.0), MostDepth));
