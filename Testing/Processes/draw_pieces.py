@@ -56,6 +56,17 @@ def hexahedra():
     return grid
 
 
+def with_own_points(grid, most):
+    """Each cell has points of its own; from a plane on, scalars jump by up to `most` between cells."""
+    corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    apart = made_grids.grid_of(made_grids.points_of(grid)[corners], np.arange(len(corners)).reshape(-1, 4))
+    set_waves(apart)
+    values = vtk_to_numpy(apart.GetPointData().GetArray(SCALARS))
+    moves = most * (2 * np.random.RandomState(1).random_sample(len(values)) - 1)
+    values[len(values) // 2:] += moves[len(values) // 2:]
+    return apart
+
+
 def set_waves(grid):
     made_grids.add_array(grid.GetPointData(), SCALARS, made_grids.waves(made_grids.points_of(grid), 1.0, 0))
     made_grids.add_array(grid.GetCellData(), "of_cells", made_grids.waves(made_grids.cell_centres_of(grid), 1.0, 0))
@@ -73,6 +84,9 @@ SCENES = {
     "random_ghosts": {"partition": "random_cells", "ghosts": True},
     "hexahedra": {"grid": hexahedra},
     "random_hexahedra": {"grid": hexahedra, "partition": "random_cells"},
+    "own_points": {"grid": lambda: with_own_points(tetrahedra(), 0.0), "partition": "random_cells"},
+    "jumps": {"grid": lambda: with_own_points(tetrahedra(), 0.2), "partition": "random_cells"},
+    "jumps_isosurface": {"grid": lambda: with_own_points(tetrahedra(), 0.2), "blend": "isosurface"},
     "maximum": {"blend": "maximum"},
     "minimum": {"blend": "minimum", "partition": "random_cells"},
     "average": {"blend": "average"},
