@@ -33,12 +33,13 @@ function componentKind(features)
   return named[Object.keys(named).find((name) => features.has(name))] || "single";
 }
 
-// A sample of the scalars, 0..1: of vertices, of tetrahedra or of an image.
+// A sample of the scalars, 0..1: of vertices, of tetrahedra, of their corners or of an image.
 function scalarsOf({textures, uniforms}, archive)
 {
   const [name, stride, first] = textures.valueTexture         ? ["valueTexture", 1, 0]
                                 : textures["slabTextures[0]"] ? ["slabTextures[0]", 1, 0]
                                 : textures.cellScalarBuffer   ? ["cellScalarBuffer", 1, 0]
+                                : textures.cornerScalarBuffer ? ["cornerScalarBuffer", 1, 0]
                                                               : ["vertexBuffer", 4, 3];
   const row = textures[name];
   const array = archive.array(row.array);
