@@ -29,8 +29,8 @@ Grid withCells32(vtkUnstructuredGrid* grid);
 /// Each cell with points of its own, as programs write whose fields jump between cells.
 Grid withRepeatedPoints(vtkUnstructuredGrid* grid);
 
-/// The same, and the scalars of the second half of the cells move by up to `most` at each corner: they
-/// jump between cells.
+/// The same, and the scalars of the second half of the cells move by up to `most` at each corner:
+/// they jump between cells.
 Grid withJumps(vtkUnstructuredGrid* grid, double most, unsigned seed = 1);
 
 /// The cells of both, first those of a, with their "f" and "c"; no points are merged. No polyhedra.

@@ -3,6 +3,7 @@
 // All combinations of the bits of a variant: distinct defines, and a filter that drops what has no
 // effect, and nothing else.
 #include "LegalKeys.h"
+#include "SensibleKey.h"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -17,76 +18,6 @@ using tetmarch::ComponentGroup;
 using tetmarch::VariantKey;
 
 constexpr int Count = VariantKey::NumberOfFeatures;
-
-// Whether each feature of the key changes something; in the words of the members, one by one.
-bool isSensible(const VariantKey& k)
-{
-  const bool composite = k.Blend == BlendGroup::Composite;
-  const bool ofScalars = k.Blend == BlendGroup::Extreme || k.Blend == BlendGroup::Sum;
-  const bool several = k.Components != ComponentGroup::Single;
-  const bool independent = k.Components == ComponentGroup::Independent;
-  const bool ofLight = k.HeadlightOnly || k.SingleLight || k.WorldLights || k.Scattering ||
-                       k.CastShadows || k.SampledShadows || k.SeveralShadows || k.OpaqueShadows ||
-                       k.HeadlightShadows || k.Occlusion;
-  // Rays come into a lattice by its planes, of which no predicate is asked.
-  const bool ofTetrahedra = k.EntryLists || k.Hierarchy || k.HasFma || k.SplitCells;
-  return !(k.Structured && ofTetrahedra) && !(!k.Structured && (k.Rectilinear || k.Leaps)) &&
-         // All that a ray meets counts; and so do surfaces between cells. Most is transparent where
-         // there are blocks of it.
-         !(k.Leaps && (ofScalars || (!composite && !k.PointScalars))) &&
-         !(k.Structured && k.TransparentRanges && !k.Leaps) &&
-         // Who has no list of where a ray comes into a mesh has to look for it; who has one looks
-         // on the way to lights alone.
-         (k.Structured || k.EntryLists || k.Hierarchy) &&
-         !(k.EntryLists && k.Hierarchy && !k.SampledShadows) &&
-         // Parts of rays end where they are asked to, and aren't counted.
-         !(k.Peeled && (k.OpaqueDepth || k.Diagnostics)) &&
-         // What is cropped may be clipped, too.
-         (k.Clipped || !k.Cropped) &&
-         // Of surfaces alone light and gradients are seen, of scalars alone nothing but they.
-         !(!composite && (k.Adaptive || k.TransparentRanges || k.ConstantColor || k.NanShown ||
-                           k.GradientOpacity || k.Scattering || k.CastShadows ||
-                           k.HeadlightShadows || k.Occlusion)) &&
-         !(ofScalars && (k.Shading || k.ShowIllumination || k.ShowGradients)) &&
-         // Several scalars are mixed in one way, where there is a volume of several colours;
-         // independent ones in no light, and cells that one of them doesn't show another may.
-         !(several && (!composite || k.ConstantColor)) &&
-         !(independent && (k.TransparentRanges || k.GradientOpacity || k.Shading ||
-                            k.ShowIllumination || k.ShowGradients)) &&
-         // Corners have one scalar, of points, and vertices no gradient there.
-         !(k.CornerScalars &&
-           (!k.PointScalars || k.Structured || several ||
-             (!k.CellGradients && (k.GradientOpacity || k.Shading || k.ShowGradients)))) &&
-         // What is constant is integrated exactly, and has no gradient in a cell.
-         !(!k.PointScalars && (k.Adaptive || k.CellGradients)) &&
-         !(k.ConstantColor && k.Adaptive && !k.Structured) &&
-         // No colour of the volume is seen.
-         !(k.ConstantColor && (k.ShowIllumination || k.ShowGradients)) &&
-         // Nothing uses gradients.
-         !(k.CellGradients && !k.GradientOpacity && !k.Shading && !k.ShowGradients) &&
-         // There is no light.
-         !(ofLight && !k.Shading) &&
-         // The only light stands at the eye, and needs no world.
-         !(k.HeadlightOnly && (k.SingleLight || k.WorldLights || k.CastShadows)) &&
-         // Or elsewhere.
-         !(k.SingleLight && (k.SeveralShadows || k.HeadlightShadows)) &&
-         // No shadows to be sampled.
-         !((k.SampledShadows || k.SeveralShadows) && !k.CastShadows) &&
-         // No light that opaque geometry could keep off.
-         !(k.OpaqueShadows && !k.CastShadows) &&
-         // What is sampled is a lattice of one scalar, by one blend mode and with no tolerance.
-         !(k.PointSampled && (!k.Structured || !composite || several || k.Adaptive)) &&
-         // Only values of a lattice lie in several textures, and many are several; so are those of
-         // several scalars.
-         !(k.Slabs && !k.Structured) && !(k.ManySlabs && !k.Slabs) &&
-         !(k.Slabs && several && !k.ManySlabs) &&
-         // What is seen of a mesh is told by one table or by the values of surfaces, and rays come
-         // into that part by lists. What is left of it that isn't seen is little.
-         !(k.VisiblePart && (!k.EntryLists || ofScalars || (!composite && !k.PointScalars) ||
-                              independent || k.TransparentRanges)) &&
-         // Gradients are shown instead of the light.
-         !(k.ShowGradients && (k.Shading || k.ShowIllumination));
-}
 
 TEST(VariantKey, KeysAreEqualIfAllBitsAre)
 {
