@@ -12,9 +12,7 @@ layout(binding = 2) writeonly uniform image2D troubleImage;
 uniform vec4 tilePixels; // x, y, width, height in the images
 
 #include "passes/march_pixel.glsl"
-
-// Morton order, so that invocations in lockstep march side by side.
-ivec2 placeInGroup(uint i) { return ivec2(i & 1u | i >> 1u & 2u | i >> 2u & 4u, i >> 1u & 1u | i >> 2u & 2u | i >> 3u & 4u); }
+#include "passes/group_place.glsl"
 
 void main()
 {

@@ -27,6 +27,7 @@ struct DrawOptions
   const MeasureView* View = nullptr;          // drawn instead of the picture
   BoundaryView Boundary = BoundaryView::None; // the same
   double SampleDistance = 1; // between rays, in pixels; 1 with diagnostics or a view
+  double PixelTolerance = 0; // 0: a ray for each pixel; without a view, peels or processes
   /** A factor of the picture's colours, and what is added to opaque ones; views and diagnostics
    * have the colours before that. */
   std::array<float, 2> ColorWindow{ { 1, 0 } };

@@ -35,6 +35,14 @@ public:
    */
   std::string bind(vtkOpenGLRenderWindow* window, int width, int height, int colors,
     TargetFormat format = TargetFormat::Float32);
+  /** Bind it for drawing as it is. */
+  std::string bindAgain(vtkOpenGLRenderWindow* window)
+  {
+    return this->bind(
+      window, this->Width, this->Height, static_cast<int>(this->Colors.size()), this->Format);
+  }
+  int width() const { return this->Width; }
+  int height() const { return this->Height; }
   /** Let a compute shader write the colours, as images 0, 1 and so on. */
   void bindImages() const;
   void unbindImages() const;

@@ -28,13 +28,19 @@ void coarsen(double sampleDistance, MarchInputs& inputs)
   }
 }
 
+// Whether the picture is marched into a target of its own.
+bool isApart(const MarchInputs& inputs, const DrawOptions& options)
+{
+  return options.SampleDistance > 1 || inputs.ByCompute || inputs.PixelTolerance > 0;
+}
+
 } // namespace
 
 StageResult FramePasses::draw(
   const DrawContext& context, MarchInputs inputs, const DrawOptions& options)
 {
   this->clear();
-  const bool apart = options.SampleDistance > 1 || inputs.ByCompute;
+  const bool apart = isApart(inputs, options);
   this->releaseUnused(context.Window, inputs, options, apart);
   this->Pieces.release(context.Window);
   this->noteVariant(inputs);
@@ -76,7 +82,7 @@ StageResult FramePasses::drawSeen(const DrawContext& context, const Viewport& ar
     return { this->Shown.draw(
       context.Window, inputs.Area, this->Counted.measuresTexture(), *view) };
   }
-  const bool apart = options.SampleDistance > 1 || inputs.ByCompute;
+  const bool apart = isApart(inputs, options);
   result = apart ? this->Apart.draw(context, area, this->March, inputs)
                  : this->March.draw(context, inputs, this->Tiles);
   this->Draws = apart ? this->Apart.numberOfDraws() : this->Tiles.numberOfTiles();

@@ -62,6 +62,8 @@ public:
   const StageRecord& vertexLightRecord() const { return this->Light.record(); }
   /** Whether the last picture looked for light through the volume along each ray. */
   bool samplesShadows() const { return this->LastKey.SampledShadows; }
+  /** Rays of the last picture, if it was adaptive and they were counted; else 0. */
+  std::int64_t tracedRays() const { return this->Apart.tracedRays(); }
   const Diagnostics& counted() const { return this->Counted; }
   /** Depths of opaque geometry, one a pixel, if the last frame used them; else empty. */
   std::vector<float> opaqueDepths(vtkOpenGLRenderWindow* window) const

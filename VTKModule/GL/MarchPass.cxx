@@ -10,6 +10,7 @@
 #include "GL/PeelHooks.h"
 #include "GL/PixelRays.h"
 #include "GL/ProgramCapture.h"
+#include "GL/RayList.h"
 #include "GL/StateScope.h"
 #include "GL/TableTextures.h"
 #include "GL/ThicknessBinding.h"
@@ -103,6 +104,10 @@ void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const View
   {
     bindVisits(program, *inputs.Visits, key);
   }
+  if (inputs.List)
+  {
+    inputs.List->bind(program);
+  }
 }
 
 void unbindInputs(const MarchInputs& inputs)
@@ -123,6 +128,10 @@ void unbindInputs(const MarchInputs& inputs)
     inputs.Visits->NextEntry->Deactivate();
     inputs.Visits->RaySoFar->Deactivate();
     inputs.Visits->Hidden->Deactivate();
+  }
+  if (inputs.List)
+  {
+    inputs.List->unbind();
   }
 }
 
@@ -179,6 +188,25 @@ StageResult MarchPass::drawApart(const DrawContext& context, const FloatTarget& 
     });
 }
 
+StageResult MarchPass::drawListed(
+  const DrawContext& context, FloatTarget& target, const MarchInputs& inputs, TileSchedule& tiles)
+{
+  vtkOpenGLRenderWindow* window = context.Window;
+  const TargetScope state(window, target.width(), target.height());
+  const std::string error = target.bindAgain(window);
+  return StageResult{ error }.then(
+    [&]
+    {
+      return drawInTiles(context,
+        { inputs.List->image(), inputs.MostSecondsPerDraw, inputs.Content }, tiles,
+        [&](const Viewport& tile)
+        {
+          return inputs.ByCompute ? this->dispatchTile(window, inputs, target, tile)
+                                  : this->drawListedTile(window, inputs, target, tile);
+        });
+    });
+}
+
 vtkShaderProgram* MarchPass::use(
   vtkOpenGLRenderWindow* window, const MarchInputs& inputs, std::string& error)
 {
@@ -215,12 +243,30 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   return {};
 }
 
+std::string MarchPass::drawListedTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+  const FloatTarget& target, const Viewport& tile)
+{
+  std::string error;
+  vtkShaderProgram* program = this->Draw.use(
+    window, "passes/listed.vert.glsl", fileOf(VolumePass::Listed), inputs.Key.defines(), error);
+  if (!program)
+  {
+    return error;
+  }
+  bindInputs(program, inputs, { 0, 0, inputs.Area.Width, inputs.Area.Height });
+  program->SetUniformf("rowsOfImage", static_cast<float>(target.height()));
+  drawRectangle(program, this->Draw, { 0, 0, target.width(), target.height() }, tile);
+  unbindInputs(inputs);
+  return {};
+}
+
 std::string MarchPass::dispatchTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
   const FloatTarget& images, const Viewport& tile)
 {
   std::string error;
-  vtkShaderProgram* program =
-    this->Dispatch.use(window, fileOf(VolumePass::MarchByCompute), inputs.Key.defines(), error);
+  vtkShaderProgram* program = this->Dispatch.use(window,
+    fileOf(inputs.List ? VolumePass::ListedByCompute : VolumePass::MarchByCompute),
+    inputs.Key.defines(), error);
   if (!program)
   {
     return error;

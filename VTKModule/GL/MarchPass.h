@@ -22,6 +22,7 @@ namespace tetmarch
 struct CapturedProgram;
 class EffectTextures;
 class FrameStages;
+class RayList;
 class StateScope;
 class TableTextures;
 class VolumeTextures;
@@ -57,6 +58,9 @@ struct MarchInputs
   std::array<float, 2> ColorWindow{ { 1, 0 } };    // unless the key has Diagnostics
   const PeelHooks* Peeling = nullptr;              // if the key is Peeled
   const VisitInputs* Visits = nullptr;             // visits are marched, one after the other
+  const RayList* List = nullptr;                   // its rays are marched, not one a pixel
+  double PixelTolerance = 0;                       // of an adaptive picture; 0: one ray a pixel
+  bool CountsRays = false;                         // of an adaptive picture
   PictureContent Content;                          // of the area
   Fingerprint LightVersion;                        // of light at vertices, as in VertexLightPass
   double MostSecondsPerDraw = 0;                   // 0: no limit
@@ -78,6 +82,10 @@ public:
    * the inputs are ByCompute, by a compute shader. */
   StageResult drawApart(const DrawContext& context, const FloatTarget& target,
     const MarchInputs& inputs, TileSchedule& tiles);
+  /** The colours of the rays of the inputs' List, into a target of our own that has room for the
+   * list as an image. Other texels keep what they have. */
+  StageResult drawListed(const DrawContext& context, FloatTarget& target, const MarchInputs& inputs,
+    TileSchedule& tiles);
   /** Draw nothing, but capture what the fragment shader of the inputs reads. Returns an empty
    * string, or an error. */
   std::string capture(
@@ -91,6 +99,8 @@ private:
     const Viewport& target, const Viewport& tile);
   std::string dispatchTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
     const FloatTarget& images, const Viewport& tile);
+  std::string drawListedTile(vtkOpenGLRenderWindow* window, const MarchInputs& inputs,
+    const FloatTarget& target, const Viewport& tile);
 
   ShaderDraw Draw;
   ComputeDispatch Dispatch;

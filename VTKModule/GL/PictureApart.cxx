@@ -25,17 +25,29 @@ StageResult PictureApart::draw(
 {
   vtkOpenGLRenderWindow* window = context.Window;
   const bool sameSize = inputs.Area.Width == area.Width && inputs.Area.Height == area.Height;
-  const bool enlarged = !inputs.ByCompute || !sameSize;
-  StageResult result;
-  {
-    StateScope state(window);
-    result.Error = this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 1,
-      enlarged ? TargetFormat::Share16 : TargetFormat::Float32);
-    result =
-      result.then([&] { return march.drawApart(context, this->Target, inputs, this->Tiles); });
-  }
+  const bool adaptive = inputs.PixelTolerance > 0;
+  const bool enlarged = !(inputs.ByCompute || adaptive) || !sameSize;
+  StageResult result = adaptive ? this->Adaptive.march(context, march, inputs)
+                                : this->marchWhole(context, march, inputs,
+                                    enlarged ? TargetFormat::Share16 : TargetFormat::Float32);
+  this->Draws = adaptive ? this->Adaptive.numberOfDraws() : this->Tiles.numberOfTiles();
+  this->Traced = adaptive ? this->Adaptive.tracedRays() : 0;
   return result.then(
-    [&] { return StageResult{ this->blend(window, area, this->Target.color(0), enlarged) }; });
+    [&]
+    {
+      vtkTextureObject* picture = adaptive ? this->Adaptive.picture() : this->Target.color(0);
+      return StageResult{ this->blend(window, area, picture, enlarged) };
+    });
+}
+
+// One ray for each pixel of the inputs' area.
+StageResult PictureApart::marchWhole(
+  const DrawContext& context, MarchPass& march, const MarchInputs& inputs, TargetFormat format)
+{
+  const StateScope state(context.Window);
+  StageResult result{ this->Target.bind(
+    context.Window, inputs.Area.Width, inputs.Area.Height, 1, format) };
+  return result.then([&] { return march.drawApart(context, this->Target, inputs, this->Tiles); });
 }
 
 std::string PictureApart::show(vtkOpenGLRenderWindow* window, const Viewport& area, int width,
@@ -99,6 +111,7 @@ void PictureApart::release(vtkWindow* window)
 {
   this->Draw.release();
   this->Target.release(window);
+  this->Adaptive.release(window);
   this->Shown.release(window);
 }
 

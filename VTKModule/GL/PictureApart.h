@@ -5,6 +5,7 @@
 #ifndef TetMarchGLPictureApart_h
 #define TetMarchGLPictureApart_h
 
+#include "GL/AdaptivePicture.h"
 #include "GL/FloatTarget.h"
 #include "GL/MarchPass.h"
 #include "GL/ShaderDraw.h"
@@ -21,7 +22,8 @@ class PictureApart
 public:
   /**
    * March the area of the inputs, and blend the picture over that of the window; interpolated if
-   * the viewport, `area`, is larger. Nothing is blended if it is stopped.
+   * the viewport, `area`, is larger. With a PixelTolerance the picture is adaptive. Nothing is
+   * blended if it is stopped.
    */
   StageResult draw(
     const DrawContext& context, const Viewport& area, MarchPass& march, const MarchInputs& inputs);
@@ -30,13 +32,24 @@ public:
    * transparent and nothing opaque is seen, it gets the depth just before the far plane. */
   std::string show(vtkOpenGLRenderWindow* window, const Viewport& area, int width, int height,
     const std::vector<float>& pixels);
-  int numberOfDraws() const { return this->Tiles.numberOfTiles(); }
-  std::size_t bytes() const { return this->Target.bytes() + this->Shown.bytes(); }
+  int numberOfDraws() const { return this->Draws; }
+  /** Of the last draw(), if it was adaptive and counted them; else 0. */
+  std::int64_t tracedRays() const { return this->Traced; }
+  std::size_t bytes() const
+  {
+    return this->Target.bytes() + this->Adaptive.bytes() + this->Shown.bytes();
+  }
   /** Nothing is known of how long the next draw() takes. */
-  void forgetTimes() { this->Tiles.forget(); }
+  void forgetTimes()
+  {
+    this->Tiles.forget();
+    this->Adaptive.forgetTimes();
+  }
   void release(vtkWindow* window);
 
 private:
+  StageResult marchWhole(
+    const DrawContext& context, MarchPass& march, const MarchInputs& inputs, TargetFormat format);
   std::string blend(
     vtkOpenGLRenderWindow* window, const Viewport& area, vtkTextureObject* picture, bool enlarged);
   std::string drawDepth(
@@ -45,8 +58,11 @@ private:
     vtkTextureObject* picture, const char* shader);
 
   FloatTarget Target;
+  AdaptivePicture Adaptive;
   UploadedImage Shown; // a picture that was made elsewhere
   TileSchedule Tiles;
+  int Draws = 0;
+  std::int64_t Traced = 0;
   ShaderDraw Draw;
 };
 

@@ -109,6 +109,7 @@ public:
   bool isLightComplete() const { return this->Passes.isLightComplete(); }
   const StageRecord& uploadRecord() const { return this->UploadRecord; }
   const StageRecord& vertexLightRecord() const { return this->Passes.vertexLightRecord(); }
+  std::int64_t tracedRays() const { return this->Passes.tracedRays(); }
 
 private:
   void moveTo(vtkOpenGLRenderWindow* window);

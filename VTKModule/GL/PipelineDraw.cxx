@@ -9,6 +9,7 @@
 #include "GL/ErrorQueue.h"
 #include "GL/FirstColorOnly.h"
 #include "GL/PredicateCheck.h"
+#include "GL/RayList.h"
 #include "Reference/RayTrace.h"
 #include "Variants/SamplerCount.h"
 
@@ -98,8 +99,12 @@ MarchInputs Pipeline::inputsOf(
                      marchesByCompute(options.Stage, this->Compute);
   inputs.Area = area;
   const int ofVisits = options.Shared ? SamplersOfVisits : 0;
-  inputs.Key =
-    fittedTo(textureUnits(inputs.ByCompute) - ofVisits, this->keyOf(options, renderer, area));
+  const int units = textureUnits(inputs.ByCompute);
+  inputs.Key = fittedTo(units - ofVisits, this->keyOf(options, renderer, area));
+  const bool fits = samplersOf(inputs.Key) + RayList::Samplers <= units &&
+                    std::int64_t(area.Width) * area.Height < RayList::MostPixels;
+  inputs.PixelTolerance = fits && !options.View ? options.PixelTolerance : 0;
+  inputs.CountsRays = options.Diagnostics;
   inputs.Stages = &this->Stages;
   inputs.Volume = &this->Textures;
   inputs.Tables = &this->TablesOnGpu;

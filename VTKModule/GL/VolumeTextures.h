@@ -26,6 +26,8 @@ enum class VolumePass
 {
   March,
   MarchByCompute,
+  Listed,
+  ListedByCompute,
   Visits,
   Pick,
   VertexLight,
@@ -42,6 +44,10 @@ inline const char* fileOf(VolumePass pass)
       return "passes/march.frag.glsl";
     case VolumePass::MarchByCompute:
       return "passes/march.comp.glsl";
+    case VolumePass::Listed:
+      return "passes/listed.frag.glsl";
+    case VolumePass::ListedByCompute:
+      return "passes/listed.comp.glsl";
     case VolumePass::Visits:
       return "passes/visit.frag.glsl";
     case VolumePass::Pick:

@@ -92,6 +92,7 @@ FrameOptions::FrameOptions(Settings* settings, BlendMode blend, vtkRenderer* ren
 
   this->MarchesPicture = !renderer->GetSelector() && !peeling && !this->Draw.View &&
                          this->Draw.Boundary == BoundaryView::None;
+  this->Draw.PixelTolerance = this->MarchesPicture ? settings->GetPixelTolerance() : 0.0;
 }
 
 void FrameOptions::chooseSampleDistance(

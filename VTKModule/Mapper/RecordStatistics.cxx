@@ -75,6 +75,8 @@ void recordCounters(const Pipelines& pipelines, vtkTetMarchFrameStatistics* stat
   statistics->SetNumberOfRefusedEntries(count(&MarchCounters::Refused));
   statistics->SetNumberOfLostRays(count(&MarchCounters::Lost));
   statistics->SetNumberOfGuardHits(count(&MarchCounters::Guarded));
+  statistics->SetNumberOfTracedRays(
+    sumOf(pipelines, [](const Pipeline& p) { return p.tracedRays(); }));
 }
 
 void recordPipelines(const Pipelines& pipelines, vtkTetMarchFrameStatistics* statistics)

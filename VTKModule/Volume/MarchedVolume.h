@@ -6,6 +6,7 @@
 #define TetMarchVolumeMarchedVolume_h
 
 #include "Budget/ResourceLimits.h"
+#include "Entries/Outlines.h"
 #include "Light/EffectSource.h"
 #include "Mesh/PieceOptions.h"
 #include "Parallel/Progress.h"
@@ -71,6 +72,9 @@ public:
   /** The input cell that contains the point of the normalised frame, given the shader's cell index.
    */
   virtual vtkIdType cellOf(std::uint32_t marched, const Vector3& point) const = 0;
+
+  /** The edges of its boundary, where an outline may be seen. */
+  virtual std::vector<OutlineEdge> outlineEdges() const = 0;
 
   /** Set the bits of the key that say what rays march through. */
   virtual void setBits(VariantKey& key) const = 0;

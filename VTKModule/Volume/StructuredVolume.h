@@ -56,6 +56,10 @@ public:
   double transparentShare(const IntegralTable&) const override { return this->Empty.EmptyShare; }
   /** A cell of the lattice may overlap eight cells of the data. */
   vtkIdType cellOf(std::uint32_t cell, const Vector3& point) const override;
+  std::vector<OutlineEdge> outlineEdges() const override
+  {
+    return outlineEdgesOf(this->Frame.HalfExtent);
+  }
   void setBits(VariantKey& key) const override;
   Fingerprint version() const override;
   std::int64_t runs() const override

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/AdaptivePicture.h"
+
+#include "GL/StateScope.h"
+#include "GL/Uniforms.h"
+
+#include <numeric>
+
+namespace tetmarch
+{
+
+StageResult AdaptivePicture::march(
+  const DrawContext& context, MarchPass& march, const MarchInputs& inputs)
+{
+  const StateScope state(context.Window);
+  this->Traced = 0;
+  StageResult result{ this->Edges.find(context.Window, inputs, FirstSpacing) };
+  result = result.then([&] { return this->traceFirst(context, march, inputs); });
+  SampleGrid grid{ inputs.Area.Width, inputs.Area.Height, FirstSpacing };
+  for (int i = 1; i < NumberOfGrids; ++i)
+  {
+    result = result.then([&] { return this->refine(context, march, inputs, grid, i); });
+    grid = grid.finer();
+  }
+  return result;
+}
+
+StageResult AdaptivePicture::traceFirst(
+  const DrawContext& context, MarchPass& march, MarchInputs inputs)
+{
+  const SampleGrid grid{ inputs.Area.Width, inputs.Area.Height, FirstSpacing };
+  FloatTarget& picture = this->Pictures[0];
+  StageResult result{ this->List.takeAll(context.Window, grid) };
+  result = result.then(
+    [&]
+    {
+      return StageResult{ picture.bind(
+        context.Window, grid.width(), grid.height(), 1, TargetFormat::Share16) };
+    });
+  inputs.List = &this->List;
+  result = result.then([&] { return march.drawListed(context, picture, inputs, this->Tiles[0]); });
+  this->count(context.Window, inputs);
+  return result;
+}
+
+StageResult AdaptivePicture::refine(
+  const DrawContext& context, MarchPass& march, MarchInputs inputs, const SampleGrid& grid, int i)
+{
+  vtkOpenGLRenderWindow* window = context.Window;
+  StageResult result{ this->List.find(window, grid, this->Pictures[i - 1].color(0),
+    this->Edges.texture(grid), inputs.PixelTolerance) };
+  inputs.List = &this->List;
+  // The list does not lie in the picture as the volume does.
+  inputs.Content.Corners = PictureContent().Corners;
+  const Viewport& image = this->List.image();
+  result = result.then(
+    [&]
+    {
+      return StageResult{ this->Listed.bind(
+        window, image.Width, image.Height, 1, TargetFormat::Share16) };
+    });
+  result =
+    result.then([&] { return march.drawListed(context, this->Listed, inputs, this->Tiles[i]); });
+  result = result.then([&] { return StageResult{ this->merge(window, i) }; });
+  this->count(window, inputs);
+  return result;
+}
+
+std::string AdaptivePicture::merge(vtkOpenGLRenderWindow* window, int i)
+{
+  const SampleGrid& grid = this->List.grid();
+  const TargetScope state(window, grid.width(), grid.height());
+  std::string error =
+    this->Pictures[i].bind(window, grid.width(), grid.height(), 1, TargetFormat::Share16);
+  vtkShaderProgram* program = error.empty() ? this->Draw.use(window, "passes/full_view.vert.glsl",
+                                                "passes/merge_rays.frag.glsl", {}, error)
+                                            : nullptr;
+  if (program)
+  {
+    this->List.bindRanks(program);
+    bindImage(program, "coarseTexture", this->Pictures[i - 1].color(0));
+    bindImage(program, "listTexture", this->Listed.color(0));
+    this->Draw.drawTriangles(1);
+    this->Listed.color(0)->Deactivate();
+    this->Pictures[i - 1].color(0)->Deactivate();
+    this->List.unbindRanks();
+  }
+  return error;
+}
+
+void AdaptivePicture::count(vtkOpenGLRenderWindow* window, const MarchInputs& inputs)
+{
+  if (inputs.CountsRays)
+  {
+    this->Traced += this->List.readCount(window);
+  }
+}
+
+int AdaptivePicture::numberOfDraws() const
+{
+  return std::accumulate(this->Tiles.begin(), this->Tiles.end(), 0,
+    [](int draws, const TileSchedule& tiles) { return draws + tiles.numberOfTiles(); });
+}
+
+void AdaptivePicture::forgetTimes()
+{
+  for (TileSchedule& tiles : this->Tiles)
+  {
+    tiles.forget();
+  }
+}
+
+void AdaptivePicture::release(vtkWindow* window)
+{
+  for (FloatTarget& picture : this->Pictures)
+  {
+    picture.release(window);
+  }
+  this->Edges.release(window);
+  this->List.release(window);
+  this->Listed.release(window);
+  this->Draw.release();
+}
+
+std::size_t AdaptivePicture::bytes() const
+{
+  return std::accumulate(this->Pictures.begin(), this->Pictures.end(),
+    this->Edges.bytes() + this->List.bytes() + this->Listed.bytes(),
+    [](std::size_t bytes, const FloatTarget& picture) { return bytes + picture.bytes(); });
+}
+
+} // namespace tetmarch

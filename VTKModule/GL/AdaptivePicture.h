@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A picture with rays where it needs them. First the rays of a coarse grid of pixels are traced,
+// then, on grids of half the spacing each, those between rays that disagree; the other pixels are
+// interpolated. (Bolin and Meyer 1995, "A frequency based ray tracer", and Levoy 1990, "Volume
+// rendering by adaptive refinement", refine pictures like this.)
+#ifndef TetMarchGLAdaptivePicture_h
+#define TetMarchGLAdaptivePicture_h
+
+#include "GL/EdgeCells.h"
+#include "GL/MarchPass.h"
+#include "GL/RayList.h"
+
+#include <array>
+#include <cstdint>
+
+namespace tetmarch
+{
+
+class AdaptivePicture
+{
+public:
+  /** March the area of the inputs with their PixelTolerance. */
+  StageResult march(const DrawContext& context, MarchPass& march, const MarchInputs& inputs);
+  /** The picture of the last march(), of premultiplied colours. */
+  vtkTextureObject* picture() const { return this->Pictures.back().color(0); }
+  /** Rays that were traced, if march() was told to count them; else 0. */
+  std::int64_t tracedRays() const { return this->Traced; }
+  int numberOfDraws() const;
+  void forgetTimes();
+  void release(vtkWindow* window);
+  std::size_t bytes() const;
+
+private:
+  static constexpr int FirstSpacing = 8;
+  static constexpr int NumberOfGrids = 4; // of 8, 4, 2 and 1 pixels
+
+  StageResult traceFirst(const DrawContext& context, MarchPass& march, MarchInputs inputs);
+  StageResult refine(const DrawContext& context, MarchPass& march, MarchInputs inputs,
+    const SampleGrid& grid, int i);
+  std::string merge(vtkOpenGLRenderWindow* window, int i);
+  void count(vtkOpenGLRenderWindow* window, const MarchInputs& inputs);
+
+  std::array<FloatTarget, NumberOfGrids> Pictures; // of the samples of each grid
+  std::array<TileSchedule, NumberOfGrids> Tiles;
+  EdgeCells Edges;
+  RayList List;
+  FloatTarget Listed; // the colours of the list's rays
+  ShaderDraw Draw;
+  std::int64_t Traced = 0;
+};
+
+} // namespace tetmarch
+
+#endif

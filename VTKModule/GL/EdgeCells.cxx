@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/EdgeCells.h"
+
+#include "Frame/FrameStages.h"
+#include "GL/StateScope.h"
+#include "GL/Uniforms.h"
+
+namespace tetmarch
+{
+namespace
+{
+
+constexpr const char* FullView = "passes/full_view.vert.glsl";
+
+std::size_t levelOf(int spacing) { return spacing == 2 ? 0 : (spacing == 4 ? 1 : 2); }
+
+} // namespace
+
+std::string EdgeCells::find(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, int spacing)
+{
+  const MarchedVolume& volume = inputs.Stages->volume();
+  if (volume.geometryVersion() != this->EdgesVersion)
+  {
+    this->Edges = volume.outlineEdges();
+    this->EdgesVersion = volume.geometryVersion();
+  }
+  SampleGrid grid{ inputs.Area.Width, inputs.Area.Height, 2 };
+  if (!this->Outlines.upload(window, grid.width(), grid.height(), 1,
+        outlineCells(this->Edges, inputs.Stages->camera(),
+          { { grid.PictureWidth, grid.PictureHeight } }, 2, grid.width(), grid.height())))
+  {
+    return "The GPU has no room for the outlines of a picture of " +
+           std::to_string(grid.PictureWidth) + " x " + std::to_string(grid.PictureHeight) +
+           " pixels. Close what else uses it, or make the window smaller.";
+  }
+  this->HasDepths = inputs.Depths != nullptr;
+  std::string error = this->HasDepths ? this->drawFinest(window, inputs, grid) : std::string();
+  for (std::size_t level = 1; level <= levelOf(spacing) && error.empty(); ++level)
+  {
+    error = this->drawCoarser(window, level, grid);
+    grid.Spacing *= 2;
+  }
+  return error;
+}
+
+std::string EdgeCells::drawFinest(
+  vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const SampleGrid& grid)
+{
+  const TargetScope state(window, grid.width(), grid.height());
+  std::string error =
+    this->Cells[0].bind(window, grid.width(), grid.height(), 1, TargetFormat::Share16);
+  vtkShaderProgram* program =
+    error.empty() ? this->Draw.use(window, FullView, "passes/edge_cells.frag.glsl", {}, error)
+                  : nullptr;
+  if (program)
+  {
+    grid.bind(program);
+    vtkTextureObject* outlines = this->Outlines.texture();
+    bindImage(program, "outlineTexture", outlines);
+    bindImage(program, "opaqueDepthTexture", inputs.Depths);
+    program->SetUniform2f("depthsPerPixel", inputs.DepthsPerPixel.data());
+    this->Draw.drawTriangles(1);
+    inputs.Depths->Deactivate();
+    outlines->Deactivate();
+  }
+  return error;
+}
+
+// `finer` is the grid of the cells half as large.
+std::string EdgeCells::drawCoarser(
+  vtkOpenGLRenderWindow* window, std::size_t level, const SampleGrid& finer)
+{
+  SampleGrid grid = finer;
+  grid.Spacing *= 2;
+  const TargetScope state(window, grid.width(), grid.height());
+  std::string error =
+    this->Cells[level].bind(window, grid.width(), grid.height(), 1, TargetFormat::Share16);
+  vtkShaderProgram* program = error.empty() ? this->Draw.use(window, FullView,
+                                                "passes/coarser_edge_cells.frag.glsl", {}, error)
+                                            : nullptr;
+  if (program)
+  {
+    const std::array<int, 2> last{ { finer.width() - 1, finer.height() - 1 } };
+    program->SetUniform2i("lastCell", last.data());
+    vtkTextureObject* smaller = this->texture(finer);
+    bindImage(program, "edgeTexture", smaller);
+    this->Draw.drawTriangles(1);
+    smaller->Deactivate();
+  }
+  return error;
+}
+
+vtkTextureObject* EdgeCells::texture(const SampleGrid& grid) const
+{
+  const std::size_t level = levelOf(grid.Spacing);
+  return level == 0 && !this->HasDepths ? this->Outlines.texture() : this->Cells[level].color(0);
+}
+
+void EdgeCells::release(vtkWindow* window)
+{
+  this->Outlines.release(window);
+  for (FloatTarget& cells : this->Cells)
+  {
+    cells.release(window);
+  }
+  this->Draw.release();
+}
+
+std::size_t EdgeCells::bytes() const
+{
+  return this->Outlines.bytes() + this->Cells[0].bytes() + this->Cells[1].bytes() +
+         this->Cells[2].bytes();
+}
+
+} // namespace tetmarch

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GL/RayList.h"
+
+#include "GL/StateScope.h"
+#include "GL/Uniforms.h"
+
+#include <algorithm>
+
+namespace tetmarch
+{
+namespace
+{
+
+constexpr const char* FullView = "passes/full_view.vert.glsl";
+constexpr std::size_t MostLevels = 16; // as in passes/ray_list.glsl
+
+// Rows of the list are about as long as half of those of the picture.
+int squaresShiftFor(const SampleGrid& grid)
+{
+  int shift = 0;
+  while (16 << shift < grid.PictureWidth)
+  {
+    ++shift;
+  }
+  return shift;
+}
+
+// Room for all samples that a grid of every pixel has more than one of every second pixel.
+Viewport imageFor(const SampleGrid& grid)
+{
+  const SampleGrid second{ grid.PictureWidth, grid.PictureHeight, 2 };
+  const int width = 8 << squaresShiftFor(grid);
+  const std::int64_t most = std::int64_t(grid.PictureWidth) * grid.PictureHeight -
+                            std::int64_t(second.width()) * second.height();
+  return { 0, 0, width, std::max(8, static_cast<int>((most + 8 * width - 1) / (8 * width)) * 8) };
+}
+
+} // namespace
+
+std::vector<RayList::Level> RayList::levelsOver(const SampleGrid& grid)
+{
+  std::vector<Level> levels{ { 0, grid.width(), grid.height() } };
+  std::array<int, 2> begin{ { 0, 0 } }; // of the next level among the even and the odd ones
+  do
+  {
+    int& column = begin[levels.size() % 2];
+    const Level& below = levels.back();
+    levels.push_back({ column, (below.Width + 1) / 2, (below.Height + 1) / 2 });
+    column += levels.back().Width;
+  } while (levels.back().Width > 1 || levels.back().Height > 1);
+  return levels;
+}
+
+std::string RayList::takeAll(vtkOpenGLRenderWindow* window, const SampleGrid& grid)
+{
+  this->Grid = grid;
+  this->Levels = { { 0, grid.width(), grid.height() } };
+  this->Image = grid.area();
+  SampleGrid last = grid;
+  last.Spacing = 2;
+  return this->allocate(window, last);
+}
+
+// Room for the lists of this grid and of all coarser ones.
+std::string RayList::allocate(vtkOpenGLRenderWindow* window, const SampleGrid& last)
+{
+  const StateScope state(window);
+  const std::vector<Level> levels = levelsOver(last);
+  std::array<int, 2> width{ { 1, 1 } };
+  std::array<int, 2> height{ { 1, 1 } };
+  for (std::size_t i = 1; i < levels.size(); ++i)
+  {
+    width[i % 2] = std::max(width[i % 2], levels[i].Column + levels[i].Width);
+    height[i % 2] = std::max(height[i % 2], levels[i].Height);
+  }
+  std::string error =
+    this->Disagreement.bind(window, last.width(), last.height(), 1, TargetFormat::Share16);
+  error = error.empty()
+            ? this->NewRays.bind(window, last.width(), last.height(), 1, TargetFormat::Share16)
+            : error;
+  error = error.empty() ? this->Odd.bind(window, width[1], height[1], 1) : error;
+  error = error.empty() ? this->Even.bind(window, width[0], height[0], 1) : error;
+  return error.empty() ? this->Ranks.bind(window, last.width(), last.height(), 1) : error;
+}
+
+std::string RayList::find(vtkOpenGLRenderWindow* window, const SampleGrid& grid,
+  vtkTextureObject* picture, vtkTextureObject* edges, double tolerance)
+{
+  this->Grid = grid.finer();
+  this->Levels = levelsOver(grid);
+  this->Image = imageFor(grid);
+
+  const TargetScope state(window, grid.width(), grid.height());
+  std::string error = this->findDisagreement(window, grid, picture);
+  error = error.empty() ? this->findNewRays(window, grid, edges, tolerance) : error;
+  for (std::size_t level = 1; level < this->Levels.size() && error.empty(); ++level)
+  {
+    const Level& at = this->Levels[level];
+    state->vtkglViewport(at.Column, 0, at.Width, at.Height);
+    error = this->countLevel(window, level);
+  }
+  state->vtkglViewport(0, 0, grid.width(), grid.height());
+  return error.empty() ? this->findRanks(window) : error;
+}
+
+std::string RayList::findDisagreement(
+  vtkOpenGLRenderWindow* window, const SampleGrid& grid, vtkTextureObject* picture)
+{
+  std::string error = this->Disagreement.bindAgain(window);
+  vtkShaderProgram* program =
+    error.empty() ? this->Draw.use(window, FullView, "passes/ray_disagreement.frag.glsl", {}, error)
+                  : nullptr;
+  if (program)
+  {
+    grid.bind(program);
+    bindImage(program, "pictureTexture", picture);
+    this->Draw.drawTriangles(1);
+    picture->Deactivate();
+  }
+  return error;
+}
+
+std::string RayList::findNewRays(
+  vtkOpenGLRenderWindow* window, const SampleGrid& grid, vtkTextureObject* edges, double tolerance)
+{
+  std::string error = this->NewRays.bindAgain(window);
+  vtkShaderProgram* program =
+    error.empty() ? this->Draw.use(window, FullView, "passes/new_rays.frag.glsl", {}, error)
+                  : nullptr;
+  if (program)
+  {
+    grid.bind(program);
+    program->SetUniformf("pixelTolerance", static_cast<float>(tolerance));
+    bindImage(program, "disagreementTexture", this->Disagreement.color(0));
+    bindImage(program, "edgeTexture", edges);
+    this->Draw.drawTriangles(1);
+    edges->Deactivate();
+    this->Disagreement.color(0)->Deactivate();
+  }
+  return error;
+}
+
+std::string RayList::countLevel(vtkOpenGLRenderWindow* window, std::size_t level)
+{
+  std::string error = this->targetOf(level).bindAgain(window);
+  vtkShaderProgram* program =
+    error.empty() ? this->Draw.use(window, FullView, "passes/ray_counts.frag.glsl", {}, error)
+                  : nullptr;
+  if (program)
+  {
+    const bool areBits = level == 1;
+    const Level& below = this->Levels[level - 1];
+    const std::array<int, 2> size{ { below.Width, below.Height } };
+    vtkTextureObject* texture =
+      areBits ? this->NewRays.color(0) : this->targetOf(level - 1).color(0);
+    bindImage(program, "belowTexture", texture);
+    program->SetUniformi("belowAreBits", areBits ? 1 : 0);
+    program->SetUniform2i("belowSize", size.data());
+    program->SetUniformi("belowColumn", below.Column);
+    program->SetUniformi("column", this->Levels[level].Column);
+    this->Draw.drawTriangles(1);
+    texture->Deactivate();
+  }
+  return error;
+}
+
+std::string RayList::findRanks(vtkOpenGLRenderWindow* window)
+{
+  std::string error = this->Ranks.bindAgain(window);
+  vtkShaderProgram* program =
+    error.empty() ? this->Draw.use(window, FullView, "passes/ray_ranks.frag.glsl", {}, error)
+                  : nullptr;
+  if (program)
+  {
+    this->bind(program);
+    this->Draw.drawTriangles(1);
+    this->unbind();
+  }
+  return error;
+}
+
+void RayList::bindRanks(vtkShaderProgram* program) const
+{
+  this->Grid.bind(program);
+  program->SetUniformi("squaresShift", squaresShiftFor(this->Grid));
+  bindImage(program, "rankTexture", this->Ranks.color(0));
+}
+
+void RayList::bind(vtkShaderProgram* program) const
+{
+  this->Grid.bind(program);
+  std::array<int, MostLevels> columns{};
+  for (std::size_t i = 0; i < std::min(MostLevels, this->Levels.size()); ++i)
+  {
+    columns[i] = this->Levels[i].Column;
+  }
+  program->SetUniform1iv("countColumns", MostLevels, columns.data());
+  program->SetUniformi("numberOfLevels", static_cast<int>(this->Levels.size()) - 1);
+  program->SetUniformi("squaresShift", squaresShiftFor(this->Grid));
+  bindImage(program, "newRayTexture", this->NewRays.color(0));
+  bindImage(program, "oddCountTexture", this->Odd.color(0));
+  bindImage(program, "evenCountTexture", this->Even.color(0));
+}
+
+void RayList::unbind() const
+{
+  this->NewRays.color(0)->Deactivate();
+  this->Odd.color(0)->Deactivate();
+  this->Even.color(0)->Deactivate();
+}
+
+std::int64_t RayList::readCount(vtkOpenGLRenderWindow* window)
+{
+  const std::size_t top = this->Levels.size() - 1;
+  if (top == 0)
+  {
+    return std::int64_t(this->Grid.width()) * this->Grid.height();
+  }
+  const std::vector<float> sums =
+    this->targetOf(top).read(window, 0, { this->Levels[top].Column, 0, 1, 1 });
+  return static_cast<std::int64_t>(sums[3]);
+}
+
+void RayList::release(vtkWindow* window)
+{
+  this->Disagreement.release(window);
+  this->NewRays.release(window);
+  this->Odd.release(window);
+  this->Even.release(window);
+  this->Ranks.release(window);
+  this->Draw.release();
+}
+
+} // namespace tetmarch
