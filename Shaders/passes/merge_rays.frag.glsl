@@ -11,18 +11,33 @@ uniform sampler2D listTexture;   // the colours of the list's rays
 
 vec4 coarseAt(ivec2 at) { return texelFetch(coarseTexture, at, 0); }
 
-// Halfway between the samples `before` and `before + step`; odd columns and rows are between two of the coarser grid. Where
-// the row of samples ends, or their last distance is another one, between two samples.
-vec4 interpolated(ivec2 before, ivec2 step)
+// The position between the samples of a cell of the coarser grid, 0..1: in the middle, but in the last cells of a row
+// or column, which may be smaller.
+vec2 positionIn(ivec2 coarse, ivec2 at)
+{
+  vec2 begin = vec2(pixelOfSample(2 * coarse));
+  vec2 end = vec2(pixelOfSample(2 * coarse + 2));
+  return (vec2(pixelOfSample(at)) - begin) / max(end - begin, 1.0);
+}
+
+// Among four samples in a row, in the middle of a cell in both diagonals; between the nearest where they don't exist or
+// are not evenly spaced.
+vec4 interpolated(ivec2 at, ivec2 coarse, ivec2 odd)
 {
   ivec2 last = lastSample + 1 >> 1;
-  ivec2 farBefore = before - step;
-  ivec2 farAfter = before + 2 * step;
-  bool isInside = all(greaterThanEqual(min(farBefore, farAfter), ivec2(0))) && all(lessThan(max(farBefore, farAfter), last));
-  vec4 begin = coarseAt(before);
-  vec4 end = coarseAt(clamp(before + step, ivec2(0), last));
-  vec4 amongFour = colorAmongFour(coarseAt(max(farBefore, ivec2(0))), begin, end, coarseAt(clamp(farAfter, ivec2(0), last)));
-  return isInside ? amongFour : colorBetween(begin, end);
+  ivec2 opposite = min(coarse + odd, last);
+  vec4 here = coarseAt(coarse);
+  vec4 right = coarseAt(ivec2(opposite.x, coarse.y));
+  vec4 above = coarseAt(ivec2(coarse.x, opposite.y));
+  vec4 rightAbove = coarseAt(opposite);
+  vec2 weight = positionIn(coarse, at);
+  vec4 linear = mix(mix(here, right, weight.x), mix(above, rightAbove, weight.x), weight.y);
+  ivec2 low = max(coarse - odd, ivec2(0));
+  ivec2 high = min(coarse + 2 * odd, last);
+  vec4 cubic = 0.5 * (colorAmongFour(coarseAt(low), here, rightAbove, coarseAt(high)) +
+    colorAmongFour(coarseAt(ivec2(high.x, low.y)), right, above, coarseAt(ivec2(low.x, high.y))));
+  bool isEven = all(greaterThanEqual(coarse, odd)) && all(lessThan(coarse + 2 * odd, last));
+  return isEven ? cubic : linear;
 }
 
 void main()
@@ -37,8 +52,5 @@ void main()
   int before = newRays & (odd.y == 0 ? 0 : (odd.x == 0 ? 1 : 3));
   int ray = int(rank.x) + (before & 1) + (before >> 1);
   vec4 traced = texelFetch(listTexture, isTraced ? texelOfRay(ray) : ivec2(0), 0);
-  vec4 between = interpolated(coarse, odd);
-  // In the middle of a cell along both diagonals.
-  vec4 across = interpolated(coarse + ivec2(odd.x * odd.y, 0), ivec2(odd.x * (1 - 2 * odd.y), odd.y));
-  gl_FragData[0] = isTraced ? traced : 0.5 * (between + across);
+  gl_FragData[0] = isTraced ? traced : interpolated(at, coarse, odd);
 }

@@ -34,8 +34,10 @@ void main()
   ofCellBelow = max(ofCellBelow, edgeAt(at - ivec2(0, 1)));
   ofCellLeft = max(ofCellLeft, edgeAt(at - ivec2(1, 0)));
   bvec3 isTraced = greaterThan(vec3(max(ofCell, ofCellBelow), max(ofCell, ofCellLeft), ofCell), vec3(pixelTolerance));
-  // The last sample of an axis has no new neighbour there.
+  // The last sample of an axis has no new neighbour there, and may itself not be one of the finer grid.
   bvec2 has = lessThan(at, lastSample);
-  int bits = (isTraced.x && has.x ? 1 : 0) + (isTraced.y && has.y ? 2 : 0) + (isTraced.z && has.x && has.y ? 4 : 0);
+  bvec2 stays = lessThan((2 * at - 1) * (spacing / 2), lastPixel);
+  int bits = (isTraced.x && has.x && stays.y ? 1 : 0) + (isTraced.y && has.y && stays.x ? 2 : 0) +
+    (isTraced.z && has.x && has.y ? 4 : 0);
   gl_FragData[0] = vec4(float(bits) / 7.0, 0.0, 0.0, 0.0);
 }

@@ -1,8 +1,6 @@
-// A colour halfway between samples, predicted from two or four of them in a row. The four are those of the cubic
-// polynomial through them (Deslauriers and Dubuc 1989, "Symmetric iterative interpolation processes").
-vec4 colorBetween(vec4 before, vec4 after) { return 0.5 * (before + after); }
-
-vec4 colorAmongFour(vec4 farBefore, vec4 before, vec4 after, vec4 farAfter)
+// The colour halfway between the second and the third of four samples in a row, by the cubic polynomial through them
+// (Deslauriers and Dubuc 1989, "Symmetric iterative interpolation processes").
+vec4 colorAmongFour(vec4 first, vec4 second, vec4 third, vec4 fourth)
 {
-  return 0.5625 * (before + after) - 0.0625 * (farBefore + farAfter);
+  return 0.5625 * (second + third) - 0.0625 * (first + fourth);
 }

@@ -58,7 +58,7 @@ int firstRayOf(ivec2 coarse)
 }
 
 // Number of rows of the image that have rays.
-int rowsOfList() { return 8 * ((countOfList() + (64 << squaresShift) - 1) >> 6 + squaresShift); }
+int rowsOfList() { return 8 * ((countOfList() + (64 << squaresShift) - 1) >> (6 + squaresShift)); }
 
 // The pixel whose ray is at a texel of the image. False if there is none.
 bool findListedPixel(ivec2 at, out ivec2 pixel)

@@ -27,6 +27,14 @@ StageResult PictureApart::draw(
   const bool sameSize = inputs.Area.Width == area.Width && inputs.Area.Height == area.Height;
   const bool adaptive = inputs.PixelTolerance > 0;
   const bool enlarged = !(inputs.ByCompute || adaptive) || !sameSize;
+  if (adaptive)
+  {
+    this->Target.release(window);
+  }
+  else
+  {
+    this->Adaptive.release(window);
+  }
   StageResult result = adaptive ? this->Adaptive.march(context, march, inputs)
                                 : this->marchWhole(context, march, inputs,
                                     enlarged ? TargetFormat::Share16 : TargetFormat::Float32);

@@ -26,13 +26,13 @@ int squaresShiftFor(const SampleGrid& grid)
   return shift;
 }
 
-// Room for all samples that a grid of every pixel has more than one of every second pixel.
+// Room for all pixels but those with two even coordinates, which are samples of the coarser grid.
 Viewport imageFor(const SampleGrid& grid)
 {
-  const SampleGrid second{ grid.PictureWidth, grid.PictureHeight, 2 };
   const int width = 8 << squaresShiftFor(grid);
-  const std::int64_t most = std::int64_t(grid.PictureWidth) * grid.PictureHeight -
-                            std::int64_t(second.width()) * second.height();
+  const std::int64_t most =
+    std::int64_t(grid.PictureWidth) * grid.PictureHeight -
+    std::int64_t((grid.PictureWidth + 1) / 2) * ((grid.PictureHeight + 1) / 2);
   return { 0, 0, width, std::max(8, static_cast<int>((most + 8 * width - 1) / (8 * width)) * 8) };
 }
 
