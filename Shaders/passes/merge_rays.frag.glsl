@@ -8,6 +8,7 @@
 uniform sampler2D coarseTexture; // the samples of the coarser grid
 uniform sampler2D rankTexture;   // of them: passes/ray_ranks.frag.glsl
 uniform sampler2D listTexture;   // the colours of the list's rays
+uniform ivec2 corner;            // of the picture in the target
 
 vec4 coarseAt(ivec2 at) { return texelFetch(coarseTexture, at, 0); }
 
@@ -42,7 +43,7 @@ vec4 interpolated(ivec2 at, ivec2 coarse, ivec2 odd)
 
 void main()
 {
-  ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = ivec2(gl_FragCoord.xy) - corner;
   ivec2 coarse = at >> 1;
   ivec2 odd = at & 1;
   vec2 rank = texelFetch(rankTexture, coarse, 0).xy;

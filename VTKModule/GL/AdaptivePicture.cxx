@@ -62,22 +62,41 @@ StageResult AdaptivePicture::refine(
     });
   result =
     result.then([&] { return march.drawListed(context, this->Listed, inputs, this->Tiles[i]); });
-  result = result.then([&] { return StageResult{ this->merge(window, i) }; });
+  if (i < NumberOfGrids - 1)
+  {
+    result = result.then([&] { return StageResult{ this->merge(window, i) }; });
+  }
   this->count(window, inputs);
   return result;
 }
 
 std::string AdaptivePicture::merge(vtkOpenGLRenderWindow* window, int i)
 {
-  const SampleGrid& grid = this->List.grid();
-  const TargetScope state(window, grid.width(), grid.height());
-  std::string error =
-    this->Pictures[i].bind(window, grid.width(), grid.height(), 1, TargetFormat::Share16);
-  vtkShaderProgram* program = error.empty() ? this->Draw.use(window, "passes/full_view.vert.glsl",
-                                                "passes/merge_rays.frag.glsl", {}, error)
-                                            : nullptr;
+  const Viewport area = this->List.grid().area();
+  const TargetScope state(window, area.Width, area.Height);
+  const std::string error =
+    this->Pictures[i].bind(window, area.Width, area.Height, 1, TargetFormat::Share16);
+  return error.empty() ? this->drawMerged(window, i, area) : error;
+}
+
+std::string AdaptivePicture::blend(vtkOpenGLRenderWindow* window, const Viewport& area)
+{
+  StateScope state(window);
+  blendPremultiplied(state);
+  this->Pictures.back().release(window);
+  return this->drawMerged(window, NumberOfGrids - 1, area);
+}
+
+// Into the bound framebuffer.
+std::string AdaptivePicture::drawMerged(vtkOpenGLRenderWindow* window, int i, const Viewport& area)
+{
+  std::string error;
+  vtkShaderProgram* program =
+    this->Draw.use(window, "passes/full_view.vert.glsl", "passes/merge_rays.frag.glsl", {}, error);
   if (program)
   {
+    const std::array<int, 2> corner{ { area.X, area.Y } };
+    program->SetUniform2i("corner", corner.data());
     this->List.bindRanks(program);
     bindImage(program, "coarseTexture", this->Pictures[i - 1].color(0));
     bindImage(program, "listTexture", this->Listed.color(0));

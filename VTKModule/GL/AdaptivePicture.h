@@ -22,7 +22,13 @@ class AdaptivePicture
 public:
   /** March the area of the inputs with their PixelTolerance. */
   StageResult march(const DrawContext& context, MarchPass& march, const MarchInputs& inputs);
-  /** The picture of the last march(), of premultiplied colours. */
+  /** Blend the picture of the last march() over that of the window. */
+  std::string blend(vtkOpenGLRenderWindow* window, const Viewport& area);
+  /** Or make a texture of it, of premultiplied colours. Returns an empty string or an error. */
+  std::string makePicture(vtkOpenGLRenderWindow* window)
+  {
+    return this->merge(window, NumberOfGrids - 1);
+  }
   vtkTextureObject* picture() const { return this->Pictures.back().color(0); }
   /** Rays that were traced, if march() was told to count them; else 0. */
   std::int64_t tracedRays() const { return this->Traced; }
@@ -39,6 +45,7 @@ private:
   StageResult refine(const DrawContext& context, MarchPass& march, MarchInputs inputs,
     const SampleGrid& grid, int i);
   std::string merge(vtkOpenGLRenderWindow* window, int i);
+  std::string drawMerged(vtkOpenGLRenderWindow* window, int i, const Viewport& area);
   void count(vtkOpenGLRenderWindow* window, const MarchInputs& inputs);
 
   std::array<FloatTarget, NumberOfGrids> Pictures; // of the samples of each grid

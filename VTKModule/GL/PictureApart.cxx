@@ -26,26 +26,38 @@ StageResult PictureApart::draw(
   vtkOpenGLRenderWindow* window = context.Window;
   const bool sameSize = inputs.Area.Width == area.Width && inputs.Area.Height == area.Height;
   const bool adaptive = inputs.PixelTolerance > 0;
-  const bool enlarged = !(inputs.ByCompute || adaptive) || !sameSize;
+  const bool enlarged = !inputs.ByCompute || !sameSize;
+  StageResult result;
   if (adaptive)
   {
     this->Target.release(window);
+    result = this->Adaptive.march(context, march, inputs);
   }
   else
   {
     this->Adaptive.release(window);
+    result = this->marchWhole(
+      context, march, inputs, enlarged ? TargetFormat::Share16 : TargetFormat::Float32);
   }
-  StageResult result = adaptive ? this->Adaptive.march(context, march, inputs)
-                                : this->marchWhole(context, march, inputs,
-                                    enlarged ? TargetFormat::Share16 : TargetFormat::Float32);
   this->Draws = adaptive ? this->Adaptive.numberOfDraws() : this->Tiles.numberOfTiles();
   this->Traced = adaptive ? this->Adaptive.tracedRays() : 0;
   return result.then(
     [&]
     {
-      vtkTextureObject* picture = adaptive ? this->Adaptive.picture() : this->Target.color(0);
-      return StageResult{ this->blend(window, area, picture, enlarged) };
+      return StageResult{ adaptive ? this->blendAdaptive(window, area, sameSize)
+                                   : this->blend(window, area, this->Target.color(0), enlarged) };
     });
+}
+
+std::string PictureApart::blendAdaptive(
+  vtkOpenGLRenderWindow* window, const Viewport& area, bool sameSize)
+{
+  if (sameSize)
+  {
+    return this->Adaptive.blend(window, area);
+  }
+  const std::string error = this->Adaptive.makePicture(window);
+  return error.empty() ? this->blend(window, area, this->Adaptive.picture(), true) : error;
 }
 
 // One ray for each pixel of the inputs' area.

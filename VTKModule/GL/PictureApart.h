@@ -50,6 +50,7 @@ public:
 private:
   StageResult marchWhole(
     const DrawContext& context, MarchPass& march, const MarchInputs& inputs, TargetFormat format);
+  std::string blendAdaptive(vtkOpenGLRenderWindow* window, const Viewport& area, bool sameSize);
   std::string blend(
     vtkOpenGLRenderWindow* window, const Viewport& area, vtkTextureObject* picture, bool enlarged);
   std::string drawDepth(
