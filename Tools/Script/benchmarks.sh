@@ -9,7 +9,7 @@ bench() {
   configure "$BUILD" -DBUILD_TESTING=ON
   [[ "${1:-}" == against ]] || build tetmarch-bench
   case "${1:-}" in
-    accuracy | effects | structured | growth | interaction | web | against) "bench_$1" "${@:2}" ;;
+    accuracy | effects | structured | growth | interaction | pixels | web | against) "bench_$1" "${@:2}" ;;
     *) "$BUILD/bin/tetmarch-bench" "$@" ;;
   esac
 }
@@ -53,6 +53,13 @@ bench_growth() {
 bench_interaction() {
   build tetmarch-interaction
   "$BUILD/bin/tetmarch-interaction" "$@"
+}
+
+# Pictures with fewer rays beside those with a ray for each pixel.
+bench_pixels() {
+  build vtkRenderingTetMarchPython
+  PYTHONPATH="$BUILD/lib/python3/dist-packages" "$SYSTEM_PYTHON" "$ROOT/Testing/Python/with_display.py" \
+    "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/measure_pixels.py" "$BUILD/pixels" "$@"
 }
 
 # Pages in a browser beside the mapper and vtk.js, all without a GPU.
