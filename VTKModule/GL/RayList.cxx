@@ -217,8 +217,8 @@ std::int64_t RayList::readCount(vtkOpenGLRenderWindow* window)
   {
     return std::int64_t(this->Grid.width()) * this->Grid.height();
   }
-  const std::vector<float> sums =
-    this->targetOf(top).read(window, 0, { this->Levels[top].Column, 0, 1, 1 });
+  std::vector<float> sums;
+  this->targetOf(top).read(window, 0, { this->Levels[top].Column, 0, 1, 1 }, sums);
   return static_cast<std::int64_t>(sums[3]);
 }
 
