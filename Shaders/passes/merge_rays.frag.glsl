@@ -1,4 +1,4 @@
-// A grid of samples from the next coarser one: its samples, the rays of the list, and between them interpolated colours.
+// A grid of samples from the next coarser one: the samples of that, the rays of the list, and interpolated colours.
 //VTK::Output::Dec
 
 #include "passes/sample_grid.glsl"

@@ -11,10 +11,11 @@ vec4 sampleAt(ivec2 at) { return texelFetch(pictureTexture, clamp(at, ivec2(0), 
 
 float largest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
 
-// At the ends of the axis the samples that lack are those at the ends.
+// Beyond an end of the row or column its last sample is repeated.
 float disagreementAlong(ivec2 axis, ivec2 at, vec4 here)
 {
-  vec4 predicted = colorAmongFour(sampleAt(at - 3 * axis), sampleAt(at - axis), sampleAt(at + axis), sampleAt(at + 3 * axis));
+  vec4 predicted =
+    colorAmongFour(sampleAt(at - 3 * axis), sampleAt(at - axis), sampleAt(at + axis), sampleAt(at + 3 * axis));
   return largest(abs(here - predicted));
 }
 

@@ -146,6 +146,11 @@ std::vector<Frame> frames()
     f.mapper()->AutoAdjustSampleDistancesOff();
     f.mapper()->SetImageSampleDistance(3.0);
   };
+  const auto adaptive = [](FrameWithFaults& f)
+  {
+    f.addBall();
+    f.mapper()->SetPixelTolerance(4.0 / 255.0);
+  };
   const auto compute = [](FrameWithFaults& f)
   {
     f.addBall();
@@ -161,6 +166,10 @@ std::vector<Frame> frames()
       { { Fault::FramebufferStatus, 2 }, { Fault::TexImage, 3 }, { Fault::Blit, 1 },
         { Fault::CompileStatus, 4 }, { Fault::LinkStatus, 2 } },
       "pictureTexture", "full_view.vert.glsl and passes/enlarge.frag.glsl could not be built" },
+    { "AdaptiveRays", adaptive,
+      { { Fault::FramebufferStatus, 8 }, { Fault::TexImage, 8 }, { Fault::CompileStatus, 8 },
+        { Fault::LinkStatus, 8 } },
+      "pixelTolerance", "full_view.vert.glsl and passes/new_rays.frag.glsl could not be built" },
     { "Compute", compute,
       { { Fault::CompileStatus, 3 }, { Fault::LinkStatus, 2 }, { Fault::TexImage, 2 } },
       "placeInGroup(", "compute shader passes/march.comp.glsl could not be built" },
