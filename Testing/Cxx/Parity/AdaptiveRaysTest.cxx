@@ -126,13 +126,14 @@ Grid slab(double begin, double width)
 TEST(AdaptiveRaysOfThinParts, AreFoundAtEachPhase)
 {
   const double pixel = 1.0 / SceneSize;
+  Scene scene(slab(0.0, 1.0));
+  setPlainFunctions(scene.property(), { 1.0, 0.6, 0.2 }, 1.0);
   for (const double width : { 1.0, 0.5, 2.0 })
   {
     for (int phase = 0; phase < 9; ++phase)
     {
-      Scene scene(slab((70 + phase + 0.25) * pixel, width * pixel));
+      scene.Mapper->SetInputData(slab((70 + phase + 0.25) * pixel, width * pixel));
       lookDownZ(scene.camera(), 0.5);
-      setPlainFunctions(scene.property(), { 1.0, 0.6, 0.2 }, 1.0);
       for (const double roll : { 0.0, 90.0, 30.0 })
       {
         scene.camera()->Roll(roll);
