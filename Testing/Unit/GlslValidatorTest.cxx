@@ -161,6 +161,22 @@ TEST_F(GlslValidator, TakesThePictureByCompute)
   this->expectVariants("passes/march.comp.glsl", keys);
 }
 
+// They end as the picture does: a few keys of each kind of volume tell.
+TEST_F(GlslValidator, TakesListsOfRays)
+{
+  std::vector<VariantKey> keys;
+  for (const VariantKey& key : coveringKeys(legalKeys()))
+  {
+    if (!key.Peeled && !key.Diagnostics)
+    {
+      keys.push_back(key);
+    }
+  }
+  keys.resize(std::min<std::size_t>(keys.size(), 24));
+  this->expectVariants("passes/listed.frag.glsl", keys);
+  this->expectVariants("passes/listed.comp.glsl", keys);
+}
+
 TEST_F(GlslValidator, TakesTheLightAtVertices)
 {
   this->expectVariants("passes/vertex_light.frag.glsl", legalLightKeys());
@@ -227,7 +243,8 @@ TEST_F(GlslValidator, TakesTheOtherPasses)
   {
     const std::string name = entry.path().filename().string();
     const std::set<std::string> ofVariants{ "march.frag.glsl", "vertex_light.frag.glsl",
-      "pick.frag.glsl", "boundary_view.frag.glsl", "visit.frag.glsl", "predicate_check.frag.glsl" };
+      "listed.frag.glsl", "pick.frag.glsl", "boundary_view.frag.glsl", "visit.frag.glsl",
+      "predicate_check.frag.glsl" };
     const bool entryPoint =
       name.find(".frag.") != std::string::npos || name.find(".vert.") != std::string::npos;
     if (entryPoint && ofVariants.count(name) == 0)

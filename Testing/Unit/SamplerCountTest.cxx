@@ -58,6 +58,7 @@ TEST(SamplerCount, IsThatOfTheText)
     std::remove_if(some.begin(), some.end(), [](const VariantKey& key) { return key.Peeled; }),
     some.end());
   expectCounted(some, "passes/march.comp.glsl", 0);
+  expectCounted(some, "passes/listed.frag.glsl", SamplersOfRayLists);
   some = coveringVisitKeys();
   some.erase(std::remove_if(some.begin(), some.end(),
                [](const VariantKey& key) { return !key.accumulatesOpacity(); }),

@@ -22,8 +22,9 @@ using tetmarch::VariantKey;
 TEST(ShaderFiles, KeepHelpersOutOfLoops)
 {
   const std::string defines = VariantKey().defines();
-  for (const char* file : { "passes/march.frag.glsl", "passes/pick.frag.glsl",
-         "passes/boundary_view.frag.glsl", "passes/vertex_light.frag.glsl" })
+  for (const char* file :
+    { "passes/march.frag.glsl", "passes/pick.frag.glsl", "passes/boundary_view.frag.glsl",
+      "passes/vertex_light.frag.glsl", "passes/listed.frag.glsl" })
   {
     const std::string text = shaderSource(file, defines + "#define TETMARCH_SKIPS_HELPERS 1\n");
     EXPECT_NE(text.find("#define IS_HELPER gl_HelperInvocation"), std::string::npos) << file;

@@ -101,7 +101,7 @@ MarchInputs Pipeline::inputsOf(
   const int ofVisits = options.Shared ? SamplersOfVisits : 0;
   const int units = textureUnits(inputs.ByCompute);
   inputs.Key = fittedTo(units - ofVisits, this->keyOf(options, renderer, area));
-  const bool fits = samplersOf(inputs.Key) + RayList::Samplers <= units &&
+  const bool fits = samplersOf(inputs.Key) + SamplersOfRayLists <= units &&
                     std::int64_t(area.Width) * area.Height < RayList::MostPixels;
   inputs.PixelTolerance = fits && !options.View ? options.PixelTolerance : 0;
   inputs.CountsRays = options.Diagnostics;

@@ -18,8 +18,6 @@ namespace tetmarch
 class RayList
 {
 public:
-  /** Textures that a shader of the list reads beside those of the march. */
-  static constexpr int Samplers = 3;
   /** Counts are exact in floats up to this number. */
   static constexpr std::int64_t MostPixels = std::int64_t(1) << 24;
 

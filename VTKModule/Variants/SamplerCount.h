@@ -13,6 +13,8 @@ struct VariantKey;
 constexpr int SamplersOfPeeling = 4;
 /** Number of additional textures if several processes draw the picture. */
 constexpr int SamplersOfVisits = 3;
+/** The same if lists of rays are traced (PixelTolerance). */
+constexpr int SamplersOfRayLists = 3;
 
 /** The samplers of the picture's shader, including those of depth peeling. */
 int samplersOf(const VariantKey& key);
