@@ -9,6 +9,16 @@
 
 namespace tetmarch
 {
+namespace
+{
+
+std::string makeRoom(vtkOpenGLRenderWindow* window, FloatTarget& target, const Viewport& area)
+{
+  const StateScope state(window); // it does not stay bound
+  return target.bind(window, area.Width, area.Height, 1, TargetFormat::Share16);
+}
+
+} // namespace
 
 StageResult AdaptivePicture::march(
   const DrawContext& context, MarchPass& march, const MarchInputs& inputs)
@@ -32,15 +42,11 @@ StageResult AdaptivePicture::traceFirst(
   const SampleGrid grid{ inputs.Area.Width, inputs.Area.Height, FirstSpacing };
   FloatTarget& picture = this->Pictures[0];
   StageResult result{ this->List.takeAll(context.Window, grid) };
-  result = result.then(
-    [&]
-    {
-      return StageResult{ picture.bind(
-        context.Window, grid.width(), grid.height(), 1, TargetFormat::Share16) };
-    });
+  result =
+    result.then([&] { return StageResult{ makeRoom(context.Window, picture, grid.area()) }; });
   inputs.List = &this->List;
   result = result.then([&] { return march.drawListed(context, picture, inputs, this->Tiles[0]); });
-  this->count(context.Window, inputs);
+  result = result.then([&] { return this->count(context.Window, inputs); });
   return result;
 }
 
@@ -53,20 +59,15 @@ StageResult AdaptivePicture::refine(
   inputs.List = &this->List;
   // The list does not lie in the picture as the volume does.
   inputs.Content.Corners = PictureContent().Corners;
-  const Viewport& image = this->List.image();
-  result = result.then(
-    [&]
-    {
-      return StageResult{ this->Listed.bind(
-        window, image.Width, image.Height, 1, TargetFormat::Share16) };
-    });
+  result =
+    result.then([&] { return StageResult{ makeRoom(window, this->Listed, this->List.image()) }; });
   result =
     result.then([&] { return march.drawListed(context, this->Listed, inputs, this->Tiles[i]); });
   if (i < NumberOfGrids - 1)
   {
     result = result.then([&] { return StageResult{ this->merge(window, i) }; });
   }
-  this->count(window, inputs);
+  result = result.then([&] { return this->count(window, inputs); });
   return result;
 }
 
@@ -108,12 +109,13 @@ std::string AdaptivePicture::drawMerged(vtkOpenGLRenderWindow* window, int i, co
   return error;
 }
 
-void AdaptivePicture::count(vtkOpenGLRenderWindow* window, const MarchInputs& inputs)
+StageResult AdaptivePicture::count(vtkOpenGLRenderWindow* window, const MarchInputs& inputs)
 {
   if (inputs.CountsRays)
   {
     this->Traced += this->List.readCount(window);
   }
+  return {};
 }
 
 int AdaptivePicture::numberOfDraws() const

@@ -46,7 +46,7 @@ private:
     const SampleGrid& grid, int i);
   std::string merge(vtkOpenGLRenderWindow* window, int i);
   std::string drawMerged(vtkOpenGLRenderWindow* window, int i, const Viewport& area);
-  void count(vtkOpenGLRenderWindow* window, const MarchInputs& inputs);
+  StageResult count(vtkOpenGLRenderWindow* window, const MarchInputs& inputs);
 
   std::array<FloatTarget, NumberOfGrids> Pictures; // of the samples of each grid
   std::array<TileSchedule, NumberOfGrids> Tiles;
