@@ -12,7 +12,7 @@ uniform vec2 depthsPerPixel;
 
 float depthAt(ivec2 at)
 {
-  vec2 pixel = vec2(min(at, lastPixel)) + 0.5;
+  vec2 pixel = vec2(firstPixel + min(at, lastPixel)) + 0.5;
   return texelFetch(opaqueDepthTexture, ivec2(pixel * depthsPerPixel), 0).x;
 }
 

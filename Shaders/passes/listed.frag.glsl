@@ -16,7 +16,7 @@ void main()
     discard;
   }
   vec4 color = vec4(0.0);
-  PixelRay pixel = pixelRay(viewport.xy + vec2(at) + 0.5);
+  PixelRay pixel = pixelRay(viewport.xy + vec2(firstPixel + at) + 0.5);
   if (pixel.seen)
   {
     color = colorOf(pixel, marchPixel(pixel));

@@ -48,10 +48,9 @@ ClipPoint toClip(const View& view, const Vector3& p)
 class Cells
 {
 public:
-  Cells(const std::array<int, 2>& picture, int side, int columns, int rows)
-    : Scale{ { 0.5 * picture[0] / side, 0.5 * picture[1] / side } }
-    , Size{ { columns, rows } }
-    , Marks(static_cast<std::size_t>(columns) * rows, 0.0f)
+  explicit Cells(const PictureCells& where)
+    : Where(where)
+    , Marks(static_cast<std::size_t>(where.Count[0]) * where.Count[1], 0.0f)
   {
   }
 
@@ -67,8 +66,8 @@ public:
     double length = 0;
     for (int k = 0; k < 2; ++k)
     {
-      begin[k] = (a[k] / a[2] + 1) * this->Scale[k];
-      step[k] = (b[k] / b[2] + 1) * this->Scale[k] - begin[k];
+      begin[k] = this->inCells(a, k);
+      step[k] = this->inCells(b, k) - begin[k];
       length = std::max(length, std::abs(step[k]));
     }
     const int steps = static_cast<int>(std::ceil(2 * length)) + 1;
@@ -113,15 +112,20 @@ private:
     return a[2] > 0 && b[2] > 0;
   }
 
-  void markCell(double x, double y)
+  double inCells(const ClipPoint& p, int k) const
   {
-    const int column = std::clamp(static_cast<int>(x), 0, this->Size[0] - 1);
-    const int row = std::clamp(static_cast<int>(y), 0, this->Size[1] - 1);
-    this->Marks[static_cast<std::size_t>(row) * this->Size[0] + column] = 1.0f;
+    const double pixel = 0.5 * (p[k] / p[2] + 1) * this->Where.Picture[k];
+    return (pixel - this->Where.Corner[k]) / this->Where.Side;
   }
 
-  std::array<double, 2> Scale;
-  std::array<int, 2> Size;
+  void markCell(double x, double y)
+  {
+    const int column = std::clamp(static_cast<int>(x), 0, this->Where.Count[0] - 1);
+    const int row = std::clamp(static_cast<int>(y), 0, this->Where.Count[1] - 1);
+    this->Marks[static_cast<std::size_t>(row) * this->Where.Count[0] + column] = 1.0f;
+  }
+
+  PictureCells Where;
   std::vector<float> Marks;
 };
 
@@ -174,10 +178,10 @@ std::vector<OutlineEdge> outlineEdgesOf(const Vector3& halfExtent)
   return edges;
 }
 
-std::vector<float> outlineCells(const std::vector<OutlineEdge>& edges, const View& view,
-  const std::array<int, 2>& picture, int side, int columns, int rows)
+std::vector<float> outlineCells(
+  const std::vector<OutlineEdge>& edges, const View& view, const PictureCells& where)
 {
-  Cells cells(picture, side, columns, rows);
+  Cells cells(where);
   for (const OutlineEdge& edge : edges)
   {
     if (isOutline(edge, view.Eye))

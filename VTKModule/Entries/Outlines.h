@@ -26,10 +26,18 @@ std::vector<OutlineEdge> outlineEdgesOf(const TetMesh& mesh);
 /** Of the box around the centre of the normalised frame. */
 std::vector<OutlineEdge> outlineEdgesOf(const Vector3& halfExtent);
 
-/** Cells of `side` x `side` pixels that an outline touches are 1, others 0; rows from the bottom,
- * `columns` x `rows` of them. The picture has width x height pixels. */
-std::vector<float> outlineCells(const std::vector<OutlineEdge>& edges, const View& view,
-  const std::array<int, 2>& picture, int side, int columns, int rows);
+/** Cells of a picture, from a corner in pixels on. */
+struct PictureCells
+{
+  std::array<int, 2> Picture; // its width and height, in pixels
+  std::array<int, 2> Corner;
+  int Side;                 // of a cell, in pixels
+  std::array<int, 2> Count; // columns and rows of cells
+};
+
+/** 1 for each cell that an outline touches, 0 for others; rows from the bottom. */
+std::vector<float> outlineCells(
+  const std::vector<OutlineEdge>& edges, const View& view, const PictureCells& where);
 
 } // namespace tetmarch
 

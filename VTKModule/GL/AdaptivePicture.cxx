@@ -5,6 +5,8 @@
 #include "GL/StateScope.h"
 #include "GL/Uniforms.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace tetmarch
@@ -18,16 +20,39 @@ std::string makeRoom(vtkOpenGLRenderWindow* window, FloatTarget& target, const V
   return target.bind(window, area.Width, area.Height, 1, TargetFormat::Share16);
 }
 
+// The pixels from the lower to the upper end of an interval of the screen, from a sample of the
+// first grid on; those of the whole side if an end is not finite.
+std::array<int, 2> pixelsOf(double low, double high, int side, int spacing)
+{
+  const auto pixel = [&](double x) { return std::clamp(0.5 * (x + 1) * side, 0.0, double(side)); };
+  if (!(std::abs(low) < HUGE_VAL) || !(std::abs(high) < HUGE_VAL))
+  {
+    return { { 0, side } };
+  }
+  const int begin = std::min(static_cast<int>(pixel(low)), side - 1) / spacing * spacing;
+  return { { begin, std::max(1, static_cast<int>(std::ceil(pixel(high))) - begin) } };
+}
+
 } // namespace
 
+// Where the volume may be seen.
+Viewport AdaptivePicture::partOf(const MarchInputs& inputs)
+{
+  const ScreenBox box = inputs.Content.box();
+  const auto x = pixelsOf(box.Low[0], box.High[0], inputs.Area.Width, FirstSpacing);
+  const auto y = pixelsOf(box.Low[1], box.High[1], inputs.Area.Height, FirstSpacing);
+  return { x[0], y[0], x[1], y[1] };
+}
+
 StageResult AdaptivePicture::march(
-  const DrawContext& context, MarchPass& march, const MarchInputs& inputs)
+  const DrawContext& context, MarchPass& march, const MarchInputs& inputs, bool whole)
 {
   const StateScope state(context.Window);
+  this->Part = whole ? Viewport{ 0, 0, inputs.Area.Width, inputs.Area.Height } : partOf(inputs);
   this->Traced = 0;
-  StageResult result{ this->Edges.find(context.Window, inputs, FirstSpacing) };
+  StageResult result{ this->Edges.find(context.Window, inputs, this->Part, FirstSpacing) };
   result = result.then([&] { return this->traceFirst(context, march, inputs); });
-  SampleGrid grid{ inputs.Area.Width, inputs.Area.Height, FirstSpacing };
+  SampleGrid grid{ this->Part, FirstSpacing };
   for (int i = 1; i < NumberOfGrids; ++i)
   {
     result = result.then([&] { return this->refine(context, march, inputs, grid, i); });
@@ -39,7 +64,7 @@ StageResult AdaptivePicture::march(
 StageResult AdaptivePicture::traceFirst(
   const DrawContext& context, MarchPass& march, MarchInputs inputs)
 {
-  const SampleGrid grid{ inputs.Area.Width, inputs.Area.Height, FirstSpacing };
+  const SampleGrid grid{ this->Part, FirstSpacing };
   FloatTarget& picture = this->Pictures[0];
   StageResult result{ this->List.takeAll(context.Window, grid) };
   result =
@@ -82,10 +107,13 @@ std::string AdaptivePicture::merge(vtkOpenGLRenderWindow* window, int i)
 
 std::string AdaptivePicture::blend(vtkOpenGLRenderWindow* window, const Viewport& area)
 {
+  const Viewport part{ area.X + this->Part.X, area.Y + this->Part.Y, this->Part.Width,
+    this->Part.Height };
   StateScope state(window);
   blendPremultiplied(state);
+  state->vtkglViewport(part.X, part.Y, part.Width, part.Height);
   this->Pictures.back().release(window);
-  return this->drawMerged(window, NumberOfGrids - 1, area);
+  return this->drawMerged(window, NumberOfGrids - 1, part);
 }
 
 // Into the bound framebuffer.

@@ -20,11 +20,14 @@ namespace tetmarch
 class AdaptivePicture
 {
 public:
-  /** March the area of the inputs with their PixelTolerance. */
-  StageResult march(const DrawContext& context, MarchPass& march, const MarchInputs& inputs);
+  /** March the area of the inputs with their PixelTolerance: all of it, or where the volume may be
+   * seen. */
+  StageResult march(
+    const DrawContext& context, MarchPass& march, const MarchInputs& inputs, bool whole);
   /** Blend the picture of the last march() over that of the window. */
   std::string blend(vtkOpenGLRenderWindow* window, const Viewport& area);
-  /** Or make a texture of it, of premultiplied colours. Returns an empty string or an error. */
+  /** Or make a texture of it, if it is whole, of premultiplied colours. Returns an empty string or
+   * an error. */
   std::string makePicture(vtkOpenGLRenderWindow* window)
   {
     return this->merge(window, NumberOfGrids - 1);
@@ -41,6 +44,7 @@ private:
   static constexpr int FirstSpacing = 8;
   static constexpr int NumberOfGrids = 4; // of 8, 4, 2 and 1 pixels
 
+  static Viewport partOf(const MarchInputs& inputs);
   StageResult traceFirst(const DrawContext& context, MarchPass& march, MarchInputs inputs);
   StageResult refine(const DrawContext& context, MarchPass& march, MarchInputs inputs,
     const SampleGrid& grid, int i);
@@ -50,6 +54,7 @@ private:
 
   std::array<FloatTarget, NumberOfGrids> Pictures; // of the samples of each grid
   std::array<TileSchedule, NumberOfGrids> Tiles;
+  Viewport Part; // of the picture
   EdgeCells Edges;
   RayList List;
   FloatTarget Listed; // the colours of the list's rays

@@ -17,7 +17,8 @@ std::size_t levelOf(int spacing) { return spacing == 2 ? 0 : (spacing == 4 ? 1 :
 
 } // namespace
 
-std::string EdgeCells::find(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, int spacing)
+std::string EdgeCells::find(
+  vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part, int spacing)
 {
   const MarchedVolume& volume = inputs.Stages->volume();
   if (volume.geometryVersion() != this->EdgesVersion)
@@ -25,13 +26,14 @@ std::string EdgeCells::find(vtkOpenGLRenderWindow* window, const MarchInputs& in
     this->Edges = volume.outlineEdges();
     this->EdgesVersion = volume.geometryVersion();
   }
-  SampleGrid grid{ inputs.Area.Width, inputs.Area.Height, 2 };
+  SampleGrid grid{ part, 2 };
+  const PictureCells cells{ { { inputs.Area.Width, inputs.Area.Height } }, { { part.X, part.Y } },
+    grid.Spacing, { { grid.width(), grid.height() } } };
   if (!this->Outlines.upload(window, grid.width(), grid.height(), 1,
-        outlineCells(this->Edges, inputs.Stages->camera(),
-          { { grid.PictureWidth, grid.PictureHeight } }, 2, grid.width(), grid.height())))
+        outlineCells(this->Edges, inputs.Stages->camera(), cells)))
   {
-    return "The GPU has no room for the outlines of a picture of " +
-           std::to_string(grid.PictureWidth) + " x " + std::to_string(grid.PictureHeight) +
+    return "The GPU has no room for the outlines of a picture of " + std::to_string(part.Width) +
+           " x " + std::to_string(part.Height) +
            " pixels. Close what else uses it, or make the window smaller.";
   }
   this->HasDepths = inputs.Depths != nullptr;

@@ -21,9 +21,10 @@ namespace tetmarch
 class EdgeCells
 {
 public:
-  /** For the grids whose spacing is at most `spacing`, a power of two from 2 to 8. Returns an empty
-   * string, or what is wrong. */
-  std::string find(vtkOpenGLRenderWindow* window, const MarchInputs& inputs, int spacing);
+  /** For the grids of a part of the picture whose spacing is at most `spacing`, a power of two from
+   * 2 to 8. Returns an empty string, or what is wrong. */
+  std::string find(
+    vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part, int spacing);
   /** 1 in red where the cell right above a sample of the grid has an edge. */
   vtkTextureObject* texture(const SampleGrid& grid) const;
   void release(vtkWindow* window);

@@ -31,7 +31,7 @@ StageResult PictureApart::draw(
   if (adaptive)
   {
     this->Target.release(window);
-    result = this->Adaptive.march(context, march, inputs);
+    result = this->Adaptive.march(context, march, inputs, !sameSize);
   }
   else
   {

@@ -19,7 +19,7 @@ constexpr std::size_t MostLevels = 16; // as in passes/ray_list.glsl
 int squaresShiftFor(const SampleGrid& grid)
 {
   int shift = 0;
-  while (16 << shift < grid.PictureWidth)
+  while (16 << shift < grid.Part.Width)
   {
     ++shift;
   }
@@ -30,9 +30,8 @@ int squaresShiftFor(const SampleGrid& grid)
 Viewport imageFor(const SampleGrid& grid)
 {
   const int width = 8 << squaresShiftFor(grid);
-  const std::int64_t most =
-    std::int64_t(grid.PictureWidth) * grid.PictureHeight -
-    std::int64_t((grid.PictureWidth + 1) / 2) * ((grid.PictureHeight + 1) / 2);
+  const std::int64_t most = std::int64_t(grid.Part.Width) * grid.Part.Height -
+                            std::int64_t((grid.Part.Width + 1) / 2) * ((grid.Part.Height + 1) / 2);
   return { 0, 0, width, std::max(8, static_cast<int>((most + 8 * width - 1) / (8 * width)) * 8) };
 }
 
