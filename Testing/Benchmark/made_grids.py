@@ -46,7 +46,7 @@ def grid_of(points, cells):
     """An unstructured grid of tetrahedra."""
     places = vtk.vtkPoints()
     places.SetData(numpy_to_vtk(points, deep=True))
-    offsets = numpy_to_vtkIdTypeArray(np.arange(0, 4 * len(cells) + 1, 4), deep=True)
+    offsets = numpy_to_vtkIdTypeArray(np.arange(0, cells.size + 1, 4), deep=True)
     connectivity = numpy_to_vtkIdTypeArray(np.ascontiguousarray(cells).ravel(), deep=True)
     array = vtk.vtkCellArray()
     array.SetData(offsets, connectivity)
@@ -54,6 +54,12 @@ def grid_of(points, cells):
     grid.SetPoints(places)
     grid.SetCells(TETRAHEDRON, array)
     return grid
+
+
+def with_points_of_each_cell(grid):
+    """The same tetrahedra, each with four points of its own, and for each of these its number in the grid."""
+    numbers = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    return grid_of(points_of(grid)[numbers], np.arange(len(numbers))), numbers
 
 
 def lattice(cubes, keep=None, seed=1):

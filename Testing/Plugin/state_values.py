@@ -37,6 +37,7 @@ COMMON = {
     "MinimumImageSampleDistance": 2.0,
     "OpaqueShadows": 1,
     "PickOpacityThreshold": 0.75,
+    "PixelTolerance": 0.25,
     "ScalarOpacityUnitDistance": 2.5,
     "Shade": 1,
     "ShadowMethod": "Along Rays",

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/AdaptivePicture.h"
 
+#include "Frame/FrameStages.h"
 #include "GL/StateScope.h"
 #include "GL/Uniforms.h"
 
@@ -39,9 +40,23 @@ std::array<int, 2> pixelsOf(double low, double high, int side, int spacing)
 Viewport AdaptivePicture::partOf(const MarchInputs& inputs)
 {
   const ScreenBox box = inputs.Content.box();
-  const auto x = pixelsOf(box.Low[0], box.High[0], inputs.Area.Width, FirstSpacing);
-  const auto y = pixelsOf(box.Low[1], box.High[1], inputs.Area.Height, FirstSpacing);
+  const auto x = pixelsOf(box.Low[0], box.High[0], inputs.Area.Width, MostSpacing);
+  const auto y = pixelsOf(box.Low[1], box.High[1], inputs.Area.Height, MostSpacing);
   return { x[0], y[0], x[1], y[1] };
+}
+
+// So that no detail of the scalars lies between the first rays, but of less than two pixels.
+int AdaptivePicture::firstGridOf(const MarchInputs& inputs)
+{
+  const FrameStages& stages = *inputs.Stages;
+  const double detail =
+    stages.volume().leastDetail() * stages.camera().leastPixelsPerUnit(inputs.Area.Height);
+  int i = 0;
+  while (detail > 0 && i < NumberOfGrids - 2 && (MostSpacing >> i) > detail)
+  {
+    ++i;
+  }
+  return i;
 }
 
 StageResult AdaptivePicture::march(
@@ -50,10 +65,11 @@ StageResult AdaptivePicture::march(
   const StateScope state(context.Window);
   this->Part = whole ? Viewport{ 0, 0, inputs.Area.Width, inputs.Area.Height } : partOf(inputs);
   this->Traced = 0;
-  StageResult result{ this->Edges.find(context.Window, inputs, this->Part, FirstSpacing) };
-  result = result.then([&] { return this->traceFirst(context, march, inputs); });
-  SampleGrid grid{ this->Part, FirstSpacing };
-  for (int i = 1; i < NumberOfGrids; ++i)
+  this->First = firstGridOf(inputs);
+  SampleGrid grid{ this->Part, MostSpacing >> this->First };
+  StageResult result{ this->Edges.find(context.Window, inputs, this->Part, grid.Spacing) };
+  result = result.then([&] { return this->traceFirst(context, march, inputs, grid, this->First); });
+  for (int i = this->First + 1; i < NumberOfGrids; ++i)
   {
     result = result.then([&] { return this->refine(context, march, inputs, grid, i); });
     grid = grid.finer();
@@ -62,17 +78,15 @@ StageResult AdaptivePicture::march(
 }
 
 StageResult AdaptivePicture::traceFirst(
-  const DrawContext& context, MarchPass& march, MarchInputs inputs)
+  const DrawContext& context, MarchPass& march, MarchInputs inputs, const SampleGrid& grid, int i)
 {
-  const SampleGrid grid{ this->Part, FirstSpacing };
-  FloatTarget& picture = this->Pictures[0];
+  FloatTarget& picture = this->Pictures[i];
   StageResult result{ this->List.takeAll(context.Window, grid) };
   result =
     result.then([&] { return StageResult{ makeRoom(context.Window, picture, grid.area()) }; });
   inputs.List = &this->List;
-  result = result.then([&] { return march.drawListed(context, picture, inputs, this->Tiles[0]); });
-  result = result.then([&] { return this->count(context.Window, inputs); });
-  return result;
+  result = result.then([&] { return march.drawListed(context, picture, inputs, this->Tiles[i]); });
+  return result.then([&] { return this->count(context.Window, inputs); });
 }
 
 StageResult AdaptivePicture::refine(
@@ -148,7 +162,7 @@ StageResult AdaptivePicture::count(vtkOpenGLRenderWindow* window, const MarchInp
 
 int AdaptivePicture::numberOfDraws() const
 {
-  return std::accumulate(this->Tiles.begin(), this->Tiles.end(), 0,
+  return std::accumulate(this->Tiles.begin() + this->First, this->Tiles.end(), 0,
     [](int draws, const TileSchedule& tiles) { return draws + tiles.numberOfTiles(); });
 }
 

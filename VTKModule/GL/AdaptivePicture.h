@@ -41,17 +41,20 @@ public:
   std::size_t bytes() const;
 
 private:
-  static constexpr int FirstSpacing = 8;
+  static constexpr int MostSpacing = 8;
   static constexpr int NumberOfGrids = 4; // of 8, 4, 2 and 1 pixels
 
   static Viewport partOf(const MarchInputs& inputs);
-  StageResult traceFirst(const DrawContext& context, MarchPass& march, MarchInputs inputs);
+  static int firstGridOf(const MarchInputs& inputs);
+  StageResult traceFirst(const DrawContext& context, MarchPass& march, MarchInputs inputs,
+    const SampleGrid& grid, int i);
   StageResult refine(const DrawContext& context, MarchPass& march, MarchInputs inputs,
     const SampleGrid& grid, int i);
   std::string merge(vtkOpenGLRenderWindow* window, int i);
   std::string drawMerged(vtkOpenGLRenderWindow* window, int i, const Viewport& area);
   StageResult count(vtkOpenGLRenderWindow* window, const MarchInputs& inputs);
 
+  int First = 0;                                   // of the grids that were used
   std::array<FloatTarget, NumberOfGrids> Pictures; // of the samples of each grid
   std::array<TileSchedule, NumberOfGrids> Tiles;
   Viewport Part; // of the picture

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -64,6 +65,25 @@ struct Lattice
     return this->Axes[0].isUniform() && this->Axes[1].isUniform() && this->Axes[2].isUniform();
   }
 };
+
+/** The least distance of neighbouring planes, in the normalised frame. */
+inline double leastSide(const Lattice& lattice)
+{
+  double least = HUGE_VAL;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double* row = &lattice.FromNormalized[4 * axis];
+    const double planesPerUnit = std::hypot(row[0], row[1], row[2]);
+    const std::vector<float>& planes = lattice.Axes[axis].Planes;
+    double distance = 1;
+    for (std::size_t i = 1; i < planes.size(); ++i)
+    {
+      distance = std::min(distance, double(planes[i]) - double(planes[i - 1]));
+    }
+    least = std::min(least, distance / planesPerUnit);
+  }
+  return least;
+}
 
 /** Maximum number of cells that a ray crosses: each plane is crossed at most once. */
 inline int mostCellsOf(const Lattice& lattice)

@@ -99,6 +99,14 @@ std::array<double, 3> View::unproject(double x, double y, double z) const
   return { { q[0] / q[3], q[1] / q[3], q[2] / q[3] } };
 }
 
+double View::leastPixelsPerUnit(int height) const
+{
+  const auto& m = this->NormalizedToClip;
+  const auto length = [&](int row)
+  { return std::hypot(m[4 * row], m[4 * row + 1], m[4 * row + 2]); };
+  return 0.5 * height * length(1) / (m[15] + length(3));
+}
+
 bool makeView(vtkRenderer* renderer, vtkVolume* volume, const VolumeFrame& frame,
   double unitDistance, OpacityLaw law, View& view)
 {

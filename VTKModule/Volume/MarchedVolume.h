@@ -73,6 +73,8 @@ public:
    */
   virtual vtkIdType cellOf(std::uint32_t marched, const Vector3& point) const = 0;
 
+  /** The least width of a detail of the scalars, in the normalised frame; 0: any. */
+  virtual double leastDetail() const = 0;
   /** The edges of its boundary, where an outline may be seen. */
   virtual std::vector<OutlineEdge> outlineEdges() const = 0;
 

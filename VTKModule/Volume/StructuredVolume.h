@@ -56,6 +56,11 @@ public:
   double transparentShare(const IntegralTable&) const override { return this->Empty.EmptyShare; }
   /** A cell of the lattice may overlap eight cells of the data. */
   vtkIdType cellOf(std::uint32_t cell, const Vector3& point) const override;
+  /** Two cells, or one if it has a value of its own. */
+  double leastDetail() const override
+  {
+    return (this->Made.Constant ? 1 : 2) * leastSide(this->Made);
+  }
   std::vector<OutlineEdge> outlineEdges() const override
   {
     return outlineEdgesOf(this->Frame.HalfExtent);

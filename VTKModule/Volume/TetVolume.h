@@ -55,6 +55,7 @@ public:
   {
     return this->mesh().TetCells[tet];
   }
+  double leastDetail() const override { return 0; }
   std::vector<OutlineEdge> outlineEdges() const override { return outlineEdgesOf(this->mesh()); }
   void setBits(VariantKey& key) const override;
   Fingerprint version() const override;

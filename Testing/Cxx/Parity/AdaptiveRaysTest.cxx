@@ -146,6 +146,35 @@ TEST(AdaptiveRaysOfThinParts, AreFoundAtEachPhase)
   }
 }
 
+// Of an image, one voxel wide, wherever it is between the rays of the first grid.
+TEST(AdaptiveRaysOfThinParts, OfImages)
+{
+  for (const int size : { SceneSize / 2, SceneSize / 4 }) // voxels of 2 and 4 pixels
+  {
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(size + 1, size + 1, 5);
+    image->SetSpacing(1.0 / size, 1.0 / size, 0.1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    auto* values = static_cast<unsigned char*>(image->GetScalarPointer());
+    std::fill(values, values + image->GetNumberOfPoints(), static_cast<unsigned char>(0));
+    for (int i = 5; i + 6 < size; i += 6) // a diagonal of dots
+    {
+      values[(size + 1) * ((size + 1) * 2 + i) + i] = 255;
+    }
+    SmartScene scene(image);
+    lookDownZ(scene.Renderer->GetActiveCamera(), 0.5);
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(0.0, 0.0);
+    opacity->AddPoint(255.0, 1.0);
+    scene.property()->SetScalarOpacity(opacity);
+    scene.property()->SetScalarOpacityUnitDistance(0.05);
+    const Image full = drawWith(scene, 0.0);
+    const Difference found = compare(full, drawWith(scene, Tolerance), {}, 0.0, Channels::Rgb);
+    EXPECT_LE(found.Max, 3.0 * Tolerance) << size << found.text();
+    EXPECT_GT(compare(full, Image(SceneSize, SceneSize), {}, 0, Channels::Rgb).Max, 0.3);
+  }
+}
+
 // Rays end at a plate as thin as a pixel in front of the volume.
 TEST(AdaptiveRaysOfThinParts, BehindThinOpaqueParts)
 {
