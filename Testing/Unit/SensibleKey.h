@@ -21,7 +21,7 @@ inline bool isSensible(const VariantKey& k)
   const bool ofLight = k.HeadlightOnly || k.SingleLight || k.WorldLights || k.Scattering ||
                        k.CastShadows || k.SampledShadows || k.SeveralShadows || k.OpaqueShadows ||
                        k.HeadlightShadows || k.Occlusion;
-  // Rays come into a lattice by its planes, of which no predicate is asked.
+  // Rays enter a lattice through its planes, without lists or predicates.
   const bool ofTetrahedra = k.EntryLists || k.Hierarchy || k.HasFma || k.SplitCells;
   return !(k.Structured && ofTetrahedra) && !(!k.Structured && (k.Rectilinear || k.Leaps)) &&
          // All that a ray meets counts; and so do surfaces between cells. Most is transparent where
@@ -50,7 +50,7 @@ inline bool isSensible(const VariantKey& k)
          !(k.CornerScalars &&
            (!k.PointScalars || k.Structured || several ||
              (!k.CellGradients && (k.GradientOpacity || k.Shading || k.ShowGradients)))) &&
-         // What is constant is integrated exactly, and has no gradient in a cell.
+         // A constant is integrated exactly and has no gradient in a cell.
          !(!k.PointScalars && (k.Adaptive || k.CellGradients)) &&
          !(k.ConstantColor && k.Adaptive && !k.Structured) &&
          // No colour of the volume is seen.
@@ -67,14 +67,14 @@ inline bool isSensible(const VariantKey& k)
          !((k.SampledShadows || k.SeveralShadows) && !k.CastShadows) &&
          // No light that opaque geometry could keep off.
          !(k.OpaqueShadows && !k.CastShadows) &&
-         // What is sampled is a lattice of one scalar, by one blend mode and with no tolerance.
+         // Only lattices of one scalar are sampled, in one blend mode and without a tolerance.
          !(k.PointSampled && (!k.Structured || !composite || several || k.Adaptive)) &&
          // Only values of a lattice lie in several textures, and many are several; so are those of
          // several scalars.
          !(k.Slabs && !k.Structured) && !(k.ManySlabs && !k.Slabs) &&
          !(k.Slabs && several && !k.ManySlabs) &&
-         // What is seen of a mesh is told by one table or by the values of surfaces, and rays come
-         // into that part by lists. What is left of it that isn't seen is little.
+         // One table, or the values of surfaces, determine the visible part of a mesh. Rays enter
+         // it by lists, and little of it is transparent.
          !(k.VisiblePart && (!k.EntryLists || ofScalars || (!composite && !k.PointScalars) ||
                               independent || k.TransparentRanges)) &&
          // Gradients are shown instead of the light.

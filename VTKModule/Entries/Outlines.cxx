@@ -54,7 +54,7 @@ public:
   {
   }
 
-  // Steps of half a cell touch all cells but those of which the line cuts a corner.
+  // In steps of half a cell: only a cell whose corner the line cuts may be missed.
   void mark(ClipPoint a, ClipPoint b)
   {
     if (!this->clip(a, b))

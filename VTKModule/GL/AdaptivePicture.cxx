@@ -3,8 +3,8 @@
 #include "GL/AdaptivePicture.h"
 
 #include "Frame/FrameStages.h"
+#include "GL/FullViewDraw.h"
 #include "GL/StateScope.h"
-#include "GL/Uniforms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ Viewport AdaptivePicture::partOf(const MarchInputs& inputs)
   return { x[0], y[0], x[1], y[1] };
 }
 
-// So that no detail of the scalars lies between the first rays, but of less than two pixels.
+// The coarsest grid whose rays touch each detail of the scalars, or that of two pixels.
 int AdaptivePicture::firstGridOf(const MarchInputs& inputs)
 {
   const FrameStages& stages = *inputs.Stages;
@@ -106,8 +106,7 @@ StageResult AdaptivePicture::refine(
   {
     result = result.then([&] { return StageResult{ this->merge(window, i) }; });
   }
-  result = result.then([&] { return this->count(window, inputs); });
-  return result;
+  return result.then([&] { return this->count(window, inputs); });
 }
 
 std::string AdaptivePicture::merge(vtkOpenGLRenderWindow* window, int i)
@@ -133,22 +132,15 @@ std::string AdaptivePicture::blend(vtkOpenGLRenderWindow* window, const Viewport
 // Into the bound framebuffer.
 std::string AdaptivePicture::drawMerged(vtkOpenGLRenderWindow* window, int i, const Viewport& area)
 {
-  std::string error;
-  vtkShaderProgram* program =
-    this->Draw.use(window, "passes/full_view.vert.glsl", "passes/merge_rays.frag.glsl", {}, error);
-  if (program)
-  {
-    const std::array<int, 2> corner{ { area.X, area.Y } };
-    program->SetUniform2i("corner", corner.data());
-    this->List.bindRanks(program);
-    bindImage(program, "coarseTexture", this->Pictures[i - 1].color(0));
-    bindImage(program, "listTexture", this->Listed.color(0));
-    this->Draw.drawTriangles(1);
-    this->Listed.color(0)->Deactivate();
-    this->Pictures[i - 1].color(0)->Deactivate();
-    this->List.unbindRanks();
-  }
-  return error;
+  const std::array<int, 2> corner{ { area.X, area.Y } };
+  return drawFullView(this->Draw, window, "passes/merge_rays.frag.glsl",
+    { { "coarseTexture", this->Pictures[i - 1].color(0) }, { "listTexture", this->Listed.color(0) },
+      { "rankTexture", this->List.ranks() } },
+    [&](vtkShaderProgram* program)
+    {
+      this->List.setUniformsOfImage(program);
+      program->SetUniform2i("corner", corner.data());
+    });
 }
 
 StageResult AdaptivePicture::count(vtkOpenGLRenderWindow* window, const MarchInputs& inputs)
@@ -184,6 +176,7 @@ void AdaptivePicture::release(vtkWindow* window)
   this->List.release(window);
   this->Listed.release(window);
   this->Draw.release();
+  this->Traced = 0;
 }
 
 std::size_t AdaptivePicture::bytes() const

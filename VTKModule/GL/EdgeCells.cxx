@@ -3,15 +3,13 @@
 #include "GL/EdgeCells.h"
 
 #include "Frame/FrameStages.h"
+#include "GL/FullViewDraw.h"
 #include "GL/StateScope.h"
-#include "GL/Uniforms.h"
 
 namespace tetmarch
 {
 namespace
 {
-
-constexpr const char* FullView = "passes/full_view.vert.glsl";
 
 std::size_t levelOf(int spacing) { return spacing == 2 ? 0 : (spacing == 4 ? 1 : 2); }
 
@@ -50,23 +48,17 @@ std::string EdgeCells::drawFinest(
   vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const SampleGrid& grid)
 {
   const TargetScope state(window, grid.width(), grid.height());
-  std::string error =
+  const std::string error =
     this->Cells[0].bind(window, grid.width(), grid.height(), 1, TargetFormat::Share16);
-  vtkShaderProgram* program =
-    error.empty() ? this->Draw.use(window, FullView, "passes/edge_cells.frag.glsl", {}, error)
-                  : nullptr;
-  if (program)
-  {
-    grid.bind(program);
-    vtkTextureObject* outlines = this->Outlines.texture();
-    bindImage(program, "outlineTexture", outlines);
-    bindImage(program, "opaqueDepthTexture", inputs.Depths);
-    program->SetUniform2f("depthsPerPixel", inputs.DepthsPerPixel.data());
-    this->Draw.drawTriangles(1);
-    inputs.Depths->Deactivate();
-    outlines->Deactivate();
-  }
-  return error;
+  return !error.empty() ? error
+                        : drawFullView(this->Draw, window, "passes/edge_cells.frag.glsl",
+                            { { "outlineTexture", this->Outlines.texture() },
+                              { "opaqueDepthTexture", inputs.Depths } },
+                            [&](vtkShaderProgram* program)
+                            {
+                              grid.bind(program);
+                              program->SetUniform2f("depthsPerPixel", inputs.DepthsPerPixel.data());
+                            });
 }
 
 // `finer` is the grid of the cells half as large.
@@ -75,22 +67,15 @@ std::string EdgeCells::drawCoarser(
 {
   SampleGrid grid = finer;
   grid.Spacing *= 2;
+  const std::array<int, 2> last{ { finer.width() - 1, finer.height() - 1 } };
   const TargetScope state(window, grid.width(), grid.height());
-  std::string error =
+  const std::string error =
     this->Cells[level].bind(window, grid.width(), grid.height(), 1, TargetFormat::Share16);
-  vtkShaderProgram* program = error.empty() ? this->Draw.use(window, FullView,
-                                                "passes/coarser_edge_cells.frag.glsl", {}, error)
-                                            : nullptr;
-  if (program)
-  {
-    const std::array<int, 2> last{ { finer.width() - 1, finer.height() - 1 } };
-    program->SetUniform2i("lastCell", last.data());
-    vtkTextureObject* smaller = this->texture(finer);
-    bindImage(program, "edgeTexture", smaller);
-    this->Draw.drawTriangles(1);
-    smaller->Deactivate();
-  }
-  return error;
+  return !error.empty()
+           ? error
+           : drawFullView(this->Draw, window, "passes/coarser_edge_cells.frag.glsl",
+               { { "edgeTexture", this->texture(finer) } },
+               [&](vtkShaderProgram* program) { program->SetUniform2i("lastCell", last.data()); });
 }
 
 vtkTextureObject* EdgeCells::texture(const SampleGrid& grid) const

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/PictureApart.h"
 
+#include "GL/FullViewDraw.h"
 #include "GL/StateScope.h"
-#include "GL/Uniforms.h"
 
 #include "vtkShaderProgram.h"
 
@@ -40,7 +40,6 @@ StageResult PictureApart::draw(
       context, march, inputs, enlarged ? TargetFormat::Share16 : TargetFormat::Float32);
   }
   this->Draws = adaptive ? this->Adaptive.numberOfDraws() : this->Tiles.numberOfTiles();
-  this->Traced = adaptive ? this->Adaptive.tracedRays() : 0;
   return result.then(
     [&]
     {
@@ -112,19 +111,9 @@ std::string PictureApart::blend(
 std::string PictureApart::drawOver(vtkOpenGLRenderWindow* window, const Viewport& area,
   vtkTextureObject* picture, const char* shader)
 {
-  std::string error;
-  vtkShaderProgram* program =
-    this->Draw.use(window, "passes/full_view.vert.glsl", shader, {}, error);
-  if (!program)
-  {
-    return error;
-  }
   const std::array<float, 4> viewport = area.asFloats();
-  program->SetUniform4f("viewport", viewport.data());
-  bindImage(program, "pictureTexture", picture);
-  this->Draw.drawTriangles(1);
-  picture->Deactivate();
-  return {};
+  return drawFullView(this->Draw, window, shader, { { "pictureTexture", picture } },
+    [&](vtkShaderProgram* program) { program->SetUniform4f("viewport", viewport.data()); });
 }
 
 void PictureApart::release(vtkWindow* window)

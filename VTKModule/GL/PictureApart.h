@@ -34,7 +34,7 @@ public:
     const std::vector<float>& pixels);
   int numberOfDraws() const { return this->Draws; }
   /** Of the last draw(), if it was adaptive and counted them; else 0. */
-  std::int64_t tracedRays() const { return this->Traced; }
+  std::int64_t tracedRays() const { return this->Adaptive.tracedRays(); }
   std::size_t bytes() const
   {
     return this->Target.bytes() + this->Adaptive.bytes() + this->Shown.bytes();
@@ -63,7 +63,6 @@ private:
   UploadedImage Shown; // a picture that was made elsewhere
   TileSchedule Tiles;
   int Draws = 0;
-  std::int64_t Traced = 0;
   ShaderDraw Draw;
 };
 

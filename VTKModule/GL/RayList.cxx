@@ -3,7 +3,6 @@
 #include "GL/RayList.h"
 
 #include "GL/StateScope.h"
-#include "GL/Uniforms.h"
 
 #include <algorithm>
 
@@ -12,7 +11,6 @@ namespace tetmarch
 namespace
 {
 
-constexpr const char* FullView = "passes/full_view.vert.glsl";
 constexpr std::size_t MostLevels = 16; // as in passes/ray_list.glsl
 
 // Rows of the list are about as long as half of those of the picture.
@@ -106,89 +104,73 @@ std::string RayList::find(vtkOpenGLRenderWindow* window, const SampleGrid& grid,
 std::string RayList::findDisagreement(
   vtkOpenGLRenderWindow* window, const SampleGrid& grid, vtkTextureObject* picture)
 {
-  std::string error = this->Disagreement.bindAgain(window);
-  vtkShaderProgram* program =
-    error.empty() ? this->Draw.use(window, FullView, "passes/ray_disagreement.frag.glsl", {}, error)
-                  : nullptr;
-  if (program)
-  {
-    grid.bind(program);
-    bindImage(program, "pictureTexture", picture);
-    this->Draw.drawTriangles(1);
-    picture->Deactivate();
-  }
-  return error;
+  const std::string error = this->Disagreement.bindAgain(window);
+  return !error.empty() ? error
+                        : drawFullView(this->Draw, window, "passes/ray_disagreement.frag.glsl",
+                            { { "pictureTexture", picture } },
+                            [&](vtkShaderProgram* program) { grid.bind(program); });
 }
 
 std::string RayList::findNewRays(
   vtkOpenGLRenderWindow* window, const SampleGrid& grid, vtkTextureObject* edges, double tolerance)
 {
-  std::string error = this->NewRays.bindAgain(window);
-  vtkShaderProgram* program =
-    error.empty() ? this->Draw.use(window, FullView, "passes/new_rays.frag.glsl", {}, error)
-                  : nullptr;
-  if (program)
-  {
-    grid.bind(program);
-    program->SetUniformf("pixelTolerance", static_cast<float>(tolerance));
-    bindImage(program, "disagreementTexture", this->Disagreement.color(0));
-    bindImage(program, "edgeTexture", edges);
-    this->Draw.drawTriangles(1);
-    edges->Deactivate();
-    this->Disagreement.color(0)->Deactivate();
-  }
-  return error;
+  const std::string error = this->NewRays.bindAgain(window);
+  return !error.empty()
+           ? error
+           : drawFullView(this->Draw, window, "passes/new_rays.frag.glsl",
+               { { "disagreementTexture", this->Disagreement.color(0) }, { "edgeTexture", edges } },
+               [&](vtkShaderProgram* program)
+               {
+                 grid.bind(program);
+                 program->SetUniformf("pixelTolerance", static_cast<float>(tolerance));
+               });
 }
 
 std::string RayList::countLevel(vtkOpenGLRenderWindow* window, std::size_t level)
 {
-  std::string error = this->targetOf(level).bindAgain(window);
-  vtkShaderProgram* program =
-    error.empty() ? this->Draw.use(window, FullView, "passes/ray_counts.frag.glsl", {}, error)
-                  : nullptr;
-  if (program)
+  const std::string error = this->targetOf(level).bindAgain(window);
+  if (!error.empty())
   {
-    const bool areBits = level == 1;
-    const Level& below = this->Levels[level - 1];
-    const std::array<int, 2> size{ { below.Width, below.Height } };
-    vtkTextureObject* texture =
-      areBits ? this->NewRays.color(0) : this->targetOf(level - 1).color(0);
-    bindImage(program, "belowTexture", texture);
-    program->SetUniformi("belowAreBits", areBits ? 1 : 0);
-    program->SetUniform2i("belowSize", size.data());
-    program->SetUniformi("belowColumn", below.Column);
-    program->SetUniformi("column", this->Levels[level].Column);
-    this->Draw.drawTriangles(1);
-    texture->Deactivate();
+    return error;
   }
-  return error;
+  const bool areBits = level == 1;
+  const Level& below = this->Levels[level - 1];
+  const std::array<int, 2> size{ { below.Width, below.Height } };
+  return drawFullView(this->Draw, window, "passes/ray_counts.frag.glsl",
+    { { "belowTexture", areBits ? this->NewRays.color(0) : this->targetOf(level - 1).color(0) } },
+    [&](vtkShaderProgram* program)
+    {
+      program->SetUniformi("belowAreBits", areBits ? 1 : 0);
+      program->SetUniform2i("belowSize", size.data());
+      program->SetUniformi("belowColumn", below.Column);
+      program->SetUniformi("column", this->Levels[level].Column);
+    });
 }
 
 std::string RayList::findRanks(vtkOpenGLRenderWindow* window)
 {
-  std::string error = this->Ranks.bindAgain(window);
-  vtkShaderProgram* program =
-    error.empty() ? this->Draw.use(window, FullView, "passes/ray_ranks.frag.glsl", {}, error)
-                  : nullptr;
-  if (program)
-  {
-    this->bind(program);
-    this->Draw.drawTriangles(1);
-    this->unbind();
-  }
-  return error;
+  const std::string error = this->Ranks.bindAgain(window);
+  return !error.empty()
+           ? error
+           : drawFullView(this->Draw, window, "passes/ray_ranks.frag.glsl", this->textures(),
+               [&](vtkShaderProgram* program) { this->setUniforms(program); });
 }
 
-void RayList::bindRanks(vtkShaderProgram* program) const
+NamedTextures RayList::textures() const
+{
+  return { { "newRayTexture", this->NewRays.color(0) }, { "oddCountTexture", this->Odd.color(0) },
+    { "evenCountTexture", this->Even.color(0) } };
+}
+
+void RayList::setUniformsOfImage(vtkShaderProgram* program) const
 {
   this->Grid.bind(program);
   program->SetUniformi("squaresShift", squaresShiftFor(this->Grid));
-  bindImage(program, "rankTexture", this->Ranks.color(0));
 }
 
-void RayList::bind(vtkShaderProgram* program) const
+void RayList::setUniforms(vtkShaderProgram* program) const
 {
-  this->Grid.bind(program);
+  this->setUniformsOfImage(program);
   std::array<int, MostLevels> columns{};
   for (std::size_t i = 0; i < std::min(MostLevels, this->Levels.size()); ++i)
   {
@@ -196,17 +178,23 @@ void RayList::bind(vtkShaderProgram* program) const
   }
   program->SetUniform1iv("countColumns", MostLevels, columns.data());
   program->SetUniformi("numberOfLevels", static_cast<int>(this->Levels.size()) - 1);
-  program->SetUniformi("squaresShift", squaresShiftFor(this->Grid));
-  bindImage(program, "newRayTexture", this->NewRays.color(0));
-  bindImage(program, "oddCountTexture", this->Odd.color(0));
-  bindImage(program, "evenCountTexture", this->Even.color(0));
+}
+
+void RayList::bind(vtkShaderProgram* program) const
+{
+  this->setUniforms(program);
+  for (const auto& [name, texture] : this->textures())
+  {
+    bindImage(program, name, texture);
+  }
 }
 
 void RayList::unbind() const
 {
-  this->NewRays.color(0)->Deactivate();
-  this->Odd.color(0)->Deactivate();
-  this->Even.color(0)->Deactivate();
+  for (const auto& [name, texture] : this->textures())
+  {
+    texture->Deactivate();
+  }
 }
 
 std::int64_t RayList::readCount(vtkOpenGLRenderWindow* window)

@@ -6,8 +6,8 @@
 #define TetMarchGLRayList_h
 
 #include "GL/FloatTarget.h"
+#include "GL/FullViewDraw.h"
 #include "GL/SampleGrid.h"
-#include "GL/ShaderDraw.h"
 
 #include <cstdint>
 #include <vector>
@@ -36,9 +36,10 @@ public:
   /** Bind what passes/ray_list.glsl, passes/ray_image.glsl and passes/sample_grid.glsl read. */
   void bind(vtkShaderProgram* program) const;
   void unbind() const;
-  /** The same for passes/merge_rays.frag.glsl, after find(). */
-  void bindRanks(vtkShaderProgram* program) const;
-  void unbindRanks() const { this->Ranks.color(0)->Deactivate(); }
+  /** For passes/merge_rays.frag.glsl, after find(): its uniforms, and the ranks of the list's rays.
+   */
+  void setUniformsOfImage(vtkShaderProgram* program) const;
+  vtkTextureObject* ranks() const { return this->Ranks.color(0); }
   /** Wait for the GPU, and read the number of rays. */
   std::int64_t readCount(vtkOpenGLRenderWindow* window);
   void release(vtkWindow* window);
@@ -65,6 +66,8 @@ private:
     vtkTextureObject* edges, double tolerance);
   std::string countLevel(vtkOpenGLRenderWindow* window, std::size_t level);
   std::string findRanks(vtkOpenGLRenderWindow* window);
+  NamedTextures textures() const;
+  void setUniforms(vtkShaderProgram* program) const;
 
   SampleGrid Grid;
   Viewport Image;

@@ -228,6 +228,7 @@ TEST(AdaptiveRaysOfWindows, TakeRoomOnlyWhileTheyAreUsed)
   EXPECT_GT(scene.Mapper->GetGPUMemoryBytes(), before);
   drawWith(scene, 0.0);
   EXPECT_EQ(scene.Mapper->GetGPUMemoryBytes(), before);
+  EXPECT_GT(shareOfRays(scene, Tolerance), 0.0);
   EXPECT_EQ(shareOfRays(scene, 0.0), 0.0) << "not counted";
 }
 
