@@ -18,7 +18,7 @@ GROUPS = {
 }
 # In the panel, in no group: the statistics of the last frame aren't shown there.
 FIGURES = {"BudgetKept", "GPUMemoryBytes", "LightComplete", "TimeToDraw", "UsedAccuracyLevel", "UsedErrorTolerance",
-           "UsedImageSampleDistance"}
+           "UsedImageSampleDistance", "UsedPixelTolerance"}
 # Any number will do, or ParaView makes the range of the data's array or box.
 FREE = {"AverageIPScalarRange", "CroppingOrigin", "CroppingScale", "MaxMemoryInBytes", "SampleDistance"}
 SETTINGS = pathlib.Path(__file__).resolve().parents[2] / "VTKModule/Mapper/settings.json"

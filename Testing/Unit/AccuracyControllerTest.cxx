@@ -3,6 +3,7 @@
 // Which level the controller takes for budgets of time and error, and whether they were kept.
 #include "Budget/AccuracyController.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace
@@ -37,12 +38,38 @@ TEST(AccuracyLadder, WithoutBudgetsItIsWhatIsSet)
   }
 }
 
-TEST(AccuracyLadder, OfTimeHasAllLevels)
+TEST(AccuracyLadder, OfTimeHasAllLevelsAndOneOfInterpolatedPixels)
 {
-  const std::vector<Rung> expected{ { Accuracy::Fast, 0 }, { Accuracy::Default, 1.0 / 32.0 },
+  std::vector<Rung> expected{ { Accuracy::Fast, 0 }, { Accuracy::Default, 1.0 / 32.0 },
     { Accuracy::Default, 1.0 / 255.0 }, { Accuracy::Accurate, 1.0 / 4096.0 },
     { Accuracy::Reference, 1e-5 } };
+  expected.insert(expected.begin(), { Accuracy::Fast, 0, 4.0 / 255.0 });
   EXPECT_TRUE(ladderOf(budgets(0.1, 0)) == expected);
+  EXPECT_EQ(firstOf(expected), 1);
+}
+
+// Whatever the budget.
+TEST(AccuracyLadder, APixelToleranceThatIsSetStays)
+{
+  for (const double time : { 0.0, 0.1 })
+  {
+    for (const double error : { 0.0, 0.01 })
+    {
+      const std::vector<Rung> without = ladderOf(budgets(time, error));
+      AccuracyOptions options = budgets(time, error);
+      options.PixelTolerance = 0.001;
+      const std::vector<Rung> ladder = ladderOf(options);
+      const auto interpolates = [](const Rung& rung) { return rung.PixelTolerance > 0; };
+      EXPECT_EQ(std::count_if(without.begin(), without.end(), interpolates),
+        time > 0 && error == 0.0 ? 1 : 0);
+      EXPECT_EQ(firstOf(ladder), 0);
+      EXPECT_EQ(ladder.size() + firstOf(without), without.size());
+      for (const Rung& rung : ladder)
+      {
+        EXPECT_EQ(rung.PixelTolerance, 0.001);
+      }
+    }
+  }
 }
 
 TEST(AccuracyLadder, OfAnErrorIsTheToleranceAndWhatIsBetter)
@@ -74,7 +101,7 @@ TEST(AccuracyController, SaysWhatWasUsedAndKept)
   EXPECT_TRUE(controller.used() == (Rung{ Accuracy::Reference, 1e-5 }));
   EXPECT_TRUE(controller.isKept());
 
-  EXPECT_FALSE(controller.begin(budgets(0.1, 0)).Adaptive);
+  EXPECT_TRUE(controller.begin(budgets(0.1, 0)) == (Rung{ Accuracy::Fast, 0 }));
   controller.end(drawn(0.05));
   EXPECT_EQ(controller.used().Level, Accuracy::Fast);
   EXPECT_TRUE(controller.isKept());
@@ -82,7 +109,7 @@ TEST(AccuracyController, SaysWhatWasUsedAndKept)
   controller.end(drawn(0.11));
   EXPECT_FALSE(controller.isKept());
 
-  EXPECT_EQ(controller.begin(budgets(0, 0.01)).ErrorTolerance, 0.01);
+  EXPECT_EQ(controller.begin(budgets(0, 0.01)).Tolerance, 0.01);
   controller.end(drawn(100));
   EXPECT_TRUE(controller.used() == (Rung{ Accuracy::Default, 0.01 }));
   EXPECT_TRUE(controller.isKept());
@@ -104,18 +131,58 @@ TEST(AccuracyController, ABoundThatWasMeasuredCounts)
   }
 }
 
+// It is an estimate. Where a ray was traced for each pixel all the same, it doesn't matter.
+TEST(AccuracyController, InterpolatedPixelsKeepNoErrorBudget)
+{
+  AccuracyController controller;
+  AccuracyOptions options = budgets(0, 0.01);
+  options.PixelTolerance = 0.005;
+  for (const double drawnWith : { 0.005, 0.0 })
+  {
+    FrameResult frame = drawn(0.01);
+    frame.PixelTolerance = drawnWith;
+    EXPECT_EQ(controller.begin(options).PixelTolerance, 0.005);
+    controller.end(frame);
+    EXPECT_EQ(controller.isKept(), drawnWith == 0.0);
+    EXPECT_EQ(controller.used().PixelTolerance, drawnWith);
+  }
+}
+
+TEST(AccuracyController, PixelsAreInterpolatedWhereTheFastestLevelTakesTooLong)
+{
+  AccuracyController controller;
+  const auto draw = [&](double ofFast)
+  {
+    const Rung rung = controller.begin(budgets(0.1, 0));
+    FrameResult frame = drawn(rung.PixelTolerance > 0 ? ofFast / 3 : ofFast);
+    frame.PixelTolerance = rung.PixelTolerance;
+    controller.end(frame);
+    return rung;
+  };
+  for (int i = 0; i < 50; ++i) // the first frame of something else isn't measured
+  {
+    EXPECT_TRUE(draw(0.2) == (Rung{ Accuracy::Fast, 0, i < 2 ? 0.0 : 4.0 / 255.0 }));
+    EXPECT_EQ(controller.isKept(), i >= 2);
+  }
+  for (int i = 0; i < 50; ++i)
+  {
+    draw(0.02);
+  }
+  EXPECT_TRUE(draw(0.02) == (Rung{ Accuracy::Reference, 1e-5 }));
+}
+
 TEST(AccuracyController, TheErrorComesBeforeTheTime)
 {
   AccuracyController controller;
   for (int i = 0; i < 50; ++i)
   {
-    EXPECT_EQ(controller.begin(budgets(0.1, 0.01)).ErrorTolerance, 0.01);
+    EXPECT_EQ(controller.begin(budgets(0.1, 0.01)).Tolerance, 0.01);
     controller.end(drawn(0.2));
     EXPECT_FALSE(controller.isKept());
   }
   for (int i = 0; i < 50; ++i)
   {
-    EXPECT_LE(controller.begin(budgets(0.1, 0.02)).ErrorTolerance, 0.02);
+    EXPECT_LE(controller.begin(budgets(0.1, 0.02)).Tolerance, 0.02);
     controller.end(drawn(0.02));
     EXPECT_TRUE(controller.isKept());
   }

@@ -114,6 +114,38 @@ TEST(LevelControllerOfMany, FollowsTheCameraThereAndBack)
   }
 }
 
+// Level 0 need not be cheaper than the first one: only where that breaks the budget, and this one
+// is cheaper, is it used.
+TEST(LevelControllerOfMany, ALevelBelowTheFirstIsUsedWhereItHelps)
+{
+  std::mt19937 random(5);
+  for (const double noise : { 0.0, 0.2 })
+  {
+    int switches = 0;
+    for (int i = 0; i < 1000; ++i)
+    {
+      std::vector<double> costs = randomCosts(random);
+      const double share = 0.1 + 1.4 * static_cast<double>(random() % 1000) / 999.0;
+      costs.insert(costs.begin(), share * costs[0]);
+      costs.resize(std::min<std::size_t>(costs.size(), LevelController::MostLevels));
+      Machine machine(costs, Budget, 1);
+      machine.Random.seed(random());
+      machine.Noise = noise;
+      machine.frames(300);
+      const int fits = machine.fitting();
+      if (noise == 0.0)
+      {
+        EXPECT_EQ(machine.Controller.level(), fits > 0 ? fits : (share < 1 ? 0 : 1)) << share;
+      }
+      machine.Switches = 0;
+      machine.frames(1000);
+      EXPECT_LE(machine.Switches, noise > 0 ? 6 : 0);
+      switches += machine.Switches;
+    }
+    EXPECT_LE(switches, 100); // in a million frames
+  }
+}
+
 TEST(LevelControllerOfMany, FollowsASlowZoom)
 {
   Machine machine({ 0.010, 0.011, 0.016, 0.05 });

@@ -18,10 +18,11 @@ constexpr double Budget = 0.1;
 class Machine
 {
 public:
-  explicit Machine(std::vector<double> costs, double budget = Budget)
+  explicit Machine(std::vector<double> costs, double budget = Budget, int first = 0)
     : Costs(std::move(costs))
+    , Last(first)
   {
-    this->Controller.restart(static_cast<int>(this->Costs.size()));
+    this->Controller.restart(static_cast<int>(this->Costs.size()), first);
     this->Controller.setBudget(budget);
   }
 
@@ -62,7 +63,7 @@ public:
   std::vector<double> Costs;
   double Dearer = 1;
   double Noise = 0;
-  int Last = 0;
+  int Last;
   int Switches = 0;
   std::mt19937 Random{ 7 };
 };

@@ -180,12 +180,15 @@ void Picture::Settle()
 {
   constexpr int longEnough = 12; // a better level is tried sooner
   constexpr int most = 200;
-  double tolerance = this->Mapper->GetStatistics()->GetUsedErrorTolerance();
+  vtkTetMarchFrameStatistics* statistics = this->Mapper->GetStatistics();
+  const auto used = [&]
+  { return std::pair(statistics->GetUsedErrorTolerance(), statistics->GetUsedPixelTolerance()); };
+  auto before = used();
   for (int same = 0, i = 0; same < longEnough && i < most; ++i)
   {
     this->Render();
-    same = this->Mapper->GetStatistics()->GetUsedErrorTolerance() == tolerance ? same + 1 : 0;
-    tolerance = this->Mapper->GetStatistics()->GetUsedErrorTolerance();
+    same = used() == before ? same + 1 : 0;
+    before = used();
   }
 }
 

@@ -138,7 +138,8 @@ std::string FormatStatistics(const CommandLine& commandLine, const VolumeData& d
   json["frames"] = { { "count", timing.Frames.size() },
     { "median_seconds", GetMedian(timing.Frames) }, { "seconds", timing.Frames } };
   json["accuracy"] = { { "level", statistics->GetUsedAccuracyLevelAsString() },
-    { "tolerance", statistics->GetUsedErrorTolerance() } };
+    { "tolerance", statistics->GetUsedErrorTolerance() },
+    { "pixel_tolerance", statistics->GetUsedPixelTolerance() } };
   const double frameTime = commandLine.Settings->GetFrameTimeBudget();
   const double error = commandLine.Settings->GetErrorBudget();
   if (frameTime > 0.0 || error > 0.0)

@@ -178,6 +178,11 @@ void AccuracyPanel::ShowTime()
     {
       used += tr(", tolerance %1").arg(Number(statistics->GetUsedErrorTolerance()));
     }
+    if (statistics->GetUsedPixelTolerance() > 0.0)
+    {
+      used +=
+        tr(", pixels interpolated within %1").arg(Number(statistics->GetUsedPixelTolerance()));
+    }
     if (statistics->GetUsedImageSampleDistance() > 1.0)
     {
       used += tr(", a ray each %1 pixels").arg(Number(statistics->GetUsedImageSampleDistance()));

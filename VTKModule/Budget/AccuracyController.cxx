@@ -13,14 +13,15 @@ bool keeps(const AccuracyOptions& options, const Rung& used, const FrameResult& 
 {
   const bool inTime = !(options.FrameTimeBudget > 0) || frame.Seconds <= options.FrameTimeBudget;
   const bool exact =
-    !(options.ErrorBudget > 0) || (used.Tolerance <= options.ErrorBudget &&
-                                    frame.ErrorBound <= (1 + Rounding) * options.ErrorBudget);
+    !(options.ErrorBudget > 0) ||
+    (used.Tolerance <= options.ErrorBudget && !(used.PixelTolerance > 0) && // that is an estimate
+      frame.ErrorBound <= (1 + Rounding) * options.ErrorBudget);
   return inTime && exact;
 }
 
 } // namespace
 
-AccuracyLevel AccuracyController::begin(const AccuracyOptions& options)
+Rung AccuracyController::begin(const AccuracyOptions& options)
 {
   this->Options = options;
   this->Kept = false;
@@ -28,10 +29,10 @@ AccuracyLevel AccuracyController::begin(const AccuracyOptions& options)
   if (ladder != this->Ladder)
   {
     this->Ladder = ladder;
-    this->Choice.restart(static_cast<int>(ladder.size()));
+    this->Choice.restart(static_cast<int>(ladder.size()), firstOf(ladder));
   }
   this->Choice.setBudget(options.FrameTimeBudget);
-  return ladder[this->Choice.level()].level();
+  return ladder[this->Choice.level()];
 }
 
 void AccuracyController::end(const FrameResult& frame)
@@ -40,6 +41,7 @@ void AccuracyController::end(const FrameResult& frame)
   if (frame.Drawn)
   {
     this->Used = this->Ladder[this->Choice.level()];
+    this->Used.PixelTolerance = frame.PixelTolerance;
     this->Kept = keeps(this->Options, this->Used, frame);
     if (frame.ContentVersion != this->ContentVersion)
     {

@@ -20,16 +20,17 @@ struct FrameResult
   double Seconds = 0;
   double ErrorBound = 0;      // maximum over the pixels; 0: not measured
   Fingerprint ContentVersion; // of the scene and size, without camera and accuracy
+  double PixelTolerance = 0;  // with which the picture was drawn; 0: a ray for each pixel
 };
 
 class AccuracyController
 {
 public:
   /** The level of the next frame. */
-  AccuracyLevel begin(const AccuracyOptions& options);
+  Rung begin(const AccuracyOptions& options);
   void end(const FrameResult& frame);
 
-  /** The level of the last frame. */
+  /** The level of the last frame, with the PixelTolerance that it had. */
   const Rung& used() const { return this->Used; }
   /** Whether the last frame was completed and kept its budgets. */
   bool isKept() const { return this->Kept; }

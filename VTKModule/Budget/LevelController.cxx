@@ -32,12 +32,13 @@ bool isOff(double seconds, double expected)
 
 } // namespace
 
-void LevelController::restart(int levels)
+void LevelController::restart(int levels, int first)
 {
   this->Levels = std::clamp(levels, 1, MostLevels);
+  this->First = std::clamp(first, 0, this->Levels - 1);
   this->Past.fill({});
   this->Unmeasured = 0;
-  this->use(0);
+  this->use(this->First);
 }
 
 void LevelController::setBudget(double seconds)
@@ -151,13 +152,23 @@ int LevelController::best() const
   return unknown && (cheap || this->Count >= Patience) ? this->Current + 1 : this->Current;
 }
 
+// If no level is known to keep the budget: level 0, or the first level, which is better, if level 0
+// is hardly cheaper. Neither is left for the other over and over because of noise.
+int LevelController::cheapest() const
+{
+  const double least = this->Past[0].Seconds;
+  const double most = (this->Current == 0 ? 1.0 : ClearlyCheaper) * this->Past[this->First].Seconds;
+  return !this->isKnown(0) || least <= this->Budget || least < most ? 0 : this->First;
+}
+
 void LevelController::leave()
 {
-  int next = std::max(this->Current - 1, 0);
+  int next = this->Current - 1;
   while (next > 0 && !(this->isKnown(next) && this->Past[next].Seconds <= this->Budget))
   {
     --next;
   }
+  next = next > 0 ? next : this->cheapest();
   for (int i = next + 1; i <= this->Current; ++i)
   {
     this->Past[i].WhenLeft = this->Past[i].Seconds;

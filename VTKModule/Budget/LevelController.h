@@ -18,8 +18,8 @@ enum class FrameKind
 };
 
 /**
- * Levels are numbered from the cheapest, 0, which is the first. The only assumption about costs is
- * that a better level costs more:
+ * Levels are numbered from the cheapest, 0. The only assumption about costs is that a better level
+ * costs more; for the first frame's level and those below it even this may be wrong:
  *
  * - The next better level, if its time is unknown, is tried for one measured frame: at once if the
  *   current level takes at most half of the budget, so that the trial takes at most k / 2 budgets,
@@ -27,7 +27,7 @@ enum class FrameKind
  *   times and keeps the budget, since the next level may cost little more. Such a trial takes at
  *   most k budgets, and is not repeated if it exceeds the budget.
  * - A level that exceeds the budget is left at once for the best lower level that is known to keep
- *   it, else for the cheapest.
+ *   it, else for the cheapest: level 0, unless the first level was measured to be about as cheap.
  * - The times of other levels are scaled in proportion to that of the current one, for example when
  *   the camera moves. A level that was left is used again when its expected time keeps the budget
  *   and is clearly less than when it was left.
@@ -43,8 +43,8 @@ public:
   static constexpr int Patience = 8;
   static constexpr int MostUnmeasured = 3;
 
-  /** Set the number of levels, 1 to MostLevels, and forget their times. */
-  void restart(int levels);
+  /** Set the number of levels, 1 to MostLevels, and the first one to draw. Forget their times. */
+  void restart(int levels, int first = 0);
   /** Set the budget in seconds. The known times of levels are kept. */
   void setBudget(double seconds);
   /** The level to draw. */
@@ -59,6 +59,7 @@ private:
   void scaleOthers(double factor);
   void choose();
   int best() const;
+  int cheapest() const;
   void leave();
   void use(int level);
 
@@ -69,6 +70,7 @@ private:
   };
   std::array<Memory, MostLevels> Past{};
   int Levels = 1;
+  int First = 0;
   int Current = 0;
   double Budget = 0;
   int Count = 0;        // number of measurements of the current level's expected time

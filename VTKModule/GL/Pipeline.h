@@ -110,6 +110,8 @@ public:
   const StageRecord& uploadRecord() const { return this->UploadRecord; }
   const StageRecord& vertexLightRecord() const { return this->Passes.vertexLightRecord(); }
   std::int64_t tracedRays() const { return this->Passes.tracedRays(); }
+  /** With which the last picture was drawn; 0: a ray for each pixel. */
+  double pixelTolerance() const { return this->PixelTolerance; }
 
 private:
   void moveTo(vtkOpenGLRenderWindow* window);
@@ -135,6 +137,7 @@ private:
   std::int64_t RunsBefore = 0; // of all stages, before this frame
   Fingerprint Content;
   Viewport Area; // of the last frame; empty: there was none, or not a ray a pixel
+  double PixelTolerance = 0;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   ContextWatch Watch;            // of that window

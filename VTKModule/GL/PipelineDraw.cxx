@@ -103,7 +103,7 @@ MarchInputs Pipeline::inputsOf(
   inputs.Key = fittedTo(units - ofVisits, this->keyOf(options, renderer, area));
   const bool fits = samplersOf(inputs.Key) + SamplersOfRayLists <= units &&
                     std::int64_t(area.Width) * area.Height < RayList::MostPixels;
-  inputs.PixelTolerance = fits && !options.View ? options.PixelTolerance : 0;
+  inputs.PixelTolerance = fits && !options.View && !options.Shared ? options.PixelTolerance : 0;
   inputs.CountsRays = options.Diagnostics;
   inputs.Stages = &this->Stages;
   inputs.Volume = &this->Textures;
@@ -177,6 +177,7 @@ StageResult Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
     return { bad };
   }
   const MarchInputs inputs = this->inputsOf(options, renderer, area);
+  this->PixelTolerance = inputs.PixelTolerance;
   this->Content.push_back(static_cast<std::uintptr_t>(area.Width));
   this->Content.push_back(static_cast<std::uintptr_t>(area.Height));
 

@@ -57,13 +57,13 @@ EffectOptions effectOptionsOf(Settings* settings, BlendMode blend)
 AccuracyOptions accuracyOptionsOf(Settings* settings)
 {
   return { static_cast<Accuracy>(settings->GetAccuracyLevel()), settings->GetErrorTolerance(),
-    settings->GetFrameTimeBudget(), settings->GetErrorBudget() };
+    settings->GetFrameTimeBudget(), settings->GetErrorBudget(), settings->GetPixelTolerance() };
 }
 
 bool isInteractive(vtkRenderWindow* window) { return window->GetDesiredUpdateRate() >= 1.0; }
 
 FrameOptions::FrameOptions(Settings* settings, BlendMode blend, vtkRenderer* renderer,
-  const AccuracyLevel& level, const PeelHooks& hooks, const FrameConditions& conditions,
+  const Rung& accuracy, const PeelHooks& hooks, const FrameConditions& conditions,
   vtkLookupTable* viewColors)
   : Law(static_cast<OpacityLaw>(settings->GetOpacityLaw()))
   , DrawNanCells(settings->GetDrawNanCells())
@@ -75,7 +75,7 @@ FrameOptions::FrameOptions(Settings* settings, BlendMode blend, vtkRenderer* ren
   const bool peeling = hooks.isPeeling();
   const bool onlyParts = peeling || conditions.OnlyParts;
   const int viewMode = settings->GetViewMode();
-  this->Draw.Level = level;
+  this->Draw.Level = accuracy.level();
   this->Draw.Diagnostics = settings->GetCollectDiagnostics() && !onlyParts;
   this->Draw.Stage = static_cast<ShaderStage>(settings->GetShaderStage());
   this->Draw.MostSecondsPerDraw = settings->GetMaxDrawTimeInSeconds();
@@ -92,7 +92,7 @@ FrameOptions::FrameOptions(Settings* settings, BlendMode blend, vtkRenderer* ren
 
   this->MarchesPicture = !renderer->GetSelector() && !peeling && !this->Draw.View &&
                          this->Draw.Boundary == BoundaryView::None;
-  this->Draw.PixelTolerance = this->MarchesPicture ? settings->GetPixelTolerance() : 0.0;
+  this->Draw.PixelTolerance = this->MarchesPicture ? accuracy.PixelTolerance : 0.0;
 }
 
 void FrameOptions::chooseSampleDistance(

@@ -39,7 +39,7 @@ struct FrameOptions
 {
   /** `hooks` and `viewColors`, the colours of measures, are referred to. */
   FrameOptions(vtkTetMarchSettings* settings, BlendMode blend, vtkRenderer* renderer,
-    const AccuracyLevel& level, const PeelHooks& hooks, const FrameConditions& conditions,
+    const Rung& accuracy, const PeelHooks& hooks, const FrameConditions& conditions,
     vtkLookupTable* viewColors);
   FrameOptions(const FrameOptions&) = delete;
   void operator=(const FrameOptions&) = delete;

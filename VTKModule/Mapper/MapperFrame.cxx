@@ -30,7 +30,7 @@ MapperFrame::MapperFrame(const MapperScene& scene, MapperState& state, const Ble
         return !scene.Renderer->GetRenderWindow()->CheckAbortStatus();
       })
   , Hooks(scene.Volume, scene.Mapper)
-  , Options(state.Settings.get(), static_cast<BlendMode>(blend.Mode), scene.Renderer, state.Level,
+  , Options(state.Settings.get(), static_cast<BlendMode>(blend.Mode), scene.Renderer, state.Chosen,
       this->Hooks, conditions, state.ViewTable)
 {
   this->Timer->StartTimer();
@@ -166,6 +166,7 @@ FrameResult MapperFrame::resultOf(double seconds) const
   {
     result.Seconds -= this->Options.Draw.View ? 0.0 : pipeline->counted().seconds();
     result.OnlyDrawn = result.OnlyDrawn && pipeline->onlyDrew();
+    result.PixelTolerance = std::max(result.PixelTolerance, pipeline->pixelTolerance());
     const Fingerprint& content = pipeline->contentVersion();
     result.ContentVersion.insert(result.ContentVersion.end(), content.begin(), content.end());
   }

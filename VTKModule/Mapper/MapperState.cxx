@@ -18,13 +18,14 @@ void MapperState::begin(bool selecting)
 {
   if (selecting)
   {
-    this->Level = this->Accuracy.used().level();
+    this->Chosen = this->Accuracy.used();
   }
   else
   {
-    this->Level = this->Accuracy.begin(accuracyOptionsOf(this->Settings.get()));
+    this->Chosen = this->Accuracy.begin(accuracyOptionsOf(this->Settings.get()));
     this->Statistics->Clear();
   }
+  this->Level = this->Chosen.level();
 }
 
 } // namespace tetmarch

@@ -31,7 +31,8 @@ struct MapperState
 
   SettingsLink Settings;
   AccuracyController Accuracy;
-  AccuracyLevel Level = DefaultAccuracy; // of this frame
+  Rung Chosen;                           // for this frame
+  AccuracyLevel Level = DefaultAccuracy; // of it; of several processes, that of the first
   SampleDistance Distance;
   PickSession Picking;
   LastMessage LastError;

@@ -164,6 +164,7 @@ void recordAccuracy(const AccuracyController& controller, vtkTetMarchFrameStatis
 {
   statistics->SetUsedAccuracyLevel(static_cast<int>(controller.used().Level));
   statistics->SetUsedErrorTolerance(controller.used().Tolerance);
+  statistics->SetUsedPixelTolerance(controller.used().PixelTolerance);
   statistics->SetBudgetKept(controller.isKept());
 }
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 #include <iostream>
+#include <set>
 
 namespace
 {
@@ -106,6 +107,42 @@ TEST_F(Budget, OfTooLittleTimeIsNotKept)
     EXPECT_FALSE(this->mapper()->IsBudgetKept());
   }
   EXPECT_EQ(this->mapper()->GetTablesBuilds(), 1);
+}
+
+// Before anything coarser, pixels are interpolated; unless the user has said how.
+TEST_F(Budget, OfTooLittleTimeInterpolatesPixels)
+{
+  this->mapper()->SetFrameTimeBudget(Tiny);
+  std::set<double> used;
+  for (int i = 0; i < 20; ++i)
+  {
+    this->frames(1);
+    const double tolerance = this->mapper()->GetUsedPixelTolerance();
+    EXPECT_TRUE(i > 0 || tolerance == 0.0);
+    if (used.insert(tolerance).second)
+    {
+      Scene other(this->Shown.Data);
+      other.Mapper->SetAccuracyLevelToFast();
+      other.Mapper->SetPixelTolerance(tolerance);
+      other.Window->Render();
+      EXPECT_EQ(compare(this->Shown.frame(), other.frame()).Max, 0.0) << tolerance;
+    }
+  }
+  EXPECT_EQ(used, (std::set<double>{ 0.0, 4.0 / 255.0 }));
+  this->mapper()->SetPixelTolerance(0.001);
+  for (const double budget : { Tiny, Huge })
+  {
+    this->mapper()->SetFrameTimeBudget(budget);
+    for (int i = 0; i < UntilBest; ++i)
+    {
+      this->frames(1);
+      EXPECT_EQ(this->mapper()->GetUsedPixelTolerance(), 0.001);
+    }
+  }
+  this->expectUsed(Mapper::REFERENCE, 1e-5);
+  this->mapper()->SetViewModeToCells();
+  this->frames(1);
+  EXPECT_EQ(this->mapper()->GetUsedPixelTolerance(), 0.0);
 }
 
 // A frame in which light was computed doesn't tell how long drawing takes.
