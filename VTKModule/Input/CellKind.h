@@ -20,7 +20,7 @@ enum class CellCut
   Tetrahedron,    // used unchanged
   Pieces,         // by cellPieces()
   Polyhedron,     // by its stream of faces
-  ByVTK           // by vtkCell::Triangulate
+  ByVTK           // by linearParts() if it has these, or by vtkCell::Triangulate
 };
 
 struct CellKind

@@ -19,7 +19,7 @@ namespace tetmarch
 namespace
 {
 
-using CellDegrees = std::array<double, 3>;
+using AxisDegrees = std::array<double, 3>;
 
 // Far above the orders that VTK supports; keeps products exact.
 constexpr double MostDegree = 1000;
@@ -28,50 +28,52 @@ bool isTetrahedron(int type)
 {
   return type == VTK_LAGRANGE_TETRAHEDRON || type == VTK_BEZIER_TETRAHEDRON;
 }
-bool isWedge(int type) { return type == VTK_LAGRANGE_WEDGE || type == VTK_BEZIER_WEDGE; }
-bool isHexahedron(int type)
-{
-  return type == VTK_LAGRANGE_HEXAHEDRON || type == VTK_BEZIER_HEXAHEDRON;
-}
 bool isBezier(int type) { return type >= VTK_BEZIER_CURVE && type <= VTK_BEZIER_PYRAMID; }
 
-double pointsOf(int type, const CellDegrees& n)
+double pointsOf(int type, const AxisDegrees& n)
 {
   if (isTetrahedron(type))
   {
     return (n[0] + 1) * (n[0] + 2) * (n[0] + 3) / 6;
   }
-  return isWedge(type) ? (n[0] + 1) * (n[0] + 2) / 2 * (n[2] + 1)
-                       : (n[0] + 1) * (n[1] + 1) * (n[2] + 1);
+  return isHigherOrderWedge(type) ? (n[0] + 1) * (n[0] + 2) / 2 * (n[2] + 1)
+                                  : (n[0] + 1) * (n[1] + 1) * (n[2] + 1);
 }
 
 // Cells with additional points in the centres of their faces or of the cell.
 bool isSpecial(int type, vtkIdType points)
 {
-  return (isTetrahedron(type) && points == 15) || (isWedge(type) && points == 21);
+  return (isTetrahedron(type) && points == 15) || (isHigherOrderWedge(type) && points == 21);
 }
 
-bool fitsOneDegree(int type, vtkIdType points)
+// The least degree whose cell has that number of points or more.
+double oneDegree(int type, vtkIdType points)
 {
   double n = 1;
   while (n < MostDegree && pointsOf(type, { n, n, n }) < static_cast<double>(points))
   {
     ++n;
   }
+  return n;
+}
+
+bool fitsOneDegree(int type, vtkIdType points)
+{
+  const double n = oneDegree(type, points);
   return pointsOf(type, { n, n, n }) == static_cast<double>(points);
 }
 
-bool fit(int type, const CellDegrees& n, vtkIdType points)
+bool fit(int type, const AxisDegrees& n, vtkIdType points)
 {
   const bool whole = std::all_of(
     n.begin(), n.end(), [](double d) { return d >= 1 && d <= MostDegree && d == std::floor(d); });
-  if (!whole || (isWedge(type) && n[0] != n[1]))
+  if (!whole || (isHigherOrderWedge(type) && n[0] != n[1]))
   {
     return false;
   }
   if (isSpecial(type, points))
   {
-    return n == CellDegrees{ { 2, 2, 2 } };
+    return n == AxisDegrees{ { 2, 2, 2 } };
   }
   return pointsOf(type, n) == static_cast<double>(points);
 }
@@ -92,7 +94,7 @@ HigherOrderArrays::HigherOrderArrays(vtkUnstructuredGrid* grid)
 
 std::string HigherOrderArrays::errorOf(vtkIdType cell, int type, vtkIdType points) const
 {
-  if (!isTetrahedron(type) && !isWedge(type) && !isHexahedron(type))
+  if (!isTetrahedron(type) && !isHigherOrderWedge(type) && !isHigherOrderHexahedron(type))
   {
     return {};
   }
@@ -122,7 +124,7 @@ std::string HigherOrderArrays::errorOf(vtkIdType cell, int type, vtkIdType point
            std::to_string(this->Degrees->GetNumberOfComponents()) + " components, but " + which +
            ", wants three degrees.";
   }
-  CellDegrees degrees;
+  AxisDegrees degrees;
   this->Degrees->GetTuple(cell, degrees.data());
   if (!fit(type, degrees, points))
   {
@@ -132,6 +134,22 @@ std::string HigherOrderArrays::errorOf(vtkIdType cell, int type, vtkIdType point
            which + ", which don't go together.";
   }
   return {};
+}
+
+CellDegrees HigherOrderArrays::degreesOf(vtkIdType cell, int type, vtkIdType points) const
+{
+  if (isSpecial(type, points))
+  {
+    return { { 0, 0, 0 } };
+  }
+  AxisDegrees degrees;
+  degrees.fill(oneDegree(type, points));
+  if (this->Degrees)
+  {
+    this->Degrees->GetTuple(cell, degrees.data());
+  }
+  return { { static_cast<int>(degrees[0]), static_cast<int>(degrees[1]),
+    static_cast<int>(degrees[2]) } };
 }
 
 } // namespace tetmarch

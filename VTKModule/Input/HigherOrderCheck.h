@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks whether VTK can triangulate Lagrange and Bezier cells of any order.
+// The degrees of Lagrange and Bezier cells, and whether they fit their numbers of points.
 #ifndef TetMarchInputHigherOrderCheck_h
 #define TetMarchInputHigherOrderCheck_h
+
+#include "Input/LinearParts.h"
 
 #include "vtkType.h"
 
@@ -26,6 +28,9 @@ struct HigherOrderArrays
   /** Empty for cells of other types and for those whose number of points matches their order; else
    * an error. */
   std::string errorOf(vtkIdType cell, int type, vtkIdType points) const;
+
+  /** Of a hexahedron or wedge without an error. A wedge of 21 points has none: { 0, 0, 0 }. */
+  CellDegrees degreesOf(vtkIdType cell, int type, vtkIdType points) const;
 };
 
 } // namespace tetmarch

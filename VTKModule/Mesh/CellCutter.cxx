@@ -35,6 +35,7 @@ CellCutter::CellCutter(vtkUnstructuredGrid* grid, const PointNumbers& numbers)
   , CellArray(grid->GetCells())
   , Points(grid->GetPoints())
   , NumberOfPoints(grid->GetNumberOfPoints())
+  , HigherOrder(grid)
 {
 }
 
@@ -64,7 +65,7 @@ void CellCutter::cut(vtkIdType cell, int type)
   {
     this->cutPolyhedron(cell);
   }
-  else
+  else if (!this->cutParts(cell, type))
   {
     this->cutByVTK(cell, type);
   }
@@ -123,6 +124,40 @@ void CellCutter::cutPieces(vtkIdType cell, const std::vector<CellPiece>& pieces)
       this->coneFromBestPoint(cell);
     }
   }
+}
+
+// VTK would cut each part into five tetrahedra, which don't meet those of the next one.
+bool CellCutter::cutParts(vtkIdType cell, int type)
+{
+  if (!isHigherOrderHexahedron(type) && !isHigherOrderWedge(type))
+  {
+    return false;
+  }
+  const LinearParts& parts =
+    this->partsOf(type, this->HigherOrder.degreesOf(cell, type, this->PointIds->GetNumberOfIds()));
+  this->PointsOfCell->DeepCopy(this->PointIds);
+  this->IsPart = true;
+  for (const std::vector<int>& part : parts.Points)
+  {
+    this->PointIds->SetNumberOfIds(static_cast<vtkIdType>(part.size()));
+    for (std::size_t i = 0; i < part.size(); ++i)
+    {
+      this->PointIds->SetId(static_cast<vtkIdType>(i), this->PointsOfCell->GetId(part[i]));
+    }
+    this->cutPieces(cell, *cellPieces(parts.Type));
+  }
+  this->IsPart = false;
+  return !parts.Points.empty();
+}
+
+const LinearParts& CellCutter::partsOf(int type, const CellDegrees& degrees)
+{
+  const auto added = this->Parts.try_emplace({ type, degrees });
+  if (added.second)
+  {
+    added.first->second = linearParts(type, degrees);
+  }
+  return added.first->second;
 }
 
 void CellCutter::cutPolyhedron(vtkIdType cell)
@@ -199,7 +234,24 @@ void CellCutter::coneFromBestPoint(vtkIdType cell)
   {
     least = std::min({ least, t[0], t[1], t[2] }, less);
   }
-  this->cone(cell, this->seesAllFaces(least) ? least : this->centerOf(cell));
+  this->cone(cell, this->bestPoint(cell, least));
+}
+
+// The least if it sees all faces. A centre has the mean scalar of the whole cell: a part has none.
+Id CellCutter::bestPoint(vtkIdType cell, Id least)
+{
+  if (this->seesAllFaces(least))
+  {
+    return least;
+  }
+  for (vtkIdType i = 0; this->IsPart && i < this->PointIds->GetNumberOfIds(); ++i)
+  {
+    if (this->seesAllFaces(this->point(i)))
+    {
+      return this->point(i);
+    }
+  }
+  return this->IsPart ? least : this->centerOf(cell);
 }
 
 bool CellCutter::seesAllFaces(Id apex)

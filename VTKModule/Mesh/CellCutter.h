@@ -6,12 +6,15 @@
 
 #include "Input/CellKind.h"
 #include "Input/CellShapes.h"
+#include "Input/HigherOrderCheck.h"
 #include "Mesh/Decomposition.h"
 
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+
+#include <map>
 
 class vtkCellArray;
 
@@ -44,6 +47,9 @@ private:
   using Point = std::array<double, 3>;
 
   void cutPieces(vtkIdType cell, const std::vector<CellPiece>& pieces);
+  /** Whether it is a cell of linear parts. */
+  bool cutParts(vtkIdType cell, int type);
+  const LinearParts& partsOf(int type, const CellDegrees& degrees);
   void cutPolyhedron(vtkIdType cell);
   void cutByVTK(vtkIdType cell, int type);
 
@@ -51,6 +57,7 @@ private:
   void fan();
   void cone(vtkIdType cell, Id apex);
   void coneFromBestPoint(vtkIdType cell);
+  Id bestPoint(vtkIdType cell, Id least);
   void add(vtkIdType cell, const std::array<Id, 4>& tet);
 
   /** Whether the point lies on the inner side of every triangle, as the mean of the cell's points
@@ -87,6 +94,10 @@ private:
   vtkNew<vtkPoints> CutPoints;
   std::vector<Id> Face;
   std::vector<std::array<Id, 3>> Triangles;
+  HigherOrderArrays HigherOrder;
+  std::map<std::pair<int, CellDegrees>, LinearParts> Parts; // of cells that were cut
+  vtkNew<vtkIdList> PointsOfCell;                           // while parts of it are cut
+  bool IsPart = false;
   Point Mean{ { 0, 0, 0 } };
   vtkIdType CenterOfCell = -1; // index among the centres of this cutter
 };
