@@ -107,8 +107,8 @@ TEST_P(SmallHardDrawing, IsRight)
 }
 
 INSTANTIATE_TEST_SUITE_P(Rays, SmallHardDrawing,
-  ::testing::Values(
-    "pixels-on-vertices", "pixels-on-edges", "fan-through-vertices", "rays-parallel-to-faces"),
+  ::testing::Values("pixels-on-vertices", "pixels-on-edges", "jumps", "fan-through-vertices",
+    "rays-parallel-to-faces"),
   testNameOf);
 INSTANTIATE_TEST_SUITE_P(Cells, SmallHardDrawing,
   ::testing::Values("squashed-1e-3", "squashed-1e-8", "needle-fan", "flat-inside",

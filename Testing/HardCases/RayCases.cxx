@@ -188,6 +188,17 @@ void addRayCases(std::vector<HardCase>& cases)
     .Views = latticeViews({ 0.0, 0.5, 0.0 });
   fills(group.add("pixels-in-cells", "the same with pixels aside in both directions", lattice))
     .Views = latticeViews({ 0.25, 0.5, 0.0 });
+  // A ray in a face sees either side, in each cube anew. Down (1, 1, 1) these are too many choices.
+  HardCase& jumps = fills(group.add("jumps",
+    "eight cubes, pixels on vertices; each tetrahedron has values of its own: jumps at all faces",
+    [] { return withJumps(jitteredLattice(2, 0.0), 0.5); }));
+  for (const HardView& view : latticeViews({ 0.0, 0.0, 0.0 }))
+  {
+    if (view.Name.find("down-111") != 0)
+    {
+      jumps.Views.push_back(view);
+    }
+  }
   fills(group.add("fan-through-vertices",
           "plain lattice in a perspective whose rays go through vertices", lattice))
     .Views = fanViews();
