@@ -1,17 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Scalars that jump between cells: pictures are those of cells without common vertices.
+#include "Entries/VisiblePart.h"
 #include "Mesh/Gradients.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "Shot.h"
 
 #include "vtkContourValues.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 
@@ -87,6 +91,67 @@ TEST(Jumps, HaveTheGradientsOfCellsApart)
       ASSERT_NEAR(found[t][k], ofCells.at(mesh.TetCells[t])[k], 1e-4);
     }
   }
+}
+
+// A value that each cell computes anew may be rounded in another way.
+TEST(Jumps, AreNotOfRounding)
+{
+  const auto jumps = [](auto array, double offset, double ulps)
+  {
+    const Grid grid = withRepeatedPoints(jitteredLattice(3, 0.15, 1, sineField()));
+    array->SetNumberOfTuples(grid->GetNumberOfPoints());
+    vtkDataArray* f = grid->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < f->GetNumberOfTuples(); ++i)
+    {
+      auto value = array->GetValue(0);
+      value = static_cast<decltype(value)>(offset + f->GetComponent(i, 0));
+      const auto next = std::nextafter(value, value + 1);
+      array->SetValue(
+        i, i % 2 == 0 ? value : value + static_cast<decltype(value)>(ulps) * (next - value));
+    }
+    TetMesh mesh = built(grid);
+    const MeshScalars scalars = readScalars(grid, { array }, mesh);
+    EXPECT_EQ(scalars.Jump, !scalars.OfCorners.empty());
+    return scalars.Jump;
+  };
+  for (const double offset : { 0.0, 300.0, -1e5 })
+  {
+    EXPECT_FALSE(jumps(vtkSmartPointer<vtkFloatArray>::New(), offset, 1)) << offset;
+    EXPECT_TRUE(jumps(vtkSmartPointer<vtkFloatArray>::New(), offset, 5)) << offset;
+    EXPECT_FALSE(jumps(vtkSmartPointer<vtkDoubleArray>::New(), offset, 10)) << offset;
+    EXPECT_TRUE(jumps(vtkSmartPointer<vtkDoubleArray>::New(), offset, 0x1p32)) << offset;
+  }
+}
+
+// A tetrahedron is seen by the scalars of its own corners, of which one is enough.
+TEST(Jumps, AreSeenInTheirOwnTetrahedra)
+{
+  const Grid grid = withJumps(jitteredLattice(4, 0.15, 1, sineField()), 0.3);
+  TetMesh mesh = built(grid);
+  MeshScalars scalars = readScalars(grid, { grid->GetPointData()->GetScalars() }, mesh);
+  scalars.Range = { 0, 1, true };
+  const IntegralTable table = tableOf(
+    [](double f) {
+      return std::array<double, 4>{ { f, f, f, std::max(0.0, 40.0 * (f - 0.7)) } };
+    });
+  const Blending blend;
+  const HiddenCells hidden;
+  const VisiblePart part = findVisiblePart(mesh, { &scalars, &table, &blend, &hidden });
+  std::array<int, 4> seenAlone{};
+  for (Id tet = 0; tet < mesh.numberOfTets(); ++tet)
+  {
+    int seen = 0;
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const bool isSeen = scalars.OfCorners[tet][i] > 0.7005f;
+      seen += isSeen ? 1 : 0;
+      last = isSeen ? i : last;
+    }
+    ASSERT_EQ(part.Tets[tet / 32] >> (tet % 32) & 1u, seen > 0 ? 1u : 0u) << tet;
+    seenAlone[last] += seen == 1 ? 1 : 0;
+  }
+  EXPECT_GT(*std::min_element(seenAlone.begin(), seenAlone.end()), 3);
 }
 
 void expectGroundTruth(const Shot& shot)

@@ -5,9 +5,13 @@
 #include "Parallel/ParallelFor.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace tetmarch
 {
@@ -26,17 +30,24 @@ std::vector<Id> pointsOfSolids(const TetMesh& mesh)
   return points;
 }
 
-bool scalarsJump(const TetMesh& mesh, const std::vector<float>& ofPoints)
+bool scalarsJump(const TetMesh& mesh, const std::vector<float>& ofPoints, float rounding)
 {
   for (std::size_t i = 0; i < mesh.FirstPoints.size(); ++i)
   {
     const Id first = mesh.FirstPoints[i];
-    if (first != NoPoint && ofPoints[i] != ofPoints[first])
+    if (first != NoPoint && std::abs(ofPoints[i] - ofPoints[first]) > rounding)
     {
       return true;
     }
   }
   return false;
+}
+
+float roundingOf(vtkDataArray* array, const ScalarRange& range)
+{
+  const double most = std::max(std::abs(range.Low), std::abs(range.High));
+  const double ofArray = array->GetDataType() == VTK_FLOAT ? most / range.width() : 0;
+  return static_cast<float>(std::ldexp(1 + ofArray, -23));
 }
 
 std::vector<std::array<float, 4>> cornerScalars(

@@ -6,6 +6,7 @@
 
 #include "Mesh/TetMesh.h"
 
+class vtkDataArray;
 class vtkUnstructuredGrid;
 
 namespace tetmarch
@@ -14,8 +15,13 @@ namespace tetmarch
 /** The points of 3D cells, by TetMesh::FirstPoints; none if no two coincide. */
 std::vector<Id> pointsOfSolids(const TetMesh& mesh);
 
-/** Whether points that coincide have different scalars. `ofPoints`: one for each point. */
-bool scalarsJump(const TetMesh& mesh, const std::vector<float>& ofPoints);
+/** Whether scalars of points that coincide differ by more than their rounding. `ofPoints`: one for
+ * each point. */
+bool scalarsJump(const TetMesh& mesh, const std::vector<float>& ofPoints, float rounding);
+
+/** Maximum difference of two stored scalars that may be one value, rounded twice: programs of
+ * finite elements compute the value of a continuous field anew in each cell. */
+float roundingOf(vtkDataArray* array, const ScalarRange& range);
 
 /** The scalars of the corners of each tetrahedron: those of the points of its own cell. Vertices in
  * centres of cells have theirs in the mesh. If a cell has several points in one place, that of the

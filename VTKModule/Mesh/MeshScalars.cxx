@@ -159,7 +159,9 @@ private:
     {
       ofPoints[this->Points[i]] = storedScalar(repeated[i], range);
     }
-    this->Made.Jump = this->Made.Jump || (!ofPoints.empty() && scalarsJump(this->Mesh, ofPoints));
+    this->Made.Jump =
+      this->Made.Jump || (!ofPoints.empty() &&
+                           scalarsJump(this->Mesh, ofPoints, roundingOf(this->Drawn.Array, range)));
     return ofPoints;
   }
 

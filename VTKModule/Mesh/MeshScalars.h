@@ -19,7 +19,7 @@ struct MeshScalars
   std::vector<float> OfCells; // the first scalar of each tetrahedron; empty: stored in the vertices
   std::vector<std::array<float, 4>> OfCorners; // the first scalar of the corners of each
                                                // tetrahedron, if it jumps and is the only one
-  bool Jump = false;  // points with equal coordinates have different scalars
+  bool Jump = false;  // scalars of points with equal coordinates differ (CornerScalars.h)
   ScalarRange Range;  // of the first scalar
   ExtraScalars Extra; // of each tetrahedron or of each vertex, likewise
 };
