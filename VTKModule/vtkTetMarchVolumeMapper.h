@@ -37,7 +37,7 @@
  * the next. They may be any data sets with 3D cells, also images and rectilinear grids, whose cells
  * are decomposed into tetrahedra. Points of different blocks are identified by global point ids if
  * all blocks have them, else by equal coordinates to the last bit. If such points have different
- * scalars, the first block is used in which the point is no duplicate by vtkGhostType. Blocks
+ * scalars, each block keeps its own, unless its point is a duplicate by vtkGhostType. Blocks
  * without the chosen array are left out with a warning that names them. The joined grid is updated
  * when blocks have changed, and takes memory in addition to them. GetInput() is null for composite
  * input; GetDataObjectInput() is not.

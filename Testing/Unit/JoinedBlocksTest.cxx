@@ -3,6 +3,7 @@
 // Blocks become the grid that they were cut from, whatever they are and however they are nested.
 #include "Grids.h"
 #include "JoinedGrids.h"
+#include "Mesh/MeshScalars.h"
 #include "Mesh/TetMeshBuilder.h"
 
 #include "vtkCellData.h"
@@ -147,14 +148,27 @@ TEST_F(Joined, PointsOfOneBlockStayApart)
   EXPECT_EQ(this->grid()->GetNumberOfCells(), 3);
 }
 
-TEST_F(Joined, TheFirstBlockGivesTheScalar)
+// Where they differ, blocks keep their scalars; the mesh has one vertex and two corners then.
+TEST_F(Joined, EachBlockKeepsItsScalars)
 {
   this->join({ tetTowards(-1.0, 0.25), tetTowards(1.0, 0.75) });
-  ASSERT_EQ(this->grid()->GetNumberOfPoints(), 5);
-  for (vtkIdType i = 0; i < 5; ++i)
+  ASSERT_EQ(this->grid()->GetNumberOfPoints(), 8);
+  for (vtkIdType cell = 0; cell < 2; ++cell)
   {
-    EXPECT_EQ(
-      this->Blocks.scalars()->GetComponent(i, 0), this->grid()->GetPoint(i)[0] > 0.5 ? 0.75 : 0.25);
+    for (const vtkIdType point : *this->grid()->GetCell(cell)->GetPointIds())
+    {
+      EXPECT_EQ(this->Blocks.scalars()->GetComponent(point, 0), cell == 0 ? 0.25 : 0.75);
+    }
+  }
+  TetMesh mesh = meshOf(this->grid());
+  EXPECT_EQ(mesh.Vertices.size(), 5u);
+  EXPECT_EQ(mesh.BoundaryFaces.size(), 6u);
+  const MeshScalars scalars = readScalars(this->grid(), { this->Blocks.scalars() }, mesh);
+  ASSERT_EQ(scalars.OfCorners.size(), 2u);
+  for (std::size_t t = 0; t < 2; ++t)
+  {
+    const float own = mesh.TetCells[t] == 0 ? 0.0f : 1.0f;
+    EXPECT_EQ(scalars.OfCorners[t], (std::array<float, 4>{ { own, own, own, own } }));
   }
 }
 
@@ -165,22 +179,25 @@ TEST_F(Joined, GhostsStayWhatTheyAre)
   cut[0]->GetPointData()->AddArray(ghosts(4, vtkDataSetAttributes::DUPLICATEPOINT));
   cut[0]->GetCellData()->AddArray(ghosts(1, vtkDataSetAttributes::DUPLICATECELL));
   this->join(cut);
-  ASSERT_EQ(this->grid()->GetNumberOfPoints(), 6);
+  // The tip of the first alone; of the second all; of the third, whose scalar is another, all.
+  ASSERT_EQ(this->grid()->GetNumberOfPoints(), 1 + 4 + 4);
   auto* ofPoints = vtkUnsignedCharArray::SafeDownCast(
     this->grid()->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   auto* ofCells = vtkUnsignedCharArray::SafeDownCast(
     this->grid()->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   ASSERT_TRUE(ofPoints && ofCells);
-  for (vtkIdType i = 0; i < 6; ++i)
+  for (vtkIdType cell = 0; cell < 3; ++cell)
   {
-    // Only the tip of the first belongs to it alone; shared points are those of the second.
-    const double x = this->grid()->GetPoint(i)[0];
-    EXPECT_EQ(ofPoints->GetValue(i), x < -0.5 ? vtkDataSetAttributes::DUPLICATEPOINT : 0);
-    EXPECT_EQ(this->Blocks.scalars()->GetComponent(i, 0), x < -0.5 ? 0.25 : (x > 1.5 ? 0.5 : 0.75));
+    EXPECT_EQ(ofCells->GetValue(cell), cell == 0 ? vtkDataSetAttributes::DUPLICATECELL : 0);
+    for (const vtkIdType point : *this->grid()->GetCell(cell)->GetPointIds())
+    {
+      // The duplicates of the first are points of the second.
+      const bool ofFirst = this->grid()->GetPoint(point)[0] < -0.5;
+      EXPECT_EQ(ofPoints->GetValue(point), ofFirst ? vtkDataSetAttributes::DUPLICATEPOINT : 0);
+      EXPECT_EQ(
+        this->Blocks.scalars()->GetComponent(point, 0), ofFirst ? 0.25 : (cell == 2 ? 0.5 : 0.75));
+    }
   }
-  EXPECT_EQ(ofCells->GetValue(0), vtkDataSetAttributes::DUPLICATECELL);
-  EXPECT_EQ(ofCells->GetValue(1), 0);
-  EXPECT_EQ(ofCells->GetValue(2), 0);
 }
 
 TEST_F(Joined, ImagesAndSinglePrecision)
@@ -194,7 +211,8 @@ TEST_F(Joined, ImagesAndSinglePrecision)
   f->SetNumberOfTuples(75);
   f->Fill(0.5);
   image->GetPointData()->SetScalars(f);
-  const Grid rest = withFloatPoints(cutIntoBlocks(hexLattice(4), partsOfUnitCube(2)).back());
+  const Grid rest = withFloatPoints(
+    cutIntoBlocks(hexLattice(4, 0.0, constantField(0.5)), partsOfUnitCube(2)).back());
   vtkNew<vtkMultiBlockDataSet> input;
   input->SetBlock(0, image);
   input->SetBlock(1, rest);

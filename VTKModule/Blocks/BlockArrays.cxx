@@ -14,6 +14,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tetmarch
 {
@@ -39,6 +40,11 @@ bool hasFloatPoints(vtkDataSet* block)
 vtkUnsignedCharArray* ghostsOf(vtkDataSetAttributes* data)
 {
   return vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
+}
+
+vtkIdType firstRepeated(const SharedBlocks& blocks)
+{
+  return blocks.Count - static_cast<vtkIdType>(blocks.Places.size());
 }
 
 void rename(vtkIdList* ids, const BlockPoints& points)
@@ -102,6 +108,13 @@ vtkSmartPointer<vtkPoints> joinPoints(const SharedBlocks& blocks)
       points->SetPoint(blocks.Points[b].Joined[static_cast<std::size_t>(p)], x);
     }
   }
+  // Points that are shared by their ids may differ in their positions.
+  for (std::size_t i = 0; i < blocks.Places.size(); ++i)
+  {
+    double x[3];
+    points->GetPoint(blocks.Places[i], x);
+    points->SetPoint(firstRepeated(blocks) + static_cast<vtkIdType>(i), x);
+  }
   return points;
 }
 
@@ -147,6 +160,28 @@ vtkSmartPointer<vtkDataArray> joinPointValues(
   return values;
 }
 
+bool valuesDiffer(
+  const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays, vtkDataArray* values)
+{
+  for (std::size_t b = 0; b < blocks.Data.size(); ++b)
+  {
+    for (const vtkIdType p : blocks.Points[b].Shared)
+    {
+      const vtkIdType joined = blocks.Points[b].Joined[static_cast<std::size_t>(p)];
+      for (int k = 0; k < values->GetNumberOfComponents(); ++k)
+      {
+        const double own = arrays[b]->GetComponent(p, k);
+        const double other = values->GetComponent(joined, k);
+        if (own != other && !(std::isnan(own) && std::isnan(other)))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 vtkSmartPointer<vtkDataArray> joinCellValues(
   const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays)
 {
@@ -178,10 +213,18 @@ vtkSmartPointer<vtkUnsignedCharArray> joinPointGhosts(const SharedBlocks& blocks
     const vtkIdType known = ghosts ? ghosts->GetNumberOfTuples() : 0;
     for (vtkIdType p = 0; p < blocks.Data[b]->GetNumberOfPoints(); ++p)
     {
-      const vtkIdType point = blocks.Points[b].Joined[static_cast<std::size_t>(p)];
+      const vtkIdType joinedPoint = blocks.Points[b].Joined[static_cast<std::size_t>(p)];
+      const vtkIdType repeated = joinedPoint - firstRepeated(blocks);
+      const vtkIdType point =
+        repeated < 0 ? joinedPoint : blocks.Places[static_cast<std::size_t>(repeated)];
       joined->SetValue(point, static_cast<unsigned char>(
                                 joined->GetValue(point) & (p < known ? ghosts->GetValue(p) : 0)));
     }
+  }
+  for (std::size_t i = 0; joined && i < blocks.Places.size(); ++i)
+  {
+    joined->SetValue(
+      firstRepeated(blocks) + static_cast<vtkIdType>(i), joined->GetValue(blocks.Places[i]));
   }
   return joined;
 }

@@ -25,6 +25,7 @@ struct SharedBlocks
   std::vector<vtkDataSet*> Data;
   std::vector<BlockPoints> Points;
   vtkIdType Count = 0;
+  std::vector<vtkIdType> Places; // of the last points: those with the same positions (repeatShared)
 };
 
 /** The joined points: in double precision if those of any block are, else in their own type.
@@ -38,11 +39,14 @@ void joinCells(const SharedBlocks& blocks, vtkUnstructuredGrid* grid);
  * common type, or else double precision. */
 vtkSmartPointer<vtkDataArray> joinPointValues(
   const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays);
+/** Whether a shared point has other values in another block. `values`: of joinPointValues(). */
+bool valuesDiffer(
+  const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays, vtkDataArray* values);
 vtkSmartPointer<vtkDataArray> joinCellValues(
   const SharedBlocks& blocks, const std::vector<vtkDataArray*>& arrays);
 
 /** Join the ghost arrays; null if no block has one. A shared point has only the flags that it has
- * in all of its blocks. */
+ * in all of its blocks, also where it is repeated. */
 vtkSmartPointer<vtkUnsignedCharArray> joinPointGhosts(const SharedBlocks& blocks);
 vtkSmartPointer<vtkUnsignedCharArray> joinCellGhosts(const SharedBlocks& blocks);
 

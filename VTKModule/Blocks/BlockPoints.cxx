@@ -190,6 +190,10 @@ std::vector<BlockPoints> share(
             shared[b].Own.push_back(p);
             ++count;
           }
+          else if (!duplicates)
+          {
+            shared[b].Shared.push_back(p);
+          }
         }
       }
     }
@@ -208,6 +212,23 @@ std::vector<BlockPoints> sharePoints(const std::vector<vtkDataSet*>& blocks, vtk
   }
   ByPosition byPosition(blocks);
   return share(blocks, byPosition, count);
+}
+
+std::vector<vtkIdType> repeatShared(std::vector<BlockPoints>& blocks, vtkIdType& count)
+{
+  std::vector<vtkIdType> places;
+  for (BlockPoints& block : blocks)
+  {
+    for (const vtkIdType p : block.Shared)
+    {
+      vtkIdType& joined = block.Joined[static_cast<std::size_t>(p)];
+      places.push_back(joined);
+      joined = count++;
+      block.Own.push_back(p);
+    }
+    block.Shared.clear();
+  }
+  return places;
 }
 
 } // namespace tetmarch

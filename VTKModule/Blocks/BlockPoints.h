@@ -18,6 +18,7 @@ struct BlockPoints
 {
   std::vector<vtkIdType> Joined; // index of each point of the block in the joined grid
   std::vector<vtkIdType> Own;    // points of the block whose data the joined grid uses
+  std::vector<vtkIdType> Shared; // others, unless they are marked as duplicates
 };
 
 /**
@@ -29,6 +30,10 @@ struct BlockPoints
  * number of points of the joined grid.
  */
 std::vector<BlockPoints> sharePoints(const std::vector<vtkDataSet*>& blocks, vtkIdType& count);
+
+/** Gives each block points of its own in place of shared ones, behind all others, so that their
+ * data are kept. Returns the joined point in whose place each new one lies. */
+std::vector<vtkIdType> repeatShared(std::vector<BlockPoints>& blocks, vtkIdType& count);
 
 } // namespace tetmarch
 

@@ -126,13 +126,18 @@ std::string JoinedBlocks::join(const std::vector<Block>& drawn)
   }
   if (!onlyGridOf(drawn) && !drawn.empty())
   {
-    this->Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     this->Shared.Points = sharePoints(this->Shared.Data, this->Shared.Count);
-    this->Grid->SetPoints(joinPoints(this->Shared));
-    joinCells(this->Shared, this->Grid);
-    this->joinAttributes();
+    this->joinGrid();
   }
   return {};
+}
+
+void JoinedBlocks::joinGrid()
+{
+  this->Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  this->Grid->SetPoints(joinPoints(this->Shared));
+  joinCells(this->Shared, this->Grid);
+  this->joinAttributes();
 }
 
 // Join the arrays that affect the mesh.
@@ -180,6 +185,12 @@ std::string JoinedBlocks::joinScalars(const std::vector<Block>& drawn)
   {
     this->Scalars = this->CellScalars ? joinCellValues(this->Shared, arrays)
                                       : joinPointValues(this->Shared, arrays);
+    if (!this->CellScalars && valuesDiffer(this->Shared, arrays, this->Scalars))
+    {
+      this->Shared.Places = repeatShared(this->Shared.Points, this->Shared.Count);
+      this->joinGrid();
+      this->Scalars = joinPointValues(this->Shared, arrays);
+    }
   }
   return {};
 }

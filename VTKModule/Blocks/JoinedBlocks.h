@@ -27,9 +27,9 @@ public:
   std::string update(vtkCompositeDataSet* input, const ScalarSelection& selection);
   void clear();
 
-  /** Shared points (sharePoints) are merged. Null if no block has 3D cells. */
+  /** Shared points (sharePoints) are merged, unless their scalars have ever differed between
+   * blocks: then each block has its own. Null if no block has 3D cells. */
   vtkUnstructuredGrid* grid() const { return this->Grid; }
-  /** A shared point has the scalar of the first of its blocks. */
   vtkDataArray* scalars() const { return this->Scalars; }
   bool hasCellScalars() const { return this->CellScalars; }
   /** The original blocks of the grid's cells. */
@@ -44,6 +44,7 @@ private:
   std::string choose(const std::vector<Block>& blocks, const ScalarSelection& selection);
   std::string join(const std::vector<Block>& drawn);
   std::string joinScalars(const std::vector<Block>& drawn);
+  void joinGrid();
   void joinAttributes();
   std::vector<Block> drawnOf(const std::vector<Block>& blocks);
 

@@ -96,6 +96,27 @@ TEST(Blocks, LookLikeTheWhole)
   }
 }
 
+// Where blocks have other values at the points that they share, they are cells with points of their
+// own, at which the scalar jumps.
+TEST(Blocks, KeepTheirValues)
+{
+  for (const bool globalIds : { false, true })
+  {
+    const std::vector<Grid> cut =
+      cutIntoBlocks(jitteredLattice(6, 0.15, 1, sineField()), partsOfUnitCube(2), globalIds);
+    vtkDataArray* f = cut[1]->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < f->GetNumberOfTuples(); ++i)
+    {
+      f->SetComponent(i, 0, f->GetComponent(i, 0) + 0.2);
+    }
+    Scene apart(joined(cut[0], cut[1]));
+    Scene scene(jitteredLattice(6));
+    scene.Mapper->SetInputDataObject(blocks(cut));
+    EXPECT_EQ(compare(scene.render(), apart.render()).Max, 0.0);
+    expectSameCounts(countsOf(scene.Mapper), countsOf(apart.Mapper));
+  }
+}
+
 // Which way other cells are cut depends on the numbers of their points, which makes no difference
 // to a linear scalar.
 TEST(Blocks, OfOtherCellsLookLikeTheWhole)
