@@ -11,6 +11,14 @@
 
 namespace tetmarch::testing
 {
+namespace
+{
+std::array<double, 4> rgbaOf(const SegmentResult& all)
+{
+  return { all.Colour[0], all.Colour[1], all.Colour[2], -std::expm1(-all.Depth) };
+}
+} // namespace
+
 GroundTruthScene::GroundTruthScene(
   vtkUnstructuredGrid* grid, const OpticalModel& model, ScalarsOf scalars)
   : Chords(grid)
@@ -44,17 +52,41 @@ double GroundTruthScene::pathLength(
 std::array<double, 4> GroundTruthScene::integrate(
   const Vec3& origin, const Vec3& direction, double tMin, double tMax) const
 {
-  const SegmentResult all = this->march({ origin, direction }, tMin, tMax);
-  return { all.Colour[0], all.Colour[1], all.Colour[2], -std::expm1(-all.Depth) };
+  return rgbaOf(this->march({ origin, direction }, tMin, tMax,
+    [this](double f0, double f1, const Chord& chord)
+    { return this->Optics.integrate(f0, f1, chord.T1 - chord.T0); }));
+}
+
+std::array<double, 4> GroundTruthScene::integrateLit(const Vec3& origin, const Vec3& direction,
+  const std::function<double(const Vec3&)>& brightness, double tolerance) const
+{
+  const double length = std::hypot(direction[0], direction[1], direction[2]);
+  const auto segment = [&](double f0, double f1, const Chord& chord)
+  {
+    const auto at = [&](double share)
+    {
+      const double t = (chord.T0 + share * (chord.T1 - chord.T0)) / length;
+      return brightness({ origin[0] + t * direction[0], origin[1] + t * direction[1],
+        origin[2] + t * direction[2] });
+    };
+    return this->Optics.integrateLit(f0, f1, chord.T1 - chord.T0, at, tolerance);
+  };
+  return rgbaOf(this->march({ origin, direction }, 0.0, Infinity, segment));
 }
 
 double GroundTruthScene::depth(
   const Vec3& origin, const Vec3& direction, double tMin, double tMax) const
 {
-  return this->march({ origin, direction }, tMin, tMax).Depth;
+  return this
+    ->march({ origin, direction }, tMin, tMax,
+      [this](double f0, double f1, const Chord& chord)
+      { return this->Optics.integrate(f0, f1, chord.T1 - chord.T0); })
+    .Depth;
 }
 
-SegmentResult GroundTruthScene::march(const Ray& ray, double tMin, double tMax) const
+template <typename Segment>
+SegmentResult GroundTruthScene::march(
+  const Ray& ray, double tMin, double tMax, const Segment& segment) const
 {
   SegmentResult all;
   for (const Chord& chord : RayChords::withoutOverlap(this->Chords.find(ray, tMin, tMax)))
@@ -76,7 +108,7 @@ SegmentResult GroundTruthScene::march(const Ray& ray, double tMin, double tMax) 
     }
     if (std::isfinite(f0) && std::isfinite(f1))
     {
-      all = composed(all, this->Optics.integrate(f0, f1, chord.T1 - chord.T0));
+      all = composed(all, segment(f0, f1, chord));
     }
   }
   return all;

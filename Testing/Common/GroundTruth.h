@@ -23,6 +23,8 @@
 #include "RayChords.h"
 #include "SegmentIntegral.h"
 
+#include <functional>
+
 namespace tetmarch::testing
 {
 enum class ScalarsOf
@@ -52,12 +54,20 @@ public:
   std::array<double, 4> integrate(
     const Vec3& origin, const Vec3& direction, double tMin = 0.0, double tMax = Infinity) const;
 
+  /// The same from the origin on where each point shines with its colour times a brightness, which
+  /// is evaluated wherever the quadrature of a chord asks for it. Where it has kinks, chords are
+  /// halved until their colours agree to the tolerance.
+  std::array<double, 4> integrateLit(const Vec3& origin, const Vec3& direction,
+    const std::function<double(const Vec3&)>& brightness, double tolerance) const;
+
   /// The integral of the extinction over the same part of the ray.
   double depth(
     const Vec3& origin, const Vec3& direction, double tMin = 0.0, double tMax = Infinity) const;
 
 private:
-  SegmentResult march(const Ray& ray, double tMin, double tMax) const;
+  /// Of each chord with finite scalars, what segment(f0, f1, chord) gives.
+  template <typename Segment>
+  SegmentResult march(const Ray& ray, double tMin, double tMax, const Segment& segment) const;
 
   RayChords Chords;
   SegmentIntegral Optics;

@@ -91,10 +91,12 @@ Result refined(
 }
 
 template <typename Integral>
-auto refined(const Integral& over, double u0, double u1)
+auto refined(const Integral& over, double u0, double u1, double tolerance = Tolerance)
 {
-  return refined(over, u0, u1, over(u0, u1), Tolerance, 0);
+  return refined(over, u0, u1, over(u0, u1), tolerance, 0);
 }
+
+double unlit(double) { return 1.0; }
 } // namespace
 
 OpticalModel opticalModelOf(const std::vector<std::array<double, 4>>& colours,
@@ -173,9 +175,24 @@ SegmentResult SegmentIntegral::integrate(const Cubic& scalar, double length) con
   SegmentResult result;
   for (std::size_t i = 1; i < cuts.size(); ++i)
   {
-    result = composed(result,
-      refined([&](double u0, double u1) { return this->quadratureOf(scalar, u0, u1, length); },
-        cuts[i - 1], cuts[i]));
+    result = composed(result, refined([&](double u0, double u1)
+                                { return this->quadratureOf(scalar, u0, u1, length, unlit); },
+                                cuts[i - 1], cuts[i]));
+  }
+  return result;
+}
+
+SegmentResult SegmentIntegral::integrateLit(double f0, double f1, double length,
+  const std::function<double(double)>& brightness, double tolerance) const
+{
+  const Cubic scalar = Cubic::linear(f0, f1);
+  const std::vector<double> cuts = smoothParts(scalar, this->Breaks);
+  SegmentResult result;
+  for (std::size_t i = 1; i < cuts.size(); ++i)
+  {
+    result = composed(result, refined([&](double u0, double u1)
+                                { return this->quadratureOf(scalar, u0, u1, length, brightness); },
+                                cuts[i - 1], cuts[i], tolerance));
   }
   return result;
 }
@@ -201,8 +218,9 @@ OpacitySums SegmentIntegral::opacitySums(
   return sums;
 }
 
+template <typename Brightness>
 SegmentResult SegmentIntegral::quadratureOf(
-  const Cubic& scalar, double u0, double u1, double length) const
+  const Cubic& scalar, double u0, double u1, double length, const Brightness& brightness) const
 {
   const GaussLegendre& q = GaussLegendre::instance();
   const double part = (u1 - u0) * length;
@@ -222,7 +240,8 @@ SegmentResult SegmentIntegral::quadratureOf(
     {
       depth += part * q.UpTo[i][j] * extinction[j];
     }
-    const double weight = part * q.Weight[i] * extinction[i] * std::exp(-depth);
+    const double weight = part * q.Weight[i] * extinction[i] * std::exp(-depth) *
+                          brightness(u0 + q.Node[i] * (u1 - u0));
     const Vec3 colour = this->Model.colour(values[i]);
     for (int c = 0; c < 3; ++c)
     {

@@ -20,6 +20,7 @@
 #include "vtkPiecewiseFunction.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace tetmarch::testing
@@ -75,11 +76,18 @@ public:
   /// The same of a scalar that goes as a cubic from the near end (0) to the far one (1).
   SegmentResult integrate(const Cubic& scalar, double length) const;
 
+  /// What is emitted is multiplied by the brightness, a function of the share of the segment behind
+  /// a point, 0 to 1. Where it isn't smooth, parts are halved until they agree to the tolerance.
+  SegmentResult integrateLit(double f0, double f1, double length,
+    const std::function<double(double)>& brightness, double tolerance) const;
+
   /// The opacity is that of the function, whatever the law and the unit distance.
   OpacitySums opacitySums(const Cubic& scalar, double length, double low, double high) const;
 
 private:
-  SegmentResult quadratureOf(const Cubic& scalar, double u0, double u1, double length) const;
+  template <typename Brightness>
+  SegmentResult quadratureOf(
+    const Cubic& scalar, double u0, double u1, double length, const Brightness& brightness) const;
   OpacitySums sumsOf(const Cubic& scalar, double u0, double u1, double length) const;
 
   OpticalModel Model;
