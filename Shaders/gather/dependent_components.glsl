@@ -29,9 +29,6 @@ SegmentEnds segmentEnds(Segment segment)
   return ends;
 }
 
-// Whether the table at the begin was read by the last lookup, as is usual.
-bool isLoaded(SegmentEnds ends, CellInterval cell) { return cell.at.x == ends.begin; }
-
 // The colour along a subsegment.
 struct DependentColor
 {
@@ -69,12 +66,10 @@ DependentColor dependentColorBetween(vec3 from, vec3 to)
 #endif
 #else
   TableSpan table = tableSpan(1);
-  TablePoint p = tablePoint(table, from.x * table.scale + table.offset);
-  TablePoint q = tablePoint(table, to.x * table.scale + table.offset);
-  vec4 mean = meanBetween(table, p, q); // its extinction is 1
-  found.color = vec3(mean.x, mean.y, mean.z);
+  IntervalMean over = meanOver(table, from.x * table.scale + table.offset, to.x * table.scale + table.offset);
+  found.color = vec3(over.mean.x, over.mean.y, over.mean.z); // the extinction is 1
 #if TETMARCH_ERROR_BOUND
-  found.change = min(abs(q.variation - p.variation), real(1));
+  found.change = min(over.variation, real(1));
 #if TETMARCH_BENT
   found.bendShift = greatestShift(vec2(bend.square.x, bend.cube.x), to.x - from.x);
 #endif
@@ -85,8 +80,11 @@ DependentColor dependentColorBetween(vec3 from, vec3 to)
 
 struct SubsegmentMean
 {
-  vec4 mean;       // of C tau and tau
-  TablePoint next; // the opacity's table at the subsegment's end
+  vec4 mean; // of C tau and tau
+  IntervalMean over; // of the opacity's table
+#if TETMARCH_KEEPS_TABLE_POINT
+  TablePoint next; // that table at the subsegment's end
+#endif
 #if TETMARCH_ERROR_BOUND
   real change; // of the colour
 #if TETMARCH_BENT
@@ -104,8 +102,13 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
 #else
   real target = part.last ? ends.end : ends.begin + (ends.end - ends.begin) * part.end;
 #endif
+#if TETMARCH_KEEPS_TABLE_POINT
   found.next = tablePoint(loaded ? target : ends.begin);
-  vec4 mean = meanBetween(cell.at, found.next);
+  found.over = meanBetween(cell.at, found.next);
+#else
+  found.over = meanOver(ends.begin + (ends.end - ends.begin) * part.begin, target);
+#endif
+  vec4 mean = found.over.mean;
 #if TETMARCH_BENT
   real until = part.begin + part.fraction;
   DependentColor dependent =
@@ -128,10 +131,8 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
   return found;
 }
 
-void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) { cell.at = found.next; }
-
 #if TETMARCH_TABLE_ERROR
-real perBinsOf(SubsegmentMean found, CellInterval cell) { return perBinsBetween(cell.at, found.next); }
+real perBinsOf(SubsegmentMean found) { return found.over.perBins; }
 #endif
 
 #if TETMARCH_ERROR_BOUND
@@ -143,7 +144,7 @@ real perBinsOf(SubsegmentMean found, CellInterval cell) { return perBinsBetween(
 real subsegmentError(
   SegmentEnds ends, Subsegment part, SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
 {
-  real spread = abs(found.next.extinctionVariation - cell.at.extinctionVariation);
+  real spread = found.over.extinctionVariation;
   real covariance = by.absorbed * real(0.25) * spread / max(found.mean.w, TINY);
 #if TETMARCH_BENT
   DependentBend bent =

@@ -49,9 +49,6 @@ SegmentEnds endsWithin(SegmentEnds ends, Subsegment part)
 }
 #endif
 
-// Each lookup reads both ends of all tables.
-bool isLoaded(SegmentEnds ends, CellInterval cell) { return true; }
-
 struct SubsegmentMean
 {
   vec4 mean; // of C tau and tau, summed over the components
@@ -63,11 +60,9 @@ struct SubsegmentMean
 #endif
 };
 
-void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) {}
-
 #if TETMARCH_TABLE_ERROR
 // Each component has its own; no mean is over less than a bin.
-real perBinsOf(SubsegmentMean found, CellInterval cell) { return real(1); }
+real perBinsOf(SubsegmentMean found) { return real(1); }
 #endif
 
 #if TETMARCH_ERROR_BOUND && !TETMARCH_STRUCTURED
@@ -110,22 +105,22 @@ SubsegmentMean independentMeanBetween(vec4 from, vec4 to)
   {
     TableSpan table = tableSpan(k);
     real factor = componentOf(componentFactor, k);
-    TablePoint p = tablePoint(table, componentOf(from, k) * table.scale + table.offset);
-    TablePoint q = tablePoint(table, componentOf(to, k) * table.scale + table.offset);
-    vec4 mean = meanBetween(table, p, q) * factor;
+    IntervalMean over = meanOver(table, componentOf(from, k) * table.scale + table.offset,
+      componentOf(to, k) * table.scale + table.offset);
+    vec4 mean = over.mean * factor;
     found.mean = found.mean + mean;
 #if TETMARCH_ERROR_BOUND
     bool seen = mean.w > real(0);
-    vec3 middle = vec3(p.value.x + q.value.x, p.value.y + q.value.y, p.value.z + q.value.z) * real(0.5);
-    extinction = extinction + (p.value.w + q.value.w) * real(0.5) * factor;
-    spread = spread + abs(q.extinctionVariation - p.extinctionVariation) * factor;
-    range = max(range, seen ? abs(q.variation - p.variation) : real(0));
+    vec3 middle = vec3(over.ends.x, over.ends.y, over.ends.z) * real(0.5);
+    extinction = extinction + over.ends.w * real(0.5) * factor;
+    spread = spread + over.extinctionVariation * factor;
+    range = max(range, seen ? over.variation : real(0));
     low = vec3(seen ? min(low.x, middle.x) : low.x, seen ? min(low.y, middle.y) : low.y,
       seen ? min(low.z, middle.z) : low.z);
     high = vec3(seen ? max(high.x, middle.x) : high.x, seen ? max(high.y, middle.y) : high.y,
       seen ? max(high.z, middle.z) : high.z);
 #if TETMARCH_BENT
-    addBend(p, q, greatestShift(vec2(componentOf(part.square, k), componentOf(part.cube, k)),
+    addBend(over, greatestShift(vec2(componentOf(part.square, k), componentOf(part.cube, k)),
       componentOf(to, k) - componentOf(from, k)), factor, found.bent);
 #endif
 #endif

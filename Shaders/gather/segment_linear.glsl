@@ -12,11 +12,13 @@
 int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
 {
   SegmentEnds ends = segmentEnds(segment);
-#if TETMARCH_CORNER_SCALARS
+#if !TETMARCH_KEEPS_TABLE_POINT
+  bool loaded = true; // each lookup reads both ends
+#elif TETMARCH_CORNER_SCALARS
   cell.at = tablePoint(ends.begin); // mostly the scalar has jumped
   bool loaded = true;
 #else
-  bool loaded = isLoaded(ends, cell);
+  bool loaded = cell.at.x == ends.begin; // by the last lookup, as is usual
 #endif
   real position = real(0); // the integrated fraction of the segment, 0..1
   real pieces = real(1);   // number of pieces of the rest; the first is tried
@@ -51,7 +53,7 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
     if (accepted)
     {
 #if TETMARCH_TABLE_ERROR
-      addLookup(loaded ? perBinsOf(found, cell) : real(0), by, middle, cell, radiance);
+      addLookup(loaded ? perBinsOf(found) : real(0), by, middle, cell, radiance);
 #endif
       addSubsegment(found.mean, by, middle, part.fraction, cell, radiance);
 #if TETMARCH_ERROR_BOUND
@@ -59,7 +61,9 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #endif
       pending = !(loaded && part.last) && !isOpaque(radiance) && trials < mostTurns;
       position = loaded ? position + part.fraction : position;
-      keepTablePoint(found, cell);
+#if TETMARCH_KEEPS_TABLE_POINT
+      cell.at = found.next;
+#endif
     }
 #if TETMARCH_ADAPTIVE
     // The error grows with the third power of a piece's length, its budget with the first. The rest is cut evenly.

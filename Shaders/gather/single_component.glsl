@@ -32,20 +32,18 @@ real positionWithin(SegmentEnds ends, real fraction)
 #endif
 }
 
-#if !TETMARCH_CORNER_SCALARS
-// Whether the table at the begin was read by the last lookup, as is usual.
-bool isLoaded(SegmentEnds ends, CellInterval cell) { return cell.at.x == ends.begin; }
-#endif
-
 struct SubsegmentMean
 {
-  vec4 mean;       // of C tau and tau
+  vec4 mean; // of C tau and tau
+  IntervalMean over;
+#if TETMARCH_KEEPS_TABLE_POINT
   TablePoint next; // the table at the subsegment's end
+#endif
 #if TETMARCH_BENT
-  vec2 bend;       // of the scalar in it
+  vec2 bend;      // of the scalar in it
 #endif
 #if TETMARCH_SLOPE_VARIATION
-  real bentError;  // error of the light per unit of thickness, if the mean takes the bend into account; else -1
+  real bentError; // error of the light per unit of thickness, if the mean takes the bend into account; else -1
 #endif
 };
 
@@ -64,7 +62,7 @@ void bendMean(TablePoint from, INOUT(SubsegmentMean) found)
   // An error of the optical depth changes the opacity and, as that of C tau, the colour.
   real error = bentMeanError(found.bend, rise) * (real(2) * ofExtinction + ofEmission);
   bool straight =
-    error < greatestShift(found.bend, rise) * abs(found.next.extinctionVariation - from.extinctionVariation);
+    error < greatestShift(found.bend, rise) * found.over.extinctionVariation;
   vec4 alongCubic = bentMean(
     found.mean, weightedByExtinction(from.value), weightedByExtinction(found.next.value), found.bend, rise);
   found.mean = straight ? alongCubic : found.mean;
@@ -77,8 +75,13 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
 {
   SubsegmentMean found;
   real target = part.last ? ends.end : positionWithin(ends, part.end);
+#if TETMARCH_KEEPS_TABLE_POINT
   found.next = tablePoint(loaded ? target : ends.begin);
-  found.mean = meanBetween(cell.at, found.next);
+  found.over = meanBetween(cell.at, found.next);
+#else
+  found.over = meanOver(positionWithin(ends, part.begin), target);
+#endif
+  found.mean = found.over.mean;
 #if TETMARCH_BENT
   found.bend = bendWithin(ends.bend, part.begin, part.begin + part.fraction);
 #endif
@@ -88,10 +91,8 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
   return found;
 }
 
-void keepTablePoint(SubsegmentMean found, INOUT(CellInterval) cell) { cell.at = found.next; }
-
 #if TETMARCH_TABLE_ERROR
-real perBinsOf(SubsegmentMean found, CellInterval cell) { return perBinsBetween(cell.at, found.next); }
+real perBinsOf(SubsegmentMean found) { return found.over.perBins; }
 #endif
 
 #if TETMARCH_ERROR_BOUND
@@ -102,11 +103,11 @@ real subsegmentError(
 #if TETMARCH_PICKED
   real variation = real(0); // of the colour; unused by picks
 #else
-  real variation = abs(found.next.variation - cell.at.variation);
+  real variation = found.over.variation;
 #endif
 #if TETMARCH_BENT
   real unbent = bendError(found.bend, found.next.x - cell.at.x, by, variation,
-    abs(found.next.extinctionVariation - cell.at.extinctionVariation));
+    found.over.extinctionVariation);
   real bent = found.bentError < real(0) ? unbent : min(by.thickness * found.bentError, real(1));
   return transmittance * (min(variation, real(1)) * orderErrorFactor(by.depth) + bent);
 #else

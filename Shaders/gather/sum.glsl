@@ -96,8 +96,7 @@ int gatherSegment(Segment segment, real thicknessPerDepth, INOUT(CellInterval) c
   real to = clamp(segment.end.y, averageRange.x, averageRange.y);
   real counted = (segment.end.x - segment.begin.x) * countedFraction(segment, from, to);
 #if TETMARCH_POINT_SCALARS
-  real mean =
-    meanBetween(tablePoint(from * tableScale + tableOffset), tablePoint(to * tableScale + tableOffset)).x;
+  real mean = meanOver(from * tableScale + tableOffset, to * tableScale + tableOffset).mean.x;
 #else
   vec4 value = tableValue(from * tableScale + tableOffset);
   real mean = value.x * value.w;

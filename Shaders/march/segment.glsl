@@ -7,7 +7,7 @@
 //   isTransparentBetween              no scalar is beyond those at the ends       tables/integral_table.glsl
 //   extremeScalar                     the extremes are at the ends                below
 //   crossesSurface, fractionOfValue   a value is crossed once at most             below
-//   meanBetween                       a mean over the depth is one over scalars   tables/integral_table.glsl
+//   meanOver, meanBetween             a mean over the depth is one over scalars   tables/integral_table.glsl
 //   countedFraction                   scalars in a range are one interval         gather/sum.glsl
 //   subsegmentError                   the colour varies as the table does         gather/..._component(s).glsl
 // A trilinear cell that is cut evenly is one segment (gather/segment_even.glsl). In other trilinear cells the scalar is

@@ -6,6 +6,11 @@
 #endif
 #if TETMARCH_USES_TABLES
 #include "tables/integral_table.glsl"
+#if TETMARCH_READS_BOTH_ENDS
+#include "tables/interval_mean.glsl"
+#else
+#include "tables/table_points.glsl"
+#endif
 #if TETMARCH_EVEN_CUTS
 #include "tables/mean_by_difference.glsl"
 #endif

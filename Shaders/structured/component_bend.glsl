@@ -37,13 +37,13 @@ IndependentBend noBend()
   return bent;
 }
 
-// Of a component between two points of its table. A function that goes from p to q with the total variation V stays
+// Of a component in an interval of its table. A function that goes from p to q with the total variation V stays
 // within V / 2 of (p + q) / 2. The extinctions are multiplied by the factor.
-void addBend(TablePoint p, TablePoint q, real ratio, real factor, INOUT(IndependentBend) bent)
+void addBend(IntervalMean over, real ratio, real factor, INOUT(IndependentBend) bent)
 {
-  real variation = abs(q.extinctionVariation - p.extinctionVariation);
-  real most = (p.value.w + q.value.w + variation) * real(0.5);
-  real colorVariation = min(abs(q.variation - p.variation), real(1));
+  real variation = over.extinctionVariation;
+  real most = (over.ends.w + variation) * real(0.5);
+  real colorVariation = min(over.variation, real(1));
   bent.extinction = bent.extinction + factor * ratio * variation;
   bent.emission = bent.emission + factor * ratio * (variation + most * colorVariation);
 }

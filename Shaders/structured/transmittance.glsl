@@ -8,8 +8,7 @@
 #if TETMARCH_POINT_SCALARS
 real meanExtinction(Segment segment)
 {
-  return meanBetween(tablePoint(segment.begin.y * tableScale + tableOffset),
-    tablePoint(segment.end.y * tableScale + tableOffset)).w;
+  return meanOver(segment.begin.y * tableScale + tableOffset, segment.end.y * tableScale + tableOffset).mean.w;
 }
 #else
 real meanExtinction(Segment segment) { return tableValue(segment.begin.y * tableScale + tableOffset).w; }

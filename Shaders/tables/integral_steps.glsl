@@ -13,11 +13,6 @@ real perBinsBetween(IntegralPoint p, IntegralPoint q)
   real bins = abs(q.x - p.x);
   return bins < LEAST_RISE ? real(0) : real(1) / bins;
 }
-#elif !TETMARCH_INDEPENDENT
-real perBinsBetween(TablePoint p, TablePoint q)
-{
-  return abs(q.bin - p.bin) <= 1 ? real(0) : real(1) / abs(q.x - p.x);
-}
 #endif
 
 // Error bound of each channel per unit of thickness with means over one bin and a transmittance of 1.

@@ -13,21 +13,29 @@ struct ExtinctionMarch
 // Mean extinction between two depths in a tetrahedron that the ray enters and leaves at points (depth, scalar). `at` is
 // the table at the end of the last lookup, which is usually this begin; if it is not, the first of two iterations only
 // reads the table there.
+#if TETMARCH_READS_BOTH_ENDS
+real extinctionBetween(vec2 enter, vec2 leave, vec2 range)
+#else
 real extinctionBetween(vec2 enter, vec2 leave, vec2 range, INOUT(TablePoint) at)
+#endif
 {
   real scalarBegin = range.x > enter.x ? scalarAt(enter, leave, range.x) : enter.y;
   real scalarEnd = range.y < leave.x ? scalarAt(enter, leave, range.y) : leave.y;
   real begin = scalarBegin * tableScale + tableOffset;
   real end = scalarEnd * tableScale + tableOffset;
+#if TETMARCH_READS_BOTH_ENDS
+  real mean = meanOver(begin, end).mean.w;
+#else
   int unread = at.x == begin ? 1 : 2;
   real mean = real(0);
   do
   {
     TablePoint next = tablePoint(unread > 1 ? begin : end);
-    mean = meanBetween(at, next).w;
+    mean = meanBetween(at, next).mean.w;
     at = next;
     unread = unread - 1;
   } while (unread > 0);
+#endif
   return isDrawn(enter.y) && isDrawn(leave.y) ? mean : real(0);
 }
 #else
@@ -80,7 +88,7 @@ void marchExtinctionToExit(
 {
   real darkDepth = -log(errorTolerance);
   vec2 enter = intersectionPoint(place.face);
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_POINT_SCALARS && !TETMARCH_READS_BOTH_ENDS
   TablePoint at = tablePoint(isDrawn(enter.y) ? enter.y * tableScale + tableOffset : tableOffset);
 #endif
   fetchCorners(place.face);
@@ -102,7 +110,9 @@ void marchExtinctionToExit(
     // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
     vec2 range = vec2(max(enter.x, march.done), min(leave.x, depthEnd));
     bool forward = range.y > range.x;
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_READS_BOTH_ENDS
+    real extinction = extinctionBetween(enter, leave, range);
+#elif TETMARCH_POINT_SCALARS
     real extinction = extinctionBetween(enter, leave, range, at);
 #else
     real extinction = extinctionOf(tet);

@@ -107,7 +107,7 @@ Tally tallyOf(const Function& function)
     }
     const auto p = kernel.tablePoint(begin);
     const auto q = kernel.tablePoint(end);
-    const auto mean = kernel.meanBetween(p, q);
+    const auto mean = kernel.meanBetween(p, q).mean;
     const auto found = kernel.bentMean(
       mean, kernel.weightedByExtinction(p.value), kernel.weightedByExtinction(q.value), bend, rise);
     const double perVariation = kernel.bentMeanError(bend, rise);

@@ -44,7 +44,6 @@ std::array<double, 4> alongRay(
   auto radiance = kernel.noRadiance();
   const auto scalar = [&](int i) { return Real(0.05 + 0.9 * i / segments); };
   typename Kernel::CellInterval cell{};
-  cell.at = kernel.tablePoint(scalar(0) * kernel.tableScale + kernel.tableOffset);
   for (int i = 0; i < segments && !kernel.isOpaque(radiance); ++i)
   {
     const typename Kernel::Segment segment{ { Real(i), scalar(i) },

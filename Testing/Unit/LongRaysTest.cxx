@@ -181,7 +181,6 @@ TEST(LongRays, StepsOfTheIntegralsAreInTheBound)
     const double thickness = 0.2;
     auto radiance = kernel.noRadiance();
     Kernel::CellInterval cell{};
-    cell.at = kernel.tablePoint(first * kernel.tableScale + kernel.tableOffset);
     double depth = 0; // optical
     for (int i = 0; i < 2000; ++i)
     {

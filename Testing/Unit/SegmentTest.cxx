@@ -257,7 +257,6 @@ TEST(Segment, EndsWhateverTheInput)
       {
         auto radiance = kernel.noRadiance();
         PointKernel<float>::CellInterval cell{};
-        cell.at = kernel.tablePoint(0.1f * kernel.tableScale + kernel.tableOffset);
         EXPECT_LE(
           kernel.integrateSegment({ { 0.0f, begin }, { 1.0f, end } }, length, cell, radiance),
           2 * DefaultAccuracy.MostTrials);
