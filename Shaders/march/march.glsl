@@ -144,6 +144,12 @@ bool passCell(Ray ray, real depthEnd, INOUT(RayPosition) place, INOUT(CellInterv
 bool passToSeenCell(Ray ray, real depthEnd, INOUT(RayPosition) place, INOUT(CellInterval) cell, INOUT(March) march)
 {
 #if TETMARCH_PASSES_CELLS
+#if TETMARCH_TRANSPARENT_RANGES
+  // The loop runs at least once, which a compiler doesn't know: it would keep the last interval in registers.
+  cell.begin = march.done;
+  cell.end = march.done;
+  cell.enter = cell.leave;
+#endif
   bool onward = true;
   bool passing = true;
   while (passing && march.stepsTaken < mostSteps)
