@@ -40,7 +40,8 @@
  *   the functions and the unit distance of component 0, and all components if they are dependent.
  *   The property is not changed. See vtkTetMarchVolumeMapper::VectorModeType.
  * - FinalColorWindow and FinalColorLevel map the colours of the picture, as in VTK. Error bounds,
- *   diagnostics and the ground truth refer to the colours before this.
+ *   diagnostics and the ground truth refer to the colours before this, and, with a PixelTolerance,
+ *   to those of a ray for each pixel.
  * - InteractiveAdjustSampleDistances (on by default): frames at InteractiveUpdateRate or above may
  *   have fewer rays, others use ImageSampleDistance. Off: AutoAdjustSampleDistances determines
  *   this.

@@ -24,7 +24,8 @@ double greatest(Measure what, const std::vector<float>& measures)
   for (std::size_t i = 0; i < measures.size(); i += 4)
   {
     const float value = measures[i + static_cast<std::size_t>(what)];
-    most = std::isfinite(value) ? std::max(most, value) : most;
+    const bool hasBound = !(measures[i + 3] > 0);
+    most = std::isfinite(value) && hasBound ? std::max(most, value) : most;
   }
   return double(most);
 }

@@ -13,7 +13,8 @@ class vtkLookupTable;
 namespace tetmarch
 {
 
-/** The index among the four numbers of a pixel. */
+/** The index among the four numbers of a pixel. The last one is 1 if the pixel is interpolated, so
+ * that its error bound says nothing. */
 enum class Measure
 {
   Cells = 0,

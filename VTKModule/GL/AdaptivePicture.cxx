@@ -64,7 +64,7 @@ StageResult AdaptivePicture::march(
 {
   const StateScope state(context.Window);
   this->Part = whole ? Viewport{ 0, 0, inputs.Area.Width, inputs.Area.Height } : partOf(inputs);
-  this->Traced = 0;
+  this->Traced.assign(inputs.CountsRays ? std::size_t(this->Part.Width) * this->Part.Height : 0, 0);
   this->First = firstGridOf(inputs);
   SampleGrid grid{ this->Part, MostSpacing >> this->First };
   StageResult result{ this->Edges.find(context.Window, inputs, this->Part, grid.Spacing) };
@@ -143,11 +143,22 @@ std::string AdaptivePicture::drawMerged(vtkOpenGLRenderWindow* window, int i, co
     });
 }
 
+std::string AdaptivePicture::read(vtkOpenGLRenderWindow* window, std::vector<float>& colors)
+{
+  const std::string error = this->makePicture(window);
+  if (error.empty())
+  {
+    colors = this->Pictures.back().read(window, 0);
+  }
+  this->Pictures.back().release(window);
+  return error;
+}
+
 StageResult AdaptivePicture::count(vtkOpenGLRenderWindow* window, const MarchInputs& inputs)
 {
   if (inputs.CountsRays)
   {
-    this->Traced += this->List.readCount(window);
+    this->List.mark(window, this->Traced);
   }
   return {};
 }
@@ -176,7 +187,7 @@ void AdaptivePicture::release(vtkWindow* window)
   this->List.release(window);
   this->Listed.release(window);
   this->Draw.release();
-  this->Traced = 0;
+  this->Traced.clear();
 }
 
 std::size_t AdaptivePicture::bytes() const

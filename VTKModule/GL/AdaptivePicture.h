@@ -12,7 +12,7 @@
 #include "GL/RayList.h"
 
 #include <array>
-#include <cstdint>
+#include <vector>
 
 namespace tetmarch
 {
@@ -33,8 +33,12 @@ public:
     return this->merge(window, NumberOfGrids - 1);
   }
   vtkTextureObject* picture() const { return this->Pictures.back().color(0); }
-  /** Rays that were traced, if march() was told to count them; else 0. */
-  std::int64_t tracedRays() const { return this->Traced; }
+  /** Of the pixels of a part of the area, rows from the bottom: which were traced. None if march()
+   * was not told to count rays. */
+  const Viewport& part() const { return this->Part; }
+  const std::vector<char>& traced() const { return this->Traced; }
+  /** The colours of the part's pixels, four numbers each. Returns an empty string or an error. */
+  std::string read(vtkOpenGLRenderWindow* window, std::vector<float>& colors);
   int numberOfDraws() const;
   void forgetTimes();
   void release(vtkWindow* window);
@@ -62,7 +66,7 @@ private:
   RayList List;
   FloatTarget Listed; // the colours of the list's rays
   ShaderDraw Draw;
-  std::int64_t Traced = 0;
+  std::vector<char> Traced;
 };
 
 } // namespace tetmarch

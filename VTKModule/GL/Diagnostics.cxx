@@ -4,6 +4,8 @@
 
 #include "GL/StateScope.h"
 
+#include <algorithm>
+
 namespace tetmarch
 {
 
@@ -30,6 +32,37 @@ StageResult Diagnostics::collect(const DrawContext& context, MarchPass& march, M
       static_cast<std::int64_t>(work[i + 1]), static_cast<std::int64_t>(trouble[i]),
       static_cast<std::int64_t>(trouble[i + 1]), static_cast<std::int64_t>(trouble[i + 2]) };
   }
+  return {};
+}
+
+std::string Diagnostics::take(
+  vtkOpenGLRenderWindow* window, AdaptivePicture& picture, const MarchInputs& inputs)
+{
+  std::vector<float> colors;
+  const std::string error = picture.read(window, colors);
+  if (!error.empty())
+  {
+    return error;
+  }
+  const bool asMarched = inputs.ColorWindow == MarchInputs().ColorWindow;
+  const Viewport& part = picture.part();
+  for (std::size_t i = 0; i < picture.traced().size(); ++i)
+  {
+    const auto color = colors.begin() + static_cast<std::ptrdiff_t>(4 * i);
+    const std::size_t row = part.Y + i / part.Width;
+    const std::size_t at = 4 * (row * this->Target.width() + part.X + i % part.Width);
+    if (asMarched)
+    {
+      std::copy(color, color + 4, this->Pixels.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+    const bool isSeen = this->Measures[at] > 0 || *std::max_element(color, color + 4) > 0;
+    if (isSeen && !picture.traced()[i])
+    {
+      this->Measures[at + 2] = 1;
+      this->Measures[at + 3] = 1;
+    }
+  }
+  this->Target.write(1, this->Measures);
   return {};
 }
 

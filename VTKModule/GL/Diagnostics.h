@@ -6,9 +6,11 @@
 
 #include "Caching/StageRecord.h"
 #include "Diagnostics/MarchCounters.h"
+#include "GL/AdaptivePicture.h"
 #include "GL/FloatTarget.h"
 #include "GL/MarchPass.h"
 
+#include <string>
 #include <vector>
 
 namespace tetmarch
@@ -19,8 +21,13 @@ class Diagnostics
 public:
   /** March once more with the counting variant. Nothing is kept unless it is done. */
   StageResult collect(const DrawContext& context, MarchPass& march, MarchInputs inputs);
+  /** After collect(): mark the pixels that an adaptive picture of the same inputs interpolates, and
+   * take its colours unless they went through a window. Returns an empty string or an error. */
+  std::string take(
+    vtkOpenGLRenderWindow* window, AdaptivePicture& picture, const MarchInputs& inputs);
   const MarchCounters& counters() const { return this->Counters; }
-  /** For each pixel: tetrahedra crossed (0: the ray met nothing), lookups, error bound, 0. */
+  /** For each pixel: tetrahedra crossed (0: the ray met nothing), lookups, error bound, and 1 if
+   * the pixel is interpolated, and has no other bound than 1. */
   const std::vector<float>& measures() const { return this->Measures; }
   /** Premultiplied RGBA in float, rows from the bottom, of the last collect(). */
   const std::vector<float>& pixels() const { return this->Pixels; }

@@ -27,7 +27,8 @@ struct DrawOptions
   const MeasureView* View = nullptr;          // drawn instead of the picture
   BoundaryView Boundary = BoundaryView::None; // the same
   double SampleDistance = 1; // between rays, in pixels; 1 with diagnostics or a view
-  double PixelTolerance = 0; // 0: a ray for each pixel; without a view, peels or processes
+  double PixelTolerance = 0; // 0: a ray for each pixel; without peels or views of other measures
+                             // than the error; ignored with several processes
   /** A factor of the picture's colours, and what is added to opaque ones; views and diagnostics
    * have the colours before that. */
   std::array<float, 2> ColorWindow{ { 1, 0 } };

@@ -105,6 +105,15 @@ void FloatTarget::read(
   state->PopFramebufferBindings();
 }
 
+void FloatTarget::write(int i, const std::vector<float>& pixels) const
+{
+  this->Colors[i]->Activate();
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexSubImage2D(
+    GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, pixels.data());
+  this->Colors[i]->Deactivate();
+}
+
 void FloatTarget::copy(
   vtkOpenGLRenderWindow* window, int i, const FloatTarget& to, int j, const Viewport& part) const
 {

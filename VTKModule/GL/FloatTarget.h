@@ -57,6 +57,8 @@ public:
   /** Those of a part. */
   void read(
     vtkOpenGLRenderWindow* window, int i, const Viewport& part, std::vector<float>& pixels) const;
+  /** Replace the pixels of colour i, of 32 bits. */
+  void write(int i, const std::vector<float>& pixels) const;
   /** Copy a part of colour i to colour j of another target of the same size. */
   void copy(
     vtkOpenGLRenderWindow* window, int i, const FloatTarget& to, int j, const Viewport& part) const;

@@ -4,7 +4,6 @@
 
 #include "Caching/WithinMemory.h"
 #include "Frame/FrameStages.h"
-#include "GL/EntryListTextures.h"
 #include "GL/VolumeTextures.h"
 #include "View/RayPoints.h"
 
@@ -72,19 +71,38 @@ StageResult FramePasses::drawSeen(const DrawContext& context, const Viewport& ar
     result = this->Counted.collect(context, this->March, inputs);
     this->Draws = view && result.Error.empty() ? this->Counted.numberOfDraws() : 0;
   }
-  if (!result.isDone())
+  if (!view)
   {
-    return result;
+    result = result.then([&] { return this->drawPicture(context, area, inputs, options); });
   }
-  if (view)
+  else if (inputs.PixelTolerance > 0)
   {
-    fitTable(*view, this->Counted.measures());
-    return { this->Shown.draw(
-      context.Window, inputs.Area, this->Counted.measuresTexture(), *view) };
+    result = result.then(
+      [&] { return this->Apart.adaptive().march(context, this->March, inputs, false); });
   }
+  if (inputs.CountsRays && inputs.PixelTolerance > 0)
+  {
+    result = result.then(
+      [&] {
+        return StageResult{ this->Counted.take(context.Window, this->Apart.adaptive(), inputs) };
+      });
+  }
+  return !view ? result
+               : result.then(
+                   [&]
+                   {
+                     fitTable(*view, this->Counted.measures());
+                     return StageResult{ this->Shown.draw(
+                       context.Window, inputs.Area, this->Counted.measuresTexture(), *view) };
+                   });
+}
+
+StageResult FramePasses::drawPicture(const DrawContext& context, const Viewport& area,
+  const MarchInputs& inputs, const DrawOptions& options)
+{
   const bool apart = isApart(inputs, options);
-  result = apart ? this->Apart.draw(context, area, this->March, inputs)
-                 : this->March.draw(context, inputs, this->Tiles);
+  const StageResult result = apart ? this->Apart.draw(context, area, this->March, inputs)
+                                   : this->March.draw(context, inputs, this->Tiles);
   this->Draws = apart ? this->Apart.numberOfDraws() : this->Tiles.numberOfTiles();
   return result;
 }
@@ -192,46 +210,6 @@ StageResult FramePasses::pick(const DrawContext& context, MarchInputs inputs, co
   return result;
 }
 
-StageResult FramePasses::capture(
-  const DrawContext& context, MarchInputs inputs, CapturedProgram& program)
-{
-  StageResult result = this->updateLight(context, inputs);
-  inputs.RayPoints = rayPoints(inputs.Stages->camera(), inputs.Stages->volume().frame());
-  const VariantKey asChosen = inputs.Key;
-  VariantKey fast = asChosen;
-  fast.PointSampled = false;
-  fast.Adaptive = false;
-  VariantKey adaptive = fast;
-  adaptive.Adaptive = true;
-  for (const VariantKey& key : { asChosen, adaptive, fast })
-  {
-    for (const bool counts : { false, true })
-    {
-      inputs.Key = key;
-      inputs.Key.Diagnostics = counts;
-      inputs.Key = inputs.Key.filtered();
-      result = result.then(
-        [&] { return StageResult{ this->March.capture(context.Window, inputs, program) }; });
-    }
-  }
-  return result;
-}
-
-StageResult FramePasses::captureVisiblePart(
-  const DrawContext& context, MarchInputs inputs, CapturedProgram& program)
-{
-  inputs.Key = inputs.Key.ofPick(); // the simplest variant that reads it
-  inputs.Key.OpaqueDepth = false;
-  inputs.Key.EntryLists = true;
-  inputs.Key.VisiblePart = true;
-  inputs.Key = inputs.Key.filtered();
-  StageResult result{ this->findRays(context.Window, inputs.Area, inputs) };
-  result = result.then(
-    [&] { return StageResult{ this->March.capture(context.Window, inputs, program) }; });
-  EntryListTextures::removeFrom(program); // the page makes its own
-  return result;
-}
-
 void FramePasses::releaseUnused(
   vtkWindow* window, const MarchInputs& inputs, const DrawOptions& options, bool apart)
 {
@@ -245,7 +223,7 @@ void FramePasses::releaseUnused(
   {
     this->Opaque.release(window);
   }
-  if (!apart || options.View || boundary)
+  if (!apart || boundary || (options.View && !(inputs.PixelTolerance > 0)))
   {
     this->Apart.release(window);
   }

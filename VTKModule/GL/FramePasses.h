@@ -16,6 +16,8 @@
 #include "GL/VertexLightPass.h"
 #include "GL/ViewPass.h"
 
+#include <algorithm>
+
 namespace tetmarch
 {
 
@@ -63,7 +65,11 @@ public:
   /** Whether the last picture looked for light through the volume along each ray. */
   bool samplesShadows() const { return this->LastKey.SampledShadows; }
   /** Rays of the last picture, if it was adaptive and they were counted; else 0. */
-  std::int64_t tracedRays() const { return this->Apart.tracedRays(); }
+  std::int64_t tracedRays() const
+  {
+    const std::vector<char>& traced = this->Apart.adaptive().traced();
+    return std::count(traced.begin(), traced.end(), 1);
+  }
   const Diagnostics& counted() const { return this->Counted; }
   /** Depths of opaque geometry, one a pixel, if the last frame used them; else empty. */
   std::vector<float> opaqueDepths(vtkOpenGLRenderWindow* window) const
@@ -80,6 +86,8 @@ private:
   StageResult updateLight(const DrawContext& context, MarchInputs& inputs);
   StageResult drawSeen(const DrawContext& context, const Viewport& area, const MarchInputs& inputs,
     const DrawOptions& options);
+  StageResult drawPicture(const DrawContext& context, const Viewport& area,
+    const MarchInputs& inputs, const DrawOptions& options);
   void noteVariant(const MarchInputs& inputs);
   std::string shareDepths(
     vtkOpenGLRenderWindow* window, const Viewport& area, Group& group, std::string before);

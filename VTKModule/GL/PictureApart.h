@@ -33,8 +33,8 @@ public:
   std::string show(vtkOpenGLRenderWindow* window, const Viewport& area, int width, int height,
     const std::vector<float>& pixels);
   int numberOfDraws() const { return this->Draws; }
-  /** Of the last draw(), if it was adaptive and counted them; else 0. */
-  std::int64_t tracedRays() const { return this->Adaptive.tracedRays(); }
+  AdaptivePicture& adaptive() { return this->Adaptive; }
+  const AdaptivePicture& adaptive() const { return this->Adaptive; }
   std::size_t bytes() const
   {
     return this->Target.bytes() + this->Adaptive.bytes() + this->Shown.bytes();

@@ -103,8 +103,8 @@ MarchInputs Pipeline::inputsOf(
   inputs.Key = fittedTo(units - ofVisits, this->keyOf(options, renderer, area));
   const bool fits = samplersOf(inputs.Key) + SamplersOfRayLists <= units &&
                     std::int64_t(area.Width) * area.Height < RayList::MostPixels;
-  inputs.PixelTolerance = fits && !options.View && !options.Shared ? options.PixelTolerance : 0;
-  inputs.CountsRays = options.Diagnostics;
+  inputs.PixelTolerance = fits && !options.Shared ? options.PixelTolerance : 0;
+  inputs.CountsRays = options.Diagnostics || options.View;
   inputs.Stages = &this->Stages;
   inputs.Volume = &this->Textures;
   inputs.Tables = &this->TablesOnGpu;

@@ -197,16 +197,39 @@ void RayList::unbind() const
   }
 }
 
-std::int64_t RayList::readCount(vtkOpenGLRenderWindow* window)
+void RayList::mark(vtkOpenGLRenderWindow* window, std::vector<char>& pixels) const
 {
-  const std::size_t top = this->Levels.size() - 1;
-  if (top == 0)
+  const auto markSample = [&](int x, int y)
   {
-    return std::int64_t(this->Grid.width()) * this->Grid.height();
+    const Viewport& part = this->Grid.Part;
+    const int row = std::min(y * this->Grid.Spacing, part.Height - 1);
+    const int column = std::min(x * this->Grid.Spacing, part.Width - 1);
+    pixels[std::size_t(row) * part.Width + column] = 1;
+  };
+  const Level& samples = this->Levels.front();
+  const bool all = this->Levels.size() == 1;
+  std::vector<float> ranks;
+  if (!all)
+  {
+    this->Ranks.read(window, 0, { 0, 0, samples.Width, samples.Height }, ranks);
   }
-  std::vector<float> sums;
-  this->targetOf(top).read(window, 0, { this->Levels[top].Column, 0, 1, 1 }, sums);
-  return static_cast<std::int64_t>(sums[3]);
+  for (int i = 0; i < samples.Width * samples.Height; ++i)
+  {
+    const int x = i % samples.Width;
+    const int y = i / samples.Width;
+    const auto bits = all ? 0 : static_cast<int>(std::lround(7 * ranks[4 * std::size_t(i) + 1]));
+    for (int bit = 1; bit < 4 && !all; ++bit)
+    {
+      if (bits >> (bit - 1) & 1)
+      {
+        markSample(2 * x + (bit & 1), 2 * y + (bit >> 1));
+      }
+    }
+    if (all)
+    {
+      markSample(x, y);
+    }
+  }
 }
 
 void RayList::release(vtkWindow* window)

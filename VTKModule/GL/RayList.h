@@ -40,8 +40,8 @@ public:
    */
   void setUniformsOfImage(vtkShaderProgram* program) const;
   vtkTextureObject* ranks() const { return this->Ranks.color(0); }
-  /** Wait for the GPU, and read the number of rays. */
-  std::int64_t readCount(vtkOpenGLRenderWindow* window);
+  /** Wait for the GPU, and mark the pixels of the list's rays among those of the grid's part. */
+  void mark(vtkOpenGLRenderWindow* window, std::vector<char>& pixels) const;
   void release(vtkWindow* window);
   std::size_t bytes() const
   {

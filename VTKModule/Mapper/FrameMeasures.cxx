@@ -15,7 +15,8 @@ namespace tetmarch
 namespace
 {
 
-// Of pixel i value(i), or -1, which the statistics leave out, if its ray met nothing.
+// Of pixel i value(i), or -1, which the statistics leave out, if its ray met nothing and the pixel
+// is not interpolated either.
 template <typename Value>
 void take(const Diagnostics& counted, vtkTetMarchFrameStatistics* statistics, int quantity,
   const Value& value)
@@ -25,7 +26,7 @@ void take(const Diagnostics& counted, vtkTetMarchFrameStatistics* statistics, in
   values->SetNumberOfValues(static_cast<vtkIdType>(measures.size() / 4));
   for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
   {
-    values->SetValue(i, measures[4 * i] > 0 ? value(i) : -1.0f);
+    values->SetValue(i, measures[4 * i] > 0 || measures[4 * i + 3] > 0 ? value(i) : -1.0f);
   }
   statistics->SetValues(quantity, values);
 }

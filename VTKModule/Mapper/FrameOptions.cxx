@@ -92,7 +92,9 @@ FrameOptions::FrameOptions(Settings* settings, BlendMode blend, vtkRenderer* ren
 
   this->MarchesPicture = !renderer->GetSelector() && !peeling && !this->Draw.View &&
                          this->Draw.Boundary == BoundaryView::None;
-  this->Draw.PixelTolerance = this->MarchesPicture ? accuracy.PixelTolerance : 0.0;
+  const bool isErrorView =
+    this->Draw.View && this->View.What == Measure::ErrorBound && !renderer->GetSelector();
+  this->Draw.PixelTolerance = this->MarchesPicture || isErrorView ? accuracy.PixelTolerance : 0.0;
 }
 
 void FrameOptions::chooseSampleDistance(
