@@ -7,8 +7,10 @@
 #include "Mesh/VertexStarts.h"
 
 #include "Images.h"
+#include "LightTruth.h"
 #include "Shot.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <iostream>
 
@@ -34,29 +36,52 @@ double rmsBetween(const ReferenceImage& a, const ReferenceImage& b)
   return compare(imageOf(a), imageOf(b)).Rms;
 }
 
+// A shot of a volume that casts shadows in itself.
+class SunlitShot
+{
+public:
+  SunlitShot(const Shot& shot, const AccuracyLevel& level)
+    : Level(level)
+    , Marched(shot, level)
+  {
+    this->Effects.Gradients = vertexGradients(this->Marched.Mesh);
+    this->Effects.VertexStarts = vertexStarts(this->Marched.Mesh);
+    LightUniforms::Light sun;
+    sun.Diffuse = { { 1.0, 1.0, 1.0 } };
+    sun.Place = Sun;
+    sun.ShadowStrength = 1;
+    sun.ShadowChannel = 0;
+    this->Effects.Lights.Sources = { sun };
+    this->Effects.Lights.ShadowSources = { Sun };
+    this->Effects.Lights.TwoSided = true;
+    this->Effects.Lights.Reach = 4; // through all of it
+    this->Marched.Scene.Effects = &this->Effects;
+  }
+
+  ReferenceImage render(bool exactLight)
+  {
+    this->Marched.Scene.ExactLight = exactLight;
+    return renderReference<double>(this->Marched.Scene, this->Level);
+  }
+
+  static constexpr std::array<double, 4> Sun{ { 0.6, 0.0, 0.8, 0.0 } };
+
+  EffectData Effects;
+
+private:
+  const AccuracyLevel Level;
+  MarchedShot Marched;
+};
+
 TEST(ShadowedReference, AtVerticesIsNearMarchedEverywhere)
 {
-  const Shot shot;
-  MarchedShot marched(shot, DefaultAccuracy);
-  EffectData effects;
-  effects.Gradients = vertexGradients(marched.Mesh);
-  effects.VertexStarts = vertexStarts(marched.Mesh);
-  LightUniforms::Light sun;
-  sun.Diffuse = { { 1.0, 1.0, 1.0 } };
-  sun.Place = { { 0.6, 0.0, 0.8, 0.0 } };
-  effects.Lights.Sources = { sun };
-  effects.Lights.TwoSided = true;
-  effects.Lights.Reach = 2;
-  marched.Scene.Effects = &effects;
-  const ReferenceImage lit = renderReference<double>(marched.Scene, DefaultAccuracy);
-
-  effects.Lights.Sources[0].ShadowStrength = 1;
-  effects.Lights.Sources[0].ShadowChannel = 0;
-  effects.Lights.ShadowSources = { sun.Place };
-  marched.Scene.ExactLight = true;
-  const ReferenceImage exact = renderReference<double>(marched.Scene, DefaultAccuracy);
-  marched.Scene.ExactLight = false;
-  const ReferenceImage atVertices = renderReference<double>(marched.Scene, DefaultAccuracy);
+  SunlitShot sunlit(Shot(), DefaultAccuracy);
+  const ReferenceImage exact = sunlit.render(true);
+  const ReferenceImage atVertices = sunlit.render(false);
+  sunlit.Effects.Lights.Sources[0].ShadowStrength = 0;
+  sunlit.Effects.Lights.Sources[0].ShadowChannel = -1;
+  sunlit.Effects.Lights.ShadowSources.clear();
+  const ReferenceImage lit = sunlit.render(false);
 
   std::cout << "[ MEASURED ] mean red " << meanRed(lit) << ", in shadow " << meanRed(exact)
             << ", at vertices off by RMS " << 255 * rmsBetween(exact, atVertices) << "/255\n";
@@ -66,5 +91,57 @@ TEST(ShadowedReference, AtVerticesIsNearMarchedEverywhere)
   // As in the pictures of opaque shadows: the light is interpolated in cells that are not small.
   EXPECT_LE(rmsBetween(exact, atVertices), 4.0 / 255.0);
   EXPECT_GT(rmsBetween(exact, lit), 8.0 / 255.0);
+}
+
+// The RMS of some pixels of both pictures against brute force with the light of each point.
+std::array<double, 2> errorsOf(const Shot& shot, const std::array<ReferenceImage, 2>& images)
+{
+  OpticalModel model = shot.Optics;
+  model.UnitDistance = shot.UnitDistance;
+  const GroundTruthScene scene(shot.Data, model);
+  const LightTruth truth(scene);
+  std::array<double, 2> sums{};
+  int values = 0;
+  for (int y = 1; y < Shot::Size; y += 4)
+  {
+    for (int x = 1; x < Shot::Size; x += 4)
+    {
+      const auto [from, to] = lineOf(shot, x, y);
+      const auto seen = truth.seen(
+        from, { to[0] - from[0], to[1] - from[1], to[2] - from[2] }, SunlitShot::Sun, 1e-5);
+      values += seen[3] > 0.0 ? 3 : 0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        for (std::size_t i = 0; i < 2; ++i)
+        {
+          const double pixel = double(images[i].Pixels[4 * (y * Shot::Size + x) + k]);
+          sums[i] += (seen[k] - pixel) * (seen[k] - pixel);
+        }
+      }
+    }
+  }
+  return { { std::sqrt(sums[0] / values), std::sqrt(sums[1] / values) } };
+}
+
+// Light that is marched from faces is linear between them: of second order in the size of cells.
+TEST(ShadowedReference, ConvergesToBruteForce)
+{
+  std::array<double, 2> before{};
+  for (const int cubes : { 2, 4 })
+  {
+    Shot shot;
+    shot.Data = jitteredLattice(cubes, 0.15, 1, sineField());
+    SunlitShot sunlit(shot, GroundTruthAccuracy);
+    sunlit.Effects.Lights.ScatteringBlending = 1; // without surfaces
+    const auto errors = errorsOf(shot, { sunlit.render(true), sunlit.render(false) });
+    std::cout << "[ MEASURED ] " << cubes << " cubes: light from faces off by RMS "
+              << 255 * errors[0] << "/255, at vertices " << 255 * errors[1] << "/255\n";
+    EXPECT_LT(errors[0], 0.5 * errors[1]);
+    for (std::size_t i = 0; cubes > 2 && i < 2; ++i)
+    {
+      EXPECT_LT(errors[i], (i == 0 ? 0.3 : 0.6) * before[i]);
+    }
+    before = errors;
+  }
 }
 } // namespace

@@ -104,28 +104,32 @@ Shot::Shot()
   this->Camera->SetClippingRange(0.1, 20.0);
 }
 
-Image byGroundTruth(const Shot& shot)
+std::array<Vec3, 2> lineOf(const Shot& shot, int x, int y, double depth)
 {
-  constexpr int Size = Shot::Size;
-  const GroundTruthScene groundTruth(inWorld(shot), modelOf(shot), shot.Scalars);
   vtkNew<vtkMatrix4x4> inverse;
   vtkMatrix4x4::Invert(shot.Camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0), inverse);
-  const auto unproject = [&](double x, double y, double z)
+  const auto unproject = [&](double z)
   {
-    const double in[4] = { x, y, z, 1.0 };
+    const double in[4] = { (x + 0.5) / Shot::Size * 2.0 - 1.0, (y + 0.5) / Shot::Size * 2.0 - 1.0,
+      z, 1.0 };
     double out[4];
     inverse->MultiplyPoint(in, out);
     return Vec3{ out[0] / out[3], out[1] / out[3], out[2] / out[3] };
   };
+  return { unproject(-1.0), unproject(2.0 * depth - 1.0) };
+}
+
+Image byGroundTruth(const Shot& shot)
+{
+  constexpr int Size = Shot::Size;
+  const GroundTruthScene groundTruth(inWorld(shot), modelOf(shot), shot.Scalars);
   Image image(Size, Size);
   for (int y = 0; y < Size; ++y)
   {
     for (int x = 0; x < Size; ++x)
     {
-      const double depth = shot.Depths.empty() ? 1.0 : double(shot.Depths[y * Size + x]);
-      const double sx = (x + 0.5) / Size * 2.0 - 1.0, sy = (y + 0.5) / Size * 2.0 - 1.0;
-      const Vec3 from = unproject(sx, sy, -1.0);
-      const Vec3 to = unproject(sx, sy, 2.0 * depth - 1.0);
+      const auto [from, to] =
+        lineOf(shot, x, y, shot.Depths.empty() ? 1.0 : double(shot.Depths[y * Size + x]));
       const auto rgba =
         from != to ? integrateLeft(groundTruth, shot, from, to) : std::array<double, 4>{};
       for (int k = 0; k < 4; ++k)

@@ -69,7 +69,9 @@ public:
   ReferenceScene& Scene; ///< refers to the shot's depths, too
 };
 
-/// In world coordinates, with VTK's own camera matrix.
+/// The line of a pixel from the near plane to a depth of the window, 0..1, in world coordinates,
+/// with VTK's own camera matrix.
+std::array<Vec3, 2> lineOf(const Shot& shot, int x, int y, double depth = 1.0);
 Image byGroundTruth(const Shot& shot);
 
 /// In the arithmetic of Real: float or double.
