@@ -53,12 +53,13 @@ const VersionCase VersionCases[] = {
     "content geometry light scalars visible volume" },
   { "scalars", [](StagedScene& s) { s.Input.Drawn.Scalars.Array->Modified(); },
     "content light scalars visible volume" },
-  { "hidden cells", [](StagedScene& s) { s.hideCell(7); }, "content hidden light visible volume" },
+  { "hidden cells", [](StagedScene& s) { s.hideCell(7); }, "content hidden light volume",
+    "content hidden light visible volume" },
   { "opacity",
     [](StagedScene& s) {
       s.show({ { 0.0, 0.2 }, { 1.0, 0.6 } });
     },
-    "content light visible", "content light" },
+    "content light" },
   { "opacity that shows something else",
     [](StagedScene& s) {
       s.show({ { 0.3, 0.0 }, { 1.0, 0.6 } });
@@ -66,7 +67,7 @@ const VersionCase VersionCases[] = {
     "content light visible" },
   { "colour",
     [](StagedScene& s) { s.property()->GetRGBTransferFunction()->AddRGBPoint(0.5, 1, 1, 1); },
-    "content light visible", "content light" },
+    "content light" },
   { "unit distance", [](StagedScene& s) { s.property()->SetScalarOpacityUnitDistance(2); },
     "content light" },
   { "gradient opacity",

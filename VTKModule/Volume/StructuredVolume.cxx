@@ -201,20 +201,22 @@ std::string StructuredVolume::updateVisibility(
   return withinMemory("the distances to what is seen",
     [&]
     {
-      const StageRecorder recorder(this->EmptyRecord);
-      const std::vector<ShownScalar> shown = this->shownScalars(first, parts);
-      this->Empty = {};
       // Surfaces between constant cells lie between blocks, too, whose ranges do not tell of them.
       if (blending.isIsoSurface() && !this->Made.Constant)
       {
-        this->Empty = findBlockDistances(*shown.front().Ranges, blending.IsoValues);
+        this->Empty.updateSurfaces(
+          this->Ranges.front(), blending.IsoValues, this->RangesRecord.Runs);
       }
       else if (blending.isComposite())
       {
-        this->Empty = findBlockDistances(shown, undrawnSeen);
+        this->Empty.update(this->shownScalars(first, parts), undrawnSeen, this->RangesRecord.Runs);
       }
-      this->Leaps.update(isWorthLeaping(this->Empty),
-        this->Empty.EmptyShare >= LeastShareToKeepLeaping, this->version());
+      else
+      {
+        this->Empty.clear();
+      }
+      this->Leaps.update(isWorthLeaping(this->emptySpace()),
+        this->emptySpace().EmptyShare >= LeastShareToKeepLeaping, this->version());
     });
 }
 
@@ -250,44 +252,6 @@ bool StructuredVolume::startPoint(std::size_t, const VertexStart& start, Vector3
 {
   point = this->Nodes.point({ { start[0], start[1], start[2] } });
   return true;
-}
-
-vtkIdType StructuredVolume::cellOf(std::uint32_t cell, const Vector3& point) const
-{
-  const auto& m = this->Made.FromNormalized;
-  vtkIdType number = 0;
-  vtkIdType stride = 1; // of data cells
-  for (int a = 0; a < 3; ++a)
-  {
-    const auto cells = static_cast<std::uint32_t>(this->Made.Axes[a].Cells);
-    auto along = static_cast<int>(cell % cells);
-    cell /= cells;
-    const int dataCells = this->Geometry.Points[a] - 1;
-    if (this->Case.isShifted())
-    {
-      // A cell between centres contains the data's plane of the same index.
-      const double place =
-        m[4 * a] * point[0] + m[4 * a + 1] * point[1] + m[4 * a + 2] * point[2] + m[4 * a + 3];
-      along -= place < latticePlace(this->Geometry, a, along) ? 1 : 0;
-      along = std::clamp(along, 0, dataCells - 1);
-    }
-    number += stride * along;
-    stride *= dataCells;
-  }
-  return number;
-}
-
-std::array<std::vector<double>, 3> StructuredVolume::dataPlanes() const
-{
-  std::array<std::vector<double>, 3> planes;
-  for (int a = 0; a < 3 && this->Case.isShifted(); ++a)
-  {
-    for (int i = 0; i < this->Geometry.Points[a]; ++i)
-    {
-      planes[a].push_back(latticePlace(this->Geometry, a, i));
-    }
-  }
-  return planes;
 }
 
 Fingerprint StructuredVolume::version() const

@@ -9,7 +9,7 @@
 #include "Caching/Switch.h"
 #include "Input/GridGeometry.h"
 #include "Scalars/HiddenBits.h"
-#include "Structured/EmptySpace.h"
+#include "Structured/EmptySpaceStage.h"
 #include "Structured/HiddenLatticeStage.h"
 #include "Structured/Lattice.h"
 #include "Structured/LightNodes.h"
@@ -48,12 +48,15 @@ public:
   {
     return areAllHidden(this->hiddenCells(), this->Made.numberOfCells());
   }
-  bool showsNothing() const override { return this->Empty.EmptyShare == 1; }
+  bool showsNothing() const override { return this->emptySpace().EmptyShare == 1; }
   bool isStructured() const override { return true; }
   bool mayReenter() const override { return false; }
   const std::vector<ScalarRange>& extraRanges() const override { return this->ExtraRanges; }
   /** Cells of which nothing is seen are leapt over or skipped, if there are blocks of them. */
-  double transparentShare(const IntegralTable&) const override { return this->Empty.EmptyShare; }
+  double transparentShare(const IntegralTable&) const override
+  {
+    return this->emptySpace().EmptyShare;
+  }
   /** A cell of the lattice may overlap eight cells of the data. */
   vtkIdType cellOf(std::uint32_t cell, const Vector3& point) const override;
   /** Two cells, or one if it has a value of its own. */
@@ -70,7 +73,7 @@ public:
   std::int64_t runs() const override
   {
     return this->LatticeRecord.Runs + this->Hidden.record().Runs + this->ValuesRecord.Runs +
-           this->RangesRecord.Runs + this->EmptyRecord.Runs;
+           this->RangesRecord.Runs + this->Empty.record().Runs;
   }
   void addTo(ReferenceScene& scene) const override;
 
@@ -103,21 +106,18 @@ public:
   /** Of the first scalar and, if they are independent, of those that are drawn with it: of others
    * nothing is seen where the first one has no opacity. */
   const std::vector<BlockRanges>& blockRanges() const { return this->Ranges; }
-  const BlockDistances& emptySpace() const { return this->Empty; }
+  const BlockDistances& emptySpace() const { return this->Empty.distances(); }
   /** Whether rays leap over what is empty. */
   bool leaps() const { return this->Leaps.isOn(); }
   /** Equal as long as the empty space is the same. */
-  Fingerprint emptySpaceVersion() const
-  {
-    return { static_cast<std::uintptr_t>(this->EmptyRecord.Runs) };
-  }
+  Fingerprint emptySpaceVersion() const { return this->Empty.version(); }
   /** Equal as long as the same cells of the same lattice are hidden; empty without ghost arrays. */
   const Fingerprint& hiddenVersion() const { return this->Hidden.version(); }
 
   const StageRecord& latticeRecord() const { return this->LatticeRecord; }
   const StageRecord& valuesRecord() const { return this->ValuesRecord; }
   const StageRecord& rangesRecord() const { return this->RangesRecord; }
-  const StageRecord& emptySpaceRecord() const { return this->EmptyRecord; }
+  const StageRecord& emptySpaceRecord() const { return this->Empty.record(); }
 
 private:
   std::string updateLattice(const LatticeCase& lies);
@@ -138,12 +138,11 @@ private:
   std::vector<ScalarRange> ExtraRanges;
   Fingerprint RangesInput;
   std::vector<BlockRanges> Ranges;
-  BlockDistances Empty;
+  EmptySpaceStage Empty;
   Switch Leaps;
   StageRecord LatticeRecord;
   StageRecord ValuesRecord;
   StageRecord RangesRecord;
-  StageRecord EmptyRecord;
 };
 
 } // namespace tetmarch
