@@ -25,7 +25,8 @@ prints a table in Markdown and, on request, writes all figures as JSON.
                             crushed-can)
   --functions A,B,...       of own (of all but front, refined and flows of others), smooth, ramp, spikes (default: own)
   --mappers A,B,...         of tetmarch, tetmarch:1/N (tolerance), tetmarch-fast, tetmarch-accurate,
-                            tetmarch-reference, tetmarch-compute (by a compute shader), projected, bunyk,
+                            tetmarch-reference, tetmarch-adaptive, tetmarch-adaptive-fast (pixels interpolated
+                            within 4/255), tetmarch-compute (by a compute shader), projected, bunyk,
                             bunyk-homogeneous, bunyk-preintegration, bunyk-partial, bunyk-linear, zsweep,
                             resample:N/K (N^3 points, K samples a spacing)
                             (default: tetmarch, projected, bunyk; in a GPU's report tetmarch-compute, too)
@@ -34,8 +35,9 @@ prints a table in Markdown and, on request, writes all figures as JSON.
                             scattering, illumination (default: all)
                             With structured: --datasets bonsai, aneurism, headsq, carotid (if --more-data has
                             structured/), marschner-lobb:N; --functions ramp, peaks, smooth; --mappers tetmarch-fast,
-                            tetmarch, tetmarch-accurate, gpu:K (VTK's on the GPU, K samples a voxel), gpu-jitter:K,
-                            gpu-stored:K (scalars as stored, the others use floats), fixed-point
+                            tetmarch, tetmarch-accurate, tetmarch-adaptive, tetmarch-adaptive-fast, gpu:K (VTK's on
+                            the GPU, K samples a voxel), gpu-jitter:K, gpu-stored:K (scalars as stored, the others
+                            use floats), fixed-point
   --stride N                with structured: errors of every N-th pixel of every N-th row (default: 4)
   --against PROGRAM         of another build: its 'tetmarch' draws in turn with that of this one
   --errors                  measure errors, too

@@ -71,12 +71,13 @@ PreparedVolume makeZSweep(const Scene& scene)
   return volumeOf(atFullResolution<vtkUnstructuredGridVolumeZSweepMapper>(), scene);
 }
 
-Maker ours(int level)
+Maker ours(int level, double pixelTolerance = 0.0)
 {
-  return [level](const Scene& scene)
+  return [level, pixelTolerance](const Scene& scene)
   {
     const auto mapper = vtk::TakeSmartPointer(vtkTetMarchVolumeMapper::New());
     mapper->SetAccuracyLevel(level);
+    mapper->SetPixelTolerance(pixelTolerance);
     return volumeOf(mapper, scene);
   };
 }
@@ -133,6 +134,8 @@ Maker makerOf(const std::string& name)
     { "tetmarch-accurate", ours(vtkTetMarchVolumeMapper::ACCURATE) },
     { "tetmarch-reference", ours(vtkTetMarchVolumeMapper::REFERENCE) },
     { "tetmarch-compute", makeOursByCompute },
+    { "tetmarch-adaptive", ours(vtkTetMarchVolumeMapper::DEFAULT, AdaptiveTolerance) },
+    { "tetmarch-adaptive-fast", ours(vtkTetMarchVolumeMapper::FAST, AdaptiveTolerance) },
     { "projected", makeProjected },
     { "bunyk", makeBunyk },
     { "bunyk-homogeneous", makeBunykWith<vtkUnstructuredGridHomogeneousRayIntegrator> },

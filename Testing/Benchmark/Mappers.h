@@ -17,6 +17,9 @@
 
 namespace tetmarch::bench
 {
+/// The PixelTolerance of the mappers whose names begin with "tetmarch-adaptive".
+constexpr double AdaptiveTolerance = 4.0 / 255.0;
+
 bool isMapper(const std::string& name);
 
 struct PreparedVolume

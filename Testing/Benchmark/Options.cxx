@@ -128,11 +128,11 @@ void makeAccuracy(Options& options)
   options.Errors = true;
   options.Datasets = { "golfball", "front1.3m", "bluntfin", "oxygen", "golfball-medium" };
   options.Functions = commonFunctions();
-  options.Mappers = { "tetmarch-fast", "tetmarch:1/32", "tetmarch", "tetmarch:1/1024",
-    "tetmarch-accurate", "tetmarch-reference", "projected", "bunyk-homogeneous",
-    "bunyk-preintegration", "bunyk-partial", "bunyk-linear", "zsweep", "resample:64/1",
-    "resample:64/4", "resample:128/1", "resample:128/2", "resample:128/4", "resample:256/1",
-    "resample:256/2", "resample:512/1" };
+  options.Mappers = { "tetmarch-adaptive-fast", "tetmarch-adaptive", "tetmarch-fast",
+    "tetmarch:1/32", "tetmarch", "tetmarch:1/1024", "tetmarch-accurate", "tetmarch-reference",
+    "projected", "bunyk-homogeneous", "bunyk-preintegration", "bunyk-partial", "bunyk-linear",
+    "zsweep", "resample:64/1", "resample:64/4", "resample:128/1", "resample:128/2",
+    "resample:128/4", "resample:256/1", "resample:256/2", "resample:512/1" };
 }
 
 /// Whether pictures approach that of the field that a mesh was made from, and how fast, as the mesh
@@ -170,8 +170,9 @@ void makeStructured(Options& options)
   options.EnoughSeconds = 2.0;
   options.Datasets = { "bonsai", "aneurism", "headsq", "carotid", "marschner-lobb:512" };
   options.Functions = structuredFunctions();
-  options.Mappers = { "tetmarch-fast", "tetmarch", "tetmarch-accurate", "fixed-point", "gpu:1",
-    "gpu:2", "gpu:4", "gpu:10", "gpu-jitter:1", "gpu-jitter:2", "gpu-jitter:4", "gpu-stored:2" };
+  options.Mappers = { "tetmarch-adaptive-fast", "tetmarch-adaptive", "tetmarch-fast", "tetmarch",
+    "tetmarch-accurate", "fixed-point", "gpu:1", "gpu:2", "gpu:4", "gpu:10", "gpu-jitter:1",
+    "gpu-jitter:2", "gpu-jitter:4", "gpu-stored:2" };
 }
 
 const std::map<std::string, Preset>& presetsByName()

@@ -80,8 +80,8 @@ class SmokeTest(BenchmarkCase):
 
     def test_errors_are_those_of_each_mapper(self):
         """Coarse images are further off than fine ones, levels less than all; opacities are on both grounds."""
-        mappers = ["tetmarch-fast", "tetmarch", "tetmarch-reference", "projected", "bunyk-linear", "zsweep",
-                   "resample:8/1", "resample:64/2"]
+        mappers = ["tetmarch-adaptive", "tetmarch-fast", "tetmarch", "tetmarch-reference", "projected", "bunyk-linear",
+                   "zsweep", "resample:8/1", "resample:64/2"]
         errors, report = self.errors_of("accuracy", "--datasets", "front:16", "--functions", "smooth,ramp,spikes",
                                         "--mappers", ",".join(mappers))
         self.assertEqual(report["kind"], "accuracy")
@@ -103,6 +103,9 @@ class SmokeTest(BenchmarkCase):
                 self.assertGreater(of_mappers["tetmarch-reference"]["lookups_per_cell"],
                                    of_mappers["tetmarch-fast"]["lookups_per_cell"])
                 self.assertLessEqual(of_mappers["tetmarch-reference"]["bound_max"], 1.001e-5)
+                # With spikes, each covered pixel of so small a window has a ray.
+                self.assertEqual(of_mappers["tetmarch-adaptive"]["bound_max"] == 1.0, subject[1] != "spikes")
+                self.assertLess(rms["tetmarch-adaptive"], 4 / 255)
 
     def test_refinement_is_of_second_order(self):
         errors, _ = self.errors_of("refinement", "--datasets", "refined:8,refined:16", "--mappers",
@@ -117,11 +120,12 @@ class SmokeTest(BenchmarkCase):
                        "tetmarch,bunyk-linear")
         (self.folder / "out.json").rename(self.folder / "refinement.json")
         self.report_of("accuracy", "--quick", "--datasets", "golfball", "--functions", "smooth", "--mappers",
-                       "tetmarch-fast,tetmarch,resample:8/1")
+                       "tetmarch-fast,tetmarch,tetmarch-adaptive,resample:8/1")
         maker = pathlib.Path(__file__).resolve().parent / "make_accuracy_page.py"
         subprocess.run([sys.executable, maker, "out.json", "refinement.json", "page"], cwd=self.folder, check=True)
         page = (self.folder / "page" / "Accuracy.md").read_text()
         self.assertRegex(page, r"\| golfball \| smooth \|  \| [0-9.]+ \(resample:8/1\) \|")
+        self.assertRegex(page, r"\| golfball \| smooth \| tetmarch-adaptive \|.* \| none \| [0-9.]+ \|")
         self.assertRegex(page, r"\| bunyk-linear \| [0-9.e-]+ \| -?[0-9.]+ \|")
         self.assertNotRegex(page, "@[a-z]+@")
         for link in re.findall(r"\]\((Charts/[^)]*)\)", page) + ["Charts/overview.png"]:
@@ -208,7 +212,8 @@ class SmokeTest(BenchmarkCase):
 
     def test_images(self):
         """Errors fall with samples and with levels; scalars in float have no row of their own for stored ones."""
-        mappers = ["tetmarch-fast", "tetmarch", "tetmarch-accurate", "fixed-point", "gpu:1", "gpu:4", "gpu-jitter:1"]
+        mappers = ["tetmarch-adaptive", "tetmarch-adaptive-fast", "tetmarch-fast", "tetmarch", "tetmarch-accurate",
+                   "fixed-point", "gpu:1", "gpu:4", "gpu-jitter:1"]
         report, table = self.report_of("structured", "--quick", "--stride", "2", "--mappers",
                                        ",".join([*mappers, "gpu-stored:2"]))
         self.assertEqual([v["functions"] for v in report["datasets"]], ["ramp", "peaks", "smooth"])
@@ -225,6 +230,10 @@ class SmokeTest(BenchmarkCase):
                 self.assertLess(errors["tetmarch-accurate"]["rms"], errors["tetmarch"]["rms"])
                 self.assertLess(errors["tetmarch"]["rms"], errors["tetmarch-fast"]["rms"])
                 self.assertLess(errors["gpu:4"]["rms"], errors["gpu:1"]["rms"])
+                for level in ("", "-fast"):
+                    adaptive, all_rays = errors["tetmarch-adaptive" + level], errors["tetmarch" + level]
+                    self.assertNotEqual(adaptive, all_rays)
+                    self.assertLess(adaptive["rms"], all_rays["rms"] + 4 / 255)
                 for rival in ("fixed-point", "gpu:1", "gpu:4", "gpu-jitter:1"):
                     self.assertGreater(errors[rival]["rms"], errors["tetmarch"]["rms"], rival)
                 self.assertLess(errors["gpu:4"]["rms"], 0.3)  # of the same thing, at least
@@ -243,11 +252,13 @@ class SmokeTest(BenchmarkCase):
     def test_page_and_chart_of_images(self):
         if importlib.util.find_spec("matplotlib") is None:
             self.skipTest("there is no matplotlib")
-        self.report_of("structured", "--quick", "--functions", "ramp", "--mappers", "tetmarch,gpu:2,fixed-point")
+        self.report_of("structured", "--quick", "--functions", "ramp", "--mappers",
+                       "tetmarch-adaptive,tetmarch,gpu:2,fixed-point")
         maker = pathlib.Path(__file__).resolve().parent / "make_structured_page.py"
         subprocess.run([sys.executable, maker, "out.json", "page"], cwd=self.folder, check=True)
         page = (self.folder / "page" / "Structured.md").read_text()
-        self.assertRegex(page, r"\| marschner-lobb:16 \| ramp \| [0-9.]+ \| [0-9.]+ \| [0-9.]+ \| [0-9.]+ \| [a-z]")
+        for level in ("tetmarch", "tetmarch-adaptive"):
+            self.assertRegex(page, rf"\| marschner-lobb:16 \| ramp \| `{level}` \|" + r" [0-9.]+ \|" * 4 + " [a-z]")
         self.assertNotRegex(page, "@[a-z]+@")
         for link in re.findall(r"\]\((Charts/[^)]*)\)", page):
             chart = (self.folder / "page" / link).read_bytes()

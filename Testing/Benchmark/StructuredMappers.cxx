@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StructuredMappers.h"
 
+#include "Mappers.h"
 #include "Numbers.h"
 
 #include "vtkFixedPointVolumeRayCastMapper.h"
@@ -21,6 +22,8 @@ const std::map<std::string, int>& levelsByName()
     { "tetmarch-fast", vtkTetMarchSettings::FAST },
     { "tetmarch", vtkTetMarchSettings::DEFAULT },
     { "tetmarch-accurate", vtkTetMarchSettings::ACCURATE },
+    { "tetmarch-adaptive", vtkTetMarchSettings::DEFAULT },
+    { "tetmarch-adaptive-fast", vtkTetMarchSettings::FAST },
   };
   return levels;
 }
@@ -33,16 +36,19 @@ const std::string FixedPoint = "fixed-point";
 /// "gpu" of "gpu:4".
 std::string kindOf(const std::string& mapper) { return mapper.substr(0, mapper.find(':')); }
 
+bool isAdaptive(const std::string& kind) { return kind.rfind("tetmarch-adaptive", 0) == 0; }
+
 std::optional<int> samplesOf(const std::string& mapper)
 {
   const std::size_t colon = mapper.find(':');
   return colon == std::string::npos ? std::nullopt : ParseInteger(mapper.substr(colon + 1));
 }
 
-vtkSmartPointer<vtkVolumeMapper> makeOurs(int level)
+vtkSmartPointer<vtkVolumeMapper> makeOurs(int level, double pixelTolerance)
 {
   const auto mapper = vtk::TakeSmartPointer(vtkTetMarchSmartVolumeMapper::New());
   mapper->SetAccuracyLevel(level);
+  mapper->SetPixelTolerance(pixelTolerance);
   mapper->AutoAdjustSampleDistancesOff();
   mapper->InteractiveAdjustSampleDistancesOff();
   return mapper;
@@ -94,9 +100,10 @@ StructuredScene::StructuredScene(StructuredVolume volume, vtkVolumeProperty* pro
 vtkSmartPointer<vtkVolumeMapper> StructuredScene::makeMapper(const std::string& kind) const
 {
   const auto level = levelsByName().find(kind);
-  const auto mapper = level != levelsByName().end() ? makeOurs(level->second)
-                      : kind == FixedPoint          ? makeFixedPoint(this->Shown.Voxel)
-                                                    : makeGpu(kind == OfGpuWithJitter);
+  const auto mapper = level != levelsByName().end()
+                        ? makeOurs(level->second, isAdaptive(kind) ? AdaptiveTolerance : 0.0)
+                      : kind == FixedPoint ? makeFixedPoint(this->Shown.Voxel)
+                                           : makeGpu(kind == OfGpuWithJitter);
   const bool inFloat = kind == OfGpu || kind == OfGpuWithJitter;
   mapper->SetInputDataObject(inFloat ? this->Shown.Floats : this->Shown.Stored);
   return mapper;

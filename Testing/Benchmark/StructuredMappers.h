@@ -20,9 +20,11 @@
 namespace tetmarch::bench
 {
 /**
- * "tetmarch-fast", "tetmarch", "tetmarch-accurate"; "gpu:K", VTK's GPU mapper with K samples a
- * voxel of the volume in float; "gpu-jitter:K", the same with jitter; "gpu-stored:K", of the
- * scalars as they are stored; "fixed-point", VTK's on the CPU with a sample a voxel, as stored.
+ * "tetmarch-fast", "tetmarch", "tetmarch-accurate"; "tetmarch-adaptive" and
+ * "tetmarch-adaptive-fast", the levels Default and Fast with interpolated pixels; "gpu:K", VTK's
+ * GPU mapper with K samples a voxel of the volume in float; "gpu-jitter:K", the same with jitter;
+ * "gpu-stored:K", of the scalars as they are stored; "fixed-point", VTK's on the CPU with a sample
+ * a voxel, as stored.
  */
 bool isStructuredMapper(const std::string& name);
 

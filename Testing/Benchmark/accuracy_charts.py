@@ -12,10 +12,12 @@ import matplotlib.ticker  # noqa: E402
 plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.25, "axes.axisbelow": True})
 
 OURS = "tetmarch"
+ADAPTIVE = "tetmarch-adaptive"
 LEAST = 1e-7  # of what is drawn of errors; logarithms of 0 are not
 # Name of a family: how its mappers begin, colour, marker.
 FAMILIES = {
     "TetMarch, all levels and tolerances": (OURS, "#d62728", "o"),
+    "the same, adaptive, 4/255: Default, Fast": (ADAPTIVE, "#ff7f0e", "*"),
     "projected tetrahedra": ("projected", "#1f77b4", "s"),
     "Bunyk ray caster, each integrator": ("bunyk", "#2ca02c", "^"),
     "Z-sweep": ("zsweep", "#9467bd", "v"),
@@ -36,6 +38,16 @@ LINES = {
 
 def is_ours(name):
     return name.startswith(OURS)
+
+
+def is_adaptive(name):
+    return name.startswith(ADAPTIVE)
+
+
+def family_of(name, families):
+    """The label of the family whose beginning of names is the longest that fits; None if none does."""
+    fitting = [(len(prefix), label) for label, (prefix, _, _) in families.items() if name.startswith(prefix)]
+    return max(fitting)[1] if fitting else None
 
 
 def measured(subject):
@@ -72,8 +84,8 @@ def label_seconds(axes):
 
 def draw_subject(axes, subject, families):
     points = [(name, seconds, max(errors["rms"], LEAST)) for name, seconds, errors in measured(subject)]
-    for label, (prefix, color, marker) in families.items():
-        of_family = sorted((s, e) for name, s, e in points if name.startswith(prefix))
+    for label, (_, color, marker) in families.items():
+        of_family = sorted((s, e) for name, s, e in points if family_of(name, families) == label)
         if of_family:
             axes.plot(*zip(*of_family), marker, color=color, label=label, markersize=5)
     best = front([(s, e) for _, s, e in points])
@@ -138,7 +150,9 @@ def draw_lookups(report, folder):
     for axes, name in zip(grid[0], functions):
         for subject in (s for s in report["datasets"] if s["functions"] == name):
             points = sorted(
-                (e["lookups_per_cell"], max(e["rms"], LEAST)) for n, _, e in measured(subject) if is_ours(n)
+                (e["lookups_per_cell"], max(e["rms"], LEAST))
+                for n, _, e in measured(subject)
+                if is_ours(n) and not is_adaptive(n)
             )
             if points:
                 axes.plot(*zip(*points), "o-", markersize=4, linewidth=0.8, label=subject["name"])

@@ -62,7 +62,8 @@ def levels_table(report):
                 [
                     subject["name"], subject["functions"], name, f"{seconds:.3f}",
                     f"{seconds / fast:.2f}" if fast else "", f"{e['rms']:.1e}", f"{e['p999']:.1e}",
-                    f"{e['max']:.1e}", f"{e['bound_max']:.1e}", f"{e['lookups_per_cell']:.2f}",
+                    f"{e['max']:.1e}", "none" if charts.is_adaptive(name) else f"{e['bound_max']:.1e}",
+                    f"{e['lookups_per_cell']:.2f}",
                 ]
             )
     return text

@@ -14,12 +14,13 @@ from measured_page import charts_folder, measured_table, parser_of, row, write_p
 # Name of a family: how its mappers begin, colour, marker.
 FAMILIES = {
     "TetMarch: Fast, Default, Accurate": ("tetmarch", "#d62728", "o"),
+    "the same, adaptive, 4/255: Fast, Default": (charts.ADAPTIVE, "#ff7f0e", "*"),
     "VTK's GPU mapper, 1, 2, 4, 10 samples a voxel": ("gpu:", "#1f77b4", "s"),
     "the same with jitter": ("gpu-jitter:", "#17becf", "^"),
     "the same of stored scalars, 2 samples": ("gpu-stored:", "#9467bd", "v"),
     "VTK's fixed-point mapper": ("fixed-point", "#7f7f7f", "D"),
 }
-OURS = "tetmarch"
+LEVELS = ("tetmarch", charts.ADAPTIVE)
 RIVALS = ("gpu:2", "fixed-point")
 
 
@@ -32,11 +33,11 @@ def ratio(value):
     return f"{value:.2g}" if value < 10 else f"{value:.0f}"
 
 
-def against(figures, rival):
-    """Default beside a rival: times as fast, times as accurate."""
-    if OURS not in figures or rival not in figures:
+def against(figures, level, rival):
+    """One of ours beside a rival: times as fast, times as accurate."""
+    if rival not in figures:
         return ["", ""]
-    return [ratio(figures[rival][i] / figures[OURS][i]) for i in (0, 1)]
+    return [ratio(figures[rival][i] / figures[level][i]) for i in (0, 1)]
 
 
 def on_front(figures):
@@ -47,11 +48,13 @@ def on_front(figures):
 
 def rivals_table(report):
     heads = [f"{head} as `{rival}`" for rival in RIVALS for head in ("times as fast", "times as accurate")]
-    text = row(["volume", "functions", *heads, "rivals on the front"]) + "|---|---|" + "---:|" * len(heads) + "---|\n"
+    text = row(["volume", "functions", "mapper", *heads, "rivals on the front"])
+    text += "|---|---|---|" + "---:|" * len(heads) + "---|\n"
     for subject in report["datasets"]:
         figures = figures_of(subject)
-        ratios = [cell for rival in RIVALS for cell in against(figures, rival)]
-        text += row([subject["name"], subject["functions"], *ratios, on_front(figures)])
+        for level in (name for name in LEVELS if name in figures):
+            ratios = [cell for rival in RIVALS for cell in against(figures, level, rival)]
+            text += row([subject["name"], subject["functions"], f"`{level}`", *ratios, on_front(figures)])
     return text
 
 
