@@ -18,30 +18,47 @@ std::size_t levelOf(int spacing) { return spacing == 2 ? 0 : (spacing == 4 ? 1 :
 std::string EdgeCells::find(
   vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const Viewport& part, int spacing)
 {
-  const MarchedVolume& volume = inputs.Stages->volume();
-  if (volume.geometryVersion() != this->EdgesVersion)
-  {
-    this->Edges = volume.outlineEdges();
-    this->EdgesVersion = volume.geometryVersion();
-  }
   SampleGrid grid{ part, 2 };
-  const PictureCells cells{ { { inputs.Area.Width, inputs.Area.Height } }, { { part.X, part.Y } },
-    grid.Spacing, { { grid.width(), grid.height() } } };
-  if (!this->Outlines.upload(window, grid.width(), grid.height(), 1,
-        outlineCells(this->Edges, inputs.Stages->camera(), cells)))
-  {
-    return "The GPU has no room for the outlines of a picture of " + std::to_string(part.Width) +
-           " x " + std::to_string(part.Height) +
-           " pixels. Close what else uses it, or make the window smaller.";
-  }
+  std::string error = this->updateOutlines(window, inputs, grid);
   this->HasDepths = inputs.Depths != nullptr;
-  std::string error = this->HasDepths ? this->drawFinest(window, inputs, grid) : std::string();
+  error = error.empty() && this->HasDepths ? this->drawFinest(window, inputs, grid) : error;
   for (std::size_t level = 1; level <= levelOf(spacing) && error.empty(); ++level)
   {
     error = this->drawCoarser(window, level, grid);
     grid.Spacing *= 2;
   }
   return error;
+}
+
+std::string EdgeCells::updateOutlines(
+  vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const SampleGrid& grid)
+{
+  const MarchedVolume& volume = inputs.Stages->volume();
+  if (volume.geometryVersion() != this->EdgesVersion)
+  {
+    this->Edges = volume.outlineEdges();
+    this->EdgesVersion = volume.geometryVersion();
+  }
+  const View& view = inputs.Stages->camera();
+  const Viewport& part = grid.Part;
+  Fingerprint version = this->EdgesVersion;
+  addAll(version, view.NormalizedToClip);
+  addAll(version, view.Eye);
+  addAll(version, std::array<int, 6>{ { inputs.Area.Width, inputs.Area.Height, part.X, part.Y,
+                    part.Width, part.Height } });
+  if (this->Outlines.texture() && version == this->OutlinesVersion)
+  {
+    return {};
+  }
+  this->OutlinesVersion = version;
+  const PictureCells cells{ { { inputs.Area.Width, inputs.Area.Height } }, { { part.X, part.Y } },
+    grid.Spacing, { { grid.width(), grid.height() } } };
+  return this->Outlines.upload(
+           window, grid.width(), grid.height(), 1, outlineCells(this->Edges, view, cells))
+           ? std::string()
+           : "The GPU has no room for the outlines of a picture of " + std::to_string(part.Width) +
+               " x " + std::to_string(part.Height) +
+               " pixels. Close what else uses it, or make the window smaller.";
 }
 
 std::string EdgeCells::drawFinest(

@@ -31,6 +31,8 @@ public:
   std::size_t bytes() const;
 
 private:
+  std::string updateOutlines(
+    vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const SampleGrid& grid);
   std::string drawFinest(
     vtkOpenGLRenderWindow* window, const MarchInputs& inputs, const SampleGrid& grid);
   std::string drawCoarser(vtkOpenGLRenderWindow* window, std::size_t level, const SampleGrid& grid);
@@ -38,6 +40,7 @@ private:
   std::vector<OutlineEdge> Edges;
   Fingerprint EdgesVersion; // of the geometry that they belong to
   UploadedImage Outlines;
+  Fingerprint OutlinesVersion;      // of the geometry, the view and the cells
   std::array<FloatTarget, 3> Cells; // of 2, 4 and 8 pixels; without depths the first are Outlines
   bool HasDepths = false;
   ShaderDraw Draw;
