@@ -43,7 +43,6 @@ std::string EdgeCells::updateOutlines(
   const Viewport& part = grid.Part;
   Fingerprint version = this->EdgesVersion;
   addAll(version, view.NormalizedToClip);
-  addAll(version, view.Eye);
   addAll(version, std::array<int, 6>{ { inputs.Area.Width, inputs.Area.Height, part.X, part.Y,
                     part.Width, part.Height } });
   if (this->Outlines.texture() && version == this->OutlinesVersion)

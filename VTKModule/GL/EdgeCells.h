@@ -40,7 +40,7 @@ private:
   std::vector<OutlineEdge> Edges;
   Fingerprint EdgesVersion; // of the geometry that they belong to
   UploadedImage Outlines;
-  Fingerprint OutlinesVersion;      // of the geometry, the view and the cells
+  Fingerprint OutlinesVersion;      // of the geometry, the camera and the cells
   std::array<FloatTarget, 3> Cells; // of 2, 4 and 8 pixels; without depths the first are Outlines
   bool HasDepths = false;
   ShaderDraw Draw;

@@ -77,11 +77,24 @@ void expectErrorsOfThePicture(AnyScene& scene)
   }
 }
 
-// Those of the first grid have a ray. The others are grey unless they had one.
+// The colours before they are rounded.
+template <typename AnyScene>
+Image colorsOf(AnyScene& scene, double tolerance)
+{
+  drawCounted(scene, tolerance);
+  vtkNew<vtkFloatArray> pixels;
+  scene.Mapper->GetDiagnosticPixels(pixels);
+  return Image::fromFloats(Side, Side, pixels->GetPointer(0));
+}
+
+// Those of the first grid have a ray. The others are grey unless they had one, and then their
+// colour is that of the ray, in 16 bits.
 template <typename AnyScene>
 void expectInterpolatedPixelsInGrey(AnyScene& scene)
 {
-  Statistics* statistics = drawCounted(scene, Careless);
+  const Image full = colorsOf(scene, 0.0);
+  const Image drawn = colorsOf(scene, Careless);
+  Statistics* statistics = scene.Mapper->GetLastFrameStatistics();
   const auto rays = statistics->GetNumberOfTracedRays();
   const int without = withoutBound(statistics);
   const auto count = statistics->GetNumberOfPixels(Statistics::ERROR_BOUND);
@@ -98,6 +111,11 @@ void expectInterpolatedPixelsInGrey(AnyScene& scene)
     const float* rgb = &view.Rgba[4 * std::size_t(i)];
     seen += *std::max_element(rgb, rgb + 3) > 0;
     grey += isGrey(rgb);
+    for (int k = 0; k < 4 && !isGrey(rgb); ++k)
+    {
+      ASSERT_NEAR(drawn.Rgba[4 * i + k], full.Rgba[4 * i + k], 2e-5f)
+        << i % Side << ' ' << i / Side;
+    }
     EXPECT_FALSE(isGrey(rgb) && i % Side % 8 == 0 && i / Side % 8 == 0) << i;
   }
   EXPECT_EQ(seen, count);

@@ -146,6 +146,22 @@ TEST(AdaptiveRaysOfThinParts, AreFoundAtEachPhase)
   }
 }
 
+// The second view mirrors the first one, so that the slab fills the same part of the picture.
+TEST(AdaptiveRaysOfThinParts, AreFoundWhereTheCameraHasTurned)
+{
+  Scene scene(slab(0.496, 0.008));
+  setPlainFunctions(scene.property(), { 1.0, 0.6, 0.2 }, 1.0);
+  lookDownZ(scene.camera(), 0.5);
+  for (const double roll : { 30.0, -60.0, 60.0 })
+  {
+    scene.camera()->Roll(roll);
+    const Image adaptive = drawWith(scene, Tolerance);
+    const Difference found = compare(drawWith(scene, 0.0), adaptive);
+    EXPECT_LE(found.Max, 1.01 / 255.0) << roll << found.text();
+    drawWith(scene, Tolerance);
+  }
+}
+
 // Of an image, one voxel wide, wherever it is between the rays of the first grid.
 TEST(AdaptiveRaysOfThinParts, OfImages)
 {
