@@ -33,8 +33,11 @@ IntervalEnd intervalEnd(real x, int entry)
   return found;
 }
 
-void setEnds(IntervalEnd p, IntervalEnd q, INOUT(IntervalMean) found)
+// All but the mean.
+IntervalMean spanOf(IntervalEnd p, IntervalEnd q)
 {
+  IntervalMean found;
+  found.mean = vec4(real(0), real(0), real(0), real(0));
 #if TETMARCH_ERROR_BOUND
   found.variation = abs(q.variation - p.variation);
 #endif
@@ -44,6 +47,7 @@ void setEnds(IntervalEnd p, IntervalEnd q, INOUT(IntervalMean) found)
 #if TETMARCH_ERROR_BOUND && TETMARCH_INDEPENDENT
   found.ends = p.point.value + q.point.value;
 #endif
+  return found;
 }
 
 // From p to q, each in its bin of the table whose first entry is given.
@@ -59,7 +63,7 @@ IntervalMean meanOfBins(real p, int pBin, real q, int qBin, int first, vec4 inte
   {
     IntervalEnd to = intervalEnd(toBin, first + qBin);
     IntervalEnd from = intervalEnd(fromBin, first + pBin);
-    setEnds(from, to, found);
+    found = spanOf(from, to);
     vec4 mean = (to.point.area - from.point.area) * perRise;
     uvec4 at = fetchTableIntegral(first + pBin + entryNextTo(fromBin));
     uvec4 until = fetchTableIntegral(first + qBin + entryNextTo(toBin));
@@ -73,7 +77,7 @@ IntervalMean meanOfBins(real p, int pBin, real q, int qBin, int first, vec4 inte
     vec4 middle = sameBin ? to.point.value : fetchTableValue(first + entry);
     vec4 behind = linearMean(middle, to.point.value) * (sameBin ? real(0) : (q - real(entry)) * perRise);
     IntervalEnd from = intervalEnd(fromBin, first + pBin);
-    setEnds(from, to, found);
+    found = spanOf(from, to);
     found.mean =
       linearMean(from.point.value, middle) * (sameBin ? real(1) : (real(entry) - p) * perRise) + behind;
   }
