@@ -69,7 +69,7 @@ real errorBudget(Radiance radiance, real absorbed)
 #endif
   real earned = TOLERANCE_AT_ONCE + TOLERANCE_BY_ABSORPTION * (real(1) - radiance.transmittance + absorbed);
   // The used part may exceed the budget by rounding.
-  return max(SHARE_OF_A_SUBSEGMENT * (tolerance * earned - radiance.error),
+  return largerOf(SHARE_OF_A_SUBSEGMENT * (tolerance * earned - radiance.error),
     tolerance * TOLERANCE_BY_ABSORPTION * absorbed);
 }
 #endif
@@ -124,6 +124,6 @@ vec3 emission(vec4 mean)
 #elif TETMARCH_CONSTANT_COLOR
   return constantColor * mean.w;
 #else
-  return vec3(min(mean.x, mean.w), min(mean.y, mean.w), min(mean.z, mean.w));
+  return vec3(smallerOf(mean.x, mean.w), smallerOf(mean.y, mean.w), smallerOf(mean.z, mean.w));
 #endif
 }

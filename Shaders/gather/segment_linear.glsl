@@ -61,10 +61,11 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #endif
       pending = !(loaded && part.last) && !isOpaque(radiance) && trials < mostTurns;
       position = loaded ? position + part.fraction : position;
-#if TETMARCH_KEEPS_TABLE_POINT
-      cell.at = found.next;
-#endif
     }
+#if TETMARCH_KEEPS_TABLE_POINT
+    // Not in the branch: so the software renderer keeps one copy, not two.
+    cell.at = accepted ? found.next : cell.at;
+#endif
 #if TETMARCH_ADAPTIVE
     // The error grows with the third power of a piece's length, its budget with the first. The rest is cut evenly.
     real finer = real(1.25) * sqrt(error / budget);

@@ -126,13 +126,13 @@ bool passCell(Ray ray, real depthEnd, INOUT(RayPosition) place, INOUT(CellInterv
   march.stepsTaken = march.stepsTaken + 1;
 
   // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
-  cell.begin = max(cell.enter.x, march.done);
-  cell.end = min(cell.leave.x, depthEnd);
+  cell.begin = largerOf(cell.enter.x, march.done);
+  cell.end = smallerOf(cell.leave.x, depthEnd);
   bool forward = cell.end > cell.begin;
   decideVisibility(forward, cell);
   // If the ray goes backwards, nothing is integrated.
   march.done = forward ? cell.end : march.done;
-  march.finished = max(cell.begin, cell.end) >= depthEnd;
+  march.finished = largerOf(cell.begin, cell.end) >= depthEnd;
   recordCell(cell, march);
   cropCell(ray, cell);
   countFaults(crossing.lost, march);

@@ -36,19 +36,19 @@ TableSpan tableSpan(int table)
 
 int tableBin(TableSpan table, real x)
 {
-  return clamp(int(max(real(0), min(floor(x), MOST_POSITION))), 0, table.size - 2);
+  return clamp(int(max(real(0), min(x, MOST_POSITION))), 0, table.size - 2);
 }
 #else
 // A valid bin of the table even if x is NaN.
-int tableBin(real x) { return clamp(int(max(real(0), min(floor(x), MOST_POSITION))), 0, tableSize - 2); }
+int tableBin(real x) { return clamp(int(max(real(0), min(x, MOST_POSITION))), 0, tableSize - 2); }
 #endif
 
 #if TETMARCH_TRANSPARENT_RANGES
 // Whether there is no extinction from position p to q: below the first, above the last, or in the widest gap.
 bool isTransparentBetween(real p, real q)
 {
-  real low = min(p, q);
-  real high = max(p, q);
+  real low = smallerOf(p, q);
+  real high = largerOf(p, q);
   return high <= transparentRanges.x || low >= transparentRanges.y ||
     (low >= transparentRanges.z && high <= transparentRanges.w);
 }
@@ -111,10 +111,10 @@ BinPoint binPoint(vec4 begin, vec4 end, real distance)
   p.rise = abs(end.x - begin.x);
   p.value.x = begin.x + (end.x - begin.x) * fraction;
   p.area.x = ((nextToEnd ? end.x : begin.x) * weights.x + p.value.x * weights.y) * along;
-  p.rise = max(p.rise, abs(end.y - begin.y));
+  p.rise = largerOf(p.rise, abs(end.y - begin.y));
   p.value.y = begin.y + (end.y - begin.y) * fraction;
   p.area.y = ((nextToEnd ? end.y : begin.y) * weights.x + p.value.y * weights.y) * along;
-  p.rise = max(p.rise, abs(end.z - begin.z));
+  p.rise = largerOf(p.rise, abs(end.z - begin.z));
   p.value.z = begin.z + (end.z - begin.z) * fraction;
   p.area.z = ((nextToEnd ? end.z : begin.z) * weights.x + p.value.z * weights.y) * along;
   return p;

@@ -85,6 +85,18 @@ TablePoint tablePoint(real x)
 }
 #endif
 
+// The mean for C and tau linear from p to m along one part of the interval, and from there to q along the other.
+vec4 meanAround(vec4 p, vec4 m, vec4 q, real before, real behind)
+{
+  real first = before * (real(1) / real(6));
+  real second = behind * (real(1) / real(6));
+  real wp = (real(2) * p.w + m.w) * first;
+  real wm = (p.w + real(2) * m.w) * first + (real(2) * m.w + q.w) * second;
+  real wq = (m.w + real(2) * q.w) * second;
+  return vec4(p.x * wp + m.x * wm + q.x * wq, p.y * wp + m.y * wm + q.y * wq, p.z * wp + m.z * wm + q.z * wq,
+    real(3) * ((p.w + m.w) * first + (m.w + q.w) * second));
+}
+
 // Over the scalars between two points of the table. Entries between them are those of q.
 #if TETMARCH_COMPONENTS
 IntervalMean meanBetween(TableSpan table, TablePoint p, TablePoint q)
@@ -105,7 +117,7 @@ IntervalMean meanBetween(TablePoint p, TablePoint q)
   real entry = real(max(p.bin, q.bin));
   real before = sameBin ? real(1) : (entry - p.x) * perRise;
   real behind = sameBin ? real(0) : (q.x - entry) * perRise;
-  vec4 straight = linearMean(p.value, middle) * before + linearMean(middle, q.value) * behind;
+  vec4 straight = meanAround(p.value, middle, q.value, before, behind);
   // Otherwise the interval is longer than a bin. For tiny integrals their steps are significant.
   vec4 entries = vec4(ascending ? q.integral - p.integral : p.integral - q.integral) * integralUnit;
   vec4 mean = entries * abs(perRise) + (q.area - p.area) * perRise;

@@ -59,10 +59,12 @@ vec2 intersectionPoint(FaceIntersection face)
 #if TETMARCH_POINT_SCALARS
   // On the edge opposite a corner without scalar the weight of that corner is 0, but the ray is in a cell with that
   // corner.
-  real highest = max(s.x, max(s.y, s.z));
+  real highest = largerOf(s.x, largerOf(s.y, s.z));
   scalar = isDrawn(highest) ? scalar : UNDRAWN_SCALAR;
 #endif
-  return vec2(clamp(depth, min(z.x, min(z.y, z.z)), max(z.x, max(z.y, z.z))), scalar);
+  real nearest = smallerOf(z.x, smallerOf(z.y, z.z));
+  real farthest = largerOf(z.x, largerOf(z.y, z.z));
+  return vec2(largerOf(nearest, smallerOf(depth, farthest)), scalar);
 }
 
 // Whether the side of the face that the viewer sees does not depend on rounding of its corners.

@@ -136,6 +136,8 @@ static constexpr bool TakesSamples = false;
 #define INOUT(T) T&
 #define CONSTANT static constexpr
 #define precise
+#define smallerOf(a, b) min(a, b)
+#define largerOf(a, b) max(a, b)
 #define PROJECTION_SCALE NumberRange<Real>::projectionScale()
 #define PROJECTION_FLUSH NumberRange<Real>::projectionFlush()
 #define NO_DEPTH Real(NoDepth)
@@ -174,6 +176,8 @@ static constexpr bool TakesSamples = false;
 #undef INOUT
 #undef CONSTANT
 #undef precise
+#undef smallerOf
+#undef largerOf
 #undef PROJECTION_SCALE
 #undef PROJECTION_FLUSH
 #undef NO_DEPTH
