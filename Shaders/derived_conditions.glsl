@@ -5,6 +5,10 @@
 #define TETMARCH_BENT (TETMARCH_STRUCTURED && TETMARCH_POINT_SCALARS)
 #define TETMARCH_GATHERS (TETMARCH_BENT && TETMARCH_HAS_GATHER)
 
+// The step from tetrahedron to tetrahedron: the software renderer waits less for the next one if it reads it early. On a
+// GPU this would take registers.
+#define TETMARCH_LOOKS_AHEAD (TETMARCH_HAS_PRECISE && !TETMARCH_HAS_FMA && !TETMARCH_STRUCTURED)
+
 // Components.
 #define TETMARCH_DEPENDENT (TETMARCH_COLOR_AND_OPACITY || TETMARCH_DIRECT_COLOR)
 #define TETMARCH_COMPONENTS (TETMARCH_INDEPENDENT || TETMARCH_DEPENDENT)

@@ -15,6 +15,7 @@ CellInterval beginCellInterval(Ray ray, INOUT(RayPosition) place)
 {
   CellInterval cell;
   fetchCorners(place.face);
+  lookAhead(place);
   beginCell(cell);
   cell.leave = intersectionPoint(place.face);
 #if TETMARCH_VERTEX_ATTRIBUTES
@@ -32,7 +33,7 @@ CellInterval beginCellInterval(Ray ray, INOUT(RayPosition) place)
 Crossing crossCell(Ray ray, INOUT(RayPosition) place, INOUT(CellInterval) cell)
 {
   uint tet = place.side.ahead >> 2u;
-  uvec4 ahead = fetchCell(tet);
+  EnteredTet ahead = tetAhead(place);
 #if TETMARCH_CORNER_SCALARS
   vec2 enter = enterTet(ahead, place);
 #else

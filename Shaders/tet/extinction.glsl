@@ -92,6 +92,7 @@ void marchExtinctionToExit(
   TablePoint at = tablePoint(isDrawn(enter.y) ? enter.y * tableScale + tableOffset : tableOffset);
 #endif
   fetchCorners(place.face);
+  lookAhead(place);
 #if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
   real densityEnter = densityAt(place.face);
 #endif
@@ -99,7 +100,7 @@ void marchExtinctionToExit(
   while (onward && march.cells < mostSteps)
   {
     uint tet = place.side.ahead >> 2u;
-    uvec4 ahead = fetchCell(tet);
+    EnteredTet ahead = tetAhead(place);
 #if TETMARCH_CORNER_SCALARS
     enter = enterTet(ahead, place);
 #endif

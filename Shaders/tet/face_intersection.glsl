@@ -97,9 +97,13 @@ int replaceByExit(INOUT(FaceIntersection) face, uint apexId, vec3 apex, real ape
   bool dropB = leftA && !leftC;
   bool dropC = leftB && !leftA;
 
-  uint dropped = dropA ? face.id.x : (dropB ? face.id.y : face.id.z);
-  int rank = (dropped > face.id.x ? 1 : 0) + (dropped > face.id.y ? 1 : 0) +
-    (dropped > face.id.z ? 1 : 0) + (dropped > apexId ? 1 : 0);
+  // The rank of each is known before the predicates are.
+  int ab = face.id.x > face.id.y ? 1 : 0;
+  int bc = face.id.y > face.id.z ? 1 : 0;
+  int ca = face.id.z > face.id.x ? 1 : 0;
+  int rankA = ab + 1 - ca + (face.id.x > apexId ? 1 : 0);
+  int rankB = bc + 1 - ab + (face.id.y > apexId ? 1 : 0);
+  int rankC = ca + 1 - bc + (face.id.z > apexId ? 1 : 0);
 
   face.weight = vec3(dropA ? face.weight.x : (dropB ? -crossC : crossB),
     dropB ? face.weight.y : (dropC ? -crossA : crossC),
@@ -118,5 +122,5 @@ int replaceByExit(INOUT(FaceIntersection) face, uint apexId, vec3 apex, real ape
   face.attributesB = selectAttributes(dropB, attributes, face.attributesB);
   face.attributesC = selectAttributes(dropC, attributes, face.attributesC);
 #endif
-  return dropA || dropB || dropC ? rank : -1;
+  return dropA ? rankA : (dropB ? rankB : (dropC ? rankC : -1));
 }

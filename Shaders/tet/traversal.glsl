@@ -1,39 +1,75 @@
 // The traversal of the mesh: a ray enters it, leaves it, and may reenter.
 
+// A tetrahedron that a ray enters through a face, and its fourth vertex.
+struct EnteredTet
+{
+  uvec4 cell;
+  uint apexId;
+  vec4 apex; // position, scalar
+};
+
 // The position of a ray: before a face.
 struct RayPosition
 {
   FaceIntersection face;
   Side side; // of that face
+#if TETMARCH_LOOKS_AHEAD
+  EnteredTet ahead; // set by lookAhead()
+#endif
 #if TETMARCH_CORNER_SCALARS
   real apexScalar; // of the tetrahedron ahead; set by enterTet()
 #endif
 };
 
+// At the first face inside of the mesh, and at each further one: reads the tetrahedron ahead, or any if the face is the
+// last one.
+void lookAhead(INOUT(RayPosition) place)
+{
+#if TETMARCH_LOOKS_AHEAD
+  bool outside = isOutside(place.side.ahead);
+  place.ahead.cell = fetchCell(outside ? 0u : place.side.ahead >> 2u);
+  place.ahead.apexId = outside ? place.face.id.x : apexOf(place.ahead.cell, place.face.id);
+  place.ahead.apex = fetchVertex(place.ahead.apexId);
+#endif
+}
+
+EnteredTet tetAhead(RayPosition place)
+{
+#if TETMARCH_LOOKS_AHEAD
+  return place.ahead;
+#else
+  EnteredTet tet;
+  tet.cell = fetchCell(place.side.ahead >> 2u);
+  tet.apexId = apexOf(tet.cell, place.face.id);
+  tet.apex = fetchVertex(tet.apexId);
+  return tet;
+#endif
+}
+
 #if TETMARCH_CORNER_SCALARS
 // Before stepThrough(): the scalars at the face become those of the tetrahedron ahead. Returns depth and scalar of the
 // ray there.
-vec2 enterTet(uvec4 cell, INOUT(RayPosition) place)
+vec2 enterTet(EnteredTet tet, INOUT(RayPosition) place)
 {
   place.apexScalar =
-    takeCornerScalars(fetchCornerScalars(place.side.ahead >> 2u), apexOf(cell, place.face.id), place.face);
+    takeCornerScalars(fetchCornerScalars(place.side.ahead >> 2u), tet.apexId, place.face);
   return intersectionPoint(place.face);
 }
 #endif
 
 // Steps through the tetrahedron ahead: the place becomes that before the ray's exit face. Returns the index of that
 // face in the tetrahedron, or -1 like replaceByExit().
-int stepThrough(Ray ray, uvec4 cell, INOUT(RayPosition) place)
+int stepThrough(Ray ray, EnteredTet tet, INOUT(RayPosition) place)
 {
-  uint apexId = apexOf(cell, place.face.id);
-  vec4 apex = fetchVertex(apexId);
 #if TETMARCH_CORNER_SCALARS
   real scalar = place.apexScalar;
 #else
-  real scalar = apex.w;
+  real scalar = tet.apex.w;
 #endif
-  int exitFace = replaceByExit(place.face, apexId, project(ray, vec3(apex.x, apex.y, apex.z)), scalar);
-  place.side = sideBehind(cell, place.side, uint(max(exitFace, 0)));
+  vec3 apex = project(ray, vec3(tet.apex.x, tet.apex.y, tet.apex.z));
+  int exitFace = replaceByExit(place.face, tet.apexId, apex, scalar);
+  place.side = sideBehind(tet.cell, place.side, uint(max(exitFace, 0)));
+  lookAhead(place);
   return exitFace;
 }
 
