@@ -79,6 +79,24 @@ bool isTurnedForSure(FaceIntersection face)
   return area > real(5) * projectionBlur() * max(longest, projectionBlur());
 }
 
+// The rank by id, among the vertices of a tetrahedron, of that opposite its exit face: a, b or c.
+int rankOfDropped(uvec3 id, uint apexId, bool dropA, bool dropB)
+{
+#if TETMARCH_LOOKS_AHEAD
+  // All three ranks are known before the predicates are.
+  int ab = id.x > id.y ? 1 : 0;
+  int bc = id.y > id.z ? 1 : 0;
+  int ca = id.z > id.x ? 1 : 0;
+  int a = ab + 1 - ca + (id.x > apexId ? 1 : 0);
+  int b = bc + 1 - ab + (id.y > apexId ? 1 : 0);
+  int c = ca + 1 - bc + (id.z > apexId ? 1 : 0);
+  return dropA ? a : (dropB ? b : c);
+#else
+  uint dropped = dropA ? id.x : (dropB ? id.y : id.z);
+  return (dropped > id.x ? 1 : 0) + (dropped > id.y ? 1 : 0) + (dropped > id.z ? 1 : 0) + (dropped > apexId ? 1 : 0);
+#endif
+}
+
 // Replaces the intersection by that of the face through which the ray leaves the tetrahedron with the given fourth
 // vertex. Returns the index of that face in the tetrahedron, which is the rank by id of the opposite vertex; -1 if
 // there is none, which cannot happen with four real points.
@@ -97,13 +115,7 @@ int replaceByExit(INOUT(FaceIntersection) face, uint apexId, vec3 apex, real ape
   bool dropB = leftA && !leftC;
   bool dropC = leftB && !leftA;
 
-  // The rank of each is known before the predicates are.
-  int ab = face.id.x > face.id.y ? 1 : 0;
-  int bc = face.id.y > face.id.z ? 1 : 0;
-  int ca = face.id.z > face.id.x ? 1 : 0;
-  int rankA = ab + 1 - ca + (face.id.x > apexId ? 1 : 0);
-  int rankB = bc + 1 - ab + (face.id.y > apexId ? 1 : 0);
-  int rankC = ca + 1 - bc + (face.id.z > apexId ? 1 : 0);
+  int rank = rankOfDropped(face.id, apexId, dropA, dropB);
 
   face.weight = vec3(dropA ? face.weight.x : (dropB ? -crossC : crossB),
     dropB ? face.weight.y : (dropC ? -crossA : crossC),
@@ -122,5 +134,5 @@ int replaceByExit(INOUT(FaceIntersection) face, uint apexId, vec3 apex, real ape
   face.attributesB = selectAttributes(dropB, attributes, face.attributesB);
   face.attributesC = selectAttributes(dropC, attributes, face.attributesC);
 #endif
-  return dropA ? rankA : (dropB ? rankB : (dropC ? rankC : -1));
+  return dropA || dropB || dropC ? rank : -1;
 }
