@@ -72,12 +72,14 @@ class ExamplesTest(unittest.TestCase):
         """The first prints the greatest error bound, the mean of cells, and an error; the second what a budget chose."""
         blocks = fenced_blocks(text_of("Documentation/AccuracyLevels.md"), "python")
         self.assertEqual(len(blocks), 4)
-        measured, true_error, budget, rays = self.run_example(self.example_with_vtk + "".join(blocks)).splitlines()
+        printed = self.run_example(self.example_with_vtk + "".join(blocks)).splitlines()
+        measured, true_error, budget, interpolated, rays = printed
         bound, cells = map(float, measured.split())
         # The tolerance is 1e-5; the steps of the tables' integrals are in the bound, too.
         self.assertTrue(0 < bound < 1e-3 and cells > 10, measured)
         self.assertTrue(0 <= float(true_error) <= bound, true_error)
         self.assertRegex(budget, r"^[0-3] [0-9.e-]+ (True|False)$")
+        self.assertEqual(interpolated, "0.0")  # none, with a budget of the error
         self.assertTrue(1000 < int(rays) < 100000, rays)
 
     def test_that_of_python_prints_what_is_known_of_the_picture(self):

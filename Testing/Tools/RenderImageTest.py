@@ -149,7 +149,7 @@ class RenderImageTest(RenderCase):
         self.assertLess(stats["pixels"]["error"]["max"], stats["accuracy"]["tolerance"])
         self.assertEqual(stats["array"]["range"], [0, 1])
         _, stats = self.render("image.vti", "--size", "80x60", "--error", 0.01)
-        self.assertEqual(stats["accuracy"], {"level": "Default", "tolerance": 0.01})
+        self.assertEqual(stats["accuracy"], {"level": "Default", "tolerance": 0.01, "pixel_tolerance": 0.0})
 
     def test_light(self):
         """Ambient light alone, of all of the colour, is no light; shadows take some away."""

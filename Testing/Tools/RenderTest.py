@@ -146,7 +146,7 @@ class RenderTest(RenderCase):
     def test_statistics(self):
         _, stats = self.render("cube.vtu", "--size", "80x60", "--array", "ramp", "--accuracy", "reference",
                                "--compare")
-        self.assertEqual(stats["accuracy"], {"level": "Reference", "tolerance": 1e-5})
+        self.assertEqual(stats["accuracy"], {"level": "Reference", "tolerance": 1e-5, "pixel_tolerance": 0.0})
         pixels = stats["pixels"]
         self.assertGreater(pixels["cells"]["count"], 100)
         self.assertLessEqual(pixels["cells"]["mean"], pixels["lookups"]["mean"])
@@ -183,7 +183,10 @@ class RenderTest(RenderCase):
                 (("--frame-time", 1e-6, "--error", 0.01), {"level": "Default", "tolerance": 0.01}, False)):
             with self.subTest(budgets=budgets):
                 _, stats = self.render(*scene, *budgets)
+                pixel_tolerance = stats["accuracy"].pop("pixel_tolerance")
                 self.assertEqual(stats["accuracy"], accuracy)
+                # Pixels are interpolated where that is measured to be quicker than the level Fast.
+                self.assertTrue(pixel_tolerance == 0 or accuracy["level"] == "Fast", pixel_tolerance)
                 self.assertIs(stats["budget"]["kept"], kept)
 
     def test_output_goes_to_the_current_folder_by_default(self):
