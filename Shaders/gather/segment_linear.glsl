@@ -62,10 +62,6 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
       pending = !(loaded && part.last) && !isOpaque(radiance) && trials < mostTurns;
       position = loaded ? position + part.fraction : position;
     }
-#if TETMARCH_KEEPS_TABLE_POINT
-    // Not in the branch: so the software renderer keeps one copy, not two.
-    cell.at = accepted ? found.next : cell.at;
-#endif
 #if TETMARCH_ADAPTIVE
     // The error grows with the third power of a piece's length, its budget with the first. The rest is cut evenly.
     real finer = real(1.25) * sqrt(error / budget);
@@ -74,6 +70,13 @@ int integrateSegment(Segment segment, real thickness, INOUT(CellInterval) cell, 
 #endif
     loaded = loaded || accepted;
     trials = trials + 1;
+#if TETMARCH_KEEPS_TABLE_POINT
+    // Not in the branch above: as a selection of its own, it leaves the software renderer one copy, not two.
+    if (accepted)
+    {
+      cell.at = found.next;
+    }
+#endif
   } while (pending);
   return trials;
 }
