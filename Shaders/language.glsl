@@ -33,8 +33,8 @@
 #define KEPT_INT(uniform_value) max(uniform_value, -0x7fffffff)
 #endif
 
-// Of two numbers of which none is NaN. The software renderer, which has no fused multiply-add, needs one instruction
-// for these, and three for min() and max().
+// Of two numbers that are not NaN. The software renderer has no fused multiply-add; it takes one instruction for these,
+// and three for min() and max().
 #if TETMARCH_HAS_PRECISE && !TETMARCH_HAS_FMA
 float smallerOf(float a, float b)
 {

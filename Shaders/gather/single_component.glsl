@@ -61,8 +61,7 @@ void bendMean(TablePoint from, INOUT(SubsegmentMean) found)
   real ofEmission = abs(found.next.slopeVariation.y - from.slopeVariation.y);
   // An error of the optical depth changes the opacity and, as that of C tau, the colour.
   real error = bentMeanError(found.bend, rise) * (real(2) * ofExtinction + ofEmission);
-  bool straight =
-    error < greatestShift(found.bend, rise) * found.over.extinctionVariation;
+  bool straight = error < greatestShift(found.bend, rise) * found.over.extinctionVariation;
   vec4 alongCubic = bentMean(
     found.mean, weightedByExtinction(from.value), weightedByExtinction(found.next.value), found.bend, rise);
   found.mean = straight ? alongCubic : found.mean;

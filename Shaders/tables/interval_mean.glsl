@@ -1,5 +1,5 @@
 // Means over intervals whose two ends are read one after the other, in the order that takes the fewest registers of a
-// GPU (Documentation/GpuCompile.md). Numbers and formulas are those of table_points.glsl.
+// GPU (Documentation/GpuCompile.md). The formulas are those of table_points.glsl.
 
 // One end of the interval.
 struct IntervalEnd

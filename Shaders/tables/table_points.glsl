@@ -1,4 +1,4 @@
-// Means between two points of the table, of which the first is usually kept from the last interval: half the reads of
+// Means between two points of the table. The first is usually kept from the last interval: half the reads of
 // interval_mean.glsl, but more registers.
 
 // The table at x: one end of an interval.

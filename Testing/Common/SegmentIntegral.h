@@ -76,8 +76,9 @@ public:
   /// The same of a scalar that goes as a cubic from the near end (0) to the far one (1).
   SegmentResult integrate(const Cubic& scalar, double length) const;
 
-  /// What is emitted is multiplied by the brightness, a function of the share of the segment behind
-  /// a point, 0 to 1. Where it isn't smooth, parts are halved until they agree to the tolerance.
+  /// Multiplies the emission of each point by brightness(share), where the share, 0 to 1, is that
+  /// of the segment behind the point. Parts that aren't smooth are halved until they agree to the
+  /// tolerance.
   SegmentResult integrateLit(double f0, double f1, double length,
     const std::function<double(double)>& brightness, double tolerance) const;
 

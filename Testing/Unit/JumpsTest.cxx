@@ -123,7 +123,7 @@ TEST(Jumps, AreNotOfRounding)
   }
 }
 
-// A tetrahedron is seen by the scalars of its own corners, of which one is enough.
+// One visible scalar at a tetrahedron's own corners makes it visible.
 TEST(Jumps, AreSeenInTheirOwnTetrahedra)
 {
   const Grid grid = withJumps(jitteredLattice(4, 0.15, 1, sineField()), 0.3);

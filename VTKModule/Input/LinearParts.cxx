@@ -30,7 +30,7 @@ std::vector<std::vector<int>> partsOfHexahedron(const CellDegrees& n)
   return parts;
 }
 
-// The two triangles at (i, j), of which the second one has no corner there.
+// At (i, j) a triangle with a corner there, and its neighbour across the side opposite that corner.
 std::vector<std::vector<int>> partsOfWedge(const CellDegrees& n)
 {
   const auto at = [&n](int i, int j, int k)
