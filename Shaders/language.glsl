@@ -12,6 +12,11 @@
 #extension GL_ARB_texture_gather : require
 #endif
 
+// For passes/helper.glsl: an extension is asked for before anything is declared.
+#if TETMARCH_SKIPS_HELPERS
+#extension GL_ARB_ES3_1_compatibility : require
+#endif
+
 #define BUFFER_TEXEL(buffer, i) texelFetch(buffer, i)
 #endif
 

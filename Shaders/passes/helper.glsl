@@ -4,7 +4,6 @@
 // equal in all pixels of a group from the group's first pixel, even if that is a helper that was still in the loop when
 // the others had left it; then the value is wrong for all of them.
 #if TETMARCH_SKIPS_HELPERS
-#extension GL_ARB_ES3_1_compatibility : require
 #define IS_HELPER gl_HelperInvocation
 #else
 #define IS_HELPER false

@@ -18,6 +18,9 @@ uniform vec2 valueTexel; // reciprocal of width and height of a texture
 #endif
 #if TETMARCH_COMPONENTS
 uniform vec2 extraMap[MOST_COMPONENTS - 1]; // as valueMap, for extra scalars
+
+// NVIDIA's compiler refuses a constant index -1 of component 0 even behind a return.
+int extraIndex(int component) { return max(component - 1, 0); }
 #endif
 
 #if TETMARCH_SLABS
@@ -93,7 +96,7 @@ vec4 fetchValuesOf(int component, int i, int j, int k)
   vec4 values = component == 1 ? readValues(extraTextureA, i, j, k)
     : (component == 2 ? readValues(extraTextureB, i, j, k) : readValues(extraTextureC, i, j, k));
 #endif
-  vec2 map = extraMap[component - 1];
+  vec2 map = extraMap[extraIndex(component)];
   return values * map.x + vec4(map.y);
 }
 #else

@@ -81,8 +81,8 @@ vec4 fetchValuesOf(int component, int i, int j, int k)
   {
     return fetchValues(i, j, k);
   }
-  vec2 map = extraMap[component - 1];
-  return readSlabs(i, j, extraLayers[component - 1] + clamp(k, 0, lastValue.z)) * map.x + vec4(map.y);
+  vec2 map = extraMap[extraIndex(component)];
+  return readSlabs(i, j, extraLayers[extraIndex(component)] + clamp(k, 0, lastValue.z)) * map.x + vec4(map.y);
 }
 #endif
 #else

@@ -26,10 +26,11 @@ prints a table in Markdown and, on request, writes all figures as JSON.
   --functions A,B,...       of own (of all but front, refined and flows of others), smooth, ramp, spikes (default: own)
   --mappers A,B,...         of tetmarch, tetmarch:1/N (tolerance), tetmarch-fast, tetmarch-accurate,
                             tetmarch-reference, tetmarch-adaptive, tetmarch-adaptive-fast (pixels interpolated
-                            within 4/255), tetmarch-compute (by a compute shader), projected, bunyk,
+                            within 4/255), tetmarch-compute, tetmarch-fragment (the shader stage),
+                            projected, bunyk,
                             bunyk-homogeneous, bunyk-preintegration, bunyk-partial, bunyk-linear, zsweep,
                             resample:N/K (N^3 points, K samples a spacing)
-                            (default: tetmarch, projected, bunyk; in a GPU's report tetmarch-compute, too)
+                            (default: tetmarch, projected, bunyk; in a GPU's report both shader stages, too)
   --effects A,B,...         of gradient-opacity, headlight, one-light, five-lights, local-lights, cell-gradients,
                             vertex-shadows, ray-shadows, headlight-shadows, occlusion, shadows-occlusion,
                             scattering, illumination (default: all)

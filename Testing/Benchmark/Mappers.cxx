@@ -82,11 +82,14 @@ Maker ours(int level, double pixelTolerance = 0.0)
   };
 }
 
-PreparedVolume makeOursByCompute(const Scene& scene)
+Maker oursByStage(int stage)
 {
-  const auto mapper = vtk::TakeSmartPointer(vtkTetMarchVolumeMapper::New());
-  mapper->SetShaderStageToCompute();
-  return volumeOf(mapper, scene);
+  return [stage](const Scene& scene)
+  {
+    const auto mapper = vtk::TakeSmartPointer(vtkTetMarchVolumeMapper::New());
+    mapper->SetShaderStage(stage);
+    return volumeOf(mapper, scene);
+  };
 }
 
 Maker oursWithTolerance(int denominator)
@@ -133,7 +136,8 @@ Maker makerOf(const std::string& name)
     { "tetmarch-fast", ours(vtkTetMarchVolumeMapper::FAST) },
     { "tetmarch-accurate", ours(vtkTetMarchVolumeMapper::ACCURATE) },
     { "tetmarch-reference", ours(vtkTetMarchVolumeMapper::REFERENCE) },
-    { "tetmarch-compute", makeOursByCompute },
+    { "tetmarch-compute", oursByStage(vtkTetMarchVolumeMapper::COMPUTE_STAGE) },
+    { "tetmarch-fragment", oursByStage(vtkTetMarchVolumeMapper::FRAGMENT_STAGE) },
     { "tetmarch-adaptive", ours(vtkTetMarchVolumeMapper::DEFAULT, AdaptiveTolerance) },
     { "tetmarch-adaptive-fast", ours(vtkTetMarchVolumeMapper::FAST, AdaptiveTolerance) },
     { "projected", makeProjected },

@@ -249,7 +249,8 @@ Options parseOptions(const std::vector<std::string>& arguments)
   }
   if (!options.GpuReportFile.empty() && options.Mappers == Options().Mappers)
   {
-    options.Mappers.emplace(options.Mappers.begin() + 1, "tetmarch-compute");
+    options.Mappers.insert(
+      options.Mappers.begin() + 1, { "tetmarch-compute", "tetmarch-fragment" });
   }
   return options;
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <regex>
+#include <sstream>
 
 namespace
 {
@@ -18,7 +19,22 @@ using tetmarch::ShaderConditions;
 using tetmarch::shaderSource;
 using tetmarch::VariantKey;
 
-// In all that march, and only where the driver needs it.
+std::size_t firstDeclaration(const std::string& text)
+{
+  std::istringstream lines(text);
+  std::size_t at = 0;
+  for (std::string line; std::getline(lines, line); at += line.size() + 1)
+  {
+    if (!line.empty() && line[0] != '#' && line.compare(0, 2, "//") != 0)
+    {
+      return at;
+    }
+  }
+  return at;
+}
+
+// In all that march, and only where the driver needs it. Mesa accepts extensions only before
+// declarations.
 TEST(ShaderFiles, KeepHelpersOutOfLoops)
 {
   const std::string defines = VariantKey().defines();
@@ -29,6 +45,7 @@ TEST(ShaderFiles, KeepHelpersOutOfLoops)
     const std::string text = shaderSource(file, defines + "#define TETMARCH_SKIPS_HELPERS 1\n");
     EXPECT_NE(text.find("#define IS_HELPER gl_HelperInvocation"), std::string::npos) << file;
     EXPECT_NE(text.find("if (IS_HELPER"), std::string::npos) << file;
+    EXPECT_LT(text.rfind("#extension"), firstDeclaration(text)) << file;
     EXPECT_EQ(shaderSource(file, defines).find("gl_HelperInvocation"), std::string::npos) << file;
   }
 }

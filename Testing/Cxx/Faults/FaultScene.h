@@ -36,6 +36,7 @@ protected:
   {
     this->Shown.Renderer->SetBackground(0.2, 0.4, 0.6);
     this->Mapper->SetInputData(this->Shown.Data);
+    this->Mapper->SetShaderStageToFragment(); // on every GPU: other stages meet other faults
     this->Shown.Volume->SetMapper(this->Mapper);
     vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // VTK itself complains of faults, too
   }

@@ -140,13 +140,13 @@ TEST_F(OtherGLs, HaveFewTextureUnits)
   this->Shown.Mapper->AmbientOcclusionOn();
   const Image sound = this->drawnAnew();
   GLAnswers few;
-  few.Integers[GL_MAX_TEXTURE_IMAGE_UNITS] = 12;
+  few.Integers[GL_MAX_TEXTURE_IMAGE_UNITS] = few.Integers[GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS] = 12;
   {
     const OtherGL other(few);
     EXPECT_LE(compare(this->drawnAnew(), sound).Max, 2.001 / 255.0);
     EXPECT_EQ(this->Watch.Errors, Texts());
   }
-  few.Integers[GL_MAX_TEXTURE_IMAGE_UNITS] = 8;
+  few.Integers[GL_MAX_TEXTURE_IMAGE_UNITS] = few.Integers[GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS] = 8;
   {
     const OtherGL fewer(few);
     EXPECT_EQ(compare(this->drawnAnew(), this->Empty).Max, 0.0);

@@ -157,6 +157,7 @@ TEST_F(Coarse, AllRaysWhereTheyAreCounted)
 // The coarse picture takes room on the GPU only while it is used.
 TEST_F(Coarse, IsFreedAtRest)
 {
+  this->Shown.Mapper->SetShaderStageToFragment(); // a compute shader's picture takes room, too
   this->draw(1.0);
   const vtkTypeInt64 before = this->Shown.Mapper->GetGPUMemoryBytes();
   this->draw(1.0 + 1e-9); // as many rays

@@ -275,7 +275,8 @@ TEST_F(SmartDropIn, WindowAndLevelAreExact)
       const double expected = i % 4 == 3 ? opacity : scale * colour + shift * opacity;
       most = std::max(most, std::abs(std::clamp(expected, 0.0, 1.0) - double(frame.Rgba[i])));
     }
-    EXPECT_LE(255 * most, 0.51) << window << ", " << level;
+    // Half a byte is its rounding; GPUs may be off by 0.6 (Direct3D 11.3 specification, 3.2.3.6).
+    EXPECT_LE(255 * most, 0.6) << window << ", " << level;
     EXPECT_EQ(compare(this->Shown.floats(), plain).Max, 0.0);
   }
 }

@@ -18,6 +18,7 @@ using Mapper = vtkTetMarchVolumeMapper;
 TEST(BoundaryView, BackToThePictureNothingIsLeft)
 {
   BoundaryScene scene(latticeWithHole(6));
+  scene.Mapper->SetShaderStageToFragment(); // a compute shader's picture takes room, too
   const Image picture = scene.view(Mapper::VIEW_PICTURE);
   const auto objects = countGLObjects();
   const vtkTypeInt64 bytes = scene.Mapper->GetGPUMemoryBytes();
