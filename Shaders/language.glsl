@@ -17,6 +17,11 @@
 #extension GL_ARB_ES3_1_compatibility : require
 #endif
 
+// NVIDIA's compiler unrolls loops around the rays to the light: frames take 1.6 times as long, building 1.8 times.
+#if TETMARCH_SAMPLED_SHADOWS
+#pragma optionNV(unroll none)
+#endif
+
 #define BUFFER_TEXEL(buffer, i) texelFetch(buffer, i)
 #endif
 
