@@ -31,6 +31,7 @@ COMMON = {
     "GradientType": "Cell",
     "ImageSampleDistance": 2.0,
     "IsosurfaceValues": [120.0, 150.0, 200.0],
+    "LightPreset": "Sun",
     "LightTimeBudget": 1e4,
     "MaxMemoryInBytes": 1 << 33,
     "MaximumImageSampleDistance": 5.0,

@@ -11,7 +11,7 @@ from views import load_plugin, open_view, parse_arguments, show
 GROUPS = {
     "Blend": ["BlendMode", "DrawNanCells", "IsosurfaceValues", "OpacityLaw", "ScalarOpacityUnitDistance"],
     "Quality": ["AccuracyLevel", "ErrorBudget", "FrameTimeBudget", "MaximumImageSampleDistance"],
-    "Light": ["AmbientOcclusion", "LightTimeBudget", "Shade", "ShadowMethod"],
+    "Light": ["AmbientOcclusion", "LightPreset", "LightTimeBudget", "Shade", "ShadowMethod"],
     "Cut": ["CroppingRegionFlags", "UseCropping"],
     "Cropping Box": ["CroppingOrigin", "CroppingScale"],
     "Diagnostics": ["ViewMode", "ViewRange"],

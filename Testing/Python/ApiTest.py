@@ -137,6 +137,8 @@ class ApiTest(unittest.TestCase):
                 ("ShaderStage", ("AUTOMATIC_STAGE", "FRAGMENT_STAGE", "COMPUTE_STAGE"),
                  ("Automatic", "Fragment", "Compute")),
                 ("GradientType", ("VERTEX_GRADIENTS", "CELL_GRADIENTS"), ("Vertex", "Cell")),
+                ("LightPreset", ("LIGHT_OF_SCENE", "LIGHT_STUDIO", "LIGHT_HEADLIGHT", "LIGHT_SUN"),
+                 ("OfScene", "Studio", "Headlight", "Sun")),
                 ("ShadowMethod", ("SHADOWS_OFF", "SHADOWS_AUTOMATIC", "SHADOWS_AT_VERTICES", "SHADOWS_ALONG_RAYS"),
                  ("Off", "Automatic", "AtVertices", "AlongRays"))):
             set_option = getattr(mapper, "Set" + option)
@@ -280,7 +282,7 @@ class ApiTest(unittest.TestCase):
                      "CollectDiagnostics: Off", "NumberOfTetrahedra: 0",
                      "MaxDrawTimeInSeconds: 0.25", "ShaderStage: Automatic", "UsedShaderStage: Fragment", "ViewMode: Picture", "MaxMemoryInBytes: 0", "FrameTimeBudget: 0",
                      "ErrorBudget: 0", "UsedAccuracyLevel: Default", "BudgetKept: No", "GradientType: Vertex",
-                     "ShadowMethod: Off", "VolumetricScatteringBlending: 0", "GlobalIlluminationReach: 1",
+                     "LightPreset: OfScene", "ShadowMethod: Off", "VolumetricScatteringBlending: 0", "GlobalIlluminationReach: 1",
                      "BlendMode: Composite", "AverageIPScalarRange: -1e+38, 1e+38",
                      "OpaqueShadows: Off", "AmbientOcclusion: Off", "AmbientOcclusionRadius: 0.1",
                      "AmbientOcclusionDirections: 16", "LightTimeBudget: 0.1", "AutoAdjustSampleDistances: On",

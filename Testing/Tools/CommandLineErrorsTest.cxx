@@ -184,6 +184,7 @@ TEST(CommandLine, RefusesWhatWouldBeIgnored)
 {
   const std::string shading = " is for --blend composite and isosurface";
   const std::string light = " is for --blend composite";
+  const std::string scene = " is for the light of the scene, which --light-preset replaces";
   const std::string shadows = " needs shadows: --shadows, or --scattering above 0";
   const std::string drawing = " is for a picture, but --list draws none";
   const std::string samples = " is for --accuracy sampled or --sample-distance, which are missing";
@@ -214,10 +215,17 @@ TEST(CommandLine, RefusesWhatWouldBeIgnored)
     { "--diffuse=1", { "--blend=average" }, shading, {} },
     { "--specular=1", { "--blend=average" }, shading, {} },
     { "--specular-power=1", { "--blend=average" }, shading, {} },
+    { "--light-preset=sun", { "--blend=maximum" }, shading, {} },
+    { "--light=1,0,0", { "--light-preset=sun" }, scene, { "--light-preset=scene" } },
+    { "--ambient=1", { "--light-preset=studio" }, scene, {} },
+    { "--diffuse=1", { "--light-preset=studio" }, scene, {} },
+    { "--specular=1", { "--light-preset=headlight" }, scene, {} },
+    { "--specular-power=1", { "--light-preset=headlight" }, scene, {} },
     { "--shadows=rays", { "--isovalues=1" }, light, {} },
     { "--scattering=1", { "--blend=maximum" }, light, {} },
     { "--occlusion=1", { "--isovalues=1" }, light, {} },
     { "--reach=0.5", {}, shadows, { "--shadows=automatic" } },
+    { "--reach=0.5", { "--light-preset=studio" }, shadows, { "--light-preset=sun" } },
     { "--reach=0.5", { "--shadows=off" }, shadows, { "--scattering=1" } },
     { "--opaque-shadows", { "--surface=s" }, shadows, { "--surface=s", "--shadows=rays" } },
     { "--opaque-shadows", { "--shadows=rays" }, " are those of --surface, which is missing",

@@ -46,7 +46,13 @@ bool IsSampled(const CommandLine& c)
 bool HasShadows(const CommandLine& c)
 {
   return c.Settings->GetShadowMethod() != vtkTetMarchSettings::SHADOWS_OFF ||
+         c.Settings->GetLightPreset() == vtkTetMarchSettings::LIGHT_SUN ||
          c.Settings->GetVolumetricScatteringBlending() > 0.0f;
+}
+
+bool HasLightOfScene(const CommandLine& c)
+{
+  return c.Settings->GetLightPreset() == vtkTetMarchSettings::LIGHT_OF_SCENE;
 }
 
 bool Draws(const CommandLine& c) { return !c.List; }
@@ -62,6 +68,7 @@ struct Dependency
 constexpr const char* OfDrawing = " is for a picture, but --list draws none";
 constexpr const char* OfShading = " is for --blend composite and isosurface";
 constexpr const char* OfLight = " is for --blend composite";
+constexpr const char* OfScene = " is for the light of the scene, which --light-preset replaces";
 constexpr const char* OfShadows = " needs shadows: --shadows, or --scattering above 0";
 
 const Dependency Dependencies[] = {
@@ -87,6 +94,12 @@ const Dependency Dependencies[] = {
   { "--diffuse", IsLit, OfShading },
   { "--specular", IsLit, OfShading },
   { "--specular-power", IsLit, OfShading },
+  { "--light-preset", IsLit, OfShading },
+  { "--light", HasLightOfScene, OfScene },
+  { "--ambient", HasLightOfScene, OfScene },
+  { "--diffuse", HasLightOfScene, OfScene },
+  { "--specular", HasLightOfScene, OfScene },
+  { "--specular-power", HasLightOfScene, OfScene },
   { "--shadows", IsComposite, OfLight },
   { "--scattering", IsComposite, OfLight },
   { "--occlusion", IsComposite, OfLight },

@@ -11,21 +11,23 @@ namespace
 using tetmarch::SettingsState;
 using tetmarch::ViewState;
 
-constexpr int Off = vtkTetMarchSettings::SHADOWS_OFF;
+constexpr auto Shadows = &SettingsState::ShadowMethod;
 constexpr int AtVertices = vtkTetMarchSettings::SHADOWS_AT_VERTICES;
 constexpr int AlongRays = vtkTetMarchSettings::SHADOWS_ALONG_RAYS;
+constexpr auto Preset = &SettingsState::LightPreset;
 
-template <int Method>
-bool HasShadows(const ViewState& s)
+template <auto Choice, int Value>
+bool IsChosen(const ViewState& s)
 {
-  return s.Settings.ShadowMethod == Method;
+  return s.Settings.*Choice == Value;
 }
 
-template <int Method>
-void SetShadows(ViewState& s, bool on)
+/// Of several effects one at most is chosen; 0 is none.
+template <auto Choice, int Value>
+void Choose(ViewState& s, bool on)
 {
-  int& method = s.Settings.ShadowMethod;
-  method = on ? Method : method == Method ? Off : method;
+  int& chosen = s.Settings.*Choice;
+  chosen = on ? Value : chosen == Value ? 0 : chosen;
   s.Effects.Shading |= on;
 }
 
@@ -35,7 +37,8 @@ void SetShading(ViewState& s, bool on)
   s.Effects.Shading = on;
   if (!on)
   {
-    s.Settings.ShadowMethod = Off;
+    s.Settings.ShadowMethod = 0;
+    s.Settings.LightPreset = 0;
     s.Settings.AmbientOcclusion = false;
     s.Effects.Scattering = false;
     s.Settings.OpaqueShadows = false;
@@ -56,15 +59,29 @@ const std::vector<tetmarch::Effect>& tetmarch::GetEffects()
   static const std::vector<Effect> effects = {
     { QT_TR_NOOP("Shading"), QT_TR_NOOP("Light on the surfaces of constant scalar"),
       [](const ViewState& s) { return s.Effects.Shading; }, SetShading },
+    { QT_TR_NOOP("Light of a studio"),
+      QT_TR_NOOP(
+        "Three lights that go with the camera, and ambient occlusion, in place of the light "
+        "below"),
+      IsChosen<Preset, vtkTetMarchSettings::LIGHT_STUDIO>,
+      Choose<Preset, vtkTetMarchSettings::LIGHT_STUDIO> },
+    { QT_TR_NOOP("Light at the camera"),
+      QT_TR_NOOP("A bright light at the camera, in place of the light below"),
+      IsChosen<Preset, vtkTetMarchSettings::LIGHT_HEADLIGHT>,
+      Choose<Preset, vtkTetMarchSettings::LIGHT_HEADLIGHT> },
+    { QT_TR_NOOP("Light of the sun"),
+      QT_TR_NOOP("From above, with shadows and ambient occlusion, in place of the light below"),
+      IsChosen<Preset, vtkTetMarchSettings::LIGHT_SUN>,
+      Choose<Preset, vtkTetMarchSettings::LIGHT_SUN> },
     { QT_TR_NOOP("Gradient opacity"), QT_TR_NOOP("Less opaque where the gradient is small"),
       [](const ViewState& s) { return s.Effects.GradientOpacity; },
       [](ViewState& s, bool on) { s.Effects.GradientOpacity = on; } },
     { QT_TR_NOOP("Shadows at vertices"),
-      QT_TR_NOOP("Shadows of the volume on itself, stored at the vertices"), HasShadows<AtVertices>,
-      SetShadows<AtVertices> },
+      QT_TR_NOOP("Shadows of the volume on itself, stored at the vertices"),
+      IsChosen<Shadows, AtVertices>, Choose<Shadows, AtVertices> },
     { QT_TR_NOOP("Shadows along rays"),
       QT_TR_NOOP("Shadows of the volume on itself, sampled along each ray in each frame"),
-      HasShadows<AlongRays>, SetShadows<AlongRays> },
+      IsChosen<Shadows, AlongRays>, Choose<Shadows, AlongRays> },
     { QT_TR_NOOP("Ambient occlusion"), QT_TR_NOOP("The volume blocks ambient light"),
       [](const ViewState& s) { return s.Settings.AmbientOcclusion; },
       SetLight<&ViewState::Settings, &SettingsState::AmbientOcclusion> },

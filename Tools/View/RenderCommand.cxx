@@ -98,6 +98,11 @@ void AddFunctions(const ViewState& state, Command& command)
   }
 }
 
+bool IsLit(const ViewState& state)
+{
+  return state.Effects.Shading && (state.BlendMode == Composite || state.BlendMode == Isosurface);
+}
+
 /// tetmarch-render refuses options that change nothing: light in modes of blending that have none,
 /// and what belongs to shadows that are not cast.
 bool Changes(const ViewState& state, const SettingNames& names)
@@ -106,6 +111,10 @@ bool Changes(const ViewState& state, const SettingNames& names)
   const EffectState& effects = state.Effects;
   const bool shadows =
     state.Settings.ShadowMethod != 0 || (effects.Scattering && effects.ScatteringStrength > 0.0);
+  if (option == "--light-preset")
+  {
+    return state.Settings.LightPreset != 0 && IsLit(state);
+  }
   if (option.empty() || (names.OfLight && !(effects.Shading && state.BlendMode == Composite)))
   {
     return false;
@@ -151,16 +160,19 @@ struct SettingWriter
 void AddLight(const ViewState& state, Command& command)
 {
   const EffectState& effects = state.Effects;
-  if (!effects.Shading || (state.BlendMode != Composite && state.BlendMode != Isosurface))
+  if (!IsLit(state))
   {
     return;
   }
-  command.Add("--light", (effects.Headlight ? "headlight" : ToList(effects.LightFrom)) + "," +
-                           ToText(effects.Intensity));
-  command.Add("--ambient", ToText(effects.Ambient));
-  command.Add("--diffuse", ToText(effects.Diffuse));
-  command.Add("--specular", ToText(effects.Specular));
-  command.Add("--specular-power", ToText(effects.SpecularPower));
+  if (state.Settings.LightPreset == 0)
+  {
+    command.Add("--light", (effects.Headlight ? "headlight" : ToList(effects.LightFrom)) + "," +
+                             ToText(effects.Intensity));
+    command.Add("--ambient", ToText(effects.Ambient));
+    command.Add("--diffuse", ToText(effects.Diffuse));
+    command.Add("--specular", ToText(effects.Specular));
+    command.Add("--specular-power", ToText(effects.SpecularPower));
+  }
   if (state.BlendMode == Composite && effects.Scattering)
   {
     command.Add("--scattering", ToText(effects.ScatteringStrength));

@@ -26,6 +26,16 @@ enum class Subject
   Gradients     // their directions as colours
 };
 
+/** The lights of a frame, its reflection, and the effects that go with them; values as in
+ * vtkTetMarchSettings. */
+enum class LightPreset
+{
+  OfScene,
+  Studio,
+  Headlight,
+  Sun
+};
+
 struct EffectOptions
 {
   bool CellGradients = false; // else interpolated between vertices
@@ -38,6 +48,7 @@ struct EffectOptions
   bool OpaqueShadows = false; // if the volume casts shadows, opaque geometry does, too
   Subject Shown = Subject::Picture;
   BlendMode Blend = BlendMode::Composite;
+  LightPreset Preset = LightPreset::OfScene; // else shading is on, by these lights
 
   /** Whether the blend mode draws surfaces with gradients, which may be lit. */
   bool showsSurfaces() const

@@ -3,6 +3,7 @@
 #include "Light/EffectStage.h"
 
 #include "Caching/WithinMemory.h"
+#include "Light/LightPreset.h"
 #include "Processes/Group.h"
 
 #include "vtkMatrix4x4.h"
@@ -71,11 +72,17 @@ Fingerprint inputOf(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volum
   return input;
 }
 
+bool isShaded(vtkVolumeProperty* property, const EffectOptions& options)
+{
+  return options.showsSurfaces() &&
+         (options.Preset != LightPreset::OfScene || property->GetShade());
+}
+
 } // namespace
 
 EffectOptions usedOptions(const EffectOptions& options)
 {
-  EffectOptions used = options;
+  EffectOptions used = withPreset(options);
   if (options.Blend != BlendMode::Composite)
   {
     used.Shadows = ShadowMethod::Off;
@@ -93,7 +100,7 @@ EffectOptions usedOptions(const EffectOptions& options)
 bool mayHaveGradients(vtkVolumeProperty* property, const EffectOptions& options)
 {
   const EffectOptions used = usedOptions(options);
-  return (used.showsSurfaces() && property->GetShade()) || used.Shown != Subject::Picture ||
+  return isShaded(property, used) || used.Shown != Subject::Picture ||
          (used.Blend == BlendMode::Composite && mayHaveGradientOpacity(property));
 }
 
@@ -106,8 +113,7 @@ std::string EffectStage::update(
     [&]
     {
       this->Data.Lights = makeLightUniforms(
-        this->Options.showsSurfaces() ? lightingOf(renderer, property) : Lighting(), this->Options,
-        volume, input.Source->frame());
+        this->lighting(renderer, property), this->Options, volume, input.Source->frame());
       const bool byGradient =
         this->Options.Blend == BlendMode::Composite && mayHaveGradientOpacity(property);
       const bool needed = byGradient || !this->Data.Lights.Sources.empty() ||
@@ -124,6 +130,17 @@ std::string EffectStage::update(
     this->clear();
   }
   return shortage;
+}
+
+Lighting EffectStage::lighting(vtkRenderer* renderer, vtkVolumeProperty* property) const
+{
+  if (!isShaded(property, this->Options))
+  {
+    return {};
+  }
+  return this->Options.Preset == LightPreset::OfScene
+           ? lightingOf(renderer, property)
+           : presetLighting(this->Options.Preset, renderer);
 }
 
 void EffectStage::clear()

@@ -62,6 +62,7 @@ public:
   Fingerprint opaqueShadowsVersion() const;
 
 private:
+  Lighting lighting(vtkRenderer* renderer, vtkVolumeProperty* property) const;
   void updateGradients(const EffectInput& input, bool needed, bool ofCells);
   void updateGradientOpacity(vtkVolume* volume, const EffectInput& input, bool needed);
   void updateStarts(const EffectSource& source, bool needed);

@@ -49,7 +49,8 @@ EffectOptions effectOptionsOf(Settings* settings, BlendMode blend)
     settings->GetVolumetricScatteringBlending(), settings->GetGlobalIlluminationReach(),
     settings->GetAmbientOcclusion(), settings->GetAmbientOcclusionRadius(),
     settings->GetAmbientOcclusionDirections(), settings->GetOpaqueShadows(),
-    subjectOf(settings->GetViewMode()), blend };
+    subjectOf(settings->GetViewMode()), blend,
+    static_cast<LightPreset>(settings->GetLightPreset()) };
 }
 
 } // namespace

@@ -93,26 +93,36 @@ void describeVolume(vtkVolume* volume, bool isCaptured, std::vector<std::string>
   }
 }
 
+bool hasCameraLight(vtkRenderer* renderer)
+{
+  vtkCollectionSimpleIterator at;
+  vtkLightCollection* lights = renderer->GetLights();
+  lights->InitTraversal(at);
+  bool found = false;
+  while (vtkLight* light = lights->GetNextLight(at))
+  {
+    found = found || (light->GetSwitch() && light->LightTypeIsCameraLight());
+  }
+  return found;
+}
+
 // Of volumes: those of surfaces follow the camera in the page, too.
 void describeLights(
   const Capture& capture, vtkRenderer* renderer, std::vector<std::string>& omissions)
 {
-  if (std::none_of(capture.Volumes.begin(), capture.Volumes.end(),
-        [](const CaptureScope::Captured& one) { return one.Volume->GetProperty()->GetShade(); }))
+  const bool inScene = hasCameraLight(renderer);
+  const auto follows = [&](const CaptureScope::Captured& one)
   {
-    return;
-  }
-  vtkCollectionSimpleIterator at;
-  vtkLightCollection* lights = renderer->GetLights();
-  lights->InitTraversal(at);
-  while (vtkLight* light = lights->GetNextLight(at))
+    const int preset =
+      settingsOf(vtkAbstractVolumeMapper::SafeDownCast(one.Volume->GetMapper()))->GetLightPreset();
+    return preset == vtkTetMarchSettings::LIGHT_STUDIO ||
+           (preset == vtkTetMarchSettings::LIGHT_OF_SCENE && inScene &&
+             one.Volume->GetProperty()->GetShade());
+  };
+  if (std::any_of(capture.Volumes.begin(), capture.Volumes.end(), follows))
   {
-    if (light->GetSwitch() && light->LightTypeIsCameraLight())
-    {
-      omissions.push_back("Lights that follow the camera, other than headlights, stay in the page "
-                          "where they are in this picture.");
-      return;
-    }
+    omissions.push_back("Lights that follow the camera, other than headlights, stay in the page "
+                        "where they are in this picture.");
   }
 }
 

@@ -84,6 +84,12 @@ const Case<Kind> Settings[] = {
       lookFromInside(scene.camera());
     } },
   // These need no rays towards the light.
+  { "preset of the headlight",
+    [](Kind& scene)
+    {
+      addSun(scene);
+      scene.Mapper->SetLightPresetToHeadlight();
+    } },
   { "shadows of the headlight", [](Kind& scene) { scene.Mapper->SetShadowMethodToAutomatic(); } },
   { "scattering of the headlight",
     [](Kind& scene) { scene.Mapper->SetVolumetricScatteringBlending(1.5f); } },
@@ -116,6 +122,15 @@ const Case<MeshParity> AtVertices[] = {
       scene.Mapper->AmbientOcclusionOn();
       scene.Mapper->SetAmbientOcclusionRadius(0.3);
       scene.Mapper->SetShadowMethodToOff();
+    } },
+  { "presets of the studio and of the sun, in place of lights and property",
+    [](MeshParity& scene)
+    {
+      scene.property()->ShadeOff();
+      scene.Mapper->SetShadowMethodToOff();
+      scene.Mapper->SetLightPresetToStudio();
+      scene.expectParity("studio");
+      scene.Mapper->SetLightPresetToSun();
     } },
   { "scattering",
     [](MeshParity& scene)

@@ -25,7 +25,8 @@ EffectOptions optionsOf(vtkTetMarchVolumeMapper* mapper)
     view == vtkTetMarchVolumeMapper::VIEW_ILLUMINATION ? Subject::Illumination
     : view == vtkTetMarchVolumeMapper::VIEW_GRADIENTS  ? Subject::Gradients
                                                        : Subject::Picture,
-    static_cast<BlendMode>(mapper->GetBlendMode()) };
+    static_cast<BlendMode>(mapper->GetBlendMode()),
+    static_cast<LightPreset>(mapper->GetLightPreset()) };
 }
 
 // The frame of a volume with the mapper's settings for the picture.

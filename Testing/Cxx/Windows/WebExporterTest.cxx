@@ -148,6 +148,8 @@ TEST_F(WebExporter, SaysWhatIsLeftOut)
     { "one renderer", [&] { second->AddVolume(other); }, [&] { second->RemoveVolume(other); } },
     { "Lights that follow the camera", [&] { this->Shown.property()->ShadeOn(); },
       [&] { this->Shown.property()->ShadeOff(); } },
+    { "Lights that follow the camera", [&] { this->Shown.Mapper->SetLightPresetToStudio(); },
+      [&] { this->Shown.Mapper->SetLightPresetToOfScene(); } },
     { "camera's own transform",
       [&]
       {
