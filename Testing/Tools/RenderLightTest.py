@@ -44,6 +44,18 @@ class RenderLightTest(RenderCase):
         self.expect(lambda x: 0.1 + 0.7 * 0.6, "--specular", 0, "--light", "3,0,4")
         self.expect(lambda x: 0.1, "--shade", "--specular", 0)
 
+    def test_presets(self):
+        self.expect(lambda x: 0.25, "--light-preset", "headlight")  # it grazes the surfaces
+        facing = 0.45 / math.hypot(0.45, 0.7, 0.55)  # of the sun's way
+        lit = [share * (0.45 + facing * sun) for share, sun in zip(COLOUR, (1.35, 1.3, 1.2))]
+        self.expect(lambda x: 1, "--light-preset", "sun", "--reach", 0, "--occlusion", 0, colour=lit)
+
+    def test_lights_without_shadows_are_counted(self):
+        lights = [f"--light={x},0,1" for x in range(5)]
+        for shadows, without in (("off", 0), ("rays", 2)):
+            _, stats = self.render(*SCENE, *lights, "--shadows", shadows)
+            self.assertEqual(stats["lights"], {"left_out": 0, "without_shadows": without})
+
     def test_highlights(self):
         shiny = ("--ambient", 0, "--diffuse", 0, "--specular", 0.8)
         self.expect(lambda x: 0, *shiny, "--light", "4,0,3")  # is mirrored away from the eye

@@ -67,6 +67,9 @@ TEST_F(LightUniformsOf, ChannelsOfShadows)
   EXPECT_EQ(lights.ShadowSources[1][3], 1.0);
   EXPECT_EQ(lights.ShadowSources[2], lights.ShadowSources[0]);
   EXPECT_EQ(lights.ShadowlessLights, 2);
+  EXPECT_EQ(lights.LightsLeftOut, 0);
+  this->Answers.LeftOut = 4;
+  EXPECT_EQ(this->lights().LightsLeftOut, 4);
   EXPECT_TRUE(lights.hasHeadlightShadows());
   EXPECT_TRUE(lights.hasVolumeLight());
 }

@@ -134,6 +134,8 @@ std::string FormatStatistics(const CommandLine& commandLine, const VolumeData& d
     json["seconds"]["gradients"] = statistics->GetGradientsSeconds();
     json["seconds"]["opaque_shadows"] = statistics->GetOpaqueShadowsSeconds();
     json["seconds"]["vertex_light"] = statistics->GetVertexLightSeconds();
+    json["lights"] = { { "left_out", statistics->GetLightsLeftOut() },
+      { "without_shadows", statistics->GetLightsWithoutShadows() } };
   }
   json["frames"] = { { "count", timing.Frames.size() },
     { "median_seconds", GetMedian(timing.Frames) }, { "seconds", timing.Frames } };

@@ -199,6 +199,7 @@ LightUniforms makeLightUniforms(const Lighting& lighting, const EffectOptions& o
     const Matrix normals = transposed(world.FromWorld);
     lights.NormalMatrix = scaled(normals, 1 / greatest(normals));
   }
+  lights.LightsLeftOut = lighting.LeftOut;
   lights.TwoSided = lighting.TwoSided;
   lights.SpecularPower = lighting.SpecularPower;
   lights.ScatteringBlending = 0.5 * options.Scattering;

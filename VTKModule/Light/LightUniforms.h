@@ -56,6 +56,7 @@ struct LightUniforms
   int OcclusionDirections = 0;
   double OcclusionRadius = 0;
   int ShadowlessLights = 0; // lights beyond MostShadowSources, which cast no shadows
+  int LightsLeftOut = 0;    // lights beyond MostLights
 
   bool hasHeadlightShadows() const;
   bool isHeadlightOnly() const { return this->Sources.size() == 1 && this->Sources[0].Headlight; }

@@ -60,6 +60,11 @@ void recordStages(const Pipelines& pipelines, vtkTetMarchFrameStatistics* statis
     recordOf(pipelines, [](const Pipeline& p) { return p.vertexLightRecord(); });
   statistics->SetVertexLightSeconds(light.Seconds);
   statistics->SetVertexLightBuilds(light.Runs);
+  // All blocks have the same lights.
+  const LightUniforms lights =
+    pipelines.empty() ? LightUniforms() : pipelines.front()->stages().effects().data().Lights;
+  statistics->SetLightsWithoutShadows(lights.ShadowlessLights);
+  statistics->SetLightsLeftOut(lights.LightsLeftOut);
   const StageRecord upload =
     recordOf(pipelines, [](const Pipeline& p) { return p.uploadRecord(); });
   statistics->SetUploadSeconds(upload.Seconds);
