@@ -8,6 +8,7 @@
 #include "vtkCellData.h"
 
 #include <cmath>
+#include <tuple>
 
 namespace
 {
@@ -31,6 +32,22 @@ TEST_F(Effects, APlainSceneMakesNothing)
   this->Renderer->RemoveAllLights();
   this->expectRuns(0, 0, 0);
   this->expectNothing();
+}
+
+// Whatever property and renderer say of light.
+TEST_F(Effects, PresetsShineByThemselves)
+{
+  this->addSun();
+  for (const auto& [preset, lights, channels] :
+    { std::tuple(LightPreset::Studio, 3u, 0u), { LightPreset::Sun, 1u, 1u },
+      { LightPreset::Headlight, 1u, 0u }, { LightPreset::OfScene, 0u, 0u } })
+  {
+    this->Options.Preset = preset;
+    EXPECT_EQ(this->update(), "");
+    EXPECT_EQ(this->Stage.data().Lights.Sources.size(), lights) << int(preset);
+    EXPECT_EQ(this->Stage.data().Lights.ShadowSources.size(), channels) << int(preset);
+    EXPECT_EQ(this->key().Occlusion, lights > 1 || channels > 0) << int(preset);
+  }
 }
 
 TEST_F(Effects, EachMakesWhatItNeeds)
