@@ -1,6 +1,9 @@
 // Conditions that follow from the features of a variant (Variants/Features.h), each defined here and nowhere else.
 // ShaderConditions reads this list for shaders; the preprocessor reads it for the CPU reference and for VariantKey.
 
+// The light is computed at points within intervals, too (Reference/KernelLightAtPoints.h).
+#define TETMARCH_LIGHT_AT_POINTS (TETMARCH_EXACT_LIGHT && !TETMARCH_POINT_SAMPLED)
+
 // Structured volumes.
 #define TETMARCH_BENT (TETMARCH_STRUCTURED && TETMARCH_POINT_SCALARS)
 #define TETMARCH_GATHERS (TETMARCH_BENT && TETMARCH_HAS_GATHER)
@@ -27,7 +30,7 @@
 #define TETMARCH_EVEN_CUTS (TETMARCH_BENT && TETMARCH_COMPOSITE && !TETMARCH_ADAPTIVE && !TETMARCH_COMPONENTS && !TETMARCH_POINT_SAMPLED)
 #define TETMARCH_CELL_PARTS (TETMARCH_BENT && !TETMARCH_EVEN_CUTS)
 // The whole interval of a cell is gathered, since the ray's path through a lattice ends at its cuts.
-#define TETMARCH_WHOLE_INTERVALS (TETMARCH_BENT && !TETMARCH_CROPPED && !TETMARCH_PICKED && !TETMARCH_POINT_SAMPLED)
+#define TETMARCH_WHOLE_INTERVALS (TETMARCH_BENT && !TETMARCH_CROPPED && !TETMARCH_PICKED && !TETMARCH_POINT_SAMPLED && !TETMARCH_LIGHT_AT_POINTS)
 
 // Tables.
 #define TETMARCH_ONE_TABLE (TETMARCH_USES_TABLES && !TETMARCH_COMPONENTS)

@@ -385,7 +385,9 @@ public:
    * with tables of up to 262144 entries. Errors are measured against it. `pixels` is filled as by
    * GetDiagnosticPixels(); `volume` is the one that was drawn; `tolerance`, the error allowed per
    * pixel in units of the full intensity, is greater than 0 and at most 1: a tolerance of 5e-5
-   * takes a fraction of the time. CompareWithGroundTruth(): compute the same for
+   * takes a fraction of the time. Light and gradients are those of every point of a ray; their
+   * error is estimated, and kept to 1/4096 or, if greater, `tolerance`.
+   * CompareWithGroundTruth(): compute the same for
    * vtkTetMarchFrameStatistics::TRUE_ERROR of the last frame, which needs CollectDiagnostics on.
    * Both are slow: they invoke ProgressEvent, and an observer stops them by SetAbortExecute(1).
    * They return false if they were stopped, and, with an error, if there is no such frame.

@@ -52,6 +52,12 @@ void advanceShades(INOUT(CellInterval) cell)
 // Sets the shades at both ends of an interval; the place is that of its end.
 void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
 {
+#if TETMARCH_LIGHT_AT_POINTS
+  if (shadesPoints(ray, place, cell))
+  {
+    return;
+  }
+#endif
 #if TETMARCH_POINT_SAMPLED && TETMARCH_EFFECTS
   cell.crossed = place.crossed; // each sample has its own shade
 #elif TETMARCH_FINDS_SHADES

@@ -48,7 +48,7 @@ struct FacePoint
 // The transmittance towards ambient light and towards the lights that cast shadows.
 vec4 incomingAt(Ray ray, FacePoint point)
 {
-#if TETMARCH_EXACT_LIGHT
+#if TETMARCH_EXACT_LIGHT && TETMARCH_SHADING
   if (hasExactLight())
   {
     return exactIncoming(ray.origin + ray.direction * point.depth);

@@ -170,6 +170,8 @@ void gatherInterval(real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Marc
   {
 #if TETMARCH_PICKED
     pickInterval(thicknessPerDepth, march.target, cell, march.radiance, march.pick);
+#elif TETMARCH_LIGHT_AT_POINTS
+    countLookups(gatherLit(thicknessPerDepth, cell, march.radiance), march);
 #else
     countLookups(gatherCell(thicknessPerDepth, cell, march.radiance), march);
 #endif

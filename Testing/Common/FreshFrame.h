@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The frame of a grid, by the stages that need no GL
+ * @brief The frame of a mesh or of a lattice, by the stages that need no GL
  */
 #ifndef tetmarch_testing_FreshFrame_h
 #define tetmarch_testing_FreshFrame_h
 
 #include "Frame/FrameScene.h"
 #include "Frame/FrameStages.h"
+#include "Volume/StructuredVolume.h"
 #include "Volume/TetVolume.h"
 
+#include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 
 #include <memory>
@@ -25,7 +27,8 @@ class FreshFrame
 public:
   /// Throws std::runtime_error with what is wrong.
   explicit FreshFrame(const FrameInput& input)
-    : Property(input.Volume->GetProperty())
+    : IsLattice(!vtkUnstructuredGrid::SafeDownCast(input.Drawn.Volume.Data))
+    , Property(input.Volume->GetProperty())
   {
     DrawnScalars drawn;
     expectDone(this->Stages.updateGeometry(input, {}));
@@ -35,7 +38,7 @@ public:
     expectDone({ this->Stages.prepareEntrySearch() });
   }
 
-  const TetVolume& volume() const { return this->Volume; }
+  const TetVolume& volume() const { return this->Tets; }
   /// Its scene for the CPU, with tables for a level. The frame outlives it.
   std::unique_ptr<FrameScene> at(const AccuracyLevel& level, int width, int height) const
   {
@@ -54,8 +57,10 @@ private:
     }
   }
 
-  TetVolume Volume;
-  FrameStages Stages{ Volume };
+  bool IsLattice;
+  TetVolume Tets;
+  StructuredVolume Boxes;
+  FrameStages Stages{ IsLattice ? static_cast<MarchedVolume&>(Boxes) : Tets };
   vtkVolumeProperty* Property;
 };
 } // namespace tetmarch::testing

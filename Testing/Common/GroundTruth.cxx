@@ -69,7 +69,7 @@ std::array<double, 4> GroundTruthScene::integrateLit(const Vec3& origin, const V
       return brightness({ origin[0] + t * direction[0], origin[1] + t * direction[1],
         origin[2] + t * direction[2] });
     };
-    return this->Optics.integrateLit(f0, f1, chord.T1 - chord.T0, at, tolerance);
+    return this->Optics.integrateLit(Cubic::linear(f0, f1), chord.T1 - chord.T0, at, tolerance);
   };
   return rgbaOf(this->march({ origin, direction }, 0.0, Infinity, segment));
 }

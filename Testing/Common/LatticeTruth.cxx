@@ -201,6 +201,25 @@ std::array<double, 4> LatticeTruth::integrate(
   return { all.Colour[0], all.Colour[1], all.Colour[2], -std::expm1(-all.Depth) };
 }
 
+std::array<double, 4> LatticeTruth::integrateLit(const Vec3& origin, const Vec3& direction,
+  const std::function<double(const Vec3&)>& brightness, double tolerance) const
+{
+  const double length = std::hypot(direction[0], direction[1], direction[2]);
+  SegmentResult all;
+  for (const ScalarSegment& segment : this->segments(origin, direction))
+  {
+    const auto at = [&](double share)
+    {
+      const double t = (segment.T0 + share * (segment.T1 - segment.T0)) / length;
+      return brightness({ origin[0] + t * direction[0], origin[1] + t * direction[1],
+        origin[2] + t * direction[2] });
+    };
+    all = composed(
+      all, this->Optics.integrateLit(segment.Scalar, segment.T1 - segment.T0, at, tolerance));
+  }
+  return { all.Colour[0], all.Colour[1], all.Colour[2], -std::expm1(-all.Depth) };
+}
+
 double LatticeTruth::depth(
   const Vec3& origin, const Vec3& direction, double tMin, double tMax) const
 {

@@ -65,6 +65,11 @@ public:
   std::array<double, 4> integrate(
     const Vec3& origin, const Vec3& direction, double tMin = 0.0, double tMax = Infinity) const;
 
+  /// The same from the origin on where each point shines with its colour times a brightness; see
+  /// GroundTruthScene.
+  std::array<double, 4> integrateLit(const Vec3& origin, const Vec3& direction,
+    const std::function<double(const Vec3&)>& brightness, double tolerance) const;
+
   /// The integral of the extinction over the same part of the ray.
   double depth(
     const Vec3& origin, const Vec3& direction, double tMin = 0.0, double tMax = Infinity) const;

@@ -18,7 +18,7 @@ double LightTruth::transmittance(const Vec3& point, const LightPlace& light, dou
   }
   const double far = std::hypot(toLight[0], toLight[1], toLight[2]);
   const double end = light[3] > 0.0 ? std::min(far, reach) : reach;
-  return far > 0.0 ? std::exp(-this->Scene.depth(point, toLight, 0.0, end)) : 1.0;
+  return far > 0.0 ? std::exp(-this->Depth(point, toLight, end)) : 1.0;
 }
 
 double LightTruth::ambient(const Vec3& point, double radius, int heights) const
@@ -47,7 +47,7 @@ double LightTruth::ambient(const Vec3& point, double radius, int heights) const
 std::array<double, 4> LightTruth::seen(
   const Vec3& origin, const Vec3& direction, const LightPlace& light, double tolerance) const
 {
-  return this->Scene.integrateLit(
+  return this->seen(
     origin, direction, [&](const Vec3& point) { return this->transmittance(point, light); },
     tolerance);
 }

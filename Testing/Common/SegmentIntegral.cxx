@@ -182,10 +182,9 @@ SegmentResult SegmentIntegral::integrate(const Cubic& scalar, double length) con
   return result;
 }
 
-SegmentResult SegmentIntegral::integrateLit(double f0, double f1, double length,
+SegmentResult SegmentIntegral::integrateLit(const Cubic& scalar, double length,
   const std::function<double(double)>& brightness, double tolerance) const
 {
-  const Cubic scalar = Cubic::linear(f0, f1);
   const std::vector<double> cuts = smoothParts(scalar, this->Breaks);
   SegmentResult result;
   for (std::size_t i = 1; i < cuts.size(); ++i)

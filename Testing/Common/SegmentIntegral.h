@@ -79,7 +79,7 @@ public:
   /// Multiplies the emission of each point by brightness(share), where the share, 0 to 1, is that
   /// of the segment behind the point. Parts that aren't smooth are halved until they agree to the
   /// tolerance.
-  SegmentResult integrateLit(double f0, double f1, double length,
+  SegmentResult integrateLit(const Cubic& scalar, double length,
     const std::function<double(double)>& brightness, double tolerance) const;
 
   /// The opacity is that of the function, whatever the law and the unit distance.

@@ -71,10 +71,12 @@ StageResult Pipeline::traceRay(
           << ") on.";
     return { error.str() };
   }
-  return this->useReferenceScene(property, options.Level, options.ExactLight,
+  return this->useReferenceScene(property, options.Level, options.IsTruth,
     [&](FrameScene& made)
     {
-      made.scene().ExactLight = options.ExactLight || this->Passes.samplesShadows();
+      made.scene().Light = options.IsTruth                 ? LightAt::Points
+                           : this->Passes.samplesShadows() ? LightAt::Faces
+                                                           : LightAt::Vertices;
       trace = made.trace(ofFrame);
     });
 }

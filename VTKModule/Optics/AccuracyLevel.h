@@ -62,6 +62,12 @@ constexpr AccuracyLevel GroundTruthAccuracy{ true, 1e-6, 1000000, 4096, 262144 }
  * is linear. */
 constexpr AccuracyLevel LightAccuracy{ false, 1.0 / 1024.0, 1, 1024, 65536 };
 
+/** Of the ground truth: estimated error of a channel by light between the points at which it is
+ * evaluated (Reference/KernelLightAtPoints.h). */
+constexpr double LightTolerance = 1.0 / 4096.0;
+/** Of the ground truth's rays towards the light, beside the LightTolerance. */
+constexpr AccuracyLevel ExactLightAccuracy{ false, 5e-5, 1, 4096, 262144 };
+
 /** For picks where the scalar bends: tolerance of the opacity up to the picked point. */
 constexpr AccuracyLevel PickAccuracy{ true, 1.0 / 256.0, 512, 1024, 65536 };
 

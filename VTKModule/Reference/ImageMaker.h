@@ -12,6 +12,7 @@
 #include "Reference/VolumeLight.h"
 #include "View/BlueNoise.h"
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -36,6 +37,10 @@ public:
     , March(makeKernel<Kernel, Real>(*scene.Table, scene.Range, level))
   {
     this->March.useScene(scene);
+    if constexpr (Kernel::HasLightAtPoints)
+    {
+      this->March.lightTolerance = Real(std::max(level.ErrorTolerance, LightTolerance));
+    }
     if constexpr (Kernel::HasVolumeLight)
     {
       this->useVolumeLight();
@@ -84,7 +89,7 @@ private:
     {
       return;
     }
-    if (this->Scene.ExactLight)
+    if (this->Scene.Light != LightAt::Vertices)
     {
       this->Exact = exactLight<Real>(this->Scene);
       this->March.Incoming = this->Exact.get();

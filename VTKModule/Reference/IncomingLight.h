@@ -9,6 +9,14 @@
 namespace tetmarch
 {
 
+/** Where lights, gradients and the transmittance towards the lights are evaluated. */
+enum class LightAt
+{
+  Vertices, // transmittance at vertices or nodes, the rest at faces: as in pictures
+  Faces,    // all of it where a ray crosses a face: near pictures with shadows along rays
+  Points    // at as many points of each interval as it takes: the ground truth
+};
+
 /** The transmittance from a point of the normalised frame towards ambient light, then towards up to
  * three lights. */
 template <typename Real>

@@ -114,15 +114,24 @@ void useScene(const Scene& scene)
 #if TETMARCH_EFFECTS
   useEffects(*scene.Effects);
 #endif
+#if TETMARCH_LIGHT_AT_POINTS
+  useLightAtPoints(scene);
+#endif
 #if TETMARCH_LIGHT_RAYS
   useLightRays(scene.Effects->Lights, scene.Camera);
 #endif
 }
 
-#if TETMARCH_EXACT_LIGHT
+#if TETMARCH_EXACT_LIGHT && TETMARCH_COMPOSITE
 static constexpr bool HasVolumeLight = true;
 #else
 static constexpr bool HasVolumeLight = false;
+#endif
+
+#if TETMARCH_LIGHT_AT_POINTS
+static constexpr bool HasLightAtPoints = true;
+#else
+static constexpr bool HasLightAtPoints = false;
 #endif
 
 #if TETMARCH_POINT_SAMPLED
@@ -153,6 +162,10 @@ static constexpr bool TakesSamples = false;
 
 #if TETMARCH_TRACED
 #include "Reference/KernelTrace.h"
+#endif
+
+#if TETMARCH_LIGHT_AT_POINTS
+#include "Reference/KernelLightAtPoints.h"
 #endif
 
 #if TETMARCH_CLIPPED

@@ -25,7 +25,7 @@ struct TraceOptions
   int Y = 0;
   AccuracyLevel Level = DefaultAccuracy;
   bool InDouble = false;
-  bool ExactLight = false; // light through the volume by brute force; else as the frame has it
+  bool IsTruth = false; // with the light of every point; else as the frame has it
 };
 
 /** Why something was gathered in a tetrahedron, or nothing. */

@@ -13,6 +13,7 @@
 #include "Optics/AccuracyLevel.h"
 #include "Optics/IntegralTable.h"
 #include "Parallel/Progress.h"
+#include "Reference/IncomingLight.h"
 #include "Scalars/ExtraScalars.h"
 #include "Structured/Lattice.h"
 #include "Structured/StoredValues.h"
@@ -53,9 +54,7 @@ struct ReferenceScene
   const Blending* Blend = nullptr;   // nullptr: composite; else the table is that of blendedTable()
   const Components* Parts = nullptr; // nullptr or single: one scalar; independent: without effects
   const ExtraScalars* Extra = nullptr; // of several components
-  /** The transmittance towards the lights is marched wherever a ray crosses a face; else it is
-   * interpolated between vertices as in the picture. */
-  bool ExactLight = true;
+  LightAt Light = LightAt::Points;
   /** Records its pixel's ray, and no other is cast; nullptr: all rays are, and none is recorded. */
   RayTrace* Trace = nullptr;
   /** Told of the share of the rays that were cast, from the calling thread; may be empty. */

@@ -19,17 +19,19 @@ namespace
 {
 
 template <typename Kernel, typename Real>
-Kernel lightRayKernel(const ReferenceScene& scene)
+Kernel lightRayKernel(const ReferenceScene& scene, const AccuracyLevel& level)
 {
-  Kernel kernel = makeKernel<Kernel, Real>(*scene.Table, scene.Range, LightAccuracy);
+  Kernel kernel = makeKernel<Kernel, Real>(*scene.Table, scene.Range, level);
   kernel.useScene(scene);
+  kernel.lightTolerance = Real(LightTolerance);
   return kernel;
 }
 
 template <typename Kernel, typename Real>
 std::vector<Real> atVertices(const ReferenceScene& scene)
 {
-  const auto prototype = lightRayKernel<Kernel, Real>(scene);
+  auto prototype = lightRayKernel<Kernel, Real>(scene, LightAccuracy);
+  prototype.LightAtPoints = false;
   const auto count = scene.Cells ? static_cast<vtkIdType>(lightNodesOf(*scene.Cells).count())
                                  : static_cast<vtkIdType>(scene.Mesh->Vertices.size());
   std::vector<Real> light(4 * static_cast<std::size_t>(count));
@@ -62,7 +64,7 @@ public:
   explicit ExactLight(const ReferenceScene& scene)
     : Lights(scene.Effects->Lights)
     , Opaque(scene.Effects->Opaque)
-    , March(lightRayKernel<Kernel, Real>(scene))
+    , March(lightRayKernel<Kernel, Real>(scene, ExactLightAccuracy))
   {
   }
 

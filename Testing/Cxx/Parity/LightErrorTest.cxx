@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The error of light that is kept at vertices, or sampled at a few points of a ray, against light
-// that is computed by brute force at every face of the ray.
+// that is evaluated at every point of the ray.
 #include "CpuReference.h"
 
 #include "vtkDataArray.h"
@@ -17,6 +17,7 @@
 namespace
 {
 using namespace tetmarch::testing;
+using tetmarch::LightAt;
 
 void shine(Scene& scene, double x, double y, double z, bool positional = false)
 {
@@ -36,7 +37,7 @@ void shine(Scene& scene, double x, double y, double z, bool positional = false)
 Difference errorOf(Scene& scene, const char* what)
 {
   const Image drawn = scene.render();
-  const Image exact = referenceOf(scene, {}, Precision::Double, LightFrom::Everywhere).Picture;
+  const Image exact = referenceOf(scene, {}, Precision::Double, LightAt::Points).Picture;
   const Mask inside = regionsOf(scene).Inside;
   const Difference difference = compare(drawn, exact, inside);
   std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
@@ -84,7 +85,7 @@ TEST(LightError, ThickCellsAreToldOfByTheErrorBound)
   shine(scene, 3.0, 4.0, 1.5);
   scene.Mapper->SetShadowMethodToAtVertices();
   const Image drawn = scene.render();
-  const Image exact = referenceOf(scene, {}, Precision::Double, LightFrom::Everywhere).Picture;
+  const Image exact = referenceOf(scene, {}, Precision::Double, LightAt::Points).Picture;
   const std::vector<float> bounds = referenceOf(scene).ErrorBounds;
   int wrong = 0;
   int told = 0;

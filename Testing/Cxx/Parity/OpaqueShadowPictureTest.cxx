@@ -18,6 +18,7 @@
 namespace
 {
 using namespace tetmarch::testing;
+using tetmarch::LightAt;
 
 // A square between the volume and the sun, out of the camera's sight.
 vtkSmartPointer<vtkActor> makeSunshade(double side)
@@ -190,7 +191,7 @@ Difference errorOf(Scene& scene, const char* what)
 {
   const Image drawn = scene.render();
   const Image exact =
-    referenceOf(scene, scene.windowDepths(), Precision::Double, LightFrom::Everywhere).Picture;
+    referenceOf(scene, scene.windowDepths(), Precision::Double, LightAt::Points).Picture;
   const Difference difference = compare(drawn, exact, regionsOf(scene).Inside);
   std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
   return difference;
@@ -216,7 +217,7 @@ TEST(OpaqueShadowError, OfAPlateOnAThinMedium)
     const Image without = scene.render();
     scene.Mapper->OpaqueShadowsOn();
     const Image exact =
-      referenceOf(scene, scene.windowDepths(), Precision::Double, LightFrom::Everywhere).Picture;
+      referenceOf(scene, scene.windowDepths(), Precision::Double, LightAt::Points).Picture;
     EXPECT_GT(compare(without, exact, regionsOf(scene).Inside).Rms, 16.0 / 255.0);
   }
 }
@@ -230,7 +231,7 @@ TEST(OpaqueShadowError, TheMappersReferenceHasThem)
   scene.Mapper->SetAccuracyLevelToReference();
   scene.render();
   const Image exact =
-    referenceOf(scene, scene.windowDepths(), Precision::Double, LightFrom::Everywhere).Picture;
+    referenceOf(scene, scene.windowDepths(), Precision::Double, LightAt::Points).Picture;
   vtkNew<vtkFloatArray> pixels;
   ASSERT_TRUE(scene.Mapper->RenderGroundTruth(scene.Volume, pixels));
   const Image reference = Image::fromFloats(64, 64, pixels->GetPointer(0));

@@ -10,6 +10,8 @@
 
 #include "vtkTetMarchSmartVolumeMapper.h"
 
+#include "Reference/IncomingLight.h"
+
 #include "LatticeImages.h"
 #include "LatticeTruth.h"
 #include "Scene.h"
@@ -37,6 +39,7 @@ public:
   StructuredScene& operator=(const StructuredScene&) = delete;
 
   vtkVolumeProperty* property() { return this->Volume->GetProperty(); }
+  bool isLit() { return this->property()->GetShade() || this->property()->HasGradientOpacity(); }
   vtkCamera* camera() { return this->Renderer->GetActiveCamera(); }
   void draw(LatticeValues values);
   /// All of the data from a corner, and a unit distance that is a share of its diagonal.
@@ -51,6 +54,8 @@ public:
   Image render();
   /// Of the frame before, by the CPU reference in double precision.
   Image truth();
+  /// The same with light that is evaluated there.
+  Image drawnWith(LightAt light);
   /// The diagnostic picture of the frame before.
   Image pixels() const;
   Image frame() const { return framePictureOf(this->Window); }

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CpuReference.h"
 
-#include "Mapper/MapperOptions.h"
-
 #include "FreshFrame.h"
+#include "MapperFrameInput.h"
 #include "ScenePage.h"
 
 #include <gtest/gtest.h>
@@ -14,36 +13,6 @@ namespace tetmarch::testing
 {
 namespace
 {
-EffectOptions optionsOf(vtkTetMarchVolumeMapper* mapper)
-{
-  const int view = mapper->GetViewMode();
-  return { mapper->GetGradientType() == vtkTetMarchVolumeMapper::CELL_GRADIENTS,
-    static_cast<ShadowMethod>(mapper->GetShadowMethod()), mapper->GetVolumetricScatteringBlending(),
-    mapper->GetGlobalIlluminationReach(), mapper->GetAmbientOcclusion(),
-    mapper->GetAmbientOcclusionRadius(), mapper->GetAmbientOcclusionDirections(),
-    mapper->GetOpaqueShadows(),
-    view == vtkTetMarchVolumeMapper::VIEW_ILLUMINATION ? Subject::Illumination
-    : view == vtkTetMarchVolumeMapper::VIEW_GRADIENTS  ? Subject::Gradients
-                                                       : Subject::Picture,
-    static_cast<BlendMode>(mapper->GetBlendMode()),
-    static_cast<LightPreset>(mapper->GetLightPreset()) };
-}
-
-// The frame of a volume with the mapper's settings for the picture.
-FrameInput inputOf(Scene& scene, vtkVolume* volume)
-{
-  vtkTetMarchVolumeMapper* mapper = scene.Mapper;
-  int cellFlag = 0;
-  vtkDataArray* array = vtkAbstractMapper::GetScalars(scene.Data, mapper->GetScalarMode(),
-    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
-  const bool structured = mapper->GetOpacityLaw() == vtkTetMarchVolumeMapper::STRUCTURED;
-  return { { { scene.Data }, { array, cellFlag == 1 }, vectorOptionsOf(mapper),
-             blendOptionsOf(mapper), clippingOptionsOf(mapper) },
-    scene.Renderer, volume, structured ? OpacityLaw::Structured : OpacityLaw::Unstructured,
-    levelOf(static_cast<Accuracy>(mapper->GetAccuracyLevel()), mapper->GetErrorTolerance()),
-    mapper->GetDrawNanCells(), optionsOf(mapper) };
-}
-
 std::unique_ptr<FrameScene> marchedBy(
   const FreshFrame& frame, Scene& scene, const std::vector<float>& depths)
 {
@@ -99,11 +68,12 @@ void expectAgreement(Scene& scene, const Image& drawn, const std::vector<float>&
 } // namespace
 
 ReferencePicture referenceOf(
-  Scene& scene, const std::vector<float>& depths, Precision precision, LightFrom light)
+  Scene& scene, const std::vector<float>& depths, Precision precision, LightAt light)
 {
-  const FreshFrame frame(inputOf(scene, scene.Volume));
+  const FreshFrame frame(
+    frameInputOf(scene.Mapper.Get(), scene.Data, scene.Renderer, scene.Volume));
   const auto made = marchedBy(frame, scene, depths);
-  made->scene().ExactLight = light == LightFrom::Everywhere;
+  made->scene().Light = light;
   const ReferenceImage image =
     precision == Precision::Double ? made->render<double>() : made->render<float>();
   const ReferenceScene& drawn = made->scene();
@@ -120,7 +90,7 @@ Regions regionsOf(Scene& scene, const std::vector<float>& depths)
   setPlainFunctions(fog, { 1.0, 1.0, 1.0 }, 0.01);
   fog->GetRGBTransferFunction()->SetNanColorRGBA(1.0, 1.0, 1.0, 0.01);
   fog->SetScalarOpacityUnitDistance(scene.Data->GetLength());
-  FrameInput input = inputOf(scene, shown);
+  FrameInput input = frameInputOf(scene.Mapper.Get(), scene.Data, scene.Renderer, shown);
   input.Drawn.Vector = { VectorMode::Component, 0 };
   input.Drawn.Blend = {};
   input.Effects = {};
@@ -169,9 +139,8 @@ void expectParityWithOpaque(Scene& scene)
 
 void expectLightAlongRays(Scene& scene, const Image& drawn, const Image& without)
 {
-  const Difference difference =
-    compare(drawn, referenceOf(scene, {}, Precision::Double, LightFrom::Everywhere).Picture,
-      regionsOf(scene).Inside);
+  const Difference difference = compare(drawn,
+    referenceOf(scene, {}, Precision::Double, LightAt::Faces).Picture, regionsOf(scene).Inside);
   std::cout << "[ MEASURED ] " << difference.text() << '\n';
   EXPECT_GT(difference.Pixels, 200u);
   EXPECT_LE(difference.Rms, 1.5 / 255.0);

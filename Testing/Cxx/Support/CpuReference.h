@@ -10,6 +10,7 @@
 #include "Scene.h"
 
 #include "Diagnostics/MarchCounters.h"
+#include "Reference/IncomingLight.h"
 
 namespace tetmarch::testing
 {
@@ -17,13 +18,6 @@ enum class Precision
 {
   Float,
   Double
-};
-
-/// Where the light that comes through the volume is computed.
-enum class LightFrom
-{
-  Vertices,  ///< as the GL does
-  Everywhere ///< by brute force
 };
 
 struct ReferencePicture
@@ -36,7 +30,7 @@ struct ReferencePicture
 /// Of the scene as its last frame left it, with the same tables, accuracy level, blend mode and
 /// effects. Depths of opaque geometry: one a pixel, or empty.
 ReferencePicture referenceOf(Scene& scene, const std::vector<float>& depths = {},
-  Precision precision = Precision::Double, LightFrom light = LightFrom::Vertices);
+  Precision precision = Precision::Double, LightAt light = LightAt::Vertices);
 
 /// The pixels of a picture, by whether they and their eight neighbours see the mesh: all of them,
 /// none, or some. Near the silhouette a rasterised entry may be lost or won, or moved by a

@@ -243,11 +243,11 @@ Image Scene::render()
   return floatPictureOf(this->Mapper, size[0], size[1]);
 }
 
-std::vector<float> Scene::windowDepths()
+std::vector<float> windowDepthsOf(vtkRenderWindow* window)
 {
-  const int* size = this->Window->GetSize();
+  const int* size = window->GetSize();
   vtkNew<vtkFloatArray> depths;
-  this->Window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths);
+  window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths);
   return { depths->GetPointer(0), depths->GetPointer(0) + depths->GetNumberOfTuples() };
 }
 

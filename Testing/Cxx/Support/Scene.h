@@ -65,6 +65,8 @@ void lookFromInside(vtkCamera* camera);
 Image floatPictureOf(vtkTetMarchVolumeMapper* mapper, int width, int height);
 /// The window's framebuffer, RGB with its alpha.
 Image framePictureOf(vtkRenderWindow* window);
+/// Depths, 0 to 1, of what is opaque in the last frame.
+std::vector<float> windowDepthsOf(vtkRenderWindow* window);
 /// The same within a rectangle of the picture.
 Image cropped(const Image& image, int x, int y, int width, int height);
 
@@ -92,7 +94,7 @@ public:
   Image render();
   Image frame() const { return framePictureOf(this->Window); }
   /// Of the last frame, 0..1, row by row from the bottom.
-  std::vector<float> windowDepths();
+  std::vector<float> windowDepths() const { return windowDepthsOf(this->Window); }
 
   Grid Data;
   vtkSmartPointer<vtkRenderWindow> Window;
