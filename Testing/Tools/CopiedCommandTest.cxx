@@ -51,6 +51,8 @@ TEST(CopiedCommand, IsAcceptedWhateverIsSwitchedOn)
       EXPECT_EQ(command.Input, state.Data.File);
       EXPECT_EQ(command.BlendMode, state.BlendMode);
       EXPECT_EQ(command.GradientOpacity.empty(), !(composite && state.Effects.GradientOpacity));
+      EXPECT_EQ(command.Given.count("--reach"),
+        composite && state.Effects.Shading && (switches & (4 | 8 | 128)) ? 1u : 0u);
       EXPECT_EQ(command.Light.Shade, state.Effects.Shading && (composite || state.BlendMode == 5));
     }
   }

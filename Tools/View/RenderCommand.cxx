@@ -5,6 +5,8 @@
 #include "NumberText.h"
 #include "StateWords.h"
 
+#include "vtkTetMarchSettings.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -109,18 +111,23 @@ bool Changes(const ViewState& state, const SettingNames& names)
 {
   const std::string_view option = names.Option;
   const EffectState& effects = state.Effects;
-  const bool shadows =
-    state.Settings.ShadowMethod != 0 || (effects.Scattering && effects.ScatteringStrength > 0.0);
+  const int preset = state.Settings.LightPreset;
+  const bool shadows = state.Settings.ShadowMethod != 0 ||
+                       preset == vtkTetMarchSettings::LIGHT_SUN ||
+                       (effects.Scattering && effects.ScatteringStrength > 0.0);
+  const bool occlusion = state.Settings.AmbientOcclusion ||
+                         preset == vtkTetMarchSettings::LIGHT_STUDIO ||
+                         preset == vtkTetMarchSettings::LIGHT_SUN;
   if (option == "--light-preset")
   {
-    return state.Settings.LightPreset != 0 && IsLit(state);
+    return preset != vtkTetMarchSettings::LIGHT_OF_SCENE && IsLit(state);
   }
   if (option.empty() || (names.OfLight && !(effects.Shading && state.BlendMode == Composite)))
   {
     return false;
   }
   return option == "--frame-time"       ? state.Settings.FrameTimeBudget > 0.0
-         : option == "--occlusion"      ? state.Settings.AmbientOcclusion
+         : option == "--occlusion"      ? occlusion
          : option == "--reach"          ? shadows
          : option == "--opaque-shadows" ? shadows && !state.Data.Surface.empty()
                                         : true;
@@ -164,7 +171,7 @@ void AddLight(const ViewState& state, Command& command)
   {
     return;
   }
-  if (state.Settings.LightPreset == 0)
+  if (state.Settings.LightPreset == vtkTetMarchSettings::LIGHT_OF_SCENE)
   {
     command.Add("--light", (effects.Headlight ? "headlight" : ToList(effects.LightFrom)) + "," +
                              ToText(effects.Intensity));
