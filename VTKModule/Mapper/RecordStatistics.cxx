@@ -61,8 +61,9 @@ void recordStages(const Pipelines& pipelines, vtkTetMarchFrameStatistics* statis
   statistics->SetVertexLightSeconds(light.Seconds);
   statistics->SetVertexLightBuilds(light.Runs);
   // All blocks have the same lights.
-  const LightUniforms lights =
-    pipelines.empty() ? LightUniforms() : pipelines.front()->stages().effects().data().Lights;
+  static const LightUniforms none;
+  const LightUniforms& lights =
+    pipelines.empty() ? none : pipelines.front()->stages().effects().data().Lights;
   statistics->SetLightsWithoutShadows(lights.ShadowlessLights);
   statistics->SetLightsLeftOut(lights.LightsLeftOut);
   const StageRecord upload =
