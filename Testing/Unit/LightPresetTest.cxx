@@ -61,7 +61,8 @@ TEST_F(LightsOf, PresetOfTheStudioGoesWithTheCamera)
 {
   const Lighting before = presetLighting(LightPreset::Studio, this->Renderer);
   ASSERT_EQ(before.Lights.size(), 3u);
-  this->Camera->Azimuth(90.0); // its right is -z, what is in front of the volume is x
+  // Now the camera looks along -x, and -z is to its right.
+  this->Camera->Azimuth(90.0);
   const Lighting after = presetLighting(LightPreset::Studio, this->Renderer);
   for (std::size_t i = 0; i < 3; ++i)
   {

@@ -246,7 +246,7 @@ const std::vector<LitCase> Cases = {
     false },
 };
 
-// 0.1/255, of which LightTolerance is 0.06.
+// LightTolerance allows 0.06/255 of this.
 constexpr double Tolerance = 0.1 / 255.0;
 
 TEST(LitGroundTruth, IsBruteForce)
