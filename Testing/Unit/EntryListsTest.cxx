@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // By its list each pixel's ray finds the entries that a search in the hierarchy finds: all of them,
 // each once, in the same order.
+#include "Entries/EnteredPixels.h"
 #include "Entries/EntryListMaker.h"
 
 #include "Reference/ListKernel.h"
@@ -12,6 +13,7 @@
 #include "Shot.h"
 #include "UnitMeshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>
@@ -273,7 +275,26 @@ TEST(EntryLists, AreEmptyBesideThePicture)
       camera->SetPosition(2.1, 1.4, 2.9);
       camera->SetFocalPoint(2.1, 8.0, -9.0);
     } };
-  EXPECT_TRUE(
-    makeEntryLists(mesh, mesh.BoundaryFaces, viewOf(beside, mesh), 8, 8).Candidates.empty());
+  const auto lists = makeEntryLists(mesh, mesh.BoundaryFaces, viewOf(beside, mesh), 8, 8);
+  EXPECT_TRUE(lists.Candidates.empty());
+  EXPECT_EQ(enteredPixels(lists).Right, 0);
+}
+
+TEST(EntryLists, AreWithinTheEnteredPixels)
+{
+  // Six tiles in a row, each of 4 x 4 pixels, in four rows.
+  EntryLists lists;
+  lists.TileShift = 2;
+  lists.TilesPerRow = 6;
+  lists.First.assign(25, 0);
+  for (const std::size_t tile : { 6 + 2, 6 + 3, 12 + 1, 12 + 4 })
+  {
+    std::for_each(lists.First.begin() + tile + 1, lists.First.end(), [](auto& first) { ++first; });
+  }
+  const EnteredPixels entered = enteredPixels(lists);
+  EXPECT_EQ(entered.Left, 4);
+  EXPECT_EQ(entered.Bottom, 4);
+  EXPECT_EQ(entered.Right, 20);
+  EXPECT_EQ(entered.Top, 12);
 }
 } // namespace

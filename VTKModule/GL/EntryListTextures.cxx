@@ -25,6 +25,7 @@ std::string EntryListTextures::upload(
   this->TileShift = lists.TileShift;
   this->TilesPerRow = lists.TilesPerRow;
   this->DepthPlane = lists.DepthPlane;
+  this->Entered = enteredPixels(lists);
   return this->There.update(
     version,
     [&]
@@ -51,6 +52,13 @@ void EntryListTextures::unbind()
 {
   this->Tiles.unbind();
   this->Candidates.unbind();
+}
+
+Viewport EntryListTextures::enteredPart(const Viewport& target) const
+{
+  const EnteredPixels& in = this->Entered;
+  return overlapOf(
+    target, { target.X + in.Left, target.Y + in.Bottom, in.Right - in.Left, in.Top - in.Bottom });
 }
 
 void EntryListTextures::removeFrom(CapturedProgram& captured)

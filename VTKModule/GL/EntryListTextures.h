@@ -4,9 +4,11 @@
 #ifndef TetMarchGLEntryListTextures_h
 #define TetMarchGLEntryListTextures_h
 
+#include "Entries/EnteredPixels.h"
 #include "Entries/EntryLists.h"
 #include "GL/TextureBuffer.h"
 #include "GL/Uploaded.h"
+#include "GL/Viewport.h"
 
 namespace tetmarch
 {
@@ -22,6 +24,8 @@ public:
     vtkOpenGLRenderWindow* window, const EntryLists& lists, const Fingerprint& version);
   void bind(vtkShaderProgram* program);
   void unbind();
+  /** The part of a target outside of which no pixel has a candidate. */
+  Viewport enteredPart(const Viewport& target) const;
   /** Leave the lists out of what was captured: they depend on the view. */
   static void removeFrom(CapturedProgram& captured);
   void release(vtkWindow* window);
@@ -34,6 +38,7 @@ private:
   int TileShift = 0;
   int TilesPerRow = 0;
   std::array<float, 4> DepthPlane{};
+  EnteredPixels Entered;
 };
 
 } // namespace tetmarch

@@ -238,7 +238,12 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
     return error;
   }
   bindInputs(program, inputs, target);
-  drawCorners(program, this->Draw, target, tile);
+  // llvmpipe takes 60 % of the time of a short ray for one that misses the mesh.
+  const Viewport entered = overlapOf(tile, inputs.Volume->enteredPart(inputs.Key, target));
+  if (entered.Width > 0 && entered.Height > 0)
+  {
+    drawCorners(program, this->Draw, target, entered);
+  }
   unbindInputs(inputs);
   return {};
 }

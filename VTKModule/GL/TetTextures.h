@@ -50,6 +50,10 @@ public:
   std::string listEntries(vtkOpenGLRenderWindow* window, const VariantKey& key,
     const Viewport& viewport, const View& camera) override;
   void releaseEntries(vtkWindow* window) override;
+  Viewport enteredPart(const VariantKey& key, const Viewport& target) const override
+  {
+    return key.EntryLists ? this->Entries[this->Eye].enteredPart(target) : target;
+  }
   const StageRecord& entriesRecord() const { return this->EntriesRecord; }
 
 private:

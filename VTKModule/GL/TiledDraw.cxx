@@ -6,7 +6,6 @@
 
 #include "vtkOpenGLRenderUtilities.h"
 
-#include <algorithm>
 #include <chrono>
 
 namespace tetmarch
@@ -22,10 +21,7 @@ Viewport withinScissor(vtkOpenGLState* state, const Viewport& area)
   }
   std::array<int, 4> box{};
   state->vtkglGetIntegerv(GL_SCISSOR_BOX, box.data());
-  const int x = std::max(area.X, box[0]);
-  const int y = std::max(area.Y, box[1]);
-  return { x, y, std::min(area.X + area.Width, box[0] + box[2]) - x,
-    std::min(area.Y + area.Height, box[1] + box[3]) - y };
+  return overlapOf(area, { box[0], box[1], box[2], box[3] });
 }
 
 // Observers may change the GL state and draw in other windows.

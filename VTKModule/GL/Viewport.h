@@ -4,6 +4,7 @@
 #ifndef TetMarchGLViewport_h
 #define TetMarchGLViewport_h
 
+#include <algorithm>
 #include <array>
 
 namespace tetmarch
@@ -22,6 +23,15 @@ struct Viewport
       static_cast<float>(this->Width), static_cast<float>(this->Height) } };
   }
 };
+
+/** What both have; without pixels if they have none in common. */
+inline Viewport overlapOf(const Viewport& a, const Viewport& b)
+{
+  const int x = std::max(a.X, b.X);
+  const int y = std::max(a.Y, b.Y);
+  return { x, y, std::max(std::min(a.X + a.Width, b.X + b.Width) - x, 0),
+    std::max(std::min(a.Y + a.Height, b.Y + b.Height) - y, 0) };
+}
 
 } // namespace tetmarch
 

@@ -95,6 +95,11 @@ public:
     return {};
   }
   virtual void releaseEntries(vtkWindow* /*window*/) {}
+  /** The part of a target of the viewport's size outside of which no ray of these lists enters. */
+  virtual Viewport enteredPart(const VariantKey& /*key*/, const Viewport& target) const
+  {
+    return target;
+  }
 };
 
 } // namespace tetmarch
