@@ -13,6 +13,7 @@ import numpy as np
 import vtktetmarch
 from option_scenes import LIT, PLAIN, option_scenes, scene_of
 from picture_window import PictureWindow, Refused
+from this_machine import driver_of
 from variant_scenes import VariantScene
 
 
@@ -68,7 +69,8 @@ def main():
     variants, output, every, words, stage = sys.argv[1:]
     scenes = [(name, draw) for name, draw in all_scenes(pathlib.Path(variants)) if words in name]
     with PictureWindow() as window:
-        arrays = {"driver": np.array(window.gl_renderer()), "build": np.array(str(vtktetmarch.__file__))}
+        window.window.Render()
+        arrays = {"driver": np.array(driver_of(window.window)), "build": np.array(str(vtktetmarch.__file__))}
     for name, draw in scenes[::int(every)]:
         print(name, flush=True)
         try:

@@ -8,19 +8,15 @@
 FOLDER gets web.json, web.md and the pages. All draw without a GPU; frames are complete, of 900 x 600 pixels.
 """
 import argparse
-import datetime
 import json
-import os
 import pathlib
-import platform
-import re
 import statistics
 import sys
 import tempfile
 
 import vtkjs_page
 from option_types import positive
-from vtkmodules.vtkCommonCore import vtkVersion
+from this_machine import report_of
 from web_scenes import SCENES, Scene, errors_of
 from web_tables import text_of
 
@@ -158,24 +154,6 @@ def measure_openings(scenes, folder, count):
     return measured
 
 
-def cpu_name():
-    lines = pathlib.Path("/proc/cpuinfo").read_text().splitlines()
-    return next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")),
-                platform.processor())
-
-
-def version():
-    return re.search(r"TetMarch VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
-
-
-def report_of(scenes):
-    first = next(iter(scenes.values()))
-    return {"date": datetime.date.today().isoformat(), "tetmarch_version": version(),
-            "environment": {"vtk_version": vtkVersion.GetVTKVersion(),
-                            "gl": {"renderer": first.renderer(), "backend": first.window.GetClassName()}},
-            "cpu": cpu_name(), "cpu_threads": os.cpu_count(), "load": os.getloadavg()[0], "size": first.figure.size}
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path)
@@ -190,7 +168,7 @@ def main():
     scenes = {name: Scene(name) for name in SCENES}
     for name, scene in scenes.items():
         scene.write_page(str(page_of(name, folder)))
-    report = report_of(scenes)
+    report = report_of(next(iter(scenes.values())).window)
     report["page_bytes"] = {name: page_of(name, folder).stat().st_size for name in SCENES}
     if "frames" in arguments.parts:
         report["frames"] = measure_frames({name: scenes[name] for name in arguments.scenes}, folder, arguments.frames)

@@ -24,6 +24,22 @@ class Refused(Exception):
     """VTK or the mapper reported an error."""
 
 
+def float_picture(window, renderer, size):
+    """Renders once more into a framebuffer of floats: red, green, blue and opacity."""
+    frame = vtk.vtkFramebufferPass()
+    frame.SetDelegatePass(vtk.vtkRenderStepsPass())
+    frame.SetColorFormat(vtk.vtkTextureObject.Float32)
+    frame.SetDepthFormat(vtk.vtkTextureObject.Float32)
+    renderer.SetPass(frame)
+    window.Render()
+    width, height = size
+    values = np.empty((height, width, 4), dtype=np.float32)
+    frame.GetColorTexture().Download().Download2D(vtk.VTK_FLOAT, values, size, 4, (0, 0))
+    renderer.SetPass(None)
+    frame.ReleaseGraphicsResources(window)
+    return values
+
+
 class PictureWindow:
     """For a `with` statement, which ends its GL context: one scene a window bounds what a driver keeps of shaders."""
 
@@ -41,14 +57,6 @@ class PictureWindow:
 
     def __exit__(self, *_error):
         self.window.Finalize()
-
-    def gl_renderer(self):
-        """The driver, as it calls itself."""
-        self.window.Render()
-        for line in self.window.ReportCapabilities().splitlines():
-            if line.startswith("OpenGL renderer string:"):
-                return line.partition(":")[2].strip()
-        return "unknown"
 
     def show(self, scene):
         self.window.AddRenderer(scene.renderer)
@@ -75,17 +83,7 @@ class PictureWindow:
 
     def floats(self, scene):
         """The same in float and with opacity, before anything is rounded to bytes."""
-        frame = vtk.vtkFramebufferPass()
-        frame.SetDelegatePass(vtk.vtkRenderStepsPass())
-        frame.SetColorFormat(vtk.vtkTextureObject.Float32)
-        frame.SetDepthFormat(vtk.vtkTextureObject.Float32)
-        scene.renderer.SetPass(frame)
-        self.window.Render()
-        values = np.empty((HEIGHT, WIDTH, 4), dtype=np.float32)
-        texture = frame.GetColorTexture()
-        texture.Download().Download2D(vtk.VTK_FLOAT, values, (WIDTH, HEIGHT), 4, (0, 0))
-        scene.renderer.SetPass(None)
-        frame.ReleaseGraphicsResources(self.window)
+        values = float_picture(self.window, scene.renderer, (WIDTH, HEIGHT))
         self.refuse_errors()
         return values
 

@@ -20,6 +20,7 @@ VIEW_DIRECTION = (0.5, -1.0, 0.45)
 DEGREES_PER_VIEW = 7.0
 TOWARDS_LIGHT = (0.4, -0.7, 0.6)
 DATASETS = ("golfball", "lattice1.3m", "holes")
+LATTICES = {"lattice1.3k": 6, "lattice162k": 30, "lattice1.3m": 60}  # cubes along an edge
 # Seconds. Without a limit on draws, they are the same in each frame.
 ENOUGH_FOR_ONE_DRAW = 1e6
 
@@ -54,7 +55,7 @@ def make_lattice(cubes, keep=None):
 def make_dataset(name):
     if name == "golfball":
         return read_golfball()
-    return make_lattice(60) if name == "lattice1.3m" else make_lattice(36, grids.outside_many_holes)
+    return make_lattice(LATTICES[name]) if name in LATTICES else make_lattice(36, grids.outside_many_holes)
 
 
 class Frames:

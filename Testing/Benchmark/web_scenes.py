@@ -40,13 +40,6 @@ class Scene:
         self.window.WaitForCompletion()
         return 1000 * (time.perf_counter() - begin)
 
-    def renderer(self):
-        """The driver, as it calls itself."""
-        for line in self.window.ReportCapabilities().splitlines():
-            if line.startswith("OpenGL renderer string:"):
-                return line.partition(":")[2].strip()
-        return "unknown"
-
     def ground_truth(self):
         """The picture of the last frame without an error, over the background: (height, width, 3), 0 to 1."""
         pixels = vtkFloatArray()

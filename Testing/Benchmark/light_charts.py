@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Chart of light's accuracy against time, from the JSON file of measure_light.py."""
+from accuracy_charts import label_seconds, plt, save
+
+COLORS = {"shading": "#1f77b4", "highlights": "#17becf", "shadows": "#d62728", "scattering": "#ff7f0e",
+          "occlusion": "#2ca02c", "opaque-shadows": "#9467bd", "gradient-opacity": "#8c564b"}
+# By how the name of a way begins, the longest that fits: marker, size, label.
+MARKERS = {"at vertices": ("o", 5, "light kept at vertices or nodes"),
+           "at vertices, accurate": ("P", 5, "the same, level Accurate"),
+           "cell gradients": ("h", 5, "gradients of cells"),
+           "along rays": ("^", 5, "shadows along rays"),
+           "along rays, accurate": ("X", 5, "the same, level Accurate"),
+           "tolerance": (".", 7, "LightTolerance 8/255 to 1/255"),
+           "VTK": ("s", 4, "VTK's GPU mapper, 1 and 4 samples a voxel")}
+LEAST = 1e-5  # of what is drawn; logarithms of 0 are not
+
+
+def family_of(way):
+    return max((begin for begin in MARKERS if way.startswith(begin)), key=len)
+
+
+def draw_effect(axes, results, color):
+    points = [(r["seconds"], max(r["rms"], LEAST), r["way"]) for r in results]
+    for seconds, rms, way in points:
+        marker, size, _ = MARKERS[family_of(way)]
+        axes.plot(seconds, rms, marker, color=color, markersize=size, markeredgewidth=0.5, markeredgecolor="white")
+    tolerances = [(seconds, rms) for seconds, rms, way in points if way.startswith("tolerance")]
+    if tolerances:
+        axes.plot(*zip(*tolerances), "-", color=color, linewidth=1)
+
+
+def draw_scene(axes, scene):
+    for effect, color in COLORS.items():
+        draw_effect(axes, [r for r in scene["results"] if r["effect"] == effect], color)
+    axes.axvline(scene["unlit_seconds"], color="black", linewidth=0.8, linestyle=":")
+    axes.set(title=scene["name"], xscale="log", yscale="log", xlabel="seconds a frame")
+    label_seconds(axes)
+
+
+def add_legend(figure, report):
+    drawn = {family_of(r["way"]) for scene in report["scenes"] for r in scene["results"]}
+    lines = [plt.Line2D([], [], color=COLORS[e], linewidth=4, label=words) for e, words in report["effects"].items()]
+    lines += [plt.Line2D([], [], color="gray", marker=marker, markersize=size, linestyle="", label=label)
+              for family, (marker, size, label) in MARKERS.items() if family in drawn]
+    lines.append(plt.Line2D([], [], color="black", linewidth=0.8, linestyle=":", label="a frame without light"))
+    figure.legend(handles=lines, loc="lower center", ncol=3, fontsize=8)
+
+
+def draw_light(report, folder):
+    scenes = report["scenes"]
+    figure, panels = plt.subplots(1, len(scenes), figsize=(1.0 + 3.5 * len(scenes), 5.2), sharey=True, squeeze=False)
+    for axes, scene in zip(panels[0], scenes):
+        draw_scene(axes, scene)
+    panels[0][0].set_ylabel("RMS error of the picture")
+    add_legend(figure, report)
+    figure.tight_layout(rect=(0, 0.27, 1, 1))
+    save(figure, folder, "light")

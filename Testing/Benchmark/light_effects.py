@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The effects of light whose accuracy is measured, and the ways to draw each: settings of the mapper by name."""
+import dataclasses
+
+from vtktetmarch import vtkTetMarchSettings as Settings
+from vtktetmarch import vtkTetMarchVolumeMapper
+
+STEP = 1 / 255
+DEFAULTS = {"AccuracyLevel": Settings.DEFAULT, "GradientType": Settings.VERTEX_GRADIENTS,
+            "ShadowMethod": Settings.SHADOWS_OFF, "OpaqueShadows": False, "AmbientOcclusion": False,
+            "VolumetricScatteringBlending": 0.0}
+ALONG_RAYS = {"ShadowMethod": Settings.SHADOWS_ALONG_RAYS}
+ACCURATE = {"AccuracyLevel": Settings.ACCURATE}
+
+
+@dataclasses.dataclass(frozen=True)
+class Way:
+    settings: dict
+    samples: int = 0  # a voxel, of vtkGPUVolumeRayCastMapper; 0: drawn by TetMarch
+    only: str = ""  # the kind of data that has it: "mesh" or "image"
+
+
+AT_VERTICES = "at vertices"
+TOLERANCES = {f"tolerance {n}/255": n * STEP for n in (8, 4, 2, 1)}
+WAYS = {
+    AT_VERTICES: Way({}),
+    "at vertices, accurate": Way(ACCURATE),
+    "cell gradients": Way({"GradientType": Settings.CELL_GRADIENTS}, only="mesh"),
+    "along rays": Way(ALONG_RAYS),
+    "along rays, accurate": Way({**ALONG_RAYS, **ACCURATE}),
+    **{name: Way({**ALONG_RAYS, "LightTolerance": value}) for name, value in TOLERANCES.items()},
+    "VTK, 1 sample": Way({}, samples=1, only="image"),
+    "VTK, 4 samples": Way({}, samples=4, only="image"),
+}
+if hasattr(vtkTetMarchVolumeMapper, "SetLightTolerance"):
+    DEFAULTS["LightTolerance"] = 0.0
+else:
+    WAYS = {name: way for name, way in WAYS.items() if name not in TOLERANCES}
+
+
+@dataclasses.dataclass(frozen=True)
+class Effect:
+    words: str
+    ways: tuple
+    settings: dict
+    material: tuple = (0.3, 0.7, 0.0)  # ambient, diffuse and specular coefficients; empty: not shaded
+    bar: bool = False  # whether an opaque bar stands between the light and the volume
+    gradient_opacity: bool = False
+    coarser: int = 1  # pixels between two of the ground truth, times --stride: for effects whose truth takes long
+
+
+ON_SURFACES = (AT_VERTICES, "at vertices, accurate", "cell gradients")
+BY_VTK = ("VTK, 1 sample", "VTK, 4 samples")
+IN_SHADOW = (AT_VERTICES, "at vertices, accurate", "along rays", "along rays, accurate", *TOLERANCES)
+SHADOWS = {"ShadowMethod": Settings.SHADOWS_AT_VERTICES}
+UNLIT = Effect("no light", (AT_VERTICES,), {}, material=())
+EFFECTS = {
+    "shading": Effect("one light, diffuse surfaces", (*ON_SURFACES, *BY_VTK), {}, material=(0.0, 0.9, 0.0)),
+    "highlights": Effect("one light, specular surfaces", ON_SURFACES, {}, material=(0.2, 0.4, 0.6)),
+    "shadows": Effect("one light with shadows", IN_SHADOW, SHADOWS),
+    "scattering": Effect("one light with shadows, scattering 1", IN_SHADOW,
+                         {**SHADOWS, "VolumetricScatteringBlending": 1.0}),
+    "occlusion": Effect("one light, ambient occlusion", ON_SURFACES[:2], {"AmbientOcclusion": True},
+                        material=(0.7, 0.3, 0.0), coarser=2),
+    "opaque-shadows": Effect("one light with shadows, also of an opaque bar", IN_SHADOW,
+                             {**SHADOWS, "OpaqueShadows": True}, bar=True),
+    "gradient-opacity": Effect("gradient opacity, no light", (*ON_SURFACES, *BY_VTK), {}, material=(),
+                               gradient_opacity=True),
+}
+
+
+def ways_of(effect, kind):
+    """Names, for data of a kind."""
+    return [name for name in effect.ways if name in WAYS and WAYS[name].only in ("", kind)]
