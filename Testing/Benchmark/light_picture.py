@@ -7,7 +7,7 @@ from light_effects import AT_VERTICES, EFFECTS
 from light_scenes import LightScene
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
-SCENE, EFFECT = "scan", "opaque-shadows"
+SCENE, EFFECT = "scan", "shadows"
 SHOWN = (AT_VERTICES, "tolerance 2/255")
 SIZE = (320, 320)
 ZOOM = 2.0
