@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Chart of light's accuracy against time, from the JSON file of measure_light.py."""
+import math
+
 from accuracy_charts import label_seconds, plt, save
 
 COLORS = {"shading": "#1f77b4", "highlights": "#17becf", "shadows": "#d62728", "scattering": "#ff7f0e",
@@ -44,15 +46,20 @@ def add_legend(figure, report):
     lines += [plt.Line2D([], [], color="gray", marker=marker, markersize=size, linestyle="", label=label)
               for family, (marker, size, label) in MARKERS.items() if family in drawn]
     lines.append(plt.Line2D([], [], color="black", linewidth=0.8, linestyle=":", label="a frame without light"))
-    figure.legend(handles=lines, loc="lower center", ncol=3, fontsize=8)
+    figure.legend(handles=lines, loc="upper center", ncol=3, fontsize=8, frameon=False, bbox_to_anchor=(0.5, 0.0))
 
 
 def draw_light(report, folder):
     scenes = report["scenes"]
-    figure, panels = plt.subplots(1, len(scenes), figsize=(1.0 + 3.5 * len(scenes), 5.2), sharey=True, squeeze=False)
-    for axes, scene in zip(panels[0], scenes):
+    columns = min(2, len(scenes))
+    rows = math.ceil(len(scenes) / columns)
+    figure, panels = plt.subplots(rows, columns, figsize=(5 * columns, 3.8 * rows), squeeze=False)
+    for axes in panels.flat[len(scenes):]:
+        axes.set_visible(False)
+    for axes, scene in zip(panels.flat, scenes):
         draw_scene(axes, scene)
-    panels[0][0].set_ylabel("RMS error of the picture")
+    for row in panels:
+        row[0].set_ylabel("RMS error of the picture")
+    figure.tight_layout()
     add_legend(figure, report)
-    figure.tight_layout(rect=(0, 0.27, 1, 1))
     save(figure, folder, "light")

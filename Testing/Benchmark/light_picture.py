@@ -7,10 +7,10 @@ from light_effects import AT_VERTICES, EFFECTS
 from light_scenes import LightScene
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
-SCENE, EFFECT = "scan", "shadows"
+SCENE, EFFECT = "wire", "scattering"
 SHOWN = (AT_VERTICES, "tolerance 2/255")
-SIZE = (320, 320)
-ZOOM = 2.0
+SIZE = (280, 280)
+ZOOM = 1.5
 TRUTH_TOLERANCE = 1e-4
 GAP = 4  # pixels, white
 

@@ -9,8 +9,9 @@ from light_effects import DEFAULTS, WAYS
 from measure_pixels import make_frames
 from picture_window import float_picture
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from wire_frames import WireFrames
 
-SCENES = ("golfball", "lattice162k", "scan")
+SCENES = ("golfball", "lattice162k", "scan", "wire")
 TOWARDS_LIGHT = np.array([-0.7, 0.6, 0.4])  # right, up, towards the camera
 ASIDE = np.array([0.1, 0.0, 0.0])
 BAR_DISTANCE, BAR_LENGTH, BAR_WIDTH = 0.9, 1.6, 0.06  # of half the height of what the camera sees
@@ -22,7 +23,7 @@ DEMO_VIEW = {"position": (0.95, -4.4, 1.5), "focal point": (1.75, 0.0, -0.02)}  
 class LightScene:
     def __init__(self, name, size):
         self.size = size
-        self.frames = make_frames(name, size)
+        self.frames = WireFrames(size) if name == "wire" else make_frames(name, size)
         self.window, self.renderer = self.frames.window, self.frames.renderer
         self.camera, self.volume = self.frames.camera, self.frames.volume
         self.mapper = self.volume.GetMapper()
