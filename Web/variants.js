@@ -50,7 +50,9 @@ export function pictureFeatures(written, {level, traits, counts, opaqueDepth, en
   setIf(features, "TRANSPARENT_RANGES", features.has("TRANSPARENT_RANGES") && !entries.visiblePart);
   // Rays of pixels have lists, rays towards the light have none.
   setIf(
-    features, "BVH", features.has("BVH") && (!entries.lists || features.has("SAMPLED_SHADOWS")));
+    features, "BVH",
+    features.has("BVH") && (!entries.lists || features.has("SAMPLED_SHADOWS") ||
+      (features.has("OCCLUSION") && features.has("LIGHT_TOLERANCE"))));
   features.delete("HAS_FMA");
   return features;
 }

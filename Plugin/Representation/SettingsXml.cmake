@@ -91,11 +91,25 @@ function (tetmarch_settings_xml kind)
       foreach (member IN ITEMS mode property value)
         string(JSON "${member}" GET "${decorator}" "${member}")
       endforeach ()
-      set(hints "        <Hints>
-          <PropertyWidgetDecorator type=\"GenericDecorator\"
+      set(follows "<PropertyWidgetDecorator type=\"GenericDecorator\"
                                    mode=\"${mode}\"
                                    property=\"TetMarch${property}\"
-                                   value=\"${value}\" />
+                                   value=\"${value}\" />")
+      if (property STREQUAL "Shade")
+        # A preset of light shades, too.
+        set(follows "<PropertyWidgetDecorator type=\"CompositeDecorator\">
+            <Expression type=\"or\">
+          ${follows}
+          <PropertyWidgetDecorator type=\"GenericDecorator\"
+                                   mode=\"${mode}\"
+                                   property=\"TetMarchLightPreset\"
+                                   value=\"0\"
+                                   inverse=\"1\" />
+            </Expression>
+          </PropertyWidgetDecorator>")
+      endif ()
+      set(hints "        <Hints>
+          ${follows}
         </Hints>\n")
     endif ()
     set(element "${tetmarch_xml_of_${type}}VectorProperty")

@@ -23,6 +23,18 @@ Absorption absorption(vec4 mean, real thickness)
   return found;
 }
 
+#if TETMARCH_SAMPLED_SHADOWS || TETMARCH_LIGHT_TOLERANCE
+// The mean position, 0..1, of the visible light of a homogeneous interval, given the transmittance before and behind
+// it: with its optical depth D it is 1 / D - 1 / (exp(D) - 1), a half in a thin one.
+real seenFraction(real before, real behind)
+{
+  real absorbed = (before - behind) / max(before, TINY);
+  real depth = -log(max(real(1) - absorbed, TINY));
+  real thin = real(0.5) - depth * (real(1) / real(12));
+  return depth < real(0.05) ? thin : real(1) / depth - (real(1) - absorbed) / max(absorbed, TINY);
+}
+#endif
+
 void absorb(INOUT(Radiance) radiance, vec3 emitted, Absorption by)
 {
   radiance.color = radiance.color + emitted * (radiance.transmittance * by.evenly * by.thickness);

@@ -13,6 +13,12 @@ struct Radiance
 #if TETMARCH_LIGHT_ERROR
   real lightError; // the same for the light
 #endif
+#if TETMARCH_LIT_PARTS
+  real shadeError; // estimated, by the change of light within parts of cells
+#endif
+#if TETMARCH_SAMPLED_OCCLUSION
+  vec3 pendingAmbient; // colour by ambient light, which is known at the next sample
+#endif
 #if TETMARCH_SAMPLED_SHADOWS
   vec3 pendingA; // colour by each light whose transmittance is known at the next sample
 #if TETMARCH_SEVERAL_SHADOWS
@@ -35,6 +41,12 @@ Radiance noRadiance()
 #endif
 #if TETMARCH_LIGHT_ERROR
   radiance.lightError = real(0);
+#endif
+#if TETMARCH_LIT_PARTS
+  radiance.shadeError = real(0);
+#endif
+#if TETMARCH_SAMPLED_OCCLUSION
+  radiance.pendingAmbient = radiance.color;
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
   radiance.pendingA = radiance.color;

@@ -55,9 +55,13 @@ void addSubsegment(
   radiance.lightError =
     radiance.lightError + radiance.transmittance * by.absorbed * fraction * lightErrorOf(cell);
 #endif
+#if TETMARCH_LIGHT_TOLERANCE
+  // Most of what is seen of a dense subsegment is in front of its middle.
+  middle = middle + fraction * (seenFraction(real(1), real(1) - by.absorbed) - real(0.5));
+#endif
 #if TETMARCH_LIT
   Illumination lit = illuminationWithin(cell, middle);
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
   keepPending(radiance, mean, lit, by);
 #endif
   absorb(radiance, litEmission(mean, lit, radiance, by), by);

@@ -90,6 +90,9 @@ void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
     (incomingAt(ray, from) + incomingAt(ray, to)) * real(0.5));
   cell.leaveShade = cell.enterShade;
 #endif
+#if TETMARCH_LIT_PARTS && TETMARCH_STRUCTURED
+  cell.crossed = place.crossed;
+#endif
 #if TETMARCH_VERTEX_LIGHT_ERROR
   cell.interpolationError = lightInterpolationError(place.face);
 #endif
@@ -99,7 +102,9 @@ void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
 // Before a segment of the cell is gathered.
 void placeShades(Segment segment, INOUT(CellInterval) cell)
 {
-#if TETMARCH_EFFECTS
+#if TETMARCH_LIT_PARTS
+  cell.shadesWithin = vec2(real(0), real(1)); // they are those at the ends of the segment
+#elif TETMARCH_EFFECTS
   cell.shadesWithin = rangeWithin(cell, segment);
 #endif
 }

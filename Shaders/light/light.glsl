@@ -39,6 +39,9 @@ Light mixLight(Light p, Light q, real fraction)
 struct Illumination
 {
   Light direct; // transmittance included
+#if TETMARCH_SAMPLED_OCCLUSION
+  Light ambient; // not yet occluded
+#endif
 #if TETMARCH_HEADLIGHT_SHADOWS
   Light head;   // from the eye, not yet absorbed: its transmittance is that of the ray
 #endif
@@ -56,6 +59,9 @@ Illumination noIllumination()
 {
   Illumination lit;
   lit.direct = noLight();
+#if TETMARCH_SAMPLED_OCCLUSION
+  lit.ambient = noLight();
+#endif
 #if TETMARCH_HEADLIGHT_SHADOWS
   lit.head = noLight();
 #endif
@@ -72,6 +78,9 @@ Illumination noIllumination()
 Illumination mixIllumination(Illumination p, Illumination q, real fraction)
 {
   p.direct = mixLight(p.direct, q.direct, fraction);
+#if TETMARCH_SAMPLED_OCCLUSION
+  p.ambient = mixLight(p.ambient, q.ambient, fraction);
+#endif
 #if TETMARCH_HEADLIGHT_SHADOWS
   p.head = mixLight(p.head, q.head, fraction);
 #endif
@@ -84,3 +93,32 @@ Illumination mixIllumination(Illumination p, Illumination q, real fraction)
 #endif
   return p;
 }
+
+#if TETMARCH_LIT_PARTS
+// p + (b - a) * fraction.
+Light shiftLight(Light p, Light a, Light b, real fraction)
+{
+  p.diffuse = p.diffuse + (b.diffuse - a.diffuse) * fraction;
+  p.specular = p.specular + (b.specular - a.specular) * fraction;
+  return p;
+}
+
+Illumination shiftIllumination(Illumination p, Illumination a, Illumination b, real fraction)
+{
+  p.direct = shiftLight(p.direct, a.direct, b.direct, fraction);
+#if TETMARCH_SAMPLED_OCCLUSION
+  p.ambient = shiftLight(p.ambient, a.ambient, b.ambient, fraction);
+#endif
+#if TETMARCH_HEADLIGHT_SHADOWS
+  p.head = shiftLight(p.head, a.head, b.head, fraction);
+#endif
+#if TETMARCH_SAMPLED_SHADOWS
+  p.beamA = shiftLight(p.beamA, a.beamA, b.beamA, fraction);
+#if TETMARCH_SEVERAL_SHADOWS
+  p.beamB = shiftLight(p.beamB, a.beamB, b.beamB, fraction);
+  p.beamC = shiftLight(p.beamC, a.beamC, b.beamC, fraction);
+#endif
+#endif
+  return p;
+}
+#endif

@@ -2,13 +2,13 @@
 // between vertices.
 real changeOf(Light p, Light q) { return greatest(q.diffuse - p.diffuse) + greatest(q.specular - p.specular); }
 
-// In a tetrahedron. The error of the mean of two ends is at most half of their difference, if light changes
-// monotonically. Surfaces are assumed white, so that the change of light is that of their reflection.
-real lightErrorOf(CellInterval cell)
+// Surfaces are assumed white, so that the change of light is that of their reflection.
+real changeOfLight(Illumination p, Illumination q)
 {
-  Illumination p = cell.enterShade.lit;
-  Illumination q = cell.leaveShade.lit;
   real change = changeOf(p.direct, q.direct);
+#if TETMARCH_SAMPLED_OCCLUSION
+  change = change + changeOf(p.ambient, q.ambient);
+#endif
 #if TETMARCH_HEADLIGHT_SHADOWS
   change = change + changeOf(p.head, q.head);
 #endif
@@ -18,12 +18,22 @@ real lightErrorOf(CellInterval cell)
   change = change + changeOf(p.beamB, q.beamB) + changeOf(p.beamC, q.beamC);
 #endif
 #endif
+  return change;
+}
+
+#if TETMARCH_LIGHT_ERROR
+// In a tetrahedron. The error of the mean of two ends is at most half of their difference, if light changes
+// monotonically.
+real lightErrorOf(CellInterval cell)
+{
+  real change = changeOfLight(cell.enterShade.lit, cell.leaveShade.lit);
   real error = real(0.5) * change * (cell.shadesWithin.y - cell.shadesWithin.x);
 #if TETMARCH_VERTEX_LIGHT_ERROR
   error = error + cell.interpolationError;
 #endif
   return error;
 }
+#endif
 
 #if TETMARCH_VERTEX_LIGHT_ERROR
 // Half of the difference of the light at the corners.

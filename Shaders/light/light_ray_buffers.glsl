@@ -4,3 +4,11 @@ uniform vec4 shadowSource[MOST_SHADOW_SOURCES]; // in the normalised frame: posi
 uniform float lightReach; // maximum length of rays towards a light
 
 vec4 fetchShadowSource(int i) { return shadowSource[i]; }
+
+#if TETMARCH_SAMPLED_SHADOWS && !TETMARCH_SAMPLED_OCCLUSION
+const int occlusionDirectionCount = 0; // ambient light is that of vertices
+const float occlusionRadius = 0.0;
+#else
+uniform int occlusionDirectionCount;
+uniform float occlusionRadius;
+#endif

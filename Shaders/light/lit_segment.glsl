@@ -12,20 +12,25 @@ vec3 litEmission(vec4 mean, Illumination lit, Radiance radiance, Absorption by)
   return reflection(mean, light);
 }
 
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
 // Stores the subsegment's reflection of the lights whose transmittance is known at the next sample; before absorb().
 void keepPending(INOUT(Radiance) radiance, vec4 mean, Illumination lit, Absorption by)
 {
   real weight = radiance.transmittance * by.evenly * by.thickness;
+#if TETMARCH_SAMPLED_OCCLUSION
+  radiance.pendingAmbient = radiance.pendingAmbient + reflection(mean, lit.ambient) * weight;
+#endif
+#if TETMARCH_SAMPLED_SHADOWS
   radiance.pendingA = radiance.pendingA + reflection(mean, lit.beamA) * weight;
 #if TETMARCH_SEVERAL_SHADOWS
   radiance.pendingB = radiance.pendingB + reflection(mean, lit.beamB) * weight;
   radiance.pendingC = radiance.pendingC + reflection(mean, lit.beamC) * weight;
 #endif
+#endif
 }
 #endif
 
-#if TETMARCH_ERROR_BOUND || TETMARCH_LIGHT_ERROR
+#if TETMARCH_ERROR_BOUND || TETMARCH_LIGHT_ERROR || TETMARCH_LIGHT_TOLERANCE
 real greatest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 #endif
 
@@ -34,6 +39,9 @@ real greatest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 real brightness(Illumination lit)
 {
   real bright = greatest(lit.direct.diffuse);
+#if TETMARCH_SAMPLED_OCCLUSION
+  bright = bright + greatest(lit.ambient.diffuse);
+#endif
 #if TETMARCH_HEADLIGHT_SHADOWS
   bright = bright + greatest(lit.head.diffuse);
 #endif

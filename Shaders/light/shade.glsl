@@ -67,3 +67,15 @@ Shade shadeAtFace(Ray ray, FacePoint point)
   return shadeOf(ray, point.depth, point.scalar, point.attributes.gradient, incomingAt(ray, point));
 }
 #endif
+
+#if TETMARCH_LIT_PARTS
+// p + (b - a) * fraction.
+Shade shiftShade(Shade p, Shade a, Shade b, real fraction)
+{
+#if TETMARCH_GRADIENT_OPACITY
+  p.density = max(p.density + (b.density - a.density) * fraction, real(0));
+#endif
+  p.lit = shiftIllumination(p.lit, a.lit, b.lit, fraction);
+  return p;
+}
+#endif

@@ -1,6 +1,4 @@
 // Uniforms of rays from vertices, besides light/light_ray_buffers.glsl; bound by GL/EffectTextures.
-uniform int occlusionDirectionCount;
-uniform float occlusionRadius;
 #if !TETMARCH_STRUCTURED
 uniform usamplerBuffer vertexStartBuffer;
 uvec4 fetchVertexStart(uint vertex) { return BUFFER_TEXEL(vertexStartBuffer, int(vertex)); }

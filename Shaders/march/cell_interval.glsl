@@ -47,9 +47,9 @@ struct CellInterval
 #endif
 #if TETMARCH_POINT_SAMPLED
   Ray ray;     // the ray that crosses the cell
-#if TETMARCH_EFFECTS
-  ivec3 crossed; // the cell's indices along the axes
 #endif
+#if TETMARCH_EFFECTS && TETMARCH_STRUCTURED && (TETMARCH_POINT_SAMPLED || TETMARCH_LIT_PARTS)
+  ivec3 crossed; // the cell's indices along the axes
 #endif
 #if TETMARCH_ISOSURFACES
   bool drawn;  // the cell has a scalar and is not hidden, even if no surface crosses it

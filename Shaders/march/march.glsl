@@ -8,7 +8,7 @@ struct March
   bool finished; // the ray is opaque or picked, or beyond its last depth
   int cells;     // cells crossed
   int stepsTaken; // the same including parts of cells; at most mostSteps
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
   SamplePause pause;
 #endif
 #if TETMARCH_PICKED
@@ -35,7 +35,7 @@ March beginMarch(real depthBegin)
   march.finished = false;
   march.cells = 0;
   march.stepsTaken = 0;
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
   march.pause = noPause();
 #endif
 #if TETMARCH_PICKED
@@ -82,14 +82,14 @@ void countRefusal(bool entered, INOUT(March) march)
 // Stores the cell ahead of the ray as the last crossed one: rays to the light may start in it.
 void keepCell(RayPosition place, INOUT(March) march)
 {
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
   march.pause.start = startIn(place);
 #endif
 }
 
 void keepTransmittance(INOUT(March) march)
 {
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
   march.pause.transmittance = march.radiance.transmittance;
 #endif
 }
@@ -97,9 +97,13 @@ void keepTransmittance(INOUT(March) march)
 // Whether the march continues after the cell; it may pause there.
 bool goesOnAfter(CellInterval cell, bool onward, INOUT(March) march)
 {
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_LIGHT_TOLERANCE
+  keepSeenCell(cell, march.pause);
+#else
   march.pause.seenDepth = cell.begin +
     (cell.end - cell.begin) * seenFraction(march.pause.transmittance, march.radiance.transmittance);
+#endif
   march.pause.ended = !onward;
   march.pause.due = march.radiance.transmittance <= march.pause.nextSample;
   return onward && !march.pause.due;
@@ -164,7 +168,7 @@ bool passToSeenCell(Ray ray, real depthEnd, INOUT(RayPosition) place, INOUT(Cell
 }
 
 // Gathers the cell's interval, if it is visible.
-void gatherInterval(real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(March) march)
+void gatherInterval(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(March) march)
 {
   if (cell.seen)
   {
@@ -172,6 +176,8 @@ void gatherInterval(real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Marc
     pickInterval(thicknessPerDepth, march.target, cell, march.radiance, march.pick);
 #elif TETMARCH_LIGHT_AT_POINTS
     countLookups(gatherLit(thicknessPerDepth, cell, march.radiance), march);
+#elif TETMARCH_LIT_PARTS
+    countLookups(gatherLitParts(ray, thicknessPerDepth, cell, march.radiance), march);
 #else
     countLookups(gatherCell(thicknessPerDepth, cell, march.radiance), march);
 #endif
@@ -187,11 +193,11 @@ void gatherIntervals(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, 
   while (cropping && ranges < mostRanges())
   {
     ranges = ranges + 1;
-    gatherInterval(thicknessPerDepth, cell, march);
+    gatherInterval(ray, thicknessPerDepth, cell, march);
     cropping = nextRangeOfCell(ray, cell);
   }
 #else
-  gatherInterval(thicknessPerDepth, cell, march);
+  gatherInterval(ray, thicknessPerDepth, cell, march);
 #endif
 }
 
@@ -263,7 +269,7 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
     entries = entries + 1;
     beginVisit(traversal, march);
     enterVolume(ray, depthEnd, traversal);
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
     bool onward = traversal.entered && !march.pause.ended;
 #else
     bool onward = traversal.entered;
@@ -272,7 +278,7 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
     {
       marchToExit(ray, traversal.place, thicknessPerDepth, depthEnd, march);
     }
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
     if (march.pause.due)
     {
       return;

@@ -20,17 +20,20 @@
 #endif
 #include "march/segment.glsl"
 #include "march/cell_interval.glsl"
-#if TETMARCH_LIGHT_ERROR
+#if TETMARCH_LIGHT_ERROR || TETMARCH_LIT_PARTS
 #include "light/light_error.glsl"
 #endif
 #include "light/cell_shades.glsl"
 #include "gather/gather_files.glsl"
 #include "cuts/cropping.glsl"
 #include "gather/gather_cell.glsl"
+#if TETMARCH_LIT_PARTS
+#include "light/lit_parts.glsl"
+#endif
 #if TETMARCH_PICKED
 #include "march/pick_interval.glsl"
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
 #include "light/light_start_files.glsl"
 #include "march/sample_pause.glsl"
 #endif

@@ -1,5 +1,5 @@
 // A march that samples shadows along its ray pauses after a cell when enough opacity has been gathered since the last
-// sample (light/sampled_shadows.glsl).
+// sample (light/sampled_shadows_even.glsl, _adaptive).
 
 struct SamplePause
 {
@@ -8,7 +8,14 @@ struct SamplePause
   real nextSample;    // the transmittance at which the next sample is due
   real transmittance; // before the last cell
   LightStart start;   // in the last crossed cell, without its point
+#if TETMARCH_LIGHT_TOLERANCE
+  LightStart seenStart; // of the last visible cell
+  real seenBegin;       // depths between which it was gathered
+  real seenEnd;
+  real before;          // the transmittance before it
+#else
   real seenDepth;     // the mean depth of its visible light
+#endif
 };
 
 SamplePause noPause()
@@ -17,15 +24,24 @@ SamplePause noPause()
   pause.due = false;
   pause.ended = false;
   pause.nextSample = real(-1); // never
+#if TETMARCH_LIGHT_TOLERANCE
+  pause.seenBegin = real(0);
+  pause.seenEnd = real(0);
+  pause.before = real(1);
+#endif
   return pause;
 }
 
-// The mean position, 0..1, of the visible light of a homogeneous interval, given the transmittance before and behind
-// it: with its optical depth D it is 1 / D - 1 / (exp(D) - 1), a half in a thin one.
-real seenFraction(real before, real behind)
+#if TETMARCH_LIGHT_TOLERANCE
+// After the last crossed cell was gathered.
+void keepSeenCell(CellInterval cell, INOUT(SamplePause) pause)
 {
-  real absorbed = (before - behind) / max(before, TINY);
-  real depth = -log(max(real(1) - absorbed, TINY));
-  real thin = real(0.5) - depth * (real(1) / real(12));
-  return depth < real(0.05) ? thin : real(1) / depth - (real(1) - absorbed) / max(absorbed, TINY);
+  if (cell.seen)
+  {
+    pause.seenStart = pause.start;
+    pause.seenBegin = cell.begin;
+    pause.seenEnd = cell.end;
+    pause.before = pause.transmittance;
+  }
 }
+#endif

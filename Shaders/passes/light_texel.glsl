@@ -10,12 +10,18 @@
 #include "light/light_ray_buffers.glsl"
 #include "light/vertex_ray_buffers.glsl"
 #include "light/vertex_light_layout.glsl"
+#if TETMARCH_LIGHT_THROUGH_CUTS
+#include "cuts/clipping_buffers.glsl"
+#endif
 #if TETMARCH_STRUCTURED
 #include "structured/light_node_buffers.glsl"
 #include "march/march_files.glsl"
 #include "march/ray_cast.glsl"
 #else
 #include "march/traversal_files.glsl"
+#endif
+#if TETMARCH_LIGHT_THROUGH_CUTS
+#include "cuts/clipping.glsl"
 #endif
 #include "light/light_ray_files.glsl"
 #include "light/vertex_light.glsl"

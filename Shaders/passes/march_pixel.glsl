@@ -10,7 +10,7 @@
 #if TETMARCH_EFFECTS
 #include "light/effect_buffer_files.glsl"
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
 #include "light/light_ray_buffers.glsl"
 #endif
 #if TETMARCH_CLIPPED
@@ -24,14 +24,20 @@
 #if !TETMARCH_DIAGNOSTICS
 #include "passes/color_window.glsl"
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
 #include "light/light_ray_files.glsl"
-#include "light/sampled_shadows.glsl"
+#include "light/light_samples.glsl"
+#if TETMARCH_LIGHT_TOLERANCE
+#include "light/sampled_shadows_adaptive.glsl"
+#else
+#include "light/sampled_shadows_even.glsl"
+#endif
+#include "light/sampled_ray.glsl"
 #else
 #include "march/ray_cast.glsl"
 #endif
 
-#if TETMARCH_SAMPLED_SHADOWS || TETMARCH_POINT_SAMPLED
+#if TETMARCH_SAMPLES_LIGHT || TETMARCH_POINT_SAMPLED
 uniform sampler2D jitterTexture; // a tile of 64 x 64 pixels, View/BlueNoise.h
 #endif
 
@@ -41,7 +47,7 @@ March marchPixel(PixelRay pixel)
 #if TETMARCH_POINT_SAMPLED
   shiftSamples(texelFetch(jitterTexture, pixel.at & 63, 0).x * sampleShift.x + sampleShift.y, pixel.ray);
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
   float jitter = texelFetch(jitterTexture, pixel.at & 63, 0).x;
   return castSampledRay(pixel.ray, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd, jitter);
 #else

@@ -4,7 +4,7 @@ struct LightStart
   vec3 point;
 };
 
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
 // The point must be set.
 LightStart startIn(RayPosition place)
 {

@@ -1,6 +1,6 @@
 // The transmittance of a ray towards the light, from a point over a distance in a direction (unit length).
 
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLES_LIGHT
 // The march of the picture pauses for samples, so that rays towards the light have their own march. It sums the optical
 // depth over cells; the transmittance is one exponential at the end. Each part of a cell is integrated as if the scalar
 // were linear between its ends.
@@ -31,8 +31,9 @@ real cellExtinction(Ray ray, RayPosition place, CellInterval cell)
 real transmittanceTo(LightStart start, vec3 direction, real distance)
 {
   Ray ray = rayThrough(start.point, direction);
-  real begin = dot(start.point - ray.origin, ray.direction);
-  real end = begin + distance;
+  vec2 range = lightRange(ray, dot(start.point - ray.origin, ray.direction), distance);
+  real begin = range.x;
+  real end = range.y;
   real thicknessPerDepth = thicknessPerDepthAlong(direction);
   real darkDepth = -log(errorTolerance);
   Traversal traversal = traversalFrom(ray, begin);
@@ -59,7 +60,7 @@ real transmittanceTo(LightStart start, vec3 direction, real distance)
 real transmittanceTo(LightStart start, vec3 direction, real distance)
 {
   Ray ray = rayThrough(start.point, direction);
-  real begin = dot(start.point - ray.origin, ray.direction);
-  return castPlainRay(ray, thicknessPerDepthAlong(direction), begin, begin + distance).radiance.transmittance;
+  vec2 range = lightRange(ray, dot(start.point - ray.origin, ray.direction), distance);
+  return castPlainRay(ray, thicknessPerDepthAlong(direction), range.x, range.y).radiance.transmittance;
 }
 #endif

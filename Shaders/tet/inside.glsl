@@ -29,5 +29,6 @@ real transmittanceTo(LightStart start, vec3 direction, real distance)
   real begin = dot(point - ray.origin, ray.direction);
   traversal.entry.depth = begin;
   traversal.entry.face = traversal.entered ? INSIDE_FACE : -1;
-  return transmittanceOn(ray, thicknessPerDepthAlong(direction), begin, begin + distance, traversal);
+  vec2 range = lightRange(ray, begin, distance);
+  return transmittanceOn(ray, thicknessPerDepthAlong(direction), range.x, range.y, traversal);
 }

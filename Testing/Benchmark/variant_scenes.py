@@ -11,9 +11,10 @@ from vtktetmarch import vtkTetMarchSmartVolumeMapper, vtkTetMarchVolumeMapper
 FEATURES = frozenset("""
     POINT_SCALARS ENTRY_LISTS BVH OPAQUE_DEPTH ADAPTIVE DIAGNOSTICS PEELED TRANSPARENT_RANGES CONSTANT_COLOR
     CLIPPED CROPPED NAN_SHOWN HIDDEN_CELLS EXTREME SUM ISOSURFACES INDEPENDENT COLOR_AND_OPACITY DIRECT_COLOR
-    CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT WORLD_LIGHTS SCATTERING CAST_SHADOWS
-    SEVERAL_SHADOWS SAMPLED_SHADOWS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION SHOW_ILLUMINATION SHOW_GRADIENTS
-    STRUCTURED RECTILINEAR LEAPS POINT_SAMPLED SLABS MANY_SLABS VISIBLE_PART CORNER_SCALARS
+    CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT FEW_LIGHTS WORLD_LIGHTS SCATTERING CAST_SHADOWS
+    SEVERAL_SHADOWS SAMPLED_SHADOWS LIGHT_TOLERANCE LIGHT_THROUGH_CUTS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION
+    SHOW_ILLUMINATION SHOW_GRADIENTS STRUCTURED RECTILINEAR LEAPS POINT_SAMPLED SLABS MANY_SLABS VISIBLE_PART
+    CORNER_SCALARS
     """.split())
 ARRAY = "field"
 CUBES = 4
@@ -247,6 +248,8 @@ class VariantScene:
         if self.has("CAST_SHADOWS") or self.has("HEADLIGHT_SHADOWS"):
             self.mapper.SetShadowMethod(self.mapper.SHADOWS_ALONG_RAYS if self.has("SAMPLED_SHADOWS")
                                         else self.mapper.SHADOWS_AT_VERTICES)
+        self.mapper.SetLightTolerance(1 / 255 if self.has("LIGHT_TOLERANCE") else 0)
+        self.mapper.SetLightThroughCuts(self.has("LIGHT_THROUGH_CUTS"))
         self.mapper.SetOpaqueShadows(self.has("OPAQUE_SHADOWS"))
         self.mapper.SetAmbientOcclusion(self.has("OCCLUSION"))
         self.mapper.SetAmbientOcclusionDirections(8)
@@ -280,6 +283,9 @@ class VariantScene:
             self.add_light((-2.0, -2.0, 0.5), (0.3, 0.5, 0.9), self.has("SEVERAL_SHADOWS"))
             if self.has("HEADLIGHT_SHADOWS"):
                 self.add_light(None, (0.4, 0.3, 0.3), True)
+            if not self.has("FEW_LIGHTS") and not self.has("STRUCTURED"):
+                for x in range(4):
+                    self.add_light((x, 3.0, -2.0), (0.05, 0.1, 0.15), False)
         if self.has("WORLD_LIGHTS") and self.one_of(False, True):
             self.volume.SetScale(1.0, 1.0, 0.8)
         elif self.has("WORLD_LIGHTS"):

@@ -178,7 +178,8 @@ class ApiTest(unittest.TestCase):
         mapper = vtkTetMarchVolumeMapper()
         for name, default, value, least, most in (
                 ("VolumetricScatteringBlending", 0, 1.5, 0, 2), ("GlobalIlluminationReach", 1, 0.25, 0, 1),
-                ("AmbientOcclusionRadius", 0.1, 0.3, 0, 1), ("AmbientOcclusionDirections", 16, 40, 1, 256)):
+                ("LightTolerance", 0, 0.01, 0, 1), ("AmbientOcclusionRadius", 0.1, 0.3, 0, 1),
+                ("AmbientOcclusionDirections", 16, 40, 1, 256)):
             set_number = getattr(mapper, "Set" + name)
             get_number = getattr(mapper, "Get" + name)
             self.assertEqual(get_number(), default)
@@ -192,7 +193,7 @@ class ApiTest(unittest.TestCase):
 
     def test_the_switches_of_light(self):
         mapper = vtkTetMarchVolumeMapper()
-        for name in ("AmbientOcclusion", "OpaqueShadows"):
+        for name in ("AmbientOcclusion", "LightThroughCuts", "OpaqueShadows"):
             is_on = getattr(mapper, "Get" + name)
             self.assertFalse(is_on())
             before = mapper.GetMTime()

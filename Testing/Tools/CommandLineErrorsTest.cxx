@@ -147,7 +147,8 @@ TEST(CommandLine, RefusesBadLight)
 {
   for (const char* number : { "-0.1", "1.01", "nan", "x", "0.1,0.2" })
   {
-    for (const char* option : { "--ambient", "--diffuse", "--specular", "--reach", "--occlusion" })
+    for (const char* option : { "--ambient", "--diffuse", "--specular", "--reach", "--occlusion",
+            "--light-tolerance" })
     {
       ExpectBadValue(option, number, "expected a number from 0 to 1");
     }
@@ -185,7 +186,8 @@ TEST(CommandLine, RefusesWhatWouldBeIgnored)
   const std::string shading = " is for --blend composite and isosurface";
   const std::string light = " is for --blend composite";
   const std::string scene = " is for the light of the scene, which --light-preset replaces";
-  const std::string shadows = " needs shadows: --shadows, or --scattering above 0";
+  const std::string shadows = 
+    " needs shadows: --shadows, --scattering above 0, or --light-preset sun";
   const std::string drawing = " is for a picture, but --list draws none";
   const std::string samples = " is for --accuracy sampled or --sample-distance, which are missing";
   using Words = std::vector<std::string>;
@@ -227,6 +229,14 @@ TEST(CommandLine, RefusesWhatWouldBeIgnored)
     { "--reach=0.5", {}, shadows, { "--shadows=automatic" } },
     { "--reach=0.5", { "--light-preset=studio" }, shadows, { "--light-preset=sun" } },
     { "--reach=0.5", { "--shadows=off" }, shadows, { "--scattering=1" } },
+    { "--light-tolerance=0.01", { "--isovalues=1" }, light, {} },
+    { "--light-through-cuts", { "--clip=0,0,0,1,0,0" },
+      " needs shadows or ambient occlusion: --shadows, --scattering above 0, --occlusion, or "
+      "--light-preset studio or sun",
+      { "--clip=0,0,0,1,0,0", "--occlusion=0.1" } },
+    { "--light-through-cuts", { "--light-preset=studio" },
+      " is for what --clip or --crop cut away, which are missing",
+      { "--light-preset=studio", "--crop=0,1,0,1,0,1" } },
     { "--opaque-shadows", { "--surface=s" }, shadows, { "--surface=s", "--shadows=rays" } },
     { "--opaque-shadows", { "--shadows=rays" }, " are those of --surface, which is missing",
       { "--scattering=1", "--surface=s" } },

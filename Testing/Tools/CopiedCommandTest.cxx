@@ -32,7 +32,7 @@ TEST(CopiedCommand, IsAcceptedWhateverIsSwitchedOn)
   state.IsoValues = { 0.5 };
   state.Functions.GradientOpacity = { { { 0.0, 0.5, 0.5, 0.0 } }, { { 1.0, 1.0, 0.5, 0.0 } } };
   state.Size = { { 640, 480 } };
-  for (int switches = 0; switches < 256; ++switches)
+  for (int switches = 0; switches < 1024; ++switches)
   {
     state.Effects.Shading = switches & 1;
     state.Effects.GradientOpacity = switches & 2;
@@ -41,6 +41,9 @@ TEST(CopiedCommand, IsAcceptedWhateverIsSwitchedOn)
     state.Settings.OpaqueShadows = switches & 16;
     state.Settings.AmbientOcclusion = switches & 32;
     state.Settings.LightPreset = switches & 128 ? 3 : 0;
+    state.Settings.LightTolerance = switches & 256 ? 0.01 : 0.0;
+    state.Settings.LightThroughCuts = switches & 512;
+    state.Cuts.Crop = switches & 1;
     state.Data.Surface = switches & 64 ? "plate.vtp" : "";
     for (state.BlendMode = 0; state.BlendMode < 6; ++state.BlendMode)
     {

@@ -20,7 +20,8 @@ inline bool isSensible(const VariantKey& k)
   const bool independent = k.Components == ComponentGroup::Independent;
   const bool ofLight = k.HeadlightOnly || k.SingleLight || k.WorldLights || k.Scattering ||
                        k.CastShadows || k.SampledShadows || k.SeveralShadows || k.OpaqueShadows ||
-                       k.HeadlightShadows || k.Occlusion;
+                       k.HeadlightShadows || k.Occlusion || k.LightTolerance || k.LightThroughCuts ||
+                       k.FewLights;
   // Rays enter a lattice through its planes, without lists or predicates.
   const bool ofTetrahedra = k.EntryLists || k.Hierarchy || k.HasFma || k.SplitCells;
   return !(k.Structured && ofTetrahedra) && !(!k.Structured && (k.Rectilinear || k.Leaps)) &&
@@ -31,7 +32,8 @@ inline bool isSensible(const VariantKey& k)
          // Who has no list of where a ray comes into a mesh has to look for it; who has one looks
          // on the way to lights alone.
          (k.Structured || k.EntryLists || k.Hierarchy) &&
-         !(k.EntryLists && k.Hierarchy && !k.SampledShadows) &&
+         !(k.EntryLists && k.Hierarchy && !k.SampledShadows &&
+           !(k.Occlusion && k.LightTolerance)) &&
          // Parts of rays end where they are asked to, and aren't counted.
          !(k.Peeled && (k.OpaqueDepth || k.Diagnostics)) &&
          // What is cropped may be clipped, too.
@@ -61,10 +63,16 @@ inline bool isSensible(const VariantKey& k)
          !(ofLight && !k.Shading) &&
          // The only light stands at the eye, and needs no world.
          !(k.HeadlightOnly && (k.SingleLight || k.WorldLights || k.CastShadows)) &&
+         // A software renderer has a few lights of its own kind.
+         !(k.FewLights && (k.HeadlightOnly || k.SingleLight || k.HasFma || k.Structured)) &&
          // Or elsewhere.
          !(k.SingleLight && (k.SeveralShadows || k.HeadlightShadows)) &&
          // No shadows to be sampled.
          !((k.SampledShadows || k.SeveralShadows) && !k.CastShadows) &&
+         // Samples keep no tolerance, nor do surfaces.
+         !(k.LightTolerance && (!composite || k.PointSampled)) &&
+         // No light that a cut could let through.
+         !(k.LightThroughCuts && !(k.Clipped && (k.CastShadows || k.Occlusion))) &&
          // No light that opaque geometry could keep off.
          !(k.OpaqueShadows && !k.CastShadows) &&
          // Only lattices of one scalar are sampled, in one blend mode and without a tolerance.

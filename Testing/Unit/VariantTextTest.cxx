@@ -45,12 +45,13 @@ std::vector<VariantKey> switchedKeys()
   return keys.Keys;
 }
 
-/// The key that has the same text: where opaque geometry's shadows are part of the light at
-/// vertices, the picture knows nothing of them.
+/// The key that has the same text: where opaque geometry's shadows, and cuts that light passes
+/// through, are part of the light at vertices, the picture knows nothing of them.
 VariantKey ofSameText(VariantKey key, const std::string& file)
 {
-  key.OpaqueShadows =
-    key.OpaqueShadows && (key.SampledShadows || file == "passes/vertex_light.frag.glsl");
+  const bool marchesToLight = key.SampledShadows || file == "passes/vertex_light.frag.glsl";
+  key.OpaqueShadows = key.OpaqueShadows && marchesToLight;
+  key.LightThroughCuts = key.LightThroughCuts && marchesToLight;
   return key;
 }
 
@@ -107,7 +108,7 @@ protected:
       ASSERT_EQ(keysOfTexts.emplace(text, own).first->second, own)
         << namesOf(key) << " has the text of another variant";
       ASSERT_EQ(textsOfKeys.emplace(own, text).first->second, text)
-        << namesOf(key) << " has another text than without shadows of opaque geometry";
+        << namesOf(key) << " has another text than without shadows of opaque geometry or cuts of light";
     }
   }
 

@@ -50,6 +50,12 @@ bool HasShadows(const CommandLine& c)
          c.Settings->GetVolumetricScatteringBlending() > 0.0f;
 }
 
+bool HasShadowsOrOcclusion(const CommandLine& c)
+{
+  return HasShadows(c) || c.Settings->GetAmbientOcclusion() ||
+         c.Settings->GetLightPreset() == vtkTetMarchSettings::LIGHT_STUDIO;
+}
+
 bool HasLightOfScene(const CommandLine& c)
 {
   return c.Settings->GetLightPreset() == vtkTetMarchSettings::LIGHT_OF_SCENE;
@@ -69,7 +75,8 @@ constexpr const char* OfDrawing = " is for a picture, but --list draws none";
 constexpr const char* OfShading = " is for --blend composite and isosurface";
 constexpr const char* OfLight = " is for --blend composite";
 constexpr const char* OfScene = " is for the light of the scene, which --light-preset replaces";
-constexpr const char* OfShadows = " needs shadows: --shadows, or --scattering above 0";
+constexpr const char* OfShadows =
+  " needs shadows: --shadows, --scattering above 0, or --light-preset sun";
 
 const Dependency Dependencies[] = {
   { "--compare", [](const CommandLine& c) { return !c.Stats.empty(); },
@@ -104,6 +111,13 @@ const Dependency Dependencies[] = {
   { "--scattering", IsComposite, OfLight },
   { "--occlusion", IsComposite, OfLight },
   { "--reach", HasShadows, OfShadows },
+  { "--light-tolerance", IsComposite, OfLight },
+  { "--light-through-cuts", HasShadowsOrOcclusion,
+    " needs shadows or ambient occlusion: --shadows, --scattering above 0, --occlusion, or "
+    "--light-preset studio or sun" },
+  { "--light-through-cuts",
+    [](const CommandLine& c) { return c.Cuts.Crop.has_value() || !c.Cuts.Planes.empty(); },
+    " is for what --clip or --crop cut away, which are missing" },
   { "--opaque-shadows", HasShadows, OfShadows },
   { "--opaque-shadows", [](const CommandLine& c) { return !c.Surfaces.empty(); },
     " are those of --surface, which is missing" },

@@ -42,7 +42,15 @@ void SetShading(ViewState& s, bool on)
     s.Settings.AmbientOcclusion = false;
     s.Effects.Scattering = false;
     s.Settings.OpaqueShadows = false;
+    s.Settings.LightTolerance = 0.0;
+    s.Settings.LightThroughCuts = false;
   }
+}
+
+void SetLightTolerance(ViewState& s, bool on)
+{
+  s.Settings.LightTolerance = on ? 2.0 / 255.0 : 0.0;
+  s.Effects.Shading |= on;
 }
 
 /// Effects that need shading switch it on.
@@ -82,6 +90,10 @@ const std::vector<tetmarch::Effect>& tetmarch::GetEffects()
     { QT_TR_NOOP("Shadows along rays"),
       QT_TR_NOOP("Shadows of the volume on itself, sampled along each ray in each frame"),
       IsChosen<Shadows, AlongRays>, Choose<Shadows, AlongRays> },
+    { QT_TR_NOOP("Light within 2/255"),
+      QT_TR_NOOP("Light and shadows at so many points of each ray that the estimated error of a pixel is at "
+                 "most 2/255"),
+      [](const ViewState& s) { return s.Settings.LightTolerance > 0.0; }, SetLightTolerance },
     { QT_TR_NOOP("Ambient occlusion"), QT_TR_NOOP("The volume blocks ambient light"),
       [](const ViewState& s) { return s.Settings.AmbientOcclusion; },
       SetLight<&ViewState::Settings, &SettingsState::AmbientOcclusion> },
@@ -92,6 +104,10 @@ const std::vector<tetmarch::Effect>& tetmarch::GetEffects()
       QT_TR_NOOP("The opaque surface casts shadows on the volume, if the volume casts shadows"),
       [](const ViewState& s) { return s.Settings.OpaqueShadows; },
       SetLight<&ViewState::Settings, &SettingsState::OpaqueShadows> },
+    { QT_TR_NOOP("Light through cuts"),
+      QT_TR_NOOP("Light passes through what is clipped or cropped away"),
+      [](const ViewState& s) { return s.Settings.LightThroughCuts; },
+      SetLight<&ViewState::Settings, &SettingsState::LightThroughCuts> },
   };
   return effects;
 }

@@ -130,7 +130,10 @@ bool Changes(const ViewState& state, const SettingNames& names)
          : option == "--occlusion"      ? occlusion
          : option == "--reach"          ? shadows
          : option == "--opaque-shadows" ? shadows && !state.Data.Surface.empty()
-                                        : true;
+         : option == "--light-tolerance" ? state.Settings.LightTolerance > 0.0
+         : option == "--light-through-cuts"
+           ? (shadows || occlusion) && (state.Cuts.Clip || state.Cuts.Crop)
+           : true;
 }
 
 struct SettingWriter

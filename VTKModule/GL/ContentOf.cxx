@@ -76,14 +76,17 @@ PictureContent contentOf(const Fingerprint& shown, const MarchInputs& inputs, vt
   add(content.Version, inputs.Stages->samples().Distance);
   add(content.Version, inputs.Level.ErrorTolerance);
   content.Version.push_back(static_cast<std::uintptr_t>(inputs.Level.MostTrials));
-  if (inputs.Key.SampledShadows)
+  const LightUniforms& lights = inputs.Stages->effects().data().Lights;
+  add(content.Version, lights.Tolerance);
+  if (inputs.Key.samplesLight())
   {
-    const LightUniforms& lights = inputs.Stages->effects().data().Lights;
     for (const auto& source : lights.ShadowSources)
     {
       addAll(content.Version, source);
     }
     add(content.Version, lights.Reach);
+    add(content.Version, lights.OcclusionRadius);
+    content.Version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
   }
   if (inputs.Key.OpaqueDepth)
   {

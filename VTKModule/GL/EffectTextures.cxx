@@ -56,7 +56,7 @@ std::string EffectTextures::update(
         return buffer.upload(window, TexelFormat::R8UI, shadowed.data(), shadowed.size());
       });
   }
-  return error.empty() ? this->updateJitter(window, key.SampledShadows || key.PointSampled) : error;
+  return error.empty() ? this->updateJitter(window, key.samplesLight() || key.PointSampled) : error;
 }
 
 void EffectTextures::releaseJitter(vtkWindow* window)
@@ -115,8 +115,6 @@ void EffectTextures::bind(vtkShaderProgram* program, const EffectData& data, con
 void EffectTextures::bindVertexRays(
   vtkShaderProgram* program, const EffectData& data, const VariantKey& key)
 {
-  program->SetUniformi("occlusionDirectionCount", data.Lights.OcclusionDirections);
-  program->SetUniformf("occlusionRadius", static_cast<float>(data.Lights.OcclusionRadius));
   if (!key.Structured)
   {
     this->Starts.bind(program, "vertexStartBuffer");

@@ -15,11 +15,11 @@ namespace
 
 // All components of a member of all lights, one light after the other.
 template <std::size_t N>
-std::vector<float> gather(
-  const LightUniforms& lights, std::array<double, N> LightUniforms::Light::*member)
+std::vector<float> gather(const std::vector<LightUniforms::Light>& sources,
+  std::array<double, N> LightUniforms::Light::*member)
 {
   std::vector<float> values;
-  for (const LightUniforms::Light& source : lights.Sources)
+  for (const LightUniforms::Light& source : sources)
   {
     for (double x : source.*member)
     {
@@ -34,32 +34,41 @@ std::vector<float> gather(
 void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const VariantKey& key)
 {
   using Light = LightUniforms::Light;
-  const int count = static_cast<int>(lights.Sources.size());
-  program->SetUniformi("twoSided", lights.TwoSided ? 1 : 0);
-  program->SetUniform3f("ambientColor", lights.Ambient.data());
-  program->SetUniformf("specularPower", static_cast<float>(lights.SpecularPower));
-  program->SetUniform3fv("lightDiffuse", count, gather(lights, &Light::Diffuse).data());
-  program->SetUniform3fv("lightSpecular", count, gather(lights, &Light::Specular).data());
+  std::vector<Light> sources = lights.Sources;
+  if (key.FewLights)
+  {
+    sources.resize(LightUniforms::FewLights); // by black ones
+  }
+  const int count = static_cast<int>(sources.size());
+  program->SetUniformf("givenBackSide", lights.TwoSided ? 1 : 0);
+  program->SetUniform3f("givenAmbient", lights.Ambient.data());
+  program->SetUniformf("givenSpecularPower", static_cast<float>(lights.SpecularPower));
+  program->SetUniform3fv("lightDiffuse", count, gather(sources, &Light::Diffuse).data());
+  program->SetUniform3fv("lightSpecular", count, gather(sources, &Light::Specular).data());
   if (!key.HeadlightOnly)
   {
-    program->SetUniform4fv("lightPlace", count, gather(lights, &Light::Place).data());
+    program->SetUniform4fv("lightPlace", count, gather(sources, &Light::Place).data());
   }
   if (!key.HeadlightOnly && !key.SingleLight)
   {
-    std::vector<int> kinds;
-    for (const Light& source : lights.Sources)
+    std::vector<float> kinds;
+    for (const Light& source : sources)
     {
-      kinds.push_back(source.Headlight ? 1 : 0);
+      kinds.push_back(source.Headlight ? 1.0f : 0.0f);
     }
     program->SetUniformi("lightCount", count);
-    program->SetUniform1iv("lightKind", count, kinds.data());
+    program->SetUniform1fv("lightKind", count, kinds.data());
   }
   if (key.WorldLights)
   {
     setUniform(program, "worldMatrix", lights.WorldMatrix);
     setUniform(program, "normalMatrix", lights.NormalMatrix);
-    program->SetUniform4fv("lightAttenuation", count, gather(lights, &Light::Attenuation).data());
-    program->SetUniform4fv("lightCone", count, gather(lights, &Light::Cone).data());
+    program->SetUniform4fv("lightAttenuation", count, gather(sources, &Light::Attenuation).data());
+    program->SetUniform4fv("lightCone", count, gather(sources, &Light::Cone).data());
+  }
+  if (key.LightTolerance)
+  {
+    program->SetUniformf("lightTolerance", static_cast<float>(lights.Tolerance));
   }
   if (key.Scattering)
   {
@@ -69,7 +78,7 @@ void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const Va
   {
     std::vector<float> strengths;
     std::vector<int> channels;
-    for (const Light& source : lights.Sources)
+    for (const Light& source : sources)
     {
       strengths.push_back(static_cast<float>(source.ShadowStrength));
       channels.push_back(source.ShadowChannel);
@@ -79,7 +88,8 @@ void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const Va
   }
 }
 
-void bindLightRays(vtkShaderProgram* program, const LightUniforms& lights, bool toLights)
+void bindLightRays(
+  vtkShaderProgram* program, const LightUniforms& lights, bool toLights, const VariantKey& key)
 {
   std::vector<float> sources;
   for (const std::array<double, 4>& source : lights.ShadowSources)
@@ -96,6 +106,11 @@ void bindLightRays(vtkShaderProgram* program, const LightUniforms& lights, bool 
     program->SetUniform4fv("shadowSource", count, sources.data());
   }
   program->SetUniformf("lightReach", static_cast<float>(lights.Reach));
+  if (!key.SampledShadows || key.samplesOcclusion())
+  {
+    program->SetUniformi("occlusionDirectionCount", lights.OcclusionDirections);
+    program->SetUniformf("occlusionRadius", static_cast<float>(lights.OcclusionRadius));
+  }
 }
 
 } // namespace tetmarch

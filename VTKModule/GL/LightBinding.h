@@ -17,7 +17,8 @@ void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const Va
 
 /** What Shaders/light/light_ray_buffers.glsl declares; toLights: rays are marched towards the
  * lights that cast shadows, else towards none. */
-void bindLightRays(vtkShaderProgram* program, const LightUniforms& lights, bool toLights);
+void bindLightRays(
+  vtkShaderProgram* program, const LightUniforms& lights, bool toLights, const VariantKey& key);
 
 } // namespace tetmarch
 

@@ -74,11 +74,11 @@ void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const View
   {
     bindImage(program, "vertexLightTexture", inputs.VertexLight);
   }
-  if (key.SampledShadows)
+  if (key.samplesLight())
   {
-    bindLightRays(program, stages.effects().data().Lights, true);
+    bindLightRays(program, stages.effects().data().Lights, true, key);
   }
-  if (key.SampledShadows || key.PointSampled)
+  if (key.samplesLight() || key.PointSampled)
   {
     inputs.Effects->bindJitter(program);
   }

@@ -75,7 +75,7 @@ StageResult Pipeline::traceRay(
     [&](FrameScene& made)
     {
       made.scene().Light = options.IsTruth                 ? LightAt::Points
-                           : this->Passes.samplesShadows() ? LightAt::Faces
+                           : this->Passes.samplesLight() ? LightAt::Faces
                                                            : LightAt::Vertices;
       trace = made.trace(ofFrame);
     });

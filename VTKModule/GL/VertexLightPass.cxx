@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "GL/ClippingBinding.h"
 #include "GL/VertexLightPass.h"
 
 #include "Frame/FrameStages.h"
@@ -203,7 +204,11 @@ std::string VertexLightPass::drawTile(
   inputs.Tables->bind(program, inputs);
   inputs.Effects->bind(program, inputs.Stages->effects().data(), inputs.Key);
   inputs.Effects->bindVertexRays(program, inputs.Stages->effects().data(), inputs.Key);
-  bindLightRays(program, inputs.Stages->effects().data().Lights, work.ToLights);
+  bindLightRays(program, inputs.Stages->effects().data().Lights, work.ToLights, inputs.Key);
+  if (inputs.Key.LightThroughCuts)
+  {
+    bindClipping(program, inputs.Stages->cuts(), inputs.Key);
+  }
   bindThickness(program, inputs.Stages->camera());
   program->SetUniformi("vertexCount", static_cast<int>(work.Vertices));
   if (inputs.ByCompute)

@@ -252,10 +252,11 @@ Fingerprint EffectStage::opaqueShadowsVersion() const
 
 bool EffectStage::samplesShadows(double pixels) const
 {
-  // A ray of the picture takes about 8 samples of each light, a vertex one.
+  // A ray of the picture takes about 8 samples of each light, a vertex one. A tolerance takes more,
+  // but where they matter.
   constexpr double samples = 8;
   // Scattered light casts shadows even if the method is off; the cheaper method is used.
-  return this->Options.Shadows == ShadowMethod::AlongRays ||
+  return this->Options.Shadows == ShadowMethod::AlongRays || this->Options.Tolerance > 0 ||
          (this->Options.Shadows != ShadowMethod::AtVertices &&
            static_cast<double>(this->Data.VertexStarts.size()) > samples * pixels);
 }
@@ -268,11 +269,14 @@ void EffectStage::setBits(VariantKey& key, double pixels) const
   key.Shading = !lights.Sources.empty();
   key.HeadlightOnly = lights.isHeadlightOnly();
   key.SingleLight = lights.Sources.size() == 1 && !lights.Sources[0].Headlight;
+  key.FewLights = lights.Sources.size() <= LightUniforms::FewLights;
   key.WorldLights = lights.InWorld;
   key.Scattering = lights.ScatteringBlending > 0;
   key.CastShadows = !lights.ShadowSources.empty();
   key.SeveralShadows = lights.ShadowSources.size() > 1;
   key.SampledShadows = this->samplesShadows(pixels);
+  key.LightTolerance = this->Options.Tolerance > 0;
+  key.LightThroughCuts = this->Options.ThroughCuts;
   key.OpaqueShadows = !this->Data.ShadowedVertices.empty();
   key.HeadlightShadows = lights.hasHeadlightShadows();
   key.Occlusion = lights.OcclusionDirections > 0;

@@ -234,6 +234,8 @@ LightUniforms makeLightUniforms(const Lighting& lighting, const EffectOptions& o
     lights.Sources.push_back(source);
   }
   lights.Reach = distanceOf(options.Reach);
+  lights.Tolerance = options.Tolerance;
+  lights.ThroughCuts = options.ThroughCuts;
   // A reach through the whole volume may not extend to surfaces outside.
   lights.OpaqueReach = options.Reach < 1 ? lights.Reach : std::numeric_limits<double>::infinity();
   if (options.Occlusion && lighting.Ambient > 0)

@@ -40,6 +40,8 @@ struct LightUniforms
   };
   /** Maximum number of lights that cast shadows, without headlights. */
   static constexpr int MostShadowSources = 3;
+  /** Number of lights up to which a software renderer has no loop. */
+  static constexpr std::size_t FewLights = 5;
 
   std::vector<Light> Sources;
   bool InWorld = false; // else in the normalised frame; the matrices transform to the world
@@ -52,6 +54,8 @@ struct LightUniforms
 
   std::vector<std::array<double, 4>> ShadowSources; // as Place, but in the normalised frame
   double Reach = 0;                                 // in the normalised frame
+  double Tolerance = 0;     // of a channel by light; 0: none is kept
+  bool ThroughCuts = false; // what is clipped away absorbs no light
   double OpaqueReach = 0; // the same for shadows of opaque geometry; infinity: no limit
   int OcclusionDirections = 0;
   double OcclusionRadius = 0;

@@ -50,7 +50,8 @@ EffectOptions effectOptionsOf(Settings* settings, BlendMode blend)
     settings->GetAmbientOcclusion(), settings->GetAmbientOcclusionRadius(),
     settings->GetAmbientOcclusionDirections(), settings->GetOpaqueShadows(),
     subjectOf(settings->GetViewMode()), blend,
-    static_cast<LightPreset>(settings->GetLightPreset()) };
+    static_cast<LightPreset>(settings->GetLightPreset()), settings->GetLightTolerance(),
+    settings->GetLightThroughCuts() };
 }
 
 } // namespace

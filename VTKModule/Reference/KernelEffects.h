@@ -38,7 +38,7 @@ const LightUniforms* Lights = nullptr;
 const Real* VertexLight = nullptr;
 /** The exact light; nullptr: VertexLight is interpolated. */
 const IncomingLight<Real>* Incoming = nullptr;
-bool twoSided = true;
+Real backSide = 1;
 vec3 ambientColor{ 0, 0, 0 };
 Real specularPower = 1;
 Real scatteringBlending = 0;
@@ -48,7 +48,7 @@ int lightCount = 0;
 void useLights(const LightUniforms& lights)
 {
   Lights = &lights;
-  twoSided = lights.TwoSided;
+  backSide = lights.TwoSided ? Real(1) : Real(0);
   // Without lights the volume has its own colour.
   ambientColor = lights.Sources.empty() ? vec3(1, 1, 1) : toVec3(lights.Ambient);
   specularPower = Real(lights.SpecularPower);

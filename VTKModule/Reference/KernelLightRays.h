@@ -17,6 +17,7 @@ void useLightRays(const LightUniforms& lights, const View& view)
   occlusionDirectionCount = lights.OcclusionDirections;
   occlusionRadius = Real(lights.OcclusionRadius);
   lightReach = Real(lights.Reach);
+  clippingPlaneCount = lights.ThroughCuts ? clippingPlaneCount : 0;
 }
 
 vec4 fetchShadowSource(int i) const

@@ -106,9 +106,10 @@ private:
     Kernel kernel = this->March;
     const auto ray = kernel.rayThrough(point, direction * Real(-1));
     const Real end = glsl::dot(point - ray.origin, ray.direction);
+    const auto range = kernel.clippedRange(ray, { end - distance, end });
     const auto march =
-      kernel.castPlainRay(ray, kernel.thicknessPerDepthAlong(direction), end - distance, end);
-    return march.radiance.transmittance;
+      kernel.castPlainRay(ray, kernel.thicknessPerDepthAlong(direction), range.x, range.y);
+    return range.x < range.y ? march.radiance.transmittance : Real(1);
   }
 
   const LightUniforms& Lights;

@@ -81,20 +81,25 @@ VariantKey VariantKey::filtered() const
   key.WorldLights = key.WorldLights && key.Shading;
   key.HeadlightOnly = key.HeadlightOnly && key.Shading && !key.WorldLights;
   key.SingleLight = key.SingleLight && key.Shading && !key.HeadlightOnly;
+  key.FewLights = key.FewLights && key.Shading && !key.HeadlightOnly && !key.SingleLight &&
+                  !key.HasFma && !key.Structured;
   key.Scattering = key.Scattering && key.Shading;
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
   key.SeveralShadows = key.SeveralShadows && key.CastShadows && !key.SingleLight;
   key.SampledShadows = key.SampledShadows && key.CastShadows;
+  key.LightTolerance = key.LightTolerance && key.Shading && !key.PointSampled;
+  key.Occlusion = key.Occlusion && key.Shading;
   // With several scalars, or if the whole ray counts, every cell may be visible.
   key.VisiblePart = key.VisiblePart && key.EntryLists && !key.isKnownAtEnd() &&
                     (key.isComposite() || key.PointScalars) &&
                     key.Components != ComponentGroup::Independent;
   key.TransparentRanges = key.TransparentRanges && !key.VisiblePart;
   // Rays of pixels have lists, rays towards the light have none.
-  key.Hierarchy = !key.Structured && (!key.EntryLists || (key.Hierarchy && key.SampledShadows));
+  key.Hierarchy = !key.Structured && (!key.EntryLists || (key.Hierarchy && key.samplesLight()));
   key.OpaqueShadows = key.OpaqueShadows && key.CastShadows;
   key.HeadlightShadows = key.HeadlightShadows && key.Shading && !key.SingleLight;
-  key.Occlusion = key.Occlusion && key.Shading;
+  key.LightThroughCuts =
+    key.LightThroughCuts && key.Clipped && (key.CastShadows || key.Occlusion);
   // A scalar of cells has no gradient inside its cells.
   // Where the scalar jumps at vertices, these have no gradient.
   key.CornerScalars =
@@ -138,6 +143,7 @@ void VariantKey::dropWhatIsNotBlended()
     this->NanShown = false;
     this->ConstantColor = false;
     this->GradientOpacity = false;
+    this->LightTolerance = false;
     this->Scattering = false;
     this->CastShadows = false;
     this->HeadlightShadows = false;
@@ -187,6 +193,7 @@ VariantKey VariantKey::ofVertexLight(bool reenters) const
   key.EntryLists = false;
   key.Hierarchy = reenters && !key.Structured;
   key.OpaqueShadows = this->OpaqueShadows;
+  key.LightThroughCuts = this->LightThroughCuts;
   return key;
 }
 

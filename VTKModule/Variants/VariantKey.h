@@ -60,11 +60,14 @@ struct VariantKey
   bool Shading = false;          // lights shine on surfaces of constant scalar
   bool HeadlightOnly = false;    // one light, at the eye, and not in world coordinates
   bool SingleLight = false;      // one light, elsewhere
+  bool FewLights = false;        // two to five, for a software renderer
   bool WorldLights = false;      // light is computed in world coordinates: see LightUniforms
   bool Scattering = false;       // the volume scatters light without regard to surfaces
   bool CastShadows = false;      // the volume absorbs light, except that from the eye
   bool SeveralShadows = false;   // shadows of more than one light
   bool SampledShadows = false;   // sampled along each ray; else stored at the vertices
+  bool LightTolerance = false;   // light is evaluated at as many points as a tolerance takes
+  bool LightThroughCuts = false; // what is clipped away absorbs no light
   bool OpaqueShadows = false;    // opaque geometry casts shadows on the volume, too
   bool HeadlightShadows = false; // the volume absorbs light from the eye
   bool Occlusion = false;        // the volume absorbs ambient light
@@ -110,6 +113,10 @@ struct VariantKey
   bool hasShadows() const;
   /** Light is stored at the vertices. */
   bool hasVertexLight() const;
+  /** Light is sampled along the rays of the picture. */
+  bool samplesLight() const;
+  /** Ambient light as well. */
+  bool samplesOcclusion() const;
   /** The error of the integration is bounded along the ray; that of a constant is 0. */
   bool hasErrorBound() const;
   /** Total variations of the transfer functions are read: for error bounds, or for scalars that
@@ -143,7 +150,7 @@ struct VariantKey
      * value. */
     void set(VariantKey& key, bool on) const;
   };
-  static constexpr int NumberOfFeatures = 44;
+  static constexpr int NumberOfFeatures = 47;
   static const std::array<Feature, NumberOfFeatures>& features();
   /** The bits of all features that are on. */
   std::uint64_t bits() const;

@@ -53,6 +53,18 @@ void expectSmallErrors(Scene& scene)
   EXPECT_LE(errorOf(scene, "along rays").Rms, 1.5 / 255.0);
 }
 
+// Pixels keep the tolerance of light, beside that of the integral, which is small.
+void expectToleranceKept(Scene& scene)
+{
+  scene.Mapper->SetAccuracyLevelToAccurate();
+  scene.Mapper->SetShadowMethodToAutomatic();
+  for (const double tolerance : { 8.0 / 255.0, 2.0 / 255.0 })
+  {
+    scene.Mapper->SetLightTolerance(tolerance);
+    EXPECT_LE(errorOf(scene, "within a tolerance").Percentile999, tolerance);
+  }
+}
+
 TEST(LightError, GolfBall)
 {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
@@ -67,6 +79,7 @@ TEST(LightError, GolfBall)
   scene.Renderer->ResetCameraClippingRange();
   shine(scene, 3.0, 6.0, 4.0);
   expectSmallErrors(scene);
+  expectToleranceKept(scene);
 }
 
 TEST(LightError, Lattice)
@@ -125,6 +138,22 @@ TEST(LightError, Tunnel)
   expectSmallErrors(scene);
 }
 
+// The shadow of a wire that is narrower than a cell of the wall, and falls through fog.
+TEST(LightError, WireOverAWallInFog)
+{
+  const Field field = [](double x, double, double z)
+  { return z < 0.16 || std::hypot(x - 0.5, z - 0.55) < 0.03 ? 1.0 : 0.0; };
+  Scene scene(jitteredLattice(24, 0.1, 1, field), 96, 96);
+  vtkPiecewiseFunction* opacity = scene.property()->GetScalarOpacity();
+  opacity->RemoveAllPoints();
+  opacity->AddPoint(0.0, 0.02);
+  opacity->AddPoint(1.0, 1.0);
+  scene.property()->SetScalarOpacityUnitDistance(0.02);
+  scene.Mapper->SetVolumetricScatteringBlending(1.0f);
+  shine(scene, 0.9, 0.7, 2.0);
+  expectToleranceKept(scene);
+}
+
 TEST(LightError, Occlusion)
 {
   Scene scene(jitteredLattice(12, 0.15, 1, sineField()), 96, 96);
@@ -133,5 +162,6 @@ TEST(LightError, Occlusion)
   scene.Mapper->AmbientOcclusionOn();
   scene.Mapper->SetAmbientOcclusionRadius(0.2);
   EXPECT_LE(errorOf(scene, "occlusion").Rms, 4.0 / 255.0);
+  expectToleranceKept(scene);
 }
 } // namespace

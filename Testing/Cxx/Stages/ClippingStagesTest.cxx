@@ -125,6 +125,19 @@ TEST_F(ClippingStages, TheBoundaryIsNotCut)
   EXPECT_EQ(countShaders(), shaders);
 }
 
+TEST_F(ClippingStages, LightThatPassesThroughPlanesIsMadeAgain)
+{
+  const auto plane = clipObliquely(this->Shown);
+  this->mapper()->LightThroughCutsOn();
+  this->Shown.render();
+  const vtkTypeInt64 before = this->mapper()->GetVertexLightBuilds();
+  this->Shown.render();
+  EXPECT_EQ(this->mapper()->GetVertexLightBuilds(), before);
+  plane->SetOrigin(0.4, 0.4, 0.6);
+  this->Shown.render();
+  EXPECT_EQ(this->mapper()->GetVertexLightBuilds(), before + 1);
+}
+
 // The views of error and cost, too, are of what is left.
 TEST_F(ClippingStages, RaysBesideWhatIsLeftCostNothing)
 {

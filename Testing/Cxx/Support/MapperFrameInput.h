@@ -24,7 +24,8 @@ EffectOptions effectOptionsOf(Mapper* mapper)
     : view == Mapper::VIEW_GRADIENTS  ? Subject::Gradients
                                       : Subject::Picture,
     static_cast<BlendMode>(mapper->GetBlendMode()),
-    static_cast<LightPreset>(mapper->GetLightPreset()) };
+    static_cast<LightPreset>(mapper->GetLightPreset()), mapper->GetLightTolerance(),
+    mapper->GetLightThroughCuts() };
 }
 
 template <typename Mapper>

@@ -1,0 +1,104 @@
+// The interval of a cell in parts in which light changes evenly: adaptive quadrature (Gander and Gautschi, "Adaptive
+// quadrature - revisited", 2000). The light in the middle of a part is compared with the mean of its ends, and corrects
+// it, as in Simpson's rule. If the estimated error exceeds the budget of the pixel's light, half of the part is tried.
+
+CONSTANT real LEAST_PART = real(0.0625); // of the interval
+CONSTANT int MOST_LIT_TRIALS = 96;       // enough for parts of this size
+
+// A quarter of a pixel's tolerance is available from the begin, half of it in proportion to the ray's absorption.
+real shadeBudget(Radiance radiance, real absorbed)
+{
+  real earned = real(0.25) + real(0.5) * (real(1) - radiance.transmittance + absorbed);
+  return max(real(0.25) * (lightTolerance * earned - radiance.shadeError), real(0.5) * lightTolerance * absorbed);
+}
+
+// The shade at a depth in the cell.
+Shade shadeWithin(Ray ray, CellInterval cell, real depth)
+{
+  FacePoint point;
+  point.depth = depth;
+#if TETMARCH_POINT_SCALARS
+  point.scalar = scalarIn(cell, depth);
+#else
+  point.scalar = cell.scalar;
+#endif
+#if TETMARCH_STRUCTURED
+  point.attributes = attributesAt(ray, cell.crossed, depth);
+#else
+  real f = fractionAt(cell.enter, cell.leave, depth);
+  point.attributes = interpolateAttributes(
+    cell.enterAttributes, cell.leaveAttributes, cell.leaveAttributes, vec3(real(1) - f, f, real(0)));
+#endif
+  return shadeAtFace(ray, point);
+}
+
+// As gatherCell().
+int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
+{
+  CellInterval whole = cell;
+  real extent = whole.end - whole.begin;
+  Shade from = whole.enterShade;
+  Shade last = whole.leaveShade;
+  if (whole.begin > whole.enter.x)
+  {
+    from = shiftShade(from, from, last, fractionAt(whole.enter, whole.leave, whole.begin));
+  }
+  if (whole.end < whole.leave.x)
+  {
+    last = shiftShade(
+      whole.enterShade, whole.enterShade, last, fractionAt(whole.enter, whole.leave, whole.end));
+  }
+  Shade to = last;
+  real position = real(0); // of the part in the interval
+  real step = real(1);     // its length
+  bool inMiddle = true;    // else the shade at its end is missing
+  int lookups = 0;
+  int trials = 0;
+  bool pending = true;
+  while (pending && trials < MOST_LIT_TRIALS)
+  {
+    trials = trials + 1;
+    real end = position + step;
+    Shade found = shadeWithin(ray, whole, whole.begin + extent * (inMiddle ? position + real(0.5) * step : end));
+    if (inMiddle)
+    {
+      Shade mean = shiftShade(from, from, to, real(0.5));
+      real correction = real(2) / real(3);
+      cell.begin = position > real(0) ? whole.begin + extent * position : whole.begin;
+      cell.end = end < real(1) ? whole.begin + extent * end : whole.end;
+      cell.enterShade = shiftShade(from, mean, found, correction);
+      cell.leaveShade = shiftShade(to, mean, found, correction);
+      Radiance tried = radiance;
+      lookups = lookups + gatherCell(thicknessPerDepth, cell, tried);
+      real absorbed = radiance.transmittance - tried.transmittance;
+      real error = real(0.5) * absorbed * changeOfLight(mean.lit, found.lit);
+      real budget = shadeBudget(radiance, absorbed);
+      if (error <= budget || step <= LEAST_PART)
+      {
+        radiance = tried;
+        radiance.shadeError = radiance.shadeError + error;
+        position = end;
+        from = to;
+        to = last;
+        step = min(error <= real(0.125) * budget ? real(2) * step : step, real(1) - position);
+        inMiddle = position + step >= real(1);
+      }
+      else
+      {
+        to = found;
+        step = real(0.5) * step;
+      }
+      pending = position < real(1) && !isOpaque(radiance);
+    }
+    else
+    {
+      to = found;
+      inMiddle = true;
+    }
+  }
+  cell.begin = whole.begin;
+  cell.end = whole.end;
+  cell.enterShade = whole.enterShade;
+  cell.leaveShade = whole.leaveShade;
+  return lookups;
+}
