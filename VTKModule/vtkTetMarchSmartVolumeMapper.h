@@ -33,8 +33,9 @@
  *   GetLastUsedRenderMode() is then GPURenderMode. vtkSmartVolumeMapper draws in all others.
  * - Also drawn by vtkSmartVolumeMapper: SLICE_BLEND; transfer functions in 2D; masks;
  *   ComputeNormalFromOpacity (VTK 9.2) of a shaded volume; several independent components with
- *   light, with gradient opacity, or without composite blending. One warning states the reason. VTK
- *   draws no blocks, so these are errors for a tree.
+ *   gradient opacity, shadows, scattering or ambient occlusion, with different reflections, or
+ *   without composite blending. One warning states the reason. VTK draws no blocks, so these are
+ *   errors for a tree.
  * - VectorMode: DISABLED draws all components, independent or dependent according to
  *   vtkVolumeProperty::GetIndependentComponents(); MAGNITUDE; COMPONENT draws VectorComponent with
  *   the functions and the unit distance of component 0, and all components if they are dependent.

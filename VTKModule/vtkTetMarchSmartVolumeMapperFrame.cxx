@@ -34,15 +34,29 @@ tetmarch::VectorOptions vectorOptionsOf(vtkSmartVolumeMapper* mapper, vtkVolumeP
   return options;
 }
 
-bool isLit(vtkVolumeProperty* property, int components)
+bool hasGradientOpacity(vtkVolumeProperty* property, int components)
 {
-  bool lit = false;
+  bool has = false;
   for (int c = 0; c < std::min(components, VTK_MAX_VRCOMP); ++c)
   {
-    lit = lit || property->GetShade(c) ||
-          (property->HasGradientOpacity(c) && !property->GetDisableGradientOpacity(c));
+    has = has || (property->HasGradientOpacity(c) && !property->GetDisableGradientOpacity(c));
   }
-  return lit;
+  return has;
+}
+
+// Whether each component reflects light as the first one does.
+bool reflectAlike(vtkVolumeProperty* property, int components)
+{
+  bool alike = true;
+  for (int c = 1; c < std::min(components, VTK_MAX_VRCOMP); ++c)
+  {
+    alike = alike && property->GetShade(c) == property->GetShade(0) &&
+            property->GetAmbient(c) == property->GetAmbient(0) &&
+            property->GetDiffuse(c) == property->GetDiffuse(0) &&
+            property->GetSpecular(c) == property->GetSpecular(0) &&
+            property->GetSpecularPower(c) == property->GetSpecularPower(0);
+  }
+  return alike;
 }
 
 // As vtkOpenGLGPUVolumeRayCastMapper: the window of 1 about the level 0.5 changes nothing.
@@ -137,7 +151,8 @@ std::string vtkTetMarchSmartVolumeMapper::FindReasonForVTK(vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
-// Several independent components have neither light nor other blend modes here.
+// Several independent components have neither gradient opacity nor other blend modes here, and one
+// reflection.
 std::string vtkTetMarchSmartVolumeMapper::FindReasonOfComponents(vtkVolumeProperty* property)
 {
   int components = 1;
@@ -149,8 +164,17 @@ std::string vtkTetMarchSmartVolumeMapper::FindReasonOfComponents(vtkVolumeProper
   {
     return {};
   }
-  return isLit(property, components)
-           ? "several independent components have light or gradient opacity"
+  const bool hasVolumeLight =
+    (property->GetShade() &&
+      (this->GetShadowMethod() != SHADOWS_OFF || this->GetVolumetricScatteringBlending() > 0 ||
+        this->GetAmbientOcclusion())) ||
+    this->GetLightPreset() == LIGHT_STUDIO || this->GetLightPreset() == LIGHT_SUN;
+  return hasGradientOpacity(property, components)
+           ? "several independent components have gradient opacity"
+         : hasVolumeLight
+           ? "several independent components have shadows, scattering or ambient occlusion"
+         : !reflectAlike(property, components)
+           ? "several independent components reflect light differently"
          : this->BlendMode != COMPOSITE_BLEND
            ? "several independent components have another blend mode than composite"
            : std::string();

@@ -293,8 +293,9 @@ public:
    * (DrawNanCells). Several components need COMPOSITE_BLEND; other blend modes are errors. Light
    * and gradient opacity of dependent components use the gradient of the one that gives the
    * opacity; vtkGPUVolumeRayCastMapper uses the first one, and the last of 4 from VTK 9.4 on.
-   * Independent components have no light: ShadeOn(), gradient opacity, VIEW_ILLUMINATION and
-   * VIEW_GRADIENTS are errors. Picks use all components; PickedScalar is the first of independent
+   * Independent components of meshes have no light: ShadeOn(), gradient opacity, VIEW_ILLUMINATION
+   * and VIEW_GRADIENTS are errors. Those of a vtkTetMarchSmartVolumeMapper are lit by the gradient of
+   * each, without shadows, and with the reflection of component 0. Picks use all components; PickedScalar is the first of independent
    * ones, and of dependent ones the one that gives the opacity.
    */
   enum VectorModeType

@@ -10,6 +10,9 @@
 #include "gather/order_error.glsl"
 #endif
 #include "gather/subsegment.glsl"
+#if TETMARCH_LIT_COMPONENTS
+#include "gather/component_light.glsl"
+#endif
 #if TETMARCH_INDEPENDENT
 #include "gather/independent_components.glsl"
 #elif TETMARCH_DEPENDENT

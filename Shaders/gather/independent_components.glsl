@@ -15,6 +15,9 @@ struct SegmentEnds
   vec4 square; // their bends: structured/bend.glsl
   vec4 cube;
 #endif
+#if TETMARCH_LIT_COMPONENTS
+  vec2 depths;
+#endif
 };
 
 SegmentEnds segmentEnds(Segment segment)
@@ -25,6 +28,9 @@ SegmentEnds segmentEnds(Segment segment)
 #if TETMARCH_BENT
   ends.square = scalarsOf(segment.bend.x, segment.extraBend.square);
   ends.cube = scalarsOf(segment.bend.y, segment.extraBend.cube);
+#endif
+#if TETMARCH_LIT_COMPONENTS
+  ends.depths = vec2(segment.begin.x, segment.end.x);
 #endif
   return ends;
 }
@@ -45,6 +51,10 @@ SegmentEnds endsWithin(SegmentEnds ends, Subsegment part)
   within.end = part.last ? ends.end : scalarsWithin(ends, part.end);
   within.square = (ends.square + ends.cube * (real(3) * part.begin)) * (h * h);
   within.cube = ends.cube * (h * h * h);
+#if TETMARCH_LIT_COMPONENTS
+  real begin = ends.depths.x + (ends.depths.y - ends.depths.x) * part.begin;
+  within.depths = vec2(begin, begin + (ends.depths.y - ends.depths.x) * h);
+#endif
   return within;
 }
 #endif
@@ -56,6 +66,9 @@ struct SubsegmentMean
   real change; // upper bound of the change of the mixture's colour
 #if TETMARCH_BENT
   IndependentBend bent;
+#endif
+#if TETMARCH_LIT_COMPONENTS
+  real bright; // the greatest colour of a component in light, at least 1
 #endif
 #endif
 };
@@ -80,7 +93,13 @@ real greatestOf(vec3 v) { return max(v.x, max(v.y, v.z)); }
 //   sum|w_i - t_i / sum(t_i)| <= 2 sum(E_i) / sum(tau_i) <= 2 sum(E_i) / (sum(t_i) - sum(E_i)),
 // the proportions change by at most 2 sum(E_i) / (sum(t_i) - sum(E_i)), and by at most 1. A function from p to q with
 // the total variation V stays within V / 2 of (p + q) / 2, so these are the middles, and R_i = V_i.
-#if TETMARCH_BENT
+// Light is that in the middle.
+#if TETMARCH_LIT_COMPONENTS
+SubsegmentMean independentMeanBetween(SegmentEnds part, CellInterval cell)
+{
+  vec4 from = part.begin;
+  vec4 to = part.end;
+#elif TETMARCH_BENT
 SubsegmentMean independentMeanBetween(SegmentEnds part)
 {
   vec4 from = part.begin;
@@ -95,10 +114,13 @@ SubsegmentMean independentMeanBetween(vec4 from, vec4 to)
   real extinction = real(0); // sum(t_i)
   real spread = real(0);     // 2 sum(E_i)
   real range = real(0);      // max(R_i)
-  vec3 low = vec3(real(1), real(1), real(1));
+  vec3 low = vec3(NO_DEPTH, NO_DEPTH, NO_DEPTH);
   vec3 high = vec3(real(0), real(0), real(0));
 #if TETMARCH_BENT
   found.bent = noBend();
+#endif
+#if TETMARCH_LIT_COMPONENTS
+  found.bright = real(1);
 #endif
 #endif
   for (int k = 0; k < componentCount; ++k)
@@ -108,13 +130,24 @@ SubsegmentMean independentMeanBetween(vec4 from, vec4 to)
     IntervalMean over = meanOver(table, componentOf(from, k) * table.scale + table.offset,
       componentOf(to, k) * table.scale + table.offset);
     vec4 mean = over.mean * factor;
+#if TETMARCH_LIT_COMPONENTS
+    Light light = lightOfComponent(k, cell, real(0.5) * (part.depths.x + part.depths.y));
+    found.mean = found.mean + litMean(mean, light);
+#else
     found.mean = found.mean + mean;
+#endif
 #if TETMARCH_ERROR_BOUND
     bool seen = mean.w > real(0);
     vec3 middle = vec3(over.ends.x, over.ends.y, over.ends.z) * real(0.5);
+#if TETMARCH_LIT_COMPONENTS
+    middle = middle * light.diffuse + light.specular;
+    range = max(range, seen ? over.variation * greatestOf(light.diffuse) : real(0));
+    found.bright = max(found.bright, greatestOf(light.diffuse + light.specular));
+#else
+    range = max(range, seen ? over.variation : real(0));
+#endif
     extinction = extinction + over.ends.w * real(0.5) * factor;
     spread = spread + over.extinctionVariation * factor;
-    range = max(range, seen ? over.variation : real(0));
     low = vec3(seen ? min(low.x, middle.x) : low.x, seen ? min(low.y, middle.y) : low.y,
       seen ? min(low.z, middle.z) : low.z);
     high = vec3(seen ? max(high.x, middle.x) : high.x, seen ? max(high.y, middle.y) : high.y,
@@ -128,14 +161,21 @@ SubsegmentMean independentMeanBetween(vec4 from, vec4 to)
 #if TETMARCH_ERROR_BOUND
   real least = extinction - real(0.5) * spread;
   real proportions = spread < least ? spread / max(least, TINY) : real(1);
-  found.change = min(range + max(greatestOf(high - low), real(0)) * proportions, real(1));
+#if TETMARCH_LIT_COMPONENTS
+  real most = found.bright;
+#else
+  real most = real(1);
+#endif
+  found.change = min(range + max(greatestOf(high - low), real(0)) * proportions, most);
 #endif
   return found;
 }
 
 SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, CellInterval cell)
 {
-#if TETMARCH_BENT
+#if TETMARCH_LIT_COMPONENTS
+  return independentMeanBetween(endsWithin(ends, part), cell);
+#elif TETMARCH_BENT
   return independentMeanBetween(endsWithin(ends, part));
 #else
   vec4 target = part.last ? ends.end : ends.begin + (ends.end - ends.begin) * part.end;
@@ -148,7 +188,10 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
 real subsegmentError(
   SegmentEnds ends, Subsegment part, SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
 {
-#if TETMARCH_BENT
+#if TETMARCH_LIT_COMPONENTS
+  return transmittance *
+    min(found.change * orderErrorFactor(by.depth) + found.bright * independentBend(found.bent, by), found.bright);
+#elif TETMARCH_BENT
   return transmittance * min(found.change * orderErrorFactor(by.depth) + independentBend(found.bent, by), real(1));
 #else
   return transmittance * found.change * orderErrorFactor(by.depth);
@@ -157,7 +200,11 @@ real subsegmentError(
 #endif
 #else
 // C tau and tau of the mixture for constant scalars.
+#if TETMARCH_LIT_COMPONENTS
+vec4 constantMean(Segment segment, CellInterval cell)
+#else
 vec4 constantMean(Segment segment)
+#endif
 {
   vec4 scalars = scalarsOf(segment.begin.y, segment.extraBegin);
   vec4 sum = vec4(real(0), real(0), real(0), real(0));
@@ -166,6 +213,9 @@ vec4 constantMean(Segment segment)
     TableSpan table = tableSpan(k);
     vec4 value = tableValue(table, componentOf(scalars, k) * table.scale + table.offset);
     vec4 own = vec4(value.x * value.w, value.y * value.w, value.z * value.w, value.w);
+#if TETMARCH_LIT_COMPONENTS
+    own = litMean(own, lightOfComponent(k, cell, real(0.5) * (segment.begin.x + segment.end.x)));
+#endif
     sum = sum + own * componentOf(componentFactor, k);
   }
   return sum;

@@ -135,6 +135,8 @@ vec3 emission(vec4 mean)
   return vec3(mean.w, mean.w, mean.w);
 #elif TETMARCH_CONSTANT_COLOR
   return constantColor * mean.w;
+#elif TETMARCH_LIT_COMPONENTS
+  return vec3(mean.x, mean.y, mean.z); // in light
 #else
   return vec3(smallerOf(mean.x, mean.w), smallerOf(mean.y, mean.w), smallerOf(mean.z, mean.w));
 #endif

@@ -90,7 +90,7 @@ void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
     (incomingAt(ray, from) + incomingAt(ray, to)) * real(0.5));
   cell.leaveShade = cell.enterShade;
 #endif
-#if TETMARCH_LIT_PARTS && TETMARCH_STRUCTURED
+#if TETMARCH_LIT_COMPONENTS || (TETMARCH_LIT_PARTS && TETMARCH_STRUCTURED)
   cell.crossed = place.crossed;
 #endif
 #if TETMARCH_VERTEX_LIGHT_ERROR

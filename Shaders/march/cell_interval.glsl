@@ -45,10 +45,10 @@ struct CellInterval
 #if TETMARCH_NAN_SHOWN
   bool finite; // the scalar is finite
 #endif
-#if TETMARCH_POINT_SAMPLED
+#if TETMARCH_POINT_SAMPLED || TETMARCH_LIT_COMPONENTS
   Ray ray;     // the ray that crosses the cell
 #endif
-#if TETMARCH_EFFECTS && TETMARCH_STRUCTURED && (TETMARCH_POINT_SAMPLED || TETMARCH_LIT_PARTS)
+#if TETMARCH_LIT_COMPONENTS || (TETMARCH_EFFECTS && TETMARCH_STRUCTURED && (TETMARCH_POINT_SAMPLED || TETMARCH_LIT_PARTS))
   ivec3 crossed; // the cell's indices along the axes
 #endif
 #if TETMARCH_ISOSURFACES

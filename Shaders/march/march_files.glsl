@@ -1,6 +1,6 @@
 // The march of the picture, in the order in which its files use each other.
 #include "march/traversal_files.glsl"
-#if TETMARCH_LIT
+#if TETMARCH_LIT || TETMARCH_LIT_COMPONENTS
 #include "light/light.glsl"
 #endif
 #if TETMARCH_ACCUMULATES_OPACITY
@@ -11,6 +11,8 @@
 #endif
 #if TETMARCH_EFFECTS
 #include "light/effect_files.glsl"
+#elif TETMARCH_LIT_COMPONENTS
+#include "light/component_light_files.glsl"
 #endif
 #if TETMARCH_BENT
 #include "structured/bend.glsl"

@@ -9,6 +9,8 @@
 #endif
 #if TETMARCH_EFFECTS
 #include "light/effect_buffer_files.glsl"
+#elif TETMARCH_LIT_COMPONENTS
+#include "light/light_buffers.glsl"
 #endif
 #if TETMARCH_SAMPLES_LIGHT
 #include "light/light_ray_buffers.glsl"

@@ -24,29 +24,29 @@ real bilinear(vec4 values, vec3 place)
 #else
 // Half of the difference between the values on both sides, in lattice coordinates; at the end of an axis, between one
 // side and the cell's own value. Planes are assumed to be evenly spaced.
-vec3 latticeGradientAt(ivec3 cell, vec3 place)
+vec3 latticeGradientOf(int component, ivec3 cell, vec3 place)
 {
   int i = cell.x + firstValue.x;
   int j = cell.y + firstValue.y;
   int k = cell.z + firstValue.z;
-  real own = fetchValue(i, j, k);
-  vec3 high = vec3(finiteOr(fetchValue(i + 1, j, k), own), finiteOr(fetchValue(i, j + 1, k), own),
-    finiteOr(fetchValue(i, j, k + 1), own));
-  vec3 low = vec3(finiteOr(fetchValue(i - 1, j, k), own), finiteOr(fetchValue(i, j - 1, k), own),
-    finiteOr(fetchValue(i, j, k - 1), own));
+  real own = fetchValueOf(component, i, j, k);
+  vec3 high = vec3(finiteOr(fetchValueOf(component, i + 1, j, k), own), finiteOr(fetchValueOf(component, i, j + 1, k), own),
+    finiteOr(fetchValueOf(component, i, j, k + 1), own));
+  vec3 low = vec3(finiteOr(fetchValueOf(component, i - 1, j, k), own), finiteOr(fetchValueOf(component, i, j - 1, k), own),
+    finiteOr(fetchValueOf(component, i, j, k - 1), own));
   return (high - low) * real(0.5);
 }
 #endif
 
 #if TETMARCH_CELL_GRADIENTS
 // The gradient of the trilinear cell itself, in lattice coordinates.
-vec3 latticeGradientAt(ivec3 cell, vec3 place)
+vec3 latticeGradientOf(int component, ivec3 cell, vec3 place)
 {
   int i = cell.x + firstValue.x;
   int j = cell.y + firstValue.y;
   int k = cell.z + firstValue.z;
-  vec4 low = fetchValues(i, j, k);
-  vec4 high = fetchValues(i, j, k + 1);
+  vec4 low = fetchValuesOf(component, i, j, k);
+  vec4 high = fetchValuesOf(component, i, j, k + 1);
   CellFrame frame = cellFrame(cell);
   vec3 a = (place - frame.begin) * frame.perWidth;
   vec4 between = low + (high - low) * a.z;
@@ -68,9 +68,9 @@ vec3 perDistances(ivec3 value)
 }
 
 // Neighbours of the given values, which replace those that are not finite.
-vec4 fetchBeside(int i, int j, int k, vec4 own)
+vec4 fetchBeside(int component, int i, int j, int k, vec4 own)
 {
-  vec4 values = fetchValues(i, j, k);
+  vec4 values = fetchValuesOf(component, i, j, k);
   return vec4(finiteOr(values.x, own.x), finiteOr(values.y, own.y), finiteOr(values.z, own.z),
     finiteOr(values.w, own.w));
 }
@@ -82,7 +82,7 @@ int innerCell(int cell, int axisFirst, int axisLast) { return max(min(cell, axis
 // In lattice coordinates: central differences at the corners of the cell (Hoehne and Bernstein, "Shading 3D-images from CT
 // using gray-level gradients", 1986), trilinear between them. The values are those of two layers of 4 x 4 around the cell,
 // without their corners, and 2 x 2 below and above them.
-vec3 latticeGradientAt(ivec3 cell, vec3 place)
+vec3 latticeGradientOf(int component, ivec3 cell, vec3 place)
 {
   ivec3 inner = ivec3(innerCell(cell.x, firstValue.x, lastValue.x), innerCell(cell.y, firstValue.y, lastValue.y),
     innerCell(cell.z, firstValue.z, lastValue.z));
@@ -92,20 +92,20 @@ vec3 latticeGradientAt(ivec3 cell, vec3 place)
   CellFrame frame = cellFrame(inner);
   vec3 at = (place - frame.begin) * frame.perWidth;
   vec3 a = vec3(clamp(at.x, real(0), real(1)), clamp(at.y, real(0), real(1)), clamp(at.z, real(0), real(1)));
-  vec4 low = fetchValues(i, j, k);
-  vec4 high = fetchValues(i, j, k + 1);
-  vec4 below = fetchBeside(i, j, k - 1, low);
-  vec4 above = fetchBeside(i, j, k + 2, high);
+  vec4 low = fetchValuesOf(component, i, j, k);
+  vec4 high = fetchValuesOf(component, i, j, k + 1);
+  vec4 below = fetchBeside(component, i, j, k - 1, low);
+  vec4 above = fetchBeside(component, i, j, k + 2, high);
   // Quantities that differ between the layers are linear between them.
   vec4 mid = low + (high - low) * a.z;
-  vec4 lowWest = fetchBeside(i - 1, j, k, low);
-  vec4 west = lowWest + (fetchBeside(i - 1, j, k + 1, high) - lowWest) * a.z;
-  vec4 lowEast = fetchBeside(i + 1, j, k, low);
-  vec4 east = lowEast + (fetchBeside(i + 1, j, k + 1, high) - lowEast) * a.z;
-  vec4 lowSouth = fetchBeside(i, j - 1, k, low);
-  vec4 south = lowSouth + (fetchBeside(i, j - 1, k + 1, high) - lowSouth) * a.z;
-  vec4 lowNorth = fetchBeside(i, j + 1, k, low);
-  vec4 north = lowNorth + (fetchBeside(i, j + 1, k + 1, high) - lowNorth) * a.z;
+  vec4 lowWest = fetchBeside(component, i - 1, j, k, low);
+  vec4 west = lowWest + (fetchBeside(component, i - 1, j, k + 1, high) - lowWest) * a.z;
+  vec4 lowEast = fetchBeside(component, i + 1, j, k, low);
+  vec4 east = lowEast + (fetchBeside(component, i + 1, j, k + 1, high) - lowEast) * a.z;
+  vec4 lowSouth = fetchBeside(component, i, j - 1, k, low);
+  vec4 south = lowSouth + (fetchBeside(component, i, j - 1, k + 1, high) - lowSouth) * a.z;
+  vec4 lowNorth = fetchBeside(component, i, j + 1, k, low);
+  vec4 north = lowNorth + (fetchBeside(component, i, j + 1, k + 1, high) - lowNorth) * a.z;
   vec3 perLow = perDistances(ivec3(i, j, k));
   vec3 perHigh = perDistances(ivec3(i + 1, j + 1, k + 1));
   // At the four corners, in the order of fetchValues().
@@ -122,7 +122,7 @@ vec3 latticeGradientAt(ivec3 cell, vec3 place)
 VertexAttributes attributesAt(Ray ray, ivec3 cell, real depth)
 {
   VertexAttributes attributes;
-  attributes.gradient = gradientFromLattice(latticeGradientAt(cell, ray.start + ray.slope * depth));
+  attributes.gradient = gradientFromLattice(latticeGradientOf(0, cell, ray.start + ray.slope * depth));
 #if TETMARCH_VERTEX_LIGHT
   attributes.light = keptLightAt(ray.start + ray.slope * depth);
 #endif

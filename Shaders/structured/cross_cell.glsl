@@ -15,7 +15,7 @@ CellInterval beginCellInterval(Ray ray, INOUT(RayPosition) place)
   cell.leave = vec2(begin, UNDRAWN_SCALAR);
   cell.number = numberOfCell(place.cell);
   beginLookups(cell);
-#if TETMARCH_POINT_SAMPLED
+#if TETMARCH_POINT_SAMPLED || TETMARCH_LIT_COMPONENTS
   cell.ray = ray;
 #endif
   return cell;
@@ -165,7 +165,7 @@ Crossing crossCell(Ray ray, INOUT(RayPosition) place, INOUT(CellInterval) cell)
 #else
   bool inside = true;
 #endif
-#if TETMARCH_EFFECTS
+#if TETMARCH_EFFECTS || TETMARCH_LIT_COMPONENTS
   place.crossed = place.cell;
 #endif
   vec3 crossings = crossingDepths(ray, planesAhead(ray, place.cell), NO_DEPTH);

@@ -9,7 +9,7 @@ uniform int mostSteps;      // the step guard: maximum number of parts of cells 
 
 vec3 toLattice(vec3 point) { return (latticeMatrix * vec4(point, 1.0)).xyz; }
 vec3 directionToLattice(vec3 direction) { return mat3(latticeMatrix) * direction; }
-#if TETMARCH_EFFECTS
+#if TETMARCH_EFFECTS || TETMARCH_LIT_COMPONENTS
 vec3 gradientFromLattice(vec3 gradient) { return gradient * mat3(latticeMatrix); }
 #endif
 
@@ -112,6 +112,21 @@ vec3 fetchExtraValues(int i, int j, int k)
   return values;
 }
 #endif
+#endif
+#endif
+
+#if TETMARCH_EFFECTS || TETMARCH_LIT_COMPONENTS
+// Of a component, for its gradient.
+#if TETMARCH_POINT_SCALARS && !TETMARCH_COMPONENTS
+vec4 fetchValuesOf(int component, int i, int j, int k) { return fetchValues(i, j, k); }
+#elif !TETMARCH_POINT_SCALARS && TETMARCH_LIT_COMPONENTS
+float fetchValueOf(int component, int i, int j, int k)
+{
+  vec3 extra = fetchExtraValues(i, j, k);
+  return component == 0 ? fetchValue(i, j, k) : (component == 1 ? extra.x : (component == 2 ? extra.y : extra.z));
+}
+#elif !TETMARCH_POINT_SCALARS
+float fetchValueOf(int component, int i, int j, int k) { return fetchValue(i, j, k); }
 #endif
 #endif
 

@@ -8,7 +8,7 @@ struct RayPosition
   real depth;    // depth at which the ray enters the cell
   real leave;    // depth at which it leaves it
   real end;      // depth at which it leaves the lattice, or ends
-#if TETMARCH_EFFECTS
+#if TETMARCH_EFFECTS || TETMARCH_LIT_COMPONENTS
   ivec3 crossed; // the last crossed cell
 #endif
 #if TETMARCH_CELL_PARTS
@@ -56,7 +56,7 @@ Traversal traversalFrom(Ray ray, real depthBegin)
 #if TETMARCH_BENT_COMPONENTS
   traversal.place.extra = noExtraCubics();
 #endif
-#if TETMARCH_EFFECTS
+#if TETMARCH_EFFECTS || TETMARCH_LIT_COMPONENTS
   traversal.place.crossed = traversal.place.cell;
 #endif
   traversal.entered = meets;

@@ -19,7 +19,7 @@
 #if TETMARCH_VERTEX_LIGHT
 #include "structured/light_nodes.glsl"
 #endif
-#if TETMARCH_EFFECTS
+#if TETMARCH_EFFECTS || TETMARCH_LIT_COMPONENTS
 #include "structured/attributes.glsl"
 #endif
 #include "structured/traversal.glsl"

@@ -111,7 +111,7 @@ inline std::vector<VariantKey> legalKeys()
 }
 
 /// Of the light at vertices, for the pictures that have it; in whatever number of slabs, or of
-/// buffers of tetrahedra.
+/// buffers of tetrahedra, and through cuts or not.
 inline std::vector<VariantKey> legalLightKeys()
 {
   DistinctKeys legal;
@@ -119,9 +119,11 @@ inline std::vector<VariantKey> legalLightKeys()
   {
     if (picture.hasVertexLight())
     {
-      for (const bool reenters : { false, true })
+      for (const int bits : { 0, 1, 2, 3 })
       {
+        const bool reenters = bits & 1;
         VariantKey key = picture;
+        key.LightThroughCuts = bits & 2;
         legal.add(key.ofVertexLight(reenters));
         key.Slabs = key.Structured;
         key.ManySlabs = false;

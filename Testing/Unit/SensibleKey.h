@@ -44,9 +44,11 @@ inline bool isSensible(const VariantKey& k)
                            k.HeadlightShadows || k.Occlusion)) &&
          !(ofScalars && (k.Shading || k.ShowIllumination || k.ShowGradients)) &&
          // Several scalars are mixed in one way, where there is a volume of several colours;
-         // independent ones in no light, and cells that one of them doesn't show another may.
+         // independent ones of images in light without shadows, and cells that one of them doesn't show another may.
          !(several && (!composite || k.ConstantColor)) &&
-         !(independent && (k.TransparentRanges || k.GradientOpacity || k.Shading ||
+         !(independent && (k.TransparentRanges || k.GradientOpacity ||
+                            (k.Shading && !k.Structured) || k.CellGradients || k.LightTolerance || k.Scattering ||
+                            k.CastShadows || k.HeadlightShadows || k.Occlusion ||
                             k.ShowIllumination || k.ShowGradients)) &&
          // Corners have one scalar, of points, and vertices no gradient there.
          !(k.CornerScalars &&

@@ -109,13 +109,13 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 // cells or without; past opaque geometry or not, and with gradient opacity of points in two ways,
 // of corners and of cells in one, or without. Through a mesh in one part or several, fused or not,
 // in one buffer or two; through a lattice whose planes are even or not, with leaps or without, and
-// whose values are in one texture, in two or in many.
+// whose values are in one texture, in two or in many. Cuts let light through or not.
 TEST(VariantKey, LegalKeysAreCounted)
 {
   const std::size_t light = legalLightKeys().size();
   const std::size_t ofMeshes = 2 * 2 * 2 * 2 * 2 * (3 + 2 + 2);
   const std::size_t ofVolumes = 2 * 2 * 2 * 2 * 2 * (3 + 2);
-  EXPECT_EQ(light, 2 * ofMeshes + 3 * ofVolumes);
+  EXPECT_EQ(light, 2 * (2 * ofMeshes + 3 * ofVolumes));
   // Entries are listed or searched for. Of scalars at points, corners or cells, clipped, cropped or
   // whole, with hidden cells or not; of volumes with opacity by gradients of either kind or
   // without, or of independent components, with what is not finite or not; or in three other blend
@@ -140,9 +140,11 @@ TEST(VariantKey, LightAtVerticesIsExtinctionAlone)
   {
     VariantKey light = picture.ofVertexLight(true);
     ASSERT_EQ(light.OpaqueShadows, picture.OpaqueShadows);
+    ASSERT_EQ(light.LightThroughCuts, picture.LightThroughCuts);
     ASSERT_EQ(light.Hierarchy, !picture.Structured);
     ASSERT_FALSE(picture.ofVertexLight(false).Hierarchy);
     light.OpaqueShadows = false;
+    light.LightThroughCuts = false;
     ASSERT_TRUE(light == light.filtered());
     ASSERT_EQ(light.PointScalars, picture.PointScalars);
     ASSERT_EQ(light.Structured, picture.Structured);

@@ -144,15 +144,40 @@ std::string FrameStages::updateEffects(const FrameInput& input)
 {
   const EffectInput from{ &this->Marched, input.Blocks, this->Processes, this->Generation };
   std::string error = this->Effects.update(input.Renderer, input.Volume, input.Effects, from);
-  const bool lit = input.Effects.Shown != Subject::Picture || !this->Effects.data().empty();
-  if (error.empty() && lit && this->Mix == ComponentMix::Independent)
+  if (error.empty() && this->Mix == ComponentMix::Independent)
   {
-    this->Effects.clear();
-    error = "Several independent components are drawn together without light and gradients, but "
-            "shading (vtkVolumeProperty::ShadeOn()), gradient opacity or a view of them is on. "
-            "Switch that off, or choose one component by VectorMode.";
+    error = this->effectsOfComponents(input.Effects.Shown == Subject::Picture);
+    if (!error.empty())
+    {
+      this->Effects.clear();
+    }
   }
   return error;
+}
+
+// Of independent components those of an image have surfaces that are lit, and no other effect.
+std::string FrameStages::effectsOfComponents(bool showsPicture) const
+{
+  const EffectData& effects = this->Effects.data();
+  if (showsPicture && effects.empty())
+  {
+    return {};
+  }
+  if (!this->Marched.isStructured())
+  {
+    return "Several independent components of a mesh are drawn together without light and gradients, "
+           "but shading (vtkVolumeProperty::ShadeOn()), gradient opacity or a view of them is on. "
+           "Switch that off, or choose one component by VectorMode.";
+  }
+  const LightUniforms& lights = effects.Lights;
+  if (showsPicture && effects.GradientOpacity.empty() && !lights.hasVolumeLight() &&
+      !lights.hasHeadlightShadows() && !(lights.ScatteringBlending > 0))
+  {
+    return {};
+  }
+  return "Several independent components are lit without shadows, ambient occlusion, scattering and "
+         "gradient opacity, and have no views of gradients and illumination, but one of these is on. "
+         "Switch that off, or choose one component by VectorMode.";
 }
 
 std::string FrameStages::updateView(const FrameInput& input)

@@ -81,6 +81,7 @@ private:
   StageResult updateTables(const FrameInput& input);
   std::string updateVisibility();
   std::string updateEffects(const FrameInput& input);
+  std::string effectsOfComponents(bool showsPicture) const;
   std::string updateView(const FrameInput& input);
   StageResult updateClipping(const FrameInput& input);
 

@@ -72,7 +72,7 @@ uint fetchHiddenCells(uint word) const { return HiddenCells ? HiddenCells[word] 
 #include "Reference/KernelClipping.h"
 #endif
 
-#if TETMARCH_EFFECTS
+#if TETMARCH_EFFECTS || TETMARCH_LIT_COMPONENTS
 #include "Reference/KernelEffects.h"
 #endif
 
@@ -111,7 +111,7 @@ void useScene(const Scene& scene)
 #if TETMARCH_CLIPPED
   useClipping(scene.Cut);
 #endif
-#if TETMARCH_EFFECTS
+#if TETMARCH_EFFECTS || TETMARCH_LIT_COMPONENTS
   useEffects(*scene.Effects);
 #endif
 #if TETMARCH_LIGHT_AT_POINTS

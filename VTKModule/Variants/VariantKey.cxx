@@ -166,7 +166,12 @@ void VariantKey::dropWhatComponentsLack()
   {
     this->TransparentRanges = false;
     this->GradientOpacity = false;
-    this->Shading = false;
+    this->Shading = this->Shading && this->Structured;
+    this->LightTolerance = false;
+    this->Scattering = false;
+    this->CastShadows = false;
+    this->HeadlightShadows = false;
+    this->Occlusion = false;
     this->ShowIllumination = false;
     this->ShowGradients = false;
   }

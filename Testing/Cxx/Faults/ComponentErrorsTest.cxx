@@ -55,7 +55,7 @@ TEST_F(ComponentErrors, ComeOnceAndLeaveNoTrace)
     { [=] { mapper->SetBlendModeToMaximumIntensity(); }, { "composite blending alone" } },
     { [=] { mapper->SetBlendModeToAdditive(); }, { "composite blending alone" } },
     { [=] { mapper->SetBlendModeToIsoSurface(); }, { "composite blending alone" } },
-    { [=] { property->ShadeOn(); }, { "independent components are drawn together without light" } },
+    { [=] { property->ShadeOn(); }, { "independent components of a mesh", "without light" } },
     { [=] { mapper->SetViewModeToGradients(); }, { "without light" } },
     { [=] { mapper->SetViewModeToIllumination(); }, { "without light" } },
     { [=] { property->IndependentComponentsOff(); }, { "\"components\" has 3 components" } },

@@ -68,7 +68,7 @@ const Request requests[] = {
     },
     [](vtkSmartVolumeMapper*, vtkVolumeProperty* property)
     { property->SetTransferFunctionMode(vtkVolumeProperty::TF_1D); } },
-  { "IndependentComponentsWithLight", "independent components have light",
+  { "IndependentComponentsWithLights", "reflect light differently",
     [](vtkSmartVolumeMapper* mapper, vtkVolumeProperty* property)
     {
       chooseTwoComponents(mapper);
