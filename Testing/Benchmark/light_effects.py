@@ -73,3 +73,14 @@ EFFECTS = {
 def ways_of(effect, kind):
     """Names, for data of a kind."""
     return [name for name in effect.ways if name in WAYS and WAYS[name].only in ("", kind)]
+
+
+def settings_of(effect, way):
+    return {**DEFAULTS, **effect.settings, **WAYS[way].settings}
+
+
+def keeps_light(effect, way):
+    """Whether points of the volume keep light, which is computed when the light moves."""
+    settings = settings_of(effect, way)
+    at_points = settings["ShadowMethod"] == Settings.SHADOWS_AT_VERTICES
+    return at_points or settings["AmbientOcclusion"] or settings["OpaqueShadows"]

@@ -9,7 +9,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 
 SCENE, EFFECT = "wire", "scattering"
 SHOWN = (AT_VERTICES, "tolerance 2/255")
-SIZE = (280, 280)
+SIZE = (240, 240)
 ZOOM = 1.5
 TRUTH_TOLERANCE = 1e-4
 GAP = 4  # pixels, white
@@ -32,13 +32,12 @@ def write_png(file, picture):
 
 
 def write_picture(file):
-    scene = LightScene(SCENE, SIZE)
+    scene = LightScene(SCENE, SIZE, SIZE)
     scene.camera.Zoom(ZOOM)
     pictures = []
     for way in SHOWN:
         scene.apply(EFFECTS[EFFECT], way)
-        scene.seconds()
         pictures.append(scene.picture())
-    pictures.append(scene.ground_truth(1, TRUTH_TOLERANCE)[..., :3])
+    pictures.append(scene.ground_truth(TRUTH_TOLERANCE)[..., :3])
     write_png(file, side_by_side(pictures))
     print(f"wrote {file}")

@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Scenes in which the accuracy of light is measured: a volume, a light at the upper left, and an opaque bar."""
+import contextlib
 import time
 
 import numpy as np
 import vtkmodules.all as vtk
-from light_effects import DEFAULTS, WAYS
+from light_effects import WAYS, settings_of
 from measure_pixels import make_frames
 from picture_window import float_picture
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -21,8 +22,10 @@ DEMO_VIEW = {"position": (0.95, -4.4, 1.5), "focal point": (1.75, 0.0, -0.02)}  
 
 
 class LightScene:
-    def __init__(self, name, size):
-        self.size = size
+    """Pictures have one size; frames that are timed have another, since some take long."""
+
+    def __init__(self, name, picture_size, size):
+        self.picture_size, self.size = picture_size, size
         self.frames = WireFrames(size) if name == "wire" else make_frames(name, size)
         self.window, self.renderer = self.frames.window, self.frames.renderer
         self.camera, self.volume = self.frames.camera, self.frames.volume
@@ -130,16 +133,16 @@ class LightScene:
         return self.volume.GetProperty().GetScalarOpacity().GetRange()
 
     def apply(self, effect, way):
-        way = WAYS[way]
-        for name, value in {**DEFAULTS, **effect.settings, **way.settings}.items():
+        for name, value in settings_of(effect, way).items():
             getattr(self.mapper, "Set" + name)(value)
+        samples = WAYS[way].samples
         self.bar.SetVisibility(effect.bar)
-        self.volume.SetVisibility(not way.samples)
+        self.volume.SetVisibility(not samples)
         if self.rival:
-            self.rival.SetVisibility(bool(way.samples))
-        if way.samples:
-            self.rival.GetMapper().SetSampleDistance(self.voxel() / way.samples)
-        self.apply_to_property(effect, way.samples)
+            self.rival.SetVisibility(bool(samples))
+        if samples:
+            self.rival.GetMapper().SetSampleDistance(self.voxel() / samples)
+        self.apply_to_property(effect, samples)
         self.place_light()
 
     def apply_to_property(self, effect, samples):
@@ -177,28 +180,29 @@ class LightScene:
         if self.errors:
             raise RuntimeError(self.errors[0].strip())
 
-    def picture(self):
-        """Red, green and blue in float, of the volume on black."""
-        values = float_picture(self.window, self.renderer, self.size)
-        self.fail_on_error()
-        return values[..., :3].astype(np.float64)
-
-    def ground_truth(self, stride, tolerance):
-        """Of the pixels [offset::stride] of rows and columns, in a window whose pixels have their rays."""
-        offset = offset_of(stride)
-        size = [n // stride for n in self.size]
+    @contextlib.contextmanager
+    def every(self, stride):
+        """The window has the rays of one pixel of stride x stride of the picture."""
+        size = tuple(n // stride for n in self.picture_size)
+        shift = (stride - 1) // 2 + 0.5 - 0.5 * stride
         self.window.SetSize(*size)
-        self.camera.SetWindowCenter(*(2 * (offset + 0.5 - 0.5 * stride) / n for n in self.size))
+        self.camera.SetWindowCenter(*(2 * shift / n for n in self.picture_size))
         self.seconds()
-        values = vtk.vtkFloatArray()
-        done = self.mapper.RenderGroundTruth(self.volume, values, tolerance)
-        self.fail_on_error()
+        yield size
         self.camera.SetWindowCenter(0, 0)
         self.window.SetSize(*self.size)
-        if not done:
-            raise RuntimeError("there is no ground truth")
-        return vtk_to_numpy(values).reshape(size[1], size[0], 4).copy()
 
+    def picture(self, stride=1):
+        """Red, green and blue in float, of the volume on black."""
+        with self.every(stride) as size:
+            values = float_picture(self.window, self.renderer, size)
+            self.fail_on_error()
+        return values[..., :3].astype(np.float64)
 
-def offset_of(stride):
-    return (stride - 1) // 2
+    def ground_truth(self, tolerance, stride=1):
+        """In double precision; with opacity."""
+        values = vtk.vtkFloatArray()
+        with self.every(stride) as (width, height):
+            if not self.mapper.RenderGroundTruth(self.volume, values, tolerance):
+                raise RuntimeError(f"there is no ground truth: {self.errors}")
+        return vtk_to_numpy(values).reshape(height, width, 4).copy()

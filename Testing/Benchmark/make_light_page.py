@@ -26,7 +26,7 @@ def results_table(report):
         for r in scene["results"]:
             text += row([scene["name"], r["effect"], r["way"], f"{r['rms']:.1e}", f"{r['q999']:.3f}",
                          f"{r['max']:.3f}", f"{100 * r['within']:.2f} %", f"{r['seconds']:.3f}",
-                         f"{r['times_unlit']:.2f}", f"{r['first_seconds']:.3f}"])
+                         f"{r['times_unlit']:.2f}", f"{r['first_seconds']:.3f}" if "first_seconds" in r else ""])
     return text
 
 
@@ -53,6 +53,7 @@ def main():
     report = json.loads(arguments.light.read_text())
     charts.draw_light(report, charts_folder(arguments.output))
     write_page(arguments.output / "LightAccuracy.md", report, arguments.remark, {
+        "timed": " x ".join(map(str, report["timed_size"])),
         "stride": str(report["stride"]),
         "effects": row(["effect", "what is on"]) + "|---|---|\n"
                    + "".join(row([f"`{name}`", words]) for name, words in report["effects"].items()),

@@ -11,15 +11,16 @@ import pathlib
 import statistics
 
 import numpy as np
-from light_effects import EFFECTS, UNLIT, WAYS, ways_of
+from light_effects import EFFECTS, UNLIT, WAYS, keeps_light, ways_of
 from light_picture import write_picture
-from light_scenes import SCENES, LightScene, offset_of
+from light_scenes import SCENES, LightScene
 from option_types import positive
 from this_machine import report_of
 from time_frames import LATTICES
 
 TRUTH_TOLERANCE = 1e-5  # of the integral; that of light is the mapper's
 KEPT = 2 / 255
+ENOUGH_SECONDS = 2.0  # of frames of a way
 (UNLIT_WAY,) = UNLIT.ways
 
 
@@ -45,20 +46,17 @@ class Truths:
         """Cell gradients are a definition of their own."""
         own = f", {way}" if WAYS[way].only == "mesh" else ""
         stride = self.stride_of(effect)
-        words = f"{self.name}, {effect}{own}, {'x'.join(map(str, self.scene.size))}, {stride}"
+        words = f"{self.name}, {effect}{own}, {'x'.join(map(str, self.scene.picture_size))}, {stride}"
         file = self.folder / (words.replace(", ", "_").replace(" ", "-") + ".npy")
         if not file.exists():
             self.scene.apply(EFFECTS[effect], way if own else EFFECTS[effect].ways[0])
-            np.save(file, self.scene.ground_truth(stride, TRUTH_TOLERANCE))
+            np.save(file, self.scene.ground_truth(TRUTH_TOLERANCE, stride))
         return np.load(file)
 
     def errors(self, effect, way):
-        offset, stride = offset_of(self.stride_of(effect)), self.stride_of(effect)
         truth = self.of(effect, way)
         self.scene.apply(EFFECTS[effect], way)
-        self.scene.seconds()
-        picture = self.scene.picture()[offset::stride, offset::stride]
-        return errors_of(picture[:truth.shape[0], :truth.shape[1]], truth)
+        return errors_of(self.scene.picture(self.stride_of(effect)), truth)
 
 
 class Row:
@@ -69,22 +67,31 @@ class Row:
         self.seconds, self.first = [], []
 
     def draw(self, scene):
-        scene.apply(EFFECTS.get(self.effect, UNLIT), self.way)
-        self.first.append(scene.seconds_after_the_light_moved())
+        effect = EFFECTS.get(self.effect, UNLIT)
+        scene.apply(effect, self.way)
+        if keeps_light(effect, self.way):
+            self.first.append(scene.seconds_after_the_light_moved())
+        else:
+            scene.seconds()
         self.seconds.append(scene.seconds())
+
+
+    def has_enough(self):
+        return sum(self.seconds[1:]) > ENOUGH_SECONDS
 
 
 def times_by_turns(scene, rows, frames):
     """There and back, since a machine may get slower; the first turn compiles, and does not count."""
     for turn in range(frames + 1):
         for row in rows if turn % 2 == 0 else reversed(rows):
-            row.draw(scene)
+            if not row.has_enough():
+                row.draw(scene)
     for row in rows:
-        del row.seconds[0], row.first[0]
+        del row.seconds[:1], row.first[:1]
 
 
 def measure(name, options):
-    scene = LightScene(name, options.size)
+    scene = LightScene(name, options.size, options.timed_size)
     truths = Truths(options.folder, scene, name, options.stride)
     unlit, *rows = [Row("", UNLIT_WAY)] + [Row(effect, way) for effect in options.effects
                                            for way in ways_of(EFFECTS[effect], scene.kind)]
@@ -96,8 +103,9 @@ def measure(name, options):
     times_by_turns(scene, [unlit, *rows], options.frames)
     for result, row in zip(results, rows):
         ratios = [lit / bare for lit, bare in zip(row.seconds, unlit.seconds)]
-        result.update(seconds=statistics.median(row.seconds), times_unlit=statistics.median(ratios),
-                      first_seconds=statistics.median(row.first))
+        result.update(seconds=statistics.median(row.seconds), times_unlit=statistics.median(ratios))
+        if row.first:
+            result["first_seconds"] = statistics.median(row.first)
     return scene, {"name": name, "kind": scene.kind, "unlit_seconds": statistics.median(unlit.seconds),
                    "results": results}
 
@@ -111,8 +119,9 @@ def options_of():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--size", type=size_of, default=(512, 512), metavar="WxH")
-    parser.add_argument("--frames", type=positive, default=5, help="of each way, by turns")
     parser.add_argument("--stride", type=positive, default=4, help="compare one pixel of STRIDE x STRIDE")
+    parser.add_argument("--timed-size", type=size_of, default=(256, 256), metavar="WxH", help="of timed frames")
+    parser.add_argument("--frames", type=positive, default=5, help="of each way, by turns, or two seconds of them")
     parser.add_argument("--scenes", nargs="+", choices=(*SCENES, *LATTICES), default=SCENES, metavar="SCENE")
     parser.add_argument("--effects", nargs="+", choices=EFFECTS, default=list(EFFECTS), metavar="EFFECT")
     parser.add_argument("--picture", type=pathlib.Path, metavar="FILE", help="draw the picture of the page instead")
@@ -125,7 +134,8 @@ def main():
         write_picture(options.picture)
         return
     measured = [measure(name, options) for name in options.scenes]
-    report = {**report_of(measured[0][0].window), "frames": options.frames, "stride": options.stride,
+    report = {**report_of(measured[0][0].window), "size": options.size,
+              "timed_size": options.timed_size, "frames": options.frames, "stride": options.stride,
               "effects": {name: EFFECTS[name].words for name in options.effects},
               "scenes": [result for _, result in measured]}
     (options.folder / "light.json").write_text(json.dumps(report, indent=1))
