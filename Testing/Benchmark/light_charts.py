@@ -12,10 +12,9 @@ MARKERS = {"at vertices": ("o", 5, "light kept at vertices or nodes"),
            "at vertices, accurate": ("P", 5, "the same, level Accurate"),
            "cell gradients": ("h", 5, "gradients of cells"),
            "along rays": ("^", 5, "shadows along rays"),
-           "along rays, accurate": ("X", 5, "the same, level Accurate"),
            "tolerance": (".", 7, "LightTolerance 8/255 to 1/255"),
            "VTK": ("s", 4, "VTK's GPU mapper, 1 and 4 samples a voxel")}
-LEAST = 1e-5  # of what is drawn; logarithms of 0 are not
+LEAST = 1e-6  # of what is drawn; logarithms of 0 are not
 
 
 def family_of(way):

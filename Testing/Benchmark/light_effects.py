@@ -10,8 +10,6 @@ STEP = 1 / 255
 DEFAULTS = {"AccuracyLevel": Settings.DEFAULT, "GradientType": Settings.VERTEX_GRADIENTS,
             "ShadowMethod": Settings.SHADOWS_OFF, "OpaqueShadows": False, "AmbientOcclusion": False,
             "VolumetricScatteringBlending": 0.0}
-ALONG_RAYS = {"ShadowMethod": Settings.SHADOWS_ALONG_RAYS}
-ACCURATE = {"AccuracyLevel": Settings.ACCURATE}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -25,11 +23,10 @@ AT_VERTICES = "at vertices"
 TOLERANCES = {f"tolerance {n}/255": n * STEP for n in (8, 4, 2, 1)}
 WAYS = {
     AT_VERTICES: Way({}),
-    "at vertices, accurate": Way(ACCURATE),
+    "at vertices, accurate": Way({"AccuracyLevel": Settings.ACCURATE}),
     "cell gradients": Way({"GradientType": Settings.CELL_GRADIENTS}, only="mesh"),
-    "along rays": Way(ALONG_RAYS),
-    "along rays, accurate": Way({**ALONG_RAYS, **ACCURATE}),
-    **{name: Way({**ALONG_RAYS, "LightTolerance": value}) for name, value in TOLERANCES.items()},
+    "along rays": Way({"ShadowMethod": Settings.SHADOWS_ALONG_RAYS}),
+    **{name: Way({"LightTolerance": value}) for name, value in TOLERANCES.items()},
     "VTK, 1 sample": Way({}, samples=1, only="image"),
     "VTK, 4 samples": Way({}, samples=4, only="image"),
 }
@@ -50,19 +47,22 @@ class Effect:
     coarser: int = 1  # pixels between two of the ground truth, times --stride: for effects whose truth takes long
 
 
-ON_SURFACES = (AT_VERTICES, "at vertices, accurate", "cell gradients")
+AT_POINTS = (AT_VERTICES, "at vertices, accurate")
+ON_SURFACES = (*AT_POINTS, "cell gradients")
 BY_VTK = ("VTK, 1 sample", "VTK, 4 samples")
-IN_SHADOW = (AT_VERTICES, "at vertices, accurate", "along rays", "along rays, accurate", *TOLERANCES)
+IN_SHADOW = (*AT_POINTS, "along rays", *TOLERANCES)
 SHADOWS = {"ShadowMethod": Settings.SHADOWS_AT_VERTICES}
 UNLIT = Effect("no light", (AT_VERTICES,), {}, material=())
 EFFECTS = {
-    "shading": Effect("one light, diffuse surfaces", (*ON_SURFACES, *BY_VTK), {}, material=(0.0, 0.9, 0.0)),
-    "highlights": Effect("one light, specular surfaces", ON_SURFACES, {}, material=(0.2, 0.4, 0.6)),
+    "shading": Effect("one light, diffuse surfaces", (*ON_SURFACES, *TOLERANCES, *BY_VTK), {},
+                      material=(0.0, 0.9, 0.0)),
+    "highlights": Effect("one light, specular surfaces", (*ON_SURFACES, *TOLERANCES), {},
+                         material=(0.2, 0.4, 0.6)),
     "shadows": Effect("one light with shadows", IN_SHADOW, SHADOWS),
     "scattering": Effect("one light with shadows, scattering 2: no surfaces", IN_SHADOW,
                          {**SHADOWS, "VolumetricScatteringBlending": 2.0}),
-    "occlusion": Effect("one light, ambient occlusion", ON_SURFACES[:2], {"AmbientOcclusion": True},
-                        material=(0.7, 0.3, 0.0), coarser=2),
+    "occlusion": Effect("one light, ambient occlusion", (*AT_POINTS, *list(TOLERANCES)[::2]),
+                        {"AmbientOcclusion": True}, material=(0.7, 0.3, 0.0), coarser=2),
     "opaque-shadows": Effect("one light with shadows, also of an opaque bar", (AT_VERTICES, "along rays"),
                              {**SHADOWS, "OpaqueShadows": True}, bar=True),
     "gradient-opacity": Effect("gradient opacity, no light", (*ON_SURFACES, *BY_VTK), {}, material=(),
@@ -82,5 +82,5 @@ def settings_of(effect, way):
 def keeps_light(effect, way):
     """Whether points of the volume keep light, which is computed when the light moves."""
     settings = settings_of(effect, way)
-    at_points = settings["ShadowMethod"] == Settings.SHADOWS_AT_VERTICES
-    return at_points or settings["AmbientOcclusion"] or settings["OpaqueShadows"]
+    at_points = settings["ShadowMethod"] == Settings.SHADOWS_AT_VERTICES or settings["AmbientOcclusion"]
+    return settings["OpaqueShadows"] or (at_points and not settings.get("LightTolerance"))

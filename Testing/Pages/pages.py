@@ -13,6 +13,7 @@ GENERATED = {
     "Documentation/Accuracy.md": "Testing/Benchmark/AccuracyPage.md",
     "Documentation/Effects.md": "Testing/Benchmark/EffectsPage.md",
     "Documentation/HardCases.md": "Testing/HardCases/HardCasesPage.md",
+    "Documentation/LightAccuracy.md": "Testing/Benchmark/LightAccuracyPage.md",
     "Documentation/Structured.md": "Testing/Benchmark/StructuredPage.md",
 }
 

@@ -9,7 +9,7 @@ bench() {
   configure "$BUILD" -DBUILD_TESTING=ON
   [[ "${1:-}" == against ]] || build tetmarch-bench
   case "${1:-}" in
-    accuracy | effects | structured | growth | interaction | pixels | web | against) "bench_$1" "${@:2}" ;;
+    accuracy | effects | structured | growth | interaction | light | pixels | web | against) "bench_$1" "${@:2}" ;;
     *) "$BUILD/bin/tetmarch-bench" "$@" ;;
   esac
 }
@@ -60,6 +60,15 @@ bench_pixels() {
   build vtkRenderingTetMarchPython
   PYTHONPATH="$BUILD/lib/python3/dist-packages" "$SYSTEM_PYTHON" "$ROOT/Testing/Python/with_display.py" \
     "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/measure_pixels.py" "$BUILD/pixels" "$@"
+}
+
+# Accuracy and time of light. With --picture FILE, only the picture of its page is drawn.
+bench_light() {
+  local folder="$BUILD/light" here="$ROOT/Testing/Benchmark"
+  build vtkRenderingTetMarchPython
+  PYTHONPATH="$BUILD/lib/python3/dist-packages" "$SYSTEM_PYTHON" "$ROOT/Testing/Python/with_display.py" \
+    "$SYSTEM_PYTHON" "$here/measure_light.py" "$folder" "$@"
+  [[ " $* " == *" --picture "* ]] || "$SYSTEM_PYTHON" "$here/make_light_page.py" "$folder/light.json" "$folder"
 }
 
 # Pages in a browser beside the mapper and vtk.js, all without a GPU.
