@@ -18,7 +18,7 @@
 #endif
 
 // NVIDIA's compiler unrolls loops around the rays to the light: frames take 1.6 times as long, building 1.8 times.
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
 #pragma optionNV(unroll none)
 #endif
 

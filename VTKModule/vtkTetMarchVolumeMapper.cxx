@@ -9,15 +9,27 @@
 #include "Picking/SelectedCells.h"
 
 #include "vtkCompositeDataSet.h"
+#include "vtkExplicitStructuredGrid.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
+
+namespace
+{
+// Whether cells are joined into a grid, or computed for one.
+bool isJoined(vtkDataObject* input)
+{
+  return vtkCompositeDataSet::SafeDownCast(input) || vtkStructuredGrid::SafeDownCast(input) ||
+         vtkExplicitStructuredGrid::SafeDownCast(input);
+}
+} // namespace
 
 vtkStandardNewMacro(vtkTetMarchVolumeMapper);
 
@@ -127,13 +139,13 @@ double* vtkTetMarchVolumeMapper::GetBounds()
 //------------------------------------------------------------------------------
 double* vtkTetMarchVolumeMapper::GetOwnBounds()
 {
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(this->GetDataObjectInput());
-  if (!blocks)
+  vtkDataObject* input = this->GetDataObjectInput();
+  if (!isJoined(input))
   {
     return this->Superclass::GetBounds();
   }
   this->Update();
-  tetmarch::boundBlocks(blocks, this->Bounds);
+  tetmarch::boundBlocks(input, this->Bounds);
   return this->Bounds;
 }
 
@@ -141,7 +153,10 @@ double* vtkTetMarchVolumeMapper::GetOwnBounds()
 int vtkTetMarchVolumeMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
   this->Superclass::FillInputPortInformation(port, info);
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  for (const char* type : { "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkDataObjectTree" })
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+  }
   return 1;
 }
 
@@ -174,9 +189,9 @@ vtkUnstructuredGrid* vtkTetMarchVolumeMapper::FindGrid(std::string& error)
   vtkDataObject* input = this->GetDataObjectInput();
   auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
   tetmarch::JoinedBlocks& blocks = this->Internal->Blocks;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  if (isJoined(input))
   {
-    error = blocks.update(composite, tetmarch::selectionOf(this));
+    error = blocks.update(input, tetmarch::selectionOf(this));
     grid = blocks.grid();
   }
   else
@@ -184,8 +199,8 @@ vtkUnstructuredGrid* vtkTetMarchVolumeMapper::FindGrid(std::string& error)
     blocks.clear();
     error = grid ? ""
                  : std::string("The input is a ") + input->GetClassName() +
-                     ", but only a vtkUnstructuredGrid can be drawn, or blocks. vtkAppendFilter "
-                     "makes one of any data set.";
+                     ", but only a vtkUnstructuredGrid, a curvilinear grid or blocks can be drawn. "
+                     "vtkAppendFilter makes a vtkUnstructuredGrid of any data set.";
   }
   return grid && grid->GetNumberOfCells() > 0 ? grid : nullptr;
 }

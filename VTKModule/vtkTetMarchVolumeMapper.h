@@ -31,16 +31,16 @@
  * An array of that name is ignored unless it is of unsigned char and has a value for each cell or
  * point. New ghost types do not rebuild the mesh.
  *
- * The input is a vtkUnstructuredGrid or a tree of blocks (vtkMultiBlockDataSet,
- * vtkPartitionedDataSet, vtkPartitionedDataSetCollection; by SetInputConnection() or
- * SetInputDataObject()). Blocks are joined into one grid, so that rays continue from one block to
+ * The input is a vtkUnstructuredGrid, a curvilinear grid (vtkStructuredGrid,
+ * vtkExplicitStructuredGrid), or a tree of blocks (vtkMultiBlockDataSet, vtkPartitionedDataSet,
+ * vtkPartitionedDataSetCollection; by SetInputConnection() or SetInputDataObject()). Blocks are joined into one grid, so that rays continue from one block to
  * the next. They may be any data sets with 3D cells, also images and rectilinear grids, whose cells
  * are decomposed into tetrahedra. Points of different blocks are identified by global point ids if
  * all blocks have them, else by equal coordinates to the last bit. If such points have different
  * scalars, each block keeps its own, unless its point is a duplicate by vtkGhostType. Blocks
  * without the chosen array are left out with a warning that names them. The joined grid is updated
- * when blocks have changed, and takes memory in addition to them. GetInput() is null for composite
- * input; GetDataObjectInput() is not.
+ * when blocks have changed, and takes memory in addition to them. GetInput() is null for other
+ * input than a vtkUnstructuredGrid; GetDataObjectInput() is not.
  *
  * The stages (mesh, scalars, transfer function tables, camera) run again only when their input has
  * changed; Get...Builds() counts the runs. A mesh in new arrays is compared by the values of its

@@ -50,9 +50,7 @@ export function pictureFeatures(written, {level, traits, counts, opaqueDepth, en
   setIf(features, "TRANSPARENT_RANGES", features.has("TRANSPARENT_RANGES") && !entries.visiblePart);
   // Rays of pixels have lists, rays towards the light have none.
   setIf(
-    features, "BVH",
-    features.has("BVH") && (!entries.lists || features.has("SAMPLED_SHADOWS") ||
-      (features.has("OCCLUSION") && features.has("LIGHT_TOLERANCE"))));
+    features, "BVH", features.has("BVH") && (!entries.lists || features.has("SAMPLED_SHADOWS")));
   features.delete("HAS_FMA");
   return features;
 }

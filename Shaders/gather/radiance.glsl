@@ -16,8 +16,9 @@ struct Radiance
 #if TETMARCH_LIT_PARTS
   real shadeError; // estimated, by the change of light within parts of cells
 #endif
-#if TETMARCH_SAMPLED_OCCLUSION
-  vec3 pendingAmbient; // colour by ambient light, which is known at the next sample
+#if TETMARCH_LIGHT_TOLERANCE && TETMARCH_SAMPLED_SHADOWS
+  real pendingWeight; // of the colours that wait for light,
+  real pendingMoment; // times the transmittance where they are
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
   vec3 pendingA; // colour by each light whose transmittance is known at the next sample
@@ -45,8 +46,9 @@ Radiance noRadiance()
 #if TETMARCH_LIT_PARTS
   radiance.shadeError = real(0);
 #endif
-#if TETMARCH_SAMPLED_OCCLUSION
-  radiance.pendingAmbient = radiance.color;
+#if TETMARCH_LIGHT_TOLERANCE && TETMARCH_SAMPLED_SHADOWS
+  radiance.pendingWeight = real(0);
+  radiance.pendingMoment = real(0);
 #endif
 #if TETMARCH_SAMPLED_SHADOWS
   radiance.pendingA = radiance.color;

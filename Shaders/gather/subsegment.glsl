@@ -61,7 +61,7 @@ void addSubsegment(
 #endif
 #if TETMARCH_LIT
   Illumination lit = illuminationWithin(cell, middle);
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
   keepPending(radiance, mean, lit, by);
 #endif
   absorb(radiance, litEmission(mean, lit, radiance, by), by);

@@ -39,9 +39,6 @@ Light mixLight(Light p, Light q, real fraction)
 struct Illumination
 {
   Light direct; // transmittance included
-#if TETMARCH_SAMPLED_OCCLUSION
-  Light ambient; // not yet occluded
-#endif
 #if TETMARCH_HEADLIGHT_SHADOWS
   Light head;   // from the eye, not yet absorbed: its transmittance is that of the ray
 #endif
@@ -59,9 +56,6 @@ Illumination noIllumination()
 {
   Illumination lit;
   lit.direct = noLight();
-#if TETMARCH_SAMPLED_OCCLUSION
-  lit.ambient = noLight();
-#endif
 #if TETMARCH_HEADLIGHT_SHADOWS
   lit.head = noLight();
 #endif
@@ -78,9 +72,6 @@ Illumination noIllumination()
 Illumination mixIllumination(Illumination p, Illumination q, real fraction)
 {
   p.direct = mixLight(p.direct, q.direct, fraction);
-#if TETMARCH_SAMPLED_OCCLUSION
-  p.ambient = mixLight(p.ambient, q.ambient, fraction);
-#endif
 #if TETMARCH_HEADLIGHT_SHADOWS
   p.head = mixLight(p.head, q.head, fraction);
 #endif
@@ -106,9 +97,6 @@ Light shiftLight(Light p, Light a, Light b, real fraction)
 Illumination shiftIllumination(Illumination p, Illumination a, Illumination b, real fraction)
 {
   p.direct = shiftLight(p.direct, a.direct, b.direct, fraction);
-#if TETMARCH_SAMPLED_OCCLUSION
-  p.ambient = shiftLight(p.ambient, a.ambient, b.ambient, fraction);
-#endif
 #if TETMARCH_HEADLIGHT_SHADOWS
   p.head = shiftLight(p.head, a.head, b.head, fraction);
 #endif

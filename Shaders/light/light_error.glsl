@@ -6,9 +6,6 @@ real changeOf(Light p, Light q) { return greatest(q.diffuse - p.diffuse) + great
 real changeOfLight(Illumination p, Illumination q)
 {
   real change = changeOf(p.direct, q.direct);
-#if TETMARCH_SAMPLED_OCCLUSION
-  change = change + changeOf(p.ambient, q.ambient);
-#endif
 #if TETMARCH_HEADLIGHT_SHADOWS
   change = change + changeOf(p.head, q.head);
 #endif

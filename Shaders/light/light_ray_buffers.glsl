@@ -5,10 +5,13 @@ uniform float lightReach; // maximum length of rays towards a light
 
 vec4 fetchShadowSource(int i) { return shadowSource[i]; }
 
-#if TETMARCH_SAMPLED_SHADOWS && !TETMARCH_SAMPLED_OCCLUSION
+#if TETMARCH_SAMPLED_SHADOWS
 const int occlusionDirectionCount = 0; // ambient light is that of vertices
 const float occlusionRadius = 0.0;
 #else
 uniform int occlusionDirectionCount;
 uniform float occlusionRadius;
+#endif
+#if TETMARCH_LIGHT_TOLERANCE
+uniform int mostLightSamples; // per ray; the rest has the light of the last one (march/sample_pause.glsl)
 #endif

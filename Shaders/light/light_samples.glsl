@@ -3,7 +3,7 @@
 #include "light/sphere_direction.glsl"
 #include "light/incoming_light.glsl"
 
-// The transmittance towards ambient light and each light from a point in the cell of the start.
+// The transmittance towards each light from a point in the cell of the start.
 vec4 sampleLight(Ray ray, LightStart start, real depth)
 {
   start.point = ray.origin + ray.direction * depth;
@@ -13,11 +13,10 @@ vec4 sampleLight(Ray ray, LightStart start, real depth)
 // Adds the stored part, with the given transmittance of the light.
 void addPending(INOUT(Radiance) radiance, vec4 transmittance)
 {
-#if TETMARCH_SAMPLED_OCCLUSION
-  radiance.color = radiance.color + radiance.pendingAmbient * transmittance.x;
-  radiance.pendingAmbient = vec3(real(0), real(0), real(0));
+#if TETMARCH_LIGHT_TOLERANCE
+  radiance.pendingWeight = real(0);
+  radiance.pendingMoment = real(0);
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
   radiance.color = radiance.color + radiance.pendingA * transmittance.y;
   radiance.pendingA = vec3(real(0), real(0), real(0));
 #if TETMARCH_SEVERAL_SHADOWS
@@ -25,5 +24,36 @@ void addPending(INOUT(Radiance) radiance, vec4 transmittance)
   radiance.pendingB = radiance.pendingA;
   radiance.pendingC = radiance.pendingA;
 #endif
-#endif
 }
+
+#if TETMARCH_LIGHT_TOLERANCE
+// The colour that waits for light, times the transmittance; its greatest channel.
+real pendingTimes(vec4 transmittance, Radiance radiance)
+{
+  real waiting = real(0);
+  waiting = waiting + greatest(radiance.pendingA) * abs(transmittance.y);
+#if TETMARCH_SEVERAL_SHADOWS
+  waiting = waiting + greatest(radiance.pendingB) * abs(transmittance.z) +
+    greatest(radiance.pendingC) * abs(transmittance.w);
+#endif
+  return waiting;
+}
+
+// What has begun to wait since then.
+Radiance pendingSince(Radiance then, Radiance radiance)
+{
+  radiance.pendingA = radiance.pendingA - then.pendingA;
+#if TETMARCH_SEVERAL_SHADOWS
+  radiance.pendingB = radiance.pendingB - then.pendingB;
+  radiance.pendingC = radiance.pendingC - then.pendingC;
+#endif
+  return radiance;
+}
+
+// Where what waits is on average, from where the transmittance was `begin`, 0, to here, 1.
+real pendingPlace(real begin, Radiance radiance)
+{
+  real mean = radiance.pendingMoment / max(radiance.pendingWeight, TINY);
+  return clamp((begin - mean) / max(begin - radiance.transmittance, TINY), real(0), real(1));
+}
+#endif

@@ -3,7 +3,9 @@
 // it, as in Simpson's rule. If the estimated error exceeds the budget of the pixel's light, half of the part is tried.
 
 CONSTANT real LEAST_PART = real(0.0625); // of the interval
-CONSTANT int MOST_LIT_TRIALS = 96;       // enough for parts of this size
+CONSTANT real LONG_PART = real(0.25);    // it may hide a highlight,
+CONSTANT real THIN_PART = real(0.015625); // unless it absorbs less than this
+CONSTANT int MOST_LIT_TRIALS = 200;      // the last one takes the rest
 
 // A quarter of a pixel's tolerance is available from the begin, half of it in proportion to the ray's absorption.
 real shadeBudget(Radiance radiance, real absorbed)
@@ -33,7 +35,12 @@ Shade shadeWithin(Ray ray, CellInterval cell, real depth)
 }
 
 // As gatherCell().
+#if TETMARCH_SAMPLED_SHADOWS
+int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance,
+  INOUT(SamplePause) pause)
+#else
 int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
+#endif
 {
   CellInterval whole = cell;
   real extent = whole.end - whole.begin;
@@ -54,10 +61,17 @@ int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, IN
   bool inMiddle = true;    // else the shade at its end is missing
   int lookups = 0;
   int trials = 0;
+#if TETMARCH_SAMPLED_SHADOWS
+  bool isDense = false;
+#endif
   bool pending = true;
   while (pending && trials < MOST_LIT_TRIALS)
   {
     trials = trials + 1;
+    bool rest = trials == MOST_LIT_TRIALS;
+    step = rest ? real(1) - position : step;
+    to = chooseShade(rest, last, to);
+    inMiddle = inMiddle || rest;
     real end = position + step;
     Shade found = shadeWithin(ray, whole, whole.begin + extent * (inMiddle ? position + real(0.5) * step : end));
     if (inMiddle)
@@ -73,7 +87,21 @@ int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, IN
       real absorbed = radiance.transmittance - tried.transmittance;
       real error = real(0.5) * absorbed * changeOfLight(mean.lit, found.lit);
       real budget = shadeBudget(radiance, absorbed);
-      if (error <= budget || step <= LEAST_PART)
+      bool isFine = error <= budget && (step <= LONG_PART || absorbed <= THIN_PART);
+      bool accepted = isFine || step <= LEAST_PART || rest;
+#if TETMARCH_SAMPLED_SHADOWS
+      bool least = step <= LEAST_THICK_PART || rest || isFrugal(pause);
+      bool dense = absorbed > MOST_OF_A_PART * radiance.transmittance && !least;
+      isDense = isDense || dense;
+      bool thick = absorbed > (isDense ? PART_OF_DENSE : THICK_PART);
+      accepted = accepted && !dense;
+      if (accepted && thick)
+      {
+        accepted = lightThickPart(ray, vec2(cell.begin, cell.end), least, radiance, tried, pause);
+      }
+      pause.lightFresh = pause.lightFresh && (thick || !accepted);
+#endif
+      if (accepted)
       {
         radiance = tried;
         radiance.shadeError = radiance.shadeError + error;

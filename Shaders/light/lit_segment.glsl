@@ -12,26 +12,27 @@ vec3 litEmission(vec4 mean, Illumination lit, Radiance radiance, Absorption by)
   return reflection(mean, light);
 }
 
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_ERROR_BOUND || TETMARCH_LIGHT_ERROR || TETMARCH_LIGHT_TOLERANCE
+real greatest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
+#endif
+
+#if TETMARCH_SAMPLED_SHADOWS
 // Stores the subsegment's reflection of the lights whose transmittance is known at the next sample; before absorb().
 void keepPending(INOUT(Radiance) radiance, vec4 mean, Illumination lit, Absorption by)
 {
   real weight = radiance.transmittance * by.evenly * by.thickness;
-#if TETMARCH_SAMPLED_OCCLUSION
-  radiance.pendingAmbient = radiance.pendingAmbient + reflection(mean, lit.ambient) * weight;
+#if TETMARCH_LIGHT_TOLERANCE
+  real waiting = weight * greatest(vec3(mean.x, mean.y, mean.z));
+  radiance.pendingWeight = radiance.pendingWeight + waiting;
+  radiance.pendingMoment =
+    radiance.pendingMoment + waiting * radiance.transmittance * (real(1) - real(0.5) * by.absorbed);
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
   radiance.pendingA = radiance.pendingA + reflection(mean, lit.beamA) * weight;
 #if TETMARCH_SEVERAL_SHADOWS
   radiance.pendingB = radiance.pendingB + reflection(mean, lit.beamB) * weight;
   radiance.pendingC = radiance.pendingC + reflection(mean, lit.beamC) * weight;
 #endif
-#endif
 }
-#endif
-
-#if TETMARCH_ERROR_BOUND || TETMARCH_LIGHT_ERROR || TETMARCH_LIGHT_TOLERANCE
-real greatest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 #endif
 
 #if TETMARCH_ERROR_BOUND || TETMARCH_TABLE_ERROR
@@ -39,9 +40,6 @@ real greatest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 real brightness(Illumination lit)
 {
   real bright = greatest(lit.direct.diffuse);
-#if TETMARCH_SAMPLED_OCCLUSION
-  bright = bright + greatest(lit.ambient.diffuse);
-#endif
 #if TETMARCH_HEADLIGHT_SHADOWS
   bright = bright + greatest(lit.head.diffuse);
 #endif

@@ -8,7 +8,7 @@ struct March
   bool finished; // the ray is opaque or picked, or beyond its last depth
   int cells;     // cells crossed
   int stepsTaken; // the same including parts of cells; at most mostSteps
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
   SamplePause pause;
 #endif
 #if TETMARCH_PICKED
@@ -35,7 +35,7 @@ March beginMarch(real depthBegin)
   march.finished = false;
   march.cells = 0;
   march.stepsTaken = 0;
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
   march.pause = noPause();
 #endif
 #if TETMARCH_PICKED
@@ -82,14 +82,14 @@ void countRefusal(bool entered, INOUT(March) march)
 // Stores the cell ahead of the ray as the last crossed one: rays to the light may start in it.
 void keepCell(RayPosition place, INOUT(March) march)
 {
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
   march.pause.start = startIn(place);
 #endif
 }
 
 void keepTransmittance(INOUT(March) march)
 {
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
   march.pause.transmittance = march.radiance.transmittance;
 #endif
 }
@@ -97,7 +97,7 @@ void keepTransmittance(INOUT(March) march)
 // Whether the march continues after the cell; it may pause there.
 bool goesOnAfter(CellInterval cell, bool onward, INOUT(March) march)
 {
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
 #if TETMARCH_LIGHT_TOLERANCE
   keepSeenCell(cell, march.pause);
 #else
@@ -176,6 +176,8 @@ void gatherInterval(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, I
     pickInterval(thicknessPerDepth, march.target, cell, march.radiance, march.pick);
 #elif TETMARCH_LIGHT_AT_POINTS
     countLookups(gatherLit(thicknessPerDepth, cell, march.radiance), march);
+#elif TETMARCH_LIT_PARTS && TETMARCH_SAMPLED_SHADOWS
+    countLookups(gatherLitParts(ray, thicknessPerDepth, cell, march.radiance, march.pause), march);
 #elif TETMARCH_LIT_PARTS
     countLookups(gatherLitParts(ray, thicknessPerDepth, cell, march.radiance), march);
 #else
@@ -269,7 +271,7 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
     entries = entries + 1;
     beginVisit(traversal, march);
     enterVolume(ray, depthEnd, traversal);
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
     bool onward = traversal.entered && !march.pause.ended;
 #else
     bool onward = traversal.entered;
@@ -278,7 +280,7 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
     {
       marchToExit(ray, traversal.place, thicknessPerDepth, depthEnd, march);
     }
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
     if (march.pause.due)
     {
       return;

@@ -29,13 +29,10 @@
 #include "gather/gather_files.glsl"
 #include "cuts/cropping.glsl"
 #include "gather/gather_cell.glsl"
-#if TETMARCH_LIT_PARTS
-#include "light/lit_parts.glsl"
-#endif
 #if TETMARCH_PICKED
 #include "march/pick_interval.glsl"
 #endif
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
 #include "light/light_start_files.glsl"
 #include "march/sample_pause.glsl"
 #endif
@@ -44,5 +41,13 @@
 #include "structured/cross_cell.glsl"
 #else
 #include "tet/cross_cell.glsl"
+#endif
+#if TETMARCH_LIT_PARTS
+#if TETMARCH_SAMPLED_SHADOWS
+#include "light/light_ray_files.glsl"
+#include "light/light_samples.glsl"
+#include "light/thick_part.glsl"
+#endif
+#include "light/lit_parts.glsl"
 #endif
 #include "march/march.glsl"

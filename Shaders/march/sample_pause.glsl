@@ -13,6 +13,10 @@ struct SamplePause
   real seenBegin;       // depths between which it was gathered
   real seenEnd;
   real before;          // the transmittance before it
+  vec4 light;           // at the last sample
+  bool lightKnown;      // there is one
+  int samples;          // their number
+  bool lightFresh;      // it is where the march is
 #else
   real seenDepth;     // the mean depth of its visible light
 #endif
@@ -28,11 +32,18 @@ SamplePause noPause()
   pause.seenBegin = real(0);
   pause.seenEnd = real(0);
   pause.before = real(1);
+  pause.light = vec4(real(1), real(1), real(1), real(1));
+  pause.lightKnown = false;
+  pause.samples = 0;
+  pause.lightFresh = false;
 #endif
   return pause;
 }
 
 #if TETMARCH_LIGHT_TOLERANCE
+// After half of the samples, steps are taken however much light changes.
+bool isFrugal(SamplePause pause) { return 2 * pause.samples > mostLightSamples; }
+
 // After the last crossed cell was gathered.
 void keepSeenCell(CellInterval cell, INOUT(SamplePause) pause)
 {

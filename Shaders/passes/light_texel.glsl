@@ -20,9 +20,6 @@
 #else
 #include "march/traversal_files.glsl"
 #endif
-#if TETMARCH_LIGHT_THROUGH_CUTS
-#include "cuts/clipping.glsl"
-#endif
 #include "light/light_ray_files.glsl"
 #include "light/vertex_light.glsl"
 

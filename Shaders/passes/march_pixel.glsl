@@ -12,7 +12,7 @@
 #elif TETMARCH_LIT_COMPONENTS
 #include "light/light_buffers.glsl"
 #endif
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
 #include "light/light_ray_buffers.glsl"
 #endif
 #if TETMARCH_CLIPPED
@@ -26,7 +26,7 @@
 #if !TETMARCH_DIAGNOSTICS
 #include "passes/color_window.glsl"
 #endif
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
 #include "light/light_ray_files.glsl"
 #include "light/light_samples.glsl"
 #if TETMARCH_LIGHT_TOLERANCE
@@ -39,7 +39,7 @@
 #include "march/ray_cast.glsl"
 #endif
 
-#if TETMARCH_SAMPLES_LIGHT || TETMARCH_POINT_SAMPLED
+#if TETMARCH_SAMPLED_SHADOWS || TETMARCH_POINT_SAMPLED
 uniform sampler2D jitterTexture; // a tile of 64 x 64 pixels, View/BlueNoise.h
 #endif
 
@@ -49,7 +49,7 @@ March marchPixel(PixelRay pixel)
 #if TETMARCH_POINT_SAMPLED
   shiftSamples(texelFetch(jitterTexture, pixel.at & 63, 0).x * sampleShift.x + sampleShift.y, pixel.ray);
 #endif
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
   float jitter = texelFetch(jitterTexture, pixel.at & 63, 0).x;
   return castSampledRay(pixel.ray, thicknessPerDepth, pixel.depthBegin, pixel.depthEnd, jitter);
 #else

@@ -38,7 +38,7 @@ March marchVisit(PixelRay pixel, real done, INOUT(Traversal) traversal)
   float thicknessPerDepth = thicknessPerDepthAlong(pixel.ray.direction);
   March march = beginMarch(done);
   march.hiddenFrom = hiddenFrom(pixel.at);
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
   float jitter = texelFetch(jitterTexture, pixel.at & 63, 0).x;
   marchAndSample(pixel.ray, thicknessPerDepth, pixel.depthEnd, jitter, traversal, march);
 #else

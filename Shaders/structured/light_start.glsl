@@ -4,7 +4,7 @@ struct LightStart
   vec3 point;
 };
 
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
 // The point must be set.
 LightStart startIn(RayPosition place)
 {

@@ -1,11 +1,26 @@
 // The transmittance of a ray towards the light, from a point over a distance in a direction (unit length).
 
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
 // The march of the picture pauses for samples, so that rays towards the light have their own march. It sums the optical
 // depth over cells; the transmittance is one exponential at the end. Each part of a cell is integrated as if the scalar
 // were linear between its ends.
 
-#if TETMARCH_POINT_SCALARS
+#if TETMARCH_POINT_SCALARS && TETMARCH_LIGHT_TOLERANCE
+// Along the scalar's cubic, in four straight pieces.
+real meanExtinction(Segment segment)
+{
+  real mean = real(0);
+  real from = segment.begin.y;
+  for (int k = 1; k <= 4; ++k)
+  {
+    real to = bentScalar(segment.begin.y, segment.end.y, segment.bend, real(k) * real(0.25));
+    mean = mean +
+      meanOver(from * tableScale + tableOffset, to * tableScale + tableOffset).mean.w * real(0.25);
+    from = to;
+  }
+  return mean;
+}
+#elif TETMARCH_POINT_SCALARS
 real meanExtinction(Segment segment)
 {
   return meanOver(segment.begin.y * tableScale + tableOffset, segment.end.y * tableScale + tableOffset).mean.w;

@@ -6,7 +6,7 @@ struct LightStart
   vec3 point;
 };
 
-#if TETMARCH_SAMPLES_LIGHT
+#if TETMARCH_SAMPLED_SHADOWS
 // The start in the tetrahedron behind a face; the point must be set.
 LightStart startIn(RayPosition place)
 {

@@ -135,7 +135,7 @@ bool continuesBefore(Traversal traversal, real depthEnd)
   return traversal.entry.face >= 0 && traversal.entry.depth < depthEnd;
 }
 
-#if TETMARCH_BVH || TETMARCH_SAMPLES_LIGHT || !TETMARCH_ENTRY_LISTS
+#if TETMARCH_BVH || TETMARCH_SAMPLED_SHADOWS || !TETMARCH_ENTRY_LISTS
 // Enters through the boundary face, unless the ray is already inside.
 void enterBySearch(Ray ray, INOUT(Traversal) traversal)
 {
@@ -164,7 +164,7 @@ void enterVolume(Ray ray, real depthEnd, INOUT(Traversal) traversal)
 #endif
 }
 
-#if TETMARCH_BVH || TETMARCH_SAMPLES_LIGHT || !TETMARCH_ENTRY_LISTS
+#if TETMARCH_BVH || TETMARCH_SAMPLED_SHADOWS || !TETMARCH_ENTRY_LISTS
 // From the exit face of any ray to its next entry, searched in the hierarchy; to none if the ray is finished, or if the
 // mesh is convex and has no hierarchy.
 void leaveBySearch(Ray ray, bool finished, INOUT(Traversal) traversal)

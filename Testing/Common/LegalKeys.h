@@ -90,7 +90,7 @@ inline std::vector<VariantKey> legalKeys()
     }
   }
   std::mt19937 random(5);
-  for (int i = 0; i < 110000; ++i)
+  for (int i = 0; i < 160000; ++i)
   {
     VariantKey key = randomKey(random);
     if (i % 4 > 0) // else the volume itself would be seen in one of eight

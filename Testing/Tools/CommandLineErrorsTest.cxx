@@ -147,8 +147,8 @@ TEST(CommandLine, RefusesBadLight)
 {
   for (const char* number : { "-0.1", "1.01", "nan", "x", "0.1,0.2" })
   {
-    for (const char* option : { "--ambient", "--diffuse", "--specular", "--reach", "--occlusion",
-            "--light-tolerance" })
+    for (const char* option :
+      { "--ambient", "--diffuse", "--specular", "--reach", "--occlusion", "--light-tolerance" })
     {
       ExpectBadValue(option, number, "expected a number from 0 to 1");
     }
@@ -186,7 +186,7 @@ TEST(CommandLine, RefusesWhatWouldBeIgnored)
   const std::string shading = " is for --blend composite and isosurface";
   const std::string light = " is for --blend composite";
   const std::string scene = " is for the light of the scene, which --light-preset replaces";
-  const std::string shadows = 
+  const std::string shadows =
     " needs shadows: --shadows, --scattering above 0, or --light-preset sun";
   const std::string drawing = " is for a picture, but --list draws none";
   const std::string samples = " is for --accuracy sampled or --sample-distance, which are missing";

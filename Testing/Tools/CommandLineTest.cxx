@@ -184,8 +184,8 @@ TEST(CommandLine, TakesEveryOptionOfLight)
   const CommandLine c = ParseCommandLine({ "a.vtu", "--light", "-1,2,3", "--light=headlight",
     "--light", "0,0,2,0.5", "--light", "headlight,0.25", "--ambient", "0.1", "--diffuse", "0.2",
     "--specular", "0.3", "--specular-power", "40", "--shadows", "rays", "--scattering", "1.5",
-    "--reach", "0.6", "--occlusion", "0.7", "--opaque-shadows", "--surface", "s.vtp", "--light-tolerance",
-    "0.01", "--light-through-cuts", "--clip", "0,0,0,1,0,0" });
+    "--reach", "0.6", "--occlusion", "0.7", "--opaque-shadows", "--surface", "s.vtp",
+    "--light-tolerance", "0.01", "--light-through-cuts", "--clip", "0,0,0,1,0,0" });
   const auto& light = c.Light;
   ASSERT_EQ(light.Lights.size(), 4u);
   EXPECT_EQ(light.Lights[0].From, (std::array<double, 3>{ { -1, 2, 3 } }));

@@ -110,7 +110,17 @@ TYPED_TEST(FrameStagesOf, SayWhatIsWrong)
   vtkNew<vtkLight> light;
   this->Renderer->AddLight(light);
   this->expectError(
-    "without light", [&] { this->property()->ShadeOn(); }, [&] { this->property()->ShadeOff(); });
+    "choose one component by VectorMode",
+    [&]
+    {
+      this->property()->ShadeOn();
+      this->Input.Effects.Shadows = ShadowMethod::AtVertices;
+    },
+    [&]
+    {
+      this->property()->ShadeOff();
+      this->Input.Effects.Shadows = ShadowMethod::Off;
+    });
   drawn.Vector.Mode = VectorMode::Component;
   drawn.Scalars.Array = this->Data->GetPointData()->GetScalars();
   this->expectError(

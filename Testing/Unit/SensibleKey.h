@@ -20,8 +20,8 @@ inline bool isSensible(const VariantKey& k)
   const bool independent = k.Components == ComponentGroup::Independent;
   const bool ofLight = k.HeadlightOnly || k.SingleLight || k.WorldLights || k.Scattering ||
                        k.CastShadows || k.SampledShadows || k.SeveralShadows || k.OpaqueShadows ||
-                       k.HeadlightShadows || k.Occlusion || k.LightTolerance || k.LightThroughCuts ||
-                       k.FewLights;
+                       k.HeadlightShadows || k.Occlusion || k.LightTolerance ||
+                       k.LightThroughCuts || k.FewLights;
   // Rays enter a lattice through its planes, without lists or predicates.
   const bool ofTetrahedra = k.EntryLists || k.Hierarchy || k.HasFma || k.SplitCells;
   return !(k.Structured && ofTetrahedra) && !(!k.Structured && (k.Rectilinear || k.Leaps)) &&
@@ -32,8 +32,7 @@ inline bool isSensible(const VariantKey& k)
          // Who has no list of where a ray comes into a mesh has to look for it; who has one looks
          // on the way to lights alone.
          (k.Structured || k.EntryLists || k.Hierarchy) &&
-         !(k.EntryLists && k.Hierarchy && !k.SampledShadows &&
-           !(k.Occlusion && k.LightTolerance)) &&
+         !(k.EntryLists && k.Hierarchy && !k.SampledShadows) &&
          // Parts of rays end where they are asked to, and aren't counted.
          !(k.Peeled && (k.OpaqueDepth || k.Diagnostics)) &&
          // What is cropped may be clipped, too.
@@ -44,12 +43,13 @@ inline bool isSensible(const VariantKey& k)
                            k.HeadlightShadows || k.Occlusion)) &&
          !(ofScalars && (k.Shading || k.ShowIllumination || k.ShowGradients)) &&
          // Several scalars are mixed in one way, where there is a volume of several colours;
-         // independent ones of images in light without shadows, and cells that one of them doesn't show another may.
+         // independent ones of images in light without shadows, and cells that one of them doesn't
+         // show another may.
          !(several && (!composite || k.ConstantColor)) &&
-         !(independent && (k.TransparentRanges || k.GradientOpacity ||
-                            (k.Shading && !k.Structured) || k.CellGradients || k.LightTolerance || k.Scattering ||
-                            k.CastShadows || k.HeadlightShadows || k.Occlusion ||
-                            k.ShowIllumination || k.ShowGradients)) &&
+         !(independent &&
+           (k.TransparentRanges || k.GradientOpacity || (k.Shading && !k.Structured) ||
+             k.CellGradients || k.LightTolerance || k.Scattering || k.CastShadows ||
+             k.HeadlightShadows || k.Occlusion || k.ShowIllumination || k.ShowGradients)) &&
          // Corners have one scalar, of points, and vertices no gradient there.
          !(k.CornerScalars &&
            (!k.PointScalars || k.Structured || several ||
@@ -73,6 +73,8 @@ inline bool isSensible(const VariantKey& k)
          !((k.SampledShadows || k.SeveralShadows) && !k.CastShadows) &&
          // Samples keep no tolerance, nor do surfaces.
          !(k.LightTolerance && (!composite || k.PointSampled)) &&
+         // Nor does the light of gradients of cells, unless shadows are sampled.
+         !(k.LightTolerance && k.CellGradients && !k.Structured && !k.SampledShadows) &&
          // No light that a cut could let through.
          !(k.LightThroughCuts && !(k.Clipped && (k.CastShadows || k.Occlusion))) &&
          // No light that opaque geometry could keep off.

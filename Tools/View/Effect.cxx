@@ -91,8 +91,9 @@ const std::vector<tetmarch::Effect>& tetmarch::GetEffects()
       QT_TR_NOOP("Shadows of the volume on itself, sampled along each ray in each frame"),
       IsChosen<Shadows, AlongRays>, Choose<Shadows, AlongRays> },
     { QT_TR_NOOP("Light within 2/255"),
-      QT_TR_NOOP("Light and shadows at so many points of each ray that the estimated error of a pixel is at "
-                 "most 2/255"),
+      QT_TR_NOOP(
+        "Light and shadows at so many points of each ray that the estimated error of a pixel is at "
+        "most 2/255"),
       [](const ViewState& s) { return s.Settings.LightTolerance > 0.0; }, SetLightTolerance },
     { QT_TR_NOOP("Ambient occlusion"), QT_TR_NOOP("The volume blocks ambient light"),
       [](const ViewState& s) { return s.Settings.AmbientOcclusion; },

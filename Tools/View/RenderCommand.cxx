@@ -126,10 +126,10 @@ bool Changes(const ViewState& state, const SettingNames& names)
   {
     return false;
   }
-  return option == "--frame-time"       ? state.Settings.FrameTimeBudget > 0.0
-         : option == "--occlusion"      ? occlusion
-         : option == "--reach"          ? shadows
-         : option == "--opaque-shadows" ? shadows && !state.Data.Surface.empty()
+  return option == "--frame-time"        ? state.Settings.FrameTimeBudget > 0.0
+         : option == "--occlusion"       ? occlusion
+         : option == "--reach"           ? shadows
+         : option == "--opaque-shadows"  ? shadows && !state.Data.Surface.empty()
          : option == "--light-tolerance" ? state.Settings.LightTolerance > 0.0
          : option == "--light-through-cuts"
            ? (shadows || occlusion) && (state.Cuts.Clip || state.Cuts.Crop)

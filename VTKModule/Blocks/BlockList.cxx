@@ -30,30 +30,41 @@ std::string nameOf(vtkCompositeDataIterator* at)
               : "number " + std::to_string(at->GetCurrentFlatIndex());
 }
 
+Block blockOf(vtkDataSet* data, const ScalarSelection& selection)
+{
+  int cellFlag = 0;
+  vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
+    data, selection.Mode, selection.AccessMode, selection.Id, selection.Name, cellFlag);
+  const bool drawable = scalars && cellFlag != 2 && scalars->GetNumberOfComponents() > 0;
+  return { data, 0, {}, drawable ? scalars : nullptr, cellFlag == 1 };
+}
+
 } // namespace
 
-std::vector<Block> listBlocks(vtkCompositeDataSet* input, const ScalarSelection& selection)
+std::vector<Block> listBlocks(vtkDataObject* input, const ScalarSelection& selection)
 {
   std::vector<Block> blocks;
-  const auto at = vtk::TakeSmartPointer(input->NewIterator());
-  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  if (auto* alone = vtkDataSet::SafeDownCast(input))
+  {
+    blocks.push_back(blockOf(alone, selection));
+  }
+  auto* tree = vtkCompositeDataSet::SafeDownCast(input);
+  const auto at = vtk::TakeSmartPointer(tree ? tree->NewIterator() : nullptr);
+  for (tree ? at->InitTraversal() : void(); tree && !at->IsDoneWithTraversal(); at->GoToNextItem())
   {
     auto* data = vtkDataSet::SafeDownCast(at->GetCurrentDataObject());
     if (!data || vtkPolyData::SafeDownCast(data))
     {
       continue;
     }
-    int cellFlag = 0;
-    vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
-      data, selection.Mode, selection.AccessMode, selection.Id, selection.Name, cellFlag);
-    const bool drawable = scalars && cellFlag != 2 && scalars->GetNumberOfComponents() > 0;
-    blocks.push_back(
-      { data, at->GetCurrentFlatIndex(), nameOf(at), drawable ? scalars : nullptr, cellFlag == 1 });
+    blocks.push_back(blockOf(data, selection));
+    blocks.back().FlatIndex = at->GetCurrentFlatIndex();
+    blocks.back().Name = nameOf(at);
   }
   return blocks;
 }
 
-void boundBlocks(vtkCompositeDataSet* input, double bounds[6])
+void boundBlocks(vtkDataObject* input, double bounds[6])
 {
   vtkBoundingBox box;
   for (const Block& block : listBlocks(input, {}))

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The blocks of a composite data set that may be drawn.
+// The blocks of a composite data set that may be drawn; a data set of its own is the only block.
 #ifndef TetMarchBlocksBlockList_h
 #define TetMarchBlocksBlockList_h
 
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-class vtkCompositeDataSet;
 class vtkDataArray;
+class vtkDataObject;
 class vtkDataSet;
 
 namespace tetmarch
@@ -21,16 +21,16 @@ struct Block
 {
   vtkDataSet* Data;
   unsigned int FlatIndex; // in the tree
-  std::string Name;       // for messages
+  std::string Name;       // for messages; empty if it is the only one
   vtkDataArray* Scalars;  // the chosen array; may be null
   bool CellScalars;
 };
 
 /** The data sets of the tree except surfaces (vtkPolyData), in the order of the tree. */
-std::vector<Block> listBlocks(vtkCompositeDataSet* input, const ScalarSelection& selection);
+std::vector<Block> listBlocks(vtkDataObject* input, const ScalarSelection& selection);
 
 /** The box of the points of these blocks; not initialised if there are none. */
-void boundBlocks(vtkCompositeDataSet* input, double bounds[6]);
+void boundBlocks(vtkDataObject* input, double bounds[6]);
 
 /** The version of the joined grid without scalars. */
 Fingerprint shapeOf(const std::vector<Block>& blocks);

@@ -39,6 +39,12 @@ void addName(std::string& names, const std::string& name)
   names += (names.empty() ? "" : ", ") + name;
 }
 
+// Before a message.
+std::string of(const Block& block)
+{
+  return block.Name.empty() ? std::string() : "Block " + block.Name + ": ";
+}
+
 std::string checkBlock(const Block& block)
 {
   std::string error = checkData(block.Data);
@@ -50,7 +56,7 @@ std::string checkBlock(const Block& block)
       std::string("It is a ") + block.Data->GetClassName() +
       ", which can't be joined with others. vtkAppendFilter makes a vtkUnstructuredGrid of it.";
   }
-  return error.empty() ? error : "Block " + block.Name + ": " + error;
+  return error.empty() ? error : of(block) + error;
 }
 
 } // namespace
@@ -87,7 +93,9 @@ std::string JoinedBlocks::choose(const std::vector<Block>& blocks, const ScalarS
   }
   if (!first)
   {
-    return firstSolid ? describeMissingScalars(firstSolid->Data, selection, "No block has ")
+    return firstSolid ? firstSolid->Name.empty()
+                          ? describeMissingScalars(firstSolid->Data, selection)
+                          : describeMissingScalars(firstSolid->Data, selection, "No block has ")
                       : std::string();
   }
   this->CellScalars = first->CellScalars;
@@ -172,7 +180,7 @@ std::string JoinedBlocks::joinScalars(const std::vector<Block>& drawn)
     const std::string wrong = checkScalars(block.Data, block.Scalars, this->CellScalars);
     if (!wrong.empty())
     {
-      return "Block " + block.Name + ": " + wrong;
+      return of(block) + wrong;
     }
     arrays.push_back(block.Scalars);
   }
@@ -195,7 +203,7 @@ std::string JoinedBlocks::joinScalars(const std::vector<Block>& drawn)
   return {};
 }
 
-std::string JoinedBlocks::update(vtkCompositeDataSet* input, const ScalarSelection& selection)
+std::string JoinedBlocks::update(vtkDataObject* input, const ScalarSelection& selection)
 {
   const std::string shortage =
     withinMemory("joining the blocks", [&] { this->joinChanged(input, selection); });
@@ -207,7 +215,7 @@ std::string JoinedBlocks::update(vtkCompositeDataSet* input, const ScalarSelecti
   return this->Error;
 }
 
-void JoinedBlocks::joinChanged(vtkCompositeDataSet* input, const ScalarSelection& selection)
+void JoinedBlocks::joinChanged(vtkDataObject* input, const ScalarSelection& selection)
 {
   const std::vector<Block> blocks = listBlocks(input, selection);
   Fingerprint shape = shapeOf(blocks);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Joins the blocks of a composite data set into one grid, so that rays continue from block to
-// block.
+// block; or makes a grid of a data set of another type.
 #ifndef TetMarchBlocksJoinedBlocks_h
 #define TetMarchBlocksJoinedBlocks_h
 
@@ -24,7 +24,7 @@ class JoinedBlocks
 public:
   /** Join the blocks that have the chosen array. If only the scalars changed, only these are joined
    * again. Returns an empty string, or an error with its remedy; the grid is then null. */
-  std::string update(vtkCompositeDataSet* input, const ScalarSelection& selection);
+  std::string update(vtkDataObject* input, const ScalarSelection& selection);
   void clear();
 
   /** Shared points (sharePoints) are merged, unless their scalars have ever differed between
@@ -40,7 +40,7 @@ public:
   const StageRecord& record() const { return this->Record; }
 
 private:
-  void joinChanged(vtkCompositeDataSet* input, const ScalarSelection& selection);
+  void joinChanged(vtkDataObject* input, const ScalarSelection& selection);
   std::string choose(const std::vector<Block>& blocks, const ScalarSelection& selection);
   std::string join(const std::vector<Block>& drawn);
   std::string joinScalars(const std::vector<Block>& drawn);

@@ -165,7 +165,8 @@ std::string FrameStages::effectsOfComponents(bool showsPicture) const
   }
   if (!this->Marched.isStructured())
   {
-    return "Several independent components of a mesh are drawn together without light and gradients, "
+    return "Several independent components of a mesh are drawn together without light and "
+           "gradients, "
            "but shading (vtkVolumeProperty::ShadeOn()), gradient opacity or a view of them is on. "
            "Switch that off, or choose one component by VectorMode.";
   }
@@ -175,8 +176,10 @@ std::string FrameStages::effectsOfComponents(bool showsPicture) const
   {
     return {};
   }
-  return "Several independent components are lit without shadows, ambient occlusion, scattering and "
-         "gradient opacity, and have no views of gradients and illumination, but one of these is on. "
+  return "Several independent components are lit without shadows, ambient occlusion, scattering "
+         "and "
+         "gradient opacity, and have no views of gradients and illumination, but one of these is "
+         "on. "
          "Switch that off, or choose one component by VectorMode.";
 }
 
@@ -252,7 +255,6 @@ Fingerprint FrameStages::lightVersion(const VariantKey& key) const
   add(version, lights.OcclusionRadius);
   version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
   version.push_back(key.SampledShadows ? 1 : 0); // sampled along rays, lights are not kept
-  version.push_back(key.samplesOcclusion() ? 1 : 0);
   version.push_back(key.NanShown ? 1 : 0);
   version.push_back(key.LightThroughCuts ? 1 : 0);
   for (std::size_t i = 0; key.LightThroughCuts && i < this->Cut.Planes.size(); ++i)

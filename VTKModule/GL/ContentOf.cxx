@@ -78,15 +78,14 @@ PictureContent contentOf(const Fingerprint& shown, const MarchInputs& inputs, vt
   content.Version.push_back(static_cast<std::uintptr_t>(inputs.Level.MostTrials));
   const LightUniforms& lights = inputs.Stages->effects().data().Lights;
   add(content.Version, lights.Tolerance);
-  if (inputs.Key.samplesLight())
+  if (inputs.Key.SampledShadows)
   {
     for (const auto& source : lights.ShadowSources)
     {
       addAll(content.Version, source);
     }
     add(content.Version, lights.Reach);
-    add(content.Version, lights.OcclusionRadius);
-    content.Version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
+    content.Version.push_back(static_cast<std::uintptr_t>(lights.MostSamples));
   }
   if (inputs.Key.OpaqueDepth)
   {

@@ -56,7 +56,7 @@ std::string EffectTextures::update(
         return buffer.upload(window, TexelFormat::R8UI, shadowed.data(), shadowed.size());
       });
   }
-  return error.empty() ? this->updateJitter(window, key.samplesLight() || key.PointSampled) : error;
+  return error.empty() ? this->updateJitter(window, key.SampledShadows || key.PointSampled) : error;
 }
 
 void EffectTextures::releaseJitter(vtkWindow* window)

@@ -63,7 +63,7 @@ public:
   }
   const StageRecord& vertexLightRecord() const { return this->Light.record(); }
   /** Whether the last picture looked for light through the volume along each ray. */
-  bool samplesLight() const { return this->LastKey.samplesLight(); }
+  bool samplesShadows() const { return this->LastKey.SampledShadows; }
   /** Rays of the last picture, if it was adaptive and they were counted; else 0. */
   std::int64_t tracedRays() const
   {

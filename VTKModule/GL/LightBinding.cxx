@@ -106,7 +106,11 @@ void bindLightRays(
     program->SetUniform4fv("shadowSource", count, sources.data());
   }
   program->SetUniformf("lightReach", static_cast<float>(lights.Reach));
-  if (!key.SampledShadows || key.samplesOcclusion())
+  if (key.SampledShadows && key.LightTolerance)
+  {
+    program->SetUniformi("mostLightSamples", lights.MostSamples);
+  }
+  if (!key.SampledShadows)
   {
     program->SetUniformi("occlusionDirectionCount", lights.OcclusionDirections);
     program->SetUniformf("occlusionRadius", static_cast<float>(lights.OcclusionRadius));

@@ -74,11 +74,11 @@ void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const View
   {
     bindImage(program, "vertexLightTexture", inputs.VertexLight);
   }
-  if (key.samplesLight())
+  if (key.SampledShadows)
   {
     bindLightRays(program, stages.effects().data().Lights, true, key);
   }
-  if (key.samplesLight() || key.PointSampled)
+  if (key.SampledShadows || key.PointSampled)
   {
     inputs.Effects->bindJitter(program);
   }

@@ -75,7 +75,7 @@ StageResult Pipeline::traceRay(
     [&](FrameScene& made)
     {
       made.scene().Light = options.IsTruth                 ? LightAt::Points
-                           : this->Passes.samplesLight() ? LightAt::Faces
+                           : this->Passes.samplesShadows() ? LightAt::Faces
                                                            : LightAt::Vertices;
       trace = made.trace(ofFrame);
     });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GL/ClippingBinding.h"
 #include "GL/VertexLightPass.h"
+#include "GL/ClippingBinding.h"
 
 #include "Frame/FrameStages.h"
 #include "GL/EffectTextures.h"

@@ -49,8 +49,8 @@ struct EffectOptions
   Subject Shown = Subject::Picture;
   BlendMode Blend = BlendMode::Composite;
   LightPreset Preset = LightPreset::OfScene; // else shading is on, by these lights
-  double Tolerance = 0; // of a channel by light, 0..1; 0: none is kept
-  bool ThroughCuts = false; // what is clipped away absorbs no light
+  double Tolerance = 0;                      // of a channel by light, 0..1; 0: none is kept
+  bool ThroughCuts = false;                  // what is clipped away absorbs no light
 
   /** Whether the blend mode draws surfaces with gradients, which may be lit. */
   bool showsSurfaces() const

@@ -72,6 +72,16 @@ Fingerprint inputOf(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volum
   return input;
 }
 
+// Mesa's llvmpipe ends a shader after 65,535 turns of all loops, for eight pixels together, of
+// which rays towards the lights take most. Vertices are those of a mesh, or nodes of an image that
+// are four cells apart.
+int mostSamples(const LightUniforms& lights, std::size_t vertices, bool ofMesh)
+{
+  const double cellsOfRay = (ofMesh ? 1.4 : 6.0) * std::cbrt(static_cast<double>(vertices));
+  const double turns = static_cast<double>(lights.ShadowSources.size()) * cellsOfRay;
+  return static_cast<int>(std::clamp(3000.0 / std::max(turns, 1.0), 8.0, 128.0));
+}
+
 bool isShaded(vtkVolumeProperty* property, const EffectOptions& options)
 {
   return options.showsSurfaces() &&
@@ -123,6 +133,8 @@ std::string EffectStage::update(
           (options.CellGradients && input.Source->hasCellGradients()));
       this->updateGradientOpacity(volume, input, byGradient);
       this->updateStarts(*input.Source, this->Data.Lights.hasVolumeLight());
+      this->Data.Lights.MostSamples = mostSamples(
+        this->Data.Lights, this->Data.VertexStarts.size(), input.Source->storesGradients());
       this->updateOpaqueShadows(renderer, volume, input);
     });
   if (!shortage.empty())

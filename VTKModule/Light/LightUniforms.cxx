@@ -170,6 +170,9 @@ std::array<double, 4> sourceOf(const LightSource& light, const WorldTransform& w
   return { { place[0], place[1], place[2], 1 } };
 }
 
+// A smaller tolerance takes more samples of a ray than Mesa's llvmpipe has turns of loops for.
+constexpr double LeastLightTolerance = 1.0 / 255.0;
+
 // VTK's reach 0..1 maps to 0 to the whole diagonal, 2 radii, with higher resolution near 0.
 double distanceOf(double reach) { return 2 * (1 - std::pow(1 - reach, 0.33)); }
 
@@ -234,7 +237,7 @@ LightUniforms makeLightUniforms(const Lighting& lighting, const EffectOptions& o
     lights.Sources.push_back(source);
   }
   lights.Reach = distanceOf(options.Reach);
-  lights.Tolerance = options.Tolerance;
+  lights.Tolerance = std::max(options.Tolerance, LeastLightTolerance);
   lights.ThroughCuts = options.ThroughCuts;
   // A reach through the whole volume may not extend to surfaces outside.
   lights.OpaqueReach = options.Reach < 1 ? lights.Reach : std::numeric_limits<double>::infinity();

@@ -49,9 +49,8 @@ EffectOptions effectOptionsOf(Settings* settings, BlendMode blend)
     settings->GetVolumetricScatteringBlending(), settings->GetGlobalIlluminationReach(),
     settings->GetAmbientOcclusion(), settings->GetAmbientOcclusionRadius(),
     settings->GetAmbientOcclusionDirections(), settings->GetOpaqueShadows(),
-    subjectOf(settings->GetViewMode()), blend,
-    static_cast<LightPreset>(settings->GetLightPreset()), settings->GetLightTolerance(),
-    settings->GetLightThroughCuts() };
+    subjectOf(settings->GetViewMode()), blend, static_cast<LightPreset>(settings->GetLightPreset()),
+    settings->GetLightTolerance(), settings->GetLightThroughCuts() };
 }
 
 } // namespace

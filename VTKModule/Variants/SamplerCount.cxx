@@ -41,7 +41,7 @@ int samplersOf(const VariantKey& key)
 {
   return (key.Structured ? samplersOfLattice(key) : samplersOfMesh(key)) + samplersOfLight(key) +
          (key.usesTables() ? 2 : 0) + (key.needsVariations() ? 1 : 0) + (key.OpaqueDepth ? 1 : 0) +
-         (key.samplesLight() || key.PointSampled ? 1 : 0) + (key.Peeled ? SamplersOfPeeling : 0);
+         (key.SampledShadows || key.PointSampled ? 1 : 0) + (key.Peeled ? SamplersOfPeeling : 0);
 }
 
 VariantKey fittedTo(int units, const VariantKey& key)

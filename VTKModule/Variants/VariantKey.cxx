@@ -95,17 +95,18 @@ VariantKey VariantKey::filtered() const
                     key.Components != ComponentGroup::Independent;
   key.TransparentRanges = key.TransparentRanges && !key.VisiblePart;
   // Rays of pixels have lists, rays towards the light have none.
-  key.Hierarchy = !key.Structured && (!key.EntryLists || (key.Hierarchy && key.samplesLight()));
+  key.Hierarchy = !key.Structured && (!key.EntryLists || (key.Hierarchy && key.SampledShadows));
   key.OpaqueShadows = key.OpaqueShadows && key.CastShadows;
   key.HeadlightShadows = key.HeadlightShadows && key.Shading && !key.SingleLight;
-  key.LightThroughCuts =
-    key.LightThroughCuts && key.Clipped && (key.CastShadows || key.Occlusion);
+  key.LightThroughCuts = key.LightThroughCuts && key.Clipped && (key.CastShadows || key.Occlusion);
   // A scalar of cells has no gradient inside its cells.
   // Where the scalar jumps at vertices, these have no gradient.
   key.CornerScalars =
     key.CornerScalars && key.PointScalars && !key.Structured && !key.hasComponents();
   key.CellGradients =
     (key.CellGradients || key.CornerScalars) && key.PointScalars && key.hasGradients();
+  // Of a cell there is one gradient, as fine as it gets.
+  key.LightTolerance = key.LightTolerance && (key.SampledShadows || key.hasVertexGradients());
   return key;
 }
 

@@ -5,12 +5,14 @@
 #include "GridBlocks.h"
 #include "OtherGrid.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTrivialProducer.h"
 
 #include <cmath>
@@ -94,6 +96,41 @@ TEST(Blocks, LookLikeTheWhole)
       }
     }
   }
+}
+
+// A curvilinear grid needs no tree around it.
+TEST(Blocks, CurvilinearGridsAlone)
+{
+  constexpr int n = 6;
+  const std::vector<double> places = latticePoints(n, 0.15, 1);
+  const Field field = sineField();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> scalars;
+  scalars->SetName("f");
+  for (std::size_t i = 0; i < places.size(); i += 3)
+  {
+    points->InsertNextPoint(&places[i]);
+    scalars->InsertNextValue(field(places[i], places[i + 1], places[i + 2]));
+  }
+  vtkNew<vtkStructuredGrid> grid;
+  grid->SetDimensions(n + 1, n + 1, n + 1);
+  grid->SetPoints(points);
+  grid->GetPointData()->SetScalars(scalars);
+  vtkNew<vtkPartitionedDataSet> tree;
+  tree->SetPartition(0, grid);
+  Scene alone(jitteredLattice(2, 0.0));
+  Scene inTree(jitteredLattice(2, 0.0));
+  alone.Mapper->SetInputDataObject(grid);
+  inTree.Mapper->SetInputDataObject(tree);
+  const Image whole = inTree.render();
+  EXPECT_EQ(compare(alone.render(), whole).Max, 0.0);
+  EXPECT_EQ(alone.Mapper->GetNumberOfTetrahedra(), 6 * n * n * n);
+  EXPECT_EQ(vtkBoundingBox(alone.Mapper->GetBounds()), vtkBoundingBox(grid->GetBounds()));
+  grid->BlankCell(n * n * n / 2 + n * n / 2);
+  grid->Modified();
+  const Image blanked = inTree.render();
+  EXPECT_GT(compare(blanked, whole).Max, 0.02);
+  EXPECT_EQ(compare(alone.render(), blanked).Max, 0.0);
 }
 
 // Where blocks have other values at the points that they share, they are cells with points of their

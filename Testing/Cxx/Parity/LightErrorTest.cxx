@@ -87,6 +87,7 @@ TEST(LightError, Lattice)
   Scene scene(jitteredLattice(12, 0.15, 1, sineField()), 96, 96);
   shine(scene, 3.0, 4.0, 1.5);
   expectSmallErrors(scene);
+  expectToleranceKept(scene);
 }
 
 // Cells of an optical depth of 2, in which light fades faster than a line between vertices or
@@ -129,6 +130,7 @@ TEST(LightError, PointLightInside)
   Scene scene(jitteredLattice(16, 0.15, 1, sineField()), 96, 96);
   shine(scene, 0.45, 0.6, 0.5, true);
   expectSmallErrors(scene);
+  expectToleranceKept(scene);
 }
 
 TEST(LightError, Tunnel)
@@ -136,6 +138,7 @@ TEST(LightError, Tunnel)
   Scene scene(latticeWithTunnel(12, 0.15, 1, sineField()), 96, 96);
   shine(scene, 3.0, 4.0, 1.5);
   expectSmallErrors(scene);
+  expectToleranceKept(scene);
 }
 
 // The shadow of a wire that is narrower than a cell of the wall, and falls through fog.
@@ -162,6 +165,5 @@ TEST(LightError, Occlusion)
   scene.Mapper->AmbientOcclusionOn();
   scene.Mapper->SetAmbientOcclusionRadius(0.2);
   EXPECT_LE(errorOf(scene, "occlusion").Rms, 4.0 / 255.0);
-  expectToleranceKept(scene);
 }
 } // namespace
