@@ -4,12 +4,11 @@
 import dataclasses
 
 from vtktetmarch import vtkTetMarchSettings as Settings
-from vtktetmarch import vtkTetMarchVolumeMapper
 
 STEP = 1 / 255
 DEFAULTS = {"AccuracyLevel": Settings.DEFAULT, "GradientType": Settings.VERTEX_GRADIENTS,
             "ShadowMethod": Settings.SHADOWS_OFF, "OpaqueShadows": False, "AmbientOcclusion": False,
-            "VolumetricScatteringBlending": 0.0}
+            "LightTolerance": 0.0, "VolumetricScatteringBlending": 0.0}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -30,10 +29,6 @@ WAYS = {
     "VTK, 1 sample": Way({}, samples=1, only="image"),
     "VTK, 4 samples": Way({}, samples=4, only="image"),
 }
-if hasattr(vtkTetMarchVolumeMapper, "SetLightTolerance"):
-    DEFAULTS["LightTolerance"] = 0.0
-else:
-    WAYS = {name: way for name, way in WAYS.items() if name not in TOLERANCES}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -72,7 +67,7 @@ EFFECTS = {
 
 def ways_of(effect, kind):
     """Names, for data of a kind."""
-    return [name for name in effect.ways if name in WAYS and WAYS[name].only in ("", kind)]
+    return [name for name in effect.ways if WAYS[name].only in ("", kind)]
 
 
 def settings_of(effect, way):
@@ -82,5 +77,5 @@ def settings_of(effect, way):
 def keeps_light(effect, way):
     """Whether points of the volume keep light, which is computed when the light moves."""
     settings = settings_of(effect, way)
-    at_points = settings["ShadowMethod"] == Settings.SHADOWS_AT_VERTICES or settings["AmbientOcclusion"]
-    return settings["OpaqueShadows"] or (at_points and not settings.get("LightTolerance"))
+    shadows = settings["ShadowMethod"] == Settings.SHADOWS_AT_VERTICES and not settings["LightTolerance"]
+    return shadows or settings["OpaqueShadows"] or settings["AmbientOcclusion"]
