@@ -112,8 +112,7 @@ void EffectTextures::bind(vtkShaderProgram* program, const EffectData& data, con
   }
 }
 
-void EffectTextures::bindVertexRays(
-  vtkShaderProgram* program, const EffectData& data, const VariantKey& key)
+void EffectTextures::bindVertexRays(vtkShaderProgram* program, const VariantKey& key)
 {
   if (!key.Structured)
   {

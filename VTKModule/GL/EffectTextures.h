@@ -26,7 +26,7 @@ public:
   /** What Shaders/light/gradient_buffers.glsl declares. */
   void bind(vtkShaderProgram* program, const EffectData& data, const VariantKey& key);
   /** What Shaders/light/vertex_ray_buffers.glsl declares. */
-  void bindVertexRays(vtkShaderProgram* program, const EffectData& data, const VariantKey& key);
+  void bindVertexRays(vtkShaderProgram* program, const VariantKey& key);
   /** For samples along rays. */
   void bindJitter(vtkShaderProgram* program);
   void unbind();

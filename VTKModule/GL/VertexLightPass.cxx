@@ -203,7 +203,7 @@ std::string VertexLightPass::drawTile(
   inputs.Volume->bind(program, inputs.Key);
   inputs.Tables->bind(program, inputs);
   inputs.Effects->bind(program, inputs.Stages->effects().data(), inputs.Key);
-  inputs.Effects->bindVertexRays(program, inputs.Stages->effects().data(), inputs.Key);
+  inputs.Effects->bindVertexRays(program, inputs.Key);
   bindLightRays(program, inputs.Stages->effects().data().Lights, work.ToLights, inputs.Key);
   if (inputs.Key.LightThroughCuts)
   {
