@@ -111,5 +111,5 @@ TEST_P(LightHardCases, InImages)
 }
 
 INSTANTIATE_TEST_SUITE_P(With, LightHardCases, testing::ValuesIn(Cases),
-  [](const auto& info) { return std::string(info.param.Name); });
+  [](const auto& of) { return std::string(of.param.Name); });
 } // namespace

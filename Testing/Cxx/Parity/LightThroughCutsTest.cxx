@@ -86,5 +86,5 @@ INSTANTIATE_TEST_SUITE_P(By, LightThroughCuts,
     Way{ "AlongRays", Settings::SHADOWS_ALONG_RAYS, 0.0, false },
     Way{ "WithinTolerance", Settings::SHADOWS_ALONG_RAYS, 1.0 / 255.0, false },
     Way{ "Occlusion", Settings::SHADOWS_OFF, 0.0, true }),
-  [](const auto& info) { return std::string(info.param.Name); });
+  [](const auto& of) { return std::string(of.param.Name); });
 } // namespace
