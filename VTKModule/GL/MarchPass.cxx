@@ -240,10 +240,9 @@ std::string MarchPass::drawTile(vtkOpenGLRenderWindow* window, const MarchInputs
   bindInputs(program, inputs, target);
   // llvmpipe takes 60 % of the time of a short ray for one that misses the mesh.
   const Viewport entered = overlapOf(tile, inputs.Volume->enteredPart(inputs.Key, target));
-  if (entered.Width > 0 && entered.Height > 0)
-  {
-    drawCorners(program, this->Draw, target, entered);
-  }
+  const bool any = entered.Width > 0 && entered.Height > 0;
+  // A frame without entries holds the same GL objects as any other.
+  drawCorners(program, this->Draw, target, any ? entered : tile);
   unbindInputs(inputs);
   return {};
 }

@@ -198,7 +198,7 @@ void takeWhatAllKnow(AnyScene& scene, const PictureKernel& kernel)
   scene.Mapper->DrawNanCellsOn();
   scene.property()->GetRGBTransferFunction()->SetNanColorRGBA(0.9, 0.2, 0.7, 0.4);
   scene.Renderer->AddActor(makeBall({ 0.2, 0.25, 0.2 }, 0.3, { 1.0, 1.0, 1.0 }));
-  if (isOf(kernel, "SHADING") && isComposite(kernel))
+  if (isOf(kernel, "SHADING") && isComposite(kernel) && !isOf(kernel, "INDEPENDENT"))
   {
     setGradientOpacity(scene.property());
     scene.Mapper->SetShadowMethodToAtVertices();
