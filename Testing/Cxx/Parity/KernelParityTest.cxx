@@ -139,6 +139,15 @@ std::vector<Way<AnyScene>> ways()
       [](AnyScene& scene)
       {
         setShading(scene.property());
+        for (int k = 1; k < 4; ++k) // as the first component: others are left to VTK's mapper
+        {
+          vtkVolumeProperty* property = scene.property();
+          property->SetShade(k, property->GetShade());
+          property->SetAmbient(k, property->GetAmbient());
+          property->SetDiffuse(k, property->GetDiffuse());
+          property->SetSpecular(k, property->GetSpecular());
+          property->SetSpecularPower(k, property->GetSpecularPower());
+        }
         addLight(scene.Renderer, 3.0, 4.0, 1.5);
       } },
     { "STRUCTURED", [](AnyScene&) {} },
