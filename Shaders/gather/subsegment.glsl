@@ -56,7 +56,7 @@ void addSubsegment(
     radiance.lightError + radiance.transmittance * by.absorbed * fraction * lightErrorOf(cell);
 #endif
 #if TETMARCH_LIGHT_TOLERANCE
-  // Most of what is seen of a dense subsegment is in front of its middle.
+  // The front half of a dense subsegment hides the other half.
   middle = middle + fraction * (seenFraction(real(1), real(1) - by.absorbed) - real(0.5));
 #endif
 #if TETMARCH_LIT

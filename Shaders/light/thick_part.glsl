@@ -1,7 +1,7 @@
 // The light of a part of a cell that absorbs much of it: sampled at both ends and, if these differ, in the middle.
 
-CONSTANT real THICK_PART = real(0.03125);          // share of the light of the pixel; thinner ones wait for samples
-CONSTANT real PART_OF_DENSE = real(0.001953125);   // the same in a cell of which parts were too dense
+CONSTANT real THICK_PART = real(0.03125);        // share of the light of the pixel; thinner ones wait for samples
+CONSTANT real PART_OF_DENSE = real(0.001953125); // in place of THICK_PART, after a part of the cell was too dense
 CONSTANT real MOST_OF_A_PART = real(0.25); // share of the ray's light
 CONSTANT real LEAST_THICK_PART = real(0.00048828125); // of the interval
 

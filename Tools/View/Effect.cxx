@@ -92,7 +92,7 @@ const std::vector<tetmarch::Effect>& tetmarch::GetEffects()
       IsChosen<Shadows, AlongRays>, Choose<Shadows, AlongRays> },
     { QT_TR_NOOP("Light within 2/255"),
       QT_TR_NOOP(
-        "Light and shadows at so many points of each ray that the estimated error of a pixel is at "
+        "Light and shadows at more points of each ray, until the estimated error of a pixel is at "
         "most 2/255"),
       [](const ViewState& s) { return s.Settings.LightTolerance > 0.0; }, SetLightTolerance },
     { QT_TR_NOOP("Ambient occlusion"), QT_TR_NOOP("The volume blocks ambient light"),

@@ -18,8 +18,8 @@ struct EnteredPixels
   int Top = 0;
 };
 
-/** The smallest rectangle of tiles outside of which no tile has a candidate. Its right and top
- * tiles may reach beyond the picture. */
+/** The smallest rectangle of tiles that includes all tiles with candidates. Its right and top tiles
+ * may reach beyond the picture. */
 EnteredPixels enteredPixels(const EntryLists& lists);
 
 } // namespace tetmarch

@@ -24,7 +24,7 @@ public:
     vtkOpenGLRenderWindow* window, const EntryLists& lists, const Fingerprint& version);
   void bind(vtkShaderProgram* program);
   void unbind();
-  /** The part of a target outside of which no pixel has a candidate. */
+  /** The part of a target that includes all pixels with candidates. */
   Viewport enteredPart(const Viewport& target) const;
   /** Leave the lists out of what was captured: they depend on the view. */
   static void removeFrom(CapturedProgram& captured);

@@ -95,7 +95,7 @@ public:
     return {};
   }
   virtual void releaseEntries(vtkWindow* /*window*/) {}
-  /** The part of a target of the viewport's size outside of which no ray of these lists enters. */
+  /** The part of a target of the viewport's size that includes all pixels with candidates. */
   virtual Viewport enteredPart(const VariantKey& /*key*/, const Viewport& target) const
   {
     return target;
