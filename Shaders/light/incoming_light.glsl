@@ -6,7 +6,7 @@ vec4 incomingLight(LightStart start, uint blocked)
   real ambient = real(0);
   for (int k = 0; k < shadowSourceCount + occlusionDirectionCount; ++k)
   {
-    bool fromLight = k < shadowSourceCount;
+    bool fromLight = occlusionDirectionCount == 0 || k < shadowSourceCount;
     vec4 source = fetchShadowSource(min(k, MOST_SHADOW_SOURCES - 1)); // position, 1; or unit vector to it, 0
     vec3 toLight = vec3(source.x, source.y, source.z) - start.point * source.w;
     real far = sqrt(dot(toLight, toLight));

@@ -3,7 +3,8 @@
 uniform float givenBackSide;
 uniform vec3 givenAmbient;
 uniform float givenSpecularPower;
-#if TETMARCH_ES
+// In images, global variables would take registers of a GPU.
+#if TETMARCH_STRUCTURED || TETMARCH_ES
 #define backSide givenBackSide
 #define ambientColor givenAmbient
 #define specularPower givenSpecularPower
