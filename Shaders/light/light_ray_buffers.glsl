@@ -13,5 +13,10 @@ uniform int occlusionDirectionCount;
 uniform float occlusionRadius;
 #endif
 #if TETMARCH_LIGHT_TOLERANCE
-uniform int mostLightSamples; // per ray; the rest has the light of the last one (march/sample_pause.glsl)
+// Per ray; the rest has the light of the last one (march/sample_pause.glsl).
+#if TETMARCH_LIMITS_TURNS
+uniform int mostLightSamples;
+#else
+const int mostLightSamples = 4096; // a guard
+#endif
 #endif

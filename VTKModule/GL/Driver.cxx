@@ -117,6 +117,7 @@ std::string driverDefines()
                             std::atoi(version.data() + mesa + 5) > LastMesaWithoutCare &&
                             hasExtension("GL_ARB_ES3_1_compatibility");
   std::string defines = skipsHelpers ? "#define TETMARCH_SKIPS_HELPERS 1\n" : "";
+  defines += isLlvmpipe ? "#define TETMARCH_LIMITS_TURNS 1\n" : "";
   defines += hasExtension("GL_ARB_texture_gather") ? "#define TETMARCH_HAS_GATHER 1\n" : "";
   defines += hasExtension("GL_ARB_gpu_shader5") ? "#define TETMARCH_HAS_PRECISE 1\n" : "";
   return defines;

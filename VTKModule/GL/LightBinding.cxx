@@ -106,7 +106,7 @@ void bindLightRays(
     program->SetUniform4fv("shadowSource", count, sources.data());
   }
   program->SetUniformf("lightReach", static_cast<float>(lights.Reach));
-  if (key.SampledShadows && key.LightTolerance)
+  if (program->IsUniformUsed("mostLightSamples"))
   {
     program->SetUniformi("mostLightSamples", lights.MostSamples);
   }

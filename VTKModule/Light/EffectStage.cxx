@@ -73,8 +73,8 @@ Fingerprint inputOf(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volum
 }
 
 // Mesa's llvmpipe ends a shader after 65,535 turns of all loops, for eight pixels together, of
-// which rays towards the lights take most. Vertices are those of a mesh, or nodes of an image that
-// are four cells apart.
+// which rays towards the lights take most (TETMARCH_LIMITS_TURNS). Vertices are those of a mesh, or
+// nodes of an image that are four cells apart.
 int mostSamples(const LightUniforms& lights, std::size_t vertices, bool ofMesh)
 {
   const double cellsOfRay = (ofMesh ? 1.4 : 6.0) * std::cbrt(static_cast<double>(vertices));

@@ -55,7 +55,7 @@ struct LightUniforms
   std::vector<std::array<double, 4>> ShadowSources; // as Place, but in the normalised frame
   double Reach = 0;                                 // in the normalised frame
   double Tolerance = 0;                             // of a channel by light; 0: none is kept
-  int MostSamples = 256;                            // on a ray of the picture, with a tolerance
+  int MostSamples = 256;                            // on a ray, with a tolerance, by llvmpipe
   bool ThroughCuts = false;                         // what is clipped away absorbs no light
   double OpaqueReach = 0; // the same for shadows of opaque geometry; infinity: no limit
   int OcclusionDirections = 0;
