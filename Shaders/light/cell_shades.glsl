@@ -32,6 +32,28 @@ FacePoint leavePoint(CellInterval cell)
 }
 #endif
 
+#if TETMARCH_LIT_PARTS || TETMARCH_LIGHT_AT_POINTS
+// The point at a depth in the cell.
+FacePoint pointWithin(Ray ray, CellInterval cell, real depth)
+{
+  FacePoint point;
+  point.depth = depth;
+#if TETMARCH_POINT_SCALARS
+  point.scalar = scalarIn(cell, depth);
+#else
+  point.scalar = cell.scalar;
+#endif
+#if TETMARCH_STRUCTURED && TETMARCH_EFFECTS
+  point.attributes = attributesAt(ray, cell.crossed, depth);
+#elif TETMARCH_CELL_ATTRIBUTES
+  real f = fractionAt(cell.enter, cell.leave, depth);
+  point.attributes = interpolateAttributes(
+    cell.enterAttributes, cell.leaveAttributes, cell.leaveAttributes, vec3(real(1) - f, f, real(0)));
+#endif
+  return point;
+}
+#endif
+
 #if TETMARCH_KEEPS_SHADE
 // Before the first cell, at the ray's entry into the mesh.
 void beginShades(Ray ray, INOUT(CellInterval) cell) { cell.leaveShade = shadeAtFace(ray, leavePoint(cell)); }
@@ -52,14 +74,17 @@ void advanceShades(INOUT(CellInterval) cell)
 // Sets the shades at both ends of an interval; the place is that of its end.
 void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
 {
+#if TETMARCH_KEEPS_CROSSED
+  cell.crossed = place.crossed;
+#endif
 #if TETMARCH_LIGHT_AT_POINTS
-  if (shadesPoints(ray, place, cell))
+  if (shadesPoints(ray, cell))
   {
     return;
   }
 #endif
-#if TETMARCH_POINT_SAMPLED && TETMARCH_EFFECTS
-  cell.crossed = place.crossed; // each sample has its own shade
+#if TETMARCH_POINT_SAMPLED
+  // Each sample has its own shade.
 #elif TETMARCH_FINDS_SHADES
   // The shade at the ray's entry is that at its exit from the last cell, unless that was skipped.
   int missing = cell.enterShadeKnown ? 1 : 2;
@@ -89,9 +114,6 @@ void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
   cell.enterShade = shadeOf(ray, depth, scalar, fetchCellGradient(cell.number),
     (incomingAt(ray, from) + incomingAt(ray, to)) * real(0.5));
   cell.leaveShade = cell.enterShade;
-#endif
-#if TETMARCH_LIT_COMPONENTS || (TETMARCH_LIT_PARTS && TETMARCH_STRUCTURED)
-  cell.crossed = place.crossed;
 #endif
 #if TETMARCH_VERTEX_LIGHT_ERROR
   cell.interpolationError = lightInterpolationError(place.face);

@@ -14,26 +14,6 @@ real shadeBudget(Radiance radiance, real absorbed)
   return max(real(0.25) * (lightTolerance * earned - radiance.shadeError), real(0.5) * lightTolerance * absorbed);
 }
 
-// The shade at a depth in the cell.
-Shade shadeWithin(Ray ray, CellInterval cell, real depth)
-{
-  FacePoint point;
-  point.depth = depth;
-#if TETMARCH_POINT_SCALARS
-  point.scalar = scalarIn(cell, depth);
-#else
-  point.scalar = cell.scalar;
-#endif
-#if TETMARCH_STRUCTURED
-  point.attributes = attributesAt(ray, cell.crossed, depth);
-#else
-  real f = fractionAt(cell.enter, cell.leave, depth);
-  point.attributes = interpolateAttributes(
-    cell.enterAttributes, cell.leaveAttributes, cell.leaveAttributes, vec3(real(1) - f, f, real(0)));
-#endif
-  return shadeAtFace(ray, point);
-}
-
 // As gatherCell().
 #if TETMARCH_SAMPLED_SHADOWS
 int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance,
@@ -70,10 +50,14 @@ int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, IN
     trials = trials + 1;
     bool rest = trials == MOST_LIT_TRIALS;
     step = rest ? real(1) - position : step;
-    to = chooseShade(rest, last, to);
+    if (rest)
+    {
+      to = last;
+    }
     inMiddle = inMiddle || rest;
     real end = position + step;
-    Shade found = shadeWithin(ray, whole, whole.begin + extent * (inMiddle ? position + real(0.5) * step : end));
+    real depth = whole.begin + extent * (inMiddle ? position + real(0.5) * step : end);
+    Shade found = shadeAtFace(ray, pointWithin(ray, whole, depth));
     if (inMiddle)
     {
       Shade mean = shiftShade(from, from, to, real(0.5));

@@ -69,15 +69,6 @@ Shade shadeAtFace(Ray ray, FacePoint point)
 #endif
 
 #if TETMARCH_LIT_PARTS
-Shade chooseShade(bool first, Shade a, Shade b)
-{
-  if (first)
-  {
-    return a;
-  }
-  return b;
-}
-
 // p + (b - a) * fraction.
 Shade shiftShade(Shade p, Shade a, Shade b, real fraction)
 {

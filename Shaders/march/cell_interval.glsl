@@ -48,7 +48,7 @@ struct CellInterval
 #if TETMARCH_POINT_SAMPLED || TETMARCH_LIT_COMPONENTS
   Ray ray;     // the ray that crosses the cell
 #endif
-#if TETMARCH_LIT_COMPONENTS || (TETMARCH_EFFECTS && TETMARCH_STRUCTURED && (TETMARCH_POINT_SAMPLED || TETMARCH_LIT_PARTS))
+#if TETMARCH_KEEPS_CROSSED
   ivec3 crossed; // the cell's indices along the axes
 #endif
 #if TETMARCH_ISOSURFACES

@@ -7,8 +7,7 @@
 
 bool LightAtPoints = false; // else as in the shaders
 Real lightTolerance = 0;
-Ray LitRay{};           // crosses the interval
-RayPosition LitPlace{}; // behind the interval
+Ray LitRay{}; // crosses the interval
 
 struct LitPoint
 {
@@ -31,36 +30,16 @@ void useLightAtPoints(const Scene& scene)
 }
 
 // At the end of a cell. Returns whether gatherLit() evaluates its light.
-bool shadesPoints(const Ray& ray, const RayPosition& place, CellInterval& cell)
+bool shadesPoints(const Ray& ray, CellInterval& cell)
 {
   if (LightAtPoints)
   {
     LitRay = ray;
-    LitPlace = place;
 #if TETMARCH_VERTEX_LIGHT_ERROR
     cell.interpolationError = 0;
 #endif
   }
   return LightAtPoints;
-}
-
-FacePoint pointWithin(const CellInterval& cell, Real depth)
-{
-  FacePoint point;
-  point.depth = depth;
-#if TETMARCH_POINT_SCALARS
-  point.scalar = scalarIn(cell, depth);
-#else
-  point.scalar = cell.scalar;
-#endif
-#if TETMARCH_STRUCTURED
-  point.attributes = attributesAt(LitRay, LitPlace.crossed, depth);
-#elif TETMARCH_CELL_ATTRIBUTES
-  const Real f = fractionAt(cell.enter, cell.leave, depth);
-  point.attributes = interpolateAttributes(
-    cell.enterAttributes, cell.leaveAttributes, cell.leaveAttributes, vec3(1 - f, f, 0));
-#endif
-  return point;
 }
 
 Shade shadeWithin(const CellInterval& cell, Real depth)
@@ -71,7 +50,7 @@ Shade shadeWithin(const CellInterval& cell, Real depth)
     return { 1 };
   }
 #endif
-  const FacePoint point = pointWithin(cell, depth);
+  const FacePoint point = pointWithin(LitRay, cell, depth);
 #if TETMARCH_VERTEX_GRADIENTS
   return shadeAtFace(LitRay, point);
 #else
