@@ -3,6 +3,7 @@
 #include "vtkTetMarchVolumeMapperInternals.h"
 
 #include "Caching/WithinMemory.h"
+#include "Input/SolidCells.h"
 #include "Mapper/MapperFrame.h"
 #include "Mapper/RecordStatistics.h"
 #include "Mesh/MeshReport.h"
@@ -81,13 +82,13 @@ std::string vtkTetMarchVolumeMapper::RenderInput(
   const auto mostBytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
   selecting ? internal.Pipeline.beginPick(mostBytes) : internal.Pipeline.begin(mostBytes);
   std::string error;
-  vtkUnstructuredGrid* grid = this->FindGrid(error);
+  vtkPointSet* grid = this->FindGrid(error);
   return grid || internal.isShared() ? this->RenderGrid(grid, error, window, renderer, volume)
                                      : error;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTetMarchVolumeMapper::RenderGrid(vtkUnstructuredGrid* grid, std::string found,
+std::string vtkTetMarchVolumeMapper::RenderGrid(vtkPointSet* grid, std::string found,
   vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
 {
   Internals& internal = *this->Internal;
@@ -153,7 +154,8 @@ double* vtkTetMarchVolumeMapper::GetOwnBounds()
 int vtkTetMarchVolumeMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
   this->Superclass::FillInputPortInformation(port, info);
-  for (const char* type : { "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkDataObjectTree" })
+  for (const char* type :
+    { "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkDataObjectTree", "vtkUniformGridAMR" })
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
   }
@@ -184,12 +186,18 @@ vtkLookupTable* vtkTetMarchVolumeMapper::GetViewLookupTable()
 }
 
 //------------------------------------------------------------------------------
-vtkUnstructuredGrid* vtkTetMarchVolumeMapper::FindGrid(std::string& error)
+vtkPointSet* vtkTetMarchVolumeMapper::FindGrid(std::string& error)
 {
   vtkDataObject* input = this->GetDataObjectInput();
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
+  vtkPointSet* grid = vtkUnstructuredGrid::SafeDownCast(input);
   tetmarch::JoinedBlocks& blocks = this->Internal->Blocks;
-  if (isJoined(input))
+  auto* curvilinear = vtkStructuredGrid::SafeDownCast(input);
+  if (curvilinear && !this->Internal->isShared())
+  {
+    blocks.clear();
+    grid = tetmarch::hasSolidCells(curvilinear) ? curvilinear : nullptr;
+  }
+  else if (isJoined(input))
   {
     error = blocks.update(input, tetmarch::selectionOf(this));
     grid = blocks.grid();

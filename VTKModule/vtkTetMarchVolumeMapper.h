@@ -33,14 +33,16 @@
  *
  * The input is a vtkUnstructuredGrid, a curvilinear grid (vtkStructuredGrid,
  * vtkExplicitStructuredGrid), or a tree of blocks (vtkMultiBlockDataSet, vtkPartitionedDataSet,
- * vtkPartitionedDataSetCollection; by SetInputConnection() or SetInputDataObject()). Blocks are joined into one grid, so that rays continue from one block to
- * the next. They may be any data sets with 3D cells, also images and rectilinear grids, whose cells
- * are decomposed into tetrahedra. Points of different blocks are identified by global point ids if
- * all blocks have them, else by equal coordinates to the last bit. If such points have different
- * scalars, each block keeps its own, unless its point is a duplicate by vtkGhostType. Blocks
- * without the chosen array are left out with a warning that names them. The joined grid is updated
- * when blocks have changed, and takes memory in addition to them. GetInput() is null for other
- * input than a vtkUnstructuredGrid; GetDataObjectInput() is not.
+ * vtkPartitionedDataSetCollection, vtkOverlappingAMR, vtkNonOverlappingAMR; by SetInputConnection()
+ * or SetInputDataObject()). Of an adaptive mesh the finest cells are drawn. Blocks are joined into
+ * one grid, so that rays continue from one block to the next. They may be any data sets with 3D
+ * cells, also images and rectilinear grids, whose cells are decomposed into tetrahedra. Points of
+ * different blocks are identified by global point ids if all blocks have them, else by equal
+ * coordinates to the last bit. If such points have different scalars, each block keeps its own,
+ * unless its point is a duplicate by vtkGhostType. Blocks without the chosen array are left out
+ * with a warning that names them. The joined grid is updated when blocks have changed, and takes
+ * memory in addition to them. GetInput() is null for other input than a vtkUnstructuredGrid;
+ * GetDataObjectInput() is not.
  *
  * The stages (mesh, scalars, transfer function tables, camera) run again only when their input has
  * changed; Get...Builds() counts the runs. A mesh in new arrays is compared by the values of its
@@ -72,8 +74,8 @@ class vtkFloatArray;
 class vtkLookupTable;
 class vtkMultiProcessController;
 class vtkOpenGLRenderWindow;
+class vtkPointSet;
 class vtkTable;
-class vtkUnstructuredGrid;
 
 class VTKRENDERINGTETMARCH_EXPORT vtkTetMarchVolumeMapper : public vtkUnstructuredGridVolumeMapper
 {
@@ -294,9 +296,10 @@ public:
    * and gradient opacity of dependent components use the gradient of the one that gives the
    * opacity; vtkGPUVolumeRayCastMapper uses the first one, and the last of 4 from VTK 9.4 on.
    * Independent components of meshes have no light: ShadeOn(), gradient opacity, VIEW_ILLUMINATION
-   * and VIEW_GRADIENTS are errors. Those of a vtkTetMarchSmartVolumeMapper are lit by the gradient of
-   * each, without shadows, and with the reflection of component 0. Picks use all components; PickedScalar is the first of independent
-   * ones, and of dependent ones the one that gives the opacity.
+   * and VIEW_GRADIENTS are errors. Those of a vtkTetMarchSmartVolumeMapper are lit by the gradient
+   * of each, without shadows, and with the reflection of component 0. Picks use all components;
+   * PickedScalar is the first of independent ones, and of dependent ones the one that gives the
+   * opacity.
    */
   enum VectorModeType
   {
@@ -469,10 +472,10 @@ private:
 
   class Internals;
 
-  vtkUnstructuredGrid* FindGrid(std::string& error);
+  vtkPointSet* FindGrid(std::string& error);
   std::string RenderInput(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
-  std::string RenderGrid(vtkUnstructuredGrid* grid, std::string found,
-    vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
+  std::string RenderGrid(vtkPointSet* grid, std::string found, vtkOpenGLRenderWindow* window,
+    vtkRenderer* renderer, vtkVolume* volume);
   double* GetOwnBounds();
   bool Report(const std::string& error); // whether there is none
 

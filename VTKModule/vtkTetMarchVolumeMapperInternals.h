@@ -28,7 +28,7 @@ public:
   /** Whether other processes have pieces of the volume. */
   bool isShared() const { return this->Distributed.Processes.size() > 1; }
   /** The drawn data of a grid, which may be nullptr. */
-  tetmarch::DrawnData drawnOf(vtkTetMarchVolumeMapper* mapper, vtkUnstructuredGrid* grid);
+  tetmarch::DrawnData drawnOf(vtkTetMarchVolumeMapper* mapper, vtkPointSet* grid);
   /** The options of the mesh without other processes: those of the last common frame. */
   tetmarch::PieceOptions pieceAlone() const
   {

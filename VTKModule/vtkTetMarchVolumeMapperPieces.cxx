@@ -8,7 +8,7 @@
 
 //------------------------------------------------------------------------------
 tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
-  vtkTetMarchVolumeMapper* mapper, vtkUnstructuredGrid* grid)
+  vtkTetMarchVolumeMapper* mapper, vtkPointSet* grid)
 {
   tetmarch::FoundScalars scalars;
   if (grid)
@@ -20,7 +20,8 @@ tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
   vtkDataSet* data = grid ? grid : this->NoCells.Get();
   if (grid && this->isShared())
   {
-    this->Own.update(grid, scalars.Array, scalars.OfCells, this->Blocks.origins());
+    this->Own.update(vtkUnstructuredGrid::SafeDownCast(grid), scalars.Array, scalars.OfCells,
+      this->Blocks.origins());
     data = this->Own.grid();
     scalars.Array = this->Own.scalars();
   }

@@ -5,7 +5,7 @@
 //VTK::Output::Dec
 
 #include "march/volume_buffers.glsl"
-#include "tet/packed_cells.glsl"
+#include "tet/cells.glsl"
 #include "tet/edge_sign.glsl"
 #include "march/ray.glsl"
 #include "tet/vertex_attributes.glsl"

@@ -46,6 +46,9 @@ Crossing crossCell(Ray ray, INOUT(RayPosition) place, INOUT(CellInterval) cell)
   cell.before = enter.y != cell.leave.y ? vec2(-NO_DEPTH, real(0)) : cell.before;
 #endif
   cell.number = tet;
+#if TETMARCH_LIT_COMPONENTS
+  cell.ray = ray;
+#endif
   cell.enter = enter;
   cell.leave = intersectionPoint(place.face);
 #if TETMARCH_VERTEX_ATTRIBUTES

@@ -1,6 +1,5 @@
 // The mesh in texture buffers; Mesh/TetMesh.h describes the conventions.
 uniform samplerBuffer vertexBuffer;    // position, scalar
-uniform usamplerBuffer cellBuffer;     // tetrahedra; see tet/packed_cells.glsl
 uniform usamplerBuffer boundaryBuffer; // three vertices counter-clockwise from outside, half-face inside
 uniform int numberOfTets;
 uniform int mostSteps;                 // the step guard: maximum number of tetrahedra on a ray
@@ -8,8 +7,15 @@ uniform int mostSteps;                 // the step guard: maximum number of tetr
 #define tetCount uint(numberOfTets)
 
 vec4 fetchVertex(uint i) { return BUFFER_TEXEL(vertexBuffer, int(i)); }
+#if TETMARCH_CURVILINEAR
+#include "tet/curvilinear_buffers.glsl"
+#define CELL_OF_TET(tet) int(tet / 6u)
+#else
+uniform usamplerBuffer cellBuffer; // tetrahedra; see tet/packed_cells.glsl
+#define CELL_OF_TET(tet) int(tet)
 #if !TETMARCH_SPLIT_CELLS
 uvec4 fetchCell(uint tet) { return BUFFER_TEXEL(cellBuffer, int(tet)); }
+#endif
 #endif
 uvec4 fetchBoundaryFace(uint face) { return BUFFER_TEXEL(boundaryBuffer, int(face)); }
 
@@ -29,7 +35,7 @@ uint fetchHiddenCells(uint word) { return BUFFER_TEXEL(hiddenCellBuffer, int(wor
 #if !TETMARCH_POINT_SCALARS
 uniform samplerBuffer cellScalarBuffer;
 #if !TETMARCH_SPLIT_CELLS
-float fetchCellScalar(uint tet) { return BUFFER_TEXEL(cellScalarBuffer, int(tet)).x; }
+float fetchCellScalar(uint tet) { return BUFFER_TEXEL(cellScalarBuffer, CELL_OF_TET(tet)).x; }
 #endif
 #endif
 
@@ -42,8 +48,10 @@ vec4 fetchCornerScalars(uint tet) { return BUFFER_TEXEL(cornerScalarBuffer, int(
 
 #if TETMARCH_COMPONENTS
 uniform samplerBuffer extraScalarBuffer; // per vertex or tetrahedron: up to three extra scalars
-#if !TETMARCH_SPLIT_CELLS || TETMARCH_POINT_SCALARS
-vec3 fetchExtraScalars(uint i) { return BUFFER_TEXEL(extraScalarBuffer, int(i)).xyz; }
+#if TETMARCH_POINT_SCALARS
+vec3 fetchExtraScalars(uint vertex) { return BUFFER_TEXEL(extraScalarBuffer, int(vertex)).xyz; }
+#elif !TETMARCH_SPLIT_CELLS
+vec3 fetchExtraScalars(uint tet) { return BUFFER_TEXEL(extraScalarBuffer, CELL_OF_TET(tet)).xyz; }
 #endif
 #endif
 

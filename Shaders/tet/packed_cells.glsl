@@ -24,8 +24,10 @@ uint linkDifference(uvec4 cell, uint face)
   return face == 0u ? cell.y : (face == 1u ? cell.z : (face == 2u ? cell.w : 0u));
 }
 
-// The fourth vertex of a tetrahedron.
-uint apexOf(uvec4 cell, uvec3 ids) { return cell.x ^ ids.x ^ ids.y ^ ids.z; }
+uvec4 cellAhead(Side side) { return fetchCell(side.ahead >> 2u); }
+
+// The fourth vertex of the tetrahedron ahead.
+uint apexOf(uvec4 cell, Side side, uvec3 ids) { return cell.x ^ ids.x ^ ids.y ^ ids.z; }
 
 // The link of a face of the tetrahedron ahead.
 uint linkOf(uvec4 cell, Side side, uint face)
@@ -33,8 +35,17 @@ uint linkOf(uvec4 cell, Side side, uint face)
   return side.link ^ linkDifference(cell, side.ahead & 3u) ^ linkDifference(cell, face);
 }
 
+// The side of another face of the tetrahedron ahead.
+Side sideOf(uvec4 cell, Side side, uint face)
+{
+  return sideFrom(linkOf(cell, side, face), (side.ahead & ~3u) + face);
+}
+
 // The other side of a face of the tetrahedron ahead, where the ray leaves it.
 Side sideBehind(uvec4 cell, Side side, uint face)
 {
   return sideFrom((side.ahead & ~3u) + face, linkOf(cell, side, face));
 }
+
+// The boundary face through which the ray has left.
+int boundaryFaceAhead(Side side) { return int(side.ahead - LINK_OUTSIDE); }

@@ -17,7 +17,7 @@ Tet tetBehind(Side side, uvec3 ids)
   tet.a = ids.x;
   tet.b = ids.y;
   tet.c = ids.z;
-  tet.d = apexOf(fetchCell(side.ahead >> 2u), ids);
+  tet.d = apexOf(cellAhead(side), side, ids);
   return tet;
 }
 
@@ -25,7 +25,7 @@ Tet tetBehind(Side side, uvec3 ids)
 Side sideOpposite(Side side, uvec3 ids, uint apex)
 {
   uint face = (apex > ids.x ? 1u : 0u) + (apex > ids.y ? 1u : 0u) + (apex > ids.z ? 1u : 0u);
-  return sideFrom(linkOf(fetchCell(side.ahead >> 2u), side, face), (side.ahead & ~3u) + face);
+  return sideOf(cellAhead(side), side, face);
 }
 
 // A vertex on the picture plane of the ray.

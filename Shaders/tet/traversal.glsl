@@ -27,8 +27,10 @@ void lookAhead(INOUT(RayPosition) place)
 {
 #if TETMARCH_LOOKS_AHEAD
   bool outside = isOutside(place.side.ahead);
-  place.ahead.cell = fetchCell(outside ? 0u : place.side.ahead >> 2u);
-  place.ahead.apexId = outside ? place.face.id.x : apexOf(place.ahead.cell, place.face.id);
+  Side ahead = place.side;
+  ahead.ahead = outside ? 0u : ahead.ahead;
+  place.ahead.cell = cellAhead(ahead);
+  place.ahead.apexId = outside ? place.face.id.x : apexOf(place.ahead.cell, ahead, place.face.id);
   place.ahead.apex = fetchVertex(place.ahead.apexId);
 #endif
 }
@@ -39,8 +41,8 @@ EnteredTet tetAhead(RayPosition place)
   return place.ahead;
 #else
   EnteredTet tet;
-  tet.cell = fetchCell(place.side.ahead >> 2u);
-  tet.apexId = apexOf(tet.cell, place.face.id);
+  tet.cell = cellAhead(place.side);
+  tet.apexId = apexOf(tet.cell, place.side, place.face.id);
   tet.apex = fetchVertex(tet.apexId);
   return tet;
 #endif
@@ -173,8 +175,8 @@ void leaveBySearch(Ray ray, bool finished, INOUT(Traversal) traversal)
 #if TETMARCH_BVH
   // A ray that leaves the convex hull is finished. But rounding makes a flat side of the hull bumpy, and a ray may
   // leave a bump before it enters the rest: then the faces of the hull are searched again.
-  uint ahead = traversal.place.side.ahead;
-  bool leftHull = traversal.entered && isOutside(ahead) && int(ahead - LINK_OUTSIDE) >= reentryFaceCount;
+  Side side = traversal.place.side;
+  bool leftHull = traversal.entered && isOutside(side.ahead) && boundaryFaceAhead(side) >= reentryFaceCount;
   bool certain = isTurnedForSure(traversal.place.face);
   if (finished || (leftHull && certain))
   {

@@ -1,5 +1,5 @@
 // The common part of all marches: the traversal of the mesh, and the attributes of the volume.
-#include "tet/packed_cells.glsl"
+#include "tet/cells.glsl"
 #include "tet/edge_sign.glsl"
 #include "march/ray.glsl"
 #include "tet/vertex_attributes.glsl"

@@ -11,7 +11,7 @@ bool startsAtVertex(uint vertex, OUT(LightStart) start)
   {
     return false;
   }
-  uint last = apexOf(fetchCell(found.w), start.ids);
+  uint last = apexOf(cellAhead(start.side), start.side, start.ids);
   vec4 place = fetchVertex(vertex);
   vec4 sum = fetchVertex(start.ids.y) + fetchVertex(start.ids.z) + fetchVertex(last);
   start.point = vec3(place.x, place.y, place.z);

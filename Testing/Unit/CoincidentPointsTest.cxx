@@ -89,9 +89,9 @@ TEST(CoincidentPoints, MakeTheMeshOfSharedPoints)
     ASSERT_GT(repeated->GetNumberOfPoints(), 2 * grid->GetNumberOfPoints());
     const TetMesh expected = meshOf(grid);
     const TetMesh mesh = meshOf(repeated);
-    EXPECT_TRUE(areSame(mesh.Tets, expected.Tets));
-    EXPECT_TRUE(areSame(mesh.TetCells, expected.TetCells));
-    EXPECT_TRUE(areSame(mesh.Links, expected.Links));
+    EXPECT_TRUE(mesh.Tets == expected.Tets);
+    EXPECT_TRUE(mesh.TetCells == expected.TetCells);
+    EXPECT_TRUE(mesh.Links == expected.Links);
     EXPECT_TRUE(areSame(mesh.BoundaryFaces, expected.BoundaryFaces));
     EXPECT_TRUE(areSame(mesh.Hierarchy, expected.Hierarchy));
     EXPECT_TRUE(areSame(mesh.Vertices, expected.Vertices));

@@ -127,18 +127,20 @@ TEST(ReadScalars, ValuesComeBack)
     const ScalarRange& range = scalars.Range;
     EXPECT_TRUE(range.AllFinite);
     ASSERT_EQ(scalars.Extra.count(), 2u);
-    const auto& tuples = cells ? mesh.TetCells : mesh.VertexPoints;
-    ASSERT_EQ(scalars.Extra.Values.size(), 2 * tuples.size());
-    for (std::size_t i = 0; i < tuples.size(); ++i)
+    const std::size_t count = cells ? mesh.Tets.size() : mesh.Vertices.size();
+    ASSERT_EQ(scalars.Extra.Values.size(), 2 * count);
+    for (std::size_t i = 0; i < count; ++i)
     {
       const auto value = [](const ScalarRange& r, float stored)
       { return r.Low + r.width() * double(stored); };
       const double first = value(range, cells ? scalars.OfCells[i] : mesh.Vertices[i].Scalar);
-      EXPECT_NEAR(first, array->GetComponent(tuples[i], 2), 1e-6);
+      EXPECT_NEAR(
+        first, array->GetComponent((cells ? mesh.TetCells[i] : mesh.VertexPoints[i]), 2), 1e-6);
       for (std::size_t k = 0; k < 2; ++k)
       {
         EXPECT_NEAR(value(scalars.Extra.Ranges[k], scalars.Extra.Values[2 * i + k]),
-          array->GetComponent(tuples[i], drawn.Extra[k]), 1e-6);
+          array->GetComponent((cells ? mesh.TetCells[i] : mesh.VertexPoints[i]), drawn.Extra[k]),
+          1e-6);
       }
     }
   }
@@ -184,11 +186,10 @@ TEST(ReadScalars, OneThatIsNotFiniteHidesAll)
     const MeshScalars scalars = readScalars(grid, drawn, mesh);
     EXPECT_FALSE(scalars.Range.AllFinite);
     EXPECT_TRUE(scalars.Extra.Ranges[1].AllFinite == false);
-    const auto& tuples = cells ? mesh.TetCells : mesh.VertexPoints;
-    for (std::size_t i = 0; i < tuples.size(); ++i)
+    for (std::size_t i = 0; i < (cells ? mesh.Tets.size() : mesh.Vertices.size()); ++i)
     {
       const float stored = cells ? scalars.OfCells[i] : mesh.Vertices[i].Scalar;
-      EXPECT_EQ(stored == UndrawnScalar, tuples[i] == 1);
+      EXPECT_EQ(stored == UndrawnScalar, (cells ? mesh.TetCells[i] : mesh.VertexPoints[i]) == 1);
     }
   }
 }

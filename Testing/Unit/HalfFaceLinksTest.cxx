@@ -6,6 +6,7 @@
 
 #include "Fields.h"
 #include "GridSummary.h"
+#include "MeshConventions.h"
 #include "UnitMeshes.h"
 
 #include "vtkCellType.h"
@@ -23,60 +24,13 @@ namespace
 using namespace tetmarch;
 using namespace tetmarch::testing;
 
-std::array<Id, 3> faceOf(const TetMesh& mesh, Id tet, int i)
-{
-  std::array<Id, 3> face;
-  int k = 0;
-  for (int j = 0; j < 4; ++j)
-  {
-    if (j != i)
-    {
-      face[k++] = mesh.Tets[tet][j];
-    }
-  }
-  return face;
-}
-
-// All conventions of TetMesh.h.
-void expectConsistent(const TetMesh& mesh)
-{
-  const Id tets = mesh.numberOfTets();
-  ASSERT_EQ(mesh.Links.size(), 4 * mesh.Tets.size());
-  std::size_t outside = 0;
-  for (Id t = 0; t < tets; ++t)
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      const Id link = mesh.Links[4 * t + i];
-      if (link >= LinkOutside)
-      {
-        ++outside;
-        const Id b = link - LinkOutside;
-        ASSERT_LT(b, mesh.BoundaryFaces.size());
-        auto face = mesh.BoundaryFaces[b];
-        EXPECT_EQ(face[3], 4 * t + i);
-        std::sort(face.begin(), face.begin() + 3);
-        EXPECT_TRUE(std::equal(face.begin(), face.begin() + 3, faceOf(mesh, t, i).begin()));
-      }
-      else
-      {
-        ASSERT_LT(link, 4 * tets);
-        ASSERT_NE(link / 4, t);
-        EXPECT_EQ(faceOf(mesh, link / 4, link % 4), faceOf(mesh, t, i));
-        EXPECT_EQ(mesh.Links[link], 4 * t + i);
-      }
-    }
-  }
-  EXPECT_EQ(outside, mesh.BoundaryFaces.size());
-}
-
 TEST(HalfFaceLinks, NeighboursPointBack)
 {
   for (const NamedGrid& named : everyGrid())
   {
     SCOPED_TRACE(named.Name);
-    expectConsistent(built(named.Make()));
-    expectConsistent(builtWithHierarchy(named.Make()));
+    expectConventions(built(named.Make()));
+    expectConventions(builtWithHierarchy(named.Make()));
   }
 }
 
@@ -111,7 +65,7 @@ TEST(HalfFaceLinks, FacesOfThreeOwners)
   builder.addCell(VTK_TETRA, { 0, 1, 2, 4 });
   builder.addCell(VTK_TETRA, { 0, 1, 2, 5 });
   const TetMesh mesh = built(builder.finish(linearField()));
-  expectConsistent(mesh);
+  expectConventions(mesh);
   EXPECT_EQ(mesh.Report.NonManifoldFaces, 1);
   EXPECT_EQ(mesh.BoundaryFaces.size(), 10u);
   EXPECT_EQ(mesh.Tets.size(), 3u);
@@ -136,7 +90,7 @@ TEST(HalfFaceLinks, FacesOfThreeOwners)
 TEST(HalfFaceLinks, DefectsAreCountedAndMended)
 {
   const TetMesh mesh = built(defectiveTets());
-  expectConsistent(mesh);
+  expectConventions(mesh);
   EXPECT_EQ(mesh.Report.DegenerateTetrahedra, 1);
   EXPECT_EQ(mesh.Report.DuplicateTetrahedra, 1);
   EXPECT_EQ(mesh.Report.NonManifoldFaces, 1);
@@ -164,7 +118,7 @@ TEST(HalfFaceLinks, ManyDuplicates)
   }
   const TetMesh a = built(once);
   const TetMesh b = built(twice);
-  expectConsistent(b);
+  expectConventions(b);
   EXPECT_EQ(b.Report.DuplicateTetrahedra, 2 * once->GetNumberOfCells());
   EXPECT_EQ(b.Tets, a.Tets);
   EXPECT_EQ(b.BoundaryFaces, a.BoundaryFaces);
@@ -237,7 +191,7 @@ TEST(HalfFaceLinks, OverlappingQuadsOfCellsCancel)
   for (const auto& m : { std::array<double, 2>{ 0.6, 0.5 }, { 0.5, 0.6 }, { 0.5, 0.5 } })
   {
     const TetMesh mesh = built(cubesWithOverlappingQuads(m[0], m[1]));
-    expectConsistent(mesh);
+    expectConventions(mesh);
     EXPECT_EQ(mesh.BoundaryFaces.size(), 20u); // ten squares
     EXPECT_EQ(mesh.Report.NonManifoldFaces, 0);
     EXPECT_EQ(mesh.Report.DuplicateTetrahedra, 0);

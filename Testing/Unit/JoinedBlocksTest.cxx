@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Blocks become the grid that they were cut from, whatever they are and however they are nested.
+#include "AdaptiveMeshes.h"
 #include "Grids.h"
 #include "JoinedGrids.h"
 #include "Mesh/MeshScalars.h"
@@ -11,6 +12,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkOverlappingAMR.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -254,5 +256,27 @@ TEST_F(Joined, NothingIsNothing)
   input->SetBlock(1, triangleAndLineGrid());
   EXPECT_EQ(this->Blocks.update(input, ActiveScalars), "");
   EXPECT_EQ(this->grid(), nullptr);
+}
+
+TEST_F(Joined, FinestCellsOfAnAdaptiveMesh)
+{
+  const auto input = adaptiveMesh(sineField());
+  EXPECT_EQ(this->Blocks.update(input, cellArray("c")), "");
+  std::array<int, 3> leaves{};
+  double volume = 0;
+  for (vtkIdType cell = 0; cell < this->grid()->GetNumberOfCells(); ++cell)
+  {
+    if (this->grid()->GetCellType(cell) != VTK_EMPTY_CELL)
+    {
+      double box[6];
+      this->grid()->GetCellBounds(cell, box);
+      const double width = box[1] - box[0];
+      ++leaves[static_cast<std::size_t>(std::lround(std::log2(0.25 / width)))];
+      volume += width * width * width;
+    }
+  }
+  EXPECT_EQ(leaves, LeavesOfAdaptiveMesh);
+  EXPECT_DOUBLE_EQ(volume, 1.0);
+  EXPECT_EQ(this->Blocks.scalars()->GetNumberOfTuples(), this->grid()->GetNumberOfCells());
 }
 } // namespace

@@ -30,7 +30,7 @@ bool operator==(const TetMesh& a, const TetMesh& b)
     return x.size() == y.size() &&
            (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0);
   };
-  return same(a.Tets, b.Tets) && same(a.Links, b.Links) && same(a.BoundaryFaces, b.BoundaryFaces) &&
+  return a.Tets == b.Tets && a.Links == b.Links && same(a.BoundaryFaces, b.BoundaryFaces) &&
          same(a.Hierarchy, b.Hierarchy) && same(a.Vertices, b.Vertices) &&
          a.ReentryNodes == b.ReentryNodes && a.ReentryFaces == b.ReentryFaces;
 }

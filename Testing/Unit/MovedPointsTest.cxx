@@ -232,11 +232,11 @@ TEST(MovedPoints, InAStage)
   const Grid grid = jitteredLattice(4);
   MeshStage stage;
   ASSERT_EQ(stage.make(grid, {}, {}), "");
-  const std::vector<Id> numbers = stage.mesh().VertexPoints;
+  const auto numbers = stage.mesh().VertexPoints;
   const Grid next = jitteredLattice(4, 0.15, 7);
   EXPECT_FALSE(stage.isCurrent(next));
   ASSERT_EQ(stage.make(next, {}, {}), "");
-  EXPECT_EQ(stage.mesh().VertexPoints, numbers);
+  EXPECT_TRUE(stage.mesh().VertexPoints == numbers);
   expectSameMesh(stage.mesh(), built(next));
   EXPECT_TRUE(stage.isCurrent(next));
   EXPECT_FALSE(stage.isCurrent(grid));

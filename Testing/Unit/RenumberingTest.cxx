@@ -40,7 +40,8 @@ TetMesh renumbered(vtkUnstructuredGrid* grid)
 }
 
 // Mean distance in memory of the vertices of a tetrahedron.
-double meanSpan(const std::vector<std::array<Id, 4>>& tets)
+template <typename Tets>
+double meanSpan(const Tets& tets)
 {
   double sum = 0.0;
   for (const auto& tet : tets)

@@ -7,6 +7,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+
 namespace tetmarch
 {
 namespace
@@ -15,17 +17,28 @@ namespace
 static_assert(sizeof(Vertex) == 16 && sizeof(PackedCell) == 16 && sizeof(HierarchyNode) == 32,
   "arrays are uploaded as they are");
 
+// Of each cell of a curvilinear grid, whose tetrahedra have equal scalars.
+MeshScalars scalarsOfCells(const MeshScalars& scalars)
+{
+  MeshScalars ofCells;
+  const std::size_t count = scalars.Extra.count();
+  ofCells.Extra.Ranges = scalars.Extra.Ranges;
+  for (std::size_t t = 0; t < scalars.OfCells.size(); t += CurvilinearCells::TetsOfCell)
+  {
+    ofCells.OfCells.push_back(scalars.OfCells[t]);
+    const auto first = scalars.Extra.Values.begin() + static_cast<std::ptrdiff_t>(count * t);
+    ofCells.Extra.Values.insert(
+      ofCells.Extra.Values.end(), first, first + static_cast<std::ptrdiff_t>(count));
+  }
+  return ofCells;
+}
+
 } // namespace
 
 std::string MeshTextures::uploadCells(vtkOpenGLRenderWindow* window, const TetMesh& mesh)
 {
-  std::vector<PackedCell> cells;
-  std::string error = this->Cells.upload(window, TexelFormat::RGBA32UI, mesh.Tets.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      packCells(mesh, begin, end, cells);
-      return cells.data();
-    });
+  std::string error = mesh.Curvilinear ? this->uploadCurvilinear(window, *mesh.Curvilinear)
+                                       : this->uploadTets(window, mesh);
   if (error.empty())
   {
     error = this->Boundary.upload(
@@ -44,7 +57,57 @@ std::string MeshTextures::uploadCells(vtkOpenGLRenderWindow* window, const TetMe
   return error;
 }
 
+std::string MeshTextures::uploadTets(vtkOpenGLRenderWindow* window, const TetMesh& mesh)
+{
+  this->BoundaryOrder.release(window);
+  std::vector<PackedCell> cells;
+  return this->Cells.upload(window, TexelFormat::RGBA32UI, mesh.Tets.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      packCells(mesh, begin, end, cells);
+      return cells.data();
+    });
+}
+
+std::string MeshTextures::uploadCurvilinear(
+  vtkOpenGLRenderWindow* window, const CurvilinearCells& cells)
+{
+  this->Cells.release(window);
+  std::copy_n(cells.cells().begin(), 3, this->HexahedraCounts.begin());
+  std::copy_n(cells.firstFaces().begin(), 6, this->HexahedraCounts.begin() + 3);
+  return this->BoundaryOrder.upload(
+    window, TexelFormat::R32UI, cells.order().data(), cells.order().size());
+}
+
+void MeshTextures::bindCells(vtkShaderProgram* program, const VariantKey& key)
+{
+  if (!key.Curvilinear)
+  {
+    this->Cells.bind(program, "cellBuffer", "secondCellBuffer");
+    return;
+  }
+  const std::array<int, 9>& counts = this->HexahedraCounts;
+  const std::array<float, 2> shares{ { 1.0f / static_cast<float>(counts[0]),
+    1.0f / static_cast<float>(counts[1]) } };
+  if (key.Hierarchy)
+  {
+    this->BoundaryOrder.bind(program, "boundaryOrderBuffer");
+  }
+  program->SetUniform1iv("hexahedraCounts", static_cast<int>(counts.size()), counts.data());
+  program->SetUniform2f("hexahedraShares", shares.data());
+}
+
 std::string MeshTextures::uploadScalars(
+  vtkOpenGLRenderWindow* window, const TetMesh& mesh, const MeshScalars& scalars)
+{
+  if (mesh.Curvilinear && !scalars.OfCells.empty())
+  {
+    return this->uploadValues(window, mesh, scalarsOfCells(scalars));
+  }
+  return this->uploadValues(window, mesh, scalars);
+}
+
+std::string MeshTextures::uploadValues(
   vtkOpenGLRenderWindow* window, const TetMesh& mesh, const MeshScalars& scalars)
 {
   std::string error =
@@ -125,7 +188,7 @@ std::string MeshTextures::uploadHiddenCells(
 void MeshTextures::bind(vtkShaderProgram* program, const VariantKey& key)
 {
   this->bindBoundary(program);
-  this->Cells.bind(program, "cellBuffer", "secondCellBuffer");
+  this->bindCells(program, key);
   program->SetUniformi("numberOfTets", this->NumberOfTets);
   program->SetUniformi("mostSteps", mostCellsOf(this->NumberOfTets));
   if (key.SplitCells)
@@ -170,8 +233,8 @@ void MeshTextures::unbind()
   {
     buffer->unbind();
   }
-  for (TextureBuffer* buffer :
-    { &this->Boundary, &this->Hierarchy, &this->Vertices, &this->HiddenCellBits })
+  for (TextureBuffer* buffer : { &this->Boundary, &this->BoundaryOrder, &this->Hierarchy,
+         &this->Vertices, &this->HiddenCellBits })
   {
     buffer->unbind();
   }
@@ -184,18 +247,28 @@ void MeshTextures::release(vtkWindow* window)
   {
     buffer->release(window);
   }
-  for (TextureBuffer* buffer :
-    { &this->Boundary, &this->Hierarchy, &this->Vertices, &this->HiddenCellBits })
+  for (TextureBuffer* buffer : { &this->Boundary, &this->BoundaryOrder, &this->Hierarchy,
+         &this->Vertices, &this->HiddenCellBits })
   {
     buffer->release(window);
   }
 }
 
+std::size_t MeshTextures::cellBytes() const
+{
+  return this->Cells.bytes() + this->Boundary.bytes() + this->BoundaryOrder.bytes() +
+         this->Hierarchy.bytes();
+}
+
+std::size_t MeshTextures::scalarBytes() const
+{
+  return this->Vertices.bytes() + this->CellScalars.bytes() + this->CornerScalars.bytes() +
+         this->Extra.bytes();
+}
+
 std::size_t MeshTextures::bytes() const
 {
-  return this->Cells.bytes() + this->Boundary.bytes() + this->Hierarchy.bytes() +
-         this->Vertices.bytes() + this->CellScalars.bytes() + this->CornerScalars.bytes() +
-         this->Extra.bytes() + this->HiddenCellBits.bytes();
+  return this->cellBytes() + this->scalarBytes() + this->HiddenCellBits.bytes();
 }
 
 } // namespace tetmarch

@@ -36,12 +36,18 @@ public:
   void unbind();
   void release(vtkWindow* window);
   std::size_t bytes() const;
-  std::size_t extraBytes() const { return this->Extra.bytes(); }
+  std::size_t cellBytes() const;
+  std::size_t scalarBytes() const;
   /** The number of floats of a texel for `count` extra scalars: OpenGL 3.2 has no buffer texels of
    * three floats. */
   static std::size_t extraScalarsOfTexel(std::size_t count) { return count < 3 ? count : 4; }
 
 private:
+  std::string uploadTets(vtkOpenGLRenderWindow* window, const TetMesh& mesh);
+  std::string uploadCurvilinear(vtkOpenGLRenderWindow* window, const CurvilinearCells& cells);
+  std::string uploadValues(
+    vtkOpenGLRenderWindow* window, const TetMesh& mesh, const MeshScalars& scalars);
+  void bindCells(vtkShaderProgram* program, const VariantKey& key);
   std::string uploadCellScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
   std::string uploadCornerScalars(
     vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& scalars);
@@ -49,12 +55,14 @@ private:
 
   CellBuffer Cells;
   TextureBuffer Boundary;
+  TextureBuffer BoundaryOrder; // of a curvilinear grid
   TextureBuffer Hierarchy;
   TextureBuffer Vertices;
   CellBuffer CellScalars;
   CellBuffer CornerScalars;
   CellBuffer Extra;
   TextureBuffer HiddenCellBits;
+  std::array<int, 9> HexahedraCounts{}; // Shaders/tet/curvilinear_buffers.glsl
   int NumberOfTets = 0;
   int NumberOfNodes = 0;
   int NumberOfReentryNodes = 0;

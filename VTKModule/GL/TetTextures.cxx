@@ -4,7 +4,6 @@
 
 #include "Caching/WithinMemory.h"
 #include "Mesh/MeshSizes.h"
-#include "Mesh/PackedCells.h"
 #include "View/View.h"
 #include "Volume/TetVolume.h"
 
@@ -16,8 +15,10 @@ namespace tetmarch
 std::vector<BufferSize> TetTextures::bufferSizes() const
 {
   const MeshScalars& scalars = this->Volume.scalars();
+  const std::size_t shared =
+    this->Volume.mesh().Curvilinear && !scalars.OfCells.empty() ? CurvilinearCells::TetsOfCell : 1;
   std::vector<BufferSize> sizes = tetmarch::bufferSizes(
-    this->Volume.mesh(), scalars.OfCells.size(), this->Volume.hiddenCells().size());
+    this->Volume.mesh(), scalars.OfCells.size() / shared, this->Volume.hiddenCells().size());
   if (this->Volume.entersVisiblePart())
   {
     const VisiblePart& visible = this->Volume.visiblePart();
@@ -30,7 +31,7 @@ std::vector<BufferSize> TetTextures::bufferSizes() const
   }
   if (const std::size_t count = scalars.Extra.count())
   {
-    sizes.push_back({ "extra scalars", scalars.Extra.Values.size() / count,
+    sizes.push_back({ "extra scalars", scalars.Extra.Values.size() / count / shared,
       MeshTextures::extraScalarsOfTexel(count) * sizeof(float),
       scalars.OfCells.empty() ? 1 : MostCellBuffers });
   }
@@ -56,19 +57,11 @@ std::string TetTextures::upload(vtkOpenGLRenderWindow* window)
   const auto& hidden = this->Volume.hiddenCells();
   update(
     this->Links, this->Volume.linksVersion(), [&] { return this->Mesh.uploadCells(window, mesh); },
-    [&]
-    {
-      return sizeof(PackedCell) * mesh.Tets.size() + 16 * mesh.BoundaryFaces.size() +
-             sizeof(HierarchyNode) * mesh.Hierarchy.size();
-    });
+    [&] { return this->Mesh.cellBytes(); });
   update(
     this->Scalars, this->Volume.scalarsVersion(),
     [&] { return this->Mesh.uploadScalars(window, mesh, scalars); },
-    [&]
-    {
-      return sizeof(Vertex) * mesh.Vertices.size() + sizeof(float) * scalars.OfCells.size() +
-             sizeof(std::array<float, 4>) * scalars.OfCorners.size() + this->Mesh.extraBytes();
-    });
+    [&] { return this->Mesh.scalarBytes(); });
   update(
     this->HiddenCells, this->Volume.hiddenVersion(),
     [&] { return this->Mesh.uploadHiddenCells(window, hidden); },

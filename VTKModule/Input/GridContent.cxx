@@ -10,6 +10,8 @@
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
@@ -28,33 +30,53 @@ vtkDataArray* valuesOf(vtkCellArray* cells)
 [[maybe_unused]] vtkDataArray* offsetsOf(vtkIdTypeArray*) { return nullptr; }
 [[maybe_unused]] vtkDataArray* valuesOf(vtkIdTypeArray* streams) { return streams; }
 
+std::array<int, 3> dimensionsOf(vtkPointSet* grid)
+{
+  std::array<int, 3> dimensions{};
+  if (auto* curvilinear = vtkStructuredGrid::SafeDownCast(grid))
+  {
+    curvilinear->GetDimensions(dimensions.data());
+  }
+  return dimensions;
+}
+
 } // namespace
 
-GridContent::Versions GridContent::versionsOf(vtkUnstructuredGrid* grid)
+GridContent::Versions GridContent::versionsOf(vtkPointSet* data)
 {
   const auto version = [](vtkObject* owner, vtkDataArray* array) -> Version
   {
     return { owner, array,
       array ? std::max(owner ? owner->GetMTime() : 0, array->GetMTime()) : vtkMTimeType(0) };
   };
-  vtkPoints* points = grid->GetPoints();
+  vtkPoints* points = data->GetPoints();
+  Versions versions{};
+  // Points come first.
+  versions[0] = version(points, points ? points->GetData() : nullptr);
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  if (!grid)
+  {
+    return versions;
+  }
   vtkCellArray* cells = grid->GetCells();
   FaceArray* faces = facesOf(grid);
   FaceArray* locations = faceLocationsOf(grid);
   const HigherOrderArrays higherOrder(grid);
-  // Points come first.
-  return { { version(points, points ? points->GetData() : nullptr),
-    version(cells, offsetsOf(cells)), version(cells, valuesOf(cells)),
+  return { { versions[0], version(cells, offsetsOf(cells)), version(cells, valuesOf(cells)),
     version(nullptr, cellTypesOf(grid)), version(faces, offsetsOf(faces)),
     version(faces, valuesOf(faces)), version(locations, offsetsOf(locations)),
     version(locations, valuesOf(locations)), version(nullptr, higherOrder.Degrees),
     version(nullptr, higherOrder.Weights) } };
 }
 
-Fingerprint versionOf(vtkUnstructuredGrid* grid)
+Fingerprint versionOf(vtkPointSet* grid)
 {
   Fingerprint fingerprint;
   fingerprint.reserve(4 * GridContent::NumberOfArrays); // callers add to it
+  for (const int n : dimensionsOf(grid))
+  {
+    fingerprint.push_back(static_cast<std::uintptr_t>(n));
+  }
   for (const GridContent::Version& version : GridContent::versionsOf(grid))
   {
     fingerprint.push_back(reinterpret_cast<std::uintptr_t>(version.Owner));
@@ -64,8 +86,9 @@ Fingerprint versionOf(vtkUnstructuredGrid* grid)
   return fingerprint;
 }
 
-void GridContent::read(vtkUnstructuredGrid* grid)
+void GridContent::read(vtkPointSet* grid)
 {
+  this->Dimensions = dimensionsOf(grid);
   const Versions versions = versionsOf(grid);
   for (std::size_t i = 0; i < NumberOfArrays; ++i)
   {
@@ -79,13 +102,14 @@ void GridContent::read(vtkUnstructuredGrid* grid)
 
 bool GridContent::operator==(const GridContent& other) const
 {
-  return this->Hashes == other.Hashes;
+  return this->Hashes == other.Hashes && this->Dimensions == other.Dimensions;
 }
 
 bool GridContent::hasCellsOf(const GridContent& other) const
 {
-  return std::equal(
-    this->Hashes.begin() + 1, this->Hashes.end(), other.Hashes.begin() + 1, other.Hashes.end());
+  return this->Dimensions == other.Dimensions &&
+         std::equal(this->Hashes.begin() + 1, this->Hashes.end(), other.Hashes.begin() + 1,
+           other.Hashes.end());
 }
 
 } // namespace tetmarch

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The data of a grid on which its mesh depends, so that equal content in another grid is
-// recognised.
+// The data of an unstructured or curvilinear grid on which its mesh depends, so that equal content
+// in another grid is recognised.
 #ifndef TetMarchInputGridContent_h
 #define TetMarchInputGridContent_h
 
@@ -11,13 +11,14 @@
 #include <array>
 #include <cstddef>
 
-class vtkUnstructuredGrid;
+class vtkPointSet;
 
 namespace tetmarch
 {
 
-/** Identities and times of change of the arrays that a mesh depends on: none is read. */
-Fingerprint versionOf(vtkUnstructuredGrid* grid);
+/** Dimensions, and identities and times of change of the arrays that a mesh depends on: none is
+ * read. */
+Fingerprint versionOf(vtkPointSet* grid);
 
 /** The values of these arrays. */
 class GridContent
@@ -25,7 +26,7 @@ class GridContent
 public:
   /** Read the content of the grid. An array with unchanged identity and time of change is not read
    * again. */
-  void read(vtkUnstructuredGrid* grid);
+  void read(vtkPointSet* grid);
 
   /** Whether all values are the same and were read from a grid with values. */
   bool operator==(const GridContent& other) const;
@@ -46,11 +47,12 @@ private:
   };
   static constexpr std::size_t NumberOfArrays = 10;
   using Versions = std::array<Version, NumberOfArrays>;
-  static Versions versionsOf(vtkUnstructuredGrid* grid);
-  friend Fingerprint versionOf(vtkUnstructuredGrid* grid);
+  static Versions versionsOf(vtkPointSet* grid);
+  friend Fingerprint versionOf(vtkPointSet* grid);
 
   Versions Read{};
   std::array<ContentHash, NumberOfArrays> Hashes{};
+  std::array<int, 3> Dimensions{}; // of a curvilinear grid
 };
 
 } // namespace tetmarch

@@ -4,11 +4,10 @@
 
 #include "Parallel/ParallelFor.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkUnstructuredGrid.h"
+#include "vtkPointSet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,17 +50,16 @@ float roundingOf(vtkDataArray* array, const ScalarRange& range)
 }
 
 std::vector<std::array<float, 4>> cornerScalars(
-  vtkUnstructuredGrid* grid, const TetMesh& mesh, const std::vector<float>& ofPoints)
+  vtkPointSet* grid, const TetMesh& mesh, const std::vector<float>& ofPoints)
 {
   std::vector<std::array<float, 4>> corners(mesh.Tets.size());
-  vtkCellArray* cells = grid->GetCells();
   parallelFor(0, static_cast<vtkIdType>(corners.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkNew<vtkIdList> points;
       for (vtkIdType t = begin; t < end; ++t)
       {
-        cells->GetCellAtId(mesh.TetCells[t], points);
+        grid->GetCellPoints(mesh.TetCells[t], points);
         for (std::size_t i = 0; i < 4; ++i)
         {
           const Id vertex = mesh.Tets[t][i];

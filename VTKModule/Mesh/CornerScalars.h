@@ -7,7 +7,7 @@
 #include "Mesh/TetMesh.h"
 
 class vtkDataArray;
-class vtkUnstructuredGrid;
+class vtkPointSet;
 
 namespace tetmarch
 {
@@ -27,7 +27,7 @@ float roundingOf(vtkDataArray* array, const ScalarRange& range);
  * centres of cells have theirs in the mesh. If a cell has several points in one place, that of the
  * first is taken. */
 std::vector<std::array<float, 4>> cornerScalars(
-  vtkUnstructuredGrid* grid, const TetMesh& mesh, const std::vector<float>& ofPoints);
+  vtkPointSet* grid, const TetMesh& mesh, const std::vector<float>& ofPoints);
 
 } // namespace tetmarch
 

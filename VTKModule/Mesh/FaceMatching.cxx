@@ -75,7 +75,7 @@ public:
 
   bool match(const Progress& progress)
   {
-    this->Mesh.Links.assign(4 * this->Mesh.Tets.size(), Unlinked);
+    this->Mesh.Links.stored().assign(4 * this->Mesh.Tets.size(), Unlinked);
     return parallelFor(static_cast<vtkIdType>(this->Mesh.Vertices.size()), progress,
       [this](vtkIdType first, vtkIdType last) { this->matchRange(first, last); });
   }
@@ -232,8 +232,8 @@ private:
 
   void join(Id a, Id b)
   {
-    this->Mesh.Links[a] = b;
-    this->Mesh.Links[b] = a;
+    this->Mesh.Links.stored()[a] = b;
+    this->Mesh.Links.stored()[b] = a;
   }
 
   TetMesh& Mesh;

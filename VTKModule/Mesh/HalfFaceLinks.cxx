@@ -22,6 +22,8 @@ void sortAndUnite(std::vector<Id>& tets)
 
 void dropDuplicates(FaceMatching& found, TetMesh& mesh)
 {
+  std::vector<std::array<Id, 4>>& tets = mesh.Tets.stored();
+  std::vector<Id>& cells = mesh.TetCells.stored();
   sortAndUnite(found.Duplicates);
   sortAndUnite(found.Cancelled);
   std::vector<Id> dropped;
@@ -31,19 +33,19 @@ void dropDuplicates(FaceMatching& found, TetMesh& mesh)
     static_cast<vtkIdType>(dropped.size() - found.Cancelled.size());
   std::size_t next = 0;
   std::size_t kept = 0;
-  for (std::size_t t = 0; t < mesh.Tets.size(); ++t)
+  for (std::size_t t = 0; t < tets.size(); ++t)
   {
     if (next < dropped.size() && dropped[next] == t)
     {
       ++next;
       continue;
     }
-    mesh.Tets[kept] = mesh.Tets[t];
-    mesh.TetCells[kept] = mesh.TetCells[t];
+    tets[kept] = tets[t];
+    cells[kept] = cells[t];
     ++kept;
   }
-  mesh.Tets.resize(kept);
-  mesh.TetCells.resize(kept);
+  tets.resize(kept);
+  cells.resize(kept);
 }
 
 void unlinkFolds(FaceMatching& found, TetMesh& mesh)
@@ -51,7 +53,7 @@ void unlinkFolds(FaceMatching& found, TetMesh& mesh)
   const std::vector<Id> folds = agreeOnSigns(mesh, found.Signs);
   for (const Id halfFace : folds)
   {
-    mesh.Links[halfFace] = Unlinked;
+    mesh.Links.stored()[halfFace] = Unlinked;
     found.Boundary.emplace_back(mesh.Tets[halfFace / 4][halfFace % 4 == 0 ? 1 : 0], halfFace);
   }
   mesh.Report.FoldedFaces = static_cast<vtkIdType>(folds.size() / 2);
@@ -93,9 +95,22 @@ bool linkHalfFaces(const Progress& progress, TetMesh& mesh)
 
 void linkBoundary(TetMesh& mesh)
 {
-  for (std::size_t b = 0; b < mesh.BoundaryFaces.size(); ++b)
+  const std::vector<std::array<Id, 4>>& faces = mesh.BoundaryFaces;
+  if (mesh.Curvilinear)
   {
-    mesh.Links[mesh.BoundaryFaces[b][3]] = LinkOutside + static_cast<Id>(b);
+    CurvilinearCells cells = *mesh.Curvilinear;
+    std::vector<Id> order(faces.size());
+    for (std::size_t b = 0; b < faces.size(); ++b)
+    {
+      order[cells.boundaryNumber(faces[b][3])] = static_cast<Id>(b);
+    }
+    cells.setOrder(std::move(order));
+    mesh.computeCells(std::move(cells));
+    return;
+  }
+  for (std::size_t b = 0; b < faces.size(); ++b)
+  {
+    mesh.Links.stored()[faces[b][3]] = LinkOutside + static_cast<Id>(b);
   }
 }
 

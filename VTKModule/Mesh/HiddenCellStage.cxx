@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/HiddenCellStage.h"
 
+#include "vtkPointSet.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 namespace tetmarch
 {
 
-bool HiddenCellStage::update(vtkUnstructuredGrid* grid, const TetMesh& mesh, std::int64_t meshRun)
+bool HiddenCellStage::update(vtkPointSet* grid, const TetMesh& mesh, std::int64_t meshRun)
 {
   const GhostArrays ghosts = ghostArraysOf(grid);
   Fingerprint input;

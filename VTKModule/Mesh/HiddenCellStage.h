@@ -15,7 +15,7 @@ class HiddenCellStage
 public:
   /** meshRun: the run of the mesh stage that made this mesh. Returns whether the hidden cells may
    * have changed. */
-  bool update(vtkUnstructuredGrid* grid, const TetMesh& mesh, std::int64_t meshRun);
+  bool update(vtkPointSet* grid, const TetMesh& mesh, std::int64_t meshRun);
 
   const HiddenCells& cells() const { return this->Cells; }
   /** Equal if the same cells are hidden. */

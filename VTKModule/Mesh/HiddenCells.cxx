@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/HiddenCells.h"
 
-#include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointSet.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
@@ -16,13 +15,13 @@ namespace
 {
 
 // Whether some point of each cell is hidden.
-std::vector<bool> findCellsOfHiddenPoints(vtkCellArray* cells, vtkUnsignedCharArray* points)
+std::vector<bool> findCellsOfHiddenPoints(vtkPointSet* grid, vtkUnsignedCharArray* points)
 {
-  std::vector<bool> found(static_cast<std::size_t>(cells->GetNumberOfCells()));
+  std::vector<bool> found(static_cast<std::size_t>(grid->GetNumberOfCells()));
   vtkNew<vtkIdList> corners;
   for (std::size_t cell = 0; cell < found.size(); ++cell)
   {
-    cells->GetCellAtId(static_cast<vtkIdType>(cell), corners);
+    grid->GetCellPoints(static_cast<vtkIdType>(cell), corners);
     found[cell] = std::any_of(corners->begin(), corners->end(),
       [points](vtkIdType p) { return (points->GetValue(p) & HidingPoint) != 0; });
   }
@@ -31,14 +30,14 @@ std::vector<bool> findCellsOfHiddenPoints(vtkCellArray* cells, vtkUnsignedCharAr
 
 } // namespace
 
-HiddenCells hiddenCells(vtkUnstructuredGrid* grid, const TetMesh& mesh)
+HiddenCells hiddenCells(vtkPointSet* grid, const TetMesh& mesh)
 {
   const GhostArrays ghosts = ghostArraysOf(grid);
   const bool byCells = hasAny(ghosts.OfCells, HidingCell);
   std::vector<bool> byPoints;
   if (hasAny(ghosts.OfPoints, HidingPoint))
   {
-    byPoints = findCellsOfHiddenPoints(grid->GetCells(), ghosts.OfPoints);
+    byPoints = findCellsOfHiddenPoints(grid, ghosts.OfPoints);
   }
   HiddenCells hidden((mesh.TetCells.size() + 31) / 32, 0u);
   bool any = false;

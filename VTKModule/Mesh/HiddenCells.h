@@ -7,7 +7,7 @@
 #include "Mesh/TetMesh.h"
 #include "Scalars/GhostArrays.h"
 
-class vtkUnstructuredGrid;
+class vtkPointSet;
 
 namespace tetmarch
 {
@@ -17,7 +17,7 @@ using HiddenCells = std::vector<std::uint32_t>;
 
 /** The tetrahedra of cells that are marked as hidden, as a duplicate (drawn by another process) or
  * as refined by finer cells, and of cells with a hidden point. */
-HiddenCells hiddenCells(vtkUnstructuredGrid* grid, const TetMesh& mesh);
+HiddenCells hiddenCells(vtkPointSet* grid, const TetMesh& mesh);
 
 } // namespace tetmarch
 

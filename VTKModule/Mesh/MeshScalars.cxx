@@ -5,12 +5,11 @@
 #include "Mesh/CornerScalars.h"
 #include "Mesh/TupleValues.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkUnstructuredGrid.h"
+#include "vtkPointSet.h"
 
 #include <cmath>
 #include <utility>
@@ -21,11 +20,11 @@ namespace
 {
 
 // The mean of the values at the points of a cell: that of the vertex in its centre.
-double meanOfCell(vtkUnstructuredGrid* grid, Id cell, vtkDataArray* array,
-  const TupleScalar& scalar, vtkIdList* points)
+double meanOfCell(
+  vtkPointSet* grid, Id cell, vtkDataArray* array, const TupleScalar& scalar, vtkIdList* points)
 {
   const auto tuples = vtk::DataArrayTupleRange(array);
-  grid->GetCells()->GetCellAtId(cell, points);
+  grid->GetCellPoints(cell, points);
   const auto count = static_cast<double>(points->GetNumberOfIds());
   double mean = 0;
   for (vtkIdType point : *points)
@@ -36,7 +35,7 @@ double meanOfCell(vtkUnstructuredGrid* grid, Id cell, vtkDataArray* array,
 }
 
 std::vector<double> vertexValues(
-  vtkUnstructuredGrid* grid, vtkDataArray* array, const TetMesh& mesh, const TupleScalar& scalar)
+  vtkPointSet* grid, vtkDataArray* array, const TetMesh& mesh, const TupleScalar& scalar)
 {
   std::vector<double> values = scalarsOf(array, mesh.VertexPoints, scalar);
   if (!mesh.CenterCells.empty())
@@ -55,16 +54,16 @@ std::vector<double> vertexValues(
 }
 
 // Of the vertices or of the tetrahedra.
-std::vector<double> drawnValues(vtkUnstructuredGrid* grid, const DrawnScalars& drawn,
-  const TetMesh& mesh, const TupleScalar& scalar)
+std::vector<double> drawnValues(
+  vtkPointSet* grid, const DrawnScalars& drawn, const TetMesh& mesh, const TupleScalar& scalar)
 {
   return drawn.OfCells ? scalarsOf(drawn.Array, mesh.TetCells, scalar)
                        : vertexValues(grid, drawn.Array, mesh, scalar);
 }
 
 // Also those of points that share a vertex with another point.
-FiniteRange drawnRange(vtkUnstructuredGrid* grid, const DrawnScalars& drawn, const TetMesh& mesh,
-  const TupleScalar& scalar)
+FiniteRange drawnRange(
+  vtkPointSet* grid, const DrawnScalars& drawn, const TetMesh& mesh, const TupleScalar& scalar)
 {
   FiniteRange range = rangeOf(drawnValues(grid, drawn, mesh, scalar));
   if (!drawn.OfCells)
@@ -78,7 +77,7 @@ FiniteRange drawnRange(vtkUnstructuredGrid* grid, const DrawnScalars& drawn, con
 class ScalarStore
 {
 public:
-  ScalarStore(vtkUnstructuredGrid* grid, const DrawnScalars& drawn, TetMesh& mesh)
+  ScalarStore(vtkPointSet* grid, const DrawnScalars& drawn, TetMesh& mesh)
     : Grid(grid)
     , Drawn(drawn)
     , Mesh(mesh)
@@ -190,7 +189,7 @@ private:
     }
   }
 
-  vtkUnstructuredGrid* Grid;
+  vtkPointSet* Grid;
   const DrawnScalars& Drawn;
   TetMesh& Mesh;
   std::vector<Id> Points; // if some coincide
@@ -199,13 +198,12 @@ private:
 
 } // namespace
 
-MeshScalars readScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn, TetMesh& mesh)
+MeshScalars readScalars(vtkPointSet* grid, const DrawnScalars& drawn, TetMesh& mesh)
 {
   return ScalarStore(grid, drawn, mesh).make();
 }
 
-std::vector<FiniteRange> rangesOf(
-  vtkUnstructuredGrid* grid, const DrawnScalars& drawn, const TetMesh& mesh)
+std::vector<FiniteRange> rangesOf(vtkPointSet* grid, const DrawnScalars& drawn, const TetMesh& mesh)
 {
   std::vector<FiniteRange> found{ drawnRange(grid, drawn, mesh, drawn.First) };
   for (const int component : drawn.Extra)

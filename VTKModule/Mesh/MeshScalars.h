@@ -8,7 +8,7 @@
 #include "Scalars/DrawnScalars.h"
 #include "Scalars/ExtraScalars.h"
 
-class vtkUnstructuredGrid;
+class vtkPointSet;
 
 namespace tetmarch
 {
@@ -33,11 +33,11 @@ struct MeshScalars
  * If the ranges of the whole volume are given (DrawnScalars::Whole), they replace those of the
  * values. Without an array only these are set.
  */
-MeshScalars readScalars(vtkUnstructuredGrid* grid, const DrawnScalars& drawn, TetMesh& mesh);
+MeshScalars readScalars(vtkPointSet* grid, const DrawnScalars& drawn, TetMesh& mesh);
 
 /** The ranges of the values as in readScalars(): of the first scalar, then of extra ones. */
 std::vector<FiniteRange> rangesOf(
-  vtkUnstructuredGrid* grid, const DrawnScalars& drawn, const TetMesh& mesh);
+  vtkPointSet* grid, const DrawnScalars& drawn, const TetMesh& mesh);
 
 } // namespace tetmarch
 

@@ -12,8 +12,9 @@ namespace tetmarch
 std::vector<BufferSize> bufferSizes(
   const TetMesh& mesh, std::uint64_t cellScalars, std::uint64_t hiddenCellWords)
 {
-  return { { "tetrahedra", mesh.Tets.size(), sizeof(PackedCell), MostCellBuffers },
-    { "boundary faces", mesh.BoundaryFaces.size(), 16 },
+  const bool computed = mesh.Curvilinear != nullptr;
+  return { { "tetrahedra", computed ? 0 : mesh.Tets.size(), sizeof(PackedCell), MostCellBuffers },
+    { "boundary faces", mesh.BoundaryFaces.size(), std::size_t(computed ? 20 : 16) },
     { "nodes of the hierarchy", 2 * mesh.Hierarchy.size(), sizeof(HierarchyNode) / 2 },
     { "vertices", mesh.Vertices.size(), sizeof(Vertex) },
     { "cell scalars", cellScalars, sizeof(float), MostCellBuffers },

@@ -3,12 +3,14 @@
 #include "Mesh/MeshStage.h"
 
 #include "Caching/WithinMemory.h"
+#include "Input/DataCheck.h"
+#include "Mesh/CurvilinearMesh.h"
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/LeastTetrahedra.h"
 #include "Mesh/MeshSizes.h"
 #include "Mesh/MovedPoints.h"
-#include "Mesh/TetMeshBuilder.h"
 
+#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace tetmarch
@@ -17,8 +19,7 @@ namespace
 {
 
 // Code that changes the values of an array may call only Modified() of the grid.
-Fingerprint attemptOf(
-  vtkUnstructuredGrid* grid, const ResourceLimits& limits, const PieceOptions& piece)
+Fingerprint attemptOf(vtkPointSet* grid, const ResourceLimits& limits, const PieceOptions& piece)
 {
   Fingerprint attempt = versionOf(grid);
   add(attempt, grid);
@@ -35,9 +36,15 @@ Fingerprint attemptOf(
   return attempt;
 }
 
+std::string excessOf(vtkUnstructuredGrid* grid, const ResourceLimits& limits)
+{
+  const std::uint64_t least = leastTetrahedra(grid, mostTetrahedra(limits));
+  return describeExcess(leastBufferSizes(least), limits, SizesAre::LowerBounds);
+}
+
 } // namespace
 
-bool MeshStage::isCurrent(vtkUnstructuredGrid* grid, const PieceOptions& piece)
+bool MeshStage::isCurrent(vtkPointSet* grid, const PieceOptions& piece)
 {
   if (this->IsMade)
   {
@@ -46,12 +53,12 @@ bool MeshStage::isCurrent(vtkUnstructuredGrid* grid, const PieceOptions& piece)
   return this->IsMade && this->MadeAs == piece && this->Asked == this->MadeFrom;
 }
 
-bool MeshStage::hasCellsOf(vtkUnstructuredGrid* grid)
+bool MeshStage::hasCellsOf(vtkPointSet* grid)
 {
   return !this->isCurrent(grid) && this->IsMade && this->Asked.hasCellsOf(this->MadeFrom);
 }
 
-std::string MeshStage::make(vtkUnstructuredGrid* grid, const ResourceLimits& limits,
+std::string MeshStage::make(vtkPointSet* grid, const ResourceLimits& limits,
   const Progress& progress, const PieceOptions& piece)
 {
   const Fingerprint attempt = attemptOf(grid, limits, piece);
@@ -68,8 +75,8 @@ std::string MeshStage::make(vtkUnstructuredGrid* grid, const ResourceLimits& lim
   {
     this->Mesh = {};
   }
-  const std::uint64_t least = leastTetrahedra(grid, mostTetrahedra(limits));
-  std::string error = describeExcess(leastBufferSizes(least), limits, SizesAre::LowerBounds);
+  auto* stored = vtkUnstructuredGrid::SafeDownCast(grid);
+  std::string error = stored ? excessOf(stored, limits) : checkData(grid);
   BuildStatus status = BuildStatus::Failed;
   if (error.empty())
   {
@@ -77,9 +84,11 @@ std::string MeshStage::make(vtkUnstructuredGrid* grid, const ResourceLimits& lim
     const std::string shortage = withinMemory("preparing the mesh",
       [&]
       {
-        status = cellsStay && movePoints(grid, this->Mesh)
+        status = !stored ? this->makeCurvilinear(
+                             vtkStructuredGrid::SafeDownCast(grid), limits, progress, error)
+                 : cellsStay && movePoints(stored, this->Mesh)
                    ? BuildStatus::Done
-                   : buildTetMesh(grid, progress, this->Mesh, error, piece);
+                   : buildTetMesh(stored, progress, this->Mesh, error, piece);
         if (status == BuildStatus::Done)
         {
           this->Asked.read(grid);
@@ -105,6 +114,20 @@ std::string MeshStage::make(vtkUnstructuredGrid* grid, const ResourceLimits& lim
     this->Error = error;
   }
   return error;
+}
+
+// If the cells can't be computed, they are stored.
+BuildStatus MeshStage::makeCurvilinear(vtkStructuredGrid* grid, const ResourceLimits& limits,
+  const Progress& progress, std::string& error)
+{
+  const BuildStatus status = buildCurvilinearMesh(grid, progress, this->Mesh, error);
+  if (status != BuildStatus::Done || !this->Mesh.Tets.empty())
+  {
+    return status;
+  }
+  const vtkSmartPointer<vtkUnstructuredGrid> hexahedra = hexahedraOf(grid);
+  error = excessOf(hexahedra, limits);
+  return error.empty() ? buildTetMesh(hexahedra, progress, this->Mesh, error) : BuildStatus::Failed;
 }
 
 std::string MeshStage::addHierarchy()

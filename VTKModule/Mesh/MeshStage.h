@@ -10,11 +10,13 @@
 #include "Input/GridContent.h"
 #include "Mesh/PieceOptions.h"
 #include "Mesh/TetMesh.h"
+#include "Mesh/TetMeshBuilder.h"
 #include "Parallel/Progress.h"
 
 #include <string>
 
-class vtkUnstructuredGrid;
+class vtkPointSet;
+class vtkStructuredGrid;
 
 namespace tetmarch
 {
@@ -23,14 +25,14 @@ class MeshStage
 {
 public:
   /** Whether the mesh belongs to the grid, or to another one with the same values. */
-  bool isCurrent(vtkUnstructuredGrid* grid, const PieceOptions& piece = {});
+  bool isCurrent(vtkPointSet* grid, const PieceOptions& piece = {});
   /**
    * Returns an empty string, or an error with its remedy. The mesh is then empty, and also if
    * progress requested a stop. A failed attempt is not repeated until the grid or the limits
    * change.
    */
-  std::string make(vtkUnstructuredGrid* grid, const ResourceLimits& limits,
-    const Progress& progress, const PieceOptions& piece = {});
+  std::string make(vtkPointSet* grid, const ResourceLimits& limits, const Progress& progress,
+    const PieceOptions& piece = {});
   /** Add the hierarchy of a convex mesh. Returns an empty string, or an error; the mesh is then
    * unchanged. */
   std::string addHierarchy();
@@ -42,7 +44,9 @@ public:
 
 private:
   bool hasCellsOf(
-    vtkUnstructuredGrid* grid); // whether only the points of the grid differ from those of the mesh
+    vtkPointSet* grid); // whether only the points of the grid differ from those of the mesh
+  BuildStatus makeCurvilinear(vtkStructuredGrid* grid, const ResourceLimits& limits,
+    const Progress& progress, std::string& error);
 
   TetMesh Mesh;
   bool IsMade = false;

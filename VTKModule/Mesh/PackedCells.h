@@ -18,9 +18,9 @@ using PackedCell = std::array<Id, 4>;
 inline PackedCell packedCell(const TetMesh& mesh, std::size_t tet)
 {
   const auto& v = mesh.Tets[tet];
-  const Id* links = &mesh.Links[4 * tet];
-  return { { v[0] ^ v[1] ^ v[2] ^ v[3], links[0] ^ links[3], links[1] ^ links[3],
-    links[2] ^ links[3] } };
+  const Id last = mesh.Links[4 * tet + 3];
+  return { { v[0] ^ v[1] ^ v[2] ^ v[3], mesh.Links[4 * tet] ^ last, mesh.Links[4 * tet + 1] ^ last,
+    mesh.Links[4 * tet + 2] ^ last } };
 }
 
 /** Fill the vector with the tetrahedra from begin to end, in parallel. */

@@ -126,15 +126,17 @@ bool orderTets(const Decomposition& from, const UsedPoints& used, const std::vec
     }
   }
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  mesh.Tets.resize(starts.back());
-  mesh.TetCells.resize(starts.back());
+  std::vector<std::array<Id, 4>>& ordered = mesh.Tets.stored();
+  std::vector<Id>& cells = mesh.TetCells.stored();
+  ordered.resize(starts.back());
+  cells.resize(starts.back());
   for (std::size_t t = 0; t < tets.size(); ++t)
   {
     if (!isDegenerate(tets[t]))
     {
       const Id at = starts[tets[t][0]]++;
-      mesh.Tets[at] = tets[t];
-      mesh.TetCells[at] = from.Cells[t];
+      ordered[at] = tets[t];
+      cells[at] = from.Cells[t];
     }
   }
   return true;
@@ -197,12 +199,13 @@ std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& pr
   const std::vector<Id> order = sortedOrder(codes);
   std::vector<Id> rank(vertexCount);
   mesh.Vertices.resize(vertexCount);
-  mesh.VertexPoints.resize(vertexCount);
+  std::vector<Id>& vertexPoints = mesh.VertexPoints.stored();
+  vertexPoints.resize(vertexCount);
   for (std::size_t i = 0; i < vertexCount; ++i)
   {
     rank[order[i]] = static_cast<Id>(i);
     mesh.Vertices[i] = vertices[order[i]];
-    mesh.VertexPoints[i] = used.Points[order[i]];
+    vertexPoints[i] = used.Points[order[i]];
   }
   stopped = !orderTets(tets, used, rank, progress, mesh);
   return {};

@@ -9,6 +9,7 @@
 #define TetMarchMeshTetMesh_h
 
 #include "Geometry/VolumeFrame.h"
+#include "Mesh/MeshArray.h"
 #include "Mesh/MeshReport.h"
 #include "Scalars/StoredScalar.h"
 
@@ -21,11 +22,6 @@
 
 namespace tetmarch
 {
-
-using Id = std::uint32_t;
-
-/** Links of half-faces at the boundary are LinkOutside + the index of the boundary face. */
-constexpr Id LinkOutside = 0x80000000u;
 
 /** Maximum number of tetrahedra, so that all half-faces are below LinkOutside. */
 constexpr std::uint64_t MostTetsOfLinks = LinkOutside / 4;
@@ -62,18 +58,19 @@ struct HierarchyNode
 
 struct TetMesh
 {
-  std::vector<std::array<Id, 4>> Tets;
-  std::vector<Id> Links;                        // of each half-face
+  MeshArray<VerticesOfTets> Tets;
+  MeshArray<LinksOfHalfFaces> Links;
   std::vector<std::array<Id, 4>> BoundaryFaces; // three vertices and the half-face inside
   std::vector<HierarchyNode> Hierarchy;         // may be empty if no ray needs it
   bool NeedsHierarchy = false;                  // rays may reenter
   std::size_t ReentryNodes = 0;                 // nodes [0, ReentryNodes) cover the faces that are
   std::size_t ReentryFaces = 0;                 // not on the hull; their number
   std::vector<Vertex> Vertices;
-  std::vector<Id> TetCells;     // the grid's cell that contains each tetrahedron
-  std::vector<Id> VertexPoints; // the grid's point of each vertex, or
-                                // NumberOfPoints + c: the mean of the points of cell
-                                // CenterCells[c]
+  MeshArray<CellsOfTets> TetCells;          // the grid's cell that contains each tetrahedron
+  MeshArray<PointsOfVertices> VertexPoints; // the grid's point of each vertex, or
+                                            // NumberOfPoints + c: the mean of the points of cell
+                                            // CenterCells[c]
+  std::shared_ptr<const CurvilinearCells> Curvilinear; // if these four are computed
   std::vector<Id> CenterCells;
   std::vector<Id> FirstPoints;    // of the points with equal coordinates, which have one vertex
                                   // (CoincidentPoints.h); empty if no two coincide
@@ -84,6 +81,15 @@ struct TetMesh
   VolumeFrame Frame;
   MeshReport Report;
 
+  /** Of a curvilinear grid: the tetrahedra, their links and numbers are computed. */
+  void computeCells(CurvilinearCells cells)
+  {
+    this->Curvilinear = std::make_shared<const CurvilinearCells>(std::move(cells));
+    this->Tets.compute(this->Curvilinear);
+    this->Links.compute(this->Curvilinear);
+    this->TetCells.compute(this->Curvilinear);
+    this->VertexPoints.compute(this->Curvilinear);
+  }
   Id numberOfTets() const { return static_cast<Id>(this->Tets.size()); }
   bool hasHierarchy() const { return !this->Hierarchy.empty(); }
 };

@@ -14,9 +14,10 @@ namespace
 {
 
 // Scalars of the requested tuples, as doubles.
+template <typename Tuples>
 struct ScalarReader
 {
-  const std::vector<Id>& Tuples;
+  const Tuples& Numbers;
   const TupleScalar& Scalar;
   std::vector<double>& Values;
 
@@ -27,7 +28,7 @@ struct ScalarReader
     const auto range = vtk::DataArrayTupleRange(array);
     for (vtkIdType i = first; i < last; ++i)
     {
-      const Id tuple = this->Tuples[i];
+      const Id tuple = this->Numbers[i];
       this->Values[i] = tuple < limit ? scalarOf(range[tuple], this->Scalar) : NotThere;
     }
   }
@@ -35,24 +36,43 @@ struct ScalarReader
   template <typename Array>
   void operator()(Array* array)
   {
-    parallelFor(0, static_cast<vtkIdType>(this->Tuples.size()),
+    parallelFor(0, static_cast<vtkIdType>(this->Numbers.size()),
       [&](vtkIdType first, vtkIdType last) { this->read(array, first, last); });
   }
 };
 
-} // namespace
-
-std::vector<double> scalarsOf(
-  vtkDataArray* array, const std::vector<Id>& tuples, const TupleScalar& scalar)
+template <typename Tuples>
+std::vector<double> readScalarsOf(
+  vtkDataArray* array, const Tuples& tuples, const TupleScalar& scalar)
 {
   std::vector<double> values(tuples.size(), NotThere);
-  ScalarReader reader{ tuples, scalar, values };
+  ScalarReader<Tuples> reader{ tuples, scalar, values };
   if (!vtkArrayDispatch::Dispatch::Execute(array, reader))
   {
     // An array that computes its values may not be thread-safe.
     reader.read(array, 0, static_cast<vtkIdType>(tuples.size()));
   }
   return values;
+}
+
+} // namespace
+
+std::vector<double> scalarsOf(
+  vtkDataArray* array, const std::vector<Id>& tuples, const TupleScalar& scalar)
+{
+  return readScalarsOf(array, tuples, scalar);
+}
+
+std::vector<double> scalarsOf(
+  vtkDataArray* array, const MeshArray<CellsOfTets>& tuples, const TupleScalar& scalar)
+{
+  return readScalarsOf(array, tuples, scalar);
+}
+
+std::vector<double> scalarsOf(
+  vtkDataArray* array, const MeshArray<PointsOfVertices>& tuples, const TupleScalar& scalar)
+{
+  return readScalarsOf(array, tuples, scalar);
 }
 
 } // namespace tetmarch

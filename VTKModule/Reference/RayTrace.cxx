@@ -20,8 +20,9 @@ double inData(double stored, const ScalarRange& range)
 
 bool areNeighbours(const TetMesh& mesh, Id a, Id b)
 {
-  const Id* links = &mesh.Links[4 * std::size_t(a)];
-  return std::any_of(links, links + 4, [b](Id link) { return link / 4 == b; });
+  constexpr std::array<std::size_t, 4> faces{ 0, 1, 2, 3 };
+  return std::any_of(faces.begin(), faces.end(),
+    [&](std::size_t face) { return mesh.Links[4 * std::size_t(a) + face] / 4 == b; });
 }
 
 // What the mesh and the data say of a cell, beside what the march knows.

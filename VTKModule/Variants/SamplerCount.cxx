@@ -12,11 +12,12 @@ namespace
 // Shaders/tet/..._buffers.glsl
 int samplersOfMesh(const VariantKey& key)
 {
-  const int ofCells = 1 + (key.PointScalars ? 0 : 1) + (key.CornerScalars ? 1 : 0);
+  const int stored = key.Curvilinear ? 0 : 1;
+  const int ofCells = stored + (key.PointScalars ? 0 : 1) + (key.CornerScalars ? 1 : 0);
   const int extra = key.hasComponents() ? 1 : 0;
   const int split = key.SplitCells ? ofCells + (key.PointScalars ? 0 : extra) : 0;
-  return ofCells + extra + split + 2 + (key.Hierarchy ? 1 : 0) + (key.HiddenCells ? 1 : 0) +
-         (key.EntryLists ? 2 : 0) + (key.VisiblePart ? 3 : 0);
+  return ofCells + extra + split + 2 + (key.Hierarchy ? 2 - stored : 0) +
+         (key.HiddenCells ? 1 : 0) + (key.EntryLists ? 2 : 0) + (key.VisiblePart ? 3 : 0);
 }
 
 // Shaders/structured/..._buffers.glsl
@@ -30,7 +31,7 @@ int samplersOfLattice(const VariantKey& key)
 // Shaders/light/..._buffers.glsl
 int samplersOfLight(const VariantKey& key)
 {
-  const bool stored = key.hasGradients() && !key.Structured;
+  const bool stored = key.hasStoredGradients();
   return (stored ? 1 : 0) + (stored && key.CellGradients && key.SplitCells ? 1 : 0) +
          (key.GradientOpacity ? 1 : 0) + (key.hasVertexLight() ? 1 : 0);
 }

@@ -103,6 +103,9 @@ VariantKey VariantKey::filtered() const
   // Where the scalar jumps at vertices, these have no gradient.
   key.CornerScalars =
     key.CornerScalars && key.PointScalars && !key.Structured && !key.hasComponents();
+  // Computed tetrahedra need no buffer, and share their vertices.
+  key.SplitCells = key.SplitCells && !key.Curvilinear;
+  key.CornerScalars = key.CornerScalars && !key.Curvilinear;
   key.CellGradients =
     (key.CellGradients || key.CornerScalars) && key.PointScalars && key.hasGradients();
   // Of a cell there is one gradient, as fine as it gets.
@@ -119,6 +122,7 @@ void VariantKey::dropWhatLatticesLack()
     this->Hierarchy = false;
     this->HasFma = false;
     this->SplitCells = false;
+    this->Curvilinear = false;
   }
   this->Rectilinear = this->Rectilinear && this->Structured;
   this->Slabs = this->Slabs && this->Structured;
@@ -167,7 +171,6 @@ void VariantKey::dropWhatComponentsLack()
   {
     this->TransparentRanges = false;
     this->GradientOpacity = false;
-    this->Shading = this->Shading && this->Structured;
     this->LightTolerance = false;
     this->Scattering = false;
     this->CastShadows = false;
@@ -187,6 +190,7 @@ VariantKey VariantKey::ofVertexLight(bool reenters) const
   key.ManySlabs = this->ManySlabs;
   key.Leaps = this->Leaps;
   key.SplitCells = this->SplitCells;
+  key.Curvilinear = this->Curvilinear;
   key.CornerScalars = this->CornerScalars;
   key.PointScalars = this->PointScalars;
   key.HasFma = this->HasFma;
@@ -211,6 +215,7 @@ VariantKey VariantKey::ofPick() const
   // Else there would be more samplers than a GL need have.
   key.VisiblePart = this->VisiblePart && !(this->SplitCells && this->CornerScalars);
   key.SplitCells = this->SplitCells;
+  key.Curvilinear = this->Curvilinear;
   key.CornerScalars = this->CornerScalars;
   key.PointScalars = this->PointScalars;
   // If the scalar is linear, the optical depth of a segment is exact.

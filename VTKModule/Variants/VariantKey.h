@@ -83,6 +83,7 @@ struct VariantKey
 
   bool VisiblePart = false; // rays enter and leave only visible tetrahedra
   bool SplitCells = false;  // tetrahedra are in two texture buffers
+  bool Curvilinear = false; // tetrahedra and links are computed from i, j, k
   /** Each corner of a tetrahedron has its own scalar: those of neighbours may differ. */
   bool CornerScalars = false;
 
@@ -108,6 +109,8 @@ struct VariantKey
   /** Something depends on the gradient. */
   bool hasGradients() const;
   bool hasVertexGradients() const;
+  /** Gradients are read from a buffer. */
+  bool hasStoredGradients() const;
   /** The colour depends on light or gradients. */
   bool isLit() const;
   bool hasShadows() const;
@@ -146,7 +149,7 @@ struct VariantKey
      * value. */
     void set(VariantKey& key, bool on) const;
   };
-  static constexpr int NumberOfFeatures = 47;
+  static constexpr int NumberOfFeatures = 48;
   static const std::array<Feature, NumberOfFeatures>& features();
   /** The bits of all features that are on. */
   std::uint64_t bits() const;

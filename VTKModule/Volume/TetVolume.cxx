@@ -10,7 +10,7 @@
 #include "Variants/VariantKey.h"
 #include "Volume/TransparentShare.h"
 
-#include "vtkUnstructuredGrid.h"
+#include "vtkPointSet.h"
 
 namespace tetmarch
 {
@@ -18,7 +18,7 @@ namespace tetmarch
 std::string TetVolume::updateGeometry(
   const VolumeInput& input, const ResourceLimits& limits, const Progress& progress)
 {
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(input.Data);
+  auto* grid = vtkPointSet::SafeDownCast(input.Data);
   this->Limits = limits;
   PieceOptions piece = input.Piece;
   piece.SeparatePoints = this->SeparatePoints;
@@ -42,7 +42,7 @@ std::vector<FiniteRange> TetVolume::rangesOf(vtkDataSet* grid, const DrawnScalar
   if (input != this->RangesInput)
   {
     this->RangesInput.clear();
-    this->Ranges = tetmarch::rangesOf(vtkUnstructuredGrid::SafeDownCast(grid), drawn, this->mesh());
+    this->Ranges = tetmarch::rangesOf(vtkPointSet::SafeDownCast(grid), drawn, this->mesh());
     this->RangesInput = input;
   }
   return this->Ranges;
@@ -76,8 +76,8 @@ std::string TetVolume::readScalars(const VolumeInput& input, const DrawnScalars&
     {
       const StageRecorder recorder(this->ScalarsRecord);
       this->Scalars = {};
-      this->Scalars = tetmarch::readScalars(
-        vtkUnstructuredGrid::SafeDownCast(input.Data), drawn, this->Meshed.mesh());
+      this->Scalars =
+        tetmarch::readScalars(vtkPointSet::SafeDownCast(input.Data), drawn, this->Meshed.mesh());
     });
   if (shortage.empty())
   {
@@ -156,6 +156,7 @@ void TetVolume::setBits(VariantKey& key) const
 {
   key.PointScalars = this->Scalars.OfCells.empty();
   key.CornerScalars = !this->Scalars.OfCorners.empty();
+  key.Curvilinear = this->mesh().Curvilinear != nullptr;
   key.Hierarchy = this->mayReenter();
   key.HiddenCells = !this->hiddenCells().empty();
   key.VisiblePart = this->entersVisiblePart();
@@ -177,6 +178,13 @@ std::vector<std::array<float, 3>> TetVolume::gradients(bool ofCells, Group* proc
   return ofCells               ? cellGradients(this->mesh(), this->Scalars.OfCorners)
          : cellScalars.empty() ? vertexGradients(this->mesh(), processes)
                                : vertexGradients(this->mesh(), cellScalars, processes);
+}
+
+std::vector<std::array<float, 3>> TetVolume::componentGradients(Group* processes) const
+{
+  const ExtraScalars& extra = this->Scalars.Extra;
+  return tetmarch::componentGradients(
+    this->mesh(), this->Scalars.OfCells, extra.Values, extra.count(), processes);
 }
 
 std::vector<EffectSource::VertexStart> TetVolume::vertexStarts() const

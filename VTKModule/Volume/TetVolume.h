@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The tetrahedra of a vtkUnstructuredGrid with what is drawn of them: the stages that make it, each
-// of which runs again only when its own input changed.
+// The tetrahedra of an unstructured or curvilinear grid with what is drawn of them: the stages that
+// make it, each of which runs again only when its own input changed.
 #ifndef TetMarchVolumeTetVolume_h
 #define TetMarchVolumeTetVolume_h
 
@@ -76,6 +76,7 @@ public:
   bool hasCellGradients() const override { return this->Scalars.OfCells.empty(); }
   bool needsCellGradients() const override { return !this->Scalars.OfCorners.empty(); }
   std::vector<std::array<float, 3>> gradients(bool ofCells, Group* processes) const override;
+  std::vector<std::array<float, 3>> componentGradients(Group* processes) const override;
   std::vector<VertexStart> vertexStarts() const override;
   bool startPoint(std::size_t vertex, const VertexStart& start, Vector3& point) const override;
 

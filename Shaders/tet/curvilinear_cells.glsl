@@ -1,0 +1,120 @@
+// The tetrahedra of a curvilinear grid follow from i, j, k (Mesh/CurvilinearCells.h). As tet/packed_cells.glsl.
+
+// A face seen from the ray's side; the numbers of half-faces are those of packed cells.
+struct Side
+{
+  uint ahead; // half-face of the tetrahedron that the ray enters; LINK_OUTSIDE: none
+  uint link;  // the half-face on the side that the ray has left
+  ivec3 cell; // the hexahedron ahead
+  int path;   // the tetrahedron in it: 2 * its first axis + its turn
+};
+
+// The axes of a path through a hexahedron.
+struct Path
+{
+  int first;
+  int second;
+  int last;
+  int turn;
+};
+
+bool isOutside(uint halfFace) { return halfFace >= LINK_OUTSIDE; }
+
+int ofAxis(ivec3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
+
+Path pathOf(int number)
+{
+  Path path;
+  path.turn = number & 1;
+  path.first = number >> 1;
+  int next = path.first == 2 ? 0 : path.first + 1;
+  int previous = path.first == 0 ? 2 : path.first - 1;
+  path.second = path.turn == 0 ? next : previous;
+  path.last = path.turn == 0 ? previous : next;
+  return path;
+}
+
+// n / divisor, whose reciprocal is given.
+int quotientOf(int n, int divisor, float reciprocal)
+{
+  int q = int(float(n) * reciprocal);
+  q = q + int(floor(float(n - q * divisor) * reciprocal));
+  int rest = n - q * divisor;
+  return q + (rest < 0 ? -1 : (rest >= divisor ? 1 : 0));
+}
+
+Side sideFrom(uint link, uint ahead)
+{
+  Side side;
+  side.ahead = ahead;
+  side.link = link;
+  int number = int((ahead >> 2u) / 6u);
+  side.path = int(ahead >> 2u) - 6 * number;
+  ivec3 count = hexahedraAlong();
+  int row = quotientOf(number, count.x, hexahedraShares.x);
+  int layer = quotientOf(row, count.y, hexahedraShares.y);
+  side.cell = ivec3(number - row * count.x, row - layer * count.y, layer);
+  return side;
+}
+
+// The fourth vertex of the tetrahedron ahead.
+uint apexOf(uvec4 cell, Side side, uvec3 ids)
+{
+  Path path = pathOf(side.path);
+  ivec3 count = hexahedraAlong();
+  ivec3 strides = ivec3(1, count.x + 1, (count.x + 1) * (count.y + 1));
+  int lowest = side.cell.x + strides.y * side.cell.y + strides.z * side.cell.z;
+  int highest = lowest + strides.x + strides.y + strides.z;
+  int second = lowest + ofAxis(strides, path.first);
+  int third = highest - ofAxis(strides, path.last);
+  return uint(lowest ^ second ^ third ^ highest) ^ ids.x ^ ids.y ^ ids.z;
+}
+
+uvec4 cellAhead(Side side) { return uvec4(0u, 0u, 0u, 0u); }
+
+// The side of another face of the tetrahedron ahead.
+Side sideOf(uvec4 cell, Side side, uint face)
+{
+  side.ahead = (side.ahead & ~3u) + face;
+  return side;
+}
+
+// The other side of a face of the tetrahedron ahead, where the ray leaves it: a path that begins elsewhere, in the next
+// hexahedron if the face is the first one or the last.
+Side sideBehind(uvec4 cell, Side side, uint face)
+{
+  Path path = pathOf(side.path);
+  ivec3 count = hexahedraAlong();
+  bool within = face == 1u || face == 2u;
+  int axis = face == 0u ? path.first : path.last;
+  int step = within ? 0 : (face == 0u ? 1 : -1);
+  int first = face < 2u ? path.second : (face == 2u ? path.first : path.last);
+  Side behind;
+  behind.link = (side.ahead & ~3u) + face;
+  behind.path = 2 * first + (within ? 1 - path.turn : path.turn);
+  behind.cell = side.cell +
+    ivec3(axis == 0 ? step : 0, axis == 1 ? step : 0, axis == 2 ? step : 0);
+  int place = ofAxis(behind.cell, axis);
+  int stride = axis == 0 ? 1 : (axis == 1 ? count.x : count.x * count.y);
+  int ahead = int(side.ahead & ~3u) + 4 * (6 * step * stride + behind.path - side.path) +
+    (within ? int(face) : 3 - int(face));
+  behind.ahead = place < 0 || place >= ofAxis(count, axis) ? LINK_OUTSIDE : uint(ahead);
+  return behind;
+}
+
+#if TETMARCH_BVH
+// The boundary face through which the ray has left.
+int boundaryFaceAhead(Side side)
+{
+  Side left = sideFrom(0u, side.link);
+  Path path = pathOf(left.path);
+  ivec3 count = hexahedraAlong();
+  int upper = (side.link & 3u) == 0u ? 1 : 0;
+  int axis = upper == 1 ? path.first : path.last;
+  int u = axis == 2 ? 0 : axis + 1;
+  int v = axis == 0 ? 2 : axis - 1;
+  int number = hexahedraCounts[3 + 2 * axis + upper] +
+    2 * (ofAxis(left.cell, u) + ofAxis(count, u) * ofAxis(left.cell, v)) + path.turn;
+  return int(fetchBoundaryOrder(number));
+}
+#endif

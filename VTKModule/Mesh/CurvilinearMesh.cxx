@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/CurvilinearMesh.h"
+
+#include "Mesh/BoundaryHierarchy.h"
+#include "Mesh/Convexity.h"
+#include "Mesh/HalfFaceLinks.h"
+#include "Mesh/Orientation.h"
+#include "Parallel/ParallelFor.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <tuple>
+
+namespace tetmarch
+{
+namespace
+{
+
+// The vertices are the points in their order.
+std::string placeVertices(vtkPoints* points, std::size_t count, TetMesh& mesh)
+{
+  std::vector<Vector3> positions(count);
+  parallelFor(0, static_cast<vtkIdType>(count),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        points->GetPoint(i, positions[i].data());
+      }
+    });
+  std::string wrong = findFrame(positions, mesh.Frame);
+  if (wrong.empty())
+  {
+    mesh.Vertices.resize(count);
+    parallelFor(0, static_cast<vtkIdType>(count),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          mesh.Vertices[i] = vertexAt(positions[i], mesh.Frame);
+        }
+      });
+  }
+  return wrong;
+}
+
+// The sign of the volume of the tetrahedron in a grid whose axes are right-handed, or its opposite
+// in others.
+int orderSign(std::size_t tet) { return tet % 2 == 0 ? 1 : -1; }
+
+// 1 or -1 if the axes of all hexahedra are right-handed or left-handed; 0 if that isn't certain of
+// each tetrahedron. unfinished: progress asked to stop.
+int handOf(const TetMesh& mesh, const Progress& progress, bool& unfinished)
+{
+  const int hand = volumeSign(mesh, 0) * orderSign(0);
+  std::atomic<bool> agree(hand != 0);
+  unfinished = !parallelFor(static_cast<vtkIdType>(mesh.Tets.size()), progress,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType t = first; t < last && agree; ++t)
+      {
+        if (volumeSign(mesh, static_cast<Id>(t)) != hand * orderSign(t))
+        {
+          agree = false;
+        }
+      }
+    });
+  return agree ? hand : 0;
+}
+
+// The triangles of the six sides, in the order of their numbers.
+void findBoundary(int hand, TetMesh& mesh)
+{
+  const CurvilinearCells& cells = *mesh.Curvilinear;
+  mesh.BoundaryFaces.reserve(cells.numberOfBoundaryFaces());
+  for (Id number = 0; number < cells.numberOfBoundaryFaces(); ++number)
+  {
+    const Id halfFace = cells.boundaryHalfFace(number);
+    mesh.BoundaryFaces.push_back(outwardFace(mesh, halfFace, hand * orderSign(halfFace / 4)));
+  }
+}
+
+bool hasCoincidentVertices(const TetMesh& mesh)
+{
+  std::vector<Id> vertices;
+  vertices.reserve(3 * mesh.BoundaryFaces.size());
+  for (const auto& face : mesh.BoundaryFaces)
+  {
+    vertices.insert(vertices.end(), face.begin(), face.begin() + 3);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const auto place = [&mesh](Id v)
+  { return std::tie(mesh.Vertices[v].X, mesh.Vertices[v].Y, mesh.Vertices[v].Z); };
+  std::sort(vertices.begin(), vertices.end(), [&place](Id a, Id b) { return place(a) < place(b); });
+  return std::adjacent_find(vertices.begin(), vertices.end(),
+           [&place](Id a, Id b) { return place(a) == place(b); }) != vertices.end();
+}
+
+} // namespace
+
+BuildStatus buildCurvilinearMesh(
+  vtkStructuredGrid* grid, const Progress& progress, TetMesh& mesh, std::string& error)
+{
+  mesh = {};
+  if (static_cast<std::uint64_t>(grid->GetNumberOfCells()) > MostCurvilinearCells)
+  {
+    error = "The grid has " + std::to_string(grid->GetNumberOfCells()) + " cells; at most " +
+            std::to_string(MostCurvilinearCells) +
+            " of a curvilinear grid can be rendered. vtkExtractGrid takes a part of it, or every "
+            "second point.";
+    return BuildStatus::Failed;
+  }
+  int points[3];
+  grid->GetDimensions(points);
+  CurvilinearCells cells(
+    std::array<Id, 3>{ { Id(points[0] - 1), Id(points[1] - 1), Id(points[2] - 1) } });
+  error = placeVertices(grid->GetPoints(), cells.numberOfPoints(), mesh);
+  if (!error.empty())
+  {
+    return BuildStatus::Failed;
+  }
+  mesh.NumberOfPoints = grid->GetNumberOfPoints();
+  mesh.HasCutCells = true;
+  mesh.computeCells(std::move(cells));
+  bool unfinished = false;
+  const int hand = handOf(mesh, subProgress(progress, 0.1, 0.8), unfinished);
+  if (unfinished)
+  {
+    return BuildStatus::Stopped;
+  }
+  if (hand != 0)
+  {
+    findBoundary(hand, mesh);
+  }
+  if (hand == 0 || mesh.BoundaryFaces.size() > MostHierarchyFaces || hasCoincidentVertices(mesh))
+  {
+    mesh = {};
+    return BuildStatus::Done;
+  }
+  mesh.NeedsHierarchy = !isConvex(mesh);
+  if (mesh.NeedsHierarchy)
+  {
+    buildHierarchy(mesh);
+    linkBoundary(mesh);
+  }
+  return progress && !progress(1.0) ? BuildStatus::Stopped : BuildStatus::Done;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> hexahedraOf(vtkStructuredGrid* grid)
+{
+  int n[3];
+  grid->GetDimensions(n);
+  const vtkIdType row = n[0], layer = vtkIdType(n[0]) * n[1];
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(grid->GetNumberOfCells(), 8 * grid->GetNumberOfCells());
+  for (int k = 0; k + 1 < n[2]; ++k)
+  {
+    for (int j = 0; j + 1 < n[1]; ++j)
+    {
+      for (int i = 0; i + 1 < n[0]; ++i)
+      {
+        const vtkIdType low = i + row * j + layer * k, high = low + layer;
+        cells->InsertNextCell(
+          { low, low + 1, low + 1 + row, low + row, high, high + 1, high + 1 + row, high + row });
+      }
+    }
+  }
+  auto hexahedra = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  hexahedra->SetPoints(grid->GetPoints());
+  hexahedra->SetCells(VTK_HEXAHEDRON, cells);
+  return hexahedra;
+}
+
+} // namespace tetmarch
