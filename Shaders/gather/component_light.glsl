@@ -4,7 +4,7 @@
 Light lightOfComponent(int component, CellInterval cell, real depth)
 {
   Ray ray = cell.ray;
-  vec3 gradient = gradientFromLattice(latticeGradientOf(component, cell.crossed, ray.start + ray.slope * depth));
+  vec3 gradient = gradientOfComponent(component, cell, depth);
 #if TETMARCH_WORLD_LIGHTS
   vec3 point = toWorld(ray.origin + ray.direction * depth);
 #else

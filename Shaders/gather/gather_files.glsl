@@ -11,6 +11,11 @@
 #endif
 #include "gather/subsegment.glsl"
 #if TETMARCH_LIT_COMPONENTS
+#if TETMARCH_STRUCTURED
+#include "structured/component_gradient.glsl"
+#else
+#include "tet/component_gradient.glsl"
+#endif
 #include "gather/component_light.glsl"
 #endif
 #if TETMARCH_INDEPENDENT

@@ -35,11 +35,15 @@ SegmentEnds segmentEnds(Segment segment)
   return ends;
 }
 
-#if TETMARCH_BENT
+#if TETMARCH_BENT || TETMARCH_LIT_COMPONENTS
 // The scalars at a fraction of the segment.
 vec4 scalarsWithin(SegmentEnds ends, real x)
 {
+#if TETMARCH_BENT
   return ends.begin + (ends.end - ends.begin) * x - (ends.square + ends.cube * (real(1) + x)) * (x * (real(1) - x));
+#else
+  return ends.begin + (ends.end - ends.begin) * x;
+#endif
 }
 
 // The ends of a part of a segment.
@@ -49,8 +53,10 @@ SegmentEnds endsWithin(SegmentEnds ends, Subsegment part)
   SegmentEnds within;
   within.begin = scalarsWithin(ends, part.begin);
   within.end = part.last ? ends.end : scalarsWithin(ends, part.end);
+#if TETMARCH_BENT
   within.square = (ends.square + ends.cube * (real(3) * part.begin)) * (h * h);
   within.cube = ends.cube * (h * h * h);
+#endif
 #if TETMARCH_LIT_COMPONENTS
   real begin = ends.depths.x + (ends.depths.y - ends.depths.x) * part.begin;
   within.depths = vec2(begin, begin + (ends.depths.y - ends.depths.x) * h);
@@ -188,7 +194,9 @@ SubsegmentMean meanOfSubsegment(SegmentEnds ends, Subsegment part, bool loaded, 
 real subsegmentError(
   SegmentEnds ends, Subsegment part, SubsegmentMean found, Absorption by, CellInterval cell, real transmittance)
 {
-#if TETMARCH_LIT_COMPONENTS
+#if TETMARCH_LIT_COMPONENTS && !TETMARCH_BENT
+  return transmittance * min(found.change * orderErrorFactor(by.depth), found.bright);
+#elif TETMARCH_LIT_COMPONENTS
   return transmittance *
     min(found.change * orderErrorFactor(by.depth) + found.bright * independentBend(found.bent, by), found.bright);
 #elif TETMARCH_BENT

@@ -10,6 +10,9 @@
 #if TETMARCH_EFFECTS
 #include "light/effect_buffer_files.glsl"
 #elif TETMARCH_LIT_COMPONENTS
+#if TETMARCH_COMPONENT_GRADIENTS
+#include "light/gradient_buffers.glsl"
+#endif
 #include "light/light_buffers.glsl"
 #endif
 #if TETMARCH_SAMPLED_SHADOWS

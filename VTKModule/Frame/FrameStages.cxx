@@ -142,7 +142,8 @@ StageResult FrameStages::updateRays(const FrameInput& input)
 
 std::string FrameStages::updateEffects(const FrameInput& input)
 {
-  const EffectInput from{ &this->Marched, input.Blocks, this->Processes, this->Generation };
+  const EffectInput from{ &this->Marched, input.Blocks, this->Processes, this->Generation,
+    this->Mix == ComponentMix::Independent };
   std::string error = this->Effects.update(input.Renderer, input.Volume, input.Effects, from);
   if (error.empty() && this->Mix == ComponentMix::Independent)
   {
@@ -155,20 +156,13 @@ std::string FrameStages::updateEffects(const FrameInput& input)
   return error;
 }
 
-// Of independent components those of an image have surfaces that are lit, and no other effect.
+// Independent components have surfaces that are lit, and no other effect.
 std::string FrameStages::effectsOfComponents(bool showsPicture) const
 {
   const EffectData& effects = this->Effects.data();
   if (showsPicture && effects.empty())
   {
     return {};
-  }
-  if (!this->Marched.isStructured())
-  {
-    return "Several independent components of a mesh are drawn together without light and "
-           "gradients, "
-           "but shading (vtkVolumeProperty::ShadeOn()), gradient opacity or a view of them is on. "
-           "Switch that off, or choose one component by VectorMode.";
   }
   const LightUniforms& lights = effects.Lights;
   if (showsPicture && effects.GradientOpacity.empty() && !lights.hasVolumeLight() &&

@@ -16,7 +16,7 @@ std::string EffectTextures::update(
   vtkOpenGLRenderWindow* window, const EffectStage& stage, const VariantKey& key)
 {
   const EffectData& data = stage.data();
-  const bool stored = key.hasGradients() && !key.Structured;
+  const bool stored = key.hasStoredGradients();
   this->GradientUnit = stored ? this->GradientUnit : 1;
   std::string error = this->Gradients.update(window, stored, stage.gradientsVersion(),
     [&](CellBuffer& buffer)
@@ -94,7 +94,7 @@ std::string EffectTextures::updateJitter(vtkOpenGLRenderWindow* window, bool nee
 
 void EffectTextures::bind(vtkShaderProgram* program, const EffectData& data, const VariantKey& key)
 {
-  if (key.hasGradients() && !key.Structured)
+  if (key.hasStoredGradients())
   {
     this->Gradients.bind(program, "gradientBuffer", "secondGradientBuffer");
   }

@@ -62,7 +62,7 @@ void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const View
   inputs.Volume->bind(program, inputs.Key);
   inputs.Tables->bind(program, inputs);
   bindBlending(program, stages.blending(), key);
-  if (key.hasGradients())
+  if (key.hasGradients() || key.hasStoredGradients())
   {
     inputs.Effects->bind(program, stages.effects().data(), key);
   }

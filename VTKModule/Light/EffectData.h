@@ -17,7 +17,8 @@ namespace tetmarch
 
 struct EffectData
 {
-  /** Gradients of the stored scalar: one per vertex or, if CellGradients, per tetrahedron. */
+  /** Gradients of the stored scalar: one per vertex or, if CellGradients, per tetrahedron. Of
+   * independent components: one each per vertex. */
   std::vector<std::array<float, 3>> Gradients;
   bool CellGradients = false;
   GradientOpacityTable GradientOpacity; // may be empty

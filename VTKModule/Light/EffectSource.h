@@ -43,6 +43,9 @@ public:
    * they are not stored. Collective if other processes have pieces of the volume. */
   virtual std::vector<std::array<float, 3>> gradients(bool ofCells, Group* processes) const = 0;
 
+  /** The same of independent components, all of a vertex one after the other. */
+  virtual std::vector<std::array<float, 3>> componentGradients(Group*) const { return {}; }
+
   /** Equal as long as vertexStarts() are the same. */
   virtual Fingerprint startsVersion() const { return this->geometryVersion(); }
   /** Starting points of rays from vertices to the light; empty if no light is stored at vertices.

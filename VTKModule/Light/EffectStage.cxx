@@ -172,14 +172,15 @@ void EffectStage::updateGradients(const EffectInput& input, bool needed, bool of
   {
     which = input.Source->scalarsVersion();
     which.push_back(input.Generation);
-    which.push_back(ofCells ? 1 : 0);
+    which.push_back(input.OfComponents ? 2 : (ofCells ? 1 : 0));
   }
   this->Gradients.update(
     which, [this] { std::vector<std::array<float, 3>>().swap(this->Data.Gradients); },
     [&]
     {
-      this->Data.CellGradients = ofCells;
-      this->Data.Gradients = input.Source->gradients(ofCells, input.Processes);
+      this->Data.CellGradients = ofCells && !input.OfComponents;
+      this->Data.Gradients = input.OfComponents ? input.Source->componentGradients(input.Processes)
+                                                : input.Source->gradients(ofCells, input.Processes);
       this->SteepestGradient = input.Source->storesGradients()
                                  ? steepestOfAll(steepest(this->Data.Gradients), input.Processes)
                                  : std::numeric_limits<double>::infinity();

@@ -29,6 +29,7 @@ struct EffectInput
    * all of them or by none: the generation changes in all if the scalars of one have changed. */
   Group* Processes = nullptr;
   std::uintptr_t Generation = 0;
+  bool OfComponents = false; // independent ones have a gradient each
 };
 
 /** Whether the picture may need gradients. */

@@ -282,4 +282,33 @@ std::vector<Gradient> vertexGradients(
   return gradientsOf({ mesh, takesPart, scalars }, around, group);
 }
 
+std::vector<Gradient> componentGradients(const TetMesh& mesh,
+  const std::vector<float>& firstOfCells, const std::vector<float>& extra, std::size_t extraCount,
+  Group* group)
+{
+  const bool ofCells = !firstOfCells.empty();
+  const VertexTets around(mesh);
+  const auto takesPart = ofCells
+                           ? findWhatTakesPart(mesh, [&](Id t) { return isDrawn(firstOfCells[t]); })
+                           : findWhatTakesPart(mesh);
+  const std::size_t count = 1 + extraCount;
+  std::vector<Gradient> gradients(count * mesh.Vertices.size());
+  std::vector<float> scalars = ofCells ? firstOfCells : scalarsOf(mesh);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    for (std::size_t i = 0; k > 0 && i < scalars.size(); ++i)
+    {
+      scalars[i] = extra[extraCount * i + k - 1];
+    }
+    const std::vector<float> atVertices =
+      ofCells ? vertexScalars(mesh, around, takesPart, scalars, group) : scalars;
+    const std::vector<Gradient> own = gradientsOf({ mesh, takesPart, atVertices }, around, group);
+    for (std::size_t v = 0; v < own.size(); ++v)
+    {
+      gradients[count * v + k] = own[v];
+    }
+  }
+  return gradients;
+}
+
 } // namespace tetmarch

@@ -52,6 +52,13 @@ std::vector<Gradient> vertexGradients(const TetMesh& mesh, Group* group = nullpt
 std::vector<Gradient> vertexGradients(
   const TetMesh& mesh, const std::vector<float>& cellScalars, Group* group = nullptr);
 
+/** At each vertex, of several scalars: as many gradients a vertex, of the first and the extra ones,
+ * whose values are one after the other for each vertex or, if the first ones of cells are given,
+ * for each tetrahedron. */
+std::vector<Gradient> componentGradients(const TetMesh& mesh,
+  const std::vector<float>& firstOfCells, const std::vector<float>& extra, std::size_t extraCount,
+  Group* group = nullptr);
+
 /** In a tetrahedron that has a volume, of the scalars of its corners. */
 Vector3 gradientIn(const TetMesh& mesh, Id tet, const std::array<float, 4>& scalars);
 

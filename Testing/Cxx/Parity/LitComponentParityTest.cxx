@@ -3,6 +3,7 @@
 // What the GL draws of dependent components of a volume of each kind in light, pixel by pixel
 // against the CPU reference; and that the light is that of the component which gives the opacity.
 #include "Lights.h"
+#include "OwnGradients.h"
 #include "ParityScenes.h"
 
 #include "vtkActor.h"
@@ -229,4 +230,42 @@ TEST_P(LitMeshComponents, LightIsThatOfTheOpacity)
 
 INSTANTIATE_TEST_SUITE_P(Of, LitMeshComponents, ::testing::ValuesIn(Dependent),
   [](const auto& of) { return of.param.Name; });
+
+class LitIndependentMeshComponents : public ::testing::TestWithParam<Mix>
+{
+};
+
+TEST_P(LitIndependentMeshComponents, EachIsLitByItsOwnGradient)
+{
+  const Mix& mix = GetParam();
+  const Grid grid = withComponents(lattice(6), linearComponents(mix.Components), VTK_DOUBLE);
+  Scene lit(grid), dimmed(grid);
+  drawComponents(lit, mix);
+  drawComponents(dimmed, mix);
+  expectLightOfOwnGradients(lit, dimmed, mix.Components);
+}
+
+TEST_P(LitIndependentMeshComponents, ByLightsOfAllKinds)
+{
+  for (const bool cells : { false, true })
+  {
+    SCOPED_TRACE(cells ? "cells" : "points");
+    ComponentScene scene(lattice(8), GetParam(), 64, 64);
+    if (cells)
+    {
+      scene.drawCells();
+    }
+    const Image unlit = scene.render();
+    setShading(scene.property());
+    expectParity(scene);
+    EXPECT_GT(compare(scene.render(), unlit).Max, 0.02);
+    addLight(scene.Renderer, 3.0, 4.0, 1.5);
+    addFadingLight(scene.Renderer);
+    addSpotlight(scene.Renderer);
+    expectParity(scene);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, LitIndependentMeshComponents,
+  ::testing::Values(Mixes[0], Mixes[1], Mixes[2]), [](const auto& of) { return of.param.Name; });
 } // namespace

@@ -192,7 +192,7 @@ TEST(ComponentStages, TheReferenceIsInTheSameLight)
   }
 }
 
-// Shading is for dependent components, and an error with independent ones.
+// Shadows are for dependent components, and an error with independent ones.
 TEST(ComponentStages, LightIsThereAsLongAsItIsAskedFor)
 {
   ComponentScene scene(lattice(), { "", 4, false }, Side, Side);
@@ -207,7 +207,11 @@ TEST(ComponentStages, LightIsThereAsLongAsItIsAskedFor)
   scene.property()->IndependentComponentsOn();
   scene.Mapper->SetVectorModeToAllComponents();
   scene.Window->Render();
+  EXPECT_TRUE(watch.Errors.empty());
+  scene.Mapper->SetShadowMethodToAutomatic();
+  scene.Window->Render();
   EXPECT_EQ(watch.Errors.size(), 1u);
+  scene.Mapper->SetShadowMethodToOff();
   scene.property()->IndependentComponentsOff();
   EXPECT_EQ(scene.render().Rgba, lit.Rgba);
   scene.property()->ShadeOff();

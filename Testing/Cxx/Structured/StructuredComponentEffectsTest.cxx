@@ -3,6 +3,7 @@
 // Several components of images: picks, light, and the same picture as that of a mesh.
 #include "ComponentTruth.h"
 #include "Lights.h"
+#include "OwnGradients.h"
 #include "StructuredComponents.h"
 #include "Unprojection.h"
 
@@ -160,64 +161,20 @@ protected:
   }
 };
 
-// Of a linear field each surface has the same normal: its colour in light is that without light,
-// times one factor.
 TEST_P(LitIndependentComponents, EachIsLitByItsOwnGradient)
 {
-  const std::array<Vec3, 4> ways{ { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 1.0, 1.0, 2.0 },
-    { -1.0, 2.0, 1.0 } } };
-  const Vec3 light{ 2.5, 3.5, 1.0 };
   const int count = GetParam().Components;
-  std::vector<Field> fields;
-  for (int k = 0; k < count; ++k)
-  {
-    fields.push_back(linearFieldAlong(ways[k][0], ways[k][1], ways[k][2]));
-  }
-  const auto image = imageWith(fields, 8, VTK_DOUBLE);
+  const auto image = imageWith(linearComponents(count), 8, VTK_DOUBLE);
   for (const LatticeValues values : { LatticeValues::PointsLinear, LatticeValues::CellsLinear })
   {
-    StructuredScene lit(image);
-    setFunctions(lit);
-    lit.draw(values);
-    lit.Mapper->SetAccuracyLevelToAccurate();
-    lit.addLight(0.5 + light[0], 0.5 + light[1], 0.5 + light[2]);
-    lit.property()->ShadeOn();
-    lit.property()->SetAmbient(0.2);
-    lit.property()->SetDiffuse(0.6);
-    lit.property()->SetSpecular(0.0);
-    for (int k = 1; k < count; ++k)
+    SCOPED_TRACE(nameOf(values));
+    StructuredScene lit(image), dimmed(image);
+    for (StructuredScene* scene : { &lit, &dimmed })
     {
-      lit.property()->ShadeOn(k);
-      lit.property()->SetAmbient(k, 0.2);
-      lit.property()->SetDiffuse(k, 0.6);
-      lit.property()->SetSpecular(k, 0.0);
+      setFunctions(*scene);
+      scene->draw(values);
     }
-    StructuredScene dimmed(image);
-    setFunctions(dimmed);
-    dimmed.draw(values);
-    dimmed.Mapper->SetAccuracyLevelToAccurate();
-    const Image unlit = dimmed.render();
-    for (int k = 0; k < count; ++k)
-    {
-      const Vec3& way = ways[k];
-      const double turned = way[0] * light[0] + way[1] * light[1] + way[2] * light[2];
-      const double factor =
-        0.2 + 0.6 * std::abs(turned) /
-                (std::hypot(way[0], way[1], way[2]) * std::hypot(light[0], light[1], light[2]));
-      vtkColorTransferFunction* colors = dimmed.property()->GetRGBTransferFunction(k);
-      for (int i = 0; i < colors->GetSize(); ++i)
-      {
-        double node[6];
-        colors->GetNodeValue(i, node);
-        colors->SetNodeValue(i, std::array<double, 6>{ node[0], factor * node[1], factor * node[2],
-                                  factor * node[3], node[4], node[5] }
-                                  .data());
-      }
-    }
-    const Image expected = dimmed.render();
-    EXPECT_GT(compare(unlit, expected).Max, 0.1);
-    const Difference difference = compare(lit.render(), expected);
-    EXPECT_LE(difference.Max, 0.5 / 255.0) << nameOf(values) << ": " << difference.text();
+    expectLightOfOwnGradients(lit, dimmed, count);
   }
 }
 
