@@ -128,7 +128,9 @@ void joinCells(const SharedBlocks& blocks, vtkUnstructuredGrid* grid)
     vtkDataSet* block = blocks.Data[b];
     for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell)
     {
-      const int type = block->GetCellType(cell);
+      const bool refined =
+        !blocks.Refined.empty() && blocks.Refined[b][static_cast<std::size_t>(cell)];
+      const int type = refined ? VTK_EMPTY_CELL : block->GetCellType(cell);
       block->GetCellPoints(cell, ids);
       rename(ids, blocks.Points[b]);
       if (type == VTK_POLYHEDRON)

@@ -25,6 +25,7 @@ struct SharedBlocks
   std::vector<vtkDataSet*> Data;
   std::vector<BlockPoints> Points;
   vtkIdType Count = 0;
+  std::vector<std::vector<bool>> Refined; // cells that are left out, of each block; may be empty
   std::vector<vtkIdType> Places; // of the last points: those with the same positions (repeatShared)
 };
 
@@ -32,7 +33,7 @@ struct SharedBlocks
  */
 vtkSmartPointer<vtkPoints> joinPoints(const SharedBlocks& blocks);
 /** Add the cells of all blocks to the empty grid, in the order of the blocks, polyhedra with their
- * faces. The cells must be valid (checkGrid). */
+ * faces, refined ones as VTK_EMPTY_CELL. The cells must be valid (checkGrid). */
 void joinCells(const SharedBlocks& blocks, vtkUnstructuredGrid* grid);
 
 /** Join one array of each block; all have the same number of components. The result has their

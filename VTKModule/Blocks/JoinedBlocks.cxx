@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blocks/JoinedBlocks.h"
 
+#include "Blocks/RefinedCells.h"
 #include "Caching/WithinMemory.h"
 #include "Input/DataCheck.h"
 #include "Input/HigherOrderCheck.h"
@@ -236,6 +237,7 @@ void JoinedBlocks::joinChanged(vtkDataObject* input, const ScalarSelection& sele
   const std::vector<Block> drawn = this->drawnOf(blocks);
   if (!sameShape && this->Error.empty())
   {
+    this->Shared.Refined = refinedCells(input, drawn);
     this->Error = this->join(drawn);
   }
   if (this->Error.empty())

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A mesh in blocks looks like the whole: rays go on from block to block.
+#include "AdaptiveMeshes.h"
 #include "ErrorScene.h"
 #include "GridBlocks.h"
 #include "OtherGrid.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"
+#include "vtkOverlappingAMR.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
-#include "vtkStructuredGrid.h"
 #include "vtkTrivialProducer.h"
 
 #include <cmath>
@@ -98,39 +98,27 @@ TEST(Blocks, LookLikeTheWhole)
   }
 }
 
-// A curvilinear grid needs no tree around it.
-TEST(Blocks, CurvilinearGridsAlone)
+// An adaptive mesh: each place has the constant scalar of the finest cell there.
+TEST(Blocks, AdaptiveMeshes)
 {
-  constexpr int n = 6;
-  const std::vector<double> places = latticePoints(n, 0.15, 1);
-  const Field field = sineField();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkDoubleArray> scalars;
-  scalars->SetName("f");
-  for (std::size_t i = 0; i < places.size(); i += 3)
+  for (const bool fromInside : { false, true })
   {
-    points->InsertNextPoint(&places[i]);
-    scalars->InsertNextValue(field(places[i], places[i + 1], places[i + 2]));
+    SCOPED_TRACE(fromInside ? "from inside" : "from outside");
+    Scene even(evenMesh(sineField()));
+    Scene adaptive(even.Data);
+    adaptive.Mapper->SetInputDataObject(adaptiveMesh(sineField()));
+    for (Scene* scene : { &even, &adaptive })
+    {
+      scene->drawCellScalars();
+      fromInside ? lookFromInside(scene->camera()) : void();
+    }
+    const Image expected = even.render();
+    const Difference difference = compare(adaptive.render(), expected);
+    EXPECT_LE(difference.Max, 1.0 / 255.0) << difference.text();
+    EXPECT_EQ(adaptive.Mapper->GetNumberOfLostRays(), 0);
+    EXPECT_LT(adaptive.Mapper->GetNumberOfCrossedCells(), even.Mapper->GetNumberOfCrossedCells());
+    std::cout << "[ MEASURED ] " << difference.text() << "\n";
   }
-  vtkNew<vtkStructuredGrid> grid;
-  grid->SetDimensions(n + 1, n + 1, n + 1);
-  grid->SetPoints(points);
-  grid->GetPointData()->SetScalars(scalars);
-  vtkNew<vtkPartitionedDataSet> tree;
-  tree->SetPartition(0, grid);
-  Scene alone(jitteredLattice(2, 0.0));
-  Scene inTree(jitteredLattice(2, 0.0));
-  alone.Mapper->SetInputDataObject(grid);
-  inTree.Mapper->SetInputDataObject(tree);
-  const Image whole = inTree.render();
-  EXPECT_EQ(compare(alone.render(), whole).Max, 0.0);
-  EXPECT_EQ(alone.Mapper->GetNumberOfTetrahedra(), 6 * n * n * n);
-  EXPECT_EQ(vtkBoundingBox(alone.Mapper->GetBounds()), vtkBoundingBox(grid->GetBounds()));
-  grid->BlankCell(n * n * n / 2 + n * n / 2);
-  grid->Modified();
-  const Image blanked = inTree.render();
-  EXPECT_GT(compare(blanked, whole).Max, 0.02);
-  EXPECT_EQ(compare(alone.render(), blanked).Max, 0.0);
 }
 
 // Where blocks have other values at the points that they share, they are cells with points of their
